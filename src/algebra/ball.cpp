@@ -1,0 +1,123 @@
+#include "phrame/algebra/ball.hpp"
+
+#include <memory>
+
+namespace phrame {
+namespace {
+
+Rational exact_value(const arf_t x) {
+  flint::Fmpq value;
+  arf_get_fmpq(value.get(), x);
+  return to_rational(value.get());
+}
+
+}  // namespace
+
+RealBall::RealBall(const Rational& x, long bits) {
+  flint::Fmpq value;
+  assign(value.get(), x);
+  arb_set_fmpq(raw(), value.get(), bits);
+}
+
+Rational RealBall::lower() const { return exact_value(arb_midref(raw())) - radius(); }
+
+Rational RealBall::upper() const { return exact_value(arb_midref(raw())) + radius(); }
+
+Rational RealBall::radius() const {
+  flint::Fmpq value;
+  mag_get_fmpq(value.get(), arb_radref(raw()));
+  return to_rational(value.get());
+}
+
+bool RealBall::contains(const Rational& x) const {
+  flint::Fmpq value;
+  assign(value.get(), x);
+  return arb_contains_fmpq(raw(), value.get()) != 0;
+}
+
+RealBall add(const RealBall& a, const RealBall& b, long bits) {
+  RealBall c;
+  arb_add(c.raw(), a.raw(), b.raw(), bits);
+  return c;
+}
+
+RealBall subtract(const RealBall& a, const RealBall& b, long bits) {
+  RealBall c;
+  arb_sub(c.raw(), a.raw(), b.raw(), bits);
+  return c;
+}
+
+RealBall multiply(const RealBall& a, const RealBall& b, long bits) {
+  RealBall c;
+  arb_mul(c.raw(), a.raw(), b.raw(), bits);
+  return c;
+}
+
+RealBall divide(const RealBall& a, const RealBall& b, long bits) {
+  RealBall c;
+  arb_div(c.raw(), a.raw(), b.raw(), bits);
+  return c;
+}
+
+RealBall sqrt(const RealBall& a, long bits) {
+  RealBall c;
+  arb_sqrt(c.raw(), a.raw(), bits);
+  return c;
+}
+
+RealBall pi(long bits) {
+  RealBall c;
+  arb_const_pi(c.raw(), bits);
+  return c;
+}
+
+CosSin cos_sin(const RealBall& angle, long bits) {
+  CosSin result;
+  arb_sin_cos(result.sin.raw(), result.cos.raw(), angle.raw(), bits);
+  return result;
+}
+
+ComplexBall::ComplexBall(const RealBall& re, const RealBall& im) {
+  acb_set_arb_arb(raw(), re.raw(), im.raw());
+}
+
+RealBall ComplexBall::re() const {
+  RealBall part;
+  acb_get_real(part.raw(), raw());
+  return part;
+}
+
+RealBall ComplexBall::im() const {
+  RealBall part;
+  acb_get_imag(part.raw(), raw());
+  return part;
+}
+
+ComplexBall conjugate(const ComplexBall& z) {
+  ComplexBall c;
+  acb_conj(c.raw(), z.raw());
+  return c;
+}
+
+ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits) {
+  flint::FmpzPoly numerator;
+  fmpq_poly_get_numerator(numerator.get(), p.raw());
+  ComplexBall value;
+  arb_fmpz_poly_evaluate_acb(value.raw(), numerator.get(), z.raw(), bits);
+  acb_div_fmpz(value.raw(), value.raw(), fmpq_poly_denref(p.raw()), bits);
+  return value;
+}
+
+ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits) {
+  ComplexBall c;
+  acb_div(c.raw(), a.raw(), b.raw(), bits);
+  return c;
+}
+
+std::string to_string(const RealBall& a, long digits) {
+  const std::unique_ptr<char, void (*)(void*)> text(arb_get_str(a.raw(), digits, ARB_STR_NO_RADIUS),
+                                                    flint_free);
+  return text.get();
+}
+
+}  // namespace phrame

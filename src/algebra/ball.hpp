@@ -1,0 +1,74 @@
+#pragma once
+#include "phrame/algebra/gaussian_polynomial.hpp"
+
+namespace phrame {
+
+/// A set [midpoint − radius, midpoint + radius] that contains a real number. Functions of balls
+/// return a ball that contains every value on their arguments, computed with `bits` bits of
+/// working precision (Johansson, Arb: efficient arbitrary-precision midpoint-radius interval
+/// arithmetic).
+class RealBall {
+ public:
+  RealBall() = default;  ///< exactly 0
+  RealBall(const Rational& x, long bits);
+
+  /// The ends of the ball, exact. Precondition: is_finite().
+  Rational lower() const;
+  Rational upper() const;
+  Rational radius() const;
+  bool is_finite() const { return arb_is_finite(raw()) != 0; }
+  bool contains(const Rational& x) const;
+  bool contains_zero() const { return arb_contains_zero(raw()) != 0; }
+  bool is_positive() const { return arb_is_positive(raw()) != 0; }
+  bool overlaps(const RealBall& other) const { return arb_overlaps(raw(), other.raw()) != 0; }
+  /// The relative accuracy in bits; a large negative number for a ball that contains 0.
+  long accuracy_bits() const { return arb_rel_accuracy_bits(raw()); }
+
+  arb_struct* raw() { return handle_.get(); }
+  const arb_struct* raw() const { return handle_.get(); }
+
+ private:
+  flint::Arb handle_;
+};
+
+RealBall add(const RealBall& a, const RealBall& b, long bits);
+RealBall subtract(const RealBall& a, const RealBall& b, long bits);
+RealBall multiply(const RealBall& a, const RealBall& b, long bits);
+RealBall divide(const RealBall& a, const RealBall& b, long bits);
+RealBall sqrt(const RealBall& a, long bits);
+RealBall pi(long bits);
+
+struct CosSin {
+  RealBall cos;
+  RealBall sin;
+};
+CosSin cos_sin(const RealBall& angle, long bits);
+
+/// A rectangle of two real balls that contains a complex number.
+class ComplexBall {
+ public:
+  ComplexBall() = default;  ///< exactly 0
+  ComplexBall(const RealBall& re, const RealBall& im);
+
+  RealBall re() const;
+  RealBall im() const;
+  bool overlaps(const ComplexBall& other) const { return acb_overlaps(raw(), other.raw()) != 0; }
+
+  acb_struct* raw() { return handle_.get(); }
+  const acb_struct* raw() const { return handle_.get(); }
+
+ private:
+  flint::Acb handle_;
+};
+
+ComplexBall conjugate(const ComplexBall& z);
+/// p(z).
+ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits);
+/// a/b; not finite where b contains 0.
+ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits);
+
+/// "0.285856530098 − 0.343344423853i" and "[2.99 ± 1e-9]", for messages and tables: `digits`
+/// significant digits of the midpoint, correct up to the last.
+std::string to_string(const RealBall& a, long digits);
+
+}  // namespace phrame

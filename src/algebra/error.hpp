@@ -1,0 +1,42 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+
+namespace phrame {
+
+/// What every exception of phrame derives from.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The question has no answer: a division by zero, a pole on the path, a Frenet frame of a line.
+/// The message names the function, the reason and the value.
+class DomainError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// The answer exists, but the limit that the message names was reached before it was proved.
+class Undecided : public Error {
+ public:
+  using Error::Error;
+};
+
+/// What was read is not what its format says. `place` is where (a JSON pointer, a column, an
+/// option), `reason` what is wrong, with the value; what() is "place: reason".
+class InputError : public Error {
+ public:
+  explicit InputError(std::string reason) : Error(reason), reason_(std::move(reason)) {}
+  InputError(std::string place, std::string reason)
+      : Error(place + ": " + reason), place_(std::move(place)), reason_(std::move(reason)) {}
+
+  const std::string& place() const noexcept { return place_; }
+  const std::string& reason() const noexcept { return reason_; }
+
+ private:
+  std::string place_;
+  std::string reason_;
+};
+
+}  // namespace phrame

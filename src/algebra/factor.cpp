@@ -1,0 +1,51 @@
+#include "phrame/algebra/factor.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+
+namespace phrame {
+namespace {
+
+struct Factors {
+  fmpz_poly_factor_t value;
+  Factors() { fmpz_poly_factor_init(value); }
+  ~Factors() { fmpz_poly_factor_clear(value); }
+  Factors(const Factors&) = delete;
+  Factors& operator=(const Factors&) = delete;
+};
+
+bool comes_before(const Factor& a, const Factor& b) {
+  if (a.base.degree() != b.base.degree()) return a.base.degree() < b.base.degree();
+  if (a.exponent != b.exponent) return a.exponent < b.exponent;
+  for (long k = a.base.degree(); k >= 0; --k) {
+    const Rational x = a.base.coefficient(k);
+    const Rational y = b.base.coefficient(k);
+    if (x != y) return x < y;
+  }
+  return false;
+}
+
+template <class Split>
+Factorization factorization(const Polynomial& p, const char* name, Split split) {
+  if (p.is_zero()) throw DomainError(std::string(name) + ": the zero polynomial has none");
+  Factorization result{content(p), {}};
+  if (p.is_constant()) return result;
+  Factors found;
+  split(found.value, integer_primitive_part(p).get());
+  for (slong k = 0; k < found.value->num; ++k)
+    result.factors.push_back({primitive_part(to_polynomial(&found.value->p[k])),
+                              static_cast<long>(found.value->exp[k])});
+  std::sort(result.factors.begin(), result.factors.end(), comes_before);
+  return result;
+}
+
+}  // namespace
+
+Factorization squarefree_factorization(const Polynomial& p) {
+  return factorization(p, "squarefree_factorization", fmpz_poly_factor_squarefree);
+}
+
+Factorization factor(const Polynomial& p) { return factorization(p, "factor", fmpz_poly_factor); }
+
+}  // namespace phrame

@@ -1,0 +1,25 @@
+#pragma once
+#include "phrame/algebra/polynomial.hpp"
+
+namespace phrame {
+
+struct Factor {
+  Polynomial base;  ///< coprime integer coefficients, positive leading one, degree ≥ 1
+  long exponent;    ///< ≥ 1
+  friend bool operator==(const Factor&, const Factor&) = default;
+};
+
+/// p = unit · ∏ baseᵏ, the bases pairwise coprime. In order of degree, then exponent, then
+/// coefficients from the highest down, so that equal polynomials have equal factorizations.
+struct Factorization {
+  Rational unit;
+  std::vector<Factor> factors;
+};
+
+/// The bases are squarefree and the exponents distinct (Yun). Throws DomainError for 0.
+Factorization squarefree_factorization(const Polynomial& p);
+
+/// The bases are irreducible over ℚ. Throws DomainError for 0.
+Factorization factor(const Polynomial& p);
+
+}  // namespace phrame

@@ -1,0 +1,33 @@
+#pragma once
+// The only place that includes FLINT and Arb, and the only one that knows which version it is:
+// up to 2.9 Arb is a library of its own, from 3.0 on it is part of FLINT.
+#include <flint/flint.h>
+#include <flint/fmpq.h>
+#include <flint/fmpq_mat.h>
+#include <flint/fmpq_poly.h>
+#include <flint/fmpz.h>
+#include <flint/fmpz_mat.h>
+#include <flint/fmpz_poly.h>
+#include <flint/fmpz_poly_factor.h>
+#include <flint/nmod_poly.h>
+#include <flint/ulong_extras.h>
+
+#if __FLINT_VERSION >= 3
+#include <flint/acb.h>
+#include <flint/acb_calc.h>
+#include <flint/acb_poly.h>
+#include <flint/arb.h>
+#include <flint/arb_fmpz_poly.h>
+#include <flint/arb_poly.h>
+#include <flint/arf.h>
+#include <flint/mag.h>
+#else
+#include <acb.h>
+#include <acb_calc.h>
+#include <acb_poly.h>
+#include <arb.h>
+#include <arb_fmpz_poly.h>
+#include <arb_poly.h>
+#include <arf.h>
+#include <mag.h>
+#endif

@@ -1,0 +1,89 @@
+#pragma once
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+#include "phrame/algebra/handle.hpp"
+#include "phrame/algebra/rational.hpp"
+
+namespace phrame {
+
+/// A polynomial over ℚ in one variable. Degree of 0 is −1.
+class Polynomial {
+ public:
+  Polynomial() = default;  ///< 0
+  Polynomial(std::initializer_list<Rational> ascending) : Polynomial(std::vector(ascending)) {}
+  explicit Polynomial(const std::vector<Rational>& ascending);
+  /// c · tᵏ, k ≥ 0.
+  static Polynomial monomial(const Rational& c, long k);
+
+  long degree() const { return fmpq_poly_degree(raw()); }
+  bool is_zero() const { return fmpq_poly_is_zero(raw()) != 0; }
+  bool is_constant() const { return degree() <= 0; }
+
+  /// 0 beyond the degree; k ≥ 0.
+  Rational coefficient(long k) const;
+  Rational leading_coefficient() const { return is_zero() ? Rational(0) : coefficient(degree()); }
+  std::vector<Rational> coefficients() const;  ///< ascending, degree() + 1 of them
+
+  /// The value at t.
+  Rational operator()(const Rational& t) const;
+
+  Polynomial& operator+=(const Polynomial& b);
+  Polynomial& operator-=(const Polynomial& b);
+  Polynomial& operator*=(const Polynomial& b);
+  Polynomial& operator*=(const Rational& c);
+
+  friend Polynomial operator+(Polynomial a, const Polynomial& b) { return std::move(a += b); }
+  friend Polynomial operator-(Polynomial a, const Polynomial& b) { return std::move(a -= b); }
+  friend Polynomial operator*(Polynomial a, const Polynomial& b) { return std::move(a *= b); }
+  friend Polynomial operator*(const Rational& c, Polynomial a) { return std::move(a *= c); }
+  friend Polynomial operator-(Polynomial a) { return Rational(-1) * std::move(a); }
+  friend bool operator==(const Polynomial& a, const Polynomial& b) {
+    return fmpq_poly_equal(a.raw(), b.raw()) != 0;
+  }
+
+  /// FLINT's own, for the files of this folder.
+  fmpq_poly_struct* raw() { return handle_.get(); }
+  const fmpq_poly_struct* raw() const { return handle_.get(); }
+
+ private:
+  flint::FmpqPoly handle_;
+};
+
+struct Division {
+  Polynomial quotient;
+  Polynomial remainder;
+};
+
+/// a = quotient · b + remainder, deg remainder < deg b. Throws DomainError for b = 0.
+Division divide(const Polynomial& a, const Polynomial& b);
+Polynomial operator%(const Polynomial& a, const Polynomial& b);
+/// a / b, where b divides a. Throws DomainError where it does not.
+Polynomial exact_quotient(const Polynomial& a, const Polynomial& b);
+
+/// The greatest common divisor with coprime integer coefficients and a positive leading one;
+/// gcd(0, 0) = 0.
+Polynomial gcd(const Polynomial& a, const Polynomial& b);
+
+/// p = content(p) · primitive_part(p); the primitive part has coprime integer coefficients and a
+/// positive leading one, so the content carries the sign. Both are 0 for 0.
+Rational content(const Polynomial& p);
+Polynomial primitive_part(const Polynomial& p);
+
+Polynomial differentiate(const Polynomial& p);
+/// ∫₀ᵗ p.
+Polynomial antiderivative(const Polynomial& p);
+/// p(q(t)).
+Polynomial compose(const Polynomial& p, const Polynomial& q);
+/// pᵏ, k ≥ 0; p⁰ = 1.
+Polynomial pow(const Polynomial& p, long k);
+/// p/gcd(p, p′), primitive: the same roots, each once. Throws DomainError for 0.
+Polynomial squarefree_part(const Polynomial& p);
+bool is_squarefree(const Polynomial& p);
+
+/// The integer polynomial primitive_part(p), in FLINT's own type.
+flint::FmpzPoly integer_primitive_part(const Polynomial& p);
+Polynomial to_polynomial(const fmpz_poly_t p);
+
+}  // namespace phrame

@@ -1,0 +1,38 @@
+#pragma once
+#include "phrame/algebra/polynomial.hpp"
+
+namespace phrame {
+
+/// A rational function over ℚ in lowest terms: gcd(numerator, denominator) = 1, the denominator
+/// has coprime integer coefficients and a positive leading one. Zero is 0/1.
+class RationalFunction {
+ public:
+  RationalFunction() = default;  ///< 0
+  /// Throws DomainError for a zero denominator.
+  RationalFunction(Polynomial numerator, Polynomial denominator);
+  explicit RationalFunction(Polynomial polynomial);
+
+  const Polynomial& numerator() const { return numerator_; }
+  const Polynomial& denominator() const;
+  bool is_zero() const { return numerator_.is_zero(); }
+  bool is_polynomial() const { return denominator_.is_zero(); }
+  /// deg numerator < deg denominator; 0 is proper.
+  bool is_proper() const { return numerator_.degree() < denominator().degree(); }
+
+  /// The value at t. Throws DomainError at a pole.
+  Rational operator()(const Rational& t) const;
+
+  friend RationalFunction operator+(const RationalFunction& a, const RationalFunction& b);
+  friend RationalFunction operator-(const RationalFunction& a, const RationalFunction& b);
+  friend RationalFunction operator*(const RationalFunction& a, const RationalFunction& b);
+  friend RationalFunction operator-(const RationalFunction& a);
+  friend bool operator==(const RationalFunction&, const RationalFunction&) = default;
+
+ private:
+  Polynomial numerator_;
+  Polynomial denominator_;  ///< 0 stands for 1, so that a moved-from value is 0/1
+};
+
+RationalFunction differentiate(const RationalFunction& f);
+
+}  // namespace phrame

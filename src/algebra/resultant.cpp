@@ -1,0 +1,205 @@
+// The characteristic polynomial χ of c = n/d′ in A = 𝔽ₚ[t]/(d) from its power sums
+// s_k = Tr(cᵏ), k ≤ N = deg d: χ reversed is exp(−Σ s_k zᵏ/k) (Newton). The power sums are a
+// "power projection" (Shoup 1999): with w = ⌈√N⌉, Tr(c^{i+wj}) = (Tr∘c^{wj})(cⁱ), so about 2√N
+// products in A and N inner products are enough. Over ℤ,
+//   res_t(d, n − x·d′) = lead(d)^{N−1} ∏ (n(z) − x d′(z)) = (−1)^N · res(d, d′) · χ(x).
+#include "phrame/algebra/resultant.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/modular.hpp"
+
+namespace phrame {
+namespace {
+
+/// 𝔽ₚ[t]/(d) with the linear forms on it; a form is the list of its values at 1, t, …, t^{N−1},
+/// kept as a polynomial in z: Σ ℓ(tᵏ) zᵏ.
+class Algebra {
+ public:
+  /// No value where p divides lead(d) or the discriminant.
+  static std::optional<Algebra> make(ulong prime, const flint::FmpzPoly& d) {
+    Algebra a(prime, d);
+    if (a.modulus_.degree() != fmpz_poly_degree(d.get())) return std::nullopt;
+    nmod_poly_derivative(a.derivative_.raw(), a.modulus_.raw());
+    if (a.derivative_.degree() != a.size() - 1) return std::nullopt;
+    if (nmod_poly_invmod(a.derivative_inverse_.raw(), a.derivative_.raw(), a.modulus_.raw()) == 0)
+      return std::nullopt;
+    nmod_poly_reverse(a.reversed_.raw(), a.modulus_.raw(), a.size() + 1);
+    nmod_poly_inv_series(a.reversed_inverse_.raw(), a.reversed_.raw(), 2 * a.size());
+    nmod_poly_reverse(a.remainder_inverse_.raw(), a.modulus_.raw(), a.size() + 1);
+    nmod_poly_inv_series(a.remainder_inverse_.raw(), a.remainder_inverse_.raw(), a.size() + 1);
+    return a;
+  }
+
+  long size() const { return modulus_.degree(); }
+  ulong prime() const { return modulus_.prime(); }
+  ulong discriminant() const {
+    return nmod_poly_resultant(modulus_.raw(), derivative_.raw());
+  }
+
+  ModularPolynomial residue(const ModularPolynomial& n) const {
+    return multiply(n, derivative_inverse_);
+  }
+
+  ModularPolynomial multiply(const ModularPolynomial& a, const ModularPolynomial& b) const {
+    ModularPolynomial c(prime());
+    nmod_poly_mulmod_preinv(c.raw(), a.raw(), b.raw(), modulus_.raw(), remainder_inverse_.raw());
+    return c;
+  }
+
+  /// Tr(tᵏ) are the coefficients of rev(d′)/rev(d), for d of degree N and d′ of degree N − 1.
+  ModularPolynomial trace() const {
+    ModularPolynomial form(prime());
+    nmod_poly_reverse(form.raw(), derivative_.raw(), size());
+    nmod_poly_mullow(form.raw(), form.raw(), reversed_inverse_.raw(), size());
+    return form;
+  }
+
+  /// The form b ↦ ℓ(a·b). The values ℓ(tᵏ), k < 2N, are the series U/rev(d) with U of degree < N;
+  /// the new values are the middle coefficients of rev(a)·that series.
+  ModularPolynomial compose(const ModularPolynomial& form, const ModularPolynomial& a) const {
+    ModularPolynomial values(prime());
+    ModularPolynomial reversed(prime());
+    nmod_poly_mullow(values.raw(), form.raw(), reversed_.raw(), size());
+    nmod_poly_mullow(values.raw(), values.raw(), reversed_inverse_.raw(), 2 * size() - 1);
+    nmod_poly_reverse(reversed.raw(), a.raw(), size());
+    nmod_poly_mullow(values.raw(), values.raw(), reversed.raw(), 2 * size() - 1);
+    nmod_poly_shift_right(values.raw(), values.raw(), size() - 1);
+    return values;
+  }
+
+  ulong apply(const ModularPolynomial& form, const ModularPolynomial& a) const {
+    const slong n = std::min(nmod_poly_length(form.raw()), nmod_poly_length(a.raw()));
+    const int limbs = _nmod_vec_dot_bound_limbs(n, modulus_.raw()->mod);
+    return _nmod_vec_dot(form.raw()->coeffs, a.raw()->coeffs, n, modulus_.raw()->mod, limbs);
+  }
+
+ private:
+  Algebra(ulong prime, const flint::FmpzPoly& d)
+      : modulus_(prime, d),
+        derivative_(prime),
+        derivative_inverse_(prime),
+        reversed_(prime),
+        reversed_inverse_(prime),
+        remainder_inverse_(prime) {}
+
+  ModularPolynomial modulus_;
+  ModularPolynomial derivative_;
+  ModularPolynomial derivative_inverse_;
+  ModularPolynomial reversed_;
+  ModularPolynomial reversed_inverse_;    ///< 1/rev(d) modulo z^{2N}
+  ModularPolynomial remainder_inverse_;   ///< 1/rev(d) modulo z^{N+1}, for FLINT's remainder
+};
+
+/// χ, monic. Needs p > N.
+ModularPolynomial characteristic_polynomial(const Algebra& algebra, const ModularPolynomial& c) {
+  const long n = algebra.size();
+  const auto width = static_cast<long>(std::ceil(std::sqrt(static_cast<double>(n))));
+  std::vector<ModularPolynomial> powers;  // 1, c, …, c^{width−1}
+  ModularPolynomial giant(algebra.prime());
+  nmod_poly_one(giant.raw());
+  for (long i = 0; i < width; ++i) {
+    powers.push_back(giant);
+    giant = algebra.multiply(giant, c);
+  }
+  // −Σ s_k zᵏ/k
+  ModularPolynomial series(algebra.prime());
+  const nmod_t mod = series.raw()->mod;
+  ModularPolynomial form = algebra.trace();
+  for (long j = 0; j * width <= n; ++j) {
+    for (long i = 0; i < width; ++i) {
+      const long k = j * width + i;
+      if (k == 0 || k > n) continue;
+      const ulong s = algebra.apply(form, powers[static_cast<std::size_t>(i)]);
+      const ulong over_k = nmod_div(s, static_cast<ulong>(k), mod);
+      nmod_poly_set_coeff_ui(series.raw(), k, nmod_neg(over_k, mod));
+    }
+    form = algebra.compose(form, giant);
+  }
+  nmod_poly_exp_series(series.raw(), series.raw(), n + 1);
+  nmod_poly_reverse(series.raw(), series.raw(), n + 1);
+  return series;
+}
+
+/// n/d scaled to integer polynomials: n = numerator/scale, d primitive.
+struct IntegerFraction {
+  flint::FmpzPoly numerator;
+  flint::Fmpz scale;
+  flint::FmpzPoly denominator;
+};
+
+IntegerFraction integer_fraction(const Polynomial& n, const Polynomial& d) {
+  if (d.is_constant()) throw DomainError("residue_polynomial: the denominator is constant");
+  if (n.degree() >= d.degree()) throw DomainError("residue_polynomial: the fraction is not proper");
+  if (!is_squarefree(d)) throw DomainError("residue_polynomial: the denominator has a repeated root");
+  const Polynomial scaled = (1 / content(d)) * n;
+  IntegerFraction f;
+  fmpq_poly_get_numerator(f.numerator.get(), scaled.raw());
+  fmpz_set(f.scale.get(), fmpq_poly_denref(scaled.raw()));
+  f.denominator = integer_primitive_part(d);
+  return f;
+}
+
+/// An upper bound, in bits, of the coefficients of R: on |x| = 1 Hadamard's inequality bounds the
+/// Sylvester determinant by ‖d‖₂^{N−1}·(‖n‖₂ + ‖d′‖₂)^N, and a coefficient is at most the maximum
+/// over the unit circle (Cauchy). FLINT's 2-norm rounds down: 1 is added.
+long height_bits(const IntegerFraction& f) {
+  const auto norm = [](const flint::FmpzPoly& p) {
+    flint::Fmpz value;
+    fmpz_poly_2norm(value.get(), p.get());
+    fmpz_add_ui(value.get(), value.get(), 1);
+    return value;
+  };
+  flint::FmpzPoly derivative;
+  fmpz_poly_derivative(derivative.get(), f.denominator.get());
+  const slong n = fmpz_poly_degree(f.denominator.get());
+  flint::Fmpz bound;
+  flint::Fmpz rows = norm(f.numerator);
+  fmpz_add(rows.get(), rows.get(), norm(derivative).get());
+  fmpz_pow_ui(bound.get(), norm(f.denominator).get(), static_cast<ulong>(n - 1));
+  fmpz_pow_ui(rows.get(), rows.get(), static_cast<ulong>(n));
+  fmpz_mul(bound.get(), bound.get(), rows.get());
+  return static_cast<long>(fmpz_bits(bound.get()));
+}
+
+}  // namespace
+
+Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d) {
+  const IntegerFraction f = integer_fraction(n, d);
+  const long needed = height_bits(f) + 2;  // the sign, and ≤ made <
+  flint::FmpzPoly lifted;
+  flint::Fmpz product;
+  fmpz_one(product.get());
+  Primes primes;
+  while (static_cast<long>(fmpz_bits(product.get())) <= needed) {
+    const ulong p = primes.next();
+    const auto algebra = Algebra::make(p, f.denominator);
+    if (!algebra) continue;
+    ModularPolynomial r = characteristic_polynomial(
+        *algebra, algebra->residue(ModularPolynomial(p, f.numerator)));
+    nmod_poly_scalar_mul_nmod(r.raw(), r.raw(), algebra->discriminant());
+    fmpz_poly_CRT_ui(lifted.get(), lifted.get(), product.get(), r.raw(), 1);
+    fmpz_mul_ui(product.get(), product.get(), p);
+  }
+  // The residues of n/d are those of numerator/d over `scale`: substitute x → scale·x.
+  const Polynomial residues = to_polynomial(lifted.get());
+  return primitive_part(compose(residues, Polynomial{0, to_rational(f.scale.get())}));
+}
+
+bool residues_are_distinct(const Polynomial& n, const Polynomial& d) {
+  const IntegerFraction f = integer_fraction(n, d);
+  Primes primes;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const auto algebra = Algebra::make(primes.next(), f.denominator);
+    if (!algebra) continue;
+    const ModularPolynomial chi = characteristic_polynomial(
+        *algebra, algebra->residue(ModularPolynomial(algebra->prime(), f.numerator)));
+    if (nmod_poly_is_squarefree(chi.raw()) != 0) return true;
+  }
+  return is_squarefree(residue_polynomial(n, d));
+}
+
+}  // namespace phrame

@@ -1,0 +1,18 @@
+#pragma once
+#include "phrame/algebra/polynomial.hpp"
+
+namespace phrame {
+
+/// The residue polynomial R(x) = res_t(n(t) − x·d′(t), d(t)), primitive: its roots are the residues
+/// n(z)/d′(z) of n/d, a residue met at k poles being a root of multiplicity k. deg R = deg d.
+/// Computed modulo primes as a multiple of the characteristic polynomial of n/d′ in 𝔽ₚ[t]/(d)
+/// and lifted by the Chinese remainder theorem up to Hadamard's bound of the Sylvester determinant,
+/// so that the lift is proved. Precondition, else DomainError: d squarefree, deg n < deg d ≥ 1.
+Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d);
+
+/// Are the residues of n/d pairwise distinct? Proved by one prime modulo which the residue
+/// polynomial is squarefree; where a prime does not prove it, decided by the residue polynomial.
+/// Same preconditions.
+bool residues_are_distinct(const Polynomial& n, const Polynomial& d);
+
+}  // namespace phrame

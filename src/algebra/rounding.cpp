@@ -1,0 +1,168 @@
+#include "phrame/algebra/rounding.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "phrame/algebra/error.hpp"
+
+namespace phrame {
+namespace {
+
+using boost::multiprecision::mpfr_float;
+
+/// The common rounding of both ends of ever narrower balls. `bits` is the relative precision that
+/// the result needs; `round` maps an exact number to the result.
+template <class Round>
+auto ziv(const Real& x, long bits, PrecisionLimit limit, Round round) {
+  if (x.exact()) return round(*x.exact());
+  const long end = limit.factor * bits + limit.offset;
+  for (long precision = bits + 16;; ) {
+    const RealBall ball = x.enclose(precision);
+    if (ball.is_finite()) {
+      auto low = round(ball.lower());
+      if (low == round(ball.upper())) return low;
+    }
+    if (precision >= end)
+      throw Undecided(fmt::format("correct rounding to {} bits: the number cannot be told from a "
+                                  "boundary between two results with {} bits of precision",
+                                  bits, precision));
+    // One step brings a number far from 1 to the relative accuracy needed, then half more a step.
+    const long missing = ball.contains_zero() ? precision : bits + 16 - ball.accuracy_bits();
+    precision = std::min(end, std::max(precision + precision / 2, precision + missing));
+  }
+}
+
+/// |x| rounded to an integer, half to even.
+Integer nearest_integer(const Rational& x) {
+  const Integer below = numerator(x) / denominator(x);
+  const Rational rest = x - Rational(below);
+  const Rational half(1, 2);
+  const bool up = rest > half || (rest == half && below % 2 != 0);
+  return up ? Integer(below + 1) : below;
+}
+
+Rational power_of_ten(long k) {
+  const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(k)));
+  return k >= 0 ? Rational(power) : Rational(1) / Rational(power);
+}
+
+/// The e with 10ᵉ ≤ x < 10ᵉ⁺¹, x > 0.
+long decimal_exponent(const Rational& x) {
+  const auto size = [](const Integer& n) {
+    return static_cast<long>(mpz_sizeinbase(n.backend().data(), 2));
+  };
+  const auto bits = static_cast<double>(size(numerator(x)) - size(denominator(x)));
+  auto e = static_cast<long>(std::floor(bits * std::log10(2.0))) - 1;
+  while (power_of_ten(e + 1) <= x) ++e;
+  return e;
+}
+
+struct Digits {
+  bool negative = false;
+  std::string digits;  ///< empty for 0
+  long exponent = 0;   ///< of the first digit
+  friend bool operator==(const Digits&, const Digits&) = default;
+};
+
+Digits round_digits(const Rational& x, long count) {
+  if (x == 0) return {};
+  const Rational size = abs(x);
+  Digits result{x < 0, {}, decimal_exponent(size)};
+  result.digits = nearest_integer(size * power_of_ten(count - 1 - result.exponent)).str();
+  if (static_cast<long>(result.digits.size()) > count) {  // 9.99… became 10.0…
+    result.digits.pop_back();
+    ++result.exponent;
+  }
+  return result;
+}
+
+Rational exact_value(const Digits& d) {
+  if (d.digits.empty()) return 0;
+  const Rational size = Rational(Integer(d.digits)) *
+                        power_of_ten(d.exponent + 1 - static_cast<long>(d.digits.size()));
+  return d.negative ? Rational(-size) : size;
+}
+
+/// Positional where that needs few zeros, else scientific.
+std::string text_of(const Digits& d) {
+  if (d.digits.empty()) return "0";
+  const auto count = static_cast<long>(d.digits.size());
+  const auto sign = d.negative ? "-" : "";
+  if (d.exponent < -5 || d.exponent >= count)
+    return fmt::format("{}{}{}{}e{}", sign, d.digits.substr(0, 1), count > 1 ? "." : "",
+                       d.digits.substr(1), d.exponent);
+  if (d.exponent < 0)
+    return fmt::format("{}0.{}{}", sign, std::string(static_cast<std::size_t>(-d.exponent - 1), '0'),
+                       d.digits);
+  const auto whole = static_cast<std::size_t>(d.exponent + 1);
+  return fmt::format("{}{}{}{}", sign, d.digits.substr(0, whole),
+                     whole < d.digits.size() ? "." : "", d.digits.substr(whole));
+}
+
+/// The nearest double, gradual underflow included: MPFR with the exponent range of a double
+/// (MPFR manual, mpfr_subnormalize).
+double nearest_double(const Rational& x) {
+  const mpfr_exp_t emin = mpfr_get_emin();
+  const mpfr_exp_t emax = mpfr_get_emax();
+  mpfr_t value;
+  mpfr_init2(value, 53);
+  mpfr_set_emin(-1073);
+  mpfr_set_emax(1024);
+  int inexact = mpfr_set_q(value, x.backend().data(), MPFR_RNDN);
+  inexact = mpfr_subnormalize(value, inexact, MPFR_RNDN);
+  const double result = mpfr_get_d(value, MPFR_RNDN);
+  mpfr_clear(value);
+  mpfr_set_emin(emin);
+  mpfr_set_emax(emax);
+  return result == 0 ? 0.0 : result;  // one zero, the positive one
+}
+
+}  // namespace
+
+double round_to_double(const Real& x, PrecisionLimit limit) {
+  return ziv(x, 53, limit, nearest_double);
+}
+
+mpfr_float round_to_mpfr(const Real& x, long bits, PrecisionLimit limit) {
+  if (bits < MPFR_PREC_MIN)
+    throw DomainError(fmt::format("round_to_mpfr: {} bits are asked for, at least 1 is needed", bits));
+  return ziv(x, bits, limit, [bits](const Rational& exact) {
+    mpfr_float value;
+    mpfr_set_prec(value.backend().data(), bits);
+    mpfr_set_q(value.backend().data(), exact.backend().data(), MPFR_RNDN);
+    return value;
+  });
+}
+
+Decimal round_to_decimal(const Real& x, long digits, PrecisionLimit limit) {
+  if (digits < 1)
+    throw DomainError(fmt::format("round_to_decimal: {} digits are asked for, at least 1 is needed",
+                                  digits));
+  const auto bits = static_cast<long>(std::ceil(static_cast<double>(digits) * std::log2(10.0)));
+  RealBall last;
+  const Real remembered = x.exact() ? x : Real([&](long precision) {
+    return last = x.enclose(precision);
+  });
+  const Digits rounded =
+      ziv(remembered, bits, limit, [&](const Rational& exact) { return round_digits(exact, digits); });
+  const Rational value = exact_value(rounded);
+  const Rational error =
+      x.exact() ? Rational(abs(value - *x.exact()))
+                : std::max<Rational>(abs(value - last.lower()), abs(value - last.upper()));
+  return {text_of(rounded), upper_bound_text(error)};
+}
+
+std::string upper_bound_text(const Rational& x) {
+  if (x == 0) return "0";
+  const long e = decimal_exponent(x);
+  const Rational scaled = x * power_of_ten(1 - e);
+  Integer two_digits = numerator(scaled) / denominator(scaled);
+  if (Rational(two_digits) < scaled) ++two_digits;
+  const bool carried = two_digits == 100;
+  const std::string text = carried ? "10" : two_digits.str();
+  return fmt::format("{}.{}e{}", text[0], text[1], carried ? e + 1 : e);
+}
+
+}  // namespace phrame

@@ -1,0 +1,56 @@
+#pragma once
+#include <boost/multiprecision/mpfr.hpp>
+#include <functional>
+#include <optional>
+
+#include "phrame/algebra/ball.hpp"
+
+namespace phrame {
+
+/// A real number: known exactly, or by enclosures as narrow as one asks.
+class Real {
+ public:
+  /// `bits` → a ball around the number, whose radius tends to 0 as bits grow.
+  using Enclosure = std::function<RealBall(long bits)>;
+
+  Real(Rational exact) : exact_(std::move(exact)) {}  // NOLINT(google-explicit-constructor)
+  explicit Real(Enclosure enclosure) : enclosure_(std::move(enclosure)) {}
+
+  const std::optional<Rational>& exact() const { return exact_; }
+  RealBall enclose(long bits) const { return exact_ ? RealBall(*exact_, bits) : enclosure_(bits); }
+
+ private:
+  std::optional<Rational> exact_;
+  Enclosure enclosure_;
+};
+
+/// Where Ziv's loop gives up: at factor · (the bits of the result) + offset bits of precision.
+struct PrecisionLimit {
+  long factor = 16;
+  long offset = 8192;
+};
+
+// Correct rounding, to nearest with ties to even, by Ziv's strategy: the precision rises until
+// both ends of the ball round to the same result. A number known exactly is rounded exactly. A
+// number given by enclosures only must not lie on a boundary between two results (transcendental
+// numbers and irrational square roots never do); otherwise the limit is reached and Undecided is
+// thrown. Ziv, Fast evaluation of elementary mathematical functions with correctly rounded last
+// bit, ACM TOMS 17 (1991).
+
+double round_to_double(const Real& x, PrecisionLimit limit = {});
+
+/// With a significand of `bits` bits.
+boost::multiprecision::mpfr_float round_to_mpfr(const Real& x, long bits,
+                                                PrecisionLimit limit = {});
+
+struct Decimal {
+  std::string value;   ///< "0.28585", "1.5e-12": exactly the significant digits asked for; "0" for 0
+  std::string radius;  ///< an upper bound of |value − number|, two digits; "0" where they are equal
+};
+/// With `digits` ≥ 1 significant decimal digits. Throws DomainError for digits < 1.
+Decimal round_to_decimal(const Real& x, long digits, PrecisionLimit limit = {});
+
+/// An upper bound of the positive x, two digits rounded up: "1.3e-51"; "0" for 0.
+std::string upper_bound_text(const Rational& x);
+
+}  // namespace phrame

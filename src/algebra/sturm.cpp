@@ -1,0 +1,190 @@
+#include "phrame/algebra/sturm.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
+
+namespace phrame {
+namespace {
+
+int sign_at(const fmpz_poly_t p, const fmpq_t t) {
+  flint::Fmpq value;
+  fmpz_poly_evaluate_fmpq(value.get(), p, t);
+  return fmpq_sgn(value.get());
+}
+
+int sign_at(const Polynomial& p, const Rational& t) {
+  const Rational value = p(t);
+  return value < 0 ? -1 : value > 0 ? 1 : 0;
+}
+
+template <class SignOf>
+long sign_changes(const std::vector<flint::FmpzPoly>& chain, SignOf sign_of) {
+  long changes = 0;
+  int last = 0;
+  for (const auto& p : chain) {
+    const int sign = sign_of(p);
+    if (sign != 0 && sign == -last) ++changes;
+    if (sign != 0) last = sign;
+  }
+  return changes;
+}
+
+/// A number beyond every root of p in absolute value: Cauchy's 1 + max |c_k/c_n|.
+Rational root_bound(const Polynomial& p) {
+  Rational largest = 0;
+  const Rational lead = abs(p.leading_coefficient());
+  for (long k = 0; k < p.degree(); ++k) {
+    const Rational ratio = abs(p.coefficient(k)) / lead;
+    if (ratio > largest) largest = ratio;
+  }
+  return largest + 1;
+}
+
+/// The sign changes in the coefficients of (1 + s)ⁿ p((a + b·s)/(1 + s)): an upper bound of the
+/// number of roots in (a, b), with multiplicity, and exact where it is 0 or 1 (Descartes).
+long descartes_bound(const Polynomial& p, const Rational& a, const Rational& b) {
+  // x = a + (b − a)·y, y ∈ (0, 1); then reverse and shift by 1: y = 1/(1 + s).
+  const flint::FmpzPoly on_unit = integer_primitive_part(compose(p, Polynomial{a, b - a}));
+  flint::FmpzPoly shifted;
+  flint::Fmpz one;
+  fmpz_one(one.get());
+  fmpz_poly_reverse(shifted.get(), on_unit.get(), fmpz_poly_length(on_unit.get()));
+  fmpz_poly_taylor_shift(shifted.get(), shifted.get(), one.get());
+  long changes = 0;
+  int last = 0;
+  for (slong k = 0; k < fmpz_poly_length(shifted.get()); ++k) {
+    const int sign = fmpz_sgn(fmpz_poly_get_coeff_ptr(shifted.get(), k));
+    if (sign != 0 && sign == -last) ++changes;
+    if (sign != 0) last = sign;
+  }
+  return changes;
+}
+
+bool is_empty(const Interval& i) {
+  if (!i.lower || !i.upper) return false;
+  return *i.lower > *i.upper || (*i.lower == *i.upper && !(i.lower_closed && i.upper_closed));
+}
+
+/// Both ends finite, no root of p lost: an infinite end moves to the root bound.
+Interval bounded(const Polynomial& p, Interval interval) {
+  const Rational bound = root_bound(p);
+  if (!interval.lower) interval.lower = interval.upper && *interval.upper < -bound
+                                            ? *interval.upper - 1
+                                            : Rational(-bound);
+  if (!interval.upper) interval.upper = *interval.lower > bound ? *interval.lower + 1 : bound;
+  return interval;
+}
+
+/// The distinct roots in the open (a, b) of the squarefree p, p(a)·p(b) ≠ 0 not required.
+long count_inside(const Polynomial& p, const Rational& a, const Rational& b) {
+  if (a >= b || p.is_constant()) return 0;
+  const long bound = descartes_bound(p, a, b);
+  if (bound <= 1) return bound;
+  const SturmChain chain(p, differentiate(p));
+  // V(a) − V(b) counts the roots in (a, b].
+  return chain.variations(a) - chain.variations(b) - (p(b) == 0 ? 1 : 0);
+}
+
+}  // namespace
+
+std::string to_string(const Interval& i) {
+  if (i.lower && i.upper && *i.lower == *i.upper) return to_string(*i.lower);
+  return fmt::format("{}{}, {}{}", i.lower && i.lower_closed ? "[" : "(",
+                     i.lower ? to_string(*i.lower) : "−∞", i.upper ? to_string(*i.upper) : "∞",
+                     i.upper && i.upper_closed ? "]" : ")");
+}
+
+SturmChain::SturmChain(const Polynomial& p, const Polynomial& q) {
+  // integer_primitive_part makes the leading coefficient positive; the chain needs the sign of p
+  // and of q themselves.
+  const auto push = [this](const Polynomial& f) {
+    chain_.push_back(integer_primitive_part(f));
+    if (f.leading_coefficient() < 0) fmpz_poly_neg(chain_.back().get(), chain_.back().get());
+  };
+  if (p.is_zero()) throw DomainError("SturmChain: the first polynomial is 0");
+  push(p);
+  if (q.is_zero()) return;
+  push(q);
+  for (;;) {
+    const auto& a = chain_[chain_.size() - 2];
+    const auto& b = chain_.back();
+    flint::FmpzPoly r;
+    flint::Fmpz content;
+    ulong power = 0;
+    fmpz_poly_pseudo_rem(r.get(), &power, a.get(), b.get());  // lead(b)^power · a ≡ r modulo b
+    if (fmpz_poly_is_zero(r.get()) != 0) return;
+    fmpz_poly_content(content.get(), r.get());
+    fmpz_poly_scalar_divexact_fmpz(r.get(), r.get(), content.get());
+    const bool flipped = power % 2 == 1 && fmpz_sgn(fmpz_poly_lead(b.get())) < 0;
+    if (!flipped) fmpz_poly_neg(r.get(), r.get());
+    chain_.push_back(std::move(r));
+  }
+}
+
+long SturmChain::variations(const Rational& t) const {
+  flint::Fmpq at;
+  assign(at.get(), t);
+  return sign_changes(chain_, [&](const flint::FmpzPoly& p) { return sign_at(p.get(), at.get()); });
+}
+
+long SturmChain::variations_at_infinity(bool positive) const {
+  return sign_changes(chain_, [&](const flint::FmpzPoly& p) {
+    const int sign = fmpz_sgn(fmpz_poly_lead(p.get()));
+    return positive || fmpz_poly_degree(p.get()) % 2 == 0 ? sign : -sign;
+  });
+}
+
+long count_real_roots(const Polynomial& p, const Interval& interval) {
+  if (p.is_zero()) throw DomainError("count_real_roots: the zero polynomial vanishes everywhere");
+  if (p.is_constant() || is_empty(interval)) return 0;
+  const Polynomial f = squarefree_part(p);
+  const Interval finite = bounded(f, interval);
+  const Rational& a = *finite.lower;
+  const Rational& b = *finite.upper;
+  long count = count_inside(f, a, b);
+  if (finite.lower_closed && f(a) == 0) ++count;
+  if (finite.upper_closed && a != b && f(b) == 0) ++count;
+  return count;
+}
+
+std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& interval) {
+  if (p.is_zero()) throw DomainError("isolate_real_roots: the zero polynomial vanishes everywhere");
+  if (p.is_constant() || is_empty(interval)) return {};
+  const Polynomial f = squarefree_part(p);
+  const Interval finite = bounded(f, interval);
+  std::vector<Interval> found;
+  const auto point = [&](const Rational& t) { found.push_back(closed(t, t)); };
+  std::optional<SturmChain> chain;  // made when Descartes first leaves a question open
+
+  // The roots in the open (a, b), in order. Bisection ends because f is squarefree.
+  const auto search = [&](auto&& self, const Rational& a, const Rational& b) -> void {
+    long count = descartes_bound(f, a, b);
+    if (count > 1) {
+      if (!chain) chain.emplace(f, differentiate(f));
+      count = chain->variations(a) - chain->variations(b) - (f(b) == 0 ? 1 : 0);
+    }
+    if (count == 0) return;
+    if (count == 1 && sign_at(f, a) * sign_at(f, b) < 0) {
+      found.push_back(open(a, b));
+      return;
+    }
+    const Rational middle = (a + b) / 2;
+    self(self, a, middle);
+    if (f(middle) == 0) point(middle);
+    self(self, middle, b);
+  };
+
+  const Rational& a = *finite.lower;
+  const Rational& b = *finite.upper;
+  if (finite.lower_closed && f(a) == 0) point(a);
+  if (a < b) search(search, a, b);
+  if (finite.upper_closed && a != b && f(b) == 0) point(b);
+  return found;
+}
+
+long cauchy_index(const SturmChain& chain, const Rational& a, const Rational& b) {
+  return chain.variations(a) - chain.variations(b);
+}
+
+}  // namespace phrame

@@ -1,0 +1,56 @@
+#pragma once
+#include <optional>
+
+#include "phrame/algebra/polynomial.hpp"
+
+namespace phrame {
+
+/// A part of the real line. A missing end is infinite (and open).
+struct Interval {
+  std::optional<Rational> lower;
+  std::optional<Rational> upper;
+  bool lower_closed = true;
+  bool upper_closed = true;
+
+  friend bool operator==(const Interval&, const Interval&) = default;
+};
+
+inline Interval real_line() { return {}; }
+inline Interval closed(Rational a, Rational b) { return {std::move(a), std::move(b)}; }
+inline Interval open(Rational a, Rational b) {
+  return {std::move(a), std::move(b), false, false};
+}
+
+/// "[0, 1]", "(-1/2, ∞)".
+std::string to_string(const Interval& interval);
+
+/// How many distinct real roots p has in the interval: Descartes' rule of signs where it decides
+/// (0 or 1 changes), else Sturm's theorem. An interval with lower > upper is empty.
+/// Throws DomainError for p = 0.
+long count_real_roots(const Polynomial& p, const Interval& interval);
+
+/// Disjoint intervals in ascending order, one for each distinct real root of p in the given one.
+/// Each is either a single rational point (the root itself) or open, with a sign change of the
+/// squarefree part and no root at its ends. Throws DomainError for p = 0.
+std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& interval);
+
+/// The Sturm sequence of (p, q): p, q and the negated remainders, each up to a positive factor;
+/// the last is gcd(p, q). Basu–Pollack–Roy, Algorithms in Real Algebraic Geometry, §2.2.
+class SturmChain {
+ public:
+  SturmChain(const Polynomial& p, const Polynomial& q);
+
+  /// The number of sign changes at t (zeros are skipped).
+  long variations(const Rational& t) const;
+  /// At −∞ and at +∞.
+  long variations_at_infinity(bool positive) const;
+
+ private:
+  std::vector<flint::FmpzPoly> chain_;
+};
+
+/// The Cauchy index of q/p on (a, b): the number of jumps of q/p from −∞ to +∞ minus the number of
+/// jumps from +∞ to −∞ = V(a) − V(b). Precondition: p(a)·p(b) ≠ 0. The chain is that of (p, q).
+long cauchy_index(const SturmChain& chain, const Rational& a, const Rational& b);
+
+}  // namespace phrame

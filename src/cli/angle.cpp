@@ -1,0 +1,75 @@
+#include "phrame/cli/command.hpp"
+#include "phrame/io/angle_report.hpp"
+
+namespace phrame::cli {
+namespace {
+
+enum class Print { text, json, latex };
+
+struct AngleOptions {
+  CurveOptions curve;
+  Parameters parameters;
+  Reference reference = Reference::erf;
+  Form form = Form::automatic;
+  Print print = Print::text;
+  std::string start_angle = "0";
+  long digits = 17;
+};
+
+Real shifted(const Real& x, const Rational& by) {
+  if (x.exact()) return Rational(*x.exact() + by);
+  if (by == 0) return x;
+  return Real([x, by](long bits) {
+    return add(x.enclose(bits + 8), RealBall(by, bits + 8), bits + 8);
+  });
+}
+
+void run(const AngleOptions& options) {
+  const std::vector<Rational> at = options.parameters.values();
+  const Rational start_angle = parse_option("--theta0", options.start_angle);
+  const NamedCurve named = options.curve.read();
+  RmfAngle angle(named.curve, options.reference, options.form);
+  AngleReport report{named, options.reference, angle, start_angle, {}, options.digits};
+  for (const Rational& t : at)
+    report.values.push_back(
+        {t, round_to_decimal(shifted(angle.value(t), start_angle), options.digits)});
+  write_output(options.curve.output, options.print == Print::text   ? to_text(report)
+                                     : options.print == Print::json ? to_json(report)
+                                                                    : to_latex(report));
+}
+
+}  // namespace
+
+void add_angle(CLI::App& app) {
+  auto* command = app.add_subcommand("angle", "the exact angle of the rotation-minimizing frame");
+  const auto options = std::make_shared<AngleOptions>();
+  options->curve.add_to(*command);
+  options->parameters.add_to(*command);
+  const std::map<std::string, Reference> references{{"erf", Reference::erf},
+                                                    {"frenet", Reference::frenet}};
+  const std::map<std::string, Form> forms{{"auto", Form::automatic},
+                                          {"partial-fractions", Form::partial_fractions},
+                                          {"rothstein-trager", Form::rothstein_trager}};
+  const std::map<std::string, Print> prints{
+      {"text", Print::text}, {"json", Print::json}, {"latex", Print::latex}};
+  command
+      ->add_option("--frame", options->reference,
+                   "the frame the angle is measured from: erf (default) or frenet")
+      ->transform(choice(references));
+  add_digits(*command, options->digits);
+  command
+      ->add_option("--form", options->form,
+                   "of the logarithms: auto (default), partial-fractions or rothstein-trager")
+      ->transform(choice(forms));
+  command->add_option("--print", options->print, "text (default), json or latex")
+      ->transform(choice(prints));
+  command->add_option("--theta0", options->start_angle, "the angle at t = 0, radians (default 0)");
+  command->footer(
+      "Examples:\n"
+      "  phrame angle curve.json --at 0,1/2,1 --digits 50\n"
+      "  phrame angle curve.json --frame frenet --samples 11 --print json\n"
+      "  phrame angle - --form rothstein-trager < curve.json");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace phrame::cli

@@ -1,0 +1,123 @@
+#include "phrame/cli/command.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+namespace phrame::cli {
+namespace {
+
+[[noreturn]] void fail_with_errno(const std::string& place, std::string_view what) {
+  throw InputError(place, fmt::format("{}: {}", what, std::strerror(errno)));
+}
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+/// Writes and closes; false, with errno, where any step failed.
+bool write_and_close(File file, const std::string& bytes) {
+  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+  const bool flushed = std::fflush(file.get()) == 0;
+  return std::fclose(file.release()) == 0 && written && flushed;
+}
+
+}  // namespace
+
+void CurveOptions::add_to(CLI::App& command) {
+  command.add_option("CURVE", path, "a curve file (JSON), \"-\" for standard input")->required();
+  command.add_option("-o,--output", output, "write to this file instead of standard output");
+  command
+      .add_option("--max-degree", limits.max_degree,
+                  fmt::format("refuse curves of a higher degree (default {})", limits.max_degree))
+      ->check(CLI::Range(1L, 1'000'000L));
+}
+
+NamedCurve CurveOptions::read() const {
+  const std::string name = path == "-" ? "standard input" : path;
+  const std::string text = read_file(path);
+  try {
+    return read_curve(text, limits);
+  } catch (const InputError& error) {
+    throw InputError(error.place().empty() ? name : name + ":" + error.place(), error.reason());
+  }
+}
+
+void Parameters::add_to(CLI::App& command) {
+  command.add_option("--at", at, "values of t, separated by commas: 0,1/2,-3,0.25")
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all();
+  command.add_option("--samples", samples, "N equally spaced values of t from 0 to 1 (N ≥ 2)")
+      ->check(CLI::Range(2L, 10'000'000L));
+}
+
+std::vector<Rational> Parameters::values() const {
+  std::vector<Rational> result;
+  for (const std::string& text : at) result.push_back(parse_option("--at", text));
+  for (long k = 0; k < samples; ++k) result.emplace_back(k, samples - 1);
+  return result;
+}
+
+Rational parse_option(const std::string& option, const std::string& text) {
+  try {
+    return parse_rational(text);
+  } catch (const InputError& error) {
+    throw InputError(option, error.reason());
+  }
+}
+
+void add_digits(CLI::App& command, long& digits) {
+  command
+      .add_option("--digits", digits,
+                  fmt::format("significant decimal digits, correctly rounded (default {})", digits))
+      ->check(CLI::Range(1L, 100'000L));
+}
+
+std::string read_file(const std::string& path) {
+  std::error_code ignored;
+  if (path != "-" && std::filesystem::is_directory(path, ignored))
+    throw InputError(path, "is a directory, not a curve file");
+  const File opened(path == "-" ? nullptr : std::fopen(path.c_str(), "rb"));
+  if (path != "-" && !opened) fail_with_errno(path, "cannot be read");
+  std::FILE* file = path == "-" ? stdin : opened.get();
+  std::string text;
+  char block[65536];
+  while (const std::size_t n = std::fread(block, 1, sizeof block, file)) text.append(block, n);
+  if (std::ferror(file) != 0) fail_with_errno(path == "-" ? "standard input" : path, "cannot be read");
+  return text;
+}
+
+void write_output(const std::string& path, const std::string& bytes) {
+  if (path == "-") {
+    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
+    if (std::fflush(stdout) != 0 || !written) fail_with_errno("standard output", "cannot be written");
+    return;
+  }
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
+    // A device or a pipe: there is nothing to rename.
+    File file(std::fopen(path.c_str(), "wb"));
+    if (!file || !write_and_close(std::move(file), bytes)) fail_with_errno(path, "cannot be written");
+    return;
+  }
+  const std::string draft = fmt::format("{}.{}.part", path, getpid());
+  File file(std::fopen(draft.c_str(), "wb"));
+  if (!file) fail_with_errno(path, "cannot be written");
+  if (!write_and_close(std::move(file), bytes) || std::rename(draft.c_str(), path.c_str()) != 0) {
+    const int reason = errno;
+    std::remove(draft.c_str());
+    errno = reason;
+    fail_with_errno(path, "cannot be written");
+  }
+}
+
+}  // namespace phrame::cli

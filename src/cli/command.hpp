@@ -1,0 +1,57 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/curve_file.hpp"
+
+namespace phrame::cli {
+
+/// What the commands that read one curve share: CURVE, --max-degree, -o.
+struct CurveOptions {
+  std::string path;
+  CurveLimits limits;
+  std::string output = "-";
+
+  void add_to(CLI::App& command);
+  /// Reads the curve; an InputError's place starts with the path.
+  NamedCurve read() const;
+};
+
+/// Where t is asked for: --at and --samples.
+struct Parameters {
+  std::vector<std::string> at;
+  long samples = 0;
+
+  void add_to(CLI::App& command);
+  /// In the order given, then the N equally spaced ones on [0, 1].
+  std::vector<Rational> values() const;
+};
+
+/// Reads a number given on the command line; the place of an InputError is the option.
+Rational parse_option(const std::string& option, const std::string& text);
+
+/// --digits, checked to be in 1 … 100 000.
+void add_digits(CLI::App& command, long& digits);
+
+/// Turns one of the names into its value; a wrong name is answered with the right ones.
+template <class T>
+CLI::Validator choice(const std::map<std::string, T>& names) {
+  return CLI::CheckedTransformer(names).description("");
+}
+
+/// The whole of a file, "-" being standard input. Throws InputError.
+std::string read_file(const std::string& path);
+
+/// Writes all or nothing: a file is written beside its place and renamed. "-" is standard output.
+/// Throws InputError.
+void write_output(const std::string& path, const std::string& bytes);
+
+// Each adds a subcommand and what it does when it was chosen.
+void add_angle(CLI::App& app);
+void add_info(CLI::App& app);
+void add_frames(CLI::App& app);
+
+}  // namespace phrame::cli

@@ -1,0 +1,70 @@
+// The derivative of Σ c(α) log v(α, t), with d = deg v, e = deg q, n = d·e:
+//
+//   v_t/v = Σ_{k≥0} s_k t^{−k−1},  s_k ∈ ℚ[x]/(q) the power sums of the roots of v in t (s₀ = d),
+//
+// so the derivative is Σ Tr(c·s_k) t^{−k−1}. Its denominator is the norm of v, monic of degree n,
+// whose own power sums are Tr(s_k); with z = 1/t its reversed polynomial is exp(−Σ Tr(s_k) zᵏ/k).
+// The reversed numerator is that times Σ Tr(c·s_k) zᵏ modulo zⁿ.
+//
+// For v = t − x the sum Σ c(z)/(t − z) has the denominator q, and the numerator is the polynomial
+// of degree < e with the value c(z)·q′(z) at every root z (Lagrange): c·q′ mod q.
+#include "phrame/integrate/antiderivative.hpp"
+
+namespace phrame {
+namespace {
+
+Polynomial truncated(const Polynomial& p, long n) {
+  Polynomial result = p;
+  fmpq_poly_truncate(result.raw(), n);
+  return result;
+}
+
+Polynomial reversed(const Polynomial& p, long length) {
+  Polynomial result;
+  fmpq_poly_reverse(result.raw(), p.raw(), length);
+  return result;
+}
+
+RationalFunction derivative_by_power_sums(const LogSum& sum) {
+  const QuotientRing ring(sum.index);
+  const long d = sum.argument.degree();
+  const long n = d * ring.modulus().degree();
+  std::vector<Polynomial> c;
+  for (long k = d - 1; k >= 0; --k) c.push_back(sum.argument.coefficient(k));
+  const auto s = power_sums(
+      c, n, [&](const Polynomial& a, const Polynomial& b) { return ring.multiply(a, b); });
+
+  std::vector<Rational> logarithm{0};  // −Tr(s_k)/k
+  std::vector<Rational> weighted{d * ring.trace(sum.residue)};
+  for (long k = 1; k <= n; ++k) {
+    const Polynomial& s_k = s[static_cast<std::size_t>(k - 1)];
+    logarithm.push_back(ring.trace(s_k) / -k);
+    weighted.push_back(ring.trace(sum.residue * s_k));
+  }
+  Polynomial norm(logarithm);
+  fmpq_poly_exp_series(norm.raw(), norm.raw(), n + 1);
+  const Polynomial numerator = truncated(norm * Polynomial(weighted), n);
+  return {reversed(numerator, n), reversed(norm, n + 1)};
+}
+
+}  // namespace
+
+bool is_over_poles(const LogSum& sum) {
+  static const Bivariate t_minus_x({Polynomial{0, -1}, Polynomial{1}});
+  return sum.argument == t_minus_x ||
+         (sum.index.degree() == 1 &&
+          sum.argument == QuotientRing(sum.index).reduce(t_minus_x));
+}
+
+RationalFunction differentiate(const LogSum& sum) {
+  if (!is_over_poles(sum)) return derivative_by_power_sums(sum);
+  return {(sum.residue * differentiate(sum.index)) % sum.index, sum.index};
+}
+
+RationalFunction differentiate(const Antiderivative& F) {
+  RationalFunction result = RationalFunction(differentiate(F.polynomial)) + differentiate(F.rational);
+  for (const LogSum& sum : F.logs) result = result + differentiate(sum);
+  return result;
+}
+
+}  // namespace phrame

@@ -1,0 +1,34 @@
+#pragma once
+#include "phrame/algebra/bivariate.hpp"
+#include "phrame/algebra/rational_function.hpp"
+
+namespace phrame {
+
+/// Σ c(α) · log v(α, t) over the complex roots α of q.
+/// ∫ dt/(t² + 1) is q = 4x² + 1, c = x, v = t + 2x.
+struct LogSum {
+  Polynomial index;    ///< q ∈ ℚ[x], squarefree, degree ≥ 1
+  Polynomial residue;  ///< c ∈ ℚ[x], reduced modulo q, nonzero at every root
+  Bivariate argument;  ///< v ∈ ℚ[x][t], monic in t, degree ≥ 1, reduced modulo q
+
+  friend bool operator==(const LogSum&, const LogSum&) = default;
+};
+
+/// Is v = t − x, so that the sum is Σ c(z) · log(t − z) over the roots z of q themselves?
+bool is_over_poles(const LogSum& sum);
+
+/// F = polynomial + rational + Σ logs, up to a constant [Bronstein 2005, §2.5].
+/// Two antiderivatives differ by a constant iff their derivatives are equal.
+struct Antiderivative {
+  Polynomial polynomial;
+  RationalFunction rational;  ///< proper
+  std::vector<LogSum> logs;
+
+  friend bool operator==(const Antiderivative&, const Antiderivative&) = default;
+};
+
+/// F′ ∈ ℚ(t), computed exactly in ℚ[x]/(q): no root is approximated.
+RationalFunction differentiate(const LogSum& sum);
+RationalFunction differentiate(const Antiderivative& F);
+
+}  // namespace phrame

@@ -1,0 +1,58 @@
+#pragma once
+#include "phrame/algebra/roots.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/integrate/antiderivative.hpp"
+
+namespace phrame {
+
+/// Evaluates F(b) − F(a) = ∫ F′ between rational ends, for many ends and rising precisions: the
+/// poles are isolated once and refined when more precision is asked for. Any form of F gives the
+/// same values: they are computed from the poles z of F′ and its residues c(z) there,
+///   Σ c(z) · log((b − z)/(a − z)),
+/// where the principal logarithm is the right branch, because t − z stays in one open half plane
+/// (for real z: keeps its sign) on the way from a to b.
+/// Not for concurrent use: an evaluation may refine the roots.
+class Evaluator {
+ public:
+  Evaluator() = default;  ///< of F = 0
+  explicit Evaluator(const Antiderivative& F);
+
+  /// A ball around F(b) − F(a) with a radius ≤ 2^−bits · max(1, |F(b) − F(a)|).
+  /// Throws DomainError where F′ has a pole in [a, b] (decided by Sturm's theorem, the message names
+  /// the pole) and Undecided where 64·bits + 65536 bits of precision do not reach the radius.
+  RealBall difference(const Rational& a, const Rational& b, long bits);
+
+  /// The same, exact where it is rational: without logarithms, for a = b, and where the logarithms
+  /// are seen to cancel. By Baker's theorem the rest is transcendental, so that correct rounding of
+  /// the result ends, except where cancelling logarithms were not recognised.
+  /// The value keeps a reference to this evaluator. Throws as above.
+  Real value(const Rational& a, const Rational& b);
+
+ private:
+  /// n/d = Σ c(z)/(t − z) over the roots z of the squarefree d.
+  struct Poles {
+    Polynomial numerator;
+    Polynomial denominator;
+    Polynomial slope;  ///< d′
+    bool has_real;
+    Roots roots;
+    std::vector<RealBall> real_residues;
+    std::vector<ComplexBall> upper_residues;
+  };
+
+  Rational rational_difference(const Rational& a, const Rational& b) const;
+  void require_no_pole(const Rational& a, const Rational& b) const;
+  void prepare(long precision);
+  RealBall log_difference(const Rational& a, const Rational& b, long precision) const;
+  bool logs_cancel(const Rational& a, const Rational& b) const;
+
+  Polynomial polynomial_;
+  RationalFunction rational_;
+  std::vector<Poles> poles_;
+  long precision_ = 0;  ///< of the roots; 0 before they are isolated
+};
+
+/// ∫ F′ from a to b: Evaluator(F).difference(a, b, bits).
+RealBall definite(const Antiderivative& F, const Rational& a, const Rational& b, long bits);
+
+}  // namespace phrame

@@ -1,0 +1,236 @@
+#include "phrame/io/angle_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/roots.hpp"
+#include "phrame/io/json_text.hpp"
+#include "phrame/io/text.hpp"
+
+namespace phrame {
+namespace {
+
+constexpr auto unicode = Notation::unicode;
+constexpr auto latex = Notation::latex;
+
+std::string readable(const Polynomial& p, std::string_view variable = "t") {
+  return readable(formatted(p, unicode, variable), p);
+}
+
+std::string readable_factors(const Polynomial& p) {
+  return readable(formatted_factors(p, unicode), p);
+}
+
+std::string readable(const Bivariate& v) {
+  std::string text;
+  for (long k = v.degree(); k >= 0; --k) {
+    const Polynomial c = v.coefficient(k);
+    if (c.is_zero()) continue;
+    const std::string power = k == 0 ? "" : formatted(Polynomial::monomial(1, k), unicode);
+    const std::string factor = formatted(c, unicode, "x");
+    if (!text.empty()) text += " + ";
+    text += c == Polynomial{1} && k > 0 ? power : "(" + factor + ")" + power;
+    if (text_width(text) > 240)
+      return fmt::format("⟨degree {} in t⟩", v.degree());
+  }
+  return text;
+}
+
+/// n/d with parentheses where they are needed.
+std::string quotient(const RationalFunction& f) {
+  const std::string n = readable_factors(f.numerator());
+  if (f.is_polynomial()) return n;
+  const bool sum = f.numerator() != Polynomial::monomial(f.numerator().leading_coefficient(),
+                                                         std::max(0L, f.numerator().degree())) &&
+                   n.find('(') == std::string::npos;
+  const std::string d = readable_factors(f.denominator());
+  return fmt::format("{}/({})", sum ? "(" + n + ")" : n, d);
+}
+
+std::string terms_of(const LogSum& sum) {
+  const long roots = sum.index.degree();
+  if (is_over_poles(sum) && roots == 1) {
+    const Polynomial argument = evaluate_at(sum.argument, 0);  // −z
+    return fmt::format("{}·log({})", formatted(sum.residue, unicode),
+                       formatted(Polynomial{argument.coefficient(0), 1}, unicode));
+  }
+  if (is_over_poles(sum))
+    return fmt::format("Σ c(z)·log(t − z) over the {} roots z of {}\n        c(z) = {}", roots,
+                       readable(sum.index, "z"), readable(sum.residue, "z"));
+  if (sum.residue == Polynomial{0, 1} || roots == 1)
+    return fmt::format("Σ x·log v(x, t) over the {} roots x of {}\n        v(x, t) = {}", roots,
+                       readable(sum.index, "x"), readable(sum.argument));
+  return fmt::format("Σ c(x)·log v(x, t) over the {} roots x of {}\n        c(x) = {}\n        "
+                     "v(x, t) = {}",
+                     roots, readable(sum.index, "x"), readable(sum.residue, "x"),
+                     readable(sum.argument));
+}
+
+std::string closed_form(const AngleReport& report) {
+  const Antiderivative& F = report.angle.twist();
+  std::vector<std::string> terms;
+  if (!F.polynomial.is_zero()) terms.push_back(readable(F.polynomial));
+  if (!F.rational.is_zero()) terms.push_back(quotient(F.rational));
+  for (const LogSum& sum : F.logs) terms.push_back(terms_of(sum));
+  if (report.angle.bend()) terms.emplace_back("arg g(t)");
+  if (terms.empty()) return "0";
+  return fmt::format("{}", fmt::join(terms, "\n      + "));
+}
+
+/// A table of the poles and residues of −2h/σ, while it is short enough to be read.
+std::string pole_table(const Antiderivative& F) {
+  constexpr long digits = 12;
+  std::vector<std::pair<std::string, std::string>> rows;
+  const auto pair_text = [](const ComplexBall& z, std::string_view sign) {
+    std::string im = to_string(z.im(), digits);
+    const bool negative = im.starts_with('-');
+    if (negative) im.erase(0, 1);
+    return fmt::format("{} {} {}i", to_string(z.re(), digits),
+                       negative ? (sign == "±" ? "∓" : "−") : sign, im);
+  };
+  for (const LogSum& sum : F.logs) {
+    if (!is_over_poles(sum)) return "";
+    const Roots roots = isolate_roots(sum.index, 128);
+    for (const RealBall& z : roots.real)
+      rows.emplace_back(to_string(z, digits),
+                        to_string(evaluate(sum.residue, {z, RealBall()}, 128).re(), digits));
+    for (const ComplexBall& z : roots.upper)
+      rows.emplace_back(pair_text(z, "±"), pair_text(evaluate(sum.residue, z, 128), "±"));
+    if (rows.size() > 12) return "";
+  }
+  if (rows.empty()) return "";
+  std::size_t width = 0;
+  for (const auto& row : rows) width = std::max(width, text_width(row.first));
+  std::string text = fmt::format("\n  {:<{}}   residue c(z)\n", "pole z", width);
+  for (const auto& [pole, residue] : rows)
+    text += fmt::format("  {}{}   {}\n", pole, std::string(width - text_width(pole), ' '), residue);
+  return text;
+}
+
+std::string value_table(const AngleReport& report) {
+  std::size_t t_width = 1;
+  std::size_t whole_width = 1;
+  const auto whole = [](const std::string& theta) { return std::min(theta.find('.'), theta.size()); };
+  for (const AngleValue& value : report.values) {
+    t_width = std::max(t_width, to_string(value.t).size());
+    whole_width = std::max(whole_width, whole(value.theta.value));
+  }
+  std::string text = fmt::format("\n  {:<{}}   {}θ(t)   radians, correctly rounded to {} digits\n", "t",
+                                 t_width, std::string(whole_width - 1, ' '), report.digits);
+  for (const AngleValue& value : report.values)
+    text += fmt::format("  {:<{}}   {}{}\n", to_string(value.t), t_width,
+                        std::string(whole_width - whole(value.theta.value), ' '),
+                        value.theta.value);
+  return text;
+}
+
+std::string latex_terms(const LogSum& sum) {
+  if (is_over_poles(sum))
+    return fmt::format("\\sum_{{{} = 0}} \\left({}\\right) \\log(t - z)",
+                       formatted(sum.index, latex, "z"), formatted(sum.residue, latex, "z"));
+  std::string argument;
+  for (long k = sum.argument.degree(); k >= 0; --k) {
+    const Polynomial c = sum.argument.coefficient(k);
+    if (c.is_zero()) continue;
+    if (!argument.empty()) argument += " + ";
+    const std::string power = k == 0 ? "" : formatted(Polynomial::monomial(1, k), latex);
+    argument += c == Polynomial{1} && k > 0
+                    ? power
+                    : fmt::format("\\left({}\\right){}", formatted(c, latex, "x"), power);
+  }
+  return fmt::format("\\sum_{{{} = 0}} \\left({}\\right) \\log\\left({}\\right)",
+                     formatted(sum.index, latex, "x"), formatted(sum.residue, latex, "x"), argument);
+}
+
+std::string latex_quotient(const RationalFunction& f) {
+  if (f.is_polynomial()) return formatted_factors(f.numerator(), latex);
+  return fmt::format("\\frac{{{}}}{{{}}}", formatted_factors(f.numerator(), latex),
+                     formatted_factors(f.denominator(), latex));
+}
+
+}  // namespace
+
+std::string form_name(const Antiderivative& F) {
+  const auto over_poles = std::count_if(F.logs.begin(), F.logs.end(), is_over_poles);
+  if (F.logs.empty()) return "rational";
+  if (over_poles == 0) return "rothstein-trager";
+  return over_poles == static_cast<long>(F.logs.size()) ? "partial-fractions" : "mixed";
+}
+
+std::string heading(const NamedCurve& named) {
+  const long n = degree(named.curve);
+  const std::string kind = n == 1   ? "line segment"
+                           : n == 3 ? "PH cubic"
+                           : n == 5 ? "PH quintic"
+                           : n == 7 ? "PH septic"
+                                    : "PH curve";
+  return fmt::format("{}{}, degree {} (preimage of degree {})", named.name.empty() ? "" : named.name + ": ",
+                     kind, n, preimage_degree(named.curve));
+}
+
+std::string to_text(const AngleReport& report) {
+  const QuaternionPolynomial& preimage = report.curve.curve.preimage();
+  const bool erf = report.reference == Reference::erf;
+  std::string text = heading(report.curve) + "\n\n";
+  text += fmt::format("  σ = {}\n  h = {}\n", readable_factors(sigma(preimage)),
+                      readable_factors(twist_numerator(preimage)));
+  if (!erf) {
+    const GaussianPolynomial g = bend_numerator(preimage);
+    text += fmt::format("  g = {}\n", readable(formatted(g, unicode), norm(g)));
+  }
+  for (const Interval& cusp : cusps(report.curve.curve, closed(0, 1)))
+    text += fmt::format("  r′ = 0 at a t in {}: frames and angle are continued through\n",
+                        to_string(cusp));
+  text += fmt::format(
+      "\nThe rotation-minimizing frame is the {} frame turned by θ about the tangent:\n"
+      "  f₂ = cos θ {} + sin θ {},  f₃ = −sin θ {} + cos θ {},  θ(0) = {}\n\n",
+      erf ? "Euler–Rodrigues" : "Frenet", erf ? "e₂" : "n", erf ? "e₃" : "b", erf ? "e₂" : "n",
+      erf ? "e₃" : "b", formatted(report.start_angle, unicode));
+  text += fmt::format("  θ′ = {} = {}\n", erf ? "−2h/σ" : "−2h/σ + Im(g′/g)",
+                      quotient(report.angle.rate()));
+  const std::string form = closed_form(report);
+  text += fmt::format("  θ  = {}{}\n", form, form == "0" ? "" : "\n      + constant");
+  text += "  Checked: the derivative of this θ is θ′, exactly.\n";
+  text += pole_table(report.angle.twist());
+  if (!report.values.empty()) text += value_table(report);
+  return text;
+}
+
+std::string to_latex(const AngleReport& report) {
+  const Antiderivative& F = report.angle.twist();
+  std::vector<std::string> terms;
+  if (!F.polynomial.is_zero()) terms.push_back(formatted(F.polynomial, latex));
+  if (!F.rational.is_zero()) terms.push_back(latex_quotient(F.rational));
+  for (const LogSum& sum : F.logs) terms.push_back(latex_terms(sum));
+  if (report.angle.bend())
+    terms.push_back(fmt::format("\\arg\\left({}\\right)", formatted(*report.angle.bend(), latex)));
+  if (terms.empty()) terms.emplace_back("0");
+  std::string text = fmt::format("\\begin{{align*}}\n\\theta'(t) &= {} \\\\\n\\theta(t) &= {} + C\n"
+                                 "\\end{{align*}}\n",
+                                 latex_quotient(report.angle.rate()), fmt::join(terms, " + "));
+  if (report.values.empty()) return text;
+  text += "\\begin{tabular}{ll}\n$t$ & $\\theta(t)$ \\\\\n";
+  for (const AngleValue& value : report.values)
+    text += fmt::format("${}$ & ${}$ \\\\\n", formatted(value.t, latex), value.theta.value);
+  return text + "\\end{tabular}\n";
+}
+
+std::string to_json(const AngleReport& report) {
+  JsonOutput values = JsonOutput::array();
+  for (const AngleValue& value : report.values)
+    values.push_back({{"t", to_string(value.t)},
+                      {"theta", value.theta.value},
+                      {"radius", value.theta.radius}});
+  const JsonOutput json = {
+      {"phrame", "angle/1"},
+      {"curve", {{"name", report.curve.name}, {"degree", degree(report.curve.curve)}}},
+      {"frame", report.reference == Reference::erf ? "erf" : "frenet"},
+      {"integrand", json_of(report.angle.rate())},
+      {"antiderivative",
+       json_of(report.angle.antiderivative(), form_name(report.angle.twist()))},
+      {"values", values}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace phrame

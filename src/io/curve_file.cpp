@@ -1,0 +1,241 @@
+#include "phrame/io/curve_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/json_value.hpp"
+
+namespace phrame {
+namespace {
+
+using Kind = JsonValue::Kind;
+
+/// A value with its JSON pointer; every complaint names the place.
+class Node {
+ public:
+  Node(const JsonValue& value, std::string pointer) : value_(&value), pointer_(std::move(pointer)) {}
+
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw InputError(pointer_.empty() ? "/" : pointer_, reason);
+  }
+
+  void require(Kind kind, const char* wanted) const {
+    if (value_->kind != kind) fail(fmt::format("{} is wanted, not {}", wanted, description(*value_)));
+  }
+
+  std::optional<Node> find(const std::string& key) const {
+    const JsonValue* member = value_->find(key);
+    if (member == nullptr) return std::nullopt;
+    return Node(*member, pointer_ + "/" + key);
+  }
+
+  Node at(const std::string& key) const {
+    auto member = find(key);
+    if (!member) fail(fmt::format("the key \"{}\" is missing", key));
+    return *std::move(member);
+  }
+
+  std::size_t size() const { return value_->items.size(); }
+  Node item(std::size_t k) const {
+    return {value_->items[k], fmt::format("{}/{}", pointer_, k)};
+  }
+
+  const std::vector<std::pair<std::string, JsonValue>>& members() const { return value_->members; }
+
+  const std::string& string() const {
+    require(Kind::string, "a string");
+    return value_->text;
+  }
+
+  Rational number() const {
+    if (value_->kind != Kind::number && value_->kind != Kind::string)
+      fail(fmt::format("a number is wanted, not {}", description(*value_)));
+    try {
+      return parse_rational(value_->text);
+    } catch (const InputError& error) {
+      fail(error.reason());
+    }
+  }
+
+  /// An array of exactly `count` numbers.
+  std::vector<Rational> numbers(std::size_t count) const {
+    require(Kind::array, fmt::format("an array of {} numbers", count).c_str());
+    if (size() != count)
+      fail(fmt::format("{} numbers are wanted, not {}", count, size()));
+    return numbers();
+  }
+
+  std::vector<Rational> numbers() const {
+    std::vector<Rational> result;
+    for (std::size_t k = 0; k < size(); ++k) result.push_back(item(k).number());
+    return result;
+  }
+
+ private:
+  const JsonValue* value_;
+  std::string pointer_;
+};
+
+/// Levenshtein's distance.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+void require_known_keys(const Node& node, const std::vector<std::string_view>& known) {
+  node.require(Kind::object, "an object");
+  for (const auto& [key, value] : node.members()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    const std::string shown = abbreviated(key);
+    const auto nearest = *std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
+      return edit_distance(shown, a) < edit_distance(shown, b);
+    });
+    node.fail(fmt::format("unknown key \"{}\"; the nearest known key is \"{}\"", shown, nearest));
+  }
+}
+
+/// What turns lists of numbers into polynomials.
+class Basis {
+ public:
+  Basis(const Node& curve, const CurveLimits& limits) : limits_(limits) {
+    const Node node = curve.at("basis");
+    const std::string& name = node.string();
+    if (name != "bernstein" && name != "power")
+      node.fail(fmt::format("the basis is \"bernstein\" or \"power\", not \"{}\"",
+                            abbreviated(name)));
+    bernstein_ = name == "bernstein";
+  }
+
+  void require_list(const Node& list) const {
+    list.require(Kind::array, "an array of coefficients");
+    if (list.size() == 0) list.fail("the list of coefficients is empty");
+    if (static_cast<long>(list.size()) > limits_.max_degree + 1)
+      list.fail(fmt::format("{} coefficients make a degree beyond the limit {}; --max-degree "
+                            "raises it",
+                            list.size(), limits_.max_degree));
+  }
+
+  /// In the Bernstein basis a short list would silently mean another degree: an error.
+  void require_equal_lengths(const Node& parent, const std::vector<Node>& lists) const {
+    for (const Node& list : lists) {
+      require_list(list);
+      if (bernstein_ && list.size() != lists.front().size())
+        parent.fail(fmt::format("Bernstein lists must have equal lengths, here {} and {}",
+                                lists.front().size(), list.size()));
+    }
+  }
+
+  Polynomial polynomial(const std::vector<Rational>& coefficients) const {
+    return bernstein_ ? from_bernstein(coefficients) : Polynomial(coefficients);
+  }
+  Polynomial polynomial(const Node& list) const { return polynomial(list.numbers()); }
+
+ private:
+  CurveLimits limits_;
+  bool bernstein_ = false;
+};
+
+QuaternionPolynomial read_components(const Node& node, const Basis& basis) {
+  require_known_keys(node, {"u", "v", "p", "q"});
+  const std::vector<Node> lists{node.at("u"), node.at("v"), node.at("p"), node.at("q")};
+  basis.require_equal_lengths(node, lists);
+  return {basis.polynomial(lists[0]), basis.polynomial(lists[1]), basis.polynomial(lists[2]),
+          basis.polynomial(lists[3])};
+}
+
+/// An array of arrays of N numbers, transposed to N lists.
+template <std::size_t N>
+std::array<Polynomial, N> read_tuples(const Node& node, const Basis& basis) {
+  basis.require_list(node);
+  std::array<std::vector<Rational>, N> lists;
+  for (std::size_t k = 0; k < node.size(); ++k) {
+    const auto tuple = node.item(k).numbers(N);
+    for (std::size_t j = 0; j < N; ++j) lists[j].push_back(tuple[j]);
+  }
+  std::array<Polynomial, N> result;
+  for (std::size_t j = 0; j < N; ++j) result[j] = basis.polynomial(lists[j]);
+  return result;
+}
+
+QuaternionPolynomial read_quaternions(const Node& node, const Basis& basis) {
+  auto [u, v, p, q] = read_tuples<4>(node, basis);
+  return {std::move(u), std::move(v), std::move(p), std::move(q)};
+}
+
+QuaternionPolynomial read_hopf(const Node& node, const Basis& basis) {
+  require_known_keys(node, {"alpha", "beta"});
+  const Node alpha = node.at("alpha");
+  const Node beta = node.at("beta");
+  basis.require_equal_lengths(node, {alpha, beta});
+  const auto [a_re, a_im] = read_tuples<2>(alpha, basis);
+  const auto [b_re, b_im] = read_tuples<2>(beta, basis);
+  return from_hopf_form({{a_re, a_im}, {b_re, b_im}});
+}
+
+QuaternionPolynomial read_preimage(const Node& curve, const Basis& basis) {
+  std::vector<std::string> given;
+  for (const char* key : {"preimage", "quaternions", "hopf"})
+    if (curve.find(key)) given.emplace_back(key);
+  if (given.size() != 1)
+    curve.fail(given.empty() ? "a curve needs one of \"preimage\", \"quaternions\" and \"hopf\""
+                             : fmt::format("\"{}\" and \"{}\" exclude each other", given[0],
+                                           given[1]));
+  const Node node = curve.at(given.front());
+  QuaternionPolynomial preimage = given.front() == "preimage"    ? read_components(node, basis)
+                                  : given.front() == "quaternions" ? read_quaternions(node, basis)
+                                                                   : read_hopf(node, basis);
+  if (is_zero(preimage)) node.fail("the preimage is zero, so the curve is a single point");
+  return preimage;
+}
+
+}  // namespace
+
+NamedCurve read_curve(std::string_view text, const CurveLimits& limits) {
+  const JsonValue document = parse_json(text);
+  const Node node(document, "");
+  node.require(Kind::object, "an object");
+  const Node format = node.at("phrame");
+  if (format.string() == "spline/1") format.fail("splines (spline/1) are not supported yet");
+  if (format.string() != "curve/1")
+    format.fail(fmt::format("the format is \"curve/1\", not \"{}\"", abbreviated(format.string())));
+  if (const auto points = node.find("control_points"))
+    points->fail("curves given by control points are not supported yet; give a preimage");
+  require_known_keys(node, {"phrame", "name", "basis", "start", "preimage", "quaternions", "hopf",
+                            "control_points", "multiplier", "note", "family", "expected"});
+
+  const auto name = node.find("name");
+  const Basis basis(node, limits);
+  QuaternionPolynomial preimage = read_preimage(node, basis);
+  Polynomial multiplier{1};
+  if (const auto list = node.find("multiplier")) {
+    basis.require_list(*list);
+    multiplier = basis.polynomial(*list);
+    if (multiplier.is_zero()) list->fail("the multiplier is zero, so the curve is a single point");
+  }
+  Vector<Rational> start{};
+  if (const auto point = node.find("start")) {
+    const auto coordinates = point->numbers(3);
+    std::copy(coordinates.begin(), coordinates.end(), start.begin());
+  }
+  NamedCurve result{name ? name->string() : "",
+                    Curve(std::move(preimage), std::move(multiplier), std::move(start))};
+  if (degree(result.curve) > limits.max_degree)
+    node.fail(fmt::format("the curve has degree {}, the limit is {}; --max-degree raises it",
+                          degree(result.curve), limits.max_degree));
+  return result;
+}
+
+}  // namespace phrame

@@ -1,0 +1,106 @@
+#include "phrame/io/curve_info.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/io/angle_report.hpp"
+#include "phrame/io/json_text.hpp"
+#include "phrame/io/text.hpp"
+
+namespace phrame {
+namespace {
+
+std::string point_text(const Vector<Rational>& p) {
+  return fmt::format("({}, {}, {})", formatted(p[0], Notation::unicode),
+                     formatted(p[1], Notation::unicode), formatted(p[2], Notation::unicode));
+}
+
+Decimal total(const RationalFunction& rate, long digits) {
+  Evaluator evaluator(integrate(rate));
+  return round_to_decimal(evaluator.value(0, 1), digits);
+}
+
+}  // namespace
+
+CurveInfo curve_info(const NamedCurve& named, long digits) {
+  const Curve& curve = named.curve;
+  const QuaternionPolynomial& preimage = curve.preimage();
+  CurveInfo info{named, cusps(curve, closed(0, 1)), {}, {}};
+  info.twist_erf = total(-erf_rate(preimage), digits);
+  if (!info.cusps.empty()) return info;
+  // κ² ds = ρ/(f²σ⁴) · |f|σ dt; without cusps f has one sign on [0, 1].
+  const RationalFunction energy(rho(preimage), curve.multiplier() * pow(sigma(preimage), 3));
+  info.bending_energy = total(curve.multiplier()(0) > 0 ? energy : -energy, digits);
+  return info;
+}
+
+std::string to_text(const CurveInfo& info) {
+  const Curve& curve = info.curve.curve;
+  const QuaternionPolynomial& a = curve.preimage();
+  const auto factors = [](const Polynomial& p) {
+    return readable(formatted_factors(p, Notation::unicode), p);
+  };
+  const auto plain = [](const Polynomial& p) {
+    return readable(formatted(p, Notation::unicode), p);
+  };
+  const GaussianPolynomial g = bend_numerator(a);
+  const AngleSplit split = closed_split(a);
+  std::string text = heading(info.curve) + "\n\n";
+  const auto row = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("  {}{}  {}\n", name, std::string(18 - text_width(name), ' '), value);
+  };
+  row("u", plain(a.u));
+  row("v", plain(a.v));
+  row("p", plain(a.p));
+  row("q", plain(a.q));
+  if (!(curve.multiplier() == Polynomial{1})) row("multiplier f", plain(curve.multiplier()));
+  row("σ = |A|²", factors(sigma(a)));
+  row("h", factors(twist_numerator(a)));
+  row("g", readable(formatted(g, Notation::unicode), norm(g)));
+  row("ρ = 4|g|²", factors(rho(a)));
+  row("(r′ × r″)·r‴", factors(triple_product(curve)));
+  row("  split a", plain(split.a));
+  row("  split b", plain(split.b));
+  row("r(0)", point_text(curve.start()));
+  row("r(1)", point_text(evaluate(position(curve), 1)));
+  for (const Interval& cusp : info.cusps) row("cusp, r′ = 0", "t in " + to_string(cusp));
+  const auto length = segment_length(curve);
+  row("length ∫₀¹ |f|σ", length ? formatted(*length, Notation::unicode) : "f changes sign");
+  row("twist ∫₀¹ 2h/σ", info.twist_erf.value);
+  row("energy ∫₀¹ κ² ds", info.bending_energy ? info.bending_energy->value : "∞ (cusp)");
+  return text;
+}
+
+std::string to_json(const CurveInfo& info) {
+  const Curve& curve = info.curve.curve;
+  const QuaternionPolynomial& a = curve.preimage();
+  const AngleSplit split = closed_split(a);
+  JsonOutput points = JsonOutput::array();
+  for (const auto& point : control_points(curve)) points.push_back(json_of(point));
+  const auto length = segment_length(curve);
+  JsonOutput cusp_list = JsonOutput::array();
+  for (const Interval& cusp : info.cusps)
+    cusp_list.push_back({to_string(*cusp.lower), to_string(*cusp.upper)});
+  const JsonOutput json = {
+      {"phrame", "info/1"},
+      {"name", info.curve.name},
+      {"degree", degree(curve)},
+      {"preimage_degree", preimage_degree(curve)},
+      {"preimage", {{"u", json_of(a.u)}, {"v", json_of(a.v)}, {"p", json_of(a.p)},
+                    {"q", json_of(a.q)}}},
+      {"multiplier", json_of(curve.multiplier())},
+      {"sigma", json_of(sigma(a))},
+      {"h", json_of(twist_numerator(a))},
+      {"g", json_of(bend_numerator(a))},
+      {"rho", json_of(rho(a))},
+      {"triple_product", json_of(triple_product(curve))},
+      {"split", {{"a", json_of(split.a)}, {"b", json_of(split.b)}}},
+      {"arc_length", length ? JsonOutput(to_string(*length)) : JsonOutput()},
+      {"control_points", points},
+      {"end_point", json_of(evaluate(position(curve), 1))},
+      {"cusps", cusp_list},
+      {"twist_erf", json_of(info.twist_erf)},
+      {"bending_energy", info.bending_energy ? json_of(*info.bending_energy) : JsonOutput()}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace phrame

@@ -1,0 +1,25 @@
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/integrate/antiderivative.hpp"
+#include "phrame/ph/quaternion.hpp"
+
+namespace phrame {
+
+// The pieces of phrame's JSON output. Not a public header: it shows nlohmann's types.
+using JsonOutput = nlohmann::ordered_json;
+
+/// Ascending exact strings: ["6", "-12", "1/2"]; [] for 0.
+JsonOutput json_of(const Polynomial& p);
+/// {"re": […], "im": […]}.
+JsonOutput json_of(const GaussianPolynomial& p);
+/// {"numerator": […], "denominator": […]}.
+JsonOutput json_of(const RationalFunction& f);
+/// {"polynomial": …, "rational": …, "logs": […], "form": …, "checked": true}.
+JsonOutput json_of(const Antiderivative& F, const std::string& form);
+/// {"value": "…", "radius": "…"}.
+JsonOutput json_of(const Decimal& x);
+JsonOutput json_of(const Vector<Rational>& point);
+
+}  // namespace phrame

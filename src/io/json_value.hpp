@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace phrame {
+
+/// A JSON value that keeps numbers as the text they were written in, because they are read exactly.
+struct JsonValue {
+  enum class Kind { null, boolean, number, string, array, object };
+
+  Kind kind = Kind::null;
+  std::string text;              ///< of a number, a string; "true" or "false"
+  std::vector<JsonValue> items;  ///< of an array
+  std::vector<std::pair<std::string, JsonValue>> members;  ///< of an object, in order
+
+  /// The member of that name, or nullptr.
+  const JsonValue* find(std::string_view key) const;
+};
+
+/// Parses one JSON document. Throws InputError for invalid JSON (place "line:column"), for a key
+/// that occurs twice in an object and for nesting deeper than 32.
+JsonValue parse_json(std::string_view text);
+
+/// "a string", "an array of 3", …: what stands there, for messages.
+std::string description(const JsonValue& value);
+
+}  // namespace phrame

@@ -1,0 +1,100 @@
+#include "phrame/io/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace phrame {
+namespace {
+
+std::string minus(Notation notation) { return notation == Notation::unicode ? "−" : "-"; }
+
+std::string superscript(long k, Notation notation) {
+  if (k == 1) return "";
+  if (notation == Notation::latex) return fmt::format("^{{{}}}", k);
+  static constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text;
+  for (const char c : std::to_string(k)) text += digits[c - '0'];
+  return text;
+}
+
+/// |c|·variableᵏ.
+std::string term(const Rational& c, long k, Notation notation, std::string_view variable) {
+  const Rational size = abs(c);
+  if (k == 0) return formatted(size, notation);
+  const bool whole = denominator(size) == 1;
+  std::string factor;
+  if (size != 1) {
+    factor = formatted(size, notation);
+    if (!whole && notation == Notation::unicode) factor = "(" + factor + ")";
+  }
+  return fmt::format("{}{}{}", factor, variable, superscript(k, notation));
+}
+
+}  // namespace
+
+std::string formatted(const Rational& x, Notation notation) {
+  if (x < 0) return minus(notation) + formatted(Rational(-x), notation);
+  if (notation == Notation::latex && denominator(x) != 1)
+    return fmt::format("\\frac{{{}}}{{{}}}", numerator(x).str(), denominator(x).str());
+  return to_string(x);
+}
+
+std::string formatted(const Polynomial& p, Notation notation, std::string_view variable) {
+  std::string text;
+  for (long k = p.degree(); k >= 0; --k) {
+    const Rational c = p.coefficient(k);
+    if (c == 0) continue;
+    if (text.empty())
+      text = c < 0 ? minus(notation) : "";
+    else
+      text += c < 0 ? fmt::format(" {} ", minus(notation)) : " + ";
+    text += term(c, k, notation, variable);
+  }
+  return text.empty() ? "0" : text;
+}
+
+std::string formatted_factors(const Polynomial& p, Notation notation, std::string_view variable) {
+  if (p.is_constant()) return formatted(p, notation, variable);
+  const Factorization factors = factor(p);
+  if (factors.unit == 1 && factors.factors.size() == 1 && factors.factors.front().exponent == 1)
+    return formatted(p, notation, variable);
+  std::string text;
+  if (factors.unit == -1)
+    text = minus(notation);
+  else if (factors.unit != 1)
+    text = formatted(factors.unit, notation);
+  if (denominator(factors.unit) != 1 && notation == Notation::unicode) text += " ";
+  for (const auto& [base, exponent] : factors.factors) {
+    const std::string inside = formatted(base, notation, variable);
+    const bool bare = inside == variable;
+    text += bare ? inside : "(" + inside + ")";
+    text += superscript(exponent, notation);
+  }
+  return text;
+}
+
+std::string formatted(const GaussianPolynomial& p, Notation notation, std::string_view variable) {
+  if (p.im.is_zero()) return formatted(p.re, notation, variable);
+  const std::string imaginary =
+      p.im == Polynomial{1} ? "i" : fmt::format("({})i", formatted(p.im, notation, variable));
+  if (p.re.is_zero()) return imaginary;
+  return fmt::format("({}) + {}", formatted(p.re, notation, variable), imaginary);
+}
+
+std::size_t text_width(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // not a continuation byte of UTF-8
+  }));
+}
+
+std::string readable(std::string text, const Polynomial& p) {
+  constexpr std::size_t bearable = 240;
+  if (text_width(text) <= bearable) return text;
+  std::size_t digits = 0;
+  for (const Rational& c : p.coefficients())
+    digits = std::max({digits, abs(numerator(c)).str().size(), denominator(c).str().size()});
+  return fmt::format("⟨degree {}, coefficients of up to {} digits⟩", p.degree(), digits);
+}
+
+}  // namespace phrame

@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "phrame/algebra/factor.hpp"
+#include "phrame/algebra/gaussian_polynomial.hpp"
+
+namespace phrame {
+
+enum class Notation { unicode, latex };
+
+/// "37t⁴ − 72t³ + 1/2", highest power first; "0" for 0.
+std::string formatted(const Polynomial& p, Notation notation, std::string_view variable = "t");
+/// "4t(t − 1)", factored over ℚ. Cost: the factorization.
+std::string formatted_factors(const Polynomial& p, Notation notation,
+                              std::string_view variable = "t");
+/// "(4t² − 24t + 12) + (2t² + 14t − 6)i".
+std::string formatted(const GaussianPolynomial& p, Notation notation,
+                      std::string_view variable = "t");
+/// "3/7", "\frac{3}{7}"; a minus sign is "−" in Unicode.
+std::string formatted(const Rational& x, Notation notation);
+
+/// The number of characters, where one code point is one character.
+std::size_t text_width(std::string_view text);
+/// `text`, or, where it is longer than a screen line can bear, what the polynomial is:
+/// "⟨degree 160, coefficients of up to 53 digits⟩".
+std::string readable(std::string text, const Polynomial& p);
+
+}  // namespace phrame

@@ -1,0 +1,110 @@
+#include "phrame/ph/frame.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "phrame/algebra/error.hpp"
+
+namespace phrame {
+namespace {
+
+Vector<Rational> combine(const Rational& x, const Vector<Rational>& a, const Rational& y,
+                         const Vector<Rational>& b) {
+  return {x * a[0] + y * b[0], x * a[1] + y * b[1], x * a[2] + y * b[2]};
+}
+
+std::optional<Rational> rational_sqrt(const Rational& x) {
+  const Integer n = boost::multiprecision::sqrt(numerator(x));
+  const Integer d = boost::multiprecision::sqrt(denominator(x));
+  const Rational root(n, d);
+  return root * root == x ? std::optional(root) : std::nullopt;
+}
+
+/// v/√s, s > 0.
+Vector<Real> over_square_root(const Vector<Rational>& v, const Rational& s) {
+  const auto root = rational_sqrt(s);
+  const auto component = [&](const Rational& x) -> Real {
+    if (root) return Rational(x / *root);
+    if (x == 0) return Rational(0);
+    return Real([x, s](long bits) {
+      return divide(RealBall(x, bits + 8), sqrt(RealBall(s, bits + 8), bits + 8), bits + 8);
+    });
+  };
+  return {component(v[0]), component(v[1]), component(v[2])};
+}
+
+}  // namespace
+
+Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t) {
+  const Polynomial common = real_content(curve.preimage());
+  const auto& [u, v, p, q] = curve.preimage();
+  const RationalQuaternion a{exact_quotient(u, common)(t), exact_quotient(v, common)(t),
+                             exact_quotient(p, common)(t), exact_quotient(q, common)(t)};
+  const Rational scale = 1 / norm(a);
+  const Vector<Rational> zero{};
+  return {combine(scale, rotated_i(a), 0, zero), combine(scale, rotated_j(a), 0, zero),
+          combine(scale, rotated_k(a), 0, zero)};
+}
+
+Frame<Real> frenet_frame(const Curve& curve, const Rational& t) {
+  const GaussianPolynomial g = bend_numerator(curve.preimage());
+  if (is_zero(g))
+    throw DomainError("frenet_frame: the curve is a straight line, it has no principal normal");
+  const Polynomial content = real_content(curve.preimage());
+  // A real factor c of A is a factor c² of g, which does not turn the normal.
+  const Polynomial squared = content * content;
+  const Rational re = exact_quotient(g.re, squared)(t);
+  const Rational im = exact_quotient(g.im, squared)(t);
+  if (re == 0 && im == 0)
+    throw DomainError(fmt::format(
+        "frenet_frame: t = {} is an inflection, the principal normal is undefined", to_string(t)));
+  const Frame<Rational> erf = euler_rodrigues_frame(curve, t);
+  const Rational size = re * re + im * im;
+  return {{erf.e1[0], erf.e1[1], erf.e1[2]},
+          over_square_root(combine(re, erf.e2, -im, erf.e3), size),
+          over_square_root(combine(im, erf.e2, re, erf.e3), size)};
+}
+
+Frame<Real> rotation_minimizing_frame(const Curve& curve, RmfAngle& angle, const Rational& t) {
+  const Frame<Rational> erf = euler_rodrigues_frame(curve, t);
+  const Real theta = angle.value(t);
+  const bool aligned = theta.exact() == Rational(0);
+  // The six components ask for the same few precisions one after the other: keep the last.
+  struct Turn {
+    long bits = 0;
+    CosSin value;
+  };
+  const auto last = std::make_shared<Turn>();
+  const auto turn = [theta, last](long bits) -> const CosSin& {
+    if (last->bits != bits) *last = {bits, cos_sin(theta.enclose(bits), bits)};
+    return last->value;
+  };
+  // cos θ·x + sin θ·y, or −sin θ·x + cos θ·y.
+  const auto rotated = [&](const Vector<Rational>& xs, const Vector<Rational>& ys, bool third) {
+    const auto component = [&](std::size_t k) -> Real {
+      const Rational& x = third ? ys[k] : xs[k];
+      const Rational y = third ? Rational(-xs[k]) : ys[k];
+      if (aligned || (x == 0 && y == 0)) return x;
+      return Real([x, y, turn](long bits) {
+        const CosSin& cs = turn(bits + 8);
+        return add(multiply(cs.cos, RealBall(x, bits + 8), bits + 8),
+                   multiply(cs.sin, RealBall(y, bits + 8), bits + 8), bits + 8);
+      });
+    };
+    return Vector<Real>{component(0), component(1), component(2)};
+  };
+  return {{erf.e1[0], erf.e1[1], erf.e1[2]},
+          rotated(erf.e2, erf.e3, false),
+          rotated(erf.e2, erf.e3, true)};
+}
+
+Vector<double> round_to_double(const Vector<Real>& v) {
+  return {round_to_double(v[0]), round_to_double(v[1]), round_to_double(v[2])};
+}
+
+Vector<double> round_to_double(const Vector<Rational>& v) {
+  return round_to_double(Vector<Real>{v[0], v[1], v[2]});
+}
+
+}  // namespace phrame

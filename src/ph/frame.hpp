@@ -1,0 +1,31 @@
+#pragma once
+#include "phrame/ph/rmf_angle.hpp"
+
+namespace phrame {
+
+/// A right-handed orthonormal frame; the first vector is along A i A*: the unit tangent, or its
+/// opposite where the multiplier f is negative.
+template <class T>
+struct Frame {
+  Vector<T> e1;
+  Vector<T> e2;
+  Vector<T> e3;
+};
+
+/// (A i A*, A j A*, A k A*)/σ at t, exact; through cusps by continuity.
+Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t);
+
+/// (t, n, b) at t: n = (Re g·e₂ − Im g·e₃)/|g|, b = (Im g·e₂ + Re g·e₃)/|g| in the ERF. Components
+/// are exact where |g|² is a rational square, else irrational or 0.
+/// Throws DomainError for a straight line and at an inflection.
+Frame<Real> frenet_frame(const Curve& curve, const Rational& t);
+
+/// The rotation-minimizing frame that agrees with the ERF at t = 0; `angle` is that of this curve
+/// relative to the ERF. Exact where θ(t) = 0. The components refer to `angle`.
+Frame<Real> rotation_minimizing_frame(const Curve& curve, RmfAngle& angle, const Rational& t);
+
+/// Every component correctly rounded.
+Vector<double> round_to_double(const Vector<Real>& v);
+Vector<double> round_to_double(const Vector<Rational>& v);
+
+}  // namespace phrame

@@ -1,0 +1,74 @@
+#include "phrame/ph/invariants.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/factor.hpp"
+#include "phrame/algebra/linear_system.hpp"
+
+namespace phrame {
+
+Polynomial sigma(const QuaternionPolynomial& a) { return norm(a); }
+
+Polynomial twist_numerator(const QuaternionPolynomial& a) {
+  return a.u * differentiate(a.v) - differentiate(a.u) * a.v - a.p * differentiate(a.q) +
+         differentiate(a.p) * a.q;
+}
+
+GaussianPolynomial bend_numerator(const QuaternionPolynomial& a) {
+  const auto [alpha, beta] = hopf_form(a);
+  return alpha * differentiate(beta) - differentiate(alpha) * beta;
+}
+
+Polynomial rho(const QuaternionPolynomial& a) { return Rational(4) * norm(bend_numerator(a)); }
+
+AngleSplit closed_split(const QuaternionPolynomial& a) {
+  const GaussianPolynomial g = bend_numerator(a);
+  return {Rational(2) * twist_numerator(a),
+          Rational(-4) * (differentiate(g) * conjugate(g)).im};
+}
+
+Polynomial triple_product(const Curve& curve) {
+  const QuaternionPolynomial& preimage = curve.preimage();
+  const auto [a, b] = closed_split(preimage);
+  return pow(curve.multiplier(), 3) * (a * rho(preimage) + b * sigma(preimage));
+}
+
+std::optional<AngleSplit> split_by_linear_system(const QuaternionPolynomial& preimage) {
+  const Polynomial s = sigma(preimage);
+  const Polynomial r = rho(preimage);
+  if (r.is_zero()) return std::nullopt;
+  // deg a < deg σ, deg b < deg ρ: as many unknowns as coefficients of a·ρ + b·σ.
+  std::vector<Polynomial> columns;
+  for (long k = 0; k < s.degree(); ++k) columns.push_back(r * Polynomial::monomial(1, k));
+  for (long k = 0; k < r.degree(); ++k) columns.push_back(s * Polynomial::monomial(1, k));
+  const auto solution = solve_for_coefficients(columns, triple_product(Curve(preimage)),
+                                               s.degree() + r.degree());
+  if (!solution) return std::nullopt;
+  const auto middle = solution->begin() + s.degree();
+  return AngleSplit{Polynomial(std::vector(solution->begin(), middle)),
+                    Polynomial(std::vector(middle, solution->end()))};
+}
+
+Polynomial arc_length(const Curve& curve) {
+  return antiderivative(curve.multiplier() * sigma(curve.preimage()));
+}
+
+std::optional<Rational> segment_length(const Curve& curve) {
+  for (const auto& [base, exponent] : squarefree_factorization(curve.multiplier()).factors)
+    if (exponent % 2 == 1 && count_real_roots(base, open(0, 1)) > 0) return std::nullopt;
+  return Rational(abs(arc_length(curve)(1)));
+}
+
+RationalFunction squared_curvature(const Curve& curve) {
+  const QuaternionPolynomial& a = curve.preimage();
+  return {rho(a), pow(curve.multiplier(), 2) * pow(sigma(a), 4)};
+}
+
+RationalFunction torsion(const Curve& curve) {
+  const QuaternionPolynomial& a = curve.preimage();
+  const Polynomial squared_bend = rho(a);
+  if (squared_bend.is_zero())
+    throw DomainError("torsion: the curve is a straight line, its torsion is undefined");
+  return {triple_product(curve), pow(curve.multiplier(), 4) * pow(sigma(a), 2) * squared_bend};
+}
+
+}  // namespace phrame

@@ -1,0 +1,45 @@
+#pragma once
+#include <optional>
+
+#include "phrame/algebra/rational_function.hpp"
+#include "phrame/ph/curve.hpp"
+
+namespace phrame {
+
+// The polynomials that the frames of a PH curve are made of. What depends on the preimage only is a
+// function of A = u + vi + pj + qk; α = u + iv, β = q + ip is its Hopf form.
+
+/// σ = |A|² = u² + v² + p² + q²; |r′| = |f|·σ.
+Polynomial sigma(const QuaternionPolynomial& a);
+/// h = uv′ − u′v − pq′ + p′q = Im(ᾱα′ + β̄β′). The ERF turns about the tangent with 2h/σ.
+Polynomial twist_numerator(const QuaternionPolynomial& a);
+/// g = αβ′ − α′β: the ERF components of the derivative of the tangent are ±2·Im g/σ, 2·Re g/σ.
+GaussianPolynomial bend_numerator(const QuaternionPolynomial& a);
+/// ρ = 4|g|²; |r′ × r″|² = f⁴σ²ρ.
+Polynomial rho(const QuaternionPolynomial& a);
+
+/// (r′ × r″)·r‴ = f³(2hρ − 4 Im(g′ḡ)σ).
+Polynomial triple_product(const Curve& curve);
+/// ∫₀ᵗ fσ: the arc length from 0 to t > 0 where f ≥ 0 between them, exact.
+Polynomial arc_length(const Curve& curve);
+/// The length of the segment [0, 1], ∫₀¹ |f|σ; no value where f changes sign inside.
+std::optional<Rational> segment_length(const Curve& curve);
+/// κ² = ρ/(f²σ⁴). The curvature of a cusp is a pole.
+RationalFunction squared_curvature(const Curve& curve);
+/// τ = (r′ × r″)·r‴/|r′ × r″|². Throws DomainError for a straight line.
+RationalFunction torsion(const Curve& curve);
+
+/// The split (15) of [Farouki 2003], triple_product = f³(a·ρ + b·σ), in closed form:
+/// a = 2h, b = −4 Im(g′ḡ). Then θ_Frenet′ = −a/σ − b/ρ.
+struct AngleSplit {
+  Polynomial a;
+  Polynomial b;
+  friend bool operator==(const AngleSplit&, const AngleSplit&) = default;
+};
+AngleSplit closed_split(const QuaternionPolynomial& a);
+
+/// The same by the paper's linear system for the coefficients of a and b. It has a unique solution
+/// only where gcd(σ, ρ) = 1 and no degree drops; no value otherwise.
+std::optional<AngleSplit> split_by_linear_system(const QuaternionPolynomial& a);
+
+}  // namespace phrame

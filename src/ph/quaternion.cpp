@@ -1,0 +1,27 @@
+#include "phrame/ph/quaternion.hpp"
+
+#include <algorithm>
+
+namespace phrame {
+
+HopfForm hopf_form(const QuaternionPolynomial& a) { return {{a.u, a.v}, {a.q, a.p}}; }
+
+QuaternionPolynomial from_hopf_form(const HopfForm& form) {
+  return {form.alpha.re, form.alpha.im, form.beta.im, form.beta.re};
+}
+
+long degree(const QuaternionPolynomial& a) {
+  return std::max({a.u.degree(), a.v.degree(), a.p.degree(), a.q.degree()});
+}
+
+bool is_zero(const QuaternionPolynomial& a) { return degree(a) < 0; }
+
+RationalQuaternion evaluate(const QuaternionPolynomial& a, const Rational& t) {
+  return {a.u(t), a.v(t), a.p(t), a.q(t)};
+}
+
+Polynomial real_content(const QuaternionPolynomial& a) {
+  return gcd(gcd(a.u, a.v), gcd(a.p, a.q));
+}
+
+}  // namespace phrame

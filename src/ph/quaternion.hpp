@@ -1,0 +1,79 @@
+#pragma once
+#include <array>
+
+#include "phrame/algebra/gaussian_polynomial.hpp"
+
+namespace phrame {
+
+template <class T>
+using Vector = std::array<T, 3>;
+
+/// u + v i + p j + q k with i² = j² = k² = ijk = −1, over ℚ or ℚ[t].
+template <class T>
+struct Quaternion {
+  T u;
+  T v;
+  T p;
+  T q;
+  friend bool operator==(const Quaternion&, const Quaternion&) = default;
+};
+
+template <class T>
+Quaternion<T> operator+(const Quaternion<T>& a, const Quaternion<T>& b) {
+  return {a.u + b.u, a.v + b.v, a.p + b.p, a.q + b.q};
+}
+
+template <class T>
+Quaternion<T> operator*(const Quaternion<T>& a, const Quaternion<T>& b) {
+  return {a.u * b.u - a.v * b.v - a.p * b.p - a.q * b.q,
+          a.u * b.v + a.v * b.u + a.p * b.q - a.q * b.p,
+          a.u * b.p - a.v * b.q + a.p * b.u + a.q * b.v,
+          a.u * b.q + a.v * b.p - a.p * b.v + a.q * b.u};
+}
+
+/// |A|² = A·A*.
+template <class T>
+T norm(const Quaternion<T>& a) {
+  return a.u * a.u + a.v * a.v + a.p * a.p + a.q * a.q;
+}
+
+/// A i A*, A j A*, A k A*: pure quaternions, |A|² times the columns of the rotation that A means.
+template <class T>
+Vector<T> rotated_i(const Quaternion<T>& a) {
+  const auto twice = [](const T& x) { return T(x + x); };
+  return {a.u * a.u + a.v * a.v - a.p * a.p - a.q * a.q, twice(a.u * a.q + a.v * a.p),
+          twice(a.v * a.q - a.u * a.p)};
+}
+
+template <class T>
+Vector<T> rotated_j(const Quaternion<T>& a) {
+  const auto twice = [](const T& x) { return T(x + x); };
+  return {twice(a.v * a.p - a.u * a.q), a.u * a.u - a.v * a.v + a.p * a.p - a.q * a.q,
+          twice(a.u * a.v + a.p * a.q)};
+}
+
+template <class T>
+Vector<T> rotated_k(const Quaternion<T>& a) {
+  const auto twice = [](const T& x) { return T(x + x); };
+  return {twice(a.u * a.p + a.v * a.q), twice(a.p * a.q - a.u * a.v),
+          a.u * a.u - a.v * a.v - a.p * a.p + a.q * a.q};
+}
+
+using RationalQuaternion = Quaternion<Rational>;
+using QuaternionPolynomial = Quaternion<Polynomial>;
+
+/// The Hopf form A = α + kβ: α = u + iv, β = q + ip.
+struct HopfForm {
+  GaussianPolynomial alpha;
+  GaussianPolynomial beta;
+};
+HopfForm hopf_form(const QuaternionPolynomial& a);
+QuaternionPolynomial from_hopf_form(const HopfForm& form);
+
+long degree(const QuaternionPolynomial& a);
+bool is_zero(const QuaternionPolynomial& a);
+RationalQuaternion evaluate(const QuaternionPolynomial& a, const Rational& t);
+/// gcd(u, v, p, q): the greatest real polynomial that divides A.
+Polynomial real_content(const QuaternionPolynomial& a);
+
+}  // namespace phrame

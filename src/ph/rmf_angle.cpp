@@ -1,0 +1,90 @@
+#include "phrame/ph/rmf_angle.hpp"
+
+#include "phrame/algebra/error.hpp"
+
+namespace phrame {
+namespace {
+
+/// g without its greatest real factor: the Frenet frame turns with its argument, continuously.
+GaussianPolynomial regular_bend(const QuaternionPolynomial& a) {
+  const GaussianPolynomial g = bend_numerator(a);
+  if (is_zero(g))
+    throw DomainError(
+        "Frenet frame: the curve is a straight line (r′ × r″ = 0), it has no principal normal");
+  const Polynomial common = gcd(g.re, g.im);
+  return {exact_quotient(g.re, common), exact_quotient(g.im, common)};
+}
+
+RationalFunction rate_of_argument(const GaussianPolynomial& g) {
+  return {(differentiate(g) * conjugate(g)).im, norm(g)};
+}
+
+/// arg g = Im log g = −(i/2)·log g + (i/2)·log ḡ = Σ_{x = ±i/2} x·log v(x, t) with v = P − 2xQ for
+/// the monic g = P + iQ.
+std::optional<LogSum> argument_as_logs(const GaussianPolynomial& g) {
+  const auto [p, q] = monic(g);
+  if (q.is_zero()) return std::nullopt;
+  std::vector<Polynomial> v;
+  for (long k = 0; k <= p.degree(); ++k)
+    v.push_back(Polynomial{p.coefficient(k), -2 * q.coefficient(k)});
+  return LogSum{Polynomial{1, 0, 4}, Polynomial{0, 1}, Bivariate(std::move(v))};
+}
+
+}  // namespace
+
+RationalFunction erf_rate(const QuaternionPolynomial& a) {
+  return {Rational(-2) * twist_numerator(a), sigma(a)};
+}
+
+RationalFunction frenet_rate(const QuaternionPolynomial& a) {
+  return erf_rate(a) + rate_of_argument(regular_bend(a));
+}
+
+RmfAngle::RmfAngle(const Curve& curve, Reference reference, Form form)
+    : rate_(erf_rate(curve.preimage())) {
+  if (reference == Reference::frenet) {
+    bend_ = regular_bend(curve.preimage());
+    const RationalFunction bend_rate = rate_of_argument(*bend_);
+    if (rate_ + bend_rate == RationalFunction()) {
+      // A plane curve: its Frenet frame is rotation-minimizing, θ ≡ 0.
+      rate_ = {};
+      bend_.reset();
+    } else {
+      argument_.emplace(*bend_);
+    }
+  }
+  twist_ = integrate(rate_, form);
+  antiderivative_ = twist_;
+  evaluator_ = Evaluator(twist_);
+  if (!bend_) return;
+  if (const auto logs = argument_as_logs(*bend_)) antiderivative_.logs.push_back(*logs);
+  rate_ = rate_ + rate_of_argument(*bend_);
+  if (!(differentiate(antiderivative_) == rate_))
+    throw Error("RmfAngle: the check failed, the derivative of the angle is not its rate");
+}
+
+RealBall RmfAngle::enclose(const Rational& t, long bits) {
+  const RealBall twist = evaluator_.difference(0, t, bits + 1);
+  if (!argument_) return twist;
+  return add(twist, argument_->difference(t, bits + 32), bits + 32);
+}
+
+Real RmfAngle::value(const Rational& t) {
+  if (t == 0) return Rational(0);
+  Real twist = evaluator_.value(0, t);
+  if (!argument_ || (twist.exact() && argument_->is_zero_at(t))) return twist;
+  return Real([this, t](long bits) { return enclose(t, bits); });
+}
+
+std::optional<Antiderivative> frenet_angle_by_linear_system(const Curve& curve) {
+  const QuaternionPolynomial& preimage = curve.preimage();
+  const auto split = split_by_linear_system(preimage);
+  if (!split) return std::nullopt;
+  Antiderivative sum = integrate({-split->a, sigma(preimage)});
+  const Antiderivative bend = integrate({-split->b, rho(preimage)});
+  sum.rational = sum.rational + bend.rational;
+  sum.logs.insert(sum.logs.end(), bend.logs.begin(), bend.logs.end());
+  return sum;
+}
+
+}  // namespace phrame

@@ -1,0 +1,63 @@
+#pragma once
+#include "phrame/algebra/argument.hpp"
+#include "phrame/integrate/definite.hpp"
+#include "phrame/integrate/integrate.hpp"
+#include "phrame/ph/invariants.hpp"
+
+namespace phrame {
+
+/// The frame that an angle is measured from.
+enum class Reference {
+  erf,     ///< Euler–Rodrigues: (A i A*, A j A*, A k A*)/σ
+  frenet,  ///< tangent, normal, binormal; continued through inflections, where (n, b) jump by π
+};
+
+/// The angle θ of the rotation-minimizing frame relative to (e₂, e₃), the reference frame:
+///   f₂ = cos θ e₂ + sin θ e₃,  f₃ = −sin θ e₂ + cos θ e₃,  θ(0) = 0, θ continuous on all of ℝ,
+///   θ_ERF′ = −2h/σ,  θ_Frenet′ = −2h/σ + Im(g′/g)  [Farouki 2003, (13)–(17), in closed form].
+/// θ has no pole on ℝ: what vanishes at a cusp cancels.
+/// Not for concurrent use: evaluations share isolated roots.
+class RmfAngle {
+ public:
+  /// Throws DomainError for the Frenet frame of a straight line.
+  RmfAngle(const Curve& curve, Reference reference, Form form = Form::automatic);
+  RmfAngle(RmfAngle&&) = default;
+  RmfAngle& operator=(RmfAngle&&) = default;
+  RmfAngle(const RmfAngle&) = delete;  // a Real from value() refers to its angle
+  RmfAngle& operator=(const RmfAngle&) = delete;
+
+  /// θ′ in lowest terms.
+  const RationalFunction& rate() const { return rate_; }
+  /// θ up to a constant is twist() plus, where there is a bend(), its argument.
+  /// twist() is ∫ −2h/σ, or 0 where θ ≡ 0.
+  const Antiderivative& twist() const { return twist_; }
+  /// g without its real factor: of a Frenet angle that is not 0.
+  const std::optional<GaussianPolynomial>& bend() const { return bend_; }
+  /// θ up to a constant as one value; its derivative is rate(), checked. arg g is in it as the last
+  /// sum, Σ x·log v(x, t) over x = ±i/2 with v(−i/2, t) = g made monic.
+  const Antiderivative& antiderivative() const { return antiderivative_; }
+
+  /// θ(t), exact where it is rational, else transcendental. Refers to this object.
+  Real value(const Rational& t);
+  /// A ball around θ(t) with a radius ≤ 2^−bits · max(1, |θ(t)|).
+  RealBall enclose(const Rational& t, long bits);
+
+ private:
+  RationalFunction rate_;
+  Antiderivative twist_;
+  Antiderivative antiderivative_;
+  std::optional<GaussianPolynomial> bend_;
+  Evaluator evaluator_;                         ///< of twist_
+  std::optional<ContinuousArgument> argument_;  ///< of bend_
+};
+
+/// −2h/σ, in lowest terms.
+RationalFunction erf_rate(const QuaternionPolynomial& a);
+/// −2h/σ + Im(g′/g), in lowest terms. Throws DomainError for a straight line.
+RationalFunction frenet_rate(const QuaternionPolynomial& a);
+
+/// θ_Frenet as the paper finds it: −∫a/σ − ∫b/ρ with a and b from the linear system of (15). No
+/// value where that system is singular. Slow (it needs the poles of both); kept as a check.
+std::optional<Antiderivative> frenet_angle_by_linear_system(const Curve& curve);
+
+}  // namespace phrame

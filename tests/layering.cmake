@@ -1,0 +1,92 @@
+# cmake -P layering.cmake
+# Holds the layering of src/, by its preprocessor lines:
+#   - a file includes, as "phrame/<floor>/<file>.hpp", only its own floor and those below it;
+#   - only algebra/flint.hpp includes headers of FLINT and Arb, and only it has #if;
+#   - a header starts with #pragma once, and what src/phrame.hpp reaches needs no private dependency.
+
+cmake_minimum_required(VERSION 3.25)
+
+cmake_path(SET SOURCE_DIR NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../src)
+set(floors algebra integrate ph io cli)
+set(flint_header "^(flint/.+|(acb|arb|arf|mag|fmpr|fmpz|fmpq|bool_mat|dlog|dirichlet|bernoulli\
+|hypgeom|partitions|double_interval)[a-z_]*\\.h)$")
+set(private_header "^(nlohmann|fmt|CLI)/")
+
+set(violations 0)
+macro(violation)
+  message("src/${file}: ${ARGN}")
+  math(EXPR violations "${violations} + 1")
+endmacro()
+
+# The preprocessor lines of a file, without the characters that mean something in a list.
+function(read_directives file result)
+  file(READ ${SOURCE_DIR}/${file} text)
+  string(REGEX REPLACE "[][;\\]" "" text "\n${text}")
+  string(REGEX MATCHALL "\n[ \t]*#[^\n]*" lines "${text}")
+  list(TRANSFORM lines STRIP)
+  set(${result} "${lines}" PARENT_SCOPE)
+endfunction()
+
+file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/*.hpp ${SOURCE_DIR}/*.cpp)
+if(NOT files)
+  message(FATAL_ERROR "no sources in ${SOURCE_DIR}")
+endif()
+
+foreach(file IN LISTS files)
+  read_directives(${file} directives)
+  string(REGEX MATCH "^[^/]*" floor ${file})
+  list(FIND floors ${floor} height)
+  if(file STREQUAL phrame.hpp)
+    list(LENGTH floors height)
+  elseif(height EQUAL -1)
+    violation("is on no floor (${floors})")
+  endif()
+  if(file MATCHES "\\.hpp$" AND NOT "#pragma once" IN_LIST directives)
+    violation("lacks #pragma once")
+  endif()
+
+  foreach(directive IN LISTS directives)
+    if(directive MATCHES "^#[ \t]*(if|el|endif)" AND NOT file STREQUAL algebra/flint.hpp)
+      violation("${directive}: only algebra/flint.hpp decides by preprocessor")
+    endif()
+    if(NOT directive MATCHES "^#[ \t]*include(.*)")
+      continue()
+    endif()
+    string(STRIP "${CMAKE_MATCH_1}" header)
+    if(header MATCHES "^\"phrame/version\\.hpp\"")
+      continue()
+    elseif(header MATCHES "^\"phrame/([^/\"]+)/[^\"]+\"")
+      list(FIND floors ${CMAKE_MATCH_1} included)
+      if(included EQUAL -1 OR included GREATER height)
+        violation("${directive}: not on its own floor or below")
+      endif()
+    elseif(header MATCHES "^<phrame/" OR NOT header MATCHES "^<([^>]+)>")
+      violation("${directive}: ours are included as \"phrame/<floor>/<file>.hpp\", others in <>")
+    elseif(CMAKE_MATCH_1 MATCHES "${flint_header}" AND NOT file STREQUAL algebra/flint.hpp)
+      violation("${directive}: only algebra/flint.hpp includes FLINT and Arb")
+    endif()
+  endforeach()
+endforeach()
+
+# Walk from the umbrella header over what it includes.
+set(reached)
+set(todo phrame.hpp)
+while(todo AND EXISTS ${SOURCE_DIR}/phrame.hpp)
+  list(POP_FRONT todo file)
+  if(file IN_LIST reached OR file STREQUAL version.hpp OR NOT EXISTS ${SOURCE_DIR}/${file})
+    continue()
+  endif()
+  list(APPEND reached ${file})
+  read_directives(${file} directives)
+  foreach(directive IN LISTS directives)
+    if(directive MATCHES "^#[ \t]*include[ \t]*\"phrame/([^\"]+)\"")
+      list(APPEND todo ${CMAKE_MATCH_1})
+    elseif(directive MATCHES "<([^>]+)>" AND CMAKE_MATCH_1 MATCHES "${private_header}")
+      violation("${directive}: is reached from phrame.hpp, so a user of the library would need it")
+    endif()
+  endforeach()
+endwhile()
+
+if(violations)
+  message(FATAL_ERROR "${violations} violations of the layering")
+endif()

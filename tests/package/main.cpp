@@ -1,0 +1,3 @@
+#include "phrame/version.hpp"
+
+int main() { return phrame::version.empty() ? 1 : 0; }
