@@ -21,6 +21,7 @@ bool comes_before(const Factor& a, const Factor& b) {
   for (long k = a.base.degree(); k >= 0; --k) {
     const Rational x = a.base.coefficient(k);
     const Rational y = b.base.coefficient(k);
+    if (abs(x) != abs(y)) return abs(x) < abs(y);
     if (x != y) return x < y;
   }
   return false;

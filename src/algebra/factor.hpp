@@ -10,7 +10,8 @@ struct Factor {
 };
 
 /// p = unit · ∏ baseᵏ, the bases pairwise coprime. In order of degree, then exponent, then
-/// coefficients from the highest down, so that equal polynomials have equal factorizations.
+/// coefficients from the highest down, by size, so that equal polynomials have equal factorizations
+/// and t comes before t − 1.
 struct Factorization {
   Rational unit;
   std::vector<Factor> factors;

@@ -4,14 +4,12 @@
 namespace phrame::cli {
 namespace {
 
-enum class Print { text, json, latex };
-
 struct AngleOptions {
   CurveOptions curve;
   Parameters parameters;
-  Reference reference = Reference::erf;
-  Form form = Form::automatic;
-  Print print = Print::text;
+  std::string frame = "erf";
+  std::string form = "auto";
+  std::string print = "text";
   std::string start_angle = "0";
   long digits = 17;
 };
@@ -25,17 +23,24 @@ Real shifted(const Real& x, const Rational& by) {
 }
 
 void run(const AngleOptions& options) {
+  const auto reference = choose<Reference>(
+      "--frame", options.frame, {{"erf", Reference::erf}, {"frenet", Reference::frenet}});
+  const auto form = choose<Form>("--form", options.form,
+                                 {{"auto", Form::automatic},
+                                  {"partial-fractions", Form::partial_fractions},
+                                  {"rothstein-trager", Form::rothstein_trager}});
+  const auto print = choose<std::string (*)(const AngleReport&)>(
+      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
   const std::vector<Rational> at = options.parameters.values();
   const Rational start_angle = parse_option("--theta0", options.start_angle);
+
   const NamedCurve named = options.curve.read();
-  RmfAngle angle(named.curve, options.reference, options.form);
-  AngleReport report{named, options.reference, angle, start_angle, {}, options.digits};
+  RmfAngle angle(named.curve, reference, form);
+  AngleReport report{named, reference, angle, start_angle, {}, options.digits};
   for (const Rational& t : at)
     report.values.push_back(
         {t, round_to_decimal(shifted(angle.value(t), start_angle), options.digits)});
-  write_output(options.curve.output, options.print == Print::text   ? to_text(report)
-                                     : options.print == Print::json ? to_json(report)
-                                                                    : to_latex(report));
+  write_output(options.curve.output, print(report));
 }
 
 }  // namespace
@@ -45,24 +50,12 @@ void add_angle(CLI::App& app) {
   const auto options = std::make_shared<AngleOptions>();
   options->curve.add_to(*command);
   options->parameters.add_to(*command);
-  const std::map<std::string, Reference> references{{"erf", Reference::erf},
-                                                    {"frenet", Reference::frenet}};
-  const std::map<std::string, Form> forms{{"auto", Form::automatic},
-                                          {"partial-fractions", Form::partial_fractions},
-                                          {"rothstein-trager", Form::rothstein_trager}};
-  const std::map<std::string, Print> prints{
-      {"text", Print::text}, {"json", Print::json}, {"latex", Print::latex}};
-  command
-      ->add_option("--frame", options->reference,
-                   "the frame the angle is measured from: erf (default) or frenet")
-      ->transform(choice(references));
+  command->add_option("--frame", options->frame,
+                      "the frame the angle is measured from: erf (default) or frenet");
   add_digits(*command, options->digits);
-  command
-      ->add_option("--form", options->form,
-                   "of the logarithms: auto (default), partial-fractions or rothstein-trager")
-      ->transform(choice(forms));
-  command->add_option("--print", options->print, "text (default), json or latex")
-      ->transform(choice(prints));
+  command->add_option("--form", options->form,
+                      "of the logarithms: auto (default), partial-fractions or rothstein-trager");
+  command->add_option("--print", options->print, "text (default), json or latex");
   command->add_option("--theta0", options->start_angle, "the angle at t = 0, radians (default 0)");
   command->footer(
       "Examples:\n"

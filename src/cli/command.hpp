@@ -1,6 +1,5 @@
 #pragma once
 #include <CLI/CLI.hpp>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -36,10 +35,16 @@ Rational parse_option(const std::string& option, const std::string& text);
 /// --digits, checked to be in 1 … 100 000.
 void add_digits(CLI::App& command, long& digits);
 
-/// Turns one of the names into its value; a wrong name is answered with the right ones.
+/// The value with that name. Throws InputError, which lists the names there are.
 template <class T>
-CLI::Validator choice(const std::map<std::string, T>& names) {
-  return CLI::CheckedTransformer(names).description("");
+T choose(const std::string& option, const std::string& name,
+         const std::vector<std::pair<std::string, T>>& values) {
+  std::string names;
+  for (const auto& [key, value] : values) {
+    if (key == name) return value;
+    names += (names.empty() ? "" : ", ") + key;
+  }
+  throw InputError(option, "\"" + abbreviated(name) + "\" is not one of " + names);
 }
 
 /// The whole of a file, "-" being standard input. Throws InputError.

@@ -4,23 +4,26 @@
 namespace phrame::cli {
 namespace {
 
-enum class Format { csv, json, npy };
-
 struct FramesOptions {
   CurveOptions curve;
   Parameters parameters;
-  std::vector<TabulatedFrame> frames{TabulatedFrame::rmf};
-  Format format = Format::csv;
+  std::vector<std::string> frames{"rmf"};
+  std::string format = "csv";
 };
 
 void run(const FramesOptions& options) {
+  std::vector<TabulatedFrame> frames;
+  for (const std::string& name : options.frames)
+    frames.push_back(choose<TabulatedFrame>("--frame", name,
+                                            {{"rmf", TabulatedFrame::rmf},
+                                             {"erf", TabulatedFrame::erf},
+                                             {"frenet", TabulatedFrame::frenet}}));
+  const auto format = choose<std::string (*)(const FrameTable&)>(
+      "--format", options.format, {{"csv", to_csv}, {"json", to_json}, {"npy", to_npy}});
   const std::vector<Rational> at = options.parameters.values();
-  if (at.empty()) throw InputError("frames", "--samples N or --at t,… says where to evaluate");
+  if (at.empty()) throw InputError("frames", "--samples N or --at t,… is needed");
   const NamedCurve named = options.curve.read();
-  const FrameTable table = frame_table(named.curve, options.frames, at);
-  write_output(options.curve.output, options.format == Format::csv    ? to_csv(table)
-                                     : options.format == Format::json ? to_json(table)
-                                                                      : to_npy(table));
+  write_output(options.curve.output, format(frame_table(named.curve, frames, at)));
 }
 
 }  // namespace
@@ -30,18 +33,13 @@ void add_frames(CLI::App& app) {
   const auto options = std::make_shared<FramesOptions>();
   options->curve.add_to(*command);
   options->parameters.add_to(*command);
-  const std::map<std::string, TabulatedFrame> frames{{"rmf", TabulatedFrame::rmf},
-                                                     {"erf", TabulatedFrame::erf},
-                                                     {"frenet", TabulatedFrame::frenet}};
-  const std::map<std::string, Format> formats{
-      {"csv", Format::csv}, {"json", Format::json}, {"npy", Format::npy}};
   command
       ->add_option("--frame", options->frames,
                    "any of rmf (default: f2, f3), erf (e2, e3) and frenet (n, b)")
-      ->transform(choice(frames))
-      ->delimiter(',');
-  command->add_option("--format", options->format, "csv (default), json or npy")
-      ->transform(choice(formats));
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all();
+  command->add_option("--format", options->format, "csv (default), json or npy");
   command->footer(
       "All numbers are correctly rounded doubles.\n"
       "Examples:\n"

@@ -6,14 +6,15 @@ namespace {
 
 struct InfoOptions {
   CurveOptions curve;
-  bool json = false;
+  std::string print = "text";
   long digits = 17;
 };
 
 void run(const InfoOptions& options) {
+  const auto print = choose<std::string (*)(const CurveInfo&)>(
+      "--print", options.print, {{"text", to_text}, {"json", to_json}});
   const NamedCurve named = options.curve.read();
-  const CurveInfo info = curve_info(named, options.digits);
-  write_output(options.curve.output, options.json ? to_json(info) : to_text(info));
+  write_output(options.curve.output, print(curve_info(named, options.digits)));
 }
 
 }  // namespace
@@ -23,9 +24,7 @@ void add_info(CLI::App& app) {
   const auto options = std::make_shared<InfoOptions>();
   options->curve.add_to(*command);
   add_digits(*command, options->digits);
-  const std::map<std::string, bool> prints{{"text", false}, {"json", true}};
-  command->add_option("--print", options->json, "text (default) or json")
-      ->transform(choice(prints));
+  command->add_option("--print", options->print, "text (default) or json");
   command->footer("Example:\n  phrame info curve.json --digits 30");
   command->callback([options] { run(*options); });
 }

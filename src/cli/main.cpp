@@ -18,7 +18,7 @@ int complain(const char* what, int status) {
 int run(int argc, char** argv) {
   CLI::App app("Exact rotation-minimizing frames of Pythagorean-hodograph curves.", "phrame");
   app.set_version_flag("--version", fmt::format("phrame {}", phrame::version));
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // 0: an unknown word is then named, see below
   app.footer(
       "Exit status: 0 done, 2 bad input or usage, 3 mathematically undefined, 4 undecided within\n"
       "the limits. \"phrame COMMAND --help\" shows examples.");
@@ -27,13 +27,15 @@ int run(int argc, char** argv) {
   phrame::cli::add_frames(app);
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty())
+      throw phrame::InputError("a command is needed: angle, info or frames (phrame --help)");
     return done;
   } catch (const CLI::Success& success) {  // --help, --version
     app.exit(success);
     phrame::cli::write_output("-", "");  // a closed standard output is an error here too
     return done;
   } catch (const CLI::ParseError& error) {
-    return complain(error.what(), bad_input);
+    return complain(fmt::format("{} (phrame --help)", error.what()).c_str(), bad_input);
   }
 }
 

@@ -230,7 +230,7 @@ std::string to_json(const AngleReport& report) {
       {"antiderivative",
        json_of(report.angle.antiderivative(), form_name(report.angle.twist()))},
       {"values", values}};
-  return json.dump(2) + "\n";
+  return pretty(json);
 }
 
 }  // namespace phrame

@@ -100,7 +100,7 @@ std::string to_json(const CurveInfo& info) {
       {"cusps", cusp_list},
       {"twist_erf", json_of(info.twist_erf)},
       {"bending_energy", info.bending_energy ? json_of(*info.bending_energy) : JsonOutput()}};
-  return json.dump(2) + "\n";
+  return pretty(json);
 }
 
 }  // namespace phrame

@@ -1,6 +1,41 @@
 #include "phrame/io/json_text.hpp"
 
+#include <algorithm>
+
 namespace phrame {
+namespace {
+
+bool fits_a_line(const JsonOutput& json) {
+  if (json.is_object()) return false;
+  return !json.is_array() || std::all_of(json.begin(), json.end(), fits_a_line);
+}
+
+/// nlohmann's own dump puts either everything on one line or every number on a line of its own.
+void append(std::string& text, const JsonOutput& json, std::size_t depth) {
+  const bool object = json.is_object();
+  if (!json.is_structured() || json.empty() || (!object && fits_a_line(json))) {
+    text += json.dump();
+    return;
+  }
+  const std::string indent(2 * depth + 2, ' ');
+  text += object ? "{\n" : "[\n";
+  std::size_t left = json.size();
+  for (const auto& [key, value] : json.items()) {
+    text += indent;
+    if (object) text += JsonOutput(key).dump() + ": ";
+    append(text, value, depth + 1);
+    text += --left > 0 ? ",\n" : "\n";
+  }
+  text += std::string(2 * depth, ' ') + (object ? "}" : "]");
+}
+
+}  // namespace
+
+std::string pretty(const JsonOutput& json) {
+  std::string text;
+  append(text, json, 0);
+  return text + "\n";
+}
 
 JsonOutput json_of(const Polynomial& p) {
   JsonOutput list = JsonOutput::array();

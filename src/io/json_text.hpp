@@ -22,4 +22,7 @@ JsonOutput json_of(const Antiderivative& F, const std::string& form);
 JsonOutput json_of(const Decimal& x);
 JsonOutput json_of(const Vector<Rational>& point);
 
+/// Indented by 2, but with every list of strings, or of such lists, on one line.
+std::string pretty(const JsonOutput& json);
+
 }  // namespace phrame
