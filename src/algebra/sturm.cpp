@@ -183,6 +183,17 @@ std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& in
   return found;
 }
 
+Interval narrowed(const Polynomial& p, Interval isolating, const Rational& width) {
+  const Polynomial f = squarefree_part(p);
+  while (*isolating.upper - *isolating.lower > width) {
+    const Rational middle = (*isolating.lower + *isolating.upper) / 2;
+    const int sign = sign_at(f, middle);
+    if (sign == 0) return closed(middle, middle);
+    (sign == sign_at(f, *isolating.lower) ? isolating.lower : isolating.upper) = middle;
+  }
+  return isolating;
+}
+
 long cauchy_index(const SturmChain& chain, const Rational& a, const Rational& b) {
   return chain.variations(a) - chain.variations(b);
 }

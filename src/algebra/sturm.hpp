@@ -34,6 +34,9 @@ long count_real_roots(const Polynomial& p, const Interval& interval);
 /// squarefree part and no root at its ends. Throws DomainError for p = 0.
 std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& interval);
 
+/// The same isolating interval of p, bisected until it is no wider than `width` > 0.
+Interval narrowed(const Polynomial& p, Interval isolating, const Rational& width);
+
 /// The Sturm sequence of (p, q): p, q and the negated remainders, each up to a positive factor;
 /// the last is gcd(p, q). Basu–Pollack–Roy, Algorithms in Real Algebraic Geometry, §2.2.
 class SturmChain {

@@ -22,6 +22,15 @@ Real shifted(const Real& x, const Rational& by) {
   });
 }
 
+/// θ(t) + start; where that is undecided, the message names t.
+Decimal rounded_angle(RmfAngle& angle, const Rational& t, const Rational& start, long digits) {
+  try {
+    return round_to_decimal(shifted(angle.value(t), start), digits);
+  } catch (const Undecided& error) {
+    throw Undecided("theta at t = " + abbreviated(to_string(t)) + ": " + error.what());
+  }
+}
+
 void run(const AngleOptions& options) {
   const auto reference = choose<Reference>(
       "--frame", options.frame, {{"erf", Reference::erf}, {"frenet", Reference::frenet}});
@@ -38,8 +47,7 @@ void run(const AngleOptions& options) {
   RmfAngle angle(named.curve, reference, form);
   AngleReport report{named, reference, angle, start_angle, {}, options.digits};
   for (const Rational& t : at)
-    report.values.push_back(
-        {t, round_to_decimal(shifted(angle.value(t), start_angle), options.digits)});
+    report.values.push_back({t, rounded_angle(angle, t, start_angle, options.digits)});
   write_output(options.curve.output, print(report));
 }
 
@@ -51,12 +59,15 @@ void add_angle(CLI::App& app) {
   options->curve.add_to(*command);
   options->parameters.add_to(*command);
   command->add_option("--frame", options->frame,
-                      "the frame the angle is measured from: erf (default) or frenet");
+                      "the frame the angle is measured from: erf (default) or frenet")
+      ->type_name("NAME");
   add_digits(*command, options->digits);
   command->add_option("--form", options->form,
-                      "of the logarithms: auto (default), partial-fractions or rothstein-trager");
-  command->add_option("--print", options->print, "text (default), json or latex");
-  command->add_option("--theta0", options->start_angle, "the angle at t = 0, radians (default 0)");
+                      "of the logarithms: auto (default), partial-fractions or rothstein-trager")
+      ->type_name("NAME");
+  command->add_option("--print", options->print, "text (default), json or latex")->type_name("NAME");
+  command->add_option("--theta0", options->start_angle, "the angle at t = 0, radians (default 0)")
+      ->type_name("ANGLE");
   command->footer(
       "Examples:\n"
       "  phrame angle curve.json --at 0,1/2,1 --digits 50\n"

@@ -15,7 +15,8 @@ namespace phrame::cli {
 namespace {
 
 [[noreturn]] void fail_with_errno(const std::string& place, std::string_view what) {
-  throw InputError(place, fmt::format("{}: {}", what, std::strerror(errno)));
+  throw InputError(place.empty() ? "\"\"" : place,
+                   fmt::format("{}: {}", what, std::strerror(errno)));
 }
 
 struct CloseFile {
@@ -33,12 +34,16 @@ bool write_and_close(File file, const std::string& bytes) {
 }  // namespace
 
 void CurveOptions::add_to(CLI::App& command) {
-  command.add_option("CURVE", path, "a curve file (JSON), \"-\" for standard input")->required();
-  command.add_option("-o,--output", output, "write to this file instead of standard output");
+  command.add_option("CURVE", path, "a curve file (JSON), \"-\" for standard input")
+      ->required()
+      ->type_name("");
+  command.add_option("-o,--output", output, "write to this file instead of standard output")
+      ->type_name("FILE");
   command
       .add_option("--max-degree", limits.max_degree,
                   fmt::format("refuse curves of a higher degree (default {})", limits.max_degree))
-      ->check(CLI::Range(1L, 1'000'000L));
+      ->type_name("N")
+      ->check(CLI::Range(1L, 1'000'000L).description(""));
 }
 
 NamedCurve CurveOptions::read() const {
@@ -53,18 +58,31 @@ NamedCurve CurveOptions::read() const {
 
 void Parameters::add_to(CLI::App& command) {
   command.add_option("--at", at, "values of t, separated by commas: 0,1/2,-3,0.25")
-      ->delimiter(',')
+      ->type_name("T,…")
       ->expected(1)
       ->take_all();
   command.add_option("--samples", samples, "N equally spaced values of t from 0 to 1 (N ≥ 2)")
-      ->check(CLI::Range(2L, 10'000'000L));
+      ->type_name("N")
+      ->check(CLI::Range(2L, 10'000'000L).description(""));
 }
 
 std::vector<Rational> Parameters::values() const {
   std::vector<Rational> result;
-  for (const std::string& text : at) result.push_back(parse_option("--at", text));
+  for (const std::string& text : split(at)) result.push_back(parse_option("--at", text));
   for (long k = 0; k < samples; ++k) result.emplace_back(k, samples - 1);
   return result;
+}
+
+std::vector<std::string> split(const std::vector<std::string>& lists) {
+  std::vector<std::string> parts;
+  for (std::string_view rest : lists) {
+    for (auto comma = rest.find(','); comma != std::string_view::npos; comma = rest.find(',')) {
+      parts.emplace_back(rest.substr(0, comma));
+      rest.remove_prefix(comma + 1);
+    }
+    parts.emplace_back(rest);
+  }
+  return parts;
 }
 
 Rational parse_option(const std::string& option, const std::string& text) {
@@ -79,7 +97,8 @@ void add_digits(CLI::App& command, long& digits) {
   command
       .add_option("--digits", digits,
                   fmt::format("significant decimal digits, correctly rounded (default {})", digits))
-      ->check(CLI::Range(1L, 100'000L));
+      ->type_name("N")
+      ->check(CLI::Range(1L, 100'000L).description(""));
 }
 
 std::string read_file(const std::string& path) {
@@ -103,16 +122,23 @@ void write_output(const std::string& path, const std::string& bytes) {
     return;
   }
   std::error_code ignored;
-  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
+  const bool exists = std::filesystem::exists(path, ignored);
+  if (exists && !std::filesystem::is_regular_file(path, ignored)) {
     // A device or a pipe: there is nothing to rename.
     File file(std::fopen(path.c_str(), "wb"));
     if (!file || !write_and_close(std::move(file), bytes)) fail_with_errno(path, "cannot be written");
     return;
   }
-  const std::string draft = fmt::format("{}.{}.part", path, getpid());
+  // Through a link the file is replaced, not the link; who may read it stays as it was.
+  const std::string target = exists ? std::filesystem::canonical(path, ignored).string() : path;
+  const std::string draft = fmt::format("{}.{}.part", target, getpid());
   File file(std::fopen(draft.c_str(), "wb"));
   if (!file) fail_with_errno(path, "cannot be written");
-  if (!write_and_close(std::move(file), bytes) || std::rename(draft.c_str(), path.c_str()) != 0) {
+  if (exists)
+    std::filesystem::permissions(draft, std::filesystem::status(target, ignored).permissions(),
+                                 ignored);
+  if (!write_and_close(std::move(file), bytes) ||
+      std::rename(draft.c_str(), target.c_str()) != 0) {
     const int reason = errno;
     std::remove(draft.c_str());
     errno = reason;

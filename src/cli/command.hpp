@@ -21,13 +21,16 @@ struct CurveOptions {
 
 /// Where t is asked for: --at and --samples.
 struct Parameters {
-  std::vector<std::string> at;
+  std::vector<std::string> at;  ///< lists, separated by commas
   long samples = 0;
 
   void add_to(CLI::App& command);
   /// In the order given, then the N equally spaced ones on [0, 1].
   std::vector<Rational> values() const;
 };
+
+/// The parts of lists separated by commas, in order; an empty part is a part.
+std::vector<std::string> split(const std::vector<std::string>& lists);
 
 /// Reads a number given on the command line; the place of an InputError is the option.
 Rational parse_option(const std::string& option, const std::string& text);

@@ -13,7 +13,7 @@ struct FramesOptions {
 
 void run(const FramesOptions& options) {
   std::vector<TabulatedFrame> frames;
-  for (const std::string& name : options.frames)
+  for (const std::string& name : split(options.frames))
     frames.push_back(choose<TabulatedFrame>("--frame", name,
                                             {{"rmf", TabulatedFrame::rmf},
                                              {"erf", TabulatedFrame::erf},
@@ -36,10 +36,11 @@ void add_frames(CLI::App& app) {
   command
       ->add_option("--frame", options->frames,
                    "any of rmf (default: f2, f3), erf (e2, e3) and frenet (n, b)")
-      ->delimiter(',')
+      ->type_name("NAME,…")
       ->expected(1)
       ->take_all();
-  command->add_option("--format", options->format, "csv (default), json or npy");
+  command->add_option("--format", options->format, "csv (default), json or npy")
+      ->type_name("NAME");
   command->footer(
       "All numbers are correctly rounded doubles.\n"
       "Examples:\n"

@@ -24,7 +24,7 @@ void add_info(CLI::App& app) {
   const auto options = std::make_shared<InfoOptions>();
   options->curve.add_to(*command);
   add_digits(*command, options->digits);
-  command->add_option("--print", options->print, "text (default) or json");
+  command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
   command->footer("Example:\n  phrame info curve.json --digits 30");
   command->callback([options] { run(*options); });
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <new>
 
@@ -10,32 +11,50 @@ namespace {
 
 enum Status { done = 0, bad_input = 2, undefined = 3, undecided = 4 };
 
-int complain(const char* what, int status) {
-  fmt::print(stderr, "phrame: {}\n", what);
+/// One line, whatever a file or an option is called; silent, not fatal, where stderr is closed.
+int complain(std::string_view what, int status) {
+  std::fprintf(stderr, "phrame: %s\n", phrame::abbreviated(what, what.size()).c_str());
   return status;
+}
+
+/// CLI11 would call the first word and all that follow it "not expected".
+void require_known_command(const std::vector<CLI::App*>& commands, int argc, char** argv) {
+  constexpr auto there_are = "there are angle, info and frames (phrame --help)";
+  if (argc < 2) throw phrame::InputError(fmt::format("a command is needed: {}", there_are));
+  const std::string word = argv[1];
+  const bool known = std::any_of(commands.begin(), commands.end(), [&](const CLI::App* command) {
+    return command->get_name() == word;
+  });
+  if (!known && !word.starts_with('-'))
+    throw phrame::InputError(
+        fmt::format("\"{}\" is not a command: {}", phrame::abbreviated(word), there_are));
 }
 
 int run(int argc, char** argv) {
   CLI::App app("Exact rotation-minimizing frames of Pythagorean-hodograph curves.", "phrame");
-  app.set_version_flag("--version", fmt::format("phrame {}", phrame::version));
-  app.require_subcommand(0, 1);  // 0: an unknown word is then named, see below
   app.footer(
       "Exit status: 0 done, 2 bad input or usage, 3 mathematically undefined, 4 undecided within\n"
       "the limits. \"phrame COMMAND --help\" shows examples.");
   phrame::cli::add_angle(app);
   phrame::cli::add_info(app);
   phrame::cli::add_frames(app);
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  const std::string version = fmt::format("phrame {}", phrame::version);
+  app.set_version_flag("--version", version);
+  for (CLI::App* command : commands) command->set_version_flag("--version", version);
+  app.require_subcommand(1);
+  require_known_command(commands, argc, argv);
   try {
     app.parse(argc, argv);
-    if (app.get_subcommands().empty())
-      throw phrame::InputError("a command is needed: angle, info or frames (phrame --help)");
     return done;
   } catch (const CLI::Success& success) {  // --help, --version
     app.exit(success);
     phrame::cli::write_output("-", "");  // a closed standard output is an error here too
     return done;
   } catch (const CLI::ParseError& error) {
-    return complain(fmt::format("{} (phrame --help)", error.what()).c_str(), bad_input);
+    const auto chosen = app.get_subcommands();
+    const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + " ";
+    return complain(fmt::format("{} (phrame {}--help)", error.what(), command), bad_input);
   }
 }
 

@@ -48,10 +48,16 @@ void Evaluator::require_no_pole(const Rational& a, const Rational& b) const {
   const Interval path = closed(std::min(a, b), std::max(a, b));
   const auto check = [&](const Polynomial& d) {
     if (count_real_roots(d, path) == 0) return;
-    const Interval pole = isolate_real_roots(d, path).front();
-    throw DomainError(fmt::format("definite integral from {} to {}: pole at t {} {}", to_string(a),
-                                  to_string(b), pole.lower == pole.upper ? "=" : "in",
-                                  to_string(pole)));
+    for (const auto& [base, exponent] : factor(d).factors) {
+      if (count_real_roots(base, path) == 0) continue;
+      const std::string pole =
+          base.degree() == 1
+              ? "= " + to_string(Rational(-base.coefficient(0) / base.coefficient(1)))
+              : "in " + to_string(narrowed(base, isolate_real_roots(base, path).front(),
+                                           Rational(1, 1 << 20)));
+      throw DomainError(fmt::format("definite integral from {} to {}: pole at t {}", to_string(a),
+                                    to_string(b), pole));
+    }
   };
   if (!rational_.is_polynomial()) check(rational_.denominator());
   for (const Poles& p : poles_)

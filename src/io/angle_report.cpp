@@ -112,14 +112,15 @@ std::string value_table(const AngleReport& report) {
   std::size_t t_width = 1;
   std::size_t whole_width = 1;
   const auto whole = [](const std::string& theta) { return std::min(theta.find('.'), theta.size()); };
+  const auto shown = [](const Rational& t) { return abbreviated(to_string(t)); };
   for (const AngleValue& value : report.values) {
-    t_width = std::max(t_width, to_string(value.t).size());
+    t_width = std::max(t_width, text_width(shown(value.t)));
     whole_width = std::max(whole_width, whole(value.theta.value));
   }
   std::string text = fmt::format("\n  {:<{}}   {}θ(t)   radians, correctly rounded to {} digits\n", "t",
                                  t_width, std::string(whole_width - 1, ' '), report.digits);
   for (const AngleValue& value : report.values)
-    text += fmt::format("  {:<{}}   {}{}\n", to_string(value.t), t_width,
+    text += fmt::format("  {:<{}}   {}{}\n", shown(value.t), t_width,
                         std::string(whole_width - whole(value.theta.value), ' '),
                         value.theta.value);
   return text;
@@ -149,6 +150,13 @@ std::string latex_quotient(const RationalFunction& f) {
                      formatted_factors(f.denominator(), latex));
 }
 
+/// "1.5e-12" as 1.5 \cdot 10^{-12}.
+std::string latex_decimal(const std::string& decimal) {
+  const auto e = decimal.find('e');
+  if (e == std::string::npos) return decimal;
+  return fmt::format("{} \\cdot 10^{{{}}}", decimal.substr(0, e), decimal.substr(e + 1));
+}
+
 }  // namespace
 
 std::string form_name(const Antiderivative& F) {
@@ -165,8 +173,9 @@ std::string heading(const NamedCurve& named) {
                            : n == 5 ? "PH quintic"
                            : n == 7 ? "PH septic"
                                     : "PH curve";
-  return fmt::format("{}{}, degree {} (preimage of degree {})", named.name.empty() ? "" : named.name + ": ",
-                     kind, n, preimage_degree(named.curve));
+  const std::string name = named.name.empty() ? "" : abbreviated(named.name, 80) + ": ";
+  return fmt::format("{}{}, degree {} (preimage of degree {})", name, kind, n,
+                     preimage_degree(named.curve));
 }
 
 std::string to_text(const AngleReport& report) {
@@ -212,7 +221,8 @@ std::string to_latex(const AngleReport& report) {
   if (report.values.empty()) return text;
   text += "\\begin{tabular}{ll}\n$t$ & $\\theta(t)$ \\\\\n";
   for (const AngleValue& value : report.values)
-    text += fmt::format("${}$ & ${}$ \\\\\n", formatted(value.t, latex), value.theta.value);
+    text += fmt::format("${}$ & ${}$ \\\\\n", formatted(value.t, latex),
+                        latex_decimal(value.theta.value));
   return text + "\\end{tabular}\n";
 }
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
+#include "phrame/algebra/error.hpp"
 #include "phrame/io/json_text.hpp"
 
 namespace phrame {
@@ -17,6 +19,15 @@ void add_columns(std::vector<std::string>& columns, std::string_view vector) {
 
 void add_values(std::vector<double>& row, const Vector<double>& values) {
   row.insert(row.end(), values.begin(), values.end());
+}
+
+/// Throws Undecided where a number was rounded to infinity, which is no answer.
+void require_finite(const std::vector<double>& row, const std::vector<std::string>& columns,
+                    const Rational& t) {
+  for (std::size_t k = 0; k < row.size(); ++k)
+    if (!std::isfinite(row[k]))
+      throw Undecided(fmt::format("frame_table: at t = {}, {} is beyond the range of doubles",
+                                  abbreviated(to_string(t)), columns[k]));
 }
 
 std::pair<const char*, const char*> vector_names(TabulatedFrame frame) {
@@ -58,6 +69,7 @@ FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& fr
       if (frame == TabulatedFrame::rmf) add_frame(rotation_minimizing_frame(curve, *angle, t));
       if (frame == TabulatedFrame::frenet) add_frame(frenet_frame(curve, t));
     }
+    require_finite(row, table.columns, t);
     table.rows.push_back(std::move(row));
   }
   return table;

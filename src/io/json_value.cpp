@@ -55,7 +55,7 @@ class Builder : public nlohmann::json_sax<Json> {
   bool end_array() override { return close(); }
   bool key(string_t& name) override {
     if (open_.back()->find(name) != nullptr)
-      throw InputError(fmt::format("the key \"{}\" occurs twice", abbreviated(name)));
+      throw InputError(pointer() + "/" + abbreviated(name), "the key occurs twice");
     open_.back()->members.emplace_back(std::move(name), JsonValue{});
     return true;
   }
@@ -83,6 +83,19 @@ class Builder : public nlohmann::json_sax<Json> {
     return parent.items.emplace_back(std::move(value));
   }
 
+  /// Of the innermost open container.
+  std::string pointer() const {
+    std::string text;
+    for (std::size_t k = 0; k + 1 < open_.size(); ++k) {
+      const JsonValue& container = *open_[k];
+      text += "/";
+      text += container.kind == JsonValue::Kind::object
+                  ? abbreviated(container.members.back().first)
+                  : std::to_string(container.items.size() - 1);
+    }
+    return text;
+  }
+
   bool scalar(JsonValue::Kind kind, std::string text) {
     add({kind, std::move(text), {}, {}});
     return true;
@@ -91,7 +104,8 @@ class Builder : public nlohmann::json_sax<Json> {
   bool open(JsonValue::Kind kind) {
     constexpr std::size_t deepest = 32;
     if (open_.size() == deepest)
-      throw InputError(fmt::format("the JSON is nested deeper than {} levels", deepest));
+      throw InputError(abbreviated(pointer(), 120),
+                       fmt::format("the JSON is nested deeper than {} levels", deepest));
     open_.push_back(&add({kind, {}, {}, {}}));
     return true;
   }

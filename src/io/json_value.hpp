@@ -20,7 +20,7 @@ struct JsonValue {
 };
 
 /// Parses one JSON document. Throws InputError for invalid JSON (place "line:column"), for a key
-/// that occurs twice in an object and for nesting deeper than 32.
+/// that occurs twice in an object and for nesting deeper than 32 (place: a JSON pointer).
 JsonValue parse_json(std::string_view text);
 
 /// "a string", "an array of 3", …: what stands there, for messages.

@@ -1,0 +1,40 @@
+// Single algorithms of the symbolic stage. The argument is the degree of the denominator.
+#include <benchmark/benchmark.h>
+
+#include "curves.hpp"
+
+namespace phrame::bench {
+namespace {
+
+using State = benchmark::State;
+
+/// res_t(n − x·d′, d) of the ERF rate of a random curve.
+void residue_polynomial(State& state) {
+  const RationalFunction f = erf_rate(random_curve(state.range(0) / 2).preimage());
+  for (auto _ : state)
+    benchmark::DoNotOptimize(phrame::residue_polynomial(f.numerator(), f.denominator()));
+}
+
+/// Is it squarefree? Mostly one prime decides.
+void residues_are_distinct(State& state) {
+  const RationalFunction f = erf_rate(random_curve(state.range(0) / 2).preimage());
+  for (auto _ : state)
+    benchmark::DoNotOptimize(phrame::residues_are_distinct(f.numerator(), f.denominator()));
+}
+
+/// The rational part of ∫ ρ/σ³, the bending energy of a random curve: a pole of order three.
+void reduce(State& state, RationalPart (*method)(const RationalFunction&)) {
+  const Curve curve = random_curve(state.range(0) / 6);
+  const RationalFunction f(rho(curve.preimage()), pow(sigma(curve.preimage()), 3));
+  for (auto _ : state) benchmark::DoNotOptimize(method(f));
+}
+void hermite(State& state) { reduce(state, hermite_reduce); }
+void horowitz(State& state) { reduce(state, horowitz_reduce); }
+
+BENCHMARK(residue_polynomial)->Arg(4)->Arg(8)->Arg(16)->Arg(32)->Arg(64)->Arg(96);
+BENCHMARK(residues_are_distinct)->Arg(4)->Arg(8)->Arg(16)->Arg(32)->Arg(64)->Arg(96);
+BENCHMARK(hermite)->Arg(6)->Arg(12)->Arg(30)->Arg(60);
+BENCHMARK(horowitz)->Arg(6)->Arg(12)->Arg(30)->Arg(60);
+
+}  // namespace
+}  // namespace phrame::bench

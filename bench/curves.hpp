@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+#include "phrame/phrame.hpp"
+
+namespace phrame::bench {
+
+/// A curve file: u, v, p, q of degree m with random integer coefficients in [−9, 9], the same in
+/// every run. The curve has degree 2m + 1.
+std::string random_curve_text(long m);
+
+Curve random_curve(long m);
+
+}  // namespace phrame::bench

@@ -1,0 +1,75 @@
+// Runs every benchmark five times, shows the medians, and closes with a table of what phrame takes
+// beside what FLINT and Arb alone take. Options of Google Benchmark come after ours and win, e.g.
+//   phrame_bench --benchmark_filter='erf_.*/20$' --benchmark_repetitions=20
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+class MedianReporter : public benchmark::ConsoleReporter {
+ public:
+  MedianReporter() : ConsoleReporter(OO_None) {}
+
+  void ReportRuns(const std::vector<Run>& runs) override {
+    std::vector<Run> shown;
+    for (const Run& run : runs) {
+      if (run.aggregate_name != "median" && (run.repetitions > 1 || run.error_occurred)) continue;
+      shown.push_back(run);
+      shown.back().run_name.repetitions.clear();
+      milliseconds_[{run.run_name.function_name, run.run_name.args}] =
+          1e3 * run.cpu_accumulated_time / static_cast<double>(run.iterations);
+    }
+    if (!shown.empty()) ConsoleReporter::ReportRuns(shown);
+  }
+
+  void Finalize() override {
+    table("erf");
+    table("frenet");
+  }
+
+ private:
+  /// CPU time in ms, NaN where it was not measured.
+  double time(const std::string& name, const std::string& m) const {
+    const auto at = milliseconds_.find({name, m});
+    return at == milliseconds_.end() ? std::nan("") : at->second;
+  }
+
+  void table(const std::string& frame) const {
+    std::printf("\n%s, CPU ms\n%3s %10s %10s %6s %10s %10s %6s %10s\n", frame.c_str(), "m",
+                "symbolic", "FLINT", "ratio", "value", "roots", "ratio", "scratch");
+    for (const char* m : {"1", "2", "3", "5", "10", "20", "40", "80"}) {
+      const double symbolic = time(frame + "_symbolic", m);
+      const double flint = time(frame + "_flint", m);
+      const double value = time(frame + "_value", m);
+      const double roots = time("roots_alone", m);
+      const double scratch = time(frame + "_from_scratch", m);
+      if (std::isnan(symbolic) && std::isnan(value)) continue;
+      std::printf("%3s %10.4f %10.4f %6.2f %10.4f %10.4f %6.2f %10.4f\n", m, symbolic, flint,
+                  symbolic / flint, value, roots, value / roots, scratch);
+    }
+  }
+
+  std::map<std::pair<std::string, std::string>, double> milliseconds_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::string> defaults{"--benchmark_repetitions=5", "--benchmark_min_time=0.1"};
+  std::vector<char*> arguments{argv[0]};
+  for (std::string& option : defaults) arguments.push_back(option.data());
+  arguments.insert(arguments.end(), argv + 1, argv + argc);
+  int count = static_cast<int>(arguments.size());
+  arguments.push_back(nullptr);
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
+  MedianReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  benchmark::Shutdown();
+}

@@ -1,0 +1,52 @@
+#include "phrame/algebra/argument.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+TEST_CASE("argument: of (t − i)⁴ at t = 1, from −2π to −π") {
+  GaussianPolynomial g{{1}, {}};
+  for (int k = 0; k < 4; ++k) g = g * GaussianPolynomial{{0, 1}, {-1}};
+  const ContinuousArgument argument(g);
+  CHECK(argument.difference(1, 100).overlaps(pi(100)));
+  CHECK(argument.is_zero_at(0));
+  CHECK_FALSE(argument.is_zero_at(1));
+}
+
+TEST_CASE("argument: a real zero is refused") {
+  CHECK_THROWS_AS(ContinuousArgument(GaussianPolynomial{{0, 1}, {0, 2}}), DomainError);
+  CHECK_THROWS_AS(ContinuousArgument(GaussianPolynomial{}), DomainError);
+}
+
+TEST_CASE("argument: law: the sum over known roots, each term continuous by itself") {
+  for_samples(200, [](Random& random) {
+    // arg(t − z) stays in one half-plane: its principal values need no count.
+    GaussianPolynomial g{{random.rational() + 30}, {random.rational()}};
+    std::vector<std::pair<Rational, Rational>> roots;
+    for (long k = random.integer(0, 6); k > 0; --k) {
+      Rational y = random.rational();
+      if (y == 0) y = 1;
+      roots.emplace_back(random.rational(), y);
+      g = g * GaussianPolynomial{{-roots.back().first, 1}, {-y}};
+    }
+    const ContinuousArgument argument(g);
+    const Rational t = random.rational();
+    constexpr long bits = 300;
+    RealBall sum;
+    for (const auto& [x, y] : roots) {
+      const auto principal = [&, x = x, y = y](const Rational& at) {
+        RealBall angle;
+        arb_atan2(angle.raw(), RealBall(-y, bits).raw(), RealBall(at - x, bits).raw(), bits);
+        return angle;
+      };
+      sum = add(sum, subtract(principal(t), principal(0), bits), bits);
+    }
+    const RealBall difference = argument.difference(t, bits);
+    CHECK(difference.overlaps(sum));
+    CHECK(difference.radius() < parse_rational("1e-60"));
+    if (argument.is_zero_at(t)) CHECK(difference.contains(0));
+  });
+}

@@ -1,0 +1,59 @@
+#include "phrame/algebra/ball.hpp"
+
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+TEST_CASE("ball: law: operations contain the exact result, and are narrow") {
+  for_samples(200, [](Random& random) {
+    const Rational x = random.rational();
+    const Rational y = random.rational();
+    const long bits = random.integer(20, 300);
+    const RealBall a(x, bits);
+    const RealBall b(y, bits);
+    CHECK(a.contains(x));
+    CHECK(a.lower() <= x);
+    CHECK(x <= a.upper());
+    CHECK(add(a, b, bits).contains(x + y));
+    CHECK(subtract(a, b, bits).contains(x - y));
+    CHECK(multiply(a, b, bits).contains(x * y));
+    if (y != 0) CHECK(divide(a, b, bits).contains(x / y));
+    CHECK(sqrt(RealBall(x * x, bits), bits).contains(abs(x)));
+    CHECK(multiply(a, b, bits).radius() <= (abs(x * y) + 1) * parse_rational("0x1p-10"));
+    const auto [c, s] = cos_sin(a, bits);
+    CHECK(add(multiply(c, c, bits), multiply(s, s, bits), bits).contains(1));
+  });
+}
+
+TEST_CASE("ball: law: a polynomial at a Gaussian rational contains the exact value") {
+  for_samples(100, [](Random& random) {
+    const Polynomial p = random.polynomial(6);
+    const Rational x = random.rational();
+    const Rational y = random.rational();
+    // Horner's rule in ℚ(i), by hand.
+    Rational re = 0;
+    Rational im = 0;
+    for (long k = p.degree(); k >= 0; --k) {
+      const Rational next = re * x - im * y + p.coefficient(k);
+      im = re * y + im * x;
+      re = next;
+    }
+    const ComplexBall z(RealBall(x, 200), RealBall(y, 200));
+    const ComplexBall value = evaluate(p, z, 200);
+    CHECK(value.re().contains(re));
+    CHECK(value.im().contains(im));
+    CHECK(conjugate(value).im().contains(-im));
+  });
+}
+
+TEST_CASE("ball: zero, positivity, overlap and text") {
+  CHECK(RealBall().contains_zero());
+  CHECK(RealBall(Rational(1, 3), 30).is_positive());
+  CHECK_FALSE(RealBall(Rational(1, 3), 30).contains_zero());
+  CHECK(RealBall(Rational(1, 3), 30).overlaps(RealBall(Rational(1, 3), 60)));
+  CHECK_FALSE(RealBall(1, 30).overlaps(RealBall(2, 30)));
+  CHECK_FALSE(divide(RealBall(1, 30), RealBall(), 30).is_finite());
+  CHECK(to_string(RealBall(Rational(-1, 4), 100), 12) == "-0.250000000000");
+}

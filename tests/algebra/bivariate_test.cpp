@@ -1,0 +1,51 @@
+#include "phrame/algebra/bivariate.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+TEST_CASE("bivariate: no leading zeros, and the value at t is a polynomial in x") {
+  const Bivariate v({Polynomial{1, 2}, Polynomial{0, 1}, Polynomial{}});  // 1 + 2x + x·t
+  CHECK(v.degree() == 1);
+  CHECK(v.coefficient(5).is_zero());
+  CHECK(evaluate_at(v, 3) == Polynomial{1, 5});
+  CHECK(Bivariate({Polynomial{}}).is_zero());
+}
+
+TEST_CASE("quotient ring: √2 has inverse √2/2, trace 0; i has trace 0 and 1 has trace 2") {
+  const QuotientRing ring({-2, 0, 1});
+  CHECK(ring.inverse({0, 1}) == Polynomial{0, Rational(1, 2)});
+  CHECK(ring.multiply({0, 1}, {0, 1}) == Polynomial{2});
+  CHECK(ring.trace({1}) == 2);
+  CHECK(ring.trace({0, 1}) == 0);
+  CHECK(ring.trace({0, 0, 1}) == 4);
+  CHECK_THROWS_AS(QuotientRing({3}), DomainError);
+  CHECK_THROWS_AS(QuotientRing({-1, 0, 1}).inverse({-1, 1}), DomainError);
+}
+
+TEST_CASE("quotient ring: law: a·a⁻¹ = 1; the trace is the sum over known roots") {
+  for_samples(100, [](Random& random) {
+    Polynomial q{random.integer(1, 5)};
+    std::vector<Rational> roots;
+    for (long k = random.integer(1, 4); k > 0; --k) {
+      roots.push_back(random.rational());
+      q *= Polynomial{-roots.back(), 1};
+    }
+    const QuotientRing ring(q);
+    const Polynomial a = random.polynomial(5);
+    Rational sum = 0;
+    for (const Rational& root : roots) sum += a(root);
+    CHECK(ring.trace(a) == sum);
+    if (gcd(a, q).is_constant() && !a.is_zero())
+      CHECK(ring.multiply(a, ring.inverse(ring.reduce(a))) == Polynomial{1});
+  });
+}
+
+TEST_CASE("power sums: of the roots 1, 2, 3, by hand") {
+  // (t−1)(t−2)(t−3) = t³ − 6t² + 11t − 6
+  const auto s = power_sums(std::vector<Rational>{-6, 11, -6}, 5, std::multiplies<Rational>());
+  CHECK(s == std::vector<Rational>{6, 14, 36, 98, 276});
+}

@@ -1,0 +1,118 @@
+#include "phrame/algebra/polynomial.hpp"
+
+#include <type_traits>
+
+#include "phrame/algebra/error.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+static_assert(std::is_nothrow_move_constructible_v<Polynomial>);
+static_assert(std::is_nothrow_move_assignable_v<Polynomial>);
+static_assert(std::is_nothrow_swappable_v<Polynomial>);
+
+TEST_CASE("polynomial: a moved-from one is 0, assigning to itself changes nothing") {
+  Polynomial p{1, 2, 3};
+  const Polynomial q = std::move(p);
+  CHECK(p == Polynomial());  // NOLINT(bugprone-use-after-move): the promise under test
+  Polynomial r = q;
+  const Polynomial& same = r;
+  r = same;
+  CHECK(r == q);
+  r += r;
+  CHECK(r == Rational(2) * q);
+  r -= r;
+  CHECK(r.is_zero());
+}
+
+TEST_CASE("polynomial: degree, coefficients and value of a known one") {
+  const Polynomial p{Rational(1, 2), 0, -3};
+  CHECK(p.degree() == 2);
+  CHECK(p.coefficient(2) == -3);
+  CHECK(p.coefficient(7) == 0);
+  CHECK(p.coefficients() == std::vector<Rational>{Rational(1, 2), 0, -3});
+  CHECK(p(Rational(1, 3)) == Rational(1, 6));
+  CHECK(Polynomial().degree() == -1);
+  CHECK(Polynomial{0, 0}.is_zero());
+  CHECK(Polynomial::monomial(5, 3) == Polynomial{0, 0, 0, 5});
+}
+
+TEST_CASE("polynomial: law: values are a ring homomorphism") {
+  for_samples(200, [](Random& random) {
+    const Polynomial a = random.polynomial(6);
+    const Polynomial b = random.polynomial(6);
+    const Rational t = random.rational();
+    CHECK((a + b)(t) == a(t) + b(t));
+    CHECK((a - b)(t) == a(t) - b(t));
+    CHECK((a * b)(t) == a(t) * b(t));
+    CHECK((-a)(t) == -a(t));
+    CHECK((t * a)(t) == t * a(t));
+    CHECK(compose(a, b)(t) == a(b(t)));
+    CHECK(pow(a, 3)(t) == a(t) * a(t) * a(t));
+    CHECK(pow(a, 0) == Polynomial{1});
+  });
+  CHECK_THROWS_AS(pow(Polynomial{1, 1}, -1), DomainError);
+}
+
+TEST_CASE("polynomial: law: a = quotient·b + remainder with a small remainder") {
+  for_samples(200, [](Random& random) {
+    const Polynomial a = random.polynomial(9);
+    const Polynomial b = random.nonzero_polynomial(5);
+    const auto [quotient, remainder] = divide(a, b);
+    CHECK(quotient * b + remainder == a);
+    CHECK(remainder.degree() < b.degree());
+    CHECK(a % b == remainder);
+    CHECK(exact_quotient(a * b, b) == a);
+  });
+  CHECK_THROWS_AS(divide(Polynomial{1}, {}), DomainError);
+  CHECK_THROWS_AS(Polynomial{1} % Polynomial(), DomainError);
+  CHECK_THROWS_AS(exact_quotient(Polynomial{1, 0, 1}, Polynomial{1, 1}), DomainError);
+}
+
+TEST_CASE("polynomial: law: the gcd divides both, and cofactors have none") {
+  for_samples(200, [](Random& random) {
+    const Polynomial f = random.nonzero_polynomial(3);
+    const Polynomial a = f * random.nonzero_polynomial(4);
+    const Polynomial b = f * random.nonzero_polynomial(4);
+    const Polynomial g = gcd(a, b);
+    CHECK((g % f).is_zero());
+    CHECK(gcd(exact_quotient(a, g), exact_quotient(b, g)) == Polynomial{1});
+    CHECK(g == primitive_part(g));
+  });
+  CHECK(gcd(Polynomial(), Polynomial()).is_zero());
+  CHECK(gcd(Polynomial(), Polynomial{-2, -4}) == Polynomial{1, 2});
+}
+
+TEST_CASE("polynomial: law: content times primitive part") {
+  for_samples(200, [](Random& random) {
+    const Polynomial p = random.polynomial(6);
+    CHECK(content(p) * primitive_part(p) == p);
+    CHECK(primitive_part(p).leading_coefficient() >= 0);
+    for (const Rational& c : primitive_part(p).coefficients()) CHECK(denominator(c) == 1);
+  });
+  CHECK(content(Polynomial{Rational(-4, 3), Rational(-2, 3)}) == Rational(-2, 3));
+}
+
+TEST_CASE("polynomial: law: derivative and antiderivative") {
+  for_samples(200, [](Random& random) {
+    const Polynomial a = random.polynomial(6);
+    const Polynomial b = random.polynomial(6);
+    CHECK(differentiate(antiderivative(a)) == a);
+    CHECK(antiderivative(a)(0) == 0);
+    CHECK(differentiate(a * b) == differentiate(a) * b + a * differentiate(b));
+  });
+}
+
+TEST_CASE("polynomial: law: the squarefree part has the same roots, each once") {
+  for_samples(100, [](Random& random) {
+    const Polynomial p = random.repeated_polynomial(3);
+    const Polynomial radical = squarefree_part(p);
+    CHECK(is_squarefree(radical));
+    CHECK((pow(radical, p.degree()) % p).is_zero());
+    CHECK((p % radical).is_zero());
+  });
+  CHECK_FALSE(is_squarefree(pow(Polynomial{1, 1}, 2)));
+  CHECK_THROWS_AS(squarefree_part({}), DomainError);
+}

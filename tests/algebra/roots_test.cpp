@@ -1,0 +1,62 @@
+#include "phrame/algebra/roots.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+TEST_CASE("roots: of t⁴ − 1, and the root 0") {
+  const Roots roots = isolate_roots({-1, 0, 0, 0, 1}, 100);
+  REQUIRE(roots.real.size() == 2);
+  REQUIRE(roots.upper.size() == 1);
+  CHECK(roots.real[0].contains(-1));
+  CHECK(roots.real[1].contains(1));
+  CHECK(roots.upper[0].re().contains(0));
+  CHECK(roots.upper[0].im().contains(1));
+  CHECK(isolate_roots({0, 1}, 100).real.at(0).contains(0));
+  CHECK_THROWS_AS(isolate_roots({3}, 100), DomainError);
+  CHECK_THROWS_AS(isolate_roots(pow(Polynomial{1, 1}, 2), 100), DomainError);
+}
+
+TEST_CASE("roots: law: the known roots are found, refining keeps and narrows them") {
+  for_samples(60, [](Random& random) {
+    std::vector<Rational> real;
+    std::vector<std::pair<Rational, Rational>> upper;
+    Polynomial p{random.integer(1, 7)};
+    for (long k = random.integer(0, 4); k > 0; --k) {
+      const Rational x = random.rational();
+      if (p(x) == 0) continue;
+      real.push_back(x);
+      p *= Polynomial{-x, 1};
+    }
+    for (long k = random.integer(0, 3); k > 0; --k) {
+      const Rational x = random.rational();
+      const Rational y = abs(random.rational()) + 1;
+      const Polynomial quadratic{x * x + y * y, -2 * x, 1};
+      if ((p % quadratic).is_zero()) continue;
+      upper.emplace_back(x, y);
+      p *= quadratic;
+    }
+    if (p.is_constant()) return;
+    std::sort(real.begin(), real.end());
+    Roots roots = isolate_roots(p, 64);
+    for (const long bits : {64L, 300L, 2000L}) {
+      if (bits > 64) refine(p, roots, bits);
+      REQUIRE(roots.real.size() == real.size());
+      REQUIRE(roots.upper.size() == upper.size());
+      for (std::size_t k = 0; k < real.size(); ++k) {
+        CHECK(roots.real[k].contains(real[k]));
+        CHECK(roots.real[k].accuracy_bits() >= bits);
+      }
+      for (const auto& [x, y] : upper) {
+        long found = 0;
+        for (const ComplexBall& z : roots.upper)
+          if (z.re().contains(x) && z.im().contains(y)) ++found;
+        CHECK(found == 1);
+      }
+      for (const ComplexBall& z : roots.upper) CHECK(acb_rel_accuracy_bits(z.raw()) >= bits);
+    }
+  });
+}

@@ -1,0 +1,116 @@
+#include "phrame/algebra/rounding.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "phrame/algebra/error.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+namespace {
+
+Real as_enclosure(const Rational& x) {
+  return Real([x](long bits) { return RealBall(x, bits); });
+}
+
+const Real pi_value{[](long bits) { return pi(bits); }};
+
+}  // namespace
+
+TEST_CASE("rounding: π to 50 digits (Abramowitz & Stegun, table 1.1)") {
+  const Decimal d = round_to_decimal(pi_value, 50);
+  CHECK(d.value == "3.1415926535897932384626433832795028841971693993751");
+  // The next digits of π are 0582…: the error is below 10^-50 and above 10^-52.
+  CHECK(parse_rational(d.radius) < parse_rational("1e-50"));
+  CHECK(parse_rational(d.radius) > parse_rational("1e-52"));
+  CHECK(round_to_double(pi_value) == 0x1.921fb54442d18p+1);
+}
+
+TEST_CASE("rounding: exact numbers, ties to even, carries, exponents") {
+  CHECK(round_to_decimal(Rational(0), 5).value == "0");
+  CHECK(round_to_decimal(Rational(0), 5).radius == "0");
+  CHECK(round_to_decimal(Rational(-4, 5), 3).value == "-0.800");
+  CHECK(round_to_decimal(Rational(-4, 5), 3).radius == "0");
+  CHECK(round_to_decimal(Rational(1, 8), 2).value == "0.12");
+  CHECK(round_to_decimal(Rational(3, 8), 2).value == "0.38");
+  CHECK(round_to_decimal(Rational(99996), 4).value == "1.000e5");
+  CHECK(round_to_decimal(Rational(9999), 4).value == "9999");
+  CHECK(round_to_decimal(Rational(1, 1000000), 3).value == "1.00e-6");
+  CHECK(round_to_decimal(Rational(1, 100000), 3).value == "0.0000100");
+  CHECK(round_to_decimal(Rational(2, 3), 1).value == "0.7");
+  CHECK(round_to_decimal(Rational(2, 3), 1).radius == "3.4e-2");
+  CHECK(round_to_decimal(Rational(15), 1).value == "2e1");
+  CHECK_THROWS_AS(round_to_decimal(Rational(1), 0), DomainError);
+}
+
+TEST_CASE("rounding: law: decimals are the nearest ones, and the radius bounds the error") {
+  for_samples(200, [](Random& random) {
+    const Rational x = random.rational();
+    const long digits = random.integer(1, 30);
+    const Decimal d = round_to_decimal(x, digits);
+    const Rational value = parse_rational(d.value);
+    CHECK(abs(value - x) <= parse_rational(d.radius));
+    if (x == 0) return;
+    // One unit of the last place: the digits, read as a whole number, are between 10^(d−1) and 10^d.
+    const Rational unit = abs(value) / Rational(boost::multiprecision::pow(
+                                           Integer(10), static_cast<unsigned>(digits - 1)));
+    CHECK(abs(value - x) * 2 <= unit);
+    // Through enclosures the same digits come out; a short exact decimal is its own neighbour.
+    CHECK(round_to_decimal(as_enclosure(x), digits + 40).value ==
+          round_to_decimal(x, digits + 40).value);
+  });
+}
+
+TEST_CASE("rounding: law: doubles agree with the C library's strtod, subnormals included") {
+  for_samples(400, [](Random& random) {
+    std::string text = std::to_string(random.integer(1, 999999999999999999)) +
+                       std::to_string(random.integer(1, 999999999999999999)) + "e" +
+                       std::to_string(random.integer(-360, 270));
+    if (random.chance(2)) text = "-" + text;
+    const double expected = std::strtod(text.c_str(), nullptr);
+    CHECK(round_to_double(parse_rational(text)) == expected);
+    CHECK(round_to_double(as_enclosure(parse_rational(text))) == expected);
+  });
+}
+
+TEST_CASE("rounding: doubles: ties to even, overflow, underflow, one zero") {
+  CHECK(round_to_double(1 + parse_rational("0x1p-53")) == 1.0);
+  CHECK(round_to_double(1 + parse_rational("0x3p-53")) == 1 + 0x1p-51);
+  CHECK(round_to_double(1 + parse_rational("0x1p-53") + parse_rational("1e-400")) == 1 + 0x1p-52);
+  CHECK(round_to_double(parse_rational("1e400")) == std::numeric_limits<double>::infinity());
+  CHECK(round_to_double(parse_rational("1e-400")) == 0);
+  CHECK_FALSE(std::signbit(round_to_double(parse_rational("-1e-400"))));
+  CHECK(round_to_double(parse_rational("0x1p-1074")) == std::numeric_limits<double>::denorm_min());
+  CHECK(round_to_double(parse_rational("0x1p-1075")) == 0);
+}
+
+TEST_CASE("rounding: to mpfr_float with any number of bits") {
+  const auto x = round_to_mpfr(pi_value, 113);
+  CHECK(mpfr_get_prec(x.backend().data()) == 113);
+  mpfr_t expected;
+  mpfr_init2(expected, 113);
+  mpfr_const_pi(expected, MPFR_RNDN);  // MPFR rounds correctly
+  CHECK(mpfr_equal_p(x.backend().data(), expected) != 0);
+  mpfr_clear(expected);
+  CHECK(round_to_mpfr(Rational(1, 3), 2) == Rational(3, 8).convert_to<double>());
+  CHECK_THROWS_AS(round_to_mpfr(pi_value, 0), DomainError);
+}
+
+TEST_CASE("rounding: a number that stays on a boundary is undecided, and the limit is named") {
+  const Real on_a_tie([](long bits) {
+    RealBall ball(Rational(1, 8), bits);
+    arb_add_error_2exp_si(ball.raw(), -bits);
+    return ball;
+  });
+  CHECK_THROWS_WITH_AS(round_to_decimal(on_a_tie, 2, {2, 100}),
+                       doctest::Contains("bits of precision"), Undecided);
+}
+
+TEST_CASE("rounding: a number far below the first precision still gets all its digits") {
+  const Rational tiny = parse_rational("123456789e-3000") / 7;
+  CHECK(round_to_decimal(as_enclosure(tiny), 20).value == round_to_decimal(tiny, 20).value);
+}

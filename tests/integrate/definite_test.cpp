@@ -1,0 +1,112 @@
+#include "phrame/integrate/definite.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/sturm.hpp"
+#include "phrame/integrate/integrate.hpp"
+#include "support/quadrature.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+namespace {
+
+std::string digits(const RationalFunction& f, const Rational& a, const Rational& b, long count) {
+  Evaluator evaluator(integrate(f));
+  return round_to_decimal(evaluator.value(a, b), count).value;
+}
+
+}  // namespace
+
+TEST_CASE("definite: known constants: π/4, log 2, and 3π/4 + arctan(1/2)") {
+  CHECK(digits({{1}, {1, 0, 1}}, 0, 1, 30) == "0.785398163397448309615660845820");  // π/4
+  CHECK(digits({{1}, {0, 1}}, 1, 2, 30) == "0.693147180559945309417232121458");     // log 2
+  // Rioboo's integral on [1, 2] (Bronstein 2005, §2.8).
+  const RationalFunction f({6, 0, -3, 0, 1}, {4, 0, 5, 0, -5, 0, 1});
+  RealBall expected;
+  arb_atan(expected.raw(), RealBall(Rational(1, 2), 200).raw(), 200);
+  expected = add(expected, multiply(pi(200), RealBall(Rational(3, 4), 200), 200), 200);
+  CHECK(definite(integrate(f), 1, 2, 150).overlaps(expected));
+}
+
+TEST_CASE("definite: a pole between or at the ends is refused by name, a pole outside is not") {
+  const Antiderivative F = integrate({{1}, {-2, 0, 1}});  // poles ±√2
+  CHECK_THROWS_WITH_AS(definite(F, 0, 2, 60), doctest::Contains("pole at t in"), DomainError);
+  CHECK_THROWS_AS(definite(F, 2, 0, 60), DomainError);
+  CHECK_NOTHROW(definite(F, 0, 1, 60));
+  const Antiderivative G = integrate({{1}, {-1, 3}});
+  CHECK_THROWS_WITH_AS(definite(G, 0, 1, 60), doctest::Contains("pole at t = 1/3"), DomainError);
+  CHECK_THROWS_AS(definite(G, Rational(1, 3), 1, 60), DomainError);
+  CHECK_THROWS_AS(definite(integrate({{1}, {0, 0, 1}}), -1, 1, 60), DomainError);
+  CHECK(definite(integrate({{1}, {0, 0, 1}}), 1, 2, 60).contains(Rational(1, 2)));
+}
+
+TEST_CASE("definite: what is rational is exact") {
+  Evaluator rational(integrate({{0, 4}, {1, 0, 2, 0, 1}}));  // (−2/(1 + t²))′
+  CHECK(rational.value(0, 3).exact() == Rational(9, 5));
+  Evaluator log(integrate({{1}, {1, 0, 1}}));
+  CHECK(log.value(7, 7).exact() == Rational(0));
+  CHECK_FALSE(log.value(0, 7).exact().has_value());
+}
+
+TEST_CASE("definite: logarithms that cancel are seen to cancel") {
+  // An odd integrand on a symmetric interval.
+  Evaluator odd(integrate({{0, 1}, {1, 0, 0, 0, 1}}));
+  CHECK(odd.value(-2, 2).exact() == Rational(0));
+  // An odd one whose denominator splits into factors that are exchanged.
+  Evaluator split(integrate({{0, 1}, {4, 0, 0, 0, 1}}));
+  CHECK(split.value(-3, 3).exact() == Rational(0));
+  // w′/(w³ + w + 7)·1 with w = t² − t, w(0) = w(1); plus 1/(t+2)², which is not 0 but rational.
+  const Polynomial w{0, -1, 1};
+  const RationalFunction f(differentiate(w), pow(w, 3) + w + Polynomial{7});
+  Evaluator composed(integrate(f + RationalFunction({1}, {4, 4, 1})));
+  CHECK(composed.value(0, 1).exact() == Rational(1, 6));
+  // The logarithm's argument returns to its value, but the path has gone around 0: not 0.
+  // ∫ from −1 to 1 of 4/(t² + 1) is 2π.
+  Evaluator turn(integrate({{4}, {1, 0, 1}}));
+  CHECK_FALSE(turn.value(-1, 1).exact().has_value());
+}
+
+TEST_CASE("definite: law: enclosures overlap Arb's quadrature, for every form") {
+  for_samples(60, [](Random& random) {
+    const Polynomial d = random.repeated_polynomial(2);
+    const RationalFunction f(random.polynomial(6), d);
+    const Rational a = random.integer(-3, 3);
+    const Rational b = a + Rational(random.integer(1, 8), 4);
+    if (count_real_roots(f.denominator(), closed(a, b)) > 0) return;
+    const RealBall expected = test::quadrature(f, a, b, 80);
+    RealBall first;
+    for (const Form form : {Form::automatic, Form::partial_fractions, Form::rothstein_trager}) {
+      const RealBall value = definite(integrate(f, form), a, b, 100);
+      CHECK(value.overlaps(expected));
+      CHECK(value.radius() <= (abs(value.upper()) + 1) * parse_rational("0x1p-100"));
+      if (form == Form::automatic) first = value;
+      CHECK(value.overlaps(first));
+    }
+  });
+}
+
+TEST_CASE("definite: law: integrals over neighbouring intervals add up; precision can rise") {
+  for_samples(40, [](Random& random) {
+    // Denominators without real roots: no pole anywhere.
+    Polynomial d{1};
+    for (long k = random.integer(1, 3); k > 0; --k)
+      d *= pow(Polynomial{random.integer(1, 9), random.integer(-1, 1), 1}, random.integer(1, 2));
+    Evaluator F(integrate({random.polynomial(6), d}));
+    const Rational a = random.rational();
+    const Rational b = random.rational();
+    const Rational c = random.rational();
+    for (const long bits : {60L, 500L, 100L}) {
+      const RealBall sum = add(F.difference(a, b, bits), F.difference(b, c, bits), bits + 20);
+      CHECK(sum.overlaps(F.difference(a, c, bits)));
+    }
+  });
+}
+
+TEST_CASE("definite: close ends lose no accuracy") {
+  // ∫ from 0 to 10^-40 of 1/(1+t²) = 10^-40 − 10^-120/3 + …: 60 digits.
+  const Rational h = parse_rational("1e-40");
+  const Rational series = h - h * h * h / 3;
+  CHECK(digits({{1}, {1, 0, 1}}, 0, h, 60) == round_to_decimal(series, 60).value);
+}

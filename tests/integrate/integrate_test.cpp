@@ -1,0 +1,66 @@
+#include "phrame/integrate/integrate.hpp"
+
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+namespace {
+
+constexpr Form all_forms[] = {Form::automatic, Form::partial_fractions, Form::rothstein_trager};
+
+}  // namespace
+
+TEST_CASE("integrate: textbook integrals") {
+  CHECK(integrate({}) == Antiderivative{});
+  CHECK(integrate(RationalFunction({0, 2})).polynomial == Polynomial{0, 0, 1});
+  // ∫ (3t² + t + 1)/(t³ + t) = log t + log(t² + 1) + arctan t: residues 1 and 1 ± i/2.
+  const auto F = integrate({{1, 1, 3}, {0, 1, 0, 1}}, Form::rothstein_trager);
+  REQUIRE(F.logs.size() == 2);
+  CHECK(F.logs[0].index == Polynomial{-1, 1});
+  CHECK(F.logs[1].index == Polynomial{5, -8, 4});  // roots 1 ± i/2
+}
+
+TEST_CASE("integrate: automatic: repeated residues are written once, distinct ones over the poles") {
+  // d′/d: one residue, 1, although d is irreducible of degree 5.
+  const auto one = integrate({{0, 0, 0, 0, 5}, {2, 0, 0, 0, 0, 1}});
+  REQUIRE(one.logs.size() == 1);
+  CHECK(one.logs[0].index.degree() == 1);
+  CHECK(one.logs[0].argument.degree() == 5);
+  // 1/(t³ + t + 1): three distinct residues.
+  const auto three = integrate({{1}, {1, 1, 0, 1}});
+  REQUIRE(three.logs.size() == 1);
+  CHECK(is_over_poles(three.logs[0]));
+  // Both in one function: 2t/(t² + 1) has the residue 1 twice, 1/(t³ + t + 1) is as above.
+  const auto mixed = integrate(RationalFunction({0, 2}, {1, 0, 1}) + RationalFunction({1}, {1, 1, 0, 1}));
+  REQUIRE(mixed.logs.size() == 2);
+  CHECK_FALSE(is_over_poles(mixed.logs[0]));
+  CHECK(is_over_poles(mixed.logs[1]));
+}
+
+TEST_CASE("integrate: the same residues at different irreducible factors are joined") {
+  // 1/(t² + 1) and 1/((t + 1)² + 1) both have the residues ±i/2.
+  const auto F = integrate(RationalFunction({1}, {1, 0, 1}) + RationalFunction({1}, {2, 2, 1}));
+  REQUIRE(F.logs.size() == 1);
+  CHECK(F.logs[0].index == Polynomial{1, 0, 4});
+  CHECK(F.logs[0].argument.degree() == 2);
+}
+
+TEST_CASE("integrate: law: the derivative of every form is the integrand") {
+  for_samples(60, [](Random& random) {
+    const Polynomial d = random.repeated_polynomial(2);
+    const RationalFunction f(random.polynomial(7), d);
+    for (const Form form : all_forms) {
+      const Antiderivative F = integrate(f, form);
+      CHECK(differentiate(F) == f);
+      CHECK(F.rational.is_proper());
+      for (const LogSum& sum : F.logs) {
+        CHECK(is_squarefree(sum.index));
+        CHECK(sum.residue.degree() < sum.index.degree());
+        CHECK(gcd(sum.residue, sum.index).is_constant());
+        CHECK(sum.argument.coefficient(sum.argument.degree()) == Polynomial{1});
+      }
+    }
+  });
+}

@@ -1,0 +1,183 @@
+#include "phrame/ph/rmf_angle.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/curve_file.hpp"
+#include "support/quadrature.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+namespace {
+
+const Curve quintic({from_bernstein({2, 0, 2}), from_bernstein({1, 1, 0}), from_bernstein({0, -2, 0}),
+                     from_bernstein({1, 2, 1})});
+
+/// |a − b| ≤ 10^-48·max(1, |b|).
+bool agree(const std::string& a, const std::string& b) {
+  const Rational x = parse_rational(a);
+  const Rational y = parse_rational(b);
+  return abs(x - y) <= parse_rational("1e-48") * (abs(y) > 1 ? Rational(abs(y)) : Rational(1));
+}
+
+std::string fifty(RmfAngle& angle, const Rational& t) {
+  return round_to_decimal(angle.value(t), 50).value;
+}
+
+}  // namespace
+
+TEST_CASE("angle: the quintic of Farouki 2003 at eleven points, in both frames") {
+  std::ifstream file(PHRAME_TEST_DATA "/farouki-2003.json");
+  const auto reference = nlohmann::json::parse(file).at("quintic");
+  RmfAngle erf(quintic, Reference::erf);
+  RmfAngle frenet(quintic, Reference::frenet);
+  for (const auto& [t, theta] : reference.at("theta_RMF_rel_ERF").items())
+    CHECK(agree(fifty(erf, parse_rational(t)), theta));
+  for (const auto& [t, theta] : reference.at("theta_RMF_rel_Frenet").items())
+    CHECK(agree(fifty(frenet, parse_rational(t)), theta));
+  CHECK(fifty(frenet, 1) == "2.9950414081175964605037551595138716605649466792612");
+}
+
+TEST_CASE("angle: every curve of the collection, both frames, 50 digits") {
+  std::ifstream file(PHRAME_TEST_DATA "/curves.jsonl");
+  long count = 0;
+  for (std::string line; std::getline(file, line);) {
+    const auto [name, curve] = read_curve(line);
+    CAPTURE(name);
+    const auto expected = nlohmann::json::parse(line).at("expected");
+    RmfAngle erf(curve, Reference::erf);
+    CHECK(agree(fifty(erf, 1), expected.at("theta_erf_1")));
+    if (expected.contains("theta_frenet_1")) {
+      RmfAngle frenet(curve, Reference::frenet);
+      CHECK(agree(fifty(frenet, 1), expected.at("theta_frenet_1")));
+    } else {
+      CHECK_THROWS_WITH_AS(RmfAngle(curve, Reference::frenet), doctest::Contains("straight line"),
+                           DomainError);
+    }
+    ++count;
+  }
+  CHECK(count > 120);
+}
+
+TEST_CASE("angle: A = (t + i)(t + j): θ = −2t/(1 + t²) exactly, Frenet as in the reference values") {
+  const Curve curve({{0, 0, 1}, {0, 1}, {0, 1}, {1}});
+  RmfAngle erf(curve, Reference::erf);
+  CHECK(erf.twist() == Antiderivative{{}, RationalFunction({0, -2}, {1, 0, 1}), {}});
+  CHECK(erf.value(Rational(1, 2)).exact() == Rational(-4, 5));
+  RmfAngle frenet(curve, Reference::frenet);
+  CHECK(agree(fifty(frenet, 1), "-1.7853981633974483096156608458198757210492923498438"));
+  CHECK(agree(fifty(frenet, Rational(1, 2)),
+              "-1.4747409422235526630565209736098136150740062548407"));
+}
+
+TEST_CASE("angle: h = 0 without lying in a plane: the ERF is rotation-minimizing") {
+  const Curve curve({{1}, {0, 0, 0, 1}, {0, 3}, {0, 0, 1}});  // 1 + t³i + 3tj + t²k
+  CHECK(erf_rate(curve.preimage()).is_zero());
+  RmfAngle erf(curve, Reference::erf);
+  CHECK(erf.value(Rational(2, 3)).exact() == Rational(0));
+  CHECK_FALSE(frenet_rate(curve.preimage()).is_zero());
+}
+
+TEST_CASE("angle: a plane curve's Frenet frame is rotation-minimizing, exactly") {
+  // u + qk lies in the plane z = 0; turned by f + gi its ERF is not rotation-minimizing any more.
+  const QuaternionPolynomial planar{{1, 2}, {}, {}, {3, 0, 1}};
+  const QuaternionPolynomial turned = planar * QuaternionPolynomial{{1, 1}, {0, 2}, {}, {}};
+  RmfAngle frenet(Curve(turned), Reference::frenet);
+  CHECK(frenet.rate().is_zero());
+  CHECK(frenet.value(5).exact() == Rational(0));
+  CHECK_FALSE(frenet.bend().has_value());
+  RmfAngle erf(Curve(turned), Reference::erf);
+  CHECK_FALSE(erf.value(1).exact().has_value());
+}
+
+TEST_CASE("angle: an inflection does not disturb the Frenet angle") {
+  // A = B(t²): r′(t) = r_B′(t²), the tangent of B's curve; g_A = 2t·g_B(t²) changes sign at 0.
+  const QuaternionPolynomial b{{1, 2}, {3}, {0, 1}, {2, -1}};
+  const Polynomial square{0, 0, 1};
+  const QuaternionPolynomial a{compose(b.u, square), compose(b.v, square), compose(b.p, square),
+                               compose(b.q, square)};
+  RmfAngle on_a(Curve(a), Reference::frenet);
+  RmfAngle on_b(Curve(b), Reference::frenet);
+  // The frames follow the same tangents: θ_A(t) = θ_B(t²), on both sides of the inflection.
+  for (const Rational& t : {Rational(1), Rational(-1), Rational(3, 2), Rational(-7, 3)})
+    CHECK(fifty(on_a, t) == fifty(on_b, t * t));
+}
+
+TEST_CASE("angle: a cusp does not disturb it") {
+  // A real factor of A leaves the tangents alone.
+  const QuaternionPolynomial b{{1, 2}, {3}, {0, 1}, {2, -1}};
+  const Polynomial factor{-1, 2};
+  const Curve curve({factor * b.u, factor * b.v, factor * b.p, factor * b.q}, {-1, 3});
+  for (const Reference reference : {Reference::erf, Reference::frenet}) {
+    RmfAngle with_cusp(curve, reference);
+    RmfAngle without(Curve(b), reference);
+    CHECK(with_cusp.rate() == without.rate());
+    CHECK(fifty(with_cusp, Rational(1, 2)) == fifty(without, Rational(1, 2)));
+    CHECK(fifty(with_cusp, 3) == fifty(without, 3));
+  }
+}
+
+TEST_CASE("angle: h of both signs with θ(t₁) = 0 exactly, seen through w(0) = w(1)") {
+  // B(t² − t): the path t² − t returns to 0 at t = 1.
+  const QuaternionPolynomial b{{1, 2}, {3}, {0, 1}, {2, -1}};
+  const Polynomial w{0, -1, 1};
+  const Curve curve({compose(b.u, w), compose(b.v, w), compose(b.p, w), compose(b.q, w)});
+  RmfAngle erf(curve, Reference::erf);
+  CHECK(erf.value(1).exact() == Rational(0));
+  RmfAngle frenet(curve, Reference::frenet);
+  CHECK(frenet.value(1).exact() == Rational(0));
+  CHECK_FALSE(erf.value(Rational(1, 2)).exact().has_value());
+}
+
+TEST_CASE("angle: far outside [0, 1] and close to 0, against the leading behaviour") {
+  RmfAngle erf(quintic, Reference::erf);
+  // θ′ = 8t/6·(1 + O(t)): at t = 10^-30 θ = (2/3)·10^-60 (1 + O(10^-30)).
+  CHECK(round_to_decimal(erf.value(parse_rational("1e-30")), 20).value == "6.6666666666666666667e-61");
+  // θ has limits at ±∞: θ′ ~ −8/(37t²), so θ(10^30) and θ(10^31) differ by (8/37)(10^-30 − 10^-31).
+  const RealBall change = subtract(erf.enclose(parse_rational("1e31"), 300),
+                                   erf.enclose(parse_rational("1e30"), 300), 300);
+  const Rational leading = Rational(-8, 37) * parse_rational("9e-31");
+  CHECK(abs(change.lower() - leading) < parse_rational("1e-58"));
+}
+
+TEST_CASE("angle: law: values are integrals of the rate, for every form and both references") {
+  for_samples(40, [](Random& random) {
+    const Curve curve = random.curve(3);
+    const Rational t = Rational(random.integer(-8, 8), 4);
+    for (const Reference reference : {Reference::erf, Reference::frenet}) {
+      if (reference == Reference::frenet && is_zero(bend_numerator(curve.preimage()))) {
+        CHECK_THROWS_AS(RmfAngle(curve, reference), DomainError);
+        continue;
+      }
+      RmfAngle angle(curve, reference);
+      CHECK(differentiate(angle.antiderivative()) == angle.rate());
+      CHECK(angle.value(0).exact() == Rational(0));
+      const RealBall expected = test::quadrature(angle.rate(), 0, t, 60);
+      CHECK(angle.enclose(t, 100).overlaps(expected));
+      RmfAngle other(curve, reference, Form::rothstein_trager);
+      CHECK(other.enclose(t, 100).overlaps(angle.enclose(t, 100)));
+      CHECK(differentiate(other.antiderivative()) == angle.rate());
+    }
+  });
+}
+
+TEST_CASE("angle: law: the paper's route has the same derivative and the same certified values") {
+  long compared = 0;
+  for_samples(60, [&](Random& random) {
+    const Curve curve(random.quaternion_polynomial(2));
+    if (is_zero(bend_numerator(curve.preimage()))) return;
+    const auto paper = frenet_angle_by_linear_system(curve);
+    if (!paper) return;
+    ++compared;
+    RmfAngle closed_form(curve, Reference::frenet);
+    CHECK(differentiate(*paper) == closed_form.rate());
+    Evaluator evaluator(*paper);
+    for (const Rational& t : {Rational(1), Rational(-3), Rational(7, 5)})
+      CHECK(evaluator.difference(0, t, 120).overlaps(closed_form.enclose(t, 120)));
+  });
+  CHECK(compared > 10);
+}
