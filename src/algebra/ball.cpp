@@ -115,6 +115,7 @@ ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits) {
 }
 
 std::string to_string(const RealBall& a, long digits) {
+  if (a.contains_zero()) return "0";
   const std::unique_ptr<char, void (*)(void*)> text(arb_get_str(a.raw(), digits, ARB_STR_NO_RADIUS),
                                                     flint_free);
   return text.get();

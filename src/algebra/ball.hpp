@@ -67,8 +67,8 @@ ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits);
 /// a/b; not finite where b contains 0.
 ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits);
 
-/// "0.285856530098 − 0.343344423853i" and "[2.99 ± 1e-9]", for messages and tables: `digits`
-/// significant digits of the midpoint, correct up to the last.
+/// "-0.343344423853", for messages and tables: `digits` significant digits, fewer where the ball is
+/// wide; "0" for a ball that contains 0.
 std::string to_string(const RealBall& a, long digits);
 
 }  // namespace phrame

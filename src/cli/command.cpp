@@ -58,7 +58,7 @@ NamedCurve CurveOptions::read() const {
 
 void Parameters::add_to(CLI::App& command) {
   command.add_option("--at", at, "values of t, separated by commas: 0,1/2,-3,0.25")
-      ->type_name("T,…")
+      ->type_name("T,...")
       ->expected(1)
       ->take_all();
   command.add_option("--samples", samples, "N equally spaced values of t from 0 to 1 (N ≥ 2)")

@@ -36,7 +36,7 @@ void add_frames(CLI::App& app) {
   command
       ->add_option("--frame", options->frames,
                    "any of rmf (default: f2, f3), erf (e2, e3) and frenet (n, b)")
-      ->type_name("NAME,…")
+      ->type_name("NAME,...")
       ->expected(1)
       ->take_all();
   command->add_option("--format", options->format, "csv (default), json or npy")

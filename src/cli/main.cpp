@@ -42,7 +42,7 @@ int run(int argc, char** argv) {
   const std::string version = fmt::format("phrame {}", phrame::version);
   app.set_version_flag("--version", version);
   for (CLI::App* command : commands) command->set_version_flag("--version", version);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   require_known_command(commands, argc, argv);
   try {
     app.parse(argc, argv);

@@ -56,4 +56,5 @@ TEST_CASE("ball: zero, positivity, overlap and text") {
   CHECK_FALSE(RealBall(1, 30).overlaps(RealBall(2, 30)));
   CHECK_FALSE(divide(RealBall(1, 30), RealBall(), 30).is_finite());
   CHECK(to_string(RealBall(Rational(-1, 4), 100), 12) == "-0.250000000000");
+  CHECK(to_string(RealBall(), 12) == "0");
 }

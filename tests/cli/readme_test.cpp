@@ -1,0 +1,68 @@
+// The README shows what the program prints and what the examples say; here it is held to that.
+#include <doctest/doctest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+const std::string root = PHRAME_TEST_DATA "/../..";
+
+std::string content(const std::string& path) {
+  std::ifstream file(path);
+  REQUIRE(file.good());
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// The fenced blocks of that language.
+std::vector<std::string> blocks(const std::string& text, const std::string& language) {
+  std::vector<std::string> found;
+  const std::string fence = "```" + language + "\n";
+  for (std::size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at)) {
+    at += fence.size();
+    const std::size_t end = text.find("```", at);
+    found.push_back(text.substr(at, end - at));
+    at = end;
+  }
+  return found;
+}
+
+std::string output_of(const std::string& command) {
+  std::FILE* pipe = popen(command.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::string text;
+  char block[4096];
+  while (const std::size_t n = std::fread(block, 1, sizeof block, pipe)) text.append(block, n);
+  CHECK(pclose(pipe) == 0);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("README: every command shown prints what is shown") {
+  const char* program = std::getenv("PHRAME_PROGRAM");
+  REQUIRE(program != nullptr);
+  long commands = 0;
+  for (const std::string& block : blocks(content(root + "/README.md"), "console")) {
+    const std::size_t end = block.find('\n');
+    const std::string command = block.substr(0, end);
+    if (!command.starts_with("$ phrame ")) continue;
+    CAPTURE(command);
+    ++commands;
+    CHECK(output_of("cd '" + root + "' && '" + program + "' " + command.substr(9)) ==
+          block.substr(end + 1));
+  }
+  CHECK(commands >= 2);
+}
+
+TEST_CASE("README: the C++ shown is examples/quickstart.cpp, which is compiled and run") {
+  const auto shown = blocks(content(root + "/README.md"), "cpp");
+  REQUIRE(shown.size() == 1);
+  CHECK(shown.front() == content(root + "/examples/quickstart.cpp"));
+}

@@ -1,0 +1,121 @@
+#include "phrame/io/json_value.hpp"
+
+#include <doctest/doctest.h>
+
+#include "phrame/algebra/error.hpp"
+
+using namespace phrame;
+
+namespace {
+
+using Kind = JsonValue::Kind;
+
+/// "place | reason" of the refusal; empty where there is none.
+std::string refusal(std::string_view text) {
+  try {
+    parse_json(text);
+  } catch (const InputError& error) {
+    return error.place() + " | " + error.reason();
+  }
+  return "";
+}
+
+std::string number_text(const std::string& text) {
+  const JsonValue value = parse_json(text);
+  CHECK(value.kind == Kind::number);
+  return value.text;
+}
+
+}  // namespace
+
+TEST_CASE("JSON values: each kind is told from the others") {
+  CHECK(parse_json("null").kind == Kind::null);
+  CHECK(parse_json("true").kind == Kind::boolean);
+  CHECK(parse_json("false").text == "false");
+  CHECK(parse_json(" \"a\\u0062\" ").text == "ab");
+  CHECK(parse_json("[]").kind == Kind::array);
+  CHECK(parse_json("{}").kind == Kind::object);
+  CHECK(parse_json("\xEF\xBB\xBF[1]").items.size() == 1);  // a byte order mark is no character
+}
+
+TEST_CASE("JSON values: members keep their order, find returns the one or none") {
+  const JsonValue value = parse_json(R"({"b": 1, "a": [2, {"c": 3}], "": 4})");
+  REQUIRE(value.members.size() == 3);
+  CHECK(value.members[0].first == "b");
+  CHECK(value.members[1].first == "a");
+  REQUIRE(value.find("a") != nullptr);
+  CHECK(value.find("a")->items[1].find("c")->text == "3");
+  CHECK(value.find("")->text == "4");
+  CHECK(value.find("c") == nullptr);
+  CHECK(parse_json("[1]").find("a") == nullptr);
+}
+
+TEST_CASE("JSON values: numbers keep the text they were written in") {
+  for (const char* text :
+       {"0.1", "1e400", "-1.50E+2", "0.30000000000000000000000000000000001", "1e-5000", "-0.0"})
+    CHECK(number_text(text) == text);
+  CHECK(number_text("18446744073709551615") == "18446744073709551615");
+  CHECK(number_text("18446744073709551616") == "18446744073709551616");
+  CHECK(number_text("-9223372036854775809") == "-9223372036854775809");
+  const std::string long_integer = "9" + std::string(399, '7');
+  CHECK(number_text(long_integer) == long_integer);
+}
+
+TEST_CASE(
+    "JSON values: a bare number beyond the parser's range is refused, quoting it, with advice") {
+  CHECK(refusal("[1,\n 1e9999]") ==
+        "2:7 | the number 1e9999 is too large to be written bare: put it in quotes");
+  const std::string message = refusal(std::string(1'000'000, '7'));
+  CHECK(message.find("(1000000 characters) is too large to be written bare") != std::string::npos);
+  CHECK(message.size() < 200);
+}
+
+TEST_CASE("JSON values: what is not JSON is refused at its line and column") {
+  const auto place = [](std::string_view text) {
+    const std::string all = refusal(text);
+    CHECK(all.find(" | not valid JSON: ") != std::string::npos);
+    CHECK(all.find('\n') == std::string::npos);
+    return all.substr(0, all.find(' '));
+  };
+  CHECK(place("") == "1:0");
+  CHECK(place("{\"a\": [1,\n2") == "2:2");  // the end of the text, one past the 2
+  CHECK(place("[1,\n  x]") == "2:3");
+  CHECK(place("[1] x") == "1:5");
+  CHECK(place("NaN") == "1:1");
+  CHECK(place("[-Infinity]") == "1:3");
+  CHECK(place("01") == "1:2");
+  CHECK(place("{'a': 1}") == "1:2");
+  CHECK(place("[1,]") == "1:4");
+  CHECK(place("\"\xC3(\"") == "1:3");  // not UTF-8
+  CHECK(place("\"a\tb\"") == "1:3");   // a control character must be escaped
+  CHECK(place(std::string_view("\0", 1)) == "1:1");
+}
+
+TEST_CASE("JSON values: a key that occurs twice is refused with its pointer") {
+  CHECK(refusal(R"({"a": 1, "a": 1})") == "/a | the key occurs twice");
+  CHECK(refusal(R"({"x": [0, {"u": {}, "u": 2}]})") == "/x/1/u | the key occurs twice");
+  CHECK(refusal(R"({"a": {"b": 1}, "c": {"b": 1}})") == "");
+}
+
+TEST_CASE("JSON values: control characters in keys are not echoed") {
+  CHECK(refusal(R"({"\u001b[1m\n": 1, "\u001b[1m\n": 2})") == "/?[1m? | the key occurs twice");
+}
+
+TEST_CASE("JSON values: nesting up to 32 levels is read, deeper is refused, however deep") {
+  const auto nested = [](std::size_t n) { return std::string(n, '[') + std::string(n, ']'); };
+  CHECK(refusal(nested(32)) == "");
+  CHECK(refusal(nested(33)).find("nested deeper than 32 levels") != std::string::npos);
+  CHECK(refusal(std::string(1'000'000, '[')).find("nested deeper than 32") != std::string::npos);
+  CHECK(refusal("{\"a\": [0, " + nested(31) + "]}").starts_with("/a/1/0/0/0/"));
+}
+
+TEST_CASE("JSON values: descriptions say what stands there") {
+  CHECK(description(parse_json("null")) == "null");
+  CHECK(description(parse_json("true")) == "true");
+  CHECK(description(parse_json("-1.5")) == "the number -1.5");
+  CHECK(description(parse_json("\"a\\nb\"")) == "the string \"a?b\"");
+  CHECK(description(parse_json("[1, 2]")) == "an array of 2");
+  CHECK(description(parse_json("{\"a\": 1}")) == "an object of 1");
+  CHECK(description(parse_json('"' + std::string(100, 'x') + '"')) ==
+        "the string \"" + std::string(40, 'x') + "… (100 characters)\"");
+}

@@ -1,0 +1,87 @@
+#include "phrame/io/text.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace phrame;
+
+namespace {
+
+constexpr auto unicode = Notation::unicode;
+constexpr auto latex = Notation::latex;
+
+std::string plain(const Polynomial& p) { return formatted(p, unicode); }
+std::string factored(const Polynomial& p) { return formatted_factors(p, unicode); }
+
+}  // namespace
+
+TEST_CASE("text: numbers have a true minus sign in Unicode and a fraction in LaTeX") {
+  CHECK(formatted(Rational(-3, 7), unicode) == "−3/7");
+  CHECK(formatted(Rational(-3, 7), latex) == "-\\frac{3}{7}");
+  CHECK(formatted(Rational(-2), latex) == "-2");
+  CHECK(formatted(Rational(0), unicode) == "0");
+}
+
+TEST_CASE("text: polynomials are written as by hand, highest power first") {
+  CHECK(plain({6, -12, 46, -72, 37}) == "37t⁴ − 72t³ + 46t² − 12t + 6");
+  CHECK(plain({}) == "0");
+  CHECK(plain({-5}) == "−5");
+  CHECK(plain({Rational(1, 2)}) == "1/2");
+  CHECK(plain({0, 1}) == "t");
+  CHECK(plain({0, -1}) == "−t");
+  CHECK(plain({1, 0, -1}) == "−t² + 1");
+  CHECK(plain({0, Rational(-1, 3), Rational(2, 5)}) == "(2/5)t² − (1/3)t");
+  CHECK(plain(Polynomial::monomial(3, 120)) == "3t¹²⁰");
+  CHECK(formatted(Polynomial{1, 1}, unicode, "x") == "x + 1");
+}
+
+TEST_CASE("text: polynomials in LaTeX have braces around exponents and no parentheses") {
+  CHECK(formatted(Polynomial{-1, Rational(1, 2), 0, 4}, latex) == "4t^{3} + \\frac{1}{2}t - 1");
+  CHECK(formatted(Polynomial::monomial(-1, 12), latex, "z") == "-z^{12}");
+  CHECK(formatted(Polynomial(), latex) == "0");
+}
+
+TEST_CASE("text: factors stand in parentheses, a bare t does not") {
+  CHECK(factored({0, -4, 4}) == "4t(t − 1)");
+  CHECK(factored({1, 2, 1}) == "(t + 1)²");
+  CHECK(factored({-1, -2, -1}) == "−(t + 1)²");
+  CHECK(factored({0, 0, 0, 2}) == "2t³");
+  CHECK(factored({2, 0, 2}) == "2(t² + 1)");
+  CHECK(factored({Rational(-1, 2), 0, Rational(1, 2)}) == "1/2 (t − 1)(t + 1)");
+  CHECK(formatted_factors(Polynomial{Rational(1, 2), 0, Rational(1, 2)}, latex) ==
+        "\\frac{1}{2}(t^{2} + 1)");
+}
+
+TEST_CASE("text: what has no factors is written as it is") {
+  CHECK(factored({}) == "0");
+  CHECK(factored({-7}) == "−7");
+  CHECK(factored({0, 1}) == "t");
+  CHECK(factored({1, 0, 1}) == "t² + 1");
+}
+
+TEST_CASE("text: Gaussian polynomials show only the parts they have") {
+  const auto g = [](const Polynomial& re, const Polynomial& im) {
+    return formatted(GaussianPolynomial{re, im}, unicode);
+  };
+  CHECK(g({12, -24, 4}, {-6, 14, 2}) == "(4t² − 24t + 12) + (2t² + 14t − 6)i");
+  CHECK(g({1, 1}, {}) == "t + 1");
+  CHECK(g({}, {1}) == "i");
+  CHECK(g({}, {0, 2}) == "(2t)i");
+  CHECK(g({0, 0, 1}, {1}) == "(t²) + i");
+  CHECK(g({}, {}) == "0");
+}
+
+TEST_CASE("text: the width counts characters, not bytes") {
+  CHECK(text_width("") == 0);
+  CHECK(text_width("abc") == 3);
+  CHECK(text_width("−2t²") == 4);  // 3 + 1 + 1 + 2 bytes
+  CHECK(text_width("⟨σ⟩") == 3);
+}
+
+TEST_CASE("text: what no screen line can bear is replaced by its degree and its digits") {
+  const Polynomial p{parse_rational("12345/678"), 1};  // in lowest terms 4115/226
+  CHECK(readable("short", p) == "short");
+  CHECK(readable(std::string(240, 'x'), p) == std::string(240, 'x'));
+  CHECK(readable(std::string(241, 'x'), p) == "⟨degree 1, coefficients of up to 4 digits⟩");
+  const Polynomial q{-parse_rational("1e53")};  // 54 digits; the sign is none
+  CHECK(readable(std::string(300, 'x'), q) == "⟨degree 0, coefficients of up to 54 digits⟩");
+}
