@@ -2,6 +2,8 @@
 // that no implementation of this method avoids, on numbers of FLINT's own prepared before.
 #include <benchmark/benchmark.h>
 
+#include <memory>
+
 #include "curves.hpp"
 
 namespace phrame::bench {
@@ -63,8 +65,7 @@ void frenet_flint(State& state) {
   const flint::FmpzPoly re = integer_primitive_part(g.re);
   const flint::FmpzPoly im = integer_primitive_part(g.im);
   const flint::FmpzPoly square = integer_primitive_part(norm(g));
-  const flint::FmpzPoly turn =
-      integer_primitive_part((differentiate(g) * conjugate(g)).im);
+  const flint::FmpzPoly turn = integer_primitive_part((differentiate(g) * conjugate(g)).im);
   ErfCalls calls(curve);
   flint::FmpzPoly common;
   for (auto _ : state) {

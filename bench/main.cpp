@@ -21,9 +21,10 @@ class MedianReporter : public benchmark::ConsoleReporter {
     for (const Run& run : runs) {
       if (run.aggregate_name != "median" && (run.repetitions > 1 || run.error_occurred)) continue;
       shown.push_back(run);
+      shown.back().run_type = Run::RT_Iteration;  // no suffix to the name
       shown.back().run_name.repetitions.clear();
       milliseconds_[{run.run_name.function_name, run.run_name.args}] =
-          1e3 * run.cpu_accumulated_time / static_cast<double>(run.iterations);
+          1e3 * run.GetAdjustedCPUTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
     }
     if (!shown.empty()) ConsoleReporter::ReportRuns(shown);
   }

@@ -63,7 +63,8 @@ int main() {
                                               : "θ relative to the Frenet frame\n");
     for (int k = 0; k <= 10; ++k) {
       const Rational t(k, 10);
-      std::cout << "  " << to_string(t) << "\t" << round_to_decimal(theta.value(t), 50).value << "\n";
+      std::cout << "  " << to_string(t) << "\t" << round_to_decimal(theta.value(t), 50).value
+                << "\n";
     }
   }
 }

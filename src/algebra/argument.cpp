@@ -7,6 +7,7 @@
 namespace phrame {
 namespace {
 
+/// γ·conj γ(0).
 GaussianPolynomial started_on_the_positive_axis(const GaussianPolynomial& gamma) {
   const Polynomial common = gcd(gamma.re, gamma.im);
   if (common.is_zero()) throw DomainError("ContinuousArgument: the argument of 0 is undefined");
@@ -18,15 +19,18 @@ GaussianPolynomial started_on_the_positive_axis(const GaussianPolynomial& gamma)
 
 }  // namespace
 
-ContinuousArgument::ContinuousArgument(const GaussianPolynomial& gamma)
-    : straight_(started_on_the_positive_axis(gamma)) {}
-
-long ContinuousArgument::Coordinates::half_turns(const Rational& t) const {
-  return t >= 0 ? -cauchy_index(chain, 0, t) : cauchy_index(chain, t, 0);
+ContinuousArgument::ContinuousArgument(const GaussianPolynomial& gamma) {
+  auto [x, y] = started_on_the_positive_axis(gamma);
+  straight_ = {std::move(x), std::move(y), std::nullopt};
 }
 
-RealBall ContinuousArgument::difference(const Rational& t, long bits) const {
-  const auto angle = [&](const Coordinates& c) {
+long ContinuousArgument::Coordinates::half_turns(const Rational& t) {
+  if (!chain) chain.emplace(x, y);
+  return t >= 0 ? -cauchy_index(*chain, 0, t) : cauchy_index(*chain, t, 0);
+}
+
+RealBall ContinuousArgument::difference(const Rational& t, long bits) {
+  const auto angle = [&](Coordinates& c) {
     RealBall value(c.y(t) / c.x(t), bits);
     arb_atan(value.raw(), value.raw(), bits);
     arb_addmul_si(value.raw(), pi(bits).raw(), c.half_turns(t), bits);
@@ -34,14 +38,14 @@ RealBall ContinuousArgument::difference(const Rational& t, long bits) const {
   };
   if (straight_.x(t) != 0) return angle(straight_);
   // On the imaginary axis: turn everything by π/4 first. Rare, so the second chain is not kept.
-  const Coordinates turned(GaussianPolynomial{straight_.x, straight_.y} *
-                           GaussianPolynomial{{1}, {1}});
+  auto [x, y] = GaussianPolynomial{straight_.x, straight_.y} * GaussianPolynomial{{1}, {1}};
+  Coordinates turned{std::move(x), std::move(y), std::nullopt};
   RealBall quarter = pi(bits);
   arb_mul_2exp_si(quarter.raw(), quarter.raw(), -2);
   return subtract(angle(turned), quarter, bits);
 }
 
-bool ContinuousArgument::is_zero_at(const Rational& t) const {
+bool ContinuousArgument::is_zero_at(const Rational& t) {
   return straight_.y(t) == 0 && straight_.half_turns(t) == 0;
 }
 

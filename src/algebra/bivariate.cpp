@@ -21,14 +21,7 @@ Polynomial evaluate_at(const Bivariate& v, const Rational& t) {
 }
 
 QuotientRing::QuotientRing(Polynomial q) : modulus_(std::move(q)) {
-  if (modulus_.is_constant())
-    throw DomainError("QuotientRing: the modulus must have degree ≥ 1");
-  const long n = modulus_.degree();
-  const Rational lead = modulus_.leading_coefficient();
-  std::vector<Rational> c;
-  for (long k = n - 1; k >= 0; --k) c.push_back(modulus_.coefficient(k) / lead);
-  power_sums_ = power_sums(c, n - 1, std::multiplies<Rational>());
-  power_sums_.insert(power_sums_.begin(), Rational(n));
+  if (modulus_.is_constant()) throw DomainError("QuotientRing: the modulus must have degree ≥ 1");
 }
 
 Bivariate QuotientRing::reduce(const Bivariate& v) const {
@@ -43,18 +36,18 @@ Polynomial QuotientRing::inverse(const Polynomial& a) const {
   Polynomial t;
   fmpq_poly_xgcd(g.raw(), s.raw(), t.raw(), a.raw(), modulus_.raw());  // g = s·a + t·q, monic
   if (!(g == Polynomial{1}))
-    throw DomainError(fmt::format("inverse in ℚ[x]/(q): the element has a factor of degree {} in "
-                                  "common with q",
-                                  g.degree()));
+    throw DomainError(
+        fmt::format("inverse in ℚ[x]/(q): the element has a factor of degree {} in "
+                    "common with q",
+                    g.degree()));
   return s;
 }
 
+// Σ a(α) is the sum of the residues of a·q′/q, which is the coefficient of 1/x in its expansion at
+// ∞: that of xⁿ⁻¹ in a·q′ mod q, over lead(q).
 Rational QuotientRing::trace(const Polynomial& a) const {
-  const Polynomial reduced = reduce(a);
-  Rational sum = 0;
-  for (long k = 0; k <= reduced.degree(); ++k)
-    sum += reduced.coefficient(k) * power_sums_[static_cast<std::size_t>(k)];
-  return sum;
+  const Polynomial weighted = multiply(a, differentiate(modulus_));
+  return weighted.coefficient(modulus_.degree() - 1) / modulus_.leading_coefficient();
 }
 
 }  // namespace phrame

@@ -42,7 +42,6 @@ class QuotientRing {
 
  private:
   Polynomial modulus_;
-  std::vector<Rational> power_sums_;  ///< Σ αᵏ for k < deg q
 };
 
 /// s₁, …, s_count, the sums of the k-th powers of the roots of the monic polynomial

@@ -9,7 +9,9 @@
 #include <flint/fmpz_mat.h>
 #include <flint/fmpz_poly.h>
 #include <flint/fmpz_poly_factor.h>
+#include <flint/nmod_mat.h>
 #include <flint/nmod_poly.h>
+#include <flint/nmod_vec.h>
 #include <flint/ulong_extras.h>
 
 #if __FLINT_VERSION >= 3
@@ -21,6 +23,8 @@
 #include <flint/arb_poly.h>
 #include <flint/arf.h>
 #include <flint/mag.h>
+#include <flint/nmod.h>
+#include <flint/nmod_poly_factor.h>
 #else
 #include <acb.h>
 #include <acb_calc.h>

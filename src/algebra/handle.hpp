@@ -37,14 +37,14 @@ namespace flint {
 
 // One line a type: the functions are wrapped because many of FLINT's are `static inline`, and a
 // template argument must not have internal linkage.
-#define PHRAME_C_TYPE(Name, prefix)                                         \
-  struct Name##Functions {                                                  \
-    using Struct = prefix##_struct;                                         \
-    static void init(Struct* a) noexcept { prefix##_init(a); }              \
-    static void clear(Struct* a) noexcept { prefix##_clear(a); }            \
-    static void set(Struct* a, const Struct* b) { prefix##_set(a, b); }     \
+#define PHRAME_C_TYPE(Name, prefix)                                          \
+  struct Name##Functions {                                                   \
+    using Struct = prefix##_struct;                                          \
+    static void init(Struct* a) noexcept { prefix##_init(a); }               \
+    static void clear(Struct* a) noexcept { prefix##_clear(a); }             \
+    static void set(Struct* a, const Struct* b) { prefix##_set(a, b); }      \
     static void swap(Struct* a, Struct* b) noexcept { prefix##_swap(a, b); } \
-  };                                                                        \
+  };                                                                         \
   using Name = Handle<Name##Functions>
 
 using fmpz_struct = fmpz;

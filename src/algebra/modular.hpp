@@ -38,10 +38,13 @@ class ModularPolynomial {
 /// enough for FLINT's fastest word arithmetic.
 class Primes {
  public:
-  ulong next() { return last_ = n_nextprime(last_, 0); }
+  ulong next() {
+    static const ulong first = n_nextprime(1UL << 61, 0);
+    return last_ = last_ == 0 ? first : n_nextprime(last_, 0);
+  }
 
  private:
-  ulong last_ = 1UL << 61;
+  ulong last_ = 0;
 };
 
 }  // namespace phrame

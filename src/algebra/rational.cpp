@@ -130,8 +130,8 @@ Rational parse_rational(std::string_view text) {
     throw InputError(fmt::format("the number {} is longer than {} characters", abbreviated(text),
                                  max_number_length));
   if (auto value = scan(text)) return *std::move(value);
-  if (text.find("/0") != std::string_view::npos && text.find_first_not_of("+-0123456789/") ==
-                                                       std::string_view::npos)
+  if (text.find("/0") != std::string_view::npos &&
+      text.find_first_not_of("+-0123456789/") == std::string_view::npos)
     throw InputError(fmt::format("\"{}\" divides by zero", abbreviated(text)));
   throw InputError(fmt::format(
       "\"{}\" is not a number: expected something like 3/7, -2, 0.9515, 1e-3 or 0x1.8p-3 "
@@ -149,7 +149,9 @@ Rational exact_rational(double x) {
 
 std::string to_string(const Rational& x) { return x.str(); }
 
-void assign(fmpq_t target, const Rational& source) { fmpq_set_mpq(target, source.backend().data()); }
+void assign(fmpq_t target, const Rational& source) {
+  fmpq_set_mpq(target, source.backend().data());
+}
 
 Rational to_rational(const fmpq_t source) {
   Rational value;

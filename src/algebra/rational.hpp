@@ -29,7 +29,8 @@ Rational exact_rational(double x);
 /// "3/7", "-2".
 std::string to_string(const Rational& x);
 
-/// `text` as a one-line message can carry it: cut to `limit` bytes, control characters shown as '?'.
+/// `text` as a one-line message can carry it: cut to `limit` bytes, control characters shown as
+/// '?'.
 std::string abbreviated(std::string_view text, std::size_t limit = 40);
 
 /// Between Boost's and FLINT's rationals.

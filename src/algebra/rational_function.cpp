@@ -33,6 +33,9 @@ Rational RationalFunction::operator()(const Rational& t) const {
 }
 
 RationalFunction operator+(const RationalFunction& a, const RationalFunction& b) {
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  if (a.denominator() == b.denominator()) return {a.numerator() + b.numerator(), a.denominator()};
   return {a.numerator() * b.denominator() + b.numerator() * a.denominator(),
           a.denominator() * b.denominator()};
 }
@@ -52,6 +55,7 @@ RationalFunction operator-(const RationalFunction& a) {
 }
 
 RationalFunction differentiate(const RationalFunction& f) {
+  if (f.is_polynomial()) return RationalFunction(differentiate(f.numerator()));
   const Polynomial& n = f.numerator();
   const Polynomial& d = f.denominator();
   return {differentiate(n) * d - n * differentiate(d), d * d};

@@ -1,7 +1,7 @@
 // The characteristic polynomial χ of c = n/d′ in A = 𝔽ₚ[t]/(d) from its power sums
 // s_k = Tr(cᵏ), k ≤ N = deg d: χ reversed is exp(−Σ s_k zᵏ/k) (Newton). The power sums are a
 // "power projection" (Shoup 1999): with w = ⌈√N⌉, Tr(c^{i+wj}) = (Tr∘c^{wj})(cⁱ), so about 2√N
-// products in A and N inner products are enough. Over ℤ,
+// products in A and one matrix product are enough. Over ℤ,
 //   res_t(d, n − x·d′) = lead(d)^{N−1} ∏ (n(z) − x d′(z)) = (−1)^N · res(d, d′) · χ(x).
 #include "phrame/algebra/resultant.hpp"
 
@@ -36,9 +36,7 @@ class Algebra {
 
   long size() const { return modulus_.degree(); }
   ulong prime() const { return modulus_.prime(); }
-  ulong discriminant() const {
-    return nmod_poly_resultant(modulus_.raw(), derivative_.raw());
-  }
+  ulong discriminant() const { return nmod_poly_resultant(modulus_.raw(), derivative_.raw()); }
 
   ModularPolynomial residue(const ModularPolynomial& n) const {
     return multiply(n, derivative_inverse_);
@@ -71,12 +69,6 @@ class Algebra {
     return values;
   }
 
-  ulong apply(const ModularPolynomial& form, const ModularPolynomial& a) const {
-    const slong n = std::min(nmod_poly_length(form.raw()), nmod_poly_length(a.raw()));
-    const int limbs = _nmod_vec_dot_bound_limbs(n, modulus_.raw()->mod);
-    return _nmod_vec_dot(form.raw()->coeffs, a.raw()->coeffs, n, modulus_.raw()->mod, limbs);
-  }
-
  private:
   Algebra(ulong prime, const flint::FmpzPoly& d)
       : modulus_(prime, d),
@@ -90,34 +82,54 @@ class Algebra {
   ModularPolynomial derivative_;
   ModularPolynomial derivative_inverse_;
   ModularPolynomial reversed_;
-  ModularPolynomial reversed_inverse_;    ///< 1/rev(d) modulo z^{2N}
-  ModularPolynomial remainder_inverse_;   ///< 1/rev(d) modulo z^{N+1}, for FLINT's remainder
+  ModularPolynomial reversed_inverse_;   ///< 1/rev(d) modulo z^{2N}
+  ModularPolynomial remainder_inverse_;  ///< 1/rev(d) modulo z^{N+1}, for FLINT's remainder
 };
+
+struct Matrix {
+  nmod_mat_t value;
+  Matrix(slong rows, slong columns, ulong prime) { nmod_mat_init(value, rows, columns, prime); }
+  ~Matrix() { nmod_mat_clear(value); }
+  Matrix(const Matrix&) = delete;
+  Matrix& operator=(const Matrix&) = delete;
+
+  ulong& entry(slong row, slong column) { return nmod_mat_entry(value, row, column); }
+};
+
+/// Tr(cᵏ) for 0 ≤ k ≤ N: with w = ⌈√(N+1)⌉, Tr(c^{wj+i}) is in row j, column i of the product of
+/// the forms Tr∘c^{wj} (rows) and the powers cⁱ (columns).
+std::vector<ulong> traces_of_powers(const Algebra& algebra, const ModularPolynomial& c) {
+  const slong n = algebra.size();
+  const auto width = static_cast<slong>(std::ceil(std::sqrt(static_cast<double>(n + 1))));
+  Matrix forms(width, n, algebra.prime());
+  Matrix powers(n, width, algebra.prime());
+  ModularPolynomial power(algebra.prime());
+  nmod_poly_one(power.raw());
+  for (slong i = 0; i < width; ++i) {
+    for (slong k = 0; k <= power.degree(); ++k) powers.entry(k, i) = power.coefficient(k);
+    power = algebra.multiply(power, c);
+  }
+  ModularPolynomial form = algebra.trace();
+  for (slong j = 0; j < width; ++j) {
+    for (slong k = 0; k <= form.degree(); ++k) forms.entry(j, k) = form.coefficient(k);
+    form = algebra.compose(form, power);
+  }
+  Matrix result(width, width, algebra.prime());
+  nmod_mat_mul(result.value, forms.value, powers.value);
+  std::vector<ulong> traces;
+  for (slong k = 0; k <= n; ++k) traces.push_back(result.entry(k / width, k % width));
+  return traces;
+}
 
 /// χ, monic. Needs p > N.
 ModularPolynomial characteristic_polynomial(const Algebra& algebra, const ModularPolynomial& c) {
-  const long n = algebra.size();
-  const auto width = static_cast<long>(std::ceil(std::sqrt(static_cast<double>(n))));
-  std::vector<ModularPolynomial> powers;  // 1, c, …, c^{width−1}
-  ModularPolynomial giant(algebra.prime());
-  nmod_poly_one(giant.raw());
-  for (long i = 0; i < width; ++i) {
-    powers.push_back(giant);
-    giant = algebra.multiply(giant, c);
-  }
-  // −Σ s_k zᵏ/k
-  ModularPolynomial series(algebra.prime());
+  const slong n = algebra.size();
+  const std::vector<ulong> s = traces_of_powers(algebra, c);
+  ModularPolynomial series(algebra.prime());  // −Σ s_k zᵏ/k
   const nmod_t mod = series.raw()->mod;
-  ModularPolynomial form = algebra.trace();
-  for (long j = 0; j * width <= n; ++j) {
-    for (long i = 0; i < width; ++i) {
-      const long k = j * width + i;
-      if (k == 0 || k > n) continue;
-      const ulong s = algebra.apply(form, powers[static_cast<std::size_t>(i)]);
-      const ulong over_k = nmod_div(s, static_cast<ulong>(k), mod);
-      nmod_poly_set_coeff_ui(series.raw(), k, nmod_neg(over_k, mod));
-    }
-    form = algebra.compose(form, giant);
+  for (slong k = 1; k <= n; ++k) {
+    const ulong over_k = nmod_div(s[static_cast<std::size_t>(k)], static_cast<ulong>(k), mod);
+    nmod_poly_set_coeff_ui(series.raw(), k, nmod_neg(over_k, mod));
   }
   nmod_poly_exp_series(series.raw(), series.raw(), n + 1);
   nmod_poly_reverse(series.raw(), series.raw(), n + 1);
@@ -134,7 +146,8 @@ struct IntegerFraction {
 IntegerFraction integer_fraction(const Polynomial& n, const Polynomial& d) {
   if (d.is_constant()) throw DomainError("residue_polynomial: the denominator is constant");
   if (n.degree() >= d.degree()) throw DomainError("residue_polynomial: the fraction is not proper");
-  if (!is_squarefree(d)) throw DomainError("residue_polynomial: the denominator has a repeated root");
+  if (!is_squarefree(d))
+    throw DomainError("residue_polynomial: the denominator has a repeated root");
   const Polynomial scaled = (1 / content(d)) * n;
   IntegerFraction f;
   fmpq_poly_get_numerator(f.numerator.get(), scaled.raw());
@@ -178,8 +191,8 @@ Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d) {
     const ulong p = primes.next();
     const auto algebra = Algebra::make(p, f.denominator);
     if (!algebra) continue;
-    ModularPolynomial r = characteristic_polynomial(
-        *algebra, algebra->residue(ModularPolynomial(p, f.numerator)));
+    ModularPolynomial r =
+        characteristic_polynomial(*algebra, algebra->residue(ModularPolynomial(p, f.numerator)));
     nmod_poly_scalar_mul_nmod(r.raw(), r.raw(), algebra->discriminant());
     fmpz_poly_CRT_ui(lifted.get(), lifted.get(), product.get(), r.raw(), 1);
     fmpz_mul_ui(product.get(), product.get(), p);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/root_guess.hpp"
 
 namespace phrame {
 namespace {
@@ -15,6 +16,34 @@ struct AcbVector {
   AcbVector(const AcbVector&) = delete;
   AcbVector& operator=(const AcbVector&) = delete;
 };
+
+/// All roots of f, certified from a guess: inclusion discs, disjoint and n in number, after a few
+/// steps at that precision. False where the guess is not good enough to be proved.
+bool certify(const std::vector<std::complex<double>>& guess, const AcbVector& found,
+             const flint::FmpzPoly& f, slong steps, slong bits) {
+  const AcbVector start(found.length);
+  for (slong k = 0; k < found.length; ++k) {
+    const auto& z = guess[static_cast<std::size_t>(k)];
+    acb_set_d_d(start.data + k, z.real(), z.imag());
+  }
+  flint::AcbPoly p;
+  acb_poly_set_fmpz_poly(p.get(), f.get(), bits);
+  if (acb_poly_find_roots(found.data, p.get(), start.data, steps, bits) != found.length ||
+      acb_poly_validate_real_roots(found.data, p.get(), bits) == 0)
+    return false;
+  // It is validated that a ball which meets the real axis is the ball of a real root.
+  for (slong k = 0; k < found.length; ++k)
+    if (arb_contains_zero(acb_imagref(found.data + k)) != 0) arb_zero(acb_imagref(found.data + k));
+  return true;
+}
+
+/// Values of f lose about a bit or two for every two degrees, so the precision grows with n.
+bool certify_guess(const AcbVector& found, const flint::FmpzPoly& f) {
+  const auto guess = guess_roots(f);
+  if (static_cast<slong>(guess.size()) != found.length) return false;
+  const slong bits = 128 + found.length / 2;
+  return certify(guess, found, f, 1, bits) || certify(guess, found, f, 3, 2 * bits);
+}
 
 /// One interval Newton step. The mean value form p(m) = (m − z)·w holds with w in the convex hull
 /// of p′(Z); a rectangle is convex, so z ∈ m − p(m)/p′(Z) whenever z ∈ Z.
@@ -35,7 +64,7 @@ void newton_step(acb_t z, const fmpz_poly_t p, const fmpz_poly_t derivative, slo
 void refine_root(acb_t z, const fmpz_poly_t p, const fmpz_poly_t derivative, slong bits) {
   // Evaluating p loses about the size of its coefficients; more is added while steps stall.
   slong guard = 32 + 2 * std::abs(fmpz_poly_max_bits(p));
-  for (int stalled = 0; acb_rel_accuracy_bits(z) < bits && stalled < 8;) {
+  for (int stalled = 0; acb_rel_accuracy_bits(z) < bits && stalled < 4;) {
     const slong before = acb_rel_accuracy_bits(z);
     newton_step(z, p, derivative, std::min(bits, 2 * std::max<slong>(before, 32)) + guard);
     if (acb_rel_accuracy_bits(z) <= before + before / 4) {
@@ -45,14 +74,9 @@ void refine_root(acb_t z, const fmpz_poly_t p, const fmpz_poly_t derivative, slo
   }
 }
 
-}  // namespace
-
-Roots isolate_roots(const Polynomial& p, long bits) {
-  if (p.is_constant()) throw DomainError("isolate_roots: the polynomial is constant");
-  if (!is_squarefree(p)) throw DomainError("isolate_roots: the polynomial has a repeated root");
-  const flint::FmpzPoly f = integer_primitive_part(p);
-  const AcbVector found(fmpz_poly_degree(f.get()));
-  arb_fmpz_poly_complex_roots(found.data, f.get(), 0, bits);
+/// Sorted into real roots and those above the real axis, from left to right. Real roots are exactly
+/// real in `found`.
+Roots collect(const AcbVector& found) {
   Roots roots;
   for (slong k = 0; k < found.length; ++k) {
     acb_srcptr z = found.data + k;
@@ -66,9 +90,34 @@ Roots isolate_roots(const Polynomial& p, long bits) {
   }
   if (static_cast<slong>(roots.real.size() + 2 * roots.upper.size()) != found.length)
     throw Undecided("isolate_roots: the enclosures found do not come in conjugate pairs");
-  std::sort(roots.real.begin(), roots.real.end(), [](const RealBall& a, const RealBall& b) {
-    return arb_lt(a.raw(), b.raw()) != 0;
-  });
+  std::sort(roots.real.begin(), roots.real.end(),
+            [](const RealBall& a, const RealBall& b) { return arb_lt(a.raw(), b.raw()) != 0; });
+  // Only for the eye: real parts that agree to single precision count as equal.
+  const auto place = [](const ComplexBall& z) {
+    return std::pair(static_cast<float>(arf_get_d(arb_midref(acb_realref(z.raw())), ARF_RND_NEAR)),
+                     arf_get_d(arb_midref(acb_imagref(z.raw())), ARF_RND_NEAR));
+  };
+  std::sort(roots.upper.begin(), roots.upper.end(),
+            [&](const ComplexBall& a, const ComplexBall& b) { return place(a) < place(b); });
+  return roots;
+}
+
+Roots roots_by_arb(const flint::FmpzPoly& f, slong bits) {
+  const AcbVector found(fmpz_poly_degree(f.get()));
+  arb_fmpz_poly_complex_roots(found.data, f.get(), 0, bits);
+  return collect(found);
+}
+
+}  // namespace
+
+Roots isolate_roots(const Polynomial& p, long bits) {
+  if (p.is_constant()) throw DomainError("isolate_roots: the polynomial is constant");
+  if (!is_squarefree(p)) throw DomainError("isolate_roots: the polynomial has a repeated root");
+  const flint::FmpzPoly f = integer_primitive_part(p);
+  const AcbVector found(fmpz_poly_degree(f.get()));
+  if (!certify_guess(found, f)) return roots_by_arb(f, bits);
+  Roots roots = collect(found);
+  refine(p, roots, bits);
   return roots;
 }
 
@@ -76,12 +125,19 @@ void refine(const Polynomial& p, Roots& roots, long bits) {
   const flint::FmpzPoly f = integer_primitive_part(p);
   flint::FmpzPoly derivative;
   fmpz_poly_derivative(derivative.get(), f.get());
+  slong reached = bits;
   for (RealBall& x : roots.real) {
     ComplexBall z(x, RealBall());
     refine_root(z.raw(), f.get(), derivative.get(), bits);
+    reached = std::min(reached, acb_rel_accuracy_bits(z.raw()));
     x = z.re();
   }
-  for (ComplexBall& z : roots.upper) refine_root(z.raw(), f.get(), derivative.get(), bits);
+  for (ComplexBall& z : roots.upper) {
+    refine_root(z.raw(), f.get(), derivative.get(), bits);
+    reached = std::min(reached, acb_rel_accuracy_bits(z.raw()));
+  }
+  // Newton's step does nothing for a ball so wide that p′ has a zero in it, as in a cluster.
+  if (reached < bits) roots = roots_by_arb(f, bits);
 }
 
 }  // namespace phrame

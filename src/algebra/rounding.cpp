@@ -18,16 +18,17 @@ template <class Round>
 auto ziv(const Real& x, long bits, PrecisionLimit limit, Round round) {
   if (x.exact()) return round(*x.exact());
   const long end = limit.factor * bits + limit.offset;
-  for (long precision = bits + 16;; ) {
+  for (long precision = bits + 16;;) {
     const RealBall ball = x.enclose(precision);
     if (ball.is_finite()) {
       auto low = round(ball.lower());
       if (low == round(ball.upper())) return low;
     }
     if (precision >= end)
-      throw Undecided(fmt::format("correct rounding to {} bits: the number cannot be told from a "
-                                  "boundary between two results with {} bits of precision",
-                                  bits, precision));
+      throw Undecided(
+          fmt::format("correct rounding to {} bits: the number cannot be told from a "
+                      "boundary between two results with {} bits of precision",
+                      bits, precision));
     // One step brings a number far from 1 to the relative accuracy needed, then half more a step.
     const long missing = ball.contains_zero() ? precision : bits + 16 - ball.accuracy_bits();
     precision = std::min(end, std::max(precision + precision / 2, precision + missing));
@@ -94,8 +95,8 @@ std::string text_of(const Digits& d) {
     return fmt::format("{}{}{}{}e{}", sign, d.digits.substr(0, 1), count > 1 ? "." : "",
                        d.digits.substr(1), d.exponent);
   if (d.exponent < 0)
-    return fmt::format("{}0.{}{}", sign, std::string(static_cast<std::size_t>(-d.exponent - 1), '0'),
-                       d.digits);
+    return fmt::format("{}0.{}{}", sign,
+                       std::string(static_cast<std::size_t>(-d.exponent - 1), '0'), d.digits);
   const auto whole = static_cast<std::size_t>(d.exponent + 1);
   return fmt::format("{}{}{}{}", sign, d.digits.substr(0, whole),
                      whole < d.digits.size() ? "." : "", d.digits.substr(whole));
@@ -127,7 +128,8 @@ double round_to_double(const Real& x, PrecisionLimit limit) {
 
 mpfr_float round_to_mpfr(const Real& x, long bits, PrecisionLimit limit) {
   if (bits < MPFR_PREC_MIN)
-    throw DomainError(fmt::format("round_to_mpfr: {} bits are asked for, at least 1 is needed", bits));
+    throw DomainError(
+        fmt::format("round_to_mpfr: {} bits are asked for, at least 1 is needed", bits));
   return ziv(x, bits, limit, [bits](const Rational& exact) {
     mpfr_float value;
     mpfr_set_prec(value.backend().data(), bits);
@@ -138,15 +140,14 @@ mpfr_float round_to_mpfr(const Real& x, long bits, PrecisionLimit limit) {
 
 Decimal round_to_decimal(const Real& x, long digits, PrecisionLimit limit) {
   if (digits < 1)
-    throw DomainError(fmt::format("round_to_decimal: {} digits are asked for, at least 1 is needed",
-                                  digits));
+    throw DomainError(
+        fmt::format("round_to_decimal: {} digits are asked for, at least 1 is needed", digits));
   const auto bits = static_cast<long>(std::ceil(static_cast<double>(digits) * std::log2(10.0)));
   RealBall last;
-  const Real remembered = x.exact() ? x : Real([&](long precision) {
-    return last = x.enclose(precision);
-  });
-  const Digits rounded =
-      ziv(remembered, bits, limit, [&](const Rational& exact) { return round_digits(exact, digits); });
+  const Real remembered =
+      x.exact() ? x : Real([&](long precision) { return last = x.enclose(precision); });
+  const Digits rounded = ziv(remembered, bits, limit,
+                             [&](const Rational& exact) { return round_digits(exact, digits); });
   const Rational value = exact_value(rounded);
   const Rational error =
       x.exact() ? Rational(abs(value - *x.exact()))

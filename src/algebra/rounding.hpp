@@ -44,7 +44,7 @@ boost::multiprecision::mpfr_float round_to_mpfr(const Real& x, long bits,
                                                 PrecisionLimit limit = {});
 
 struct Decimal {
-  std::string value;   ///< "0.28585", "1.5e-12": exactly the significant digits asked for; "0" for 0
+  std::string value;  ///< "0.28585", "1.5e-12": exactly the significant digits asked for; "0" for 0
   std::string radius;  ///< an upper bound of |value − number|, two digits; "0" where they are equal
 };
 /// With `digits` ≥ 1 significant decimal digits. Throws DomainError for digits < 1.

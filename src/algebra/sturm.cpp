@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/factor.hpp"
 
 namespace phrame {
 namespace {
@@ -69,9 +70,9 @@ bool is_empty(const Interval& i) {
 /// Both ends finite, no root of p lost: an infinite end moves to the root bound.
 Interval bounded(const Polynomial& p, Interval interval) {
   const Rational bound = root_bound(p);
-  if (!interval.lower) interval.lower = interval.upper && *interval.upper < -bound
-                                            ? *interval.upper - 1
-                                            : Rational(-bound);
+  if (!interval.lower)
+    interval.lower =
+        interval.upper && *interval.upper < -bound ? *interval.upper - 1 : Rational(-bound);
   if (!interval.upper) interval.upper = *interval.lower > bound ? *interval.lower + 1 : bound;
   return interval;
 }
@@ -192,6 +193,19 @@ Interval narrowed(const Polynomial& p, Interval isolating, const Rational& width
     (sign == sign_at(f, *isolating.lower) ? isolating.lower : isolating.upper) = middle;
   }
   return isolating;
+}
+
+std::vector<Interval> located_real_roots(const Polynomial& p, const Interval& interval) {
+  std::vector<Interval> found = isolate_real_roots(p, interval);
+  if (found.empty()) return found;
+  for (const auto& [base, exponent] : factor(p).factors) {
+    if (base.degree() != 1) continue;
+    const Rational root = -base.coefficient(0) / base.coefficient(1);
+    for (Interval& i : found)
+      if (*i.lower < root && root < *i.upper) i = closed(root, root);
+  }
+  for (Interval& i : found) i = narrowed(p, std::move(i), Rational(1, 1 << 20));
+  return found;
 }
 
 long cauchy_index(const SturmChain& chain, const Rational& a, const Rational& b) {

@@ -17,9 +17,7 @@ struct Interval {
 
 inline Interval real_line() { return {}; }
 inline Interval closed(Rational a, Rational b) { return {std::move(a), std::move(b)}; }
-inline Interval open(Rational a, Rational b) {
-  return {std::move(a), std::move(b), false, false};
-}
+inline Interval open(Rational a, Rational b) { return {std::move(a), std::move(b), false, false}; }
 
 /// "[0, 1]", "(-1/2, ∞)".
 std::string to_string(const Interval& interval);
@@ -36,6 +34,10 @@ std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& in
 
 /// The same isolating interval of p, bisected until it is no wider than `width` > 0.
 Interval narrowed(const Polynomial& p, Interval isolating, const Rational& width);
+
+/// isolate_real_roots for people to read: rational roots as points, the others in intervals no
+/// wider than 2⁻²⁰. Cost: a factorization where there is a root.
+std::vector<Interval> located_real_roots(const Polynomial& p, const Interval& interval);
 
 /// The Sturm sequence of (p, q): p, q and the negated remainders, each up to a positive factor;
 /// the last is gcd(p, q). Basu–Pollack–Roy, Algorithms in Real Algebraic Geometry, §2.2.

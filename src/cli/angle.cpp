@@ -17,9 +17,8 @@ struct AngleOptions {
 Real shifted(const Real& x, const Rational& by) {
   if (x.exact()) return Rational(*x.exact() + by);
   if (by == 0) return x;
-  return Real([x, by](long bits) {
-    return add(x.enclose(bits + 8), RealBall(by, bits + 8), bits + 8);
-  });
+  return Real(
+      [x, by](long bits) { return add(x.enclose(bits + 8), RealBall(by, bits + 8), bits + 8); });
 }
 
 /// θ(t) + start; where that is undecided, the message names t.
@@ -58,14 +57,17 @@ void add_angle(CLI::App& app) {
   const auto options = std::make_shared<AngleOptions>();
   options->curve.add_to(*command);
   options->parameters.add_to(*command);
-  command->add_option("--frame", options->frame,
-                      "the frame the angle is measured from: erf (default) or frenet")
+  command
+      ->add_option("--frame", options->frame,
+                   "the frame the angle is measured from: erf (default) or frenet")
       ->type_name("NAME");
   add_digits(*command, options->digits);
-  command->add_option("--form", options->form,
-                      "of the logarithms: auto (default), partial-fractions or rothstein-trager")
+  command
+      ->add_option("--form", options->form,
+                   "of the logarithms: auto (default), partial-fractions or rothstein-trager")
       ->type_name("NAME");
-  command->add_option("--print", options->print, "text (default), json or latex")->type_name("NAME");
+  command->add_option("--print", options->print, "text (default), json or latex")
+      ->type_name("NAME");
   command->add_option("--theta0", options->start_angle, "the angle at t = 0, radians (default 0)")
       ->type_name("ANGLE");
   command->footer(

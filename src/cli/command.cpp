@@ -19,6 +19,8 @@ namespace {
                    fmt::format("{}: {}", what, std::strerror(errno)));
 }
 
+constexpr std::size_t max_file_size = std::size_t{1} << 28;
+
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
@@ -110,15 +112,22 @@ std::string read_file(const std::string& path) {
   std::FILE* file = path == "-" ? stdin : opened.get();
   std::string text;
   char block[65536];
-  while (const std::size_t n = std::fread(block, 1, sizeof block, file)) text.append(block, n);
-  if (std::ferror(file) != 0) fail_with_errno(path == "-" ? "standard input" : path, "cannot be read");
+  while (const std::size_t n = std::fread(block, 1, sizeof block, file)) {
+    text.append(block, n);
+    if (text.size() > max_file_size)
+      throw InputError(path == "-" ? "standard input" : path,
+                       fmt::format("is larger than {} bytes", max_file_size));
+  }
+  if (std::ferror(file) != 0)
+    fail_with_errno(path == "-" ? "standard input" : path, "cannot be read");
   return text;
 }
 
 void write_output(const std::string& path, const std::string& bytes) {
   if (path == "-") {
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
-    if (std::fflush(stdout) != 0 || !written) fail_with_errno("standard output", "cannot be written");
+    if (std::fflush(stdout) != 0 || !written)
+      fail_with_errno("standard output", "cannot be written");
     return;
   }
   std::error_code ignored;
@@ -126,7 +135,8 @@ void write_output(const std::string& path, const std::string& bytes) {
   if (exists && !std::filesystem::is_regular_file(path, ignored)) {
     // A device or a pipe: there is nothing to rename.
     File file(std::fopen(path.c_str(), "wb"));
-    if (!file || !write_and_close(std::move(file), bytes)) fail_with_errno(path, "cannot be written");
+    if (!file || !write_and_close(std::move(file), bytes))
+      fail_with_errno(path, "cannot be written");
     return;
   }
   // Through a link the file is replaced, not the link; who may read it stays as it was.
@@ -137,8 +147,7 @@ void write_output(const std::string& path, const std::string& bytes) {
   if (exists)
     std::filesystem::permissions(draft, std::filesystem::status(target, ignored).permissions(),
                                  ignored);
-  if (!write_and_close(std::move(file), bytes) ||
-      std::rename(draft.c_str(), target.c_str()) != 0) {
+  if (!write_and_close(std::move(file), bytes) || std::rename(draft.c_str(), target.c_str()) != 0) {
     const int reason = errno;
     std::remove(draft.c_str());
     errno = reason;

@@ -39,8 +39,7 @@ void add_frames(CLI::App& app) {
       ->type_name("NAME,...")
       ->expected(1)
       ->take_all();
-  command->add_option("--format", options->format, "csv (default), json or npy")
-      ->type_name("NAME");
+  command->add_option("--format", options->format, "csv (default), json or npy")->type_name("NAME");
   command->footer(
       "All numbers are correctly rounded doubles.\n"
       "Examples:\n"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <new>
+#include <sstream>
 
 #include "phrame/cli/command.hpp"
 #include "phrame/version.hpp"
@@ -48,8 +49,9 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
     return done;
   } catch (const CLI::Success& success) {  // --help, --version
-    app.exit(success);
-    phrame::cli::write_output("-", "");  // a closed standard output is an error here too
+    std::ostringstream text;
+    app.exit(success, text, text);
+    phrame::cli::write_output("-", text.str());  // a full or closed standard output is an error
     return done;
   } catch (const CLI::ParseError& error) {
     const auto chosen = app.get_subcommands();

@@ -47,22 +47,48 @@ RationalFunction derivative_by_power_sums(const LogSum& sum) {
   return {reversed(numerator, n), reversed(norm, n + 1)};
 }
 
+/// The same for deg q = 2, without power sums: with v = A + xB, x + x̄ = s and x·x̄ = r, the norm is
+/// v·v̄ = A² + sAB + rB², and v_t·v̄ = u + xw; the numerator is Tr(c·(u + xw)).
+RationalFunction derivative_over_quadratic(const LogSum& sum) {
+  const Rational lead = sum.index.coefficient(2);
+  const Rational s = -sum.index.coefficient(1) / lead;
+  const Rational r = sum.index.coefficient(0) / lead;
+  std::vector<Rational> constant_terms;
+  std::vector<Rational> linear_terms;
+  for (const Polynomial& c : sum.argument.coefficients()) {
+    constant_terms.push_back(c.coefficient(0));
+    linear_terms.push_back(c.coefficient(1));
+  }
+  const Polynomial a(constant_terms);
+  const Polynomial b(linear_terms);
+  const Polynomial da = differentiate(a);
+  const Polynomial db = differentiate(b);
+  const Polynomial u = da * a + s * (da * b) + r * (db * b);
+  const Polynomial w = db * a - da * b;
+  const Rational c0 = sum.residue.coefficient(0);
+  const Rational c1 = sum.residue.coefficient(1);
+  // Tr(1) = 2, Tr(x) = s, Tr(x²) = s² − 2r.
+  return {Rational(2 * c0 + s * c1) * u + Rational(s * c0 + (s * s - 2 * r) * c1) * w,
+          a * a + s * (a * b) + r * (b * b)};
+}
+
 }  // namespace
 
 bool is_over_poles(const LogSum& sum) {
   static const Bivariate t_minus_x({Polynomial{0, -1}, Polynomial{1}});
   return sum.argument == t_minus_x ||
-         (sum.index.degree() == 1 &&
-          sum.argument == QuotientRing(sum.index).reduce(t_minus_x));
+         (sum.index.degree() == 1 && sum.argument == QuotientRing(sum.index).reduce(t_minus_x));
 }
 
 RationalFunction differentiate(const LogSum& sum) {
-  if (!is_over_poles(sum)) return derivative_by_power_sums(sum);
+  if (!is_over_poles(sum))
+    return sum.index.degree() == 2 ? derivative_over_quadratic(sum) : derivative_by_power_sums(sum);
   return {(sum.residue * differentiate(sum.index)) % sum.index, sum.index};
 }
 
 RationalFunction differentiate(const Antiderivative& F) {
-  RationalFunction result = RationalFunction(differentiate(F.polynomial)) + differentiate(F.rational);
+  RationalFunction result =
+      RationalFunction(differentiate(F.polynomial)) + differentiate(F.rational);
   for (const LogSum& sum : F.logs) result = result + differentiate(sum);
   return result;
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 
@@ -33,7 +32,7 @@ RealBall log_ratio(const RealBall& z, const Rational& a, const Rational& b, long
 Evaluator::Evaluator(const Antiderivative& F) : polynomial_(F.polynomial), rational_(F.rational) {
   const auto add = [this](const Polynomial& n, const Polynomial& d) {
     if (n.is_zero()) return;
-    poles_.push_back({n, d, differentiate(d), count_real_roots(d, real_line()) > 0, {}, {}, {}});
+    poles_.push_back({n, d, differentiate(d), {}, {}, {}});
   };
   for (const LogSum& sum : F.logs) {
     const RationalFunction f = differentiate(sum);
@@ -48,20 +47,14 @@ void Evaluator::require_no_pole(const Rational& a, const Rational& b) const {
   const Interval path = closed(std::min(a, b), std::max(a, b));
   const auto check = [&](const Polynomial& d) {
     if (count_real_roots(d, path) == 0) return;
-    for (const auto& [base, exponent] : factor(d).factors) {
-      if (count_real_roots(base, path) == 0) continue;
-      const std::string pole =
-          base.degree() == 1
-              ? "= " + to_string(Rational(-base.coefficient(0) / base.coefficient(1)))
-              : "in " + to_string(narrowed(base, isolate_real_roots(base, path).front(),
-                                           Rational(1, 1 << 20)));
-      throw DomainError(fmt::format("definite integral from {} to {}: pole at t {}", to_string(a),
-                                    to_string(b), pole));
-    }
+    const Interval pole = located_real_roots(d, path).front();
+    throw DomainError(fmt::format("definite integral from {} to {}: pole at t {} {}", to_string(a),
+                                  to_string(b), pole.lower == pole.upper ? "=" : "in",
+                                  to_string(pole)));
   };
   if (!rational_.is_polynomial()) check(rational_.denominator());
   for (const Poles& p : poles_)
-    if (p.has_real) check(p.denominator);
+    if (!p.roots.real.empty()) check(p.denominator);
 }
 
 Rational Evaluator::rational_difference(const Rational& a, const Rational& b) const {
@@ -76,7 +69,8 @@ void Evaluator::prepare(long precision) {
     else
       refine(p.denominator, p.roots, precision);
     const auto residue = [&](const ComplexBall& z) {
-      return divide(evaluate(p.numerator, z, precision), evaluate(p.slope, z, precision), precision);
+      return divide(evaluate(p.numerator, z, precision), evaluate(p.slope, z, precision),
+                    precision);
     };
     p.real_residues.clear();
     p.upper_residues.clear();
@@ -106,28 +100,29 @@ RealBall Evaluator::log_difference(const Rational& a, const Rational& b, long bi
 }
 
 RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) {
+  prepare(bits + 24);
   require_no_pole(a, b);
   const Rational rational = rational_difference(a, b);
   if (poles_.empty() || a == b) return RealBall(rational, bits + 8);
   const long end = 64 * bits + 65536;
   for (long precision = bits + 24;; precision = std::min(end, precision + precision / 2)) {
     prepare(precision);
-    const RealBall value =
-        add(RealBall(rational, precision), log_difference(a, b, precision), precision);
+    RealBall value = add(RealBall(rational, precision), log_difference(a, b, precision), precision);
     flint::Mag allowed;  // 2^−bits · max(1, |value|)
     arb_get_mag_lower(allowed.get(), value.raw());
     if (mag_cmp_2exp_si(allowed.get(), 0) < 0) mag_one(allowed.get());
     mag_mul_2exp_si(allowed.get(), allowed.get(), -bits);
     if (value.is_finite() && mag_cmp(arb_radref(value.raw()), allowed.get()) <= 0) return value;
     if (precision == end)
-      throw Undecided(fmt::format("definite integral from {} to {}: {} bits of precision do not "
-                                  "give an enclosure of width 2^-{}",
-                                  to_string(a), to_string(b), end, bits));
+      throw Undecided(
+          fmt::format("definite integral from {} to {}: {} bits of precision do not "
+                      "give an enclosure of width 2^-{}",
+                      to_string(a), to_string(b), end, bits));
   }
 }
 
-/// Λ = Σ c(z) log((b − z)/(a − z)) grouped by equal residues α is Σ α·L(α), where L(α) is a value of
-/// log(v(α, b)/v(α, a)), v as in Rothstein–Trager's form. If v(α, a) = v(α, b), exactly, then
+/// Λ = Σ c(z) log((b − z)/(a − z)) grouped by equal residues α is Σ α·L(α), where L(α) is a value
+/// of log(v(α, b)/v(α, a)), v as in Rothstein–Trager's form. If v(α, a) = v(α, b), exactly, then
 /// L(α) = 2πi·k with a whole k, which a ball narrower than a turn determines. All k = 0 proves
 /// Λ = 0. Poles z and z̄ turn in opposite directions, so k = 0 for a real α, and for an α above the
 /// real axis 2πk = Σ_{c(z)=α} arg − Σ_{c(z)=ᾱ} arg over the poles z above it.
@@ -166,12 +161,14 @@ bool Evaluator::logs_cancel(const Rational& a, const Rational& b) const {
 }
 
 Real Evaluator::value(const Rational& a, const Rational& b) {
-  require_no_pole(a, b);
+  constexpr long bits = 128;  // enough for a double, so that the first ball is often the last
+  const RealBall first = difference(a, b, bits);
   if (poles_.empty() || a == b) return rational_difference(a, b);
-  constexpr long bits = 128;
-  if (difference(a, b, bits).contains(rational_difference(a, b)) && logs_cancel(a, b))
+  if (first.contains(rational_difference(a, b)) && logs_cancel(a, b))
     return rational_difference(a, b);
-  return Real([this, a, b](long precision) { return difference(a, b, precision); });
+  return Real([this, a, b, first](long precision) {
+    return precision <= bits ? first : difference(a, b, precision);
+  });
 }
 
 RealBall definite(const Antiderivative& F, const Rational& a, const Rational& b, long bits) {

@@ -18,8 +18,8 @@ class Evaluator {
   explicit Evaluator(const Antiderivative& F);
 
   /// A ball around F(b) − F(a) with a radius ≤ 2^−bits · max(1, |F(b) − F(a)|).
-  /// Throws DomainError where F′ has a pole in [a, b] (decided by Sturm's theorem, the message names
-  /// the pole) and Undecided where 64·bits + 65536 bits of precision do not reach the radius.
+  /// Throws DomainError where F′ has a pole in [a, b] (decided by Sturm's theorem, the message
+  /// names the pole) and Undecided where 64·bits + 65536 bits of precision do not reach the radius.
   RealBall difference(const Rational& a, const Rational& b, long bits);
 
   /// The same, exact where it is rational: without logarithms, for a = b, and where the logarithms
@@ -34,7 +34,6 @@ class Evaluator {
     Polynomial numerator;
     Polynomial denominator;
     Polynomial slope;  ///< d′
-    bool has_real;
     Roots roots;
     std::vector<RealBall> real_residues;
     std::vector<ComplexBall> upper_residues;
@@ -43,7 +42,7 @@ class Evaluator {
   Rational rational_difference(const Rational& a, const Rational& b) const;
   void require_no_pole(const Rational& a, const Rational& b) const;
   void prepare(long precision);
-  RealBall log_difference(const Rational& a, const Rational& b, long precision) const;
+  RealBall log_difference(const Rational& a, const Rational& b, long bits) const;
   bool logs_cancel(const Rational& a, const Rational& b) const;
 
   Polynomial polynomial_;

@@ -5,7 +5,7 @@ namespace phrame {
 
 /// How the logarithms are written.
 enum class Form {
-  automatic,          ///< partial fractions where the residues are distinct, else Rothstein–Trager
+  automatic,  ///< partial fractions where the residues are distinct, else Rothstein–Trager
   partial_fractions,  ///< one logarithm for each pole
   rothstein_trager,   ///< one logarithm for each residue
 };

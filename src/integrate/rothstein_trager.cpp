@@ -1,6 +1,6 @@
 // d is irreducible over ℚ, so its roots are conjugate and every residue occurs equally often: the
-// residue polynomial is qᵏ with q irreducible, and v = gcd(n − x d′, d) ∈ (ℚ[x]/(q))[t] has degree k.
-// Modulo a prime p, 𝔽ₚ[x]/(q) need not be a field; Euclid's algorithm runs as if it were, and a
+// residue polynomial is qᵏ with q irreducible, and v = gcd(n − x d′, d) ∈ (ℚ[x]/(q))[t] has degree
+// k. Modulo a prime p, 𝔽ₚ[x]/(q) need not be a field; Euclid's algorithm runs as if it were, and a
 // leading coefficient without inverse, or a gcd of another degree, discards the prime.
 #include "phrame/integrate/rothstein_trager.hpp"
 
@@ -63,7 +63,8 @@ class Lift {
   void include(const ModularBivariate& image, ulong p) {
     for (std::size_t k = 0; k < coefficients_.size(); ++k) {
       const auto j = static_cast<long>(k) / size_x_;
-      const ulong c = image[static_cast<std::size_t>(j)].coefficient(static_cast<long>(k) % size_x_);
+      const ulong c =
+          image[static_cast<std::size_t>(j)].coefficient(static_cast<long>(k) % size_x_);
       fmpz_CRT_ui(coefficients_[k].get(), coefficients_[k].get(), product_.get(), c, p, 0);
     }
     fmpz_mul_ui(product_.get(), product_.get(), p);
@@ -147,8 +148,7 @@ LogSum rothstein_trager(const SimpleFraction& f) {
   const Polynomial residues = residue_polynomial(f.numerator, f.denominator);
   const Polynomial q = squarefree_part(residues);
   const QuotientRing ring(q);
-  return {q, ring.reduce(Polynomial{0, 1}),
-          residue_gcd(f, q, residues.degree() / q.degree())};
+  return {q, ring.reduce(Polynomial{0, 1}), residue_gcd(f, q, residues.degree() / q.degree())};
 }
 
 std::vector<LogSum> merge_equal_residues(std::vector<LogSum> sums) {

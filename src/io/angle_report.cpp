@@ -31,8 +31,7 @@ std::string readable(const Bivariate& v) {
     const std::string factor = formatted(c, unicode, "x");
     if (!text.empty()) text += " + ";
     text += c == Polynomial{1} && k > 0 ? power : "(" + factor + ")" + power;
-    if (text_width(text) > 240)
-      return fmt::format("⟨degree {} in t⟩", v.degree());
+    if (text_width(text) > 240) return fmt::format("⟨degree {} in t⟩", v.degree());
   }
   return text;
 }
@@ -61,10 +60,10 @@ std::string terms_of(const LogSum& sum) {
   if (sum.residue == Polynomial{0, 1} || roots == 1)
     return fmt::format("Σ x·log v(x, t) over the {} roots x of {}\n        v(x, t) = {}", roots,
                        readable(sum.index, "x"), readable(sum.argument));
-  return fmt::format("Σ c(x)·log v(x, t) over the {} roots x of {}\n        c(x) = {}\n        "
-                     "v(x, t) = {}",
-                     roots, readable(sum.index, "x"), readable(sum.residue, "x"),
-                     readable(sum.argument));
+  return fmt::format(
+      "Σ c(x)·log v(x, t) over the {} roots x of {}\n        c(x) = {}\n        "
+      "v(x, t) = {}",
+      roots, readable(sum.index, "x"), readable(sum.residue, "x"), readable(sum.argument));
 }
 
 std::string closed_form(const AngleReport& report) {
@@ -73,7 +72,7 @@ std::string closed_form(const AngleReport& report) {
   if (!F.polynomial.is_zero()) terms.push_back(readable(F.polynomial));
   if (!F.rational.is_zero()) terms.push_back(quotient(F.rational));
   for (const LogSum& sum : F.logs) terms.push_back(terms_of(sum));
-  if (report.angle.bend()) terms.emplace_back("arg g(t)");
+  if (report.angle.bend()) terms.emplace_back("arg g(t), continuous");
   if (terms.empty()) return "0";
   return fmt::format("{}", fmt::join(terms, "\n      + "));
 }
@@ -81,6 +80,13 @@ std::string closed_form(const AngleReport& report) {
 /// A table of the poles and residues of −2h/σ, while it is short enough to be read.
 std::string pole_table(const Antiderivative& F) {
   constexpr long digits = 12;
+  constexpr long most_poles = 24;
+  long poles = 0;
+  for (const LogSum& sum : F.logs) {
+    if (!is_over_poles(sum)) return "";
+    poles += sum.index.degree();
+  }
+  if (poles == 0 || poles > most_poles) return "";
   std::vector<std::pair<std::string, std::string>> rows;
   const auto pair_text = [](const ComplexBall& z, std::string_view sign) {
     std::string im = to_string(z.im(), digits);
@@ -90,16 +96,13 @@ std::string pole_table(const Antiderivative& F) {
                        negative ? (sign == "±" ? "∓" : "−") : sign, im);
   };
   for (const LogSum& sum : F.logs) {
-    if (!is_over_poles(sum)) return "";
     const Roots roots = isolate_roots(sum.index, 128);
     for (const RealBall& z : roots.real)
       rows.emplace_back(to_string(z, digits),
                         to_string(evaluate(sum.residue, {z, RealBall()}, 128).re(), digits));
     for (const ComplexBall& z : roots.upper)
       rows.emplace_back(pair_text(z, "±"), pair_text(evaluate(sum.residue, z, 128), "±"));
-    if (rows.size() > 12) return "";
   }
-  if (rows.empty()) return "";
   std::size_t width = 0;
   for (const auto& row : rows) width = std::max(width, text_width(row.first));
   std::string text = fmt::format("\n  {:<{}}   residue c(z)\n", "pole z", width);
@@ -111,18 +114,20 @@ std::string pole_table(const Antiderivative& F) {
 std::string value_table(const AngleReport& report) {
   std::size_t t_width = 1;
   std::size_t whole_width = 1;
-  const auto whole = [](const std::string& theta) { return std::min(theta.find('.'), theta.size()); };
+  const auto whole = [](const std::string& theta) {
+    return std::min(theta.find('.'), theta.size());
+  };
   const auto shown = [](const Rational& t) { return abbreviated(to_string(t)); };
   for (const AngleValue& value : report.values) {
     t_width = std::max(t_width, text_width(shown(value.t)));
     whole_width = std::max(whole_width, whole(value.theta.value));
   }
-  std::string text = fmt::format("\n  {:<{}}   {}θ(t)   radians, correctly rounded to {} digits\n", "t",
-                                 t_width, std::string(whole_width - 1, ' '), report.digits);
+  std::string text = fmt::format("\n  {:<{}}   {}θ(t)   radians, correctly rounded to {} digits\n",
+                                 "t", t_width, std::string(whole_width - 1, ' '), report.digits);
   for (const AngleValue& value : report.values)
-    text += fmt::format("  {:<{}}   {}{}\n", shown(value.t), t_width,
-                        std::string(whole_width - whole(value.theta.value), ' '),
-                        value.theta.value);
+    text +=
+        fmt::format("  {:<{}}   {}{}\n", shown(value.t), t_width,
+                    std::string(whole_width - whole(value.theta.value), ' '), value.theta.value);
   return text;
 }
 
@@ -141,7 +146,8 @@ std::string latex_terms(const LogSum& sum) {
                     : fmt::format("\\left({}\\right){}", formatted(c, latex, "x"), power);
   }
   return fmt::format("\\sum_{{{} = 0}} \\left({}\\right) \\log\\left({}\\right)",
-                     formatted(sum.index, latex, "x"), formatted(sum.residue, latex, "x"), argument);
+                     formatted(sum.index, latex, "x"), formatted(sum.residue, latex, "x"),
+                     argument);
 }
 
 std::string latex_quotient(const RationalFunction& f) {
@@ -185,8 +191,7 @@ std::string to_text(const AngleReport& report) {
   text += fmt::format("  σ = {}\n  h = {}\n", readable_factors(sigma(preimage)),
                       readable_factors(twist_numerator(preimage)));
   if (!erf) {
-    const GaussianPolynomial g = bend_numerator(preimage);
-    text += fmt::format("  g = {}\n", readable(formatted(g, unicode), norm(g)));
+    text += fmt::format("  g = {}\n", phrame::readable(bend_numerator(preimage)));
   }
   for (const Interval& cusp : cusps(report.curve.curve, closed(0, 1)))
     text += fmt::format("  r′ = 0 at a t in {}: frames and angle are continued through\n",
@@ -215,9 +220,10 @@ std::string to_latex(const AngleReport& report) {
   if (report.angle.bend())
     terms.push_back(fmt::format("\\arg\\left({}\\right)", formatted(*report.angle.bend(), latex)));
   if (terms.empty()) terms.emplace_back("0");
-  std::string text = fmt::format("\\begin{{align*}}\n\\theta'(t) &= {} \\\\\n\\theta(t) &= {} + C\n"
-                                 "\\end{{align*}}\n",
-                                 latex_quotient(report.angle.rate()), fmt::join(terms, " + "));
+  std::string text = fmt::format(
+      "\\begin{{align*}}\n\\theta'(t) &= {} \\\\\n\\theta(t) &= {} + C\n"
+      "\\end{{align*}}\n",
+      latex_quotient(report.angle.rate()), fmt::join(terms, " + "));
   if (report.values.empty()) return text;
   text += "\\begin{tabular}{ll}\n$t$ & $\\theta(t)$ \\\\\n";
   for (const AngleValue& value : report.values)
@@ -229,16 +235,14 @@ std::string to_latex(const AngleReport& report) {
 std::string to_json(const AngleReport& report) {
   JsonOutput values = JsonOutput::array();
   for (const AngleValue& value : report.values)
-    values.push_back({{"t", to_string(value.t)},
-                      {"theta", value.theta.value},
-                      {"radius", value.theta.radius}});
+    values.push_back(
+        {{"t", to_string(value.t)}, {"theta", value.theta.value}, {"radius", value.theta.radius}});
   const JsonOutput json = {
       {"phrame", "angle/1"},
       {"curve", {{"name", report.curve.name}, {"degree", degree(report.curve.curve)}}},
       {"frame", report.reference == Reference::erf ? "erf" : "frenet"},
       {"integrand", json_of(report.angle.rate())},
-      {"antiderivative",
-       json_of(report.angle.antiderivative(), form_name(report.angle.twist()))},
+      {"antiderivative", json_of(report.angle.antiderivative(), form_name(report.angle.twist()))},
       {"values", values}};
   return pretty(json);
 }

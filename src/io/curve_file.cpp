@@ -16,14 +16,16 @@ using Kind = JsonValue::Kind;
 /// A value with its JSON pointer; every complaint names the place.
 class Node {
  public:
-  Node(const JsonValue& value, std::string pointer) : value_(&value), pointer_(std::move(pointer)) {}
+  Node(const JsonValue& value, std::string pointer)
+      : value_(&value), pointer_(std::move(pointer)) {}
 
   [[noreturn]] void fail(const std::string& reason) const {
     throw InputError(pointer_.empty() ? "/" : pointer_, reason);
   }
 
   void require(Kind kind, const char* wanted) const {
-    if (value_->kind != kind) fail(fmt::format("{} is wanted, not {}", wanted, description(*value_)));
+    if (value_->kind != kind)
+      fail(fmt::format("{} is wanted, not {}", wanted, description(*value_)));
   }
 
   std::optional<Node> find(const std::string& key) const {
@@ -39,11 +41,9 @@ class Node {
   }
 
   std::size_t size() const { return value_->items.size(); }
-  Node item(std::size_t k) const {
-    return {value_->items[k], fmt::format("{}/{}", pointer_, k)};
-  }
+  Node item(std::size_t k) const { return {value_->items[k], fmt::format("{}/{}", pointer_, k)}; }
 
-  const std::vector<std::pair<std::string, JsonValue>>& members() const { return value_->members; }
+  const std::vector<std::string>& keys() const { return value_->keys; }
 
   const std::string& string() const {
     require(Kind::string, "a string");
@@ -63,8 +63,7 @@ class Node {
   /// An array of exactly `count` numbers.
   std::vector<Rational> numbers(std::size_t count) const {
     require(Kind::array, fmt::format("an array of {} numbers", count).c_str());
-    if (size() != count)
-      fail(fmt::format("{} numbers are wanted, not {}", count, size()));
+    if (size() != count) fail(fmt::format("{} numbers are wanted, not {}", count, size()));
     return numbers();
   }
 
@@ -97,7 +96,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 void require_known_keys(const Node& node, const std::vector<std::string_view>& known) {
   node.require(Kind::object, "an object");
-  for (const auto& [key, value] : node.members()) {
+  for (const std::string& key : node.keys()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string shown = abbreviated(key);
     const auto nearest = *std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
@@ -114,8 +113,8 @@ class Basis {
     const Node node = curve.at("basis");
     const std::string& name = node.string();
     if (name != "bernstein" && name != "power")
-      node.fail(fmt::format("the basis is \"bernstein\" or \"power\", not \"{}\"",
-                            abbreviated(name)));
+      node.fail(
+          fmt::format("the basis is \"bernstein\" or \"power\", not \"{}\"", abbreviated(name)));
     bernstein_ = name == "bernstein";
   }
 
@@ -123,9 +122,10 @@ class Basis {
     list.require(Kind::array, "an array of coefficients");
     if (list.size() == 0) list.fail("the list of coefficients is empty");
     if (static_cast<long>(list.size()) > limits_.max_degree + 1)
-      list.fail(fmt::format("{} coefficients make a degree beyond the limit {}; --max-degree "
-                            "raises it",
-                            list.size(), limits_.max_degree));
+      list.fail(
+          fmt::format("{} coefficients make a degree beyond the limit {}; --max-degree "
+                      "raises it",
+                      list.size(), limits_.max_degree));
   }
 
   /// In the Bernstein basis a short list would silently mean another degree: an error.
@@ -190,11 +190,11 @@ QuaternionPolynomial read_preimage(const Node& curve, const Basis& basis) {
   for (const char* key : {"preimage", "quaternions", "hopf"})
     if (curve.find(key)) given.emplace_back(key);
   if (given.size() != 1)
-    curve.fail(given.empty() ? "a curve needs one of \"preimage\", \"quaternions\" and \"hopf\""
-                             : fmt::format("\"{}\" and \"{}\" exclude each other", given[0],
-                                           given[1]));
+    curve.fail(given.empty()
+                   ? "a curve needs one of \"preimage\", \"quaternions\" and \"hopf\""
+                   : fmt::format("\"{}\" and \"{}\" exclude each other", given[0], given[1]));
   const Node node = curve.at(given.front());
-  QuaternionPolynomial preimage = given.front() == "preimage"    ? read_components(node, basis)
+  QuaternionPolynomial preimage = given.front() == "preimage"      ? read_components(node, basis)
                                   : given.front() == "quaternions" ? read_quaternions(node, basis)
                                                                    : read_hopf(node, basis);
   if (is_zero(preimage)) node.fail("the preimage is zero, so the curve is a single point");

@@ -55,7 +55,7 @@ std::string to_text(const CurveInfo& info) {
   if (!(curve.multiplier() == Polynomial{1})) row("multiplier f", plain(curve.multiplier()));
   row("σ = |A|²", factors(sigma(a)));
   row("h", factors(twist_numerator(a)));
-  row("g", readable(formatted(g, Notation::unicode), norm(g)));
+  row("g", readable(g));
   row("ρ = 4|g|²", factors(rho(a)));
   row("(r′ × r″)·r‴", factors(triple_product(curve)));
   row("  split a", plain(split.a));
@@ -85,8 +85,8 @@ std::string to_json(const CurveInfo& info) {
       {"name", info.curve.name},
       {"degree", degree(curve)},
       {"preimage_degree", preimage_degree(curve)},
-      {"preimage", {{"u", json_of(a.u)}, {"v", json_of(a.v)}, {"p", json_of(a.p)},
-                    {"q", json_of(a.q)}}},
+      {"preimage",
+       {{"u", json_of(a.u)}, {"v", json_of(a.v)}, {"p", json_of(a.p)}, {"q", json_of(a.q)}}},
       {"multiplier", json_of(curve.multiplier())},
       {"sigma", json_of(sigma(a))},
       {"h", json_of(twist_numerator(a))},

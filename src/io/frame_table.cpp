@@ -32,9 +32,12 @@ void require_finite(const std::vector<double>& row, const std::vector<std::strin
 
 std::pair<const char*, const char*> vector_names(TabulatedFrame frame) {
   switch (frame) {
-    case TabulatedFrame::rmf: return {"f2", "f3"};
-    case TabulatedFrame::erf: return {"e2", "e3"};
-    case TabulatedFrame::frenet: return {"n", "b"};
+    case TabulatedFrame::rmf:
+      return {"f2", "f3"};
+    case TabulatedFrame::erf:
+      return {"e2", "e3"};
+    case TabulatedFrame::frenet:
+      return {"n", "b"};
   }
   return {"", ""};
 }
@@ -88,8 +91,9 @@ std::string to_json(const FrameTable& table) {
 }
 
 std::string to_npy(const FrameTable& table) {
-  std::string header = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}",
-                                   table.rows.size(), table.columns.size());
+  std::string header =
+      fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}",
+                  table.rows.size(), table.columns.size());
   constexpr std::size_t preamble = 10;  // magic, version, length of the header
   header.append(63 - (preamble + header.size()) % 64, ' ');
   header += '\n';

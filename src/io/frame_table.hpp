@@ -18,8 +18,8 @@ struct FrameTable {
 };
 
 /// t, r, e₁ and the frames asked for, at each t.
-/// Throws DomainError where the Frenet frame is undefined, Undecided where a number is too large for
-/// a double.
+/// Throws DomainError where the Frenet frame is undefined, Undecided where a number is too large
+/// for a double.
 FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,
                        const std::vector<Rational>& at);
 

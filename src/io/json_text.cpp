@@ -56,9 +56,8 @@ JsonOutput json_of(const Antiderivative& F, const std::string& form) {
   for (const LogSum& sum : F.logs) {
     JsonOutput argument = JsonOutput::array();
     for (const Polynomial& c : sum.argument.coefficients()) argument.push_back(json_of(c));
-    logs.push_back({{"index", json_of(sum.index)},
-                    {"residue", json_of(sum.residue)},
-                    {"argument", argument}});
+    logs.push_back(
+        {{"index", json_of(sum.index)}, {"residue", json_of(sum.residue)}, {"argument", argument}});
   }
   return {{"polynomial", json_of(F.polynomial)},
           {"rational", json_of(F.rational)},

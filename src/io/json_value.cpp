@@ -51,12 +51,18 @@ class Builder : public nlohmann::json_sax<Json> {
 
   bool start_object(std::size_t) override { return open(JsonValue::Kind::object); }
   bool start_array(std::size_t) override { return open(JsonValue::Kind::array); }
-  bool end_object() override { return close(); }
+  bool end_object() override {
+    // Not key by key, which would be quadratic.
+    const auto& keys = open_.back()->keys;
+    std::vector<std::string_view> sorted(keys.begin(), keys.end());
+    std::sort(sorted.begin(), sorted.end());
+    if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+      throw InputError(pointer() + "/" + abbreviated(*twice), "the key occurs twice");
+    return close();
+  }
   bool end_array() override { return close(); }
   bool key(string_t& name) override {
-    if (open_.back()->find(name) != nullptr)
-      throw InputError(pointer() + "/" + abbreviated(name), "the key occurs twice");
-    open_.back()->members.emplace_back(std::move(name), JsonValue{});
+    open_.back()->keys.push_back(std::move(name));
     return true;
   }
 
@@ -77,10 +83,7 @@ class Builder : public nlohmann::json_sax<Json> {
  private:
   JsonValue& add(JsonValue value) {
     if (open_.empty()) return root_ = std::move(value);
-    JsonValue& parent = *open_.back();
-    if (parent.kind == JsonValue::Kind::object)
-      return parent.members.back().second = std::move(value);
-    return parent.items.emplace_back(std::move(value));
+    return open_.back()->items.emplace_back(std::move(value));
   }
 
   /// Of the innermost open container.
@@ -90,7 +93,7 @@ class Builder : public nlohmann::json_sax<Json> {
       const JsonValue& container = *open_[k];
       text += "/";
       text += container.kind == JsonValue::Kind::object
-                  ? abbreviated(container.members.back().first)
+                  ? abbreviated(container.keys.back())
                   : std::to_string(container.items.size() - 1);
     }
     return text;
@@ -123,9 +126,8 @@ class Builder : public nlohmann::json_sax<Json> {
 }  // namespace
 
 const JsonValue* JsonValue::find(std::string_view key) const {
-  const auto at = std::find_if(members.begin(), members.end(),
-                               [&](const auto& member) { return member.first == key; });
-  return at == members.end() ? nullptr : &at->second;
+  const auto at = std::find(keys.begin(), keys.end(), key);
+  return at == keys.end() ? nullptr : &items[static_cast<std::size_t>(at - keys.begin())];
 }
 
 JsonValue parse_json(std::string_view text) {
@@ -136,12 +138,18 @@ JsonValue parse_json(std::string_view text) {
 
 std::string description(const JsonValue& value) {
   switch (value.kind) {
-    case JsonValue::Kind::null: return "null";
-    case JsonValue::Kind::boolean: return value.text;
-    case JsonValue::Kind::number: return "the number " + abbreviated(value.text);
-    case JsonValue::Kind::string: return fmt::format("the string \"{}\"", abbreviated(value.text));
-    case JsonValue::Kind::array: return fmt::format("an array of {}", value.items.size());
-    case JsonValue::Kind::object: return fmt::format("an object of {}", value.members.size());
+    case JsonValue::Kind::null:
+      return "null";
+    case JsonValue::Kind::boolean:
+      return value.text;
+    case JsonValue::Kind::number:
+      return "the number " + abbreviated(value.text);
+    case JsonValue::Kind::string:
+      return fmt::format("the string \"{}\"", abbreviated(value.text));
+    case JsonValue::Kind::array:
+      return fmt::format("an array of {}", value.items.size());
+    case JsonValue::Kind::object:
+      return fmt::format("an object of {}", value.keys.size());
   }
   return "?";
 }

@@ -1,7 +1,6 @@
 #pragma once
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace phrame {
@@ -11,9 +10,9 @@ struct JsonValue {
   enum class Kind { null, boolean, number, string, array, object };
 
   Kind kind = Kind::null;
-  std::string text;              ///< of a number, a string; "true" or "false"
-  std::vector<JsonValue> items;  ///< of an array
-  std::vector<std::pair<std::string, JsonValue>> members;  ///< of an object, in order
+  std::string text;               ///< of a number, a string; "true" or "false"
+  std::vector<std::string> keys;  ///< of an object, in order
+  std::vector<JsonValue> items;   ///< of an array, or the values of the keys
 
   /// The member of that name, or nullptr.
   const JsonValue* find(std::string_view key) const;

@@ -31,6 +31,19 @@ std::string term(const Rational& c, long k, Notation notation, std::string_view 
   return fmt::format("{}{}{}", factor, variable, superscript(k, notation));
 }
 
+bool is_bearable(std::string_view text) { return text_width(text) <= 240; }
+
+std::size_t longest_coefficient(const Polynomial& p) {
+  std::size_t digits = 0;
+  for (const Rational& c : p.coefficients())
+    digits = std::max({digits, abs(numerator(c)).str().size(), denominator(c).str().size()});
+  return digits;
+}
+
+std::string summary(long degree, std::size_t digits) {
+  return fmt::format("⟨degree {}, coefficients of up to {} digits⟩", degree, digits);
+}
+
 }  // namespace
 
 std::string formatted(const Rational& x, Notation notation) {
@@ -76,10 +89,16 @@ std::string formatted_factors(const Polynomial& p, Notation notation, std::strin
 
 std::string formatted(const GaussianPolynomial& p, Notation notation, std::string_view variable) {
   if (p.im.is_zero()) return formatted(p.re, notation, variable);
-  const std::string imaginary =
-      p.im == Polynomial{1} ? "i" : fmt::format("({})i", formatted(p.im, notation, variable));
-  if (p.re.is_zero()) return imaginary;
-  return fmt::format("({}) + {}", formatted(p.re, notation, variable), imaginary);
+  // A constant imaginary part is written 3i, −i, any other (…)i.
+  const bool plain = p.im.is_constant();
+  const bool negative = plain && p.im.coefficient(0) < 0;
+  const Polynomial size = negative ? -p.im : p.im;
+  const std::string part = size == Polynomial{1} ? "" : formatted(size, notation, variable);
+  const std::string imaginary = plain ? part + "i" : "(" + part + ")i";
+  if (p.re.is_zero()) return negative ? minus(notation) + imaginary : imaginary;
+  const std::string real = formatted(p.re, notation, variable);
+  return fmt::format("{} {} {}", p.re.is_constant() ? real : "(" + real + ")",
+                     negative ? minus(notation) : "+", imaginary);
 }
 
 std::size_t text_width(std::string_view text) {
@@ -89,12 +108,14 @@ std::size_t text_width(std::string_view text) {
 }
 
 std::string readable(std::string text, const Polynomial& p) {
-  constexpr std::size_t bearable = 240;
-  if (text_width(text) <= bearable) return text;
-  std::size_t digits = 0;
-  for (const Rational& c : p.coefficients())
-    digits = std::max({digits, abs(numerator(c)).str().size(), denominator(c).str().size()});
-  return fmt::format("⟨degree {}, coefficients of up to {} digits⟩", p.degree(), digits);
+  return is_bearable(text) ? std::move(text) : summary(p.degree(), longest_coefficient(p));
+}
+
+std::string readable(const GaussianPolynomial& g) {
+  std::string text = formatted(g, Notation::unicode);
+  return is_bearable(text)
+             ? std::move(text)
+             : summary(degree(g), std::max(longest_coefficient(g.re), longest_coefficient(g.im)));
 }
 
 }  // namespace phrame

@@ -25,5 +25,7 @@ std::size_t text_width(std::string_view text);
 /// `text`, or, where it is longer than a screen line can bear, what the polynomial is:
 /// "⟨degree 160, coefficients of up to 53 digits⟩".
 std::string readable(std::string text, const Polynomial& p);
+/// The same of g, in Unicode.
+std::string readable(const GaussianPolynomial& g);
 
 }  // namespace phrame

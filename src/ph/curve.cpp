@@ -33,7 +33,7 @@ Vector<Polynomial> position(const Curve& curve) {
 }
 
 std::vector<Interval> cusps(const Curve& curve, const Interval& interval) {
-  return isolate_real_roots(curve.multiplier() * real_content(curve.preimage()), interval);
+  return located_real_roots(curve.multiplier() * real_content(curve.preimage()), interval);
 }
 
 Vector<Rational> evaluate(const Vector<Polynomial>& v, const Rational& t) {

@@ -20,9 +20,9 @@ GaussianPolynomial bend_numerator(const QuaternionPolynomial& a) {
 
 Polynomial rho(const QuaternionPolynomial& a) { return Rational(4) * norm(bend_numerator(a)); }
 
-AngleSplit closed_split(const QuaternionPolynomial& a) {
-  const GaussianPolynomial g = bend_numerator(a);
-  return {Rational(2) * twist_numerator(a),
+AngleSplit closed_split(const QuaternionPolynomial& preimage) {
+  const GaussianPolynomial g = bend_numerator(preimage);
+  return {Rational(2) * twist_numerator(preimage),
           Rational(-4) * (differentiate(g) * conjugate(g)).im};
 }
 
@@ -40,8 +40,8 @@ std::optional<AngleSplit> split_by_linear_system(const QuaternionPolynomial& pre
   std::vector<Polynomial> columns;
   for (long k = 0; k < s.degree(); ++k) columns.push_back(r * Polynomial::monomial(1, k));
   for (long k = 0; k < r.degree(); ++k) columns.push_back(s * Polynomial::monomial(1, k));
-  const auto solution = solve_for_coefficients(columns, triple_product(Curve(preimage)),
-                                               s.degree() + r.degree());
+  const auto solution =
+      solve_for_coefficients(columns, triple_product(Curve(preimage)), s.degree() + r.degree());
   if (!solution) return std::nullopt;
   const auto middle = solution->begin() + s.degree();
   return AngleSplit{Polynomial(std::vector(solution->begin(), middle)),

@@ -36,10 +36,10 @@ struct AngleSplit {
   Polynomial b;
   friend bool operator==(const AngleSplit&, const AngleSplit&) = default;
 };
-AngleSplit closed_split(const QuaternionPolynomial& a);
+AngleSplit closed_split(const QuaternionPolynomial& preimage);
 
 /// The same by the paper's linear system for the coefficients of a and b. It has a unique solution
 /// only where gcd(σ, ρ) = 1 and no degree drops; no value otherwise.
-std::optional<AngleSplit> split_by_linear_system(const QuaternionPolynomial& a);
+std::optional<AngleSplit> split_by_linear_system(const QuaternionPolynomial& preimage);
 
 }  // namespace phrame

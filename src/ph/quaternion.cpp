@@ -20,8 +20,6 @@ RationalQuaternion evaluate(const QuaternionPolynomial& a, const Rational& t) {
   return {a.u(t), a.v(t), a.p(t), a.q(t)};
 }
 
-Polynomial real_content(const QuaternionPolynomial& a) {
-  return gcd(gcd(a.u, a.v), gcd(a.p, a.q));
-}
+Polynomial real_content(const QuaternionPolynomial& a) { return gcd(gcd(a.u, a.v), gcd(a.p, a.q)); }
 
 }  // namespace phrame

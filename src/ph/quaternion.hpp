@@ -25,10 +25,9 @@ Quaternion<T> operator+(const Quaternion<T>& a, const Quaternion<T>& b) {
 
 template <class T>
 Quaternion<T> operator*(const Quaternion<T>& a, const Quaternion<T>& b) {
-  return {a.u * b.u - a.v * b.v - a.p * b.p - a.q * b.q,
-          a.u * b.v + a.v * b.u + a.p * b.q - a.q * b.p,
-          a.u * b.p - a.v * b.q + a.p * b.u + a.q * b.v,
-          a.u * b.q + a.v * b.p - a.p * b.v + a.q * b.u};
+  return {
+      a.u * b.u - a.v * b.v - a.p * b.p - a.q * b.q, a.u * b.v + a.v * b.u + a.p * b.q - a.q * b.p,
+      a.u * b.p - a.v * b.q + a.p * b.u + a.q * b.v, a.u * b.q + a.v * b.p - a.p * b.v + a.q * b.u};
 }
 
 /// |A|² = A·A*.

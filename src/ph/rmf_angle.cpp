@@ -20,10 +20,9 @@ RationalFunction rate_of_argument(const GaussianPolynomial& g) {
 }
 
 /// arg g = Im log g = −(i/2)·log g + (i/2)·log ḡ = Σ_{x = ±i/2} x·log v(x, t) with v = P − 2xQ for
-/// the monic g = P + iQ.
-std::optional<LogSum> argument_as_logs(const GaussianPolynomial& g) {
+/// the monic g = P + iQ. g has no real factor, so that Q ≠ 0 unless g is constant.
+LogSum argument_as_logs(const GaussianPolynomial& g) {
   const auto [p, q] = monic(g);
-  if (q.is_zero()) return std::nullopt;
   std::vector<Polynomial> v;
   for (long k = 0; k <= p.degree(); ++k)
     v.push_back(Polynomial{p.coefficient(k), -2 * q.coefficient(k)});
@@ -49,6 +48,8 @@ RmfAngle::RmfAngle(const Curve& curve, Reference reference, Form form)
       // A plane curve: its Frenet frame is rotation-minimizing, θ ≡ 0.
       rate_ = {};
       bend_.reset();
+    } else if (degree(*bend_) == 0) {
+      bend_.reset();  // a constant argument
     } else {
       argument_.emplace(*bend_);
     }
@@ -57,7 +58,7 @@ RmfAngle::RmfAngle(const Curve& curve, Reference reference, Form form)
   antiderivative_ = twist_;
   evaluator_ = Evaluator(twist_);
   if (!bend_) return;
-  if (const auto logs = argument_as_logs(*bend_)) antiderivative_.logs.push_back(*logs);
+  antiderivative_.logs.push_back(argument_as_logs(*bend_));
   rate_ = rate_ + rate_of_argument(*bend_);
   if (!(differentiate(antiderivative_) == rate_))
     throw Error("RmfAngle: the check failed, the derivative of the angle is not its rate");
@@ -73,7 +74,9 @@ Real RmfAngle::value(const Rational& t) {
   if (t == 0) return Rational(0);
   Real twist = evaluator_.value(0, t);
   if (!argument_ || (twist.exact() && argument_->is_zero_at(t))) return twist;
-  return Real([this, t](long bits) { return enclose(t, bits); });
+  return Real([this, t, twist](long bits) {
+    return add(twist.enclose(bits + 1), argument_->difference(t, bits + 32), bits + 32);
+  });
 }
 
 std::optional<Antiderivative> frenet_angle_by_linear_system(const Curve& curve) {

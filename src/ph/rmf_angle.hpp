@@ -31,7 +31,8 @@ class RmfAngle {
   /// θ up to a constant is twist() plus, where there is a bend(), its argument.
   /// twist() is ∫ −2h/σ, or 0 where θ ≡ 0.
   const Antiderivative& twist() const { return twist_; }
-  /// g without its real factor: of a Frenet angle that is not 0.
+  /// g without its real factor; of a Frenet angle only, and none where its argument is constant
+  /// or θ ≡ 0.
   const std::optional<GaussianPolynomial>& bend() const { return bend_; }
   /// θ up to a constant as one value; its derivative is rate(), checked. arg g is in it as the last
   /// sum, Σ x·log v(x, t) over x = ±i/2 with v(−i/2, t) = g made monic.

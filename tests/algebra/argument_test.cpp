@@ -10,7 +10,7 @@ using test::Random;
 TEST_CASE("argument: of (t − i)⁴ at t = 1, from −2π to −π") {
   GaussianPolynomial g{{1}, {}};
   for (int k = 0; k < 4; ++k) g = g * GaussianPolynomial{{0, 1}, {-1}};
-  const ContinuousArgument argument(g);
+  ContinuousArgument argument(g);
   CHECK(argument.difference(1, 100).overlaps(pi(100)));
   CHECK(argument.is_zero_at(0));
   CHECK_FALSE(argument.is_zero_at(1));
@@ -32,7 +32,7 @@ TEST_CASE("argument: law: the sum over known roots, each term continuous by itse
       roots.emplace_back(random.rational(), y);
       g = g * GaussianPolynomial{{-roots.back().first, 1}, {-y}};
     }
-    const ContinuousArgument argument(g);
+    ContinuousArgument argument(g);
     const Rational t = random.rational();
     constexpr long bits = 300;
     RealBall sum;

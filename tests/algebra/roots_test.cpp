@@ -60,3 +60,29 @@ TEST_CASE("roots: law: the known roots are found, refining keeps and narrows the
     }
   });
 }
+
+TEST_CASE("roots: a pair 10^-20 apart, and Wilkinson's polynomial of degree 20") {
+  const Rational gap = parse_rational("1e-20");
+  const Rational third(1, 3);
+  // (t − 1/3)² + gap²: the roots 1/3 ± i·10^-20.
+  const Roots pair = isolate_roots(
+      Polynomial{third * third + gap * gap, -2 * third, 1} * Polynomial{5, 1, 1}, 400);
+  REQUIRE(pair.upper.size() == 2);
+  CHECK(pair.upper[1].re().contains(third));
+  CHECK(pair.upper[1].im().contains(gap));
+  CHECK(acb_rel_accuracy_bits(pair.upper[1].raw()) >= 400);
+  Polynomial wilkinson{1};
+  for (long k = 1; k <= 20; ++k) wilkinson *= Polynomial{-k, 1};
+  const Roots roots = isolate_roots(wilkinson, 100);
+  REQUIRE(roots.real.size() == 20);
+  for (long k = 1; k <= 20; ++k) CHECK(roots.real[static_cast<std::size_t>(k - 1)].contains(k));
+}
+
+TEST_CASE("roots: coefficients beyond the range of doubles") {
+  const Rational huge = parse_rational("1e400");
+  const Roots roots = isolate_roots(Polynomial{huge, 0, 1} * Polynomial{-1, huge}, 200);
+  REQUIRE(roots.real.size() == 1);
+  REQUIRE(roots.upper.size() == 1);
+  CHECK(roots.real[0].contains(1 / huge));
+  CHECK(roots.upper[0].im().contains(parse_rational("1e200")));
+}

@@ -55,7 +55,8 @@ TEST_CASE("rounding: law: decimals are the nearest ones, and the radius bounds t
     const Rational value = parse_rational(d.value);
     CHECK(abs(value - x) <= parse_rational(d.radius));
     if (x == 0) return;
-    // One unit of the last place: the digits, read as a whole number, are between 10^(d−1) and 10^d.
+    // One unit of the last place: the digits, read as a whole number, are between 10^(d−1) and
+    // 10^d.
     const Rational unit = abs(value) / Rational(boost::multiprecision::pow(
                                            Integer(10), static_cast<unsigned>(digits - 1)));
     CHECK(abs(value - x) * 2 <= unit);

@@ -92,6 +92,16 @@ TEST_CASE("sturm: law: counts and isolation agree with the roots put in") {
   });
 }
 
+TEST_CASE("sturm: located roots are points where they are rational, else narrow") {
+  // (t − 1/3)(t² − 2)
+  const auto found = located_real_roots(Polynomial{-1, 3} * Polynomial{-2, 0, 1}, real_line());
+  REQUIRE(found.size() == 3);
+  CHECK(found[1] == closed(Rational(1, 3), Rational(1, 3)));
+  CHECK(*found[2].upper - *found[2].lower <= Rational(1, 1 << 20));
+  CHECK(*found[2].lower * *found[2].lower < 2);
+  CHECK(*found[2].upper * *found[2].upper > 2);
+}
+
 TEST_CASE("sturm: law: the variations of (p, p′) count the distinct roots, Descartes aside") {
   for_samples(100, [](Random& random) {
     const Known known = known_roots(random);
@@ -101,7 +111,8 @@ TEST_CASE("sturm: law: the variations of (p, p′) count the distinct roots, Des
   });
 }
 
-TEST_CASE("sturm: law: the Cauchy index of Σ cₖ/(t − rₖ) is the sum of the signs of the cₖ inside") {
+TEST_CASE(
+    "sturm: law: the Cauchy index of Σ cₖ/(t − rₖ) is the sum of the signs of the cₖ inside") {
   for_samples(200, [](Random& random) {
     Polynomial p{1};
     Polynomial q;

@@ -10,7 +10,8 @@ using test::Random;
 
 static_assert(std::is_nothrow_move_constructible_v<Antiderivative>);
 
-TEST_CASE("antiderivative: Σ x log(t + 2x) over 4x² + 1 = 0 is arctan: its derivative is 1/(t² + 1)") {
+TEST_CASE(
+    "antiderivative: Σ x log(t + 2x) over 4x² + 1 = 0 is arctan: its derivative is 1/(t² + 1)") {
   const LogSum arctan{{1, 0, 4}, {0, 1}, Bivariate({Polynomial{0, 2}, Polynomial{1}})};
   CHECK_FALSE(is_over_poles(arctan));
   CHECK(differentiate(arctan) == RationalFunction({1}, {1, 0, 1}));

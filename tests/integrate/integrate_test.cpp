@@ -22,7 +22,8 @@ TEST_CASE("integrate: textbook integrals") {
   CHECK(F.logs[1].index == Polynomial{5, -8, 4});  // roots 1 ± i/2
 }
 
-TEST_CASE("integrate: automatic: repeated residues are written once, distinct ones over the poles") {
+TEST_CASE(
+    "integrate: automatic: repeated residues are written once, distinct ones over the poles") {
   // d′/d: one residue, 1, although d is irreducible of degree 5.
   const auto one = integrate({{0, 0, 0, 0, 5}, {2, 0, 0, 0, 0, 1}});
   REQUIRE(one.logs.size() == 1);
@@ -33,7 +34,8 @@ TEST_CASE("integrate: automatic: repeated residues are written once, distinct on
   REQUIRE(three.logs.size() == 1);
   CHECK(is_over_poles(three.logs[0]));
   // Both in one function: 2t/(t² + 1) has the residue 1 twice, 1/(t³ + t + 1) is as above.
-  const auto mixed = integrate(RationalFunction({0, 2}, {1, 0, 1}) + RationalFunction({1}, {1, 1, 0, 1}));
+  const auto mixed =
+      integrate(RationalFunction({0, 2}, {1, 0, 1}) + RationalFunction({1}, {1, 1, 0, 1}));
   REQUIRE(mixed.logs.size() == 2);
   CHECK_FALSE(is_over_poles(mixed.logs[0]));
   CHECK(is_over_poles(mixed.logs[1]));

@@ -32,7 +32,8 @@ TEST_CASE("Rothstein–Trager: Trager's example: 36/(t⁵ − 2t⁴ − 2t³ + 4
   CHECK(minus.argument == Bivariate({Polynomial{1}, Polynomial{1}}));
 }
 
-TEST_CASE("Rothstein–Trager: the arctangent in (t⁴ − 3t² + 6)/(t⁶ − 5t⁴ + 5t² + 4) has residues ±i/2") {
+TEST_CASE(
+    "Rothstein–Trager: the arctangent in (t⁴ − 3t² + 6)/(t⁶ − 5t⁴ + 5t² + 4) has residues ±i/2") {
   // Bronstein 2005, example 2.4.1: R = (4x² + 1)³ up to a constant, v = t³ + 2xt² − 3t − 4x.
   const LogSum sum = rothstein_trager({{6, 0, -3, 0, 1}, {4, 0, 5, 0, -5, 0, 1}});
   CHECK(sum.index == Polynomial{1, 0, 4});
@@ -70,9 +71,9 @@ TEST_CASE("Rothstein–Trager: law: both forms differentiate to n/d, also compos
 }
 
 TEST_CASE("equal residues: sums over the same residues are joined, their arguments multiplied") {
-  const auto merged = merge_equal_residues(
-      {rothstein_trager({{1}, {1, 1}}), rothstein_trager({{1}, {0, 1}}),
-       rothstein_trager({{2}, {5, 1}})});
+  const auto merged =
+      merge_equal_residues({rothstein_trager({{1}, {1, 1}}), rothstein_trager({{1}, {0, 1}}),
+                            rothstein_trager({{2}, {5, 1}})});
   REQUIRE(merged.size() == 2);
   CHECK(merged[0].argument == Bivariate({Polynomial{}, Polynomial{1}, Polynomial{1}}));
 }

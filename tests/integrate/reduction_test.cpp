@@ -8,7 +8,8 @@ using test::for_samples;
 using test::Random;
 
 TEST_CASE("hermite: Bronstein's example 2.2.1") {
-  // ∫ (t⁷ − 24t⁴ − 4t² + 8t − 8)/(t⁸ + 6t⁶ + 12t⁴ + 8t²) = 1/t + 6t/(t² + 2)² − (t − 3)/(t² + 2) + log t
+  // ∫ (t⁷ − 24t⁴ − 4t² + 8t − 8)/(t⁸ + 6t⁶ + 12t⁴ + 8t²) = 1/t + 6t/(t² + 2)² − (t − 3)/(t² + 2) +
+  // log t
   const RationalFunction f({-8, 8, -4, 0, -24, 0, 0, 1}, {0, 0, 8, 0, 12, 0, 6, 0, 1});
   const RationalFunction rational = RationalFunction({1}, {0, 1}) +
                                     RationalFunction({0, 6}, {4, 0, 4, 0, 1}) -

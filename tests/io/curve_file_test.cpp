@@ -101,7 +101,7 @@ TEST_CASE("curve files: numbers are read exactly, bare or as text") {
   CHECK(read_number("-2") == -2);
   CHECK(read_number("\"-2\"") == -2);
   CHECK(read_number("\"3/7\"") == Rational(3, 7));
-  CHECK(read_number("\"6/-14\"") == Rational(-3, 7));
+  CHECK(read_number("\"-6/14\"") == Rational(-3, 7));
   CHECK(read_number("\"0x1.8p-3\"") == Rational(3, 16));
   CHECK(read_number("1e-3") == Rational(1, 1000));
   CHECK(read_number("0.30000000000000000000000000000000001") ==
@@ -118,7 +118,7 @@ TEST_CASE("curve files: what is no number is refused with its place and its text
   const auto number = [](const std::string& text) { return refusal(constant(text)); };
   CHECK(number("\"1/0\"") == "/preimage/u/0: \"1/0\" divides by zero");
   for (const char* text : {"nan", "inf", "-Infinity", "", " 1", "1 2", "1/2/3", "2.5/3", "0x",
-                           "--1", "1e", "1e1000000", "one"}) {
+                           "--1", "1/-2", "1e", "1e1000000", "one"}) {
     CAPTURE(text);
     const std::string quoted = '"' + std::string(text) + '"';
     CHECK(number(quoted).starts_with("/preimage/u/0: " + quoted + " is not a number"));
@@ -271,7 +271,7 @@ TEST_CASE("curve files: the degree is limited, and the limit can be raised") {
 
 TEST_CASE("curve files: broken JSON is refused with line and column") {
   CHECK(refusal("").starts_with("1:0: not valid JSON"));
-  CHECK(refusal("{\n \"phrame\": \"curve/1\",\n \"basis\"").starts_with("3:9: not valid JSON"));
+  CHECK(refusal("{\n \"phrame\": \"curve/1\",\n \"basis\"").starts_with("3:8: not valid JSON"));
   CHECK(refusal(constant("NaN")).find(": not valid JSON") != std::string::npos);
   CHECK(contains(refusal(file("\"name\": \"\xFF\"")), "not valid JSON"));
   CHECK(contains(refusal(R"({"note": )" + std::string(100'000, '[')), "nested deeper than 32"));

@@ -82,7 +82,9 @@ TEST_CASE("curve info: the twist is minus the angle at 1, to 50 digits") {
 TEST_CASE("curve info: a cusp is located and makes the bending energy undefined") {
   // r′ = (2t − 1)·i: f changes sign, so ∫₀¹ f is not the length.
   const Json changing = info(on_a_line({-1, 2}));
-  CHECK(changing["cusps"] == Json::parse(R"([["1/2", "1/2"]])"));
+  REQUIRE(changing["cusps"].size() == 1);
+  CHECK(test::rational(changing["cusps"][0][0]) <= Rational(1, 2));
+  CHECK(test::rational(changing["cusps"][0][1]) >= Rational(1, 2));
   CHECK(changing["bending_energy"].is_null());
   CHECK(changing["arc_length"].is_null());
   // r′ = (2t − 1)²·i: a cusp without a change of sign, ∫₀¹ (2t − 1)² = 1/3.

@@ -12,7 +12,7 @@ using namespace phrame;
 namespace {
 
 using Row = std::vector<double>;
-using enum TabulatedFrame;
+using Kind = TabulatedFrame;
 
 /// A = 1 + t²k: r′ = (1 − t⁴, 2t², 0), a plane curve with an inflection at t = 0.
 Curve inflected() {
@@ -31,7 +31,8 @@ std::string message(const Curve& curve, TabulatedFrame frame, const Rational& t)
 }  // namespace
 
 TEST_CASE("frame table: the columns are named after the vectors, in the order asked for") {
-  const FrameTable table = frame_table(test::farouki_quintic().curve, {frenet, rmf, erf}, {});
+  const FrameTable table =
+      frame_table(test::farouki_quintic().curve, {Kind::frenet, Kind::rmf, Kind::erf}, {});
   CHECK(table.columns == std::vector<std::string>{"t",   "x",   "y",   "z",   "e1x", "e1y", "e1z",
                                                   "nx",  "ny",  "nz",  "bx",  "by",  "bz",  "f2x",
                                                   "f2y", "f2z", "f3x", "f3y", "f3z", "e2x", "e2y",
@@ -47,7 +48,7 @@ TEST_CASE("frame table: values are the correctly rounded doubles") {
   const double cos1 = 0.540302305868139717400936607443;
   const double sin1 = 0.841470984807896506652502321630;
   const Curve curve = test::rational_angle_curve().curve;
-  const FrameTable table = frame_table(curve, {erf, rmf}, {0, 1});
+  const FrameTable table = frame_table(curve, {Kind::erf, Kind::rmf}, {0, 1});
   REQUIRE(table.rows.size() == 2);
   CHECK(table.rows[1] == Row{1, -0.8, 4.0 / 3, 0.5, 0, 1, 0,  //
                              0, 0, 1, 1, 0, 0,                //
@@ -59,30 +60,32 @@ TEST_CASE("frame table: values are the correctly rounded doubles") {
 // At t = 1 the tangent is j and turns to the left (its angle is 2 atan t²): n = −i, b = k.
 // r(1) = (1 − 1/5, 2/3, 0).
 TEST_CASE("frame table: the Frenet frame is tangent, normal, binormal") {
-  const FrameTable table = frame_table(inflected(), {frenet}, {1});
+  const FrameTable table = frame_table(inflected(), {Kind::frenet}, {1});
   CHECK(table.rows.at(0) == Row{1, 0.8, 2.0 / 3, 0, 0, 1, 0, -1, 0, 0, 0, 0, 1});
 }
 
 TEST_CASE("frame table: where Frenet's frame is undefined, the reason and t are named") {
-  CHECK_THROWS_AS(frame_table(inflected(), {frenet}, {1, 0}), DomainError);
-  CHECK(message(inflected(), frenet, 0).find("t = 0 is an inflection") != std::string::npos);
-  CHECK_THROWS_AS(frame_table(test::straight_line().curve, {frenet}, {1}), DomainError);
-  CHECK(message(test::straight_line().curve, frenet, 1).find("straight line") != std::string::npos);
-  CHECK(message(inflected(), rmf, 0).empty());
+  CHECK_THROWS_AS(frame_table(inflected(), {Kind::frenet}, {1, 0}), DomainError);
+  CHECK(message(inflected(), Kind::frenet, 0).find("t = 0 is an inflection") != std::string::npos);
+  CHECK_THROWS_AS(frame_table(test::straight_line().curve, {Kind::frenet}, {1}), DomainError);
+  CHECK(message(test::straight_line().curve, Kind::frenet, 1).find("straight line") !=
+        std::string::npos);
+  CHECK(message(inflected(), Kind::rmf, 0).empty());
 }
 
 TEST_CASE("frame table: an overflow is refused, not rounded to infinity") {
   // r = (t, 0, 0)
-  CHECK(frame_table(test::straight_line().curve, {rmf}, {test::power_of_ten(308)}).rows[0][1] ==
-        1e308);
-  CHECK_THROWS_AS(frame_table(test::straight_line().curve, {rmf}, {test::power_of_ten(309)}),
+  CHECK(
+      frame_table(test::straight_line().curve, {Kind::rmf}, {test::power_of_ten(308)}).rows[0][1] ==
+      1e308);
+  CHECK_THROWS_AS(frame_table(test::straight_line().curve, {Kind::rmf}, {test::power_of_ten(309)}),
                   Undecided);
-  CHECK(message(test::farouki_quintic().curve, erf, test::power_of_ten(100))
+  CHECK(message(test::farouki_quintic().curve, Kind::erf, test::power_of_ten(100))
             .find("x is beyond the range of doubles") != std::string::npos);
 }
 
 TEST_CASE("frame table: CSV reads back to the same doubles") {
-  const FrameTable table = frame_table(test::farouki_quintic().curve, {rmf, frenet},
+  const FrameTable table = frame_table(test::farouki_quintic().curve, {Kind::rmf, Kind::frenet},
                                        {0, Rational(1, 3), test::power_of_ten(-30), -1000});
   std::istringstream lines(to_csv(table));
   std::string line;
@@ -104,7 +107,7 @@ TEST_CASE("frame table: CSV reads back to the same doubles") {
 
 TEST_CASE("frame table: JSON reads back to the same doubles") {
   const FrameTable table =
-      frame_table(test::farouki_quintic().curve, {rmf}, {0, Rational(1, 7), 1});
+      frame_table(test::farouki_quintic().curve, {Kind::rmf}, {0, Rational(1, 7), 1});
   const test::Json json = test::Json::parse(to_json(table));
   CHECK(json["phrame"] == "frames/1");
   CHECK(json["columns"].get<std::vector<std::string>>() == table.columns);

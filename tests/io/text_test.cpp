@@ -82,6 +82,11 @@ TEST_CASE("text: what no screen line can bear is replaced by its degree and its 
   CHECK(readable("short", p) == "short");
   CHECK(readable(std::string(240, 'x'), p) == std::string(240, 'x'));
   CHECK(readable(std::string(241, 'x'), p) == "⟨degree 1, coefficients of up to 4 digits⟩");
+  // Of a Gaussian polynomial the higher degree and the longer coefficient, not those of its norm.
+  const GaussianPolynomial g{Polynomial::monomial(parse_rational("1e250"), 3), Polynomial{1}};
+  CHECK(readable(g) == "⟨degree 3, coefficients of up to 251 digits⟩");
+  CHECK(readable({Polynomial{1}, Polynomial::monomial(parse_rational("1e250"), 3)}) == readable(g));
+  CHECK(readable({Polynomial{1}, Polynomial{0, 1}}) == "1 + (t)i");
   const Polynomial q{-parse_rational("1e53")};  // 54 digits; the sign is none
   CHECK(readable(std::string(300, 'x'), q) == "⟨degree 0, coefficients of up to 54 digits⟩");
 }

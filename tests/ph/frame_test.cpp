@@ -83,8 +83,8 @@ TEST_CASE("frame: law: both angles describe the same rotation-minimizing frames"
     const Curve curve(random.quaternion_polynomial(2));
     if (is_zero(bend_numerator(curve.preimage()))) return;
     const Rational t = Rational(random.integer(1, 8), 4);
-    const Polynomial g_common = gcd(bend_numerator(curve.preimage()).re,
-                                    bend_numerator(curve.preimage()).im);
+    const Polynomial g_common =
+        gcd(bend_numerator(curve.preimage()).re, bend_numerator(curve.preimage()).im);
     if (count_real_roots(g_common, closed(0, t)) > 0) return;
     RmfAngle erf(curve, Reference::erf);
     RmfAngle frenet(curve, Reference::frenet);
@@ -134,11 +134,12 @@ TEST_CASE("frame: exact values: at t = 0, with h = 0, and through a cusp") {
 }
 
 TEST_CASE("frame: Frenet is refused on a line and at an inflection, by name") {
-  CHECK_THROWS_WITH_AS(frenet_frame(Curve({{1, 1}, {}, {}, {}}), 1), doctest::Contains("straight line"),
-                       DomainError);
+  CHECK_THROWS_WITH_AS(frenet_frame(Curve({{1, 1}, {}, {}, {}}), 1),
+                       doctest::Contains("straight line"), DomainError);
   // A(t²) has an inflection at 0.
   const Curve curve({{1}, {2}, {0, 0, 1}, {0, 0, 3}});
-  CHECK_THROWS_WITH_AS(frenet_frame(curve, 0), doctest::Contains("t = 0 is an inflection"), DomainError);
+  CHECK_THROWS_WITH_AS(frenet_frame(curve, 0), doctest::Contains("t = 0 is an inflection"),
+                       DomainError);
   CHECK_NOTHROW(frenet_frame(curve, 1));
 }
 

@@ -21,8 +21,8 @@ Vector<Polynomial> derivative(const Vector<Polynomial>& a) {
   return {differentiate(a[0]), differentiate(a[1]), differentiate(a[2])};
 }
 
-const Curve quintic({from_bernstein({2, 0, 2}), from_bernstein({1, 1, 0}), from_bernstein({0, -2, 0}),
-                     from_bernstein({1, 2, 1})});
+const Curve quintic({from_bernstein({2, 0, 2}), from_bernstein({1, 1, 0}),
+                     from_bernstein({0, -2, 0}), from_bernstein({1, 2, 1})});
 
 }  // namespace
 
@@ -49,8 +49,7 @@ TEST_CASE("invariants: law: |r′ × r″|² = f⁴σ²ρ and (r′ × r″)·r�
     const auto normal = cross(r1, r2);
     CHECK(dot(normal, normal) == pow(curve.multiplier(), 4) * pow(sigma(a), 2) * rho(a));
     CHECK(dot(normal, r3) == triple_product(curve));
-    CHECK(squared_curvature(curve) ==
-          RationalFunction(dot(normal, normal), pow(dot(r1, r1), 3)));
+    CHECK(squared_curvature(curve) == RationalFunction(dot(normal, normal), pow(dot(r1, r1), 3)));
     if (rho(a).is_zero())
       CHECK_THROWS_AS(torsion(curve), DomainError);
     else
@@ -72,7 +71,9 @@ TEST_CASE("invariants: law: 2h/σ is e₂′·e₃, the rate at which the ERF tu
 TEST_CASE("invariants: law: σ, h, ρ do not change under a rotation of the curve") {
   for_samples(40, [](Random& random) {
     const auto a = random.quaternion_polynomial(3);
-    const QuaternionPolynomial unit{{Rational(1, 5)}, {Rational(-2, 5)}, {Rational(4, 5)},
+    const QuaternionPolynomial unit{{Rational(1, 5)},
+                                    {Rational(-2, 5)},
+                                    {Rational(4, 5)},
                                     {Rational(2, 5)}};  // 1 + 4 + 16 + 4 = 25
     const auto rotated = unit * a;
     CHECK(sigma(rotated) == sigma(a));

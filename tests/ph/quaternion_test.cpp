@@ -18,7 +18,8 @@ TEST_CASE("quaternion: i² = j² = k² = ijk = −1") {
   CHECK(i * j == k);
 }
 
-TEST_CASE("quaternion: law: A i A*, A j A*, A k A* by the product itself; the norm is multiplicative") {
+TEST_CASE(
+    "quaternion: law: A i A*, A j A*, A k A* by the product itself; the norm is multiplicative") {
   for_samples(60, [](Random& random) {
     const QuaternionPolynomial a = random.quaternion_polynomial(3);
     const QuaternionPolynomial b = random.quaternion_polynomial(3);

@@ -14,8 +14,8 @@ using test::Random;
 
 namespace {
 
-const Curve quintic({from_bernstein({2, 0, 2}), from_bernstein({1, 1, 0}), from_bernstein({0, -2, 0}),
-                     from_bernstein({1, 2, 1})});
+const Curve quintic({from_bernstein({2, 0, 2}), from_bernstein({1, 1, 0}),
+                     from_bernstein({0, -2, 0}), from_bernstein({1, 2, 1})});
 
 /// |a − b| ≤ 10^-48·max(1, |b|).
 bool agree(const std::string& a, const std::string& b) {
@@ -63,15 +63,16 @@ TEST_CASE("angle: every curve of the collection, both frames, 50 digits") {
   CHECK(count > 120);
 }
 
-TEST_CASE("angle: A = (t + i)(t + j): θ = −2t/(1 + t²) exactly, Frenet as in the reference values") {
+TEST_CASE(
+    "angle: A = (t + i)(t + j): θ = −2t/(1 + t²) exactly, Frenet as in the reference values") {
   const Curve curve({{0, 0, 1}, {0, 1}, {0, 1}, {1}});
   RmfAngle erf(curve, Reference::erf);
   CHECK(erf.twist() == Antiderivative{{}, RationalFunction({0, -2}, {1, 0, 1}), {}});
   CHECK(erf.value(Rational(1, 2)).exact() == Rational(-4, 5));
   RmfAngle frenet(curve, Reference::frenet);
   CHECK(agree(fifty(frenet, 1), "-1.7853981633974483096156608458198757210492923498438"));
-  CHECK(agree(fifty(frenet, Rational(1, 2)),
-              "-1.4747409422235526630565209736098136150740062548407"));
+  CHECK(
+      agree(fifty(frenet, Rational(1, 2)), "-1.4747409422235526630565209736098136150740062548407"));
 }
 
 TEST_CASE("angle: h = 0 without lying in a plane: the ERF is rotation-minimizing") {
@@ -136,7 +137,8 @@ TEST_CASE("angle: h of both signs with θ(t₁) = 0 exactly, seen through w(0) =
 TEST_CASE("angle: far outside [0, 1] and close to 0, against the leading behaviour") {
   RmfAngle erf(quintic, Reference::erf);
   // θ′ = 8t/6·(1 + O(t)): at t = 10^-30 θ = (2/3)·10^-60 (1 + O(10^-30)).
-  CHECK(round_to_decimal(erf.value(parse_rational("1e-30")), 20).value == "6.6666666666666666667e-61");
+  CHECK(round_to_decimal(erf.value(parse_rational("1e-30")), 20).value ==
+        "6.6666666666666666667e-61");
   // θ has limits at ±∞: θ′ ~ −8/(37t²), so θ(10^30) and θ(10^31) differ by (8/37)(10^-30 − 10^-31).
   const RealBall change = subtract(erf.enclose(parse_rational("1e31"), 300),
                                    erf.enclose(parse_rational("1e30"), 300), 300);

@@ -7,7 +7,8 @@ namespace phrame::test {
 /// ∫ₐᵇ f by Arb's certified quadrature: shares nothing with phrame's integrator.
 inline RealBall quadrature(const RationalFunction& f, const Rational& a, const Rational& b,
                            long bits) {
-  const auto integrand = [](acb_ptr result, const acb_t t, void* parameter, slong, slong precision) {
+  const auto integrand = [](acb_ptr result, const acb_t t, void* parameter, slong,
+                            slong precision) {
     const auto& g = *static_cast<const RationalFunction*>(parameter);
     ComplexBall z;
     acb_set(z.raw(), t);
@@ -25,8 +26,8 @@ inline RealBall quadrature(const RationalFunction& f, const Rational& a, const R
   RationalFunction parameter = f;
   acb_calc_integrate(value.raw(), integrand, &parameter,
                      ComplexBall(RealBall(a, bits + 64), RealBall()).raw(),
-                     ComplexBall(RealBall(b, bits + 64), RealBall()).raw(), bits,
-                     tolerance.get(), options, bits + 64);
+                     ComplexBall(RealBall(b, bits + 64), RealBall()).raw(), bits, tolerance.get(),
+                     options, bits + 64);
   return value.re();
 }
 

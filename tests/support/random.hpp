@@ -9,12 +9,15 @@
 
 namespace phrame::test {
 
-/// Random objects from one seed, biased to the corners: zero, units, repeated factors, huge heights.
+/// Random objects from one seed, biased to the corners: zero, units, repeated factors, huge
+/// heights.
 class Random {
  public:
   explicit Random(unsigned long seed) : engine_(seed) {}
 
-  long integer(long low, long high) { return std::uniform_int_distribution<long>(low, high)(engine_); }
+  long integer(long low, long high) {
+    return std::uniform_int_distribution<long>(low, high)(engine_);
+  }
   bool chance(long one_in) { return integer(1, one_in) == 1; }
 
   Rational rational() {
@@ -47,8 +50,7 @@ class Random {
   /// A product of small factors with multiplicities 1 to 3.
   Polynomial repeated_polynomial(long factors) {
     Polynomial product{1};
-    for (long k = 0; k < factors; ++k)
-      product *= pow(nonconstant_polynomial(2), integer(1, 3));
+    for (long k = 0; k < factors; ++k) product *= pow(nonconstant_polynomial(2), integer(1, 3));
     return product;
   }
 
@@ -68,8 +70,7 @@ class Random {
 
   /// Degree ≤ 2·degree + 3; sometimes with a multiplier.
   Curve curve(long degree) {
-    return Curve(quaternion_polynomial(degree),
-                 chance(3) ? nonzero_polynomial(2) : Polynomial{1},
+    return Curve(quaternion_polynomial(degree), chance(3) ? nonzero_polynomial(2) : Polynomial{1},
                  {rational(), rational(), rational()});
   }
 

@@ -1,0 +1,430 @@
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "io/reference.hpp"
+
+using namespace phrame;
+namespace fs = std::filesystem;
+using test::Json;
+
+// The program as its users meet it: arguments, streams, files, exit statuses.
+
+namespace {
+
+struct Run {
+  int status;
+  std::string out;
+  std::string err;
+};
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+void write_file(const fs::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// A fresh directory, the working directory of the program, with a few curves in it.
+class Workshop {
+ public:
+  Workshop() {
+    std::string name = (fs::temp_directory_path() / "phrame-test-XXXXXX").string();
+    REQUIRE(mkdtemp(name.data()) != nullptr);
+    path_ = name;
+    const Json quintic = {{"phrame", "curve/1"},
+                          {"name", "quintic"},
+                          {"basis", "bernstein"},
+                          {"preimage", test::farouki_2003()["quintic"]["bernstein"]}};
+    write("quintic.json", quintic.dump());
+    write("line.json", R"({"phrame": "curve/1", "basis": "power",
+                           "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})");
+    // A = 1 + t²k: g = 2t, an inflection at t = 0.
+    write("inflected.json", R"({"phrame": "curve/1", "basis": "power",
+                                "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, 0, 1]}})");
+  }
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+  ~Workshop() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+    fs::remove_all(streams(), ignored);
+  }
+
+  fs::path file(const std::string& name) const { return path_ / name; }
+  void write(const std::string& name, const std::string& bytes) const {
+    write_file(file(name), bytes);
+  }
+  /// The names of the files in the directory.
+  std::vector<std::string> names() const {
+    std::vector<std::string> result;
+    for (const auto& entry : fs::directory_iterator(path_))
+      result.push_back(entry.path().filename().string());
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  /// Runs the program through the shell; a later redirection in `arguments` overrides ours.
+  Run run(const std::string& arguments, const std::string& input = "") const {
+    const char* program = std::getenv("PHRAME_PROGRAM");
+    REQUIRE_MESSAGE(program != nullptr, "the environment variable PHRAME_PROGRAM is not set");
+    fs::create_directory(streams());
+    write_file(streams() / "in", input);
+    const std::string s = streams().string();
+    const std::string command = "cd '" + path_.string() + "' && '" + program + "' <'" + s +
+                                "/in' >'" + s + "/out' 2>'" + s + "/err' " + arguments;
+    const int status = std::system(command.c_str());
+    REQUIRE(WIFEXITED(status));  // a shell reports a signal as 128 + its number
+    return {WEXITSTATUS(status), bytes_of(streams() / "out"), bytes_of(streams() / "err")};
+  }
+
+ private:
+  fs::path streams() const { return path_.string() + ".streams"; }
+
+  fs::path path_;
+};
+
+bool contains(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Fails with that status, one line on stderr that contains `part`, and nothing on stdout.
+void check_failure(const Run& run, int status, std::string_view part) {
+  CAPTURE(run.out);
+  CAPTURE(run.err);
+  CHECK(run.status == status);
+  CHECK(run.out.empty());
+  CHECK(run.err.starts_with("phrame: "));
+  CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
+  CHECK(run.err.ends_with('\n'));
+  CHECK(contains(run.err, part));
+}
+
+void check_success(const Run& run) {
+  CAPTURE(run.err);
+  CHECK(run.status == 0);
+  CHECK(run.err.empty());
+  CHECK_FALSE(run.out.empty());
+}
+
+Json values(const Run& run) {
+  check_success(run);
+  return Json::parse(run.out)["values"];
+}
+
+}  // namespace
+
+TEST_CASE("program: each command succeeds on the paper's quintic") {
+  const Workshop here;
+  const Run angle = here.run("angle quintic.json --at 0,1/2,1");
+  check_success(angle);
+  // The 2003 paper's angles, 0.13516216082994722857… and 0.28585653009834106200…, in 17 digits.
+  CHECK(contains(angle.out, "  1/2   0.13516216082994723\n"));
+  CHECK(contains(angle.out, "  1     0.28585653009834106\n"));
+  const Run info = here.run("info quintic.json --digits 12");
+  check_success(info);
+  CHECK(contains(info.out, "71/15"));
+  CHECK(contains(info.out, "-0.285856530098\n"));
+  const Run frames = here.run("frames quintic.json --samples 11");
+  check_success(frames);
+  CHECK(std::count(frames.out.begin(), frames.out.end(), '\n') == 12);
+  CHECK(frames.out.starts_with("t,x,y,z,e1x,e1y,e1z,f2x,f2y,f2z,f3x,f3y,f3z\n0,0,0,0,"));
+}
+
+TEST_CASE("program: help and version succeed, for each command") {
+  const Workshop here;
+  for (const std::string command : {"", "angle", "info", "frames"}) {
+    CAPTURE(command);
+    const Run help = here.run(command + " --help");
+    check_success(help);
+    CHECK(contains(help.out, "Usage: phrame"));
+    CHECK(contains(help.out, command.empty() ? "Exit status: 0 done" : "Example"));
+    CHECK_FALSE(contains(help.out, "INT"));
+    const Run version = here.run(command + " --version");
+    check_success(version);
+    CHECK(version.out.starts_with("phrame 0."));
+    CHECK(std::count(version.out.begin(), version.out.end(), '\n') == 1);
+  }
+  CHECK(contains(here.run("--help").out, "angle"));
+  CHECK(contains(here.run("angle -h").out, "--theta0"));
+}
+
+TEST_CASE("program: what is typed wrongly is refused by name") {
+  const Workshop here;
+  check_failure(here.run(""), 2, "a command is needed: there are angle, info and frames");
+  check_failure(here.run("angel quintic.json"), 2, "\"angel\" is not a command");
+  check_failure(here.run("''"), 2, "\"\" is not a command");
+  check_failure(here.run("--frobnicate"), 2, "--frobnicate");
+  check_failure(here.run("angle quintic.json --frobnicate"), 2,
+                "--frobnicate (phrame angle --help)");
+  check_failure(here.run("angle"), 2, "CURVE is required");
+  check_failure(here.run("angle quintic.json line.json"), 2, "line.json");
+  check_failure(here.run("frames quintic.json"), 2, "--samples N or --at");
+  check_failure(here.run("angle quintic.json --frame rmf"), 2,
+                "--frame: \"rmf\" is not one of erf, frenet");
+  check_failure(here.run("angle quintic.json --form best"), 2,
+                "--form: \"best\" is not one of auto,");
+  check_failure(here.run("angle quintic.json --print npy"), 2,
+                "--print: \"npy\" is not one of text,");
+  check_failure(here.run("info quintic.json --print latex"), 2, "--print: \"latex\" is not one of");
+  check_failure(here.run("frames quintic.json --at 0 --format xls"), 2, "--format: \"xls\"");
+  check_failure(here.run("frames quintic.json --at 0 --frame rmf,,erf"), 2, "--frame: \"\" is not");
+}
+
+TEST_CASE("program: options with numbers refuse what is none or too large") {
+  const Workshop here;
+  for (const char* digits : {"0", "-1", "abc", "1.5", "100001", "99999999999999999999", "''"})
+    check_failure(here.run(std::string("angle quintic.json --digits ") + digits), 2, "--digits");
+  for (const char* samples : {"0", "1", "-5", "abc", "99999999999999999999"})
+    check_failure(here.run(std::string("angle quintic.json --samples ") + samples), 2, "--samples");
+  check_failure(here.run("angle quintic.json --max-degree 0"), 2, "--max-degree");
+  check_failure(here.run("angle quintic.json --theta0 pi"), 2, "--theta0: \"pi\" is not a number");
+}
+
+TEST_CASE("program: every value of --at must be a number, an empty one is none") {
+  const Workshop here;
+  check_failure(here.run("angle quintic.json --at 1/0"), 2, "--at: \"1/0\" divides by zero");
+  check_failure(here.run("angle quintic.json --at ''"), 2, "--at: \"\" is not a number");
+  check_failure(here.run("angle quintic.json --at 1,,2"), 2, "--at: \"\" is not a number");
+  check_failure(here.run("angle quintic.json --at 1,"), 2, "--at: \"\" is not a number");
+  check_failure(here.run("angle quintic.json --at ,1"), 2, "--at: \"\" is not a number");
+  check_failure(here.run("angle quintic.json --at nan"), 2, "--at: \"nan\" is not a number");
+  check_failure(here.run("angle quintic.json --at 1,x"), 2, "--at: \"x\" is not a number");
+}
+
+TEST_CASE("program: t may be negative, repeated, and given in pieces") {
+  const Workshop here;
+  const Json some =
+      values(here.run("angle quintic.json --print json --at -1/2,0 --at -.5,1 --samples 3"));
+  std::vector<std::string> t;
+  for (const Json& value : some) t.push_back(value["t"]);
+  CHECK(t == std::vector<std::string>{"-1/2", "0", "-1/2", "1", "0", "1/2", "1"});
+  CHECK(some[0] == some[2]);
+  CHECK(some[3] == some[6]);
+  // Before the curve, too: one list does not swallow what follows.
+  CHECK(values(here.run("angle --print json --at 0,1 quintic.json")).size() == 2);
+}
+
+// θ′ = 8t(1 − t)/σ: from 1 on negative, and ∫ to infinity is finite; from 0, with σ = 6 − 12t + …,
+// θ = ∫(4/3)(t − t²)(1 + 2t + …) = (2/3)t² + (4/9)t³ + O(t⁴), the term in t⁴ being 10⁻⁶⁰ times
+// smaller.
+TEST_CASE("program: huge and tiny t are no harder") {
+  const Workshop here;
+  const Json some =
+      values(here.run("angle quintic.json --print json --digits 50 --at 1e-30,1e30,1e31"));
+  const Rational t = test::power_of_ten(-30);
+  const Rational series = Rational(2, 3) * t * t + Rational(4, 9) * t * t * t;
+  const Rational theta = test::rational(some[0]["theta"]);
+  CHECK(test::digit_count(some[0]["theta"]) == 50);
+  CHECK(abs(theta - series) <= test::last_place(series, 50) / 2 + 10 * t * t * t * t);
+  // Beyond T, |θ′| = 8t(t − 1)/σ < 8/(37t²)·2, so that less than 1/(2T) is left.
+  const Rational far = test::rational(some[1]["theta"]);
+  const Rational farther = test::rational(some[2]["theta"]);
+  CHECK(farther < far);
+  CHECK(far - farther < t / 2);
+  CHECK(far > 0);
+}
+
+TEST_CASE("program: a t beyond the limits is undecided, and named") {
+  const Workshop here;
+  check_failure(here.run("angle quintic.json --at 1e-100000"), 4, "theta at t = 1/1000");
+  check_failure(here.run("frames quintic.json --at 1e200"), 4, "beyond the range of doubles");
+}
+
+TEST_CASE("program: many values of t") {
+  const Workshop here;
+  const Run run = here.run("frames quintic.json --samples 2001");
+  check_success(run);
+  CHECK(std::count(run.out.begin(), run.out.end(), '\n') == 2002);
+  CHECK(values(here.run("angle quintic.json --print json --samples 501")).size() == 501);
+}
+
+// θ(1) − 1/3 with θ(1) of the paper, to 50 digits.
+TEST_CASE("program: --theta0 is added, exactly") {
+  const Workshop here;
+  const Json some =
+      values(here.run("angle quintic.json --print json --theta0 -1/3 --digits 40 --at 0,1"));
+  CHECK(some[0]["theta"] == "-0." + std::string(40, '3'));
+  const Rational truth =
+      test::rational(test::farouki_2003()["quintic"]["theta_RMF_rel_ERF"]["1"]) - Rational(1, 3);
+  const Rational error = abs(test::rational(some[1]["theta"]) - truth);
+  CHECK(error <= test::last_place(truth, 40) / 2 + test::power_of_ten(-50));
+  CHECK(error <= test::rational(some[1]["radius"]) + test::power_of_ten(-50));
+  // θ(1) = 0.28585653009834106200165…: the first 17 digits cancel.
+  const Json rest = values(
+      here.run("angle quintic.json --print json --theta0 -0.28585653009834106 --digits 4 --at 1"));
+  CHECK(rest[0]["theta"] == "2.002e-18");
+}
+
+TEST_CASE("program: a curve is read from standard input") {
+  const Workshop here;
+  const std::string quintic = bytes_of(here.file("quintic.json"));
+  CHECK(here.run("info -", quintic).out == here.run("info quintic.json").out);
+  check_failure(here.run("info -", ""), 2, "phrame: standard input:1:0: not valid JSON");
+  check_failure(here.run("info - <&-"), 2, "phrame: standard input: cannot be read");
+}
+
+TEST_CASE("program: bad curve files are refused with file, place and value") {
+  const Workshop here;
+  here.write("bad.json", R"({"phrame": "curve/1", "basis": "power",
+                             "preimage": {"u": [1, "1/0"], "v": [0], "p": [0], "q": [0]}})");
+  check_failure(here.run("angle bad.json"), 2,
+                "phrame: bad.json:/preimage/u/1: \"1/0\" divides by zero");
+  here.write("cut.json", bytes_of(here.file("quintic.json")).substr(0, 40));
+  check_failure(here.run("angle cut.json"), 2, "phrame: cut.json:1:");
+  here.write("empty.json", "");
+  check_failure(here.run("angle empty.json"), 2, "phrame: empty.json:1:0: not valid JSON");
+  here.write("deep.json", std::string(1'000'000, '['));
+  check_failure(here.run("angle deep.json"), 2, "nested deeper than 32 levels");
+  std::string ones = "1";
+  for (int k = 0; k < 100'000; ++k) ones += ",1";
+  here.write("long.json", R"({"phrame": "curve/1", "basis": "power", "preimage": {"u": [)" + ones +
+                              R"(], "v": [0], "p": [0], "q": [0]}})");
+  check_failure(here.run("angle long.json"), 2, "beyond the limit 1001; --max-degree raises it");
+  check_failure(here.run("angle quintic.json --max-degree 4"), 2,
+                "quintic.json:/: the curve has degree 5, the limit is 4");
+}
+
+TEST_CASE("program: files that cannot be read are refused with the reason") {
+  const Workshop here;
+  check_failure(here.run("angle missing.json"), 2,
+                "phrame: missing.json: cannot be read: No such file or directory");
+  check_failure(here.run("angle ."), 2, "phrame: .: is a directory");
+  check_failure(here.run("angle ''"), 2, "phrame: \"\": cannot be read");
+  check_failure(here.run("angle quintic.json/x"), 2, "cannot be read: Not a directory");
+  fs::permissions(here.file("line.json"), fs::perms::none);
+  if (!std::ifstream(here.file("line.json")))  // root reads everything
+    check_failure(here.run("angle line.json"), 2, "line.json: cannot be read: Permission denied");
+}
+
+TEST_CASE("program: control characters in names do not reach the terminal") {
+  const Workshop here;
+  check_failure(here.run("angle \"$(printf 'a\\nb\\033[31m')\""), 2,
+                "phrame: a?b?[31m: cannot be read");
+  check_failure(here.run("angle quintic.json \"$(printf 'a\\nb')\""), 2, "a?b");
+  here.write("named.json", R"({"phrame": "curve/1", "name": "x\u001b[31m\ny", "basis": "power",
+                               "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})");
+  CHECK(here.run("info named.json").out.starts_with("x?[31m?y: line segment"));
+}
+
+TEST_CASE("program: what is undefined has status 3 and its reason") {
+  const Workshop here;
+  check_failure(here.run("angle line.json --frame frenet --at 1"), 3, "straight line");
+  check_failure(here.run("frames line.json --frame frenet --at 1"), 3, "straight line");
+  check_failure(here.run("frames inflected.json --frame frenet --samples 3"), 3,
+                "t = 0 is an inflection");
+  check_success(here.run("angle inflected.json --frame frenet --samples 3"));
+  check_success(here.run("frames inflected.json --frame rmf,erf --samples 3"));
+  check_success(here.run("frames inflected.json --frame frenet --at 1/2,1"));
+}
+
+TEST_CASE("program: a failure leaves an existing target as it was") {
+  const Workshop here;
+  here.write("out", "before");
+  check_failure(here.run("frames inflected.json --frame frenet --samples 3 -o out"), 3,
+                "inflection");
+  check_failure(here.run("angle missing.json -o out"), 2, "missing.json");
+  CHECK(bytes_of(here.file("out")) == "before");
+  CHECK(here.names() ==
+        std::vector<std::string>{"inflected.json", "line.json", "out", "quintic.json"});
+}
+
+TEST_CASE("program: -o writes what standard output would get, and nothing else") {
+  const Workshop here;
+  const Run direct = here.run("frames quintic.json --samples 5 --format npy");
+  check_success(direct);
+  here.write("out", std::string(100'000, 'x'));
+  const Run run = here.run("frames quintic.json --samples 5 --format npy -o out");
+  CHECK(run.status == 0);
+  CHECK(run.out.empty());
+  CHECK(run.err.empty());
+  CHECK(bytes_of(here.file("out")) == direct.out);
+  CHECK(here.run("frames quintic.json --samples 5 --format npy --output new").status == 0);
+  CHECK(bytes_of(here.file("new")) == direct.out);
+  CHECK(here.run("info quintic.json -o -").out == here.run("info quintic.json").out);
+  CHECK(here.names() ==
+        std::vector<std::string>{"inflected.json", "line.json", "new", "out", "quintic.json"});
+}
+
+// Another name of the old file still shows the old bytes: it was replaced, not written into.
+TEST_CASE("program: -o replaces an existing file in one step") {
+  const Workshop here;
+  here.write("out", "before");
+  fs::create_hard_link(here.file("out"), here.file("old"));
+  CHECK(here.run("info quintic.json -o out").status == 0);
+  CHECK(bytes_of(here.file("old")) == "before");
+  CHECK(bytes_of(here.file("out")) == here.run("info quintic.json").out);
+  // Even the curve itself, which was read before.
+  CHECK(here.run("info quintic.json -o quintic.json").status == 0);
+  CHECK(bytes_of(here.file("quintic.json")) == bytes_of(here.file("out")));
+}
+
+TEST_CASE("program: -o keeps the permissions of what it replaces, and goes through a link") {
+  const Workshop here;
+  here.write("out", "before");
+  const auto mode = fs::perms::owner_read | fs::perms::owner_write;
+  fs::permissions(here.file("out"), mode);
+  fs::create_symlink("out", here.file("link"));
+  CHECK(here.run("info quintic.json -o link").status == 0);
+  CHECK(fs::is_symlink(here.file("link")));
+  CHECK(bytes_of(here.file("out")) == here.run("info quintic.json").out);
+  CHECK(fs::status(here.file("out")).permissions() == mode);
+}
+
+TEST_CASE("program: what cannot be written is refused and leaves nothing behind") {
+  const Workshop here;
+  const auto before = here.names();
+  check_failure(here.run("info quintic.json -o nowhere/out"), 2, "nowhere/out: cannot be written");
+  check_failure(here.run("info quintic.json -o ."), 2, ".: cannot be written: Is a directory");
+  check_failure(here.run("info quintic.json -o ''"), 2, "\"\": cannot be written");
+  check_failure(here.run("info quintic.json -o quintic.json/out"), 2, "cannot be written");
+  check_failure(here.run("info quintic.json -o " + std::string(300, 'x')), 2, "cannot be written");
+  CHECK(here.names() == before);
+  fs::create_directory(here.file("locked"));
+  fs::permissions(here.file("locked"), fs::perms::owner_read | fs::perms::owner_exec);
+  if (!std::ofstream(here.file("locked") / "probe"))  // root writes everywhere
+    check_failure(here.run("info quintic.json -o locked/out"), 2, "Permission denied");
+}
+
+TEST_CASE("program: a full disk is an error") {
+  const Workshop here;
+  if (!fs::exists("/dev/full")) return;
+  check_failure(here.run("info quintic.json >/dev/full"), 2,
+                "standard output: cannot be written: No space left");
+  check_failure(here.run("info quintic.json -o /dev/full"), 2, "/dev/full: cannot be written");
+  check_failure(here.run("frames quintic.json --samples 2001 >/dev/full"), 2, "cannot be written");
+  check_failure(here.run("--help >/dev/full"), 2, "standard output: cannot be written");
+  check_failure(here.run("angle --version >/dev/full"), 2, "standard output: cannot be written");
+}
+
+TEST_CASE("program: a closed standard output is an error, unless nothing is written to it") {
+  const Workshop here;
+  check_failure(here.run("info quintic.json >&-"), 2, "standard output: cannot be written");
+  check_failure(here.run("--version >&-"), 2, "standard output: cannot be written");
+  CHECK(here.run("info quintic.json -o out >&-").status == 0);
+  CHECK(bytes_of(here.file("out")) == here.run("info quintic.json").out);
+}
+
+TEST_CASE("program: a closed or full standard error changes no exit status") {
+  const Workshop here;
+  CHECK(here.run("angle missing.json 2>&-").status == 2);
+  CHECK(here.run("angle line.json --frame frenet 2>&-").status == 3);
+  CHECK(here.run("--frobnicate 2>&-").status == 2);
+  if (fs::exists("/dev/full")) CHECK(here.run("angle missing.json 2>/dev/full").status == 2);
+}
+
+TEST_CASE("program: --form changes how the angle is written, not its values") {
+  const Workshop here;
+  const std::string common = "angle quintic.json --print json --samples 5 --form ";
+  const Json poles = values(here.run(common + "partial-fractions"));
+  CHECK(values(here.run(common + "rothstein-trager")) == poles);
+  CHECK(values(here.run(common + "auto")) == poles);
+}
