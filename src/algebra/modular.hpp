@@ -16,7 +16,11 @@ class ModularPolynomial {
   ModularPolynomial(ModularPolynomial&& other) noexcept : ModularPolynomial(other.prime()) {
     nmod_poly_swap(raw(), other.raw());
   }
-  ModularPolynomial& operator=(ModularPolynomial other) noexcept {
+  ModularPolynomial& operator=(const ModularPolynomial& other) {
+    nmod_poly_set(raw(), other.raw());
+    return *this;
+  }
+  ModularPolynomial& operator=(ModularPolynomial&& other) noexcept {
     nmod_poly_swap(raw(), other.raw());
     return *this;
   }

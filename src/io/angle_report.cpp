@@ -30,7 +30,7 @@ std::string readable(const Bivariate& v) {
     const std::string power = k == 0 ? "" : formatted(Polynomial::monomial(1, k), unicode);
     const std::string factor = formatted(c, unicode, "x");
     if (!text.empty()) text += " + ";
-    text += c == Polynomial{1} && k > 0 ? power : "(" + factor + ")" + power;
+    text += c == Polynomial{1} && k > 0 ? power : fmt::format("({}){}", factor, power);
     if (text_width(text) > 240) return fmt::format("⟨degree {} in t⟩", v.degree());
   }
   return text;
@@ -38,7 +38,7 @@ std::string readable(const Bivariate& v) {
 
 /// n/d with parentheses where they are needed.
 std::string quotient(const RationalFunction& f) {
-  const std::string n = readable_factors(f.numerator());
+  std::string n = readable_factors(f.numerator());
   if (f.is_polynomial()) return n;
   const bool sum = f.numerator() != Polynomial::monomial(f.numerator().leading_coefficient(),
                                                          std::max(0L, f.numerator().degree())) &&

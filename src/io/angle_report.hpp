@@ -28,6 +28,6 @@ std::string to_json(const AngleReport& report);   ///< angle/1
 std::string form_name(const Antiderivative& F);
 
 /// "PH quintic, degree 5", the heading of a report.
-std::string heading(const NamedCurve& curve);
+std::string heading(const NamedCurve& named);
 
 }  // namespace phrame

@@ -15,7 +15,7 @@ struct CurveInfo {
 };
 
 /// Computes the two integrals to `digits` digits.
-CurveInfo curve_info(const NamedCurve& curve, long digits);
+CurveInfo curve_info(const NamedCurve& named, long digits);
 
 std::string to_text(const CurveInfo& info);
 std::string to_json(const CurveInfo& info);  ///< info/1

@@ -65,7 +65,7 @@ RmfAngle::RmfAngle(const Curve& curve, Reference reference, Form form)
 }
 
 RealBall RmfAngle::enclose(const Rational& t, long bits) {
-  const RealBall twist = evaluator_.difference(0, t, bits + 1);
+  RealBall twist = evaluator_.difference(0, t, bits + 1);
   if (!argument_) return twist;
   return add(twist, argument_->difference(t, bits + 32), bits + 32);
 }

@@ -21,10 +21,10 @@ class RmfAngle {
  public:
   /// Throws DomainError for the Frenet frame of a straight line.
   RmfAngle(const Curve& curve, Reference reference, Form form = Form::automatic);
-  RmfAngle(RmfAngle&&) = default;
-  RmfAngle& operator=(RmfAngle&&) = default;
-  RmfAngle(const RmfAngle&) = delete;  // a Real from value() refers to its angle
+  // Stays where it is: a Real from value() refers to its angle.
+  RmfAngle(const RmfAngle&) = delete;
   RmfAngle& operator=(const RmfAngle&) = delete;
+  ~RmfAngle() = default;
 
   /// θ′ in lowest terms.
   const RationalFunction& rate() const { return rate_; }
