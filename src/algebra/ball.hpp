@@ -19,7 +19,6 @@ class RealBall {
   bool is_finite() const { return arb_is_finite(raw()) != 0; }
   bool contains(const Rational& x) const;
   bool contains_zero() const { return arb_contains_zero(raw()) != 0; }
-  bool is_positive() const { return arb_is_positive(raw()) != 0; }
   bool overlaps(const RealBall& other) const { return arb_overlaps(raw(), other.raw()) != 0; }
   /// The relative accuracy in bits; a large negative number for a ball that contains 0.
   long accuracy_bits() const { return arb_rel_accuracy_bits(raw()); }

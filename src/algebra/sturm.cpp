@@ -8,6 +8,17 @@
 namespace phrame {
 namespace {
 
+/// The number of sign changes in a sequence, zeros skipped.
+struct SignChanges {
+  long count = 0;
+  int last = 0;
+
+  void see(int sign) {
+    if (sign != 0 && sign == -last) ++count;
+    if (sign != 0) last = sign;
+  }
+};
+
 int sign_at(const fmpz_poly_t p, const fmpq_t t) {
   flint::Fmpq value;
   fmpz_poly_evaluate_fmpq(value.get(), p, t);
@@ -17,18 +28,6 @@ int sign_at(const fmpz_poly_t p, const fmpq_t t) {
 int sign_at(const Polynomial& p, const Rational& t) {
   const Rational value = p(t);
   return value < 0 ? -1 : value > 0 ? 1 : 0;
-}
-
-template <class SignOf>
-long sign_changes(const std::vector<flint::FmpzPoly>& chain, SignOf sign_of) {
-  long changes = 0;
-  int last = 0;
-  for (const auto& p : chain) {
-    const int sign = sign_of(p);
-    if (sign != 0 && sign == -last) ++changes;
-    if (sign != 0) last = sign;
-  }
-  return changes;
 }
 
 /// A number beyond every root of p in absolute value: Cauchy's 1 + max |c_k/c_n|.
@@ -52,14 +51,10 @@ long descartes_bound(const Polynomial& p, const Rational& a, const Rational& b) 
   fmpz_one(one.get());
   fmpz_poly_reverse(shifted.get(), on_unit.get(), fmpz_poly_length(on_unit.get()));
   fmpz_poly_taylor_shift(shifted.get(), shifted.get(), one.get());
-  long changes = 0;
-  int last = 0;
-  for (slong k = 0; k < fmpz_poly_length(shifted.get()); ++k) {
-    const int sign = fmpz_sgn(fmpz_poly_get_coeff_ptr(shifted.get(), k));
-    if (sign != 0 && sign == -last) ++changes;
-    if (sign != 0) last = sign;
-  }
-  return changes;
+  SignChanges changes;
+  for (slong k = 0; k < fmpz_poly_length(shifted.get()); ++k)
+    changes.see(fmpz_sgn(fmpz_poly_get_coeff_ptr(shifted.get(), k)));
+  return changes.count;
 }
 
 bool is_empty(const Interval& i) {
@@ -126,14 +121,9 @@ SturmChain::SturmChain(const Polynomial& p, const Polynomial& q) {
 long SturmChain::variations(const Rational& t) const {
   flint::Fmpq at;
   assign(at.get(), t);
-  return sign_changes(chain_, [&](const flint::FmpzPoly& p) { return sign_at(p.get(), at.get()); });
-}
-
-long SturmChain::variations_at_infinity(bool positive) const {
-  return sign_changes(chain_, [&](const flint::FmpzPoly& p) {
-    const int sign = fmpz_sgn(fmpz_poly_lead(p.get()));
-    return positive || fmpz_poly_degree(p.get()) % 2 == 0 ? sign : -sign;
-  });
+  SignChanges changes;
+  for (const flint::FmpzPoly& p : chain_) changes.see(sign_at(p.get(), at.get()));
+  return changes.count;
 }
 
 long count_real_roots(const Polynomial& p, const Interval& interval) {

@@ -47,8 +47,6 @@ class SturmChain {
 
   /// The number of sign changes at t (zeros are skipped).
   long variations(const Rational& t) const;
-  /// At −∞ and at +∞.
-  long variations_at_infinity(bool positive) const;
 
  private:
   std::vector<flint::FmpzPoly> chain_;

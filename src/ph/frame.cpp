@@ -39,8 +39,10 @@ Vector<Real> over_square_root(const Vector<Rational>& v, const Rational& s) {
 Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t) {
   const Polynomial common = real_content(curve.preimage());
   const auto& [u, v, p, q] = curve.preimage();
-  const RationalQuaternion a{exact_quotient(u, common)(t), exact_quotient(v, common)(t),
-                             exact_quotient(p, common)(t), exact_quotient(q, common)(t)};
+  const RationalQuaternion a =
+      evaluate(QuaternionPolynomial{exact_quotient(u, common), exact_quotient(v, common),
+                                    exact_quotient(p, common), exact_quotient(q, common)},
+               t);
   const Rational scale = 1 / norm(a);
   const Vector<Rational> zero{};
   return {combine(scale, rotated_i(a), 0, zero), combine(scale, rotated_j(a), 0, zero),
