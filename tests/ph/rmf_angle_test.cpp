@@ -46,8 +46,9 @@ TEST_CASE("angle: every curve of the collection, both frames, 50 digits") {
   std::ifstream file(PHRAME_TEST_DATA "/curves.jsonl");
   long count = 0;
   for (std::string line; std::getline(file, line);) {
-    const auto [name, curve] = read_curve(line);
-    CAPTURE(name);
+    const NamedCurve named = read_curve(line);
+    const Curve& curve = named.curve;
+    CAPTURE(named.name);
     const auto expected = nlohmann::json::parse(line).at("expected");
     RmfAngle erf(curve, Reference::erf);
     CHECK(agree(fifty(erf, 1), expected.at("theta_erf_1")));
