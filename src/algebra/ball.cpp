@@ -35,6 +35,14 @@ bool RealBall::contains(const Rational& x) const {
   return arb_contains_fmpq(raw(), value.get()) != 0;
 }
 
+bool RealBall::is_accurate(long bits) const {
+  flint::Mag allowed;
+  arb_get_mag_lower(allowed.get(), raw());
+  if (mag_cmp_2exp_si(allowed.get(), 0) < 0) mag_one(allowed.get());
+  mag_mul_2exp_si(allowed.get(), allowed.get(), -bits);
+  return is_finite() && mag_cmp(arb_radref(raw()), allowed.get()) <= 0;
+}
+
 RealBall add(const RealBall& a, const RealBall& b, long bits) {
   RealBall c;
   arb_add(c.raw(), a.raw(), b.raw(), bits);

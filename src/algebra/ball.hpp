@@ -20,6 +20,8 @@ class RealBall {
   bool contains(const Rational& x) const;
   bool contains_zero() const { return arb_contains_zero(raw()) != 0; }
   bool overlaps(const RealBall& other) const { return arb_overlaps(raw(), other.raw()) != 0; }
+  /// Is the radius ≤ 2^−bits · max(1, |x|) for every x in the ball?
+  bool is_accurate(long bits) const;
   /// The relative accuracy in bits; a large negative number for a ball that contains 0.
   long accuracy_bits() const { return arb_rel_accuracy_bits(raw()); }
 

@@ -108,11 +108,7 @@ RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) 
   for (long precision = bits + 24;; precision = std::min(end, precision + precision / 2)) {
     prepare(precision);
     RealBall value = add(RealBall(rational, precision), log_difference(a, b, precision), precision);
-    flint::Mag allowed;  // 2^−bits · max(1, |value|)
-    arb_get_mag_lower(allowed.get(), value.raw());
-    if (mag_cmp_2exp_si(allowed.get(), 0) < 0) mag_one(allowed.get());
-    mag_mul_2exp_si(allowed.get(), allowed.get(), -bits);
-    if (value.is_finite() && mag_cmp(arb_radref(value.raw()), allowed.get()) <= 0) return value;
+    if (value.is_accurate(bits)) return value;
     if (precision == end)
       throw Undecided(
           fmt::format("definite integral from {} to {}: {} bits of precision do not "
@@ -122,17 +118,21 @@ RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) 
 }
 
 /// Λ = Σ c(z) log((b − z)/(a − z)) grouped by equal residues α is Σ α·L(α), where L(α) is a value
-/// of log(v(α, b)/v(α, a)), v as in Rothstein–Trager's form. If v(α, a) = v(α, b), exactly, then
-/// L(α) = 2πi·k with a whole k, which a ball narrower than a turn determines. All k = 0 proves
-/// Λ = 0. Poles z and z̄ turn in opposite directions, so k = 0 for a real α, and for an α above the
-/// real axis 2πk = Σ_{c(z)=α} arg − Σ_{c(z)=ᾱ} arg over the poles z above it.
+/// of log(v(α, b)/v(α, a)), v as in Rothstein–Trager's form. If v(α, b) = r·v(α, a) with r ∈ ℚ,
+/// exactly, then L(α) = log|r| + πi·k with a whole k, which a ball narrower than half a turn
+/// determines. So all k = 0 and, for every irreducible q, log|r| = 0 or Σ_{q(α)=0} α = 0 prove Λ =
+/// 0. Poles z and z̄ turn in opposite directions, so k = 0 for a real α, and for an α above the real
+/// axis πk = Σ_{c(z)=α} arg − Σ_{c(z)=ᾱ} arg over the poles z above it.
 bool Evaluator::logs_cancel(const Rational& a, const Rational& b) const {
   std::vector<LogSum> sums;
   for (const Poles& p : poles_) sums.push_back(rothstein_trager({p.numerator, p.denominator}));
   Polynomial residues{1};
   for (const LogSum& sum : merge_equal_residues(std::move(sums))) {
-    if (!(evaluate_at(sum.argument, a) % sum.index == evaluate_at(sum.argument, b) % sum.index))
-      return false;
+    const Polynomial at_a = evaluate_at(sum.argument, a) % sum.index;
+    const Polynomial at_b = evaluate_at(sum.argument, b) % sum.index;
+    const Rational ratio = at_b.leading_coefficient() / at_a.leading_coefficient();
+    if (!(at_b == ratio * at_a)) return false;
+    if (abs(ratio) != 1 && QuotientRing(sum.index).trace(sum.residue) != 0) return false;
     residues *= sum.index;
   }
   const Roots alphas = isolate_roots(residues, precision_);

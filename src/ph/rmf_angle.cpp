@@ -65,9 +65,16 @@ RmfAngle::RmfAngle(const Curve& curve, Reference reference, Form form)
 }
 
 RealBall RmfAngle::enclose(const Rational& t, long bits) {
-  RealBall twist = evaluator_.difference(0, t, bits + 1);
-  if (!argument_) return twist;
-  return add(twist, argument_->difference(t, bits + 32), bits + 32);
+  return enclose_sum([&](long more) { return evaluator_.difference(0, t, more); }, t, bits);
+}
+
+/// The two parts may nearly cancel: the precision rises until their sum is as accurate as asked.
+RealBall RmfAngle::enclose_sum(const Real::Enclosure& twist, const Rational& t, long bits) {
+  if (!argument_) return twist(bits);
+  for (long more = bits + 8;; more += 64) {
+    RealBall sum = add(twist(more), argument_->difference(t, more), more);
+    if (sum.is_accurate(bits)) return sum;
+  }
 }
 
 Real RmfAngle::value(const Rational& t) {
@@ -75,7 +82,7 @@ Real RmfAngle::value(const Rational& t) {
   Real twist = evaluator_.value(0, t);
   if (!argument_ || (twist.exact() && argument_->is_zero_at(t))) return twist;
   return Real([this, t, twist](long bits) {
-    return add(twist.enclose(bits + 1), argument_->difference(t, bits + 32), bits + 32);
+    return enclose_sum([&](long more) { return twist.enclose(more); }, t, bits);
   });
 }
 

@@ -44,6 +44,8 @@ class RmfAngle {
   RealBall enclose(const Rational& t, long bits);
 
  private:
+  RealBall enclose_sum(const Real::Enclosure& twist, const Rational& t, long bits);
+
   RationalFunction rate_;
   Antiderivative twist_;
   Antiderivative antiderivative_;

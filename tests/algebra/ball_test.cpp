@@ -48,6 +48,17 @@ TEST_CASE("ball: law: a polynomial at a Gaussian rational contains the exact val
   });
 }
 
+TEST_CASE("ball: accuracy is relative above 1 and absolute below") {
+  RealBall ball(1024, 64);
+  arb_add_error_2exp_si(ball.raw(), -10);
+  CHECK(ball.is_accurate(19));
+  CHECK_FALSE(ball.is_accurate(21));
+  RealBall small;
+  arb_add_error_2exp_si(small.raw(), -10);
+  CHECK(small.is_accurate(10));
+  CHECK_FALSE(small.is_accurate(11));
+}
+
 TEST_CASE("ball: zero, overlap and text") {
   CHECK(RealBall().contains_zero());
   CHECK_FALSE(RealBall(Rational(1, 3), 30).contains_zero());

@@ -62,6 +62,15 @@ TEST_CASE("definite: logarithms that cancel are seen to cancel") {
   const RationalFunction f(differentiate(w), pow(w, 3) + w + Polynomial{7});
   Evaluator composed(integrate(f + RationalFunction({1}, {4, 4, 1})));
   CHECK(composed.value(0, 1).exact() == Rational(1, 6));
+  // −2·arg of α = (8 − 3t + 7t²) + i(−6 − 2t − t²): α(1) = 12 − 9i is 3/2 times α(0) = 8 − 6i.
+  const Polynomial x{8, -3, 7};
+  const Polynomial y{-6, -2, -1};
+  Evaluator parallel(
+      integrate({Rational(-2) * (x * differentiate(y) - differentiate(x) * y), x * x + y * y}));
+  CHECK(parallel.value(0, 1).exact() == Rational(0));
+  // log(1 + t²) from 0 to 1 is log 2, although the ratio is rational.
+  Evaluator ratio(integrate({{0, 2}, {1, 0, 1}}));
+  CHECK_FALSE(ratio.value(0, 1).exact().has_value());
   // The logarithm's argument returns to its value, but the path has gone around 0: not 0.
   // ∫ from −1 to 1 of 4/(t² + 1) is 2π.
   Evaluator turn(integrate({{4}, {1, 0, 1}}));

@@ -161,6 +161,7 @@ TEST_CASE("angle: law: values are integrals of the rate, for every form and both
       CHECK(angle.value(0).exact() == Rational(0));
       const RealBall expected = test::quadrature(angle.rate(), 0, t, 60);
       CHECK(angle.enclose(t, 100).overlaps(expected));
+      CHECK(angle.enclose(t, 100).is_accurate(100));
       RmfAngle other(curve, reference, Form::rothstein_trager);
       CHECK(other.enclose(t, 100).overlaps(angle.enclose(t, 100)));
       CHECK(differentiate(other.antiderivative()) == angle.rate());
