@@ -45,8 +45,4 @@ RealBall ContinuousArgument::difference(const Rational& t, long bits) {
   return subtract(angle(turned), quarter, bits);
 }
 
-bool ContinuousArgument::is_zero_at(const Rational& t) {
-  return straight_.y(t) == 0 && straight_.half_turns(t) == 0;
-}
-
 }  // namespace phrame

@@ -18,9 +18,6 @@ class ContinuousArgument {
   /// factor and, where that is purely imaginary, a fixed rotation.
   RealBall difference(const Rational& t, long bits);
 
-  /// Is arg γ(t) = arg γ(0) exactly?
-  bool is_zero_at(const Rational& t);
-
  private:
   /// The parts of γ times a constant; x(0) > 0.
   struct Coordinates {

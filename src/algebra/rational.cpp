@@ -149,6 +149,14 @@ Rational exact_rational(double x) {
 
 std::string to_string(const Rational& x) { return x.str(); }
 
+std::optional<Rational> square_root(const Rational& x) {
+  if (x < 0) return std::nullopt;
+  const Integer n = sqrt(Integer(numerator(x)));
+  const Integer d = sqrt(Integer(denominator(x)));
+  const Rational root(n, d);
+  return root * root == x ? std::optional(root) : std::nullopt;
+}
+
 void assign(fmpq_t target, const Rational& source) {
   fmpq_set_mpq(target, source.backend().data());
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <boost/multiprecision/gmp.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -32,6 +33,9 @@ std::string to_string(const Rational& x);
 /// `text` as a one-line message can carry it: cut to `limit` bytes, control characters shown as
 /// '?'.
 std::string abbreviated(std::string_view text, std::size_t limit = 40);
+
+/// √x ≥ 0 where it is rational; no value where it is not, or x < 0.
+std::optional<Rational> square_root(const Rational& x);
 
 /// Between Boost's and FLINT's rationals.
 void assign(fmpq_t target, const Rational& source);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numbers>
 
 namespace phrame {
@@ -11,43 +13,72 @@ using Complex = std::complex<double>;
 
 Complex inverse(Complex z) { return std::conj(z) / std::norm(z); }
 
-/// The coefficients over the power of 2 of the largest; those below 2⁻¹⁰⁷⁴ of it become 0.
-std::vector<double> scaled_coefficients(const flint::FmpzPoly& f) {
+/// x·2^exponent. Beyond 2^±400 the exponent is cut: so far away it makes no difference, and squares
+/// stay finite.
+double scaled(double x, slong exponent) {
+  return std::ldexp(x, static_cast<int>(std::clamp<slong>(exponent, -400, 400)));
+}
+Complex scaled(Complex z, slong exponent) {
+  if (exponent == 0) return z;
+  return {scaled(z.real(), exponent), scaled(z.imag(), exponent)};
+}
+
+/// The coefficients of f, from the first that is not 0, as mantissas in ±[1/2, 1) or 0 times powers
+/// of 2.
+struct Coefficients {
   std::vector<double> mantissas;
   std::vector<slong> exponents;
-  for (slong k = 0; k <= fmpz_poly_degree(f.get()); ++k) {
-    slong exponent = 0;
-    mantissas.push_back(fmpz_get_d_2exp(&exponent, fmpz_poly_get_coeff_ptr(f.get(), k)));
-    exponents.push_back(exponent);
+
+  Coefficients(const flint::FmpzPoly& f, slong first) {
+    for (slong k = first; k <= fmpz_poly_degree(f.get()); ++k) {
+      slong exponent = 0;
+      mantissas.push_back(fmpz_get_d_2exp(&exponent, fmpz_poly_get_coeff_ptr(f.get(), k)));
+      exponents.push_back(exponent);
+    }
   }
-  const slong largest = *std::max_element(exponents.begin(), exponents.end());
-  for (std::size_t k = 0; k < mantissas.size(); ++k)
-    mantissas[k] =
-        std::ldexp(mantissas[k], static_cast<int>(std::max<slong>(exponents[k] - largest, -2000)));
-  return mantissas;
-}
+
+  double height(std::size_t k) const {  ///< log₂ |c_k|
+    return std::log2(std::abs(mantissas[k])) + static_cast<double>(exponents[k]);
+  }
+
+  /// The coefficients of f(2^scale · w) over the largest; those below 2⁻¹⁰⁷⁴ of it become 0.
+  std::vector<double> in_scale(slong scale) const {
+    std::vector<slong> shifted = exponents;
+    for (std::size_t k = 0; k < shifted.size(); ++k)
+      shifted[k] = mantissas[k] == 0 ? std::numeric_limits<slong>::min() / 2
+                                     : shifted[k] + scale * static_cast<slong>(k);
+    const slong largest = *std::max_element(shifted.begin(), shifted.end());
+    std::vector<double> c;
+    for (std::size_t k = 0; k < shifted.size(); ++k)
+      c.push_back(
+          std::ldexp(mantissas[k], static_cast<int>(std::max<slong>(shifted[k] - largest, -2000))));
+    return c;
+  }
+};
 
 /// Starting points on circles: the slopes of the upper convex hull of (k, log |c_k|) are about the
 /// sizes of the roots (Bini 1996).
-std::vector<Complex> starting_points(const std::vector<double>& c) {
-  const auto height = [&](std::size_t k) { return std::log(std::abs(c[k])); };
+std::vector<RootGuess> starting_points(const Coefficients& c) {
   std::vector<std::size_t> hull;
-  for (std::size_t k = 0; k < c.size(); ++k) {
-    if (c[k] == 0) continue;
+  for (std::size_t k = 0; k < c.mantissas.size(); ++k) {
+    if (c.mantissas[k] == 0) continue;
     const auto is_below = [&](std::size_t a, std::size_t b) {  // is b on or below the chord a – k?
-      return (height(b) - height(a)) * static_cast<double>(k - a) <=
-             (height(k) - height(a)) * static_cast<double>(b - a);
+      return (c.height(b) - c.height(a)) * static_cast<double>(k - a) <=
+             (c.height(k) - c.height(a)) * static_cast<double>(b - a);
     };
     while (hull.size() >= 2 && is_below(hull[hull.size() - 2], hull.back())) hull.pop_back();
     hull.push_back(k);
   }
-  std::vector<Complex> points;
+  std::vector<RootGuess> points;
   for (std::size_t edge = 1; edge < hull.size(); ++edge) {
     const auto count = static_cast<double>(hull[edge] - hull[edge - 1]);
-    const double radius = std::exp((height(hull[edge - 1]) - height(hull[edge])) / count);
+    const double size = (c.height(hull[edge - 1]) - c.height(hull[edge])) / count;
+    const double scale = std::round(size);
     for (std::size_t k = hull[edge - 1]; k < hull[edge]; ++k)
-      points.push_back(std::polar(radius, 2 * std::numbers::pi * static_cast<double>(k) / count +
-                                              0.7 * static_cast<double>(edge)));
+      points.push_back({std::polar(std::exp2(size - scale),
+                                   2 * std::numbers::pi * static_cast<double>(k) / count +
+                                       0.7 * static_cast<double>(edge)),
+                        static_cast<long>(scale)});
   }
   return points;
 }
@@ -69,23 +100,34 @@ Complex logarithmic_derivative(const std::vector<double>& c, Complex z) {
 
 }  // namespace
 
-std::vector<Complex> guess_roots(const flint::FmpzPoly& f) {
-  const std::vector<double> c = scaled_coefficients(f);
-  if (c.front() == 0 || c.back() == 0) return {};
-  std::vector<Complex> z = starting_points(c);
+// Each root is written in the scale it starts from, so that roots of very different sizes are found
+// together: f is scaled anew for each of these sizes.
+std::vector<RootGuess> guess_roots(const flint::FmpzPoly& f) {
+  slong zeros = 0;
+  while (fmpz_is_zero(fmpz_poly_get_coeff_ptr(f.get(), zeros)) != 0) ++zeros;
+  const Coefficients coefficients(f, zeros);
+  std::vector<RootGuess> roots = starting_points(coefficients);
+  std::map<long, std::vector<double>> c;
+  for (const RootGuess& z : roots)
+    if (!c.contains(z.scale)) c.emplace(z.scale, coefficients.in_scale(z.scale));
+
   constexpr int most_rounds = 100;
   for (int round = 0; round < most_rounds; ++round) {
     double largest_step = 0;
-    for (std::size_t k = 0; k < z.size(); ++k) {
+    for (RootGuess& z : roots) {
       Complex repulsion = 0;
-      for (std::size_t j = 0; j < z.size(); ++j)
-        if (j != k) repulsion += inverse(z[k] - z[j]);
-      const Complex step = inverse(logarithmic_derivative(c, z[k]) - repulsion);
+      for (const RootGuess& other : roots)
+        if (&other != &z)
+          repulsion += inverse(z.mantissa - scaled(other.mantissa, other.scale - z.scale));
+      const Complex step = inverse(logarithmic_derivative(c.at(z.scale), z.mantissa) - repulsion);
       if (!std::isfinite(step.real()) || !std::isfinite(step.imag())) continue;  // at a root
-      z[k] -= step;
-      largest_step = std::max(largest_step, std::norm(step) / std::norm(z[k]));
+      z.mantissa -= step;
+      largest_step = std::max(largest_step, std::norm(step) / std::norm(z.mantissa));
     }
-    if (largest_step < 1e-26) return z;
+    if (largest_step < 1e-26) {
+      roots.insert(roots.end(), static_cast<std::size_t>(zeros), RootGuess{});
+      return roots;
+    }
   }
   return {};
 }

@@ -19,12 +19,13 @@ struct AcbVector {
 
 /// All roots of f, certified from a guess: inclusion discs, disjoint and n in number, after a few
 /// steps at that precision. False where the guess is not good enough to be proved.
-bool certify(const std::vector<std::complex<double>>& guess, const AcbVector& found,
-             const flint::FmpzPoly& f, slong steps, slong bits) {
+bool certify(const std::vector<RootGuess>& guess, const AcbVector& found, const flint::FmpzPoly& f,
+             slong steps, slong bits) {
   const AcbVector start(found.length);
   for (slong k = 0; k < found.length; ++k) {
-    const auto& z = guess[static_cast<std::size_t>(k)];
+    const auto& [z, scale] = guess[static_cast<std::size_t>(k)];
     acb_set_d_d(start.data + k, z.real(), z.imag());
+    acb_mul_2exp_si(start.data + k, start.data + k, scale);
   }
   flint::AcbPoly p;
   acb_poly_set_fmpz_poly(p.get(), f.get(), bits);
@@ -61,16 +62,16 @@ void newton_step(acb_t z, const fmpz_poly_t p, const fmpz_poly_t derivative, slo
     acb_swap(z, middle.raw());
 }
 
+/// Newton steps until z has `bits` correct bits or they no longer help.
 void refine_root(acb_t z, const fmpz_poly_t p, const fmpz_poly_t derivative, slong bits) {
-  // Evaluating p loses about the size of its coefficients; more is added while steps stall.
-  slong guard = 32 + 2 * std::abs(fmpz_poly_max_bits(p));
-  for (int stalled = 0; acb_rel_accuracy_bits(z) < bits && stalled < 4;) {
-    const slong before = acb_rel_accuracy_bits(z);
+  // Cancellation in p(m) loses bits, rarely more than the coefficients have; the guard that makes
+  // up for it is found by trying.
+  slong guard = 32;
+  const slong largest_guard = 64 + 4 * std::abs(fmpz_poly_max_bits(p)) + fmpz_poly_degree(p);
+  while (acb_rel_accuracy_bits(z) < bits && guard <= largest_guard) {
+    const slong before = std::max<slong>(acb_rel_accuracy_bits(z), 0);
     newton_step(z, p, derivative, std::min(bits, 2 * std::max<slong>(before, 32)) + guard);
-    if (acb_rel_accuracy_bits(z) <= before + before / 4) {
-      ++stalled;
-      guard *= 2;
-    }
+    if (acb_rel_accuracy_bits(z) <= before + before / 4) guard *= 2;
   }
 }
 

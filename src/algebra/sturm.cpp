@@ -148,28 +148,40 @@ std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& in
   const auto point = [&](const Rational& t) { found.push_back(closed(t, t)); };
   std::optional<SturmChain> chain;  // made when Descartes first leaves a question open
 
-  // The roots in the open (a, b), in order. Bisection ends because f is squarefree.
-  const auto search = [&](auto&& self, const Rational& a, const Rational& b) -> void {
-    long count = descartes_bound(f, a, b);
-    if (count > 1) {
-      if (!chain) chain.emplace(f, differentiate(f));
-      count = chain->variations(a) - chain->variations(b) - (f(b) == 0 ? 1 : 0);
+  const auto count_in = [&](const Rational& a, const Rational& b) {
+    const long count = descartes_bound(f, a, b);
+    if (count <= 1) return count;
+    if (!chain) chain.emplace(f, differentiate(f));
+    return chain->variations(a) - chain->variations(b) - (f(b) == 0 ? 1 : 0);
+  };
+  // The roots in the open (from, to), in order. Bisection ends because f is squarefree; it may go
+  // as deep as f has bits, so that what is still to do is kept in a list, the first part last.
+  const auto search = [&](const Rational& from, const Rational& to) {
+    std::vector<std::pair<Rational, Rational>> parts = {{from, to}};
+    while (!parts.empty()) {
+      const auto [a, b] = std::move(parts.back());
+      parts.pop_back();
+      if (a == b) {
+        if (f(a) == 0) point(a);
+        continue;
+      }
+      const long count = count_in(a, b);
+      if (count == 0) continue;
+      if (count == 1 && sign_at(f, a) * sign_at(f, b) < 0) {
+        found.push_back(open(a, b));
+        continue;
+      }
+      const Rational middle = (a + b) / 2;
+      parts.emplace_back(middle, b);
+      parts.emplace_back(middle, middle);
+      parts.emplace_back(a, middle);
     }
-    if (count == 0) return;
-    if (count == 1 && sign_at(f, a) * sign_at(f, b) < 0) {
-      found.push_back(open(a, b));
-      return;
-    }
-    const Rational middle = (a + b) / 2;
-    self(self, a, middle);
-    if (f(middle) == 0) point(middle);
-    self(self, middle, b);
   };
 
   const Rational& a = *finite.lower;
   const Rational& b = *finite.upper;
   if (finite.lower_closed && f(a) == 0) point(a);
-  if (a < b) search(search, a, b);
+  if (a < b) search(a, b);
   if (finite.upper_closed && a != b && f(b) == 0) point(b);
   return found;
 }

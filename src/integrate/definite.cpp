@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/power_product.hpp"
 #include "phrame/algebra/sturm.hpp"
+#include "phrame/integrate/real_form.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 
 namespace phrame {
@@ -117,55 +119,109 @@ RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) 
   }
 }
 
-/// Λ = Σ c(z) log((b − z)/(a − z)) grouped by equal residues α is Σ α·L(α), where L(α) is a value
-/// of log(v(α, b)/v(α, a)), v as in Rothstein–Trager's form. If v(α, b) = r·v(α, a) with r ∈ ℚ,
-/// exactly, then L(α) = log|r| + πi·k with a whole k, which a ball narrower than half a turn
-/// determines. So all k = 0 and, for every irreducible q, log|r| = 0 or Σ_{q(α)=0} α = 0 prove Λ =
-/// 0. Poles z and z̄ turn in opposite directions, so k = 0 for a real α, and for an α above the real
-/// axis πk = Σ_{c(z)=α} arg − Σ_{c(z)=ᾱ} arg over the poles z above it.
-bool Evaluator::logs_cancel(const Rational& a, const Rational& b) const {
+/// The logarithms as sums over residues, one for each irreducible polynomial of residues. No value
+/// where the argument of one cannot be proved.
+std::optional<std::vector<LogSum>> Evaluator::over_residues() const {
   std::vector<LogSum> sums;
-  for (const Poles& p : poles_) sums.push_back(rothstein_trager({p.numerator, p.denominator}));
-  Polynomial residues{1};
-  for (const LogSum& sum : merge_equal_residues(std::move(sums))) {
-    const Polynomial at_a = evaluate_at(sum.argument, a) % sum.index;
-    const Polynomial at_b = evaluate_at(sum.argument, b) % sum.index;
-    const Rational ratio = at_b.leading_coefficient() / at_a.leading_coefficient();
-    if (!(at_b == ratio * at_a)) return false;
-    if (abs(ratio) != 1 && QuotientRing(sum.index).trace(sum.residue) != 0) return false;
-    residues *= sum.index;
-  }
-  const Roots alphas = isolate_roots(residues, precision_);
+  for (const Poles& p : poles_)
+    for (const SimpleFraction& f : simple_fractions({p.numerator, p.denominator})) {
+      sums.push_back(rothstein_trager(f));
+      if (!(differentiate(sums.back()) == RationalFunction(f.numerator, f.denominator)))
+        return std::nullopt;
+    }
+  return merge_equal_residues(std::move(sums));
+}
+
+/// For every root α of `residues`: is Σ_{c(z)=α} arg − Σ_{c(z)=ᾱ} arg of (b − z)/(a − z), over the
+/// poles z above the real axis, 0, given that it is a multiple of π? Poles z and z̄ turn in opposite
+/// directions, so there is nothing to ask for a real α.
+bool Evaluator::turns_vanish(const Polynomial& residues, const Polynomial& other_residues,
+                             const Rational& a, const Rational& b) const {
+  if (residues.is_constant()) return true;
+  const auto isolated = [&](const Polynomial& p) {
+    return p.is_constant() ? Roots() : isolate_roots(p, precision_);
+  };
+  const Roots alphas = isolated(residues);
+  const Roots others = isolated(other_residues);
   std::vector<RealBall> turns(alphas.upper.size());
   for (const Poles& p : poles_)
     for (std::size_t k = 0; k < p.roots.upper.size(); ++k) {
       const ComplexBall& c = p.upper_residues[k];
-      const RealBall turn = log_ratio(p.roots.upper[k], a, b, precision_).im();
       long matches = 0;
-      for (const RealBall& alpha : alphas.real) matches += c.overlaps({alpha, RealBall()}) ? 1 : 0;
-      for (std::size_t j = 0; j < turns.size(); ++j) {
-        if (c.overlaps(alphas.upper[j])) {
-          turns[j] = add(turns[j], turn, precision_);
-          ++matches;
-        }
-        if (c.overlaps(conjugate(alphas.upper[j]))) {
-          turns[j] = subtract(turns[j], turn, precision_);
-          ++matches;
-        }
+      for (const Roots* roots : {&alphas, &others}) {
+        for (const RealBall& alpha : roots->real) matches += c.overlaps({alpha, {}}) ? 1 : 0;
+        for (const ComplexBall& alpha : roots->upper)
+          matches += (c.overlaps(alpha) ? 1 : 0) + (c.overlaps(conjugate(alpha)) ? 1 : 0);
       }
       if (matches != 1) return false;  // the balls are too wide to tell the residues apart
+      const RealBall turn = log_ratio(p.roots.upper[k], a, b, precision_).im();
+      for (std::size_t j = 0; j < turns.size(); ++j) {
+        if (c.overlaps(alphas.upper[j])) turns[j] = add(turns[j], turn, precision_);
+        if (c.overlaps(conjugate(alphas.upper[j]))) turns[j] = subtract(turns[j], turn, precision_);
+      }
     }
   return std::all_of(turns.begin(), turns.end(), [](const RealBall& turn) {
     return turn.is_finite() && turn.lower() > -1 && turn.upper() < 1;
   });
 }
 
+// With residues in ℚ(i) the difference is rational + log A + T, A > 0 and T real, with A^N rational
+// and e^{iNT} = z/|z| for a z ∈ ℚ(i), N a common denominator. By Baker's theorem it is rational iff
+// A = 1 and T = 0. A^N = 1 is decided exactly; if z > 0, T is a multiple of 2π/N, and 0 iff a ball
+// around it tells it from the others.
+//
+// The sum Σ α·L(α) over other residues, L(α) a value of log(v(α, b)/v(α, a)): if v(α, b) = r·v(α,
+// a) with r ∈ ℚ, exactly, then L(α) = log|r| + πi·k with a whole k. So k = 0 and, for every
+// irreducible polynomial of residues, log|r| = 0 or Σ α = 0 prove that the sum is 0.
+std::optional<Rational> Evaluator::rational_value(const Rational& a, const Rational& b,
+                                                  const RealBall& enclosure,
+                                                  const GaussianPolynomial& phase) {
+  const Rational rational = rational_difference(a, b);
+  if (a == b || (poles_.empty() && degree(phase) == 0)) return rational;
+  if (!enclosure.contains(rational)) return std::nullopt;
+  const auto sums = over_residues();
+  if (!sums) return std::nullopt;
+  RealForm form = real_form(*sums);
+  form.arguments.push_back({1, phase});
+
+  Polynomial residues{1};
+  Polynomial other_residues{1};
+  for (const LogSum& sum : *sums) other_residues *= sum.index;
+  for (const LogSum& sum : form.others) {
+    const Polynomial at_a = evaluate_at(sum.argument, a) % sum.index;
+    const Polynomial at_b = evaluate_at(sum.argument, b) % sum.index;
+    const Rational ratio = at_b.leading_coefficient() / at_a.leading_coefficient();
+    if (!(at_b == ratio * at_a)) return std::nullopt;
+    if (abs(ratio) != 1 && QuotientRing(sum.index).trace(sum.residue) != 0) return std::nullopt;
+    residues *= sum.index;
+    other_residues = exact_quotient(other_residues, sum.index);
+  }
+  if (!turns_vanish(residues, other_residues, a, b)) return std::nullopt;
+
+  std::vector<Power> sizes;
+  for (const auto& [factor, v] : form.logarithms) sizes.push_back({{abs(v(b) / v(a)), 0}, factor});
+  const auto size = product(sizes, common_denominator(sizes));
+  if (!size || !(*size == GaussianRational{1, 0})) return std::nullopt;
+
+  std::vector<Power> turns;
+  for (const auto& [factor, v] : form.arguments) {
+    const auto [re, im] =
+        GaussianPolynomial{{v.re(b)}, {v.im(b)}} * GaussianPolynomial{{v.re(a)}, {-v.im(a)}};
+    turns.push_back({{re.coefficient(0), im.coefficient(0)}, factor});
+  }
+  const Integer n = common_denominator(turns);
+  const auto z = product(turns, n);
+  if (!z || z->im != 0 || z->re < 0) return std::nullopt;
+  const RealBall turn = subtract(enclosure, RealBall(rational, 64), precision_);
+  const Rational whole_turn = Rational(6) / Rational(n);  // < 2π/N
+  if (turn.lower() <= -whole_turn || turn.upper() >= whole_turn) return std::nullopt;
+  return rational;
+}
+
 Real Evaluator::value(const Rational& a, const Rational& b) {
   constexpr long bits = 128;  // enough for a double, so that the first ball is often the last
   const RealBall first = difference(a, b, bits);
-  if (poles_.empty() || a == b) return rational_difference(a, b);
-  if (first.contains(rational_difference(a, b)) && logs_cancel(a, b))
-    return rational_difference(a, b);
+  if (const auto rational = rational_value(a, b, first)) return *rational;
   return Real([this, a, b, first](long precision) {
     return precision <= bits ? first : difference(a, b, precision);
   });

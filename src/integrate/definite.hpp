@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "phrame/algebra/roots.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/antiderivative.hpp"
@@ -22,11 +24,20 @@ class Evaluator {
   /// names the pole) and Undecided where 64·bits + 65536 bits of precision do not reach the radius.
   RealBall difference(const Rational& a, const Rational& b, long bits);
 
-  /// The same, exact where it is rational: without logarithms, for a = b, and where the logarithms
-  /// are seen to cancel. By Baker's theorem the rest is transcendental, so that correct rounding of
-  /// the result ends, except where cancelling logarithms were not recognised.
+  /// The same, exact where it is seen to be rational. By Baker's theorem it is transcendental
+  /// unless its logarithms cancel, so that correct rounding of the result ends, except where
+  /// cancelling logarithms were not recognised.
   /// The value keeps a reference to this evaluator. Throws as above.
   Real value(const Rational& a, const Rational& b);
+
+  /// F(b) − F(a) + arg phase(b) − arg phase(a), the argument continuous, where this is rational:
+  /// without logarithms, for a = b, and where logarithms and arguments cancel. That they cancel is
+  /// decided for residues in ℚ(i) (Baker) and recognised in many other cases; no value means that
+  /// it is irrational or not recognised. Precondition: `enclosure` is a ball around this number and
+  /// comes from difference(a, b, …); if it is too wide, nothing is decided.
+  std::optional<Rational> rational_value(const Rational& a, const Rational& b,
+                                         const RealBall& enclosure,
+                                         const GaussianPolynomial& phase = {{1}, {}});
 
  private:
   /// n/d = Σ c(z)/(t − z) over the roots z of the squarefree d.
@@ -43,7 +54,9 @@ class Evaluator {
   void require_no_pole(const Rational& a, const Rational& b) const;
   void prepare(long precision);
   RealBall log_difference(const Rational& a, const Rational& b, long bits) const;
-  bool logs_cancel(const Rational& a, const Rational& b) const;
+  std::optional<std::vector<LogSum>> over_residues() const;
+  bool turns_vanish(const Polynomial& residues, const Polynomial& other_residues, const Rational& a,
+                    const Rational& b) const;
 
   Polynomial polynomial_;
   RationalFunction rational_;

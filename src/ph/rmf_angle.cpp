@@ -64,25 +64,23 @@ RmfAngle::RmfAngle(const Curve& curve, Reference reference, Form form)
     throw Error("RmfAngle: the check failed, the derivative of the angle is not its rate");
 }
 
-RealBall RmfAngle::enclose(const Rational& t, long bits) {
-  return enclose_sum([&](long more) { return evaluator_.difference(0, t, more); }, t, bits);
-}
-
 /// The two parts may nearly cancel: the precision rises until their sum is as accurate as asked.
-RealBall RmfAngle::enclose_sum(const Real::Enclosure& twist, const Rational& t, long bits) {
-  if (!argument_) return twist(bits);
+RealBall RmfAngle::enclose(const Rational& t, long bits) {
+  if (!argument_) return evaluator_.difference(0, t, bits);
   for (long more = bits + 8;; more += 64) {
-    RealBall sum = add(twist(more), argument_->difference(t, more), more);
+    RealBall sum = add(evaluator_.difference(0, t, more), argument_->difference(t, more), more);
     if (sum.is_accurate(bits)) return sum;
   }
 }
 
 Real RmfAngle::value(const Rational& t) {
   if (t == 0) return Rational(0);
-  Real twist = evaluator_.value(0, t);
-  if (!argument_ || (twist.exact() && argument_->is_zero_at(t))) return twist;
-  return Real([this, t, twist](long bits) {
-    return enclose_sum([&](long more) { return twist.enclose(more); }, t, bits);
+  if (!argument_) return evaluator_.value(0, t);
+  constexpr long bits = 128;  // as Evaluator::value
+  const RealBall first = enclose(t, bits);
+  if (const auto rational = evaluator_.rational_value(0, t, first, *bend_)) return *rational;
+  return Real([this, t, first](long precision) {
+    return precision <= bits ? first : enclose(t, precision);
   });
 }
 

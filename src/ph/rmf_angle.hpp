@@ -44,8 +44,6 @@ class RmfAngle {
   RealBall enclose(const Rational& t, long bits);
 
  private:
-  RealBall enclose_sum(const Real::Enclosure& twist, const Rational& t, long bits);
-
   RationalFunction rate_;
   Antiderivative twist_;
   Antiderivative antiderivative_;

@@ -20,6 +20,25 @@ TEST_CASE("roots: of t⁴ − 1, and the root 0") {
   CHECK_THROWS_AS(isolate_roots(pow(Polynomial{1, 1}, 2), 100), DomainError);
 }
 
+TEST_CASE("roots: of very different sizes, 0 among them, are found together") {
+  const std::vector<long> exponents = {-13000, -400, 0, 300, 13000};  // doubles end at 2¹⁰²⁴
+  const auto size = [](long exponent) {
+    const Rational power = pow(Integer(2), static_cast<unsigned>(std::abs(exponent)));
+    return exponent < 0 ? Rational(1 / power) : power;
+  };
+  Polynomial p = Polynomial::monomial(1, 1);
+  for (const long e : exponents) p *= Polynomial{size(e) * size(e), size(e), 1};
+  const Roots roots = isolate_roots(p, 100);
+  REQUIRE(roots.real.size() == 1);
+  CHECK(roots.real[0].contains(0));
+  REQUIRE(roots.upper.size() == exponents.size());
+  for (const long e : exponents) {  // 2ᵉ·(−1 ± i√3)/2
+    const auto has_it = [&](const ComplexBall& z) { return z.re().contains(-size(e) / 2); };
+    CHECK(std::count_if(roots.upper.begin(), roots.upper.end(), has_it) == 1);
+  }
+  for (const ComplexBall& z : roots.upper) CHECK(acb_rel_accuracy_bits(z.raw()) >= 100);
+}
+
 TEST_CASE("roots: law: the known roots are found, refining keeps and narrows them") {
   for_samples(60, [](Random& random) {
     std::vector<Rational> real;

@@ -70,6 +70,15 @@ TEST_CASE("sturm: roots closer than 10^-30 are told apart, near misses are no ro
   CHECK(count_real_roots(miss, real_line()) == 0);
 }
 
+TEST_CASE("sturm: roots that take thousands of bisections to part are isolated") {
+  const Rational tiny = Rational(1) / Rational(pow(Integer(10), 2000));
+  const Polynomial p = Polynomial{-1, 1} * Polynomial{-tiny, 1} * Polynomial{-2 * tiny, 1};
+  const auto found = isolate_real_roots(p, open(0, 1));
+  REQUIRE(found.size() == 2);
+  CHECK((*found[0].lower <= tiny && tiny <= *found[0].upper));
+  CHECK((*found[1].lower <= 2 * tiny && 2 * tiny <= *found[1].upper));
+}
+
 TEST_CASE("sturm: law: counts and isolation agree with the roots put in") {
   for_samples(300, [](Random& random) {
     const Known known = known_roots(random);

@@ -77,6 +77,36 @@ TEST_CASE("definite: logarithms that cancel are seen to cancel") {
   CHECK_FALSE(turn.value(-1, 1).exact().has_value());
 }
 
+TEST_CASE("definite: logarithms and arctangents of numbers that cancel are decided") {
+  // 2 log 2 − log 4.
+  Evaluator logs(integrate(RationalFunction({2}, {1, 1}) - RationalFunction({3}, {1, 3})));
+  CHECK(logs.value(0, 1).exact() == Rational(0));
+  // Machin: 4 arctan(1/5) − arctan(1/239) − π/4, from the three integrals of a/(a² + t²) on [0, 1].
+  const auto arctangent = [](long a) { return RationalFunction({a}, {a * a, 0, 1}); };
+  const RationalFunction four({4}, {1});
+  const RationalFunction machin = four * arctangent(5) - arctangent(239) - arctangent(1);
+  Evaluator arctangents(integrate(machin + RationalFunction({1}, {4, 4, 1})));
+  CHECK(arctangents.value(0, 1).exact() == Rational(1, 6));
+  CHECK_FALSE(arctangents.value(0, 2).exact().has_value());
+  // 8 arctan(1/5) − 2 arctan(1/239) + 6·π/4 is 2π: the product of the numbers is positive, too.
+  Evaluator turn(
+      integrate(RationalFunction({2}, {1}) * machin + RationalFunction({8}, {1}) * arctangent(1)));
+  CHECK_FALSE(turn.value(0, 1).exact().has_value());
+  // Both at once, and residues ±√2 whose logarithms stay.
+  Evaluator both(integrate(machin + RationalFunction({2}, {1, 1}) - RationalFunction({3}, {1, 3})));
+  CHECK(both.value(0, 1).exact() == Rational(0));
+  Evaluator more(integrate(machin + RationalFunction({1}, {-8, 0, 1})));
+  CHECK_FALSE(more.value(0, 1).exact().has_value());
+}
+
+TEST_CASE("definite: a sum over a reducible polynomial is evaluated like any other") {
+  // Σ x log(t − x) over the roots of (x² + 1)(x² + 4): an odd integrand.
+  const Antiderivative F{{}, {}, {{Polynomial{4, 0, 5, 0, 1}, {0, 1}, Bivariate({{0, -1}, {1}})}}};
+  Evaluator evaluator(F);
+  CHECK(
+      evaluator.value(-1, 1).enclose(100).overlaps(test::quadrature(differentiate(F), -1, 1, 80)));
+}
+
 TEST_CASE("definite: law: enclosures overlap Arb's quadrature, for every form") {
   for_samples(60, [](Random& random) {
     const Polynomial d = random.repeated_polynomial(2);

@@ -135,6 +135,22 @@ TEST_CASE("angle: h of both signs with θ(t₁) = 0 exactly, seen through w(0) =
   CHECK_FALSE(erf.value(Rational(1, 2)).exact().has_value());
 }
 
+TEST_CASE("angle: a rational RMF whose turns cancel at t = 1: θ = 0 exactly, in both frames") {
+  // A = (1 + tj)·w turns the frame of 1 + tj, which is in a plane and is its own RMF, by 2 arg w:
+  // w(1)/w(0) > 0 with w = (t + (1 + 2i)/10)(t + (1 − i)/2)².
+  const auto linear = [](Rational re, Rational im) {
+    return QuaternionPolynomial{{std::move(re), 1}, {std::move(im)}, {}, {}};
+  };
+  const QuaternionPolynomial w = linear(Rational(1, 10), Rational(2, 10)) *
+                                 linear(Rational(1, 2), Rational(-1, 2)) *
+                                 linear(Rational(1, 2), Rational(-1, 2));
+  const Curve curve(QuaternionPolynomial{{1}, {}, {0, 1}, {}} * w);
+  RmfAngle erf(curve, Reference::erf);
+  CHECK(erf.value(1).exact() == Rational(0));
+  CHECK_FALSE(erf.value(2).exact().has_value());
+  CHECK(RmfAngle(curve, Reference::frenet).value(1).exact() == Rational(0));
+}
+
 TEST_CASE("angle: far outside [0, 1] and close to 0, against the leading behaviour") {
   RmfAngle erf(quintic, Reference::erf);
   // θ′ = 8t/6·(1 + O(t)): at t = 10^-30 θ = (2/3)·10^-60 (1 + O(10^-30)).
