@@ -62,7 +62,7 @@ std::string to_text(const CurveInfo& info) {
   row("  split b", plain(split.b));
   row("r(0)", point_text(curve.start()));
   row("r(1)", point_text(evaluate(position(curve), 1)));
-  for (const Interval& cusp : info.cusps) row("cusp, r′ = 0", "t in " + to_string(cusp));
+  for (const Interval& cusp : info.cusps) row("cusp, r′ = 0", place_of_root(cusp));
   const auto length = segment_length(curve);
   row("length ∫₀¹ |f|σ", length ? formatted(*length, Notation::unicode) : "f changes sign");
   row("twist ∫₀¹ 2h/σ", info.twist_erf.value);
