@@ -138,6 +138,13 @@ std::string heading(const NamedCurve& named) {
                      preimage_degree(named.curve));
 }
 
+std::string note_on_sign(const Curve& curve) {
+  const Signs signs = multiplier_signs(curve);
+  if (!signs.negative) return "";
+  return fmt::format("f < 0 {}: there e₁ = A i A*/σ is −r′/|r′|",
+                     signs.positive ? "in a part of [0, 1]" : "on [0, 1]");
+}
+
 std::string to_text(const AngleReport& report) {
   const QuaternionPolynomial& preimage = report.curve.curve.preimage();
   const bool erf = report.reference == Reference::erf;
@@ -150,6 +157,12 @@ std::string to_text(const AngleReport& report) {
   for (const Interval& cusp : cusps(report.curve.curve, closed(0, 1)))
     text += fmt::format("  r′ = 0 at {}: frames and angle are continued through\n",
                         place_of_root(cusp));
+  if (const std::string note = note_on_sign(report.curve.curve); !note.empty())
+    text += fmt::format("  {}\n", note);
+  if (!erf)
+    for (const Interval& flip : normal_flips(preimage, closed(0, 1)))
+      text += fmt::format("  inflection at {}: (n, b) flip there, the angle is continued through\n",
+                          place_of_root(flip));
   text += fmt::format(
       "\nThe rotation-minimizing frame is the {} frame turned by θ about the tangent:\n"
       "  f₂ = cos θ {} + sin θ {},  f₃ = −sin θ {} + cos θ {},  θ(0) = {}\n\n",
@@ -175,9 +188,12 @@ std::string to_latex(const AngleReport& report) {
     terms.push_back(fmt::format("\\arg\\left({}\\right)", formatted(*report.angle.bend(), latex)));
   if (terms.empty()) terms.emplace_back("0");
   std::string text = fmt::format(
-      "\\begin{{align*}}\n\\theta'(t) &= {} \\\\\n\\theta(t) &= {} + C\n"
+      "\\begin{{align*}}\n\\theta'(t) &= {} \\\\\n\\theta(t) &= {} + C{}\n"
       "\\end{{align*}}\n",
-      latex_quotient(report.angle.rate()), sum_of(terms, " ", "-"));
+      latex_quotient(report.angle.rate()), sum_of(terms, " ", "-"),
+      report.start_angle == 0
+          ? ""
+          : fmt::format(" \\\\\n\\theta(0) &= {}", formatted(report.start_angle, latex)));
   if (report.values.empty()) return text;
   text += "\\begin{tabular}{ll}\n$t$ & $\\theta(t)$ \\\\\n";
   for (const AngleValue& value : report.values)
@@ -196,7 +212,9 @@ std::string to_json(const AngleReport& report) {
       {"curve", {{"name", report.curve.name}, {"degree", degree(report.curve.curve)}}},
       {"frame", report.reference == Reference::erf ? "erf" : "frenet"},
       {"integrand", json_of(report.angle.rate())},
-      {"antiderivative", json_of(report.angle.antiderivative(), form_name(report.angle.twist()))},
+      {"antiderivative",
+       json_of(report.angle.antiderivative(), form_name(report.angle.antiderivative()))},
+      {"theta0", to_string(report.start_angle)},
       {"values", values}};
   return pretty(json);
 }

@@ -12,13 +12,14 @@ struct Options {
   Form form = Form::automatic;
   std::vector<Rational> at = {};
   long digits = 50;
+  Rational start_angle = 0;
 };
 
 using Printer = std::string (*)(const AngleReport&);
 
 std::string printed(Printer print, const NamedCurve& named, const Options& options) {
   RmfAngle angle(named.curve, options.reference, options.form);
-  AngleReport report{named, options.reference, angle, 0, {}, options.digits};
+  AngleReport report{named, options.reference, angle, options.start_angle, {}, options.digits};
   for (const Rational& t : options.at)
     report.values.push_back({t, round_to_decimal(angle.value(t), options.digits)});
   return print(report);
@@ -192,6 +193,47 @@ TEST_CASE("angle report: the form is named") {
   CHECK(name(test::farouki_quintic(), Form::automatic) == "partial-fractions");
   CHECK(name(test::farouki_quintic(), Form::rothstein_trager) == "rothstein-trager");
   CHECK(name(test::rational_angle_curve(), Form::automatic) == "rational");
+}
+
+// Its logarithm is arg g, Σ x·log v over x = ±i/2, which is not over poles.
+TEST_CASE("angle report: the form of a Frenet angle is that of all its logarithms") {
+  const auto name = [](const NamedCurve& named, Form form) {
+    return json(named, {.reference = Reference::frenet, .form = form})["antiderivative"]["form"];
+  };
+  CHECK(name(test::rational_angle_curve(), Form::automatic) == "rothstein-trager");
+  CHECK(name(test::farouki_quintic(), Form::automatic) == "mixed");
+  CHECK(name(test::farouki_quintic(), Form::rothstein_trager) == "rothstein-trager");
+}
+
+TEST_CASE("angle report: the angle at 0 is in JSON, and in LaTeX unless it is 0") {
+  const auto report = [](Printer print, const Rational& start) {
+    return printed(print, test::farouki_quintic(), {.start_angle = start});
+  };
+  CHECK(Json::parse(report(to_json, Rational(-1, 3)))["theta0"] == "-1/3");
+  CHECK(Json::parse(report(to_json, 0))["theta0"] == "0");
+  CHECK(contains(report(to_latex, Rational(-1, 3)),
+                 " + C \\\\\n\\theta(0) &= -\\frac{1}{3}\n\\end{align*}"));
+  CHECK_FALSE(contains(report(to_latex, 0), "theta(0)"));
+}
+
+// A = 1 + (t² − t)k: g = 2t − 1; with its square for f, r′ = 0 at 1/2.
+TEST_CASE("angle report: inflections where n and b flip are listed to the Frenet frame only") {
+  const QuaternionPolynomial a{{1}, {}, {}, {0, -1, 1}};
+  const std::string line =
+      "  inflection at t = 1/2: (n, b) flip there, the angle is continued through\n";
+  CHECK(contains(printed(to_text, {"", Curve(a)}, {.reference = Reference::frenet}), line));
+  CHECK_FALSE(contains(printed(to_text, {"", Curve(a)}, {}), "inflection"));
+  CHECK_FALSE(contains(printed(to_text, test::farouki_quintic(), {.reference = Reference::frenet}),
+                       "inflection"));
+}
+
+TEST_CASE("angle report: where f is negative, the text says which way the tangent points") {
+  const auto text = [](const Polynomial& f) {
+    return printed(to_text, {"", Curve(test::farouki_quintic().curve.preimage(), f)}, {});
+  };
+  CHECK(contains(text({-1}), "  f < 0 on [0, 1]: there e₁ = A i A*/σ is −r′/|r′|\n"));
+  CHECK(contains(text({1, -3}), "  f < 0 in a part of [0, 1]: there e₁"));
+  CHECK_FALSE(contains(text({1, -1}), "f < 0"));
 }
 
 TEST_CASE("angle report: the text holds the closed form, the poles and the table") {
