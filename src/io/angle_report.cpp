@@ -167,7 +167,7 @@ std::string to_text(const AngleReport& report) {
       "\nThe rotation-minimizing frame is the {} frame turned by θ about the tangent:\n"
       "  f₂ = cos θ {} + sin θ {},  f₃ = −sin θ {} + cos θ {},  θ(0) = {}\n\n",
       erf ? "Euler–Rodrigues" : "Frenet", erf ? "e₂" : "n", erf ? "e₃" : "b", erf ? "e₂" : "n",
-      erf ? "e₃" : "b", formatted(report.start_angle, unicode));
+      erf ? "e₃" : "b", abbreviated(formatted(report.start_angle, unicode), 240));
   text += fmt::format("  θ′ = {} = {}\n", erf ? "−2h/σ" : "−2h/σ + Im(g′/g)",
                       quotient(report.angle.rate()));
   const std::string form = closed_form(report);

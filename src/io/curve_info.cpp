@@ -9,9 +9,12 @@
 namespace phrame {
 namespace {
 
+std::string number_text(const Rational& x) {
+  return abbreviated(formatted(x, Notation::unicode), 240);
+}
+
 std::string point_text(const Vector<Rational>& p) {
-  return fmt::format("({}, {}, {})", formatted(p[0], Notation::unicode),
-                     formatted(p[1], Notation::unicode), formatted(p[2], Notation::unicode));
+  return fmt::format("({}, {}, {})", number_text(p[0]), number_text(p[1]), number_text(p[2]));
 }
 
 Decimal total(const RationalFunction& rate, long digits) {
@@ -71,7 +74,7 @@ std::string to_text(const CurveInfo& info) {
   for (const Interval& cusp : info.cusps) row("cusp, r′ = 0", place_of_root(cusp));
   if (const std::string note = note_on_sign(curve); !note.empty()) row("sign of f", note);
   const auto length = segment_length(curve);
-  row("length ∫₀¹ |f|σ", length ? formatted(*length, Notation::unicode) : "f changes sign");
+  row("length ∫₀¹ |f|σ", length ? number_text(*length) : "f changes sign");
   row("twist ∫₀¹ 2h/σ", info.twist_erf.value);
   row("energy ∫₀¹ κ² ds", info.bending_energy ? info.bending_energy->value : info.no_energy);
   return text;

@@ -114,6 +114,16 @@ TEST_CASE("curve info: where f is negative, the text says which way the tangent 
   CHECK_FALSE(contains(text({1, -4, 4}), "f < 0"));
 }
 
+TEST_CASE("curve info: the text abbreviates what is long, JSON does not") {
+  const Rational cusp(1, 1 + test::power_of_ten(1000));
+  const NamedCurve named = on_a_line({-cusp, 1});
+  std::istringstream lines(to_text(curve_info(named, 5)));
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() < 900);
+  CHECK(info(named)["cusps"][0][0] == to_string(cusp));
+  CHECK(info(on_a_line({test::power_of_ten(1000)}))["arc_length"].get<std::string>().size() ==
+        1001);
+}
+
 TEST_CASE("curve info: a report outlives the curve it was made of") {
   const auto report = [] { return curve_info(test::farouki_quintic(), 5); };
   CHECK(to_text(report()).starts_with("quintic: "));

@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "phrame/algebra/error.hpp"
+#include "support/random.hpp"
 
 using namespace phrame;
 
@@ -78,6 +81,28 @@ TEST_CASE("JSON values: numbers stay in order, strings that look like numbers st
   CHECK(value.items[3].find("k")->text == "6E1");
   CHECK(value.items[4].text == "7");
   CHECK(value.items[5].text == "-8\\");
+}
+
+// The parser sees no number but 0; what it accepts must be what it would accept anyway.
+TEST_CASE("JSON values: law: accepted is what nlohmann's parser accepts, of any garbage") {
+  using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
+                                    std::uint64_t, long double>;
+  constexpr std::string_view alphabet = "[]{}:,,\"\"\\ \n-+.eE0011true";
+  long accepted = 0;
+  test::for_samples(3000, [&](test::Random& random) {
+    std::string text;
+    const bool array = random.chance(2);
+    for (long k = random.integer(0, 8); k >= 0; --k)
+      text += alphabet[static_cast<std::size_t>(
+          random.integer(0, static_cast<long>(alphabet.size()) - 1))];
+    if (array) text = "[1e1," + text + "]";
+    CAPTURE(text);
+    const std::string reason = refusal(text);
+    if (reason.find("occurs twice") != std::string::npos) return;
+    CHECK(reason.empty() == Json::accept(text));
+    accepted += reason.empty() ? 1 : 0;
+  });
+  CHECK(accepted > 20);
 }
 
 TEST_CASE("JSON values: what is nearly a number is refused, quoting it") {
