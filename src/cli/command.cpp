@@ -1,6 +1,5 @@
 #include "phrame/cli/command.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 

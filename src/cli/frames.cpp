@@ -41,7 +41,9 @@ void add_frames(CLI::App& app) {
       ->take_all();
   command->add_option("--format", options->format, "csv (default), json or npy")->type_name("NAME");
   command->footer(
-      "All numbers are correctly rounded doubles.\n"
+      "All numbers are correctly rounded doubles. e1 is A i A*/|A|^2, which is the unit tangent "
+      "where\n"
+      "the multiplier is positive and its opposite where it is negative.\n"
       "Examples:\n"
       "  phrame frames curve.json --samples 101 -o frames.csv\n"
       "  phrame frames curve.json --frame rmf,frenet --samples 1001 --format npy -o frames.npy");

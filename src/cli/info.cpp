@@ -25,7 +25,13 @@ void add_info(CLI::App& app) {
   options->curve.add_to(*command);
   add_digits(*command, options->digits);
   command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
-  command->footer("Example:\n  phrame info curve.json --digits 30");
+  command->footer(
+      "In JSON, arc_length is null where the multiplier changes sign on [0, 1], and "
+      "bending_energy\n"
+      "where it does or where the energy is infinite; bending_energy_reason says which.\n"
+      "Examples:\n"
+      "  phrame info curve.json --digits 30\n"
+      "  phrame info curve.json --print json -o info.json");
   command->callback([options] { run(*options); });
 }
 

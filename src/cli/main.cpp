@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "phrame/cli/command.hpp"
+#include "phrame/io/text.hpp"
 #include "phrame/version.hpp"
 
 namespace {
@@ -14,7 +15,7 @@ enum Status { done = 0, bad_input = 2, undefined = 3, undecided = 4 };
 
 /// One line, whatever a file or an option is called; silent, not fatal, where stderr is closed.
 int complain(std::string_view what, int status) {
-  std::fprintf(stderr, "phrame: %s\n", phrame::abbreviated(what, what.size()).c_str());
+  std::fprintf(stderr, "phrame: %s\n", phrame::printable(what).c_str());
   return status;
 }
 
@@ -34,6 +35,15 @@ void require_known_command(const std::vector<CLI::App*>& commands, int argc, cha
 int run(int argc, char** argv) {
   CLI::App app("Exact rotation-minimizing frames of Pythagorean-hodograph curves.", "phrame");
   app.footer(
+      "Examples:\n"
+      "  phrame angle curve.json --at 0,1/2,1 --digits 50\n"
+      "  phrame info curve.json --print json\n"
+      "  phrame frames curve.json --samples 101 -o frames.csv\n"
+      "A curve file is JSON, such as\n"
+      "  {\"phrame\": \"curve/1\", \"basis\": \"power\",\n"
+      "   \"preimage\": {\"u\": [1], \"v\": [0, \"1/2\"], \"p\": [0, 0, 3], \"q\": [0.25]}}\n"
+      "and means r' = f A i A* with A = u + vi + pj + qk and f = \"multiplier\", 1 if not given.\n"
+      "Where f < 0, e1 = A i A*/|A|^2 of all frames is the opposite of the tangent r'/|r'|.\n"
       "Exit status: 0 done, 2 bad input or usage, 3 mathematically undefined, 4 undecided within\n"
       "the limits. \"phrame COMMAND --help\" shows examples.");
   phrame::cli::add_angle(app);

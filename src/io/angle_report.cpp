@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "phrame/algebra/roots.hpp"
 #include "phrame/io/json_text.hpp"
+#include "phrame/io/pole_table.hpp"
 #include "phrame/io/text.hpp"
 
 namespace phrame {
@@ -22,20 +22,6 @@ std::string readable_factors(const Polynomial& p) {
   return readable(formatted_factors(p, unicode), p);
 }
 
-std::string readable(const Bivariate& v) {
-  std::string text;
-  for (long k = v.degree(); k >= 0; --k) {
-    const Polynomial c = v.coefficient(k);
-    if (c.is_zero()) continue;
-    const std::string power = k == 0 ? "" : formatted(Polynomial::monomial(1, k), unicode);
-    const std::string factor = formatted(c, unicode, "x");
-    if (!text.empty()) text += " + ";
-    text += c == Polynomial{1} && k > 0 ? power : fmt::format("({}){}", factor, power);
-    if (text_width(text) > 240) return fmt::format("⟨degree {} in t⟩", v.degree());
-  }
-  return text;
-}
-
 /// n/d with parentheses where they are needed.
 std::string quotient(const RationalFunction& f) {
   std::string n = readable_factors(f.numerator());
@@ -49,21 +35,30 @@ std::string quotient(const RationalFunction& f) {
 
 std::string terms_of(const LogSum& sum) {
   const long roots = sum.index.degree();
-  if (is_over_poles(sum) && roots == 1) {
-    const Polynomial argument = evaluate_at(sum.argument, 0);  // −z
-    return fmt::format("{}·log({})", formatted(sum.residue, unicode),
-                       formatted(Polynomial{argument.coefficient(0), 1}, unicode));
-  }
+  if (roots == 1)  // a rational residue and a rational argument
+    return fmt::format("{}·log({})", readable(sum.residue),
+                       phrame::readable(QuotientRing(sum.index).reduce(sum.argument)));
   if (is_over_poles(sum))
     return fmt::format("Σ c(z)·log(t − z) over the {} roots z of {}\n        c(z) = {}", roots,
                        readable(sum.index, "z"), readable(sum.residue, "z"));
-  if (sum.residue == Polynomial{0, 1} || roots == 1)
-    return fmt::format("Σ x·log v(x, t) over the {} roots x of {}\n        v(x, t) = {}", roots,
-                       readable(sum.index, "x"), readable(sum.argument));
-  return fmt::format(
-      "Σ c(x)·log v(x, t) over the {} roots x of {}\n        c(x) = {}\n        "
-      "v(x, t) = {}",
-      roots, readable(sum.index, "x"), readable(sum.residue, "x"), readable(sum.argument));
+  const bool plain = sum.residue == Polynomial{0, 1};
+  return fmt::format("Σ {}·log v(x, t) over the {} roots x of {}\n{}        v(x, t) = {}",
+                     plain ? "x" : "c(x)", roots, readable(sum.index, "x"),
+                     plain ? "" : fmt::format("        c(x) = {}\n", readable(sum.residue, "x")),
+                     phrame::readable(sum.argument));
+}
+
+/// Terms with their signs, `before` each but the first; a minus sign in front becomes that of the
+/// sum.
+std::string sum_of(const std::vector<std::string>& terms, std::string_view before,
+                   std::string_view minus) {
+  std::string text = terms.front();
+  for (auto term = terms.begin() + 1; term != terms.end(); ++term) {
+    const bool negative = term->starts_with(minus);
+    text += fmt::format("{}{} {}", before, negative ? minus : "+",
+                        negative ? term->substr(minus.size()) : *term);
+  }
+  return text;
 }
 
 std::string closed_form(const AngleReport& report) {
@@ -74,41 +69,7 @@ std::string closed_form(const AngleReport& report) {
   for (const LogSum& sum : F.logs) terms.push_back(terms_of(sum));
   if (report.angle.bend()) terms.emplace_back("arg g(t), continuous");
   if (terms.empty()) return "0";
-  return fmt::format("{}", fmt::join(terms, "\n      + "));
-}
-
-/// A table of the poles and residues of −2h/σ, while it is short enough to be read.
-std::string pole_table(const Antiderivative& F) {
-  constexpr long digits = 12;
-  constexpr long most_poles = 24;
-  long poles = 0;
-  for (const LogSum& sum : F.logs) {
-    if (!is_over_poles(sum)) return "";
-    poles += sum.index.degree();
-  }
-  if (poles == 0 || poles > most_poles) return "";
-  std::vector<std::pair<std::string, std::string>> rows;
-  const auto pair_text = [](const ComplexBall& z, std::string_view sign) {
-    std::string im = to_string(z.im(), digits);
-    const bool negative = im.starts_with('-');
-    if (negative) im.erase(0, 1);
-    return fmt::format("{} {} {}i", to_string(z.re(), digits),
-                       negative ? (sign == "±" ? "∓" : "−") : sign, im);
-  };
-  for (const LogSum& sum : F.logs) {
-    const Roots roots = isolate_roots(sum.index, 128);
-    for (const RealBall& z : roots.real)
-      rows.emplace_back(to_string(z, digits),
-                        to_string(evaluate(sum.residue, {z, RealBall()}, 128).re(), digits));
-    for (const ComplexBall& z : roots.upper)
-      rows.emplace_back(pair_text(z, "±"), pair_text(evaluate(sum.residue, z, 128), "±"));
-  }
-  std::size_t width = 0;
-  for (const auto& row : rows) width = std::max(width, text_width(row.first));
-  std::string text = fmt::format("\n  {:<{}}   residue c(z)\n", "pole z", width);
-  for (const auto& [pole, residue] : rows)
-    text += fmt::format("  {}{}   {}\n", pole, std::string(width - text_width(pole), ' '), residue);
-  return text;
+  return sum_of(terms, "\n      ", "−");
 }
 
 std::string value_table(const AngleReport& report) {
@@ -132,22 +93,15 @@ std::string value_table(const AngleReport& report) {
 }
 
 std::string latex_terms(const LogSum& sum) {
+  if (sum.index.degree() == 1)
+    return fmt::format("{} \\log\\left({}\\right)", formatted(sum.residue, latex),
+                       formatted(QuotientRing(sum.index).reduce(sum.argument), latex));
   if (is_over_poles(sum))
     return fmt::format("\\sum_{{{} = 0}} \\left({}\\right) \\log(t - z)",
                        formatted(sum.index, latex, "z"), formatted(sum.residue, latex, "z"));
-  std::string argument;
-  for (long k = sum.argument.degree(); k >= 0; --k) {
-    const Polynomial c = sum.argument.coefficient(k);
-    if (c.is_zero()) continue;
-    if (!argument.empty()) argument += " + ";
-    const std::string power = k == 0 ? "" : formatted(Polynomial::monomial(1, k), latex);
-    argument += c == Polynomial{1} && k > 0
-                    ? power
-                    : fmt::format("\\left({}\\right){}", formatted(c, latex, "x"), power);
-  }
   return fmt::format("\\sum_{{{} = 0}} \\left({}\\right) \\log\\left({}\\right)",
                      formatted(sum.index, latex, "x"), formatted(sum.residue, latex, "x"),
-                     argument);
+                     formatted(sum.argument, latex));
 }
 
 std::string latex_quotient(const RationalFunction& f) {
@@ -179,9 +133,16 @@ std::string heading(const NamedCurve& named) {
                            : n == 5 ? "PH quintic"
                            : n == 7 ? "PH septic"
                                     : "PH curve";
-  const std::string name = named.name.empty() ? "" : abbreviated(named.name, 80) + ": ";
+  const std::string name = named.name.empty() ? "" : abbreviated(printable(named.name), 80) + ": ";
   return fmt::format("{}{}, degree {} (preimage of degree {})", name, kind, n,
                      preimage_degree(named.curve));
+}
+
+std::string note_on_sign(const Curve& curve) {
+  const Signs signs = multiplier_signs(curve);
+  if (!signs.negative) return "";
+  return fmt::format("f < 0 {}: there e₁ = A i A*/σ is −r′/|r′|",
+                     signs.positive ? "in a part of [0, 1]" : "on [0, 1]");
 }
 
 std::string to_text(const AngleReport& report) {
@@ -194,13 +155,19 @@ std::string to_text(const AngleReport& report) {
     text += fmt::format("  g = {}\n", phrame::readable(bend_numerator(preimage)));
   }
   for (const Interval& cusp : cusps(report.curve.curve, closed(0, 1)))
-    text += fmt::format("  r′ = 0 at a t in {}: frames and angle are continued through\n",
-                        to_string(cusp));
+    text += fmt::format("  r′ = 0 at {}: frames and angle are continued through\n",
+                        place_of_root(cusp));
+  if (const std::string note = note_on_sign(report.curve.curve); !note.empty())
+    text += fmt::format("  {}\n", note);
+  if (!erf)
+    for (const Interval& flip : normal_flips(preimage, closed(0, 1)))
+      text += fmt::format("  inflection at {}: (n, b) flip there, the angle is continued through\n",
+                          place_of_root(flip));
   text += fmt::format(
       "\nThe rotation-minimizing frame is the {} frame turned by θ about the tangent:\n"
       "  f₂ = cos θ {} + sin θ {},  f₃ = −sin θ {} + cos θ {},  θ(0) = {}\n\n",
       erf ? "Euler–Rodrigues" : "Frenet", erf ? "e₂" : "n", erf ? "e₃" : "b", erf ? "e₂" : "n",
-      erf ? "e₃" : "b", formatted(report.start_angle, unicode));
+      erf ? "e₃" : "b", abbreviated(formatted(report.start_angle, unicode), 240));
   text += fmt::format("  θ′ = {} = {}\n", erf ? "−2h/σ" : "−2h/σ + Im(g′/g)",
                       quotient(report.angle.rate()));
   const std::string form = closed_form(report);
@@ -221,9 +188,12 @@ std::string to_latex(const AngleReport& report) {
     terms.push_back(fmt::format("\\arg\\left({}\\right)", formatted(*report.angle.bend(), latex)));
   if (terms.empty()) terms.emplace_back("0");
   std::string text = fmt::format(
-      "\\begin{{align*}}\n\\theta'(t) &= {} \\\\\n\\theta(t) &= {} + C\n"
+      "\\begin{{align*}}\n\\theta'(t) &= {} \\\\\n\\theta(t) &= {} + C{}\n"
       "\\end{{align*}}\n",
-      latex_quotient(report.angle.rate()), fmt::join(terms, " + "));
+      latex_quotient(report.angle.rate()), sum_of(terms, " ", "-"),
+      report.start_angle == 0
+          ? ""
+          : fmt::format(" \\\\\n\\theta(0) &= {}", formatted(report.start_angle, latex)));
   if (report.values.empty()) return text;
   text += "\\begin{tabular}{ll}\n$t$ & $\\theta(t)$ \\\\\n";
   for (const AngleValue& value : report.values)
@@ -242,7 +212,9 @@ std::string to_json(const AngleReport& report) {
       {"curve", {{"name", report.curve.name}, {"degree", degree(report.curve.curve)}}},
       {"frame", report.reference == Reference::erf ? "erf" : "frenet"},
       {"integrand", json_of(report.angle.rate())},
-      {"antiderivative", json_of(report.angle.antiderivative(), form_name(report.angle.twist()))},
+      {"antiderivative",
+       json_of(report.angle.antiderivative(), form_name(report.angle.antiderivative()))},
+      {"theta0", to_string(report.start_angle)},
       {"values", values}};
   return pretty(json);
 }

@@ -12,10 +12,10 @@ struct AngleValue {
 
 /// What `phrame angle` shows of a curve.
 struct AngleReport {
-  const NamedCurve& curve;
+  NamedCurve curve;
   Reference reference;
-  const RmfAngle& angle;
-  Rational start_angle;  ///< θ(0)
+  const RmfAngle& angle;  ///< must outlive the report: an angle stays where it is
+  Rational start_angle;   ///< θ(0)
   std::vector<AngleValue> values;
   long digits;
 };
@@ -24,10 +24,14 @@ std::string to_text(const AngleReport& report);   ///< for reading, Unicode
 std::string to_latex(const AngleReport& report);  ///< the closed form and the table
 std::string to_json(const AngleReport& report);   ///< angle/1
 
-/// "partial-fractions", "rothstein-trager", "mixed", or "rational" where there is no logarithm.
+/// How the logarithms of F are written: "partial-fractions" where all sums are over poles,
+/// "rothstein-trager" where none is, else "mixed"; "rational" where there is no logarithm.
 std::string form_name(const Antiderivative& F);
 
 /// "PH quintic, degree 5", the heading of a report.
 std::string heading(const NamedCurve& named);
+
+/// What frames and angle mean where the multiplier is negative on [0, 1]; empty where it is not.
+std::string note_on_sign(const Curve& curve);
 
 }  // namespace phrame

@@ -9,9 +9,12 @@
 namespace phrame {
 namespace {
 
+std::string number_text(const Rational& x) {
+  return abbreviated(formatted(x, Notation::unicode), 240);
+}
+
 std::string point_text(const Vector<Rational>& p) {
-  return fmt::format("({}, {}, {})", formatted(p[0], Notation::unicode),
-                     formatted(p[1], Notation::unicode), formatted(p[2], Notation::unicode));
+  return fmt::format("({}, {}, {})", number_text(p[0]), number_text(p[1]), number_text(p[2]));
 }
 
 Decimal total(const RationalFunction& rate, long digits) {
@@ -24,12 +27,18 @@ Decimal total(const RationalFunction& rate, long digits) {
 CurveInfo curve_info(const NamedCurve& named, long digits) {
   const Curve& curve = named.curve;
   const QuaternionPolynomial& preimage = curve.preimage();
-  CurveInfo info{named, cusps(curve, closed(0, 1)), {}, {}};
+  CurveInfo info{named, cusps(curve, closed(0, 1)), {}, {}, {}};
   info.twist_erf = total(-erf_rate(preimage), digits);
-  if (!info.cusps.empty()) return info;
-  // κ² ds = ρ/(f²σ⁴) · |f|σ dt; without cusps f has one sign on [0, 1].
+  // κ² ds = ρ/(f²σ⁴) · |f|σ dt, whose poles on [0, 1] are cusps; but ρ may cancel them. It is not
+  // negative, so that at a pole the integral diverges.
   const RationalFunction energy(rho(preimage), curve.multiplier() * pow(sigma(preimage), 3));
-  info.bending_energy = total(curve.multiplier()(0) > 0 ? energy : -energy, digits);
+  const Signs signs = multiplier_signs(curve);
+  if (!info.cusps.empty() && count_real_roots(energy.denominator(), closed(0, 1)) > 0)
+    info.no_energy = "∞ (cusp)";
+  else if (signs.positive && signs.negative && !energy.is_zero())
+    info.no_energy = "f changes sign";
+  else
+    info.bending_energy = total(signs.negative ? -energy : energy, digits);
   return info;
 }
 
@@ -62,11 +71,12 @@ std::string to_text(const CurveInfo& info) {
   row("  split b", plain(split.b));
   row("r(0)", point_text(curve.start()));
   row("r(1)", point_text(evaluate(position(curve), 1)));
-  for (const Interval& cusp : info.cusps) row("cusp, r′ = 0", "t in " + to_string(cusp));
+  for (const Interval& cusp : info.cusps) row("cusp, r′ = 0", place_of_root(cusp));
+  if (const std::string note = note_on_sign(curve); !note.empty()) row("sign of f", note);
   const auto length = segment_length(curve);
-  row("length ∫₀¹ |f|σ", length ? formatted(*length, Notation::unicode) : "f changes sign");
+  row("length ∫₀¹ |f|σ", length ? number_text(*length) : "f changes sign");
   row("twist ∫₀¹ 2h/σ", info.twist_erf.value);
-  row("energy ∫₀¹ κ² ds", info.bending_energy ? info.bending_energy->value : "∞ (cusp)");
+  row("energy ∫₀¹ κ² ds", info.bending_energy ? info.bending_energy->value : info.no_energy);
   return text;
 }
 
@@ -80,7 +90,7 @@ std::string to_json(const CurveInfo& info) {
   JsonOutput cusp_list = JsonOutput::array();
   for (const Interval& cusp : info.cusps)
     cusp_list.push_back({to_string(*cusp.lower), to_string(*cusp.upper)});
-  const JsonOutput json = {
+  JsonOutput json = {
       {"phrame", "info/1"},
       {"name", info.curve.name},
       {"degree", degree(curve)},
@@ -100,6 +110,7 @@ std::string to_json(const CurveInfo& info) {
       {"cusps", cusp_list},
       {"twist_erf", json_of(info.twist_erf)},
       {"bending_energy", info.bending_energy ? json_of(*info.bending_energy) : JsonOutput()}};
+  if (!info.bending_energy) json["bending_energy_reason"] = info.no_energy;
   return pretty(json);
 }
 

@@ -8,10 +8,11 @@ namespace phrame {
 
 /// What `phrame info` shows of a curve beside its polynomials.
 struct CurveInfo {
-  const NamedCurve& curve;
+  NamedCurve curve;
   std::vector<Interval> cusps;            ///< in [0, 1]
   Decimal twist_erf;                      ///< ∫₀¹ 2h/σ
-  std::optional<Decimal> bending_energy;  ///< ∫₀¹ κ² ds; none where the curve has a cusp in [0, 1]
+  std::optional<Decimal> bending_energy;  ///< ∫₀¹ κ² ds = ∫₀¹ ρ/(|f|σ³) dt
+  std::string no_energy;  ///< why there is none: "∞ (cusp)", a pole, or "f changes sign"
 };
 
 /// Computes the two integrals to `digits` digits.

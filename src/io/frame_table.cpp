@@ -55,11 +55,12 @@ FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& fr
     add_columns(table.columns, third);
   }
   const Vector<Polynomial> r = position(curve);
+  const Frames of_curve(curve);
   std::optional<RmfAngle> angle;
   if (std::find(frames.begin(), frames.end(), TabulatedFrame::rmf) != frames.end())
     angle.emplace(curve, Reference::erf);
   for (const Rational& t : at) {
-    const Frame<Rational> erf = euler_rodrigues_frame(curve, t);
+    const Frame<Rational> erf = of_curve.euler_rodrigues(t);
     std::vector<double> row{round_to_double(Real(t))};
     add_values(row, round_to_double(evaluate(r, t)));
     add_values(row, round_to_double(erf.e1));
@@ -69,8 +70,8 @@ FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& fr
     };
     for (const TabulatedFrame frame : frames) {
       if (frame == TabulatedFrame::erf) add_frame(erf);
-      if (frame == TabulatedFrame::rmf) add_frame(rotation_minimizing_frame(curve, *angle, t));
-      if (frame == TabulatedFrame::frenet) add_frame(frenet_frame(curve, t));
+      if (frame == TabulatedFrame::rmf) add_frame(of_curve.rotation_minimizing(*angle, t));
+      if (frame == TabulatedFrame::frenet) add_frame(of_curve.frenet(t));
     }
     require_finite(row, table.columns, t);
     table.rows.push_back(std::move(row));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "phrame/algebra/error.hpp"
@@ -11,10 +12,74 @@
 namespace phrame {
 namespace {
 
-/// nlohmann's parser converts every number besides handing over its text, and stops where that
-/// overflows: with a long double far beyond any bare number that people write.
-using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
-                                  std::uint64_t, long double>;
+using Json = nlohmann::json;
+
+constexpr std::string_view number_characters = "0123456789+-.eE";
+
+/// -?(0|[1-9]d*)(.d+)?([eE][+-]?d+)?, with d for a digit.
+bool is_number(std::string_view text) {
+  const auto take = [&](std::string_view any_of) {
+    const bool taken = !text.empty() && any_of.find(text.front()) != std::string_view::npos;
+    if (taken) text.remove_prefix(1);
+    return taken;
+  };
+  const auto digits = [&] {
+    const std::size_t length = text.size();
+    while (take("0123456789")) {
+    }
+    return text.size() < length;
+  };
+  take("-");
+  if (!take("0") && !digits()) return false;
+  if (take(".") && !digits()) return false;
+  if (take("eE")) {
+    take("+-");
+    if (!digits()) return false;
+  }
+  return text.empty();
+}
+
+/// The numbers of a JSON text, in order. nlohmann's parser would convert them, and stop where that
+/// overflows, so it is given a text in which each is a 0 and blanks: every place stays the same.
+struct Numbers {
+  std::vector<std::string_view> texts;
+  std::string without;
+};
+
+Numbers take_numbers(std::string_view text) {
+  Numbers numbers{{}, std::string(text)};
+  for (std::size_t k = 0; k < text.size();) {
+    if (text[k] == '"') {  // skip a string
+      for (++k; k < text.size() && text[k] != '"'; ++k)
+        if (text[k] == '\\') ++k;
+      ++k;
+    } else if (text[k] == '-' || (text[k] >= '0' && text[k] <= '9')) {
+      const std::size_t end = std::min(text.find_first_not_of(number_characters, k), text.size());
+      // What is no number stays, for the parser to stop at.
+      if (const auto token = text.substr(k, end - k); is_number(token)) {
+        numbers.texts.push_back(token);
+        numbers.without.replace(k, end - k, "0" + std::string(end - k - 1, ' '));
+      }
+      k = end;
+    } else {
+      ++k;
+    }
+  }
+  return numbers;
+}
+
+/// The word that ends with, or goes on after, the last byte read before `offset`; may be empty.
+std::string_view word_at(std::string_view text, std::size_t offset) {
+  const auto is_of_word = [&](std::size_t k) {
+    return std::isalnum(static_cast<unsigned char>(text[k])) != 0 ||
+           std::string_view("+-._").find(text[k]) != std::string_view::npos;
+  };
+  std::size_t end = std::min(offset, text.size());
+  std::size_t begin = end;
+  while (begin > 0 && is_of_word(begin - 1)) --begin;
+  while (begin < end && end < text.size() && is_of_word(end)) ++end;
+  return text.substr(begin, end - begin);
+}
 
 /// "line:column" of the byte before `offset`.
 std::string place_of(std::string_view text, std::size_t offset) {
@@ -27,7 +92,8 @@ std::string place_of(std::string_view text, std::size_t offset) {
 /// Builds a JsonValue from the events of nlohmann's parser.
 class Builder : public nlohmann::json_sax<Json> {
  public:
-  explicit Builder(std::string_view text) : text_(text) {}
+  Builder(std::string_view text, const std::vector<std::string_view>& numbers)
+      : text_(text), numbers_(numbers) {}
 
   JsonValue result() { return std::move(root_); }
 
@@ -35,15 +101,9 @@ class Builder : public nlohmann::json_sax<Json> {
   bool boolean(bool value) override {
     return scalar(JsonValue::Kind::boolean, value ? "true" : "false");
   }
-  bool number_integer(number_integer_t value) override {
-    return scalar(JsonValue::Kind::number, std::to_string(value));
-  }
-  bool number_unsigned(number_unsigned_t value) override {
-    return scalar(JsonValue::Kind::number, std::to_string(value));
-  }
-  bool number_float(number_float_t, const string_t& text) override {
-    return scalar(JsonValue::Kind::number, text);
-  }
+  bool number_integer(number_integer_t) override { return number(); }
+  bool number_unsigned(number_unsigned_t) override { return number(); }
+  bool number_float(number_float_t, const string_t&) override { return number(); }
   bool string(string_t& value) override {
     return scalar(JsonValue::Kind::string, std::move(value));
   }
@@ -66,18 +126,23 @@ class Builder : public nlohmann::json_sax<Json> {
     return true;
   }
 
-  bool parse_error(std::size_t position, const std::string& last_token,
+  bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::detail::exception& error) override {
-    const std::string place = place_of(text_, position);
-    if (dynamic_cast<const nlohmann::detail::out_of_range*>(&error) != nullptr)
-      throw InputError(place, fmt::format("the number {} is too large to be written bare: put it "
-                                          "in quotes",
-                                          abbreviated(last_token)));
     // "[…] parse error at …: syntax error while parsing value - what is wrong; expected …"
     std::string reason = error.what();
-    if (const auto at = reason.find(" - "); at != std::string::npos) reason.erase(0, at + 3);
+    const auto at = reason.find(" - ");
+    reason.erase(0, at == std::string::npos ? reason.size() : at + 3);
     reason.erase(std::min(reason.find(';'), reason.size()));
-    throw InputError(place, "not valid JSON: " + abbreviated(reason, 120));
+    if (reason.empty()) reason = "invalid number";  // whose beginning overflows
+    std::string_view word = word_at(text_, position);
+    // A number that is cut short is left one byte later.
+    if (word.empty() && reason == "invalid number" && position > 0)
+      word = word_at(text_, position - 1);
+    std::string message = "not valid JSON: " + abbreviated(reason, 120);
+    if (!word.empty() && !reason.starts_with("invalid string") &&
+        !reason.starts_with("unexpected end"))
+      message += fmt::format(", at \"{}\"", abbreviated(word));
+    throw InputError(place_of(text_, position), message);
   }
 
  private:
@@ -104,6 +169,13 @@ class Builder : public nlohmann::json_sax<Json> {
     return true;
   }
 
+  /// The parser meets the numbers in their order. Where it takes the beginning of what is none for
+  /// a number there may be no text left, but then it stops at the rest.
+  bool number() {
+    const bool left = next_number_ < numbers_.size();
+    return scalar(JsonValue::Kind::number, left ? std::string(numbers_[next_number_++]) : "");
+  }
+
   bool open(JsonValue::Kind kind) {
     constexpr std::size_t deepest = 32;
     if (open_.size() == deepest)
@@ -119,6 +191,8 @@ class Builder : public nlohmann::json_sax<Json> {
   }
 
   std::string_view text_;
+  const std::vector<std::string_view>& numbers_;
+  std::size_t next_number_ = 0;
   JsonValue root_;
   std::vector<JsonValue*> open_;  ///< the containers around this place; an open one is never moved
 };
@@ -131,8 +205,9 @@ const JsonValue* JsonValue::find(std::string_view key) const {
 }
 
 JsonValue parse_json(std::string_view text) {
-  Builder builder(text);
-  Json::sax_parse(text.begin(), text.end(), &builder);
+  const Numbers numbers = take_numbers(text);
+  Builder builder(text, numbers.texts);
+  Json::sax_parse(numbers.without, &builder);
   return builder.result();
 }
 

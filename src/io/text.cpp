@@ -18,6 +18,15 @@ std::string superscript(long k, Notation notation) {
   return text;
 }
 
+/// Appends " + term" or " − term" to a sum, the first term without blanks.
+void append_term(std::string& sum, bool negative, std::string_view term, Notation notation) {
+  if (sum.empty())
+    sum = negative ? minus(notation) : "";
+  else
+    sum += negative ? fmt::format(" {} ", minus(notation)) : " + ";
+  sum += term;
+}
+
 /// |c|·variableᵏ.
 std::string term(const Rational& c, long k, Notation notation, std::string_view variable) {
   const Rational size = abs(c);
@@ -58,11 +67,27 @@ std::string formatted(const Polynomial& p, Notation notation, std::string_view v
   for (long k = p.degree(); k >= 0; --k) {
     const Rational c = p.coefficient(k);
     if (c == 0) continue;
-    if (text.empty())
-      text = c < 0 ? minus(notation) : "";
-    else
-      text += c < 0 ? fmt::format(" {} ", minus(notation)) : " + ";
-    text += term(c, k, notation, variable);
+    append_term(text, c < 0, term(c, k, notation, variable), notation);
+  }
+  return text.empty() ? "0" : text;
+}
+
+std::string formatted(const Bivariate& v, Notation notation) {
+  const bool latex = notation == Notation::latex;
+  std::string text;
+  for (long k = v.degree(); k >= 0; --k) {
+    const Polynomial c = v.coefficient(k);
+    if (c.is_zero()) continue;
+    if (c.is_constant()) {
+      const Rational number = c.coefficient(0);
+      append_term(text, number < 0, term(number, k, notation, "t"), notation);
+      continue;
+    }
+    const std::string power = k == 0 ? "" : term(1, k, notation, "t");
+    append_term(text, false,
+                fmt::format("{}{}{}{}", latex ? "\\left(" : "(", formatted(c, notation, "x"),
+                            latex ? "\\right)" : ")", power),
+                notation);
   }
   return text.empty() ? "0" : text;
 }
@@ -101,6 +126,30 @@ std::string formatted(const GaussianPolynomial& p, Notation notation, std::strin
                      negative ? minus(notation) : "+", imaginary);
 }
 
+std::string place_of_root(const Interval& root) {
+  const auto shown = [](const Rational& t) { return abbreviated(to_string(t)); };
+  if (*root.lower == *root.upper) return "t = " + shown(*root.lower);
+  return fmt::format("a t in ({}, {})", shown(*root.lower), shown(*root.upper));
+}
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    unsigned code = static_cast<unsigned char>(text[k]);
+    // U+0080 … U+009F are the two bytes C2 80 … C2 9F.
+    const unsigned next = k + 1 < text.size() ? static_cast<unsigned char>(text[k + 1]) : 0;
+    if (code == 0xC2U && next >= 0x80U && next < 0xA0U) {
+      code = next;
+      ++k;
+    } else if (code >= 0x20U && code != 0x7FU) {
+      shown += text[k];
+      continue;
+    }
+    shown += fmt::format("\\u{:04x}", code);
+  }
+  return shown;
+}
+
 std::size_t text_width(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // not a continuation byte of UTF-8
@@ -109,6 +158,11 @@ std::size_t text_width(std::string_view text) {
 
 std::string readable(std::string text, const Polynomial& p) {
   return is_bearable(text) ? std::move(text) : summary(p.degree(), longest_coefficient(p));
+}
+
+std::string readable(const Bivariate& v) {
+  std::string text = formatted(v, Notation::unicode);
+  return is_bearable(text) ? std::move(text) : fmt::format("⟨degree {} in t⟩", v.degree());
 }
 
 std::string readable(const GaussianPolynomial& g) {

@@ -2,8 +2,10 @@
 #include <string>
 #include <string_view>
 
+#include "phrame/algebra/bivariate.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/gaussian_polynomial.hpp"
+#include "phrame/algebra/sturm.hpp"
 
 namespace phrame {
 
@@ -17,15 +19,24 @@ std::string formatted_factors(const Polynomial& p, Notation notation,
 /// "(4t² − 24t + 12) + (2t² + 14t − 6)i".
 std::string formatted(const GaussianPolynomial& p, Notation notation,
                       std::string_view variable = "t");
+/// "t² − t + (2x + 1)", by powers of t: coefficients with an x stand in parentheses.
+std::string formatted(const Bivariate& v, Notation notation);
 /// "3/7", "\frac{3}{7}"; a minus sign is "−" in Unicode.
 std::string formatted(const Rational& x, Notation notation);
+
+/// Where a root lies, as located_real_roots has it: "t = 1/2", "a t in (1/4, 1/2)". Long numbers
+/// are abbreviated.
+std::string place_of_root(const Interval& root);
+/// The text on one line, safe for a terminal: control characters (C0, DEL, C1) become "\u001b".
+std::string printable(std::string_view text);
 
 /// The number of characters, where one code point is one character.
 std::size_t text_width(std::string_view text);
 /// `text`, or, where it is longer than a screen line can bear, what the polynomial is:
 /// "⟨degree 160, coefficients of up to 53 digits⟩".
 std::string readable(std::string text, const Polynomial& p);
-/// The same of g, in Unicode.
+/// The same of v: "⟨degree 12 in t⟩", and of g, in Unicode.
+std::string readable(const Bivariate& v);
 std::string readable(const GaussianPolynomial& g);
 
 }  // namespace phrame

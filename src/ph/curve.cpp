@@ -36,6 +36,27 @@ std::vector<Interval> cusps(const Curve& curve, const Interval& interval) {
   return located_real_roots(curve.multiplier() * real_content(curve.preimage()), interval);
 }
 
+// The ends of isolating intervals and the middles between them meet every gap between two roots: an
+// open interval has no root at its ends, and between two roots that are points is their middle.
+Signs multiplier_signs(const Curve& curve) {
+  const Polynomial& f = curve.multiplier();
+  std::vector<Rational> samples{0};
+  for (const Interval& root : isolate_real_roots(f, closed(0, 1)))
+    for (const Rational& end : {*root.lower, *root.upper}) {
+      samples.push_back((samples.back() + end) / 2);
+      samples.push_back(end);
+    }
+  samples.push_back((samples.back() + 1) / 2);
+  samples.emplace_back(1);
+  Signs signs;
+  for (const Rational& t : samples) {
+    const Rational value = f(t);
+    signs.positive = signs.positive || value > 0;
+    signs.negative = signs.negative || value < 0;
+  }
+  return signs;
+}
+
 Vector<Rational> evaluate(const Vector<Polynomial>& v, const Rational& t) {
   return {v[0](t), v[1](t), v[2](t)};
 }

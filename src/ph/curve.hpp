@@ -7,6 +7,8 @@ namespace phrame {
 /// A spatial Pythagorean-hodograph curve r(t), t ∈ ℝ (the segment is [0, 1]):
 ///   r′ = f · A i A*,  r(0) = start,
 /// with the preimage A ∈ ℍ[t] and the multiplier f ∈ ℚ[t], both not zero [Farouki 2003, (12)].
+/// Frames and angles are those of A i A*, whatever the sign of f: e₁ = A i A*/σ is r′/|r′| where
+/// f > 0 and −r′/|r′| where f < 0.
 class Curve {
  public:
   /// Throws DomainError where the preimage or the multiplier is zero.
@@ -33,6 +35,14 @@ Vector<Polynomial> position(const Curve& curve);   ///< r
 /// The points of the interval where r′ = 0: real roots of f and of gcd(u, v, p, q), as
 /// located_real_roots gives them.
 std::vector<Interval> cusps(const Curve& curve, const Interval& interval);
+/// The signs that f takes on the segment [0, 1], its zeros apart; decided exactly.
+struct Signs {
+  bool positive = false;
+  bool negative = false;
+  friend bool operator==(const Signs&, const Signs&) = default;
+};
+Signs multiplier_signs(const Curve& curve);
+
 Vector<Rational> evaluate(const Vector<Polynomial>& v, const Rational& t);
 
 /// The polynomial Σ b_r C(m, r) (1 − t)^{m−r} tʳ with m + 1 Bernstein coefficients b.

@@ -36,40 +36,41 @@ Vector<Real> over_square_root(const Vector<Rational>& v, const Rational& s) {
 
 }  // namespace
 
-Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t) {
+// A real factor c of A leaves the frames alone: it is a factor c² of σ and of g.
+Frames::Frames(const Curve& curve) {
   const Polynomial common = real_content(curve.preimage());
   const auto& [u, v, p, q] = curve.preimage();
-  const RationalQuaternion a =
-      evaluate(QuaternionPolynomial{exact_quotient(u, common), exact_quotient(v, common),
-                                    exact_quotient(p, common), exact_quotient(q, common)},
-               t);
+  primitive_ = {exact_quotient(u, common), exact_quotient(v, common), exact_quotient(p, common),
+                exact_quotient(q, common)};
+  bend_ = bend_numerator(primitive_);
+}
+
+Frame<Rational> Frames::euler_rodrigues(const Rational& t) const {
+  const RationalQuaternion a = evaluate(primitive_, t);
   const Rational scale = 1 / norm(a);
   const Vector<Rational> zero{};
   return {combine(scale, rotated_i(a), 0, zero), combine(scale, rotated_j(a), 0, zero),
           combine(scale, rotated_k(a), 0, zero)};
 }
 
-Frame<Real> frenet_frame(const Curve& curve, const Rational& t) {
-  const GaussianPolynomial g = bend_numerator(curve.preimage());
-  if (is_zero(g))
+Frame<Real> Frames::frenet(const Rational& t) const {
+  if (is_zero(bend_))
     throw DomainError("frenet_frame: the curve is a straight line, it has no principal normal");
-  const Polynomial content = real_content(curve.preimage());
-  // A real factor c of A is a factor c² of g, which does not turn the normal.
-  const Polynomial squared = content * content;
-  const Rational re = exact_quotient(g.re, squared)(t);
-  const Rational im = exact_quotient(g.im, squared)(t);
+  const Rational re = bend_.re(t);
+  const Rational im = bend_.im(t);
   if (re == 0 && im == 0)
-    throw DomainError(fmt::format(
-        "frenet_frame: t = {} is an inflection, the principal normal is undefined", to_string(t)));
-  const Frame<Rational> erf = euler_rodrigues_frame(curve, t);
+    throw DomainError(
+        fmt::format("frenet_frame: t = {} is an inflection, the principal normal is undefined",
+                    abbreviated(to_string(t))));
+  const Frame<Rational> erf = euler_rodrigues(t);
   const Rational size = re * re + im * im;
   return {{erf.e1[0], erf.e1[1], erf.e1[2]},
           over_square_root(combine(re, erf.e2, -im, erf.e3), size),
           over_square_root(combine(im, erf.e2, re, erf.e3), size)};
 }
 
-Frame<Real> rotation_minimizing_frame(const Curve& curve, RmfAngle& angle, const Rational& t) {
-  const Frame<Rational> erf = euler_rodrigues_frame(curve, t);
+Frame<Real> Frames::rotation_minimizing(RmfAngle& angle, const Rational& t) const {
+  const Frame<Rational> erf = euler_rodrigues(t);
   const Real theta = angle.value(t);
   const bool aligned = theta.exact() == Rational(0);
   // The six components ask for the same few precisions one after the other: keep the last.
@@ -99,6 +100,16 @@ Frame<Real> rotation_minimizing_frame(const Curve& curve, RmfAngle& angle, const
   return {{erf.e1[0], erf.e1[1], erf.e1[2]},
           rotated(erf.e2, erf.e3, false),
           rotated(erf.e2, erf.e3, true)};
+}
+
+Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t) {
+  return Frames(curve).euler_rodrigues(t);
+}
+
+Frame<Real> frenet_frame(const Curve& curve, const Rational& t) { return Frames(curve).frenet(t); }
+
+Frame<Real> rotation_minimizing_frame(const Curve& curve, RmfAngle& angle, const Rational& t) {
+  return Frames(curve).rotation_minimizing(angle, t);
 }
 
 Vector<double> round_to_double(const Vector<Real>& v) {

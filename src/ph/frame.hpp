@@ -12,16 +12,31 @@ struct Frame {
   Vector<T> e3;
 };
 
-/// (A i A*, A j A*, A k A*)/σ at t, exact; through cusps by continuity.
+/// The frames of one curve, for many t: what does not depend on t is computed once.
+class Frames {
+ public:
+  explicit Frames(const Curve& curve);
+
+  /// (A i A*, A j A*, A k A*)/σ at t, exact; through cusps by continuity.
+  Frame<Rational> euler_rodrigues(const Rational& t) const;
+
+  /// (t, n, b) at t: n = (Re g·e₂ − Im g·e₃)/|g|, b = (Im g·e₂ + Re g·e₃)/|g| in the ERF.
+  /// Components are exact where |g|² is a rational square, else irrational or 0.
+  /// Throws DomainError for a straight line and at an inflection.
+  Frame<Real> frenet(const Rational& t) const;
+
+  /// The rotation-minimizing frame that agrees with the ERF at t = 0; `angle` is that of this curve
+  /// relative to the ERF. Exact where θ(t) = 0. The components refer to `angle`.
+  Frame<Real> rotation_minimizing(RmfAngle& angle, const Rational& t) const;
+
+ private:
+  QuaternionPolynomial primitive_;  ///< A without its greatest real factor
+  GaussianPolynomial bend_;         ///< g of that
+};
+
+// One frame of a curve; Frames is faster for many.
 Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t);
-
-/// (t, n, b) at t: n = (Re g·e₂ − Im g·e₃)/|g|, b = (Im g·e₂ + Re g·e₃)/|g| in the ERF. Components
-/// are exact where |g|² is a rational square, else irrational or 0.
-/// Throws DomainError for a straight line and at an inflection.
 Frame<Real> frenet_frame(const Curve& curve, const Rational& t);
-
-/// The rotation-minimizing frame that agrees with the ERF at t = 0; `angle` is that of this curve
-/// relative to the ERF. Exact where θ(t) = 0. The components refer to `angle`.
 Frame<Real> rotation_minimizing_frame(const Curve& curve, RmfAngle& angle, const Rational& t);
 
 /// Every component correctly rounded.

@@ -20,6 +20,16 @@ GaussianPolynomial bend_numerator(const QuaternionPolynomial& a) {
 
 Polynomial rho(const QuaternionPolynomial& a) { return Rational(4) * norm(bend_numerator(a)); }
 
+std::vector<Interval> normal_flips(const QuaternionPolynomial& a, const Interval& interval) {
+  const GaussianPolynomial g = bend_numerator(a);
+  if (is_zero(g))
+    throw DomainError("normal_flips: the curve is a straight line, it has no principal normal");
+  Polynomial odd{1};
+  for (const auto& [base, exponent] : squarefree_factorization(gcd(g.re, g.im)).factors)
+    if (exponent % 2 == 1) odd *= base;
+  return located_real_roots(odd, interval);
+}
+
 AngleSplit closed_split(const QuaternionPolynomial& preimage) {
   const GaussianPolynomial g = bend_numerator(preimage);
   return {Rational(2) * twist_numerator(preimage),
@@ -53,8 +63,8 @@ Polynomial arc_length(const Curve& curve) {
 }
 
 std::optional<Rational> segment_length(const Curve& curve) {
-  for (const auto& [base, exponent] : squarefree_factorization(curve.multiplier()).factors)
-    if (exponent % 2 == 1 && count_real_roots(base, open(0, 1)) > 0) return std::nullopt;
+  const Signs signs = multiplier_signs(curve);
+  if (signs.positive && signs.negative) return std::nullopt;
   return Rational(abs(arc_length(curve)(1)));
 }
 

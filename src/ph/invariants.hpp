@@ -18,11 +18,17 @@ GaussianPolynomial bend_numerator(const QuaternionPolynomial& a);
 /// ρ = 4|g|²; |r′ × r″|² = f⁴σ²ρ.
 Polynomial rho(const QuaternionPolynomial& a);
 
+/// Where n and b flip: the real zeros of odd order of gcd(Re g, Im g) in the interval, as
+/// located_real_roots gives them; at one of even order n and b continue. The order is that of the
+/// inflection, but for the even one that a real factor of A brings.
+/// Throws DomainError for a straight line.
+std::vector<Interval> normal_flips(const QuaternionPolynomial& a, const Interval& interval);
+
 /// (r′ × r″)·r‴ = f³(2hρ − 4 Im(g′ḡ)σ).
 Polynomial triple_product(const Curve& curve);
 /// ∫₀ᵗ fσ: the arc length from 0 to t > 0 where f ≥ 0 between them, exact.
 Polynomial arc_length(const Curve& curve);
-/// The length of the segment [0, 1], ∫₀¹ |f|σ; no value where f changes sign inside.
+/// The length of the segment [0, 1], ∫₀¹ |f|σ; no value where f changes sign on it.
 std::optional<Rational> segment_length(const Curve& curve);
 /// κ² = ρ/(f²σ⁴). The curvature of a cusp is a pole.
 RationalFunction squared_curvature(const Curve& curve);

@@ -19,11 +19,6 @@ struct Quaternion {
 };
 
 template <class T>
-Quaternion<T> operator+(const Quaternion<T>& a, const Quaternion<T>& b) {
-  return {a.u + b.u, a.v + b.v, a.p + b.p, a.q + b.q};
-}
-
-template <class T>
 Quaternion<T> operator*(const Quaternion<T>& a, const Quaternion<T>& b) {
   return {
       a.u * b.u - a.v * b.v - a.p * b.p - a.q * b.q, a.u * b.v + a.v * b.u + a.p * b.q - a.q * b.p,

@@ -12,13 +12,14 @@ struct Options {
   Form form = Form::automatic;
   std::vector<Rational> at = {};
   long digits = 50;
+  Rational start_angle = 0;
 };
 
 using Printer = std::string (*)(const AngleReport&);
 
 std::string printed(Printer print, const NamedCurve& named, const Options& options) {
   RmfAngle angle(named.curve, options.reference, options.form);
-  AngleReport report{named, options.reference, angle, 0, {}, options.digits};
+  AngleReport report{named, options.reference, angle, options.start_angle, {}, options.digits};
   for (const Rational& t : options.at)
     report.values.push_back({t, round_to_decimal(angle.value(t), options.digits)});
   return print(report);
@@ -194,6 +195,47 @@ TEST_CASE("angle report: the form is named") {
   CHECK(name(test::rational_angle_curve(), Form::automatic) == "rational");
 }
 
+// Its logarithm is arg g, Σ x·log v over x = ±i/2, which is not over poles.
+TEST_CASE("angle report: the form of a Frenet angle is that of all its logarithms") {
+  const auto name = [](const NamedCurve& named, Form form) {
+    return json(named, {.reference = Reference::frenet, .form = form})["antiderivative"]["form"];
+  };
+  CHECK(name(test::rational_angle_curve(), Form::automatic) == "rothstein-trager");
+  CHECK(name(test::farouki_quintic(), Form::automatic) == "mixed");
+  CHECK(name(test::farouki_quintic(), Form::rothstein_trager) == "rothstein-trager");
+}
+
+TEST_CASE("angle report: the angle at 0 is in JSON, and in LaTeX unless it is 0") {
+  const auto report = [](Printer print, const Rational& start) {
+    return printed(print, test::farouki_quintic(), {.start_angle = start});
+  };
+  CHECK(Json::parse(report(to_json, Rational(-1, 3)))["theta0"] == "-1/3");
+  CHECK(Json::parse(report(to_json, 0))["theta0"] == "0");
+  CHECK(contains(report(to_latex, Rational(-1, 3)),
+                 " + C \\\\\n\\theta(0) &= -\\frac{1}{3}\n\\end{align*}"));
+  CHECK_FALSE(contains(report(to_latex, 0), "theta(0)"));
+}
+
+// A = 1 + (t² − t)k: g = 2t − 1; with its square for f, r′ = 0 at 1/2.
+TEST_CASE("angle report: inflections where n and b flip are listed to the Frenet frame only") {
+  const QuaternionPolynomial a{{1}, {}, {}, {0, -1, 1}};
+  const std::string line =
+      "  inflection at t = 1/2: (n, b) flip there, the angle is continued through\n";
+  CHECK(contains(printed(to_text, {"", Curve(a)}, {.reference = Reference::frenet}), line));
+  CHECK_FALSE(contains(printed(to_text, {"", Curve(a)}, {}), "inflection"));
+  CHECK_FALSE(contains(printed(to_text, test::farouki_quintic(), {.reference = Reference::frenet}),
+                       "inflection"));
+}
+
+TEST_CASE("angle report: where f is negative, the text says which way the tangent points") {
+  const auto text = [](const Polynomial& f) {
+    return printed(to_text, {"", Curve(test::farouki_quintic().curve.preimage(), f)}, {});
+  };
+  CHECK(contains(text({-1}), "  f < 0 on [0, 1]: there e₁ = A i A*/σ is −r′/|r′|\n"));
+  CHECK(contains(text({1, -3}), "  f < 0 in a part of [0, 1]: there e₁"));
+  CHECK_FALSE(contains(text({1, -1}), "f < 0"));
+}
+
 TEST_CASE("angle report: the text holds the closed form, the poles and the table") {
   const std::string text =
       printed(to_text, test::farouki_quintic(), {.at = {0, Rational(1, 2), 1}, .digits = 12});
@@ -225,6 +267,19 @@ TEST_CASE("angle report: the text in Rothstein–Trager's form shows the residue
   CHECK(contains(text, "Σ x·log v(x, t) over the 4 roots x of 1669067x⁴ − 28952x² + 224x + 160\n"));
 }
 
+// A = t² − 6/5 + (8/5)i + (13/5)t j + (4/5)t k: σ = (t² + 1)(t² + 4), h = −(16/5)t.
+TEST_CASE("angle report: a sum over one root is written as its only term") {
+  const NamedCurve named{
+      "",
+      Curve(
+          {{Rational(-6, 5), 0, 1}, {Rational(8, 5)}, {0, Rational(13, 5)}, {0, Rational(4, 5)}})};
+  CHECK(contains(printed(to_text, named, {}),
+                 "θ  = 16/15·log(t² + 1)\n      − 16/15·log(t² + 4)\n      + constant\n"));
+  CHECK(contains(printed(to_latex, named, {}),
+                 "= \\frac{16}{15} \\log\\left(t^{2} + 1\\right) - "
+                 "\\frac{16}{15} \\log\\left(t^{2} + 4\\right) + C\n"));
+}
+
 TEST_CASE("angle report: a rational angle is written without logarithms") {
   const std::string text = printed(to_text, test::rational_angle_curve(), {});
   CHECK(contains(text, "θ  = −2t/(t² + 1)\n"));
@@ -243,7 +298,7 @@ TEST_CASE("angle report: cusps are announced") {
   // r′ = (2t − 1)·i
   const NamedCurve cusp{
       "", Curve({Polynomial{1}, Polynomial(), Polynomial(), Polynomial()}, Polynomial{-1, 2})};
-  CHECK(contains(printed(to_text, cusp, {}), "r′ = 0 at a t in "));
+  CHECK(contains(printed(to_text, cusp, {}), "  r′ = 0 at t = 1/2: frames and angle"));
   CHECK_FALSE(contains(printed(to_text, test::farouki_quintic(), {}), "r′ = 0"));
 }
 
@@ -277,8 +332,11 @@ TEST_CASE("angle report: a long t does not widen the text, JSON keeps it") {
 
 TEST_CASE("angle report: headings name the curve and its kind, without control characters") {
   NamedCurve named = test::straight_line();
-  named.name = "a\x1b[31m\nb";
-  CHECK(heading(named) == "a?[31m?b: line segment, degree 1 (preimage of degree 0)");
+  named.name =
+      "a\x1b[31m\n\xC2\x9B"
+      "b";
+  CHECK(heading(named) ==
+        "a\\u001b[31m\\u000a\\u009bb: line segment, degree 1 (preimage of degree 0)");
   named.name = "";
   CHECK(heading(named) == "line segment, degree 1 (preimage of degree 0)");
   const auto kind = [](long m) {

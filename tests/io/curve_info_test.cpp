@@ -79,13 +79,13 @@ TEST_CASE("curve info: the twist is minus the angle at 1, to 50 digits") {
   test::check_rounded(twist["value"], twist["radius"], "-" + theta, 50, 50);
 }
 
-TEST_CASE("curve info: a cusp is located and makes the bending energy undefined") {
+TEST_CASE("curve info: a cusp is located, and the length of a curve that turns back is not ∫f") {
   // r′ = (2t − 1)·i: f changes sign, so ∫₀¹ f is not the length.
   const Json changing = info(on_a_line({-1, 2}));
   REQUIRE(changing["cusps"].size() == 1);
   CHECK(test::rational(changing["cusps"][0][0]) <= Rational(1, 2));
   CHECK(test::rational(changing["cusps"][0][1]) >= Rational(1, 2));
-  CHECK(changing["bending_energy"].is_null());
+  CHECK(changing["bending_energy"]["value"] == "0");  // a line, there and back
   CHECK(changing["arc_length"].is_null());
   // r′ = (2t − 1)²·i: a cusp without a change of sign, ∫₀¹ (2t − 1)² = 1/3.
   const Json touching = info(on_a_line({1, -4, 4}));
@@ -96,14 +96,37 @@ TEST_CASE("curve info: a cusp is located and makes the bending energy undefined"
   CHECK(backwards["cusps"].empty());
   CHECK(backwards["arc_length"] == "1");
   CHECK(backwards["bending_energy"] == Json{{"value", "0"}, {"radius", "0"}});
-  CHECK(contains(to_text(curve_info(on_a_line({-1, 2}), 5)), "∞ (cusp)"));
-  CHECK(contains(to_text(curve_info(on_a_line({-1, 2}), 5)), "f changes sign"));
+  const std::string text = to_text(curve_info(on_a_line({-1, 2}), 5));
+  CHECK(contains(text, "cusp, r′ = 0        t = 1/2\n"));
+  CHECK(contains(text, "length ∫₀¹ |f|σ     f changes sign\n"));
 }
 
 TEST_CASE("curve info: the energy does not depend on the direction of travel") {
   const NamedCurve quintic = test::farouki_quintic();
   const NamedCurve reversed{"", Curve(quintic.curve.preimage(), Polynomial{-1})};
   CHECK(info(reversed)["bending_energy"] == info(quintic)["bending_energy"]);
+}
+
+TEST_CASE("curve info: where f is negative, the text says which way the tangent points") {
+  const auto text = [](const Polynomial& f) { return to_text(curve_info(on_a_line(f), 5)); };
+  CHECK(contains(text({-1}), "f < 0 on [0, 1]: there e₁ = A i A*/σ is −r′/|r′|\n"));
+  CHECK(contains(text({-1, 2}), "f < 0 in a part of [0, 1]: there e₁"));
+  CHECK_FALSE(contains(text({1, -4, 4}), "f < 0"));
+}
+
+TEST_CASE("curve info: the text abbreviates what is long, JSON does not") {
+  const Rational cusp(1, 1 + test::power_of_ten(1000));
+  const NamedCurve named = on_a_line({-cusp, 1});
+  std::istringstream lines(to_text(curve_info(named, 5)));
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() < 900);
+  CHECK(info(named)["cusps"][0][0] == to_string(cusp));
+  CHECK(info(on_a_line({test::power_of_ten(1000)}))["arc_length"].get<std::string>().size() ==
+        1001);
+}
+
+TEST_CASE("curve info: a report outlives the curve it was made of") {
+  const auto report = [] { return curve_info(test::farouki_quintic(), 5); };
+  CHECK(to_text(report()).starts_with("quintic: "));
 }
 
 TEST_CASE("curve info: the start moves the curve") {

@@ -70,6 +70,32 @@ TEST_CASE("text: Gaussian polynomials show only the parts they have") {
   CHECK(g({}, {}) == "0");
 }
 
+TEST_CASE("text: bivariate polynomials put only coefficients with an x into parentheses") {
+  const Bivariate v({Polynomial{1, 2}, Polynomial{-1}, Polynomial{}, Polynomial{0, 1}, {1}});
+  CHECK(formatted(v, unicode) == "t⁴ + (x)t³ − t + (2x + 1)");
+  CHECK(formatted(v, latex) == "t^{4} + \\left(x\\right)t^{3} - t + \\left(2x + 1\\right)");
+  CHECK(formatted(Bivariate({Polynomial{Rational(-1, 2)}, {}, {1}}), unicode) == "t² − 1/2");
+  CHECK(formatted(Bivariate({Polynomial{}, {Rational(-1, 2)}}), unicode) == "−(1/2)t");
+  CHECK(formatted(Bivariate(), unicode) == "0");
+  CHECK(readable(v) == formatted(v, unicode));
+  CHECK(readable(Bivariate({Polynomial{0, parse_rational("1e250")}, {1}})) == "⟨degree 1 in t⟩");
+}
+
+TEST_CASE("text: a root is at a point or in an interval, long numbers abbreviated") {
+  CHECK(place_of_root(closed(Rational(1, 2), Rational(1, 2))) == "t = 1/2");
+  CHECK(place_of_root(open(Rational(1, 4), Rational(1, 2))) == "a t in (1/4, 1/2)");
+  const Rational tiny = parse_rational("1e-500");
+  CHECK(text_width(place_of_root(closed(tiny, tiny))) < 80);
+}
+
+TEST_CASE("text: control characters, in one byte or two, are escaped; other characters stay") {
+  CHECK(printable("a\x1b[31m\nb\x7f") == "a\\u001b[31m\\u000ab\\u007f");
+  CHECK(printable("\xC2\x9B"
+                  "31m\xC2\x80") == "\\u009b31m\\u0080");
+  CHECK(printable("σ é \xC2\xA0 ⟨⟩ \xC2") == "σ é \xC2\xA0 ⟨⟩ \xC2");
+  CHECK(printable("") == "");
+}
+
 TEST_CASE("text: the width counts characters, not bytes") {
   CHECK(text_width("") == 0);
   CHECK(text_width("abc") == 3);

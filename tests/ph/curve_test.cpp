@@ -82,3 +82,44 @@ TEST_CASE("cusps: real roots of the multiplier and of the common factor") {
   CHECK(found[0] == closed(Rational(1, 2), Rational(1, 2)));
   CHECK(found[1] == closed(3, 3));
 }
+
+TEST_CASE("curve: the signs of the multiplier on [0, 1] are exact") {
+  const auto signs = [](const Polynomial& f) {
+    return multiplier_signs(Curve({{1}, {}, {}, {}}, f));
+  };
+  constexpr Signs positive{true, false};
+  constexpr Signs negative{false, true};
+  constexpr Signs both{true, true};
+  CHECK(signs({3}) == positive);
+  CHECK(signs({-3}) == negative);
+  CHECK(signs({-1, 2}) == both);
+  CHECK(signs({2, -1}) == positive);  // a root beyond 1
+  CHECK(signs({0, 1}) == positive);   // and at an end
+  CHECK(signs({0, -1, 1}) == negative);
+  CHECK(signs({1, -4, 4}) == positive);  // a double root at 1/2
+  CHECK(signs({-1, 0, 2}) == both);      // a root at 1/√2
+  CHECK(signs({1, 0, -4, 0, 4}) == positive);
+  const auto at = [](const char* root) { return Polynomial{-parse_rational(root), 1}; };
+  CHECK(signs(at("1/3") * at("1/2") * at("1/2")) == both);
+  // Negative between 1/3 and 1/3 + 10⁻⁵⁰ only.
+  const Polynomial near = at("1/3") * Polynomial{-Rational(1, 3) - parse_rational("1e-50"), 1};
+  CHECK(signs(near) == both);
+  CHECK(signs(pow(near, 2)) == positive);
+  CHECK(signs(Polynomial{0, 1, -1} * near) == both);
+  CHECK(signs(-at("0") * at("1") * pow(at("1/2"), 2)) == positive);
+}
+
+TEST_CASE("curve: law: the signs of the multiplier are those of its values") {
+  for_samples(100, [](Random& random) {
+    const Curve curve({{1}, {}, {}, {}}, random.nonzero_polynomial(5));
+    const Signs signs = multiplier_signs(curve);
+    CHECK((signs.positive || signs.negative));
+    for (long k = 0; k <= 64; ++k) {
+      const Rational value = curve.multiplier()(Rational(k, 64));
+      CHECK((value <= 0 || signs.positive));
+      CHECK((value >= 0 || signs.negative));
+    }
+    const Signs opposite = multiplier_signs(Curve(curve.preimage(), -curve.multiplier()));
+    CHECK(opposite == Signs{signs.negative, signs.positive});
+  });
+}

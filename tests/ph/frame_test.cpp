@@ -133,6 +133,18 @@ TEST_CASE("frame: exact values: at t = 0, with h = 0, and through a cusp") {
         euler_rodrigues_frame(curve, Rational(1, 2)).e2);
 }
 
+TEST_CASE("frame: the sign of the multiplier does not change the frames; e₁ is then −r′/|r′|") {
+  const QuaternionPolynomial a{{1, 2}, {3}, {0, 1}, {2, -1}};
+  const Curve ahead(a);
+  const Curve back(a, Polynomial{-2});
+  const Rational t(1, 3);
+  const auto erf = euler_rodrigues_frame(back, t);
+  CHECK(erf.e1 == euler_rodrigues_frame(ahead, t).e1);
+  CHECK(erf.e2 == euler_rodrigues_frame(ahead, t).e2);
+  CHECK(dot(erf.e1, evaluate(hodograph(back), t)) < 0);
+  CHECK(dot(erf.e1, evaluate(hodograph(ahead), t)) > 0);
+}
+
 TEST_CASE("frame: Frenet is refused on a line and at an inflection, by name") {
   CHECK_THROWS_WITH_AS(frenet_frame(Curve({{1, 1}, {}, {}, {}}), 1),
                        doctest::Contains("straight line"), DomainError);
