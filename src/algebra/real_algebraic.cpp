@@ -1,0 +1,108 @@
+#include "phrame/algebra/real_algebraic.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/factor.hpp"
+#include "phrame/algebra/roots.hpp"
+
+namespace phrame {
+namespace {
+
+int sign(const Rational& x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
+
+std::strong_ordering order(const Rational& x, const Rational& y) {
+  return x < y   ? std::strong_ordering::less
+         : x > y ? std::strong_ordering::greater
+                 : std::strong_ordering::equal;
+}
+
+}  // namespace
+
+RealAlgebraic::RealAlgebraic(const Rational& r)
+    : polynomial_(primitive_part(Polynomial{-r, 1})), interval_(closed(r, r)) {}
+
+std::optional<Rational> RealAlgebraic::rational() const {
+  return is_rational() ? interval_.lower : std::nullopt;
+}
+
+RealAlgebraic real_root(const Polynomial& p, const Interval& interval) {
+  if (p.is_zero()) throw DomainError("real_root: the zero polynomial vanishes everywhere");
+  // The roots of different irreducible factors are different, so that their numbers add up.
+  std::size_t count = 0;
+  RealAlgebraic found;
+  for (const auto& [base, exponent] : factor(p).factors) {
+    const auto roots = isolate_real_roots(base, interval);
+    count += roots.size();
+    if (roots.empty()) continue;
+    found = base.degree() == 1 ? RealAlgebraic(-base.coefficient(0) / base.coefficient(1))
+                               : RealAlgebraic(base, roots.front());
+  }
+  if (count != 1)
+    throw DomainError(fmt::format("real_root: {} real roots in {}, not one",
+                                  count == 0 ? "no" : std::to_string(count), to_string(interval)));
+  return found;
+}
+
+/// Where a is irrational, its polynomial has no rational root, and its sign changes in the interval
+/// exactly once, at a.
+std::strong_ordering compare(const RealAlgebraic& a, const Rational& r) {
+  if (const auto exact = a.rational()) return order(*exact, r);
+  const Interval& i = a.interval();
+  if (r <= *i.lower) return std::strong_ordering::greater;
+  if (r >= *i.upper) return std::strong_ordering::less;
+  const Polynomial& p = a.polynomial();
+  return sign(p(r)) == sign(p(*i.lower)) ? std::strong_ordering::greater
+                                         : std::strong_ordering::less;
+}
+
+/// If a lies in the interval of b and has the same polynomial it is b. Numbers with different
+/// irreducible polynomials are different, and balls around them become disjoint.
+std::strong_ordering compare(const RealAlgebraic& a, const RealAlgebraic& b) {
+  if (const auto exact = b.rational()) return compare(a, *exact);
+  if (const auto exact = a.rational()) return 0 <=> compare(b, *exact);
+  if (compare(a, *b.interval().lower) < 0) return std::strong_ordering::less;
+  if (compare(a, *b.interval().upper) > 0) return std::strong_ordering::greater;
+  if (a.polynomial() == b.polynomial()) return std::strong_ordering::equal;
+  for (long bits = 64;; bits *= 2) {
+    const RealBall x = enclose(a, bits);
+    const RealBall y = enclose(b, bits);
+    if (!x.overlaps(y)) return order(x.lower(), y.lower());
+  }
+}
+
+int sign_at(const Polynomial& q, const RealAlgebraic& a) {
+  if (const auto exact = a.rational()) return sign(q(*exact));
+  // a is a root of q if and only if its irreducible polynomial divides q.
+  const Polynomial rest = q % a.polynomial();
+  if (rest.is_zero()) return 0;
+  for (long bits = 64;; bits *= 2) {
+    const RealBall value = evaluate(rest, ComplexBall(enclose(a, bits), RealBall()), bits).re();
+    if (!value.contains_zero()) return sign(value.lower());
+  }
+}
+
+RealBall enclose(const RealAlgebraic& a, long bits) {
+  if (const auto exact = a.rational()) return {*exact, bits + 2};
+  const Polynomial& p = a.polynomial();
+  // Narrow enough for Newton's iteration, unless the roots are a cluster.
+  const Interval start = narrowed(p, a.interval(), Rational(1, Integer(1) << 40));
+  RealBall around((*start.lower + *start.upper) / 2, 128);
+  const RealBall half_width((*start.upper - *start.lower) / 2, 64);
+  flint::Mag radius;
+  arb_get_mag(radius.get(), half_width.raw());
+  arb_add_error_mag(around.raw(), radius.get());
+  Roots roots{{around}, {}};
+  refine(p, roots, bits + 2);
+  if (roots.real.size() == 1) return roots.real.front();
+  // The iteration failed and refine() has isolated all the roots instead.
+  const long before = count_real_roots(p, {std::nullopt, *start.lower});
+  return roots.real[static_cast<std::size_t>(before)];
+}
+
+Real to_real(const RealAlgebraic& a) {
+  if (const auto exact = a.rational()) return *exact;
+  return Real([a](long bits) { return enclose(a, bits); });
+}
+
+}  // namespace phrame

@@ -1,0 +1,57 @@
+#pragma once
+#include <compare>
+#include <optional>
+
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/algebra/sturm.hpp"
+
+namespace phrame {
+
+/// A real algebraic number: the one root of an irreducible polynomial in an interval. A rational
+/// number r is the root of the primitive multiple of t − r in the point [r, r]; the interval of any
+/// other is open, with rational ends. Equality and order are decided by algebra.
+class RealAlgebraic {
+ public:
+  RealAlgebraic(const Rational& r = 0);  // NOLINT(google-explicit-constructor)
+
+  /// Irreducible over ℚ, with coprime integer coefficients and a positive leading one.
+  const Polynomial& polynomial() const { return polynomial_; }
+  const Interval& interval() const { return interval_; }
+  bool is_rational() const { return polynomial_.degree() == 1; }
+  /// The number, where it is rational.
+  std::optional<Rational> rational() const;
+
+  friend RealAlgebraic real_root(const Polynomial& p, const Interval& interval);
+
+ private:
+  RealAlgebraic(Polynomial p, Interval isolating)
+      : polynomial_(std::move(p)), interval_(std::move(isolating)) {}
+
+  Polynomial polynomial_;
+  Interval interval_;
+};
+
+/// The one real root of p in the interval, whatever its multiplicity. Throws DomainError where
+/// there are none or several, saying how many, and for p = 0. Cost: the factorization of p.
+RealAlgebraic real_root(const Polynomial& p, const Interval& interval);
+
+std::strong_ordering compare(const RealAlgebraic& a, const Rational& r);
+std::strong_ordering compare(const RealAlgebraic& a, const RealAlgebraic& b);
+inline bool operator==(const RealAlgebraic& a, const RealAlgebraic& b) {
+  return compare(a, b) == 0;
+}
+inline std::strong_ordering operator<=>(const RealAlgebraic& a, const RealAlgebraic& b) {
+  return compare(a, b);
+}
+
+/// −1, 0 or 1: the sign of q(a).
+int sign_at(const Polynomial& q, const RealAlgebraic& a);
+
+/// A ball around a with a radius ≤ 2^−bits · max(1, |a|).
+RealBall enclose(const RealAlgebraic& a, long bits);
+
+/// For correct rounding, which always ends: an irrational number is never half way between two
+/// numbers with finitely many digits.
+Real to_real(const RealAlgebraic& a);
+
+}  // namespace phrame

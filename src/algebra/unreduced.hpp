@@ -1,0 +1,77 @@
+#pragma once
+#include <map>
+#include <optional>
+
+#include "phrame/algebra/rational_function.hpp"
+
+namespace phrame {
+
+/// How large the values of a computation may become whose steps somebody else chooses.
+struct SizeLimits {
+  long max_degree = 1000;    ///< of numerators and denominators
+  long max_bits = 1L << 19;  ///< of the integers in them; 10^100000 has 332193
+};
+
+/// A rational function c·tᵏ·n/d that is brought to lowest terms only when it must be, because a gcd
+/// after every step is what makes long computations in ℚ(t) slow. A monomial has n = d = 1, and its
+/// arithmetic is that of c and k. Invariant: n(0)·d(0) ≠ 0, a constant n or d is 1, and zero has
+/// c = k = 0, n = d = 1.
+/// A result beyond the limits, even in lowest terms, throws Undecided; an operation that would take
+/// much longer than its limits allow is not begun. After an exception the value is unspecified.
+class Unreduced {
+ public:
+  explicit Unreduced(Rational constant = 0) : scale_(std::move(constant)) {}
+  explicit Unreduced(const RationalFunction& f);
+  /// c·tᵏ, k of any sign.
+  static Unreduced monomial(const Rational& c, long k);
+
+  bool is_zero() const { return scale_ == 0; }
+  bool is_monomial() const { return numerator_.is_constant() && denominator_.is_constant(); }
+  bool is_polynomial() const { return shift_ >= 0 && denominator_.is_constant(); }
+  const Rational& scale() const { return scale_; }
+  long shift() const { return shift_; }
+
+  /// The value, if it is a constant. Cost: a gcd where it is not a monomial.
+  std::optional<Rational> constant() const;
+  RationalFunction reduced(const SizeLimits& limits) const;
+
+  void negate() { scale_ = -scale_; }
+  void multiply(const Unreduced& b, const SizeLimits& limits);
+  /// Throws DomainError for b = 0.
+  void divide(const Unreduced& b, const SizeLimits& limits);
+  /// Throws DomainError for a power ≤ 0 of 0.
+  void raise(const Integer& exponent, const SizeLimits& limits);
+
+ private:
+  void invert();
+  void cancel();
+  long degree() const;
+  void settle(const SizeLimits& limits);
+
+  Rational scale_;
+  long shift_ = 0;
+  Polynomial numerator_{1};
+  Polynomial denominator_{1};
+};
+
+/// A growing sum. Monomials are collected by their exponent and polynomials added as such;
+/// fractions are added in pairs of like length, so that most additions are of small ones.
+class UnreducedSum {
+ public:
+  UnreducedSum(const Unreduced& first, const SizeLimits& limits) : limits_(limits) { add(first); }
+
+  /// Throws Undecided beyond the limits.
+  void add(const Unreduced& a);
+  Unreduced total() const;
+
+ private:
+  RationalFunction laurent_part() const;
+
+  SizeLimits limits_;
+  std::map<long, Rational> monomials_;
+  Polynomial polynomial_;
+  /// Like the digits of a binary counter: the k-th is missing or the sum of 2ᵏ fractions.
+  std::vector<std::optional<RationalFunction>> fractions_;
+};
+
+}  // namespace phrame

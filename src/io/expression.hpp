@@ -1,0 +1,35 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "phrame/algebra/unreduced.hpp"
+
+namespace phrame {
+
+/// A rational function that somebody has typed.
+struct Expression {
+  RationalFunction value;
+  std::string variable;  ///< as given or found; empty for a constant
+};
+
+struct ExpressionLimits {
+  std::size_t max_length = 1'000'000;  ///< of the text, in bytes
+  SizeLimits size = {};                ///< of the value and of each part of it
+};
+
+/// Reads a rational function of one variable over ℚ:
+///   +  −  *  /  ^ and parentheses; ^ binds tightest and to the right, −x^2 is −(x^2), and its
+///   exponent is an integer, as in x^-2 or x^(2*3);
+///   numbers, exactly: 12, 0.1 = 1/10, 1.5e-3, 0x1.8p-3;
+///   one variable: a name of letters (Latin or Greek), digits and _, given or the only one that
+///   occurs; with "" given, none may occur.
+/// Also ** for ^, and the characters of typeset mathematics: − · × ÷ and exponents as in t⁴.
+/// A product needs its sign: 2x and x(x + 1) are refused, with advice.
+/// Throws InputError: for what is not such an expression, for a division by zero and for what is
+/// beyond the limits. Its place is "column N", counted from 1 in characters.
+Expression parse_expression(std::string_view text,
+                            const std::optional<std::string>& variable = std::nullopt,
+                            const ExpressionLimits& limits = {});
+
+}  // namespace phrame
