@@ -3,7 +3,7 @@
 
 namespace phrame {
 
-/// Disjoint enclosures of all roots of a squarefree polynomial over ℚ, one root in each.
+/// Enclosures of all roots of a squarefree polynomial over ℚ, one root in each.
 struct Roots {
   std::vector<RealBall> real;      ///< exactly real, ascending
   std::vector<ComplexBall> upper;  ///< imaginary part > 0, left to right; no conjugates
@@ -11,13 +11,13 @@ struct Roots {
 
 /// Every root of p, with a relative accuracy of about `bits` bits. Certified: the number of
 /// enclosures is the degree. A guess in double precision is proved and refined; where it cannot be
-/// proved (clusters, coefficients out of range), Arb's own root finder does the work, which is
-/// about twenty times slower. Throws DomainError where p is constant or not squarefree.
+/// proved (clusters, coefficients that cancel), Arb's own root finder does the work, which is about
+/// twenty times slower. Throws DomainError where p is constant or not squarefree.
 Roots isolate_roots(const Polynomial& p, long bits);
 
 /// Narrows the enclosures of isolate_roots(p, …) to about `bits` bits by interval Newton steps,
 /// m − p(m)/p′(Z) with m the midpoint of Z, which keep the root of Z and converge quadratically.
-/// Where they do not converge the roots are isolated anew, in the same order.
+/// Where they do not converge the roots are isolated anew.
 void refine(const Polynomial& p, Roots& roots, long bits);
 
 }  // namespace phrame

@@ -7,7 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/power_product.hpp"
 #include "phrame/algebra/sturm.hpp"
-#include "phrame/integrate/real_form.hpp"
+#include "phrame/integrate/gaussian_logs.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 
 namespace phrame {
@@ -181,7 +181,7 @@ std::optional<Rational> Evaluator::rational_value(const Rational& a, const Ratio
   if (!enclosure.contains(rational)) return std::nullopt;
   const auto sums = over_residues();
   if (!sums) return std::nullopt;
-  RealForm form = real_form(*sums);
+  GaussianLogs form = gaussian_logs(*sums);
   form.arguments.push_back({1, phase});
 
   Polynomial residues{1};

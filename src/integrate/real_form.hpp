@@ -1,30 +1,35 @@
 #pragma once
-#include "phrame/algebra/gaussian_polynomial.hpp"
+#include "phrame/algebra/surd.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 
 namespace phrame {
 
-/// Logarithms written with real functions as far as their residues lie in ℚ(i):
-///   Σ factor·log|of(t)| + Σ factor·arg of(t) + the sums whose residues do not.
-/// The arguments are continuous along the real line.
+/// An antiderivative in real functions, continuous wherever its derivative is:
+///   polynomial + rational + Σ factor·log|of| + Σ factor·arctan(of) + Σ over the roots of others.
+/// Residues in ℚ, ℚ(i) and quadratic fields become logarithms and arctangents of polynomials; the
+/// others stay sums over the poles z, over which
+///   Σ_{z real} c·log|t − z| + Σ_{Im z > 0} (Re c·log((t − x)² + y²) − 2 Im c·arctan((t − x)/y)),
+/// c = residue(z), z = x + iy [Farouki 2003, end of §4].
 struct RealForm {
   struct Logarithm {
-    Rational factor;
-    Polynomial of;
+    Surd factor;
+    SurdPolynomial of;
+    bool positive = false;  ///< of(t) > 0 on the whole real line: |…| is not needed
     friend bool operator==(const Logarithm&, const Logarithm&) = default;
   };
-  struct Argument {
-    Rational factor;
-    GaussianPolynomial of;  ///< without a real zero
-    friend bool operator==(const Argument&, const Argument&) = default;
+  struct Arctangent {
+    Surd factor;
+    SurdPolynomial of;
+    friend bool operator==(const Arctangent&, const Arctangent&) = default;
   };
+  Polynomial polynomial;
+  RationalFunction rational;  ///< proper
   std::vector<Logarithm> logarithms;
-  std::vector<Argument> arguments;
-  std::vector<LogSum> others;
+  std::vector<Arctangent> arctangents;
+  std::vector<LogSum> others;  ///< is_over_poles() of irreducible polynomials
 };
 
-/// The real form of sums Σ α·log v(α, t) over the roots of irreducible polynomials: conjugate
-/// residues p ± iq give p·log|v(p + iq, t)|² − 2q·arg v(p + iq, t).
-RealForm real_form(const std::vector<LogSum>& over_residues);
+/// The real form of F. F may be in any form.
+RealForm real_form(const Antiderivative& F);
 
 }  // namespace phrame

@@ -1,15 +1,8 @@
 #pragma once
-#include <variant>
-
-#include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/integrate/endpoint.hpp"
 #include "phrame/io/expression.hpp"
 
 namespace phrame {
-
-enum class Infinity { negative, positive };
-
-/// An end of a path of integration.
-using Endpoint = std::variant<Rational, RealAlgebraic, Infinity>;
 
 /// Reads an end: an expression without a variable ("3/7", "1e-3", "(1+2)/3"), "inf", "infinity" or
 /// "∞" with or without a sign, or "root(x^2-2, 1, 2)", the only root of that polynomial between

@@ -14,16 +14,9 @@ Vector<Rational> combine(const Rational& x, const Vector<Rational>& a, const Rat
   return {x * a[0] + y * b[0], x * a[1] + y * b[1], x * a[2] + y * b[2]};
 }
 
-std::optional<Rational> rational_sqrt(const Rational& x) {
-  const Integer n = boost::multiprecision::sqrt(numerator(x));
-  const Integer d = boost::multiprecision::sqrt(denominator(x));
-  const Rational root(n, d);
-  return root * root == x ? std::optional(root) : std::nullopt;
-}
-
 /// v/√s, s > 0.
 Vector<Real> over_square_root(const Vector<Rational>& v, const Rational& s) {
-  const auto root = rational_sqrt(s);
+  const auto root = square_root(s);
   const auto component = [&](const Rational& x) -> Real {
     if (root) return Rational(x / *root);
     if (x == 0) return Rational(0);

@@ -1,4 +1,4 @@
-#include "phrame/integrate/real_form.hpp"
+#include "phrame/integrate/gaussian_logs.hpp"
 
 #include <optional>
 
@@ -34,8 +34,8 @@ GaussianPolynomial argument_at(const Bivariate& v, const Residue& alpha) {
 
 }  // namespace
 
-RealForm real_form(const std::vector<LogSum>& over_residues) {
-  RealForm form;
+GaussianLogs gaussian_logs(const std::vector<LogSum>& over_residues) {
+  GaussianLogs form;
   for (const LogSum& sum : over_residues) {
     const auto alpha = gaussian_root(sum.index);
     if (!alpha) {

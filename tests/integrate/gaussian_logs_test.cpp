@@ -1,4 +1,4 @@
-#include "phrame/integrate/real_form.hpp"
+#include "phrame/integrate/gaussian_logs.hpp"
 
 #include "phrame/integrate/integrate.hpp"
 #include "support/random.hpp"
@@ -7,20 +7,20 @@ using namespace phrame;
 using test::for_samples;
 using test::Random;
 
-TEST_CASE("real form: 1/t, t/(t² + 4), 1/(t² + 4) and 1/(t² − 2)") {
+TEST_CASE("Gaussian residues: 1/t, t/(t² + 4), 1/(t² + 4) and 1/(t² − 2)") {
   const auto of = [](const RationalFunction& f) {
-    return real_form(integrate(f, Form::rothstein_trager).logs);
+    return gaussian_logs(integrate(f, Form::rothstein_trager).logs);
   };
-  CHECK(of({{1}, {0, 1}}).logarithms == std::vector<RealForm::Logarithm>{{1, {0, 1}}});
+  CHECK(of({{1}, {0, 1}}).logarithms == std::vector<GaussianLogs::Logarithm>{{1, {0, 1}}});
   CHECK(of({{0, 1}, {4, 0, 1}}).logarithms ==
-        std::vector<RealForm::Logarithm>{{Rational(1, 2), {4, 0, 1}}});
+        std::vector<GaussianLogs::Logarithm>{{Rational(1, 2), {4, 0, 1}}});
   // arctan(t/2)/2: residues ∓i/4 at ±2i, v(i/4, t) = t + 2i.
   CHECK(of({{1}, {4, 0, 1}}).arguments ==
-        std::vector<RealForm::Argument>{{Rational(-1, 2), {{0, 1}, {2}}}});
+        std::vector<GaussianLogs::Argument>{{Rational(-1, 2), {{0, 1}, {2}}}});
   CHECK(of({{1}, {-2, 0, 1}}).others.size() == 1);
 }
 
-TEST_CASE("real form: law: its derivative is the integrand") {
+TEST_CASE("Gaussian residues: law: its derivative is the integrand") {
   for_samples(100, [](Random& random) {
     // Residues p ± iq at the roots of (t − a)² + b², p at real ones.
     RationalFunction f;
@@ -33,7 +33,7 @@ TEST_CASE("real form: law: its derivative is the integrand") {
     }
     if (f.is_zero()) return;
     const Antiderivative F = integrate(f, Form::rothstein_trager);
-    const RealForm form = real_form(F.logs);
+    const GaussianLogs form = gaussian_logs(F.logs);
     RationalFunction derivative = differentiate(F.rational);
     for (const auto& [factor, v] : form.logarithms)
       derivative = derivative + RationalFunction(factor * differentiate(v), v);

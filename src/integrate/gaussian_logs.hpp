@@ -1,0 +1,30 @@
+#pragma once
+#include "phrame/algebra/gaussian_polynomial.hpp"
+#include "phrame/integrate/antiderivative.hpp"
+
+namespace phrame {
+
+/// Logarithms written with real functions as far as their residues lie in ℚ(i):
+///   Σ factor·log|of(t)| + Σ factor·arg of(t) + the sums whose residues do not.
+/// The arguments are continuous along the real line.
+struct GaussianLogs {
+  struct Logarithm {
+    Rational factor;
+    Polynomial of;
+    friend bool operator==(const Logarithm&, const Logarithm&) = default;
+  };
+  struct Argument {
+    Rational factor;
+    GaussianPolynomial of;  ///< without a real zero
+    friend bool operator==(const Argument&, const Argument&) = default;
+  };
+  std::vector<Logarithm> logarithms;
+  std::vector<Argument> arguments;
+  std::vector<LogSum> others;
+};
+
+/// The sums Σ α·log v(α, t) over the roots of irreducible polynomials in this form: conjugate
+/// residues p ± iq give p·log|v(p + iq, t)|² − 2q·arg v(p + iq, t).
+GaussianLogs gaussian_logs(const std::vector<LogSum>& over_residues);
+
+}  // namespace phrame
