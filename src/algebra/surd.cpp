@@ -23,4 +23,19 @@ SquareFactor split_square(const Integer& x) {
   return result;
 }
 
+// √(n/m) = √(nm)/m.
+Surd quadratic_root(const Polynomial& p) {
+  if (p.degree() < 1 || p.degree() > 2)
+    throw DomainError("quadratic_root: the degree is not 1 or 2");
+  const Rational lead = p.leading_coefficient();
+  if (p.degree() == 1) return {-p.coefficient(0) / lead, 0, 1};
+  const Rational a = -p.coefficient(1) / (2 * lead);
+  const Rational square = a * a - p.coefficient(0) / lead;
+  const auto [root, rest] = split_square(abs(Integer(numerator(square) * denominator(square))));
+  const Rational b = Rational(root) / Rational(denominator(square));
+  const Integer d = square < 0 ? Integer(-rest) : rest;
+  if (d == 1) throw DomainError("quadratic_root: the polynomial is reducible");
+  return {a, b, d};
+}
+
 }  // namespace phrame

@@ -3,7 +3,8 @@
 
 namespace phrame {
 
-/// a + b·√d, d > 1 an integer that is no square; b = 0 and d = 1 for a rational number.
+/// a + b·√d, d an integer that is no square, with √d = i·√|d| for d < 0; b = 0 and d = 1 for a
+/// rational number.
 struct Surd {
   Rational a;
   Rational b;
@@ -18,6 +19,10 @@ struct SurdPolynomial {
   Integer d = 1;
   friend bool operator==(const SurdPolynomial&, const SurdPolynomial&) = default;
 };
+
+/// A root of p of degree 1 or 2, the one with b ≥ 0; p irreducible over ℚ. Throws DomainError for
+/// other degrees.
+Surd quadratic_root(const Polynomial& p);
 
 /// x = root²·rest for an integer x ≥ 1; rest is 1 where x is a square, and has no square factor p²
 /// with p ≤ 10⁴. (To find all square factors is as hard as to factor x.)

@@ -2,32 +2,18 @@
 
 #include <optional>
 
+#include "phrame/algebra/surd.hpp"
+
 namespace phrame {
 namespace {
 
-struct Residue {
-  Rational re;
-  Rational im;  ///< ≥ 0
-};
-
-/// A root of q in ℚ(i), for irreducible q; no value where there is none.
-std::optional<Residue> gaussian_root(const Polynomial& q) {
-  const Rational lead = q.leading_coefficient();
-  if (q.degree() == 1) return Residue{-q.coefficient(0) / lead, 0};
-  if (q.degree() != 2) return std::nullopt;
-  const Rational re = -q.coefficient(1) / (2 * lead);
-  const auto im = square_root(q.coefficient(0) / lead - re * re);
-  if (!im) return std::nullopt;
-  return Residue{re, *im};
-}
-
-/// v(α, t) for deg v < 2 in x.
-GaussianPolynomial argument_at(const Bivariate& v, const Residue& alpha) {
+/// v(α, t) for deg v < 2 in x and α = a + bi.
+GaussianPolynomial argument_at(const Bivariate& v, const Surd& alpha) {
   std::vector<Rational> re;
   std::vector<Rational> im;
   for (const Polynomial& c : v.coefficients()) {
-    re.push_back(c.coefficient(0) + c.coefficient(1) * alpha.re);
-    im.push_back(c.coefficient(1) * alpha.im);
+    re.push_back(c.coefficient(0) + c.coefficient(1) * alpha.a);
+    im.push_back(c.coefficient(1) * alpha.b);
   }
   return {Polynomial(re), Polynomial(im)};
 }
@@ -37,18 +23,19 @@ GaussianPolynomial argument_at(const Bivariate& v, const Residue& alpha) {
 GaussianLogs gaussian_logs(const std::vector<LogSum>& over_residues) {
   GaussianLogs form;
   for (const LogSum& sum : over_residues) {
-    const auto alpha = gaussian_root(sum.index);
-    if (!alpha) {
+    const std::optional<Surd> alpha =
+        sum.index.degree() <= 2 ? std::optional(quadratic_root(sum.index)) : std::nullopt;
+    if (!alpha || (alpha->d != 1 && alpha->d != -1)) {
       form.others.push_back(sum);
       continue;
     }
     const GaussianPolynomial v = argument_at(sum.argument, *alpha);
-    if (alpha->im == 0) {
-      form.logarithms.push_back({alpha->re, v.re});
+    if (alpha->d == 1) {
+      form.logarithms.push_back({alpha->a, v.re});
       continue;
     }
-    if (alpha->re != 0) form.logarithms.push_back({alpha->re, norm(v)});
-    form.arguments.push_back({-2 * alpha->im, v});
+    if (alpha->a != 0) form.logarithms.push_back({alpha->a, norm(v)});
+    form.arguments.push_back({-2 * alpha->b, v});
   }
   return form;
 }

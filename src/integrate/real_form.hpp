@@ -29,7 +29,11 @@ struct RealForm {
   std::vector<LogSum> others;  ///< is_over_poles() of irreducible polynomials
 };
 
-/// The real form of F. F may be in any form.
+/// The real form of F, checked: it has the derivative of F. F may be in any form.
 RealForm real_form(const Antiderivative& F);
+
+/// Exactly. Precondition: logarithms with √d come in conjugate pairs, and an arctangent of √d times
+/// a rational polynomial has a factor in √d·ℚ, as in a result of real_form().
+RationalFunction differentiate(const RealForm& form);
 
 }  // namespace phrame

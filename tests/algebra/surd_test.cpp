@@ -29,3 +29,22 @@ TEST_CASE("surd: law: x = root²·rest, and no small square is left") {
     for (long p = 2; p < 320; ++p) CHECK(s.rest % (p * p) != 0);
   });
 }
+
+TEST_CASE("surd: law: the quadratic root is one") {
+  for_samples(200, [](Random& random) {
+    const Polynomial p{random.rational(), random.rational(), random.integer(1, 9)};
+    const Rational discriminant =
+        p.coefficient(1) * p.coefficient(1) - 4 * p.coefficient(0) * p.coefficient(2);
+    if (square_root(discriminant)) {
+      CHECK_THROWS_AS(quadratic_root(p), DomainError);
+      return;
+    }
+    // p(a + b√d) = p(a) + c₂·b²·d + (p′(a)·b)·√d.
+    const Surd x = quadratic_root(p);
+    CHECK(x.b > 0);
+    CHECK(p(x.a) + p.coefficient(2) * x.b * x.b * Rational(x.d) == 0);
+    CHECK(differentiate(p)(x.a) == 0);
+  });
+  CHECK(quadratic_root({-3, 2}) == Surd{Rational(3, 2), 0, 1});
+  CHECK_THROWS_AS(quadratic_root({1, 1, 1, 1}), DomainError);
+}
