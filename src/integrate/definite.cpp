@@ -5,9 +5,8 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/algebra/power_product.hpp"
 #include "phrame/algebra/sturm.hpp"
-#include "phrame/integrate/gaussian_logs.hpp"
+#include "phrame/integrate/exact_value.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 
 namespace phrame {
@@ -101,6 +100,58 @@ RealBall Evaluator::log_difference(const Rational& a, const Rational& b, long bi
   return sum;
 }
 
+/// Σ c(z) log|t − z| over the real poles, and twice the real parts of c(z) log(t − z), principal
+/// branch, over those above the real axis; at ±∞ the limit. For Im z > 0 t − z is below the axis,
+/// so that log(t − z) tends to log|t| − πi at −∞.
+RealBall Evaluator::branch(const Endpoint& t, long bits) {
+  prepare(bits);
+  const auto twice_real = [&](ComplexBall term, const ComplexBall& c) {
+    acb_mul(term.raw(), term.raw(), c.raw(), bits);
+    arb_mul_2exp_si(acb_realref(term.raw()), acb_realref(term.raw()), 1);
+    return term.re();
+  };
+  RealBall sum;
+  if (const auto* infinity = std::get_if<Infinity>(&t)) {
+    if (*infinity == Infinity::positive) return sum;
+    const ComplexBall half_turn(RealBall(), subtract({}, pi(bits), bits));
+    for (const Poles& p : poles_)
+      for (const ComplexBall& c : p.upper_residues) sum = add(sum, twice_real(half_turn, c), bits);
+    return sum;
+  }
+  const RealBall at = enclose(t, bits);
+  const auto value = [&](const Polynomial& p) { return evaluate(p, {at, {}}, bits).re(); };
+  sum = add(value(polynomial_),
+            divide(value(rational_.numerator()), value(rational_.denominator()), bits), bits);
+  for (const Poles& p : poles_) {
+    for (std::size_t k = 0; k < p.roots.real.size(); ++k) {
+      RealBall term = subtract(at, p.roots.real[k], bits);
+      arb_abs(term.raw(), term.raw());
+      arb_log(term.raw(), term.raw(), bits);
+      arb_addmul(sum.raw(), p.real_residues[k].raw(), term.raw(), bits);
+    }
+    for (std::size_t k = 0; k < p.roots.upper.size(); ++k) {
+      ComplexBall term;
+      acb_sub_arb(term.raw(), p.roots.upper[k].raw(), at.raw(), bits);
+      acb_neg(term.raw(), term.raw());
+      acb_log(term.raw(), term.raw(), bits);
+      sum = add(sum, twice_real(std::move(term), p.upper_residues[k]), bits);
+    }
+  }
+  return sum;
+}
+
+RealBall Evaluator::branch_difference(const Endpoint& a, const Endpoint& b, long bits) {
+  const long end = 64 * bits + 65536;
+  for (long precision = bits + 24;; precision = std::min(end, precision + precision / 2)) {
+    RealBall value = subtract(branch(b, precision), branch(a, precision), precision);
+    if (value.is_accurate(bits)) return value;
+    if (precision == end)
+      throw Undecided(fmt::format(
+          "definite integral: {} bits of precision do not give an enclosure of width 2^-{}", end,
+          bits));
+  }
+}
+
 RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) {
   prepare(bits + 24);
   require_no_pole(a, b);
@@ -165,14 +216,10 @@ bool Evaluator::turns_vanish(const Polynomial& residues, const Polynomial& other
   });
 }
 
-// With residues in ℚ(i) the difference is rational + log A + T, A > 0 and T real, with A^N rational
-// and e^{iNT} = z/|z| for a z ∈ ℚ(i), N a common denominator. By Baker's theorem it is rational iff
-// A = 1 and T = 0. A^N = 1 is decided exactly; if z > 0, T is a multiple of 2π/N, and 0 iff a ball
-// around it tells it from the others.
-//
-// The sum Σ α·L(α) over other residues, L(α) a value of log(v(α, b)/v(α, a)): if v(α, b) = r·v(α,
-// a) with r ∈ ℚ, exactly, then L(α) = log|r| + πi·k with a whole k. So k = 0 and, for every
-// irreducible polynomial of residues, log|r| = 0 or Σ α = 0 prove that the sum is 0.
+// Residues in ℚ(i) are decided together with the phase. The sum Σ α·L(α) over others, L(α) a value
+// of log(v(α, b)/v(α, a)): if v(α, b) = r·v(α, a) with r ∈ ℚ, exactly, then L(α) = log|r| + πi·k
+// with a whole k. So k = 0 and, for every irreducible polynomial of residues, log|r| = 0 or Σ α = 0
+// prove that the sum is 0.
 std::optional<Rational> Evaluator::rational_value(const Rational& a, const Rational& b,
                                                   const RealBall& enclosure,
                                                   const GaussianPolynomial& phase) {
@@ -181,13 +228,14 @@ std::optional<Rational> Evaluator::rational_value(const Rational& a, const Ratio
   if (!enclosure.contains(rational)) return std::nullopt;
   const auto sums = over_residues();
   if (!sums) return std::nullopt;
-  GaussianLogs form = gaussian_logs(*sums);
-  form.arguments.push_back({1, phase});
+  GaussianLogs gaussian = gaussian_logs(*sums);
+  gaussian.arguments.push_back({1, phase});
+  const std::vector<LogSum> others = std::exchange(gaussian.others, {});
 
   Polynomial residues{1};
   Polynomial other_residues{1};
   for (const LogSum& sum : *sums) other_residues *= sum.index;
-  for (const LogSum& sum : form.others) {
+  for (const LogSum& sum : others) {
     const Polynomial at_a = evaluate_at(sum.argument, a) % sum.index;
     const Polynomial at_b = evaluate_at(sum.argument, b) % sum.index;
     const Rational ratio = at_b.leading_coefficient() / at_a.leading_coefficient();
@@ -198,23 +246,7 @@ std::optional<Rational> Evaluator::rational_value(const Rational& a, const Ratio
   }
   if (!turns_vanish(residues, other_residues, a, b)) return std::nullopt;
 
-  std::vector<Power> sizes;
-  for (const auto& [factor, v] : form.logarithms) sizes.push_back({{abs(v(b) / v(a)), 0}, factor});
-  const auto size = product(sizes, common_denominator(sizes));
-  if (!size || !(*size == GaussianRational{1, 0})) return std::nullopt;
-
-  std::vector<Power> turns;
-  for (const auto& [factor, v] : form.arguments) {
-    const auto [re, im] =
-        GaussianPolynomial{{v.re(b)}, {v.im(b)}} * GaussianPolynomial{{v.re(a)}, {-v.im(a)}};
-    turns.push_back({{re.coefficient(0), im.coefficient(0)}, factor});
-  }
-  const Integer n = common_denominator(turns);
-  const auto z = product(turns, n);
-  if (!z || z->im != 0 || z->re < 0) return std::nullopt;
-  const RealBall turn = subtract(enclosure, RealBall(rational, 64), precision_);
-  const Rational whole_turn = Rational(6) / Rational(n);  // < 2π/N
-  if (turn.lower() <= -whole_turn || turn.upper() >= whole_turn) return std::nullopt;
+  if (vanishes(log_change(gaussian, a, b)) != true) return std::nullopt;
   return rational;
 }
 

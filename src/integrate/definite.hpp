@@ -4,6 +4,7 @@
 #include "phrame/algebra/roots.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/antiderivative.hpp"
+#include "phrame/integrate/endpoint.hpp"
 
 namespace phrame {
 
@@ -24,6 +25,13 @@ class Evaluator {
   /// names the pole) and Undecided where 64·bits + 65536 bits of precision do not reach the radius.
   RealBall difference(const Rational& a, const Rational& b, long bits);
 
+  /// The same between ends of any kind: a ball around G(b) − G(a) for the branch G of F with |t −
+  /// z| in the logarithms of real poles z, continuous between them. So it is the principal value
+  /// where there are simple poles between the ends. At ±∞ it is the limit of what remains without
+  /// the polynomial, the rational part and log|t|; in a convergent integral they tend to 0.
+  /// Precondition: no end is a pole. Throws Undecided as above.
+  RealBall branch_difference(const Endpoint& a, const Endpoint& b, long bits);
+
   /// The same, exact where it is seen to be rational. By Baker's theorem it is transcendental
   /// unless its logarithms cancel, so that correct rounding of the result ends, except where
   /// cancelling logarithms were not recognised.
@@ -34,7 +42,7 @@ class Evaluator {
   /// without logarithms, for a = b, and where logarithms and arguments cancel. That they cancel is
   /// decided for residues in ℚ(i) (Baker) and recognised in many other cases; no value means that
   /// it is irrational or not recognised. Precondition: `enclosure` is a ball around this number and
-  /// comes from difference(a, b, …); if it is too wide, nothing is decided.
+  /// comes from difference(a, b, …).
   std::optional<Rational> rational_value(const Rational& a, const Rational& b,
                                          const RealBall& enclosure,
                                          const GaussianPolynomial& phase = {{1}, {}});
@@ -54,6 +62,7 @@ class Evaluator {
   void require_no_pole(const Rational& a, const Rational& b) const;
   void prepare(long precision);
   RealBall log_difference(const Rational& a, const Rational& b, long bits) const;
+  RealBall branch(const Endpoint& t, long bits);
   std::optional<std::vector<LogSum>> over_residues() const;
   bool turns_vanish(const Polynomial& residues, const Polynomial& other_residues, const Rational& a,
                     const Rational& b) const;

@@ -1,23 +1,9 @@
 #pragma once
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/antiderivative.hpp"
-#include "phrame/integrate/endpoint.hpp"
+#include "phrame/integrate/exact_value.hpp"
 
 namespace phrame {
-
-/// rational + pi·π + Σ factor·log(of) + Σ factor·arctan(of), every `of` > 0 and ≠ 1.
-struct ExactValue {
-  struct Term {
-    Rational factor;
-    Rational of;
-    friend bool operator==(const Term&, const Term&) = default;
-  };
-  Rational rational;
-  Rational pi;
-  std::vector<Term> logarithms;
-  std::vector<Term> arctangents;
-  friend bool operator==(const ExactValue&, const ExactValue&) = default;
-};
 
 struct DefiniteIntegral {
   Real value;  ///< exact where it is rational
@@ -26,8 +12,8 @@ struct DefiniteIntegral {
 };
 
 enum class AtPoles {
-  refuse,          ///< a pole on the path has no integral
-  principal_value  ///< Cauchy's, where it exists: at simple poles between the ends
+  refuse,           ///< no integral has a pole on its path
+  principal_value,  ///< Cauchy's: simple poles between the ends, f ~ c/t at both ends ±∞
 };
 
 /// ∫ f from a to b, of any order. Throws DomainError where it does not exist, saying why: a pole

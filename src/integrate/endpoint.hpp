@@ -10,4 +10,10 @@ enum class Infinity { negative, positive };
 /// An end of a path of integration.
 using Endpoint = std::variant<Rational, RealAlgebraic, Infinity>;
 
+/// A ball around a finite end, as narrow as enclose(RealAlgebraic, bits).
+RealBall enclose(const Endpoint& end, long bits);
+
+/// From −∞ over the real numbers to ∞.
+std::strong_ordering compare(const Endpoint& a, const Endpoint& b);
+
 }  // namespace phrame

@@ -25,7 +25,7 @@ std::string refusal(const std::string& text, const CurveLimits& limits = {}) {
   try {
     read_curve(text, limits);
   } catch (const InputError& error) {
-    const std::string message = error.what();
+    std::string message = error.what();
     CHECK(message.size() < 400);
     for (const char c : message) CHECK(static_cast<unsigned char>(c) >= 0x20U);
     return message;

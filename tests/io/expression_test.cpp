@@ -49,7 +49,7 @@ std::string blank(Random& random) { return random.chance(5) ? " " : ""; }
 std::string within(Random& random, const Sample& x, int rank) {
   std::string text = x.text;
   if (x.rank < rank) text = "(" + text + ")";
-  while (random.chance(6)) text = "(" + blank(random) + text + blank(random) + ")";
+  while (random.chance(6)) text = fmt::format("({}{}{})", blank(random), text, blank(random));
   return text;
 }
 

@@ -1,0 +1,157 @@
+#include "phrame/integrate/exact_value.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "phrame/algebra/argument.hpp"
+#include "phrame/algebra/error.hpp"
+
+namespace phrame {
+namespace {
+
+GaussianRational operator*(const GaussianRational& a, const GaussianRational& b) {
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+/// A rational point beyond which, towards the end, Re v has no zero.
+Rational beyond_zeros(const GaussianPolynomial& v, Infinity end) {
+  Rational bound = 1;  // Cauchy's bound
+  for (long k = 0; k < v.re.degree(); ++k)
+    bound = std::max(bound, Rational(1 + abs(v.re.coefficient(k) / v.re.leading_coefficient())));
+  return end == Infinity::positive ? bound : Rational(-bound);
+}
+
+/// The value of v at the end up to a positive factor, for monic v, and a rational point for it: the
+/// point itself, or one from which arg v changes by less than π/2 on the way to infinity.
+struct At {
+  GaussianRational value;
+  Rational point;
+};
+
+At at(const GaussianPolynomial& v, const Endpoint& end) {
+  if (const auto* t = std::get_if<Rational>(&end)) return {{v.re(*t), v.im(*t)}, *t};
+  const Infinity infinity = std::get<Infinity>(end);
+  const bool odd = infinity == Infinity::negative && v.re.degree() % 2 == 1;
+  return {{odd ? -1 : 1, 0}, beyond_zeros(v, infinity)};
+}
+
+Rational size_at(const Polynomial& v, const Endpoint& end) {
+  const auto* t = std::get_if<Rational>(&end);
+  return t == nullptr ? Rational(1) : Rational(abs(v(*t)));
+}
+
+RealBall principal_argument(const GaussianRational& z, long bits) {
+  RealBall angle;
+  arb_atan2(angle.raw(), RealBall(z.im, bits).raw(), RealBall(z.re, bits).raw(), bits);
+  return angle;
+}
+
+/// The principal argument of z as r·π + sign·arctan(of).
+struct Angle {
+  Rational pi;
+  int sign = 0;
+  Rational of;
+};
+
+Angle angle(const GaussianRational& z) {
+  if (z.re == 0) return {Rational(z.im > 0 ? 1 : -1, 2), 0, 0};
+  const int side = z.im < 0 ? -1 : 1;
+  const Rational turned = z.re < 0 ? side : 0;
+  const Rational slope = z.im / z.re;
+  if (slope == 0) return {turned, 0, 0};
+  const int sign = slope < 0 ? -1 : 1;
+  if (abs(slope) == 1) return {turned + Rational(sign, 4), 0, 0};
+  return {turned, sign, abs(slope)};
+}
+
+}  // namespace
+
+// The change of arg v between the two points is counted exactly; it differs from the sought one by
+// less than π/2 at each infinite end. arg z, z = v(b)·conj v(a), differs from the sought change by
+// whole turns, which therefore are the whole number nearest to the difference over 2π, if that
+// difference is corrected by the small ones: those are principal arguments.
+LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint& b) {
+  if (!logs.others.empty()) throw DomainError("log_change: a residue is not in ℚ(i)");
+  LogChange change;
+  for (const auto& [factor, v] : logs.logarithms)
+    change.sizes.push_back({{size_at(v, b) / size_at(v, a), 0}, factor});
+  for (const auto& [factor, v] : logs.arguments) {
+    const At from = at(v, a);
+    const At to = at(v, b);
+    const auto conjugated = [](const GaussianRational& z) { return GaussianRational{z.re, -z.im}; };
+    const auto value = [&](const Rational& t) { return GaussianRational{v.re(t), v.im(t)}; };
+    const GaussianRational z = to.value * conjugated(from.value);
+    ContinuousArgument argument(v);
+    for (long bits = 64;; bits *= 2) {
+      RealBall turn = subtract(argument.difference(to.point, bits),
+                               argument.difference(from.point, bits), bits);
+      // On to infinity: from v(point) to v(end).
+      const auto rest = [&](const At& end) {
+        return principal_argument(end.value * conjugated(value(end.point)), bits);
+      };
+      if (std::holds_alternative<Infinity>(b)) turn = add(turn, rest(to), bits);
+      if (std::holds_alternative<Infinity>(a)) turn = subtract(turn, rest(from), bits);
+      turn = subtract(turn, principal_argument(z, bits), bits);
+      turn = divide(turn, multiply(pi(bits), RealBall(2, bits), bits), bits);
+      flint::Fmpz whole;
+      if (arb_get_unique_fmpz(whole.get(), turn.raw()) == 0) continue;
+      change.turns.push_back({{z, factor}, Integer(numerator(to_rational(whole.get())))});
+      break;
+    }
+  }
+  return change;
+}
+
+// With N a common denominator of the exponents, e to the power iN·(the turns) is z/|z| for a
+// product z of Gaussian rationals. If z > 0 the turns add up to a multiple of 2π/N, and a ball
+// tells 0 from the others.
+std::optional<bool> vanishes(const LogChange& change) {
+  const auto size = product(change.sizes, common_denominator(change.sizes));
+  if (!size) return std::nullopt;
+  if (!(*size == GaussianRational{1, 0})) return false;
+  std::vector<Power> powers;
+  for (const auto& [power, whole] : change.turns) powers.push_back(power);
+  const Integer n = common_denominator(powers);
+  const auto z = product(powers, n);
+  if (!z) return std::nullopt;
+  if (z->im != 0 || z->re < 0) return false;
+  for (long bits = 64;; bits *= 2) {
+    RealBall sum;
+    for (const auto& [power, whole] : change.turns) {
+      const RealBall turns = multiply(pi(bits), RealBall(Rational(2 * whole), bits), bits);
+      sum = add(sum,
+                multiply(RealBall(power.exponent, bits),
+                         add(principal_argument(power.base, bits), turns, bits), bits),
+                bits);
+    }
+    if (!sum.contains_zero()) return false;
+    const Rational smallest = Rational(6) / Rational(n);
+    if (sum.lower() > -smallest && sum.upper() < smallest) return true;
+  }
+}
+
+ExactValue exact_value(const Rational& rational, const LogChange& change) {
+  ExactValue value{rational, 0, {}, {}};
+  if (vanishes(change) == true) return value;
+  std::map<Rational, Rational> logs;  // by factor > 0, arguments multiplied
+  for (const auto& [base, exponent] : change.sizes) {
+    if (exponent == 0 || abs(base.re) == 1) continue;
+    Rational& of = logs.try_emplace(abs(exponent), 1).first->second;
+    of *= exponent > 0 ? abs(base.re) : Rational(1 / abs(base.re));
+  }
+  for (const auto& [factor, of] : logs) {
+    if (of > 1) value.logarithms.push_back({factor, of});
+    if (of < 1) value.logarithms.push_back({-factor, 1 / of});
+  }
+  std::map<Rational, Rational> arctangents;  // by argument, factors added
+  for (const auto& [power, whole] : change.turns) {
+    const Angle principal = angle(power.base);
+    value.pi += power.exponent * (principal.pi + Rational(2 * whole));
+    if (principal.sign != 0) arctangents[principal.of] += principal.sign * power.exponent;
+  }
+  for (const auto& [of, factor] : arctangents)
+    if (factor != 0) value.arctangents.push_back({factor, of});
+  return value;
+}
+
+}  // namespace phrame

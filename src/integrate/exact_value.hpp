@@ -1,0 +1,49 @@
+#pragma once
+#include <optional>
+
+#include "phrame/algebra/power_product.hpp"
+#include "phrame/integrate/endpoint.hpp"
+#include "phrame/integrate/gaussian_logs.hpp"
+
+namespace phrame {
+
+/// rational + pi·π + Σ factor·log(of) + Σ factor·arctan(of). In the logarithms of > 1 and the
+/// factors are different, in the arctangents of > 0, of ≠ 1, and the arguments are different.
+struct ExactValue {
+  struct Term {
+    Rational factor;
+    Rational of;
+    friend bool operator==(const Term&, const Term&) = default;
+  };
+  Rational rational;
+  Rational pi;
+  std::vector<Term> logarithms;
+  std::vector<Term> arctangents;
+  friend bool operator==(const ExactValue&, const ExactValue&) = default;
+};
+
+/// The change of logarithms with residues in ℚ(i) on the way from a to b, each a logarithm of a
+/// positive rational or an angle of a Gaussian rational with whole turns:
+///   Σ exponent·log|base| over the sizes + Σ exponent·(arg base + 2π·whole) over the turns.
+/// At ±∞ it is the limit, in which log|t| is left out: the factors of it add up to 0 where there is
+/// an integral.
+struct LogChange {
+  struct Turn {
+    Power power;
+    Integer whole;  ///< with −π < arg base ≤ π
+  };
+  std::vector<Power> sizes;
+  std::vector<Turn> turns;
+};
+
+/// Ends are rational or infinite, and no zero of a logarithm. Precondition: logs.others is empty.
+LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint& b);
+
+/// Is the sum 0? Decided: by Baker's theorem it is irrational if not. No value where numbers would
+/// have more than 2²⁴ bits.
+std::optional<bool> vanishes(const LogChange& change);
+
+/// rational + change, in finite terms.
+ExactValue exact_value(const Rational& rational, const LogChange& change);
+
+}  // namespace phrame

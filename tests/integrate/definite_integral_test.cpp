@@ -1,0 +1,187 @@
+#include "phrame/integrate/definite_integral.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/integrate/definite.hpp"
+#include "phrame/integrate/integrate.hpp"
+#include "support/quadrature.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+namespace {
+
+const Endpoint infinity = Infinity::positive;
+const Endpoint minus_infinity = Infinity::negative;
+
+Endpoint rational(const Rational& x) { return x; }
+
+/// √2, √3, …
+Endpoint root_of(long n) { return real_root({-n, 0, 1}, {Rational(0), std::nullopt}); }
+
+RealBall value(const ExactValue& v, long bits) {
+  RealBall sum =
+      add(RealBall(v.rational, bits), multiply(RealBall(v.pi, bits), pi(bits), bits), bits);
+  for (const auto& [factor, of] : v.logarithms) {
+    RealBall term(of, bits);
+    arb_log(term.raw(), term.raw(), bits);
+    sum = add(sum, multiply(RealBall(factor, bits), term, bits), bits);
+  }
+  for (const auto& [factor, of] : v.arctangents) {
+    RealBall term(of, bits);
+    arb_atan(term.raw(), term.raw(), bits);
+    sum = add(sum, multiply(RealBall(factor, bits), term, bits), bits);
+  }
+  return sum;
+}
+
+std::string digits(const DefiniteIntegral& integral, long count) {
+  return round_to_decimal(integral.value, count).value;
+}
+
+}  // namespace
+
+TEST_CASE("definite integral: π, log 2 and 3π/4 + arctan(1/2) in finite terms") {
+  CHECK(definite_integral({{1}, {1, 0, 1}}, minus_infinity, infinity).exact ==
+        ExactValue{0, 1, {}, {}});
+  CHECK(definite_integral({{1}, {1, 0, 1}}, infinity, rational(0)).exact ==
+        ExactValue{0, Rational(-1, 2), {}, {}});
+  CHECK(definite_integral({{1}, {0, 1, 1}}, rational(1), infinity).exact ==
+        ExactValue{0, 0, {{1, 2}}, {}});
+  // 3π/4 + arctan(1/2) = π − arctan(1/3).
+  CHECK(definite_integral({{6, 0, -3, 0, 1}, {4, 0, 5, 0, -5, 0, 1}}, rational(1), rational(2))
+            .exact == ExactValue{0, 1, {}, {{-1, Rational(1, 3)}}});
+  // Dalzell: ∫₀¹ t⁴(1 − t)⁴/(1 + t²) dt = 22/7 − π.
+  const Polynomial t{0, 1};
+  CHECK(definite_integral({pow(t, 4) * pow(Polynomial{1, -1}, 4), {1, 0, 1}}, rational(0),
+                          rational(1))
+            .exact == ExactValue{Rational(22, 7), -1, {}, {}});
+  const DefiniteIntegral none = definite_integral({{1}, {1, 1, 0, 1}}, rational(0), infinity);
+  CHECK_FALSE(none.exact.has_value());
+}
+
+TEST_CASE("definite integral: what diverges is refused with the reason") {
+  const auto message = [](const std::string& text) { return doctest::Contains(text.c_str()); };
+  CHECK_THROWS_WITH_AS(definite_integral({{3}, {0, 2}}, rational(1), infinity),
+                       message("diverges at ∞, where the integrand is about 3/2·t^-1"),
+                       DomainError);
+  CHECK_THROWS_WITH_AS(definite_integral({{0, 0, 1}, {1}}, minus_infinity, rational(1)),
+                       message("diverges at −∞"), DomainError);
+  CHECK_THROWS_WITH_AS(definite_integral({{1}, {-1, 0, 1}}, rational(0), infinity),
+                       message("pole at t = 1"), DomainError);
+  CHECK_THROWS_WITH_AS(definite_integral({{1}, {-2, 0, 1}}, root_of(2), rational(2)),
+                       message("pole at t in"), DomainError);
+  // √2 < √3: the pole √2 is in (1, √3), not in (√3, 2), although the intervals are close.
+  CHECK_THROWS_AS(definite_integral({{1}, {-2, 0, 1}}, rational(1), root_of(3)), DomainError);
+  CHECK_NOTHROW(definite_integral({{1}, {-2, 0, 1}}, root_of(3), rational(2)));
+  CHECK(definite_integral(RationalFunction(), minus_infinity, infinity).value.exact() == Rational(0));
+}
+
+TEST_CASE("definite integral: principal values") {
+  const auto principal = AtPoles::principal_value;
+  // ∫ dt/t from −1 to 2 is log 2; over the line dt/(t² − 1) is 0 and t dt/(1 + t²) is 0.
+  CHECK(definite_integral({{1}, {0, 1}}, rational(-1), rational(2), principal).exact ==
+        ExactValue{0, 0, {{1, 2}}, {}});
+  CHECK(definite_integral({{1}, {-1, 0, 1}}, minus_infinity, infinity, principal).value.exact() ==
+        Rational(0));
+  CHECK(definite_integral({{1, 1}, {1, 0, 1}}, minus_infinity, infinity, principal).exact ==
+        ExactValue{0, 1, {}, {}});
+  CHECK_THROWS_WITH_AS(definite_integral({{1}, {0, 0, 1}}, rational(-1), rational(1), principal),
+                       doctest::Contains("pole of order 2 at t = 0"), DomainError);
+  CHECK_THROWS_WITH_AS(definite_integral({{1}, {0, 1}}, rational(0), rational(1), principal),
+                       doctest::Contains("pole at an end"), DomainError);
+  CHECK_THROWS_AS(definite_integral({{1}, {0, 1}}, rational(1), infinity, principal), DomainError);
+}
+
+TEST_CASE("definite integral: ends that are algebraic numbers") {
+  // ∫ 2t from 0 to √2 is 2; ∫ 1 from −√2 to 1 − √2 is 1; t³ is odd; ∫ 1 from 0 to √2.
+  CHECK(definite_integral({{0, 2}, {1}}, rational(0), root_of(2)).value.exact() == Rational(2));
+  const Endpoint minus = real_root({-2, 0, 1}, {std::nullopt, Rational(0)});
+  const Endpoint shifted = real_root({-1, -2, 1}, {std::nullopt, Rational(0)});
+  CHECK(definite_integral({{1}, {1}}, minus, shifted).value.exact() == Rational(1));
+  CHECK(definite_integral({{0, 0, 0, 1}, {1, 0, 0, 0, 1}}, minus, root_of(2)).value.exact() ==
+        Rational(0));
+  CHECK(digits(definite_integral({{1}, {1}}, rational(0), root_of(2)), 30) ==
+        "1.41421356237309504880168872421");
+  // ∫ dt/(1 + t²) from 0 to √3 is π/3.
+  CHECK(digits(definite_integral({{1}, {1, 0, 1}}, rational(0), root_of(3)), 30) ==
+        "1.04719755119659774615421446109");
+}
+
+TEST_CASE(
+    "definite integral: law: the exact value is in every enclosure, and Arb's quadrature too") {
+  for_samples(60, [](Random& random) {
+    // Residues in ℚ(i): linear factors and (t − a)² + b².
+    RationalFunction f(random.polynomial(2), pow(Polynomial{random.integer(1, 5), 0, 1}, 2));
+    if (random.chance(2)) f = {};
+    for (long k = random.integer(1, 3); k > 0; --k) {
+      const Rational a = random.rational();
+      const Rational b = random.integer(0, 3);
+      f = f + (b == 0 ? RationalFunction({random.rational()}, {-a, 1})
+                      : RationalFunction({random.rational(), random.rational()},
+                                         {a * a + b * b, -2 * a, 1}));
+    }
+    const auto end = [&]() -> Endpoint {
+      if (random.chance(6)) return random.chance(2) ? infinity : minus_infinity;
+      return random.rational();
+    };
+    const Endpoint a = end();
+    const Endpoint b = end();
+    std::optional<DefiniteIntegral> integral;
+    try {
+      integral =
+          definite_integral(f, a, b, random.chance(2) ? AtPoles::refuse : AtPoles::principal_value);
+    } catch (const DomainError&) {
+      return;
+    }
+    const RealBall enclosure = integral->value.enclose(150);
+    CHECK(enclosure.is_accurate(140));
+    if (integral->exact) CHECK(value(*integral->exact, 200).overlaps(enclosure));
+    const auto* x = std::get_if<Rational>(&a);
+    const auto* y = std::get_if<Rational>(&b);
+    if (x != nullptr && y != nullptr &&
+        count_real_roots(f.denominator(), closed(std::min(*x, *y), std::max(*x, *y))) == 0)
+      CHECK(enclosure.overlaps(test::quadrature(f, *x, *y, 60)));
+  });
+}
+
+TEST_CASE("definite integral: law: t → 1/t and t → (at + b)/(ct + d) leave it alone") {
+  for_samples(40, [](Random& random) {
+    Polynomial d{1};
+    for (long k = random.integer(1, 3); k > 0; --k)
+      d *= Polynomial{random.integer(2, 9), random.integer(-2, 2), 1};  // no real zero
+    const Polynomial n = random.polynomial(std::max(0L, d.degree() - 2));
+    const RationalFunction f(n, d);
+    if (f.denominator().degree() - f.numerator().degree() < 2) return;
+    // ∫ from s to ∞ of f(t) dt = ∫ from 0 to 1/s of f(1/t)/t² dt, s > 0.
+    const Rational s = abs(random.rational()) + 1;
+    const auto reversed = [](const Polynomial& p, long length) {
+      Polynomial result;
+      for (long k = 0; k <= p.degree(); ++k)
+        result += Polynomial::monomial(p.coefficient(k), length - k);
+      return result;
+    };
+    const long length = f.denominator().degree();
+    const RationalFunction g(reversed(f.numerator(), length),
+                             Polynomial::monomial(1, 2) * reversed(f.denominator(), length));
+    const RealBall tail = definite_integral(f, s, infinity).value.enclose(120);
+    CHECK(tail.overlaps(definite_integral(g, rational(0), Rational(1 / s)).value.enclose(120)));
+    // t = (2u + 1)/(u + 1) from u = 0 to u: dt = du/(u + 1)².
+    const Rational u = abs(random.rational());
+    const Polynomial top{1, 2};
+    const Polynomial bottom{1, 1};
+    const auto homogeneous = [&](const Polynomial& p) {
+      Polynomial result;
+      for (long k = 0; k <= p.degree(); ++k)
+        result += p.coefficient(k) * (pow(top, k) * pow(bottom, length - k));
+      return result;
+    };
+    const RationalFunction h(homogeneous(f.numerator()),
+                             homogeneous(f.denominator()) * pow(bottom, 2));
+    CHECK(definite_integral(h, rational(0), u)
+              .value.enclose(120)
+              .overlaps(definite_integral(f, rational(1), Rational(top(u) / bottom(u)))
+                            .value.enclose(120)));
+  });
+}
