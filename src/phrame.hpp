@@ -26,6 +26,7 @@
 #include "phrame/integrate/hermite.hpp"
 #include "phrame/integrate/horowitz.hpp"
 #include "phrame/integrate/integrate.hpp"
+#include "phrame/integrate/lazard_rioboo_trager.hpp"
 #include "phrame/integrate/partial_fractions.hpp"
 #include "phrame/integrate/real_form.hpp"
 #include "phrame/integrate/gaussian_logs.hpp"

@@ -14,6 +14,14 @@ Polynomial Bivariate::coefficient(long k) const {
   return k <= degree() ? coefficients_[static_cast<std::size_t>(k)] : Polynomial();
 }
 
+Bivariate monic_from_rows(const std::vector<Rational>& list, long size) {
+  std::vector<Polynomial> rows;
+  for (auto at = list.begin(); at != list.end(); at += size)
+    rows.emplace_back(std::vector(at, at + size));
+  rows.push_back(Polynomial{1});
+  return Bivariate(std::move(rows));
+}
+
 Polynomial evaluate_at(const Bivariate& v, const Rational& t) {
   Polynomial value;
   for (long k = v.degree(); k >= 0; --k) value = t * std::move(value) + v.coefficient(k);

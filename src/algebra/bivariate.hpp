@@ -22,6 +22,9 @@ class Bivariate {
   std::vector<Polynomial> coefficients_;  ///< the last one is not 0
 };
 
+/// tᵏ + … whose coefficients of t⁰, …, tᵏ⁻¹ are the rows of the list, `size` numbers each.
+Bivariate monic_from_rows(const std::vector<Rational>& list, long size);
+
 /// The value at t = `t`: a polynomial in x.
 Polynomial evaluate_at(const Bivariate& v, const Rational& t);
 

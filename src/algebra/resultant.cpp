@@ -1,7 +1,5 @@
 // The characteristic polynomial χ of c = n/d′ in A = 𝔽ₚ[t]/(d) from its power sums
-// s_k = Tr(cᵏ), k ≤ N = deg d: χ reversed is exp(−Σ s_k zᵏ/k) (Newton). The power sums are a
-// "power projection" (Shoup 1999): with w = ⌈√N⌉, Tr(c^{i+wj}) = (Tr∘c^{wj})(cⁱ), so about 2√N
-// products in A and one matrix product are enough. Over ℤ,
+// s_k = Tr(cᵏ), k ≤ N = deg d: χ reversed is exp(−Σ s_k zᵏ/k) (Newton). Over ℤ,
 //   res_t(d, n − x·d′) = lead(d)^{N−1} ∏ (n(z) − x d′(z)) = (−1)^N · res(d, d′) · χ(x).
 #include "phrame/algebra/resultant.hpp"
 
@@ -10,121 +8,16 @@
 #include <optional>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/algebra/modular.hpp"
+#include "phrame/algebra/modular_algebra.hpp"
 
 namespace phrame {
 namespace {
 
-/// 𝔽ₚ[t]/(d) with the linear forms on it; a form is the list of its values at 1, t, …, t^{N−1},
-/// kept as a polynomial in z: Σ ℓ(tᵏ) zᵏ.
-class Algebra {
- public:
-  /// No value where p divides lead(d) or the discriminant.
-  static std::optional<Algebra> make(ulong prime, const flint::FmpzPoly& d) {
-    Algebra a(prime, d);
-    if (a.modulus_.degree() != fmpz_poly_degree(d.get())) return std::nullopt;
-    nmod_poly_derivative(a.derivative_.raw(), a.modulus_.raw());
-    if (a.derivative_.degree() != a.size() - 1) return std::nullopt;
-    if (nmod_poly_invmod(a.derivative_inverse_.raw(), a.derivative_.raw(), a.modulus_.raw()) == 0)
-      return std::nullopt;
-    nmod_poly_reverse(a.reversed_.raw(), a.modulus_.raw(), a.size() + 1);
-    nmod_poly_inv_series(a.reversed_inverse_.raw(), a.reversed_.raw(), 2 * a.size());
-    nmod_poly_reverse(a.remainder_inverse_.raw(), a.modulus_.raw(), a.size() + 1);
-    nmod_poly_inv_series(a.remainder_inverse_.raw(), a.remainder_inverse_.raw(), a.size() + 1);
-    return a;
-  }
-
-  long size() const { return modulus_.degree(); }
-  ulong prime() const { return modulus_.prime(); }
-  ulong discriminant() const { return nmod_poly_resultant(modulus_.raw(), derivative_.raw()); }
-
-  ModularPolynomial residue(const ModularPolynomial& n) const {
-    return multiply(n, derivative_inverse_);
-  }
-
-  ModularPolynomial multiply(const ModularPolynomial& a, const ModularPolynomial& b) const {
-    ModularPolynomial c(prime());
-    nmod_poly_mulmod_preinv(c.raw(), a.raw(), b.raw(), modulus_.raw(), remainder_inverse_.raw());
-    return c;
-  }
-
-  /// Tr(tᵏ) are the coefficients of rev(d′)/rev(d), for d of degree N and d′ of degree N − 1.
-  ModularPolynomial trace() const {
-    ModularPolynomial form(prime());
-    nmod_poly_reverse(form.raw(), derivative_.raw(), size());
-    nmod_poly_mullow(form.raw(), form.raw(), reversed_inverse_.raw(), size());
-    return form;
-  }
-
-  /// The form b ↦ ℓ(a·b). The values ℓ(tᵏ), k < 2N, are the series U/rev(d) with U of degree < N;
-  /// the new values are the middle coefficients of rev(a)·that series.
-  ModularPolynomial compose(const ModularPolynomial& form, const ModularPolynomial& a) const {
-    ModularPolynomial values(prime());
-    ModularPolynomial reversed(prime());
-    nmod_poly_mullow(values.raw(), form.raw(), reversed_.raw(), size());
-    nmod_poly_mullow(values.raw(), values.raw(), reversed_inverse_.raw(), 2 * size() - 1);
-    nmod_poly_reverse(reversed.raw(), a.raw(), size());
-    nmod_poly_mullow(values.raw(), values.raw(), reversed.raw(), 2 * size() - 1);
-    nmod_poly_shift_right(values.raw(), values.raw(), size() - 1);
-    return values;
-  }
-
- private:
-  Algebra(ulong prime, const flint::FmpzPoly& d)
-      : modulus_(prime, d),
-        derivative_(prime),
-        derivative_inverse_(prime),
-        reversed_(prime),
-        reversed_inverse_(prime),
-        remainder_inverse_(prime) {}
-
-  ModularPolynomial modulus_;
-  ModularPolynomial derivative_;
-  ModularPolynomial derivative_inverse_;
-  ModularPolynomial reversed_;
-  ModularPolynomial reversed_inverse_;   ///< 1/rev(d) modulo z^{2N}
-  ModularPolynomial remainder_inverse_;  ///< 1/rev(d) modulo z^{N+1}, for FLINT's remainder
-};
-
-struct Matrix {
-  nmod_mat_t value;
-  Matrix(slong rows, slong columns, ulong prime) { nmod_mat_init(value, rows, columns, prime); }
-  ~Matrix() { nmod_mat_clear(value); }
-  Matrix(const Matrix&) = delete;
-  Matrix& operator=(const Matrix&) = delete;
-
-  ulong& entry(slong row, slong column) { return nmod_mat_entry(value, row, column); }
-};
-
-/// Tr(cᵏ) for 0 ≤ k ≤ N: with w = ⌈√(N+1)⌉, Tr(c^{wj+i}) is in row j, column i of the product of
-/// the forms Tr∘c^{wj} (rows) and the powers cⁱ (columns).
-std::vector<ulong> traces_of_powers(const Algebra& algebra, const ModularPolynomial& c) {
-  const slong n = algebra.size();
-  const auto width = static_cast<slong>(std::ceil(std::sqrt(static_cast<double>(n + 1))));
-  Matrix forms(width, n, algebra.prime());
-  Matrix powers(n, width, algebra.prime());
-  ModularPolynomial power(algebra.prime());
-  nmod_poly_one(power.raw());
-  for (slong i = 0; i < width; ++i) {
-    for (slong k = 0; k <= power.degree(); ++k) powers.entry(k, i) = power.coefficient(k);
-    power = algebra.multiply(power, c);
-  }
-  ModularPolynomial form = algebra.trace();
-  for (slong j = 0; j < width; ++j) {
-    for (slong k = 0; k <= form.degree(); ++k) forms.entry(j, k) = form.coefficient(k);
-    form = algebra.compose(form, power);
-  }
-  Matrix result(width, width, algebra.prime());
-  nmod_mat_mul(result.value, forms.value, powers.value);
-  std::vector<ulong> traces;
-  for (slong k = 0; k <= n; ++k) traces.push_back(result.entry(k / width, k % width));
-  return traces;
-}
-
 /// χ, monic. Needs p > N.
-ModularPolynomial characteristic_polynomial(const Algebra& algebra, const ModularPolynomial& c) {
+ModularPolynomial characteristic_polynomial(const ModularAlgebra& algebra,
+                                            const ModularPolynomial& c) {
   const slong n = algebra.size();
-  const std::vector<ulong> s = traces_of_powers(algebra, c);
+  const std::vector<ulong> s = values_of_powers(algebra, algebra.trace(), c, n + 1);
   ModularPolynomial series(algebra.prime());  // −Σ s_k zᵏ/k
   const nmod_t mod = series.raw()->mod;
   for (slong k = 1; k <= n; ++k) {
@@ -189,7 +82,7 @@ Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d) {
   Primes primes;
   while (static_cast<long>(fmpz_bits(product.get())) <= needed) {
     const ulong p = primes.next();
-    const auto algebra = Algebra::make(p, f.denominator);
+    const auto algebra = ModularAlgebra::make(p, f.denominator);
     if (!algebra) continue;
     ModularPolynomial r =
         characteristic_polynomial(*algebra, algebra->residue(ModularPolynomial(p, f.numerator)));
@@ -206,7 +99,7 @@ bool residues_are_distinct(const Polynomial& n, const Polynomial& d) {
   const IntegerFraction f = integer_fraction(n, d);
   Primes primes;
   for (int attempt = 0; attempt < 2; ++attempt) {
-    const auto algebra = Algebra::make(primes.next(), f.denominator);
+    const auto algebra = ModularAlgebra::make(primes.next(), f.denominator);
     if (!algebra) continue;
     const ModularPolynomial chi = characteristic_polynomial(
         *algebra, algebra->residue(ModularPolynomial(algebra->prime(), f.numerator)));

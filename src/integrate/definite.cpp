@@ -7,6 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/integrate/exact_value.hpp"
+#include "phrame/integrate/lazard_rioboo_trager.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 
 namespace phrame {
@@ -176,7 +177,7 @@ std::optional<std::vector<LogSum>> Evaluator::over_residues() const {
   std::vector<LogSum> sums;
   for (const Poles& p : poles_)
     for (const SimpleFraction& f : simple_fractions({p.numerator, p.denominator})) {
-      sums.push_back(rothstein_trager(f));
+      sums.push_back(lazard_rioboo_trager({f.numerator, f.denominator}).front());
       if (!(differentiate(sums.back()) == RationalFunction(f.numerator, f.denominator)))
         return std::nullopt;
     }

@@ -11,6 +11,7 @@
 #include "phrame/algebra/resultant.hpp"
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
+#include "phrame/integrate/lazard_rioboo_trager.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 
 namespace phrame {
@@ -157,7 +158,7 @@ std::optional<ExactValue> in_finite_terms(const Antiderivative& F, const Rationa
     for (const SimpleFraction& f : simple_fractions(differentiate(sum))) {
       if (f.denominator.degree() > 2 && residues_are_distinct(f.numerator, f.denominator))
         return std::nullopt;
-      sums.push_back(rothstein_trager(f));
+      sums.push_back(lazard_rioboo_trager({f.numerator, f.denominator}).front());
     }
   const GaussianLogs logs = gaussian_logs(merge_equal_residues(std::move(sums)));
   if (!logs.others.empty()) return std::nullopt;

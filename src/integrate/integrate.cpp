@@ -1,8 +1,11 @@
 #include "phrame/integrate/integrate.hpp"
 
+#include <algorithm>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/resultant.hpp"
 #include "phrame/integrate/hermite.hpp"
+#include "phrame/integrate/lazard_rioboo_trager.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 
 namespace phrame {
@@ -18,26 +21,28 @@ std::vector<LogSum> smallest_extension(const RationalFunction& f,
     for (const auto& part : parts) over_poles.push_back(full_partial_fraction(part));
     return over_poles;
   }
-  std::vector<Polynomial> residues;
+  std::vector<Polynomial> residues;  // each a power of an irreducible polynomial
   for (const auto& part : parts)
     residues.push_back(residue_polynomial(part.numerator, part.denominator));
-  std::vector<LogSum> over_residues;
+  std::vector<LogSum> repeated;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    bool repeated = !is_squarefree(residues[k]);
+    const auto& [n, d] = parts[k];
+    bool distinct = is_squarefree(residues[k]);
     for (std::size_t j = 0; j < parts.size(); ++j)
-      repeated = repeated || (j != k && !gcd(residues[j], residues[k]).is_constant());
-    if (repeated)
-      over_residues.push_back(rothstein_trager(parts[k]));
-    else
+      distinct = distinct && (j == k || gcd(residues[j], residues[k]).is_constant());
+    if (distinct)
       over_poles.push_back(full_partial_fraction(parts[k]));
+    else
+      repeated.push_back(lazard_rioboo_trager({n, d}, residues[k]).front());
   }
-  std::vector<LogSum> all = merge_equal_residues(std::move(over_residues));
+  std::vector<LogSum> all = merge_equal_residues(std::move(repeated));
   all.insert(all.end(), over_poles.begin(), over_poles.end());
   return all;
 }
 
 std::vector<LogSum> logarithms(const RationalFunction& f, Form form) {
   if (f.is_zero()) return {};
+  if (form == Form::lazard_rioboo_trager) return lazard_rioboo_trager(f);
   const auto parts = simple_fractions(f);
   if (form == Form::automatic) return smallest_extension(f, parts);
   std::vector<LogSum> sums;

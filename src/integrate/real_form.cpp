@@ -12,6 +12,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/algebra/resultant.hpp"
+#include "phrame/integrate/lazard_rioboo_trager.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 
 namespace phrame {
@@ -115,7 +116,7 @@ RealForm real_form(const Antiderivative& F) {
   std::vector<LogSum> quadratic;
   for (const SimpleFraction& f : simple_fractions(simple)) {
     if (has_quadratic_residues(f))
-      quadratic.push_back(rothstein_trager(f));
+      quadratic.push_back(lazard_rioboo_trager({f.numerator, f.denominator}).front());
     else
       form.others.push_back(full_partial_fraction(f));
   }

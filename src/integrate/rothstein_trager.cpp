@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "phrame/algebra/modular.hpp"
+#include "phrame/algebra/rational_lift.hpp"
 #include "phrame/algebra/resultant.hpp"
 
 namespace phrame {
@@ -52,46 +53,13 @@ std::optional<ModularBivariate> monic_gcd(ModularBivariate a, ModularBivariate b
   return a;
 }
 
-/// The coefficients of one bivariate polynomial of known size, lifted from prime to prime.
-class Lift {
- public:
-  Lift(long degree_t, long size_x) : size_x_(size_x) {
-    coefficients_.resize(static_cast<std::size_t>(degree_t * size_x));
-    fmpz_one(product_.get());
-  }
-
-  void include(const ModularBivariate& image, ulong p) {
-    for (std::size_t k = 0; k < coefficients_.size(); ++k) {
-      const auto j = static_cast<long>(k) / size_x_;
-      const ulong c =
-          image[static_cast<std::size_t>(j)].coefficient(static_cast<long>(k) % size_x_);
-      fmpz_CRT_ui(coefficients_[k].get(), coefficients_[k].get(), product_.get(), c, p, 0);
-    }
-    fmpz_mul_ui(product_.get(), product_.get(), p);
-  }
-
-  /// The rationals with these residues and small enough numerators and denominators, if any.
-  std::optional<Bivariate> reconstruct() const {
-    std::vector<Polynomial> result;
-    std::vector<Rational> row;
-    flint::Fmpq value;
-    for (const auto& c : coefficients_) {
-      if (fmpq_reconstruct_fmpz(value.get(), c.get(), product_.get()) == 0) return std::nullopt;
-      row.push_back(to_rational(value.get()));
-      if (static_cast<long>(row.size()) == size_x_) {
-        result.emplace_back(row);
-        row.clear();
-      }
-    }
-    result.push_back(Polynomial{1});
-    return Bivariate(std::move(result));
-  }
-
- private:
-  long size_x_;
-  std::vector<flint::Fmpz> coefficients_;
-  flint::Fmpz product_;
-};
+/// The coefficients of t⁰, …, tᵏ⁻¹ of a monic polynomial of degree k, `size` numbers each.
+std::vector<ulong> flattened(const ModularBivariate& v, long size) {
+  std::vector<ulong> list;
+  for (std::size_t j = 0; j + 1 < v.size(); ++j)
+    for (long i = 0; i < size; ++i) list.push_back(v[j].coefficient(i));
+  return list;
+}
 
 /// gcd(n − x d′, d), monic of degree k in t, over ℚ[x]/(q): the first candidate that one more
 /// prime confirms.
@@ -104,10 +72,9 @@ Bivariate residue_gcd(const SimpleFraction& f, const Polynomial& q, long k) {
   }();
   const flint::FmpzPoly d = integer_primitive_part(f.denominator);
   const flint::FmpzPoly modulus = integer_primitive_part(q);
-  Lift lift(k, q.degree());
-  std::optional<Bivariate> candidate;
+  RationalLift lift(static_cast<std::size_t>(k * q.degree()));
   Primes primes;
-  for (long used = 0, wait = 1;;) {
+  for (;;) {
     const ulong p = primes.next();
     const ModularPolynomial q_p(p, modulus);
     const ModularPolynomial n_p(p, n);
@@ -131,14 +98,8 @@ Bivariate residue_gcd(const SimpleFraction& f, const Polynomial& q, long k) {
     normalize(b);
     const auto gcd_p = monic_gcd(std::move(a), std::move(b), q_p);
     if (!gcd_p || static_cast<long>(gcd_p->size()) != k + 1) continue;
-    lift.include(*gcd_p, p);
-    if (++used < wait) continue;
-    auto next = lift.reconstruct();
-    if (next && candidate && *next == *candidate) return *std::move(next);
-    // Reconstruction costs more than a prime: after a failure wait for a fifth more primes; after
-    // a success one prime decides.
-    wait = next ? used + 1 : used + 1 + used / 5;
-    candidate = std::move(next);
+    if (const auto v = lift.include(flattened(*gcd_p, q.degree()), p))
+      return monic_from_rows(*v, q.degree());
   }
 }
 

@@ -75,7 +75,8 @@ TEST_CASE("definite integral: what diverges is refused with the reason") {
   // √2 < √3: the pole √2 is in (1, √3), not in (√3, 2), although the intervals are close.
   CHECK_THROWS_AS(definite_integral({{1}, {-2, 0, 1}}, rational(1), root_of(3)), DomainError);
   CHECK_NOTHROW(definite_integral({{1}, {-2, 0, 1}}, root_of(3), rational(2)));
-  CHECK(definite_integral(RationalFunction(), minus_infinity, infinity).value.exact() == Rational(0));
+  CHECK(definite_integral(RationalFunction(), minus_infinity, infinity).value.exact() ==
+        Rational(0));
 }
 
 TEST_CASE("definite integral: principal values") {

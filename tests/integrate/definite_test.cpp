@@ -116,7 +116,8 @@ TEST_CASE("definite: law: enclosures overlap Arb's quadrature, for every form") 
     if (count_real_roots(f.denominator(), closed(a, b)) > 0) return;
     const RealBall expected = test::quadrature(f, a, b, 80);
     RealBall first;
-    for (const Form form : {Form::automatic, Form::partial_fractions, Form::rothstein_trager}) {
+    for (const Form form : {Form::automatic, Form::partial_fractions, Form::rothstein_trager,
+                            Form::lazard_rioboo_trager}) {
       const RealBall value = definite(integrate(f, form), a, b, 100);
       CHECK(value.overlaps(expected));
       CHECK(value.radius() <= (abs(value.upper()) + 1) * parse_rational("0x1p-100"));

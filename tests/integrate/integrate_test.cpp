@@ -8,7 +8,8 @@ using test::Random;
 
 namespace {
 
-constexpr Form all_forms[] = {Form::automatic, Form::partial_fractions, Form::rothstein_trager};
+constexpr Form all_forms[] = {Form::automatic, Form::partial_fractions, Form::rothstein_trager,
+                              Form::lazard_rioboo_trager};
 
 }  // namespace
 

@@ -1,0 +1,105 @@
+#include "phrame/algebra/modular_algebra.hpp"
+
+#include <cmath>
+
+namespace phrame {
+
+ModularAlgebra::ModularAlgebra(ulong prime, const flint::FmpzPoly& d)
+    : modulus_(prime, d),
+      derivative_(prime),
+      derivative_inverse_(prime),
+      reversed_(prime),
+      reversed_inverse_(prime),
+      remainder_inverse_(prime) {}
+
+std::optional<ModularAlgebra> ModularAlgebra::make(ulong prime, const flint::FmpzPoly& d) {
+  ModularAlgebra a(prime, d);
+  if (a.modulus_.degree() != fmpz_poly_degree(d.get())) return std::nullopt;
+  nmod_poly_derivative(a.derivative_.raw(), a.modulus_.raw());
+  if (a.derivative_.degree() != a.size() - 1) return std::nullopt;
+  if (nmod_poly_invmod(a.derivative_inverse_.raw(), a.derivative_.raw(), a.modulus_.raw()) == 0)
+    return std::nullopt;
+  nmod_poly_reverse(a.reversed_.raw(), a.modulus_.raw(), a.size() + 1);
+  nmod_poly_inv_series(a.reversed_inverse_.raw(), a.reversed_.raw(), 2 * a.size());
+  nmod_poly_reverse(a.remainder_inverse_.raw(), a.modulus_.raw(), a.size() + 1);
+  nmod_poly_inv_series(a.remainder_inverse_.raw(), a.remainder_inverse_.raw(), a.size() + 1);
+  return a;
+}
+
+ModularPolynomial ModularAlgebra::variable() const {
+  ModularPolynomial t(prime());
+  nmod_poly_set_coeff_ui(t.raw(), 1, 1);
+  nmod_poly_rem(t.raw(), t.raw(), modulus_.raw());
+  return t;
+}
+
+ModularPolynomial ModularAlgebra::multiply(const ModularPolynomial& a,
+                                           const ModularPolynomial& b) const {
+  ModularPolynomial c(prime());
+  nmod_poly_mulmod_preinv(c.raw(), a.raw(), b.raw(), modulus_.raw(), remainder_inverse_.raw());
+  return c;
+}
+
+// Tr(tᵏ) are the coefficients of rev(d′)/rev(d), for d of degree N and d′ of degree N − 1.
+ModularPolynomial ModularAlgebra::trace() const {
+  ModularPolynomial form(prime());
+  nmod_poly_reverse(form.raw(), derivative_.raw(), size());
+  nmod_poly_mullow(form.raw(), form.raw(), reversed_inverse_.raw(), size());
+  return form;
+}
+
+// The values ℓ(tᵏ), k < 2N, are the series U/rev(d) with U of degree < N; the new values are the
+// middle coefficients of rev(a)·that series.
+ModularPolynomial ModularAlgebra::compose(const ModularPolynomial& form,
+                                          const ModularPolynomial& a) const {
+  ModularPolynomial values(prime());
+  ModularPolynomial reversed(prime());
+  nmod_poly_mullow(values.raw(), form.raw(), reversed_.raw(), size());
+  nmod_poly_mullow(values.raw(), values.raw(), reversed_inverse_.raw(), 2 * size() - 1);
+  nmod_poly_reverse(reversed.raw(), a.raw(), size());
+  nmod_poly_mullow(values.raw(), values.raw(), reversed.raw(), 2 * size() - 1);
+  nmod_poly_shift_right(values.raw(), values.raw(), size() - 1);
+  return values;
+}
+
+namespace {
+
+struct Matrix {
+  nmod_mat_t value;
+  Matrix(slong rows, slong columns, ulong prime) { nmod_mat_init(value, rows, columns, prime); }
+  ~Matrix() { nmod_mat_clear(value); }
+  Matrix(const Matrix&) = delete;
+  Matrix& operator=(const Matrix&) = delete;
+
+  ulong& entry(slong row, slong column) { return nmod_mat_entry(value, row, column); }
+};
+
+}  // namespace
+
+// With w = ⌈√count⌉, ℓ(c^{wj+i}) is in row j, column i of the product of the forms ℓ∘c^{wj} (rows)
+// and the powers cⁱ (columns).
+std::vector<ulong> values_of_powers(const ModularAlgebra& algebra, const ModularPolynomial& form,
+                                    const ModularPolynomial& c, long count) {
+  const slong n = algebra.size();
+  const auto width = static_cast<slong>(std::ceil(std::sqrt(static_cast<double>(count))));
+  Matrix forms(width, n, algebra.prime());
+  Matrix powers(n, width, algebra.prime());
+  ModularPolynomial power(algebra.prime());
+  nmod_poly_one(power.raw());
+  for (slong i = 0; i < width; ++i) {
+    for (slong k = 0; k <= power.degree(); ++k) powers.entry(k, i) = power.coefficient(k);
+    power = algebra.multiply(power, c);
+  }
+  ModularPolynomial row = form;
+  for (slong j = 0; j < width; ++j) {
+    for (slong k = 0; k <= row.degree(); ++k) forms.entry(j, k) = row.coefficient(k);
+    row = algebra.compose(row, power);
+  }
+  Matrix result(width, width, algebra.prime());
+  nmod_mat_mul(result.value, forms.value, powers.value);
+  std::vector<ulong> values;
+  for (slong k = 0; k < count; ++k) values.push_back(result.entry(k / width, k % width));
+  return values;
+}
+
+}  // namespace phrame

@@ -1,0 +1,45 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "phrame/algebra/modular.hpp"
+
+namespace phrame {
+
+/// 𝔽ₚ[t]/(d), d squarefree of degree N ≥ 1, with the linear forms on it. A form ℓ is the list of
+/// its values at 1, t, …, t^{N−1}, kept as a polynomial in z: Σ ℓ(tᵏ) zᵏ.
+class ModularAlgebra {
+ public:
+  /// No value where p divides lead(d) or the discriminant.
+  static std::optional<ModularAlgebra> make(ulong prime, const flint::FmpzPoly& d);
+
+  long size() const { return modulus_.degree(); }
+  ulong prime() const { return modulus_.prime(); }
+  ulong discriminant() const { return nmod_poly_resultant(modulus_.raw(), derivative_.raw()); }
+
+  ModularPolynomial variable() const;  ///< t modulo d
+  /// n/d′.
+  ModularPolynomial residue(const ModularPolynomial& n) const {
+    return multiply(n, derivative_inverse_);
+  }
+  ModularPolynomial multiply(const ModularPolynomial& a, const ModularPolynomial& b) const;
+  ModularPolynomial trace() const;
+  /// The form b ↦ ℓ(a·b).
+  ModularPolynomial compose(const ModularPolynomial& form, const ModularPolynomial& a) const;
+
+ private:
+  ModularAlgebra(ulong prime, const flint::FmpzPoly& d);
+
+  ModularPolynomial modulus_;
+  ModularPolynomial derivative_;
+  ModularPolynomial derivative_inverse_;
+  ModularPolynomial reversed_;
+  ModularPolynomial reversed_inverse_;   ///< 1/rev(d) modulo z^{2N}
+  ModularPolynomial remainder_inverse_;  ///< 1/rev(d) modulo z^{N+1}, for FLINT's remainder
+};
+
+/// ℓ(cᵏ) for 0 ≤ k < count: a power projection, with about 2√count products [Shoup 1999].
+std::vector<ulong> values_of_powers(const ModularAlgebra& algebra, const ModularPolynomial& form,
+                                    const ModularPolynomial& c, long count);
+
+}  // namespace phrame

@@ -1,0 +1,154 @@
+// The subresultants are not computed from their definition but from the poles they vanish at. With
+// c = n/d′ in 𝔽ₚ[t]/(d) and Q = ∏ Q_k of degree M, the power sums p_j(α) = Σ_{c(z)=α} zʲ are
+// interpolated by traces:
+//   Σ_α p_j(α)/(x − α) = Σ_i Tr(tʲ·cⁱ)·x^{−i−1} = P_j(x)/Q(x),   so p_j(α) = P_j(α)/Q′(α),
+// where M traces are a power projection, about 2√M products modulo d. Newton's identities in
+// 𝔽ₚ[x]/(Q_k) make v_k from p_1, …, p_k.
+#include "phrame/integrate/lazard_rioboo_trager.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/factor.hpp"
+#include "phrame/algebra/modular_algebra.hpp"
+#include "phrame/algebra/rational_lift.hpp"
+#include "phrame/algebra/resultant.hpp"
+
+namespace phrame {
+namespace {
+
+/// P_1, …, P_count.
+std::vector<ModularPolynomial> interpolated_power_sums(const ModularAlgebra& algebra,
+                                                       const ModularPolynomial& c,
+                                                       const ModularPolynomial& q, long count) {
+  const slong m = q.degree();
+  const ModularPolynomial t = algebra.variable();
+  ModularPolynomial form = algebra.trace();
+  std::vector<ModularPolynomial> result;
+  for (long j = 1; j <= count; ++j) {
+    form = algebra.compose(form, t);
+    const std::vector<ulong> traces = values_of_powers(algebra, form, c, m);
+    ModularPolynomial p(algebra.prime());
+    for (slong i = 0; i < m; ++i)
+      nmod_poly_set_coeff_ui(p.raw(), m - 1 - i, traces[static_cast<std::size_t>(i)]);
+    nmod_poly_mul(p.raw(), p.raw(), q.raw());
+    nmod_poly_shift_right(p.raw(), p.raw(), m);
+    result.push_back(std::move(p));
+  }
+  return result;
+}
+
+/// The coefficients of t⁰, …, tᵏ⁻¹ of v = tᵏ + c₁tᵏ⁻¹ + … from j·c_j = −Σ_{0<i≤j} c_{j−i}·p_i,
+/// flattened, deg Q_k numbers each.
+std::vector<ulong> monic_argument(const std::vector<ModularPolynomial>& sums,
+                                  const ModularPolynomial& slope_inverse,
+                                  const ModularPolynomial& q_k, long k) {
+  const ulong prime = q_k.prime();
+  const auto multiply = [&](const ModularPolynomial& a, const ModularPolynomial& b) {
+    ModularPolynomial product(prime);
+    nmod_poly_mulmod(product.raw(), a.raw(), b.raw(), q_k.raw());
+    return product;
+  };
+  std::vector<ModularPolynomial> p;
+  for (long j = 0; j < k; ++j) {
+    ModularPolynomial reduced(prime);
+    nmod_poly_rem(reduced.raw(), sums[static_cast<std::size_t>(j)].raw(), q_k.raw());
+    p.push_back(multiply(reduced, slope_inverse));
+  }
+  ModularPolynomial one(prime);
+  nmod_poly_one(one.raw());
+  std::vector<ModularPolynomial> c = {one};
+  for (std::size_t j = 1; j <= static_cast<std::size_t>(k); ++j) {
+    ModularPolynomial sum(prime);
+    for (std::size_t i = 1; i <= j; ++i) {
+      const ModularPolynomial term = j == i ? p[i - 1] : multiply(c[j - i], p[i - 1]);
+      nmod_poly_sub(sum.raw(), sum.raw(), term.raw());
+    }
+    const ulong over_j = nmod_inv(j, sum.raw()->mod);
+    nmod_poly_scalar_mul_nmod(sum.raw(), sum.raw(), over_j);
+    c.push_back(std::move(sum));
+  }
+  std::vector<ulong> list;
+  for (std::size_t j = static_cast<std::size_t>(k); j >= 1; --j)
+    for (long i = 0; i < q_k.degree(); ++i) list.push_back(c[j].coefficient(i));
+  return list;
+}
+
+/// The arguments for all factors of the residue polynomial modulo p, flattened one after the other;
+/// no value where p is bad.
+std::optional<std::vector<ulong>> arguments_modulo(ulong p, const flint::FmpzPoly& n,
+                                                   const flint::Fmpz& scale,
+                                                   const flint::FmpzPoly& d,
+                                                   const std::vector<Factor>& residues) {
+  const auto algebra = ModularAlgebra::make(p, d);
+  const ulong s = fmpz_fdiv_ui(scale.get(), p);
+  if (!algebra || s == 0) return std::nullopt;
+  ModularPolynomial c = algebra->residue(ModularPolynomial(p, n));
+  nmod_poly_scalar_mul_nmod(c.raw(), c.raw(), nmod_inv(s, c.raw()->mod));
+
+  ModularPolynomial q(p);
+  nmod_poly_one(q.raw());
+  std::vector<ModularPolynomial> factors;
+  long most_poles = 0;
+  for (const auto& [base, exponent] : residues) {
+    factors.emplace_back(p, integer_primitive_part(base));
+    if (factors.back().degree() != base.degree()) return std::nullopt;
+    nmod_poly_mul(q.raw(), q.raw(), factors.back().raw());
+    most_poles = std::max(most_poles, exponent);
+  }
+  ModularPolynomial slope(p);
+  nmod_poly_derivative(slope.raw(), q.raw());
+  const auto sums = interpolated_power_sums(*algebra, c, q, most_poles);
+  std::vector<ulong> all;
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    ModularPolynomial inverse(p);
+    nmod_poly_rem(inverse.raw(), slope.raw(), factors[k].raw());
+    if (inverse.is_zero() || nmod_poly_invmod(inverse.raw(), inverse.raw(), factors[k].raw()) == 0)
+      return std::nullopt;
+    const auto list = monic_argument(sums, inverse, factors[k], residues[k].exponent);
+    all.insert(all.end(), list.begin(), list.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f) {
+  if (!f.is_proper()) throw DomainError("lazard_rioboo_trager: the function has a polynomial part");
+  if (f.is_zero()) return {};
+  if (!is_squarefree(f.denominator()))
+    throw DomainError("lazard_rioboo_trager: the function has a multiple pole");
+  return lazard_rioboo_trager(f, residue_polynomial(f.numerator(), f.denominator()));
+}
+
+std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f,
+                                         const Polynomial& residue_polynomial) {
+  const std::vector<Factor> residues = squarefree_factorization(residue_polynomial).factors;
+  flint::FmpzPoly n;
+  flint::Fmpz scale;
+  fmpq_poly_get_numerator(n.get(), f.numerator().raw());
+  fmpz_set(scale.get(), fmpq_poly_denref(f.numerator().raw()));
+  const flint::FmpzPoly d = integer_primitive_part(f.denominator());
+
+  std::size_t count = 0;
+  for (const auto& [base, exponent] : residues)
+    count += static_cast<std::size_t>(base.degree() * exponent);
+  RationalLift lift(count);
+  std::optional<std::vector<Rational>> numbers;
+  for (Primes primes; !numbers;) {
+    const ulong p = primes.next();
+    if (const auto image = arguments_modulo(p, n, scale, d, residues))
+      numbers = lift.include(*image, p);
+  }
+  std::vector<LogSum> sums;
+  auto at = numbers->begin();
+  for (const auto& [base, exponent] : residues) {
+    const auto end = at + base.degree() * exponent;
+    sums.push_back({base, QuotientRing(base).reduce(Polynomial{0, 1}),
+                    monic_from_rows(std::vector(at, end), base.degree())});
+    at = end;
+  }
+  return sums;
+}
+
+}  // namespace phrame
