@@ -10,7 +10,8 @@
 #include <optional>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/algebra/modular.hpp"
+#include "phrame/algebra/hadamard.hpp"
+#include "phrame/algebra/modular_lift.hpp"
 
 namespace phrame {
 namespace {
@@ -19,14 +20,16 @@ namespace {
 /// kept as a polynomial in z: Σ ℓ(tᵏ) zᵏ.
 class Algebra {
  public:
-  /// No value where p divides lead(d) or the discriminant.
-  static std::optional<Algebra> make(ulong prime, const flint::FmpzPoly& d) {
-    Algebra a(prime, d);
-    if (a.modulus_.degree() != fmpz_poly_degree(d.get())) return std::nullopt;
-    nmod_poly_derivative(a.derivative_.raw(), a.modulus_.raw());
-    if (a.derivative_.degree() != a.size() - 1) return std::nullopt;
-    if (nmod_poly_invmod(a.derivative_inverse_.raw(), a.derivative_.raw(), a.modulus_.raw()) == 0)
-      return std::nullopt;
+  /// d modulo p; no value where p divides lead(d), so that the degree is not `size`, or the
+  /// discriminant.
+  static std::optional<Algebra> make(const ModularPolynomial& d, slong size) {
+    Algebra a(d);
+    if (a.size() != size) return std::nullopt;
+    nmod_poly_derivative(a.derivative_.raw(), d.raw());
+    if (a.derivative_.degree() != size - 1) return std::nullopt;
+    auto inverse = modular_inverse(a.derivative_, d);
+    if (!inverse) return std::nullopt;
+    a.derivative_inverse_ = std::move(*inverse);
     nmod_poly_reverse(a.reversed_.raw(), a.modulus_.raw(), a.size() + 1);
     nmod_poly_inv_series(a.reversed_inverse_.raw(), a.reversed_.raw(), 2 * a.size());
     nmod_poly_reverse(a.remainder_inverse_.raw(), a.modulus_.raw(), a.size() + 1);
@@ -36,10 +39,10 @@ class Algebra {
 
   long size() const { return modulus_.degree(); }
   ulong prime() const { return modulus_.prime(); }
-  ulong discriminant() const { return nmod_poly_resultant(modulus_.raw(), derivative_.raw()); }
+  ulong discriminant() const { return derivative_inverse_.resultant; }  ///< res(d, d′)
 
   ModularPolynomial residue(const ModularPolynomial& n) const {
-    return multiply(n, derivative_inverse_);
+    return multiply(n, derivative_inverse_.inverse);
   }
 
   ModularPolynomial multiply(const ModularPolynomial& a, const ModularPolynomial& b) const {
@@ -70,17 +73,17 @@ class Algebra {
   }
 
  private:
-  Algebra(ulong prime, const flint::FmpzPoly& d)
-      : modulus_(prime, d),
-        derivative_(prime),
-        derivative_inverse_(prime),
-        reversed_(prime),
-        reversed_inverse_(prime),
-        remainder_inverse_(prime) {}
+  explicit Algebra(const ModularPolynomial& d)
+      : modulus_(d),
+        derivative_(d.prime()),
+        derivative_inverse_{ModularPolynomial(d.prime()), 0},
+        reversed_(d.prime()),
+        reversed_inverse_(d.prime()),
+        remainder_inverse_(d.prime()) {}
 
   ModularPolynomial modulus_;
   ModularPolynomial derivative_;
-  ModularPolynomial derivative_inverse_;
+  ModularInverse derivative_inverse_;
   ModularPolynomial reversed_;
   ModularPolynomial reversed_inverse_;   ///< 1/rev(d) modulo z^{2N}
   ModularPolynomial remainder_inverse_;  ///< 1/rev(d) modulo z^{N+1}, for FLINT's remainder
@@ -156,47 +159,20 @@ IntegerFraction integer_fraction(const Polynomial& n, const Polynomial& d) {
   return f;
 }
 
-/// An upper bound, in bits, of the coefficients of R: on |x| = 1 Hadamard's inequality bounds the
-/// Sylvester determinant by ‖d‖₂^{N−1}·(‖n‖₂ + ‖d′‖₂)^N, and a coefficient is at most the maximum
-/// over the unit circle (Cauchy). FLINT's 2-norm rounds down: 1 is added.
-long height_bits(const IntegerFraction& f) {
-  const auto norm = [](const flint::FmpzPoly& p) {
-    flint::Fmpz value;
-    fmpz_poly_2norm(value.get(), p.get());
-    fmpz_add_ui(value.get(), value.get(), 1);
-    return value;
-  };
-  flint::FmpzPoly derivative;
-  fmpz_poly_derivative(derivative.get(), f.denominator.get());
-  const slong n = fmpz_poly_degree(f.denominator.get());
-  flint::Fmpz bound;
-  flint::Fmpz rows = norm(f.numerator);
-  fmpz_add(rows.get(), rows.get(), norm(derivative).get());
-  fmpz_pow_ui(bound.get(), norm(f.denominator).get(), static_cast<ulong>(n - 1));
-  fmpz_pow_ui(rows.get(), rows.get(), static_cast<ulong>(n));
-  fmpz_mul(bound.get(), bound.get(), rows.get());
-  return static_cast<long>(fmpz_bits(bound.get()));
-}
-
 }  // namespace
 
 Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d) {
   const IntegerFraction f = integer_fraction(n, d);
-  const long needed = height_bits(f) + 2;  // the sign, and ≤ made <
-  flint::FmpzPoly lifted;
-  flint::Fmpz product;
-  fmpz_one(product.get());
-  Primes primes;
-  while (static_cast<long>(fmpz_bits(product.get())) <= needed) {
-    const ulong p = primes.next();
-    const auto algebra = Algebra::make(p, f.denominator);
-    if (!algebra) continue;
-    ModularPolynomial r =
-        characteristic_polynomial(*algebra, algebra->residue(ModularPolynomial(p, f.numerator)));
+  const auto image =
+      [&](const std::vector<ModularPolynomial>& at) -> std::optional<ModularPolynomial> {
+    const auto algebra = Algebra::make(at[1], d.degree());
+    if (!algebra) return std::nullopt;
+    ModularPolynomial r = characteristic_polynomial(*algebra, algebra->residue(at[0]));
     nmod_poly_scalar_mul_nmod(r.raw(), r.raw(), algebra->discriminant());
-    fmpz_poly_CRT_ui(lifted.get(), lifted.get(), product.get(), r.raw(), 1);
-    fmpz_mul_ui(product.get(), product.get(), p);
-  }
+    return r;
+  };
+  const flint::FmpzPoly lifted = modular_lift({f.numerator, f.denominator}, d.degree() + 1,
+                                              residue_bits(f.numerator, f.denominator), image);
   // The residues of n/d are those of numerator/d over `scale`: substitute x → scale·x.
   const Polynomial residues = to_polynomial(lifted.get());
   return primitive_part(compose(residues, Polynomial{0, to_rational(f.scale.get())}));
@@ -206,10 +182,11 @@ bool residues_are_distinct(const Polynomial& n, const Polynomial& d) {
   const IntegerFraction f = integer_fraction(n, d);
   Primes primes;
   for (int attempt = 0; attempt < 2; ++attempt) {
-    const auto algebra = Algebra::make(primes.next(), f.denominator);
+    const ulong p = primes.next();
+    const auto algebra = Algebra::make(ModularPolynomial(p, f.denominator), d.degree());
     if (!algebra) continue;
-    const ModularPolynomial chi = characteristic_polynomial(
-        *algebra, algebra->residue(ModularPolynomial(algebra->prime(), f.numerator)));
+    const ModularPolynomial chi =
+        characteristic_polynomial(*algebra, algebra->residue(ModularPolynomial(p, f.numerator)));
     if (nmod_poly_is_squarefree(chi.raw()) != 0) return true;
   }
   return is_squarefree(residue_polynomial(n, d));
