@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/hadamard.hpp"
+#include "phrame/algebra/modular_lift.hpp"
 
 namespace phrame {
 
@@ -38,17 +40,57 @@ Bivariate QuotientRing::reduce(const Bivariate& v) const {
   return Bivariate(std::move(reduced));
 }
 
-Polynomial QuotientRing::inverse(const Polynomial& a) const {
-  Polynomial g;
-  Polynomial s;
-  Polynomial t;
-  fmpq_poly_xgcd(g.raw(), s.raw(), t.raw(), a.raw(), modulus_.raw());  // g = s·a + t·q, monic
-  if (!(g == Polynomial{1}))
+namespace {
+
+void require_coprime(const Polynomial& a, const Polynomial& q) {
+  if (const Polynomial common = gcd(a, q); !common.is_constant())
     throw DomainError(
         fmt::format("inverse in ℚ[x]/(q): the element has a factor of degree {} in "
                     "common with q",
-                    g.degree()));
-  return s;
+                    common.degree()));
+}
+
+}  // namespace
+
+// With n, a and q in ℤ[x], res(q, a)·(n·a⁻¹ mod q) has integer coefficients (Cramer), and
+// Hadamard's inequality bounds them: they are lifted from their residues modulo primes, and the
+// resultant with them, as one more coefficient.
+Polynomial QuotientRing::divide(const Polynomial& n, const Polynomial& a) const {
+  const Polynomial dividend = reduce(n);
+  const Polynomial divisor = reduce(a);
+  if (divisor.is_zero()) require_coprime(divisor, modulus_);
+  if (divisor.is_constant()) return (1 / divisor.coefficient(0)) * dividend;
+  if (dividend.is_zero()) {
+    require_coprime(divisor, modulus_);
+    return {};
+  }
+  const std::vector<flint::FmpzPoly> inputs{integer_primitive_part(dividend),
+                                            integer_primitive_part(divisor),
+                                            integer_primitive_part(modulus_)};
+  const slong size = modulus_.degree();
+  bool coprime = false;
+  const auto image =
+      [&](const std::vector<ModularPolynomial>& f) -> std::optional<ModularPolynomial> {
+    if (f[1].degree() != divisor.degree() || f[2].degree() != size) return std::nullopt;
+    auto inverse = modular_inverse(f[1], f[2]);
+    if (!inverse) {
+      if (!coprime) require_coprime(divisor, modulus_);
+      coprime = true;
+      return std::nullopt;
+    }
+    ModularPolynomial c = multiply_modulo(inverse->inverse, f[0], f[2]);
+    nmod_poly_scalar_mul_nmod(c.raw(), c.raw(), inverse->resultant);
+    nmod_poly_set_coeff_ui(c.raw(), size, inverse->resultant);
+    return c;
+  };
+  flint::FmpzPoly lifted =
+      modular_lift(inputs, size + 1, cofactor_bits(inputs[0], inputs[1], inputs[2]), image);
+  flint::Fmpz resultant;
+  fmpz_poly_get_coeff_fmpz(resultant.get(), lifted.get(), size);
+  fmpz_poly_truncate(lifted.get(), size);
+  Polynomial result = to_polynomial(lifted.get());
+  fmpq_poly_scalar_div_fmpz(result.raw(), result.raw(), resultant.get());
+  return Rational(content(dividend) / content(divisor)) * std::move(result);
 }
 
 // Σ a(α) is the sum of the residues of a·q′/q, which is the coefficient of 1/x in its expansion at

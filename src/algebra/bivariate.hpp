@@ -39,7 +39,11 @@ class QuotientRing {
   Bivariate reduce(const Bivariate& v) const;
   Polynomial multiply(const Polynomial& a, const Polynomial& b) const { return (a * b) % modulus_; }
   /// a⁻¹. Throws DomainError where gcd(a, q) ≠ 1.
-  Polynomial inverse(const Polynomial& a) const;
+  Polynomial inverse(const Polynomial& a) const { return divide(Polynomial{1}, a); }
+  /// n·a⁻¹. Throws DomainError where gcd(a, q) ≠ 1. Cost: an inverse modulo each of as
+  /// many primes as the result has words to a coefficient, the number of which is bounded
+  /// beforehand.
+  Polynomial divide(const Polynomial& n, const Polynomial& a) const;
   /// Σ a(α) over the roots α of q, with multiplicity.
   Rational trace(const Polynomial& a) const;
 

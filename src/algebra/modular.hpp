@@ -1,4 +1,7 @@
 #pragma once
+#include <optional>
+#include <vector>
+
 #include "phrame/algebra/polynomial.hpp"
 
 namespace phrame {
@@ -38,17 +41,30 @@ class ModularPolynomial {
   nmod_poly_struct value_;
 };
 
+/// a·b mod q for deg a, deg b < deg q: where q changes with every product, twice as fast as FLINT's
+/// nmod_poly_mulmod.
+ModularPolynomial multiply_modulo(const ModularPolynomial& a, const ModularPolynomial& b,
+                                  const ModularPolynomial& q);
+
+/// a⁻¹ in 𝔽ₚ[t]/(q), and res(q, a) ≠ 0.
+struct ModularInverse {
+  ModularPolynomial inverse;
+  ulong resultant;
+};
+
+/// No value where gcd(a, q) ≠ 1. Requires a ≠ 0, deg a < deg q, and an odd prime p < 2⁶².
+/// Cost: Euclid's algorithm without divisions in Montgomery's form, 3·(deg q)² products of words.
+std::optional<ModularInverse> modular_inverse(const ModularPolynomial& a,
+                                              const ModularPolynomial& q);
+
 /// The primes above 2⁶¹, ascending: so large that a bad one is never met in practice, and small
-/// enough for FLINT's fastest word arithmetic.
+/// enough for FLINT's fastest word arithmetic and for `modular_inverse`.
 class Primes {
  public:
-  ulong next() {
-    static const ulong first = n_nextprime(1UL << 61, 0);
-    return last_ = last_ == 0 ? first : n_nextprime(last_, 0);
-  }
+  ulong next();
 
  private:
-  ulong last_ = 0;
+  std::size_t used_ = 0;
 };
 
 }  // namespace phrame

@@ -4,21 +4,22 @@
 
 namespace phrame {
 
-ModularAlgebra::ModularAlgebra(ulong prime, const flint::FmpzPoly& d)
-    : modulus_(prime, d),
-      derivative_(prime),
-      derivative_inverse_(prime),
-      reversed_(prime),
-      reversed_inverse_(prime),
-      remainder_inverse_(prime) {}
+ModularAlgebra::ModularAlgebra(const ModularPolynomial& d)
+    : modulus_(d),
+      derivative_(d.prime()),
+      derivative_inverse_{ModularPolynomial(d.prime()), 0},
+      reversed_(d.prime()),
+      reversed_inverse_(d.prime()),
+      remainder_inverse_(d.prime()) {}
 
-std::optional<ModularAlgebra> ModularAlgebra::make(ulong prime, const flint::FmpzPoly& d) {
-  ModularAlgebra a(prime, d);
-  if (a.modulus_.degree() != fmpz_poly_degree(d.get())) return std::nullopt;
-  nmod_poly_derivative(a.derivative_.raw(), a.modulus_.raw());
-  if (a.derivative_.degree() != a.size() - 1) return std::nullopt;
-  if (nmod_poly_invmod(a.derivative_inverse_.raw(), a.derivative_.raw(), a.modulus_.raw()) == 0)
-    return std::nullopt;
+std::optional<ModularAlgebra> ModularAlgebra::make(const ModularPolynomial& d, long size) {
+  ModularAlgebra a(d);
+  if (a.size() != size) return std::nullopt;
+  nmod_poly_derivative(a.derivative_.raw(), d.raw());
+  if (a.derivative_.degree() != size - 1) return std::nullopt;
+  auto inverse = modular_inverse(a.derivative_, d);
+  if (!inverse) return std::nullopt;
+  a.derivative_inverse_ = std::move(*inverse);
   nmod_poly_reverse(a.reversed_.raw(), a.modulus_.raw(), a.size() + 1);
   nmod_poly_inv_series(a.reversed_inverse_.raw(), a.reversed_.raw(), 2 * a.size());
   nmod_poly_reverse(a.remainder_inverse_.raw(), a.modulus_.raw(), a.size() + 1);

@@ -10,17 +10,18 @@ namespace phrame {
 /// its values at 1, t, …, t^{N−1}, kept as a polynomial in z: Σ ℓ(tᵏ) zᵏ.
 class ModularAlgebra {
  public:
-  /// No value where p divides lead(d) or the discriminant.
-  static std::optional<ModularAlgebra> make(ulong prime, const flint::FmpzPoly& d);
+  /// d modulo p; no value where p divides lead(d), so that the degree is not `size`, or the
+  /// discriminant.
+  static std::optional<ModularAlgebra> make(const ModularPolynomial& d, long size);
 
   long size() const { return modulus_.degree(); }
   ulong prime() const { return modulus_.prime(); }
-  ulong discriminant() const { return nmod_poly_resultant(modulus_.raw(), derivative_.raw()); }
+  ulong discriminant() const { return derivative_inverse_.resultant; }  ///< res(d, d′)
 
   ModularPolynomial variable() const;  ///< t modulo d
   /// n/d′.
   ModularPolynomial residue(const ModularPolynomial& n) const {
-    return multiply(n, derivative_inverse_);
+    return multiply(n, derivative_inverse_.inverse);
   }
   ModularPolynomial multiply(const ModularPolynomial& a, const ModularPolynomial& b) const;
   ModularPolynomial trace() const;
@@ -28,11 +29,11 @@ class ModularAlgebra {
   ModularPolynomial compose(const ModularPolynomial& form, const ModularPolynomial& a) const;
 
  private:
-  ModularAlgebra(ulong prime, const flint::FmpzPoly& d);
+  explicit ModularAlgebra(const ModularPolynomial& d);
 
   ModularPolynomial modulus_;
   ModularPolynomial derivative_;
-  ModularPolynomial derivative_inverse_;
+  ModularInverse derivative_inverse_;
   ModularPolynomial reversed_;
   ModularPolynomial reversed_inverse_;   ///< 1/rev(d) modulo z^{2N}
   ModularPolynomial remainder_inverse_;  ///< 1/rev(d) modulo z^{N+1}, for FLINT's remainder

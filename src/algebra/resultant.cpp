@@ -3,12 +3,12 @@
 //   res_t(d, n − x·d′) = lead(d)^{N−1} ∏ (n(z) − x d′(z)) = (−1)^N · res(d, d′) · χ(x).
 #include "phrame/algebra/resultant.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/hadamard.hpp"
 #include "phrame/algebra/modular_algebra.hpp"
+#include "phrame/algebra/modular_lift.hpp"
 
 namespace phrame {
 namespace {
@@ -49,47 +49,20 @@ IntegerFraction integer_fraction(const Polynomial& n, const Polynomial& d) {
   return f;
 }
 
-/// An upper bound, in bits, of the coefficients of R: on |x| = 1 Hadamard's inequality bounds the
-/// Sylvester determinant by ‖d‖₂^{N−1}·(‖n‖₂ + ‖d′‖₂)^N, and a coefficient is at most the maximum
-/// over the unit circle (Cauchy). FLINT's 2-norm rounds down: 1 is added.
-long height_bits(const IntegerFraction& f) {
-  const auto norm = [](const flint::FmpzPoly& p) {
-    flint::Fmpz value;
-    fmpz_poly_2norm(value.get(), p.get());
-    fmpz_add_ui(value.get(), value.get(), 1);
-    return value;
-  };
-  flint::FmpzPoly derivative;
-  fmpz_poly_derivative(derivative.get(), f.denominator.get());
-  const slong n = fmpz_poly_degree(f.denominator.get());
-  flint::Fmpz bound;
-  flint::Fmpz rows = norm(f.numerator);
-  fmpz_add(rows.get(), rows.get(), norm(derivative).get());
-  fmpz_pow_ui(bound.get(), norm(f.denominator).get(), static_cast<ulong>(n - 1));
-  fmpz_pow_ui(rows.get(), rows.get(), static_cast<ulong>(n));
-  fmpz_mul(bound.get(), bound.get(), rows.get());
-  return static_cast<long>(fmpz_bits(bound.get()));
-}
-
 }  // namespace
 
 Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d) {
   const IntegerFraction f = integer_fraction(n, d);
-  const long needed = height_bits(f) + 2;  // the sign, and ≤ made <
-  flint::FmpzPoly lifted;
-  flint::Fmpz product;
-  fmpz_one(product.get());
-  Primes primes;
-  while (static_cast<long>(fmpz_bits(product.get())) <= needed) {
-    const ulong p = primes.next();
-    const auto algebra = ModularAlgebra::make(p, f.denominator);
-    if (!algebra) continue;
-    ModularPolynomial r =
-        characteristic_polynomial(*algebra, algebra->residue(ModularPolynomial(p, f.numerator)));
+  const auto image =
+      [&](const std::vector<ModularPolynomial>& at) -> std::optional<ModularPolynomial> {
+    const auto algebra = ModularAlgebra::make(at[1], d.degree());
+    if (!algebra) return std::nullopt;
+    ModularPolynomial r = characteristic_polynomial(*algebra, algebra->residue(at[0]));
     nmod_poly_scalar_mul_nmod(r.raw(), r.raw(), algebra->discriminant());
-    fmpz_poly_CRT_ui(lifted.get(), lifted.get(), product.get(), r.raw(), 1);
-    fmpz_mul_ui(product.get(), product.get(), p);
-  }
+    return r;
+  };
+  const flint::FmpzPoly lifted = modular_lift({f.numerator, f.denominator}, d.degree() + 1,
+                                              residue_bits(f.numerator, f.denominator), image);
   // The residues of n/d are those of numerator/d over `scale`: substitute x → scale·x.
   const Polynomial residues = to_polynomial(lifted.get());
   return primitive_part(compose(residues, Polynomial{0, to_rational(f.scale.get())}));
@@ -99,10 +72,11 @@ bool residues_are_distinct(const Polynomial& n, const Polynomial& d) {
   const IntegerFraction f = integer_fraction(n, d);
   Primes primes;
   for (int attempt = 0; attempt < 2; ++attempt) {
-    const auto algebra = ModularAlgebra::make(primes.next(), f.denominator);
+    const ulong p = primes.next();
+    const auto algebra = ModularAlgebra::make(ModularPolynomial(p, f.denominator), d.degree());
     if (!algebra) continue;
-    const ModularPolynomial chi = characteristic_polynomial(
-        *algebra, algebra->residue(ModularPolynomial(algebra->prime(), f.numerator)));
+    const ModularPolynomial chi =
+        characteristic_polynomial(*algebra, algebra->residue(ModularPolynomial(p, f.numerator)));
     if (nmod_poly_is_squarefree(chi.raw()) != 0) return true;
   }
   return is_squarefree(residue_polynomial(n, d));

@@ -79,7 +79,7 @@ LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint
     const At from = at(v, a);
     const At to = at(v, b);
     const auto conjugated = [](const GaussianRational& z) { return GaussianRational{z.re, -z.im}; };
-    const auto value = [&](const Rational& t) { return GaussianRational{v.re(t), v.im(t)}; };
+    const auto value = [&v = v](const Rational& t) { return GaussianRational{v.re(t), v.im(t)}; };
     const GaussianRational z = to.value * conjugated(from.value);
     ContinuousArgument argument(v);
     for (long bits = 64;; bits *= 2) {

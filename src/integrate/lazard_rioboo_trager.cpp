@@ -80,7 +80,7 @@ std::optional<std::vector<ulong>> arguments_modulo(ulong p, const flint::FmpzPol
                                                    const flint::Fmpz& scale,
                                                    const flint::FmpzPoly& d,
                                                    const std::vector<Factor>& residues) {
-  const auto algebra = ModularAlgebra::make(p, d);
+  const auto algebra = ModularAlgebra::make(ModularPolynomial(p, d), fmpz_poly_degree(d.get()));
   const ulong s = fmpz_fdiv_ui(scale.get(), p);
   if (!algebra || s == 0) return std::nullopt;
   ModularPolynomial c = algebra->residue(ModularPolynomial(p, n));

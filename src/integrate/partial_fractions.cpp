@@ -17,15 +17,14 @@ std::vector<SimpleFraction> simple_fractions(const RationalFunction& f) {
     // f = n/(base·rest) has the part (n·rest⁻¹ mod base)/base.
     const QuotientRing ring(base);
     const Polynomial rest = exact_quotient(f.denominator(), base);
-    parts.push_back({ring.multiply(f.numerator(), ring.inverse(ring.reduce(rest))), base});
+    parts.push_back({ring.divide(f.numerator(), rest), base});
   }
   return parts;
 }
 
 LogSum full_partial_fraction(const SimpleFraction& f) {
   const QuotientRing ring(f.denominator);
-  const Polynomial slope = ring.reduce(differentiate(f.denominator));
-  return {f.denominator, ring.multiply(f.numerator, ring.inverse(slope)),
+  return {f.denominator, ring.divide(f.numerator, differentiate(f.denominator)),
           ring.reduce(Bivariate({Polynomial{0, -1}, Polynomial{1}}))};
 }
 

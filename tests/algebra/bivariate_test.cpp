@@ -1,6 +1,7 @@
 #include "phrame/algebra/bivariate.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/modular.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -42,6 +43,35 @@ TEST_CASE("quotient ring: law: a·a⁻¹ = 1; the trace is the sum over known ro
     if (gcd(a, q).is_constant() && !a.is_zero())
       CHECK(ring.multiply(a, ring.inverse(ring.reduce(a))) == Polynomial{1});
   });
+}
+
+TEST_CASE("quotient ring: law: n/a is n times the inverse by Euclid's algorithm over ℚ") {
+  for_samples(150, [](Random& random) {
+    const Polynomial q = random.nonconstant_polynomial(random.chance(6) ? 25 : 7);
+    const Polynomial a = random.nonzero_polynomial(q.degree() + 2);
+    const Polynomial n = random.polynomial(q.degree() + 2);
+    const QuotientRing ring(q);
+    Polynomial g;
+    Polynomial s;
+    Polynomial t;
+    fmpq_poly_xgcd(g.raw(), s.raw(), t.raw(), a.raw(), q.raw());
+    if (g == Polynomial{1})
+      CHECK(ring.divide(n, a) == (n * s) % q);
+    else
+      CHECK_THROWS_AS(ring.divide(n, a), DomainError);
+  });
+}
+
+TEST_CASE("quotient ring: primes that divide a leading coefficient or the resultant are avoided") {
+  const Rational r(Integer(Primes().next()));
+  const auto check = [](const Polynomial& a, const Polynomial& q) {
+    const QuotientRing ring(q);
+    CHECK(ring.multiply(a, ring.divide({3, 1}, a)) == Polynomial{3, 1});
+  };
+  check({1, 2, 3}, {5, 0, 1, r});
+  check({1, 2, r}, {5, 0, 1, 7});
+  check({1 + r, 1, 2}, {1, 2, 3, 2});  // modulo the prime a divides q
+  check({r, 1}, {0, 1, 2});
 }
 
 TEST_CASE("power sums: of the roots 1, 2, 3, by hand") {

@@ -1,0 +1,17 @@
+#pragma once
+#include "phrame/algebra/polynomial.hpp"
+
+namespace phrame {
+
+// Bounds of determinants of Sylvester matrices by Hadamard's inequality, after the substitution
+// t → 2ˢt that makes them least: for all coefficients of one size s = 0 does, for roots of size r
+// it is about log₂ r.
+
+/// For a, q ≠ 0, deg n < deg q: res(q, a) and the coefficients of res(q, a)·(n·a⁻¹ mod q), all of
+/// them integers, are below 2^bits in absolute value.
+long cofactor_bits(const flint::FmpzPoly& n, const flint::FmpzPoly& a, const flint::FmpzPoly& q);
+
+/// For deg n < deg d ≥ 1: the coefficients of res_t(n − x·d′, d) are below 2^bits.
+long residue_bits(const flint::FmpzPoly& n, const flint::FmpzPoly& d);
+
+}  // namespace phrame

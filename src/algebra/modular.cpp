@@ -1,0 +1,140 @@
+// Euclid's algorithm on r = q and s = a keeps u, v with r ≡ u·a, s ≡ v·a modulo q. Where the
+// degrees fall by one, from deg r = k + 1 to deg s = k with leading coefficients m and l, one step
+// is
+//
+//   (r, u) ← (l²·(r, u) − (m·l·t + r_k·l − m·s_{k−1})·(s, v)) / 2⁶⁴,
+//
+// which needs no division: the factor 1/2⁶⁴ is what makes Montgomery's reduction of the three
+// products cheap. The step multiplies the true remainder by l²/2⁶⁴, hence
+//   res(r, s) = l²·(l²/2⁶⁴)^{−k}·res(s, new r),
+// and with n = deg q, l_k the leading coefficient in degree k and c = s at the end,
+//   res(q, a) = c·2^{64·n(n−1)/2} / ∏ l_k^{2(k−1)},  k = n − 1, …, 1.
+#include "phrame/algebra/modular.hpp"
+
+#include <algorithm>
+
+namespace phrame {
+namespace {
+
+/// (x·a + y·b + z·c)/2⁶⁴ mod p [Montgomery 1985]. The sum is below 3p² < 2⁶⁴p for p < 2⁶², so that
+/// its upper word and the word subtracted are both below p.
+class Combination {
+ public:
+  explicit Combination(ulong prime) : prime_(prime), inverse_(prime) {
+    for (int k = 0; k < 5; ++k) inverse_ *= 2 - prime * inverse_;  // bits 3, 6, …, 96
+  }
+
+  void set(ulong x, ulong y, ulong z) {
+    x_ = x;
+    y_ = y;
+    z_ = z;
+  }
+
+  ulong operator()(ulong a, ulong b, ulong c) const {
+    ulong high;
+    ulong low;
+    ulong h;
+    ulong l;
+    umul_ppmm(high, low, x_, a);
+    umul_ppmm(h, l, y_, b);
+    add_ssaaaa(high, low, high, low, h, l);
+    umul_ppmm(h, l, z_, c);
+    add_ssaaaa(high, low, high, low, h, l);
+    umul_ppmm(h, l, low * inverse_, prime_);
+    const ulong difference = high - h;
+    return difference + (prime_ & -(difference >> 63U));  // a branch here would be taken at random
+  }
+
+ private:
+  ulong prime_;
+  ulong inverse_;  ///< of the prime modulo 2⁶⁴
+  ulong x_ = 0;
+  ulong y_ = 0;
+  ulong z_ = 0;
+};
+
+/// r ← combination(r, s, t·s) for the coefficients of 1, …, t^{length−1}; s₋₁ is readable and 0.
+void combine(ulong* r, const ulong* s, slong length, const Combination& combination) {
+  for (slong k = 0; k < length; ++k) r[k] = combination(r[k], s[k], s[k - 1]);
+}
+
+/// For any degrees, by FLINT.
+std::optional<ModularInverse> general_inverse(const ModularPolynomial& a,
+                                              const ModularPolynomial& q) {
+  ModularPolynomial inverse(q.prime());
+  if (nmod_poly_invmod(inverse.raw(), a.raw(), q.raw()) == 0) return std::nullopt;
+  return ModularInverse{std::move(inverse), nmod_poly_resultant(q.raw(), a.raw())};
+}
+
+}  // namespace
+
+// The quotient is a power series: at t = 1/z, rev(a·b)/rev(q) modulo z^{deg q − 1}.
+ModularPolynomial multiply_modulo(const ModularPolynomial& a, const ModularPolynomial& b,
+                                  const ModularPolynomial& q) {
+  const slong n = q.degree();
+  ModularPolynomial product(q.prime());
+  nmod_poly_mul(product.raw(), a.raw(), b.raw());
+  if (product.degree() < n) return product;
+  ModularPolynomial quotient(q.prime());
+  ModularPolynomial reversed(q.prime());
+  nmod_poly_reverse(quotient.raw(), product.raw(), 2 * n - 1);
+  nmod_poly_reverse(reversed.raw(), q.raw(), n + 1);
+  nmod_poly_div_series(quotient.raw(), quotient.raw(), reversed.raw(), n - 1);
+  nmod_poly_reverse(quotient.raw(), quotient.raw(), n - 1);
+  nmod_poly_mullow(quotient.raw(), quotient.raw(), q.raw(), n);
+  nmod_poly_truncate(product.raw(), n);
+  nmod_poly_sub(product.raw(), product.raw(), quotient.raw());
+  return product;
+}
+
+std::optional<ModularInverse> modular_inverse(const ModularPolynomial& a,
+                                              const ModularPolynomial& q) {
+  const slong n = q.degree();
+  if (n < 2 || a.degree() != n - 1) return general_inverse(a, q);
+  const nmod_t mod = q.raw()->mod;
+  const auto stride = static_cast<std::size_t>(n + 2);
+  std::vector<ulong> words(4 * stride);
+  ulong* r = &words[1];
+  ulong* s = r + stride;
+  ulong* u = s + stride;
+  ulong* v = u + stride;
+  std::copy_n(q.raw()->coeffs, n + 1, r);
+  std::copy_n(a.raw()->coeffs, n, s);
+  v[0] = 1;
+  Combination combination(mod.n);
+  ulong leads = 1;    // ∏ l_j, j ≥ k
+  ulong product = 1;  // ∏ l_j^{j−k}, j > k
+  for (slong k = n - 1; k > 0; --k) {
+    const ulong l = s[k];
+    if (l == 0) return general_inverse(a, q);
+    const ulong m = r[k + 1];
+    combination.set(nmod_mul(l, l, mod),
+                    nmod_sub(nmod_mul(m, s[k - 1], mod), nmod_mul(r[k], l, mod), mod),
+                    nmod_neg(nmod_mul(m, l, mod), mod));
+    combine(r, s, k, combination);
+    combine(u, v, n - k + 1, combination);
+    std::swap(r, s);
+    std::swap(u, v);
+    product = nmod_mul(product, leads, mod);
+    leads = nmod_mul(leads, l, mod);
+  }
+  const ulong c = s[0];
+  if (c == 0) return general_inverse(a, q);
+  ModularInverse result{ModularPolynomial(mod.n), 0};
+  nmod_poly_fit_length(result.inverse.raw(), n);
+  _nmod_vec_scalar_mul_nmod(result.inverse.raw()->coeffs, v, n, nmod_inv(c, mod), mod);
+  result.inverse.raw()->length = n;
+  _nmod_poly_normalise(result.inverse.raw());
+  const ulong powers = nmod_mul(c, nmod_pow_ui(2, static_cast<ulong>(32 * n * (n - 1)), mod), mod);
+  result.resultant = nmod_div(powers, nmod_mul(product, product, mod), mod);
+  return result;
+}
+
+ulong Primes::next() {
+  thread_local std::vector<ulong> known;
+  if (used_ == known.size())
+    known.push_back(n_nextprime(known.empty() ? 1UL << 61U : known.back(), 0));
+  return known[used_++];
+}
+
+}  // namespace phrame

@@ -1,0 +1,82 @@
+#include "phrame/algebra/hadamard.hpp"
+
+#include "phrame/algebra/bivariate.hpp"
+#include "phrame/algebra/resultant.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+namespace {
+
+long bits(const flint::FmpzPoly& f) { return std::labs(fmpz_poly_max_bits(f.get())); }
+
+flint::FmpzPoly integer_polynomial(const Polynomial& f) {
+  flint::FmpzPoly result;
+  fmpq_poly_get_numerator(result.get(), f.raw());
+  REQUIRE(fmpz_is_one(fmpq_poly_denref(f.raw())) != 0);
+  return result;
+}
+
+Rational resultant(const Polynomial& q, const Polynomial& a) {
+  flint::Fmpq value;
+  fmpq_poly_resultant(value.get(), q.raw(), a.raw());
+  return to_rational(value.get());
+}
+
+}  // namespace
+
+TEST_CASE("hadamard: law: res(q, a) and res(q, a)·n/a mod q are integral and below the bound") {
+  for_samples(150, [](Random& random) {
+    const Polynomial scale{0, random.chance(2) ? Rational(1) : Rational(1L << 40U)};
+    Polynomial q = compose(primitive_part(random.nonconstant_polynomial(7)), scale);
+    if (random.chance(3)) fmpq_poly_reverse(q.raw(), q.raw(), q.degree() + 1);
+    if (q.is_constant()) return;
+    const Polynomial a = primitive_part(random.nonzero_polynomial(q.degree() - 1));
+    const Polynomial n = primitive_part(random.polynomial(q.degree() - 1));
+    if (!gcd(a, q).is_constant()) return;
+    Polynomial g;
+    Polynomial s;
+    Polynomial t;
+    fmpq_poly_xgcd(g.raw(), s.raw(), t.raw(), a.raw(), q.raw());
+    const Polynomial c = resultant(q, a) * ((n * s) % q);
+    const long bound =
+        cofactor_bits(integer_polynomial(n), integer_polynomial(a), integer_polynomial(q));
+    CHECK(bits(integer_polynomial(c)) <= bound);
+    CHECK(bits(integer_polynomial(Polynomial{resultant(q, a)})) <= bound);
+  });
+}
+
+TEST_CASE("hadamard: law: the residue polynomial is below its bound") {
+  for_samples(60, [](Random& random) {
+    const Polynomial scale{0, random.chance(2) ? Rational(1) : Rational(1L << 40U)};
+    Polynomial d = compose(squarefree_part(random.nonconstant_polynomial(7)), scale);
+    if (random.chance(3)) fmpq_poly_reverse(d.raw(), d.raw(), d.degree() + 1);
+    if (d.is_constant()) return;
+    const Polynomial n = primitive_part(random.polynomial(d.degree() - 1));
+    // The leading coefficient of res_t(n − x·d′, d) is ±res(d, d′).
+    const Polynomial primitive = residue_polynomial(n, d);
+    const Polynomial r =
+        Rational(resultant(d, differentiate(d)) / primitive.leading_coefficient()) * primitive;
+    CHECK(bits(integer_polynomial(r)) <=
+          residue_bits(integer_polynomial(n), integer_polynomial(d)));
+  });
+}
+
+TEST_CASE("hadamard: roots that are all large, or all small, are not paid for") {
+  Polynomial q{1};
+  for (long k = 1; k <= 8; ++k) q *= Polynomial{-Rational(k) * Rational(1L << 40U), 1};
+  for (int turn = 0; turn < 2; ++turn) {
+    const Polynomial a = differentiate(q);
+    Polynomial g;
+    Polynomial s;
+    Polynomial t;
+    fmpq_poly_xgcd(g.raw(), s.raw(), t.raw(), a.raw(), q.raw());
+    const long needed = bits(integer_polynomial(resultant(q, a) * s));
+    CAPTURE(needed);
+    CHECK(cofactor_bits(integer_polynomial({1}), integer_polynomial(a), integer_polynomial(q)) <
+          needed + needed / 4);
+    fmpq_poly_reverse(q.raw(), q.raw(), q.degree() + 1);
+  }
+}
