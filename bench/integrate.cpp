@@ -4,6 +4,7 @@
 // coefficient of the result.
 #include <benchmark/benchmark.h>
 #include <flint/fmpz_mpoly.h>
+#include <flint/fmpz_vec.h>
 
 #include <random>
 

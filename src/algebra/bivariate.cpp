@@ -42,32 +42,44 @@ Bivariate QuotientRing::reduce(const Bivariate& v) const {
 
 namespace {
 
+[[noreturn]] void refuse(const Polynomial& common) {
+  throw DomainError(
+      fmt::format("inverse in ℚ[x]/(q): the element has a factor of degree {} in "
+                  "common with q",
+                  common.degree()));
+}
+
 void require_coprime(const Polynomial& a, const Polynomial& q) {
-  if (const Polynomial common = gcd(a, q); !common.is_constant())
-    throw DomainError(
-        fmt::format("inverse in ℚ[x]/(q): the element has a factor of degree {} in "
-                    "common with q",
-                    common.degree()));
+  if (const Polynomial common = gcd(a, q); !common.is_constant()) refuse(common);
+}
+
+/// By Euclid's algorithm over ℚ.
+Polynomial euclidean_inverse(const Polynomial& a, const Polynomial& q) {
+  Polynomial g;
+  Polynomial s;
+  Polynomial t;
+  fmpq_poly_xgcd(g.raw(), s.raw(), t.raw(), a.raw(), q.raw());  // g = s·a + t·q, monic
+  if (!(g == Polynomial{1})) refuse(g);
+  return s;
 }
 
 }  // namespace
 
-// With n, a and q in ℤ[x], res(q, a)·(n·a⁻¹ mod q) has integer coefficients (Cramer), and
-// Hadamard's inequality bounds them: they are lifted from their residues modulo primes, and the
-// resultant with them, as one more coefficient.
+// Of degree ≤ 3 Euclid's algorithm over ℚ is the faster one. Otherwise, with n, a and q in ℤ[x],
+// res(q, a)·(n·a⁻¹ mod q) has integer coefficients (Cramer), and Hadamard's inequality bounds them:
+// they are lifted from their residues modulo primes, and the resultant with them, as one more
+// coefficient.
 Polynomial QuotientRing::divide(const Polynomial& n, const Polynomial& a) const {
   const Polynomial dividend = reduce(n);
   const Polynomial divisor = reduce(a);
-  if (divisor.is_zero()) require_coprime(divisor, modulus_);
+  const slong size = modulus_.degree();
+  if (dividend.is_zero() || divisor.is_zero()) require_coprime(divisor, modulus_);
   if (divisor.is_constant()) return (1 / divisor.coefficient(0)) * dividend;
-  if (dividend.is_zero()) {
-    require_coprime(divisor, modulus_);
-    return {};
-  }
+  if (dividend.is_zero()) return {};
+  if (size <= 3) return multiply(dividend, euclidean_inverse(divisor, modulus_));
   const std::vector<flint::FmpzPoly> inputs{integer_primitive_part(dividend),
                                             integer_primitive_part(divisor),
                                             integer_primitive_part(modulus_)};
-  const slong size = modulus_.degree();
   bool coprime = false;
   const auto image =
       [&](const std::vector<ModularPolynomial>& f) -> std::optional<ModularPolynomial> {

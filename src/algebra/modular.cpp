@@ -106,7 +106,6 @@ std::optional<ModularInverse> modular_inverse(const ModularPolynomial& a,
   ulong product = 1;  // ∏ l_j^{j−k}, j > k
   for (slong k = n - 1; k > 0; --k) {
     const ulong l = s[k];
-    if (l == 0) return general_inverse(a, q);
     const ulong m = r[k + 1];
     combination.set(nmod_mul(l, l, mod),
                     nmod_sub(nmod_mul(m, s[k - 1], mod), nmod_mul(r[k], l, mod), mod),
@@ -118,7 +117,7 @@ std::optional<ModularInverse> modular_inverse(const ModularPolynomial& a,
     product = nmod_mul(product, leads, mod);
     leads = nmod_mul(leads, l, mod);
   }
-  const ulong c = s[0];
+  const ulong c = s[0];  // 0 also where one of the l_k, k ≥ 2, is
   if (c == 0) return general_inverse(a, q);
   ModularInverse result{ModularPolynomial(mod.n), 0};
   nmod_poly_fit_length(result.inverse.raw(), n);

@@ -68,10 +68,10 @@ TEST_CASE("quotient ring: primes that divide a leading coefficient or the result
     const QuotientRing ring(q);
     CHECK(ring.multiply(a, ring.divide({3, 1}, a)) == Polynomial{3, 1});
   };
-  check({1, 2, 3}, {5, 0, 1, r});
-  check({1, 2, r}, {5, 0, 1, 7});
-  check({1 + r, 1, 2}, {1, 2, 3, 2});  // modulo the prime a divides q
-  check({r, 1}, {0, 1, 2});
+  check({1, 2, 3, 4}, {5, 0, 1, 0, r});
+  check({1, 2, 0, r}, {5, 0, 1, 0, 7});
+  check({1 + r, 1, 2}, {1, 2, 4, 3, 2});  // modulo the prime, a divides q
+  check({r, 1}, {0, 1, 2, 0, 1});
 }
 
 TEST_CASE("power sums: of the roots 1, 2, 3, by hand") {

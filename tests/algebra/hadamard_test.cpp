@@ -80,3 +80,14 @@ TEST_CASE("hadamard: roots that are all large, or all small, are not paid for") 
     fmpq_poly_reverse(q.raw(), q.raw(), q.degree() + 1);
   }
 }
+
+TEST_CASE("hadamard: one small root does not hide that the others are large") {
+  // ((t/2⁴⁰)⁷ − 1)·(2²⁰⁰t − 1)
+  const Polynomial q =
+      primitive_part(compose({-1, 0, 0, 0, 0, 0, 0, 1}, {0, Rational(1, 1L << 40U)}) *
+                     Polynomial{-1, pow(Polynomial{2}, 200).coefficient(0)});
+  const Polynomial a = differentiate(q);
+  const long needed = bits(integer_polynomial(Polynomial{resultant(q, a)}));
+  CHECK(cofactor_bits(integer_polynomial({1}), integer_polynomial(a), integer_polynomial(q)) <
+        needed + needed / 4);
+}
