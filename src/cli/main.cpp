@@ -21,7 +21,7 @@ int complain(std::string_view what, int status) {
 
 /// CLI11 would call the first word and all that follow it "not expected".
 void require_known_command(const std::vector<CLI::App*>& commands, int argc, char** argv) {
-  constexpr auto there_are = "there are angle, info and frames (phrame --help)";
+  constexpr auto there_are = "there are angle, info, frames and integrate (phrame --help)";
   if (argc < 2) throw phrame::InputError(fmt::format("a command is needed: {}", there_are));
   const std::string word = argv[1];
   const bool known = std::any_of(commands.begin(), commands.end(), [&](const CLI::App* command) {
@@ -33,12 +33,16 @@ void require_known_command(const std::vector<CLI::App*>& commands, int argc, cha
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Exact rotation-minimizing frames of Pythagorean-hodograph curves.", "phrame");
+  CLI::App app(
+      "Exact rotation-minimizing frames of Pythagorean-hodograph curves, and exact integrals of "
+      "rational functions.",
+      "phrame");
   app.footer(
       "Examples:\n"
       "  phrame angle curve.json --at 0,1/2,1 --digits 50\n"
       "  phrame info curve.json --print json\n"
       "  phrame frames curve.json --samples 101 -o frames.csv\n"
+      "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50\n"
       "A curve file is JSON, such as\n"
       "  {\"phrame\": \"curve/1\", \"basis\": \"power\",\n"
       "   \"preimage\": {\"u\": [1], \"v\": [0, \"1/2\"], \"p\": [0, 0, 3], \"q\": [0.25]}}\n"
@@ -49,6 +53,7 @@ int run(int argc, char** argv) {
   phrame::cli::add_angle(app);
   phrame::cli::add_info(app);
   phrame::cli::add_frames(app);
+  phrame::cli::add_integrate(app);
   const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
   const std::string version = fmt::format("phrame {}", phrame::version);
   app.set_version_flag("--version", version);
