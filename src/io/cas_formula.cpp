@@ -114,21 +114,22 @@ class Writer {
 
   std::string polynomial(const Polynomial& p) const { return polynomial(p, variable_); }
 
+  std::string root(const Integer& d) const { return filled(syntax_.sqrt, d.str()); }
+
   std::string surd(const Surd& c) const {
     Sum sum;
     if (c.a != 0 || c.b == 0) sum.add(c.a < 0, size_of(c.a));
-    if (c.b != 0) sum.add(c.b < 0, product(c.b, filled(syntax_.sqrt, c.d.str())));
+    if (c.b != 0) sum.add(c.b < 0, product(c.b, root(c.d)));
     return sum.text();
   }
 
   std::string polynomial(const SurdPolynomial& p) const {
     Sum sum;
     for (long k = std::max(p.a.degree(), p.b.degree()); k >= 0; --k) {
-      const Surd c{p.a.coefficient(k), p.b.coefficient(k), p.d};
-      if (c.b == 0 && c.a != 0)
-        sum.add(c.a < 0, k == 0 ? size_of(c.a) : product(c.a, power(variable_, k)));
-      if (c.b != 0)
-        sum.add(false, fmt::format("({})", surd(c)) + (k == 0 ? "" : "*" + power(variable_, k)));
+      const Rational a = p.a.coefficient(k);
+      const Rational b = p.b.coefficient(k);
+      if (a != 0) sum.add(a < 0, k == 0 ? size_of(a) : product(a, power(variable_, k)));
+      if (b != 0) sum.add(b < 0, product(b, root(p.d)) + (k == 0 ? "" : "*" + power(variable_, k)));
     }
     return sum.text();
   }
@@ -198,6 +199,8 @@ class Writer {
   void add(Sum& sum, const Surd& c, const std::string& function) const {
     if (c.b == 0)
       sum.add(c.a < 0, product(c.a, function));
+    else if (c.a == 0)
+      sum.add(c.b < 0, product(c.b, root(c.d)) + "*" + function);
     else
       sum.add(false, fmt::format("({})*{}", surd(c), function));
   }
