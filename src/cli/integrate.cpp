@@ -29,9 +29,14 @@ auto at_place(const std::string& place, Read read) {
   }
 }
 
+/// As it was typed: without the blank before a minus sign.
+std::string_view typed(std::string_view text) {
+  return text.starts_with(" -") ? text.substr(1) : text;
+}
+
 Expression integrand(const IntegrateOptions& options) {
   const bool is_stream = options.expression == "-";
-  const std::string text = is_stream ? read_file("-") : options.expression;
+  const std::string text = is_stream ? read_file("-") : std::string(typed(options.expression));
   Expression f = at_place(is_stream ? "standard input" : "EXPR",
                           [&] { return parse_expression(text, options.variable, options.limits); });
   if (f.variable.empty()) f.variable = "x";
@@ -46,7 +51,7 @@ std::optional<std::pair<Endpoint, Endpoint>> ends(const IntegrateOptions& option
     return std::nullopt;
   }
   const auto end = [&](const std::string& option, const std::string& text) {
-    return at_place(option, [&] { return parse_endpoint(text, options.limits); });
+    return at_place(option, [&] { return parse_endpoint(typed(text), options.limits); });
   };
   return std::pair(end("--from", *options.from), end("--to", *options.to));
 }
@@ -112,8 +117,7 @@ void add_integrate(CLI::App& app) {
       "  phrame integrate '(3*x^2+x+1)/(x^3+x)'\n"
       "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50\n"
       "  phrame integrate '1/(t^2-2)' --form real --from 'root(t^2-3, 1, 2)' --to inf\n"
-      "  phrame integrate '1/(x^5+x+1)' --print sympy\n"
-      "  phrame integrate -- '-x/(x^2+1)'      a leading minus sign needs the --");
+      "  phrame integrate '1/(x^5+x+1)' --print sympy");
   command->callback([options] { run(*options); });
 }
 

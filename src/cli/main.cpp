@@ -32,6 +32,19 @@ void require_known_command(const std::vector<CLI::App*>& commands, int argc, cha
         fmt::format("\"{}\" is not a command: {}", phrame::abbreviated(word), there_are));
 }
 
+/// The arguments, last first, as CLI11 wants them. It takes "-x/(x^2+1)" for options, so that an
+/// expression gets a blank in front; -h and -o are options.
+std::vector<std::string> arguments(int argc, char** argv) {
+  std::vector<std::string> list(argv + 1, argv + argc);
+  if (list.front() == "integrate")
+    for (std::string& word : list)
+      if (word.size() > 1 && word[0] == '-' &&
+          std::string_view("-ho").find(word[1]) == std::string_view::npos)
+        word.insert(0, " ");
+  std::reverse(list.begin(), list.end());
+  return list;
+}
+
 int run(int argc, char** argv) {
   CLI::App app(
       "Exact rotation-minimizing frames of Pythagorean-hodograph curves, and exact integrals of "
@@ -61,7 +74,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   require_known_command(commands, argc, argv);
   try {
-    app.parse(argc, argv);
+    app.parse(arguments(argc, argv));
     return done;
   } catch (const CLI::Success& success) {  // --help, --version
     std::ostringstream text;

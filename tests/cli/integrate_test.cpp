@@ -34,6 +34,11 @@ TEST_CASE("integrate: the expression may come from standard input, and begin wit
   CHECK(here.run("integrate -", "1/(x^2+1)\n").out == here.run("integrate '1/(x^2+1)'").out);
   check_failure(here.run("integrate -", "1/(x^2+"), 2, "standard input, column 8: ");
   CHECK(here.run("integrate -- '-x/(x^2+1)'").out == here.run("integrate '(-x)/(x^2+1)'").out);
+  CHECK(here.run("integrate '-x/(x^2+1)'").out == here.run("integrate '(-x)/(x^2+1)'").out);
+  check_failure(here.run("integrate '-x/(x^2+'"), 2, "EXPR, column 9: ");
+  CHECK(here.run("integrate -2 --from -1 --to -.5 -h").out == here.run("integrate -h").out);
+  CHECK(here.run("integrate x --from -inf --to -1y").err.find("--to, column 3") !=
+        std::string::npos);
   CHECK(here.run("integrate --print json -- -2").out == here.run("integrate --print json 0-2").out);
 }
 
