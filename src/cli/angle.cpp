@@ -1,5 +1,4 @@
-#include "phrame/cli/command.hpp"
-#include "phrame/io/angle_report.hpp"
+#include "phrame/cli/form.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -8,8 +7,7 @@ struct AngleOptions {
   CurveOptions curve;
   Parameters parameters;
   std::string frame = "erf";
-  std::string form = "auto";
-  std::string print = "text";
+  FormOptions form;
   std::string start_angle = "0";
   long digits = 17;
 };
@@ -33,21 +31,22 @@ Decimal rounded_angle(RmfAngle& angle, const Rational& t, const Rational& start,
 void run(const AngleOptions& options) {
   const auto reference = choose<Reference>(
       "--frame", options.frame, {{"erf", Reference::erf}, {"frenet", Reference::frenet}});
-  const auto form = choose<Form>("--form", options.form,
-                                 {{"auto", Form::automatic},
-                                  {"partial-fractions", Form::partial_fractions},
-                                  {"rothstein-trager", Form::rothstein_trager}});
-  const auto print = choose<std::string (*)(const AngleReport&)>(
-      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
+  const FormChoice form = options.form.chosen_form();
+  const auto print = chosen_print<AngleReport>(options.form.print);
   const std::vector<Rational> at = options.parameters.values();
+  if (!print.text && !at.empty())
+    throw InputError("--print", "\"" + options.form.print +
+                                    "\" prints the closed form only, without --at and --samples");
   const Rational start_angle = parse_option("--theta0", options.start_angle);
 
   const NamedCurve named = options.curve.read();
-  RmfAngle angle(named.curve, reference, form);
+  RmfAngle angle(named.curve, reference, form.form);
   AngleReport report{named, reference, angle, start_angle, {}, options.digits};
+  if (form.is_real) report.real = real_form(angle.antiderivative());
   for (const Rational& t : at)
     report.values.push_back({t, rounded_angle(angle, t, start_angle, options.digits)});
-  write_output(options.curve.output, print(report));
+  write_output(options.curve.output,
+               print.text ? print.text(report) : to_script(report, print.language));
 }
 
 }  // namespace
@@ -62,19 +61,15 @@ void add_angle(CLI::App& app) {
                    "the frame the angle is measured from: erf (default) or frenet")
       ->type_name("NAME");
   add_digits(*command, options->digits);
-  command
-      ->add_option("--form", options->form,
-                   "of the logarithms: auto (default), partial-fractions or rothstein-trager")
-      ->type_name("NAME");
-  command->add_option("--print", options->print, "text (default), json or latex")
-      ->type_name("NAME");
+  options->form.add_to(*command);
   command->add_option("--theta0", options->start_angle, "the angle at t = 0, radians (default 0)")
       ->type_name("ANGLE");
   command->footer(
       "Examples:\n"
       "  phrame angle curve.json --at 0,1/2,1 --digits 50\n"
       "  phrame angle curve.json --frame frenet --samples 11 --print json\n"
-      "  phrame angle - --form rothstein-trager < curve.json");
+      "  phrame angle - --form rothstein-trager < curve.json\n"
+      "  phrame angle curve.json --form real --print maxima");
   command->callback([options] { run(*options); });
 }
 

@@ -61,5 +61,6 @@ void write_output(const std::string& path, const std::string& bytes);
 void add_angle(CLI::App& app);
 void add_info(CLI::App& app);
 void add_frames(CLI::App& app);
+void add_integrate(CLI::App& app);
 
 }  // namespace phrame::cli

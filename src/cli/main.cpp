@@ -21,7 +21,7 @@ int complain(std::string_view what, int status) {
 
 /// CLI11 would call the first word and all that follow it "not expected".
 void require_known_command(const std::vector<CLI::App*>& commands, int argc, char** argv) {
-  constexpr auto there_are = "there are angle, info and frames (phrame --help)";
+  constexpr auto there_are = "there are angle, info, frames and integrate (phrame --help)";
   if (argc < 2) throw phrame::InputError(fmt::format("a command is needed: {}", there_are));
   const std::string word = argv[1];
   const bool known = std::any_of(commands.begin(), commands.end(), [&](const CLI::App* command) {
@@ -32,13 +32,30 @@ void require_known_command(const std::vector<CLI::App*>& commands, int argc, cha
         fmt::format("\"{}\" is not a command: {}", phrame::abbreviated(word), there_are));
 }
 
+/// The arguments, last first, as CLI11 wants them. It takes "-x/(x^2+1)" for options, so that an
+/// expression gets a blank in front; -h and -o are options.
+std::vector<std::string> arguments(int argc, char** argv) {
+  std::vector<std::string> list(argv + 1, argv + argc);
+  if (list.front() == "integrate")
+    for (std::string& word : list)
+      if (word.size() > 1 && word[0] == '-' &&
+          std::string_view("-ho").find(word[1]) == std::string_view::npos)
+        word.insert(0, " ");
+  std::reverse(list.begin(), list.end());
+  return list;
+}
+
 int run(int argc, char** argv) {
-  CLI::App app("Exact rotation-minimizing frames of Pythagorean-hodograph curves.", "phrame");
+  CLI::App app(
+      "Exact rotation-minimizing frames of Pythagorean-hodograph curves, and exact integrals of "
+      "rational functions.",
+      "phrame");
   app.footer(
       "Examples:\n"
       "  phrame angle curve.json --at 0,1/2,1 --digits 50\n"
       "  phrame info curve.json --print json\n"
       "  phrame frames curve.json --samples 101 -o frames.csv\n"
+      "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50\n"
       "A curve file is JSON, such as\n"
       "  {\"phrame\": \"curve/1\", \"basis\": \"power\",\n"
       "   \"preimage\": {\"u\": [1], \"v\": [0, \"1/2\"], \"p\": [0, 0, 3], \"q\": [0.25]}}\n"
@@ -49,6 +66,7 @@ int run(int argc, char** argv) {
   phrame::cli::add_angle(app);
   phrame::cli::add_info(app);
   phrame::cli::add_frames(app);
+  phrame::cli::add_integrate(app);
   const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
   const std::string version = fmt::format("phrame {}", phrame::version);
   app.set_version_flag("--version", version);
@@ -56,7 +74,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   require_known_command(commands, argc, argv);
   try {
-    app.parse(argc, argv);
+    app.parse(arguments(argc, argv));
     return done;
   } catch (const CLI::Success& success) {  // --help, --version
     std::ostringstream text;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/io/closed_form.hpp"
 #include "phrame/io/json_text.hpp"
 #include "phrame/io/pole_table.hpp"
 #include "phrame/io/text.hpp"
@@ -14,62 +15,22 @@ namespace {
 constexpr auto unicode = Notation::unicode;
 constexpr auto latex = Notation::latex;
 
-std::string readable(const Polynomial& p, std::string_view variable = "t") {
-  return readable(formatted(p, unicode, variable), p);
-}
-
 std::string readable_factors(const Polynomial& p) {
   return readable(formatted_factors(p, unicode), p);
 }
 
-/// n/d with parentheses where they are needed.
-std::string quotient(const RationalFunction& f) {
-  std::string n = readable_factors(f.numerator());
-  if (f.is_polynomial()) return n;
-  const bool sum = f.numerator() != Polynomial::monomial(f.numerator().leading_coefficient(),
-                                                         std::max(0L, f.numerator().degree())) &&
-                   n.find('(') == std::string::npos;
-  const std::string d = readable_factors(f.denominator());
-  return fmt::format("{}/({})", sum ? "(" + n + ")" : n, d);
-}
+std::string quotient(const RationalFunction& f) { return formatted_quotient(f, unicode); }
 
-std::string terms_of(const LogSum& sum) {
-  const long roots = sum.index.degree();
-  if (roots == 1)  // a rational residue and a rational argument
-    return fmt::format("{}·log({})", readable(sum.residue),
-                       phrame::readable(QuotientRing(sum.index).reduce(sum.argument)));
-  if (is_over_poles(sum))
-    return fmt::format("Σ c(z)·log(t − z) over the {} roots z of {}\n        c(z) = {}", roots,
-                       readable(sum.index, "z"), readable(sum.residue, "z"));
-  const bool plain = sum.residue == Polynomial{0, 1};
-  return fmt::format("Σ {}·log v(x, t) over the {} roots x of {}\n{}        v(x, t) = {}",
-                     plain ? "x" : "c(x)", roots, readable(sum.index, "x"),
-                     plain ? "" : fmt::format("        c(x) = {}\n", readable(sum.residue, "x")),
-                     phrame::readable(sum.argument));
-}
-
-/// Terms with their signs, `before` each but the first; a minus sign in front becomes that of the
-/// sum.
-std::string sum_of(const std::vector<std::string>& terms, std::string_view before,
-                   std::string_view minus) {
-  std::string text = terms.front();
-  for (auto term = terms.begin() + 1; term != terms.end(); ++term) {
-    const bool negative = term->starts_with(minus);
-    text += fmt::format("{}{} {}", before, negative ? minus : "+",
-                        negative ? term->substr(minus.size()) : *term);
-  }
-  return text;
-}
-
-std::string closed_form(const AngleReport& report) {
-  const Antiderivative& F = report.angle.twist();
-  std::vector<std::string> terms;
-  if (!F.polynomial.is_zero()) terms.push_back(readable(F.polynomial));
-  if (!F.rational.is_zero()) terms.push_back(quotient(F.rational));
-  for (const LogSum& sum : F.logs) terms.push_back(terms_of(sum));
-  if (report.angle.bend()) terms.emplace_back("arg g(t), continuous");
-  if (terms.empty()) return "0";
-  return sum_of(terms, "\n      ", "−");
+std::string closed_form(const AngleReport& report, Notation notation) {
+  if (report.real)
+    return formatted_sum(formatted_terms(*report.real, notation),
+                         notation == unicode ? "\n      " : " ", notation);
+  std::vector<std::string> terms = formatted_terms(report.angle.twist(), notation);
+  if (report.angle.bend())
+    terms.push_back(notation == unicode ? "arg g(t), continuous"
+                                        : fmt::format("\\arg\\left({}\\right)",
+                                                      formatted(*report.angle.bend(), latex)));
+  return formatted_sum(terms, notation == unicode ? "\n      " : " ", notation);
 }
 
 std::string value_table(const AngleReport& report) {
@@ -90,31 +51,6 @@ std::string value_table(const AngleReport& report) {
         fmt::format("  {:<{}}   {}{}\n", shown(value.t), t_width,
                     std::string(whole_width - whole(value.theta.value), ' '), value.theta.value);
   return text;
-}
-
-std::string latex_terms(const LogSum& sum) {
-  if (sum.index.degree() == 1)
-    return fmt::format("{} \\log\\left({}\\right)", formatted(sum.residue, latex),
-                       formatted(QuotientRing(sum.index).reduce(sum.argument), latex));
-  if (is_over_poles(sum))
-    return fmt::format("\\sum_{{{} = 0}} \\left({}\\right) \\log(t - z)",
-                       formatted(sum.index, latex, "z"), formatted(sum.residue, latex, "z"));
-  return fmt::format("\\sum_{{{} = 0}} \\left({}\\right) \\log\\left({}\\right)",
-                     formatted(sum.index, latex, "x"), formatted(sum.residue, latex, "x"),
-                     formatted(sum.argument, latex));
-}
-
-std::string latex_quotient(const RationalFunction& f) {
-  if (f.is_polynomial()) return formatted_factors(f.numerator(), latex);
-  return fmt::format("\\frac{{{}}}{{{}}}", formatted_factors(f.numerator(), latex),
-                     formatted_factors(f.denominator(), latex));
-}
-
-/// "1.5e-12" as 1.5 \cdot 10^{-12}.
-std::string latex_decimal(const std::string& decimal) {
-  const auto e = decimal.find('e');
-  if (e == std::string::npos) return decimal;
-  return fmt::format("{} \\cdot 10^{{{}}}", decimal.substr(0, e), decimal.substr(e + 1));
 }
 
 }  // namespace
@@ -170,27 +106,19 @@ std::string to_text(const AngleReport& report) {
       erf ? "e₃" : "b", abbreviated(formatted(report.start_angle, unicode), 240));
   text += fmt::format("  θ′ = {} = {}\n", erf ? "−2h/σ" : "−2h/σ + Im(g′/g)",
                       quotient(report.angle.rate()));
-  const std::string form = closed_form(report);
+  const std::string form = closed_form(report, unicode);
   text += fmt::format("  θ  = {}{}\n", form, form == "0" ? "" : "\n      + constant");
   text += "  Checked: the derivative of this θ is θ′, exactly.\n";
-  text += pole_table(report.angle.twist());
+  if (!report.real) text += pole_table(report.angle.twist());
   if (!report.values.empty()) text += value_table(report);
   return text;
 }
 
 std::string to_latex(const AngleReport& report) {
-  const Antiderivative& F = report.angle.twist();
-  std::vector<std::string> terms;
-  if (!F.polynomial.is_zero()) terms.push_back(formatted(F.polynomial, latex));
-  if (!F.rational.is_zero()) terms.push_back(latex_quotient(F.rational));
-  for (const LogSum& sum : F.logs) terms.push_back(latex_terms(sum));
-  if (report.angle.bend())
-    terms.push_back(fmt::format("\\arg\\left({}\\right)", formatted(*report.angle.bend(), latex)));
-  if (terms.empty()) terms.emplace_back("0");
   std::string text = fmt::format(
       "\\begin{{align*}}\n\\theta'(t) &= {} \\\\\n\\theta(t) &= {} + C{}\n"
       "\\end{{align*}}\n",
-      latex_quotient(report.angle.rate()), sum_of(terms, " ", "-"),
+      formatted_quotient(report.angle.rate(), latex), closed_form(report, latex),
       report.start_angle == 0
           ? ""
           : fmt::format(" \\\\\n\\theta(0) &= {}", formatted(report.start_angle, latex)));
@@ -207,15 +135,16 @@ std::string to_json(const AngleReport& report) {
   for (const AngleValue& value : report.values)
     values.push_back(
         {{"t", to_string(value.t)}, {"theta", value.theta.value}, {"radius", value.theta.radius}});
-  const JsonOutput json = {
+  JsonOutput json = {
       {"phrame", "angle/1"},
       {"curve", {{"name", report.curve.name}, {"degree", degree(report.curve.curve)}}},
       {"frame", report.reference == Reference::erf ? "erf" : "frenet"},
       {"integrand", json_of(report.angle.rate())},
       {"antiderivative",
-       json_of(report.angle.antiderivative(), form_name(report.angle.antiderivative()))},
-      {"theta0", to_string(report.start_angle)},
-      {"values", values}};
+       json_of(report.angle.antiderivative(), form_name(report.angle.antiderivative()))}};
+  if (report.real) json["real"] = json_of(*report.real);
+  json["theta0"] = to_string(report.start_angle);
+  json["values"] = values;
   return pretty(json);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/integrate/real_form.hpp"
 #include "phrame/io/curve_file.hpp"
 #include "phrame/ph/rmf_angle.hpp"
 
@@ -18,6 +19,7 @@ struct AngleReport {
   Rational start_angle;   ///< θ(0)
   std::vector<AngleValue> values;
   long digits;
+  std::optional<RealForm> real = std::nullopt;  ///< of the angle, shown instead of its logarithms
 };
 
 std::string to_text(const AngleReport& report);   ///< for reading, Unicode

@@ -51,19 +51,57 @@ JsonOutput json_of(const RationalFunction& f) {
   return {{"numerator", json_of(f.numerator())}, {"denominator", json_of(f.denominator())}};
 }
 
+JsonOutput json_of(const Surd& x) {
+  return {{"a", to_string(x.a)}, {"b", to_string(x.b)}, {"d", x.d.str()}};
+}
+
+JsonOutput json_of(const SurdPolynomial& p) {
+  return {{"a", json_of(p.a)}, {"b", json_of(p.b)}, {"d", p.d.str()}};
+}
+
+JsonOutput json_of(const LogSum& sum) {
+  JsonOutput argument = JsonOutput::array();
+  for (const Polynomial& c : sum.argument.coefficients()) argument.push_back(json_of(c));
+  return {{"index", json_of(sum.index)}, {"residue", json_of(sum.residue)}, {"argument", argument}};
+}
+
 JsonOutput json_of(const Antiderivative& F, const std::string& form) {
   JsonOutput logs = JsonOutput::array();
-  for (const LogSum& sum : F.logs) {
-    JsonOutput argument = JsonOutput::array();
-    for (const Polynomial& c : sum.argument.coefficients()) argument.push_back(json_of(c));
-    logs.push_back(
-        {{"index", json_of(sum.index)}, {"residue", json_of(sum.residue)}, {"argument", argument}});
-  }
+  for (const LogSum& sum : F.logs) logs.push_back(json_of(sum));
   return {{"polynomial", json_of(F.polynomial)},
           {"rational", json_of(F.rational)},
           {"logs", logs},
           {"form", form},
           {"checked", true}};  // nothing unchecked leaves integrate()
+}
+
+JsonOutput json_of(const RealForm& F) {
+  JsonOutput logarithms = JsonOutput::array();
+  for (const auto& [factor, of, positive] : F.logarithms)
+    logarithms.push_back(
+        {{"factor", json_of(factor)}, {"of", json_of(of)}, {"positive", positive}});
+  JsonOutput arctangents = JsonOutput::array();
+  for (const auto& [factor, of] : F.arctangents)
+    arctangents.push_back({{"factor", json_of(factor)}, {"of", json_of(of)}});
+  JsonOutput others = JsonOutput::array();
+  for (const LogSum& sum : F.others) others.push_back(json_of(sum));
+  return {{"polynomial", json_of(F.polynomial)},
+          {"rational", json_of(F.rational)},
+          {"logarithms", logarithms},
+          {"arctangents", arctangents},
+          {"others", others},
+          {"checked", true}};  // nothing unchecked leaves real_form()
+}
+
+JsonOutput json_of(const Endpoint& end) {
+  if (const auto* r = std::get_if<Rational>(&end)) return to_string(*r);
+  if (const auto* infinite = std::get_if<Infinity>(&end))
+    return *infinite == Infinity::negative ? "-inf" : "inf";
+  const auto& a = std::get<RealAlgebraic>(end);
+  const Interval& interval = a.interval();
+  return {{"polynomial", json_of(a.polynomial())},
+          {"interval", {to_string(*interval.lower), to_string(*interval.upper)}},
+          {"value", round_to_decimal(to_real(a), 17).value}};
 }
 
 JsonOutput json_of(const Decimal& x) { return {{"value", x.value}, {"radius", x.radius}}; }

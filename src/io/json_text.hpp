@@ -2,7 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/integrate/antiderivative.hpp"
+#include "phrame/integrate/endpoint.hpp"
+#include "phrame/integrate/real_form.hpp"
 #include "phrame/ph/quaternion.hpp"
 
 namespace phrame {
@@ -16,8 +17,19 @@ JsonOutput json_of(const Polynomial& p);
 JsonOutput json_of(const GaussianPolynomial& p);
 /// {"numerator": […], "denominator": […]}.
 JsonOutput json_of(const RationalFunction& f);
+/// {"a": "…", "b": "…", "d": "…"}: a + b√d.
+JsonOutput json_of(const Surd& x);
+/// {"a": […], "b": […], "d": "…"}.
+JsonOutput json_of(const SurdPolynomial& p);
+/// {"index": …, "residue": …, "argument": […]}.
+JsonOutput json_of(const LogSum& sum);
 /// {"polynomial": …, "rational": …, "logs": […], "form": …, "checked": true}.
 JsonOutput json_of(const Antiderivative& F, const std::string& form);
+/// {"polynomial": …, "rational": …, "logarithms": [{"factor", "of", "positive"}],
+/// "arctangents": [{"factor", "of"}], "others": […], "checked": true}.
+JsonOutput json_of(const RealForm& F);
+/// "3/7", "inf", "-inf", {"polynomial": …, "interval": […], "value": "…"}.
+JsonOutput json_of(const Endpoint& end);
 /// {"value": "…", "radius": "…"}.
 JsonOutput json_of(const Decimal& x);
 JsonOutput json_of(const Vector<Rational>& point);

@@ -40,6 +40,10 @@ std::string term(const Rational& c, long k, Notation notation, std::string_view 
   return fmt::format("{}{}{}", factor, variable, superscript(k, notation));
 }
 
+std::string root_of(const Integer& d, Notation notation) {
+  return fmt::format(fmt::runtime(notation == Notation::latex ? "\\sqrt{{{}}}" : "√{}"), d.str());
+}
+
 bool is_bearable(std::string_view text) { return text_width(text) <= 240; }
 
 std::size_t longest_coefficient(const Polynomial& p) {
@@ -72,22 +76,68 @@ std::string formatted(const Polynomial& p, Notation notation, std::string_view v
   return text.empty() ? "0" : text;
 }
 
-std::string formatted(const Bivariate& v, Notation notation) {
-  const bool latex = notation == Notation::latex;
+std::string formatted(const Bivariate& v, Notation notation, std::string_view variable,
+                      std::string_view index) {
   std::string text;
   for (long k = v.degree(); k >= 0; --k) {
     const Polynomial c = v.coefficient(k);
     if (c.is_zero()) continue;
     if (c.is_constant()) {
       const Rational number = c.coefficient(0);
-      append_term(text, number < 0, term(number, k, notation, "t"), notation);
+      append_term(text, number < 0, term(number, k, notation, variable), notation);
       continue;
     }
-    const std::string power = k == 0 ? "" : term(1, k, notation, "t");
     append_term(text, false,
-                fmt::format("{}{}{}{}", latex ? "\\left(" : "(", formatted(c, notation, "x"),
-                            latex ? "\\right)" : ")", power),
+                in_parentheses(formatted(c, notation, index), notation) +
+                    (k == 0 ? "" : term(1, k, notation, variable)),
                 notation);
+  }
+  return text.empty() ? "0" : text;
+}
+
+std::string in_parentheses(std::string_view text, Notation notation) {
+  return fmt::format(fmt::runtime(notation == Notation::latex ? "\\left({}\\right)" : "({})"),
+                     text);
+}
+
+std::string formatted_multiple(const Rational& c, std::string_view name, Notation notation) {
+  if (c < 0) return minus(notation) + formatted_multiple(Rational(-c), name, notation);
+  const std::string times = numerator(c) == 1 ? "" : numerator(c).str();
+  if (denominator(c) == 1) return fmt::format("{}{}", times, name);
+  return fmt::format(fmt::runtime(notation == Notation::latex ? "\\frac{{{}{}}}{{{}}}" : "{}{}/{}"),
+                     times, name, denominator(c).str());
+}
+
+std::string latex_decimal(const std::string& decimal) {
+  const auto e = decimal.find('e');
+  if (e == std::string::npos) return decimal;
+  return fmt::format("{} \\cdot 10^{{{}}}", decimal.substr(0, e), decimal.substr(e + 1));
+}
+
+std::string formatted(const Surd& x, Notation notation) {
+  if (x.b == 0) return formatted(x.a, notation);
+  std::string text = x.a == 0 ? "" : formatted(x.a, notation);
+  append_term(text, x.b < 0, formatted_multiple(abs(x.b), root_of(x.d, notation), notation),
+              notation);
+  return text;
+}
+
+std::string formatted(const SurdPolynomial& p, Notation notation, std::string_view variable) {
+  const bool latex = notation == Notation::latex;
+  std::string text;
+  for (long k = std::max(p.a.degree(), p.b.degree()); k >= 0; --k) {
+    const Rational a = p.a.coefficient(k);
+    const Rational b = p.b.coefficient(k);
+    const std::string power = k == 0 ? "" : (latex ? " " : "·") + term(1, k, notation, variable);
+    if (a != 0 && b != 0 && k > 0) {
+      append_term(text, false,
+                  in_parentheses(formatted(Surd{a, b, p.d}, notation), notation) + power, notation);
+      continue;
+    }
+    if (a != 0) append_term(text, a < 0, term(a, k, notation, variable), notation);
+    if (b != 0)
+      append_term(text, b < 0, formatted_multiple(abs(b), root_of(p.d, notation), notation) + power,
+                  notation);
   }
   return text.empty() ? "0" : text;
 }
@@ -160,9 +210,10 @@ std::string readable(std::string text, const Polynomial& p) {
   return is_bearable(text) ? std::move(text) : summary(p.degree(), longest_coefficient(p));
 }
 
-std::string readable(const Bivariate& v) {
-  std::string text = formatted(v, Notation::unicode);
-  return is_bearable(text) ? std::move(text) : fmt::format("⟨degree {} in t⟩", v.degree());
+std::string readable(const Bivariate& v, std::string_view variable, std::string_view index) {
+  std::string text = formatted(v, Notation::unicode, variable, index);
+  return is_bearable(text) ? std::move(text)
+                           : fmt::format("⟨degree {} in {}⟩", v.degree(), variable);
 }
 
 std::string readable(const GaussianPolynomial& g) {
@@ -170,6 +221,13 @@ std::string readable(const GaussianPolynomial& g) {
   return is_bearable(text)
              ? std::move(text)
              : summary(degree(g), std::max(longest_coefficient(g.re), longest_coefficient(g.im)));
+}
+
+std::string readable(const SurdPolynomial& p, std::string_view variable) {
+  std::string text = formatted(p, Notation::unicode, variable);
+  return is_bearable(text) ? std::move(text)
+                           : summary(std::max(p.a.degree(), p.b.degree()),
+                                     std::max(longest_coefficient(p.a), longest_coefficient(p.b)));
 }
 
 }  // namespace phrame

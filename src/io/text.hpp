@@ -6,6 +6,7 @@
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/gaussian_polynomial.hpp"
 #include "phrame/algebra/sturm.hpp"
+#include "phrame/algebra/surd.hpp"
 
 namespace phrame {
 
@@ -20,9 +21,20 @@ std::string formatted_factors(const Polynomial& p, Notation notation,
 std::string formatted(const GaussianPolynomial& p, Notation notation,
                       std::string_view variable = "t");
 /// "t² − t + (2x + 1)", by powers of t: coefficients with an x stand in parentheses.
-std::string formatted(const Bivariate& v, Notation notation);
+std::string formatted(const Bivariate& v, Notation notation, std::string_view variable = "t",
+                      std::string_view index = "x");
 /// "3/7", "\frac{3}{7}"; a minus sign is "−" in Unicode.
 std::string formatted(const Rational& x, Notation notation);
+/// "(…)", in LaTeX as high as what it holds.
+std::string in_parentheses(std::string_view text, Notation notation);
+/// c times a number with a name: "√2", "−3π/4".
+std::string formatted_multiple(const Rational& c, std::string_view name, Notation notation);
+/// A decimal, "1.5e-12", as 1.5 \cdot 10^{-12}.
+std::string latex_decimal(const std::string& decimal);
+/// "1/2 + 3√2/8".
+std::string formatted(const Surd& x, Notation notation);
+/// "t² − √2·t + (1 + √2)", highest power first.
+std::string formatted(const SurdPolynomial& p, Notation notation, std::string_view variable = "t");
 
 /// Where a root lies, as located_real_roots has it: "t = 1/2", "a t in (1/4, 1/2)". Long numbers
 /// are abbreviated.
@@ -35,8 +47,10 @@ std::size_t text_width(std::string_view text);
 /// `text`, or, where it is longer than a screen line can bear, what the polynomial is:
 /// "⟨degree 160, coefficients of up to 53 digits⟩".
 std::string readable(std::string text, const Polynomial& p);
-/// The same of v: "⟨degree 12 in t⟩", and of g, in Unicode.
-std::string readable(const Bivariate& v);
+/// The same of v: "⟨degree 12 in t⟩", and of g and p, in Unicode.
+std::string readable(const Bivariate& v, std::string_view variable = "t",
+                     std::string_view index = "x");
 std::string readable(const GaussianPolynomial& g);
+std::string readable(const SurdPolynomial& p, std::string_view variable);
 
 }  // namespace phrame

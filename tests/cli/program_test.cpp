@@ -1,119 +1,9 @@
-#include <doctest/doctest.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-
-#include "io/reference.hpp"
+#include "cli/workshop.hpp"
 
 using namespace phrame;
-namespace fs = std::filesystem;
-using test::Json;
-
-// The program as its users meet it: arguments, streams, files, exit statuses.
+using namespace phrame::test;
 
 namespace {
-
-struct Run {
-  int status;
-  std::string out;
-  std::string err;
-};
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-void write_file(const fs::path& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary) << bytes;
-}
-
-/// A fresh directory, the working directory of the program, with a few curves in it.
-class Workshop {
- public:
-  Workshop() {
-    std::string name = (fs::temp_directory_path() / "phrame-test-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-    const Json quintic = {{"phrame", "curve/1"},
-                          {"name", "quintic"},
-                          {"basis", "bernstein"},
-                          {"preimage", test::farouki_2003()["quintic"]["bernstein"]}};
-    write("quintic.json", quintic.dump());
-    write("line.json", R"({"phrame": "curve/1", "basis": "power",
-                           "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})");
-    // A = 1 + t²k: g = 2t, an inflection at t = 0.
-    write("inflected.json", R"({"phrame": "curve/1", "basis": "power",
-                                "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, 0, 1]}})");
-  }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-  ~Workshop() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-    fs::remove_all(streams(), ignored);
-  }
-
-  fs::path file(const std::string& name) const { return path_ / name; }
-  void write(const std::string& name, const std::string& bytes) const {
-    write_file(file(name), bytes);
-  }
-  /// The names of the files in the directory.
-  std::vector<std::string> names() const {
-    std::vector<std::string> result;
-    for (const auto& entry : fs::directory_iterator(path_))
-      result.push_back(entry.path().filename().string());
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-
-  /// Runs the program through the shell; a later redirection in `arguments` overrides ours.
-  Run run(const std::string& arguments, const std::string& input = "") const {
-    const char* program = std::getenv("PHRAME_PROGRAM");
-    REQUIRE_MESSAGE(program != nullptr, "the environment variable PHRAME_PROGRAM is not set");
-    fs::create_directory(streams());
-    write_file(streams() / "in", input);
-    const std::string s = streams().string();
-    const std::string command = "cd '" + path_.string() + "' && '" + program + "' <'" + s +
-                                "/in' >'" + s + "/out' 2>'" + s + "/err' " + arguments;
-    const int status = std::system(command.c_str());
-    REQUIRE(WIFEXITED(status));  // a shell reports a signal as 128 + its number
-    return {WEXITSTATUS(status), bytes_of(streams() / "out"), bytes_of(streams() / "err")};
-  }
-
- private:
-  fs::path streams() const { return path_.string() + ".streams"; }
-
-  fs::path path_;
-};
-
-bool contains(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
-}
-
-/// Fails with that status, one line on stderr that contains `part`, and nothing on stdout.
-void check_failure(const Run& run, int status, std::string_view part) {
-  CAPTURE(run.out);
-  CAPTURE(run.err);
-  CHECK(run.status == status);
-  CHECK(run.out.empty());
-  CHECK(run.err.starts_with("phrame: "));
-  CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
-  CHECK(run.err.ends_with('\n'));
-  CHECK(contains(run.err, part));
-}
-
-void check_success(const Run& run) {
-  CAPTURE(run.err);
-  CHECK(run.status == 0);
-  CHECK(run.err.empty());
-  CHECK_FALSE(run.out.empty());
-}
 
 Json values(const Run& run) {
   check_success(run);
@@ -141,7 +31,7 @@ TEST_CASE("program: each command succeeds on the paper's quintic") {
 
 TEST_CASE("program: help and version succeed, for each command") {
   const Workshop here;
-  for (const std::string command : {"", "angle", "info", "frames"}) {
+  for (const std::string command : {"", "angle", "info", "frames", "integrate"}) {
     CAPTURE(command);
     const Run help = here.run(command + " --help");
     check_success(help);
@@ -155,14 +45,15 @@ TEST_CASE("program: help and version succeed, for each command") {
   }
   const std::string help = here.run("--help").out;
   for (const char* example : {"\n  phrame angle curve.json", "\n  phrame info curve.json",
-                              "\n  phrame frames curve.json"})
+                              "\n  phrame frames curve.json", "\n  phrame integrate '"})
     CHECK(contains(help, example));
   CHECK(contains(here.run("angle -h").out, "--theta0"));
 }
 
 TEST_CASE("program: what is typed wrongly is refused by name") {
   const Workshop here;
-  check_failure(here.run(""), 2, "a command is needed: there are angle, info and frames");
+  check_failure(here.run(""), 2,
+                "a command is needed: there are angle, info, frames and integrate");
   check_failure(here.run("angel quintic.json"), 2, "\"angel\" is not a command");
   check_failure(here.run("''"), 2, "\"\" is not a command");
   check_failure(here.run("--frobnicate"), 2, "--frobnicate");
@@ -434,4 +325,5 @@ TEST_CASE("program: --form changes how the angle is written, not its values") {
   const Json poles = values(here.run(common + "partial-fractions"));
   CHECK(values(here.run(common + "rothstein-trager")) == poles);
   CHECK(values(here.run(common + "auto")) == poles);
+  CHECK(values(here.run(common + "real")) == poles);
 }

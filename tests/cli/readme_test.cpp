@@ -1,4 +1,4 @@
-// The README shows what the program prints and what the examples say; here it is held to that.
+// The documents show what the program prints and what the examples say; here they are held to that.
 #include <doctest/doctest.h>
 
 #include <cstdio>
@@ -45,20 +45,23 @@ std::string output_of(const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("README: every command shown prints what is shown") {
+TEST_CASE("documents: every command shown prints what is shown") {
   const char* program = std::getenv("PHRAME_PROGRAM");
   REQUIRE(program != nullptr);
-  long commands = 0;
-  for (const std::string& block : blocks(content(root + "/README.md"), "console")) {
-    const std::size_t end = block.find('\n');
-    const std::string command = block.substr(0, end);
-    if (!command.starts_with("$ phrame ")) continue;
-    CAPTURE(command);
-    ++commands;
-    CHECK(output_of("cd '" + root + "' && '" + program + "' " + command.substr(9)) ==
-          block.substr(end + 1));
+  for (const char* document : {"/README.md", "/docs/integration.md"}) {
+    CAPTURE(document);
+    long commands = 0;
+    for (const std::string& block : blocks(content(root + document), "console")) {
+      const std::size_t end = block.find('\n');
+      const std::string command = block.substr(0, end);
+      if (!command.starts_with("$ phrame ")) continue;
+      CAPTURE(command);
+      ++commands;
+      CHECK(output_of("cd '" + root + "' && '" + program + "' " + command.substr(9)) ==
+            block.substr(end + 1));
+    }
+    CHECK(commands >= 3);
   }
-  CHECK(commands >= 2);
 }
 
 TEST_CASE("README: the C++ shown is examples/quickstart.cpp, which is compiled and run") {

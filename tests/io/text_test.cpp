@@ -116,3 +116,23 @@ TEST_CASE("text: what no screen line can bear is replaced by its degree and its 
   const Polynomial q{-parse_rational("1e53")};  // 54 digits; the sign is none
   CHECK(readable(std::string(300, 'x'), q) == "⟨degree 0, coefficients of up to 54 digits⟩");
 }
+
+TEST_CASE("text: surds") {
+  const auto written = [](const Surd& x) { return formatted(x, Notation::unicode); };
+  CHECK(written({Rational(-3, 2), 0}) == "−3/2");
+  CHECK(written({0, 1, 2}) == "√2");
+  CHECK(written({0, Rational(-3, 8), 2}) == "−3√2/8");
+  CHECK(written({Rational(1, 2), -1, 3}) == "1/2 − √3");
+  CHECK(formatted(Surd{1, Rational(-3, 8), 2}, Notation::latex) == "1 - \\frac{3\\sqrt{2}}{8}");
+}
+
+TEST_CASE("text: polynomials with surds, highest power first") {
+  const auto written = [](const SurdPolynomial& p) { return formatted(p, Notation::unicode, "x"); };
+  CHECK(written({{}, {}}) == "0");
+  CHECK(written({{1, 2}, {}}) == "2x + 1");
+  CHECK(written({{1, 0, 1}, {0, -1}, 2}) == "x² − √2·x + 1");
+  CHECK(written({{1, 2}, {Rational(-1, 2), 3}, 5}) == "(2 + 3√5)·x + 1 − √5/2");
+  CHECK(written({{}, {0, 0, Rational(1, 3)}, 7}) == "√7/3·x²");
+  CHECK(formatted(SurdPolynomial{{0, 1}, {0, 1}, 2}, Notation::latex) ==
+        "\\left(1 + \\sqrt{2}\\right) t");
+}

@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include "phrame/cli/form.hpp"
+#include "phrame/io/endpoint.hpp"
+
+namespace phrame::cli {
+namespace {
+
+struct IntegrateOptions {
+  std::string expression;
+  std::optional<std::string> variable;
+  std::optional<std::string> from;
+  std::optional<std::string> to;
+  bool principal_value = false;
+  bool is_silent = false;
+  FormOptions form;
+  ExpressionLimits limits;
+  std::string output = "-";
+  long digits = 17;
+};
+
+/// What `read` reads; the place of an InputError begins with `place`.
+template <class Read>
+auto at_place(const std::string& place, Read read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    throw InputError(error.place().empty() ? place : place + ", " + error.place(), error.reason());
+  }
+}
+
+/// As it was typed: without the blank before a minus sign.
+std::string_view typed(std::string_view text) {
+  return text.starts_with(" -") ? text.substr(1) : text;
+}
+
+Expression integrand(const IntegrateOptions& options) {
+  const bool is_stream = options.expression == "-";
+  const std::string text = is_stream ? read_file("-") : std::string(typed(options.expression));
+  Expression f = at_place(is_stream ? "standard input" : "EXPR",
+                          [&] { return parse_expression(text, options.variable, options.limits); });
+  if (f.variable.empty()) f.variable = "x";
+  return f;
+}
+
+std::optional<std::pair<Endpoint, Endpoint>> ends(const IntegrateOptions& options) {
+  if (options.from.has_value() != options.to.has_value())
+    throw InputError("integrate", "--from and --to go together");
+  if (!options.from) {
+    if (options.principal_value) throw InputError("--principal-value", "needs --from and --to");
+    return std::nullopt;
+  }
+  const auto end = [&](const std::string& option, const std::string& text) {
+    return at_place(option, [&] { return parse_endpoint(typed(text), options.limits); });
+  };
+  return std::pair(end("--from", *options.from), end("--to", *options.to));
+}
+
+void run(const IntegrateOptions& options) {
+  const FormChoice form = options.form.chosen_form();
+  const auto print = chosen_print<IntegralReport>(options.form.print);
+  const auto path = ends(options);
+  const Expression f = integrand(options);
+
+  IntegralReport report{f, integrate(f.value, form.form)};
+  report.says_checked = !options.is_silent;
+  report.is_automatic = options.form.is_automatic();
+  report.digits = options.digits;
+  if (form.is_real) report.real = real_form(report.antiderivative);
+  if (path) {
+    const auto& [from, to] = *path;
+    const DefiniteIntegral integral =
+        definite_integral(report.antiderivative, from, to,
+                          options.principal_value ? AtPoles::principal_value : AtPoles::refuse);
+    report.definite = {from, to, options.principal_value,
+                       round_to_decimal(integral.value, options.digits), integral.exact};
+  }
+  write_output(options.output, print.text ? print.text(report) : to_script(report, print.language));
+}
+
+}  // namespace
+
+void add_integrate(CLI::App& app) {
+  auto* command = app.add_subcommand("integrate", "the exact integral of a rational function");
+  const auto options = std::make_shared<IntegrateOptions>();
+  command
+      ->add_option(
+          "EXPR", options->expression,
+          "a rational function of one variable, such as 1/(x^4+1), \"-\" for standard input")
+      ->required()
+      ->type_name("");
+  command->add_option("--var", options->variable, "the variable (default: the one that occurs)")
+      ->type_name("NAME");
+  command
+      ->add_option("--from", options->from,
+                   "integrate from here: a number, inf, or root(p, a, b), the root of p in (a, b)")
+      ->type_name("END");
+  command->add_option("--to", options->to, "to here")->type_name("END");
+  command->add_flag("--principal-value", options->principal_value,
+                    "Cauchy's principal value at simple poles between the ends");
+  add_digits(*command, options->digits);
+  options->form.add_to(*command);
+  command->add_flag("!--derivative-check,--no-derivative-check", options->is_silent,
+                    "do not say that the derivative was checked (it always is)");
+  command
+      ->add_option("--max-degree", options->limits.size.max_degree,
+                   fmt::format("refuse functions of a higher degree (default {})",
+                               options->limits.size.max_degree))
+      ->type_name("N")
+      ->check(CLI::Range(1L, 1'000'000L).description(""));
+  command
+      ->add_option("-o,--output", options->output, "write to this file instead of standard output")
+      ->type_name("FILE");
+  command->footer(
+      "Numbers are exact: 0.1 is 1/10. A product needs its sign: 2*x, not 2x.\n"
+      "Examples:\n"
+      "  phrame integrate '(3*x^2+x+1)/(x^3+x)'\n"
+      "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50\n"
+      "  phrame integrate '1/(t^2-2)' --form real --from 'root(t^2-3, 1, 2)' --to inf\n"
+      "  phrame integrate '1/(x^5+x+1)' --print sympy");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace phrame::cli

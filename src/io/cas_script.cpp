@@ -1,0 +1,69 @@
+#include "phrame/io/cas_script.hpp"
+
+#include <fmt/format.h>
+
+namespace phrame {
+namespace {
+
+struct Definition {
+  std::string_view name;
+  std::string formula;
+  bool of_variable = true;
+};
+
+std::string statement(const Definition& definition, Language language, std::string_view variable) {
+  const auto& [name, formula, of_variable] = definition;
+  switch (language) {
+    case Language::maple:
+      return fmt::format("{} := {}:\n", name, formula);
+    case Language::maxima:
+      return fmt::format("{}: {}$\n", name, formula);
+    case Language::mathematica:
+      return fmt::format("{} = {};\n", name, formula);
+    case Language::pari:
+      return of_variable ? fmt::format("{}({}) = {};\n", name, variable, formula)
+                         : fmt::format("{} = {};\n", name, formula);
+    default:
+      return fmt::format("{} = {}\n", name, formula);
+  }
+}
+
+std::string script(const std::vector<Definition>& definitions, Language language,
+                   const std::string& variable) {
+  std::string text;
+  if (language == Language::sympy)
+    text = fmt::format("from sympy import *\n{0}, {1} = symbols('{0} {1}')\n", variable,
+                       variable == "z" ? "w" : "z");
+  for (const Definition& definition : definitions)
+    text += statement(definition, language, variable);
+  return text;
+}
+
+std::string closed_form(const Antiderivative& F, const std::optional<RealForm>& real,
+                        Language language, const std::string& variable) {
+  return real ? cas_formula(*real, language, variable) : cas_formula(F, language, variable);
+}
+
+}  // namespace
+
+std::string to_script(const IntegralReport& report, Language language) {
+  const std::string t = cas_variable(report.integrand.variable);
+  std::vector<Definition> definitions{
+      {"integrand", cas_formula(report.integrand.value, language, t)},
+      {"antiderivative", closed_form(report.antiderivative, report.real, language, t)}};
+  if (const auto& definite = report.definite)
+    definitions.push_back({"definite",
+                           definite->exact ? cas_formula(*definite->exact, language)
+                                           : cas_formula(definite->value, language),
+                           false});
+  return script(definitions, language, t);
+}
+
+std::string to_script(const AngleReport& report, Language language) {
+  return script(
+      {{"integrand", cas_formula(report.angle.rate(), language, "t")},
+       {"antiderivative", closed_form(report.angle.antiderivative(), report.real, language, "t")}},
+      language, "t");
+}
+
+}  // namespace phrame

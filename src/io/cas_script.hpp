@@ -1,0 +1,15 @@
+#pragma once
+#include "phrame/io/angle_report.hpp"
+#include "phrame/io/cas_formula.hpp"
+#include "phrame/io/integral_report.hpp"
+
+namespace phrame {
+
+// What a computer-algebra system is given: a statement a line, which define `integrand`,
+// `antiderivative` and, where ends were given, `definite`. In PARI the first two are functions.
+
+std::string to_script(const IntegralReport& report, Language language);
+/// The values of an angle are not in it.
+std::string to_script(const AngleReport& report, Language language);
+
+}  // namespace phrame

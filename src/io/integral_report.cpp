@@ -1,0 +1,124 @@
+#include "phrame/io/integral_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/io/angle_report.hpp"
+#include "phrame/io/cas_formula.hpp"
+#include "phrame/io/closed_form.hpp"
+#include "phrame/io/endpoint.hpp"
+#include "phrame/io/json_text.hpp"
+#include "phrame/io/pole_table.hpp"
+#include "phrame/io/text.hpp"
+
+namespace phrame {
+namespace {
+
+constexpr auto unicode = Notation::unicode;
+constexpr auto latex = Notation::latex;
+
+std::string closed_form(const IntegralReport& report, Notation notation, std::string_view before) {
+  const Letters letters = letters_for(report.integrand.variable, notation);
+  return formatted_sum(report.real ? formatted_terms(*report.real, notation, letters)
+                                   : formatted_terms(report.antiderivative, notation, letters),
+                       before, notation);
+}
+
+/// Why the logarithms are written as they are, where nobody asked for a form.
+std::string reason_for_form(const Antiderivative& F) {
+  const auto needs_roots = [](const LogSum& sum) { return sum.index.degree() > 1; };
+  if (F.logs.empty()) return "no logarithms, since every residue is 0";
+  if (std::none_of(F.logs.begin(), F.logs.end(), needs_roots))
+    return "logarithms of polynomials over ℚ, since every residue is rational";
+  const std::string name = form_name(F);
+  if (name == "partial-fractions") return "a sum over poles, since the residues are distinct";
+  if (name == "rothstein-trager") return "a sum over residues, since residues repeat";
+  return "over poles where the residues are distinct, over residues where they repeat";
+}
+
+/// `text` in lines of at most 100 digits, the later ones indented by `indent`.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  constexpr std::size_t width = 100;
+  std::string lines;
+  for (std::size_t k = 0; k < text.size(); k += width)
+    lines += (k == 0 ? "" : "\n" + std::string(indent, ' ')) + text.substr(k, width);
+  return lines;
+}
+
+std::string value_text(const DefiniteValue& definite, const IntegralReport& report) {
+  std::string text = fmt::format(
+      "\n  {}∫ f d{} from {} to {}\n", definite.principal_value ? "principal value of " : "",
+      report.integrand.variable, to_text(definite.from), to_text(definite.to));
+  if (definite.exact)
+    text += fmt::format(
+        "    = {}\n",
+        abbreviated(formatted_sum(formatted_terms(*definite.exact, unicode), " ", unicode), 4000));
+  const bool is_decimal = definite.exact &&
+                          parse_rational(definite.value.value) == definite.exact->rational &&
+                          definite.value.radius == "0";
+  return text + fmt::format("    {} {}\n    {} to {} digits\n", is_decimal ? "=" : "≈",
+                            wrapped(definite.value.value, 6), "correctly rounded", report.digits);
+}
+
+std::string latex_end(const Endpoint& end) {
+  if (const auto* r = std::get_if<Rational>(&end)) return formatted(*r, latex);
+  if (const auto* infinite = std::get_if<Infinity>(&end))
+    return *infinite == Infinity::negative ? "-\\infty" : "\\infty";
+  // There is no room for its polynomial.
+  return "\\approx " + round_to_decimal(to_real(std::get<RealAlgebraic>(end)), 8).value;
+}
+
+}  // namespace
+
+std::string to_text(const IntegralReport& report) {
+  const std::string& x = report.integrand.variable;
+  const RationalFunction& f = report.integrand.value;
+  const std::string form = closed_form(report, unicode, "\n      ");
+  std::string text = fmt::format("  f  = {}\n  ∫f = {}{}\n", formatted_quotient(f, unicode, x),
+                                 form, form == "0" ? "" : "\n      + constant");
+  if (report.says_checked) text += "  Checked: the derivative of this ∫f is f, exactly.\n";
+  if (report.is_automatic && !report.real)
+    text += fmt::format("  Form: {}.\n", reason_for_form(report.antiderivative));
+  if (!report.real) text += pole_table(report.antiderivative);
+  if (report.definite) text += value_text(*report.definite, report);
+  return text;
+}
+
+std::string to_latex(const IntegralReport& report) {
+  const std::string x = letters_for(report.integrand.variable, latex).variable;
+  const std::string f = formatted_quotient(report.integrand.value, latex, x);
+  std::string text = fmt::format("\\begin{{align*}}\n\\int {} \\,d{} &= {} + C", f, x,
+                                 closed_form(report, latex, " "));
+  if (const auto& definite = report.definite) {
+    const std::string decimal = latex_decimal(definite->value.value);
+    text += fmt::format(" \\\\\n{}\\int_{{{}}}^{{{}}} {} \\,d{} &= {}",
+                        definite->principal_value ? "\\operatorname{p.v.} " : "",
+                        latex_end(definite->from), latex_end(definite->to), f, x,
+                        definite->exact
+                            ? formatted_sum(formatted_terms(*definite->exact, latex), " ", latex)
+                            : decimal);
+    if (definite->exact) text += fmt::format(" \\approx {}", decimal);
+  }
+  return text + "\n\\end{align*}\n";
+}
+
+std::string to_json(const IntegralReport& report) {
+  JsonOutput json = {
+      {"phrame", "integral/1"},
+      {"variable", report.integrand.variable},
+      {"integrand", json_of(report.integrand.value)},
+      {"antiderivative", json_of(report.antiderivative, form_name(report.antiderivative))}};
+  if (report.real) json["real"] = json_of(*report.real);
+  if (const auto& definite = report.definite) {
+    json["definite"] = {{"from", json_of(definite->from)},
+                        {"to", json_of(definite->to)},
+                        {"principal_value", definite->principal_value},
+                        {"value", definite->value.value},
+                        {"radius", definite->value.radius}};
+    if (definite->exact) json["definite"]["exact"] = cas_formula(*definite->exact, Language::plain);
+  }
+  return pretty(json);
+}
+
+}  // namespace phrame

@@ -1,0 +1,130 @@
+#include "cli/workshop.hpp"
+
+using namespace phrame;
+using namespace phrame::test;
+
+namespace {
+
+Json json(const Run& run) {
+  check_success(run);
+  return Json::parse(run.out);
+}
+
+const std::vector<std::string> languages{"sympy", "mathematica", "maple", "maxima", "pari"};
+
+}  // namespace
+
+// ∫₁² (3x² + x + 1)/(x³ + x) dx = log 5 + arctan 2 − π/4.
+TEST_CASE("integrate: the integral and its value") {
+  const Workshop here;
+  const Run run = here.run("integrate '(3*x^2+x+1)/(x^3+x)' --from 1 --to 2 --digits 30");
+  check_success(run);
+  CHECK(run.out.starts_with("  f  = (3x² + x + 1)/(x(x² + 1))\n  ∫f = log(x)\n"));
+  CHECK(contains(run.out, "  Checked: the derivative of this ∫f is f, exactly.\n"));
+  CHECK(contains(run.out, "  ∫ f dx from 1 to 2\n"));
+  CHECK(contains(run.out, "≈ 1.93118846683074256800216394758\n"));
+  const Json definite =
+      json(here.run("integrate '2*x' --from=-1 --to 1/2 --digits 3 --print json"))["definite"];
+  CHECK(definite["value"] == "-0.750");
+  CHECK(definite["radius"] == "0");
+}
+
+TEST_CASE("integrate: the expression may come from standard input, and begin with a minus sign") {
+  const Workshop here;
+  CHECK(here.run("integrate -", "1/(x^2+1)\n").out == here.run("integrate '1/(x^2+1)'").out);
+  check_failure(here.run("integrate -", "1/(x^2+"), 2, "standard input, column 8: ");
+  CHECK(here.run("integrate -- '-x/(x^2+1)'").out == here.run("integrate '(-x)/(x^2+1)'").out);
+  CHECK(here.run("integrate '-x/(x^2+1)'").out == here.run("integrate '(-x)/(x^2+1)'").out);
+  check_failure(here.run("integrate '-x/(x^2+'"), 2, "EXPR, column 9: ");
+  CHECK(here.run("integrate -2 --from -1 --to -.5 -h").out == here.run("integrate -h").out);
+  CHECK(here.run("integrate x --from -inf --to -1y").err.find("--to, column 3") !=
+        std::string::npos);
+  CHECK(here.run("integrate --print json -- -2").out == here.run("integrate --print json 0-2").out);
+}
+
+TEST_CASE("integrate: the variable is the one that occurs, the one given, or x") {
+  const Workshop here;
+  CHECK(json(here.run("integrate '1/(theta+1)' --print json"))["variable"] == "theta");
+  CHECK(json(here.run("integrate 3 --print json"))["variable"] == "x");
+  CHECK(json(here.run("integrate 3 --var s --print json"))["variable"] == "s");
+  check_failure(here.run("integrate x*y"), 2, "EXPR, column 3: a second variable, \"y\"");
+  check_failure(here.run("integrate x --var y"), 2, "EXPR, column 1: ");
+}
+
+TEST_CASE("integrate: what is typed wrongly is refused by name") {
+  const Workshop here;
+  check_failure(here.run("integrate"), 2, "EXPR is required");
+  check_failure(here.run("integrate 2x"), 2, "EXPR, column 2: ");
+  check_failure(here.run("integrate 1/0"), 2, "EXPR, column 3: division by zero");
+  check_failure(here.run("integrate x --from 1"), 2, "--from and --to go together");
+  check_failure(here.run("integrate x --to 1"), 2, "--from and --to go together");
+  check_failure(here.run("integrate x --from 1 --to 2y"), 2, "--to, column 2: ");
+  check_failure(here.run("integrate x --from 'root(x^2-2,3,4)' --to 2"), 2,
+                "--from, column 1: x² − 2 has no real roots");
+  check_failure(here.run("integrate x --principal-value"), 2,
+                "--principal-value: needs --from and --to");
+  check_failure(here.run("integrate x --form best"), 2, "--form: \"best\" is not one of auto,");
+  check_failure(here.run("integrate x --print npy"), 2, "--print: \"npy\" is not one of text,");
+  check_failure(here.run("integrate x --digits 0"), 2, "--digits");
+  check_failure(here.run("integrate '1/(x^9+1)' --max-degree 8"), 2, "EXPR, column ");
+}
+
+TEST_CASE("integrate: a pole on the path has status 3") {
+  const Workshop here;
+  check_failure(here.run("integrate 1/x --from=-1 --to 1"), 3, "pole");
+}
+
+TEST_CASE("integrate: every form has the same value, and is checked") {
+  const Workshop here;
+  const std::string common =
+      "integrate '(x^3+1)/((x^2-2)*(x^2+1)^2)' --from 2 --to 3 --print json --form ";
+  const Json first = json(here.run(common + "auto"));
+  for (const std::string form : {"partial-fractions", "rothstein-trager", "real"}) {
+    const Json other = json(here.run(common + form));
+    CHECK(other["definite"] == first["definite"]);
+    CHECK(other["antiderivative"]["checked"] == true);
+    CHECK(other.contains("real") == (form == "real"));
+  }
+}
+
+TEST_CASE("integrate: --no-derivative-check leaves the line out") {
+  const Workshop here;
+  const std::string text = here.run("integrate 1/x --no-derivative-check").out;
+  CHECK_FALSE(contains(text, "Checked"));
+  CHECK(contains(here.run("integrate 1/x --derivative-check").out, "Checked"));
+}
+
+TEST_CASE("integrate: -o writes what standard output would get") {
+  const Workshop here;
+  CHECK(here.run("integrate 1/x -o out").status == 0);
+  CHECK(bytes_of(here.file("out")) == here.run("integrate 1/x").out);
+}
+
+TEST_CASE("integrate, angle: every language of --print is written in one statement a line") {
+  const Workshop here;
+  for (const std::string& language : languages) {
+    CAPTURE(language);
+    const Run integral = here.run("integrate '1/(x^4+1)' --from 0 --to 1 --print " + language);
+    check_success(integral);
+    for (const char* name : {"integrand", "antiderivative", "definite"})
+      CHECK(contains("\n" + integral.out, "\n" + std::string(name)));
+    for (const std::string frame : {"erf", "frenet"}) {
+      const Run angle = here.run("angle quintic.json --print " + language + " --frame " + frame);
+      check_success(angle);
+      CHECK(contains("\n" + angle.out, "\nantiderivative"));
+      CHECK_FALSE(contains(angle.out, "arg"));
+    }
+    check_failure(here.run("angle quintic.json --at 1 --print " + language), 2,
+                  "\"" + language + "\" prints the closed form only");
+  }
+}
+
+TEST_CASE("angle: the real form of a Frenet angle has arctangents for arg g") {
+  const Workshop here;
+  const Run run = here.run("angle quintic.json --frame frenet --form real --at 1");
+  check_success(run);
+  CHECK(contains(run.out, "θ  = arctan("));
+  CHECK_FALSE(contains(run.out, "arg g"));
+  const Json report = json(here.run("angle quintic.json --frame frenet --form real --print json"));
+  CHECK(report["real"]["arctangents"].size() == 2);
+}

@@ -1,0 +1,117 @@
+#pragma once
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "io/reference.hpp"
+
+// The program as its users meet it: arguments, streams, files, exit statuses.
+namespace phrame::test {
+
+namespace fs = std::filesystem;
+
+struct Run {
+  int status;
+  std::string out;
+  std::string err;
+};
+
+inline std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline void write_file(const fs::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// A fresh directory, the working directory of the program, with a few curves in it.
+class Workshop {
+ public:
+  Workshop() {
+    std::string name = (fs::temp_directory_path() / "phrame-test-XXXXXX").string();
+    REQUIRE(mkdtemp(name.data()) != nullptr);
+    path_ = name;
+    const Json quintic = {{"phrame", "curve/1"},
+                          {"name", "quintic"},
+                          {"basis", "bernstein"},
+                          {"preimage", farouki_2003()["quintic"]["bernstein"]}};
+    write("quintic.json", quintic.dump());
+    write("line.json", R"({"phrame": "curve/1", "basis": "power",
+                           "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})");
+    // A = 1 + t²k: g = 2t, an inflection at t = 0.
+    write("inflected.json", R"({"phrame": "curve/1", "basis": "power",
+                                "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, 0, 1]}})");
+  }
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+  ~Workshop() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+    fs::remove_all(streams(), ignored);
+  }
+
+  fs::path file(const std::string& name) const { return path_ / name; }
+  void write(const std::string& name, const std::string& bytes) const {
+    write_file(file(name), bytes);
+  }
+  /// The names of the files in the directory.
+  std::vector<std::string> names() const {
+    std::vector<std::string> result;
+    for (const auto& entry : fs::directory_iterator(path_))
+      result.push_back(entry.path().filename().string());
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  /// Runs the program through the shell; a later redirection in `arguments` overrides ours.
+  Run run(const std::string& arguments, const std::string& input = "") const {
+    const char* program = std::getenv("PHRAME_PROGRAM");
+    REQUIRE_MESSAGE(program != nullptr, "the environment variable PHRAME_PROGRAM is not set");
+    fs::create_directory(streams());
+    write_file(streams() / "in", input);
+    const std::string s = streams().string();
+    const std::string command = "cd '" + path_.string() + "' && '" + program + "' <'" + s +
+                                "/in' >'" + s + "/out' 2>'" + s + "/err' " + arguments;
+    const int status = std::system(command.c_str());
+    REQUIRE(WIFEXITED(status));  // a shell reports a signal as 128 + its number
+    return {WEXITSTATUS(status), bytes_of(streams() / "out"), bytes_of(streams() / "err")};
+  }
+
+ private:
+  fs::path streams() const { return path_.string() + ".streams"; }
+
+  fs::path path_;
+};
+
+inline bool contains(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Fails with that status, one line on stderr that contains `part`, and nothing on stdout.
+inline void check_failure(const Run& run, int status, std::string_view part) {
+  CAPTURE(run.out);
+  CAPTURE(run.err);
+  CHECK(run.status == status);
+  CHECK(run.out.empty());
+  CHECK(run.err.starts_with("phrame: "));
+  CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
+  CHECK(run.err.ends_with('\n'));
+  CHECK(contains(run.err, part));
+}
+
+inline void check_success(const Run& run) {
+  CAPTURE(run.err);
+  CHECK(run.status == 0);
+  CHECK(run.err.empty());
+  CHECK_FALSE(run.out.empty());
+}
+
+}  // namespace phrame::test

@@ -1,0 +1,64 @@
+"""What the tests with other systems have in common: the integrands, and what phrame prints of them.
+
+A test runs `phrame integrate … --print SYSTEM`, gives the output to the system as it is, and has the system differentiate
+`antiderivative` and compare it with `integrand`. It exits with 0, with 1 after naming what failed, or with SKIP where the
+system is not installed.
+"""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+SKIP = 77
+
+# Of every kind that is printed differently: residues in Q, Q(i), quadratic fields and beyond, multiple poles, no pole, 0.
+IDS = """
+    sympy-25896 sympy-8246-atan-4 sympy-28657 sympy-28186 sympy-5907 sympy-6828 sympy-12305 sympy-ratint-doc
+    sympy-ratint-zero sympy-ratint-improper fricas-198 maxima-1778796 maxima-2907727 angourimath-1284 gcl-x3-x-1 gcl-x2-2
+    rioboo hardy-1916 leibniz-1702 wang-59 timofeev-18 hearn-04 con-sqrt2-a con-cubic-a con-qi-b con-irrational-pv
+    con-real-quintic
+""".split()
+FORMS = ["auto", "partial-fractions", "rothstein-trager", "real"]
+
+
+TESTS = pathlib.Path(__file__).parent.parent
+
+
+def arguments():
+    """Pairs of a name and what phrame is to print: each integrand, and a Frenet angle, in each form."""
+    text = (TESTS / "data" / "integrals.jsonl").read_text(encoding="utf-8")
+    entries = {e["id"]: e for e in map(json.loads, text.splitlines())}
+    curve = TESTS.parent / "examples" / "curves" / "farouki-2003-quintic.json"
+    for form in FORMS:
+        for name in IDS:
+            yield f"{name}, {form}", ["integrate", "--form", form, "--", entries[name]["integrand"]]
+        yield f"Frenet angle, {form}", ["angle", "--form", form, "--frame", "frenet", str(curve)]
+
+
+def scripts(system):
+    """Pairs of a name and the text that phrame prints for the system; the same text once."""
+    seen = set()
+    for name, (command, *options) in arguments():
+        text = subprocess.run([os.environ["PHRAME_PROGRAM"], command, "--print", system, *options],
+                              check=True, capture_output=True, text=True).stdout
+        if text not in seen:
+            seen.add(text)
+            yield name, text
+
+
+def finish(count, failures):
+    """Reports and exits."""
+    for failure in failures:
+        print("failed:", failure)
+    print(f"{count} antiderivatives, {len(failures)} failures")
+    sys.exit(1 if failures or count == 0 else 0)
+
+
+def run(command, text, missing):
+    """The standard output of a system that reads `text`; SKIP where there is no such program."""
+    try:
+        return subprocess.run(command, input=text, check=True, capture_output=True, text=True).stdout
+    except FileNotFoundError:
+        print(missing, "is not installed")
+        sys.exit(SKIP)
