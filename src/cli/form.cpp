@@ -11,7 +11,7 @@ const std::vector<std::pair<std::string, std::optional<FormChoice>>>& forms() {
       {"auto", {{Form::automatic}}},
       {"partial-fractions", {{Form::partial_fractions}}},
       {"rothstein-trager", {{Form::rothstein_trager}}},
-      {"lazard-rioboo-trager", std::nullopt},
+      {"lazard-rioboo-trager", {{Form::lazard_rioboo_trager}}},
       {"real", {{Form::automatic, true}}},
       {"radicals", std::nullopt},
   };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/factor.hpp"
 #include "phrame/io/closed_form.hpp"
 #include "phrame/io/json_text.hpp"
 #include "phrame/io/pole_table.hpp"
@@ -58,8 +59,13 @@ std::string value_table(const AngleReport& report) {
 std::string form_name(const Antiderivative& F) {
   const auto over_poles = std::count_if(F.logs.begin(), F.logs.end(), is_over_poles);
   if (F.logs.empty()) return "rational";
-  if (over_poles == 0) return "rothstein-trager";
-  return over_poles == static_cast<long>(F.logs.size()) ? "partial-fractions" : "mixed";
+  if (over_poles == static_cast<long>(F.logs.size())) return "partial-fractions";
+  if (over_poles > 0) return "mixed";
+  const auto is_irreducible = [](const LogSum& sum) {
+    return factor(sum.index).factors.size() == 1;
+  };
+  return std::all_of(F.logs.begin(), F.logs.end(), is_irreducible) ? "rothstein-trager"
+                                                                   : "lazard-rioboo-trager";
 }
 
 std::string heading(const NamedCurve& named) {

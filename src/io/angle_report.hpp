@@ -27,7 +27,8 @@ std::string to_latex(const AngleReport& report);  ///< the closed form and the t
 std::string to_json(const AngleReport& report);   ///< angle/1
 
 /// How the logarithms of F are written: "partial-fractions" where all sums are over poles,
-/// "rothstein-trager" where none is, else "mixed"; "rational" where there is no logarithm.
+/// "rothstein-trager" where none is and their polynomials are irreducible, "lazard-rioboo-trager"
+/// where one of these is not, else "mixed"; "rational" where there is no logarithm.
 std::string form_name(const Antiderivative& F);
 
 /// "PH quintic, degree 5", the heading of a report.
