@@ -9,6 +9,8 @@
 #include "phrame/algebra/linear_system.hpp"
 #include "phrame/algebra/polynomial.hpp"
 #include "phrame/algebra/power_product.hpp"
+#include "phrame/algebra/radical.hpp"
+#include "phrame/algebra/radical_roots.hpp"
 #include "phrame/algebra/rational.hpp"
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/algebra/real_algebraic.hpp"

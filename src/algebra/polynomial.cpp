@@ -156,4 +156,17 @@ bool is_squarefree(const Polynomial& p) {
   return fmpz_poly_is_squarefree(integer_primitive_part(p).get()) != 0;
 }
 
+std::string to_string(const Polynomial& p) {
+  std::string text;
+  for (long k = p.degree(); k >= 0; --k) {
+    const Rational c = p.coefficient(k);
+    if (c == 0) continue;
+    const Rational size = abs(c);
+    text += text.empty() ? (c < 0 ? "-" : "") : (c < 0 ? " - " : " + ");
+    if (size != 1 || k == 0) text += to_string(size) + (k == 0 ? "" : "*");
+    if (k > 0) text += k == 1 ? "t" : "t^" + std::to_string(k);
+  }
+  return text.empty() ? "0" : text;
+}
+
 }  // namespace phrame

@@ -82,6 +82,9 @@ Polynomial pow(const Polynomial& p, long k);
 Polynomial squarefree_part(const Polynomial& p);
 bool is_squarefree(const Polynomial& p);
 
+/// "t^2 - 1/2*t + 3", for messages.
+std::string to_string(const Polynomial& p);
+
 /// The integer polynomial primitive_part(p), in FLINT's own type.
 flint::FmpzPoly integer_primitive_part(const Polynomial& p);
 Polynomial to_polynomial(const fmpz_poly_t p);

@@ -116,3 +116,10 @@ TEST_CASE("polynomial: law: the squarefree part has the same roots, each once") 
   CHECK_FALSE(is_squarefree(pow(Polynomial{1, 1}, 2)));
   CHECK_THROWS_AS(squarefree_part({}), DomainError);
 }
+
+TEST_CASE("polynomial: as text in messages") {
+  CHECK(to_string(Polynomial{}) == "0");
+  CHECK(to_string(Polynomial{Rational(-1, 2)}) == "-1/2");
+  CHECK(to_string(Polynomial{3, -1, 0, Rational(2, 3)}) == "2/3*t^3 - t + 3");
+  CHECK(to_string(Polynomial{0, 0, -1}) == "-t^2");
+}

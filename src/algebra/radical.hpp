@@ -1,0 +1,78 @@
+#pragma once
+#include <optional>
+
+#include "phrame/algebra/ball.hpp"
+
+namespace phrame {
+
+/// A number written with rational numbers, i, + − · /, √ and ∛, both principal:
+///   √x = exp(log(x)/2),  ∛x = exp(log(x)/3),  −π < Im log ≤ π,  √0 = ∛0 = 0.
+/// So ∛x is the real one for x > 0, and ∛(−8) = 1 + i√3.
+///
+/// It is kept as a list of steps, in which each uses only earlier ones and no two are equal: what
+/// occurs several times is computed and enclosed once. All sums are linear combinations of steps
+/// with rational coefficients, like terms collected. Beyond that and i² = −1, √x·√x = x nothing is
+/// simplified: == compares the steps, and different radicals may be the same number.
+class Radical {
+ public:
+  enum class Kind { imaginary_unit, product, quotient, square_root, cube_root };
+
+  struct Term {
+    Rational factor;  ///< not 0
+    std::size_t step;
+    friend bool operator==(const Term&, const Term&) = default;
+  };
+  /// constant + Σ factor · step, by ascending steps.
+  struct Sum {
+    Rational constant;
+    std::vector<Term> terms;
+    friend bool operator==(const Sum&, const Sum&) = default;
+  };
+  struct Step {
+    Kind kind = Kind::imaginary_unit;
+    Sum left = {};   ///< of a product, a quotient, a root
+    Sum right = {};  ///< of a product, a quotient
+    friend bool operator==(const Step&, const Step&) = default;
+  };
+
+  Radical(const Rational& r = 0) : value_{r, {}} {}  // NOLINT(google-explicit-constructor)
+  Radical(long r) : Radical(Rational(r)) {}          // NOLINT(google-explicit-constructor)
+  static Radical imaginary_unit();
+
+  const std::vector<Step>& steps() const { return steps_; }
+  const Sum& value() const { return value_; }
+  /// The number, where no step is needed to write it.
+  std::optional<Rational> rational() const;
+
+  friend Radical operator+(const Radical& a, const Radical& b);
+  friend Radical operator*(const Radical& a, const Radical& b);
+  /// Throws DomainError for b = 0, if it is written as 0.
+  friend Radical operator/(const Radical& a, const Radical& b);
+  friend Radical operator-(const Radical& a) { return a * Rational(-1); }
+  friend Radical operator-(const Radical& a, const Radical& b) { return a + -b; }
+  /// Powers are taken out of rational radicands as far as they are found (split_square):
+  /// √12 = 2√3, √(−1/2) = i√2/2, ∛(16/27) = 2∛2/3.
+  friend Radical sqrt(const Radical& a);
+  friend Radical cbrt(const Radical& a);
+
+  /// Are they written alike, whatever the order of the steps?
+  friend bool operator==(const Radical& a, const Radical& b);
+
+ private:
+  static Radical combination(std::vector<Step> steps, const Sum& value);
+  static Radical of_step(std::vector<Step> steps, Step step);
+
+  std::vector<Step> steps_;
+  Sum value_;
+};
+
+/// p(x), by Horner's rule.
+Radical evaluate(const Polynomial& p, const Radical& x);
+
+/// A ball around x with a radius ≤ 2^−bits · max(1, |x|) in both parts. Throws Undecided where
+/// 64·bits + 65536 bits of precision do not reach that: where a number is divided by which is 0
+/// without being written so, or where a number that is not seen to be real lies on the cut of √ or
+/// ∛, the negative axis.
+ComplexBall enclose(const Radical& x, long bits);
+
+}  // namespace phrame
