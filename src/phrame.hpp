@@ -27,6 +27,7 @@
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/integrate/partial_fractions.hpp"
 #include "phrame/integrate/gaussian_logs.hpp"
+#include "phrame/integrate/radicals.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 #include "phrame/io/angle_report.hpp"
 #include "phrame/io/curve_file.hpp"
