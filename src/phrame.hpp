@@ -35,6 +35,8 @@
 #include "phrame/io/endpoint.hpp"
 #include "phrame/io/expression.hpp"
 #include "phrame/io/frame_table.hpp"
+#include "phrame/io/radical_form_text.hpp"
+#include "phrame/io/radical_text.hpp"
 #include "phrame/io/text.hpp"
 #include "phrame/ph/curve.hpp"
 #include "phrame/ph/frame.hpp"
