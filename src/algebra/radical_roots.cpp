@@ -10,7 +10,8 @@
 // The cubic t³ + c₂t² + c₁t + c₀ [(A.5) – (A.7)]. With t = y − c₂/3 it is y³ + 3Qy − 2R, and with
 // Δ = Q³ + R² the numbers S = ∛(R + √Δ), any cube root, and T = −Q/S satisfy T³ = R − √Δ; the
 // roots are y = S + T, −(S + T)/2 ± i√3(S − T)/2.
-//   S = 0 happens only where Q = 0, and there Q/S has no meaning: then y³ = 2R, T = 0.
+//   S = 0 or T = 0 happens only where Q = 0; then −Q/S may have no meaning, but one of the two cube
+//   roots is that of 2R and the other one is 0, which is right.
 //   Δ > 0: S and T are the real cube roots, written with the signs of R ± √Δ taken out. The
 //   product of these two is −Q³, so the signs are decided in ℚ.
 //   Δ < 0: R + √Δ lies above the real axis, and the principal cube root of its conjugate R − √Δ is
@@ -56,17 +57,12 @@ std::vector<Radical> cubic_roots(const Polynomial& p) {
   const Rational Q = (3 * c1 - c2 * c2) / 9;
   const Rational R = (9 * c1 * c2 - 27 * c0 - 2 * c2 * c2 * c2) / 54;
   const Rational delta = Q * Q * Q + R * R;
-  Radical S;
-  Radical T;
-  if (Q == 0) {
-    S = Rational(sign(R)) * cbrt(Radical(Rational(2 * abs(R))));
-  } else {
-    const Radical root = sqrt(Radical(delta));
-    const int s = delta < 0 || R >= 0 ? 1 : sign(Q);
-    const int t = delta < 0 ? 1 : R <= 0 ? -1 : -sign(Q);
-    S = Rational(s) * cbrt(Rational(s) * (R + root));
-    T = Rational(t) * cbrt(Rational(t) * (R - root));
-  }
+  // Of the two factors of −Q³ that with the sign of R is the greater one, and not 0.
+  const int s = delta < 0 || R >= 0 ? 1 : sign(Q);
+  const int t = delta < 0 ? 1 : R <= 0 ? -1 : -sign(Q);
+  const Radical root = sqrt(Radical(delta));
+  const Radical S = Rational(s) * cbrt(Rational(s) * (R + root));
+  const Radical T = Rational(t) * cbrt(Rational(t) * (R - root));
   const Radical shift = Rational(-c2 / 3);
   const Radical even = shift - (S + T) / 2;
   const Radical odd = times_i(sqrt(Radical(3))) * (S - T) / 2;

@@ -42,7 +42,7 @@ void run(const AngleOptions& options) {
   const NamedCurve named = options.curve.read();
   RmfAngle angle(named.curve, reference, form.form);
   AngleReport report{named, reference, angle, start_angle, {}, options.digits};
-  if (form.is_real) report.real = real_form(angle.antiderivative());
+  set_style(report, form, angle.antiderivative());
   for (const Rational& t : at)
     report.values.push_back({t, rounded_angle(angle, t, start_angle, options.digits)});
   write_output(options.curve.output,

@@ -5,23 +5,21 @@
 namespace phrame::cli {
 namespace {
 
-/// No choice: the form has a name, but is not there yet.
-const std::vector<std::pair<std::string, std::optional<FormChoice>>>& forms() {
-  static const std::vector<std::pair<std::string, std::optional<FormChoice>>> table{
-      {"auto", {{Form::automatic}}},
-      {"partial-fractions", {{Form::partial_fractions}}},
-      {"rothstein-trager", {{Form::rothstein_trager}}},
-      {"lazard-rioboo-trager", {{Form::lazard_rioboo_trager}}},
-      {"real", {{Form::automatic, true}}},
-      {"radicals", std::nullopt},
+const std::vector<std::pair<std::string, FormChoice>>& forms() {
+  static const std::vector<std::pair<std::string, FormChoice>> table{
+      {"auto", {}},
+      {"partial-fractions", {Form::partial_fractions}},
+      {"rothstein-trager", {Form::rothstein_trager}},
+      {"lazard-rioboo-trager", {Form::lazard_rioboo_trager}},
+      {"real", {Form::automatic, FormChoice::Style::real}},
+      {"radicals", {Form::automatic, FormChoice::Style::radicals}},
   };
   return table;
 }
 
 std::string names_of_forms() {
   std::string names;
-  for (const auto& [name, choice] : forms())
-    if (choice) names += (names.empty() ? "" : ", ") + name;
+  for (const auto& [name, choice] : forms()) names += (names.empty() ? "" : ", ") + name;
   return names;
 }
 
@@ -40,11 +38,6 @@ void FormOptions::add_to(CLI::App& command) {
       ->type_name("NAME");
 }
 
-FormChoice FormOptions::chosen_form() const {
-  if (const auto choice = choose<std::optional<FormChoice>>("--form", form, forms()))
-    return *choice;
-  throw InputError("--form",
-                   fmt::format("\"{}\" is not there yet; there are {}", form, names_of_forms()));
-}
+FormChoice FormOptions::chosen_form() const { return choose<FormChoice>("--form", form, forms()); }
 
 }  // namespace phrame::cli

@@ -1,15 +1,17 @@
 #pragma once
 #include "phrame/cli/command.hpp"
 #include "phrame/integrate/integrate.hpp"
+#include "phrame/integrate/radicals.hpp"
 #include "phrame/integrate/real_form.hpp"
 #include "phrame/io/cas_script.hpp"
 
 namespace phrame::cli {
 
-/// --form: how the logarithms are written, and whether with real functions.
+/// --form: what the logarithms run over, and how the result is written.
 struct FormChoice {
+  enum class Style { algebraic, real, radicals };
   Form form = Form::automatic;
-  bool is_real = false;
+  Style style = Style::algebraic;
 };
 
 /// --form and --print, which angle and integrate have in common.
@@ -22,6 +24,13 @@ struct FormOptions {
   FormChoice chosen_form() const;
   bool is_automatic() const { return form == "auto"; }
 };
+
+/// Gives the report F in the style that was chosen.
+template <class Report>
+void set_style(Report& report, const FormChoice& choice, const Antiderivative& F) {
+  if (choice.style == FormChoice::Style::real) report.real = real_form(F);
+  if (choice.style == FormChoice::Style::radicals) report.radicals = radical_form(F);
+}
 
 /// What --print chooses: one of the three, or a script in the language with that name.
 template <class Report>

@@ -66,7 +66,7 @@ void run(const IntegrateOptions& options) {
   report.says_checked = !options.is_silent;
   report.is_automatic = options.form.is_automatic();
   report.digits = options.digits;
-  if (form.is_real) report.real = real_form(report.antiderivative);
+  set_style(report, form, report.antiderivative);
   if (path) {
     const auto& [from, to] = *path;
     const DefiniteIntegral integral =

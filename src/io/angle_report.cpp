@@ -8,6 +8,7 @@
 #include "phrame/io/closed_form.hpp"
 #include "phrame/io/json_text.hpp"
 #include "phrame/io/pole_table.hpp"
+#include "phrame/io/radical_form_text.hpp"
 #include "phrame/io/text.hpp"
 
 namespace phrame {
@@ -23,6 +24,7 @@ std::string readable_factors(const Polynomial& p) {
 std::string quotient(const RationalFunction& f) { return formatted_quotient(f, unicode); }
 
 std::string closed_form(const AngleReport& report, Notation notation) {
+  if (report.radicals) return formatted_radicals(*report.radicals, notation, "t", "\n      ");
   if (report.real)
     return formatted_sum(formatted_terms(*report.real, notation),
                          notation == unicode ? "\n      " : " ", notation);
@@ -115,7 +117,7 @@ std::string to_text(const AngleReport& report) {
   const std::string form = closed_form(report, unicode);
   text += fmt::format("  θ  = {}{}\n", form, form == "0" ? "" : "\n      + constant");
   text += "  Checked: the derivative of this θ is θ′, exactly.\n";
-  if (!report.real) text += pole_table(report.angle.twist());
+  if (!report.real && !report.radicals) text += pole_table(report.angle.twist());
   if (!report.values.empty()) text += value_table(report);
   return text;
 }
@@ -149,6 +151,7 @@ std::string to_json(const AngleReport& report) {
       {"antiderivative",
        json_of(report.angle.antiderivative(), form_name(report.angle.antiderivative()))}};
   if (report.real) json["real"] = json_of(*report.real);
+  if (report.radicals) json["radicals"] = json_of(*report.radicals);
   json["theta0"] = to_string(report.start_angle);
   json["values"] = values;
   return pretty(json);

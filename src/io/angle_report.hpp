@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/integrate/radicals.hpp"
 #include "phrame/integrate/real_form.hpp"
 #include "phrame/io/curve_file.hpp"
 #include "phrame/ph/rmf_angle.hpp"
@@ -20,6 +21,7 @@ struct AngleReport {
   std::vector<AngleValue> values;
   long digits;
   std::optional<RealForm> real = std::nullopt;  ///< of the angle, shown instead of its logarithms
+  std::optional<RadicalForm> radicals = std::nullopt;  ///< likewise
 };
 
 std::string to_text(const AngleReport& report);   ///< for reading, Unicode

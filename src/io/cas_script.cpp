@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "phrame/io/radical_form_text.hpp"
+
 namespace phrame {
 namespace {
 
@@ -39,9 +41,31 @@ std::string script(const std::vector<Definition>& definitions, Language language
   return text;
 }
 
+const RadicalNotation& radical_notation_of(Language language) {
+  switch (language) {
+    case Language::sympy:
+      return radical_notation::sympy;
+    case Language::mathematica:
+      return radical_notation::mathematica;
+    case Language::maxima:
+      return radical_notation::maxima;
+    case Language::pari:
+      return radical_notation::pari;
+    default:
+      return radical_notation::maple;
+  }
+}
+
 std::string closed_form(const Antiderivative& F, const std::optional<RealForm>& real,
-                        Language language, const std::string& variable) {
-  return real ? cas_formula(*real, language, variable) : cas_formula(F, language, variable);
+                        const std::optional<RadicalForm>& radicals, Language language,
+                        const std::string& variable) {
+  if (real) return cas_formula(*real, language, variable);
+  if (!radicals) return cas_formula(F, language, variable);
+  const std::string rest =
+      cas_formula(Antiderivative{radicals->polynomial, radicals->rational, {}}, language, variable);
+  if (radicals->logs.empty()) return rest;
+  const std::string logs = to_cas(radicals->logs, radical_notation_of(language), variable);
+  return rest == "0" ? logs : fmt::format("{} + ({})", rest, logs);
 }
 
 }  // namespace
@@ -50,7 +74,8 @@ std::string to_script(const IntegralReport& report, Language language) {
   const std::string t = cas_variable(report.integrand.variable);
   std::vector<Definition> definitions{
       {"integrand", cas_formula(report.integrand.value, language, t)},
-      {"antiderivative", closed_form(report.antiderivative, report.real, language, t)}};
+      {"antiderivative",
+       closed_form(report.antiderivative, report.real, report.radicals, language, t)}};
   if (const auto& definite = report.definite)
     definitions.push_back({"definite",
                            definite->exact ? cas_formula(*definite->exact, language)
@@ -60,10 +85,10 @@ std::string to_script(const IntegralReport& report, Language language) {
 }
 
 std::string to_script(const AngleReport& report, Language language) {
-  return script(
-      {{"integrand", cas_formula(report.angle.rate(), language, "t")},
-       {"antiderivative", closed_form(report.angle.antiderivative(), report.real, language, "t")}},
-      language, "t");
+  return script({{"integrand", cas_formula(report.angle.rate(), language, "t")},
+                 {"antiderivative", closed_form(report.angle.antiderivative(), report.real,
+                                                report.radicals, language, "t")}},
+                language, "t");
 }
 
 }  // namespace phrame

@@ -10,6 +10,7 @@
 #include "phrame/io/endpoint.hpp"
 #include "phrame/io/json_text.hpp"
 #include "phrame/io/pole_table.hpp"
+#include "phrame/io/radical_form_text.hpp"
 #include "phrame/io/text.hpp"
 
 namespace phrame {
@@ -20,6 +21,8 @@ constexpr auto latex = Notation::latex;
 
 std::string closed_form(const IntegralReport& report, Notation notation, std::string_view before) {
   const Letters letters = letters_for(report.integrand.variable, notation);
+  if (report.radicals)
+    return formatted_radicals(*report.radicals, notation, letters.variable, before);
   return formatted_sum(report.real ? formatted_terms(*report.real, notation, letters)
                                    : formatted_terms(report.antiderivative, notation, letters),
                        before, notation);
@@ -78,9 +81,9 @@ std::string to_text(const IntegralReport& report) {
   std::string text = fmt::format("  f  = {}\n  ∫f = {}{}\n", formatted_quotient(f, unicode, x),
                                  form, form == "0" ? "" : "\n      + constant");
   if (report.says_checked) text += "  Checked: the derivative of this ∫f is f, exactly.\n";
-  if (report.is_automatic && !report.real)
+  if (report.is_automatic)
     text += fmt::format("  Form: {}.\n", reason_for_form(report.antiderivative));
-  if (!report.real) text += pole_table(report.antiderivative);
+  if (!report.real && !report.radicals) text += pole_table(report.antiderivative);
   if (report.definite) text += value_text(*report.definite, report);
   return text;
 }
@@ -110,6 +113,7 @@ std::string to_json(const IntegralReport& report) {
       {"integrand", json_of(report.integrand.value)},
       {"antiderivative", json_of(report.antiderivative, form_name(report.antiderivative))}};
   if (report.real) json["real"] = json_of(*report.real);
+  if (report.radicals) json["radicals"] = json_of(*report.radicals);
   if (const auto& definite = report.definite) {
     json["definite"] = {{"from", json_of(definite->from)},
                         {"to", json_of(definite->to)},

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/integrate/definite_integral.hpp"
+#include "phrame/integrate/radicals.hpp"
 #include "phrame/integrate/real_form.hpp"
 #include "phrame/io/expression.hpp"
 
@@ -18,7 +19,8 @@ struct DefiniteValue {
 struct IntegralReport {
   Expression integrand;
   Antiderivative antiderivative;
-  std::optional<RealForm> real = std::nullopt;  ///< shown instead of the antiderivative
+  std::optional<RealForm> real = std::nullopt;         ///< shown instead of the antiderivative
+  std::optional<RadicalForm> radicals = std::nullopt;  ///< likewise
   bool says_checked = true;  ///< is it said that the derivative was checked? (It always was.)
   bool is_automatic = true;  ///< nobody asked for this form of the logarithms
   std::optional<DefiniteValue> definite = std::nullopt;

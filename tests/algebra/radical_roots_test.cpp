@@ -38,6 +38,9 @@ void check_roots(const Polynomial& p, const std::vector<Radical>& roots, long bi
     CHECK(product[k].im().contains_zero());
   }
   const Roots certified = isolate_roots(p, bits);
+  // No number below the real axis or on its negative part hides in a square root.
+  for (std::size_t k = certified.real.size(); k < roots.size(); ++k)
+    CHECK(uses(roots[k], Radical::Kind::imaginary_unit));
   const std::size_t real = certified.real.size();
   const std::size_t upper = certified.upper.size();
   for (std::size_t k = 0; k < real; ++k) CHECK(balls[k].overlaps({certified.real[k], RealBall()}));
@@ -129,10 +132,13 @@ TEST_CASE("radical roots: of the two quartics of Farouki's quintic of 2003") {
 
 TEST_CASE("radical roots: of biquadratic quartics, where E = 0") {
   CHECK(checked_roots({-2, 0, 0, 0, 1})[1] == sqrt(root_of(2)));
-  CHECK(checked_roots({2, 0, 0, 0, 1}).size() == 4);   // i√2 under the root
-  CHECK(checked_roots({3, 0, -5, 0, 1}).size() == 4);  // four real roots
-  CHECK(checked_roots({3, 0, 5, 0, 1}).size() == 4);   // no real root
-  CHECK(checked_roots({-3, 0, 5, 0, 1}).size() == 4);  // two
+  CHECK(checked_roots({2, 0, 0, 0, 1}).size() == 4);  // i√2 under the root
+  const auto is_real = [](const Radical& x) { return !uses(x, Radical::Kind::imaginary_unit); };
+  const auto four = checked_roots({3, 0, -5, 0, 1});  // real roots
+  CHECK(std::all_of(four.begin(), four.end(), is_real));
+  CHECK(checked_roots({3, 0, 5, 0, 1}).size() == 4);  // no real root
+  const auto two = checked_roots({-3, 0, 5, 0, 1});
+  CHECK(std::count_if(two.begin(), two.end(), is_real) == 2);
   CHECK(checked_roots({-1, 0, -1, 0, 1}).size() == 4);
   CHECK(checked_roots(compose({3, 0, -5, 0, 1}, {Rational(2, 3), 1})).size() == 4);
   for (const Radical& x : roots_by_radicals({3, 0, 5, 0, 1})) CHECK(x.steps().size() <= 4);
@@ -167,6 +173,9 @@ TEST_CASE("radical roots: of general quartics by Ferrari's formula") {
                               {-1, 2, 3, 5, 1}}) {
     const auto roots = checked_roots(p);
     CHECK(uses(roots[0], Radical::Kind::cube_root));
+    if (p.coefficient(2) == 0)  // the resolvent has one real root: no complex cube root
+      for (std::size_t k = 0; k < isolate_roots(p, 64).real.size(); ++k)
+        CHECK_FALSE(uses(roots[k], Radical::Kind::imaginary_unit));
   }
   // S = 0 in the resolvent, p² + 12r = 0: its root is one cube root.
   for (const Polynomial& p : {Polynomial{-3, 5, 6, 0, 1}, {-3, -5, 6, 0, 1}, {-3, 1, -6, 0, 1}})
