@@ -105,7 +105,7 @@ class Writer {
     };
     append(sum.constant, [](const Integer& n) { return Written{n.str(), Binding::atom}; });
     for (const auto& [factor, step] : sum.terms)
-      append(factor, [&](const Integer& n) { return multiple(n, step); });
+      append(factor, [&, at = step](const Integer& n) { return multiple(n, at); });
     if (denominator == 1) return all;
     // −x/2 is −(x/2).
     const bool negative = sum.constant == 0 && sum.terms.size() == 1 && sum.terms[0].factor < 0;

@@ -107,6 +107,10 @@ TEST_CASE("radicals: a rational residue is one logarithm, whatever the degree") 
   REQUIRE(form.logs.size() == 1);
   CHECK(form.logs[0].residues == std::vector<Radical>{Radical(1)});
   CHECK(checked_form({{0, 2}, {1, 0, 1}}).logs[0].roots.size() == 1);
+  // 2t/(t² + 1) + 3t²/(t³ + 2): the residues are equal.
+  const RadicalForm joined = checked_form({{0, 4, 3, 0, 5}, {2, 0, 2, 1, 0, 1}});
+  REQUIRE(joined.logs.size() == 1);
+  CHECK(joined.logs[0].sum.argument.degree() == 5);
 }
 
 TEST_CASE("radicals: cubic and quartic denominators, alone and together with a rational part") {

@@ -32,6 +32,15 @@ TEST_CASE("radical form text: a positive argument has no bars, any other real on
         "i/2·log(t³ + it² − 3t − 2i)\n− i/2·log(t³ − it² − 3t + 2i)");
 }
 
+TEST_CASE("radical form text: fractions before a power stand in parentheses") {
+  const Radical half_i = Radical::imaginary_unit() / 2;
+  const LogSum sum{{1, 0, 4}, {0, 1}, Bivariate({Polynomial{1}, Polynomial{0, 1}, Polynomial{1}})};
+  const RadicalSum logs{sum, {half_i, -half_i}, {half_i, -half_i}, 0};
+  CHECK(to_text({{}, {}, {logs}}) == "i/2·log(t² + (i/2)t + 1)\n− i/2·log(t² − (i/2)t + 1)");
+  CHECK(to_cas({logs}, radical_notation::maple) ==
+        "I/2*ln(t^2 + I/2*t + 1) - I/2*ln(t^2 - I/2*t + 1)");
+}
+
 TEST_CASE("radical form text: polynomial and rational part come first") {
   const RadicalForm F = form({1, 2, 0, 0, 0, 0, 1}, pow(Polynomial{1, 0, 1}, 2) * Polynomial{5, 3});
   CHECK(to_text(F, "x").substr(0, 52).starts_with("(1/6)x² − (5/9)x\n"));
