@@ -24,7 +24,7 @@ std::string readable_factors(const Polynomial& p) {
 std::string quotient(const RationalFunction& f) { return formatted_quotient(f, unicode); }
 
 std::string closed_form(const AngleReport& report, Notation notation) {
-  if (report.radicals) return formatted_radicals(*report.radicals, notation, "t", "\n      ");
+  if (report.radicals) return formatted_radicals(*report.radicals, notation, {}, "\n      ");
   if (report.real)
     return formatted_sum(formatted_terms(*report.real, notation),
                          notation == unicode ? "\n      " : " ", notation);

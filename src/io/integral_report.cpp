@@ -21,8 +21,7 @@ constexpr auto latex = Notation::latex;
 
 std::string closed_form(const IntegralReport& report, Notation notation, std::string_view before) {
   const Letters letters = letters_for(report.integrand.variable, notation);
-  if (report.radicals)
-    return formatted_radicals(*report.radicals, notation, letters.variable, before);
+  if (report.radicals) return formatted_radicals(*report.radicals, notation, letters, before);
   return formatted_sum(report.real ? formatted_terms(*report.real, notation, letters)
                                    : formatted_terms(report.antiderivative, notation, letters),
                        before, notation);
@@ -81,7 +80,7 @@ std::string to_text(const IntegralReport& report) {
   std::string text = fmt::format("  f  = {}\n  ∫f = {}{}\n", formatted_quotient(f, unicode, x),
                                  form, form == "0" ? "" : "\n      + constant");
   if (report.says_checked) text += "  Checked: the derivative of this ∫f is f, exactly.\n";
-  if (report.is_automatic)
+  if (report.is_automatic && !report.real && !report.radicals)
     text += fmt::format("  Form: {}.\n", reason_for_form(report.antiderivative));
   if (!report.real && !report.radicals) text += pole_table(report.antiderivative);
   if (report.definite) text += value_text(*report.definite, report);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "phrame/io/radical_text.hpp"
+
 namespace phrame {
 namespace {
 
@@ -108,6 +110,21 @@ JsonOutput json_of(const Decimal& x) { return {{"value", x.value}, {"radius", x.
 
 JsonOutput json_of(const Vector<Rational>& point) {
   return {to_string(point[0]), to_string(point[1]), to_string(point[2])};
+}
+
+JsonOutput json_of(const RadicalForm& F) {
+  const auto texts = [](const std::vector<Radical>& list) {
+    JsonOutput result = JsonOutput::array();
+    for (const Radical& x : list) result.push_back(formatted(x, radical_notation::maple));
+    return result;
+  };
+  JsonOutput logs = JsonOutput::array();
+  for (const RadicalSum& sum : F.logs)
+    logs.push_back({{"polynomial", json_of(sum.sum.index)},
+                    {"roots", texts(sum.roots)},
+                    {"residues", texts(sum.residues)},
+                    {"real_roots", sum.real_roots}});
+  return {{"logs", logs}};
 }
 
 }  // namespace phrame

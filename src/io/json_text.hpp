@@ -3,6 +3,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/endpoint.hpp"
+#include "phrame/integrate/radicals.hpp"
 #include "phrame/integrate/real_form.hpp"
 #include "phrame/ph/quaternion.hpp"
 
@@ -28,6 +29,8 @@ JsonOutput json_of(const Antiderivative& F, const std::string& form);
 /// {"polynomial": …, "rational": …, "logarithms": [{"factor", "of", "positive"}],
 /// "arctangents": [{"factor", "of"}], "others": […], "checked": true}.
 JsonOutput json_of(const RealForm& F);
+/// `logs` of {`polynomial`, `roots`, `residues`, `real_roots`}, radicals as "(1 + sqrt(3)*I)/2".
+JsonOutput json_of(const RadicalForm& F);
 /// "3/7", "inf", "-inf", {"polynomial": …, "interval": […], "value": "…"}.
 JsonOutput json_of(const Endpoint& end);
 /// {"value": "…", "radius": "…"}.

@@ -130,7 +130,7 @@ std::string log_of_unknown(const RadicalSum& sum, std::string_view variable,
 
 }  // namespace
 
-std::string to_text(const RadicalForm& F, std::string_view variable) {
+std::string to_text(const RadicalForm& F, std::string_view variable, std::string_view root) {
   static constexpr const char* subscripts[] = {"₁", "₂", "₃", "₄"};
   const RadicalNotation& notation = radical_notation::unicode;
   Terms terms(notation.minus, "\n");
@@ -141,19 +141,20 @@ std::string to_text(const RadicalForm& F, std::string_view variable) {
       continue;
     }
     std::string text =
-        fmt::format("Σ c(z)·{} over the {} roots z of {}\n    c(z) = {}",
-                    log_of_unknown(sum, variable, notation, "z", false), sum.sum.index.degree(),
-                    formatted(sum.sum.index, Notation::unicode, "z"),
-                    formatted(sum.sum.residue, Notation::unicode, "z"));
+        fmt::format("Σ c({0})·{1} over the {2} roots {0} of {3}\n    c({0}) = {4}", root,
+                    log_of_unknown(sum, variable, notation, root, false), sum.sum.index.degree(),
+                    formatted(sum.sum.index, Notation::unicode, root),
+                    formatted(sum.sum.residue, Notation::unicode, root));
     for (std::size_t k = 0; k < sum.roots.size(); ++k)
-      text += fmt::format("\n    z{} = {}{}", subscripts[k], formatted(sum.roots[k], notation),
-                          k < sum.real_roots ? "   (real, with log|·|)" : "");
+      text +=
+          fmt::format("\n    {}{} = {}{}", root, subscripts[k], formatted(sum.roots[k], notation),
+                      k < sum.real_roots ? "   (real, with log|·|)" : "");
     terms.add(false, text);
   }
   return terms.text();
 }
 
-std::string to_latex(const RadicalForm& F, std::string_view variable) {
+std::string to_latex(const RadicalForm& F, std::string_view variable, std::string_view root) {
   const RadicalNotation& notation = radical_notation::latex;
   Terms terms(notation.minus, " ");
   add_algebraic_part(terms, F, Notation::latex, variable);
@@ -165,7 +166,7 @@ std::string to_latex(const RadicalForm& F, std::string_view variable) {
       continue;
     }
     // z_{jk} is the k-th root of the j-th sum.
-    const std::string name = fmt::format("z_{{{}k}}", ++count);
+    const std::string name = fmt::format("{}_{{{}k}}", root, ++count);
     const auto add_part = [&](std::size_t first, std::size_t last, bool bars) {
       if (first < last)
         terms.add(false, fmt::format("\\sum_{{k={}}}^{{{}}} \\left({}\\right) {}", first + 1, last,
@@ -175,38 +176,23 @@ std::string to_latex(const RadicalForm& F, std::string_view variable) {
     add_part(0, sum.real_roots, true);
     add_part(sum.real_roots, sum.roots.size(), false);
     for (std::size_t k = 0; k < sum.roots.size(); ++k)
-      roots +=
-          fmt::format(",\\quad z_{{{}{}}} = {}", count, k + 1, formatted(sum.roots[k], notation));
+      roots += fmt::format(",\\quad {}_{{{}{}}} = {}", root, count, k + 1,
+                           formatted(sum.roots[k], notation));
   }
   return terms.text() + roots;
 }
 
-std::string formatted_radicals(const RadicalForm& F, Notation notation, std::string_view variable,
+std::string formatted_radicals(const RadicalForm& F, Notation notation, const Letters& letters,
                                std::string_view before) {
-  if (notation == Notation::latex) return to_latex(F, variable);
+  if (notation == Notation::latex) return to_latex(F, letters.variable, letters.pole);
   std::string text;
-  for (const char c : to_text(F, variable)) {
+  for (const char c : to_text(F, letters.variable, letters.pole)) {
     if (c == '\n')
       text += before;
     else
       text += c;
   }
   return text;
-}
-
-JsonOutput json_of(const RadicalForm& F) {
-  const auto texts = [](const std::vector<Radical>& list) {
-    JsonOutput result = JsonOutput::array();
-    for (const Radical& x : list) result.push_back(formatted(x, radical_notation::maple));
-    return result;
-  };
-  JsonOutput logs = JsonOutput::array();
-  for (const RadicalSum& sum : F.logs)
-    logs.push_back({{"polynomial", json_of(sum.sum.index)},
-                    {"roots", texts(sum.roots)},
-                    {"residues", texts(sum.residues)},
-                    {"real_roots", sum.real_roots}});
-  return {{"logs", logs}};
 }
 
 std::string to_cas(const std::vector<RadicalSum>& logs, const RadicalNotation& notation,

@@ -1,22 +1,21 @@
 #pragma once
 #include "phrame/integrate/radicals.hpp"
-#include "phrame/io/json_text.hpp"
+#include "phrame/io/closed_form.hpp"
 #include "phrame/io/radical_text.hpp"
-#include "phrame/io/text.hpp"
 
 namespace phrame {
 
 /// One term a line. Logarithms over rational and quadratic roots are written out, the others as
-/// Σ c(z)·log(t − z) with c and a list of the roots; "0" for 0. `variable` is that of F, not "z".
-std::string to_text(const RadicalForm& F, std::string_view variable = "t");
+/// Σ c(z)·log(t − z) with c and a list of the roots; "0" for 0. `variable` is that of F, `root`
+/// another.
+std::string to_text(const RadicalForm& F, std::string_view variable = "t",
+                    std::string_view root = "z");
 /// to_text() with its lines after the first begun by `before`, or to_latex().
-std::string formatted_radicals(const RadicalForm& F, Notation notation, std::string_view variable,
+std::string formatted_radicals(const RadicalForm& F, Notation notation, const Letters& letters,
                                std::string_view before);
 /// The same on one line, without dollar signs; the roots stand at the end.
-std::string to_latex(const RadicalForm& F, std::string_view variable = "t");
-/// JSON: `logs` of {`polynomial`, `roots`, `residues`, `real_roots`}, radicals as in "(1 +
-/// sqrt(3)*I)/2".
-JsonOutput json_of(const RadicalForm& F);
+std::string to_latex(const RadicalForm& F, std::string_view variable = "t",
+                     std::string_view root = "z");
 /// The logarithms on one line for a computer-algebra system, all of them written out and complex:
 /// log(t − z) over real roots too, so that the sum is real up to a constant; "0" for none.
 std::string to_cas(const std::vector<RadicalSum>& logs, const RadicalNotation& notation,

@@ -128,3 +128,17 @@ TEST_CASE("angle: the real form of a Frenet angle has arctangents for arg g") {
   const Json report = json(here.run("angle quintic.json --frame frenet --form real --print json"));
   CHECK(report["real"]["arctangents"].size() == 2);
 }
+
+TEST_CASE("integrate: radicals, in text, JSON and scripts; what is not solvable so is refused") {
+  const Workshop here;
+  const Run text = here.run("integrate '1/(x^3-2)' --form radicals");
+  check_success(text);
+  CHECK(contains(text.out, "z₁ = ∛2   (real, with log|·|)"));
+  const Json sum =
+      json(here.run("integrate '1/(x^2-2)' --form radicals --print json"))["radicals"]["logs"][0];
+  CHECK(sum["roots"] == Json{"-sqrt(2)", "sqrt(2)"});
+  CHECK(sum["real_roots"] == 2);
+  for (const std::string& language : languages)
+    check_success(here.run("integrate 'x+1/(x^3-2)' --form radicals --print " + language));
+  check_failure(here.run("integrate '1/(x^5+x+3)' --form radicals"), 3, "t^5 + t + 3");
+}

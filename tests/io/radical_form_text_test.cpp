@@ -63,6 +63,12 @@ TEST_CASE("radical form text: roots of degree 3 and 4 are listed") {
         "z_{13} = \\frac{-\\sqrt[3]{2} - i\\sqrt{3} \\sqrt[3]{2}}{2}");
 }
 
+TEST_CASE("radical form text: the roots have another letter than the variable") {
+  CHECK(to_text(form({1}, {-2, 0, 0, 1}), "z", "w")
+            .starts_with(
+                "Σ c(w)·log(z − w) over the 3 roots w of w³ − 2\n    c(w) = (1/6)w\n    w₁ = ∛2"));
+}
+
 TEST_CASE("radical form text: for computer-algebra systems") {
   const auto logs = form({1}, {-2, 0, 1}).logs;
   CHECK(to_cas({}, radical_notation::pari) == "0");

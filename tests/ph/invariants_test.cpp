@@ -110,8 +110,8 @@ TEST_CASE("invariants: n and b flip at the zeros of odd order of g, and only the
   };
   CHECK(flips({0, 0, 1}) == at(0));
   CHECK(flips({0, -1, 1}) == at(Rational(1, 2)));
-  CHECK(flips(pow({-1, 2}, 3)).empty());
-  CHECK(flips(pow({-1, 2}, 4)) == at(Rational(1, 2)));
+  CHECK(flips(pow(Polynomial{-1, 2}, 3)).empty());
+  CHECK(flips(pow(Polynomial{-1, 2}, 4)) == at(Rational(1, 2)));
   CHECK(flips({0, -3, 1}).empty());  // at 3/2
   // A real factor of A is a double factor of g.
   const Polynomial c{-1, 3};
