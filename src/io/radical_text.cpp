@@ -25,17 +25,16 @@ const RadicalNotation latex{"-",
                             "\\sqrt[3]{{{}}}",
                             "{}^{{{}}}",
                             "\\log\\left({}\\right)"};
-const RadicalNotation sympy{"-",      "*",      "*", "({})",     "Rational({}, {})",
-                            "{}/{}",  false,    "I", "sqrt({})", "({})**Rational(1, 3)",
-                            "{}**{}", "log({})"};
-const RadicalNotation mathematica{"-",   "*", "*",        "({})",       "({}/{})", "{}/{}",
-                                  false, "I", "Sqrt[{}]", "({})^(1/3)", "{}^{}",   "Log[{}]"};
-const RadicalNotation maple{"-",   "*", "*",        "({})",       "({}/{})", "{}/{}",
-                            false, "I", "sqrt({})", "({})^(1/3)", "{}^{}",   "ln({})"};
-const RadicalNotation maxima{"-",   "*",  "*",        "({})",       "({}/{})", "{}/{}",
-                             false, "%i", "sqrt({})", "({})^(1/3)", "{}^{}",   "log({})"};
-const RadicalNotation pari{"-",   "*", "*",        "({})",       "({}/{})", "{}/{}",
-                           false, "I", "sqrt({})", "({})^(1/3)", "{}^{}",   "log({})"};
+const RadicalNotation sympy{"-",   "*", "*",        "({})",     "Rational({}, {})", "{}/{}",
+                            false, "I", "sqrt({})", "cbrt({})", "{}**{}",           "log({})"};
+const RadicalNotation mathematica{"-",   "*", "*",        "({})",     "({}/{})", "{}/{}",
+                                  false, "I", "Sqrt[{}]", "{}^(1/3)", "{}^{}",   "Log[{}]"};
+const RadicalNotation maple{"-",   "*", "*",        "({})",     "({}/{})", "{}/{}",
+                            false, "I", "sqrt({})", "{}^(1/3)", "{}^{}",   "ln({})"};
+const RadicalNotation maxima{"-",   "*",  "*",        "({})",     "({}/{})", "{}/{}",
+                             false, "%i", "sqrt({})", "{}^(1/3)", "{}^{}",   "log({})"};
+const RadicalNotation pari{"-",   "*", "*",        "({})",     "({}/{})", "{}/{}",
+                           false, "I", "sqrt({})", "{}^(1/3)", "{}^{}",   "log({})"};
 
 }  // namespace radical_notation
 
@@ -127,7 +126,6 @@ class Writer {
   }
 
   Written written(const Radical::Step& step) const {
-    const bool is_unicode = &notation_ == &radical_notation::unicode;
     const Written left = written(step.left);
     switch (step.kind) {
       case Radical::Kind::imaginary_unit:
@@ -142,11 +140,13 @@ class Writer {
             Binding::product};
       }
       default: {
-        const bool is_square = step.kind == Radical::Kind::square_root;
+        const std::string_view pattern =
+            step.kind == Radical::Kind::square_root ? notation_.square_root : notation_.cube_root;
+        const bool is_open = pattern.starts_with("{}") || pattern.ends_with("{}");
         const bool bare = left.text.find_first_not_of("0123456789") == std::string::npos;
-        return {fill(is_square ? notation_.square_root : notation_.cube_root,
-                     is_unicode && !bare ? fill(notation_.parentheses, left.text) : left.text),
-                Binding::atom};
+        return {
+            fill(pattern, is_open && !bare ? fill(notation_.parentheses, left.text) : left.text),
+            Binding::atom};
       }
     }
   }

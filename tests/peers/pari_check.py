@@ -1,7 +1,7 @@
 """PARI/GP reads what phrame prints for it; the Taylor series of its derivative is that of the integrand.
 
-PARI has no symbolic logarithm, but antiderivative(t) can be given a power series. Both sides are rational functions of
-degree < 24, so that 48 equal coefficients prove them equal but for rounding, which is 10^-40 of the largest.
+PARI has no symbolic logarithm, but antiderivative(t) can be given a power series. Where both sides have degree < 24,
+48 equal coefficients prove them equal, but for rounding, which is 10^-40 of the largest.
 """
 import peers
 
@@ -14,6 +14,6 @@ CHECK = """
 """
 
 items = list(peers.scripts("pari"))
-session = "default(realprecision, 150);\n" + "".join(text + CHECK % name for name, text in items)
+session = "default(realprecision, 300);\n" + "".join(text + CHECK % name for name, text in items)
 output = peers.run(["gp", "-q", "-f", "--default", "parisize=64M"], session, "PARI/GP").splitlines()
 peers.finish(len(items), [name for name, _ in items if f"{name}: equal" not in output])

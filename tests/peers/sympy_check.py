@@ -1,4 +1,4 @@
-"""SymPy reads what phrame prints for it and differentiates it, exactly."""
+"""SymPy reads what phrame prints for it and differentiates it: exactly, but nested radicals with 60 digits."""
 import sys
 
 import peers
@@ -28,6 +28,14 @@ def derivative(antiderivative, x):
     return sympy.diff(signless, x).replace(lambda e: isinstance(e, sympy.RootSum), lambda e: root_sum(e, x))
 
 
+def is_close(f, g, x):
+    """At three points; SymPy's own simplification of nested radicals takes minutes."""
+    with sympy.evalf.mp.workdps(60):
+        f, g = (sympy.lambdify(x, e, "mpmath") for e in (f, g))
+        points = [sympy.evalf.mp.mpf(n) / 11 for n in (37, -8, 29)]
+        return all(abs(f(p) - g(p)) <= 1e-40 * abs(g(p)) for p in points)
+
+
 def is_zero(f):
     numerator, _ = sympy.fraction(sympy.together(f))
     return sympy.expand(numerator) == 0
@@ -39,6 +47,7 @@ for name, text in peers.scripts("sympy"):
     exec(text, names)
     count += 1
     x = sympy.Symbol(text.splitlines()[1].split(",")[0])
-    if not is_zero(derivative(names["antiderivative"], x) - names["integrand"]):
+    ours, f = derivative(names["antiderivative"], x), names["integrand"]
+    if not (is_close(ours, f, x) if name.endswith("radicals") else is_zero(ours - f)):
         failures.append(name)
 peers.finish(count, failures)
