@@ -2,7 +2,7 @@
 
 A test runs `phrame integrate … --print SYSTEM`, gives the output to the system as it is, and has the system differentiate
 `antiderivative` and compare it with `integrand`. It exits with 0, with 1 after naming what failed, or with SKIP where the
-system is not installed.
+system is not installed. With PHRAME_PEERS=corpus it takes all of tests/data/integrals.jsonl.
 """
 import json
 import os
@@ -32,7 +32,7 @@ def arguments():
     entries = {e["id"]: e for e in map(json.loads, text.splitlines())}
     curve = TESTS.parent / "examples" / "curves" / "farouki-2003-quintic.json"
     for form in FORMS:
-        for name in entries if "--corpus" in sys.argv else IDS:
+        for name in entries if os.environ.get("PHRAME_PEERS") == "corpus" else IDS:
             yield f"{name}, {form}", ["integrate", "--form", form, "--", entries[name]["integrand"]]
         yield f"Frenet angle, {form}", ["angle", "--form", form, "--frame", "frenet", str(curve)]
 
