@@ -1,5 +1,7 @@
 #include "phrame/algebra/linear_system.hpp"
 
+#include <algorithm>
+
 namespace phrame {
 namespace {
 
@@ -32,6 +34,32 @@ std::optional<std::vector<Rational>> solve_for_coefficients(const std::vector<Po
   for (long k = 0; k < equations; ++k)
     solution.push_back(to_rational(fmpq_mat_entry(x.value, k, 0)));
   return solution;
+}
+
+/// In the reduced echelon form of the matrix with the columns p_k, a column without a pivot is the
+/// combination of pivot columns before it that stands in it.
+std::vector<std::vector<Rational>> linear_relations(const std::vector<Polynomial>& p) {
+  long rows = 1;
+  for (const Polynomial& column : p) rows = std::max(rows, column.degree() + 1);
+  const auto columns = static_cast<long>(p.size());
+  Matrix a(rows, columns);
+  for (long k = 0; k < columns; ++k) a.set_column(k, p[static_cast<std::size_t>(k)]);
+  fmpq_mat_rref(a.value, a.value);
+  std::vector<std::vector<Rational>> relations;
+  std::vector<std::size_t> pivots;  // the column of the pivot of each row
+  for (long k = 0; k < columns; ++k) {
+    const auto row = static_cast<long>(pivots.size());
+    if (row < rows && fmpq_is_zero(fmpq_mat_entry(a.value, row, k)) == 0) {
+      pivots.push_back(static_cast<std::size_t>(k));
+      continue;
+    }
+    std::vector<Rational> relation(p.size());
+    relation[static_cast<std::size_t>(k)] = 1;
+    for (long i = 0; i < row; ++i)
+      relation[pivots[static_cast<std::size_t>(i)]] = -to_rational(fmpq_mat_entry(a.value, i, k));
+    relations.push_back(std::move(relation));
+  }
+  return relations;
 }
 
 }  // namespace phrame

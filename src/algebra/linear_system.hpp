@@ -12,4 +12,8 @@ std::optional<std::vector<Rational>> solve_for_coefficients(const std::vector<Po
                                                             const Polynomial& right_side,
                                                             long equations);
 
+/// A basis of all (x₀, x₁, …) with Σ x_k · p_k = 0, in echelon form: the last entry of each that is
+/// not 0 is 1, and the others are 0 there.
+std::vector<std::vector<Rational>> linear_relations(const std::vector<Polynomial>& p);
+
 }  // namespace phrame

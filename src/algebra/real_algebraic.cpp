@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/roots.hpp"
@@ -28,19 +30,26 @@ std::optional<Rational> RealAlgebraic::rational() const {
 
 RealAlgebraic real_root(const Polynomial& p, const Interval& interval) {
   if (p.is_zero()) throw DomainError("real_root: the zero polynomial vanishes everywhere");
-  // The roots of different irreducible factors are different, so that their numbers add up.
-  std::size_t count = 0;
-  RealAlgebraic found;
-  for (const auto& [base, exponent] : factor(p).factors) {
-    const auto roots = isolate_real_roots(base, interval);
-    count += roots.size();
-    if (roots.empty()) continue;
-    found = base.degree() == 1 ? RealAlgebraic(-base.coefficient(0) / base.coefficient(1))
-                               : RealAlgebraic(base, roots.front());
-  }
-  if (count != 1)
+  const std::vector<RealRoot> roots = real_roots(p, interval);
+  if (roots.size() != 1)
     throw DomainError(fmt::format("real_root: {} real roots in {}, not one",
-                                  count == 0 ? "no" : std::to_string(count), to_string(interval)));
+                                  roots.empty() ? "no" : std::to_string(roots.size()),
+                                  to_string(interval)));
+  return roots.front().at;
+}
+
+std::vector<RealRoot> real_roots(const Polynomial& p, const Interval& interval) {
+  std::vector<RealRoot> found;
+  if (count_real_roots(p, interval) == 0) return found;
+  // The roots of different irreducible factors are different.
+  for (const auto& [base, exponent] : factor(p).factors)
+    for (const Interval& root : isolate_real_roots(base, interval))
+      found.push_back({base.degree() == 1
+                           ? RealAlgebraic(-base.coefficient(0) / base.coefficient(1))
+                           : RealAlgebraic(base, root),
+                       exponent});
+  std::sort(found.begin(), found.end(),
+            [](const RealRoot& a, const RealRoot& b) { return compare(a.at, b.at) < 0; });
   return found;
 }
 

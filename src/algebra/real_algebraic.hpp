@@ -1,6 +1,7 @@
 #pragma once
 #include <compare>
 #include <optional>
+#include <vector>
 
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/sturm.hpp"
@@ -22,6 +23,7 @@ class RealAlgebraic {
   std::optional<Rational> rational() const;
 
   friend RealAlgebraic real_root(const Polynomial& p, const Interval& interval);
+  friend std::vector<struct RealRoot> real_roots(const Polynomial& p, const Interval& interval);
 
  private:
   RealAlgebraic(Polynomial p, Interval isolating)
@@ -43,6 +45,16 @@ inline bool operator==(const RealAlgebraic& a, const RealAlgebraic& b) {
 inline std::strong_ordering operator<=>(const RealAlgebraic& a, const RealAlgebraic& b) {
   return compare(a, b);
 }
+
+struct RealRoot {
+  RealAlgebraic at;
+  long order;  ///< its multiplicity, ≥ 1; the polynomial changes sign where it is odd
+  friend bool operator==(const RealRoot&, const RealRoot&) = default;
+};
+
+/// The distinct real roots of p in the interval, ascending. Throws DomainError for p = 0. Cost: the
+/// factorization of p where there are any.
+std::vector<RealRoot> real_roots(const Polynomial& p, const Interval& interval);
 
 /// −1, 0 or 1: the sign of q(a).
 int sign_at(const Polynomial& q, const RealAlgebraic& a);

@@ -68,7 +68,7 @@ Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d) {
   return primitive_part(compose(residues, Polynomial{0, to_rational(f.scale.get())}));
 }
 
-bool residues_are_distinct(const Polynomial& n, const Polynomial& d) {
+bool residues_are_distinct_modulo_a_prime(const Polynomial& n, const Polynomial& d) {
   const IntegerFraction f = integer_fraction(n, d);
   Primes primes;
   for (int attempt = 0; attempt < 2; ++attempt) {
@@ -79,7 +79,11 @@ bool residues_are_distinct(const Polynomial& n, const Polynomial& d) {
         characteristic_polynomial(*algebra, algebra->residue(ModularPolynomial(p, f.numerator)));
     if (nmod_poly_is_squarefree(chi.raw()) != 0) return true;
   }
-  return is_squarefree(residue_polynomial(n, d));
+  return false;
+}
+
+bool residues_are_distinct(const Polynomial& n, const Polynomial& d) {
+  return residues_are_distinct_modulo_a_prime(n, d) || is_squarefree(residue_polynomial(n, d));
 }
 
 }  // namespace phrame

@@ -10,9 +10,12 @@ namespace phrame {
 /// so that the lift is proved. Precondition, else DomainError: d squarefree, deg n < deg d ≥ 1.
 Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d);
 
-/// Are the residues of n/d pairwise distinct? Proved by one prime modulo which the residue
-/// polynomial is squarefree; where a prime does not prove it, decided by the residue polynomial.
-/// Same preconditions.
+/// Is the residue polynomial of n/d squarefree modulo one of two primes? Then the residues are
+/// pairwise distinct; false proves nothing. Same preconditions.
+bool residues_are_distinct_modulo_a_prime(const Polynomial& n, const Polynomial& d);
+
+/// Are the residues of n/d pairwise distinct? Proved by a prime, or else decided by the residue
+/// polynomial. Same preconditions.
 bool residues_are_distinct(const Polynomial& n, const Polynomial& d);
 
 }  // namespace phrame

@@ -103,9 +103,35 @@ Roots collect(const AcbVector& found) {
   return roots;
 }
 
-Roots roots_by_arb(const flint::FmpzPoly& f, slong bits) {
+/// (−b ± √(b² − 4ac))/2a. However near the two are, no search is needed, and they cannot cancel
+/// more than the digits that the coefficients have.
+void solve_quadratic(const AcbVector& found, const flint::FmpzPoly& f, slong bits) {
+  const auto coefficient = [&](slong k) { return fmpz_poly_get_coeff_ptr(f.get(), k); };
+  const slong precision = bits + 32 + 2 * std::abs(fmpz_poly_max_bits(f.get()));
+  flint::Fmpz discriminant;
+  fmpz_mul(discriminant.get(), coefficient(2), coefficient(0));
+  fmpz_mul_si(discriminant.get(), discriminant.get(), -4);
+  fmpz_addmul(discriminant.get(), coefficient(1), coefficient(1));
+  ComplexBall root;
+  acb_set_fmpz(root.raw(), discriminant.get());
+  acb_sqrt(root.raw(), root.raw(), precision);
+  for (slong k = 0; k < 2; ++k) {
+    acb_ptr z = found.data + k;
+    if (k == 0) acb_neg(z, root.raw());
+    if (k == 1) acb_set(z, root.raw());
+    acb_sub_fmpz(z, z, coefficient(1), precision);
+    acb_div_fmpz(z, z, coefficient(2), precision);
+    acb_mul_2exp_si(z, z, -1);
+  }
+}
+
+/// Without a guess.
+Roots search_roots(const flint::FmpzPoly& f, slong bits) {
   const AcbVector found(fmpz_poly_degree(f.get()));
-  arb_fmpz_poly_complex_roots(found.data, f.get(), 0, bits);
+  if (found.length == 2)
+    solve_quadratic(found, f, bits);
+  else
+    arb_fmpz_poly_complex_roots(found.data, f.get(), 0, bits);
   return collect(found);
 }
 
@@ -116,7 +142,7 @@ Roots isolate_roots(const Polynomial& p, long bits) {
   if (!is_squarefree(p)) throw DomainError("isolate_roots: the polynomial has a repeated root");
   const flint::FmpzPoly f = integer_primitive_part(p);
   const AcbVector found(fmpz_poly_degree(f.get()));
-  if (!certify_guess(found, f)) return roots_by_arb(f, bits);
+  if (!certify_guess(found, f)) return search_roots(f, bits);
   Roots roots = collect(found);
   refine(p, roots, bits);
   return roots;
@@ -138,7 +164,7 @@ void refine(const Polynomial& p, Roots& roots, long bits) {
     reached = std::min(reached, acb_rel_accuracy_bits(z.raw()));
   }
   // Newton's step does nothing for a ball so wide that p′ has a zero in it, as in a cluster.
-  if (reached < bits) roots = roots_by_arb(f, bits);
+  if (reached < bits) roots = search_roots(f, bits);
 }
 
 }  // namespace phrame

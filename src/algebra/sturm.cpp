@@ -72,14 +72,62 @@ Interval bounded(const Polynomial& p, Interval interval) {
   return interval;
 }
 
-/// The distinct roots in the open (a, b) of the squarefree p, p(a)·p(b) ≠ 0 not required.
-long count_inside(const Polynomial& p, const Rational& a, const Rational& b) {
-  if (a >= b || p.is_constant()) return 0;
-  const long bound = descartes_bound(p, a, b);
-  if (bound <= 1) return bound;
-  const SturmChain chain(p, differentiate(p));
-  // V(a) − V(b) counts the roots in (a, b].
-  return chain.variations(a) - chain.variations(b) - (p(b) == 0 ? 1 : 0);
+/// The number of roots of a squarefree f in open intervals: by Descartes' rule where that decides.
+/// Where it does not, halves of the interval are mostly decided at once, and that takes far less
+/// time than a Sturm sequence, whose coefficients are as long as the discriminant of f. Roots
+/// close together need one.
+class RootCounter {
+ public:
+  explicit RootCounter(const Polynomial& f) : f_(f) {}
+
+  /// No value for "halve it", in the first halvings only.
+  std::optional<long> count(const Rational& a, const Rational& b, long halvings) {
+    const long bound = descartes_bound(f_, a, b);
+    if (bound <= 1) return bound;
+    if (halvings < 128) return std::nullopt;
+    if (!chain_) chain_.emplace(f_, differentiate(f_));
+    // V(a) − V(b) counts the roots in (a, b].
+    return chain_->variations(a) - chain_->variations(b) - (f_(b) == 0 ? 1 : 0);
+  }
+
+ private:
+  const Polynomial& f_;
+  std::optional<SturmChain> chain_;
+};
+
+/// A part of an interval that is still to be looked at: open, or a point.
+struct Part {
+  Rational lower;
+  Rational upper;
+  long halvings;
+};
+
+/// Puts the two open halves and the middle on the list, the first half last. (There may be as many
+/// halvings as f has bits, too many for recursion.)
+void halve(const Part& part, std::vector<Part>& parts) {
+  const Rational middle = (part.lower + part.upper) / 2;
+  parts.push_back({middle, part.upper, part.halvings + 1});
+  parts.push_back({middle, middle, part.halvings + 1});
+  parts.push_back({part.lower, middle, part.halvings + 1});
+}
+
+/// The roots in the open (a, b) of the squarefree f, f(a)·f(b) ≠ 0 not required.
+long count_inside(const Polynomial& f, const Rational& a, const Rational& b) {
+  RootCounter counter(f);
+  long total = 0;
+  std::vector<Part> parts = {{a, b, 0}};
+  while (!parts.empty()) {
+    const Part part = std::move(parts.back());
+    parts.pop_back();
+    if (part.lower == part.upper) {
+      if (f(part.lower) == 0) ++total;
+    } else if (const auto count = counter.count(part.lower, part.upper, part.halvings)) {
+      total += *count;
+    } else {
+      halve(part, parts);
+    }
+  }
+  return total;
 }
 
 }  // namespace
@@ -133,7 +181,7 @@ long count_real_roots(const Polynomial& p, const Interval& interval) {
   const Interval finite = bounded(f, interval);
   const Rational& a = *finite.lower;
   const Rational& b = *finite.upper;
-  long count = count_inside(f, a, b);
+  long count = a < b ? count_inside(f, a, b) : 0;
   if (finite.lower_closed && f(a) == 0) ++count;
   if (finite.upper_closed && a != b && f(b) == 0) ++count;
   return count;
@@ -146,35 +194,24 @@ std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& in
   const Interval finite = bounded(f, interval);
   std::vector<Interval> found;
   const auto point = [&](const Rational& t) { found.push_back(closed(t, t)); };
-  std::optional<SturmChain> chain;  // made when Descartes first leaves a question open
-
-  const auto count_in = [&](const Rational& a, const Rational& b) {
-    const long count = descartes_bound(f, a, b);
-    if (count <= 1) return count;
-    if (!chain) chain.emplace(f, differentiate(f));
-    return chain->variations(a) - chain->variations(b) - (f(b) == 0 ? 1 : 0);
-  };
-  // The roots in the open (from, to), in order. Bisection ends because f is squarefree; it may go
-  // as deep as f has bits, so that what is still to do is kept in a list, the first part last.
+  RootCounter counter(f);
+  // The roots in the open (from, to), in order. It ends because f is squarefree.
   const auto search = [&](const Rational& from, const Rational& to) {
-    std::vector<std::pair<Rational, Rational>> parts = {{from, to}};
+    std::vector<Part> parts = {{from, to, 0}};
     while (!parts.empty()) {
-      const auto [a, b] = std::move(parts.back());
+      const Part part = std::move(parts.back());
       parts.pop_back();
+      const auto& [a, b, halvings] = part;
       if (a == b) {
         if (f(a) == 0) point(a);
         continue;
       }
-      const long count = count_in(a, b);
+      const auto count = counter.count(a, b, halvings);
       if (count == 0) continue;
-      if (count == 1 && sign_at(f, a) * sign_at(f, b) < 0) {
+      if (count == 1 && sign_at(f, a) * sign_at(f, b) < 0)
         found.push_back(open(a, b));
-        continue;
-      }
-      const Rational middle = (a + b) / 2;
-      parts.emplace_back(middle, b);
-      parts.emplace_back(middle, middle);
-      parts.emplace_back(a, middle);
+      else
+        halve(part, parts);
     }
   };
 

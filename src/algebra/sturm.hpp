@@ -22,8 +22,8 @@ inline Interval open(Rational a, Rational b) { return {std::move(a), std::move(b
 /// "[0, 1]", "(-1/2, ∞)".
 std::string to_string(const Interval& interval);
 
-/// How many distinct real roots p has in the interval: Descartes' rule of signs where it decides
-/// (0 or 1 changes), else Sturm's theorem. An interval with lower > upper is empty.
+/// How many distinct real roots p has in the interval: Descartes' rule of signs on smaller and
+/// smaller parts until it decides (0 or 1 changes), and Sturm's theorem for roots close together. An interval with lower > upper is empty.
 /// Throws DomainError for p = 0.
 long count_real_roots(const Polynomial& p, const Interval& interval);
 

@@ -11,8 +11,9 @@ const std::vector<std::pair<std::string, FormChoice>>& forms() {
       {"partial-fractions", {Form::partial_fractions}},
       {"rothstein-trager", {Form::rothstein_trager}},
       {"lazard-rioboo-trager", {Form::lazard_rioboo_trager}},
-      {"real", {Form::automatic, FormChoice::Style::real}},
-      {"radicals", {Form::automatic, FormChoice::Style::radicals}},
+      // Written anew from the poles, whatever the form; this one costs least.
+      {"real", {Form::partial_fractions, FormChoice::Style::real}},
+      {"radicals", {Form::partial_fractions, FormChoice::Style::radicals}},
   };
   return table;
 }

@@ -37,6 +37,8 @@ std::string_view typed(std::string_view text) {
 Expression integrand(const IntegrateOptions& options) {
   const bool is_stream = options.expression == "-";
   const std::string text = is_stream ? read_file("-") : std::string(typed(options.expression));
+  if (options.variable && !is_variable_name(*options.variable))
+    throw InputError("--var", "\"" + abbreviated(*options.variable) + "\" is not a name");
   Expression f = at_place(is_stream ? "standard input" : "EXPR",
                           [&] { return parse_expression(text, options.variable, options.limits); });
   if (f.variable.empty()) f.variable = "x";
@@ -61,6 +63,8 @@ void run(const IntegrateOptions& options) {
   const auto print = chosen_print<IntegralReport>(options.form.print);
   const auto path = ends(options);
   const Expression f = integrand(options);
+  if (form.style == FormChoice::Style::radicals && f.variable == "i")
+    throw InputError("--form radicals", "i is the imaginary unit there, not a variable");
 
   IntegralReport report{f, integrate(f.value, form.form)};
   report.says_checked = !options.is_silent;
@@ -69,9 +73,8 @@ void run(const IntegrateOptions& options) {
   set_style(report, form, report.antiderivative);
   if (path) {
     const auto& [from, to] = *path;
-    const DefiniteIntegral integral =
-        definite_integral(report.antiderivative, from, to,
-                          options.principal_value ? AtPoles::principal_value : AtPoles::refuse);
+    const DefiniteIntegral integral = definite_integral(
+        f.value, from, to, options.principal_value ? AtPoles::principal_value : AtPoles::refuse);
     report.definite = {from, to, options.principal_value,
                        round_to_decimal(integral.value, options.digits), integral.exact};
   }
@@ -93,11 +96,11 @@ void add_integrate(CLI::App& app) {
       ->type_name("NAME");
   command
       ->add_option("--from", options->from,
-                   "integrate from here: a number, inf, or root(p, a, b), the root of p in (a, b)")
+                   "integrate from here: a number, inf, or root(p, a, b), the root of p in [a, b]")
       ->type_name("END");
   command->add_option("--to", options->to, "to here")->type_name("END");
   command->add_flag("--principal-value", options->principal_value,
-                    "Cauchy's principal value at simple poles between the ends");
+                    "Cauchy's principal value at simple poles between the ends, and from -inf to inf");
   add_digits(*command, options->digits);
   options->form.add_to(*command);
   command->add_flag("!--derivative-check,--no-derivative-check", options->is_silent,

@@ -98,10 +98,10 @@ int main(int argc, char** argv) {
   } catch (const phrame::DomainError& error) {
     return complain(error.what(), undefined);
   } catch (const phrame::Undecided& error) {
-    return complain(error.what(), undecided);
+    return complain(fmt::format("undecided: {}", error.what()), undecided);
   } catch (const std::bad_alloc&) {
-    return complain("out of memory", undecided);
+    return complain("undecided: out of memory", undecided);
   } catch (const std::exception& error) {
-    return complain(error.what(), undecided);
+    return complain(fmt::format("internal error: {}", error.what()), undecided);
   }
 }

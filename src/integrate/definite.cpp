@@ -8,7 +8,6 @@
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/integrate/exact_value.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
-#include "phrame/integrate/rothstein_trager.hpp"
 
 namespace phrame {
 namespace {
@@ -29,9 +28,19 @@ RealBall log_ratio(const RealBall& z, const Rational& a, const Rational& b, long
   return ratio;
 }
 
+/// What may be lost to cancellation: a multiple of the digits that the ends have, and much more.
+long largest_precision(long bits, const Endpoint& a, const Endpoint& b) {
+  long size = 0;
+  for (const Endpoint* end : {&a, &b})
+    if (const auto* t = std::get_if<Rational>(end))
+      size += static_cast<long>(msb(Integer(abs(numerator(*t)) + 1)) + msb(denominator(*t)));
+  return 64 * bits + 65536 + 4 * size;
+}
+
 }  // namespace
 
-Evaluator::Evaluator(const Antiderivative& F) : polynomial_(F.polynomial), rational_(F.rational) {
+Evaluator::Evaluator(const Antiderivative& F)
+    : polynomial_(F.polynomial - Polynomial{F.polynomial.coefficient(0)}), rational_(F.rational) {
   const auto add = [this](const Polynomial& n, const Polynomial& d) {
     if (n.is_zero()) return;
     poles_.push_back({n, d, differentiate(d), {}, {}, {}});
@@ -50,9 +59,9 @@ void Evaluator::require_no_pole(const Rational& a, const Rational& b) const {
   const auto check = [&](const Polynomial& d) {
     if (count_real_roots(d, path) == 0) return;
     const Interval pole = located_real_roots(d, path).front();
-    throw DomainError(fmt::format("definite integral from {} to {}: pole at t {} {}", to_string(a),
-                                  to_string(b), pole.lower == pole.upper ? "=" : "in",
-                                  to_string(pole)));
+    throw DomainError(fmt::format("definite integral from {} to {}: pole {} {}",
+                                  abbreviated(to_string(a)), abbreviated(to_string(b)),
+                                  pole.lower == pole.upper ? "at" : "in", to_string(pole)));
   };
   if (!rational_.is_polynomial()) check(rational_.denominator());
   for (const Poles& p : poles_)
@@ -142,7 +151,7 @@ RealBall Evaluator::branch(const Endpoint& t, long bits) {
 }
 
 RealBall Evaluator::branch_difference(const Endpoint& a, const Endpoint& b, long bits) {
-  const long end = 64 * bits + 65536;
+  const long end = largest_precision(bits, a, b);
   for (long precision = bits + 24;; precision = std::min(end, precision + precision / 2)) {
     RealBall value = subtract(branch(b, precision), branch(a, precision), precision);
     if (value.is_accurate(bits)) return value;
@@ -158,7 +167,7 @@ RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) 
   require_no_pole(a, b);
   const Rational rational = rational_difference(a, b);
   if (poles_.empty() || a == b) return RealBall(rational, bits + 8);
-  const long end = 64 * bits + 65536;
+  const long end = largest_precision(bits, a, b);
   for (long precision = bits + 24;; precision = std::min(end, precision + precision / 2)) {
     prepare(precision);
     RealBall value = add(RealBall(rational, precision), log_difference(a, b, precision), precision);
@@ -167,21 +176,8 @@ RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) 
       throw Undecided(
           fmt::format("definite integral from {} to {}: {} bits of precision do not "
                       "give an enclosure of width 2^-{}",
-                      to_string(a), to_string(b), end, bits));
+                      abbreviated(to_string(a)), abbreviated(to_string(b)), end, bits));
   }
-}
-
-/// The logarithms as sums over residues, one for each irreducible polynomial of residues. No value
-/// where the argument of one cannot be proved.
-std::optional<std::vector<LogSum>> Evaluator::over_residues() const {
-  std::vector<LogSum> sums;
-  for (const Poles& p : poles_)
-    for (const SimpleFraction& f : simple_fractions({p.numerator, p.denominator})) {
-      sums.push_back(lazard_rioboo_trager({f.numerator, f.denominator}).front());
-      if (!(differentiate(sums.back()) == RationalFunction(f.numerator, f.denominator)))
-        return std::nullopt;
-    }
-  return merge_equal_residues(std::move(sums));
 }
 
 /// For every root α of `residues`: is Σ_{c(z)=α} arg − Σ_{c(z)=ᾱ} arg of (b − z)/(a − z), over the
@@ -227,15 +223,18 @@ std::optional<Rational> Evaluator::rational_value(const Rational& a, const Ratio
   const Rational rational = rational_difference(a, b);
   if (a == b || (poles_.empty() && degree(phase) == 0)) return rational;
   if (!enclosure.contains(rational)) return std::nullopt;
-  const auto sums = over_residues();
-  if (!sums) return std::nullopt;
-  GaussianLogs gaussian = gaussian_logs(*sums);
+  std::vector<SimpleFraction> fractions;
+  for (const Poles& p : poles_)
+    for (SimpleFraction& f : simple_fractions({p.numerator, p.denominator}))
+      fractions.push_back(std::move(f));
+  const std::vector<LogSum> sums = over_residues(fractions);
+  GaussianLogs gaussian = gaussian_logs(sums);
   gaussian.arguments.push_back({1, phase});
   const std::vector<LogSum> others = std::exchange(gaussian.others, {});
 
   Polynomial residues{1};
   Polynomial other_residues{1};
-  for (const LogSum& sum : *sums) other_residues *= sum.index;
+  for (const LogSum& sum : sums) other_residues *= sum.index;
   for (const LogSum& sum : others) {
     const Polynomial at_a = evaluate_at(sum.argument, a) % sum.index;
     const Polynomial at_b = evaluate_at(sum.argument, b) % sum.index;

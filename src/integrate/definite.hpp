@@ -22,7 +22,8 @@ class Evaluator {
 
   /// A ball around F(b) − F(a) with a radius ≤ 2^−bits · max(1, |F(b) − F(a)|).
   /// Throws DomainError where F′ has a pole in [a, b] (decided by Sturm's theorem, the message
-  /// names the pole) and Undecided where 64·bits + 65536 bits of precision do not reach the radius.
+  /// names the pole) and Undecided where 64·bits + 65536 bits of precision, more for ends with many
+  /// digits, do not reach the radius.
   RealBall difference(const Rational& a, const Rational& b, long bits);
 
   /// The same between ends of any kind: a ball around G(b) − G(a) for the branch G of F with |t −
@@ -63,7 +64,6 @@ class Evaluator {
   void prepare(long precision);
   RealBall log_difference(const Rational& a, const Rational& b, long bits) const;
   RealBall branch(const Endpoint& t, long bits);
-  std::optional<std::vector<LogSum>> over_residues() const;
   bool turns_vanish(const Polynomial& residues, const Polynomial& other_residues, const Rational& a,
                     const Rational& b) const;
 

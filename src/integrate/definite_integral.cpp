@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "phrame/algebra/error.hpp"
@@ -12,7 +13,6 @@
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
-#include "phrame/integrate/rothstein_trager.hpp"
 
 namespace phrame {
 namespace {
@@ -38,69 +38,66 @@ std::optional<Rational> outer(const Endpoint& end, bool below) {
   return rational(end);
 }
 
-/// The real poles in [low, high], isolated.
-std::vector<Interval> poles_between(const Polynomial& d, const Endpoint& low,
+/// The real poles in [low, high].
+std::vector<RealRoot> poles_between(const Polynomial& d, const Endpoint& low,
                                     const Endpoint& high) {
-  std::vector<Interval> found;
-  for (const Interval& at : located_real_roots(d, {outer(low, true), outer(high, false)})) {
-    if (std::holds_alternative<RealAlgebraic>(low) || std::holds_alternative<RealAlgebraic>(high)) {
-      const Endpoint pole = simplified(real_root(d, at));
-      if (compare(pole, low) < 0 || compare(pole, high) > 0) continue;
-    }
-    found.push_back(at);
-  }
+  std::vector<RealRoot> found = real_roots(d, {outer(low, true), outer(high, false)});
+  std::erase_if(found, [&](const RealRoot& pole) {
+    return compare(pole.at, low) < 0 || compare(pole.at, high) > 0;
+  });
   return found;
 }
 
-std::string place(const Interval& pole) {
-  return fmt::format("t {} {}", pole.lower == pole.upper ? "=" : "in", to_string(pole));
+std::string place(const RealAlgebraic& pole) {
+  if (pole.is_rational()) return "at " + abbreviated(to_string(*pole.rational()));
+  return "in " + to_string(narrowed(pole.polynomial(), pole.interval(), Rational(1, 1 << 20)));
 }
 
-bool is_pole(const Polynomial& d, const Endpoint& end) {
-  if (is_infinite(end)) return false;
-  if (const auto r = rational(end)) return d(*r) == 0;
-  return sign_at(d, std::get<RealAlgebraic>(end)) == 0;
-}
-
-void require_integrable(const RationalFunction& f, const Endpoint& a, const Endpoint& b,
+/// Throws where there is no integral; else, are there poles between the ends?
+bool require_integrable(const RationalFunction& f, const Endpoint& a, const Endpoint& b,
                         AtPoles at_poles) {
   const bool forward = compare(a, b) <= 0;
   const Endpoint& low = forward ? a : b;
   const Endpoint& high = forward ? b : a;
   const bool principal = at_poles == AtPoles::principal_value;
-  const long order = f.denominator().degree() - f.numerator().degree();
-  const bool symmetric = principal && is_infinite(a) && is_infinite(b) && order == 1;
-  if ((is_infinite(a) || is_infinite(b)) && order < 2 && !symmetric)
-    throw DomainError(fmt::format(
-        "definite integral: it diverges at {}, where the integrand is about {}·t^{}",
-        is_infinite(high) ? "∞" : "−∞",
-        to_string(
-            Rational(f.numerator().leading_coefficient() / f.denominator().leading_coefficient())),
-        -order));
-  if (f.is_polynomial()) return;
+  const long drop = f.denominator().degree() - f.numerator().degree();
+  const bool symmetric = principal && is_infinite(a) && is_infinite(b) && drop == 1;
+  if ((is_infinite(a) || is_infinite(b)) && drop < 2 && !symmetric) {
+    const Endpoint& end = is_infinite(high) ? high : low;
+    const Rational c = f.numerator().leading_coefficient() / f.denominator().leading_coefficient();
+    throw DomainError(
+        fmt::format("definite integral: it diverges at {}, where the integrand is about {}{}",
+                    end == Endpoint(Infinity::positive) ? "∞" : "−∞", to_string(c),
+                    drop == 0 ? "" : fmt::format(" times the power {} of its variable", -drop)));
+  }
+  if (f.is_polynomial() || (is_infinite(a) && compare(a, b) == 0)) return false;
   const auto poles = poles_between(f.denominator(), low, high);
-  if (poles.empty()) return;
+  if (poles.empty()) return false;
   if (!principal)
-    throw DomainError(fmt::format("definite integral: pole at {}", place(poles.front())));
-  for (const Endpoint* end : {&low, &high})
-    if (is_pole(f.denominator(), *end))
-      throw DomainError(fmt::format("principal value: pole at an end, at {}",
-                                    place(end == &low ? poles.front() : poles.back())));
-  for (const auto& [base, exponent] : squarefree_factorization(f.denominator()).factors)
-    for (const Interval& pole : poles)
-      if (exponent > 1 && count_real_roots(base, pole) > 0)
-        throw DomainError(
-            fmt::format("principal value: pole of order {} at {}", exponent, place(pole)));
+    throw DomainError(fmt::format("definite integral: pole {}", place(poles.front().at)));
+  for (const auto& [at, order] : poles) {
+    if (compare(at, a) == 0 || compare(at, b) == 0)
+      throw DomainError(fmt::format("principal value: pole at an end, {}", place(at)));
+    if (order > 1)
+      throw DomainError(fmt::format("principal value: pole of order {} {}", order, place(at)));
+  }
+  return true;
 }
 
-/// f(−t) = −f(t), or 0.
-bool is_odd(const RationalFunction& f) {
-  const Polynomial reflected{0, -1};
-  return RationalFunction(compose(f.numerator(), reflected), compose(f.denominator(), reflected)) ==
-         -f;
+/// m with f(2m − t) = −f(t), where there is one: the mean of the zeros of the denominator, or of
+/// the numerator of a polynomial.
+std::optional<Rational> center_of_symmetry(const RationalFunction& f) {
+  const Polynomial& p = f.is_polynomial() ? f.numerator() : f.denominator();
+  const long n = p.degree();
+  if (n < 1) return std::nullopt;
+  const Rational m = -p.coefficient(n - 1) / (n * p.leading_coefficient());
+  const Polynomial reflected{2 * m, -1};
+  const RationalFunction g(compose(f.numerator(), reflected), compose(f.denominator(), reflected));
+  return g == -f ? std::optional(m) : std::nullopt;
 }
 
-bool are_opposite(const Endpoint& a, const Endpoint& b) {
+/// Is a + b = 2m, or a = −b infinite?
+bool are_opposite(const Endpoint& a, const Endpoint& b, const Rational& m) {
   if (is_infinite(a) || is_infinite(b)) return is_infinite(a) && is_infinite(b);
   const auto as_algebraic = [](const Endpoint& end) {
     const auto r = rational(end);
@@ -108,14 +105,16 @@ bool are_opposite(const Endpoint& a, const Endpoint& b) {
   };
   const RealAlgebraic x = as_algebraic(a);
   const Interval& i = x.interval();
-  const RealAlgebraic minus = real_root(compose(x.polynomial(), Polynomial{0, -1}),
-                                        {-*i.upper, -*i.lower, i.upper_closed, i.lower_closed});
-  return minus == as_algebraic(b);
+  const RealAlgebraic reflected =
+      real_root(compose(x.polynomial(), Polynomial{2 * m, -1}),
+                {2 * m - *i.upper, 2 * m - *i.lower, i.upper_closed, i.lower_closed});
+  return reflected == as_algebraic(b);
 }
 
 /// F(x) for the algebraic x: the root, near its value, of the characteristic polynomial of F(x) in
-/// ℚ[t]/(p), a power of an irreducible one.
+/// ℚ[t]/(p), a power of an irreducible one. At ±∞, where there is an integral, F tends to 0.
 RealAlgebraic image(const RationalFunction& F, const Endpoint& end) {
+  if (is_infinite(end)) return {};
   if (const auto r = rational(end)) return {F(*r)};
   const RealAlgebraic& x = std::get<RealAlgebraic>(end);
   const QuotientRing ring(x.polynomial());
@@ -153,33 +152,35 @@ std::optional<Rational> rational_difference(const RationalFunction& F, const End
 /// What is known exactly; `rational` is the part without logarithms.
 std::optional<ExactValue> in_finite_terms(const Antiderivative& F, const Rational& rational,
                                           const Endpoint& a, const Endpoint& b) {
-  std::vector<LogSum> sums;
+  std::vector<SimpleFraction> fractions;
   for (const LogSum& sum : F.logs)
-    for (const SimpleFraction& f : simple_fractions(differentiate(sum))) {
-      if (f.denominator.degree() > 2 && residues_are_distinct(f.numerator, f.denominator))
-        return std::nullopt;
-      sums.push_back(lazard_rioboo_trager({f.numerator, f.denominator}).front());
-    }
-  const GaussianLogs logs = gaussian_logs(merge_equal_residues(std::move(sums)));
+    for (SimpleFraction& f : simple_fractions(differentiate(sum)))
+      fractions.push_back(std::move(f));
+  const auto has_small_field = [](const SimpleFraction& f) {
+    const auto& [n, d] = f;
+    return d.degree() <= 2 || squarefree_part(residue_polynomial(n, d)).degree() <= 2;
+  };
+  if (!std::all_of(fractions.begin(), fractions.end(), has_small_field)) return std::nullopt;
+  const GaussianLogs logs = gaussian_logs(over_residues(fractions));
   if (!logs.others.empty()) return std::nullopt;
   return exact_value(rational, log_change(logs, a, b));
 }
 
-}  // namespace
+DefiniteIntegral exactly(const Rational& x) { return {x, ExactValue{x, 0, {}, {}}}; }
 
-DefiniteIntegral definite_integral(const Antiderivative& F, const Endpoint& from,
-                                   const Endpoint& to, AtPoles at_poles) {
+/// f is the derivative of F.
+DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFunction& f,
+                                   const Endpoint& from, const Endpoint& to, AtPoles at_poles) {
   const Endpoint a = simplified(from);
   const Endpoint b = simplified(to);
-  const RationalFunction f = differentiate(F);
-  if (f.is_zero()) return {Rational(0), ExactValue{}};
-  require_integrable(f, a, b, at_poles);
-  if (compare(a, b) == 0 || (is_odd(f) && are_opposite(a, b))) return {Rational(0), ExactValue{}};
+  if (f.is_zero()) return exactly(0);
+  const bool has_poles = require_integrable(f, a, b, at_poles);
+  if (compare(a, b) == 0) return exactly(0);
+  if (const auto m = center_of_symmetry(f); m && are_opposite(a, b, *m)) return exactly(0);
 
-  const auto exactly = [](const Rational& x) {
-    return DefiniteIntegral{x, ExactValue{x, 0, {}, {}}};
-  };
-  const RationalFunction plain = RationalFunction(F.polynomial) + F.rational;
+  // A constant of integration would not vanish at ±∞.
+  const RationalFunction plain =
+      RationalFunction(F.polynomial - Polynomial{F.polynomial.coefficient(0)}) + F.rational;
   std::optional<ExactValue> exact;
   if (std::holds_alternative<RealAlgebraic>(a) || std::holds_alternative<RealAlgebraic>(b)) {
     const auto difference = F.logs.empty() ? rational_difference(plain, a, b) : std::nullopt;
@@ -194,7 +195,7 @@ DefiniteIntegral definite_integral(const Antiderivative& F, const Endpoint& from
   const auto evaluator = std::make_shared<Evaluator>(F);
   const auto r = std::get_if<Rational>(&a);
   const auto s = std::get_if<Rational>(&b);
-  if (r != nullptr && s != nullptr && at_poles == AtPoles::refuse) {
+  if (r != nullptr && s != nullptr && !has_poles) {
     const Real value = evaluator->value(*r, *s);
     if (value.exact()) return exactly(*value.exact());
     return {Real([evaluator, value](long bits) { return value.enclose(bits); }), exact};
@@ -202,9 +203,16 @@ DefiniteIntegral definite_integral(const Antiderivative& F, const Endpoint& from
   return {Real([=](long bits) { return evaluator->branch_difference(a, b, bits); }), exact};
 }
 
+}  // namespace
+
+DefiniteIntegral definite_integral(const Antiderivative& F, const Endpoint& a, const Endpoint& b,
+                                   AtPoles at_poles) {
+  return definite_integral(F, differentiate(F), a, b, at_poles);
+}
+
 DefiniteIntegral definite_integral(const RationalFunction& f, const Endpoint& a, const Endpoint& b,
                                    AtPoles at_poles) {
-  return definite_integral(integrate(f), a, b, at_poles);
+  return definite_integral(integrate(f, Form::partial_fractions), f, a, b, at_poles);
 }
 
 }  // namespace phrame

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/surd.hpp"
 
 namespace phrame {
@@ -23,6 +24,8 @@ GaussianPolynomial argument_at(const Bivariate& v, const Surd& alpha) {
 GaussianLogs gaussian_logs(const std::vector<LogSum>& over_residues) {
   GaussianLogs form;
   for (const LogSum& sum : over_residues) {
+    if (!(sum.residue == Polynomial{0, 1} % sum.index))
+      throw DomainError("gaussian_logs: a sum that is not over its residues");
     const std::optional<Surd> alpha =
         sum.index.degree() <= 2 ? std::optional(quadratic_root(sum.index)) : std::nullopt;
     if (!alpha || (alpha->d != 1 && alpha->d != -1)) {

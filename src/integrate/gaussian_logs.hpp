@@ -24,7 +24,8 @@ struct GaussianLogs {
 };
 
 /// The sums Σ α·log v(α, t) over the roots of irreducible polynomials in this form: conjugate
-/// residues p ± iq give p·log|v(p + iq, t)|² − 2q·arg v(p + iq, t).
+/// residues p ± iq give p·log|v(p + iq, t)|² − 2q·arg v(p + iq, t). Throws DomainError for a sum
+/// with another factor than α.
 GaussianLogs gaussian_logs(const std::vector<LogSum>& over_residues);
 
 }  // namespace phrame

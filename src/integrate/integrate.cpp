@@ -17,27 +17,35 @@ namespace {
 std::vector<LogSum> smallest_extension(const RationalFunction& f,
                                        const std::vector<SimpleFraction>& parts) {
   std::vector<LogSum> over_poles;
-  if (residues_are_distinct(f.numerator(), f.denominator())) {
+  if (residues_are_distinct_modulo_a_prime(f.numerator(), f.denominator())) {
     for (const auto& part : parts) over_poles.push_back(full_partial_fraction(part));
     return over_poles;
   }
-  std::vector<Polynomial> residues;  // each a power of an irreducible polynomial
-  for (const auto& part : parts)
-    residues.push_back(residue_polynomial(part.numerator, part.denominator));
+  struct Residues {
+    Polynomial all;       ///< a power of an irreducible polynomial
+    Polynomial distinct;  ///< that one
+  };
+  std::vector<Residues> residues;
+  for (const auto& [n, d] : parts) {
+    Polynomial all = residue_polynomial(n, d);
+    Polynomial distinct = squarefree_part(all);
+    residues.push_back({std::move(all), std::move(distinct)});
+  }
   std::vector<LogSum> repeated;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const auto& [n, d] = parts[k];
-    bool distinct = is_squarefree(residues[k]);
-    for (std::size_t j = 0; j < parts.size(); ++j)
-      distinct = distinct && (j == k || gcd(residues[j], residues[k]).is_constant());
-    if (distinct)
+    const auto& [all, distinct] = residues[k];
+    const auto equal =
+        std::count_if(residues.begin(), residues.end(),
+                      [&d = distinct](const Residues& r) { return r.distinct == d; });
+    if (equal == 1 && all.degree() == distinct.degree())
       over_poles.push_back(full_partial_fraction(parts[k]));
     else
-      repeated.push_back(lazard_rioboo_trager({n, d}, residues[k]).front());
+      repeated.push_back(
+          lazard_rioboo_trager({parts[k].numerator, parts[k].denominator}, all).front());
   }
-  std::vector<LogSum> all = merge_equal_residues(std::move(repeated));
-  all.insert(all.end(), over_poles.begin(), over_poles.end());
-  return all;
+  std::vector<LogSum> sums = merge_equal_residues(std::move(repeated));
+  sums.insert(sums.end(), over_poles.begin(), over_poles.end());
+  return sums;
 }
 
 std::vector<LogSum> logarithms(const RationalFunction& f, Form form) {

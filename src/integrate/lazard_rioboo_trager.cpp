@@ -13,6 +13,7 @@
 #include "phrame/algebra/modular_algebra.hpp"
 #include "phrame/algebra/rational_lift.hpp"
 #include "phrame/algebra/resultant.hpp"
+#include "phrame/integrate/rothstein_trager.hpp"
 
 namespace phrame {
 namespace {
@@ -116,13 +117,26 @@ std::optional<std::vector<ulong>> arguments_modulo(ulong p, const flint::FmpzPol
 std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f) {
   if (!f.is_proper()) throw DomainError("lazard_rioboo_trager: the function has a polynomial part");
   if (f.is_zero()) return {};
-  if (!is_squarefree(f.denominator()))
-    throw DomainError("lazard_rioboo_trager: the function has a multiple pole");
   return lazard_rioboo_trager(f, residue_polynomial(f.numerator(), f.denominator()));
+}
+
+std::vector<LogSum> over_residues(const std::vector<SimpleFraction>& fractions) {
+  std::vector<LogSum> sums;
+  for (const auto& [n, d] : fractions) {
+    sums.push_back(lazard_rioboo_trager({n, d}).front());
+    if (!(differentiate(sums.back()) == RationalFunction(n, d)))
+      throw Error("over_residues: the check failed, the derivative is not the fraction");
+  }
+  return merge_equal_residues(std::move(sums));
 }
 
 std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f,
                                          const Polynomial& residue_polynomial) {
+  if (!f.is_proper()) throw DomainError("lazard_rioboo_trager: the function has a polynomial part");
+  if (!is_squarefree(f.denominator()))
+    throw DomainError("lazard_rioboo_trager: the function has a multiple pole");
+  if (residue_polynomial.degree() != f.denominator().degree() || f.is_zero())
+    throw DomainError("lazard_rioboo_trager: not the residue polynomial of the function");
   const std::vector<Factor> residues = squarefree_factorization(residue_polynomial).factors;
   flint::FmpzPoly n;
   flint::Fmpz scale;

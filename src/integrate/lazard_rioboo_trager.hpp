@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/integrate/antiderivative.hpp"
+#include "phrame/integrate/partial_fractions.hpp"
 
 namespace phrame {
 
@@ -12,5 +12,9 @@ namespace phrame {
 std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f);
 /// The same, with the residue polynomial known.
 std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f, const Polynomial& residues);
+
+/// The integral of a sum of fractions: one sum for each irreducible polynomial of residues. The
+/// derivatives are checked.
+std::vector<LogSum> over_residues(const std::vector<SimpleFraction>& fractions);
 
 }  // namespace phrame

@@ -23,7 +23,7 @@ std::vector<LogSum> solvable_sums(const RationalFunction& f) {
     }
     const LogSum residues = rothstein_trager(part);
     if (residues.index.degree() > largest_degree)
-      throw DomainError("radical_form: the poles and the residues at the roots of " +
+      throw DomainError("radicals: the poles and the residues at the roots of " +
                         abbreviated(to_string(part.denominator), 200) + " have a degree > 4");
     over_residues.push_back(residues);
   }

@@ -23,17 +23,25 @@ std::string readable_factors(const Polynomial& p) {
 
 std::string quotient(const RationalFunction& f) { return formatted_quotient(f, unicode); }
 
+/// In LaTeX with the constant.
 std::string closed_form(const AngleReport& report, Notation notation) {
-  if (report.radicals) return formatted_radicals(*report.radicals, notation, {}, "\n      ");
-  if (report.real)
-    return formatted_sum(formatted_terms(*report.real, notation),
-                         notation == unicode ? "\n      " : " ", notation);
-  std::vector<std::string> terms = formatted_terms(report.angle.twist(), notation);
-  if (report.angle.bend())
-    terms.push_back(notation == unicode ? "arg g(t), continuous"
-                                        : fmt::format("\\arg\\left({}\\right)",
-                                                      formatted(*report.angle.bend(), latex)));
-  return formatted_sum(terms, notation == unicode ? "\n      " : " ", notation);
+  constexpr auto line = "\n      ";
+  constexpr auto constant = " + C";
+  if (report.radicals)
+    return notation == unicode ? indented(to_text(*report.radicals), line)
+                               : to_latex(*report.radicals, "t", "z", constant);
+  std::vector<std::string> terms;
+  if (report.real) {
+    terms = formatted_terms(*report.real, notation);
+  } else {
+    terms = formatted_terms(report.angle.twist(), notation);
+    if (const auto& g = report.angle.bend())
+      terms.push_back(notation == unicode
+                          ? "arg g(t), continuous"
+                          : fmt::format("\\arg\\left({}\\right)", formatted(*g, latex)));
+  }
+  return notation == unicode ? formatted_sum(terms, line, unicode)
+                             : formatted_sum(terms, " ", latex) + constant;
 }
 
 std::string value_table(const AngleReport& report) {
@@ -124,7 +132,7 @@ std::string to_text(const AngleReport& report) {
 
 std::string to_latex(const AngleReport& report) {
   std::string text = fmt::format(
-      "\\begin{{align*}}\n\\theta'(t) &= {} \\\\\n\\theta(t) &= {} + C{}\n"
+      "\\begin{{align*}}\n\\theta'(t) &= {} \\\\\n\\theta(t) &= {}{}\n"
       "\\end{{align*}}\n",
       formatted_quotient(report.angle.rate(), latex), closed_form(report, latex),
       report.start_angle == 0

@@ -67,9 +67,11 @@ std::string filled(std::string_view pattern, const T&... arguments) {
 /// A sum that is being written.
 class Sum {
  public:
-  /// Adds ±text; the text is a product.
+  /// Adds ±text; the text is a product, or a sum that comes first.
   void add(bool negative, const std::string& text) {
-    if (text_.empty())
+    if (text.starts_with('-'))
+      add(!negative, text.substr(1));
+    else if (text_.empty())
       text_ = (negative ? "-" : "") + text;
     else
       text_ += (negative ? " - " : " + ") + text;

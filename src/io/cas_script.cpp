@@ -30,12 +30,16 @@ std::string statement(const Definition& definition, Language language, std::stri
   }
 }
 
+/// log|x| has a derivative only where x is known to be real.
 std::string script(const std::vector<Definition>& definitions, Language language,
-                   const std::string& variable) {
+                   const std::string& variable, bool is_real) {
   std::string text;
   if (language == Language::sympy)
-    text = fmt::format("from sympy import *\n{0}, {1} = symbols('{0} {1}')\n", variable,
-                       variable == "z" ? "w" : "z");
+    text =
+        fmt::format(fmt::runtime(is_real ? "from sympy import *\n{0} = symbols('{0}', real=True)\n"
+                                           "{1} = symbols('{1}')\n"
+                                         : "from sympy import *\n{0}, {1} = symbols('{0} {1}')\n"),
+                    variable, variable == "z" ? "w" : "z");
   for (const Definition& definition : definitions)
     text += statement(definition, language, variable);
   return text;
@@ -81,14 +85,18 @@ std::string to_script(const IntegralReport& report, Language language) {
                            definite->exact ? cas_formula(*definite->exact, language)
                                            : cas_formula(definite->value, language),
                            false});
-  return script(definitions, language, t);
+  // Maxima reads a number with as many digits as are asked for before.
+  const bool has_digits = report.definite && !report.definite->exact;
+  if (language == Language::maxima && has_digits && report.digits > 16)
+    definitions.insert(definitions.begin(), {"fpprec", std::to_string(report.digits), false});
+  return script(definitions, language, t, report.real.has_value());
 }
 
 std::string to_script(const AngleReport& report, Language language) {
   return script({{"integrand", cas_formula(report.angle.rate(), language, "t")},
                  {"antiderivative", closed_form(report.angle.antiderivative(), report.real,
                                                 report.radicals, language, "t")}},
-                language, "t");
+                language, "t", report.real.has_value());
 }
 
 }  // namespace phrame

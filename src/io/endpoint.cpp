@@ -82,6 +82,8 @@ Endpoint parse_root(std::string_view text, std::size_t root, std::size_t open,
   const Interval interval{
       interval_end(in_place(text, first + 1, second), Infinity::negative, limits),
       interval_end(in_place(text, second + 1, close), Infinity::positive, limits)};
+  if (interval.lower && interval.upper && *interval.lower > *interval.upper)
+    fail(text, root, "the first end of the interval is greater than the second");
   const Polynomial& f = p.value.numerator();
   if (const long count = count_real_roots(f, interval); count != 1)
     fail(text, root,

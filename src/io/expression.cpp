@@ -258,7 +258,9 @@ void Parser::refuse_in_place_of_operator(const Token& token) const {
 }
 
 void Parser::read_operator(const Token& token) {
+  constexpr auto ambiguous = "one exponent after another: parentheses are needed";
   if (token.kind == Kind::exponent) {
+    if (!operations_.empty() && operations_.back().sign == '^') fail(at_, ambiguous);
     Operand& base = operands_.back();
     const std::string digits = plain_digits(token.text);
     std::optional<Rational> exponent;
@@ -275,6 +277,7 @@ void Parser::read_operator(const Token& token) {
   if (token.sign == 0 || token.sign == '(') refuse_in_place_of_operator(token);
   const int rank = precedence(token.sign);
   const bool groups_right = token.sign == '^';
+  if (groups_right && first_token(before_).kind == Kind::exponent) fail(at_, ambiguous);
   while (!operations_.empty() &&
          precedence(operations_.back().sign) >= (groups_right ? rank + 1 : rank))
     reduce();
@@ -311,16 +314,18 @@ Expression Parser::parse() {
 
 }  // namespace
 
+bool is_variable_name(std::string_view text) {
+  const Token name = first_token(text);
+  return name.kind == Kind::name && name.text == text;
+}
+
 Expression parse_expression(std::string_view text, const std::optional<std::string>& variable,
                             const ExpressionLimits& limits) {
   if (text.size() > limits.max_length)
     throw InputError("column 1", fmt::format("the expression has {} bytes, the limit is {}",
                                              text.size(), limits.max_length));
-  if (variable && !variable->empty()) {
-    const Token name = first_token(*variable);
-    if (name.kind != Kind::name || name.text != *variable)
-      throw InputError(fmt::format("{} is not the name of a variable", in_quotes(*variable)));
-  }
+  if (variable && !variable->empty() && !is_variable_name(*variable))
+    throw InputError(fmt::format("{} is not the name of a variable", in_quotes(*variable)));
   return Parser(text, variable, limits).parse();
 }
 

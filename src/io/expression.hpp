@@ -18,16 +18,18 @@ struct ExpressionLimits {
   SizeLimits size = {};                ///< of the value and of each part of it
 };
 
+/// Letters (Latin or Greek), digits and _, a letter first.
+bool is_variable_name(std::string_view text);
+
 /// Reads a rational function of one variable over ℚ:
 ///   +  −  *  /  ^ and parentheses; ^ binds tightest and to the right, −x^2 is −(x^2), and its
 ///   exponent is an integer, as in x^-2 or x^(2*3);
 ///   numbers, exactly: 12, 0.1 = 1/10, 1.5e-3, 0x1.8p-3;
-///   one variable: a name of letters (Latin or Greek), digits and _, given or the only one that
-///   occurs; with "" given, none may occur.
-/// Also ** for ^, and the characters of typeset mathematics: − · × ÷ and exponents as in t⁴.
-/// A product needs its sign: 2x and x(x + 1) are refused, with advice.
-/// Throws InputError: for what is not such an expression, for a division by zero and for what is
-/// beyond the limits. Its place is "column N", counted from 1 in characters.
+///   one variable, given or the only name that occurs; with "" given, none may occur.
+/// Also ** for ^, and the characters of typeset mathematics: − · × ÷ and exponents as in t⁴, but
+/// not x²^3, of which it is not clear what it means. A product needs its sign: 2x and x(x + 1) are
+/// refused, with advice. Throws InputError: for what is not such an expression, for a division by
+/// zero and for what is beyond the limits. Its place is "column N", counted from 1 in characters.
 Expression parse_expression(std::string_view text,
                             const std::optional<std::string>& variable = std::nullopt,
                             const ExpressionLimits& limits = {});

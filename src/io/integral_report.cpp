@@ -21,10 +21,22 @@ constexpr auto latex = Notation::latex;
 
 std::string closed_form(const IntegralReport& report, Notation notation, std::string_view before) {
   const Letters letters = letters_for(report.integrand.variable, notation);
-  if (report.radicals) return formatted_radicals(*report.radicals, notation, letters, before);
   return formatted_sum(report.real ? formatted_terms(*report.real, notation, letters)
                                    : formatted_terms(report.antiderivative, notation, letters),
                        before, notation);
+}
+
+std::string text_form(const IntegralReport& report) {
+  constexpr auto line = "\n      ";
+  if (!report.radicals) return closed_form(report, unicode, line);
+  const Letters letters = letters_for(report.integrand.variable, unicode);
+  return indented(to_text(*report.radicals, letters.variable, letters.pole), line);
+}
+
+std::string latex_form(const IntegralReport& report) {
+  if (!report.radicals) return closed_form(report, latex, " ") + " + C";
+  const Letters letters = letters_for(report.integrand.variable, latex);
+  return to_latex(*report.radicals, letters.variable, letters.pole, " + C");
 }
 
 /// Why the logarithms are written as they are, where nobody asked for a form.
@@ -56,9 +68,7 @@ std::string value_text(const DefiniteValue& definite, const IntegralReport& repo
     text += fmt::format(
         "    = {}\n",
         abbreviated(formatted_sum(formatted_terms(*definite.exact, unicode), " ", unicode), 4000));
-  const bool is_decimal = definite.exact &&
-                          parse_rational(definite.value.value) == definite.exact->rational &&
-                          definite.value.radius == "0";
+  const bool is_decimal = definite.value.radius == "0";
   return text + fmt::format("    {} {}\n    {} to {} digits\n", is_decimal ? "=" : "≈",
                             wrapped(definite.value.value, 6), "correctly rounded", report.digits);
 }
@@ -76,7 +86,7 @@ std::string latex_end(const Endpoint& end) {
 std::string to_text(const IntegralReport& report) {
   const std::string& x = report.integrand.variable;
   const RationalFunction& f = report.integrand.value;
-  const std::string form = closed_form(report, unicode, "\n      ");
+  const std::string form = text_form(report);
   std::string text = fmt::format("  f  = {}\n  ∫f = {}{}\n", formatted_quotient(f, unicode, x),
                                  form, form == "0" ? "" : "\n      + constant");
   if (report.says_checked) text += "  Checked: the derivative of this ∫f is f, exactly.\n";
@@ -90,17 +100,18 @@ std::string to_text(const IntegralReport& report) {
 std::string to_latex(const IntegralReport& report) {
   const std::string x = letters_for(report.integrand.variable, latex).variable;
   const std::string f = formatted_quotient(report.integrand.value, latex, x);
-  std::string text = fmt::format("\\begin{{align*}}\n\\int {} \\,d{} &= {} + C", f, x,
-                                 closed_form(report, latex, " "));
+  std::string text =
+      fmt::format("\\begin{{align*}}\n\\int {} \\,d{} &= {}", f, x, latex_form(report));
   if (const auto& definite = report.definite) {
     const std::string decimal = latex_decimal(definite->value.value);
-    text += fmt::format(" \\\\\n{}\\int_{{{}}}^{{{}}} {} \\,d{} &= {}",
-                        definite->principal_value ? "\\operatorname{p.v.} " : "",
-                        latex_end(definite->from), latex_end(definite->to), f, x,
-                        definite->exact
-                            ? formatted_sum(formatted_terms(*definite->exact, latex), " ", latex)
-                            : decimal);
-    if (definite->exact) text += fmt::format(" \\approx {}", decimal);
+    const auto relation = definite->value.radius == "0" ? "=" : "\\approx";
+    text += fmt::format(
+        " \\\\\n{}\\int_{{{}}}^{{{}}} {} \\,d{} &{} {}",
+        definite->principal_value ? "\\operatorname{p.v.} " : "", latex_end(definite->from),
+        latex_end(definite->to), f, x, definite->exact ? "=" : relation,
+        definite->exact ? formatted_sum(formatted_terms(*definite->exact, latex), " ", latex)
+                        : decimal);
+    if (definite->exact) text += fmt::format(" {} {}", relation, decimal);
   }
   return text + "\n\\end{align*}\n";
 }

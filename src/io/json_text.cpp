@@ -119,11 +119,13 @@ JsonOutput json_of(const RadicalForm& F) {
     return result;
   };
   JsonOutput logs = JsonOutput::array();
-  for (const RadicalSum& sum : F.logs)
-    logs.push_back({{"polynomial", json_of(sum.sum.index)},
-                    {"roots", texts(sum.roots)},
-                    {"residues", texts(sum.residues)},
-                    {"real_roots", sum.real_roots}});
+  for (const RadicalSum& sum : F.logs) {
+    JsonOutput log = json_of(sum.sum);
+    log["roots"] = texts(sum.roots);
+    log["residues"] = texts(sum.residues);
+    log["real_roots"] = sum.real_roots;
+    logs.push_back(std::move(log));
+  }
   return {{"logs", logs}};
 }
 

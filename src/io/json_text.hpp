@@ -29,7 +29,8 @@ JsonOutput json_of(const Antiderivative& F, const std::string& form);
 /// {"polynomial": …, "rational": …, "logarithms": [{"factor", "of", "positive"}],
 /// "arctangents": [{"factor", "of"}], "others": […], "checked": true}.
 JsonOutput json_of(const RealForm& F);
-/// `logs` of {`polynomial`, `roots`, `residues`, `real_roots`}, radicals as "(1 + sqrt(3)*I)/2".
+/// {"logs": […]}, each with "roots" of the index, "residues" and "real_roots" beside what a LogSum
+/// has; radicals as "(1 + sqrt(3)*I)/2".
 JsonOutput json_of(const RadicalForm& F);
 /// "3/7", "inf", "-inf", {"polynomial": …, "interval": […], "value": "…"}.
 JsonOutput json_of(const Endpoint& end);

@@ -154,7 +154,8 @@ std::string to_text(const RadicalForm& F, std::string_view variable, std::string
   return terms.text();
 }
 
-std::string to_latex(const RadicalForm& F, std::string_view variable, std::string_view root) {
+std::string to_latex(const RadicalForm& F, std::string_view variable, std::string_view root,
+                     std::string_view constant) {
   const RadicalNotation& notation = radical_notation::latex;
   Terms terms(notation.minus, " ");
   add_algebraic_part(terms, F, Notation::latex, variable);
@@ -168,10 +169,14 @@ std::string to_latex(const RadicalForm& F, std::string_view variable, std::strin
     // z_{jk} is the k-th root of the j-th sum.
     const std::string name = fmt::format("{}_{{{}k}}", root, ++count);
     const auto add_part = [&](std::size_t first, std::size_t last, bool bars) {
-      if (first < last)
-        terms.add(false, fmt::format("\\sum_{{k={}}}^{{{}}} \\left({}\\right) {}", first + 1, last,
-                                     formatted(sum.sum.residue, Notation::latex, name),
-                                     log_of_unknown(sum, variable, notation, name, bars)));
+      if (first == last) return;
+      const bool single = last == first + 1;
+      const std::string z = single ? fmt::format("{}_{{{}{}}}", root, count, last) : name;
+      terms.add(false,
+                fmt::format("{}\\left({}\\right) {}",
+                            single ? "" : fmt::format("\\sum_{{k={}}}^{{{}}} ", first + 1, last),
+                            formatted(sum.sum.residue, Notation::latex, z),
+                            log_of_unknown(sum, variable, notation, z, bars)));
     };
     add_part(0, sum.real_roots, true);
     add_part(sum.real_roots, sum.roots.size(), false);
@@ -179,20 +184,7 @@ std::string to_latex(const RadicalForm& F, std::string_view variable, std::strin
       roots += fmt::format(",\\quad {}_{{{}{}}} = {}", root, count, k + 1,
                            formatted(sum.roots[k], notation));
   }
-  return terms.text() + roots;
-}
-
-std::string formatted_radicals(const RadicalForm& F, Notation notation, const Letters& letters,
-                               std::string_view before) {
-  if (notation == Notation::latex) return to_latex(F, letters.variable, letters.pole);
-  std::string text;
-  for (const char c : to_text(F, letters.variable, letters.pole)) {
-    if (c == '\n')
-      text += before;
-    else
-      text += c;
-  }
-  return text;
+  return terms.text() + std::string(constant) + roots;
 }
 
 std::string to_cas(const std::vector<RadicalSum>& logs, const RadicalNotation& notation,

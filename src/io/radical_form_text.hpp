@@ -1,6 +1,5 @@
 #pragma once
 #include "phrame/integrate/radicals.hpp"
-#include "phrame/io/closed_form.hpp"
 #include "phrame/io/radical_text.hpp"
 
 namespace phrame {
@@ -10,12 +9,9 @@ namespace phrame {
 /// another.
 std::string to_text(const RadicalForm& F, std::string_view variable = "t",
                     std::string_view root = "z");
-/// to_text() with its lines after the first begun by `before`, or to_latex().
-std::string formatted_radicals(const RadicalForm& F, Notation notation, const Letters& letters,
-                               std::string_view before);
-/// The same on one line, without dollar signs; the roots stand at the end.
+/// The same on one line, without dollar signs; the roots stand at the end, after `constant`.
 std::string to_latex(const RadicalForm& F, std::string_view variable = "t",
-                     std::string_view root = "z");
+                     std::string_view root = "z", std::string_view constant = "");
 /// The logarithms on one line for a computer-algebra system, all of them written out and complex:
 /// log(t − z) over real roots too, so that the sum is real up to a constant; "0" for none.
 std::string to_cas(const std::vector<RadicalSum>& logs, const RadicalNotation& notation,

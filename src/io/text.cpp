@@ -200,6 +200,17 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
+std::string indented(std::string_view text, std::string_view line) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\n')
+      result += line;
+    else
+      result += c;
+  }
+  return result;
+}
+
 std::size_t text_width(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // not a continuation byte of UTF-8

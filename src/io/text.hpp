@@ -42,6 +42,9 @@ std::string place_of_root(const Interval& root);
 /// The text on one line, safe for a terminal: control characters (C0, DEL, C1) become "\u001b".
 std::string printable(std::string_view text);
 
+/// `text` with `line`, a line break and what the next line begins with, for each line break.
+std::string indented(std::string_view text, std::string_view line);
+
 /// The number of characters, where one code point is one character.
 std::size_t text_width(std::string_view text);
 /// `text`, or, where it is longer than a screen line can bear, what the polynomial is:

@@ -20,6 +20,19 @@ GaussianPolynomial bend_numerator(const QuaternionPolynomial& a) {
 
 Polynomial rho(const QuaternionPolynomial& a) { return Rational(4) * norm(bend_numerator(a)); }
 
+std::optional<DoublePh> double_ph(const QuaternionPolynomial& a) {
+  const Polynomial squared_bend = rho(a);
+  DoublePh result{0, {1}};
+  if (squared_bend.is_zero()) return result;
+  const auto [unit, factors] = squarefree_factorization(squared_bend);
+  result.constant = unit;
+  for (const auto& [base, exponent] : factors) {
+    if (exponent % 2 != 0) return std::nullopt;
+    result.omega *= pow(base, exponent / 2);
+  }
+  return result;
+}
+
 std::vector<Interval> normal_flips(const QuaternionPolynomial& a, const Interval& interval) {
   const GaussianPolynomial g = bend_numerator(a);
   if (is_zero(g))

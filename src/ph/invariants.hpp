@@ -18,6 +18,16 @@ GaussianPolynomial bend_numerator(const QuaternionPolynomial& a);
 /// ρ = 4|g|²; |r′ × r″|² = f⁴σ²ρ.
 Polynomial rho(const QuaternionPolynomial& a);
 
+/// ρ = constant·ω², with ω primitive: then |r′ × r″| = √constant·|f²σω| is a polynomial, up to its
+/// sign, over ℝ, and κ, n and b are rational over ℚ(√constant). For a straight line ρ = 0 = 0·1².
+struct DoublePh {
+  Rational constant;
+  Polynomial omega;
+  friend bool operator==(const DoublePh&, const DoublePh&) = default;
+};
+/// No value where a factor of ρ has an odd exponent. All helices have one [Beltran, Monterde 2007].
+std::optional<DoublePh> double_ph(const QuaternionPolynomial& a);
+
 /// Where n and b flip: the real zeros of odd order of gcd(Re g, Im g) in the interval, as
 /// located_real_roots gives them; at one of even order n and b continue. The order is that of the
 /// inflection, but for the even one that a real factor of A brings.

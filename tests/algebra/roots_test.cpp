@@ -39,6 +39,19 @@ TEST_CASE("roots: of very different sizes, 0 among them, are found together") {
   for (const ComplexBall& z : roots.upper) CHECK(acb_rel_accuracy_bits(z.raw()) >= 100);
 }
 
+TEST_CASE("roots: of a quadratic, however near to each other") {
+  const Rational power = parse_rational("1e-800");
+  const Roots near = isolate_roots(Polynomial{1, -2, 1} + Polynomial{power}, 64);
+  REQUIRE(near.upper.size() == 1);
+  CHECK(near.upper[0].re().contains(1));
+  CHECK(near.upper[0].im().contains(parse_rational("1e-400")));
+  CHECK(near.upper[0].im().accuracy_bits() >= 64);
+  const Roots real = isolate_roots(Polynomial{1, -2, 1} - Polynomial{power}, 64);
+  REQUIRE(real.real.size() == 2);
+  CHECK(real.real[0].contains(1 - parse_rational("1e-400")));
+  CHECK(real.real[1].contains(1 + parse_rational("1e-400")));
+}
+
 TEST_CASE("roots: law: the known roots are found, refining keeps and narrows them") {
   for_samples(60, [](Random& random) {
     std::vector<Rational> real;

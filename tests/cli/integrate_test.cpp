@@ -138,7 +138,46 @@ TEST_CASE("integrate: radicals, in text, JSON and scripts; what is not solvable 
       json(here.run("integrate '1/(x^2-2)' --form radicals --print json"))["radicals"]["logs"][0];
   CHECK(sum["roots"] == Json{"-sqrt(2)", "sqrt(2)"});
   CHECK(sum["real_roots"] == 2);
+  CHECK(sum["index"] == Json{"-2", "0", "1"});
+  CHECK(sum["argument"] == Json{{"0", "-1"}, {"1"}});
+  const Run latex = here.run("integrate '1/(x^3-2)' --form radicals --print latex");
+  CHECK(contains(latex.out, "\\right) + C,\\quad z_{11} = \\sqrt[3]{2},"));
+  check_failure(here.run("integrate '1/(i^2-2)' --form radicals"), 2, "--form radicals");
   for (const std::string& language : languages)
     check_success(here.run("integrate 'x+1/(x^3-2)' --form radicals --print " + language));
   check_failure(here.run("integrate '1/(x^5+x+3)' --form radicals"), 3, "t^5 + t + 3");
+}
+
+TEST_CASE("integrate: errors name the option that is wrong") {
+  const Workshop here;
+  for (const std::string name : {"1x", "''", "x-y"})
+    check_failure(here.run("integrate 1/x --var " + name), 2, "--var: ");
+  check_failure(here.run("integrate x --from 0 --to 'root(x^2-2, 2, 1)'"), 2,
+                "the first end of the interval is greater");
+  check_failure(here.run("integrate 1/x --from 1e-30000 --to=-1"), 3, "pole at 0");
+}
+
+TEST_CASE("integrate: scripts are read as they are meant") {
+  const Workshop here;
+  // log|x| is differentiated by SymPy only for a real x; Maxima reads as many digits as it is told.
+  CHECK(contains(here.run("integrate '5/(x^2-5*x+4)' --form real --print sympy").out,
+                 "x = symbols('x', real=True)"));
+  CHECK(here.run("integrate '1/(x^3+x+1)' --from 0 --to 1 --digits 40 --print maxima")
+            .out.starts_with("fpprec: 40$\n"));
+  CHECK(contains(here.run("integrate 'x-1/x^2' --print maple").out, "(x^3 - 1)/(x^2)"));
+  CHECK(
+      contains(here.run("integrate '1+1/x^2' --print maple").out, "antiderivative := x - 1/(x):"));
+  // In LaTeX a rounded value is not said to be equal.
+  CHECK(contains(here.run("integrate '1/(x^3+x+1)' --from 0 --to 1 --print latex").out,
+                 "\\approx 0."));
+  CHECK(
+      contains(here.run("integrate x --from 0 --to 1 --print latex").out, "= \\frac{1}{2} = 0.5"));
+}
+
+TEST_CASE("integrate: a value may be as small as the input is") {
+  const Workshop here;
+  const Run run = here.run("integrate '1e-100000*1e-50000' --from 0 --to 1 --digits 5");
+  check_success(run);
+  CHECK(contains(run.out, "= 1.0000e-150000"));
+  check_success(here.run("integrate 1/x --from 1 --to 1e-30000"));
 }

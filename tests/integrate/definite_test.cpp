@@ -32,11 +32,11 @@ TEST_CASE("definite: known constants: π/4, log 2, and 3π/4 + arctan(1/2)") {
 
 TEST_CASE("definite: a pole between or at the ends is refused by name, a pole outside is not") {
   const Antiderivative F = integrate({{1}, {-2, 0, 1}});  // poles ±√2
-  CHECK_THROWS_WITH_AS(definite(F, 0, 2, 60), doctest::Contains("pole at t in"), DomainError);
+  CHECK_THROWS_WITH_AS(definite(F, 0, 2, 60), doctest::Contains("pole in"), DomainError);
   CHECK_THROWS_AS(definite(F, 2, 0, 60), DomainError);
   CHECK_NOTHROW(definite(F, 0, 1, 60));
   const Antiderivative G = integrate({{1}, {-1, 3}});
-  CHECK_THROWS_WITH_AS(definite(G, 0, 1, 60), doctest::Contains("pole at t = 1/3"), DomainError);
+  CHECK_THROWS_WITH_AS(definite(G, 0, 1, 60), doctest::Contains("pole at 1/3"), DomainError);
   CHECK_THROWS_AS(definite(G, Rational(1, 3), 1, 60), DomainError);
   CHECK_THROWS_AS(definite(integrate({{1}, {0, 0, 1}}), -1, 1, 60), DomainError);
   CHECK(definite(integrate({{1}, {0, 0, 1}}), 1, 2, 60).contains(Rational(1, 2)));

@@ -145,11 +145,10 @@ TEST_CASE(
 }
 
 TEST_CASE("radicals: poles and residues of degree 5 are refused, with the factor") {
-  CHECK_THROWS_WITH_AS(
-      radical_form(integrate({{1}, {-1, -1, 0, 0, 0, 1}})),
-      "radical_form: the poles and the residues at the roots of t^5 - t - 1 have a "
-      "degree > 4",
-      DomainError);
+  CHECK_THROWS_WITH_AS(radical_form(integrate({{1}, {-1, -1, 0, 0, 0, 1}})),
+                       "radicals: the poles and the residues at the roots of t^5 - t - 1 have a "
+                       "degree > 4",
+                       DomainError);
 }
 
 TEST_CASE("radicals: law: any form of the antiderivative gives the same radicals") {

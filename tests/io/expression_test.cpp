@@ -137,8 +137,11 @@ TEST_CASE("expressions: typeset signs and exponents are read") {
   CHECK(value("x**2") == value("x^2"));
   CHECK(value("-x²") == value("-(x^2)"));
   CHECK(value("(x + 1)¹⁰") == value("(x+1)^10"));
-  CHECK(value("x²^3") == value("x^6"));
-  CHECK(value("2^x⁰") == value("2"));
+  constexpr auto ambiguous = "one exponent after another: parentheses are needed";
+  CHECK(refusal("x²^3") == "column 3: " + std::string(ambiguous));
+  CHECK(refusal("x^2³") == "column 4: " + std::string(ambiguous));
+  CHECK(value("(x²)^3") == value("x^6"));
+  CHECK(value("2^(x⁰)") == value("2"));
 }
 
 TEST_CASE("expressions: the variable is the one given or the one that occurs") {

@@ -56,7 +56,7 @@ TEST_CASE("radical form text: roots of degree 3 and 4 are listed") {
         "    z₂ = (−∛2 + i√3·∛2)/2\n"
         "    z₃ = (−∛2 − i√3·∛2)/2");
   CHECK(to_latex(form({1}, {-2, 0, 0, 1})) ==
-        "\\sum_{k=1}^{1} \\left(\\frac{1}{6}z_{1k}\\right) \\log\\left|t - z_{1k}\\right| + "
+        "\\left(\\frac{1}{6}z_{11}\\right) \\log\\left|t - z_{11}\\right| + "
         "\\sum_{k=2}^{3} \\left(\\frac{1}{6}z_{1k}\\right) \\log\\left(t - z_{1k}\\right),\\quad "
         "z_{11} = \\sqrt[3]{2},\\quad "
         "z_{12} = \\frac{-\\sqrt[3]{2} + i\\sqrt{3} \\sqrt[3]{2}}{2},\\quad "
