@@ -1,0 +1,45 @@
+#pragma once
+#include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/ph/invariants.hpp"
+#include "phrame/ph/rational_frame.hpp"
+#include "phrame/ph/shape.hpp"
+
+namespace phrame {
+
+/// The points of [0, 1] where r′ = 0, with the order of |r′| = |f|·σ. None on a regular curve.
+std::vector<RealRoot> cusp_points(const Curve& curve);
+
+/// The points of [0, 1] where the tangent stands still: the real zeros of g, those apart that only
+/// a real factor of A brings. (n, b) flip at those of odd order. None for a straight line.
+std::vector<RealRoot> inflections(const QuaternionPolynomial& a);
+
+/// gcd(x′, y′, z′); constant for a primitive hodograph.
+Polynomial hodograph_content(const Curve& curve);
+
+/// How the ERF turns about the tangent on [0, 1]: by ω₁ = 2h/(fσ²) per arc length, up to the sign
+/// of f. Cusps are left out.
+struct ErfTurning {
+  std::vector<RealRoot> zeros;    ///< of h/σ: the turning is reversed at those of odd order
+  std::vector<RealRoot> extrema;  ///< of ω₁: for f = 1 the odd zeros of σh′ − 2σ′h
+  bool is_monotone;               ///< it is reversed nowhere in (0, 1)
+};
+ErfTurning erf_turning(const Curve& curve);
+
+struct Classification {
+  std::vector<RealRoot> cusps;
+  std::vector<RealRoot> inflections;
+  std::optional<Vector<Rational>> line;    ///< its direction
+  std::optional<Vector<Rational>> normal;  ///< of its plane
+  std::optional<Helix> helix;
+  std::optional<DoublePh> double_ph;
+  Polynomial content;
+  bool erf_is_rotation_minimizing;  ///< h = 0
+  std::variant<RationalFrame, NoRationalFrame> rational_frame;
+  ErfTurning erf_turning;
+};
+
+/// The answers to all questions, their witnesses checked by identities between polynomials and by
+/// Sturm's theorem.
+Classification classify(const Curve& curve);
+
+}  // namespace phrame
