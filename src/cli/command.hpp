@@ -59,6 +59,7 @@ void write_output(const std::string& path, const std::string& bytes);
 
 // Each adds a subcommand and what it does when it was chosen.
 void add_angle(CLI::App& app);
+void add_classify(CLI::App& app);
 void add_info(CLI::App& app);
 void add_frames(CLI::App& app);
 void add_integrate(CLI::App& app);

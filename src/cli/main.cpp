@@ -65,6 +65,7 @@ int run(int argc, char** argv) {
       "the limits. \"phrame COMMAND --help\" shows examples.");
   phrame::cli::add_angle(app);
   phrame::cli::add_info(app);
+  phrame::cli::add_classify(app);
   phrame::cli::add_frames(app);
   phrame::cli::add_integrate(app);
   const auto commands = app.get_subcommands([](const CLI::App*) { return true; });

@@ -138,3 +138,16 @@ TEST_CASE("real algebraic: law: the sign of a product is that of its factors") {
     CHECK(compare(a, t) == (sign_at(Polynomial{-t, 1}, a) <=> 0));
   });
 }
+
+TEST_CASE("real roots: ascending, each once, with its order") {
+  const Polynomial p =
+      pow(Polynomial{-2, 0, 1}, 3) * pow(Polynomial{-3, 2}, 2) * Polynomial{1, 0, 1};
+  const auto roots = real_roots(p, real_line());  // −√2, √2 and 3/2 between 1 and 2
+  REQUIRE(roots.size() == 3);
+  CHECK(roots[0] == RealRoot{real_root({-2, 0, 1}, {std::nullopt, Rational(0)}), 3});
+  CHECK(roots[1] == RealRoot{real_root({-2, 0, 1}, {Rational(0), std::nullopt}), 3});
+  CHECK(roots[2] == RealRoot{Rational(3, 2), 2});
+  CHECK(real_roots(p, closed(Rational(3, 2), 9)).size() == 1);
+  CHECK(real_roots({1, 0, 1}, real_line()).empty());
+  CHECK_THROWS_AS(real_roots({}, real_line()), DomainError);
+}

@@ -327,3 +327,16 @@ TEST_CASE("program: --form changes how the angle is written, not its values") {
   CHECK(values(here.run(common + "auto")) == poles);
   CHECK(values(here.run(common + "real")) == poles);
 }
+
+TEST_CASE("classify: in text and JSON; a bad curve is refused") {
+  const Workshop here;
+  const Run text = here.run("classify quintic.json");
+  check_success(text);
+  CHECK(contains(text.out, "ERF turns one way     yes"));
+  const auto report = nlohmann::json::parse(here.run("classify quintic.json --print json").out);
+  CHECK(report["phrame"] == "classify/1");
+  CHECK(report["erf_monotone"]["zeros_of_h"].size() == 2);
+  check_failure(here.run("classify quintic.json --print pdf"), 2,
+                "\"pdf\" is not one of text, json");
+  check_failure(here.run("classify nothing.json"), 2, "nothing.json");
+}

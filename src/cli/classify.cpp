@@ -1,0 +1,37 @@
+#include "phrame/cli/command.hpp"
+#include "phrame/io/classify_report.hpp"
+
+namespace phrame::cli {
+namespace {
+
+struct ClassifyOptions {
+  CurveOptions curve;
+  std::string print = "text";
+};
+
+void run(const ClassifyOptions& options) {
+  const auto print = choose<std::string (*)(const ClassifyReport&)>(
+      "--print", options.print, {{"text", to_text}, {"json", to_json}});
+  write_output(options.curve.output, print(classify_report(options.curve.read())));
+}
+
+}  // namespace
+
+void add_classify(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("classify", "what kind of curve it is, each answer with its witness");
+  const auto options = std::make_shared<ClassifyOptions>();
+  options->curve.add_to(*command);
+  command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  command->footer(
+      "Decided exactly: regular, inflections, straight line, plane, helix, double PH, primitive,\n"
+      "whether the Euler-Rodrigues frame (ERF) or any rational frame is rotation-minimizing "
+      "(RMF),\n"
+      "and where the ERF turns back.\n"
+      "Examples:\n"
+      "  phrame classify curve.json\n"
+      "  phrame classify curve.json --print json -o class.json");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace phrame::cli
