@@ -22,7 +22,8 @@ class Bivariate {
   std::vector<Polynomial> coefficients_;  ///< the last one is not 0
 };
 
-/// tᵏ + … whose coefficients of t⁰, …, tᵏ⁻¹ are the rows of the list, `size` numbers each.
+/// tᵏ + … whose coefficients of t⁰, …, tᵏ⁻¹ are the rows of the list, `size` ≥ 1 numbers each,
+/// which divides the length of the list.
 Bivariate monic_from_rows(const std::vector<Rational>& list, long size);
 
 /// The value at t = `t`: a polynomial in x.

@@ -9,10 +9,6 @@ namespace {
 
 constexpr unsigned long largest_result_bits = 1UL << 24U;
 
-GaussianRational operator*(const GaussianRational& a, const GaussianRational& b) {
-  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
-
 GaussianRational inverse(const GaussianRational& a) {
   const Rational norm = a.re * a.re + a.im * a.im;
   if (norm == 0) throw DomainError("product of powers: a base is 0");

@@ -13,6 +13,10 @@ struct GaussianRational {
   friend bool operator==(const GaussianRational&, const GaussianRational&) = default;
 };
 
+inline GaussianRational operator*(const GaussianRational& a, const GaussianRational& b) {
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
 struct Power {
   GaussianRational base;  ///< not 0
   Rational exponent;

@@ -32,8 +32,6 @@
 namespace phrame {
 namespace {
 
-int sign(const Rational& x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
-
 Radical times_i(const Radical& x) { return Radical::imaginary_unit() * x; }
 
 /// √x for a real x ≠ 0 whose sign is known.
@@ -58,8 +56,8 @@ std::vector<Radical> cubic_roots(const Polynomial& p) {
   const Rational R = (9 * c1 * c2 - 27 * c0 - 2 * c2 * c2 * c2) / 54;
   const Rational delta = Q * Q * Q + R * R;
   // Of the two factors of −Q³ that with the sign of R is the greater one, and not 0.
-  const int s = delta < 0 || R >= 0 ? 1 : sign(Q);
-  const int t = delta < 0 ? 1 : R <= 0 ? -1 : -sign(Q);
+  const int s = delta < 0 || R >= 0 ? 1 : Q.sign();
+  const int t = delta < 0 ? 1 : R <= 0 ? -1 : -Q.sign();
   const Radical root = sqrt(Radical(delta));
   const Radical S = Rational(s) * cbrt(Rational(s) * (R + root));
   const Radical T = Rational(t) * cbrt(Rational(t) * (R - root));
@@ -122,7 +120,7 @@ std::vector<Radical> ferrari_roots(const Quartic& f, const Radical& w, bool posi
   std::vector<Radical> roots;
   for (const int s : {1, -1}) {
     const Radical radicand = Rational(-2 * f.p) - w + Rational(s) * ratio;
-    const bool above = f.real_roots == 4 || (f.real_roots == 2 && s == sign(f.q));
+    const bool above = f.real_roots == 4 || (f.real_roots == 2 && s == f.q.sign());
     const Radical half = (positive ? real_sqrt(radicand, above) : sqrt(radicand)) / 2;
     const Radical middle = f.shift - Rational(s, 2) * E;
     roots.insert(roots.end(), {middle + half, middle - half});

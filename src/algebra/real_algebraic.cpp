@@ -11,8 +11,6 @@
 namespace phrame {
 namespace {
 
-int sign(const Rational& x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
-
 std::strong_ordering order(const Rational& x, const Rational& y) {
   return x < y   ? std::strong_ordering::less
          : x > y ? std::strong_ordering::greater
@@ -61,8 +59,8 @@ std::strong_ordering compare(const RealAlgebraic& a, const Rational& r) {
   if (r <= *i.lower) return std::strong_ordering::greater;
   if (r >= *i.upper) return std::strong_ordering::less;
   const Polynomial& p = a.polynomial();
-  return sign(p(r)) == sign(p(*i.lower)) ? std::strong_ordering::greater
-                                         : std::strong_ordering::less;
+  return p(r).sign() == p(*i.lower).sign() ? std::strong_ordering::greater
+                                           : std::strong_ordering::less;
 }
 
 /// If a lies in the interval of b and has the same polynomial it is b. Numbers with different
@@ -81,13 +79,13 @@ std::strong_ordering compare(const RealAlgebraic& a, const RealAlgebraic& b) {
 }
 
 int sign_at(const Polynomial& q, const RealAlgebraic& a) {
-  if (const auto exact = a.rational()) return sign(q(*exact));
+  if (const auto exact = a.rational()) return q(*exact).sign();
   // a is a root of q if and only if its irreducible polynomial divides q.
   const Polynomial rest = q % a.polynomial();
   if (rest.is_zero()) return 0;
   for (long bits = 64;; bits *= 2) {
     const RealBall value = evaluate(rest, ComplexBall(enclose(a, bits), RealBall()), bits).re();
-    if (!value.contains_zero()) return sign(value.lower());
+    if (!value.contains_zero()) return value.lower().sign();
   }
 }
 

@@ -25,10 +25,7 @@ int sign_at(const fmpz_poly_t p, const fmpq_t t) {
   return fmpq_sgn(value.get());
 }
 
-int sign_at(const Polynomial& p, const Rational& t) {
-  const Rational value = p(t);
-  return value < 0 ? -1 : value > 0 ? 1 : 0;
-}
+int sign_at(const Polynomial& p, const Rational& t) { return p(t).sign(); }
 
 /// A number beyond every root of p in absolute value: Cauchy's 1 + max |c_k/c_n|.
 Rational root_bound(const Polynomial& p) {

@@ -23,8 +23,8 @@ inline Interval open(Rational a, Rational b) { return {std::move(a), std::move(b
 std::string to_string(const Interval& interval);
 
 /// How many distinct real roots p has in the interval: Descartes' rule of signs on smaller and
-/// smaller parts until it decides (0 or 1 changes), and Sturm's theorem for roots close together. An interval with lower > upper is empty.
-/// Throws DomainError for p = 0.
+/// smaller parts until it decides (0 or 1 changes), and Sturm's theorem for roots close together.
+/// An interval with lower > upper is empty. Throws DomainError for p = 0.
 long count_real_roots(const Polynomial& p, const Interval& interval);
 
 /// Disjoint intervals in ascending order, one for each distinct real root of p in the given one.
@@ -32,7 +32,8 @@ long count_real_roots(const Polynomial& p, const Interval& interval);
 /// squarefree part and no root at its ends. Throws DomainError for p = 0.
 std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& interval);
 
-/// The same isolating interval of p, bisected until it is no wider than `width` > 0.
+/// The same isolating interval of p, with finite ends, bisected until it is no wider than `width`
+/// > 0.
 Interval narrowed(const Polynomial& p, Interval isolating, const Rational& width);
 
 /// isolate_real_roots for people to read: rational roots as points, the others in intervals no

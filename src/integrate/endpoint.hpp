@@ -10,7 +10,8 @@ enum class Infinity { negative, positive };
 /// An end of a path of integration.
 using Endpoint = std::variant<Rational, RealAlgebraic, Infinity>;
 
-/// A ball around a finite end, as narrow as enclose(RealAlgebraic, bits).
+/// A ball around a finite end, as narrow as enclose(RealAlgebraic, bits). Throws DomainError for an
+/// infinite one.
 RealBall enclose(const Endpoint& end, long bits);
 
 /// From −∞ over the real numbers to ∞.

@@ -9,10 +9,6 @@
 namespace phrame {
 namespace {
 
-GaussianRational operator*(const GaussianRational& a, const GaussianRational& b) {
-  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
-
 /// A rational point beyond which, towards the end, Re v has no zero.
 Rational beyond_zeros(const GaussianPolynomial& v, Infinity end) {
   Rational bound = 1;  // Cauchy's bound

@@ -36,7 +36,8 @@ struct LogChange {
   std::vector<Turn> turns;
 };
 
-/// Ends are rational or infinite, and no zero of a logarithm. Precondition: logs.others is empty.
+/// Precondition: the ends are rational or infinite, and no zero of a logarithm. Throws DomainError
+/// where logs.others is not empty.
 LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint& b);
 
 /// Is the sum 0? Decided: by Baker's theorem it is irrational if not. No value where numbers would
