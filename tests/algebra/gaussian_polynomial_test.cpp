@@ -1,6 +1,7 @@
 #include "phrame/algebra/gaussian_polynomial.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/modular.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -35,4 +36,65 @@ TEST_CASE("gaussian polynomial: law: product, conjugate, norm and derivative") {
     CHECK(lead * m == a);
   });
   CHECK_THROWS_AS(monic({}), DomainError);
+}
+
+namespace {
+
+/// Euclid's algorithm over ℚ(i), step by step.
+GaussianPolynomial euclid(GaussianPolynomial a, GaussianPolynomial b) {
+  while (!is_zero(b)) {
+    const GaussianPolynomial divisor = monic(b);
+    const long n = degree(divisor);
+    for (long k = degree(a); k >= n; k = degree(a))
+      a = a - GaussianPolynomial{Polynomial::monomial(a.re.coefficient(k), k - n),
+                                 Polynomial::monomial(a.im.coefficient(k), k - n)} *
+                  divisor;
+    std::swap(a, b);
+  }
+  return is_zero(a) ? a : monic(a);
+}
+
+}  // namespace
+
+TEST_CASE("gaussian gcd: (t + i)(t − 2i) and (t + i)(t + 3) share t + i, which t² + 4 does not") {
+  const GaussianPolynomial common{{0, 1}, {1}};
+  const GaussianPolynomial a = common * GaussianPolynomial{{0, 1}, {-2}};
+  CHECK(gcd(a, common * GaussianPolynomial{{3, 1}, {}}) == common);
+  CHECK(gcd(a, {{4, 0, 1}, {}}) == GaussianPolynomial{{0, 1}, {-2}});
+  CHECK(gcd(a, {}) == a);
+  CHECK(gcd({}, Polynomial{2} * a) == a);
+  CHECK(gcd(GaussianPolynomial{}, {}) == GaussianPolynomial{});
+  CHECK(gcd(a, {{}, {5}}) == GaussianPolynomial{{1}, {}});
+  CHECK(exact_quotient(a, common) == GaussianPolynomial{{0, 1}, {-2}});
+  CHECK_THROWS_AS(exact_quotient(a, {{4, 1}, {}}), DomainError);
+  CHECK_THROWS_AS(exact_quotient(a, conjugate(common)), DomainError);
+  CHECK_THROWS_AS(exact_quotient(a, {}), DomainError);
+}
+
+// Modulo p, t and t + p have a common root and pt + 1 has none.
+TEST_CASE("gaussian gcd: primes that see too much or too little do no harm") {
+  Primes primes;
+  Integer p = 1;
+  for (int k = 0; k < 4; ++k) p *= primes.next();
+  const GaussianPolynomial common{{0, 1}, {1}};
+  const GaussianPolynomial t{{0, 1}, {}};
+  const GaussianPolynomial shifted{{Rational(p), 1}, {}};
+  const GaussianPolynomial steep{{1, Rational(p)}, {}};
+  CHECK(gcd(t, shifted) == GaussianPolynomial{{1}, {}});
+  CHECK(gcd(t * common, shifted * common) == common);
+  CHECK(gcd(t * steep, shifted * steep) == monic(steep));
+}
+
+TEST_CASE("gaussian gcd: law: that of Euclid, also with a common factor and huge coefficients") {
+  for_samples(60, [](Random& random) {
+    const auto c = random.gaussian_polynomial(random.chance(3) ? 0 : 3);
+    const auto a = random.gaussian_polynomial(3) * c;
+    const auto b = random.gaussian_polynomial(3) * c;
+    const GaussianPolynomial g = gcd(a, b);
+    CHECK(g == euclid(a, b));
+    CHECK(gcd(b, a) == g);
+    if (is_zero(g)) return;
+    CHECK(exact_quotient(a, g) * g == a);
+    CHECK(exact_quotient(b, g) * g == b);
+  });
 }
