@@ -44,6 +44,7 @@
 #include "phrame/io/endpoint.hpp"
 #include "phrame/io/expression.hpp"
 #include "phrame/io/frame_table.hpp"
+#include "phrame/io/identify_report.hpp"
 #include "phrame/io/integral_report.hpp"
 #include "phrame/io/radical_form_text.hpp"
 #include "phrame/io/radical_text.hpp"
