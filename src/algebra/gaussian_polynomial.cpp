@@ -161,7 +161,6 @@ GaussianPolynomial gcd(const GaussianPolynomial& a, const GaussianPolynomial& b)
     const auto minus = modular_gcd(integer_a, integer_b, degree(a), p, p - iota);
     if (!plus || !minus) continue;
     const long found = std::min(plus->degree(), minus->degree());
-    if (found == 0) return {{1}, {}};
     if (found < least) {
       least = found;
       lift.emplace(static_cast<std::size_t>(2 * least));

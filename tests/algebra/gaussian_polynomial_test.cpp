@@ -1,6 +1,7 @@
 #include "phrame/algebra/gaussian_polynomial.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/algebra/modular.hpp"
 #include "support/random.hpp"
 
@@ -83,6 +84,25 @@ TEST_CASE("gaussian gcd: primes that see too much or too little do no harm") {
   CHECK(gcd(t, shifted) == GaussianPolynomial{{1}, {}});
   CHECK(gcd(t * common, shifted * common) == common);
   CHECK(gcd(t * steep, shifted * steep) == monic(steep));
+}
+
+// The factor needs several primes. The third sees one zero more in both maps, or, as p = |π|²
+// divides t − (t + π) in one of the maps only, in one.
+TEST_CASE("gaussian gcd: a prime that sees too much after others have not is left out") {
+  Primes primes;
+  ulong p = 0;
+  for (int seen = 0; seen < 3;) {
+    p = primes.next();
+    if (p % 4 == 1) ++seen;
+  }
+  const GaussianInteger pi = split_norm(Integer(p)).root;
+  const Rational large = parse_rational("1e120");
+  const GaussianPolynomial common{{3, 1}, {large}};
+  const GaussianPolynomial t{{0, 1}, {}};
+  for (const auto& shift : {GaussianInteger{Integer(p), 0}, pi, conjugate(pi)}) {
+    const GaussianPolynomial shifted{{Rational(shift.re), 1}, {Rational(shift.im)}};
+    CHECK(gcd(t * common, shifted * common) == common);
+  }
 }
 
 TEST_CASE("gaussian gcd: law: that of Euclid, also with a common factor and huge coefficients") {

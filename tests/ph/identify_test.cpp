@@ -122,6 +122,10 @@ TEST_CASE("identify: parabola and twisted cubic are not PH; the factor is named"
 TEST_CASE("identify: PH over ℝ only is told apart") {
   CHECK(refused({Polynomial{1}, Polynomial{1}, {}}) == NotPythagorean{{1}, 2});
   CHECK(refused({Polynomial{1}, Polynomial{1}, Polynomial{1}}) == NotPythagorean{{1}, 3});
+  // 4 + 1000003² = 275881 · 3624773, times the square of the prime 10¹² + 39.
+  const Integer prime("1000000000039");
+  CHECK(refused({Polynomial{Rational(2 * prime)}, Polynomial{Rational(1000003 * prime)}, {}}) ==
+        NotPythagorean{{1}, Integer("1000006000013")});
   // (1 − t², 2t) turned by 45° and scaled by √2: |r′|² = 2(1 + t²)².
   const NotPythagorean turned = refused({Polynomial{1, -2, -1}, Polynomial{1, 2, -1}, {}});
   CHECK(turned == NotPythagorean{{1}, 2});
