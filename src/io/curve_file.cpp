@@ -211,7 +211,7 @@ QuaternionPolynomial read_preimage(const Node& curve, const Basis& basis) {
 
 /// An object of the format curve/1 with known keys only.
 Node curve_node(const JsonValue& document) {
-  const Node node(document, "");
+  Node node(document, "");
   node.require(Kind::object, "an object");
   const Node format = node.at("phrame");
   if (format.string() == "spline/1") format.fail("splines (spline/1) are not supported yet");
