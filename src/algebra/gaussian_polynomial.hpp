@@ -25,5 +25,10 @@ GaussianPolynomial differentiate(const GaussianPolynomial& a);
 Polynomial norm(const GaussianPolynomial& a);
 /// a over its leading coefficient. Throws DomainError for 0.
 GaussianPolynomial monic(const GaussianPolynomial& a);
+/// a / b, where b divides a. Throws DomainError where it does not.
+GaussianPolynomial exact_quotient(const GaussianPolynomial& a, const GaussianPolynomial& b);
+/// The monic greatest common divisor, proved by dividing a and b; gcd(0, 0) = 0.
+/// Cost: Euclid's algorithm modulo as many primes as the result, not a or b, is long.
+GaussianPolynomial gcd(const GaussianPolynomial& a, const GaussianPolynomial& b);
 
 }  // namespace phrame

@@ -146,6 +146,15 @@ Polynomial pow(const Polynomial& p, long k) {
   return result;
 }
 
+// Of a square the content is one in ℚ and the primitive part one in ℤ[t] (Gauss).
+std::optional<Polynomial> square_root(const Polynomial& p) {
+  const auto scale = square_root(content(p));
+  flint::FmpzPoly root;
+  if (!scale || fmpz_poly_sqrt(root.get(), integer_primitive_part(p).get()) == 0)
+    return std::nullopt;
+  return *scale * to_polynomial(root.get());
+}
+
 Polynomial squarefree_part(const Polynomial& p) {
   if (p.is_zero()) throw DomainError("squarefree_part: the zero polynomial has no finite root set");
   const Polynomial repeated = gcd(p, differentiate(p));

@@ -1,5 +1,6 @@
 #pragma once
 #include <initializer_list>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -78,6 +79,8 @@ Polynomial antiderivative(const Polynomial& p);
 Polynomial compose(const Polynomial& p, const Polynomial& q);
 /// pᵏ, k ≥ 0; p⁰ = 1.
 Polynomial pow(const Polynomial& p, long k);
+/// √p, with a positive leading coefficient, where it is in ℚ[t]; no value where it is not.
+std::optional<Polynomial> square_root(const Polynomial& p);
 /// p/gcd(p, p′), primitive: the same roots, each once. Throws DomainError for 0.
 Polynomial squarefree_part(const Polynomial& p);
 bool is_squarefree(const Polynomial& p);

@@ -32,6 +32,17 @@ bool write_and_close(File file, const std::string& bytes) {
   return std::fclose(file.release()) == 0 && written && flushed;
 }
 
+template <class T>
+T read_by(T (*read)(std::string_view, const CurveLimits&), const CurveOptions& options) {
+  const std::string name = options.path == "-" ? "standard input" : options.path;
+  const std::string text = read_file(options.path);
+  try {
+    return read(text, options.limits);
+  } catch (const InputError& error) {
+    throw InputError(error.place().empty() ? name : name + ":" + error.place(), error.reason());
+  }
+}
+
 }  // namespace
 
 void CurveOptions::add_to(CLI::App& command) {
@@ -47,14 +58,10 @@ void CurveOptions::add_to(CLI::App& command) {
       ->check(CLI::Range(1L, 1'000'000L).description(""));
 }
 
-NamedCurve CurveOptions::read() const {
-  const std::string name = path == "-" ? "standard input" : path;
-  const std::string text = read_file(path);
-  try {
-    return read_curve(text, limits);
-  } catch (const InputError& error) {
-    throw InputError(error.place().empty() ? name : name + ":" + error.place(), error.reason());
-  }
+NamedCurve CurveOptions::read() const { return read_by(read_curve, *this); }
+
+NamedHodograph CurveOptions::read_hodograph() const {
+  return read_by(phrame::read_hodograph, *this);
 }
 
 void Parameters::add_to(CLI::App& command) {

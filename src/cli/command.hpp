@@ -15,8 +15,9 @@ struct CurveOptions {
   std::string output = "-";
 
   void add_to(CLI::App& command);
-  /// Reads the curve; an InputError's place starts with the path.
+  // Read the curve; an InputError's place starts with the path.
   NamedCurve read() const;
+  NamedHodograph read_hodograph() const;
 };
 
 /// Where t is asked for: --at and --samples.
@@ -57,9 +58,15 @@ std::string read_file(const std::string& path);
 /// Throws InputError.
 void write_output(const std::string& path, const std::string& bytes);
 
+/// Thrown by a command whose answer is "no": exit status 1.
+struct AnswerNo {
+  std::string complaint;  ///< for stderr; empty where the answer was printed
+};
+
 // Each adds a subcommand and what it does when it was chosen.
 void add_angle(CLI::App& app);
 void add_classify(CLI::App& app);
+void add_identify(CLI::App& app);
 void add_info(CLI::App& app);
 void add_frames(CLI::App& app);
 void add_integrate(CLI::App& app);

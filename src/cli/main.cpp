@@ -11,7 +11,7 @@
 
 namespace {
 
-enum Status { done = 0, bad_input = 2, undefined = 3, undecided = 4 };
+enum Status { done = 0, no = 1, bad_input = 2, undefined = 3, undecided = 4 };
 
 /// One line, whatever a file or an option is called; silent, not fatal, where stderr is closed.
 int complain(std::string_view what, int status) {
@@ -21,7 +21,8 @@ int complain(std::string_view what, int status) {
 
 /// CLI11 would call the first word and all that follow it "not expected".
 void require_known_command(const std::vector<CLI::App*>& commands, int argc, char** argv) {
-  constexpr auto there_are = "there are angle, info, frames and integrate (phrame --help)";
+  constexpr auto there_are =
+      "there are angle, info, identify, frames and integrate (phrame --help)";
   if (argc < 2) throw phrame::InputError(fmt::format("a command is needed: {}", there_are));
   const std::string word = argv[1];
   const bool known = std::any_of(commands.begin(), commands.end(), [&](const CLI::App* command) {
@@ -54,6 +55,7 @@ int run(int argc, char** argv) {
       "Examples:\n"
       "  phrame angle curve.json --at 0,1/2,1 --digits 50\n"
       "  phrame info curve.json --print json\n"
+      "  phrame identify curve.json --print curve -o ph.json\n"
       "  phrame frames curve.json --samples 101 -o frames.csv\n"
       "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50\n"
       "A curve file is JSON, such as\n"
@@ -61,11 +63,12 @@ int run(int argc, char** argv) {
       "   \"preimage\": {\"u\": [1], \"v\": [0, \"1/2\"], \"p\": [0, 0, 3], \"q\": [0.25]}}\n"
       "and means r' = f A i A* with A = u + vi + pj + qk and f = \"multiplier\", 1 if not given.\n"
       "Where f < 0, e1 = A i A*/|A|^2 of all frames is the opposite of the tangent r'/|r'|.\n"
-      "Exit status: 0 done, 2 bad input or usage, 3 mathematically undefined, 4 undecided within\n"
-      "the limits. \"phrame COMMAND --help\" shows examples.");
+      "Exit status: 0 done, 1 the answer is no, 2 bad input or usage, 3 mathematically undefined,\n"
+      "4 undecided within the limits. \"phrame COMMAND --help\" shows examples.");
   phrame::cli::add_angle(app);
   phrame::cli::add_info(app);
   phrame::cli::add_classify(app);
+  phrame::cli::add_identify(app);
   phrame::cli::add_frames(app);
   phrame::cli::add_integrate(app);
   const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
@@ -94,6 +97,8 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);
+  } catch (const phrame::cli::AnswerNo& answer) {
+    return answer.complaint.empty() ? no : complain(answer.complaint, no);
   } catch (const phrame::InputError& error) {
     return complain(error.what(), bad_input);
   } catch (const phrame::DomainError& error) {

@@ -6,7 +6,9 @@
 #include <array>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/json_text.hpp"
 #include "phrame/io/json_value.hpp"
+#include "phrame/ph/identify.hpp"
 
 namespace phrame {
 namespace {
@@ -185,13 +187,19 @@ QuaternionPolynomial read_hopf(const Node& node, const Basis& basis) {
   return from_hopf_form({{a_re, a_im}, {b_re, b_im}});
 }
 
+Vector<Rational> read_point(const Node& node) {
+  const auto coordinates = node.numbers(3);
+  return {coordinates[0], coordinates[1], coordinates[2]};
+}
+
 QuaternionPolynomial read_preimage(const Node& curve, const Basis& basis) {
   std::vector<std::string> given;
   for (const char* key : {"preimage", "quaternions", "hopf"})
     if (curve.find(key)) given.emplace_back(key);
   if (given.size() != 1)
     curve.fail(given.empty()
-                   ? "a curve needs one of \"preimage\", \"quaternions\" and \"hopf\""
+                   ? "a curve needs one of \"preimage\", \"quaternions\", \"hopf\" and "
+                     "\"control_points\""
                    : fmt::format("\"{}\" and \"{}\" exclude each other", given[0], given[1]));
   const Node node = curve.at(given.front());
   QuaternionPolynomial preimage = given.front() == "preimage"      ? read_components(node, basis)
@@ -201,22 +209,26 @@ QuaternionPolynomial read_preimage(const Node& curve, const Basis& basis) {
   return preimage;
 }
 
-}  // namespace
-
-NamedCurve read_curve(std::string_view text, const CurveLimits& limits) {
-  const JsonValue document = parse_json(text);
-  const Node node(document, "");
+/// An object of the format curve/1 with known keys only.
+Node curve_node(const JsonValue& document) {
+  Node node(document, "");
   node.require(Kind::object, "an object");
   const Node format = node.at("phrame");
   if (format.string() == "spline/1") format.fail("splines (spline/1) are not supported yet");
   if (format.string() != "curve/1")
     format.fail(fmt::format("the format is \"curve/1\", not \"{}\"", abbreviated(format.string())));
-  if (const auto points = node.find("control_points"))
-    points->fail("curves given by control points are not supported yet; give a preimage");
   require_known_keys(node, {"phrame", "name", "basis", "start", "preimage", "quaternions", "hopf",
                             "control_points", "multiplier", "note", "family", "expected"});
+  return node;
+}
 
-  const auto name = node.find("name");
+std::string read_name(const Node& curve) {
+  const auto name = curve.find("name");
+  return name ? name->string() : "";
+}
+
+NamedCurve read_preimage_curve(const Node& node, const CurveLimits& limits) {
+  std::string name = read_name(node);
   const Basis basis(node, limits);
   QuaternionPolynomial preimage = read_preimage(node, basis);
   Polynomial multiplier{1};
@@ -226,16 +238,72 @@ NamedCurve read_curve(std::string_view text, const CurveLimits& limits) {
     if (multiplier.is_zero()) list->fail("the multiplier is zero, so the curve is a single point");
   }
   Vector<Rational> start{};
-  if (const auto point = node.find("start")) {
-    const auto coordinates = point->numbers(3);
-    std::copy(coordinates.begin(), coordinates.end(), start.begin());
-  }
-  NamedCurve result{name ? name->string() : "",
+  if (const auto point = node.find("start")) start = read_point(*point);
+  NamedCurve result{std::move(name),
                     Curve(std::move(preimage), std::move(multiplier), std::move(start))};
   if (degree(result.curve) > limits.max_degree)
     node.fail(fmt::format("the curve has degree {}, the limit is {}; --max-degree raises it",
                           degree(result.curve), limits.max_degree));
   return result;
+}
+
+/// The points say all: where the curve starts and, by its hodograph, f.
+NamedHodograph read_bezier(const Node& node, const Node& list, const CurveLimits& limits) {
+  for (const char* key : {"preimage", "quaternions", "hopf", "multiplier", "start"})
+    if (node.find(key))
+      node.fail(fmt::format("\"control_points\" and \"{}\" exclude each other", key));
+  if (const auto basis = node.find("basis"); basis && basis->string() != "bernstein")
+    basis->fail(fmt::format("control points have the basis \"bernstein\", not \"{}\"",
+                            abbreviated(basis->string())));
+  list.require(Kind::array, "an array of points");
+  if (list.size() < 2)
+    list.fail(fmt::format("a curve has at least 2 control points, not {}", list.size()));
+  if (static_cast<long>(list.size()) > limits.max_degree + 1)
+    list.fail(fmt::format("{} points make a degree beyond the limit {}; --max-degree raises it",
+                          list.size(), limits.max_degree));
+  std::vector<Vector<Rational>> points;
+  for (std::size_t k = 0; k < list.size(); ++k) points.push_back(read_point(list.item(k)));
+  NamedHodograph result{read_name(node), bezier_hodograph(points), points.front()};
+  if (result.hodograph == Vector<Polynomial>{})
+    list.fail("the control points are all equal, so the curve is a single point");
+  return result;
+}
+
+}  // namespace
+
+NamedCurve read_curve(std::string_view text, const CurveLimits& limits) {
+  const JsonValue document = parse_json(text);
+  const Node node = curve_node(document);
+  const auto points = node.find("control_points");
+  if (!points) return read_preimage_curve(node, limits);
+  NamedHodograph bezier = read_bezier(node, *points, limits);
+  auto result = identify(bezier.hodograph, bezier.start);
+  if (const auto* reason = std::get_if<NotPythagorean>(&result))
+    points->fail("this is no PH curve: " + to_string(*reason));
+  return {std::move(bezier.name), std::get<Curve>(std::move(result))};
+}
+
+NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) {
+  const JsonValue document = parse_json(text);
+  const Node node = curve_node(document);
+  if (const auto points = node.find("control_points")) return read_bezier(node, *points, limits);
+  const auto [name, curve] = read_preimage_curve(node, limits);
+  return {name, hodograph(curve), curve.start()};
+}
+
+std::string write_curve(const NamedCurve& named) {
+  const auto list = [](const Polynomial& p) {
+    return p.is_zero() ? JsonOutput::array({"0"}) : json_of(p);
+  };
+  const QuaternionPolynomial& a = named.curve.preimage();
+  JsonOutput json = {{"phrame", "curve/1"}};
+  if (!named.name.empty()) json["name"] = named.name;
+  json["basis"] = "power";
+  json["start"] = json_of(named.curve.start());
+  json["preimage"] = {{"u", list(a.u)}, {"v", list(a.v)}, {"p", list(a.p)}, {"q", list(a.q)}};
+  if (!(named.curve.multiplier() == Polynomial{1}))
+    json["multiplier"] = list(named.curve.multiplier());
+  return pretty(json);
 }
 
 }  // namespace phrame

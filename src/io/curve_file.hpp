@@ -15,9 +15,23 @@ struct CurveLimits {
 };
 
 /// Reads a curve/1 file (README, "Curve files"): `preimage`, `quaternions` or `hopf`, with `basis`
-/// and optionally `name`, `start` and `multiplier` (in the same basis). Numbers are read exactly.
+/// and optionally `name`, `start` and `multiplier` (in the same basis); or `control_points` of a
+/// Bézier curve, which is identified as a PH curve or refused. Numbers are read exactly.
 /// `note`, `family` and `expected` are remarks and are skipped.
 /// Throws InputError; its place is a JSON pointer, or line:column where the JSON itself is broken.
 NamedCurve read_curve(std::string_view text, const CurveLimits& limits = {});
+
+/// r′ and r(0) of a curve that may not be PH.
+struct NamedHodograph {
+  std::string name;
+  Vector<Polynomial> hodograph;  ///< not 0
+  Vector<Rational> start;
+};
+
+/// Reads the same files, but does not ask whether a Bézier curve is PH.
+NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits = {});
+
+/// A curve/1 file that read_curve reads as the same curve, in the power basis.
+std::string write_curve(const NamedCurve& named);
 
 }  // namespace phrame

@@ -109,4 +109,18 @@ std::vector<Vector<Rational>> control_points(const Curve& curve) {
   return points;
 }
 
+// r′ = Σ n(P_{k+1} − P_k)·C(n − 1, k)(1 − t)^{n−1−k}tᵏ.
+Vector<Polynomial> bezier_hodograph(const std::vector<Vector<Rational>>& points) {
+  if (points.empty()) throw DomainError("bezier_hodograph: there are no control points");
+  const std::size_t n = points.size() - 1;
+  Vector<Polynomial> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::vector<Rational> steps;
+    for (std::size_t j = 0; j < n; ++j)
+      steps.emplace_back(static_cast<long>(n) * (points[j + 1][k] - points[j][k]));
+    result[k] = from_bernstein(steps);
+  }
+  return result;
+}
+
 }  // namespace phrame

@@ -53,5 +53,7 @@ std::vector<Rational> to_bernstein(const Polynomial& p, long m);
 
 /// The Bézier control points of r on [0, 1], degree(curve) + 1 of them.
 std::vector<Vector<Rational>> control_points(const Curve& curve);
+/// r′ of the Bézier curve with these points. Throws DomainError where there is none.
+Vector<Polynomial> bezier_hodograph(const std::vector<Vector<Rational>>& control_points);
 
 }  // namespace phrame

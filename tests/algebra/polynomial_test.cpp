@@ -123,3 +123,18 @@ TEST_CASE("polynomial: as text in messages") {
   CHECK(to_string(Polynomial{3, -1, 0, Rational(2, 3)}) == "2/3*t^3 - t + 3");
   CHECK(to_string(Polynomial{0, 0, -1}) == "-t^2");
 }
+
+TEST_CASE("polynomial: the square root is exact, or there is none") {
+  CHECK(square_root(Polynomial{1, -2, 1}) == Polynomial{-1, 1});
+  CHECK(square_root(Polynomial{Rational(4, 9)}) == Polynomial{Rational(2, 3)});
+  CHECK(square_root(Polynomial()) == Polynomial());
+  for (const auto& p : {Polynomial{-1, 2, -1}, Polynomial{2, -4, 2}, Polynomial{0, 1},
+                        Polynomial{1, 0, 1}, Polynomial{3}, Polynomial{-4}})
+    CHECK_FALSE(square_root(p));
+  for_samples(60, [](Random& random) {
+    const Polynomial p = random.nonzero_polynomial(6);
+    const Polynomial root = p.leading_coefficient() < 0 ? -p : p;
+    CHECK(square_root(p * p) == root);
+    CHECK_FALSE(square_root(p * p * Polynomial{1, 1}));
+  });
+}

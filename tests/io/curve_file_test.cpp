@@ -1,7 +1,10 @@
 #include "phrame/io/curve_file.hpp"
 
+#include <fmt/format.h>
+
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
+#include "support/random.hpp"
 
 using namespace phrame;
 
@@ -192,7 +195,7 @@ TEST_CASE("curve files: what is missing is named") {
   CHECK(refusal("{}") == "/: the key \"phrame\" is missing");
   CHECK(refusal(R"({"phrame": "curve/1"})") == "/: the key \"basis\" is missing");
   CHECK(refusal(file(R"("basis": "power")")) ==
-        "/: a curve needs one of \"preimage\", \"quaternions\" and \"hopf\"");
+        "/: a curve needs one of \"preimage\", \"quaternions\", \"hopf\" and \"control_points\"");
   CHECK(refusal(file(R"("basis": "power", "preimage": {"u": [1], "v": [0], "q": [0]})")) ==
         "/preimage: the key \"p\" is missing");
   CHECK(refusal(file(R"("basis": "power", "hopf": {"alpha": [[1, 0]]})")) ==
@@ -229,8 +232,6 @@ TEST_CASE("curve files: formats and bases are refused by name") {
         "/phrame: splines (spline/1) are not supported yet");
   CHECK(refusal(R"({"phrame": "curve/2"})") ==
         "/phrame: the format is \"curve/1\", not \"curve/2\"");
-  CHECK(contains(refusal(file(R"("control_points": [[0, 0, 0]])")),
-                 "/control_points: curves given by control points are not supported"));
   CHECK(refusal(file(R"("basis": "Bernstein\n")")) ==
         "/basis: the basis is \"bernstein\" or \"power\", not \"Bernstein?\"");
 }
@@ -283,4 +284,72 @@ TEST_CASE("curve files: every prefix of a good file is refused, and nothing else
   CHECK(refusal(good) == "(accepted)");
   for (std::size_t n = 0; n < good.size(); ++n)
     CHECK(contains(refusal(good.substr(0, n)), "not valid JSON"));
+}
+
+// r = (t − t³/3, t², 0) with r′ = (1 − t², 2t, 0): A = 1 + t·k, and the points by hand from
+// b₁ = b₀ + r′(0)/3, b₂ = b₃ − r′(1)/3.
+TEST_CASE("curve files: control points of a PH curve are identified") {
+  const std::string points = R"("control_points": [[0, 0, 0], ["1/3", 0, 0], ["2/3", "1/3", 0],
+                                                   ["2/3", 1, 0]])";
+  const Curve expected({{1}, {}, {}, {0, 1}});
+  CHECK(read_curve(file(points)).curve == expected);
+  CHECK(read_curve(file(R"("name": "x", "basis": "bernstein", )" + points)).curve == expected);
+  CHECK(read_curve(file(R"("name": "x", )" + points)).name == "x");
+  const NamedHodograph read = read_hodograph(file(points));
+  CHECK(read.hodograph == Vector<Polynomial>{Polynomial{1, 0, -1}, Polynomial{0, 2}, {}});
+  CHECK(read.start == Vector<Rational>{});
+  CHECK(read_curve(file(R"("control_points": [[1, "2.5", 3], [2, "2.5", 3]])")).curve ==
+        Curve({{1}, {}, {}, {}}, {1}, {1, Rational(5, 2), 3}));
+}
+
+TEST_CASE("curve files: control points that make no PH curve are refused with the reason") {
+  // r′ = (1, 2t, 0) and (1, 1, 0).
+  CHECK(refusal(file(R"("control_points": [[0, 0, 0], [0.5, 0, 0], [1, 1, 0]])")) ==
+        "/control_points: this is no PH curve: |r'| is no polynomial: |r'|^2 has the factor "
+        "4*t^2 + 1 to an odd power");
+  CHECK(refusal(file(R"("control_points": [[0, 0, 0], [1, 1, 0]])")) ==
+        "/control_points: this is no PH curve: |r'| is sqrt(2) times a polynomial: the curve is PH "
+        "over the reals, but has no preimage with rational coefficients, whatever the multiplier");
+  CHECK(read_hodograph(file(R"("control_points": [[0, 0, 0], [1, 1, 0]])")).hodograph ==
+        Vector<Polynomial>{Polynomial{1}, Polynomial{1}, {}});
+  // However long the factor is.
+  std::string many = "[0, 0, 0]";
+  for (int k = 1; k < 60; ++k) many += fmt::format(", [{}, {}e-50, 1e{}]", k, k * k, k);
+  CHECK(contains(refusal(file(R"("control_points": [)" + many + "]")), "to an odd power"));
+}
+
+TEST_CASE("curve files: control points say all, so that nothing else may be said") {
+  const std::string points = R"("control_points": [[0, 0, 0], [1, 0, 0]], )";
+  for (const std::string key : {"start", "multiplier", "preimage", "hopf", "quaternions"})
+    CHECK(refusal(file(points + '"' + key + "\": []")) ==
+          "/: \"control_points\" and \"" + key + "\" exclude each other");
+  CHECK(refusal(file(points + R"("basis": "power")")) ==
+        "/basis: control points have the basis \"bernstein\", not \"power\"");
+}
+
+TEST_CASE("curve files: bad control points are refused where they stand") {
+  const auto points = [](const std::string& list) { return file("\"control_points\": " + list); };
+  CHECK(refusal(points("7")) == "/control_points: an array of points is wanted, not the number 7");
+  CHECK(refusal(points("[]")) == "/control_points: a curve has at least 2 control points, not 0");
+  CHECK(refusal(points("[[0, 0, 0]]")) ==
+        "/control_points: a curve has at least 2 control points, not 1");
+  CHECK(refusal(points("[[0, 0, 0], [1, 2]]")) == "/control_points/1: 3 numbers are wanted, not 2");
+  CHECK(refusal(points("[[0, 0, 0], [1, 2, \"x\"]]")).starts_with("/control_points/1/2: \"x\""));
+  CHECK(refusal(points("[[1, 2, 3], [1, \"2\", 3.0], [1, 2, 3]]")) ==
+        "/control_points: the control points are all equal, so the curve is a single point");
+  CHECK(refusal(points("[[0,0,0], [1,0,0], [2,0,0]]"), {1}) ==
+        "/control_points: 3 points make a degree beyond the limit 1; --max-degree raises it");
+}
+
+TEST_CASE("curve files: law: what is written is read as the same curve") {
+  test::for_samples(60, [](test::Random& random) {
+    const NamedCurve named{random.chance(2) ? "" : "a \"name\"\n", random.curve(3)};
+    const std::string text = write_curve(named);
+    const NamedCurve back = read_curve(text);
+    CHECK(back.name == named.name);
+    CHECK(back.curve == named.curve);
+    const NamedHodograph other = read_hodograph(text);
+    CHECK(other.hodograph == hodograph(named.curve));
+    CHECK(other.start == named.curve.start());
+  });
 }

@@ -123,3 +123,14 @@ TEST_CASE("curve: law: the signs of the multiplier are those of its values") {
     CHECK(opposite == Signs{signs.negative, signs.positive});
   });
 }
+
+TEST_CASE("Bézier hodograph: law: the derivative of the curve with these points") {
+  CHECK_THROWS_AS(bezier_hodograph({}), DomainError);
+  CHECK(bezier_hodograph({{1, 2, 3}}) == Vector<Polynomial>{});
+  CHECK(bezier_hodograph({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}) ==
+        Vector<Polynomial>{Polynomial{2, -2}, Polynomial{0, 2}, Polynomial{}});
+  for_samples(30, [](Random& random) {
+    const Curve curve = random.curve(3);
+    CHECK(bezier_hodograph(control_points(curve)) == hodograph(curve));
+  });
+}

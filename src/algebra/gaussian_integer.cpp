@@ -1,0 +1,138 @@
+// A prime p ≡ 1 mod 4 is a norm: with g no square modulo p and r = g^{(p−1)/4}, r² ≡ −1, p divides
+// (r + i)(r − i) but neither factor, so that gcd(p, r + i) has the norm p. 2 = |1 + i|². The norm
+// of a + bi holds a prime p ≡ 3 mod 4 to an even power only, as p then divides a and b. So the part
+// of x that is no norm is the product of its primes ≡ 3 mod 4 of odd exponent.
+//
+// That |π|² = p is checked; it does not matter whether p is proved to be prime.
+#include "phrame/algebra/gaussian_integer.hpp"
+
+#include <optional>
+#include <vector>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/handle.hpp"
+
+namespace phrame {
+namespace {
+
+constexpr unsigned largest_divisor = 10'000;
+constexpr unsigned factored_bits = 128;      ///< a second at worst
+constexpr unsigned two_squares_bits = 4096;  ///< a power modulo p of this size takes as long
+
+/// The integer nearest to x/n, n > 0.
+Integer rounded_quotient(const Integer& x, const Integer& n) {
+  Integer q;
+  const Integer twice_x = 2 * x + n;
+  const Integer twice_n = 2 * n;
+  mpz_fdiv_q(q.backend().data(), twice_x.backend().data(), twice_n.backend().data());
+  return q;
+}
+
+GaussianInteger remainder(const GaussianInteger& a, const GaussianInteger& b) {
+  const GaussianInteger c = a * conjugate(b);
+  const Integer n = norm(b);
+  const GaussianInteger product =
+      b * GaussianInteger{rounded_quotient(c.re, n), rounded_quotient(c.im, n)};
+  return {a.re - product.re, a.im - product.im};
+}
+
+/// π with |π|² = p in the first quadrant, re > im; no value for p ≡ 3 mod 4, and hardly for a p
+/// that is not prime.
+std::optional<GaussianInteger> prime_above(const Integer& p) {
+  if (p == 2) return GaussianInteger{1, 1};
+  if (p % 4 != 1 || msb(p) >= two_squares_bits) return std::nullopt;
+  Integer g = 2;
+  while (g < 1000 && mpz_jacobi(g.backend().data(), p.backend().data()) != -1) ++g;
+  const Integer exponent = (p - 1) / 4;
+  Integer r;
+  mpz_powm(r.backend().data(), g.backend().data(), exponent.backend().data(), p.backend().data());
+  const GaussianInteger pi = gcd({p, 0}, {r, 1});
+  if (norm(pi) != p) return std::nullopt;
+  return pi.re > pi.im ? pi : GaussianInteger{pi.im, pi.re};
+}
+
+struct IntegerPower {
+  Integer base;
+  unsigned long exponent;
+};
+
+struct FlintFactors {
+  fmpz_factor_t value;
+  FlintFactors() { fmpz_factor_init(value); }
+  ~FlintFactors() { fmpz_factor_clear(value); }
+  FlintFactors(const FlintFactors&) = delete;
+  FlintFactors& operator=(const FlintFactors&) = delete;
+};
+
+/// The prime factors of x < 2¹²⁸, by elliptic curves. (The quadratic sieve, which fmpz_factor
+/// takes, writes files into the working directory.)
+void append_factors(std::vector<IntegerPower>& list, const Integer& x) {
+  flint::Fmpz n;
+  fmpz_set_mpz(n.get(), x.backend().data());
+  FlintFactors found;
+  fmpz_factor_smooth(found.value, n.get(), static_cast<slong>(msb(x)) / 2 + 2, 0);
+  for (slong k = 0; k < found.value->num; ++k)
+    list.push_back({Integer(numerator(to_rational(found.value->p + k))), found.value->exp[k]});
+}
+
+/// x as a product of powers; the bases are primes as far as split_norm promises.
+std::vector<IntegerPower> factors(const Integer& x) {
+  std::vector<IntegerPower> list;
+  Integer rest = x;
+  for (unsigned p = 2; p <= largest_divisor && rest > 1; ++p) {
+    unsigned long exponent = 0;
+    for (; rest % p == 0; rest /= p) ++exponent;
+    if (exponent > 0) list.push_back({p, exponent});
+  }
+  if (rest == 1) return list;
+  const Integer root = sqrt(rest);
+  const bool is_square = root * root == rest;
+  const Integer& last = is_square ? root : rest;
+  if (!is_square && msb(last) < factored_bits)
+    append_factors(list, last);
+  else
+    list.push_back({last, is_square ? 2UL : 1UL});
+  return list;
+}
+
+}  // namespace
+
+GaussianInteger operator*(const GaussianInteger& a, const GaussianInteger& b) {
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+GaussianInteger conjugate(const GaussianInteger& a) { return {a.re, -a.im}; }
+
+Integer norm(const GaussianInteger& a) { return a.re * a.re + a.im * a.im; }
+
+GaussianInteger first_quadrant(const GaussianInteger& a) {
+  if (a.re > 0 && a.im >= 0) return a;
+  if (a.re <= 0 && a.im > 0) return {a.im, -a.re};
+  if (a.re < 0) return {-a.re, -a.im};
+  return {-a.im, a.re};
+}
+
+GaussianInteger gcd(GaussianInteger a, GaussianInteger b) {
+  while (norm(b) != 0) {
+    a = remainder(a, b);
+    std::swap(a, b);
+  }
+  return first_quadrant(a);
+}
+
+NormFactor split_norm(const Integer& x) {
+  if (x < 1) throw DomainError("split_norm: the number is not positive");
+  NormFactor result{{1, 0}, 1};
+  for (const auto& [base, exponent] : factors(x)) {
+    const Integer root = pow(base, static_cast<unsigned>(exponent / 2));
+    result.root = result.root * GaussianInteger{root, 0};
+    if (exponent % 2 == 0) continue;
+    if (const auto pi = prime_above(base))
+      result.root = result.root * *pi;
+    else
+      result.rest *= base;
+  }
+  return result;
+}
+
+}  // namespace phrame

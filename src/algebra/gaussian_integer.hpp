@@ -1,0 +1,34 @@
+#pragma once
+#include "phrame/algebra/rational.hpp"
+
+namespace phrame {
+
+/// re + i·im.
+struct GaussianInteger {
+  Integer re;
+  Integer im;
+  friend bool operator==(const GaussianInteger&, const GaussianInteger&) = default;
+};
+
+GaussianInteger operator*(const GaussianInteger& a, const GaussianInteger& b);
+GaussianInteger conjugate(const GaussianInteger& a);
+/// |a|².
+Integer norm(const GaussianInteger& a);
+/// The one of ±a, ±i·a with re > 0 and im ≥ 0; 0 for 0.
+GaussianInteger first_quadrant(const GaussianInteger& a);
+/// The greatest common divisor in the first quadrant; gcd(0, 0) = 0.
+GaussianInteger gcd(GaussianInteger a, GaussianInteger b);
+
+/// x = |root|²·rest for an integer x ≥ 1.
+struct NormFactor {
+  GaussianInteger root;
+  Integer rest;
+};
+
+/// Where at most one prime factor is above 10⁴ (and that below 2⁴⁰⁹⁶), and in practice for x <
+/// 2¹²⁸, rest is squarefree with primes ≡ 3 mod 4 only: the least, and 1 where x is a sum of two
+/// squares. Otherwise rest may keep more: to find all factors is as hard as to factor x. Throws
+/// DomainError for x < 1. Cost: up to a second, for two large primes.
+NormFactor split_norm(const Integer& x);
+
+}  // namespace phrame

@@ -1,0 +1,46 @@
+#include "phrame/cli/command.hpp"
+#include "phrame/io/identify_report.hpp"
+
+namespace phrame::cli {
+namespace {
+
+struct IdentifyOptions {
+  CurveOptions curve;
+  std::string print = "text";
+};
+
+std::string to_curve_file(const IdentifyReport& report) {
+  const auto* reason = std::get_if<NotPythagorean>(&report.result);
+  if (reason != nullptr) throw AnswerNo{"this is no PH curve: " + to_string(*reason)};
+  return write_curve({report.name, std::get<Curve>(report.result)});
+}
+
+void run(const IdentifyOptions& options) {
+  const auto print = choose<std::string (*)(const IdentifyReport&)>(
+      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"curve", to_curve_file}});
+  const NamedHodograph named = options.curve.read_hodograph();
+  const IdentifyReport report{named.name, identify(named.hodograph, named.start)};
+  write_output(options.curve.output, print(report));
+  if (std::holds_alternative<NotPythagorean>(report.result)) throw AnswerNo{};
+}
+
+}  // namespace
+
+void add_identify(CLI::App& app) {
+  auto* command = app.add_subcommand("identify", "is a polynomial curve PH? its preimage");
+  const auto options = std::make_shared<IdentifyOptions>();
+  options->curve.add_to(*command);
+  command
+      ->add_option("--print", options->print,
+                   "text (default), json, or curve: a curve file with the preimage")
+      ->type_name("NAME");
+  command->footer(
+      "Only r' counts, given by control_points or by any preimage and multiplier; found are the A\n"
+      "of least degree and f with r' = f A i A*. Exit status 1: the curve is not PH over Q.\n"
+      "Examples:\n"
+      "  phrame identify bezier.json\n"
+      "  phrame identify bezier.json --print curve -o ph.json");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace phrame::cli
