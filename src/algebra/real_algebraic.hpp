@@ -44,6 +44,11 @@ inline std::strong_ordering operator<=>(const RealAlgebraic& a, const RealAlgebr
   return compare(a, b);
 }
 
+/// The real root of p that t encloses, where it is rational; no value where it is not. No
+/// polynomial is factored: t is asked for about as many bits as the leading coefficient has.
+/// Precondition: t is a root of p ≠ 0.
+std::optional<Rational> rational_root(const Polynomial& p, const Real& t);
+
 /// −1, 0 or 1: the sign of q(a).
 int sign_at(const Polynomial& q, const RealAlgebraic& a);
 
