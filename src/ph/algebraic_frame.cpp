@@ -9,12 +9,6 @@
 namespace phrame {
 namespace {
 
-QuaternionPolynomial without_content(const QuaternionPolynomial& a) {
-  const Polynomial common = real_content(a);
-  return {exact_quotient(a.u, common), exact_quotient(a.v, common), exact_quotient(a.p, common),
-          exact_quotient(a.q, common)};
-}
-
 Real opposite(const Real& x) {
   if (x.exact()) return Rational(-*x.exact());
   return Real([x](long bits) { return subtract(RealBall(), x.enclose(bits), bits); });
@@ -33,7 +27,7 @@ Real turned(const std::function<CosSin(long)>& turn, const Real& x, const Real& 
 }  // namespace
 
 AlgebraicFrames::AlgebraicFrames(const Curve& curve) {
-  const QuaternionPolynomial a = without_content(curve.preimage());
+  const QuaternionPolynomial a = without_real_content(curve.preimage());
   numerators_ = {rotated_i(a), rotated_j(a), rotated_k(a)};
   sigma_ = sigma(a);
   bend_ = bend_numerator(a);

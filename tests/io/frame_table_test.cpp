@@ -95,7 +95,7 @@ TEST_CASE("frame table: arc length, curvature, torsion and the rate of the Frene
   const std::size_t n = table.columns.size();
   CHECK(std::vector(table.columns.end() - 4, table.columns.end()) ==
         std::vector<std::string>{"s", "curvature", "torsion", "frenet_rate"});
-  const auto last = [n](const Row& row) { return std::vector(row.end() - 4, row.end()); };
+  const auto last = [](const Row& row) { return std::vector(row.end() - 4, row.end()); };
   REQUIRE(table.rows.size() == 3);
   CHECK(n == table.rows[0].size());
   const Row inside = last(table.rows[0]);
