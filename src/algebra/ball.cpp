@@ -116,6 +116,15 @@ ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits) {
   return value;
 }
 
+RealBall evaluate(const Polynomial& p, const RealBall& x, long bits) {
+  flint::FmpzPoly numerator;
+  fmpq_poly_get_numerator(numerator.get(), p.raw());
+  RealBall value;
+  arb_fmpz_poly_evaluate_arb(value.raw(), numerator.get(), x.raw(), bits);
+  arb_div_fmpz(value.raw(), value.raw(), fmpq_poly_denref(p.raw()), bits);
+  return value;
+}
+
 ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits) {
   ComplexBall c;
   acb_div(c.raw(), a.raw(), b.raw(), bits);

@@ -65,6 +65,7 @@ class ComplexBall {
 ComplexBall conjugate(const ComplexBall& z);
 /// p(z).
 ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits);
+RealBall evaluate(const Polynomial& p, const RealBall& x, long bits);
 /// a/b; not finite where b contains 0.
 ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits);
 

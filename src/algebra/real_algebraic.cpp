@@ -51,6 +51,25 @@ std::vector<RealRoot> real_roots(const Polynomial& p, const Interval& interval) 
   return found;
 }
 
+/// With the leading coefficient c of p ∈ ℤ[t], c·t is an algebraic integer: a rational one is an
+/// integer, and a ball narrower than 1 holds at most two.
+std::optional<Rational> rational_root(const Polynomial& p, const Real& t) {
+  if (t.exact()) return t.exact();
+  const Polynomial q = primitive_part(p);
+  const Rational lead = q.leading_coefficient();
+  const auto size = static_cast<long>(mpz_sizeinbase(numerator(lead).backend().data(), 2));
+  for (long bits = size + 8;; bits *= 2) {
+    const RealBall ball = t.enclose(bits);
+    if (!ball.is_finite() || lead * ball.radius() * 2 >= 1) continue;
+    const Rational low = lead * ball.lower();
+    Integer n = numerator(low) / denominator(low);
+    if (Rational(n) < low) ++n;  // the division truncates
+    for (const Rational high = lead * ball.upper(); Rational(n) <= high; ++n)
+      if (const Rational r = Rational(n) / lead; q(r) == 0) return r;
+    return std::nullopt;
+  }
+}
+
 /// Where a is irrational, its polynomial has no rational root, and its sign changes in the interval
 /// exactly once, at a.
 std::strong_ordering compare(const RealAlgebraic& a, const Rational& r) {

@@ -74,10 +74,10 @@ void Parameters::add_to(CLI::App& command) {
       ->check(CLI::Range(2L, 10'000'000L).description(""));
 }
 
-std::vector<Rational> Parameters::values() const {
+std::vector<Rational> Parameters::values(const Rational& end) const {
   std::vector<Rational> result;
   for (const std::string& text : split(at)) result.push_back(parse_option("--at", text));
-  for (long k = 0; k < samples; ++k) result.emplace_back(k, samples - 1);
+  for (long k = 0; k < samples; ++k) result.push_back(end * Rational(k, samples - 1));
   return result;
 }
 

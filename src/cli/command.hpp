@@ -26,8 +26,8 @@ struct Parameters {
   long samples = 0;
 
   void add_to(CLI::App& command);
-  /// In the order given, then the N equally spaced ones on [0, 1].
-  std::vector<Rational> values() const;
+  /// In the order given, then the N equally spaced ones on [0, end].
+  std::vector<Rational> values(const Rational& end = 1) const;
 };
 
 /// The parts of lists separated by commas, in order; an empty part is a part.
@@ -69,6 +69,7 @@ void add_classify(CLI::App& app);
 void add_identify(CLI::App& app);
 void add_info(CLI::App& app);
 void add_frames(CLI::App& app);
+void add_interpolate(CLI::App& app);
 void add_integrate(CLI::App& app);
 
 }  // namespace phrame::cli

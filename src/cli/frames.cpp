@@ -1,5 +1,6 @@
 #include "phrame/cli/command.hpp"
 #include "phrame/io/frame_table.hpp"
+#include "phrame/ph/arc_length.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -8,22 +9,53 @@ struct FramesOptions {
   CurveOptions curve;
   Parameters parameters;
   std::vector<std::string> frames{"rmf"};
+  std::vector<std::string> scalars;
+  std::string by = "t";
   std::string format = "csv";
 };
 
-void run(const FramesOptions& options) {
-  std::vector<TabulatedFrame> frames;
+enum class By { parameter, arc_length };
+
+std::vector<RealAlgebraic> parameters(const FramesOptions& options, const Curve& curve, By by) {
+  if (by == By::parameter) {
+    const auto at = options.parameters.values();
+    return {at.begin(), at.end()};
+  }
+  const ArcLength length(curve);
+  std::vector<RealAlgebraic> at;
+  for (const Rational& s : options.parameters.values(length.total()))
+    at.push_back(length.algebraic_parameter(s));
+  return at;
+}
+
+TableColumns columns(const FramesOptions& options) {
+  TableColumns columns;
   for (const std::string& name : split(options.frames))
-    frames.push_back(choose<TabulatedFrame>("--frame", name,
-                                            {{"rmf", TabulatedFrame::rmf},
-                                             {"erf", TabulatedFrame::erf},
-                                             {"frenet", TabulatedFrame::frenet}}));
+    columns.frames.push_back(choose<TabulatedFrame>("--frame", name,
+                                                    {{"rmf", TabulatedFrame::rmf},
+                                                     {"erf", TabulatedFrame::erf},
+                                                     {"frenet", TabulatedFrame::frenet}}));
+  for (const std::string& name : split(options.scalars))
+    columns.scalars.push_back(
+        choose<TabulatedScalar>("--columns", name,
+                                {{"s", TabulatedScalar::arc_length},
+                                 {"curvature", TabulatedScalar::curvature},
+                                 {"torsion", TabulatedScalar::torsion},
+                                 {"frenet_rate", TabulatedScalar::frenet_rate}}));
+  return columns;
+}
+
+void run(const FramesOptions& options) {
+  const TableColumns chosen = columns(options);
   const auto format = choose<std::string (*)(const FrameTable&)>(
       "--format", options.format, {{"csv", to_csv}, {"json", to_json}, {"npy", to_npy}});
-  const std::vector<Rational> at = options.parameters.values();
-  if (at.empty()) throw InputError("frames", "--samples N or --at t,… is needed");
+  const By by =
+      choose<By>("--by", options.by, {{"t", By::parameter}, {"arc-length", By::arc_length}});
+  if (options.parameters.values().empty())
+    throw InputError("frames", "--samples N or --at t,… is needed");
   const NamedCurve named = options.curve.read();
-  write_output(options.curve.output, format(frame_table(named.curve, frames, at)));
+  const auto at = parameters(options, named.curve, by);
+  write_output(options.curve.output, format(frame_table(named.curve, chosen, at)));
 }
 
 }  // namespace
@@ -39,13 +71,27 @@ void add_frames(CLI::App& app) {
       ->type_name("NAME,...")
       ->expected(1)
       ->take_all();
+  command
+      ->add_option("--columns", options->scalars,
+                   "any of s (arc length), curvature, torsion and frenet_rate")
+      ->type_name("NAME,...")
+      ->expected(1)
+      ->take_all();
+  command
+      ->add_option("--by", options->by,
+                   "t (default), or arc-length: --at and --samples mean arc lengths from t = 0")
+      ->type_name("NAME");
   command->add_option("--format", options->format, "csv (default), json or npy")->type_name("NAME");
   command->footer(
       "All numbers are correctly rounded doubles. e1 is A i A*/|A|^2, which is the unit tangent "
       "where\n"
       "the multiplier is positive and its opposite where it is negative.\n"
+      "--by arc-length evaluates at the exact t of each arc length; column t is that t, rounded.\n"
+      "The RMF turns at the rate curvature, the Frenet frame at frenet_rate = sqrt(curvature^2 +\n"
+      "torsion^2), per unit of arc length.\n"
       "Examples:\n"
       "  phrame frames curve.json --samples 101 -o frames.csv\n"
+      "  phrame frames curve.json --by arc-length --samples 101 --columns s,curvature\n"
       "  phrame frames curve.json --frame rmf,frenet --samples 1001 --format npy -o frames.npy");
   command->callback([options] { run(*options); });
 }

@@ -22,7 +22,8 @@ int complain(std::string_view what, int status) {
 /// CLI11 would call the first word and all that follow it "not expected".
 void require_known_command(const std::vector<CLI::App*>& commands, int argc, char** argv) {
   constexpr auto there_are =
-      "there are angle, info, identify, frames and integrate (phrame --help)";
+      "there are angle, info, classify, identify, frames, interpolate and integrate (phrame "
+      "--help)";
   if (argc < 2) throw phrame::InputError(fmt::format("a command is needed: {}", there_are));
   const std::string word = argv[1];
   const bool known = std::any_of(commands.begin(), commands.end(), [&](const CLI::App* command) {
@@ -57,6 +58,7 @@ int run(int argc, char** argv) {
       "  phrame info curve.json --print json\n"
       "  phrame identify curve.json --print curve -o ph.json\n"
       "  phrame frames curve.json --samples 101 -o frames.csv\n"
+      "  phrame interpolate curve.json --period 0.001 --feed '10 + 2*s'\n"
       "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50\n"
       "A curve file is JSON, such as\n"
       "  {\"phrame\": \"curve/1\", \"basis\": \"power\",\n"
@@ -70,6 +72,7 @@ int run(int argc, char** argv) {
   phrame::cli::add_classify(app);
   phrame::cli::add_identify(app);
   phrame::cli::add_frames(app);
+  phrame::cli::add_interpolate(app);
   phrame::cli::add_integrate(app);
   const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
   const std::string version = fmt::format("phrame {}", phrame::version);

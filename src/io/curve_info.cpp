@@ -5,6 +5,7 @@
 #include "phrame/io/angle_report.hpp"
 #include "phrame/io/json_text.hpp"
 #include "phrame/io/text.hpp"
+#include "phrame/ph/arc_length.hpp"
 
 namespace phrame {
 namespace {

@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/json_text.hpp"
+#include "phrame/ph/algebraic_frame.hpp"
+#include "phrame/ph/arc_length.hpp"
 
 namespace phrame {
 namespace {
@@ -21,13 +22,19 @@ void add_values(std::vector<double>& row, const Vector<double>& values) {
   row.insert(row.end(), values.begin(), values.end());
 }
 
+/// "t = 1/2", "t ≈ 0.33".
+std::string text_of(const RealAlgebraic& t) {
+  if (const auto r = t.rational()) return "t = " + abbreviated(to_string(*r));
+  return "t ≈ " + to_string(enclose(t, 64), 12);
+}
+
 /// Throws Undecided where a number was rounded to infinity, which is no answer.
 void require_finite(const std::vector<double>& row, const std::vector<std::string>& columns,
-                    const Rational& t) {
+                    const RealAlgebraic& t) {
   for (std::size_t k = 0; k < row.size(); ++k)
     if (!std::isfinite(row[k]))
-      throw Undecided(fmt::format("frame_table: at t = {}, {} is beyond the range of doubles",
-                                  abbreviated(to_string(t)), columns[k]));
+      throw Undecided(fmt::format("frame_table: at {}, {} is beyond the range of doubles",
+                                  text_of(t), columns[k]));
 }
 
 std::pair<const char*, const char*> vector_names(TabulatedFrame frame) {
@@ -42,41 +49,145 @@ std::pair<const char*, const char*> vector_names(TabulatedFrame frame) {
   return {"", ""};
 }
 
+/// A scalar as a function of t: f, or its square root.
+struct Scalar {
+  std::string name;
+  RationalFunction f;
+  bool is_square = false;
+  bool is_on_segment = false;  ///< known for t in [0, 1] only
+
+  Scalar(const Curve& curve, TabulatedScalar kind);
+  double at(const AlgebraicPoint& t) const;
+};
+
+Scalar::Scalar(const Curve& curve, TabulatedScalar kind) {
+  switch (kind) {
+    case TabulatedScalar::arc_length:
+      name = "s";
+      f = RationalFunction(ArcLength(curve).polynomial());
+      is_on_segment = !curve.multiplier().is_constant();
+      return;
+    case TabulatedScalar::curvature:
+      name = "curvature";
+      f = squared_curvature(curve);
+      is_square = true;
+      return;
+    case TabulatedScalar::torsion:
+      name = "torsion";
+      f = torsion(curve);
+      return;
+    case TabulatedScalar::frenet_rate:
+      name = "frenet_rate";
+      f = squared_frenet_rate(curve);
+      is_square = true;
+      return;
+  }
+}
+
+double Scalar::at(const AlgebraicPoint& t) const {
+  if (is_on_segment && (compare(t.number(), 0) < 0 || compare(t.number(), 1) > 0))
+    throw DomainError(
+        fmt::format("frame_table: {} is outside [0, 1], where the sign of the multiplier is known",
+                    text_of(t.number())));
+  if (sign_at(f.denominator(), t.number()) == 0)
+    throw DomainError(fmt::format("frame_table: {} is infinite at {}", name, text_of(t.number())));
+  return round_to_double(is_square ? t.square_root(f) : t.value(f));
+}
+
+/// One row after the other. What a row of another kind would need is not prepared.
+class Rows {
+ public:
+  Rows(const Curve& curve, const TableColumns& columns)
+      : curve_(curve), columns_(columns), position_(position(curve)), frames_(curve) {
+    for (const TabulatedScalar kind : columns.scalars) scalars_.emplace_back(curve, kind);
+  }
+
+  std::vector<std::string> names() const;
+  std::vector<double> at(const RealAlgebraic& t);
+
+ private:
+  void add_rational(std::vector<double>& row, const Rational& t);
+  void add_irrational(std::vector<double>& row, const AlgebraicPoint& t);
+
+  const Curve& curve_;
+  const TableColumns& columns_;
+  Vector<Polynomial> position_;
+  Frames frames_;
+  std::vector<Scalar> scalars_;
+  std::optional<RmfAngle> angle_;
+  std::optional<AlgebraicFrames> algebraic_;
+};
+
+std::vector<std::string> Rows::names() const {
+  std::vector<std::string> names{"t", "x", "y", "z"};
+  add_columns(names, "e1");
+  for (const TabulatedFrame frame : columns_.frames) {
+    const auto [second, third] = vector_names(frame);
+    add_columns(names, second);
+    add_columns(names, third);
+  }
+  for (const Scalar& scalar : scalars_) names.push_back(scalar.name);
+  return names;
+}
+
+std::vector<double> Rows::at(const RealAlgebraic& t) {
+  const AlgebraicPoint point(t);
+  std::vector<double> row{round_to_double(to_real(t))};
+  if (const auto r = t.rational())
+    add_rational(row, *r);
+  else
+    add_irrational(row, point);
+  for (const Scalar& scalar : scalars_) row.push_back(scalar.at(point));
+  return row;
+}
+
+template <class AnyFrame>
+void add_normals(std::vector<double>& row, const AnyFrame& frame) {
+  add_values(row, round_to_double(frame.e2));
+  add_values(row, round_to_double(frame.e3));
+}
+
+void Rows::add_rational(std::vector<double>& row, const Rational& t) {
+  const Frame<Rational> erf = frames_.euler_rodrigues(t);
+  add_values(row, round_to_double(evaluate(position_, t)));
+  add_values(row, round_to_double(erf.e1));
+  for (const TabulatedFrame frame : columns_.frames) {
+    if (frame == TabulatedFrame::erf) add_normals(row, erf);
+    if (frame == TabulatedFrame::frenet) add_normals(row, frames_.frenet(t));
+    if (frame != TabulatedFrame::rmf) continue;
+    if (!angle_) angle_.emplace(curve_, Reference::erf);
+    add_normals(row, frames_.rotation_minimizing(*angle_, t));
+  }
+}
+
+void Rows::add_irrational(std::vector<double>& row, const AlgebraicPoint& t) {
+  if (!algebraic_) algebraic_.emplace(curve_);
+  for (const Polynomial& x : position_) row.push_back(round_to_double(t.value(x)));
+  const Frame<Real> erf = algebraic_->euler_rodrigues(t);
+  add_values(row, round_to_double(erf.e1));
+  for (const TabulatedFrame frame : columns_.frames) {
+    if (frame == TabulatedFrame::erf) add_normals(row, erf);
+    if (frame == TabulatedFrame::frenet) add_normals(row, algebraic_->frenet(t));
+    if (frame == TabulatedFrame::rmf) add_normals(row, algebraic_->rotation_minimizing(t));
+  }
+}
+
 }  // namespace
+
+FrameTable frame_table(const Curve& curve, const TableColumns& columns,
+                       const std::vector<RealAlgebraic>& at) {
+  Rows rows(curve, columns);
+  FrameTable table{rows.names(), {}};
+  for (const RealAlgebraic& t : at) {
+    table.rows.push_back(rows.at(t));
+    require_finite(table.rows.back(), table.columns, t);
+  }
+  return table;
+}
 
 FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,
                        const std::vector<Rational>& at) {
-  FrameTable table;
-  table.columns = {"t", "x", "y", "z"};
-  add_columns(table.columns, "e1");
-  for (const TabulatedFrame frame : frames) {
-    const auto [second, third] = vector_names(frame);
-    add_columns(table.columns, second);
-    add_columns(table.columns, third);
-  }
-  const Vector<Polynomial> r = position(curve);
-  const Frames of_curve(curve);
-  std::optional<RmfAngle> angle;
-  if (std::find(frames.begin(), frames.end(), TabulatedFrame::rmf) != frames.end())
-    angle.emplace(curve, Reference::erf);
-  for (const Rational& t : at) {
-    const Frame<Rational> erf = of_curve.euler_rodrigues(t);
-    std::vector<double> row{round_to_double(Real(t))};
-    add_values(row, round_to_double(evaluate(r, t)));
-    add_values(row, round_to_double(erf.e1));
-    const auto add_frame = [&](const auto& frame) {
-      add_values(row, round_to_double(frame.e2));
-      add_values(row, round_to_double(frame.e3));
-    };
-    for (const TabulatedFrame frame : frames) {
-      if (frame == TabulatedFrame::erf) add_frame(erf);
-      if (frame == TabulatedFrame::rmf) add_frame(of_curve.rotation_minimizing(*angle, t));
-      if (frame == TabulatedFrame::frenet) add_frame(of_curve.frenet(t));
-    }
-    require_finite(row, table.columns, t);
-    table.rows.push_back(std::move(row));
-  }
-  return table;
+  return frame_table(curve, TableColumns{frames}, std::vector<RealAlgebraic>(at.begin(), at.end()));
 }
 
 std::string to_csv(const FrameTable& table) {
@@ -87,7 +198,7 @@ std::string to_csv(const FrameTable& table) {
 
 std::string to_json(const FrameTable& table) {
   const JsonOutput json = {
-      {"phrame", "frames/1"}, {"columns", table.columns}, {"rows", table.rows}};
+      {"phrame", table.format}, {"columns", table.columns}, {"rows", table.rows}};
   return json.dump() + "\n";
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/io/curve_file.hpp"
 #include "phrame/ph/frame.hpp"
 
@@ -11,21 +12,40 @@ enum class TabulatedFrame {
   frenet,  ///< n, b
 };
 
+/// Numbers that it can hold as well.
+enum class TabulatedScalar {
+  arc_length,   ///< s, from t = 0
+  curvature,    ///< κ ≥ 0, the rate at which a rotation-minimizing frame turns
+  torsion,      ///< τ
+  frenet_rate,  ///< √(κ² + τ²), the rate at which the Frenet frame turns
+};
+
+struct TableColumns {
+  std::vector<TabulatedFrame> frames;
+  std::vector<TabulatedScalar> scalars = {};
+};
+
 /// Numbers with a name for each column; all of them correctly rounded.
 struct FrameTable {
   std::vector<std::string> columns;
   std::vector<std::vector<double>> rows;
+  std::string format = "frames/1";  ///< as JSON names it
 };
 
-/// t, r, e₁ and the frames asked for, at each t.
-/// Throws DomainError where the Frenet frame is undefined, Undecided where a number is too large
-/// for a double.
+/// t, r, e₁, the frames and the scalars asked for, at each t: correctly rounded values at t itself,
+/// not at the t that is shown. Throws DomainError where a Frenet frame, a torsion or an arc length
+/// is undefined and at the pole of a curvature or torsion, Undecided where a number is too large
+/// for a double or half way between two.
+FrameTable frame_table(const Curve& curve, const TableColumns& columns,
+                       const std::vector<RealAlgebraic>& at);
+
+/// The same with frames only, at rational t.
 FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,
                        const std::vector<Rational>& at);
 
 /// Shortest decimal texts that read back to the same doubles.
 std::string to_csv(const FrameTable& table);
-std::string to_json(const FrameTable& table);  ///< frames/1
+std::string to_json(const FrameTable& table);  ///< {"phrame": format, …}
 /// NumPy's .npy format, version 1.0: rows × columns of little-endian doubles, row after row.
 std::string to_npy(const FrameTable& table);
 

@@ -30,11 +30,7 @@ Vector<Real> over_square_root(const Vector<Rational>& v, const Rational& s) {
 }  // namespace
 
 // A real factor c of A leaves the frames alone: it is a factor c² of σ and of g.
-Frames::Frames(const Curve& curve) {
-  const Polynomial common = real_content(curve.preimage());
-  const auto& [u, v, p, q] = curve.preimage();
-  primitive_ = {exact_quotient(u, common), exact_quotient(v, common), exact_quotient(p, common),
-                exact_quotient(q, common)};
+Frames::Frames(const Curve& curve) : primitive_(without_real_content(curve.preimage())) {
   bend_ = bend_numerator(primitive_);
 }
 

@@ -71,16 +71,6 @@ std::optional<AngleSplit> split_by_linear_system(const QuaternionPolynomial& pre
                     Polynomial(std::vector(middle, solution->end()))};
 }
 
-Polynomial arc_length(const Curve& curve) {
-  return antiderivative(curve.multiplier() * sigma(curve.preimage()));
-}
-
-std::optional<Rational> segment_length(const Curve& curve) {
-  const Signs signs = multiplier_signs(curve);
-  if (signs.positive && signs.negative) return std::nullopt;
-  return Rational(abs(arc_length(curve)(1)));
-}
-
 RationalFunction squared_curvature(const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
   return {rho(a), pow(curve.multiplier(), 2) * pow(sigma(a), 4)};
@@ -92,6 +82,40 @@ RationalFunction torsion(const Curve& curve) {
   if (squared_bend.is_zero())
     throw DomainError("torsion: the curve is a straight line, its torsion is undefined");
   return {triple_product(curve), pow(curve.multiplier(), 4) * pow(sigma(a), 2) * squared_bend};
+}
+
+RationalFunction squared_frenet_rate(const Curve& curve) {
+  const RationalFunction tau = torsion(curve);
+  return squared_curvature(curve) + tau * tau;
+}
+
+// With d = A i A*: r′ = f·d, r′ × r″ = f²·d × d′ and |r′|³ = |f|³σ³, so κ = (d × d′)·n/(|f|σ³). In
+// a plane d × d′ = w·N with a constant N ∈ ℚ³.
+RationalFunction signed_curvature(const Curve& curve) {
+  const Signs signs = multiplier_signs(curve);
+  if (signs.positive && signs.negative)
+    throw DomainError("signed_curvature: the multiplier changes sign on [0, 1]");
+  const Vector<Polynomial> d = rotated_i(curve.preimage());
+  const auto minor = [&](std::size_t j, std::size_t k) {
+    return d[j] * differentiate(d[k]) - d[k] * differentiate(d[j]);
+  };
+  const Vector<Polynomial> normal{minor(1, 2), minor(2, 0), minor(0, 1)};
+  std::size_t last = 2;
+  while (last > 0 && normal[last].is_zero()) --last;
+  const Polynomial& w = normal[last];
+  if (w.is_zero()) return {};
+  Rational square = 0;  // |N|², N = normal/w
+  for (const Polynomial& component : normal) {
+    const Rational ratio = component.coefficient(w.degree()) / w.leading_coefficient();
+    if (!(component == ratio * w)) throw DomainError("signed_curvature: the curve is not plane");
+    square += ratio * ratio;
+  }
+  const auto length = square_root(square);
+  if (!length)
+    throw DomainError("signed_curvature: the unit normal of the plane is not rational, |N|² = " +
+                      abbreviated(to_string(square)));
+  const Polynomial f = signs.negative ? -curve.multiplier() : curve.multiplier();
+  return {*length * w, f * pow(sigma(curve.preimage()), 3)};
 }
 
 }  // namespace phrame

@@ -36,14 +36,19 @@ std::vector<Interval> normal_flips(const QuaternionPolynomial& a, const Interval
 
 /// (r′ × r″)·r‴ = f³(2hρ − 4 Im(g′ḡ)σ).
 Polynomial triple_product(const Curve& curve);
-/// ∫₀ᵗ fσ: the arc length from 0 to t > 0 where f ≥ 0 between them, exact.
-Polynomial arc_length(const Curve& curve);
-/// The length of the segment [0, 1], ∫₀¹ |f|σ; no value where f changes sign on it.
-std::optional<Rational> segment_length(const Curve& curve);
 /// κ² = ρ/(f²σ⁴). The curvature of a cusp is a pole.
 RationalFunction squared_curvature(const Curve& curve);
 /// τ = (r′ × r″)·r‴/|r′ × r″|². Throws DomainError for a straight line.
 RationalFunction torsion(const Curve& curve);
+
+/// ω² = κ² + τ²: the Frenet frame turns by ω per unit of arc length, a rotation-minimizing frame by
+/// κ [Farouki 2003, (5)]. Throws DomainError for a straight line.
+RationalFunction squared_frenet_rate(const Curve& curve);
+/// The signed curvature of a plane curve, (r′ × r″)·n/|r′|³ with the unit normal n of its plane
+/// whose last component that is not 0 (z, else y, else x) is positive: in the xy-plane κ > 0 is a
+/// left turn. 0 for a straight line. |f| stands for ±f as on [0, 1]. Throws DomainError where the
+/// curve is not plane, n is not rational or f changes sign on [0, 1].
+RationalFunction signed_curvature(const Curve& curve);
 
 /// The split (15) of [Farouki 2003], triple_product = f³(a·ρ + b·σ), in closed form:
 /// a = 2h, b = −4 Im(g′ḡ). Then θ_Frenet′ = −a/σ − b/ρ.

@@ -22,4 +22,10 @@ RationalQuaternion evaluate(const QuaternionPolynomial& a, const Rational& t) {
 
 Polynomial real_content(const QuaternionPolynomial& a) { return gcd(gcd(a.u, a.v), gcd(a.p, a.q)); }
 
+QuaternionPolynomial without_real_content(const QuaternionPolynomial& a) {
+  const Polynomial common = real_content(a);
+  return {exact_quotient(a.u, common), exact_quotient(a.v, common), exact_quotient(a.p, common),
+          exact_quotient(a.q, common)};
+}
+
 }  // namespace phrame

@@ -69,5 +69,7 @@ bool is_zero(const QuaternionPolynomial& a);
 RationalQuaternion evaluate(const QuaternionPolynomial& a, const Rational& t);
 /// gcd(u, v, p, q): the greatest real polynomial that divides A.
 Polynomial real_content(const QuaternionPolynomial& a);
+/// a over its real content ≠ 0: what its frames depend on.
+QuaternionPolynomial without_real_content(const QuaternionPolynomial& a);
 
 }  // namespace phrame

@@ -48,6 +48,20 @@ TEST_CASE("ball: law: a polynomial at a Gaussian rational contains the exact val
   });
 }
 
+TEST_CASE("ball: law: a polynomial on a real ball contains its values there, exactly at a point") {
+  for_samples(100, [](Random& random) {
+    const Polynomial p = random.polynomial(6);
+    const Rational x = random.rational();
+    RealBall ball(x, 200);
+    CHECK(evaluate(p, ball, 200).contains(p(x)));
+    arb_add_error_2exp_si(ball.raw(), -3);
+    const RealBall wide = evaluate(p, ball, 200);
+    CHECK(wide.contains(p(x - Rational(1, 8))));
+    CHECK(wide.contains(p(x + Rational(1, 8))));
+  });
+  CHECK(evaluate({1, 2, Rational(1, 4)}, RealBall(2, 64), 64).radius() == 0);
+}
+
 TEST_CASE("ball: accuracy is relative above 1 and absolute below") {
   RealBall ball(1024, 64);
   arb_add_error_2exp_si(ball.raw(), -10);

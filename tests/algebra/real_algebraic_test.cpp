@@ -151,3 +151,26 @@ TEST_CASE("real roots: ascending, each once, with its order") {
   CHECK(real_roots({1, 0, 1}, real_line()).empty());
   CHECK_THROWS_AS(real_roots({}, real_line()), DomainError);
 }
+
+TEST_CASE(
+    "real algebraic: law: a rational root is found from its enclosures, an irrational is none") {
+  for_samples(100, [](Random& random) {
+    const Rational r = random.rational();
+    const Polynomial rest = random.nonzero_polynomial(3);
+    const Polynomial p = Polynomial{-r, 1} * rest;
+    CHECK(rational_root(p, Real([r](long bits) { return RealBall(r, bits); })) == r);
+    // square_root decides by the squares of numerator and denominator.
+    for (const Rational& square : {Rational(r * r + 2), Rational(r * r + 3)}) {
+      const Real root([square](long bits) { return sqrt(RealBall(square, bits), bits); });
+      CHECK(rational_root(Polynomial{-square, 0, 1} * rest, root) == square_root(square));
+    }
+  });
+}
+
+TEST_CASE("real algebraic: a root next to a fraction that could be one is not rational") {
+  // √(1/9 + 10⁻⁴⁰) = 1/3 + 1.5·10⁻⁴⁰ − …; the leading coefficient has the digits to tell.
+  const Rational square = Rational(1, 9) + parse_rational("1e-40");
+  const Real root([square](long bits) { return sqrt(RealBall(square, bits), bits); });
+  CHECK(rational_root({-square, 0, 1}, root) == std::nullopt);
+  CHECK(rational_root({-1, 3}, Rational(1, 3)) == Rational(1, 3));
+}

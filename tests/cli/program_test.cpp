@@ -31,7 +31,8 @@ TEST_CASE("program: each command succeeds on the paper's quintic") {
 
 TEST_CASE("program: help and version succeed, for each command") {
   const Workshop here;
-  for (const std::string command : {"", "angle", "info", "identify", "frames", "integrate"}) {
+  for (const std::string command :
+       {"", "angle", "info", "classify", "identify", "frames", "interpolate", "integrate"}) {
     CAPTURE(command);
     const Run help = here.run(command + " --help");
     check_success(help);
@@ -44,8 +45,9 @@ TEST_CASE("program: help and version succeed, for each command") {
     CHECK(std::count(version.out.begin(), version.out.end(), '\n') == 1);
   }
   const std::string help = here.run("--help").out;
-  for (const char* example : {"\n  phrame angle curve.json", "\n  phrame info curve.json",
-                              "\n  phrame frames curve.json", "\n  phrame integrate '"})
+  for (const char* example :
+       {"\n  phrame angle curve.json", "\n  phrame info curve.json", "\n  phrame frames curve.json",
+        "\n  phrame interpolate curve.json", "\n  phrame integrate '"})
     CHECK(contains(help, example));
   CHECK(contains(here.run("angle -h").out, "--theta0"));
 }
@@ -53,7 +55,8 @@ TEST_CASE("program: help and version succeed, for each command") {
 TEST_CASE("program: what is typed wrongly is refused by name") {
   const Workshop here;
   check_failure(here.run(""), 2,
-                "a command is needed: there are angle, info, identify, frames and integrate");
+                "a command is needed: there are angle, info, classify, identify, frames, "
+                "interpolate and integrate");
   check_failure(here.run("angel quintic.json"), 2, "\"angel\" is not a command");
   check_failure(here.run("''"), 2, "\"\" is not a command");
   check_failure(here.run("--frobnicate"), 2, "--frobnicate");

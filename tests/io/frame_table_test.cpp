@@ -84,6 +84,100 @@ TEST_CASE("frame table: an overflow is refused, not rounded to infinity") {
             .find("x is beyond the range of doubles") != std::string::npos);
 }
 
+// κ, τ and ω at t = 1/3 by mpmath from numerical derivatives of the hodograph, 50 digits. At t = 0
+// the paper's polynomials give κ² = ρ/σ⁴ = 720/6⁴ and τ = (r′ × r″)·r‴/(σ²ρ) = −576/(36·720).
+TEST_CASE("frame table: arc length, curvature, torsion and the rate of the Frenet frame") {
+  const Curve curve = test::farouki_quintic().curve;
+  const TableColumns columns{{Kind::erf},
+                             {TabulatedScalar::arc_length, TabulatedScalar::curvature,
+                              TabulatedScalar::torsion, TabulatedScalar::frenet_rate}};
+  const FrameTable table = frame_table(curve, columns, {Rational(1, 3), Rational(0), Rational(1)});
+  const std::size_t n = table.columns.size();
+  CHECK(std::vector(table.columns.end() - 4, table.columns.end()) ==
+        std::vector<std::string>{"s", "curvature", "torsion", "frenet_rate"});
+  const auto last = [](const Row& row) { return std::vector(row.end() - 4, row.end()); };
+  REQUIRE(table.rows.size() == 3);
+  CHECK(n == table.rows[0].size());
+  const Row inside = last(table.rows[0]);
+  CHECK(Row(inside.begin() + 1, inside.end()) == Row{0.38141781257101745976686709325,
+                                                     -0.506069935540408449353258044013,
+                                                     0.633708393036050113137971138708});
+  CHECK(last(table.rows[1]) ==
+        Row{0, 0.745355992499929898803057889577, -1.0 / 45, 0.745687188247222994164498219777});
+  CHECK(last(table.rows[2])[0] == 71.0 / 15);
+}
+
+// A = 1 + tk: r = (t − t³/3, t², 0), e₁ = (1 − t², 2t, 0)/(1 + t²), κ = 2/(1 + t²)². At t = 1/√2,
+// which is 0.70710678118654752440…: y = 1/2, e₁ = (1/3, 2√2/3, 0), κ = 8/9, s = t + t³/3 = 7√2/12.
+TEST_CASE("frame table: at an irrational t the rational values are exact, the others rounded") {
+  const Curve curve({Polynomial{1}, Polynomial(), Polynomial(), Polynomial{0, 1}});
+  const RealAlgebraic t = real_root({-1, 0, 2}, closed(0, 1));
+  const TableColumns columns{
+      {Kind::rmf, Kind::frenet, Kind::erf},
+      {TabulatedScalar::curvature, TabulatedScalar::torsion, TabulatedScalar::arc_length}};
+  const FrameTable table = frame_table(curve, columns, {t});
+  const double third = 1.0 / 3;
+  const double root = 0.942809041582063365867792482806;  // 2√2/3
+  CHECK(table.rows.at(0) == Row{0.707106781186547524400844362105,
+                                0.589255650988789603667370301754,
+                                0.5,
+                                0,
+                                third,
+                                root,
+                                0,  //
+                                -root,
+                                third,
+                                0,
+                                0,
+                                0,
+                                1,  // the ERF does not turn
+                                -root,
+                                third,
+                                0,
+                                0,
+                                0,
+                                1,  //
+                                -root,
+                                third,
+                                0,
+                                0,
+                                0,
+                                1,  //
+                                8.0 / 9,
+                                0,
+                                0.824957911384305445134318422455});
+}
+
+TEST_CASE("frame table: scalars that are undefined or infinite are refused, with t") {
+  const auto message = [](const Curve& curve, TabulatedScalar scalar, const RealAlgebraic& t) {
+    try {
+      frame_table(curve, {{}, {scalar}}, {t});
+    } catch (const DomainError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto contains = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  const Curve line = test::straight_line().curve;
+  CHECK(contains(message(line, TabulatedScalar::torsion, Rational(0)), "straight line"));
+  CHECK(message(line, TabulatedScalar::curvature, Rational(0)).empty());
+  const Polynomial c{-1, 0, 2};
+  const Curve cusped({c, Polynomial(), Polynomial(), c * Polynomial{0, 1}});
+  const RealAlgebraic cusp = real_root(c, closed(0, 1));
+  CHECK(contains(message(cusped, TabulatedScalar::curvature, cusp),
+                 "curvature is infinite at t ≈ 0.707106781187"));
+  CHECK(message(cusped, TabulatedScalar::curvature, Rational(1)).empty());
+  const Curve turning({{1}, {}, {}, {}}, {-1, 2});
+  CHECK(contains(message(turning, TabulatedScalar::arc_length, Rational(0)), "changes sign"));
+  const Curve widening({{1}, {}, {}, {}}, {1, 1});
+  CHECK(contains(message(widening, TabulatedScalar::arc_length, Rational(3, 2)),
+                 "t = 3/2 is outside [0, 1]"));
+  CHECK(message(widening, TabulatedScalar::arc_length, Rational(1)).empty());
+  CHECK(message(line, TabulatedScalar::arc_length, Rational(-7)).empty());
+}
+
 TEST_CASE("frame table: CSV reads back to the same doubles") {
   const FrameTable table = frame_table(test::farouki_quintic().curve, {Kind::rmf, Kind::frenet},
                                        {0, Rational(1, 3), test::power_of_ten(-30), -1000});

@@ -1,6 +1,7 @@
 #include "phrame/ph/invariants.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/arc_length.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -95,11 +96,54 @@ TEST_CASE("invariants: law: the linear system gives the closed split, wherever i
   CHECK(solved > 10);
 }
 
-TEST_CASE("invariants: the length of a segment on which f changes sign is not ∫fσ") {
-  const QuaternionPolynomial line{{1}, {}, {}, {}};
-  CHECK(segment_length(Curve(line, {-3})) == 3);
-  CHECK(segment_length(Curve(line, {-1, 2})) == std::nullopt);
-  CHECK(segment_length(Curve(line, pow(Polynomial{-1, 2}, 2))) == Rational(1, 3));
+TEST_CASE(
+    "invariants: law: signed curvature of a plane curve: its square is κ², its sign the turn") {
+  for_samples(60, [](Random& random) {
+    // A = u + qk lies in the xy-plane; a unit quaternion with norm 9/9 turns the plane.
+    const Polynomial u = random.polynomial(3);
+    const Polynomial q = random.nonzero_polynomial(3);
+    const Curve flat({u, {}, {}, q}, {random.integer(1, 3)});
+    const RationalFunction kappa = signed_curvature(flat);
+    CHECK(kappa * kappa == squared_curvature(flat));
+    const auto r1 = hodograph(flat);
+    const auto r2 = derivative(r1);
+    const Rational t(random.integer(-9, 9), 7);
+    const Rational turn = (r1[0] * r2[1] - r1[1] * r2[0])(t);
+    if (turn != 0) CHECK((kappa(t) > 0) == (turn > 0));
+    const QuaternionPolynomial unit{{Rational(2, 3)}, {Rational(1, 3)}, {}, {Rational(2, 3)}};
+    const Curve tilted(unit * flat.preimage(), flat.multiplier());
+    const RationalFunction other = signed_curvature(tilted);
+    CHECK((other == kappa || other == -kappa));
+    CHECK(other * other == squared_curvature(tilted));
+    CHECK(signed_curvature(Curve(flat.preimage(), -flat.multiplier())) == kappa);
+  });
+}
+
+TEST_CASE("invariants: signed curvature by hand: 2/(1 + t²)², to the left and to the right") {
+  const RationalFunction kappa({2}, {1, 0, 2, 0, 1});
+  CHECK(signed_curvature(Curve({{1}, {}, {}, {0, 1}})) == kappa);
+  CHECK(signed_curvature(Curve({{1}, {}, {}, {0, -1}})) == -kappa);
+  CHECK(signed_curvature(Curve({{1, 1}, {}, {}, {}})) == RationalFunction());
+  CHECK_THROWS_WITH_AS(signed_curvature(quintic), doctest::Contains("not plane"), DomainError);
+  CHECK_THROWS_WITH_AS(signed_curvature(Curve({{1}, {}, {}, {0, 1}}, {-1, 2})),
+                       doctest::Contains("changes sign"), DomainError);
+  // r′ in the plane of (1, 0, 0) and (0, 1, 1): A = 1 + t(j − k)·…, of a normal (0, −1, 1)/√2.
+  CHECK_THROWS_WITH_AS(signed_curvature(Curve({{1}, {}, {0, -1}, {0, 1}})),
+                       doctest::Contains("not rational"), DomainError);
+}
+
+TEST_CASE("invariants: law: ω² = κ² + τ² is at least κ², and κ² where the curve is plane") {
+  for_samples(40, [](Random& random) {
+    const Curve curve = random.curve(3);
+    if (rho(curve.preimage()).is_zero()) {
+      CHECK_THROWS_AS(squared_frenet_rate(curve), DomainError);
+      return;
+    }
+    const RationalFunction tau = torsion(curve);
+    CHECK(squared_frenet_rate(curve) - squared_curvature(curve) == tau * tau);
+  });
+  const Curve flat({{1, 2}, {}, {}, {3, 0, 1}});
+  CHECK(squared_frenet_rate(flat) == squared_curvature(flat));
 }
 
 TEST_CASE("invariants: n and b flip at the zeros of odd order of g, and only there") {

@@ -39,5 +39,9 @@ TEST_CASE(
     const Rational t = random.rational();
     CHECK(norm(evaluate(a, t)) == norm(a)(t));
     CHECK((a.u % real_content(a)).is_zero());
+    const QuaternionPolynomial rest = without_real_content(a);
+    CHECK(real_content(rest) == Polynomial{1});
+    CHECK(real_content(a) * rest.q == a.q);
+    CHECK(real_content(a) * rest.p == a.p);
   });
 }

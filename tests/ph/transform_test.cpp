@@ -1,6 +1,7 @@
 #include "phrame/ph/transform.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/arc_length.hpp"
 #include "phrame/ph/frame.hpp"
 #include "support/random.hpp"
 

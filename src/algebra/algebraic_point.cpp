@@ -1,0 +1,50 @@
+#include "phrame/algebra/algebraic_point.hpp"
+
+#include "phrame/algebra/error.hpp"
+
+// With the irreducible polynomial P of t, n(t)/d(t) = c ∈ ℚ if and only if P divides n − c·d, that
+// is n ≡ c·d modulo P: the remainders of n and d are proportional.
+
+namespace phrame {
+
+AlgebraicPoint::AlgebraicPoint(RealAlgebraic t)
+    : t_(std::move(t)), cache_(std::make_shared<Cache>()) {}
+
+RealBall AlgebraicPoint::enclose(long bits) const {
+  if (cache_->bits < bits) *cache_ = {bits, phrame::enclose(t_, bits)};
+  return cache_->ball;
+}
+
+Real AlgebraicPoint::value(const Polynomial& p) const { return value(RationalFunction(p)); }
+
+Real AlgebraicPoint::value(const RationalFunction& f) const {
+  if (const auto exact = t_.rational()) return f(*exact);
+  const Polynomial n = f.numerator() % t_.polynomial();
+  const Polynomial d = f.denominator() % t_.polynomial();
+  if (d.is_zero())
+    throw DomainError("value at the root of " + to_string(t_.polynomial()) + " in " +
+                      to_string(t_.interval()) + ": the function has a pole there");
+  const Rational ratio = n.leading_coefficient() / d.leading_coefficient();
+  if (n == ratio * d) return ratio;
+  return Real([point = *this, n, d](long bits) {
+    const RealBall t = point.enclose(bits + 16);
+    const RealBall numerator = evaluate(n, t, bits + 16);
+    return d.is_constant() ? divide(numerator, RealBall(d.coefficient(0), bits + 16), bits + 16)
+                           : divide(numerator, evaluate(d, t, bits + 16), bits + 16);
+  });
+}
+
+Real AlgebraicPoint::square_root(const RationalFunction& f) const {
+  const Real square = value(f);
+  if (!square.exact()) {
+    if (sign_at(f.numerator() * f.denominator(), t_) < 0)
+      throw DomainError("square root: a negative number");
+    return Real([square](long bits) { return sqrt(square.enclose(bits + 8), bits + 8); });
+  }
+  const Rational& x = *square.exact();
+  if (x < 0) throw DomainError("square root: the negative number " + abbreviated(to_string(x)));
+  if (const auto root = phrame::square_root(x)) return *root;
+  return Real([x](long bits) { return sqrt(RealBall(x, bits + 8), bits + 8); });
+}
+
+}  // namespace phrame

@@ -1,0 +1,35 @@
+#pragma once
+#include <memory>
+
+#include "phrame/algebra/rational_function.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
+
+namespace phrame {
+
+/// A real algebraic number t at which many functions are evaluated: its enclosures are shared. A
+/// value is exact where it is rational, which is decided by algebra; else it is irrational, so that
+/// its correct rounding ends. Not for concurrent use.
+class AlgebraicPoint {
+ public:
+  explicit AlgebraicPoint(RealAlgebraic t);
+
+  const RealAlgebraic& number() const { return t_; }
+  RealBall enclose(long bits) const;
+
+  Real value(const Polynomial& p) const;
+  /// Throws DomainError at a pole.
+  Real value(const RationalFunction& f) const;
+  /// √f(t) ≥ 0. Throws DomainError at a pole and where f(t) < 0.
+  Real square_root(const RationalFunction& f) const;
+
+ private:
+  struct Cache {
+    long bits = 0;
+    RealBall ball;
+  };
+
+  RealAlgebraic t_;
+  std::shared_ptr<Cache> cache_;  ///< of the narrowest enclosure asked for
+};
+
+}  // namespace phrame

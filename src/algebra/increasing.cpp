@@ -1,0 +1,128 @@
+#include "phrame/algebra/increasing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+
+// By the mean value theorem F(m) − F(t) = (m − t)·w with w ∈ F′(T) for m, t ∈ T, so that the step
+// N = m − (F(m) − y)/F′(T) holds every t ∈ T with F(t) = y. If N lies in the interior of T there is
+// one: F′(T) does not contain 0, and F − y has different signs at the ends of T. A slope that is
+// positive on T makes F increasing on [0, 1] ∪ T, so the t found is the one looked for.
+
+namespace phrame {
+namespace {
+
+RealBall middle(const RealBall& x) {
+  RealBall m;
+  arb_get_mid_arb(m.raw(), x.raw());
+  return m;
+}
+
+/// m − (F(m) − y)/F′(around); not finite where F′ may be 0 or negative there.
+RealBall newton_step(const IncreasingFunction& F, const Rational& y, const RealBall& m,
+                     const RealBall& around, long bits) {
+  const RealBall slope = F.slope(around, bits);
+  RealBall step;
+  arb_indeterminate(step.raw());
+  if (arb_is_positive(slope.raw()) == 0) return step;
+  step = divide(subtract(F.value(m, bits), RealBall(y, bits), bits), slope, bits);
+  return subtract(m, step, bits);
+}
+
+/// The part of x on the side of m, an exact point of x, where F = y; no value where the sign of
+/// F(m) − y is not seen.
+std::optional<RealBall> cut_at(const IncreasingFunction& F, const Rational& y, const RealBall& x,
+                               const RealBall& m, long bits) {
+  const RealBall value = subtract(F.value(m, bits), RealBall(y, bits), bits);
+  if (!value.is_finite() || value.contains_zero()) return std::nullopt;
+  flint::Arf low;
+  flint::Arf high;
+  arb_get_lbound_arf(low.get(), x.raw(), bits);
+  arb_get_ubound_arf(high.get(), x.raw(), bits);
+  RealBall part;
+  if (arb_is_positive(value.raw()) != 0)
+    arb_set_interval_arf(part.raw(), low.get(), arb_midref(m.raw()), bits);
+  else
+    arb_set_interval_arf(part.raw(), arb_midref(m.raw()), high.get(), bits);
+  return part;
+}
+
+/// Cut at the middle or, should that be the very t with F(t) = y, beside it.
+std::optional<RealBall> bisected(const IncreasingFunction& F, const Rational& y, const RealBall& x,
+                                 long bits) {
+  const RealBall m = middle(x);
+  if (auto half = cut_at(F, y, x, m, bits)) return half;
+  RealBall beside;
+  arf_set_mag(arb_midref(beside.raw()), arb_radref(x.raw()));
+  arb_mul_2exp_si(beside.raw(), beside.raw(), -2);
+  return cut_at(F, y, x, middle(add(m, beside, bits)), bits);
+}
+
+bool is_wider(const RealBall& x, const RealBall& y, long factor_bits) {
+  flint::Mag scaled;
+  mag_mul_2exp_si(scaled.get(), arb_radref(y.raw()), factor_bits);
+  return mag_cmp(arb_radref(x.raw()), scaled.get()) > 0;
+}
+
+}  // namespace
+
+RealBall enclose_preimage(const IncreasingFunction& F, const Rational& y, double guess) {
+  constexpr long bits = 96;
+  constexpr long radius_bits = 30;  // wide enough for a guess, narrow enough for a steady slope
+  RealBall point;
+  arb_set_d(point.raw(), guess);
+  for (int attempt = 0; attempt < 8; ++attempt) {
+    RealBall around = point;
+    arb_add_error_2exp_si(around.raw(), -radius_bits);
+    const RealBall next = newton_step(F, y, point, around, bits);
+    if (!next.is_finite()) break;
+    if (arb_contains_interior(around.raw(), next.raw()) != 0) return next;
+    point = middle(next);
+    arb_set_round(point.raw(), point.raw(), 64);
+    point = middle(point);
+    if (arb_is_negative(point.raw()) != 0) arb_zero(point.raw());
+    if (arf_cmp_si(arb_midref(point.raw()), 1) > 0) arb_one(point.raw());
+  }
+  RealBall unit(Rational(1, 2), bits);
+  arb_add_error_2exp_si(unit.raw(), -1);
+  return unit;
+}
+
+RealBall narrow_preimage(const IncreasingFunction& F, const Rational& y, RealBall around,
+                         long bits) {
+  const long end = 64 * bits + 65536;
+  long guard = 32;
+  while (mag_cmp_2exp_si(arb_radref(around.raw()), -bits) > 0) {
+    const auto reached = static_cast<long>(-mag_get_d_log2_approx(arb_radref(around.raw())));
+    const long precision = std::min(2 * std::max(reached, 16L), bits) + guard;
+    RealBall next = newton_step(F, y, middle(around), around, precision);
+    if (next.is_finite() &&
+        arb_intersection(next.raw(), next.raw(), around.raw(), precision) != 0 &&
+        is_wider(around, next, 2)) {
+      around = std::move(next);
+      continue;
+    }
+    auto part = bisected(F, y, around, precision);
+    if (part && is_wider(around, *part, 0)) {
+      around = std::move(*part);
+      continue;
+    }
+    guard *= 2;
+    if (precision > end)
+      throw Undecided(fmt::format(
+          "inverse of an increasing function: {} bits of precision do not give {} bits of it", end,
+          bits));
+  }
+  return around;
+}
+
+Real preimage(std::shared_ptr<const IncreasingFunction> F, const Rational& y, double guess) {
+  const auto narrowest = std::make_shared<RealBall>(enclose_preimage(*F, y, guess));
+  return Real([F = std::move(F), y, narrowest](long bits) {
+    return *narrowest = narrow_preimage(*F, y, *narrowest, bits);
+  });
+}
+
+}  // namespace phrame

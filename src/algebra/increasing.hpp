@@ -1,0 +1,32 @@
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "phrame/algebra/rounding.hpp"
+
+namespace phrame {
+
+/// A function F that is continuous and strictly increasing on [0, 1], by enclosures that become as
+/// narrow as one asks. The slope may be 0 at points, and its enclosure on a wide ball may be any.
+struct IncreasingFunction {
+  /// A ball around F(t) for a ball t without a radius.
+  std::function<RealBall(const RealBall& t, long bits)> value;
+  /// A ball that contains F′ on the ball t.
+  std::function<RealBall(const RealBall& t, long bits)> slope;
+};
+
+/// A first ball around the t ∈ [0, 1] with F(t) = y: a narrow one, proved by Newton's method, where
+/// the guess is a good one; else all of [0, 1]. Precondition: F(0) ≤ y ≤ F(1).
+RealBall enclose_preimage(const IncreasingFunction& F, const Rational& y, double guess);
+
+/// Narrows a ball that contains the t with F(t) = y to a radius ≤ 2^−bits: interval Newton steps,
+/// t ∈ m − (F(m) − y)/F′(T), and bisection where they do not help, as at a zero of F′.
+/// Throws Undecided where 64·bits + 65536 bits of precision are not enough.
+RealBall narrow_preimage(const IncreasingFunction& F, const Rational& y, RealBall around,
+                         long bits);
+
+/// The t ∈ [0, 1] with F(t) = y, from the two above. It keeps the narrowest ball it was asked for,
+/// so that neither it nor a copy is for concurrent use.
+Real preimage(std::shared_ptr<const IncreasingFunction> F, const Rational& y, double guess);
+
+}  // namespace phrame

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include "phrame/cli/command.hpp"
+#include "phrame/io/feedrate.hpp"
+#include "phrame/io/interpolation.hpp"
+
+namespace phrame::cli {
+namespace {
+
+constexpr long max_rows = 10'000'000;
+
+struct InterpolateOptions {
+  CurveOptions curve;
+  std::string period;
+  std::string feed;
+  std::string format = "csv";
+};
+
+Feedrate feedrate(const std::string& text) {
+  try {
+    return parse_feedrate(text);
+  } catch (const InputError& error) {
+    throw InputError(error.place().empty() ? "--feed" : "--feed, " + error.place(), error.reason());
+  }
+}
+
+void run(const InterpolateOptions& options) {
+  const auto format = choose<std::string (*)(const FrameTable&)>(
+      "--format", options.format, {{"csv", to_csv}, {"json", to_json}, {"npy", to_npy}});
+  const Rational period = parse_option("--period", options.period);
+  if (period <= 0)
+    throw InputError("--period", abbreviated(to_string(period)) + " is not positive");
+  const Feedrate feed = feedrate(options.feed);
+  const NamedCurve named = options.curve.read();
+  TravelTime time(named.curve, feed);
+  if (const Integer rows = time.ticks(period) + 1; rows > max_rows)
+    throw InputError("--period", fmt::format("{} asks for {} rows, the limit is {}",
+                                             abbreviated(to_string(period)), rows.str(), max_rows));
+  write_output(options.curve.output, format(interpolation_table(named.curve, time, period)));
+}
+
+}  // namespace
+
+void add_interpolate(CLI::App& app) {
+  auto* command = app.add_subcommand("interpolate", "the points of a motion at equal times");
+  const auto options = std::make_shared<InterpolateOptions>();
+  options->curve.add_to(*command);
+  command
+      ->add_option("--period", options->period,
+                   "the time from one point to the next, such as 1/1000")
+      ->required()
+      ->type_name("TIME");
+  command
+      ->add_option("--feed", options->feed,
+                   "the speed V: a constant, or a rational function of s, t or kappa")
+      ->required()
+      ->type_name("EXPR");
+  command->add_option("--format", options->format, "csv (default), json or npy")->type_name("NAME");
+  command->footer(
+      "The columns are k, time, t, s, x, y, z: the parameter t with the integral of |r'|/V from 0\n"
+      "to t equal to the time k*PERIOD, the arc length s and the point there; the last row is the\n"
+      "end of the curve with the total time. All numbers are correctly rounded doubles.\n"
+      "V is positive and a function of one of s (arc length from t = 0), t (parameter) and kappa\n"
+      "(curvature of a plane curve, > 0 in a left turn). A product needs its sign: 2*s, not 2s.\n"
+      "Examples:\n"
+      "  phrame interpolate curve.json --period 0.001 --feed 50\n"
+      "  phrame interpolate curve.json --period 1/1000 --feed '10 + 2*s' -o points.csv\n"
+      "  phrame interpolate curve.json --period 0.01 --feed '5 + t^2' --format json\n"
+      "  phrame interpolate plane.json --period 0.01 --feed '5/(1 + 2*kappa)'");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace phrame::cli

@@ -1,0 +1,90 @@
+#include "phrame/ph/algebraic_frame.hpp"
+
+#include "phrame/algebra/error.hpp"
+
+// Components of the Euler–Rodrigues frame are rational functions of t. One of n or b is N/(σ|g|),
+// the square root of the rational function N²/(σ²|g|²) with the sign of N. As in Frames, a real
+// factor of A is left out: it is a factor of σ, g and N.
+
+namespace phrame {
+namespace {
+
+Real opposite(const Real& x) {
+  if (x.exact()) return Rational(-*x.exact());
+  return Real([x](long bits) { return subtract(RealBall(), x.enclose(bits), bits); });
+}
+
+/// cos θ·x + sin θ·y.
+Real turned(const std::function<CosSin(long)>& turn, const Real& x, const Real& y) {
+  if (x.exact() == Rational(0) && y.exact() == Rational(0)) return Rational(0);
+  return Real([turn, x, y](long bits) {
+    const CosSin cs = turn(bits + 8);
+    return add(multiply(cs.cos, x.enclose(bits + 8), bits + 8),
+               multiply(cs.sin, y.enclose(bits + 8), bits + 8), bits + 8);
+  });
+}
+
+}  // namespace
+
+AlgebraicFrames::AlgebraicFrames(const Curve& curve) {
+  const QuaternionPolynomial a = without_real_content(curve.preimage());
+  numerators_ = {rotated_i(a), rotated_j(a), rotated_k(a)};
+  sigma_ = sigma(a);
+  bend_ = bend_numerator(a);
+  const RationalFunction rate = erf_rate(a);
+  is_rotation_minimizing_ = rate.is_zero();
+  twist_ = Evaluator(integrate(rate));
+}
+
+Frame<Real> AlgebraicFrames::euler_rodrigues(const AlgebraicPoint& t) const {
+  const auto vector = [&](const Vector<Polynomial>& v) {
+    const auto component = [&](std::size_t k) { return t.value(RationalFunction(v[k], sigma_)); };
+    return Vector<Real>{component(0), component(1), component(2)};
+  };
+  return {vector(numerators_.e1), vector(numerators_.e2), vector(numerators_.e3)};
+}
+
+Frame<Real> AlgebraicFrames::frenet(const AlgebraicPoint& t) const {
+  if (is_zero(bend_))
+    throw DomainError("frenet_frame: the curve is a straight line, it has no principal normal");
+  const Polynomial size = norm(bend_);
+  if (sign_at(size, t.number()) == 0)
+    throw DomainError("frenet_frame: t in " + to_string(t.number().interval()) +
+                      " is an inflection, the principal normal is undefined");
+  const auto vector = [&](const Polynomial& x, const Polynomial& y) {
+    const auto component = [&](std::size_t k) {
+      const Polynomial n = x * numerators_.e2[k] + y * numerators_.e3[k];
+      const Real root = t.square_root(RationalFunction(n * n, sigma_ * sigma_ * size));
+      return sign_at(n, t.number()) < 0 ? opposite(root) : root;
+    };
+    return Vector<Real>{component(0), component(1), component(2)};
+  };
+  return {euler_rodrigues(t).e1, vector(bend_.re, -bend_.im), vector(bend_.im, bend_.re)};
+}
+
+Frame<Real> AlgebraicFrames::rotation_minimizing(const AlgebraicPoint& t) {
+  const Frame<Real> erf = euler_rodrigues(t);
+  if (is_rotation_minimizing_) return erf;
+  // The six components ask for the same few precisions one after the other: keep the last.
+  struct Turn {
+    long bits = 0;
+    CosSin value;
+  };
+  const auto last = std::make_shared<Turn>();
+  const auto turn = [this, t, last](long bits) {
+    if (last->bits != bits)
+      *last = {bits,
+               cos_sin(twist_.branch_difference(Rational(0), t.number(), bits + 8), bits + 8)};
+    return last->value;
+  };
+  const auto pair = [&](std::size_t k) {
+    return std::pair(turned(turn, erf.e2[k], erf.e3[k]),
+                     turned(turn, erf.e3[k], opposite(erf.e2[k])));
+  };
+  const auto x = pair(0);
+  const auto y = pair(1);
+  const auto z = pair(2);
+  return {erf.e1, {x.first, y.first, z.first}, {x.second, y.second, z.second}};
+}
+
+}  // namespace phrame

@@ -1,0 +1,35 @@
+#pragma once
+#include "phrame/algebra/algebraic_point.hpp"
+#include "phrame/ph/frame.hpp"
+
+namespace phrame {
+
+/// The frames of one curve at algebraic t, as Frames has them at rational t. Components of the
+/// Euler–Rodrigues and of the Frenet frame are exact where they are rational, else irrational.
+/// Those of the rotation-minimizing frame are exact where it is the Euler–Rodrigues frame and where
+/// both its vectors e₂, e₃ have the component 0; the correct rounding of others ends unless they
+/// lie half way between two results, which is then undecided. Not for concurrent use: evaluations
+/// share isolated roots.
+class AlgebraicFrames {
+ public:
+  explicit AlgebraicFrames(const Curve& curve);
+  // Stays where it is: the components of a rotation-minimizing frame refer to it.
+  AlgebraicFrames(const AlgebraicFrames&) = delete;
+  AlgebraicFrames& operator=(const AlgebraicFrames&) = delete;
+  ~AlgebraicFrames() = default;
+
+  Frame<Real> euler_rodrigues(const AlgebraicPoint& t) const;
+  /// Throws DomainError for a straight line and at an inflection.
+  Frame<Real> frenet(const AlgebraicPoint& t) const;
+  /// Equal to the Euler–Rodrigues frame at t = 0. Refers to this object.
+  Frame<Real> rotation_minimizing(const AlgebraicPoint& t);
+
+ private:
+  Frame<Polynomial> numerators_;  ///< σ times the Euler–Rodrigues frame
+  Polynomial sigma_;
+  GaussianPolynomial bend_;
+  bool is_rotation_minimizing_;  ///< is the Euler–Rodrigues frame?
+  Evaluator twist_;              ///< of θ
+};
+
+}  // namespace phrame

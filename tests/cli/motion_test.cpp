@@ -1,0 +1,135 @@
+#include "cli/workshop.hpp"
+
+using namespace phrame;
+using namespace phrame::test;
+
+namespace {
+
+/// A plane cubic, r′ = (1 − t², 2t, 0), κ = 2/(1 + t²)², and a line on which f changes sign.
+void add_curves(const Workshop& here) {
+  here.write("plane.json", R"({"phrame": "curve/1", "basis": "power",
+                               "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, 1]}})");
+  here.write("turning.json", R"({"phrame": "curve/1", "basis": "power", "multiplier": [-1, 2],
+                                 "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})");
+}
+
+std::string line(const std::string& text, long number) {
+  std::istringstream lines(text);
+  std::string result;
+  for (long k = 0; k <= number; ++k) std::getline(lines, result);
+  return result;
+}
+
+}  // namespace
+
+// t at s = 71/30 by mpmath, as in the tests of ArcLength: 0.46768000073524704372747…, in the
+// shortest digits of its double
+TEST_CASE("frames: --by arc-length: equal steps along the curve, or the lengths given") {
+  const Workshop here;
+  const Run run = here.run("frames quintic.json --by arc-length --samples 3 --columns s");
+  check_success(run);
+  CHECK(line(run.out, 0) == "t,x,y,z,e1x,e1y,e1z,f2x,f2y,f2z,f3x,f3y,f3z,s");
+  CHECK(line(run.out, 1).starts_with("0,0,0,0,"));
+  CHECK(line(run.out, 2).starts_with("0.46768000073524707,0.24309850894116092,"));
+  CHECK(line(run.out, 2).ends_with(",2.3666666666666667"));
+  CHECK(line(run.out, 3).starts_with("1,0.06666666666666667,"));
+  const Run one = here.run("frames quintic.json --by arc-length --at 71/30 --columns s");
+  CHECK(line(one.out, 1) == line(run.out, 2));
+  // The same point at its rounded t is not quite the same.
+  CHECK(line(here.run("frames quintic.json --by t --samples 2").out, 1) ==
+        line(here.run("frames quintic.json --samples 2").out, 1));
+}
+
+TEST_CASE("frames: --columns: curvature, torsion and the rate of the Frenet frame") {
+  const Workshop here;
+  const Run run =
+      here.run("frames quintic.json --frame erf --at 0 --columns curvature,torsion,frenet_rate");
+  check_success(run);
+  CHECK(line(run.out, 0).ends_with(",e3z,curvature,torsion,frenet_rate"));
+  // √720/36, −1/45 and √(720/1296 + 1/2025)
+  CHECK(line(run.out, 1).ends_with(",0.7453559924999299,-0.022222222222222223,0.745687188247223"));
+  const Json json = Json::parse(
+      here.run("frames quintic.json --at 1 --columns s --columns torsion --format json").out);
+  CHECK(json["columns"].back() == "torsion");
+  CHECK(json["rows"][0].size() == 15);
+}
+
+TEST_CASE("frames: arc lengths and columns that make no sense are refused by name") {
+  const Workshop here;
+  add_curves(here);
+  check_failure(here.run("frames quintic.json --by arc-length"), 2, "--samples N or --at");
+  check_failure(here.run("frames quintic.json --by length --at 0"), 2,
+                "--by: \"length\" is not one of t, arc-length");
+  check_failure(here.run("frames quintic.json --at 0 --columns speed"), 2,
+                "--columns: \"speed\" is not one of s, curvature, torsion, frenet_rate");
+  check_failure(here.run("frames quintic.json --by arc-length --at x"), 2,
+                "--at: \"x\" is not a number");
+  check_failure(here.run("frames quintic.json --by arc-length --at 5"), 3,
+                "5 is outside [0, 71/15]");
+  check_failure(here.run("frames turning.json --by arc-length --samples 3"), 3, "changes sign");
+  check_failure(here.run("frames turning.json --at 0 --columns s"), 3, "changes sign");
+  check_failure(here.run("frames line.json --at 0 --columns torsion"), 3, "straight line");
+}
+
+// By mpmath: t at the times 0.2 and 1 of the motion with V = 1 + 2s, and T(1) = ½ log(157/15).
+TEST_CASE("interpolate: points at equal times, and the end") {
+  const Workshop here;
+  const Run run = here.run("interpolate quintic.json --period 0.2 --feed '1 + 2*s'");
+  check_success(run);
+  CHECK(line(run.out, 0) == "k,time,t,s,x,y,z");
+  CHECK(line(run.out, 1) == "0,0,0,0,0,0,0");
+  CHECK(line(run.out, 2).starts_with("1,0.2,0.04261324819385755,0.24591234882063515,"));
+  CHECK(line(run.out, 6).starts_with("5,1,0.6439910419180356,3.194528049465325,"));
+  CHECK(line(run.out, 7) ==
+        "6,1.174097802123049,1,4.733333333333333,0.06666666666666667,2.533333333333333,3.4");
+  CHECK(line(run.out, 8).empty());
+}
+
+// T(1) = 4/15 + π/5, t at the times 1/4 and 1/2 by mpmath.
+TEST_CASE("interpolate: a speed that depends on the curvature of a plane curve") {
+  const Workshop here;
+  add_curves(here);
+  const std::string command = "interpolate plane.json --period 1/4 --format json --feed ";
+  const Json json = Json::parse(here.run(command + "'5/(1 + 2*kappa)'").out);
+  CHECK(json["phrame"] == "interpolation/1");
+  CHECK(json["rows"].size() == 5);
+  CHECK(json["rows"][1][2] == 0.253083165528683677079537739732);
+  CHECK(json["rows"][2][2] == 0.523408547735559133078429335257);
+  CHECK(json["rows"][4][1] == 0.894985197384625314359195343323);
+  CHECK(here.run(command + "'5/(1+2*κ)'").out == here.run(command + "'5/(1 + 2*kappa)'").out);
+}
+
+TEST_CASE("interpolate: what is typed wrongly is refused by name") {
+  const Workshop here;
+  const auto run = [&](const std::string& options) {
+    return here.run("interpolate quintic.json " + options);
+  };
+  check_failure(run(""), 2, "required");
+  check_failure(run("--feed 1"), 2, "--period is required");
+  check_failure(run("--period 1"), 2, "--feed is required");
+  check_failure(run("--period x --feed 1"), 2, "--period: \"x\" is not a number");
+  check_failure(run("--period 0 --feed 1"), 2, "--period: 0 is not positive");
+  check_failure(run("--period=-1/2 --feed 1"), 2, "--period: -1/2 is not positive");
+  check_failure(run("--period 1e-9 --feed 1"), 2,
+                "--period: 1/1000000000 asks for 4733333335 rows, the limit is 10000000");
+  check_failure(run("--period 1 --feed '2s'"), 2, "--feed, column 2: ");
+  check_failure(run("--period 1 --feed 'x'"), 2, "--feed: \"x\" is not one of s (arc length)");
+  check_failure(run("--period 1 --feed '1' --format xls"), 2, "--format: \"xls\"");
+  check_failure(here.run("interpolate missing.json --period 1 --feed 1"), 2, "missing.json");
+}
+
+TEST_CASE("interpolate: speeds that are no speeds have status 3 and their reason") {
+  const Workshop here;
+  add_curves(here);
+  const auto run = [&](const std::string& curve, const std::string& feed) {
+    return here.run("interpolate " + curve + ".json --period 1 --feed '" + feed + "'");
+  };
+  check_failure(run("quintic", "1 - 2*t"), 3, "the speed is 0 at t = 1/2");
+  check_failure(run("quintic", "s"), 3, "the speed is 0 at t = 0");
+  check_failure(run("quintic", "1/(t-1/3)"), 3, "the speed is infinite at t = 1/3");
+  check_failure(run("quintic", "0-7"), 3, "the speed is negative");
+  check_failure(run("quintic", "0"), 3, "the speed is 0");
+  check_failure(run("quintic", "1/kappa"), 3, "not plane");
+  check_failure(run("turning", "1"), 3, "changes sign");
+  check_success(run("plane", "1/kappa"));
+}
