@@ -7,6 +7,7 @@
 // every arctangent is that of √d times a rational polynomial.
 #include "phrame/integrate/real_form.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "phrame/algebra/error.hpp"
@@ -31,10 +32,10 @@ Polynomial norm(const SurdPolynomial& v) { return v.a * v.a - Rational(v.d) * (v
 /// Has v a real zero? At a real root of a² − d·b² it is a zero of a + b√d where a·b ≤ 0.
 bool has_real_zero(const SurdPolynomial& v) {
   if (v.b.is_zero()) return count_real_roots(v.a, real_line()) > 0;
-  const Polynomial n = norm(v);
-  for (const Interval& at : isolate_real_roots(n, real_line()))
-    if (sign_at(v.a * v.b, real_root(n, at)) <= 0) return true;
-  return false;
+  const Polynomial product = v.a * v.b;
+  const std::vector<RealRoot> roots = real_roots(norm(v), real_line());
+  return std::any_of(roots.begin(), roots.end(),
+                     [&](const RealRoot& root) { return sign_at(product, root.at) <= 0; });
 }
 
 struct ExtendedGcd {

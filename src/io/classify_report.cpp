@@ -49,7 +49,7 @@ std::string answer(const DoublePh& square) {
 
 std::string answer(const std::variant<RationalFrame, NoRationalFrame>& frame) {
   if (const auto* found = std::get_if<RationalFrame>(&frame))
-    return yes_or_no(true, fmt::format("of degree {}: the ERF turned by 2·arg w, w = {}",
+    return yes_or_no(true, fmt::format("of degree {}, the ERF turned by 2·arg w, w = {}",
                                        2 * degree(found->preimage), readable(found->w)));
   const auto& none = std::get<NoRationalFrame>(frame);
   if (none.reason == NoRationalFrame::Reason::multiple_pole)

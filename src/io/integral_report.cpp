@@ -69,8 +69,9 @@ std::string value_text(const DefiniteValue& definite, const IntegralReport& repo
         "    = {}\n",
         abbreviated(formatted_sum(formatted_terms(*definite.exact, unicode), " ", unicode), 4000));
   const bool is_decimal = definite.value.radius == "0";
-  return text + fmt::format("    {} {}\n    {} to {} digits\n", is_decimal ? "=" : "≈",
-                            wrapped(definite.value.value, 6), "correctly rounded", report.digits);
+  return text + fmt::format("    {} {}\n    {} to {} digit{}\n", is_decimal ? "=" : "≈",
+                            wrapped(definite.value.value, 6), "correctly rounded", report.digits,
+                            report.digits == 1 ? "" : "s");
 }
 
 std::string latex_end(const Endpoint& end) {

@@ -147,12 +147,12 @@ std::string formatted_factors(const Polynomial& p, Notation notation, std::strin
   const Factorization factors = factor(p);
   if (factors.unit == 1 && factors.factors.size() == 1 && factors.factors.front().exponent == 1)
     return formatted(p, notation, variable);
-  std::string text;
-  if (factors.unit == -1)
-    text = minus(notation);
-  else if (factors.unit != 1)
-    text = formatted(factors.unit, notation);
-  if (denominator(factors.unit) != 1 && notation == Notation::unicode) text += " ";
+  std::string text = factors.unit < 0 ? minus(notation) : "";
+  if (const Rational size = abs(factors.unit); size != 1) {
+    const std::string number = formatted(size, notation);
+    const bool is_open = denominator(size) != 1 && notation == Notation::unicode;
+    text += is_open ? "(" + number + ")" : number;
+  }
   for (const auto& [base, exponent] : factors.factors) {
     const std::string inside = formatted(base, notation, variable);
     const bool bare = inside == variable;

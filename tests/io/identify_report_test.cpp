@@ -54,7 +54,7 @@ TEST_CASE("identify report: the text says what f and A are, or why there are non
   CHECK(text.starts_with("septic: PH septic, degree 7 (preimage of degree 3)\n"));
   CHECK(contains(text,
                  "\n  f      3\n  u      −(1/3)t³ + t\n  v      −t²\n  p      0\n  q      1\n"));
-  CHECK(contains(text, "\n  f|A|²  1/3 (t⁶ + 3t⁴ + 9t² + 9)\n"));
+  CHECK(contains(text, "\n  f|A|²  (1/3)(t⁶ + 3t⁴ + 9t² + 9)\n"));
   CHECK(to_text(report("a\nb", {Polynomial{1}, Polynomial{0, 2}, {}})) ==
         "a\\u000ab: not a PH curve over ℚ\n\n"
         "  |r′| is no polynomial: |r′|² has these factors to an odd power:\n    4t² + 1\n");

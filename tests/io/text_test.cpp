@@ -46,7 +46,7 @@ TEST_CASE("text: factors stand in parentheses, a bare t does not") {
   CHECK(factored({-1, -2, -1}) == "−(t + 1)²");
   CHECK(factored({0, 0, 0, 2}) == "2t³");
   CHECK(factored({2, 0, 2}) == "2(t² + 1)");
-  CHECK(factored({Rational(-1, 2), 0, Rational(1, 2)}) == "1/2 (t − 1)(t + 1)");
+  CHECK(factored({Rational(-1, 2), 0, Rational(1, 2)}) == "(1/2)(t − 1)(t + 1)");
   CHECK(formatted_factors(Polynomial{Rational(1, 2), 0, Rational(1, 2)}, latex) ==
         "\\frac{1}{2}(t^{2} + 1)");
 }
