@@ -99,8 +99,9 @@ void add_integrate(CLI::App& app) {
                    "integrate from here: a number, inf, or root(p, a, b), the root of p in [a, b]")
       ->type_name("END");
   command->add_option("--to", options->to, "to here")->type_name("END");
-  command->add_flag("--principal-value", options->principal_value,
-                    "Cauchy's principal value at simple poles between the ends, and from -inf to inf");
+  command->add_flag(
+      "--principal-value", options->principal_value,
+      "Cauchy's principal value at simple poles between the ends, and from -inf to inf");
   add_digits(*command, options->digits);
   options->form.add_to(*command);
   command->add_flag("!--derivative-check,--no-derivative-check", options->is_silent,

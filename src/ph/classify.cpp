@@ -60,10 +60,8 @@ std::vector<RealRoot> cusp_points(const Curve& curve) {
 }
 
 std::vector<RealRoot> inflections(const QuaternionPolynomial& a) {
-  const GaussianPolynomial g = bend_numerator(a);
-  if (is_zero(g)) return {};
-  // A factor c of A is a factor c² of g.
-  return real_roots(exact_quotient(gcd(g.re, g.im), pow(real_content(a), 2)), segment);
+  const GaussianPolynomial g = bend_numerator(without_real_content(a));
+  return is_zero(g) ? std::vector<RealRoot>() : real_roots(gcd(g.re, g.im), segment);
 }
 
 Polynomial hodograph_content(const Curve& curve) {

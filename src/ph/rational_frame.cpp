@@ -76,10 +76,7 @@ std::variant<RationalFrame, NoRationalFrame> rational_frame(const QuaternionPoly
       throw Error("rational_frame: the check failed, 2·arg w is not the angle");
   }
   const auto [alpha, beta] = hopf_form(a);
-  frame.preimage = from_hopf_form({alpha * frame.w, beta * frame.w});
-  const Polynomial common = real_content(frame.preimage);
-  for (Polynomial* c : {&frame.preimage.u, &frame.preimage.v, &frame.preimage.p, &frame.preimage.q})
-    *c = exact_quotient(*c, common);
+  frame.preimage = without_real_content(from_hopf_form({alpha * frame.w, beta * frame.w}));
   return frame;
 }
 
