@@ -61,7 +61,8 @@ bool require_integrable(const RationalFunction& f, const Endpoint& a, const Endp
   const Endpoint& high = forward ? b : a;
   const bool principal = at_poles == AtPoles::principal_value;
   const long drop = f.denominator().degree() - f.numerator().degree();
-  const bool symmetric = principal && is_infinite(a) && is_infinite(b) && drop == 1;
+  const bool symmetric =
+      principal && is_infinite(low) && is_infinite(high) && compare(low, high) != 0 && drop == 1;
   if ((is_infinite(a) || is_infinite(b)) && drop < 2 && !symmetric) {
     const Endpoint& end = is_infinite(high) ? high : low;
     const Rational c = f.numerator().leading_coefficient() / f.denominator().leading_coefficient();
