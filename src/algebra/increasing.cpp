@@ -14,9 +14,40 @@
 namespace phrame {
 namespace {
 
-RealBall middle(const RealBall& x) {
+/// The points of a ball that are in [0, 1]. A ball has a rounded radius, so that it may be wider,
+/// and beyond [0, 1] F need not increase, nor even be defined.
+struct Bounds {
+  flint::Arf low;
+  flint::Arf high;
+};
+
+Bounds bounds(const RealBall& x, long bits) {
+  Bounds b;
+  arb_get_lbound_arf(b.low.get(), x.raw(), bits);
+  arb_get_ubound_arf(b.high.get(), x.raw(), bits);
+  if (arf_sgn(b.low.get()) < 0) arf_zero(b.low.get());
+  if (arf_cmp_si(b.high.get(), 1) > 0) arf_one(b.high.get());
+  return b;
+}
+
+/// The point low + (high − low)·eighths/8, without a radius.
+RealBall point_between(const Bounds& b, long eighths) {
+  RealBall m;
+  arf_sub(arb_midref(m.raw()), b.high.get(), b.low.get(), ARF_PREC_EXACT, ARF_RND_DOWN);
+  arf_mul_si(arb_midref(m.raw()), arb_midref(m.raw()), eighths, ARF_PREC_EXACT, ARF_RND_DOWN);
+  arf_mul_2exp_si(arb_midref(m.raw()), arb_midref(m.raw()), -3);
+  arf_add(arb_midref(m.raw()), arb_midref(m.raw()), b.low.get(), ARF_PREC_EXACT, ARF_RND_DOWN);
+  return m;
+}
+
+/// The point of [0, 1] that is nearest to the middle of x.
+RealBall point_near(const RealBall& x) {
   RealBall m;
   arb_get_mid_arb(m.raw(), x.raw());
+  arb_set_round(m.raw(), m.raw(), 64);
+  arb_get_mid_arb(m.raw(), m.raw());
+  if (arb_is_negative(m.raw()) != 0) arb_zero(m.raw());
+  if (arf_cmp_si(arb_midref(m.raw()), 1) > 0) arb_one(m.raw());
   return m;
 }
 
@@ -33,31 +64,24 @@ RealBall newton_step(const IncreasingFunction& F, const Rational& y, const RealB
 
 /// The part of x on the side of m, an exact point of x, where F = y; no value where the sign of
 /// F(m) − y is not seen.
-std::optional<RealBall> cut_at(const IncreasingFunction& F, const Rational& y, const RealBall& x,
+std::optional<RealBall> cut_at(const IncreasingFunction& F, const Rational& y, const Bounds& x,
                                const RealBall& m, long bits) {
   const RealBall value = subtract(F.value(m, bits), RealBall(y, bits), bits);
   if (!value.is_finite() || value.contains_zero()) return std::nullopt;
-  flint::Arf low;
-  flint::Arf high;
-  arb_get_lbound_arf(low.get(), x.raw(), bits);
-  arb_get_ubound_arf(high.get(), x.raw(), bits);
   RealBall part;
   if (arb_is_positive(value.raw()) != 0)
-    arb_set_interval_arf(part.raw(), low.get(), arb_midref(m.raw()), bits);
+    arb_set_interval_arf(part.raw(), x.low.get(), arb_midref(m.raw()), bits);
   else
-    arb_set_interval_arf(part.raw(), arb_midref(m.raw()), high.get(), bits);
+    arb_set_interval_arf(part.raw(), arb_midref(m.raw()), x.high.get(), bits);
   return part;
 }
 
 /// Cut at the middle or, should that be the very t with F(t) = y, beside it.
 std::optional<RealBall> bisected(const IncreasingFunction& F, const Rational& y, const RealBall& x,
                                  long bits) {
-  const RealBall m = middle(x);
-  if (auto half = cut_at(F, y, x, m, bits)) return half;
-  RealBall beside;
-  arf_set_mag(arb_midref(beside.raw()), arb_radref(x.raw()));
-  arb_mul_2exp_si(beside.raw(), beside.raw(), -2);
-  return cut_at(F, y, x, middle(add(m, beside, bits)), bits);
+  const Bounds b = bounds(x, bits);
+  if (auto half = cut_at(F, y, b, point_between(b, 4), bits)) return half;
+  return cut_at(F, y, b, point_between(b, 5), bits);
 }
 
 bool is_wider(const RealBall& x, const RealBall& y, long factor_bits) {
@@ -71,19 +95,16 @@ bool is_wider(const RealBall& x, const RealBall& y, long factor_bits) {
 RealBall enclose_preimage(const IncreasingFunction& F, const Rational& y, double guess) {
   constexpr long bits = 96;
   constexpr long radius_bits = 30;  // wide enough for a guess, narrow enough for a steady slope
-  RealBall point;
-  arb_set_d(point.raw(), guess);
+  RealBall start;
+  arb_set_d(start.raw(), guess);
+  RealBall point = point_near(start);
   for (int attempt = 0; attempt < 8; ++attempt) {
     RealBall around = point;
     arb_add_error_2exp_si(around.raw(), -radius_bits);
     const RealBall next = newton_step(F, y, point, around, bits);
     if (!next.is_finite()) break;
     if (arb_contains_interior(around.raw(), next.raw()) != 0) return next;
-    point = middle(next);
-    arb_set_round(point.raw(), point.raw(), 64);
-    point = middle(point);
-    if (arb_is_negative(point.raw()) != 0) arb_zero(point.raw());
-    if (arf_cmp_si(arb_midref(point.raw()), 1) > 0) arb_one(point.raw());
+    point = point_near(next);
   }
   RealBall unit(Rational(1, 2), bits);
   arb_add_error_2exp_si(unit.raw(), -1);
@@ -97,7 +118,8 @@ RealBall narrow_preimage(const IncreasingFunction& F, const Rational& y, RealBal
   while (mag_cmp_2exp_si(arb_radref(around.raw()), -bits) > 0) {
     const auto reached = static_cast<long>(-mag_get_d_log2_approx(arb_radref(around.raw())));
     const long precision = std::min(2 * std::max(reached, 16L), bits) + guard;
-    RealBall next = newton_step(F, y, middle(around), around, precision);
+    RealBall next =
+        newton_step(F, y, point_between(bounds(around, precision), 4), around, precision);
     if (next.is_finite() &&
         arb_intersection(next.raw(), next.raw(), around.raw(), precision) != 0 &&
         is_wider(around, next, 2)) {

@@ -9,9 +9,10 @@ namespace phrame {
 /// A function F that is continuous and strictly increasing on [0, 1], by enclosures that become as
 /// narrow as one asks. The slope may be 0 at points, and its enclosure on a wide ball may be any.
 struct IncreasingFunction {
-  /// A ball around F(t) for a ball t without a radius.
+  /// A ball around F(t) for a point t of [0, 1], a ball without a radius.
   std::function<RealBall(const RealBall& t, long bits)> value;
-  /// A ball that contains F′ on the ball t.
+  /// A ball that contains F′ on the ball t, which may reach beyond [0, 1]; or one that is not
+  /// finite.
   std::function<RealBall(const RealBall& t, long bits)> slope;
 };
 

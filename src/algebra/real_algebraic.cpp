@@ -53,7 +53,8 @@ std::vector<RealRoot> real_roots(const Polynomial& p, const Interval& interval) 
 
 /// With the leading coefficient c of p ∈ ℤ[t], c·t is an algebraic integer: a rational one is an
 /// integer, and a ball narrower than 1 holds at most two.
-std::optional<Rational> rational_root(const Polynomial& p, const Real& t) {
+std::optional<Rational> rational_root(const Polynomial& p, const Rational& a, const Rational& b,
+                                      const Real& t) {
   if (t.exact()) return t.exact();
   const Polynomial q = primitive_part(p);
   const Rational lead = q.leading_coefficient();
@@ -61,10 +62,10 @@ std::optional<Rational> rational_root(const Polynomial& p, const Real& t) {
   for (long bits = size + 8;; bits *= 2) {
     const RealBall ball = t.enclose(bits);
     if (!ball.is_finite() || lead * ball.radius() * 2 >= 1) continue;
-    const Rational low = lead * ball.lower();
+    const Rational low = lead * std::max(ball.lower(), a);
     Integer n = numerator(low) / denominator(low);
-    if (Rational(n) < low) ++n;  // the division truncates
-    for (const Rational high = lead * ball.upper(); Rational(n) <= high; ++n)
+    if (Rational(n) < low) ++n;  // the division truncates towards 0
+    for (const Rational high = lead * std::min(ball.upper(), b); Rational(n) <= high; ++n)
       if (const Rational r = Rational(n) / lead; q(r) == 0) return r;
     return std::nullopt;
   }
@@ -108,22 +109,22 @@ int sign_at(const Polynomial& q, const RealAlgebraic& a) {
   }
 }
 
+/// Halving the interval always helps, Newton's method once it is narrow enough.
 RealBall enclose(const RealAlgebraic& a, long bits) {
   if (const auto exact = a.rational()) return {*exact, bits + 2};
-  const Polynomial& p = a.polynomial();
-  // Narrow enough for Newton's iteration, unless the roots are a cluster.
-  const Interval start = narrowed(p, a.interval(), Rational(1, Integer(1) << 40));
-  RealBall around((*start.lower + *start.upper) / 2, 128);
-  const RealBall half_width((*start.upper - *start.lower) / 2, 64);
-  flint::Mag radius;
-  arb_get_mag(radius.get(), half_width.raw());
-  arb_add_error_mag(around.raw(), radius.get());
-  Roots roots{{around}, {}};
-  refine(p, roots, bits + 2);
-  if (roots.real.size() == 1) return roots.real.front();
-  // The iteration failed and refine() has isolated all the roots instead.
-  const long before = count_real_roots(p, {std::nullopt, *start.lower});
-  return roots.real[static_cast<std::size_t>(before)];
+  Interval around = a.interval();
+  for (long width = 40;; width *= 2) {
+    const bool is_last = width > bits;
+    if (is_last) width = bits + 1;
+    around = narrowed(a.polynomial(), std::move(around),
+                      Rational(1, Integer(1) << static_cast<unsigned>(width)));
+    RealBall ball((*around.lower + *around.upper) / 2, width + 64);
+    const RealBall half_width((*around.upper - *around.lower) / 2, 64);
+    flint::Mag radius;
+    arb_get_mag(radius.get(), half_width.raw());
+    arb_add_error_mag(ball.raw(), radius.get());
+    if (refine(a.polynomial(), ball, bits + 2) || is_last) return ball;
+  }
 }
 
 Real to_real(const RealAlgebraic& a) {

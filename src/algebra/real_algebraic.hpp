@@ -56,10 +56,11 @@ struct RealRoot {
 /// factorization of p where there are any.
 std::vector<RealRoot> real_roots(const Polynomial& p, const Interval& interval);
 
-/// The real root of p that t encloses, where it is rational; no value where it is not. No
+/// The value of t, a root of p ≠ 0 in [a, b], where it is rational; no value where it is not. No
 /// polynomial is factored: t is asked for about as many bits as the leading coefficient has.
-/// Precondition: t is a root of p ≠ 0.
-std::optional<Rational> rational_root(const Polynomial& p, const Real& t);
+/// Precondition: p has no other root in [a, b].
+std::optional<Rational> rational_root(const Polynomial& p, const Rational& a, const Rational& b,
+                                      const Real& t);
 
 /// −1, 0 or 1: the sign of q(a).
 int sign_at(const Polynomial& q, const RealAlgebraic& a);

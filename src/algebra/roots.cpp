@@ -148,6 +148,16 @@ Roots isolate_roots(const Polynomial& p, long bits) {
   return roots;
 }
 
+bool refine(const Polynomial& p, RealBall& root, long bits) {
+  const flint::FmpzPoly f = integer_primitive_part(p);
+  flint::FmpzPoly derivative;
+  fmpz_poly_derivative(derivative.get(), f.get());
+  ComplexBall z(root, RealBall());
+  refine_root(z.raw(), f.get(), derivative.get(), bits);
+  root = z.re();
+  return acb_rel_accuracy_bits(z.raw()) >= bits;
+}
+
 void refine(const Polynomial& p, Roots& roots, long bits) {
   const flint::FmpzPoly f = integer_primitive_part(p);
   flint::FmpzPoly derivative;

@@ -15,6 +15,10 @@ struct Roots {
 /// twenty times slower. Throws DomainError where p is constant or not squarefree.
 Roots isolate_roots(const Polynomial& p, long bits);
 
+/// Narrows the enclosure of one real root of p to a relative accuracy of about `bits` bits, by
+/// interval Newton steps; false where they do not reach that.
+bool refine(const Polynomial& p, RealBall& root, long bits);
+
 /// Narrows the enclosures of isolate_roots(p, …) to about `bits` bits by interval Newton steps,
 /// m − p(m)/p′(Z) with m the midpoint of Z, which keep the root of Z and converge quadratically.
 /// Where they do not converge the roots are isolated anew.

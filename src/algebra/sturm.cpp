@@ -221,13 +221,15 @@ std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& in
 }
 
 Interval narrowed(const Polynomial& p, Interval isolating, const Rational& width) {
+  if (*isolating.upper - *isolating.lower <= width) return isolating;
   const Polynomial f = squarefree_part(p);
-  while (*isolating.upper - *isolating.lower > width) {
+  const int below = sign_at(f, *isolating.lower);
+  do {
     const Rational middle = (*isolating.lower + *isolating.upper) / 2;
     const int sign = sign_at(f, middle);
     if (sign == 0) return closed(middle, middle);
-    (sign == sign_at(f, *isolating.lower) ? isolating.lower : isolating.upper) = middle;
-  }
+    (sign == below ? isolating.lower : isolating.upper) = middle;
+  } while (*isolating.upper - *isolating.lower > width);
   return isolating;
 }
 

@@ -34,8 +34,9 @@ void run(const InterpolateOptions& options) {
   const NamedCurve named = options.curve.read();
   TravelTime time(named.curve, feed);
   if (const Integer rows = time.ticks(period) + 1; rows > max_rows)
-    throw InputError("--period", fmt::format("{} asks for {} rows, the limit is {}",
-                                             abbreviated(to_string(period)), rows.str(), max_rows));
+    throw InputError(
+        "--period", fmt::format("{} asks for {} rows, the limit is {}",
+                                abbreviated(to_string(period)), abbreviated(rows.str()), max_rows));
   write_output(options.curve.output, format(interpolation_table(named.curve, time, period)));
 }
 

@@ -61,8 +61,12 @@ std::string answer(const std::variant<RationalFrame, NoRationalFrame>& frame) {
 }
 
 std::string answer(const ErfTurning& turning) {
-  return turning.is_monotone ? yes_or_no(true)
-                             : yes_or_no(false, "h changes sign at " + places(turning.zeros));
+  if (turning.is_monotone) return yes_or_no(true);
+  std::vector<RealRoot> reversals = turning.zeros;
+  std::erase_if(reversals, [](const RealRoot& zero) {
+    return zero.order % 2 == 0 || compare(zero.at, 0) <= 0 || compare(zero.at, 1) >= 0;
+  });
+  return yes_or_no(false, "back at " + places(reversals));
 }
 
 JsonOutput json_of(const std::vector<RealRoot>& roots) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
@@ -73,7 +74,7 @@ Real ArcLength::parameter(const Rational& s) const {
   if (s == 0) return Rational(0);
   if (s == total_) return Rational(1);
   const Real t = preimage(function_, s, guess(s));
-  if (const auto exact = rational_root(length_ - Polynomial{s}, t)) return *exact;
+  if (const auto exact = rational_root(length_ - Polynomial{s}, 0, 1, t)) return *exact;
   return t;
 }
 
@@ -81,7 +82,8 @@ RealAlgebraic ArcLength::algebraic_parameter(const Rational& s) const {
   const Real t = parameter(s);
   if (t.exact()) return *t.exact();
   const RealBall around = t.enclose(64);
-  return real_root(length_ - Polynomial{s}, closed(around.lower(), around.upper()));
+  return real_root(length_ - Polynomial{s}, closed(std::max(around.lower(), Rational(0)),
+                                                   std::min(around.upper(), Rational(1))));
 }
 
 }  // namespace phrame

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "phrame/algebra/error.hpp"
 
 // T is an antiderivative of a rational function. Without logarithms T = n/d, and the t with T(t) =
@@ -109,10 +111,12 @@ TimedPoint TravelTime::at_time(const Rational& time) {
     const RationalFunction T =
         RationalFunction(antiderivative_.polynomial) + antiderivative_.rational;
     const Polynomial equation = T.numerator() - (T(0) + time) * T.denominator();
-    if (const auto exact = rational_root(equation, t)) return exactly(*exact);
-    return exactly(real_root(equation, closed(around.lower(), around.upper())));
+    if (const auto exact = rational_root(equation, 0, 1, t)) return exactly(*exact);
+    return exactly(real_root(equation, closed(std::max(around.lower(), Rational(0)),
+                                              std::min(around.upper(), Rational(1)))));
   }
-  if (const auto r = simple_rational(around); r && evaluator_.value(0, *r).exact() == time)
+  if (const auto r = simple_rational(around);
+      r && *r >= 0 && *r <= 1 && evaluator_.value(0, *r).exact() == time)
     return exactly(*r);
   return {t, std::nullopt};
 }

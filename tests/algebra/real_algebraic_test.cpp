@@ -158,11 +158,13 @@ TEST_CASE(
     const Rational r = random.rational();
     const Polynomial rest = random.nonzero_polynomial(3);
     const Polynomial p = Polynomial{-r, 1} * rest;
-    CHECK(rational_root(p, Real([r](long bits) { return RealBall(r, bits); })) == r);
+    CHECK(rational_root(p, r, r, Real([r](long bits) { return RealBall(r, bits); })) == r);
     // square_root decides by the squares of numerator and denominator.
     for (const Rational& square : {Rational(r * r + 2), Rational(r * r + 3)}) {
       const Real root([square](long bits) { return sqrt(RealBall(square, bits), bits); });
-      CHECK(rational_root(Polynomial{-square, 0, 1} * rest, root) == square_root(square));
+      const RealBall near = root.enclose(64);
+      CHECK(rational_root(Polynomial{-square, 0, 1} * rest, near.lower(), near.upper(), root) ==
+            square_root(square));
     }
   });
 }
@@ -171,6 +173,9 @@ TEST_CASE("real algebraic: a root next to a fraction that could be one is not ra
   // √(1/9 + 10⁻⁴⁰) = 1/3 + 1.5·10⁻⁴⁰ − …; the leading coefficient has the digits to tell.
   const Rational square = Rational(1, 9) + parse_rational("1e-40");
   const Real root([square](long bits) { return sqrt(RealBall(square, bits), bits); });
-  CHECK(rational_root({-square, 0, 1}, root) == std::nullopt);
-  CHECK(rational_root({-1, 3}, Rational(1, 3)) == Rational(1, 3));
+  CHECK(rational_root({-square, 0, 1}, 0, 1, root) == std::nullopt);
+  CHECK(rational_root({-1, 3}, 0, 1, Rational(1, 3)) == Rational(1, 3));
+  // −1/2 and 1/2 are both in the ball.
+  const Real half([](long bits) { return RealBall(Rational(1, 2), std::max(bits, 2L)); });
+  CHECK(rational_root({-1, 0, 4}, 0, 1, half) == Rational(1, 2));
 }
