@@ -24,8 +24,14 @@ Polynomial increasing(const Polynomial& q) { return antiderivative(q * q); }
 
 TEST_CASE("increasing: law: the enclosure holds the preimage, whatever the guess") {
   for_samples(60, [](Random& random) {
-    const Polynomial p = increasing(random.nonzero_polynomial(3));
-    const Rational t(random.integer(0, 60), 60);
+    const Polynomial q = random.nonzero_polynomial(3);
+    // The second one decreases beyond [0, 1].
+    const Polynomial p =
+        random.chance(2) ? increasing(q) : antiderivative(q * q * Polynomial{0, 1, -1});
+    Rational t(random.integer(0, 60), 60);
+    if (random.chance(3))
+      t = 1 / Rational(pow(Integer(10), static_cast<unsigned>(random.integer(1, 40))));
+    if (random.chance(3)) t = 1 - t;
     for (const double guess : {0.0, 0.3, 1.0, round_to_double(Real(t))}) {
       const auto f = function_of(p);
       CHECK(enclose_preimage(*f, p(t), guess).contains(t));

@@ -2,6 +2,7 @@
 // need not increase: the result was −2⁻³⁰, or an error.
 #include <doctest/doctest.h>
 
+#include "phrame/ph/arc_length.hpp"
 #include "phrame/ph/travel_time.hpp"
 
 using namespace phrame;
