@@ -51,7 +51,8 @@ ExtendedGcd extended_gcd(const Polynomial& a, const Polynomial& b) {
   return result;
 }
 
-/// −2·factor·√d·arg(P + i√d·Q) as arctangents.
+/// −2·factor·√d·arg(P + i√d·Q) as arctangents; deg P ≥ deg Q ≥ 0. That remains so: the next pair is
+/// (D, C), and A·C = B·D − G has no higher degree than B·D.
 void add_arctangents(RealForm& form, const Rational& factor, const Integer& d, Polynomial p,
                      Polynomial q) {
   const auto add = [&](const Polynomial& w) {  // 2·factor·√d·arctan(√d·w)
@@ -60,10 +61,6 @@ void add_arctangents(RealForm& form, const Rational& factor, const Integer& d, P
     form.arctangents.push_back({surd(0, 2 * sign * factor, d), surd_polynomial({}, sign * w, d)});
   };
   while (true) {
-    if (p.degree() < q.degree()) {
-      std::swap(p, q);
-      p *= Rational(-d);
-    }
     const Division division = divide(p, q);
     if (division.remainder.is_zero()) return add(Rational(1, d) * division.quotient);
     const ExtendedGcd e = extended_gcd(q, -p);

@@ -124,6 +124,13 @@ TEST_CASE("definite integral: odd about a point between the ends, it is 0") {
   CHECK_FALSE(definite_integral(f, low, rational(2)).value.exact().has_value());
 }
 
+TEST_CASE("definite integral: logarithms with fractional factors cancel: log 2 − ½·log 4") {
+  const RationalFunction f =
+      RationalFunction({1}, {0, 1}) - RationalFunction({1}, {Rational(-4, 3), 2});
+  CHECK(definite_integral(f, rational(1), rational(2)).value.exact() == Rational(0));
+  CHECK_FALSE(definite_integral(f, rational(1), rational(3)).value.exact().has_value());
+}
+
 TEST_CASE("definite integral: a constant of integration does not matter") {
   Antiderivative F = integrate({{1}, {1, 0, 1}});
   F.polynomial = {5};
