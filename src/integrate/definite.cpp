@@ -217,12 +217,8 @@ bool Evaluator::turns_vanish(const Polynomial& residues, const Polynomial& other
 // of log(v(α, b)/v(α, a)): if v(α, b) = r·v(α, a) with r ∈ ℚ, exactly, then L(α) = log|r| + πi·k
 // with a whole k. So k = 0 and, for every irreducible polynomial of residues, log|r| = 0 or Σ α = 0
 // prove that the sum is 0.
-std::optional<Rational> Evaluator::rational_value(const Rational& a, const Rational& b,
-                                                  const RealBall& enclosure,
-                                                  const GaussianPolynomial& phase) {
-  const Rational rational = rational_difference(a, b);
-  if (a == b || (poles_.empty() && degree(phase) == 0)) return rational;
-  if (!enclosure.contains(rational)) return std::nullopt;
+bool Evaluator::logarithms_cancel(const Rational& a, const Rational& b,
+                                  const GaussianPolynomial& phase) const {
   std::vector<SimpleFraction> fractions;
   for (const Poles& p : poles_)
     for (SimpleFraction& f : simple_fractions({p.numerator, p.denominator}))
@@ -239,23 +235,35 @@ std::optional<Rational> Evaluator::rational_value(const Rational& a, const Ratio
     const Polynomial at_a = evaluate_at(sum.argument, a) % sum.index;
     const Polynomial at_b = evaluate_at(sum.argument, b) % sum.index;
     const Rational ratio = at_b.leading_coefficient() / at_a.leading_coefficient();
-    if (!(at_b == ratio * at_a)) return std::nullopt;
-    if (abs(ratio) != 1 && QuotientRing(sum.index).trace(sum.residue) != 0) return std::nullopt;
+    if (!(at_b == ratio * at_a)) return false;
+    if (abs(ratio) != 1 && QuotientRing(sum.index).trace(sum.residue) != 0) return false;
     residues *= sum.index;
     other_residues = exact_quotient(other_residues, sum.index);
   }
-  if (!turns_vanish(residues, other_residues, a, b)) return std::nullopt;
-
-  if (vanishes(log_change(gaussian, a, b)) != true) return std::nullopt;
-  return rational;
+  return turns_vanish(residues, other_residues, a, b) &&
+         vanishes(log_change(gaussian, a, b)) == true;
 }
 
 Real Evaluator::value(const Rational& a, const Rational& b) {
+  return value(a, b, {{1}, {}}, [this, a, b](long bits) { return difference(a, b, bits); });
+}
+
+// What is nearly rational is rarely rational: the decision waits for a ball that an integral of
+// this size, about 2^−degree where the poles are not near, has left.
+Real Evaluator::value(const Rational& a, const Rational& b, const GaussianPolynomial& phase,
+                      const Real::Enclosure& enclose) {
+  const Rational rational = rational_difference(a, b);
+  if (a == b || (poles_.empty() && degree(phase) == 0)) return rational;
   constexpr long bits = 128;  // enough for a double, so that the first ball is often the last
-  const RealBall first = difference(a, b, bits);
-  if (const auto rational = rational_value(a, b, first)) return *rational;
-  return Real([this, a, b, first](long precision) {
-    return precision <= bits ? first : difference(a, b, precision);
+  const RealBall first = enclose(bits);
+  if (first.contains(rational)) {
+    long poles = degree(phase);
+    for (const Poles& p : poles_) poles += p.denominator.degree();
+    if (enclose(bits + 16 * poles).contains(rational) && logarithms_cancel(a, b, phase))
+      return rational;
+  }
+  return Real([enclose, first](long precision) {
+    return precision <= bits ? first : enclose(precision);
   });
 }
 

@@ -39,14 +39,12 @@ class Evaluator {
   /// The value keeps a reference to this evaluator. Throws as above.
   Real value(const Rational& a, const Rational& b);
 
-  /// F(b) − F(a) + arg phase(b) − arg phase(a), the argument continuous, where this is rational:
+  /// F(b) − F(a) + arg phase(b) − arg phase(a), the argument continuous, in the same manner: exact
   /// without logarithms, for a = b, and where logarithms and arguments cancel. That they cancel is
-  /// decided for residues in ℚ(i) (Baker) and recognised in many other cases; no value means that
-  /// it is irrational or not recognised. Precondition: `enclosure` is a ball around this number and
-  /// comes from difference(a, b, …).
-  std::optional<Rational> rational_value(const Rational& a, const Rational& b,
-                                         const RealBall& enclosure,
-                                         const GaussianPolynomial& phase = {{1}, {}});
+  /// decided for residues in ℚ(i) (Baker) and recognised in many other cases.
+  /// Precondition: `enclose` gives balls around this number and calls difference(a, b, …).
+  Real value(const Rational& a, const Rational& b, const GaussianPolynomial& phase,
+             const Real::Enclosure& enclose);
 
  private:
   /// n/d = Σ c(z)/(t − z) over the roots z of the squarefree d.
@@ -60,6 +58,8 @@ class Evaluator {
   };
 
   Rational rational_difference(const Rational& a, const Rational& b) const;
+  bool logarithms_cancel(const Rational& a, const Rational& b,
+                         const GaussianPolynomial& phase) const;
   void require_no_pole(const Rational& a, const Rational& b) const;
   void prepare(long precision);
   RealBall log_difference(const Rational& a, const Rational& b, long bits) const;

@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/resultant.hpp"
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
@@ -155,13 +154,10 @@ std::optional<ExactValue> in_finite_terms(const Antiderivative& F, const Rationa
                                           const Endpoint& a, const Endpoint& b) {
   std::vector<SimpleFraction> fractions;
   for (const LogSum& sum : F.logs)
-    for (SimpleFraction& f : simple_fractions(differentiate(sum)))
+    for (SimpleFraction& f : simple_fractions(differentiate(sum))) {
+      if (!has_quadratic_residues(f)) return std::nullopt;
       fractions.push_back(std::move(f));
-  const auto has_small_field = [](const SimpleFraction& f) {
-    const auto& [n, d] = f;
-    return d.degree() <= 2 || squarefree_part(residue_polynomial(n, d)).degree() <= 2;
-  };
-  if (!std::all_of(fractions.begin(), fractions.end(), has_small_field)) return std::nullopt;
+    }
   const GaussianLogs logs = gaussian_logs(over_residues(fractions));
   if (!logs.others.empty()) return std::nullopt;
   return exact_value(rational, log_change(logs, a, b));

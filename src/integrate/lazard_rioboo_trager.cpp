@@ -120,6 +120,14 @@ std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f) {
   return lazard_rioboo_trager(f, residue_polynomial(f.numerator(), f.denominator()));
 }
 
+/// The residue polynomial is a power of the irreducible polynomial of one residue.
+bool has_quadratic_residues(const SimpleFraction& f) {
+  const auto& [n, d] = f;
+  if (d.degree() <= 2) return true;
+  if (residues_are_distinct_modulo_a_prime(n, d)) return false;
+  return squarefree_part(residue_polynomial(n, d)).degree() <= 2;
+}
+
 std::vector<LogSum> over_residues(const std::vector<SimpleFraction>& fractions) {
   std::vector<LogSum> sums;
   for (const auto& [n, d] : fractions) {

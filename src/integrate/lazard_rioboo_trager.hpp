@@ -13,6 +13,10 @@ std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f);
 /// The same, with the residue polynomial known.
 std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f, const Polynomial& residues);
 
+/// Do the residues of the fraction lie in fields of degree ≤ 2? For most fractions a prime denies
+/// it.
+bool has_quadratic_residues(const SimpleFraction& f);
+
 /// The integral of a sum of fractions: one sum for each irreducible polynomial of residues. The
 /// derivatives are checked.
 std::vector<LogSum> over_residues(const std::vector<SimpleFraction>& fractions);

@@ -12,9 +12,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
-#include "phrame/algebra/resultant.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
-#include "phrame/integrate/rothstein_trager.hpp"
 
 namespace phrame {
 namespace {
@@ -96,30 +94,23 @@ void add_quadratic(RealForm& form, const LogSum& sum) {
   add_arctangents(form, alpha.b, d, p, q);
 }
 
-/// Whether the residues of n/d, d irreducible, lie in a field of degree ≤ 2.
-bool has_quadratic_residues(const SimpleFraction& f) {
-  if (f.denominator.degree() <= 2) return true;
-  if (residues_are_distinct(f.numerator, f.denominator)) return false;
-  return squarefree_part(residue_polynomial(f.numerator, f.denominator)).degree() <= 2;
-}
-
 }  // namespace
 
 RealForm real_form(const Antiderivative& F) {
   RealForm form;
   form.polynomial = F.polynomial;
   form.rational = F.rational;
-  RationalFunction simple;
-  for (const LogSum& sum : F.logs) simple = simple + differentiate(sum);
-  std::vector<LogSum> quadratic;
+  const RationalFunction simple = differentiate(Antiderivative{{}, {}, F.logs});
+  const RationalFunction algebraic = differentiate(Antiderivative{F.polynomial, F.rational, {}});
+  std::vector<SimpleFraction> quadratic;
   for (const SimpleFraction& f : simple_fractions(simple)) {
     if (has_quadratic_residues(f))
-      quadratic.push_back(lazard_rioboo_trager({f.numerator, f.denominator}).front());
+      quadratic.push_back(f);
     else
       form.others.push_back(full_partial_fraction(f));
   }
-  for (const LogSum& sum : merge_equal_residues(std::move(quadratic))) add_quadratic(form, sum);
-  if (!(differentiate(form) == differentiate(F)))
+  for (const LogSum& sum : over_residues(quadratic)) add_quadratic(form, sum);
+  if (!(differentiate(form) == algebraic + simple))
     throw Error("real_form: the check failed, the derivative has changed");
   return form;
 }

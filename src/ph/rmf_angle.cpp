@@ -76,12 +76,7 @@ RealBall RmfAngle::enclose(const Rational& t, long bits) {
 Real RmfAngle::value(const Rational& t) {
   if (t == 0) return Rational(0);
   if (!argument_) return evaluator_.value(0, t);
-  constexpr long bits = 128;  // as Evaluator::value
-  const RealBall first = enclose(t, bits);
-  if (const auto rational = evaluator_.rational_value(0, t, first, *bend_)) return *rational;
-  return Real([this, t, first](long precision) {
-    return precision <= bits ? first : enclose(t, precision);
-  });
+  return evaluator_.value(0, t, *bend_, [this, t](long bits) { return enclose(t, bits); });
 }
 
 std::optional<Antiderivative> frenet_angle_by_linear_system(const Curve& curve) {
