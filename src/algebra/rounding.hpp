@@ -1,28 +1,9 @@
 #pragma once
 #include <boost/multiprecision/mpfr.hpp>
-#include <functional>
-#include <optional>
 
-#include "phrame/algebra/ball.hpp"
+#include "phrame/algebra/real.hpp"
 
 namespace phrame {
-
-/// A real number: known exactly, or by enclosures as narrow as one asks.
-class Real {
- public:
-  /// `bits` → a ball around the number, whose radius tends to 0 as bits grow.
-  using Enclosure = std::function<RealBall(long bits)>;
-
-  Real(Rational exact) : exact_(std::move(exact)) {}  // NOLINT(google-explicit-constructor)
-  explicit Real(Enclosure enclosure) : enclosure_(std::move(enclosure)) {}
-
-  const std::optional<Rational>& exact() const { return exact_; }
-  RealBall enclose(long bits) const { return exact_ ? RealBall(*exact_, bits) : enclosure_(bits); }
-
- private:
-  std::optional<Rational> exact_;
-  Enclosure enclosure_;
-};
 
 /// Where Ziv's loop gives up: at factor · (the bits of the result) + offset bits of precision.
 struct PrecisionLimit {

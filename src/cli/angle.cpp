@@ -12,17 +12,10 @@ struct AngleOptions {
   long digits = 17;
 };
 
-Real shifted(const Real& x, const Rational& by) {
-  if (x.exact()) return Rational(*x.exact() + by);
-  if (by == 0) return x;
-  return Real(
-      [x, by](long bits) { return add(x.enclose(bits + 8), RealBall(by, bits + 8), bits + 8); });
-}
-
 /// θ(t) + start; where that is undecided, the message names t.
 Decimal rounded_angle(RmfAngle& angle, const Rational& t, const Rational& start, long digits) {
   try {
-    return round_to_decimal(shifted(angle.value(t), start), digits);
+    return round_to_decimal(angle.value(t) + start, digits);
   } catch (const Undecided& error) {
     throw Undecided("theta at t = " + abbreviated(to_string(t)) + ": " + error.what());
   }

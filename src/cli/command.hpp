@@ -71,5 +71,6 @@ void add_info(CLI::App& app);
 void add_frames(CLI::App& app);
 void add_interpolate(CLI::App& app);
 void add_integrate(CLI::App& app);
+void add_totals(CLI::App& app);
 
 }  // namespace phrame::cli

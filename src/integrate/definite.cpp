@@ -262,9 +262,8 @@ Real Evaluator::value(const Rational& a, const Rational& b, const GaussianPolyno
     if (enclose(bits + 16 * poles).contains(rational) && logarithms_cancel(a, b, phase))
       return rational;
   }
-  return Real([enclose, first](long precision) {
-    return precision <= bits ? first : enclose(precision);
-  });
+  return Real(
+      [enclose, first](long precision) { return precision <= bits ? first : enclose(precision); });
 }
 
 RealBall definite(const Antiderivative& F, const Rational& a, const Rational& b, long bits) {

@@ -98,32 +98,47 @@ LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint
   return change;
 }
 
-// With N a common denominator of the exponents, e to the power iN·(the turns) is z/|z| for a
-// product z of Gaussian rationals. If z > 0 the turns add up to a multiple of 2π/N, and a ball
-// tells 0 from the others.
+namespace {
+
+/// The sum of the turns over π, where that is rational: with N a common denominator of the
+/// exponents, N times the sum is an argument of a product z of Gaussian rationals. It is rational
+/// over π just for z on one of eight rays, where it is a multiple of π/4 (Niven, Irrational
+/// Numbers, 1956, §3.3).
+struct TurnsOverPi {
+  bool is_decided = false;  ///< false where z has too many digits
+  std::optional<Rational> value;
+};
+
+TurnsOverPi turns_over_pi(const std::vector<LogChange::Turn>& turns) {
+  std::vector<Power> powers;
+  for (const auto& [power, whole] : turns) powers.push_back(power);
+  const Integer n = common_denominator(powers);
+  const auto z = product(powers, n);
+  if (!z) return {};
+  if (z->re != 0 && z->im != 0 && abs(z->re) != abs(z->im)) return {true, std::nullopt};
+  const Rational unit = Rational(1, 4) / Rational(n);
+  for (long bits = 64;; bits *= 2) {
+    RealBall sum;
+    for (const auto& [power, whole] : turns) {
+      const RealBall angle = add(divide(principal_argument(power.base, bits), pi(bits), bits),
+                                 RealBall(Rational(2 * whole), bits), bits);
+      sum = add(sum, multiply(RealBall(power.exponent / unit, bits), angle, bits), bits);
+    }
+    flint::Fmpz multiple;
+    if (arb_get_unique_fmpz(multiple.get(), sum.raw()) != 0)
+      return {true, unit * to_rational(multiple.get())};
+  }
+}
+
+}  // namespace
+
 std::optional<bool> vanishes(const LogChange& change) {
   const auto size = product(change.sizes, common_denominator(change.sizes));
   if (!size) return std::nullopt;
   if (!(*size == GaussianRational{1, 0})) return false;
-  std::vector<Power> powers;
-  for (const auto& [power, whole] : change.turns) powers.push_back(power);
-  const Integer n = common_denominator(powers);
-  const auto z = product(powers, n);
-  if (!z) return std::nullopt;
-  if (z->im != 0 || z->re < 0) return false;
-  for (long bits = 64;; bits *= 2) {
-    RealBall sum;
-    for (const auto& [power, whole] : change.turns) {
-      const RealBall turns = multiply(pi(bits), RealBall(Rational(2 * whole), bits), bits);
-      sum = add(sum,
-                multiply(RealBall(power.exponent, bits),
-                         add(principal_argument(power.base, bits), turns, bits), bits),
-                bits);
-    }
-    if (!sum.contains_zero()) return false;
-    const Rational smallest = Rational(6) / Rational(n);
-    if (sum.lower() > -smallest && sum.upper() < smallest) return true;
-  }
+  const TurnsOverPi turns = turns_over_pi(change.turns);
+  if (!turns.is_decided) return std::nullopt;
+  return turns.value == Rational(0);
 }
 
 ExactValue exact_value(const Rational& rational, const LogChange& change) {
@@ -139,6 +154,10 @@ ExactValue exact_value(const Rational& rational, const LogChange& change) {
     if (of > 1) value.logarithms.push_back({factor, of});
     if (of < 1) value.logarithms.push_back({-factor, 1 / of});
   }
+  if (const auto turned = turns_over_pi(change.turns).value) {
+    value.pi = *turned;
+    return value;
+  }
   std::map<Rational, Rational> arctangents;  // by argument, factors added
   for (const auto& [power, whole] : change.turns) {
     const Angle principal = angle(power.base);
@@ -148,6 +167,24 @@ ExactValue exact_value(const Rational& rational, const LogChange& change) {
   for (const auto& [of, factor] : arctangents)
     if (factor != 0) value.arctangents.push_back({factor, of});
   return value;
+}
+
+ExactValue operator+(const ExactValue& a, const ExactValue& b) {
+  LogChange change;
+  for (const ExactValue* x : {&a, &b}) {
+    change.turns.push_back({{{-1, 0}, x->pi}, 0});
+    for (const auto& [factor, of] : x->logarithms) change.sizes.push_back({{of, 0}, factor});
+    for (const auto& [factor, of] : x->arctangents) change.turns.push_back({{{1, of}, factor}, 0});
+  }
+  return exact_value(a.rational + b.rational, change);
+}
+
+ExactValue operator*(const Rational& c, const ExactValue& x) {
+  if (c == 0) return {};
+  ExactValue result{c * x.rational, c * x.pi, x.logarithms, x.arctangents};
+  for (auto* terms : {&result.logarithms, &result.arctangents})
+    for (ExactValue::Term& term : *terms) term.factor *= c;
+  return result;
 }
 
 }  // namespace phrame

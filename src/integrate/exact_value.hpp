@@ -44,7 +44,11 @@ LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint
 /// have more than 2²⁴ bits.
 std::optional<bool> vanishes(const LogChange& change);
 
-/// rational + change, in finite terms.
+/// rational + change, in finite terms. Turns that add up to a rational multiple of π are written as
+/// that: π/4 for arctan(1/2) + arctan(1/3).
 ExactValue exact_value(const Rational& rational, const LogChange& change);
+
+ExactValue operator+(const ExactValue& a, const ExactValue& b);
+ExactValue operator*(const Rational& c, const ExactValue& x);
 
 }  // namespace phrame

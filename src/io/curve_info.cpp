@@ -5,7 +5,6 @@
 #include "phrame/io/angle_report.hpp"
 #include "phrame/io/json_text.hpp"
 #include "phrame/io/text.hpp"
-#include "phrame/ph/arc_length.hpp"
 
 namespace phrame {
 namespace {
@@ -18,28 +17,20 @@ std::string point_text(const Vector<Rational>& p) {
   return fmt::format("({}, {}, {})", number_text(p[0]), number_text(p[1]), number_text(p[2]));
 }
 
-Decimal total(const RationalFunction& rate, long digits) {
-  Evaluator evaluator(integrate(rate));
-  return round_to_decimal(evaluator.value(0, 1), digits);
-}
-
 }  // namespace
 
 CurveInfo curve_info(const NamedCurve& named, long digits) {
   const Curve& curve = named.curve;
-  const QuaternionPolynomial& preimage = curve.preimage();
-  CurveInfo info{named, cusps(curve, closed(0, 1)), {}, {}, {}};
-  info.twist_erf = total(-erf_rate(preimage), digits);
-  // κ² ds = ρ/(f²σ⁴) · |f|σ dt, whose poles on [0, 1] are cusps; but ρ may cancel them. It is not
-  // negative, so that at a pole the integral diverges.
-  const RationalFunction energy(rho(preimage), curve.multiplier() * pow(sigma(preimage), 3));
-  const Signs signs = multiplier_signs(curve);
-  if (!info.cusps.empty() && count_real_roots(energy.denominator(), closed(0, 1)) > 0)
-    info.no_energy = "∞ (cusp)";
-  else if (signs.positive && signs.negative && !energy.is_zero())
-    info.no_energy = "f changes sign";
-  else
-    info.bending_energy = total(signs.negative ? -energy : energy, digits);
+  const Real length = total_length(curve).value;
+  CurveInfo info{named,
+                 cusps(curve, closed(0, 1)),
+                 length,
+                 round_to_decimal(length, digits),
+                 round_to_decimal(erf_twist(curve).value, digits),
+                 {}};
+  const auto energy = bending_energy(curve);
+  if (const auto* finite = std::get_if<Total>(&energy))
+    info.bending_energy = round_to_decimal(finite->value, digits);
   return info;
 }
 
@@ -74,10 +65,10 @@ std::string to_text(const CurveInfo& info) {
   row("r(1)", point_text(evaluate(position(curve), 1)));
   for (const Interval& cusp : info.cusps) row("cusp, r′ = 0", place_of_root(cusp));
   if (const std::string note = note_on_sign(curve); !note.empty()) row("sign of f", note);
-  const auto length = segment_length(curve);
-  row("length ∫₀¹ |f|σ", length ? number_text(*length) : "f changes sign");
+  const auto& length = info.length.exact();
+  row("length ∫₀¹ |f|σ", length ? number_text(*length) : info.rounded_length.value);
   row("twist ∫₀¹ 2h/σ", info.twist_erf.value);
-  row("energy ∫₀¹ κ² ds", info.bending_energy ? info.bending_energy->value : info.no_energy);
+  row("energy ∫₀¹ κ² ds", info.bending_energy ? info.bending_energy->value : "∞");
   return text;
 }
 
@@ -87,7 +78,7 @@ std::string to_json(const CurveInfo& info) {
   const AngleSplit split = closed_split(a);
   JsonOutput points = JsonOutput::array();
   for (const auto& point : control_points(curve)) points.push_back(json_of(point));
-  const auto length = segment_length(curve);
+  const auto& length = info.length.exact();
   JsonOutput cusp_list = JsonOutput::array();
   for (const Interval& cusp : info.cusps)
     cusp_list.push_back({to_string(*cusp.lower), to_string(*cusp.upper)});
@@ -105,13 +96,13 @@ std::string to_json(const CurveInfo& info) {
       {"rho", json_of(rho(a))},
       {"triple_product", json_of(triple_product(curve))},
       {"split", {{"a", json_of(split.a)}, {"b", json_of(split.b)}}},
-      {"arc_length", length ? JsonOutput(to_string(*length)) : JsonOutput()},
+      {"arc_length", length ? JsonOutput(to_string(*length)) : json_of(info.rounded_length)},
       {"control_points", points},
       {"end_point", json_of(evaluate(position(curve), 1))},
       {"cusps", cusp_list},
       {"twist_erf", json_of(info.twist_erf)},
       {"bending_energy", info.bending_energy ? json_of(*info.bending_energy) : JsonOutput()}};
-  if (!info.bending_energy) json["bending_energy_reason"] = info.no_energy;
+  if (!info.bending_energy) json["bending_energy_reason"] = "∞";
   return pretty(json);
 }
 

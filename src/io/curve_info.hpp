@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "phrame/io/curve_file.hpp"
-#include "phrame/ph/rmf_angle.hpp"
+#include "phrame/ph/totals.hpp"
 
 namespace phrame {
 
@@ -10,12 +10,13 @@ namespace phrame {
 struct CurveInfo {
   NamedCurve curve;
   std::vector<Interval> cusps;            ///< in [0, 1]
-  Decimal twist_erf;                      ///< ∫₀¹ 2h/σ
-  std::optional<Decimal> bending_energy;  ///< ∫₀¹ κ² ds = ∫₀¹ ρ/(|f|σ³) dt
-  std::string no_energy;  ///< why there is none: "∞ (cusp)", a pole, or "f changes sign"
+  Real length;                            ///< ∫₀¹ |f|σ dt
+  Decimal rounded_length;                 ///< where it is irrational
+  Decimal twist_erf;                      ///< ∫₀¹ 2h/σ dt
+  std::optional<Decimal> bending_energy;  ///< ∫₀¹ κ² ds; no value where it is infinite
 };
 
-/// Computes the two integrals to `digits` digits.
+/// Rounds the totals to `digits` digits.
 CurveInfo curve_info(const NamedCurve& named, long digits);
 
 std::string to_text(const CurveInfo& info);

@@ -9,11 +9,6 @@
 namespace phrame {
 namespace {
 
-Real opposite(const Real& x) {
-  if (x.exact()) return Rational(-*x.exact());
-  return Real([x](long bits) { return subtract(RealBall(), x.enclose(bits), bits); });
-}
-
 /// cos θ·x + sin θ·y.
 Real turned(const std::function<CosSin(long)>& turn, const Real& x, const Real& y) {
   if (x.exact() == Rational(0) && y.exact() == Rational(0)) return Rational(0);
@@ -55,7 +50,7 @@ Frame<Real> AlgebraicFrames::frenet(const AlgebraicPoint& t) const {
     const auto component = [&](std::size_t k) {
       const Polynomial n = x * numerators_.e2[k] + y * numerators_.e3[k];
       const Real root = t.square_root(RationalFunction(n * n, sigma_ * sigma_ * size));
-      return sign_at(n, t.number()) < 0 ? opposite(root) : root;
+      return sign_at(n, t.number()) < 0 ? -root : root;
     };
     return Vector<Real>{component(0), component(1), component(2)};
   };
@@ -79,7 +74,7 @@ Frame<Real> AlgebraicFrames::rotation_minimizing(const AlgebraicPoint& t) {
   };
   const auto pair = [&](std::size_t k) {
     return std::pair(turned(turn, erf.e2[k], erf.e3[k]),
-                     turned(turn, erf.e3[k], opposite(erf.e2[k])));
+                     turned(turn, erf.e3[k], -erf.e2[k]));
   };
   const auto x = pair(0);
   const auto y = pair(1);

@@ -19,12 +19,6 @@ Polynomial arc_length(const Curve& curve) {
   return antiderivative(curve.multiplier() * sigma(curve.preimage()));
 }
 
-std::optional<Rational> segment_length(const Curve& curve) {
-  const Signs signs = multiplier_signs(curve);
-  if (signs.positive && signs.negative) return std::nullopt;
-  return Rational(abs(arc_length(curve)(1)));
-}
-
 ArcLength::ArcLength(const Curve& curve) : length_(phrame::arc_length(curve)) {
   const Signs signs = multiplier_signs(curve);
   if (signs.positive && signs.negative)

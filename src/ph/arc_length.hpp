@@ -10,8 +10,6 @@ namespace phrame {
 
 /// ∫₀ᵗ fσ: the arc length from 0 to t > 0 where f ≥ 0 between them, exact.
 Polynomial arc_length(const Curve& curve);
-/// The length of the segment [0, 1], ∫₀¹ |f|σ; no value where f changes sign on it.
-std::optional<Rational> segment_length(const Curve& curve);
 
 /// The arc length s(t) = ∫₀ᵗ |f|σ of the segment [0, 1], a strictly increasing polynomial, and its
 /// inverse [Farouki 2008].

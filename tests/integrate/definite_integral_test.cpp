@@ -84,6 +84,24 @@ TEST_CASE("definite integral: π, log 2 and 3π/4 + arctan(1/2) in finite terms"
   CHECK_FALSE(none.exact.has_value());
 }
 
+// Euler 1738 and Machin 1706.
+TEST_CASE("definite integral: arctangents that add up to a multiple of π") {
+  const ExactValue quarter{0, Rational(1, 4), {}, {}};
+  const auto arctan = [](const Rational& factor, const Rational& of) {
+    return ExactValue{0, 0, {}, {{factor, of}}};
+  };
+  CHECK(arctan(1, Rational(1, 2)) + arctan(1, Rational(1, 3)) == quarter);
+  CHECK(arctan(4, Rational(1, 5)) + arctan(-1, Rational(1, 239)) == quarter);
+  CHECK(Rational(-4) * quarter + arctan(1, 2) == ExactValue{0, -1, {}, {{1, 2}}});
+  const ExactValue mixed{Rational(1, 2), 0, {{3, 2}}, {{1, 5}}};
+  CHECK(mixed + Rational(-1) * mixed == ExactValue{});
+  CHECK(mixed + ExactValue{1, 0, {{3, 5}}, {}} ==
+        ExactValue{Rational(3, 2), 0, {{3, 10}}, {{1, 5}}});
+  // (2 + it)(3 + it) turns by arctan(1/2) + arctan(1/3) from 0 to 1.
+  CHECK(definite_integral({{30, 0, 5}, {36, 0, 13, 0, 1}}, rational(0), rational(1)).exact ==
+        quarter);
+}
+
 TEST_CASE("definite integral: what diverges is refused with the reason") {
   const auto message = [](const std::string& text) { return doctest::Contains(text.c_str()); };
   CHECK_THROWS_WITH_AS(

@@ -79,14 +79,14 @@ TEST_CASE("curve info: the twist is minus the angle at 1, to 50 digits") {
   test::check_rounded(twist["value"], twist["radius"], "-" + theta, 50, 50);
 }
 
-TEST_CASE("curve info: a cusp is located, and the length of a curve that turns back is not ∫f") {
-  // r′ = (2t − 1)·i: f changes sign, so ∫₀¹ f is not the length.
+TEST_CASE("curve info: a cusp is located, and the length of a curve that turns back is ∫|f|") {
+  // r′ = (2t − 1)·i: f changes sign, ∫₀¹ f = 0 is not the length.
   const Json changing = info(on_a_line({-1, 2}));
   REQUIRE(changing["cusps"].size() == 1);
   CHECK(test::rational(changing["cusps"][0][0]) <= Rational(1, 2));
   CHECK(test::rational(changing["cusps"][0][1]) >= Rational(1, 2));
   CHECK(changing["bending_energy"]["value"] == "0");  // a line, there and back
-  CHECK(changing["arc_length"].is_null());
+  CHECK(changing["arc_length"] == "1/2");
   // r′ = (2t − 1)²·i: a cusp without a change of sign, ∫₀¹ (2t − 1)² = 1/3.
   const Json touching = info(on_a_line({1, -4, 4}));
   CHECK(touching["cusps"].size() == 1);
@@ -98,7 +98,11 @@ TEST_CASE("curve info: a cusp is located, and the length of a curve that turns b
   CHECK(backwards["bending_energy"] == Json{{"value", "0"}, {"radius", "0"}});
   const std::string text = to_text(curve_info(on_a_line({-1, 2}), 5));
   CHECK(contains(text, "cusp, r′ = 0        t = 1/2\n"));
-  CHECK(contains(text, "length ∫₀¹ |f|σ     f changes sign\n"));
+  CHECK(contains(text, "length ∫₀¹ |f|σ     1/2\n"));
+  // ∫₀¹ |t² − 1/2| = √2/3 − 1/6.
+  const NamedCurve irrational = on_a_line({Rational(-1, 2), 0, 1});
+  CHECK(info(irrational)["arc_length"]["value"].get<std::string>().starts_with("0.30473785412"));
+  CHECK(contains(to_text(curve_info(irrational, 5)), "length ∫₀¹ |f|σ     0.30474\n"));
 }
 
 TEST_CASE("curve info: the energy does not depend on the direction of travel") {

@@ -1,0 +1,33 @@
+#pragma once
+#include <functional>
+#include <optional>
+
+#include "phrame/algebra/ball.hpp"
+
+namespace phrame {
+
+/// A real number: known exactly, or by enclosures as narrow as one asks.
+class Real {
+ public:
+  /// `bits` → a ball around the number, whose radius tends to 0 as bits grow.
+  using Enclosure = std::function<RealBall(long bits)>;
+
+  Real(Rational exact) : exact_(std::move(exact)) {}  // NOLINT(google-explicit-constructor)
+  explicit Real(Enclosure enclosure) : enclosure_(std::move(enclosure)) {}
+
+  const std::optional<Rational>& exact() const { return exact_; }
+  RealBall enclose(long bits) const { return exact_ ? RealBall(*exact_, bits) : enclosure_(bits); }
+
+ private:
+  std::optional<Rational> exact_;
+  Enclosure enclosure_;
+};
+
+// Exact where the operands are, and 0·x = 0.
+Real operator-(const Real& x);
+Real operator+(const Real& x, const Real& y);
+Real operator*(const Real& x, const Real& y);
+/// √x for x ≥ 0, exact where it is rational.
+Real square_root_of(const Rational& x);
+
+}  // namespace phrame

@@ -1,0 +1,38 @@
+#include "phrame/cli/command.hpp"
+#include "phrame/io/totals_report.hpp"
+
+namespace phrame::cli {
+namespace {
+
+struct TotalsOptions {
+  CurveOptions curve;
+  std::string print = "text";
+  long digits = 17;
+};
+
+void run(const TotalsOptions& options) {
+  const auto print = choose<std::string (*)(const TotalsReport&)>(
+      "--print", options.print, {{"text", to_text}, {"json", to_json}});
+  write_output(options.curve.output, print(totals_report(options.curve.read(), options.digits)));
+}
+
+}  // namespace
+
+void add_totals(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "totals", "length, twist, torsion, curvature and energies, in closed form");
+  const auto options = std::make_shared<TotalsOptions>();
+  options->curve.add_to(*command);
+  add_digits(*command, options->digits);
+  command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  command->footer(
+      "Integrals from t = 0 to 1, each with its integrand, its antiderivative and its value.\n"
+      "A total that is infinite is said to be so, with the pole; one that is not defined or not\n"
+      "elementary says why. These are answers, too: the exit status is 0.\n"
+      "Examples:\n"
+      "  phrame totals curve.json --digits 30\n"
+      "  phrame totals curve.json --print json -o totals.json");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace phrame::cli
