@@ -178,4 +178,10 @@ std::string to_string(const Polynomial& p) {
   return text.empty() ? "0" : text;
 }
 
+int sign_after_zero(const Polynomial& p) {
+  for (long k = 0; k <= p.degree(); ++k)
+    if (const Rational c = p.coefficient(k); c != 0) return c < 0 ? -1 : 1;
+  return 0;
+}
+
 }  // namespace phrame

@@ -92,4 +92,7 @@ std::string to_string(const Polynomial& p);
 flint::FmpzPoly integer_primitive_part(const Polynomial& p);
 Polynomial to_polynomial(const fmpz_poly_t p);
 
+/// The sign of p(t) for small t > 0: that of its lowest coefficient, 0 for p = 0.
+int sign_after_zero(const Polynomial& p);
+
 }  // namespace phrame

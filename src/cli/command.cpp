@@ -64,12 +64,17 @@ NamedHodograph CurveOptions::read_hodograph() const {
   return read_by(phrame::read_hodograph, *this);
 }
 
+std::variant<NamedCurve, NamedSpline> CurveOptions::read_curve_or_spline() const {
+  return read_by(phrame::read_curve_or_spline, *this);
+}
+
 void Parameters::add_to(CLI::App& command) {
   command.add_option("--at", at, "values of t, separated by commas: 0,1/2,-3,0.25")
       ->type_name("T,...")
       ->expected(1)
       ->take_all();
-  command.add_option("--samples", samples, "N equally spaced values of t from 0 to 1 (N ≥ 2)")
+  command
+      .add_option("--samples", samples, "N equally spaced values of t from start to end (N ≥ 2)")
       ->type_name("N")
       ->check(CLI::Range(2L, 10'000'000L).description(""));
 }

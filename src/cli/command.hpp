@@ -18,6 +18,7 @@ struct CurveOptions {
   // Read the curve; an InputError's place starts with the path.
   NamedCurve read() const;
   NamedHodograph read_hodograph() const;
+  std::variant<NamedCurve, NamedSpline> read_curve_or_spline() const;
 };
 
 /// Where t is asked for: --at and --samples.

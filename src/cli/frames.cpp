@@ -16,15 +16,31 @@ struct FramesOptions {
 
 enum class By { parameter, arc_length };
 
-std::vector<RealAlgebraic> parameters(const FramesOptions& options, const Curve& curve, By by) {
-  if (by == By::parameter) {
-    const auto at = options.parameters.values();
-    return {at.begin(), at.end()};
+/// A curve as a spline of one segment, which is not left for any t.
+std::vector<SplinePoint> points(const FramesOptions& options, const Spline& spline) {
+  std::vector<SplinePoint> at;
+  for (const Rational& t : options.parameters.values(spline.end())) {
+    if (spline.segments().size() == 1) {
+      at.push_back({0, t});
+      continue;
+    }
+    const SplineParameter located = locate(spline, t);
+    at.push_back({located.segment, located.t});
   }
-  const ArcLength length(curve);
-  std::vector<RealAlgebraic> at;
-  for (const Rational& s : options.parameters.values(length.total()))
-    at.push_back(length.algebraic_parameter(s));
+  return at;
+}
+
+/// Where the arc length from the start has the values asked for; at a joint the later segment.
+std::vector<SplinePoint> points_by_length(const FramesOptions& options, const Spline& spline) {
+  std::vector<ArcLength> lengths;
+  Rational total = 0;
+  for (const Curve& curve : spline.segments()) total += lengths.emplace_back(curve).total();
+  std::vector<SplinePoint> at;
+  for (Rational s : options.parameters.values(total)) {
+    std::size_t k = 0;
+    for (; k + 1 < lengths.size() && s >= lengths[k].total(); ++k) s -= lengths[k].total();
+    at.push_back({k, lengths[k].algebraic_parameter(s)});
+  }
   return at;
 }
 
@@ -53,9 +69,11 @@ void run(const FramesOptions& options) {
       choose<By>("--by", options.by, {{"t", By::parameter}, {"arc-length", By::arc_length}});
   if (options.parameters.values().empty())
     throw InputError("frames", "--samples N or --at t,… is needed");
-  const NamedCurve named = options.curve.read();
-  const auto at = parameters(options, named.curve, by);
-  write_output(options.curve.output, format(frame_table(named.curve, chosen, at)));
+  const auto read = options.curve.read_curve_or_spline();
+  const auto* curve = std::get_if<NamedCurve>(&read);
+  const Spline spline = curve ? Spline(curve->curve) : std::get<NamedSpline>(read).spline;
+  const auto at = by == By::parameter ? points(options, spline) : points_by_length(options, spline);
+  write_output(options.curve.output, format(frame_table(spline, chosen, at)));
 }
 
 }  // namespace
@@ -89,6 +107,9 @@ void add_frames(CLI::App& app) {
       "--by arc-length evaluates at the exact t of each arc length; column t is that t, rounded.\n"
       "The RMF turns at the rate curvature, the Frenet frame at frenet_rate = sqrt(curvature^2 +\n"
       "torsion^2), per unit of arc length.\n"
+      "A spline of n segments has t from 0 to n; at a joint, n, b and curvatures are those of the "
+      "later\n"
+      "segment.\n"
       "Examples:\n"
       "  phrame frames curve.json --samples 101 -o frames.csv\n"
       "  phrame frames curve.json --by arc-length --samples 101 --columns s,curvature\n"

@@ -1,5 +1,6 @@
 #include "phrame/cli/command.hpp"
 #include "phrame/io/curve_info.hpp"
+#include "phrame/io/spline_report.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -10,17 +11,27 @@ struct InfoOptions {
   long digits = 17;
 };
 
+enum class Print { text, json };
+
+template <class Info>
+std::string printed(const Info& info, Print print) {
+  return print == Print::text ? to_text(info) : to_json(info);
+}
+
 void run(const InfoOptions& options) {
-  const auto print = choose<std::string (*)(const CurveInfo&)>(
-      "--print", options.print, {{"text", to_text}, {"json", to_json}});
-  const NamedCurve named = options.curve.read();
-  write_output(options.curve.output, print(curve_info(named, options.digits)));
+  const Print print =
+      choose<Print>("--print", options.print, {{"text", Print::text}, {"json", Print::json}});
+  const auto read = options.curve.read_curve_or_spline();
+  const auto* curve = std::get_if<NamedCurve>(&read);
+  write_output(options.curve.output,
+               curve ? printed(curve_info(*curve, options.digits), print)
+                     : printed(spline_info(std::get<NamedSpline>(read), options.digits), print));
 }
 
 }  // namespace
 
 void add_info(CLI::App& app) {
-  auto* command = app.add_subcommand("info", "the polynomials and totals of a curve");
+  auto* command = app.add_subcommand("info", "the polynomials and totals of a curve or spline");
   const auto options = std::make_shared<InfoOptions>();
   options->curve.add_to(*command);
   add_digits(*command, options->digits);

@@ -218,7 +218,8 @@ bool Evaluator::turns_vanish(const Polynomial& residues, const Polynomial& other
 // with a whole k. So k = 0 and, for every irreducible polynomial of residues, log|r| = 0 or Σ α = 0
 // prove that the sum is 0.
 bool Evaluator::logarithms_cancel(const Rational& a, const Rational& b,
-                                  const GaussianPolynomial& phase) const {
+                                  const GaussianPolynomial& phase) {
+  prepare(256);
   std::vector<SimpleFraction> fractions;
   for (const Poles& p : poles_)
     for (SimpleFraction& f : simple_fractions({p.numerator, p.denominator}))

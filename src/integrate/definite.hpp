@@ -42,7 +42,8 @@ class Evaluator {
   /// F(b) − F(a) + arg phase(b) − arg phase(a), the argument continuous, in the same manner: exact
   /// without logarithms, for a = b, and where logarithms and arguments cancel. That they cancel is
   /// decided for residues in ℚ(i) (Baker) and recognised in many other cases.
-  /// Precondition: `enclose` gives balls around this number and calls difference(a, b, …).
+  /// Precondition: no pole in [a, b], and `enclose` gives balls around this number, which the value
+  /// keeps: it does not refer to this evaluator.
   Real value(const Rational& a, const Rational& b, const GaussianPolynomial& phase,
              const Real::Enclosure& enclose);
 
@@ -58,8 +59,7 @@ class Evaluator {
   };
 
   Rational rational_difference(const Rational& a, const Rational& b) const;
-  bool logarithms_cancel(const Rational& a, const Rational& b,
-                         const GaussianPolynomial& phase) const;
+  bool logarithms_cancel(const Rational& a, const Rational& b, const GaussianPolynomial& phase);
   void require_no_pole(const Rational& a, const Rational& b) const;
   void prepare(long precision);
   RealBall log_difference(const Rational& a, const Rational& b, long bits) const;

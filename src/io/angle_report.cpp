@@ -44,27 +44,27 @@ std::string closed_form(const AngleReport& report, Notation notation) {
                              : formatted_sum(terms, " ", latex) + constant;
 }
 
-std::string value_table(const AngleReport& report) {
+}  // namespace
+
+std::string value_table(const std::vector<AngleValue>& values, long digits) {
   std::size_t t_width = 1;
   std::size_t whole_width = 1;
   const auto whole = [](const std::string& theta) {
     return std::min(theta.find('.'), theta.size());
   };
   const auto shown = [](const Rational& t) { return abbreviated(to_string(t)); };
-  for (const AngleValue& value : report.values) {
+  for (const AngleValue& value : values) {
     t_width = std::max(t_width, text_width(shown(value.t)));
     whole_width = std::max(whole_width, whole(value.theta.value));
   }
   std::string text = fmt::format("\n  {:<{}}   {}θ(t)   radians, correctly rounded to {} digits\n",
-                                 "t", t_width, std::string(whole_width - 1, ' '), report.digits);
-  for (const AngleValue& value : report.values)
+                                 "t", t_width, std::string(whole_width - 1, ' '), digits);
+  for (const AngleValue& value : values)
     text +=
         fmt::format("  {:<{}}   {}{}\n", shown(value.t), t_width,
                     std::string(whole_width - whole(value.theta.value), ' '), value.theta.value);
   return text;
 }
-
-}  // namespace
 
 std::string form_name(const Antiderivative& F) {
   const auto over_poles = std::count_if(F.logs.begin(), F.logs.end(), is_over_poles);
@@ -126,7 +126,7 @@ std::string to_text(const AngleReport& report) {
   text += fmt::format("  θ  = {}{}\n", form, form == "0" ? "" : "\n      + constant");
   text += "  Checked: the derivative of this θ is θ′, exactly.\n";
   if (!report.real && !report.radicals) text += pole_table(report.angle.twist());
-  if (!report.values.empty()) text += value_table(report);
+  if (!report.values.empty()) text += value_table(report.values, report.digits);
   return text;
 }
 

@@ -28,6 +28,9 @@ std::string to_text(const AngleReport& report);   ///< for reading, Unicode
 std::string to_latex(const AngleReport& report);  ///< the closed form and the table
 std::string to_json(const AngleReport& report);   ///< angle/1
 
+/// "t  θ(t)", a line each.
+std::string value_table(const std::vector<AngleValue>& values, long digits);
+
 /// How the logarithms of F are written: "partial-fractions" where all sums are over poles,
 /// "rothstein-trager" where none is and their polynomials are irreducible, "lazard-rioboo-trager"
 /// where one of these is not, else "mixed"; "rational" where there is no logarithm.

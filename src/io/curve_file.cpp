@@ -209,16 +209,31 @@ QuaternionPolynomial read_preimage(const Node& curve, const Basis& basis) {
   return preimage;
 }
 
+/// The text at "phrame".
+std::string format_of(const Node& node) {
+  node.require(Kind::object, "an object");
+  return node.at("phrame").string();
+}
+
+void require_format(const Node& node, std::string_view wanted) {
+  const std::string format = format_of(node);
+  if (format != wanted)
+    node.at("phrame").fail(
+        fmt::format("the format is \"{}\", not \"{}\"", wanted, abbreviated(format)));
+}
+
+void require_curve_keys(const Node& node) {
+  require_known_keys(node, {"phrame", "name", "basis", "start", "preimage", "quaternions", "hopf",
+                            "control_points", "multiplier", "note", "family", "expected"});
+}
+
 /// An object of the format curve/1 with known keys only.
 Node curve_node(const JsonValue& document) {
   Node node(document, "");
-  node.require(Kind::object, "an object");
-  const Node format = node.at("phrame");
-  if (format.string() == "spline/1") format.fail("splines (spline/1) are not supported yet");
-  if (format.string() != "curve/1")
-    format.fail(fmt::format("the format is \"curve/1\", not \"{}\"", abbreviated(format.string())));
-  require_known_keys(node, {"phrame", "name", "basis", "start", "preimage", "quaternions", "hopf",
-                            "control_points", "multiplier", "note", "family", "expected"});
+  if (format_of(node) == "spline/1")
+    node.at("phrame").fail("this is a spline; one curve is wanted");
+  require_format(node, "curve/1");
+  require_curve_keys(node);
   return node;
 }
 
@@ -269,11 +284,7 @@ NamedHodograph read_bezier(const Node& node, const Node& list, const CurveLimits
   return result;
 }
 
-}  // namespace
-
-NamedCurve read_curve(std::string_view text, const CurveLimits& limits) {
-  const JsonValue document = parse_json(text);
-  const Node node = curve_node(document);
+NamedCurve read_any_curve(const Node& node, const CurveLimits& limits) {
   const auto points = node.find("control_points");
   if (!points) return read_preimage_curve(node, limits);
   NamedHodograph bezier = read_bezier(node, *points, limits);
@@ -281,6 +292,52 @@ NamedCurve read_curve(std::string_view text, const CurveLimits& limits) {
   if (const auto* reason = std::get_if<NotPythagorean>(&result))
     points->fail("this is no PH curve: " + to_string(*reason));
   return {std::move(bezier.name), std::get<Curve>(std::move(result))};
+}
+
+/// A segment says where it starts, or starts where the spline ends.
+void append_segment(Spline& spline, const Node& node, const CurveLimits& limits) {
+  const Curve read = read_any_curve(node, limits).curve;
+  const bool says_start = node.find("start") || node.find("control_points");
+  const Curve& last = spline.segments().back();
+  const Curve next =
+      says_start ? read : Curve(read.preimage(), read.multiplier(), evaluate(position(last), 1));
+  try {
+    spline.append(next);
+  } catch (const DomainError& error) {
+    node.fail(error.what());
+  }
+}
+
+NamedSpline read_spline(const Node& node, const CurveLimits& limits) {
+  require_known_keys(node, {"phrame", "name", "segments", "note", "family", "expected"});
+  const Node list = node.at("segments");
+  list.require(Kind::array, "an array of curves");
+  if (list.size() == 0) list.fail("a spline has at least one segment");
+  const auto segment = [&](std::size_t k) {
+    const Node item = list.item(k);
+    item.require(Kind::object, "an object");
+    if (item.find("phrame")) require_format(item, "curve/1");
+    require_curve_keys(item);
+    return item;
+  };
+  NamedSpline result{read_name(node), Spline(read_any_curve(segment(0), limits).curve)};
+  for (std::size_t k = 1; k < list.size(); ++k) append_segment(result.spline, segment(k), limits);
+  return result;
+}
+
+}  // namespace
+
+NamedCurve read_curve(std::string_view text, const CurveLimits& limits) {
+  const JsonValue document = parse_json(text);
+  return read_any_curve(curve_node(document), limits);
+}
+
+std::variant<NamedCurve, NamedSpline> read_curve_or_spline(std::string_view text,
+                                                           const CurveLimits& limits) {
+  const JsonValue document = parse_json(text);
+  const Node node(document, "");
+  if (format_of(node) == "spline/1") return read_spline(node, limits);
+  return read_any_curve(curve_node(document), limits);
 }
 
 NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) {

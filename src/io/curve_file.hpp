@@ -1,7 +1,8 @@
 #pragma once
 #include <string_view>
+#include <variant>
 
-#include "phrame/ph/curve.hpp"
+#include "phrame/ph/spline.hpp"
 
 namespace phrame {
 
@@ -20,6 +21,17 @@ struct CurveLimits {
 /// `note`, `family` and `expected` are remarks and are skipped.
 /// Throws InputError; its place is a JSON pointer, or line:column where the JSON itself is broken.
 NamedCurve read_curve(std::string_view text, const CurveLimits& limits = {});
+
+struct NamedSpline {
+  std::string name;  ///< may be empty
+  Spline spline;
+};
+
+/// Reads a curve/1 file, or a spline/1 file: `segments`, a list of curves, each starting where the
+/// one before ends; `start` may be left out of all but those given by control points. Throws
+/// InputError as read_curve, and with the segment at whose start position or tangent break.
+std::variant<NamedCurve, NamedSpline> read_curve_or_spline(std::string_view text,
+                                                           const CurveLimits& limits = {});
 
 /// r′ and r(0) of a curve that may not be PH.
 struct NamedHodograph {

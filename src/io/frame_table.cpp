@@ -5,11 +5,13 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/json_text.hpp"
 #include "phrame/ph/algebraic_frame.hpp"
 #include "phrame/ph/arc_length.hpp"
+#include "phrame/ph/spline_angle.hpp"
 
 namespace phrame {
 namespace {
@@ -28,15 +30,6 @@ std::string text_of(const RealAlgebraic& t) {
   return "t ≈ " + to_string(enclose(t, 64), 12);
 }
 
-/// Throws Undecided where a number was rounded to infinity, which is no answer.
-void require_finite(const std::vector<double>& row, const std::vector<std::string>& columns,
-                    const RealAlgebraic& t) {
-  for (std::size_t k = 0; k < row.size(); ++k)
-    if (!std::isfinite(row[k]))
-      throw Undecided(fmt::format("frame_table: at {}, {} is beyond the range of doubles",
-                                  text_of(t), columns[k]));
-}
-
 std::pair<const char*, const char*> vector_names(TabulatedFrame frame) {
   switch (frame) {
     case TabulatedFrame::rmf:
@@ -49,74 +42,116 @@ std::pair<const char*, const char*> vector_names(TabulatedFrame frame) {
   return {"", ""};
 }
 
-/// A scalar as a function of t: f, or its square root.
-struct Scalar {
-  std::string name;
-  RationalFunction f;
-  bool is_square = false;
-  bool is_on_segment = false;  ///< known for t in [0, 1] only
-
-  Scalar(const Curve& curve, TabulatedScalar kind);
-  double at(const AlgebraicPoint& t) const;
-};
-
-Scalar::Scalar(const Curve& curve, TabulatedScalar kind) {
+const char* name_of(TabulatedScalar kind) {
   switch (kind) {
     case TabulatedScalar::arc_length:
-      name = "s";
-      f = RationalFunction(ArcLength(curve).polynomial());
-      is_on_segment = !curve.multiplier().is_constant();
-      return;
+      return "s";
     case TabulatedScalar::curvature:
-      name = "curvature";
-      f = squared_curvature(curve);
-      is_square = true;
-      return;
+      return "curvature";
     case TabulatedScalar::torsion:
-      name = "torsion";
-      f = torsion(curve);
-      return;
+      return "torsion";
     case TabulatedScalar::frenet_rate:
-      name = "frenet_rate";
-      f = squared_frenet_rate(curve);
-      is_square = true;
-      return;
+      return "frenet_rate";
   }
+  return "";
 }
 
-double Scalar::at(const AlgebraicPoint& t) const {
+RationalFunction function_of(const Curve& curve, TabulatedScalar kind) {
+  switch (kind) {
+    case TabulatedScalar::arc_length:
+      return RationalFunction(ArcLength(curve).polynomial());
+    case TabulatedScalar::curvature:
+      return squared_curvature(curve);
+    case TabulatedScalar::torsion:
+      return torsion(curve);
+    case TabulatedScalar::frenet_rate:
+      return squared_frenet_rate(curve);
+  }
+  return {};
+}
+
+/// A scalar as a function of t: f, or its square root.
+struct Scalar {
+  TabulatedScalar kind;
+  RationalFunction f;
+  bool is_square;
+  bool is_on_segment;  ///< known for t in [0, 1] only
+
+  Scalar(const Curve& curve, TabulatedScalar of)
+      : kind(of),
+        f(function_of(curve, of)),
+        is_square(of == TabulatedScalar::curvature || of == TabulatedScalar::frenet_rate),
+        is_on_segment(of == TabulatedScalar::arc_length && !curve.multiplier().is_constant()) {}
+  Real at(const AlgebraicPoint& t) const;
+};
+
+Real Scalar::at(const AlgebraicPoint& t) const {
   if (is_on_segment && (compare(t.number(), 0) < 0 || compare(t.number(), 1) > 0))
     throw DomainError(
         fmt::format("frame_table: {} is outside [0, 1], where the sign of the multiplier is known",
                     text_of(t.number())));
   if (sign_at(f.denominator(), t.number()) == 0)
-    throw DomainError(fmt::format("frame_table: {} is infinite at {}", name, text_of(t.number())));
-  return round_to_double(is_square ? t.square_root(f) : t.value(f));
+    throw DomainError(
+        fmt::format("frame_table: {} is infinite at {}", name_of(kind), text_of(t.number())));
+  return is_square ? t.square_root(f) : t.value(f);
 }
+
+/// What the rows along one segment share.
+struct Segment {
+  Vector<Polynomial> position;
+  Frames frames;
+  std::vector<Scalar> scalars;
+  std::optional<AlgebraicFrames> algebraic;  ///< made for the first irrational t
+
+  Segment(const Curve& curve, const TableColumns& columns)
+      : position(phrame::position(curve)), frames(curve) {
+    for (const TabulatedScalar kind : columns.scalars) scalars.emplace_back(curve, kind);
+  }
+};
 
 /// One row after the other. What a row of another kind would need is not prepared.
 class Rows {
  public:
-  Rows(const Curve& curve, const TableColumns& columns)
-      : curve_(curve), columns_(columns), position_(position(curve)), frames_(curve) {
-    for (const TabulatedScalar kind : columns.scalars) scalars_.emplace_back(curve, kind);
-  }
+  Rows(const Spline& spline, const TableColumns& columns)
+      : spline_(spline), columns_(columns), segments_(spline.segments().size()) {}
 
   std::vector<std::string> names() const;
-  std::vector<double> at(const RealAlgebraic& t);
+  std::vector<double> at(const SplinePoint& point);
 
  private:
-  void add_rational(std::vector<double>& row, const Rational& t);
-  void add_irrational(std::vector<double>& row, const AlgebraicPoint& t);
+  Segment& segment(std::size_t k);
+  Real angle(const SplinePoint& point, const AlgebraicPoint& t);
+  Rational length_before(std::size_t segment);
+  void add_rational(std::vector<double>& row, const SplinePoint& point, const AlgebraicPoint& t);
+  void add_irrational(std::vector<double>& row, const SplinePoint& point, const AlgebraicPoint& t);
 
-  const Curve& curve_;
+  const Spline& spline_;
   const TableColumns& columns_;
-  Vector<Polynomial> position_;
-  Frames frames_;
-  std::vector<Scalar> scalars_;
-  std::optional<RmfAngle> angle_;
-  std::optional<AlgebraicFrames> algebraic_;
+  std::vector<std::unique_ptr<Segment>> segments_;
+  std::vector<Rational> lengths_;  ///< of the first 0, 1, … segments
+  std::optional<SplineAngle> angle_;
 };
+
+Segment& Rows::segment(std::size_t k) {
+  if (!segments_[k]) segments_[k] = std::make_unique<Segment>(spline_.segments()[k], columns_);
+  return *segments_[k];
+}
+
+/// θ of the rotation-minimizing frame.
+Real Rows::angle(const SplinePoint& point, const AlgebraicPoint& t) {
+  if (!angle_) angle_.emplace(spline_);
+  if (const auto r = point.t.rational()) return angle_->value(SplineParameter{point.segment, *r});
+  return angle_->value(SplineParameter{point.segment, 0}) +
+         segment(point.segment).algebraic->angle(t);
+}
+
+Rational Rows::length_before(std::size_t k) {
+  if (lengths_.empty()) lengths_.emplace_back(0);
+  while (lengths_.size() <= k)
+    lengths_.push_back(lengths_.back() +
+                       ArcLength(spline_.segments()[lengths_.size() - 1]).total());
+  return lengths_[k];
+}
 
 std::vector<std::string> Rows::names() const {
   std::vector<std::string> names{"t", "x", "y", "z"};
@@ -126,18 +161,27 @@ std::vector<std::string> Rows::names() const {
     add_columns(names, second);
     add_columns(names, third);
   }
-  for (const Scalar& scalar : scalars_) names.push_back(scalar.name);
+  for (const TabulatedScalar kind : columns_.scalars) names.emplace_back(name_of(kind));
   return names;
 }
 
-std::vector<double> Rows::at(const RealAlgebraic& t) {
-  const AlgebraicPoint point(t);
-  std::vector<double> row{round_to_double(to_real(t))};
-  if (const auto r = t.rational())
-    add_rational(row, *r);
+std::vector<double> Rows::at(const SplinePoint& point) {
+  const AlgebraicPoint t(point.t);
+  const Rational before(static_cast<long>(point.segment));
+  std::vector<double> row{round_to_double(to_real(point.t) + before)};
+  if (point.t.is_rational())
+    add_rational(row, point, t);
   else
-    add_irrational(row, point);
-  for (const Scalar& scalar : scalars_) row.push_back(scalar.at(point));
+    add_irrational(row, point, t);
+  for (const Scalar& scalar : segment(point.segment).scalars) {
+    const bool is_length = scalar.kind == TabulatedScalar::arc_length;
+    const Rational offset = is_length ? length_before(point.segment) : Rational(0);
+    row.push_back(round_to_double(scalar.at(t) + offset));
+  }
+  for (std::size_t k = 0; k < row.size(); ++k)
+    if (!std::isfinite(row[k]))  // rounded to infinity, which is no answer
+      throw Undecided(fmt::format("frame_table: at {}, {} is beyond the range of doubles",
+                                  text_of(point.t), names()[k]));
   return row;
 }
 
@@ -147,42 +191,49 @@ void add_normals(std::vector<double>& row, const AnyFrame& frame) {
   add_values(row, round_to_double(frame.e3));
 }
 
-void Rows::add_rational(std::vector<double>& row, const Rational& t) {
-  const Frame<Rational> erf = frames_.euler_rodrigues(t);
-  add_values(row, round_to_double(evaluate(position_, t)));
+void Rows::add_rational(std::vector<double>& row, const SplinePoint& point,
+                        const AlgebraicPoint& t) {
+  const Segment& here = segment(point.segment);
+  const Rational at = *point.t.rational();
+  const Frame<Rational> erf = here.frames.euler_rodrigues(at);
+  add_values(row, round_to_double(evaluate(here.position, at)));
   add_values(row, round_to_double(erf.e1));
   for (const TabulatedFrame frame : columns_.frames) {
     if (frame == TabulatedFrame::erf) add_normals(row, erf);
-    if (frame == TabulatedFrame::frenet) add_normals(row, frames_.frenet(t));
-    if (frame != TabulatedFrame::rmf) continue;
-    if (!angle_) angle_.emplace(curve_, Reference::erf);
-    add_normals(row, frames_.rotation_minimizing(*angle_, t));
+    if (frame == TabulatedFrame::frenet) add_normals(row, here.frames.frenet(at));
+    if (frame == TabulatedFrame::rmf) add_normals(row, turned(as_real(erf), angle(point, t)));
   }
 }
 
-void Rows::add_irrational(std::vector<double>& row, const AlgebraicPoint& t) {
-  if (!algebraic_) algebraic_.emplace(curve_);
-  for (const Polynomial& x : position_) row.push_back(round_to_double(t.value(x)));
-  const Frame<Real> erf = algebraic_->euler_rodrigues(t);
+void Rows::add_irrational(std::vector<double>& row, const SplinePoint& point,
+                          const AlgebraicPoint& t) {
+  Segment& here = segment(point.segment);
+  if (!here.algebraic) here.algebraic.emplace(spline_.segments()[point.segment]);
+  for (const Polynomial& x : here.position) row.push_back(round_to_double(t.value(x)));
+  const Frame<Real> erf = here.algebraic->euler_rodrigues(t);
   add_values(row, round_to_double(erf.e1));
   for (const TabulatedFrame frame : columns_.frames) {
     if (frame == TabulatedFrame::erf) add_normals(row, erf);
-    if (frame == TabulatedFrame::frenet) add_normals(row, algebraic_->frenet(t));
-    if (frame == TabulatedFrame::rmf) add_normals(row, algebraic_->rotation_minimizing(t));
+    if (frame == TabulatedFrame::frenet) add_normals(row, here.algebraic->frenet(t));
+    if (frame == TabulatedFrame::rmf) add_normals(row, turned(erf, angle(point, t)));
   }
 }
 
 }  // namespace
 
+FrameTable frame_table(const Spline& spline, const TableColumns& columns,
+                       const std::vector<SplinePoint>& at) {
+  Rows rows(spline, columns);
+  FrameTable table{rows.names(), {}};
+  for (const SplinePoint& point : at) table.rows.push_back(rows.at(point));
+  return table;
+}
+
 FrameTable frame_table(const Curve& curve, const TableColumns& columns,
                        const std::vector<RealAlgebraic>& at) {
-  Rows rows(curve, columns);
-  FrameTable table{rows.names(), {}};
-  for (const RealAlgebraic& t : at) {
-    table.rows.push_back(rows.at(t));
-    require_finite(table.rows.back(), table.columns, t);
-  }
-  return table;
+  std::vector<SplinePoint> points;
+  for (const RealAlgebraic& t : at) points.push_back({0, t});
+  return frame_table(Spline(curve), columns, points);
 }
 
 FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,

@@ -2,6 +2,7 @@
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/io/curve_file.hpp"
 #include "phrame/ph/frame.hpp"
+#include "phrame/ph/spline.hpp"
 
 namespace phrame {
 
@@ -42,6 +43,17 @@ FrameTable frame_table(const Curve& curve, const TableColumns& columns,
 /// The same with frames only, at rational t.
 FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,
                        const std::vector<Rational>& at);
+
+/// A point of a spline: its parameter is segment + t.
+struct SplinePoint {
+  std::size_t segment;
+  RealAlgebraic t;
+};
+
+/// The same along a spline. What is not continuous there, (n, b) and the scalars but s, is that of
+/// the segment named.
+FrameTable frame_table(const Spline& spline, const TableColumns& columns,
+                       const std::vector<SplinePoint>& at);
 
 /// Shortest decimal texts that read back to the same doubles.
 std::string to_csv(const FrameTable& table);

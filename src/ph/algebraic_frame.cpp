@@ -7,19 +7,6 @@
 // factor of A is left out: it is a factor of σ, g and N.
 
 namespace phrame {
-namespace {
-
-/// cos θ·x + sin θ·y.
-Real turned(const std::function<CosSin(long)>& turn, const Real& x, const Real& y) {
-  if (x.exact() == Rational(0) && y.exact() == Rational(0)) return Rational(0);
-  return Real([turn, x, y](long bits) {
-    const CosSin cs = turn(bits + 8);
-    return add(multiply(cs.cos, x.enclose(bits + 8), bits + 8),
-               multiply(cs.sin, y.enclose(bits + 8), bits + 8), bits + 8);
-  });
-}
-
-}  // namespace
 
 AlgebraicFrames::AlgebraicFrames(const Curve& curve) {
   const QuaternionPolynomial a = without_real_content(curve.preimage());
@@ -57,29 +44,14 @@ Frame<Real> AlgebraicFrames::frenet(const AlgebraicPoint& t) const {
   return {euler_rodrigues(t).e1, vector(bend_.re, -bend_.im), vector(bend_.im, bend_.re)};
 }
 
+Real AlgebraicFrames::angle(const AlgebraicPoint& t) {
+  if (is_rotation_minimizing_) return Rational(0);
+  return Real(
+      [this, t](long bits) { return twist_.branch_difference(Rational(0), t.number(), bits + 8); });
+}
+
 Frame<Real> AlgebraicFrames::rotation_minimizing(const AlgebraicPoint& t) {
-  const Frame<Real> erf = euler_rodrigues(t);
-  if (is_rotation_minimizing_) return erf;
-  // The six components ask for the same few precisions one after the other: keep the last.
-  struct Turn {
-    long bits = 0;
-    CosSin value;
-  };
-  const auto last = std::make_shared<Turn>();
-  const auto turn = [this, t, last](long bits) {
-    if (last->bits != bits)
-      *last = {bits,
-               cos_sin(twist_.branch_difference(Rational(0), t.number(), bits + 8), bits + 8)};
-    return last->value;
-  };
-  const auto pair = [&](std::size_t k) {
-    return std::pair(turned(turn, erf.e2[k], erf.e3[k]),
-                     turned(turn, erf.e3[k], -erf.e2[k]));
-  };
-  const auto x = pair(0);
-  const auto y = pair(1);
-  const auto z = pair(2);
-  return {erf.e1, {x.first, y.first, z.first}, {x.second, y.second, z.second}};
+  return turned(euler_rodrigues(t), angle(t));
 }
 
 }  // namespace phrame

@@ -21,6 +21,9 @@ class AlgebraicFrames {
   Frame<Real> euler_rodrigues(const AlgebraicPoint& t) const;
   /// Throws DomainError for a straight line and at an inflection.
   Frame<Real> frenet(const AlgebraicPoint& t) const;
+  /// θ(t) of RmfAngle relative to the Euler–Rodrigues frame; exact where it is 0 everywhere. Refers
+  /// to this object.
+  Real angle(const AlgebraicPoint& t);
   /// Equal to the Euler–Rodrigues frame at t = 0. Refers to this object.
   Frame<Real> rotation_minimizing(const AlgebraicPoint& t);
 

@@ -59,9 +59,16 @@ Frame<Real> Frames::frenet(const Rational& t) const {
 }
 
 Frame<Real> Frames::rotation_minimizing(RmfAngle& angle, const Rational& t) const {
-  const Frame<Rational> erf = euler_rodrigues(t);
-  const Real theta = angle.value(t);
-  const bool aligned = theta.exact() == Rational(0);
+  return turned(as_real(euler_rodrigues(t)), angle.value(t));
+}
+
+Frame<Real> as_real(const Frame<Rational>& frame) {
+  const auto real = [](const Vector<Rational>& v) { return Vector<Real>{v[0], v[1], v[2]}; };
+  return {real(frame.e1), real(frame.e2), real(frame.e3)};
+}
+
+Frame<Real> turned(const Frame<Real>& frame, const Real& theta) {
+  if (theta.exact() == Rational(0)) return frame;
   // The six components ask for the same few precisions one after the other: keep the last.
   struct Turn {
     long bits = 0;
@@ -72,23 +79,20 @@ Frame<Real> Frames::rotation_minimizing(RmfAngle& angle, const Rational& t) cons
     if (last->bits != bits) *last = {bits, cos_sin(theta.enclose(bits), bits)};
     return last->value;
   };
-  // cos θ·x + sin θ·y, or −sin θ·x + cos θ·y.
-  const auto rotated = [&](const Vector<Rational>& xs, const Vector<Rational>& ys, bool third) {
-    const auto component = [&](std::size_t k) -> Real {
-      const Rational& x = third ? ys[k] : xs[k];
-      const Rational y = third ? Rational(-xs[k]) : ys[k];
-      if (aligned || (x == 0 && y == 0)) return x;
-      return Real([x, y, turn](long bits) {
-        const CosSin& cs = turn(bits + 8);
-        return add(multiply(cs.cos, RealBall(x, bits + 8), bits + 8),
-                   multiply(cs.sin, RealBall(y, bits + 8), bits + 8), bits + 8);
-      });
-    };
-    return Vector<Real>{component(0), component(1), component(2)};
+  // cos θ·x + sin θ·y.
+  const auto component = [&](const Real& x, const Real& y) -> Real {
+    if (x.exact() == Rational(0) && y.exact() == Rational(0)) return Rational(0);
+    return Real([x, y, turn](long bits) {
+      const CosSin& cs = turn(bits + 8);
+      return add(multiply(cs.cos, x.enclose(bits + 8), bits + 8),
+                 multiply(cs.sin, y.enclose(bits + 8), bits + 8), bits + 8);
+    });
   };
-  return {{erf.e1[0], erf.e1[1], erf.e1[2]},
-          rotated(erf.e2, erf.e3, false),
-          rotated(erf.e2, erf.e3, true)};
+  const auto vector = [&](const Vector<Real>& x, const Vector<Real>& y) {
+    return Vector<Real>{component(x[0], y[0]), component(x[1], y[1]), component(x[2], y[2])};
+  };
+  const Vector<Real>& e2 = frame.e2;
+  return {frame.e1, vector(e2, frame.e3), vector(frame.e3, {-e2[0], -e2[1], -e2[2]})};
 }
 
 Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t) {

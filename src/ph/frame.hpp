@@ -12,6 +12,11 @@ struct Frame {
   Vector<T> e3;
 };
 
+/// The frame turned about e₁ by θ: e₁, cos θ e₂ + sin θ e₃, −sin θ e₂ + cos θ e₃. Exact where θ =
+/// 0, and a component where both e₂ and e₃ have the component 0.
+Frame<Real> turned(const Frame<Real>& frame, const Real& theta);
+Frame<Real> as_real(const Frame<Rational>& frame);
+
 /// The frames of one curve, for many t: what does not depend on t is computed once.
 class Frames {
  public:

@@ -11,9 +11,7 @@ namespace {
 
 /// √radicand · ∫₀¹ sgn(orientation)·rate dt.
 Total total(RationalFunction rate, const Polynomial& orientation, const Rational& radicand = 1) {
-  long lowest = 0;  // the sign just after 0 is that of the lowest coefficient
-  while (orientation.coefficient(lowest) == 0) ++lowest;
-  if (orientation.coefficient(lowest) < 0) rate = -rate;
+  if (sign_after_zero(orientation) < 0) rate = -rate;
   Total result{radicand, rate, integrate(rate), {}, Rational(0), ExactValue{}};
   for (const RealRoot& root : real_roots(orientation, open(0, 1)))
     if (root.order % 2 == 1) result.turns.push_back(root.at);

@@ -229,7 +229,7 @@ TEST_CASE("curve files: two descriptions of one curve exclude each other") {
 
 TEST_CASE("curve files: formats and bases are refused by name") {
   CHECK(refusal(R"({"phrame": "spline/1", "segments": []})") ==
-        "/phrame: splines (spline/1) are not supported yet");
+        "/phrame: this is a spline; one curve is wanted");
   CHECK(refusal(R"({"phrame": "curve/2"})") ==
         "/phrame: the format is \"curve/1\", not \"curve/2\"");
   CHECK(refusal(file(R"("basis": "Bernstein\n")")) ==
@@ -352,4 +352,66 @@ TEST_CASE("curve files: law: what is written is read as the same curve") {
     CHECK(other.hodograph == hodograph(named.curve));
     CHECK(other.start == named.curve.start());
   });
+}
+
+namespace {
+
+std::string spline_file(const std::string& segments) {
+  return R"({"phrame": "spline/1", "name": "s", "segments": [)" + segments + "]}";
+}
+
+/// Along x from wherever, and from x = 1.
+const std::string along_x = R"({"basis": "power", "quaternions": [[1, 0, 0, 0]]})";
+const std::string from_one =
+    R"({"phrame": "curve/1", "basis": "power", "start": [1, 0, 0], "quaternions": [[1, 0, 0, 0]]})";
+
+Spline read_spline(const std::string& segments) {
+  return std::get<NamedSpline>(read_curve_or_spline(spline_file(segments))).spline;
+}
+
+std::string spline_refusal(const std::string& text) {
+  try {
+    read_curve_or_spline(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("spline files: segments start where they say, or where the one before ends") {
+  const Spline implied = read_spline(along_x + "," + along_x);
+  REQUIRE(implied.segments().size() == 2);
+  CHECK(implied.segments()[1].start() == Vector<Rational>{1, 0, 0});
+  CHECK(read_spline(along_x + "," + from_one) == implied);
+  const std::string bezier = R"({"control_points": [[1, 0, 0], [2, 0, 0]]})";
+  CHECK(read_spline(along_x + "," + bezier) == implied);
+  CHECK(read_spline(from_one).segments()[0].start() == Vector<Rational>{1, 0, 0});
+  CHECK(std::get<NamedSpline>(read_curve_or_spline(spline_file(along_x))).name == "s");
+  CHECK(std::holds_alternative<NamedCurve>(
+      read_curve_or_spline(file(R"("basis": "power", "quaternions": [[1, 0, 0, 0]])"))));
+}
+
+TEST_CASE("spline files: what is wrong is told with its segment") {
+  const auto refused = [](const std::string& segments) {
+    return spline_refusal(spline_file(segments));
+  };
+  CHECK(refused("") == "/segments: a spline has at least one segment");
+  CHECK(refused(along_x + "," + from_one + "," + from_one) ==
+        "/segments/2: it starts at (1, 0, 0), but the spline ends at (2, 0, 0)");
+  CHECK(
+      refused(along_x + R"(, {"basis": "power", "quaternions": [[1, 0, 0, 1]]})") ==
+      "/segments/1: the tangent breaks: it starts in the direction (0, 1, 0), but the spline ends "
+      "in (1, 0, 0)");
+  CHECK(refused(along_x + R"(, {"basis": "power", "quaternions": [[1, 0, 0]]})") ==
+        "/segments/1/quaternions/0: 4 numbers are wanted, not 3");
+  CHECK(refused(along_x + R"(, {"phrame": "curve/2"})") ==
+        "/segments/1/phrame: the format is \"curve/1\", not \"curve/2\"");
+  CHECK(refused("3") == "/segments/0: an object is wanted, not the number 3");
+  CHECK(spline_refusal(R"({"phrame": "spline/1"})") == "/: the key \"segments\" is missing");
+  CHECK(spline_refusal(R"({"phrame": "spline/1", "segments": {}})") ==
+        "/segments: an array of curves is wanted, not an object of 0");
+  CHECK(spline_refusal(R"({"phrame": "spline/1", "segment": []})") ==
+        "/: unknown key \"segment\"; the nearest known key is \"segments\"");
 }

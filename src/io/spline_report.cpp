@@ -1,0 +1,172 @@
+#include "phrame/io/spline_report.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/closed_form.hpp"
+#include "phrame/io/json_text.hpp"
+#include "phrame/io/text.hpp"
+#include "phrame/ph/totals.hpp"
+
+namespace phrame {
+namespace {
+
+constexpr auto unicode = Notation::unicode;
+
+/// Rounds; where that is undecided, the message says what it is.
+Decimal rounded(const Real& x, const std::string& what, long digits) {
+  try {
+    return round_to_decimal(x, digits);
+  } catch (const Undecided& error) {
+    throw Undecided(what + ": " + error.what());
+  }
+}
+
+std::optional<Decimal> rounded_holonomy(SplineAngle& angle, long digits) {
+  const auto holonomy = angle.holonomy();
+  if (!holonomy) return std::nullopt;
+  return rounded(*holonomy, "holonomy", digits);
+}
+
+std::string closure(const Spline& spline) {
+  if (spline.closing_turn()) return "closed";
+  return spline.ends_meet() ? "its ends meet, but not their tangents" : "open";
+}
+
+std::string heading(const std::string& name, const Spline& spline) {
+  const std::size_t count = spline.segments().size();
+  return fmt::format("{}{}PH spline of {} segment{}, {}", abbreviated(printable(name), 80),
+                     name.empty() ? "" : ": ", count, count == 1 ? "" : "s", closure(spline));
+}
+
+std::string shown(const Real& x, const Decimal& rounded) {
+  return x.exact() ? abbreviated(formatted(*x.exact(), unicode), 240) : rounded.value;
+}
+
+std::string relation(const Decimal& x) { return x.radius == "0" ? "=" : "≈"; }
+
+}  // namespace
+
+SplineAngleReport spline_angle_report(const std::string& name, SplineAngle& angle,
+                                      const Rational& start_angle, const std::vector<Rational>& at,
+                                      long digits) {
+  SplineAngleReport report{name, angle, start_angle, {}, {}, {}, digits};
+  for (const Rational& t : at)
+    report.values.push_back({t, rounded(angle.value(t) + start_angle,
+                                        "theta at t = " + abbreviated(to_string(t)), digits)});
+  report.total = rounded(angle.value(angle.spline().end()), "the total angle", digits);
+  report.holonomy = rounded_holonomy(angle, digits);
+  return report;
+}
+
+std::string to_text(const SplineAngleReport& report) {
+  const Spline& spline = report.angle.spline();
+  std::string text = heading(report.name, spline) + "\n\n";
+  text += fmt::format(
+      "The rotation-minimizing frame is the Euler–Rodrigues frame, continuous through the joints,\n"
+      "turned by θ about the tangent:\n"
+      "  f₂ = cos θ e₂ + sin θ e₃,  f₃ = −sin θ e₂ + cos θ e₃,  θ(0) = {}\n\n",
+      abbreviated(formatted(report.start_angle, unicode), 240));
+  text +=
+      "On each segment t runs from 0 to 1 here; along the spline, segment k is from t = k − 1 to "
+      "k.\n\n";
+  for (std::size_t k = 0; k < spline.segments().size(); ++k) {
+    const RmfAngle& angle = report.angle.segment(k);
+    const auto form = formatted_sum(formatted_terms(angle.twist(), unicode), "\n      ", unicode);
+    text += fmt::format("Segment {}\n", k + 1);
+    text += fmt::format("  θ′ = {}\n", formatted_quotient(angle.rate(), unicode));
+    text += fmt::format("  θ  = {}{}\n", form, form == "0" ? "" : "\n      + constant");
+  }
+  text += "Checked: the derivative of each θ is θ′, exactly.\n\n";
+  text += fmt::format("  total angle {} {}\n", relation(report.total), report.total.value);
+  if (report.holonomy)
+    text += fmt::format("  holonomy {} {}: the frame comes back turned by this about the tangent\n",
+                        relation(*report.holonomy), report.holonomy->value);
+  if (!report.values.empty()) text += value_table(report.values, report.digits);
+  return text;
+}
+
+std::string to_json(const SplineAngleReport& report) {
+  const Spline& spline = report.angle.spline();
+  JsonOutput segments = JsonOutput::array();
+  for (std::size_t k = 0; k < spline.segments().size(); ++k) {
+    const RmfAngle& angle = report.angle.segment(k);
+    const Antiderivative& F = angle.antiderivative();
+    segments.push_back({{"degree", degree(spline.segments()[k])},
+                        {"integrand", json_of(angle.rate())},
+                        {"antiderivative", json_of(F, form_name(F))}});
+  }
+  JsonOutput values = JsonOutput::array();
+  for (const AngleValue& value : report.values)
+    values.push_back(
+        {{"t", to_string(value.t)}, {"theta", value.theta.value}, {"radius", value.theta.radius}});
+  return pretty({{"phrame", "spline-angle/1"},
+                 {"name", report.name},
+                 {"segments", segments},
+                 {"theta0", to_string(report.start_angle)},
+                 {"total", json_of(report.total)},
+                 {"closed", spline.closing_turn().has_value()},
+                 {"holonomy", report.holonomy ? json_of(*report.holonomy) : JsonOutput()},
+                 {"values", values}});
+}
+
+SplineInfo spline_info(const NamedSpline& named, long digits) {
+  SplineAngle angle(named.spline);
+  SplineInfo info{named, Rational(0), {}, {}, {}, {}};
+  std::optional<Real> energy = Rational(0);
+  for (const Curve& curve : named.spline.segments()) {
+    info.length = info.length + total_length(curve).value;
+    const auto part = bending_energy(curve);
+    if (!energy || std::holds_alternative<Infinite>(part))
+      energy.reset();
+    else
+      energy = *energy + std::get<Total>(part).value;
+  }
+  info.rounded_length = rounded(info.length, "the length", digits);
+  info.twist_erf = rounded(-angle.value(named.spline.end()), "the twist", digits);
+  if (energy) info.bending_energy = rounded(*energy, "the bending energy", digits);
+  info.holonomy = rounded_holonomy(angle, digits);
+  return info;
+}
+
+std::string to_text(const SplineInfo& info) {
+  const Spline& spline = info.spline.spline;
+  std::string text = heading(info.spline.name, spline) + "\n\n";
+  const auto row = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("  {}{}  {}\n", name, std::string(18 - text_width(name), ' '), value);
+  };
+  row("length ∫ |f|σ", shown(info.length, info.rounded_length));
+  row("twist ∫ 2h/σ", info.twist_erf.value);
+  row("energy ∫ κ² ds", info.bending_energy ? info.bending_energy->value : "∞");
+  if (info.holonomy) row("holonomy", info.holonomy->value);
+  text += "\n  segment  degree  length\n";
+  for (std::size_t k = 0; k < spline.segments().size(); ++k) {
+    const Real length = total_length(spline.segments()[k]).value;
+    text += fmt::format("  {:>7}  {:>6}  {}\n", k + 1, degree(spline.segments()[k]),
+                        length.exact() ? abbreviated(formatted(*length.exact(), unicode), 240)
+                                       : round_to_decimal(length, 12).value + "…");
+  }
+  return text;
+}
+
+std::string to_json(const SplineInfo& info) {
+  const Spline& spline = info.spline.spline;
+  JsonOutput segments = JsonOutput::array();
+  for (const Curve& curve : spline.segments())
+    segments.push_back({{"degree", degree(curve)},
+                        {"start", json_of(curve.start())},
+                        {"end", json_of(evaluate(position(curve), 1))}});
+  const auto& length = info.length.exact();
+  return pretty(
+      {{"phrame", "spline-info/1"},
+       {"name", info.spline.name},
+       {"segments", segments},
+       {"closed", spline.closing_turn().has_value()},
+       {"ends_meet", spline.ends_meet()},
+       {"arc_length", length ? JsonOutput(to_string(*length)) : json_of(info.rounded_length)},
+       {"twist_erf", json_of(info.twist_erf)},
+       {"bending_energy", info.bending_energy ? json_of(*info.bending_energy) : JsonOutput()},
+       {"holonomy", info.holonomy ? json_of(*info.holonomy) : JsonOutput()}});
+}
+
+}  // namespace phrame

@@ -1,0 +1,42 @@
+#pragma once
+#include "phrame/io/angle_report.hpp"
+#include "phrame/ph/spline_angle.hpp"
+
+namespace phrame {
+
+/// What `phrame angle` shows of a spline.
+struct SplineAngleReport {
+  std::string name;
+  const SplineAngle& angle;  ///< must outlive the report: an angle stays where it is
+  Rational start_angle;      ///< θ(0)
+  std::vector<AngleValue> values;
+  Decimal total;                    ///< θ(end) − θ(0)
+  std::optional<Decimal> holonomy;  ///< where the spline is closed
+  long digits;
+};
+
+/// The values of θ at `at`, rounded to `digits` digits. Throws Undecided, naming what it is that
+/// cannot be rounded.
+SplineAngleReport spline_angle_report(const std::string& name, SplineAngle& angle,
+                                      const Rational& start_angle, const std::vector<Rational>& at,
+                                      long digits);
+
+std::string to_text(const SplineAngleReport& report);
+std::string to_json(const SplineAngleReport& report);  ///< spline-angle/1
+
+/// What `phrame info` shows of a spline.
+struct SplineInfo {
+  NamedSpline spline;
+  Real length;
+  Decimal rounded_length;                 ///< where it is irrational
+  Decimal twist_erf;                      ///< of the continuous Euler–Rodrigues frame, −θ(end)
+  std::optional<Decimal> bending_energy;  ///< no value where it is infinite
+  std::optional<Decimal> holonomy;        ///< where the spline is closed
+};
+
+SplineInfo spline_info(const NamedSpline& spline, long digits);
+
+std::string to_text(const SplineInfo& info);
+std::string to_json(const SplineInfo& info);  ///< spline-info/1
+
+}  // namespace phrame

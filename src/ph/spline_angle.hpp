@@ -1,0 +1,48 @@
+#pragma once
+#include <deque>
+#include <map>
+
+#include "phrame/ph/rmf_angle.hpp"
+#include "phrame/ph/spline.hpp"
+
+namespace phrame {
+
+/// The angle θ of the rotation-minimizing frame relative to the continuous Euler–Rodrigues frame of
+/// a spline: θ(0) = 0, θ continuous on [0, end], θ′ = −2h/σ on each segment.
+/// Not for concurrent use: evaluations share isolated roots.
+class SplineAngle {
+ public:
+  explicit SplineAngle(Spline spline, Form form = Form::automatic);
+  // Stays where it is: a Real from value() refers to its angle.
+  SplineAngle(const SplineAngle&) = delete;
+  SplineAngle& operator=(const SplineAngle&) = delete;
+  ~SplineAngle() = default;
+
+  const Spline& spline() const { return spline_; }
+  /// The angle along segment k, counted from its start.
+  const RmfAngle& segment(std::size_t k) const { return angles_[k]; }
+
+  /// θ(t), exact where it is seen to be rational; also where the contributions of different
+  /// segments cancel. Refers to this object. Throws DomainError for t outside [0, end].
+  Real value(const Rational& t);
+  /// The same; at.t may be any number, with which the segment is continued.
+  Real value(const SplineParameter& at);
+
+  /// By which angle in (−π, π] the rotation-minimizing frame comes back turned about the tangent of
+  /// a closed spline: f₂(end) = cos(·) f₂(0) + sin(·) f₃(0). It does not depend on the frame
+  /// chosen. No value where the spline has no closing_turn(). Refers to this object. Throws
+  /// Undecided where it can't be told from ±π.
+  std::optional<Real> holonomy();
+
+ private:
+  RealBall enclose(const SplineParameter& at, long bits);
+  RealBall sum_before(std::size_t segment, long bits);
+  Rational rational_part(const SplineParameter& at) const;
+  Antiderivative over_unit_interval(const SplineParameter& at) const;
+
+  Spline spline_;
+  std::deque<RmfAngle> angles_;
+  std::map<long, std::vector<RealBall>> sums_;  ///< θ(0), θ(1), … by precision
+};
+
+}  // namespace phrame
