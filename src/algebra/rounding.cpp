@@ -155,15 +155,30 @@ Decimal round_to_decimal(const Real& x, long digits, PrecisionLimit limit) {
   return {text_of(rounded), upper_bound_text(error)};
 }
 
-std::string upper_bound_text(const Rational& x) {
+namespace {
+
+std::string bound_text(const Rational& x, long digits, bool up) {
   if (x == 0) return "0";
-  const long e = decimal_exponent(x);
-  const Rational scaled = x * power_of_ten(1 - e);
-  Integer two_digits = numerator(scaled) / denominator(scaled);
-  if (Rational(two_digits) < scaled) ++two_digits;
-  const bool carried = two_digits == 100;
-  const std::string text = carried ? "10" : two_digits.str();
-  return fmt::format("{}.{}e{}", text[0], text[1], carried ? e + 1 : e);
+  long e = decimal_exponent(x);
+  const Rational scaled = x * power_of_ten(digits - 1 - e);
+  Integer n = numerator(scaled) / denominator(scaled);
+  if (up && Rational(n) < scaled) ++n;
+  std::string text = n.str();
+  if (static_cast<long>(text.size()) > digits) {  // 99.5 became 100
+    text.pop_back();
+    ++e;
+  }
+  if (e >= 0 && e < digits - 1) return text.insert(static_cast<std::size_t>(e) + 1, ".");
+  if (e < 0 && e >= -3) return "0." + std::string(static_cast<std::size_t>(-e - 1), '0') + text;
+  if (digits > 1) text.insert(1, ".");
+  return fmt::format("{}e{}", text, e);
+}
+
+}  // namespace
+
+std::string upper_bound_text(const Rational& x, long digits) { return bound_text(x, digits, true); }
+std::string lower_bound_text(const Rational& x, long digits) {
+  return bound_text(x, digits, false);
 }
 
 }  // namespace phrame

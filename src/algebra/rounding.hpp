@@ -31,7 +31,8 @@ struct Decimal {
 /// With `digits` ≥ 1 significant decimal digits. Throws DomainError for digits < 1.
 Decimal round_to_decimal(const Real& x, long digits, PrecisionLimit limit = {});
 
-/// An upper bound of the positive x, two digits rounded up: "1.3e-51"; "0" for 0.
-std::string upper_bound_text(const Rational& x);
+/// A bound of x ≥ 0 with so many digits, "1.3e-51", "0.013", rounded up or down; "0" for 0.
+std::string upper_bound_text(const Rational& x, long digits = 2);
+std::string lower_bound_text(const Rational& x, long digits = 2);
 
 }  // namespace phrame

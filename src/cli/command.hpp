@@ -73,5 +73,6 @@ void add_frames(CLI::App& app);
 void add_interpolate(CLI::App& app);
 void add_integrate(CLI::App& app);
 void add_totals(CLI::App& app);
+void add_check(CLI::App& app);
 
 }  // namespace phrame::cli

@@ -71,6 +71,7 @@ int run(int argc, char** argv) {
   phrame::cli::add_info(app);
   phrame::cli::add_classify(app);
   phrame::cli::add_totals(app);
+  phrame::cli::add_check(app);
   phrame::cli::add_identify(app);
   phrame::cli::add_frames(app);
   phrame::cli::add_interpolate(app);

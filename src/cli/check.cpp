@@ -1,0 +1,90 @@
+#include "phrame/cli/command.hpp"
+#include "phrame/io/check_report.hpp"
+#include "phrame/io/frame_csv.hpp"
+
+namespace phrame::cli {
+namespace {
+
+struct CheckCommand {
+  CurveOptions curve;
+  std::string frames;
+  std::string tolerance = "1e-6";
+  std::string start_angle;
+  std::string tangent_axis = "x";
+  bool is_inverse = false;
+  std::string print = "text";
+};
+
+std::vector<GivenFrame> read(const CheckCommand& command, const QuaternionConvention& convention) {
+  const std::string name = command.frames == "-" ? "standard input" : command.frames;
+  try {
+    return read_frames(read_file(command.frames), convention);
+  } catch (const InputError& error) {
+    if (!error.place().starts_with("line ")) throw;
+    throw InputError(name + ":" + error.place(), error.reason());
+  }
+}
+
+void run(const CheckCommand& command) {
+  const auto print = choose<std::string (*)(const CheckReport&)>(
+      "--print", command.print, {{"text", to_text}, {"json", to_json}});
+  const QuaternionConvention convention{
+      choose<std::size_t>("--tangent-axis", command.tangent_axis, {{"x", 0}, {"y", 1}, {"z", 2}}),
+      command.is_inverse};
+  FrameCheckOptions options;
+  options.tolerance = parse_option("--tol", command.tolerance);
+  if (options.tolerance < 0)
+    throw InputError("--tol", abbreviated(to_string(options.tolerance)) + " is negative");
+  if (!command.start_angle.empty())
+    options.start_angle = parse_option("--theta0", command.start_angle);
+  if (command.curve.path == "-" && command.frames == "-")
+    throw InputError("check", "the curve and the frames are both to be read from standard input");
+
+  const auto read_curve = command.curve.read_curve_or_spline();
+  const auto* curve = std::get_if<NamedCurve>(&read_curve);
+  const auto named =
+      curve ? NamedSpline{curve->name, Spline(curve->curve)} : std::get<NamedSpline>(read_curve);
+  const CheckReport report = [&] {
+    auto frames = read(command, convention);
+    auto verdict = check_frames(named.spline, frames, options);
+    return CheckReport{named.name, std::move(frames), options, std::move(verdict)};
+  }();
+  write_output(command.curve.output, print(report));
+  if (!report.verdict.passes) throw AnswerNo{};
+}
+
+}  // namespace
+
+void add_check(CLI::App& app) {
+  auto* command = app.add_subcommand("check", "how far somebody's frames are from the exact one");
+  const auto options = std::make_shared<CheckCommand>();
+  options->curve.add_to(*command);
+  command
+      ->add_option("FRAMES", options->frames, "a table of frames (CSV), \"-\" for standard input")
+      ->required()
+      ->type_name("");
+  command
+      ->add_option("--tol", options->tolerance,
+                   "radians, cosines and lengths that may be off (default 1e-6)")
+      ->type_name("BOUND");
+  command
+      ->add_option("--theta0", options->start_angle,
+                   "compare with the frame at this angle to e2 at t = 0, not with the first sample")
+      ->type_name("ANGLE");
+  command
+      ->add_option("--tangent-axis", options->tangent_axis,
+                   "of quaternions: the axis of the body along the tangent, x (default), y or z")
+      ->type_name("AXIS");
+  command->add_flag("--inverse", options->is_inverse,
+                    "of quaternions: they turn the world to the body");
+  command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  command->footer(
+      "FRAMES has a header: t and f2x,f2y,f2z, optionally f3x,... and e1x,... (the tangent), or t\n"
+      "and qw,qx,qy,qz. Other columns are skipped. Exit status 0: within the tolerance, 1: not.\n"
+      "Examples:\n"
+      "  phrame check curve.json frames.csv --tol 1e-9\n"
+      "  phrame check curve.json poses.csv --tangent-axis z --print json -o check.json");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace phrame::cli

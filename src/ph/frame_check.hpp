@@ -1,0 +1,98 @@
+#pragma once
+#include "phrame/ph/frame.hpp"
+#include "phrame/ph/spline_angle.hpp"
+
+namespace phrame {
+
+/// What somebody says a frame is at t, not necessarily orthonormal.
+struct GivenFrame {
+  Rational t;
+  Vector<Rational> f2;
+  std::optional<Vector<Rational>> f3 = std::nullopt;
+  std::optional<Vector<Rational>> tangent = std::nullopt;
+};
+
+/// Balls around what is exact: the given frame against the unit tangent T = ±e₁ and the normal
+/// plane of the curve at t.
+struct FrameDeviation {
+  /// f₂, projected to the normal plane, has this angle in (e₂, e₃); no value where the projection
+  /// is 0. In (−π, π].
+  std::optional<RealBall> f2;
+  RealBall theta;  ///< the angle of the rotation-minimizing frame there, θ(0) = 0
+  /// The angle from ±n to the projection of f₂; no value for a straight line and at inflections.
+  std::optional<RealBall> from_normal;
+  RealBall orthogonality;  ///< max |cos| of the angles between T, f₂ and f₃
+  RealBall length;         ///< max | |f| − 1 | over the vectors given
+  /// The sine and cosine of the angle between the given tangent and T; (0, 1) where none is given.
+  RealBall tangent_sine;
+  RealBall tangent_cosine;
+  int handedness = 0;  ///< the sign of det(T, f₂, f₃); 0 without f₃
+};
+
+/// Compares frames with the exact ones of a spline, or of a curve as a spline of one segment. The
+/// parameter of a spline of several segments is to be in [0, end], else DomainError.
+class FrameCheck {
+ public:
+  explicit FrameCheck(const Spline& spline);
+
+  /// In balls with a radius of about 2^−bits.
+  FrameDeviation deviation(const GivenFrame& frame, long bits);
+
+  /// The arc length from t = a to b, where f does not change sign on the way; no value else.
+  std::optional<Rational> length(const Rational& a, const Rational& b) const;
+
+ private:
+  SplineParameter place(const Rational& t) const;
+
+  SplineAngle angle_;
+  std::vector<Frames> frames_;             ///< of the segments
+  std::vector<GaussianPolynomial> bends_;  ///< g of their preimages
+};
+
+/// What is wrong with given frames, with the samples where it is.
+struct FrameFinding {
+  enum class Kind {
+    undefined,         ///< f₂ is 0 or along the tangent
+    wrong_tangent,     ///< the given tangent is another
+    reversed_tangent,  ///< it is the opposite
+    left_handed,       ///< det(T, f₂, f₃) < 0
+    not_orthogonal,
+    not_unit,
+    flip,              ///< f₂ turns by more than 3 radians from the sample before
+    constant_offset,   ///< the frame is rotation-minimizing, but starts at another angle
+    frenet,            ///< f₂ keeps its angle to the principal normal, up to flips
+    euler_rodrigues,   ///< to e₂ of the Euler–Rodrigues frame
+    turned_backwards,  ///< it is the frame at the angle −θ instead of θ
+  };
+  Kind kind;
+  std::vector<std::size_t> samples;
+};
+
+struct FrameCheckOptions {
+  /// The angle, to e₂ of the Euler–Rodrigues frame at t = 0, of the rotation-minimizing frame that
+  /// the frames are compared with. Without it, that frame agrees with the first sample.
+  std::optional<Rational> start_angle = std::nullopt;
+  Rational tolerance{1, 1'000'000};  ///< for angles, cosines and lengths
+};
+
+struct FrameVerdict {
+  bool passes;
+  /// The angle of f₂ to the exact f₂, in balls around numbers of about [−π, π]; no value where f₂
+  /// is undefined.
+  std::vector<std::optional<RealBall>> errors;
+  std::vector<FrameDeviation> deviations;
+  RealBall max_error;             ///< of |error|
+  std::size_t worst_sample;       ///< a sample where it is reached, as far as the balls tell
+  RealBall orthogonality;         ///< the largest
+  RealBall length;                ///< the largest
+  std::optional<RealBall> drift;  ///< (last error − first error)/arc length, modulo turns
+  std::vector<FrameFinding> findings;
+};
+
+/// Judges frames: they pass where all angles, cosines and lengths are within the tolerance and no
+/// frame is left-handed. Throws Undecided where 4096 bits do not tell a number from the tolerance.
+/// Precondition: there is at least one frame.
+FrameVerdict check_frames(const Spline& spline, const std::vector<GivenFrame>& frames,
+                          const FrameCheckOptions& options = {});
+
+}  // namespace phrame
