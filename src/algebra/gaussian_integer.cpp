@@ -6,7 +6,6 @@
 // That |π|² = p is checked; it does not matter whether p is proved to be prime.
 #include "phrame/algebra/gaussian_integer.hpp"
 
-#include <optional>
 #include <vector>
 
 #include "phrame/algebra/error.hpp"
@@ -112,12 +111,27 @@ GaussianInteger first_quadrant(const GaussianInteger& a) {
   return {-a.im, a.re};
 }
 
+std::optional<GaussianInteger> exact_quotient(const GaussianInteger& a, const GaussianInteger& b) {
+  const GaussianInteger c = a * conjugate(b);
+  const Integer n = norm(b);
+  if (c.re % n != 0 || c.im % n != 0) return std::nullopt;
+  return GaussianInteger{c.re / n, c.im / n};
+}
+
+// A common divisor d divides |d|² and with it the greatest common divisor g of |a|² and |b|².
 GaussianInteger gcd(GaussianInteger a, GaussianInteger b) {
-  while (norm(b) != 0) {
-    a = remainder(a, b);
-    std::swap(a, b);
-  }
-  return first_quadrant(a);
+  const auto euclid = [](GaussianInteger x, GaussianInteger y) {
+    while (norm(y) != 0) {
+      x = remainder(x, y);
+      std::swap(x, y);
+    }
+    return x;
+  };
+  const GaussianInteger g{boost::multiprecision::gcd(norm(a), norm(b)), 0};
+  if (g.re == 0) return {};
+  a = remainder(a, g);
+  b = remainder(b, g);
+  return first_quadrant(euclid(euclid(g, a), b));
 }
 
 NormFactor split_norm(const Integer& x) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "phrame/algebra/rational.hpp"
 
 namespace phrame {
@@ -16,7 +18,10 @@ GaussianInteger conjugate(const GaussianInteger& a);
 Integer norm(const GaussianInteger& a);
 /// The one of ±a, ±i·a with re > 0 and im ≥ 0; 0 for 0.
 GaussianInteger first_quadrant(const GaussianInteger& a);
-/// The greatest common divisor in the first quadrant; gcd(0, 0) = 0.
+/// a/b where b ≠ 0 divides a; no value where it does not.
+std::optional<GaussianInteger> exact_quotient(const GaussianInteger& a, const GaussianInteger& b);
+/// The greatest common divisor in the first quadrant; gcd(0, 0) = 0. Fast where the norms have a
+/// small one.
 GaussianInteger gcd(GaussianInteger a, GaussianInteger b);
 
 /// x = |root|²·rest for an integer x ≥ 1.

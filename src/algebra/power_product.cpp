@@ -1,35 +1,78 @@
+// N·Σ exponent·arg base is the argument of a product z of Gaussian rationals, and that is a
+// rational multiple of π iff z lies on one of eight rays (Niven, Irrational Numbers, 1956, §3.3),
+// iff z/z̄ is a unit. Written over coprime elements b, z/z̄ is one iff every b has the exponent 0 in
+// it.
 #include "phrame/algebra/power_product.hpp"
 
-#include <algorithm>
-
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/gaussian_integer.hpp"
 
 namespace phrame {
 namespace {
 
-constexpr unsigned long largest_result_bits = 1UL << 24U;
+bool is_unit(const GaussianInteger& a) { return norm(a) == 1; }
 
-GaussianRational inverse(const GaussianRational& a) {
-  const Rational norm = a.re * a.re + a.im * a.im;
-  if (norm == 0) throw DomainError("product of powers: a base is 0");
-  return {a.re / norm, -a.im / norm};
-}
-
-GaussianRational power(GaussianRational base, unsigned long exponent) {
-  GaussianRational result{1, 0};
-  for (; exponent != 0; exponent >>= 1U) {
-    if ((exponent & 1U) != 0) result = result * base;
-    if (exponent != 1) base = base * base;
+/// Splits the elements until each given number is a unit times a product of them.
+std::vector<GaussianInteger> coprime_base(std::vector<GaussianInteger> numbers) {
+  std::vector<GaussianInteger> base;
+  while (!numbers.empty()) {
+    const GaussianInteger x = first_quadrant(numbers.back());
+    numbers.pop_back();
+    if (is_unit(x)) continue;
+    bool is_new = true;
+    for (std::size_t k = 0; k < base.size() && is_new; ++k) {
+      const GaussianInteger common = gcd(x, base[k]);
+      if (is_unit(common)) continue;
+      is_new = false;
+      if (x == base[k]) break;
+      numbers.push_back(*exact_quotient(x, common));
+      numbers.push_back(*exact_quotient(base[k], common));
+      numbers.push_back(common);
+      base.erase(base.begin() + static_cast<long>(k));
+    }
+    if (is_new) base.push_back(x);
   }
-  return result;
+  return base;
 }
 
-unsigned long bits(const GaussianRational& a) {
-  unsigned long most = 1;
-  for (const Rational& part : {a.re, a.im})
-    for (const Integer& x : {Integer(numerator(part)), Integer(denominator(part))})
-      if (x != 0) most = std::max<unsigned long>(most, msb(abs(x)) + 1);
-  return most;
+/// The exponent of b in x ≠ 0.
+long multiplicity(const GaussianInteger& b, GaussianInteger x) {
+  long count = 0;
+  while (const auto quotient = exact_quotient(x, b)) {
+    x = *quotient;
+    ++count;
+  }
+  return count;
+}
+
+struct IntegerPower {
+  GaussianInteger base;
+  Rational exponent;
+};
+
+/// Is ∏ base^exponent a unit, that is, trivial up to a root of unity?
+bool is_trivial(const std::vector<IntegerPower>& powers) {
+  std::vector<GaussianInteger> numbers;
+  for (const IntegerPower& p : powers) numbers.push_back(p.base);
+  for (const GaussianInteger& b : coprime_base(numbers)) {
+    Rational exponent = 0;
+    for (const IntegerPower& p : powers) exponent += p.exponent * multiplicity(b, p.base);
+    if (exponent != 0) return false;
+  }
+  return true;
+}
+
+void require_nonzero(const GaussianRational& base) {
+  if (base.re == 0 && base.im == 0) throw DomainError("product of powers: a base is 0");
+}
+
+/// z times a positive number, without a common factor of its parts.
+GaussianInteger primitive(const GaussianRational& z) {
+  const Integer m = lcm(Integer(denominator(z.re)), Integer(denominator(z.im)));
+  const Integer re(numerator(Rational(z.re * m)));
+  const Integer im(numerator(Rational(z.im * m)));
+  const Integer common = gcd(re, im);
+  return {re / common, im / common};
 }
 
 }  // namespace
@@ -40,17 +83,27 @@ Integer common_denominator(const std::vector<Power>& powers) {
   return n;
 }
 
-std::optional<GaussianRational> product(const std::vector<Power>& powers, const Integer& n) {
-  GaussianRational result{1, 0};
-  Integer total_bits = 0;
-  for (const Power& p : powers) {
-    const Integer exponent(numerator(Rational(n) * p.exponent));
-    total_bits += abs(exponent) * bits(p.base);
-    if (total_bits > largest_result_bits) return std::nullopt;
-    result = result * power(exponent < 0 ? inverse(p.base) : p.base,
-                            abs(exponent).convert_to<unsigned long>());
+bool sizes_cancel(const std::vector<Power>& powers) {
+  std::vector<IntegerPower> parts;
+  for (const auto& [base, exponent] : powers) {
+    require_nonzero(base);
+    parts.push_back({{Integer(numerator(base.re)), 0}, exponent});
+    parts.push_back({{Integer(denominator(base.re)), 0}, -exponent});
   }
-  return result;
+  return is_trivial(parts);
+}
+
+bool turns_are_rational(const std::vector<Power>& powers) {
+  std::vector<IntegerPower> parts;
+  for (const auto& [base, exponent] : powers) {
+    require_nonzero(base);
+    if (exponent == 0) continue;
+    const GaussianInteger z = primitive(base);
+    if (norm(z) <= 2) continue;  // on a ray
+    parts.push_back({z, exponent});
+    parts.push_back({conjugate(z), -exponent});
+  }
+  return is_trivial(parts);
 }
 
 }  // namespace phrame

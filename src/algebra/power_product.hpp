@@ -1,5 +1,4 @@
 #pragma once
-#include <optional>
 #include <vector>
 
 #include "phrame/algebra/rational.hpp"
@@ -25,8 +24,15 @@ struct Power {
 /// A number N > 0 such that N·exponent is whole for all of them.
 Integer common_denominator(const std::vector<Power>& powers);
 
-/// ∏ base^{n·exponent}, for an n that makes the exponents whole. No value where the result would
-/// have more than about 2²⁴ bits. Throws DomainError for a base 0.
-std::optional<GaussianRational> product(const std::vector<Power>& powers, const Integer& n);
+// Whether products of powers are trivial, decided without computing a power: the bases are written
+// as products over a coprime base of ℤ[i] (Bernstein, Factoring into coprimes in essentially linear
+// time, 2005), whose elements are multiplicatively independent up to units. Both throw DomainError
+// for a base 0.
+
+/// Is ∏ |re|^exponent = 1? Precondition: the bases are real.
+bool sizes_cancel(const std::vector<Power>& powers);
+
+/// Is Σ exponent·arg base a rational multiple of π? If so, a multiple of π/(4N).
+bool turns_are_rational(const std::vector<Power>& powers);
 
 }  // namespace phrame

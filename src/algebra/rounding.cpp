@@ -168,8 +168,9 @@ std::string bound_text(const Rational& x, long digits, bool up) {
     text.pop_back();
     ++e;
   }
-  if (e >= 0 && e < digits - 1) return text.insert(static_cast<std::size_t>(e) + 1, ".");
-  if (e < 0 && e >= -3) return "0." + std::string(static_cast<std::size_t>(-e - 1), '0') + text;
+  const bool is_positional = digits > 2 && e >= -3 && e < digits - 1;
+  if (is_positional && e >= 0) return text.insert(static_cast<std::size_t>(e) + 1, ".");
+  if (is_positional) return "0." + std::string(static_cast<std::size_t>(-e - 1), '0') + text;
   if (digits > 1) text.insert(1, ".");
   return fmt::format("{}e{}", text, e);
 }

@@ -1,5 +1,6 @@
 #include "phrame/cli/form.hpp"
 #include "phrame/io/spline_report.hpp"
+#include "phrame/io/text.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -16,15 +17,6 @@ struct AngleOptions {
 const std::vector<std::pair<std::string, Reference>> references{{"erf", Reference::erf},
                                                                 {"frenet", Reference::frenet}};
 
-/// θ(t) + start; where that is undecided, the message names t.
-Decimal rounded_angle(RmfAngle& angle, const Rational& t, const Rational& start, long digits) {
-  try {
-    return round_to_decimal(angle.value(t) + start, digits);
-  } catch (const Undecided& error) {
-    throw Undecided("theta at t = " + abbreviated(to_string(t)) + ": " + error.what());
-  }
-}
-
 std::string curve_report(const AngleOptions& options, const NamedCurve& named) {
   const auto reference = choose<Reference>("--frame", options.frame, references);
   const FormChoice form = options.form.chosen_form();
@@ -34,7 +26,9 @@ std::string curve_report(const AngleOptions& options, const NamedCurve& named) {
                      {},    options.digits};
   set_style(report, form, angle.antiderivative());
   for (const Rational& t : options.parameters.values())
-    report.values.push_back({t, rounded_angle(angle, t, report.start_angle, options.digits)});
+    report.values.push_back(
+        {t, rounded(angle.value(t) + report.start_angle,
+                    "theta at t = " + abbreviated(to_string(t)), options.digits)});
   return print.text ? print.text(report) : to_script(report, print.language);
 }
 

@@ -16,15 +16,11 @@ struct FramesOptions {
 
 enum class By { parameter, arc_length };
 
-/// A curve as a spline of one segment, which is not left for any t.
-std::vector<SplinePoint> points(const FramesOptions& options, const Spline& spline) {
+/// A single curve goes on for all t, a spline does not.
+std::vector<SplinePoint> points(const FramesOptions& options, const Spline& spline, bool goes_on) {
   std::vector<SplinePoint> at;
   for (const Rational& t : options.parameters.values(spline.end())) {
-    if (spline.segments().size() == 1) {
-      at.push_back({0, t});
-      continue;
-    }
-    const SplineParameter located = locate(spline, t);
+    const SplineParameter located = goes_on ? SplineParameter{0, t} : locate(spline, t);
     at.push_back({located.segment, located.t});
   }
   return at;
@@ -36,10 +32,14 @@ std::vector<SplinePoint> points_by_length(const FramesOptions& options, const Sp
   Rational total = 0;
   for (const Curve& curve : spline.segments()) total += lengths.emplace_back(curve).total();
   std::vector<SplinePoint> at;
-  for (Rational s : options.parameters.values(total)) {
+  for (const Rational& s : options.parameters.values(total)) {
+    if (s < 0 || s > total)
+      throw DomainError("arc length: " + abbreviated(to_string(s)) + " is outside [0, " +
+                        abbreviated(to_string(total)) + "]");
+    Rational rest = s;
     std::size_t k = 0;
-    for (; k + 1 < lengths.size() && s >= lengths[k].total(); ++k) s -= lengths[k].total();
-    at.push_back({k, lengths[k].algebraic_parameter(s)});
+    for (; k + 1 < lengths.size() && rest >= lengths[k].total(); ++k) rest -= lengths[k].total();
+    at.push_back({k, lengths[k].algebraic_parameter(rest)});
   }
   return at;
 }
@@ -72,7 +72,8 @@ void run(const FramesOptions& options) {
   const auto read = options.curve.read_curve_or_spline();
   const auto* curve = std::get_if<NamedCurve>(&read);
   const Spline spline = curve ? Spline(curve->curve) : std::get<NamedSpline>(read).spline;
-  const auto at = by == By::parameter ? points(options, spline) : points_by_length(options, spline);
+  const auto at = by == By::parameter ? points(options, spline, curve != nullptr)
+                                      : points_by_length(options, spline);
   write_output(options.curve.output, format(frame_table(spline, chosen, at)));
 }
 

@@ -217,8 +217,8 @@ bool Evaluator::turns_vanish(const Polynomial& residues, const Polynomial& other
 // of log(v(α, b)/v(α, a)): if v(α, b) = r·v(α, a) with r ∈ ℚ, exactly, then L(α) = log|r| + πi·k
 // with a whole k. So k = 0 and, for every irreducible polynomial of residues, log|r| = 0 or Σ α = 0
 // prove that the sum is 0.
-bool Evaluator::logarithms_cancel(const Rational& a, const Rational& b,
-                                  const GaussianPolynomial& phase) {
+std::optional<Rational> Evaluator::multiple_of_pi(const Rational& a, const Rational& b,
+                                                  const GaussianPolynomial& phase) {
   prepare(256);
   std::vector<SimpleFraction> fractions;
   for (const Poles& p : poles_)
@@ -236,13 +236,13 @@ bool Evaluator::logarithms_cancel(const Rational& a, const Rational& b,
     const Polynomial at_a = evaluate_at(sum.argument, a) % sum.index;
     const Polynomial at_b = evaluate_at(sum.argument, b) % sum.index;
     const Rational ratio = at_b.leading_coefficient() / at_a.leading_coefficient();
-    if (!(at_b == ratio * at_a)) return false;
-    if (abs(ratio) != 1 && QuotientRing(sum.index).trace(sum.residue) != 0) return false;
+    if (!(at_b == ratio * at_a)) return std::nullopt;
+    if (abs(ratio) != 1 && QuotientRing(sum.index).trace(sum.residue) != 0) return std::nullopt;
     residues *= sum.index;
     other_residues = exact_quotient(other_residues, sum.index);
   }
-  return turns_vanish(residues, other_residues, a, b) &&
-         vanishes(log_change(gaussian, a, b)) == true;
+  if (!turns_vanish(residues, other_residues, a, b)) return std::nullopt;
+  return phrame::multiple_of_pi(log_change(gaussian, a, b));
 }
 
 Real Evaluator::value(const Rational& a, const Rational& b) {
@@ -260,7 +260,7 @@ Real Evaluator::value(const Rational& a, const Rational& b, const GaussianPolyno
   if (first.contains(rational)) {
     long poles = degree(phase);
     for (const Poles& p : poles_) poles += p.denominator.degree();
-    if (enclose(bits + 16 * poles).contains(rational) && logarithms_cancel(a, b, phase))
+    if (enclose(bits + 16 * poles).contains(rational) && multiple_of_pi(a, b, phase) == Rational(0))
       return rational;
   }
   return Real(

@@ -47,6 +47,12 @@ class Evaluator {
   Real value(const Rational& a, const Rational& b, const GaussianPolynomial& phase,
              const Real::Enclosure& enclose);
 
+  /// The logarithms in F(b) − F(a) plus arg phase(b) − arg phase(a), over π, where this is
+  /// rational: decided for residues in ℚ(i) (Baker) and recognised in many other cases; no value
+  /// means that it is irrational or not recognised. Precondition: no pole in [a, b].
+  std::optional<Rational> multiple_of_pi(const Rational& a, const Rational& b,
+                                         const GaussianPolynomial& phase);
+
  private:
   /// n/d = Σ c(z)/(t − z) over the roots z of the squarefree d.
   struct Poles {
@@ -59,7 +65,6 @@ class Evaluator {
   };
 
   Rational rational_difference(const Rational& a, const Rational& b) const;
-  bool logarithms_cancel(const Rational& a, const Rational& b, const GaussianPolynomial& phase);
   void require_no_pole(const Rational& a, const Rational& b) const;
   void prepare(long precision);
   RealBall log_difference(const Rational& a, const Rational& b, long bits) const;

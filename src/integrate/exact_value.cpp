@@ -100,23 +100,12 @@ LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint
 
 namespace {
 
-/// The sum of the turns over π, where that is rational: with N a common denominator of the
-/// exponents, N times the sum is an argument of a product z of Gaussian rationals. It is rational
-/// over π just for z on one of eight rays, where it is a multiple of π/4 (Niven, Irrational
-/// Numbers, 1956, §3.3).
-struct TurnsOverPi {
-  bool is_decided = false;  ///< false where z has too many digits
-  std::optional<Rational> value;
-};
-
-TurnsOverPi turns_over_pi(const std::vector<LogChange::Turn>& turns) {
+/// The sum of the turns over π, where that is rational.
+std::optional<Rational> turns_over_pi(const std::vector<LogChange::Turn>& turns) {
   std::vector<Power> powers;
   for (const auto& [power, whole] : turns) powers.push_back(power);
-  const Integer n = common_denominator(powers);
-  const auto z = product(powers, n);
-  if (!z) return {};
-  if (z->re != 0 && z->im != 0 && abs(z->re) != abs(z->im)) return {true, std::nullopt};
-  const Rational unit = Rational(1, 4) / Rational(n);
+  if (!turns_are_rational(powers)) return std::nullopt;
+  const Rational unit = Rational(1, 4) / Rational(common_denominator(powers));
   for (long bits = 64;; bits *= 2) {
     RealBall sum;
     for (const auto& [power, whole] : turns) {
@@ -126,24 +115,21 @@ TurnsOverPi turns_over_pi(const std::vector<LogChange::Turn>& turns) {
     }
     flint::Fmpz multiple;
     if (arb_get_unique_fmpz(multiple.get(), sum.raw()) != 0)
-      return {true, unit * to_rational(multiple.get())};
+      return unit * to_rational(multiple.get());
   }
 }
 
 }  // namespace
 
-std::optional<bool> vanishes(const LogChange& change) {
-  const auto size = product(change.sizes, common_denominator(change.sizes));
-  if (!size) return std::nullopt;
-  if (!(*size == GaussianRational{1, 0})) return false;
-  const TurnsOverPi turns = turns_over_pi(change.turns);
-  if (!turns.is_decided) return std::nullopt;
-  return turns.value == Rational(0);
+std::optional<Rational> multiple_of_pi(const LogChange& change) {
+  if (!sizes_cancel(change.sizes)) return std::nullopt;
+  return turns_over_pi(change.turns);
 }
 
 ExactValue exact_value(const Rational& rational, const LogChange& change) {
   ExactValue value{rational, 0, {}, {}};
-  if (vanishes(change) == true) return value;
+  const std::optional<Rational> turned = turns_over_pi(change.turns);
+  if (turned == Rational(0) && sizes_cancel(change.sizes)) return value;
   std::map<Rational, Rational> logs;  // by factor > 0, arguments multiplied
   for (const auto& [base, exponent] : change.sizes) {
     if (exponent == 0 || abs(base.re) == 1) continue;
@@ -154,7 +140,7 @@ ExactValue exact_value(const Rational& rational, const LogChange& change) {
     if (of > 1) value.logarithms.push_back({factor, of});
     if (of < 1) value.logarithms.push_back({-factor, 1 / of});
   }
-  if (const auto turned = turns_over_pi(change.turns).value) {
+  if (turned) {
     value.pi = *turned;
     return value;
   }

@@ -40,9 +40,9 @@ struct LogChange {
 /// where logs.others is not empty.
 LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint& b);
 
-/// Is the sum 0? Decided: by Baker's theorem it is irrational if not. No value where numbers would
-/// have more than 2²⁴ bits.
-std::optional<bool> vanishes(const LogChange& change);
+/// The sum over π, where it is rational; no value where it is not. Decided: by Baker's theorem the
+/// sum is no rational multiple of π unless the sizes cancel and the turns are on a ray.
+std::optional<Rational> multiple_of_pi(const LogChange& change);
 
 /// rational + change, in finite terms. Turns that add up to a rational multiple of π are written as
 /// that: π/4 for arctan(1/2) + arctan(1/3).

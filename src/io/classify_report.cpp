@@ -21,9 +21,7 @@ std::string shown(const Vector<Rational>& v) {
 std::string places(const std::vector<RealRoot>& roots) {
   std::string text;
   for (const auto& [at, order] : roots) {
-    const auto exact = at.rational();
-    text += fmt::format("{}{}{}", text.empty() ? "t = " : ", ",
-                        exact ? shown(*exact) : round_to_decimal(to_real(at), 12).value + "…",
+    text += fmt::format("{}{}{}", text.empty() ? "t = " : ", ", phrame::shown(at),
                         order == 1   ? ""
                         : order == 2 ? " (twice)"
                                      : fmt::format(" ({} times)", order));

@@ -336,7 +336,11 @@ std::variant<NamedCurve, NamedSpline> read_curve_or_spline(std::string_view text
                                                            const CurveLimits& limits) {
   const JsonValue document = parse_json(text);
   const Node node(document, "");
-  if (format_of(node) == "spline/1") return read_spline(node, limits);
+  const std::string format = format_of(node);
+  if (format == "spline/1") return read_spline(node, limits);
+  if (format != "curve/1")
+    node.at("phrame").fail(
+        fmt::format("the format is \"curve/1\" or \"spline/1\", not \"{}\"", abbreviated(format)));
   return read_any_curve(curve_node(document), limits);
 }
 

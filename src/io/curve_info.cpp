@@ -25,12 +25,12 @@ CurveInfo curve_info(const NamedCurve& named, long digits) {
   CurveInfo info{named,
                  cusps(curve, closed(0, 1)),
                  length,
-                 round_to_decimal(length, digits),
-                 round_to_decimal(erf_twist(curve).value, digits),
+                 rounded(length, "the length", digits),
+                 rounded(erf_twist(curve).value, "the twist", digits),
                  {}};
   const auto energy = bending_energy(curve);
   if (const auto* finite = std::get_if<Total>(&energy))
-    info.bending_energy = round_to_decimal(finite->value, digits);
+    info.bending_energy = rounded(finite->value, "the bending energy", digits);
   return info;
 }
 

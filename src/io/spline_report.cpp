@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "phrame/algebra/error.hpp"
 #include "phrame/io/closed_form.hpp"
 #include "phrame/io/json_text.hpp"
 #include "phrame/io/text.hpp"
@@ -12,15 +11,6 @@ namespace phrame {
 namespace {
 
 constexpr auto unicode = Notation::unicode;
-
-/// Rounds; where that is undecided, the message says what it is.
-Decimal rounded(const Real& x, const std::string& what, long digits) {
-  try {
-    return round_to_decimal(x, digits);
-  } catch (const Undecided& error) {
-    throw Undecided(what + ": " + error.what());
-  }
-}
 
 std::optional<Decimal> rounded_holonomy(SplineAngle& angle, long digits) {
   const auto holonomy = angle.holonomy();
@@ -39,8 +29,23 @@ std::string heading(const std::string& name, const Spline& spline) {
                      name.empty() ? "" : ": ", count, count == 1 ? "" : "s", closure(spline));
 }
 
-std::string shown(const Real& x, const Decimal& rounded) {
-  return x.exact() ? abbreviated(formatted(*x.exact(), unicode), 240) : rounded.value;
+std::string shown(const SplineInfo::Length& x) {
+  const auto& exact = x.exact.exact();
+  return exact ? abbreviated(formatted(*exact, unicode), 240) : x.rounded.value;
+}
+
+JsonOutput json_of(const SplineInfo::Length& x) {
+  const auto& exact = x.exact.exact();
+  return exact ? JsonOutput(to_string(*exact)) : phrame::json_of(x.rounded);
+}
+
+/// The notes on the sign of f of all segments.
+std::string notes(const Spline& spline) {
+  std::string text;
+  for (std::size_t k = 0; k < spline.segments().size(); ++k)
+    if (const std::string note = note_on_sign(spline.segments()[k]); !note.empty())
+      text += fmt::format("  segment {}: {}\n", k + 1, note);
+  return text.empty() ? "" : text + "\n";
 }
 
 std::string relation(const Decimal& x) { return x.radius == "0" ? "=" : "≈"; }
@@ -61,7 +66,7 @@ SplineAngleReport spline_angle_report(const std::string& name, SplineAngle& angl
 
 std::string to_text(const SplineAngleReport& report) {
   const Spline& spline = report.angle.spline();
-  std::string text = heading(report.name, spline) + "\n\n";
+  std::string text = heading(report.name, spline) + "\n\n" + notes(spline);
   text += fmt::format(
       "The rotation-minimizing frame is the Euler–Rodrigues frame, continuous through the joints,\n"
       "turned by θ about the tangent:\n"
@@ -112,17 +117,20 @@ std::string to_json(const SplineAngleReport& report) {
 
 SplineInfo spline_info(const NamedSpline& named, long digits) {
   SplineAngle angle(named.spline);
-  SplineInfo info{named, Rational(0), {}, {}, {}, {}};
+  SplineInfo info{named, {Rational(0), {}}, {}, {}, {}, {}};
   std::optional<Real> energy = Rational(0);
   for (const Curve& curve : named.spline.segments()) {
-    info.length = info.length + total_length(curve).value;
+    const Real length = total_length(curve).value;
+    const std::string name = fmt::format("the length of segment {}", info.lengths.size() + 1);
+    info.lengths.push_back({length, rounded(length, name, digits)});
+    info.length.exact = info.length.exact + length;
     const auto part = bending_energy(curve);
     if (!energy || std::holds_alternative<Infinite>(part))
       energy.reset();
     else
       energy = *energy + std::get<Total>(part).value;
   }
-  info.rounded_length = rounded(info.length, "the length", digits);
+  info.length.rounded = rounded(info.length.exact, "the length", digits);
   info.twist_erf = rounded(-angle.value(named.spline.end()), "the twist", digits);
   if (energy) info.bending_energy = rounded(*energy, "the bending energy", digits);
   info.holonomy = rounded_holonomy(angle, digits);
@@ -131,42 +139,43 @@ SplineInfo spline_info(const NamedSpline& named, long digits) {
 
 std::string to_text(const SplineInfo& info) {
   const Spline& spline = info.spline.spline;
-  std::string text = heading(info.spline.name, spline) + "\n\n";
+  std::string text = heading(info.spline.name, spline) + "\n\n" + notes(spline);
   const auto row = [&](std::string_view name, const std::string& value) {
     text += fmt::format("  {}{}  {}\n", name, std::string(18 - text_width(name), ' '), value);
   };
-  row("length ∫ |f|σ", shown(info.length, info.rounded_length));
+  row("length ∫ |f|σ", shown(info.length));
   row("twist ∫ 2h/σ", info.twist_erf.value);
   row("energy ∫ κ² ds", info.bending_energy ? info.bending_energy->value : "∞");
   if (info.holonomy) row("holonomy", info.holonomy->value);
   text += "\n  segment  degree  length\n";
-  for (std::size_t k = 0; k < spline.segments().size(); ++k) {
-    const Real length = total_length(spline.segments()[k]).value;
+  for (std::size_t k = 0; k < spline.segments().size(); ++k)
     text += fmt::format("  {:>7}  {:>6}  {}\n", k + 1, degree(spline.segments()[k]),
-                        length.exact() ? abbreviated(formatted(*length.exact(), unicode), 240)
-                                       : round_to_decimal(length, 12).value + "…");
-  }
+                        shown(info.lengths[k]));
   return text;
 }
 
 std::string to_json(const SplineInfo& info) {
   const Spline& spline = info.spline.spline;
   JsonOutput segments = JsonOutput::array();
-  for (const Curve& curve : spline.segments())
+  for (std::size_t k = 0; k < spline.segments().size(); ++k) {
+    const Curve& curve = spline.segments()[k];
     segments.push_back({{"degree", degree(curve)},
                         {"start", json_of(curve.start())},
-                        {"end", json_of(evaluate(position(curve), 1))}});
-  const auto& length = info.length.exact();
-  return pretty(
-      {{"phrame", "spline-info/1"},
-       {"name", info.spline.name},
-       {"segments", segments},
-       {"closed", spline.closing_turn().has_value()},
-       {"ends_meet", spline.ends_meet()},
-       {"arc_length", length ? JsonOutput(to_string(*length)) : json_of(info.rounded_length)},
-       {"twist_erf", json_of(info.twist_erf)},
-       {"bending_energy", info.bending_energy ? json_of(*info.bending_energy) : JsonOutput()},
-       {"holonomy", info.holonomy ? json_of(*info.holonomy) : JsonOutput()}});
+                        {"end", json_of(evaluate(position(curve), 1))},
+                        {"arc_length", json_of(info.lengths[k])}});
+  }
+  JsonOutput json = {
+      {"phrame", "spline-info/1"},
+      {"name", info.spline.name},
+      {"segments", segments},
+      {"closed", spline.closing_turn().has_value()},
+      {"ends_meet", spline.ends_meet()},
+      {"arc_length", json_of(info.length)},
+      {"twist_erf", json_of(info.twist_erf)},
+      {"bending_energy", info.bending_energy ? json_of(*info.bending_energy) : JsonOutput()},
+      {"holonomy", info.holonomy ? json_of(*info.holonomy) : JsonOutput()}};
+  if (!info.bending_energy) json["bending_energy_reason"] = "∞";
+  return pretty(json);
 }
 
 }  // namespace phrame

@@ -26,9 +26,13 @@ std::string to_json(const SplineAngleReport& report);  ///< spline-angle/1
 
 /// What `phrame info` shows of a spline.
 struct SplineInfo {
+  struct Length {
+    Real exact;
+    Decimal rounded;  ///< where it is irrational
+  };
   NamedSpline spline;
-  Real length;
-  Decimal rounded_length;                 ///< where it is irrational
+  Length length;
+  std::vector<Length> lengths;            ///< of the segments
   Decimal twist_erf;                      ///< of the continuous Euler–Rodrigues frame, −θ(end)
   std::optional<Decimal> bending_energy;  ///< no value where it is infinite
   std::optional<Decimal> holonomy;        ///< where the spline is closed

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/error.hpp"
+
 namespace phrame {
 namespace {
 
@@ -239,6 +241,21 @@ std::string readable(const SurdPolynomial& p, std::string_view variable) {
   return is_bearable(text) ? std::move(text)
                            : summary(std::max(p.a.degree(), p.b.degree()),
                                      std::max(longest_coefficient(p.a), longest_coefficient(p.b)));
+}
+
+Decimal rounded(const Real& x, const std::string& name, long digits) {
+  try {
+    return round_to_decimal(x, digits);
+  } catch (const Undecided& error) {
+    throw Undecided(name + ": " + error.what());
+  }
+}
+
+std::string shown(const RealAlgebraic& x) {
+  if (const auto exact = x.rational())
+    return abbreviated(formatted(*exact, Notation::unicode), 240);
+  const Rational below = enclose(x, 128).lower();
+  return (below < 0 ? "−" + upper_bound_text(-below, 12) : lower_bound_text(below, 12)) + "…";
 }
 
 }  // namespace phrame

@@ -5,6 +5,8 @@
 #include "phrame/algebra/bivariate.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/gaussian_polynomial.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/algebra/surd.hpp"
 
@@ -55,5 +57,10 @@ std::string readable(const Bivariate& v, std::string_view variable = "t",
                      std::string_view index = "x");
 std::string readable(const GaussianPolynomial& g);
 std::string readable(const SurdPolynomial& p, std::string_view variable);
+
+/// round_to_decimal; where that is undecided, the message begins with what the number is.
+Decimal rounded(const Real& x, const std::string& name, long digits);
+/// A place: "1/2", "0.707106781187…", cut off and not rounded.
+std::string shown(const RealAlgebraic& x);
 
 }  // namespace phrame

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "phrame/algebra/error.hpp"
 #include "phrame/io/angle_report.hpp"
 #include "phrame/io/cas_formula.hpp"
 #include "phrame/io/closed_form.hpp"
@@ -21,21 +20,6 @@ void set(Row& row, std::variant<Total, Infinite> answer) {
     row.total = std::move(*total);
   else
     row.infinite = std::get<Infinite>(answer);
-}
-
-Decimal rounded(const Real& x, const Row& row, long digits) {
-  try {
-    return round_to_decimal(x, digits);
-  } catch (const Undecided& error) {
-    throw Undecided(fmt::format("totals: {}: {}", row.name, error.what()));
-  }
-}
-
-/// "1/2", "0.70710678…".
-std::string shown(const RealAlgebraic& x) {
-  const auto exact = x.rational();
-  return exact ? abbreviated(formatted(*exact, unicode))
-               : round_to_decimal(to_real(x), 12).value + "…";
 }
 
 /// "√3·(…)": x times the root of the radicand.
@@ -62,7 +46,7 @@ std::string to_text(const Row& row) {
       fmt::format(" = {} with\n    F′ = {}\n",
                   times_root(total.radicand, total.turns.empty() ? "F(1) − F(0)" : "∫₀¹ ±F′ dt"),
                   formatted_quotient(total.rate, unicode));
-  if (!total.turns.empty()) {
+  if (!total.turns.empty() && !total.rate.is_zero()) {
     std::string places;
     for (const RealAlgebraic& turn : total.turns)
       places += (places.empty() ? "" : ", ") + shown(turn);
@@ -126,13 +110,13 @@ TotalsReport totals_report(const NamedCurve& named, long digits) {
   if (!curvature.total)
     curvature.reason = "κ is not rational, since ρ is not a constant times a square";
   if (const auto index = absolute_rotation_index(curve))
-    rotation.value = rounded(*index, rotation, digits);
+    rotation.value = rounded(*index, rotation.name, digits);
   else
     rotation.reason = "not a plane curve";
 
   TotalsReport report{named, {}, digits};
   for (Row* row : {&length, &twist, &torsion, &curvature, &rotation, &bending, &frenet}) {
-    if (row->total) row->value = rounded(row->total->value, *row, digits);
+    if (row->total) row->value = rounded(row->total->value, row->name, digits);
     report.rows.push_back(std::move(*row));
   }
   return report;

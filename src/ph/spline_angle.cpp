@@ -1,5 +1,7 @@
 #include "phrame/ph/spline_angle.hpp"
 
+#include <fmt/format.h>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/transform.hpp"
 
@@ -33,43 +35,16 @@ RealBall doubled_argument(const GaussianRational& z, long bits) {
   return multiply(RealBall(2, bits), angle, bits);
 }
 
-/// A path that turns by `half_turns`·π.
-GaussianPolynomial half_turns(long half_turns) {
-  const Polynomial t{0, 1};
-  const GaussianPolynomial quarter{Polynomial{1, -1}, half_turns < 0 ? -t : t};
-  GaussianPolynomial path{{1}, {}};
-  for (long k = 0; k < 2 * std::abs(half_turns); ++k) path = path * quarter;
-  return path;
-}
-
-/// x − 2π·k ∈ (−π, π]. `is_odd_multiple(m)` decides whether x = m·π, m odd.
-template <class IsOddMultiple>
-Real reduced(const Real& x, IsOddMultiple is_odd_multiple) {
-  if (x.exact() == Rational(0)) return x;
-  const auto over_pi = [&](long bits) { return divide(x.enclose(bits), pi(bits), bits); };
-  const auto minus_half_turns = [x](long count) {
-    return Real([x, count](long bits) {
-      return subtract(x.enclose(bits + 8),
-                      multiply(RealBall(count, bits + 8), pi(bits + 8), bits + 8), bits + 8);
-    });
-  };
-  for (long bits = 64; bits <= 1L << 16; bits *= 2) {
-    // The whole k with x/π ∈ (2k − 1, 2k + 1].
-    const RealBall shifted =
-        divide(add(over_pi(bits), RealBall(-1, bits), bits), RealBall(2, bits), bits);
-    flint::Fmpz k;
-    RealBall ceiling;
-    arb_ceil(ceiling.raw(), shifted.raw(), bits);
-    if (arb_get_unique_fmpz(k.get(), ceiling.raw()) != 0) {
-      const long count = fmpz_get_si(k.get());
-      return count == 0 ? x : minus_half_turns(2 * count);
-    }
-    flint::Fmpz odd;  // the ball holds one odd number 2k + 1
-    if (arb_get_unique_fmpz(odd.get(), over_pi(bits).raw()) == 0) continue;
-    if (is_odd_multiple(fmpz_get_si(odd.get())))
-      return Real([](long precision) { return pi(precision); });
-  }
-  throw Undecided("holonomy: 65536 bits of precision do not tell the angle from a multiple of pi");
+/// The whole k with x ∈ (2k − 1, 2k + 1]. Throws Undecided where the ball around x is too wide.
+Integer whole_turns(const RealBall& x, long bits) {
+  const RealBall shifted = divide(add(x, RealBall(-1, bits), bits), RealBall(2, bits), bits);
+  RealBall ceiling;
+  arb_ceil(ceiling.raw(), shifted.raw(), bits);
+  flint::Fmpz k;
+  if (arb_get_unique_fmpz(k.get(), ceiling.raw()) == 0)
+    throw Undecided(fmt::format(
+        "holonomy: {} bits of precision do not tell the angle from a multiple of pi", bits));
+  return Integer(numerator(to_rational(k.get())));
 }
 
 }  // namespace
@@ -130,18 +105,27 @@ std::optional<Real> SplineAngle::holonomy() {
   if (!closing) return std::nullopt;
   const GaussianRational back{closing->re, -closing->im};
   const SplineParameter end{angles_.size() - 1, 1};
-  const GaussianPolynomial path = path_to(back) * path_to(back);
-  const auto turned = [this, end, back](long bits) {
-    return add(enclose(end, bits + 8), doubled_argument(back, bits + 8), bits + 8);
+  const int side = sign_after_zero(spline_.segments().front().multiplier());  // e₁ = side·tangent
+  const auto turned = [this, end, back, side](long bits) {
+    const RealBall sum = add(enclose(end, bits + 8), doubled_argument(back, bits + 8), bits + 8);
+    return side < 0 ? subtract({}, sum, bits + 8) : sum;
   };
-  Evaluator sum(over_unit_interval(end));
-  const auto is_odd_multiple = [&](long m) {
-    const auto rest = [&](long bits) {
-      return subtract(turned(bits), multiply(RealBall(m, bits), pi(bits), bits), bits);
-    };
-    return sum.value(0, 1, path * half_turns(-m), rest).exact() == Rational(0);
-  };
-  return reduced(sum.value(0, 1, path, turned), is_odd_multiple);
+  constexpr long bits = 512;
+  const RealBall over_pi = divide(turned(bits), pi(bits), bits);
+  flint::Fmpz nearest;
+  if (arb_get_unique_fmpz(nearest.get(), over_pi.raw()) != 0 && rational_part(end) == 0) {
+    const auto multiple =
+        Evaluator(over_unit_interval(end)).multiple_of_pi(0, 1, path_to(back) * path_to(back));
+    if (multiple && denominator(*multiple) == 1) {
+      if (numerator(*multiple) % 2 == 0) return Rational(0);
+      return Real([](long precision) { return pi(precision); });
+    }
+  }
+  const Rational half_turns(2 * whole_turns(over_pi, bits));
+  return Real([turned, half_turns](long precision) {
+    const long more = precision + 8;
+    return subtract(turned(more), multiply(RealBall(half_turns, more), pi(more), more), more);
+  });
 }
 
 }  // namespace phrame

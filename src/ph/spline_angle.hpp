@@ -28,10 +28,10 @@ class SplineAngle {
   /// The same; at.t may be any number, with which the segment is continued.
   Real value(const SplineParameter& at);
 
-  /// By which angle in (−π, π] the rotation-minimizing frame comes back turned about the tangent of
-  /// a closed spline: f₂(end) = cos(·) f₂(0) + sin(·) f₃(0). It does not depend on the frame
-  /// chosen. No value where the spline has no closing_turn(). Refers to this object. Throws
-  /// Undecided where it can't be told from ±π.
+  /// By which angle in (−π, π] the rotation-minimizing frame comes back turned about the tangent
+  /// r′/|r′| of a closed spline: f₂(end) = cos(·) f₂(0) + sin(·) T × f₂(0). It does not depend on
+  /// the preimages. Exact where it is seen to be 0. No value where the spline has no
+  /// closing_turn(). Refers to this object. Throws Undecided where it can't be told from ±π.
   std::optional<Real> holonomy();
 
  private:

@@ -2,6 +2,7 @@
 
 #include "phrame/algebra/surd.hpp"
 #include "phrame/integrate/integrate.hpp"
+#include "phrame/ph/frame.hpp"
 #include "phrame/ph/invariants.hpp"
 #include "phrame/ph/rmf_angle.hpp"
 #include "phrame/ph/shape.hpp"
@@ -9,12 +10,24 @@
 namespace phrame {
 namespace {
 
+/// Is sgn(orientation)·rate odd about t = 1/2?
+bool is_odd_about_middle(const RationalFunction& rate, const Polynomial& orientation) {
+  const Polynomial mirror{1, -1};
+  const RationalFunction mirrored(compose(rate.numerator(), mirror),
+                                  compose(rate.denominator(), mirror));
+  const Polynomial opposite = compose(orientation, mirror);
+  return (opposite == orientation && mirrored == -rate) ||
+         (opposite == -orientation && mirrored == rate);
+}
+
 /// √radicand · ∫₀¹ sgn(orientation)·rate dt.
 Total total(RationalFunction rate, const Polynomial& orientation, const Rational& radicand = 1) {
   if (sign_after_zero(orientation) < 0) rate = -rate;
   Total result{radicand, rate, integrate(rate), {}, Rational(0), ExactValue{}};
   for (const RealRoot& root : real_roots(orientation, open(0, 1)))
     if (root.order % 2 == 1) result.turns.push_back(root.at);
+
+  if (is_odd_about_middle(rate, orientation)) return result;  // 0
 
   std::vector<Endpoint> ends{Rational(0)};
   ends.insert(ends.end(), result.turns.begin(), result.turns.end());
@@ -78,14 +91,31 @@ std::optional<Total> total_curvature(const Curve& curve) {
                Rational(rest));
 }
 
+// The tangents at the ends are rational vectors. Between them the tangent turns by ±α up to whole
+// turns, where it does not turn back; and an angle α with a rational cosine is a rational multiple
+// of π only for cos α = 0, ±1/2 and ±1 (Niven), that is a multiple of π/6.
 std::optional<Real> absolute_rotation_index(const Curve& curve) {
-  if (!plane_normal(curve.preimage())) return std::nullopt;
+  const QuaternionPolynomial a = without_real_content(curve.preimage());
+  if (!plane_normal(a)) return std::nullopt;
   const Total curvature = total_curvature(curve).value();  // ρ of a plane curve is a square
+  if (curvature.value.exact() == Rational(0)) return Real(Rational(0));
   if (const auto& x = curvature.exact; x && *x == ExactValue{0, x->pi, {}, {}})
     return square_root_of(curvature.radicand) * Rational(x->pi / 2);
-  const Real half_turns(
-      [](long bits) { return divide(RealBall(Rational(1, 2), bits), pi(bits), bits); });
-  return curvature.value * half_turns;
+  const Real index = curvature.value * Real([](long bits) {
+                       return divide(RealBall(Rational(1, 2), bits), pi(bits), bits);
+                     });
+  if (!curvature.turns.empty()) return index;
+  const Frame<Rational> start = euler_rodrigues_frame(curve, 0);
+  const Frame<Rational> end = euler_rodrigues_frame(curve, 1);
+  Rational cosine = 0;
+  for (std::size_t k = 0; k < 3; ++k) cosine += start.e1[k] * end.e1[k];
+  if (cosine != 0 && abs(cosine) != 1 && abs(cosine) != Rational(1, 2)) return index;
+  for (long bits = 64;; bits *= 2) {
+    const RealBall twelfths = multiply(RealBall(12, bits), index.enclose(bits), bits);
+    flint::Fmpz nearest;
+    if (arb_get_unique_fmpz(nearest.get(), twelfths.raw()) != 0)
+      return Real(Rational(to_rational(nearest.get()) / 12));
+  }
 }
 
 }  // namespace phrame

@@ -43,8 +43,8 @@ Total total_torsion(const Curve& curve);
 std::optional<Total> total_curvature(const Curve& curve);
 
 /// ∫ κ ds/2π of a plane curve, its absolute rotation index: by how many turns its tangent turns,
-/// left and right alike. Exact where the total curvature is known in finite terms. No value for a
-/// curve that is not plane.
+/// left and right alike. Where it does not turn back, or the total curvature is known in finite
+/// terms, the index is exact if it is rational. No value for a curve that is not plane.
 std::optional<Real> absolute_rotation_index(const Curve& curve);
 
 }  // namespace phrame

@@ -44,7 +44,7 @@ TEST_CASE("classify report: a helix, in text and JSON") {
 TEST_CASE("classify report: points are exact or have an interval, and an order") {
   const ClassifyReport cusps =
       report({{1, 1}, {}, {}, {0, 1}}, Polynomial{-1, 0, 2} * Polynomial{-1, 3});
-  CHECK(contains(to_text(cusps), "no: r′ = 0 at t = 1/3, 0.707106781187…"));
+  CHECK(contains(to_text(cusps), "no: r′ = 0 at t = 1/3, 0.707106781186…"));
   const Json list = Json::parse(to_json(cusps))["regular"]["cusps"];
   REQUIRE(list.size() == 2);
   CHECK(list[0] == Json{{"t", "1/3"}, {"order", 1}});

@@ -94,7 +94,7 @@ TEST_CASE("spline: the frame is carried through the joints of a closed spline in
 
 TEST_CASE("spline: neither frame nor holonomy depend on the preimages chosen") {
   std::vector<Curve> curves = quarters();
-  curves[0] = with_other_frame(curves[0], {1, 7, 0, 0});
+  curves[0] = with_other_frame(with_other_frame(curves[0], {0, 0, 1, 5}), {1, 7, 0, 0});
   curves[1] = with_other_frame(curves[1], {0, 0, 2, -3});
   curves[2] = with_other_frame(curves[2], {-1, 0, 0, 0});
   curves[3] = with_other_frame(curves[3], {0, 0, 0, 1});
@@ -127,12 +127,42 @@ TEST_CASE("spline: an open one has no holonomy, nor has one with a corner") {
   SplineAngle open(through({x, y, z}));
   CHECK_FALSE(open.spline().ends_meet());
   CHECK_FALSE(open.holonomy());
-  // x → y → −x → −y → −x comes back to where it started, but not in that direction.
-  const Curve back(plane_quarter(minus_y, minus_x));
-  Spline corner =
-      chain({plane_quarter(x, y), plane_quarter(y, minus_x), plane_quarter(minus_x, minus_y)});
-  corner.append(at(back, end_of(corner.segments().back())));
-  CHECK_FALSE(corner.closing_turn());
+  // (0, 0) → (1, 0) → (5/3, 1) → (2/3, 5/3) → (0, 2/3) → (0, 0), where it arrives downwards.
+  const auto line = [](const Vector<Rational>& d, const Rational& length) {
+    return scaled(std::get<Curve>(identify({Polynomial{d[0]}, Polynomial{d[1]}, Polynomial{d[2]}})),
+                  length);
+  };
+  SplineAngle corner(chain({line(x, 1), plane_quarter(x, y), plane_quarter(y, minus_x),
+                            plane_quarter(minus_x, minus_y), line(minus_y, Rational(2, 3))}));
+  CHECK(corner.spline().ends_meet());
+  CHECK_FALSE(corner.spline().closing_turn());
+  CHECK_FALSE(corner.holonomy());
+}
+
+// The factor 1 + it turns the Euler–Rodrigues frame by 2·arctan t about the tangent, in each of
+// four pieces, and θ back: the angle is −2π, the holonomy 0.
+TEST_CASE("spline: a holonomy is 0 or pi exactly, however often the frame turns") {
+  const auto twisted = [](const Spline& spline, long power) {
+    std::vector<Curve> curves;
+    QuaternionPolynomial factor{{1}, {}, {}, {}};
+    for (long k = 0; k < power; ++k) {
+      factor = factor * QuaternionPolynomial{{1}, {0, 1}, {}, {}};
+    }
+    for (const Curve& curve : spline.segments())
+      curves.emplace_back(curve.preimage() * factor, curve.multiplier());
+    return curves;
+  };
+  for (const long power : {1, 7}) {
+    Spline loop = through({x, y, minus_x, minus_y});
+    SplineAngle angle(chain(twisted(loop, power)));
+    CHECK(digits(angle.value(4)) == digits(Real([power](long bits) {
+            return multiply(RealBall(-2 * power, bits), pi(bits), bits);
+          })));
+    CHECK(angle.holonomy().value().exact() == Rational(0));
+    SplineAngle half(
+        chain(twisted(through({x, y, x, minus_y, minus_x, z, minus_x, minus_z}), power)));
+    CHECK(digits(half.holonomy().value()) == "3.14159265358979");
+  }
 }
 
 TEST_CASE("spline: a joint that breaks is refused, with what differs") {
