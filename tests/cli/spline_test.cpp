@@ -1,0 +1,69 @@
+#include <nlohmann/json.hpp>
+
+#include "cli/workshop.hpp"
+
+using namespace phrame;
+using namespace phrame::test;
+
+namespace {
+
+/// Two pieces of the x axis, [0, 1] and [1, 2], the speed of each falling or rising through a cusp
+/// between them; then a plane quarter turn.
+void add_splines(const Workshop& here) {
+  here.write("s.json", R"({"phrame": "spline/1", "name": "s", "segments": [
+    {"basis": "power", "quaternions": [[1, 0, 0, 0]], "multiplier": [2, -2]},
+    {"basis": "power", "quaternions": [[1, 0, 0, 0]], "multiplier": [0, 2]},
+    {"basis": "power", "quaternions": [[1, 0, 0, 0], [0, 0, 0, 1]]}]})");
+  here.write("broken.json", R"({"phrame": "spline/1", "segments": [
+    {"basis": "power", "quaternions": [[1, 0, 0, 0]]},
+    {"basis": "power", "quaternions": [[1, 0, 0, "1e-30"]]}]})");
+  here.write("other.json", R"({"phrame": "spline/2"})");
+}
+
+}  // namespace
+
+TEST_CASE("splines: frames through a cusp at a joint, by t and by arc length") {
+  const Workshop here;
+  add_splines(here);
+  const Run run = here.run("frames s.json --at 1,2,3 --columns s");
+  check_success(run);
+  CHECK(contains(run.out, "\n1,1,0,0,1,0,0,0,1,0,0,0,1,1\n2,2,0,0,1,0,0,0,1,0,0,0,1,2\n"));
+  CHECK(contains(run.out, "\n3,2.6666666666666665,1,0,0,1,0,-1,0,0,0,0,1,3.3333333333333335\n"));
+  // Half a length before and behind the cusp: s = 2t − t² and s = t².
+  const Run by = here.run("frames s.json --by arc-length --at 3/4,5/4 --columns s");
+  CHECK(contains(by.out,
+                 "\n0.5,0.75,0,0,1,0,0,0,1,0,0,0,1,0.75\n1.5,1.25,0,0,1,0,0,0,1,0,0,0,1,1.25\n"));
+  check_failure(here.run("frames s.json --by arc-length --at 4"), 3, "4 is outside [0, 10/3]");
+  check_failure(here.run("frames s.json --at 7/2"), 3, "t = 7/2 is outside [0, 3]");
+  check_failure(here.run("frames s.json --at 3/2 --columns torsion"), 3, "straight line");
+}
+
+TEST_CASE("splines: angle and info") {
+  const Workshop here;
+  add_splines(here);
+  const auto angle = nlohmann::json::parse(here.run("angle s.json --at 5/2 --print json").out);
+  CHECK(angle["phrame"] == "spline-angle/1");
+  CHECK(angle["values"][0]["theta"] == "0");
+  CHECK(angle["total"]["value"] == "0");
+  const auto info = nlohmann::json::parse(here.run("info s.json --print json").out);
+  CHECK(info["arc_length"] == "10/3");
+  CHECK(info["segments"][2]["arc_length"] == "4/3");
+  CHECK(info["closed"] == false);
+}
+
+TEST_CASE("splines: what is refused, and where") {
+  const Workshop here;
+  add_splines(here);
+  check_failure(here.run("angle broken.json"), 2, "broken.json:/segments/1: the tangent breaks");
+  check_failure(here.run("info other.json"), 2,
+                "/phrame: the format is \"curve/1\" or \"spline/1\", not \"spline/2\"");
+  for (const char* command : {"classify", "totals", "identify", "interpolate --period 1 --feed 1"})
+    check_failure(here.run(std::string(command) + " s.json"), 2,
+                  "this is a spline; one curve is wanted");
+  check_failure(here.run("angle s.json --frame frenet"), 2,
+                "--frame: \"frenet\" is for single curves");
+  check_failure(here.run("angle s.json --form real"), 2, "--form: \"real\" is for single curves");
+  check_failure(here.run("angle s.json --print latex"), 2,
+                "--print: \"latex\" is for single curves");
+  check_failure(here.run("angle s.json --at 4"), 3, "t = 4 is outside [0, 3]");
+}
