@@ -34,8 +34,7 @@ TEST_CASE("check: bad input is refused with its place") {
   here.write("bad.csv", "t,f2x,f2y,f2z\n0,1,zero,0\n");
   check_failure(here.run("check quintic.json bad.csv"), 2, "bad.csv:line 2, f2y: ");
   check_failure(here.run("check quintic.json nowhere.csv"), 2, "nowhere.csv: ");
-  check_failure(here.run("check quintic.json bad.csv --tol -1"), 2,
-                "--tol: -1 is negative");
+  check_failure(here.run("check quintic.json bad.csv --tol -1"), 2, "--tol: -1 is negative");
   check_failure(here.run("check quintic.json bad.csv --tangent-axis w"), 2,
                 "--tangent-axis: \"w\" is not one of x, y, z");
   check_failure(here.run("check - - < quintic.json"), 2, "check: the curve and the frames");
