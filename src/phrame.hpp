@@ -44,6 +44,7 @@
 #include "phrame/io/check_report.hpp"
 #include "phrame/io/classify_report.hpp"
 #include "phrame/io/closed_form.hpp"
+#include "phrame/io/coq_proof.hpp"
 #include "phrame/io/curve_file.hpp"
 #include "phrame/io/curve_info.hpp"
 #include "phrame/io/endpoint.hpp"

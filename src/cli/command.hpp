@@ -74,5 +74,6 @@ void add_interpolate(CLI::App& app);
 void add_integrate(CLI::App& app);
 void add_totals(CLI::App& app);
 void add_check(CLI::App& app);
+void add_prove(CLI::App& app);
 
 }  // namespace phrame::cli

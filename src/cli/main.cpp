@@ -72,6 +72,7 @@ int run(int argc, char** argv) {
   phrame::cli::add_classify(app);
   phrame::cli::add_totals(app);
   phrame::cli::add_check(app);
+  phrame::cli::add_prove(app);
   phrame::cli::add_identify(app);
   phrame::cli::add_frames(app);
   phrame::cli::add_interpolate(app);

@@ -1,0 +1,37 @@
+#include "phrame/cli/command.hpp"
+#include "phrame/io/coq_proof.hpp"
+
+namespace phrame::cli {
+namespace {
+
+struct ProveOptions {
+  CurveOptions curve;
+  std::string at = "1";
+  long digits = 20;
+};
+
+void run(const ProveOptions& options) {
+  const Rational t = parse_option("--at", options.at);
+  if (t <= 0) throw InputError("--at", abbreviated(to_string(t)) + " is not positive");
+  const NamedCurve named = options.curve.read();
+  write_output(options.curve.output, coq_proof(named, t, options.digits));
+}
+
+}  // namespace
+
+void add_prove(CLI::App& app) {
+  auto* command = app.add_subcommand("prove", "a Coq file that proves a value of the angle");
+  const auto options = std::make_shared<ProveOptions>();
+  options->curve.add_to(*command);
+  command->add_option("--at", options->at, "t > 0 (default 1)")->type_name("T");
+  add_digits(*command, options->digits);
+  command->footer(
+      "The theorem is about the angle to the Euler-Rodrigues frame. coqc accepts the file in "
+      "seconds to\n"
+      "minutes; it needs Coquelicot and CoqInterval (./dev prove installs them).\n"
+      "Examples:\n"
+      "  phrame prove curve.json --at 1 --digits 30 -o angle.v && coqc angle.v");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace phrame::cli
