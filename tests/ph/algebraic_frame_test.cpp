@@ -2,16 +2,15 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/arc_length.hpp"
+#include "support/curves.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
 using test::for_samples;
+using test::quintic;
 using test::Random;
 
 namespace {
-
-const Curve quintic({from_bernstein({2, 0, 2}), from_bernstein({1, 1, 0}),
-                     from_bernstein({0, -2, 0}), from_bernstein({1, 2, 1})});
 
 /// A = 1 + tk: r′ = (1 − t², 2t, 0), tangent (1 − t², 2t, 0)/(1 + t²).
 const Curve plane({{1}, {}, {}, {0, 1}});

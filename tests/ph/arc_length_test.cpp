@@ -5,16 +5,15 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/invariants.hpp"
 #include "phrame/ph/totals.hpp"
+#include "support/curves.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
 using test::for_samples;
+using test::quintic;
 using test::Random;
 
 namespace {
-
-const Curve quintic({from_bernstein({2, 0, 2}), from_bernstein({1, 1, 0}),
-                     from_bernstein({0, -2, 0}), from_bernstein({1, 2, 1})});
 
 /// A straight line with r′ = f·g² in the direction of x.
 Curve line(const Polynomial& g, const Polynomial& f = {1}) { return Curve({g, {}, {}, {}}, f); }

@@ -1,10 +1,12 @@
 #include "phrame/ph/classify.hpp"
 
 #include "phrame/ph/rmf_angle.hpp"
+#include "support/curves.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
 using test::for_samples;
+using test::quintic;
 using test::Random;
 
 TEST_CASE("classify: the double PH curve of degree 7 that is no helix") {
@@ -57,8 +59,6 @@ TEST_CASE("classify: a straight line is many things") {
 
 TEST_CASE("classify: how the ERF turns") {
   // The quintic of Farouki 2003: h = 4t(t − 1), so that it turns back only at the ends.
-  const Curve quintic({from_bernstein({2, 0, 2}), from_bernstein({1, 1, 0}),
-                       from_bernstein({0, -2, 0}), from_bernstein({1, 2, 1})});
   const ErfTurning turning = erf_turning(quintic);
   CHECK(turning.zeros == std::vector<RealRoot>{{Rational(0), 1}, {Rational(1), 1}});
   CHECK(turning.is_monotone);

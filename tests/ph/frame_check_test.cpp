@@ -3,18 +3,18 @@
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
+#include "support/curves.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
 using test::for_samples;
+using test::quintic;
 using test::Random;
 
 namespace {
 
 using Kind = FrameFinding::Kind;
 
-const Curve quintic({from_bernstein({2, 0, 2}), from_bernstein({1, 1, 0}),
-                     from_bernstein({0, -2, 0}), from_bernstein({1, 2, 1})});
 /// A = 1 + tk.
 const Curve plane({{1}, {}, {}, {0, 1}});
 

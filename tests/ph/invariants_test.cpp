@@ -2,10 +2,12 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/arc_length.hpp"
+#include "support/curves.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
 using test::for_samples;
+using test::quintic;
 using test::Random;
 
 namespace {
@@ -21,9 +23,6 @@ Polynomial dot(const Vector<Polynomial>& a, const Vector<Polynomial>& b) {
 Vector<Polynomial> derivative(const Vector<Polynomial>& a) {
   return {differentiate(a[0]), differentiate(a[1]), differentiate(a[2])};
 }
-
-const Curve quintic({from_bernstein({2, 0, 2}), from_bernstein({1, 1, 0}),
-                     from_bernstein({0, -2, 0}), from_bernstein({1, 2, 1})});
 
 }  // namespace
 

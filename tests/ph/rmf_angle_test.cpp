@@ -5,17 +5,16 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/curve_file.hpp"
+#include "support/curves.hpp"
 #include "support/quadrature.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
 using test::for_samples;
+using test::quintic;
 using test::Random;
 
 namespace {
-
-const Curve quintic({from_bernstein({2, 0, 2}), from_bernstein({1, 1, 0}),
-                     from_bernstein({0, -2, 0}), from_bernstein({1, 2, 1})});
 
 /// |a − b| ≤ 10^-48·max(1, |b|).
 bool agree(const std::string& a, const std::string& b) {

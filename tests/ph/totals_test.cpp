@@ -5,17 +5,17 @@
 #include "phrame/ph/rmf_angle.hpp"
 #include "phrame/ph/shape.hpp"
 #include "phrame/ph/transform.hpp"
+#include "support/curves.hpp"
 #include "support/quadrature.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
 using test::for_samples;
+using test::quintic;
 using test::Random;
 
 namespace {
 
-const Curve quintic({from_bernstein({2, 0, 2}), from_bernstein({1, 1, 0}),
-                     from_bernstein({0, -2, 0}), from_bernstein({1, 2, 1})});
 /// The double PH curve of the slides.
 const Curve septic({{0, 3, 0, -1}, {0, 0, -3}, {}, {3}}, {Rational(1, 3)});
 /// A = 1 + tk: σ = 1 + t², κ = 2/(1 + t²)².

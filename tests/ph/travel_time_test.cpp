@@ -4,19 +4,19 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/arc_length.hpp"
+#include "support/curves.hpp"
 #include "support/quadrature.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
 using test::for_samples;
+using test::quintic;
 using test::Random;
 
 namespace {
 
 using Of = Feedrate::Of;
 
-const Curve quintic({from_bernstein({2, 0, 2}), from_bernstein({1, 1, 0}),
-                     from_bernstein({0, -2, 0}), from_bernstein({1, 2, 1})});
 /// A = 1 + tk: σ = 1 + t², κ = 2/(1 + t²)².
 const Curve plane({{1}, {}, {}, {0, 1}});
 
