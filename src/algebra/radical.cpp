@@ -157,7 +157,7 @@ bool is_accurate(const ComplexBall& z, long bits) {
 
 }  // namespace
 
-Radical Radical::combination(std::vector<Step> steps, const Sum& value) {
+Radical Radical::combination(const std::vector<Step>& steps, const Sum& value) {
   Radical result;
   result.value_ = import_sum(result.steps_, steps, value);
   return result;
@@ -165,7 +165,7 @@ Radical Radical::combination(std::vector<Step> steps, const Sum& value) {
 
 Radical Radical::of_step(std::vector<Step> steps, Step step) {
   const std::size_t place = add_step(steps, std::move(step));
-  return combination(std::move(steps), {0, {{1, place}}});
+  return combination(steps, {0, {{1, place}}});
 }
 
 Radical Radical::imaginary_unit() { return of_step({}, {Kind::imaginary_unit}); }
@@ -178,7 +178,7 @@ std::optional<Rational> Radical::rational() const {
 Radical operator+(const Radical& a, const Radical& b) {
   std::vector<Step> steps = a.steps_;
   const Sum right = import_sum(steps, b.steps_, b.value_);
-  return Radical::combination(std::move(steps), add(a.value_, right));
+  return Radical::combination(steps, add(a.value_, right));
 }
 
 Radical operator*(const Radical& a, const Radical& b) {
@@ -193,7 +193,7 @@ Radical operator*(const Radical& a, const Radical& b) {
     if (step.kind == Kind::imaginary_unit) return -factor;
     if (step.kind == Kind::square_root) {
       const Sum radicand = step.left;
-      return Radical::combination(std::move(steps), scale(factor, radicand));
+      return Radical::combination(steps, scale(factor, radicand));
     }
   }
   return Radical::of_step(std::move(steps), {Kind::product, left, right}) * factor;

@@ -59,7 +59,7 @@ class Radical {
   friend bool operator==(const Radical& a, const Radical& b);
 
  private:
-  static Radical combination(std::vector<Step> steps, const Sum& value);
+  static Radical combination(const std::vector<Step>& steps, const Sum& value);
   static Radical of_step(std::vector<Step> steps, Step step);
 
   std::vector<Step> steps_;

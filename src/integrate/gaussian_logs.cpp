@@ -28,7 +28,7 @@ GaussianLogs gaussian_logs(const std::vector<LogSum>& over_residues) {
       throw DomainError("gaussian_logs: a sum that is not over its residues");
     const std::optional<Surd> alpha =
         sum.index.degree() <= 2 ? std::optional(quadratic_root(sum.index)) : std::nullopt;
-    if (!alpha || (alpha->d != 1 && alpha->d != -1)) {
+    if (!alpha || abs(alpha->d) != 1) {
       form.others.push_back(sum);
       continue;
     }

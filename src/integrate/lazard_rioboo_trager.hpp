@@ -11,7 +11,8 @@ namespace phrame {
 /// Throws DomainError where f is not proper or has a multiple pole.
 std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f);
 /// The same, with the residue polynomial known.
-std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f, const Polynomial& residues);
+std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f,
+                                         const Polynomial& residue_polynomial);
 
 /// Do the residues of the fraction lie in fields of degree ≤ 2? For most fractions a prime denies
 /// it.

@@ -58,9 +58,13 @@ std::string argument_text(const RadicalSum& sum, std::size_t root, std::string_v
     const Radical size = negative ? -c : c;
     std::string term = formatted_factor(size, notation);
     if (k > 0) {
-      if (is_unicode(notation) && term.find('/') != std::string::npos) term = "(" + term + ")";
-      term = (size == Radical(1) ? "" : term + std::string(notation.times)) +
-             power_text(variable, static_cast<std::size_t>(k), notation);
+      if (is_unicode(notation) && term.find('/') != std::string::npos)
+        term = fmt::format("({})", term);
+      if (size == Radical(1))
+        term.clear();
+      else
+        term += notation.times;
+      term += power_text(variable, static_cast<std::size_t>(k), notation);
     }
     terms.add(negative, term);
   }

@@ -15,7 +15,7 @@ struct TotalsReport {
     std::optional<Total> total = std::nullopt;
     std::optional<Decimal> value = std::nullopt;
     std::optional<Infinite> infinite = std::nullopt;  ///< instead of a total
-    std::string reason = "";                          ///< why there is neither
+    std::string reason = {};                          ///< why there is neither
   };
   NamedCurve curve;
   std::vector<Row> rows;

@@ -50,9 +50,9 @@ double ArcLength::guess(const Rational& s) const {
   for (int step = 0; step < 60; ++step) {
     double value = 0;
     double slope = 0;
-    for (auto c = scaled_.rbegin(); c != scaled_.rend(); ++c) {
+    for (std::size_t k = scaled_.size(); k-- > 0;) {
       slope = slope * t + value;
-      value = value * t + *c;
+      value = value * t + scaled_[k];
     }
     (value > y ? high : low) = t;
     double next = t - (value - y) / slope;
