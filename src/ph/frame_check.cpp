@@ -89,11 +89,17 @@ FrameDeviation FrameCheck::deviation(const GivenFrame& frame, long bits) {
   result.tangent_cosine = RealBall(1, bits);
   if (frame.tangent) {
     const Vector<Rational>& given = *frame.tangent;
-    const RealBall size = root(dot(given, given), bits);
-    const Vector<Rational> c = cross(given, tangent);
+    const Rational squared_size = dot(given, given);
+    const RealBall size = root(squared_size, bits);
     raise_to(result.length, magnitude(subtract(size, RealBall(1, bits), bits)), bits);
-    result.tangent_sine = divide(root(dot(c, c), bits), size, bits);
-    result.tangent_cosine = divide(RealBall(dot(given, tangent), bits), size, bits);
+    if (squared_size == 0) {  // no direction at all
+      result.tangent_sine = RealBall(1, bits);
+      result.tangent_cosine = RealBall();
+    } else {
+      const Vector<Rational> c = cross(given, tangent);
+      result.tangent_sine = divide(root(dot(c, c), bits), size, bits);
+      result.tangent_cosine = divide(RealBall(dot(given, tangent), bits), size, bits);
+    }
   }
   return result;
 }

@@ -23,7 +23,8 @@ struct FrameDeviation {
   std::optional<RealBall> from_normal;
   RealBall orthogonality;  ///< max |cos| of the angles between T, f₂ and f₃
   RealBall length;         ///< max | |f| − 1 | over the vectors given
-  /// The sine and cosine of the angle between the given tangent and T; (0, 1) where none is given.
+  /// The sine and cosine of the angle between the given tangent and T; (0, 1) where none is given,
+  /// (1, 0) where it is 0.
   RealBall tangent_sine;
   RealBall tangent_cosine;
   int handedness = 0;  ///< the sign of det(T, f₂, f₃); 0 without f₃

@@ -163,6 +163,18 @@ TEST_CASE("frame check: exact vectors of a plane curve, and one along the tangen
   CHECK_FALSE(never.passes);
 }
 
+TEST_CASE("frame check: vectors that are 0 have no direction") {
+  auto frames = good_frames();
+  frames[3].tangent = Vector<Rational>{};
+  const FrameVerdict no_tangent = check(frames);
+  CHECK(kinds(no_tangent) == std::vector{Kind::wrong_tangent, Kind::not_unit});
+  CHECK(no_tangent.findings[0].samples == std::vector<std::size_t>{3});
+  frames = good_frames();
+  frames[3].f2 = {};
+  frames[3].f3 = Vector<Rational>{};
+  CHECK(kinds(check(frames)) == std::vector{Kind::undefined, Kind::not_unit});
+}
+
 // The error of a frame that is turned by a known angle is that angle.
 TEST_CASE("frame check: a known error is found") {
   for_samples(30, [](Random& random) {
