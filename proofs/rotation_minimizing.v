@@ -2,10 +2,10 @@
    rotation-minimizing: the derivatives of f2 and f3 are parallel to the tangent.
 
    The vectors are the columns of the rotation that A means, e1 = A i A*/sigma and so on, in the notation of
-   MATHEMATICS: sigma = |A|^2, h = u v' - u' v - p q' + p' q, g = alpha beta' - alpha' beta with alpha = u + i v and
+   docs/algorithms.md: sigma = |A|^2, h = u v' - u' v - p q' + p' q, g = alpha beta' - alpha' beta with alpha = u + i v and
    beta = q + i p. Farouki, Exact rotation-minimizing frames for spatial Pythagorean-hodograph curves (2003), has
    theta' = -2h/sigma in other words. *)
-From Coq Require Import Reals Lra.
+From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 Open Scope R_scope.
 

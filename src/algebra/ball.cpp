@@ -73,6 +73,12 @@ RealBall sqrt(const RealBall& a, long bits) {
   return c;
 }
 
+RealBall argument(const Rational& x, const Rational& y, long bits) {
+  RealBall angle;
+  arb_atan2(angle.raw(), RealBall(y, bits).raw(), RealBall(x, bits).raw(), bits);
+  return angle;
+}
+
 RealBall pi(long bits) {
   RealBall c;
   arb_const_pi(c.raw(), bits);

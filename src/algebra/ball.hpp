@@ -38,6 +38,8 @@ RealBall multiply(const RealBall& a, const RealBall& b, long bits);
 RealBall divide(const RealBall& a, const RealBall& b, long bits);
 RealBall sqrt(const RealBall& a, long bits);
 RealBall pi(long bits);
+/// The principal argument of x + iy ≠ 0, in (−π, π].
+RealBall argument(const Rational& x, const Rational& y, long bits);
 
 struct CosSin {
   RealBall cos;

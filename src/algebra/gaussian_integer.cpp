@@ -96,6 +96,18 @@ std::vector<IntegerPower> factors(const Integer& x) {
 
 }  // namespace
 
+GaussianRational operator*(const GaussianRational& a, const GaussianRational& b) {
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+GaussianInteger primitive_multiple(const GaussianRational& z) {
+  const Integer m = lcm(Integer(denominator(z.re)), Integer(denominator(z.im)));
+  const Integer re(numerator(Rational(z.re * m)));
+  const Integer im(numerator(Rational(z.im * m)));
+  const Integer common = boost::multiprecision::gcd(re, im);
+  return {re / common, im / common};
+}
+
 GaussianInteger operator*(const GaussianInteger& a, const GaussianInteger& b) {
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }

@@ -12,6 +12,17 @@ struct GaussianInteger {
   friend bool operator==(const GaussianInteger&, const GaussianInteger&) = default;
 };
 
+/// re + i·im over ℚ.
+struct GaussianRational {
+  Rational re;
+  Rational im;
+  friend bool operator==(const GaussianRational&, const GaussianRational&) = default;
+};
+
+GaussianRational operator*(const GaussianRational& a, const GaussianRational& b);
+/// z ≠ 0 times a positive number, its parts coprime.
+GaussianInteger primitive_multiple(const GaussianRational& z);
+
 GaussianInteger operator*(const GaussianInteger& a, const GaussianInteger& b);
 GaussianInteger conjugate(const GaussianInteger& a);
 /// |a|².

@@ -5,7 +5,6 @@
 #include "phrame/algebra/power_product.hpp"
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/algebra/gaussian_integer.hpp"
 
 namespace phrame {
 namespace {
@@ -66,15 +65,6 @@ void require_nonzero(const GaussianRational& base) {
   if (base.re == 0 && base.im == 0) throw DomainError("product of powers: a base is 0");
 }
 
-/// z times a positive number, without a common factor of its parts.
-GaussianInteger primitive(const GaussianRational& z) {
-  const Integer m = lcm(Integer(denominator(z.re)), Integer(denominator(z.im)));
-  const Integer re(numerator(Rational(z.re * m)));
-  const Integer im(numerator(Rational(z.im * m)));
-  const Integer common = gcd(re, im);
-  return {re / common, im / common};
-}
-
 }  // namespace
 
 Integer common_denominator(const std::vector<Power>& powers) {
@@ -98,7 +88,7 @@ bool turns_are_rational(const std::vector<Power>& powers) {
   for (const auto& [base, exponent] : powers) {
     require_nonzero(base);
     if (exponent == 0) continue;
-    const GaussianInteger z = primitive(base);
+    const GaussianInteger z = primitive_multiple(base);
     if (norm(z) <= 2) continue;  // on a ray
     parts.push_back({z, exponent});
     parts.push_back({conjugate(z), -exponent});

@@ -1,20 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "phrame/algebra/rational.hpp"
+#include "phrame/algebra/gaussian_integer.hpp"
 
 namespace phrame {
-
-/// re + i·im.
-struct GaussianRational {
-  Rational re;
-  Rational im;
-  friend bool operator==(const GaussianRational&, const GaussianRational&) = default;
-};
-
-inline GaussianRational operator*(const GaussianRational& a, const GaussianRational& b) {
-  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
 
 struct Power {
   GaussianRational base;  ///< not 0

@@ -8,6 +8,22 @@
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {
+
+Rational power_of_ten(long k) {
+  const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(k)));
+  return k >= 0 ? Rational(power) : Rational(1) / Rational(power);
+}
+
+long decimal_exponent(const Rational& x) {
+  const auto size = [](const Integer& n) {
+    return static_cast<long>(mpz_sizeinbase(n.backend().data(), 2));
+  };
+  const auto bits = static_cast<double>(size(numerator(x)) - size(denominator(x)));
+  auto e = static_cast<long>(std::floor(bits * std::log10(2.0))) - 1;
+  while (power_of_ten(e + 1) <= x) ++e;
+  return e;
+}
+
 namespace {
 
 using boost::multiprecision::mpfr_float;
@@ -42,22 +58,6 @@ Integer nearest_integer(const Rational& x) {
   const Rational half(1, 2);
   const bool up = rest > half || (rest == half && below % 2 != 0);
   return up ? Integer(below + 1) : below;
-}
-
-Rational power_of_ten(long k) {
-  const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(k)));
-  return k >= 0 ? Rational(power) : Rational(1) / Rational(power);
-}
-
-/// The e with 10ᵉ ≤ x < 10ᵉ⁺¹, x > 0.
-long decimal_exponent(const Rational& x) {
-  const auto size = [](const Integer& n) {
-    return static_cast<long>(mpz_sizeinbase(n.backend().data(), 2));
-  };
-  const auto bits = static_cast<double>(size(numerator(x)) - size(denominator(x)));
-  auto e = static_cast<long>(std::floor(bits * std::log10(2.0))) - 1;
-  while (power_of_ten(e + 1) <= x) ++e;
-  return e;
 }
 
 struct Digits {

@@ -31,6 +31,11 @@ struct Decimal {
 /// With `digits` ≥ 1 significant decimal digits. Throws DomainError for digits < 1.
 Decimal round_to_decimal(const Real& x, long digits, PrecisionLimit limit = {});
 
+/// 10ᵏ.
+Rational power_of_ten(long k);
+/// The e with 10ᵉ ≤ x < 10ᵉ⁺¹, x > 0.
+long decimal_exponent(const Rational& x);
+
 /// A bound of x ≥ 0 with so many digits, "1.3e-51", rounded up or down; "0" for 0. With
 /// more than two digits "0.0131" where that is short.
 std::string upper_bound_text(const Rational& x, long digits = 2);

@@ -16,13 +16,8 @@ struct CheckCommand {
 };
 
 std::vector<GivenFrame> read(const CheckCommand& command, const QuaternionConvention& convention) {
-  const std::string name = command.frames == "-" ? "standard input" : command.frames;
-  try {
-    return read_frames(read_file(command.frames), convention);
-  } catch (const InputError& error) {
-    if (!error.place().starts_with("line ")) throw;
-    throw InputError(name + ":" + error.place(), error.reason());
-  }
+  const std::string text = read_file(command.frames);
+  return at_place(name_of_file(command.frames), ":", [&] { return read_frames(text, convention); });
 }
 
 void run(const CheckCommand& command) {
@@ -40,15 +35,10 @@ void run(const CheckCommand& command) {
   if (command.curve.path == "-" && command.frames == "-")
     throw InputError("check", "the curve and the frames are both to be read from standard input");
 
-  const auto read_curve = command.curve.read_curve_or_spline();
-  const auto* curve = std::get_if<NamedCurve>(&read_curve);
-  const auto named =
-      curve ? NamedSpline{curve->name, Spline(curve->curve)} : std::get<NamedSpline>(read_curve);
-  const CheckReport report = [&] {
-    auto frames = read(command, convention);
-    auto verdict = check_frames(named.spline, frames, options);
-    return CheckReport{named.name, std::move(frames), options, std::move(verdict)};
-  }();
+  const NamedSpline named = as_spline(command.curve.read_curve_or_spline());
+  const std::vector<GivenFrame> frames = read(command, convention);
+  const CheckReport report{named.name, frames, options,
+                           check_frames(named.spline, frames, options)};
   write_output(command.curve.output, print(report));
   if (!report.verdict.passes) throw AnswerNo{};
 }

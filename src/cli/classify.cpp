@@ -25,9 +25,8 @@ void add_classify(CLI::App& app) {
   command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
   command->footer(
       "Decided exactly: regular, inflections, straight line, plane, helix, double PH, primitive,\n"
-      "whether the Euler-Rodrigues frame (ERF) or any rational frame is rotation-minimizing "
-      "(RMF),\n"
-      "and where the ERF turns back.\n"
+      "whether the Euler-Rodrigues frame (ERF) or any rational frame is rotation-minimizing\n"
+      "(RMF), and where the ERF turns back.\n"
       "Examples:\n"
       "  phrame classify curve.json\n"
       "  phrame classify curve.json --print json -o class.json");

@@ -34,13 +34,8 @@ bool write_and_close(File file, const std::string& bytes) {
 
 template <class T>
 T read_by(T (*read)(std::string_view, const CurveLimits&), const CurveOptions& options) {
-  const std::string name = options.path == "-" ? "standard input" : options.path;
   const std::string text = read_file(options.path);
-  try {
-    return read(text, options.limits);
-  } catch (const InputError& error) {
-    throw InputError(error.place().empty() ? name : name + ":" + error.place(), error.reason());
-  }
+  return at_place(name_of_file(options.path), ":", [&] { return read(text, options.limits); });
 }
 
 }  // namespace
@@ -86,6 +81,8 @@ std::vector<Rational> Parameters::values(const Rational& end) const {
   return result;
 }
 
+std::string name_of_file(const std::string& path) { return path == "-" ? "standard input" : path; }
+
 std::vector<std::string> split(const std::vector<std::string>& lists) {
   std::vector<std::string> parts;
   for (std::string_view rest : lists) {
@@ -126,11 +123,9 @@ std::string read_file(const std::string& path) {
   while (const std::size_t n = std::fread(block, 1, sizeof block, file)) {
     text.append(block, n);
     if (text.size() > max_file_size)
-      throw InputError(path == "-" ? "standard input" : path,
-                       fmt::format("is larger than {} bytes", max_file_size));
+      throw InputError(name_of_file(path), fmt::format("is larger than {} bytes", max_file_size));
   }
-  if (std::ferror(file) != 0)
-    fail_with_errno(path == "-" ? "standard input" : path, "cannot be read");
+  if (std::ferror(file) != 0) fail_with_errno(name_of_file(path), "cannot be read");
   return text;
 }
 

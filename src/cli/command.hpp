@@ -52,6 +52,20 @@ T choose(const std::string& option, const std::string& name,
   throw InputError(option, "\"" + abbreviated(name) + "\" is not one of " + names);
 }
 
+/// What `read` reads; the place of an InputError is within `place`, after the separator.
+template <class Read>
+auto at_place(const std::string& place, const std::string& separator, Read read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    throw InputError(error.place().empty() ? place : place + separator + error.place(),
+                     error.reason());
+  }
+}
+
+/// The path, or "standard input" for "-".
+std::string name_of_file(const std::string& path);
+
 /// The whole of a file, "-" being standard input. Throws InputError.
 std::string read_file(const std::string& path);
 

@@ -70,10 +70,10 @@ void run(const FramesOptions& options) {
   if (options.parameters.values().empty())
     throw InputError("frames", "--samples N or --at t,… is needed");
   const auto read = options.curve.read_curve_or_spline();
-  const auto* curve = std::get_if<NamedCurve>(&read);
-  const Spline spline = curve ? Spline(curve->curve) : std::get<NamedSpline>(read).spline;
-  const auto at = by == By::parameter ? points(options, spline, curve != nullptr)
-                                      : points_by_length(options, spline);
+  const bool is_curve = std::holds_alternative<NamedCurve>(read);
+  const Spline spline = as_spline(read).spline;
+  const auto at =
+      by == By::parameter ? points(options, spline, is_curve) : points_by_length(options, spline);
   write_output(options.curve.output, format(frame_table(spline, chosen, at)));
 }
 
@@ -102,15 +102,13 @@ void add_frames(CLI::App& app) {
       ->type_name("NAME");
   command->add_option("--format", options->format, "csv (default), json or npy")->type_name("NAME");
   command->footer(
-      "All numbers are correctly rounded doubles. e1 is A i A*/|A|^2, which is the unit tangent "
-      "where\n"
-      "the multiplier is positive and its opposite where it is negative.\n"
+      "All numbers are correctly rounded doubles. e1 is A i A*/|A|^2, the unit tangent\n"
+      "where the multiplier is positive and its opposite where it is negative.\n"
       "--by arc-length evaluates at the exact t of each arc length; column t is that t, rounded.\n"
       "The RMF turns at the rate curvature, the Frenet frame at frenet_rate = sqrt(curvature^2 +\n"
       "torsion^2), per unit of arc length.\n"
-      "A spline of n segments has t from 0 to n; at a joint, n, b and curvatures are those of the "
-      "later\n"
-      "segment.\n"
+      "A spline of n segments has t from 0 to n; at a joint, n, b and curvatures are\n"
+      "those of the later segment.\n"
       "Examples:\n"
       "  phrame frames curve.json --samples 101 -o frames.csv\n"
       "  phrame frames curve.json --by arc-length --samples 101 --columns s,curvature\n"

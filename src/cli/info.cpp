@@ -37,9 +37,8 @@ void add_info(CLI::App& app) {
   add_digits(*command, options->digits);
   command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
   command->footer(
-      "In JSON, arc_length is an exact text, or a value with its radius where the multiplier "
-      "changes\n"
-      "sign on [0, 1] and it is irrational; bending_energy is null where it is infinite.\n"
+      "In JSON, arc_length is an exact text, or a value with its radius where the multiplier\n"
+      "changes sign on [0, 1] and it is irrational; bending_energy is null where it is infinite.\n"
       "Examples:\n"
       "  phrame info curve.json --digits 30\n"
       "  phrame info curve.json --print json -o info.json");

@@ -19,16 +19,6 @@ struct IntegrateOptions {
   long digits = 17;
 };
 
-/// What `read` reads; the place of an InputError begins with `place`.
-template <class Read>
-auto at_place(const std::string& place, Read read) {
-  try {
-    return read();
-  } catch (const InputError& error) {
-    throw InputError(error.place().empty() ? place : place + ", " + error.place(), error.reason());
-  }
-}
-
 /// As it was typed: without the blank before a minus sign.
 std::string_view typed(std::string_view text) {
   return text.starts_with(" -") ? text.substr(1) : text;
@@ -39,7 +29,7 @@ Expression integrand(const IntegrateOptions& options) {
   const std::string text = is_stream ? read_file("-") : std::string(typed(options.expression));
   if (options.variable && !is_variable_name(*options.variable))
     throw InputError("--var", "\"" + abbreviated(*options.variable) + "\" is not a name");
-  Expression f = at_place(is_stream ? "standard input" : "EXPR",
+  Expression f = at_place(is_stream ? "standard input" : "EXPR", ", ",
                           [&] { return parse_expression(text, options.variable, options.limits); });
   if (f.variable.empty()) f.variable = "x";
   return f;
@@ -53,7 +43,7 @@ std::optional<std::pair<Endpoint, Endpoint>> ends(const IntegrateOptions& option
     return std::nullopt;
   }
   const auto end = [&](const std::string& option, const std::string& text) {
-    return at_place(option, [&] { return parse_endpoint(typed(text), options.limits); });
+    return at_place(option, ", ", [&] { return parse_endpoint(typed(text), options.limits); });
   };
   return std::pair(end("--from", *options.from), end("--to", *options.to));
 }

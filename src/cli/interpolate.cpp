@@ -16,21 +16,13 @@ struct InterpolateOptions {
   std::string format = "csv";
 };
 
-Feedrate feedrate(const std::string& text) {
-  try {
-    return parse_feedrate(text);
-  } catch (const InputError& error) {
-    throw InputError(error.place().empty() ? "--feed" : "--feed, " + error.place(), error.reason());
-  }
-}
-
 void run(const InterpolateOptions& options) {
   const auto format = choose<std::string (*)(const FrameTable&)>(
       "--format", options.format, {{"csv", to_csv}, {"json", to_json}, {"npy", to_npy}});
   const Rational period = parse_option("--period", options.period);
   if (period <= 0)
     throw InputError("--period", abbreviated(to_string(period)) + " is not positive");
-  const Feedrate feed = feedrate(options.feed);
+  const Feedrate feed = at_place("--feed", ", ", [&] { return parse_feedrate(options.feed); });
   const NamedCurve named = options.curve.read();
   TravelTime time(named.curve, feed);
   if (const Integer rows = time.ticks(period) + 1; rows > max_rows)

@@ -36,11 +36,7 @@ Rational size_at(const Polynomial& v, const Endpoint& end) {
   return t == nullptr ? Rational(1) : Rational(abs(v(*t)));
 }
 
-RealBall principal_argument(const GaussianRational& z, long bits) {
-  RealBall angle;
-  arb_atan2(angle.raw(), RealBall(z.im, bits).raw(), RealBall(z.re, bits).raw(), bits);
-  return angle;
-}
+RealBall argument_of(const GaussianRational& z, long bits) { return argument(z.re, z.im, bits); }
 
 /// The principal argument of z as r·π + sign·arctan(of).
 struct Angle {
@@ -83,11 +79,11 @@ LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint
                                argument.difference(from.point, bits), bits);
       // On to infinity: from v(point) to v(end).
       const auto rest = [&](const At& end) {
-        return principal_argument(end.value * conjugated(value(end.point)), bits);
+        return argument_of(end.value * conjugated(value(end.point)), bits);
       };
       if (std::holds_alternative<Infinity>(b)) turn = add(turn, rest(to), bits);
       if (std::holds_alternative<Infinity>(a)) turn = subtract(turn, rest(from), bits);
-      turn = subtract(turn, principal_argument(z, bits), bits);
+      turn = subtract(turn, argument_of(z, bits), bits);
       turn = divide(turn, multiply(pi(bits), RealBall(2, bits), bits), bits);
       flint::Fmpz whole;
       if (arb_get_unique_fmpz(whole.get(), turn.raw()) == 0) continue;
@@ -109,7 +105,7 @@ std::optional<Rational> turns_over_pi(const std::vector<LogChange::Turn>& turns)
   for (long bits = 64;; bits *= 2) {
     RealBall sum;
     for (const auto& [power, whole] : turns) {
-      const RealBall angle = add(divide(principal_argument(power.base, bits), pi(bits), bits),
+      const RealBall angle = add(divide(argument_of(power.base, bits), pi(bits), bits),
                                  RealBall(Rational(2 * whole), bits), bits);
       sum = add(sum, multiply(RealBall(power.exponent / unit, bits), angle, bits), bits);
     }

@@ -85,8 +85,7 @@ std::string heading(const NamedCurve& named) {
                            : n == 5 ? "PH quintic"
                            : n == 7 ? "PH septic"
                                     : "PH curve";
-  const std::string name = named.name.empty() ? "" : abbreviated(printable(named.name), 80) + ": ";
-  return fmt::format("{}{}, degree {} (preimage of degree {})", name, kind, n,
+  return fmt::format("{}{}, degree {} (preimage of degree {})", name_prefix(named.name), kind, n,
                      preimage_degree(named.curve));
 }
 
@@ -119,7 +118,7 @@ std::string to_text(const AngleReport& report) {
       "\nThe rotation-minimizing frame is the {} frame turned by θ about the tangent:\n"
       "  f₂ = cos θ {} + sin θ {},  f₃ = −sin θ {} + cos θ {},  θ(0) = {}\n\n",
       erf ? "Euler–Rodrigues" : "Frenet", erf ? "e₂" : "n", erf ? "e₃" : "b", erf ? "e₂" : "n",
-      erf ? "e₃" : "b", abbreviated(formatted(report.start_angle, unicode), 240));
+      erf ? "e₃" : "b", shown(report.start_angle));
   text += fmt::format("  θ′ = {} = {}\n", erf ? "−2h/σ" : "−2h/σ + Im(g′/g)",
                       quotient(report.angle.rate()));
   const std::string form = closed_form(report, unicode);

@@ -37,61 +37,39 @@ std::string shown(const RealBall& x) {
              : rounded(x).value;
 }
 
-const char* name(Kind kind) {
-  switch (kind) {
-    case Kind::undefined:
-      return "undefined";
-    case Kind::wrong_tangent:
-      return "wrong-tangent";
-    case Kind::reversed_tangent:
-      return "reversed-tangent";
-    case Kind::left_handed:
-      return "left-handed";
-    case Kind::not_orthogonal:
-      return "not-orthogonal";
-    case Kind::not_unit:
-      return "not-unit";
-    case Kind::flip:
-      return "flip";
-    case Kind::constant_offset:
-      return "constant-offset";
-    case Kind::frenet:
-      return "frenet";
-    case Kind::euler_rodrigues:
-      return "euler-rodrigues";
-    case Kind::turned_backwards:
-      return "turned-backwards";
-  }
-  return "";
-}
+struct Description {
+  const char* name;  ///< in JSON
+  const char* sentence;
+};
 
-std::string sentence(Kind kind) {
+Description describe(Kind kind) {
   switch (kind) {
     case Kind::undefined:
-      return "f2 is 0 or along the tangent, so that it has no angle";
+      return {"undefined", "f2 is 0 or along the tangent, so that it has no angle"};
     case Kind::wrong_tangent:
-      return "e1 is not the tangent of the curve";
+      return {"wrong-tangent", "e1 is not the tangent of the curve"};
     case Kind::reversed_tangent:
-      return "e1 is the tangent reversed";
+      return {"reversed-tangent", "e1 is the tangent reversed"};
     case Kind::left_handed:
-      return "the frame is left-handed: det(e1, f2, f3) = −1";
+      return {"left-handed", "the frame is left-handed: det(e1, f2, f3) = −1"};
     case Kind::not_orthogonal:
-      return "the vectors are not orthogonal";
+      return {"not-orthogonal", "the vectors are not orthogonal"};
     case Kind::not_unit:
-      return "the vectors are not of length 1";
+      return {"not-unit", "the vectors are not of length 1"};
     case Kind::flip:
-      return "f2 flips against the sample before";
+      return {"flip", "f2 flips against the sample before"};
     case Kind::constant_offset:
-      return "the frame is rotation-minimizing, but starts at another angle";
+      return {"constant-offset", "the frame is rotation-minimizing, but starts at another angle"};
     case Kind::frenet:
-      return "these are Frenet frames: f2 keeps its angle to the principal normal";
+      return {"frenet", "these are Frenet frames: f2 keeps its angle to the principal normal"};
     case Kind::euler_rodrigues:
-      return "these are Euler–Rodrigues frames: f2 keeps its angle to A j A*";
+      return {"euler-rodrigues", "these are Euler–Rodrigues frames: f2 keeps its angle to A j A*"};
     case Kind::turned_backwards:
-      return "the Euler–Rodrigues frame is turned by −θ instead of θ: the sign of the angle is "
-             "wrong";
+      return {"turned-backwards",
+              "the Euler–Rodrigues frame is turned by −θ instead of θ: the sign of the angle is "
+              "wrong"};
   }
-  return "";
+  return {"", ""};
 }
 
 /// " at sample 3, t = 1/2", " at all samples", " at 12 samples, first at 3, t = 1/2".
@@ -117,7 +95,9 @@ std::string summary(const CheckReport& report) {
   return fmt::format("{}: f2 is {} {} radians from the rotation-minimizing frame {}{}",
                      v.passes ? "pass" : "fail", is_close ? "at most" : "up to",
                      is_close ? upper(v.max_error, 2) : shown(v.max_error), reference,
-                     is_close && !v.passes ? ", but " + sentence(v.findings.front().kind) : "");
+                     is_close && !v.passes
+                         ? std::string(", but ") + describe(v.findings.front().kind).sentence
+                         : "");
 }
 
 std::string to_text(const CheckReport& report) {
@@ -125,13 +105,12 @@ std::string to_text(const CheckReport& report) {
   const auto [first, last] =
       std::minmax_element(report.frames.begin(), report.frames.end(),
                           [](const GivenFrame& a, const GivenFrame& b) { return a.t < b.t; });
-  std::string text =
-      fmt::format("{}{}{} frames, t from {} to {}\n\n", abbreviated(printable(report.curve), 80),
-                  report.curve.empty() ? "" : ": ", report.frames.size(),
-                  abbreviated(to_string(first->t)), abbreviated(to_string(last->t)));
+  std::string text = fmt::format("{}{} frames, t from {} to {}\n\n", name_prefix(report.curve),
+                                 report.frames.size(), abbreviated(to_string(first->t)),
+                                 abbreviated(to_string(last->t)));
   text += summary(report) + "\n\n";
   const auto row = [&](std::string_view label, const std::string& value) {
-    text += fmt::format("  {:<15}  {}\n", label, value);
+    text += phrame::row(label, value, 15);
   };
   const auto& worst = report.frames[v.worst_sample];
   row("largest error",
@@ -144,7 +123,8 @@ std::string to_text(const CheckReport& report) {
   row("tolerance", abbreviated(to_string(report.options.tolerance)));
   if (!v.findings.empty()) text += "\nFindings\n";
   for (const FrameFinding& finding : v.findings)
-    text += fmt::format("  - {}{}\n", sentence(finding.kind), places(finding, report.frames));
+    text +=
+        fmt::format("  - {}{}\n", describe(finding.kind).sentence, places(finding, report.frames));
   return text + "\nBounds are proved. Samples count from 0.\n";
 }
 
@@ -162,8 +142,8 @@ std::string to_json(const CheckReport& report) {
   }
   JsonOutput findings = JsonOutput::array();
   for (const FrameFinding& finding : v.findings)
-    findings.push_back({{"kind", name(finding.kind)},
-                        {"text", sentence(finding.kind)},
+    findings.push_back({{"kind", describe(finding.kind).name},
+                        {"text", describe(finding.kind).sentence},
                         {"samples", finding.samples}});
   return pretty(
       {{"phrame", "check/1"},

@@ -9,19 +9,11 @@
 namespace phrame {
 namespace {
 
-std::string shown(const Polynomial& p) { return readable(formatted(p, Notation::unicode), p); }
-
-std::string shown(const Rational& x) { return abbreviated(formatted(x, Notation::unicode), 240); }
-
-std::string shown(const Vector<Rational>& v) {
-  return fmt::format("({}, {}, {})", shown(v[0]), shown(v[1]), shown(v[2]));
-}
-
 /// "t = 1/2, 0.732050807569 (twice)".
 std::string places(const std::vector<RealRoot>& roots) {
   std::string text;
   for (const auto& [at, order] : roots) {
-    text += fmt::format("{}{}{}", text.empty() ? "t = " : ", ", phrame::shown(at),
+    text += fmt::format("{}{}{}", text.empty() ? "t = " : ", ", shown(at),
                         order == 1   ? ""
                         : order == 2 ? " (twice)"
                                      : fmt::format(" ({} times)", order));
@@ -69,11 +61,8 @@ std::string answer(const ErfTurning& turning) {
 
 JsonOutput json_of(const std::vector<RealRoot>& roots) {
   JsonOutput list = JsonOutput::array();
-  for (const auto& [at, order] : roots) {
-    const auto exact = at.rational();
-    list.push_back(
-        {{"t", phrame::json_of(exact ? Endpoint(*exact) : Endpoint(at))}, {"order", order}});
-  }
+  for (const auto& [at, order] : roots)
+    list.push_back({{"t", phrame::json_of(at)}, {"order", order}});
   return list;
 }
 
@@ -104,8 +93,7 @@ std::string to_text(const ClassifyReport& report) {
   const Classification& c = report.classification;
   std::string text = heading(report.curve) + "\n\n";
   const auto row = [&](std::string_view question, const std::string& answer) {
-    text +=
-        fmt::format("  {}{}  {}\n", question, std::string(20 - text_width(question), ' '), answer);
+    text += phrame::row(question, answer, 20);
   };
   row("regular", yes_or_no(c.cusps.empty(), c.cusps.empty() ? "" : "r′ = 0 at " + places(c.cusps)));
   row("inflections", c.inflections.empty() ? "none" : places(c.inflections));

@@ -90,14 +90,8 @@ std::string coq_proof(const NamedCurve& named, const Rational& t, long digits) {
   RmfAngle angle(named.curve, Reference::erf);
   const std::string shown = rounded(angle.value(t), "theta", digits).value;
   const Rational theta = parse_rational(shown);
-  // One in the place of the last digit: |θ̂| < 10^e and digits digits.
-  Rational unit = 1;
-  const Rational size = abs(theta);
-  for (; size >= unit; unit *= 10) {
-  }
-  for (; size != 0 && 10 * size < unit; unit /= 10) {
-  }
-  for (long k = 0; k < digits; ++k) unit /= 10;
+  const long leading = theta == 0 ? -1 : decimal_exponent(abs(theta));
+  const Rational unit = power_of_ten(leading + 1 - digits);  // one in the place of the last digit
   const Effort tactic = effort(angle.rate(), t, digits);
 
   std::string text = fmt::format(

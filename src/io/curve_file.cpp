@@ -344,6 +344,11 @@ std::variant<NamedCurve, NamedSpline> read_curve_or_spline(std::string_view text
   return read_any_curve(curve_node(document), limits);
 }
 
+NamedSpline as_spline(const std::variant<NamedCurve, NamedSpline>& read) {
+  const auto* curve = std::get_if<NamedCurve>(&read);
+  return curve ? NamedSpline{curve->name, Spline(curve->curve)} : std::get<NamedSpline>(read);
+}
+
 NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) {
   const JsonValue document = parse_json(text);
   const Node node = curve_node(document);

@@ -33,6 +33,9 @@ struct NamedSpline {
 std::variant<NamedCurve, NamedSpline> read_curve_or_spline(std::string_view text,
                                                            const CurveLimits& limits = {});
 
+/// A curve as a spline of one segment.
+NamedSpline as_spline(const std::variant<NamedCurve, NamedSpline>& read);
+
 /// r′ and r(0) of a curve that may not be PH.
 struct NamedHodograph {
   std::string name;

@@ -7,18 +7,6 @@
 #include "phrame/io/text.hpp"
 
 namespace phrame {
-namespace {
-
-std::string number_text(const Rational& x) {
-  return abbreviated(formatted(x, Notation::unicode), 240);
-}
-
-std::string point_text(const Vector<Rational>& p) {
-  return fmt::format("({}, {}, {})", number_text(p[0]), number_text(p[1]), number_text(p[2]));
-}
-
-}  // namespace
-
 CurveInfo curve_info(const NamedCurve& named, long digits) {
   const Curve& curve = named.curve;
   const Real length = total_length(curve).value;
@@ -40,33 +28,29 @@ std::string to_text(const CurveInfo& info) {
   const auto factors = [](const Polynomial& p) {
     return readable(formatted_factors(p, Notation::unicode), p);
   };
-  const auto plain = [](const Polynomial& p) {
-    return readable(formatted(p, Notation::unicode), p);
-  };
   const GaussianPolynomial g = bend_numerator(a);
   const AngleSplit split = closed_split(a);
   std::string text = heading(info.curve) + "\n\n";
   const auto row = [&](std::string_view name, const std::string& value) {
-    text += fmt::format("  {}{}  {}\n", name, std::string(18 - text_width(name), ' '), value);
+    text += phrame::row(name, value, 18);
   };
-  row("u", plain(a.u));
-  row("v", plain(a.v));
-  row("p", plain(a.p));
-  row("q", plain(a.q));
-  if (!(curve.multiplier() == Polynomial{1})) row("multiplier f", plain(curve.multiplier()));
+  row("u", shown(a.u));
+  row("v", shown(a.v));
+  row("p", shown(a.p));
+  row("q", shown(a.q));
+  if (!(curve.multiplier() == Polynomial{1})) row("multiplier f", shown(curve.multiplier()));
   row("σ = |A|²", factors(sigma(a)));
   row("h", factors(twist_numerator(a)));
   row("g", readable(g));
   row("ρ = 4|g|²", factors(rho(a)));
   row("(r′ × r″)·r‴", factors(triple_product(curve)));
-  row("  split a", plain(split.a));
-  row("  split b", plain(split.b));
-  row("r(0)", point_text(curve.start()));
-  row("r(1)", point_text(evaluate(position(curve), 1)));
+  row("  split a", shown(split.a));
+  row("  split b", shown(split.b));
+  row("r(0)", shown(curve.start()));
+  row("r(1)", shown(evaluate(position(curve), 1)));
   for (const Interval& cusp : info.cusps) row("cusp, r′ = 0", place_of_root(cusp));
   if (const std::string note = note_on_sign(curve); !note.empty()) row("sign of f", note);
-  const auto& length = info.length.exact();
-  row("length ∫₀¹ |f|σ", length ? number_text(*length) : info.rounded_length.value);
+  row("length ∫₀¹ |f|σ", shown(info.length, info.rounded_length));
   row("twist ∫₀¹ 2h/σ", info.twist_erf.value);
   row("energy ∫₀¹ κ² ds", info.bending_energy ? info.bending_energy->value : "∞");
   return text;
@@ -78,7 +62,6 @@ std::string to_json(const CurveInfo& info) {
   const AngleSplit split = closed_split(a);
   JsonOutput points = JsonOutput::array();
   for (const auto& point : control_points(curve)) points.push_back(json_of(point));
-  const auto& length = info.length.exact();
   JsonOutput cusp_list = JsonOutput::array();
   for (const Interval& cusp : info.cusps)
     cusp_list.push_back({to_string(*cusp.lower), to_string(*cusp.upper)});
@@ -96,7 +79,7 @@ std::string to_json(const CurveInfo& info) {
       {"rho", json_of(rho(a))},
       {"triple_product", json_of(triple_product(curve))},
       {"split", {{"a", json_of(split.a)}, {"b", json_of(split.b)}}},
-      {"arc_length", length ? JsonOutput(to_string(*length)) : json_of(info.rounded_length)},
+      {"arc_length", json_of(info.length, info.rounded_length)},
       {"control_points", points},
       {"end_point", json_of(evaluate(position(curve), 1))},
       {"cusps", cusp_list},

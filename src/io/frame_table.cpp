@@ -64,6 +64,14 @@ RationalFunction function_of(const Curve& curve, TabulatedScalar kind) {
   return {};
 }
 
+/// "t = 3/2", "t ≈ 1.33".
+std::string text_of(const SplinePoint& point) {
+  const Rational before(static_cast<long>(point.segment));
+  if (const auto r = point.t.rational())
+    return "t = " + abbreviated(to_string(Rational(before + *r)));
+  return "t ≈ " + to_string((to_real(point.t) + before).enclose(64), 12);
+}
+
 /// A scalar as a function of t: f, or its square root.
 struct Scalar {
   TabulatedScalar kind;
@@ -76,16 +84,18 @@ struct Scalar {
         f(function_of(curve, of)),
         is_square(of == TabulatedScalar::curvature || of == TabulatedScalar::frenet_rate),
         is_on_segment(of == TabulatedScalar::arc_length && !curve.multiplier().is_constant()) {}
-  /// `place` is what messages call t.
-  Real at(const AlgebraicPoint& t, const std::string& place) const;
+  /// The value at t of the point.
+  Real at(const SplinePoint& point, const AlgebraicPoint& t) const;
 };
 
-Real Scalar::at(const AlgebraicPoint& t, const std::string& place) const {
+Real Scalar::at(const SplinePoint& point, const AlgebraicPoint& t) const {
   if (is_on_segment && (compare(t.number(), 0) < 0 || compare(t.number(), 1) > 0))
-    throw DomainError(fmt::format(
-        "frame_table: {} is outside [0, 1], where the sign of the multiplier is known", place));
+    throw DomainError(
+        fmt::format("frame_table: {} is outside [0, 1], where the sign of the multiplier is known",
+                    text_of(point)));
   if (sign_at(f.denominator(), t.number()) == 0)
-    throw DomainError(fmt::format("frame_table: {} is infinite at {}", name_of(kind), place));
+    throw DomainError(
+        fmt::format("frame_table: {} is infinite at {}", name_of(kind), text_of(point)));
   return is_square ? t.square_root(f) : t.value(f);
 }
 
@@ -158,14 +168,6 @@ std::vector<std::string> Rows::names() const {
   return names;
 }
 
-/// "t = 3/2", "t ≈ 1.33".
-std::string text_of(const SplinePoint& point) {
-  const Rational before(static_cast<long>(point.segment));
-  if (const auto r = point.t.rational())
-    return "t = " + abbreviated(to_string(Rational(before + *r)));
-  return "t ≈ " + to_string((to_real(point.t) + before).enclose(64), 12);
-}
-
 std::vector<double> Rows::at(const SplinePoint& point) {
   const AlgebraicPoint t(point.t);
   const Rational before(static_cast<long>(point.segment));
@@ -177,7 +179,7 @@ std::vector<double> Rows::at(const SplinePoint& point) {
   for (const Scalar& scalar : segment(point.segment).scalars) {
     const bool is_length = scalar.kind == TabulatedScalar::arc_length;
     const Rational offset = is_length ? length_before(point.segment) : Rational(0);
-    row.push_back(round_to_double(scalar.at(t, text_of(point)) + offset));
+    row.push_back(round_to_double(scalar.at(point, t) + offset));
   }
   for (std::size_t k = 0; k < row.size(); ++k)
     if (!std::isfinite(row[k]))  // rounded to infinity, which is no answer

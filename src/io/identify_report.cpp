@@ -40,9 +40,8 @@ std::string curve_text(const Curve& curve) {
 std::string to_text(const IdentifyReport& report) {
   if (const auto* curve = std::get_if<Curve>(&report.result))
     return heading({report.name, *curve}) + "\n\n" + curve_text(*curve);
-  const std::string name =
-      report.name.empty() ? "" : abbreviated(printable(report.name), 80) + ": ";
-  return name + "not a PH curve over ℚ\n\n" + reason_text(std::get<NotPythagorean>(report.result));
+  return name_prefix(report.name) + "not a PH curve over ℚ\n\n" +
+         reason_text(std::get<NotPythagorean>(report.result));
 }
 
 std::string to_json(const IdentifyReport& report) {

@@ -108,6 +108,15 @@ JsonOutput json_of(const Endpoint& end) {
 
 JsonOutput json_of(const Decimal& x) { return {{"value", x.value}, {"radius", x.radius}}; }
 
+JsonOutput json_of(const Real& x, const Decimal& rounded) {
+  return x.exact() ? JsonOutput(to_string(*x.exact())) : json_of(rounded);
+}
+
+JsonOutput json_of(const RealAlgebraic& x) {
+  const auto exact = x.rational();
+  return json_of(exact ? Endpoint(*exact) : Endpoint(x));
+}
+
 JsonOutput json_of(const Vector<Rational>& point) {
   return {to_string(point[0]), to_string(point[1]), to_string(point[2])};
 }

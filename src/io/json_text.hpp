@@ -36,6 +36,10 @@ JsonOutput json_of(const RadicalForm& F);
 JsonOutput json_of(const Endpoint& end);
 /// {"value": "…", "radius": "…"}.
 JsonOutput json_of(const Decimal& x);
+/// The exact text, or the decimal x was rounded to.
+JsonOutput json_of(const Real& x, const Decimal& rounded);
+/// As an Endpoint; a text where it is rational.
+JsonOutput json_of(const RealAlgebraic& x);
 JsonOutput json_of(const Vector<Rational>& point);
 
 /// Indented by 2, but with every list of strings, or of such lists, on one line.

@@ -25,18 +25,8 @@ std::string closure(const Spline& spline) {
 
 std::string heading(const std::string& name, const Spline& spline) {
   const std::size_t count = spline.segments().size();
-  return fmt::format("{}{}PH spline of {} segment{}, {}", abbreviated(printable(name), 80),
-                     name.empty() ? "" : ": ", count, count == 1 ? "" : "s", closure(spline));
-}
-
-std::string shown(const SplineInfo::Length& x) {
-  const auto& exact = x.exact.exact();
-  return exact ? abbreviated(formatted(*exact, unicode), 240) : x.rounded.value;
-}
-
-JsonOutput json_of(const SplineInfo::Length& x) {
-  const auto& exact = x.exact.exact();
-  return exact ? JsonOutput(to_string(*exact)) : phrame::json_of(x.rounded);
+  return fmt::format("{}PH spline of {} segment{}, {}", name_prefix(name), count,
+                     count == 1 ? "" : "s", closure(spline));
 }
 
 /// The notes on the sign of f of all segments.
@@ -71,7 +61,7 @@ std::string to_text(const SplineAngleReport& report) {
       "The rotation-minimizing frame is the Euler–Rodrigues frame, continuous through the joints,\n"
       "turned by θ about the tangent:\n"
       "  f₂ = cos θ e₂ + sin θ e₃,  f₃ = −sin θ e₂ + cos θ e₃,  θ(0) = {}\n\n",
-      abbreviated(formatted(report.start_angle, unicode), 240));
+      shown(report.start_angle));
   text +=
       "On each segment t runs from 0 to 1 here; along the spline, segment k is from t = k − 1 to "
       "k.\n\n";
@@ -141,16 +131,16 @@ std::string to_text(const SplineInfo& info) {
   const Spline& spline = info.spline.spline;
   std::string text = heading(info.spline.name, spline) + "\n\n" + notes(spline);
   const auto row = [&](std::string_view name, const std::string& value) {
-    text += fmt::format("  {}{}  {}\n", name, std::string(18 - text_width(name), ' '), value);
+    text += phrame::row(name, value, 18);
   };
-  row("length ∫ |f|σ", shown(info.length));
+  row("length ∫ |f|σ", shown(info.length.exact, info.length.rounded));
   row("twist ∫ 2h/σ", info.twist_erf.value);
   row("energy ∫ κ² ds", info.bending_energy ? info.bending_energy->value : "∞");
   if (info.holonomy) row("holonomy", info.holonomy->value);
   text += "\n  segment  degree  length\n";
   for (std::size_t k = 0; k < spline.segments().size(); ++k)
     text += fmt::format("  {:>7}  {:>6}  {}\n", k + 1, degree(spline.segments()[k]),
-                        shown(info.lengths[k]));
+                        shown(info.lengths[k].exact, info.lengths[k].rounded));
   return text;
 }
 
@@ -162,7 +152,7 @@ std::string to_json(const SplineInfo& info) {
     segments.push_back({{"degree", degree(curve)},
                         {"start", json_of(curve.start())},
                         {"end", json_of(evaluate(position(curve), 1))},
-                        {"arc_length", json_of(info.lengths[k])}});
+                        {"arc_length", json_of(info.lengths[k].exact, info.lengths[k].rounded)}});
   }
   JsonOutput json = {
       {"phrame", "spline-info/1"},
@@ -170,7 +160,7 @@ std::string to_json(const SplineInfo& info) {
       {"segments", segments},
       {"closed", spline.closing_turn().has_value()},
       {"ends_meet", spline.ends_meet()},
-      {"arc_length", json_of(info.length)},
+      {"arc_length", json_of(info.length.exact, info.length.rounded)},
       {"twist_erf", json_of(info.twist_erf)},
       {"bending_energy", info.bending_energy ? json_of(*info.bending_energy) : JsonOutput()},
       {"holonomy", info.holonomy ? json_of(*info.holonomy) : JsonOutput()}};

@@ -46,7 +46,9 @@ std::string root_of(const Integer& d, Notation notation) {
   return fmt::format(fmt::runtime(notation == Notation::latex ? "\\sqrt{{{}}}" : "√{}"), d.str());
 }
 
-bool is_bearable(std::string_view text) { return text_width(text) <= 240; }
+constexpr std::size_t longest_line = 240;
+
+bool is_bearable(std::string_view text) { return text_width(text) <= longest_line; }
 
 std::size_t longest_coefficient(const Polynomial& p) {
   std::size_t digits = 0;
@@ -243,6 +245,28 @@ std::string readable(const SurdPolynomial& p, std::string_view variable) {
                                      std::max(longest_coefficient(p.a), longest_coefficient(p.b)));
 }
 
+std::string shown(const Rational& x) {
+  return abbreviated(formatted(x, Notation::unicode), longest_line);
+}
+
+std::string shown(const Vector<Rational>& v) {
+  return fmt::format("({}, {}, {})", shown(v[0]), shown(v[1]), shown(v[2]));
+}
+
+std::string shown(const Polynomial& p) { return readable(formatted(p, Notation::unicode), p); }
+
+std::string shown(const Real& x, const Decimal& rounded) {
+  return x.exact() ? shown(*x.exact()) : rounded.value;
+}
+
+std::string name_prefix(const std::string& name) {
+  return name.empty() ? "" : abbreviated(printable(name), 80) + ": ";
+}
+
+std::string row(std::string_view label, const std::string& value, std::size_t width) {
+  return fmt::format("  {}{}  {}\n", label, std::string(width - text_width(label), ' '), value);
+}
+
 Decimal rounded(const Real& x, const std::string& name, long digits) {
   try {
     return round_to_decimal(x, digits);
@@ -252,8 +276,7 @@ Decimal rounded(const Real& x, const std::string& name, long digits) {
 }
 
 std::string shown(const RealAlgebraic& x) {
-  if (const auto exact = x.rational())
-    return abbreviated(formatted(*exact, Notation::unicode), 240);
+  if (const auto exact = x.rational()) return shown(*exact);
   const Rational below = enclose(x, 128).lower();
   return (below < 0 ? "−" + upper_bound_text(-below, 12) : lower_bound_text(below, 12)) + "…";
 }

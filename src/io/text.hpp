@@ -9,6 +9,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/algebra/surd.hpp"
+#include "phrame/ph/quaternion.hpp"
 
 namespace phrame {
 
@@ -58,8 +59,18 @@ std::string readable(const Bivariate& v, std::string_view variable = "t",
 std::string readable(const GaussianPolynomial& g);
 std::string readable(const SurdPolynomial& p, std::string_view variable);
 
+/// "name: " as a report begins, or nothing for an empty name.
+std::string name_prefix(const std::string& name);
+/// "  label      value", the values below each other.
+std::string row(std::string_view label, const std::string& value, std::size_t width);
 /// round_to_decimal; where that is undecided, the message begins with what the number is.
 Decimal rounded(const Real& x, const std::string& name, long digits);
+/// For a screen line: abbreviated where it is longer than that can bear.
+std::string shown(const Rational& x);
+std::string shown(const Vector<Rational>& v);
+std::string shown(const Polynomial& p);
+/// x where it is exact, else the decimal it was rounded to.
+std::string shown(const Real& x, const Decimal& rounded);
 /// A place: "1/2", "0.707106781187…", cut off and not rounded.
 std::string shown(const RealAlgebraic& x);
 

@@ -62,19 +62,14 @@ std::string to_text(const Row& row) {
   return text + value_line(exact, *row.value);
 }
 
-JsonOutput json_of(const RealAlgebraic& x) {
-  const auto exact = x.rational();
-  return phrame::json_of(exact ? Endpoint(*exact) : Endpoint(x));
-}
-
 JsonOutput json_of(const Row& row) {
-  if (row.infinite) return {{"value", "inf"}, {"pole", json_of(row.infinite->pole)}};
+  if (row.infinite) return {{"value", "inf"}, {"pole", phrame::json_of(row.infinite->pole)}};
   if (!row.value) return {{"value", nullptr}, {"reason", row.reason}};
   JsonOutput json = phrame::json_of(*row.value);
   if (!row.total) return json;
   const Total& total = *row.total;
   JsonOutput turns = JsonOutput::array();
-  for (const RealAlgebraic& turn : total.turns) turns.push_back(json_of(turn));
+  for (const RealAlgebraic& turn : total.turns) turns.push_back(phrame::json_of(turn));
   json["radicand"] = to_string(total.radicand);
   json["integrand"] = phrame::json_of(total.rate);
   json["turns"] = turns;

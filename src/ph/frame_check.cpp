@@ -35,12 +35,6 @@ RealBall cosine(const Vector<Rational>& a, const Vector<Rational>& b, long bits)
   return sizes == 0 ? RealBall() : root(c * c / sizes, bits);
 }
 
-RealBall argument(const Rational& x, const Rational& y, long bits) {
-  RealBall angle;
-  arb_atan2(angle.raw(), RealBall(y, bits).raw(), RealBall(x, bits).raw(), bits);
-  return angle;
-}
-
 }  // namespace
 
 FrameCheck::FrameCheck(const Spline& spline) : angle_(spline) {
@@ -147,11 +141,10 @@ class Judgement {
   using Angles = std::vector<std::optional<RealBall>>;
 
   /// |x| ≤ tolerance? Remembers where the ball does not tell.
-  bool is_small(const RealBall& x) { return is_at_most(x, options_.tolerance); }
-  bool is_at_most(const RealBall& x, const Rational& limit) {
+  bool is_small(const RealBall& x) {
     const RealBall size = magnitude(x);
-    if (size.upper() <= limit) return true;
-    if (size.lower() <= limit) decided_ = false;
+    if (size.upper() <= options_.tolerance) return true;
+    if (size.lower() <= options_.tolerance) decided_ = false;
     return false;
   }
   void find_errors(FrameVerdict& verdict) const;

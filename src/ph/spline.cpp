@@ -58,20 +58,11 @@ Curve turned_over(const Curve& curve) {
 }
 
 /// The same curve with A·c and f/|c|².
-Curve turned(const Curve& curve, const GaussianRational& c) {
-  if (c.im == 0 && c.re > 0) return curve;
-  const Polynomial slower{1 / (c.re * c.re + c.im * c.im)};
-  const QuaternionPolynomial factor{Polynomial{c.re}, Polynomial{c.im}, {}, {}};
+Curve turned(const Curve& curve, const GaussianInteger& c) {
+  if (c == GaussianInteger{1, 0}) return curve;
+  const QuaternionPolynomial factor{Polynomial{Rational(c.re)}, Polynomial{Rational(c.im)}, {}, {}};
+  const Polynomial slower{Rational(1) / Rational(norm(c))};
   return Curve(curve.preimage() * factor, slower * curve.multiplier(), curve.start());
-}
-
-/// z times a positive number, with coprime integer parts.
-GaussianRational primitive(const GaussianRational& z) {
-  const Integer m = lcm(Integer(denominator(z.re)), Integer(denominator(z.im)));
-  const Rational re = z.re * m;
-  const Rational im = z.im * m;
-  const Rational common(gcd(Integer(numerator(re)), Integer(numerator(im))));
-  return {re / common, im / common};
 }
 
 }  // namespace
@@ -91,7 +82,7 @@ void Spline::append(const Curve& next) {
     throw DomainError(
         fmt::format("the tangent breaks: it starts in the direction {}, but the spline ends in {}",
                     to_string(direction(after)), to_string(direction(before))));
-  segments_.push_back(turned(same_side, primitive({z->re, -z->im})));
+  segments_.push_back(turned(same_side, conjugate(primitive_multiple(*z))));
 }
 
 bool Spline::ends_meet() const {

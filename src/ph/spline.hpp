@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "phrame/algebra/power_product.hpp"
+#include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/ph/curve.hpp"
 
 namespace phrame {

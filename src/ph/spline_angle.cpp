@@ -30,9 +30,7 @@ GaussianPolynomial path_to(const GaussianRational& z) {
 /// The angle that path_to(z)² turns by.
 RealBall doubled_argument(const GaussianRational& z, long bits) {
   const GaussianPolynomial path = path_to(z);
-  RealBall angle;
-  arb_atan2(angle.raw(), RealBall(path.im(1), bits).raw(), RealBall(path.re(1), bits).raw(), bits);
-  return multiply(RealBall(2, bits), angle, bits);
+  return multiply(RealBall(2, bits), argument(path.re(1), path.im(1), bits), bits);
 }
 
 /// The whole k with x ∈ (2k − 1, 2k + 1]. Throws Undecided where the ball around x is too wide.

@@ -95,8 +95,7 @@ std::optional<Total> total_curvature(const Curve& curve) {
 // turns, where it does not turn back; and an angle α with a rational cosine is a rational multiple
 // of π only for cos α = 0, ±1/2 and ±1 (Niven), that is a multiple of π/6.
 std::optional<Real> absolute_rotation_index(const Curve& curve) {
-  const QuaternionPolynomial a = without_real_content(curve.preimage());
-  if (!plane_normal(a)) return std::nullopt;
+  if (!plane_normal(curve.preimage())) return std::nullopt;
   const Total curvature = total_curvature(curve).value();  // ρ of a plane curve is a square
   if (curvature.value.exact() == Rational(0)) return Real(Rational(0));
   if (const auto& x = curvature.exact; x && *x == ExactValue{0, x->pi, {}, {}})
