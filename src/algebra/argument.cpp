@@ -19,30 +19,41 @@ GaussianPolynomial started_on_the_positive_axis(const GaussianPolynomial& gamma)
 
 }  // namespace
 
-ContinuousArgument::ContinuousArgument(const GaussianPolynomial& gamma) {
-  auto [x, y] = started_on_the_positive_axis(gamma);
-  straight_ = {std::move(x), std::move(y), std::nullopt};
+ContinuousArgument::ContinuousArgument(const GaussianPolynomial& gamma)
+    : straight_(started_on_the_positive_axis(gamma)) {}
+
+GaussianPolynomial ContinuousArgument::coordinates(const Rational& t) const {
+  return straight_.re(t) != 0 ? straight_ : straight_ * GaussianPolynomial{{1}, {1}};
 }
 
-long ContinuousArgument::Coordinates::half_turns(const Rational& t) {
-  if (!chain) chain.emplace(x, y);
-  return t >= 0 ? -cauchy_index(*chain, 0, t) : cauchy_index(*chain, t, 0);
+const SturmChain& ContinuousArgument::chain_at(const Rational& t) {
+  std::optional<SturmChain>& chain = straight_.re(t) != 0 ? chain_ : turned_chain_;
+  if (!chain) {
+    const auto [x, y] = coordinates(t);
+    chain.emplace(x, y);
+  }
+  return *chain;
 }
 
 RealBall ContinuousArgument::difference(const Rational& t, long bits) {
-  const auto angle = [&](Coordinates& c) {
-    RealBall value(c.y(t) / c.x(t), bits);
+  const auto [x, y] = coordinates(t);
+  const auto arctan = [&](const Rational& at) {
+    RealBall value(y(at) / x(at), bits);
     arb_atan(value.raw(), value.raw(), bits);
-    arb_addmul_si(value.raw(), pi(bits).raw(), c.half_turns(t), bits);
     return value;
   };
-  if (straight_.x(t) != 0) return angle(straight_);
-  // On the imaginary axis: turn everything by π/4 first. Rare, so the second chain is not kept.
-  auto [x, y] = GaussianPolynomial{straight_.x, straight_.y} * GaussianPolynomial{{1}, {1}};
-  Coordinates turned{std::move(x), std::move(y), std::nullopt};
-  RealBall quarter = pi(bits);
-  arb_mul_2exp_si(quarter.raw(), quarter.raw(), -2);
-  return subtract(angle(turned), quarter, bits);
+  RealBall value = subtract(arctan(t), arctan(0), bits);
+  arb_submul_si(value.raw(), pi(bits).raw(), cauchy_index(chain_at(t), 0, t), bits);
+  return value;
+}
+
+TurnCount ContinuousArgument::turn(const Rational& t) {
+  const auto text = [&](const Rational& at) {
+    std::string list;
+    for (const int sign : chain_at(t).signs(at)) list += sign > 0 ? '+' : sign < 0 ? '-' : '0';
+    return list;
+  };
+  return {cauchy_index(chain_at(t), 0, t), text(0), text(t)};
 }
 
 }  // namespace phrame

@@ -1,10 +1,19 @@
 #pragma once
 #include <optional>
+#include <string>
 
 #include "phrame/algebra/ball.hpp"
 #include "phrame/algebra/sturm.hpp"
 
 namespace phrame {
+
+/// How γ = x + iy turns between 0 and t, by the signs of the Sturm sequence of (x, y) at both ends.
+struct TurnCount {
+  long index;           ///< sign changes at 0 minus those at t: the Cauchy index of y/x
+  std::string at_zero;  ///< "+-0…", one for each polynomial of the sequence
+  std::string at_t;
+  friend bool operator==(const TurnCount&, const TurnCount&) = default;
+};
 
 /// The continuous argument of γ(t) ∈ ℂ along the real line, counted from t = 0. No root is found:
 /// the difference of principal arguments is exact up to whole turns, and these are counted by the
@@ -14,22 +23,20 @@ class ContinuousArgument {
   /// Throws DomainError where γ has a real zero (or is 0): its argument jumps there.
   explicit ContinuousArgument(const GaussianPolynomial& gamma);
 
-  /// arg γ(t) − arg γ(0) = arctan(y/x) + π·half_turns for x + iy = γ(t)/γ(0) up to a positive
-  /// factor and, where that is purely imaginary, a fixed rotation.
+  /// arg γ(t) − arg γ(0) = arctan(y/x)(t) − arctan(y/x)(0) − π·index for x + iy = coordinates(t).
   RealBall difference(const Rational& t, long bits);
 
+  /// γ·conj γ(0), which starts on the positive real axis; 1 + i times that where it is on the
+  /// imaginary axis at t.
+  GaussianPolynomial coordinates(const Rational& t) const;
+  TurnCount turn(const Rational& t);
+
  private:
-  /// The parts of γ times a constant; x(0) > 0.
-  struct Coordinates {
-    Polynomial x;
-    Polynomial y;
-    std::optional<SturmChain> chain;  ///< of (x, y), made when it is first needed
+  const SturmChain& chain_at(const Rational& t);
 
-    /// −(the Cauchy index of y/x between 0 and t), the half turns made. Precondition: x(t) ≠ 0.
-    long half_turns(const Rational& t);
-  };
-
-  Coordinates straight_;  ///< γ·conj γ(0): starts on the positive real axis
+  GaussianPolynomial straight_;
+  std::optional<SturmChain> chain_;         ///< of straight_, made when it is first needed
+  std::optional<SturmChain> turned_chain_;  ///< of straight_·(1 + i), likewise
 };
 
 }  // namespace phrame

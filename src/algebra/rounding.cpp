@@ -9,17 +9,23 @@
 
 namespace phrame {
 
+Rational power_of_two(long k) {
+  const Integer power = Integer(1) << static_cast<unsigned long>(std::abs(k));
+  return k >= 0 ? Rational(power) : Rational(1) / Rational(power);
+}
+
 Rational power_of_ten(long k) {
   const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(k)));
   return k >= 0 ? Rational(power) : Rational(1) / Rational(power);
 }
 
+long binary_exponent(const Rational& x) {
+  return static_cast<long>(msb(numerator(x))) - static_cast<long>(msb(denominator(x)));
+}
+
 long decimal_exponent(const Rational& x) {
-  const auto size = [](const Integer& n) {
-    return static_cast<long>(mpz_sizeinbase(n.backend().data(), 2));
-  };
-  const auto bits = static_cast<double>(size(numerator(x)) - size(denominator(x)));
-  auto e = static_cast<long>(std::floor(bits * std::log10(2.0))) - 1;
+  auto e =
+      static_cast<long>(std::floor(static_cast<double>(binary_exponent(x)) * std::log10(2.0))) - 1;
   while (power_of_ten(e + 1) <= x) ++e;
   return e;
 }

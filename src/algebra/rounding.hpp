@@ -31,8 +31,11 @@ struct Decimal {
 /// With `digits` ≥ 1 significant decimal digits. Throws DomainError for digits < 1.
 Decimal round_to_decimal(const Real& x, long digits, PrecisionLimit limit = {});
 
-/// 10ᵏ.
+/// 2ᵏ and 10ᵏ.
+Rational power_of_two(long k);
 Rational power_of_ten(long k);
+/// log₂ x, off by less than 1, for x > 0.
+long binary_exponent(const Rational& x);
 /// The e with 10ᵉ ≤ x < 10ᵉ⁺¹, x > 0.
 long decimal_exponent(const Rational& x);
 

@@ -163,11 +163,17 @@ SturmChain::SturmChain(const Polynomial& p, const Polynomial& q) {
   }
 }
 
-long SturmChain::variations(const Rational& t) const {
+std::vector<int> SturmChain::signs(const Rational& t) const {
   flint::Fmpq at;
   assign(at.get(), t);
+  std::vector<int> list;
+  for (const flint::FmpzPoly& p : chain_) list.push_back(sign_at(p.get(), at.get()));
+  return list;
+}
+
+long SturmChain::variations(const Rational& t) const {
   SignChanges changes;
-  for (const flint::FmpzPoly& p : chain_) changes.see(sign_at(p.get(), at.get()));
+  for (const int sign : signs(t)) changes.see(sign);
   return changes.count;
 }
 

@@ -46,6 +46,8 @@ class SturmChain {
  public:
   SturmChain(const Polynomial& p, const Polynomial& q);
 
+  /// The signs −1, 0, 1 of all its polynomials at t.
+  std::vector<int> signs(const Rational& t) const;
   /// The number of sign changes at t (zeros are skipped).
   long variations(const Rational& t) const;
 

@@ -44,13 +44,8 @@ void CurveOptions::add_to(CLI::App& command) {
   command.add_option("CURVE", path, "a curve file (JSON), \"-\" for standard input")
       ->required()
       ->type_name("");
-  command.add_option("-o,--output", output, "write to this file instead of standard output")
-      ->type_name("FILE");
-  command
-      .add_option("--max-degree", limits.max_degree,
-                  fmt::format("refuse curves of a higher degree (default {})", limits.max_degree))
-      ->type_name("N")
-      ->check(CLI::Range(1L, 1'000'000L).description(""));
+  add_output(command, output);
+  add_max_degree(command, limits);
 }
 
 NamedCurve CurveOptions::read() const { return read_by(read_curve, *this); }
@@ -109,6 +104,19 @@ void add_digits(CLI::App& command, long& digits) {
                   fmt::format("significant decimal digits, correctly rounded (default {})", digits))
       ->type_name("N")
       ->check(CLI::Range(1L, 100'000L).description(""));
+}
+
+void add_output(CLI::App& command, std::string& path) {
+  command.add_option("-o,--output", path, "write to this file instead of standard output")
+      ->type_name("FILE");
+}
+
+void add_max_degree(CLI::App& command, CurveLimits& limits) {
+  command
+      .add_option("--max-degree", limits.max_degree,
+                  fmt::format("refuse curves of a higher degree (default {})", limits.max_degree))
+      ->type_name("N")
+      ->check(CLI::Range(1L, 1'000'000L).description(""));
 }
 
 std::string read_file(const std::string& path) {

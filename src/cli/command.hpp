@@ -40,6 +40,11 @@ Rational parse_option(const std::string& option, const std::string& text);
 /// --digits, checked to be in 1 … 100 000.
 void add_digits(CLI::App& command, long& digits);
 
+/// -o
+void add_output(CLI::App& command, std::string& path);
+/// --max-degree
+void add_max_degree(CLI::App& command, CurveLimits& limits);
+
 /// The value with that name. Throws InputError, which lists the names there are.
 template <class T>
 T choose(const std::string& option, const std::string& name,
@@ -80,14 +85,16 @@ struct AnswerNo {
 
 // Each adds a subcommand and what it does when it was chosen.
 void add_angle(CLI::App& app);
-void add_classify(CLI::App& app);
-void add_identify(CLI::App& app);
 void add_info(CLI::App& app);
+void add_classify(CLI::App& app);
+void add_totals(CLI::App& app);
 void add_frames(CLI::App& app);
 void add_interpolate(CLI::App& app);
+void add_identify(CLI::App& app);
 void add_integrate(CLI::App& app);
-void add_totals(CLI::App& app);
 void add_check(CLI::App& app);
+void add_certify(CLI::App& app);
+void add_verify(CLI::App& app);
 void add_prove(CLI::App& app);
 
 }  // namespace phrame::cli

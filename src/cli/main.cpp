@@ -21,9 +21,10 @@ int complain(std::string_view what, int status) {
 
 /// CLI11 would call the first word and all that follow it "not expected".
 void require_known_command(const std::vector<CLI::App*>& commands, int argc, char** argv) {
-  constexpr auto there_are =
-      "there are angle, info, classify, identify, frames, interpolate and integrate (phrame "
-      "--help)";
+  std::string names;
+  for (const CLI::App* command : commands)
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", command->get_name());
+  const std::string there_are = fmt::format("there are {} (phrame --help)", names);
   if (argc < 2) throw phrame::InputError(fmt::format("a command is needed: {}", there_are));
   const std::string word = argv[1];
   const bool known = std::any_of(commands.begin(), commands.end(), [&](const CLI::App* command) {
@@ -71,12 +72,14 @@ int run(int argc, char** argv) {
   phrame::cli::add_info(app);
   phrame::cli::add_classify(app);
   phrame::cli::add_totals(app);
-  phrame::cli::add_check(app);
-  phrame::cli::add_prove(app);
-  phrame::cli::add_identify(app);
   phrame::cli::add_frames(app);
   phrame::cli::add_interpolate(app);
+  phrame::cli::add_identify(app);
   phrame::cli::add_integrate(app);
+  phrame::cli::add_check(app);
+  phrame::cli::add_certify(app);
+  phrame::cli::add_verify(app);
+  phrame::cli::add_prove(app);
   const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
   const std::string version = fmt::format("phrame {}", phrame::version);
   app.set_version_flag("--version", version);

@@ -6,107 +6,15 @@
 #include <array>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/json_node.hpp"
 #include "phrame/io/json_text.hpp"
-#include "phrame/io/json_value.hpp"
 #include "phrame/ph/identify.hpp"
 
 namespace phrame {
 namespace {
 
 using Kind = JsonValue::Kind;
-
-/// A value with its JSON pointer; every complaint names the place.
-class Node {
- public:
-  Node(const JsonValue& value, std::string pointer)
-      : value_(&value), pointer_(std::move(pointer)) {}
-
-  [[noreturn]] void fail(const std::string& reason) const {
-    throw InputError(pointer_.empty() ? "/" : pointer_, reason);
-  }
-
-  void require(Kind kind, const char* wanted) const {
-    if (value_->kind != kind)
-      fail(fmt::format("{} is wanted, not {}", wanted, description(*value_)));
-  }
-
-  std::optional<Node> find(const std::string& key) const {
-    const JsonValue* member = value_->find(key);
-    if (member == nullptr) return std::nullopt;
-    return Node(*member, pointer_ + "/" + key);
-  }
-
-  Node at(const std::string& key) const {
-    auto member = find(key);
-    if (!member) fail(fmt::format("the key \"{}\" is missing", key));
-    return *std::move(member);
-  }
-
-  std::size_t size() const { return value_->items.size(); }
-  Node item(std::size_t k) const { return {value_->items[k], fmt::format("{}/{}", pointer_, k)}; }
-
-  const std::vector<std::string>& keys() const { return value_->keys; }
-
-  const std::string& string() const {
-    require(Kind::string, "a string");
-    return value_->text;
-  }
-
-  Rational number() const {
-    if (value_->kind != Kind::number && value_->kind != Kind::string)
-      fail(fmt::format("a number is wanted, not {}", description(*value_)));
-    try {
-      return parse_rational(value_->text);
-    } catch (const InputError& error) {
-      fail(error.reason());
-    }
-  }
-
-  /// An array of exactly `count` numbers.
-  std::vector<Rational> numbers(std::size_t count) const {
-    require(Kind::array, fmt::format("an array of {} numbers", count).c_str());
-    if (size() != count) fail(fmt::format("{} numbers are wanted, not {}", count, size()));
-    return numbers();
-  }
-
-  std::vector<Rational> numbers() const {
-    std::vector<Rational> result;
-    for (std::size_t k = 0; k < size(); ++k) result.push_back(item(k).number());
-    return result;
-  }
-
- private:
-  const JsonValue* value_;
-  std::string pointer_;
-};
-
-/// Levenshtein's distance.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-void require_known_keys(const Node& node, const std::vector<std::string_view>& known) {
-  node.require(Kind::object, "an object");
-  for (const std::string& key : node.keys()) {
-    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    const std::string shown = abbreviated(key);
-    const auto nearest = *std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
-      return edit_distance(shown, a) < edit_distance(shown, b);
-    });
-    node.fail(fmt::format("unknown key \"{}\"; the nearest known key is \"{}\"", shown, nearest));
-  }
-}
+using Node = JsonNode;
 
 /// What turns lists of numbers into polynomials.
 class Basis {
@@ -151,7 +59,7 @@ class Basis {
 };
 
 QuaternionPolynomial read_components(const Node& node, const Basis& basis) {
-  require_known_keys(node, {"u", "v", "p", "q"});
+  node.require_known_keys({"u", "v", "p", "q"});
   const std::vector<Node> lists{node.at("u"), node.at("v"), node.at("p"), node.at("q")};
   basis.require_equal_lengths(node, lists);
   return {basis.polynomial(lists[0]), basis.polynomial(lists[1]), basis.polynomial(lists[2]),
@@ -178,7 +86,7 @@ QuaternionPolynomial read_quaternions(const Node& node, const Basis& basis) {
 }
 
 QuaternionPolynomial read_hopf(const Node& node, const Basis& basis) {
-  require_known_keys(node, {"alpha", "beta"});
+  node.require_known_keys({"alpha", "beta"});
   const Node alpha = node.at("alpha");
   const Node beta = node.at("beta");
   basis.require_equal_lengths(node, {alpha, beta});
@@ -223,18 +131,16 @@ void require_format(const Node& node, std::string_view wanted) {
 }
 
 void require_curve_keys(const Node& node) {
-  require_known_keys(node, {"phrame", "name", "basis", "start", "preimage", "quaternions", "hopf",
-                            "control_points", "multiplier", "note", "family", "expected"});
+  node.require_known_keys({"phrame", "name", "basis", "start", "preimage", "quaternions", "hopf",
+                           "control_points", "multiplier", "note", "family", "expected"});
 }
 
-/// An object of the format curve/1 with known keys only.
-Node curve_node(const JsonValue& document) {
-  Node node(document, "");
+/// Requires an object of the format curve/1 with known keys only.
+void require_curve(const Node& node) {
   if (format_of(node) == "spline/1")
     node.at("phrame").fail("this is a spline; one curve is wanted");
   require_format(node, "curve/1");
   require_curve_keys(node);
-  return node;
 }
 
 std::string read_name(const Node& curve) {
@@ -309,7 +215,7 @@ void append_segment(Spline& spline, const Node& node, const CurveLimits& limits)
 }
 
 NamedSpline read_spline(const Node& node, const CurveLimits& limits) {
-  require_known_keys(node, {"phrame", "name", "segments", "note", "family", "expected"});
+  node.require_known_keys({"phrame", "name", "segments", "note", "family", "expected"});
   const Node list = node.at("segments");
   list.require(Kind::array, "an array of curves");
   if (list.size() == 0) list.fail("a spline has at least one segment");
@@ -329,19 +235,24 @@ NamedSpline read_spline(const Node& node, const CurveLimits& limits) {
 
 NamedCurve read_curve(std::string_view text, const CurveLimits& limits) {
   const JsonValue document = parse_json(text);
-  return read_any_curve(curve_node(document), limits);
+  return read_curve(JsonNode(document), limits);
+}
+
+NamedCurve read_curve(const JsonNode& node, const CurveLimits& limits) {
+  require_curve(node);
+  return read_any_curve(node, limits);
 }
 
 std::variant<NamedCurve, NamedSpline> read_curve_or_spline(std::string_view text,
                                                            const CurveLimits& limits) {
   const JsonValue document = parse_json(text);
-  const Node node(document, "");
+  const Node node(document);
   const std::string format = format_of(node);
   if (format == "spline/1") return read_spline(node, limits);
   if (format != "curve/1")
     node.at("phrame").fail(
         fmt::format("the format is \"curve/1\" or \"spline/1\", not \"{}\"", abbreviated(format)));
-  return read_any_curve(curve_node(document), limits);
+  return read_curve(node, limits);
 }
 
 NamedSpline as_spline(const std::variant<NamedCurve, NamedSpline>& read) {
@@ -351,25 +262,13 @@ NamedSpline as_spline(const std::variant<NamedCurve, NamedSpline>& read) {
 
 NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) {
   const JsonValue document = parse_json(text);
-  const Node node = curve_node(document);
+  const Node node(document);
+  require_curve(node);
   if (const auto points = node.find("control_points")) return read_bezier(node, *points, limits);
   const auto [name, curve] = read_preimage_curve(node, limits);
   return {name, hodograph(curve), curve.start()};
 }
 
-std::string write_curve(const NamedCurve& named) {
-  const auto list = [](const Polynomial& p) {
-    return p.is_zero() ? JsonOutput::array({"0"}) : json_of(p);
-  };
-  const QuaternionPolynomial& a = named.curve.preimage();
-  JsonOutput json = {{"phrame", "curve/1"}};
-  if (!named.name.empty()) json["name"] = named.name;
-  json["basis"] = "power";
-  json["start"] = json_of(named.curve.start());
-  json["preimage"] = {{"u", list(a.u)}, {"v", list(a.v)}, {"p", list(a.p)}, {"q", list(a.q)}};
-  if (!(named.curve.multiplier() == Polynomial{1}))
-    json["multiplier"] = list(named.curve.multiplier());
-  return pretty(json);
-}
+std::string write_curve(const NamedCurve& named) { return pretty(json_of(named)); }
 
 }  // namespace phrame

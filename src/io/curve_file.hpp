@@ -6,6 +6,8 @@
 
 namespace phrame {
 
+class JsonNode;
+
 struct NamedCurve {
   std::string name;  ///< may be empty
   Curve curve;
@@ -21,6 +23,8 @@ struct CurveLimits {
 /// `note`, `family` and `expected` are remarks and are skipped.
 /// Throws InputError; its place is a JSON pointer, or line:column where the JSON itself is broken.
 NamedCurve read_curve(std::string_view text, const CurveLimits& limits = {});
+/// The same as a part of a document.
+NamedCurve read_curve(const JsonNode& node, const CurveLimits& limits = {});
 
 struct NamedSpline {
   std::string name;  ///< may be empty

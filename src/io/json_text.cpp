@@ -138,4 +138,19 @@ JsonOutput json_of(const RadicalForm& F) {
   return {{"logs", logs}};
 }
 
+JsonOutput json_of(const NamedCurve& named) {
+  const auto list = [](const Polynomial& p) {
+    return p.is_zero() ? JsonOutput::array({"0"}) : json_of(p);
+  };
+  const QuaternionPolynomial& a = named.curve.preimage();
+  JsonOutput json = {{"phrame", "curve/1"}};
+  if (!named.name.empty()) json["name"] = named.name;
+  json["basis"] = "power";
+  json["start"] = json_of(named.curve.start());
+  json["preimage"] = {{"u", list(a.u)}, {"v", list(a.v)}, {"p", list(a.p)}, {"q", list(a.q)}};
+  if (!(named.curve.multiplier() == Polynomial{1}))
+    json["multiplier"] = list(named.curve.multiplier());
+  return json;
+}
+
 }  // namespace phrame

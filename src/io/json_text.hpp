@@ -5,7 +5,7 @@
 #include "phrame/integrate/endpoint.hpp"
 #include "phrame/integrate/radicals.hpp"
 #include "phrame/integrate/real_form.hpp"
-#include "phrame/ph/quaternion.hpp"
+#include "phrame/io/curve_file.hpp"
 
 namespace phrame {
 
@@ -41,6 +41,8 @@ JsonOutput json_of(const Real& x, const Decimal& rounded);
 /// As an Endpoint; a text where it is rational.
 JsonOutput json_of(const RealAlgebraic& x);
 JsonOutput json_of(const Vector<Rational>& point);
+/// A curve/1 object in the power basis.
+JsonOutput json_of(const NamedCurve& named);
 
 /// Indented by 2, but with every list of strings, or of such lists, on one line.
 std::string pretty(const JsonOutput& json);

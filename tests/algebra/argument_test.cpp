@@ -47,3 +47,16 @@ TEST_CASE("argument: law: the sum over known roots, each term continuous by itse
     CHECK(difference.radius() < parse_rational("1e-60"));
   });
 }
+
+// γ = (1 + it)³ = (1 − 3t²) + (3t − t³)i turns by π from 0 to √3 and by 3π/4 to 1, where x < 0.
+TEST_CASE("argument: the turn and the signs of the Sturm sequence") {
+  ContinuousArgument argument({{1, 0, -3}, {0, 3, 0, -1}});
+  // The sequence: 1 − 3t², 3t − t³, 3t² − 1, −8t/3, 1.
+  CHECK(argument.turn(1) == TurnCount{-1, "+0-0+", "-++-+"});
+  CHECK(argument.turn(0) == TurnCount{0, "+0-0+", "+0-0+"});
+  const RealBall turned = multiply(pi(100), RealBall(Rational(3, 4), 100), 100);
+  CHECK(argument.difference(1, 100).overlaps(turned));
+  // (1 + it)² is imaginary at 1; times 1 + i: 1 − 2t − t², 1 + 2t − t², 4t, −1.
+  ContinuousArgument quarter({{1, 0, -1}, {0, 2}});
+  CHECK(quarter.turn(1) == TurnCount{-1, "++0-", "-++-"});
+}

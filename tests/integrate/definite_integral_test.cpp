@@ -3,7 +3,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
-#include "support/quadrature.hpp"
+#include "phrame/integrate/quadrature.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -239,7 +239,7 @@ TEST_CASE(
     const auto* y = std::get_if<Rational>(&b);
     if (x != nullptr && y != nullptr &&
         count_real_roots(f.denominator(), closed(std::min(*x, *y), std::max(*x, *y))) == 0)
-      CHECK(enclosure.overlaps(test::quadrature(f, *x, *y, 60)));
+      CHECK(enclosure.overlaps(quadrature(f, *x, *y, 60)));
   });
 }
 

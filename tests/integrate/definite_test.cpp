@@ -3,7 +3,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/integrate/integrate.hpp"
-#include "support/quadrature.hpp"
+#include "phrame/integrate/quadrature.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -103,8 +103,7 @@ TEST_CASE("definite: a sum over a reducible polynomial is evaluated like any oth
   // Σ x log(t − x) over the roots of (x² + 1)(x² + 4): an odd integrand.
   const Antiderivative F{{}, {}, {{Polynomial{4, 0, 5, 0, 1}, {0, 1}, Bivariate({{0, -1}, {1}})}}};
   Evaluator evaluator(F);
-  CHECK(
-      evaluator.value(-1, 1).enclose(100).overlaps(test::quadrature(differentiate(F), -1, 1, 80)));
+  CHECK(evaluator.value(-1, 1).enclose(100).overlaps(quadrature(differentiate(F), -1, 1, 80)));
 }
 
 TEST_CASE("definite: law: enclosures overlap Arb's quadrature, for every form") {
@@ -114,7 +113,7 @@ TEST_CASE("definite: law: enclosures overlap Arb's quadrature, for every form") 
     const Rational a = random.integer(-3, 3);
     const Rational b = a + Rational(random.integer(1, 8), 4);
     if (count_real_roots(f.denominator(), closed(a, b)) > 0) return;
-    const RealBall expected = test::quadrature(f, a, b, 80);
+    const RealBall expected = quadrature(f, a, b, 80);
     RealBall first;
     for (const Form form : {Form::automatic, Form::partial_fractions, Form::rothstein_trager,
                             Form::lazard_rioboo_trager}) {

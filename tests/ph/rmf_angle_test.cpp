@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/integrate/quadrature.hpp"
 #include "phrame/io/curve_file.hpp"
 #include "support/curves.hpp"
-#include "support/quadrature.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -174,7 +174,7 @@ TEST_CASE("angle: law: values are integrals of the rate, for every form and both
       RmfAngle angle(curve, reference);
       CHECK(differentiate(angle.antiderivative()) == angle.rate());
       CHECK(angle.value(0).exact() == Rational(0));
-      const RealBall expected = test::quadrature(angle.rate(), 0, t, 60);
+      const RealBall expected = quadrature(angle.rate(), 0, t, 60);
       CHECK(angle.enclose(t, 100).overlaps(expected));
       CHECK(angle.enclose(t, 100).is_accurate(100));
       RmfAngle other(curve, reference, Form::rothstein_trager);

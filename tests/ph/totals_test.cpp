@@ -1,12 +1,12 @@
 #include "phrame/ph/totals.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/integrate/quadrature.hpp"
 #include "phrame/ph/invariants.hpp"
 #include "phrame/ph/rmf_angle.hpp"
 #include "phrame/ph/shape.hpp"
 #include "phrame/ph/transform.hpp"
 #include "support/curves.hpp"
-#include "support/quadrature.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -180,7 +180,7 @@ TEST_CASE("totals: rates are those of the definition, and their integrals those 
 
     const auto check = [](const Total& total, const RationalFunction& rate) {
       CHECK(total.rate == rate);
-      CHECK(total.value.enclose(100).overlaps(test::quadrature(rate, 0, 1, 60)));
+      CHECK(total.value.enclose(100).overlaps(quadrature(rate, 0, 1, 60)));
     };
     check(total_length(curve), ds);
     check(total_torsion(curve), tau * ds);

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/integrate/quadrature.hpp"
 #include "phrame/ph/arc_length.hpp"
 #include "support/curves.hpp"
-#include "support/quadrature.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -88,7 +88,7 @@ TEST_CASE("travel time: law: Arb's quadrature of |f|σ/V agrees") {
     const Curve curve(random.quaternion_polynomial(2));
     TravelTime time(curve, random_feed(random));
     const Rational t(random.integer(0, 12), 12);
-    CHECK(test::quadrature(time.rate(), 0, t, 60).overlaps(time.time(t).enclose(60)));
+    CHECK(quadrature(time.rate(), 0, t, 60).overlaps(time.time(t).enclose(60)));
   });
 }
 

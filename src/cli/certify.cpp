@@ -1,0 +1,47 @@
+#include "phrame/ph/certify.hpp"
+#include "phrame/cli/command.hpp"
+#include "phrame/io/certificate_file.hpp"
+
+namespace phrame::cli {
+namespace {
+
+struct CertifyOptions {
+  CurveOptions curve;
+  Parameters parameters;
+  std::string frame = "erf";
+  long digits = 17;
+};
+
+void run(const CertifyOptions& options) {
+  const auto reference = choose<Reference>(
+      "--frame", options.frame, {{"erf", Reference::erf}, {"frenet", Reference::frenet}});
+  std::vector<Rational> at = options.parameters.values();
+  if (at.empty()) at.emplace_back(1);
+  const NamedCurve named = options.curve.read();
+  write_output(options.curve.output,
+               write_certificate(certify(named.curve, reference, at, options.digits), named.name));
+}
+
+}  // namespace
+
+void add_certify(CLI::App& app) {
+  auto* command = app.add_subcommand("certify", "angles with a proof that others can check");
+  const auto options = std::make_shared<CertifyOptions>();
+  options->curve.add_to(*command);
+  options->parameters.add_to(*command);
+  add_digits(*command, options->digits);
+  command
+      ->add_option("--frame", options->frame,
+                   "what the angle is measured from: erf (default) or frenet")
+      ->type_name("NAME");
+  command->footer(
+      "Without --at and --samples the angle at t = 1. phrame verify checks the certificate, and "
+      "so\n"
+      "does tools/check_certificate.py, which needs Python and nothing else.\n"
+      "Examples:\n"
+      "  phrame certify curve.json --at 1/2,1 --digits 40 -o angle.cert\n"
+      "  phrame certify curve.json --frame frenet | phrame verify -");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace phrame::cli

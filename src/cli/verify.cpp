@@ -1,0 +1,56 @@
+#include "phrame/ph/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/cli/command.hpp"
+#include "phrame/io/certificate_file.hpp"
+
+namespace phrame::cli {
+namespace {
+
+struct VerifyOptions {
+  std::string path;
+  std::string output = "-";
+  CurveLimits limits;
+};
+
+void run(const VerifyOptions& options) {
+  const std::string text = read_file(options.path);
+  const Certificate certificate = at_place(name_of_file(options.path), ":",
+                                           [&] { return read_certificate(text, options.limits); });
+  const std::vector<Statement> statements = verify(certificate);
+  std::string report;
+  for (const auto& [what, objection] : statements)
+    report += objection.empty() ? fmt::format("proved      {}\n", what)
+                                : fmt::format("not proved  {}: {}\n", what, objection);
+  const auto not_proved =
+      std::count_if(statements.begin(), statements.end(),
+                    [](const Statement& statement) { return !statement.is_proved(); });
+  report += not_proved == 0 ? fmt::format("all {} statements are proved\n", statements.size())
+                            : fmt::format("{} of {} statements are not proved\n", not_proved,
+                                          statements.size());
+  write_output(options.output, report);
+  if (not_proved > 0) throw AnswerNo{};
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app) {
+  auto* command = app.add_subcommand("verify", "check a certificate");
+  const auto options = std::make_shared<VerifyOptions>();
+  command->add_option("CERT", options->path, "a certificate (JSON), \"-\" for standard input")
+      ->required()
+      ->type_name("");
+  add_output(*command, options->output);
+  add_max_degree(*command, options->limits);
+  command->footer(
+      "Starts from the curve in the certificate and proves every statement by another way than it\n"
+      "was found. Exit status 0: all are proved, 1: not all.\n"
+      "Examples:\n"
+      "  phrame verify angle.cert");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace phrame::cli

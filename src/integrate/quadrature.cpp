@@ -1,0 +1,68 @@
+// acb_calc_integrate needs narrow enclosures of f on discs far from the path, to know how near it
+// is analytic. Horner's rule gives wide ones: on a disc p is taken from its Taylor polynomial at
+// the middle, |p(m + δ) − p(m)| ≤ Σ |cₖ|·|δ|ᵏ, which is nearly the best.
+#include "phrame/integrate/quadrature.hpp"
+
+namespace phrame {
+namespace {
+
+struct Quotient {
+  flint::AcbPoly numerator;
+  flint::AcbPoly denominator;
+};
+
+bool is_narrow(const acb_t z) { return acb_rel_accuracy_bits(z) > 30; }
+
+void evaluate(acb_t result, const flint::AcbPoly& p, const acb_t z, slong precision) {
+  if (is_narrow(z)) {
+    acb_poly_evaluate(result, p.get(), z, precision);
+    return;
+  }
+  ComplexBall middle;
+  acb_get_mid(middle.raw(), z);
+  flint::Mag radius;
+  mag_hypot(radius.get(), arb_radref(acb_realref(z)), arb_radref(acb_imagref(z)));
+  flint::AcbPoly taylor;
+  acb_poly_taylor_shift(taylor.get(), p.get(), middle.raw(), precision);
+  flint::Mag variation;
+  flint::Mag size;
+  for (slong k = acb_poly_length(taylor.get()) - 1; k > 0; --k) {
+    acb_get_mag(size.get(), acb_poly_get_coeff_ptr(taylor.get(), k));
+    mag_add(variation.get(), variation.get(), size.get());
+    mag_mul(variation.get(), variation.get(), radius.get());
+  }
+  acb_poly_get_coeff_acb(result, taylor.get(), 0);
+  arb_add_error_mag(acb_realref(result), variation.get());
+  arb_add_error_mag(acb_imagref(result), variation.get());
+}
+
+int integrand(acb_ptr result, const acb_t t, void* function, slong, slong precision) {
+  const auto& [numerator, denominator] = *static_cast<const Quotient*>(function);
+  ComplexBall n;
+  ComplexBall d;
+  evaluate(n.raw(), numerator, t, precision);
+  evaluate(d.raw(), denominator, t, precision);
+  acb_div(result, n.raw(), d.raw(), precision);
+  return 0;
+}
+
+}  // namespace
+
+RealBall quadrature(const RationalFunction& f, const Rational& a, const Rational& b, long bits) {
+  const slong precision = bits + 64;
+  Quotient quotient;
+  acb_poly_set_fmpq_poly(quotient.numerator.get(), f.numerator().raw(), precision);
+  acb_poly_set_fmpq_poly(quotient.denominator.get(), f.denominator().raw(), precision);
+  const auto end = [&](const Rational& t) { return ComplexBall(RealBall(t, precision), {}); };
+  flint::Mag tolerance;
+  mag_set_ui_2exp_si(tolerance.get(), 1, -bits);
+  acb_calc_integrate_opt_t options;
+  acb_calc_integrate_opt_init(options);
+  options->eval_limit = 100000;
+  ComplexBall value;
+  acb_calc_integrate(value.raw(), integrand, &quotient, end(a).raw(), end(b).raw(), bits,
+                     tolerance.get(), options, precision);
+  return value.re();
+}
+
+}  // namespace phrame

@@ -1,0 +1,187 @@
+// A polynomial q of degree d has a root within d·|q(z)/q′(z)| of z, because q′/q = Σ 1/(z − ζ). At
+// the root ζ in a disc of radius r around z the residue c = n(ζ)/q′(ζ) satisfies
+//   |c − w| ≤ (|n(z) − w·q′(z)| + r·(n̂′(ρ) + |w|·q̂″(ρ))) / (|q′(z)| − r·q̂″(ρ)),  ρ = |z| + r,
+// where p̂ has the absolute values of the coefficients of p. Values at points of the grid are exact;
+// what follows is rational arithmetic, rounded upwards to a fixed number of bits.
+#include "phrame/integrate/root_discs.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/roots.hpp"
+#include "phrame/algebra/rounding.hpp"
+
+namespace phrame {
+namespace {
+
+Integer floor(const Rational& x) {
+  Integer quotient;
+  mpz_fdiv_q(quotient.backend().data(), numerator(x).backend().data(),
+             denominator(x).backend().data());
+  return quotient;
+}
+
+/// x ≥ 0 rounded up to about 64 bits.
+Rational rounded_up(const Rational& x) {
+  if (x == 0) return 0;
+  const long shift = 64 - binary_exponent(x);
+  return Rational(floor(x * power_of_two(shift)) + 1) * power_of_two(-shift);
+}
+
+/// √x for x ≥ 0, rounded up to about 64 bits.
+Rational sqrt_above(const Rational& x) {
+  if (x == 0) return 0;
+  const long shift = 64 - binary_exponent(x) / 2;
+  return Rational(boost::multiprecision::sqrt(floor(x * power_of_two(2 * shift))) + 1) *
+         power_of_two(-shift);
+}
+
+/// ⌈√x⌉ for x ≥ 0.
+Integer ceil_sqrt(const Rational& x) {
+  Integer root = boost::multiprecision::sqrt(floor(x));
+  while (Rational(root * root) < x) ++root;
+  return root;
+}
+
+/// |re + i·im|, rounded up.
+Rational size_above(const GaussianRational& z) { return sqrt_above(z.re * z.re + z.im * z.im); }
+
+/// p with the absolute values of its coefficients.
+Polynomial with_absolute_values(const Polynomial& p) {
+  std::vector<Rational> list = p.coefficients();
+  for (Rational& c : list) c = abs(c);
+  return Polynomial(list);
+}
+
+/// The exact value of a polynomial at points of the grid.
+class GridValue {
+ public:
+  GridValue(const Polynomial& p, long bits) : content_(content(p)), bits_(bits) {
+    for (const Rational& c : primitive_part(p).coefficients())
+      coefficients_.push_back(numerator(c));
+  }
+
+  GaussianRational operator()(const GaussianInteger& z) const {
+    GaussianInteger value{0, 0};  // 2^(bits·k)·(the k leading terms), by Horner's rule
+    unsigned long shift = 0;
+    for (auto c = coefficients_.rbegin(); c != coefficients_.rend(); ++c) {
+      value = value * z;
+      value.re += *c << shift;
+      shift += static_cast<unsigned long>(bits_);
+    }
+    if (coefficients_.empty()) return {0, 0};
+    const Rational unit =
+        content_ * power_of_two(-bits_ * (static_cast<long>(coefficients_.size()) - 1));
+    return {value.re * unit, value.im * unit};
+  }
+
+ private:
+  Rational content_;
+  long bits_;
+  std::vector<Integer> coefficients_;
+};
+
+/// The point of the grid nearest to x, half way between two the lower one: ⌈2^bits·x − 1/2⌉.
+Integer nearest(const Rational& x, long bits) {
+  return -floor(Rational(1, 2) - x * power_of_two(bits));
+}
+
+/// The same for all x of a ball; where they differ nothing or, if need be, the lowest.
+std::optional<Integer> nearest(const RealBall& x, long bits, bool is_needed) {
+  Integer lowest = nearest(x.lower(), bits);
+  if (is_needed || lowest == nearest(x.upper(), bits)) return lowest;
+  return std::nullopt;
+}
+
+/// The roots above the real axis, each at the nearest point of the grid. A root that no precision
+/// puts on one side is half way between two points: then the lower one.
+std::vector<GaussianInteger> roots_on_grid(const Polynomial& q, long bits) {
+  for (long precision = bits + 64;; precision *= 2) {
+    const Roots roots = isolate_roots(q, precision);
+    if (!roots.real.empty()) throw DomainError("root_discs: the polynomial has a real root");
+    std::vector<GaussianInteger> found;
+    for (const ComplexBall& z : roots.upper) {
+      const bool is_last = precision > 4 * bits + 4096;
+      const auto re = nearest(z.re(), bits, is_last);
+      const auto im = nearest(z.im(), bits, is_last);
+      if (!re || !im) break;
+      found.push_back({*re, *im});
+    }
+    if (found.size() != roots.upper.size()) continue;
+    std::sort(found.begin(), found.end(), [](const GaussianInteger& a, const GaussianInteger& b) {
+      return a.re != b.re ? a.re < b.re : a.im < b.im;
+    });
+    return found;
+  }
+}
+
+/// Above the real axis and apart from each other.
+bool are_disjoint(const std::vector<RootDisc>& discs) {
+  for (auto a = discs.begin(); a != discs.end(); ++a) {
+    if (a->center.im <= a->radius) return false;
+    for (auto b = discs.begin(); b != a; ++b) {
+      const Integer sum = a->radius + b->radius;
+      if (norm({a->center.re - b->center.re, a->center.im - b->center.im}) <= sum * sum)
+        return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::vector<RootDisc>> root_discs(const Polynomial& q, const Polynomial& n,
+                                                long bits) {
+  const Polynomial slope = differentiate(q);
+  const GridValue q_at(q, bits);
+  const GridValue slope_at(slope, bits);
+  const GridValue n_at(n, bits);
+  const Polynomial n_variation = with_absolute_values(differentiate(n));
+  const Polynomial slope_variation = with_absolute_values(differentiate(slope));
+  const Rational unit = power_of_two(-bits);
+  std::vector<RootDisc> discs;
+  for (const GaussianInteger& center : roots_on_grid(q, bits)) {
+    const GaussianRational value = q_at(center);
+    const GaussianRational s = slope_at(center);
+    const Rational s_norm = s.re * s.re + s.im * s.im;
+    if (s_norm == 0) return std::nullopt;
+    const Rational step = (value.re * value.re + value.im * value.im) / s_norm;  // |q/q′|²
+    const Integer radius = ceil_sqrt(step * (q.degree() * q.degree()) * power_of_two(2 * bits));
+
+    const GaussianRational c = n_at(center) * GaussianRational{s.re / s_norm, -s.im / s_norm};
+    const GaussianInteger residue{nearest(c.re, bits), nearest(c.im, bits)};
+    const GaussianRational w{residue.re * unit, residue.im * unit};
+    const Rational r = radius * unit;
+    const Rational rho = rounded_up(size_above({center.re * unit, center.im * unit}) + r);
+    const Rational flatness = sqrt_above(1 / s_norm);  // 1/|q′|
+    const Rational curving = r * slope_variation(rho) * flatness;
+    if (curving >= 1) return std::nullopt;
+    const Rational off =
+        (size_above({c.re - w.re, c.im - w.im}) +
+         r * flatness * (n_variation(rho) + size_above(w) * slope_variation(rho))) /
+        (1 - curving);
+    // One more, for a checker that rounds more coarsely.
+    const Integer residue_radius = off == 0 ? Integer(0) : Integer(floor(off / unit) + 2);
+    discs.push_back({center, radius, residue, residue_radius});
+  }
+  if (!are_disjoint(discs)) return std::nullopt;
+  return discs;
+}
+
+// |∂/∂z log((t − z)/(−z))| ≤ 2/y and |log((t − z)/(−z))| ≤ |t|/y for y = Im z. The factor 1 + (|t|
+// + |z|)/y is for those who compute arctan((t − x)/y) from intervals around x and y.
+Rational log_error(const std::vector<RootDisc>& discs, long bits, const Rational& reach) {
+  const Rational unit = power_of_two(-bits);
+  const auto size = [&](const GaussianInteger& z) { return (abs(z.re) + abs(z.im)) * unit; };
+  Rational sum = 0;
+  for (const auto& [center, radius, residue, residue_radius] : discs) {
+    const Rational r = radius * unit;
+    const Rational s = residue_radius * unit;
+    const Rational per_y = rounded_up(1 / (center.im * unit - r));
+    const Rational off = (size(residue) + s) * r * 2 * per_y * (1 + (reach + size(center)) * per_y);
+    sum += 2 * rounded_up(off + s * reach * per_y);
+  }
+  return sum;
+}
+
+}  // namespace phrame

@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "phrame/algebra/gaussian_integer.hpp"
+#include "phrame/algebra/polynomial.hpp"
+
+namespace phrame {
+
+/// A disc that holds one root of q, above the real axis, and one that holds the residue of n/q
+/// there. Integers stand for multiples of 2^−bits.
+struct RootDisc {
+  GaussianInteger center;
+  Integer radius;  ///< 0 for an exact root
+  GaussianInteger residue;
+  Integer residue_radius;
+  friend bool operator==(const RootDisc&, const RootDisc&) = default;
+};
+
+/// Discs for all roots of the squarefree q above the real axis, from left to right, that integers
+/// can prove (docs/certificate.md); they depend on nothing but the numbers q, n and bits, so that
+/// every machine finds the same. No value where the grid is too coarse. q has coprime integer
+/// coefficients and no real root, deg n < deg q.
+std::optional<std::vector<RootDisc>> root_discs(const Polynomial& q, const Polynomial& n,
+                                                long bits);
+
+/// What Σ c(z)·log((t − z)/(−z)) over all roots may be off, with their discs, where |t| ≤ reach.
+Rational log_error(const std::vector<RootDisc>& discs, long bits, const Rational& reach);
+
+}  // namespace phrame

@@ -1,0 +1,52 @@
+#include "cli/workshop.hpp"
+
+using namespace phrame;
+using namespace phrame::test;
+
+TEST_CASE("certify and verify: a certificate is proved, a changed one is not") {
+  const Workshop here;
+  CHECK(here.run("certify quintic.json --at 1/2,1 --digits 40 -o angle.cert").status == 0);
+  const Run proved = here.run("verify angle.cert");
+  check_success(proved);
+  CHECK(contains(proved.out, "proved      |theta(1) - 0.28585653009834106200165626280309220136"));
+  CHECK(proved.out.ends_with("all 17 statements are proved\n"));
+  std::string text = bytes_of(here.file("angle.cert"));
+  text.replace(text.find("0.2858565300"), 12, "0.2858565301");
+  here.write("wrong.cert", text);
+  const Run wrong = here.run("verify wrong.cert");
+  CHECK(wrong.status == 1);
+  CHECK(wrong.err.empty());
+  CHECK(contains(wrong.out, "not proved  |theta(1) - 0.2858565301"));
+  CHECK(contains(wrong.out, ": theta is further off\n"));
+  CHECK(wrong.out.ends_with("1 of 17 statements are not proved\n"));
+}
+
+TEST_CASE("certify: without --at it is the angle at 1; the Frenet frame has its turn") {
+  const Workshop here;
+  const Run erf = here.run("certify quintic.json");
+  check_success(erf);
+  const Json c = Json::parse(erf.out);
+  CHECK(c["claims"].size() == 1);
+  CHECK(c["claims"][0]["t"] == "1");
+  CHECK(c["claims"][0]["theta"] == "0.28585653009834106");
+  CHECK(c["claims"][0]["radius"] == "5e-18");
+  CHECK(c["curve"]["name"] == "quintic");
+  CHECK_FALSE(c.contains("bend"));
+  const Run frenet = here.run("certify quintic.json --frame frenet");
+  check_success(frenet);
+  CHECK(Json::parse(frenet.out)["claims"][0]["turn"]["signs"].size() == 2);
+  check_success(here.run("verify -", frenet.out));
+}
+
+TEST_CASE("certify and verify: bad input is refused with its place") {
+  const Workshop here;
+  check_failure(here.run("certify line.json --frame frenet"), 3, "straight line");
+  check_failure(here.run("certify quintic.json --frame mtf"), 2, "--frame: \"mtf\" is not one of");
+  here.write("spline.json", R"({"phrame": "spline/1", "segments": []})");
+  check_failure(here.run("certify spline.json"), 2, "spline.json:/phrame: this is a spline");
+  check_failure(here.run("verify quintic.json"), 2,
+                "quintic.json:/phrame: the format is \"certificate/1\", not \"curve/1\"");
+  check_failure(here.run("verify nowhere.cert"), 2, "nowhere.cert: ");
+  here.write("half.cert", here.run("certify quintic.json").out.substr(0, 1000));
+  check_failure(here.run("verify half.cert"), 2, "half.cert:");
+}

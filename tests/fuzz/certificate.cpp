@@ -1,0 +1,75 @@
+// Any bytes: a certificate that `verify` decides, or an InputError of one line. What is read is
+// written to the same certificate, and a claim that is proved is true: the angle is computed again.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/certificate_file.hpp"
+#include "phrame/ph/verify.hpp"
+
+namespace {
+
+using namespace phrame;
+
+long size(const Rational& x) {
+  return static_cast<long>(msb(Integer(abs(numerator(x)) + 1)) + msb(denominator(x)));
+}
+
+long size(const Polynomial& p) {
+  long bits = 0;
+  for (const Rational& c : p.coefficients()) bits += size(c);
+  return bits;
+}
+
+/// Quick enough to verify.
+bool is_small(const Certificate& c) {
+  long bits = size(c.curve.multiplier()) + 64 * c.curve.multiplier().degree();
+  for (const Polynomial* p : {&c.curve.preimage().u, &c.curve.preimage().v, &c.curve.preimage().p,
+                              &c.curve.preimage().q, &c.rational.numerator(), &c.decisions.content})
+    bits += size(*p);
+  for (const CertifiedLogs& sum : c.logs)
+    bits += size(sum.index) + size(sum.residue) + 64 * (sum.index.degree() + sum.residue.degree());
+  for (const auto* points : {&c.decisions.cusps, &c.decisions.inflections, &c.decisions.zeros_of_h,
+                             &c.decisions.extrema})
+    for (const StatedPoint& point : *points)
+      bits += 64 * point.polynomial.degree() + size(point.polynomial);
+  for (const AngleClaim& claim : c.claims) {
+    const Rational radius = parse_rational(claim.radius);
+    if (radius != 0 && size(radius) > 300) return false;
+    bits += 100 * size(claim.t);
+  }
+  return bits < 8000 && c.bits < 1000 && c.claims.size() < 4;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    const Certificate c =
+        read_certificate({reinterpret_cast<const char*>(data), size}, CurveLimits{9});
+    if (!(read_certificate(write_certificate(c, "")) == c)) std::abort();
+    if (!is_small(c)) return 0;
+    for (const Statement& statement : verify(c))
+      if (statement.objection.find('\n') != std::string::npos) std::abort();
+    RmfAngle angle(c.curve, Reference::erf);
+    if (c.reference == Reference::frenet) return 0;
+    for (std::size_t k = 0; k < c.claims.size(); ++k) {
+      const auto& [t, theta, radius, turn] = c.claims[k];
+      Certificate one = c;
+      one.claims = {c.claims[k]};
+      one.logs.clear();
+      if (!verify(one)[3].is_proved()) continue;
+      const RealBall truth = angle.enclose(t, 400);
+      const Rational value = parse_rational(theta);
+      if (truth.lower() > value + parse_rational(radius) ||
+          truth.upper() < value - parse_rational(radius))
+        std::abort();
+    }
+  } catch (const InputError& error) {
+    if (std::string_view(error.what()).find('\n') != std::string_view::npos) std::abort();
+  } catch (const DomainError&) {  // the Frenet frame of a line
+  }
+  return 0;
+}
