@@ -36,9 +36,9 @@ const SturmChain& ContinuousArgument::chain_at(const Rational& t) {
 }
 
 RealBall ContinuousArgument::difference(const Rational& t, long bits) {
-  const auto [x, y] = coordinates(t);
+  const GaussianPolynomial xy = coordinates(t);
   const auto arctan = [&](const Rational& at) {
-    RealBall value(y(at) / x(at), bits);
+    RealBall value(xy.im(at) / xy.re(at), bits);
     arb_atan(value.raw(), value.raw(), bits);
     return value;
   };
