@@ -37,3 +37,11 @@
 #include <arf.h>
 #include <mag.h>
 #endif
+
+namespace phrame {
+
+/// Frees what FLINT, Arb and MPFR keep for later use in this thread: numbers, and digits of π. Call
+/// it when no number of ours exists any more, for a leak checker to be content.
+void release_caches();
+
+}  // namespace phrame

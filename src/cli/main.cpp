@@ -104,6 +104,9 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const struct Cleanup {
+    ~Cleanup() { phrame::release_caches(); }
+  } cleanup;
   try {
     return run(argc, argv);
   } catch (const phrame::cli::AnswerNo& answer) {

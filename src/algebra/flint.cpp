@@ -1,0 +1,12 @@
+#include "phrame/algebra/flint.hpp"
+
+#include <mpfr.h>
+
+namespace phrame {
+
+void release_caches() {
+  flint_cleanup_master();
+  mpfr_free_cache();
+}
+
+}  // namespace phrame
