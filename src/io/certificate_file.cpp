@@ -147,8 +147,9 @@ StatedPoint read_point(const JsonNode& node) {
   }
   t.require_known_keys({"polynomial", "interval"});
   Polynomial polynomial = read_polynomial(t.at("polynomial"));
-  if (polynomial.is_zero()) t.at("polynomial").fail("the polynomial is 0");
+  if (polynomial.is_constant()) t.at("polynomial").fail("the polynomial is constant");
   const auto ends = t.at("interval").numbers(2);
+  if (ends[0] >= ends[1]) t.at("interval").fail("the interval is empty");
   return {std::move(polynomial), open(ends[0], ends[1]), order};
 }
 
