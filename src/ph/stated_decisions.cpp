@@ -18,18 +18,23 @@ std::vector<StatedPoint> stated(const std::vector<RealRoot>& roots) {
 /// Nothing where it holds.
 std::string unless(bool holds, const char* objection) { return holds ? "" : objection; }
 
+/// The root that is meant; none where it is not one.
+std::optional<RealRoot> meant(const StatedPoint& point) {
+  try {
+    return RealRoot{real_root(point.polynomial, point.interval), point.order};
+  } catch (const DomainError&) {
+    return std::nullopt;
+  }
+}
+
+/// In any order.
 std::string objection_to_points(const std::vector<StatedPoint>& stated,
-                                const std::vector<RealRoot>& roots) {
+                                std::vector<RealRoot> roots) {
   if (stated.size() != roots.size()) return "the points are not as many";
-  for (std::size_t k = 0; k < roots.size(); ++k) {
-    const StatedPoint& point = stated[k];
-    try {
-      if (!(real_root(point.polynomial, point.interval) == roots[k].at))
-        return "a point is another one";
-    } catch (const DomainError& error) {
-      return error.what();
-    }
-    if (point.order != roots[k].order) return "the order of a point is another one";
+  for (const StatedPoint& point : stated) {
+    const auto root = meant(point);
+    if (!root) return "an interval does not hold one root of its polynomial";
+    if (std::erase(roots, *root) == 0) return "a point or its order is another one";
   }
   return "";
 }

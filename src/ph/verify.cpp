@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/algebra/modular.hpp"
 #include "phrame/integrate/quadrature.hpp"
 
 namespace phrame {
@@ -22,26 +21,13 @@ std::string objection_to_invariants(const Certificate& c) {
   return unless(c.hodograph == hodograph(c.curve), "the hodograph is another one");
 }
 
-/// Are a and b coprime modulo the prime p, which divides no leading coefficient?
-bool are_coprime_modulo(const Polynomial& a, const Polynomial& b, const Integer& p) {
-  constexpr long largest = 1L << 62;
-  if (p < 2 || p > largest) return false;
-  const auto prime = static_cast<ulong>(p);
-  if (n_is_prime(prime) == 0) return false;
-  ModularPolynomial x(prime, integer_primitive_part(a));
-  const ModularPolynomial y(prime, integer_primitive_part(b));
-  if (x.degree() != a.degree() || y.degree() != b.degree()) return false;
-  nmod_poly_gcd(x.raw(), x.raw(), y.raw());
-  return x.degree() == 0;
-}
-
+/// That N/D is in lowest terms is decided over ℚ; `modulus` is another proof of it.
 std::string objection_to_rate(const Certificate& c) {
   const auto& [n, d, common, modulus] = c.rate;
   const QuaternionPolynomial& a = c.curve.preimage();
   if (!(Rational(-2) * twist_numerator(a) == n * common)) return "-2h is not numerator * common";
   if (!(sigma(a) == d * common)) return "sigma is not denominator * common";
-  return unless(are_coprime_modulo(n, d, modulus),
-                "coprime_modulo is no prime that proves lowest terms");
+  return unless(gcd(n, d).is_constant(), "numerator and denominator have a common factor");
 }
 
 /// Σ c(z)·log(t − z) over the roots of q.

@@ -1,0 +1,227 @@
+"""Certificates under tools/check_certificate.py, which shares no code with what makes them.
+
+Honest ones are proved. Then every kind of field is tampered with, a digit, a sign, an answer, a lost or
+swapped entry, and nothing that became false is proved. What is still proved must be true: `phrame verify`
+proves it by another route, and a claim about an angle is compared with the angle computed anew.
+"""
+import copy
+import json
+import os
+import random
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+CHECKER = ROOT / "tools" / "check_certificate.py"
+PROGRAM = os.environ["PHRAME_PROGRAM"]
+MAX_PREIMAGE_DEGREE = 20 if os.environ.get("PHRAME_CERTIFICATES") == "all" else 5
+CHANGES_A_KIND = 3
+
+
+def phrame(*arguments, text=""):
+    return subprocess.run([PROGRAM, *arguments], input=text, capture_output=True, text=True)
+
+
+def proved(paths):
+    """Those of which every statement is proved, by one run of the checker."""
+    run = subprocess.run([sys.executable, "-B", str(CHECKER), "-q", *paths], capture_output=True, text=True)
+    if "Traceback" in run.stderr:
+        sys.exit(run.stderr)
+    accepted, name = set(), None
+    for line in run.stdout.splitlines():
+        if line.endswith(":"):
+            name = line[:-1]
+        elif line.startswith("all ") and line.endswith(" statements are proved"):
+            accepted.add(name)
+    return accepted
+
+
+def curves():
+    lines = (ROOT / "tests/data/curves.jsonl").read_text().splitlines()
+    for curve in map(json.loads, lines):
+        if max(map(len, curve["preimage"].values())) <= MAX_PREIMAGE_DEGREE + 1:
+            yield curve
+
+
+def certificates(folder):
+    """Both frames of all curves; a straight line has no Frenet frame."""
+    for curve in curves():
+        for frame in ("erf", "frenet"):
+            path = folder / ("%s-%s.cert" % (curve["name"], frame))
+            run = phrame("certify", "-", "--at", "1/2,1", "--digits", "40", "--frame", frame, "-o", str(path),
+                         text=json.dumps(curve))
+            if run.returncode == 3 and "straight line" in run.stderr and frame == "frenet":
+                continue
+            if run.returncode:
+                sys.exit("%s, %s: %s" % (curve["name"], frame, run.stderr))
+            yield path
+
+
+# ---- tampering
+
+# Nothing is stated about these: the name and the place of a curve, and B where there are no discs.
+REMARKS = ("/curve/name", "/curve/start/#", "/phrame", "/curve/phrame", "/curve/basis", "/frame")
+
+
+def places(value, path=()):
+    """The path of everything in a JSON value."""
+    yield path
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, item in items:
+        yield from places(item, path + (key,))
+
+
+def kind(path):
+    return "".join("/#" if isinstance(key, int) else "/" + key for key in path)
+
+
+def changed_digit(text, chance):
+    digits = [k for k, c in enumerate(text) if c.isdigit()]
+    k = chance.choice(digits)
+    return text[:k] + chance.choice([d for d in "0123456789" if d != text[k]]) + text[k + 1:]
+
+
+def changes(value, chance):
+    """(what is done, the value instead), all the ways there are for a value of its type."""
+    if isinstance(value, bool):
+        yield "flip", not value
+    elif isinstance(value, int):
+        yield "one more", value + 1
+        yield "one less", value - 1
+    elif isinstance(value, str) and value and set(value) <= set("+-0"):
+        k = chance.randrange(len(value))
+        yield "sign", value[:k] + chance.choice([c for c in "+-0" if c != value[k]]) + value[k + 1:]
+    elif isinstance(value, str) and any(c.isdigit() for c in value):
+        yield "digit", changed_digit(value, chance)
+        yield "minus", value[1:] if value[0] == "-" else "-" + value
+    elif isinstance(value, list) and value:
+        if value != ["0"]:  # the same polynomial as []
+            yield "lost", value[:-1]
+        pairs = [(i, k) for k in range(len(value)) for i in range(k) if value[i] != value[k]]
+        if pairs:
+            i, k = chance.choice(pairs)
+            swapped = copy.copy(value)
+            swapped[i], swapped[k] = value[k], value[i]
+            yield "swapped", swapped
+
+
+def put(certificate, path, value):
+    """A copy with another value there."""
+    result = copy.deepcopy(certificate)
+    place = result
+    for key in path[:-1]:
+        place = place[key]
+    place[path[-1]] = value
+    return result
+
+
+def swapped_discs(certificate):
+    """The centers of two discs swapped, the residues left in their places."""
+    for k, log in enumerate(certificate["antiderivative"]["logs"]):
+        if len(log["roots"]) > 1:
+            result = copy.deepcopy(certificate)
+            a, b = result["antiderivative"]["logs"][k]["roots"][:2]
+            a["center"], b["center"] = b["center"], a["center"]
+            yield "two centers swapped", "/antiderivative/logs/#/roots/#/center", result
+
+
+def tampered(certificate, chance):
+    """(what was done, kind of place, certificate)."""
+    by_kind = {}
+    for path in places(certificate):
+        if path and not kind(path).startswith(REMARKS):
+            by_kind.setdefault(kind(path), []).append(path)
+    for name, paths in by_kind.items():
+        for path in chance.sample(paths, min(CHANGES_A_KIND, len(paths))):
+            value = certificate
+            for key in path:
+                value = value[key]
+            for what, other in changes(value, chance):
+                yield what, name, put(certificate, path, other)
+    yield from swapped_discs(certificate)
+
+
+def angle(certificate, t):
+    """theta(t) of the certificate's curve, to 60 digits, computed anew."""
+    run = phrame("angle", "-", "--at", t, "--digits", "60", "--frame", certificate["frame"], "--print", "json",
+                 text=json.dumps(certificate["curve"]))
+    if run.returncode:
+        sys.exit(run.stderr)
+    value = json.loads(run.stdout)["values"][0]
+    return Fraction(value["theta"]), Fraction(value["radius"])
+
+
+def is_true(certificate, path):
+    """What the checker proved after a change: is it true?"""
+    if phrame("verify", str(path)).returncode:
+        return False
+    for claim in certificate["claims"]:
+        theta, doubt = angle(certificate, claim["t"])
+        if abs(theta - Fraction(claim["theta"])) > Fraction(claim["radius"]) + doubt:
+            return False
+    return True
+
+
+def subjects():
+    """Curves of many kinds: (name, preimage and multiplier, frame)."""
+    quintic = {"u": [2, -4, 4], "v": [1, 0, -1], "p": [0, -4, 4], "q": [1, 2, -2]}
+    helix = {"u": [1], "v": [0, 1], "p": [0, 1], "q": [0]}
+    plane = {"u": [1], "v": [0], "p": [0], "q": [1, 3, 1]}
+    line = {"u": [1, 2], "v": [0], "p": [0], "q": [0]}
+    rational = {"u": [0, 0, 1], "v": [0, 1], "p": [0, 1], "q": [1]}  # theta = -2t/(1 + t^2)
+    rrmf = {"u": [1, 0, -6], "v": [0, 4, 3], "p": [0, -2, -12], "q": [0, 6, -4]}  # w is of degree 2
+    inflected = {"u": [1], "v": [0], "p": [0, 1], "q": [0, 0, 1, -1]}
+    return [("quintic", quintic, [1], "erf"), ("quintic", quintic, [1], "frenet"),
+            ("cusp", quintic, [-1, 2, 1], "frenet"), ("helix", helix, [1], "frenet"),
+            ("plane", plane, [1], "frenet"), ("line", line, [1], "erf"),
+            ("rational", rational, [1], "erf"), ("rrmf", rrmf, [1], "erf"),
+            ("inflected", inflected, [3], "frenet")]
+
+
+def check_tampering(folder):
+    chance = random.Random(2026)
+    done = []
+    for name, preimage, multiplier, frame in subjects():
+        curve = {"phrame": "curve/1", "name": name, "basis": "power", "preimage": preimage,
+                 "multiplier": multiplier}
+        run = phrame("certify", "-", "--at", "1/3,1", "--digits", "20", "--frame", frame,
+                     text=json.dumps(curve))
+        if run.returncode:
+            sys.exit(run.stderr)
+        for what, place, certificate in tampered(json.loads(run.stdout), chance):
+            path = folder / ("%d.cert" % len(done))
+            path.write_text(json.dumps(certificate))
+            done.append(("%s, %s: %s at %s" % (name, frame, what, place), place, certificate, path))
+    accepted = proved([str(path) for _, _, _, path in done])
+    caught, still_true, wrong = [], [], []
+    for what, place, certificate, path in done:
+        if str(path) not in accepted:
+            caught.append(place)
+        elif is_true(certificate, path):
+            still_true.append(what)
+        else:
+            wrong.append("%s (%s)" % (what, path))
+    never = sorted({place for _, place, _, _ in done} - set(caught) - {"/claims"})  # one less is no lie
+    print("%d changes: %d not proved, %d still true and proved" % (len(done), len(caught), len(still_true)))
+    if os.environ.get("PHRAME_CERTIFICATES") == "all":
+        print("\n".join(["still true:"] + still_true))
+    if wrong or never or len(caught) < 200:
+        sys.exit("proved though false: %s\nkinds never caught: %s" % ("\n".join(wrong), never))
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        paths = [str(path) for path in certificates(folder)]
+        failed = set(paths) - proved(paths)
+        print("%d certificates, %d not proved" % (len(paths), len(failed)))
+        if failed or len(paths) < 60:
+            sys.exit("not proved: %s" % ", ".join(sorted(failed)))
+        check_tampering(folder)
+
+
+if __name__ == "__main__":
+    main()
