@@ -1,8 +1,8 @@
 #include "phrame/ph/spline_angle.hpp"
 
-#include <fmt/format.h>
-
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/frame_angle.hpp"
+#include "phrame/ph/reduced_angle.hpp"
 #include "phrame/ph/transform.hpp"
 
 // Every segment is a curve on [0, 1], and so is a part of one, reparametrised. Hence θ(t) is one
@@ -15,34 +15,6 @@ namespace {
 /// F(t) − F(0) without the logarithms.
 Rational without_logarithms(const Antiderivative& F, const Rational& t) {
   return F.polynomial(t) - F.polynomial(0) + F.rational(t) - F.rational(0);
-}
-
-/// From 1 at t = 0 to z or −z at t = 1, by less than a half turn and not through 0. The argument of
-/// its square turns by 2·arg z, up to a multiple of 2π.
-GaussianPolynomial path_to(const GaussianRational& z) {
-  if (z.im == 0) return {{1}, {}};
-  const bool opposite = z.re < 0 || (z.re == 0 && z.im < 0);
-  const Rational re = opposite ? Rational(-z.re) : z.re;
-  const Rational im = opposite ? Rational(-z.im) : z.im;
-  return {Polynomial{1, re - 1}, Polynomial{0, im}};
-}
-
-/// The angle that path_to(z)² turns by.
-RealBall doubled_argument(const GaussianRational& z, long bits) {
-  const GaussianPolynomial path = path_to(z);
-  return multiply(RealBall(2, bits), argument(path.re(1), path.im(1), bits), bits);
-}
-
-/// The whole k with x ∈ (2k − 1, 2k + 1]. Throws Undecided where the ball around x is too wide.
-Integer whole_turns(const RealBall& x, long bits) {
-  const RealBall shifted = divide(add(x, RealBall(-1, bits), bits), RealBall(2, bits), bits);
-  RealBall ceiling;
-  arb_ceil(ceiling.raw(), shifted.raw(), bits);
-  flint::Fmpz k;
-  if (arb_get_unique_fmpz(k.get(), ceiling.raw()) == 0)
-    throw Undecided(fmt::format(
-        "holonomy: {} bits of precision do not tell the angle from a multiple of pi", bits));
-  return Integer(numerator(to_rational(k.get())));
 }
 
 }  // namespace
@@ -98,32 +70,30 @@ Real SplineAngle::value(const SplineParameter& at) {
   return Evaluator(over_unit_interval(at)).value(0, 1, {{1}, {}}, theta);
 }
 
+// Logarithms and a rational number ρ ≠ 0 do not add up to a rational multiple of π [Baker 1975].
+std::optional<Rational> SplineAngle::multiple_of_pi(const SplineParameter& at,
+                                                    const GaussianPolynomial& phase,
+                                                    const Rational& offset) const {
+  if (rational_part(at) + offset != 0) return std::nullopt;
+  return Evaluator(over_unit_interval(at)).multiple_of_pi(0, 1, phase);
+}
+
 std::optional<Real> SplineAngle::holonomy() {
   const auto closing = spline_.closing_turn();
   if (!closing) return std::nullopt;
-  const GaussianRational back{closing->re, -closing->im};
+  // θ(end) + 2·arg back, up to whole turns.
+  const GaussianRational back = angle_of({closing->re, -closing->im}).direction;
   const SplineParameter end{angles_.size() - 1, 1};
-  const int side = sign_after_zero(spline_.segments().front().multiplier());  // e₁ = side·tangent
-  const auto turned = [this, end, back, side](long bits) {
-    const RealBall sum = add(enclose(end, bits + 8), doubled_argument(back, bits + 8), bits + 8);
-    return side < 0 ? subtract({}, sum, bits + 8) : sum;
-  };
-  constexpr long bits = 512;
-  const RealBall over_pi = divide(turned(bits), pi(bits), bits);
-  flint::Fmpz nearest;
-  if (arb_get_unique_fmpz(nearest.get(), over_pi.raw()) != 0 && rational_part(end) == 0) {
-    const auto multiple =
-        Evaluator(over_unit_interval(end)).multiple_of_pi(0, 1, path_to(back) * path_to(back));
-    if (multiple && denominator(*multiple) == 1) {
-      if (numerator(*multiple) % 2 == 0) return Rational(0);
-      return Real([](long precision) { return pi(precision); });
-    }
-  }
-  const Rational half_turns(2 * whole_turns(over_pi, bits));
-  return Real([turned, half_turns](long precision) {
-    const long more = precision + 8;
-    return subtract(turned(more), multiply(RealBall(half_turns, more), pi(more), more), more);
+  const bool is_reversed = sign_after_zero(spline_.segments().front().multiplier()) < 0;  // e₁
+  const Real turned([this, end, back, is_reversed](long bits) {
+    const long more = bits + 8;
+    const RealBall closing_turn =
+        multiply(RealBall(2, more), argument(back.re, back.im, more), more);
+    const RealBall sum = add(enclose(end, more), closing_turn, more);
+    return is_reversed ? subtract({}, sum, more) : sum;
   });
+  const GaussianPolynomial path = path_to(back);
+  return reduced(turned, [&] { return multiple_of_pi(end, path * path); }).angle;
 }
 
 }  // namespace phrame

@@ -28,6 +28,12 @@ class SplineAngle {
   /// The same; at.t may be any number, with which the segment is continued.
   Real value(const SplineParameter& at);
 
+  /// (θ(at) + offset + arg phase(1) − arg phase(0))/π where that is rational: decided or recognised
+  /// as Evaluator::multiple_of_pi does. No value means that it is irrational or not recognised. The
+  /// phase has no zero on [0, 1].
+  std::optional<Rational> multiple_of_pi(const SplineParameter& at, const GaussianPolynomial& phase,
+                                         const Rational& offset = 0) const;
+
   /// By which angle in (−π, π] the rotation-minimizing frame comes back turned about the tangent
   /// r′/|r′| of a closed spline: f₂(end) = cos(·) f₂(0) + sin(·) T × f₂(0). It does not depend on
   /// the preimages. Exact where it is seen to be 0. No value where the spline has no

@@ -1,0 +1,40 @@
+#include "phrame/ph/frame_angle.hpp"
+
+#include "phrame/algebra/error.hpp"
+
+namespace phrame {
+
+FrameAngle angle_of(const GaussianRational& z) {
+  if (z.re == 0 && z.im == 0) throw DomainError("angle_of: 0 has no direction");
+  if (z.re > 0 || (z.re == 0 && z.im > 0)) return {0, 0, z};
+  return {z.im >= 0 && z.re < 0 ? 1 : -1, 0, {-z.re, -z.im}};
+}
+
+FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame) {
+  const auto dot = [&v](const Vector<Rational>& e) {
+    return Rational(v[0] * e[0] + v[1] * e[1] + v[2] * e[2]);
+  };
+  const GaussianRational z{dot(frame.e2), dot(frame.e3)};
+  if (z.re == 0 && z.im == 0)
+    throw DomainError("angle_of: the vector (" + to_string(v[0]) + ", " + to_string(v[1]) + ", " +
+                      to_string(v[2]) + ") has no part in the normal plane");
+  return angle_of(z);
+}
+
+GaussianPolynomial path_to(const GaussianRational& z) {
+  if (z.im == 0) return {{1}, {}};
+  return {Polynomial{1, z.re - 1}, Polynomial{0, z.im}};
+}
+
+Real to_real(const FrameAngle& angle) {
+  if (angle.half_turns == 0 && angle.direction.im == 0) return angle.radians;
+  return Real([angle](long bits) {
+    const auto& [half_turns, radians, z] = angle;
+    const long more = bits + 8;
+    return add(
+        add(multiply(RealBall(half_turns, more), pi(more), more), RealBall(radians, more), more),
+        argument(z.re, z.im, more), more);
+  });
+}
+
+}  // namespace phrame

@@ -1,0 +1,46 @@
+#pragma once
+#include "phrame/ph/frame_angle.hpp"
+#include "phrame/ph/spline_angle.hpp"
+
+namespace phrame {
+
+/// The exact minimal twist frame of a spline [Farouki, Moon 2018]: the frame (f₂, f₃) that has the
+/// angles θ_i to (e₂, e₃) at the start and θ_f, up to whole turns, at the end, and turns about the
+/// tangent at a constant rate, with the least total turn:
+///   θ(t) = θ_i + T_min·s(t)/S + θ_RMF(t),   θ_RMF′ = −2h/σ,  s(t) the arc length, S = s(end),
+///   T = −θ_RMF(end) + θ_f − θ_i ≡ T_min modulo 2π, T_min ∈ (−π, π].
+/// Not for concurrent use. Refers to the angle.
+class MinimalTwist {
+ public:
+  /// With `extra_turns` ≠ 0 the frame makes that many more revolutions. Throws DomainError where
+  /// the multiplier of a segment changes sign on it, and Undecided where T cannot be told from an
+  /// odd multiple of π.
+  MinimalTwist(SplineAngle& rmf, const FrameAngle& from, const FrameAngle& to,
+               const Integer& extra_turns = 0);
+
+  const Rational& length() const { return length_; }  ///< S
+  /// The twist of the Euler–Rodrigues frame, −θ_RMF(end).
+  const Real& erf_twist() const { return erf_twist_; }
+  const Real& nominal_twist() const { return nominal_; }  ///< T
+  /// T_min, plus 2π·extra_turns; exact where it is 0.
+  const Real& twist() const { return twist_; }
+  /// The turn per unit of arc length, twist()/S: Ω̄₁.
+  Real rate() const;
+  /// θ(t). At the start it is θ_i and at the end θ_f plus whole turns, exactly; where the twist is
+  /// 0 it is exact where θ_RMF and θ_i are.
+  Real value(const Rational& t) const;
+
+ private:
+  SplineAngle* rmf_;
+  FrameAngle from_;
+  FrameAngle to_;
+  std::vector<Polynomial> arc_lengths_;  ///< of the segments
+  std::vector<Rational> starts_;         ///< s at their starts
+  Rational length_;
+  Real erf_twist_;
+  Real nominal_;
+  Real twist_;
+  Integer turns_;  ///< θ(end) = θ_f + 2π·turns
+};
+
+}  // namespace phrame

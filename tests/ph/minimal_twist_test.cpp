@@ -1,0 +1,132 @@
+#include "phrame/ph/minimal_twist.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/integrate/quadrature.hpp"
+#include "support/curves.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+namespace {
+
+const nlohmann::json& examples() {
+  static const auto data = [] {
+    std::ifstream file(PHRAME_TEST_DATA "/farouki-moon-2018.json");
+    return nlohmann::json::parse(file);
+  }();
+  return data;
+}
+
+Curve example_curve(const nlohmann::json& example) {
+  std::array<std::vector<Rational>, 4> lists;
+  for (const auto& a : example["A"])
+    for (std::size_t k = 0; k < 4; ++k) lists[k].push_back(parse_rational(a[k].get<std::string>()));
+  return Curve({from_bernstein(lists[0]), from_bernstein(lists[1]), from_bernstein(lists[2]),
+                from_bernstein(lists[3])});
+}
+
+/// Agree to `digits` decimals.
+void check_near(const Real& x, const nlohmann::json& truth, long digits) {
+  CAPTURE(truth);
+  const RealBall value = x.enclose(300);
+  const Rational expected = parse_rational(truth.get<std::string>());
+  CHECK(abs(value.lower() - expected) < power_of_ten(-digits));
+  CHECK(abs(value.upper() - expected) < power_of_ten(-digits));
+}
+
+FrameAngle multiple_of_pi(const Rational& c) { return {c, 0}; }
+
+}  // namespace
+
+// The examples of Farouki and Moon, with the difference of the angles that their results need.
+TEST_CASE("minimal twist: the three examples of the paper") {
+  for (const char* name : {"example1", "example2", "example3"}) {
+    CAPTURE(name);
+    const auto& example = examples()[name];
+    const auto& truth = example["consistent"];
+    SplineAngle rmf{Spline(example_curve(example))};
+    const Rational difference = parse_rational(truth["delta_theta_over_pi"].get<std::string>());
+    const MinimalTwist mtf(rmf, multiple_of_pi(0), multiple_of_pi(difference));
+    CHECK(to_string(mtf.length()) == truth["S"]);
+    check_near(mtf.erf_twist(), truth["T_ERF"], 45);
+    check_near(mtf.nominal_twist(), truth["T"], 45);
+    check_near(mtf.twist(), truth["T_min"], 45);
+    check_near(mtf.rate(), truth["Omega1_mean"], 45);
+    for (const auto& [t, theta] : example["exact_MTF_theta_minus_theta_i"].items())
+      check_near(mtf.value(parse_rational(t)), theta, 35);
+  }
+}
+
+TEST_CASE("minimal twist: half a turn is a turn to the left, exactly") {
+  SplineAngle rmf{Spline(Curve({{1}, {0, 0, 0, 1}, {0, 3}, {0, 0, 1}}))};  // h = 0
+  for (const Rational& c : {Rational(1), Rational(-1), Rational(3), Rational(-7)}) {
+    const MinimalTwist mtf(rmf, multiple_of_pi(0), multiple_of_pi(c));
+    CHECK(mtf.twist().enclose(100).overlaps(pi(100)));
+  }
+  CHECK(MinimalTwist(rmf, multiple_of_pi(0), multiple_of_pi(4)).twist().exact() == Rational(0));
+  // By direction: from 45° to −135°.
+  const MinimalTwist across(rmf, angle_of({1, 1}), angle_of({-3, -3}));
+  CHECK(across.twist().enclose(100).overlaps(pi(100)));
+  CHECK(across.nominal_twist().enclose(100).upper() < 0);
+  const MinimalTwist radians(rmf, {0, 1}, {0, Rational(3, 2)});
+  CHECK(radians.twist().exact() == Rational(1, 2));
+  CHECK(radians.value(1).exact() == Rational(3, 2));
+}
+
+// A = (t + i)(t + j): θ_RMF = −2t/(1 + t²), so that T_ERF = 1 and θ_f = −1 needs no twist.
+TEST_CASE("minimal twist: a rotation-minimizing frame has none") {
+  SplineAngle rmf{Spline(Curve({{0, 0, 1}, {0, 1}, {0, 1}, {1}}))};
+  const MinimalTwist mtf(rmf, {0, 0}, {0, -1});
+  CHECK(mtf.twist().exact() == Rational(0));
+  CHECK(mtf.value(Rational(1, 3)).exact() == Rational(-3, 5));
+  const MinimalTwist once(rmf, {0, 0}, {0, -1}, -1);
+  CHECK(once.twist().enclose(100).overlaps(multiply(RealBall(-2, 100), pi(100), 100)));
+  CHECK(
+      add(once.value(1).enclose(100), multiply(RealBall(2, 100), pi(100), 100), 100).contains(-1));
+}
+
+TEST_CASE("minimal twist: law: the least twist between the boundary angles, evenly spread") {
+  for_samples(60, [](Random& random) {
+    const Curve curve(random.quaternion_polynomial(4));
+    SplineAngle rmf{Spline(curve)};
+    const auto angle = [&] {
+      return FrameAngle{random.rational(), random.chance(2) ? Rational(0) : random.rational()};
+    };
+    const FrameAngle from = angle();
+    const FrameAngle to = angle();
+    const long extra = random.integer(-2, 2);
+    const MinimalTwist mtf(rmf, from, to, extra);
+    constexpr long bits = 200;
+    const RealBall full_turn = multiply(RealBall(2, bits), pi(bits), bits);
+    // The twist by quadrature of ω₁σ = 2h/σ, and the angles.
+    const RealBall erf = subtract({}, quadrature(erf_rate(curve.preimage()), 0, 1, bits), bits);
+    const RealBall nominal =
+        add(erf, subtract(to_real(to).enclose(bits), to_real(from).enclose(bits), bits), bits);
+    CHECK(nominal.overlaps(mtf.nominal_twist().enclose(bits)));
+    const RealBall least =
+        subtract(mtf.twist().enclose(bits), multiply(RealBall(extra, bits), full_turn, bits), bits);
+    CHECK(subtract(least, pi(bits), bits).lower() <= 0);
+    CHECK(add(least, pi(bits), bits).upper() > 0);
+    const auto is_whole = [&](const RealBall& x) {
+      return arb_contains_int(divide(x, full_turn, bits).raw()) != 0;
+    };
+    CHECK(is_whole(subtract(nominal, least, bits)));
+    const RealBall end = mtf.value(1).enclose(bits);
+    CHECK(is_whole(subtract(end, to_real(to).enclose(bits), bits)));
+    CHECK(subtract(end, mtf.value(0).enclose(bits), bits)
+              .overlaps(subtract(mtf.twist().enclose(bits), erf, bits)));
+    // Between: θ − θ_RMF grows with the arc length.
+    const Rational t(random.integer(1, 9), 10);
+    const Polynomial s = antiderivative(sigma(curve.preimage()));
+    const RealBall turned = subtract(
+        mtf.value(t).enclose(bits),
+        add(mtf.value(0).enclose(bits), quadrature(erf_rate(curve.preimage()), 0, t, bits), bits),
+        bits);
+    CHECK(turned.overlaps(multiply(mtf.twist().enclose(bits), RealBall(s(t) / s(1), bits), bits)));
+  });
+}
