@@ -89,6 +89,7 @@ void add_info(CLI::App& app);
 void add_classify(CLI::App& app);
 void add_totals(CLI::App& app);
 void add_frames(CLI::App& app);
+void add_mtf(CLI::App& app);
 void add_interpolate(CLI::App& app);
 void add_identify(CLI::App& app);
 void add_integrate(CLI::App& app);

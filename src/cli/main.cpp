@@ -73,6 +73,7 @@ int run(int argc, char** argv) {
   phrame::cli::add_classify(app);
   phrame::cli::add_totals(app);
   phrame::cli::add_frames(app);
+  phrame::cli::add_mtf(app);
   phrame::cli::add_interpolate(app);
   phrame::cli::add_identify(app);
   phrame::cli::add_integrate(app);

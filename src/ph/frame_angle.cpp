@@ -16,9 +16,16 @@ FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame) {
   };
   const GaussianRational z{dot(frame.e2), dot(frame.e3)};
   if (z.re == 0 && z.im == 0)
-    throw DomainError("angle_of: the vector (" + to_string(v[0]) + ", " + to_string(v[1]) + ", " +
+    throw DomainError("the vector (" + to_string(v[0]) + ", " + to_string(v[1]) + ", " +
                       to_string(v[2]) + ") has no part in the normal plane");
   return angle_of(z);
+}
+
+FrameAngle operator+(const FrameAngle& a, const FrameAngle& b) {
+  FrameAngle sum = angle_of(a.direction * b.direction);
+  sum.half_turns += a.half_turns + b.half_turns;
+  sum.radians = a.radians + b.radians;
+  return sum;
 }
 
 GaussianPolynomial path_to(const GaussianRational& z) {

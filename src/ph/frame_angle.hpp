@@ -19,6 +19,9 @@ FrameAngle angle_of(const GaussianRational& z);
 /// The angle to (e₂, e₃) of v projected to their plane. Throws DomainError where that is 0.
 FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame);
 
+/// The sum, up to whole turns.
+FrameAngle operator+(const FrameAngle& a, const FrameAngle& b);
+
 /// 1 at t = 0 and z at t = 1, straight on and not through 0, so that its argument turns by arg z;
 /// for the z of a FrameAngle.
 GaussianPolynomial path_to(const GaussianRational& z);
