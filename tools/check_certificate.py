@@ -1,17 +1,11 @@
 #!/usr/bin/env python3
 """Proves or refuses the claims of a certificate/1 (docs/certificate.md), with integers alone.
 
-What is proved: the angle theta(t) between a reference frame and the rotation-minimizing frame of a PH curve
-lies within `radius` of the number `theta` of each claim; and what kind of curve it is. How: the curve is
-read, sigma, h, g and the hodograph are computed again; theta' = -2h/sigma = N/D and F' = N/D are identities
-of rational functions; the roots of the logarithms are enclosed in discs by an inequality between exact
-integers, so are the residues; the angle is then a sum of logarithms and arctangents, whose intervals come
-from power series in integers with proved remainders. Decisions are proved by gcds, ranks, exact division and
-Descartes' rule of signs.
-
-There is no floating point. Every rounding is in the direction that makes an accepted inequality true. The
-letters are those of docs/certificate.md. Exit status: 0 all is proved, 1 something is not, 2 this is no
-certificate.
+Everything is computed again from the curve. Identities of rational functions are checked as such; roots and
+residues are in discs by inequalities between integers; logarithms and arctangents come from power series in
+integers with proved remainders; decisions rest on gcds, ranks and Descartes' rule of signs. There is no
+floating point, and every rounding is in the direction that makes an accepted inequality true. The letters are
+those of the page. Exit status: 0 all is proved, 1 something is not, 2 this is no certificate.
 """
 import argparse
 import json
@@ -24,6 +18,8 @@ from math import gcd, isqrt
 from types import SimpleNamespace
 
 MAX_EXPONENT, MAX_BITS = 100000, 1000000
+PRIME = (1 << 127) - 1  # for a quick proof that polynomials are coprime
+ROOT_BITS, FINE = 256, 64  # square roots keep 128 bits; distances get 64 bits more than the grid
 
 
 class Malformed(Exception):
@@ -40,8 +36,7 @@ def require(condition, why):
         raise NotProved(why)
 
 
-# ---- Integer polynomials: lists of coefficients from the constant term up, the last not 0, [] for 0. -------
-
+# Polynomials. Lists of integers are coefficients from the constant term up, the last not 0, [] for 0.
 
 def stripped(a):
     """Without the zeros at the end."""
@@ -51,89 +46,9 @@ def stripped(a):
     return a[:n]
 
 
-def primitive(a):
-    """Divided by the gcd of the coefficients, a positive number: no sign of a value changes."""
-    g = reduce(gcd, a, 0)
-    return a if g in (0, 1) else [x // g for x in a]
-
-
 def derived(a):
     """The derivative."""
     return [k * x for k, x in enumerate(a)][1:]
-
-
-def remainder(a, b):
-    """(r, m) with m*a = (something)*b + r, deg r < deg b, m > 0."""
-    a, m = a[:], 1
-    while len(a) >= len(b):
-        g = gcd(a[-1], b[-1])
-        f, k, low = abs(b[-1]) // g, a[-1] // g, len(a) - len(b)
-        k = k if b[-1] > 0 else -k
-        m *= f
-        a = [f * x for x in a] if f != 1 else a
-        for i, x in enumerate(b, low):
-            a[i] -= k * x
-        a = stripped(a)
-    return a, m
-
-
-def quotient(a, b):
-    """a/b for a primitive b, or None if b does not divide a (by Gauss's lemma the quotient has integer
-    coefficients)."""
-    a, q = a[:], []
-    while len(a) >= len(b):
-        k, rest = divmod(a[-1], b[-1])
-        if rest:
-            return None
-        for i, x in enumerate(b, len(a) - len(b)):
-            a[i] -= k * x
-        a.pop()
-        q.append(k)
-    return None if any(a) else q[::-1]
-
-
-def gcd_modulo(a, b, p):
-    """Euclid modulo p, ending with a monic polynomial. ValueError: some number has no inverse, p is no
-    prime."""
-    a, b = stripped([x % p for x in a]), stripped([x % p for x in b])
-    while b:
-        inverse = pow(b[-1], -1, p)
-        b = [x * inverse % p for x in b]
-        while len(a) >= len(b):
-            k, low = a[-1], len(a) - len(b)
-            if k:
-                a[low:] = [(x - k * y) % p for x, y in zip(a[low:], b)]
-            a.pop()
-        a, b = b, stripped(a)
-    return [x * pow(a[-1], -1, p) % p for x in a]
-
-
-MERSENNE = (61, 127, 521, 1279, 2203, 4423, 9689, 19937, 44497, 86243, 216091)  # 2^e - 1 is prime
-
-
-def common_divisor(a, b):
-    """The primitive gcd over Q. Modulo a p that divides neither leading coefficient the gcd has at least the
-    degree of the gcd over Q; so a common divisor of the degree found modulo p is the gcd. How it was guessed
-    is no matter."""
-    if not a or not b:
-        return primitive(a or b)
-    short, long = sorted((primitive(a), primitive(b)), key=len)
-    if quotient(long, short) is not None:
-        return short
-    for p in ((1 << e) - 1 for e in MERSENNE):
-        if a[-1] % p and b[-1] % p:
-            guess = [gcd(a[-1], b[-1]) * x % p for x in gcd_modulo(long, short, p)]
-            if len(guess) == 1:
-                return [1]
-            guess = primitive([x - p if 2 * x > p else x for x in guess])
-            if quotient(short, guess) is not None and quotient(long, guess) is not None:
-                return guess
-    raise NotProved("a greatest common divisor is too large for this checker")
-
-
-def squarefree(a):
-    """a/gcd(a, a'): the same zeros, all simple."""
-    return quotient(primitive(a), common_divisor(a, derived(a)))
 
 
 def translated(a, shift):
@@ -151,47 +66,8 @@ def sign_changes(values):
     return sum(x != y for x, y in zip(signs, signs[1:]))
 
 
-def zeros_between(a, low, high):
-    """The number of zeros of a squarefree a in the open interval (low, high), by Descartes' rule of signs:
-    the zeros of a(t) in (0, 1) are the positive ones of (1+s)^n a(1/(1+s)); with 0 or 1 sign changes their
-    number is just that. Else the interval is halved. For simple zeros this ends, by Vincent's theorem."""
-    den = low.denominator * high.denominator
-    l, n = int(low * den), len(a) - 1
-    a = translated([x * den ** (n - k) for k, x in enumerate(a)], l)
-    todo, count = [[x * (int(high * den) - l) ** k for k, x in enumerate(a)]], 0
-    while todo:
-        a = todo.pop()
-        changes = sign_changes(translated(a[::-1], 1))
-        if changes == 1:
-            count += 1
-        elif changes > 1:
-            left = primitive([x << (n - k) for k, x in enumerate(a)])
-            right = translated(left, 1)
-            count += right[0] == 0
-            todo += [left, right]
-    return count
-
-
-def scaled_value(a, t):
-    """den(t)^n a(t), an integer of the sign of a(t)."""
-    value, power = 0, 1
-    for x in reversed(a):
-        value = value * t.numerator + x * power
-        power *= t.denominator
-    return value
-
-
-def zeros_within(a, low, high):
-    """The number of zeros of a squarefree a in the closed interval [low, high]."""
-    ends = {low, high}
-    return sum(scaled_value(a, t) == 0 for t in ends) + (zeros_between(a, low, high) if low < high else 0)
-
-
-# ---- Polynomials over Q: integer coefficients over a common denominator, in lowest terms. ------------------
-
-
 class Poly:
-    """The polynomial sum c[k] t^k / d, d > 0. The form is unique, so equality is equality of c and d."""
+    """The polynomial sum c[k] t^k / d over Q, d > 0, in lowest terms: equality is equality of c and d."""
 
     def __init__(self, c, d=1):
         c = stripped(c)
@@ -211,10 +87,20 @@ class Poly:
             return Poly([x * b.numerator for x in self.c], self.d * b.denominator)
         c = [0] * (len(self.c) + len(b.c))
         for k, x in enumerate(self.c):
-            if x:
-                for i, y in enumerate(b.c, k):
-                    c[i] += x * y
+            for i, y in enumerate(b.c, k):
+                c[i] += x * y
         return Poly(c, self.d * b.d)
+
+    def __divmod__(self, b):
+        """(q, r) with self = q b + r, deg r < deg b. In the loop m self = q b.c + a, m > 0, in integers."""
+        a, m, q = self.c, self.d, [0] * len(self.c)
+        while len(a) >= len(b.c):
+            g, low = gcd(a[-1], b.c[-1]) * (1 if b.c[-1] > 0 else -1), len(a) - len(b.c)
+            f, k = b.c[-1] // g, a[-1] // g
+            m, q, a = m * f, [f * x for x in q], [f * x for x in a]
+            q[low] = k
+            a = stripped(a[:low] + [x - k * y for x, y in zip(a[low:], b.c)])
+        return Poly(q, m) * b.d, Poly(a, m)
 
     def __eq__(self, b):
         return (self.c, self.d) == (b.c, b.d)
@@ -223,123 +109,112 @@ class Poly:
         return bool(self.c)
 
     def __call__(self, t):
-        return Fraction(scaled_value(self.c, t), self.d * t.denominator ** max(0, len(self.c) - 1))
+        value, power = 0, 1
+        for x in reversed(self.c):
+            value, power = value * t.numerator + x * power, power * t.denominator
+        return Fraction(value * t.denominator, self.d * power)
 
     def derivative(self):
         return Poly(derived(self.c), self.d)
+
+    def primitive(self):
+        """Coprime integers, by a positive factor, so that no sign of a value changes."""
+        return Poly(self.c, reduce(gcd, self.c, 0) or 1)
 
     def is_constant(self):
         return len(self.c) <= 1
 
     def over(self, b):
-        """self/b where b is known or required to divide it."""
-        b_primitive = primitive(b.c)
-        q = quotient(self.c, b_primitive)
-        require(q is not None, "a polynomial is not divisible by another")
-        return Poly(q) * Fraction(b_primitive[-1] * b.d, b.c[-1] * self.d)
+        """self/b where b, not 0, is known or required to divide it."""
+        q, r = divmod(self, b)
+        require(not r, "a polynomial is not divisible by another")
+        return q
+
+    def zeros(self, low, high):
+        """How many zeros a squarefree polynomial has in [low, high], inside by Descartes' rule: those
+        of a(t) in (0, 1) are the positive ones of (1+s)^n a(1/(1+s)); with 0 or 1 sign changes their number
+        is just that. Else the interval is halved. For simple zeros this ends, by Vincent's theorem."""
+        if low >= high:
+            return int(low == high and self(low) == 0)
+        n, den = len(self.c) - 1, low.denominator * high.denominator
+        number = (self(low) == 0) + (self(high) == 0)
+        a = translated([x * den ** (n - k) for k, x in enumerate(self.c)], int(low * den))
+        todo = [[x * int((high - low) * den) ** k for k, x in enumerate(a)]]  # low is at 0 and high at 1
+        while todo:
+            a = todo.pop()
+            changes = sign_changes(translated(a[::-1], 1))
+            number += changes == 1
+            if changes > 1:
+                left = [x << (n - k) for k, x in enumerate(a)]
+                right = translated(left, 1)
+                number += right[0] == 0
+                todo += [left, right]
+        return number
 
 
-def common(polys):
-    """The gcd of some polynomials, primitive; 0 if all are 0."""
-    return Poly(reduce(common_divisor, (p.c for p in polys), []))
+def are_coprime_modulo(a, b, p):
+    """Whether Euclid's algorithm modulo p ends with a constant, for lists whose last coefficients p does not
+    divide. Then they are coprime over Q, even if p is no prime: b[-1] has an inverse, so the last coefficient
+    of a common factor over Z has one; so that keeps its degree modulo p, where it divides the constant."""
+    a, b = [x % p for x in a], [x % p for x in b]
+    while b:
+        require(gcd(b[-1], p) == 1, "the modulus is no prime")
+        inverse = pow(b[-1], -1, p)
+        b = [x * inverse % p for x in b]
+        while len(a) >= len(b):
+            k, low = a[-1], len(a) - len(b)
+            a = a[:low] + [(x - k * y) % p for x, y in zip(a[low:-1], b)]
+        a, b = b, stripped(a)
+    return len(a) == 1
+
+
+def common(*polys):
+    """The primitive gcd, 0 if all are 0: 1 if it is so modulo PRIME, which is quick, else by Euclid."""
+    a = Poly([])
+    for b in polys:
+        b = b.primitive()
+        if a and b and a.c[-1] % PRIME and b.c[-1] % PRIME and are_coprime_modulo(a.c, b.c, PRIME):
+            return Poly([1])
+        while b:
+            a, b = b, divmod(a, b)[1].primitive()
+    return a
 
 
 def rank(polys):
-    """The dimension of the span: eliminate the highest coefficient, again and again."""
-    rows, n = [p.c for p in polys if p], 0
-    while rows:
-        rows.sort(key=len)
-        top, n = rows.pop(), n + 1
-        k = len(top)
-        rows = [primitive(stripped([x * top[-1] - y * a[-1] for x, y in zip(a, top)])) if len(a) == k else a
-                for a in rows]
-        rows = [a for a in rows if a]
-    return n
+    """The dimension of the span: one of the highest degree n, and all others without their t^n."""
+    polys = sorted(filter(None, polys), key=lambda a: len(a.c))
+    if not polys:
+        return 0
+    top = polys.pop()
+    return 1 + rank([divmod(a, top)[1] for a in polys])
 
 
-# ---- Logarithm and arctangent in fixed point: n stands for n/2^P, a pair (low, high) for an interval. ---
+def norm(a):
+    """|a|^2 of a pair a, the real and the imaginary part."""
+    return a[0] * a[0] + a[1] * a[1]
 
 
-def plus(a, b):
-    return a[0] + b[0], a[1] + b[1]
+def spin(a):
+    """Im(a' conj a)."""
+    return a[1].derivative() * a[0] - a[0].derivative() * a[1]
 
 
-def times(a, k):
-    """An interval times an integer."""
-    return (a[0] * k, a[1] * k) if k >= 0 else (a[1] * k, a[0] * k)
+def invariants_of(A):
+    """sigma, h and g."""
+    u, v, p, q = A
+    du, dv, dp, dq = (a.derivative() for a in A)
+    g = u * dq - v * dp - du * q + dv * p, u * dp + v * dq - du * p - dv * q
+    return u * u + v * v + p * p + q * q, u * dv - du * v - p * dq + dp * q, g
 
 
-class Fixed:
-    """ln and arctan with P bits after the point."""
-
-    def __init__(self, P):
-        self.P = P
-        self.ln_table = {16: (0, 0)}  # ln(j/16), since ln(j/(j-1)) = 2 artanh(1/(2j-1))
-        for j in range(17, 33):
-            self.ln_table[j] = plus(self.ln_table[j - 1], times(self.series(1, 2 * j - 1, 1), 2))
-        self.arctan_table = [(0, 0)]  # arctan(j/8), since tan(a - b) = (tan a - tan b)/(1 + tan a tan b)
-        for j in range(1, 9):
-            self.arctan_table.append(plus(self.arctan_table[-1], self.series(8, 64 + j * (j - 1), -1)))
-        self.pi = times(self.arctan_table[8], 4)
-
-    def series(self, a, b, sign):
-        """The sum of sign^k e^(2k+1)/(2k+1) for e = a/b, 0 <= e <= 1/8: artanh (sign 1) or arctan (sign -1).
-        `power` is below e^(2k+1) 2^P by less than 2: less than 2/64 + 1/8 comes from the factors, less than 1
-        from the last rounding. So each term is wrong by less than 3, and when `power` is 0 the terms left out
-        sum to less than 2/(1 - 1/64) < 3. After k terms the error is less than 3k + 3."""
-        if a == 0:
-            return 0, 0
-        power, square = (a << self.P) // b, (a * a << self.P) // (b * b)
-        total, k = 0, 0
-        while power:
-            term = power // (2 * k + 1)
-            total += -term if sign < 0 and k % 2 else term
-            power = power * square >> self.P
-            k += 1
-        return total - 3 * k - 3, total + 3 * k + 3
-
-    def ln(self, a, b):
-        """ln(a/b), a, b > 0: a/b = 2^k m with 1 <= m < 2, j = [16 m], ln(16m/j) = 2 artanh((16m - j)/(16m +
-        j))."""
-        k = a.bit_length() - b.bit_length()
-        a, b = (a, b << k) if k >= 0 else (a << -k, b)
-        if a < b:
-            a, k = 2 * a, k - 1
-        j = 16 * a // b
-        small = times(self.series(16 * a - j * b, 16 * a + j * b, 1), 2)
-        return plus(plus(times(self.ln_table[32], k), self.ln_table[j]), small)
-
-    def arctan(self, a, b):
-        """arctan(a/b), b != 0; for 0 <= v <= 1, j = [8 v], it is arctan(j/8) + arctan((8v - j)/(8 + jv))."""
-        if b < 0:
-            a, b = -a, -b
-        if a < 0:
-            return times(self.arctan(-a, b), -1)
-        if a > b:
-            return plus(times(self.arctan_table[8], 2), times(self.arctan(b, a), -1))
-        j = 8 * a // b
-        return plus(self.arctan_table[j], self.series(8 * a - j * b, 8 * b + j * a, -1))
-
-
-# Square roots keep 128 bits, a relative error below 2^-126; distances get 64 bits more than the grid.
-ROOT_BITS, FINE = 256, 64
-
-
-def root_down(n):
-    """At most the square root of n."""
+def root(n, up):
+    """At most, or if up at least, the square root of n: n < (m + 1) 4^e and [sqrt m] + 1 >= sqrt(m + 1)."""
     e = max(0, n.bit_length() - ROOT_BITS) // 2
-    return isqrt(n >> 2 * e) << e
-
-
-def root_up(n):
-    """At least the square root of n; 0 for 0. For n < (m + 1) 4^e and [sqrt m] + 1 >= sqrt(m + 1)."""
-    e = max(0, n.bit_length() - ROOT_BITS) // 2
-    return (isqrt(n >> 2 * e) + 1) << e if n else 0
+    return (isqrt(n >> 2 * e) + (up and n > 0)) << e
 
 
 def at_grid_point(a, x, y, B):
-    """2^(B n) a(z) for z = (x + iy)/2^B and a list a of n + 1 integers, exactly: (real part, imaginary
-    part)."""
+    """2^(B n) a(z) for z = (x + iy)/2^B and a list a of n + 1 integers, exactly: (real, imaginary part)."""
     re, im, shift = 0, 0, 0
     for c in reversed(a):
         re, im = re * x - im * y + (c << shift), re * y + im * x
@@ -347,16 +222,67 @@ def at_grid_point(a, x, y, B):
     return re, im
 
 
-# ---- Reading. Everything is read and checked for form before anything is proved. ---------------------------
+def apart(z, w):
+    """Whether two closed discs do not meet."""
+    return norm((z.x - w.x, z.y - w.y)) > (z.r + w.r) ** 2
 
+
+class Fixed:
+    """ln and arctan with P >= 64 bits after the point: n stands for n/2^P, and so do the errors."""
+
+    def __init__(self, P):
+        self.P = P
+        self.ln_table = {16: 0}  # ln(j/16) within 2P(j - 16), since ln(j/(j-1)) = 2 artanh(1/(2j-1))
+        for j in range(17, 33):
+            self.ln_table[j] = self.ln_table[j - 1] + 2 * self.series(1, 2 * j - 1, 1)
+        self.arctan_table = [0]  # arctan(j/8) within Pj, since tan(a - b) = (tan a - tan b)/(1 + tan a tan b)
+        for j in range(1, 9):
+            self.arctan_table.append(self.arctan_table[-1] + self.series(8, 64 + j * (j - 1), -1))
+
+    def series(self, a, b, sign):
+        """The sum of sign^k e^(2k+1)/(2k+1), 0 <= e = a/b <= 1/8: artanh (sign 1) or arctan (-1), within P.
+        `power` is below e^(2k+1) 2^P by less than 2: less than 2/64 + 1/8 comes from the factors, less than 1
+        from the last rounding. So each term is wrong by less than 3, and when `power` is 0 the terms left out
+        sum to less than 2/(1 - 1/64) < 3. After k < P/6 + 1 terms the error is below 3k + 3 < P."""
+        power, square = (a << self.P) // b, (a * a << self.P) // (b * b)
+        total, k = 0, 0
+        while power:
+            total += sign ** k * (power // (2 * k + 1))
+            power = power * square >> self.P
+            k += 1
+        return total
+
+    def ln(self, a, b):
+        """(n, error), ln(a/b) being within error of n, for a, b > 0: a/b = 2^k m with 1 <= m < 2, j = [16m],
+        ln(16m/j) = 2 artanh((16m - j)/(16m + j)). The error is 32P|k| + 2P(j - 16) + 2P, with j < 32."""
+        k = a.bit_length() - b.bit_length()
+        a, b = (a, b << k) if k >= 0 else (a << -k, b)
+        if a < b:
+            a, k = 2 * a, k - 1
+        j = 16 * a // b
+        n = k * self.ln_table[32] + self.ln_table[j] + 2 * self.series(16 * a - j * b, 16 * a + j * b, 1)
+        return n, 32 * self.P * (abs(k) + 1)
+
+    def arctan(self, a, b):
+        """arctan(a/b) within 25P, b > 0. For v = a/b in [0, 1] it is arctan(j/8) + arctan((8v - j)/(8 + jv)),
+        j = [8v], within 9P; above 1 it is 2 arctan(1) - arctan(b/a)."""
+        if a < 0:
+            return -self.arctan(-a, b)
+        if a > b:
+            return 2 * self.arctan_table[8] - self.arctan(b, a)
+        j = 8 * a // b
+        return self.arctan_table[j] + self.series(8 * a - j * b, 8 * b + j * a, -1)
+
+
+# Reading. A form is {key: form} for an object, [form] for a list, (form, form) for a list of that length, or
+# a function of a value and its place (a JSON pointer), which returns what it reads.
 
 class Object(dict):
-    """A JSON object, which remembers a key that came twice."""
+    """A JSON object, which remembers its keys as they are written."""
 
     def __init__(self, pairs):
         super().__init__(pairs)
-        keys = [k for k, _ in pairs]
-        self.twice = next((k for k in keys if keys.count(k) > 1), None) if len(keys) > len(self) else None
+        self.written = [key for key, _ in pairs]
 
 
 def fail(place, what, value):
@@ -366,36 +292,49 @@ def fail(place, what, value):
 
 
 def read(form, value, place):
-    """The value in the form wanted: {key: form} is an object with just these keys (those with a "?" may be
-    missing, and give None), [form] a list, (form, form) a list of that length; a function reads all else."""
+    """What the value is in that form: an object has all the keys (but the OPTIONAL) and no others."""
     if isinstance(form, dict):
-        wanted = {key.rstrip("?"): inner for key, inner in form.items()}
         if not isinstance(value, dict):
             fail(place, "an object is wanted", value)
-        if value.twice is not None:
-            fail(place, "the key %s is there twice" % json.dumps(value.twice), value)
-        for key in list(value) + [key for key in form if not key.endswith("?")]:
-            if key not in wanted or key not in value:
-                problem = "missing" if key in wanted else "unknown"
+        for key in value.written + list(form):
+            is_there = key in value or key in OPTIONAL
+            problem = ("there twice" if value.written.count(key) > 1 else
+                       "unknown" if key not in form else "missing" if not is_there else None)
+            if problem:
                 fail(place, "the key %s is %s" % (json.dumps(key), problem), value)
-        return SimpleNamespace(**{key: read(inner, value[key], place + "/" + key) if key in value else None
-                                  for key, inner in wanted.items()})
+        return SimpleNamespace(**{key: read(form[key], value[key], place + "/" + key) for key in form
+                                  if key in value})
     if isinstance(form, (list, tuple)):
-        if not isinstance(value, list) or isinstance(form, tuple) and len(form) != len(value):
-            length = "" if isinstance(form, list) else " of %d" % len(form)
+        length = " of %d" % len(form) if isinstance(form, tuple) else ""
+        if not isinstance(value, list) or length and len(form) != len(value):
             fail(place, "a list%s is wanted" % length, value)
-        forms = form * len(value) if isinstance(form, list) else form
+        forms = form if length else form * len(value)
         return [read(inner, x, "%s/%d" % (place, k)) for k, (inner, x) in enumerate(zip(forms, value))]
     return form(value, place)
+
+
+def expect(test, what, form=lambda value, place: value):
+    """The form, for what passes the test."""
+    def leaf(value, place):
+        found = read(form, value, place)
+        return found if test(found) else fail(place, what, value)
+    return leaf
+
+
+def one_of(*strings):
+    return expect(lambda x: x in strings, "%s is wanted" % " or ".join(map(json.dumps, strings)))
+
+
+def at_least(least, form):
+    return expect(lambda x: x >= least, "a number not less than %d is wanted" % least, form)
 
 
 NUMBER = re.compile(r"(-?[0-9]+)(?:/([0-9]+)|(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?)\Z")
 
 
 def rational(value, place):
-    """A fraction, an integer or a decimal number, exactly."""
-    is_number = isinstance(value, (str, int)) and not isinstance(value, bool)
-    match = NUMBER.match(str(value)) if is_number else None
+    """A fraction, an integer or a decimal number, exactly; an int if it is an integer."""
+    match = NUMBER.match(str(value)) if type(value) in (str, int) else None
     if not match:
         fail(place, "a number is wanted, an integer, a fraction or a decimal number", value)
     head, below, digits, exponent = (x or "" for x in match.groups())
@@ -403,60 +342,12 @@ def rational(value, place):
         fail(place, "exponents are limited to %d" % MAX_EXPONENT, value)
     if below and int(below) == 0:
         fail(place, "the denominator is 0", value)
-    return Fraction(int(head + digits), int(below or 1)) * Fraction(10) ** (int(exponent or 0) - len(digits))
+    x = Fraction(int(head + digits), int(below or 1)) * Fraction(10) ** (int(exponent or 0) - len(digits))
+    return x if x.denominator > 1 else x.numerator
 
 
 def decimal(value, place):
-    """A decimal number; its text is kept."""
-    if "/" in str(value):
-        fail(place, "a decimal number is wanted", value)
-    return SimpleNamespace(value=rational(value, place), text=str(value))
-
-
-def integer(value, place):
-    """An integer in a string."""
-    number = rational(value, place)
-    if number.denominator != 1:
-        fail(place, "an integer is wanted", value)
-    return number.numerator
-
-
-def count(value, place):
-    """An integer that is no string."""
-    if isinstance(value, bool) or not isinstance(value, int) or abs(value) > MAX_BITS:
-        fail(place, "an integer is wanted, not above %d" % MAX_BITS, value)
-    return value
-
-
-def at_least(least, form):
-    """A number that is not too small."""
-    def leaf(value, place):
-        number = read(form, value, place)
-        if getattr(number, "value", number) < least:
-            fail(place, "a number not less than %d is wanted" % least, value)
-        return number
-    return leaf
-
-
-def one_of(*strings):
-    """One of some strings, or with none given any string."""
-    def leaf(value, place):
-        if not isinstance(value, str) or strings and value not in strings:
-            fail(place, "%s is wanted" % (" or ".join(map(json.dumps, strings)) or "a string"), value)
-        return value
-    return leaf
-
-
-def boolean(value, place):
-    if not isinstance(value, bool):
-        fail(place, "true or false is wanted", value)
-    return value
-
-
-def signs(value, place):
-    if not isinstance(value, str) or set(value) - set("+-0"):
-        fail(place, "signs are wanted, each of them +, - or 0", value)
-    return value
+    return fail(place, "a decimal number is wanted", value) if "/" in str(value) else rational(value, place)
 
 
 def poly(value, place):
@@ -471,44 +362,51 @@ def complex_poly(value, place):
 
 
 def point(value, place):
-    """The only zero of w in the open interval (low, high); a rational t is that of den(t)x - num(t) in (t -
-    1, t + 1)."""
+    """The only zero in (low, high) of w, made squarefree; a rational one is that of den t - num around it."""
     is_object = isinstance(value, dict) and isinstance(value.get("t"), dict)
     form = {"polynomial": poly, "interval": (rational, rational)} if is_object else rational
     P = read({"t": form, "order": at_least(1, count)}, value, place)
-    if not is_object:
-        return SimpleNamespace(order=P.order, w=[-P.t.numerator, P.t.denominator], low=P.t - 1, high=P.t + 1)
-    low, high = P.t.interval
-    if P.t.polynomial.is_constant() or low >= high:
+    t = P.t
+    w, (P.low, P.high) = ((t.polynomial, t.interval) if is_object else
+                          (Poly([-t.numerator, t.denominator]), (t - 1, t + 1)))
+    if w.is_constant() or P.low >= P.high:
         fail(place + "/t", "a polynomial that is not constant and an interval a < b are wanted", value["t"])
-    return SimpleNamespace(order=P.order, w=P.t.polynomial.c, low=low, high=high)
+    P.w = w.over(common(w, w.derivative()))
+    return P
 
 
-def decision(when_true, when_false):
-    """The answer, true or false, with the witnesses that it needs."""
+def decision(witnesses, always=False):
+    """The answer, with its witnesses: always, or where it is true."""
     def leaf(value, place):
-        is_true = isinstance(value, dict) and value.get("answer") is True
-        return read(dict(answer=boolean, **(when_true if is_true else when_false)), value, place)
+        is_wanted = always or isinstance(value, dict) and value.get("answer") is True
+        return read({"answer": boolean, **(witnesses if is_wanted else {})}, value, place)
     return leaf
 
 
-VECTOR, COMPLEX = (rational,) * 3, (integer, integer)
-CURVE = {"phrame": one_of("curve/1"), "name?": one_of(), "note?": one_of(), "family?": one_of(),
-         "basis": one_of("power"), "start?": VECTOR, "preimage": {key: poly for key in "uvpq"},
-         "multiplier?": poly}
-ROOT = {"center": COMPLEX, "radius": at_least(0, integer),
-        "residue": COMPLEX, "residue_radius": at_least(0, integer)}
+string = expect(lambda x: isinstance(x, str), "a string is wanted")
+boolean = expect(lambda x: isinstance(x, bool), "true or false is wanted")
+signs = expect(lambda x: isinstance(x, str) and set(x) <= set("+-0"),
+               "signs are wanted, each of them +, - or 0")
+count = expect(lambda x: type(x) is int and abs(x) <= MAX_BITS,
+               "an integer is wanted, not above %d" % MAX_BITS)
+integer = expect(lambda x: isinstance(x, int), "an integer is wanted", rational)
+VECTOR, COMPLEX, SIZE = (rational,) * 3, (integer, integer), at_least(0, integer)
+OPTIONAL = ("name", "note", "family", "start", "multiplier")  # all of them are keys of a curve
+CURVE = {"phrame": one_of("curve/1"), "name": string, "note": string, "family": string, "start": VECTOR,
+         "basis": one_of("power"), "preimage": {key: poly for key in "uvpq"}, "multiplier": poly}
+ROOT = {"center": COMPLEX, "radius": SIZE, "residue": COMPLEX, "residue_radius": SIZE}
 DECISIONS = {
-    "regular": decision({"cusps": [point]}, {"cusps": [point]}),
-    "inflections": decision({"points": [point]}, {"points": [point]}),
-    "line": decision({"direction": VECTOR}, {}),
-    "planar": decision({"normal": VECTOR}, {}),
-    "helical": decision({"axis": VECTOR, "cos_squared": rational}, {}),
-    "double_ph": decision({"omega": poly, "constant": rational}, {}),
-    "primitive": decision({"content": poly}, {"content": poly}),
-    "erf_is_rmf": decision({}, {}),
-    "rrmf": decision({"w": complex_poly}, {}),
-    "erf_monotone": decision(*({"zeros_of_h": [point], "extrema": [point]},) * 2)}
+    "regular": decision({"cusps": [point]}, always=True),
+    "inflections": decision({"points": [point]}, always=True),
+    "line": decision({"direction": VECTOR}),
+    "planar": decision({"normal": VECTOR}),
+    "helical": decision({"axis": VECTOR, "cos_squared": rational}),
+    "double_ph": decision({"omega": poly, "constant": rational}),
+    "primitive": decision({"content": poly}, always=True),
+    "erf_is_rmf": decision({}),
+    "rrmf": decision({"w": complex_poly}),
+    "erf_monotone": decision({"zeros_of_h": [point], "extrema": [point]}, always=True)}
+CLAIM = {"t": rational, "theta": decimal, "radius": at_least(0, decimal)}
 TURN, BEND = {"index": count, "signs": (signs, signs)}, {"polynomial": complex_poly, "content": poly}
 CERTIFICATE = {
     "phrame": one_of("certificate/1"), "curve": CURVE, "frame": one_of("erf", "frenet"),
@@ -517,8 +415,6 @@ CERTIFICATE = {
     "antiderivative": {"rational": {"numerator": poly, "denominator": poly},
                        "logs": [{"index": poly, "residue": poly, "roots": [ROOT]}]},
     "bits": at_least(0, count), "decisions": DECISIONS}
-CLAIM = {"t": lambda value, place: SimpleNamespace(value=rational(value, place), text=str(value)),
-         "theta": decimal, "radius": at_least(0, decimal)}
 
 
 def refuse(text):
@@ -531,111 +427,53 @@ def read_certificate(data):
         value = json.loads(data.decode("utf-8"), object_pairs_hook=Object, parse_float=str,
                            parse_constant=refuse)
         frenet = isinstance(value, dict) and value.get("frame") == "frenet"
-        C = read(dict(CERTIFICATE, claims=[dict(CLAIM, turn=TURN)], bend=BEND) if frenet else
-                 dict(CERTIFICATE, claims=[CLAIM]), value, "")
+        more = {"claims": [{**CLAIM, "turn": TURN}], "bend": BEND} if frenet else {"claims": [CLAIM]}
+        C = read({**CERTIFICATE, **more}, value, "")
     except (ValueError, RecursionError) as error:
         raise Malformed("/: this is no JSON: %s" % str(error)[:200].replace("\n", " "))
-    if C.curve.multiplier is None:
-        C.curve.multiplier = Poly([1])
-    if not C.curve.multiplier or not any(vars(C.curve.preimage).values()):
+    C.f, C.A = getattr(C.curve, "multiplier", Poly([1])), [getattr(C.curve.preimage, key) for key in "uvpq"]
+    if not C.f or not any(C.A):
         fail("/curve", "a curve with a preimage and a multiplier that are not 0 is wanted", value["curve"])
+    for claim, written in zip(C.claims, value["claims"]):
+        claim.text = "|theta(%(t)s) - %(theta)s| <= %(radius)s" % written
     return C
 
 
-# ---- The proof. --------------------------------------------------------------------------------------------
-
-
-def bend_of(A):
-    """g = alpha beta' - alpha' beta for alpha = u + iv, beta = q + ip."""
-    u, v, p, q = A
-    du, dv, dp, dq = (a.derivative() for a in A)
-    return u * dq - v * dp - du * q + dv * p, u * dp + v * dq - du * p - dv * q
-
-
-def norm(a):
-    """|a|^2 of a complex polynomial."""
-    return a[0] * a[0] + a[1] * a[1]
-
-
-def spin(a):
-    """Im(a' conj a)."""
-    return a[1].derivative() * a[0] - a[0].derivative() * a[1]
-
-
-class Zeros:
-    """The zeros of P on [0, 1] with their orders. A zero of order k of P is one of order k - 1 of gcd(P, P'):
-    levels[j] has the zeros of P of order greater than j, with the order less j."""
-
-    def __init__(self, P):
-        self.levels = [primitive(P.c)]
-        while len(self.levels[-1]) > 1:
-            self.levels.append(common_divisor(self.levels[-1], derived(self.levels[-1])))
-
-    def level(self, j):
-        return self.levels[min(j, len(self.levels) - 1)]
-
-    def number(self, odd_only):
-        """How many zeros there are: those of order > 0, less those of order > 1, plus those of order > 2 ...
-        are the odd ones."""
-        numbers = [zeros_within(quotient(a, b), Fraction(0), Fraction(1))
-                   for a, b in zip(self.levels, self.levels[1:])]
-        return sum(numbers[0::2]) - sum(numbers[1::2]) if odd_only else sum(numbers[:1])
-
-    def check(self, point, name):
-        """The point is in [0, 1] and is a zero of exactly the order claimed."""
-        at_least, more = self.level(point.order - 1), self.level(point.order)
-        low, high, w = point.low, point.high, squarefree(point.w)
-        require(scaled_value(w, low) and scaled_value(w, high) and zeros_between(w, low, high) == 1,
-                "%s: an interval does not hold exactly one zero of its polynomial" % name)
-        a, b = max(low, Fraction(0)), min(high, Fraction(1))
-        require(a <= b and zeros_within(w, a, b) == 1, "%s: a point is not in [0, 1]" % name)
-        at_least, more = (common_divisor(w, self.level(k)) for k in (point.order - 1, point.order))
-        require(zeros_between(at_least, low, high) == 1 and zeros_between(more, low, high) == 0,
-                "%s: a point is no zero of order %d" % (name, point.order))
-
-
-def are_distinct(a, b):
-    """Whether two points differ: no common zero of their polynomials is in both intervals."""
-    low, high = max(a.low, b.low), min(a.high, b.high)
-    return low >= high or zeros_between(squarefree(common_divisor(a.w, b.w)), low, high) == 0
-
-
-def is_inside(point):
-    """Whether the point, which is in [0, 1], is neither 0 nor 1."""
-    ends = Fraction(0), Fraction(1)
-    return not any(point.low < t < point.high and scaled_value(point.w, t) == 0 for t in ends)
-
+# The proof.
 
 def check_points(P, points, name, odd_only=False):
-    """The points are all the zeros of P on [0, 1], or all of odd order, each once; for P = 0 there are
-    none."""
+    """The points are all the zeros of P on [0, 1], or all of odd order, each once; none for P = 0. A zero of
+    order k of P is one of order k - 1 of gcd(P, P'): levels[j] has the zeros of order greater than j."""
     if not P:
-        require(not points, "%s: there must be no points, the polynomial is 0" % name)
-        return
-    zeros = Zeros(P)
+        return require(not points, "%s: there must be no points, the polynomial is 0" % name)
+    levels = [P]
+    while not levels[-1].is_constant():
+        levels.append(common(levels[-1], levels[-1].derivative()))
     for point in points:
-        zeros.check(point, name)
-        require(point.order % 2 or not odd_only, "%s: a point of even order is listed" % name)
-    require(all(are_distinct(a, b) for a, b in combinations(points, 2)), "%s: two points are the same" % name)
-    number = zeros.number(odd_only)
+        w, low, high = point.w, point.low, point.high
+        require(w(low) and w(high) and w.zeros(low, high) == 1,
+                "%s: an interval does not hold exactly one zero of its polynomial" % name)
+        require(w.zeros(max(low, 0), min(high, 1)) == 1, "%s: a point is not in [0, 1]" % name)
+        order = sum(common(w, level).zeros(low, high) for level in levels)
+        require(order == point.order, "%s: a point is no zero of order %d" % (name, point.order))
+        require(order % 2 or not odd_only, "%s: a point of even order is listed" % name)
+    for a, b in combinations(points, 2):
+        low, high = max(a.low, b.low), min(a.high, b.high)
+        require(low >= high or not common(a.w, b.w).zeros(low, high), "%s: two points are the same" % name)
+    # Those of order > 0; less those of order > 1, plus those of order > 2 ... are those of odd order.
+    numbers = [a.over(b).zeros(0, 1) for a, b in zip(levels, levels[1:])]
+    number = sum(numbers[0::2]) - sum(numbers[1::2]) if odd_only else sum(numbers[:1])
     require(number == len(points), "%s: there are %d points, not %d" % (name, number, len(points)))
 
 
 def sturm_sequence(x, y):
     """s0 = x, s1 = y, s2 = -rem(s0, s1), ... to the last that is not 0, each up to a positive factor."""
-    s = [x] + ([y] if y else [])
-    while len(s) > 1:
-        rest = remainder(s[-2], s[-1])[0]
-        if not rest:
-            break
-        s.append(primitive([-c for c in rest]))
-    require(len(s[-1]) == 1, "the Sturm sequence does not end with a constant")
+    s = [x]
+    while y:
+        s.append(y)
+        y = divmod(s[-2], y)[1].primitive() * -1
+    require(s[-1].is_constant(), "the Sturm sequence does not end with a constant")
     return s
-
-
-def apart(z, w):
-    """Whether two closed discs do not meet."""
-    return (z.x - w.x) ** 2 + (z.y - w.y) ** 2 > (z.r + w.r) ** 2
 
 
 class Proof:
@@ -643,19 +481,19 @@ class Proof:
 
     def __init__(self, C):
         self.C, self.lines, self.proved, self.fixed, self.sturm = C, [], set(), {}, {}
-        self.frenet, self.B, self.f = C.frame == "frenet", C.bits, C.curve.multiplier
-        self.A = u, v, p, q = [getattr(C.curve.preimage, key) for key in "uvpq"]
-        du, dv, dp, dq = (a.derivative() for a in self.A)
-        self.sigma = u * u + v * v + p * p + q * q
-        self.xyz = [u * u + v * v - p * p - q * q, (u * q + v * p) * 2, (v * q - u * p) * 2]
+        self.frenet, self.B, self.f, (u, v, p, q) = C.frame == "frenet", C.bits, C.f, C.A
+        self.sigma, self.h, self.g = invariants_of(C.A)
+        self.xyz = [u * u + v * v - p * p - q * q, (u * q + v * p) * 2, (v * q - u * p) * 2]  # A i A*
         self.hodograph = [self.f * a for a in self.xyz]
-        self.h = u * dv - du * v - p * dq + dp * q
-        self.g = bend_of(self.A)
+        self.K0 = common(*C.A)
+        self.sigma0, self.h0, self.g0 = invariants_of([a.over(self.K0) for a in C.A])
         self.N, self.D = C.rate.numerator, C.rate.denominator
         self.P, self.Q = C.antiderivative.rational.numerator, C.antiderivative.rational.denominator
+        self.dP = self.P.derivative() * self.Q - self.P * self.Q.derivative()  # R' = dP/Q^2
         self.logs = C.antiderivative.logs
         for log in self.logs:
             log.q, log.c = log.index, log.residue
+            log.n = divmod(log.c * log.q.derivative(), log.q)[1] if log.q else log.q  # n = c q' mod q
             for z in log.roots:
                 (z.x, z.y), (z.re, z.im), z.r, z.s = z.center, z.residue, z.radius, z.residue_radius
 
@@ -688,79 +526,61 @@ class Proof:
         if self.frenet:
             self.state("bend", self.bend)
         for claim in self.C.claims:
-            what = "|theta(%s) - %s| <= %s" % (claim.t.text, claim.theta.text, claim.radius.text)
-            self.state(what, self.claim, ["bend"] if self.frenet else [], claim)
+            self.state(claim.text, self.claim, ["bend"] if self.frenet else [], claim)
         for name in DECISIONS:
             self.state("decision " + name, getattr(self, name), (), getattr(self.C.decisions, name))
         return self.lines
 
     def invariants(self):
-        """What is written is what follows from the curve. Nothing rests on this: all else uses what is
-        computed."""
-        C = self.C
+        """What is written is what follows from the curve. All else uses what is computed."""
         for name in ("hodograph", "sigma", "h", "g"):
-            require(getattr(C, name) == getattr(self, name), "%s is not that of the curve" % name)
+            require(getattr(self.C, name) == getattr(self, name), "%s is not that of the curve" % name)
 
     def rate(self):
-        """-2h = NK and sigma = DK; N and D are coprime modulo p, so they are coprime."""
+        """-2h = NK and sigma = DK; N and D are coprime, since they are so modulo p."""
         K, p = self.C.rate.common, self.C.rate.coprime_modulo
         require(self.h * -2 == self.N * K, "-2h is not numerator times common")
         require(self.sigma == self.D * K, "sigma is not denominator times common")
         if not self.N:
-            require(self.D.is_constant(), "the numerator is 0 and the denominator is not constant")
-            return
-        N, D = primitive(self.N.c), primitive(self.D.c)
+            return require(self.D.is_constant(), "the numerator is 0 and the denominator is not constant")
+        N, D = self.N.primitive().c, self.D.primitive().c
         require(N[-1] % p and D[-1] % p, "the modulus divides a leading coefficient")
-        try:
-            require(len(gcd_modulo(N, D, p)) == 1, "Euclid's algorithm modulo p does not end with a constant")
-        except ValueError:
-            raise NotProved("the modulus is no prime")
-
-    @staticmethod
-    def numerator(log):
-        """n = c q' mod q."""
-        product = log.c * log.q.derivative()
-        rest, factor = remainder(product.c, log.q.c)
-        return Poly(rest, factor * product.d)
+        require(are_coprime_modulo(N, D, p), "Euclid's algorithm modulo p does not end with a constant")
 
     def antiderivative(self):
-        """R' + sum n/q = N/D for R = P/Q."""
+        """R' + sum n/q = N/D."""
         require(self.Q and all(log.q for log in self.logs), "a denominator is 0")
-        num, den = self.P.derivative() * self.Q - self.P * self.Q.derivative(), self.Q * self.Q
+        num, den = self.dP, self.Q * self.Q
         for log in self.logs:
-            num, den = num * log.q + self.numerator(log) * den, den * log.q
+            num, den = num * log.q + log.n * den, den * log.q
         require(num * self.D == self.N * den, "its derivative is not numerator/denominator")
 
     def roots(self, log):
-        """Half as many discs as the degree d, disjoint, above the axis, and d |q(z)| <= r |q'(z)|: one root
-        in each."""
-        q, d = log.q.c, len(log.q.c) - 1
+        """d/2 disjoint discs above the axis for the degree d, and d |q(z)| <= r |q'(z)|: a root in each."""
+        q, b, d = log.q.c, derived(log.q.c), len(log.q.c) - 1
         require(2 * len(log.roots) == d, "the degree is %d, the number of roots %d" % (d, len(log.roots)))
         for k, z in enumerate(log.roots):
             require(z.r < z.y, "disc %d is not above the real axis" % k)
-            q_z, slope = at_grid_point(q, z.x, z.y, self.B), at_grid_point(derived(q), z.x, z.y, self.B)
-            require(d * d * (q_z[0] ** 2 + q_z[1] ** 2) <= z.r ** 2 * (slope[0] ** 2 + slope[1] ** 2),
-                    "no root is proved to be in disc %d" % k)
+            q_z, b_z = at_grid_point(q, z.x, z.y, self.B), at_grid_point(b, z.x, z.y, self.B)
+            require(d * d * norm(q_z) <= z.r ** 2 * norm(b_z), "no root is proved to be in disc %d" % k)
         for (i, z), (k, w) in combinations(enumerate(log.roots), 2):
             require(apart(z, w), "discs %d and %d meet" % (i, k))
 
     def residues(self, log):
         """|n(z) - w q'(z)| + r (n^'(rho) + |w| q^''(rho)) <= s (|q'(z)| - r q^''(rho)), rho = |z| + r. Both
-        sides are multiplied by the denominators of n and q and by a power of 2. rho is rounded up, with FINE
-        more bits. (Where s or the right side is 0, so is the left side; then r = 0 or n = w = 0, and w is
-        exact.)"""
-        B, d, n = self.B, len(log.q.c) - 1, self.numerator(log)
+        sides are multiplied by the denominators of n and q and by a power of 2; b is q'; rho is rounded up,
+        with FINE more bits. (If the right side is 0, so is the left; then r = 0 or n = w = 0: w is exact.)"""
+        B, d, n = self.B, len(log.q.c) - 1, log.n
         b = [x * n.d for x in derived(log.q.c)]
         n = [x * log.q.d for x in n.c] + [0] * (d - len(n.c))
         n_hat, b_hat = ([abs(x) for x in derived(a)] for a in (n, b))
         for k, z in enumerate(log.roots):
-            n_z, b_z = at_grid_point(n, z.x, z.y, B), at_grid_point(b, z.x, z.y, B)
-            miss = root_up(((n_z[0] << B) - z.re * b_z[0] + z.im * b_z[1]) ** 2 +
-                           ((n_z[1] << B) - z.re * b_z[1] - z.im * b_z[0]) ** 2)
-            slope = root_down(b_z[0] ** 2 + b_z[1] ** 2)
-            rho = root_up((z.x ** 2 + z.y ** 2) << 2 * FINE) + (z.r << FINE)
+            n_z, b_z = (at_grid_point(a, z.x, z.y, B) for a in (n, b))
+            miss = root(norm(((n_z[0] << B) - z.re * b_z[0] + z.im * b_z[1],
+                              (n_z[1] << B) - z.re * b_z[1] - z.im * b_z[0])), up=True)
+            rho = root(norm(z.center) << 2 * FINE, up=True) + (z.r << FINE)
             n_rho, b_rho = (at_grid_point(a, rho, 0, B + FINE)[0] for a in (n_hat, b_hat))
-            size, shift = root_up(z.re ** 2 + z.im ** 2), FINE * (d - 2)
+            size, slope, shift = root(norm(z.residue), up=True), root(norm(b_z), up=False), FINE * (d - 2)
             left = (miss << shift) + z.r * ((n_rho << B) + size * b_rho)
             right = z.s * ((slope << shift) - z.r * b_rho)
             require(left <= right, "the radius of residue %d is not proved" % k)
@@ -770,97 +590,91 @@ class Proof:
         gamma, G = self.C.bend.polynomial, self.C.bend.content
         require(any(self.g), "g is 0, there is no Frenet frame")
         require(self.g == tuple(G * a for a in gamma), "g is not content times polynomial")
-        parts_gcd = common_divisor(gamma[0].c, gamma[1].c)
-        require(len(parts_gcd) == 1, "the parts of the polynomial are not coprime")
+        require(common(*gamma).is_constant(), "the parts of the polynomial are not coprime")
         self.is_rmf = not self.h * -2 * norm(gamma) + self.sigma * spin(gamma)
 
     def turn(self, t, turn):
-        """The signs and the index are right; returns y(t)/x(t) and y(0)/x(0)."""
-        zero, (re, im) = Fraction(0), self.C.bend.polynomial
-        x, y = re * re(zero) + im * im(zero), im * re(zero) - re * im(zero)
+        """The signs and the index are right. Returns pairs (k, slope): arg gamma(t) - arg gamma(0) is the sum
+        of k arctan(slope), for the slopes y/x at t and 0, and for pi; those that are 0 are left out."""
+        re, im = self.C.bend.polynomial
+        x, y = re * re(0) + im * im(0), im * re(0) - re * im(0)
         turned = x(t) == 0
         x, y = (x - y, x + y) if turned else (x, y)
         if turned not in self.sturm:
-            self.sturm[turned] = sturm_sequence(primitive(x.c), primitive(y.c))
-        values = [[scaled_value(s, at) for s in self.sturm[turned]] for at in (zero, t)]
+            self.sturm[turned] = sturm_sequence(x, y)
+        values = [[s(at) for s in self.sturm[turned]] for at in (0, t)]
         signs_found = ["".join("+" if v > 0 else "-" if v < 0 else "0" for v in row) for row in values]
         require(signs_found == turn.signs, "the signs at 0 and t are %s and %s" % tuple(signs_found))
         index = sign_changes(values[0]) - sign_changes(values[1])
         require(index == turn.index, "the index is %d" % index)
-        return y(t) / x(t), y(zero) / x(zero)
+        terms = (1, y(t) / x(t)), (-1, y(0) / x(0)), (-4 * index, 1)
+        return [(k, slope) for k, slope in terms if k and slope]
 
     def claim(self, claim):
-        """|theta(t) - theta| <= radius. theta(0) = 0, and theta_Frenet = 0 everywhere if that frame
-        minimizes."""
-        t, theta, radius, zero = claim.t.value, claim.theta.value, claim.radius.value, Fraction(0)
-        slopes = self.turn(t, claim.turn) if self.frenet else (zero, zero)
-        index = claim.turn.index if self.frenet else 0
+        """|theta(t) - theta| <= radius. theta(0) = 0; theta_Frenet is 0 if that frame minimizes."""
+        t, theta, radius = claim.t, claim.theta, claim.radius
+        turn = self.turn(t, claim.turn) if self.frenet else []
         if t == 0 or self.frenet and self.is_rmf:
-            require(abs(theta) <= radius, "the angle is 0")
-            return
+            return require(abs(theta) <= radius, "the angle is 0")
         self.rest_on(self.needed)
-        require(self.Q(t) and self.Q(zero), "the denominator of the rational part is 0 at t or at 0")
-        # The rational part of theta(t) - theta:
-        distance = self.P(t) / self.Q(t) - self.P(zero) / self.Q(zero) - theta
+        require(self.Q(t) and self.Q(0), "the denominator of the rational part is 0 at t or at 0")
+        distance = self.P(t) / self.Q(t) - self.P(0) / self.Q(0) - theta  # from theta, of the rational part
         roots = [z for log in self.logs for z in log.roots]
         require(radius > 0 or not roots, "the radius is 0, and there are logarithms")
         ask = max(0, radius.denominator.bit_length() - radius.numerator.bit_length()) + 64
         ask += max(0, sum(abs(z.re) + abs(z.im) for z in roots).bit_length() - self.B)
-        bits, most = min(ask, 4096), ask + 256
-        while True:  # ends, since bits grows to most
-            (low, high), error = self.angle(t, roots, slopes, index, bits)
+        for bits in (min(ask, 4096), ask + 256):
+            n, rounding, error = self.angle(t, roots, turn, bits)
             unit = Fraction(1, 1 << (bits + self.B))
-            least, greatest = distance + (low - error) * unit, distance + (high + error) * unit
+            least, greatest = (distance + x * unit for x in (n - rounding - error, n + rounding + error))
             if -radius <= least and greatest <= radius:
                 return
             require(-radius <= greatest and least <= radius, "the angle is not that")
-            require(high - low > error >> 16, "the discs are too large")
-            require(bits < most, "the angle is too close to the end of the interval")
-            bits = min(2 * bits, most)
+            require(2 * rounding > error >> 16, "the discs are too large")
+        raise NotProved("the angle is too close to the end of the interval")
 
-    def angle(self, t, roots, slopes, index, bits):
-        """(interval, error): theta(t) - R(t) + R(0) computed at the centres is in the interval, and differs
-        from the true one by at most error; all times 2^(bits + B). With L = log(1 - t/zeta) a root adds 2
-        Re(c L), and |dL/dzeta| = |t|/|zeta (t - zeta)|. So the disc of the root is worth 2 (|w| + s) r
+    def angle(self, t, roots, turn, bits):
+        """(n, rounding, error): theta(t) - R(t) + R(0) computed at the centres is within rounding of n, and
+        differs from the true one by at most error; all times 2^(bits + B). With L = log(1 - t/zeta) a root
+        adds 2 Re(c L), and |dL/dzeta| = |t|/|zeta (t - zeta)|. So the disc of the root is worth 2 (|w| + s) r
         |t|/((|z| - r)(|t - z| - r)) and that of the residue 2 s |L| <= s (|ln| + 2 |arctans|)."""
         if bits not in self.fixed:
             self.fixed[bits] = Fixed(bits)
-        fixed, total, error = self.fixed[bits], (0, 0), 0
+        fixed, n, rounding, error = self.fixed[bits], 0, 0, 0
         for z in roots:
             a, b = (t.numerator << self.B) - t.denominator * z.x, t.denominator * z.y  # t - x, y, scaled
-            far, near = a * a + b * b, z.x ** 2 + z.y ** 2
-            logarithm = fixed.ln(far, near * t.denominator ** 2)
-            arctans = plus(fixed.arctan(a, b), fixed.arctan(z.x, z.y))
-            total = plus(total, plus(times(logarithm, z.re), times(arctans, -2 * z.im)))
-            to_t = root_down(far << 2 * FINE) - (z.r * t.denominator << FINE)
-            to_0 = root_down(near << 2 * FINE) - (z.r << FINE)
+            far, near = norm((a, b)), norm(z.center)
+            logarithm, ln_error = fixed.ln(far, near * t.denominator ** 2)
+            arctans, arctans_error = fixed.arctan(a, b) + fixed.arctan(z.x, z.y), 50 * bits
+            n += z.re * logarithm - 2 * z.im * arctans
+            rounding += abs(z.re) * ln_error + 2 * abs(z.im) * arctans_error
+            to_t = root(far << 2 * FINE, up=False) - (z.r * t.denominator << FINE)
+            to_0 = root(near << 2 * FINE, up=False) - (z.r << FINE)
             require(to_t > 0 and to_0 > 0, "the discs are too large")
-            worth = 2 * (root_up(z.re ** 2 + z.im ** 2) + z.s) * z.r * abs(t.numerator)
+            worth = 2 * (root(norm(z.residue), up=True) + z.s) * z.r * abs(t.numerator)
             error += -(-(worth << (2 * FINE + bits + self.B)) // (to_t * to_0))  # rounded up
-            error += z.s * (max(map(abs, logarithm)) + 2 * max(map(abs, arctans)))
-        end, start = (fixed.arctan(slope.numerator, slope.denominator) for slope in slopes)
-        arg = plus(plus(end, times(start, -1)), times(fixed.pi, -index))
-        return plus(total, times(arg, 1 << self.B)), error
+            error += z.s * (abs(logarithm) + ln_error + 2 * (abs(arctans) + arctans_error))
+        for k, slope in turn:
+            n += k * fixed.arctan(slope.numerator, slope.denominator) << self.B
+            rounding += abs(k) * 25 * bits << self.B
+        return n, rounding, error
 
     # The decisions: x, y, z stand for A i A*, and each law is that of the page's table.
 
     def regular(self, decision):
-        K = common(self.A)
-        check_points(self.f * K * K, decision.cusps, "cusps")
+        check_points(self.f * self.K0 * self.K0, decision.cusps, "cusps")
         require(decision.answer == (not decision.cusps), "cusps and answer contradict each other")
 
     def inflections(self, decision):
-        K = common(self.A)
-        check_points(common(bend_of([a.over(K) for a in self.A])), decision.points, "points")
+        check_points(common(*self.g0), decision.points, "points")
         require(decision.answer == bool(decision.points), "points and answer contradict each other")
 
     def line(self, decision):
         if not decision.answer:
-            require(rank(self.xyz) >= 2, "no two of x, y, z are independent")
-            return
+            return require(rank(self.xyz) >= 2, "no two of x, y, z are independent")
         require(any(decision.direction), "the direction is 0")
-        for (a, k), (b, l) in combinations(zip(self.xyz, decision.direction), 2):
-            require(a * l == b * k, "x, y, z are not multiples of the direction")
+        pairs = combinations(zip(self.xyz, decision.direction), 2)
+        require(all(a * l == b * k for (a, k), (b, l) in pairs), "x, y, z are not multiples of the direction")
 
     def dot(self, vector):
         """vector . (x, y, z)"""
@@ -868,36 +682,32 @@ class Proof:
 
     def planar(self, decision):
         if not decision.answer:
-            require(rank(self.xyz) == 3, "x, y, z are dependent")
-            return
+            return require(rank(self.xyz) == 3, "x, y, z are dependent")
         require(any(decision.normal), "the normal is 0")
         require(not self.dot(decision.normal), "the normal is not orthogonal to (x, y, z)")
 
     def helical(self, decision):
         if not decision.answer:
-            require(rank(self.xyz) < 3 or rank(self.xyz + [self.sigma]) == 4, "sigma depends on x, y, z")
-            return
+            is_other = rank(self.xyz) < 3 or rank(self.xyz + [self.sigma]) == 4
+            return require(is_other, "sigma depends on x, y, z")
         require(rank(self.xyz) == 3, "x, y, z are dependent")
         require(any(decision.axis), "the axis is 0")
         along, square = self.dot(decision.axis), decision.cos_squared * sum(a * a for a in decision.axis)
         require(along * along == self.sigma * self.sigma * square, "the angle to the axis is another")
 
     def double_ph(self, decision):
-        square = norm(self.g) * 4
+        """False: a = constant s^2 would make every a(k) a[-1] a square. (Where all are, a is such a one.)"""
         if decision.answer:
-            square_wanted = decision.omega * decision.omega * decision.constant
-            require(square == square_wanted, "4|g|^2 is not constant omega^2")
-            return
-        # If a = constant s^2, a(k) times the leading coefficient is a square for each k. (If it is one for
-        # all k, then a is a constant times a square, so this search finds what there is.)
-        a = square.c
-        values = (a[-1] * scaled_value(a, Fraction(k)) for k in range(1000 if a else 0))
+            is_square = norm(self.g) * 4 == decision.omega * decision.omega * decision.constant
+            return require(is_square, "4|g|^2 is not constant omega^2")
+        a = norm(self.g).primitive()
+        values = (int(a(k)) * a.c[-1] for k in range(1000 if a else 0))
         require(any(x < 0 or isqrt(x) ** 2 != x for x in values), "4|g|^2 seems a constant times a square")
 
     def primitive(self, decision):
         require(decision.content, "the content is 0")
         parts = [a.over(decision.content) for a in self.hodograph]
-        require(common(parts).is_constant(), "the content is not the greatest common divisor")
+        require(common(*parts).is_constant(), "the content is not the greatest common divisor")
         require(decision.answer == decision.content.is_constant(), "content and answer contradict each other")
 
     def erf_is_rmf(self, decision):
@@ -910,59 +720,51 @@ class Proof:
         if decision.answer:
             require(any(decision.w), "w is 0")
             is_angle = spin(decision.w) * self.sigma == self.h * norm(decision.w) * -1
-            require(is_angle, "2 arg w is not the angle")
-            return
+            return require(is_angle, "2 arg w is not the angle")
         self.rest_on(self.needed)
-        if self.P.derivative() * self.Q != self.P * self.Q.derivative():
-            return
-        one = 1 << self.B
+        is_found, one = bool(self.dP), 1 << self.B
         for log in self.logs:
             others = [z for other in self.logs if other is not log for z in other.roots]
             for z in log.roots:
                 above = z.im % one  # the height of the centre above the next lower point of iZ
-                off = z.re ** 2 + min(above, one - above) ** 2 > z.s ** 2
-                if off and all(apart(z, w) for w in others):
-                    return
-        raise NotProved("the rational part is constant, and no residue is proved to be outside iZ")
+                is_off = norm((z.re, min(above, one - above))) > z.s ** 2
+                is_found = is_found or is_off and all(apart(z, w) for w in others)
+        require(is_found, "the rational part is constant, and no residue is proved to be outside iZ")
 
     def erf_monotone(self, decision):
-        """(H/E)' has the numerator (H'E - HE')/gcd(E, E') in lowest terms, if H/E is so: at a zero of E of
-        order k the order of H'E - HE' is k - 1."""
+        """The zeros of N, then the real ones of (h/(f sigma^2))' = (h0/(f K0^2 sigma0^2))', where sigma0 has
+        none (u, v, p, q of A0 would be 0 there). With H/e = h0/(f K0^2) in lowest terms the derivative is
+        (H' e sigma0 - H (e' sigma0 + 2 e sigma0'))/(e^2 sigma0^3). At a zero of e of order k the numerator
+        has the order k - 1, as has gcd(e, e'), by which it is divided."""
         self.rest_on(["rate"])
         check_points(self.N, decision.zeros_of_h, "zeros_of_h")
-        turns = any(point.order % 2 and is_inside(point) for point in decision.zeros_of_h)
+        turns = any(a.order % 2 and not any(a.low < t < a.high and a.w(t) == 0 for t in (0, 1))
+                    for a in decision.zeros_of_h)  # a zero of odd order, neither at 0 nor at 1
         require(decision.answer == (not turns), "zeros_of_h and answer contradict each other")
-        E = self.f * self.sigma * self.sigma
-        K = common([self.h, E])
-        H, E = self.h.over(K), E.over(K)
-        P = H.derivative() * E - H * E.derivative()
-        check_points(P.over(common([E, E.derivative()])), decision.extrema, "extrema", odd_only=True)
+        e, sigma = self.f * self.K0 * self.K0, self.sigma0
+        K = common(self.h0, e)
+        H, e = self.h0.over(K), e.over(K)
+        P = H.derivative() * e * sigma - H * (e.derivative() * sigma + e * sigma.derivative() * 2)
+        check_points(P.over(common(e, e.derivative())), decision.extrema, "extrema", odd_only=True)
 
 
 def check(name, show_name, quiet):
     """Checks one file and prints what is proved; returns the exit status."""
     try:
-        if name == "-":
-            data = sys.stdin.buffer.read()
-        else:
-            with open(name, "rb") as file:
-                data = file.read()
-        certificate = read_certificate(data)
-    except OSError as error:
-        print("check_certificate.py: %s: %s" % (name, error.strerror), file=sys.stderr)
+        with open(0 if name == "-" else name, "rb", closefd=name != "-") as file:
+            lines = Proof(read_certificate(file.read())).run()
+    except (OSError, Malformed) as error:
+        problem = " " + error.strerror if isinstance(error, OSError) else error
+        print("check_certificate.py: %s:%s" % (name, problem), file=sys.stderr)
         return 2
-    except Malformed as error:
-        print("check_certificate.py: %s:%s" % (name, error), file=sys.stderr)
-        return 2
-    lines = Proof(certificate).run()
     if show_name:
         print("%s:" % name)
     for is_proved, line in lines:
         if not (quiet and is_proved):
             print(line)
-    failures = sum(not is_proved for is_proved, _ in lines)
-    print("%d of %d statements are not proved" % (failures, len(lines)) if failures else
-          "all %d statements are proved" % len(lines))
+    failures, number = sum(not is_proved for is_proved, _ in lines), len(lines)
+    print("%d of %d statements are not proved" % (failures, number) if failures else
+          "all %d statements are proved" % number)
     return 1 if failures else 0
 
 
