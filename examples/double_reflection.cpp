@@ -30,7 +30,7 @@ Point mirrored(const Point& a, const Point& v) { return subtract(a, 2 * dot(v, a
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   const char* path = argc > 1 ? argv[1] : "curves/farouki-2003-quintic.json";
   const long steps = argc > 2 ? std::atol(argv[2]) : 10;
   std::ostringstream text;
@@ -62,4 +62,7 @@ int main(int argc, char** argv) {
     for (const Point& v : {f2, f3}) std::cout << ',' << v[0] << ',' << v[1] << ',' << v[2];
     std::cout << '\n';
   }
+} catch (const phrame::Error& error) {
+  std::cerr << "usage: double_reflection CURVE.json [STEPS]\n" << error.what() << "\n";
+  return 2;
 }
