@@ -18,6 +18,7 @@ struct PrecisionLimit {
 // thrown. Ziv, Fast evaluation of elementary mathematical functions with correctly rounded last
 // bit, ACM TOMS 17 (1991).
 
+/// 0 is no boundary here: a ball within 2^−1075 of it rounds to 0, the positive one.
 double round_to_double(const Real& x, PrecisionLimit limit = {});
 
 /// With a significand of `bits` bits.

@@ -12,6 +12,9 @@
 namespace phrame {
 namespace {
 
+/// Of the first ball: enough for a double, so that it is often the last.
+constexpr long first_bits = 128;
+
 /// log((b − z)/(a − z)) = log(1 + (b − a)/(a − z)), accurate also for b close to a.
 ComplexBall log_ratio(const ComplexBall& z, const Rational& a, const Rational& b, long bits) {
   ComplexBall ratio;
@@ -245,6 +248,22 @@ std::optional<Rational> Evaluator::multiple_of_pi(const Rational& a, const Ratio
   return phrame::multiple_of_pi(log_change(gaussian, a, b));
 }
 
+std::optional<GaussianPolynomial> Evaluator::single_argument() {
+  if (!polynomial_.is_zero() || !rational_.is_zero()) return std::nullopt;
+  constexpr long bits = first_bits + 24;  // as the first value needs
+  prepare(bits);
+  std::vector<SimpleFraction> fractions;
+  for (const Poles& p : poles_) {
+    for (const ComplexBall& c : p.upper_residues) {
+      const RealBall twice = multiply(c.im(), RealBall(2, bits), bits);
+      if (!c.re().contains_zero() || arb_contains_int(twice.raw()) == 0) return std::nullopt;
+    }
+    for (SimpleFraction& f : simple_fractions({p.numerator, p.denominator}))
+      fractions.push_back(std::move(f));
+  }
+  return phrame::single_argument(gaussian_logs(over_residues(fractions)));
+}
+
 Real Evaluator::value(const Rational& a, const Rational& b) {
   return value(a, b, {{1}, {}}, [this, a, b](long bits) { return difference(a, b, bits); });
 }
@@ -255,7 +274,7 @@ Real Evaluator::value(const Rational& a, const Rational& b, const GaussianPolyno
                       const Real::Enclosure& enclose) {
   const Rational rational = rational_difference(a, b);
   if (a == b || (poles_.empty() && degree(phase) == 0)) return rational;
-  constexpr long bits = 128;  // enough for a double, so that the first ball is often the last
+  constexpr long bits = first_bits;
   const RealBall first = enclose(bits);
   if (first.contains(rational)) {
     long poles = degree(phase);

@@ -53,6 +53,11 @@ class Evaluator {
   std::optional<Rational> multiple_of_pi(const Rational& a, const Rational& b,
                                          const GaussianPolynomial& phase);
 
+  /// P with F = arg P + constant, so that e^{iF} is P/|P| up to a constant factor. No value where
+  /// there is none: where F has more than logarithms, or F′ a residue that is not in (i/2)ℤ, as a
+  /// ball around it proves for most F. Cost: where there is one, that of over_residues().
+  std::optional<GaussianPolynomial> single_argument();
+
  private:
   /// n/d = Σ c(z)/(t − z) over the roots z of the squarefree d.
   struct Poles {

@@ -1,7 +1,5 @@
 #include "phrame/integrate/gaussian_logs.hpp"
 
-#include <optional>
-
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/surd.hpp"
 
@@ -17,6 +15,12 @@ GaussianPolynomial argument_at(const Bivariate& v, const Surd& alpha) {
     im.push_back(c.coefficient(1) * alpha.b);
   }
   return {Polynomial(re), Polynomial(im)};
+}
+
+GaussianPolynomial power(const GaussianPolynomial& a, const Integer& k) {
+  GaussianPolynomial result{{1}, {}};
+  for (Integer i = 0; i < k; ++i) result = result * a;
+  return result;
 }
 
 }  // namespace
@@ -41,6 +45,17 @@ GaussianLogs gaussian_logs(const std::vector<LogSum>& over_residues) {
     form.arguments.push_back({-2 * alpha->b, v});
   }
   return form;
+}
+
+std::optional<GaussianPolynomial> single_argument(const GaussianLogs& logs) {
+  if (!logs.logarithms.empty() || !logs.others.empty()) return std::nullopt;
+  GaussianPolynomial product{{1}, {}};
+  for (const auto& [factor, of] : logs.arguments) {
+    if (denominator(factor) != 1) return std::nullopt;
+    const Integer k = numerator(factor);
+    product = product * power(k > 0 ? of : conjugate(of), abs(k));
+  }
+  return product;
 }
 
 }  // namespace phrame

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "phrame/algebra/gaussian_polynomial.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 
@@ -27,5 +29,9 @@ struct GaussianLogs {
 /// residues p ± iq give p·log|v(p + iq, t)|² − 2q·arg v(p + iq, t). Throws DomainError for a sum
 /// with another factor than α.
 GaussianLogs gaussian_logs(const std::vector<LogSum>& over_residues);
+
+/// P with Σ factor·arg of = arg P + constant, a product of powers; no value where there are other
+/// terms or a factor is not whole.
+std::optional<GaussianPolynomial> single_argument(const GaussianLogs& logs);
 
 }  // namespace phrame

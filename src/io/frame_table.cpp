@@ -123,9 +123,10 @@ class Rows {
 
  private:
   Segment& segment(std::size_t k);
-  Real angle(const SplinePoint& point, const AlgebraicPoint& t);
+  SplineAngle& angle();
+  Frame<Real> rotation_minimizing(const Frame<Rational>& erf, const SplineParameter& at);
   Rational length_before(std::size_t segment);
-  void add_rational(std::vector<double>& row, const SplinePoint& point, const AlgebraicPoint& t);
+  void add_rational(std::vector<double>& row, const SplineParameter& at);
   void add_irrational(std::vector<double>& row, const SplinePoint& point, const AlgebraicPoint& t);
 
   const Spline& spline_;
@@ -140,12 +141,14 @@ Segment& Rows::segment(std::size_t k) {
   return *segments_[k];
 }
 
-/// θ of the rotation-minimizing frame.
-Real Rows::angle(const SplinePoint& point, const AlgebraicPoint& t) {
+SplineAngle& Rows::angle() {
   if (!angle_) angle_.emplace(spline_);
-  if (const auto r = point.t.rational()) return angle_->value(SplineParameter{point.segment, *r});
-  return angle_->value(SplineParameter{point.segment, 0}) +
-         segment(point.segment).algebraic->angle(t);
+  return *angle_;
+}
+
+Frame<Real> Rows::rotation_minimizing(const Frame<Rational>& erf, const SplineParameter& at) {
+  if (const auto z = angle().direction(at)) return turned(erf, *z);
+  return turned(as_real(erf), angle().value(at));
 }
 
 Rational Rows::length_before(std::size_t k) {
@@ -172,8 +175,8 @@ std::vector<double> Rows::at(const SplinePoint& point) {
   const AlgebraicPoint t(point.t);
   const Rational before(static_cast<long>(point.segment));
   std::vector<double> row{round_to_double(to_real(point.t) + before)};
-  if (point.t.is_rational())
-    add_rational(row, point, t);
+  if (const auto r = point.t.rational())
+    add_rational(row, {point.segment, *r});
   else
     add_irrational(row, point, t);
   for (const Scalar& scalar : segment(point.segment).scalars) {
@@ -194,17 +197,15 @@ void add_normals(std::vector<double>& row, const AnyFrame& frame) {
   add_values(row, round_to_double(frame.e3));
 }
 
-void Rows::add_rational(std::vector<double>& row, const SplinePoint& point,
-                        const AlgebraicPoint& t) {
-  const Segment& here = segment(point.segment);
-  const Rational at = *point.t.rational();
-  const Frame<Rational> erf = here.frames.euler_rodrigues(at);
-  add_values(row, round_to_double(evaluate(here.position, at)));
+void Rows::add_rational(std::vector<double>& row, const SplineParameter& at) {
+  const Segment& here = segment(at.segment);
+  const Frame<Rational> erf = here.frames.euler_rodrigues(at.t);
+  add_values(row, round_to_double(evaluate(here.position, at.t)));
   add_values(row, round_to_double(erf.e1));
   for (const TabulatedFrame frame : columns_.frames) {
     if (frame == TabulatedFrame::erf) add_normals(row, erf);
-    if (frame == TabulatedFrame::frenet) add_normals(row, here.frames.frenet(at));
-    if (frame == TabulatedFrame::rmf) add_normals(row, turned(as_real(erf), angle(point, t)));
+    if (frame == TabulatedFrame::frenet) add_normals(row, here.frames.frenet(at.t));
+    if (frame == TabulatedFrame::rmf) add_normals(row, rotation_minimizing(erf, at));
   }
 }
 
@@ -218,7 +219,9 @@ void Rows::add_irrational(std::vector<double>& row, const SplinePoint& point,
   for (const TabulatedFrame frame : columns_.frames) {
     if (frame == TabulatedFrame::erf) add_normals(row, erf);
     if (frame == TabulatedFrame::frenet) add_normals(row, here.algebraic->frenet(t));
-    if (frame == TabulatedFrame::rmf) add_normals(row, turned(erf, angle(point, t)));
+    if (frame == TabulatedFrame::rmf)
+      add_normals(row, turned(erf, angle().value(SplineParameter{point.segment, 0}) +
+                                       here.algebraic->angle(t)));
   }
 }
 

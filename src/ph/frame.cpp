@@ -51,15 +51,13 @@ Frame<Real> Frames::frenet(const Rational& t) const {
     throw DomainError(
         fmt::format("frenet_frame: t = {} is an inflection, the principal normal is undefined",
                     abbreviated(to_string(t))));
-  const Frame<Rational> erf = euler_rodrigues(t);
-  const Rational size = re * re + im * im;
-  return {{erf.e1[0], erf.e1[1], erf.e1[2]},
-          over_square_root(combine(re, erf.e2, -im, erf.e3), size),
-          over_square_root(combine(im, erf.e2, re, erf.e3), size)};
+  return turned(euler_rodrigues(t), {re, -im});
 }
 
 Frame<Real> Frames::rotation_minimizing(RmfAngle& angle, const Rational& t) const {
-  return turned(as_real(euler_rodrigues(t)), angle.value(t));
+  const Frame<Rational> erf = euler_rodrigues(t);
+  if (const auto z = angle.direction(t)) return turned(erf, *z);
+  return turned(as_real(erf), angle.value(t));
 }
 
 Frame<Real> as_real(const Frame<Rational>& frame) {
@@ -93,6 +91,13 @@ Frame<Real> turned(const Frame<Real>& frame, const Real& theta) {
   };
   const Vector<Real>& e2 = frame.e2;
   return {frame.e1, vector(e2, frame.e3), vector(frame.e3, {-e2[0], -e2[1], -e2[2]})};
+}
+
+Frame<Real> turned(const Frame<Rational>& frame, const GaussianRational& z) {
+  const Rational size = z.re * z.re + z.im * z.im;
+  return {{frame.e1[0], frame.e1[1], frame.e1[2]},
+          over_square_root(combine(z.re, frame.e2, z.im, frame.e3), size),
+          over_square_root(combine(-z.im, frame.e2, z.re, frame.e3), size)};
 }
 
 Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t) {

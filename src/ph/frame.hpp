@@ -12,9 +12,18 @@ struct Frame {
   Vector<T> e3;
 };
 
+// Rounding. At rational t all components round correctly to doubles, to nearest with ties to even:
+// none is half way between two doubles or two decimals (docs/algorithms.md, "The vectors round").
+// Undecided is thrown where one is not told from such a point within the precision limit, by
+// default where it is within about 2^−9000 of it; and in rounding to decimals for a component that
+// is 0 but not exact in the sense below. As a double that is 0.
+
 /// The frame turned about e₁ by θ: e₁, cos θ e₂ + sin θ e₃, −sin θ e₂ + cos θ e₃. Exact where θ =
 /// 0, and a component where both e₂ and e₃ have the component 0.
 Frame<Real> turned(const Frame<Real>& frame, const Real& theta);
+/// The same by θ = arg z, z ≠ 0: components are exact where |z|² is a rational square, else
+/// irrational or 0.
+Frame<Real> turned(const Frame<Rational>& frame, const GaussianRational& z);
 Frame<Real> as_real(const Frame<Rational>& frame);
 
 /// The frames of one curve, for many t: what does not depend on t is computed once.
@@ -31,7 +40,9 @@ class Frames {
   Frame<Real> frenet(const Rational& t) const;
 
   /// The rotation-minimizing frame that agrees with the ERF at t = 0; `angle` is that of this curve
-  /// relative to the ERF. Exact where θ(t) = 0. The components refer to `angle`.
+  /// relative to the ERF. Exact where there is a direction() of the angle, so on plane curves and
+  /// all others with a rational rotation-minimizing frame, and where θ(t) = 0. The components refer
+  /// to `angle`.
   Frame<Real> rotation_minimizing(RmfAngle& angle, const Rational& t) const;
 
  private:

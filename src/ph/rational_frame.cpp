@@ -45,12 +45,6 @@ Polynomial without_integer_multiples_of_i(Polynomial p) {
   return p;
 }
 
-GaussianPolynomial power(const GaussianPolynomial& a, const Integer& k) {
-  GaussianPolynomial result{{1}, {}};
-  for (Integer i = 0; i < k; ++i) result = result * a;
-  return result;
-}
-
 }  // namespace
 
 std::variant<RationalFrame, NoRationalFrame> rational_frame(const QuaternionPolynomial& a) {
@@ -66,11 +60,9 @@ std::variant<RationalFrame, NoRationalFrame> rational_frame(const QuaternionPoly
         without_integer_multiples_of_i(squarefree_part(residue_polynomial(-rate.numerator(), d)));
     if (!offending.is_constant())
       return NoRationalFrame{Reason::residue, primitive_part(offending)};
-    const Antiderivative angle = integrate(rate, Form::rothstein_trager);
-    for (const auto& [factor, of] : gaussian_logs(angle.logs).arguments) {
-      const Integer k = numerator(Rational(factor / 2));
-      frame.w = frame.w * power(k > 0 ? of : conjugate(of), abs(k));
-    }
+    GaussianLogs half = gaussian_logs(integrate(rate, Form::rothstein_trager).logs);
+    for (GaussianLogs::Argument& argument : half.arguments) argument.factor /= 2;
+    frame.w = single_argument(half).value();
     const Polynomial slope = (differentiate(frame.w) * conjugate(frame.w)).im;
     if (!(RationalFunction(Rational(2) * slope, norm(frame.w)) == rate))
       throw Error("rational_frame: the check failed, 2·arg w is not the angle");

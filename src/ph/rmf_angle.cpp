@@ -19,6 +19,11 @@ RationalFunction rate_of_argument(const GaussianPolynomial& g) {
   return {(differentiate(g) * conjugate(g)).im, norm(g)};
 }
 
+/// z with arg z = arg p(t) − arg p(0).
+GaussianRational turn(const GaussianPolynomial& p, const Rational& t) {
+  return GaussianRational{p.re(t), p.im(t)} * GaussianRational{p.re(0), -p.im(0)};
+}
+
 /// arg g = Im log g = −(i/2)·log g + (i/2)·log ḡ = Σ_{x = ±i/2} x·log v(x, t) with v = P − 2xQ for
 /// the monic g = P + iQ. g has no real factor, so that Q ≠ 0 unless g is constant.
 LogSum argument_as_logs(const GaussianPolynomial& g) {
@@ -77,6 +82,13 @@ Real RmfAngle::value(const Rational& t) {
   if (t == 0) return Rational(0);
   if (!argument_) return evaluator_.value(0, t);
   return evaluator_.value(0, t, *bend_, [this, t](long bits) { return enclose(t, bits); });
+}
+
+std::optional<GaussianRational> RmfAngle::direction(const Rational& t) {
+  if (!phase_) phase_ = evaluator_.single_argument();
+  if (!*phase_) return std::nullopt;
+  const GaussianRational z = turn(**phase_, t);
+  return bend_ ? z * turn(*bend_, t) : z;
 }
 
 std::optional<Antiderivative> frenet_angle_by_linear_system(const Curve& curve) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/argument.hpp"
+#include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/ph/invariants.hpp"
@@ -38,10 +39,17 @@ class RmfAngle {
   /// sum, Σ x·log v(x, t) over x = ±i/2 with v(−i/2, t) = g made monic.
   const Antiderivative& antiderivative() const { return antiderivative_; }
 
-  /// θ(t), exact where it is rational, else transcendental. Refers to this object.
+  /// θ(t), exact where it is rational, else transcendental, so that it rounds correctly. That it is
+  /// rational is decided where all residues of θ′ lie in ℚ(i) and recognised in many other cases;
+  /// where it is not recognised, to round θ(t) throws Undecided. Refers to this object.
   Real value(const Rational& t);
   /// A ball around θ(t) with a radius ≤ 2^−bits · max(1, |θ(t)|).
   RealBall enclose(const Rational& t, long bits);
+  /// z ∈ ℚ(i) with e^{iθ(t)} = z/|z|, where there is one for all t: where θ is the argument of a
+  /// function in ℚ(i)(t), as on curves with a rational rotation-minimizing frame [Han 2008], plane
+  /// curves among them. No value else. Cost: in the first call, on such curves, that of their
+  /// residues.
+  std::optional<GaussianRational> direction(const Rational& t);
 
  private:
   RationalFunction rate_;
@@ -50,6 +58,8 @@ class RmfAngle {
   std::optional<GaussianPolynomial> bend_;
   Evaluator evaluator_;                         ///< of twist_
   std::optional<ContinuousArgument> argument_;  ///< of bend_
+  /// The one whose argument twist_ is, if any; decided when it is first needed.
+  std::optional<std::optional<GaussianPolynomial>> phase_;
 };
 
 /// −2h/σ, in lowest terms.

@@ -78,6 +78,18 @@ std::optional<Rational> SplineAngle::multiple_of_pi(const SplineParameter& at,
   return Evaluator(over_unit_interval(at)).multiple_of_pi(0, 1, phase);
 }
 
+std::optional<GaussianRational> SplineAngle::direction(const SplineParameter& at) {
+  while (directions_.size() <= at.segment) {
+    const auto next = angles_[directions_.size() - 1].direction(1);
+    if (!next) return std::nullopt;
+    const GaussianInteger z = primitive_multiple(directions_.back() * *next);
+    directions_.push_back({Rational(z.re), Rational(z.im)});
+  }
+  const auto last = angles_[at.segment].direction(at.t);
+  if (!last) return std::nullopt;
+  return directions_[at.segment] * *last;
+}
+
 std::optional<Real> SplineAngle::holonomy() {
   const auto closing = spline_.closing_turn();
   if (!closing) return std::nullopt;

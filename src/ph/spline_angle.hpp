@@ -27,6 +27,8 @@ class SplineAngle {
   Real value(const Rational& t);
   /// The same; at.t may be any number, with which the segment is continued.
   Real value(const SplineParameter& at);
+  /// z ∈ ℚ(i) with e^{iθ} = z/|z|, where each segment up to there has an RmfAngle::direction().
+  std::optional<GaussianRational> direction(const SplineParameter& at);
 
   /// (θ(at) + offset + arg phase(1) − arg phase(0))/π where that is rational: decided or recognised
   /// as Evaluator::multiple_of_pi does. No value means that it is irrational or not recognised. The
@@ -48,7 +50,8 @@ class SplineAngle {
 
   Spline spline_;
   std::deque<RmfAngle> angles_;
-  std::map<long, std::vector<RealBall>> sums_;  ///< θ(0), θ(1), … by precision
+  std::map<long, std::vector<RealBall>> sums_;        ///< θ(0), θ(1), … by precision
+  std::vector<GaussianRational> directions_{{1, 0}};  ///< of θ(0), θ(1), …, as far as there are any
 };
 
 }  // namespace phrame

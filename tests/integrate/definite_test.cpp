@@ -99,6 +99,43 @@ TEST_CASE("definite: logarithms and arctangents of numbers that cancel are decid
   CHECK_FALSE(more.value(0, 1).exact().has_value());
 }
 
+TEST_CASE("definite: an integral that is one argument is recognised, others are not") {
+  const auto is_argument = [](const RationalFunction& f) {
+    return Evaluator(integrate(f)).single_argument().has_value();
+  };
+  CHECK(is_argument({}));
+  CHECK(is_argument({{1}, {1, 0, 1}}));                          // arg(1 + it)
+  CHECK(is_argument({{-6}, {1, 0, 4}}));                         // −3·arg(1 + 2it)
+  CHECK_FALSE(is_argument({{1}, {3, 0, 3}}));                    // a third of one
+  CHECK_FALSE(is_argument({{1}, {2, 0, 1}}));                    // residues in ℚ(√−2)
+  CHECK_FALSE(is_argument({{0, 1}, {1, 0, 1}}));                 // a logarithm
+  CHECK_FALSE(is_argument({{1, 1}, {1, 0, 1}}));                 // with one
+  CHECK_FALSE(is_argument({{1}, {0, 1}}));                       // real
+  CHECK_FALSE(is_argument({{0, 1}, {1, 0, 2, 0, 1}}));           // rational
+  CHECK_FALSE(is_argument({{2, 0, 1}, {1, 0, 1}}));              // with a polynomial
+  CHECK_FALSE(is_argument({{1, 1, 1}, {7, 0, 0, 5, 0, 0, 1}}));  // residues of degree 6
+}
+
+TEST_CASE("definite: law: a sum of arguments is one, whose rate is the integrand, for every form") {
+  for_samples(60, [](Random& random) {
+    const auto rate = [](const Rational& k, const GaussianPolynomial& v) {
+      return RationalFunction(k * (differentiate(v) * conjugate(v)).im, norm(v));
+    };
+    RationalFunction f;
+    for (long k = random.integer(1, 3); k > 0; --k) {
+      const GaussianPolynomial v = random.gaussian_polynomial(3);
+      if (is_zero(v) || !gcd(v.re, v.im).is_constant()) return;
+      f = f + rate(random.integer(-3, 3), v);
+    }
+    for (const Form form : {Form::automatic, Form::partial_fractions, Form::rothstein_trager,
+                            Form::lazard_rioboo_trager}) {
+      const auto argument = Evaluator(integrate(f, form)).single_argument();
+      REQUIRE(argument);
+      CHECK(rate(1, *argument) == f);
+    }
+  });
+}
+
 TEST_CASE("definite: a sum over a reducible polynomial is evaluated like any other") {
   // Σ x log(t − x) over the roots of (x² + 1)(x² + 4): an odd integrand.
   const Antiderivative F{{}, {}, {{Polynomial{4, 0, 5, 0, 1}, {0, 1}, Bivariate({{0, -1}, {1}})}}};

@@ -20,6 +20,19 @@ TEST_CASE("Gaussian residues: 1/t, t/(t² + 4), 1/(t² + 4) and 1/(t² − 2)") 
   CHECK(of({{1}, {-2, 0, 1}}).others.size() == 1);
 }
 
+TEST_CASE("Gaussian residues: whole multiples of arguments are one argument") {
+  const auto of = [](const RationalFunction& f) {
+    return single_argument(gaussian_logs(integrate(f, Form::rothstein_trager).logs));
+  };
+  CHECK(of({}) == GaussianPolynomial{{1}, {}});
+  // −3·arctan(t/2) = 3·arg(t + 2i) + constant; a sixth of that is no argument.
+  const GaussianPolynomial v{{0, 1}, {2}};
+  CHECK(of({{-6}, {4, 0, 1}}) == v * v * v);
+  CHECK_FALSE(of({{1}, {4, 0, 1}}));
+  CHECK_FALSE(of({{6, 1}, {4, 0, 1}}));  // and a logarithm
+  CHECK_FALSE(of({{1}, {2, 0, 1}}));     // residues ±i/√8
+}
+
 TEST_CASE("Gaussian residues: law: its derivative is the integrand") {
   for_samples(100, [](Random& random) {
     // Residues p ± iq at the roots of (t − a)² + b², p at real ones.

@@ -1,9 +1,11 @@
 #include "phrame/ph/frame.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "support/curves.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
+using test::class_one;
 using test::for_samples;
 using test::Random;
 
@@ -131,6 +133,46 @@ TEST_CASE("frame: exact values: at t = 0, with h = 0, and through a cusp") {
                       factor * Polynomial{2, -1}});
   CHECK(euler_rodrigues_frame(cusped, Rational(1, 2)).e2 ==
         euler_rodrigues_frame(curve, Rational(1, 2)).e2);
+}
+
+TEST_CASE("frame: a rational rotation-minimizing frame is exact, and 0 where it is") {
+  // (1 + tk)(1 + ti): in the plane z = 0, e₂(0) = j, so that f₃ is k.
+  const Curve plane({{1}, {0, 1}, {0, 0, 1}, {0, 1}});
+  RmfAngle angle(plane, Reference::erf);
+  const auto frame = rotation_minimizing_frame(plane, angle, Rational(1, 2));
+  CHECK(euler_rodrigues_frame(plane, Rational(1, 2)).e3[2] != 1);
+  CHECK(frame.e2[0].exact() == Rational(-4, 5));
+  CHECK(frame.e2[1].exact() == Rational(3, 5));
+  CHECK(frame.e2[2].exact() == 0);
+  CHECK(frame.e3[2].exact() == 1);
+  CHECK(round_to_decimal(frame.e3[0], 50).value == "0");
+}
+
+TEST_CASE("frame: law: a rational rotation-minimizing frame is the turned one") {
+  for_samples(30, [](Random& random) {
+    const QuaternionPolynomial w{random.polynomial(2), random.polynomial(2), {}, {}};
+    if (is_zero(w)) return;
+    const Curve curve(class_one * w);
+    const Rational t = random.rational();
+    RmfAngle angle(curve, Reference::erf);
+    const auto frame = rotation_minimizing_frame(curve, angle, t);
+    const auto expected = turned(as_real(euler_rodrigues_frame(curve, t)), angle.value(t));
+    for (std::size_t k = 0; k < 3; ++k) {
+      REQUIRE(frame.e2[k].exact());
+      REQUIRE(frame.e3[k].exact());
+      CHECK(ball(expected.e2[k]).contains(*frame.e2[k].exact()));
+      CHECK(ball(expected.e3[k]).contains(*frame.e3[k].exact()));
+    }
+  });
+}
+
+TEST_CASE("frame: law: rational components have odd denominators: none is half way between two") {
+  for_samples(60, [](Random& random) {
+    const auto frame =
+        euler_rodrigues_frame(Curve(random.quaternion_polynomial(3)), random.rational());
+    for (const auto* v : {&frame.e1, &frame.e2, &frame.e3})
+      for (const Rational& x : *v) CHECK(denominator(x) % 2 == 1);
+  });
 }
 
 TEST_CASE("frame: the sign of the multiplier does not change the frames; e₁ is then −r′/|r′|") {

@@ -4,17 +4,15 @@
 #include "phrame/algebra/roots.hpp"
 #include "phrame/ph/invariants.hpp"
 #include "phrame/ph/rmf_angle.hpp"
+#include "support/curves.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
+using test::class_one;
 using test::for_samples;
 using test::Random;
 
 namespace {
-
-/// A₀ = 1, A₁ = 1 + 2i − j + 3k, A₂ = −5 + 7i − 14j + 2k: RRMF of class I.
-const QuaternionPolynomial class_one{from_bernstein({1, 1, -5}), from_bernstein({0, 2, 7}),
-                                     from_bernstein({0, -1, -14}), from_bernstein({0, 3, 2})};
 
 QuaternionPolynomial times(const QuaternionPolynomial& a, const GaussianPolynomial& w) {
   const auto [alpha, beta] = hopf_form(a);

@@ -10,6 +10,7 @@
 #include "support/random.hpp"
 
 using namespace phrame;
+using test::class_one;
 using test::for_samples;
 using test::quintic;
 using test::Random;
@@ -148,6 +149,31 @@ TEST_CASE("angle: a rational RMF whose turns cancel at t = 1: θ = 0 exactly, in
   CHECK(erf.value(1).exact() == Rational(0));
   CHECK_FALSE(erf.value(2).exact().has_value());
   CHECK(RmfAngle(curve, Reference::frenet).value(1).exact() == Rational(0));
+}
+
+TEST_CASE(
+    "angle: law: its direction is that of the exact angle, for rational frames and no other") {
+  for_samples(30, [](Random& random) {
+    // With A, one in the plane z = 0 or the RRMF quintic of class I, also A·w has a rational frame.
+    const QuaternionPolynomial plane{random.polynomial(2), {}, {}, random.polynomial(2)};
+    const QuaternionPolynomial w{random.polynomial(2), random.polynomial(2), {}, {}};
+    const QuaternionPolynomial a = (random.chance(2) ? plane : class_one) * w;
+    if (is_zero(a)) return;
+    for (const Reference reference : {Reference::erf, Reference::frenet}) {
+      if (reference == Reference::frenet && is_zero(bend_numerator(a))) continue;
+      RmfAngle angle(Curve(a), reference);
+      const Rational t = random.rational();
+      const auto z = angle.direction(t);
+      REQUIRE(z);
+      const RealBall size = sqrt(RealBall(z->re * z->re + z->im * z->im, 128), 128);
+      const CosSin expected = cos_sin(angle.enclose(t, 128), 128);
+      CHECK(expected.cos.overlaps(divide(RealBall(z->re, 128), size, 128)));
+      CHECK(expected.sin.overlaps(divide(RealBall(z->im, 128), size, 128)));
+    }
+  });
+  CHECK_FALSE(RmfAngle(quintic, Reference::erf).direction(0));
+  // θ = −2t/(1 + t²): e^{iθ} is no rational function.
+  CHECK_FALSE(RmfAngle(Curve({{0, 0, 1}, {0, 1}, {0, 1}, {1}}), Reference::erf).direction(1));
 }
 
 TEST_CASE("angle: far outside [0, 1] and close to 0, against the leading behaviour") {

@@ -123,6 +123,34 @@ TEST_CASE("spline: holonomies of plane pieces are exact multiples of a quarter t
   CHECK(half.value(8).exact() == Rational(0));
 }
 
+TEST_CASE("spline: a rational frame stays exact through the joints, to a segment without one") {
+  // Quarter turns in three planes carry k to x, back along the octant of the sphere.
+  std::vector<Curve> curves{plane_quarter(x, y), plane_quarter(y, z), plane_quarter(z, x)};
+  curves[1] = with_other_frame(curves[1], {1, 7, 0, 0});
+  const QuaternionPolynomial twist{{1, 2}, {3, -1}, {}, {}};
+  for (const std::size_t k : {0, 2}) curves[k] = Curve(curves[k].preimage() * twist);
+  const Spline spline = chain(curves);
+  SplineAngle angle(spline);
+  for (const Rational& t : {Rational(1, 3), Rational(1), Rational(5, 3), Rational(9, 4)}) {
+    const SplineParameter at = locate(spline, t);
+    const Frame<Rational> erf = euler_rodrigues_frame(spline.segments()[at.segment], at.t);
+    const auto direction = angle.direction(at);
+    REQUIRE(direction);
+    const auto frame = turned(erf, *direction);
+    const auto expected = turned(as_real(erf), angle.value(at));
+    for (std::size_t k = 0; k < 3; ++k) {
+      REQUIRE(frame.e2[k].exact());
+      CHECK(expected.e2[k].enclose(100).contains(*frame.e2[k].exact()));
+      REQUIRE(frame.e3[k].exact());
+      CHECK(expected.e3[k].enclose(100).contains(*frame.e3[k].exact()));
+    }
+  }
+  curves.push_back(quarters().front());
+  SplineAngle longer(chain(curves));
+  CHECK(longer.direction({2, 1}));
+  CHECK_FALSE(longer.direction({3, Rational(1, 2)}));
+}
+
 TEST_CASE("spline: an open one has no holonomy, nor has one with a corner") {
   SplineAngle open(through({x, y, z}));
   CHECK_FALSE(open.spline().ends_meet());
