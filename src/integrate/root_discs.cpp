@@ -93,6 +93,12 @@ std::optional<Integer> nearest(const RealBall& x, long bits, bool is_needed) {
   return std::nullopt;
 }
 
+/// log₂|z| where that is positive, about.
+long size_exponent(const ComplexBall& z) {
+  const Rational size = abs(z.re().upper()) + abs(z.im().upper()) + 1;
+  return binary_exponent(size);
+}
+
 /// The roots above the real axis, each at the nearest point of the grid. A root that no precision
 /// puts on one side is half way between two points: then the lower one.
 std::vector<GaussianInteger> roots_on_grid(const Polynomial& q, long bits) {
@@ -101,7 +107,8 @@ std::vector<GaussianInteger> roots_on_grid(const Polynomial& q, long bits) {
     if (!roots.real.empty()) throw DomainError("root_discs: the polynomial has a real root");
     std::vector<GaussianInteger> found;
     for (const ComplexBall& z : roots.upper) {
-      const bool is_last = precision > 4 * bits + 4096;
+      // The precision is relative to the size of z.
+      const bool is_last = precision > 4 * (bits + size_exponent(z)) + 4096;
       const auto re = nearest(z.re(), bits, is_last);
       const auto im = nearest(z.im(), bits, is_last);
       if (!re || !im) break;
@@ -119,16 +126,18 @@ std::vector<GaussianInteger> roots_on_grid(const Polynomial& q, long bits) {
 bool are_disjoint(const std::vector<RootDisc>& discs) {
   for (auto a = discs.begin(); a != discs.end(); ++a) {
     if (a->center.im <= a->radius) return false;
-    for (auto b = discs.begin(); b != a; ++b) {
-      const Integer sum = a->radius + b->radius;
-      if (norm({a->center.re - b->center.re, a->center.im - b->center.im}) <= sum * sum)
-        return false;
-    }
+    for (auto b = discs.begin(); b != a; ++b)
+      if (!are_apart(*a, *b)) return false;
   }
   return true;
 }
 
 }  // namespace
+
+bool are_apart(const RootDisc& a, const RootDisc& b) {
+  const Integer sum = a.radius + b.radius;
+  return norm({a.center.re - b.center.re, a.center.im - b.center.im}) > sum * sum;
+}
 
 std::optional<std::vector<RootDisc>> root_discs(const Polynomial& q, const Polynomial& n,
                                                 long bits) {

@@ -17,6 +17,8 @@ struct RootDisc {
   friend bool operator==(const RootDisc&, const RootDisc&) = default;
 };
 
+bool are_apart(const RootDisc& a, const RootDisc& b);
+
 /// Discs for all roots of the squarefree q above the real axis, from left to right, that integers
 /// can prove (docs/certificate.md); they depend on nothing but the numbers q, n and bits, so that
 /// every machine finds the same. No value where the grid is too coarse. q has coprime integer

@@ -88,8 +88,15 @@ Integer read_integer(const JsonNode& node) {
   return Integer(numerator(x));
 }
 
-/// An integer in a range of machine words.
+Integer read_integer(const JsonNode& node, const Integer& least) {
+  Integer n = read_integer(node);
+  if (n < least) node.fail(fmt::format("{} is less than {}", abbreviated(n.str()), least.str()));
+  return n;
+}
+
+/// A JSON number, an integer in a range of machine words.
 long read_count(const JsonNode& node, long least, long largest) {
+  node.require(Kind::number, "a number");
   const Integer n = read_integer(node);
   if (n < least || n > largest)
     node.fail(fmt::format("{} is not in {} … {}", abbreviated(n.str()), least, largest));
@@ -121,14 +128,15 @@ Vector<Rational> read_vector(const JsonNode& node) {
 }
 
 GaussianInteger read_grid_point(const JsonNode& node) {
-  node.numbers(2);
-  return {read_integer(node.item(0)), read_integer(node.item(1))};
+  const auto parts = read_list(node, [](const JsonNode& part) { return read_integer(part); });
+  if (parts.size() != 2) node.fail(fmt::format("2 numbers are wanted, not {}", parts.size()));
+  return {parts[0], parts[1]};
 }
 
 RootDisc read_disc(const JsonNode& node) {
   node.require_known_keys({"center", "radius", "residue", "residue_radius"});
-  return {read_grid_point(node.at("center")), read_integer(node.at("radius")),
-          read_grid_point(node.at("residue")), read_integer(node.at("residue_radius"))};
+  return {read_grid_point(node.at("center")), read_integer(node.at("radius"), 0),
+          read_grid_point(node.at("residue")), read_integer(node.at("residue_radius"), 0)};
 }
 
 CertifiedLogs read_logs(const JsonNode& node) {
@@ -155,8 +163,11 @@ StatedPoint read_point(const JsonNode& node) {
 
 /// A decimal number as it is written.
 std::string read_decimal(const JsonNode& node) {
+  const std::string& text = node.string();
   node.number();
-  return node.string();
+  if (text.find_first_of("/xX") != std::string::npos)
+    node.fail(fmt::format("a decimal number is wanted, not \"{}\"", abbreviated(text)));
+  return text;
 }
 
 TurnCount read_turn(const JsonNode& node) {
@@ -268,7 +279,8 @@ std::string write_certificate(const Certificate& c, const std::string& name) {
       {"phrame", "certificate/1"},
       {"curve", json_of(NamedCurve{name, c.curve})},
       {"frame", c.reference == Reference::erf ? "erf" : "frenet"},
-      {"hodograph", {json_of(c.hodograph[0]), json_of(c.hodograph[1]), json_of(c.hodograph[2])}},
+      {"hodograph", JsonOutput::array({json_of(c.hodograph[0]), json_of(c.hodograph[1]),
+                                       json_of(c.hodograph[2])})},
       {"sigma", json_of(c.sigma)},
       {"h", json_of(c.h)},
       {"g", json_of(c.g)},
@@ -305,15 +317,20 @@ Certificate read_certificate(std::string_view text, const CurveLimits& limits) {
   rate.require_known_keys({"numerator", "denominator", "common", "coprime_modulo"});
   const JsonNode antiderivative = node.at("antiderivative");
   antiderivative.require_known_keys({"rational", "logs"});
+  const JsonNode curve = node.at("curve");
+  curve.require_known_keys(
+      {"phrame", "name", "note", "family", "basis", "start", "preimage", "multiplier"});
+  if (const JsonNode basis = curve.at("basis"); basis.string() != "power")
+    basis.fail(fmt::format("the basis is \"power\", not \"{}\"", abbreviated(basis.string())));
   const auto read_claims = [&](const JsonNode& claim) { return read_claim(claim, is_frenet); };
-  Certificate c{read_curve(node.at("curve"), limits).curve,
+  Certificate c{read_curve(curve, limits).curve,
                 reference,
                 read_hodograph(node.at("hodograph")),
                 read_polynomial(node.at("sigma")),
                 read_polynomial(node.at("h")),
                 read_gaussian_polynomial(node.at("g")),
                 {read_polynomial(rate.at("numerator")), read_polynomial(rate.at("denominator")),
-                 read_polynomial(rate.at("common")), read_integer(rate.at("coprime_modulo"))},
+                 read_polynomial(rate.at("common")), read_integer(rate.at("coprime_modulo"), 2)},
                 read_rational_function(antiderivative.at("rational")),
                 read_list(antiderivative.at("logs"), read_logs),
                 read_count(node.at("bits"), 0, max_bits),

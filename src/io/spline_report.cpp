@@ -29,18 +29,17 @@ std::string heading(const std::string& name, const Spline& spline) {
                      count == 1 ? "" : "s", closure(spline));
 }
 
-/// The notes on the sign of f of all segments.
-std::string notes(const Spline& spline) {
+std::string relation(const Decimal& x) { return x.radius == "0" ? "=" : "≈"; }
+
+}  // namespace
+
+std::string notes_on_signs(const Spline& spline) {
   std::string text;
   for (std::size_t k = 0; k < spline.segments().size(); ++k)
     if (const std::string note = note_on_sign(spline.segments()[k]); !note.empty())
       text += fmt::format("  segment {}: {}\n", k + 1, note);
   return text.empty() ? "" : text + "\n";
 }
-
-std::string relation(const Decimal& x) { return x.radius == "0" ? "=" : "≈"; }
-
-}  // namespace
 
 SplineAngleReport spline_angle_report(const std::string& name, SplineAngle& angle,
                                       const Rational& start_angle, const std::vector<Rational>& at,
@@ -56,7 +55,7 @@ SplineAngleReport spline_angle_report(const std::string& name, SplineAngle& angl
 
 std::string to_text(const SplineAngleReport& report) {
   const Spline& spline = report.angle.spline();
-  std::string text = heading(report.name, spline) + "\n\n" + notes(spline);
+  std::string text = heading(report.name, spline) + "\n\n" + notes_on_signs(spline);
   text += fmt::format(
       "The rotation-minimizing frame is the Euler–Rodrigues frame, continuous through the joints,\n"
       "turned by θ about the tangent:\n"
@@ -129,7 +128,7 @@ SplineInfo spline_info(const NamedSpline& named, long digits) {
 
 std::string to_text(const SplineInfo& info) {
   const Spline& spline = info.spline.spline;
-  std::string text = heading(info.spline.name, spline) + "\n\n" + notes(spline);
+  std::string text = heading(info.spline.name, spline) + "\n\n" + notes_on_signs(spline);
   const auto row = [&](std::string_view name, const std::string& value) {
     text += phrame::row(name, value, 18);
   };

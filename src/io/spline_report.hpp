@@ -21,6 +21,9 @@ SplineAngleReport spline_angle_report(const std::string& name, SplineAngle& angl
                                       const Rational& start_angle, const std::vector<Rational>& at,
                                       long digits);
 
+/// What frames and angles mean where the multiplier of a segment is negative; empty where none is.
+std::string notes_on_signs(const Spline& spline);
+
 std::string to_text(const SplineAngleReport& report);
 std::string to_json(const SplineAngleReport& report);  ///< spline-angle/1
 

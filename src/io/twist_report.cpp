@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "phrame/io/json_text.hpp"
+#include "phrame/io/spline_report.hpp"
 #include "phrame/io/text.hpp"
 
 namespace phrame {
@@ -36,9 +37,10 @@ std::string to_text(const TwistReport& report) {
       count == 1 ? heading({report.name, report.spline.segments().front()})
                  : fmt::format("{}PH spline of {} segments", name_prefix(report.name), count);
   text +=
-      "\n\nThe minimal twist frame is the Euler–Rodrigues frame turned by θ about the tangent:\n"
+      "\n\nThe minimal twist frame is the Euler–Rodrigues frame turned by θ about e₁:\n"
       "  f₂ = cos θ e₂ + sin θ e₃,  f₃ = −sin θ e₂ + cos θ e₃\n"
       "  θ(t) = θ_i + T s(t)/S − 2∫₀ᵗ h/σ\n\n";
+  text += notes_on_signs(report.spline);
   const auto line = [&](std::string_view label, const Decimal& x) {
     text += row(label, (x.radius == "0" ? "= " : "≈ ") + x.value, 31);
   };
@@ -48,7 +50,7 @@ std::string to_text(const TwistReport& report) {
   line("nominal twist T_ERF + θ_f − θ_i", report.nominal_twist);
   line("twist T", report.twist);
   text += row("length S", "= " + shown(report.length), 31);
-  line("rate T/S about the tangent", report.rate);
+  line("rate T/S about e₁", report.rate);
   if (!report.values.empty()) text += value_table(report.values, report.digits);
   return text;
 }

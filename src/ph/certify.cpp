@@ -42,11 +42,21 @@ bool place_discs(std::vector<CertifiedLogs>& logs, long bits) {
   return true;
 }
 
-/// Does a disc show a residue that is not in iℤ?
+/// Does the disc meet none of another sum?
+bool is_alone(const RootDisc& disc, const CertifiedLogs& its,
+              const std::vector<CertifiedLogs>& logs) {
+  for (const CertifiedLogs& sum : logs)
+    for (const RootDisc& other : sum.roots)
+      if (&sum != &its && !are_apart(disc, other)) return false;
+  return true;
+}
+
+/// Does a disc show a residue of F′ that is not in iℤ?
 bool excludes_multiples_of_i(const std::vector<CertifiedLogs>& logs, long bits) {
   const Integer unit = Integer(1) << static_cast<unsigned long>(bits);
   for (const CertifiedLogs& sum : logs)
     for (const RootDisc& disc : sum.roots) {
+      if (!is_alone(disc, sum, logs)) continue;
       const Integer rest = abs(disc.residue.im) % unit;
       const Integer distance = std::min(rest, Integer(unit - rest));
       if (abs(disc.residue.re) > disc.residue_radius || distance > disc.residue_radius) return true;
@@ -130,8 +140,7 @@ Certificate certify(const Curve& curve, Reference reference, const std::vector<R
                 stated(classification)};
   std::optional<ContinuousArgument> bend;
   if (reference == Reference::frenet) {
-    const Polynomial content = gcd(c.g.re, c.g.im);
-    c.bend = {{exact_quotient(c.g.re, content), exact_quotient(c.g.im, content)}, content};
+    c.bend = {regular_bend(a), gcd(c.g.re, c.g.im)};
     bend.emplace(c.bend->polynomial);
   }
   Rational reach = 0;

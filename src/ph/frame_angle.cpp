@@ -16,8 +16,9 @@ FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame) {
   };
   const GaussianRational z{dot(frame.e2), dot(frame.e3)};
   if (z.re == 0 && z.im == 0)
-    throw DomainError("the vector (" + to_string(v[0]) + ", " + to_string(v[1]) + ", " +
-                      to_string(v[2]) + ") has no part in the normal plane");
+    throw DomainError("the vector (" + abbreviated(to_string(v[0])) + ", " +
+                      abbreviated(to_string(v[1])) + ", " + abbreviated(to_string(v[2])) +
+                      ") has no part in the normal plane");
   return angle_of(z);
 }
 

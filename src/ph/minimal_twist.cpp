@@ -12,7 +12,7 @@ MinimalTwist::MinimalTwist(SplineAngle& rmf, const FrameAngle& from, const Frame
       to_(to),
       length_(0),
       erf_twist_(-rmf.value(rmf.spline().end())),
-      nominal_(erf_twist_ + to_real(to) + -to_real(from)),
+      nominal_(Rational(0)),
       twist_(Rational(0)) {
   for (const Curve& curve : rmf.spline().segments()) {
     const ArcLength s(curve);
@@ -20,16 +20,23 @@ MinimalTwist::MinimalTwist(SplineAngle& rmf, const FrameAngle& from, const Frame
     starts_.push_back(length_);
     length_ += s.total();
   }
+  // Whole turns of the angles given are no matter, however many.
+  const Rational half_turns = to.half_turns - from.half_turns;
+  const Integer given_turns(numerator(half_turns) / denominator(half_turns) / 2);
+  const FrameAngle end{half_turns - 2 * given_turns, to.radians, to.direction};
+  const FrameAngle start{0, from.radians, from.direction};
+  const Real rest = erf_twist_ + to_real(end) + -to_real(start);
   const auto over_pi = [&]() -> std::optional<Rational> {
     // −T/π without the multiples of π.
     const GaussianPolynomial phase = path_to(from.direction) * conjugate(path_to(to.direction));
-    const auto rest = rmf.multiple_of_pi(locate(rmf.spline(), rmf.spline().end()), phase,
-                                         from.radians - to.radians);
-    if (!rest) return std::nullopt;
-    return to.half_turns - from.half_turns - *rest;
+    const auto m = rmf.multiple_of_pi(locate(rmf.spline(), rmf.spline().end()), phase,
+                                      from.radians - to.radians);
+    if (!m) return std::nullopt;
+    return end.half_turns - *m;
   };
-  const auto [angle, turns] = reduced(nominal_, over_pi);
-  if (turns == 0) nominal_ = angle;  // maybe exact now
+  const auto [angle, more_turns] = reduced(rest, over_pi);
+  const Integer turns = given_turns + more_turns;
+  nominal_ = turns == 0 ? angle : angle + whole_turn(turns);
   turns_ = extra_turns - turns;
   twist_ = extra_turns == 0 ? angle : angle + whole_turn(extra_turns);
 }

@@ -5,8 +5,8 @@
 namespace phrame {
 
 /// The exact minimal twist frame of a spline [Farouki, Moon 2018]: the frame (f₂, f₃) that has the
-/// angles θ_i to (e₂, e₃) at the start and θ_f, up to whole turns, at the end, and turns about the
-/// tangent at a constant rate, with the least total turn:
+/// angles θ_i to (e₂, e₃) at the start and θ_f, up to whole turns, at the end, and turns about e₁
+/// at a constant rate, with the least total turn:
 ///   θ(t) = θ_i + T_min·s(t)/S + θ_RMF(t),   θ_RMF′ = −2h/σ,  s(t) the arc length, S = s(end),
 ///   T = −θ_RMF(end) + θ_f − θ_i ≡ T_min modulo 2π, T_min ∈ (−π, π].
 /// Not for concurrent use. Refers to the angle.

@@ -5,20 +5,6 @@
 namespace phrame {
 namespace {
 
-/// g without its greatest real factor: the Frenet frame turns with its argument, continuously.
-GaussianPolynomial regular_bend(const QuaternionPolynomial& a) {
-  const GaussianPolynomial g = bend_numerator(a);
-  if (is_zero(g))
-    throw DomainError(
-        "Frenet frame: the curve is a straight line (r′ × r″ = 0), it has no principal normal");
-  const Polynomial common = gcd(g.re, g.im);
-  return {exact_quotient(g.re, common), exact_quotient(g.im, common)};
-}
-
-RationalFunction rate_of_argument(const GaussianPolynomial& g) {
-  return {(differentiate(g) * conjugate(g)).im, norm(g)};
-}
-
 /// z with arg z = arg p(t) − arg p(0).
 GaussianRational turn(const GaussianPolynomial& p, const Rational& t) {
   return GaussianRational{p.re(t), p.im(t)} * GaussianRational{p.re(0), -p.im(0)};
@@ -35,6 +21,19 @@ LogSum argument_as_logs(const GaussianPolynomial& g) {
 }
 
 }  // namespace
+
+GaussianPolynomial regular_bend(const QuaternionPolynomial& a) {
+  const GaussianPolynomial g = bend_numerator(a);
+  if (is_zero(g))
+    throw DomainError(
+        "Frenet frame: the curve is a straight line (r′ × r″ = 0), it has no principal normal");
+  const Polynomial common = gcd(g.re, g.im);
+  return {exact_quotient(g.re, common), exact_quotient(g.im, common)};
+}
+
+RationalFunction rate_of_argument(const GaussianPolynomial& g) {
+  return {(differentiate(g) * conjugate(g)).im, norm(g)};
+}
 
 RationalFunction erf_rate(const QuaternionPolynomial& a) {
   return {Rational(-2) * twist_numerator(a), sigma(a)};

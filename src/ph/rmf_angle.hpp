@@ -62,6 +62,11 @@ class RmfAngle {
   std::optional<std::optional<GaussianPolynomial>> phase_;
 };
 
+/// g without its greatest real factor: the Frenet frame turns with its argument, continuously.
+/// Throws DomainError for a straight line.
+GaussianPolynomial regular_bend(const QuaternionPolynomial& a);
+/// (arg g)′ = Im(g′/g).
+RationalFunction rate_of_argument(const GaussianPolynomial& g);
 /// −2h/σ, in lowest terms.
 RationalFunction erf_rate(const QuaternionPolynomial& a);
 /// −2h/σ + Im(g′/g), in lowest terms. Throws DomainError for a straight line.

@@ -15,9 +15,6 @@ std::vector<StatedPoint> stated(const std::vector<RealRoot>& roots) {
   return list;
 }
 
-/// Nothing where it holds.
-std::string unless(bool holds, const char* objection) { return holds ? "" : objection; }
-
 /// The root that is meant; none where it is not one.
 std::optional<RealRoot> meant(const StatedPoint& point) {
   try {

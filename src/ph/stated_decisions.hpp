@@ -49,6 +49,9 @@ struct Statement {
   bool is_proved() const { return objection.empty(); }
 };
 
+/// No objection where it holds.
+inline std::string unless(bool holds, const char* objection) { return holds ? "" : objection; }
+
 /// Decides each by classifying the curve; a witness is checked by its identity, and may be another
 /// one than `classify` finds.
 std::vector<Statement> check_decisions(const StatedDecisions& d, const Curve& curve);

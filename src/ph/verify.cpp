@@ -10,9 +10,6 @@
 namespace phrame {
 namespace {
 
-/// Nothing where it holds.
-std::string unless(bool holds, const char* objection) { return holds ? "" : objection; }
-
 std::string objection_to_invariants(const Certificate& c) {
   const QuaternionPolynomial& a = c.curve.preimage();
   if (!(c.sigma == sigma(a))) return "sigma is another polynomial";
@@ -36,31 +33,15 @@ LogSum over_poles(const Polynomial& q, const Polynomial& c) {
 }
 
 std::string objection_to_antiderivative(const Certificate& c) {
-  Antiderivative F;
+  const QuaternionPolynomial& a = c.curve.preimage();
   RationalFunction derivative = differentiate(c.rational);
   for (const CertifiedLogs& sum : c.logs) {
+    if (sum.index.degree() > 2 * degree(a)) return "an index has a higher degree than sigma";
     if (sum.index.is_constant() || !is_squarefree(sum.index))
       return "an index is constant or has a repeated root";
-    const RationalFunction term = differentiate(over_poles(sum.index, sum.residue));
-    derivative = derivative + term;
+    derivative = derivative + differentiate(over_poles(sum.index, sum.residue));
   }
-  return unless(derivative == erf_rate(c.curve.preimage()), "its derivative is not -2h/sigma");
-}
-
-/// |a − b| ≤ r for the numbers of the ball and a grid point.
-bool is_within(const ComplexBall& z, const GaussianInteger& center, const Integer& radius,
-               const Rational& unit) {
-  const auto distance = [&](const RealBall& x, const Integer& c) {
-    const Rational at = c * unit;
-    return std::max(abs(x.lower() - at), abs(x.upper() - at));
-  };
-  const RealBall re = z.re();
-  const RealBall im = z.im();
-  if (!re.is_finite() || !im.is_finite()) return false;
-  const Rational x = distance(re, center.re);
-  const Rational y = distance(im, center.im);
-  const Rational r = radius * unit;
-  return x * x + y * y <= r * r;
+  return unless(derivative == erf_rate(a), "its derivative is not -2h/sigma");
 }
 
 /// The discs of one sum: a root in each by Newton's step m − q(m)/q′(Z) ⊂ Z, and the residue there.
@@ -81,12 +62,8 @@ class DiscCheck {
     std::vector<const RootDisc*> discs;
     for (const RootDisc& disc : sum_.roots) {
       if (disc.radius < 0 || disc.center.im <= disc.radius) return "a disc meets the real axis";
-      for (const RootDisc* other : discs) {
-        const Integer sum = disc.radius + other->radius;
-        if (norm({disc.center.re - other->center.re, disc.center.im - other->center.im}) <=
-            sum * sum)
-          return "two discs meet";
-      }
+      for (const RootDisc* other : discs)
+        if (!are_apart(disc, *other)) return "two discs meet";
       discs.push_back(&disc);
       if (!find_root(disc)) return fmt::format("no root is proved in disc {}", discs.size() - 1);
     }
@@ -100,14 +77,23 @@ class DiscCheck {
       const ComplexBall residue = divide(evaluate(numerator_, roots_[k], precision_),
                                          evaluate(slope_, roots_[k], precision_), precision_);
       const bool is_exact = disc.residue_radius == 0;
-      if (is_exact ? !is_residue(disc)
-                   : !is_within(residue, disc.residue, disc.residue_radius, unit_))
+      if (is_exact ? !is_residue(disc) : !is_within(residue, disc.residue, disc.residue_radius))
         return fmt::format("the residue of disc {} is not proved", k);
     }
     return "";
   }
 
  private:
+  /// Is |z − center| ≤ radius for all numbers of the ball z?
+  bool is_within(const ComplexBall& z, const GaussianInteger& center, const Integer& radius) const {
+    if (radius < 0) return false;
+    ComplexBall off;
+    acb_sub(off.raw(), z.raw(), ball(center, 0).raw(), precision_);
+    RealBall distance;
+    acb_abs(distance.raw(), off.raw(), precision_);
+    return arb_le(distance.raw(), RealBall(radius * unit_, precision_).raw()) != 0;
+  }
+
   bool find_root(const RootDisc& disc) {
     if (disc.radius == 0) {
       // Exact: the root is a rational point.
@@ -124,7 +110,7 @@ class DiscCheck {
       return step;
     };
     ComplexBall next = newton(box, middle, value);
-    if (!is_within(next, disc.center, disc.radius, unit_)) return false;
+    if (!is_within(next, disc.center, disc.radius)) return false;
     // Once more, from its own middle, for a narrow enclosure.
     ComplexBall m;
     acb_get_mid(m.raw(), next.raw());
@@ -180,19 +166,12 @@ std::string objection_to_bend(const Certificate::Bend& bend, const GaussianPolyn
                 "the parts of the polynomial have a common factor");
 }
 
-/// γ of the curve itself, not of the certificate.
-GaussianPolynomial bend_of(const Curve& curve) {
-  const GaussianPolynomial g = bend_numerator(curve.preimage());
-  const Polynomial common = gcd(g.re, g.im);
-  return {exact_quotient(g.re, common), exact_quotient(g.im, common)};
-}
-
 std::string objection_to_turn(const TurnCount& turn, ContinuousArgument& argument,
                               const GaussianPolynomial& gamma, const Rational& t) {
   if (!(argument.turn(t) == turn)) return "the Sturm sequence has other signs";
   // Independent of Sturm: the argument by quadrature of its derivative.
-  const RationalFunction rate{(differentiate(gamma) * conjugate(gamma)).im, norm(gamma)};
-  const RealBall rest = subtract(quadrature(rate, 0, t, 60), argument.difference(t, 60), 60);
+  const RealBall rest =
+      subtract(quadrature(rate_of_argument(gamma), 0, t, 60), argument.difference(t, 60), 60);
   return unless(rest.is_finite() && rest.lower() > -1 && rest.upper() < 1,
                 "quadrature does not confirm the turn");
 }
@@ -209,8 +188,10 @@ std::string objection_to_angle(const AngleClaim& claim, const RationalFunction& 
   if (angle) return unless(abs((*angle)(claim.t) - (*angle)(0) - value) <= radius, wrong);
   if (radius == 0) return "theta is not rational as far as seen, so that no radius of 0 is proved";
   const long needed = std::max(0L, -binary_exponent(radius)) + 16;
-  for (const long more : {0L, 40L, 200L}) {
-    const RealBall theta = quadrature(rate, 0, claim.t, needed + more);
+  constexpr long largest = 32768;  // takes minutes
+  for (const long bits : {64L, needed, needed + 40, needed + 200}) {
+    if (bits > largest) break;
+    const RealBall theta = quadrature(rate, 0, claim.t, bits);
     if (!theta.is_finite()) continue;
     const Rational lower = theta.lower() - value;
     const Rational upper = theta.upper() - value;
@@ -223,6 +204,7 @@ std::string objection_to_angle(const AngleClaim& claim, const RationalFunction& 
 }  // namespace
 
 std::vector<Statement> verify(const Certificate& c) {
+  const std::string no_frame = "a straight line has no Frenet frame";
   std::vector<Statement> list{{"invariants", objection_to_invariants(c)},
                               {"rate", objection_to_rate(c)},
                               {"antiderivative", objection_to_antiderivative(c)}};
@@ -241,17 +223,21 @@ std::vector<Statement> verify(const Certificate& c) {
   RationalFunction rate = erf_rate(c.curve.preimage());
   std::optional<ContinuousArgument> argument;
   GaussianPolynomial gamma;
-  if (c.reference == Reference::frenet) {
+  const bool has_frame =
+      c.reference == Reference::erf || !is_zero(bend_numerator(c.curve.preimage()));
+  if (c.reference == Reference::frenet && has_frame) {
     rate = frenet_rate(c.curve.preimage());
-    gamma = bend_of(c.curve);
+    gamma = regular_bend(c.curve.preimage());
     argument.emplace(gamma);
     list.push_back({"bend", objection_to_bend(*c.bend, bend_numerator(c.curve.preimage()))});
+  } else if (!has_frame) {
+    list.push_back({"bend", no_frame});
   }
   std::optional<RationalFunction> angle;
   if (const Antiderivative F = integrate(rate); F.logs.empty())
     angle = RationalFunction(F.polynomial) + F.rational;
   for (const AngleClaim& claim : c.claims) {
-    std::string objection = objection_to_angle(claim, rate, angle);
+    std::string objection = has_frame ? objection_to_angle(claim, rate, angle) : no_frame;
     if (objection.empty() && argument)
       objection = objection_to_turn(*claim.turn, *argument, gamma, claim.t);
     list.push_back(

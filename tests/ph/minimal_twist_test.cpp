@@ -69,6 +69,8 @@ TEST_CASE("minimal twist: half a turn is a turn to the left, exactly") {
     CHECK(mtf.twist().enclose(100).overlaps(pi(100)));
   }
   CHECK(MinimalTwist(rmf, multiple_of_pi(0), multiple_of_pi(4)).twist().exact() == Rational(0));
+  CHECK(MinimalTwist(rmf, multiple_of_pi(0), multiple_of_pi(power_of_ten(200))).twist().exact() ==
+        Rational(0));
   // By direction: from 45° to −135°.
   const MinimalTwist across(rmf, angle_of({1, 1}), angle_of({-3, -3}));
   CHECK(across.twist().enclose(100).overlaps(pi(100)));
