@@ -57,28 +57,26 @@ Polynomial with_absolute_values(const Polynomial& p) {
 class GridValue {
  public:
   GridValue(const Polynomial& p, long bits) : content_(content(p)), bits_(bits) {
-    for (const Rational& c : primitive_part(p).coefficients())
-      coefficients_.push_back(numerator(c));
+    for (const Rational& c : primitive_part(p).coefficients()) falling_.push_back(numerator(c));
+    std::reverse(falling_.begin(), falling_.end());
   }
 
   GaussianRational operator()(const GaussianInteger& z) const {
-    GaussianInteger value{0, 0};  // 2^(bits·k)·(the k leading terms), by Horner's rule
-    unsigned long shift = 0;
-    for (auto c = coefficients_.rbegin(); c != coefficients_.rend(); ++c) {
+    GaussianInteger value{0, 0};  // by Horner's rule, each step times 2^bits
+    long shift = 0;
+    for (const Integer& c : falling_) {
       value = value * z;
-      value.re += *c << shift;
-      shift += static_cast<unsigned long>(bits_);
+      value.re += c << static_cast<unsigned long>(shift);
+      shift += bits_;
     }
-    if (coefficients_.empty()) return {0, 0};
-    const Rational unit =
-        content_ * power_of_two(-bits_ * (static_cast<long>(coefficients_.size()) - 1));
+    const Rational unit = content_ * power_of_two(falling_.empty() ? 0 : bits_ - shift);
     return {value.re * unit, value.im * unit};
   }
 
  private:
   Rational content_;
   long bits_;
-  std::vector<Integer> coefficients_;
+  std::vector<Integer> falling_;  ///< coefficients, the leading one first
 };
 
 /// The point of the grid nearest to x, half way between two the lower one: ⌈2^bits·x − 1/2⌉.
