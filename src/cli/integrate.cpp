@@ -102,9 +102,7 @@ void add_integrate(CLI::App& app) {
                                options->limits.size.max_degree))
       ->type_name("N")
       ->check(CLI::Range(1L, 1'000'000L).description(""));
-  command
-      ->add_option("-o,--output", options->output, "write to this file instead of standard output")
-      ->type_name("FILE");
+  add_output(*command, options->output);
   command->footer(
       "Numbers are exact: 0.1 is 1/10. A product needs its sign: 2*x, not 2x.\n"
       "Examples:\n"

@@ -3,7 +3,6 @@
 // depend on the machine, so that no two machines choose different grids.
 #include "phrame/ph/certify.hpp"
 
-#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/modular.hpp"
 
 namespace phrame {

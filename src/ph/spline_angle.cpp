@@ -1,6 +1,5 @@
 #include "phrame/ph/spline_angle.hpp"
 
-#include "phrame/algebra/error.hpp"
 #include "phrame/ph/frame_angle.hpp"
 #include "phrame/ph/reduced_angle.hpp"
 #include "phrame/ph/transform.hpp"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "phrame/algebra/error.hpp"
 #include "phrame/integrate/quadrature.hpp"
 
 namespace phrame {
