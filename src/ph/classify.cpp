@@ -10,10 +10,6 @@ namespace {
 
 const Interval segment = closed(0, 1);
 
-Polynomial dot(const Vector<Rational>& a, const Vector<Polynomial>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 void check(bool holds, std::string_view what) {
   if (!holds) throw Error(fmt::format("classify: the check failed, {}", what));
 }

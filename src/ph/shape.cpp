@@ -27,6 +27,10 @@ std::vector<std::vector<Rational>> relations_of_coordinates(const QuaternionPoly
 
 }  // namespace
 
+Polynomial dot(const Vector<Rational>& a, const Vector<Polynomial>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 std::optional<Vector<Rational>> line_direction(const QuaternionPolynomial& a) {
   if (relations_of_coordinates(a).size() != 2) return std::nullopt;
   const long m = degree(a);

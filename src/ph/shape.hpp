@@ -9,6 +9,9 @@ namespace phrame {
 // (x, y, z) = A i A*. The multiplier of a curve does not matter. Vectors have coprime integer
 // components.
 
+/// a·b.
+Polynomial dot(const Vector<Rational>& a, const Vector<Polynomial>& b);
+
 /// The direction of A i A* on a straight line; no value for other curves.
 std::optional<Vector<Rational>> line_direction(const QuaternionPolynomial& a);
 

@@ -36,10 +36,6 @@ std::string objection_to_points(const std::vector<StatedPoint>& stated,
   return "";
 }
 
-Polynomial dot(const Vector<Rational>& a, const Vector<Polynomial>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// One decision: the answer is that of classify, and its witness, if there is one, is a witness.
 template <class T, class Holds>
 std::string objection_to_witness(const std::optional<T>& stated, bool answer, Holds holds) {

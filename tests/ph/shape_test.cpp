@@ -28,10 +28,6 @@ Rational dot(const Vector<Rational>& a, const Vector<Rational>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-Polynomial dot(const Vector<Rational>& a, const Vector<Polynomial>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 RationalQuaternion inverse_times(const RationalQuaternion& a, const RationalQuaternion& b) {
   const Rational n = norm(a);
   return RationalQuaternion{a.u / n, -a.v / n, -a.p / n, -a.q / n} * b;
