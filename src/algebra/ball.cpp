@@ -43,6 +43,16 @@ bool RealBall::is_accurate(long bits) const {
   return is_finite() && mag_cmp(arb_radref(raw()), allowed.get()) <= 0;
 }
 
+RealBall hull(const Rational& a, const Rational& b, long bits) {
+  return hull(RealBall(a, bits), RealBall(b, bits), bits);
+}
+
+RealBall hull(const RealBall& a, const RealBall& b, long bits) {
+  RealBall c;
+  arb_union(c.raw(), a.raw(), b.raw(), bits);
+  return c;
+}
+
 RealBall add(const RealBall& a, const RealBall& b, long bits) {
   RealBall c;
   arb_add(c.raw(), a.raw(), b.raw(), bits);
@@ -111,6 +121,36 @@ ComplexBall conjugate(const ComplexBall& z) {
   ComplexBall c;
   acb_conj(c.raw(), z.raw());
   return c;
+}
+
+ComplexBall add(const ComplexBall& a, const ComplexBall& b, long bits) {
+  ComplexBall c;
+  acb_add(c.raw(), a.raw(), b.raw(), bits);
+  return c;
+}
+
+ComplexBall subtract(const ComplexBall& a, const ComplexBall& b, long bits) {
+  ComplexBall c;
+  acb_sub(c.raw(), a.raw(), b.raw(), bits);
+  return c;
+}
+
+ComplexBall multiply(const ComplexBall& a, const ComplexBall& b, long bits) {
+  ComplexBall c;
+  acb_mul(c.raw(), a.raw(), b.raw(), bits);
+  return c;
+}
+
+ComplexBall multiply(const RealBall& a, const ComplexBall& b, long bits) {
+  ComplexBall c;
+  acb_mul_arb(c.raw(), b.raw(), a.raw(), bits);
+  return c;
+}
+
+RealBall argument(const ComplexBall& z, long bits) {
+  RealBall angle;
+  acb_arg(angle.raw(), z.raw(), bits);
+  return angle;
 }
 
 ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits) {

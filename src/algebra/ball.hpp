@@ -32,6 +32,11 @@ class RealBall {
   flint::Arb handle_;
 };
 
+/// A ball that contains [a, b].
+RealBall hull(const Rational& a, const Rational& b, long bits);
+/// A ball that contains both.
+RealBall hull(const RealBall& a, const RealBall& b, long bits);
+
 RealBall add(const RealBall& a, const RealBall& b, long bits);
 RealBall subtract(const RealBall& a, const RealBall& b, long bits);
 RealBall multiply(const RealBall& a, const RealBall& b, long bits);
@@ -65,6 +70,12 @@ class ComplexBall {
 };
 
 ComplexBall conjugate(const ComplexBall& z);
+ComplexBall add(const ComplexBall& a, const ComplexBall& b, long bits);
+ComplexBall subtract(const ComplexBall& a, const ComplexBall& b, long bits);
+ComplexBall multiply(const ComplexBall& a, const ComplexBall& b, long bits);
+ComplexBall multiply(const RealBall& a, const ComplexBall& b, long bits);
+/// The principal argument, in (−π, π]; all of [−π, π] where the ball meets the negative real axis.
+RealBall argument(const ComplexBall& z, long bits);
 /// p(z).
 ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits);
 RealBall evaluate(const Polynomial& p, const RealBall& x, long bits);

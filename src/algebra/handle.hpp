@@ -57,6 +57,7 @@ PHRAME_C_TYPE(Arb, arb);
 PHRAME_C_TYPE(Arf, arf);
 PHRAME_C_TYPE(Mag, mag);
 PHRAME_C_TYPE(Acb, acb);
+PHRAME_C_TYPE(ArbPoly, arb_poly);
 PHRAME_C_TYPE(AcbPoly, acb_poly);
 #undef PHRAME_C_TYPE
 

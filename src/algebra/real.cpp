@@ -1,5 +1,7 @@
 #include "phrame/algebra/real.hpp"
 
+#include <memory>
+
 namespace phrame {
 
 Real operator-(const Real& x) {
@@ -22,6 +24,18 @@ Real operator*(const Real& x, const Real& y) {
   if (y.exact() == Rational(1)) return x;
   return Real(
       [x, y](long bits) { return multiply(x.enclose(bits + 8), y.enclose(bits + 8), bits + 8); });
+}
+
+Real remembered(const Real& x) {
+  if (x.exact()) return x;
+  struct Known {
+    long bits = 0;
+    RealBall ball;
+  };
+  return Real([x, known = std::make_shared<Known>()](long bits) {
+    if (known->bits < bits) *known = {bits, x.enclose(bits)};
+    return known->ball;
+  });
 }
 
 Real square_root_of(const Rational& x) {

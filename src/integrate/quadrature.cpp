@@ -6,11 +6,6 @@
 namespace phrame {
 namespace {
 
-struct Quotient {
-  flint::AcbPoly numerator;
-  flint::AcbPoly denominator;
-};
-
 bool is_narrow(const acb_t z) { return acb_rel_accuracy_bits(z) > 30; }
 
 void evaluate(acb_t result, const flint::AcbPoly& p, const acb_t z, slong precision) {
@@ -36,33 +31,64 @@ void evaluate(acb_t result, const flint::AcbPoly& p, const acb_t z, slong precis
   arb_add_error_mag(acb_imagref(result), variation.get());
 }
 
+struct Integrand {
+  const AnalyticFunction& f;
+};
+
 int integrand(acb_ptr result, const acb_t t, void* function, slong, slong precision) {
-  const auto& [numerator, denominator] = *static_cast<const Quotient*>(function);
-  ComplexBall n;
-  ComplexBall d;
-  evaluate(n.raw(), numerator, t, precision);
-  evaluate(d.raw(), denominator, t, precision);
-  acb_div(result, n.raw(), d.raw(), precision);
+  ComplexBall z;
+  acb_set(z.raw(), t);
+  acb_set(result, static_cast<const Integrand*>(function)->f(z, precision).raw());
   return 0;
+}
+
+RealBall integrate(const AnalyticFunction& f, const RealBall& a, const RealBall& b, long bits,
+                   long precision, long most_points = 100'000) {
+  Integrand function{f};
+  flint::Mag tolerance;
+  mag_set_ui_2exp_si(tolerance.get(), 1, -bits);
+  acb_calc_integrate_opt_t options;
+  acb_calc_integrate_opt_init(options);
+  options->eval_limit = most_points;
+  ComplexBall value;
+  acb_calc_integrate(value.raw(), integrand, &function, ComplexBall(a, {}).raw(),
+                     ComplexBall(b, {}).raw(), bits, tolerance.get(), options, precision);
+  return value.re();
 }
 
 }  // namespace
 
 RealBall quadrature(const RationalFunction& f, const Rational& a, const Rational& b, long bits) {
   const slong precision = bits + 64;
-  Quotient quotient;
-  acb_poly_set_fmpq_poly(quotient.numerator.get(), f.numerator().raw(), precision);
-  acb_poly_set_fmpq_poly(quotient.denominator.get(), f.denominator().raw(), precision);
-  const auto end = [&](const Rational& t) { return ComplexBall(RealBall(t, precision), {}); };
-  flint::Mag tolerance;
-  mag_set_ui_2exp_si(tolerance.get(), 1, -bits);
-  acb_calc_integrate_opt_t options;
-  acb_calc_integrate_opt_init(options);
-  options->eval_limit = 100000;
+  flint::AcbPoly numerator;
+  flint::AcbPoly denominator;
+  acb_poly_set_fmpq_poly(numerator.get(), f.numerator().raw(), precision);
+  acb_poly_set_fmpq_poly(denominator.get(), f.denominator().raw(), precision);
+  const auto quotient = [&](const ComplexBall& z, long working) {
+    ComplexBall n;
+    ComplexBall d;
+    evaluate(n.raw(), numerator, z.raw(), working);
+    evaluate(d.raw(), denominator, z.raw(), working);
+    return divide(n, d, working);
+  };
+  return integrate(quotient, RealBall(a, precision), RealBall(b, precision), bits, precision);
+}
+
+RealBall quadrature(const AnalyticFunction& f, long bits, long more, long most_points) {
+  const slong precision = bits + 64 + more;
+  return integrate(f, RealBall(0, precision), RealBall(1, precision), bits, precision, most_points);
+}
+
+ComplexBall evaluate(const BallPolynomial& p, const ComplexBall& z, long bits) {
   ComplexBall value;
-  acb_calc_integrate(value.raw(), integrand, &quotient, end(a).raw(), end(b).raw(), bits,
-                     tolerance.get(), options, precision);
-  return value.re();
+  if (is_narrow(z.raw())) {
+    arb_poly_evaluate_acb(value.raw(), p.raw(), z.raw(), bits);
+    return value;
+  }
+  flint::AcbPoly q;
+  acb_poly_set_arb_poly(q.get(), p.raw());
+  evaluate(value.raw(), q, z.raw(), bits);
+  return value;
 }
 
 }  // namespace phrame

@@ -1,5 +1,7 @@
 #pragma once
-#include "phrame/algebra/ball.hpp"
+#include <functional>
+
+#include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/algebra/rational_function.hpp"
 
 namespace phrame {
@@ -8,5 +10,15 @@ namespace phrame {
 /// wide or infinite one where that fails, as at a pole on [a, b]. It knows no antiderivative and no
 /// root: the other way to a value [Johansson 2018].
 RealBall quadrature(const RationalFunction& f, const Rational& a, const Rational& b, long bits);
+
+/// Encloses f(z): for a ball z around which f is not analytic, an infinite ball.
+using AnalyticFunction = std::function<ComplexBall(const ComplexBall& z, long bits)>;
+
+/// A ball around ∫₀¹ f, in the same manner, with `bits` + 64 + `more` bits of precision for f, of
+/// whatever width is reached with so many values of f.
+RealBall quadrature(const AnalyticFunction& f, long bits, long more, long most_points = 100'000);
+
+/// p(z), on a large ball not much wider than necessary.
+ComplexBall evaluate(const BallPolynomial& p, const ComplexBall& z, long bits);
 
 }  // namespace phrame

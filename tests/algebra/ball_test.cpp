@@ -82,3 +82,19 @@ TEST_CASE("ball: zero, overlap and text") {
   CHECK(to_string(RealBall(Rational(-1, 4), 100), 12) == "-0.250000000000");
   CHECK(to_string(RealBall(), 12) == "0");
 }
+
+TEST_CASE("ball: hulls, and arguments in all directions") {
+  const RealBall wide = hull(Rational(-1, 3), Rational(2), 64);
+  for (const Rational& x : {Rational(-1, 3), Rational(0), Rational(2)}) CHECK(wide.contains(x));
+  CHECK(wide.radius() < 2);
+  const RealBall both = hull(RealBall(1, 64), RealBall(Rational(1, 3), 64), 64);
+  CHECK(both.contains(1));
+  CHECK(both.contains(Rational(1, 3)));
+  for (const auto& [re, im] : {std::pair(1, 1), std::pair(-1, 1), std::pair(-2, -3)})
+    CHECK(argument(ComplexBall(RealBall(re, 64), RealBall(im, 64)), 64)
+              .overlaps(argument(Rational(re), Rational(im), 64)));
+  // On the cut the whole circle is returned.
+  const RealBall cut = argument(ComplexBall(RealBall(-1, 64), hull(-1, 1, 64)), 64);
+  CHECK(cut.contains(3));
+  CHECK(cut.contains(-3));
+}

@@ -115,3 +115,18 @@ TEST_CASE("rounding: a number far below the first precision still gets all its d
   const Rational tiny = parse_rational("123456789e-3000") / 7;
   CHECK(round_to_decimal(as_enclosure(tiny), 20).value == round_to_decimal(tiny, 20).value);
 }
+
+TEST_CASE("real: a remembered number is computed anew for more bits only") {
+  int asked = 0;
+  const Real third = remembered(Real([&asked](long bits) {
+    ++asked;
+    return RealBall(Rational(1, 3), bits);
+  }));
+  const Real copy = third;
+  CHECK(third.enclose(100).contains(Rational(1, 3)));
+  CHECK(copy.enclose(50).contains(Rational(1, 3)));
+  CHECK(asked == 1);
+  CHECK(copy.enclose(200).radius() < Rational(1, Integer(1) << 190U));
+  CHECK(asked == 2);
+  CHECK(remembered(Real(Rational(1, 2))).exact() == Rational(1, 2));
+}
