@@ -22,6 +22,25 @@ FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame) {
   return angle_of(z);
 }
 
+std::optional<Rational> over_pi(const FrameAngle& angle) {
+  // A number e^{ia} with rational a ≠ 0 is transcendental (Lindemann), and the only roots of unity
+  // z/|z| with z ∈ ℚ(i) are those of order 8 (Niven).
+  if (angle.radians != 0) return std::nullopt;
+  const auto& [re, im] = angle.direction;
+  if (im == 0) return angle.half_turns;
+  if (re == 0) return angle.half_turns + Rational(1, 2);
+  if (re == abs(im)) return angle.half_turns + Rational(im > 0 ? 1 : -1, 4);
+  return std::nullopt;
+}
+
+FrameAngle difference(const FrameAngle& b, const FrameAngle& a) {
+  // The two arguments are in (−π/2, π/2], so that their difference is principal.
+  FrameAngle angle = angle_of(b.direction * GaussianRational{a.direction.re, -a.direction.im});
+  angle.half_turns += b.half_turns - a.half_turns;
+  angle.radians = b.radians - a.radians;
+  return angle;
+}
+
 FrameAngle operator+(const FrameAngle& a, const FrameAngle& b) {
   FrameAngle sum = angle_of(a.direction * b.direction);
   sum.half_turns += a.half_turns + b.half_turns;

@@ -19,6 +19,11 @@ FrameAngle angle_of(const GaussianRational& z);
 /// The angle to (e₂, e₃) of v projected to their plane. Throws DomainError where that is 0.
 FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame);
 
+/// The angle over π where that is rational; no value where it is not: decided exactly.
+std::optional<Rational> over_pi(const FrameAngle& angle);
+
+/// b − a.
+FrameAngle difference(const FrameAngle& b, const FrameAngle& a);
 /// The sum, up to whole turns.
 FrameAngle operator+(const FrameAngle& a, const FrameAngle& b);
 

@@ -11,7 +11,7 @@ MinimalTwist::MinimalTwist(SplineAngle& rmf, const FrameAngle& from, const Frame
       from_(from),
       to_(to),
       length_(0),
-      erf_twist_(-rmf.value(rmf.spline().end())),
+      erf_twist_(remembered(-rmf.value(rmf.spline().end()))),
       nominal_(Rational(0)),
       twist_(Rational(0)) {
   for (const Curve& curve : rmf.spline().segments()) {
@@ -43,13 +43,24 @@ MinimalTwist::MinimalTwist(SplineAngle& rmf, const FrameAngle& from, const Frame
 
 Real MinimalTwist::rate() const { return twist_ * Real(1 / length_); }
 
+std::optional<Integer> MinimalTwist::whole_turns_of_theta() const {
+  const auto half_turns = over_pi(difference(to_, from_));
+  if (!half_turns) return std::nullopt;
+  const Rational turns = *half_turns / 2 + Rational(turns_);
+  if (denominator(turns) != 1) return std::nullopt;
+  return Integer(numerator(turns));
+}
+
 Real MinimalTwist::value(const Rational& t) const {
   if (t == 0) return to_real(from_);
   if (t == rmf_->spline().end())
     return turns_ == 0 ? to_real(to_) : to_real(to_) + whole_turn(turns_);
   const SplineParameter at = locate(rmf_->spline(), t);
-  const Rational share = (starts_[at.segment] + arc_lengths_[at.segment](at.t)) / length_;
-  return to_real(from_) + twist_ * Real(share) + rmf_->value(at);
+  return value(Real(starts_[at.segment] + arc_lengths_[at.segment](at.t)), rmf_->value(at));
+}
+
+Real MinimalTwist::value(const Real& s, const Real& rmf_angle) const {
+  return to_real(from_) + twist_ * (s * Real(1 / length_)) + rmf_angle;
 }
 
 }  // namespace phrame

@@ -26,9 +26,16 @@ class MinimalTwist {
   const Real& twist() const { return twist_; }
   /// The turn per unit of arc length, twist()/S: Ω̄₁.
   Real rate() const;
+  const Spline& spline() const { return rmf_->spline(); }
+  /// θ_RMF(at).
+  Real rmf_angle(const SplineParameter& at) const { return rmf_->value(at); }
+  /// (θ(end) − θ(0))/2π, where it is a whole number: decided exactly.
+  std::optional<Integer> whole_turns_of_theta() const;
   /// θ(t). At the start it is θ_i and at the end θ_f plus whole turns, exactly; where the twist is
   /// 0 it is exact where θ_RMF and θ_i are.
   Real value(const Rational& t) const;
+  /// θ where the arc length from the start is s and θ_RMF is known: θ_i + T_min·s/S + θ_RMF.
+  Real value(const Real& s, const Real& rmf_angle) const;
 
  private:
   SplineAngle* rmf_;

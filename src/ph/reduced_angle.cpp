@@ -26,9 +26,14 @@ Real whole_turn(const Integer& k) {
 }
 
 ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>()>& over_pi) {
-  constexpr long bits = 512;
-  const RealBall y = divide(x.enclose(bits), pi(bits), bits);
+  // Few bits nearly always tell it from a multiple of π.
+  long bits = 128;
+  RealBall y = divide(x.enclose(bits), pi(bits), bits);
   flint::Fmpz nearest;
+  if (arb_contains_int(y.raw()) != 0) {
+    bits = 512;
+    y = divide(x.enclose(bits), pi(bits), bits);
+  }
   if (arb_get_unique_fmpz(nearest.get(), y.raw()) != 0) {
     const auto known = over_pi();
     if (known && denominator(*known) == 1) {

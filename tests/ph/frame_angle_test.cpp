@@ -32,3 +32,16 @@ TEST_CASE("frame angle: a vector is projected to the normal plane") {
   CHECK(angle_of(v, erf) == FrameAngle{1, 0, {2, -3}});
   CHECK_THROWS_AS(angle_of(erf.e1, erf), DomainError);
 }
+
+TEST_CASE("frame angle: over pi, where that is rational; differences") {
+  CHECK(over_pi({Rational(3, 7), 0}) == Rational(3, 7));
+  CHECK(over_pi({Rational(1, 3), 0, {0, 5}}) == Rational(5, 6));
+  CHECK(over_pi({0, 0, {2, 2}}) == Rational(1, 4));
+  CHECK(over_pi({0, 0, {3, -3}}) == Rational(-1, 4));
+  CHECK_FALSE(over_pi({0, 0, {2, 1}}));       // the root of unity would have order 8
+  CHECK_FALSE(over_pi({0, Rational(1, 7)}));  // e^{i/7} is transcendental
+  CHECK(over_pi(difference({Rational(1, 2), 0, {1, 2}}, {0, 0, {1, 2}})) == Rational(1, 2));
+  CHECK(over_pi(difference({0, 3}, {2, 3})) == Rational(-2));
+  // From −45° to 90°.
+  CHECK(over_pi(difference(angle_of({0, 1}), angle_of({1, -1}))) == Rational(3, 4));
+}

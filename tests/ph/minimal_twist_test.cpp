@@ -5,6 +5,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/quadrature.hpp"
+#include "phrame/ph/arc_length.hpp"
 #include "support/curves.hpp"
 #include "support/random.hpp"
 
@@ -90,6 +91,18 @@ TEST_CASE("minimal twist: a rotation-minimizing frame has none") {
   CHECK(once.twist().enclose(100).overlaps(multiply(RealBall(-2, 100), pi(100), 100)));
   CHECK(
       add(once.value(1).enclose(100), multiply(RealBall(2, 100), pi(100), 100), 100).contains(-1));
+}
+
+// θ = θ_i + Ω̄₁·s + θ_RMF: the rates about e₁, 2h/σ + θ′, leave Ω̄₁·|r′|, exactly.
+TEST_CASE("minimal twist: law: the exact frame turns at a constant rate") {
+  for_samples(40, [](Random& random) {
+    const Curve curve(random.quaternion_polynomial(4));
+    const SplineAngle rmf{Spline(curve)};
+    const Polynomial speed = sigma(curve.preimage());
+    const RationalFunction erf(Rational(2) * twist_numerator(curve.preimage()), speed);
+    CHECK((erf + differentiate(rmf.segment(0).antiderivative())).is_zero());
+    CHECK(differentiate(ArcLength(curve).polynomial()) == speed);
+  });
 }
 
 TEST_CASE("minimal twist: law: the least twist between the boundary angles, evenly spread") {

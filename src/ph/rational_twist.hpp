@@ -1,0 +1,79 @@
+#pragma once
+#include <map>
+#include <memory>
+
+#include "phrame/ph/rotation_family.hpp"
+#include "phrame/ph/twist_minimum.hpp"
+
+namespace phrame {
+
+/// A rational frame along a piece: the Euler–Rodrigues frame turned by θ(τ) = θ(0) + 2·arg w(τ),
+/// with w of degree n, so that f₂, f₃ are rational of degree 2m + 2n where the preimage has degree
+/// m. Refers to the frame of minimal twist it was made for. Not for concurrent use, nor are copies.
+class RationalTwist {
+ public:
+  /// The member of a family with these parameters.
+  RationalTwist(TwistPiece piece, long degree, EndRates rates, std::vector<Rational> parameters);
+
+  const TwistPiece& piece() const { return piece_; }
+  long degree() const { return degree_; }  ///< n
+  EndRates rates() const { return rates_; }
+  const std::vector<Rational>& parameters() const { return parameters_; }
+
+  /// w, with w(0) = 1.
+  const Rotation& rotation(long bits) const;
+  /// w(1) = γ·e^{iΔθ/2}.
+  Real end_factor() const;
+  /// By how much γ changes at most where the one parameter of the family does by this.
+  Rational end_factor_change(const Rational& radius) const;
+  /// The n + 1 Bernstein coefficients of w times e^{iθ(0)/2}, as the paper has them.
+  std::vector<std::pair<Real, Real>> coefficients() const;
+
+  /// The turn about e₁ is piece().twist + 2π·extra_turns(). Throws Undecided where w cannot be told
+  /// to have no zero on [0, 1].
+  Integer extra_turns() const;
+  /// The root mean square of Ω₁ − Ω̄₁ along the piece, times its length.
+  Real root_mean_square() const;
+  /// The maximum of |Ω₁ − Ω̄₁| along the piece, times its length.
+  Real greatest_error() const;
+  /// Where Ω₁ changes its sign, as values of τ.
+  SignChanges inflections(long bits) const;
+  /// The sign of Ω₁ at τ; 0 where it cannot be told.
+  int sign_of_rate(const Rational& tau) const;
+
+  /// θ at τ ∈ [0, 1].
+  Real value(const Real& tau) const;
+
+ private:
+  TwistPiece piece_;
+  long degree_;
+  EndRates rates_;
+  std::vector<Rational> parameters_;
+  std::shared_ptr<std::map<long, Rotation>> rotations_;  ///< by precision, as far as computed
+};
+
+/// What is known of a rotation being the best of its degree. Where there is one for each sign of γ,
+/// it is the one whose frame turns by T, and the better one if that is both or neither.
+struct BestTwist {
+  RationalTwist twist;
+  /// Where it is proved: the best of all, or, if the other one is better, of those with its sign.
+  std::optional<TwistMinimum> minimum;
+  std::string doubt;                   ///< else why not
+  /// The best with the other sign of γ, not proved; where it was looked for.
+  std::optional<RationalTwist> other;
+};
+
+struct RationalTwistOptions {
+  long degree = 2;                     ///< of w, 1 to 8
+  EndRates rates = EndRates::matched;  ///< of degree ≥ 2
+  bool prove = true;                   ///< that it is the best, where there is one parameter
+  long bits = 80;                      ///< for the parameter then: its radius is about 2^−bits
+};
+
+/// The rotation of this degree, or a lower one if none better was found, whose Ω₁ deviates least
+/// from Ω̄₁ in the mean square (36): for degree 1, and for degree 2 with matched rates, Brent's
+/// method and the proof; else NLopt's SLSQP from the best of the degree below. Throws DomainError
+/// for a degree that is not offered, and where there is no such rotation.
+BestTwist best_twist(const TwistPiece& piece, const RationalTwistOptions& options);
+
+}  // namespace phrame

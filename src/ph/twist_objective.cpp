@@ -1,0 +1,315 @@
+#include "phrame/ph/twist_objective.hpp"
+
+#include <nlopt.h>
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include "phrame/algebra/rounding.hpp"
+
+namespace phrame {
+namespace {
+
+using Gauss = boost::math::quadrature::gauss<double, 15>;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double middle(const RealBall& x) { return arf_get_d(arb_midref(x.raw()), ARF_RND_NEAR); }
+
+/// C(n, k)·b_k for the Bernstein coefficients b of p/scale.
+std::vector<double> scaled_bernstein(const Polynomial& p, const Rational& scale) {
+  std::vector<double> c;
+  const long n = std::max(p.degree(), 0L);
+  Integer binomial = 1;
+  for (const Rational& b : to_bernstein(p, n)) {
+    const long k = static_cast<long>(c.size());
+    c.push_back(round_to_double(Rational(Rational(binomial) * b / scale)));
+    binomial = binomial * (n - k) / (k + 1);
+  }
+  return c;
+}
+
+/// Σ c_k tᵏ (1 − t)ⁿ⁻ᵏ: stable where the coefficients have one sign.
+double evaluate(const std::vector<double>& c, double t) {
+  double value = 0;
+  double power = 1;
+  for (std::size_t k = c.size(); k-- > 0; power *= 1 - t) value = value * t + c[k] * power;
+  return value;
+}
+
+double square(double x) { return x * x; }
+
+using Complex = std::complex<double>;
+
+// Those of the standard library are slow, as they look after infinities.
+Complex product(Complex x, Complex y) {
+  return {x.real() * y.real() - x.imag() * y.imag(), x.real() * y.imag() + x.imag() * y.real()};
+}
+
+Complex quotient(Complex x, Complex y) { return product(x, std::conj(y)) / std::norm(y); }
+
+/// θ′ = 2 Im(w′/w).
+double turn_rate(Complex w, Complex slope) {
+  return 2 * (w.real() * slope.imag() - w.imag() * slope.real()) / std::norm(w);
+}
+
+}  // namespace
+
+TwistObjective::TwistObjective(const TwistPiece& piece, const RotationFamily& family)
+    : family_(family), turn_(middle(piece.turn.enclose(64))) {
+  Rational scale = 0;
+  for (const Rational& c : piece.erf_rate.denominator().coefficients())
+    scale = std::max(scale, Rational(abs(c)));
+  rate_numerator_ = scaled_bernstein(piece.erf_rate.numerator(), scale);
+  rate_denominator_ = scaled_bernstein(piece.erf_rate.denominator(), scale);
+  speed_ = scaled_bernstein(piece.speed, 1);
+  twist_ = middle(piece.twist.enclose(64));
+  for (const Rotation& w : family.basis) {
+    std::vector<Complex> c;
+    const long n = std::max({w.a.degree_bound(), w.b.degree_bound(), 0L});
+    for (long k = 0; k <= n; ++k)
+      c.emplace_back(middle(w.a.coefficient(k)), middle(w.b.coefficient(k)));
+    basis_.push_back(std::move(c));
+  }
+  for (int k = 0; k < 4; ++k) append_nodes(nodes_, k / 4.0, (k + 1) / 4.0);
+}
+
+void TwistObjective::append_nodes(Nodes& nodes, double a, double b) const {
+  const auto append = [&](double x, double weight) {
+    const double tau = (a + b) / 2 + x * (b - a) / 2;
+    const double speed = evaluate(speed_, tau);
+    const double erf_rate = evaluate(rate_numerator_, tau) / evaluate(rate_denominator_, tau);
+    nodes.nodes.push_back({weight * (b - a) / 2, erf_rate - twist_ * speed, speed});
+    for (const auto& c : basis_) {
+      Term term{0, 0};
+      for (std::size_t k = c.size(); k-- > 0;) {
+        term.slope = term.slope * tau + term.w;
+        term.w = term.w * tau + c[k];
+      }
+      nodes.terms.push_back(term);
+    }
+  };
+  for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k) {
+    const double x = Gauss::abscissa()[k];
+    append(x, Gauss::weights()[k]);
+    if (x != 0) append(-x, Gauss::weights()[k]);
+  }
+}
+
+TwistObjective::Term TwistObjective::member_at(const Nodes& nodes, std::size_t node,
+                                               std::span<const double> parameters) const {
+  const Term* terms = &nodes.terms[node * basis_.size()];
+  Term member = terms[0];
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    member.w += parameters[i] * terms[i + 1].w;
+    member.slope += parameters[i] * terms[i + 1].slope;
+  }
+  return member;
+}
+
+TwistObjective::Sums TwistObjective::sums(const Nodes& nodes,
+                                          std::span<const double> parameters) const {
+  Sums total;
+  for (std::size_t k = 0; k < nodes.nodes.size(); ++k) {
+    const auto& [weight, rate, speed] = nodes.nodes[k];
+    const Term w = member_at(nodes, k, parameters);
+    const double error = rate + turn_rate(w.w, w.slope);
+    total.square += weight * square(error) / speed;
+    total.turn += weight * error;
+  }
+  return total;
+}
+
+double TwistObjective::operator()(std::span<const double> parameters,
+                                  std::span<double> gradient) const {
+  const Sums total = sums(nodes_, parameters);
+  const double turns = total.turn / (2 * std::numbers::pi);
+  const double expected = turns_.value_or(std::round(turns));
+  if (!std::isfinite(total.square) || !(std::abs(turns - expected) < 0.01)) return infinity;
+  if (gradient.empty()) return total.square;
+  std::fill(gradient.begin(), gradient.end(), 0.0);
+  for (std::size_t k = 0; k < nodes_.nodes.size(); ++k) {
+    const auto& [weight, rate, speed] = nodes_.nodes[k];
+    const Term* terms = &nodes_.terms[k * basis_.size()];
+    const auto [w, slope] = member_at(nodes_, k, parameters);
+    const double factor = 2 * weight * (rate + turn_rate(w, slope)) / speed;
+    const Complex square_of_w = product(w, w);
+    for (std::size_t i = 0; i < gradient.size(); ++i) {
+      // ∂θ′/∂pᵢ = 2 Im (wⁱ/w)′.
+      const Complex change = product(terms[i + 1].slope, w) - product(terms[i + 1].w, slope);
+      gradient[i] += factor * 2 * std::imag(quotient(change, square_of_w));
+    }
+  }
+  return total.square;
+}
+
+std::pair<double, double> TwistObjective::derivatives(double parameter) const {
+  double first = 0;
+  double second = 0;
+  for (std::size_t k = 0; k < nodes_.nodes.size(); ++k) {
+    const auto& [weight, rate, speed] = nodes_.nodes[k];
+    const auto [w, slope] = member_at(nodes_, k, std::span(&parameter, 1));
+    const auto& [q, q_slope] = nodes_.terms[2 * k + 1];
+    const double error = rate + turn_rate(w, slope);
+    const Complex ratio_slope =
+        quotient(product(q_slope, w) - product(q, slope), product(w, w));  // (q/w)′
+    const double change = 2 * std::imag(ratio_slope);
+    const double bend = -4 * std::imag(product(ratio_slope, quotient(q, w)));
+    first += 2 * weight * error * change / speed;
+    second += 2 * weight * (square(change) + error * bend) / speed;
+  }
+  return {first, second};
+}
+
+void TwistObjective::expect_turn_of(std::span<const double> parameters) {
+  std::vector<RealBall> balls;
+  for (const double p : parameters) balls.emplace_back(exact_rational(p), 64);
+  const auto turned = turn(member(family_, balls, 64), 0, 1, 64);
+  if (turned) turns_ = std::round((middle(*turned) - turn_) / (2 * std::numbers::pi));
+}
+
+void TwistObjective::resolve(std::span<const double> parameters) {
+  // No finer than rounding errors allow: E is a difference of rates.
+  double tolerance = 1e-13 * sums(nodes_, parameters).square;
+  for (const auto& [weight, rate, speed] : nodes_.nodes)
+    tolerance += 1e-16 * weight * square(rate) / speed;
+  constexpr std::size_t most_nodes = 10'000;
+  struct Part {
+    double a;
+    double b;
+    Nodes nodes;
+    int depth;
+  };
+  const auto part = [this](double a, double b, int depth) {
+    Part made{a, b, {}, depth};
+    append_nodes(made.nodes, a, b);
+    return made;
+  };
+  const auto value = [&](const Part& p) { return sums(p.nodes, parameters).square; };
+  std::vector<Part> parts;
+  for (int k = 3; k >= 0; --k) parts.push_back(part(k / 4.0, (k + 1) / 4.0, 0));
+  nodes_ = {};
+  while (!parts.empty()) {
+    const Part here = std::move(parts.back());
+    parts.pop_back();
+    const double half = (here.a + here.b) / 2;
+    Part left = part(here.a, half, here.depth + 1);
+    Part right = part(half, here.b, here.depth + 1);
+    const bool is_fine = std::abs(value(left) + value(right) - value(here)) <= tolerance;
+    if (is_fine || here.depth > 25 || nodes_.nodes.size() > most_nodes) {
+      nodes_.nodes.insert(nodes_.nodes.end(), here.nodes.nodes.begin(), here.nodes.nodes.end());
+      nodes_.terms.insert(nodes_.terms.end(), here.nodes.terms.begin(), here.nodes.terms.end());
+    } else {
+      parts.push_back(std::move(right));
+      parts.push_back(std::move(left));
+    }
+  }
+}
+
+std::optional<LineGuess> search_line(TwistObjective& objective, int sign_of_gamma) {
+  const RotationFamily& family = objective.family();
+  // w(1/2) goes along a straight line: its foot and its distance from 0 give the scale.
+  const auto at_half = [](const Rotation& w) {
+    const RealBall half(Rational(1, 2), 64);
+    return Complex(middle(evaluate(w.a, half, 64)), middle(evaluate(w.b, half, 64)));
+  };
+  const Complex p = at_half(family.basis[0]);
+  const Complex q = at_half(family.basis[1]);
+  const double foot = -std::real(product(std::conj(q), p)) / std::norm(q);
+  double unit = std::abs(std::imag(product(std::conj(q), p))) / std::norm(q);
+  if (unit < 1e-6 * std::abs(p) / std::abs(q)) unit = std::abs(p) / std::abs(q);
+
+  const double gamma = middle(family.end_factor[0]);
+  const double slope = middle(family.end_factor[1]);
+  if (slope == 0 && gamma * sign_of_gamma < 0) return std::nullopt;
+  const auto is_on_branch = [&](double x) { return (gamma + slope * x) * sign_of_gamma > 0; };
+  // In powers of 2 from the foot and from the end γ = 0 of the branch.
+  std::vector<double> samples;
+  const auto add_sample = [&](double x) {
+    if (is_on_branch(x)) samples.push_back(x);
+  };
+  add_sample(foot);
+  for (double step = unit / 8; step < 3000 * unit; step *= 2) {
+    add_sample(foot + step);
+    add_sample(foot - step);
+    if (slope != 0) add_sample((sign_of_gamma * step / unit / 64 - gamma) / slope);
+  }
+  if (samples.size() < 3) return std::nullopt;
+  std::sort(samples.begin(), samples.end());
+
+  const auto refine_around = [&](double x) { objective.resolve(std::span(&x, 1)); };
+  const auto coarse = [&](double x) { return objective(std::span(&x, 1)); };
+  const auto value = [&](double x) {
+    if (const double here = coarse(x); here < infinity) return here;
+    refine_around(x);
+    return coarse(x);
+  };
+  const double inside = samples[samples.size() / 2];
+  objective.expect_turn_of(std::span(&inside, 1));
+  std::vector<double> values;
+  std::transform(samples.begin(), samples.end(), std::back_inserter(values), coarse);
+  auto best =
+      static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
+  const auto is_known = [&](std::size_t k) { return k >= values.size() || values[k] < infinity; };
+  if (!is_known(best) || !is_known(best - 1) || !is_known(best + 1)) {
+    std::transform(samples.begin(), samples.end(), values.begin(), value);
+    best =
+        static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
+  }
+  if (values[best] == infinity) return std::nullopt;
+  const bool is_interior = best > 0 && best + 1 < samples.size();
+  double x = samples[best];
+  refine_around(x);
+  if (is_interior) {
+    std::uintmax_t steps = 60;
+    const auto minimum = boost::math::tools::brent_find_minima(value, samples[best - 1],
+                                                               samples[best + 1], 26, steps);
+    x = minimum.first;
+    refine_around(x);
+    for (int k = 0; k < 4; ++k) {  // Newton's method, as long as it helps
+      const auto [first, second] = objective.derivatives(x);
+      const double next = x - first / second;
+      if (!(second > 0) || !(next > samples[best - 1]) || !(next < samples[best + 1])) break;
+      if (!(coarse(next) <= coarse(x) * (1 + 1e-12))) break;
+      x = next;
+    }
+  }
+  return LineGuess{x, coarse(x), objective.derivatives(x).second, is_interior};
+}
+
+std::vector<double> search(TwistObjective& objective, std::vector<double> start) {
+  const auto evaluate_at = [](unsigned n, const double* x, double* gradient, void* data) {
+    const auto& function = *static_cast<const TwistObjective*>(data);
+    const double value =
+        function({x, n}, gradient == nullptr ? std::span<double>{} : std::span(gradient, n));
+    return std::isfinite(value) ? value : 1e300;
+  };
+  objective.expect_turn_of(start);
+  objective.resolve(start);
+  std::vector<double> best = start;
+  double least = objective(start);
+  // The quadrature is made for the start; where the search goes far from it, once more.
+  for (int round = 0; round < 3; ++round) {
+    const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> optimizer(
+        nlopt_create(NLOPT_LD_SLSQP, static_cast<unsigned>(start.size())), nlopt_destroy);
+    nlopt_set_min_objective(optimizer.get(), evaluate_at, &objective);
+    nlopt_set_ftol_rel(optimizer.get(), 1e-13);
+    nlopt_set_maxeval(optimizer.get(), 400);
+    double value = 0;
+    nlopt_optimize(optimizer.get(), start.data(), &value);
+    objective.resolve(start);
+    value = objective(start);
+    if (!(value < least)) break;
+    const bool is_settled = value > least * (1 - 1e-9);
+    least = value;
+    best = start;
+    if (is_settled) break;
+  }
+  return best;
+}
+
+}  // namespace phrame

@@ -1,0 +1,84 @@
+#include "phrame/ph/twist_piece.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/arc_length.hpp"
+#include "phrame/ph/transform.hpp"
+
+namespace phrame {
+namespace {
+
+/// T·speed − erf_rate at τ.
+Real wanted_rate(const TwistPiece& piece, const Rational& tau) {
+  return piece.twist * Real(piece.speed(tau)) + Real(Rational(-piece.erf_rate(tau)));
+}
+
+TwistPiece piece_between(const MinimalTwist& mtf, std::size_t index, const Rational& a,
+                         const Rational& b) {
+  const Curve& whole = mtf.spline().segments()[index];
+  const Curve part = a == 0 && b == 1 ? whole : segment(whole, a, b);
+  const ArcLength length(part);
+  const Rational from = Rational(static_cast<long>(index)) + a;
+  const Rational to = Rational(static_cast<long>(index)) + b;
+  const Real start = remembered(mtf.rmf_angle({index, a}));
+  const Real twist = mtf.twist() * Real(length.total() / mtf.length());
+  const bool is_whole = mtf.spline().segments().size() == 1 && a == 0 && b == 1;
+  const Real whole_twist =
+      is_whole ? mtf.erf_twist() : remembered(start + -mtf.rmf_angle({index, b}));
+  const auto erf_twist = [&mtf, start, whole_twist, index, a, b](const Rational& tau) {
+    if (tau == 1) return whole_twist;
+    return start + -mtf.rmf_angle({index, a + (b - a) * tau});
+  };
+  const Real turn = remembered(twist + -whole_twist);
+  std::optional<Integer> whole_turns;
+  if (turn.exact() == Rational(0)) whole_turns = 0;
+  return {from,
+          to,
+          -erf_rate(part.preimage()),
+          Rational(1 / length.total()) * differentiate(length.polynomial()),
+          length.total(),
+          twist,
+          turn,
+          whole_turns,
+          mtf.value(from),
+          erf_twist};
+}
+
+}  // namespace
+
+Real TwistPiece::first_rate() const { return wanted_rate(*this, 0); }
+
+Real TwistPiece::last_rate() const { return wanted_rate(*this, 1); }
+
+std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Rational> points) {
+  const Spline& spline = mtf.spline();
+  for (std::size_t k = 0; k < spline.segments().size(); ++k) {
+    const auto found = cusps(spline.segments()[k], closed(0, 1));
+    if (!found.empty())
+      throw DomainError(
+          "the curve has a cusp" +
+          (spline.segments().size() > 1 ? " in segment " + std::to_string(k) : std::string()) +
+          (found.front().lower == found.front().upper ? " at t = " : " at a t in ") +
+          to_string(found.front()) +
+          ", where a frame that turns with the parameter turns at an infinite rate");
+    points.push_back(Rational(static_cast<long>(k)));
+  }
+  points.push_back(spline.end());
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.front() < 0 || points.back() > spline.end())
+    throw DomainError("the parameter " +
+                      abbreviated(to_string(points.front() < 0 ? points.front() : points.back())) +
+                      " is outside [0, " + to_string(spline.end()) + "]");
+  std::vector<TwistPiece> pieces;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const SplineParameter from = locate(spline, points[k]);
+    pieces.push_back(piece_between(mtf, from.segment, from.t, from.t + points[k + 1] - points[k]));
+  }
+  if (pieces.size() == 1 && !pieces.front().whole_turns)
+    pieces.front().whole_turns = mtf.whole_turns_of_theta();
+  return pieces;
+}
+
+}  // namespace phrame
