@@ -1,4 +1,6 @@
-#include "phrame/cli/command.hpp"
+#include <algorithm>
+
+#include "phrame/cli/twist_options.hpp"
 #include "phrame/io/frame_table.hpp"
 #include "phrame/ph/arc_length.hpp"
 
@@ -8,6 +10,7 @@ namespace {
 struct FramesOptions {
   CurveOptions curve;
   Parameters parameters;
+  TwistOptions twist;
   std::vector<std::string> frames{"rmf"};
   std::vector<std::string> scalars;
   std::string by = "t";
@@ -50,7 +53,9 @@ TableColumns columns(const FramesOptions& options) {
     columns.frames.push_back(choose<TabulatedFrame>("--frame", name,
                                                     {{"rmf", TabulatedFrame::rmf},
                                                      {"erf", TabulatedFrame::erf},
-                                                     {"frenet", TabulatedFrame::frenet}}));
+                                                     {"frenet", TabulatedFrame::frenet},
+                                                     {"mtf", TabulatedFrame::mtf},
+                                                     {"mtf-exact", TabulatedFrame::exact_mtf}}));
   for (const std::string& name : split(options.scalars))
     columns.scalars.push_back(
         choose<TabulatedScalar>("--columns", name,
@@ -61,8 +66,31 @@ TableColumns columns(const FramesOptions& options) {
   return columns;
 }
 
+/// The frames of minimal twist, as far as there are columns for them.
+struct TwistFrames {
+  std::optional<SplineAngle> angle;
+  std::optional<MinimalTwist> exact;
+  std::optional<TwistFrame> rational;
+
+  void make(TableColumns& columns, const TwistOptions& options, const Spline& spline) {
+    const auto wants = [&columns](TabulatedFrame frame) {
+      return std::find(columns.frames.begin(), columns.frames.end(), frame) != columns.frames.end();
+    };
+    const bool wants_rational = wants(TabulatedFrame::mtf);
+    if (!wants_rational && !wants(TabulatedFrame::exact_mtf)) return;
+    const auto [from, to] = options.ends(spline);
+    angle.emplace(spline);
+    exact.emplace(*angle, from, to, options.turns);
+    columns.exact_mtf = &*exact;
+    if (!wants_rational) return;
+    constexpr long digits = 17;
+    rational = twist_frame(*exact, options.rotation(digits), options.subdivision(spline));
+    columns.mtf = &*rational;
+  }
+};
+
 void run(const FramesOptions& options) {
-  const TableColumns chosen = columns(options);
+  TableColumns chosen = columns(options);
   const auto format = choose<std::string (*)(const FrameTable&)>(
       "--format", options.format, {{"csv", to_csv}, {"json", to_json}, {"npy", to_npy}});
   const By by =
@@ -70,8 +98,11 @@ void run(const FramesOptions& options) {
   if (options.parameters.values().empty())
     throw InputError("frames", "--samples N or --at t,… is needed");
   const auto read = options.curve.read_curve_or_spline();
-  const bool is_curve = std::holds_alternative<NamedCurve>(read);
   const Spline spline = as_spline(read).spline;
+  TwistFrames twist;
+  twist.make(chosen, options.twist, spline);
+  // A frame of minimal twist ends with the curve.
+  const bool is_curve = std::holds_alternative<NamedCurve>(read) && chosen.exact_mtf == nullptr;
   const auto at =
       by == By::parameter ? points(options, spline, is_curve) : points_by_length(options, spline);
   write_output(options.curve.output, format(frame_table(spline, chosen, at)));
@@ -85,8 +116,10 @@ void add_frames(CLI::App& app) {
   options->curve.add_to(*command);
   options->parameters.add_to(*command);
   command
-      ->add_option("--frame", options->frames,
-                   "any of rmf (default: f2, f3), erf (e2, e3) and frenet (n, b)")
+      ->add_option(
+          "--frame", options->frames,
+          "any of rmf (default: f2, f3), erf (e2, e3), frenet (n, b), mtf and mtf-exact\n"
+          "(of minimal twist: rational, or at a constant rate; --from and --to are needed)")
       ->type_name("NAME,...")
       ->expected(1)
       ->take_all();
@@ -100,6 +133,7 @@ void add_frames(CLI::App& app) {
       ->add_option("--by", options->by,
                    "t (default), or arc-length: --at and --samples mean arc lengths from t = 0")
       ->type_name("NAME");
+  options->twist.add_to(*command);
   command->add_option("--format", options->format, "csv (default), json or npy")->type_name("NAME");
   command->footer(
       "All numbers are correctly rounded doubles. e1 is A i A*/|A|^2, the unit tangent\n"
@@ -112,7 +146,8 @@ void add_frames(CLI::App& app) {
       "Examples:\n"
       "  phrame frames curve.json --samples 101 -o frames.csv\n"
       "  phrame frames curve.json --by arc-length --samples 101 --columns s,curvature\n"
-      "  phrame frames curve.json --frame rmf,frenet --samples 1001 --format npy -o frames.npy");
+      "  phrame frames curve.json --frame rmf,frenet --samples 1001 --format npy -o frames.npy\n"
+      "  phrame frames curve.json --frame mtf --from pi/8 --to -pi/2 --samples 101");
   command->callback([options] { run(*options); });
 }
 

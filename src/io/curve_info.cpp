@@ -7,11 +7,23 @@
 #include "phrame/io/text.hpp"
 
 namespace phrame {
+namespace {
+
+std::vector<Decimal> rounded(const std::vector<RealAlgebraic>& at, long digits) {
+  std::vector<Decimal> decimals;
+  for (const RealAlgebraic& t : at) decimals.push_back(round_to_decimal(to_real(t), digits));
+  return decimals;
+}
+
+}  // namespace
+
 CurveInfo curve_info(const NamedCurve& named, long digits) {
   const Curve& curve = named.curve;
   const Real length = total_length(curve).value;
   CurveInfo info{named,
                  cusps(curve, closed(0, 1)),
+                 rounded(erf_inflections(curve), digits),
+                 rounded(erf_extrema(curve), digits),
                  length,
                  rounded(length, "the length", digits),
                  rounded(erf_twist(curve).value, "the twist", digits),
@@ -52,6 +64,8 @@ std::string to_text(const CurveInfo& info) {
   if (const std::string note = note_on_sign(curve); !note.empty()) row("sign of f", note);
   row("length ∫₀¹ |f|σ", shown(info.length, info.rounded_length));
   row("twist ∫₀¹ 2h/σ", info.twist_erf.value);
+  for (const Decimal& t : info.erf_inflections) row("ERF turns back", "at t = " + t.value);
+  for (const Decimal& t : info.erf_extrema) row("extremum of ω₁", "at t = " + t.value);
   row("energy ∫₀¹ κ² ds", info.bending_energy ? info.bending_energy->value : "∞");
   return text;
 }
@@ -65,6 +79,11 @@ std::string to_json(const CurveInfo& info) {
   JsonOutput cusp_list = JsonOutput::array();
   for (const Interval& cusp : info.cusps)
     cusp_list.push_back({to_string(*cusp.lower), to_string(*cusp.upper)});
+  const auto values = [](const std::vector<Decimal>& decimals) {
+    JsonOutput list = JsonOutput::array();
+    for (const Decimal& t : decimals) list.push_back(t.value);
+    return list;
+  };
   JsonOutput json = {
       {"phrame", "info/1"},
       {"name", info.curve.name},
@@ -84,6 +103,8 @@ std::string to_json(const CurveInfo& info) {
       {"end_point", json_of(evaluate(position(curve), 1))},
       {"cusps", cusp_list},
       {"twist_erf", json_of(info.twist_erf)},
+      {"erf_inflections", values(info.erf_inflections)},
+      {"erf_extrema", values(info.erf_extrema)},
       {"bending_energy", info.bending_energy ? json_of(*info.bending_energy) : JsonOutput()}};
   if (!info.bending_energy) json["bending_energy_reason"] = "∞";
   return pretty(json);

@@ -3,6 +3,7 @@
 
 #include "phrame/io/curve_file.hpp"
 #include "phrame/ph/totals.hpp"
+#include "phrame/ph/twist_frame.hpp"
 
 namespace phrame {
 
@@ -10,6 +11,8 @@ namespace phrame {
 struct CurveInfo {
   NamedCurve curve;
   std::vector<Interval> cusps;            ///< in [0, 1]
+  std::vector<Decimal> erf_inflections;   ///< in (0, 1), where the ERF turns back
+  std::vector<Decimal> erf_extrema;       ///< in (0, 1), of its rate about e₁
   Real length;                            ///< ∫₀¹ |f|σ dt
   Decimal rounded_length;                 ///< where it is irrational
   Decimal twist_erf;                      ///< ∫₀¹ 2h/σ dt

@@ -32,6 +32,10 @@ std::pair<const char*, const char*> vector_names(TabulatedFrame frame) {
       return {"e2", "e3"};
     case TabulatedFrame::frenet:
       return {"n", "b"};
+    case TabulatedFrame::mtf:
+      return {"mtf2", "mtf3"};
+    case TabulatedFrame::exact_mtf:
+      return {"exact_mtf2", "exact_mtf3"};
   }
   return {"", ""};
 }
@@ -206,6 +210,11 @@ void Rows::add_rational(std::vector<double>& row, const SplineParameter& at) {
     if (frame == TabulatedFrame::erf) add_normals(row, erf);
     if (frame == TabulatedFrame::frenet) add_normals(row, here.frames.frenet(at.t));
     if (frame == TabulatedFrame::rmf) add_normals(row, rotation_minimizing(erf, at));
+    const Rational t = Rational(static_cast<long>(at.segment)) + at.t;
+    if (frame == TabulatedFrame::mtf)
+      add_normals(row, turned(as_real(erf), value(*columns_.mtf, Real(t))));
+    if (frame == TabulatedFrame::exact_mtf)
+      add_normals(row, turned(as_real(erf), columns_.exact_mtf->value(t)));
   }
 }
 
@@ -219,9 +228,19 @@ void Rows::add_irrational(std::vector<double>& row, const SplinePoint& point,
   for (const TabulatedFrame frame : columns_.frames) {
     if (frame == TabulatedFrame::erf) add_normals(row, erf);
     if (frame == TabulatedFrame::frenet) add_normals(row, here.algebraic->frenet(t));
-    if (frame == TabulatedFrame::rmf)
-      add_normals(row, turned(erf, angle().value(SplineParameter{point.segment, 0}) +
-                                       here.algebraic->angle(t)));
+    const auto rmf_angle = [&] {
+      return angle().value(SplineParameter{point.segment, 0}) + here.algebraic->angle(t);
+    };
+    if (frame == TabulatedFrame::rmf) add_normals(row, turned(erf, rmf_angle()));
+    if (frame == TabulatedFrame::mtf) {
+      const Rational before(static_cast<long>(point.segment));
+      add_normals(row, turned(erf, value(*columns_.mtf, to_real(point.t) + before)));
+    }
+    if (frame == TabulatedFrame::exact_mtf) {
+      const ArcLength length(spline_.segments()[point.segment]);
+      const Real s = t.value(length.polynomial()) + length_before(point.segment);
+      add_normals(row, turned(erf, columns_.exact_mtf->value(s, rmf_angle())));
+    }
   }
 }
 

@@ -2,15 +2,17 @@
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/io/curve_file.hpp"
 #include "phrame/ph/frame.hpp"
-#include "phrame/ph/spline.hpp"
+#include "phrame/ph/twist_frame.hpp"
 
 namespace phrame {
 
 /// The frames that a table can hold beside t, r and e₁.
 enum class TabulatedFrame {
-  rmf,     ///< f₂, f₃: rotation-minimizing, equal to (e₂, e₃) at t = 0
-  erf,     ///< e₂, e₃: Euler–Rodrigues
-  frenet,  ///< n, b
+  rmf,        ///< f₂, f₃: rotation-minimizing, equal to (e₂, e₃) at t = 0
+  erf,        ///< e₂, e₃: Euler–Rodrigues
+  frenet,     ///< n, b
+  mtf,        ///< of minimal twist and rational
+  exact_mtf,  ///< of minimal twist, at a constant rate
 };
 
 /// Numbers that it can hold as well.
@@ -24,6 +26,9 @@ enum class TabulatedScalar {
 struct TableColumns {
   std::vector<TabulatedFrame> frames;
   std::vector<TabulatedScalar> scalars = {};
+  /// The frames of minimal twist where there are columns for them; for t on the spline only.
+  const TwistFrame* mtf = nullptr;
+  const MinimalTwist* exact_mtf = nullptr;
 };
 
 /// Numbers with a name for each column; all of them correctly rounded.

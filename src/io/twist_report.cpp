@@ -8,6 +8,59 @@
 
 namespace phrame {
 
+namespace {
+
+JsonOutput json_of(const ErrorSize& x) {
+  if (x.is_bound) return {{"at_most", x.value.value}};
+  return phrame::json_of(x.value);
+}
+
+JsonOutput json_of(Monotone monotone) {
+  if (monotone == Monotone::undecided) return "undecided";
+  return monotone == Monotone::yes;
+}
+
+JsonOutput json_of(const TwistPieceReport& piece, const std::string& suffix) {
+  JsonOutput w = JsonOutput::array();
+  for (const auto& [re, im] : piece.coefficients)
+    w.push_back({{"re", phrame::json_of(re)}, {"im", phrame::json_of(im)}});
+  JsonOutput inflections = JsonOutput::array();
+  for (const Decimal& t : piece.inflections) inflections.push_back(t.value);
+  JsonOutput output{{"from", to_string(piece.from)},
+                    {"to", to_string(piece.to)},
+                    {"degree", piece.frame_degree},
+                    {"rotation_degree", piece.rotation_degree},
+                    {"gamma", phrame::json_of(piece.gamma)},
+                    {"w", w},
+                    {"rms" + suffix, json_of(piece.root_mean_square)},
+                    {"greatest" + suffix, json_of(piece.greatest)},
+                    {"monotone", json_of(piece.monotone)},
+                    {"inflections", inflections},
+                    {"extra_turns", piece.extra_turns.str()}};
+  if (piece.proved)
+    output["optimum"] = {{"proved", true},
+                         {"radius", piece.proved->radius},
+                         {"gamma_radius", piece.proved->gamma},
+                         {"of_one_sign", piece.proved->is_of_one_sign}};
+  else
+    output["optimum"] = {{"proved", false}, {"reason", piece.doubt}};
+  if (piece.other)
+    output["other_branch"] = {{"gamma", phrame::json_of(piece.other->first)},
+                              {"rms" + suffix, json_of(piece.other->second)}};
+  return output;
+}
+
+void add_rational(JsonOutput& output, const TwistFrameReport& report) {
+  const std::string suffix = report.is_relative ? "_relative" : "_times_length";
+  JsonOutput pieces = JsonOutput::array();
+  for (const TwistPieceReport& piece : report.pieces) pieces.push_back(json_of(piece, suffix));
+  output["rational"] = pieces;
+  output["rms" + suffix] = json_of(report.root_mean_square);
+  output["monotone"] = json_of(report.monotone);
+}
+
+}  // namespace
+
 TwistReport twist_report(const std::string& name, const Spline& spline, const FrameAngle& from,
                          const FrameAngle& to, const MinimalTwist& mtf,
                          const std::vector<Rational>& at, long digits) {
@@ -52,6 +105,9 @@ std::string to_text(const TwistReport& report) {
   text += row("length S", "= " + shown(report.length), 31);
   line("rate T/S about e₁", report.rate);
   if (!report.values.empty()) text += value_table(report.values, report.digits);
+  if (report.rational) text += to_text(*report.rational);
+  if (!report.why_not_rational.empty())
+    text += "\nNo rational frame: " + report.why_not_rational + "\n";
   return text;
 }
 
@@ -60,17 +116,20 @@ std::string to_json(const TwistReport& report) {
   for (const AngleValue& value : report.values)
     values.push_back(
         {{"t", to_string(value.t)}, {"theta", value.theta.value}, {"radius", value.theta.radius}});
-  return pretty({{"phrame", "mtf/1"},
-                 {"name", report.name},
-                 {"from", json_of(report.from)},
-                 {"to", json_of(report.to)},
-                 {"length", to_string(report.length)},
-                 {"twist",
-                  {{"erf", json_of(report.erf_twist)},
-                   {"total", json_of(report.nominal_twist)},
-                   {"minimal", json_of(report.twist)}}},
-                 {"mean_rate", json_of(report.rate)},
-                 {"exact", {{"values", values}}}});
+  JsonOutput output{{"phrame", "mtf/1"},
+                    {"name", report.name},
+                    {"from", json_of(report.from)},
+                    {"to", json_of(report.to)},
+                    {"length", to_string(report.length)},
+                    {"twist",
+                     {{"erf", json_of(report.erf_twist)},
+                      {"total", json_of(report.nominal_twist)},
+                      {"minimal", json_of(report.twist)}}},
+                    {"mean_rate", json_of(report.rate)},
+                    {"exact", {{"values", values}}}};
+  if (report.rational) add_rational(output, *report.rational);
+  if (!report.why_not_rational.empty()) output["no_rational"] = report.why_not_rational;
+  return pretty(output);
 }
 
 }  // namespace phrame

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/io/angle_report.hpp"
+#include "phrame/io/twist_frame_report.hpp"
 #include "phrame/ph/minimal_twist.hpp"
 
 namespace phrame {
@@ -17,6 +18,8 @@ struct TwistReport {
   Decimal rate;
   std::vector<AngleValue> values;
   long digits;
+  std::optional<TwistFrameReport> rational = {};
+  std::string why_not_rational = {};  ///< where one was looked for in vain
 };
 
 /// The values of θ at `at`, rounded to `digits` digits. Throws Undecided, naming what it is that

@@ -1,3 +1,7 @@
+#include <array>
+#include <cmath>
+#include <numbers>
+
 #include "cli/workshop.hpp"
 
 using namespace phrame;
@@ -75,4 +79,139 @@ TEST_CASE("mtf: bad input is refused with its place") {
                 "--from-vector: the vector (2, 2, 1) has no part in the normal plane");
   check_failure(here.run("mtf quintic.json --from 0 --closed"), 3,
                 "--closed: the curve is not closed");
+}
+
+TEST_CASE("mtf: the rational frame, in one piece and in several") {
+  const Workshop here;
+  here.write("example.json",
+             bytes_of(PHRAME_TEST_DATA "/../../examples/curves/farouki-moon-3.json"));
+  const std::string ends = "mtf example.json --from -pi/4 --to 5pi/4 --digits 20 --print json ";
+  const Run whole = here.run(ends);
+  check_success(whole);
+  const Json one = Json::parse(whole.out);
+  REQUIRE(one["rational"].size() == 1);
+  const Json& piece = one["rational"][0];
+  CHECK(piece["degree"] == 8);
+  CHECK(piece["optimum"]["proved"] == true);
+  CHECK(rational(piece["optimum"]["gamma_radius"]) < power_of_ten(-20));
+  CHECK(piece["gamma"]["value"] == "0.55718958215068116465");
+  CHECK(piece["rms_relative"]["value"] == "0.55463591772394686060");
+  CHECK(piece["monotone"] == false);
+  REQUIRE(piece["inflections"].size() == 2);
+  CHECK(abs(rational(piece["inflections"][0]) - parse_rational("0.540370263399618154793843787")) <
+        power_of_ten(-19));
+  CHECK(one["monotone"] == false);
+
+  const Run divided = here.run(ends + "--subdivide inflections,extrema");
+  check_success(divided);
+  const Json four = Json::parse(divided.out);
+  REQUIRE(four["rational"].size() == 4);
+  CHECK(four["rational"][3]["gamma"]["value"] == "0.56313620096703034184");
+  CHECK(four["rms_relative"]["value"] == "0.015687774704940557662");
+  CHECK(four["monotone"] == true);
+  CHECK(Json::parse(here.run(ends + "--subdivide auto").out)["monotone"] == true);
+  const Json small = Json::parse(here.run(ends + "--subdivide rms:1/1000 --unproved").out);
+  for (const Json& part : small["rational"]) {
+    CHECK(rational(part["rms_relative"]["value"]) <= Rational(1, 1000));
+    CHECK(part["optimum"]["proved"] == false);
+  }
+  const Json cubic = Json::parse(here.run(ends + "--degree 3").out);
+  CHECK(cubic["rational"][0]["degree"] == 10);
+  CHECK(rational(cubic["rational"][0]["rms_relative"]["value"]) < Rational(1, 20));
+}
+
+TEST_CASE("mtf: angles that are multiples of pi, turns that are whole, frames that stand still") {
+  const Workshop here;
+  here.write("example.json",
+             bytes_of(PHRAME_TEST_DATA "/../../examples/curves/farouki-moon-1.json"));
+  for (const char* ends : {"--from pi/2 --to 0", "--from pi --to 0", "--from 2pi --to 1",
+                           "--from 1 --to 1", "--from -pi --to pi/3"}) {
+    CAPTURE(ends);
+    const Run run = here.run(std::string("mtf example.json --print json ") + ends);
+    check_success(run);
+    CHECK(Json::parse(run.out).contains("rational"));
+  }
+  here.write("plane.json", R"({"phrame": "curve/1", "basis": "power",
+      "preimage": {"u": [1], "v": [0], "p": [0, 1], "q": [0]}})");
+  const Run still = here.run("mtf plane.json --from 1/3 --to 1/3");
+  check_success(still);
+  CHECK(contains(still.out, "= 0\n"));
+  CHECK(contains(still.out, "Ω₁ has one sign                  yes"));
+}
+
+TEST_CASE("mtf: what is refused, and where there is no rational frame") {
+  const Workshop here;
+  here.write("example.json",
+             bytes_of(PHRAME_TEST_DATA "/../../examples/curves/farouki-moon-1.json"));
+  const std::string ends = "mtf example.json --from 0 --to 1 ";
+  const auto check_refused = [&](const std::string& options, const std::string& message) {
+    CAPTURE(options);
+    const Run run = here.run(ends + options);
+    CHECK(run.status == 2);
+    CHECK(contains(run.err, message));
+    CHECK(run.out.empty());
+  };
+  check_refused("--subdivide 2", "--subdivide: the parameter 2 is outside [0, 1]");
+  check_refused("--subdivide middle", "--subdivide: \"middle\" is not a number");
+  check_refused("--subdivide rms:0", "the error must be positive");
+  check_refused("--subdivide rms:1,rms:2", "rms: is given twice");
+  check_refused("--degree 9", "--degree");
+  here.write("cusp.json", R"({"phrame": "curve/1", "basis": "power", "multiplier": [1, -4, 4],
+      "preimage": {"u": [1], "v": [0, 1], "p": [0, 2], "q": [0]}})");
+  const Run cusp = here.run("mtf cusp.json --from 0 --to 1");
+  check_success(cusp);
+  CHECK(contains(cusp.out, "No rational frame: the curve has a cusp at t = 1/2, where"));
+  CHECK(here.run("mtf cusp.json --from 0 --to 1 --degree 3").status == 3);
+}
+
+TEST_CASE("frames: of minimal twist, at both ends and in the middle") {
+  const Workshop here;
+  here.write("example.json",
+             bytes_of(PHRAME_TEST_DATA "/../../examples/curves/farouki-moon-1.json"));
+  const std::string ends = "frames example.json --from pi/8 --to -pi/2 --format json ";
+  const Run run = here.run(ends + "--frame erf,mtf,mtf-exact --at 0,1/2,1");
+  check_success(run);
+  const Json table = Json::parse(run.out);
+  const auto vector = [&](std::size_t row, std::size_t column) {
+    std::array<double, 3> v{};
+    for (std::size_t k = 0; k < 3; ++k) v[k] = table["rows"][row][column + k].get<double>();
+    return v;
+  };
+  // Columns: t, r, e1, e2, e3, f2 and f3 of the rational frame, of the exact one.
+  for (const std::size_t frame : {13UL, 19UL}) {
+    CHECK(table["columns"][frame] == (frame == 13 ? "mtf2x" : "exact_mtf2x"));
+    const double angles[] = {std::numbers::pi / 8, -std::numbers::pi / 2};
+    for (const std::size_t end : {0UL, 1UL}) {
+      const std::size_t row = 2 * end;
+      for (std::size_t k = 0; k < 3; ++k)
+        CHECK(vector(row, frame)[k] == doctest::Approx(std::cos(angles[end]) * vector(row, 7)[k] +
+                                                       std::sin(angles[end]) * vector(row, 10)[k]));
+    }
+  }
+  // θ(1/2) = π/8 + 2.391898772922595 of the exact frame, from the same source as the examples.
+  const double theta = std::numbers::pi / 8 + 2.391898772922595071;
+  for (std::size_t k = 0; k < 3; ++k)
+    CHECK(vector(1, 19)[k] ==
+          doctest::Approx(std::cos(theta) * vector(1, 7)[k] + std::sin(theta) * vector(1, 10)[k]));
+  // By arc length the exact frame is the same at the same points.
+  const Json by_length =
+      Json::parse(here.run(ends + "--frame mtf,mtf-exact --by arc-length --samples 3").out);
+  const std::string t = by_length["rows"][1][0].dump();
+  const Json at_t = Json::parse(here.run(ends + "--frame mtf,mtf-exact --at " + t).out);
+  for (std::size_t column = 1; column < 19; ++column)
+    CHECK(by_length["rows"][1][column].get<double>() ==
+          doctest::Approx(at_t["rows"][0][column].get<double>()));
+  CHECK(here.run("frames example.json --frame mtf --samples 3").status == 2);
+}
+
+TEST_CASE("frames: of minimal twist, closing up along a closed spline") {
+  const Workshop here;
+  here.write("closed.json", bytes_of(PHRAME_TEST_DATA "/../../examples/curves/closed-spline.json"));
+  const Run run = here.run(
+      "frames closed.json --from 1/3 --closed --frame mtf,mtf-exact --at 0,4 --format json");
+  check_success(run);
+  const Json rows = Json::parse(run.out)["rows"];
+  // Where it starts there it ends, and all vectors with it.
+  for (std::size_t column = 1; column < rows[0].size(); ++column)
+    CHECK(rows[0][column].get<double>() == doctest::Approx(rows[1][column].get<double>()));
 }

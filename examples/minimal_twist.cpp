@@ -1,0 +1,166 @@
+// The three examples of R. T. Farouki and H. P. Moon, Rational frames of minimal twist along space
+// curves under specified boundary conditions, Advances in Computational Mathematics 44 (2018), with
+// the angles that their results need (docs/minimal-twist.md). With an argument, the folder for
+// them, it writes the curves of figures 2, 3, 4, 6, 7, 8, 10, 11 and 12 as CSV.
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "phrame/phrame.hpp"
+
+using namespace phrame;
+
+namespace {
+
+struct Example {
+  const char* name;
+  std::vector<std::vector<Rational>> preimage;  ///< A₀, A₁, A₂
+  Rational difference;                          ///< (θ_f − θ_i)/π
+};
+
+Rational decimal(const char* text) { return parse_rational(text); }
+
+std::vector<Example> examples() {
+  const auto quaternion = [](const char* u, const char* v, const char* p, const char* q) {
+    return std::vector<Rational>{decimal(u), decimal(v), decimal(p), decimal(q)};
+  };
+  return {{"example 1",
+           {quaternion("-0.9515", "0.9515", "0.3941", "-0.3941"),
+            quaternion("-0.2085", "1.4435", "-0.2981", "1.0472"),
+            quaternion("1.2294", "0.6264", "1.3768", "-0.0915")},
+           Rational(-5, 8)},
+          {"example 2",
+           {quaternion("-1.3777", "1.3777", "-0.5444", "0"),
+            quaternion("-0.3078", "0.9131", "1.1730", "1.9514"),
+            quaternion("1.7882", "0.9111", "0.6158", "0.3853")},
+           Rational(-31, 40)},
+          {"example 3",
+           {quaternion("-1.2403", "1.2403", "0.5039", "0.9070"),
+            quaternion("-0.2745", "0.6921", "1.5422", "-1.1255"),
+            quaternion("1.6063", "0.8184", "-0.6131", "0.9349")},
+           Rational(3, 2)}};
+}
+
+Curve curve_of(const Example& example) {
+  const auto part = [&](std::size_t k) {
+    return from_bernstein({example.preimage[0][k], example.preimage[1][k], example.preimage[2][k]});
+  };
+  return Curve({part(0), part(1), part(2), part(3)});
+}
+
+double middle(const RealBall& x) { return x.lower().convert_to<double>(); }
+
+/// The rates of a rational frame about e₁ per unit of arc length, at τ on its piece.
+struct Rates {
+  double erf;       ///< ω₁
+  double rotation;  ///< θ′/σ
+  double speed;     ///< σ
+};
+
+Rates rates_at(const TwistPiece& piece, const Rotation& w, const Rational& tau) {
+  const RealBall at(tau, 128);
+  const double speed = piece.speed(tau).convert_to<double>() * piece.length.convert_to<double>();
+  const double turn = 2 * middle(divide(evaluate(wronskian(w, 128), at, 128),
+                                        evaluate(norm(w, 128), at, 128), 128));
+  return {piece.erf_rate(tau).convert_to<double>() / speed, turn / speed, speed};
+}
+
+constexpr long samples = 400;
+
+/// ω₁, θ′/σ, Ω₁ and Ω̄₁ along a frame.
+void write_rates(const std::filesystem::path& path, const MinimalTwist& mtf,
+                 const std::vector<RationalTwist>& frame) {
+  std::ofstream file(path);
+  file.precision(12);
+  file << "t,s,omega,theta,Omega,mean\n";
+  const double mean = middle(mtf.rate().enclose(64));
+  const Polynomial length = arc_length(mtf.spline().segments().front());
+  for (const RationalTwist& twist : frame) {
+    const TwistPiece& piece = twist.piece();
+    for (long k = 0; k <= samples; ++k) {
+      const Rational tau(k, samples);
+      const Rational t = piece.from + (piece.to - piece.from) * tau;
+      const Rates rates = rates_at(piece, twist.rotation(128), tau);
+      file << t.convert_to<double>() << ',' << length(t).convert_to<double>() << ',' << rates.erf
+           << ',' << rates.rotation << ',' << rates.erf + rates.rotation << ',' << mean << '\n';
+    }
+  }
+}
+
+/// The frame with this γ: the parameter p of the line with γ(p) = γ.
+RationalTwist with_gamma(const TwistPiece& piece, double gamma) {
+  const RotationFamily family = rotation_family(piece, 2, EndRates::matched, 64);
+  const double p = (gamma - middle(family.end_factor[0])) / middle(family.end_factor[1]);
+  return {piece, 2, EndRates::matched, {exact_rational(p)}};
+}
+
+double relative_error(const RationalTwist& twist) {
+  return middle(twist.root_mean_square().enclose(40)) /
+         std::abs(middle(twist.piece().twist.enclose(64)));
+}
+
+void write_errors(const std::filesystem::path& path, const TwistPiece& piece) {
+  std::ofstream file(path);
+  file << "gamma,rms\n";
+  for (double gamma = -2; gamma <= 2.001; gamma += 0.02)
+    if (std::abs(gamma) > 0.05)
+      file << gamma << ',' << relative_error(with_gamma(piece, gamma)) << '\n';
+}
+
+std::string rounded(const Real& x, long digits) { return round_to_decimal(x, digits).value; }
+
+Real ratio(const Real& a, const Real& b) {
+  return Real([a, b](long bits) { return divide(a.enclose(bits), b.enclose(bits), bits); });
+}
+
+void print(const RationalTwist& twist, const TwistMinimum& minimum) {
+  std::cout << "  [" << rounded(twist.piece().from, 6) << ", " << rounded(twist.piece().to, 6)
+            << "]  gamma = " << rounded(twist.end_factor(), 20) << " (within "
+            << upper_bound_text(twist.end_factor_change(minimum.radius))
+            << ")  rms = " << rounded(ratio(twist.root_mean_square(), twist.piece().twist), 20)
+            << "\n";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::optional<std::filesystem::path> folder =
+      argc > 1 ? std::optional<std::filesystem::path>(argv[1]) : std::nullopt;
+  int number = 0;
+  for (const Example& example : examples()) {
+    ++number;
+    SplineAngle rmf{Spline(curve_of(example))};
+    const MinimalTwist mtf(rmf, FrameAngle{}, FrameAngle{example.difference, 0});
+    std::cout << example.name << ": T = " << rounded(mtf.nominal_twist(), 20)
+              << ", T_min = " << rounded(mtf.twist(), 20) << "\n";
+    const RationalTwistOptions options;
+    const TwistFrame whole = twist_frame(mtf, options, {});
+    const BestTwist& best = whole.pieces.front();
+    if (!best.minimum) return 1;
+    print(best.twist, *best.minimum);
+
+    Subdivision sharp;  // at the sharper extremum of ω₁
+    if (number == 3) {
+      const RealAlgebraic at = erf_extrema(curve_of(example)).back();
+      const RealBall ball = enclose(at, 100);
+      sharp.at = {(ball.lower() + ball.upper()) / 2};
+    }
+    const TwistFrame divided = twist_frame(mtf, options, sharp);
+    std::vector<RationalTwist> frame;
+    for (const BestTwist& piece : divided.pieces) {
+      if (!piece.minimum) return 1;
+      if (number == 3) print(piece.twist, *piece.minimum);
+      frame.push_back(piece.twist);
+    }
+    if (!folder) continue;
+    std::filesystem::create_directories(*folder);
+    const std::string suffix = std::to_string(number) + ".csv";
+    write_errors(*folder / ("errors-" + suffix), best.twist.piece());
+    write_rates(*folder / ("rates-" + suffix), mtf, {best.twist});
+    if (number == 1)  // figure 6: the other sign of γ
+      write_rates(*folder / "rates-1-poor.csv", mtf, {with_gamma(best.twist.piece(), -1)});
+    if (number == 3) write_rates(*folder / "rates-3-divided.csv", mtf, frame);
+  }
+  return 0;
+}

@@ -1,0 +1,109 @@
+#include "phrame/cli/twist_options.hpp"
+
+#include "phrame/io/angle_text.hpp"
+#include "phrame/ph/frame.hpp"
+
+namespace phrame::cli {
+namespace {
+
+Vector<Rational> parse_vector(const std::string& option, const std::string& text) {
+  const auto parts = split({text});
+  if (parts.size() != 3)
+    throw InputError(option, "\"" + abbreviated(text) + "\" is not a vector x,y,z");
+  return {parse_option(option, parts[0]), parse_option(option, parts[1]),
+          parse_option(option, parts[2])};
+}
+
+/// The angle given as such or by a vector, at t on the curve.
+FrameAngle boundary(const std::string& name, const std::string& angle, const std::string& vector,
+                    const Curve& curve, const Rational& t) {
+  if (!angle.empty()) return at_place(name, "", [&] { return parse_angle(angle); });
+  const std::string option = name + "-vector";
+  const auto v = parse_vector(option, vector);
+  try {
+    return angle_of(v, euler_rodrigues_frame(curve, t));
+  } catch (const DomainError& error) {
+    throw InputError(option, error.what());
+  }
+}
+
+void require_one(const std::string& name, int given) {
+  if (given != 1)
+    throw InputError(name, given == 0 ? "the angle is missing" : "the angle is given twice");
+}
+
+}  // namespace
+
+void TwistOptions::add_to(CLI::App& command) {
+  command.add_option("--from", from, "the angle of f2 to e2 at the start")->type_name("ANGLE");
+  command.add_option("--to", to, "the same at the end")->type_name("ANGLE");
+  command
+      .add_option("--from-vector", from_vector, "f2 at the start, projected to the normal plane")
+      ->type_name("X,Y,Z");
+  command.add_option("--to-vector", to_vector, "f2 at the end, projected")->type_name("X,Y,Z");
+  command.add_flag("--closed", is_closed, "of a closed spline: the frame ends as it starts");
+  command.add_option("--turns", turns, "so many revolutions more (default 0)")
+      ->type_name("K")
+      ->check(CLI::Range(-1'000'000L, 1'000'000L).description(""));
+  command.add_option("--degree", degree, "of w in the rational frame, 1 to 8 (default 2)")
+      ->type_name("N")
+      ->check(CLI::Range(1L, 8L).description(""));
+  command.add_flag("--free-ends", has_free_ends,
+                   "w need not have the mean rate at the ends of its pieces");
+  command
+      .add_option("--subdivide", subdivide,
+                  "where to divide the rational frame: any of inflections, extrema (of the ERF's\n"
+                  "rate), auto (until the rate has one sign), rms:X (until the relative error is\n"
+                  "at most X), or parameters t")
+      ->type_name("WHERE,...");
+  command.add_flag("--unproved", is_unproved, "do not prove that w is the best one: faster");
+}
+
+std::pair<FrameAngle, FrameAngle> TwistOptions::ends(const Spline& spline) const {
+  const auto given = [](const std::string& text) { return text.empty() ? 0 : 1; };
+  require_one("--from", given(from) + given(from_vector));
+  require_one("--to", given(to) + given(to_vector) + (is_closed ? 1 : 0));
+  const auto& segments = spline.segments();
+  const FrameAngle start = boundary("--from", from, from_vector, segments.front(), 0);
+  if (!is_closed) return {start, boundary("--to", to, to_vector, segments.back(), 1)};
+  const auto closing = spline.closing_turn();
+  if (!closing) throw DomainError("--closed: the curve is not closed with a continuous tangent");
+  return {start, start + angle_of(*closing * *closing)};
+}
+
+Subdivision TwistOptions::subdivision(const Spline& spline) const {
+  const std::string option = "--subdivide";
+  Subdivision wanted;
+  if (subdivide.empty()) return wanted;
+  for (const std::string& part : split({subdivide})) {
+    if (part == "inflections") {
+      wanted.at_inflections = true;
+    } else if (part == "extrema") {
+      wanted.at_extrema = true;
+    } else if (part == "auto") {
+      wanted.until_monotone = true;
+    } else if (part.starts_with("rms:")) {
+      if (wanted.tolerance) throw InputError(option, "rms: is given twice");
+      wanted.tolerance = parse_option(option, part.substr(4));
+      if (*wanted.tolerance <= 0)
+        throw InputError(option, "\"" + abbreviated(part) + "\": the error must be positive");
+    } else {
+      wanted.at.push_back(parse_option(option, part));
+      if (wanted.at.back() < 0 || wanted.at.back() > spline.end())
+        throw InputError(option, "the parameter " + abbreviated(part) + " is outside [0, " +
+                                     to_string(spline.end()) + "]");
+    }
+  }
+  return wanted;
+}
+
+RationalTwistOptions TwistOptions::rotation(long digits) const {
+  return {degree, has_free_ends ? EndRates::free : EndRates::matched, !is_unproved,
+          digits * 10 / 3 + 16};
+}
+
+bool TwistOptions::asks_for_rational() const {
+  return degree != 2 || has_free_ends || !subdivide.empty() || is_unproved;
+}
+
+}  // namespace phrame::cli

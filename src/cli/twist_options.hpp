@@ -1,0 +1,32 @@
+#pragma once
+#include "phrame/cli/command.hpp"
+#include "phrame/ph/twist_frame.hpp"
+
+namespace phrame::cli {
+
+/// What the frames of minimal twist of `mtf` and `frames` depend on.
+struct TwistOptions {
+  std::string from;
+  std::string to;
+  std::string from_vector;
+  std::string to_vector;
+  bool is_closed = false;
+  long turns = 0;
+  long degree = 2;
+  bool has_free_ends = false;
+  std::string subdivide;
+  bool is_unproved = false;
+
+  void add_to(CLI::App& command);
+
+  /// θ_i and θ_f. Throws InputError where one is missing or given twice.
+  std::pair<FrameAngle, FrameAngle> ends(const Spline& spline) const;
+  /// Throws InputError for a point that is not on the spline, too.
+  Subdivision subdivision(const Spline& spline) const;
+  /// For results with so many digits.
+  RationalTwistOptions rotation(long digits) const;
+  /// Was anything said about the rational frame?
+  bool asks_for_rational() const;
+};
+
+}  // namespace phrame::cli

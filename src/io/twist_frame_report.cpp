@@ -1,0 +1,207 @@
+#include "phrame/io/twist_frame_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/text.hpp"
+
+namespace phrame {
+namespace {
+
+/// Where it cannot be told from 0, 0 with the radius that is known.
+Decimal rounded_or_zero(const Real& x, const std::string& what, long digits) {
+  try {
+    return round_to_decimal(x, digits, {4, 128});
+  } catch (const Undecided& undecided) {
+    const RealBall ball = x.enclose(4 * digits + 128);
+    if (!ball.is_finite() || !ball.contains_zero()) throw Undecided(what + ": " + undecided.what());
+    return {"0", upper_bound_text(std::max(Rational(-ball.lower()), ball.upper()))};
+  }
+}
+
+ErrorSize error_size(const Real& x, const std::string& what, long digits) {
+  const Decimal value = rounded_or_zero(x, what, digits);
+  if (value.value != "0" || value.radius == "0") return {value};
+  return {{value.radius, value.radius}, true};
+}
+
+/// x/|T|, or x·(whole length)/(length of the piece) where T = 0.
+Real relative(const Real& x, const MinimalTwist& mtf, const Rational& length) {
+  if (mtf.twist().exact() == Rational(0)) return x * Real(mtf.length() / length);
+  return Real([x, twist = mtf.twist(), share = length / mtf.length()](long bits) {
+    RealBall size;
+    arb_abs(size.raw(), twist.enclose(bits + 16).raw());
+    return divide(x.enclose(bits + 16), multiply(size, RealBall(share, bits + 16), bits + 16),
+                  bits + 16);
+  });
+}
+
+TwistPieceReport piece_report(const MinimalTwist& mtf, const BestTwist& best, long digits) {
+  const RationalTwist& twist = best.twist;
+  const TwistPiece& piece = twist.piece();
+  const auto decimal = [digits](const Real& x, const std::string& what) {
+    return rounded(x, what, digits);
+  };
+  const auto& [index, t] = locate(mtf.spline(), piece.from);
+  const auto size = [&](const Real& x, const std::string& what) {
+    return error_size(relative(x, mtf, piece.length), what, digits);
+  };
+  TwistPieceReport report{piece.from,
+                          piece.to,
+                          2 * preimage_degree(mtf.spline().segments()[index]) + 2 * twist.degree(),
+                          twist.degree(),
+                          decimal(twist.end_factor(), "gamma"),
+                          {},
+                          best.doubt,
+                          {},
+                          twist.extra_turns(),
+                          size(twist.root_mean_square(), "the root mean square"),
+                          size(twist.greatest_error(), "the greatest error"),
+                          is_monotone(twist),
+                          {},
+                          {}};
+  if (best.minimum) {
+    const Rational& radius = best.minimum->radius;
+    report.proved = {{upper_bound_text(radius), upper_bound_text(twist.end_factor_change(radius)),
+                      !best.minimum->is_for_both_signs}};
+  }
+  for (const auto& [re, im] : twist.coefficients())
+    report.coefficients.emplace_back(rounded_or_zero(re, "a coefficient of w", digits),
+                                     rounded_or_zero(im, "a coefficient of w", digits));
+  const long bits = 4 * digits + 32;
+  for (const RealBall& tau : twist.inflections(bits).at) {
+    const Rational middle = (tau.lower() + tau.upper()) / 2;
+    report.inflections.push_back(
+        decimal(Real(piece.from + (piece.to - piece.from) * middle), "an inflection"));
+  }
+  if (best.other) {  // only a guess is known
+    const long few = std::min(digits, 6L);
+    report.other = {rounded(best.other->end_factor(), "gamma", few),
+                    error_size(relative(best.other->root_mean_square(), mtf, piece.length),
+                               "the root mean square", few)};
+  }
+  return report;
+}
+
+std::string shown(const Decimal& x) { return (x.radius == "0" ? "= " : "≈ ") + x.value; }
+
+/// With its unit, where it is not 0.
+std::string shown(const ErrorSize& x, std::string_view unit) {
+  if (x.value.value == "0") return "= 0";
+  return (x.is_bound ? "≤ " + x.value.value : shown(x.value)) + std::string(unit);
+}
+
+std::string shown(const std::pair<Decimal, Decimal>& z) {
+  const auto& [re, im] = z;
+  const bool is_negative = im.value.starts_with('-');
+  return fmt::format("{} {} {}i", re.value, is_negative ? "−" : "+",
+                     is_negative ? im.value.substr(1) : im.value);
+}
+
+std::string inflections_text(const TwistPieceReport& piece) {
+  std::vector<std::string> at;
+  for (const Decimal& t : piece.inflections) at.push_back(t.value);
+  return fmt::format("{}", fmt::join(at, ", "));
+}
+
+/// "+ 2π", "− 4π".
+std::string turns_text(const Integer& turns) {
+  return fmt::format("{} {}π", turns < 0 ? "−" : "+", Integer(2 * abs(turns)).str());
+}
+
+std::string in_detail(const TwistPieceReport& piece, std::string_view unit) {
+  constexpr std::size_t width = 31;
+  std::string text;
+  for (std::size_t k = 0; k < piece.coefficients.size(); ++k)
+    text += row(fmt::format("w{}", k), "≈ " + shown(piece.coefficients[k]), width);
+  text += row("γ, of w(1) = γ exp(iθ(1)/2)", shown(piece.gamma), width);
+  if (piece.proved)
+    text += row("proved",
+                fmt::format("the least rms{} is that of one w, with coefficients within {}",
+                            piece.proved->is_of_one_sign ? " with this sign of γ" : "",
+                            piece.proved->radius),
+                width);
+  else if (!piece.doubt.empty())
+    text += row("not proved to be the best", piece.doubt, width);
+  if (piece.other)
+    text += row(
+        "with the other sign of γ",
+        fmt::format("γ ≈ {}, rms {}", piece.other->first.value, shown(piece.other->second, unit)),
+        width);
+  text += row("rms of Ω₁ − Ω̄₁", shown(piece.root_mean_square, unit), width);
+  text += row("greatest |Ω₁ − Ω̄₁|", shown(piece.greatest, unit), width);
+  text +=
+      row("Ω₁ has one sign",
+          std::string(to_string(piece.monotone)) +
+              (piece.inflections.empty() ? "" : ", it changes at t ≈ " + inflections_text(piece)),
+          width);
+  if (piece.extra_turns != 0)
+    text += row("it turns by", "T " + turns_text(piece.extra_turns), width);
+  return text;
+}
+
+/// A line for each piece.
+std::string table(const std::vector<TwistPieceReport>& pieces) {
+  const auto in_short = [](const Rational& x, long digits) {
+    return round_to_decimal(x, digits).value;
+  };
+  const auto place = [&](const Rational& t) {
+    return to_string(t).size() < 9 ? to_string(t) : in_short(t, 8);
+  };
+  const auto decimal = [&](const Decimal& x) { return in_short(parse_rational(x.value), 6); };
+  const auto size = [&](const ErrorSize& x) {
+    return x.is_bound ? "≤ " + x.value.value : decimal(x.value);
+  };
+  std::string text = fmt::format("  {:<12}{:<12}{:<4}{:<12}{:<14}{:<14}{}\n", "from t", "to t", "n",
+                                 "γ", "rms", "greatest", "one sign");
+  for (const TwistPieceReport& piece : pieces)
+    text += fmt::format(
+        "  {:<12}{:<12}{:<4}{:<12}{:<14}{:<14}{}{}\n", place(piece.from), place(piece.to),
+        piece.rotation_degree, decimal(piece.gamma), size(piece.root_mean_square),
+        size(piece.greatest), to_string(piece.monotone),
+        piece.extra_turns == 0 ? ""
+                               : fmt::format(", {} turns more than T", piece.extra_turns.str()));
+  return text;
+}
+
+}  // namespace
+
+TwistFrameReport twist_frame_report(const MinimalTwist& mtf, const TwistFrame& frame, long digits) {
+  TwistFrameReport report{{},
+                          error_size(relative(root_mean_square(frame), mtf, mtf.length()),
+                                     "the root mean square", digits),
+                          is_monotone(frame),
+                          mtf.twist().exact() != Rational(0),
+                          digits};
+  for (const BestTwist& piece : frame.pieces)
+    report.pieces.push_back(piece_report(mtf, piece, digits));
+  return report;
+}
+
+std::string to_text(const TwistFrameReport& report) {
+  const std::string_view unit = report.is_relative ? " |Ω̄₁|" : "/S";
+  const auto& pieces = report.pieces;
+  if (pieces.size() == 1) {
+    return fmt::format(
+               "\nA rational frame of degree {}: θ(t) = 2 arg w(t), w of degree {} with the "
+               "Bernstein "
+               "coefficients\n",
+               pieces.front().frame_degree, pieces.front().rotation_degree) +
+           in_detail(pieces.front(), unit);
+  }
+  std::string text =
+      fmt::format("\nA rational frame in {} pieces: θ = 2 arg w, w of degree n, errors of Ω₁{}\n",
+                  pieces.size(), report.is_relative ? " over |Ω̄₁|" : " times S");
+  text += table(pieces);
+  const bool are_proved = std::all_of(pieces.begin(), pieces.end(), [](const auto& piece) {
+    return piece.proved || piece.doubt.empty();
+  });
+  text += are_proved ? "  Each w is proved to be the best one.\n" : "";
+  text += row("rms of Ω₁ − Ω̄₁, all pieces", shown(report.root_mean_square, unit), 31);
+  text += row("Ω₁ has one sign", std::string(to_string(report.monotone)), 31);
+  return text;
+}
+
+}  // namespace phrame
