@@ -1,0 +1,63 @@
+// Frames of minimal twist of a quintic, the first example of Farouki and Moon, and of random
+// curves; the argument is m, the degree of the preimage.
+#include <benchmark/benchmark.h>
+
+#include "curves.hpp"
+#include "phrame/ph/rational_twist.hpp"
+
+namespace phrame::bench {
+namespace {
+
+using State = benchmark::State;
+
+Curve example() {
+  const auto decimals = [](std::initializer_list<const char*> texts) {
+    std::vector<Rational> values;
+    for (const char* text : texts) values.push_back(parse_rational(text));
+    return from_bernstein(values);
+  };
+  return Curve({decimals({"-0.9515", "-0.2085", "1.2294"}),
+                decimals({"0.9515", "1.4435", "0.6264"}), decimals({"0.3941", "-0.2981", "1.3768"}),
+                decimals({"-0.3941", "1.0472", "-0.0915"})});
+}
+
+/// From the curve to a rational frame with a quadratic w, proved to `bits` bits where > 0.
+void build(State& state, const Curve& curve, long bits) {
+  for (auto _ : state) {
+    SplineAngle angle{Spline(curve)};
+    const MinimalTwist mtf(angle, FrameAngle{}, FrameAngle{Rational(-5, 8), 0});
+    const TwistPiece piece = twist_pieces(mtf, {}).front();
+    const BestTwist best = best_twist(piece, {2, EndRates::matched, bits > 0, bits});
+    if (bits > 0 && !best.minimum) state.SkipWithError("not proved");
+    benchmark::DoNotOptimize(best);
+  }
+}
+
+void exact_twist_frame(State& state) {
+  const Curve curve = example();
+  for (auto _ : state) {
+    SplineAngle angle{Spline(curve)};
+    const MinimalTwist mtf(angle, FrameAngle{}, FrameAngle{Rational(-5, 8), 0});
+    benchmark::DoNotOptimize(mtf.value(Rational(1, 2)).enclose(64));
+  }
+}
+
+void rational_twist_frame(State& state) { build(state, example(), 0); }
+void rational_twist_frame_proved_12(State& state) { build(state, example(), 44); }
+void rational_twist_frame_proved_20(State& state) { build(state, example(), 72); }
+
+void rational_twist_frame_of_degree(State& state) { build(state, random_curve(state.range(0)), 0); }
+
+BENCHMARK(exact_twist_frame)->Unit(benchmark::kMillisecond);
+BENCHMARK(rational_twist_frame)->Unit(benchmark::kMillisecond);
+BENCHMARK(rational_twist_frame_proved_12)->Unit(benchmark::kMillisecond);
+BENCHMARK(rational_twist_frame_proved_20)->Unit(benchmark::kMillisecond);
+BENCHMARK(rational_twist_frame_of_degree)
+    ->Arg(2)
+    ->Arg(5)
+    ->Arg(10)
+    ->Arg(20)
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace phrame::bench
