@@ -120,7 +120,10 @@ BestTwist best_on_line(const TwistPiece& piece, long degree, EndRates rates,
   if (other) found.other = member(other->parameter);
   // The better one has to be better than both, the right one only than its own kind.
   if (other && other->value < best->value) other.reset();
-  if (!options.prove) return found;
+  if (!options.prove) {
+    found.doubt = "that was not asked for";
+    return found;
+  }
   try {
     found.minimum = twist_minimum(piece, degree, rates, *best, other, options.bits);
     found.twist = RationalTwist(piece, degree, rates, {found.minimum->parameter});

@@ -115,6 +115,8 @@ TEST_CASE("mtf: the rational frame, in one piece and in several") {
     CHECK(rational(part["rms_relative"]["value"]) <= Rational(1, 1000));
     CHECK(part["optimum"]["proved"] == false);
   }
+  CHECK_FALSE(contains(here.run("mtf example.json --from 0 --to 1 --subdivide 1/2 --unproved").out,
+                       "proved to be"));
   const Json cubic = Json::parse(here.run(ends + "--degree 3").out);
   CHECK(cubic["rational"][0]["degree"] == 10);
   CHECK(rational(cubic["rational"][0]["rms_relative"]["value"]) < Rational(1, 20));
