@@ -49,7 +49,7 @@ BallPolynomial from_bernstein(std::vector<RealBall> coefficients, long bits);
 
 /// Where a polynomial changes its sign.
 struct SignChanges {
-  std::vector<RealBall> at;         ///< one zero of odd order in each, ascending, radius ≤ 2^−bits
+  std::vector<RealBall> at;  ///< one zero of odd order in each, ascending, radius ≤ 2^−bits
   std::vector<RealBall> undecided;  ///< there may be others in these only
   bool is_complete() const { return undecided.empty(); }
 };

@@ -58,7 +58,7 @@ struct BestTwist {
   RationalTwist twist;
   /// Where it is proved: the best of all, or, if the other one is better, of those with its sign.
   std::optional<TwistMinimum> minimum;
-  std::string doubt;                   ///< else why not
+  std::string doubt;  ///< else why not
   /// The best with the other sign of γ, not proved; where it was looked for.
   std::optional<RationalTwist> other;
 };

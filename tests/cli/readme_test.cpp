@@ -48,9 +48,9 @@ std::string output_of(const std::string& command) {
 TEST_CASE("documents: every command shown prints what is shown") {
   const char* program = std::getenv("PHRAME_PROGRAM");
   REQUIRE(program != nullptr);
-  for (const char* document : {"/README.md", "/docs/classification.md", "/docs/integration.md",
-                               "/docs/minimal-twist.md", "/docs/motion.md", "/docs/splines.md",
-                               "/docs/totals.md"}) {
+  for (const char* document :
+       {"/README.md", "/docs/classification.md", "/docs/integration.md", "/docs/minimal-twist.md",
+        "/docs/motion.md", "/docs/splines.md", "/docs/totals.md"}) {
     CAPTURE(document);
     long commands = 0;
     for (const std::string& block : blocks(content(root + document), "console")) {
