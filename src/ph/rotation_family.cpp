@@ -72,7 +72,7 @@ RotationFamily matched_quadratics(const TwistPiece& piece, const Ends& ends, lon
   const RealBall square = add(multiply(four_s, four_s, bits), multiply(last, last, bits), bits);
   RotationFamily family;
   const auto add_term = [&](const RealBall& w0, const ComplexBall& w1, const RealBall& gamma) {
-    const ComplexBall w2(multiply(gamma, c, bits), multiply(gamma, s, bits));
+    const ComplexBall w2(multiply(gamma, ends.cosine, bits), multiply(gamma, ends.sine, bits));
     family.basis.push_back(from_bernstein({ComplexBall(w0, {}), w1, w2}, bits));
     family.end_factor.push_back(gamma);
   };
