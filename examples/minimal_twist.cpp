@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include "phrame/phrame.hpp"
 
@@ -13,43 +14,14 @@ using namespace phrame;
 
 namespace {
 
-struct Example {
-  const char* name;
-  std::vector<std::vector<Rational>> preimage;  ///< A₀, A₁, A₂
-  Rational difference;                          ///< (θ_f − θ_i)/π
-};
+/// (θ_f − θ_i)/π of the three examples, whose curves are curves/farouki-moon-1.json and so on.
+const std::vector<Rational> differences{Rational(-5, 8), Rational(-31, 40), Rational(3, 2)};
 
-Rational decimal(const char* text) { return parse_rational(text); }
-
-std::vector<Example> examples() {
-  const auto quaternion = [](const char* u, const char* v, const char* p, const char* q) {
-    return std::vector<Rational>{decimal(u), decimal(v), decimal(p), decimal(q)};
-  };
-  return {{"example 1",
-           {quaternion("-0.9515", "0.9515", "0.3941", "-0.3941"),
-            quaternion("-0.2085", "1.4435", "-0.2981", "1.0472"),
-            quaternion("1.2294", "0.6264", "1.3768", "-0.0915")},
-           Rational(-5, 8)},
-          {"example 2",
-           {quaternion("-1.3777", "1.3777", "-0.5444", "0"),
-            quaternion("-0.3078", "0.9131", "1.1730", "1.9514"),
-            quaternion("1.7882", "0.9111", "0.6158", "0.3853")},
-           Rational(-31, 40)},
-          {"example 3",
-           {quaternion("-1.2403", "1.2403", "0.5039", "0.9070"),
-            quaternion("-0.2745", "0.6921", "1.5422", "-1.1255"),
-            quaternion("1.6063", "0.8184", "-0.6131", "0.9349")},
-           Rational(3, 2)}};
+Curve example(int number) {
+  std::ostringstream text;
+  text << std::ifstream("curves/farouki-moon-" + std::to_string(number) + ".json").rdbuf();
+  return read_curve(text.str()).curve;
 }
-
-Curve curve_of(const Example& example) {
-  const auto part = [&](std::size_t k) {
-    return from_bernstein({example.preimage[0][k], example.preimage[1][k], example.preimage[2][k]});
-  };
-  return Curve({part(0), part(1), part(2), part(3)});
-}
-
-double middle(const RealBall& x) { return x.lower().convert_to<double>(); }
 
 /// The rates of a rational frame about e₁ per unit of arc length, at τ on its piece.
 struct Rates {
@@ -61,8 +33,8 @@ struct Rates {
 Rates rates_at(const TwistPiece& piece, const Rotation& w, const Rational& tau) {
   const RealBall at(tau, 128);
   const double speed = piece.speed(tau).convert_to<double>() * piece.length.convert_to<double>();
-  const double turn = 2 * middle(divide(evaluate(wronskian(w, 128), at, 128),
-                                        evaluate(norm(w, 128), at, 128), 128));
+  const double turn = 2 * approximate(divide(evaluate(wronskian(w, 128), at, 128),
+                                             evaluate(norm(w, 128), at, 128), 128));
   return {piece.erf_rate(tau).convert_to<double>() / speed, turn / speed, speed};
 }
 
@@ -74,7 +46,7 @@ void write_rates(const std::filesystem::path& path, const MinimalTwist& mtf,
   std::ofstream file(path);
   file.precision(12);
   file << "t,s,omega,theta,Omega,mean\n";
-  const double mean = middle(mtf.rate().enclose(64));
+  const double mean = approximate(mtf.rate().enclose(64));
   const Polynomial length = arc_length(mtf.spline().segments().front());
   for (const RationalTwist& twist : frame) {
     const TwistPiece& piece = twist.piece();
@@ -91,13 +63,13 @@ void write_rates(const std::filesystem::path& path, const MinimalTwist& mtf,
 /// The frame with this γ: the parameter p of the line with γ(p) = γ.
 RationalTwist with_gamma(const TwistPiece& piece, double gamma) {
   const RotationFamily family = rotation_family(piece, 2, EndRates::matched, 64);
-  const double p = (gamma - middle(family.end_factor[0])) / middle(family.end_factor[1]);
+  const double p = (gamma - approximate(family.end_factor[0])) / approximate(family.end_factor[1]);
   return {piece, 2, EndRates::matched, {exact_rational(p)}};
 }
 
 double relative_error(const RationalTwist& twist) {
-  return middle(twist.root_mean_square().enclose(40)) /
-         std::abs(middle(twist.piece().twist.enclose(64)));
+  return approximate(twist.root_mean_square().enclose(40)) /
+         std::abs(approximate(twist.piece().twist.enclose(64)));
 }
 
 void write_errors(const std::filesystem::path& path, const TwistPiece& piece) {
@@ -127,12 +99,12 @@ void print(const RationalTwist& twist, const TwistMinimum& minimum) {
 int main(int argc, char** argv) {
   const std::optional<std::filesystem::path> folder =
       argc > 1 ? std::optional<std::filesystem::path>(argv[1]) : std::nullopt;
-  int number = 0;
-  for (const Example& example : examples()) {
-    ++number;
-    SplineAngle rmf{Spline(curve_of(example))};
-    const MinimalTwist mtf(rmf, FrameAngle{}, FrameAngle{example.difference, 0});
-    std::cout << example.name << ": T = " << rounded(mtf.nominal_twist(), 20)
+  for (int number = 1; number <= 3; ++number) {
+    const Curve curve = example(number);
+    SplineAngle rmf{Spline(curve)};
+    const FrameAngle end{differences[static_cast<std::size_t>(number - 1)], 0};
+    const MinimalTwist mtf(rmf, FrameAngle{}, end);
+    std::cout << "example " << number << ": T = " << rounded(mtf.nominal_twist(), 20)
               << ", T_min = " << rounded(mtf.twist(), 20) << "\n";
     const RationalTwistOptions options;
     const TwistFrame whole = twist_frame(mtf, options, {});
@@ -142,9 +114,8 @@ int main(int argc, char** argv) {
 
     Subdivision sharp;  // at the sharper extremum of ω₁
     if (number == 3) {
-      const RealAlgebraic at = erf_extrema(curve_of(example)).back();
-      const RealBall ball = enclose(at, 100);
-      sharp.at = {(ball.lower() + ball.upper()) / 2};
+      const RealRoot at = odd_inside(erf_turning(curve).extrema).back();
+      sharp.at = {enclose(at.at, 100).midpoint()};
     }
     const TwistFrame divided = twist_frame(mtf, options, sharp);
     std::vector<RationalTwist> frame;

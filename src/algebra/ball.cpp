@@ -19,9 +19,11 @@ RealBall::RealBall(const Rational& x, long bits) {
   arb_set_fmpq(raw(), value.get(), bits);
 }
 
-Rational RealBall::lower() const { return exact_value(arb_midref(raw())) - radius(); }
+Rational RealBall::lower() const { return midpoint() - radius(); }
 
-Rational RealBall::upper() const { return exact_value(arb_midref(raw())) + radius(); }
+Rational RealBall::upper() const { return midpoint() + radius(); }
+
+Rational RealBall::midpoint() const { return exact_value(arb_midref(raw())); }
 
 Rational RealBall::radius() const {
   flint::Fmpq value;
@@ -42,6 +44,18 @@ bool RealBall::is_accurate(long bits) const {
   mag_mul_2exp_si(allowed.get(), allowed.get(), -bits);
   return is_finite() && mag_cmp(arb_radref(raw()), allowed.get()) <= 0;
 }
+
+int sign(const RealBall& a) {
+  return arb_is_positive(a.raw()) != 0 ? 1 : arb_is_negative(a.raw()) != 0 ? -1 : 0;
+}
+
+RealBall absolute(const RealBall& a) {
+  RealBall size;
+  arb_abs(size.raw(), a.raw());
+  return size;
+}
+
+double approximate(const RealBall& a) { return arf_get_d(arb_midref(a.raw()), ARF_RND_NEAR); }
 
 RealBall hull(const Rational& a, const Rational& b, long bits) {
   return hull(RealBall(a, bits), RealBall(b, bits), bits);

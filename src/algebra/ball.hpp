@@ -16,6 +16,7 @@ class RealBall {
   Rational lower() const;
   Rational upper() const;
   Rational radius() const;
+  Rational midpoint() const;
   bool is_finite() const { return arb_is_finite(raw()) != 0; }
   bool contains(const Rational& x) const;
   bool contains_zero() const { return arb_contains_zero(raw()) != 0; }
@@ -32,6 +33,11 @@ class RealBall {
   flint::Arb handle_;
 };
 
+/// The sign of all numbers in it; 0 where it is not certain, or 0.
+int sign(const RealBall& a);
+RealBall absolute(const RealBall& a);
+/// A double next to the midpoint, for guesses.
+double approximate(const RealBall& a);
 /// A ball that contains [a, b].
 RealBall hull(const Rational& a, const Rational& b, long bits);
 /// A ball that contains both.

@@ -2,13 +2,10 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/rounding.hpp"
+
 namespace phrame {
 namespace {
-
-/// Its sign where it is certain, else 0.
-int sign(const RealBall& x) {
-  return arb_is_positive(x.raw()) != 0 ? 1 : arb_is_negative(x.raw()) != 0 ? -1 : 0;
-}
 
 /// A part [start, start + width] of [0, 1], and the Bernstein coefficients there.
 struct Part {
@@ -39,7 +36,7 @@ RealBall narrowed(const BallPolynomial& p, const Part& part, long bits, long pre
   Rational a = part.start;
   Rational width = part.width;
   const int at_a = sign(part.coefficients.front());
-  const Rational goal(1, Integer(1) << static_cast<unsigned>(bits));
+  const Rational goal = power_of_two(-bits);
   const auto sign_after = [&](const Rational& step) {
     return sign(evaluate(p, RealBall(Rational(a + step), precision), precision));
   };
@@ -76,12 +73,6 @@ RealBall BallPolynomial::coefficient(long k) const {
   RealBall c;
   arb_poly_get_coeff_arb(c.raw(), raw(), k);
   return c;
-}
-
-std::vector<RealBall> BallPolynomial::coefficients() const {
-  std::vector<RealBall> ascending;
-  for (long k = 0; k <= degree_bound(); ++k) ascending.push_back(coefficient(k));
-  return ascending;
 }
 
 BallPolynomial add(const BallPolynomial& p, const BallPolynomial& q, long bits) {
@@ -127,17 +118,17 @@ RealBall range(const BallPolynomial& p, const Rational& a, const Rational& b, lo
   return evaluate(taylor, hull(Rational(a - middle), Rational(b - middle), bits), bits);
 }
 
-std::vector<RealBall> to_bernstein(std::vector<RealBall> c, long bits) {
+std::vector<RealBall> to_bernstein(const BallPolynomial& p, long n, long bits) {
   // b_r = Σ_k C(r, k) p_k/C(n, k): sums of p_k/C(n, k), n times over.
-  const std::size_t n = c.size() - 1;
+  std::vector<RealBall> b;
   Integer binomial = 1;
-  for (std::size_t k = 0; k <= n; ++k) {
-    c[k] = divide(c[k], RealBall(Rational(binomial), bits), bits);
+  for (long k = 0; k <= n; ++k) {
+    b.push_back(divide(p.coefficient(k), RealBall(Rational(binomial), bits), bits));
     binomial = binomial * (n - k) / (k + 1);
   }
-  for (std::size_t i = 1; i <= n; ++i)
-    for (std::size_t k = n; k >= i; --k) c[k] = add(c[k], c[k - 1], bits);
-  return c;
+  for (std::size_t i = 1; i < b.size(); ++i)
+    for (std::size_t k = b.size() - 1; k >= i; --k) b[k] = add(b[k], b[k - 1], bits);
+  return b;
 }
 
 std::pair<std::vector<RealBall>, std::vector<RealBall>> split(
@@ -173,8 +164,8 @@ SignChanges sign_changes(const BallPolynomial& p, long bits) {
   SignChanges found;
   if (p.degree_bound() < 0) return found;
   const long precision = bits + 64 + 2 * p.degree_bound();
-  std::vector<Part> parts{{0, 1, to_bernstein(p.coefficients(), precision)}};
-  const Rational narrow(1, Integer(1) << static_cast<unsigned>(bits));
+  std::vector<Part> parts{{0, 1, to_bernstein(p, p.degree_bound(), precision)}};
+  const Rational narrow = power_of_two(-bits);
   for (long looked_at = 0; !parts.empty(); ++looked_at) {
     const Part part = std::move(parts.back());
     parts.pop_back();

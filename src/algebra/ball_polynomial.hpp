@@ -16,8 +16,7 @@ class BallPolynomial {
 
   /// No polynomial of the set has a higher degree; −1 for 0.
   long degree_bound() const { return arb_poly_length(raw()) - 1; }
-  RealBall coefficient(long k) const;          ///< 0 beyond the degree; k ≥ 0
-  std::vector<RealBall> coefficients() const;  ///< ascending, degree_bound() + 1 of them
+  RealBall coefficient(long k) const;  ///< 0 beyond the degree; k ≥ 0
 
   arb_poly_struct* raw() { return handle_.get(); }
   const arb_poly_struct* raw() const { return handle_.get(); }
@@ -38,9 +37,9 @@ RealBall evaluate(const BallPolynomial& p, const RealBall& x, long bits);
 /// where [a, b] is.
 RealBall range(const BallPolynomial& p, const Rational& a, const Rational& b, long bits);
 
-/// The Bernstein coefficients on [0, 1] of the polynomial with these coefficients, at least one,
-/// ascending: it lies between the least and the greatest there.
-std::vector<RealBall> to_bernstein(std::vector<RealBall> ascending, long bits);
+/// The Bernstein coefficients on [0, 1] in degree n ≥ max(degree_bound(), 0): p lies between the
+/// least and the greatest there.
+std::vector<RealBall> to_bernstein(const BallPolynomial& p, long n, long bits);
 /// The Bernstein coefficients on [0, share] and [share, 1], by de Casteljau's algorithm.
 std::pair<std::vector<RealBall>, std::vector<RealBall>> split(
     const std::vector<RealBall>& coefficients, const Rational& share, long bits);

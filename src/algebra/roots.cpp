@@ -95,8 +95,7 @@ Roots collect(const AcbVector& found) {
             [](const RealBall& a, const RealBall& b) { return arb_lt(a.raw(), b.raw()) != 0; });
   // Only for the eye: real parts that agree to single precision count as equal.
   const auto place = [](const ComplexBall& z) {
-    return std::pair(static_cast<float>(arf_get_d(arb_midref(acb_realref(z.raw())), ARF_RND_NEAR)),
-                     arf_get_d(arb_midref(acb_imagref(z.raw())), ARF_RND_NEAR));
+    return std::pair(static_cast<float>(approximate(z.re())), approximate(z.im()));
   };
   std::sort(roots.upper.begin(), roots.upper.end(),
             [&](const ComplexBall& a, const ComplexBall& b) { return place(a) < place(b); });

@@ -8,29 +8,6 @@ namespace {
 
 bool is_narrow(const acb_t z) { return acb_rel_accuracy_bits(z) > 30; }
 
-void evaluate(acb_t result, const flint::AcbPoly& p, const acb_t z, slong precision) {
-  if (is_narrow(z)) {
-    acb_poly_evaluate(result, p.get(), z, precision);
-    return;
-  }
-  ComplexBall middle;
-  acb_get_mid(middle.raw(), z);
-  flint::Mag radius;
-  mag_hypot(radius.get(), arb_radref(acb_realref(z)), arb_radref(acb_imagref(z)));
-  flint::AcbPoly taylor;
-  acb_poly_taylor_shift(taylor.get(), p.get(), middle.raw(), precision);
-  flint::Mag variation;
-  flint::Mag size;
-  for (slong k = acb_poly_length(taylor.get()) - 1; k > 0; --k) {
-    acb_get_mag(size.get(), acb_poly_get_coeff_ptr(taylor.get(), k));
-    mag_add(variation.get(), variation.get(), size.get());
-    mag_mul(variation.get(), variation.get(), radius.get());
-  }
-  acb_poly_get_coeff_acb(result, taylor.get(), 0);
-  arb_add_error_mag(acb_realref(result), variation.get());
-  arb_add_error_mag(acb_imagref(result), variation.get());
-}
-
 struct Integrand {
   const AnalyticFunction& f;
 };
@@ -43,7 +20,7 @@ int integrand(acb_ptr result, const acb_t t, void* function, slong, slong precis
 }
 
 RealBall integrate(const AnalyticFunction& f, const RealBall& a, const RealBall& b, long bits,
-                   long precision, long most_points = 100'000) {
+                   long precision, long most_points) {
   Integrand function{f};
   flint::Mag tolerance;
   mag_set_ui_2exp_si(tolerance.get(), 1, -bits);
@@ -58,37 +35,46 @@ RealBall integrate(const AnalyticFunction& f, const RealBall& a, const RealBall&
 
 }  // namespace
 
-RealBall quadrature(const RationalFunction& f, const Rational& a, const Rational& b, long bits) {
-  const slong precision = bits + 64;
-  flint::AcbPoly numerator;
-  flint::AcbPoly denominator;
-  acb_poly_set_fmpq_poly(numerator.get(), f.numerator().raw(), precision);
-  acb_poly_set_fmpq_poly(denominator.get(), f.denominator().raw(), precision);
-  const auto quotient = [&](const ComplexBall& z, long working) {
-    ComplexBall n;
-    ComplexBall d;
-    evaluate(n.raw(), numerator, z.raw(), working);
-    evaluate(d.raw(), denominator, z.raw(), working);
-    return divide(n, d, working);
-  };
-  return integrate(quotient, RealBall(a, precision), RealBall(b, precision), bits, precision);
-}
-
-RealBall quadrature(const AnalyticFunction& f, long bits, long more, long most_points) {
-  const slong precision = bits + 64 + more;
-  return integrate(f, RealBall(0, precision), RealBall(1, precision), bits, precision, most_points);
-}
-
 ComplexBall evaluate(const BallPolynomial& p, const ComplexBall& z, long bits) {
   ComplexBall value;
   if (is_narrow(z.raw())) {
     arb_poly_evaluate_acb(value.raw(), p.raw(), z.raw(), bits);
     return value;
   }
-  flint::AcbPoly q;
-  acb_poly_set_arb_poly(q.get(), p.raw());
-  evaluate(value.raw(), q, z.raw(), bits);
+  ComplexBall middle;
+  acb_get_mid(middle.raw(), z.raw());
+  flint::Mag radius;
+  mag_hypot(radius.get(), arb_radref(acb_realref(z.raw())), arb_radref(acb_imagref(z.raw())));
+  flint::AcbPoly taylor;
+  acb_poly_set_arb_poly(taylor.get(), p.raw());
+  acb_poly_taylor_shift(taylor.get(), taylor.get(), middle.raw(), bits);
+  flint::Mag variation;
+  flint::Mag size;
+  for (slong k = acb_poly_length(taylor.get()) - 1; k > 0; --k) {
+    acb_get_mag(size.get(), acb_poly_get_coeff_ptr(taylor.get(), k));
+    mag_add(variation.get(), variation.get(), size.get());
+    mag_mul(variation.get(), variation.get(), radius.get());
+  }
+  acb_poly_get_coeff_acb(value.raw(), taylor.get(), 0);
+  arb_add_error_mag(acb_realref(value.raw()), variation.get());
+  arb_add_error_mag(acb_imagref(value.raw()), variation.get());
   return value;
+}
+
+RealBall quadrature(const RationalFunction& f, const Rational& a, const Rational& b, long bits) {
+  const slong precision = bits + 64;
+  const BallPolynomial numerator(f.numerator(), precision);
+  const BallPolynomial denominator(f.denominator(), precision);
+  const auto quotient = [&](const ComplexBall& z, long working) {
+    return divide(evaluate(numerator, z, working), evaluate(denominator, z, working), working);
+  };
+  return integrate(quotient, RealBall(a, precision), RealBall(b, precision), bits, precision,
+                   most_points_by_default);
+}
+
+RealBall quadrature(const AnalyticFunction& f, long bits, long more, long most_points) {
+  const slong precision = bits + 64 + more;
+  return integrate(f, RealBall(0, precision), RealBall(1, precision), bits, precision, most_points);
 }
 
 }  // namespace phrame

@@ -11,12 +11,15 @@ namespace phrame {
 /// root: the other way to a value [Johansson 2018].
 RealBall quadrature(const RationalFunction& f, const Rational& a, const Rational& b, long bits);
 
+inline constexpr long most_points_by_default = 100'000;
+
 /// Encloses f(z): for a ball z around which f is not analytic, an infinite ball.
 using AnalyticFunction = std::function<ComplexBall(const ComplexBall& z, long bits)>;
 
 /// A ball around ∫₀¹ f, in the same manner, with `bits` + 64 + `more` bits of precision for f, of
 /// whatever width is reached with so many values of f.
-RealBall quadrature(const AnalyticFunction& f, long bits, long more, long most_points = 100'000);
+RealBall quadrature(const AnalyticFunction& f, long bits, long more,
+                    long most_points = most_points_by_default);
 
 /// p(z), on a large ball not much wider than necessary.
 ComplexBall evaluate(const BallPolynomial& p, const ComplexBall& z, long bits);

@@ -22,7 +22,7 @@ std::string lower(const RealBall& x, long digits = 6) {
 
 /// "0.2858565" for a ball, and a bound of what it is off.
 Decimal rounded(const RealBall& x) {
-  const Rational middle = (x.lower() + x.upper()) / 2;
+  const Rational middle = x.midpoint();
   Decimal text = round_to_decimal(middle, 10);
   const Rational off = abs(Rational(middle - parse_rational(text.value))) + x.radius();
   text.radius = upper_bound_text(off);

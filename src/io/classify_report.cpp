@@ -52,11 +52,7 @@ std::string answer(const std::variant<RationalFrame, NoRationalFrame>& frame) {
 
 std::string answer(const ErfTurning& turning) {
   if (turning.is_monotone) return yes_or_no(true);
-  std::vector<RealRoot> reversals = turning.zeros;
-  std::erase_if(reversals, [](const RealRoot& zero) {
-    return zero.order % 2 == 0 || compare(zero.at, 0) <= 0 || compare(zero.at, 1) >= 0;
-  });
-  return yes_or_no(false, "back at " + places(reversals));
+  return yes_or_no(false, "back at " + places(odd_inside(turning.zeros)));
 }
 
 JsonOutput json_of(const std::vector<RealRoot>& roots) {

@@ -33,9 +33,7 @@ std::string horner(const Polynomial& p) {
 std::vector<std::complex<double>> poles(const Polynomial& d) {
   std::vector<std::complex<double>> list;
   if (d.is_constant()) return list;
-  const auto middle = [](const RealBall& x) {
-    return round_to_double(Rational((x.lower() + x.upper()) / 2));
-  };
+  const auto middle = [](const RealBall& x) { return round_to_double(x.midpoint()); };
   const Roots roots = isolate_roots(squarefree_part(d), 64);
   for (const RealBall& x : roots.real) list.emplace_back(middle(x), 0.0);
   for (const ComplexBall& z : roots.upper) list.emplace_back(middle(z.re()), middle(z.im()));

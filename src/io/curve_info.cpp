@@ -5,13 +5,15 @@
 #include "phrame/io/angle_report.hpp"
 #include "phrame/io/json_text.hpp"
 #include "phrame/io/text.hpp"
+#include "phrame/ph/classify.hpp"
 
 namespace phrame {
 namespace {
 
-std::vector<Decimal> rounded(const std::vector<RealAlgebraic>& at, long digits) {
+std::vector<Decimal> rounded(const std::vector<RealRoot>& points, long digits) {
   std::vector<Decimal> decimals;
-  for (const RealAlgebraic& t : at) decimals.push_back(round_to_decimal(to_real(t), digits));
+  for (const RealRoot& point : odd_inside(points))
+    decimals.push_back(round_to_decimal(to_real(point.at), digits));
   return decimals;
 }
 
@@ -20,10 +22,11 @@ std::vector<Decimal> rounded(const std::vector<RealAlgebraic>& at, long digits) 
 CurveInfo curve_info(const NamedCurve& named, long digits) {
   const Curve& curve = named.curve;
   const Real length = total_length(curve).value;
+  const ErfTurning turning = erf_turning(curve);
   CurveInfo info{named,
                  cusps(curve, closed(0, 1)),
-                 rounded(erf_inflections(curve), digits),
-                 rounded(erf_extrema(curve), digits),
+                 rounded(turning.zeros, digits),
+                 rounded(turning.extrema, digits),
                  length,
                  rounded(length, "the length", digits),
                  rounded(erf_twist(curve).value, "the twist", digits),

@@ -3,7 +3,6 @@
 
 #include "phrame/io/curve_file.hpp"
 #include "phrame/ph/totals.hpp"
-#include "phrame/ph/twist_frame.hpp"
 
 namespace phrame {
 

@@ -27,17 +27,6 @@ ErrorSize error_size(const Real& x, const std::string& what, long digits) {
   return {{value.radius, value.radius}, true};
 }
 
-/// x/|T|, or x·(whole length)/(length of the piece) where T = 0.
-Real relative(const Real& x, const MinimalTwist& mtf, const Rational& length) {
-  if (mtf.twist().exact() == Rational(0)) return x * Real(mtf.length() / length);
-  return Real([x, twist = mtf.twist(), share = length / mtf.length()](long bits) {
-    RealBall size;
-    arb_abs(size.raw(), twist.enclose(bits + 16).raw());
-    return divide(x.enclose(bits + 16), multiply(size, RealBall(share, bits + 16), bits + 16),
-                  bits + 16);
-  });
-}
-
 TwistPieceReport piece_report(const MinimalTwist& mtf, const BestTwist& best, long digits) {
   const RationalTwist& twist = best.twist;
   const TwistPiece& piece = twist.piece();
@@ -45,9 +34,10 @@ TwistPieceReport piece_report(const MinimalTwist& mtf, const BestTwist& best, lo
     return rounded(x, what, digits);
   };
   const auto& [index, t] = locate(mtf.spline(), piece.from);
-  const auto size = [&](const Real& x, const std::string& what) {
-    return error_size(relative(x, mtf, piece.length), what, digits);
+  const auto size = [&](const Real& x, const std::string& what, long to_digits) {
+    return error_size(relative_error(x, mtf, piece.length), what, to_digits);
   };
+  const SignChanges inflections = twist.inflections(4 * digits + 32);
   TwistPieceReport report{piece.from,
                           piece.to,
                           2 * preimage_degree(mtf.spline().segments()[index]) + 2 * twist.degree(),
@@ -57,9 +47,9 @@ TwistPieceReport piece_report(const MinimalTwist& mtf, const BestTwist& best, lo
                           best.doubt,
                           {},
                           twist.extra_turns(),
-                          size(twist.root_mean_square(), "the root mean square"),
-                          size(twist.greatest_error(), "the greatest error"),
-                          is_monotone(twist),
+                          size(twist.root_mean_square(), "the root mean square", digits),
+                          size(twist.greatest_error(), "the greatest error", digits),
+                          is_monotone(inflections),
                           {},
                           {}};
   if (best.minimum) {
@@ -70,17 +60,13 @@ TwistPieceReport piece_report(const MinimalTwist& mtf, const BestTwist& best, lo
   for (const auto& [re, im] : twist.coefficients())
     report.coefficients.emplace_back(rounded_or_zero(re, "a coefficient of w", digits),
                                      rounded_or_zero(im, "a coefficient of w", digits));
-  const long bits = 4 * digits + 32;
-  for (const RealBall& tau : twist.inflections(bits).at) {
-    const Rational middle = (tau.lower() + tau.upper()) / 2;
+  for (const RealBall& tau : inflections.at)
     report.inflections.push_back(
-        decimal(Real(piece.from + (piece.to - piece.from) * middle), "an inflection"));
-  }
+        decimal(Real(piece.from + (piece.to - piece.from) * tau.midpoint()), "an inflection"));
   if (best.other) {  // only a guess is known
     const long few = std::min(digits, 6L);
     report.other = {rounded(best.other->end_factor(), "gamma", few),
-                    error_size(relative(best.other->root_mean_square(), mtf, piece.length),
-                               "the root mean square", few)};
+                    size(best.other->root_mean_square(), "the root mean square", few)};
   }
   return report;
 }
@@ -101,9 +87,10 @@ std::string shown(const std::pair<Decimal, Decimal>& z) {
 }
 
 std::string inflections_text(const TwistPieceReport& piece) {
-  std::vector<std::string> at;
-  for (const Decimal& t : piece.inflections) at.push_back(t.value);
-  return fmt::format("{}", fmt::join(at, ", "));
+  std::string text;
+  for (const Decimal& t : piece.inflections)
+    text += (text.empty() ? ", it changes at t ≈ " : ", ") + t.value;
+  return text;
 }
 
 /// "+ 2π", "− 4π".
@@ -132,11 +119,8 @@ std::string in_detail(const TwistPieceReport& piece, std::string_view unit) {
         width);
   text += row("rms of Ω₁ − Ω̄₁", shown(piece.root_mean_square, unit), width);
   text += row("greatest |Ω₁ − Ω̄₁|", shown(piece.greatest, unit), width);
-  text +=
-      row("Ω₁ has one sign",
-          std::string(to_string(piece.monotone)) +
-              (piece.inflections.empty() ? "" : ", it changes at t ≈ " + inflections_text(piece)),
-          width);
+  text += row("Ω₁ has one sign", std::string(to_string(piece.monotone)) + inflections_text(piece),
+              width);
   if (piece.extra_turns != 0)
     text += row("it turns by", "T " + turns_text(piece.extra_turns), width);
   return text;
@@ -157,12 +141,11 @@ std::string table(const std::vector<TwistPieceReport>& pieces) {
   std::string text = fmt::format("  {:<12}{:<12}{:<4}{:<12}{:<14}{:<14}{}\n", "from t", "to t", "n",
                                  "γ", "rms", "greatest", "one sign");
   for (const TwistPieceReport& piece : pieces)
-    text += fmt::format(
-        "  {:<12}{:<12}{:<4}{:<12}{:<14}{:<14}{}{}\n", place(piece.from), place(piece.to),
-        piece.rotation_degree, decimal(piece.gamma), size(piece.root_mean_square),
-        size(piece.greatest), to_string(piece.monotone),
-        piece.extra_turns == 0 ? ""
-                               : fmt::format(", {} turns more than T", piece.extra_turns.str()));
+    text +=
+        fmt::format("  {:<12}{:<12}{:<4}{:<12}{:<14}{:<14}{}{}\n", place(piece.from),
+                    place(piece.to), piece.rotation_degree, decimal(piece.gamma),
+                    size(piece.root_mean_square), size(piece.greatest), to_string(piece.monotone),
+                    piece.extra_turns == 0 ? "" : ", turns by T " + turns_text(piece.extra_turns));
   return text;
 }
 
@@ -170,11 +153,10 @@ std::string table(const std::vector<TwistPieceReport>& pieces) {
 
 TwistFrameReport twist_frame_report(const MinimalTwist& mtf, const TwistFrame& frame, long digits) {
   TwistFrameReport report{{},
-                          error_size(relative(root_mean_square(frame), mtf, mtf.length()),
+                          error_size(relative_error(root_mean_square(frame), mtf, mtf.length()),
                                      "the root mean square", digits),
                           is_monotone(frame),
-                          mtf.twist().exact() != Rational(0),
-                          digits};
+                          mtf.twist().exact() != Rational(0)};
   for (const BestTwist& piece : frame.pieces)
     report.pieces.push_back(piece_report(mtf, piece, digits));
   return report;
@@ -186,8 +168,7 @@ std::string to_text(const TwistFrameReport& report) {
   if (pieces.size() == 1) {
     return fmt::format(
                "\nA rational frame of degree {}: θ(t) = 2 arg w(t), w of degree {} with the "
-               "Bernstein "
-               "coefficients\n",
+               "Bernstein coefficients\n",
                pieces.front().frame_degree, pieces.front().rotation_degree) +
            in_detail(pieces.front(), unit);
   }

@@ -39,7 +39,6 @@ struct TwistFrameReport {
   ErrorSize root_mean_square;  ///< of the whole frame
   Monotone monotone;
   bool is_relative;  ///< are the errors relative to |Ω̄₁|, which is not 0?
-  long digits;
 };
 
 /// Throws Undecided, naming what it is that cannot be rounded.

@@ -1,5 +1,7 @@
 #include "phrame/ph/classify.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
@@ -71,14 +73,21 @@ ErfTurning erf_turning(const Curve& curve) {
   const Polynomial h = twist_numerator(a);
   if (h.is_zero()) return turning;
   turning.zeros = real_roots(erf_rate(a).numerator(), segment);
-  for (const auto& [at, order] : turning.zeros)
-    if (order % 2 == 1 && compare(at, 0) > 0 && compare(at, 1) < 0) turning.is_monotone = false;
+  turning.is_monotone = odd_inside(turning.zeros).empty();
   const RationalFunction slope =
       differentiate(RationalFunction(h, curve.multiplier() * pow(sigma(a), 2)));
   if (slope.is_zero()) return turning;
   for (const RealRoot& root : real_roots(slope.numerator(), segment))
     if (root.order % 2 == 1) turning.extrema.push_back(root);
   return turning;
+}
+
+std::vector<RealRoot> odd_inside(const std::vector<RealRoot>& points) {
+  std::vector<RealRoot> found;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(found), [](const RealRoot& point) {
+    return point.order % 2 == 1 && compare(point.at, 0) > 0 && compare(point.at, 1) < 0;
+  });
+  return found;
 }
 
 Classification classify(const Curve& curve) {

@@ -25,6 +25,9 @@ struct ErfTurning {
 };
 ErfTurning erf_turning(const Curve& curve);
 
+/// Those of odd order in (0, 1).
+std::vector<RealRoot> odd_inside(const std::vector<RealRoot>& points);
+
 struct Classification {
   std::vector<RealRoot> cusps;
   std::vector<RealRoot> inflections;

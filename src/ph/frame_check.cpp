@@ -19,11 +19,6 @@ Vector<Rational> cross(const Vector<Rational>& a, const Vector<Rational>& b) {
 
 RealBall root(const Rational& x, long bits) { return sqrt(RealBall(x, bits), bits); }
 
-RealBall magnitude(RealBall x) {
-  arb_abs(x.raw(), x.raw());
-  return x;
-}
-
 void raise_to(RealBall& x, const RealBall& y, long bits) {
   arb_max(x.raw(), x.raw(), y.raw(), bits);
 }
@@ -72,7 +67,7 @@ FrameDeviation FrameCheck::deviation(const GivenFrame& frame, long bits) {
   if (frame.f3) normals.push_back(*frame.f3);
   for (const auto& f : normals) {
     raise_to(result.orthogonality, cosine(f, tangent, bits), bits);
-    raise_to(result.length, magnitude(subtract(root(dot(f, f), bits), RealBall(1, bits), bits)),
+    raise_to(result.length, absolute(subtract(root(dot(f, f), bits), RealBall(1, bits), bits)),
              bits);
   }
   if (frame.f3) {
@@ -85,7 +80,7 @@ FrameDeviation FrameCheck::deviation(const GivenFrame& frame, long bits) {
     const Vector<Rational>& given = *frame.tangent;
     const Rational squared_size = dot(given, given);
     const RealBall size = root(squared_size, bits);
-    raise_to(result.length, magnitude(subtract(size, RealBall(1, bits), bits)), bits);
+    raise_to(result.length, absolute(subtract(size, RealBall(1, bits), bits)), bits);
     if (squared_size == 0) {  // no direction at all
       result.tangent_sine = RealBall(1, bits);
       result.tangent_cosine = RealBall();
@@ -123,7 +118,7 @@ using Kind = FrameFinding::Kind;
 RealBall reduced(const RealBall& x, long bits) {
   const RealBall turn = multiply(RealBall(2, bits), pi(bits), bits);
   const RealBall turns = divide(x, turn, bits);
-  const Rational middle = (turns.lower() + turns.upper()) / 2 + Rational(1, 2);
+  const Rational middle = turns.midpoint() + Rational(1, 2);
   Integer whole = numerator(middle) / denominator(middle);  // towards 0
   if (Rational(whole) > middle) --whole;
   return subtract(x, multiply(RealBall(Rational(whole), bits), turn, bits), bits);
@@ -142,7 +137,7 @@ class Judgement {
 
   /// |x| ≤ tolerance? Remembers where the ball does not tell.
   bool is_small(const RealBall& x) {
-    const RealBall size = magnitude(x);
+    const RealBall size = absolute(x);
     if (size.upper() <= options_.tolerance) return true;
     if (size.lower() <= options_.tolerance) decided_ = false;
     return false;
@@ -168,9 +163,9 @@ void Judgement::find_errors(FrameVerdict& verdict) const {
     if (!start) start = angle;
     const RealBall error = reduced(subtract(angle, *start, bits_), bits_);
     verdict.errors.back() = error;
-    if (magnitude(error).upper() > verdict.max_error.upper())
+    if (absolute(error).upper() > verdict.max_error.upper())
       verdict.worst_sample = verdict.errors.size() - 1;
-    raise_to(verdict.max_error, magnitude(error), bits_);
+    raise_to(verdict.max_error, absolute(error), bits_);
   }
 }
 
@@ -198,7 +193,7 @@ void Judgement::find_flips(FrameVerdict& verdict) const {
   for (std::size_t k = 0; k < verdict.errors.size(); ++k) {
     if (!verdict.errors[k]) continue;
     const RealBall& error = *verdict.errors[k];
-    if (before != nullptr && magnitude(reduced(subtract(error, *before, bits_), bits_)).lower() > 3)
+    if (before != nullptr && absolute(reduced(subtract(error, *before, bits_), bits_)).lower() > 3)
       flips.samples.push_back(k);
     before = &error;
   }
@@ -214,7 +209,7 @@ bool Judgement::is_constant(const Angles& angles, bool up_to_half_turns) const {
     if (!angle) continue;
     if (first == nullptr) first = &*angle;
     const RealBall change = multiply(factor, subtract(*angle, *first, bits_), bits_);
-    if (magnitude(reduced(change, bits_)).upper() > 2 * limit) return false;
+    if (absolute(reduced(change, bits_)).upper() > 2 * limit) return false;
     ++count;
   }
   return count >= 3;

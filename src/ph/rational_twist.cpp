@@ -15,23 +15,11 @@ namespace {
 
 using Complex = std::complex<double>;
 
-double approximate(const Real& x) { return round_to_double(x); }
-
 /// The Bernstein coefficients of w of degree n, in doubles.
-std::vector<Complex> bernstein(const RationalTwist& twist, std::size_t degree) {
-  const Rotation w = twist.rotation(64);
-  const auto part = [&](const BallPolynomial& p) {
-    std::vector<RealBall> c = p.coefficients();
-    c.resize(degree + 1);
-    return to_bernstein(std::move(c), 64);
-  };
-  const auto a = part(w.a);
-  const auto b = part(w.b);
-  const auto middle = [](const RealBall& x) {
-    return arf_get_d(arb_midref(x.raw()), ARF_RND_NEAR);
-  };
+std::vector<Complex> bernstein(const RationalTwist& twist, long n) {
   std::vector<Complex> coefficients;
-  for (std::size_t k = 0; k <= degree; ++k) coefficients.emplace_back(middle(a[k]), middle(b[k]));
+  for (const ComplexBall& c : to_bernstein(twist.rotation(64), n, 64))
+    coefficients.emplace_back(approximate(c.re()), approximate(c.im()));
   return coefficients;
 }
 
@@ -40,7 +28,7 @@ std::vector<double> nearest_parameters(std::vector<Complex> w, const TwistPiece&
                                        EndRates rates) {
   const std::size_t n = w.size() - 1;
   for (std::size_t k = n + 1; k-- > 0;) w[k] /= w[0].real();
-  const Complex back = std::polar(1.0, -approximate(piece.turn) / 2);
+  const Complex back = std::polar(1.0, -round_to_double(piece.turn) / 2);
   std::vector<double> parameters;
   for (std::size_t k = 1; k < n; ++k) {
     const bool is_bound = rates == EndRates::matched && (k == 1 || k + 1 == n);
@@ -54,13 +42,14 @@ std::vector<double> nearest_parameters(std::vector<Complex> w, const TwistPiece&
 }
 
 /// Unit vectors at half the angles of the exact frame: they turn as it does.
-std::vector<Complex> along_exact_frame(const TwistPiece& piece, std::size_t degree) {
-  const double twist = approximate(piece.twist);
+std::vector<Complex> along_exact_frame(const TwistPiece& piece, long n) {
+  const double twist = round_to_double(piece.twist);
   const Polynomial share = antiderivative(piece.speed);
   std::vector<Complex> w;
-  for (std::size_t k = 0; k <= degree; ++k) {
-    const Rational tau(static_cast<long>(k), static_cast<long>(degree));
-    const double angle = twist * approximate(share(tau)) - approximate(piece.erf_twist(tau));
+  for (long k = 0; k <= n; ++k) {
+    const Rational tau(k, n);
+    const double angle =
+        twist * round_to_double(share(tau)) - round_to_double(piece.erf_twist(tau));
     w.push_back(std::polar(1.0, angle / 2));
   }
   return w;
@@ -72,18 +61,9 @@ std::vector<Rational> exact(const std::vector<double>& parameters) {
   return values;
 }
 
-std::vector<RealBall> balls(const std::vector<Rational>& parameters, long bits) {
-  std::vector<RealBall> values;
-  for (const Rational& p : parameters) values.emplace_back(p, bits);
-  return values;
-}
-
-/// Is the mean square of the first less, as far as 64 bits tell?
-bool is_better(const RationalTwist& a, const RationalTwist& b) {
-  const auto value = [](const RationalTwist& twist) {
-    return mean_square(twist.piece(), twist.rotation(working_precision(twist.piece(), 64)), 64);
-  };
-  return arb_lt(value(a).raw(), value(b).raw()) != 0;
+/// Enough to compare.
+RealBall coarse_mean_square(const RationalTwist& twist) {
+  return mean_square(twist.piece(), twist.rotation(working_precision(twist.piece(), 64)), 64);
 }
 
 /// Of a family with one parameter, or none.
@@ -110,7 +90,7 @@ BestTwist best_on_line(const TwistPiece& piece, long degree, EndRates rates,
   // A frame that turns by T goes before one that turns 2π more or less, and that by its error.
   const auto rank = [&](const LineGuess& guess) {
     if (guess.value < one_turn) return std::pair(0, guess.value);
-    const Rotation w = phrame::member(family, balls({exact_rational(guess.parameter)}, 128), 128);
+    const Rotation w = phrame::member(family, {exact_rational(guess.parameter)}, 128);
     const auto turned = turn(w, 0, 1, 128);
     const bool is_right = turned && turned->overlaps(piece.turn.enclose(128));
     return std::pair(is_right ? 0 : 1, guess.value);
@@ -150,20 +130,20 @@ const Rotation& RationalTwist::rotation(long bits) const {
   const auto known = rotations_->find(bits);
   if (known != rotations_->end()) return known->second;
   const RotationFamily family = rotation_family(piece_, degree_, rates_, bits);
-  return rotations_->emplace(bits, member(family, balls(parameters_, bits), bits)).first->second;
+  return rotations_->emplace(bits, member(family, parameters_, bits)).first->second;
 }
 
 Real RationalTwist::end_factor() const {
   return Real([twist = *this](long bits) {
     const RotationFamily family =
         rotation_family(twist.piece_, twist.degree_, twist.rates_, bits + 64);
-    return phrame::end_factor(family, balls(twist.parameters_, bits + 64), bits + 64);
+    return phrame::end_factor(family, twist.parameters_, bits + 64);
   });
 }
 
 Rational RationalTwist::end_factor_change(const Rational& radius) const {
   const RealBall slope = rotation_family(piece_, degree_, rates_, 64).end_factor.back();
-  return std::max(Rational(abs(slope.lower())), Rational(abs(slope.upper()))) * radius;
+  return absolute(slope).upper() * radius;
 }
 
 std::vector<std::pair<Real, Real>> RationalTwist::coefficients() const {
@@ -171,16 +151,11 @@ std::vector<std::pair<Real, Real>> RationalTwist::coefficients() const {
   for (std::size_t k = 0; k <= static_cast<std::size_t>(degree_); ++k) {
     const auto coefficient = [twist = *this, k](long bits) {
       const long precision = bits + 64;
-      const Rotation rotation = twist.rotation(precision);
-      const auto part = [&](const BallPolynomial& p) {
-        std::vector<RealBall> c = p.coefficients();
-        c.resize(static_cast<std::size_t>(twist.degree_) + 1);
-        return to_bernstein(std::move(c), precision)[k];
-      };
       const RealBall half = multiply(twist.piece_.start.enclose(precision),
                                      RealBall(Rational(1, 2), precision), precision);
       const auto [cosine, sine] = cos_sin(half, precision);
-      return multiply(ComplexBall(part(rotation.a), part(rotation.b)), {cosine, sine}, precision);
+      const auto all = to_bernstein(twist.rotation(precision), twist.degree_, precision);
+      return multiply(all[k], {cosine, sine}, precision);
     };
     w.emplace_back(Real([coefficient](long bits) { return coefficient(bits).re(); }),
                    Real([coefficient](long bits) { return coefficient(bits).im(); }));
@@ -231,7 +206,7 @@ int RationalTwist::sign_of_rate(const Rational& tau) const {
   const long precision = working_precision(piece_, 64);
   const RealBall rate = evaluate(turn_numerator(piece_, rotation(precision), precision),
                                  RealBall(tau, precision), precision);
-  return arb_is_positive(rate.raw()) != 0 ? 1 : arb_is_negative(rate.raw()) != 0 ? -1 : 0;
+  return sign(rate);
 }
 
 Real RationalTwist::value(const Real& tau) const {
@@ -268,21 +243,23 @@ BestTwist best_twist(const TwistPiece& piece, const RationalTwistOptions& option
   if (degree == 2 && rates == EndRates::matched) return best_on_line(piece, 2, rates, options);
 
   const RotationFamily family = rotation_family(piece, degree, rates, 128);
-  const auto n = static_cast<std::size_t>(degree);
   TwistObjective objective(piece, family);
-  std::optional<BestTwist> lower;
+  std::optional<RationalTwist> best;
+  std::optional<RealBall> least;
   std::vector<std::vector<double>> starts{
-      nearest_parameters(along_exact_frame(piece, n), piece, rates)};
+      nearest_parameters(along_exact_frame(piece, degree), piece, rates)};
   try {
-    lower = best_twist(piece, {degree - 1, rates, false, bits});
-    starts.push_back(nearest_parameters(bernstein(lower->twist, n), piece, rates));
+    best = best_twist(piece, {degree - 1, rates, false, bits}).twist;
+    least = coarse_mean_square(*best);
+    starts.push_back(nearest_parameters(bernstein(*best, degree), piece, rates));
   } catch (const DomainError&) {  // there is none
   }
-  std::optional<RationalTwist> best;
-  if (lower) best = lower->twist;
   for (const auto& start : starts) {
     const RationalTwist found(piece, degree, rates, exact(search(objective, start)));
-    if (!best || is_better(found, *best)) best = found;
+    const RealBall value = coarse_mean_square(found);
+    if (best && arb_lt(value.raw(), least->raw()) == 0) continue;
+    best = found;
+    least = value;
   }
   return {*best, {}, "of more than one parameter a local optimum is looked for", {}};
 }

@@ -17,8 +17,6 @@ class RationalTwist {
 
   const TwistPiece& piece() const { return piece_; }
   long degree() const { return degree_; }  ///< n
-  EndRates rates() const { return rates_; }
-  const std::vector<Rational>& parameters() const { return parameters_; }
 
   /// w, with w(0) = 1.
   const Rotation& rotation(long bits) const;

@@ -146,12 +146,26 @@ Rotation member(const RotationFamily& family, const std::vector<RealBall>& param
   return w;
 }
 
-RealBall end_factor(const RotationFamily& family, const std::vector<RealBall>& parameters,
+Rotation member(const RotationFamily& family, const std::vector<Rational>& parameters, long bits) {
+  std::vector<RealBall> balls;
+  for (const Rational& p : parameters) balls.emplace_back(p, bits);
+  return member(family, balls, bits);
+}
+
+RealBall end_factor(const RotationFamily& family, const std::vector<Rational>& parameters,
                     long bits) {
   RealBall gamma = family.end_factor.front();
   for (std::size_t k = 0; k < parameters.size(); ++k)
-    gamma = add(gamma, multiply(parameters[k], family.end_factor[k + 1], bits), bits);
+    gamma = add(gamma, scaled(family.end_factor[k + 1], parameters[k], bits), bits);
   return gamma;
+}
+
+std::vector<ComplexBall> to_bernstein(const Rotation& w, long n, long bits) {
+  const auto a = to_bernstein(w.a, n, bits);
+  const auto b = to_bernstein(w.b, n, bits);
+  std::vector<ComplexBall> coefficients;
+  for (std::size_t k = 0; k < a.size(); ++k) coefficients.emplace_back(a[k], b[k]);
+  return coefficients;
 }
 
 BallPolynomial norm(const Rotation& w, long bits) {
@@ -165,12 +179,9 @@ BallPolynomial wronskian(const Rotation& w, long bits) {
 
 std::optional<RealBall> turn(const Rotation& w, const Rational& from, const Rational& to,
                              long bits) {
-  const std::size_t length =
-      static_cast<std::size_t>(std::max({w.a.degree_bound(), w.b.degree_bound(), 0L})) + 1;
+  const long n = std::max({w.a.degree_bound(), w.b.degree_bound(), 0L});
   const auto between = [&](const BallPolynomial& p) {
-    std::vector<RealBall> c = p.coefficients();
-    c.resize(length);
-    c = to_bernstein(std::move(c), bits);
+    auto c = to_bernstein(p, n, bits);
     if (to != 1) c = split(c, to, bits).first;
     if (from != 0) c = split(c, from / to, bits).second;
     return c;
@@ -193,7 +204,7 @@ std::optional<RealBall> turn(const Rotation& w, const Rational& from, const Rati
     const ComplexBall axis = conjugate(add(first, last, bits));
     bool is_in_half_plane = true;
     for (std::size_t k = 0; k < part.a.size() && is_in_half_plane; ++k)
-      is_in_half_plane = arb_is_positive(multiply(at(k), axis, bits).re().raw()) != 0;
+      is_in_half_plane = sign(multiply(at(k), axis, bits).re()) > 0;
     if (is_in_half_plane) {
       half_turn = add(half_turn, argument(multiply(last, conjugate(first), bits), bits), bits);
       continue;

@@ -33,11 +33,14 @@ struct RotationFamily {
 /// told at `bits`.
 RotationFamily rotation_family(const TwistPiece& piece, long degree, EndRates rates, long bits);
 
-/// The w with these parameters, and its γ.
+/// The w with these parameters, numbers or balls around them, and its γ.
 Rotation member(const RotationFamily& family, const std::vector<RealBall>& parameters, long bits);
-RealBall end_factor(const RotationFamily& family, const std::vector<RealBall>& parameters,
+Rotation member(const RotationFamily& family, const std::vector<Rational>& parameters, long bits);
+RealBall end_factor(const RotationFamily& family, const std::vector<Rational>& parameters,
                     long bits);
 
+/// The n + 1 Bernstein coefficients of a w of degree n or less.
+std::vector<ComplexBall> to_bernstein(const Rotation& w, long n, long bits);
 /// a² + b² and a·b′ − a′·b: θ′ = 2(ab′ − a′b)/(a² + b²) (24).
 BallPolynomial norm(const Rotation& w, long bits);
 BallPolynomial wronskian(const Rotation& w, long bits);

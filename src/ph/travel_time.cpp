@@ -106,7 +106,7 @@ TimedPoint TravelTime::at_time(const Rational& time) {
   if (total_.exact() == time) return exactly(Rational(1));
   const Real t = preimage(function_, time, last_);
   const RealBall around = t.enclose(72);
-  last_ = arf_get_d(arb_midref(around.raw()), ARF_RND_NEAR);
+  last_ = approximate(around);
   if (antiderivative_.logs.empty()) {
     const RationalFunction T =
         RationalFunction(antiderivative_.polynomial) + antiderivative_.rational;

@@ -20,39 +20,25 @@ struct Operations {
   Ball twice(const Ball& x) const { return add(x, x, bits); }
 };
 
-/// Everything that E is made of, at a point of the complex plane.
-class ErrorFunction {
+/// What the piece brings to E, at a point of the complex plane.
+class PieceFunction {
  public:
-  ErrorFunction(const TwistPiece& piece, const Rotation& w, long bits)
+  PieceFunction(const TwistPiece& piece, long bits)
       : numerator_(piece.erf_rate.numerator(), bits),
         denominator_(piece.erf_rate.denominator(), bits),
         speed_(piece.speed, bits),
-        twist_(piece.twist.enclose(bits)),
-        w_(w),
-        slope_{differentiate(w.a, bits), differentiate(w.b, bits)} {}
+        twist_(piece.twist.enclose(bits)) {}
 
   struct Values {
-    ComplexBall error;  ///< erf_rate + θ′ − T·speed
+    ComplexBall rate;  ///< erf_rate − T·speed
     ComplexBall speed;
-    ComplexBall norm;        ///< D = a² + b²
-    ComplexBall norm_slope;  ///< D′
   };
 
   Values operator()(const ComplexBall& z, long bits) const {
-    const Operations op{bits};
-    const auto at = [&](const BallPolynomial& p) { return evaluate(p, z, bits); };
-    const ComplexBall a = at(w_.a);
-    const ComplexBall b = at(w_.b);
-    const ComplexBall a_slope = at(slope_.a);
-    const ComplexBall b_slope = at(slope_.b);
-    const ComplexBall speed = at(speed_);
-    const ComplexBall norm = op.plus(op.times(a, a), op.times(b, b));
-    const ComplexBall half_turn =
-        op.over(op.minus(op.times(a, b_slope), op.times(a_slope, b)), norm);
-    const ComplexBall half_slope = op.plus(op.times(a, a_slope), op.times(b, b_slope));
-    const ComplexBall turn =
-        op.plus(op.over(at(numerator_), at(denominator_)), op.twice(half_turn));
-    return {op.minus(turn, multiply(twist_, speed, bits)), speed, norm, op.twice(half_slope)};
+    const ComplexBall speed = evaluate(speed_, z, bits);
+    const ComplexBall erf =
+        divide(evaluate(numerator_, z, bits), evaluate(denominator_, z, bits), bits);
+    return {subtract(erf, multiply(twist_, speed, bits), bits), speed};
   }
 
  private:
@@ -60,19 +46,50 @@ class ErrorFunction {
   BallPolynomial denominator_;
   BallPolynomial speed_;
   RealBall twist_;
+};
+
+/// a, b and their derivatives there.
+class RotationFunction {
+ public:
+  RotationFunction(const Rotation& w, long bits)
+      : w_(w), slope_{differentiate(w.a, bits), differentiate(w.b, bits)} {}
+
+  struct Values {
+    ComplexBall a;
+    ComplexBall b;
+    ComplexBall a_slope;
+    ComplexBall b_slope;
+  };
+
+  Values operator()(const ComplexBall& z, long bits) const {
+    return {evaluate(w_.a, z, bits), evaluate(w_.b, z, bits), evaluate(slope_.a, z, bits),
+            evaluate(slope_.b, z, bits)};
+  }
+
+ private:
   Rotation w_;
   Rotation slope_;
 };
 
+/// What both make.
+struct ErrorValues {
+  ComplexBall error;       ///< erf_rate + θ′ − T·speed
+  ComplexBall norm;        ///< D = a² + b²
+  ComplexBall norm_slope;  ///< D′
+};
+
+ErrorValues error_values(const ComplexBall& rate, const RotationFunction::Values& w, long bits) {
+  const Operations op{bits};
+  const ComplexBall norm = op.plus(op.times(w.a, w.a), op.times(w.b, w.b));
+  const ComplexBall half_turn =
+      op.over(op.minus(op.times(w.a, w.b_slope), op.times(w.a_slope, w.b)), norm);
+  const ComplexBall half_slope = op.plus(op.times(w.a, w.a_slope), op.times(w.b, w.b_slope));
+  return {op.plus(rate, op.twice(half_turn)), norm, op.twice(half_slope)};
+}
+
 /// By how many bits the terms of a polynomial of the piece may be larger than its values.
 long growth(const TwistPiece& piece) {
   return 2 * std::max(piece.erf_rate.denominator().degree(), piece.speed.degree());
-}
-
-RealBall absolute(const RealBall& x) {
-  RealBall size;
-  arb_abs(size.raw(), x.raw());
-  return size;
 }
 
 /// A function and its derivative, on a ball.
@@ -143,11 +160,13 @@ BallPolynomial turn_numerator(const TwistPiece& piece, const Rotation& w, long b
 
 RealBall mean_square(const TwistPiece& piece, const Rotation& w, long bits) {
   const long more = growth(piece);
-  const ErrorFunction function(piece, w, bits + more + 64);
+  const PieceFunction piece_at(piece, bits + more + 64);
+  const RotationFunction w_at(w, bits + more + 64);
   return quadrature(
       [&](const ComplexBall& z, long working) {
         const Operations op{working};
-        const auto [error, speed, norm, norm_slope] = function(z, working);
+        const auto [rate, speed] = piece_at(z, working);
+        const ComplexBall error = error_values(rate, w_at(z, working), working).error;
         return op.over(op.times(error, error), speed);
       },
       bits, more);
@@ -158,8 +177,8 @@ RealBall mean_square_slope(const TwistPiece& piece, const RotationFamily& family
   // ∂θ/∂p = 2 Im(w¹/w) = 2K/D with K = Im(w̄⁰w¹), which does not depend on p.
   const long more = growth(piece);
   const long precision = bits + more + 64;
-  const ErrorFunction function(piece, member(family, {RealBall(parameter, precision)}, precision),
-                               precision);
+  const PieceFunction piece_at(piece, precision);
+  const RotationFunction w_at(member(family, {parameter}, precision), precision);
   const auto& p = family.basis[0];
   const auto& q = family.basis[1];
   const BallPolynomial k =
@@ -171,7 +190,8 @@ RealBall mean_square_slope(const TwistPiece& piece, const RotationFamily& family
         const auto at = [&](const BallPolynomial& polynomial) {
           return evaluate(polynomial, z, working);
         };
-        const auto [error, speed, norm, norm_slope] = function(z, working);
+        const auto [rate, speed] = piece_at(z, working);
+        const auto [error, norm, norm_slope] = error_values(rate, w_at(z, working), working);
         // θ′_p/2 = (K/D)′.
         const ComplexBall change =
             op.over(op.minus(op.times(at(k_slope), norm), op.times(at(k), norm_slope)),
@@ -185,64 +205,38 @@ RealBall mean_square_slope(const TwistPiece& piece, const RotationFamily& family
 class MeanSquareBend::Points {
  public:
   struct Values {
-    bool is_known = false;
     ComplexBall z;
-    ComplexBall rate;  ///< erf_rate − T·speed
-    ComplexBall speed;
-    std::array<ComplexBall, 4> p;  ///< the parts of w⁰, and their derivatives
-    std::array<ComplexBall, 4> q;  ///< of w¹
+    PieceFunction::Values piece;
+    RotationFunction::Values p;  ///< of w⁰ and w¹
+    RotationFunction::Values q;
   };
 
   Points(const TwistPiece& piece, const RotationFamily& family, long bits)
       : more(growth(piece)),
-        numerator_(piece.erf_rate.numerator(), bits + more + 64),
-        denominator_(piece.erf_rate.denominator(), bits + more + 64),
-        speed_(piece.speed, bits + more + 64),
-        twist_(piece.twist.enclose(bits + more + 64)),
-        p_(with_slopes(family.basis[0], bits + more + 64)),
-        q_(with_slopes(family.basis[1], bits + more + 64)) {}
+        piece_at_(piece, bits + more + 64),
+        p_at_(family.basis[0], bits + more + 64),
+        q_at_(family.basis[1], bits + more + 64) {}
 
   const Values& at(const ComplexBall& z, long bits) {
-    Values& known = values_[key_of(z)];
-    if (known.is_known && acb_equal(known.z.raw(), z.raw()) != 0) return known;
-    const Operations op{bits};
-    const auto value = [&](const BallPolynomial& polynomial) {
-      return evaluate(polynomial, z, bits);
-    };
-    known.is_known = true;
-    known.z = z;
-    known.speed = value(speed_);
-    known.rate = op.minus(op.over(value(numerator_), value(denominator_)),
-                          multiply(twist_, known.speed, bits));
-    for (std::size_t k = 0; k < 4; ++k) {
-      known.p[k] = value(p_[k]);
-      known.q[k] = value(q_[k]);
-    }
-    return known;
+    std::optional<Values>& known = values_[key_of(z)];
+    if (!known || acb_equal(known->z.raw(), z.raw()) == 0)
+      known = Values{z, piece_at_(z, bits), p_at_(z, bits), q_at_(z, bits)};
+    return *known;
   }
 
   const long more;
 
  private:
-  using Parts = std::array<BallPolynomial, 4>;
-  static Parts with_slopes(const Rotation& w, long bits) {
-    return {w.a, w.b, differentiate(w.a, bits), differentiate(w.b, bits)};
-  }
   /// Different points may share one: then the last one is kept.
   static std::array<double, 4> key_of(const ComplexBall& z) {
-    const auto* re = acb_realref(z.raw());
-    const auto* im = acb_imagref(z.raw());
-    return {arf_get_d(arb_midref(re), ARF_RND_NEAR), arf_get_d(arb_midref(im), ARF_RND_NEAR),
-            mag_get_d(arb_radref(re)), mag_get_d(arb_radref(im))};
+    return {approximate(z.re()), approximate(z.im()), mag_get_d(arb_radref(acb_realref(z.raw()))),
+            mag_get_d(arb_radref(acb_imagref(z.raw())))};
   }
 
-  BallPolynomial numerator_;
-  BallPolynomial denominator_;
-  BallPolynomial speed_;
-  RealBall twist_;
-  Parts p_;
-  Parts q_;
-  std::map<std::array<double, 4>, Values> values_;
+  PieceFunction piece_at_;
+  RotationFunction p_at_;
+  RotationFunction q_at_;
+  std::map<std::array<double, 4>, std::optional<Values>> values_;
 };
 
 MeanSquareBend::MeanSquareBend(const TwistPiece& piece, const RotationFamily& family, long bits)
@@ -255,46 +249,37 @@ RealBall MeanSquareBend::operator()(const RealBall& parameter, long most_points)
       [&](const ComplexBall& z, long working) {
         const Operations op{working};
         const Points::Values& here = points_->at(z, working);
-        const auto& [p_a, p_b, p_a_slope, p_b_slope] = here.p;
-        const auto& [q_a, q_b, q_a_slope, q_b_slope] = here.q;
+        const RotationFunction::Values& p = here.p;
+        const RotationFunction::Values& q = here.q;
         const auto moved = [&](const ComplexBall& x, const ComplexBall& y) {
           return op.plus(x, multiply(parameter, y, working));
-        };
-        // u v′ − u′ v, and u v′ + u′ v.
-        const auto difference = [&](const ComplexBall& u, const ComplexBall& u_slope,
-                                    const ComplexBall& v, const ComplexBall& v_slope) {
-          return op.minus(op.times(u, v_slope), op.times(u_slope, v));
         };
         const auto slope_of_product = [&](const ComplexBall& u, const ComplexBall& u_slope,
                                           const ComplexBall& v, const ComplexBall& v_slope) {
           return op.plus(op.times(u, v_slope), op.times(u_slope, v));
         };
-        const ComplexBall a = moved(p_a, q_a);
-        const ComplexBall b = moved(p_b, q_b);
-        const ComplexBall a_slope = moved(p_a_slope, q_a_slope);
-        const ComplexBall b_slope = moved(p_b_slope, q_b_slope);
-        const ComplexBall norm = op.plus(op.times(a, a), op.times(b, b));
-        const ComplexBall norm_slope =
-            op.twice(op.plus(op.times(a, a_slope), op.times(b, b_slope)));
-        const ComplexBall error =
-            op.plus(here.rate, op.twice(op.over(difference(a, a_slope, b, b_slope), norm)));
+        const RotationFunction::Values w{moved(p.a, q.a), moved(p.b, q.b),
+                                         moved(p.a_slope, q.a_slope), moved(p.b_slope, q.b_slope)};
+        const ErrorValues values = error_values(here.piece.rate, w, working);
+        const ComplexBall& norm = values.norm;
         // θ_p = 2K/D with K = Im(w̄⁰w¹), D_p = 2L with L = Re(w̄w¹), so that θ_pp/4 = −K/D·L/D.
-        const ComplexBall k = op.minus(op.times(p_a, q_b), op.times(p_b, q_a));
-        const ComplexBall k_slope = op.minus(slope_of_product(p_a, p_a_slope, q_b, q_b_slope),
-                                             slope_of_product(p_b, p_b_slope, q_a, q_a_slope));
-        const ComplexBall l = op.plus(op.times(a, q_a), op.times(b, q_b));
-        const ComplexBall l_slope = op.plus(slope_of_product(a, a_slope, q_a, q_a_slope),
-                                            slope_of_product(b, b_slope, q_b, q_b_slope));
+        const ComplexBall k = op.minus(op.times(p.a, q.b), op.times(p.b, q.a));
+        const ComplexBall k_slope = op.minus(slope_of_product(p.a, p.a_slope, q.b, q.b_slope),
+                                             slope_of_product(p.b, p.b_slope, q.a, q.a_slope));
+        const ComplexBall l = op.plus(op.times(w.a, q.a), op.times(w.b, q.b));
+        const ComplexBall l_slope = op.plus(slope_of_product(w.a, w.a_slope, q.a, q.a_slope),
+                                            slope_of_product(w.b, w.b_slope, q.b, q.b_slope));
         const ComplexBall k_share = op.over(k, norm);
         const ComplexBall l_share = op.over(l, norm);
         const auto change = [&](const ComplexBall& share, const ComplexBall& slope) {
-          return op.over(op.minus(slope, op.times(share, norm_slope)), norm);
+          return op.over(op.minus(slope, op.times(share, values.norm_slope)), norm);
         };
         const ComplexBall k_change = change(k_share, k_slope);
         const ComplexBall l_change = change(l_share, l_slope);
         const ComplexBall bend = slope_of_product(k_share, k_change, l_share, l_change);
-        const ComplexBall sum = op.minus(op.times(k_change, k_change), op.times(error, bend));
-        return op.over(multiply(RealBall(8, working), sum, working), here.speed);
+        const ComplexBall sum =
+            op.minus(op.times(k_change, k_change), op.times(values.error, bend));
+        return op.over(multiply(RealBall(8, working), sum, working), here.piece.speed);
       },
       bits_, points_->more, most_points);
 }

@@ -1,21 +1,13 @@
 #pragma once
-#include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/rational_twist.hpp"
 
 namespace phrame {
 
-/// Where the Euler–Rodrigues frame of a curve changes the direction in which it turns about e₁: the
-/// zeros of odd order of h in (0, 1).
-std::vector<RealAlgebraic> erf_inflections(const Curve& curve);
-/// Where its rate ω₁ = 2h/(fσ²) has a local extremum in (0, 1): the zeros of odd order of
-/// (h/(fσ²))′, of σh′ − 2σ′h for f = 1 [Farouki, Moon 2018, (18)]. None where ω₁ is constant.
-std::vector<RealAlgebraic> erf_extrema(const Curve& curve);
-
 /// Where a rational frame of minimal twist is divided, beside the joints.
 struct Subdivision {
   std::vector<Rational> at;
-  bool at_inflections = false;  ///< of the Euler–Rodrigues frame
-  bool at_extrema = false;      ///< of its rate
+  bool at_inflections = false;  ///< of the Euler–Rodrigues frame, where it turns back
+  bool at_extrema = false;      ///< of its rate ω₁ [Farouki, Moon 2018, (17), (18)]
   /// Pieces along which the frame turns back, or more than it should, are divided at the points of
   /// the two kinds above in them, and if there are none in the middle, until there is no such
   /// piece.
@@ -46,8 +38,14 @@ Real value(const TwistFrame& frame, const Real& t);
 
 /// Of one piece: `no` where Ω₁ changes its sign.
 Monotone is_monotone(const RationalTwist& twist);
+/// The same by the sign changes of Ω₁.
+Monotone is_monotone(const SignChanges& changes);
 /// Of the whole frame: all pieces, with the same sign.
 Monotone is_monotone(const TwistFrame& frame);
+
+/// An error of Ω₁ times the length of its piece, as a share of |Ω̄₁|; where that is 0, times the
+/// length of the whole.
+Real relative_error(const Real& error, const MinimalTwist& mtf, const Rational& length);
 
 /// The root mean square of Ω₁ − Ω̄₁ along the whole curve, times its length.
 Real root_mean_square(const TwistFrame& frame);

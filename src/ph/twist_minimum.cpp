@@ -21,12 +21,6 @@ RealBall plus(const RealBall& x, const RealBall& y) { return add(x, y, bits); }
 RealBall minus(const RealBall& x, const RealBall& y) { return subtract(x, y, bits); }
 RealBall times(const RealBall& x, const RealBall& y) { return multiply(x, y, bits); }
 
-RealBall midpoint(const RealBall& x) {
-  RealBall middle;
-  arb_get_mid_arb(middle.raw(), x.raw());
-  return middle;
-}
-
 /// x² ≥ this.
 RealBall least_square(const RealBall& x) {
   flint::Arf least;
@@ -34,12 +28,6 @@ RealBall least_square(const RealBall& x) {
   RealBall size;
   arb_set_arf(size.raw(), least.get());
   return times(size, size);
-}
-
-RealBall absolute(const RealBall& x) {
-  RealBall size;
-  arb_abs(size.raw(), x.raw());
-  return size;
 }
 
 RealBall lower_end(const RealBall& x) {
@@ -96,8 +84,11 @@ class Branch {
 Branch::Branch(const TwistPiece& piece, const RotationFamily& family, const Rational& origin,
                long parts)
     : gamma_(family.end_factor[0]), gamma_slope_(family.end_factor[1]) {
-  sign_of_gamma_ = arb_is_positive(end_factor(family, {ball(origin)}, bits).raw()) != 0 ? 1 : -1;
-  const Rotation w = member(family, {ball(origin)}, bits);
+  sign_of_gamma_ = sign(end_factor(family, {origin}, bits));
+  const bool is_constant = arb_is_zero(gamma_slope_.raw()) != 0;
+  if (sign_of_gamma_ == 0 || (!is_constant && sign(gamma_slope_) == 0))
+    throw Undecided("where the parameters with one sign of gamma end is not known");
+  const Rotation w = member(family, {origin}, bits);
   const Polynomial share = antiderivative(piece.speed);
   const RealBall twist = piece.twist.enclose(bits);
   RealBall theta;
@@ -189,8 +180,7 @@ bool Branch::is_above_beyond(const Rational& a, int direction, const RealBall& l
 
 std::optional<RealBall> Branch::end(int direction) const {
   if (arb_is_zero(gamma_slope_.raw()) != 0) return std::nullopt;
-  const int slope = arb_is_positive(gamma_slope_.raw()) != 0 ? 1 : -1;
-  if (slope * direction == sign_of_gamma_) return std::nullopt;
+  if (sign(gamma_slope_) * direction == sign_of_gamma_) return std::nullopt;
   return divide(times(gamma_, ball(-1)), gamma_slope_, bits);
 }
 
@@ -280,7 +270,7 @@ Rational natural_unit(const RotationFamily& family, const Rotation& w) {
   const RealBall unit = divide(size(w), size(family.basis[1]), bits);
   if (!unit.is_finite() || !is_less({}, unit))
     throw Undecided("a rotation close to the best one may have a zero");
-  return midpoint(unit).lower();
+  return unit.midpoint();
 }
 
 /// Does it make no turns too many, for certain?
@@ -302,7 +292,7 @@ TwistMinimum twist_minimum(const TwistPiece& piece, long degree, EndRates rates,
   const long smallness = std::max(0, 1 - std::ilogb(guess.bend));
   const RotationFamily family = rotation_family(piece, degree, rates, bits);
   const Rational start = exact_rational(guess.parameter);
-  const Rotation w = member(family, {ball(start)}, bits);
+  const Rotation w = member(family, {start}, bits);
   const RealBall least = mean_square(piece, w, smallness + 24);
   const Rational unit = natural_unit(family, w);
 
@@ -348,14 +338,13 @@ TwistMinimum twist_minimum(const TwistPiece& piece, long degree, EndRates rates,
     if (divide(absolute(slope), core.bend, 53).upper() <= wanted)
       return {parameter, wanted, has_one_sign || is_other_worse || other_guess.has_value()};
     const RealBall here(parameter, precision);
-    const RealBall next =
-        subtract(here, divide(midpoint(slope), midpoint(curvature), precision), precision);
+    const RealBall next = subtract(here, divide(slope, curvature, precision), precision);
     const RealBall slope_here = slope;
-    parameter = std::clamp(midpoint(next).lower(), core.range.a, core.range.b);
+    parameter = std::clamp(next.midpoint(), core.range.a, core.range.b);
     slope = mean_square_slope(piece, fine, parameter, precision);
     const RealBall run = subtract(RealBall(parameter, precision), here, precision);
     const RealBall secant = divide(subtract(slope, slope_here, precision), run, precision);
-    if (is_less({}, secant)) curvature = midpoint(secant);
+    if (is_less({}, secant)) curvature = secant;
   }
   throw Undecided("the precision does not suffice to enclose the best rotation");
 }

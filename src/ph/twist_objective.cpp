@@ -18,8 +18,6 @@ namespace {
 using Gauss = boost::math::quadrature::gauss<double, 15>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double middle(const RealBall& x) { return arf_get_d(arb_midref(x.raw()), ARF_RND_NEAR); }
-
 /// C(n, k)·b_k for the Bernstein coefficients b of p/scale.
 std::vector<double> scaled_bernstein(const Polynomial& p, const Rational& scale) {
   std::vector<double> c;
@@ -60,19 +58,19 @@ double turn_rate(Complex w, Complex slope) {
 }  // namespace
 
 TwistObjective::TwistObjective(const TwistPiece& piece, const RotationFamily& family)
-    : family_(family), turn_(middle(piece.turn.enclose(64))) {
+    : family_(family), turn_(approximate(piece.turn.enclose(64))) {
   Rational scale = 0;
   for (const Rational& c : piece.erf_rate.denominator().coefficients())
     scale = std::max(scale, Rational(abs(c)));
   rate_numerator_ = scaled_bernstein(piece.erf_rate.numerator(), scale);
   rate_denominator_ = scaled_bernstein(piece.erf_rate.denominator(), scale);
   speed_ = scaled_bernstein(piece.speed, 1);
-  twist_ = middle(piece.twist.enclose(64));
+  twist_ = approximate(piece.twist.enclose(64));
   for (const Rotation& w : family.basis) {
     std::vector<Complex> c;
     const long n = std::max({w.a.degree_bound(), w.b.degree_bound(), 0L});
     for (long k = 0; k <= n; ++k)
-      c.emplace_back(middle(w.a.coefficient(k)), middle(w.b.coefficient(k)));
+      c.emplace_back(approximate(w.a.coefficient(k)), approximate(w.b.coefficient(k)));
     basis_.push_back(std::move(c));
   }
   for (int k = 0; k < 4; ++k) append_nodes(nodes_, k / 4.0, (k + 1) / 4.0);
@@ -166,10 +164,10 @@ std::pair<double, double> TwistObjective::derivatives(double parameter) const {
 }
 
 void TwistObjective::expect_turn_of(std::span<const double> parameters) {
-  std::vector<RealBall> balls;
-  for (const double p : parameters) balls.emplace_back(exact_rational(p), 64);
-  const auto turned = turn(member(family_, balls, 64), 0, 1, 64);
-  if (turned) turns_ = std::round((middle(*turned) - turn_) / (2 * std::numbers::pi));
+  std::vector<Rational> exact;
+  for (const double p : parameters) exact.push_back(exact_rational(p));
+  const auto turned = turn(member(family_, exact, 64), 0, 1, 64);
+  if (turned) turns_ = std::round((approximate(*turned) - turn_) / (2 * std::numbers::pi));
 }
 
 void TwistObjective::resolve(std::span<const double> parameters) {
@@ -210,12 +208,14 @@ void TwistObjective::resolve(std::span<const double> parameters) {
   }
 }
 
-std::optional<LineGuess> search_line(TwistObjective& objective, int sign_of_gamma) {
-  const RotationFamily& family = objective.family();
-  // w(1/2) goes along a straight line: its foot and its distance from 0 give the scale.
+namespace {
+
+/// Parameters to try with this sign of γ, ascending: in powers of 2 from where w(1/2) is nearest to
+/// 0, in units of its distance there, and from where γ = 0. Empty where there are few.
+std::vector<double> samples_on(const RotationFamily& family, int sign_of_gamma) {
   const auto at_half = [](const Rotation& w) {
     const RealBall half(Rational(1, 2), 64);
-    return Complex(middle(evaluate(w.a, half, 64)), middle(evaluate(w.b, half, 64)));
+    return Complex(approximate(evaluate(w.a, half, 64)), approximate(evaluate(w.b, half, 64)));
   };
   const Complex p = at_half(family.basis[0]);
   const Complex q = at_half(family.basis[1]);
@@ -223,14 +223,11 @@ std::optional<LineGuess> search_line(TwistObjective& objective, int sign_of_gamm
   double unit = std::abs(std::imag(product(std::conj(q), p))) / std::norm(q);
   if (unit < 1e-6 * std::abs(p) / std::abs(q)) unit = std::abs(p) / std::abs(q);
 
-  const double gamma = middle(family.end_factor[0]);
-  const double slope = middle(family.end_factor[1]);
-  if (slope == 0 && gamma * sign_of_gamma < 0) return std::nullopt;
-  const auto is_on_branch = [&](double x) { return (gamma + slope * x) * sign_of_gamma > 0; };
-  // In powers of 2 from the foot and from the end γ = 0 of the branch.
+  const double gamma = approximate(family.end_factor[0]);
+  const double slope = approximate(family.end_factor[1]);
   std::vector<double> samples;
   const auto add_sample = [&](double x) {
-    if (is_on_branch(x)) samples.push_back(x);
+    if ((gamma + slope * x) * sign_of_gamma > 0) samples.push_back(x);
   };
   add_sample(foot);
   for (double step = unit / 8; step < 3000 * unit; step *= 2) {
@@ -238,9 +235,16 @@ std::optional<LineGuess> search_line(TwistObjective& objective, int sign_of_gamm
     add_sample(foot - step);
     if (slope != 0) add_sample((sign_of_gamma * step / unit / 64 - gamma) / slope);
   }
-  if (samples.size() < 3) return std::nullopt;
+  if (samples.size() < 3) return {};
   std::sort(samples.begin(), samples.end());
+  return samples;
+}
 
+}  // namespace
+
+std::optional<LineGuess> search_line(TwistObjective& objective, int sign_of_gamma) {
+  const auto samples = samples_on(objective.family(), sign_of_gamma);
+  if (samples.empty()) return std::nullopt;
   const auto refine_around = [&](double x) { objective.resolve(std::span(&x, 1)); };
   const auto coarse = [&](double x) { return objective(std::span(&x, 1)); };
   const auto value = [&](double x) {
@@ -252,13 +256,15 @@ std::optional<LineGuess> search_line(TwistObjective& objective, int sign_of_gamm
   objective.expect_turn_of(std::span(&inside, 1));
   std::vector<double> values;
   std::transform(samples.begin(), samples.end(), std::back_inserter(values), coarse);
-  auto best =
-      static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
+  const auto least = [&] {
+    return static_cast<std::size_t>(std::min_element(values.begin(), values.end()) -
+                                    values.begin());
+  };
+  std::size_t best = least();
   const auto is_known = [&](std::size_t k) { return k >= values.size() || values[k] < infinity; };
   if (!is_known(best) || !is_known(best - 1) || !is_known(best + 1)) {
     std::transform(samples.begin(), samples.end(), values.begin(), value);
-    best =
-        static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
+    best = least();
   }
   if (values[best] == infinity) return std::nullopt;
   const bool is_interior = best > 0 && best + 1 < samples.size();

@@ -45,6 +45,18 @@ TwistPiece piece_between(const MinimalTwist& mtf, std::size_t index, const Ratio
           erf_twist};
 }
 
+/// Those between neighbours of the points.
+std::vector<TwistPiece> pieces_between(const MinimalTwist& mtf, std::vector<Rational> points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<TwistPiece> pieces;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const auto [index, t] = locate(mtf.spline(), points[k]);
+    pieces.push_back(piece_between(mtf, index, t, t + points[k + 1] - points[k]));
+  }
+  return pieces;
+}
+
 }  // namespace
 
 Real TwistPiece::first_rate() const { return wanted_rate(*this, 0); }
@@ -65,20 +77,20 @@ std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Ration
     points.push_back(Rational(static_cast<long>(k)));
   }
   points.push_back(spline.end());
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.front() < 0 || points.back() > spline.end())
-    throw DomainError("the parameter " +
-                      abbreviated(to_string(points.front() < 0 ? points.front() : points.back())) +
+  const auto [least, greatest] = std::minmax_element(points.begin(), points.end());
+  if (*least < 0 || *greatest > spline.end())
+    throw DomainError("the parameter " + abbreviated(to_string(*least < 0 ? *least : *greatest)) +
                       " is outside [0, " + to_string(spline.end()) + "]");
-  std::vector<TwistPiece> pieces;
-  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    const SplineParameter from = locate(spline, points[k]);
-    pieces.push_back(piece_between(mtf, from.segment, from.t, from.t + points[k + 1] - points[k]));
-  }
+  std::vector<TwistPiece> pieces = pieces_between(mtf, std::move(points));
   if (pieces.size() == 1 && !pieces.front().whole_turns)
     pieces.front().whole_turns = mtf.whole_turns_of_theta();
   return pieces;
+}
+
+std::vector<TwistPiece> divided(const MinimalTwist& mtf, const TwistPiece& piece,
+                                std::vector<Rational> points) {
+  points.insert(points.end(), {piece.from, piece.to});
+  return pieces_between(mtf, std::move(points));
 }
 
 }  // namespace phrame

@@ -34,4 +34,8 @@ struct TwistPiece {
 /// where the curve has a cusp, at which a turn per unit of length is infinite.
 std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Rational> points);
 
+/// A piece divided at points inside it, in any order: its own pieces.
+std::vector<TwistPiece> divided(const MinimalTwist& mtf, const TwistPiece& piece,
+                                std::vector<Rational> points);
+
 }  // namespace phrame

@@ -3,6 +3,7 @@
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/angle_report.hpp"
+#include "support/farouki_moon.hpp"
 
 using namespace phrame;
 using test::Json;
@@ -175,5 +176,17 @@ TEST_CASE("reports: angles and energies of all reference curves up to preimage d
     }
     const Json energy = info(named)["bending_energy"];
     test::check_rounded(energy["value"], energy["radius"], expected["energy"], 50, 60);
+  }
+}
+
+TEST_CASE("curve info: where the Euler-Rodrigues frame turns back, and the extrema of its rate") {
+  const auto& example = test::farouki_moon()["example3"];
+  const Json out = info({"", test::curve_of(example)}, 20);
+  for (const auto& [key, known] : {std::pair("erf_inflections", "ERF_inflections"),
+                                   std::pair("erf_extrema", "ERF_omega1_extrema")}) {
+    const auto& expected = example["consistent"][known];
+    REQUIRE(out[key].size() == expected.size());
+    for (std::size_t k = 0; k < expected.size(); ++k)
+      CHECK(abs(test::number(out[key][k]) - test::number(expected[k])) < power_of_ten(-19));
   }
 }

@@ -1,35 +1,19 @@
 #include "phrame/ph/minimal_twist.hpp"
 
-#include <fstream>
-#include <nlohmann/json.hpp>
-
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/quadrature.hpp"
 #include "phrame/ph/arc_length.hpp"
 #include "support/curves.hpp"
+#include "support/farouki_moon.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
+using test::curve_of;
+using test::farouki_moon;
 using test::for_samples;
 using test::Random;
 
 namespace {
-
-const nlohmann::json& examples() {
-  static const auto data = [] {
-    std::ifstream file(PHRAME_TEST_DATA "/farouki-moon-2018.json");
-    return nlohmann::json::parse(file);
-  }();
-  return data;
-}
-
-Curve example_curve(const nlohmann::json& example) {
-  std::array<std::vector<Rational>, 4> lists;
-  for (const auto& a : example["A"])
-    for (std::size_t k = 0; k < 4; ++k) lists[k].push_back(parse_rational(a[k].get<std::string>()));
-  return Curve({from_bernstein(lists[0]), from_bernstein(lists[1]), from_bernstein(lists[2]),
-                from_bernstein(lists[3])});
-}
 
 /// Agree to `digits` decimals.
 void check_near(const Real& x, const nlohmann::json& truth, long digits) {
@@ -48,9 +32,9 @@ FrameAngle multiple_of_pi(const Rational& c) { return {c, 0}; }
 TEST_CASE("minimal twist: the three examples of the paper") {
   for (const char* name : {"example1", "example2", "example3"}) {
     CAPTURE(name);
-    const auto& example = examples()[name];
+    const auto& example = farouki_moon()[name];
     const auto& truth = example["consistent"];
-    SplineAngle rmf{Spline(example_curve(example))};
+    SplineAngle rmf{Spline(curve_of(example))};
     const Rational difference = parse_rational(truth["delta_theta_over_pi"].get<std::string>());
     const MinimalTwist mtf(rmf, multiple_of_pi(0), multiple_of_pi(difference));
     CHECK(to_string(mtf.length()) == truth["S"]);

@@ -6,37 +6,24 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/quadrature.hpp"
+#include "phrame/ph/classify.hpp"
 #include "phrame/ph/twist_error.hpp"
 #include "phrame/ph/twist_frame.hpp"
 #include "support/curves.hpp"
+#include "support/farouki_moon.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
 using nlohmann::json;
+using test::curve_of;
+using test::farouki_moon;
 using test::for_samples;
+using test::number;
 using test::Random;
 
 namespace {
 
 constexpr long bits = 160;
-
-const json& examples() {
-  static const auto data = [] {
-    std::ifstream file(PHRAME_TEST_DATA "/farouki-moon-2018.json");
-    return json::parse(file);
-  }();
-  return data;
-}
-
-Curve example_curve(const json& example) {
-  std::array<std::vector<Rational>, 4> lists;
-  for (const auto& a : example["A"])
-    for (std::size_t k = 0; k < 4; ++k) lists[k].push_back(parse_rational(a[k].get<std::string>()));
-  return Curve({from_bernstein(lists[0]), from_bernstein(lists[1]), from_bernstein(lists[2]),
-                from_bernstein(lists[3])});
-}
-
-Rational number(const json& text) { return parse_rational(text.get<std::string>()); }
 
 /// A curve with a frame of minimal twist, which refer to each other.
 struct Framed {
@@ -47,7 +34,7 @@ struct Framed {
 };
 
 Framed framed_example(const json& example) {
-  return {example_curve(example), {}, {number(example["consistent"]["delta_theta_over_pi"]), 0}};
+  return {curve_of(example), {}, {number(example["consistent"]["delta_theta_over_pi"]), 0}};
 }
 
 RealBall quotient(const Real& a, const Real& b) {
@@ -105,8 +92,8 @@ Curve random_curve(Random& random) {
 TEST_CASE("rational twist: the examples of the paper, proved") {
   for (const std::string name : {"example1", "example2", "example3"}) {
     CAPTURE(name);
-    const Framed example = framed_example(examples()[name]);
-    const auto& truth = examples()[name]["consistent"];
+    const Framed example = framed_example(farouki_moon()[name]);
+    const auto& truth = farouki_moon()[name]["consistent"];
     const auto pieces = twist_pieces(example.mtf, {});
     REQUIRE(pieces.size() == 1);
     CHECK(is_near(pieces[0].first_rate().enclose(bits), number(truth["rho0"]), 35));
@@ -150,8 +137,8 @@ TEST_CASE("rational twist: the examples of the paper, not rounded") {
   for (const auto& [key, nominal, least] : printed) {
     const std::string name = key;
     CAPTURE(name);
-    const auto& truth = examples()[name]["unrounded"];
-    const Curve curve = example_curve({{"A", preimages[name]}});
+    const auto& truth = farouki_moon()[name]["unrounded"];
+    const Curve curve = curve_of({{"A", preimages[name]}});
     const Framed framed(curve, {}, {number(truth["delta_theta_over_pi"]), 0});
     CHECK(round_to_decimal(framed.mtf.nominal_twist(), 5).value == nominal);
     CHECK(round_to_decimal(framed.mtf.twist(), 5).value == least);
@@ -168,17 +155,17 @@ TEST_CASE("rational twist: the examples of the paper, not rounded") {
 TEST_CASE("rational twist: the mean square where gamma is given") {
   for (const std::string name : {"example1", "example2", "example3"}) {
     CAPTURE(name);
-    const Framed example = framed_example(examples()[name]);
+    const Framed example = framed_example(farouki_moon()[name]);
     const TwistPiece piece = twist_pieces(example.mtf, {})[0];
     const RotationFamily family = rotation_family(piece, 2, EndRates::matched, bits);
     // There Δθ is less by 2π, where γ has the other sign.
     const Real difference = Real([&](long precision) {
       return multiply(
-          RealBall(number(examples()[name]["consistent"]["delta_theta_over_pi"]), precision),
+          RealBall(number(farouki_moon()[name]["consistent"]["delta_theta_over_pi"]), precision),
           pi(precision), precision);
     });
     const bool is_flipped = !difference.enclose(bits).overlaps(piece.turn.enclose(bits));
-    for (const auto& item : examples()[name]["rel_rms_eq36_at_gamma"].items()) {
+    for (const auto& item : farouki_moon()[name]["rel_rms_eq36_at_gamma"].items()) {
       const std::string text = item.key();
       CAPTURE(text);
       const Rational gamma = parse_rational(text) * (is_flipped ? -1 : 1);
@@ -192,7 +179,7 @@ TEST_CASE("rational twist: the mean square where gamma is given") {
 }
 
 TEST_CASE("rational twist: a frame in pieces") {
-  const auto& data = examples()["example3"];
+  const auto& data = farouki_moon()["example3"];
   const Framed example = framed_example(data);
   Subdivision at_extremum;
   at_extremum.at = {number(data["consistent"]["ERF_omega1_extrema"][1])};
@@ -230,21 +217,22 @@ TEST_CASE("rational twist: a frame in pieces") {
 TEST_CASE("rational twist: where the Euler-Rodrigues frame turns back, and its extrema") {
   for (const std::string name : {"example1", "example2", "example3"}) {
     CAPTURE(name);
-    const Curve curve = example_curve(examples()[name]);
-    const auto& truth = examples()[name]["consistent"];
-    const auto check = [](const std::vector<RealAlgebraic>& found, const json& expected) {
+    const Curve curve = curve_of(farouki_moon()[name]);
+    const auto& truth = farouki_moon()[name]["consistent"];
+    const auto check = [](const std::vector<RealRoot>& points, const json& expected) {
+      const auto found = odd_inside(points);
       REQUIRE(found.size() == expected.size());
       for (std::size_t k = 0; k < found.size(); ++k)
-        CHECK(is_near(enclose(found[k], bits), number(expected[k]), 35));
+        CHECK(is_near(enclose(found[k].at, bits), number(expected[k]), 35));
     };
-    check(erf_inflections(curve), truth["ERF_inflections"]);
-    check(erf_extrema(curve), truth["ERF_omega1_extrema"]);
+    check(erf_turning(curve).zeros, truth["ERF_inflections"]);
+    check(erf_turning(curve).extrema, truth["ERF_omega1_extrema"]);
   }
   // A line with σ = 1 + (t − 1/2)².
-  CHECK(erf_extrema(Curve({{1}, {Rational(-1, 2), 1}, {}, {}})) ==
-        std::vector<RealAlgebraic>{Rational(1, 2)});
-  CHECK(erf_inflections(Curve({{1}, {}, {0, 1}, {}})).empty());  // h = 0
-  CHECK(erf_extrema(Curve({{1}, {}, {0, 1}, {}})).empty());
+  CHECK(odd_inside(erf_turning(Curve({{1}, {Rational(-1, 2), 1}, {}, {}})).extrema) ==
+        std::vector<RealRoot>{{Rational(1, 2), 1}});
+  CHECK(erf_turning(Curve({{1}, {}, {0, 1}, {}})).zeros.empty());  // h = 0
+  CHECK(erf_turning(Curve({{1}, {}, {0, 1}, {}})).extrema.empty());
 }
 
 TEST_CASE("rational twist: law: rates and orientations at the ends, turns, errors") {
@@ -329,7 +317,7 @@ TEST_CASE("rational twist: law: derivatives of the mean square, and its bounds o
 TEST_CASE("rational twist: the greatest error is that of many points, and not less") {
   for (const std::string name : {"example1", "example2", "example3"}) {
     CAPTURE(name);
-    const Framed example = framed_example(examples()[name]);
+    const Framed example = framed_example(farouki_moon()[name]);
     const TwistPiece piece = twist_pieces(example.mtf, {})[0];
     for (long degree = 2; degree <= 3; ++degree) {
       const RationalTwist twist = best_twist(piece, {degree, EndRates::matched, false, 60}).twist;
@@ -354,7 +342,7 @@ TEST_CASE("rational twist: the greatest error is that of many points, and not le
 }
 
 TEST_CASE("rational twist: a minimum that another one beats is not proved to be the best") {
-  const Framed example = framed_example(examples()["example1"]);
+  const Framed example = framed_example(farouki_moon()["example1"]);
   const TwistPiece piece = twist_pieces(example.mtf, {})[0];
   const RotationFamily family = rotation_family(piece, 2, EndRates::matched, 128);
   TwistObjective right(piece, family);
@@ -442,8 +430,8 @@ TEST_CASE("rational twist: law: no parameter is better than the proved one") {
       const Rational p =
           parameter + (random.chance(2) ? 1 : -1) * power_of_two(random.integer(-8, 5));
       if (!turn(member(family, {RealBall(p, 200)}, 200), 0, 1, 200)) continue;
-      const RealBall signs = multiply(end_factor(family, {RealBall(p, 200)}, 200),
-                                      best.twist.end_factor().enclose(200), 200);
+      const RealBall signs =
+          multiply(end_factor(family, {p}, 200), best.twist.end_factor().enclose(200), 200);
       if (is_for_both_signs || signs.lower() > 0) CHECK(value(p).upper() >= least.lower());
     }
     if (best.other && is_for_both_signs)
@@ -495,7 +483,7 @@ TEST_CASE("rational twist: the error goes to 0 under subdivision") {
 
 TEST_CASE("rational twist: turns that are whole, and frames that do not turn") {
   // Δθ = 0: w = w₀ + … with x free, and γ > 0 where the rates at the ends differ in sign.
-  const Framed closed_turn(example_curve(examples()["example3"]), {}, {0, 0});
+  const Framed closed_turn(curve_of(farouki_moon()["example3"]), {}, {0, 0});
   const TwistPiece piece = twist_pieces(closed_turn.mtf, {})[0];
   REQUIRE(piece.whole_turns);
   const BestTwist best = best_twist(piece, {2, EndRates::matched, true, 60});
