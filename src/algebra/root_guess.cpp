@@ -2,16 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 
 namespace phrame {
 namespace {
 
 using Complex = std::complex<double>;
 
+/// mantissa · 2^scale, the mantissa of moderate size.
+struct RootGuess {
+  Complex mantissa;
+  long scale = 0;
+};
+
+// Those of the standard library are slow, as they look after infinities.
 Complex inverse(Complex z) { return std::conj(z) / std::norm(z); }
+Complex product(Complex x, Complex y) {
+  return {x.real() * y.real() - x.imag() * y.imag(), x.real() * y.imag() + x.imag() * y.real()};
+}
 
 /// x·2^exponent. Beyond 2^±400 the exponent is cut: so far away it makes no difference, and squares
 /// stay finite.
@@ -83,26 +95,33 @@ std::vector<RootGuess> starting_points(const Coefficients& c) {
   return points;
 }
 
-/// f′(z)/f(z), by Horner's rule in z or, outside the unit circle, in 1/z.
-Complex logarithmic_derivative(const std::vector<double>& c, Complex z) {
+/// f′(z)/f(z); no value where f(z) is not more than its rounding errors.
+std::optional<Complex> logarithmic_derivative(const std::vector<double>& c, Complex z) {
+  // By Horner's rule in z or, outside the unit circle, in 1/z.
   const std::size_t n = c.size() - 1;
   const bool outside = std::norm(z) > 1;
   const Complex y = outside ? inverse(z) : z;
+  const double size = std::abs(y);
   Complex value = 0;
   Complex slope = 0;
+  double bound = 0;
   for (std::size_t k = 0; k <= n; ++k) {
-    slope = slope * y + value;
-    value = value * y + c[outside ? k : n - k];
+    const double coefficient = c[outside ? k : n - k];
+    slope = product(slope, y) + value;
+    value = product(value, y) + coefficient;
+    bound = bound * size + std::abs(coefficient);
   }
-  const Complex quotient = slope * inverse(value);
-  return outside ? (static_cast<double>(n) - y * quotient) * y : quotient;
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  if (std::abs(value.real()) + std::abs(value.imag()) <= rounding * bound) return std::nullopt;
+  const Complex quotient = product(slope, inverse(value));
+  return outside ? product(static_cast<double>(n) - product(y, quotient), y) : quotient;
 }
 
 }  // namespace
 
 // Each root is written in the scale it starts from, so that roots of very different sizes are found
 // together: f is scaled anew for each of these sizes.
-std::vector<RootGuess> guess_roots(const flint::FmpzPoly& f) {
+std::vector<ComplexBall> guess_roots(const flint::FmpzPoly& f) {
   slong zeros = 0;
   while (fmpz_is_zero(fmpz_poly_get_coeff_ptr(f.get(), zeros)) != 0) ++zeros;
   const Coefficients coefficients(f, zeros);
@@ -111,25 +130,29 @@ std::vector<RootGuess> guess_roots(const flint::FmpzPoly& f) {
   for (const RootGuess& z : roots)
     if (!c.contains(z.scale)) c.emplace(z.scale, coefficients.in_scale(z.scale));
 
+  std::vector<RootGuess*> moving;
+  for (RootGuess& z : roots) moving.push_back(&z);
   constexpr int most_rounds = 100;
-  for (int round = 0; round < most_rounds; ++round) {
-    double largest_step = 0;
-    for (RootGuess& z : roots) {
+  for (int round = 0; round < most_rounds && !moving.empty(); ++round)
+    std::erase_if(moving, [&](RootGuess* z) {
+      const auto ratio = logarithmic_derivative(c.at(z->scale), z->mantissa);
+      if (!ratio) return true;
       Complex repulsion = 0;
       for (const RootGuess& other : roots)
-        if (&other != &z)
-          repulsion += inverse(z.mantissa - scaled(other.mantissa, other.scale - z.scale));
-      const Complex step = inverse(logarithmic_derivative(c.at(z.scale), z.mantissa) - repulsion);
-      if (!std::isfinite(step.real()) || !std::isfinite(step.imag())) continue;  // at a root
-      z.mantissa -= step;
-      largest_step = std::max(largest_step, std::norm(step) / std::norm(z.mantissa));
-    }
-    if (largest_step < 1e-26) {
-      roots.insert(roots.end(), static_cast<std::size_t>(zeros), RootGuess{});
-      return roots;
-    }
+        if (&other != z)
+          repulsion += inverse(z->mantissa - scaled(other.mantissa, other.scale - z->scale));
+      const Complex step = inverse(*ratio - repulsion);
+      if (!std::isfinite(step.real()) || !std::isfinite(step.imag())) return true;
+      z->mantissa -= step;
+      return std::norm(step) < 1e-26 * std::norm(z->mantissa);
+    });
+  std::vector<ComplexBall> points(static_cast<std::size_t>(zeros));
+  for (const auto& [z, scale] : roots) {
+    ComplexBall& point = points.emplace_back();
+    acb_set_d_d(point.raw(), z.real(), z.imag());
+    acb_mul_2exp_si(point.raw(), point.raw(), scale);
   }
-  return {};
+  return points;
 }
 
 }  // namespace phrame

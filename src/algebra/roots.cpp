@@ -2,49 +2,12 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/ehrlich_aberth.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/root_guess.hpp"
 
 namespace phrame {
 namespace {
-
-struct AcbVector {
-  acb_ptr data;
-  slong length;
-  explicit AcbVector(slong n) : data(_acb_vec_init(n)), length(n) {}
-  ~AcbVector() { _acb_vec_clear(data, length); }
-  AcbVector(const AcbVector&) = delete;
-  AcbVector& operator=(const AcbVector&) = delete;
-};
-
-/// All roots of f, certified from a guess: inclusion discs, disjoint and n in number, after a few
-/// steps at that precision. False where the guess is not good enough to be proved.
-bool certify(const std::vector<RootGuess>& guess, const AcbVector& found, const flint::FmpzPoly& f,
-             slong steps, slong bits) {
-  const AcbVector start(found.length);
-  for (slong k = 0; k < found.length; ++k) {
-    const auto& [z, scale] = guess[static_cast<std::size_t>(k)];
-    acb_set_d_d(start.data + k, z.real(), z.imag());
-    acb_mul_2exp_si(start.data + k, start.data + k, scale);
-  }
-  flint::AcbPoly p;
-  acb_poly_set_fmpz_poly(p.get(), f.get(), bits);
-  if (acb_poly_find_roots(found.data, p.get(), start.data, steps, bits) != found.length ||
-      acb_poly_validate_real_roots(found.data, p.get(), bits) == 0)
-    return false;
-  // It is validated that a ball which meets the real axis is the ball of a real root.
-  for (slong k = 0; k < found.length; ++k)
-    if (arb_contains_zero(acb_imagref(found.data + k)) != 0) arb_zero(acb_imagref(found.data + k));
-  return true;
-}
-
-/// Values of f lose about a bit or two for every two degrees, so the precision grows with n.
-bool certify_guess(const AcbVector& found, const flint::FmpzPoly& f) {
-  const auto guess = guess_roots(f);
-  if (static_cast<slong>(guess.size()) != found.length) return false;
-  const slong bits = 128 + found.length / 2;
-  return certify(guess, found, f, 1, bits) || certify(guess, found, f, 3, 2 * bits);
-}
 
 /// One interval Newton step. The mean value form p(m) = (m − z)·w holds with w in the convex hull
 /// of p′(Z); a rectangle is convex, so z ∈ m − p(m)/p′(Z) whenever z ∈ Z.
@@ -75,21 +38,16 @@ void refine_root(acb_t z, const fmpz_poly_t p, const fmpz_poly_t derivative, slo
   }
 }
 
-/// Sorted into real roots and those above the real axis, from left to right. Real roots are exactly
-/// real in `found`.
-Roots collect(const AcbVector& found) {
+/// Sorted into real roots and those above the real axis, from left to right.
+Roots collect(const std::vector<ComplexBall>& found) {
   Roots roots;
-  for (slong k = 0; k < found.length; ++k) {
-    acb_srcptr z = found.data + k;
-    if (arb_is_zero(acb_imagref(z)) != 0) {
-      roots.real.emplace_back();
-      acb_get_real(roots.real.back().raw(), z);
-    } else if (arb_is_positive(acb_imagref(z)) != 0) {
-      roots.upper.emplace_back();
-      acb_set(roots.upper.back().raw(), z);
-    }
+  for (const ComplexBall& z : found) {
+    if (arb_is_zero(acb_imagref(z.raw())) != 0)
+      roots.real.push_back(z.re());
+    else if (arb_is_positive(acb_imagref(z.raw())) != 0)
+      roots.upper.push_back(z);
   }
-  if (static_cast<slong>(roots.real.size() + 2 * roots.upper.size()) != found.length)
+  if (roots.real.size() + 2 * roots.upper.size() != found.size())
     throw Undecided("isolate_roots: the enclosures found do not come in conjugate pairs");
   std::sort(roots.real.begin(), roots.real.end(),
             [](const RealBall& a, const RealBall& b) { return arb_lt(a.raw(), b.raw()) != 0; });
@@ -104,7 +62,7 @@ Roots collect(const AcbVector& found) {
 
 /// (−b ± √(b² − 4ac))/2a. However near the two are, no search is needed, and they cannot cancel
 /// more than the digits that the coefficients have.
-void solve_quadratic(const AcbVector& found, const flint::FmpzPoly& f, slong bits) {
+std::vector<ComplexBall> solve_quadratic(const flint::FmpzPoly& f, slong bits) {
   const auto coefficient = [&](slong k) { return fmpz_poly_get_coeff_ptr(f.get(), k); };
   const slong precision = bits + 32 + 2 * std::abs(fmpz_poly_max_bits(f.get()));
   flint::Fmpz discriminant;
@@ -114,23 +72,20 @@ void solve_quadratic(const AcbVector& found, const flint::FmpzPoly& f, slong bit
   ComplexBall root;
   acb_set_fmpz(root.raw(), discriminant.get());
   acb_sqrt(root.raw(), root.raw(), precision);
-  for (slong k = 0; k < 2; ++k) {
-    acb_ptr z = found.data + k;
-    if (k == 0) acb_neg(z, root.raw());
-    if (k == 1) acb_set(z, root.raw());
-    acb_sub_fmpz(z, z, coefficient(1), precision);
-    acb_div_fmpz(z, z, coefficient(2), precision);
-    acb_mul_2exp_si(z, z, -1);
+  std::vector<ComplexBall> found{root, root};
+  acb_neg(found[0].raw(), root.raw());
+  for (ComplexBall& z : found) {
+    acb_sub_fmpz(z.raw(), z.raw(), coefficient(1), precision);
+    acb_div_fmpz(z.raw(), z.raw(), coefficient(2), precision);
+    acb_mul_2exp_si(z.raw(), z.raw(), -1);
   }
+  return found;
 }
 
-/// Without a guess.
-Roots search_roots(const flint::FmpzPoly& f, slong bits) {
-  const AcbVector found(fmpz_poly_degree(f.get()));
-  if (found.length == 2)
-    solve_quadratic(found, f, bits);
-  else
-    arb_fmpz_poly_complex_roots(found.data, f.get(), 0, bits);
+/// From approximations on.
+Roots certified(const flint::FmpzPoly& f, std::vector<ComplexBall> points, slong bits) {
+  const auto found = enclose_roots(f, std::move(points), bits);
+  if (found.empty()) throw Undecided("isolate_roots: the roots could not be told apart");
   return collect(found);
 }
 
@@ -140,9 +95,8 @@ Roots isolate_roots(const Polynomial& p, long bits) {
   if (p.is_constant()) throw DomainError("isolate_roots: the polynomial is constant");
   if (!is_squarefree(p)) throw DomainError("isolate_roots: the polynomial has a repeated root");
   const flint::FmpzPoly f = integer_primitive_part(p);
-  const AcbVector found(fmpz_poly_degree(f.get()));
-  if (!certify_guess(found, f)) return search_roots(f, bits);
-  Roots roots = collect(found);
+  if (p.degree() == 2) return collect(solve_quadratic(f, bits));
+  Roots roots = certified(f, guess_roots(f), 0);
   refine(p, roots, bits);
   return roots;
 }
@@ -172,8 +126,18 @@ void refine(const Polynomial& p, Roots& roots, long bits) {
     refine_root(z.raw(), f.get(), derivative.get(), bits);
     reached = std::min(reached, acb_rel_accuracy_bits(z.raw()));
   }
+  if (reached >= bits) return;
   // Newton's step does nothing for a ball so wide that p′ has a zero in it, as in a cluster.
-  if (reached < bits) roots = search_roots(f, bits);
+  std::vector<ComplexBall> points;
+  const auto add_point = [&](const ComplexBall& z) {
+    acb_get_mid(points.emplace_back().raw(), z.raw());
+  };
+  for (const RealBall& x : roots.real) add_point({x, {}});
+  for (const ComplexBall& z : roots.upper) {
+    add_point(z);
+    add_point(conjugate(z));
+  }
+  roots = certified(f, std::move(points), bits);
 }
 
 }  // namespace phrame

@@ -10,9 +10,9 @@ struct Roots {
 };
 
 /// Every root of p, with a relative accuracy of about `bits` bits. Certified: the number of
-/// enclosures is the degree. A guess in double precision is proved and refined; where it cannot be
-/// proved (clusters, coefficients that cancel), Arb's own root finder does the work, which is about
-/// twenty times slower. Throws DomainError where p is constant or not squarefree.
+/// enclosures is the degree. From a guess in double precision by the iteration of Ehrlich and
+/// Aberth in as many bits as are needed to prove it, and from there on by `refine`.
+/// Throws DomainError where p is constant or not squarefree.
 Roots isolate_roots(const Polynomial& p, long bits);
 
 /// Narrows the enclosure of one real root of p to a relative accuracy of about `bits` bits, by
@@ -21,7 +21,7 @@ bool refine(const Polynomial& p, RealBall& root, long bits);
 
 /// Narrows the enclosures of isolate_roots(p, …) to about `bits` bits by interval Newton steps,
 /// m − p(m)/p′(Z) with m the midpoint of Z, which keep the root of Z and converge quadratically.
-/// Where they do not converge the roots are isolated anew.
+/// Where they do not converge, Ehrlich's and Aberth's steps do the rest.
 void refine(const Polynomial& p, Roots& roots, long bits);
 
 }  // namespace phrame

@@ -118,3 +118,49 @@ TEST_CASE("roots: coefficients beyond the range of doubles") {
   CHECK(roots.real[0].contains(1 / huge));
   CHECK(roots.upper[0].im().contains(parse_rational("1e200")));
 }
+
+TEST_CASE("roots: clusters and ill-conditioned roots, which doubles do not tell apart") {
+  // Chebyshev's T of degree 60 has the roots cos((2k + 1)π/120), and coefficients of 73 bits.
+  Polynomial before{1};
+  Polynomial chebyshev{0, 1};
+  for (long k = 1; k < 60; ++k) {
+    Polynomial next = Polynomial{0, 2} * chebyshev - before;
+    before = std::exchange(chebyshev, next);
+  }
+  const Roots cosines = isolate_roots(chebyshev, 100);
+  REQUIRE(cosines.real.size() == 60);
+  for (std::size_t k = 0; k < 60; ++k) {
+    const Rational multiple(2 * static_cast<long>(60 - k) - 1, 120);
+    const RealBall angle = multiply(pi(300), RealBall(multiple, 300), 300);
+    CHECK(cosines.real[k].overlaps(cos_sin(angle, 300).cos));
+    CHECK(cosines.real[k].accuracy_bits() >= 100);
+  }
+  // The polynomials of Mignotte have two real roots about 10^-66 apart.
+  const Polynomial mignotte =
+      Polynomial::monomial(1, 20) - Rational(2) * pow(Polynomial{-1, 1'000'000}, 2);
+  const Roots near = isolate_roots(mignotte, 100);
+  REQUIRE(near.real.size() == 4);
+  CHECK(near.upper.size() == 8);
+  const RealBall gap = subtract(near.real[2], near.real[1], 100);
+  CHECK(gap.lower() > 0);
+  CHECK(gap.upper() < parse_rational("1e-65"));
+  // Ten roots at a distance of 10^-30 of 1/3, and two others.
+  const Rational third(1, 3);
+  const Rational size = parse_rational("1e-30");
+  const Roots ring = isolate_roots(
+      (pow(Polynomial{-third, 1}, 10) - Polynomial{parse_rational("1e-300")}) * Polynomial{5, 1, 1},
+      120);
+  REQUIRE(ring.real.size() == 2);
+  REQUIRE(ring.upper.size() == 5);
+  CHECK(ring.real[0].contains(third - size));
+  CHECK(ring.real[1].contains(third + size));
+  // A pair 10^-500 apart.
+  const Rational tiny = parse_rational("1e-500");
+  const Roots pair =
+      isolate_roots(Polynomial{Rational(third * third + tiny * tiny), Rational(-2 * third), 1} *
+                        Polynomial{5, 1, 1},
+                    64);
+  REQUIRE(pair.upper.size() == 2);
+  CHECK(pair.upper[1].re().contains(third));
+  CHECK(pair.upper[1].im().contains(tiny));
+}

@@ -1,0 +1,43 @@
+// Certified roots of high degree and of clusters, to 50 digits.
+#include <benchmark/benchmark.h>
+
+#include "curves.hpp"
+
+namespace phrame::bench {
+namespace {
+
+using State = benchmark::State;
+constexpr long bits = 190;
+
+void isolate(State& state, const Polynomial& p) {
+  for (auto _ : state) benchmark::DoNotOptimize(isolate_roots(p, bits));
+}
+
+/// Of σ, of degree 2m, of a random curve.
+void roots_of_sigma(State& state) {
+  isolate(state, sigma(random_curve(state.range(0)).preimage()));
+}
+
+/// Chebyshev's Tₙ: coefficients with as many bits as the degree has, all roots in [−1, 1].
+void roots_of_chebyshev(State& state) {
+  Polynomial before{1};
+  Polynomial p{0, 1};
+  for (long k = 1; k < state.range(0); ++k) {
+    Polynomial next = Polynomial{0, 2} * p - before;
+    before = std::exchange(p, next);
+  }
+  isolate(state, p);
+}
+
+/// 1/3 ± i·10⁻ⁿ, and two others.
+void roots_of_pair(State& state) {
+  const Rational gap = parse_rational("1e-" + std::to_string(2 * state.range(0)));
+  isolate(state, (pow(Polynomial{Rational(-1, 3), 1}, 2) + Polynomial{gap}) * Polynomial{5, 1, 1});
+}
+
+BENCHMARK(roots_of_sigma)->Arg(20)->Arg(80)->Arg(200)->Arg(500)->Unit(benchmark::kMillisecond);
+BENCHMARK(roots_of_chebyshev)->Arg(60)->Arg(200)->Unit(benchmark::kMillisecond);
+BENCHMARK(roots_of_pair)->Arg(20)->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace phrame::bench
