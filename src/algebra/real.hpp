@@ -1,26 +1,30 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "phrame/algebra/ball.hpp"
 
 namespace phrame {
 
-/// A real number: known exactly, or by enclosures as narrow as one asks.
+/// A real number: known exactly, or by enclosures as narrow as one asks. Copies share these.
 class Real {
  public:
   /// `bits` → a ball around the number, whose radius tends to 0 as bits grow.
   using Enclosure = std::function<RealBall(long bits)>;
 
   Real(Rational exact) : exact_(std::move(exact)) {}  // NOLINT(google-explicit-constructor)
-  explicit Real(Enclosure enclosure) : enclosure_(std::move(enclosure)) {}
+  explicit Real(Enclosure enclosure)
+      : enclosure_(std::make_shared<const Enclosure>(std::move(enclosure))) {}
 
   const std::optional<Rational>& exact() const { return exact_; }
-  RealBall enclose(long bits) const { return exact_ ? RealBall(*exact_, bits) : enclosure_(bits); }
+  RealBall enclose(long bits) const {
+    return exact_ ? RealBall(*exact_, bits) : (*enclosure_)(bits);
+  }
 
  private:
   std::optional<Rational> exact_;
-  Enclosure enclosure_;
+  std::shared_ptr<const Enclosure> enclosure_;
 };
 
 // Exact where the operands are, and 0·x = 0.

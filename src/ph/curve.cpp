@@ -79,16 +79,21 @@ Polynomial from_bernstein(const std::vector<Rational>& b) {
   return result;
 }
 
-std::vector<Rational> to_bernstein(const Polynomial& p, long m) {
+Polynomial scaled_bernstein(const Polynomial& p, long m) {
   if (m < p.degree())
     throw DomainError(fmt::format("to_bernstein: degree {} is less than that of the polynomial, {}",
                                   m, p.degree()));
-  // The inverse of the above: s → s + 1 on the reversed polynomial, then divide by binomials.
+  // The inverse of the above: s → s + 1 on the reversed polynomial.
   Polynomial reversed;
   Polynomial scaled;
   fmpq_poly_reverse(reversed.raw(), p.raw(), m + 1);
   reversed = compose(reversed, Polynomial{1, 1});
   fmpq_poly_reverse(scaled.raw(), reversed.raw(), m + 1);
+  return scaled;
+}
+
+std::vector<Rational> to_bernstein(const Polynomial& p, long m) {
+  const Polynomial scaled = scaled_bernstein(p, m);
   std::vector<Rational> b;
   Rational binomial = 1;
   for (long r = 0; r <= m; ++r) {

@@ -51,6 +51,9 @@ Polynomial from_bernstein(const std::vector<Rational>& b);
 /// Throws DomainError for m < deg p.
 std::vector<Rational> to_bernstein(const Polynomial& p, long m);
 
+/// The cᵣ = C(m, r)·bᵣ, as coefficients: p(t) = Σ cᵣ tʳ (1 − t)ᵐ⁻ʳ. Throws as above.
+Polynomial scaled_bernstein(const Polynomial& p, long m);
+
 /// The Bézier control points of r on [0, 1], degree(curve) + 1 of them.
 std::vector<Vector<Rational>> control_points(const Curve& curve);
 /// r′ of the Bézier curve with these points. Throws DomainError where there is none.

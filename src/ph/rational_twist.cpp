@@ -15,6 +15,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
+/// For what ends in doubles, and to tell turns apart. With its guard less than the bits that the
+/// first value of an angle has.
+constexpr long coarse_bits = 80;
+
 /// The Bernstein coefficients of w of degree n, in doubles.
 std::vector<Complex> bernstein(const RationalTwist& twist, long n) {
   std::vector<Complex> coefficients;
@@ -69,7 +73,7 @@ RealBall coarse_mean_square(const RationalTwist& twist) {
 /// Of a family with one parameter, or none.
 BestTwist best_on_line(const TwistPiece& piece, long degree, EndRates rates,
                        const RationalTwistOptions& options) {
-  const RotationFamily family = rotation_family(piece, degree, rates, 128);
+  const RotationFamily family = rotation_family(piece, degree, rates, coarse_bits);
   const auto member = [&](double p) {
     return RationalTwist(piece, degree, rates, {exact_rational(p)});
   };
@@ -90,9 +94,9 @@ BestTwist best_on_line(const TwistPiece& piece, long degree, EndRates rates,
   // A frame that turns by T goes before one that turns 2π more or less, and that by its error.
   const auto rank = [&](const LineGuess& guess) {
     if (guess.value < one_turn) return std::pair(0, guess.value);
-    const Rotation w = phrame::member(family, {exact_rational(guess.parameter)}, 128);
-    const auto turned = turn(w, 0, 1, 128);
-    const bool is_right = turned && turned->overlaps(piece.turn.enclose(128));
+    const Rotation w = phrame::member(family, {exact_rational(guess.parameter)}, coarse_bits);
+    const auto turned = turn(w, 0, 1, coarse_bits);
+    const bool is_right = turned && turned->overlaps(piece.turn.enclose(coarse_bits));
     return std::pair(is_right ? 0 : 1, guess.value);
   };
   if (!best || (other && rank(*other) < rank(*best))) std::swap(best, other);
@@ -242,7 +246,7 @@ BestTwist best_twist(const TwistPiece& piece, const RationalTwistOptions& option
   }
   if (degree == 2 && rates == EndRates::matched) return best_on_line(piece, 2, rates, options);
 
-  const RotationFamily family = rotation_family(piece, degree, rates, 128);
+  const RotationFamily family = rotation_family(piece, degree, rates, coarse_bits);
   TwistObjective objective(piece, family);
   std::optional<RationalTwist> best;
   std::optional<RealBall> least;

@@ -27,7 +27,7 @@ Real whole_turn(const Integer& k) {
 
 ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>()>& over_pi) {
   // Few bits nearly always tell it from a multiple of π.
-  long bits = 128;
+  long bits = 80;
   RealBall y = divide(x.enclose(bits), pi(bits), bits);
   flint::Fmpz nearest;
   if (arb_contains_int(y.raw()) != 0) {

@@ -18,16 +18,13 @@ namespace {
 using Gauss = boost::math::quadrature::gauss<double, 15>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// C(n, k)·b_k for the Bernstein coefficients b of p/scale.
-std::vector<double> scaled_bernstein(const Polynomial& p, const Rational& scale) {
-  std::vector<double> c;
+/// In doubles, those of p/scale.
+std::vector<double> bernstein_terms(const Polynomial& p, const Rational& scale) {
   const long n = std::max(p.degree(), 0L);
-  Integer binomial = 1;
-  for (const Rational& b : to_bernstein(p, n)) {
-    const long k = static_cast<long>(c.size());
-    c.push_back(round_to_double(Rational(Rational(binomial) * b / scale)));
-    binomial = binomial * (n - k) / (k + 1);
-  }
+  const Polynomial scaled = scaled_bernstein(p, n);
+  std::vector<double> c;
+  for (long k = 0; k <= n; ++k)
+    c.push_back(Rational(scaled.coefficient(k) / scale).convert_to<double>());
   return c;
 }
 
@@ -62,9 +59,9 @@ TwistObjective::TwistObjective(const TwistPiece& piece, const RotationFamily& fa
   Rational scale = 0;
   for (const Rational& c : piece.erf_rate.denominator().coefficients())
     scale = std::max(scale, Rational(abs(c)));
-  rate_numerator_ = scaled_bernstein(piece.erf_rate.numerator(), scale);
-  rate_denominator_ = scaled_bernstein(piece.erf_rate.denominator(), scale);
-  speed_ = scaled_bernstein(piece.speed, 1);
+  rate_numerator_ = bernstein_terms(piece.erf_rate.numerator(), scale);
+  rate_denominator_ = bernstein_terms(piece.erf_rate.denominator(), scale);
+  speed_ = bernstein_terms(piece.speed, 1);
   twist_ = approximate(piece.twist.enclose(64));
   for (const Rotation& w : family.basis) {
     std::vector<Complex> c;
@@ -269,17 +266,23 @@ std::optional<LineGuess> search_line(TwistObjective& objective, int sign_of_gamm
   if (values[best] == infinity) return std::nullopt;
   const bool is_interior = best > 0 && best + 1 < samples.size();
   double x = samples[best];
-  refine_around(x);
-  if (is_interior) {
-    std::uintmax_t steps = 60;
-    const auto minimum = boost::math::tools::brent_find_minima(value, samples[best - 1],
-                                                               samples[best + 1], 26, steps);
-    x = minimum.first;
+  if (!is_interior) {
     refine_around(x);
+  } else {
+    const double left = samples[best - 1];
+    const double right = samples[best + 1];
+    const auto minimise = [&] {
+      std::uintmax_t steps = 60;
+      x = boost::math::tools::brent_find_minima(value, left, right, 26, steps).first;
+      refine_around(x);
+    };
+    minimise();
+    const auto [slope, bend] = objective.derivatives(x);
+    if (!(std::abs(slope) < 1e-4 * bend * (right - left))) minimise();  // misled by coarse values
     for (int k = 0; k < 4; ++k) {  // Newton's method, as long as it helps
       const auto [first, second] = objective.derivatives(x);
       const double next = x - first / second;
-      if (!(second > 0) || !(next > samples[best - 1]) || !(next < samples[best + 1])) break;
+      if (!(second > 0) || !(next > left) || !(next < right)) break;
       if (!(coarse(next) <= coarse(x) * (1 + 1e-12))) break;
       x = next;
     }
