@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <new>
 #include <sstream>
 
 #include "phrame/cli/command.hpp"
+#include "phrame/io/failure.hpp"
 #include "phrame/io/text.hpp"
 #include "phrame/version.hpp"
 
 namespace {
 
-enum Status { done = 0, no = 1, bad_input = 2, undefined = 3, undecided = 4 };
+enum Status { done = 0, no = 1, bad_input = 2 };  // and those of a Failure
 
 /// One line, whatever a file or an option is called; silent, not fatal, where stderr is closed.
 int complain(std::string_view what, int status) {
@@ -60,6 +60,7 @@ int run(int argc, char** argv) {
       "  phrame identify curve.json --print curve -o ph.json\n"
       "  phrame frames curve.json --samples 101 -o frames.csv\n"
       "  phrame interpolate curve.json --period 0.001 --feed '10 + 2*s'\n"
+      "  phrame batch curves.jsonl --at 1 -o angles.jsonl\n"
       "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50\n"
       "A curve file is JSON, such as\n"
       "  {\"phrame\": \"curve/1\", \"basis\": \"power\",\n"
@@ -77,6 +78,7 @@ int run(int argc, char** argv) {
   phrame::cli::add_interpolate(app);
   phrame::cli::add_identify(app);
   phrame::cli::add_integrate(app);
+  phrame::cli::add_batch(app);
   phrame::cli::add_check(app);
   phrame::cli::add_certify(app);
   phrame::cli::add_verify(app);
@@ -112,15 +114,8 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const phrame::cli::AnswerNo& answer) {
     return answer.complaint.empty() ? no : complain(answer.complaint, no);
-  } catch (const phrame::InputError& error) {
-    return complain(error.what(), bad_input);
-  } catch (const phrame::DomainError& error) {
-    return complain(error.what(), undefined);
-  } catch (const phrame::Undecided& error) {
-    return complain(fmt::format("undecided: {}", error.what()), undecided);
-  } catch (const std::bad_alloc&) {
-    return complain("undecided: out of memory", undecided);
-  } catch (const std::exception& error) {
-    return complain(fmt::format("internal error: {}", error.what()), undecided);
+  } catch (...) {
+    const auto [status, message] = phrame::current_failure();
+    return complain(message, status);
   }
 }

@@ -44,7 +44,30 @@ std::string closed_form(const AngleReport& report, Notation notation) {
                              : formatted_sum(terms, " ", latex) + constant;
 }
 
+JsonOutput json_of(const AngleReport& report) {
+  JsonOutput json = {
+      {"phrame", "angle/1"},
+      {"curve", {{"name", report.curve.name}, {"degree", degree(report.curve.curve)}}},
+      {"frame", report.reference == Reference::erf ? "erf" : "frenet"}};
+  if (report.shows_form) {
+    json["integrand"] = phrame::json_of(report.angle.rate());
+    json["antiderivative"] =
+        phrame::json_of(report.angle.antiderivative(), form_name(report.angle.antiderivative()));
+  }
+  if (report.real) json["real"] = phrame::json_of(*report.real);
+  if (report.radicals) json["radicals"] = phrame::json_of(*report.radicals);
+  json["theta0"] = to_string(report.start_angle);
+  json["values"] = phrame::json_of(report.values);
+  return json;
+}
+
 }  // namespace
+
+AngleValue rounded_angle(RmfAngle& angle, const Rational& t, const Rational& start_angle,
+                         long digits) {
+  return {t, rounded(angle.value(t) + start_angle, "theta at t = " + abbreviated(to_string(t)),
+                     digits)};
+}
 
 std::string value_table(const std::vector<AngleValue>& values, long digits) {
   std::size_t t_width = 1;
@@ -145,23 +168,8 @@ std::string to_latex(const AngleReport& report) {
   return text + "\\end{tabular}\n";
 }
 
-std::string to_json(const AngleReport& report) {
-  JsonOutput values = JsonOutput::array();
-  for (const AngleValue& value : report.values)
-    values.push_back(
-        {{"t", to_string(value.t)}, {"theta", value.theta.value}, {"radius", value.theta.radius}});
-  JsonOutput json = {
-      {"phrame", "angle/1"},
-      {"curve", {{"name", report.curve.name}, {"degree", degree(report.curve.curve)}}},
-      {"frame", report.reference == Reference::erf ? "erf" : "frenet"},
-      {"integrand", json_of(report.angle.rate())},
-      {"antiderivative",
-       json_of(report.angle.antiderivative(), form_name(report.angle.antiderivative()))}};
-  if (report.real) json["real"] = json_of(*report.real);
-  if (report.radicals) json["radicals"] = json_of(*report.radicals);
-  json["theta0"] = to_string(report.start_angle);
-  json["values"] = values;
-  return pretty(json);
-}
+std::string to_json(const AngleReport& report) { return pretty(json_of(report)); }
+
+std::string to_json_line(const AngleReport& report) { return json_of(report).dump(); }
 
 }  // namespace phrame

@@ -12,6 +12,10 @@ struct AngleValue {
   Decimal theta;  ///< radians, continuous branch
 };
 
+/// θ(t), θ(0) = start_angle, rounded to `digits` digits. Throws Undecided, naming t.
+AngleValue rounded_angle(RmfAngle& angle, const Rational& t, const Rational& start_angle,
+                         long digits);
+
 /// What `phrame angle` shows of a curve.
 struct AngleReport {
   NamedCurve curve;
@@ -22,11 +26,13 @@ struct AngleReport {
   long digits;
   std::optional<RealForm> real = std::nullopt;  ///< of the angle, shown instead of its logarithms
   std::optional<RadicalForm> radicals = std::nullopt;  ///< likewise
+  bool shows_form = true;  ///< JSON only: integrand and antiderivative, too
 };
 
-std::string to_text(const AngleReport& report);   ///< for reading, Unicode
-std::string to_latex(const AngleReport& report);  ///< the closed form and the table
-std::string to_json(const AngleReport& report);   ///< angle/1
+std::string to_text(const AngleReport& report);       ///< for reading, Unicode
+std::string to_latex(const AngleReport& report);      ///< the closed form and the table
+std::string to_json(const AngleReport& report);       ///< angle/1
+std::string to_json_line(const AngleReport& report);  ///< the same on one line, without its end
 
 /// "t  θ(t)", a line each.
 std::string value_table(const std::vector<AngleValue>& values, long digits);

@@ -247,12 +247,21 @@ std::variant<NamedCurve, NamedSpline> read_curve_or_spline(std::string_view text
                                                            const CurveLimits& limits) {
   const JsonValue document = parse_json(text);
   const Node node(document);
-  const std::string format = format_of(node);
-  if (format == "spline/1") return read_spline(node, limits);
-  if (format != "curve/1")
-    node.at("phrame").fail(
-        fmt::format("the format is \"curve/1\" or \"spline/1\", not \"{}\"", abbreviated(format)));
-  return read_curve(node, limits);
+  node.require(Kind::object, "an object");
+  node.at("phrame");
+  return read_curve_or_spline(node, limits);
+}
+
+std::variant<NamedCurve, NamedSpline> read_curve_or_spline(const JsonNode& node,
+                                                           const CurveLimits& limits) {
+  node.require(Kind::object, "an object");
+  const auto format = node.find("phrame");
+  if (format && format->string() == "spline/1") return read_spline(node, limits);
+  if (format && format->string() != "curve/1")
+    format->fail(fmt::format("the format is \"curve/1\" or \"spline/1\", not \"{}\"",
+                             abbreviated(format->string())));
+  require_curve_keys(node);
+  return read_any_curve(node, limits);
 }
 
 NamedSpline as_spline(const std::variant<NamedCurve, NamedSpline>& read) {

@@ -37,6 +37,10 @@ struct NamedSpline {
 std::variant<NamedCurve, NamedSpline> read_curve_or_spline(std::string_view text,
                                                            const CurveLimits& limits = {});
 
+/// The same as a part of a document, where a curve may do without "phrame": "curve/1".
+std::variant<NamedCurve, NamedSpline> read_curve_or_spline(const JsonNode& node,
+                                                           const CurveLimits& limits = {});
+
 /// A curve as a spline of one segment.
 NamedSpline as_spline(const std::variant<NamedCurve, NamedSpline>& read);
 

@@ -108,6 +108,13 @@ JsonOutput json_of(const Endpoint& end) {
 
 JsonOutput json_of(const Decimal& x) { return {{"value", x.value}, {"radius", x.radius}}; }
 
+JsonOutput json_of(const std::vector<AngleValue>& values) {
+  JsonOutput list = JsonOutput::array();
+  for (const auto& [t, theta] : values)
+    list.push_back({{"t", to_string(t)}, {"theta", theta.value}, {"radius", theta.radius}});
+  return list;
+}
+
 JsonOutput json_of(const Real& x, const Decimal& rounded) {
   return x.exact() ? JsonOutput(to_string(*x.exact())) : json_of(rounded);
 }

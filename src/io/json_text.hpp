@@ -5,7 +5,7 @@
 #include "phrame/integrate/endpoint.hpp"
 #include "phrame/integrate/radicals.hpp"
 #include "phrame/integrate/real_form.hpp"
-#include "phrame/io/curve_file.hpp"
+#include "phrame/io/angle_report.hpp"
 
 namespace phrame {
 
@@ -36,6 +36,8 @@ JsonOutput json_of(const RadicalForm& F);
 JsonOutput json_of(const Endpoint& end);
 /// {"value": "…", "radius": "…"}.
 JsonOutput json_of(const Decimal& x);
+/// [{"t": "…", "theta": "…", "radius": "…"}, …].
+JsonOutput json_of(const std::vector<AngleValue>& values);
 /// The exact text, or the decimal x was rounded to.
 JsonOutput json_of(const Real& x, const Decimal& rounded);
 /// As an Endpoint; a text where it is rational.

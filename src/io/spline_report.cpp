@@ -29,6 +29,27 @@ std::string heading(const std::string& name, const Spline& spline) {
                      count == 1 ? "" : "s", closure(spline));
 }
 
+JsonOutput json_of(const SplineAngleReport& report) {
+  const Spline& spline = report.angle.spline();
+  JsonOutput json = {{"phrame", "spline-angle/1"}, {"name", report.name}};
+  if (report.shows_form) {
+    json["segments"] = JsonOutput::array();
+    for (std::size_t k = 0; k < spline.segments().size(); ++k) {
+      const RmfAngle& angle = report.angle.segment(k);
+      const Antiderivative& F = angle.antiderivative();
+      json["segments"].push_back({{"degree", degree(spline.segments()[k])},
+                                  {"integrand", phrame::json_of(angle.rate())},
+                                  {"antiderivative", phrame::json_of(F, form_name(F))}});
+    }
+  }
+  json["theta0"] = to_string(report.start_angle);
+  json["total"] = phrame::json_of(report.total);
+  json["closed"] = spline.closing_turn().has_value();
+  json["holonomy"] = report.holonomy ? phrame::json_of(*report.holonomy) : JsonOutput();
+  json["values"] = phrame::json_of(report.values);
+  return json;
+}
+
 std::string relation(const Decimal& x) { return x.radius == "0" ? "=" : "≈"; }
 
 }  // namespace
@@ -80,29 +101,9 @@ std::string to_text(const SplineAngleReport& report) {
   return text;
 }
 
-std::string to_json(const SplineAngleReport& report) {
-  const Spline& spline = report.angle.spline();
-  JsonOutput segments = JsonOutput::array();
-  for (std::size_t k = 0; k < spline.segments().size(); ++k) {
-    const RmfAngle& angle = report.angle.segment(k);
-    const Antiderivative& F = angle.antiderivative();
-    segments.push_back({{"degree", degree(spline.segments()[k])},
-                        {"integrand", json_of(angle.rate())},
-                        {"antiderivative", json_of(F, form_name(F))}});
-  }
-  JsonOutput values = JsonOutput::array();
-  for (const AngleValue& value : report.values)
-    values.push_back(
-        {{"t", to_string(value.t)}, {"theta", value.theta.value}, {"radius", value.theta.radius}});
-  return pretty({{"phrame", "spline-angle/1"},
-                 {"name", report.name},
-                 {"segments", segments},
-                 {"theta0", to_string(report.start_angle)},
-                 {"total", json_of(report.total)},
-                 {"closed", spline.closing_turn().has_value()},
-                 {"holonomy", report.holonomy ? json_of(*report.holonomy) : JsonOutput()},
-                 {"values", values}});
-}
+std::string to_json(const SplineAngleReport& report) { return pretty(json_of(report)); }
+
+std::string to_json_line(const SplineAngleReport& report) { return json_of(report).dump(); }
 
 SplineInfo spline_info(const NamedSpline& named, long digits) {
   SplineAngle angle(named.spline);

@@ -13,6 +13,7 @@ struct SplineAngleReport {
   Decimal total;                    ///< θ(end) − θ(0)
   std::optional<Decimal> holonomy;  ///< where the spline is closed
   long digits;
+  bool shows_form = true;  ///< JSON only: integrands and antiderivatives, too
 };
 
 /// The values of θ at `at`, rounded to `digits` digits. Throws Undecided, naming what it is that
@@ -26,6 +27,8 @@ std::string notes_on_signs(const Spline& spline);
 
 std::string to_text(const SplineAngleReport& report);
 std::string to_json(const SplineAngleReport& report);  ///< spline-angle/1
+std::string to_json_line(
+    const SplineAngleReport& report);  ///< the same on one line, without its end
 
 /// What `phrame info` shows of a spline.
 struct SplineInfo {

@@ -112,10 +112,6 @@ std::string to_text(const TwistReport& report) {
 }
 
 std::string to_json(const TwistReport& report) {
-  JsonOutput values = JsonOutput::array();
-  for (const AngleValue& value : report.values)
-    values.push_back(
-        {{"t", to_string(value.t)}, {"theta", value.theta.value}, {"radius", value.theta.radius}});
   JsonOutput output{{"phrame", "mtf/1"},
                     {"name", report.name},
                     {"from", json_of(report.from)},
@@ -126,7 +122,7 @@ std::string to_json(const TwistReport& report) {
                       {"total", json_of(report.nominal_twist)},
                       {"minimal", json_of(report.twist)}}},
                     {"mean_rate", json_of(report.rate)},
-                    {"exact", {{"values", values}}}};
+                    {"exact", {{"values", json_of(report.values)}}}};
   if (report.rational) add_rational(output, *report.rational);
   if (!report.why_not_rational.empty()) output["no_rational"] = report.why_not_rational;
   return pretty(output);

@@ -35,9 +35,9 @@ TEST_CASE("enclose roots: law: one known root in each enclosure, whatever the st
     for (const long bits : {0L, 300L}) {
       const auto found = enclose_roots(integer_primitive_part(p), start, bits);
       REQUIRE(found.size() == known.size());
-      for (const auto& [x, y] : known)
+      for (const auto& root : known)
         CHECK(std::count_if(found.begin(), found.end(), [&](const ComplexBall& z) {
-                return z.re().contains(x) && z.im().contains(y);
+                return z.re().contains(root.first) && z.im().contains(root.second);
               }) == 1);
       for (const ComplexBall& z : found)
         CHECK((bits == 0 || acb_rel_accuracy_bits(z.raw()) >= bits));

@@ -1,0 +1,330 @@
+// Lines in, lines out, in order, on all cores. The output has whole lines only, whenever the run
+// ends, so that a later run can go on.
+#include "phrame/io/batch.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_pipeline.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <unordered_set>
+#include <utility>
+
+#include "phrame/cli/command.hpp"
+
+namespace phrame::cli {
+namespace {
+
+struct BatchOptions {
+  std::string path = "-";
+  std::string output = "-";
+  std::string skip_done;
+  long threads = 0;
+  std::string frame = "erf";
+  std::vector<std::string> at;
+  BatchDefaults defaults;
+};
+
+[[noreturn]] void fail_with_errno(const std::string& place, std::string_view what) {
+  throw InputError(place, fmt::format("{}: {}", what, std::strerror(errno)));
+}
+
+/// A file descriptor, closed at the end unless it is a standard one.
+class Descriptor {
+ public:
+  Descriptor(int number, std::string name) : number_(number), name_(std::move(name)) {
+    if (number < 0) fail_with_errno(name_, "cannot be opened");
+  }
+  ~Descriptor() {
+    if (number_ > 2) close(number_);
+  }
+  Descriptor(Descriptor&& other) noexcept
+      : number_(std::exchange(other.number_, -1)), name_(std::move(other.name_)) {}
+  Descriptor& operator=(Descriptor&&) = delete;
+
+  int number() const { return number_; }
+  const std::string& name() const { return name_; }
+
+ private:
+  int number_;
+  std::string name_;
+};
+
+/// SIGINT and SIGTERM as bytes in a pipe, so that who waits for input sees them. The second one
+/// ends the program at once.
+class Interruption {
+ public:
+  Interruption() {
+    if (pipe(ends().data()) != 0) fail_with_errno("batch", "no pipe");
+    struct sigaction action = {};
+    action.sa_handler = [](int signal) {
+      const auto byte = static_cast<char>(signal);
+      [[maybe_unused]] const auto written = write(ends()[1], &byte, 1);
+    };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+  }
+  int descriptor() const { return ends()[0]; }
+
+  /// Ends the program as the signal would have done, if there was one.
+  void pass_on() const {
+    pollfd waiting{descriptor(), POLLIN, 0};
+    char signal = 0;
+    if (poll(&waiting, 1, 0) == 1 && read(descriptor(), &signal, 1) == 1) raise(signal);
+  }
+
+ private:
+  static std::array<int, 2>& ends() {
+    static std::array<int, 2> pipe_ends{};
+    return pipe_ends;
+  }
+};
+
+constexpr std::size_t longest_line = std::size_t{1} << 28;
+
+class LineReader {
+ public:
+  LineReader(const Descriptor& file, const Interruption& interruption)
+      : file_(file), interruption_(interruption) {}
+
+  /// The next line that is not blank; no value at the end of the file and after a signal.
+  std::optional<std::string> next() {
+    for (;;) {
+      const auto end = buffer_.find('\n', searched_);
+      if (end == std::string::npos && !is_at_end_) {
+        searched_ = buffer_.size();
+        fill();
+        continue;
+      }
+      if (end == std::string::npos && start_ == buffer_.size()) return std::nullopt;
+      std::string line = buffer_.substr(start_, end - start_);
+      start_ = searched_ = end == std::string::npos ? buffer_.size() : end + 1;
+      if (line.find_first_not_of(" \t\r") != std::string::npos) return line;
+    }
+  }
+
+ private:
+  void fill() {
+    buffer_.erase(0, start_);
+    searched_ -= start_;
+    start_ = 0;
+    if (buffer_.size() > longest_line)
+      throw InputError(file_.name(), fmt::format("a line is longer than {} bytes", longest_line));
+    std::array<pollfd, 2> waiting{
+        {{file_.number(), POLLIN, 0}, {interruption_.descriptor(), POLLIN, 0}}};
+    if (poll(waiting.data(), waiting.size(), -1) < 0 && errno != EINTR)
+      fail_with_errno(file_.name(), "cannot be read");
+    if (waiting[1].revents != 0) {  // what is not yet a line is dropped
+      buffer_.clear();
+      searched_ = 0;
+      is_at_end_ = true;
+      return;
+    }
+    if (waiting[0].revents == 0) return;
+    std::array<char, 65536> block;
+    const auto count = read(file_.number(), block.data(), block.size());
+    if (count < 0 && errno != EINTR) fail_with_errno(file_.name(), "cannot be read");
+    if (count == 0) is_at_end_ = true;
+    if (count > 0) buffer_.append(block.data(), static_cast<std::size_t>(count));
+  }
+
+  const Descriptor& file_;
+  const Interruption& interruption_;
+  std::string buffer_;
+  std::size_t start_ = 0;     ///< of the next line
+  std::size_t searched_ = 0;  ///< no end of a line before
+  bool is_at_end_ = false;
+};
+
+void write_whole(const Descriptor& file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const auto count = write(file.number(), bytes.data(), bytes.size());
+    if (count < 0 && errno != EINTR) fail_with_errno(file.name(), "cannot be written");
+    if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+/// What an earlier run has answered.
+struct Done {
+  std::unordered_set<std::string> ids;
+  std::size_t whole_bytes = 0;  ///< up to the end of the last whole line
+};
+
+Done read_done(const std::string& path) {
+  Done done;
+  if (path.empty() || access(path.c_str(), F_OK) != 0) return done;
+  const std::string text = read_file(path);
+  std::string_view rest = text;
+  for (auto end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
+    if (const auto id = batch_id(rest.substr(0, end))) done.ids.insert(*id);
+    rest.remove_prefix(end + 1);
+  }
+  done.whole_bytes = text.size() - rest.size();
+  return done;
+}
+
+bool is_same_file(int descriptor, const std::string& path) {
+  struct stat a = {};
+  struct stat b = {};
+  return fstat(descriptor, &a) == 0 && stat(path.c_str(), &b) == 0 && S_ISREG(a.st_mode) &&
+         a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
+
+Descriptor open_input(const std::string& path) {
+  return {path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC),
+          name_of_file(path)};
+}
+
+/// Where the output is what is skipped, it is continued; a line that was cut off is removed.
+Descriptor open_output(const std::string& path, const std::string& skip_done, const Done& done) {
+  constexpr int flags = O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC;
+  Descriptor file(path == "-" ? STDOUT_FILENO : ::open(path.c_str(), flags, 0666),
+                  path == "-" ? "standard output" : path);
+  const bool continues = !skip_done.empty() && is_same_file(file.number(), skip_done);
+  if (path != "-" || continues) {
+    const auto size = continues ? static_cast<off_t>(done.whole_bytes) : 0;
+    struct stat status = {};
+    fstat(file.number(), &status);
+    if (S_ISREG(status.st_mode) && ftruncate(file.number(), size) != 0)
+      fail_with_errno(file.name(), "cannot be written");
+  }
+  return file;
+}
+
+/// On a terminal, twice a second.
+class Progress {
+ public:
+  void report(long lines, long failures) {
+    if (!is_terminal_) return;
+    const auto now = Clock::now();
+    if (now - last_ < std::chrono::milliseconds(500)) return;
+    last_ = now;
+    print(lines, failures, '\r');
+  }
+  void finish(long lines, long failures) const {
+    if (is_terminal_) print(lines, failures, '\n');
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void print(long lines, long failures, char end) const {
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    std::fprintf(stderr, "\r\033[K%ld lines, %ld failed, %.0f lines/s%c", lines, failures,
+                 static_cast<double>(lines) / std::max(seconds, 1e-3), end);
+  }
+
+  bool is_terminal_ = isatty(STDERR_FILENO) != 0;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_ = start_;
+};
+
+void run(const BatchOptions& options) {
+  BatchDefaults defaults = options.defaults;
+  defaults.frame = choose<Reference>("--frame", options.frame,
+                                     {{"erf", Reference::erf}, {"frenet", Reference::frenet}});
+  for (const std::string& t : split(options.at)) defaults.at.push_back(parse_option("--at", t));
+
+  const Descriptor input = open_input(options.path);
+  const Done done = read_done(options.skip_done);
+  const Descriptor output = open_output(options.output, options.skip_done, done);
+  const Interruption interruption;
+  LineReader reader(input, interruption);
+  Progress progress;
+  long lines = 0;
+  long failures = 0;
+
+  namespace tbb = oneapi::tbb;
+  const auto threads = static_cast<std::size_t>(
+      options.threads > 0 ? options.threads : tbb::info::default_concurrency());
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  const auto read_line = [&](tbb::flow_control& control) -> std::string {
+    for (;;) {
+      auto line = reader.next();
+      if (!line) {
+        control.stop();
+        return {};
+      }
+      if (done.ids.empty()) return *std::move(line);
+      const auto id = batch_id(*line);
+      if (!id || !done.ids.contains(*id)) return *std::move(line);
+    }
+  };
+  const auto answer = [&](const std::string& line) { return batch_answer(line, defaults); };
+  const auto write_answer = [&](BatchAnswer found) {
+    write_whole(output, found.line += '\n');
+    ++lines;
+    if (found.is_failure) ++failures;
+    progress.report(lines, failures);
+  };
+  // So many lines in memory at a time; one that takes long holds up the others later.
+  const std::size_t lines_in_flight = 64 * threads;
+  tbb::parallel_pipeline(
+      lines_in_flight,
+      tbb::make_filter<void, std::string>(tbb::filter_mode::serial_in_order, read_line) &
+          tbb::make_filter<std::string, BatchAnswer>(tbb::filter_mode::parallel, answer) &
+          tbb::make_filter<BatchAnswer, void>(tbb::filter_mode::serial_in_order, write_answer));
+  progress.finish(lines, failures);
+  interruption.pass_on();
+  if (failures > 0) throw AnswerNo{fmt::format("{} of {} lines failed", failures, lines)};
+}
+
+}  // namespace
+
+void add_batch(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("batch", "angles of many curves: JSON lines in, JSON lines out");
+  const auto options = std::make_shared<BatchOptions>();
+  command->add_option("LINES", options->path, "a file of JSON lines, standard input if not given")
+      ->type_name("");
+  command
+      ->add_option("-o,--output", options->output,
+                   "write to this file, as the answers come, instead of standard output")
+      ->type_name("FILE");
+  command
+      ->add_option("--skip-done", options->skip_done,
+                   "leave out the lines whose id has an answer in this file; if it is the output,\n"
+                   "it is continued")
+      ->type_name("FILE");
+  command->add_option("--threads", options->threads, "so many at a time (default: all cores)")
+      ->type_name("N")
+      ->check(CLI::Range(1L, 4096L).description(""));
+  command->add_flag("--values-only", options->defaults.values_only,
+                    "answers without integrand and antiderivative");
+  command
+      ->add_option("--frame", options->frame,
+                   "for lines without \"frame\": erf (default) or frenet")
+      ->type_name("NAME");
+  command->add_option("--at", options->at, "for lines without \"at\": 0,1/2,1")
+      ->type_name("T,...")
+      ->expected(1)
+      ->take_all();
+  add_digits(*command, options->defaults.digits);
+  add_max_degree(*command, options->defaults.limits);
+  command->footer(
+      "A line is {\"id\": \"a7\", \"curve\": {...}, \"frame\": \"erf\", \"at\": [\"1\"], "
+      "\"digits\": 17}; all but the\n"
+      "curve (or spline) may be left out. Its answer is what \"phrame angle --print json\" gives, "
+      "on\n"
+      "one line and with the id, or {\"id\": \"a7\", \"error\": {\"status\": 2, \"message\": "
+      "\"...\"}}. The answers\n"
+      "are in the order of the lines. Exit status 1 if a line failed.\n"
+      "After Ctrl-C the lines that were begun are finished; the output has whole lines only.\n"
+      "Examples:\n"
+      "  phrame batch curves.jsonl --at 1 -o angles.jsonl\n"
+      "  phrame batch curves.jsonl --at 1 -o angles.jsonl --skip-done angles.jsonl\n"
+      "  generate | phrame batch --values-only | filter");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace phrame::cli

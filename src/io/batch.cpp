@@ -1,0 +1,100 @@
+#include "phrame/io/batch.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/failure.hpp"
+#include "phrame/io/json_node.hpp"
+#include "phrame/io/json_text.hpp"
+#include "phrame/io/spline_report.hpp"
+
+namespace phrame {
+namespace {
+
+using Kind = JsonNode::Kind;
+constexpr long most_digits = 100'000;
+
+/// As JSON text, "null" where there is none.
+std::string id_of(const JsonValue& line) {
+  const JsonValue* id = line.kind == Kind::object ? line.find("id") : nullptr;
+  if (id == nullptr) return "null";
+  if (id->kind == Kind::string) return JsonOutput(id->text).dump();
+  if (id->kind == Kind::number) return id->text;
+  return "null";
+}
+
+Reference frame_of(const JsonNode& node) {
+  const std::string& name = node.string();
+  if (name == "erf") return Reference::erf;
+  if (name == "frenet") return Reference::frenet;
+  node.fail(fmt::format("\"{}\" is not one of erf, frenet", abbreviated(name)));
+}
+
+long digits_of(const JsonNode& node) {
+  const Rational digits = node.number();
+  if (denominator(digits) != 1 || digits < 1 || digits > most_digits)
+    node.fail(fmt::format("{} is not a whole number from 1 to {}", abbreviated(to_string(digits)),
+                          most_digits));
+  return static_cast<long>(numerator(digits));
+}
+
+std::string answer(const JsonNode& line, const BatchDefaults& defaults) {
+  line.require_known_keys({"id", "curve", "frame", "at", "digits", "theta0", "note"});
+  if (const auto id = line.find("id"); id && !id->is(Kind::string) && !id->is(Kind::number))
+    id->fail("an id is a string or a number");
+  const auto frame = line.find("frame");
+  const Reference reference = frame ? frame_of(*frame) : defaults.frame;
+  const auto places = line.find("at");
+  const std::vector<Rational> at = !places                   ? defaults.at
+                                   : places->is(Kind::array) ? places->numbers()
+                                                             : std::vector{places->number()};
+  const auto precision = line.find("digits");
+  const long digits = precision ? digits_of(*precision) : defaults.digits;
+  const auto theta0 = line.find("theta0");
+  const Rational start_angle = theta0 ? theta0->number() : Rational(0);
+
+  const auto read = read_curve_or_spline(line.at("curve"), defaults.limits);
+  if (const auto* curve = std::get_if<NamedCurve>(&read)) {
+    RmfAngle angle(curve->curve, reference);
+    AngleReport report{*curve, reference, angle, start_angle, {}, digits};
+    report.shows_form = !defaults.values_only;
+    for (const Rational& t : at)
+      report.values.push_back(rounded_angle(angle, t, start_angle, digits));
+    return to_json_line(report);
+  }
+  if (reference != Reference::erf)
+    line.fail("the Frenet frame is for single curves; this is a spline");
+  const auto& spline = std::get<NamedSpline>(read);
+  SplineAngle angle(spline.spline);
+  auto report = spline_angle_report(spline.name, angle, start_angle, at, digits);
+  report.shows_form = !defaults.values_only;
+  return to_json_line(report);
+}
+
+}  // namespace
+
+BatchAnswer batch_answer(std::string_view line, const BatchDefaults& defaults) {
+  std::string id = "null";
+  try {
+    const JsonValue document = parse_json(line);
+    id = id_of(document);
+    return {fmt::format("{{\"id\":{},{}", id, answer(JsonNode(document), defaults).substr(1)),
+            false};
+  } catch (...) {
+    const auto [status, message] = current_failure();
+    const JsonOutput error = {{"status", status}, {"message", message}};
+    const auto text = error.dump(-1, ' ', false, JsonOutput::error_handler_t::replace);
+    return {fmt::format("{{\"id\":{},\"error\":{}}}", id, text), true};
+  }
+}
+
+std::optional<std::string> batch_id(std::string_view line) {
+  try {
+    const std::string id = id_of(parse_json(line));
+    if (id != "null") return id;
+  } catch (const InputError&) {  // no JSON: it is computed, and refused, again
+  }
+  return std::nullopt;
+}
+
+}  // namespace phrame

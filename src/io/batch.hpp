@@ -1,0 +1,38 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "phrame/io/curve_file.hpp"
+#include "phrame/ph/rmf_angle.hpp"
+
+namespace phrame {
+
+/// What a line of a batch may leave out.
+struct BatchDefaults {
+  Reference frame = Reference::erf;
+  std::vector<Rational> at;
+  long digits = 17;
+  bool values_only = false;  ///< answers without integrand and antiderivative
+  CurveLimits limits;
+};
+
+struct BatchAnswer {
+  std::string line;  ///< without its end
+  bool is_failure;
+};
+
+/// The answer to a line
+///   {"id": …, "curve": {…}, "frame": "erf", "at": ["1"], "digits": 17, "theta0": "0"},
+/// of which all but the curve (curve/1 or spline/1) may be left out: an object angle/1 or
+/// spline-angle/1 with the same "id", or {"id": …, "error": {"status": 2, "message": "…"}}, the
+/// status being the program's exit status for the same curve. Depends on nothing but the line, and
+/// may be called from several threads. Throws nothing but bad_alloc.
+BatchAnswer batch_answer(std::string_view line, const BatchDefaults& defaults);
+
+/// The id of a line of a batch or of an answer, as JSON text; no value where it has none, or is
+/// none.
+std::optional<std::string> batch_id(std::string_view line);
+
+}  // namespace phrame

@@ -1,0 +1,143 @@
+"""`phrame batch` as a filter that is interrupted: order, threads, signals, resumption, GNU parallel.
+
+The answers of one undisturbed run with one thread are the reference; all other ways give the same bytes.
+"""
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+PROGRAM = os.environ["PHRAME_PROGRAM"]
+LINES = 5000
+
+
+def line(k, rng):
+    """Mostly quintics, some curves that take a hundred times as long, some lines that are refused."""
+    degree = 25 if k % 500 == 7 else 2
+    preimage = {c: [rng.randint(-9, 9) for _ in range(degree)] + [rng.randint(1, 9)] for c in "uvpq"}
+    if k % 100 == 3:
+        preimage["p"][0] = "1/0"
+    return json.dumps({"id": k, "curve": {"basis": "power", "preimage": preimage}, "at": ["1"]}) + "\n"
+
+
+def batch(*arguments, **streams):
+    return subprocess.run([PROGRAM, "batch", *arguments], stderr=subprocess.PIPE, **streams)
+
+
+def require(truth, what):
+    if not truth:
+        sys.exit(f"batch_check: {what}")
+
+
+def check_whole_lines(data, reference):
+    """Whole lines, those of the reference up to some place."""
+    require(data == reference[: len(data)], "not what the reference begins with")
+    require(not data or data.endswith(b"\n"), "the last line is not whole")
+
+
+def started(output, *arguments, wanted=100):
+    """A running batch whose output has this many lines."""
+    Path(output).unlink(missing_ok=True)
+    process = subprocess.Popen([PROGRAM, "batch", "lines", "-o", output, *arguments], stderr=subprocess.PIPE)
+    while process.poll() is None and (not Path(output).exists() or Path(output).read_bytes().count(b"\n") < wanted):
+        time.sleep(0.001)
+    require(process.poll() is None, "finished before it could be interrupted")
+    return process
+
+
+def check_threads(reference):
+    for threads in (2, 4):
+        run = batch("--threads", str(threads), "lines", stdout=subprocess.PIPE)
+        require(run.stdout == reference, f"{threads} threads give other bytes")
+        require(run.returncode == 1 and run.stderr.endswith(b" lines failed\n"), "refused lines are not told")
+
+
+def check_signals(reference):
+    for number in (signal.SIGINT, signal.SIGTERM):
+        process = started("out")
+        process.send_signal(number)
+        process.wait(60)
+        require(process.returncode == -number, f"ended by {process.returncode}, not by the signal")
+        data = Path("out").read_bytes()
+        check_whole_lines(data, reference)
+        require(len(data) < len(reference), "the signal had no effect")
+        batch("lines", "-o", "out", "--skip-done", "out")
+        require(Path("out").read_bytes() == reference, "not completed after a signal")
+    waiting = subprocess.Popen([PROGRAM, "batch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    waiting.stdin.write(b'{"id": 1}\n{"id": 2')
+    waiting.stdin.flush()
+    require(waiting.stdout.readline().startswith(b'{"id":1,"error"'), "an answer waits for the next line")
+    waiting.send_signal(signal.SIGINT)
+    require(waiting.wait(60) == -signal.SIGINT, "waits for input after a signal")
+    require(waiting.stdout.read() == b"", "half a line was answered")
+
+
+def check_kill(reference):
+    process = started("out")
+    process.kill()
+    process.wait()
+    with open("out", "ab") as out:  # as if it had been killed while it wrote
+        out.write(b'{"id":4999,"phra')
+    shutil.copy("out", "copy")
+    batch("lines", "-o", "out", "--skip-done", "out")
+    require(Path("out").read_bytes() == reference, "not completed after a kill")
+    with open("copy", "ab") as copy:
+        batch("lines", "--skip-done", "copy", stdout=copy)
+    require(Path("copy").read_bytes() == reference, "not completed by >> after a kill")
+    # Into another file: the rest only.
+    rest = batch("lines", "--skip-done", "out", stdout=subprocess.PIPE)
+    require(rest.stdout == b"" and rest.returncode == 0, "what was done is done again")
+
+
+def check_parallel(reference):
+    """The recipes of docs/cluster.md."""
+    if shutil.which("parallel") is None:
+        print("GNU parallel is not installed: its recipe is not tried")
+        return
+    recipe = f"parallel --pipe --block 100k --keep-order -j 2 '{PROGRAM}' batch --threads 1 <lines 2>/dev/null"
+    run = subprocess.run(recipe, shell=True, stdout=subprocess.PIPE)
+    require(run.stdout == reference, "GNU parallel gives other bytes")
+    with open("out", "wb") as out:
+        process = subprocess.Popen(recipe, shell=True, stdout=out, start_new_session=True)
+        killed = False
+        while process.poll() is None and not killed:
+            workers = subprocess.run(["pgrep", "-s", str(process.pid), "-x", "phrame"], stdout=subprocess.PIPE)
+            for worker in workers.stdout.split()[:1]:
+                time.sleep(0.05)
+                try:
+                    os.kill(int(worker), signal.SIGKILL)
+                    killed = True
+                except ProcessLookupError:
+                    pass
+        process.wait()
+    require(killed, "no worker was killed")
+    lost = len(set(reference.splitlines()) - set(Path("out").read_bytes().splitlines()))
+    require(lost > 0, "the killed worker had nothing left to do")
+    with open("out", "ab") as out:
+        batch("lines", "--skip-done", "out", stdout=out)
+    answers = Path("out").read_bytes().splitlines()
+    require(sorted(answers) == sorted(reference.splitlines()), "lost or doubled after a worker was killed")
+
+
+def main():
+    with tempfile.TemporaryDirectory(prefix="phrame-batch-") as folder:
+        os.chdir(folder)
+        rng = random.Random(7)
+        Path("lines").write_text("\n".join(line(k, rng) for k in range(LINES)))  # every other line is blank
+        reference = batch("--threads", "1", "lines", stdout=subprocess.PIPE).stdout
+        ids = [json.loads(answer)["id"] for answer in reference.splitlines()]
+        require(ids == list(range(LINES)), "the answers are not in the order of the lines")
+        check_threads(reference)
+        check_signals(reference)
+        check_kill(reference)
+        check_parallel(reference)
+        os.chdir("/")
+
+
+main()

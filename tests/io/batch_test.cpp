@@ -1,0 +1,112 @@
+#include "phrame/io/batch.hpp"
+
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "io/reference.hpp"
+#include "phrame/io/angle_report.hpp"
+#include "phrame/io/spline_report.hpp"
+
+using namespace phrame;
+using test::Json;
+
+namespace {
+
+Json quintic() {
+  return {{"basis", "bernstein"},
+          {"name", "quintic"},
+          {"preimage", test::farouki_2003()["quintic"]["bernstein"]}};
+}
+
+Json answer(const Json& line, const BatchDefaults& defaults = {}) {
+  const BatchAnswer found = batch_answer(line.dump(), defaults);
+  CHECK(found.line.find('\n') == std::string::npos);
+  const Json parsed = Json::parse(found.line);
+  CHECK(found.is_failure == parsed.contains("error"));
+  return parsed;
+}
+
+void check_error(const std::string& line, int status, const std::string& message) {
+  CAPTURE(line);
+  const BatchAnswer found = batch_answer(line, {});
+  CAPTURE(found.line);
+  CHECK(found.is_failure);
+  const Json error = Json::parse(found.line)["error"];
+  CHECK(error["status"] == status);
+  CHECK(error["message"].get<std::string>().find(message) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("batch: an answer is what the report of the same curve says, with the id") {
+  for (const auto reference : {Reference::erf, Reference::frenet}) {
+    const Json found = answer({{"id", "a\"7"},
+                               {"curve", quintic()},
+                               {"frame", reference == Reference::erf ? "erf" : "frenet"},
+                               {"at", {"1/2", 1, 0.25}},
+                               {"digits", 40},
+                               {"theta0", "1/3"}});
+    Json file = quintic();
+    file["phrame"] = "curve/1";
+    const NamedCurve named = read_curve(file.dump());
+    RmfAngle angle(named.curve, reference);
+    AngleReport report{named, reference, angle, Rational(1, 3), {}, 40};
+    for (const Rational& t : {Rational(1, 2), Rational(1), Rational(1, 4)})
+      report.values.push_back(rounded_angle(angle, t, Rational(1, 3), 40));
+    Json expected = Json::parse(to_json(report));
+    expected["id"] = "a\"7";
+    CHECK(found == expected);
+  }
+}
+
+TEST_CASE("batch: what a line leaves out is the default") {
+  BatchDefaults defaults;
+  CHECK(answer({{"curve", quintic()}}, defaults)["values"].empty());
+  CHECK(answer({{"curve", quintic()}}, defaults)["id"] == nullptr);
+  defaults = {Reference::frenet, {Rational(1)}, 30, true, {}};
+  const Json found = answer({{"id", 1e300}, {"curve", quintic()}}, defaults);
+  CHECK(found["id"] == 1e300);
+  CHECK(found["frame"] == "frenet");
+  CHECK(found["values"][0]["theta"].get<std::string>().size() >= 31);
+  CHECK_FALSE(found.contains("antiderivative"));
+  CHECK(answer({{"curve", quintic()}, {"at", "1/3"}}, defaults)["values"][0]["t"] == "1/3");
+}
+
+TEST_CASE("batch: splines") {
+  const Json spline = {{"phrame", "spline/1"}, {"segments", {quintic(), quintic()}}};
+  // The end of one is no start of the other: their tangents differ.
+  CHECK(answer({{"curve", spline}})["error"]["status"] == 2);
+  const Json one = {{"phrame", "spline/1"}, {"segments", Json::array({quintic()})}};
+  const Json found = answer({{"id", 3}, {"curve", one}, {"at", {1}}, {"digits", 20}});
+  CHECK(found["phrame"] == "spline-angle/1");
+  CHECK(found["id"] == 3);
+  CHECK(found["values"][0]["theta"] == found["total"]["value"]);
+}
+
+TEST_CASE("batch: a failure has the status that the program would have, and the place") {
+  const std::string line =
+      R"({"basis": "power", "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})";
+  check_error("", 2, "not valid JSON: unexpected end of input");
+  check_error("[1]", 2, "/: an object is wanted");
+  check_error(R"({"id": 1})", 2, "the key \"curve\" is missing");
+  check_error(R"({"id": [1], "curve": )" + line + "}", 2, "/id: an id is a string or a number");
+  check_error(
+      R"({"curve": {"basis": "power", "preimage": {"u": ["1/0"], "v": [0], "p": [0], "q": [0]}}})",
+      2, "/curve/preimage/u/0: ");
+  check_error(R"({"frame": "bishop", "curve": )" + line + "}", 2,
+              "/frame: \"bishop\" is not one of erf, frenet");
+  check_error(R"({"digits": 1.5, "curve": )" + line + "}", 2, "/digits: 3/2 is not a whole number");
+  check_error(R"({"at": ["x"], "curve": )" + line + "}", 2, "/at/0: ");
+  check_error(R"({"att": [1], "curve": )" + line + "}", 2, "the nearest known key is \"at\"");
+  check_error(R"({"frame": "frenet", "curve": )" + line + "}", 3, "straight line");
+  CHECK(Json::parse(batch_answer(R"({"id": 8, "curve": 0})", {}).line)["id"] == 8);
+}
+
+TEST_CASE("batch: ids of lines and of answers") {
+  CHECK(batch_id(R"({"id": "x", "curve": 1})") == "\"x\"");
+  CHECK(batch_id(R"({"curve": 1, "id": 10})") == "10");
+  CHECK(batch_id(R"({"curve": 1})") == std::nullopt);
+  CHECK(batch_id(R"({"id": nul)") == std::nullopt);
+  CHECK(batch_id(batch_answer(R"({"id": "ü"})", {}).line) == batch_id(R"({"id": "ü"})"));
+}
