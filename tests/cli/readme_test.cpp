@@ -49,8 +49,8 @@ TEST_CASE("documents: every command shown prints what is shown") {
   const char* program = std::getenv("PHRAME_PROGRAM");
   REQUIRE(program != nullptr);
   for (const char* document :
-       {"/README.md", "/docs/classification.md", "/docs/integration.md", "/docs/minimal-twist.md",
-        "/docs/motion.md", "/docs/splines.md", "/docs/totals.md"}) {
+       {"/README.md", "/docs/classification.md", "/docs/cluster.md", "/docs/integration.md",
+        "/docs/minimal-twist.md", "/docs/motion.md", "/docs/splines.md", "/docs/totals.md"}) {
     CAPTURE(document);
     long commands = 0;
     for (const std::string& block : blocks(content(root + document), "console")) {
