@@ -48,7 +48,8 @@ std::string output_of(const std::string& command) {
 TEST_CASE("documents: every command shown prints what is shown") {
   const char* program = std::getenv("PHRAME_PROGRAM");
   REQUIRE(program != nullptr);
-  for (const char* document :
+  long all = 0;
+  for (const std::string document :
        {"/README.md", "/docs/classification.md", "/docs/cluster.md", "/docs/integration.md",
         "/docs/minimal-twist.md", "/docs/motion.md", "/docs/splines.md", "/docs/totals.md"}) {
     CAPTURE(document);
@@ -62,8 +63,10 @@ TEST_CASE("documents: every command shown prints what is shown") {
       CHECK(output_of("cd '" + root + "' && '" + program + "' " + command.substr(9)) ==
             block.substr(end + 1));
     }
-    CHECK(commands >= 3);
+    CHECK(commands >= 1);
+    all += commands;
   }
+  CHECK(all >= 24);
 }
 
 TEST_CASE("README: the C++ shown is examples/quickstart.cpp, which is compiled and run") {
