@@ -80,6 +80,21 @@ Polynomial operator%(const Polynomial& a, const Polynomial& b) {
   return r;
 }
 
+Polynomial short_remainder(const Polynomial& a, const Polynomial& b) {
+  if (b.is_zero()) throw DomainError("remainder: the divisor is the zero polynomial");
+  flint::FmpzPoly numerator;
+  flint::FmpzPoly quotient;
+  flint::FmpzPoly remainder;
+  fmpq_poly_get_numerator(numerator.get(), a.raw());
+  // Quotient and remainder over ℚ if the remainder has the degree of one.
+  fmpz_poly_divrem(quotient.get(), remainder.get(), numerator.get(),
+                   integer_primitive_part(b).get());
+  if (fmpz_poly_degree(remainder.get()) >= b.degree()) return a % b;
+  Polynomial r = to_polynomial(remainder.get());
+  fmpq_poly_scalar_div_fmpz(r.raw(), r.raw(), fmpq_poly_denref(a.raw()));
+  return r;
+}
+
 Polynomial exact_quotient(const Polynomial& a, const Polynomial& b) {
   auto [quotient, remainder] = divide(a, b);
   if (!remainder.is_zero())

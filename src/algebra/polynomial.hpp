@@ -60,6 +60,10 @@ struct Division {
 /// a = quotient · b + remainder, deg remainder < deg b. Throws DomainError for b = 0.
 Division divide(const Polynomial& a, const Polynomial& b);
 Polynomial operator%(const Polynomial& a, const Polynomial& b);
+/// a % b, much faster where it is known to be far shorter than a: the quotient of a, without its
+/// denominator, by the primitive part of b is then integral (Gauss's lemma), and no power of a
+/// leading coefficient is needed to divide.
+Polynomial short_remainder(const Polynomial& a, const Polynomial& b);
 /// a / b, where b divides a. Throws DomainError where it does not.
 Polynomial exact_quotient(const Polynomial& a, const Polynomial& b);
 

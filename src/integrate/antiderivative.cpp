@@ -83,7 +83,8 @@ bool is_over_poles(const LogSum& sum) {
 RationalFunction differentiate(const LogSum& sum) {
   if (!is_over_poles(sum))
     return sum.index.degree() == 2 ? derivative_over_quadratic(sum) : derivative_by_power_sums(sum);
-  return {(sum.residue * differentiate(sum.index)) % sum.index, sum.index};
+  // Σ n(z)/d′(z) · 1/(t − z) = n/d: of the residue n/d′ mod d, which is long, n comes back.
+  return {short_remainder(sum.residue * differentiate(sum.index), sum.index), sum.index};
 }
 
 RationalFunction differentiate(const Antiderivative& F) {

@@ -42,18 +42,25 @@ long largest_precision(long bits, const Endpoint& a, const Endpoint& b) {
 
 }  // namespace
 
-Evaluator::Evaluator(const Antiderivative& F)
+Evaluator::Evaluator(const Antiderivative& F, const RationalFunction& derivative)
     : polynomial_(F.polynomial - Polynomial{F.polynomial.coefficient(0)}), rational_(F.rational) {
+  if (F.logs.empty()) return;
   const auto add = [this](const Polynomial& n, const Polynomial& d) {
-    if (n.is_zero()) return;
-    poles_.push_back({n, d, differentiate(d), {}, {}, {}});
+    if (!n.is_zero()) poles_.push_back({n, d, differentiate(d), {}, {}, {}});
   };
-  for (const LogSum& sum : F.logs) {
-    const RationalFunction f = differentiate(sum);
-    if (is_over_poles(sum))
+  RationalFunction logs = derivative;
+  if (!polynomial_.is_zero() || !rational_.is_zero())
+    logs = logs - (RationalFunction(differentiate(polynomial_)) + differentiate(rational_));
+  const bool is_over_all_poles = std::all_of(F.logs.begin(), F.logs.end(), is_over_poles);
+  if (!is_over_all_poles) {
+    for (const auto& [n, d] : simple_fractions(logs)) add(n, d);
+  } else if (F.logs.size() == 1) {
+    add(logs.numerator(), logs.denominator());
+  } else {
+    for (const LogSum& sum : F.logs) {
+      const RationalFunction f = differentiate(sum);
       add(f.numerator(), f.denominator());
-    else
-      for (const auto& [n, d] : simple_fractions(f)) add(n, d);
+    }
   }
 }
 

@@ -18,7 +18,10 @@ namespace phrame {
 class Evaluator {
  public:
   Evaluator() = default;  ///< of F = 0
-  explicit Evaluator(const Antiderivative& F);
+  explicit Evaluator(const Antiderivative& F) : Evaluator(F, differentiate(F)) {}
+  /// Of F with F′ = derivative, which is not checked. To differentiate costs as much as to integrate
+  /// where residues are algebraic numbers of high degree.
+  Evaluator(const Antiderivative& F, const RationalFunction& derivative);
 
   /// A ball around F(b) − F(a) with a radius ≤ 2^−bits · max(1, |F(b) − F(a)|).
   /// Throws DomainError where F′ has a pole in [a, b] (decided by Sturm's theorem, the message

@@ -15,7 +15,7 @@ AlgebraicFrames::AlgebraicFrames(const Curve& curve) {
   bend_ = bend_numerator(a);
   const RationalFunction rate = erf_rate(a);
   is_rotation_minimizing_ = rate.is_zero();
-  twist_ = Evaluator(integrate(rate));
+  twist_ = Evaluator(integrate(rate), rate);
 }
 
 Frame<Real> AlgebraicFrames::euler_rodrigues(const AlgebraicPoint& t) const {

@@ -60,7 +60,7 @@ RmfAngle::RmfAngle(const Curve& curve, Reference reference, Form form)
   }
   twist_ = integrate(rate_, form);
   antiderivative_ = twist_;
-  evaluator_ = Evaluator(twist_);
+  evaluator_ = Evaluator(twist_, rate_);
   if (!bend_) return;
   antiderivative_.logs.push_back(argument_as_logs(*bend_));
   rate_ = rate_ + rate_of_argument(*bend_);

@@ -117,6 +117,18 @@ TEST_CASE("polynomial: law: the squarefree part has the same roots, each once") 
   CHECK_THROWS_AS(squarefree_part({}), DomainError);
 }
 
+TEST_CASE("polynomial: law: a short remainder is the remainder, whether it is short or not") {
+  for_samples(100, [](Random& random) {
+    const Polynomial a = random.polynomial(8);
+    const Polynomial b = random.nonzero_polynomial(4);
+    CHECK(short_remainder(a, b) == a % b);
+    const Polynomial n = random.polynomial(b.degree() - 1);  // the quotient is integral
+    const Polynomial sum = Rational(1, 6) * (a * b + n);
+    CHECK(short_remainder(sum, b) == sum % b);
+  });
+  CHECK_THROWS_AS(short_remainder({1}, {}), DomainError);
+}
+
 TEST_CASE("polynomial: as text in messages") {
   CHECK(to_string(Polynomial{}) == "0");
   CHECK(to_string(Polynomial{Rational(-1, 2)}) == "-1/2");

@@ -128,7 +128,7 @@ TEST_CASE("spline: a rational frame stays exact through the joints, to a segment
   std::vector<Curve> curves{plane_quarter(x, y), plane_quarter(y, z), plane_quarter(z, x)};
   curves[1] = with_other_frame(curves[1], {1, 7, 0, 0});
   const QuaternionPolynomial twist{{1, 2}, {3, -1}, {}, {}};
-  for (const std::size_t k : {0, 2}) curves[k] = Curve(curves[k].preimage() * twist);
+  for (const std::size_t k : {0U, 2U}) curves[k] = Curve(curves[k].preimage() * twist);
   const Spline spline = chain(curves);
   SplineAngle angle(spline);
   for (const Rational& t : {Rational(1, 3), Rational(1), Rational(5, 3), Rational(9, 4)}) {
