@@ -32,6 +32,7 @@ class MedianReporter : public benchmark::ConsoleReporter {
   void Finalize() override {
     table("erf");
     table("frenet");
+    growth({"erf_symbolic", "erf_value", "erf_from_scratch", "roots_of_sigma"});
   }
 
  private:
@@ -44,7 +45,7 @@ class MedianReporter : public benchmark::ConsoleReporter {
   void table(const std::string& frame) const {
     std::printf("\n%s, CPU ms\n%3s %10s %10s %6s %10s %10s %6s %10s\n", frame.c_str(), "m",
                 "symbolic", "FLINT", "ratio", "value", "roots", "ratio", "scratch");
-    for (const char* m : {"1", "2", "3", "5", "10", "20", "40", "80"}) {
+    for (const char* m : {"1", "2", "3", "5", "10", "20", "40", "80", "200"}) {
       const double symbolic = time(frame + "_symbolic", m);
       const double flint = time(frame + "_flint", m);
       const double value = time(frame + "_value", m);
@@ -54,6 +55,22 @@ class MedianReporter : public benchmark::ConsoleReporter {
       std::printf("%3s %10.4f %10.4f %6.2f %10.4f %10.4f %6.2f %10.4f\n", m, symbolic, flint,
                   symbolic / flint, value, roots, value / roots, scratch);
     }
+  }
+
+  /// The slope of the line through log time over log m, m ≥ 5, by least squares.
+  void growth(const std::vector<std::string>& names) const {
+    for (const std::string& name : names) {
+      double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+      for (const auto& [run, ms] : milliseconds_) {
+        if (run.first != name || std::stol(run.second) < 5) continue;
+        const double u = std::log(std::stod(run.second));
+        const double v = std::log(ms);
+        n += 1, x += u, y += v, xx += u * u, xy += u * v;
+      }
+      if (n >= 3)
+        std::printf("\n%s grows like m^%.2f", name.c_str(), (n * xy - x * y) / (n * xx - x * x));
+    }
+    std::printf("\n");
   }
 
   std::map<std::pair<std::string, std::string>, double> milliseconds_;

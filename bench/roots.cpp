@@ -35,7 +35,13 @@ void roots_of_pair(State& state) {
   isolate(state, (pow(Polynomial{Rational(-1, 3), 1}, 2) + Polynomial{gap}) * Polynomial{5, 1, 1});
 }
 
-BENCHMARK(roots_of_sigma)->Arg(20)->Arg(80)->Arg(200)->Arg(500)->Unit(benchmark::kMillisecond);
+BENCHMARK(roots_of_sigma)
+    ->Arg(5)
+    ->Arg(20)
+    ->Arg(80)
+    ->Arg(200)
+    ->Arg(500)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(roots_of_chebyshev)->Arg(60)->Arg(200)->Unit(benchmark::kMillisecond);
 BENCHMARK(roots_of_pair)->Arg(20)->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond);
 

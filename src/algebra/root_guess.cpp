@@ -14,9 +14,10 @@ namespace {
 using Complex = std::complex<double>;
 
 /// mantissa · 2^scale, the mantissa of moderate size.
-struct RootGuess {
+struct Approximation {
   Complex mantissa;
   long scale = 0;
+  double last_step = 1;  ///< its square, relative
 };
 
 // Those of the standard library are slow, as they look after infinities.
@@ -70,7 +71,7 @@ struct Coefficients {
 
 /// Starting points on circles: the slopes of the upper convex hull of (k, log |c_k|) are about the
 /// sizes of the roots (Bini 1996).
-std::vector<RootGuess> starting_points(const Coefficients& c) {
+std::vector<Approximation> starting_points(const Coefficients& c) {
   std::vector<std::size_t> hull;
   for (std::size_t k = 0; k < c.mantissas.size(); ++k) {
     if (c.mantissas[k] == 0) continue;
@@ -81,7 +82,7 @@ std::vector<RootGuess> starting_points(const Coefficients& c) {
     while (hull.size() >= 2 && is_below(hull[hull.size() - 2], hull.back())) hull.pop_back();
     hull.push_back(k);
   }
-  std::vector<RootGuess> points;
+  std::vector<Approximation> points;
   for (std::size_t edge = 1; edge < hull.size(); ++edge) {
     const auto count = static_cast<double>(hull[edge] - hull[edge - 1]);
     const double size = (c.height(hull[edge - 1]) - c.height(hull[edge])) / count;
@@ -121,38 +122,40 @@ std::optional<Complex> logarithmic_derivative(const std::vector<double>& c, Comp
 
 // Each root is written in the scale it starts from, so that roots of very different sizes are found
 // together: f is scaled anew for each of these sizes.
-std::vector<ComplexBall> guess_roots(const flint::FmpzPoly& f) {
+RootGuess guess_roots(const flint::FmpzPoly& f) {
   slong zeros = 0;
   while (fmpz_is_zero(fmpz_poly_get_coeff_ptr(f.get(), zeros)) != 0) ++zeros;
   const Coefficients coefficients(f, zeros);
-  std::vector<RootGuess> roots = starting_points(coefficients);
+  std::vector<Approximation> roots = starting_points(coefficients);
   std::map<long, std::vector<double>> c;
-  for (const RootGuess& z : roots)
+  for (const Approximation& z : roots)
     if (!c.contains(z.scale)) c.emplace(z.scale, coefficients.in_scale(z.scale));
 
-  std::vector<RootGuess*> moving;
-  for (RootGuess& z : roots) moving.push_back(&z);
+  std::vector<Approximation*> moving;
+  for (Approximation& z : roots) moving.push_back(&z);
   constexpr int most_rounds = 100;
   for (int round = 0; round < most_rounds && !moving.empty(); ++round)
-    std::erase_if(moving, [&](RootGuess* z) {
+    std::erase_if(moving, [&](Approximation* z) {
       const auto ratio = logarithmic_derivative(c.at(z->scale), z->mantissa);
       if (!ratio) return true;
       Complex repulsion = 0;
-      for (const RootGuess& other : roots)
+      for (const Approximation& other : roots)
         if (&other != z)
           repulsion += inverse(z->mantissa - scaled(other.mantissa, other.scale - z->scale));
       const Complex step = inverse(*ratio - repulsion);
       if (!std::isfinite(step.real()) || !std::isfinite(step.imag())) return true;
       z->mantissa -= step;
-      return std::norm(step) < 1e-26 * std::norm(z->mantissa);
+      z->last_step = std::norm(step) / std::norm(z->mantissa);
+      return z->last_step < 1e-26;
     });
-  std::vector<ComplexBall> points(static_cast<std::size_t>(zeros));
-  for (const auto& [z, scale] : roots) {
-    ComplexBall& point = points.emplace_back();
+  RootGuess guess{std::vector<ComplexBall>(static_cast<std::size_t>(zeros)), 0};
+  for (const auto& [z, scale, last_step] : roots) {
+    ComplexBall& point = guess.points.emplace_back();
     acb_set_d_d(point.raw(), z.real(), z.imag());
     acb_mul_2exp_si(point.raw(), point.raw(), scale);
+    if (last_step > 1e-10) ++guess.vague;
   }
-  return points;
+  return guess;
 }
 
 }  // namespace phrame

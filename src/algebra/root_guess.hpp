@@ -5,10 +5,15 @@
 
 namespace phrame {
 
-/// Approximations of all complex roots of f ≠ 0, exact balls with numbers of double precision, by
-/// the iteration of Ehrlich and Aberth, each as far as doubles go. Nothing is proved about them:
-/// they save a certified root finder its first steps. Bini, Numerical computation of polynomial
-/// zeros by means of Aberth's method, Numerical Algorithms 13 (1996).
-std::vector<ComplexBall> guess_roots(const flint::FmpzPoly& f);
+struct RootGuess {
+  std::vector<ComplexBall> points;  ///< exact
+  long vague = 0;                   ///< so many of them have fewer than about five digits
+};
+
+/// Approximations of all complex roots of f ≠ 0 with numbers of double precision, by the iteration
+/// of Ehrlich and Aberth, each as far as doubles go. Nothing is proved about them: they save a
+/// certified root finder its first steps. Bini, Numerical computation of polynomial zeros by means
+/// of Aberth's method, Numerical Algorithms 13 (1996).
+RootGuess guess_roots(const flint::FmpzPoly& f);
 
 }  // namespace phrame

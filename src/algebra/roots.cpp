@@ -96,9 +96,13 @@ Roots isolate_roots(const Polynomial& p, long bits) {
   if (!is_squarefree(p)) throw DomainError("isolate_roots: the polynomial has a repeated root");
   const flint::FmpzPoly f = integer_primitive_part(p);
   if (p.degree() == 2) return collect(solve_quadratic(f, bits));
-  Roots roots = certified(f, guess_roots(f), 0);
+  Roots roots = certified(f, guess_roots(f).points, 0);
   refine(p, roots, bits);
   return roots;
+}
+
+bool are_ill_conditioned(const Polynomial& p) {
+  return p.degree() > 2 && 2 * guess_roots(integer_primitive_part(p)).vague > p.degree();
 }
 
 bool refine(const Polynomial& p, RealBall& root, long bits) {

@@ -15,6 +15,10 @@ struct Roots {
 /// Throws DomainError where p is constant or not squarefree.
 Roots isolate_roots(const Polynomial& p, long bits);
 
+/// Do doubles not tell where most roots of p ≠ 0 are? To isolate them takes far longer, then. A
+/// hint, for a hundredth of the time of isolate_roots.
+bool are_ill_conditioned(const Polynomial& p);
+
 /// Narrows the enclosure of one real root of p to a relative accuracy of about `bits` bits, by
 /// interval Newton steps; false where they do not reach that.
 bool refine(const Polynomial& p, RealBall& root, long bits);

@@ -9,6 +9,7 @@ struct AngleOptions {
   CurveOptions curve;
   Parameters parameters;
   std::string frame = "erf";
+  std::string route = "auto";
   FormOptions form;
   std::string start_angle = "0";
   long digits = 17;
@@ -17,6 +18,7 @@ struct AngleOptions {
 /// The options, read. What is wrong on the command line is said before the curve is read.
 struct Choices {
   Reference reference;
+  Route route;
   FormChoice form;
   Print<AngleReport> print;
   Rational start_angle;
@@ -25,6 +27,11 @@ struct Choices {
 Choices choices(const AngleOptions& options) {
   const Choices chosen{choose<Reference>("--frame", options.frame,
                                          {{"erf", Reference::erf}, {"frenet", Reference::frenet}}),
+                       choose<Route>("--route", options.route,
+                                     {{"auto", Route::automatic},
+                                      {"roots", Route::roots},
+                                      {"quadrature", Route::quadrature},
+                                      {"both", Route::both}}),
                        options.form.chosen_form(), chosen_print<AngleReport>(options.form.print),
                        parse_option("--theta0", options.start_angle)};
   if (!chosen.print.text && !options.parameters.values().empty())
@@ -36,6 +43,7 @@ Choices choices(const AngleOptions& options) {
 std::string curve_report(const AngleOptions& options, const Choices& chosen,
                          const NamedCurve& named) {
   RmfAngle angle(named.curve, chosen.reference, chosen.form.form);
+  angle.take(chosen.route);
   AngleReport report{named, chosen.reference, angle, chosen.start_angle, {}, options.digits};
   set_style(report, chosen.form, angle.antiderivative());
   for (const Rational& t : options.parameters.values())
@@ -54,6 +62,7 @@ std::string spline_report(const AngleOptions& options, const Choices& chosen,
   require(chosen.form.style == FormChoice::Style::algebraic, "--form", options.form.form);
   require(print == "text" || print == "json", "--print", print);
   SplineAngle angle(named.spline, chosen.form.form);
+  angle.take(chosen.route);
   const auto report =
       spline_angle_report(named.name, angle, chosen.start_angle,
                           options.parameters.values(named.spline.end()), options.digits);
@@ -82,6 +91,12 @@ void add_angle(CLI::App& app) {
       ->type_name("NAME");
   add_digits(*command, options->digits);
   options->form.add_to(*command);
+  command
+      ->add_option(
+          "--route", options->route,
+          "how values are computed: auto (default), roots, quadrature, or both, which must\n"
+          "agree")
+      ->type_name("NAME");
   command->add_option("--theta0", options->start_angle, "the angle at t = 0, radians (default 0)")
       ->type_name("ANGLE");
   command->footer(

@@ -8,6 +8,7 @@
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/integrate/exact_value.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
+#include "phrame/integrate/quadrature.hpp"
 
 namespace phrame {
 namespace {
@@ -43,7 +44,9 @@ long largest_precision(long bits, const Endpoint& a, const Endpoint& b) {
 }  // namespace
 
 Evaluator::Evaluator(const Antiderivative& F, const RationalFunction& derivative)
-    : polynomial_(F.polynomial - Polynomial{F.polynomial.coefficient(0)}), rational_(F.rational) {
+    : polynomial_(F.polynomial - Polynomial{F.polynomial.coefficient(0)}),
+      rational_(F.rational),
+      derivative_(derivative) {
   if (F.logs.empty()) return;
   const auto add = [this](const Polynomial& n, const Polynomial& d) {
     if (!n.is_zero()) poles_.push_back({n, d, differentiate(d), {}, {}, {}});
@@ -75,7 +78,7 @@ void Evaluator::require_no_pole(const Rational& a, const Rational& b) const {
   };
   if (!rational_.is_polynomial()) check(rational_.denominator());
   for (const Poles& p : poles_)
-    if (!p.roots.real.empty()) check(p.denominator);
+    if (precision_ == 0 || !p.roots.real.empty()) check(p.denominator);
 }
 
 Rational Evaluator::rational_difference(const Rational& a, const Rational& b) const {
@@ -172,7 +175,48 @@ RealBall Evaluator::branch_difference(const Endpoint& a, const Endpoint& b, long
   }
 }
 
+bool Evaluator::quadrature_is_cheaper() {
+  constexpr long few_values = 4;
+  if (precision_ > 0 || quadratures_ == few_values) return false;
+  if (!is_ill_conditioned_)
+    is_ill_conditioned_ = std::any_of(poles_.begin(), poles_.end(), [](const Poles& p) {
+      return are_ill_conditioned(p.denominator);
+    });
+  if (*is_ill_conditioned_) ++quadratures_;
+  return *is_ill_conditioned_;
+}
+
 RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) {
+  if (poles_.empty() || a == b || route_ == Route::roots ||
+      (route_ == Route::automatic && !quadrature_is_cheaper()))
+    return difference_by_roots(a, b, bits);
+  const auto value = difference_by_quadrature(a, b, bits);
+  if (value && route_ != Route::both) return *value;
+  const RealBall other = difference_by_roots(a, b, bits);
+  if (route_ == Route::automatic) return other;
+  if (!value)
+    throw Undecided(
+        fmt::format("definite integral from {} to {}: the quadrature does not give an enclosure "
+                    "of width 2^-{}",
+                    abbreviated(to_string(a)), abbreviated(to_string(b)), bits));
+  if (!value->overlaps(other))
+    throw Error(fmt::format("definite integral from {} to {}: quadrature and roots do not agree",
+                            abbreviated(to_string(a)), abbreviated(to_string(b))));
+  return other;
+}
+
+/// No value where the quadrature gives up, as next to a pole.
+std::optional<RealBall> Evaluator::difference_by_quadrature(const Rational& a, const Rational& b,
+                                                            long bits) const {
+  require_no_pole(a, b);
+  for (const long more : {16L, 64L, 64 + bits}) {
+    const RealBall value = quadrature(derivative_, a, b, bits + more);
+    if (value.is_accurate(bits)) return value;
+  }
+  return std::nullopt;
+}
+
+RealBall Evaluator::difference_by_roots(const Rational& a, const Rational& b, long bits) {
   prepare(bits + 24);
   require_no_pole(a, b);
   const Rational rational = rational_difference(a, b);

@@ -8,6 +8,15 @@
 
 namespace phrame {
 
+/// The way to F(b) − F(a) between rational ends. Roots, once isolated, serve all values; the
+/// quadrature of F′ needs none, but is done anew for each.
+enum class Route {
+  automatic,   ///< roots, unless they are ill-conditioned and few values were asked for so far
+  roots,       ///< of the denominator of F′
+  quadrature,  ///< Arb's, certified
+  both         ///< which must agree
+};
+
 /// Evaluates F(b) − F(a) = ∫ F′ between rational ends, for many ends and rising precisions: the
 /// poles are isolated once and refined when more precision is asked for. Any form of F gives the
 /// same values: they are computed from the poles z of F′ and its residues c(z) there,
@@ -19,14 +28,17 @@ class Evaluator {
  public:
   Evaluator() = default;  ///< of F = 0
   explicit Evaluator(const Antiderivative& F) : Evaluator(F, differentiate(F)) {}
-  /// Of F with F′ = derivative, which is not checked. To differentiate costs as much as to integrate
-  /// where residues are algebraic numbers of high degree.
+  /// Of F with F′ = derivative, which is not checked. To differentiate costs as much as to
+  /// integrate where residues are algebraic numbers of high degree.
   Evaluator(const Antiderivative& F, const RationalFunction& derivative);
+
+  void take(Route route) { route_ = route; }
 
   /// A ball around F(b) − F(a) with a radius ≤ 2^−bits · max(1, |F(b) − F(a)|).
   /// Throws DomainError where F′ has a pole in [a, b] (decided by Sturm's theorem, the message
   /// names the pole) and Undecided where 64·bits + 65536 bits of precision, more for ends with many
-  /// digits, do not reach the radius.
+  /// digits, or the quadrature that was asked for do not reach the radius. Throws Error should two
+  /// routes not agree.
   RealBall difference(const Rational& a, const Rational& b, long bits);
 
   /// The same between ends of any kind: a ball around G(b) − G(a) for the branch G of F with |t −
@@ -75,6 +87,10 @@ class Evaluator {
   Rational rational_difference(const Rational& a, const Rational& b) const;
   void require_no_pole(const Rational& a, const Rational& b) const;
   void prepare(long precision);
+  RealBall difference_by_roots(const Rational& a, const Rational& b, long bits);
+  std::optional<RealBall> difference_by_quadrature(const Rational& a, const Rational& b,
+                                                   long bits) const;
+  bool quadrature_is_cheaper();
   RealBall log_difference(const Rational& a, const Rational& b, long bits) const;
   RealBall branch(const Endpoint& t, long bits);
   bool turns_vanish(const Polynomial& residues, const Polynomial& other_residues, const Rational& a,
@@ -82,8 +98,12 @@ class Evaluator {
 
   Polynomial polynomial_;
   RationalFunction rational_;
+  RationalFunction derivative_;
   std::vector<Poles> poles_;
   long precision_ = 0;  ///< of the roots; 0 before they are isolated
+  Route route_ = Route::automatic;
+  std::optional<bool> is_ill_conditioned_;
+  long quadratures_ = 0;  ///< done by the automatic route
 };
 
 /// ∫ F′ from a to b: Evaluator(F).difference(a, b, bits).

@@ -43,6 +43,8 @@ class RmfAngle {
   /// rational is decided where all residues of θ′ lie in ℚ(i) and recognised in many other cases;
   /// where it is not recognised, to round θ(t) throws Undecided. Refers to this object.
   Real value(const Rational& t);
+  /// The way to values from now on.
+  void take(Route route) { evaluator_.take(route); }
   /// A ball around θ(t) with a radius ≤ 2^−bits · max(1, |θ(t)|).
   RealBall enclose(const Rational& t, long bits);
   /// z ∈ ℚ(i) with e^{iθ(t)} = z/|z|, where there is one for all t: where θ is the argument of a

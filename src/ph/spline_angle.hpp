@@ -22,6 +22,11 @@ class SplineAngle {
   /// The angle along segment k, counted from its start.
   const RmfAngle& segment(std::size_t k) const { return angles_[k]; }
 
+  /// The way to the values of the segments from now on.
+  void take(Route route) {
+    for (RmfAngle& angle : angles_) angle.take(route);
+  }
+
   /// θ(t), exact where it is seen to be rational; also where the contributions of different
   /// segments cancel. Refers to this object. Throws DomainError for t outside [0, end].
   Real value(const Rational& t);

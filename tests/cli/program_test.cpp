@@ -344,3 +344,19 @@ TEST_CASE("classify: in text and JSON; a bad curve is refused") {
                 "\"pdf\" is not one of text, json");
   check_failure(here.run("classify nothing.json"), 2, "nothing.json");
 }
+
+TEST_CASE("program: angle: all routes to a value print the same digits") {
+  const Workshop here;
+  for (const char* frame : {"erf", "frenet"}) {
+    const std::string command =
+        std::string("angle quintic.json --at 1/3,1,-7 --digits 40 --print json --frame ") + frame;
+    const Json expected = values(here.run(command));
+    for (const char* route : {"auto", "roots", "quadrature", "both"}) {
+      const Json found = values(here.run(command + " --route " + route));
+      for (std::size_t k = 0; k < expected.size(); ++k)
+        CHECK(found[k]["theta"] == expected[k]["theta"]);
+    }
+  }
+  check_failure(here.run("angle quintic.json --route sampling"), 2,
+                "--route: \"sampling\" is not one of auto, roots, quadrature, both");
+}

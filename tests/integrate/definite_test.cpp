@@ -163,6 +163,43 @@ TEST_CASE("definite: law: enclosures overlap Arb's quadrature, for every form") 
   });
 }
 
+TEST_CASE("definite: law: all routes lead to the same value, as accurate as asked") {
+  // Chebyshev's T₃₀(t − 5), whose zeros doubles do not tell in powers of t.
+  Polynomial before{1};
+  Polynomial chebyshev{-5, 1};
+  for (long k = 1; k < 30; ++k) {
+    Polynomial next = Polynomial{-10, 2} * chebyshev - before;
+    before = std::exchange(chebyshev, next);
+  }
+  CHECK(are_ill_conditioned(chebyshev));
+  const auto check = [](const RationalFunction& f, const Rational& a, const Rational& b) {
+    const Antiderivative F = integrate(f);
+    const RealBall expected = definite(F, a, b, 300);
+    for (const auto route : {Route::automatic, Route::roots, Route::quadrature, Route::both}) {
+      Evaluator evaluator(F, f);
+      evaluator.take(route);
+      for (const long bits : {40L, 130L, 60L, 90L, 200L, 250L}) {
+        const RealBall value = evaluator.difference(a, b, bits);
+        CHECK(value.overlaps(expected));
+        CHECK(value.is_accurate(bits));
+      }
+    }
+  };
+  check({{0, 1}, chebyshev}, Rational(-1, 3), 1);
+  for_samples(20, [&](Random& random) {
+    const RationalFunction f(random.polynomial(6), random.repeated_polynomial(2));
+    CHECK_FALSE(are_ill_conditioned(squarefree_part(f.denominator())));
+    const Rational a = random.integer(-3, 3);
+    const Rational b = a + Rational(random.integer(1, 8), 4);
+    if (count_real_roots(f.denominator(), closed(a, b)) == 0) check(f, a, b);
+  });
+  for (const auto route : {Route::quadrature, Route::both}) {
+    Evaluator pole(integrate({{1}, {-1, 3}}));
+    pole.take(route);
+    CHECK_THROWS_WITH_AS(pole.difference(0, 1, 60), doctest::Contains("pole at 1/3"), DomainError);
+  }
+}
+
 TEST_CASE("definite: law: integrals over neighbouring intervals add up; precision can rise") {
   for_samples(40, [](Random& random) {
     // Denominators without real roots: no pole anywhere.
