@@ -177,10 +177,11 @@ RealBall Evaluator::branch_difference(const Endpoint& a, const Endpoint& b, long
 
 bool Evaluator::quadrature_is_cheaper() {
   constexpr long few_values = 4;
+  constexpr long high_degree = 40;  // below, roots cost little in any case
   if (precision_ > 0 || quadratures_ == few_values) return false;
   if (!is_ill_conditioned_)
     is_ill_conditioned_ = std::any_of(poles_.begin(), poles_.end(), [](const Poles& p) {
-      return are_ill_conditioned(p.denominator);
+      return p.denominator.degree() >= high_degree && are_ill_conditioned(p.denominator);
     });
   if (*is_ill_conditioned_) ++quadratures_;
   return *is_ill_conditioned_;

@@ -11,7 +11,8 @@ namespace phrame {
 /// The way to F(b) − F(a) between rational ends. Roots, once isolated, serve all values; the
 /// quadrature of F′ needs none, but is done anew for each.
 enum class Route {
-  automatic,   ///< roots, unless they are ill-conditioned and few values were asked for so far
+  automatic,   ///< roots, unless they are many, ill-conditioned, and few values were asked for so
+               ///< far
   roots,       ///< of the denominator of F′
   quadrature,  ///< Arb's, certified
   both         ///< which must agree

@@ -164,10 +164,10 @@ TEST_CASE("definite: law: enclosures overlap Arb's quadrature, for every form") 
 }
 
 TEST_CASE("definite: law: all routes lead to the same value, as accurate as asked") {
-  // Chebyshev's T₃₀(t − 5), whose zeros doubles do not tell in powers of t.
+  // Chebyshev's T₄₀(t − 5), whose zeros doubles do not tell in powers of t.
   Polynomial before{1};
   Polynomial chebyshev{-5, 1};
-  for (long k = 1; k < 30; ++k) {
+  for (long k = 1; k < 40; ++k) {
     Polynomial next = Polynomial{-10, 2} * chebyshev - before;
     before = std::exchange(chebyshev, next);
   }

@@ -3,10 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "io/reference.hpp"
 #include "phrame/io/angle_report.hpp"
 #include "phrame/io/spline_report.hpp"
+#include "support/random.hpp"
 
 using namespace phrame;
 using test::Json;
@@ -109,4 +111,36 @@ TEST_CASE("batch: ids of lines and of answers") {
   CHECK(batch_id(R"({"curve": 1})") == std::nullopt);
   CHECK(batch_id(R"({"id": nul)") == std::nullopt);
   CHECK(batch_id(batch_answer(R"({"id": "ü"})", {}).line) == batch_id(R"({"id": "ü"})"));
+}
+
+TEST_CASE("batch: law: several threads give the answers that one gives") {
+  std::vector<std::string> lines;
+  test::for_samples(30, [&](test::Random& random) {
+    const auto list = [&](long degree) {
+      Json coefficients = Json::array();
+      for (long k = 0; k <= degree; ++k) coefficients.push_back(to_string(random.rational()));
+      return coefficients;
+    };
+    Json preimage;
+    for (const char* name : {"u", "v", "p", "q"}) preimage[name] = list(random.integer(0, 6));
+    lines.push_back(Json{{"id", lines.size()},
+                         {"curve", {{"basis", "power"}, {"preimage", preimage}}},
+                         {"frame", random.integer(0, 1) == 0 ? "erf" : "frenet"},
+                         {"at", {"1/3", 1}},
+                         {"digits", random.integer(10, 60)}}
+                        .dump());
+  });
+  std::vector<std::string> expected;
+  for (const std::string& line : lines) expected.push_back(batch_answer(line, {}).line);
+  std::vector<std::vector<std::string>> found(4, std::vector<std::string>(lines.size()));
+  std::vector<std::thread> threads;
+  for (std::size_t k = 0; k < found.size(); ++k)
+    threads.emplace_back([&lines, &mine = found[k], k] {
+      for (std::size_t j = 0; j < lines.size(); ++j) {
+        const std::size_t at = (j + k * lines.size() / 4) % lines.size();
+        mine[at] = batch_answer(lines[at], {}).line;
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& answers : found) CHECK(answers == expected);
 }
