@@ -15,7 +15,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstring>
+#include <fstream>
 #include <unordered_set>
 #include <utility>
 
@@ -33,10 +33,6 @@ struct BatchOptions {
   std::vector<std::string> at;
   BatchDefaults defaults;
 };
-
-[[noreturn]] void fail_with_errno(const std::string& place, std::string_view what) {
-  throw InputError(place, fmt::format("{}: {}", what, std::strerror(errno)));
-}
 
 /// A file descriptor, closed at the end unless it is a standard one.
 class Descriptor {
@@ -157,19 +153,18 @@ void write_whole(const Descriptor& file, std::string_view bytes) {
 /// What an earlier run has answered.
 struct Done {
   std::unordered_set<std::string> ids;
-  std::size_t whole_bytes = 0;  ///< up to the end of the last whole line
+  off_t whole_bytes = 0;  ///< up to the end of the last whole line
 };
 
 Done read_done(const std::string& path) {
   Done done;
-  if (path.empty() || access(path.c_str(), F_OK) != 0) return done;
-  const std::string text = read_file(path);
-  std::string_view rest = text;
-  for (auto end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
-    if (const auto id = batch_id(rest.substr(0, end))) done.ids.insert(*id);
-    rest.remove_prefix(end + 1);
+  if (path.empty() || access(path.c_str(), F_OK) != 0) return done;  // nothing is done yet
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail_with_errno(path, "cannot be read");
+  for (std::string line; std::getline(file, line) && !file.eof();) {
+    if (auto id = batch_id(line)) done.ids.insert(*std::move(id));
+    done.whole_bytes += static_cast<off_t>(line.size() + 1);
   }
-  done.whole_bytes = text.size() - rest.size();
   return done;
 }
 
@@ -192,7 +187,7 @@ Descriptor open_output(const std::string& path, const std::string& skip_done, co
                   path == "-" ? "standard output" : path);
   const bool continues = !skip_done.empty() && is_same_file(file.number(), skip_done);
   if (path != "-" || continues) {
-    const auto size = continues ? static_cast<off_t>(done.whole_bytes) : 0;
+    const off_t size = continues ? done.whole_bytes : 0;
     struct stat status = {};
     fstat(file.number(), &status);
     if (S_ISREG(status.st_mode) && ftruncate(file.number(), size) != 0)
@@ -236,6 +231,8 @@ void run(const BatchOptions& options) {
   for (const std::string& t : split(options.at)) defaults.at.push_back(parse_option("--at", t));
 
   const Descriptor input = open_input(options.path);
+  if (options.output != "-" && is_same_file(input.number(), options.output))
+    throw InputError("--output", "\"" + options.output + "\" is the input");
   const Done done = read_done(options.skip_done);
   const Descriptor output = open_output(options.output, options.skip_done, done);
   const Interruption interruption;

@@ -13,11 +13,6 @@
 namespace phrame::cli {
 namespace {
 
-[[noreturn]] void fail_with_errno(const std::string& place, std::string_view what) {
-  throw InputError(place.empty() ? "\"\"" : place,
-                   fmt::format("{}: {}", what, std::strerror(errno)));
-}
-
 constexpr std::size_t max_file_size = std::size_t{1} << 28;
 
 struct CloseFile {
@@ -39,6 +34,11 @@ T read_by(T (*read)(std::string_view, const CurveLimits&), const CurveOptions& o
 }
 
 }  // namespace
+
+void fail_with_errno(const std::string& place, std::string_view what) {
+  throw InputError(place.empty() ? "\"\"" : place,
+                   fmt::format("{}: {}", what, std::strerror(errno)));
+}
 
 void CurveOptions::add_to(CLI::App& command) {
   command.add_option("CURVE", path, "a curve file (JSON), \"-\" for standard input")

@@ -68,6 +68,9 @@ auto at_place(const std::string& place, const std::string& separator, Read read)
   }
 }
 
+/// "`place`: `what`: No such file or directory". Throws InputError.
+[[noreturn]] void fail_with_errno(const std::string& place, std::string_view what);
+
 /// The path, or "standard input" for "-".
 std::string name_of_file(const std::string& path);
 

@@ -51,6 +51,22 @@ def started(output, *arguments, wanted=100):
     return process
 
 
+def check_refusals():
+    for arguments, complaint in (
+        (["lines", "-o", "lines"], b'--output: "lines" is the input'),
+        (["nowhere"], b"nowhere: cannot be opened: No such file"),
+        (["lines", "-o", "no/where"], b"no/where: cannot be opened: No such file"),
+        (["lines", "--at", "x"], b"--at: "),
+        (["lines", "--frame", "bishop"], b"--frame: "),
+        (["."], b".: cannot be read: Is a directory"),
+    ):
+        before = Path("lines").read_bytes()
+        run = batch(*arguments, stdout=subprocess.PIPE)
+        require(run.returncode == 2 and run.stdout == b"", f"{arguments} are not refused")
+        require(complaint in run.stderr and run.stderr.count(b"\n") == 1, f"{arguments}: {run.stderr}")
+        require(Path("lines").read_bytes() == before, "the input was changed")
+
+
 def check_threads(reference):
     for threads in (2, 4):
         run = batch("--threads", str(threads), "lines", stdout=subprocess.PIPE)
@@ -133,6 +149,7 @@ def main():
         reference = batch("--threads", "1", "lines", stdout=subprocess.PIPE).stdout
         ids = [json.loads(answer)["id"] for answer in reference.splitlines()]
         require(ids == list(range(LINES)), "the answers are not in the order of the lines")
+        check_refusals()
         check_threads(reference)
         check_signals(reference)
         check_kill(reference)
