@@ -19,6 +19,8 @@ class MinimalTwist {
                const Integer& extra_turns = 0);
 
   const Rational& length() const { return length_; }  ///< S
+  /// Of segment k, from its start.
+  const Polynomial& arc_length(std::size_t k) const { return arc_lengths_[k]; }
   /// The twist of the Euler–Rodrigues frame, −θ_RMF(end).
   const Real& erf_twist() const { return erf_twist_; }
   const Real& nominal_twist() const { return nominal_; }  ///< T

@@ -15,7 +15,8 @@
 namespace phrame {
 namespace {
 
-using Gauss = boost::math::quadrature::gauss<double, 15>;
+constexpr unsigned points = 15;
+using Gauss = boost::math::quadrature::gauss<double, points>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// In doubles, those of p/scale.
@@ -70,10 +71,21 @@ TwistObjective::TwistObjective(const TwistPiece& piece, const RotationFamily& fa
       c.emplace_back(approximate(w.a.coefficient(k)), approximate(w.b.coefficient(k)));
     basis_.push_back(std::move(c));
   }
-  for (int k = 0; k < 4; ++k) append_nodes(nodes_, k / 4.0, (k + 1) / 4.0);
+  for (int k = 0; k < 4; ++k) {
+    quarters_.push_back(nodes_between(k / 4.0, (k + 1) / 4.0));
+    nodes_.append(quarters_.back());
+  }
 }
 
-void TwistObjective::append_nodes(Nodes& nodes, double a, double b) const {
+void TwistObjective::Nodes::append(const Nodes& others) {
+  nodes.insert(nodes.end(), others.nodes.begin(), others.nodes.end());
+  terms.insert(terms.end(), others.terms.begin(), others.terms.end());
+}
+
+TwistObjective::Nodes TwistObjective::nodes_between(double a, double b) const {
+  Nodes nodes;
+  nodes.nodes.reserve(points);
+  nodes.terms.reserve(points * basis_.size());
   const auto append = [&](double x, double weight) {
     const double tau = (a + b) / 2 + x * (b - a) / 2;
     const double speed = evaluate(speed_, tau);
@@ -93,6 +105,7 @@ void TwistObjective::append_nodes(Nodes& nodes, double a, double b) const {
     append(x, Gauss::weights()[k]);
     if (x != 0) append(-x, Gauss::weights()[k]);
   }
+  return nodes;
 }
 
 TwistObjective::Term TwistObjective::member_at(const Nodes& nodes, std::size_t node,
@@ -179,25 +192,22 @@ void TwistObjective::resolve(std::span<const double> parameters) {
     Nodes nodes;
     int depth;
   };
-  const auto part = [this](double a, double b, int depth) {
-    Part made{a, b, {}, depth};
-    append_nodes(made.nodes, a, b);
-    return made;
-  };
   const auto value = [&](const Part& p) { return sums(p.nodes, parameters).square; };
   std::vector<Part> parts;
-  for (int k = 3; k >= 0; --k) parts.push_back(part(k / 4.0, (k + 1) / 4.0, 0));
+  for (std::size_t k = 4; k-- > 0;) {
+    const double a = static_cast<double>(k) / 4;
+    parts.push_back({a, a + 0.25, quarters_[k], 0});
+  }
   nodes_ = {};
   while (!parts.empty()) {
     const Part here = std::move(parts.back());
     parts.pop_back();
     const double half = (here.a + here.b) / 2;
-    Part left = part(here.a, half, here.depth + 1);
-    Part right = part(half, here.b, here.depth + 1);
+    Part left{here.a, half, nodes_between(here.a, half), here.depth + 1};
+    Part right{half, here.b, nodes_between(half, here.b), here.depth + 1};
     const bool is_fine = std::abs(value(left) + value(right) - value(here)) <= tolerance;
     if (is_fine || here.depth > 25 || nodes_.nodes.size() > most_nodes) {
-      nodes_.nodes.insert(nodes_.nodes.end(), here.nodes.nodes.begin(), here.nodes.nodes.end());
-      nodes_.terms.insert(nodes_.terms.end(), here.nodes.terms.begin(), here.nodes.terms.end());
+      nodes_.append(here.nodes);
     } else {
       parts.push_back(std::move(right));
       parts.push_back(std::move(left));

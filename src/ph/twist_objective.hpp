@@ -43,13 +43,14 @@ class TwistObjective {
   struct Nodes {
     std::vector<Node> nodes;
     std::vector<Term> terms;
+    void append(const Nodes& others);
   };
   struct Sums {
     double square = 0;  ///< G
     double turn = 0;    ///< ∫ (erf_rate + θ′ − T·speed), a whole multiple of 2π
   };
 
-  void append_nodes(Nodes& nodes, double a, double b) const;
+  Nodes nodes_between(double a, double b) const;
   Term member_at(const Nodes& nodes, std::size_t node, std::span<const double> parameters) const;
   Sums sums(const Nodes& nodes, std::span<const double> parameters) const;
 
@@ -61,6 +62,7 @@ class TwistObjective {
   std::vector<double> speed_;
   double twist_;
   std::vector<std::vector<std::complex<double>>> basis_;  ///< in powers of τ
+  std::vector<Nodes> quarters_;  ///< of [0, 1], with which each quadrature begins
   Nodes nodes_;
 };
 

@@ -17,13 +17,15 @@ Real wanted_rate(const TwistPiece& piece, const Rational& tau) {
 TwistPiece piece_between(const MinimalTwist& mtf, std::size_t index, const Rational& a,
                          const Rational& b) {
   const Curve& whole = mtf.spline().segments()[index];
-  const Curve part = a == 0 && b == 1 ? whole : segment(whole, a, b);
-  const ArcLength length(part);
+  const bool is_segment = a == 0 && b == 1;
+  const Curve part = is_segment ? whole : segment(whole, a, b);
+  const Polynomial arc_length = is_segment ? mtf.arc_length(index) : ArcLength(part).polynomial();
+  const Rational length = arc_length(1);
   const Rational from = Rational(static_cast<long>(index)) + a;
   const Rational to = Rational(static_cast<long>(index)) + b;
   const Real start = remembered(mtf.rmf_angle({index, a}));
-  const Real twist = mtf.twist() * Real(length.total() / mtf.length());
-  const bool is_whole = mtf.spline().segments().size() == 1 && a == 0 && b == 1;
+  const Real twist = mtf.twist() * Real(length / mtf.length());
+  const bool is_whole = mtf.spline().segments().size() == 1 && is_segment;
   const Real whole_twist =
       is_whole ? mtf.erf_twist() : remembered(start + -mtf.rmf_angle({index, b}));
   const auto erf_twist = [&mtf, start, whole_twist, index, a, b](const Rational& tau) {
@@ -36,8 +38,8 @@ TwistPiece piece_between(const MinimalTwist& mtf, std::size_t index, const Ratio
   return {from,
           to,
           -erf_rate(part.preimage()),
-          Rational(1 / length.total()) * differentiate(length.polynomial()),
-          length.total(),
+          Rational(1 / length) * differentiate(arc_length),
+          length,
           twist,
           turn,
           whole_turns,
