@@ -82,8 +82,9 @@ std::vector<ComplexBall> solve_quadratic(const flint::FmpzPoly& f, slong bits) {
   return found;
 }
 
-/// From approximations on.
+/// From approximations on, which a quadratic does not need.
 Roots certified(const flint::FmpzPoly& f, std::vector<ComplexBall> points, slong bits) {
+  if (fmpz_poly_degree(f.get()) == 2) return collect(solve_quadratic(f, bits));
   const auto found = enclose_roots(f, std::move(points), bits);
   if (found.empty()) throw Undecided("isolate_roots: the roots could not be told apart");
   return collect(found);
@@ -95,7 +96,7 @@ Roots isolate_roots(const Polynomial& p, long bits) {
   if (p.is_constant()) throw DomainError("isolate_roots: the polynomial is constant");
   if (!is_squarefree(p)) throw DomainError("isolate_roots: the polynomial has a repeated root");
   const flint::FmpzPoly f = integer_primitive_part(p);
-  if (p.degree() == 2) return collect(solve_quadratic(f, bits));
+  if (p.degree() == 2) return certified(f, {}, bits);
   Roots roots = certified(f, guess_roots(f).points, 0);
   refine(p, roots, bits);
   return roots;

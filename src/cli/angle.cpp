@@ -47,7 +47,7 @@ std::string curve_report(const AngleOptions& options, const Choices& chosen,
   AngleReport report{named, chosen.reference, angle, chosen.start_angle, {}, options.digits};
   set_style(report, chosen.form, angle.antiderivative());
   for (const Rational& t : options.parameters.values())
-    report.values.push_back(rounded_angle(angle, t, chosen.start_angle, options.digits));
+    report.values.push_back(rounded_angle(t, angle.value(t) + chosen.start_angle, options.digits));
   return chosen.print.text ? chosen.print.text(report) : to_script(report, chosen.print.language);
 }
 

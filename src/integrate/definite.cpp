@@ -183,7 +183,6 @@ bool Evaluator::quadrature_is_cheaper() {
     is_ill_conditioned_ = std::any_of(poles_.begin(), poles_.end(), [](const Poles& p) {
       return p.denominator.degree() >= high_degree && are_ill_conditioned(p.denominator);
     });
-  if (*is_ill_conditioned_) ++quadratures_;
   return *is_ill_conditioned_;
 }
 
@@ -191,6 +190,7 @@ RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) 
   if (poles_.empty() || a == b || route_ == Route::roots ||
       (route_ == Route::automatic && !quadrature_is_cheaper()))
     return difference_by_roots(a, b, bits);
+  ++quadratures_;
   const auto value = difference_by_quadrature(a, b, bits);
   if (value && route_ != Route::both) return *value;
   const RealBall other = difference_by_roots(a, b, bits);

@@ -104,7 +104,7 @@ class Evaluator {
   long precision_ = 0;  ///< of the roots; 0 before they are isolated
   Route route_ = Route::automatic;
   std::optional<bool> is_ill_conditioned_;
-  long quadratures_ = 0;  ///< done by the automatic route
+  long quadratures_ = 0;  ///< done so far
 };
 
 /// ∫ F′ from a to b: Evaluator(F).difference(a, b, bits).

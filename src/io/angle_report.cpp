@@ -63,10 +63,8 @@ JsonOutput json_of(const AngleReport& report) {
 
 }  // namespace
 
-AngleValue rounded_angle(RmfAngle& angle, const Rational& t, const Rational& start_angle,
-                         long digits) {
-  return {t, rounded(angle.value(t) + start_angle, "theta at t = " + abbreviated(to_string(t)),
-                     digits)};
+AngleValue rounded_angle(const Rational& t, const Real& theta, long digits) {
+  return {t, rounded(theta, "theta at t = " + abbreviated(to_string(t)), digits)};
 }
 
 std::string value_table(const std::vector<AngleValue>& values, long digits) {

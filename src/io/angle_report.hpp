@@ -12,9 +12,8 @@ struct AngleValue {
   Decimal theta;  ///< radians, continuous branch
 };
 
-/// θ(t), θ(0) = start_angle, rounded to `digits` digits. Throws Undecided, naming t.
-AngleValue rounded_angle(RmfAngle& angle, const Rational& t, const Rational& start_angle,
-                         long digits);
+/// θ = θ(t), rounded to `digits` digits. Throws Undecided, naming t.
+AngleValue rounded_angle(const Rational& t, const Real& theta, long digits);
 
 /// What `phrame angle` shows of a curve.
 struct AngleReport {

@@ -59,7 +59,7 @@ std::string answer(const JsonNode& line, const BatchDefaults& defaults) {
     AngleReport report{*curve, reference, angle, start_angle, {}, digits};
     report.shows_form = !defaults.values_only;
     for (const Rational& t : at)
-      report.values.push_back(rounded_angle(angle, t, start_angle, digits));
+      report.values.push_back(rounded_angle(t, angle.value(t) + start_angle, digits));
     return to_json_line(report);
   }
   if (reference != Reference::erf)

@@ -67,8 +67,7 @@ SplineAngleReport spline_angle_report(const std::string& name, SplineAngle& angl
                                       long digits) {
   SplineAngleReport report{name, angle, start_angle, {}, {}, {}, digits};
   for (const Rational& t : at)
-    report.values.push_back({t, rounded(angle.value(t) + start_angle,
-                                        "theta at t = " + abbreviated(to_string(t)), digits)});
+    report.values.push_back(rounded_angle(t, angle.value(t) + start_angle, digits));
   report.total = rounded(angle.value(angle.spline().end()), "the total angle", digits);
   report.holonomy = rounded_holonomy(angle, digits);
   return report;

@@ -78,9 +78,7 @@ TwistReport twist_report(const std::string& name, const Spline& spline, const Fr
                      decimal(mtf.rate(), "the rate"),
                      {},
                      digits};
-  for (const Rational& t : at)
-    report.values.push_back(
-        {t, decimal(mtf.value(t), "theta at t = " + abbreviated(to_string(t)))});
+  for (const Rational& t : at) report.values.push_back(rounded_angle(t, mtf.value(t), digits));
   return report;
 }
 

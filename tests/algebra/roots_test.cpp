@@ -41,11 +41,15 @@ TEST_CASE("roots: of very different sizes, 0 among them, are found together") {
 
 TEST_CASE("roots: of a quadratic, however near to each other") {
   const Rational power = parse_rational("1e-800");
-  const Roots near = isolate_roots(Polynomial{1, -2, 1} + Polynomial{power}, 64);
+  const Polynomial near_pair = Polynomial{1, -2, 1} + Polynomial{power};
+  Roots near = isolate_roots(near_pair, 64);
   REQUIRE(near.upper.size() == 1);
   CHECK(near.upper[0].re().contains(1));
   CHECK(near.upper[0].im().contains(parse_rational("1e-400")));
   CHECK(near.upper[0].im().accuracy_bits() >= 64);
+  refine(near_pair, near, 3000);
+  CHECK(near.upper[0].im().contains(parse_rational("1e-400")));
+  CHECK(acb_rel_accuracy_bits(near.upper[0].raw()) >= 3000);
   const Roots real = isolate_roots(Polynomial{1, -2, 1} - Polynomial{power}, 64);
   REQUIRE(real.real.size() == 2);
   CHECK(real.real[0].contains(1 - parse_rational("1e-400")));

@@ -55,7 +55,7 @@ TEST_CASE("batch: an answer is what the report of the same curve says, with the 
     RmfAngle angle(named.curve, reference);
     AngleReport report{named, reference, angle, Rational(1, 3), {}, 40};
     for (const Rational& t : {Rational(1, 2), Rational(1), Rational(1, 4)})
-      report.values.push_back(rounded_angle(angle, t, Rational(1, 3), 40));
+      report.values.push_back(rounded_angle(t, angle.value(t) + Rational(1, 3), 40));
     Json expected = Json::parse(to_json(report));
     expected["id"] = "a\"7";
     CHECK(found == expected);
