@@ -57,6 +57,12 @@ RealBall absolute(const RealBall& a) {
 
 double approximate(const RealBall& a) { return arf_get_d(arb_midref(a.raw()), ARF_RND_NEAR); }
 
+double upper_double(const RealBall& a) {
+  flint::Arb upper;
+  arb_get_ubound_arf(arb_midref(upper.get()), a.raw(), 64);
+  return arf_get_d(arb_midref(upper.get()), ARF_RND_CEIL);
+}
+
 RealBall hull(const Rational& a, const Rational& b, long bits) {
   return hull(RealBall(a, bits), RealBall(b, bits), bits);
 }

@@ -38,6 +38,8 @@ int sign(const RealBall& a);
 RealBall absolute(const RealBall& a);
 /// A double next to the midpoint, for guesses.
 double approximate(const RealBall& a);
+/// A double that no number of the ball exceeds, next to the least one; +∞ where there is none.
+double upper_double(const RealBall& a);
 /// A ball that contains [a, b].
 RealBall hull(const Rational& a, const Rational& b, long bits);
 /// A ball that contains both.

@@ -97,6 +97,7 @@ void add_interpolate(CLI::App& app);
 void add_identify(CLI::App& app);
 void add_integrate(CLI::App& app);
 void add_batch(CLI::App& app);
+void add_compile(CLI::App& app);
 void add_check(CLI::App& app);
 void add_certify(CLI::App& app);
 void add_verify(CLI::App& app);

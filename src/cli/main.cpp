@@ -79,6 +79,7 @@ int run(int argc, char** argv) {
   phrame::cli::add_identify(app);
   phrame::cli::add_integrate(app);
   phrame::cli::add_batch(app);
+  phrame::cli::add_compile(app);
   phrame::cli::add_check(app);
   phrame::cli::add_certify(app);
   phrame::cli::add_verify(app);

@@ -1,0 +1,53 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "phrame/algebra/ball_polynomial.hpp"
+#include "phrame/algebra/error_free.hpp"
+
+namespace phrame {
+
+/// How `width` polynomials in y, |y| ≤ 1, of the same degree are kept in doubles: the coefficients
+/// below y^paired as sums of two doubles, the others as one. In memory they follow as Horner's rule
+/// needs them, from the highest to y⁰, of all polynomials together; the second doubles follow the
+/// first ones.
+struct DoubleShape {
+  long width = 1;
+  long degree = 1;  ///< in 1 … 63
+  long paired = 1;  ///< in 1 … degree
+  /// What a polynomial is to be off by, at most, relative to Σ |coefficients of y, y², …|.
+  double goal = 0;
+
+  long size() const { return width * (degree + 1 + paired); }
+  /// Where the coefficient of yᵏ of the first polynomial is; those of the others follow.
+  long position(long k) const;
+};
+
+/// For evaluation in doubles, and with compensation.
+inline constexpr DoubleShape plain_shape(long width) { return {width, 11, 1, 0x1p-52}; }
+inline constexpr DoubleShape compensated_shape(long width) { return {width, 16, 6, 0x1p-78}; }
+
+/// The doubles nearest to the middles of the balls; what is beyond the degree is left out.
+std::vector<double> round_coefficients(const std::vector<BallPolynomial>& polynomials,
+                                       const DoubleShape& shape);
+/// The polynomial number `which` that these doubles are, exactly.
+BallPolynomial exact_polynomial(const std::vector<double>& coefficients, const DoubleShape& shape,
+                                long which);
+/// By Horner's rule: from the lowest paired coefficient up in doubles, from there on with the
+/// rounding errors summed in a second polynomial [Graillat, Langlois, Louvet, Algorithms for
+/// accurate, validated and fast polynomial evaluation, Japan J. Indust. Appl. Math. 26 (2009)].
+/// Precondition: |y| ≤ 1, shape.width = width. Width is 1 or 4.
+template <int width>
+std::array<DoubleDouble, width> evaluate_compensated(const double* coefficients,
+                                                     const DoubleShape& shape, double y);
+
+/// A bound of what evaluate_compensated is off by on |y| ≤ 1 for polynomial number `which`, but for
+/// underflow; where p(0) = 0 the error is that times |y|. With paired = 1 it is of Horner's rule in
+/// doubles too: first + (second + y·(…)), where first and second are those of y⁰, with and without
+/// fused multiplication and addition.
+double rounding_error(const std::vector<double>& coefficients, const DoubleShape& shape,
+                      long which);
+/// What underflow adds, at most, in y too; relative to 1 + Σ |coefficients|.
+inline constexpr double underflow_error = 0x1p-1060;
+
+}  // namespace phrame

@@ -1,0 +1,62 @@
+#pragma once
+
+#ifdef __FAST_MATH__
+#error "error-free transformations need IEEE arithmetic: compile without -ffast-math"
+#endif
+
+namespace phrame {
+
+/// The unevaluated sum of two doubles.
+struct DoubleDouble {
+  double high = 0;
+  double low = 0;
+};
+
+// Error-free transformations, in rounding to nearest and without overflow. Compile what uses them
+// with -ffp-contract=off: a product and a sum fused to one operation are not what is meant here.
+
+/// a + b = high + low exactly, high = fl(a + b) [Knuth, The Art of Computer Programming 2, §4.2.2].
+inline DoubleDouble two_sum(double a, double b) {
+  const double sum = a + b;
+  const double of_b = sum - a;
+  return {sum, (a - (sum - of_b)) + (b - of_b)};
+}
+
+/// A factor, split into two halves of at most 26 bits each; |x| < 2^996.
+struct SplitFactor {
+  explicit SplitFactor(double x) : value(x) {
+    const double shifted = 134217729.0 * x;  // 2^27 + 1
+    high = shifted - (shifted - x);
+    low = x - high;
+  }
+  double value;
+  double high;
+  double low;
+};
+
+/// a·b = high + low, high = fl(a·b), exactly but for an error < 2^−1070 where a product of halves
+/// underflows [Dekker, A floating-point technique for extending the available precision, Numer.
+/// Math. 18 (1971)].
+inline DoubleDouble two_product(const SplitFactor& a, const SplitFactor& b) {
+  const double product = a.value * b.value;
+  const double error = ((a.high * b.high - product) + a.high * b.low) + a.low * b.high;
+  return {product, error + a.low * b.low};
+}
+
+// Sums and products up to about 2^−102 of the sum of the absolute values of their terms.
+
+inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble sum = two_sum(a.high, b.high);
+  return {sum.high, sum.low + (a.low + b.low)};
+}
+
+inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
+  return a + DoubleDouble{-b.high, -b.low};
+}
+
+inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble product = two_product(SplitFactor(a.high), SplitFactor(b.high));
+  return {product.high, product.low + (a.high * b.low + a.low * b.high)};
+}
+
+}  // namespace phrame

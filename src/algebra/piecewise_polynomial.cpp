@@ -1,0 +1,134 @@
+#include "phrame/algebra/piecewise_polynomial.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "phrame/algebra/error.hpp"
+
+namespace phrame {
+namespace {
+
+/// Is no coefficient known worse than to 2^−bits times the greatest?
+bool is_accurate(const BallPolynomial& p, long bits) {
+  RealBall greatest;
+  RealBall radius;
+  for (long k = 0; k <= p.degree_bound(); ++k) {
+    const RealBall c = p.coefficient(k);
+    mag_t lower;
+    mag_init(lower);
+    arb_get_mag_lower(lower, c.raw());
+    mag_max(arb_radref(greatest.raw()), arb_radref(greatest.raw()), lower);
+    mag_max(arb_radref(radius.raw()), arb_radref(radius.raw()), arb_radref(c.raw()));
+    mag_clear(lower);
+  }
+  mag_mul_2exp_si(arb_radref(radius.raw()), arb_radref(radius.raw()), bits);
+  return mag_cmp(arb_radref(radius.raw()), arb_radref(greatest.raw())) <= 0;
+}
+
+}  // namespace
+
+std::optional<PolynomialPiece> empty_piece(double from, double to) {
+  PolynomialPiece piece;
+  const bool begins_at_zero = from == 0 || to == 0;
+  piece.center = begins_at_zero ? 0 : from + (to - from) / 2;
+  // Then t − center is exact [Sterbenz, Floating-Point Computation, 1974].
+  const double least = std::min(std::abs(from), std::abs(to));
+  const double greatest = std::max(std::abs(from), std::abs(to));
+  if (!begins_at_zero &&
+      !(std::abs(piece.center) <= 2 * least && greatest <= 2 * std::abs(piece.center)))
+    return std::nullopt;
+  int exponent = 0;
+  std::frexp(std::max(to - piece.center, piece.center - from), &exponent);
+  constexpr int greatest_exponent = 900;
+  if (std::abs(exponent) > greatest_exponent) return std::nullopt;
+  piece.scale = std::ldexp(1.0, -exponent);
+  return piece;
+}
+
+BallPolynomial on_piece(const Polynomial& p, const PolynomialPiece& piece, long bits,
+                        bool is_definite) {
+  RealBall center;
+  arb_set_d(center.raw(), piece.center);
+  const long per_y = -std::ilogb(piece.scale);
+  constexpr long most_bits = 1 << 20;
+  for (long precision = bits + 32; precision <= most_bits; precision *= 2) {
+    BallPolynomial q(p, precision);
+    arb_poly_taylor_shift(q.raw(), q.raw(), center.raw(), precision);
+    for (long k = 0; k <= q.degree_bound(); ++k) {
+      arb_struct* c = arb_poly_get_coeff_ptr(q.raw(), k);
+      arb_mul_2exp_si(c, c, k * per_y);
+    }
+    if (is_accurate(q, bits) && (!is_definite || q.coefficient(0).accuracy_bits() >= bits))
+      return q;
+  }
+  throw Undecided(fmt::format(
+      "piecewise polynomial: {} bits of precision do not tell a polynomial near {} from 0",
+      most_bits, piece.center));
+}
+
+RealBall variation(const BallPolynomial& p, long bits) {
+  RealBall sum;
+  for (long k = 1; k <= p.degree_bound(); ++k) sum = add(sum, absolute(p.coefficient(k)), bits);
+  return sum;
+}
+
+RealBall least(const BallPolynomial& p, long bits) {
+  return subtract(absolute(p.coefficient(0)), variation(p, bits), bits);
+}
+
+RealBall integral_bound(const BallPolynomial& p, long bits) {
+  RealBall bound;
+  for (long k = 0; k <= p.degree_bound(); ++k)
+    bound = add(bound, divide(absolute(p.coefficient(k)), RealBall(k + 1, bits), bits), bits);
+  return bound;
+}
+
+PiecewisePolynomial::PiecewisePolynomial(double from, double to, const DoubleShape& shape,
+                                         const Make& make)
+    : shape_(shape) {
+  if (!(std::isfinite(from) && std::isfinite(to) && from < to && std::isfinite(to - from)))
+    throw DomainError(fmt::format("piecewise polynomial: [{}, {}] is not an interval", from, to));
+  std::vector<double> right_ends{to};
+  ends_.push_back(from);
+  while (!right_ends.empty()) {
+    const double low = ends_.back();
+    const double high = right_ends.back();
+    const bool has_zero_inside = low < 0 && 0 < high;
+    auto piece = has_zero_inside ? std::nullopt : make(low, high);
+    if (piece) {
+      pieces_.push_back(std::move(*piece));
+      ends_.push_back(high);
+      right_ends.pop_back();
+      continue;
+    }
+    const double middle = has_zero_inside ? 0 : low + (high - low) / 2;
+    if (!(low < middle && middle < high) || pieces_.size() + right_ends.size() >= max_pieces)
+      throw Undecided(
+          fmt::format("piecewise polynomial: more than {} pieces are needed, or one at {} with no "
+                      "double inside",
+                      max_pieces, low));
+    right_ends.push_back(middle);
+  }
+  make_cells();
+}
+
+// Every t in cell k lies at or after an end e where the double before e is in a cell before k; and
+// before or at the greatest such end of cell k + 1, because t ≥ e implies that the cell of e is k
+// at most, and so is that of the double before e. (cell_of does not decrease.)
+void PiecewisePolynomial::make_cells() {
+  std::size_t cells = 1;
+  while (cells < 2 * pieces_.size()) cells *= 2;
+  cells_per_unit_ = static_cast<double>(cells) / (to() - from());
+  if (!std::isfinite(cells_per_unit_)) cells_per_unit_ = 0;  // one cell, of the shortest interval
+  first_.assign(cell_of(to()) + 2, 0);
+  for (std::size_t piece = 1; piece < pieces_.size(); ++piece) {
+    const double before = std::nextafter(ends_[piece], -std::numeric_limits<double>::infinity());
+    for (std::size_t k = cell_of(before) + 1; k < first_.size(); ++k)
+      first_[k] = static_cast<std::uint32_t>(piece);
+  }
+}
+
+}  // namespace phrame

@@ -1,0 +1,91 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "phrame/algebra/double_polynomial.hpp"
+
+namespace phrame {
+
+/// Polynomials in y = (t − center)·scale, |y| ≤ 1, which is exact in doubles, but for underflow,
+/// where t is one in the piece: the scale is a power of two, and the center 0 or so near that
+/// t/2 ≤ center ≤ 2t.
+struct PolynomialPiece {
+  double center = 0;
+  double scale = 1;
+  /// What a value computed in doubles is off by: at most error + error_per_y·|y|, of all
+  /// polynomials together in the Euclidean norm. The error is 0 but for underflow where all are 0
+  /// at y = 0, as what they stand for is.
+  double error = 0;
+  double error_per_y = 0;
+  std::vector<double> coefficients;
+};
+
+/// A center and a scale for [from, to]. No value where there is no such center, or no scale that is
+/// a double: the interval is to be divided.
+std::optional<PolynomialPiece> empty_piece(double from, double to);
+/// p(center + y/scale), all coefficients known to about `bits` bits relative to the greatest, the
+/// constant one relative to itself if it is to be `definite` and is not 0. Throws Undecided where it is not.
+BallPolynomial on_piece(const Polynomial& p, const PolynomialPiece& piece, long bits,
+                        bool is_definite = false);
+
+/// A lower bound of |p| on |y| ≤ 1: |p(0)| − Σ |other coefficients|, positive or not.
+RealBall least(const BallPolynomial& p, long bits);
+/// Σ |p_k| without the constant coefficient: p varies by no more from its value at 0.
+RealBall variation(const BallPolynomial& p, long bits);
+/// Σ |p_k|/(k + 1), so that |∫₀^y |p|| ≤ |y|·that on |y| ≤ 1.
+RealBall integral_bound(const BallPolynomial& p, long bits);
+
+/// Piecewise polynomials on [from, to], found by halving it.
+class PiecewisePolynomial {
+ public:
+  /// The polynomials for [from, to], or no value if it is to be divided.
+  using Make = std::function<std::optional<PolynomialPiece>(double from, double to)>;
+
+  /// Throws DomainError unless from < to, both finite, and Undecided where more than max_pieces are
+  /// needed, or a piece that has no double inside.
+  PiecewisePolynomial(double from, double to, const DoubleShape& shape, const Make& make);
+  static constexpr std::size_t max_pieces = 20'000;
+
+  double from() const { return ends_.front(); }
+  double to() const { return ends_.back(); }
+  const DoubleShape& shape() const { return shape_; }
+  const std::vector<PolynomialPiece>& pieces() const { return pieces_; }
+
+  /// Ascending, one more than pieces; a piece is [end, next end), the last one closed.
+  const std::vector<double>& ends() const { return ends_; }
+  // [from, to] is cut into cells, the floors of (t − from)·cells_per_unit() in doubles, the last
+  // one belonging to that before. The pieces that meet cell number k are those from first[k] to
+  // first[k + 1], often only first[k].
+  double cells_per_unit() const { return cells_per_unit_; }
+  const std::vector<std::uint32_t>& first() const { return first_; }
+
+  /// The piece that t lies in. Precondition: from() ≤ t ≤ to().
+  const PolynomialPiece& at(double t) const {
+    const std::size_t cell = cell_of(t);
+    std::size_t low = first_[cell];
+    std::size_t high = first_[cell + 1];
+    while (low < high) {
+      const std::size_t middle = (low + high + 1) / 2;
+      if (t < ends_[middle])
+        high = middle - 1;
+      else
+        low = middle;
+    }
+    return pieces_[low];
+  }
+
+ private:
+  std::size_t cell_of(double t) const {
+    return static_cast<std::size_t>((t - ends_.front()) * cells_per_unit_);
+  }
+  void make_cells();
+
+  DoubleShape shape_;
+  std::vector<double> ends_;
+  std::vector<PolynomialPiece> pieces_;
+  double cells_per_unit_ = 1;
+  std::vector<std::uint32_t> first_;
+};
+
+}  // namespace phrame

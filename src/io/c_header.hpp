@@ -1,0 +1,30 @@
+#pragma once
+#include "phrame/ph/compiled_angle.hpp"
+#include "phrame/ph/compiled_frame.hpp"
+
+namespace phrame {
+
+/// What `phrame compile` writes.
+struct CHeader {
+  std::string prefix;  ///< of all names in C
+  std::string curve;   ///< its name
+  Reference reference = Reference::erf;
+  Rational start_angle;
+  PiecewisePolynomial angle;                    ///< of plain_shape(1)
+  std::optional<PiecewisePolynomial> rotation;  ///< of plain_shape(4)
+};
+
+/// Bounds, over all t, of what the functions of the header are off by.
+double angle_error(const CHeader& header);
+double component_error(const CHeader& header);
+
+/// C99, self-contained: prefix_theta(t), and with a rotation prefix_frame(t, f1, f2, f3), with what
+/// they are, for which t and how exactly. It compiles as C++17 too.
+std::string to_c_header(const CHeader& header);
+
+/// A prefix made of the name of a curve: letters, digits and '_'; "curve" where nothing is left.
+std::string prefix_from(const std::string& name);
+/// Is it a name in C, not reserved by a leading '_'?
+bool is_prefix(const std::string& text);
+
+}  // namespace phrame

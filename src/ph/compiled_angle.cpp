@@ -1,0 +1,96 @@
+#include "phrame/ph/compiled_angle.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+
+namespace phrame {
+namespace {
+
+constexpr long bits = 128;  // of what is known of a piece
+
+/// θ + start_angle at t, to about 2^−84 of its absolute value or of `scale`, the greater one.
+RealBall angle_at(RmfAngle& angle, const Rational& start_angle, double t, const RealBall& scale) {
+  for (long more = bits;; more *= 2) {
+    const RealBall theta =
+        add(angle.enclose(exact_rational(t), more), RealBall(start_angle, more), more);
+    RealBall allowed = add(absolute(theta), scale, bits);
+    arb_mul_2exp_si(allowed.raw(), allowed.raw(), -84);
+    if (theta.radius() == 0 || theta.radius() <= allowed.lower()) return theta;
+  }
+}
+
+/// a + b for a, b ≥ 0, not rounded down.
+double sum_up(double a, double b) { return (a + b) * (1 + 0x1p-51); }
+
+}  // namespace
+
+PiecewisePolynomial compiled_angle(RmfAngle& angle, const Rational& start_angle, double from,
+                                   double to, const DoubleShape& shape) {
+  const Polynomial& n = angle.rate().numerator();
+  const Polynomial& d = angle.rate().denominator();
+  const auto make = [&](double low, double high) -> std::optional<PolynomialPiece> {
+    auto piece = empty_piece(low, high);
+    if (!piece) return std::nullopt;
+    const BallPolynomial denominator = on_piece(d, *piece, bits, true);
+    const RealBall least_denominator = least(denominator, bits);
+    if (sign(least_denominator) <= 0) return std::nullopt;
+    BallPolynomial numerator = on_piece(n, *piece, bits);
+    // dθ/dy = numerator/denominator from here on.
+    arb_poly_scalar_mul_2exp_si(numerator.raw(), numerator.raw(), -std::ilogb(piece->scale));
+
+    BallPolynomial theta;
+    arb_poly_div_series(theta.raw(), numerator.raw(), denominator.raw(), shape.degree, bits);
+    arb_poly_integral(theta.raw(), theta.raw(), bits);
+    const RealBall size = variation(theta, bits);
+    const RealBall at_center = angle_at(angle, start_angle, piece->center, size);
+    arb_poly_set_coeff_arb(theta.raw(), 0, at_center.raw());
+    piece->coefficients = round_coefficients({theta}, shape);
+
+    const BallPolynomial p = exact_polynomial(piece->coefficients, shape, 0);
+    const BallPolynomial residual =
+        subtract(multiply(differentiate(p, bits), denominator, bits), numerator, bits);
+    const RealBall remainder = divide(integral_bound(residual, bits), least_denominator, bits);
+    if (upper_double(remainder) > shape.goal * upper_double(size)) return std::nullopt;
+    const double per_y =
+        sum_up(upper_double(remainder), rounding_error(piece->coefficients, shape, 0));
+    const double at_zero = upper_double(absolute(subtract(p.coefficient(0), at_center, bits)));
+    if (arb_is_zero(at_center.raw()) == 0)
+      piece->error = sum_up(per_y, at_zero);
+    else
+      piece->error_per_y = per_y;
+    if (arb_is_zero(size.raw()) == 0)
+      piece->error = sum_up(piece->error, underflow_error * (1 + upper_double(size)));
+    return piece;
+  };
+  return {from, to, shape, make};
+}
+
+CompiledAngle::CompiledAngle(RmfAngle& angle, double from, double to, const Rational& start_angle)
+    : angle_(angle),
+      start_angle_(start_angle),
+      polynomials_(compiled_angle(angle, start_angle, from, to, compensated_shape(1))) {}
+
+double CompiledAngle::operator()(double t) {
+  if (!(polynomials_.from() <= t && t <= polynomials_.to()))
+    throw DomainError(fmt::format("compiled angle: t = {} is outside [{}, {}]", t,
+                                  polynomials_.from(), polynomials_.to()));
+  const PolynomialPiece& piece = polynomials_.at(t);
+  const double y = (t - piece.center) * piece.scale;
+  const auto [value] = evaluate_compensated<1>(piece.coefficients.data(), polynomials_.shape(), y);
+  // The last term covers the rounding of this sum and of those below.
+  const double error =
+      piece.error + piece.error_per_y * std::abs(y) * (1 + 0x1p-50) + std::abs(value.low) * 0x1p-50;
+  const double least = value.high + (value.low - error);
+  return least == value.high + (value.low + error) ? least : exact(t);
+}
+
+double CompiledAngle::exact(double t) {
+  ++exact_values_;
+  return round_to_double(angle_.value(exact_rational(t)) + start_angle_);
+}
+
+}  // namespace phrame

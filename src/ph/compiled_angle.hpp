@@ -1,0 +1,41 @@
+#pragma once
+#include "phrame/algebra/piecewise_polynomial.hpp"
+#include "phrame/ph/rmf_angle.hpp"
+
+namespace phrame {
+
+/// θ + start_angle on [from, to] as Taylor polynomials; shape.width = 1. Each is proved afterwards,
+/// whatever it was found by: with θ′ = n/d and a polynomial p, all of p′·d − n is known, so that on
+/// the piece
+///   |p − θ| ≤ |p(center) − θ(center)| + ∫|p′·d − n|/min d.
+/// Throws as PiecewisePolynomial does: Undecided where a pole of θ′ is nearer to [from, to] than
+/// doubles are to each other there. Cost: some 10 to 1000 values of θ, more near a near-cusp.
+PiecewisePolynomial compiled_angle(RmfAngle& angle, const Rational& start_angle, double from,
+                                   double to, const DoubleShape& shape);
+
+/// θ for millions of parameters: a few compensated operations each, a proof of the rounding after
+/// each [Ziv 1991], and the exact angle for the few that the proof fails for.
+/// Not for concurrent use, and it refers to the angle.
+class CompiledAngle {
+ public:
+  /// θ with θ(0) = start_angle. Throws as compiled_angle.
+  CompiledAngle(RmfAngle& angle, double from, double to, const Rational& start_angle = 0);
+
+  /// θ(t), correctly rounded: to nearest, ties to even. Throws DomainError for a t outside [from,
+  /// to] and NaN, and what the exact angle throws.
+  double operator()(double t);
+
+  /// How many values took the exact angle so far.
+  long exact_values() const { return exact_values_; }
+  const PiecewisePolynomial& polynomials() const { return polynomials_; }
+
+ private:
+  double exact(double t);
+
+  RmfAngle& angle_;
+  Rational start_angle_;
+  PiecewisePolynomial polynomials_;
+  long exact_values_ = 0;
+};
+
+}  // namespace phrame
