@@ -105,11 +105,12 @@ PiecewisePolynomial::PiecewisePolynomial(double from, double to, const DoubleSha
       continue;
     }
     const double middle = has_zero_inside ? 0 : low + (high - low) / 2;
-    if (!(low < middle && middle < high) || pieces_.size() + right_ends.size() >= max_pieces)
-      throw Undecided(
-          fmt::format("piecewise polynomial: more than {} pieces are needed, or one at {} with no "
-                      "double inside",
-                      max_pieces, low));
+    if (!(low < middle && middle < high))
+      throw Undecided(fmt::format(
+          "piecewise polynomial: next to t = {} it needs pieces that have no double inside", low));
+    if (pieces_.size() + right_ends.size() >= max_pieces)
+      throw Undecided(fmt::format(
+          "piecewise polynomial: from t = {} on it needs more than {} pieces", low, max_pieces));
     right_ends.push_back(middle);
   }
   make_cells();

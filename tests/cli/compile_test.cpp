@@ -1,0 +1,214 @@
+#include <cmath>
+#include <cstring>
+
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/io/curve_file.hpp"
+#include "phrame/ph/compiled_angle.hpp"
+#include "phrame/ph/compiled_frame.hpp"
+#include "workshop.hpp"
+
+// The headers are compiled by a C compiler ($CC, or cc) and compared with the exact engine: a
+// million values with the correctly rounded ones, the worst of them with the exact ones.
+
+using namespace phrame;
+using test::check_failure;
+using test::check_success;
+using test::Workshop;
+
+namespace {
+
+constexpr long million = 1'000'000;
+
+/// Writes, for each double it reads, θ and the frame (of CURVE's header, but for -DNO_FRAME) and
+/// the two errors that the header states.
+constexpr const char* evaluator = R"(
+#include <stdio.h>
+#include "angle.h"
+int main(void)
+{
+  double t, out[12] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  while (fread(&t, sizeof t, 1, stdin) == 1) {
+    out[0] = arm_theta(t);
+    out[10] = ARM_THETA_ERROR;
+#ifdef ARM_FRAME_ERROR
+    arm_frame(t, out + 1, out + 4, out + 7);
+    out[11] = ARM_FRAME_ERROR;
+#endif
+    if (fwrite(out, sizeof out, 1, stdout) != 1) return 1;
+  }
+  return 0;
+}
+)";
+using Row = std::array<double, 12>;
+
+/// The rows of the header angle.h in the workshop, compiled with the options.
+std::vector<Row> evaluated(const Workshop& shop, const std::vector<double>& at,
+                           const std::string& options) {
+  shop.write("evaluator.c", evaluator);
+  std::string bytes(at.size() * sizeof(double), '\0');
+  std::memcpy(bytes.data(), at.data(), bytes.size());
+  shop.write("t.bin", bytes);
+  const char* compiler = std::getenv("CC");
+  const std::string command = "cd '" + shop.file(".").string() + "' && " +
+                              (compiler == nullptr ? "cc" : compiler) +
+                              " -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror " + options +
+                              " evaluator.c -o evaluator && ./evaluator <t.bin >rows.bin";
+  REQUIRE(std::system(command.c_str()) == 0);
+  const std::string rows = test::bytes_of(shop.file("rows.bin"));
+  std::vector<Row> result(at.size());
+  REQUIRE(rows.size() == at.size() * sizeof(Row));
+  std::memcpy(result.data(), rows.data(), rows.size());
+  return result;
+}
+
+/// Evenly spaced, the ends of [0, 1] among them.
+std::vector<double> even_parameters(long count) {
+  std::vector<double> at;
+  for (long k = 0; k < count; ++k)
+    at.push_back(static_cast<double>(k) / static_cast<double>(count - 1));
+  return at;
+}
+
+Rational distance(double x, const Real& y) {
+  const RealBall off = subtract(RealBall(exact_rational(x), 200), y.enclose(160), 200);
+  return absolute(off).upper();
+}
+
+/// Every θ is off by no more than the header says, the worst ones compared with the exact angle.
+void check_angles(const std::vector<double>& at, const std::vector<Row>& rows, RmfAngle& angle) {
+  CompiledAngle rounded(angle, 0, 1);
+  std::vector<std::pair<double, std::size_t>> worst;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const double theta = rounded(at[k]);
+    const double off = std::abs(rows[k][0] - theta);
+    const double half_ulp = (std::nextafter(std::abs(theta), 10) - std::abs(theta)) / 2;
+    if (!(off <= rows[k][10] + half_ulp)) FAIL_CHECK("θ is off by " << off << " at " << at[k]);
+    worst.emplace_back(off, k);
+  }
+  std::partial_sort(worst.begin(), worst.begin() + 100, worst.end(), std::greater<>());
+  for (int i = 0; i < 100; ++i) {
+    const std::size_t k = worst[static_cast<std::size_t>(i)].second;
+    CAPTURE(at[k]);
+    CHECK(distance(rows[k][0], angle.value(exact_rational(at[k]))) <= exact_rational(rows[k][10]));
+  }
+}
+
+void check_frames(const std::vector<double>& at, const std::vector<Row>& rows, const Curve& curve,
+                  RmfAngle& angle) {
+  const CompiledFrames rounded(curve, angle, 0, 1);
+  std::vector<std::pair<double, std::size_t>> worst;
+  for (std::size_t k = 0; k < at.size(); k += 5) {
+    const Frame<double> frame = rounded(at[k]);
+    double off = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      off = std::max({off, std::abs(rows[k][1 + i] - frame.e1[i]),
+                      std::abs(rows[k][4 + i] - frame.e2[i]),
+                      std::abs(rows[k][7 + i] - frame.e3[i])});
+    if (!(off <= rows[k][11] + 0x1p-53))
+      FAIL_CHECK("the frame is off by " << off << " at " << at[k]);
+    worst.emplace_back(off, k);
+  }
+  std::partial_sort(worst.begin(), worst.begin() + 20, worst.end(), std::greater<>());
+  const Frames frames(curve);
+  for (int j = 0; j < 20; ++j) {
+    const std::size_t k = worst[static_cast<std::size_t>(j)].second;
+    const auto exact = frames.rotation_minimizing(angle, exact_rational(at[k]));
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(distance(rows[k][1 + i], exact.e1[i]) <= exact_rational(rows[k][11]));
+      CHECK(distance(rows[k][4 + i], exact.e2[i]) <= exact_rational(rows[k][11]));
+      CHECK(distance(rows[k][7 + i], exact.e3[i]) <= exact_rational(rows[k][11]));
+    }
+  }
+}
+
+/// The line of tests/data/curves.jsonl with that name.
+std::string curve_named(const std::string& name) {
+  std::ifstream file(PHRAME_TEST_DATA "/curves.jsonl");
+  for (std::string line; std::getline(file, line);)
+    if (test::contains(line, "\"name\": \"" + name + "\"")) return line;
+  FAIL(name);
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("compile: a million values of a header are as exact as it says") {
+  const auto at = even_parameters(million);
+  for (const std::string name : {"seed-farouki2003", "gen-m10-0", "deg-hzero", "deg-line"}) {
+    CAPTURE(name);
+    const Workshop shop;
+    shop.write("curve.json", curve_named(name));
+    const auto run = shop.run("compile curve.json --prefix arm -o angle.h");
+    CHECK(run.status == 0);
+    const Curve curve = read_curve(curve_named(name)).curve;
+    RmfAngle angle(curve, Reference::erf);
+    const auto rows = evaluated(shop, at, "-std=c99 -O2");
+    check_angles(at, rows, angle);
+    check_frames(at, rows, curve, angle);
+    CHECK(rows[0][10] < 0x1p-50);
+    CHECK(rows[0][11] < 0x1p-50);
+  }
+}
+
+TEST_CASE("compile: on a near-cusp, with every optimization that keeps IEEE arithmetic") {
+  const std::string text = curve_named("deg-nearcusp");
+  const Curve curve = read_curve(text).curve;
+  RmfAngle angle(curve, Reference::erf);
+  auto at = even_parameters(20'000);  // and next to t = 1/3, where θ turns within 1e-8
+  for (long k = -50'000; k < 50'000; ++k) at.push_back(1.0 / 3 + static_cast<double>(k) * 1e-12);
+  const Workshop shop;
+  shop.write("curve.json", text);
+  CHECK(shop.run("compile curve.json --prefix arm -o angle.h").status == 0);
+  for (const std::string options : {"-std=c99 -O0", "-std=c11 -O3 -march=native",
+                                    "-x c++ -std=c++17 -O2"}) {
+    CAPTURE(options);
+    const auto rows = evaluated(shop, at, options);
+    check_angles(at, rows, angle);
+    check_frames(at, rows, curve, angle);
+  }
+}
+
+TEST_CASE("compile: other intervals and angles, Frenet's frame, and what is outside") {
+  const Workshop shop;
+  CHECK(shop.run("compile quintic.json --frame frenet --theta0 7/3 --from -1/2 --to 3 "
+                 "--prefix arm -o angle.h")
+            .status == 0);
+  CHECK_FALSE(test::contains(test::bytes_of(shop.file("angle.h")), "arm_frame"));
+  const Curve curve = read_curve(test::bytes_of(shop.file("quintic.json"))).curve;
+  RmfAngle angle(curve, Reference::frenet);
+  std::vector<double> at;
+  for (long k = 0; k <= 200; ++k) at.push_back(-0.5 + static_cast<double>(k) * 3.5 / 200);
+  const auto rows = evaluated(shop, at, "-std=c99 -O2");
+  for (std::size_t k = 0; k < at.size(); ++k)
+    CHECK(distance(rows[k][0], angle.value(exact_rational(at[k])) + Rational(7, 3)) <=
+          exact_rational(rows[k][10]));
+  for (const Row& row : evaluated(shop, {-0.51, 3.01, 1e300, HUGE_VAL, std::nan("")}, "-std=c99"))
+    CHECK(std::isnan(row[0]));
+}
+
+TEST_CASE("compile: names in C come from the curve's, and --prefix must be one") {
+  const Workshop shop;
+  const auto names = [&](const std::string& name) {
+    shop.write("named.json", R"({"phrame": "curve/1", "name": ")" + name + R"(", "basis": "power",
+        "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})");
+    const auto run = shop.run("compile named.json");
+    check_success(run);
+    const std::size_t at = run.out.find("static inline double ");
+    REQUIRE(at != std::string::npos);
+    return run.out.substr(at + 21, run.out.find('(', at) - at - 21);
+  };
+  CHECK(names("arm-2 of /* a robot */") == "arm_2_of_a_robot_theta");
+  CHECK(names("2nd") == "curve_2nd_theta");
+  CHECK(names("кривая") == "curve_theta");
+  CHECK(names("") == "curve_theta");
+
+  for (const std::string prefix : {"2nd", "_a", "a b", "a-b", "é"})
+    check_failure(shop.run("compile quintic.json --prefix '" + prefix + "'"), 2, "--prefix");
+  check_failure(shop.run("compile quintic.json --from 1"), 2, "--to: \"1\"");
+  check_failure(shop.run("compile quintic.json --to x"), 2, "--to: ");
+  check_failure(shop.run("compile line.json --frame frenet"), 3, "straight line");
+  shop.write("steep.json", R"({"phrame": "curve/1", "basis": "power", "preimage":
+      {"u": [1], "v": ["-1e19", "3e19"], "p": ["-1e19", "3e19"], "q": [1, 1]}})");
+  check_failure(shop.run("compile steep.json -o steep.h"), 4, "next to t = 0.33333");
+  CHECK_FALSE(std::filesystem::exists(shop.file("steep.h")));
+}
