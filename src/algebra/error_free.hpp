@@ -1,9 +1,5 @@
 #pragma once
 
-#ifdef __FAST_MATH__
-#error "error-free transformations need IEEE arithmetic: compile without -ffast-math"
-#endif
-
 namespace phrame {
 
 /// The unevaluated sum of two doubles.
@@ -12,8 +8,9 @@ struct DoubleDouble {
   double low = 0;
 };
 
-// Error-free transformations, in rounding to nearest and without overflow. Compile what uses them
-// with -ffp-contract=off: a product and a sum fused to one operation are not what is meant here.
+// Error-free transformations, in rounding to nearest and without overflow. What uses them
+// is compiled with -fno-fast-math and -ffp-contract=off (CMakeLists.txt): no sum may be simplified,
+// no product and sum fused.
 
 /// a + b = high + low exactly, high = fl(a + b) [Knuth, The Art of Computer Programming 2, §4.2.2].
 inline DoubleDouble two_sum(double a, double b) {

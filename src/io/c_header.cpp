@@ -42,7 +42,8 @@ std::string tables(const std::string& name, const PiecewisePolynomial& p) {
       wrapped(p.ends(), "{:a}"), p.first().size(), wrapped(p.first(), "{}"));
 }
 
-constexpr const char* preamble = R"(/*
+constexpr const char* preamble =
+    R"(/*
  * {title}
  *
  * double {p}_theta(double t)
@@ -55,19 +56,18 @@ constexpr const char* preamble = R"(/*
  * without fused multiplication and addition; not for -ffast-math.
  * Made by phrame {version}. Do not edit.
  */
-#ifndef {P}_H
-#define {P}_H
-
-#include <float.h>
-
-#if defined(__FAST_MATH__) || FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD > 64
-#error "the errors are not proved where doubles are computed with more digits, or loosely"
-#endif
-#if FLT_RADIX != 2 || DBL_MANT_DIG != 53
-#error "the errors are proved for IEEE 754 doubles only"
-#endif
-
-#define {P}_FROM {from_hex}
+)"
+    "#ifndef {P}_H\n"
+    "#define {P}_H\n\n"
+    "#include <float.h>\n\n"
+    "#if defined(__FAST_MATH__) || FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD "
+    "> 64\n"
+    "#error \"the errors are not proved where doubles are computed loosely, or with more digits\"\n"
+    "#endif\n"
+    "#if FLT_RADIX != 2 || DBL_MANT_DIG != 53\n"
+    "#error \"the errors are proved for IEEE 754 doubles only\"\n"
+    "#endif\n\n"
+    R"(#define {P}_FROM {from_hex}
 #define {P}_TO {to_hex}
 #define {P}_THETA_ERROR {angle_error_hex}
 {frame_define}

@@ -56,7 +56,7 @@ TEST_CASE("program: what is typed wrongly is refused by name") {
   const Workshop here;
   check_failure(here.run(""), 2,
                 "a command is needed: there are angle, info, classify, totals, frames, mtf, "
-                "interpolate, identify, integrate, batch, check, certify, verify, prove "
+                "interpolate, identify, integrate, batch, compile, check, certify, verify, prove "
                 "(phrame --help)");
   check_failure(here.run("angel quintic.json"), 2, "\"angel\" is not a command");
   check_failure(here.run("''"), 2, "\"\" is not a command");
