@@ -178,6 +178,28 @@ void steps_by_compiled_frames(State& state) {
   state.SetItemsProcessed(state.iterations() * steps);
 }
 
+/// The same in the doubles of a compiled header.
+void steps_by_header(State& state) {
+  const Curve curve = quintic();
+  const long steps = state.range(0);
+  std::vector<Frame<double>> frames(static_cast<std::size_t>(steps + 1));
+  const auto at = [steps](long k) { return static_cast<double>(k) / static_cast<double>(steps); };
+  for (auto _ : state)
+    for (long k = 0; k <= steps; ++k) {
+      Frame<double>& frame = frames[static_cast<std::size_t>(k)];
+      quintic_frame(at(k), frame.e1.data(), frame.e2.data(), frame.e3.data());
+    }
+  RmfAngle angle(curve, Reference::erf);
+  const CompiledFrames exact(curve, angle, 0, 1);
+  double error = 0;
+  for (long k = 0; k <= steps; ++k) {
+    const Point off = less(frames[static_cast<std::size_t>(k)].e2, 1, exact(at(k)).e2);
+    error = std::max(error, std::sqrt(dot(off, off)));
+  }
+  state.counters["error"] = error;
+  state.SetItemsProcessed(state.iterations() * steps);
+}
+
 void steps_by_gauss(State& state) {
   const Curve curve = quintic();
   RmfAngle angle(curve, Reference::erf);
@@ -210,6 +232,7 @@ BENCHMARK(header_angle);
 BENCHMARK(header_frame);
 BENCHMARK(steps_by_double_reflection)->Apply(all_steps);
 BENCHMARK(steps_by_compiled_frames)->Apply(all_steps);
+BENCHMARK(steps_by_header)->Apply(all_steps);
 BENCHMARK(steps_by_gauss)->Apply(all_steps);
 
 }  // namespace
