@@ -32,6 +32,7 @@ class MedianReporter : public benchmark::ConsoleReporter {
   void Finalize() override {
     table("erf");
     table("frenet");
+    targets();
     growth({"erf_symbolic", "erf_value", "erf_from_scratch", "roots_of_sigma"});
   }
 
@@ -54,6 +55,45 @@ class MedianReporter : public benchmark::ConsoleReporter {
       if (std::isnan(symbolic) && std::isnan(value)) continue;
       std::printf("%3s %10.4f %10.4f %6.2f %10.4f %10.4f %6.2f %10.4f\n", m, symbolic, flint,
                   symbolic / flint, value, roots, value / roots, scratch);
+    }
+  }
+
+  /// What we want to reach, in ms, and beside it what FLINT and Arb alone take for what cannot be
+  /// left out, where there is such a thing.
+  void targets() const {
+    struct Target {
+      const char* what;
+      std::string name;
+      std::string m;
+      double limit;
+      double unavoidable;
+    };
+    const double nan = std::nan("");
+    const double quintic = time("erf_flint", "2") + time("roots_alone", "2");
+    const double angle = 1.0 / 2'000, frame = 1.0 / 500;
+    const std::vector<Target> all{
+        {"all roots, degree 400", "roots_of_sigma", "200", 2'000, time("values_at_roots", "200")},
+        {"all roots, degree 1000", "roots_of_sigma", "500", 30'000, time("values_at_roots", "500")},
+        {"batch, a quintic to 17 digits", "batch_17_digits", "2", 1.0 / 5, quintic},
+        {"batch, a quintic to 50 digits", "batch_50_digits", "2", 1, quintic},
+        {"compiled angle, quintic", "compiled_angle", "2", angle, nan},
+        {"compiled angle, degree 41", "compiled_angle", "20", 3 * angle, nan},
+        {"compiled frame, quintic", "compiled_frame", "2", frame, nan},
+        {"compiled frame, degree 41", "compiled_frame", "20", 3 * frame, nan},
+        {"angle by a header, quintic", "header_angle", "", 2e-5, nan},
+        {"minimal twist, not proved", "rational_twist_frame", "", 0.2, nan},
+        {"minimal twist, proved to 12 digits", "rational_twist_frame_proved_12", "", 10, nan}};
+    bool is_first = true;
+    for (const Target& target : all) {
+      const double reached = time(target.name, target.m);
+      if (std::isnan(reached)) continue;
+      if (std::exchange(is_first, false))
+        std::printf("\n%-36s %12s %12s %8s %20s\n", "targets, CPU ms", "target", "reached", "share",
+                    "ratio to FLINT, Arb");
+      std::printf("%-36s %12.6g %12.6g %7.1f%%", target.what, target.limit, reached,
+                  100 * reached / target.limit);
+      if (!std::isnan(target.unavoidable)) std::printf(" %20.2f", reached / target.unavoidable);
+      std::printf("\n");
     }
   }
 

@@ -29,7 +29,10 @@ int main(int argc, char** argv) {
   const std::string text = bench::random_curve_text(m);
   const Curve curve = bench::random_curve(m);
   RmfAngle angle(curve, Reference::erf);
+  CompiledAngle compiled(angle, 0, 1);
+  const CompiledFrames compiled_frames(curve, angle, 0, 1);
   long k = 0;
+  const auto other = [&k] { return static_cast<double>(++k) / 1009; };
   const std::map<std::string, std::function<void()>> stages{
       // From the text of a curve file to the checked antiderivative.
       {"symbolic", [&] { RmfAngle(read_curve(text).curve, Reference::erf); }},
@@ -47,6 +50,9 @@ int main(int argc, char** argv) {
          const auto frame = rotation_minimizing_frame(curve, angle, Rational(++k, 1009));
          for (const auto& e : {frame.e1, frame.e2, frame.e3}) round_to_double(e);
        }},
+      // The same by what is compiled.
+      {"compiled-value", [&] { compiled(other()); }},
+      {"compiled-frame", [&] { compiled_frames(other()); }},
       // A line of a batch, θ(1) to 17 digits.
       {"batch-line", [&] { batch_answer(R"({"id": 1, "at": [1], "curve": )" + text + "}", {}); }},
   };
