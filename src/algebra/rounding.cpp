@@ -34,18 +34,24 @@ namespace {
 
 using boost::multiprecision::mpfr_float;
 
-/// The common rounding of both ends of ever narrower balls. `bits` is the relative precision that
-/// the result needs; `round` maps an exact number to the result.
+/// What both ends of the ball round to, where that is the same; `round` maps an exact number to the
+/// result.
 template <class Round>
-auto ziv(const Real& x, long bits, PrecisionLimit limit, Round round) {
-  if (x.exact()) return round(*x.exact());
+auto common(const RealBall& ball, Round round) -> std::optional<decltype(round(Rational()))> {
+  auto low = round(ball.lower());
+  if (low == round(ball.upper())) return low;
+  return std::nullopt;
+}
+
+/// The common rounding of both ends of ever narrower balls. `bits` is the relative precision that
+/// the result needs; `of_ball` maps a ball to its common rounding.
+template <class OfBall>
+auto ziv(const Real& x, long bits, PrecisionLimit limit, OfBall of_ball) {
   const long end = limit.factor * bits + limit.offset;
   for (long precision = bits + 16;;) {
     const RealBall ball = x.enclose(precision);
-    if (ball.is_finite()) {
-      auto low = round(ball.lower());
-      if (low == round(ball.upper())) return low;
-    }
+    if (ball.is_finite())
+      if (auto rounded = of_ball(ball)) return *std::move(rounded);
     if (precision >= end)
       throw Undecided(
           fmt::format("correct rounding to {} bits: the number cannot be told from a "
@@ -128,20 +134,32 @@ double nearest_double(const Rational& x) {
 
 }  // namespace
 
+std::optional<double> common_double(const RealBall& x) {
+  flint::Arb low;  // its middle, and that of high
+  flint::Arb high;
+  arb_get_interval_arf(arb_midref(low.get()), arb_midref(high.get()), x.raw(), ARF_PREC_EXACT);
+  const double rounded = arf_get_d(arb_midref(low.get()), ARF_RND_NEAR);
+  if (rounded != arf_get_d(arb_midref(high.get()), ARF_RND_NEAR)) return std::nullopt;
+  return rounded == 0 ? 0.0 : rounded;
+}
+
 double round_to_double(const Real& x, PrecisionLimit limit) {
-  return ziv(x, 53, limit, nearest_double);
+  if (x.exact()) return nearest_double(*x.exact());
+  return ziv(x, 53, limit, common_double);
 }
 
 mpfr_float round_to_mpfr(const Real& x, long bits, PrecisionLimit limit) {
   if (bits < MPFR_PREC_MIN)
     throw DomainError(
         fmt::format("round_to_mpfr: {} bits are asked for, at least 1 is needed", bits));
-  return ziv(x, bits, limit, [bits](const Rational& exact) {
+  const auto round = [bits](const Rational& exact) {
     mpfr_float value;
     mpfr_set_prec(value.backend().data(), bits);
     mpfr_set_q(value.backend().data(), exact.backend().data(), MPFR_RNDN);
     return value;
-  });
+  };
+  if (x.exact()) return round(*x.exact());
+  return ziv(x, bits, limit, [&](const RealBall& ball) { return common(ball, round); });
 }
 
 Decimal round_to_decimal(const Real& x, long digits, PrecisionLimit limit) {
@@ -149,15 +167,18 @@ Decimal round_to_decimal(const Real& x, long digits, PrecisionLimit limit) {
     throw DomainError(
         fmt::format("round_to_decimal: {} digits are asked for, at least 1 is needed", digits));
   const auto bits = static_cast<long>(std::ceil(static_cast<double>(digits) * std::log2(10.0)));
+  const auto round = [digits](const Rational& exact) { return round_digits(exact, digits); };
+  if (x.exact()) {
+    const Digits rounded = round(*x.exact());
+    return {text_of(rounded), upper_bound_text(abs(exact_value(rounded) - *x.exact()))};
+  }
   RealBall last;
-  const Real remembered =
-      x.exact() ? x : Real([&](long precision) { return last = x.enclose(precision); });
-  const Digits rounded = ziv(remembered, bits, limit,
-                             [&](const Rational& exact) { return round_digits(exact, digits); });
+  const Digits rounded = ziv(x, bits, limit, [&](const RealBall& ball) {
+    last = ball;
+    return common(ball, round);
+  });
   const Rational value = exact_value(rounded);
-  const Rational error =
-      x.exact() ? Rational(abs(value - *x.exact()))
-                : std::max<Rational>(abs(value - last.lower()), abs(value - last.upper()));
+  const auto error = std::max<Rational>(abs(value - last.lower()), abs(value - last.upper()));
   return {text_of(rounded), upper_bound_text(error)};
 }
 

@@ -21,6 +21,9 @@ struct PrecisionLimit {
 /// 0 is no boundary here: a ball within 2^−1075 of it rounds to 0, the positive one.
 double round_to_double(const Real& x, PrecisionLimit limit = {});
 
+/// The double that all numbers of the ball round to, where there is one.
+std::optional<double> common_double(const RealBall& x);
+
 /// With a significand of `bits` bits.
 boost::multiprecision::mpfr_float round_to_mpfr(const Real& x, long bits,
                                                 PrecisionLimit limit = {});

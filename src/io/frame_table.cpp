@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include "phrame/io/json_text.hpp"
 #include "phrame/ph/algebraic_frame.hpp"
 #include "phrame/ph/arc_length.hpp"
+#include "phrame/ph/compiled_frame.hpp"
 #include "phrame/ph/spline_angle.hpp"
 
 namespace phrame {
@@ -124,6 +126,8 @@ class Rows {
 
   std::vector<std::string> names() const;
   std::vector<double> at(const SplinePoint& point);
+  /// Prepares for rows at all of these points, where they are so many that it pays.
+  void expect(const std::vector<SplinePoint>& points);
 
  private:
   Segment& segment(std::size_t k);
@@ -138,6 +142,8 @@ class Rows {
   std::vector<std::unique_ptr<Segment>> segments_;
   std::vector<Rational> lengths_;  ///< of the first 0, 1, … segments
   std::optional<SplineAngle> angle_;
+  std::unique_ptr<RmfAngle> rmf_angle_;  ///< of compiled_
+  std::optional<RoundedFrames> compiled_;
 };
 
 Segment& Rows::segment(std::size_t k) {
@@ -153,6 +159,25 @@ SplineAngle& Rows::angle() {
 Frame<Real> Rows::rotation_minimizing(const Frame<Rational>& erf, const SplineParameter& at) {
   if (const auto z = angle().direction(at)) return turned(erf, *z);
   return turned(as_real(erf), angle().value(at));
+}
+
+void Rows::expect(const std::vector<SplinePoint>& points) {
+  constexpr std::size_t many = 1000;
+  const auto& frames = columns_.frames;
+  if (points.size() < many || segments_.size() > 1 ||
+      std::find(frames.begin(), frames.end(), TabulatedFrame::rmf) == frames.end())
+    return;
+  std::vector<double> at;
+  for (const SplinePoint& point : points)
+    if (const auto t = point.t.rational()) at.push_back(round_to_double(*t));
+  const auto [from, to] = std::minmax_element(at.begin(), at.end());
+  if (at.size() < many || *from == *to) return;
+  rmf_angle_ = std::make_unique<RmfAngle>(spline_.segments().front(), Reference::erf);
+  try {
+    compiled_.emplace(spline_.segments().front(), *rmf_angle_, *from, *to);
+  } catch (const Undecided&) {  // then each row goes the exact way
+  } catch (const DomainError&) {
+  }
 }
 
 Rational Rows::length_before(std::size_t k) {
@@ -203,18 +228,29 @@ void add_normals(std::vector<double>& row, const AnyFrame& frame) {
 
 void Rows::add_rational(std::vector<double>& row, const SplineParameter& at) {
   const Segment& here = segment(at.segment);
-  const Frame<Rational> erf = here.frames.euler_rodrigues(at.t);
+  std::optional<Frame<Rational>> known_erf;
+  const auto erf = [&]() -> const Frame<Rational>& {
+    if (!known_erf) known_erf = here.frames.euler_rodrigues(at.t);
+    return *known_erf;
+  };
+  std::optional<Frame<double>> rmf;
+  if (compiled_) rmf = compiled_->at(at.t);
   add_values(row, round_to_double(evaluate(here.position, at.t)));
-  add_values(row, round_to_double(erf.e1));
+  add_values(row, rmf ? rmf->e1 : round_to_double(erf().e1));
   for (const TabulatedFrame frame : columns_.frames) {
-    if (frame == TabulatedFrame::erf) add_normals(row, erf);
+    if (frame == TabulatedFrame::erf) add_normals(row, erf());
     if (frame == TabulatedFrame::frenet) add_normals(row, here.frames.frenet(at.t));
-    if (frame == TabulatedFrame::rmf) add_normals(row, rotation_minimizing(erf, at));
+    if (frame == TabulatedFrame::rmf && rmf) {
+      add_values(row, rmf->e2);
+      add_values(row, rmf->e3);
+    } else if (frame == TabulatedFrame::rmf) {
+      add_normals(row, rotation_minimizing(erf(), at));
+    }
     const Rational t = Rational(static_cast<long>(at.segment)) + at.t;
     if (frame == TabulatedFrame::mtf)
-      add_normals(row, turned(as_real(erf), value(*columns_.mtf, Real(t))));
+      add_normals(row, turned(as_real(erf()), value(*columns_.mtf, Real(t))));
     if (frame == TabulatedFrame::exact_mtf)
-      add_normals(row, turned(as_real(erf), columns_.exact_mtf->value(t)));
+      add_normals(row, turned(as_real(erf()), columns_.exact_mtf->value(t)));
   }
 }
 
@@ -249,6 +285,7 @@ void Rows::add_irrational(std::vector<double>& row, const SplinePoint& point,
 FrameTable frame_table(const Spline& spline, const TableColumns& columns,
                        const std::vector<SplinePoint>& at) {
   Rows rows(spline, columns);
+  rows.expect(at);
   FrameTable table{rows.names(), {}};
   for (const SplinePoint& point : at) table.rows.push_back(rows.at(point));
   return table;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
 
 namespace phrame {
 namespace {
@@ -177,6 +178,72 @@ Frame<double> CompiledFrames::operator()(double t) const {
     return Vector<double>{x[0].high + x[0].low, x[1].high + x[1].low, x[2].high + x[2].low};
   };
   return {rounded(rotated_i(b)), rounded(rotated_j(b)), rounded(rotated_k(b))};
+}
+
+namespace {
+
+/// A ball with the operations of a ring.
+struct Ball {
+  RealBall x;
+  friend Ball operator+(const Ball& a, const Ball& b) { return {add(a.x, b.x, bits)}; }
+  friend Ball operator-(const Ball& a, const Ball& b) { return {subtract(a.x, b.x, bits)}; }
+  friend Ball operator*(const Ball& a, const Ball& b) { return {multiply(a.x, b.x, bits)}; }
+};
+
+}  // namespace
+
+RoundedFrames::RoundedFrames(const Curve& curve, RmfAngle& angle, double from, double to)
+    : polynomials_(compiled_rotation(curve, angle, 0, from, to, compensated_shape(4))),
+      exact_(curve),
+      angle_(angle) {}
+
+/// No value where no piece is at t.
+std::optional<Frame<RealBall>> RoundedFrames::enclose(const Rational& t) {
+  const double near = round_to_double(t);
+  if (!(polynomials_.from() <= near && near <= polynomials_.to())) return std::nullopt;
+  const PolynomialPiece& piece = polynomials_.at(near);
+  const Rational y = (t - exact_rational(piece.center)) * exact_rational(piece.scale);
+  if (abs(y) > 1) return std::nullopt;
+  if (last_ != &piece)
+    for (std::size_t k = 0; k < 4; ++k)
+      of_last_[k] =
+          exact_polynomial(piece.coefficients, polynomials_.shape(), static_cast<long>(k));
+  last_ = &piece;
+
+  RealBall off;  // 0 ± what the polynomials are off by
+  mag_set_d(arb_radref(off.raw()), piece.error);
+  BallPolynomial powers;  // y⁰, y¹, … for all four
+  const long length = polynomials_.shape().degree + 1;
+  arb_poly_fit_length(powers.raw(), length);
+  _arb_vec_set_powers(powers.raw()->coeffs, RealBall(y, bits).raw(), length, bits);
+  _arb_poly_set_length(powers.raw(), length);
+  const auto component = [&](std::size_t k) {
+    const arb_poly_struct* p = of_last_[k].raw();
+    RealBall value;
+    arb_dot(value.raw(), nullptr, 0, p->coeffs, 1, powers.raw()->coeffs, 1, p->length, bits);
+    return Ball{add(value, off, bits)};
+  };
+  const Quaternion<Ball> b{component(0), component(1), component(2), component(3)};
+  const auto balls = [](const Vector<Ball>& v) { return Vector<RealBall>{v[0].x, v[1].x, v[2].x}; };
+  return Frame<RealBall>{balls(rotated_i(b)), balls(rotated_j(b)), balls(rotated_k(b))};
+}
+
+Frame<double> RoundedFrames::at(const Rational& t) {
+  const auto enclosed = enclose(t);
+  std::optional<Frame<Real>> exact;  // made for the first component that needs it
+  const auto rounded = [&](Vector<RealBall> Frame<RealBall>::*near,
+                           Vector<Real> Frame<Real>::*far) {
+    Vector<double> v{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto common = enclosed ? common_double(((*enclosed).*near)[k]) : std::nullopt;
+      if (!common && !exact) exact = exact_.rotation_minimizing(angle_, t);
+      v[k] = common ? *common : round_to_double(((*exact).*far)[k]);
+    }
+    return v;
+  };
+  return {rounded(&Frame<RealBall>::e1, &Frame<Real>::e1),
+          rounded(&Frame<RealBall>::e2, &Frame<Real>::e2),
+          rounded(&Frame<RealBall>::e3, &Frame<Real>::e3)};
 }
 
 }  // namespace phrame

@@ -35,6 +35,27 @@ class CompiledFrames {
   PiecewisePolynomial polynomials_;
 };
 
+/// Correctly rounded rotation-minimizing frames at thousands of rational t, best in ascending
+/// order: by the same polynomials where they are enough to round a component, else exactly. Not for
+/// concurrent use, and it refers to the angle.
+class RoundedFrames {
+ public:
+  /// `angle` is that of this curve relative to the ERF. Throws as compiled_rotation does.
+  RoundedFrames(const Curve& curve, RmfAngle& angle, double from, double to);
+
+  /// The frame at t, in [from, to] or not. Throws as round_to_double does.
+  Frame<double> at(const Rational& t);
+
+ private:
+  std::optional<Frame<RealBall>> enclose(const Rational& t);
+
+  PiecewisePolynomial polynomials_;
+  const PolynomialPiece* last_ = nullptr;  ///< whose polynomials, exactly, are:
+  std::array<BallPolynomial, 4> of_last_;
+  Frames exact_;
+  RmfAngle& angle_;
+};
+
 /// What the components of the frame of a quaternion Q with |Q − B| ≤ error are off by, |B| = 1.
 double frame_error(double error);
 

@@ -130,3 +130,17 @@ TEST_CASE("real: a remembered number is computed anew for more bits only") {
   CHECK(asked == 2);
   CHECK(remembered(Real(Rational(1, 2))).exact() == Rational(1, 2));
 }
+
+TEST_CASE("rounding: the double that all of a ball rounds to") {
+  const Rational tie = 1 + power_of_two(-53);
+  const Rational narrow = power_of_two(-300);
+  CHECK(common_double(hull(Rational(tie - 2 * narrow), Rational(tie - narrow), 400)) == 1.0);
+  CHECK(common_double(hull(Rational(tie + narrow), Rational(tie + 2 * narrow), 400)) ==
+        1 + 0x1p-52);
+  CHECK_FALSE(common_double(hull(Rational(tie - narrow), Rational(tie + narrow), 400)));
+  CHECK(common_double(RealBall(tie, 400)) == 1.0);  // ties to even, where it is exact
+  CHECK(common_double(hull(Rational(-power_of_two(-1080)), power_of_two(-1090), 64)) == 0.0);
+  CHECK_FALSE(std::signbit(*common_double(RealBall(-power_of_two(-1080), 64))));
+  CHECK(common_double(RealBall(3 * power_of_two(-1074), 64)) == 3 * 0x1p-1074);
+  CHECK(common_double(RealBall(3 * power_of_two(-1075), 64)) == 2 * 0x1p-1074);
+}

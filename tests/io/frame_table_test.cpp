@@ -6,6 +6,7 @@
 
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
+#include "support/curves.hpp"
 
 using namespace phrame;
 
@@ -234,4 +235,30 @@ TEST_CASE("frame table: npy has a valid header, then the rows as little-endian d
       CHECK(std::bit_cast<double>(bits) == table.rows[k / 2][k % 2]);
     }
   }
+}
+
+TEST_CASE("frame table: the rows of a long table are those of short ones") {
+  // A curve; one in a plane, with components 0 and irrational angles; one with a rational frame; a
+  // line; a near-cusp that has no compiled frame; and t beyond [0, 1], in no order.
+  const Polynomial steep = parse_rational("1e19") * Polynomial{-1, 3};
+  const std::vector<Curve> curves{test::quintic,
+                                  inflected(),
+                                  Curve({Polynomial{1, 2}, Polynomial{0, 1}, {}, {}}),
+                                  Curve(test::class_one),
+                                  Curve({Polynomial{1}, {}, {}, {}}),
+                                  Curve({Polynomial{1}, steep, steep, Polynomial{1, 1}})};
+  for (const Curve& curve : curves) {
+    std::vector<Rational> at;
+    for (long k = 0; k < 1200; ++k) at.emplace_back((k * 389) % 1200 - 100, 997);
+    at[7] = at[8];
+    const auto kinds = {Kind::rmf, Kind::erf};
+    const FrameTable all = frame_table(curve, kinds, at);
+    for (std::size_t k = 0; k < at.size(); k += 13) {
+      CAPTURE(at[k]);
+      CHECK(all.rows[k] == frame_table(curve, kinds, {at[k]}).rows[0]);
+    }
+  }
+  // All t the same: there is no interval.
+  const FrameTable one = frame_table(test::quintic, {Kind::rmf}, std::vector(1500, Rational(1, 3)));
+  CHECK(one.rows.back() == frame_table(test::quintic, {Kind::rmf}, {Rational(1, 3)}).rows[0]);
 }

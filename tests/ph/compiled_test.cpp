@@ -141,6 +141,27 @@ TEST_CASE("compiled angle and frame: law: on any interval, from any angle, to bo
   });
 }
 
+TEST_CASE("rounded frames: law: those of the exact frames, also beyond the interval") {
+  for_samples(20, [](Random& random) {
+    const Curve curve = random.curve(3);
+    RmfAngle angle(curve, Reference::erf);
+    try {
+      RoundedFrames rounded(curve, angle, -1, 2);
+      const Frames exact(curve);
+      for (int k = 0; k < 15; ++k) {
+        const Rational t = k == 0 ? Rational(-1) : Rational(random.integer(-9, 15), 7);
+        CAPTURE(t);
+        const Frame<double> found = rounded.at(t);
+        const Frame<Real> frame = exact.rotation_minimizing(angle, t);
+        CHECK(found.e1 == round_to_double(frame.e1));
+        CHECK(found.e2 == round_to_double(frame.e2));
+        CHECK(found.e3 == round_to_double(frame.e3));
+      }
+    } catch (const Undecided&) {  // a pole next to the interval
+    }
+  });
+}
+
 TEST_CASE("compiled angle: next to a near-cusp, and where doubles are too far apart for it") {
   Random random(3);
   const auto near = [&](double place, double distance) {

@@ -1,0 +1,376 @@
+"""phrame beside the integrators of SymPy, Maxima, FriCAS and Giac and the quadrature of PARI/GP, on the curves of curves.cpp.
+
+`./dev bench --peers` runs it with the program that it has built. It prints two tables: the CPU time to a closed form of the
+Euler-Rodrigues angle, the antiderivative of -2h/sigma, and that to its value at 1, with the digits that are those of phrame.
+A system that is not installed has no column.
+"""
+import argparse
+import datetime
+import decimal
+import json
+import math
+import os
+import pathlib
+import re
+import resource
+import shutil
+import signal
+import statistics
+import subprocess
+import sys
+
+DIGITS = 50
+MEMORY = 4 << 30  # bytes of address space; Lisp takes the limit for the size of the machine, and collects garbage in time
+ENOUGH = 0.3  # seconds: a shorter task is repeated, as some of the clocks count hundredths
+START = 3  # seconds on top of the time-out, for a system to start
+NO_FORM, NO_VALUE = "no closed form", "no value"
+
+
+def preimage(m):
+    """u, v, p, q of `random_curve(m)`: Knuth's linear congruential generator, its upper bits."""
+    state, coefficients = 2003 + m, []
+    for _ in range(4 * (m + 1)):
+        state = (state * 6364136223846793005 + 1442695040888963407) % 2**64
+        coefficients.append((state >> 33) % 19 - 9)
+    polynomials = [coefficients[k:k + m + 1] for k in range(0, len(coefficients), m + 1)]
+    return [[*a[:-1], a[-1] or 1] for a in polynomials]
+
+
+def product(a, b):
+    result = [0] * (len(a) + len(b) - 1)
+    for i, x in enumerate(a):
+        for j, y in enumerate(b):
+            result[i + j] += x * y
+    return result
+
+
+def integrand(m):
+    """Ascending coefficients of -2h and sigma, h = uv' - u'v - pq' + p'q, sigma = u^2 + v^2 + p^2 + q^2."""
+    def wronskian(a, b):
+        da, db = ([k * x for k, x in enumerate(c)][1:] for c in (a, b))
+        return [x - y for x, y in zip(product(a, db), product(da, b))]
+
+    u, v, p, q = preimage(m)
+    numerator = [-2 * (x - y) for x, y in zip(wronskian(u, v), wronskian(p, q))]
+    return numerator, [sum(x) for x in zip(*(product(a, a) for a in (u, v, p, q)))]
+
+
+def polynomial(a):
+    return " + ".join(f"({x})*t^{k}" for k, x in enumerate(a) if x) or "0"
+
+
+class System:
+    """A task is a pair: the work that is repeated and timed, and what is said of its last result: `@closed` of an antiderivative
+    without an integral in it, `@value` with the real part and, where there can be one, the imaginary part. `script` puts the
+    work into a loop, after it has integrated 1/(t^4 + t + 1), for which a system loads what it needs, and prints `@time`.
+    """
+    closed = None  # F, the antiderivative of f
+    value = None  # G = F(1) - F(0), from f: to find F is part of the work
+    quadrature = None  # G by a numerical rule, shown with a mark where `value` fails
+    refusal = None  # what it says when it stops because it cannot evaluate F
+
+    def version(self):
+        """None if it is not installed."""
+        if not shutil.which(self.command[0]):
+            return None
+        return subprocess.run([self.command[0], self.version_option], stdin=subprocess.DEVNULL, capture_output=True, text=True).stdout
+
+
+class SymPy(System):
+    """By the system's Python, whose package it may be, or the one that runs this; with an empty cache before each repetition."""
+    name = "SymPy"
+    closed = "F = ratint(f, t)", "print('' if F.has(Integral) else '@closed')"
+    value = f"F = ratint(f, t); G = (F.subs(t, 1) - F.subs(t, 0)).evalf({DIGITS})", "print('@value', *G.as_real_imag())"
+    quadrature = f"G = Integral(f, (t, 0, 1)).evalf({DIGITS})", "print('@value', *G.as_real_imag())"
+
+    def version(self):
+        for python in filter(None, (shutil.which("python3", path=os.defpath), sys.executable)):
+            self.command = [python, "-"]
+            result = subprocess.run(self.command, input="print(__import__('sympy').__version__)", capture_output=True, text=True)
+            if result.returncode == 0:
+                return result.stdout
+        return None
+
+    def script(self, numerator, denominator, work, report, count):
+        return f"""
+import time
+from sympy import Integral, Poly, symbols
+from sympy.core.cache import clear_cache
+from sympy.integrals.rationaltools import ratint
+t = symbols("t")
+f = Poly({numerator[::-1]}, t).as_expr() / Poly({denominator[::-1]}, t).as_expr()
+ratint(1 / (t**4 + t + 1), t)
+spent = 0
+for _ in range({count}):
+    clear_cache()
+    start = time.process_time()
+    {work}
+    spent += time.process_time() - start
+print("@time", spent / {count})
+{report}
+"""
+
+
+class Maxima(System):
+    """Its sums over rootsof have values where rootsof is given a definition. elapsed_run_time is CPU time, in spite of its name."""
+    name, command, version_option = "Maxima", ["maxima", "--very-quiet"], "--version"
+    closed = "F: integrate(f, t)", "if not freeof(t, F) and freeof(nounify('integrate), F) then print(\"@closed\")$"
+    value = ("(F: integrate(f, t), G: rectform(bfloat(ev(subst(t = 1, F) - subst(t = 0, F), nouns))))",
+             'print("@value", realpart(G), imagpart(G))$')
+    quadrature = "G: first(quad_qags(f, t, 0, 1))", 'print("@value", G)$'
+
+    def script(self, numerator, denominator, work, report, count):
+        return f"""
+display2d: false$ linel: 100000$ ratprint: false$ integrate_use_rootsof: true$ fpprec: {DIGITS + 10}$
+rootsof(q, z) := map('rhs, bfallroots(q))$
+f: ({polynomial(numerator)})/({polynomial(denominator)})$
+integrate(1/(t^4 + t + 1), t)$
+start: elapsed_run_time()$
+for k: 1 thru {count} do {work}$
+print("@time", (elapsed_run_time() - start)/{count})$
+{report}
+"""
+
+
+class FriCAS(System):
+    """It stops at the first error, lest it goes on with what it has not found."""
+    name, command, version_option = "FriCAS", ["fricas", "-nosman"], "--version"
+    closed = "F := integrate(f, t)", "if not member?('integral, [name k for k in tower F]) then output \"@closed\""
+    value = ("(F := integrate(f, t); G := numeric(eval(F, t = 1) - eval(F, t = 0)))",
+             'output concat("@value ", convert(G)@String)')
+    quadrature = (f"G := romberg(g, 0.0, 1.0, 1.0e-{DIGITS}, 1.0e-{DIGITS}, 5, 20).value",
+                  'output concat("@value ", convert(G)@String)')
+    refusal = "Can only compute the numerical value of a constant"
+
+    def script(self, numerator, denominator, work, report, count):
+        f = f"({polynomial(numerator)})/({polynomial(denominator)})"
+        return f"""
+)set break quit
+)set output algebra off
+digits {DIGITS + 10}
+outputSpacing 0
+f := {f}
+g(t: Float): Float == {f}
+g(0.5)
+integrate(1/(t^4 + t + 1), t)
+)lisp (setq phrame-start (get-internal-run-time))
+for k in 1..{count} repeat {work}
+)lisp (format t "~%@time ~f~%" (/ (- (get-internal-run-time) phrame-start) internal-time-units-per-second {count}))
+{report}
+"""
+
+
+class Giac(System):
+    name, command, version_option = "Giac", ["giac"], "--version"
+    closed = "F:=integrate(f,t)", 'if (inString(string(F),"integrate")<0) print("@closed"); else print("");'
+    value = "F:=integrate(f,t); G:=evalf(subst(F,t=1)-subst(F,t=0))", 'print("@value "+re(G)+" "+im(G));'
+    quadrature = "G:=evalf(integrate(f,t,0,1))", 'print("@value "+re(G)+" "+im(G));'
+
+    def script(self, numerator, denominator, work, report, count):
+        return f"""
+Digits:={DIGITS};
+f:=({polynomial(numerator)})/({polynomial(denominator)}):;
+integrate(1/(t^4+t+1),t):;
+T:=time(for(k:=0;k<{count};k++){{ {work}; }})[0]:;
+print("@time "+T/{count});
+{report}
+"""
+
+
+class PARI(System):
+    """57 digits are three words of 64 bits. It has no integrator: the value is that of its quadrature, and not marked."""
+    name, command, version_option = "PARI/GP", ["gp", "-q", "-f"], "--version-short"
+    value = "v = intnum(x = 0, 1, subst(P, t, x)/subst(Q, t, x))", 'print("@value ", v);'
+
+    def script(self, numerator, denominator, work, report, count):
+        return f"""
+default(realprecision, 57);
+P = {polynomial(numerator)}; Q = {polynomial(denominator)};
+gettime();
+for(k = 1, {count}, {work});
+print("@time ", gettime()/1000./{count});
+{report}
+"""
+
+
+SYSTEMS = {"sympy": SymPy, "maxima": Maxima, "fricas": FriCAS, "giac": Giac, "pari": PARI}
+
+
+class Failed(Exception):
+    """Its text is what the table shows."""
+
+
+def run(command, script, seconds):
+    """What a system prints that reads the script; after that many seconds by the clock it and its children are killed."""
+    process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                               errors="replace", start_new_session=True,
+                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)))
+    try:
+        return process.communicate(script, timeout=seconds + START)[0]
+    except subprocess.TimeoutExpired:
+        raise Failed(f"> {seconds:g} s") from None
+    finally:
+        try:
+            os.killpg(process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+        process.wait()
+
+
+def said(text, what):
+    """What follows @what where it begins a line, or stands behind FriCAS's prompt; the echo of a script has it elsewhere."""
+    found = re.search(rf"^(?:\(\d+\) -> *)*\s*@{what}\b *(.*)$", text, re.MULTILINE)
+    return found and found[1].strip()
+
+
+def measure(system, fraction, task, timeout):
+    """CPU seconds of one repetition, and what the system said. Repeats as often as its clock needs."""
+    count = 1
+    while True:
+        text = run(system.command, system.script(*fraction, *task, count), timeout)
+        time = said(text, "time")
+        if time is None:
+            if system.refusal and system.refusal in text:
+                raise Failed(NO_VALUE)
+            raise Failed("out of memory" if re.search("[Mm]emory|bad_alloc|exhausted|stack overflow", text) else "failed")
+        seconds = float(time)
+        if seconds * count >= ENOUGH or count >= 10000:
+            return seconds, text
+        count = min(20 * count, math.ceil(1.2 * ENOUGH / seconds)) if seconds else 20 * count
+
+
+def agreement(text, reference):
+    """How many digits are those of phrame, to a unit of the last, or by what the value is off."""
+    try:
+        value, *imaginary = (decimal.Decimal(part.replace("b", "e")) for part in text.split())
+    except (decimal.InvalidOperation, ValueError, AttributeError):
+        raise Failed(NO_VALUE) from None
+    if any(abs(part) > 1e-10 for part in imaginary):
+        return "wrong: not real"
+    error, leading = value - reference, reference.adjusted() + 1
+    for digits in range(DIGITS, 2, -1):
+        if abs(error) <= decimal.Decimal(10) ** (leading - digits):
+            return f"{digits} digits"
+    turns = round(float(error) / math.pi)
+    if turns == 0 or abs(float(error) - turns * math.pi) > 1e-8:
+        return "wrong"
+    return f"off by {turns}·π" if turns % 2 else f"off by 2π·{turns // 2}"
+
+
+def duration(seconds):
+    """Two significant digits."""
+    number, unit = (seconds, "s") if seconds >= 0.9995 else (1000 * seconds, "ms")
+    if number < 0.001:
+        return "< 0.001 ms"
+    number = float(f"{number:.1e}")
+    return f"{number:.{max(0, 1 - math.floor(math.log10(number)))}f} {unit}"
+
+
+class Column:
+    """The cells of a system, from top to bottom. What fails once for want of time or memory is not tried again."""
+
+    def __init__(self, system, timeout):
+        self.system, self.timeout, self.failures = system, timeout, set()
+
+    def attempt(self, task, fraction, reference):
+        """The cell of a task, and whether it is a result."""
+        if task in self.failures:
+            return "not tried", False
+        try:
+            seconds, text = measure(self.system, fraction, getattr(self.system, task), self.timeout)
+            if task != "closed":
+                return f"{duration(seconds)}, {agreement(said(text, 'value'), reference)}", True
+            return (NO_FORM, False) if said(text, "closed") is None else (duration(seconds), True)
+        except Failed as failure:
+            if str(failure) != NO_VALUE:
+                self.failures.add(task)
+            return str(failure), False
+
+    def cells(self, m, reference):
+        """A value that is to come from a closed form needs one; without it, or without a value, a quadrature is shown."""
+        fraction, closed, found = integrand(m), "—", True
+        if self.system.closed:
+            closed, found = self.attempt("closed", fraction, reference)
+        value = NO_VALUE if closed == NO_FORM else closed
+        if found:
+            value, found = self.attempt("value", fraction, reference)
+        if not found and self.system.quadrature:
+            value += f"; † {self.attempt('quadrature', fraction, reference)[0]}"
+        return closed, value
+
+
+def phrame(program, *arguments, text=""):
+    """The median of the CPU seconds, user and system, of five runs of the program, and its output."""
+    times = []
+    for _ in range(5):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        output = subprocess.run([program, *arguments], input=text, check=True, stdout=subprocess.PIPE, text=True).stdout
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        times.append(after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime)
+    return statistics.median(times), output
+
+
+def options():
+    """The arguments; what is wrong with them is said in one line."""
+    parser = argparse.ArgumentParser(description="phrame beside computer-algebra systems: two tables in Markdown")
+    parser.error = lambda message: parser.exit(2, f"{parser.prog}: {message}\n")
+    parser.add_argument("program", metavar="PROGRAM", help="phrame")
+    parser.add_argument("--timeout", metavar="SECONDS", type=float, default=60, help="for each task (default 60)")
+    parser.add_argument("--m", metavar="M,...", default="1,2,3,5,10,20,40", help="degrees of the preimages (default %(default)s)")
+    parser.add_argument("--systems", metavar="NAME,...", default=",".join(SYSTEMS), help="default %(default)s")
+    chosen = parser.parse_args()
+    if not shutil.which(chosen.program):
+        parser.error(f"not a program: {chosen.program}")
+    if not 0 < chosen.timeout < 1e6:
+        parser.error(f"--timeout: not a number of seconds: {chosen.timeout}")
+    if not re.fullmatch(r"[1-9]\d{0,3}(,[1-9]\d{0,3})*", chosen.m):
+        parser.error(f"--m: not a list of positive integers: {chosen.m}")
+    for key in chosen.systems.split(","):
+        if key not in SYSTEMS:
+            parser.error(f"--systems: no such system: {key}")
+    return chosen
+
+
+def main():
+    chosen = options()
+    start, version = phrame(chosen.program, "--version")
+    heads, columns, missing = ["degree / m", version.strip()], [], []
+    for system in (SYSTEMS[key]() for key in dict.fromkeys(chosen.systems.split(","))):
+        version = system.version()
+        if version is None:
+            missing.append(system.name)
+        else:
+            columns.append(Column(system, chosen.timeout))
+            heads.append(f"{system.name} {re.search(r'[0-9]+([.][0-9]+)+', version)[0]}")
+
+    rows = {"Closed form of θ": [], "Value of θ(1), from the curve": []}
+    for m in map(int, chosen.m.split(",")):
+        text = json.dumps({"phrame": "curve/1", "basis": "power", "preimage": dict(zip("uvpq", preimage(m)))})
+        form, _ = phrame(chosen.program, "angle", "-", text=text)
+        value, answer = phrame(chosen.program, "angle", "-", "--at", "1", "--digits", str(DIGITS), "--print", "json", text=text)
+        pairs = [(duration(form), duration(value))]
+        for column in columns:
+            if sys.stderr.isatty():
+                print(f"m = {m}: {column.system.name}", file=sys.stderr)
+            pairs.append(column.cells(m, decimal.Decimal(json.loads(answer)["values"][0]["theta"])))
+        for table, cells in zip(rows.values(), zip(*pairs)):
+            table.append([f"{2 * m + 1} / {m}", *cells])
+
+    model = re.search("^model name\\s*: (.*)$", pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8"), re.MULTILINE)
+    print(f"CPU time on {model[1] if model else 'an unnamed processor'}, {datetime.date.today()}; again by `./dev bench --peers`.",
+          f"That of phrame is of the whole program,\nof which {duration(start)} are its start; that of the others is inside the",
+          "system. Only time-outs are by the clock.")
+    if missing:
+        print(f"Not installed: {', '.join(missing)}.")
+    for title, table in rows.items():
+        print(f"\n{title}:\n")
+        for row in (heads, ["---"] * len(heads), *table):
+            print(f"| {' | '.join(row)} |")
+    print(f"\nOf {DIGITS} digits those are counted that are phrame's, to a unit of the last. The value is F(1) − F(0) from the closed form",
+          "F, which is found\nanew; † is a quadrature by the system, where F has not been found or has no value. PARI's is always one.",
+          "In Maxima rootsof\nis defined by bfallroots.")
+
+
+if __name__ == "__main__":
+    decimal.getcontext().prec = DIGITS + 30
+    main()
