@@ -7,19 +7,15 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_pipeline.h>
-#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
-#include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <fstream>
 #include <unordered_set>
-#include <utility>
 
 #include "phrame/cli/command.hpp"
+#include "phrame/cli/line_stream.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -33,122 +29,6 @@ struct BatchOptions {
   std::vector<std::string> at;
   BatchDefaults defaults;
 };
-
-/// A file descriptor, closed at the end unless it is a standard one.
-class Descriptor {
- public:
-  Descriptor(int number, std::string name) : number_(number), name_(std::move(name)) {
-    if (number < 0) fail_with_errno(name_, "cannot be opened");
-  }
-  ~Descriptor() {
-    if (number_ > 2) close(number_);
-  }
-  Descriptor(Descriptor&& other) noexcept
-      : number_(std::exchange(other.number_, -1)), name_(std::move(other.name_)) {}
-  Descriptor& operator=(Descriptor&&) = delete;
-
-  int number() const { return number_; }
-  const std::string& name() const { return name_; }
-
- private:
-  int number_;
-  std::string name_;
-};
-
-/// SIGINT and SIGTERM as bytes in a pipe, so that who waits for input sees them. The second one
-/// ends the program at once.
-class Interruption {
- public:
-  Interruption() {
-    if (pipe(ends().data()) != 0) fail_with_errno("batch", "no pipe");
-    struct sigaction action = {};
-    action.sa_handler = [](int signal) {
-      const auto byte = static_cast<char>(signal);
-      [[maybe_unused]] const auto written = write(ends()[1], &byte, 1);
-    };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-  }
-  int descriptor() const { return ends()[0]; }
-
-  /// Ends the program as the signal would have done, if there was one.
-  void pass_on() const {
-    pollfd waiting{descriptor(), POLLIN, 0};
-    char signal = 0;
-    if (poll(&waiting, 1, 0) == 1 && read(descriptor(), &signal, 1) == 1) raise(signal);
-  }
-
- private:
-  static std::array<int, 2>& ends() {
-    static std::array<int, 2> pipe_ends{};
-    return pipe_ends;
-  }
-};
-
-constexpr std::size_t longest_line = std::size_t{1} << 28;
-
-class LineReader {
- public:
-  LineReader(const Descriptor& file, const Interruption& interruption)
-      : file_(file), interruption_(interruption) {}
-
-  /// The next line that is not blank; no value at the end of the file and after a signal.
-  std::optional<std::string> next() {
-    for (;;) {
-      const auto end = buffer_.find('\n', searched_);
-      if (end == std::string::npos && !is_at_end_) {
-        searched_ = buffer_.size();
-        fill();
-        continue;
-      }
-      if (end == std::string::npos && start_ == buffer_.size()) return std::nullopt;
-      std::string line = buffer_.substr(start_, end - start_);
-      start_ = searched_ = end == std::string::npos ? buffer_.size() : end + 1;
-      if (line.find_first_not_of(" \t\r") != std::string::npos) return line;
-    }
-  }
-
- private:
-  void fill() {
-    buffer_.erase(0, start_);
-    searched_ -= start_;
-    start_ = 0;
-    if (buffer_.size() > longest_line)
-      throw InputError(file_.name(), fmt::format("a line is longer than {} bytes", longest_line));
-    std::array<pollfd, 2> waiting{
-        {{file_.number(), POLLIN, 0}, {interruption_.descriptor(), POLLIN, 0}}};
-    if (poll(waiting.data(), waiting.size(), -1) < 0 && errno != EINTR)
-      fail_with_errno(file_.name(), "cannot be read");
-    if (waiting[1].revents != 0) {  // what is not yet a line is dropped
-      buffer_.clear();
-      searched_ = 0;
-      is_at_end_ = true;
-      return;
-    }
-    if (waiting[0].revents == 0) return;
-    std::array<char, 65536> block;
-    const auto count = read(file_.number(), block.data(), block.size());
-    if (count < 0 && errno != EINTR) fail_with_errno(file_.name(), "cannot be read");
-    if (count == 0) is_at_end_ = true;
-    if (count > 0) buffer_.append(block.data(), static_cast<std::size_t>(count));
-  }
-
-  const Descriptor& file_;
-  const Interruption& interruption_;
-  std::string buffer_;
-  std::size_t start_ = 0;     ///< of the next line
-  std::size_t searched_ = 0;  ///< no end of a line before
-  bool is_at_end_ = false;
-};
-
-void write_whole(const Descriptor& file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const auto count = write(file.number(), bytes.data(), bytes.size());
-    if (count < 0 && errno != EINTR) fail_with_errno(file.name(), "cannot be written");
-    if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-}
 
 /// What an earlier run has answered.
 struct Done {
@@ -168,13 +48,6 @@ Done read_done(const std::string& path) {
   return done;
 }
 
-bool is_same_file(int descriptor, const std::string& path) {
-  struct stat a = {};
-  struct stat b = {};
-  return fstat(descriptor, &a) == 0 && stat(path.c_str(), &b) == 0 && S_ISREG(a.st_mode) &&
-         a.st_dev == b.st_dev && a.st_ino == b.st_ino;
-}
-
 Descriptor open_input(const std::string& path) {
   return {path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC),
           name_of_file(path)};
@@ -185,7 +58,7 @@ Descriptor open_output(const std::string& path, const std::string& skip_done, co
   constexpr int flags = O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC;
   Descriptor file(path == "-" ? STDOUT_FILENO : ::open(path.c_str(), flags, 0666),
                   path == "-" ? "standard output" : path);
-  const bool continues = !skip_done.empty() && is_same_file(file.number(), skip_done);
+  const bool continues = !skip_done.empty() && is_same_file(file, skip_done);
   if (path != "-" || continues) {
     const off_t size = continues ? done.whole_bytes : 0;
     struct stat status = {};
@@ -231,7 +104,7 @@ void run(const BatchOptions& options) {
   for (const std::string& t : split(options.at)) defaults.at.push_back(parse_option("--at", t));
 
   const Descriptor input = open_input(options.path);
-  if (options.output != "-" && is_same_file(input.number(), options.output))
+  if (options.output != "-" && is_same_file(input, options.output))
     throw InputError("--output", "\"" + options.output + "\" is the input");
   const Done done = read_done(options.skip_done);
   const Descriptor output = open_output(options.output, options.skip_done, done);

@@ -162,7 +162,8 @@ Frame<Real> Rows::rotation_minimizing(const Frame<Rational>& erf, const SplinePa
 }
 
 void Rows::expect(const std::vector<SplinePoint>& points) {
-  constexpr std::size_t many = 1000;
+  const std::size_t many =
+      1000 + 20 * static_cast<std::size_t>(preimage_degree(spline_.segments().front()));
   const auto& frames = columns_.frames;
   if (points.size() < many || segments_.size() > 1 ||
       std::find(frames.begin(), frames.end(), TabulatedFrame::rmf) == frames.end())

@@ -133,9 +133,9 @@ std::string curve_named(const std::string& name) {
 }  // namespace
 
 TEST_CASE("compile: a million values of a header are as exact as it says") {
-  const auto at = even_parameters(million);
   for (const std::string name : {"seed-farouki2003", "gen-m10-0", "deg-hzero", "deg-line"}) {
     CAPTURE(name);
+    const auto at = even_parameters(name == "seed-farouki2003" ? million : million / 5);
     const Workshop shop;
     shop.write("curve.json", curve_named(name));
     const auto run = shop.run("compile curve.json --prefix arm -o angle.h");
@@ -155,12 +155,11 @@ TEST_CASE("compile: on a near-cusp, with every optimization that keeps IEEE arit
   const Curve curve = read_curve(text).curve;
   RmfAngle angle(curve, Reference::erf);
   auto at = even_parameters(20'000);  // and next to t = 1/3, where θ turns within 1e-8
-  for (long k = -50'000; k < 50'000; ++k) at.push_back(1.0 / 3 + static_cast<double>(k) * 1e-12);
+  for (long k = -20'000; k < 20'000; ++k) at.push_back(1.0 / 3 + static_cast<double>(k) * 2e-12);
   const Workshop shop;
   shop.write("curve.json", text);
   CHECK(shop.run("compile curve.json --prefix arm -o angle.h").status == 0);
-  for (const std::string options : {"-std=c99 -O0", "-std=c11 -O3 -march=native",
-                                    "-x c++ -std=c++17 -O2"}) {
+  for (const std::string options : {"-std=c11 -O3 -march=native", "-x c++ -std=c++17 -O0"}) {
     CAPTURE(options);
     const auto rows = evaluated(shop, at, options);
     check_angles(at, rows, angle);
