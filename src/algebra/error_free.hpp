@@ -1,6 +1,10 @@
 #pragma once
+#include <cfloat>
 
 namespace phrame {
+
+static_assert(FLT_EVAL_METHOD >= 0 && FLT_EVAL_METHOD != 2 && FLT_EVAL_METHOD <= 64,
+              "doubles are computed with more digits");
 
 /// The unevaluated sum of two doubles.
 struct DoubleDouble {

@@ -41,9 +41,11 @@ std::optional<PolynomialPiece> empty_piece(double from, double to) {
       !(std::abs(piece.center) <= 2 * least && greatest <= 2 * std::abs(piece.center)))
     return std::nullopt;
   int exponent = 0;
-  std::frexp(std::max(to - piece.center, piece.center - from), &exponent);
+  if (std::frexp(std::max(to - piece.center, piece.center - from), &exponent) == 0.5) --exponent;
   constexpr int greatest_exponent = 900;
-  if (std::abs(exponent) > greatest_exponent) return std::nullopt;
+  if (std::abs(exponent) > greatest_exponent)
+    throw Undecided(fmt::format(
+        "piecewise polynomial: [{}, {}] is too small or too large for doubles", from, to));
   piece.scale = std::ldexp(1.0, -exponent);
   return piece;
 }
@@ -90,7 +92,8 @@ PiecewisePolynomial::PiecewisePolynomial(double from, double to, const DoubleSha
                                          const Make& make)
     : shape_(shape) {
   if (!(std::isfinite(from) && std::isfinite(to) && from < to && std::isfinite(to - from)))
-    throw DomainError(fmt::format("piecewise polynomial: [{}, {}] is not an interval", from, to));
+    throw DomainError(fmt::format(
+        "piecewise polynomial: [{}, {}] is not an interval whose length is a double", from, to));
   std::vector<double> right_ends{to};
   ends_.push_back(from);
   while (!right_ends.empty()) {
@@ -99,6 +102,11 @@ PiecewisePolynomial::PiecewisePolynomial(double from, double to, const DoubleSha
     const bool has_zero_inside = low < 0 && 0 < high;
     auto piece = has_zero_inside ? std::nullopt : make(low, high);
     if (piece) {
+      const auto is_finite = [](double x) { return std::isfinite(x); };
+      if (!is_finite(piece->error) || !is_finite(piece->error_per_y) ||
+          !std::all_of(piece->coefficients.begin(), piece->coefficients.end(), is_finite))
+        throw Undecided(
+            fmt::format("piecewise polynomial: next to t = {} it is too large for doubles", low));
       pieces_.push_back(std::move(*piece));
       ends_.push_back(high);
       right_ends.pop_back();
@@ -124,7 +132,8 @@ void PiecewisePolynomial::make_cells() {
   while (cells < 2 * pieces_.size()) cells *= 2;
   cells_per_unit_ = static_cast<double>(cells) / (to() - from());
   if (!std::isfinite(cells_per_unit_)) cells_per_unit_ = 0;  // one cell, of the shortest interval
-  first_.assign(cell_of(to()) + 2, 0);
+  // Enough of them in every rounding mode.
+  first_.assign(std::max(cell_of(to()), cells) + 2, 0);
   for (std::size_t piece = 1; piece < pieces_.size(); ++piece) {
     const double before = std::nextafter(ends_[piece], -std::numeric_limits<double>::infinity());
     for (std::size_t k = cell_of(before) + 1; k < first_.size(); ++k)

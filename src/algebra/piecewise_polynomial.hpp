@@ -21,11 +21,12 @@ struct PolynomialPiece {
   std::vector<double> coefficients;
 };
 
-/// A center and a scale for [from, to]. No value where there is no such center, or no scale that is
-/// a double: the interval is to be divided.
+/// A center and a scale for [from, to]. No value where there is no such center: the interval is to
+/// be divided. Throws Undecided where it is smaller than 2^−900 or larger than 2^900.
 std::optional<PolynomialPiece> empty_piece(double from, double to);
 /// p(center + y/scale), all coefficients known to about `bits` bits relative to the greatest, the
-/// constant one relative to itself if it is to be `definite` and is not 0. Throws Undecided where it is not.
+/// constant one relative to itself if it is to be `definite` and is not 0. Throws Undecided where
+/// it is not.
 BallPolynomial on_piece(const Polynomial& p, const PolynomialPiece& piece, long bits,
                         bool is_definite = false);
 
@@ -42,8 +43,9 @@ class PiecewisePolynomial {
   /// The polynomials for [from, to], or no value if it is to be divided.
   using Make = std::function<std::optional<PolynomialPiece>(double from, double to)>;
 
-  /// Throws DomainError unless from < to, both finite, and Undecided where more than max_pieces are
-  /// needed, or a piece that has no double inside.
+  /// Throws DomainError unless from < to and the length is finite, and Undecided where more than
+  /// max_pieces are needed, or a piece that has no double inside, or where a coefficient or an
+  /// error is too large for a double.
   PiecewisePolynomial(double from, double to, const DoubleShape& shape, const Make& make);
   static constexpr std::size_t max_pieces = 20'000;
 
@@ -54,9 +56,8 @@ class PiecewisePolynomial {
 
   /// Ascending, one more than pieces; a piece is [end, next end), the last one closed.
   const std::vector<double>& ends() const { return ends_; }
-  // [from, to] is cut into cells, the floors of (t − from)·cells_per_unit() in doubles, the last
-  // one belonging to that before. The pieces that meet cell number k are those from first[k] to
-  // first[k + 1], often only first[k].
+  // [from, to] is cut into cells, the floors of (t − from)·cells_per_unit() in doubles. The pieces
+  // that meet cell number k are those from first[k] to first[k + 1], often only first[k].
   double cells_per_unit() const { return cells_per_unit_; }
   const std::vector<std::uint32_t>& first() const { return first_; }
 

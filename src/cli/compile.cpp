@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "phrame/cli/command.hpp"
 #include "phrame/io/c_header.hpp"
 
@@ -13,17 +15,25 @@ struct CompileOptions {
   std::string to = "1";
 };
 
+/// Rounded to a double.
+double end_of_interval(const std::string& option, const std::string& text) {
+  const double end = round_to_double(parse_option(option, text));
+  if (!std::isfinite(end))
+    throw InputError(option, "\"" + abbreviated(text) + "\" is too large for a double");
+  return end;
+}
+
 void run(const CompileOptions& options) {
   const auto reference = choose<Reference>(
       "--frame", options.frame, {{"erf", Reference::erf}, {"frenet", Reference::frenet}});
   const Rational start_angle = parse_option("--theta0", options.start_angle);
-  const double from = round_to_double(parse_option("--from", options.from));
-  const double to = round_to_double(parse_option("--to", options.to));
+  const double from = end_of_interval("--from", options.from);
+  const double to = end_of_interval("--to", options.to);
   if (!(from < to))
     throw InputError("--to", "\"" + abbreviated(options.to) + "\" is not greater than --from");
   if (!options.prefix.empty() && !is_prefix(options.prefix))
     throw InputError("--prefix", "\"" + abbreviated(options.prefix) +
-                                     "\" is not a letter followed by letters, digits and _");
+                                     "\" is not a letter followed by letters, digits and single _");
   const NamedCurve named = options.curve.read();
   RmfAngle angle(named.curve, reference);
   CHeader header{options.prefix.empty() ? prefix_from(named.name) : options.prefix,

@@ -47,21 +47,24 @@ constexpr const char* preamble =
  * {title}
  *
  * double {p}_theta(double t)
- *   The angle in radians, on a continuous branch, of the rotation-minimizing frame to the
- *   {reference}; theta(0) = {start}.
+ *   The angle in radians, on a continuous branch, of the rotation-minimizing frame (f2, f3) to the
+ *   {reference};
+ *   f2 = cos(theta) {second} + sin(theta) {third}, theta(0) = {start}.
  *   Its error is at most {P}_THETA_ERROR = {angle_error}.
+ *
 {frame_text} * For {from} <= t <= {to}; NaN for other t.
  *
- * The errors are proved, rounding included, for IEEE 754 doubles rounded to nearest, with or
- * without fused multiplication and addition; not for -ffast-math.
+ * C99, C11, or C++17 and later. The errors are proved, rounding included, for IEEE 754 doubles
+ * rounded to nearest, with or without fused multiplication and addition; not where sums are
+ * rearranged, as by -ffast-math.
  * Made by phrame {version}. Do not edit.
  */
 )"
-    "#ifndef {P}_H\n"
-    "#define {P}_H\n\n"
+    "#ifndef {p}_H\n"
+    "#define {p}_H\n\n"
     "#include <float.h>\n\n"
-    "#if defined(__FAST_MATH__) || FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD "
-    "> 64\n"
+    "#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \\\n"
+    "    FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD > 64\n"
     "#error \"the errors are not proved where doubles are computed loosely, or with more digits\"\n"
     "#endif\n"
     "#if FLT_RADIX != 2 || DBL_MANT_DIG != 53\n"
@@ -73,11 +76,10 @@ constexpr const char* preamble =
 {frame_define}
 )";
 
-constexpr const char* frame_text = R"( *
- * void {p}_frame(double t, double f1[3], double f2[3], double f3[3])
+constexpr const char* frame_text =
+    R"( * void {p}_frame(double t, double f1[3], double f2[3], double f3[3])
  *   The frame: f1 along A i A* (the unit tangent, or its opposite where the multiplier is
- *   negative), f2 = cos(theta) e2 + sin(theta) e3, f3 = cos(theta) e3 - sin(theta) e2, where
- *   e2 and e3 are those of the Euler-Rodrigues frame.
+ *   negative), f2 as above, f3 = cos(theta) e3 - sin(theta) e2.
  *   The error of every component is at most {P}_FRAME_ERROR = {frame_error}.
  *
 )";
@@ -191,14 +193,17 @@ std::string to_c_header(const CHeader& header) {
     define_frame = fmt::format("#define {}_FRAME_ERROR {:a}\n", upper, error);
   }
   const double error = angle_error(header);
+  const bool is_erf = header.reference == Reference::erf;
   std::string text = fmt::format(
       fmt::runtime(preamble), arg("p", p), arg("P", upper),
       arg("title", header.curve.empty()
                        ? "A rotation-minimizing frame"
                        : "A rotation-minimizing frame of " + in_comment(header.curve)),
-      arg("reference", header.reference == Reference::erf
-                           ? "Euler-Rodrigues frame (A i A*, A j A*, A k A*)/|A|^2"
-                           : "Frenet frame, continued through inflections"),
+      arg("reference",
+          is_erf ? "Euler-Rodrigues frame (e1, e2, e3) = (A i A*, A j A*, A k A*)/|A|^2, where\n"
+                   " *   A = u + v i + p j + q k is the preimage of the curve"
+                 : "Frenet frame, tangent, normal n and binormal b, continued through inflections"),
+      arg("second", is_erf ? "e2" : "n"), arg("third", is_erf ? "e3" : "b"),
       arg("start", abbreviated(to_string(header.start_angle))),
       arg("angle_error", decimal_above(error)), arg("angle_error_hex", fmt::format("{:a}", error)),
       arg("frame_text", about_frame), arg("frame_define", define_frame),
@@ -221,15 +226,17 @@ std::string prefix_from(const std::string& name) {
     else if (!prefix.empty() && prefix.back() != '_')
       prefix += '_';
   }
+  prefix = prefix.substr(0, 40);
   while (!prefix.empty() && prefix.back() == '_') prefix.pop_back();
   if (prefix.empty()) return "curve";
   if (std::isdigit(static_cast<unsigned char>(prefix.front())) != 0) prefix.insert(0, "curve_");
-  return prefix.substr(0, 40);
+  return prefix;
 }
 
 bool is_prefix(const std::string& text) {
   const auto is_letter = [](unsigned char c) { return c < 128 && std::isalpha(c) != 0; };
-  return !text.empty() && text.size() <= 60 && is_letter(static_cast<unsigned char>(text[0])) &&
+  return !text.empty() && text.size() <= 60 && text.back() != '_' &&
+         text.find("__") == std::string::npos && is_letter(static_cast<unsigned char>(text[0])) &&
          std::all_of(text.begin(), text.end(), [&](unsigned char c) {
            return is_letter(c) || (c < 128 && std::isdigit(c) != 0) || c == '_';
          });

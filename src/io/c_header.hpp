@@ -24,7 +24,7 @@ std::string to_c_header(const CHeader& header);
 
 /// A prefix made of the name of a curve: letters, digits and '_'; "curve" where nothing is left.
 std::string prefix_from(const std::string& name);
-/// Is it a name in C, not reserved by a leading '_'?
+/// Is it a name in C that is not reserved, and no longer than 60? (C++ reserves each with "__".)
 bool is_prefix(const std::string& text);
 
 }  // namespace phrame

@@ -54,7 +54,9 @@ PiecewisePolynomial compiled_angle(RmfAngle& angle, const Rational& start_angle,
     const BallPolynomial residual =
         subtract(multiply(differentiate(p, bits), denominator, bits), numerator, bits);
     const RealBall remainder = divide(integral_bound(residual, bits), least_denominator, bits);
-    if (upper_double(remainder) > shape.goal * upper_double(size)) return std::nullopt;
+    // What the rounding of θ loses in any case is a little more than the second part.
+    const double scale = upper_double(size) + upper_double(absolute(at_center)) / 64;
+    if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
     const double per_y =
         sum_up(upper_double(remainder), rounding_error(piece->coefficients, shape, 0));
     const double at_zero = upper_double(absolute(subtract(p.coefficient(0), at_center, bits)));
@@ -81,9 +83,10 @@ double CompiledAngle::operator()(double t) {
   const PolynomialPiece& piece = polynomials_.at(t);
   const double y = (t - piece.center) * piece.scale;
   const auto [value] = evaluate_compensated<1>(piece.coefficients.data(), polynomials_.shape(), y);
-  // The last term covers the rounding of this sum and of those below.
+  // The last term and the last factor cover the rounding of these sums and of those below.
   const double error =
-      piece.error + piece.error_per_y * std::abs(y) * (1 + 0x1p-50) + std::abs(value.low) * 0x1p-50;
+      (piece.error + piece.error_per_y * std::abs(y) + std::abs(value.low) * 0x1p-50) *
+      (1 + 0x1p-50);
   const double least = value.high + (value.low - error);
   return least == value.high + (value.low + error) ? least : exact(t);
 }

@@ -122,6 +122,8 @@ PiecewisePolynomial compiled_rotation(const Curve& curve, RmfAngle& angle,
                                       const Rational& start_angle, double from, double to,
                                       const DoubleShape& shape) {
   const Rotation rotation(curve);
+  // Absolutely, φ is to be known to about 2^−bits.
+  const long phi_bits = bits + (abs(start_angle) > 1 ? binary_exponent(abs(start_angle)) : 0);
   const auto make = [&](double low, double high) -> std::optional<PolynomialPiece> {
     auto piece = empty_piece(low, high);
     if (!piece) return std::nullopt;
@@ -129,8 +131,8 @@ PiecewisePolynomial compiled_rotation(const Curve& curve, RmfAngle& angle,
     const RealBall least_sigma = least(on_this.sigma(), bits);
     if (sign(least_sigma) <= 0) return std::nullopt;
 
-    RealBall phi =
-        add(angle.enclose(exact_rational(piece->center), bits), RealBall(start_angle, bits), bits);
+    RealBall phi = add(angle.enclose(exact_rational(piece->center), bits),
+                       RealBall(start_angle, phi_bits), phi_bits);
     arb_mul_2exp_si(phi.raw(), phi.raw(), -1);
     const Components taylor = on_this.taylor(phi, shape.degree + 1);
     piece->coefficients = round_coefficients({taylor.begin(), taylor.end()}, shape);
@@ -146,7 +148,9 @@ PiecewisePolynomial compiled_rotation(const Curve& curve, RmfAngle& angle,
       squares += std::pow(rounding_error(piece->coefficients, shape, static_cast<long>(k)), 2);
     }
     const RealBall remainder = divide(on_this.residual_bound(exact), least_sigma, bits);
-    if (upper_double(remainder) > shape.goal * upper_double(size)) return std::nullopt;
+    // |B| = 1: to be more exact than the second part makes no difference.
+    const double scale = upper_double(size) + 1.0 / 64;
+    if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
     const double off = upper_double(add(at_zero, remainder, bits));
     const double rounding = std::sqrt(squares) * (1 + 0x1p-48);         // not rounded down
     piece->error = sum_up(sum_up(rounding, off), 8 * underflow_error);  // |B| = 1
@@ -162,7 +166,7 @@ CompiledFrames::CompiledFrames(const Curve& curve, RmfAngle& angle, double from,
     : polynomials_(compiled_rotation(curve, angle, start_angle, from, to, compensated_shape(4))) {
   // Far more than the operations on pairs of doubles are off by, and than rounding leaves.
   for (const PolynomialPiece& piece : polynomials_.pieces())
-    if (frame_error(piece.error) > 0x1p-60)
+    if (!(frame_error(piece.error) <= 0x1p-60))
       throw Undecided("compiled frames: the polynomials are not exact enough");
 }
 

@@ -78,6 +78,8 @@ TEST_CASE("piecewise polynomial: most doubles of an even division need one compa
     return high - low > 1.0 / 64 ? std::nullopt : empty_piece(low, high);
   });
   REQUIRE(p.pieces().size() == 64);
+  // y takes up all of [−1, 1].
+  CHECK(p.pieces()[5].scale == 128);
   for (std::size_t k = 0; k + 1 < p.first().size(); ++k)
     CHECK(p.first()[k + 1] - p.first()[k] <= 1);
 }

@@ -197,14 +197,17 @@ TEST_CASE("compile: names in C come from the curve's, and --prefix must be one")
     return run.out.substr(at + 21, run.out.find('(', at) - at - 21);
   };
   CHECK(names("arm-2 of /* a robot */") == "arm_2_of_a_robot_theta");
+  CHECK(names(std::string(39, 'x') + "/y") == std::string(39, 'x') + "_theta");
   CHECK(names("2nd") == "curve_2nd_theta");
   CHECK(names("кривая") == "curve_theta");
   CHECK(names("") == "curve_theta");
 
-  for (const std::string prefix : {"2nd", "_a", "a b", "a-b", "é"})
+  for (const std::string prefix : {"2nd", "_a", "a b", "a-b", "é", "a__b", "a_"})
     check_failure(shop.run("compile quintic.json --prefix '" + prefix + "'"), 2, "--prefix");
   check_failure(shop.run("compile quintic.json --from 1"), 2, "--to: \"1\"");
   check_failure(shop.run("compile quintic.json --to x"), 2, "--to: ");
+  check_failure(shop.run("compile quintic.json --to 1e309"), 2, "--to: \"1e309\" is too large");
+  check_failure(shop.run("compile quintic.json --theta0 1e309"), 4, "too large for doubles");
   check_failure(shop.run("compile line.json --frame frenet"), 3, "straight line");
   shop.write("steep.json", R"({"phrame": "curve/1", "basis": "power", "preimage":
       {"u": [1], "v": ["-1e19", "3e19"], "p": ["-1e19", "3e19"], "q": [1, 1]}})");

@@ -162,6 +162,68 @@ TEST_CASE("rounded frames: law: those of the exact frames, also beyond the inter
   });
 }
 
+// Where polynomials are proved to 2^−52 and better, their rounding hides what else is in the
+// bounds.
+TEST_CASE("compiled angle and frame: law: the bounds of crude polynomials hold, and are not wide") {
+  double closest = 0;  // of all errors to their bounds
+  double closest_frame = 0;
+  for_samples(30, [&](Random& random) {
+    const Curve curve = random.curve(2);
+    RmfAngle angle(curve, Reference::erf);
+    const long degree = random.integer(1, 6);
+    const double goal = std::pow(10.0, -static_cast<double>(random.integer(1, 4)));
+    const Rational start = random.rational();
+    const auto at = parameters(random, 20);
+    const auto share = [](const Rational& off, const Rational& bound) {
+      return bound == 0 ? 0 : Rational(off / bound).convert_to<double>();
+    };
+    const DoubleShape shape{1, degree, 1, goal};
+    const auto theta = compiled_angle(angle, start, 0, 1, shape);
+    const DoubleShape shape_of_four{4, degree, 1, goal};
+    const auto rotation = compiled_rotation(curve, angle, start, 0, 1, shape_of_four);
+    const Frames frames(curve);
+    for (const double t : at) {
+      CAPTURE(t);
+      const auto y = [t](const PolynomialPiece& piece) {
+        return Rational((exact_rational(t) - exact_rational(piece.center)) *
+                        exact_rational(piece.scale));
+      };
+      const PolynomialPiece& piece = theta.at(t);
+      const BallPolynomial p = exact_polynomial(piece.coefficients, shape, 0);
+      const RealBall off =
+          subtract(evaluate(p, RealBall(y(piece), bits), bits), exact_angle(angle, start, t), bits);
+      const Rational bound =
+          exact_rational(piece.error) + exact_rational(piece.error_per_y) * abs(y(piece));
+      CHECK(absolute(off).lower() <= bound);
+      closest = std::max(closest, share(absolute(off).lower(), bound));
+
+      const PolynomialPiece& turn = rotation.at(t);
+      const Rational here = y(turn);
+      Quaternion<Rational> b;
+      Rational* component[] = {&b.u, &b.v, &b.p, &b.q};
+      for (long k = 0; k < 4; ++k)
+        *component[k] = evaluate(exact_polynomial(turn.coefficients, shape_of_four, k),
+                                 RealBall(here, bits), bits)
+                            .midpoint();
+      const Rational frame_bound = exact_rational(frame_error(turn.error));
+      const Frame<Real> exact = turned(as_real(frames.euler_rodrigues(exact_rational(t))),
+                                       angle.value(exact_rational(t)) + start);
+      const auto check = [&](const Vector<Rational>& found, const Vector<Real>& e) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          const RealBall ball = subtract(RealBall(found[k], bits), e[k].enclose(bits), bits);
+          CHECK(absolute(ball).lower() <= frame_bound);
+          closest_frame = std::max(closest_frame, share(absolute(ball).lower(), frame_bound));
+        }
+      };
+      check(rotated_i(b), exact.e1);
+      check(rotated_j(b), exact.e2);
+      check(rotated_k(b), exact.e3);
+    }
+  });
+  CHECK(closest > 0.2);
+  CHECK(closest_frame > 0.1);
+}
+
 TEST_CASE("compiled angle: next to a near-cusp, and where doubles are too far apart for it") {
   Random random(3);
   const auto near = [&](double place, double distance) {
@@ -184,6 +246,25 @@ TEST_CASE("compiled angle: next to a near-cusp, and where doubles are too far ap
   RmfAngle too_steep(near_cusp(Rational(1, 3), parse_rational("1e-19")), Reference::erf);
   CHECK_THROWS_WITH_AS(CompiledAngle(too_steep, 0, 1), doctest::Contains("next to t = 0.33333"),
                        Undecided);
+}
+
+TEST_CASE("compiled angle and frame: large and tiny intervals, and angles beyond doubles") {
+  Random random(11);
+  const Curve curve = named("gen-m02-0");
+  RmfAngle angle(curve, Reference::erf);
+  for (const auto& [from, to] : {std::pair{3e15, 3e15 + 64}, {1e-200, 2e-200}, {-1e20, 1e20}}) {
+    std::vector<double> at{from, to};
+    for (int k = 0; k < 10; ++k) at.push_back(from + (to - from) * parameter(random));
+    check_angle(angle, 0, at, from, to);
+    check_frame(curve, angle, at, from, to);
+  }
+  for (const std::string start : {"1e30", "1e300"}) {  // the frame is not worse for it
+    const auto p =
+        compiled_rotation(curve, angle, parse_rational(start), 0, 1, compensated_shape(4));
+    for (const PolynomialPiece& piece : p.pieces()) CHECK(piece.error < 0x1p-70);
+  }
+  const Rational beyond = parse_rational("1e309");
+  CHECK_THROWS_AS(CompiledAngle(angle, 0, 1, beyond), Undecided);
 }
 
 TEST_CASE("compiled angle: the exact angle is rarely needed, but for 0") {
@@ -233,4 +314,5 @@ TEST_CASE("compiled angle and frame: outside the interval") {
     CHECK_THROWS_AS(frames(t), DomainError);
   }
   CHECK_THROWS_AS(CompiledAngle(angle, 1, 1), DomainError);
+  CHECK_THROWS_AS(CompiledAngle(angle, 0, 1e-300), Undecided);
 }
