@@ -45,43 +45,61 @@ def product(a, b):
 
 
 def integrand(m):
-    """Ascending coefficients of -2h and sigma, h = uv' - u'v - pq' + p'q, sigma = u^2 + v^2 + p^2 + q^2."""
+    """-2h/sigma as text, h = uv' - u'v - pq' + p'q and sigma = u^2 + v^2 + p^2 + q^2, by lists of ascending coefficients."""
     def wronskian(a, b):
         da, db = ([k * x for k, x in enumerate(c)][1:] for c in (a, b))
         return [x - y for x, y in zip(product(a, db), product(da, b))]
 
+    def text(a):
+        return "(" + " + ".join(f"({x})*t^{k}" for k, x in enumerate(a) if x) + ")"
+
     u, v, p, q = preimage(m)
-    numerator = [-2 * (x - y) for x, y in zip(wronskian(u, v), wronskian(p, q))]
-    return numerator, [sum(x) for x in zip(*(product(a, a) for a in (u, v, p, q)))]
-
-
-def polynomial(a):
-    return " + ".join(f"({x})*t^{k}" for k, x in enumerate(a) if x) or "0"
+    minus_2h = [-2 * (x - y) for x, y in zip(wronskian(u, v), wronskian(p, q))]
+    return text(minus_2h) + "/" + text([sum(x) for x in zip(*(product(a, a) for a in (u, v, p, q)))])
 
 
 class System:
     """A task is a pair: the work that is repeated and timed, and what is said of its last result: `@closed` of an antiderivative
-    without an integral in it, `@value` with the real part and, where there can be one, the imaginary part. `script` puts the
+    without an integral in it, `@value` with the real part and, where there can be one, the imaginary part. The script puts the
     work into a loop, after it has integrated 1/(t^4 + t + 1), for which a system loads what it needs, and prints `@time`.
     """
+    variant = ""
     closed = None  # F, the antiderivative of f
     value = None  # G = F(1) - F(0), from f: to find F is part of the work
-    quadrature = None  # G by a numerical rule, shown with a mark where `value` fails
+    quadrature = None  # G by a numerical rule, shown with a mark where there is no value
     refusal = None  # what it says when it stops because it cannot evaluate F
 
     def version(self):
         """None if it is not installed."""
         if not shutil.which(self.command[0]):
             return None
-        return subprocess.run([self.command[0], self.version_option], stdin=subprocess.DEVNULL, capture_output=True, text=True).stdout
+        command = [self.command[0], self.version_option]
+        return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True).stdout
 
 
 class SymPy(System):
     """By the system's Python, whose package it may be, or the one that runs this; with an empty cache before each repetition."""
     name = "SymPy"
     closed = "F = ratint(f, t)", "print('' if F.has(Integral) else '@closed')"
-    value = f"F = ratint(f, t); G = (F.subs(t, 1) - F.subs(t, 0)).evalf({DIGITS})", "print('@value', *G.as_real_imag())"
-    quadrature = f"G = Integral(f, (t, 0, 1)).evalf({DIGITS})", "print('@value', *G.as_real_imag())"
+    value = "F = ratint(f, t); G = (F.subs(t, 1) - F.subs(t, 0)).evalf(50)", "print('@value', *G.as_real_imag())"
+    quadrature = "G = Integral(f, (t, 0, 1)).evalf(50)", "print('@value', *G.as_real_imag())"
+    script = """
+import time
+from sympy import Integral, symbols, sympify
+from sympy.core.cache import clear_cache
+from sympy.integrals.rationaltools import ratint
+t = symbols("t")
+f = sympify("%(f)s")
+ratint(1 / (t**4 + t + 1), t)
+spent = 0
+for _ in range(%(count)d):
+    clear_cache()
+    start = time.process_time()
+    %(work)s
+    spent += time.process_time() - start
+print("@time", spent / %(count)d)
+%(report)s
+"""
 
     def version(self):
         for python in filter(None, (shutil.which("python3", path=os.defpath), sys.executable)):
@@ -91,44 +109,30 @@ class SymPy(System):
                 return result.stdout
         return None
 
-    def script(self, numerator, denominator, work, report, count):
-        return f"""
-import time
-from sympy import Integral, Poly, symbols
-from sympy.core.cache import clear_cache
-from sympy.integrals.rationaltools import ratint
-t = symbols("t")
-f = Poly({numerator[::-1]}, t).as_expr() / Poly({denominator[::-1]}, t).as_expr()
-ratint(1 / (t**4 + t + 1), t)
-spent = 0
-for _ in range({count}):
-    clear_cache()
-    start = time.process_time()
-    {work}
-    spent += time.process_time() - start
-print("@time", spent / {count})
-{report}
-"""
+
+class ComplexSymPy(SymPy):
+    """Does not look for real logarithms and arctangents, which is what takes the time."""
+    variant = ", real=False"
+    closed, value = ((work.replace("(f, t)", "(f, t, real=False)"), report) for work, report in (SymPy.closed, SymPy.value))
+    quadrature = None
 
 
 class Maxima(System):
-    """Its sums over rootsof have values where rootsof is given a definition. elapsed_run_time is CPU time, in spite of its name."""
+    """Its sums over rootsof have values where rootsof is given a definition. elapsed_run_time is, in spite of its name, CPU time."""
     name, command, version_option = "Maxima", ["maxima", "--very-quiet"], "--version"
     closed = "F: integrate(f, t)", "if not freeof(t, F) and freeof(nounify('integrate), F) then print(\"@closed\")$"
     value = ("(F: integrate(f, t), G: rectform(bfloat(ev(subst(t = 1, F) - subst(t = 0, F), nouns))))",
              'print("@value", realpart(G), imagpart(G))$')
     quadrature = "G: first(quad_qags(f, t, 0, 1))", 'print("@value", G)$'
-
-    def script(self, numerator, denominator, work, report, count):
-        return f"""
-display2d: false$ linel: 100000$ ratprint: false$ integrate_use_rootsof: true$ fpprec: {DIGITS + 10}$
+    script = """
+display2d: false$ linel: 100000$ ratprint: false$ integrate_use_rootsof: true$ fpprec: 60$
 rootsof(q, z) := map('rhs, bfallroots(q))$
-f: ({polynomial(numerator)})/({polynomial(denominator)})$
+f: %(f)s$
 integrate(1/(t^4 + t + 1), t)$
 start: elapsed_run_time()$
-for k: 1 thru {count} do {work}$
-print("@time", (elapsed_run_time() - start)/{count})$
-{report}
+for k: 1 thru %(count)d do %(work)s$
+print("@time", (elapsed_run_time() - start)/%(count)d)$
+%(report)s
 """
 
 
@@ -138,42 +142,44 @@ class FriCAS(System):
     closed = "F := integrate(f, t)", "if not member?('integral, [name k for k in tower F]) then output \"@closed\""
     value = ("(F := integrate(f, t); G := numeric(eval(F, t = 1) - eval(F, t = 0)))",
              'output concat("@value ", convert(G)@String)')
-    quadrature = (f"G := romberg(g, 0.0, 1.0, 1.0e-{DIGITS}, 1.0e-{DIGITS}, 5, 20).value",
-                  'output concat("@value ", convert(G)@String)')
+    quadrature = "G := romberg(g, 0.0, 1.0, 1.0e-50, 1.0e-50, 5, 20).value", 'output concat("@value ", convert(G)@String)'
     refusal = "Can only compute the numerical value of a constant"
-
-    def script(self, numerator, denominator, work, report, count):
-        f = f"({polynomial(numerator)})/({polynomial(denominator)})"
-        return f"""
+    script = """
 )set break quit
 )set output algebra off
-digits {DIGITS + 10}
+digits 60
 outputSpacing 0
-f := {f}
-g(t: Float): Float == {f}
+f := %(f)s
+r: Fraction UP('t, Fraction Integer) := f
+g(t: Float): Float == %(f)s
 g(0.5)
 integrate(1/(t^4 + t + 1), t)
 )lisp (setq phrame-start (get-internal-run-time))
-for k in 1..{count} repeat {work}
-)lisp (format t "~%@time ~f~%" (/ (- (get-internal-run-time) phrame-start) internal-time-units-per-second {count}))
-{report}
+for k in 1..%(count)d repeat %(work)s
+)lisp (format t "~%%@time ~f~%%" (/ (- (get-internal-run-time) phrame-start) internal-time-units-per-second %(count)d))
+%(report)s
 """
+
+
+class SummingFriCAS(FriCAS):
+    """The function that `integrate` calls before it writes the sum over roots by real functions; it leaves that sum as it is."""
+    variant = ", root sum"
+    closed = "F := integrate(r)$RationalIntegration(Fraction Integer, UP('t, Fraction Integer))", 'if elem? F then output "@closed"'
+    value, quadrature = None, None
 
 
 class Giac(System):
     name, command, version_option = "Giac", ["giac"], "--version"
     closed = "F:=integrate(f,t)", 'if (inString(string(F),"integrate")<0) print("@closed"); else print("");'
     value = "F:=integrate(f,t); G:=evalf(subst(F,t=1)-subst(F,t=0))", 'print("@value "+re(G)+" "+im(G));'
-    quadrature = "G:=evalf(integrate(f,t,0,1))", 'print("@value "+re(G)+" "+im(G));'
-
-    def script(self, numerator, denominator, work, report, count):
-        return f"""
-Digits:={DIGITS};
-f:=({polynomial(numerator)})/({polynomial(denominator)}):;
+    quadrature = "G:=integrate(f,t,0.0,1.0)", 'print("@value "+re(G)+" "+im(G));'
+    script = """
+Digits:=50;
+f:=%(f)s:;
 integrate(1/(t^4+t+1),t):;
-T:=time(for(k:=0;k<{count};k++){{ {work}; }})[0]:;
-print("@time "+T/{count});
-{report}
+T:=time(for(k:=0;k<%(count)d;k++){ %(work)s; })[0]:;
+print("@time "+T/%(count)d);
+%(report)s
 """
 
 
@@ -181,19 +187,18 @@ class PARI(System):
     """57 digits are three words of 64 bits. It has no integrator: the value is that of its quadrature, and not marked."""
     name, command, version_option = "PARI/GP", ["gp", "-q", "-f"], "--version-short"
     value = "v = intnum(x = 0, 1, subst(P, t, x)/subst(Q, t, x))", 'print("@value ", v);'
-
-    def script(self, numerator, denominator, work, report, count):
-        return f"""
+    script = """
 default(realprecision, 57);
-P = {polynomial(numerator)}; Q = {polynomial(denominator)};
+f = %(f)s; P = numerator(f); Q = denominator(f);
 gettime();
-for(k = 1, {count}, {work});
-print("@time ", gettime()/1000./{count});
-{report}
+for(k = 1, %(count)d, %(work)s);
+print("@time ", gettime()/1000./%(count)d);
+%(report)s
 """
 
 
-SYSTEMS = {"sympy": SymPy, "maxima": Maxima, "fricas": FriCAS, "giac": Giac, "pari": PARI}
+SYSTEMS = {"sympy": SymPy, "sympy-complex": ComplexSymPy, "maxima": Maxima, "fricas": FriCAS, "fricas-sum": SummingFriCAS,
+           "giac": Giac, "pari": PARI}
 
 
 class Failed(Exception):
@@ -223,11 +228,11 @@ def said(text, what):
     return found and found[1].strip()
 
 
-def measure(system, fraction, task, timeout):
+def measure(system, f, task, timeout):
     """CPU seconds of one repetition, and what the system said. Repeats as often as its clock needs."""
-    count = 1
+    (work, report), count = task, 1
     while True:
-        text = run(system.command, system.script(*fraction, *task, count), timeout)
+        text = run(system.command, system.script % {"f": f, "work": work, "report": report, "count": count}, timeout)
         time = said(text, "time")
         if time is None:
             if system.refusal and system.refusal in text:
@@ -272,12 +277,12 @@ class Column:
     def __init__(self, system, timeout):
         self.system, self.timeout, self.failures = system, timeout, set()
 
-    def attempt(self, task, fraction, reference):
+    def attempt(self, task, f, reference):
         """The cell of a task, and whether it is a result."""
         if task in self.failures:
             return "not tried", False
         try:
-            seconds, text = measure(self.system, fraction, getattr(self.system, task), self.timeout)
+            seconds, text = measure(self.system, f, getattr(self.system, task), self.timeout)
             if task != "closed":
                 return f"{duration(seconds)}, {agreement(said(text, 'value'), reference)}", True
             return (NO_FORM, False) if said(text, "closed") is None else (duration(seconds), True)
@@ -288,14 +293,14 @@ class Column:
 
     def cells(self, m, reference):
         """A value that is to come from a closed form needs one; without it, or without a value, a quadrature is shown."""
-        fraction, closed, found = integrand(m), "—", True
-        if self.system.closed:
-            closed, found = self.attempt("closed", fraction, reference)
-        value = NO_VALUE if closed == NO_FORM else closed
+        f = integrand(m)
+        closed, found = self.attempt("closed", f, reference) if self.system.closed else ("—", True)
         if found:
-            value, found = self.attempt("value", fraction, reference)
+            value, found = self.attempt("value", f, reference) if self.system.value else (NO_VALUE, False)
+        else:
+            value = NO_VALUE if closed == NO_FORM else closed
         if not found and self.system.quadrature:
-            value += f"; † {self.attempt('quadrature', fraction, reference)[0]}"
+            value += f"; † {self.attempt('quadrature', f, reference)[0]}"
         return closed, value
 
 
@@ -341,7 +346,7 @@ def main():
             missing.append(system.name)
         else:
             columns.append(Column(system, chosen.timeout))
-            heads.append(f"{system.name} {re.search(r'[0-9]+([.][0-9]+)+', version)[0]}")
+            heads.append(f"{system.name} {re.search('[0-9]+([.][0-9]+)+', version)[0]}{system.variant}")
 
     rows = {"Closed form of θ": [], "Value of θ(1), from the curve": []}
     for m in map(int, chosen.m.split(",")):
@@ -351,13 +356,13 @@ def main():
         pairs = [(duration(form), duration(value))]
         for column in columns:
             if sys.stderr.isatty():
-                print(f"m = {m}: {column.system.name}", file=sys.stderr)
+                print(f"m = {m}: {column.system.name}{column.system.variant}", file=sys.stderr)
             pairs.append(column.cells(m, decimal.Decimal(json.loads(answer)["values"][0]["theta"])))
         for table, cells in zip(rows.values(), zip(*pairs)):
             table.append([f"{2 * m + 1} / {m}", *cells])
 
     model = re.search("^model name\\s*: (.*)$", pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8"), re.MULTILINE)
-    print(f"CPU time on {model[1] if model else 'an unnamed processor'}, {datetime.date.today()}; again by `./dev bench --peers`.",
+    print(f"CPU time on {model[1] if model else 'a nameless processor'}, {datetime.date.today()}; again by `./dev bench --peers`.",
           f"That of phrame is of the whole program,\nof which {duration(start)} are its start; that of the others is inside the",
           "system. Only time-outs are by the clock.")
     if missing:
@@ -366,9 +371,9 @@ def main():
         print(f"\n{title}:\n")
         for row in (heads, ["---"] * len(heads), *table):
             print(f"| {' | '.join(row)} |")
-    print(f"\nOf {DIGITS} digits those are counted that are phrame's, to a unit of the last. The value is F(1) − F(0) from the closed form",
-          "F, which is found\nanew; † is a quadrature by the system, where F has not been found or has no value. PARI's is always one.",
-          "In Maxima rootsof\nis defined by bfallroots.")
+    print(f"\nOf {DIGITS} digits those are counted that are phrame's, to a unit of the last. The value is F(1) − F(0) from the closed",
+          "form F,\nwhich is found anew; † is a quadrature by the system, where F has not been found or has no value; PARI's is",
+          "always one. In Maxima\nrootsof is defined by bfallroots.")
 
 
 if __name__ == "__main__":
