@@ -118,7 +118,7 @@ class ComplexSymPy(SymPy):
 
 
 class Maxima(System):
-    """Its sums over rootsof have values where rootsof is given a definition. elapsed_run_time is, in spite of its name, CPU time."""
+    """Its sums over rootsof have values where rootsof is given a definition. elapsed_run_time is CPU time, whatever its name."""
     name, command, version_option = "Maxima", ["maxima", "--very-quiet"], "--version"
     closed = "F: integrate(f, t)", "if not freeof(t, F) and freeof(nounify('integrate), F) then print(\"@closed\")$"
     value = ("(F: integrate(f, t), G: rectform(bfloat(ev(subst(t = 1, F) - subst(t = 0, F), nouns))))",
@@ -164,7 +164,8 @@ for k in 1..%(count)d repeat %(work)s
 class SummingFriCAS(FriCAS):
     """The function that `integrate` calls before it writes the sum over roots by real functions; it leaves that sum as it is."""
     variant = ", root sum"
-    closed = "F := integrate(r)$RationalIntegration(Fraction Integer, UP('t, Fraction Integer))", 'if elem? F then output "@closed"'
+    closed = ("F := integrate(r)$RationalIntegration(Fraction Integer, UP('t, Fraction Integer))",
+              'if elem? F then output "@closed"')
     value, quadrature = None, None
 
 
@@ -250,16 +251,14 @@ def agreement(text, reference):
         value, *imaginary = (decimal.Decimal(part.replace("b", "e")) for part in text.split())
     except (decimal.InvalidOperation, ValueError, AttributeError):
         raise Failed(NO_VALUE) from None
-    if any(abs(part) > 1e-10 for part in imaginary):
-        return "wrong: not real"
+    if not value.is_finite() or any(not abs(part) < 1e-10 for part in imaginary):
+        return "wrong"
     error, leading = value - reference, reference.adjusted() + 1
     for digits in range(DIGITS, 2, -1):
         if abs(error) <= decimal.Decimal(10) ** (leading - digits):
             return f"{digits} digits"
     turns = round(float(error) / math.pi)
-    if turns == 0 or abs(float(error) - turns * math.pi) > 1e-8:
-        return "wrong"
-    return f"off by {turns}·π" if turns % 2 else f"off by 2π·{turns // 2}"
+    return f"off by {turns}π" if turns and abs(float(error) - turns * math.pi) < 1e-8 else "wrong"
 
 
 def duration(seconds):
@@ -361,19 +360,19 @@ def main():
         for table, cells in zip(rows.values(), zip(*pairs)):
             table.append([f"{2 * m + 1} / {m}", *cells])
 
-    model = re.search("^model name\\s*: (.*)$", pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8"), re.MULTILINE)
-    print(f"CPU time on {model[1] if model else 'a nameless processor'}, {datetime.date.today()}; again by `./dev bench --peers`.",
-          f"That of phrame is of the whole program,\nof which {duration(start)} are its start; that of the others is inside the",
-          "system. Only time-outs are by the clock.")
-    if missing:
-        print(f"Not installed: {', '.join(missing)}.")
+    model = re.search(r"^model name\s*: (.*)$", pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8"), re.MULTILINE)
+    print(f"""\
+CPU time on {model[1] if model else 'a nameless processor'}, {datetime.date.today()}; again by `./dev bench --peers`.
+That of phrame is of the whole program, of which {duration(start)} are its start; that of the others is inside the system.
+Only time-outs are by the clock.""", f"Not installed: {', '.join(missing)}." if missing else "")
     for title, table in rows.items():
         print(f"\n{title}:\n")
         for row in (heads, ["---"] * len(heads), *table):
             print(f"| {' | '.join(row)} |")
-    print(f"\nOf {DIGITS} digits those are counted that are phrame's, to a unit of the last. The value is F(1) − F(0) from the closed",
-          "form F,\nwhich is found anew; † is a quadrature by the system, where F has not been found or has no value; PARI's is",
-          "always one. In Maxima\nrootsof is defined by bfallroots.")
+    print(f"""
+Of {DIGITS} digits those are counted that are phrame's, to a unit of the last. The value is F(1) − F(0) from the closed form F, which
+is found anew; † is a quadrature by the system, where F has not been found or has no value; PARI's is always one. In Maxima
+rootsof is defined by bfallroots.""")
 
 
 if __name__ == "__main__":

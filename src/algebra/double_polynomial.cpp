@@ -86,25 +86,25 @@ BallPolynomial exact_polynomial(const std::vector<double>& coefficients, const D
   return BallPolynomial(exact);
 }
 
-template <int width>
+template <std::size_t width>
 std::array<DoubleDouble, width> evaluate_compensated(const double* a, const DoubleShape& shape,
                                                      double y) {
   std::array<double, width> s;
-  for (int i = 0; i < width; ++i) s[i] = a[i];
+  for (std::size_t i = 0; i < width; ++i) s[i] = a[i];
   a += width;
   for (long k = shape.degree - 1; k >= shape.paired; --k, a += width)
-    for (int i = 0; i < width; ++i) s[i] = s[i] * y + a[i];
+    for (std::size_t i = 0; i < width; ++i) s[i] = s[i] * y + a[i];
   const SplitFactor factor(y);
   std::array<double, width> c{};
   for (long k = shape.paired - 1; k >= 0; --k, a += 2 * width)
-    for (int i = 0; i < width; ++i) {
+    for (std::size_t i = 0; i < width; ++i) {
       const DoubleDouble product = two_product(SplitFactor(s[i]), factor);
       const DoubleDouble sum = two_sum(product.high, a[i]);
       s[i] = sum.high;
       c[i] = c[i] * y + ((product.low + sum.low) + a[width + i]);
     }
   std::array<DoubleDouble, width> value;
-  for (int i = 0; i < width; ++i) value[i] = two_sum(s[i], c[i]);
+  for (std::size_t i = 0; i < width; ++i) value[i] = two_sum(s[i], c[i]);
   return value;
 }
 template std::array<DoubleDouble, 1> evaluate_compensated<1>(const double*, const DoubleShape&,

@@ -37,7 +37,7 @@ BallPolynomial exact_polynomial(const std::vector<double>& coefficients, const D
 /// rounding errors summed in a second polynomial [Graillat, Langlois, Louvet, Algorithms for
 /// accurate, validated and fast polynomial evaluation, Japan J. Indust. Appl. Math. 26 (2009)].
 /// Precondition: |y| ≤ 1, shape.width = width. Width is 1 or 4.
-template <int width>
+template <std::size_t width>
 std::array<DoubleDouble, width> evaluate_compensated(const double* coefficients,
                                                      const DoubleShape& shape, double y);
 
@@ -47,6 +47,8 @@ std::array<DoubleDouble, width> evaluate_compensated(const double* coefficients,
 /// fused multiplication and addition.
 double rounding_error(const std::vector<double>& coefficients, const DoubleShape& shape,
                       long which);
+/// a + b for bounds a, b ≥ 0, not rounded down.
+inline double sum_up(double a, double b) { return (a + b) * (1 + 0x1p-51); }
 /// What underflow adds, at most, in y too; relative to 1 + Σ |coefficients|.
 inline constexpr double underflow_error = 0x1p-1060;
 

@@ -23,9 +23,6 @@ RealBall angle_at(RmfAngle& angle, const Rational& start_angle, double t, const 
   }
 }
 
-/// a + b for a, b ≥ 0, not rounded down.
-double sum_up(double a, double b) { return (a + b) * (1 + 0x1p-51); }
-
 }  // namespace
 
 PiecewisePolynomial compiled_angle(RmfAngle& angle, const Rational& start_angle, double from,
@@ -54,7 +51,7 @@ PiecewisePolynomial compiled_angle(RmfAngle& angle, const Rational& start_angle,
     const BallPolynomial residual =
         subtract(multiply(differentiate(p, bits), denominator, bits), numerator, bits);
     const RealBall remainder = divide(integral_bound(residual, bits), least_denominator, bits);
-    // What the rounding of θ loses in any case is a little more than the second part.
+    // Where θ is large its rounding hides what is small beside the second part.
     const double scale = upper_double(size) + upper_double(absolute(at_center)) / 64;
     if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
     const double per_y =

@@ -14,9 +14,6 @@ constexpr long bits = 128;  // of what is known of a piece
 
 using Components = std::array<BallPolynomial, 4>;  // u, v, p, q
 
-/// a + b for a, b ≥ 0, not rounded down.
-double sum_up(double a, double b) { return (a + b) * (1 + 0x1p-51); }
-
 /// B = A/√σ·e^{iφ}, φ′ = −h/σ, and σB′ = M·B, where M·B = V·B − h·B·i is
 ///   (−av − bp − cq, au − cp + bq, bu + cv − dq, cu − bv + dp).
 struct Rotation {
