@@ -263,7 +263,7 @@ def agreement(text, reference):
 
 def duration(seconds):
     """Two significant digits."""
-    number, unit = (seconds, "s") if seconds >= 0.9995 else (1000 * seconds, "ms")
+    number, unit = (seconds, "s") if seconds >= 0.995 else (1000 * seconds, "ms")
     if number < 0.001:
         return "< 0.001 ms"
     number = float(f"{number:.1e}")
@@ -370,9 +370,9 @@ Only time-outs are by the clock.""", f"Not installed: {', '.join(missing)}." if 
         for row in (heads, ["---"] * len(heads), *table):
             print(f"| {' | '.join(row)} |")
     print(f"""
-Of {DIGITS} digits those are counted that are phrame's, to a unit of the last. The value is F(1) − F(0) from the closed form F, which
-is found anew; † is a quadrature by the system, where F has not been found or has no value; PARI's is always one. In Maxima
-rootsof is defined by bfallroots.""")
+Of {DIGITS} digits those are counted that are phrame's, to a unit of the last. The value is F(1) − F(0) from the closed form F,
+which is found anew; † is a quadrature by the system, where F has not been found or has no value; PARI's is always one. In
+Maxima rootsof is defined by bfallroots.""")
 
 
 if __name__ == "__main__":

@@ -23,17 +23,19 @@ inline DoubleDouble two_sum(double a, double b) {
   return {sum, (a - (sum - of_b)) + (b - of_b)};
 }
 
-/// A factor, split into two halves of at most 26 bits each; |x| < 2^996.
+/// A factor as the sum of two halves of at most 26 bits each.
 struct SplitFactor {
-  explicit SplitFactor(double x) : value(x) {
-    const double shifted = 134217729.0 * x;  // 2^27 + 1
-    high = shifted - (shifted - x);
-    low = x - high;
-  }
   double value;
   double high;
   double low;
 };
+
+/// For |x| < 2^996 [Veltkamp, Dekker].
+inline SplitFactor split_factor(double x) {
+  const double shifted = 134217729.0 * x;  // 2^27 + 1
+  const double high = shifted - (shifted - x);
+  return {x, high, x - high};
+}
 
 /// a·b = high + low, high = fl(a·b), exactly but for an error < 2^−1070 where a product of halves
 /// underflows [Dekker, A floating-point technique for extending the available precision, Numer.
@@ -56,7 +58,7 @@ inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
 }
 
 inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble product = two_product(SplitFactor(a.high), SplitFactor(b.high));
+  const DoubleDouble product = two_product(split_factor(a.high), split_factor(b.high));
   return {product.high, product.low + (a.high * b.low + a.low * b.high)};
 }
 

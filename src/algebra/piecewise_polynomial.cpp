@@ -88,14 +88,16 @@ RealBall integral_bound(const BallPolynomial& p, long bits) {
   return bound;
 }
 
-PiecewisePolynomial::PiecewisePolynomial(double from, double to, const DoubleShape& shape,
+PiecewisePolynomial::PiecewisePolynomial(const std::vector<double>& ends, const DoubleShape& shape,
                                          const Make& make)
-    : shape_(shape) {
-  if (!(std::isfinite(from) && std::isfinite(to) && from < to && std::isfinite(to - from)))
-    throw DomainError(fmt::format(
-        "piecewise polynomial: [{}, {}] is not an interval whose length is a double", from, to));
-  std::vector<double> right_ends{to};
-  ends_.push_back(from);
+    : shape_(shape), ends_{ends.front()} {
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+    if (!(std::isfinite(ends[k]) && ends[k] < ends[k + 1] &&
+          std::isfinite(ends[k + 1] - ends.front())))
+      throw DomainError(
+          fmt::format("piecewise polynomial: [{}, {}] is not an interval whose length is a double",
+                      ends[k], ends[k + 1]));
+  std::vector<double> right_ends(ends.rbegin(), ends.rend() - 1);
   while (!right_ends.empty()) {
     const double low = ends_.back();
     const double high = right_ends.back();

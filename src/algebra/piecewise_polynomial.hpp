@@ -46,7 +46,10 @@ class PiecewisePolynomial {
   /// Throws DomainError unless from < to and the length is finite, and Undecided where more than
   /// max_pieces are needed, or a piece that has no double inside, or where a coefficient or an
   /// error is too large for a double.
-  PiecewisePolynomial(double from, double to, const DoubleShape& shape, const Make& make);
+  PiecewisePolynomial(double from, double to, const DoubleShape& shape, const Make& make)
+      : PiecewisePolynomial(std::vector{from, to}, shape, make) {}
+  /// The same with these ends, ascending and at least two, among those of the pieces.
+  PiecewisePolynomial(const std::vector<double>& ends, const DoubleShape& shape, const Make& make);
   static constexpr std::size_t max_pieces = 20'000;
 
   double from() const { return ends_.front(); }

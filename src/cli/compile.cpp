@@ -34,17 +34,41 @@ void run(const CompileOptions& options) {
   if (!options.prefix.empty() && !is_prefix(options.prefix))
     throw InputError("--prefix", "\"" + abbreviated(options.prefix) +
                                      "\" is not a letter followed by letters, digits and single _");
-  const NamedCurve named = options.curve.read();
-  RmfAngle angle(named.curve, reference);
-  CHeader header{options.prefix.empty() ? prefix_from(named.name) : options.prefix,
-                 named.name,
-                 reference,
-                 start_angle,
-                 compiled_angle(angle, start_angle, from, to, plain_shape(1)),
-                 {}};
-  if (reference == Reference::erf)
-    header.rotation = compiled_rotation(named.curve, angle, start_angle, from, to, plain_shape(4));
-  write_output(options.curve.output, to_c_header(header));
+  const auto read = options.curve.read_curve_or_spline();
+  const auto prefix = [&](const std::string& name) {
+    return options.prefix.empty() ? prefix_from(name) : options.prefix;
+  };
+  std::string text;
+  if (const auto* named = std::get_if<NamedCurve>(&read)) {
+    RmfAngle angle(named->curve, reference);
+    CHeader header{prefix(named->name),
+                   named->name,
+                   false,
+                   reference,
+                   start_angle,
+                   compiled_angle(angle, start_angle, from, to, plain_shape(1)),
+                   {}};
+    if (reference == Reference::erf)
+      header.rotation =
+          compiled_rotation(named->curve, angle, start_angle, from, to, plain_shape(4));
+    text = to_c_header(header);
+  } else {
+    const auto& spline = std::get<NamedSpline>(read);
+    const auto require_default = [](const std::string& option, const std::string& value,
+                                    const std::string& standard) {
+      if (value != standard)
+        throw InputError(option,
+                         "\"" + abbreviated(value) + "\" is for single curves; this is a spline");
+    };
+    require_default("--frame", options.frame, "erf");
+    require_default("--from", options.from, "0");
+    require_default("--to", options.to, "1");
+    SplineAngle angle(spline.spline);
+    text = to_c_header({prefix(spline.name), spline.name, true, reference, start_angle,
+                        compiled_angle(angle, start_angle, plain_shape(1)),
+                        compiled_rotation(angle, start_angle, plain_shape(4))});
+  }
+  write_output(options.curve.output, text);
 }
 
 }  // namespace
@@ -69,6 +93,7 @@ void add_compile(CLI::App& app) {
   command->footer(
       "C99 without dependencies, in doubles; the header states the errors, proved with rounding\n"
       "included, usually below 2^-51 for the angle and 2^-50 for the frame.\n"
+      "A spline of n segments has t from 0 to n, and one frame through all of them.\n"
       "Examples:\n"
       "  phrame compile curve.json -o angle.h\n"
       "  phrame compile curve.json --from -1 --to 2 --prefix arm -o arm.h");

@@ -194,15 +194,22 @@ std::string to_c_header(const CHeader& header) {
   }
   const double error = angle_error(header);
   const bool is_erf = header.reference == Reference::erf;
+  const std::string preimage_of = header.is_spline
+                                      ? "segment, chosen such that this frame is\n"
+                                        " *   continuous; segment k has k <= t <= k + 1"
+                                      : "curve";
   std::string text = fmt::format(
       fmt::runtime(preamble), arg("p", p), arg("P", upper),
       arg("title", header.curve.empty()
                        ? "A rotation-minimizing frame"
                        : "A rotation-minimizing frame of " + in_comment(header.curve)),
       arg("reference",
-          is_erf ? "Euler-Rodrigues frame (e1, e2, e3) = (A i A*, A j A*, A k A*)/|A|^2, where\n"
-                   " *   A = u + v i + p j + q k is the preimage of the curve"
-                 : "Frenet frame, tangent, normal n and binormal b, continued through inflections"),
+          is_erf
+              ? std::string(
+                    "Euler-Rodrigues frame (e1, e2, e3) = (A i A*, A j A*, A k A*)/|A|^2, where\n"
+                    " *   A = u + v i + p j + q k is the preimage of the ") +
+                    preimage_of
+              : "Frenet frame, tangent, normal n and binormal b, continued through inflections"),
       arg("second", is_erf ? "e2" : "n"), arg("third", is_erf ? "e3" : "b"),
       arg("start", abbreviated(to_string(header.start_angle))),
       arg("angle_error", decimal_above(error)), arg("angle_error_hex", fmt::format("{:a}", error)),

@@ -7,7 +7,8 @@ namespace phrame {
 /// What `phrame compile` writes.
 struct CHeader {
   std::string prefix;  ///< of all names in C
-  std::string curve;   ///< its name
+  std::string curve;   ///< its name, or that of the spline
+  bool is_spline = false;
   Reference reference = Reference::erf;
   Rational start_angle;
   PiecewisePolynomial angle;                    ///< of plain_shape(1)

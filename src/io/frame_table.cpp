@@ -133,7 +133,7 @@ class Rows {
   Segment& segment(std::size_t k);
   SplineAngle& angle();
   Frame<Real> rotation_minimizing(const Frame<Rational>& erf, const SplineParameter& at);
-  Rational length_before(std::size_t segment);
+  Rational length_before(std::size_t k);
   void add_rational(std::vector<double>& row, const SplineParameter& at);
   void add_irrational(std::vector<double>& row, const SplinePoint& point, const AlgebraicPoint& t);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
@@ -12,60 +13,87 @@ namespace {
 
 constexpr long bits = 128;  // of what is known of a piece
 
-/// θ + start_angle at t, to about 2^−84 of its absolute value or of `scale`, the greater one.
-RealBall angle_at(RmfAngle& angle, const Rational& start_angle, double t, const RealBall& scale) {
+/// θ + start_angle, to about 2^−84 of its absolute value or of `scale`, the greater one.
+RealBall accurate(const Real::Enclosure& theta, const Rational& start_angle,
+                  const RealBall& scale) {
   for (long more = bits;; more *= 2) {
-    const RealBall theta =
-        add(angle.enclose(exact_rational(t), more), RealBall(start_angle, more), more);
-    RealBall allowed = add(absolute(theta), scale, bits);
+    const RealBall sum = add(theta(more), RealBall(start_angle, more), more);
+    RealBall allowed = add(absolute(sum), scale, bits);
     arb_mul_2exp_si(allowed.raw(), allowed.raw(), -84);
-    if (theta.radius() == 0 || theta.radius() <= allowed.lower()) return theta;
+    if (sum.radius() == 0 || sum.radius() <= allowed.lower()) return sum;
   }
+}
+
+/// θ + start_angle on [low, high], θ′(t) = rate(t − offset) there, from balls around θ(center).
+std::optional<PolynomialPiece> angle_piece(
+    double low, double high, double offset, const RationalFunction& rate,
+    const std::function<RealBall(double center, long bits)>& theta, const Rational& start_angle,
+    const DoubleShape& shape) {
+  auto piece = empty_piece(low, high);
+  if (!piece) return std::nullopt;
+  PolynomialPiece shifted = *piece;
+  shifted.center -= offset;  // exact: it is 0, or as near to the offset as to any of its piece
+  const BallPolynomial denominator = on_piece(rate.denominator(), shifted, bits, true);
+  const RealBall least_denominator = least(denominator, bits);
+  if (sign(least_denominator) <= 0) return std::nullopt;
+  BallPolynomial numerator = on_piece(rate.numerator(), shifted, bits);
+  // dθ/dy = numerator/denominator from here on.
+  arb_poly_scalar_mul_2exp_si(numerator.raw(), numerator.raw(), -std::ilogb(piece->scale));
+
+  BallPolynomial taylor;
+  arb_poly_div_series(taylor.raw(), numerator.raw(), denominator.raw(), shape.degree, bits);
+  arb_poly_integral(taylor.raw(), taylor.raw(), bits);
+  const RealBall size = variation(taylor, bits);
+  const RealBall at_center =
+      accurate([&](long more) { return theta(piece->center, more); }, start_angle, size);
+  arb_poly_set_coeff_arb(taylor.raw(), 0, at_center.raw());
+  piece->coefficients = round_coefficients({taylor}, shape);
+
+  const BallPolynomial p = exact_polynomial(piece->coefficients, shape, 0);
+  const BallPolynomial residual =
+      subtract(multiply(differentiate(p, bits), denominator, bits), numerator, bits);
+  const RealBall remainder = divide(integral_bound(residual, bits), least_denominator, bits);
+  // Where θ is large its rounding hides what is small beside the second part.
+  const double scale = upper_double(size) + upper_double(absolute(at_center)) / 64;
+  if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
+  const double per_y =
+      sum_up(upper_double(remainder), rounding_error(piece->coefficients, shape, 0));
+  const double at_zero = upper_double(absolute(subtract(p.coefficient(0), at_center, bits)));
+  if (arb_is_zero(at_center.raw()) == 0)
+    piece->error = sum_up(per_y, at_zero);
+  else
+    piece->error_per_y = per_y;
+  if (arb_is_zero(size.raw()) == 0)
+    piece->error = sum_up(piece->error, underflow_error * (1 + upper_double(size)));
+  return piece;
 }
 
 }  // namespace
 
 PiecewisePolynomial compiled_angle(RmfAngle& angle, const Rational& start_angle, double from,
                                    double to, const DoubleShape& shape) {
-  const Polynomial& n = angle.rate().numerator();
-  const Polynomial& d = angle.rate().denominator();
-  const auto make = [&](double low, double high) -> std::optional<PolynomialPiece> {
-    auto piece = empty_piece(low, high);
-    if (!piece) return std::nullopt;
-    const BallPolynomial denominator = on_piece(d, *piece, bits, true);
-    const RealBall least_denominator = least(denominator, bits);
-    if (sign(least_denominator) <= 0) return std::nullopt;
-    BallPolynomial numerator = on_piece(n, *piece, bits);
-    // dθ/dy = numerator/denominator from here on.
-    arb_poly_scalar_mul_2exp_si(numerator.raw(), numerator.raw(), -std::ilogb(piece->scale));
+  const auto theta = [&](double t, long more) { return angle.enclose(exact_rational(t), more); };
+  return {from, to, shape, [&](double low, double high) {
+            return angle_piece(low, high, 0, angle.rate(), theta, start_angle, shape);
+          }};
+}
 
-    BallPolynomial theta;
-    arb_poly_div_series(theta.raw(), numerator.raw(), denominator.raw(), shape.degree, bits);
-    arb_poly_integral(theta.raw(), theta.raw(), bits);
-    const RealBall size = variation(theta, bits);
-    const RealBall at_center = angle_at(angle, start_angle, piece->center, size);
-    arb_poly_set_coeff_arb(theta.raw(), 0, at_center.raw());
-    piece->coefficients = round_coefficients({theta}, shape);
-
-    const BallPolynomial p = exact_polynomial(piece->coefficients, shape, 0);
-    const BallPolynomial residual =
-        subtract(multiply(differentiate(p, bits), denominator, bits), numerator, bits);
-    const RealBall remainder = divide(integral_bound(residual, bits), least_denominator, bits);
-    // Where θ is large its rounding hides what is small beside the second part.
-    const double scale = upper_double(size) + upper_double(absolute(at_center)) / 64;
-    if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
-    const double per_y =
-        sum_up(upper_double(remainder), rounding_error(piece->coefficients, shape, 0));
-    const double at_zero = upper_double(absolute(subtract(p.coefficient(0), at_center, bits)));
-    if (arb_is_zero(at_center.raw()) == 0)
-      piece->error = sum_up(per_y, at_zero);
-    else
-      piece->error_per_y = per_y;
-    if (arb_is_zero(size.raw()) == 0)
-      piece->error = sum_up(piece->error, underflow_error * (1 + upper_double(size)));
-    return piece;
+PiecewisePolynomial compiled_angle(SplineAngle& angle, const Rational& start_angle,
+                                   const DoubleShape& shape) {
+  const auto theta = [&](double t, long more) {
+    return angle.value(exact_rational(t)).enclose(more);
   };
-  return {from, to, shape, make};
+  return {joints(angle.spline()), shape, [&](double low, double high) {
+            const double offset = std::floor(low);
+            const RmfAngle& segment = angle.segment(static_cast<std::size_t>(offset));
+            return angle_piece(low, high, offset, segment.rate(), theta, start_angle, shape);
+          }};
+}
+
+std::vector<double> joints(const Spline& spline) {
+  std::vector<double> ends(spline.segments().size() + 1);
+  std::iota(ends.begin(), ends.end(), 0.0);
+  return ends;
 }
 
 CompiledAngle::CompiledAngle(RmfAngle& angle, double from, double to, const Rational& start_angle)

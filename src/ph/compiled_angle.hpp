@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/algebra/piecewise_polynomial.hpp"
-#include "phrame/ph/rmf_angle.hpp"
+#include "phrame/ph/spline_angle.hpp"
 
 namespace phrame {
 
@@ -12,6 +12,13 @@ namespace phrame {
 /// doubles are to each other there. Cost: some 10 to 1000 values of θ, more near a near-cusp.
 PiecewisePolynomial compiled_angle(RmfAngle& angle, const Rational& start_angle, double from,
                                    double to, const DoubleShape& shape);
+
+/// 0, 1, …, end.
+std::vector<double> joints(const Spline& spline);
+
+/// The same of a spline, on [0, end].
+PiecewisePolynomial compiled_angle(SplineAngle& angle, const Rational& start_angle,
+                                   const DoubleShape& shape);
 
 /// θ for millions of parameters: a few compensated operations each, a proof of the rounding after
 /// each [Ziv 1991], and the exact angle for the few that the proof fails for.

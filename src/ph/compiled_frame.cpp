@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/compiled_angle.hpp"
 
 namespace phrame {
 namespace {
@@ -43,8 +44,8 @@ class RotationOnPiece {
 
   const BallPolynomial& sigma() const { return sigma_; }
   Components taylor(const RealBall& phi_at_center, long length) const;
-  /// ∫₀^y |σQ′ − M·Q| ≤ |y|·that.
-  RealBall residual_bound(const Components& q) const;
+  /// ∫₀^y |σX′ − M·X| ≤ |y|·that.
+  RealBall residual_bound(const Components& x) const;
 
  private:
   /// A polynomial that belongs to a derivative by t, for one by y.
@@ -113,47 +114,70 @@ RealBall RotationOnPiece::residual_bound(const Components& x) const {
   return sum;
 }
 
+/// B on [low, high] for a curve with the parameter t − offset, from balls around θ(center).
+std::optional<PolynomialPiece> rotation_piece(
+    double low, double high, double offset, const Rotation& rotation,
+    const std::function<RealBall(double center, long bits)>& theta, const Rational& start_angle,
+    const DoubleShape& shape) {
+  auto piece = empty_piece(low, high);
+  if (!piece) return std::nullopt;
+  PolynomialPiece shifted = *piece;
+  shifted.center -= offset;  // exact, as in compiled_angle
+  const RotationOnPiece on_this(rotation, shifted);
+  const RealBall least_sigma = least(on_this.sigma(), bits);
+  if (sign(least_sigma) <= 0) return std::nullopt;
+
+  // Absolutely, φ is to be known to about 2^−bits.
+  const long phi_bits = bits + (abs(start_angle) > 1 ? binary_exponent(abs(start_angle)) : 0);
+  RealBall phi = add(theta(piece->center, bits), RealBall(start_angle, phi_bits), phi_bits);
+  arb_mul_2exp_si(phi.raw(), phi.raw(), -1);
+  const Components taylor = on_this.taylor(phi, shape.degree + 1);
+  piece->coefficients = round_coefficients({taylor.begin(), taylor.end()}, shape);
+
+  Components exact;
+  RealBall size, at_zero;
+  double squares = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    exact[k] = exact_polynomial(piece->coefficients, shape, static_cast<long>(k));
+    size = add(size, variation(exact[k], bits), bits);
+    const RealBall off = subtract(exact[k].coefficient(0), taylor[k].coefficient(0), bits);
+    at_zero = add(at_zero, absolute(off), bits);
+    squares += std::pow(rounding_error(piece->coefficients, shape, static_cast<long>(k)), 2);
+  }
+  const RealBall remainder = divide(on_this.residual_bound(exact), least_sigma, bits);
+  // |B| = 1: to be more exact than the second part makes no difference.
+  const double scale = upper_double(size) + 1.0 / 64;
+  if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
+  const double off = upper_double(add(at_zero, remainder, bits));
+  const double rounding = std::sqrt(squares) * (1 + 0x1p-48);         // not rounded down
+  piece->error = sum_up(sum_up(rounding, off), 8 * underflow_error);  // |B| = 1
+  return piece;
+}
+
 }  // namespace
 
 PiecewisePolynomial compiled_rotation(const Curve& curve, RmfAngle& angle,
                                       const Rational& start_angle, double from, double to,
                                       const DoubleShape& shape) {
   const Rotation rotation(curve);
-  // Absolutely, φ is to be known to about 2^−bits.
-  const long phi_bits = bits + (abs(start_angle) > 1 ? binary_exponent(abs(start_angle)) : 0);
-  const auto make = [&](double low, double high) -> std::optional<PolynomialPiece> {
-    auto piece = empty_piece(low, high);
-    if (!piece) return std::nullopt;
-    const RotationOnPiece on_this(rotation, *piece);
-    const RealBall least_sigma = least(on_this.sigma(), bits);
-    if (sign(least_sigma) <= 0) return std::nullopt;
+  const auto theta = [&](double t, long more) { return angle.enclose(exact_rational(t), more); };
+  return {from, to, shape, [&](double low, double high) {
+            return rotation_piece(low, high, 0, rotation, theta, start_angle, shape);
+          }};
+}
 
-    RealBall phi = add(angle.enclose(exact_rational(piece->center), bits),
-                       RealBall(start_angle, phi_bits), phi_bits);
-    arb_mul_2exp_si(phi.raw(), phi.raw(), -1);
-    const Components taylor = on_this.taylor(phi, shape.degree + 1);
-    piece->coefficients = round_coefficients({taylor.begin(), taylor.end()}, shape);
-
-    Components exact;
-    RealBall size, at_zero;
-    double squares = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      exact[k] = exact_polynomial(piece->coefficients, shape, static_cast<long>(k));
-      size = add(size, variation(exact[k], bits), bits);
-      const RealBall off = subtract(exact[k].coefficient(0), taylor[k].coefficient(0), bits);
-      at_zero = add(at_zero, absolute(off), bits);
-      squares += std::pow(rounding_error(piece->coefficients, shape, static_cast<long>(k)), 2);
-    }
-    const RealBall remainder = divide(on_this.residual_bound(exact), least_sigma, bits);
-    // |B| = 1: to be more exact than the second part makes no difference.
-    const double scale = upper_double(size) + 1.0 / 64;
-    if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
-    const double off = upper_double(add(at_zero, remainder, bits));
-    const double rounding = std::sqrt(squares) * (1 + 0x1p-48);         // not rounded down
-    piece->error = sum_up(sum_up(rounding, off), 8 * underflow_error);  // |B| = 1
-    return piece;
+PiecewisePolynomial compiled_rotation(SplineAngle& angle, const Rational& start_angle,
+                                      const DoubleShape& shape) {
+  const std::vector<Rotation> rotations(angle.spline().segments().begin(),
+                                        angle.spline().segments().end());
+  const auto theta = [&](double t, long more) {
+    return angle.value(exact_rational(t)).enclose(more);
   };
-  return {from, to, shape, make};
+  return {joints(angle.spline()), shape, [&](double low, double high) {
+            const double offset = std::floor(low);
+            return rotation_piece(low, high, offset, rotations[static_cast<std::size_t>(offset)],
+                                  theta, start_angle, shape);
+          }};
 }
 
 double frame_error(double error) { return sum_up(2 * error, 2 * error * error); }

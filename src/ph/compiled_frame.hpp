@@ -1,6 +1,7 @@
 #pragma once
 #include "phrame/algebra/piecewise_polynomial.hpp"
 #include "phrame/ph/frame.hpp"
+#include "phrame/ph/spline_angle.hpp"
 
 namespace phrame {
 
@@ -15,6 +16,10 @@ namespace phrame {
 /// `angle` is that of this curve relative to the ERF; shape.width = 4. Throws as compiled_angle.
 PiecewisePolynomial compiled_rotation(const Curve& curve, RmfAngle& angle,
                                       const Rational& start_angle, double from, double to,
+                                      const DoubleShape& shape);
+
+/// The same of a spline, on [0, end], with its continuous ERF.
+PiecewisePolynomial compiled_rotation(SplineAngle& angle, const Rational& start_angle,
                                       const DoubleShape& shape);
 
 /// Rotation-minimizing frames for millions of parameters, a few hundred operations each. Const

@@ -70,7 +70,7 @@ TEST_CASE("error-free transformations: sums and products are exact") {
     const DoubleDouble s = two_sum(a, -b);
     CHECK(s.high == a - b);
     CHECK(sum(s) == exact_rational(a) - exact_rational(b));
-    const DoubleDouble p = two_product(SplitFactor(a), SplitFactor(b));
+    const DoubleDouble p = two_product(split_factor(a), split_factor(b));
     CHECK(p.high == a * b);
     CHECK(sum(p) == exact_rational(a) * exact_rational(b));
   });

@@ -185,6 +185,37 @@ TEST_CASE("compile: other intervals and angles, Frenet's frame, and what is outs
     CHECK(std::isnan(row[0]));
 }
 
+TEST_CASE("compile: of a spline there is one angle and one frame, through the joints") {
+  const Workshop shop;
+  shop.write("spline.json",
+             test::bytes_of(PHRAME_TEST_DATA "/../../examples/curves/closed-spline.json"));
+  CHECK(shop.run("compile spline.json --theta0 1/3 --prefix arm -o angle.h").status == 0);
+  const Spline spline =
+      std::get<NamedSpline>(read_curve_or_spline(test::bytes_of(shop.file("spline.json")))).spline;
+  REQUIRE(spline.segments().size() > 2);
+  SplineAngle angle(spline);
+  std::vector<double> at{std::nextafter(1, 0), std::nextafter(1, 2), std::nextafter(2, 0)};
+  const double end = static_cast<double>(spline.segments().size());
+  for (long k = 0; k <= 160; ++k) at.push_back(static_cast<double>(k) * end / 160);
+  const auto rows = evaluated(shop, at, "-std=c99 -O2");
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    CAPTURE(at[k]);
+    const SplineParameter t = locate(spline, exact_rational(at[k]));
+    const Real theta = angle.value(t) + Rational(1, 3);
+    CHECK(distance(rows[k][0], theta) <= exact_rational(rows[k][10]));
+    const Frames frames(spline.segments()[t.segment]);
+    const auto exact = turned(as_real(frames.euler_rodrigues(t.t)), theta);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(distance(rows[k][1 + i], exact.e1[i]) <= exact_rational(rows[k][11]));
+      CHECK(distance(rows[k][4 + i], exact.e2[i]) <= exact_rational(rows[k][11]));
+      CHECK(distance(rows[k][7 + i], exact.e3[i]) <= exact_rational(rows[k][11]));
+    }
+  }
+  CHECK(rows[0][11] < 0x1p-50);
+  check_failure(shop.run("compile spline.json --to 2"), 2, "--to: \"2\" is for single curves");
+  check_failure(shop.run("compile spline.json --frame frenet"), 2, "--frame: \"frenet\" is for");
+}
+
 TEST_CASE("compile: names in C come from the curve's, and --prefix must be one") {
   const Workshop shop;
   const auto names = [&](const std::string& name) {
