@@ -97,9 +97,12 @@ std::vector<double> joints(const Spline& spline) {
 }
 
 CompiledAngle::CompiledAngle(RmfAngle& angle, double from, double to, const Rational& start_angle)
-    : angle_(angle),
-      start_angle_(start_angle),
+    : angle_([&angle, start_angle](const Rational& t) { return angle.value(t) + start_angle; }),
       polynomials_(compiled_angle(angle, start_angle, from, to, compensated_shape(1))) {}
+
+CompiledAngle::CompiledAngle(SplineAngle& angle, const Rational& start_angle)
+    : angle_([&angle, start_angle](const Rational& t) { return angle.value(t) + start_angle; }),
+      polynomials_(compiled_angle(angle, start_angle, compensated_shape(1))) {}
 
 double CompiledAngle::operator()(double t) {
   if (!(polynomials_.from() <= t && t <= polynomials_.to()))
@@ -118,7 +121,7 @@ double CompiledAngle::operator()(double t) {
 
 double CompiledAngle::exact(double t) {
   ++exact_values_;
-  return round_to_double(angle_.value(exact_rational(t)) + start_angle_);
+  return round_to_double(angle_(exact_rational(t)));
 }
 
 }  // namespace phrame

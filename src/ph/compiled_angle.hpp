@@ -27,6 +27,8 @@ class CompiledAngle {
  public:
   /// θ with θ(0) = start_angle. Throws as compiled_angle.
   CompiledAngle(RmfAngle& angle, double from, double to, const Rational& start_angle = 0);
+  /// The same of a spline, on [0, end].
+  explicit CompiledAngle(SplineAngle& angle, const Rational& start_angle = 0);
 
   /// θ(t), correctly rounded: to nearest, ties to even. Throws DomainError for a t outside [from,
   /// to] and NaN, and what the exact angle throws.
@@ -39,8 +41,7 @@ class CompiledAngle {
  private:
   double exact(double t);
 
-  RmfAngle& angle_;
-  Rational start_angle_;
+  std::function<Real(const Rational&)> angle_;  ///< start_angle included
   PiecewisePolynomial polynomials_;
   long exact_values_ = 0;
 };

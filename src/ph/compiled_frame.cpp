@@ -184,7 +184,14 @@ double frame_error(double error) { return sum_up(2 * error, 2 * error * error); 
 
 CompiledFrames::CompiledFrames(const Curve& curve, RmfAngle& angle, double from, double to,
                                const Rational& start_angle)
-    : polynomials_(compiled_rotation(curve, angle, start_angle, from, to, compensated_shape(4))) {
+    : CompiledFrames(compiled_rotation(curve, angle, start_angle, from, to, compensated_shape(4))) {
+}
+
+CompiledFrames::CompiledFrames(SplineAngle& angle, const Rational& start_angle)
+    : CompiledFrames(compiled_rotation(angle, start_angle, compensated_shape(4))) {}
+
+CompiledFrames::CompiledFrames(PiecewisePolynomial polynomials)
+    : polynomials_(std::move(polynomials)) {
   // Far more than the operations on pairs of doubles are off by, and than rounding leaves.
   for (const PolynomialPiece& piece : polynomials_.pieces())
     if (!(frame_error(piece.error) <= 0x1p-60))

@@ -29,6 +29,8 @@ class CompiledFrames {
   /// The frame whose angle to the ERF is θ + start_angle, as in compiled_rotation.
   CompiledFrames(const Curve& curve, RmfAngle& angle, double from, double to,
                  const Rational& start_angle = 0);
+  /// The same of a spline, on [0, end].
+  explicit CompiledFrames(SplineAngle& angle, const Rational& start_angle = 0);
 
   /// The frame at t, every component within 2^−53 of the true one. Throws DomainError for a t
   /// outside [from, to] and NaN.
@@ -37,6 +39,8 @@ class CompiledFrames {
   const PiecewisePolynomial& polynomials() const { return polynomials_; }
 
  private:
+  explicit CompiledFrames(PiecewisePolynomial polynomials);
+
   PiecewisePolynomial polynomials_;
 };
 

@@ -8,6 +8,7 @@
 #include "phrame/io/curve_file.hpp"
 #include "phrame/ph/compiled_angle.hpp"
 #include "phrame/ph/compiled_frame.hpp"
+#include "phrame/ph/transform.hpp"
 #include "support/curves.hpp"
 #include "support/random.hpp"
 
@@ -302,6 +303,41 @@ TEST_CASE("compiled angle: next to ties between doubles") {
     ++ties;
   }
   CHECK(ties > 10);
+}
+
+TEST_CASE("compiled angle and frame: of a spline, through the joints") {
+  // The two halves of a curve: the second one's preimage is turned by 3 + i, which append() undoes.
+  const auto halves = [](const Curve& curve) {
+    const Curve second = segment(curve, Rational(1, 3), 1);
+    Spline spline(segment(curve, 0, Rational(1, 3)));
+    spline.append(
+        Curve(second.preimage() * QuaternionPolynomial{Polynomial{3}, Polynomial{1}, {}, {}},
+              Polynomial{Rational(1, 10)} * second.multiplier(), second.start()));
+    return spline;
+  };
+  Random random(13);
+  for (const std::string name : {"gen-m02-0", "gen-m03-1", "deg-nearcusp"}) {
+    CAPTURE(name);
+    const Curve curve = named(name);
+    RmfAngle whole(curve, Reference::erf);
+    const Frames exact(curve);
+    SplineAngle angle(halves(curve));
+    CompiledAngle compiled(angle, Rational(1, 7));
+    const CompiledFrames frames(angle);
+    for (int k = 0; k < 60; ++k) {
+      const double t = k == 0 ? 1 : 2 * parameter(random);
+      CAPTURE(t);
+      const Rational s = exact_rational(t) <= 1 ? Rational(exact_rational(t) / 3)
+                                                : Rational((1 + 2 * (exact_rational(t) - 1)) / 3);
+      CHECK(compiled(t) == round_to_double(whole.value(s) + Rational(1, 7)));
+      const Vector<Real> f2 = exact.rotation_minimizing(whole, s).e2;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const RealBall off =
+            subtract(RealBall(exact_rational(frames(t).e2[i]), bits), f2[i].enclose(bits), bits);
+        CHECK(absolute(off).upper() <= exact_rational(0x1p-53));
+      }
+    }
+  }
 }
 
 TEST_CASE("compiled angle and frame: outside the interval") {
