@@ -65,7 +65,7 @@ class System:
     """
     variant = ""
     closed = None  # F, the antiderivative of f
-    value = None  # G = F(1) - F(0), from f: to find F is part of the work
+    value = None  # G = F(1) - F(0), or where there is no `closed` by a numerical rule, from f: to find F is part of the work
     quadrature = None  # G by a numerical rule, shown with a mark where there is no value
     refusal = None  # what it says when it stops because it cannot evaluate F
 
@@ -118,7 +118,9 @@ class ComplexSymPy(SymPy):
 
 
 class Maxima(System):
-    """Its sums over rootsof have values where rootsof is given a definition. elapsed_run_time is CPU time, whatever its name."""
+    """Its sums over rootsof have values where rootsof is given a definition. elapsed_run_time is CPU time, whatever its name, but
+    in some Lisps without that of the kernel.
+    """
     name, command, version_option = "Maxima", ["maxima", "--very-quiet"], "--version"
     closed = "F: integrate(f, t)", "if not freeof(t, F) and freeof(nounify('integrate), F) then print(\"@closed\")$"
     value = ("(F: integrate(f, t), G: rectform(bfloat(ev(subst(t = 1, F) - subst(t = 0, F), nouns))))",
@@ -206,13 +208,25 @@ class Failed(Exception):
     """Its text is what the table shows."""
 
 
+def spent():
+    """CPU seconds, user and system, of all processes that have been started and have ended."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 def run(command, script, seconds):
-    """What a system prints that reads the script; after that many seconds by the clock it and its children are killed."""
+    """What a system prints that reads the script. It is killed with its children after that many CPU seconds, which other work
+    on the machine does not shorten, or, should it wait for something, after ten times as many by the clock.
+    """
+    def limit():
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(seconds + START),) * 2)
+
+    before = spent()
     process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                               errors="replace", start_new_session=True,
-                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)))
+                               errors="replace", start_new_session=True, preexec_fn=limit)
     try:
-        return process.communicate(script, timeout=seconds + START)[0]
+        text = process.communicate(script, timeout=10 * (seconds + START))[0]
     except subprocess.TimeoutExpired:
         raise Failed(f"> {seconds:g} s") from None
     finally:
@@ -221,6 +235,9 @@ def run(command, script, seconds):
         except ProcessLookupError:
             pass
         process.wait()
+    if process.returncode < 0 and spent() - before >= seconds:
+        raise Failed(f"> {seconds:g} s")
+    return text
 
 
 def said(text, what):
@@ -294,8 +311,10 @@ class Column:
         """A value that is to come from a closed form needs one; without it, or without a value, a quadrature is shown."""
         f = integrand(m)
         closed, found = self.attempt("closed", f, reference) if self.system.closed else ("—", True)
+        if not self.system.value:
+            return closed, "—"
         if found:
-            value, found = self.attempt("value", f, reference) if self.system.value else (NO_VALUE, False)
+            value, found = self.attempt("value", f, reference)
         else:
             value = NO_VALUE if closed == NO_FORM else closed
         if not found and self.system.quadrature:
@@ -307,10 +326,9 @@ def phrame(program, *arguments, text=""):
     """The median of the CPU seconds, user and system, of five runs of the program, and its output."""
     times = []
     for _ in range(5):
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        before = spent()
         output = subprocess.run([program, *arguments], input=text, check=True, stdout=subprocess.PIPE, text=True).stdout
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        times.append(after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime)
+        times.append(spent() - before)
     return statistics.median(times), output
 
 
@@ -363,8 +381,9 @@ def main():
     model = re.search(r"^model name\s*: (.*)$", pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8"), re.MULTILINE)
     print(f"""\
 CPU time on {model[1] if model else 'a nameless processor'}, {datetime.date.today()}; again by `./dev bench --peers`.
-That of phrame is of the whole program, of which {duration(start)} are its start; that of the others is inside the system.
-Only time-outs are by the clock.""", f"Not installed: {', '.join(missing)}." if missing else "")
+That of phrame is of the whole program, of which {duration(start)} are its start; that of the others is inside the system.""")
+    if missing:
+        print(f"Not installed: {', '.join(missing)}.")
     for title, table in rows.items():
         print(f"\n{title}:\n")
         for row in (heads, ["---"] * len(heads), *table):
