@@ -23,6 +23,8 @@ class MedianReporter : public benchmark::ConsoleReporter {
       shown.push_back(run);
       shown.back().run_type = Run::RT_Iteration;  // no suffix to the name
       shown.back().run_name.repetitions.clear();
+      if (const auto error = run.counters.find("error"); error != run.counters.end())
+        errors_[{run.run_name.function_name, run.run_name.args}] = error->second;
       milliseconds_[{run.run_name.function_name, run.run_name.args}] =
           1e3 * run.GetAdjustedCPUTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
     }
@@ -33,6 +35,7 @@ class MedianReporter : public benchmark::ConsoleReporter {
     table("erf");
     table("frenet");
     targets();
+    against_double_reflection();
     growth({"erf_symbolic", "erf_value", "erf_from_scratch", "roots_of_sigma"});
   }
 
@@ -97,6 +100,20 @@ class MedianReporter : public benchmark::ConsoleReporter {
     }
   }
 
+  /// N steps along the same curve.
+  void against_double_reflection() const {
+    const std::string numerical = "steps_by_double_reflection";
+    for (const std::string name : {"steps_by_header", "steps_by_compiled_frames"})
+      for (const char* steps : {"100", "1000", "100000"}) {
+        const double ratio = time(name, steps) / time(numerical, steps);
+        if (std::isnan(ratio)) continue;
+        std::printf("\n%s, N = %s: %.2f times the time of double reflection, %.2g times its error",
+                    name.c_str(), steps, ratio,
+                    errors_.at({name, steps}) / errors_.at({numerical, steps}));
+      }
+    std::printf("\n");
+  }
+
   /// The slope of the line through log time over log m, m ≥ 5, by least squares.
   void growth(const std::vector<std::string>& names) const {
     for (const std::string& name : names) {
@@ -113,7 +130,9 @@ class MedianReporter : public benchmark::ConsoleReporter {
     std::printf("\n");
   }
 
-  std::map<std::pair<std::string, std::string>, double> milliseconds_;
+  using Name = std::pair<std::string, std::string>;  ///< of the function, and its arguments
+  std::map<Name, double> milliseconds_;
+  std::map<Name, double> errors_;  ///< where they were counted
 };
 
 }  // namespace
