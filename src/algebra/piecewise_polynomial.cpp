@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "phrame/algebra/error.hpp"
 
@@ -30,8 +31,9 @@ bool is_accurate(const BallPolynomial& p, long bits) {
 
 }  // namespace
 
-std::optional<PolynomialPiece> empty_piece(double from, double to) {
+std::optional<PolynomialPiece> empty_piece(double from, double to, double origin) {
   PolynomialPiece piece;
+  piece.origin = origin;
   const bool begins_at_zero = from == 0 || to == 0;
   piece.center = begins_at_zero ? 0 : from + (to - from) / 2;
   // Then t − center is exact [Sterbenz, Floating-Point Computation, 1974].
@@ -54,14 +56,17 @@ BallPolynomial on_piece(const Polynomial& p, const PolynomialPiece& piece, long 
                         bool is_definite) {
   RealBall center;
   arb_set_d(center.raw(), piece.center);
-  const long per_y = -std::ilogb(piece.scale);
+  RealBall origin;
+  arb_set_d(origin.raw(), piece.origin);
+  arb_sub(center.raw(), center.raw(), origin.raw(), ARF_PREC_EXACT);
+  const long exponent = -std::ilogb(piece.scale);
   constexpr long most_bits = 1 << 20;
   for (long precision = bits + 32; precision <= most_bits; precision *= 2) {
     BallPolynomial q(p, precision);
     arb_poly_taylor_shift(q.raw(), q.raw(), center.raw(), precision);
     for (long k = 0; k <= q.degree_bound(); ++k) {
       arb_struct* c = arb_poly_get_coeff_ptr(q.raw(), k);
-      arb_mul_2exp_si(c, c, k * per_y);
+      arb_mul_2exp_si(c, c, k * exponent);
     }
     if (is_accurate(q, bits) && (!is_definite || q.coefficient(0).accuracy_bits() >= bits))
       return q;
@@ -69,6 +74,12 @@ BallPolynomial on_piece(const Polynomial& p, const PolynomialPiece& piece, long 
   throw Undecided(fmt::format(
       "piecewise polynomial: {} bits of precision do not tell a polynomial near {} from 0",
       most_bits, piece.center));
+}
+
+BallPolynomial per_y(const Polynomial& p, const PolynomialPiece& piece, long bits) {
+  BallPolynomial q = on_piece(p, piece, bits);
+  arb_poly_scalar_mul_2exp_si(q.raw(), q.raw(), -std::ilogb(piece.scale));
+  return q;
 }
 
 RealBall variation(const BallPolynomial& p, long bits) {
@@ -124,6 +135,17 @@ PiecewisePolynomial::PiecewisePolynomial(const std::vector<double>& ends, const 
     right_ends.push_back(middle);
   }
   make_cells();
+}
+
+PiecewisePolynomial PiecewisePolynomial::on_units(std::size_t n, const DoubleShape& shape,
+                                                  const Make& make) {
+  std::vector<double> ends(n + 1);
+  std::iota(ends.begin(), ends.end(), 0.0);
+  return {ends, shape, make};
+}
+
+void PiecewisePolynomial::fail_outside(double t, const char* what) const {
+  throw DomainError(fmt::format("{}: t = {} is outside [{}, {}]", what, t, from(), to()));
 }
 
 // Every t in cell k lies at or after an end e where the double before e is in a cell before k; and

@@ -13,22 +13,28 @@ namespace phrame {
 struct PolynomialPiece {
   double center = 0;
   double scale = 1;
+  double origin = 0;  ///< what is 0 for the polynomials that on_piece is given
   /// What a value computed in doubles is off by: at most error + error_per_y·|y|, of all
   /// polynomials together in the Euclidean norm. The error is 0 but for underflow where all are 0
   /// at y = 0, as what they stand for is.
   double error = 0;
   double error_per_y = 0;
   std::vector<double> coefficients;
+
+  double y(double t) const { return (t - center) * scale; }
 };
 
 /// A center and a scale for [from, to]. No value where there is no such center: the interval is to
 /// be divided. Throws Undecided where it is smaller than 2^−900 or larger than 2^900.
-std::optional<PolynomialPiece> empty_piece(double from, double to);
-/// p(center + y/scale), all coefficients known to about `bits` bits relative to the greatest, the
-/// constant one relative to itself if it is to be `definite` and is not 0. Throws Undecided where
-/// it is not.
+std::optional<PolynomialPiece> empty_piece(double from, double to, double origin = 0);
+/// p(center − origin + y/scale), all coefficients known to about `bits` bits relative to the
+/// greatest, the constant one relative to itself if it is to be `definite` and is not 0. Throws
+/// Undecided where it is not.
 BallPolynomial on_piece(const Polynomial& p, const PolynomialPiece& piece, long bits,
                         bool is_definite = false);
+
+/// The same over the scale, for a p that belongs to a derivative by t: by y.
+BallPolynomial per_y(const Polynomial& p, const PolynomialPiece& piece, long bits);
 
 /// A lower bound of |p| on |y| ≤ 1: |p(0)| − Σ |other coefficients|, positive or not.
 RealBall least(const BallPolynomial& p, long bits);
@@ -50,6 +56,8 @@ class PiecewisePolynomial {
       : PiecewisePolynomial(std::vector{from, to}, shape, make) {}
   /// The same with these ends, ascending and at least two, among those of the pieces.
   PiecewisePolynomial(const std::vector<double>& ends, const DoubleShape& shape, const Make& make);
+  /// The same on [0, n] with the ends 0, 1, …, n.
+  static PiecewisePolynomial on_units(std::size_t n, const DoubleShape& shape, const Make& make);
   static constexpr std::size_t max_pieces = 20'000;
 
   double from() const { return ends_.front(); }
@@ -64,6 +72,10 @@ class PiecewisePolynomial {
   double cells_per_unit() const { return cells_per_unit_; }
   const std::vector<std::uint32_t>& first() const { return first_; }
 
+  /// Throws DomainError, in the name of `what`, for a t outside [from(), to()] and NaN.
+  void require_inside(double t, const char* what) const {
+    if (!(from() <= t && t <= to())) fail_outside(t, what);
+  }
   /// The piece that t lies in. Precondition: from() ≤ t ≤ to().
   const PolynomialPiece& at(double t) const {
     const std::size_t cell = cell_of(t);
@@ -80,6 +92,7 @@ class PiecewisePolynomial {
   }
 
  private:
+  [[noreturn]] void fail_outside(double t, const char* what) const;
   std::size_t cell_of(double t) const {
     return static_cast<std::size_t>((t - ends_.front()) * cells_per_unit_);
   }

@@ -25,8 +25,7 @@ struct Choices {
 };
 
 Choices choices(const AngleOptions& options) {
-  const Choices chosen{choose<Reference>("--frame", options.frame,
-                                         {{"erf", Reference::erf}, {"frenet", Reference::frenet}}),
+  const Choices chosen{chosen_reference(options.frame),
                        choose<Route>("--route", options.route,
                                      {{"auto", Route::automatic},
                                       {"roots", Route::roots},
@@ -54,8 +53,7 @@ std::string curve_report(const AngleOptions& options, const Choices& chosen,
 std::string spline_report(const AngleOptions& options, const Choices& chosen,
                           const NamedSpline& named) {
   const auto require = [](bool is_possible, const std::string& option, const std::string& value) {
-    if (!is_possible)
-      throw InputError(option, "\"" + value + "\" is for single curves; this is a spline");
+    if (!is_possible) fail_for_spline(option, value);
   };
   const std::string& print = options.form.print;
   require(chosen.reference == Reference::erf, "--frame", options.frame);

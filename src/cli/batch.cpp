@@ -99,8 +99,7 @@ class Progress {
 
 void run(const BatchOptions& options) {
   BatchDefaults defaults = options.defaults;
-  defaults.frame = choose<Reference>("--frame", options.frame,
-                                     {{"erf", Reference::erf}, {"frenet", Reference::frenet}});
+  defaults.frame = chosen_reference(options.frame);
   for (const std::string& t : split(options.at)) defaults.at.push_back(parse_option("--at", t));
 
   const Descriptor input = open_input(options.path);

@@ -13,8 +13,7 @@ struct CertifyOptions {
 };
 
 void run(const CertifyOptions& options) {
-  const auto reference = choose<Reference>(
-      "--frame", options.frame, {{"erf", Reference::erf}, {"frenet", Reference::frenet}});
+  const auto reference = chosen_reference(options.frame);
   std::vector<Rational> at = options.parameters.values();
   if (at.empty()) at.emplace_back(1);
   const NamedCurve named = options.curve.read();

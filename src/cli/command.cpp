@@ -40,6 +40,15 @@ void fail_with_errno(const std::string& place, std::string_view what) {
                    fmt::format("{}: {}", what, std::strerror(errno)));
 }
 
+Reference chosen_reference(const std::string& name) {
+  return choose<Reference>("--frame", name,
+                           {{"erf", Reference::erf}, {"frenet", Reference::frenet}});
+}
+
+void fail_for_spline(const std::string& option, const std::string& value) {
+  throw InputError(option, "\"" + abbreviated(value) + "\" is for single curves; this is a spline");
+}
+
 void CurveOptions::add_to(CLI::App& command) {
   command.add_option("CURVE", path, "a curve file (JSON), \"-\" for standard input")
       ->required()

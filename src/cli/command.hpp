@@ -5,6 +5,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/curve_file.hpp"
+#include "phrame/ph/rmf_angle.hpp"
 
 namespace phrame::cli {
 
@@ -56,6 +57,12 @@ T choose(const std::string& option, const std::string& name,
   }
   throw InputError(option, "\"" + abbreviated(name) + "\" is not one of " + names);
 }
+
+/// --frame of an angle: erf or frenet.
+Reference chosen_reference(const std::string& name);
+
+/// "--to: "2" is for single curves; this is a spline". Throws InputError.
+[[noreturn]] void fail_for_spline(const std::string& option, const std::string& value);
 
 /// What `read` reads; the place of an InputError is within `place`, after the separator.
 template <class Read>

@@ -24,8 +24,7 @@ double end_of_interval(const std::string& option, const std::string& text) {
 }
 
 void run(const CompileOptions& options) {
-  const auto reference = choose<Reference>(
-      "--frame", options.frame, {{"erf", Reference::erf}, {"frenet", Reference::frenet}});
+  const auto reference = chosen_reference(options.frame);
   const Rational start_angle = parse_option("--theta0", options.start_angle);
   const double from = end_of_interval("--from", options.from);
   const double to = end_of_interval("--to", options.to);
@@ -56,9 +55,7 @@ void run(const CompileOptions& options) {
     const auto& spline = std::get<NamedSpline>(read);
     const auto require_default = [](const std::string& option, const std::string& value,
                                     const std::string& standard) {
-      if (value != standard)
-        throw InputError(option,
-                         "\"" + abbreviated(value) + "\" is for single curves; this is a spline");
+      if (value != standard) fail_for_spline(option, value);
     };
     require_default("--frame", options.frame, "erf");
     require_default("--from", options.from, "0");

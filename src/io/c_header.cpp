@@ -162,16 +162,15 @@ double greatest_error(const PiecewisePolynomial& p) {
   return greatest * (1 + 0x1p-50);  // not rounded down
 }
 
-}  // namespace
-
-double angle_error(const CHeader& header) { return greatest_error(header.angle); }
-
-// A component is ((uu ± vv) ± pp) ± qq or twice a sum of two products. With |b| = 1, nearly, the
-// products are off by 2^−53 together and each of the three sums by as much, at most; twice a sum
-// of two products by half of that. Fused operations leave out some of it.
-double component_error(const CHeader& header) {
-  return (4 * 0x1p-53 + frame_error(greatest_error(*header.rotation))) * (1 + 0x1p-40);
+/// What the components of the frame are off by: a component is ((uu ± vv) ± pp) ± qq or twice a sum
+/// of two products. With |b| = 1, nearly, the products are off by 2^−53 together and each of the
+/// three sums by as much, at most; twice a sum of two products by half of that. Fused operations
+/// leave out some of it.
+double component_error(const PiecewisePolynomial& rotation) {
+  return (4 * 0x1p-53 + frame_error(greatest_error(rotation))) * (1 + 0x1p-40);
 }
+
+}  // namespace
 
 std::string to_c_header(const CHeader& header) {
   using fmt::arg;
@@ -187,12 +186,12 @@ std::string to_c_header(const CHeader& header) {
   };
   std::string about_frame, define_frame;
   if (header.rotation) {
-    const double error = component_error(header);
+    const double error = component_error(*header.rotation);
     about_frame = fmt::format(fmt::runtime(frame_text), arg("p", p), arg("P", upper),
                               arg("frame_error", decimal_above(error)));
     define_frame = fmt::format("#define {}_FRAME_ERROR {:a}\n", upper, error);
   }
-  const double error = angle_error(header);
+  const double error = greatest_error(header.angle);
   const bool is_erf = header.reference == Reference::erf;
   const std::string preimage_of = header.is_spline
                                       ? "segment, chosen such that this frame is\n"

@@ -15,10 +15,6 @@ struct CHeader {
   std::optional<PiecewisePolynomial> rotation;  ///< of plain_shape(4)
 };
 
-/// Bounds, over all t, of what the functions of the header are off by.
-double angle_error(const CHeader& header);
-double component_error(const CHeader& header);
-
 /// C99, self-contained: prefix_theta(t), and with a rotation prefix_frame(t, f1, f2, f3), with what
 /// they are, for which t and how exactly. It compiles as C++17 too.
 std::string to_c_header(const CHeader& header);

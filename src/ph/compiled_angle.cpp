@@ -1,11 +1,7 @@
 #include "phrame/ph/compiled_angle.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <numeric>
 
-#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 
 namespace phrame {
@@ -24,21 +20,17 @@ RealBall accurate(const Real::Enclosure& theta, const Rational& start_angle,
   }
 }
 
-/// θ + start_angle on [low, high], θ′(t) = rate(t − offset) there, from balls around θ(center).
+/// θ + start_angle on [low, high], θ′(t) = rate(t − origin) there, from balls around θ(center).
 std::optional<PolynomialPiece> angle_piece(
-    double low, double high, double offset, const RationalFunction& rate,
+    double low, double high, double origin, const RationalFunction& rate,
     const std::function<RealBall(double center, long bits)>& theta, const Rational& start_angle,
     const DoubleShape& shape) {
-  auto piece = empty_piece(low, high);
+  auto piece = empty_piece(low, high, origin);
   if (!piece) return std::nullopt;
-  PolynomialPiece shifted = *piece;
-  shifted.center -= offset;  // exact: it is 0, or as near to the offset as to any of its piece
-  const BallPolynomial denominator = on_piece(rate.denominator(), shifted, bits, true);
+  const BallPolynomial denominator = on_piece(rate.denominator(), *piece, bits, true);
   const RealBall least_denominator = least(denominator, bits);
   if (sign(least_denominator) <= 0) return std::nullopt;
-  BallPolynomial numerator = on_piece(rate.numerator(), shifted, bits);
-  // dθ/dy = numerator/denominator from here on.
-  arb_poly_scalar_mul_2exp_si(numerator.raw(), numerator.raw(), -std::ilogb(piece->scale));
+  const BallPolynomial numerator = per_y(rate.numerator(), *piece, bits);
 
   BallPolynomial taylor;
   arb_poly_div_series(taylor.raw(), numerator.raw(), denominator.raw(), shape.degree, bits);
@@ -56,13 +48,12 @@ std::optional<PolynomialPiece> angle_piece(
   // Where θ is large its rounding hides what is small beside the second part.
   const double scale = upper_double(size) + upper_double(absolute(at_center)) / 64;
   if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
-  const double per_y =
-      sum_up(upper_double(remainder), rounding_error(piece->coefficients, shape, 0));
+  const double off = sum_up(upper_double(remainder), rounding_error(piece->coefficients, shape, 0));
   const double at_zero = upper_double(absolute(subtract(p.coefficient(0), at_center, bits)));
   if (arb_is_zero(at_center.raw()) == 0)
-    piece->error = sum_up(per_y, at_zero);
+    piece->error = sum_up(off, at_zero);
   else
-    piece->error_per_y = per_y;
+    piece->error_per_y = off;
   if (arb_is_zero(size.raw()) == 0)
     piece->error = sum_up(piece->error, underflow_error * (1 + upper_double(size)));
   return piece;
@@ -83,17 +74,12 @@ PiecewisePolynomial compiled_angle(SplineAngle& angle, const Rational& start_ang
   const auto theta = [&](double t, long more) {
     return angle.value(exact_rational(t)).enclose(more);
   };
-  return {joints(angle.spline()), shape, [&](double low, double high) {
-            const double offset = std::floor(low);
-            const RmfAngle& segment = angle.segment(static_cast<std::size_t>(offset));
-            return angle_piece(low, high, offset, segment.rate(), theta, start_angle, shape);
-          }};
-}
-
-std::vector<double> joints(const Spline& spline) {
-  std::vector<double> ends(spline.segments().size() + 1);
-  std::iota(ends.begin(), ends.end(), 0.0);
-  return ends;
+  const auto make = [&](double low, double high) {
+    const double joint = std::floor(low);
+    const RmfAngle& segment = angle.segment(static_cast<std::size_t>(joint));
+    return angle_piece(low, high, joint, segment.rate(), theta, start_angle, shape);
+  };
+  return PiecewisePolynomial::on_units(angle.spline().segments().size(), shape, make);
 }
 
 CompiledAngle::CompiledAngle(RmfAngle& angle, double from, double to, const Rational& start_angle)
@@ -105,11 +91,9 @@ CompiledAngle::CompiledAngle(SplineAngle& angle, const Rational& start_angle)
       polynomials_(compiled_angle(angle, start_angle, compensated_shape(1))) {}
 
 double CompiledAngle::operator()(double t) {
-  if (!(polynomials_.from() <= t && t <= polynomials_.to()))
-    throw DomainError(fmt::format("compiled angle: t = {} is outside [{}, {}]", t,
-                                  polynomials_.from(), polynomials_.to()));
+  polynomials_.require_inside(t, "compiled angle");
   const PolynomialPiece& piece = polynomials_.at(t);
-  const double y = (t - piece.center) * piece.scale;
+  const double y = piece.y(t);
   const auto [value] = evaluate_compensated<1>(piece.coefficients.data(), polynomials_.shape(), y);
   // The last term and the last factor cover the rounding of these sums and of those below.
   const double error =

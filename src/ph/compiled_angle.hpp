@@ -13,9 +13,6 @@ namespace phrame {
 PiecewisePolynomial compiled_angle(RmfAngle& angle, const Rational& start_angle, double from,
                                    double to, const DoubleShape& shape);
 
-/// 0, 1, …, end.
-std::vector<double> joints(const Spline& spline);
-
 /// The same of a spline, on [0, end].
 PiecewisePolynomial compiled_angle(SplineAngle& angle, const Rational& start_angle,
                                    const DoubleShape& shape);
@@ -36,7 +33,6 @@ class CompiledAngle {
 
   /// How many values took the exact angle so far.
   long exact_values() const { return exact_values_; }
-  const PiecewisePolynomial& polynomials() const { return polynomials_; }
 
  private:
   double exact(double t);

@@ -1,12 +1,9 @@
 #include "phrame/ph/compiled_frame.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/compiled_angle.hpp"
 
 namespace phrame {
 namespace {
@@ -48,13 +45,6 @@ class RotationOnPiece {
   RealBall residual_bound(const Components& x) const;
 
  private:
-  /// A polynomial that belongs to a derivative by t, for one by y.
-  BallPolynomial per_y(const Polynomial& p) const {
-    BallPolynomial q = on_piece(p, piece_, bits);
-    arb_poly_scalar_mul_2exp_si(q.raw(), q.raw(), -std::ilogb(piece_.scale));
-    return q;
-  }
-
   const Rotation& rotation_;
   const PolynomialPiece& piece_;
   BallPolynomial sigma_;
@@ -62,7 +52,7 @@ class RotationOnPiece {
 
 Components RotationOnPiece::taylor(const RealBall& phi_at_center, long length) const {
   BallPolynomial phi, cos, sin, size;
-  const BallPolynomial h = per_y(rotation_.h);
+  const BallPolynomial h = per_y(rotation_.h, piece_, bits);
   arb_poly_div_series(phi.raw(), h.raw(), sigma_.raw(), length - 1, bits);
   arb_poly_integral(phi.raw(), phi.raw(), bits);
   arb_poly_neg(phi.raw(), phi.raw());
@@ -93,10 +83,10 @@ Components RotationOnPiece::taylor(const RealBall& phi_at_center, long length) c
 
 RealBall RotationOnPiece::residual_bound(const Components& x) const {
   const auto& [u, v, p, q] = x;
-  const BallPolynomial a = per_y(rotation_.a);
-  const BallPolynomial b = per_y(rotation_.b);
-  const BallPolynomial c = per_y(rotation_.c);
-  const BallPolynomial d = per_y(rotation_.d);
+  const BallPolynomial a = per_y(rotation_.a, piece_, bits);
+  const BallPolynomial b = per_y(rotation_.b, piece_, bits);
+  const BallPolynomial c = per_y(rotation_.c, piece_, bits);
+  const BallPolynomial d = per_y(rotation_.d, piece_, bits);
   const auto times = [](const BallPolynomial& f, const BallPolynomial& g) {
     return multiply(f, g, bits);
   };
@@ -114,16 +104,14 @@ RealBall RotationOnPiece::residual_bound(const Components& x) const {
   return sum;
 }
 
-/// B on [low, high] for a curve with the parameter t − offset, from balls around θ(center).
+/// B on [low, high] for a curve with the parameter t − origin, from balls around θ(center).
 std::optional<PolynomialPiece> rotation_piece(
-    double low, double high, double offset, const Rotation& rotation,
+    double low, double high, double origin, const Rotation& rotation,
     const std::function<RealBall(double center, long bits)>& theta, const Rational& start_angle,
     const DoubleShape& shape) {
-  auto piece = empty_piece(low, high);
+  auto piece = empty_piece(low, high, origin);
   if (!piece) return std::nullopt;
-  PolynomialPiece shifted = *piece;
-  shifted.center -= offset;  // exact, as in compiled_angle
-  const RotationOnPiece on_this(rotation, shifted);
+  const RotationOnPiece on_this(rotation, *piece);
   const RealBall least_sigma = least(on_this.sigma(), bits);
   if (sign(least_sigma) <= 0) return std::nullopt;
 
@@ -173,11 +161,12 @@ PiecewisePolynomial compiled_rotation(SplineAngle& angle, const Rational& start_
   const auto theta = [&](double t, long more) {
     return angle.value(exact_rational(t)).enclose(more);
   };
-  return {joints(angle.spline()), shape, [&](double low, double high) {
-            const double offset = std::floor(low);
-            return rotation_piece(low, high, offset, rotations[static_cast<std::size_t>(offset)],
-                                  theta, start_angle, shape);
-          }};
+  const auto make = [&](double low, double high) {
+    const double joint = std::floor(low);
+    const Rotation& rotation = rotations[static_cast<std::size_t>(joint)];
+    return rotation_piece(low, high, joint, rotation, theta, start_angle, shape);
+  };
+  return PiecewisePolynomial::on_units(rotations.size(), shape, make);
 }
 
 double frame_error(double error) { return sum_up(2 * error, 2 * error * error); }
@@ -199,12 +188,10 @@ CompiledFrames::CompiledFrames(PiecewisePolynomial polynomials)
 }
 
 Frame<double> CompiledFrames::operator()(double t) const {
-  if (!(polynomials_.from() <= t && t <= polynomials_.to()))
-    throw DomainError(fmt::format("compiled frames: t = {} is outside [{}, {}]", t,
-                                  polynomials_.from(), polynomials_.to()));
+  polynomials_.require_inside(t, "compiled frames");
   const PolynomialPiece& piece = polynomials_.at(t);
-  const auto [u, v, p, q] = evaluate_compensated<4>(piece.coefficients.data(), polynomials_.shape(),
-                                                    (t - piece.center) * piece.scale);
+  const auto [u, v, p, q] =
+      evaluate_compensated<4>(piece.coefficients.data(), polynomials_.shape(), piece.y(t));
   const Quaternion<DoubleDouble> b{u, v, p, q};
   const auto rounded = [](const Vector<DoubleDouble>& x) {
     return Vector<double>{x[0].high + x[0].low, x[1].high + x[1].low, x[2].high + x[2].low};

@@ -36,8 +36,6 @@ class CompiledFrames {
   /// outside [from, to] and NaN.
   Frame<double> operator()(double t) const;
 
-  const PiecewisePolynomial& polynomials() const { return polynomials_; }
-
  private:
   explicit CompiledFrames(PiecewisePolynomial polynomials);
 
@@ -51,6 +49,10 @@ class RoundedFrames {
  public:
   /// `angle` is that of this curve relative to the ERF. Throws as compiled_rotation does.
   RoundedFrames(const Curve& curve, RmfAngle& angle, double from, double to);
+  // Stays where it is: it refers to its own pieces.
+  RoundedFrames(const RoundedFrames&) = delete;
+  RoundedFrames& operator=(const RoundedFrames&) = delete;
+  ~RoundedFrames() = default;
 
   /// The frame at t, in [from, to] or not. Throws as round_to_double does.
   Frame<double> at(const Rational& t);

@@ -123,7 +123,7 @@ void check_frames(const std::vector<double>& at, const std::vector<Row>& rows, c
 
 /// The line of tests/data/curves.jsonl with that name.
 std::string curve_named(const std::string& name) {
-  std::ifstream file(PHRAME_TEST_DATA "/curves.jsonl");
+  std::ifstream file(test::data("/curves.jsonl"));
   for (std::string line; std::getline(file, line);)
     if (test::contains(line, "\"name\": \"" + name + "\"")) return line;
   FAIL(name);
@@ -188,7 +188,7 @@ TEST_CASE("compile: other intervals and angles, Frenet's frame, and what is outs
 TEST_CASE("compile: of a spline there is one angle and one frame, through the joints") {
   const Workshop shop;
   shop.write("spline.json",
-             test::bytes_of(PHRAME_TEST_DATA "/../../examples/curves/closed-spline.json"));
+             test::bytes_of(test::root("/examples/curves/closed-spline.json")));
   CHECK(shop.run("compile spline.json --theta0 1/3 --prefix arm -o angle.h").status == 0);
   const Spline spline =
       std::get<NamedSpline>(read_curve_or_spline(test::bytes_of(shop.file("spline.json")))).spline;

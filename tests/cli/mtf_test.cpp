@@ -50,7 +50,7 @@ TEST_CASE("mtf: by vectors, and closing up") {
   check_success(straight);
   for (const char* end : {"from", "to"})  // the table has doubles
     CHECK(abs(rational(Json::parse(straight.out)[end]["value"])) < power_of_ten(-15));
-  here.write("closed.json", bytes_of(PHRAME_TEST_DATA "/../../examples/curves/closed-spline.json"));
+  here.write("closed.json", bytes_of(test::root("/examples/curves/closed-spline.json")));
   const Run closed = here.run("mtf closed.json --from 1/3 --closed --digits 15 --print json");
   check_success(closed);
   // The twist that undoes the holonomy, 1.13263544456406872 by an ODE solver (docs/splines.md).
@@ -84,7 +84,7 @@ TEST_CASE("mtf: bad input is refused with its place") {
 TEST_CASE("mtf: the rational frame, in one piece and in several") {
   const Workshop here;
   here.write("example.json",
-             bytes_of(PHRAME_TEST_DATA "/../../examples/curves/farouki-moon-3.json"));
+             bytes_of(test::root("/examples/curves/farouki-moon-3.json")));
   const std::string ends = "mtf example.json --from -pi/4 --to 5pi/4 --digits 20 --print json ";
   const Run whole = here.run(ends);
   check_success(whole);
@@ -125,7 +125,7 @@ TEST_CASE("mtf: the rational frame, in one piece and in several") {
 TEST_CASE("mtf: angles that are multiples of pi, turns that are whole, frames that stand still") {
   const Workshop here;
   here.write("example.json",
-             bytes_of(PHRAME_TEST_DATA "/../../examples/curves/farouki-moon-1.json"));
+             bytes_of(test::root("/examples/curves/farouki-moon-1.json")));
   for (const char* ends : {"--from pi/2 --to 0", "--from pi --to 0", "--from 2pi --to 1",
                            "--from 1 --to 1", "--from -pi --to pi/3"}) {
     CAPTURE(ends);
@@ -144,7 +144,7 @@ TEST_CASE("mtf: angles that are multiples of pi, turns that are whole, frames th
 TEST_CASE("mtf: what is refused, and where there is no rational frame") {
   const Workshop here;
   here.write("example.json",
-             bytes_of(PHRAME_TEST_DATA "/../../examples/curves/farouki-moon-1.json"));
+             bytes_of(test::root("/examples/curves/farouki-moon-1.json")));
   const std::string ends = "mtf example.json --from 0 --to 1 ";
   const auto check_refused = [&](const std::string& options, const std::string& message) {
     CAPTURE(options);
@@ -169,7 +169,7 @@ TEST_CASE("mtf: what is refused, and where there is no rational frame") {
 TEST_CASE("frames: of minimal twist, at both ends and in the middle") {
   const Workshop here;
   here.write("example.json",
-             bytes_of(PHRAME_TEST_DATA "/../../examples/curves/farouki-moon-1.json"));
+             bytes_of(test::root("/examples/curves/farouki-moon-1.json")));
   const std::string ends = "frames example.json --from pi/8 --to -pi/2 --format json ";
   const Run run = here.run(ends + "--frame erf,mtf,mtf-exact --at 0,1/2,1");
   check_success(run);
@@ -208,7 +208,7 @@ TEST_CASE("frames: of minimal twist, at both ends and in the middle") {
 
 TEST_CASE("frames: of minimal twist, closing up along a closed spline") {
   const Workshop here;
-  here.write("closed.json", bytes_of(PHRAME_TEST_DATA "/../../examples/curves/closed-spline.json"));
+  here.write("closed.json", bytes_of(test::root("/examples/curves/closed-spline.json")));
   const Run run = here.run(
       "frames closed.json --from 1/3 --closed --frame mtf,mtf-exact --at 0,4 --format json");
   check_success(run);

@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "support/data.hpp"
+
 namespace {
 
-const std::string root = PHRAME_TEST_DATA "/../..";
+const std::string root = phrame::test::root("");
 
 std::string content(const std::string& path) {
   std::ifstream file(path);

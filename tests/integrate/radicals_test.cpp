@@ -9,6 +9,7 @@
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/io/expression.hpp"
+#include "support/data.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -163,7 +164,7 @@ TEST_CASE("radicals: law: any form of the antiderivative gives the same radicals
 }
 
 TEST_CASE("radicals: corpus: every integrand whose poles or residues have a degree ≤ 4") {
-  std::ifstream file(PHRAME_TEST_DATA "/integrals.jsonl");
+  std::ifstream file(test::data("/integrals.jsonl"));
   long solved = 0;
   long refused = 0;
   for (std::string line; std::getline(file, line);) {

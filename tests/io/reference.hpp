@@ -9,6 +9,7 @@
 
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/io/curve_file.hpp"
+#include "support/data.hpp"
 
 // The reference values of tests/data, and how a printed decimal is compared with them: exactly.
 namespace phrame::test {
@@ -16,7 +17,7 @@ namespace phrame::test {
 using Json = nlohmann::json;
 
 inline std::string read_data(const std::string& name) {
-  std::ifstream file(std::string(PHRAME_TEST_DATA "/") + name, std::ios::binary);
+  std::ifstream file(data("/" + name), std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
   REQUIRE_FALSE(text.str().empty());

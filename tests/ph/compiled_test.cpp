@@ -10,6 +10,7 @@
 #include "phrame/ph/compiled_frame.hpp"
 #include "phrame/ph/transform.hpp"
 #include "support/curves.hpp"
+#include "support/data.hpp"
 #include "support/random.hpp"
 
 // Everything is compared with the exact angle and frame, which know nothing of piecewise
@@ -91,7 +92,7 @@ std::vector<double> parameters(Random& random, long count) {
 }
 
 Curve named(const std::string& name) {
-  std::ifstream file(PHRAME_TEST_DATA "/curves.jsonl");
+  std::ifstream file(test::data("/curves.jsonl"));
   for (std::string line; std::getline(file, line);)
     if (const NamedCurve curve = read_curve(line); curve.name == name) return curve.curve;
   FAIL(name);
@@ -107,7 +108,7 @@ Curve near_cusp(const Rational& pole, const Rational& distance) {
 }  // namespace
 
 TEST_CASE("compiled angle and frame: every curve of the collection") {
-  std::ifstream file(PHRAME_TEST_DATA "/curves.jsonl");
+  std::ifstream file(test::data("/curves.jsonl"));
   Random random(7);
   long curves = 0;
   for (std::string line; std::getline(file, line);) {
@@ -287,7 +288,7 @@ TEST_CASE("compiled angle: the exact angle is rarely needed, but for 0") {
 }
 
 TEST_CASE("compiled angle: next to ties between doubles") {
-  std::ifstream file(PHRAME_TEST_DATA "/hard-cases.csv");
+  std::ifstream file(test::data("/hard-cases.csv"));
   long ties = 0;
   for (std::string line; std::getline(file, line);) {
     std::istringstream cells(line);

@@ -11,6 +11,7 @@
 #include "phrame/io/curve_file.hpp"
 #include "phrame/io/frame_table.hpp"
 #include "phrame/ph/frame.hpp"
+#include "support/data.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -26,7 +27,7 @@ struct HardCase {
 };
 
 std::vector<HardCase> hard_cases() {
-  std::ifstream file(PHRAME_TEST_DATA "/hard-cases.csv");
+  std::ifstream file(test::data("/hard-cases.csv"));
   std::vector<HardCase> cases;
   std::string line;
   std::getline(file, line);
@@ -43,7 +44,7 @@ std::vector<HardCase> hard_cases() {
 }
 
 std::map<std::string, Curve> curves() {
-  std::ifstream file(PHRAME_TEST_DATA "/curves.jsonl");
+  std::ifstream file(test::data("/curves.jsonl"));
   std::map<std::string, Curve> curves;
   for (std::string line; std::getline(file, line);) {
     const NamedCurve named = read_curve(line);

@@ -10,6 +10,7 @@
 #include "phrame/ph/twist_error.hpp"
 #include "phrame/ph/twist_frame.hpp"
 #include "support/curves.hpp"
+#include "support/data.hpp"
 #include "support/farouki_moon.hpp"
 #include "support/random.hpp"
 
@@ -129,7 +130,7 @@ TEST_CASE("rational twist: the examples of the paper, proved") {
 
 // The Hermite data behind the printed preimages: the paper's T and T_min, to their last digit.
 TEST_CASE("rational twist: the examples of the paper, not rounded") {
-  std::ifstream file(PHRAME_TEST_DATA "/farouki-moon-2018-hermite.json");
+  std::ifstream file(test::data("/farouki-moon-2018-hermite.json"));
   const json preimages = json::parse(file);
   const std::vector<std::array<const char*, 3>> printed{{"example1", "-4.3703", "1.9129"},
                                                         {"example2", "-3.6675", "2.6157"},

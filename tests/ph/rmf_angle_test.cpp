@@ -7,6 +7,7 @@
 #include "phrame/integrate/quadrature.hpp"
 #include "phrame/io/curve_file.hpp"
 #include "support/curves.hpp"
+#include "support/data.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -31,7 +32,7 @@ std::string fifty(RmfAngle& angle, const Rational& t) {
 }  // namespace
 
 TEST_CASE("angle: the quintic of Farouki 2003 at eleven points, in both frames") {
-  std::ifstream file(PHRAME_TEST_DATA "/farouki-2003.json");
+  std::ifstream file(test::data("/farouki-2003.json"));
   const auto reference = nlohmann::json::parse(file).at("quintic");
   RmfAngle erf(quintic, Reference::erf);
   RmfAngle frenet(quintic, Reference::frenet);
@@ -43,7 +44,7 @@ TEST_CASE("angle: the quintic of Farouki 2003 at eleven points, in both frames")
 }
 
 TEST_CASE("angle: every curve of the collection, both frames, 50 digits") {
-  std::ifstream file(PHRAME_TEST_DATA "/curves.jsonl");
+  std::ifstream file(test::data("/curves.jsonl"));
   long count = 0;
   for (std::string line; std::getline(file, line);) {
     const NamedCurve named = read_curve(line);

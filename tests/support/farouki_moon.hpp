@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "phrame/ph/curve.hpp"
+#include "support/data.hpp"
 
 namespace phrame::test {
 
@@ -11,7 +12,7 @@ namespace phrame::test {
 /// "example3" of [Farouki, Moon 2018].
 inline const nlohmann::json& farouki_moon() {
   static const auto data = [] {
-    std::ifstream file(PHRAME_TEST_DATA "/farouki-moon-2018.json");
+    std::ifstream file(test::data("/farouki-moon-2018.json"));
     return nlohmann::json::parse(file);
   }();
   return data;
