@@ -31,12 +31,13 @@ foreach(folder IN LISTS pc_includes)
   endif()
 endforeach()
 
+# Not Requires.private, for which pkg-config would want fmt.pc of those who need only our headers.
+set(pc_requires)
+set(pc_libs_private)
 if(library_type STREQUAL STATIC_LIBRARY)
   set(pc_requires "fmt, nlopt")
-  set(pc_requires_private)
 else()
-  set(pc_requires)
-  set(pc_requires_private "fmt, nlopt")
+  set(pc_libs_private "-lfmt -lnlopt")
 endif()
 
 file(RELATIVE_PATH pc_to_include
