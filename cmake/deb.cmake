@@ -7,7 +7,6 @@ set(CPACK_PACKAGE_VENDOR "the phrame authors")
 set(CPACK_PACKAGE_CONTACT "the phrame authors <phrame@localhost>")  # dpkg insists on an address
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "exact rotation-minimizing frames of Pythagorean-hodograph curves")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS ${CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS})
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
