@@ -46,6 +46,7 @@
 #include "phrame/integrate/rothstein_trager.hpp"
 #include "phrame/io/angle_report.hpp"
 #include "phrame/io/angle_text.hpp"
+#include "phrame/io/better_reading.hpp"
 #include "phrame/io/cas_formula.hpp"
 #include "phrame/io/cas_script.hpp"
 #include "phrame/io/certificate_file.hpp"

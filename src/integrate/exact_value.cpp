@@ -111,8 +111,7 @@ std::optional<Rational> turns_over_pi(const std::vector<LogChange::Turn>& turns)
       sum = add(sum, multiply(RealBall(power.exponent / unit, bits), angle, bits), bits);
     }
     flint::Fmpz multiple;
-    if (arb_get_unique_fmpz(multiple.get(), sum.raw()) != 0)
-      return unit * Rational(multiple.get());
+    if (arb_get_unique_fmpz(multiple.get(), sum.raw()) != 0) return unit * Rational(multiple.get());
   }
 }
 
