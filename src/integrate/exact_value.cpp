@@ -87,7 +87,7 @@ LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint
       turn = divide(turn, multiply(pi(bits), RealBall(2, bits), bits), bits);
       flint::Fmpz whole;
       if (arb_get_unique_fmpz(whole.get(), turn.raw()) == 0) continue;
-      change.turns.push_back({{z, factor}, Integer(numerator(to_rational(whole.get())))});
+      change.turns.push_back({{z, factor}, Integer(whole.get())});
       break;
     }
   }
@@ -110,8 +110,7 @@ std::optional<Rational> turns_over_pi(const std::vector<LogChange::Turn>& turns)
       sum = add(sum, multiply(RealBall(power.exponent / unit, bits), angle, bits), bits);
     }
     flint::Fmpz multiple;
-    if (arb_get_unique_fmpz(multiple.get(), sum.raw()) != 0)
-      return unit * to_rational(multiple.get());
+    if (arb_get_unique_fmpz(multiple.get(), sum.raw()) != 0) return unit * Rational(multiple.get());
   }
 }
 
