@@ -31,7 +31,7 @@ void run(const CheckCommand& command) {
   if (options.tolerance < 0)
     throw InputError("--tol", abbreviated(to_string(options.tolerance)) + " is negative");
   if (!command.start_angle.empty())
-    options.start_angle = parse_option("--theta0", command.start_angle);
+    options.start_angle = parse_angle_option("--theta0", command.start_angle);
   if (command.curve.path == "-" && command.frames == "-")
     throw InputError("check", "the curve and the frames are both to be read from standard input");
 
@@ -46,7 +46,7 @@ void run(const CheckCommand& command) {
 }  // namespace
 
 void add_check(CLI::App& app) {
-  auto* command = app.add_subcommand("check", "how far somebody's frames are from the exact one");
+  auto* command = Command::add(app, "check", "how far somebody's frames are from the exact one");
   const auto options = std::make_shared<CheckCommand>();
   options->curve.add_to(*command);
   command
@@ -61,20 +61,19 @@ void add_check(CLI::App& app) {
       ->add_option("--theta0", options->start_angle,
                    "compare with the frame at this angle to e2 at t = 0, not with the first sample")
       ->type_name("ANGLE");
-  command
-      ->add_option("--tangent-axis", options->tangent_axis,
-                   "of quaternions: the axis of the body along the tangent, x (default), y or z")
-      ->type_name("AXIS");
+  command->add_choice(
+      "--tangent-axis", options->tangent_axis, {"x", "y", "z"},
+      "of quaternions: the axis of the body along the tangent, x (default), y or z");
   command->add_flag("--inverse", options->is_inverse,
                     "of quaternions: they turn the world to the body");
-  command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
   command->footer(
       "FRAMES has a header: t and f2x,f2y,f2z, optionally f3x,... and e1x,... (the tangent), or t\n"
       "and qw,qx,qy,qz. Other columns are skipped. Exit status 0: within the tolerance, 1: not.\n"
       "Examples:\n"
       "  phrame check curve.json frames.csv --tol 1e-9\n"
       "  phrame check curve.json poses.csv --tangent-axis z --print json -o check.json");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli
