@@ -1,6 +1,7 @@
 #pragma once
 // All of phrame's public interface.
 #include "phrame/algebra/algebraic_point.hpp"
+#include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/argument.hpp"
 #include "phrame/algebra/ball.hpp"
 #include "phrame/algebra/ball_polynomial.hpp"
@@ -67,10 +68,12 @@
 #include "phrame/io/identify_report.hpp"
 #include "phrame/io/integral_report.hpp"
 #include "phrame/io/interpolation.hpp"
+#include "phrame/io/number_text.hpp"
 #include "phrame/io/radical_form_text.hpp"
 #include "phrame/io/radical_text.hpp"
 #include "phrame/io/root_term.hpp"
 #include "phrame/io/spline_report.hpp"
+#include "phrame/io/suggestion.hpp"
 #include "phrame/io/text.hpp"
 #include "phrame/io/totals_report.hpp"
 #include "phrame/io/twist_frame_report.hpp"

@@ -19,7 +19,9 @@ struct FormOptions {
   std::string form = "auto";
   std::string print = "text";
 
-  void add_to(CLI::App& command);
+  void add_to(Command& command);
+  /// The choices of --print that are the closed form only: "--print sympy".
+  static std::vector<std::string> scripts();
   /// Throws InputError for a name that is none.
   FormChoice chosen_form() const;
 };

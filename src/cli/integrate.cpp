@@ -40,10 +40,7 @@ Expression integrand(const IntegrateOptions& options) {
 std::optional<std::pair<PathEnd, PathEnd>> ends(const IntegrateOptions& options) {
   if (options.from.has_value() != options.to.has_value())
     throw InputError("integrate", "--from and --to go together");
-  if (!options.from) {
-    if (options.principal_value) throw InputError("--principal-value", "needs --from and --to");
-    return std::nullopt;
-  }
+  if (!options.from) return std::nullopt;
   const auto end = [&](const std::string& option, const std::string& text) {
     return at_place(option, ", ", [&] { return parse_endpoint(typed(text), options.limits); });
   };
@@ -76,7 +73,7 @@ void run(const IntegrateOptions& options) {
 }  // namespace
 
 void add_integrate(CLI::App& app) {
-  auto* command = app.add_subcommand("integrate", "the exact integral of a rational function");
+  auto* command = Command::add(app, "integrate", "the exact integral of a rational function");
   const auto options = std::make_shared<IntegrateOptions>();
   command
       ->add_option(
@@ -97,15 +94,18 @@ void add_integrate(CLI::App& app) {
       "Cauchy's principal value at simple poles between the ends, and from -inf to inf");
   add_digits(*command, options->digits);
   options->form.add_to(*command);
-  command->add_flag("!--derivative-check,--no-derivative-check", options->is_silent,
+  command->add_flag("--no-derivative-check", options->is_silent,
                     "do not say that the derivative was checked (it always is)");
+  command->add_flag("--derivative-check")->group("");  // the default
   command
       ->add_option("--max-degree", options->limits.size.max_degree,
                    fmt::format("refuse functions of a higher degree (default {})",
                                options->limits.size.max_degree))
       ->type_name("N")
-      ->check(CLI::Range(1L, 1'000'000L).description(""));
-  add_output(*command, options->output);
+      ->check(whole_number(1, 1'000'000));
+  command->add_output(options->output);
+  command->only_with({"--principal-value", "--digits"}, {"--from and --to"});
+  command->only_with({"--no-derivative-check"}, {"--print text"});
   command->footer(
       "Numbers are exact: 0.1 is 1/10. A product needs its sign: 2*x, not 2x.\n"
       "Examples:\n"
@@ -113,7 +113,7 @@ void add_integrate(CLI::App& app) {
       "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50\n"
       "  phrame integrate '1/(t^2-2)' --form real --from 'root(t^2-3, 1, 2)' --to inf\n"
       "  phrame integrate '1/(x^5+x+1)' --print sympy");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

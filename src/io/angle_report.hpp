@@ -20,7 +20,7 @@ struct AngleReport {
   NamedCurve curve;
   Reference reference;
   const RmfAngle& angle;  ///< must outlive the report: an angle stays where it is
-  Rational start_angle;   ///< θ(0)
+  Angle start_angle;   ///< θ(0)
   std::vector<AngleValue> values;
   long digits;
   std::optional<RealForm> real = std::nullopt;  ///< of the angle, shown instead of its logarithms
