@@ -27,9 +27,7 @@ Rational RealBall::radius() const {
   return value;
 }
 
-bool RealBall::contains(const Rational& x) const {
-  return arb_contains_fmpq(raw(), x.raw()) != 0;
-}
+bool RealBall::contains(const Rational& x) const { return arb_contains_fmpq(raw(), x.raw()) != 0; }
 
 bool RealBall::is_accurate(long bits) const {
   flint::Mag allowed;

@@ -13,7 +13,8 @@ template <class T>
 concept MachineInteger = std::integral<T> && !std::same_as<T, bool>;
 
 /// An integer of any size: FLINT's fmpz, which holds those below 2^62 in one word. Copies own their
-/// digits; a moved-from integer is 0. Boost's integers are one conversion away (multiprecision.hpp).
+/// digits; a moved-from integer is 0. Boost's integers are one conversion away
+/// (multiprecision.hpp).
 class Integer {
  public:
   Integer() = default;  ///< 0

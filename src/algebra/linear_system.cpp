@@ -31,8 +31,7 @@ std::optional<std::vector<Rational>> solve_for_coefficients(const std::vector<Po
   b.set_column(0, right_side);
   if (fmpq_mat_solve(x.value, a.value, b.value) == 0) return std::nullopt;
   std::vector<Rational> solution;
-  for (long k = 0; k < equations; ++k)
-    solution.emplace_back(fmpq_mat_entry(x.value, k, 0));
+  for (long k = 0; k < equations; ++k) solution.emplace_back(fmpq_mat_entry(x.value, k, 0));
   return solution;
 }
 

@@ -8,7 +8,8 @@
 namespace phrame {
 
 /// A fraction of integers of any size, always in lowest terms with a positive denominator: FLINT's
-/// fmpq. A moved-from fraction is 0. Boost's fractions are one conversion away (multiprecision.hpp).
+/// fmpq. A moved-from fraction is 0. Boost's fractions are one conversion away
+/// (multiprecision.hpp).
 class Rational {
  public:
   Rational() = default;  ///< 0

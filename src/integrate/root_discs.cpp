@@ -25,8 +25,7 @@ Rational rounded_up(const Rational& x) {
 Rational sqrt_above(const Rational& x) {
   if (x == 0) return 0;
   const long shift = 64 - binary_exponent(x) / 2;
-  return Rational(sqrt(floor(x * power_of_two(2 * shift))) + 1) *
-         power_of_two(-shift);
+  return Rational(sqrt(floor(x * power_of_two(2 * shift))) + 1) * power_of_two(-shift);
 }
 
 /// ⌈√x⌉ for x ≥ 0.
