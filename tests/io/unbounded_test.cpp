@@ -1,5 +1,5 @@
 #include "io/reference.hpp"
-#include "phrame/integrate/definite_integral.hpp"
+#include "phrame/integrate/path_end.hpp"
 #include "phrame/io/endpoint.hpp"
 #include "phrame/io/expression.hpp"
 
@@ -40,9 +40,9 @@ TEST_CASE("unbounded: every value is known exactly, and is the one in the table"
     CAPTURE(entry["id"].get<std::string>());
     const auto at_poles = entry.contains("pv") ? AtPoles::principal_value : AtPoles::refuse;
     const DefiniteIntegral integral =
-        definite_integral(parse_expression(entry["integrand"].get<std::string>()).value,
-                          parse_endpoint(entry["from"].get<std::string>()),
-                          parse_endpoint(entry["to"].get<std::string>()), at_poles);
+        path_integral(parse_expression(entry["integrand"].get<std::string>()).value,
+                      parse_endpoint(entry["from"].get<std::string>()),
+                      parse_endpoint(entry["to"].get<std::string>()), at_poles);
     ++values;
     REQUIRE(integral.exact.has_value());
     const ExactValue& x = *integral.exact;
