@@ -71,7 +71,7 @@ void run(const CheckCommand& command) {
   if (options.tolerance < 0)
     throw InputError("--tol", abbreviated(to_string(options.tolerance)) + " is negative");
   if (!command.start_angle.empty())
-    options.start_angle = parse_option("--theta0", command.start_angle);
+    options.start_angle = parse_angle_option("--theta0", command.start_angle);
   if (command.curve.path == "-" && command.frames == "-")
     throw InputError("check", "the curve and the frames are both to be read from standard input");
 
@@ -91,7 +91,7 @@ void run(const CheckCommand& command) {
 }  // namespace
 
 void add_check(CLI::App& app) {
-  auto* command = app.add_subcommand("check", "how far somebody's frames are from the exact one");
+  auto* command = Command::add(app, "check", "how far somebody's frames are from the exact one");
   const auto options = std::make_shared<CheckCommand>();
   options->curve.add_to(*command);
   command
@@ -107,16 +107,12 @@ void add_check(CLI::App& app) {
       ->add_option("--theta0", options->start_angle,
                    "compare with the frame at this angle to e2 at t = 0, not with the first sample")
       ->type_name("ANGLE");
-  command
-      ->add_option("--quaternion", options->quaternion,
-                   "of quaternions: the order of the columns, wxyz or xyzw (default: as they are\n"
-                   "named, else wxyz)")
-      ->type_name("ORDER");
-  command
-      ->add_option("--tangent-axis", options->tangent_axis,
-                   "of quaternions: the axis of the body along the tangent, x (default), y or z;\n"
-                   "=-x, =-y or =-z for the opposite")
-      ->type_name("AXIS");
+  command->add_choice("--quaternion", options->quaternion, {"wxyz", "xyzw"},
+                      "of quaternions: the order of the columns, wxyz or xyzw (default: as they\n"
+                      "are named, else wxyz)");
+  command->add_choice("--tangent-axis", options->tangent_axis, {"x", "y", "z", "-x", "-y", "-z"},
+                      "of quaternions: the axis of the body along the tangent, x (default), y or\n"
+                      "z; =-x, =-y or =-z for the opposite");
   command->add_flag("--inverse", options->is_inverse,
                     "of quaternions: they turn the world to the body");
   command
@@ -124,7 +120,7 @@ void add_check(CLI::App& app) {
       ->type_name("NAME,...")
       ->expected(1)
       ->take_all();
-  command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
   command->footer(
       "FRAMES has a header: t and f2x,f2y,f2z, optionally f3x,... and e1x,... (the tangent), or t\n"
       "and qw,qx,qy,qz. Other columns are skipped. Without a header their number tells: 4: t, f2;\n"
@@ -135,7 +131,7 @@ void add_check(CLI::App& app) {
       "  phrame check curve.json frames.csv --tol 1e-9\n"
       "  phrame check curve.json frames.npy --theta0 0\n"
       "  phrame check curve.json poses.csv --tangent-axis z --print json -o check.json");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

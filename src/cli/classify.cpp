@@ -19,10 +19,10 @@ void run(const ClassifyOptions& options) {
 
 void add_classify(CLI::App& app) {
   auto* command =
-      app.add_subcommand("classify", "what kind of curve it is, each answer with its witness");
+      Command::add(app, "classify", "what kind of curve it is, each answer with its witness");
   const auto options = std::make_shared<ClassifyOptions>();
   options->curve.add_to(*command);
-  command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
   command->footer(
       "Decided exactly: regular, inflections, straight line, plane, helix, double PH, primitive,\n"
       "whether the Euler-Rodrigues frame (ERF) or any rational frame is rotation-minimizing\n"
@@ -30,7 +30,7 @@ void add_classify(CLI::App& app) {
       "Examples:\n"
       "  phrame classify curve.json\n"
       "  phrame classify curve.json --print json -o class.json");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

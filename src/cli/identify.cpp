@@ -27,20 +27,19 @@ void run(const IdentifyOptions& options) {
 }  // namespace
 
 void add_identify(CLI::App& app) {
-  auto* command = app.add_subcommand("identify", "is a polynomial curve PH? its preimage");
+  auto* command = Command::add(app, "identify",
+                               "is a polynomial curve Pythagorean-hodograph (PH)? its preimage");
   const auto options = std::make_shared<IdentifyOptions>();
   options->curve.add_to(*command);
-  command
-      ->add_option("--print", options->print,
-                   "text (default), json, or curve: a curve file with the preimage")
-      ->type_name("NAME");
+  command->add_format("--print", options->print, {"text", "json", "curve"},
+                      "text (default), json, or curve: a curve file with the preimage");
   command->footer(
       "Only r' counts, given by control_points or by any preimage and multiplier; found are the A\n"
       "of least degree and f with r' = f A i A*. Exit status 1: the curve is not PH over Q.\n"
       "Examples:\n"
       "  phrame identify bezier.json\n"
       "  phrame identify bezier.json --print curve -o ph.json");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -31,18 +31,18 @@ void run(const InfoOptions& options) {
 }  // namespace
 
 void add_info(CLI::App& app) {
-  auto* command = app.add_subcommand("info", "the polynomials and totals of a curve or spline");
+  auto* command = Command::add(app, "info", "the polynomials and totals of a curve or spline");
   const auto options = std::make_shared<InfoOptions>();
   options->curve.add_to(*command);
   add_digits(*command, options->digits);
-  command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
   command->footer(
       "In JSON, arc_length is an exact text, or a value with its radius where the multiplier\n"
       "changes sign on [0, 1] and it is irrational; bending_energy is null where it is infinite.\n"
       "Examples:\n"
       "  phrame info curve.json --digits 30\n"
       "  phrame info curve.json --print json -o info.json");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

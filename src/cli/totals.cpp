@@ -19,12 +19,12 @@ void run(const TotalsOptions& options) {
 }  // namespace
 
 void add_totals(CLI::App& app) {
-  auto* command = app.add_subcommand(
-      "totals", "length, twist, torsion, curvature and energies, in closed form");
+  auto* command =
+      Command::add(app, "totals", "length, twist, torsion, curvature and energies, in closed form");
   const auto options = std::make_shared<TotalsOptions>();
   options->curve.add_to(*command);
   add_digits(*command, options->digits);
-  command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
   command->footer(
       "Integrals from t = 0 to 1, each with its integrand, its antiderivative and its value.\n"
       "A total that is infinite is said to be so, with the pole; one that is not defined or not\n"
@@ -32,7 +32,7 @@ void add_totals(CLI::App& app) {
       "Examples:\n"
       "  phrame totals curve.json --digits 30\n"
       "  phrame totals curve.json --print json -o totals.json");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -118,6 +118,17 @@ std::string latex_decimal(const std::string& decimal) {
   return fmt::format("{} \\cdot 10^{{{}}}", decimal.substr(0, e), decimal.substr(e + 1));
 }
 
+std::string formatted(const Angle& angle, Notation notation) {
+  const auto& [half_turns, radians] = angle;
+  if (half_turns == 0) return formatted(radians, notation);
+  std::string text = radians == 0 ? "" : formatted(radians, notation);
+  append_term(
+      text, half_turns < 0,
+      formatted_multiple(abs(half_turns), notation == Notation::latex ? "\\pi" : "π", notation),
+      notation);
+  return text;
+}
+
 std::string formatted(const Surd& x, Notation notation) {
   if (x.b == 0) return formatted(x.a, notation);
   std::string text = x.a == 0 ? "" : formatted(x.a, notation);
@@ -246,6 +257,10 @@ std::string readable(const SurdPolynomial& p, std::string_view variable) {
 }
 
 std::string shown(const Rational& x) {
+  return abbreviated(formatted(x, Notation::unicode), longest_line);
+}
+
+std::string shown(const Angle& x) {
   return abbreviated(formatted(x, Notation::unicode), longest_line);
 }
 

@@ -206,7 +206,7 @@ class Judgement {
 
 void Judgement::find_errors(FrameVerdict& verdict) const {
   std::optional<RealBall> start;
-  if (options_.start_angle) start = RealBall(*options_.start_angle, bits_);
+  if (options_.start_angle) start = to_real(*options_.start_angle).enclose(bits_);
   for (const FrameDeviation& at : verdict.deviations) {
     verdict.errors.emplace_back();
     if (!at.f2) continue;

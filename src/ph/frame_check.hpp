@@ -93,7 +93,7 @@ inline const Rational recognition_tolerance{1, 100'000};
 struct FrameCheckOptions {
   /// The angle, to e₂ of the Euler–Rodrigues frame at t = 0, of the rotation-minimizing frame that
   /// the frames are compared with. Without it, that frame agrees with the first sample.
-  std::optional<Rational> start_angle = std::nullopt;
+  std::optional<Angle> start_angle = std::nullopt;
   Rational tolerance{1, 1'000'000};  ///< for angles, cosines and lengths
 };
 

@@ -104,7 +104,7 @@ TEST_CASE("frame check: other frames that are meant well are recognised") {
   FrameCheckOptions options;
   options.start_angle = Rational(1, 7);
   CHECK(check(offset, options).passes);
-  options.start_angle = 0;
+  options.start_angle = Angle();
   const FrameVerdict verdict = check(offset, options);
   CHECK(kinds(verdict) == std::vector{Kind::constant_offset});
   CHECK(abs(Rational(verdict.errors[4].value().upper() - Rational(1, 7))) < decimal("1e-15"));
