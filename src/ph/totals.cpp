@@ -36,13 +36,12 @@ Total total(RationalFunction rate, const Polynomial& orientation, const Rational
     const Rational sign = k % 2 == 0 ? 1 : -1;
     const DefiniteIntegral part = definite_integral(result.antiderivative, ends[k], ends[k + 1]);
     result.value = result.value + sign * part.value;
-    if (result.exact && part.exact)
+    if (result.exact && part.exact && !(result.exact->irrational_pi && part.exact->irrational_pi))
       result.exact = *result.exact + sign * *part.exact;
     else
       result.exact.reset();
   }
-  if (result.exact && *result.exact == ExactValue{result.exact->rational, 0, {}, {}})
-    result.value = result.exact->rational;
+  if (result.exact && is_rational(*result.exact)) result.value = result.exact->rational;
   result.value = square_root_of(radicand) * result.value;
   return result;
 }
