@@ -43,7 +43,9 @@ std::string curve_report(const Command& command, const AngleOptions& options, co
   RmfAngle angle(named.curve, chosen.reference, chosen.form.form);
   angle.take(chosen.route);
   AngleReport report{named, chosen.reference, angle, chosen.start_angle, {}, options.digits};
-  set_style(report, chosen.form, angle.antiderivative());
+  // The text of an angle says what the poles are; a script is to be continuous.
+  if (chosen.form.style != FormChoice::Style::textbook || !chosen.print.text)
+    set_style(report, chosen.form, angle.antiderivative());
   for (const Rational& t : options.parameters.values())
     report.values.push_back(rounded_angle(t, angle.value(t, chosen.start_angle), options.digits));
   return chosen.print.text ? chosen.print.text(report) : to_script(report, chosen.print.language);
@@ -56,7 +58,9 @@ std::string spline_report(const AngleOptions& options, const Choices& chosen,
   };
   const std::string& print = options.form.print;
   require(chosen.reference == Reference::erf, "--frame", options.frame);
-  require(chosen.form.style == FormChoice::Style::algebraic, "--form", options.form.form);
+  require(chosen.form.style == FormChoice::Style::algebraic ||
+              chosen.form.style == FormChoice::Style::textbook,
+          "--form", options.form.form);
   require(print == "text" || print == "json", "--print", print);
   SplineAngle angle(named.spline, chosen.form.form);
   angle.take(chosen.route);

@@ -5,7 +5,7 @@ namespace {
 
 const std::vector<std::pair<std::string, FormChoice>>& forms() {
   static const std::vector<std::pair<std::string, FormChoice>> table{
-      {"auto", {}},
+      {"auto", {Form::automatic, FormChoice::Style::textbook}},
       {"partial-fractions", {Form::partial_fractions}},
       {"rothstein-trager", {Form::rothstein_trager}},
       {"lazard-rioboo-trager", {Form::lazard_rioboo_trager}},

@@ -26,16 +26,18 @@ std::string_view typed(std::string_view text) {
 
 Expression integrand(const IntegrateOptions& options) {
   const bool is_stream = options.expression == "-";
+  ExpressionLimits limits = options.limits;
+  limits.variable_option = "--var";
   const std::string text = is_stream ? read_file("-") : std::string(typed(options.expression));
   if (options.variable && !is_variable_name(*options.variable))
     throw InputError("--var", "\"" + abbreviated(*options.variable) + "\" is not a name");
   Expression f = at_place(is_stream ? "standard input" : "EXPR", ", ",
-                          [&] { return parse_expression(text, options.variable, options.limits); });
+                          [&] { return parse_expression(text, options.variable, limits); });
   if (f.variable.empty()) f.variable = "x";
   return f;
 }
 
-std::optional<std::pair<Endpoint, Endpoint>> ends(const IntegrateOptions& options) {
+std::optional<std::pair<PathEnd, PathEnd>> ends(const IntegrateOptions& options) {
   if (options.from.has_value() != options.to.has_value())
     throw InputError("integrate", "--from and --to go together");
   if (!options.from) return std::nullopt;
@@ -55,12 +57,12 @@ void run(const IntegrateOptions& options) {
 
   IntegralReport report{f, integrate(f.value, form.form)};
   report.says_checked = !options.is_silent;
-  report.is_automatic = options.form.is_automatic();
   report.digits = options.digits;
-  set_style(report, form, report.antiderivative);
+  if (options.form.print != "json" || form.style != FormChoice::Style::textbook)
+    set_style(report, form, report.antiderivative);
   if (path) {
     const auto& [from, to] = *path;
-    const DefiniteIntegral integral = definite_integral(
+    const DefiniteIntegral integral = path_integral(
         f.value, from, to, options.principal_value ? AtPoles::principal_value : AtPoles::refuse);
     report.definite = {from, to, options.principal_value,
                        round_to_decimal(integral.value, options.digits), integral.exact};
@@ -83,7 +85,8 @@ void add_integrate(CLI::App& app) {
       ->type_name("NAME");
   command
       ->add_option("--from", options->from,
-                   "integrate from here: a number, inf, or root(p, a, b), the root of p in [a, b]")
+                   "integrate from here: a number, as 3/7, sqrt(2) or pi/4, inf (or oo), or\n"
+                   "root(p, a, b), the root of p in [a, b]")
       ->type_name("END");
   command->add_option("--to", options->to, "to here")->type_name("END");
   command->add_flag(

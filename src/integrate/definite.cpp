@@ -37,7 +37,7 @@ long largest_precision(long bits, const Endpoint& a, const Endpoint& b) {
   long size = 0;
   for (const Endpoint* end : {&a, &b})
     if (const auto* t = std::get_if<Rational>(end))
-      size += static_cast<long>(msb(Integer(abs(numerator(*t)) + 1)) + msb(denominator(*t)));
+      size += bit_length(numerator(*t)) + bit_length(denominator(*t));
   return 64 * bits + 65536 + 4 * size;
 }
 

@@ -24,7 +24,8 @@ struct AngleReport {
   std::vector<AngleValue> values;
   long digits;
   std::optional<RealForm> real = std::nullopt;  ///< of the angle, shown instead of its logarithms
-  std::optional<RadicalForm> radicals = std::nullopt;  ///< likewise
+  std::optional<RadicalForm> radicals = std::nullopt;   ///< likewise
+  std::optional<TextbookForm> textbook = std::nullopt;  ///< likewise, in scripts
   bool shows_form = true;  ///< JSON only: integrand and antiderivative, too
 };
 

@@ -183,7 +183,8 @@ TEST_CASE("program: bad curve files are refused with file, place and value") {
   here.write("cut.json", bytes_of(here.file("quintic.json")).substr(0, 40));
   check_failure(here.run("angle cut.json"), 2, "phrame: cut.json:1:");
   here.write("empty.json", "");
-  check_failure(here.run("angle empty.json"), 2, "phrame: empty.json:1:0: not valid JSON");
+  check_failure(here.run("angle empty.json"), 2,
+                "phrame: empty.json:1:0: not valid JSON: the input is empty");
   here.write("deep.json", std::string(1'000'000, '['));
   check_failure(here.run("angle deep.json"), 2, "nested deeper than 32 levels");
   std::string ones = "1";
