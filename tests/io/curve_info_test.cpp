@@ -162,7 +162,7 @@ TEST_CASE("reports: angles and energies of all reference curves up to preimage d
     const auto theta = [&](Reference reference) {
       RmfAngle angle(named.curve, reference);
       const AngleReport report{
-          named, reference, angle, 0, {{1, round_to_decimal(angle.value(1), 50)}}, 50};
+          named, reference, angle, Angle(), {{1, round_to_decimal(angle.value(1), 50)}}, 50};
       return Json::parse(to_json(report))["values"][0];
     };
     const Json& expected = line["expected"];
