@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/resultant.hpp"
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
@@ -118,7 +119,7 @@ RealAlgebraic image(const RationalFunction& F, const Endpoint& end) {
   if (const auto r = rational(end)) return {F(*r)};
   const RealAlgebraic& x = std::get<RealAlgebraic>(end);
   const QuotientRing ring(x.polynomial());
-  const Polynomial y = ring.multiply(F.numerator(), ring.inverse(ring.reduce(F.denominator())));
+  const Polynomial y = ring.divide(F.numerator(), F.denominator());
   if (y.is_constant()) return {y.coefficient(0)};
   const Polynomial p = squarefree_part(
       residue_polynomial(ring.multiply(y, differentiate(x.polynomial())), x.polynomial()));
@@ -149,9 +150,18 @@ std::optional<Rational> rational_difference(const RationalFunction& F, const End
   return shifted == to ? std::optional(shift) : std::nullopt;
 }
 
+/// Is a sum over conjugate poles quickly seen to have more than two residues, so that they are in
+/// no quadratic field?
+bool has_many_residues(const LogSum& sum) {
+  return sum.index.degree() > 2 && is_over_poles(sum) &&
+         distinct_values_modulo_a_prime(sum.residue, sum.index) > 2 &&
+         factor(sum.index).factors.size() == 1;
+}
+
 /// What is known exactly; `rational` is the part without logarithms.
 std::optional<ExactValue> in_finite_terms(const Antiderivative& F, const Rational& rational,
                                           const Endpoint& a, const Endpoint& b) {
+  if (std::any_of(F.logs.begin(), F.logs.end(), has_many_residues)) return std::nullopt;
   std::vector<SimpleFraction> fractions;
   for (const LogSum& sum : F.logs)
     for (SimpleFraction& f : simple_fractions(differentiate(sum))) {
@@ -165,7 +175,8 @@ std::optional<ExactValue> in_finite_terms(const Antiderivative& F, const Rationa
 
 DefiniteIntegral exactly(const Rational& x) { return {x, ExactValue{x, 0, {}, {}}}; }
 
-/// f is the derivative of F.
+}  // namespace
+
 DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFunction& f,
                                    const Endpoint& from, const Endpoint& to, AtPoles at_poles) {
   const Endpoint a = simplified(from);
@@ -189,7 +200,7 @@ DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFuncti
     exact = in_finite_terms(F, at(b) - at(a), a, b);
     if (exact && *exact == ExactValue{exact->rational, 0, {}, {}}) return exactly(exact->rational);
   }
-  const auto evaluator = std::make_shared<Evaluator>(F);
+  const auto evaluator = std::make_shared<Evaluator>(F, f);
   const auto r = std::get_if<Rational>(&a);
   const auto s = std::get_if<Rational>(&b);
   if (r != nullptr && s != nullptr && !has_poles) {
@@ -199,8 +210,6 @@ DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFuncti
   }
   return {Real([=](long bits) { return evaluator->branch_difference(a, b, bits); }), exact};
 }
-
-}  // namespace
 
 DefiniteIntegral definite_integral(const Antiderivative& F, const Endpoint& a, const Endpoint& b,
                                    AtPoles at_poles) {
