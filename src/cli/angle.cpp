@@ -33,6 +33,7 @@ Choices choices(const AngleOptions& options) {
                                       {"both", Route::both}}),
                        options.form.chosen_form(), chosen_print<AngleReport>(options.form.print),
                        parse_option("--theta0", options.start_angle)};
+  options.form.length.require_text(options.form.print);
   if (!chosen.print.text && !options.parameters.values().empty())
     throw InputError("--print", "\"" + options.form.print +
                                     "\" prints the closed form only, without --at and --samples");
@@ -44,6 +45,7 @@ std::string curve_report(const AngleOptions& options, const Choices& chosen,
   RmfAngle angle(named.curve, chosen.reference, chosen.form.form);
   angle.take(chosen.route);
   AngleReport report{named, chosen.reference, angle, chosen.start_angle, {}, options.digits};
+  report.lists_all_poles = options.form.length.is_full;
   set_style(report, chosen.form, angle.antiderivative());
   for (const Rational& t : options.parameters.values())
     report.values.push_back(rounded_angle(t, angle.value(t) + chosen.start_angle, options.digits));
@@ -71,9 +73,9 @@ void run(const AngleOptions& options) {
   const Choices chosen = choices(options);
   const auto read = options.curve.read_curve_or_spline();
   const auto* curve = std::get_if<NamedCurve>(&read);
-  write_output(options.curve.output,
-               curve ? curve_report(options, chosen, *curve)
-                     : spline_report(options, chosen, std::get<NamedSpline>(read)));
+  options.form.length.write(options.curve.output,
+                            curve ? curve_report(options, chosen, *curve)
+                                  : spline_report(options, chosen, std::get<NamedSpline>(read)));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ struct CheckCommand {
   std::string tangent_axis = "x";
   bool is_inverse = false;
   std::string print = "text";
+  TextLength length;
 };
 
 std::vector<GivenFrame> read(const CheckCommand& command, const QuaternionConvention& convention) {
@@ -23,6 +24,7 @@ std::vector<GivenFrame> read(const CheckCommand& command, const QuaternionConven
 void run(const CheckCommand& command) {
   const auto print = choose<std::string (*)(const CheckReport&)>(
       "--print", command.print, {{"text", to_text}, {"json", to_json}});
+  command.length.require_text(command.print);
   const QuaternionConvention convention{
       choose<std::size_t>("--tangent-axis", command.tangent_axis, {{"x", 0}, {"y", 1}, {"z", 2}}),
       command.is_inverse};
@@ -39,7 +41,7 @@ void run(const CheckCommand& command) {
   const std::vector<GivenFrame> frames = read(command, convention);
   const CheckReport report{named.name, frames, options,
                            check_frames(named.spline, frames, options)};
-  write_output(command.curve.output, print(report));
+  command.length.write(command.curve.output, print(report));
   if (!report.verdict.passes) throw AnswerNo{};
 }
 
@@ -68,6 +70,7 @@ void add_check(CLI::App& app) {
   command->add_flag("--inverse", options->is_inverse,
                     "of quaternions: they turn the world to the body");
   command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  options->length.add_to(*command);
   command->footer(
       "FRAMES has a header: t and f2x,f2y,f2z, optionally f3x,... and e1x,... (the tangent), or t\n"
       "and qw,qx,qy,qz. Other columns are skipped. Exit status 0: within the tolerance, 1: not.\n"

@@ -10,6 +10,8 @@
 #include <memory>
 #include <system_error>
 
+#include "phrame/io/text.hpp"
+
 namespace phrame::cli {
 namespace {
 
@@ -120,6 +122,19 @@ void add_output(CLI::App& command, std::string& path) {
       ->type_name("FILE");
 }
 
+void TextLength::add_to(CLI::App& command) {
+  command.add_flag("--full", is_full, "in text, abridge nothing: long polynomials, numbers, lists");
+}
+
+void TextLength::require_text(const std::string& print) const {
+  if (is_full && print != "text")
+    throw InputError("--full", "is for --print text; \"" + print + "\" abridges nothing");
+}
+
+void TextLength::write(const std::string& path, const std::string& printed) const {
+  write_output(path, for_reading(printed, is_full));
+}
+
 void add_max_degree(CLI::App& command, CurveLimits& limits) {
   command
       .add_option("--max-degree", limits.max_degree,
@@ -177,5 +192,7 @@ void write_output(const std::string& path, const std::string& bytes) {
     fail_with_errno(path, "cannot be written");
   }
 }
+
+void note(std::string_view text) { std::fprintf(stderr, "phrame: %s\n", printable(text).c_str()); }
 
 }  // namespace phrame::cli

@@ -37,6 +37,7 @@ void FormOptions::add_to(CLI::App& command) {
                   "text (default), json, latex, or for a computer-algebra system: sympy, "
                   "mathematica, maple, maxima, pari")
       ->type_name("NAME");
+  length.add_to(command);
 }
 
 FormChoice FormOptions::chosen_form() const { return choose<FormChoice>("--form", form, forms()); }

@@ -7,6 +7,7 @@ namespace {
 struct IdentifyOptions {
   CurveOptions curve;
   std::string print = "text";
+  TextLength length;
 };
 
 std::string to_curve_file(const IdentifyReport& report) {
@@ -18,9 +19,10 @@ std::string to_curve_file(const IdentifyReport& report) {
 void run(const IdentifyOptions& options) {
   const auto print = choose<std::string (*)(const IdentifyReport&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"curve", to_curve_file}});
+  options.length.require_text(options.print);
   const NamedHodograph named = options.curve.read_hodograph();
   const IdentifyReport report{named.name, identify(named.hodograph, named.start)};
-  write_output(options.curve.output, print(report));
+  options.length.write(options.curve.output, print(report));
   if (std::holds_alternative<NotPythagorean>(report.result)) throw AnswerNo{};
 }
 
@@ -34,6 +36,7 @@ void add_identify(CLI::App& app) {
       ->add_option("--print", options->print,
                    "text (default), json, or curve: a curve file with the preimage")
       ->type_name("NAME");
+  options->length.add_to(*command);
   command->footer(
       "Only r' counts, given by control_points or by any preimage and multiplier; found are the A\n"
       "of least degree and f with r' = f A i A*. Exit status 1: the curve is not PH over Q.\n"

@@ -51,6 +51,7 @@ std::optional<std::pair<Endpoint, Endpoint>> ends(const IntegrateOptions& option
 void run(const IntegrateOptions& options) {
   const FormChoice form = options.form.chosen_form();
   const auto print = chosen_print<IntegralReport>(options.form.print);
+  options.form.length.require_text(options.form.print);
   const auto path = ends(options);
   const Expression f = integrand(options);
   if (form.style == FormChoice::Style::radicals && f.variable == "i")
@@ -60,6 +61,7 @@ void run(const IntegrateOptions& options) {
   report.says_checked = !options.is_silent;
   report.is_automatic = options.form.is_automatic();
   report.digits = options.digits;
+  report.lists_all_poles = options.form.length.is_full;
   set_style(report, form, report.antiderivative);
   if (path) {
     const auto& [from, to] = *path;
@@ -68,7 +70,8 @@ void run(const IntegrateOptions& options) {
     report.definite = {from, to, options.principal_value,
                        round_to_decimal(integral.value, options.digits), integral.exact};
   }
-  write_output(options.output, print.text ? print.text(report) : to_script(report, print.language));
+  options.form.length.write(options.output,
+                            print.text ? print.text(report) : to_script(report, print.language));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ struct MtfOptions {
   TwistOptions twist;
   bool is_exact_only = false;
   std::string print = "text";
+  TextLength length;
   long digits = 17;
 };
 
@@ -33,6 +34,7 @@ void add_rational(TwistReport& report, const MtfOptions& options, const MinimalT
 void run(const MtfOptions& options) {
   const auto print = choose<std::string (*)(const TwistReport&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
+  options.length.require_text(options.print);
   const NamedSpline named = as_spline(options.curve.read_curve_or_spline());
   const auto [from, to] = options.twist.ends(named.spline);
   SplineAngle rmf(named.spline);
@@ -40,7 +42,7 @@ void run(const MtfOptions& options) {
   TwistReport report = twist_report(named.name, named.spline, from, to, mtf,
                                     options.parameters.values(named.spline.end()), options.digits);
   if (!options.is_exact_only) add_rational(report, options, mtf);
-  write_output(options.curve.output, print(report));
+  options.length.write(options.curve.output, print(report));
 }
 
 }  // namespace
@@ -54,6 +56,7 @@ void add_mtf(CLI::App& app) {
   options->parameters.add_to(*command);
   add_digits(*command, options->digits);
   command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  options->length.add_to(*command);
   command->footer(
       "Angles are radians or multiples of pi: 0.3927, pi/8, -31pi/40, 5/8*pi. e2 is that of the\n"
       "Euler-Rodrigues frame, which phrame frames --frame erf shows.\n"

@@ -88,7 +88,7 @@ Endpoint parse_root(std::string_view text, std::size_t root, std::size_t open,
   if (const long count = count_real_roots(f, interval); count != 1)
     fail(text, root,
          fmt::format("{} has {} real roots in {}, not one",
-                     readable(formatted(f, Notation::unicode, p.variable), f),
+                     abridged(readable(formatted(f, Notation::unicode, p.variable), f)),
                      count == 0 ? "no" : std::to_string(count), to_string(interval)));
   RealAlgebraic number = real_root(f, interval);
   if (auto exact = number.rational()) return *std::move(exact);
@@ -109,7 +109,7 @@ Endpoint parse_endpoint(std::string_view text, const ExpressionLimits& limits) {
 }
 
 std::string to_text(const Endpoint& end) {
-  if (const auto* r = std::get_if<Rational>(&end)) return formatted(*r, Notation::unicode);
+  if (const auto* r = std::get_if<Rational>(&end)) return shown(*r);
   if (const auto* infinite = std::get_if<Infinity>(&end))
     return *infinite == Infinity::negative ? "−∞" : "∞";
   const auto& a = std::get<RealAlgebraic>(end);

@@ -24,7 +24,8 @@ struct IntegralReport {
   bool says_checked = true;  ///< is it said that the derivative was checked? (It always was.)
   bool is_automatic = true;  ///< nobody asked for this form of the logarithms
   std::optional<DefiniteValue> definite = std::nullopt;
-  long digits = 0;  ///< of the value
+  long digits = 0;               ///< of the value
+  bool lists_all_poles = false;  ///< text only: however many they are
 };
 
 std::string to_text(const IntegralReport& report);   ///< for reading, Unicode
