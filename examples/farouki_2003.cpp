@@ -14,8 +14,8 @@ namespace {
 
 /// "0.012018388019 ± 0.394440354901i": 12 decimals, as in the paper.
 std::string conjugate_pair(const ComplexBall& z) {
-  const auto re = z.re().lower().convert_to<double>();  // far narrower than 12 decimals
-  const auto im = z.im().lower().convert_to<double>();
+  const auto re = static_cast<double>(z.re().lower());  // far narrower than 12 decimals
+  const auto im = static_cast<double>(z.im().lower());
   std::ostringstream text;
   text << std::fixed << std::setprecision(12) << (std::abs(re) < 5e-13 ? 0.0 : re)
        << (im < 0 ? " ∓ " : " ± ") << std::abs(im) << "i";

@@ -32,10 +32,10 @@ struct Rates {
 
 Rates rates_at(const TwistPiece& piece, const Rotation& w, const Rational& tau) {
   const RealBall at(tau, 128);
-  const double speed = piece.speed(tau).convert_to<double>() * piece.length.convert_to<double>();
+  const double speed = static_cast<double>(piece.speed(tau)) * static_cast<double>(piece.length);
   const double turn = 2 * approximate(divide(evaluate(wronskian(w, 128), at, 128),
                                              evaluate(norm(w, 128), at, 128), 128));
-  return {piece.erf_rate(tau).convert_to<double>() / speed, turn / speed, speed};
+  return {static_cast<double>(piece.erf_rate(tau)) / speed, turn / speed, speed};
 }
 
 constexpr long samples = 400;
@@ -54,7 +54,7 @@ void write_rates(const std::filesystem::path& path, const MinimalTwist& mtf,
       const Rational tau(k, samples);
       const Rational t = piece.from + (piece.to - piece.from) * tau;
       const Rates rates = rates_at(piece, twist.rotation(128), tau);
-      file << t.convert_to<double>() << ',' << length(t).convert_to<double>() << ',' << rates.erf
+      file << static_cast<double>(t) << ',' << static_cast<double>(length(t)) << ',' << rates.erf
            << ',' << rates.rotation << ',' << rates.erf + rates.rotation << ',' << mean << '\n';
     }
   }

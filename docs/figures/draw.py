@@ -1,8 +1,12 @@
 #!/usr/bin/env python3
 """Draws the figures of docs/minimal-twist.md: draw.py FOLDER, with what examples/minimal_twist wrote
-into FOLDER. ./dev figures does both."""
+into FOLDER. ./dev figures does both.
+
+A figure is left as it is while this file and what it shows, to four digits, are those it was drawn from: another
+release of matplotlib writes another SVG of the same picture, and another compiler other last digits."""
 
 import csv
+import hashlib
 import pathlib
 import sys
 
@@ -16,7 +20,7 @@ matplotlib.rcParams.update(
         "font.size": 9,
         "axes.grid": True,
         "grid.color": "#dddddd",
-        "svg.hashsalt": "phrame",  # the same bytes every time
+        "svg.hashsalt": "phrame",  # the same names every time
         "legend.frameon": False,
         "lines.linewidth": 1.2,
     }
@@ -25,18 +29,34 @@ matplotlib.rcParams.update(
 HERE = pathlib.Path(__file__).parent
 
 
+shown = []  # in the figure that is being drawn: columns, to four digits of the largest number
+
+
 def read(path):
     with open(path, newline="") as file:
         rows = list(csv.DictReader(file))
-    return {name: [float(row[name]) for row in rows] for name in rows[0]}
+    data = {name: [float(row[name]) for row in rows] for name in rows[0]}
+    for name, column in data.items():
+        unit = max(map(abs, column)) or 1
+        shown.append((name, f"{unit:.3e}", [round(x / unit, 4) + 0.0 for x in column]))
+    return data
 
 
 def save(figure, name, legend_of=None):
+    source = pathlib.Path(__file__).read_bytes() + repr(shown).encode()
+    shown.clear()
+    origin = "drawn from " + hashlib.sha256(source).hexdigest()
+    path = HERE / name
+    if path.exists() and origin in path.read_text(encoding="utf-8"):
+        print(f"{name}: as it was")
+        plt.close(figure)
+        return
     if legend_of:
         figure.legend(*legend_of.get_legend_handles_labels(), loc="lower center", ncol=4, fontsize=8)
     figure.tight_layout(rect=(0, 0.1 if legend_of else 0, 1, 1))
-    figure.savefig(HERE / name, metadata={"Date": None})
+    figure.savefig(path, metadata={"Date": None, "Description": origin})
     plt.close(figure)
+    print(f"{name}: drawn")
 
 
 def errors(folder):

@@ -6,18 +6,14 @@ namespace phrame {
 namespace {
 
 Rational exact_value(const arf_t x) {
-  flint::Fmpq value;
-  arf_get_fmpq(value.get(), x);
-  return to_rational(value.get());
+  Rational value;
+  arf_get_fmpq(value.raw(), x);
+  return value;
 }
 
 }  // namespace
 
-RealBall::RealBall(const Rational& x, long bits) {
-  flint::Fmpq value;
-  assign(value.get(), x);
-  arb_set_fmpq(raw(), value.get(), bits);
-}
+RealBall::RealBall(const Rational& x, long bits) { arb_set_fmpq(raw(), x.raw(), bits); }
 
 Rational RealBall::lower() const { return midpoint() - radius(); }
 
@@ -26,16 +22,12 @@ Rational RealBall::upper() const { return midpoint() + radius(); }
 Rational RealBall::midpoint() const { return exact_value(arb_midref(raw())); }
 
 Rational RealBall::radius() const {
-  flint::Fmpq value;
-  mag_get_fmpq(value.get(), arb_radref(raw()));
-  return to_rational(value.get());
+  Rational value;
+  mag_get_fmpq(value.raw(), arb_radref(raw()));
+  return value;
 }
 
-bool RealBall::contains(const Rational& x) const {
-  flint::Fmpq value;
-  assign(value.get(), x);
-  return arb_contains_fmpq(raw(), value.get()) != 0;
-}
+bool RealBall::contains(const Rational& x) const { return arb_contains_fmpq(raw(), x.raw()) != 0; }
 
 bool RealBall::is_accurate(long bits) const {
   flint::Mag allowed;

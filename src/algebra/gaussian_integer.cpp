@@ -15,16 +15,12 @@ namespace phrame {
 namespace {
 
 constexpr unsigned largest_divisor = 10'000;
-constexpr unsigned factored_bits = 128;      ///< a second at worst
-constexpr unsigned two_squares_bits = 4096;  ///< a power modulo p of this size takes as long
+constexpr long factored_bits = 128;      ///< a second at worst
+constexpr long two_squares_bits = 4096;  ///< a power modulo p of this size takes as long
 
 /// The integer nearest to x/n, n > 0.
 Integer rounded_quotient(const Integer& x, const Integer& n) {
-  Integer q;
-  const Integer twice_x = 2 * x + n;
-  const Integer twice_n = 2 * n;
-  mpz_fdiv_q(q.backend().data(), twice_x.backend().data(), twice_n.backend().data());
-  return q;
+  return floor_quotient(2 * x + n, 2 * n);
 }
 
 GaussianInteger remainder(const GaussianInteger& a, const GaussianInteger& b) {
@@ -39,12 +35,12 @@ GaussianInteger remainder(const GaussianInteger& a, const GaussianInteger& b) {
 /// that is not prime.
 std::optional<GaussianInteger> prime_above(const Integer& p) {
   if (p == 2) return GaussianInteger{1, 1};
-  if (p % 4 != 1 || msb(p) >= two_squares_bits) return std::nullopt;
+  if (p % 4 != 1 || bit_length(p) > two_squares_bits) return std::nullopt;
   Integer g = 2;
-  while (g < 1000 && mpz_jacobi(g.backend().data(), p.backend().data()) != -1) ++g;
+  while (g < 1000 && fmpz_jacobi(g.raw(), p.raw()) != -1) ++g;
   const Integer exponent = (p - 1) / 4;
   Integer r;
-  mpz_powm(r.backend().data(), g.backend().data(), exponent.backend().data(), p.backend().data());
+  fmpz_powm(r.raw(), g.raw(), exponent.raw(), p.raw());
   const GaussianInteger pi = gcd({p, 0}, {r, 1});
   if (norm(pi) != p) return std::nullopt;
   return pi.re > pi.im ? pi : GaussianInteger{pi.im, pi.re};
@@ -66,12 +62,10 @@ struct FlintFactors {
 /// The prime factors of x < 2¹²⁸, by elliptic curves. (The quadratic sieve, which fmpz_factor
 /// takes, writes files into the working directory.)
 void append_factors(std::vector<IntegerPower>& list, const Integer& x) {
-  flint::Fmpz n;
-  fmpz_set_mpz(n.get(), x.backend().data());
   FlintFactors found;
-  fmpz_factor_smooth(found.value, n.get(), static_cast<slong>(msb(x)) / 2 + 2, 0);
+  fmpz_factor_smooth(found.value, x.raw(), (bit_length(x) - 1) / 2 + 2, 0);
   for (slong k = 0; k < found.value->num; ++k)
-    list.push_back({Integer(numerator(to_rational(found.value->p + k))), found.value->exp[k]});
+    list.push_back({Integer(found.value->p + k), found.value->exp[k]});
 }
 
 /// x as a product of powers; the bases are primes as far as split_norm promises.
@@ -87,7 +81,7 @@ std::vector<IntegerPower> factors(const Integer& x) {
   const Integer root = sqrt(rest);
   const bool is_square = root * root == rest;
   const Integer& last = is_square ? root : rest;
-  if (!is_square && msb(last) < factored_bits)
+  if (!is_square && bit_length(last) <= factored_bits)
     append_factors(list, last);
   else
     list.push_back({last, is_square ? 2UL : 1UL});
@@ -104,7 +98,7 @@ GaussianInteger primitive_multiple(const GaussianRational& z) {
   const Integer m = lcm(Integer(denominator(z.re)), Integer(denominator(z.im)));
   const Integer re(numerator(Rational(z.re * m)));
   const Integer im(numerator(Rational(z.im * m)));
-  const Integer common = boost::multiprecision::gcd(re, im);
+  const Integer common = gcd(re, im);
   return {re / common, im / common};
 }
 
@@ -139,7 +133,7 @@ GaussianInteger gcd(GaussianInteger a, GaussianInteger b) {
     }
     return x;
   };
-  const GaussianInteger g{boost::multiprecision::gcd(norm(a), norm(b)), 0};
+  const GaussianInteger g{gcd(norm(a), norm(b)), 0};
   if (g.re == 0) return {};
   a = remainder(a, g);
   b = remainder(b, g);

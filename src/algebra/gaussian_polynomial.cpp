@@ -26,7 +26,7 @@ struct Cleared {
   explicit Cleared(const GaussianPolynomial& a) {
     flint::Fmpz common;
     fmpz_lcm(common.get(), fmpq_poly_denref(a.re.raw()), fmpq_poly_denref(a.im.raw()));
-    const Rational scale = to_rational(common.get());
+    const Rational scale(common.get());
     fmpq_poly_get_numerator(re.get(), (scale * a.re).raw());
     fmpq_poly_get_numerator(im.get(), (scale * a.im).raw());
   }

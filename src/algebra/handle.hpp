@@ -49,8 +49,10 @@ namespace flint {
 
 using fmpz_struct = fmpz;
 using fmpq_struct = fmpq;
+using mpq_struct = __mpq_struct;
 PHRAME_C_TYPE(Fmpz, fmpz);
 PHRAME_C_TYPE(Fmpq, fmpq);
+PHRAME_C_TYPE(Mpq, mpq);
 PHRAME_C_TYPE(FmpzPoly, fmpz_poly);
 PHRAME_C_TYPE(FmpqPoly, fmpq_poly);
 PHRAME_C_TYPE(Arb, arb);

@@ -31,8 +31,7 @@ std::optional<std::vector<Rational>> solve_for_coefficients(const std::vector<Po
   b.set_column(0, right_side);
   if (fmpq_mat_solve(x.value, a.value, b.value) == 0) return std::nullopt;
   std::vector<Rational> solution;
-  for (long k = 0; k < equations; ++k)
-    solution.push_back(to_rational(fmpq_mat_entry(x.value, k, 0)));
+  for (long k = 0; k < equations; ++k) solution.emplace_back(fmpq_mat_entry(x.value, k, 0));
   return solution;
 }
 
@@ -56,7 +55,7 @@ std::vector<std::vector<Rational>> linear_relations(const std::vector<Polynomial
     std::vector<Rational> relation(p.size());
     relation[static_cast<std::size_t>(k)] = 1;
     for (long i = 0; i < row; ++i)
-      relation[pivots[static_cast<std::size_t>(i)]] = -to_rational(fmpq_mat_entry(a.value, i, k));
+      relation[pivots[static_cast<std::size_t>(i)]] = -Rational(fmpq_mat_entry(a.value, i, k));
     relations.push_back(std::move(relation));
   }
   return relations;

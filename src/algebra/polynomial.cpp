@@ -8,26 +8,21 @@ namespace phrame {
 
 Polynomial::Polynomial(const std::vector<Rational>& ascending) {
   fmpq_poly_fit_length(raw(), static_cast<slong>(ascending.size()));
-  flint::Fmpq c;
   // From the top down: FLINT then brings the whole to a common denominator in place.
-  for (std::size_t k = ascending.size(); k-- > 0;) {
-    assign(c.get(), ascending[k]);
-    fmpq_poly_set_coeff_fmpq(raw(), static_cast<slong>(k), c.get());
-  }
+  for (std::size_t k = ascending.size(); k-- > 0;)
+    fmpq_poly_set_coeff_fmpq(raw(), static_cast<slong>(k), ascending[k].raw());
 }
 
 Polynomial Polynomial::monomial(const Rational& c, long k) {
   Polynomial p;
-  flint::Fmpq value;
-  assign(value.get(), c);
-  fmpq_poly_set_coeff_fmpq(p.raw(), k, value.get());
+  fmpq_poly_set_coeff_fmpq(p.raw(), k, c.raw());
   return p;
 }
 
 Rational Polynomial::coefficient(long k) const {
-  flint::Fmpq c;
-  fmpq_poly_get_coeff_fmpq(c.get(), raw(), k);
-  return to_rational(c.get());
+  Rational c;
+  fmpq_poly_get_coeff_fmpq(c.raw(), raw(), k);
+  return c;
 }
 
 std::vector<Rational> Polynomial::coefficients() const {
@@ -37,11 +32,9 @@ std::vector<Rational> Polynomial::coefficients() const {
 }
 
 Rational Polynomial::operator()(const Rational& t) const {
-  flint::Fmpq at;
-  flint::Fmpq value;
-  assign(at.get(), t);
-  fmpq_poly_evaluate_fmpq(value.get(), raw(), at.get());
-  return to_rational(value.get());
+  Rational value;
+  fmpq_poly_evaluate_fmpq(value.raw(), raw(), t.raw());
+  return value;
 }
 
 Polynomial& Polynomial::operator+=(const Polynomial& b) {
@@ -60,9 +53,7 @@ Polynomial& Polynomial::operator*=(const Polynomial& b) {
 }
 
 Polynomial& Polynomial::operator*=(const Rational& c) {
-  flint::Fmpq factor;
-  assign(factor.get(), c);
-  fmpq_poly_scalar_mul_fmpq(raw(), raw(), factor.get());
+  fmpq_poly_scalar_mul_fmpq(raw(), raw(), c.raw());
   return *this;
 }
 
@@ -113,10 +104,9 @@ Polynomial gcd(const Polynomial& a, const Polynomial& b) {
 }
 
 Rational content(const Polynomial& p) {
-  flint::Fmpq c;
-  fmpq_poly_content(c.get(), p.raw());
-  const Rational absolute = to_rational(c.get());
-  return p.leading_coefficient() < 0 ? Rational(-absolute) : absolute;
+  Rational c;
+  fmpq_poly_content(c.raw(), p.raw());
+  return p.leading_coefficient() < 0 ? -c : c;
 }
 
 Polynomial primitive_part(const Polynomial& p) {

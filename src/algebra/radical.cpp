@@ -90,7 +90,7 @@ SquareFactor split_cube(const Integer& x) {
     for (; rest % p == 0; rest /= p) result.rest *= p;
   }
   Integer root;
-  if (mpz_root(root.backend().data(), rest.backend().data(), 3) != 0)
+  if (fmpz_root(root.raw(), rest.raw(), 3) != 0)
     result.root *= root;
   else
     result.rest *= rest;

@@ -6,10 +6,38 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <ostream>
 
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {
+
+Rational::Rational(const Integer& n, const Integer& d) {
+  if (d == 0) throw DomainError(fmt::format("division of {} by 0", abbreviated(n.str())));
+  fmpq_set_fmpz_frac(raw(), n.raw(), d.raw());
+}
+
+std::string Rational::str() const {
+  const Integer d = denominator(*this);
+  return d == 1 ? numerator(*this).str() : numerator(*this).str() + "/" + d.str();
+}
+
+Rational::operator double() const {
+  flint::Mpq x;
+  fmpq_get_mpq(x.get(), raw());
+  return mpq_get_d(x.get());
+}
+
+Rational& Rational::operator/=(const Rational& x) {
+  if (x == 0) throw DomainError(fmt::format("division of {} by 0", abbreviated(str())));
+  fmpq_div(raw(), raw(), x.raw());
+  return *this;
+}
+
+std::ostream& operator<<(std::ostream& out, const Rational& x) { return out << x.str(); }
+
+Integer floor(const Rational& x) { return floor_quotient(numerator(x), denominator(x)); }
+
 namespace {
 
 // A hand-written scanner: GMP's own accepts blanks inside numbers, Boost's rejects decimals.
@@ -60,16 +88,6 @@ class Scanner {
   std::string_view rest_;
 };
 
-Integer power_of(unsigned base, long exponent) {
-  return boost::multiprecision::pow(Integer(base), static_cast<unsigned>(exponent));
-}
-
-Integer integer_of(const std::string& digits, int base) {
-  Integer value;
-  mpz_set_str(value.backend().data(), digits.c_str(), base);
-  return value;
-}
-
 std::optional<Rational> scan(std::string_view text) {
   Scanner in(text);
   const bool negative = in.negative_sign();
@@ -83,9 +101,9 @@ std::optional<Rational> scan(std::string_view text) {
   if (!digits.empty() && in.take('/')) {
     const std::string below(in.digits(false));
     if (below.empty() || hexadecimal) return std::nullopt;
-    const Integer denominator = integer_of(below, 10);
+    const Integer denominator = Integer(below);
     if (denominator == 0) return std::nullopt;
-    value = Rational(integer_of(digits, 10), denominator);
+    value = Rational(Integer(digits), denominator);
   } else {
     long fraction_digits = 0;
     if (in.take('.')) {
@@ -101,15 +119,15 @@ std::optional<Rational> scan(std::string_view text) {
       exponent = *given;
     }
     exponent -= hexadecimal ? 4 * fraction_digits : fraction_digits;
-    const unsigned base = hexadecimal ? 2 : 10;
-    value = integer_of(digits, hexadecimal ? 16 : 10);
+    const Integer base = hexadecimal ? 2 : 10;
+    value = Integer(digits, hexadecimal ? 16 : 10);
     if (exponent >= 0)
-      value *= Rational(power_of(base, exponent));
+      value *= pow(base, static_cast<unsigned long>(exponent));
     else
-      value /= Rational(power_of(base, -exponent));
+      value /= pow(base, static_cast<unsigned long>(-exponent));
   }
   if (!in.done()) return std::nullopt;
-  return negative ? Rational(-value) : value;
+  return negative ? -value : value;
 }
 
 }  // namespace
@@ -142,35 +160,18 @@ Rational parse_rational(std::string_view text) {
 Rational exact_rational(double x) {
   if (!std::isfinite(x))
     throw DomainError(fmt::format("exact_rational: {} is not a real number", x));
-  Rational value;
-  mpq_set_d(value.backend().data(), x);
-  return value;
+  int exponent = 0;
+  const auto significand = static_cast<long>(std::ldexp(std::frexp(x, &exponent), 53));
+  const Integer power = Integer(1) << static_cast<unsigned long>(std::abs(exponent - 53));
+  return exponent >= 53 ? Rational(Integer(significand) * power) : Rational(significand, power);
 }
 
 std::string to_string(const Rational& x) { return x.str(); }
 
 std::optional<Rational> square_root(const Rational& x) {
   if (x < 0) return std::nullopt;
-  const Integer n = sqrt(Integer(numerator(x)));
-  const Integer d = sqrt(Integer(denominator(x)));
-  const Rational root(n, d);
+  const Rational root(sqrt(numerator(x)), sqrt(denominator(x)));
   return root * root == x ? std::optional(root) : std::nullopt;
-}
-
-void assign(fmpq_t target, const Rational& source) {
-  fmpq_set_mpq(target, source.backend().data());
-}
-
-Rational to_rational(const fmpq_t source) {
-  Rational value;
-  fmpq_get_mpq(value.backend().data(), source);
-  return value;
-}
-
-Rational to_rational(const fmpz_t source) {
-  Integer value;
-  fmpz_get_mpz(value.backend().data(), source);
-  return Rational(value);
 }
 
 }  // namespace phrame

@@ -1,19 +1,64 @@
 #pragma once
-#include <boost/multiprecision/gmp.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "phrame/algebra/flint.hpp"
+#include "phrame/algebra/integer.hpp"
 
 namespace phrame {
 
-using Integer =
-    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+/// A fraction of integers of any size, always in lowest terms with a positive denominator: FLINT's
+/// fmpq. A moved-from fraction is 0. Boost's fractions are one conversion away
+/// (multiprecision.hpp).
+class Rational {
+ public:
+  Rational() = default;  ///< 0
+  template <MachineInteger T>
+  Rational(T x) : Rational(Integer(x)) {}
+  Rational(const Integer& x) { fmpz_set(fmpq_numref(raw()), x.raw()); }
+  /// n/d. Throws DomainError for d = 0.
+  Rational(const Integer& n, const Integer& d);
+  explicit Rational(const fmpq_t x) { fmpq_set(raw(), x); }
+  explicit Rational(const fmpz_t x) { fmpz_set(fmpq_numref(raw()), x); }
 
-/// Always in lowest terms with a positive denominator.
-using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
-                                               boost::multiprecision::et_off>;
+  /// −1, 0 or 1.
+  int sign() const { return fmpq_sgn(raw()); }
+  std::string str() const;
+  /// Rounded towards 0, ±∞ beyond the doubles: for guesses. round_to_double rounds to nearest.
+  explicit operator double() const;
+
+  Rational& operator+=(const Rational& x) { return fmpq_add(raw(), raw(), x.raw()), *this; }
+  Rational& operator-=(const Rational& x) { return fmpq_sub(raw(), raw(), x.raw()), *this; }
+  Rational& operator*=(const Rational& x) { return fmpq_mul(raw(), raw(), x.raw()), *this; }
+  /// Throws DomainError for x = 0.
+  Rational& operator/=(const Rational& x);
+
+  friend Rational operator+(Rational a, const Rational& b) { return std::move(a += b); }
+  friend Rational operator-(Rational a, const Rational& b) { return std::move(a -= b); }
+  friend Rational operator*(Rational a, const Rational& b) { return std::move(a *= b); }
+  friend Rational operator/(Rational a, const Rational& b) { return std::move(a /= b); }
+  friend Rational operator-(Rational a) { return fmpq_neg(a.raw(), a.raw()), std::move(a); }
+  friend bool operator==(const Rational& a, const Rational& b) {
+    return fmpq_equal(a.raw(), b.raw()) != 0;
+  }
+  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
+    return fmpq_cmp(a.raw(), b.raw()) <=> 0;
+  }
+
+  fmpq* raw() { return handle_.get(); }
+  const fmpq* raw() const { return handle_.get(); }
+
+ private:
+  flint::Fmpq handle_;
+};
+
+std::ostream& operator<<(std::ostream& out, const Rational& x);
+
+inline Integer numerator(const Rational& x) { return Integer(fmpq_numref(x.raw())); }
+inline Integer denominator(const Rational& x) { return Integer(fmpq_denref(x.raw())); }
+inline Rational abs(Rational x) { return fmpq_abs(x.raw(), x.raw()), x; }
+/// The greatest integer ≤ x.
+Integer floor(const Rational& x);
 
 /// The longest number text that parse_rational accepts, in characters.
 inline constexpr std::size_t max_number_length = 100'000;
@@ -36,10 +81,5 @@ std::string abbreviated(std::string_view text, std::size_t limit = 40);
 
 /// √x ≥ 0 where it is rational; no value where it is not, or x < 0.
 std::optional<Rational> square_root(const Rational& x);
-
-/// Between Boost's and FLINT's rationals.
-void assign(fmpq_t target, const Rational& source);
-Rational to_rational(const fmpq_t source);
-Rational to_rational(const fmpz_t source);
 
 }  // namespace phrame

@@ -22,10 +22,10 @@ std::optional<std::vector<Rational>> RationalLift::include(const std::vector<ulo
 /// The rationals with these residues and small enough numerators and denominators, if any.
 std::optional<std::vector<Rational>> RationalLift::reconstruct() const {
   std::vector<Rational> result;
-  flint::Fmpq value;
+  Rational value;
   for (const auto& x : lifted_) {
-    if (fmpq_reconstruct_fmpz(value.get(), x.get(), product_.get()) == 0) return std::nullopt;
-    result.push_back(to_rational(value.get()));
+    if (fmpq_reconstruct_fmpz(value.raw(), x.get(), product_.get()) == 0) return std::nullopt;
+    result.push_back(value);
   }
   return result;
 }

@@ -58,7 +58,7 @@ std::optional<Rational> rational_root(const Polynomial& p, const Rational& a, co
   if (t.exact()) return t.exact();
   const Polynomial q = primitive_part(p);
   const Rational lead = q.leading_coefficient();
-  const auto size = static_cast<long>(mpz_sizeinbase(numerator(lead).backend().data(), 2));
+  const auto size = bit_length(numerator(lead));
   for (long bits = size + 8;; bits *= 2) {
     const RealBall ball = t.enclose(bits);
     if (!ball.is_finite() || lead * ball.radius() * 2 >= 1) continue;

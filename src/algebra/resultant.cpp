@@ -88,7 +88,7 @@ Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d) {
                                               residue_bits(f.numerator, f.denominator), image);
   // The residues of n/d are those of numerator/d over `scale`: substitute x → scale·x.
   const Polynomial residues = to_polynomial(lifted.get());
-  return primitive_part(compose(residues, Polynomial{0, to_rational(f.scale.get())}));
+  return primitive_part(compose(residues, Polynomial{0, Rational(f.scale.get())}));
 }
 
 long distinct_values_modulo_a_prime(const Polynomial& c, const Polynomial& q) {

@@ -15,12 +15,12 @@ Rational power_of_two(long k) {
 }
 
 Rational power_of_ten(long k) {
-  const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(k)));
+  const Integer power = pow(Integer(10), static_cast<unsigned long>(std::abs(k)));
   return k >= 0 ? Rational(power) : Rational(1) / Rational(power);
 }
 
 long binary_exponent(const Rational& x) {
-  return static_cast<long>(msb(numerator(x))) - static_cast<long>(msb(denominator(x)));
+  return bit_length(numerator(x)) - bit_length(denominator(x));
 }
 
 long decimal_exponent(const Rational& x) {
@@ -31,8 +31,6 @@ long decimal_exponent(const Rational& x) {
 }
 
 namespace {
-
-using boost::multiprecision::mpfr_float;
 
 /// What both ends of the ball round to, where that is the same; `round` maps an exact number to the
 /// result.
@@ -123,7 +121,9 @@ double nearest_double(const Rational& x) {
   mpfr_init2(value, 53);
   mpfr_set_emin(-1073);
   mpfr_set_emax(1024);
-  int inexact = mpfr_set_q(value, x.backend().data(), MPFR_RNDN);
+  flint::Mpq exact;
+  fmpq_get_mpq(exact.get(), x.raw());
+  int inexact = mpfr_set_q(value, exact.get(), MPFR_RNDN);
   inexact = mpfr_subnormalize(value, inexact, MPFR_RNDN);
   const double result = mpfr_get_d(value, MPFR_RNDN);
   mpfr_clear(value);
@@ -148,18 +148,22 @@ double round_to_double(const Real& x, PrecisionLimit limit) {
   return ziv(x, 53, limit, common_double);
 }
 
-mpfr_float round_to_mpfr(const Real& x, long bits, PrecisionLimit limit) {
-  if (bits < MPFR_PREC_MIN)
-    throw DomainError(
-        fmt::format("round_to_mpfr: {} bits are asked for, at least 1 is needed", bits));
-  const auto round = [bits](const Rational& exact) {
-    mpfr_float value;
-    mpfr_set_prec(value.backend().data(), bits);
-    mpfr_set_q(value.backend().data(), exact.backend().data(), MPFR_RNDN);
-    return value;
+void round_to_mpfr(mpfr_t target, const Real& x, PrecisionLimit limit) {
+  const auto bits = static_cast<long>(mpfr_get_prec(target));
+  // A significand of so many bits is a rational number.
+  const auto round = [&](const Rational& exact) {
+    flint::Mpq value;
+    fmpq_get_mpq(value.get(), exact.raw());
+    mpfr_set_q(target, value.get(), MPFR_RNDN);
+    mpfr_get_q(value.get(), target);
+    Rational rounded;
+    fmpq_set_mpq(rounded.raw(), value.get());
+    return rounded;
   };
-  if (x.exact()) return round(*x.exact());
-  return ziv(x, bits, limit, [&](const RealBall& ball) { return common(ball, round); });
+  if (x.exact())
+    round(*x.exact());
+  else
+    round(ziv(x, bits, limit, [&](const RealBall& ball) { return common(ball, round); }));
 }
 
 Decimal round_to_decimal(const Real& x, long digits, PrecisionLimit limit) {

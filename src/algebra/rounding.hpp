@@ -1,5 +1,6 @@
 #pragma once
-#include <boost/multiprecision/mpfr.hpp>
+#include <optional>
+#include <string>
 
 #include "phrame/algebra/real.hpp"
 
@@ -24,9 +25,9 @@ double round_to_double(const Real& x, PrecisionLimit limit = {});
 /// The double that all numbers of the ball round to, where there is one.
 std::optional<double> common_double(const RealBall& x);
 
-/// With a significand of `bits` bits.
-boost::multiprecision::mpfr_float round_to_mpfr(const Real& x, long bits,
-                                                PrecisionLimit limit = {});
+/// To the precision of the initialised `target`. (multiprecision.hpp has this for Boost's
+/// mpfr_float.)
+void round_to_mpfr(mpfr_t target, const Real& x, PrecisionLimit limit = {});
 
 struct Decimal {
   std::string value;  ///< "0.28585", "1.5e-12": exactly the significant digits asked for; "0" for 0

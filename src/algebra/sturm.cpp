@@ -164,10 +164,8 @@ SturmChain::SturmChain(const Polynomial& p, const Polynomial& q) {
 }
 
 std::vector<int> SturmChain::signs(const Rational& t) const {
-  flint::Fmpq at;
-  assign(at.get(), t);
   std::vector<int> list;
-  for (const flint::FmpzPoly& p : chain_) list.push_back(sign_at(p.get(), at.get()));
+  for (const flint::FmpzPoly& p : chain_) list.push_back(sign_at(p.get(), t.raw()));
   return list;
 }
 

@@ -20,6 +20,32 @@ struct SurdPolynomial {
   friend bool operator==(const SurdPolynomial&, const SurdPolynomial&) = default;
 };
 
+// Arithmetic in one field ℚ(√d): the operands have the same d, or one of them is rational.
+
+Surd operator+(const Surd& x, const Surd& y);
+Surd operator-(const Surd& x);
+Surd operator-(const Surd& x, const Surd& y);
+Surd operator*(const Surd& x, const Surd& y);
+/// Throws DomainError for y = 0.
+Surd operator/(const Surd& x, const Surd& y);
+/// a − b√d.
+Surd conjugate(const Surd& x);
+/// a² − d·b² = x·conjugate(x).
+Rational norm(const Surd& x);
+/// −1, 0 or 1, of a real x: d > 0.
+int sign(const Surd& x);
+
+SurdPolynomial operator+(const SurdPolynomial& p, const SurdPolynomial& q);
+SurdPolynomial operator-(const SurdPolynomial& p, const SurdPolynomial& q);
+SurdPolynomial operator*(const SurdPolynomial& p, const SurdPolynomial& q);
+SurdPolynomial operator*(const Surd& x, const SurdPolynomial& p);
+SurdPolynomial conjugate(const SurdPolynomial& p);
+SurdPolynomial differentiate(const SurdPolynomial& p);
+/// a² − d·b².
+Polynomial norm(const SurdPolynomial& p);
+/// The coefficient of tᵏ.
+Surd coefficient(const SurdPolynomial& p, long k);
+
 /// A root of p of degree 1 or 2, the one with b ≥ 0; p irreducible over ℚ. Throws DomainError for
 /// other degrees.
 Surd quadratic_root(const Polynomial& p);

@@ -28,7 +28,7 @@ long take_power(Polynomial& p) {
 
 /// ⌊log₂⌋ of the larger of the two integers in c ≠ 0; 0 only for ±1.
 long log_size(const Rational& c) {
-  return static_cast<long>(std::max(msb(Integer(abs(numerator(c)))), msb(Integer(denominator(c)))));
+  return std::max(bit_length(numerator(c)), bit_length(denominator(c))) - 1;
 }
 
 long log_size(const Polynomial& p) {
@@ -161,7 +161,7 @@ void Unreduced::raise(const Integer& exponent, const SizeLimits& limits) {
   }
   require_degree(size * degree(), limits);
   require_bits(size * least_growth, limits);
-  const long e = size.convert_to<long>();
+  const long e = static_cast<long>(size);
   for (Polynomial* p : {&numerator_, &denominator_}) {
     if (p->is_constant()) continue;
     require_bits(Integer(e) * log_size(*p), limits);
@@ -206,7 +206,7 @@ RationalFunction UnreducedSum::laurent_part() const {
   Integer common = 1;
   for (const auto& [k, c] : monomials_) {
     common = lcm(common, denominator(c));
-    require_bits(msb(common), limits_);
+    require_bits(bit_length(common) - 1, limits_);
   }
   std::vector<Rational> coefficients(static_cast<std::size_t>(high - low + 1));
   for (const auto& [k, c] : monomials_)

@@ -21,7 +21,7 @@ struct Choices {
   Route route;
   FormChoice form;
   Print<AngleReport> print;
-  Rational start_angle;
+  Angle start_angle;
 };
 
 Choices choices(const AngleOptions& options) {
@@ -32,23 +32,23 @@ Choices choices(const AngleOptions& options) {
                                       {"quadrature", Route::quadrature},
                                       {"both", Route::both}}),
                        options.form.chosen_form(), chosen_print<AngleReport>(options.form.print),
-                       parse_option("--theta0", options.start_angle)};
-  options.form.length.require_text(options.form.print);
-  if (!chosen.print.text && !options.parameters.values().empty())
-    throw InputError("--print", "\"" + options.form.print +
-                                    "\" prints the closed form only, without --at and --samples");
+                       parse_angle_option("--theta0", options.start_angle)};
   return chosen;
 }
 
-std::string curve_report(const AngleOptions& options, const Choices& chosen,
+std::string curve_report(const Command& command, const AngleOptions& options, const Choices& chosen,
                          const NamedCurve& named) {
+  if (options.parameters.values().empty())  // of a spline the total angle is shown, at least
+    command.refuse({"--digits", "--route"}, "needs --at or --samples: no value is asked for");
   RmfAngle angle(named.curve, chosen.reference, chosen.form.form);
   angle.take(chosen.route);
   AngleReport report{named, chosen.reference, angle, chosen.start_angle, {}, options.digits};
   report.lists_all_poles = options.form.length.is_full;
-  set_style(report, chosen.form, angle.antiderivative());
+  // The text of an angle says what the poles are; a script is to be continuous.
+  if (chosen.form.style != FormChoice::Style::textbook || !chosen.print.text)
+    set_style(report, chosen.form, angle.antiderivative());
   for (const Rational& t : options.parameters.values())
-    report.values.push_back(rounded_angle(t, angle.value(t) + chosen.start_angle, options.digits));
+    report.values.push_back(rounded_angle(t, angle.value(t, chosen.start_angle), options.digits));
   return chosen.print.text ? chosen.print.text(report) : to_script(report, chosen.print.language);
 }
 
@@ -59,7 +59,9 @@ std::string spline_report(const AngleOptions& options, const Choices& chosen,
   };
   const std::string& print = options.form.print;
   require(chosen.reference == Reference::erf, "--frame", options.frame);
-  require(chosen.form.style == FormChoice::Style::algebraic, "--form", options.form.form);
+  require(chosen.form.style == FormChoice::Style::algebraic ||
+              chosen.form.style == FormChoice::Style::textbook,
+          "--form", options.form.form);
   require(print == "text" || print == "json", "--print", print);
   SplineAngle angle(named.spline, chosen.form.form);
   angle.take(chosen.route);
@@ -69,36 +71,33 @@ std::string spline_report(const AngleOptions& options, const Choices& chosen,
   return print == "text" ? to_text(report) : to_json(report);
 }
 
-void run(const AngleOptions& options) {
+void run(const Command& command, const AngleOptions& options) {
   const Choices chosen = choices(options);
   const auto read = options.curve.read_curve_or_spline();
   const auto* curve = std::get_if<NamedCurve>(&read);
   options.form.length.write(options.curve.output,
-                            curve ? curve_report(options, chosen, *curve)
+                            curve ? curve_report(command, options, chosen, *curve)
                                   : spline_report(options, chosen, std::get<NamedSpline>(read)));
 }
 
 }  // namespace
 
 void add_angle(CLI::App& app) {
-  auto* command = app.add_subcommand("angle", "the exact angle of the rotation-minimizing frame");
+  auto* command = Command::add(app, "angle", "the exact angle of the rotation-minimizing frame");
   const auto options = std::make_shared<AngleOptions>();
   options->curve.add_to(*command);
   options->parameters.add_to(*command);
-  command
-      ->add_option("--frame", options->frame,
-                   "the frame the angle is measured from: erf (default) or frenet")
-      ->type_name("NAME");
+  add_reference(*command, options->frame,
+                "the frame the angle is measured from: erf (default) or frenet");
   add_digits(*command, options->digits);
   options->form.add_to(*command);
-  command
-      ->add_option(
-          "--route", options->route,
-          "how values are computed: auto (default), roots, quadrature, or both, which must\n"
-          "agree")
-      ->type_name("NAME");
-  command->add_option("--theta0", options->start_angle, "the angle at t = 0, radians (default 0)")
-      ->type_name("ANGLE");
+  command->add_choice(
+      "--route", options->route, {"auto", "roots", "quadrature", "both"},
+      "how values are computed: auto (default), roots, quadrature, or both, which must\n"
+      "agree");
+  add_start_angle(*command, options->start_angle);
+  command->not_with({"--at", "--samples", "--digits", "--route", "--theta0"},
+                    FormOptions::scripts());
   command->footer(
       "A spline of n segments has t from 0 to n; its angle is that to the Euler-Rodrigues frame,\n"
       "made continuous through the joints, and of a closed spline the holonomy is given.\n"
@@ -107,7 +106,7 @@ void add_angle(CLI::App& app) {
       "  phrame angle curve.json --frame frenet --samples 11 --print json\n"
       "  phrame angle - --form rothstein-trager < curve.json\n"
       "  phrame angle curve.json --form real --print maxima");
-  command->callback([options] { run(*options); });
+  command->does([command, options] { run(*command, *options); });
 }
 
 }  // namespace phrame::cli

@@ -168,7 +168,7 @@ void run(const BatchOptions& options) {
 
 void add_batch(CLI::App& app) {
   auto* command =
-      app.add_subcommand("batch", "angles of many curves: JSON lines in, JSON lines out");
+      Command::add(app, "batch", "angles of many curves: JSON lines in, JSON lines out");
   const auto options = std::make_shared<BatchOptions>();
   command->add_option("LINES", options->path, "a file of JSON lines, standard input if not given")
       ->type_name("");
@@ -183,13 +183,10 @@ void add_batch(CLI::App& app) {
       ->type_name("FILE");
   command->add_option("--threads", options->threads, "so many at a time (default: all cores)")
       ->type_name("N")
-      ->check(CLI::Range(1L, 4096L).description(""));
+      ->check(whole_number(1, 4096));
   command->add_flag("--values-only", options->defaults.values_only,
                     "answers without integrand and antiderivative");
-  command
-      ->add_option("--frame", options->frame,
-                   "for lines without \"frame\": erf (default) or frenet")
-      ->type_name("NAME");
+  add_reference(*command, options->frame, "for lines without \"frame\": erf (default) or frenet");
   command->add_option("--at", options->at, "for lines without \"at\": 0,1/2,1")
       ->type_name("T,...")
       ->expected(1)
@@ -209,7 +206,7 @@ void add_batch(CLI::App& app) {
       "  phrame batch curves.jsonl --at 1 -o angles.jsonl\n"
       "  phrame batch curves.jsonl --at 1 -o angles.jsonl --skip-done angles.jsonl\n"
       "  generate | phrame batch --values-only | filter");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -24,15 +24,13 @@ void run(const CertifyOptions& options) {
 }  // namespace
 
 void add_certify(CLI::App& app) {
-  auto* command = app.add_subcommand("certify", "angles with a proof that others can check");
+  auto* command = Command::add(app, "certify", "angles with a proof that others can check");
   const auto options = std::make_shared<CertifyOptions>();
   options->curve.add_to(*command);
   options->parameters.add_to(*command);
   add_digits(*command, options->digits);
-  command
-      ->add_option("--frame", options->frame,
-                   "what the angle is measured from: erf (default) or frenet")
-      ->type_name("NAME");
+  add_reference(*command, options->frame,
+                "what the angle is measured from: erf (default) or frenet");
   command->footer(
       "Without --at and --samples the angle at t = 1. phrame verify checks the certificate, and "
       "so\n"
@@ -40,7 +38,7 @@ void add_certify(CLI::App& app) {
       "Examples:\n"
       "  phrame certify curve.json --at 1/2,1 --digits 40 -o angle.cert\n"
       "  phrame certify curve.json --frame frenet | phrame verify -");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <tuple>
+
 #include "phrame/cli/command.hpp"
 #include "phrame/io/check_report.hpp"
 #include "phrame/io/frame_csv.hpp"
@@ -10,37 +14,77 @@ struct CheckCommand {
   std::string frames;
   std::string tolerance = "1e-6";
   std::string start_angle;
+  std::string quaternion;
   std::string tangent_axis = "x";
   bool is_inverse = false;
+  std::vector<std::string> header;
   std::string print = "text";
   TextLength length;
 };
 
-std::vector<GivenFrame> read(const CheckCommand& command, const QuaternionConvention& convention) {
-  const std::string text = read_file(command.frames);
-  return at_place(name_of_file(command.frames), ":", [&] { return read_frames(text, convention); });
+FrameReading reading(const CheckCommand& command) {
+  using Quaternion = FrameReading::Quaternion;
+  FrameReading reading;
+  if (!command.quaternion.empty())
+    reading.quaternion =
+        choose<Quaternion>("--quaternion", command.quaternion,
+                           {{"wxyz", Quaternion::wxyz}, {"xyzw", Quaternion::xyzw}});
+  std::tie(reading.tangent_axis, reading.is_axis_reversed) =
+      choose<std::pair<std::size_t, bool>>("--tangent-axis", command.tangent_axis,
+                                           {{"x", {0, false}},
+                                            {"y", {1, false}},
+                                            {"z", {2, false}},
+                                            {"-x", {0, true}},
+                                            {"-y", {1, true}},
+                                            {"-z", {2, true}}});
+  reading.is_inverse = command.is_inverse;
+  reading.names = split(command.header);
+  return reading;
+}
+
+/// Throws InputError for options of quaternions where there are none.
+void require_quaternions(const CheckCommand& command) {
+  const auto refuse = [](const std::string& option) {
+    throw InputError(option, "is for quaternions; the table has vectors");
+  };
+  if (!command.quaternion.empty()) refuse("--quaternion");
+  if (command.tangent_axis != "x") refuse("--tangent-axis");
+  if (command.is_inverse) refuse("--inverse");
+}
+
+/// Throws InputError where the frame that is compared with agrees with all there is.
+void require_enough(const std::vector<GivenFrame>& frames, const FrameCheckOptions& options,
+                    const std::string& file) {
+  if (options.start_angle || number_of_parameters(frames) > 1) return;
+  throw InputError(file,
+                   fmt::format("all samples are at t = {}: without --theta0 they are compared "
+                               "with the frame that agrees with the first, so that samples "
+                               "at other t are wanted",
+                               abbreviated(to_string(frames.front().t))));
 }
 
 void run(const CheckCommand& command) {
   const auto print = choose<std::string (*)(const CheckReport&)>(
       "--print", command.print, {{"text", to_text}, {"json", to_json}});
-  command.length.require_text(command.print);
-  const QuaternionConvention convention{
-      choose<std::size_t>("--tangent-axis", command.tangent_axis, {{"x", 0}, {"y", 1}, {"z", 2}}),
-      command.is_inverse};
+  const FrameReading reading = cli::reading(command);
   FrameCheckOptions options;
   options.tolerance = parse_option("--tol", command.tolerance);
   if (options.tolerance < 0)
     throw InputError("--tol", abbreviated(to_string(options.tolerance)) + " is negative");
   if (!command.start_angle.empty())
-    options.start_angle = parse_option("--theta0", command.start_angle);
+    options.start_angle = parse_angle_option("--theta0", command.start_angle);
   if (command.curve.path == "-" && command.frames == "-")
     throw InputError("check", "the curve and the frames are both to be read from standard input");
 
   const NamedSpline named = as_spline(command.curve.read_curve_or_spline());
-  const std::vector<GivenFrame> frames = read(command, convention);
-  const CheckReport report{named.name, frames, options,
-                           check_frames(named.spline, frames, options)};
+  const std::string bytes = read_file(command.frames);
+  const std::string file = name_of_file(command.frames);
+  const GivenTable table = at_place(file, ":", [&] { return read_frames(bytes, reading); });
+  if (!table.has_quaternions) require_quaternions(command);
+  require_enough(table.frames, options, file);
+  const FrameVerdict verdict = check_frames(named.spline, table.frames, options);
+  const CheckReport report{named.name, table, options, verdict,
+                           better_reading(named.spline, bytes, reading, table, verdict, options)};
   command.length.write(command.curve.output, print(report));
   if (!report.verdict.passes) throw AnswerNo{};
 }
@@ -48,11 +92,12 @@ void run(const CheckCommand& command) {
 }  // namespace
 
 void add_check(CLI::App& app) {
-  auto* command = app.add_subcommand("check", "how far somebody's frames are from the exact one");
+  auto* command = Command::add(app, "check", "how far somebody's frames are from the exact one");
   const auto options = std::make_shared<CheckCommand>();
   options->curve.add_to(*command);
   command
-      ->add_option("FRAMES", options->frames, "a table of frames (CSV), \"-\" for standard input")
+      ->add_option("FRAMES", options->frames,
+                   "a table of frames (text or .npy), \"-\" for standard input")
       ->required()
       ->type_name("");
   command
@@ -63,21 +108,32 @@ void add_check(CLI::App& app) {
       ->add_option("--theta0", options->start_angle,
                    "compare with the frame at this angle to e2 at t = 0, not with the first sample")
       ->type_name("ANGLE");
-  command
-      ->add_option("--tangent-axis", options->tangent_axis,
-                   "of quaternions: the axis of the body along the tangent, x (default), y or z")
-      ->type_name("AXIS");
+  command->add_choice("--quaternion", options->quaternion, {"wxyz", "xyzw"},
+                      "of quaternions: the order of the columns, wxyz or xyzw (default: as they\n"
+                      "are named, else wxyz)");
+  command->add_choice("--tangent-axis", options->tangent_axis, {"x", "y", "z", "-x", "-y", "-z"},
+                      "of quaternions: the axis of the body along the tangent, x (default), y or\n"
+                      "z; =-x, =-y or =-z for the opposite");
   command->add_flag("--inverse", options->is_inverse,
                     "of quaternions: they turn the world to the body");
-  command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  command
+      ->add_option("--header", options->header, "the names of the columns of a table without them")
+      ->type_name("NAME,...")
+      ->expected(1)
+      ->take_all();
+  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
   options->length.add_to(*command);
   command->footer(
       "FRAMES has a header: t and f2x,f2y,f2z, optionally f3x,... and e1x,... (the tangent), or t\n"
-      "and qw,qx,qy,qz. Other columns are skipped. Exit status 0: within the tolerance, 1: not.\n"
+      "and qw,qx,qy,qz. Other columns are skipped. Without a header their number tells: 4: t, f2;\n"
+      "5: t, q; 7: t, f2, f3; 8: t, position, q; 10: t, e1, f2, f3; 13 or more: t, position, e1,\n"
+      "f2, f3. Separators are commas, semicolons, tabs or blanks.\n"
+      "Exit status 0: within the tolerance, 1: not.\n"
       "Examples:\n"
       "  phrame check curve.json frames.csv --tol 1e-9\n"
+      "  phrame check curve.json frames.npy --theta0 0\n"
       "  phrame check curve.json poses.csv --tangent-axis z --print json -o check.json");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -13,7 +13,6 @@ struct ClassifyOptions {
 void run(const ClassifyOptions& options) {
   const auto print = choose<std::string (*)(const ClassifyReport&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
-  options.length.require_text(options.print);
   options.length.write(options.curve.output, print(classify_report(options.curve.read())));
 }
 
@@ -21,10 +20,10 @@ void run(const ClassifyOptions& options) {
 
 void add_classify(CLI::App& app) {
   auto* command =
-      app.add_subcommand("classify", "what kind of curve it is, each answer with its witness");
+      Command::add(app, "classify", "what kind of curve it is, each answer with its witness");
   const auto options = std::make_shared<ClassifyOptions>();
   options->curve.add_to(*command);
-  command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
   options->length.add_to(*command);
   command->footer(
       "Decided exactly: regular, inflections, straight line, plane, helix, double PH, primitive,\n"
@@ -33,7 +32,7 @@ void add_classify(CLI::App& app) {
       "Examples:\n"
       "  phrame classify curve.json\n"
       "  phrame classify curve.json --print json -o class.json");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -4,12 +4,15 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 #include <system_error>
 
+#include "phrame/io/angle_text.hpp"
+#include "phrame/io/number_text.hpp"
 #include "phrame/io/text.hpp"
 
 namespace phrame::cli {
@@ -42,6 +45,10 @@ void fail_with_errno(const std::string& place, std::string_view what) {
                    fmt::format("{}: {}", what, std::strerror(errno)));
 }
 
+void add_reference(Command& command, std::string& name, const std::string& what) {
+  command.add_choice("--frame", name, {"erf", "frenet"}, what);
+}
+
 Reference chosen_reference(const std::string& name) {
   return choose<Reference>("--frame", name,
                            {{"erf", Reference::erf}, {"frenet", Reference::frenet}});
@@ -51,11 +58,11 @@ void fail_for_spline(const std::string& option, const std::string& value) {
   throw InputError(option, "\"" + abbreviated(value) + "\" is for single curves; this is a spline");
 }
 
-void CurveOptions::add_to(CLI::App& command) {
+void CurveOptions::add_to(Command& command) {
   command.add_option("CURVE", path, "a curve file (JSON), \"-\" for standard input")
       ->required()
       ->type_name("");
-  add_output(command, output);
+  command.add_output(output);
   add_max_degree(command, limits);
 }
 
@@ -77,7 +84,7 @@ void Parameters::add_to(CLI::App& command) {
   command
       .add_option("--samples", samples, "N equally spaced values of t from start to end (N ≥ 2)")
       ->type_name("N")
-      ->check(CLI::Range(2L, 10'000'000L).description(""));
+      ->check(whole_number(2, 10'000'000));
 }
 
 std::vector<Rational> Parameters::values(const Rational& end) const {
@@ -93,20 +100,33 @@ std::vector<std::string> split(const std::vector<std::string>& lists) {
   std::vector<std::string> parts;
   for (std::string_view rest : lists) {
     for (auto comma = rest.find(','); comma != std::string_view::npos; comma = rest.find(',')) {
-      parts.emplace_back(rest.substr(0, comma));
+      parts.emplace_back(trimmed(rest.substr(0, comma)));
       rest.remove_prefix(comma + 1);
     }
-    parts.emplace_back(rest);
+    parts.emplace_back(trimmed(rest));
   }
   return parts;
 }
 
 Rational parse_option(const std::string& option, const std::string& text) {
-  try {
-    return parse_rational(text);
-  } catch (const InputError& error) {
-    throw InputError(option, error.reason());
-  }
+  return at_place(option, ", ", [&] { return parse_number(text); });
+}
+
+Angle parse_angle_option(const std::string& option, const std::string& text) {
+  return at_place(option, ", ", [&] { return parse_angle(text); });
+}
+
+CLI::Validator whole_number(long least, long most) {
+  const auto complaint = [least, most](std::string& text) -> std::string {
+    text = trimmed(text);
+    long value = 0;
+    const char* const text_end = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), text_end, value);
+    if (error == std::errc() && end == text_end && least <= value && value <= most) return "";
+    return fmt::format("\"{}\" is not a whole number from {} to {}", abbreviated(text), least,
+                       most);
+  };
+  return {complaint, ""};
 }
 
 void add_digits(CLI::App& command, long& digits) {
@@ -114,21 +134,19 @@ void add_digits(CLI::App& command, long& digits) {
       .add_option("--digits", digits,
                   fmt::format("significant decimal digits, correctly rounded (default {})", digits))
       ->type_name("N")
-      ->check(CLI::Range(1L, 100'000L).description(""));
+      ->check(whole_number(1, 100'000));
 }
 
-void add_output(CLI::App& command, std::string& path) {
-  command.add_option("-o,--output", path, "write to this file instead of standard output")
-      ->type_name("FILE");
+void add_start_angle(CLI::App& command, std::string& angle) {
+  command
+      .add_option("--theta0", angle,
+                  "the angle at t = 0: radians, or such as pi/4 or 45deg (default 0)")
+      ->type_name("ANGLE");
 }
 
-void TextLength::add_to(CLI::App& command) {
+void TextLength::add_to(Command& command) {
   command.add_flag("--full", is_full, "in text, abridge nothing: long polynomials, numbers, lists");
-}
-
-void TextLength::require_text(const std::string& print) const {
-  if (is_full && print != "text")
-    throw InputError("--full", "is for --print text; \"" + print + "\" abridges nothing");
+  command.only_with({"--full"}, {"--print text"});
 }
 
 void TextLength::write(const std::string& path, const std::string& printed) const {
@@ -140,7 +158,7 @@ void add_max_degree(CLI::App& command, CurveLimits& limits) {
       .add_option("--max-degree", limits.max_degree,
                   fmt::format("refuse curves of a higher degree (default {})", limits.max_degree))
       ->type_name("N")
-      ->check(CLI::Range(1L, 1'000'000L).description(""));
+      ->check(whole_number(1, 1'000'000));
 }
 
 std::string read_file(const std::string& path) {

@@ -1,9 +1,10 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/cli/subcommand.hpp"
 #include "phrame/io/curve_file.hpp"
 #include "phrame/ph/rmf_angle.hpp"
 
@@ -15,7 +16,7 @@ struct CurveOptions {
   CurveLimits limits;
   std::string output = "-";
 
-  void add_to(CLI::App& command);
+  void add_to(Command& command);
   // Read the curve; an InputError's place starts with the path.
   NamedCurve read() const;
   NamedHodograph read_hodograph() const;
@@ -32,17 +33,24 @@ struct Parameters {
   std::vector<Rational> values(const Rational& end = 1) const;
 };
 
-/// The parts of lists separated by commas, in order; an empty part is a part.
+/// The parts of lists separated by commas, in order, without blanks around them; an empty part is a
+/// part.
 std::vector<std::string> split(const std::vector<std::string>& lists);
 
 /// Reads a number given on the command line; the place of an InputError is the option.
 Rational parse_option(const std::string& option, const std::string& text);
+/// The same of an angle: "pi/4", "45deg", "0.5".
+Angle parse_angle_option(const std::string& option, const std::string& text);
+
+/// A whole number from `least` to `most`, or an InputError that says so.
+CLI::Validator whole_number(long least, long most);
 
 /// --digits, checked to be in 1 … 100 000.
 void add_digits(CLI::App& command, long& digits);
 
-/// -o
-void add_output(CLI::App& command, std::string& path);
+/// --theta0, the angle at t = 0.
+void add_start_angle(CLI::App& command, std::string& angle);
+
 /// --max-degree
 void add_max_degree(CLI::App& command, CurveLimits& limits);
 
@@ -50,9 +58,8 @@ void add_max_degree(CLI::App& command, CurveLimits& limits);
 struct TextLength {
   bool is_full = false;
 
-  void add_to(CLI::App& command);
-  /// Throws InputError where --full is given and `print`, the value of --print, is not "text".
-  void require_text(const std::string& print) const;
+  /// After --print.
+  void add_to(Command& command);
   /// Writes what is printed: a text for reading in this length, all else as it is.
   void write(const std::string& path, const std::string& printed) const;
 };
@@ -70,6 +77,7 @@ T choose(const std::string& option, const std::string& name,
 }
 
 /// --frame of an angle: erf or frenet.
+void add_reference(Command& command, std::string& name, const std::string& what);
 Reference chosen_reference(const std::string& name);
 
 /// "--to: "2" is for single curves; this is a spline". Throws InputError.
@@ -107,7 +115,7 @@ struct AnswerNo {
   std::string complaint;  ///< for stderr; empty where the answer was printed
 };
 
-// Each adds a subcommand and what it does when it was chosen.
+// Each adds a command and what it does.
 void add_angle(CLI::App& app);
 void add_info(CLI::App& app);
 void add_classify(CLI::App& app);
@@ -123,5 +131,8 @@ void add_check(CLI::App& app);
 void add_certify(CLI::App& app);
 void add_verify(CLI::App& app);
 void add_prove(CLI::App& app);
+void add_help(CLI::App& app);
+void add_completion(CLI::App& app);  ///< hidden
+void add_man(CLI::App& app);         ///< hidden
 
 }  // namespace phrame::cli

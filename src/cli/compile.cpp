@@ -25,7 +25,7 @@ double end_of_interval(const std::string& option, const std::string& text) {
 
 void run(const CompileOptions& options) {
   const auto reference = chosen_reference(options.frame);
-  const Rational start_angle = parse_option("--theta0", options.start_angle);
+  const Angle start_angle = parse_angle_option("--theta0", options.start_angle);
   const double from = end_of_interval("--from", options.from);
   const double to = end_of_interval("--to", options.to);
   if (!(from < to))
@@ -71,18 +71,14 @@ void run(const CompileOptions& options) {
 }  // namespace
 
 void add_compile(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("compile", "a C header that evaluates the angle and the frame");
+  auto* command = Command::add(app, "compile", "a C header that evaluates the angle and the frame");
   const auto options = std::make_shared<CompileOptions>();
   options->curve.add_to(*command);
   command->add_option("--prefix", options->prefix, "of the names in C (default: the curve's name)")
       ->type_name("NAME");
-  command
-      ->add_option("--frame", options->frame,
-                   "the frame the angle is measured from: erf (default), or frenet: only the angle")
-      ->type_name("NAME");
-  command->add_option("--theta0", options->start_angle, "the angle at t = 0, radians (default 0)")
-      ->type_name("ANGLE");
+  add_reference(*command, options->frame,
+                "the frame the angle is measured from: erf (default), or frenet: only the angle");
+  add_start_angle(*command, options->start_angle);
   command->add_option("--from", options->from, "the least t (default 0), rounded to a double")
       ->type_name("T");
   command->add_option("--to", options->to, "the greatest t (default 1), rounded to a double")
@@ -94,7 +90,7 @@ void add_compile(CLI::App& app) {
       "Examples:\n"
       "  phrame compile curve.json -o angle.h\n"
       "  phrame compile curve.json --from -1 --to 2 --prefix arm -o arm.h");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -1,13 +1,11 @@
 #include "phrame/cli/form.hpp"
 
-#include <fmt/format.h>
-
 namespace phrame::cli {
 namespace {
 
 const std::vector<std::pair<std::string, FormChoice>>& forms() {
   static const std::vector<std::pair<std::string, FormChoice>> table{
-      {"auto", {}},
+      {"auto", {Form::automatic, FormChoice::Style::textbook}},
       {"partial-fractions", {Form::partial_fractions}},
       {"rothstein-trager", {Form::rothstein_trager}},
       {"lazard-rioboo-trager", {Form::lazard_rioboo_trager}},
@@ -18,26 +16,28 @@ const std::vector<std::pair<std::string, FormChoice>>& forms() {
   return table;
 }
 
-std::string names_of_forms() {
-  std::string names;
-  for (const auto& [name, choice] : forms()) names += (names.empty() ? "" : ", ") + name;
+std::vector<std::string> names_of_forms() {
+  std::vector<std::string> names;
+  for (const auto& [name, choice] : forms()) names.push_back(name);
   return names;
 }
 
 }  // namespace
 
-void FormOptions::add_to(CLI::App& command) {
-  command
-      .add_option(
-          "--form", form,
-          fmt::format("how the logarithms are written (default auto): {}", names_of_forms()))
-      ->type_name("NAME");
-  command
-      .add_option("--print", print,
-                  "text (default), json, latex, or for a computer-algebra system: sympy, "
-                  "mathematica, maple, maxima, pari")
-      ->type_name("NAME");
+void FormOptions::add_to(Command& command) {
+  command.add_choice("--form", form, names_of_forms(),
+                     "how the logarithms are written: auto (default), partial-fractions,\n"
+                     "rothstein-trager, lazard-rioboo-trager, real, radicals");
+  command.add_format("--print", print,
+                     {"text", "json", "latex", "sympy", "mathematica", "maple", "maxima", "pari"},
+                     "text (default), json, latex, or for a computer-algebra system: sympy,\n"
+                     "mathematica, maple, maxima, pari");
   length.add_to(command);
+}
+
+std::vector<std::string> FormOptions::scripts() {
+  return {"--print sympy", "--print mathematica", "--print maple", "--print maxima",
+          "--print pari"};
 }
 
 FormChoice FormOptions::chosen_form() const { return choose<FormChoice>("--form", form, forms()); }

@@ -9,7 +9,7 @@ namespace phrame::cli {
 
 /// --form: what the logarithms run over, and how the result is written.
 struct FormChoice {
-  enum class Style { algebraic, real, radicals };
+  enum class Style { algebraic, textbook, real, radicals };
   Form form = Form::automatic;
   Style style = Style::algebraic;
 };
@@ -20,15 +20,17 @@ struct FormOptions {
   std::string print = "text";
   TextLength length;
 
-  void add_to(CLI::App& command);
+  void add_to(Command& command);
+  /// The choices of --print that are the closed form only: "--print sympy".
+  static std::vector<std::string> scripts();
   /// Throws InputError for a name that is none.
   FormChoice chosen_form() const;
-  bool is_automatic() const { return form == "auto"; }
 };
 
 /// Gives the report F in the style that was chosen.
 template <class Report>
 void set_style(Report& report, const FormChoice& choice, const Antiderivative& F) {
+  if (choice.style == FormChoice::Style::textbook) report.textbook = textbook_form(F);
   if (choice.style == FormChoice::Style::real) report.real = real_form(F);
   if (choice.style == FormChoice::Style::radicals) report.radicals = radical_form(F);
 }

@@ -19,7 +19,6 @@ std::string to_curve_file(const IdentifyReport& report) {
 void run(const IdentifyOptions& options) {
   const auto print = choose<std::string (*)(const IdentifyReport&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"curve", to_curve_file}});
-  options.length.require_text(options.print);
   const NamedHodograph named = options.curve.read_hodograph();
   const IdentifyReport report{named.name, identify(named.hodograph, named.start)};
   options.length.write(options.curve.output, print(report));
@@ -29,13 +28,12 @@ void run(const IdentifyOptions& options) {
 }  // namespace
 
 void add_identify(CLI::App& app) {
-  auto* command = app.add_subcommand("identify", "is a polynomial curve PH? its preimage");
+  auto* command = Command::add(app, "identify",
+                               "is a polynomial curve Pythagorean-hodograph (PH)? its preimage");
   const auto options = std::make_shared<IdentifyOptions>();
   options->curve.add_to(*command);
-  command
-      ->add_option("--print", options->print,
-                   "text (default), json, or curve: a curve file with the preimage")
-      ->type_name("NAME");
+  command->add_format("--print", options->print, {"text", "json", "curve"},
+                      "text (default), json, or curve: a curve file with the preimage");
   options->length.add_to(*command);
   command->footer(
       "Only r' counts, given by control_points or by any preimage and multiplier; found are the A\n"
@@ -43,7 +41,7 @@ void add_identify(CLI::App& app) {
       "Examples:\n"
       "  phrame identify bezier.json\n"
       "  phrame identify bezier.json --print curve -o ph.json");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -22,7 +22,6 @@ std::string printed(const Info& info, Print print) {
 void run(const InfoOptions& options) {
   const Print print =
       choose<Print>("--print", options.print, {{"text", Print::text}, {"json", Print::json}});
-  options.length.require_text(options.print);
   const auto read = options.curve.read_curve_or_spline();
   const auto* curve = std::get_if<NamedCurve>(&read);
   options.length.write(
@@ -34,11 +33,11 @@ void run(const InfoOptions& options) {
 }  // namespace
 
 void add_info(CLI::App& app) {
-  auto* command = app.add_subcommand("info", "the polynomials and totals of a curve or spline");
+  auto* command = Command::add(app, "info", "the polynomials and totals of a curve or spline");
   const auto options = std::make_shared<InfoOptions>();
   options->curve.add_to(*command);
   add_digits(*command, options->digits);
-  command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
   options->length.add_to(*command);
   command->footer(
       "In JSON, arc_length is an exact text, or a value with its radius where the multiplier\n"
@@ -46,7 +45,7 @@ void add_info(CLI::App& app) {
       "Examples:\n"
       "  phrame info curve.json --digits 30\n"
       "  phrame info curve.json --print json -o info.json");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -26,22 +26,21 @@ std::string_view typed(std::string_view text) {
 
 Expression integrand(const IntegrateOptions& options) {
   const bool is_stream = options.expression == "-";
+  ExpressionLimits limits = options.limits;
+  limits.variable_option = "--var";
   const std::string text = is_stream ? read_file("-") : std::string(typed(options.expression));
   if (options.variable && !is_variable_name(*options.variable))
     throw InputError("--var", "\"" + abbreviated(*options.variable) + "\" is not a name");
   Expression f = at_place(is_stream ? "standard input" : "EXPR", ", ",
-                          [&] { return parse_expression(text, options.variable, options.limits); });
+                          [&] { return parse_expression(text, options.variable, limits); });
   if (f.variable.empty()) f.variable = "x";
   return f;
 }
 
-std::optional<std::pair<Endpoint, Endpoint>> ends(const IntegrateOptions& options) {
+std::optional<std::pair<PathEnd, PathEnd>> ends(const IntegrateOptions& options) {
   if (options.from.has_value() != options.to.has_value())
     throw InputError("integrate", "--from and --to go together");
-  if (!options.from) {
-    if (options.principal_value) throw InputError("--principal-value", "needs --from and --to");
-    return std::nullopt;
-  }
+  if (!options.from) return std::nullopt;
   const auto end = [&](const std::string& option, const std::string& text) {
     return at_place(option, ", ", [&] { return parse_endpoint(typed(text), options.limits); });
   };
@@ -51,7 +50,6 @@ std::optional<std::pair<Endpoint, Endpoint>> ends(const IntegrateOptions& option
 void run(const IntegrateOptions& options) {
   const FormChoice form = options.form.chosen_form();
   const auto print = chosen_print<IntegralReport>(options.form.print);
-  options.form.length.require_text(options.form.print);
   const auto path = ends(options);
   const Expression f = integrand(options);
   if (form.style == FormChoice::Style::radicals && f.variable == "i")
@@ -59,13 +57,13 @@ void run(const IntegrateOptions& options) {
 
   IntegralReport report{f, integrate(f.value, form.form)};
   report.says_checked = !options.is_silent;
-  report.is_automatic = options.form.is_automatic();
   report.digits = options.digits;
   report.lists_all_poles = options.form.length.is_full;
-  set_style(report, form, report.antiderivative);
+  if (options.form.print != "json" || form.style != FormChoice::Style::textbook)
+    set_style(report, form, report.antiderivative);
   if (path) {
     const auto& [from, to] = *path;
-    const DefiniteIntegral integral = definite_integral(
+    const DefiniteIntegral integral = path_integral(
         f.value, from, to, options.principal_value ? AtPoles::principal_value : AtPoles::refuse);
     report.definite = {from, to, options.principal_value,
                        round_to_decimal(integral.value, options.digits), integral.exact};
@@ -77,7 +75,7 @@ void run(const IntegrateOptions& options) {
 }  // namespace
 
 void add_integrate(CLI::App& app) {
-  auto* command = app.add_subcommand("integrate", "the exact integral of a rational function");
+  auto* command = Command::add(app, "integrate", "the exact integral of a rational function");
   const auto options = std::make_shared<IntegrateOptions>();
   command
       ->add_option(
@@ -89,7 +87,8 @@ void add_integrate(CLI::App& app) {
       ->type_name("NAME");
   command
       ->add_option("--from", options->from,
-                   "integrate from here: a number, inf, or root(p, a, b), the root of p in [a, b]")
+                   "integrate from here: a number, as 3/7, sqrt(2) or pi/4, inf (or oo), or\n"
+                   "root(p, a, b), the root of p in [a, b]")
       ->type_name("END");
   command->add_option("--to", options->to, "to here")->type_name("END");
   command->add_flag(
@@ -97,15 +96,18 @@ void add_integrate(CLI::App& app) {
       "Cauchy's principal value at simple poles between the ends, and from -inf to inf");
   add_digits(*command, options->digits);
   options->form.add_to(*command);
-  command->add_flag("!--derivative-check,--no-derivative-check", options->is_silent,
+  command->add_flag("--no-derivative-check", options->is_silent,
                     "do not say that the derivative was checked (it always is)");
+  command->add_flag("--derivative-check")->group("");  // the default
   command
       ->add_option("--max-degree", options->limits.size.max_degree,
                    fmt::format("refuse functions of a higher degree (default {})",
                                options->limits.size.max_degree))
       ->type_name("N")
-      ->check(CLI::Range(1L, 1'000'000L).description(""));
-  add_output(*command, options->output);
+      ->check(whole_number(1, 1'000'000));
+  command->add_output(options->output);
+  command->only_with({"--principal-value", "--digits"}, {"--from and --to"});
+  command->only_with({"--no-derivative-check"}, {"--print text"});
   command->footer(
       "Numbers are exact: 0.1 is 1/10. A product needs its sign: 2*x, not 2x.\n"
       "Examples:\n"
@@ -113,7 +115,7 @@ void add_integrate(CLI::App& app) {
       "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50\n"
       "  phrame integrate '1/(t^2-2)' --form real --from 'root(t^2-3, 1, 2)' --to inf\n"
       "  phrame integrate '1/(x^5+x+1)' --print sympy");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

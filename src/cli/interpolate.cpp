@@ -35,7 +35,7 @@ void run(const InterpolateOptions& options) {
 }  // namespace
 
 void add_interpolate(CLI::App& app) {
-  auto* command = app.add_subcommand("interpolate", "the points of a motion at equal times");
+  auto* command = Command::add(app, "interpolate", "the points of a motion at equal times");
   const auto options = std::make_shared<InterpolateOptions>();
   options->curve.add_to(*command);
   command
@@ -48,7 +48,8 @@ void add_interpolate(CLI::App& app) {
                    "the speed V: a constant, or a rational function of s, t or kappa")
       ->required()
       ->type_name("EXPR");
-  command->add_option("--format", options->format, "csv (default), json or npy")->type_name("NAME");
+  command->add_format("--format", options->format, {"csv", "json", "npy"},
+                      "csv (default), json or npy");
   command->footer(
       "The columns are k, time, t, s, x, y, z: the parameter t with the integral of |r'|/V from 0\n"
       "to t equal to the time k*PERIOD, the arc length s and the point there; the last row is the\n"
@@ -60,7 +61,7 @@ void add_interpolate(CLI::App& app) {
       "  phrame interpolate curve.json --period 1/1000 --feed '10 + 2*s' -o points.csv\n"
       "  phrame interpolate curve.json --period 0.01 --feed '5 + t^2' --format json\n"
       "  phrame interpolate plane.json --period 0.01 --feed '5/(1 + 2*kappa)'");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

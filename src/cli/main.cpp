@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "phrame/cli/command.hpp"
+#include "phrame/cli/usage.hpp"
 #include "phrame/io/failure.hpp"
 #include "phrame/io/text.hpp"
 #include "phrame/version.hpp"
@@ -19,26 +20,9 @@ int complain(std::string_view what, int status) {
   return status;
 }
 
-/// CLI11 would call the first word and all that follow it "not expected".
-void require_known_command(const std::vector<CLI::App*>& commands, int argc, char** argv) {
-  std::string names;
-  for (const CLI::App* command : commands)
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", command->get_name());
-  const std::string there_are = fmt::format("there are {} (phrame --help)", names);
-  if (argc < 2) throw phrame::InputError(fmt::format("a command is needed: {}", there_are));
-  const std::string word = argv[1];
-  const bool known = std::any_of(commands.begin(), commands.end(), [&](const CLI::App* command) {
-    return command->get_name() == word;
-  });
-  if (!known && !word.starts_with('-'))
-    throw phrame::InputError(
-        fmt::format("\"{}\" is not a command: {}", phrame::abbreviated(word), there_are));
-}
-
 /// The arguments, last first, as CLI11 wants them. It takes "-x/(x^2+1)" for options, so that an
 /// expression gets a blank in front; -h and -o are options.
-std::vector<std::string> arguments(int argc, char** argv) {
-  std::vector<std::string> list(argv + 1, argv + argc);
+std::vector<std::string> arguments(std::vector<std::string> list) {
   if (list.front() == "integrate")
     for (std::string& word : list)
       if (word.size() > 1 && word[0] == '-' &&
@@ -48,12 +32,35 @@ std::vector<std::string> arguments(int argc, char** argv) {
   return list;
 }
 
+/// "help angle" is "angle --help".
+std::vector<std::string> without_help_command(std::vector<std::string> words) {
+  if (words.empty() || words[0] != "help") return words;
+  if (words.size() == 1) return {"--help"};
+  if (words.size() == 2 && !words[1].starts_with('-')) return {words[1], "--help"};
+  return words;
+}
+
 int run(int argc, char** argv) {
   CLI::App app(
       "Exact rotation-minimizing frames of Pythagorean-hodograph curves, and exact integrals of "
       "rational functions.",
       "phrame");
+  app.set_help_flag("-h,--help", "show this help");
+  app.option_defaults()->disable_flag_override();
+  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  app.get_formatter()->label("Positionals", "Arguments");
+  app.get_formatter()->label("REQUIRED", "(required)");
   app.footer(
+      "A curve file is JSON, such as\n"
+      "  {\"phrame\": \"curve/1\", \"basis\": \"power\",\n"
+      "   \"preimage\": {\"u\": [1], \"v\": [0, \"1/2\"], \"p\": [0, 0, 3], \"q\": [0.25]}}\n"
+      "and means r' = f A i A* with A = u + vi + pj + qk and f = \"multiplier\", 1 if not given.\n"
+      "Where f < 0, e1 = A i A*/|A|^2 of all frames is the opposite of the tangent r'/|r'|.\n"
+      "Numbers are exact: 3/7, 0.1 (which is 1/10), 1e-3; on the command line 1.5/2.5, too.\n"
+      "Angles there are radians, multiples of pi or degrees: 0.5, pi/4, -31pi/40, 45deg.\n"
+      "Exit status: 0 done, 1 the answer is no, 2 bad input or usage, 3 mathematically undefined,\n"
+      "4 undecided within the limits. \"phrame help COMMAND\" shows a command's options and "
+      "examples.\n"
       "Examples:\n"
       "  phrame angle curve.json --at 0,1/2,1 --digits 50\n"
       "  phrame info curve.json --print json\n"
@@ -61,14 +68,7 @@ int run(int argc, char** argv) {
       "  phrame frames curve.json --samples 101 -o frames.csv\n"
       "  phrame interpolate curve.json --period 0.001 --feed '10 + 2*s'\n"
       "  phrame batch curves.jsonl --at 1 -o angles.jsonl\n"
-      "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50\n"
-      "A curve file is JSON, such as\n"
-      "  {\"phrame\": \"curve/1\", \"basis\": \"power\",\n"
-      "   \"preimage\": {\"u\": [1], \"v\": [0, \"1/2\"], \"p\": [0, 0, 3], \"q\": [0.25]}}\n"
-      "and means r' = f A i A* with A = u + vi + pj + qk and f = \"multiplier\", 1 if not given.\n"
-      "Where f < 0, e1 = A i A*/|A|^2 of all frames is the opposite of the tangent r'/|r'|.\n"
-      "Exit status: 0 done, 1 the answer is no, 2 bad input or usage, 3 mathematically undefined,\n"
-      "4 undecided within the limits. \"phrame COMMAND --help\" shows examples.");
+      "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50");
   phrame::cli::add_angle(app);
   phrame::cli::add_info(app);
   phrame::cli::add_classify(app);
@@ -84,25 +84,36 @@ int run(int argc, char** argv) {
   phrame::cli::add_certify(app);
   phrame::cli::add_verify(app);
   phrame::cli::add_prove(app);
-  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  phrame::cli::add_help(app);
+  phrame::cli::add_completion(app);
+  phrame::cli::add_man(app);
   const std::string version = fmt::format("phrame {}", phrame::version);
-  app.set_version_flag("--version", version);
-  for (CLI::App* command : commands) command->set_version_flag("--version", version);
+  app.set_version_flag("--version", version, "show the version");
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+    command->set_version_flag("--version", version, "show the version");
   app.require_subcommand(0, 1);
-  require_known_command(commands, argc, argv);
+
+  const std::vector<std::string> words = without_help_command({argv + 1, argv + argc});
+  if (const std::string wrong = phrame::cli::complaint_about_command(app, words); !wrong.empty())
+    throw phrame::InputError(wrong);
   try {
-    app.parse(arguments(argc, argv));
-    return done;
+    app.parse(arguments(words));
   } catch (const CLI::Success& success) {  // --help, --version
     std::ostringstream text;
     app.exit(success, text, text);
     phrame::cli::write_output("-", text.str());  // a full or closed standard output is an error
     return done;
   } catch (const CLI::ParseError& error) {
-    const auto chosen = app.get_subcommands();
-    const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + " ";
-    return complain(fmt::format("{} (phrame {}--help)", error.what(), command), bad_input);
+    return complain(phrame::cli::complaint(app, error), bad_input);
   }
+  const auto chosen = app.get_subcommands();
+  if (chosen.empty())  // "--"
+    throw phrame::InputError(phrame::cli::complaint_about_command(app, {}));
+  auto& command = static_cast<phrame::cli::Command&>(*chosen.front());
+  if (const std::string wrong = phrame::cli::about_swallowed_option(command); !wrong.empty())
+    throw phrame::InputError(wrong);
+  command.run();
+  return done;
 }
 
 }  // namespace

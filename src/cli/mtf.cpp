@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "phrame/cli/twist_options.hpp"
 #include "phrame/io/twist_report.hpp"
 
@@ -14,14 +16,15 @@ struct MtfOptions {
   long digits = 17;
 };
 
-/// The rational frame, or, if nobody asked for it, why there is none.
-void add_rational(TwistReport& report, const MtfOptions& options, const MinimalTwist& mtf) {
+/// The rational frame, or, unless it was asked for, why there is none.
+void add_rational(TwistReport& report, const MtfOptions& options, const MinimalTwist& mtf,
+                  bool asked) {
   const auto make = [&] {
     const TwistFrame frame = twist_frame(mtf, options.twist.rotation(options.digits),
                                          options.twist.subdivision(mtf.spline()));
     report.rational = twist_frame_report(mtf, frame, options.digits);
   };
-  if (options.twist.asks_for_rational()) return make();
+  if (asked) return make();
   try {
     make();
   } catch (const DomainError& error) {
@@ -31,35 +34,39 @@ void add_rational(TwistReport& report, const MtfOptions& options, const MinimalT
   }
 }
 
-void run(const MtfOptions& options) {
+void run(const Command& command, const MtfOptions& options) {
   const auto print = choose<std::string (*)(const TwistReport&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
-  options.length.require_text(options.print);
   const NamedSpline named = as_spline(options.curve.read_curve_or_spline());
   const auto [from, to] = options.twist.ends(named.spline);
   SplineAngle rmf(named.spline);
   const MinimalTwist mtf(rmf, from, to, options.twist.turns);
   TwistReport report = twist_report(named.name, named.spline, from, to, mtf,
                                     options.parameters.values(named.spline.end()), options.digits);
-  if (!options.is_exact_only) add_rational(report, options, mtf);
+  const auto about = TwistOptions::of_rational_frame();
+  const bool asked = std::any_of(about.begin(), about.end(), [&](const std::string& option) {
+    return command.is_given(option);
+  });
+  if (!options.is_exact_only) add_rational(report, options, mtf, asked);
   options.length.write(options.curve.output, print(report));
 }
 
 }  // namespace
 
 void add_mtf(CLI::App& app) {
-  auto* command = app.add_subcommand("mtf", "the frame of minimal twist between two orientations");
+  auto* command = Command::add(app, "mtf", "the frame of minimal twist between two orientations");
   const auto options = std::make_shared<MtfOptions>();
   options->curve.add_to(*command);
   options->twist.add_to(*command);
   command->add_flag("--exact-only", options->is_exact_only, "no rational frame");
+  command->not_with(TwistOptions::of_rational_frame(), {"--exact-only"});
   options->parameters.add_to(*command);
   add_digits(*command, options->digits);
-  command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
   options->length.add_to(*command);
   command->footer(
-      "Angles are radians or multiples of pi: 0.3927, pi/8, -31pi/40, 5/8*pi. e2 is that of the\n"
-      "Euler-Rodrigues frame, which phrame frames --frame erf shows.\n"
+      "Angles are radians, multiples of pi or degrees: 0.3927, pi/8, -31pi/40, 45deg. e2 is that\n"
+      "of the Euler-Rodrigues frame, which phrame frames --frame erf shows.\n"
       "The exact frame turns about e1 at a constant rate; the rational one is the ERF turned by\n"
       "2 arg w(t) with a polynomial w whose rate deviates least from that (root mean square).\n"
       "Examples:\n"
@@ -67,7 +74,7 @@ void add_mtf(CLI::App& app) {
       "  phrame mtf curve.json --from pi/8 --to -pi/2 --degree 3 --subdivide extrema\n"
       "  phrame mtf curve.json --from-vector 0,0,1 --to-vector 1,1,0 --digits 30 --print json\n"
       "  phrame mtf closed.json --from 0 --closed");
-  command->callback([options] { run(*options); });
+  command->does([command, options] { run(*command, *options); });
 }
 
 }  // namespace phrame::cli

@@ -20,7 +20,7 @@ void run(const ProveOptions& options) {
 }  // namespace
 
 void add_prove(CLI::App& app) {
-  auto* command = app.add_subcommand("prove", "a Coq file that proves a value of the angle");
+  auto* command = Command::add(app, "prove", "a Coq file that proves a value of the angle");
   const auto options = std::make_shared<ProveOptions>();
   options->curve.add_to(*command);
   command->add_option("--at", options->at, "t > 0 (default 1)")->type_name("T");
@@ -31,7 +31,7 @@ void add_prove(CLI::App& app) {
       "minutes; it needs Coquelicot and CoqInterval (./dev prove installs them).\n"
       "Examples:\n"
       "  phrame prove curve.json --at 1 --digits 30 -o angle.v && coqc angle.v");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

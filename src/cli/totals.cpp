@@ -14,7 +14,6 @@ struct TotalsOptions {
 void run(const TotalsOptions& options) {
   const auto print = choose<std::string (*)(const TotalsReport&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
-  options.length.require_text(options.print);
   options.length.write(options.curve.output,
                        print(totals_report(options.curve.read(), options.digits)));
 }
@@ -22,12 +21,12 @@ void run(const TotalsOptions& options) {
 }  // namespace
 
 void add_totals(CLI::App& app) {
-  auto* command = app.add_subcommand(
-      "totals", "length, twist, torsion, curvature and energies, in closed form");
+  auto* command =
+      Command::add(app, "totals", "length, twist, torsion, curvature and energies, in closed form");
   const auto options = std::make_shared<TotalsOptions>();
   options->curve.add_to(*command);
   add_digits(*command, options->digits);
-  command->add_option("--print", options->print, "text (default) or json")->type_name("NAME");
+  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
   options->length.add_to(*command);
   command->footer(
       "Integrals from t = 0 to 1, each with its integrand, its antiderivative and its value.\n"
@@ -36,7 +35,7 @@ void add_totals(CLI::App& app) {
       "Examples:\n"
       "  phrame totals curve.json --digits 30\n"
       "  phrame totals curve.json --print json -o totals.json");
-  command->callback([options] { run(*options); });
+  command->does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

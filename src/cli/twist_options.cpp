@@ -1,6 +1,5 @@
 #include "phrame/cli/twist_options.hpp"
 
-#include "phrame/io/angle_text.hpp"
 #include "phrame/ph/frame.hpp"
 
 namespace phrame::cli {
@@ -17,7 +16,10 @@ Vector<Rational> parse_vector(const std::string& option, const std::string& text
 /// The angle given as such or by a vector, at t on the curve.
 FrameAngle boundary(const std::string& name, const std::string& angle, const std::string& vector,
                     const Curve& curve, const Rational& t) {
-  if (!angle.empty()) return at_place(name, "", [&] { return parse_angle(angle); });
+  if (!angle.empty()) {
+    const Angle given = parse_angle_option(name, angle);
+    return {given.half_turns, given.radians};
+  }
   const std::string option = name + "-vector";
   const auto v = parse_vector(option, vector);
   try {
@@ -44,10 +46,10 @@ void TwistOptions::add_to(CLI::App& command) {
   command.add_flag("--closed", is_closed, "of a closed spline: the frame ends as it starts");
   command.add_option("--turns", turns, "so many revolutions more (default 0)")
       ->type_name("K")
-      ->check(CLI::Range(-1'000'000L, 1'000'000L).description(""));
+      ->check(whole_number(-1'000'000, 1'000'000));
   command.add_option("--degree", degree, "of w in the rational frame, 1 to 8 (default 2)")
       ->type_name("N")
-      ->check(CLI::Range(1L, 8L).description(""));
+      ->check(whole_number(1, 8));
   command.add_flag("--free-ends", has_free_ends,
                    "w need not have the mean rate at the ends of its pieces");
   command
@@ -98,12 +100,19 @@ Subdivision TwistOptions::subdivision(const Spline& spline) const {
 }
 
 RationalTwistOptions TwistOptions::rotation(long digits) const {
+  if (is_unproved && (degree > 2 || (degree == 2 && has_free_ends)))
+    throw InputError("--unproved",
+                     "needs --degree 1 or 2 without --free-ends: of others nothing is proved");
   return {degree, has_free_ends ? EndRates::free : EndRates::matched, !is_unproved,
           digits * 10 / 3 + 16};
 }
 
-bool TwistOptions::asks_for_rational() const {
-  return degree != 2 || has_free_ends || !subdivide.empty() || is_unproved;
+std::vector<std::string> TwistOptions::of_ends() {
+  return {"--from", "--to", "--from-vector", "--to-vector", "--closed", "--turns"};
+}
+
+std::vector<std::string> TwistOptions::of_rational_frame() {
+  return {"--degree", "--free-ends", "--subdivide", "--unproved"};
 }
 
 }  // namespace phrame::cli

@@ -18,6 +18,9 @@ struct TwistOptions {
   bool is_unproved = false;
 
   void add_to(CLI::App& command);
+  /// The options about θ_i and θ_f, and those about the rational frame.
+  static std::vector<std::string> of_ends();
+  static std::vector<std::string> of_rational_frame();
 
   /// θ_i and θ_f. Throws InputError where one is missing or given twice.
   std::pair<FrameAngle, FrameAngle> ends(const Spline& spline) const;
@@ -25,8 +28,6 @@ struct TwistOptions {
   Subdivision subdivision(const Spline& spline) const;
   /// For results with so many digits.
   RationalTwistOptions rotation(long digits) const;
-  /// Was anything said about the rational frame?
-  bool asks_for_rational() const;
 };
 
 }  // namespace phrame::cli

@@ -37,7 +37,7 @@ long largest_precision(long bits, const Endpoint& a, const Endpoint& b) {
   long size = 0;
   for (const Endpoint* end : {&a, &b})
     if (const auto* t = std::get_if<Rational>(end))
-      size += static_cast<long>(msb(Integer(abs(numerator(*t)) + 1)) + msb(denominator(*t)));
+      size += bit_length(numerator(*t)) + bit_length(denominator(*t));
   return 64 * bits + 65536 + 4 * size;
 }
 
@@ -325,15 +325,17 @@ Real Evaluator::value(const Rational& a, const Rational& b) {
 // What is nearly rational is rarely rational: the decision waits for a ball that an integral of
 // this size, about 2^−degree where the poles are not near, has left.
 Real Evaluator::value(const Rational& a, const Rational& b, const GaussianPolynomial& phase,
-                      const Real::Enclosure& enclose) {
-  const Rational rational = rational_difference(a, b);
-  if (a == b || (poles_.empty() && degree(phase) == 0)) return rational;
+                      const Real::Enclosure& enclose, const Angle& offset) {
+  const Rational rational = rational_difference(a, b) + offset.radians;
+  if (a == b || (poles_.empty() && degree(phase) == 0))
+    return to_real(Angle(offset.half_turns, rational));
   constexpr long bits = first_bits;
   const RealBall first = enclose(bits);
   if (first.contains(rational)) {
     long poles = degree(phase);
     for (const Poles& p : poles_) poles += p.denominator.degree();
-    if (enclose(bits + 16 * poles).contains(rational) && multiple_of_pi(a, b, phase) == Rational(0))
+    if (enclose(bits + 16 * poles).contains(rational) &&
+        multiple_of_pi(a, b, phase) == Rational(-offset.half_turns))
       return rational;
   }
   return Real(

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/roots.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/antiderivative.hpp"
@@ -55,13 +56,13 @@ class Evaluator {
   /// The value keeps a reference to this evaluator. Throws as above.
   Real value(const Rational& a, const Rational& b);
 
-  /// F(b) − F(a) + arg phase(b) − arg phase(a), the argument continuous, in the same manner: exact
-  /// without logarithms, for a = b, and where logarithms and arguments cancel. That they cancel is
-  /// decided for residues in ℚ(i) (Baker) and recognised in many other cases.
+  /// F(b) − F(a) + arg phase(b) − arg phase(a) + offset, the argument continuous, in the same
+  /// manner: exact where π, logarithms and arguments cancel, or where there are none. That they
+  /// cancel is decided for residues in ℚ(i) (Baker) and recognised in many other cases.
   /// Precondition: no pole in [a, b], and `enclose` gives balls around this number, which the value
   /// keeps: it does not refer to this evaluator.
   Real value(const Rational& a, const Rational& b, const GaussianPolynomial& phase,
-             const Real::Enclosure& enclose);
+             const Real::Enclosure& enclose, const Angle& offset = {});
 
   /// The logarithms in F(b) − F(a) plus arg phase(b) − arg phase(a), over π, where this is
   /// rational: decided for residues in ℚ(i) (Baker) and recognised in many other cases; no value

@@ -67,11 +67,12 @@ LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint
   LogChange change;
   for (const auto& [factor, v] : logs.logarithms)
     change.sizes.push_back({{size_at(v, b) / size_at(v, a), 0}, factor});
-  for (const auto& [factor, v] : logs.arguments) {
+  for (const GaussianLogs::Argument& term : logs.arguments) {
+    const GaussianPolynomial& v = term.of;
     const At from = at(v, a);
     const At to = at(v, b);
     const auto conjugated = [](const GaussianRational& z) { return GaussianRational{z.re, -z.im}; };
-    const auto value = [&v = v](const Rational& t) { return GaussianRational{v.re(t), v.im(t)}; };
+    const auto value = [&v](const Rational& t) { return GaussianRational{v.re(t), v.im(t)}; };
     const GaussianRational z = to.value * conjugated(from.value);
     ContinuousArgument argument(v);
     for (long bits = 64;; bits *= 2) {
@@ -87,7 +88,7 @@ LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint
       turn = divide(turn, multiply(pi(bits), RealBall(2, bits), bits), bits);
       flint::Fmpz whole;
       if (arb_get_unique_fmpz(whole.get(), turn.raw()) == 0) continue;
-      change.turns.push_back({{z, factor}, Integer(numerator(to_rational(whole.get())))});
+      change.turns.push_back({{z, term.factor}, Integer(whole.get())});
       break;
     }
   }
@@ -110,8 +111,7 @@ std::optional<Rational> turns_over_pi(const std::vector<LogChange::Turn>& turns)
       sum = add(sum, multiply(RealBall(power.exponent / unit, bits), angle, bits), bits);
     }
     flint::Fmpz multiple;
-    if (arb_get_unique_fmpz(multiple.get(), sum.raw()) != 0)
-      return unit * to_rational(multiple.get());
+    if (arb_get_unique_fmpz(multiple.get(), sum.raw()) != 0) return unit * Rational(multiple.get());
   }
 }
 

@@ -4,7 +4,12 @@
 // Bronstein 2005, §2.8]: 2·arctan(A/B) where B divides A; else, with B·D − A·C = G = gcd(A, B),
 // 2·arctan((A·D + B·C)/G) plus the same for D + iC, of lower degree. For residues in ℚ(√−d) the
 // pairs are (P, √d·Q) with P, Q ∈ ℚ[t]: multiplied by √d where needed they keep this shape, and
-// every arctangent is that of √d times a rational polynomial.
+// every arctangent is that of √d times a rational polynomial. Equal residues of different fractions
+// are not put into one arctangent: arctan(t) + arctan(t + 1) is shorter.
+//
+// Over a real quadratic field, with w = t + p/2 and h = q − p²/4,
+//   ∫ (αt + β)/(t² + pt + q) = (α/2)·log|w² + h| + (β − αp/2)·∫ dt/(w² + h),
+//   ∫ dt/(w² + h) = arctan(w/√h)/√h for h > 0,  log|(w − √−h)/(w + √−h)|/(2√−h) for h < 0.
 #include "phrame/integrate/real_form.hpp"
 
 #include <algorithm>
@@ -12,7 +17,10 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/integrate/integrate.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
+#include "phrame/integrate/quadratic_fields.hpp"
+#include "phrame/integrate/rothstein_trager.hpp"
 
 namespace phrame {
 namespace {
@@ -24,8 +32,6 @@ Surd surd(const Rational& a, const Rational& b, const Integer& d) {
 SurdPolynomial surd_polynomial(const Polynomial& a, const Polynomial& b, const Integer& d) {
   return b.is_zero() || d == 1 ? SurdPolynomial{a + b, {}, 1} : SurdPolynomial{a, b, d};
 }
-
-Polynomial norm(const SurdPolynomial& v) { return v.a * v.a - Rational(v.d) * (v.b * v.b); }
 
 /// Has v a real zero? At a real root of a² − d·b² it is a zero of a + b√d where a·b ≤ 0.
 bool has_real_zero(const SurdPolynomial& v) {
@@ -72,8 +78,13 @@ void add_logarithm(RealForm& form, const Surd& factor, const SurdPolynomial& of)
   form.logarithms.push_back({factor, of, !has_real_zero(of)});
 }
 
-/// Σ x·log v(x, t) over the roots of an irreducible polynomial of degree ≤ 2.
-void add_quadratic(RealForm& form, const LogSum& sum) {
+enum class Style { real, textbook };
+
+/// Σ x·log v(x, t) over the roots of an irreducible polynomial of degree ≤ 2; no value where that
+/// is too long for a textbook.
+std::optional<RealForm> over_quadratic(const LogSum& sum, Style style) {
+  constexpr long most_poles = 3;
+  RealForm form;
   const Surd alpha = quadratic_root(sum.index);
   std::vector<Rational> constant;
   std::vector<Rational> linear;
@@ -85,59 +96,158 @@ void add_quadratic(RealForm& form, const LogSum& sum) {
   const Polynomial q(linear);
   if (alpha.d > 0) {
     add_logarithm(form, alpha, surd_polynomial(p, q, alpha.d));
-    if (alpha.d != 1)
-      add_logarithm(form, {alpha.a, -alpha.b, alpha.d}, surd_polynomial(p, -q, alpha.d));
-    return;
+    if (alpha.d != 1) add_logarithm(form, conjugate(alpha), surd_polynomial(p, -q, alpha.d));
+    return form;
   }
+  if (style == Style::textbook && p.degree() > most_poles && !(p % q).is_zero())
+    return std::nullopt;  // several arctangents
   const Integer d = -alpha.d;
   if (alpha.a != 0) add_logarithm(form, {alpha.a, 0, 1}, {p * p + Rational(d) * (q * q), {}, 1});
   add_arctangents(form, alpha.b, d, p, q);
+  return form;
+}
+
+/// ∫ (αt + β)/(t² + pt + q), one of two conjugates.
+void add_fraction(RealForm& form, const SurdPolynomial& numerator,
+                  const SurdPolynomial& denominator) {
+  const Surd half{Rational(1, 2), 0};
+  const Surd alpha = coefficient(numerator, 1);
+  const Surd middle = half * coefficient(denominator, 1);
+  const Surd h = coefficient(denominator, 0) - middle * middle;
+  const bool is_positive = sign(h) > 0;
+  const SurdPolynomial w = SurdPolynomial{{0, 1}, {}, 1} + middle * SurdPolynomial{{1}, {}, 1};
+  if (sign(alpha) != 0) form.logarithms.push_back({half * alpha, denominator, is_positive});
+  const Surd rest = coefficient(numerator, 0) - alpha * middle;
+  if (sign(rest) == 0) return;
+  if (is_positive)
+    form.arctangents.push_back({rest / h, Surd{1, 0} / h * w, h});
+  else
+    form.quotients.push_back({half * rest / -h, w, -h});
+}
+
+RealForm over_field(const ConjugateFractions& f) {
+  RealForm form;
+  add_fraction(form, f.numerator, f.denominator);
+  add_fraction(form, conjugate(f.numerator), conjugate(f.denominator));
+  return form;
+}
+
+template <class T>
+void append(std::vector<T>& list, const std::vector<T>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+void append(RealForm& form, const RealForm& more) {
+  append(form.logarithms, more.logarithms);
+  append(form.arctangents, more.arctangents);
+  append(form.quotients, more.quotients);
+}
+
+bool is_short(const Surd& x) {
+  constexpr std::size_t most_digits = 40;
+  return std::max(to_string(x.a).size(), to_string(x.b).size()) + x.d.str().size() <= most_digits;
+}
+
+bool is_short(const SurdPolynomial& p) {
+  for (long k = std::max(p.a.degree(), p.b.degree()); k >= 0; --k)
+    if (!is_short(coefficient(p, k))) return false;
+  return true;
+}
+
+/// Does it fit into a line of a book?
+bool is_short(const RealForm& form) {
+  return std::all_of(form.logarithms.begin(), form.logarithms.end(),
+                     [](const auto& x) { return is_short(x.factor); }) &&
+         std::all_of(form.arctangents.begin(), form.arctangents.end(),
+                     [](const auto& x) {
+                       return is_short(x.factor) && is_short(x.of) && is_short(x.radicand);
+                     }) &&
+         std::all_of(form.quotients.begin(), form.quotients.end(), [](const auto& x) {
+           return is_short(x.factor) && is_short(x.of) && is_short(x.radicand);
+         });
+}
+
+/// The form of one fraction; no value where it is a sum over roots.
+std::optional<RealForm> form_of(const SimpleFraction& f, Style style) {
+  std::optional<RealForm> form;
+  if (has_quadratic_residues(f)) {
+    form = over_quadratic(over_residues({f}).front(), style);
+    // Rational coefficients are better than linear arguments.
+    const bool is_irrational =
+        form && form->arctangents.size() > 1 && form->arctangents.front().of.d != 1;
+    if (!is_irrational || f.denominator.degree() != 4) return form;
+  }
+  if (f.denominator.degree() != 4) return std::nullopt;
+  const auto fractions = over_real_quadratic_field(f);
+  return fractions ? over_field(*fractions) : form;
+}
+
+struct Parts {
+  RealForm form;
+  std::vector<SimpleFraction> others;
+};
+
+Parts parts_of(const Antiderivative& F, Style style) {
+  Parts parts{{F.polynomial, F.rational, {}, {}}, {}};
+  std::vector<LogSum> rational;  // equal rational residues are put into one logarithm
+  RealForm irrational;
+  for (const SimpleFraction& f : simple_fractions(differentiate(Antiderivative{{}, {}, F.logs}))) {
+    const auto part = form_of(f, style);
+    if (!part || (style == Style::textbook && !is_short(*part)))
+      parts.others.push_back(f);
+    else if (part->logarithms.size() == 1 && part->logarithms.front().of.d == 1 &&
+             part->arctangents.empty())
+      rational.push_back(over_residues({f}).front());
+    else
+      append(irrational, *part);
+  }
+  for (const LogSum& sum : merge_equal_residues(std::move(rational)))
+    append(parts.form, *over_quadratic(sum, Style::real));
+  append(parts.form, irrational);
+  return parts;
+}
+
+void check(const RationalFunction& derivative, const Antiderivative& F) {
+  if (!(derivative == differentiate(F)))
+    throw Error("real_form: the check failed, the derivative has changed");
 }
 
 }  // namespace
 
 RealForm real_form(const Antiderivative& F) {
-  RealForm form;
-  form.polynomial = F.polynomial;
-  form.rational = F.rational;
-  const RationalFunction simple = differentiate(Antiderivative{{}, {}, F.logs});
-  const RationalFunction algebraic = differentiate(Antiderivative{F.polynomial, F.rational, {}});
-  std::vector<SimpleFraction> quadratic;
-  for (const SimpleFraction& f : simple_fractions(simple)) {
-    if (has_quadratic_residues(f))
-      quadratic.push_back(f);
-    else
-      form.others.push_back(full_partial_fraction(f));
-  }
-  for (const LogSum& sum : over_residues(quadratic)) add_quadratic(form, sum);
-  if (!(differentiate(form) == algebraic + simple))
-    throw Error("real_form: the check failed, the derivative has changed");
+  auto [form, others] = parts_of(F, Style::real);
+  for (const SimpleFraction& f : others) form.others.push_back(full_partial_fraction(f));
+  check(differentiate(form), F);
   return form;
+}
+
+TextbookForm textbook_form(const Antiderivative& F) {
+  const auto [form, others] = parts_of(F, Style::textbook);
+  RationalFunction rest;
+  for (const auto& [n, d] : others) rest = rest + RationalFunction(n, d);
+  TextbookForm result{form, integrate(rest).logs};
+  check(differentiate(form) + differentiate(Antiderivative{{}, {}, result.sums}), F);
+  return result;
 }
 
 RationalFunction differentiate(const RealForm& form) {
   RationalFunction result =
       RationalFunction(differentiate(form.polynomial)) + differentiate(form.rational);
   std::map<Integer, RationalFunction> irrational;  // what is to be multiplied by √d
-  for (const auto& [factor, of, positive] : form.logarithms) {
-    // (p + q√d)(a′ + b′√d)/(a + b√d), the fraction expanded by a − b√d.
-    const Polynomial n = norm(of);
-    const Rational d(of.d);
-    const Polynomial da = differentiate(of.a);
-    const Polynomial db = differentiate(of.b);
-    const Polynomial x = da * of.a - d * (db * of.b);
-    const Polynomial y = db * of.a - da * of.b;
-    result = result + RationalFunction(factor.a * x + (factor.b * d) * y, n);
-    RationalFunction& rest = irrational[of.d];
-    rest = rest + RationalFunction(factor.a * y + factor.b * x, n);
-  }
-  for (const auto& [factor, of] : form.arctangents) {
-    // √d·q·arctan(√d·w) or, for d = 1, q·arctan(w).
-    const Rational d(of.d);
-    const Polynomial& w = of.d == 1 ? of.a : of.b;
-    const Rational& q = of.d == 1 ? factor.a : factor.b;
-    result = result + RationalFunction(q * d * differentiate(w), Polynomial{1} + d * (w * w));
-  }
+  const auto add = [&](const SurdPolynomial& numerator, const SurdPolynomial& denominator) {
+    const SurdPolynomial n = numerator * conjugate(denominator);
+    const Polynomial d = norm(denominator);
+    result = result + RationalFunction(n.a, d);
+    RationalFunction& rest = irrational[n.d];
+    rest = rest + RationalFunction(n.b, d);
+  };
+  const SurdPolynomial one{{1}, {}, 1};
+  for (const auto& [factor, of, positive] : form.logarithms) add(factor * differentiate(of), of);
+  for (const auto& [factor, of, radicand] : form.arctangents)
+    add(factor * radicand * differentiate(of), one + radicand * (of * of));
+  const Surd two{2, 0};
+  for (const auto& [factor, of, radicand] : form.quotients)
+    add(two * factor * radicand * differentiate(of), of * of - radicand * one);
   for (const auto& [d, rest] : irrational)
     if (!rest.is_zero()) throw Error("real form: the derivative is not rational");
   for (const LogSum& sum : form.others) result = result + differentiate(sum);

@@ -14,13 +14,6 @@
 namespace phrame {
 namespace {
 
-Integer floor(const Rational& x) {
-  Integer quotient;
-  mpz_fdiv_q(quotient.backend().data(), numerator(x).backend().data(),
-             denominator(x).backend().data());
-  return quotient;
-}
-
 /// x ≥ 0 rounded up to about 64 bits.
 Rational rounded_up(const Rational& x) {
   if (x == 0) return 0;
@@ -32,13 +25,12 @@ Rational rounded_up(const Rational& x) {
 Rational sqrt_above(const Rational& x) {
   if (x == 0) return 0;
   const long shift = 64 - binary_exponent(x) / 2;
-  return Rational(boost::multiprecision::sqrt(floor(x * power_of_two(2 * shift))) + 1) *
-         power_of_two(-shift);
+  return Rational(sqrt(floor(x * power_of_two(2 * shift))) + 1) * power_of_two(-shift);
 }
 
 /// ⌈√x⌉ for x ≥ 0.
 Integer ceil_sqrt(const Rational& x) {
-  Integer root = boost::multiprecision::sqrt(floor(x));
+  Integer root = sqrt(floor(x));
   while (Rational(root * root) < x) ++root;
   return root;
 }

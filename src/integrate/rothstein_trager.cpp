@@ -4,6 +4,7 @@
 // leading coefficient without inverse, or a gcd of another degree, discards the prime.
 #include "phrame/integrate/rothstein_trager.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "phrame/algebra/modular.hpp"
@@ -64,7 +65,7 @@ std::vector<ulong> flattened(const ModularBivariate& v, long size) {
 /// gcd(n − x d′, d), monic of degree k in t, over ℚ[x]/(q): the first candidate that one more
 /// prime confirms.
 Bivariate residue_gcd(const SimpleFraction& f, const Polynomial& q, long k) {
-  const Polynomial scale{to_rational(fmpq_poly_denref(f.numerator.raw()))};
+  const Polynomial scale{Rational(fmpq_poly_denref(f.numerator.raw()))};
   const flint::FmpzPoly n = [&] {
     flint::FmpzPoly result;
     fmpq_poly_get_numerator(result.get(), f.numerator.raw());

@@ -154,7 +154,7 @@ std::string to_latex(const AngleReport& report) {
       "\\begin{{align*}}\n\\theta'(t) &= {} \\\\\n\\theta(t) &= {}{}\n"
       "\\end{{align*}}\n",
       formatted_quotient(report.angle.rate(), latex), closed_form(report, latex),
-      report.start_angle == 0
+      report.start_angle == Angle()
           ? ""
           : fmt::format(" \\\\\n\\theta(0) &= {}", formatted(report.start_angle, latex)));
   if (report.values.empty()) return text;

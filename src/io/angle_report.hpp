@@ -20,11 +20,12 @@ struct AngleReport {
   NamedCurve curve;
   Reference reference;
   const RmfAngle& angle;  ///< must outlive the report: an angle stays where it is
-  Rational start_angle;   ///< θ(0)
+  Angle start_angle;      ///< θ(0)
   std::vector<AngleValue> values;
   long digits;
   std::optional<RealForm> real = std::nullopt;  ///< of the angle, shown instead of its logarithms
-  std::optional<RadicalForm> radicals = std::nullopt;  ///< likewise
+  std::optional<RadicalForm> radicals = std::nullopt;   ///< likewise
+  std::optional<TextbookForm> textbook = std::nullopt;  ///< likewise, in scripts
   bool shows_form = true;        ///< JSON only: integrand and antiderivative, too
   bool lists_all_poles = false;  ///< text only: however many they are
 };

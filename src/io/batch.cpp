@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/angle_text.hpp"
 #include "phrame/io/failure.hpp"
 #include "phrame/io/json_node.hpp"
 #include "phrame/io/json_text.hpp"
@@ -46,13 +47,22 @@ long digits_of(const JsonNode& node) {
   return static_cast<long>(numerator(digits));
 }
 
+Angle angle_of(const JsonNode& node) {
+  if (!node.is(Kind::string)) return node.number();
+  try {
+    return parse_angle(node.string());
+  } catch (const InputError& error) {
+    node.fail(error.reason());
+  }
+}
+
 /// What a line asks.
 struct Question {
   std::variant<NamedCurve, NamedSpline> curve;
   Reference reference;
   std::vector<Rational> at;
   long digits;
-  Rational start_angle = 0;
+  Angle start_angle = {};
 };
 
 Question question(const JsonNode& line, const BatchDefaults& defaults) {
@@ -75,7 +85,7 @@ Question question(const JsonNode& line, const BatchDefaults& defaults) {
   const auto precision = line.find("digits");
   const long digits = precision ? digits_of(*precision) : defaults.digits;
   const auto theta0 = line.find("theta0");
-  const Rational start_angle = theta0 ? theta0->number() : Rational(0);
+  const Angle start_angle = theta0 ? angle_of(*theta0) : Angle();
 
   return {read_curve_or_spline(line.at("curve"), defaults.limits), reference, at, digits,
           start_angle};
@@ -88,7 +98,7 @@ std::string answer(const JsonNode& line, const BatchDefaults& defaults) {
     AngleReport report{*curve, reference, angle, start_angle, {}, digits};
     report.shows_form = !defaults.values_only;
     for (const Rational& t : at)
-      report.values.push_back(rounded_angle(t, angle.value(t) + start_angle, digits));
+      report.values.push_back(rounded_angle(t, angle.value(t, start_angle), digits));
     return to_json_line(report);
   }
   if (reference != Reference::erf)

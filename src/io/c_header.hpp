@@ -10,7 +10,7 @@ struct CHeader {
   std::string curve;   ///< its name, or that of the spline
   bool is_spline = false;
   Reference reference = Reference::erf;
-  Rational start_angle;
+  Angle start_angle;
   PiecewisePolynomial angle;                    ///< of plain_shape(1)
   std::optional<PiecewisePolynomial> rotation;  ///< of plain_shape(4)
 };

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "phrame/integrate/partial_fractions.hpp"
+#include "phrame/io/root_term.hpp"
+
 namespace phrame {
 namespace {
 
@@ -207,6 +210,38 @@ class Writer {
       sum.add(false, fmt::format("({})*{}", surd(c), function));
   }
 
+  void add(Sum& sum, const Radical& c, const std::string& function) const {
+    const RadicalNotation& notation = radical_notation_of(language_);
+    const bool negative = is_written_negative(c);
+    const Radical size = negative ? -c : c;
+    sum.add(negative, size == Radical(1)
+                          ? function
+                          : fmt::format("{}*{}", formatted_factor(size, notation), function));
+  }
+
+  /// Its sums over roots are not in it. `bars`: log|…| where the argument may be negative.
+  void add_real(Sum& sum, const RealForm& F, bool bars) const {
+    const RadicalNotation& notation = radical_notation_of(language_);
+    add_algebraic(sum, F.polynomial, F.rational);
+    const auto log_of = [&](const std::string& v, bool positive) {
+      return log(positive || !bars ? v : abs_of(v));
+    };
+    for (const auto& [factor, of, positive] : F.logarithms)
+      add(sum, factor, log_of(polynomial(of), positive));
+    for (const RealForm::LogQuotient& term : F.quotients) {
+      const auto [factor, argument] = written(term, variable_, notation);
+      add(sum, factor, log_of(argument, false));
+    }
+    for (const RealForm::Arctangent& term : F.arctangents) {
+      if (term.radicand == Surd{1, 0, 1}) {
+        add(sum, term.factor, arctan(polynomial(term.of)));
+        continue;
+      }
+      const auto [factor, argument] = written(term, variable_, notation);
+      add(sum, factor, arctan(argument));
+    }
+  }
+
  private:
   Language language_;
   const Syntax& syntax_;
@@ -214,6 +249,21 @@ class Writer {
 };
 
 }  // namespace
+
+const RadicalNotation& radical_notation_of(Language language) {
+  switch (language) {
+    case Language::sympy:
+      return radical_notation::sympy;
+    case Language::mathematica:
+      return radical_notation::mathematica;
+    case Language::maxima:
+      return radical_notation::maxima;
+    case Language::pari:
+      return radical_notation::pari;
+    default:
+      return radical_notation::maple;
+  }
+}
 
 std::string cas_variable(const std::string& variable) {
   const bool plain = variable.size() == 1 && variable[0] >= 'a' && variable[0] <= 'z';
@@ -235,14 +285,18 @@ std::string cas_formula(const Antiderivative& F, Language language, const std::s
 std::string cas_formula(const RealForm& F, Language language, const std::string& variable) {
   const Writer writer(language, variable);
   Sum sum;
-  writer.add_algebraic(sum, F.polynomial, F.rational);
-  for (const auto& [factor, of, positive] : F.logarithms) {
-    const std::string v = writer.polynomial(of);
-    writer.add(sum, factor, writer.log(positive ? v : writer.abs_of(v)));
-  }
-  for (const auto& [factor, of] : F.arctangents)
-    writer.add(sum, factor, writer.arctan(writer.polynomial(of)));
+  writer.add_real(sum, F, true);
   for (const LogSum& logs : F.others) writer.add_real_sum(sum, logs);
+  return sum.text();
+}
+
+std::string cas_formula(const TextbookForm& F, Language language, const std::string& variable) {
+  const Writer writer(language, variable);
+  Sum sum;
+  writer.add_real(sum, F.real, false);
+  const RationalFunction rest = differentiate(Antiderivative{{}, {}, F.sums});
+  for (const SimpleFraction& f : simple_fractions(rest))
+    writer.add_sum(sum, full_partial_fraction(f));
   return sum.text();
 }
 

@@ -1,12 +1,16 @@
 #pragma once
 #include "phrame/integrate/definite_integral.hpp"
 #include "phrame/integrate/real_form.hpp"
+#include "phrame/io/radical_text.hpp"
 
 namespace phrame {
 
 /// The languages of computer-algebra systems; `plain` is what most of them read: + - * / ^,
 /// parentheses, log, atan, pi.
 enum class Language { plain, sympy, mathematica, maple, maxima, pari };
+
+/// How that language writes radicals.
+const RadicalNotation& radical_notation_of(Language language);
 
 /// A variable that means nothing else in any of them: itself, if it is one lower-case Latin letter,
 /// else "x".
@@ -22,6 +26,9 @@ std::string cas_formula(const Antiderivative& F, Language language, const std::s
 /// In PARI the sums that are left are real; in the other systems as those of an Antiderivative:
 /// real up to a constant.
 std::string cas_formula(const RealForm& F, Language language, const std::string& variable);
+/// Continuous between the real poles, with principal logarithms: the sums are written over the
+/// poles, not the residues. Up to a constant between two of them it is real: no |…|.
+std::string cas_formula(const TextbookForm& F, Language language, const std::string& variable);
 std::string cas_formula(const ExactValue& x, Language language);
 /// "Float('1.5e-12', 2)", "1.5`2*^-12", "1.5b-12".
 std::string cas_formula(const Decimal& x, Language language);

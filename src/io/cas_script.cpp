@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "phrame/algebra/sturm.hpp"
 #include "phrame/io/radical_form_text.hpp"
 
 namespace phrame {
@@ -30,9 +33,22 @@ std::string statement(const Definition& definition, Language language, std::stri
   }
 }
 
+std::string comment(std::string_view text, Language language) {
+  switch (language) {
+    case Language::mathematica:
+      return fmt::format("(* {} *)\n", text);
+    case Language::maxima:
+      return fmt::format("/* {} */\n", text);
+    case Language::pari:
+      return fmt::format("\\\\ {}\n", text);
+    default:
+      return fmt::format("# {}\n", text);
+  }
+}
+
 /// log|x| has a derivative only where x is known to be real.
 std::string script(const std::vector<Definition>& definitions, Language language,
-                   const std::string& variable, bool is_real) {
+                   const std::string& variable, bool is_real, const std::string& warning) {
   std::string text;
   if (language == Language::sympy)
     text =
@@ -42,44 +58,56 @@ std::string script(const std::vector<Definition>& definitions, Language language
                     variable, variable == "z" ? "w" : "z");
   for (const Definition& definition : definitions)
     text += statement(definition, language, variable);
+  if (!warning.empty()) text += comment(warning, language);
   return text;
 }
 
-const RadicalNotation& radical_notation_of(Language language) {
-  switch (language) {
-    case Language::sympy:
-      return radical_notation::sympy;
-    case Language::mathematica:
-      return radical_notation::mathematica;
-    case Language::maxima:
-      return radical_notation::maxima;
-    case Language::pari:
-      return radical_notation::pari;
-    default:
-      return radical_notation::maple;
-  }
+/// Does an argument of a logarithm cross the cut for real t? One of degree 1 is t − z, which is
+/// real or stays in a half plane.
+bool may_jump(const LogSum& sum) {
+  return sum.argument.degree() > 1 && count_real_roots(sum.index, real_line()) < sum.index.degree();
 }
 
-std::string closed_form(const Antiderivative& F, const std::optional<RealForm>& real,
-                        const std::optional<RadicalForm>& radicals, Language language,
-                        const std::string& variable) {
-  if (real) return cas_formula(*real, language, variable);
-  if (!radicals) return cas_formula(F, language, variable);
+/// A report's closed form in its style; what it says of the jumps that a form has by nature.
+struct ClosedForm {
+  std::string formula;
+  std::string warning = {};
+};
+
+template <class Report>
+ClosedForm closed_form(const Antiderivative& F, const Report& report, Language language,
+                       const std::string& variable) {
+  constexpr auto warning =
+      "the logarithms may cross their cut, where antiderivative jumps; with --form auto or real it "
+      "is continuous";
+  const auto jumps = [&](const auto& logs, const auto& sum_of) {
+    return std::any_of(logs.begin(), logs.end(),
+                       [&](const auto& log) { return may_jump(sum_of(log)); })
+               ? warning
+               : "";
+  };
+  if (report.real) return {cas_formula(*report.real, language, variable)};
+  if (report.textbook) return {cas_formula(*report.textbook, language, variable)};
+  if (!report.radicals)
+    return {cas_formula(F, language, variable),
+            jumps(F.logs, [](const LogSum& sum) { return sum; })};
+  const RadicalForm& radicals = *report.radicals;
   const std::string rest =
-      cas_formula(Antiderivative{radicals->polynomial, radicals->rational, {}}, language, variable);
-  if (radicals->logs.empty()) return rest;
-  const std::string logs = to_cas(radicals->logs, radical_notation_of(language), variable);
-  return rest == "0" ? logs : fmt::format("{} + ({})", rest, logs);
+      cas_formula(Antiderivative{radicals.polynomial, radicals.rational, {}}, language, variable);
+  if (radicals.logs.empty()) return {rest};
+  const std::string logs = to_cas(radicals.logs, radical_notation_of(language), variable);
+  return {rest == "0" ? logs : fmt::format("{} + ({})", rest, logs),
+          jumps(radicals.logs, [](const RadicalSum& sum) { return sum.sum; })};
 }
 
 }  // namespace
 
 std::string to_script(const IntegralReport& report, Language language) {
   const std::string t = cas_variable(report.integrand.variable);
+  const ClosedForm closed = closed_form(report.antiderivative, report, language, t);
   std::vector<Definition> definitions{
       {"integrand", cas_formula(report.integrand.value, language, t)},
-      {"antiderivative",
-       closed_form(report.antiderivative, report.real, report.radicals, language, t)}};
+      {"antiderivative", closed.formula}};
   if (const auto& definite = report.definite)
     definitions.push_back({"definite",
                            definite->exact ? cas_formula(*definite->exact, language)
@@ -89,14 +117,14 @@ std::string to_script(const IntegralReport& report, Language language) {
   const bool has_digits = report.definite && !report.definite->exact;
   if (language == Language::maxima && has_digits && report.digits > 16)
     definitions.insert(definitions.begin(), {"fpprec", std::to_string(report.digits), false});
-  return script(definitions, language, t, report.real.has_value());
+  return script(definitions, language, t, report.real.has_value(), closed.warning);
 }
 
 std::string to_script(const AngleReport& report, Language language) {
+  const ClosedForm closed = closed_form(report.angle.antiderivative(), report, language, "t");
   return script({{"integrand", cas_formula(report.angle.rate(), language, "t")},
-                 {"antiderivative", closed_form(report.angle.antiderivative(), report.real,
-                                                report.radicals, language, "t")}},
-                language, "t", report.real.has_value());
+                 {"antiderivative", closed.formula}},
+                language, "t", report.real.has_value(), closed.warning);
 }
 
 }  // namespace phrame

@@ -7,6 +7,8 @@ namespace phrame {
 
 // What a computer-algebra system is given: a statement a line, which define `integrand`,
 // `antiderivative` and, where ends were given, `definite`. In PARI the first two are functions.
+// The antiderivative is continuous between the real poles; where a form was asked for that is not,
+// a comment says so.
 
 std::string to_script(const IntegralReport& report, Language language);
 /// The values of an angle are not in it.

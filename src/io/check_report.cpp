@@ -20,12 +20,12 @@ std::string lower(const RealBall& x, long digits = 6) {
   return lower_bound_text(std::max(Rational(0), x.lower()), digits);
 }
 
-/// "0.2858565" for a ball, and a bound of what it is off.
+/// "0.2858565" for a ball, and a bound of what it is off: half a unit of the tenth digit, at most,
+/// and the radius.
 Decimal rounded(const RealBall& x) {
   const Rational middle = x.midpoint();
   Decimal text = round_to_decimal(middle, 10);
-  const Rational off = abs(Rational(middle - parse_rational(text.value))) + x.radius();
-  text.radius = upper_bound_text(off);
+  text.radius = upper_bound_text(abs(middle) / 2 * power_of_ten(-9) + x.radius());
   return text;
 }
 
@@ -37,39 +37,87 @@ std::string shown(const RealBall& x) {
              : rounded(x).value;
 }
 
-struct Description {
-  const char* name;  ///< in JSON
-  const char* sentence;
-};
-
-Description describe(Kind kind) {
+/// The name of a kind in JSON.
+const char* name_of(Kind kind) {
   switch (kind) {
     case Kind::undefined:
-      return {"undefined", "f2 is 0 or along the tangent, so that it has no angle"};
+      return "undefined";
     case Kind::wrong_tangent:
-      return {"wrong-tangent", "e1 is not the tangent of the curve"};
+      return "wrong-tangent";
     case Kind::reversed_tangent:
-      return {"reversed-tangent", "e1 is the tangent reversed"};
+      return "reversed-tangent";
     case Kind::left_handed:
-      return {"left-handed", "the frame is left-handed: det(e1, f2, f3) = −1"};
+      return "left-handed";
     case Kind::not_orthogonal:
-      return {"not-orthogonal", "the vectors are not orthogonal"};
+      return "not-orthogonal";
     case Kind::not_unit:
-      return {"not-unit", "the vectors are not of length 1"};
+      return "not-unit";
     case Kind::flip:
-      return {"flip", "f2 flips against the sample before"};
+      return "flip";
     case Kind::constant_offset:
-      return {"constant-offset", "the frame is rotation-minimizing, but starts at another angle"};
+      return "constant-offset";
     case Kind::frenet:
-      return {"frenet", "these are Frenet frames: f2 keeps its angle to the principal normal"};
+      return "frenet";
     case Kind::euler_rodrigues:
-      return {"euler-rodrigues", "these are Euler–Rodrigues frames: f2 keeps its angle to A j A*"};
+      return "euler-rodrigues";
     case Kind::turned_backwards:
-      return {"turned-backwards",
-              "the Euler–Rodrigues frame is turned by −θ instead of θ: the sign of the angle is "
-              "wrong"};
+      return "turned-backwards";
+    case Kind::other_start:
+      return "other-start";
+    case Kind::drift:
+      return "drift";
+    case Kind::irregular:
+      return "irregular";
   }
-  return {"", ""};
+  return "";
+}
+
+std::string sentence(const FrameFinding& finding) {
+  const auto amount = [&] { return shown(*finding.amount) + " radians"; };
+  const auto within = [&] { return "to within " + upper(*finding.residual, 2) + " radians"; };
+  switch (finding.kind) {
+    case Kind::undefined:
+      return "f2 is 0 or along the tangent, so that it has no angle";
+    case Kind::wrong_tangent:
+      return "e1 is not the tangent of the curve";
+    case Kind::reversed_tangent:
+      return "e1 is the tangent reversed";
+    case Kind::left_handed:
+      return "the frame is left-handed: det(tangent, f2, f3) < 0";
+    case Kind::not_orthogonal:
+      return "the vectors are not orthogonal";
+    case Kind::not_unit:
+      return "the vectors are not of length 1";
+    case Kind::flip:
+      return "f2 flips against the sample before";
+    case Kind::constant_offset:
+      return fmt::format(
+          "the frame is rotation-minimizing, {}, but starts at another angle: {} off", within(),
+          amount());
+    case Kind::frenet:
+      return fmt::format("these are Frenet frames, {}: f2 keeps its angle to the principal normal",
+                         within());
+    case Kind::euler_rodrigues:
+      return fmt::format("these are Euler–Rodrigues frames, {}: f2 keeps its angle to A j A*",
+                         within());
+    case Kind::turned_backwards:
+      return fmt::format(
+          "the Euler–Rodrigues frame is turned by −θ instead of θ, {}: the sign of the angle is "
+          "wrong",
+          within());
+    case Kind::other_start:
+      return fmt::format("the frame does not start at the angle of --theta0: it is {} off",
+                         amount());
+    case Kind::drift:
+      return fmt::format(
+          "f2 drifts: from the first sample to the last it turns by {} against the "
+          "rotation-minimizing frame",
+          amount());
+    case Kind::irregular:
+      return fmt::format("f2 turns irregularly against the rotation-minimizing frame, within {}",
+                         amount());
+  }
+  return "";
 }
 
 /// " at sample 3, t = 1/2", " at all samples", " at 12 samples, first at 3, t = 1/2".
@@ -97,24 +145,26 @@ std::string summary(const CheckReport& report) {
   return fmt::format("{}: f2 is {} {} radians from the rotation-minimizing frame {}{}",
                      v.passes ? "pass" : "fail", is_close ? "at most" : "up to",
                      is_close ? upper(v.max_error, 2) : shown(v.max_error), reference,
-                     is_close && !v.passes
-                         ? std::string(", but ") + describe(v.findings.front().kind).sentence
-                         : "");
+                     is_close && !v.passes ? ", but " + sentence(v.findings.front()) : "");
 }
 
 std::string to_text(const CheckReport& report) {
   const FrameVerdict& v = report.verdict;
   const auto [first, last] =
-      std::minmax_element(report.frames.begin(), report.frames.end(),
+      std::minmax_element(report.table.frames.begin(), report.table.frames.end(),
                           [](const GivenFrame& a, const GivenFrame& b) { return a.t < b.t; });
-  std::string text = fmt::format("{}{} frames, t from {} to {}\n\n", name_prefix(report.curve),
-                                 report.frames.size(), abbreviated(to_string(first->t)),
-                                 abbreviated(to_string(last->t)));
+  std::string text = name_prefix(report.curve);
+  const std::string from = abbreviated(to_string(first->t));
+  text += first->t == last->t
+              ? fmt::format("{} frame{}, t = {}\n\n", report.table.frames.size(),
+                            report.table.frames.size() == 1 ? "" : "s", from)
+              : fmt::format("{} frames, t from {} to {}\n\n", report.table.frames.size(), from,
+                            abbreviated(to_string(last->t)));
   text += summary(report) + "\n\n";
   const auto row = [&](std::string_view label, const std::string& value) {
     text += phrame::row(label, value, 15);
   };
-  const auto& worst = report.frames[v.worst_sample];
+  const auto& worst = report.table.frames[v.worst_sample];
   row("largest error",
       fmt::format("between {} and {} radians, at sample {}, t = {}", lower(v.max_error),
                   upper(v.max_error), v.worst_sample, abbreviated(to_string(worst.t))));
@@ -123,20 +173,29 @@ std::string to_text(const CheckReport& report) {
   row("orthogonality", "cosines up to " + upper(v.orthogonality, 2));
   row("lengths", "off 1 by up to " + upper(v.length, 2));
   row("tolerance", abbreviated(to_string(report.options.tolerance)));
+  if (!report.table.columns.empty())
+    row("columns", fmt::format("{} (by their number{})", report.table.columns,
+                               report.table.skipped > 0
+                                   ? fmt::format(", {} more are skipped", report.table.skipped)
+                                   : ""));
   if (!v.findings.empty()) text += "\nFindings\n";
   for (const FrameFinding& finding : v.findings)
-    text +=
-        fmt::format("  - {}{}\n", describe(finding.kind).sentence, places(finding, report.frames));
-  return text + "\nBounds are proved. Samples count from 0.\n";
+    text += fmt::format("  - {}{}\n", sentence(finding), places(finding, report.table.frames));
+  if (report.better)
+    text += fmt::format("\n{}: {}.\n",
+                        report.better->passes ? "It passes by another reading of the table"
+                                              : "The tangents are right by another reading",
+                        to_options(report.better->reading));
+  return text + "\nBounds are proved, at these samples. Samples count from 0.\n";
 }
 
 std::string to_json(const CheckReport& report) {
   const FrameVerdict& v = report.verdict;
   JsonOutput samples = JsonOutput::array();
-  for (std::size_t k = 0; k < report.frames.size(); ++k) {
+  for (std::size_t k = 0; k < report.table.frames.size(); ++k) {
     const FrameDeviation& at = v.deviations[k];
     const auto& error = v.errors[k];
-    samples.push_back({{"t", to_string(report.frames[k].t)},
+    samples.push_back({{"t", to_string(report.table.frames[k].t)},
                        {"error", error ? json_of(rounded(*error)) : JsonOutput()},
                        {"orthogonality", upper(at.orthogonality, 2)},
                        {"length", upper(at.length, 2)},
@@ -144,8 +203,8 @@ std::string to_json(const CheckReport& report) {
   }
   JsonOutput findings = JsonOutput::array();
   for (const FrameFinding& finding : v.findings)
-    findings.push_back({{"kind", describe(finding.kind).name},
-                        {"text", describe(finding.kind).sentence},
+    findings.push_back({{"kind", name_of(finding.kind)},
+                        {"text", sentence(finding)},
                         {"samples", finding.samples}});
   return pretty(
       {{"phrame", "check/1"},
@@ -158,6 +217,10 @@ std::string to_json(const CheckReport& report) {
        {"orthogonality", upper(v.orthogonality, 2)},
        {"length", upper(v.length, 2)},
        {"findings", findings},
+       {"better_reading", report.better
+                              ? JsonOutput{{"options", to_options(report.better->reading)},
+                                           {"passes", report.better->passes}}
+                              : JsonOutput()},
        {"samples", samples}});
 }
 

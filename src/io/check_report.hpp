@@ -1,14 +1,15 @@
 #pragma once
-#include "phrame/ph/frame_check.hpp"
+#include "phrame/io/better_reading.hpp"
 
 namespace phrame {
 
 /// What `phrame check` shows.
 struct CheckReport {
   std::string curve;  ///< its name
-  std::vector<GivenFrame> frames;
+  GivenTable table;
   FrameCheckOptions options;
   FrameVerdict verdict;
+  std::optional<BetterReading> better = std::nullopt;
 };
 
 /// The verdict and its reason in a line.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "phrame/io/root_term.hpp"
+
 namespace phrame {
 namespace {
 
@@ -43,6 +45,16 @@ std::string product(const Surd& factor, std::string_view text, Notation notation
   std::string number = formatted(factor, notation);
   if (factor.a != 0 && factor.b != 0) number = in_parentheses(number, notation);
   return number + (notation == unicode ? "·" : " ") + std::string(text);
+}
+
+std::string product(const Radical& factor, std::string_view text, Notation notation) {
+  const RadicalNotation& numbers =
+      notation == unicode ? radical_notation::unicode : radical_notation::latex;
+  const bool negative = is_written_negative(factor);
+  const Radical size = negative ? -factor : factor;
+  return fmt::format(
+      "{}{}{}", negative ? numbers.minus : "",
+      size == Radical(1) ? "" : formatted_factor(size, numbers) + std::string(numbers.dot), text);
 }
 
 std::string log(const std::string& of, Notation notation) {
@@ -130,6 +142,26 @@ std::vector<std::string> real_terms(const LogSum& sum, Notation notation, const 
   return terms;
 }
 
+RootTerm root_term(const auto& term, Notation notation, const Letters& letters) {
+  return written(term, letters.variable,
+                 notation == unicode ? radical_notation::unicode : radical_notation::latex);
+}
+
+std::string formatted_term(const RealForm::Arctangent& term, Notation notation,
+                           const Letters& letters) {
+  if (term.radicand == Surd{1, 0, 1})
+    return product(term.factor, arctan(shown(term.of, notation, letters.variable), notation),
+                   notation);
+  const auto [factor, argument] = root_term(term, notation, letters);
+  return product(factor, arctan(argument, notation), notation);
+}
+
+std::string formatted_term(const RealForm::LogQuotient& term, Notation notation,
+                           const Letters& letters) {
+  const auto [factor, argument] = root_term(term, notation, letters);
+  return product(factor, log_of_size(argument, notation), notation);
+}
+
 template <class F>
 std::vector<std::string> algebraic_terms(const F& f, Notation notation, const Letters& letters) {
   std::vector<std::string> terms;
@@ -208,11 +240,19 @@ std::vector<std::string> formatted_terms(const RealForm& F, Notation notation,
     terms.push_back(
         product(factor, positive ? log(v, notation) : log_of_size(v, notation), notation));
   }
-  for (const auto& [factor, of] : F.arctangents)
-    terms.push_back(
-        product(factor, arctan(shown(of, notation, letters.variable), notation), notation));
+  for (const RealForm::LogQuotient& term : F.quotients)
+    terms.push_back(formatted_term(term, notation, letters));
+  for (const RealForm::Arctangent& term : F.arctangents)
+    terms.push_back(formatted_term(term, notation, letters));
   for (const LogSum& sum : F.others)
     for (std::string& term : real_terms(sum, notation, letters)) terms.push_back(std::move(term));
+  return terms;
+}
+
+std::vector<std::string> formatted_terms(const TextbookForm& F, Notation notation,
+                                         const Letters& letters) {
+  std::vector<std::string> terms = formatted_terms(F.real, notation, letters);
+  for (const LogSum& sum : F.sums) terms.push_back(formatted_term(sum, notation, letters));
   return terms;
 }
 

@@ -30,6 +30,8 @@ std::vector<std::string> formatted_terms(const Antiderivative& F, Notation notat
                                          const Letters& letters = {});
 std::vector<std::string> formatted_terms(const RealForm& F, Notation notation,
                                          const Letters& letters = {});
+std::vector<std::string> formatted_terms(const TextbookForm& F, Notation notation,
+                                         const Letters& letters = {});
 std::vector<std::string> formatted_terms(const ExactValue& x, Notation notation);
 
 /// The terms with their signs, `before` each but the first; "0" where there are none.

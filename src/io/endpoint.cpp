@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/surd.hpp"
+#include "phrame/io/closed_form.hpp"
 #include "phrame/io/expression_token.hpp"
 #include "phrame/io/text.hpp"
 
@@ -37,7 +39,8 @@ std::optional<Infinity> infinity(std::string_view text) {
   Token token = in.take();
   const bool negative = token.sign == '-';
   if (negative || token.sign == '+') token = in.take();
-  if (token.text != "inf" && token.text != "infinity" && token.text != "∞") return std::nullopt;
+  if (token.text != "inf" && token.text != "infinity" && token.text != "oo" && token.text != "∞")
+    return std::nullopt;
   if (!in.done()) return std::nullopt;
   return negative ? Infinity::negative : Infinity::positive;
 }
@@ -63,8 +66,8 @@ std::optional<Rational> interval_end(const std::string& text, Infinity allowed,
 }
 
 /// `text` begins with "root(", the parenthesis being at `open`.
-Endpoint parse_root(std::string_view text, std::size_t root, std::size_t open,
-                    const ExpressionLimits& limits) {
+PathEnd parse_root(std::string_view text, std::size_t root, std::size_t open,
+                   const ExpressionLimits& limits) {
   const std::size_t close = text.rfind(')');
   if (close == std::string_view::npos) fail(text, open, "this \"(\" is never closed");
   if (const auto rest = text.find_first_not_of(blanks, close + 1); rest != std::string_view::npos)
@@ -95,27 +98,155 @@ Endpoint parse_root(std::string_view text, std::size_t root, std::size_t open,
   return number;
 }
 
+/// The first piece of the text that is this name.
+std::size_t place_of_name(std::string_view text, std::string_view name) {
+  for (Reader in(text); !in.done();) {
+    const std::size_t at = in.at();
+    if (in.take().text == name) return at;
+  }
+  return std::string_view::npos;
+}
+
+/// "sqrt(…)", "√(…)" or "√2" in a text.
+struct SquareRoot {
+  std::size_t begin;
+  std::size_t end;
+  std::size_t radicand;  ///< where its radicand begins, without a parenthesis
+  std::size_t radicand_end;
+};
+
+std::optional<SquareRoot> first_square_root(std::string_view text) {
+  const std::size_t begin = std::min(place_of_name(text, "sqrt"), place_of_name(text, "√"));
+  if (begin == std::string_view::npos) return std::nullopt;
+  const bool is_sign = text.substr(begin).starts_with("√");
+  Reader in(text.substr(begin));
+  in.take();
+  const std::size_t open = begin + in.at();
+  const Token token = in.take();
+  if (is_sign && token.kind == Token::Kind::number)
+    return SquareRoot{begin, open + token.text.size(), open, open + token.text.size()};
+  if (token.sign != '(') fail(text, open, "a square root is written sqrt(2)");
+  std::size_t close = open + 1;
+  for (int depth = 1; depth > 0; ++close) {
+    if (close == text.size()) fail(text, open, "this \"(\" is never closed");
+    depth += text[close] == '(' ? 1 : text[close] == ')' ? -1 : 0;
+  }
+  return SquareRoot{begin, close, open + 1, close - 1};
+}
+
+/// Messages say what the letter stands for.
+RationalFunction in_letter(std::string_view text, std::string_view letter,
+                           const ExpressionLimits& limits) {
+  try {
+    return parse_expression(text, std::string(letter), limits).value;
+  } catch (const InputError& error) {
+    std::string reason = error.reason();
+    for (std::size_t at = 0; (at = reason.find(letter, at)) != std::string::npos;) {
+      constexpr std::string_view root = "√(…)";
+      reason.replace(at, letter.size(), root);
+      at += root.size();
+    }
+    throw InputError(error.place(), reason);
+  }
+}
+
+/// A number u + v·√c with one radicand c, which may occur several times.
+PathEnd parse_surd(std::string_view whole, const ExpressionLimits& limits) {
+  constexpr std::string_view letter = "_";
+  if (place_of_name(whole, letter) != std::string_view::npos)
+    fail(whole, place_of_name(whole, letter), "\"_\" where a number is expected");
+  std::string text(whole);
+  std::optional<Rational> radicand;
+  while (const auto root = first_square_root(text)) {
+    const Rational c =
+        parse_expression(in_place(text, root->radicand, root->radicand_end), "", limits).value(0);
+    if (c < 0) fail(text, root->begin, "the square root of a negative number is not real");
+    if (radicand && *radicand != c)
+      fail(text, root->begin,
+           "square roots of two numbers: such an end is written root(p, a, b), the root of a "
+           "polynomial p between a and b");
+    radicand = c;
+    // The letter with blanks behind it, so that columns remain.
+    const std::size_t width = text_width(text.substr(root->begin, root->end - root->begin));
+    text.replace(root->begin, root->end - root->begin,
+                 std::string(letter) + std::string(width - 1, ' '));
+  }
+  const RationalFunction f = in_letter(text, letter, limits);
+  const auto denominator_is_zero = [&] { fail(whole, 0, "division by zero"); };
+  if (const auto exact = square_root(*radicand)) {
+    if (f.denominator()(*exact) == 0) denominator_is_zero();
+    return f(*exact);
+  }
+  const QuotientRing field(Polynomial{-*radicand, 0, 1});
+  const Polynomial denominator = field.reduce(f.denominator());
+  if (denominator.is_zero()) denominator_is_zero();
+  const Polynomial value = field.divide(field.reduce(f.numerator()), denominator);
+  const Rational u = value.coefficient(0);
+  const Rational v = value.coefficient(1);
+  if (v == 0) return u;
+  const Polynomial p{u * u - v * v * *radicand, -2 * u, 1};
+  return real_root(p, v > 0 ? Interval{u, std::nullopt} : Interval{std::nullopt, u});
+}
+
+PathEnd parse_in_pi(std::string_view text, std::string_view name, const ExpressionLimits& limits) {
+  const RationalFunction f = parse_expression(text, std::string(name), limits).value;
+  if (f.is_polynomial() && f.numerator().is_constant()) return f(0);
+  return PiValue{f};
+}
+
+/// No value for an algebraic number of a degree > 2.
+std::optional<std::string> short_text(const PathEnd& end, Notation notation) {
+  const bool is_unicode = notation == Notation::unicode;
+  if (const auto* r = std::get_if<Rational>(&end))
+    return is_unicode ? shown(*r) : formatted(*r, notation);
+  if (const auto* infinite = std::get_if<Infinity>(&end))
+    return std::string(*infinite == Infinity::negative ? (is_unicode ? "−" : "-") : "") +
+           (is_unicode ? "∞" : "\\infty");
+  if (const auto* p = std::get_if<PiValue>(&end)) {
+    const std::string_view pi = is_unicode ? "π" : "\\pi ";
+    const Polynomial& f = p->of_pi.numerator();
+    if (p->of_pi.is_polynomial() && f == Polynomial::monomial(f.leading_coefficient(), 1))
+      return formatted_multiple(f.leading_coefficient(), pi, notation);
+    return formatted_quotient(p->of_pi, notation, pi);
+  }
+  const auto& a = std::get<RealAlgebraic>(end);
+  if (a.polynomial().degree() > 2) return std::nullopt;
+  const Surd greater = quadratic_root(a.polynomial());
+  return formatted(compare(a, greater.a) > 0 ? greater : conjugate(greater), notation);
+}
+
 }  // namespace
 
-Endpoint parse_endpoint(std::string_view text, const ExpressionLimits& limits) {
+PathEnd parse_endpoint(std::string_view text, const ExpressionLimits& limits) {
+  if (text.size() > limits.max_length) return parse_expression(text, "", limits).value(0);
   if (const auto infinite = infinity(text)) return *infinite;
   Reader in(text);
   const std::size_t root = in.at();
-  if (text.size() <= limits.max_length && in.take().text == "root") {
+  if (in.take().text == "root") {
     const std::size_t open = in.at();
     if (in.take().sign == '(') return parse_root(text, root, open, limits);
   }
+  constexpr auto none = std::string_view::npos;
+  const std::size_t pi = std::min(place_of_name(text, "pi"), place_of_name(text, "π"));
+  const std::size_t square = std::min(place_of_name(text, "sqrt"), place_of_name(text, "√"));
+  if (pi != none && square != none)
+    fail(text, std::max(pi, square), "pi and a square root in one end are not supported");
+  if (square != none) return parse_surd(text, limits);
+  if (pi != none) return parse_in_pi(text, text[pi] == 'p' ? "pi" : "π", limits);
   return parse_expression(text, "", limits).value(0);
 }
 
-std::string to_text(const Endpoint& end) {
-  if (const auto* r = std::get_if<Rational>(&end)) return shown(*r);
-  if (const auto* infinite = std::get_if<Infinity>(&end))
-    return *infinite == Infinity::negative ? "−∞" : "∞";
+std::string to_text(const PathEnd& end) {
+  if (auto text = short_text(end, Notation::unicode)) return *text;
   const auto& a = std::get<RealAlgebraic>(end);
   const Polynomial& p = a.polynomial();
   return fmt::format("the root of {} in {}", readable(formatted(p, Notation::unicode, "x"), p),
                      to_string(a.interval()));
+}
+
+std::string to_latex(const PathEnd& end) {
+  if (auto text = short_text(end, Notation::latex)) return *text;
+  return "\\approx " + round_to_decimal(to_real(std::get<RealAlgebraic>(end)), 8).value;
 }
 
 }  // namespace phrame

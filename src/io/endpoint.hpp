@@ -1,16 +1,22 @@
 #pragma once
-#include "phrame/integrate/endpoint.hpp"
+#include "phrame/integrate/path_end.hpp"
 #include "phrame/io/expression.hpp"
 
 namespace phrame {
 
-/// Reads an end: an expression without a variable ("3/7", "1e-3", "(1+2)/3"), "inf", "infinity" or
-/// "∞" with or without a sign, or "root(x^2-2, 1, 2)", the only root of that polynomial between
-/// the two ends, which may be infinite. A rational root is a Rational.
-/// Throws InputError like parse_expression, also where there are no or several such roots.
-Endpoint parse_endpoint(std::string_view text, const ExpressionLimits& limits = {});
+/// Reads an end:
+///   an expression without a variable: "3/7", "1e-3", "(1+2)/3";
+///   "inf", "infinity", "oo" or "∞", with or without a sign;
+///   one in pi: "pi", "2*pi/3", "1 - π^2"; one with a square root: "sqrt(2)", "(1+√5)/2";
+///   "root(x^2-2, 1, 2)", the only root of that polynomial between the two ends, which may be
+///   infinite.
+/// What is rational is a Rational. Throws InputError like parse_expression, also where there are no
+/// or several such roots, for square roots of several numbers, and for both pi and a square root.
+PathEnd parse_endpoint(std::string_view text, const ExpressionLimits& limits = {});
 
-/// "3/7", "−∞", "the root of x² − 2 in (1, 2)".
-std::string to_text(const Endpoint& end);
+/// "3/7", "−∞", "√2", "the root of x³ − 2 in (1, 2)", "(2/3)π".
+std::string to_text(const PathEnd& end);
+/// The same; there is no room for a polynomial of a degree > 2: "\approx 1.2599210".
+std::string to_latex(const PathEnd& end);
 
 }  // namespace phrame

@@ -67,7 +67,7 @@ bool is_function(std::string_view name) {
 }
 
 bool is_constant(std::string_view name) {
-  static constexpr std::array names{"pi", "π", "inf", "infinity", "nan"};
+  static constexpr std::array names{"pi", "π", "e", "i", "inf", "infinity", "oo", "nan"};
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -78,7 +78,8 @@ class Parser {
       : text_(text),
         variable_(variable.value_or("")),
         variable_is_given_(variable.has_value()),
-        limits_(limits.size) {}
+        limits_(limits.size),
+        variable_option_(limits.variable_option) {}
 
   Expression parse();
 
@@ -116,6 +117,7 @@ class Parser {
   std::string variable_;
   bool variable_is_given_;
   SizeLimits limits_;
+  std::string variable_option_;
   std::vector<Operand> operands_;
   std::vector<Operation> operations_;
 };
@@ -202,14 +204,22 @@ void Parser::read_name(std::string_view name) {
   if (name != variable_) {
     if (is_function(name))
       fail(at_, fmt::format("\"{}\": only rational functions are known", name));
-    if (is_constant(name)) fail(at_, fmt::format("\"{}\" is not a rational number", name));
+    const auto advice = [&](const std::string& text) {
+      return variable_option_.empty() ? ""
+                                      : fmt::format(fmt::runtime(text), variable_option_, name);
+    };
+    if (is_constant(name))
+      fail(at_, fmt::format("\"{}\" is not a rational number{}", name,
+                            variable_is_given_ ? "" : advice("; {0} {1} makes it the variable")));
     if (variable_is_given_)
-      fail(at_, variable_.empty() ? fmt::format("{} where a number is expected", in_quotes(name))
-                                  : fmt::format("{} is not the variable {}", in_quotes(name),
-                                                in_quotes(variable_)));
+      fail(at_, variable_.empty()
+                    ? fmt::format("{} where a number is expected", in_quotes(name))
+                    : fmt::format("{} is not the variable {}{}", in_quotes(name),
+                                  in_quotes(variable_), advice(": write a number for it")));
     if (!variable_.empty())
       fail(at_,
-           fmt::format("a second variable, {} beside {}", in_quotes(name), in_quotes(variable_)));
+           fmt::format("a second variable, {} beside {}{}", in_quotes(name), in_quotes(variable_),
+                       advice(": write a number for one of them ({} names the variable)")));
     variable_ = name;
   }
   push(Unreduced::monomial(1, 1), name.size());
@@ -253,8 +263,12 @@ void Parser::refuse_in_place_of_operator(const Token& token) const {
     fail(at_, fmt::format("{} is not understood", in_quotes(token.text)));
   const std::string left = abbreviated(before_);
   const std::string right = abbreviated(token.text);
-  fail(at_, fmt::format("no operator between \"{0}\" and \"{1}\": write {0}*{1} for a product",
-                        left, right));
+  fail(at_, fmt::format("no operator between \"{}\" and \"{}\": a product needs its sign, {}*{}",
+                        left, right,
+                        left == ")"                                   ? "(…)"
+                        : first_token(before_).kind == Kind::exponent ? "…" + left
+                                                                      : left,
+                        right == "(" ? "(…)" : right));
 }
 
 void Parser::read_operator(const Token& token) {

@@ -1,147 +1,451 @@
 #include "phrame/io/frame_csv.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/npy.hpp"
 
 namespace phrame {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blank = " \t\r\"";
-  const auto first = text.find_first_not_of(blank);
+using Names = std::vector<std::string>;
+using Fields = std::vector<std::string_view>;
+
+constexpr std::string_view blanks = " \t\r";
+
+std::string_view trimmed(std::string_view text, std::string_view characters) {
+  const auto first = text.find_first_not_of(characters);
   if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blank) - first + 1);
+  return text.substr(first, text.find_last_not_of(characters) - first + 1);
 }
 
-std::vector<std::string_view> fields(std::string_view line) {
-  std::vector<std::string_view> list;
+char separator_of(std::string_view line) {
+  for (const char c : {';', ',', '\t'})
+    if (line.find(c) != std::string_view::npos) return c;
+  return ' ';
+}
+
+/// Between separators; many blanks are one.
+Fields fields(std::string_view line, char separator) {
+  Fields list;
   for (;;) {
-    const auto comma = line.find(',');
-    list.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return list;
-    line.remove_prefix(comma + 1);
+    const auto end =
+        line.find_first_of(separator == ' ' ? blanks : std::string_view(&separator, 1));
+    list.push_back(trimmed(line.substr(0, end), " \t\r\""));
+    if (end == std::string_view::npos) return list;
+    line.remove_prefix(end + 1);
+    if (separator == ' ') line = trimmed(line, blanks);
   }
 }
 
-/// Which columns hold what is read.
-class Header {
- public:
-  explicit Header(std::vector<std::string_view> names, long line)
-      : names_(names.begin(), names.end()) {
-    const auto fail = [&](const std::string& reason) {
-      throw InputError(fmt::format("line {}", line), reason);
-    };
-    for (std::size_t k = 0; k < names_.size(); ++k)
-      if (std::find(names_.begin(), names_.begin() + static_cast<long>(k), names_[k]) !=
-          names_.begin() + static_cast<long>(k))
-        fail(fmt::format("the column \"{}\" is there twice", abbreviated(names_[k])));
-    t_ = find<1>({"t"});
-    f2_ = find<3>({"f2x", "f2y", "f2z"});
-    f3_ = find<3>({"f3x", "f3y", "f3z"});
-    e1_ = find<3>({"e1x", "e1y", "e1z"});
-    q_ = find<4>({"qw", "qx", "qy", "qz"});
-    if (!t_) fail("a column \"t\" is wanted");
-    if (!f2_ && !q_) fail("columns f2x, f2y, f2z or qw, qx, qy, qz are wanted");
-    if (f2_ && q_) fail("columns of vectors (f2x) and of quaternions (qw) exclude each other");
-  }
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
 
-  std::size_t size() const { return names_.size(); }
-  GivenFrame frame(const std::vector<std::string_view>& row, long line,
-                   const QuaternionConvention& convention) const;
+/// Something meant for a number, as names are not.
+bool is_like_number(std::string_view field) {
+  constexpr std::string_view first = "+-.0123456789";
+  const std::string word = lower_case(field);
+  return (!field.empty() && first.find(field.front()) != std::string_view::npos) || word == "nan" ||
+         word == "inf";
+}
+
+/// Lines of text, with or without a header.
+class TextTable {
+ public:
+  explicit TextTable(std::string_view text);
+
+  const Names& names() const { return names_; }
+  std::string header_place() const { return fmt::format("line {}", header_line_); }
+  std::size_t rows() const { return rows_.size(); }
+  std::size_t columns() const {
+    return names_.empty() ? rows_.front().fields.size() : names_.size();
+  }
+  std::string place(std::size_t row) const { return fmt::format("line {}", rows_[row].line); }
+  Rational number(std::size_t row, std::size_t column) const;
 
  private:
-  template <std::size_t N>
-  using Columns = std::optional<std::array<std::size_t, N>>;
+  struct Row {
+    Fields fields;
+    long line;
+  };
+  void add(std::string_view content, long line);
+  void take_comment_for_header();
+  void require_equal_widths() const;
 
-  template <std::size_t N>
-  Columns<N> find(const std::array<std::string_view, N>& names) const {
-    std::array<std::size_t, N> columns{};
-    for (std::size_t k = 0; k < N; ++k) {
-      const auto found = std::find(names_.begin(), names_.end(), names[k]);
-      if (found == names_.end()) return std::nullopt;
-      columns[k] = static_cast<std::size_t>(found - names_.begin());
-    }
-    return columns;
-  }
-
-  Rational number(const std::vector<std::string_view>& row, std::size_t column, long line) const {
-    try {
-      return parse_rational(row[column]);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("line {}, {}", line, abbreviated(names_[column])),
-                       error.reason());
-    }
-  }
-
-  Vector<Rational> vector(const std::vector<std::string_view>& row,
-                          const std::array<std::size_t, 3>& columns, long line) const {
-    return {number(row, columns[0], line), number(row, columns[1], line),
-            number(row, columns[2], line)};
-  }
-
-  std::vector<std::string> names_;
-  Columns<1> t_;
-  Columns<3> f2_;
-  Columns<3> f3_;
-  Columns<3> e1_;
-  Columns<4> q_;
+  Names names_;
+  long header_line_ = 1;
+  std::vector<Row> rows_;
+  char separator_ = 0;
+  std::string_view comment_;  ///< the last above the first row, without its "#"
+  long comment_line_ = 0;
 };
 
-GivenFrame Header::frame(const std::vector<std::string_view>& row, long line,
-                         const QuaternionConvention& convention) const {
-  GivenFrame frame{number(row, (*t_)[0], line), {}};
-  if (f2_) {
-    frame.f2 = vector(row, *f2_, line);
-    if (f3_) frame.f3 = vector(row, *f3_, line);
-    if (e1_) frame.tangent = vector(row, *e1_, line);
-    return frame;
+TextTable::TextTable(std::string_view text) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw InputError("line 1", "the text is UTF-16; UTF-8 is wanted");
+  if (text.starts_with("PK\x03\x04"))
+    throw InputError("line 1",
+                     "this is an archive (.npz?); an array saved by numpy.save is wanted");
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // the mark of UTF-8
+  for (long line = 1; !text.empty(); ++line) {
+    const auto end = std::min(text.find('\n'), text.size());
+    add(trimmed(text.substr(0, end), blanks), line);
+    text.remove_prefix(std::min(end + 1, text.size()));
   }
-  RationalQuaternion q{number(row, (*q_)[0], line), number(row, (*q_)[1], line),
-                       number(row, (*q_)[2], line), number(row, (*q_)[3], line)};
+  if (names_.empty() && rows_.empty())
+    throw InputError("line 1", "a table of numbers is wanted, below the names of its columns");
+  if (rows_.empty())
+    throw InputError(fmt::format("line {}", header_line_ + 1), "there are no frames");
+  if (names_.empty() && !comment_.empty()) take_comment_for_header();
+  require_equal_widths();
+}
+
+void TextTable::add(std::string_view content, long line) {
+  if (content.empty()) return;
+  if (content.front() == '#') {
+    if (!rows_.empty() || !names_.empty()) return;
+    content.remove_prefix(std::min(content.find_first_not_of('#'), content.size()));
+    comment_ = trimmed(content, blanks);
+    comment_line_ = line;
+    return;
+  }
+  const bool is_first = separator_ == 0;
+  if (is_first) separator_ = separator_of(content);
+  Fields row = fields(content, separator_);
+  if (is_first && (std::none_of(row.begin(), row.end(), is_like_number) ||
+                   std::find(row.begin(), row.end(), "t") != row.end())) {
+    names_.assign(row.begin(), row.end());
+    header_line_ = line;
+  } else {
+    rows_.push_back({std::move(row), line});
+  }
+}
+
+/// numpy.savetxt writes its header as a comment, with the separators that the caller wrote.
+void TextTable::take_comment_for_header() {
+  for (const char separator : {separator_, ';', ',', '\t', ' '}) {
+    const Fields words = fields(comment_, separator);
+    if (words.size() != rows_.front().fields.size()) continue;
+    names_.assign(words.begin(), words.end());
+    header_line_ = comment_line_;
+    return;
+  }
+}
+
+void TextTable::require_equal_widths() const {
+  for (const Row& row : rows_)
+    if (row.fields.size() != columns())
+      throw InputError(
+          fmt::format("line {}", row.line),
+          fmt::format("{} numbers are wanted as in {}, not {}", columns(),
+                      names_.empty() ? "the first line of them" : "the header", row.fields.size()));
+}
+
+Rational TextTable::number(std::size_t row, std::size_t column) const {
+  const std::string_view field = rows_[row].fields[column];
+  if (separator_ != ',' && field.find(',') != std::string_view::npos)
+    throw InputError(fmt::format("\"{}\" is not a number: decimals have a point, not a comma",
+                                 abbreviated(field)));
+  return parse_rational(field);
+}
+
+/// Vectors of three columns and quaternions of four, by the names of their columns.
+struct Group {
+  std::string_view name;  ///< "f2" or "q"
+  std::string_view ends;  ///< of the names: "xyz", "wxyz"
+  /// In the order of `ends`, the columns of that name; empty where the table has none of them.
+  std::vector<std::vector<std::size_t>> columns = {};
+
+  std::string column(std::size_t k) const { return fmt::format("{}{}", name, ends.substr(k, 1)); }
+};
+
+/// Which columns hold what is read.
+class Layout {
+ public:
+  Layout(const Names& names, const std::string& place, FrameReading::Quaternion order);
+
+  template <class Table>
+  GivenFrame frame(const Table& table, std::size_t row, const FrameReading& reading) const;
+  bool has_quaternions() const { return !q_.columns.empty(); }
+
+ private:
+  [[noreturn]] void fail(const std::string& reason) const { throw InputError(place_, reason); }
+  void find(Group& group, const Names& names) const;
+
+  template <class Table>
+  Rational number(const Table& table, std::size_t row, const std::vector<std::size_t>& columns,
+                  std::string_view name) const;
+  template <class Table>
+  Vector<Rational> vector(const Table& table, std::size_t row, const Group& group) const {
+    const auto component = [&](std::size_t k) {
+      return number(table, row, group.columns[k], group.column(k));
+    };
+    return {component(0), component(1), component(2)};
+  }
+
+  std::string place_;
+  Group t_{"t", " "};
+  Group f2_{"f2", "xyz"};
+  Group f3_{"f3", "xyz"};
+  Group e1_{"e1", "xyz"};
+  Group q_{"q", "wxyz"};
+};
+
+Layout::Layout(const Names& names, const std::string& place, FrameReading::Quaternion order)
+    : place_(place) {
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (names[k] == "t") {
+      if (t_.columns.empty()) t_.columns.emplace_back();
+      t_.columns[0].push_back(k);
+    }
+  if (t_.columns.empty()) fail("a column \"t\" is wanted");
+  for (Group* group : {&f2_, &f3_, &e1_, &q_}) find(*group, names);
+  if (f2_.columns.empty() && !has_quaternions())
+    fail("columns f2x, f2y, f2z or qw, qx, qy, qz are wanted");
+  for (const Group* group : {&f2_, &f3_, &e1_})
+    if (!group->columns.empty() && has_quaternions())
+      fail(fmt::format("columns of vectors ({}) and of quaternions (qw) exclude each other",
+                       group->column(0)));
+  if (!has_quaternions() || order == FrameReading::Quaternion::named) return;
+  std::sort(q_.columns.begin(), q_.columns.end());  // from left to right
+  if (order == FrameReading::Quaternion::xyzw)
+    std::rotate(q_.columns.begin(), q_.columns.begin() + 3, q_.columns.end());
+}
+
+/// All columns of the group or none; a name that is right but for upper and lower case is an error.
+void Layout::find(Group& group, const Names& names) const {
+  Names found;
+  Names missing;
+  std::string misspelt;
+  for (std::size_t k = 0; k < group.ends.size(); ++k) {
+    const std::string wanted = group.column(k);
+    group.columns.emplace_back();
+    for (std::size_t at = 0; at < names.size(); ++at)
+      if (names[at] == wanted)
+        group.columns.back().push_back(at);
+      else if (lower_case(names[at]) == wanted)
+        misspelt = names[at];
+    (group.columns.back().empty() ? missing : found).push_back(wanted);
+  }
+  if (missing.empty()) return;
+  if (!found.empty() || !misspelt.empty())
+    fail(fmt::format(
+        "missing {} {}: {}", missing.size() == 1 ? "is the column" : "are the columns",
+        fmt::join(missing, ", "),
+        misspelt.empty()
+            ? fmt::format("{} {} there", fmt::join(found, ", "), found.size() == 1 ? "is" : "are")
+            : fmt::format("\"{}\" is another name", abbreviated(misspelt))));
+  group.columns.clear();
+}
+
+template <class Table>
+Rational Layout::number(const Table& table, std::size_t row,
+                        const std::vector<std::size_t>& columns, std::string_view name) const {
+  const auto fail_here = [&](const std::string& reason) {
+    throw InputError(fmt::format("{}, {}", table.place(row), name), reason);
+  };
+  std::optional<Rational> value;
+  for (const std::size_t column : columns) {
+    Rational next;
+    try {
+      next = table.number(row, column);
+    } catch (const InputError& error) {
+      fail_here(error.reason());
+    }
+    if (value && *value != next)
+      fail_here(fmt::format("two columns have this name, one with {}, one with {}",
+                            abbreviated(to_string(*value)), abbreviated(to_string(next))));
+    value = next;
+  }
+  return *value;
+}
+
+/// The frame that q means.
+void set_frame(GivenFrame& frame, RationalQuaternion q, const FrameReading& reading) {
   const Rational size = norm(q);
-  if (size == 0) throw InputError(fmt::format("line {}", line), "the quaternion is 0");
-  if (convention.is_inverse) q = {q.u, -q.v, -q.p, -q.q};
+  if (reading.is_inverse) q = {q.u, -q.v, -q.p, -q.q};
   const auto unit = [&](Vector<Rational> v) {
     for (Rational& x : v) x /= size;
     return v;
   };
   const std::array<Vector<Rational>, 3> axes{unit(rotated_i(q)), unit(rotated_j(q)),
                                              unit(rotated_k(q))};
-  const std::size_t first = convention.tangent_axis;
+  const std::size_t first = reading.tangent_axis;
   frame.tangent = axes[first];
   frame.f2 = axes[(first + 1) % 3];
   frame.f3 = axes[(first + 2) % 3];
+  if (!reading.is_axis_reversed) return;
+  for (Rational& x : *frame.tangent) x = -x;
+  std::swap(frame.f2, *frame.f3);
+}
+
+template <class Table>
+GivenFrame Layout::frame(const Table& table, std::size_t row, const FrameReading& reading) const {
+  GivenFrame frame{number(table, row, t_.columns[0], "t"), {}};
+  if (!has_quaternions()) {
+    frame.f2 = vector(table, row, f2_);
+    if (!f3_.columns.empty()) frame.f3 = vector(table, row, f3_);
+    if (!e1_.columns.empty()) frame.tangent = vector(table, row, e1_);
+    return frame;
+  }
+  const auto component = [&](std::size_t k) {
+    return number(table, row, q_.columns[k], q_.column(k));
+  };
+  const RationalQuaternion q{component(0), component(1), component(2), component(3)};
+  if (norm(q) == 0) throw InputError(table.place(row), "the quaternion is 0");
+  set_frame(frame, q, reading);
   return frame;
+}
+
+void add_triple(Names& names, std::string_view name) {
+  for (const char end : {'x', 'y', 'z'}) names.push_back(fmt::format("{}{}", name, end));
+}
+
+/// The columns of a table without a header; none for a number of them that says nothing.
+Names names_by_number(std::size_t columns) {
+  const bool is_ours = columns >= 13;  // and whatever our tables have behind
+  const bool has_position = columns == 8 || is_ours;
+  Names names{"t"};
+  if (has_position) add_triple(names, "");
+  if (columns == 5 || columns == 8) {
+    names.insert(names.end(), {"qw", "qx", "qy", "qz"});
+    return names;
+  }
+  if (columns == 10 || is_ours) add_triple(names, "e1");
+  if (columns == 4 || columns == 7 || columns == 10 || is_ours) add_triple(names, "f2");
+  if (columns == 7 || columns == 10 || is_ours) add_triple(names, "f3");
+  return names.size() == 1 ? Names{} : names;
+}
+
+template <class Table>
+GivenTable frames_of(const Table& table, const std::string& header_place,
+                     const FrameReading& reading, std::size_t at_most) {
+  Names names = table.names();
+  GivenTable result;
+  if (names.empty()) {
+    names = reading.names.empty() ? names_by_number(table.columns()) : reading.names;
+    if (names.empty())
+      throw InputError(
+          table.place(0),
+          fmt::format("there is no header, and of {} columns it is not known what they "
+                      "are: 4, 5, 7, 8, 10, and 13 or more are; --header names them",
+                      table.columns()));
+    if (!reading.names.empty() && names.size() != table.columns())
+      throw InputError("--header", fmt::format("{} names are given, but the table has {} columns",
+                                               names.size(), table.columns()));
+    if (reading.names.empty()) result.columns = fmt::format("{}", fmt::join(names, ", "));
+    result.skipped = table.columns() - names.size();
+  } else if (!reading.names.empty()) {
+    throw InputError("--header",
+                     "is for tables without a header; this one has one: " + header_place);
+  }
+  const Layout layout(names, reading.names.empty() ? header_place : "--header", reading.quaternion);
+  result.has_quaternions = layout.has_quaternions();
+  const std::size_t rows = table.rows();
+  const std::size_t count = std::min(rows, std::max(at_most, std::size_t{2}));
+  result.frames.reserve(count);
+  for (std::size_t k = 0; k < count; ++k)
+    result.frames.push_back(
+        layout.frame(table, count == rows ? k : k * (rows - 1) / (count - 1), reading));
+  return result;
 }
 
 }  // namespace
 
-std::vector<GivenFrame> read_frames(std::string_view text, const QuaternionConvention& convention) {
-  std::vector<GivenFrame> frames;
-  std::optional<Header> header;
-  for (long line = 1; !text.empty(); ++line) {
-    const auto end = std::min(text.find('\n'), text.size());
-    const std::string_view content = trimmed(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (content.empty() || content.front() == '#') continue;
-    const auto row = fields(content);
-    if (!header) {
-      header.emplace(row, line);
-      continue;
+GivenTable read_frames(std::string_view bytes, const FrameReading& reading, std::size_t at_most) {
+  if (NpyTable::is_one(bytes)) return frames_of(NpyTable(bytes), "header", reading, at_most);
+  const TextTable table(bytes);
+  return frames_of(table, table.header_place(), reading, at_most);
+}
+
+namespace {
+
+/// The orders of the nine numbers of a matrix: by rows or by columns, the tangent at any place.
+std::vector<Names> matrix_names(bool has_position) {
+  std::vector<Names> all;
+  for (const bool is_transposed : {true, false})
+    for (std::size_t first = 0; first < 3; ++first) {
+      std::array<std::string_view, 3> vectors{"e1", "f2", "f3"};
+      std::rotate(vectors.begin(), vectors.begin() + (3 - first) % 3, vectors.end());
+      Names names{"t"};
+      if (has_position) add_triple(names, "");
+      for (std::size_t k = 0; k < 9; ++k)
+        names.push_back(fmt::format("{}{}", vectors[is_transposed ? k % 3 : k / 3],
+                                    "xyz"[is_transposed ? k / 3 : k % 3]));
+      all.push_back(names);
     }
-    if (row.size() != header->size())
-      throw InputError(fmt::format("line {}", line),
-                       fmt::format("{} numbers are wanted as in the header, not {}", header->size(),
-                                   row.size()));
-    frames.push_back(header->frame(row, line, convention));
+  return all;
+}
+
+}  // namespace
+
+std::vector<FrameReading> other_readings(const GivenTable& table, const FrameReading& reading) {
+  std::vector<FrameReading> others;
+  using Quaternion = FrameReading::Quaternion;
+  if (table.has_quaternions) {
+    for (const bool is_other_order : {false, true})
+      for (const std::size_t turn : {0U, 2U, 1U})
+        for (const bool is_opposite : {false, true})
+          for (const bool is_inverse : {false, true}) {
+            FrameReading other = reading;
+            if (is_other_order)
+              other.quaternion =
+                  reading.quaternion == Quaternion::xyzw ? Quaternion::wxyz : Quaternion::xyzw;
+            other.tangent_axis = (reading.tangent_axis + turn) % 3;
+            other.is_axis_reversed = reading.is_axis_reversed != is_opposite;
+            other.is_inverse = reading.is_inverse != is_inverse;
+            if (other != reading) others.push_back(other);
+          }
+    const auto changes = [&](const FrameReading& other) {
+      return (other.quaternion != reading.quaternion ? 1 : 0) +
+             (other.tangent_axis != reading.tangent_axis ? 1 : 0) +
+             (other.is_axis_reversed != reading.is_axis_reversed ? 1 : 0) +
+             (other.is_inverse != reading.is_inverse ? 1 : 0);
+    };
+    std::stable_sort(
+        others.begin(), others.end(),
+        [&](const FrameReading& a, const FrameReading& b) { return changes(a) < changes(b); });
+    return others;
   }
-  if (!header) throw InputError("line 1", "a header with the names of the columns is wanted");
-  if (frames.empty()) throw InputError("line 2", "there are no frames");
-  return frames;
+  if (table.columns.empty() || table.skipped > 0) return {};
+  const auto columns = std::count(table.columns.begin(), table.columns.end(), ',') + 1;
+  std::vector<Names> names;
+  if (columns == 10 || columns == 13) names = matrix_names(columns == 13);
+  if (columns == 7)
+    for (const std::string_view first : {"e1", ""}) {
+      names.push_back({"t"});
+      add_triple(names.back(), first);
+      add_triple(names.back(), "f2");
+    }
+  for (const Names& list : names) {
+    FrameReading other = reading;
+    other.names = list;
+    others.push_back(other);
+  }
+  return others;
+}
+
+std::string to_options(const FrameReading& reading) {
+  Names options;
+  using Quaternion = FrameReading::Quaternion;
+  if (reading.quaternion != Quaternion::named)
+    options.push_back(reading.quaternion == Quaternion::xyzw ? "--quaternion xyzw"
+                                                             : "--quaternion wxyz");
+  if (reading.is_axis_reversed || reading.tangent_axis != 0)
+    options.push_back(fmt::format("--tangent-axis{}{}", reading.is_axis_reversed ? "=-" : " ",
+                                  "xyz"[reading.tangent_axis]));
+  if (reading.is_inverse) options.emplace_back("--inverse");
+  if (!reading.names.empty())
+    options.push_back(fmt::format("--header {}", fmt::join(reading.names, ",")));
+  return fmt::format("{}", fmt::join(options, " "));
 }
 
 }  // namespace phrame

@@ -21,9 +21,11 @@ constexpr auto latex = Notation::latex;
 
 std::string closed_form(const IntegralReport& report, Notation notation, std::string_view before) {
   const Letters letters = letters_for(report.integrand.variable, notation);
-  return formatted_sum(report.real ? formatted_terms(*report.real, notation, letters)
-                                   : formatted_terms(report.antiderivative, notation, letters),
-                       before, notation);
+  const auto written = [&](const auto& F) {
+    return formatted_sum(formatted_terms(F, notation, letters), before, notation);
+  };
+  if (report.real) return written(*report.real);
+  return report.textbook ? written(*report.textbook) : written(report.antiderivative);
 }
 
 std::string text_form(const IntegralReport& report) {
@@ -39,16 +41,32 @@ std::string latex_form(const IntegralReport& report) {
   return to_latex(*report.radicals, letters.variable, letters.pole, " + C");
 }
 
-/// Why the logarithms are written as they are, where nobody asked for a form.
-std::string reason_for_form(const Antiderivative& F) {
-  const auto needs_roots = [](const LogSum& sum) { return sum.index.degree() > 1; };
-  if (F.logs.empty()) return "no logarithms, since every residue is 0";
-  if (std::none_of(F.logs.begin(), F.logs.end(), needs_roots))
-    return "logarithms of polynomials over ℚ, since every residue is rational";
+/// Why the sums over roots are what they are.
+std::string reason_for_sums(const Antiderivative& F) {
   const std::string name = form_name(F);
   if (name == "partial-fractions") return "a sum over poles, since the residues are distinct";
   if (name == "rothstein-trager") return "a sum over residues, since residues repeat";
   return "over poles where the residues are distinct, over residues where they repeat";
+}
+
+/// Why the logarithms are written as they are, where nobody asked for a form.
+std::string reason_for_form(const TextbookForm& F) {
+  const RealForm& real = F.real;
+  if (!F.sums.empty()) {
+    const std::string reason = reason_for_sums(Antiderivative{{}, {}, F.sums});
+    const bool is_mixed =
+        !(real.logarithms.empty() && real.arctangents.empty() && real.quotients.empty());
+    return is_mixed ? "real functions as far as quadratic fields reach; else " + reason : reason;
+  }
+  if (!real.arctangents.empty())
+    return "real functions, since residues or poles lie in quadratic fields";
+  if (!real.quotients.empty() ||
+      std::any_of(real.logarithms.begin(), real.logarithms.end(),
+                  [](const auto& log) { return log.factor.d != 1 || log.of.d != 1; }))
+    return "real logarithms, since residues or poles lie in quadratic fields";
+  return real.logarithms.empty()
+             ? "no logarithms, since every residue is 0"
+             : "logarithms of polynomials over ℚ, since every residue is rational";
 }
 
 /// `text` in lines of at most 100 digits, the later ones indented by `indent`.
@@ -74,14 +92,6 @@ std::string value_text(const DefiniteValue& definite, const IntegralReport& repo
                             report.digits == 1 ? "" : "s");
 }
 
-std::string latex_end(const Endpoint& end) {
-  if (const auto* r = std::get_if<Rational>(&end)) return formatted(*r, latex);
-  if (const auto* infinite = std::get_if<Infinity>(&end))
-    return *infinite == Infinity::negative ? "-\\infty" : "\\infty";
-  // There is no room for its polynomial.
-  return "\\approx " + round_to_decimal(to_real(std::get<RealAlgebraic>(end)), 8).value;
-}
-
 }  // namespace
 
 std::string to_text(const IntegralReport& report) {
@@ -91,10 +101,12 @@ std::string to_text(const IntegralReport& report) {
   std::string text = fmt::format("  f  = {}\n  ∫f = {}{}\n", formatted_quotient(f, unicode, x),
                                  form, form == "0" ? "" : "\n      + constant");
   if (report.says_checked) text += "  Checked: the derivative of this ∫f is f, exactly.\n";
-  if (report.is_automatic && !report.real && !report.radicals)
-    text += fmt::format("  Form: {}.\n", reason_for_form(report.antiderivative));
-  if (!report.real && !report.radicals)
+  if (report.textbook) {
+    text += fmt::format("  Form: {}.\n", reason_for_form(*report.textbook));
+    text += pole_table({{}, {}, report.textbook->sums}, report.lists_all_poles);
+  } else if (!report.real && !report.radicals) {
     text += pole_table(report.antiderivative, report.lists_all_poles);
+  }
   if (report.definite) text += value_text(*report.definite, report);
   return text;
 }
@@ -109,8 +121,8 @@ std::string to_latex(const IntegralReport& report) {
     const auto relation = definite->value.radius == "0" ? "=" : "\\approx";
     text += fmt::format(
         " \\\\\n{}\\int_{{{}}}^{{{}}} {} \\,d{} &{} {}",
-        definite->principal_value ? "\\operatorname{p.v.} " : "", latex_end(definite->from),
-        latex_end(definite->to), f, x, definite->exact ? "=" : relation,
+        definite->principal_value ? "\\operatorname{p.v.} " : "", to_latex(definite->from),
+        to_latex(definite->to), f, x, definite->exact ? "=" : relation,
         definite->exact ? formatted_sum(formatted_terms(*definite->exact, latex), " ", latex)
                         : decimal);
     if (definite->exact) text += fmt::format(" {} {}", relation, decimal);

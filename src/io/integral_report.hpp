@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/integrate/definite_integral.hpp"
+#include "phrame/integrate/path_end.hpp"
 #include "phrame/integrate/radicals.hpp"
 #include "phrame/integrate/real_form.hpp"
 #include "phrame/io/expression.hpp"
@@ -8,8 +8,8 @@ namespace phrame {
 
 /// A definite integral, rounded.
 struct DefiniteValue {
-  Endpoint from;
-  Endpoint to;
+  PathEnd from;
+  PathEnd to;
   bool principal_value = false;
   Decimal value;
   std::optional<ExactValue> exact;
@@ -19,10 +19,10 @@ struct DefiniteValue {
 struct IntegralReport {
   Expression integrand;
   Antiderivative antiderivative;
-  std::optional<RealForm> real = std::nullopt;         ///< shown instead of the antiderivative
-  std::optional<RadicalForm> radicals = std::nullopt;  ///< likewise
+  std::optional<RealForm> real = std::nullopt;          ///< shown instead of the antiderivative
+  std::optional<RadicalForm> radicals = std::nullopt;   ///< likewise
+  std::optional<TextbookForm> textbook = std::nullopt;  ///< likewise, but for JSON
   bool says_checked = true;  ///< is it said that the derivative was checked? (It always was.)
-  bool is_automatic = true;  ///< nobody asked for this form of the logarithms
   std::optional<DefiniteValue> definite = std::nullopt;
   long digits = 0;               ///< of the value
   bool lists_all_poles = false;  ///< text only: however many they are

@@ -5,27 +5,9 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/suggestion.hpp"
 
 namespace phrame {
-namespace {
-
-/// Levenshtein's distance.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-}  // namespace
 
 void JsonNode::fail(const std::string& reason) const {
   throw InputError(pointer_.empty() ? "/" : pointer_, reason);
@@ -39,11 +21,10 @@ void JsonNode::require_known_keys(const std::vector<std::string_view>& known) co
   require(Kind::object, "an object");
   for (const std::string& key : keys()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    const std::string shown = abbreviated(key);
-    const auto nearest = *std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
-      return edit_distance(shown, a) < edit_distance(shown, b);
-    });
-    fail(fmt::format("unknown key \"{}\"; the nearest known key is \"{}\"", shown, nearest));
+    const auto meant = suggestion(key, {known.begin(), known.end()});
+    fail(fmt::format("unknown key \"{}\"; {}", abbreviated(key),
+                     meant ? fmt::format("the nearest known key is \"{}\"", *meant)
+                           : fmt::format("the keys are {}", fmt::join(known, ", "))));
   }
 }
 

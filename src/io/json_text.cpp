@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "phrame/io/cas_formula.hpp"
 #include "phrame/io/radical_text.hpp"
 
 namespace phrame {
@@ -83,22 +84,32 @@ JsonOutput json_of(const RealForm& F) {
     logarithms.push_back(
         {{"factor", json_of(factor)}, {"of", json_of(of)}, {"positive", positive}});
   JsonOutput arctangents = JsonOutput::array();
-  for (const auto& [factor, of] : F.arctangents)
+  for (const auto& [factor, of, radicand] : F.arctangents) {
     arctangents.push_back({{"factor", json_of(factor)}, {"of", json_of(of)}});
+    if (!(radicand == Surd{1, 0, 1})) arctangents.back()["radicand"] = json_of(radicand);
+  }
+  JsonOutput quotients = JsonOutput::array();
+  for (const auto& [factor, of, radicand] : F.quotients)
+    quotients.push_back(
+        {{"factor", json_of(factor)}, {"of", json_of(of)}, {"radicand", json_of(radicand)}});
   JsonOutput others = JsonOutput::array();
   for (const LogSum& sum : F.others) others.push_back(json_of(sum));
   return {{"polynomial", json_of(F.polynomial)},
           {"rational", json_of(F.rational)},
           {"logarithms", logarithms},
           {"arctangents", arctangents},
+          {"log_quotients", quotients},
           {"others", others},
           {"checked", true}};  // nothing unchecked leaves real_form()
 }
 
-JsonOutput json_of(const Endpoint& end) {
+JsonOutput json_of(const PathEnd& end) {
   if (const auto* r = std::get_if<Rational>(&end)) return to_string(*r);
   if (const auto* infinite = std::get_if<Infinity>(&end))
     return *infinite == Infinity::negative ? "-inf" : "inf";
+  if (const auto* p = std::get_if<PiValue>(&end))
+    return {{"expression", cas_formula(p->of_pi, Language::plain, "pi")},
+            {"value", round_to_decimal(to_real(*p), 17).value}};
   const auto& a = std::get<RealAlgebraic>(end);
   const Interval& interval = a.interval();
   return {{"polynomial", json_of(a.polynomial())},
@@ -121,7 +132,7 @@ JsonOutput json_of(const Real& x, const Decimal& rounded) {
 
 JsonOutput json_of(const RealAlgebraic& x) {
   const auto exact = x.rational();
-  return json_of(exact ? Endpoint(*exact) : Endpoint(x));
+  return json_of(exact ? PathEnd(*exact) : PathEnd(x));
 }
 
 JsonOutput json_of(const Vector<Rational>& point) {

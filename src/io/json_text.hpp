@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/integrate/endpoint.hpp"
+#include "phrame/integrate/path_end.hpp"
 #include "phrame/integrate/radicals.hpp"
 #include "phrame/integrate/real_form.hpp"
 #include "phrame/io/angle_report.hpp"
@@ -32,15 +32,16 @@ JsonOutput json_of(const RealForm& F);
 /// {"logs": […]}, each with "roots" of the index, "residues" and "real_roots" beside what a LogSum
 /// has; radicals as "(1 + sqrt(3)*I)/2".
 JsonOutput json_of(const RadicalForm& F);
-/// "3/7", "inf", "-inf", {"polynomial": …, "interval": […], "value": "…"}.
-JsonOutput json_of(const Endpoint& end);
+/// "3/7", "inf", "-inf", {"polynomial": …, "interval": […], "value": "…"}, and of a PiValue
+/// {"expression": "2/3*pi", "value": "…"}.
+JsonOutput json_of(const PathEnd& end);
 /// {"value": "…", "radius": "…"}.
 JsonOutput json_of(const Decimal& x);
 /// [{"t": "…", "theta": "…", "radius": "…"}, …].
 JsonOutput json_of(const std::vector<AngleValue>& values);
 /// The exact text, or the decimal x was rounded to.
 JsonOutput json_of(const Real& x, const Decimal& rounded);
-/// As an Endpoint; a text where it is rational.
+/// As a PathEnd; a text where it is rational.
 JsonOutput json_of(const RealAlgebraic& x);
 JsonOutput json_of(const Vector<Rational>& point);
 /// A curve/1 object in the power basis.

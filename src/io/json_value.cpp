@@ -128,12 +128,7 @@ class Builder : public nlohmann::json_sax<Json> {
 
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::detail::exception& error) override {
-    // "[…] parse error at …: syntax error while parsing value - what is wrong; expected …"
-    std::string reason = error.what();
-    const auto at = reason.find(" - ");
-    reason.erase(0, at == std::string::npos ? reason.size() : at + 3);
-    reason.erase(std::min(reason.find(';'), reason.size()));
-    if (reason.empty()) reason = "invalid number";  // whose beginning overflows
+    const std::string reason = parse_error_reason(error.what());
     std::string_view word = word_at(text_, position);
     // A number that is cut short is left one byte later.
     if (word.empty() && reason == "invalid number" && position > 0)
@@ -204,7 +199,28 @@ const JsonValue* JsonValue::find(std::string_view key) const {
   return at == keys.end() ? nullptr : &items[static_cast<std::size_t>(at - keys.begin())];
 }
 
+// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while parsing
+// value - what is wrong; expected …", since 3.11.3 also without " - ", and where the beginning of
+// what is no number overflows "[json.exception.out_of_range.406] number overflow parsing '…'".
+std::string parse_error_reason(std::string_view message) {
+  const auto drop_through = [&message](std::string_view mark) {
+    const auto at = message.find(mark);
+    if (at != std::string_view::npos) message.remove_prefix(at + mark.size());
+    return at != std::string_view::npos;
+  };
+  drop_through("] ");
+  if (message.starts_with("number overflow")) return "invalid number";
+  if (message.starts_with("parse error at")) drop_through(": ");
+  if (message.starts_with("syntax error")) drop_through(" - ");
+  return std::string(message.substr(0, message.find(';')));
+}
+
 JsonValue parse_json(std::string_view text) {
+  // Named here, since the releases of nlohmann's parser differ in what they say of it.
+  std::string_view content = text;
+  if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
+  if (content.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    throw InputError(place_of(text, text.size()), "not valid JSON: the input is empty");
   const Numbers numbers = take_numbers(text);
   Builder builder(text, numbers.texts);
   Json::sax_parse(numbers.without, &builder);

@@ -22,6 +22,10 @@ struct JsonValue {
 /// that occurs twice in an object and for nesting deeper than 32 (place: a JSON pointer).
 JsonValue parse_json(std::string_view text);
 
+/// What is wrong, out of a message of nlohmann's parser: without the number of the error, the place
+/// and what was expected. Here to be tested, because releases of the parser word it differently.
+std::string parse_error_reason(std::string_view message);
+
 /// "a string", "an array of 3", …: what stands there, for messages.
 std::string description(const JsonValue& value);
 

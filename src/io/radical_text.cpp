@@ -86,9 +86,9 @@ class Writer {
   }
 
   Written written(const Radical::Sum& sum) const {
-    Integer denominator = boost::multiprecision::denominator(sum.constant);
+    Integer denominator = phrame::denominator(sum.constant);
     for (const auto& term : sum.terms)
-      denominator = lcm(denominator, boost::multiprecision::denominator(term.factor));
+      denominator = lcm(denominator, phrame::denominator(term.factor));
     if (sum.terms.empty()) return rational(sum.constant);
     Written all{"", Binding::product};
     const auto append = [&](const Rational& factor, const auto& text_of) {

@@ -63,11 +63,11 @@ std::string notes_on_signs(const Spline& spline) {
 }
 
 SplineAngleReport spline_angle_report(const std::string& name, SplineAngle& angle,
-                                      const Rational& start_angle, const std::vector<Rational>& at,
+                                      const Angle& start_angle, const std::vector<Rational>& at,
                                       long digits) {
   SplineAngleReport report{name, angle, start_angle, {}, {}, {}, digits};
   for (const Rational& t : at)
-    report.values.push_back(rounded_angle(t, angle.value(t) + start_angle, digits));
+    report.values.push_back(rounded_angle(t, angle.value(t, start_angle), digits));
   report.total = rounded(angle.value(angle.spline().end()), "the total angle", digits);
   report.holonomy = rounded_holonomy(angle, digits);
   return report;

@@ -8,7 +8,7 @@ namespace phrame {
 struct SplineAngleReport {
   std::string name;
   const SplineAngle& angle;  ///< must outlive the report: an angle stays where it is
-  Rational start_angle;      ///< θ(0)
+  Angle start_angle;      ///< θ(0)
   std::vector<AngleValue> values;
   Decimal total;                    ///< θ(end) − θ(0)
   std::optional<Decimal> holonomy;  ///< where the spline is closed
@@ -19,7 +19,7 @@ struct SplineAngleReport {
 /// The values of θ at `at`, rounded to `digits` digits. Throws Undecided, naming what it is that
 /// cannot be rounded.
 SplineAngleReport spline_angle_report(const std::string& name, SplineAngle& angle,
-                                      const Rational& start_angle, const std::vector<Rational>& at,
+                                      const Angle& start_angle, const std::vector<Rational>& at,
                                       long digits);
 
 /// What frames and angles mean where the multiplier of a segment is negative; empty where none is.

@@ -92,9 +92,13 @@ std::string with_decimal(const std::string& x, const Decimal& rounded) {
   return fmt::format("{} {} {}", x, rounded.radius == "0" ? "=" : "≈", rounded.value);
 }
 
-std::string abbreviated_number(const Rational& x, std::size_t limit) {
-  const std::string text = formatted(x, Notation::unicode);
+/// A passage where the text is longer than that.
+std::string within(std::size_t limit, const std::string& text) {
   return text.size() <= limit ? text : passage(text, abbreviated(text, limit));
+}
+
+std::string number_within(std::size_t limit, const Rational& x) {
+  return within(limit, formatted(x, Notation::unicode));
 }
 
 std::string summary(long degree, std::size_t digits) {
@@ -156,6 +160,17 @@ std::string latex_decimal(const std::string& decimal) {
   const auto e = decimal.find('e');
   if (e == std::string::npos) return decimal;
   return fmt::format("{} \\cdot 10^{{{}}}", decimal.substr(0, e), decimal.substr(e + 1));
+}
+
+std::string formatted(const Angle& angle, Notation notation) {
+  const auto& [half_turns, radians] = angle;
+  if (half_turns == 0) return formatted(radians, notation);
+  std::string text = radians == 0 ? "" : formatted(radians, notation);
+  append_term(
+      text, half_turns < 0,
+      formatted_multiple(abs(half_turns), notation == Notation::latex ? "\\pi" : "π", notation),
+      notation);
+  return text;
 }
 
 std::string formatted(const Surd& x, Notation notation) {
@@ -325,14 +340,16 @@ std::string readable(const SurdPolynomial& p, std::string_view variable) {
 
 std::string readable_exact(const std::string& text) {
   constexpr std::size_t limit = 4000;
-  return text.size() <= limit ? text : passage(text, abbreviated(text, limit));
+  return within(limit, text);
 }
 
 std::string shown(const Rational& x, std::size_t limit) {
   constexpr long digits = 12;
-  const std::string text = abbreviated_number(x, limit);
+  const std::string text = number_within(limit, x);
   return is_long_fraction(x) ? with_decimal(text, round_to_decimal(x, digits)) : text;
 }
+
+std::string shown(const Angle& x) { return within(longest_line, formatted(x, Notation::unicode)); }
 
 std::string shown(const Vector<Rational>& v) {
   return fmt::format("({}, {}, {})", shown(v[0]), shown(v[1]), shown(v[2]));
@@ -342,7 +359,7 @@ std::string shown(const Polynomial& p) { return readable(formatted(p, Notation::
 
 std::string shown(const Real& x, const Decimal& rounded) {
   if (!x.exact()) return rounded.value;
-  const std::string text = abbreviated_number(*x.exact(), longest_line);
+  const std::string text = number_within(longest_line, *x.exact());
   return is_long_fraction(*x.exact()) ? with_decimal(text, rounded) : text;
 }
 
@@ -350,7 +367,7 @@ std::string name_prefix(const std::string& name) {
   constexpr std::size_t limit = 80;
   const std::string text = printable(name);
   if (text.empty()) return "";
-  return (text.size() <= limit ? text : passage(text, abbreviated(text, limit))) + ": ";
+  return within(limit, text) + ": ";
 }
 
 std::string row(std::string_view label, const std::string& value, std::size_t width) {

@@ -2,6 +2,7 @@
 #include <string>
 #include <string_view>
 
+#include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/bivariate.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/gaussian_polynomial.hpp"
@@ -45,6 +46,8 @@ std::string in_parentheses(std::string_view text, Notation notation);
 std::string formatted_multiple(const Rational& c, std::string_view name, Notation notation);
 /// A decimal, "1.5e-12", as 1.5 \cdot 10^{-12}.
 std::string latex_decimal(const std::string& decimal);
+/// "1/3", "−3π/4", "1/3 + π/4".
+std::string formatted(const Angle& angle, Notation notation);
 /// "1/2 + 3√2/8".
 std::string formatted(const Surd& x, Notation notation);
 /// "t² − √2·t + (1 + √2)", highest power first.
@@ -85,6 +88,7 @@ Decimal rounded(const Real& x, const std::string& name, long digits);
 /// below the line stands its decimal, correctly rounded: "123456789012345678901/7 ≈
 /// 1.76366841446e19".
 std::string shown(const Rational& x, std::size_t limit = 240);
+std::string shown(const Angle& x);
 std::string shown(const Vector<Rational>& v);
 std::string shown(const Polynomial& p);
 /// x where it is exact, and the decimal it was rounded to where it is not or is a long fraction.

@@ -1,7 +1,10 @@
 #include "phrame/ph/compiled_angle.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
+#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 
 namespace phrame {
@@ -9,22 +12,22 @@ namespace {
 
 constexpr long bits = 128;  // of what is known of a piece
 
-/// θ + start_angle, to about 2^−84 of its absolute value or of `scale`, the greater one.
-RealBall accurate(const Real::Enclosure& theta, const Rational& start_angle,
-                  const RealBall& scale) {
-  for (long more = bits;; more *= 2) {
-    const RealBall sum = add(theta(more), RealBall(start_angle, more), more);
-    RealBall allowed = add(absolute(sum), scale, bits);
+/// θ to about 2^−84 of its absolute value or of `scale`, the greater one.
+RealBall accurate(const Real::Enclosure& theta, const RealBall& scale) {
+  constexpr long most = 1L << 17;
+  for (long more = bits; more <= most; more *= 2) {
+    const RealBall value = theta(more);
+    RealBall allowed = add(absolute(value), scale, bits);
     arb_mul_2exp_si(allowed.raw(), allowed.raw(), -84);
-    if (sum.radius() == 0 || sum.radius() <= allowed.lower()) return sum;
+    if (value.radius() == 0 || value.radius() <= allowed.lower()) return value;
   }
+  throw Undecided(fmt::format("compiled angle: {} bits do not tell a constant angle from 0", most));
 }
 
-/// θ + start_angle on [low, high], θ′(t) = rate(t − origin) there, from balls around θ(center).
+/// θ on [low, high], θ′(t) = rate(t − origin) there, from balls around θ(center).
 std::optional<PolynomialPiece> angle_piece(
     double low, double high, double origin, const RationalFunction& rate,
-    const std::function<RealBall(double center, long bits)>& theta, const Rational& start_angle,
-    const DoubleShape& shape) {
+    const std::function<RealBall(double center, long bits)>& theta, const DoubleShape& shape) {
   auto piece = empty_piece(low, high, origin);
   if (!piece) return std::nullopt;
   const BallPolynomial denominator = on_piece(rate.denominator(), *piece, bits, true);
@@ -36,8 +39,7 @@ std::optional<PolynomialPiece> angle_piece(
   arb_poly_div_series(taylor.raw(), numerator.raw(), denominator.raw(), shape.degree, bits);
   arb_poly_integral(taylor.raw(), taylor.raw(), bits);
   const RealBall size = variation(taylor, bits);
-  const RealBall at_center =
-      accurate([&](long more) { return theta(piece->center, more); }, start_angle, size);
+  const RealBall at_center = accurate([&](long more) { return theta(piece->center, more); }, size);
   arb_poly_set_coeff_arb(taylor.raw(), 0, at_center.raw());
   piece->coefficients = round_coefficients({taylor}, shape);
 
@@ -61,33 +63,37 @@ std::optional<PolynomialPiece> angle_piece(
 
 }  // namespace
 
-PiecewisePolynomial compiled_angle(RmfAngle& angle, const Rational& start_angle, double from,
+PiecewisePolynomial compiled_angle(RmfAngle& angle, const Angle& start_angle, double from,
                                    double to, const DoubleShape& shape) {
-  const auto theta = [&](double t, long more) { return angle.enclose(exact_rational(t), more); };
+  const Real start = to_real(start_angle);
+  const auto theta = [&](double t, long more) {
+    return add(angle.enclose(exact_rational(t), more), start.enclose(more), more);
+  };
   return {from, to, shape, [&](double low, double high) {
-            return angle_piece(low, high, 0, angle.rate(), theta, start_angle, shape);
+            return angle_piece(low, high, 0, angle.rate(), theta, shape);
           }};
 }
 
-PiecewisePolynomial compiled_angle(SplineAngle& angle, const Rational& start_angle,
+// A straight segment may have the angle 0 because others and the start cancel: value() sees that.
+PiecewisePolynomial compiled_angle(SplineAngle& angle, const Angle& start_angle,
                                    const DoubleShape& shape) {
   const auto theta = [&](double t, long more) {
-    return angle.value(exact_rational(t)).enclose(more);
+    return angle.value(exact_rational(t), start_angle).enclose(more);
   };
   const auto make = [&](double low, double high) {
     const double joint = std::floor(low);
     const RmfAngle& segment = angle.segment(static_cast<std::size_t>(joint));
-    return angle_piece(low, high, joint, segment.rate(), theta, start_angle, shape);
+    return angle_piece(low, high, joint, segment.rate(), theta, shape);
   };
   return PiecewisePolynomial::on_units(angle.spline().segments().size(), shape, make);
 }
 
-CompiledAngle::CompiledAngle(RmfAngle& angle, double from, double to, const Rational& start_angle)
-    : angle_([&angle, start_angle](const Rational& t) { return angle.value(t) + start_angle; }),
+CompiledAngle::CompiledAngle(RmfAngle& angle, double from, double to, const Angle& start_angle)
+    : angle_([&angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
       polynomials_(compiled_angle(angle, start_angle, from, to, compensated_shape(1))) {}
 
-CompiledAngle::CompiledAngle(SplineAngle& angle, const Rational& start_angle)
-    : angle_([&angle, start_angle](const Rational& t) { return angle.value(t) + start_angle; }),
+CompiledAngle::CompiledAngle(SplineAngle& angle, const Angle& start_angle)
+    : angle_([&angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
       polynomials_(compiled_angle(angle, start_angle, compensated_shape(1))) {}
 
 double CompiledAngle::operator()(double t) {

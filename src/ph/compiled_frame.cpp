@@ -107,7 +107,7 @@ RealBall RotationOnPiece::residual_bound(const Components& x) const {
 /// B on [low, high] for a curve with the parameter t − origin, from balls around θ(center).
 std::optional<PolynomialPiece> rotation_piece(
     double low, double high, double origin, const Rotation& rotation,
-    const std::function<RealBall(double center, long bits)>& theta, const Rational& start_angle,
+    const std::function<RealBall(double center, long bits)>& theta, const Angle& start_angle,
     const DoubleShape& shape) {
   auto piece = empty_piece(low, high, origin);
   if (!piece) return std::nullopt;
@@ -116,8 +116,9 @@ std::optional<PolynomialPiece> rotation_piece(
   if (sign(least_sigma) <= 0) return std::nullopt;
 
   // Absolutely, φ is to be known to about 2^−bits.
-  const long phi_bits = bits + (abs(start_angle) > 1 ? binary_exponent(abs(start_angle)) : 0);
-  RealBall phi = add(theta(piece->center, bits), RealBall(start_angle, phi_bits), phi_bits);
+  const Rational size_of_start = abs(start_angle.radians) + 4 * abs(start_angle.half_turns);
+  const long phi_bits = bits + (size_of_start > 1 ? binary_exponent(size_of_start) : 0);
+  RealBall phi = add(theta(piece->center, bits), to_real(start_angle).enclose(phi_bits), phi_bits);
   arb_mul_2exp_si(phi.raw(), phi.raw(), -1);
   const Components taylor = on_this.taylor(phi, shape.degree + 1);
   piece->coefficients = round_coefficients({taylor.begin(), taylor.end()}, shape);
@@ -144,9 +145,8 @@ std::optional<PolynomialPiece> rotation_piece(
 
 }  // namespace
 
-PiecewisePolynomial compiled_rotation(const Curve& curve, RmfAngle& angle,
-                                      const Rational& start_angle, double from, double to,
-                                      const DoubleShape& shape) {
+PiecewisePolynomial compiled_rotation(const Curve& curve, RmfAngle& angle, const Angle& start_angle,
+                                      double from, double to, const DoubleShape& shape) {
   const Rotation rotation(curve);
   const auto theta = [&](double t, long more) { return angle.enclose(exact_rational(t), more); };
   return {from, to, shape, [&](double low, double high) {
@@ -154,7 +154,7 @@ PiecewisePolynomial compiled_rotation(const Curve& curve, RmfAngle& angle,
           }};
 }
 
-PiecewisePolynomial compiled_rotation(SplineAngle& angle, const Rational& start_angle,
+PiecewisePolynomial compiled_rotation(SplineAngle& angle, const Angle& start_angle,
                                       const DoubleShape& shape) {
   const std::vector<Rotation> rotations(angle.spline().segments().begin(),
                                         angle.spline().segments().end());
@@ -172,11 +172,11 @@ PiecewisePolynomial compiled_rotation(SplineAngle& angle, const Rational& start_
 double frame_error(double error) { return sum_up(2 * error, 2 * error * error); }
 
 CompiledFrames::CompiledFrames(const Curve& curve, RmfAngle& angle, double from, double to,
-                               const Rational& start_angle)
+                               const Angle& start_angle)
     : CompiledFrames(compiled_rotation(curve, angle, start_angle, from, to, compensated_shape(4))) {
 }
 
-CompiledFrames::CompiledFrames(SplineAngle& angle, const Rational& start_angle)
+CompiledFrames::CompiledFrames(SplineAngle& angle, const Angle& start_angle)
     : CompiledFrames(compiled_rotation(angle, start_angle, compensated_shape(4))) {}
 
 CompiledFrames::CompiledFrames(PiecewisePolynomial polynomials)
@@ -212,7 +212,7 @@ struct Ball {
 }  // namespace
 
 RoundedFrames::RoundedFrames(const Curve& curve, RmfAngle& angle, double from, double to)
-    : polynomials_(compiled_rotation(curve, angle, 0, from, to, compensated_shape(4))),
+    : polynomials_(compiled_rotation(curve, angle, {}, from, to, compensated_shape(4))),
       exact_(curve),
       angle_(angle) {}
 

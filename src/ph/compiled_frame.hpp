@@ -14,12 +14,11 @@ namespace phrame {
 /// a linear equation with a skew-symmetric matrix, so that for polynomials Q
 ///   |Q − B| ≤ |Q − B|(center) + ∫|σQ′ − V·Q + h·Q·i|/min σ.
 /// `angle` is that of this curve relative to the ERF; shape.width = 4. Throws as compiled_angle.
-PiecewisePolynomial compiled_rotation(const Curve& curve, RmfAngle& angle,
-                                      const Rational& start_angle, double from, double to,
-                                      const DoubleShape& shape);
+PiecewisePolynomial compiled_rotation(const Curve& curve, RmfAngle& angle, const Angle& start_angle,
+                                      double from, double to, const DoubleShape& shape);
 
 /// The same of a spline, on [0, end], with its continuous ERF.
-PiecewisePolynomial compiled_rotation(SplineAngle& angle, const Rational& start_angle,
+PiecewisePolynomial compiled_rotation(SplineAngle& angle, const Angle& start_angle,
                                       const DoubleShape& shape);
 
 /// Rotation-minimizing frames for millions of parameters, a few hundred operations each. Const
@@ -28,9 +27,9 @@ class CompiledFrames {
  public:
   /// The frame whose angle to the ERF is θ + start_angle, as in compiled_rotation.
   CompiledFrames(const Curve& curve, RmfAngle& angle, double from, double to,
-                 const Rational& start_angle = 0);
+                 const Angle& start_angle = {});
   /// The same of a spline, on [0, end].
-  explicit CompiledFrames(SplineAngle& angle, const Rational& start_angle = 0);
+  explicit CompiledFrames(SplineAngle& angle, const Angle& start_angle = {});
 
   /// The frame at t, every component within 2^−53 of the true one. Throws DomainError for a t
   /// outside [from, to] and NaN.

@@ -54,14 +54,9 @@ GaussianPolynomial path_to(const GaussianRational& z) {
 }
 
 Real to_real(const FrameAngle& angle) {
-  if (angle.half_turns == 0 && angle.direction.im == 0) return angle.radians;
-  return Real([angle](long bits) {
-    const auto& [half_turns, radians, z] = angle;
-    const long more = bits + 8;
-    return add(
-        add(multiply(RealBall(half_turns, more), pi(more), more), RealBall(radians, more), more),
-        argument(z.re, z.im, more), more);
-  });
+  const Real sum = to_real(Angle(angle.half_turns, angle.radians));
+  const GaussianRational& z = angle.direction;
+  return z.im == 0 ? sum : sum + Real([z](long bits) { return argument(z.re, z.im, bits); });
 }
 
 }  // namespace phrame

@@ -1,6 +1,6 @@
 #pragma once
+#include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/gaussian_integer.hpp"
-#include "phrame/algebra/real.hpp"
 #include "phrame/ph/frame.hpp"
 
 namespace phrame {

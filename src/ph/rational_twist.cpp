@@ -176,7 +176,7 @@ Integer RationalTwist::extra_turns() const {
   flint::Fmpz turns;
   if (arb_get_unique_fmpz(turns.get(), extra.raw()) == 0)
     throw Undecided("the turn of a rotation is not known well enough");
-  return Integer(numerator(to_rational(turns.get())));
+  return Integer(turns.get());
 }
 
 Real RationalTwist::root_mean_square() const {

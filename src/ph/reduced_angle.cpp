@@ -14,7 +14,7 @@ std::optional<Integer> whole_turns(const RealBall& x, long bits) {
   arb_ceil(ceiling.raw(), shifted.raw(), bits);
   flint::Fmpz k;
   if (arb_get_unique_fmpz(k.get(), ceiling.raw()) == 0) return std::nullopt;
-  return Integer(numerator(to_rational(k.get())));
+  return Integer(k.get());
 }
 
 }  // namespace

@@ -68,10 +68,14 @@ RealBall RmfAngle::enclose(const Rational& t, long bits) {
   }
 }
 
-Real RmfAngle::value(const Rational& t) {
-  if (t == 0) return Rational(0);
-  if (!argument_) return evaluator_.value(0, t);
-  return evaluator_.value(0, t, *bend_, [this, t](long bits) { return enclose(t, bits); });
+Real RmfAngle::value(const Rational& t, const Angle& start) {
+  const Real offset = to_real(start);
+  if (t == 0) return offset;
+  const auto sum = [this, t, offset](long bits) {
+    const RealBall theta = enclose(t, bits);
+    return offset.exact() == Rational(0) ? theta : add(theta, offset.enclose(bits), bits);
+  };
+  return evaluator_.value(0, t, bend_.value_or(GaussianPolynomial{{1}, {}}), sum, start);
 }
 
 std::optional<GaussianRational> RmfAngle::direction(const Rational& t) {

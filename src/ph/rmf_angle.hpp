@@ -39,10 +39,10 @@ class RmfAngle {
   /// sum, Σ x·log v(x, t) over x = ±i/2 with v(−i/2, t) = g made monic.
   const Antiderivative& antiderivative() const { return antiderivative_; }
 
-  /// θ(t), exact where it is rational, else transcendental, so that it rounds correctly. That it is
-  /// rational is decided where all residues of θ′ lie in ℚ(i) and recognised in many other cases;
-  /// where it is not recognised, to round θ(t) throws Undecided. Refers to this object.
-  Real value(const Rational& t);
+  /// θ(t) + start, exact where it is rational, else transcendental, so that it rounds correctly.
+  /// That it is rational is decided where all residues of θ′ lie in ℚ(i) and recognised in many
+  /// other cases; where it is not recognised, to round it throws Undecided. Refers to this object.
+  Real value(const Rational& t, const Angle& start = {});
   /// The way to values from now on.
   void take(Route route) { evaluator_.take(route); }
   /// A ball around θ(t) with a radius ≤ 2^−bits · max(1, |θ(t)|).

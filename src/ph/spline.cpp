@@ -100,8 +100,7 @@ SplineParameter locate(const Spline& spline, const Rational& t) {
                                   abbreviated(phrame::to_string(t)),
                                   phrame::to_string(spline.end())));
   const auto count = spline.segments().size();
-  const Integer floor = numerator(t) / denominator(t);
-  const std::size_t k = std::min(static_cast<std::size_t>(floor), count - 1);
+  const std::size_t k = std::min(static_cast<std::size_t>(static_cast<long>(floor(t))), count - 1);
   return {k, t - Rational(static_cast<long>(k))};
 }
 

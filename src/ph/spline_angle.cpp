@@ -60,13 +60,18 @@ Antiderivative SplineAngle::over_unit_interval(const SplineParameter& at) const 
   return sum;
 }
 
-Real SplineAngle::value(const Rational& t) { return value(locate(spline_, t)); }
+Real SplineAngle::value(const Rational& t, const Angle& start) {
+  return value(locate(spline_, t), start);
+}
 
-Real SplineAngle::value(const SplineParameter& at) {
-  if (at.segment == 0) return angles_[0].value(at.t);
-  const auto theta = [this, at](long bits) { return enclose(at, bits); };
-  if (!theta(128).contains(rational_part(at))) return Real(theta);
-  return Evaluator(over_unit_interval(at)).value(0, 1, {{1}, {}}, theta);
+Real SplineAngle::value(const SplineParameter& at, const Angle& start) {
+  if (at.segment == 0) return angles_[0].value(at.t, start);
+  const auto sum = [this, at, offset = to_real(start)](long bits) {
+    const RealBall theta = enclose(at, bits);
+    return offset.exact() == Rational(0) ? theta : add(theta, offset.enclose(bits), bits);
+  };
+  if (!sum(128).contains(rational_part(at) + start.radians)) return Real(sum);
+  return Evaluator(over_unit_interval(at)).value(0, 1, {{1}, {}}, sum, start);
 }
 
 // Logarithms and a rational number ρ ≠ 0 do not add up to a rational multiple of π [Baker 1975].

@@ -27,11 +27,11 @@ class SplineAngle {
     for (RmfAngle& angle : angles_) angle.take(route);
   }
 
-  /// θ(t), exact where it is seen to be rational; also where the contributions of different
+  /// θ(t) + start, exact where it is seen to be rational; also where the contributions of different
   /// segments cancel. Refers to this object. Throws DomainError for t outside [0, end].
-  Real value(const Rational& t);
+  Real value(const Rational& t, const Angle& start = {});
   /// The same; at.t may be any number, with which the segment is continued.
-  Real value(const SplineParameter& at);
+  Real value(const SplineParameter& at, const Angle& start = {});
   /// z ∈ ℚ(i) with e^{iθ} = z/|z|, where each segment up to there has an RmfAngle::direction().
   std::optional<GaussianRational> direction(const SplineParameter& at);
 

@@ -171,7 +171,7 @@ std::optional<Real> absolute_rotation_index(const Curve& curve) {
     const RealBall twelfths = multiply(RealBall(12, bits), index.enclose(bits), bits);
     flint::Fmpz nearest;
     if (arb_get_unique_fmpz(nearest.get(), twelfths.raw()) != 0)
-      return Real(Rational(to_rational(nearest.get()) / 12));
+      return Real(Rational(nearest.get()) / 12);
   }
 }
 

@@ -33,23 +33,14 @@ bool is_later(const Rational& time, const Real& x) {
                               limit, abbreviated(to_string(time)), text(x)));
 }
 
-Integer floor(const Rational& x) {
-  const Integer n = numerator(x) / denominator(x);
-  return Rational(n) > x ? Integer(n - 1) : n;
-}
-
 RealBall value(const RationalFunction& f, const RealBall& t, long bits) {
   return divide(evaluate(f.numerator(), t, bits), evaluate(f.denominator(), t, bits), bits);
 }
 
 /// The simplest rational in the ball, where its denominator has up to 32 bits.
 std::optional<Rational> simple_rational(const RealBall& ball) {
-  flint::Fmpq low;
-  flint::Fmpq high;
-  assign(low.get(), ball.lower());
-  assign(high.get(), ball.upper());
-  fmpq_simplest_between(low.get(), low.get(), high.get());
-  const Rational simplest = to_rational(low.get());
+  Rational simplest;
+  fmpq_simplest_between(simplest.raw(), ball.lower().raw(), ball.upper().raw());
   if (denominator(simplest) >> 32 != 0) return std::nullopt;
   return simplest;
 }

@@ -25,7 +25,7 @@ std::vector<double> bernstein_terms(const Polynomial& p, const Rational& scale) 
   const Polynomial scaled = scaled_bernstein(p, n);
   std::vector<double> c;
   for (long k = 0; k <= n; ++k)
-    c.push_back(Rational(scaled.coefficient(k) / scale).convert_to<double>());
+    c.push_back(static_cast<double>(Rational(scaled.coefficient(k) / scale)));
   return c;
 }
 

@@ -152,8 +152,8 @@ TEST_CASE("double polynomial: law: Horner's rule keeps to its bound, and is not 
         CHECK(off <= exact_rational(bound) * factor + exact_rational(underflow_error));
         if (bound > 0 && factor > 0) {
           double& closest_here = is_plain ? closest_plain : closest;
-          closest_here = std::max(
-              closest_here, Rational(off / (exact_rational(bound) * factor)).convert_to<double>());
+          closest_here =
+              std::max(closest_here, static_cast<double>(off / (exact_rational(bound) * factor)));
         }
       }
     }

@@ -22,7 +22,7 @@ flint::FmpzPoly integer_polynomial(const Polynomial& f) {
 Rational resultant(const Polynomial& q, const Polynomial& a) {
   flint::Fmpq value;
   fmpq_poly_resultant(value.get(), q.raw(), a.raw());
-  return to_rational(value.get());
+  return Rational(value.get());
 }
 
 }  // namespace

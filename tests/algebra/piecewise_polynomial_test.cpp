@@ -61,7 +61,8 @@ TEST_CASE(
       const double y = (t - piece.center) * piece.scale;
       const Rational exact =
           (exact_rational(t) - exact_rational(piece.center)) * exact_rational(piece.scale);
-      CHECK(abs(exact_rational(y) - exact) <= (abs(exact) < 0x1p-1000 ? power_of_two(-1075) : 0));
+      CHECK(abs(exact_rational(y) - exact) <=
+            (abs(exact) < power_of_two(-1000) ? power_of_two(-1075) : 0));
       CHECK(std::abs(y) <= 1);
     };
     for (const double end : p.ends())

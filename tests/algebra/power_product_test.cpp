@@ -29,7 +29,7 @@ TEST_CASE("power product: 8^(1/3)·(1/4)^(1/2) and 6²·2^(−2)·3^(−2) are 1
   CHECK(sizes_cancel({size(5, 0), size(-1, 7)}));
   CHECK_FALSE(sizes_cancel({size(2, 19), size(3, -12)}));
   // With exponents whose powers no memory holds.
-  const Rational huge = boost::multiprecision::pow(Integer(10), 40);
+  const Rational huge = pow(Integer(10), 40);
   CHECK(sizes_cancel({size(12, huge), size(3, -huge), size(2, -2 * huge)}));
   CHECK_FALSE(sizes_cancel({size(12, huge), size(3, -huge), size(2, 1 - 2 * huge)}));
 }
@@ -45,7 +45,7 @@ TEST_CASE("power product: arctangents that add up to a rational multiple of pi")
   CHECK(turns_are_rational({turn(1, 1, Rational(1, 3)), turn(0, 2, 5), turn(-7, 0, 1)}));
   CHECK(turns_are_rational({turn(2, 1, Rational(1, 7)), turn(2, -1, Rational(1, 7))}));
   CHECK(turns_are_rational({turn(4, 2, 1), turn(3, -4, Rational(1, 2)), turn(5, 5, 1)}));
-  const Rational huge = boost::multiprecision::pow(Integer(10), 40);
+  const Rational huge = pow(Integer(10), 40);
   CHECK_FALSE(turns_are_rational({turn(2, 1, huge)}));
 }
 

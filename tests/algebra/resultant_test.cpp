@@ -17,7 +17,7 @@ Rational resultant_at(const Polynomial& n, const Polynomial& d, const Rational& 
   if (f.is_zero()) return 0;
   flint::Fmpq value;
   fmpq_poly_resultant(value.get(), f.raw(), d.raw());
-  Rational result = to_rational(value.get());
+  Rational result = Rational(value.get());
   for (long k = f.degree(); k < d.degree() - 1; ++k)
     result *= (d.degree() % 2 == 0 ? 1 : -1) * d.leading_coefficient();
   return result;

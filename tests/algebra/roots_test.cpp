@@ -1,5 +1,7 @@
 #include "phrame/algebra/roots.hpp"
 
+#include <algorithm>
+
 #include "phrame/algebra/error.hpp"
 #include "support/random.hpp"
 

@@ -57,8 +57,7 @@ TEST_CASE("rounding: law: decimals are the nearest ones, and the radius bounds t
     if (x == 0) return;
     // One unit of the last place: the digits, read as a whole number, are between 10^(d−1) and
     // 10^d.
-    const Rational unit = abs(value) / Rational(boost::multiprecision::pow(
-                                           Integer(10), static_cast<unsigned>(digits - 1)));
+    const Rational unit = abs(value) / power_of_ten(digits - 1);
     CHECK(abs(value - x) * 2 <= unit);
     // Through enclosures the same digits come out; a short exact decimal is its own neighbour.
     CHECK(round_to_decimal(as_enclosure(x), digits + 40).value ==
@@ -87,18 +86,6 @@ TEST_CASE("rounding: doubles: ties to even, overflow, underflow, one zero") {
   CHECK_FALSE(std::signbit(round_to_double(parse_rational("-1e-400"))));
   CHECK(round_to_double(parse_rational("0x1p-1074")) == std::numeric_limits<double>::denorm_min());
   CHECK(round_to_double(parse_rational("0x1p-1075")) == 0);
-}
-
-TEST_CASE("rounding: to mpfr_float with any number of bits") {
-  const auto x = round_to_mpfr(pi_value, 113);
-  CHECK(mpfr_get_prec(x.backend().data()) == 113);
-  mpfr_t expected;
-  mpfr_init2(expected, 113);
-  mpfr_const_pi(expected, MPFR_RNDN);  // MPFR rounds correctly
-  CHECK(mpfr_equal_p(x.backend().data(), expected) != 0);
-  mpfr_clear(expected);
-  CHECK(round_to_mpfr(Rational(1, 3), 2) == Rational(3, 8).convert_to<double>());
-  CHECK_THROWS_AS(round_to_mpfr(pi_value, 0), DomainError);
 }
 
 TEST_CASE("rounding: a number that stays on a boundary is undecided, and the limit is named") {

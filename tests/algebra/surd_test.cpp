@@ -48,3 +48,26 @@ TEST_CASE("surd: law: the quadratic root is one") {
   CHECK(quadratic_root({-3, 2}) == Surd{Rational(3, 2), 0, 1});
   CHECK_THROWS_AS(quadratic_root({1, 1, 1, 1}), DomainError);
 }
+
+TEST_CASE("surd: law: arithmetic is that of ℚ[x]/(x² − d)") {
+  for_samples(200, [](Random& random) {
+    const Integer d(random.integer(2, 3));
+    const Surd x{random.rational(), random.rational(), d};
+    const Surd y{random.rational(), random.rational(), d};
+    const auto polynomial = [](const Surd& s) { return Polynomial{s.a, s.b}; };
+    const Polynomial modulus{-Rational(d), 0, 1};
+    CHECK(polynomial(x + y) == polynomial(x) + polynomial(y));
+    CHECK(polynomial(x - y) == polynomial(x) - polynomial(y));
+    CHECK(polynomial(x * y) == (polynomial(x) * polynomial(y)) % modulus);
+    if (!(norm(y) == 0)) CHECK(polynomial((x / y) * y) == polynomial(x));
+    CHECK(x * conjugate(x) == Surd{norm(x), 0, 1});
+    // The sign is that of the root next to it.
+    const Rational root =
+        d == 2 ? Rational(Integer("14142135623730950488"), Integer("10000000000000000000"))
+               : Rational(Integer("17320508075688772935"), Integer("10000000000000000000"));
+    const Rational near = x.a + x.b * root;
+    CHECK(sign(x) == (near > 0 ? 1 : near < 0 ? -1 : 0));
+  });
+  CHECK_THROWS_AS((Surd{0, 1, 2} + Surd{0, 1, 3}), DomainError);
+  CHECK_THROWS_AS((Surd{1, 0} / Surd{0, 0}), DomainError);
+}

@@ -119,11 +119,12 @@ def check_kill(reference):
 
 
 def check_parallel(reference):
-    """The recipes of docs/cluster.md."""
-    if shutil.which("parallel") is None:
-        print("GNU parallel is not installed: its recipe is not tried")
-        return
-    recipe = f"parallel --pipe --block 100k --keep-order -j 2 '{PROGRAM}' batch --threads 1 <lines 2>/dev/null"
+    """The recipes of docs/cluster.md; -q since the program's path may have blanks."""
+    for command in ("parallel", "pgrep"):
+        if shutil.which(command) is None:
+            print(f"{command} is not installed: the recipe for GNU parallel is not tried, all else is right")
+            sys.exit(77)
+    recipe = f"parallel -q --pipe --block 100k --keep-order -j 2 '{PROGRAM}' batch --threads 1 <lines 2>/dev/null"
     run = subprocess.run(recipe, shell=True, stdout=subprocess.PIPE)
     require(run.stdout == reference, "GNU parallel gives other bytes")
     with open("out", "wb") as out:

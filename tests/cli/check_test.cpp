@@ -36,6 +36,87 @@ TEST_CASE("check: bad input is refused with its place") {
   check_failure(here.run("check quintic.json nowhere.csv"), 2, "nowhere.csv: ");
   check_failure(here.run("check quintic.json bad.csv --tol -1"), 2, "--tol: -1 is negative");
   check_failure(here.run("check quintic.json bad.csv --tangent-axis w"), 2,
-                "--tangent-axis: \"w\" is not one of x, y, z");
+                "--tangent-axis: \"w\" is not one of x, y, z, -x, -y, -z");
   check_failure(here.run("check - - < quintic.json"), 2, "check: the curve and the frames");
+}
+
+TEST_CASE("check: the program reads its own tables in every form") {
+  const Workshop here;
+  const std::string negative = R"({"phrame": "curve/1", "basis": "bernstein", "multiplier": [-1],
+      "preimage": {"u": [2, 0, 2], "v": [1, 1, 0], "p": [0, -2, 0], "q": [1, 2, 1]}})";
+  here.write("negative.json", negative);
+  for (const std::string curve : {"quintic.json", "negative.json"}) {
+    CAPTURE(curve);
+    for (const std::string options :
+         {"", " --format npy", " --frame rmf,rmf", " --frame rmf,erf,frenet",
+          " --frame rmf,erf --columns s --format npy",
+          " --frame mtf,mtf-exact,rmf --from 0 --to pi/4"}) {
+      CAPTURE(options);
+      CHECK(here.run("frames " + curve + " --samples 6 -o table" + options).status == 0);
+      const Run pass = here.run("check " + curve + " table --tol 1e-15");
+      check_success(pass);
+      CHECK(contains(pass.out, "at most"));
+    }
+  }
+  CHECK(contains(here.run("check quintic.json - <table").out, "at most"));
+}
+
+// A constant rate is a drift; a start angle that is not 0 is an offset.
+TEST_CASE("check: the findings name what is off, and by how much") {
+  const Workshop here;
+  CHECK(here.run("frames quintic.json --samples 6 -o table").status == 0);
+  const Run offset = here.run("check quintic.json table --theta0 1/8 --tol 1e-9");
+  CHECK(offset.status == 1);
+  CHECK(contains(offset.out, "  - the frame is rotation-minimizing, to within "));
+  CHECK(contains(offset.out, " but starts at another angle: -0.1250000000 radians off\n"));
+  const auto json =
+      nlohmann::json::parse(here.run("check quintic.json table --theta0 1/8 --print json").out);
+  CHECK(json["findings"][0]["kind"] == "constant-offset");
+  CHECK(json["better_reading"].is_null());
+  here.write("left.csv", "t,f2x,f2y,f2z,f3x,f3y,f3z\n0,0,1,0,0,0,-0.1\n1,0,1,0,0,0,0.1\n");
+  const Run left = here.run("check line.json left.csv --tol 2");
+  CHECK(left.status == 1);
+  CHECK(contains(left.out, "left-handed: det(tangent, f2, f3) < 0 at sample 0, t = 0\n"));
+  CHECK_FALSE(contains(left.out, "= −1"));
+}
+
+TEST_CASE("check: one sample is no verdict, unless it has something to be compared with") {
+  const Workshop here;
+  CHECK(here.run("frames quintic.json --at 1/2 -o one").status == 0);
+  check_failure(here.run("check quintic.json one"), 2, "one: all samples are at t = 1/2");
+  const Run pass = here.run("check quintic.json one --theta0 0");
+  check_success(pass);
+  CHECK(contains(pass.out, "1 frame, t = 1/2\n"));
+}
+
+TEST_CASE("check: a t of any size is answered") {
+  const Workshop here;
+  here.write("huge.csv", "t,f2x,f2y,f2z\n0,0,1,0\n1e100000,1,0,0\n");
+  const Run run = here.run("check quintic.json huge.csv");
+  CHECK(run.status == 1);
+  CHECK(run.err.empty());
+  CHECK(contains(run.out, "2 frames, t from 0 to 1000000"));
+  CHECK(here.run("check quintic.json huge.csv --print json").status == 1);
+}
+
+// A = 1 + tk is the frame as a quaternion; the table has it in the order x, y, z, w.
+TEST_CASE("check: another convention that is right is named") {
+  const Workshop here;
+  here.write("plane.json", R"({"phrame": "curve/1", "basis": "power",
+                               "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, 1]}})");
+  here.write("poses.txt", "0 0 0 0 1\n0.5 0 0 0.5 1\n1 0 0 1 1\n");
+  const Run fail = here.run("check plane.json poses.txt");
+  CHECK(fail.status == 1);
+  CHECK(contains(fail.out, "\nIt passes by another reading of the table: --quaternion xyzw.\n"));
+  const auto json = nlohmann::json::parse(here.run("check plane.json poses.txt --print json").out);
+  CHECK(json["better_reading"]["options"] == "--quaternion xyzw");
+  CHECK(json["better_reading"]["passes"] == true);
+  check_success(here.run("check plane.json poses.txt --quaternion xyzw"));
+  check_success(here.run("check plane.json poses.txt --header t,qx,qy,qz,qw"));
+  CHECK(here.run("frames plane.json --samples 3 -o table").status == 0);
+  for (const std::string option : {"--quaternion xyzw", "--tangent-axis z", "--inverse"})
+    check_failure(here.run("check plane.json table " + option), 2,
+                  option.substr(0, option.find(' ')) + ": is for quaternions");
+  check_failure(here.run("check plane.json poses.txt --header t,f2x,f2y,f2z"), 2,
+                "--header: 4 names are given, but the table has 5 columns");
 }

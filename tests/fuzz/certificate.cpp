@@ -14,7 +14,7 @@ namespace {
 using namespace phrame;
 
 long size(const Rational& x) {
-  return static_cast<long>(msb(Integer(abs(numerator(x)) + 1)) + msb(denominator(x)));
+  return bit_length(numerator(x)) + bit_length(denominator(x));
 }
 
 long size(const Polynomial& p) {

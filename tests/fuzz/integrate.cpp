@@ -96,6 +96,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     integrate(f, form);
   const Antiderivative F = integrate(f);
   real_form(F);
+  textbook_form(F);
   check_definite(f, end(data[0]), end(data[1]), end(data[size - 1]));
   return 0;
 }

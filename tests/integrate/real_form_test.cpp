@@ -56,10 +56,18 @@ RealBall value(const RealForm& form, const Rational& t) {
     arb_log(term.raw(), term.raw(), bits);
     total = add(total, multiply(value(factor), term, bits), bits);
   }
-  for (const auto& [factor, of] : form.arctangents) {
-    RealBall term = value(of, t);
+  for (const auto& [factor, of, radicand] : form.arctangents) {
+    const RealBall root = sqrt(value(radicand), bits);
+    RealBall term = multiply(root, value(of, t), bits);
     arb_atan(term.raw(), term.raw(), bits);
-    total = add(total, multiply(value(factor), term, bits), bits);
+    total = add(total, multiply(multiply(root, value(factor), bits), term, bits), bits);
+  }
+  for (const auto& [factor, of, radicand] : form.quotients) {
+    const RealBall root = sqrt(value(radicand), bits);
+    const RealBall w = value(of, t);
+    RealBall term = absolute(divide(subtract(w, root, bits), add(w, root, bits), bits));
+    arb_log(term.raw(), term.raw(), bits);
+    total = add(total, multiply(multiply(root, value(factor), bits), term, bits), bits);
   }
   for (const LogSum& sum : form.others) total = add(total, value(sum, t), bits);
   return total;
@@ -151,5 +159,101 @@ TEST_CASE("real form: law: its derivative is f, its values are the certified int
       CHECK(differentiate(form) == f);
       check_values(f, form);
     }
+  });
+}
+
+namespace {
+
+/// p over ℚ(√d) from its coefficients.
+SurdPolynomial surds(const std::vector<Surd>& ascending, const Integer& d) {
+  std::vector<Rational> a;
+  std::vector<Rational> b;
+  for (const Surd& c : ascending) {
+    a.push_back(c.a);
+    b.push_back(c.b);
+  }
+  return {Polynomial(a), Polynomial(b), d};
+}
+
+}  // namespace
+
+// The table of integrals: ∫ dx/(x⁴ + 1) = √2/8·log((x² + √2x + 1)/(x² − √2x + 1))
+//   + √2/4·(arctan(√2x + 1) + arctan(√2x − 1)) [Gradshteyn, Ryzhik, 2.132.1].
+TEST_CASE("textbook form: 1/(x⁴ + 1) over ℚ(√2)") {
+  const RationalFunction f({1}, {1, 0, 0, 0, 1});
+  const auto [form, sums] = textbook_form(integrate(f));
+  CHECK(sums.empty());
+  CHECK(form.others.empty());
+  const Surd eighth{0, Rational(1, 8), 2};
+  CHECK(form.logarithms ==
+        std::vector<RealForm::Logarithm>{{eighth, surds({{1, 0}, {0, 1}, {1, 0}}, 2), true},
+                                         {-eighth, surds({{1, 0}, {0, -1}, {1, 0}}, 2), true}});
+  // √(1/2)·(2x ± √2) = √2x ± 1, and 1/2·√(1/2) = √2/4.
+  const Surd half{Rational(1, 2), 0, 1};
+  CHECK(form.arctangents ==
+        std::vector<RealForm::Arctangent>{{half, surds({{0, 1}, {2, 0}}, 2), half},
+                                          {half, surds({{0, -1}, {2, 0}}, 2), half}});
+  CHECK(differentiate(form) == f);
+  check_values(f, form);
+}
+
+TEST_CASE("textbook form: four poles need a real quadratic field, and roots of its numbers") {
+  // Poles with real and imaginary parts in ℚ(√3), ℚ(√2, √3), with nested roots, and real ones.
+  for (const Polynomial& d :
+       {Polynomial{1, 0, -1, 0, 1}, Polynomial{1, 0, 10, 0, 1}, Polynomial{1, 1, 1, 1, 1},
+        Polynomial{9, 0, -2, 0, 1}, Polynomial{1, 0, -10, 0, 1}, Polynomial{5, 0, -5, 0, 1},
+        Polynomial{-2, 0, 0, 0, 1}, Polynomial{1, 4, 5, 2, 1}}) {
+    CAPTURE(to_string(d));
+    for (const Polynomial& n : {Polynomial{1}, Polynomial{3, -1}, Polynomial{0, 0, 0, 1},
+                                Polynomial{Rational(1, 3), 0, -2, 5}}) {
+      const RationalFunction f(n, d);
+      const auto [form, sums] = textbook_form(integrate(f));
+      CHECK(sums.empty());
+      CHECK(differentiate(form) == f);
+      check_values(f, form);
+    }
+  }
+}
+
+TEST_CASE("textbook form: what needs no square root has none") {
+  // x/(x⁴ + 1) = d/dx arctan(x²)/2, (x² + 1)/(x⁴ − x² + 1) = d/dx (arctan(x) + arctan(x³)).
+  const auto arctangents = [](const RationalFunction& f) {
+    return textbook_form(integrate(f)).real.arctangents;
+  };
+  const auto of = [](const Rational& factor, const Polynomial& p) {
+    return RealForm::Arctangent{{factor, 0, 1}, {p, {}, 1}};
+  };
+  CHECK(arctangents({{0, 1}, {1, 0, 0, 0, 1}}) == std::vector{of(Rational(1, 2), {0, 0, 1})});
+  CHECK(arctangents({{1, 0, 1}, {1, 0, -1, 0, 1}}) ==
+        std::vector{of(1, {0, 0, 0, 1}), of(1, {0, 1})});
+  // Equal residues of different factors stay apart: arctan(x) + arctan(x + 1).
+  const RationalFunction two = RationalFunction({1}, {1, 0, 1}) + RationalFunction({1}, {2, 2, 1});
+  CHECK(arctangents(two) == std::vector{of(1, {0, 1}), of(1, {1, 1})});
+}
+
+TEST_CASE("textbook form: beyond quadratic fields there are sums over roots") {
+  for (const Polynomial& d : {Polynomial{1, 1, 0, 1}, Polynomial{2, 0, 1, 0, 1},
+                              Polynomial{1, 1, 0, 0, 1}, Polynomial{3, 1, 0, 0, 0, 1}}) {
+    const auto [form, sums] = textbook_form(integrate({{1}, d}));
+    CHECK(sums.size() == 1);
+    CHECK(form.logarithms.empty());
+    CHECK(form.arctangents.empty());
+  }
+}
+
+TEST_CASE("textbook form: law: with its sums it has the derivative f") {
+  for_samples(60, [](Random& random) {
+    RationalFunction f;
+    for (long k = random.integer(1, 3); k > 0; --k) {
+      // A quadratic polynomial over ℚ(√D), times its conjugate; or anything.
+      const Integer D(random.integer(2, 7));
+      const SurdPolynomial factor{
+          {random.rational(), random.rational(), 1}, {random.rational(), random.rational()}, D};
+      const Polynomial d = random.chance(3) ? random.nonzero_polynomial(6) : norm(factor);
+      f = f + RationalFunction(random.polynomial(3), d);
+    }
+    const auto [form, sums] = textbook_form(integrate(f));
+    CHECK(differentiate(form) + differentiate(Antiderivative{{}, {}, sums}) == f);
+    if (sums.empty()) check_values(f, form);
   });
 }

@@ -6,8 +6,8 @@
 
 using namespace phrame;
 
-TEST_CASE("angle text: multiples of π and radians") {
-  const auto multiple = [](const Rational& c) { return FrameAngle{c, 0}; };
+TEST_CASE("angle text: multiples of π, radians and degrees") {
+  const auto multiple = [](const Rational& c) { return Angle(c, 0); };
   CHECK(parse_angle("pi/8") == multiple(Rational(1, 8)));
   CHECK(parse_angle("-31pi/40") == multiple(Rational(-31, 40)));
   CHECK(parse_angle("0.125pi") == multiple(Rational(1, 8)));
@@ -15,13 +15,18 @@ TEST_CASE("angle text: multiples of π and radians") {
   CHECK(parse_angle("-π") == multiple(-1));
   CHECK(parse_angle("+pi") == multiple(1));
   CHECK(parse_angle("1e-2π/3") == multiple(Rational(1, 300)));
-  CHECK(parse_angle("0.3927") == FrameAngle{0, Rational(3927, 10000)});
-  CHECK(parse_angle("-3/7") == FrameAngle{0, Rational(-3, 7)});
+  CHECK(parse_angle("1.5/2.5*pi") == multiple(Rational(3, 5)));
+  CHECK(parse_angle(" -31 pi / 40 ") == multiple(Rational(-31, 40)));
+  CHECK(parse_angle("45deg") == multiple(Rational(1, 4)));
+  CHECK(parse_angle("-22.5 deg") == multiple(Rational(-1, 8)));
+  CHECK(parse_angle("1/3°") == multiple(Rational(1, 540)));
+  CHECK(parse_angle("0.3927") == Angle(Rational(3927, 10000)));
+  CHECK(parse_angle("-3/7") == Angle(Rational(-3, 7)));
 }
 
 TEST_CASE("angle text: what is no angle is refused") {
   for (const char* text : {"", "pie", "pi/", "pi/0", "*pi", "2**pi", "pi*2", "pi/8pi", "x", "1/0",
-                           "pi + 1", " pi", "--pi"}) {
+                           "pi + 1", "--pi", "deg", "45degrees", "45deg/2", "pi deg"}) {
     CAPTURE(text);
     CHECK_THROWS_AS(parse_angle(text), InputError);
   }

@@ -30,9 +30,9 @@ TEST_CASE("endpoints: rational numbers are computed exactly") {
 }
 
 TEST_CASE("endpoints: infinity has two signs and several names") {
-  for (const char* text : {"inf", "+inf", "infinity", "∞", " + ∞ "})
+  for (const char* text : {"inf", "+inf", "infinity", "oo", "∞", " + ∞ "})
     CHECK(std::get<Infinity>(parse_endpoint(text)) == Infinity::positive);
-  for (const char* text : {"-inf", "- infinity", "-∞", "−∞"})
+  for (const char* text : {"-inf", "- infinity", "-oo", "-∞", "−∞"})
     CHECK(std::get<Infinity>(parse_endpoint(text)) == Infinity::negative);
   CHECK(refusal("1 + inf") == "column 5: \"inf\" is not a rational number");
   CHECK(refusal("inf inf") == "column 1: \"inf\" is not a rational number");
@@ -80,5 +80,50 @@ TEST_CASE("endpoints: are written for reading") {
   CHECK(to_text(parse_endpoint("-3/7")) == "−3/7");
   CHECK(to_text(parse_endpoint("-inf")) == "−∞");
   CHECK(to_text(parse_endpoint("inf")) == "∞");
-  CHECK(to_text(parse_endpoint("root(t^2-2, 1, 2)")) == "the root of x² − 2 in (1, 2)");
+  CHECK(to_text(parse_endpoint("root(t^2-2, 1, 2)")) == "√2");
+  CHECK(to_text(parse_endpoint("root(t^2-t-1, -1, 0)")) == "1/2 − √5/2");
+  CHECK(to_text(parse_endpoint("root(t^3-2, 1, 2)")) == "the root of x³ − 2 in (1, 2)");
+  CHECK(to_text(parse_endpoint("-2*pi/3")) == "−2π/3");
+  CHECK(to_text(parse_endpoint("pi^2 - 1")) == "(π − 1)(π + 1)");
+  CHECK(to_latex(parse_endpoint("-sqrt(2)/2")) == "-\\frac{\\sqrt{2}}{2}");
+  CHECK(to_latex(parse_endpoint("pi/2")) == "\\frac{\\pi }{2}");
+  CHECK(to_latex(parse_endpoint("root(t^3-2, 1, 2)")) == "\\approx 1.2599210");
+}
+
+TEST_CASE("endpoints: square roots are algebraic numbers") {
+  const auto algebraic = [](std::string_view text) {
+    return std::get<RealAlgebraic>(parse_endpoint(text));
+  };
+  CHECK(algebraic("sqrt(2)") == real_root({-2, 0, 1}, closed(1, 2)));
+  CHECK(algebraic("-√2") == real_root({-2, 0, 1}, closed(-2, -1)));
+  CHECK(algebraic("(1+sqrt(5))/2") == real_root({-1, -1, 1}, closed(1, 2)));
+  CHECK(algebraic("1/(sqrt(3) - 1)") == real_root({-1, -2, 2}, closed(1, 2)));
+  CHECK(algebraic("sqrt( 1/2 )*√(1/2)*√(1/2)") == real_root({-1, 0, 8}, closed(0, 1)));
+  CHECK(rational("sqrt(9/4) + 1") == Rational(5, 2));
+  CHECK(rational("sqrt(2)^2") == 2);
+  CHECK(refusal("sqrt(-1)") == "column 1: the square root of a negative number is not real");
+  CHECK(
+      refusal("sqrt(2) + sqrt(3)") ==
+      "column 11: square roots of two numbers: such an end is written root(p, a, b), the root of a "
+      "polynomial p between a and b");
+  CHECK(refusal("1/(√2^2-2)") == "column 1: division by zero");
+  CHECK(refusal("1/(sqrt(4)-2)") == "column 1: division by zero");
+  CHECK(refusal("1 + sqrt 2") == "column 10: a square root is written sqrt(2)");
+  CHECK(refusal("sqrt(2") == "column 5: this \"(\" is never closed");
+  CHECK(refusal("sqrt(2)x") ==
+        "column 8: no operator between \"√(…)\" and \"x\": a product needs its sign, √(…)*x");
+  CHECK(refusal("sqrt(sqrt(2))") == "column 6: \"sqrt\": only rational functions are known");
+  CHECK(refusal("sqrt(2)*pi") == "column 9: pi and a square root in one end are not supported");
+}
+
+TEST_CASE("endpoints: a rational function of pi is transcendental, or rational") {
+  const auto of_pi = [](std::string_view text) {
+    return std::get<PiValue>(parse_endpoint(text)).of_pi;
+  };
+  CHECK(of_pi("pi") == RationalFunction(Polynomial{0, 1}));
+  CHECK(of_pi("-2*π/3 + 1") == RationalFunction(Polynomial{1, Rational(-2, 3)}));
+  CHECK(of_pi("1/pi^2") == RationalFunction({1}, {0, 0, 1}));
+  CHECK(rational("pi - pi + 1/2") == Rational(1, 2));
+  CHECK(refusal("pi*x") == "column 4: \"x\" is not the variable \"pi\"");
+  CHECK(refusal("e") == "column 1: \"e\" is not a rational number");
 }

@@ -158,17 +158,42 @@ TEST_CASE("expressions: the variable is the one given or the one that occurs") {
 }
 
 TEST_CASE("expressions: a product without its sign is refused with advice") {
-  const auto advice = [](const char* column, const char* left, const char* right) {
+  const auto advice = [](const char* column, const char* left, const char* right,
+                         const char* product) {
     return fmt::format(
-        "column {}: no operator between \"{}\" and \"{}\": write {}*{} for a product", column, left,
-        right, left, right);
+        "column {}: no operator between \"{}\" and \"{}\": a product needs its sign, {}", column,
+        left, right, product);
   };
-  CHECK(refusal("2x") == advice("2", "2", "x"));
-  CHECK(refusal("1 + x(x + 1)") == advice("6", "x", "("));
-  CHECK(refusal("(x)(x)") == advice("4", ")", "("));
-  CHECK(refusal("x 3") == advice("3", "x", "3"));
-  CHECK(refusal("x² 3") == advice("4", "²", "3"));
-  CHECK(refusal("4t(t − 1)") == advice("2", "4", "t"));
+  CHECK(refusal("2x") == advice("2", "2", "x", "2*x"));
+  CHECK(refusal("1 + x(x + 1)") == advice("6", "x", "(", "x*(…)"));
+  CHECK(refusal("(x)(x)") == advice("4", ")", "(", "(…)*(…)"));
+  CHECK(refusal("x 3") == advice("3", "x", "3", "x*3"));
+  CHECK(refusal("x² 3") == advice("4", "²", "3", "…²*3"));
+  CHECK(refusal("4t(t − 1)") == advice("2", "4", "t", "4*t"));
+}
+
+TEST_CASE("expressions: a second variable is refused with what to do about it") {
+  ExpressionLimits with_option;
+  with_option.variable_option = "--var";
+  CHECK(refusal("x + y", {}, with_option) ==
+        "column 5: a second variable, \"y\" beside \"x\": write a number for one of them (--var "
+        "names the variable)");
+  CHECK(refusal("x + y", "x", with_option) ==
+        "column 5: \"y\" is not the variable \"x\": write a number for it");
+}
+
+TEST_CASE("expressions: e, i and pi are alike: a variable only where they are given as one") {
+  ExpressionLimits with_option;
+  with_option.variable_option = "--var";
+  for (const std::string name : {"e", "i", "pi", "π"}) {
+    CAPTURE(name);
+    const std::string reason = "column 1: \"" + name + "\" is not a rational number";
+    CHECK(refusal(name + "^2") == reason);
+    CHECK(refusal(name + "*x", "x") == reason);
+    CHECK(refusal(name + "^2", {}, with_option) ==
+          reason + "; --var " + name + " makes it the variable");
+    CHECK(parse_expression(name + "^2", name).value == RationalFunction(Polynomial{0, 0, 1}));
+  }
 }
 
 TEST_CASE("expressions: what is wrong is said with its column") {

@@ -138,6 +138,28 @@ TEST_CASE("JSON values: what is not JSON is refused at its line and column") {
   CHECK(place(std::string_view("\0", 1)) == "1:1");
 }
 
+TEST_CASE("JSON values: an empty input is named as such, whatever the parser's release says") {
+  CHECK(refusal("") == "1:0 | not valid JSON: the input is empty");
+  CHECK(refusal(" \n\t\r\n ") == "3:1 | not valid JSON: the input is empty");
+  CHECK(refusal("\xEF\xBB\xBF") == "1:3 | not valid JSON: the input is empty");
+}
+
+// The messages are those of nlohmann/json 3.11.2 and 3.11.3, parser.hpp.
+TEST_CASE("JSON values: what is wrong is found in the messages of every release of the parser") {
+  const std::string at = "[json.exception.parse_error.101] parse error at line 1, column 2: ";
+  CHECK(parse_error_reason(at + "syntax error while parsing value - unexpected end of input; "
+                                "expected '[', '{', or a literal") == "unexpected end of input");
+  CHECK(parse_error_reason(at + "syntax error while parsing object key - invalid literal; "
+                                "last read: 'x'") == "invalid literal");
+  CHECK(parse_error_reason(at + "attempting to parse an empty input; check that your input string "
+                                "or stream contains the expected JSON") ==
+        "attempting to parse an empty input");
+  CHECK(parse_error_reason("[json.exception.out_of_range.406] number overflow parsing '1e999'") ==
+        "invalid number");
+  CHECK(parse_error_reason(at + "syntax error while parsing value - invalid number; expected digit "
+                                "after '-'; last read: '--'") == "invalid number");
+}
+
 TEST_CASE("JSON values: a key that occurs twice is refused with its pointer") {
   CHECK(refusal(R"({"a": 1, "a": 1})") == "/a | the key occurs twice");
   CHECK(refusal(R"({"x": [0, {"u": {}, "u": 2}]})") == "/x/1/u | the key occurs twice");

@@ -70,7 +70,7 @@ inline std::size_t digit_count(const std::string& decimal) {
 }
 
 inline Rational power_of_ten(long k) {
-  const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(k)));
+  const Integer power = pow(Integer(10), static_cast<unsigned long>(std::abs(k)));
   return k < 0 ? Rational(1) / Rational(power) : Rational(power);
 }
 

@@ -1,8 +1,12 @@
 """PARI/GP reads what phrame prints for it; the Taylor series of its derivative is that of the integrand.
 
 PARI has no symbolic logarithm, but antiderivative(t) can be given a power series. Where both sides have degree < 24,
-48 equal coefficients prove them equal, but for rounding, which is 10^-40 of the largest.
+48 equal coefficients prove them equal, but for rounding, which is 10^-40 of the largest. The differences of its values
+are the integrals.
 """
+from fractions import Fraction
+
+import differences
 import peers
 
 CHECK = """
@@ -13,7 +17,29 @@ CHECK = """
 }
 """
 
+VALUES = """
+{
+  print("%s: values");
+  foreach(grid, t, my(F = 1.*antiderivative(t)); print(real(F), ";", imag(F)));
+}
+"""
+
+
+def run(session):
+    return peers.run(["gp", "-q", "-f", "--default", "parisize=64M"], session, "PARI/GP").splitlines()
+
+
 items = list(peers.scripts("pari"))
-session = "default(realprecision, 300);\n" + "".join(text + CHECK % name for name, text in items)
-output = peers.run(["gp", "-q", "-f", "--default", "parisize=64M"], session, "PARI/GP").splitlines()
-peers.finish(len(items), [name for name, _ in items if f"{name}: equal" not in output])
+output = run("default(realprecision, 300);\n" + "".join(text + CHECK % name for name, text in items))
+failures = [name for name, _ in items if f"{name}: equal" not in output]
+
+count = len(items)
+items = list(peers.continuous("pari"))
+grid = ", ".join(str(Fraction(t)) for t in differences.GRID)
+output = run(f"grid = [{grid}];\n" + "".join(text + VALUES % name for name, text, _ in items))
+for name, _, f in items:
+    first = output.index(f"{name}: values") + 1
+    lines = output[first:first + len(differences.GRID)]
+    values = [complex(*(float(part.replace(" ", "")) for part in line.split(";"))) for line in lines]
+    failures += [f"{name}, {jump}" for jump in differences.jumps(f, values)]
+peers.finish(count + len(items), failures)

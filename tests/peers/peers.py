@@ -1,14 +1,17 @@
 """What the tests with other systems have in common: the integrands, and what phrame prints of them.
 
 A test runs `phrame integrate … --print SYSTEM`, gives the output to the system as it is, and has the system differentiate
-`antiderivative` and compare it with `integrand`. It exits with 0, with 1 after naming what failed, or with SKIP where the
-system is not installed. With PHRAME_PEERS=corpus it takes all of tests/data/integrals.jsonl.
+`antiderivative` and compare it with `integrand`; and evaluate it on a grid, for differences.py. It exits with 0, with 1
+after naming what failed, or with SKIP where the system is not installed. With PHRAME_PEERS=corpus it takes all of
+tests/data/integrals.jsonl, and the angles of all curves of tests/data/curves.jsonl up to degree 25 that have short coefficients.
 """
 import json
 import os
 import pathlib
 import subprocess
 import sys
+
+import differences
 
 SKIP = 77
 
@@ -26,10 +29,18 @@ UNDEFINED = 3  # phrame's exit status for radicals that do not exist
 TESTS = pathlib.Path(__file__).parent.parent
 
 
+def read(name):
+    """The objects of a file of tests/data."""
+    return [json.loads(line) for line in (TESTS / "data" / name).read_text(encoding="utf-8").splitlines()]
+
+
+def phrame(arguments, text=""):
+    return subprocess.run([os.environ["PHRAME_PROGRAM"], *arguments], input=text, capture_output=True, text=True)
+
+
 def arguments():
     """Pairs of a name and what phrame is to print: each integrand, and a Frenet angle, in each form."""
-    text = (TESTS / "data" / "integrals.jsonl").read_text(encoding="utf-8")
-    entries = {e["id"]: e for e in map(json.loads, text.splitlines())}
+    entries = {e["id"]: e for e in read("integrals.jsonl")}
     curve = TESTS.parent / "examples" / "curves" / "farouki-2003-quintic.json"
     for form in FORMS:
         for name in entries if os.environ.get("PHRAME_PEERS") == "corpus" else IDS:
@@ -41,8 +52,7 @@ def scripts(system):
     """Pairs of a name and the text that phrame prints for the system; the same text once."""
     seen = set()
     for name, (command, *options) in arguments():
-        result = subprocess.run([os.environ["PHRAME_PROGRAM"], command, "--print", system, *options],
-                                capture_output=True, text=True)
+        result = phrame([command, "--print", system, *options])
         if "radicals" in options and result.returncode == UNDEFINED:
             continue
         result.check_returncode()
@@ -50,6 +60,32 @@ def scripts(system):
         if text not in seen:
             seen.add(text)
             yield name, text
+
+
+def continuous(system):
+    """Triples of a name, the text phrame prints for the system, and the integrand: what must be continuous."""
+    everything = os.environ.get("PHRAME_PEERS") == "corpus"
+    jobs = []
+    for entry in read("integrals.jsonl"):
+        if everything or entry["id"] in IDS:
+            for form in ["auto", "real"] if everything else ["auto"]:
+                jobs.append((f"{entry['id']}, {form}", ["integrate", "--form", form, "--", entry["integrand"]], ""))
+    degrees = set()
+    for curve in read("curves.jsonl"):
+        degree = len(curve["preimage"]["u"])
+        is_small = degree <= 13 and len(json.dumps(curve["preimage"])) < 1000
+        if not is_small or (degree in degrees and not everything):
+            continue
+        degrees.add(degree)
+        for frame in ["erf", "frenet"]:
+            jobs.append((f"{curve['name']}, {frame}", ["angle", "--frame", frame, "-"], json.dumps(curve)))
+    for name, (command, *options), text in jobs:
+        result = phrame([command, "--print", system, *options], text)
+        if result.returncode == UNDEFINED and command == "angle":
+            continue  # no Frenet frame
+        result.check_returncode()
+        data = phrame([command, "--print", "json", *options], text)
+        yield name, result.stdout, differences.Integrand(json.loads(data.stdout)["integrand"])
 
 
 def finish(count, failures):

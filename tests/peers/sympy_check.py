@@ -1,7 +1,8 @@
 """SymPy reads what phrame prints for it and differentiates it: exactly, or what is too slow so
-with 300 digits."""
+with 300 digits. The differences of its values are the integrals."""
 import sys
 
+import differences
 import peers
 
 try:
@@ -33,23 +34,24 @@ def exactly(derivative, x):
     return derivative.replace(lambda e: isinstance(e, sympy.RootSum), lambda e: root_sum(e, x))
 
 
-def value(f, x, point):
-    """With the roots of each sum, in 300 digits."""
+def function(f, x):
+    """Of x, with the roots of each sum in the precision of mp."""
     sums = {e: sympy.Dummy() for e in f.atoms(sympy.RootSum)}
-    values = []
+    terms = []
     for e in sums:
         coefficients = [mp.mpf(c.p) / c.q for c in e.poly.all_coeffs()]
         roots = mp.polyroots(coefficients, maxsteps=500, extraprec=1000)
-        term = sympy.lambdify((x, e.poly.gen), e.fun(e.poly.gen), "mpmath")
-        values.append(mp.fsum(term(point, root) for root in roots))
-    return sympy.lambdify((x, *sums.values()), f.xreplace(sums), "mpmath")(point, *values)
+        terms.append((roots, sympy.lambdify((x, e.poly.gen), e.fun(e.poly.gen), "mpmath")))
+    rest = sympy.lambdify((x, *sums.values()), f.xreplace(sums), "mpmath")
+    return lambda point: rest(point, *(mp.fsum(term(point, z) for z in roots) for roots, term in terms))
 
 
 def is_close(f, g, x):
     """At three points. To simplify nested radicals, and functions of high degree, takes SymPy minutes."""
     with mp.workdps(300):
         points = [mp.mpf(n) / 11 for n in (37, -8, 29)]
-        return all(abs(value(f, x, p) - value(g, x, p)) <= 1e-40 * abs(value(g, x, p)) for p in points)
+        f, g = function(f, x), function(g, x)
+        return all(abs(f(p) - g(p)) <= 1e-40 * abs(g(p)) for p in points)
 
 
 def is_zero(f):
@@ -57,14 +59,26 @@ def is_zero(f):
     return sympy.expand(numerator) == 0
 
 
-count, failures = 0, []
-for name, text in peers.scripts("sympy"):
+def read(text):
+    """What the script defines, and its variable."""
     names = {}
     exec(text, names)
+    return names, names[text.splitlines()[1].replace(",", " ").split()[0]]
+
+
+count, failures = 0, []
+for name, text in peers.scripts("sympy"):
+    names, x = read(text)
     count += 1
-    x = names[text.splitlines()[1].replace(",", " ").split()[0]]
     ours, f = derivative(names["antiderivative"], x), names["integrand"]
     is_slow = name.endswith("radicals") or sympy.degree(sympy.denom(f), x) > 12
     if not (is_close(ours, f, x) if is_slow else is_zero(exactly(ours, x) - f)):
         failures.append(name)
+for name, text, f in peers.continuous("sympy"):
+    names, x = read(text)
+    count += 1
+    with mp.workdps(40):
+        F = function(sympy.sympify(names["antiderivative"]), x)
+        values = [complex(F(mp.mpf(t))) for t in differences.GRID]
+    failures += [f"{name}, {jump}" for jump in differences.jumps(f, values)]
 peers.finish(count, failures)

@@ -177,7 +177,7 @@ TEST_CASE("compiled angle and frame: law: the bounds of crude polynomials hold, 
     const Rational start = random.rational();
     const auto at = parameters(random, 20);
     const auto share = [](const Rational& off, const Rational& bound) {
-      return bound == 0 ? 0 : Rational(off / bound).convert_to<double>();
+      return bound == 0 ? 0 : static_cast<double>(Rational(off / bound));
     };
     const DoubleShape shape{1, degree, 1, goal};
     const auto theta = compiled_angle(angle, start, 0, 1, shape);

@@ -1,5 +1,6 @@
 #include "phrame/ph/frame_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
@@ -103,7 +104,7 @@ TEST_CASE("frame check: other frames that are meant well are recognised") {
   FrameCheckOptions options;
   options.start_angle = Rational(1, 7);
   CHECK(check(offset, options).passes);
-  options.start_angle = 0;
+  options.start_angle = Angle();
   const FrameVerdict verdict = check(offset, options);
   CHECK(kinds(verdict) == std::vector{Kind::constant_offset});
   CHECK(abs(Rational(verdict.errors[4].value().upper() - Rational(1, 7))) < decimal("1e-15"));
@@ -173,6 +174,134 @@ TEST_CASE("frame check: vectors that are 0 have no direction") {
   frames[3].f2 = {};
   frames[3].f3 = Vector<Rational>{};
   CHECK(kinds(check(frames)) == std::vector{Kind::undefined, Kind::not_unit});
+}
+
+namespace {
+
+/// The rotation-minimizing frame, turned by `error`(k) at t = k/10.
+template <class Error>
+std::vector<GivenFrame> off_by(Error error) {
+  RmfAngle theta(quintic, Reference::erf);
+  return turned_frames(quintic, [&](const Rational& t) {
+    return theta.value(t) + error(static_cast<long>(numerator(t * 10)));
+  });
+}
+
+FrameVerdict checked(const std::vector<GivenFrame>& frames, const char* tolerance,
+                     std::optional<Rational> start = std::nullopt) {
+  return check(frames, {start, decimal(tolerance)});
+}
+
+}  // namespace
+
+// Issue G, 2.1: with a tolerance below 1e-6 all of these were "rotation-minimizing, but starts at
+// another angle".
+TEST_CASE("frame check: an error below 1e-6 that is no offset is not called one") {
+  const auto drift = off_by([](long k) { return Rational(k, 10'000'000); });
+  const auto noise = off_by([](long k) { return Rational(k * 7 % 11, 10'000'000); });
+  const auto outlier = off_by([](long k) { return Rational(k == 4 ? 1 : 0, 1'000'000); });
+  for (const char* tolerance : {"1e-9", "1e-8", "1e-7"})
+    for (const std::optional<Rational>& start :
+         {std::optional<Rational>(), std::optional(Rational(0))}) {
+      CHECK(kinds(checked(drift, tolerance, start)) == std::vector{Kind::drift});
+      CHECK(kinds(checked(noise, tolerance, start)) == std::vector{Kind::irregular});
+      CHECK(kinds(checked(outlier, tolerance, start)) == std::vector{Kind::irregular});
+    }
+  const FrameVerdict verdict = checked(drift, "1e-9");
+  CHECK(abs(Rational(verdict.findings[0].amount.value().upper() - decimal("1e-6"))) <
+        decimal("1e-14"));
+  const FrameVerdict irregular = checked(noise, "1e-9");
+  CHECK(abs(Rational(irregular.findings[0].amount.value().upper() - decimal("1e-6"))) <
+        decimal("1e-14"));
+  CHECK(checked(drift, "2e-6").passes);
+}
+
+TEST_CASE("frame check: an offset is constant to within 1/100 of itself, and not 0") {
+  const auto with = [](const Rational& offset, const Rational& noise, const Rational& drift) {
+    return off_by([=](long k) -> Rational {
+      return offset + noise * Rational(k * 7 % 11, 11) + drift * Rational(k, 10);
+    });
+  };
+  const Rational micro(1, 1'000'000);
+  using Kinds = std::vector<Kind>;
+  const auto found = [&](const std::vector<GivenFrame>& frames, const char* tolerance) {
+    return kinds(checked(frames, tolerance, Rational(0)));
+  };
+  CHECK(found(with(micro / 100, 0, 0), "1e-9") == Kinds{Kind::constant_offset});
+  CHECK(found(with(Rational(1, 10), micro, 0), "1e-9") == Kinds{Kind::constant_offset});
+  CHECK(found(with(Rational(1, 10), 0, micro), "1e-9") == Kinds{Kind::constant_offset});
+  CHECK(found(with(Rational(1, 10), 0, micro), "1e-3") == Kinds{Kind::constant_offset});
+  CHECK(found(with(micro, 0, micro / 10), "1e-9") == Kinds{Kind::other_start, Kind::drift});
+  CHECK(found(with(micro, micro / 2, 0), "1e-9") == Kinds{Kind::other_start, Kind::irregular});
+  CHECK(found(with(Rational(1, 10), 0, Rational(1, 100)), "1e-9") ==
+        Kinds{Kind::other_start, Kind::drift});
+  // What is within the tolerance is no finding.
+  CHECK(found(with(Rational(1, 10), 0, Rational(1, 100)), "0.05") == Kinds{Kind::other_start});
+  CHECK(found(with(0, 0, micro), "1e-9") == Kinds{Kind::drift});
+  // Without a start angle there is none to be off.
+  CHECK(checked(with(Rational(1, 10), 0, 0), "1e-9").passes);
+  const FrameVerdict verdict = checked(with(Rational(-1, 10), micro, 0), "1e-9", Rational(0));
+  CHECK(verdict.findings[0].amount.value().lower() < decimal("-0.0999"));
+  CHECK(verdict.findings[0].residual.value().upper() < micro);
+  CHECK(verdict.findings[0].residual.value().upper() > micro / 2);
+}
+
+TEST_CASE("frame check: what kind frames are of does not depend on the tolerance") {
+  const auto drift = off_by([](long k) { return Rational(k, 4); });
+  for (const char* tolerance : {"1e-12", "1e-6", "0.1", "1.5", "2"})
+    CHECK(kinds(checked(drift, tolerance)) == std::vector{Kind::drift});
+  for (const char* tolerance : {"1e-12", "1e-6", "0.1", "1.5", "2.9"})
+    CHECK(kinds(checked(frenet_frames(), tolerance)) == std::vector{Kind::frenet});
+  // Frenet frames with an error of 1e-3 are not said to be Frenet frames.
+  auto rough = frenet_frames();
+  rough[5].f2[0] += Rational(1, 1000);
+  for (const Kind kind : kinds(checked(rough, "0.1"))) CHECK(kind != Kind::frenet);
+  // A tangent of another direction is not the tangent reversed, whatever the tolerance.
+  auto frames = good_frames();
+  for (std::size_t k = 0; k < 3; ++k)
+    (*frames[2].tangent)[k] =
+        -(*frames[2].tangent)[k] * Rational(8, 10) + frames[2].f2[k] * Rational(6, 10);
+  CHECK(kinds(checked(frames, "1.5")) == std::vector{Kind::wrong_tangent, Kind::left_handed});
+  for (std::size_t k = 0; k < 3; ++k)
+    (*frames[2].tangent)[k] = -(*good_frames()[2].tangent)[k] + frames[2].f2[k] * decimal("1e-7");
+  CHECK(kinds(checked(frames, "1e-9")).front() == Kind::reversed_tangent);
+}
+
+TEST_CASE("frame check: flips do not hide a drift, nor make one") {
+  const auto flipped = [](std::vector<GivenFrame> frames) {
+    for (std::size_t k = 6; k < frames.size(); ++k) {
+      frames[k].f2 = negative(frames[k].f2);
+      frames[k].f3 = negative(*frames[k].f3);
+    }
+    return frames;
+  };
+  CHECK(kinds(check(flipped(good_frames()))) == std::vector{Kind::flip});
+  CHECK(kinds(check(flipped(off_by([](long k) { return Rational(k, 100); })))) ==
+        std::vector{Kind::flip, Kind::drift});
+}
+
+TEST_CASE("frame check: a right-handed frame with its tangent reversed is not left-handed") {
+  auto frames = good_frames();
+  for (GivenFrame& frame : frames) {
+    frame.tangent = negative(*frame.tangent);
+    frame.f3 = negative(*frame.f3);
+  }
+  CHECK(kinds(check(frames)) == std::vector{Kind::reversed_tangent});
+  for (GivenFrame& frame : frames) frame.tangent.reset();
+  CHECK(kinds(check(frames)) == std::vector{Kind::left_handed});
+}
+
+TEST_CASE("frame check: samples in any order, and one alone") {
+  auto frames = off_by([](long k) { return Rational(k, 1000); });
+  std::reverse(frames.begin(), frames.end());
+  const FrameVerdict verdict = check(frames);
+  CHECK(kinds(verdict) == std::vector{Kind::drift});
+  CHECK(verdict.drift.value().lower() > 0);
+  CHECK(number_of_parameters(frames) == 11);
+  frames = {frames[3], frames[3]};
+  CHECK(number_of_parameters(frames) == 1);
+  CHECK(kinds(checked({frames[0]}, "1e-6", Rational(0))) == std::vector{Kind::other_start});
+  CHECK(checked({good_frames()[3]}, "1e-6", Rational(0)).passes);
 }
 
 // The error of a frame that is turned by a known angle is that angle.

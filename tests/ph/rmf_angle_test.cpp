@@ -227,3 +227,19 @@ TEST_CASE("angle: law: the paper's route has the same derivative and the same ce
   });
   CHECK(compared > 10);
 }
+
+// A = 1 + ti: σ = 1 + t², h = 1, θ = −2 arctan t.
+TEST_CASE("angle: a start that is a multiple of pi cancels the angle exactly") {
+  const Curve turning({Polynomial{1}, Polynomial{0, 1}, {}, {}});
+  RmfAngle angle(turning, Reference::erf);
+  CHECK(angle.value(1, Angle(Rational(1, 2), 0)).exact() == Rational(0));
+  CHECK(angle.value(1, Angle(Rational(1, 2), Rational(1, 3))).exact() == Rational(1, 3));
+  CHECK(angle.value(-1, Angle(Rational(-1, 2), 0)).exact() == Rational(0));
+  CHECK_FALSE(angle.value(1, Angle(Rational(1, 4), 0)).exact());
+  CHECK_FALSE(angle.value(1, Angle(Rational(1, 3))).exact());
+  CHECK(angle.value(0, Angle(Rational(1, 3))).exact() == Rational(1, 3));
+  CHECK_FALSE(angle.value(0, Angle(1, 0)).exact());
+  // π/2 − 2 arctan(1/2) = 0.643501108793284386802809… (mpmath)
+  CHECK(round_to_decimal(angle.value(Rational(1, 2), Angle(Rational(1, 2), 0)), 20).value ==
+        "0.64350110879328438680");
+}

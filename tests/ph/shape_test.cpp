@@ -1,5 +1,7 @@
 #include "phrame/ph/shape.hpp"
 
+#include <tuple>
+
 #include "phrame/ph/invariants.hpp"
 #include "support/random.hpp"
 

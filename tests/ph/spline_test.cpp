@@ -211,7 +211,7 @@ TEST_CASE("spline: a joint that breaks is refused, with what differs") {
         "the tangent breaks: it starts in the direction (-1, 0, 0), but the spline ends in (1, 0, "
         "0)");
   // By 10⁻³⁰ in the tangent.
-  const Rational tiny(1, boost::multiprecision::pow(Integer(10), 30));
+  const Rational tiny(1, pow(Integer(10), 30));
   CHECK_FALSE(complaint(line, Curve({{1}, {}, {tiny}, {}}, {1}, one)).empty());
   // With A = j the same line, run through backwards by f = −1: e₁ is made continuous.
   CHECK(complaint(line, Curve({{}, {}, {1}, {}}, {-1}, one)).empty());

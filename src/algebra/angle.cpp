@@ -1,0 +1,25 @@
+#include "phrame/algebra/angle.hpp"
+
+namespace phrame {
+
+Real to_real(const Angle& angle) {
+  if (angle.half_turns == 0) return angle.radians;
+  return Real([angle](long bits) {
+    const long more = bits + 8;
+    return add(multiply(RealBall(angle.half_turns, more), pi(more), more),
+               RealBall(angle.radians, more), more);
+  });
+}
+
+std::string to_string(const Angle& angle) {
+  const auto& [half_turns, radians] = angle;
+  if (half_turns == 0) return to_string(radians);
+  const Integer n(abs(numerator(half_turns)));
+  const Integer d(denominator(half_turns));
+  const std::string multiple =
+      (n == 1 ? "" : to_string(Rational(n))) + "pi" + (d == 1 ? "" : "/" + to_string(Rational(d)));
+  if (radians == 0) return (half_turns < 0 ? "-" : "") + multiple;
+  return to_string(radians) + (half_turns < 0 ? " - " : " + ") + multiple;
+}
+
+}  // namespace phrame

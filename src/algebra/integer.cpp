@@ -1,0 +1,86 @@
+#include "phrame/algebra/integer.hpp"
+
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rational.hpp"
+
+namespace phrame {
+namespace {
+
+void require_divisor(const Integer& a, const Integer& b) {
+  if (b == 0) throw DomainError(fmt::format("division of {} by 0", abbreviated(a.str())));
+}
+
+}  // namespace
+
+Integer::Integer(const std::string& digits, int base) {
+  if (fmpz_set_str(raw(), digits.c_str(), base) != 0)
+    throw InputError(fmt::format("\"{}\" is not an integer", abbreviated(digits)));
+}
+
+std::string Integer::str() const {
+  std::string text(fmpz_sizeinbase(raw(), 10) + 2, '\0');
+  fmpz_get_str(text.data(), 10, raw());
+  text.resize(text.find('\0'));
+  return text;
+}
+
+Integer::operator long() const {
+  if (fmpz_fits_si(raw()) == 0)
+    throw DomainError(fmt::format("{} is too large for a machine's integer", abbreviated(str())));
+  return fmpz_get_si(raw());
+}
+
+Integer::operator double() const { return static_cast<double>(Rational(*this)); }
+
+Integer& Integer::operator/=(const Integer& x) {
+  require_divisor(*this, x);
+  fmpz_tdiv_q(raw(), raw(), x.raw());
+  return *this;
+}
+
+Integer& Integer::operator%=(const Integer& x) {
+  require_divisor(*this, x);
+  Integer quotient;
+  fmpz_tdiv_qr(quotient.raw(), raw(), raw(), x.raw());
+  return *this;
+}
+
+std::ostream& operator<<(std::ostream& out, const Integer& x) { return out << x.str(); }
+
+Integer gcd(const Integer& a, const Integer& b) {
+  Integer result;
+  fmpz_gcd(result.raw(), a.raw(), b.raw());
+  return result;
+}
+
+Integer lcm(const Integer& a, const Integer& b) {
+  Integer result;
+  fmpz_lcm(result.raw(), a.raw(), b.raw());
+  return result;
+}
+
+Integer pow(const Integer& base, unsigned long exponent) {
+  Integer result;
+  fmpz_pow_ui(result.raw(), base.raw(), exponent);
+  return result;
+}
+
+Integer sqrt(const Integer& x) {
+  if (x < 0) throw DomainError(fmt::format("sqrt: {} is negative", abbreviated(x.str())));
+  Integer result;
+  fmpz_sqrt(result.raw(), x.raw());
+  return result;
+}
+
+Integer floor_quotient(const Integer& a, const Integer& b) {
+  require_divisor(a, b);
+  Integer result;
+  fmpz_fdiv_q(result.raw(), a.raw(), b.raw());
+  return result;
+}
+
+}  // namespace phrame

@@ -1,0 +1,90 @@
+#pragma once
+#include <compare>
+#include <concepts>
+#include <iosfwd>
+#include <string>
+
+#include "phrame/algebra/handle.hpp"
+
+namespace phrame {
+
+/// What C++ calls an integer, but for truth values.
+template <class T>
+concept MachineInteger = std::integral<T> && !std::same_as<T, bool>;
+
+/// An integer of any size: FLINT's fmpz, which holds those below 2^62 in one word. Copies own their
+/// digits; a moved-from integer is 0. Boost's integers are one conversion away
+/// (multiprecision.hpp).
+class Integer {
+ public:
+  Integer() = default;  ///< 0
+  template <MachineInteger T>
+  Integer(T x) {
+    if constexpr (std::signed_integral<T>)
+      fmpz_set_si(raw(), x);
+    else
+      fmpz_set_ui(raw(), x);
+  }
+  explicit Integer(const fmpz_t x) { fmpz_set(raw(), x); }
+  /// "-12": decimal digits after an optional minus. Throws InputError on anything else.
+  explicit Integer(const std::string& decimal) : Integer(decimal, 10) {}
+  Integer(const std::string& digits, int base);
+
+  /// −1, 0 or 1.
+  int sign() const { return fmpz_sgn(raw()); }
+  std::string str() const;
+  /// Throws DomainError where it does not fit.
+  explicit operator long() const;
+  /// Rounded towards 0, ±∞ beyond the doubles.
+  explicit operator double() const;
+
+  Integer& operator+=(const Integer& x) { return fmpz_add(raw(), raw(), x.raw()), *this; }
+  Integer& operator-=(const Integer& x) { return fmpz_sub(raw(), raw(), x.raw()), *this; }
+  Integer& operator*=(const Integer& x) { return fmpz_mul(raw(), raw(), x.raw()), *this; }
+  /// Rounded towards 0, and the remainder, with the sign of the dividend. Throw DomainError for
+  /// x = 0.
+  Integer& operator/=(const Integer& x);
+  Integer& operator%=(const Integer& x);
+  Integer& operator<<=(unsigned long n) { return fmpz_mul_2exp(raw(), raw(), n), *this; }
+  /// ⌊this/2ⁿ⌋.
+  Integer& operator>>=(unsigned long n) { return fmpz_fdiv_q_2exp(raw(), raw(), n), *this; }
+  Integer& operator++() { return *this += 1; }
+  Integer& operator--() { return *this -= 1; }
+
+  friend Integer operator+(Integer a, const Integer& b) { return std::move(a += b); }
+  friend Integer operator-(Integer a, const Integer& b) { return std::move(a -= b); }
+  friend Integer operator*(Integer a, const Integer& b) { return std::move(a *= b); }
+  friend Integer operator/(Integer a, const Integer& b) { return std::move(a /= b); }
+  friend Integer operator%(Integer a, const Integer& b) { return std::move(a %= b); }
+  friend Integer operator<<(Integer a, unsigned long n) { return std::move(a <<= n); }
+  friend Integer operator>>(Integer a, unsigned long n) { return std::move(a >>= n); }
+  friend Integer operator-(Integer a) { return fmpz_neg(a.raw(), a.raw()), std::move(a); }
+  friend bool operator==(const Integer& a, const Integer& b) {
+    return fmpz_equal(a.raw(), b.raw()) != 0;
+  }
+  friend std::strong_ordering operator<=>(const Integer& a, const Integer& b) {
+    return fmpz_cmp(a.raw(), b.raw()) <=> 0;
+  }
+
+  fmpz* raw() { return handle_.get(); }
+  const fmpz* raw() const { return handle_.get(); }
+
+ private:
+  flint::Fmpz handle_;
+};
+
+std::ostream& operator<<(std::ostream& out, const Integer& x);
+
+inline Integer abs(Integer x) { return fmpz_abs(x.raw(), x.raw()), x; }
+/// Not negative; gcd(0, 0) = 0.
+Integer gcd(const Integer& a, const Integer& b);
+Integer lcm(const Integer& a, const Integer& b);
+Integer pow(const Integer& base, unsigned long exponent);
+/// ⌊√x⌋. Throws DomainError for x < 0.
+Integer sqrt(const Integer& x);
+/// ⌊a/b⌋. Throws DomainError for b = 0.
+Integer floor_quotient(const Integer& a, const Integer& b);
+/// The number of bits of |x|; 0 for 0.
+inline long bit_length(const Integer& x) { return static_cast<long>(fmpz_bits(x.raw())); }
+
+}  // namespace phrame

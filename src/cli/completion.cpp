@@ -1,0 +1,231 @@
+// What the shells complete: scripts made of the commands and options that there are, which need
+// nothing but the shell.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/cli/command.hpp"
+#include "phrame/cli/option_list.hpp"
+#include "phrame/io/json_text.hpp"
+
+namespace phrame::cli {
+namespace {
+
+std::string words(const std::vector<std::string>& list, const char* separator = " ") {
+  return fmt::format("{}", fmt::join(list, separator));
+}
+
+std::string replaced(std::string text, std::string_view what, std::string_view by) {
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+  return text;
+}
+
+/// Within '…' of bash and zsh.
+std::string shell_quoted(const std::string& text) {
+  return "'" + replaced(text, "'", "'\\''") + "'";
+}
+
+constexpr const char* bash_script = R"(# bash completion of phrame
+_phrame_names() {{  # the word, "list" or "one", names
+  local prefix=
+  if [[ $2 == list ]]; then
+    [[ $1 == *,* ]] && prefix=${{1%,*}},
+    compopt -o nospace 2>/dev/null
+  fi
+  COMPREPLY=($(compgen -P "$prefix" -W "$3" -- "${{1##*,}}"))
+}}
+_phrame_files() {{
+  local IFS=$'\n'
+  compopt -o filenames 2>/dev/null
+  COMPREPLY=($(compgen -f -- "$1"))
+}}
+_phrame() {{
+  local cur=${{COMP_WORDS[COMP_CWORD]}} prev=${{COMP_WORDS[COMP_CWORD-1]}} options names
+  COMPREPLY=()
+  if ((COMP_CWORD == 1)); then
+    COMPREPLY=($(compgen -W '{commands} --help --version' -- "$cur"))
+    return
+  fi
+  if [[ $cur == = ]]; then  # --option=value is three words
+    cur=
+  elif [[ $prev == = ]]; then
+    prev=${{COMP_WORDS[COMP_CWORD-2]}}
+  fi
+  case ${{COMP_WORDS[1]}} in
+{cases}  *) return ;;
+  esac
+  if [[ $cur == -* ]]; then
+    COMPREPLY=($(compgen -W "$options" -- "$cur"))
+  elif [[ $names == - ]]; then
+    _phrame_files "$cur"
+  else
+    COMPREPLY=($(compgen -W "$names" -- "$cur"))
+  fi
+}}
+complete -F _phrame phrame
+)";
+
+/// The case of one command.
+std::string bash_case(const Command& command) {
+  std::string text = fmt::format("  {})\n    case $prev in\n", command.get_name());
+  std::vector<std::string> options;
+  std::string names;  // of the argument, "-" for a file
+  for (const ListedOption& option : listed_options(command)) {
+    if (option.is_argument) {
+      names = option.takes_file ? "-" : words(option.facts.names);
+      continue;
+    }
+    options.insert(options.end(), option.names.begin(), option.names.end());
+    if (option.is_flag()) continue;
+    const std::string then =
+        option.takes_file ? "_phrame_files \"$cur\"; "
+        : option.facts.names.empty()
+            ? ""
+            : fmt::format("_phrame_names \"$cur\" {} '{}'; ",
+                          option.facts.takes_list ? "list" : "one", words(option.facts.names));
+    text += fmt::format("    {}) {}return ;;\n", words(option.names, "|"), then);
+  }
+  return text +
+         fmt::format("    esac\n    options='{}' names='{}'\n    ;;\n", words(options), names);
+}
+
+std::string bash(CLI::App& program) {
+  std::vector<std::string> commands;
+  std::string cases;
+  for (const Command* command : commands_of(program)) {
+    commands.push_back(command->get_name());
+    cases += bash_case(*command);
+  }
+  return fmt::format(bash_script, fmt::arg("commands", words(commands)), fmt::arg("cases", cases));
+}
+
+/// A text within [ ] and ' ' of _arguments.
+std::string zsh_text(const std::string& text) {
+  return replaced(replaced(replaced(text, "\\", "\\\\"), "[", "\\["), "]", "\\]");
+}
+
+/// A specification for _arguments.
+std::string zsh_option(const ListedOption& option) {
+  const auto colons = [](const std::string& text) { return replaced(text, ":", "\\:"); };
+  std::string action;
+  if (option.takes_file)
+    action = "_files";
+  else if (option.facts.takes_list && !option.facts.names.empty())
+    action = "_values -s , name " + words(option.facts.names);
+  else if (!option.facts.names.empty())
+    action = "(" + words(option.facts.names) + ")";
+  if (option.is_argument)
+    return shell_quoted(
+        fmt::format("1:{}:{}", colons(option.names[0]), action.empty() ? " " : action));
+  std::string text = "[" + zsh_text(option.what) + "]";
+  if (!option.is_flag())
+    text += fmt::format(":{}:{}", colons(option.value), action.empty() ? " " : action);
+  const std::string repeated = option.facts.takes_list ? "*" : "";
+  if (option.names.size() == 1) return shell_quoted(repeated + option.names[0] + text);
+  return fmt::format("'({})'{{{}}}{}", words(option.names), words(option.names, ","),
+                     shell_quoted(text));
+}
+
+std::string zsh(CLI::App& program) {
+  std::string commands;
+  std::string cases;
+  for (const Command* command : commands_of(program)) {
+    commands += fmt::format("      {}\n",
+                            shell_quoted(command->get_name() + ":" + command->get_description()));
+    cases += fmt::format("    {})\n      _arguments", command->get_name());
+    for (const ListedOption& option : listed_options(*command))
+      cases += " \\\n        " + zsh_option(option);
+    cases += "\n      ;;\n";
+  }
+  return "#compdef phrame\n_phrame() {\n  local curcontext=$curcontext state line\n"
+         "  _arguments -C '(- *)'{-h,--help}'[show this help]' '(- *)--version[show the version]' "
+         "\\\n"
+         "    '1:command:->command' '*::argument:->argument'\n"
+         "  case $state in\n  command)\n    local -a commands=(\n" +
+         commands +
+         "    )\n    _describe command commands\n    ;;\n  argument)\n    case $words[1] in\n" +
+         cases +
+         "    esac\n    ;;\n  esac\n}\n"
+         "if [ \"$funcstack[1]\" = _phrame ]; then\n  _phrame \"$@\"\nelse\n  compdef _phrame "
+         "phrame\nfi\n";
+}
+
+/// Within '…' of fish.
+std::string fish_quoted(const std::string& text) {
+  return "'" + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + "'";
+}
+
+std::string fish_option(const std::string& command, const ListedOption& option) {
+  std::string line = fmt::format("complete -c phrame -n '__fish_seen_subcommand_from {}'", command);
+  if (!option.is_argument)
+    for (const std::string& name : option.names)
+      line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+  if (option.takes_file)
+    line += option.is_argument ? " -F" : " -r -F";
+  else if (!option.is_flag() && !option.is_argument)
+    line += " -x";
+  if (!option.facts.names.empty())
+    line += option.facts.takes_list
+                ? fmt::format(" -a '(__fish_append , {})'", words(option.facts.names))
+                : fmt::format(" -a '{}'", words(option.facts.names));
+  if (!option.is_argument) line += " -d " + fish_quoted(option.what);
+  return line + "\n";
+}
+
+std::string fish(CLI::App& program) {
+  std::string text =
+      "# fish completion of phrame\ncomplete -c phrame -f\n"
+      "complete -c phrame -n __fish_use_subcommand -s h -l help -d 'show this help'\n"
+      "complete -c phrame -n __fish_use_subcommand -l version -d 'show the version'\n";
+  for (const Command* command : commands_of(program))
+    text += fmt::format("complete -c phrame -n __fish_use_subcommand -a {} -d {}\n",
+                        command->get_name(), fish_quoted(command->get_description()));
+  for (const Command* command : commands_of(program))
+    for (const ListedOption& option : listed_options(*command))
+      if (!option.is_argument || option.takes_file || !option.facts.names.empty())
+        text += fish_option(command->get_name(), option);
+  return text;
+}
+
+/// The commands and options themselves, for tests and other programs.
+std::string json(CLI::App& program) {
+  JsonOutput list = JsonOutput::array();
+  for (const Command* command : commands_of(program)) {
+    JsonOutput options = JsonOutput::array();
+    for (const ListedOption& option : listed_options(*command))
+      options.push_back({{"names", option.names},
+                         {"value", option.value},
+                         {"choices", option.facts.names},
+                         {"list", option.facts.takes_list},
+                         {"file", option.takes_file},
+                         {"argument", option.is_argument},
+                         {"required", option.is_required},
+                         {"with", option.facts.with},
+                         {"without", option.facts.without},
+                         {"what", option.what}});
+    list.push_back({{"command", command->get_name()},
+                    {"what", command->get_description()},
+                    {"options", options}});
+  }
+  return pretty({{"phrame", "commands/1"}, {"commands", list}});
+}
+
+}  // namespace
+
+void add_completion(CLI::App& app) {
+  auto* command = Command::add(app, "completion", "a script that completes the command line");
+  command->group("");
+  const auto shell = std::make_shared<std::string>();
+  command->add_choice("SHELL", *shell, {"bash", "zsh", "fish", "json"},
+                      "bash, zsh or fish; json: the commands and options themselves");
+  command->get_option("SHELL")->type_name("")->required();
+  command->does([&app, shell] {
+    const auto write = choose<std::string (*)(CLI::App&)>(
+        "SHELL", *shell, {{"bash", bash}, {"zsh", zsh}, {"fish", fish}, {"json", json}});
+    write_output("-", write(app));
+  });
+}
+
+}  // namespace phrame::cli

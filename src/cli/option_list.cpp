@@ -1,0 +1,38 @@
+#include "phrame/cli/option_list.hpp"
+
+#include <algorithm>
+
+namespace phrame::cli {
+
+std::string on_one_line(const std::string& text) {
+  std::string line = text;
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  return line;
+}
+
+std::vector<ListedOption> listed_options(const Command& command) {
+  std::vector<ListedOption> list;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group().empty()) continue;
+    ListedOption listed;
+    for (const std::string& name : option->get_snames()) listed.names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) listed.names.push_back("--" + name);
+    listed.is_argument = option->get_positional();
+    if (listed.is_argument) listed.names = {option->get_name(true)};
+    if (option->get_items_expected_max() > 0) listed.value = option->get_type_name();
+    listed.what = on_one_line(option->get_description());
+    listed.group = option->get_group();
+    listed.facts = command.facts(*option);
+    listed.facts.takes_list = listed.value.ends_with(",...");
+    listed.is_required = option->get_required();
+    listed.takes_file =
+        listed.value == "FILE" ||
+        (listed.is_argument && listed.names[0] != "EXPR" && listed.facts.names.empty());
+    list.push_back(std::move(listed));
+  }
+  std::stable_partition(list.begin(), list.end(),
+                        [](const ListedOption& option) { return option.is_argument; });
+  return list;
+}
+
+}  // namespace phrame::cli

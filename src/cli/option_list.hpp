@@ -1,0 +1,25 @@
+#pragma once
+#include "phrame/cli/subcommand.hpp"
+
+namespace phrame::cli {
+
+/// An option or argument of a command, as manual pages and completion tell of it.
+struct ListedOption {
+  std::vector<std::string> names;  ///< "-o", "--output"; or "CURVE"
+  std::string value;               ///< "FILE"; empty for a flag and for an argument
+  std::string what;                ///< on one line
+  std::string group;
+  OptionFacts facts;
+  bool is_argument = false;
+  bool is_required = false;
+  bool takes_file = false;
+  bool is_flag() const { return value.empty() && !is_argument; }
+};
+
+/// The visible ones, arguments first.
+std::vector<ListedOption> listed_options(const Command& command);
+
+/// A text with its lines joined by blanks.
+std::string on_one_line(const std::string& text);
+
+}  // namespace phrame::cli

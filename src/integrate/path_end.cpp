@@ -1,0 +1,124 @@
+// An end p = g(π) has a rational number m next to it, with no pole of f from m to p, and
+//   ∫ f from a to p = ∫ f from a to m + ∫ f from m to p.
+// A ball [u, v] around p gives the last integral by rational ends:
+//   ∫ f from m to p ∈ ∫ f from m to u + (v − u)·[0, 1]·f([u, v]).
+#include "phrame/integrate/path_end.hpp"
+
+#include <memory>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/sturm.hpp"
+#include "phrame/integrate/definite.hpp"
+#include "phrame/integrate/integrate.hpp"
+
+namespace phrame {
+namespace {
+
+RealBall evaluate(const RationalFunction& f, const RealBall& x, long bits) {
+  return divide(evaluate(f.numerator(), x, bits), evaluate(f.denominator(), x, bits), bits);
+}
+
+/// p(g), by Horner's rule.
+RationalFunction compose(const Polynomial& p, const RationalFunction& g) {
+  RationalFunction result;
+  for (long k = p.degree(); k >= 0; --k)
+    result = result * g + RationalFunction(Polynomial{p.coefficient(k)});
+  return result;
+}
+
+RationalFunction quotient(const RationalFunction& a, const RationalFunction& b) {
+  return {a.numerator() * b.denominator(), a.denominator() * b.numerator()};
+}
+
+RationalFunction compose(const RationalFunction& f, const RationalFunction& g) {
+  return quotient(compose(f.numerator(), g), compose(f.denominator(), g));
+}
+
+/// g where the end is g(π) or rational; no value where it is another.
+std::optional<RationalFunction> function_of_pi(const PathEnd& end) {
+  if (const auto* r = std::get_if<Rational>(&end)) return RationalFunction(Polynomial{*r});
+  if (const auto* p = std::get_if<PiValue>(&end)) return p->of_pi;
+  return std::nullopt;
+}
+
+std::optional<Rational> constant(const RationalFunction& f) {
+  if (!f.is_polynomial() || !f.numerator().is_constant()) return std::nullopt;
+  return f.numerator().coefficient(0);
+}
+
+/// The integral from g(π) to h(π), where it is rational for an algebraic reason: F is rational, and
+/// F(h) − F(g) constant; or f(c − t) = −f(t), c = g + h.
+std::optional<Rational> rational_value(const RationalFunction& f, const Antiderivative& F,
+                                       const PathEnd& a, const PathEnd& b) {
+  const auto g = function_of_pi(a);
+  const auto h = function_of_pi(b);
+  if (!g || !h) return std::nullopt;
+  if (*g == *h) return Rational(0);
+  if (const auto c = constant(*g + *h); c && compose(f, RationalFunction(Polynomial{*c, -1})) == -f)
+    return Rational(0);
+  if (!F.logs.empty()) return std::nullopt;
+  const RationalFunction whole = RationalFunction(F.polynomial) + F.rational;
+  return constant(compose(whole, *h) - compose(whole, *g));
+}
+
+/// A rational number with no pole between it and the end.
+Rational next_to(const PiValue& end, const Polynomial& denominator) {
+  const Real x = to_real(end);
+  for (long bits = 64;; bits *= 2) {
+    const RealBall ball = x.enclose(bits);
+    if (ball.is_finite() && count_real_roots(denominator, closed(ball.lower(), ball.upper())) == 0)
+      return ball.midpoint();
+  }
+}
+
+/// ∫ f from m to the end, between which there is no pole; `evaluator` is of f.
+Real rest(const RationalFunction& f, const std::shared_ptr<Evaluator>& evaluator, const Rational& m,
+          const PiValue& end) {
+  return Real([=, x = to_real(end)](long bits) {
+    for (long precision = bits + 32;; precision *= 2) {
+      const RealBall ball = x.enclose(precision);
+      if (!ball.is_finite()) continue;
+      const Rational u = ball.lower();
+      const RealBall rise = evaluate(f, ball, precision);
+      if (!rise.is_finite()) continue;
+      const RealBall width = hull(0, ball.upper() - u, precision);
+      return add(evaluator->difference(m, u, bits + 8), multiply(width, rise, precision),
+                 precision);
+    }
+  });
+}
+
+}  // namespace
+
+Real to_real(const PiValue& x) {
+  return Real([x](long bits) { return evaluate(x.of_pi, pi(bits + 16), bits + 16); });
+}
+
+DefiniteIntegral path_integral(const RationalFunction& f, const PathEnd& a, const PathEnd& b,
+                               AtPoles at_poles) {
+  const auto near = [&](const PathEnd& end) {
+    return std::visit(
+        [&](const auto& x) -> Endpoint {
+          if constexpr (std::is_same_v<std::decay_t<decltype(x)>, PiValue>)
+            return next_to(x, f.denominator());
+          else
+            return x;
+        },
+        end);
+  };
+  const auto* p = std::get_if<PiValue>(&a);
+  const auto* q = std::get_if<PiValue>(&b);
+  if (p == nullptr && q == nullptr) return definite_integral(f, near(a), near(b), at_poles);
+  const Endpoint from = near(a);
+  const Endpoint to = near(b);
+  const DefiniteIntegral middle = definite_integral(f, from, to, at_poles);
+  const Antiderivative F = integrate(f, Form::partial_fractions);
+  if (const auto r = rational_value(f, F, a, b)) return {*r, ExactValue{*r, 0, {}, {}}};
+  const auto evaluator = std::make_shared<Evaluator>(F, f);
+  Real value = middle.value;
+  if (p != nullptr) value = value + -rest(f, evaluator, std::get<Rational>(from), *p);
+  if (q != nullptr) value = value + rest(f, evaluator, std::get<Rational>(to), *q);
+  return {value, std::nullopt};
+}
+
+}  // namespace phrame

@@ -1,0 +1,20 @@
+#pragma once
+#include "phrame/io/frame_csv.hpp"
+
+namespace phrame {
+
+/// Another reading of a table of frames than the one by which they fail.
+struct BetterReading {
+  FrameReading reading;
+  bool passes;  ///< the frames pass by it; else their tangents are right, at least
+};
+
+/// Of the other_readings(), the first by which the frames pass. If there is none, the first by
+/// which all tangents are right, where they are not by `reading`. Both are proved, as
+/// check_frames() does it. `table` and `verdict` are what `bytes` mean by `reading`.
+std::optional<BetterReading> better_reading(const Spline& spline, std::string_view bytes,
+                                            const FrameReading& reading, const GivenTable& table,
+                                            const FrameVerdict& verdict,
+                                            const FrameCheckOptions& options);
+
+}  // namespace phrame

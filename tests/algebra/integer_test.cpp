@@ -1,0 +1,138 @@
+#include "phrame/algebra/integer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <type_traits>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/multiprecision.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+static_assert(std::is_nothrow_move_constructible_v<Integer>);
+static_assert(std::is_nothrow_move_assignable_v<Integer>);
+static_assert(std::is_nothrow_move_constructible_v<Rational>);
+static_assert(!std::is_convertible_v<bool, Integer>);
+static_assert(!std::is_convertible_v<double, Rational>);
+
+namespace {
+
+/// Of one word or of several, of both signs, or 0.
+Integer any(Random& random) {
+  Integer x = random.integer(-100, 100);
+  if (random.chance(2)) x = x * pow(Integer(10), 30) + random.integer(-1000, 1000);
+  return x;
+}
+
+}  // namespace
+
+TEST_CASE("integer: law: the arithmetic is that of GMP") {
+  for_samples(300, [](Random& random) {
+    const Integer a = any(random);
+    const Integer b = any(random);
+    const auto x = to_boost(a);
+    const auto y = to_boost(b);
+    CHECK((a + b).str() == (x + y).str());
+    CHECK((a - b).str() == (x - y).str());
+    CHECK((a * b).str() == (x * y).str());
+    CHECK((-a).str() == (-x).str());
+    CHECK(abs(a).str() == abs(x).str());
+    CHECK((a < b) == (x < y));
+    CHECK((a == b) == (x == y));
+    CHECK(a.sign() == x.sign());
+    CHECK(gcd(a, b).str() == gcd(x, y).str());
+    CHECK(lcm(a, b).str() == lcm(x, y).str());
+    CHECK((a << 70).str() == (x << 70).str());
+    CHECK((abs(a) >> 5).str() == (abs(x) >> 5).str());
+    CHECK(bit_length(a) == (a == 0 ? 0 : static_cast<long>(msb(abs(x))) + 1));
+    if (b == 0) return;
+    CHECK((a / b).str() == (x / y).str());
+    CHECK((a % b).str() == (x % y).str());
+    const Integer q = floor_quotient(a, b);
+    CHECK(q * b + (a - q * b) == a);
+    CHECK(abs(a - q * b) < abs(b));
+    CHECK((a - q * b).sign() * b.sign() >= 0);
+  });
+}
+
+TEST_CASE("integer: law: the arithmetic of fractions is that of GMP") {
+  for_samples(300, [](Random& random) {
+    const Rational a = random.rational();
+    const Rational b = random.rational();
+    const auto x = to_boost(a);
+    const auto y = to_boost(b);
+    CHECK((a + b).str() == (x + y).str());
+    CHECK((a - b).str() == (x - y).str());
+    CHECK((a * b).str() == (x * y).str());
+    CHECK((-a).str() == (-x).str());
+    CHECK((a < b) == (x < y));
+    CHECK(numerator(a).str() == numerator(x).str());
+    CHECK(denominator(a).str() == denominator(x).str());
+    CHECK(static_cast<double>(a) == x.convert_to<double>());
+    CHECK(Rational(floor(a)) <= a);
+    CHECK(a < Rational(floor(a) + 1));
+    if (b != 0) CHECK((a / b).str() == (x / y).str());
+  });
+}
+
+TEST_CASE("integer: powers and roots") {
+  CHECK(pow(Integer(-3), 5) == -243);
+  CHECK(pow(Integer(0), 0) == 1);
+  for_samples(100, [](Random& random) {
+    const Integer x = abs(any(random));
+    const Integer root = sqrt(x);
+    CHECK(root * root <= x);
+    CHECK(x < (root + 1) * (root + 1));
+  });
+  CHECK_THROWS_AS(sqrt(Integer(-1)), DomainError);
+}
+
+TEST_CASE("integer: shifts to the right round down") {
+  CHECK((Integer(-5) >> 1) == -3);
+  CHECK((Integer(5) >> 1) == 2);
+}
+
+TEST_CASE("integer: division by 0 throws and says what was divided") {
+  Integer x = 7;
+  CHECK_THROWS_WITH_AS(x /= 0, "division of 7 by 0", DomainError);
+  CHECK_THROWS_AS(x %= 0, DomainError);
+  CHECK_THROWS_AS(floor_quotient(x, 0), DomainError);
+  CHECK_THROWS_WITH_AS(Rational(7, 0), "division of 7 by 0", DomainError);
+  CHECK_THROWS_WITH_AS(Rational(1, 2) / 0, "division of 1/2 by 0", DomainError);
+  CHECK(x == 7);
+}
+
+TEST_CASE("integer: to and from the machine's integers, and text") {
+  constexpr long least = std::numeric_limits<long>::min();
+  constexpr auto greatest = std::numeric_limits<unsigned long>::max();
+  CHECK(Integer(least).str() == "-9223372036854775808");
+  CHECK(Integer(greatest).str() == "18446744073709551615");
+  CHECK(static_cast<long>(Integer(least)) == least);
+  CHECK_THROWS_AS(static_cast<void>(static_cast<long>(Integer(greatest))), DomainError);
+  CHECK(Integer("-123456789012345678901234567890").str() == "-123456789012345678901234567890");
+  CHECK(Integer("ff", 16) == 255);
+  CHECK_THROWS_AS(Integer("12x"), InputError);
+  CHECK_THROWS_AS(Integer(""), InputError);
+}
+
+TEST_CASE("integer: copies are their own, what was moved from is 0, and an operand may be itself") {
+  Integer a = pow(Integer(10), 40);
+  const Integer b = a;
+  a += a;
+  CHECK(a == 2 * b);
+  a *= a;
+  CHECK(a == 4 * b * b);
+  a -= a;
+  CHECK(a == 0);
+  Integer c = b;
+  const Integer d = std::move(c);
+  CHECK(d == b);
+  CHECK(c == 0);  // NOLINT(bugprone-use-after-move)
+  Rational x(b, 3);
+  x /= x;
+  CHECK(x == 1);
+}

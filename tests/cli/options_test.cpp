@@ -1,0 +1,193 @@
+// Every option of every command is refused or has an effect. The commands, options and conditions
+// are those that the program lists itself; only what to try is written here.
+#include <map>
+#include <set>
+
+#include "cli/workshop.hpp"
+
+using namespace phrame;
+using namespace phrame::test;
+
+namespace {
+
+/// A way to give an option: its name, and all of it as an argument.
+struct Given {
+  std::string option;
+  std::string text;
+};
+
+Json commands(const Workshop& here) {
+  const Run run = here.run("completion json");
+  check_success(run);
+  return Json::parse(run.out)["commands"];
+}
+
+/// What the commands are tried on.
+void prepare(const Workshop& here) {
+  here.write("example.json", bytes_of(test::root("/examples/curves/farouki-moon-1.json")));
+  here.write("spline.json", bytes_of(test::root("/examples/curves/closed-spline.json")));
+  here.write("plane.json", R"({"phrame": "curve/1", "basis": "power",
+      "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, "1/2"]}})");
+  std::string curve = bytes_of(here.file("quintic.json"));
+  std::replace(curve.begin(), curve.end(), '\n', ' ');
+  here.write("lines.jsonl", R"({"id": 1, "curve": )" + curve + "}\n");
+  REQUIRE(here.run("frames quintic.json --samples 3 -o frames.csv").status == 0);
+  REQUIRE(here.run("certify quintic.json -o angle.cert").status == 0);
+}
+
+/// Calls that succeed, for the options that are to be added; the first word is the command.
+const std::vector<std::string> calls{
+    "angle quintic.json --at 1/2",
+    "angle spline.json --at 1/2",
+    "info quintic.json",
+    "classify quintic.json",
+    "totals quintic.json",
+    "frames quintic.json --at 1/3",
+    "frames example.json --at 1/3 --from pi/8 --to 1 --frame mtf,mtf-exact --unproved",
+    "mtf example.json --from pi/8 --to 1 --exact-only",
+    "mtf example.json --from pi/8 --to 1 --unproved",
+    "interpolate plane.json --period 1/4 --feed 1",
+    "identify quintic.json",
+    "integrate '1/(4*x^2-1)'",
+    "integrate '1/(x^4-2)' --from 0 --to 1",
+    "batch lines.jsonl --at 1",
+    "compile plane.json",
+    "compile spline.json",
+    "check quintic.json frames.csv",
+    "certify quintic.json",
+    "verify angle.cert",
+    "prove quintic.json",
+    "help angle"};
+
+std::string command_of(const std::string& call) { return call.substr(0, call.find(' ')); }
+
+Json find_command(const Json& commands, const std::string& name) {
+  for (const Json& command : commands)
+    if (command["command"] == name) return command;
+  FAIL("a call of ", name, ", which is not in the list");
+  return {};
+}
+
+/// What an option is tried with that takes no name of a list.
+const std::map<std::string, std::string> values{{"--at", "1/3"},
+                                                {"--samples", "3"},
+                                                {"--digits", "5"},
+                                                {"--theta0", "pi/3"},
+                                                {"--from", "1/8"},
+                                                {"--to", "3/4"},
+                                                {"--from-vector", "1,2,3"},
+                                                {"--to-vector", "3,2,-1"},
+                                                {"--turns", "1"},
+                                                {"--degree", "3"},
+                                                {"--subdivide", "1/2"},
+                                                {"--period", "1/3"},
+                                                {"--feed", "2"},
+                                                {"--prefix", "arm"},
+                                                {"--tol", "1/1000"},
+                                                {"--header", "t,f2x,f2y,f2z"}};
+
+/// These change no answer: limits, where it goes, how it is found, what is the default anyway.
+const std::set<std::string> neutral{"--max-degree", "--output",        "--threads", "--skip-done",
+                                    "--help",       "--version",       "--route",   "--var",
+                                    "--full",       "--skip-undefined"};
+
+/// All ways to give the options of a command, but the neutral ones.
+std::vector<Given> given(const Json& command) {
+  std::vector<Given> all;
+  for (const Json& option : command["options"]) {
+    const std::string name = option["names"].back();
+    if (option["argument"] == true || neutral.count(name) == 1) continue;
+    if (option["value"] == "") {
+      all.push_back({name, name});
+    } else if (!option["choices"].empty()) {
+      // The first one is the default, but for --columns, which has none.
+      for (std::size_t k = name == "--columns" ? 0 : 1; k < option["choices"].size(); ++k)
+        all.push_back({name, name + " " + option["choices"][k].get<std::string>()});
+    } else {
+      CAPTURE(command["command"]);
+      REQUIRE_MESSAGE(values.count(name) == 1, name << ": no value to try it with is known here");
+      all.push_back({name, name + " " + values.at(name)});
+    }
+  }
+  return all;
+}
+
+bool is_refused(const Run& run) { return run.status == 2; }
+
+bool are_equal(const Run& a, const Run& b) { return a.status == b.status && a.out == b.out; }
+
+/// Given with any other, these may leave the answer as it is: the form may be the one that is taken
+/// anyway, there may be no pole to be a principal value at, and the w that is not proved to be the
+/// best one may be it.
+bool may_be_equal(const std::string& option) {
+  return option == "--form" || option == "--principal-value" || option == "--unproved";
+}
+
+}  // namespace
+
+TEST_CASE("options: an option that needs another choice is refused without it") {
+  const Workshop here;
+  prepare(here);
+  const Json all = commands(here);
+  std::size_t conditions = 0;
+  std::set<std::string> done;
+  for (const std::string& call : calls) {
+    if (!done.insert(command_of(call)).second) continue;  // the first call has the fewest options
+    const Json command = find_command(all, command_of(call));
+    for (const Json& option : command["options"])
+      for (const Given& way : given(command)) {
+        const std::string name = option["names"].back();
+        if (way.option != name) continue;
+        CAPTURE(call);
+        CAPTURE(way.text);
+        if (!option["with"].empty() && !contains(call, "--from")) {
+          ++conditions;
+          const Run without = here.run(call + " " + way.text);
+          check_failure(without, 2, "phrame: " + name + ": needs ");
+          for (const Json& choice : option["with"])
+            CHECK(contains(without.err, choice.get<std::string>()));
+        }
+        for (const Json& choice : option["without"]) {
+          ++conditions;
+          const std::string other = choice;
+          check_failure(here.run(call + " " + way.text + " " + other), 2,
+                        "phrame: " + name + ": does not apply with " + other + "\n");
+        }
+      }
+  }
+  CHECK(done.size() == all.size());
+  CHECK(conditions > 20);
+}
+
+TEST_CASE("options: each one, and each pair, is refused or changes the answer") {
+  const Workshop here;
+  prepare(here);
+  const Json all = commands(here);
+  for (const std::string& call : calls) {
+    if (command_of(call) == "help") continue;
+    const Run plain = here.run(call);
+    CAPTURE(call);
+    CHECK(plain.status == 0);
+    std::vector<std::pair<Given, Run>> accepted;
+    for (const Given& way : given(find_command(all, command_of(call)))) {
+      if (way.option == way.text && contains(call, way.option)) continue;  // a flag that is there
+      const Run run = here.run(call + " " + way.text);
+      CAPTURE(way.text);
+      if (is_refused(run)) continue;
+      if (way.option != "--form") CHECK_FALSE(are_equal(run, plain));
+      accepted.emplace_back(way, run);
+    }
+    for (std::size_t i = 0; i < accepted.size(); ++i)
+      for (std::size_t j = i + 1; j < accepted.size(); ++j) {
+        const auto& [a, only_a] = accepted[i];
+        const auto& [b, only_b] = accepted[j];
+        if (a.option == b.option) continue;
+        const std::string both = a.text + " " + b.text;
+        const Run run = here.run(call + " " + both);
+        if (is_refused(run)) continue;
+        CAPTURE(both);
+        if (!may_be_equal(b.option)) CHECK_FALSE(are_equal(run, only_a));
+        if (!may_be_equal(a.option)) CHECK_FALSE(are_equal(run, only_b));
+      }
+  }
+}

@@ -1,0 +1,89 @@
+#!/usr/bin/env bash
+# What ./dev decides: which packages it installs, and what it says of tests that did not run. A copy of it
+# is run, with stand-ins for the programs that it calls.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+root=$PWD
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+fail() {
+  echo "failed: $*" >&2
+  exit 1
+}
+
+mkdir "$work/bin" "$work/tree"
+cp dev "$work/tree"
+ln -s "$root"/{tests,examples,CMakePresets.json} "$work/tree"
+
+stand_in() {  # NAME SCRIPT
+  printf '#!/usr/bin/env bash\n%s\n' "$2" >"$work/bin/$1"
+  chmod +x "$work/bin/$1"
+}
+
+dev() {  # VARIABLE=VALUE… COMMAND; sets status and output
+  status=0
+  output=$(cd "$work" && env PATH="$work/bin:$PATH" work="$work" "${@:1:$#-1}" tree/dev ${!#} 2>&1) || status=$?
+}
+
+stand_in sudo 'exec "$@"'
+stand_in dpkg-query 'exit 1'  # nothing is installed
+stand_in dpkg 'exit 1'
+stand_in apt-get 'echo "$*" >>"$work/apt-get.log"'
+stand_in apt-cache '
+[[ $LC_ALL == C ]] || { echo "Installationskandidat: 1.0"; exit; }
+echo "$2:"
+echo "  Candidate: 1.0"
+for ((k = 0; k < 20000; ++k)); do echo "  500 http://example.org stable/main amd64 Packages"; done'
+stand_in cmake 'mkdir -p build/dev && touch build/dev/build.ninja && exit 7'
+
+# apt-cache goes on writing after the line that matters, and a pipe would be closed by then.
+dev DEV_YES=1 LC_ALL= LANG=de_DE.UTF-8 demo
+[[ $status == 7 ]] || fail "a failure of cmake is one of ./dev: $status, $output"
+[[ " $(cat "$work/apt-get.log") " == *' libflint-arb-dev '* ]] || fail "Arb is not installed: $output"
+[[ $output == *'dev: installing '*' libflint-dev '* ]] || fail "it is not said what is installed: $output"
+
+stand_in apt-cache 'exit 0'  # which does not know Arb, as in Debian 13
+rm "$work/apt-get.log"
+dev DEV_YES=1 demo
+[[ " $(cat "$work/apt-get.log") " != *' libflint-arb-dev '* ]] || fail 'Arb is installed where there is none'
+
+# The steps are those of the plan, and the tests that ran those of the report.
+stand_in cmake 'mkdir -p build/dev && touch build/dev/build.ninja'
+stand_in ninja 'echo "[40/40] Linking"'
+stand_in ctest '
+report=${*: -1}
+while read -r name; do
+  echo "	<testcase name=\"$name\" classname=\"$name\" time=\"0.5\" status=\"run\">"
+done <"$work/ran" >"$report"
+echo "	<testcase name=\"batch\" classname=\"batch\" time=\"0\" status=\"notrun\">" >>"$report"'
+: >"$work/ran"
+dev DEV_YES=1 CI= test
+[[ $status == 0 && $output =~ 'dev: 40 steps, about '[0-9]+' min' ]] || fail "$output"
+[[ $output =~ 'dev: 0 of '([0-9]+)' tests ran. Not run: '([a-z0-9_ ]*) ]] || fail "$output"
+all=(${BASH_REMATCH[2]})
+((${#all[@]} == BASH_REMATCH[1])) || fail "a number of tests, and other tests: $output"
+for name in algebra batch certificates cli dev example_quickstart package peers_sympy pkg_config; do
+  [[ " ${all[*]} " == *" $name "* ]] || fail "$name would not be missed"
+done
+
+ran_all_but() { printf '%s\n' "${all[@]}" | sed "/^$1\$/d" >"$work/ran"; }
+ran_all_but none
+dev CI=true DEV_YES=1 test
+[[ $status == 0 && $output == *"dev: all ${#all[@]} tests ran"* ]] || fail "$output"
+ran_all_but peers_maxima
+dev CI=true DEV_YES=1 test
+[[ $status == 0 && $output == *'Not run: peers_maxima '* ]] || fail "Maxima is not asked for: $output"
+dev CI=true DEV_YES=1 'test --peers'
+[[ $status == 1 && $output == *'none may be left out'* ]] || fail "Maxima is asked for: $output"
+ran_all_but batch
+dev CI= DEV_YES=1 test
+[[ $status == 0 && $output == *'Not run: batch '* ]] || fail "$output"
+dev CI=true DEV_YES=1 test
+[[ $status == 1 ]] || fail "a test is missing, and CI is content: $output"
+
+# The same trap elsewhere.
+if grep -nE '\| *(grep -[a-zA-Z]*[qm]|head)' dev .ci/run {bench,examples,tests}/*.sh {bench,tests}/*/*.sh 2>/dev/null |
+  sed '/^tests\/dev_check/d' | grep .; then
+  fail 'a pipe into what goes before it has read all'
+fi

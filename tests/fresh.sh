@@ -1,0 +1,222 @@
+#!/usr/bin/env bash
+# fresh.sh [--demo] [SUITE…]: does what README.md says, and what is installed after that, on Debian systems that have
+# just been made: as root and as a visitor who has no sudo, from folders with a blank in their names, with LC_ALL=C and
+# umask 077. ./dev fresh calls this as root. --demo leaves out all but ./dev demo. What is tried is the last commit.
+#
+# A system is in build/fresh/SUITE, the output of each step beside it; packages are kept in build/fresh/debs for the
+# next time. The mirror is the host's, or Debian's, or what PHRAME_MIRROR says.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+# However this ends, all that runs in the systems and all that is mounted there ends with it.
+if [[ ${1:-} != --inside ]]; then
+  exec unshare --mount --pid --fork --kill-child bash tests/fresh.sh --inside "$@"
+fi
+trap 'exit 130' INT TERM
+umask 022
+shift
+
+demo_only=false
+if [[ ${1:-} == --demo ]]; then
+  demo_only=true
+  shift
+fi
+suites=("$@")
+((${#suites[@]})) || suites=(bookworm trixie)
+for suite in "${suites[@]}"; do
+  [[ -e /usr/share/debootstrap/scripts/$suite ]] || {
+    echo "fresh: debootstrap does not know this suite: $suite" >&2
+    exit 1
+  }
+done
+if [[ -n $(git status --porcelain) ]]; then
+  echo 'fresh: what has not been committed is not tried'
+fi
+
+work=$PWD/build/fresh
+mkdir -p "$work/debs"
+mirror=${PHRAME_MIRROR:-}
+if [[ -z $mirror ]]; then
+  mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Label: Debian')
+  mirror=${mirror%%$'\n'*}
+fi
+mirror=${mirror:-http://deb.debian.org/debian}
+
+# ---- systems
+
+make_system() {  # SUITE
+  local root=$work/$1
+  rm -rf --one-file-system "$root" "$root-clean"
+  debootstrap --variant=minbase --cache-dir="$work/debs" "$1" "$root" "$mirror"
+  printf 'deb %s main\n' "$mirror $1" "$mirror $1-updates" "${mirror/%debian/debian-security} $1-security" \
+    >"$root/etc/apt/sources.list"
+  # Proxies and the like are the host's, as are, by debootstrap, its name servers.
+  apt-config dump --format '%F "%v";%n' Acquire::http Acquire::https Acquire::ftp Acquire::Retries \
+    Acquire::Check-Valid-Until Acquire::Check-Date >"$root/etc/apt/apt.conf.d/host"
+  chroot "$root" useradd --create-home visitor
+  mount_system "$root"
+  in_system "$root" root / apt-get update
+  cp -a --one-file-system "$root" "$root-clean"
+  mount_system "$root-clean"
+  clone "$root" root
+  clone "$root" visitor
+}
+
+mount_system() {  # ROOT
+  mount -t proc proc "$1/proc"
+  mount --rbind /dev "$1/dev"
+  mount --bind "$work/debs" "$1/var/cache/apt/archives"
+}
+
+home_of() { if [[ $1 == root ]]; then echo /root; else echo "/home/$1"; fi; }
+
+clone() {  # ROOT USER
+  local folder
+  folder="$1$(home_of "$2")/my work"
+  (umask 077 && git clone --quiet --no-hardlinks . "$folder/phrame")
+  chroot "$1" chown -R "$2:$2" "$(home_of "$2")/my work"
+}
+
+in_system() {  # ROOT USER FOLDER COMMAND…
+  local root=$1 user=$2 folder=$3 name keep=()
+  for name in http_proxy https_proxy ftp_proxy no_proxy HTTP_PROXY HTTPS_PROXY FTP_PROXY NO_PROXY; do
+    [[ -z ${!name:-} ]] || keep+=("$name=${!name}")
+  done
+  chroot --userspec="$user:$user" "$root" /usr/bin/env -i \
+    PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME="$(home_of "$user")" \
+    USER="$user" TERM=dumb LC_ALL=C "${keep[@]}" \
+    bash -c 'umask 077 && cd "$1" && "${@:2}"' bash "$folder" "${@:4}" </dev/null
+}
+
+in_clone() { in_system "$work/$suite" "$1" "$(home_of "$1")/my work/phrame" "${@:2}"; }  # USER COMMAND…
+
+# ---- steps
+
+summary=()
+failed=0
+
+step() {  # NAME COMMAND…; its output goes to the file $log
+  local start=$SECONDS result=ok
+  log=$work/$suite.${1//[^a-z0-9]/-}.log
+  echo "fresh: $suite: $1 …"
+  # In a shell of its own, where the first failure is the last command: `if` would let it go on.
+  set +e
+  (
+    set -e
+    "${@:2}"
+  ) >"$log" 2>&1
+  (($? == 0)) || result=FAILED
+  set -e
+  if [[ $result == FAILED ]]; then
+    failed=1
+    tail -n 40 "$log" | sed 's/^/    /'
+    echo "fresh: all of it is in $log"
+  fi
+  summary+=("$(printf '%-10s %-52s %-6s %5d s' "$suite" "$1" "$result" $((SECONDS - start)))")
+}
+
+missing_are_named() {
+  local status=0 output named
+  output=$(in_clone visitor ./dev demo 2>&1) || status=$?
+  echo "$output"
+  [[ $status == 1 && $output =~ 'apt-get install --no-install-recommends '([^$'\n']*) ]]
+  named=${BASH_REMATCH[1]}
+  [[ " $named " == *' libflint-dev '* ]]
+  echo "$named" >"$work/$suite.named"
+}
+
+root_demo() {
+  in_clone root ./dev demo | tee "$work/$suite.shown"
+  is_shown <"$work/$suite.shown"
+  # What the visitor was told is what root needed.
+  [[ $(<"$work/$suite.shown") =~ 'dev: installing '([^$'\n']*) ]]
+  [[ ${BASH_REMATCH[1]} == "$(<"$work/$suite.named")" ]]
+}
+
+is_shown() {  # θ(1/2) of the README's curve, from its page
+  [[ $(cat) == *0.13516216082994722857811002656592103800989118578632* ]]
+}
+
+visitor_demo() {
+  in_clone visitor ./dev demo | tee "$work/$suite.shown"
+  is_shown <"$work/$suite.shown"
+}
+
+run_installed() {  # ROOT PROGRAM CURVE
+  in_system "$1" visitor / "$2" angle "$3" --at 1/2 --digits 50 | tee "$work/$suite.shown"
+  is_shown <"$work/$suite.shown"
+}
+
+install() {
+  local prefix='/opt/phrame of root'
+  in_clone root ./dev install "$prefix"
+  run_installed "$work/$suite" "$prefix/bin/phrame" \
+    "$prefix/share/doc/phrame/examples/curves/farouki-2003-quintic.json"
+}
+
+install_package() {  # ROOT; as root would who was given the file
+  cp "$work/$suite"/root/'my work'/phrame/build/package/*.deb "$1/tmp/phrame.deb"
+  chmod 644 "$1/tmp/phrame.deb"
+  in_system "$1" root /tmp env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq ./phrame.deb
+  run_installed "$1" phrame /usr/share/doc/phrame/examples/curves/farouki-2003-quintic.json
+}
+
+use_package() {  # where nothing but the package and what it depends on and recommends is there
+  install_package "$work/$suite-clean"
+  in_system "$work/$suite-clean" visitor /home/visitor bash -eo pipefail -c '
+    phrame certify /usr/share/doc/phrame/examples/curves/farouki-2003-quintic.json --at 1 -o one.cert
+    python3 /usr/share/phrame/check_certificate.py -q one.cert'
+}
+
+use_library() {  # where the packages for compiling are there
+  install_package "$work/$suite"
+  in_clone visitor bash -eo pipefail -c '
+    mkdir "../a user of it"
+    cp tests/package/* "../a user of it"
+    cd "../a user of it"
+    cmake -G Ninja -S . -B build
+    cmake --build build
+    build/consumer
+    eval g++ -std=c++20 main.cpp -o consumer "$(pkg-config --cflags --libs phrame)"
+    ./consumer'
+}
+
+clones_are_clean() {
+  local user changed
+  for user in root visitor; do
+    changed=$(git -c safe.directory='*' -C "$work/$suite$(home_of $user)/my work/phrame" status --porcelain)
+    echo "$changed"
+    [[ -z $changed ]]
+  done
+}
+
+for suite in "${suites[@]}"; do
+  step 'a fresh system' make_system "$suite"
+  step 'visitor: ./dev demo says what root must install' missing_are_named
+  step 'root: ./dev demo' root_demo
+  $demo_only || step 'root: ./dev test' in_clone root env CI=true ./dev test
+  step 'visitor: ./dev demo' visitor_demo
+  if ! $demo_only; then
+    step 'visitor: ./dev test' in_clone visitor env CI=true ./dev test
+    step 'root: ./dev figures' in_clone root ./dev figures
+    step 'root: ./dev package' in_clone root ./dev package
+    step 'root: ./dev install, run by the visitor' install
+    step 'the package where nothing else is' use_package
+    step 'the package in programs of the visitor' use_library
+  fi
+  step 'no file of git has changed' clones_are_clean
+done
+
+echo
+printf '%s\n' "${summary[@]}"
+if ((failed)); then
+  echo 'fresh: not all is well'
+  exit 1
+fi
+for suite in "${suites[@]}"; do
+  for root in "$work/$suite" "$work/$suite-clean"; do
+    umount -lR "$root/proc" "$root/dev" "$root/var/cache/apt/archives"
+    rm -rf --one-file-system "$root"
+  done
+done
+echo 'fresh: all is well'

@@ -1,0 +1,8 @@
+#!/bin/sh
+# with_python.sh SCRIPT [ARG…]: runs it by Python, Debian's first, which has Debian's SymPy. Python is looked for when
+# a test runs, not when CMake does, so that a test is there however late Python comes; 77 is "skipped".
+for python in /usr/bin/python3 python3; do
+  if command -v "$python" >/dev/null; then exec "$python" -B "$@"; fi
+done
+echo 'Python 3 is not installed'
+exit 77
