@@ -35,7 +35,7 @@ class Integer {
   std::string str() const;
   /// Throws DomainError where it does not fit.
   explicit operator long() const;
-  /// Rounded towards 0, ±∞ beyond the doubles.
+  /// The nearest double, ±∞ beyond them.
   explicit operator double() const;
 
   Integer& operator+=(const Integer& x) { return fmpz_add(raw(), raw(), x.raw()), *this; }

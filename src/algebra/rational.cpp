@@ -25,7 +25,12 @@ std::string Rational::str() const {
 Rational::operator double() const {
   flint::Mpq x;
   fmpq_get_mpq(x.get(), raw());
-  return mpq_get_d(x.get());
+  mpfr_t rounded;
+  mpfr_init2(rounded, 53);
+  mpfr_set_q(rounded, x.get(), MPFR_RNDN);
+  const double result = mpfr_get_d(rounded, MPFR_RNDN);
+  mpfr_clear(rounded);
+  return result;
 }
 
 Rational& Rational::operator/=(const Rational& x) {

@@ -24,7 +24,7 @@ class Rational {
   /// −1, 0 or 1.
   int sign() const { return fmpq_sgn(raw()); }
   std::string str() const;
-  /// Rounded towards 0, ±∞ beyond the doubles: for guesses. round_to_double rounds to nearest.
+  /// The nearest double, ±∞ beyond them; one of the two next to it where it is subnormal.
   explicit operator double() const;
 
   Rational& operator+=(const Rational& x) { return fmpq_add(raw(), raw(), x.raw()), *this; }

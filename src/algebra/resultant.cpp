@@ -50,28 +50,6 @@ IntegerFraction integer_fraction(const Polynomial& n, const Polynomial& d) {
   return f;
 }
 
-/// The number of values that `element` of the numerator has at the roots of the denominator, modulo
-/// the better one of two primes.
-template <class Element>
-long distinct_images(const IntegerFraction& f, Element element) {
-  const slong size = fmpz_poly_degree(f.denominator.get());
-  Primes primes;
-  long most = 0;
-  for (int attempt = 0; attempt < 2 && most < size; ++attempt) {
-    const ulong p = primes.next();
-    const auto algebra = ModularAlgebra::make(ModularPolynomial(p, f.denominator), size);
-    if (!algebra) continue;
-    const ModularPolynomial chi =
-        characteristic_polynomial(*algebra, element(*algebra, ModularPolynomial(p, f.numerator)));
-    // p > deg χ, so that χ/gcd(χ, χ′) has all its roots, once.
-    ModularPolynomial repeated(p);
-    nmod_poly_derivative(repeated.raw(), chi.raw());
-    nmod_poly_gcd(repeated.raw(), repeated.raw(), chi.raw());
-    most = std::max(most, chi.degree() - repeated.degree());
-  }
-  return most;
-}
-
 }  // namespace
 
 Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d) {
@@ -91,17 +69,23 @@ Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d) {
   return primitive_part(compose(residues, Polynomial{0, Rational(f.scale.get())}));
 }
 
-long distinct_values_modulo_a_prime(const Polynomial& c, const Polynomial& q) {
-  // A constant factor of c changes nothing.
-  const IntegerFraction f = integer_fraction(c % q, q);
-  return distinct_images(f, [](const ModularAlgebra&, ModularPolynomial at) { return at; });
-}
-
 long distinct_residues_modulo_a_prime(const Polynomial& n, const Polynomial& d) {
   const IntegerFraction f = integer_fraction(n, d);
-  return distinct_images(f, [](const ModularAlgebra& algebra, const ModularPolynomial& at) {
-    return algebra.residue(at);
-  });
+  Primes primes;
+  long most = 0;
+  for (int attempt = 0; attempt < 2 && most < d.degree(); ++attempt) {
+    const ulong p = primes.next();
+    const auto algebra = ModularAlgebra::make(ModularPolynomial(p, f.denominator), d.degree());
+    if (!algebra) continue;
+    const ModularPolynomial chi =
+        characteristic_polynomial(*algebra, algebra->residue(ModularPolynomial(p, f.numerator)));
+    // p > deg χ, so that χ/gcd(χ, χ′) has all its roots, once.
+    ModularPolynomial repeated(p);
+    nmod_poly_derivative(repeated.raw(), chi.raw());
+    nmod_poly_gcd(repeated.raw(), repeated.raw(), chi.raw());
+    most = std::max(most, chi.degree() - repeated.degree());
+  }
+  return most;
 }
 
 bool residues_are_distinct_modulo_a_prime(const Polynomial& n, const Polynomial& d) {

@@ -10,10 +10,6 @@ namespace phrame {
 /// so that the lift is proved. Precondition, else DomainError: d squarefree, deg n < deg d ≥ 1.
 Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d);
 
-/// How many values c has at the roots of q modulo a prime, the larger number of two primes: there
-/// are at least so many different values. Precondition, else DomainError: q squarefree, deg q ≥ 1.
-long distinct_values_modulo_a_prime(const Polynomial& c, const Polynomial& q);
-
 /// How many roots the residue polynomial of n/d has modulo a prime, the larger number of two
 /// primes: there are at least so many different residues. Same preconditions.
 long distinct_residues_modulo_a_prime(const Polynomial& n, const Polynomial& d);

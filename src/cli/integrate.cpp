@@ -107,7 +107,9 @@ void add_integrate(CLI::App& app) {
       ->check(whole_number(1, 1'000'000));
   command->add_output(options->output);
   command->only_with({"--principal-value", "--digits"}, {"--from and --to"});
-  command->only_with({"--no-derivative-check"}, {"--print text"});
+  std::vector<std::string> others = FormOptions::scripts();
+  others.insert(others.end(), {"--print json", "--print latex"});
+  command->not_with({"--no-derivative-check"}, others);  // of which none says so
   command->footer(
       "Numbers are exact: 0.1 is 1/10. A product needs its sign: 2*x, not 2x.\n"
       "Examples:\n"

@@ -96,8 +96,6 @@ std::string options(const Command& command) {
   for (const ListedOption& option : listed_options(command)) {
     if (option.group != group && option.group != "Options" && !option.is_argument)
       text += fmt::format(".SS {}\n", literal(option.group));
-    if (option.group == "Options" && group != "Options" && !group.empty())
-      text += ".SS Other options\n";
     if (!option.is_argument) group = option.group;
     text += item(option);
   }

@@ -30,8 +30,11 @@ std::vector<ListedOption> listed_options(const Command& command) {
         (listed.is_argument && listed.names[0] != "EXPR" && listed.facts.names.empty());
     list.push_back(std::move(listed));
   }
-  std::stable_partition(list.begin(), list.end(),
-                        [](const ListedOption& option) { return option.is_argument; });
+  const auto rank = [](const ListedOption& option) {
+    return option.is_argument ? 0 : option.group == "Options" ? 1 : 2;
+  };
+  std::stable_sort(list.begin(), list.end(),
+                   [&](const ListedOption& a, const ListedOption& b) { return rank(a) < rank(b); });
   return list;
 }
 

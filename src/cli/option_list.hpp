@@ -16,7 +16,7 @@ struct ListedOption {
   bool is_flag() const { return value.empty() && !is_argument; }
 };
 
-/// The visible ones, arguments first.
+/// The visible ones: arguments, options that always apply, others.
 std::vector<ListedOption> listed_options(const Command& command);
 
 /// A text with its lines joined by blanks.

@@ -1,5 +1,7 @@
 // F = polynomial + rational + Σ c(z) log(t − z). An integral to ±∞ exists iff f = O(t⁻²): then
-// polynomial = 0, rational → 0 and Σ c(z) = 0, so that the logarithms have a limit.
+// polynomial = 0, rational → 0 and Σ c(z) = 0, so that the logarithms have a limit. The limit of
+// the integral from −R to R also exists where F(R) − F(−R) has one: polynomial is even, and log|R|
+// − log|−R| = 0 whatever Σ c(z) is.
 #include "phrame/integrate/definite_integral.hpp"
 
 #include <fmt/format.h>
@@ -7,12 +9,13 @@
 #include <algorithm>
 #include <memory>
 
+#include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/error.hpp"
-#include "phrame/algebra/factor.hpp"
-#include "phrame/algebra/resultant.hpp"
+#include "phrame/integrate/algebraic_logs.hpp"
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
+#include "phrame/integrate/turned_logs.hpp"
 
 namespace phrame {
 namespace {
@@ -53,6 +56,17 @@ std::string place(const RealAlgebraic& pole) {
   return "in " + to_string(narrowed(pole.polynomial(), pole.interval(), Rational(1, 1 << 20)));
 }
 
+/// Throws where the integral from −R to R has no limit for R → ∞. With f = Σ pₖtᵏ + c/t + O(t⁻²)
+/// the odd powers and c/t contribute nothing, pₖtᵏ with an even k contributes 2pₖR^(k+1)/(k+1).
+void require_symmetric_limit(const RationalFunction& f) {
+  const Polynomial whole = divide(f.numerator(), f.denominator()).quotient;
+  for (long k = whole.degree(); k >= 0; --k)
+    if (const Rational c = whole.coefficient(k); k % 2 == 0 && c != 0)
+      throw DomainError(fmt::format(
+          "principal value: it diverges, as the integral from -R to R is about {}·R{}",
+          to_string(Rational(2 * c / (k + 1))), k == 0 ? "" : fmt::format("^{}", k + 1)));
+}
+
 /// Throws where there is no integral; else, are there poles between the ends?
 bool require_integrable(const RationalFunction& f, const Endpoint& a, const Endpoint& b,
                         AtPoles at_poles) {
@@ -62,8 +76,10 @@ bool require_integrable(const RationalFunction& f, const Endpoint& a, const Endp
   const bool principal = at_poles == AtPoles::principal_value;
   const long drop = f.denominator().degree() - f.numerator().degree();
   const bool symmetric =
-      principal && is_infinite(low) && is_infinite(high) && compare(low, high) != 0 && drop == 1;
-  if ((is_infinite(a) || is_infinite(b)) && drop < 2 && !symmetric) {
+      principal && is_infinite(low) && is_infinite(high) && compare(low, high) != 0;
+  if (symmetric) {
+    require_symmetric_limit(f);
+  } else if ((is_infinite(a) || is_infinite(b)) && drop < 2) {
     const Endpoint& end = is_infinite(high) ? high : low;
     const Rational c = f.numerator().leading_coefficient() / f.denominator().leading_coefficient();
     throw DomainError(
@@ -104,73 +120,76 @@ bool are_opposite(const Endpoint& a, const Endpoint& b, const Rational& m) {
     const auto r = rational(end);
     return r ? RealAlgebraic(*r) : std::get<RealAlgebraic>(end);
   };
-  const RealAlgebraic x = as_algebraic(a);
-  const Interval& i = x.interval();
-  const RealAlgebraic reflected =
-      real_root(compose(x.polynomial(), Polynomial{2 * m, -1}),
-                {2 * m - *i.upper, 2 * m - *i.lower, i.upper_closed, i.lower_closed});
-  return reflected == as_algebraic(b);
+  return affine(as_algebraic(a), -1, 2 * m) == as_algebraic(b);
 }
 
-/// F(x) for the algebraic x: the root, near its value, of the characteristic polynomial of F(x) in
-/// ℚ[t]/(p), a power of an irreducible one. At ±∞, where there is an integral, F tends to 0.
-RealAlgebraic image(const RationalFunction& F, const Endpoint& end) {
+/// F at an end; at ±∞, where there is an integral, F tends to 0.
+RealAlgebraic value_at(const RationalFunction& F, const Endpoint& end) {
   if (is_infinite(end)) return {};
-  if (const auto r = rational(end)) return {F(*r)};
-  const RealAlgebraic& x = std::get<RealAlgebraic>(end);
-  const QuotientRing ring(x.polynomial());
-  const Polynomial y = ring.divide(F.numerator(), F.denominator());
-  if (y.is_constant()) return {y.coefficient(0)};
-  const Polynomial p = squarefree_part(
-      residue_polynomial(ring.multiply(y, differentiate(x.polynomial())), x.polynomial()));
-  for (long bits = 64;; bits *= 2) {
-    const RealBall value = evaluate(y, {enclose(x, bits), {}}, bits).re();
-    if (!value.is_finite()) continue;
-    const Interval around = closed(value.lower(), value.upper());
-    if (count_real_roots(p, around) == 1) return real_root(p, around);
-  }
+  if (const auto r = rational(end)) return F(*r);
+  return image(F, std::get<RealAlgebraic>(end));
 }
 
 /// F(b) − F(a), where it is rational. If so, the two have polynomials of the same degree n, shifted
 /// by it; it is the difference of their mean conjugates −c_{n−1}/(n·c_n).
 std::optional<Rational> rational_difference(const RationalFunction& F, const Endpoint& a,
                                             const Endpoint& b) {
-  const RealAlgebraic from = image(F, a);
-  const RealAlgebraic to = image(F, b);
+  const RealAlgebraic from = value_at(F, a);
+  const RealAlgebraic to = value_at(F, b);
   const long n = from.polynomial().degree();
   if (to.polynomial().degree() != n) return std::nullopt;
   const auto mean = [n](const Polynomial& p) {
     return Rational(-p.coefficient(n - 1) / (n * p.leading_coefficient()));
   };
   const Rational shift = mean(to.polynomial()) - mean(from.polynomial());
-  const Interval& i = from.interval();
-  const RealAlgebraic shifted =
-      real_root(compose(from.polynomial(), Polynomial{-shift, 1}),
-                {*i.lower + shift, *i.upper + shift, i.lower_closed, i.upper_closed});
-  return shifted == to ? std::optional(shift) : std::nullopt;
+  return affine(from, 1, shift) == to ? std::optional(shift) : std::nullopt;
 }
 
-/// Is a sum over conjugate poles quickly seen to have more than two residues, so that they are in
-/// no quadratic field?
-bool has_many_residues(const LogSum& sum) {
-  return sum.index.degree() > 2 && is_over_poles(sum) &&
-         distinct_values_modulo_a_prime(sum.residue, sum.index) > 2 &&
-         factor(sum.index).factors.size() == 1;
-}
+/// The logarithms of F, those with residues in ℚ(i) apart from the other fractions.
+struct Logs {
+  GaussianLogs gaussian;
+  std::vector<SimpleFraction> others;
+};
 
-/// What is known exactly; `rational` is the part without logarithms.
-std::optional<ExactValue> in_finite_terms(const Antiderivative& F, const Rational& rational,
-                                          const Endpoint& a, const Endpoint& b) {
-  if (std::any_of(F.logs.begin(), F.logs.end(), has_many_residues)) return std::nullopt;
-  std::vector<SimpleFraction> fractions;
+Logs split_logs(const Antiderivative& F) {
+  Logs result;
+  std::vector<SimpleFraction> quadratic;
   for (const LogSum& sum : F.logs)
-    for (SimpleFraction& f : simple_fractions(differentiate(sum))) {
-      if (!has_quadratic_residues(f)) return std::nullopt;
-      fractions.push_back(std::move(f));
-    }
-  const GaussianLogs logs = gaussian_logs(over_residues(fractions));
-  if (!logs.others.empty()) return std::nullopt;
-  return exact_value(rational, log_change(logs, a, b));
+    for (SimpleFraction& f : simple_fractions(differentiate(sum)))
+      (has_quadratic_residues(f) ? quadratic : result.others).push_back(std::move(f));
+  result.gaussian = gaussian_logs(over_residues(quadratic));
+  for (const LogSum& sum : std::exchange(result.gaussian.others, {}))
+    for (SimpleFraction& f : simple_fractions(differentiate(sum)))
+      result.others.push_back(std::move(f));
+  return result;
+}
+
+/// What is known exactly between rational or infinite ends; `rational` is the part without
+/// logarithms.
+std::optional<ExactValue> in_finite_terms(const Logs& logs, const Rational& rational,
+                                          const Endpoint& a, const Endpoint& b) {
+  const auto turned = turned_logs(logs.others, a, b);
+  if (!turned) return std::nullopt;
+  LogChange change = log_change(logs.gaussian, a, b);
+  change.sizes.insert(change.sizes.end(), turned->sizes.begin(), turned->sizes.end());
+  return exact_value(rational, std::move(change), turned->multiple);
+}
+
+/// The same where an end is algebraic: a rational number plus a rational multiple of π.
+std::optional<ExactValue> in_finite_terms(const Antiderivative& F, const RationalFunction& plain,
+                                          const Endpoint& a, const Endpoint& b) {
+  Rational turned = 0;
+  if (!F.logs.empty()) {
+    const Logs logs = split_logs(F);
+    if (!logs.others.empty()) return std::nullopt;
+    Evaluator evaluator(Antiderivative{{}, {}, F.logs});
+    const auto multiple = multiple_of_pi(
+        logs.gaussian, a, b, [&](long bits) { return evaluator.branch_difference(a, b, bits); });
+    if (!multiple) return std::nullopt;
+    turned = *multiple;
+  }
+  const auto difference = rational_difference(plain, a, b);
+  return difference ? std::optional(ExactValue{*difference, turned, {}, {}}) : std::nullopt;
 }
 
 DefiniteIntegral exactly(const Rational& x) { return {x, ExactValue{x, 0, {}, {}}}; }
@@ -191,15 +210,14 @@ DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFuncti
       RationalFunction(F.polynomial - Polynomial{F.polynomial.coefficient(0)}) + F.rational;
   std::optional<ExactValue> exact;
   if (std::holds_alternative<RealAlgebraic>(a) || std::holds_alternative<RealAlgebraic>(b)) {
-    const auto difference = F.logs.empty() ? rational_difference(plain, a, b) : std::nullopt;
-    if (difference) return exactly(*difference);
+    exact = in_finite_terms(F, plain, a, b);
   } else {
     const auto at = [&](const Endpoint& end) {
       return is_infinite(end) ? Rational(0) : plain(std::get<Rational>(end));
     };
-    exact = in_finite_terms(F, at(b) - at(a), a, b);
-    if (exact && *exact == ExactValue{exact->rational, 0, {}, {}}) return exactly(exact->rational);
+    exact = in_finite_terms(split_logs(F), at(b) - at(a), a, b);
   }
+  if (exact && is_rational(*exact)) return exactly(exact->rational);
   const auto evaluator = std::make_shared<Evaluator>(F, f);
   const auto r = std::get_if<Rational>(&a);
   const auto s = std::get_if<Rational>(&b);

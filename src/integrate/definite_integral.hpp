@@ -7,13 +7,15 @@ namespace phrame {
 
 struct DefiniteIntegral {
   Real value;  ///< exact where it is rational
-  /// In finite terms, where the ends are rational or infinite and all residues lie in ℚ(i).
+  /// In finite terms, where the ends are rational or infinite and all residues lie in ℚ(i) or
+  /// belong to turned_logs(); at algebraic ends a rational number plus a rational multiple of π.
   std::optional<ExactValue> exact;
 };
 
 enum class AtPoles {
   refuse,           ///< no integral has a pole on its path
-  principal_value,  ///< Cauchy's: simple poles between the ends, f ~ c/t at both ends ±∞
+  principal_value,  ///< Cauchy's: simple poles between the ends, from −∞ to ∞ the limit for R → ∞
+                    ///< of the integral from −R to R
 };
 
 /// ∫ f from a to b, of any order. Throws DomainError where it does not exist, saying why: a pole

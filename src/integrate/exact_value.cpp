@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/argument.hpp"
 #include "phrame/algebra/error.hpp"
 
@@ -151,21 +152,37 @@ ExactValue exact_value(const Rational& rational, const LogChange& change) {
   return value;
 }
 
+ExactValue exact_value(const Rational& rational, LogChange change, const RealAlgebraic& multiple) {
+  const auto r = multiple.rational();
+  if (r) change.turns.push_back({{{-1, 0}, *r}, 0});
+  ExactValue value = exact_value(rational, change);
+  if (!r) value.irrational_pi = affine(multiple, 1, std::exchange(value.pi, 0));
+  return value;
+}
+
+bool is_rational(const ExactValue& x) { return x == ExactValue{x.rational, 0, {}, {}}; }
+
 ExactValue operator+(const ExactValue& a, const ExactValue& b) {
+  if (a.irrational_pi && b.irrational_pi)
+    throw DomainError("ExactValue: a sum of two irrational multiples of π");
   LogChange change;
   for (const ExactValue* x : {&a, &b}) {
     change.turns.push_back({{{-1, 0}, x->pi}, 0});
     for (const auto& [factor, of] : x->logarithms) change.sizes.push_back({{of, 0}, factor});
     for (const auto& [factor, of] : x->arctangents) change.turns.push_back({{{1, of}, factor}, 0});
   }
-  return exact_value(a.rational + b.rational, change);
+  const auto& irrational = a.irrational_pi ? a.irrational_pi : b.irrational_pi;
+  return exact_value(a.rational + b.rational, change, irrational.value_or(RealAlgebraic(0)));
 }
 
 ExactValue operator*(const Rational& c, const ExactValue& x) {
   if (c == 0) return {};
-  ExactValue result{c * x.rational, c * x.pi, x.logarithms, x.arctangents};
+  ExactValue result = x;
+  result.rational *= c;
+  result.pi *= c;
   for (auto* terms : {&result.logarithms, &result.arctangents})
     for (ExactValue::Term& term : *terms) term.factor *= c;
+  if (x.irrational_pi) result.irrational_pi = affine(*x.irrational_pi, c, 0);
   return result;
 }
 

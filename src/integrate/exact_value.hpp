@@ -7,8 +7,9 @@
 
 namespace phrame {
 
-/// rational + pi·π + Σ factor·log(of) + Σ factor·arctan(of). In the logarithms of > 1 and the
-/// factors are different, in the arctangents of > 0, of ≠ 1, and the arguments are different.
+/// rational + (pi + irrational_pi)·π + Σ factor·log(of) + Σ factor·arctan(of). In the logarithms
+/// of > 1 and the factors are different, in the arctangents of > 0, of ≠ 1, and the arguments are
+/// different. Where there is an irrational multiple of π it is the whole one: pi is 0.
 struct ExactValue {
   struct Term {
     Rational factor;
@@ -19,8 +20,13 @@ struct ExactValue {
   Rational pi;
   std::vector<Term> logarithms;
   std::vector<Term> arctangents;
+  std::optional<RealAlgebraic> irrational_pi = std::nullopt;
   friend bool operator==(const ExactValue&, const ExactValue&) = default;
 };
+
+/// Is it a rational number? Decided, as π, the logarithms and the arctangents, once those that add
+/// up to a rational multiple of π are gone, make a transcendental number [Baker 1975].
+bool is_rational(const ExactValue& x);
 
 /// The change of logarithms with residues in ℚ(i) on the way from a to b, each a logarithm of a
 /// positive rational or an angle of a Gaussian rational with whole turns:
@@ -47,7 +53,10 @@ std::optional<Rational> multiple_of_pi(const LogChange& change);
 /// rational + change, in finite terms. Turns that add up to a rational multiple of π are written as
 /// that: π/4 for arctan(1/2) + arctan(1/3).
 ExactValue exact_value(const Rational& rational, const LogChange& change);
+/// The same plus multiple·π.
+ExactValue exact_value(const Rational& rational, LogChange change, const RealAlgebraic& multiple);
 
+/// Throws DomainError where both have an irrational multiple of π.
 ExactValue operator+(const ExactValue& a, const ExactValue& b);
 ExactValue operator*(const Rational& c, const ExactValue& x);
 

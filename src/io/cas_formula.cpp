@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/integrate/partial_fractions.hpp"
+#include "phrame/io/algebraic_text.hpp"
 #include "phrame/io/root_term.hpp"
 
 namespace phrame {
@@ -305,6 +306,7 @@ std::string cas_formula(const ExactValue& x, Language language) {
   Sum sum;
   if (x.rational != 0) sum.add(x.rational < 0, writer.size_of(x.rational));
   if (x.pi != 0) sum.add(x.pi < 0, writer.product(x.pi, std::string(writer.pi())));
+  if (x.irrational_pi) sum.add(false, cas_multiple(*x.irrational_pi, writer.pi(), language));
   const auto number = [&](const Rational& of) { return writer.polynomial(Polynomial{of}); };
   for (const auto& [factor, of] : x.logarithms)
     writer.add(sum, {factor, 0}, writer.log(number(of)));

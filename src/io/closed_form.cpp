@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/io/algebraic_text.hpp"
 #include "phrame/io/root_term.hpp"
 
 namespace phrame {
@@ -261,6 +262,9 @@ std::vector<std::string> formatted_terms(const ExactValue& x, Notation notation)
   if (x.rational != 0) terms.push_back(formatted(x.rational, notation));
   if (x.pi != 0)
     terms.push_back(formatted_multiple(x.pi, notation == latex ? "\\pi " : "π", notation));
+  if (x.irrational_pi)
+    terms.push_back(
+        formatted_multiple(*x.irrational_pi, notation == latex ? "\\pi" : "π", notation));
   for (const auto& [factor, of] : x.logarithms)
     terms.push_back(product({factor, 0}, log(formatted(of, notation), notation), notation));
   for (const auto& [factor, of] : x.arctangents)

@@ -145,6 +145,8 @@ std::string to_json(const IntegralReport& report) {
                         {"value", definite->value.value},
                         {"radius", definite->value.radius}};
     if (definite->exact) json["definite"]["exact"] = cas_formula(*definite->exact, Language::plain);
+    if (definite->exact && definite->exact->irrational_pi)
+      json["definite"]["multiple_of_pi"] = json_of(*definite->exact->irrational_pi);
   }
   return pretty(json);
 }

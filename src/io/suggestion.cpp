@@ -37,7 +37,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 /// The smaller the nearer; no value where the two have little in common.
 std::optional<std::size_t> distance(const std::string& word, const std::string& name) {
   if (word.empty() || name.empty()) return std::nullopt;
-  const auto [shorter, longer] = std::minmax(word.size(), name.size());
+  const auto [shorter, longer] = std::minmax({word.size(), name.size()});
   const bool is_part = name.find(word) != std::string::npos || word.find(name) != std::string::npos;
   const std::size_t edits = edit_distance(word, name);
   if (edits <= std::max<std::size_t>(1, longer / 3) && edits < shorter) return edits;

@@ -40,13 +40,12 @@ Total total(const RationalFunction& rate, Antiderivative F, const Polynomial& or
     const DefiniteIntegral part =
         definite_integral(result.antiderivative, rate, ends[k], ends[k + 1], AtPoles::refuse);
     result.value = result.value + sign * part.value;
-    if (result.exact && part.exact)
+    if (result.exact && part.exact && !(result.exact->irrational_pi && part.exact->irrational_pi))
       result.exact = *result.exact + sign * *part.exact;
     else
       result.exact.reset();
   }
-  if (result.exact && *result.exact == ExactValue{result.exact->rational, 0, {}, {}})
-    result.value = result.exact->rational;
+  if (result.exact && is_rational(*result.exact)) result.value = result.exact->rational;
   result.value = square_root_of(radicand) * result.value;
   return result;
 }

@@ -37,6 +37,7 @@ void prepare(const Workshop& here) {
 
 /// Calls that succeed, for the options that are to be added; the first word is the command.
 const std::vector<std::string> calls{
+    "angle quintic.json",
     "angle quintic.json --at 1/2",
     "angle spline.json --at 1/2",
     "info quintic.json",

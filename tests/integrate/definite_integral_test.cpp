@@ -175,6 +175,101 @@ TEST_CASE("definite integral: principal values") {
   CHECK_THROWS_AS(definite_integral({{1}, {0, 1}}, rational(1), infinity, principal), DomainError);
 }
 
+// The integral from −R to R of Σ pₖtᵏ + c/t + O(t⁻²): only even k contribute without bound.
+TEST_CASE("definite integral: the symmetric limit exists where the even powers are absent") {
+  const auto principal = AtPoles::principal_value;
+  CHECK(definite_integral({{0, 1}, {1}}, minus_infinity, infinity, principal).value.exact() ==
+        Rational(0));
+  // t³ − 2t + 1/(t² + 1), and from ∞ to −∞.
+  const RationalFunction f({1, -2, 0, -1, 0, 1}, {1, 0, 1});
+  CHECK(definite_integral(f, minus_infinity, infinity, principal).exact ==
+        ExactValue{0, 1, {}, {}});
+  CHECK(definite_integral(f, infinity, minus_infinity, principal).exact ==
+        ExactValue{0, -1, {}, {}});
+  CHECK_THROWS_AS(definite_integral(f, minus_infinity, infinity), DomainError);
+  CHECK_THROWS_AS(definite_integral(f, rational(0), infinity, principal), DomainError);
+  // Odd about 1, but from −R to R it is about −2R.
+  CHECK_THROWS_WITH_AS(definite_integral({{-1, 1}, {1}}, minus_infinity, infinity, principal),
+                       doctest::Contains("it diverges, as the integral from -R to R is about -2·R"),
+                       DomainError);
+  CHECK_THROWS_WITH_AS(definite_integral({{1, 0, 1}, {1}}, minus_infinity, infinity, principal),
+                       doctest::Contains("about 2/3·R^3"), DomainError);
+}
+
+TEST_CASE("definite integral: logarithms at algebraic ends that cancel are seen to") {
+  // t⁵ − t + 3 = 31/10 at both ends.
+  const Polynomial ends{-1, -10, 0, 0, 0, 10};
+  const RationalFunction f({-1, 0, 0, 0, 5}, {3, -1, 0, 0, 0, 1});
+  const Endpoint low = real_root(ends, closed(Rational(-1, 2), Rational(1, 2)));
+  const Endpoint high = real_root(ends, closed(Rational(1, 2), Rational(3, 2)));
+  CHECK(definite_integral(f, low, high).value.exact() == Rational(0));
+  CHECK_FALSE(definite_integral(f, low, rational(2)).value.exact().has_value());
+  // t³ − t − 1 is 1 at the end and −1 at 0.
+  const Endpoint end = real_root({-2, -1, 0, 1}, closed(1, 2));
+  CHECK(definite_integral({{-1, 0, 3}, {-1, -1, 0, 1}}, end, rational(0), AtPoles::principal_value)
+            .value.exact() == Rational(0));
+  // ∫ 3/t − 2/(t − 1) is log|t³/(t − 1)²|, log 8 at 2. t³ = 8(t − 1)² also at 3 + √5, and
+  // t³ = −8(t − 1)² where t³ + 8t² − 16t + 8 = 0, at a t < 0.
+  const RationalFunction g({-3, 1}, {0, -1, 1});
+  const Endpoint same = real_root({4, -6, 1}, closed(5, 6));
+  CHECK(definite_integral(g, rational(2), same).value.exact() == Rational(0));
+  const Endpoint opposite = real_root({8, -16, 8, 1}, {std::nullopt, Rational(0)});
+  CHECK(definite_integral(g, opposite, rational(2), AtPoles::principal_value).value.exact() ==
+        Rational(0));
+  // Half as much: exponents are not whole.
+  const RationalFunction half({Rational(-3, 2), Rational(1, 2)}, {0, -1, 1});
+  CHECK(definite_integral(half, rational(2), same).value.exact() == Rational(0));
+  // log|t² − 1| from 0 to √2: |1| and |−1|.
+  CHECK(definite_integral({{0, 2}, {-1, 0, 1}}, rational(0), root_of(2), AtPoles::principal_value)
+            .value.exact() == Rational(0));
+}
+
+TEST_CASE("definite integral: rational multiples of π between algebraic ends") {
+  const RationalFunction f({1}, {1, 0, 1});
+  CHECK(definite_integral(f, rational(0), root_of(3)).exact ==
+        ExactValue{0, Rational(1, 3), {}, {}});
+  CHECK(definite_integral(f, root_of(3), infinity).exact == ExactValue{0, Rational(1, 6), {}, {}});
+  CHECK(definite_integral(f, minus_infinity, root_of(3)).exact ==
+        ExactValue{0, Rational(5, 6), {}, {}});
+  // tan(π/8) = √2 − 1.
+  const Endpoint eighth = real_root({-1, 2, 1}, {Rational(0), std::nullopt});
+  CHECK(definite_integral(f, rational(0), eighth).exact == ExactValue{0, Rational(1, 8), {}, {}});
+  CHECK_FALSE(definite_integral(f, rational(0), root_of(2)).exact.has_value());
+  // 2t + 1/(1 + t²): 3 + π/3.
+  CHECK(definite_integral({{1, 2, 0, 2}, {1, 0, 1}}, rational(0), root_of(3)).exact ==
+        ExactValue{3, Rational(1, 3), {}, {}});
+}
+
+TEST_CASE("definite integral: multiples of π by an algebraic number") {
+  const auto multiple = [](const RationalFunction& f, const Endpoint& a, const Endpoint& b) {
+    const auto integral = definite_integral(f, a, b);
+    REQUIRE(integral.exact.has_value());
+    REQUIRE(integral.exact->irrational_pi.has_value());
+    return *integral.exact->irrational_pi;
+  };
+  // Over the line π/√2, over half of it half as much, also where it is even about another point.
+  const RationalFunction f({1}, {1, 0, 0, 0, 1});
+  const RealAlgebraic half_root = real_root({-1, 0, 2}, closed(0, 1));
+  CHECK(multiple(f, minus_infinity, infinity) == half_root);
+  CHECK(multiple(f, infinity, rational(0)) == real_root({-1, 0, 8}, closed(-1, 0)));
+  const Polynomial s{-2, 1};
+  CHECK(multiple({{1}, Polynomial{1} + pow(s, 4)}, rational(2), infinity) ==
+        real_root({-1, 0, 8}, closed(0, 1)));
+  // −2(1 − t²)/(1 + t⁴) is 0 over the line: t → 1/t changes its sign.
+  CHECK(definite_integral({{-2, 0, 2}, {1, 0, 0, 0, 1}}, minus_infinity, infinity).value.exact() ==
+        Rational(0));
+  // ω = e^{2πi/3}: from 0 to 1 t − ω turns by 30°, π/(3√3).
+  CHECK(multiple({{1}, {1, 1, 1}}, rational(0), rational(1)) ==
+        real_root({-1, 0, 27}, closed(0, 1)));
+  // A generic denominator of degree 4, neither even nor cyclotomic: the value mpmath.quad gives.
+  CHECK(digits(definite_integral({{1}, {1, 1, 0, 0, 1}}, minus_infinity, infinity), 17) ==
+        "2.6835482442564765");
+  CHECK(multiple({{1}, {1, 1, 0, 0, 1}}, minus_infinity, infinity).polynomial().degree() == 6);
+  // The generic Galois group of degree 8: nothing is recognised, but the value is known.
+  CHECK_FALSE(definite_integral({{1}, {3, 1, 0, 0, 0, 0, 0, 0, 1}}, minus_infinity, infinity)
+                  .exact.has_value());
+}
+
 TEST_CASE("definite integral: an algebraic and an infinite end") {
   // ∫ t⁻² from √2 is 1/√2; ∫ t/(t² + 1)² from √2 is 1/(2·3), rational; from −∞ the same negative.
   CHECK(digits(definite_integral({{1}, {0, 0, 1}}, root_of(2), infinity), 30) ==

@@ -133,7 +133,7 @@ TEST_CASE("batch: every line of tests/data/curves.jsonl is a line of a batch") {
 TEST_CASE("batch: a failure has the status that the program would have, and the place") {
   const std::string line =
       R"({"basis": "power", "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})";
-  check_error("", 2, "not valid JSON: unexpected end of input");
+  check_error("", 2, "not valid JSON: the input is empty");
   check_error("[1]", 2, "/: an object is wanted");
   check_error(R"({"id": 1})", 2, "the key \"curve\" is missing");
   check_error(R"({"id": [1], "curve": )" + line + "}", 2, "/id: an id is a string or a number");

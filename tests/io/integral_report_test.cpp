@@ -151,6 +151,32 @@ TEST_CASE("integral report: JSON has ends that are infinite or algebraic") {
   CHECK(contains(to_text(some), "from −∞ to √2\n"));
 }
 
+TEST_CASE("integral report: an irrational multiple of π, in radicals or as a root") {
+  const auto with_multiple = [](const RealAlgebraic& x) {
+    IntegralReport some = with_value();
+    some.definite->exact = ExactValue{0, 0, {}, {}, x};
+    return some;
+  };
+  const auto shown_as = [&](const RealAlgebraic& x, std::string_view text, std::string_view plain) {
+    CHECK(contains(to_text(with_multiple(x)), text));
+    const Json definite = Json::parse(to_json(with_multiple(x)))["definite"];
+    CHECK(definite["exact"] == plain);
+    CHECK(definite["multiple_of_pi"]["polynomial"].size() ==
+          static_cast<std::size_t>(x.polynomial().degree() + 1));
+  };
+  // √2/4, −√2/4, (1 + √5)/4, ∛2 and the three real roots of a cubic, which radicals need i for.
+  const Interval positive{Rational(0), std::nullopt};
+  const Interval negative{std::nullopt, Rational(0)};
+  shown_as(real_root({-1, 0, 8}, positive), "    = √2/4·π\n", "sqrt(2)/4*pi");
+  shown_as(real_root({-1, 0, 8}, negative), "    = −√2/4·π\n", "-sqrt(2)/4*pi");
+  shown_as(real_root({-1, -2, 4}, positive), "    = (1 + √5)/4·π\n", "(1 + sqrt(5))/4*pi");
+  shown_as(real_root({-2, 0, 0, 1}, positive), "    = ∛2·π\n", "2^(1/3)*pi");
+  const RealAlgebraic casus = real_root({1, -3, 0, 1}, closed(0, 1));
+  shown_as(casus, "    = π·(the root of x³ − 3x + 1 in (0, 1))\n", "root(x^3 - 3*x + 1, 0, 1)*pi");
+  CHECK(contains(to_latex(with_multiple(real_root({-1, 0, 8}, positive))),
+                 "\\frac{\\sqrt{2}}{4} \\pi"));
+}
+
 TEST_CASE("integral report: LaTeX has balanced braces, the integral and the value") {
   const std::string text = to_latex(with_value());
   CHECK(text.starts_with("\\begin{align*}\n\\int \\frac{1}{x^{2} + 1} \\,dx &= "));

@@ -49,7 +49,7 @@ TEST_CASE("spline report: the angle of the quintic in two pieces") {
   const NamedSpline named = cut_quintic();
   SplineAngle angle(named.spline);
   const auto report =
-      spline_angle_report("cut", angle, 0, {Rational(1, 10) * 3, Rational(7, 4)}, 40);
+      spline_angle_report("cut", angle, {}, {Rational(1, 10) * 3, Rational(7, 4)}, 40);
   const Json out = Json::parse(to_json(report));
   CHECK(out["phrame"] == "spline-angle/1");
   CHECK(out["segments"].size() == 2);
@@ -64,7 +64,7 @@ TEST_CASE("spline report: the angle of the quintic in two pieces") {
 TEST_CASE("spline report: a closed plane curve in text") {
   const NamedSpline named = loop();
   SplineAngle angle(named.spline);
-  const std::string text = to_text(spline_angle_report("loop", angle, 0, {4}, 17));
+  const std::string text = to_text(spline_angle_report("loop", angle, {}, {4}, 17));
   CHECK(text.starts_with("loop: PH spline of 4 segments, closed\n"));
   CHECK(contains(text, "  holonomy = 0"));
   CHECK(contains(text, "  total angle = 0\n"));

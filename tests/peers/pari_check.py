@@ -17,10 +17,11 @@ CHECK = """
 }
 """
 
-VALUES = """
+DIFFERENCES = """
 {
-  print("%s: values");
-  foreach(grid, t, my(F = 1.*antiderivative(t)); print(real(F), ";", imag(F)));
+  print("%s: differences");
+  my(F = [1.*antiderivative(t) | t <- grid]);
+  for(k = 1, #F - 1, my(d = bitprecision(F[k + 1] - F[k], 64)); print(real(d), ";", imag(d)));
 }
 """
 
@@ -36,10 +37,11 @@ failures = [name for name, _ in items if f"{name}: equal" not in output]
 count = len(items)
 items = list(peers.continuous("pari"))
 grid = ", ".join(str(Fraction(t)) for t in differences.GRID)
-output = run(f"grid = [{grid}];\n" + "".join(text + VALUES % name for name, text, _ in items))
+output = run(f"default(realprecision, 100);\ngrid = [{grid}];\n"
+             + "".join(text + DIFFERENCES % name for name, text, _ in items))
 for name, _, f in items:
-    first = output.index(f"{name}: values") + 1
-    lines = output[first:first + len(differences.GRID)]
+    first = output.index(f"{name}: differences") + 1
+    lines = output[first:first + len(differences.GRID) - 1]
     values = [complex(*(float(part.replace(" ", "")) for part in line.split(";"))) for line in lines]
     failures += [f"{name}, {jump}" for jump in differences.jumps(f, values)]
 peers.finish(count + len(items), failures)
