@@ -66,33 +66,37 @@ Polynomial euclidean_inverse(const Polynomial& a, const Polynomial& q) {
 }  // namespace
 
 // Of degree ≤ 3 Euclid's algorithm over ℚ is the faster one. Otherwise, with n, a and q in ℤ[x],
-// res(q, a)·(n·a⁻¹ mod q) has integer coefficients (Cramer), and Hadamard's inequality bounds them:
-// they are lifted from their residues modulo primes, and the resultant with them, as one more
-// coefficient.
+// R·(n·a⁻¹ mod q) has integer coefficients for the resultant R of q and a (Cramer), and Hadamard's
+// inequality bounds them: they are lifted from their residues modulo primes, and R with them, as
+// one more coefficient. n and a are not reduced before, but modulo the primes: their remainders
+// modulo q have coefficients that are much longer, for which the bound would be far too large.
 Polynomial QuotientRing::divide(const Polynomial& n, const Polynomial& a) const {
-  const Polynomial dividend = reduce(n);
-  const Polynomial divisor = reduce(a);
   const slong size = modulus_.degree();
-  if (dividend.is_zero() || divisor.is_zero()) require_coprime(divisor, modulus_);
-  if (divisor.is_constant()) return (1 / divisor.coefficient(0)) * dividend;
-  if (dividend.is_zero()) return {};
-  if (size <= 3) return multiply(dividend, euclidean_inverse(divisor, modulus_));
-  const std::vector<flint::FmpzPoly> inputs{integer_primitive_part(dividend),
-                                            integer_primitive_part(divisor),
+  if (n.is_zero() || a.is_zero()) require_coprime(a, modulus_);
+  if (n.is_zero()) return {};
+  if (a.is_constant()) return (1 / a.coefficient(0)) * reduce(n);
+  if (size <= 3) return multiply(reduce(n), euclidean_inverse(reduce(a), modulus_));
+  const std::vector<flint::FmpzPoly> inputs{integer_primitive_part(n), integer_primitive_part(a),
                                             integer_primitive_part(modulus_)};
+  const long formal = formal_degree(inputs[0], inputs[1], inputs[2]);
   bool coprime = false;
-  const auto image =
-      [&](const std::vector<ModularPolynomial>& f) -> std::optional<ModularPolynomial> {
-    if (f[1].degree() != divisor.degree() || f[2].degree() != size) return std::nullopt;
-    auto inverse = modular_inverse(f[1], f[2]);
+  const auto image = [&](std::vector<ModularPolynomial> f) -> std::optional<ModularPolynomial> {
+    if (f[2].degree() != size) return std::nullopt;
+    for (std::size_t k : {0, 1})
+      if (f[k].degree() >= size) nmod_poly_rem(f[k].raw(), f[k].raw(), f[2].raw());
+    auto inverse = f[1].is_zero() ? std::nullopt : modular_inverse(f[1], f[2]);
     if (!inverse) {
-      if (!coprime) require_coprime(divisor, modulus_);
+      if (!coprime) require_coprime(a, modulus_);
       coprime = true;
       return std::nullopt;
     }
+    const nmod_t mod = f[2].raw()->mod;
+    const ulong lead =
+        nmod_pow_ui(f[2].coefficient(size), static_cast<ulong>(formal - f[1].degree()), mod);
+    const ulong resultant = nmod_mul(inverse->resultant, lead, mod);
     ModularPolynomial c = multiply_modulo(inverse->inverse, f[0], f[2]);
-    nmod_poly_scalar_mul_nmod(c.raw(), c.raw(), inverse->resultant);
-    nmod_poly_set_coeff_ui(c.raw(), size, inverse->resultant);
+    nmod_poly_scalar_mul_nmod(c.raw(), c.raw(), resultant);
+    nmod_poly_set_coeff_ui(c.raw(), size, resultant);
     return c;
   };
   flint::FmpzPoly lifted =
@@ -102,7 +106,7 @@ Polynomial QuotientRing::divide(const Polynomial& n, const Polynomial& a) const 
   fmpz_poly_truncate(lifted.get(), size);
   Polynomial result = to_polynomial(lifted.get());
   fmpq_poly_scalar_div_fmpz(result.raw(), result.raw(), resultant.get());
-  return Rational(content(dividend) / content(divisor)) * std::move(result);
+  return Rational(content(n) / content(a)) * std::move(result);
 }
 
 // Σ a(α) is the sum of the residues of a·q′/q, which is the coefficient of 1/x in its expansion at

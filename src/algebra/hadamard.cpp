@@ -1,6 +1,8 @@
 // By Cramer's rule on Sylvester's matrix, the coefficients of u in u·a + v·q = res(q, a)·n are
 // determinants with deg q − 1 rows of a, deg a rows of q and one of n, so that
 //   |u_k| ≤ ‖n‖·‖a‖^{deg q − 1}·‖q‖^{deg a}.
+// Where deg n ≥ deg a + deg q, a is taken for a polynomial of the degree deg n − deg q + 1, whose
+// leading coefficients are 0.
 // For n(ρt), a(ρt), q(ρt) the same bounds ρ^{deg a·deg q}·u(ρt), so that
 //   |u_k| ≤ ρ^{−deg a·deg q − k}·‖n(ρt)‖·‖a(ρt)‖^{deg q − 1}·‖q(ρt)‖^{deg a}.
 // On |x| = 1 the determinant res_t(n − x·d′, d) has N = deg d rows of norm ≤ ‖n‖ + ‖d′‖ and N − 1
@@ -56,9 +58,14 @@ long least(const flint::FmpzPoly& q, Bound bound) {
 
 }  // namespace
 
+long formal_degree(const flint::FmpzPoly& n, const flint::FmpzPoly& a, const flint::FmpzPoly& q) {
+  return std::max(fmpz_poly_degree(a.get()),
+                  fmpz_poly_degree(n.get()) - fmpz_poly_degree(q.get()) + 1);
+}
+
 long cofactor_bits(const flint::FmpzPoly& n, const flint::FmpzPoly& a, const flint::FmpzPoly& q) {
-  const slong deg_a = fmpz_poly_degree(a.get());
   const slong deg_q = fmpz_poly_degree(q.get());
+  const slong deg_a = formal_degree(n, a, q);
   return least(q, [&](long s) {
     const Mag row = norm(a, s);
     Mag product;

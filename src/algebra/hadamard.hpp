@@ -7,8 +7,12 @@ namespace phrame {
 // t → 2ˢt that makes them least: for all coefficients of one size s = 0 does, for roots of size r
 // it is about log₂ r.
 
-/// For a, q ≠ 0, deg n < deg q: res(q, a) and the coefficients of res(q, a)·(n·a⁻¹ mod q), all of
-/// them integers, are below 2^bits in absolute value.
+/// For a, q ≠ 0: the degree D ≥ deg a with deg n < D + deg q for which
+/// R = lead(q)^{D − deg a}·res(q, a), the resultant of a as a polynomial of degree D, makes
+/// R·(n·a⁻¹ mod q) a polynomial with integer coefficients.
+long formal_degree(const flint::FmpzPoly& n, const flint::FmpzPoly& a, const flint::FmpzPoly& q);
+
+/// R and these coefficients are below 2^bits in absolute value.
 long cofactor_bits(const flint::FmpzPoly& n, const flint::FmpzPoly& a, const flint::FmpzPoly& q);
 
 /// For deg n < deg d ≥ 1: the coefficients of res_t(n − x·d′, d) are below 2^bits.

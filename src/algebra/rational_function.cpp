@@ -35,9 +35,21 @@ Rational RationalFunction::operator()(const Rational& t) const {
 RationalFunction operator+(const RationalFunction& a, const RationalFunction& b) {
   if (a.is_zero()) return b;
   if (b.is_zero()) return a;
-  if (a.denominator() == b.denominator()) return {a.numerator() + b.numerator(), a.denominator()};
-  return {a.numerator() * b.denominator() + b.numerator() * a.denominator(),
-          a.denominator() * b.denominator()};
+  const Polynomial common = gcd(a.denominator(), b.denominator());
+  if (common.is_constant()) {
+    // Then the sum is in lowest terms: a factor of one denominator divides one product only.
+    RationalFunction sum;
+    sum.numerator_ = a.numerator() * b.denominator() + b.numerator() * a.denominator();
+    const Polynomial denominator = a.denominator() * b.denominator();
+    if (!denominator.is_constant()) sum.denominator_ = denominator;
+    return sum;
+  }
+  // What can cancel is in the common factor [Henrici 1956].
+  const Polynomial rest = exact_quotient(a.denominator(), common);
+  const Polynomial numerator =
+      a.numerator() * exact_quotient(b.denominator(), common) + b.numerator() * rest;
+  const Polynomial cancels = gcd(numerator, common);
+  return {exact_quotient(numerator, cancels), rest * exact_quotient(b.denominator(), cancels)};
 }
 
 RationalFunction operator-(const RationalFunction& a, const RationalFunction& b) {
@@ -58,7 +70,10 @@ RationalFunction differentiate(const RationalFunction& f) {
   if (f.is_polynomial()) return RationalFunction(differentiate(f.numerator()));
   const Polynomial& n = f.numerator();
   const Polynomial& d = f.denominator();
-  return {differentiate(n) * d - n * differentiate(d), d * d};
+  // Every pole becomes of one order more: beyond gcd(d, d′) nothing cancels.
+  const Polynomial repeated = gcd(d, differentiate(d));
+  const Polynomial radical = exact_quotient(d, repeated);
+  return {differentiate(n) * radical - n * exact_quotient(differentiate(d), repeated), d * radical};
 }
 
 }  // namespace phrame

@@ -3,6 +3,7 @@
 //   res_t(d, n − x·d′) = lead(d)^{N−1} ∏ (n(z) − x d′(z)) = (−1)^N · res(d, d′) · χ(x).
 #include "phrame/algebra/resultant.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "phrame/algebra/error.hpp"
@@ -68,18 +69,27 @@ Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d) {
   return primitive_part(compose(residues, Polynomial{0, Rational(f.scale.get())}));
 }
 
-bool residues_are_distinct_modulo_a_prime(const Polynomial& n, const Polynomial& d) {
+long distinct_residues_modulo_a_prime(const Polynomial& n, const Polynomial& d) {
   const IntegerFraction f = integer_fraction(n, d);
   Primes primes;
-  for (int attempt = 0; attempt < 2; ++attempt) {
+  long most = 0;
+  for (int attempt = 0; attempt < 2 && most < d.degree(); ++attempt) {
     const ulong p = primes.next();
     const auto algebra = ModularAlgebra::make(ModularPolynomial(p, f.denominator), d.degree());
     if (!algebra) continue;
     const ModularPolynomial chi =
         characteristic_polynomial(*algebra, algebra->residue(ModularPolynomial(p, f.numerator)));
-    if (nmod_poly_is_squarefree(chi.raw()) != 0) return true;
+    // p > deg χ, so that χ/gcd(χ, χ′) has all its roots, once.
+    ModularPolynomial repeated(p);
+    nmod_poly_derivative(repeated.raw(), chi.raw());
+    nmod_poly_gcd(repeated.raw(), repeated.raw(), chi.raw());
+    most = std::max(most, chi.degree() - repeated.degree());
   }
-  return false;
+  return most;
+}
+
+bool residues_are_distinct_modulo_a_prime(const Polynomial& n, const Polynomial& d) {
+  return distinct_residues_modulo_a_prime(n, d) == d.degree();
 }
 
 bool residues_are_distinct(const Polynomial& n, const Polynomial& d) {

@@ -10,8 +10,12 @@ namespace phrame {
 /// so that the lift is proved. Precondition, else DomainError: d squarefree, deg n < deg d ≥ 1.
 Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d);
 
-/// Is the residue polynomial of n/d squarefree modulo one of two primes? Then the residues are
-/// pairwise distinct; false proves nothing. Same preconditions.
+/// How many roots the residue polynomial of n/d has modulo a prime, the larger number of two
+/// primes: there are at least so many different residues. Same preconditions.
+long distinct_residues_modulo_a_prime(const Polynomial& n, const Polynomial& d);
+
+/// Are these as many as there are poles? Then the residues are pairwise distinct; false proves
+/// nothing. Same preconditions.
 bool residues_are_distinct_modulo_a_prime(const Polynomial& n, const Polynomial& d);
 
 /// Are the residues of n/d pairwise distinct? Proved by a prime, or else decided by the residue

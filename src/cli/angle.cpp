@@ -43,6 +43,7 @@ std::string curve_report(const Command& command, const AngleOptions& options, co
   RmfAngle angle(named.curve, chosen.reference, chosen.form.form);
   angle.take(chosen.route);
   AngleReport report{named, chosen.reference, angle, chosen.start_angle, {}, options.digits};
+  report.lists_all_poles = options.form.length.is_full;
   // The text of an angle says what the poles are; a script is to be continuous.
   if (chosen.form.style != FormChoice::Style::textbook || !chosen.print.text)
     set_style(report, chosen.form, angle.antiderivative());
@@ -74,9 +75,9 @@ void run(const Command& command, const AngleOptions& options) {
   const Choices chosen = choices(options);
   const auto read = options.curve.read_curve_or_spline();
   const auto* curve = std::get_if<NamedCurve>(&read);
-  write_output(options.curve.output,
-               curve ? curve_report(command, options, chosen, *curve)
-                     : spline_report(options, chosen, std::get<NamedSpline>(read)));
+  options.form.length.write(options.curve.output,
+                            curve ? curve_report(command, options, chosen, *curve)
+                                  : spline_report(options, chosen, std::get<NamedSpline>(read)));
 }
 
 }  // namespace

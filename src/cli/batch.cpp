@@ -34,6 +34,7 @@ struct BatchOptions {
 struct Done {
   std::unordered_set<std::string> ids;
   off_t whole_bytes = 0;  ///< up to the end of the last whole line
+  std::string cut_off;    ///< what follows it
 };
 
 Done read_done(const std::string& path) {
@@ -41,7 +42,11 @@ Done read_done(const std::string& path) {
   if (path.empty() || access(path.c_str(), F_OK) != 0) return done;  // nothing is done yet
   std::ifstream file(path, std::ios::binary);
   if (!file) fail_with_errno(path, "cannot be read");
-  for (std::string line; std::getline(file, line) && !file.eof();) {
+  for (std::string line; std::getline(file, line);) {
+    if (file.eof()) {
+      done.cut_off = std::move(line);
+      break;
+    }
     if (auto id = batch_id(line)) done.ids.insert(*std::move(id));
     done.whole_bytes += static_cast<off_t>(line.size() + 1);
   }
@@ -53,7 +58,17 @@ Descriptor open_input(const std::string& path) {
           name_of_file(path)};
 }
 
-/// Where the output is what is skipped, it is continued; a line that was cut off is removed.
+/// A line that was cut off goes from the file to another beside it.
+void keep_aside(const std::string& path, const std::string& cut_off) {
+  const std::string aside = path + ".damaged";
+  const Descriptor file(::open(aside.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666),
+                        aside);
+  write_whole(file, cut_off + "\n");
+  note(fmt::format("{}: the last line was cut off; its {} byte{} kept in {}", path, cut_off.size(),
+                   cut_off.size() == 1 ? " is" : "s are", aside));
+}
+
+/// Where the output is what is skipped, it is continued; a line that was cut off is kept aside.
 Descriptor open_output(const std::string& path, const std::string& skip_done, const Done& done) {
   constexpr int flags = O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC;
   Descriptor file(path == "-" ? STDOUT_FILENO : ::open(path.c_str(), flags, 0666),
@@ -61,6 +76,7 @@ Descriptor open_output(const std::string& path, const std::string& skip_done, co
   const bool continues = !skip_done.empty() && is_same_file(file, skip_done);
   if (path != "-" || continues) {
     const off_t size = continues ? done.whole_bytes : 0;
+    if (continues && !done.cut_off.empty()) keep_aside(skip_done, done.cut_off);
     struct stat status = {};
     fstat(file.number(), &status);
     if (S_ISREG(status.st_mode) && ftruncate(file.number(), size) != 0)
@@ -163,7 +179,7 @@ void add_batch(CLI::App& app) {
   command
       ->add_option("--skip-done", options->skip_done,
                    "leave out the lines whose id has an answer in this file; if it is the output,\n"
-                   "it is continued")
+                   "it is continued, and a last line that was cut off is kept in FILE.damaged")
       ->type_name("FILE");
   command->add_option("--threads", options->threads, "so many at a time (default: all cores)")
       ->type_name("N")

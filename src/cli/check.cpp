@@ -19,6 +19,7 @@ struct CheckCommand {
   bool is_inverse = false;
   std::vector<std::string> header;
   std::string print = "text";
+  TextLength length;
 };
 
 FrameReading reading(const CheckCommand& command) {
@@ -84,7 +85,7 @@ void run(const CheckCommand& command) {
   const FrameVerdict verdict = check_frames(named.spline, table.frames, options);
   const CheckReport report{named.name, table, options, verdict,
                            better_reading(named.spline, bytes, reading, table, verdict, options)};
-  write_output(command.curve.output, print(report));
+  command.length.write(command.curve.output, print(report));
   if (!report.verdict.passes) throw AnswerNo{};
 }
 
@@ -121,6 +122,7 @@ void add_check(CLI::App& app) {
       ->expected(1)
       ->take_all();
   command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  options->length.add_to(*command);
   command->footer(
       "FRAMES has a header: t and f2x,f2y,f2z, optionally f3x,... and e1x,... (the tangent), or t\n"
       "and qw,qx,qy,qz. Other columns are skipped. Without a header their number tells: 4: t, f2;\n"

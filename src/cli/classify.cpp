@@ -7,12 +7,13 @@ namespace {
 struct ClassifyOptions {
   CurveOptions curve;
   std::string print = "text";
+  TextLength length;
 };
 
 void run(const ClassifyOptions& options) {
   const auto print = choose<std::string (*)(const ClassifyReport&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
-  write_output(options.curve.output, print(classify_report(options.curve.read())));
+  options.length.write(options.curve.output, print(classify_report(options.curve.read())));
 }
 
 }  // namespace
@@ -23,6 +24,7 @@ void add_classify(CLI::App& app) {
   const auto options = std::make_shared<ClassifyOptions>();
   options->curve.add_to(*command);
   command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  options->length.add_to(*command);
   command->footer(
       "Decided exactly: regular, inflections, straight line, plane, helix, double PH, primitive,\n"
       "whether the Euler-Rodrigues frame (ERF) or any rational frame is rotation-minimizing\n"

@@ -13,6 +13,7 @@
 
 #include "phrame/io/angle_text.hpp"
 #include "phrame/io/number_text.hpp"
+#include "phrame/io/text.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -143,6 +144,15 @@ void add_start_angle(CLI::App& command, std::string& angle) {
       ->type_name("ANGLE");
 }
 
+void TextLength::add_to(Command& command) {
+  command.add_flag("--full", is_full, "in text, abridge nothing: long polynomials, numbers, lists");
+  command.only_with({"--full"}, {"--print text"});
+}
+
+void TextLength::write(const std::string& path, const std::string& printed) const {
+  write_output(path, for_reading(printed, is_full));
+}
+
 void add_max_degree(CLI::App& command, CurveLimits& limits) {
   command
       .add_option("--max-degree", limits.max_degree,
@@ -200,5 +210,7 @@ void write_output(const std::string& path, const std::string& bytes) {
     fail_with_errno(path, "cannot be written");
   }
 }
+
+void note(std::string_view text) { std::fprintf(stderr, "phrame: %s\n", printable(text).c_str()); }
 
 }  // namespace phrame::cli

@@ -54,6 +54,16 @@ void add_start_angle(CLI::App& command, std::string& angle);
 /// --max-degree
 void add_max_degree(CLI::App& command, CurveLimits& limits);
 
+/// --full, of commands that print a text for reading.
+struct TextLength {
+  bool is_full = false;
+
+  /// After --print.
+  void add_to(Command& command);
+  /// Writes what is printed: a text for reading in this length, all else as it is.
+  void write(const std::string& path, const std::string& printed) const;
+};
+
 /// The value with that name. Throws InputError, which lists the names there are.
 template <class T>
 T choose(const std::string& option, const std::string& name,
@@ -96,6 +106,9 @@ std::string read_file(const std::string& path);
 /// Writes all or nothing: a file is written beside its place and renamed. "-" is standard output.
 /// Throws InputError.
 void write_output(const std::string& path, const std::string& bytes);
+
+/// "phrame: …", a line on stderr about a result that there is.
+void note(std::string_view text);
 
 /// Thrown by a command whose answer is "no": exit status 1.
 struct AnswerNo {

@@ -32,6 +32,7 @@ void FormOptions::add_to(Command& command) {
                      {"text", "json", "latex", "sympy", "mathematica", "maple", "maxima", "pari"},
                      "text (default), json, latex, or for a computer-algebra system: sympy,\n"
                      "mathematica, maple, maxima, pari");
+  length.add_to(command);
 }
 
 std::vector<std::string> FormOptions::scripts() {

@@ -14,10 +14,11 @@ struct FormChoice {
   Style style = Style::algebraic;
 };
 
-/// --form and --print, which angle and integrate have in common.
+/// --form, --print and --full, which angle and integrate have in common.
 struct FormOptions {
   std::string form = "auto";
   std::string print = "text";
+  TextLength length;
 
   void add_to(Command& command);
   /// The choices of --print that are the closed form only: "--print sympy".

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "phrame/cli/twist_options.hpp"
@@ -15,6 +17,7 @@ struct FramesOptions {
   std::vector<std::string> scalars;
   std::string by = "t";
   std::string format = "csv";
+  bool skips_undefined = false;
 };
 
 enum class By { parameter, arc_length };
@@ -89,8 +92,18 @@ struct TwistFrames {
   }
 };
 
+FrameTable table(const Spline& spline, const TableColumns& columns,
+                 const std::vector<SplinePoint>& at) {
+  try {
+    return frame_table(spline, columns, at);
+  } catch (const DomainError& error) {
+    throw DomainError(std::string(error.what()) + " (--skip-undefined leaves such cells empty)");
+  }
+}
+
 void run(const FramesOptions& options) {
   TableColumns chosen = columns(options);
+  chosen.may_be_empty = options.skips_undefined;
   const auto format = choose<std::string (*)(const FrameTable&)>(
       "--format", options.format, {{"csv", to_csv}, {"json", to_json}, {"npy", to_npy}});
   const By by =
@@ -105,7 +118,12 @@ void run(const FramesOptions& options) {
   const bool is_curve = std::holds_alternative<NamedCurve>(read) && chosen.exact_mtf == nullptr;
   const auto at =
       by == By::parameter ? points(options, spline, is_curve) : points_by_length(options, spline);
-  write_output(options.curve.output, format(frame_table(spline, chosen, at)));
+  const FrameTable made = table(spline, chosen, at);
+  write_output(options.curve.output, format(made));
+  if (made.incomplete_rows > 0)
+    note(fmt::format("{} of {} rows {} empty cells; the first: {}", made.incomplete_rows,
+                     made.rows.size(), made.incomplete_rows == 1 ? "has" : "have",
+                     made.first_reason));
 }
 
 }  // namespace
@@ -129,6 +147,10 @@ void add_frames(CLI::App& app) {
   command->only_with(TwistOptions::of_rational_frame(), {"--frame mtf"});
   command->add_format("--format", options->format, {"csv", "json", "npy"},
                       "csv (default), json or npy");
+  command->add_flag("--skip-undefined", options->skips_undefined,
+                    "leave cells empty where the Frenet frame, a curvature or the torsion is\n"
+                    "undefined (json: null, npy: NaN), and say so on stderr");
+  command->only_with({"--skip-undefined"}, {"--frame frenet", "--columns"});
   command->footer(
       "--at or --samples is needed: what the rows of the table are.\n"
       "All numbers are correctly rounded doubles. e1 is A i A*/|A|^2, the unit tangent\n"

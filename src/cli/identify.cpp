@@ -7,6 +7,7 @@ namespace {
 struct IdentifyOptions {
   CurveOptions curve;
   std::string print = "text";
+  TextLength length;
 };
 
 std::string to_curve_file(const IdentifyReport& report) {
@@ -20,7 +21,7 @@ void run(const IdentifyOptions& options) {
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"curve", to_curve_file}});
   const NamedHodograph named = options.curve.read_hodograph();
   const IdentifyReport report{named.name, identify(named.hodograph, named.start)};
-  write_output(options.curve.output, print(report));
+  options.length.write(options.curve.output, print(report));
   if (std::holds_alternative<NotPythagorean>(report.result)) throw AnswerNo{};
 }
 
@@ -33,6 +34,7 @@ void add_identify(CLI::App& app) {
   options->curve.add_to(*command);
   command->add_format("--print", options->print, {"text", "json", "curve"},
                       "text (default), json, or curve: a curve file with the preimage");
+  options->length.add_to(*command);
   command->footer(
       "Only r' counts, given by control_points or by any preimage and multiplier; found are the A\n"
       "of least degree and f with r' = f A i A*. Exit status 1: the curve is not PH over Q.\n"

@@ -8,6 +8,7 @@ namespace {
 struct InfoOptions {
   CurveOptions curve;
   std::string print = "text";
+  TextLength length;
   long digits = 17;
 };
 
@@ -23,9 +24,10 @@ void run(const InfoOptions& options) {
       choose<Print>("--print", options.print, {{"text", Print::text}, {"json", Print::json}});
   const auto read = options.curve.read_curve_or_spline();
   const auto* curve = std::get_if<NamedCurve>(&read);
-  write_output(options.curve.output,
-               curve ? printed(curve_info(*curve, options.digits), print)
-                     : printed(spline_info(std::get<NamedSpline>(read), options.digits), print));
+  options.length.write(
+      options.curve.output,
+      curve ? printed(curve_info(*curve, options.digits), print)
+            : printed(spline_info(std::get<NamedSpline>(read), options.digits), print));
 }
 
 }  // namespace
@@ -36,6 +38,7 @@ void add_info(CLI::App& app) {
   options->curve.add_to(*command);
   add_digits(*command, options->digits);
   command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  options->length.add_to(*command);
   command->footer(
       "In JSON, arc_length is an exact text, or a value with its radius where the multiplier\n"
       "changes sign on [0, 1] and it is irrational; bending_energy is null where it is infinite.\n"

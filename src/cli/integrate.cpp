@@ -58,6 +58,7 @@ void run(const IntegrateOptions& options) {
   IntegralReport report{f, integrate(f.value, form.form)};
   report.says_checked = !options.is_silent;
   report.digits = options.digits;
+  report.lists_all_poles = options.form.length.is_full;
   if (options.form.print != "json" || form.style != FormChoice::Style::textbook)
     set_style(report, form, report.antiderivative);
   if (path) {
@@ -67,7 +68,8 @@ void run(const IntegrateOptions& options) {
     report.definite = {from, to, options.principal_value,
                        round_to_decimal(integral.value, options.digits), integral.exact};
   }
-  write_output(options.output, print.text ? print.text(report) : to_script(report, print.language));
+  options.form.length.write(options.output,
+                            print.text ? print.text(report) : to_script(report, print.language));
 }
 
 }  // namespace

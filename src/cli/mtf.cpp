@@ -12,6 +12,7 @@ struct MtfOptions {
   TwistOptions twist;
   bool is_exact_only = false;
   std::string print = "text";
+  TextLength length;
   long digits = 17;
 };
 
@@ -47,7 +48,7 @@ void run(const Command& command, const MtfOptions& options) {
     return command.is_given(option);
   });
   if (!options.is_exact_only) add_rational(report, options, mtf, asked);
-  write_output(options.curve.output, print(report));
+  options.length.write(options.curve.output, print(report));
 }
 
 }  // namespace
@@ -62,6 +63,7 @@ void add_mtf(CLI::App& app) {
   options->parameters.add_to(*command);
   add_digits(*command, options->digits);
   command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  options->length.add_to(*command);
   command->footer(
       "Angles are radians, multiples of pi or degrees: 0.3927, pi/8, -31pi/40, 45deg. e2 is that\n"
       "of the Euler-Rodrigues frame, which phrame frames --frame erf shows.\n"

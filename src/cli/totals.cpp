@@ -7,13 +7,15 @@ namespace {
 struct TotalsOptions {
   CurveOptions curve;
   std::string print = "text";
+  TextLength length;
   long digits = 17;
 };
 
 void run(const TotalsOptions& options) {
   const auto print = choose<std::string (*)(const TotalsReport&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
-  write_output(options.curve.output, print(totals_report(options.curve.read(), options.digits)));
+  options.length.write(options.curve.output,
+                       print(totals_report(options.curve.read(), options.digits)));
 }
 
 }  // namespace
@@ -25,6 +27,7 @@ void add_totals(CLI::App& app) {
   options->curve.add_to(*command);
   add_digits(*command, options->digits);
   command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  options->length.add_to(*command);
   command->footer(
       "Integrals from t = 0 to 1, each with its integrand, its antiderivative and its value.\n"
       "A total that is infinite is said to be so, with the pole; one that is not defined or not\n"

@@ -51,20 +51,22 @@ Evaluator::Evaluator(const Antiderivative& F, const RationalFunction& derivative
   const auto add = [this](const Polynomial& n, const Polynomial& d) {
     if (!n.is_zero()) poles_.push_back({n, d, differentiate(d), {}, {}, {}});
   };
-  RationalFunction logs = derivative;
-  if (!polynomial_.is_zero() || !rational_.is_zero())
-    logs = logs - (RationalFunction(differentiate(polynomial_)) + differentiate(rational_));
   const bool is_over_all_poles = std::all_of(F.logs.begin(), F.logs.end(), is_over_poles);
-  if (!is_over_all_poles) {
-    for (const auto& [n, d] : simple_fractions(logs)) add(n, d);
-  } else if (F.logs.size() == 1) {
-    add(logs.numerator(), logs.denominator());
-  } else {
+  const bool is_all_logs = polynomial_.is_zero() && rational_.is_zero();
+  if (is_over_all_poles && (F.logs.size() > 1 || !is_all_logs)) {
     for (const LogSum& sum : F.logs) {
       const RationalFunction f = differentiate(sum);
       add(f.numerator(), f.denominator());
     }
+    return;
   }
+  RationalFunction logs = derivative;
+  if (!is_all_logs)
+    logs = logs - (RationalFunction(differentiate(polynomial_)) + differentiate(rational_));
+  if (is_over_all_poles)
+    add(logs.numerator(), logs.denominator());
+  else
+    for (const auto& [n, d] : simple_fractions(logs)) add(n, d);
 }
 
 void Evaluator::require_no_pole(const Rational& a, const Rational& b) const {

@@ -194,7 +194,8 @@ std::optional<ExactValue> in_finite_terms(const Antiderivative& F, const Rationa
 
 DefiniteIntegral exactly(const Rational& x) { return {x, ExactValue{x, 0, {}, {}}}; }
 
-/// f is the derivative of F.
+}  // namespace
+
 DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFunction& f,
                                    const Endpoint& from, const Endpoint& to, AtPoles at_poles) {
   const Endpoint a = simplified(from);
@@ -217,7 +218,7 @@ DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFuncti
     exact = in_finite_terms(split_logs(F), at(b) - at(a), a, b);
   }
   if (exact && is_rational(*exact)) return exactly(exact->rational);
-  const auto evaluator = std::make_shared<Evaluator>(F);
+  const auto evaluator = std::make_shared<Evaluator>(F, f);
   const auto r = std::get_if<Rational>(&a);
   const auto s = std::get_if<Rational>(&b);
   if (r != nullptr && s != nullptr && !has_poles) {
@@ -227,8 +228,6 @@ DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFuncti
   }
   return {Real([=](long bits) { return evaluator->branch_difference(a, b, bits); }), exact};
 }
-
-}  // namespace
 
 DefiniteIntegral definite_integral(const Antiderivative& F, const Endpoint& a, const Endpoint& b,
                                    AtPoles at_poles) {

@@ -23,6 +23,10 @@ enum class AtPoles {
 DefiniteIntegral definite_integral(const RationalFunction& f, const Endpoint& a, const Endpoint& b,
                                    AtPoles at_poles = AtPoles::refuse);
 
+/// The same where an antiderivative F of f is known.
+DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFunction& f,
+                                   const Endpoint& a, const Endpoint& b, AtPoles at_poles);
+
 /// The same for the derivative of F.
 DefiniteIntegral definite_integral(const Antiderivative& F, const Endpoint& a, const Endpoint& b,
                                    AtPoles at_poles = AtPoles::refuse);

@@ -25,6 +25,15 @@ GaussianPolynomial power(const GaussianPolynomial& a, const Integer& k) {
 
 }  // namespace
 
+// arg g = Im log g = −(i/2)·log g + (i/2)·log ḡ, and v = P − 2xQ for the monic g = P + iQ.
+LogSum argument_as_logs(const GaussianPolynomial& g) {
+  const auto [p, q] = monic(g);
+  std::vector<Polynomial> v;
+  for (long k = 0; k <= p.degree(); ++k)
+    v.push_back(Polynomial{p.coefficient(k), -2 * q.coefficient(k)});
+  return LogSum{Polynomial{1, 0, 4}, Polynomial{0, 1}, Bivariate(std::move(v))};
+}
+
 GaussianLogs gaussian_logs(const std::vector<LogSum>& over_residues) {
   GaussianLogs form;
   for (const LogSum& sum : over_residues) {

@@ -34,4 +34,8 @@ GaussianLogs gaussian_logs(const std::vector<LogSum>& over_residues);
 /// terms or a factor is not whole.
 std::optional<GaussianPolynomial> single_argument(const GaussianLogs& logs);
 
+/// arg g up to a constant, as Σ x·log v(x, t) over x = ±i/2 with v(−i/2, t) = g made monic.
+/// Precondition: g has no real factor and is not constant, so that v depends on x.
+LogSum argument_as_logs(const GaussianPolynomial& g);
+
 }  // namespace phrame

@@ -20,7 +20,7 @@ RationalPart hermite_reduce(const RationalFunction& f) {
     const Polynomial radical = exact_quotient(repeated, next);
     const Polynomial slope = -exact_quotient(simple * differentiate(repeated), repeated);
     const QuotientRing ring(radical);
-    const Polynomial b = ring.multiply(a, ring.inverse(ring.reduce(slope)));
+    const Polynomial b = ring.divide(a, slope);
     const Polynomial c = exact_quotient(a - b * slope, radical);
     a = c - differentiate(b) * exact_quotient(simple, radical);
     rational = rational + RationalFunction(b, repeated);

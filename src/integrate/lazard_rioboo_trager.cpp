@@ -124,7 +124,7 @@ std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f) {
 bool has_quadratic_residues(const SimpleFraction& f) {
   const auto& [n, d] = f;
   if (d.degree() <= 2) return true;
-  if (residues_are_distinct_modulo_a_prime(n, d)) return false;
+  if (distinct_residues_modulo_a_prime(n, d) > 2) return false;
   return squarefree_part(residue_polynomial(n, d)).degree() <= 2;
 }
 

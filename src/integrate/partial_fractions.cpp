@@ -1,5 +1,7 @@
 #include "phrame/integrate/partial_fractions.hpp"
 
+#include <algorithm>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 
@@ -11,14 +13,30 @@ std::vector<SimpleFraction> simple_fractions(const RationalFunction& f) {
   const Factorization factors = factor(f.denominator());
   if (factors.factors.size() == 1 && factors.factors.front().exponent == 1)
     return {{f.numerator(), f.denominator()}};
+  // f = n/(base·rest) has the part (n·rest⁻¹ mod base)/base. The one of the highest degree would
+  // cost most: it is what the others leave.
+  const auto of_degree = [](const Factor& a, const Factor& b) {
+    return a.base.degree() < b.base.degree();
+  };
+  const auto highest = std::max_element(factors.factors.begin(), factors.factors.end(), of_degree);
   std::vector<SimpleFraction> parts;
-  for (const auto& [base, exponent] : factors.factors) {
+  Polynomial left = f.numerator();
+  Polynomial rest_of_highest;
+  std::size_t index_of_highest = 0;
+  for (auto at = factors.factors.begin(); at != factors.factors.end(); ++at) {
+    const auto& [base, exponent] = *at;
     if (exponent != 1) throw DomainError("simple_fractions: the function has a multiple pole");
-    // f = n/(base·rest) has the part (n·rest⁻¹ mod base)/base.
-    const QuotientRing ring(base);
     const Polynomial rest = exact_quotient(f.denominator(), base);
-    parts.push_back({ring.divide(f.numerator(), rest), base});
+    parts.push_back({{}, base});
+    if (at == highest) {
+      rest_of_highest = rest;
+      index_of_highest = parts.size() - 1;
+      continue;
+    }
+    parts.back().numerator = QuotientRing(base).divide(f.numerator(), rest);
+    left = left - parts.back().numerator * rest;
   }
+  parts[index_of_highest].numerator = exact_quotient(left, rest_of_highest);
   return parts;
 }
 

@@ -17,10 +17,6 @@ namespace {
 constexpr auto unicode = Notation::unicode;
 constexpr auto latex = Notation::latex;
 
-std::string readable_factors(const Polynomial& p) {
-  return readable(formatted_factors(p, unicode), p);
-}
-
 std::string quotient(const RationalFunction& f) { return formatted_quotient(f, unicode); }
 
 /// In LaTeX with the constant.
@@ -68,22 +64,24 @@ AngleValue rounded_angle(const Rational& t, const Real& theta, long digits) {
 }
 
 std::string value_table(const std::vector<AngleValue>& values, long digits) {
-  std::size_t t_width = 1;
+  constexpr std::size_t longest = 40;
   std::size_t whole_width = 1;
   const auto whole = [](const std::string& theta) {
     return std::min(theta.find('.'), theta.size());
   };
-  const auto shown = [](const Rational& t) { return abbreviated(to_string(t)); };
+  std::vector<std::string> column{"t"};
   for (const AngleValue& value : values) {
-    t_width = std::max(t_width, text_width(shown(value.t)));
+    column.push_back(shown(value.t, longest));
     whole_width = std::max(whole_width, whole(value.theta.value));
   }
-  std::string text = fmt::format("\n  {:<{}}   {}θ(t)   radians, correctly rounded to {} digits\n",
-                                 "t", t_width, std::string(whole_width - 1, ' '), digits);
-  for (const AngleValue& value : values)
-    text +=
-        fmt::format("  {:<{}}   {}{}\n", shown(value.t), t_width,
-                    std::string(whole_width - whole(value.theta.value), ' '), value.theta.value);
+  column = aligned(column);
+  std::string text = fmt::format("\n  {}   {}θ(t)   radians, correctly rounded to {} digits\n",
+                                 column[0], std::string(whole_width - 1, ' '), digits);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::string& theta = values[k].theta.value;
+    text += fmt::format("  {}   {}{}\n", column[k + 1],
+                        std::string(whole_width - whole(theta), ' '), theta);
+  }
   return text;
 }
 
@@ -145,7 +143,8 @@ std::string to_text(const AngleReport& report) {
   const std::string form = closed_form(report, unicode);
   text += fmt::format("  θ  = {}{}\n", form, form == "0" ? "" : "\n      + constant");
   text += "  Checked: the derivative of this θ is θ′, exactly.\n";
-  if (!report.real && !report.radicals) text += pole_table(report.angle.twist());
+  if (!report.real && !report.radicals)
+    text += pole_table(report.angle.twist(), report.lists_all_poles);
   if (!report.values.empty()) text += value_table(report.values, report.digits);
   return text;
 }

@@ -20,13 +20,14 @@ struct AngleReport {
   NamedCurve curve;
   Reference reference;
   const RmfAngle& angle;  ///< must outlive the report: an angle stays where it is
-  Angle start_angle;   ///< θ(0)
+  Angle start_angle;      ///< θ(0)
   std::vector<AngleValue> values;
   long digits;
   std::optional<RealForm> real = std::nullopt;  ///< of the angle, shown instead of its logarithms
   std::optional<RadicalForm> radicals = std::nullopt;   ///< likewise
   std::optional<TextbookForm> textbook = std::nullopt;  ///< likewise, in scripts
-  bool shows_form = true;  ///< JSON only: integrand and antiderivative, too
+  bool shows_form = true;        ///< JSON only: integrand and antiderivative, too
+  bool lists_all_poles = false;  ///< text only: however many they are
 };
 
 std::string to_text(const AngleReport& report);       ///< for reading, Unicode
@@ -34,7 +35,7 @@ std::string to_latex(const AngleReport& report);      ///< the closed form and t
 std::string to_json(const AngleReport& report);       ///< angle/1
 std::string to_json_line(const AngleReport& report);  ///< the same on one line, without its end
 
-/// "t  θ(t)", a line each.
+/// "t  θ(t)", a line each; long t are passages.
 std::string value_table(const std::vector<AngleValue>& values, long digits);
 
 /// How the logarithms of F are written: "partial-fractions" where all sums are over poles,

@@ -15,9 +15,17 @@ namespace {
 using Kind = JsonNode::Kind;
 constexpr long most_digits = 100'000;
 
-/// As JSON text, "null" where there is none.
+/// Is the line no question with a curve in it, but a curve or spline?
+bool is_bare(const JsonValue& line) {
+  return line.kind == Kind::object && line.find("curve") == nullptr &&
+         line.find("phrame") != nullptr;
+}
+
+/// As JSON text, "null" where there is none. The id of a bare curve is its name; an answer, which
+/// has an id, is no bare curve.
 std::string id_of(const JsonValue& line) {
   const JsonValue* id = line.kind == Kind::object ? line.find("id") : nullptr;
+  if (id == nullptr && is_bare(line)) id = line.find("name");
   if (id == nullptr) return "null";
   if (id->kind == Kind::string) return JsonOutput(id->text).dump();
   if (id->kind == Kind::number) return id->text;
@@ -48,7 +56,23 @@ Angle angle_of(const JsonNode& node) {
   }
 }
 
-std::string answer(const JsonNode& line, const BatchDefaults& defaults) {
+/// What a line asks.
+struct Question {
+  std::variant<NamedCurve, NamedSpline> curve;
+  Reference reference;
+  std::vector<Rational> at;
+  long digits;
+  Angle start_angle = {};
+};
+
+Question question(const JsonNode& line, const BatchDefaults& defaults) {
+  line.require(Kind::object, "an object");
+  if (!line.find("curve")) {
+    if (!line.find("phrame"))
+      line.fail("the key \"curve\" is missing, and without \"phrame\" it is no bare curve");
+    return {read_curve_or_spline(line, defaults.limits), defaults.frame, defaults.at,
+            defaults.digits};
+  }
   line.require_known_keys({"id", "curve", "frame", "at", "digits", "theta0", "note"});
   if (const auto id = line.find("id"); id && !id->is(Kind::string) && !id->is(Kind::number))
     id->fail("an id is a string or a number");
@@ -63,7 +87,12 @@ std::string answer(const JsonNode& line, const BatchDefaults& defaults) {
   const auto theta0 = line.find("theta0");
   const Angle start_angle = theta0 ? angle_of(*theta0) : Angle();
 
-  const auto read = read_curve_or_spline(line.at("curve"), defaults.limits);
+  return {read_curve_or_spline(line.at("curve"), defaults.limits), reference, at, digits,
+          start_angle};
+}
+
+std::string answer(const JsonNode& line, const BatchDefaults& defaults) {
+  const auto [read, reference, at, digits, start_angle] = question(line, defaults);
   if (const auto* curve = std::get_if<NamedCurve>(&read)) {
     RmfAngle angle(curve->curve, reference);
     AngleReport report{*curve, reference, angle, start_angle, {}, digits};

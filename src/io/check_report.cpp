@@ -129,7 +129,9 @@ std::string places(const FrameFinding& finding, const std::vector<GivenFrame>& f
     return fmt::format("{}, t = {}", k, abbreviated(to_string(frames[k].t)));
   };
   if (samples.size() == 1) return " at sample " + place(samples[0]);
-  return fmt::format(" at {} samples, the first is {}", samples.size(), place(samples[0]));
+  return passage(
+      fmt::format(" at samples {}", fmt::join(samples, ", ")),
+      fmt::format(" at {} samples, the first is {} …", samples.size(), place(samples[0])));
 }
 
 }  // namespace

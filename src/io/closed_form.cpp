@@ -30,8 +30,8 @@ std::string shown(const SurdPolynomial& p, Notation notation, std::string_view v
 }
 
 std::string shown_factors(const Polynomial& p, Notation notation, std::string_view variable) {
-  std::string text = formatted_factors(p, notation, variable);
-  return notation == unicode ? readable(std::move(text), p) : text;
+  return notation == unicode ? readable_factors(p, variable)
+                             : formatted_factors(p, notation, variable);
 }
 
 bool is_monomial(const Polynomial& p) {
@@ -193,6 +193,25 @@ std::string latex_name(const std::string& variable) {
 Letters letters_for(const std::string& variable, Notation notation) {
   return {notation == latex ? latex_name(variable) : variable, variable == "z" ? "w" : "z",
           variable == "x" ? "y" : "x"};
+}
+
+// A squarefree polynomial is at least as long in factors as its longest coefficient is without:
+// from ‖∏ b‖ ≤ ∏ (1 + deg b)·‖b‖ its digits are no more than those of the coefficients and
+// exponents that the factors show. So what has a coefficient that no line can bear need not be
+// factored.
+std::string readable_factors(const Polynomial& p, std::string_view variable) {
+  const std::string plain = formatted(p, unicode, variable);
+  if (plain.size() > 100'000 && is_squarefree(p)) {
+    long digits = 0;
+    for (const Rational& c : primitive_part(p).coefficients())
+      digits = std::max(digits, static_cast<long>(abs(numerator(c)).str().size()));
+    if (digits > 250) return readable(plain, p);
+  }
+  std::string text = formatted_factors(p, unicode, variable);
+  constexpr std::string_view minus = "−";  // the sign of a product stays outside of a passage
+  const bool is_product = text.starts_with(minus) && text.find('(') != std::string::npos;
+  return is_product ? std::string(minus) + readable(text.substr(minus.size()), p)
+                    : readable(std::move(text), p);
 }
 
 std::string formatted_quotient(const RationalFunction& f, Notation notation,

@@ -16,6 +16,9 @@ struct Letters {
 /// "\mathit{t\_1}".
 Letters letters_for(const std::string& variable, Notation notation);
 
+/// "4t(t − 1)" in factors over ℚ, a passage where that is long.
+std::string readable_factors(const Polynomial& p, std::string_view variable = "t");
+
 /// "−8t(t − 1)/(t⁴ + 1)" in factors over ℚ, "\frac{…}{…}".
 std::string formatted_quotient(const RationalFunction& f, Notation notation,
                                std::string_view variable = "t");

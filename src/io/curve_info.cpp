@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "phrame/io/angle_report.hpp"
+#include "phrame/io/closed_form.hpp"
 #include "phrame/io/json_text.hpp"
 #include "phrame/io/text.hpp"
 #include "phrame/ph/classify.hpp"
@@ -40,9 +41,7 @@ CurveInfo curve_info(const NamedCurve& named, long digits) {
 std::string to_text(const CurveInfo& info) {
   const Curve& curve = info.curve.curve;
   const QuaternionPolynomial& a = curve.preimage();
-  const auto factors = [](const Polynomial& p) {
-    return readable(formatted_factors(p, Notation::unicode), p);
-  };
+  const auto factors = [](const Polynomial& p) { return readable_factors(p); };
   const GaussianPolynomial g = bend_numerator(a);
   const AngleSplit split = closed_split(a);
   std::string text = heading(info.curve) + "\n\n";

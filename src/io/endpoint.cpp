@@ -91,7 +91,7 @@ PathEnd parse_root(std::string_view text, std::size_t root, std::size_t open,
   if (const long count = count_real_roots(f, interval); count != 1)
     fail(text, root,
          fmt::format("{} has {} real roots in {}, not one",
-                     readable(formatted(f, Notation::unicode, p.variable), f),
+                     abridged(readable(formatted(f, Notation::unicode, p.variable), f)),
                      count == 0 ? "no" : std::to_string(count), to_string(interval)));
   RealAlgebraic number = real_root(f, interval);
   if (auto exact = number.rational()) return *std::move(exact);
@@ -197,7 +197,8 @@ PathEnd parse_in_pi(std::string_view text, std::string_view name, const Expressi
 /// No value for an algebraic number of a degree > 2.
 std::optional<std::string> short_text(const PathEnd& end, Notation notation) {
   const bool is_unicode = notation == Notation::unicode;
-  if (const auto* r = std::get_if<Rational>(&end)) return formatted(*r, notation);
+  if (const auto* r = std::get_if<Rational>(&end))
+    return is_unicode ? shown(*r) : formatted(*r, notation);
   if (const auto* infinite = std::get_if<Infinity>(&end))
     return std::string(*infinite == Infinity::negative ? (is_unicode ? "−" : "-") : "") +
            (is_unicode ? "∞" : "\\infty");

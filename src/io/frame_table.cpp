@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 #include "phrame/algebra/error.hpp"
@@ -126,6 +127,8 @@ class Rows {
 
   std::vector<std::string> names() const;
   std::vector<double> at(const SplinePoint& point);
+  /// Why the last row has empty cells; nothing where it has none.
+  const std::string& reason() const { return reason_; }
   /// Prepares for rows at all of these points, where they are so many that it pays.
   void expect(const std::vector<SplinePoint>& points);
 
@@ -136,6 +139,8 @@ class Rows {
   Rational length_before(std::size_t k);
   void add_rational(std::vector<double>& row, const SplineParameter& at);
   void add_irrational(std::vector<double>& row, const SplinePoint& point, const AlgebraicPoint& t);
+  template <class Add>
+  void add_where_defined(std::vector<double>& row, std::size_t count, Add add);
 
   const Spline& spline_;
   const TableColumns& columns_;
@@ -144,7 +149,22 @@ class Rows {
   std::optional<SplineAngle> angle_;
   std::unique_ptr<RmfAngle> rmf_angle_;  ///< of compiled_
   std::optional<RoundedFrames> compiled_;
+  std::string reason_;
 };
+
+/// `count` numbers, or empty cells where they are undefined and may be empty.
+template <class Add>
+void Rows::add_where_defined(std::vector<double>& row, std::size_t count, Add add) {
+  if (!columns_.may_be_empty) return add();
+  const std::size_t before = row.size();
+  try {
+    add();
+  } catch (const DomainError& error) {
+    row.resize(before);
+    row.resize(before + count, std::numeric_limits<double>::quiet_NaN());
+    if (reason_.empty()) reason_ = error.what();
+  }
+}
 
 Segment& Rows::segment(std::size_t k) {
   if (!segments_[k]) segments_[k] = std::make_unique<Segment>(spline_.segments()[k], columns_);
@@ -202,6 +222,7 @@ std::vector<std::string> Rows::names() const {
 }
 
 std::vector<double> Rows::at(const SplinePoint& point) {
+  reason_.clear();
   const AlgebraicPoint t(point.t);
   const Rational before(static_cast<long>(point.segment));
   std::vector<double> row{round_to_double(to_real(point.t) + before)};
@@ -212,10 +233,11 @@ std::vector<double> Rows::at(const SplinePoint& point) {
   for (const Scalar& scalar : segment(point.segment).scalars) {
     const bool is_length = scalar.kind == TabulatedScalar::arc_length;
     const Rational offset = is_length ? length_before(point.segment) : Rational(0);
-    row.push_back(round_to_double(scalar.at(point, t) + offset));
+    add_where_defined(row, 1,
+                      [&] { row.push_back(round_to_double(scalar.at(point, t) + offset)); });
   }
   for (std::size_t k = 0; k < row.size(); ++k)
-    if (!std::isfinite(row[k]))  // rounded to infinity, which is no answer
+    if (std::isinf(row[k]))  // rounded to infinity, which is no answer
       throw Undecided(fmt::format("frame_table: at {}, {} is beyond the range of doubles",
                                   text_of(point), names()[k]));
   return row;
@@ -240,7 +262,8 @@ void Rows::add_rational(std::vector<double>& row, const SplineParameter& at) {
   add_values(row, rmf ? rmf->e1 : round_to_double(erf().e1));
   for (const TabulatedFrame frame : columns_.frames) {
     if (frame == TabulatedFrame::erf) add_normals(row, erf());
-    if (frame == TabulatedFrame::frenet) add_normals(row, here.frames.frenet(at.t));
+    if (frame == TabulatedFrame::frenet)
+      add_where_defined(row, 6, [&] { add_normals(row, here.frames.frenet(at.t)); });
     if (frame == TabulatedFrame::rmf && rmf) {
       add_values(row, rmf->e2);
       add_values(row, rmf->e3);
@@ -264,7 +287,8 @@ void Rows::add_irrational(std::vector<double>& row, const SplinePoint& point,
   add_values(row, round_to_double(erf.e1));
   for (const TabulatedFrame frame : columns_.frames) {
     if (frame == TabulatedFrame::erf) add_normals(row, erf);
-    if (frame == TabulatedFrame::frenet) add_normals(row, here.algebraic->frenet(t));
+    if (frame == TabulatedFrame::frenet)
+      add_where_defined(row, 6, [&] { add_normals(row, here.algebraic->frenet(t)); });
     const auto rmf_angle = [&] {
       return angle().value(SplineParameter{point.segment, 0}) + here.algebraic->angle(t);
     };
@@ -288,7 +312,11 @@ FrameTable frame_table(const Spline& spline, const TableColumns& columns,
   Rows rows(spline, columns);
   rows.expect(at);
   FrameTable table{rows.names(), {}};
-  for (const SplinePoint& point : at) table.rows.push_back(rows.at(point));
+  for (const SplinePoint& point : at) {
+    table.rows.push_back(rows.at(point));
+    if (rows.reason().empty()) continue;
+    if (++table.incomplete_rows == 1) table.first_reason = rows.reason();
+  }
   return table;
 }
 
@@ -306,11 +334,18 @@ FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& fr
 
 std::string to_csv(const FrameTable& table) {
   std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
-  for (const auto& row : table.rows) text += fmt::format("{}\n", fmt::join(row, ","));
+  for (const auto& row : table.rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      if (k > 0) text += ',';
+      if (!std::isnan(row[k])) fmt::format_to(std::back_inserter(text), "{}", row[k]);
+    }
+    text += '\n';
+  }
   return text;
 }
 
 std::string to_json(const FrameTable& table) {
+  // NaN is written null.
   const JsonOutput json = {
       {"phrame", table.format}, {"columns", table.columns}, {"rows", table.rows}};
   return json.dump() + "\n";

@@ -29,18 +29,23 @@ struct TableColumns {
   /// The frames of minimal twist where there are columns for them; for t on the spline only.
   const TwistFrame* mtf = nullptr;
   const MinimalTwist* exact_mtf = nullptr;
+  /// Is a cell whose number is undefined left empty? Else it is an error.
+  bool may_be_empty = false;
 };
 
-/// Numbers with a name for each column; all of them correctly rounded.
+/// Numbers with a name for each column; all of them correctly rounded. NaN is an empty cell.
 struct FrameTable {
   std::vector<std::string> columns;
   std::vector<std::vector<double>> rows;
   std::string format = "frames/1";  ///< as JSON names it
+  std::size_t incomplete_rows = 0;  ///< so many have empty cells
+  std::string first_reason = {};    ///< why the first of these has
 };
 
 /// t, r, e₁, the frames and the scalars asked for, at each t: correctly rounded values at t itself,
-/// not at the t that is shown. Throws DomainError where a Frenet frame, a torsion or an arc length
-/// is undefined and at the pole of a curvature or torsion, Undecided where a number is too large
+/// not at the t that is shown. Where a Frenet frame, a torsion or an arc length is undefined, and
+/// at the pole of a curvature or torsion, cells are left empty if they may be, or DomainError is
+/// thrown. Throws Undecided where a number is too large
 /// for a double, where a component of the rotation-minimizing frame at an irrational t is half way
 /// between two, and where any number is too near to that for the limit of round_to_double().
 FrameTable frame_table(const Curve& curve, const TableColumns& columns,

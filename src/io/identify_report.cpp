@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "phrame/io/angle_report.hpp"
+#include "phrame/io/closed_form.hpp"
 #include "phrame/io/json_text.hpp"
 #include "phrame/io/text.hpp"
 #include "phrame/ph/invariants.hpp"
@@ -16,9 +17,8 @@ std::string reason_text(const NotPythagorean& reason) {
         "  |r′| is √{} times a polynomial: the curve is PH over ℝ, but has no preimage with\n"
         "  rational coefficients, whatever the multiplier\n",
         abbreviated(reason.radicand.str()));
-  return fmt::format(
-      "  |r′| is no polynomial: |r′|² has these factors to an odd power:\n    {}\n",
-      readable(formatted_factors(reason.odd_factor, Notation::unicode), reason.odd_factor));
+  return fmt::format("  |r′| is no polynomial: |r′|² has these factors to an odd power:\n    {}\n",
+                     readable_factors(reason.odd_factor));
 }
 
 std::string curve_text(const Curve& curve) {
@@ -31,8 +31,7 @@ std::string curve_text(const Curve& curve) {
       "r′ = f · A i A* with A = u + v i + p j + q k\n\n"
       "  f      {}\n  u      {}\n  v      {}\n  p      {}\n  q      {}\n  f|A|²  {}\n\n"
       "  Checked: f · A i A* is r′, exactly.\n",
-      plain(curve.multiplier()), plain(u), plain(v), plain(p), plain(q),
-      readable(formatted_factors(speed, Notation::unicode), speed));
+      plain(curve.multiplier()), plain(u), plain(v), plain(p), plain(q), readable_factors(speed));
 }
 
 }  // namespace

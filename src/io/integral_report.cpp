@@ -85,7 +85,7 @@ std::string value_text(const DefiniteValue& definite, const IntegralReport& repo
   if (definite.exact)
     text += fmt::format(
         "    = {}\n",
-        abbreviated(formatted_sum(formatted_terms(*definite.exact, unicode), " ", unicode), 4000));
+        readable_exact(formatted_sum(formatted_terms(*definite.exact, unicode), " ", unicode)));
   const bool is_decimal = definite.value.radius == "0";
   return text + fmt::format("    {} {}\n    {} to {} digit{}\n", is_decimal ? "=" : "≈",
                             wrapped(definite.value.value, 6), "correctly rounded", report.digits,
@@ -103,9 +103,9 @@ std::string to_text(const IntegralReport& report) {
   if (report.says_checked) text += "  Checked: the derivative of this ∫f is f, exactly.\n";
   if (report.textbook) {
     text += fmt::format("  Form: {}.\n", reason_for_form(*report.textbook));
-    text += pole_table({{}, {}, report.textbook->sums});
+    text += pole_table({{}, {}, report.textbook->sums}, report.lists_all_poles);
   } else if (!report.real && !report.radicals) {
-    text += pole_table(report.antiderivative);
+    text += pole_table(report.antiderivative, report.lists_all_poles);
   }
   if (report.definite) text += value_text(*report.definite, report);
   return text;

@@ -24,7 +24,8 @@ struct IntegralReport {
   std::optional<TextbookForm> textbook = std::nullopt;  ///< likewise, but for JSON
   bool says_checked = true;  ///< is it said that the derivative was checked? (It always was.)
   std::optional<DefiniteValue> definite = std::nullopt;
-  long digits = 0;  ///< of the value
+  long digits = 0;               ///< of the value
+  bool lists_all_poles = false;  ///< text only: however many they are
 };
 
 std::string to_text(const IntegralReport& report);   ///< for reading, Unicode

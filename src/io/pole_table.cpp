@@ -160,13 +160,15 @@ std::string pair_text(const Component& re, const Component& im, std::size_t k) {
 
 }  // namespace
 
-std::string pole_table(const Antiderivative& F) {
+std::string pole_table(const Antiderivative& F, bool all) {
   long poles = 0;
   for (const LogSum& sum : F.logs) {
     if (!is_over_poles(sum)) return "";
     poles += sum.index.degree();
   }
-  if (poles == 0 || poles > most_poles) return "";
+  if (poles == 0) return "";
+  if (poles > most_poles && !all)
+    return "\n  " + passage("", fmt::format("⟨{} poles and their residues⟩", poles)) + "\n";
   std::vector<std::pair<std::string, std::string>> rows;
   for (const LogSum& sum : F.logs) {
     long bits = 128;

@@ -47,6 +47,12 @@ std::string root_of(const Integer& d, Notation notation) {
 }
 
 constexpr std::size_t longest_line = 240;
+constexpr std::size_t longest_fraction = 20;  // digits without a decimal beside them
+
+// A passage is begin, the full text, middle, the abridged text, end.
+constexpr char passage_begin = '\x02';
+constexpr char passage_middle = '\x1f';
+constexpr char passage_end = '\x03';
 
 bool is_bearable(std::string_view text) { return text_width(text) <= longest_line; }
 
@@ -55,6 +61,44 @@ std::size_t longest_coefficient(const Polynomial& p) {
   for (const Rational& c : p.coefficients())
     digits = std::max({digits, abs(numerator(c)).str().size(), denominator(c).str().size()});
   return digits;
+}
+
+std::string in_length(std::string_view text, bool full) {
+  std::string read;
+  for (;;) {
+    const auto begin = text.find(passage_begin);
+    read += text.substr(0, begin);
+    if (begin == std::string_view::npos) return read;
+    const auto middle = text.find(passage_middle, begin);
+    const auto end = text.find(passage_end, middle);
+    read += full ? text.substr(begin + 1, middle - begin - 1)
+                 : text.substr(middle + 1, end - middle - 1);
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::string readable(std::string text, std::string_view summary) {
+  return is_bearable(text) ? std::move(text) : passage(text, summary);
+}
+
+bool is_long_fraction(const Rational& x) {
+  const auto digits = [](const Integer& n) { return abs(n).str().size(); };
+  return denominator(x) != 1 &&
+         std::max(digits(numerator(x)), digits(denominator(x))) > longest_fraction;
+}
+
+/// "x ≈ 0.5", "x = 0.5".
+std::string with_decimal(const std::string& x, const Decimal& rounded) {
+  return fmt::format("{} {} {}", x, rounded.radius == "0" ? "=" : "≈", rounded.value);
+}
+
+/// A passage where the text is longer than that.
+std::string within(std::size_t limit, const std::string& text) {
+  return text.size() <= limit ? text : passage(text, abbreviated(text, limit));
+}
+
+std::string number_within(std::size_t limit, const Rational& x) {
+  return within(limit, formatted(x, Notation::unicode));
 }
 
 std::string summary(long degree, std::size_t digits) {
@@ -191,8 +235,25 @@ std::string formatted(const GaussianPolynomial& p, Notation notation, std::strin
                      negative ? minus(notation) : "+", imaginary);
 }
 
+std::string passage(std::string_view full, std::string_view abridged) {
+  std::string text(1, passage_begin);
+  text += full;
+  text += passage_middle;
+  text += abridged;
+  return text += passage_end;
+}
+
+std::string for_reading(std::string_view text, bool in_full) {
+  const bool has_passages = text.find(passage_begin) != std::string_view::npos;
+  return in_length(text, in_full) +
+         (has_passages && !in_full ? "\nLong parts are abridged (--full prints it all).\n" : "");
+}
+
+std::string abridged(std::string_view text) { return in_length(text, false); }
+
 std::string place_of_root(const Interval& root) {
-  const auto shown = [](const Rational& t) { return abbreviated(to_string(t)); };
+  constexpr std::size_t limit = 40;
+  const auto shown = [](const Rational& t) { return phrame::shown(t, limit); };
   if (*root.lower == *root.upper) return "t = " + shown(*root.lower);
   return fmt::format("a t in ({}, {})", shown(*root.lower), shown(*root.upper));
 }
@@ -227,42 +288,68 @@ std::string indented(std::string_view text, std::string_view line) {
 }
 
 std::size_t text_width(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // not a continuation byte of UTF-8
-  }));
+  std::size_t width = 0;
+  bool counts = true;
+  for (const char c : text) {
+    if (c == passage_begin || c == passage_middle || c == passage_end)
+      counts = c != passage_begin;
+    else if (counts && (static_cast<unsigned char>(c) & 0xC0U) != 0x80U)
+      ++width;  // a continuation byte of UTF-8 is no character
+  }
+  return width;
+}
+
+std::vector<std::string> aligned(const std::vector<std::string>& texts) {
+  const auto padded = [&](bool full) {
+    std::vector<std::string> column;
+    std::size_t width = 0;
+    for (const std::string& text : texts) {
+      column.push_back(in_length(text, full));
+      width = std::max(width, text_width(column.back()));
+    }
+    for (std::string& text : column) text.append(width - text_width(text), ' ');
+    return column;
+  };
+  std::vector<std::string> column = padded(false);
+  const std::vector<std::string> full = padded(true);
+  for (std::size_t k = 0; k < column.size(); ++k)
+    if (column[k] != full[k]) column[k] = passage(full[k], column[k]);
+  return column;
 }
 
 std::string readable(std::string text, const Polynomial& p) {
-  return is_bearable(text) ? std::move(text) : summary(p.degree(), longest_coefficient(p));
+  return readable(std::move(text), summary(p.degree(), longest_coefficient(p)));
 }
 
 std::string readable(const Bivariate& v, std::string_view variable, std::string_view index) {
-  std::string text = formatted(v, Notation::unicode, variable, index);
-  return is_bearable(text) ? std::move(text)
-                           : fmt::format("⟨degree {} in {}⟩", v.degree(), variable);
+  return readable(formatted(v, Notation::unicode, variable, index),
+                  fmt::format("⟨degree {} in {}⟩", v.degree(), variable));
 }
 
 std::string readable(const GaussianPolynomial& g) {
-  std::string text = formatted(g, Notation::unicode);
-  return is_bearable(text)
-             ? std::move(text)
-             : summary(degree(g), std::max(longest_coefficient(g.re), longest_coefficient(g.im)));
+  return readable(
+      formatted(g, Notation::unicode),
+      summary(degree(g), std::max(longest_coefficient(g.re), longest_coefficient(g.im))));
 }
 
 std::string readable(const SurdPolynomial& p, std::string_view variable) {
-  std::string text = formatted(p, Notation::unicode, variable);
-  return is_bearable(text) ? std::move(text)
-                           : summary(std::max(p.a.degree(), p.b.degree()),
-                                     std::max(longest_coefficient(p.a), longest_coefficient(p.b)));
+  return readable(formatted(p, Notation::unicode, variable),
+                  summary(std::max(p.a.degree(), p.b.degree()),
+                          std::max(longest_coefficient(p.a), longest_coefficient(p.b))));
 }
 
-std::string shown(const Rational& x) {
-  return abbreviated(formatted(x, Notation::unicode), longest_line);
+std::string readable_exact(const std::string& text) {
+  constexpr std::size_t limit = 4000;
+  return within(limit, text);
 }
 
-std::string shown(const Angle& x) {
-  return abbreviated(formatted(x, Notation::unicode), longest_line);
+std::string shown(const Rational& x, std::size_t limit) {
+  constexpr long digits = 12;
+  const std::string text = number_within(limit, x);
+  return is_long_fraction(x) ? with_decimal(text, round_to_decimal(x, digits)) : text;
 }
+
+std::string shown(const Angle& x) { return within(longest_line, formatted(x, Notation::unicode)); }
 
 std::string shown(const Vector<Rational>& v) {
   return fmt::format("({}, {}, {})", shown(v[0]), shown(v[1]), shown(v[2]));
@@ -271,11 +358,16 @@ std::string shown(const Vector<Rational>& v) {
 std::string shown(const Polynomial& p) { return readable(formatted(p, Notation::unicode), p); }
 
 std::string shown(const Real& x, const Decimal& rounded) {
-  return x.exact() ? shown(*x.exact()) : rounded.value;
+  if (!x.exact()) return rounded.value;
+  const std::string text = number_within(longest_line, *x.exact());
+  return is_long_fraction(*x.exact()) ? with_decimal(text, rounded) : text;
 }
 
 std::string name_prefix(const std::string& name) {
-  return name.empty() ? "" : abbreviated(printable(name), 80) + ": ";
+  constexpr std::size_t limit = 80;
+  const std::string text = printable(name);
+  if (text.empty()) return "";
+  return within(limit, text) + ": ";
 }
 
 std::string row(std::string_view label, const std::string& value, std::size_t width) {

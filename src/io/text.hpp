@@ -16,6 +16,17 @@ namespace phrame {
 
 enum class Notation { unicode, latex };
 
+// A text for reading has passages in two lengths: all of it, and what a screen line can bear. Such
+// a text is made of strings as any other; who prints it chooses between the two with for_reading().
+// In between both are there, among control characters, which names and numbers never have.
+
+/// A passage. In neither length is there another passage.
+std::string passage(std::string_view full, std::string_view abridged);
+/// A text with its passages in full, or abridged and with a last line that says how to see them.
+std::string for_reading(std::string_view text, bool in_full);
+/// A text with its passages abridged.
+std::string abridged(std::string_view text);
+
 /// "37t⁴ − 72t³ + 1/2", highest power first; "0" for 0.
 std::string formatted(const Polynomial& p, Notation notation, std::string_view variable = "t");
 /// "4t(t − 1)", factored over ℚ. Cost: the factorization.
@@ -43,7 +54,7 @@ std::string formatted(const Surd& x, Notation notation);
 std::string formatted(const SurdPolynomial& p, Notation notation, std::string_view variable = "t");
 
 /// Where a root lies, as located_real_roots has it: "t = 1/2", "a t in (1/4, 1/2)". Long numbers
-/// are abbreviated.
+/// are passages.
 std::string place_of_root(const Interval& root);
 /// The text on one line, safe for a terminal: control characters (C0, DEL, C1) become "\u001b".
 std::string printable(std::string_view text);
@@ -51,10 +62,12 @@ std::string printable(std::string_view text);
 /// `text` with `line`, a line break and what the next line begins with, for each line break.
 std::string indented(std::string_view text, std::string_view line);
 
-/// The number of characters, where one code point is one character.
+/// The number of characters, where one code point is one character; of the abridged text.
 std::size_t text_width(std::string_view text);
-/// `text`, or, where it is longer than a screen line can bear, what the polynomial is:
-/// "⟨degree 160, coefficients of up to 53 digits⟩".
+/// The texts with blanks behind them, all equally wide in either length.
+std::vector<std::string> aligned(const std::vector<std::string>& texts);
+/// `text`, or, where it is longer than a screen line can bear, a passage: abridged, it says what
+/// the polynomial is, "⟨degree 160, coefficients of up to 53 digits⟩".
 std::string readable(std::string text, const Polynomial& p);
 /// The same of v: "⟨degree 12 in t⟩", and of g and p, in Unicode.
 std::string readable(const Bivariate& v, std::string_view variable = "t",
@@ -62,18 +75,23 @@ std::string readable(const Bivariate& v, std::string_view variable = "t",
 std::string readable(const GaussianPolynomial& g);
 std::string readable(const SurdPolynomial& p, std::string_view variable);
 
+/// A number in closed form, a passage where it is longer than a screen can bear.
+std::string readable_exact(const std::string& text);
+
 /// "name: " as a report begins, or nothing for an empty name.
 std::string name_prefix(const std::string& name);
 /// "  label      value", the values below each other.
 std::string row(std::string_view label, const std::string& value, std::size_t width);
 /// round_to_decimal; where that is undecided, the message begins with what the number is.
 Decimal rounded(const Real& x, const std::string& name, long digits);
-/// For a screen line: abbreviated where it is longer than that can bear.
-std::string shown(const Rational& x);
+/// x, a passage where it is longer than `limit`; beside a fraction of more than 20 digits above or
+/// below the line stands its decimal, correctly rounded: "123456789012345678901/7 ≈
+/// 1.76366841446e19".
+std::string shown(const Rational& x, std::size_t limit = 240);
 std::string shown(const Angle& x);
 std::string shown(const Vector<Rational>& v);
 std::string shown(const Polynomial& p);
-/// x where it is exact, else the decimal it was rounded to.
+/// x where it is exact, and the decimal it was rounded to where it is not or is a long fraction.
 std::string shown(const Real& x, const Decimal& rounded);
 /// A place: "1/2", "0.707106781187…", cut off and not rounded.
 std::string shown(const RealAlgebraic& x);

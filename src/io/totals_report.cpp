@@ -29,7 +29,7 @@ std::string times_root(const Rational& radicand, const std::string& x) {
 
 std::string value_line(const std::string& exact, const Decimal& value) {
   std::string text;
-  if (!exact.empty()) text += fmt::format("    = {}\n", abbreviated(exact, 4000));
+  if (!exact.empty()) text += fmt::format("    = {}\n", readable_exact(exact));
   if (value.value != exact)
     text += fmt::format("    {} {}\n", value.radius == "0" ? "=" : "≈", value.value);
   return text;

@@ -176,6 +176,10 @@ std::string to_text(const TwistFrameReport& report) {
       fmt::format("\nA rational frame in {} pieces: θ = 2 arg w, w of degree n, errors of Ω₁{}\n",
                   pieces.size(), report.is_relative ? " over |Ω̄₁|" : " times S");
   text += table(pieces);
+  std::string details;
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+    details += fmt::format("\n  Piece {}\n{}", k + 1, in_detail(pieces[k], unit));
+  text += passage(details + "\n", "  … and the coefficients of each w\n");
   const bool are_proved = std::all_of(pieces.begin(), pieces.end(), [](const auto& piece) {
     return piece.proved || piece.doubt.empty();
   });

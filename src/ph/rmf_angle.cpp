@@ -1,6 +1,7 @@
 #include "phrame/ph/rmf_angle.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/integrate/gaussian_logs.hpp"
 
 namespace phrame {
 namespace {
@@ -8,16 +9,6 @@ namespace {
 /// z with arg z = arg p(t) − arg p(0).
 GaussianRational turn(const GaussianPolynomial& p, const Rational& t) {
   return GaussianRational{p.re(t), p.im(t)} * GaussianRational{p.re(0), -p.im(0)};
-}
-
-/// arg g = Im log g = −(i/2)·log g + (i/2)·log ḡ = Σ_{x = ±i/2} x·log v(x, t) with v = P − 2xQ for
-/// the monic g = P + iQ. g has no real factor, so that Q ≠ 0 unless g is constant.
-LogSum argument_as_logs(const GaussianPolynomial& g) {
-  const auto [p, q] = monic(g);
-  std::vector<Polynomial> v;
-  for (long k = 0; k <= p.degree(); ++k)
-    v.push_back(Polynomial{p.coefficient(k), -2 * q.coefficient(k)});
-  return LogSum{Polynomial{1, 0, 4}, Polynomial{0, 1}, Bivariate(std::move(v))};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "phrame/algebra/bivariate.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/hadamard.hpp"
 #include "phrame/algebra/modular.hpp"
 #include "support/random.hpp"
 
@@ -48,8 +49,8 @@ TEST_CASE("quotient ring: law: a·a⁻¹ = 1; the trace is the sum over known ro
 TEST_CASE("quotient ring: law: n/a is n times the inverse by Euclid's algorithm over ℚ") {
   for_samples(150, [](Random& random) {
     const Polynomial q = random.nonconstant_polynomial(random.chance(6) ? 25 : 7);
-    const Polynomial a = random.nonzero_polynomial(q.degree() + 2);
-    const Polynomial n = random.polynomial(q.degree() + 2);
+    const Polynomial a = random.nonzero_polynomial(q.degree() + (random.chance(3) ? 12 : 2));
+    const Polynomial n = random.polynomial(q.degree() + (random.chance(3) ? 20 : 2));
     const QuotientRing ring(q);
     Polynomial g;
     Polynomial s;
@@ -72,6 +73,28 @@ TEST_CASE("quotient ring: primes that divide a leading coefficient or the result
   check({1, 2, 0, r}, {5, 0, 1, 0, 7});
   check({1 + r, 1, 2}, {1, 2, 4, 3, 2});  // modulo the prime, a divides q
   check({r, 1}, {0, 1, 2, 0, 1});
+  check({1, 2, 3, 4, 0, 0, r}, {5, 0, 1, 0, 7});  // of a higher degree than q
+}
+
+// Hadamard's bound of n/a mod q for the remainders of n and a modulo q, which have coefficients of
+// 2000 digits, is 80 times what it is for n and a themselves, and so is the number of primes.
+TEST_CASE("quotient ring: long remainders modulo q are not divided") {
+  const auto integer = [](const Polynomial& p) { return integer_primitive_part(p); };
+  test::Random random(2026);
+  const auto dense = [&](long degree) {
+    std::vector<Rational> c;
+    for (long k = 0; k <= degree; ++k) c.emplace_back(random.integer(1, 1000));
+    return Polynomial(c);
+  };
+  const Polynomial q = dense(30);
+  const Polynomial a = dense(300);
+  const Polynomial n = dense(320);
+  const auto bits = [&](const Polynomial& x, const Polynomial& y) {
+    return cofactor_bits(integer(x), integer(y), integer(q));
+  };
+  CHECK(bits(n, a) < bits(n % q, a % q) / 20);
+  const QuotientRing ring(q);
+  CHECK(ring.multiply(a, ring.divide(n, a)) == n % q);
 }
 
 TEST_CASE("power sums: of the roots 1, 2, 3, by hand") {

@@ -71,3 +71,9 @@ TEST_CASE("residues: distinct or not, by prime and by the residue polynomial") {
     CHECK(residues_are_distinct(n, d) == is_squarefree(residue_polynomial(n, d)));
   });
 }
+
+// The residues of t³/(t⁴ + 1) are all 1/4, those of 1/(t⁴ + 1) are −z/4.
+TEST_CASE("residues modulo a prime: so many different ones, at least") {
+  CHECK(distinct_residues_modulo_a_prime({0, 0, 0, 1}, {1, 0, 0, 0, 1}) == 1);
+  CHECK(distinct_residues_modulo_a_prime({1}, {1, 0, 0, 0, 1}) == 4);
+}

@@ -98,14 +98,21 @@ def check_kill(reference):
     process = started("out")
     process.kill()
     process.wait()
+    cut_off = b'{"id":4999,"phra'
     with open("out", "ab") as out:  # as if it had been killed while it wrote
-        out.write(b'{"id":4999,"phra')
+        out.write(cut_off)
     shutil.copy("out", "copy")
-    batch("lines", "-o", "out", "--skip-done", "out")
+    run = batch("lines", "-o", "out", "--skip-done", "out")
     require(Path("out").read_bytes() == reference, "not completed after a kill")
+    require(Path("out.damaged").read_bytes() == cut_off + b"\n", "what was cut off is not kept aside")
+    said = b"phrame: out: the last line was cut off; its 16 bytes are kept in out.damaged\n"
+    require(run.stderr.startswith(said), f"what was cut off is not told: {run.stderr}")
     with open("copy", "ab") as copy:
         batch("lines", "--skip-done", "copy", stdout=copy)
     require(Path("copy").read_bytes() == reference, "not completed by >> after a kill")
+    require(Path("copy.damaged").read_bytes() == cut_off + b"\n", "not kept aside by >>")
+    run = batch("lines", "-o", "out", "--skip-done", "out")
+    require(Path("out.damaged").read_bytes() == cut_off + b"\n" and run.stderr == b"", "told where nothing was cut off")
     # Into another file: the rest only.
     rest = batch("lines", "--skip-done", "out", stdout=subprocess.PIPE)
     require(rest.stdout == b"" and rest.returncode == 0, "what was done is done again")

@@ -231,6 +231,69 @@ TEST_CASE("program: what is undefined has status 3 and its reason") {
   check_success(here.run("frames inflected.json --frame frenet --at 1/2,1"));
 }
 
+TEST_CASE("frames: cells that are undefined are left empty where this is asked for, and said") {
+  const Workshop here;
+  const std::string frames = "frames inflected.json --frame frenet --samples 3";
+  check_failure(here.run(frames), 3, "(--skip-undefined leaves such cells empty)");
+  const Run run = here.run(frames + " --skip-undefined");
+  CHECK(run.status == 0);
+  CHECK(contains(run.out, "\n0,0,0,0,1,0,0,,,,,,\n"));
+  CHECK(run.err ==
+        "phrame: 1 of 3 rows has empty cells; the first: frenet_frame: t = 0 is an inflection, the "
+        "principal normal is undefined\n");
+  check_failure(here.run("frames inflected.json --frame rmf --samples 3 --skip-undefined"), 2,
+                "--skip-undefined: needs --frame frenet or --columns");
+  // What is outside of the curve is no empty row.
+  check_failure(here.run("frames quintic.json --by arc-length --at 99 --skip-undefined"), 3,
+                "is outside [0, ");
+}
+
+TEST_CASE("program: text abridges what is long and says how to see it, --full prints it") {
+  const Workshop here;
+  // Coefficients of 99 digits, whose squares no line can bear; name, multiplier and points, too.
+  const std::string nines(99, '9');
+  here.write("long.json", R"({"phrame": "curve/1", "basis": "power", "name": ")" +
+                              std::string(190, 'n') + R"(", "preimage": {"u": [)" + nines +
+                              ", 1, 2], \"v\": [1, " + nines +
+                              R"(], "p": [0, 0, 1], "q": [3, 1]}})");
+  const std::string fraction = "'1/(x^6 + " + nines + "*x^5 + " + nines + "*x^2 + " + nines + ")'";
+  for (const std::string& arguments :
+       {std::string("angle long.json"),
+        std::string("angle long.json --frame frenet --at 1/" + nines),
+        std::string("info long.json"), std::string("classify long.json"),
+        std::string("totals long.json"), std::string("identify long.json"),
+        std::string("mtf long.json --from 0 --to 1 --exact-only"), "integrate " + fraction,
+        "integrate " + fraction + " --form real"}) {
+    CAPTURE(arguments);
+    const Run brief = here.run(arguments);
+    check_success(brief);
+    CHECK(brief.out.ends_with("\nLong parts are abridged (--full prints it all).\n"));
+    const Run full = here.run(arguments + " --full");
+    check_success(full);
+    CHECK_FALSE(contains(full.out, "characters)"));
+    CHECK_FALSE(contains(full.out, "⟨"));
+    CHECK(full.out.size() > brief.out.size());
+    for (const Run* run : {&brief, &full})
+      CHECK(std::none_of(run->out.begin(), run->out.end(),
+                         [](char c) { return c != '\n' && c >= 0 && c < ' '; }));
+  }
+  CHECK(contains(here.run("info long.json --full").out, nines + "t + 1\n"));
+  // What is short is the same, and what is printed for programs is never abridged.
+  CHECK(here.run("info quintic.json").out == here.run("info quintic.json --full").out);
+  for (const char* command : {"angle", "info", "classify", "totals", "identify"})
+    check_failure(here.run(std::string(command) + " quintic.json --print json --full"), 2,
+                  "--full: needs --print text");
+}
+
+TEST_CASE("program: more than 24 poles are counted, and listed by --full") {
+  const Workshop here;
+  const std::string integrate = "integrate '1/(x^30 - x - 1)'";
+  CHECK(contains(here.run(integrate).out, "\n  ⟨30 poles and their residues⟩\n"));
+  const std::string full = here.run(integrate + " --full").out;
+  CHECK(contains(full, "\n  pole z"));
+  CHECK(std::count(full.begin(), full.end(), '\n') > 16);  // two real poles, 14 pairs
+}
+
 TEST_CASE("program: a failure leaves an existing target as it was") {
   const Workshop here;
   here.write("out", "before");

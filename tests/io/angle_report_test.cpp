@@ -1,4 +1,5 @@
 #include "phrame/io/angle_report.hpp"
+#include "phrame/io/text.hpp"
 
 #include "io/reference.hpp"
 
@@ -323,7 +324,8 @@ TEST_CASE("angle report: LaTeX has balanced braces, the closed form and the tabl
 
 TEST_CASE("angle report: a long t does not widen the text, JSON keeps it") {
   const Rational t = test::power_of_ten(500);
-  const std::string text = printed(to_text, test::farouki_quintic(), {.at = {t}, .digits = 5});
+  const std::string text =
+      abridged(printed(to_text, test::farouki_quintic(), {.at = {t}, .digits = 5}));
   CHECK(contains(text,
                  "  " + std::string(1, '1') + std::string(39, '0') + "… (501 characters)   0.0"));
   CHECK(json(test::farouki_quintic(), {.at = {t}})["values"][0]["t"] ==

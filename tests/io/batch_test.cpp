@@ -86,6 +86,50 @@ TEST_CASE("batch: splines") {
   CHECK(found["values"][0]["theta"] == found["total"]["value"]);
 }
 
+TEST_CASE("batch: a line may be a bare curve or spline, its name being the id") {
+  Json curve = quintic();
+  curve["phrame"] = "curve/1";
+  curve["family"] = "seed";
+  curve["expected"] = {{"theta_erf_1", "0.2"}};
+  BatchDefaults defaults;
+  defaults.at = {Rational(1, 2)};
+  const Json found = answer(curve, defaults);
+  CHECK(found == answer({{"id", "quintic"}, {"curve", curve}}, defaults));
+  CHECK(found["id"] == "quintic");
+  CHECK(batch_id(curve.dump()) == "\"quintic\"");
+  curve.erase("name");
+  CHECK(answer(curve)["id"] == nullptr);
+  CHECK(batch_id(curve.dump()) == std::nullopt);
+  const Json spline = {{"phrame", "spline/1"}, {"segments", Json::array({quintic()})}};
+  CHECK(answer(spline)["phrame"] == "spline-angle/1");
+  // Complaints have the places of the line itself, and an answer is no curve.
+  check_error(R"({"phrame": "curve/1", "basis": "power", "preimage": {"u": ["1/0"]}})", 2,
+              "/preimage/u/0: ");
+  check_error(R"({"phrame": "angle/1", "id": 1})", 2, "/phrame: the format is");
+  check_error(R"({"phrame": "curve/1", "curve": 1})", 2, "unknown key \"phrame\"");
+  // The answer to a spline has a name and an id; the id counts.
+  CHECK(batch_id(R"({"id":null,"phrame":"spline-angle/1","name":"x"})") == std::nullopt);
+}
+
+TEST_CASE("batch: every line of tests/data/curves.jsonl is a line of a batch") {
+  BatchDefaults defaults;
+  defaults.at = {Rational(1)};
+  defaults.digits = 30;
+  std::istringstream lines(test::read_data("curves.jsonl"));
+  int count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const Json curve = Json::parse(line);
+    if (curve["preimage"]["u"].size() > 9) continue;  // quick ones
+    ++count;
+    CAPTURE(curve["name"].get<std::string>());
+    const Json found = Json::parse(batch_answer(line, defaults).line);
+    CHECK(found["id"] == curve["name"]);
+    const Json& value = found["values"][0];
+    test::check_rounded(value["theta"], value["radius"], curve["expected"]["theta_erf_1"], 30, 60);
+  }
+  CHECK(count > 50);
+}
+
 TEST_CASE("batch: a failure has the status that the program would have, and the place") {
   const std::string line =
       R"({"basis": "power", "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})";

@@ -74,6 +74,45 @@ TEST_CASE("frame table: where Frenet's frame is undefined, the reason and t are 
   CHECK(message(inflected(), Kind::rmf, 0).empty());
 }
 
+// r(t) = (t − t⁵/5, 2t³/3, 0); at t = 1 r′ = (0, 2, 0), r″ = (−4, 4, 0), so that n = −i, b = k, κ
+// = 1.
+TEST_CASE("frame table: where a Frenet frame is undefined its cells are empty, if they may be") {
+  TableColumns columns{{Kind::frenet, Kind::erf}, {TabulatedScalar::curvature}};
+  columns.may_be_empty = true;
+  const FrameTable table = frame_table(inflected(), columns, {Rational(0), Rational(1)});
+  CHECK(table.incomplete_rows == 1);
+  CHECK(table.first_reason.find("t = 0 is an inflection") != std::string::npos);
+  CHECK(to_csv(table) ==
+        "t,x,y,z,e1x,e1y,e1z,nx,ny,nz,bx,by,bz,e2x,e2y,e2z,e3x,e3y,e3z,curvature\n"
+        "0,0,0,0,1,0,0,,,,,,,0,1,0,0,0,1,0\n"
+        "1,0.8,0.6666666666666666,0,0,1,0,-1,0,0,0,0,1,-1,0,0,0,0,1,1\n");
+  const auto rows = test::Json::parse(to_json(table))["rows"];
+  CHECK(rows[0][6] == 0);
+  CHECK(rows[0][7] == nullptr);
+  CHECK(rows[0][12] == nullptr);
+  CHECK(rows[0][13] == 0);
+  CHECK(rows[1][7] == -1);
+  const std::string npy = to_npy(table);  // 20 doubles a row, at the end; 7FF8… is NaN
+  const std::string nx = npy.substr(npy.size() - 33 * 8, 8);
+  CHECK(nx == std::string("\0\0\0\0\0\0\xF8\x7F", 8));
+}
+
+TEST_CASE("frame table: of a straight line, and where a curvature is infinite, cells are empty") {
+  TableColumns columns{{Kind::frenet}};
+  columns.may_be_empty = true;
+  const Curve line({{1}, {}, {}, {}});
+  const FrameTable straight = frame_table(line, columns, {Rational(0), Rational(1)});
+  CHECK(straight.incomplete_rows == 2);
+  CHECK(to_csv(straight).ends_with("\n0,0,0,0,1,0,0,,,,,,\n1,1,0,0,1,0,0,,,,,,\n"));
+  // r′ = t·(1 − t², 2t, 0) has a cusp at 0 with κ = 2/(t(1 + t²)²).
+  const Curve cusp({{1}, {}, {}, {0, 1}}, Polynomial{0, 1});
+  columns = {{}, {TabulatedScalar::curvature}};
+  CHECK_THROWS_AS(frame_table(cusp, columns, {Rational(0)}), DomainError);
+  columns.may_be_empty = true;
+  const FrameTable table = frame_table(cusp, columns, {Rational(1), Rational(0)});
+  CHECK(to_csv(table).ends_with("0.5\n0,0,0,0,1,0,0,\n"));
+}
+
 TEST_CASE("frame table: an overflow is refused, not rounded to infinity") {
   // r = (t, 0, 0)
   CHECK(

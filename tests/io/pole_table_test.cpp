@@ -2,8 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/integrate.hpp"
+#include "phrame/io/text.hpp"
 
 using namespace phrame;
 
@@ -63,7 +66,11 @@ TEST_CASE("pole table: what cannot be told from 0 is a bound, not 0") {
 
 TEST_CASE("pole table: none without poles, with too many, and over residues") {
   CHECK(table({}, {1}) == "");
-  CHECK(table({1}, Polynomial::monomial(1, 25) + Polynomial{2}) == "");
+  const Polynomial d = Polynomial::monomial(1, 25) + Polynomial{2};
+  CHECK(abridged(table({1}, d)) == "\n  ⟨25 poles and their residues⟩\n");
+  // One real pole and 12 pairs, below the head line.
+  const std::string all = pole_table(integrate({{1}, d}, Form::partial_fractions), true);
+  CHECK(std::count(all.begin(), all.end(), '\n') == 15);
   CHECK_FALSE(table({1}, Polynomial::monomial(1, 24) + Polynomial{2}) == "");
   CHECK(pole_table(integrate({{1}, {1, 0, 1}}, Form::rothstein_trager)) == "");
 }

@@ -78,14 +78,15 @@ TEST_CASE("text: bivariate polynomials put only coefficients with an x into pare
   CHECK(formatted(Bivariate({Polynomial{}, {Rational(-1, 2)}}), unicode) == "−(1/2)t");
   CHECK(formatted(Bivariate(), unicode) == "0");
   CHECK(readable(v) == formatted(v, unicode));
-  CHECK(readable(Bivariate({Polynomial{0, parse_rational("1e250")}, {1}})) == "⟨degree 1 in t⟩");
+  CHECK(abridged(readable(Bivariate({Polynomial{0, parse_rational("1e250")}, {1}}))) ==
+        "⟨degree 1 in t⟩");
 }
 
 TEST_CASE("text: a root is at a point or in an interval, long numbers abbreviated") {
   CHECK(place_of_root(closed(Rational(1, 2), Rational(1, 2))) == "t = 1/2");
   CHECK(place_of_root(open(Rational(1, 4), Rational(1, 2))) == "a t in (1/4, 1/2)");
   const Rational tiny = parse_rational("1e-500");
-  CHECK(text_width(place_of_root(closed(tiny, tiny))) < 80);
+  CHECK(text_width(place_of_root(closed(tiny, tiny))) < 90);
 }
 
 TEST_CASE("text: control characters, in one byte or two, are escaped; other characters stay") {
@@ -107,14 +108,49 @@ TEST_CASE("text: what no screen line can bear is replaced by its degree and its 
   const Polynomial p{parse_rational("12345/678"), 1};  // in lowest terms 4115/226
   CHECK(readable("short", p) == "short");
   CHECK(readable(std::string(240, 'x'), p) == std::string(240, 'x'));
-  CHECK(readable(std::string(241, 'x'), p) == "⟨degree 1, coefficients of up to 4 digits⟩");
+  CHECK(abridged(readable(std::string(241, 'x'), p)) ==
+        "⟨degree 1, coefficients of up to 4 digits⟩");
+  CHECK(for_reading(readable(std::string(241, 'x'), p), true) == std::string(241, 'x'));
   // Of a Gaussian polynomial the higher degree and the longer coefficient, not those of its norm.
   const GaussianPolynomial g{Polynomial::monomial(parse_rational("1e250"), 3), Polynomial{1}};
-  CHECK(readable(g) == "⟨degree 3, coefficients of up to 251 digits⟩");
-  CHECK(readable({Polynomial{1}, Polynomial::monomial(parse_rational("1e250"), 3)}) == readable(g));
+  CHECK(abridged(readable(g)) == "⟨degree 3, coefficients of up to 251 digits⟩");
+  CHECK(abridged(readable({Polynomial{1}, Polynomial::monomial(parse_rational("1e250"), 3)})) ==
+        abridged(readable(g)));
   CHECK(readable({Polynomial{1}, Polynomial{0, 1}}) == "1 + (t)i");
   const Polynomial q{-parse_rational("1e53")};  // 54 digits; the sign is none
-  CHECK(readable(std::string(300, 'x'), q) == "⟨degree 0, coefficients of up to 54 digits⟩");
+  CHECK(abridged(readable(std::string(300, 'x'), q)) ==
+        "⟨degree 0, coefficients of up to 54 digits⟩");
+}
+
+TEST_CASE("text: a passage is read in full or abridged, and that it is abridged is said") {
+  const std::string text = "a " + passage("long", "l…") + " b " + passage("", "⟨c⟩") + "\n";
+  CHECK(for_reading(text, true) == "a long b \n");
+  CHECK(abridged(text) == "a l… b ⟨c⟩\n");
+  CHECK(for_reading(text, false) ==
+        abridged(text) + "\nLong parts are abridged (--full prints it all).\n");
+  CHECK(for_reading("a\n", false) == "a\n");
+  CHECK(text_width(text) == 11);
+  const auto column = aligned({"t", passage("123456", "12…"), "5678"});
+  CHECK(for_reading(column[0], true) == "t     ");
+  CHECK(abridged(column[0]) == "t   ");
+  CHECK(abridged(column[1]) == "12… ");
+  CHECK(for_reading(column[2], true) == "5678  ");
+}
+
+// 123456789012345678901/7 = 17636684144620811271.5714…; 1/3·10⁻²⁰ = 3.333…·10⁻²¹.
+TEST_CASE("text: a decimal stands beside a fraction of more than 20 digits") {
+  CHECK(shown(parse_rational("12345678901234567890/7")) == "12345678901234567890/7");
+  CHECK(shown(parse_rational("123456789012345678901/7")) ==
+        "123456789012345678901/7 ≈ 1.76366841446e19");
+  CHECK(shown(parse_rational("-1/300000000000000000000")) ==
+        "−1/300000000000000000000 ≈ -3.33333333333e-21");
+  CHECK(shown(parse_rational("1e-25")) == "1/10000000000000000000000000 = 1.00000000000e-25");
+  CHECK(shown(parse_rational("123456789012345678901234567890")) ==
+        "123456789012345678901234567890");  // no fraction
+  const Rational tiny = parse_rational("1e-500");
+  CHECK(abridged(shown(tiny)).ends_with("… (503 characters) = 1.00000000000e-500"));
+  const Real x(parse_rational("1/300000000000000000000"));
+  CHECK(shown(x, round_to_decimal(x, 3)) == "1/300000000000000000000 ≈ 3.33e-21");
 }
 
 TEST_CASE("text: surds") {

@@ -1,6 +1,7 @@
 #include "phrame/ph/totals.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/integrate/integrate.hpp"
 #include "phrame/integrate/quadrature.hpp"
 #include "phrame/ph/invariants.hpp"
 #include "phrame/ph/rmf_angle.hpp"
@@ -245,4 +246,18 @@ TEST_CASE("totals: of helices") {
 TEST_CASE("totals: the total torsion is the negative angle to the Frenet frame") {
   RmfAngle angle(quintic, Reference::frenet);
   CHECK(agree(total_torsion(quintic).value, -angle.value(1)));
+}
+
+// What is known of these integrals beforehand, the argument of the bend and the part of τ² that is
+// a derivative, must not change what the integrator finds by itself.
+TEST_CASE("totals: law: the antiderivatives are those that the integrator finds without help") {
+  for_samples(40, [](Random& random) {
+    const Polynomial multiplier = random.nonzero_polynomial(2);
+    const Curve curve(random_curve(random, 4).preimage(), multiplier);
+    const Total torsion = total_torsion(curve);
+    CHECK(torsion.antiderivative == integrate(torsion.rate));
+    const auto energy = frenet_energy(curve);
+    if (const auto* total = std::get_if<Total>(&energy))
+      CHECK(total->antiderivative == integrate(total->rate));
+  });
 }
