@@ -13,7 +13,7 @@ struct MtfOptions {
   long digits = 17;
 };
 
-/// The rational frame, or, if nobody asked for it, why there is none.
+/// The rational frame, or, if nobody asked for it, why there is none, or none was found.
 void add_rational(TwistReport& report, const MtfOptions& options, const MinimalTwist& mtf) {
   const auto make = [&] {
     const TwistFrame frame = twist_frame(mtf, options.twist.rotation(options.digits),
@@ -26,7 +26,7 @@ void add_rational(TwistReport& report, const MtfOptions& options, const MinimalT
   } catch (const DomainError& error) {
     report.why_not_rational = error.what();
   } catch (const Undecided& error) {
-    report.why_not_rational = error.what();
+    report.why_undecided = error.what();
   }
 }
 
