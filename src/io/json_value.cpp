@@ -205,6 +205,9 @@ const JsonValue* JsonValue::find(std::string_view key) const {
 }
 
 JsonValue parse_json(std::string_view text) {
+  // nlohmann's parser takes it for the end of the text.
+  if (const auto nul = text.find('\0'); nul != std::string_view::npos)
+    throw InputError(place_of(text, nul + 1), "not valid JSON: a NUL byte");
   const Numbers numbers = take_numbers(text);
   Builder builder(text, numbers.texts);
   Json::sax_parse(numbers.without, &builder);

@@ -71,8 +71,11 @@ PiecewisePolynomial compiled_angle(RmfAngle& angle, const Rational& start_angle,
 
 PiecewisePolynomial compiled_angle(SplineAngle& angle, const Rational& start_angle,
                                    const DoubleShape& shape) {
+  // That the segments before cancel is asked for only where a ball does not say enough: it costs as
+  // much as all of them.
   const auto theta = [&](double t, long more) {
-    return angle.value(exact_rational(t)).enclose(more);
+    const SplineParameter at = locate(angle.spline(), exact_rational(t));
+    return more <= bits ? angle.enclose(at, more) : angle.value(at).enclose(more);
   };
   const auto make = [&](double low, double high) {
     const double joint = std::floor(low);

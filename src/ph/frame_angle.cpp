@@ -55,13 +55,16 @@ GaussianPolynomial path_to(const GaussianRational& z) {
 
 Real to_real(const FrameAngle& angle) {
   if (angle.half_turns == 0 && angle.direction.im == 0) return angle.radians;
-  return Real([angle](long bits) {
+  const auto enclosure = [angle](long bits) {
     const auto& [half_turns, radians, z] = angle;
     const long more = bits + 8;
     return add(
         add(multiply(RealBall(half_turns, more), pi(more), more), RealBall(radians, more), more),
         argument(z.re, z.im, more), more);
-  });
+  };
+  const auto& [half_turns, radians, z] = angle;
+  return {enclosure,
+          {false, bits_of(half_turns) + bits_of(radians) + bits_of(z.re) + bits_of(z.im)}};
 }
 
 }  // namespace phrame
