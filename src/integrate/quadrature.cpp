@@ -6,7 +6,11 @@
 namespace phrame {
 namespace {
 
-bool is_narrow(const acb_t z) { return acb_rel_accuracy_bits(z) > 30; }
+/// Is z as small as points are at this precision? A disc next to a pole is not, however small: there
+/// Horner's rule gives a ball that is much larger than the distance to the pole squared.
+bool is_point(const ComplexBall& z, long precision) {
+  return acb_rel_accuracy_bits(z.raw()) > precision / 2;
+}
 
 struct Integrand {
   const AnalyticFunction& f;
@@ -37,7 +41,7 @@ RealBall integrate(const AnalyticFunction& f, const RealBall& a, const RealBall&
 
 ComplexBall evaluate(const BallPolynomial& p, const ComplexBall& z, long bits) {
   ComplexBall value;
-  if (is_narrow(z.raw())) {
+  if (is_point(z, bits)) {
     arb_poly_evaluate_acb(value.raw(), p.raw(), z.raw(), bits);
     return value;
   }
@@ -66,8 +70,7 @@ namespace {
 /// Is d = p(z) so inexact because more precision is needed, and not because z is a large ball?
 bool lacks_precision(const BallPolynomial& p, const ComplexBall& z, const ComplexBall& d, long bits,
                      long precision) {
-  const bool is_point = acb_rel_accuracy_bits(z.raw()) >= precision / 2;
-  if (is_point) return acb_rel_accuracy_bits(d.raw()) < bits;
+  if (is_point(z, precision)) return acb_rel_accuracy_bits(d.raw()) < bits;
   constexpr long few = 16;
   if (acb_rel_accuracy_bits(d.raw()) >= few) return false;
   ComplexBall middle;

@@ -164,9 +164,11 @@ std::optional<RealBall> short_integral(const RationalFunction& f, const Endpoint
         (is_below(radius, found.sum, bits) ||
          (is_below(radius, found.sizes, bits) && mag_cmp_2exp_si(radius, -bits) <= 0));
     if (is_fine) return found.sum;
+    // Half the radius and more is what was left out, or it is rounding.
     flint::Mag left_out;
     arb_get_mag(left_out.get(), found.remainder.raw());
-    if (is_below(left_out.get(), found.sizes, bits + 2))
+    mag_mul_2exp_si(left_out.get(), left_out.get(), 1);
+    if (mag_cmp(left_out.get(), radius) < 0)
       precision *= 2;
     else
       terms += terms / 2 + 2;
