@@ -64,13 +64,16 @@ Real to_real(const FrameAngle& angle) {
     return x == 0 ? 0 : std::max(0L, binary_exponent(abs(x)));
   };
   const long guard = 8 + std::max(size(angle.half_turns), size(angle.radians));
-  return Real([angle, guard](long bits) {
+  const auto enclosure = [angle, guard](long bits) {
     const auto& [half_turns, radians, z] = angle;
     const long more = bits + guard;
     return add(
         add(multiply(RealBall(half_turns, more), pi(more), more), RealBall(radians, more), more),
         argument(z.re, z.im, more), more);
-  });
+  };
+  const auto& [half_turns, radians, z] = angle;
+  return {enclosure,
+          {false, bits_of(half_turns) + bits_of(radians) + bits_of(z.re) + bits_of(z.im)}};
 }
 
 }  // namespace phrame

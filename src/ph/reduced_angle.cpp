@@ -43,9 +43,10 @@ FrameAngle reduced(const FrameAngle& angle) {
 }
 
 Real whole_turn(const Integer& k) {
-  return Real([k](long bits) {
+  const auto enclosure = [k](long bits) {
     return multiply(RealBall(Rational(2 * k), bits + 8), pi(bits + 8), bits + 8);
-  });
+  };
+  return {enclosure, {k != 0, bits_of(Rational(k))}};
 }
 
 ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>()>& over_pi) {
@@ -62,7 +63,7 @@ ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>(
       if (known && denominator(*known) == 1) {
         const Integer n(numerator(*known));
         if (n % 2 == 0) return {Rational(0), n / 2};
-        return {Real([](long precision) { return pi(precision); }), (n - 1) / 2};
+        return {Real([](long precision) { return pi(precision); }, {true, 0}), (n - 1) / 2};
       }
     }
     if (!is_near || was_asked)
