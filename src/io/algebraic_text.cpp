@@ -31,21 +31,6 @@ std::string product(const Radical& x, std::string_view dot, std::string_view nam
                      formatted_factor(negative ? -x : x, notation), dot, name);
 }
 
-const RadicalNotation& radical_notation_of(Language language) {
-  switch (language) {
-    case Language::sympy:
-      return radical_notation::sympy;
-    case Language::mathematica:
-      return radical_notation::mathematica;
-    case Language::maxima:
-      return radical_notation::maxima;
-    case Language::pari:
-      return radical_notation::pari;
-    default:
-      return radical_notation::maple;
-  }
-}
-
 }  // namespace
 
 std::string formatted_multiple(const RealAlgebraic& x, std::string_view name, Notation notation) {
