@@ -26,12 +26,13 @@ Real AlgebraicPoint::value(const RationalFunction& f) const {
                       to_string(t_.interval()) + ": the function has a pole there");
   const Rational ratio = n.leading_coefficient() / d.leading_coefficient();
   if (n == ratio * d) return ratio;
-  return Real([point = *this, n, d](long bits) {
+  const auto enclosure = [point = *this, n, d](long bits) {
     const RealBall t = point.enclose(bits + 16);
     const RealBall numerator = evaluate(n, t, bits + 16);
     return d.is_constant() ? divide(numerator, RealBall(d.coefficient(0), bits + 16), bits + 16)
                            : divide(numerator, evaluate(d, t, bits + 16), bits + 16);
-  });
+  };
+  return {enclosure, {true, bits_of(t_)}};
 }
 
 Real AlgebraicPoint::square_root(const RationalFunction& f) const {
@@ -39,12 +40,12 @@ Real AlgebraicPoint::square_root(const RationalFunction& f) const {
   if (!square.exact()) {
     if (sign_at(f.numerator() * f.denominator(), t_) < 0)
       throw DomainError("square root: a negative number");
-    return Real([square](long bits) { return sqrt(square.enclose(bits + 8), bits + 8); });
+    return {[square](long bits) { return sqrt(square.enclose(bits + 8), bits + 8); },
+            square.origin()};
   }
   const Rational& x = *square.exact();
   if (x < 0) throw DomainError("square root: the negative number " + abbreviated(to_string(x)));
-  if (const auto root = phrame::square_root(x)) return *root;
-  return Real([x](long bits) { return sqrt(RealBall(x, bits + 8), bits + 8); });
+  return square_root_of(x);
 }
 
 }  // namespace phrame

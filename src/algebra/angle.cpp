@@ -4,11 +4,12 @@ namespace phrame {
 
 Real to_real(const Angle& angle) {
   if (angle.half_turns == 0) return angle.radians;
-  return Real([angle](long bits) {
+  const auto enclosure = [angle](long bits) {
     const long more = bits + 8;
     return add(multiply(RealBall(angle.half_turns, more), pi(more), more),
                RealBall(angle.radians, more), more);
-  });
+  };
+  return {enclosure, {true, bits_of(angle.half_turns) + bits_of(angle.radians)}};
 }
 
 std::string to_string(const Angle& angle) {

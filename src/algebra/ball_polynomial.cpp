@@ -1,6 +1,8 @@
 #include "phrame/algebra/ball_polynomial.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 
 #include "phrame/algebra/rounding.hpp"
 
@@ -30,12 +32,10 @@ bool is_monotone(const std::vector<RealBall>& coefficients, long bits) {
   return !differences.empty() && common_sign(differences) != 0;
 }
 
-/// The zero in a part at whose ends p has different signs and on which it is monotone, halved down
-/// to 2^−bits as far as the signs of p are certain.
-RealBall narrowed(const BallPolynomial& p, const Part& part, long bits, long precision) {
-  Rational a = part.start;
-  Rational width = part.width;
-  const int at_a = sign(part.coefficients.front());
+/// The zero in [a, a + width], at whose ends p has different signs and on which it is monotone,
+/// halved down to 2^−bits as far as the signs of p are certain.
+RealBall narrowed(const BallPolynomial& p, Rational a, Rational width, int at_a, long bits,
+                  long precision) {
   const Rational goal = power_of_two(-bits);
   const auto sign_after = [&](const Rational& step) {
     return sign(evaluate(p, RealBall(Rational(a + step), precision), precision));
@@ -56,6 +56,76 @@ RealBall narrowed(const BallPolynomial& p, const Part& part, long bits, long pre
     }
   }
   return hull(a, Rational(a + width), precision);
+}
+
+/// Bernstein coefficients up to one positive factor, as whole numbers that are off by `error` at
+/// most: quick to halve, and enough to decide most parts.
+struct FixedPart {
+  Rational start;
+  Rational width;
+  std::vector<std::int64_t> coefficients;
+  std::int64_t error;
+};
+
+/// No value where the coefficients are not known to a fraction of the greatest one.
+std::optional<FixedPart> fixed_part(const std::vector<RealBall>& coefficients) {
+  constexpr long most_bits = 60;
+  flint::Mag greatest;
+  flint::Mag size;
+  for (const RealBall& c : coefficients) {
+    if (!c.is_finite()) return std::nullopt;
+    arb_get_mag(size.get(), c.raw());
+    mag_max(greatest.get(), greatest.get(), size.get());
+  }
+  if (mag_is_special(greatest.get()) != 0) return std::nullopt;
+  if (COEFF_IS_MPZ(MAG_EXP(greatest.get()))) return std::nullopt;
+  const slong shift = most_bits - MAG_EXP(greatest.get());  // greatest < 2^exponent
+  FixedPart part{0, 1, {}, 0};
+  flint::Fmpz whole;
+  for (const RealBall& c : coefficients) {
+    RealBall scaled;
+    arb_mul_2exp_si(scaled.raw(), c.raw(), shift);
+    const double radius = mag_get_d(arb_radref(scaled.raw()));
+    if (!(radius < 0x1p40)) return std::nullopt;
+    part.error = std::max(part.error, static_cast<std::int64_t>(radius) + 2);
+    arf_get_fmpz(whole.get(), arb_midref(scaled.raw()), ARF_RND_NEAR);
+    part.coefficients.push_back(fmpz_get_si(whole.get()));
+  }
+  return part;
+}
+
+/// The common sign of all of them, or 0.
+int common_sign(const FixedPart& part) {
+  const auto [least, greatest] =
+      std::minmax_element(part.coefficients.begin(), part.coefficients.end());
+  return *least > part.error ? 1 : *greatest < -part.error ? -1 : 0;
+}
+
+int sign(std::int64_t c, std::int64_t error) { return c > error ? 1 : c < -error ? -1 : 0; }
+
+bool is_monotone(const FixedPart& part) {
+  const auto& c = part.coefficients;
+  if (c.size() < 2) return false;
+  const int first = sign(c[1] - c[0], 2 * part.error);
+  for (std::size_t k = 0; first != 0 && k + 1 < c.size(); ++k)
+    if (sign(c[k + 1] - c[k], 2 * part.error) != first) return false;
+  return first != 0;
+}
+
+/// By de Casteljau's algorithm; each mean is rounded down, which adds at most one to the error.
+std::pair<FixedPart, FixedPart> halves(const FixedPart& part) {
+  const Rational width = part.width / 2;
+  const std::size_t n = part.coefficients.size();
+  const std::int64_t error = part.error + static_cast<std::int64_t>(n);
+  FixedPart left{part.start, width, {}, error};
+  FixedPart right{part.start + width, width, std::vector<std::int64_t>(n), error};
+  std::vector<std::int64_t> row = part.coefficients;
+  for (std::size_t length = n; length > 0; --length) {
+    left.coefficients.push_back(row.front());
+    right.coefficients[length - 1] = row[length - 1];
+    for (std::size_t k = 0; k + 1 < length; ++k) row[k] = (row[k] + row[k + 1]) >> 1;
+  }
+  return {std::move(left), std::move(right)};
 }
 
 }  // namespace
@@ -160,38 +230,106 @@ BallPolynomial from_bernstein(std::vector<RealBall> c, long bits) {
   return BallPolynomial(c);
 }
 
-SignChanges sign_changes(const BallPolynomial& p, long bits) {
-  SignChanges found;
-  if (p.degree_bound() < 0) return found;
-  const long precision = bits + 64 + 2 * p.degree_bound();
-  std::vector<Part> parts{{0, 1, to_bernstein(p, p.degree_bound(), precision)}};
-  const Rational narrow = power_of_two(-bits);
-  for (long looked_at = 0; !parts.empty(); ++looked_at) {
-    const Part part = std::move(parts.back());
-    parts.pop_back();
-    if (common_sign(part.coefficients) != 0) continue;
-    const int before = sign(part.coefficients.front());
-    const int after = sign(part.coefficients.back());
-    if (before * after != 0 && is_monotone(part.coefficients, precision)) {
-      if (before != after) found.at.push_back(narrowed(p, part, bits, precision));
-      continue;
-    }
-    // A polynomial that is nearly 0, or known badly, has undecided parts everywhere.
-    if (part.width < narrow || looked_at > 20 * bits) {
-      found.undecided.push_back(hull(part.start, Rational(part.start + part.width), precision));
-      continue;
-    }
-    Rational share(1, 2);
-    auto halves = split(part.coefficients, share, precision);
-    if (sign(halves.second.front()) == 0) {  // a zero there would belong to neither half
-      share = Rational(7, 16);
-      halves = split(part.coefficients, share, precision);
-    }
-    const Rational width = share * part.width;
-    parts.push_back({part.start + width, part.width - width, std::move(halves.second)});
-    parts.push_back({part.start, width, std::move(halves.first)});
+namespace {
+
+/// Sign changes of one polynomial, found from left to right.
+class SignSearch {
+ public:
+  SignSearch(const BallPolynomial& p, long bits)
+      : p_(p),
+        bits_(bits),
+        precision_(bits + 64 + 2 * p.degree_bound()),
+        whole_(to_bernstein(p, p.degree_bound(), precision_)) {}
+
+  SignChanges run() {
+    if (auto part = fixed_part(whole_))
+      look_quickly(std::move(*part));
+    else
+      look_at({0, 1, whole_});
+    return std::move(found_);
   }
-  return found;
+
+ private:
+  /// What whole numbers do not decide is left to look_at().
+  void look_quickly(FixedPart whole) {
+    const Rational narrow = power_of_two(-std::min(bits_, 40L));
+    std::vector<FixedPart> parts{std::move(whole)};
+    for (long looked_at = 0; !parts.empty(); ++looked_at) {
+      const FixedPart part = std::move(parts.back());
+      parts.pop_back();
+      if (common_sign(part) != 0) continue;
+      const int before = sign(part.coefficients.front(), part.error);
+      const int after = sign(part.coefficients.back(), part.error);
+      if (before * after != 0 && is_monotone(part)) {
+        if (before != after) add_zero(part.start, part.width, before);
+        continue;
+      }
+      auto [left, right] = halves(part);
+      const bool is_split = sign(right.coefficients.front(), right.error) != 0;
+      if (!is_split || part.width < narrow || looked_at > 20 * bits_) {
+        look_at(part_of_whole(part.start, part.width));
+        continue;
+      }
+      parts.push_back(std::move(right));
+      parts.push_back(std::move(left));
+    }
+  }
+
+  Part part_of_whole(const Rational& start, const Rational& width) const {
+    Part part{start, width, whole_};
+    const Rational end = start + width;
+    if (end != 1) part.coefficients = split(part.coefficients, end, precision_).first;
+    if (start != 0) part.coefficients = split(part.coefficients, start / end, precision_).second;
+    return part;
+  }
+
+  void look_at(Part whole) {
+    const Rational narrow = power_of_two(-bits_);
+    std::vector<Part> parts{std::move(whole)};
+    for (; !parts.empty(); ++looked_at_) {
+      const Part part = std::move(parts.back());
+      parts.pop_back();
+      if (common_sign(part.coefficients) != 0) continue;
+      const int before = phrame::sign(part.coefficients.front());
+      const int after = phrame::sign(part.coefficients.back());
+      if (before * after != 0 && is_monotone(part.coefficients, precision_)) {
+        if (before != after) add_zero(part.start, part.width, before);
+        continue;
+      }
+      // A polynomial that is nearly 0, or known badly, has undecided parts everywhere.
+      if (part.width < narrow || looked_at_ > 20 * bits_) {
+        found_.undecided.push_back(hull(part.start, Rational(part.start + part.width), precision_));
+        continue;
+      }
+      Rational share(1, 2);
+      auto halves = split(part.coefficients, share, precision_);
+      if (phrame::sign(halves.second.front()) == 0) {  // a zero there would belong to neither half
+        share = Rational(7, 16);
+        halves = split(part.coefficients, share, precision_);
+      }
+      const Rational width = share * part.width;
+      parts.push_back({part.start + width, part.width - width, std::move(halves.second)});
+      parts.push_back({part.start, width, std::move(halves.first)});
+    }
+  }
+
+  void add_zero(const Rational& start, const Rational& width, int sign_at_start) {
+    found_.at.push_back(narrowed(p_, start, width, sign_at_start, bits_, precision_));
+  }
+
+  const BallPolynomial& p_;
+  long bits_;
+  long precision_;
+  std::vector<RealBall> whole_;  ///< the Bernstein coefficients on [0, 1]
+  long looked_at_ = 0;
+  SignChanges found_;
+};
+
+}  // namespace
+
+SignChanges sign_changes(const BallPolynomial& p, long bits) {
+  if (p.degree_bound() < 0) return {};
+  return SignSearch(p, bits).run();
 }
 
 }  // namespace phrame

@@ -109,6 +109,7 @@ PiecewisePolynomial::PiecewisePolynomial(const std::vector<double>& ends, const 
           fmt::format("piecewise polynomial: [{}, {}] is not an interval whose length is a double",
                       ends[k], ends[k + 1]));
   std::vector<double> right_ends(ends.rbegin(), ends.rend() - 1);
+  const std::size_t most = max_pieces + ends.size() - 2;
   while (!right_ends.empty()) {
     const double low = ends_.back();
     const double high = right_ends.back();
@@ -129,9 +130,9 @@ PiecewisePolynomial::PiecewisePolynomial(const std::vector<double>& ends, const 
     if (!(low < middle && middle < high))
       throw Undecided(fmt::format(
           "piecewise polynomial: next to t = {} it needs pieces that have no double inside", low));
-    if (pieces_.size() + right_ends.size() >= max_pieces)
+    if (pieces_.size() + right_ends.size() >= most)
       throw Undecided(fmt::format(
-          "piecewise polynomial: from t = {} on it needs more than {} pieces", low, max_pieces));
+          "piecewise polynomial: from t = {} on it needs more than {} pieces", low, most));
     right_ends.push_back(middle);
   }
   make_cells();
@@ -158,11 +159,14 @@ void PiecewisePolynomial::make_cells() {
   if (!std::isfinite(cells_per_unit_)) cells_per_unit_ = 0;  // one cell, of the shortest interval
   // Enough of them in every rounding mode.
   first_.assign(std::max(cell_of(to()), cells) + 2, 0);
+  std::size_t cell = 0;
   for (std::size_t piece = 1; piece < pieces_.size(); ++piece) {
     const double before = std::nextafter(ends_[piece], -std::numeric_limits<double>::infinity());
-    for (std::size_t k = cell_of(before) + 1; k < first_.size(); ++k)
-      first_[k] = static_cast<std::uint32_t>(piece);
+    for (const std::size_t last = cell_of(before); cell <= last; ++cell)
+      first_[cell] = static_cast<std::uint32_t>(piece - 1);
   }
+  for (; cell < first_.size(); ++cell)
+    first_[cell] = static_cast<std::uint32_t>(pieces_.size() - 1);
 }
 
 }  // namespace phrame

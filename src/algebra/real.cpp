@@ -3,18 +3,32 @@
 #include <memory>
 
 namespace phrame {
+namespace {
+
+/// Of x + y and x·y, of which one at most is exact, and that one not 0 in a product.
+Real::Origin of_both(const Real& x, const Real& y) {
+  const Real::Origin a = x.origin();
+  const Real::Origin b = y.origin();
+  return {(x.exact() && b.is_irrational) || (y.exact() && a.is_irrational), a.bits + b.bits};
+}
+
+}  // namespace
+
+long bits_of(const Rational& x) {
+  return static_cast<long>(fmpz_bits(fmpq_numref(x.raw())) + fmpz_bits(fmpq_denref(x.raw())));
+}
 
 Real operator-(const Real& x) {
   if (x.exact()) return Rational(-*x.exact());
-  return Real([x](long bits) { return subtract(RealBall(), x.enclose(bits), bits); });
+  return {[x](long bits) { return subtract(RealBall(), x.enclose(bits), bits); }, x.origin()};
 }
 
 Real operator+(const Real& x, const Real& y) {
   if (x.exact() && y.exact()) return Rational(*x.exact() + *y.exact());
   if (x.exact() == Rational(0)) return y;
   if (y.exact() == Rational(0)) return x;
-  return Real(
-      [x, y](long bits) { return add(x.enclose(bits + 8), y.enclose(bits + 8), bits + 8); });
+  return {[x, y](long bits) { return add(x.enclose(bits + 8), y.enclose(bits + 8), bits + 8); },
+          of_both(x, y)};
 }
 
 Real operator*(const Real& x, const Real& y) {
@@ -22,8 +36,9 @@ Real operator*(const Real& x, const Real& y) {
   if (x.exact() == Rational(0) || y.exact() == Rational(0)) return Rational(0);
   if (x.exact() == Rational(1)) return y;
   if (y.exact() == Rational(1)) return x;
-  return Real(
-      [x, y](long bits) { return multiply(x.enclose(bits + 8), y.enclose(bits + 8), bits + 8); });
+  return {
+      [x, y](long bits) { return multiply(x.enclose(bits + 8), y.enclose(bits + 8), bits + 8); },
+      of_both(x, y)};
 }
 
 Real remembered(const Real& x) {
@@ -32,15 +47,16 @@ Real remembered(const Real& x) {
     long bits = 0;
     RealBall ball;
   };
-  return Real([x, known = std::make_shared<Known>()](long bits) {
-    if (known->bits < bits) *known = {bits, x.enclose(bits)};
-    return known->ball;
-  });
+  return {[x, known = std::make_shared<Known>()](long bits) {
+            if (known->bits < bits) *known = {bits, x.enclose(bits)};
+            return known->ball;
+          },
+          x.origin()};
 }
 
 Real square_root_of(const Rational& x) {
   if (const auto root = square_root(x)) return *root;
-  return Real([x](long bits) { return sqrt(RealBall(x, bits + 8), bits + 8); });
+  return {[x](long bits) { return sqrt(RealBall(x, bits + 8), bits + 8); }, {true, bits_of(x)}};
 }
 
 }  // namespace phrame

@@ -7,17 +7,29 @@
 
 namespace phrame {
 
+/// The bits of numerator and denominator.
+long bits_of(const Rational& x);
+
 /// A real number: known exactly, or by enclosures as narrow as one asks. Copies share these.
 class Real {
  public:
   /// `bits` → a ball around the number, whose radius tends to 0 as bits grow.
   using Enclosure = std::function<RealBall(long bits)>;
+  /// What is known beside the enclosures: how far to go to tell the number from a rational one.
+  struct Origin {
+    bool is_irrational =
+        false;      ///< proved: with enough bits it is apart from every rational number
+    long bits = 0;  ///< of all that the number was made from, about
+  };
 
   Real(Rational exact) : exact_(std::move(exact)) {}  // NOLINT(google-explicit-constructor)
-  explicit Real(Enclosure enclosure)
-      : enclosure_(std::make_shared<const Enclosure>(std::move(enclosure))) {}
+  explicit Real(Enclosure enclosure) : Real(std::move(enclosure), Origin()) {}
+  Real(Enclosure enclosure, Origin origin)
+      : enclosure_(std::make_shared<const Enclosure>(std::move(enclosure))), origin_(origin) {}
 
   const std::optional<Rational>& exact() const { return exact_; }
+  /// Of an exact number, its bits.
+  Origin origin() const { return exact_ ? Origin{false, bits_of(*exact_)} : origin_; }
   RealBall enclose(long bits) const {
     return exact_ ? RealBall(*exact_, bits) : (*enclosure_)(bits);
   }
@@ -25,9 +37,11 @@ class Real {
  private:
   std::optional<Rational> exact_;
   std::shared_ptr<const Enclosure> enclosure_;
+  Origin origin_;
 };
 
-// Exact where the operands are, and 0·x = 0.
+// Exact where the operands are, and 0·x = 0. Sums and products of an irrational number and a
+// rational one ≠ 0 are irrational; of two irrational ones nothing is known.
 Real operator-(const Real& x);
 Real operator+(const Real& x, const Real& y);
 Real operator*(const Real& x, const Real& y);

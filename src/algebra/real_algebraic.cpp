@@ -127,9 +127,16 @@ RealBall enclose(const RealAlgebraic& a, long bits) {
   }
 }
 
+// A root that is not 0 is not below 1/(1 + H), H the greatest coefficient [Cauchy].
+long bits_of(const RealAlgebraic& a) {
+  if (const auto exact = a.rational()) return bits_of(*exact);
+  const flint::FmpzPoly p = integer_primitive_part(a.polynomial());
+  return fmpz_poly_degree(p.get()) * (std::abs(fmpz_poly_max_bits(p.get())) + 1);
+}
+
 Real to_real(const RealAlgebraic& a) {
   if (const auto exact = a.rational()) return *exact;
-  return Real([a](long bits) { return enclose(a, bits); });
+  return {[a](long bits) { return enclose(a, bits); }, {true, bits_of(a)}};
 }
 
 }  // namespace phrame

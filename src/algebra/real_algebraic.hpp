@@ -68,6 +68,9 @@ int sign_at(const Polynomial& q, const RealAlgebraic& a);
 /// A ball around a with a radius ≤ 2^−bits · max(1, |a|).
 RealBall enclose(const RealAlgebraic& a, long bits);
 
+/// The bits of what it is made from: of its polynomial, times the degree.
+long bits_of(const RealAlgebraic& a);
+
 /// For correct rounding, which always ends: an irrational number is never half way between two
 /// numbers with finitely many digits.
 Real to_real(const RealAlgebraic& a);

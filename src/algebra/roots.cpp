@@ -102,8 +102,8 @@ Roots isolate_roots(const Polynomial& p, long bits) {
   return roots;
 }
 
-bool are_ill_conditioned(const Polynomial& p) {
-  return p.degree() > 2 && 2 * guess_roots(integer_primitive_part(p)).vague > p.degree();
+bool has_no_clear_root(const Polynomial& p) {
+  return p.degree() > 2 && guess_roots(integer_primitive_part(p)).vague == p.degree();
 }
 
 bool refine(const Polynomial& p, RealBall& root, long bits) {

@@ -15,9 +15,9 @@ struct Roots {
 /// Throws DomainError where p is constant or not squarefree.
 Roots isolate_roots(const Polynomial& p, long bits);
 
-/// Do doubles not tell where most roots of p ≠ 0 are? To isolate them takes far longer, then. A
-/// hint, for a hundredth of the time of isolate_roots.
-bool are_ill_conditioned(const Polynomial& p);
+/// Do doubles not tell of a single root of p ≠ 0 where it is, as where all lie in large clusters?
+/// To isolate them takes far longer, then. A hint, for a hundredth of the time of isolate_roots.
+bool has_no_clear_root(const Polynomial& p);
 
 /// Narrows the enclosure of one real root of p to a relative accuracy of about `bits` bits, by
 /// interval Newton steps; false where they do not reach that.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "phrame/algebra/error.hpp"
 
@@ -45,7 +46,9 @@ auto common(const RealBall& ball, Round round) -> std::optional<decltype(round(R
 /// the result needs; `of_ball` maps a ball to its common rounding.
 template <class OfBall>
 auto ziv(const Real& x, long bits, PrecisionLimit limit, OfBall of_ball) {
-  const long end = limit.factor * bits + limit.offset;
+  const Real::Origin origin = x.origin();
+  const long end = origin.is_irrational ? std::numeric_limits<long>::max()
+                                        : limit.factor * (bits + origin.bits) + limit.offset;
   for (long precision = bits + 16;;) {
     const RealBall ball = x.enclose(precision);
     if (ball.is_finite())

@@ -6,7 +6,8 @@
 
 namespace phrame {
 
-/// Where Ziv's loop gives up: at factor · (the bits of the result) + offset bits of precision.
+/// Where Ziv's loop gives up: at factor · (the bits of the result + those the number was made from)
+/// + offset bits of precision; never, where the number is known to be irrational.
 struct PrecisionLimit {
   long factor = 16;
   long offset = 8192;
@@ -14,10 +15,11 @@ struct PrecisionLimit {
 
 // Correct rounding, to nearest with ties to even, by Ziv's strategy: the precision rises until
 // both ends of the ball round to the same result. A number known exactly is rounded exactly. A
-// number given by enclosures only must not lie on a boundary between two results (transcendental
-// numbers and irrational square roots never do); otherwise the limit is reached and Undecided is
-// thrown. Ziv, Fast evaluation of elementary mathematical functions with correctly rounded last
-// bit, ACM TOMS 17 (1991).
+// number given by enclosures only must not lie on a boundary between two results: one that is known
+// to be irrational never does, so that the loop ends; for others, should they, the limit is reached
+// and Undecided is thrown. It grows with the bits that the number was made from, because it may be
+// chosen as near to a boundary, 0 included, as these allow. Ziv, Fast evaluation of elementary
+// mathematical functions with correctly rounded last bit, ACM TOMS 17 (1991).
 
 /// 0 is no boundary here: a ball within 2^−1075 of it rounds to 0, the positive one.
 double round_to_double(const Real& x, PrecisionLimit limit = {});

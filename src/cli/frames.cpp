@@ -5,6 +5,7 @@
 #include "phrame/cli/twist_options.hpp"
 #include "phrame/io/frame_table.hpp"
 #include "phrame/ph/arc_length.hpp"
+#include "phrame/ph/reduced_angle.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -83,7 +84,7 @@ struct TwistFrames {
     if (!wants_rational && !wants(TabulatedFrame::exact_mtf)) return;
     const auto [from, to] = options.ends(spline);
     angle.emplace(spline);
-    exact.emplace(*angle, from, to, options.turns);
+    exact.emplace(*angle, reduced(from), to, options.turns);
     columns.exact_mtf = &*exact;
     if (!wants_rational) return;
     constexpr long digits = 17;

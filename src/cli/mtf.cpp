@@ -16,7 +16,7 @@ struct MtfOptions {
   long digits = 17;
 };
 
-/// The rational frame, or, unless it was asked for, why there is none.
+/// The rational frame, or, unless it was asked for, why there is none, or none was found.
 void add_rational(TwistReport& report, const MtfOptions& options, const MinimalTwist& mtf,
                   bool asked) {
   const auto make = [&] {
@@ -30,7 +30,7 @@ void add_rational(TwistReport& report, const MtfOptions& options, const MinimalT
   } catch (const DomainError& error) {
     report.why_not_rational = error.what();
   } catch (const Undecided& error) {
-    report.why_not_rational = error.what();
+    report.why_undecided = error.what();
   }
 }
 

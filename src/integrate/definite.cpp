@@ -9,6 +9,7 @@
 #include "phrame/integrate/exact_value.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
 #include "phrame/integrate/quadrature.hpp"
+#include "phrame/integrate/short_integral.hpp"
 
 namespace phrame {
 namespace {
@@ -34,11 +35,15 @@ RealBall log_ratio(const RealBall& z, const Rational& a, const Rational& b, long
 
 /// What may be lost to cancellation: a multiple of the digits that the ends have, and much more.
 long largest_precision(long bits, const Endpoint& a, const Endpoint& b) {
-  long size = 0;
-  for (const Endpoint* end : {&a, &b})
-    if (const auto* t = std::get_if<Rational>(end))
-      size += bit_length(numerator(*t)) + bit_length(denominator(*t));
-  return 64 * bits + 65536 + 4 * size;
+  return 64 * bits + 65536 + 4 * (bits_of(a) + bits_of(b));
+}
+
+/// The bits of the greatest coefficients of f.
+long height(const RationalFunction& f) {
+  const auto bits = [](const Polynomial& p) {
+    return std::abs(fmpz_poly_max_bits(integer_primitive_part(p).get()));
+  };
+  return bits(f.numerator()) + bits(f.denominator());
 }
 
 }  // namespace
@@ -166,6 +171,9 @@ RealBall Evaluator::branch(const Endpoint& t, long bits) {
 }
 
 RealBall Evaluator::branch_difference(const Endpoint& a, const Endpoint& b, long bits) {
+  const auto is_finite = [](const Endpoint& end) { return !std::holds_alternative<Infinity>(end); };
+  if (route_ == Route::automatic && is_finite(a) && is_finite(b))
+    if (auto value = short_integral(derivative_, a, b, bits)) return *std::move(value);
   const long end = largest_precision(bits, a, b);
   for (long precision = bits + 24;; precision = std::min(end, precision + precision / 2)) {
     RealBall value = subtract(branch(b, precision), branch(a, precision), precision);
@@ -177,26 +185,39 @@ RealBall Evaluator::branch_difference(const Endpoint& a, const Endpoint& b, long
   }
 }
 
-bool Evaluator::quadrature_is_cheaper() {
-  constexpr long few_values = 4;
-  constexpr long high_degree = 40;  // below, roots cost little in any case
-  if (precision_ > 0 || quadratures_ == few_values) return false;
-  if (!is_ill_conditioned_)
-    is_ill_conditioned_ = std::any_of(poles_.begin(), poles_.end(), [](const Poles& p) {
-      return p.denominator.degree() >= high_degree && are_ill_conditioned(p.denominator);
-    });
-  return *is_ill_conditioned_;
+/// The value by quadrature, where it is likely to be cheaper than by roots that all lie in
+/// clusters, and has not been asked for with other ends before (the table: docs/performance.md). A
+/// point costs about as much as one of the first steps towards a root, of which clusters need a
+/// hundred and more; so little is lost if it fails.
+const RealBall* Evaluator::cheap_quadrature(const Rational& a, const Rational& b, long bits) {
+  constexpr long greatest_bits = 192;
+  constexpr long high_degree = 48;
+  constexpr long points_per_pole = 60;
+  if (bits > greatest_bits) return nullptr;
+  if (!integrated_) {
+    const auto is_clustered = [](const Poles& p) {
+      return p.denominator.degree() >= high_degree && has_no_clear_root(p.denominator);
+    };
+    if (precision_ > 0 || std::none_of(poles_.begin(), poles_.end(), is_clustered)) return nullptr;
+    require_no_pole(a, b);
+    integrated_ = {a, b,
+                   quadrature(derivative_, a, b, greatest_bits + 16,
+                              points_per_pole * derivative_.denominator().degree())};
+  }
+  const auto& [from, to, value] = *integrated_;
+  return from == a && to == b && value.is_accurate(bits) ? &value : nullptr;
 }
 
 RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) {
-  if (poles_.empty() || a == b || route_ == Route::roots ||
-      (route_ == Route::automatic && !quadrature_is_cheaper()))
-    return difference_by_roots(a, b, bits);
-  ++quadratures_;
+  if (poles_.empty() || a == b || route_ == Route::roots) return difference_by_roots(a, b, bits);
+  if (route_ == Route::automatic) {
+    if (auto value = short_integral(derivative_, a, b, bits)) return *std::move(value);
+    const RealBall* value = cheap_quadrature(a, b, bits);
+    return value != nullptr ? *value : difference_by_roots(a, b, bits);
+  }
   const auto value = difference_by_quadrature(a, b, bits);
-  if (value && route_ != Route::both) return *value;
+  if (value && route_ == Route::quadrature) return *value;
   const RealBall other = difference_by_roots(a, b, bits);
-  if (route_ == Route::automatic) return other;
   if (!value)
     throw Undecided(
         fmt::format("definite integral from {} to {}: the quadrature does not give an enclosure "
@@ -274,8 +295,8 @@ bool Evaluator::turns_vanish(const Polynomial& residues, const Polynomial& other
 // of log(v(α, b)/v(α, a)): if v(α, b) = r·v(α, a) with r ∈ ℚ, exactly, then L(α) = log|r| + πi·k
 // with a whole k. So k = 0 and, for every irreducible polynomial of residues, log|r| = 0 or Σ α = 0
 // prove that the sum is 0.
-std::optional<Rational> Evaluator::multiple_of_pi(const Rational& a, const Rational& b,
-                                                  const GaussianPolynomial& phase) {
+Evaluator::LogsOverPi Evaluator::logs_over_pi(const Rational& a, const Rational& b,
+                                              const GaussianPolynomial& phase) {
   prepare(256);
   std::vector<SimpleFraction> fractions;
   for (const Poles& p : poles_)
@@ -293,13 +314,13 @@ std::optional<Rational> Evaluator::multiple_of_pi(const Rational& a, const Ratio
     const Polynomial at_a = evaluate_at(sum.argument, a) % sum.index;
     const Polynomial at_b = evaluate_at(sum.argument, b) % sum.index;
     const Rational ratio = at_b.leading_coefficient() / at_a.leading_coefficient();
-    if (!(at_b == ratio * at_a)) return std::nullopt;
-    if (abs(ratio) != 1 && QuotientRing(sum.index).trace(sum.residue) != 0) return std::nullopt;
+    if (!(at_b == ratio * at_a)) return {};
+    if (abs(ratio) != 1 && QuotientRing(sum.index).trace(sum.residue) != 0) return {};
     residues *= sum.index;
     other_residues = exact_quotient(other_residues, sum.index);
   }
-  if (!turns_vanish(residues, other_residues, a, b)) return std::nullopt;
-  return phrame::multiple_of_pi(log_change(gaussian, a, b));
+  if (!turns_vanish(residues, other_residues, a, b)) return {};
+  return {phrame::multiple_of_pi(log_change(gaussian, a, b)), true};
 }
 
 std::optional<GaussianPolynomial> Evaluator::single_argument() {
@@ -323,7 +344,10 @@ Real Evaluator::value(const Rational& a, const Rational& b) {
 }
 
 // What is nearly rational is rarely rational: the decision waits for a ball that an integral of
-// this size, about 2^−degree where the poles are not near, has left.
+// this size, about 2^−degree where the poles are not near, has left. A linear form in logarithms of
+// algebraic numbers with algebraic coefficients is 0 or transcendental [Baker 1975], so that a
+// number that is not its rational part is irrational. A sum of logarithms that is a rational
+// multiple of π other than 0 is not 0.
 Real Evaluator::value(const Rational& a, const Rational& b, const GaussianPolynomial& phase,
                       const Real::Enclosure& enclose, const Angle& offset) {
   const Rational rational = rational_difference(a, b) + offset.radians;
@@ -331,15 +355,21 @@ Real Evaluator::value(const Rational& a, const Rational& b, const GaussianPolyno
     return to_real(Angle(offset.half_turns, rational));
   constexpr long bits = first_bits;
   const RealBall first = enclose(bits);
-  if (first.contains(rational)) {
+  const auto is_apart = [&] {
+    if (!first.contains(rational)) return true;
     long poles = degree(phase);
     for (const Poles& p : poles_) poles += p.denominator.degree();
-    if (enclose(bits + 16 * poles).contains(rational) &&
-        multiple_of_pi(a, b, phase) == Rational(-offset.half_turns))
-      return rational;
+    return !enclose(bits + 16 * poles).contains(rational);
+  };
+  bool is_irrational = is_apart();
+  if (!is_irrational) {
+    const auto [multiple, is_decided] = logs_over_pi(a, b, phase);
+    if (multiple == Rational(-offset.half_turns)) return rational;
+    is_irrational = is_decided;
   }
-  return Real(
-      [enclose, first](long precision) { return precision <= bits ? first : enclose(precision); });
+  return {
+      [enclose, first](long precision) { return precision <= bits ? first : enclose(precision); },
+      {is_irrational, bits_of(a) + bits_of(b) + height(derivative_)}};
 }
 
 RealBall definite(const Antiderivative& F, const Rational& a, const Rational& b, long bits) {

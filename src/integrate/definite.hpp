@@ -12,8 +12,8 @@ namespace phrame {
 /// The way to F(b) − F(a) between rational ends. Roots, once isolated, serve all values; the
 /// quadrature of F′ needs none, but is done anew for each.
 enum class Route {
-  automatic,   ///< roots, unless they are many, ill-conditioned, and few values were asked for so
-               ///< far
+  automatic,   ///< roots; quadrature for the first value, within a limit of points, where they are
+               ///< many and all in clusters; a Taylor series where b is near to a
   roots,       ///< of the denominator of F′
   quadrature,  ///< Arb's, certified
   both         ///< which must agree
@@ -35,12 +35,14 @@ class Evaluator {
   Evaluator(const Antiderivative& F, const RationalFunction& derivative);
 
   void take(Route route) { route_ = route; }
+  Route route() const { return route_; }
 
-  /// A ball around F(b) − F(a) with a radius ≤ 2^−bits · max(1, |F(b) − F(a)|).
-  /// Throws DomainError where F′ has a pole in [a, b] (decided by Sturm's theorem, the message
-  /// names the pole) and Undecided where 64·bits + 65536 bits of precision, more for ends with many
-  /// digits, or the quadrature that was asked for do not reach the radius. Throws Error should two
-  /// routes not agree.
+  /// A ball around F(b) − F(a) with a radius ≤ 2^−bits · max(1, |F(b) − F(a)|), and on the
+  /// automatic route, where b is near to a beside the poles, as narrow as short_integral's. Throws
+  /// DomainError where F′ has a pole in [a, b] (decided by Sturm's theorem, the message names the
+  /// pole) and Undecided where 64·bits + 65536 bits of precision, more for ends with many digits,
+  /// or the quadrature that was asked for do not reach the radius. Throws Error should two routes
+  /// not agree.
   RealBall difference(const Rational& a, const Rational& b, long bits);
 
   /// The same between ends of any kind: a ball around G(b) − G(a) for the branch G of F with |t −
@@ -51,8 +53,8 @@ class Evaluator {
   RealBall branch_difference(const Endpoint& a, const Endpoint& b, long bits);
 
   /// The same, exact where it is seen to be rational. By Baker's theorem it is transcendental
-  /// unless its logarithms cancel, so that correct rounding of the result ends, except where
-  /// cancelling logarithms were not recognised.
+  /// unless its logarithms cancel, and so its origin says where they are seen not to, so that
+  /// correct rounding of the result ends; except where cancelling logarithms were not recognised.
   /// The value keeps a reference to this evaluator. Throws as above.
   Real value(const Rational& a, const Rational& b);
 
@@ -68,7 +70,9 @@ class Evaluator {
   /// rational: decided for residues in ℚ(i) (Baker) and recognised in many other cases; no value
   /// means that it is irrational or not recognised. Precondition: no pole in [a, b].
   std::optional<Rational> multiple_of_pi(const Rational& a, const Rational& b,
-                                         const GaussianPolynomial& phase);
+                                         const GaussianPolynomial& phase) {
+    return logs_over_pi(a, b, phase).multiple;
+  }
 
   /// P with F = arg P + constant, so that e^{iF} is P/|P| up to a constant factor. No value where
   /// there is none: where F has more than logarithms, or F′ a residue that is not in (i/2)ℤ, as a
@@ -86,13 +90,19 @@ class Evaluator {
     std::vector<ComplexBall> upper_residues;
   };
 
+  struct LogsOverPi {
+    std::optional<Rational> multiple;  ///< as multiple_of_pi
+    bool is_decided = false;           ///< that there is none, where there is none
+  };
+
+  LogsOverPi logs_over_pi(const Rational& a, const Rational& b, const GaussianPolynomial& phase);
   Rational rational_difference(const Rational& a, const Rational& b) const;
   void require_no_pole(const Rational& a, const Rational& b) const;
   void prepare(long precision);
   RealBall difference_by_roots(const Rational& a, const Rational& b, long bits);
   std::optional<RealBall> difference_by_quadrature(const Rational& a, const Rational& b,
                                                    long bits) const;
-  bool quadrature_is_cheaper();
+  const RealBall* cheap_quadrature(const Rational& a, const Rational& b, long bits);
   RealBall log_difference(const Rational& a, const Rational& b, long bits) const;
   RealBall branch(const Endpoint& t, long bits);
   bool turns_vanish(const Polynomial& residues, const Polynomial& other_residues, const Rational& a,
@@ -104,8 +114,13 @@ class Evaluator {
   std::vector<Poles> poles_;
   long precision_ = 0;  ///< of the roots; 0 before they are isolated
   Route route_ = Route::automatic;
-  std::optional<bool> is_ill_conditioned_;
-  long quadratures_ = 0;  ///< done so far
+  /// What was integrated on the automatic route, once.
+  struct Integrated {
+    Rational a;
+    Rational b;
+    RealBall value;
+  };
+  std::optional<Integrated> integrated_;
 };
 
 /// ∫ F′ from a to b: Evaluator(F).difference(a, b, bits).

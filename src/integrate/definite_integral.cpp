@@ -224,9 +224,11 @@ DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFuncti
   if (r != nullptr && s != nullptr && !has_poles) {
     const Real value = evaluator->value(*r, *s);
     if (value.exact()) return exactly(*value.exact());
-    return {Real([evaluator, value](long bits) { return value.enclose(bits); }), exact};
+    return {{[evaluator, value](long bits) { return value.enclose(bits); }, value.origin()}, exact};
   }
-  return {Real([=](long bits) { return evaluator->branch_difference(a, b, bits); }), exact};
+  return {{[=](long bits) { return evaluator->branch_difference(a, b, bits); },
+           {false, bits_of(a) + bits_of(b)}},
+          exact};
 }
 
 DefiniteIntegral definite_integral(const Antiderivative& F, const Endpoint& a, const Endpoint& b,

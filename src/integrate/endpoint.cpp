@@ -25,6 +25,11 @@ RealBall enclose(const Endpoint& end, long bits) {
   return enclose(*x, bits);
 }
 
+long bits_of(const Endpoint& end) {
+  const auto x = finite(end);
+  return x ? bits_of(*x) : 0;
+}
+
 std::strong_ordering compare(const Endpoint& a, const Endpoint& b) {
   if (region(a) != region(b) || region(a) != 0) return region(a) <=> region(b);
   return compare(*finite(a), *finite(b));

@@ -14,6 +14,9 @@ using Endpoint = std::variant<Rational, RealAlgebraic, Infinity>;
 /// infinite one.
 RealBall enclose(const Endpoint& end, long bits);
 
+/// Of a finite end, those of its number; of an infinite one, 0.
+long bits_of(const Endpoint& end);
+
 /// From −∞ over the real numbers to ∞.
 std::strong_ordering compare(const Endpoint& a, const Endpoint& b);
 

@@ -6,7 +6,11 @@
 namespace phrame {
 namespace {
 
-bool is_narrow(const acb_t z) { return acb_rel_accuracy_bits(z) > 30; }
+/// Is z as small as points are at this precision? A disc next to a pole is not, however small: there
+/// Horner's rule gives a ball that is much larger than the distance to the pole squared.
+bool is_point(const ComplexBall& z, long precision) {
+  return acb_rel_accuracy_bits(z.raw()) > precision / 2;
+}
 
 struct Integrand {
   const AnalyticFunction& f;
@@ -37,7 +41,7 @@ RealBall integrate(const AnalyticFunction& f, const RealBall& a, const RealBall&
 
 ComplexBall evaluate(const BallPolynomial& p, const ComplexBall& z, long bits) {
   ComplexBall value;
-  if (is_narrow(z.raw())) {
+  if (is_point(z, bits)) {
     arb_poly_evaluate_acb(value.raw(), p.raw(), z.raw(), bits);
     return value;
   }
@@ -61,15 +65,45 @@ ComplexBall evaluate(const BallPolynomial& p, const ComplexBall& z, long bits) {
   return value;
 }
 
-RealBall quadrature(const RationalFunction& f, const Rational& a, const Rational& b, long bits) {
-  const slong precision = bits + 64;
-  const BallPolynomial numerator(f.numerator(), precision);
-  const BallPolynomial denominator(f.denominator(), precision);
-  const auto quotient = [&](const ComplexBall& z, long working) {
-    return divide(evaluate(numerator, z, working), evaluate(denominator, z, working), working);
-  };
-  return integrate(quotient, RealBall(a, precision), RealBall(b, precision), bits, precision,
-                   most_points_by_default);
+namespace {
+
+/// Is d = p(z) so inexact because more precision is needed, and not because z is a large ball?
+bool lacks_precision(const BallPolynomial& p, const ComplexBall& z, const ComplexBall& d, long bits,
+                     long precision) {
+  if (is_point(z, precision)) return acb_rel_accuracy_bits(d.raw()) < bits;
+  constexpr long few = 16;
+  if (acb_rel_accuracy_bits(d.raw()) >= few) return false;
+  ComplexBall middle;
+  acb_get_mid(middle.raw(), z.raw());
+  return acb_rel_accuracy_bits(evaluate(p, middle, precision).raw()) < few;
+}
+
+}  // namespace
+
+// Next to a pole the denominator is small, so that it loses its digits, and the points those of
+// their distance to the pole. Once that is seen, the values that are still asked for are infinite,
+// which costs little, and all begins anew.
+RealBall quadrature(const RationalFunction& f, const Rational& a, const Rational& b, long bits,
+                    long most_points) {
+  constexpr long most_precision = 1 << 14;
+  for (long more = 64;; more *= 4) {
+    const slong precision = bits + more;
+    const BallPolynomial numerator(f.numerator(), precision);
+    const BallPolynomial denominator(f.denominator(), precision);
+    bool is_imprecise = false;
+    const auto quotient = [&](const ComplexBall& z, long working) {
+      ComplexBall value;
+      acb_indeterminate(value.raw());
+      if (is_imprecise) return value;
+      --most_points;
+      const ComplexBall d = evaluate(denominator, z, working);
+      is_imprecise = lacks_precision(denominator, z, d, bits, working);
+      return is_imprecise ? value : divide(evaluate(numerator, z, working), d, working);
+    };
+    RealBall value = integrate(quotient, RealBall(a, precision), RealBall(b, precision), bits,
+                               precision, most_points);
+    if (!is_imprecise || most_points <= 0 || more >= most_precision) return value;
+  }
 }
 
 RealBall quadrature(const AnalyticFunction& f, long bits, long more, long most_points) {

@@ -6,12 +6,14 @@
 
 namespace phrame {
 
-/// A ball around ∫ₐᵇ f by Arb's certified numerical quadrature, with a radius of about 2^−bits; a
-/// wide or infinite one where that fails, as at a pole on [a, b]. It knows no antiderivative and no
-/// root: the other way to a value [Johansson 2018].
-RealBall quadrature(const RationalFunction& f, const Rational& a, const Rational& b, long bits);
-
 inline constexpr long most_points_by_default = 100'000;
+
+/// A ball around ∫ₐᵇ f by Arb's certified numerical quadrature, with a radius of about 2^−bits; a
+/// wide or infinite one where that fails, as at a pole on [a, b], or with so many values of f. The
+/// precision rises with what f loses next to poles. It knows no antiderivative and no root: the
+/// other way to a value [Johansson 2018].
+RealBall quadrature(const RationalFunction& f, const Rational& a, const Rational& b, long bits,
+                    long most_points = most_points_by_default);
 
 /// Encloses f(z): for a ball z around which f is not analytic, an infinite ball.
 using AnalyticFunction = std::function<ComplexBall(const ComplexBall& z, long bits)>;

@@ -27,7 +27,7 @@ std::string wrapped(const std::vector<T>& items, const char* format) {
 }
 
 /// The tables of one function: rows of center, scale and coefficients, ends and first pieces.
-std::string tables(const std::string& name, const PiecewisePolynomial& p) {
+std::string tables(const std::string& name, const PiecewisePolynomial& p, const char* index) {
   std::string rows;
   for (const PolynomialPiece& piece : p.pieces()) {
     std::vector<double> row{piece.center, piece.scale};
@@ -37,9 +37,9 @@ std::string tables(const std::string& name, const PiecewisePolynomial& p) {
   return fmt::format(
       "static const double {0}_rows[{1}][{2}] = {{\n{3}}};\n"
       "static const double {0}_ends[{4}] = {{\n{5}\n}};\n"
-      "static const unsigned short {0}_first[{6}] = {{\n{7}\n}};\n\n",
+      "static const {8} {0}_first[{6}] = {{\n{7}\n}};\n\n",
       name, p.pieces().size(), 2 + p.shape().size(), rows, p.ends().size(),
-      wrapped(p.ends(), "{:a}"), p.first().size(), wrapped(p.first(), "{}"));
+      wrapped(p.ends(), "{:a}"), p.first().size(), wrapped(p.first(), "{}"), index);
 }
 
 constexpr const char* preamble =
@@ -85,14 +85,14 @@ constexpr const char* frame_text =
 )";
 
 constexpr const char* find_function =
-    R"(static inline unsigned {p}_find(double t, double cells_per_unit,
-                                const unsigned short *first, const double *ends)
+    R"(static inline {number} {p}_find(double t, double cells_per_unit,
+                                const {index} *first, const double *ends)
 {{
-  const unsigned cell = (unsigned)((t - {P}_FROM) * cells_per_unit);
-  unsigned low = first[cell];
-  unsigned high = first[cell + 1];
+  const {number} cell = ({number})((t - {P}_FROM) * cells_per_unit);
+  {number} low = first[cell];
+  {number} high = first[cell + 1];
   while (low < high) {{
-    const unsigned middle = (low + high + 1) / 2;
+    const {number} middle = (low + high + 1) / 2;
     if (t < ends[middle])
       high = middle - 1;
     else
@@ -178,9 +178,17 @@ std::string to_c_header(const CHeader& header) {
   std::string upper = p;
   std::transform(p.begin(), p.end(), upper.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  // An unsigned short has 16 bits, and an unsigned long 32, or more.
+  const auto is_long = [](const PiecewisePolynomial& table) {
+    return table.pieces().size() > 65536;
+  };
+  const bool needs_long = is_long(header.angle) || (header.rotation && is_long(*header.rotation));
+  const char* index = needs_long ? "unsigned long" : "unsigned short";
+  const char* number = needs_long ? "unsigned long" : "unsigned";
   const auto fill = [&](const char* text, const PiecewisePolynomial& table) {
     const long constant = 2 + table.shape().position(0);
-    return fmt::format(fmt::runtime(text), arg("p", p), arg("P", upper),
+    return fmt::format(fmt::runtime(text), arg("p", p), arg("P", upper), arg("index", index),
+                       arg("number", number),
                        arg("cells", fmt::format("{:a}", table.cells_per_unit())),
                        arg("constant", constant));
   };
@@ -217,9 +225,9 @@ std::string to_c_header(const CHeader& header) {
       arg("from_hex", fmt::format("{:a}", header.angle.from())),
       arg("to_hex", fmt::format("{:a}", header.angle.to())), arg("version", version));
   text += fill(find_function, header.angle);
-  text += tables(p + "_theta", header.angle) + fill(theta_function, header.angle);
+  text += tables(p + "_theta", header.angle, index) + fill(theta_function, header.angle);
   if (header.rotation)
-    text += tables(p + "_frame", *header.rotation) + fill(frame_function, *header.rotation);
+    text += tables(p + "_frame", *header.rotation, index) + fill(frame_function, *header.rotation);
   return text + "#endif\n";
 }
 

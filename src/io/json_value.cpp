@@ -216,6 +216,9 @@ std::string parse_error_reason(std::string_view message) {
 }
 
 JsonValue parse_json(std::string_view text) {
+  // nlohmann's parser takes it for the end of the text.
+  if (const auto nul = text.find('\0'); nul != std::string_view::npos)
+    throw InputError(place_of(text, nul + 1), "not valid JSON: a NUL byte");
   // Named here, since the releases of nlohmann's parser differ in what they say of it.
   std::string_view content = text;
   if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);

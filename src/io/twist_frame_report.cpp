@@ -21,10 +21,28 @@ Decimal rounded_or_zero(const Real& x, const std::string& what, long digits) {
   }
 }
 
-ErrorSize error_size(const Real& x, const std::string& what, long digits) {
+/// The parameter of the curve at an inflection of a piece.
+Real inflection_at(const RationalTwist& twist, const RealBall& found) {
+  return Real([twist, found](long bits) {
+    const long precision = bits + 32;
+    const auto& narrow = twist.inflections(precision).at;
+    const auto same = std::find_if(narrow.begin(), narrow.end(),
+                                   [&](const RealBall& tau) { return tau.overlaps(found); });
+    const TwistPiece& piece = twist.piece();
+    const RealBall width(piece.to - piece.from, precision);
+    return add(RealBall(piece.from, precision),
+               multiply(width, same == narrow.end() ? found : *same, precision), precision);
+  });
+}
+
+constexpr long few = 6;  // digits in a table
+
+ErrorSize error_size(const Real& number, const std::string& what, long digits) {
+  const Real x = remembered(number);
   const Decimal value = rounded_or_zero(x, what, digits);
-  if (value.value != "0" || value.radius == "0") return {value};
-  return {{value.radius, value.radius}, true};
+  if (value.value == "0" && value.radius != "0")
+    return {{value.radius, value.radius}, "≤ " + value.radius, true};
+  return {value, rounded_or_zero(x, what, few).value};
 }
 
 TwistPieceReport piece_report(const MinimalTwist& mtf, const BestTwist& best, long digits) {
@@ -37,12 +55,14 @@ TwistPieceReport piece_report(const MinimalTwist& mtf, const BestTwist& best, lo
   const auto size = [&](const Real& x, const std::string& what, long to_digits) {
     return error_size(relative_error(x, mtf, piece.length), what, to_digits);
   };
-  const SignChanges inflections = twist.inflections(4 * digits + 32);
+  const Real gamma = remembered(twist.end_factor());
+  const SignChanges inflections = twist.inflections(4 * digits + 64);
   TwistPieceReport report{piece.from,
                           piece.to,
                           2 * preimage_degree(mtf.spline().segments()[index]) + 2 * twist.degree(),
                           twist.degree(),
-                          decimal(twist.end_factor(), "gamma"),
+                          decimal(gamma, "gamma"),
+                          rounded(gamma, "gamma", few).value,
                           {},
                           best.doubt,
                           {},
@@ -61,12 +81,11 @@ TwistPieceReport piece_report(const MinimalTwist& mtf, const BestTwist& best, lo
     report.coefficients.emplace_back(rounded_or_zero(re, "a coefficient of w", digits),
                                      rounded_or_zero(im, "a coefficient of w", digits));
   for (const RealBall& tau : inflections.at)
-    report.inflections.push_back(
-        decimal(Real(piece.from + (piece.to - piece.from) * tau.midpoint()), "an inflection"));
+    report.inflections.push_back(decimal(inflection_at(twist, tau), "an inflection"));
   if (best.other) {  // only a guess is known
-    const long few = std::min(digits, 6L);
-    report.other = {rounded(best.other->end_factor(), "gamma", few),
-                    size(best.other->root_mean_square(), "the root mean square", few)};
+    const long known = std::min(digits, few);
+    report.other = {rounded(best.other->end_factor(), "gamma", known),
+                    size(best.other->root_mean_square(), "the root mean square", known)};
   }
   return report;
 }
@@ -126,26 +145,44 @@ std::string in_detail(const TwistPieceReport& piece, std::string_view unit) {
   return text;
 }
 
+/// "0", "3/7", or eight digits.
+std::string place(const Rational& t) {
+  return to_string(t).size() < 9 ? to_string(t) : round_to_decimal(t, 8).value;
+}
+
+/// A line for each reason why pieces are not proved to be the best, and where.
+std::string doubts(const std::vector<TwistPieceReport>& pieces) {
+  std::vector<std::pair<std::string, std::vector<const TwistPieceReport*>>> reasons;
+  for (const TwistPieceReport& piece : pieces) {
+    if (piece.proved || piece.doubt.empty()) continue;
+    auto known = std::find_if(reasons.begin(), reasons.end(),
+                              [&](const auto& reason) { return reason.first == piece.doubt; });
+    if (known == reasons.end()) known = reasons.insert(known, {piece.doubt, {}});
+    known->second.push_back(&piece);
+  }
+  if (reasons.empty()) return "  Each w is proved to be the best one.\n";
+  std::string text;
+  for (const auto& [doubt, here] : reasons) {
+    std::string where;
+    for (const TwistPieceReport* piece : here)
+      where += fmt::format("{}{} to {}", where.empty() ? ", from t = " : ", ", place(piece->from),
+                           place(piece->to));
+    text += fmt::format("  No proof that w is the best one{}: {}\n",
+                        here.size() == pieces.size() ? "" : where, doubt);
+  }
+  return text;
+}
+
 /// A line for each piece.
 std::string table(const std::vector<TwistPieceReport>& pieces) {
-  const auto in_short = [](const Rational& x, long digits) {
-    return round_to_decimal(x, digits).value;
-  };
-  const auto place = [&](const Rational& t) {
-    return to_string(t).size() < 9 ? to_string(t) : in_short(t, 8);
-  };
-  const auto decimal = [&](const Decimal& x) { return in_short(parse_rational(x.value), 6); };
-  const auto size = [&](const ErrorSize& x) {
-    return x.is_bound ? "≤ " + x.value.value : decimal(x.value);
-  };
   std::string text = fmt::format("  {:<12}{:<12}{:<4}{:<12}{:<14}{:<14}{}\n", "from t", "to t", "n",
                                  "γ", "rms", "greatest", "one sign");
   for (const TwistPieceReport& piece : pieces)
-    text +=
-        fmt::format("  {:<12}{:<12}{:<4}{:<12}{:<14}{:<14}{}{}\n", place(piece.from),
-                    place(piece.to), piece.rotation_degree, decimal(piece.gamma),
-                    size(piece.root_mean_square), size(piece.greatest), to_string(piece.monotone),
-                    piece.extra_turns == 0 ? "" : ", turns by T " + turns_text(piece.extra_turns));
+    text += fmt::format(
+        "  {:<12}{:<12}{:<4}{:<12}{:<14}{:<14}{}{}\n", place(piece.from), place(piece.to),
+        piece.rotation_degree, piece.gamma_in_short, piece.root_mean_square.in_short,
+        piece.greatest.in_short, to_string(piece.monotone),
+        piece.extra_turns == 0 ? "" : ", turns by T " + turns_text(piece.extra_turns));
   return text;
 }
 
@@ -155,10 +192,11 @@ TwistFrameReport twist_frame_report(const MinimalTwist& mtf, const TwistFrame& f
   TwistFrameReport report{{},
                           error_size(relative_error(root_mean_square(frame), mtf, mtf.length()),
                                      "the root mean square", digits),
-                          is_monotone(frame),
+                          Monotone::undecided,
                           mtf.twist().exact() != Rational(0)};
   for (const BestTwist& piece : frame.pieces)
     report.pieces.push_back(piece_report(mtf, piece, digits));
+  report.monotone = is_monotone(frame);  // by the inflections of the pieces, known now
   return report;
 }
 
@@ -180,10 +218,7 @@ std::string to_text(const TwistFrameReport& report) {
   for (std::size_t k = 0; k < pieces.size(); ++k)
     details += fmt::format("\n  Piece {}\n{}", k + 1, in_detail(pieces[k], unit));
   text += passage(details + "\n", "  … and the coefficients of each w\n");
-  const bool are_proved = std::all_of(pieces.begin(), pieces.end(), [](const auto& piece) {
-    return piece.proved || piece.doubt.empty();
-  });
-  text += are_proved ? "  Each w is proved to be the best one.\n" : "";
+  text += doubts(pieces);
   text += row("rms of Ω₁ − Ω̄₁, all pieces", shown(report.root_mean_square, unit), 31);
   text += row("Ω₁ has one sign", std::string(to_string(report.monotone)), 31);
   return text;

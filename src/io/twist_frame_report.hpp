@@ -6,6 +6,7 @@ namespace phrame {
 /// A number that is not negative: correctly rounded, or, where it may be 0, an upper bound.
 struct ErrorSize {
   Decimal value;
+  std::string in_short;  ///< the number, rounded once to six digits for a table
   bool is_bound = false;
 };
 
@@ -16,6 +17,7 @@ struct TwistPieceReport {
   long frame_degree;     ///< of f₂ and f₃
   long rotation_degree;  ///< of w
   Decimal gamma;
+  std::string gamma_in_short;  ///< rounded once to six digits
   struct Radii {
     std::string radius;   ///< no coefficient of the best w is farther away
     std::string gamma;    ///< nor its γ

@@ -106,6 +106,8 @@ std::string to_text(const TwistReport& report) {
   if (report.rational) text += to_text(*report.rational);
   if (!report.why_not_rational.empty())
     text += "\nNo rational frame: " + report.why_not_rational + "\n";
+  if (!report.why_undecided.empty())
+    text += "\nThe rational frame is undecided: " + report.why_undecided + "\n";
   return text;
 }
 
@@ -123,6 +125,7 @@ std::string to_json(const TwistReport& report) {
                     {"exact", {{"values", json_of(report.values)}}}};
   if (report.rational) add_rational(output, *report.rational);
   if (!report.why_not_rational.empty()) output["no_rational"] = report.why_not_rational;
+  if (!report.why_undecided.empty()) output["rational_undecided"] = report.why_undecided;
   return pretty(output);
 }
 

@@ -19,7 +19,8 @@ struct TwistReport {
   std::vector<AngleValue> values;
   long digits;
   std::optional<TwistFrameReport> rational = {};
-  std::string why_not_rational = {};  ///< where one was looked for in vain
+  std::string why_not_rational = {};  ///< where there is none
+  std::string why_undecided = {};     ///< where none was found, or could be shown
 };
 
 /// The values of θ at `at`, rounded to `digits` digits. Throws Undecided, naming what it is that

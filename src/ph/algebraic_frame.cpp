@@ -46,8 +46,10 @@ Frame<Real> AlgebraicFrames::frenet(const AlgebraicPoint& t) const {
 
 Real AlgebraicFrames::angle(const AlgebraicPoint& t) {
   if (is_rotation_minimizing_) return Rational(0);
-  return Real(
-      [this, t](long bits) { return twist_.branch_difference(Rational(0), t.number(), bits + 8); });
+  const auto enclosure = [this, t](long bits) {
+    return twist_.branch_difference(Rational(0), t.number(), bits + 8);
+  };
+  return {enclosure, {false, bits_of(t.number())}};
 }
 
 Frame<Real> AlgebraicFrames::rotation_minimizing(const AlgebraicPoint& t) {

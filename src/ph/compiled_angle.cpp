@@ -77,8 +77,12 @@ PiecewisePolynomial compiled_angle(RmfAngle& angle, const Angle& start_angle, do
 // A straight segment may have the angle 0 because others and the start cancel: value() sees that.
 PiecewisePolynomial compiled_angle(SplineAngle& angle, const Angle& start_angle,
                                    const DoubleShape& shape) {
+  // That the segments before cancel is asked for only where a ball does not say enough: it costs as
+  // much as all of them.
   const auto theta = [&](double t, long more) {
-    return angle.value(exact_rational(t), start_angle).enclose(more);
+    const SplineParameter at = locate(angle.spline(), exact_rational(t));
+    if (more > bits) return angle.value(at, start_angle).enclose(more);
+    return add(angle.enclose(at, more), to_real(start_angle).enclose(more), more);
   };
   const auto make = [&](double low, double high) {
     const double joint = std::floor(low);

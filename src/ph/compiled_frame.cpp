@@ -159,7 +159,7 @@ PiecewisePolynomial compiled_rotation(SplineAngle& angle, const Angle& start_ang
   const std::vector<Rotation> rotations(angle.spline().segments().begin(),
                                         angle.spline().segments().end());
   const auto theta = [&](double t, long more) {
-    return angle.value(exact_rational(t)).enclose(more);
+    return angle.enclose(locate(angle.spline(), exact_rational(t)), more);
   };
   const auto make = [&](double low, double high) {
     const double joint = std::floor(low);

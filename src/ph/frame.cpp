@@ -20,9 +20,10 @@ Vector<Real> over_square_root(const Vector<Rational>& v, const Rational& s) {
   const auto component = [&](const Rational& x) -> Real {
     if (root) return Rational(x / *root);
     if (x == 0) return Rational(0);
-    return Real([x, s](long bits) {
+    const auto enclosure = [x, s](long bits) {
       return divide(RealBall(x, bits + 8), sqrt(RealBall(s, bits + 8), bits + 8), bits + 8);
-    });
+    };
+    return {enclosure, {true, bits_of(x) + bits_of(s)}};
   };
   return {component(v[0]), component(v[1]), component(v[2])};
 }
@@ -80,11 +81,12 @@ Frame<Real> turned(const Frame<Real>& frame, const Real& theta) {
   // cos θ·x + sin θ·y.
   const auto component = [&](const Real& x, const Real& y) -> Real {
     if (x.exact() == Rational(0) && y.exact() == Rational(0)) return Rational(0);
-    return Real([x, y, turn](long bits) {
+    const auto enclosure = [x, y, turn](long bits) {
       const CosSin& cs = turn(bits + 8);
       return add(multiply(cs.cos, x.enclose(bits + 8), bits + 8),
                  multiply(cs.sin, y.enclose(bits + 8), bits + 8), bits + 8);
-    });
+    };
+    return {enclosure, {false, theta.origin().bits + x.origin().bits + y.origin().bits}};
   };
   const auto vector = [&](const Vector<Real>& x, const Vector<Real>& y) {
     return Vector<Real>{component(x[0], y[0]), component(x[1], y[1]), component(x[2], y[2])};

@@ -1,6 +1,9 @@
 #include "phrame/ph/frame_angle.hpp"
 
+#include <algorithm>
+
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
 
 namespace phrame {
 
@@ -42,6 +45,7 @@ FrameAngle difference(const FrameAngle& b, const FrameAngle& a) {
 }
 
 FrameAngle operator+(const FrameAngle& a, const FrameAngle& b) {
+  // Here, too, the sum of the two arguments is principal.
   FrameAngle sum = angle_of(a.direction * b.direction);
   sum.half_turns += a.half_turns + b.half_turns;
   sum.radians = a.radians + b.radians;
@@ -54,9 +58,22 @@ GaussianPolynomial path_to(const GaussianRational& z) {
 }
 
 Real to_real(const FrameAngle& angle) {
-  const Real sum = to_real(Angle(angle.half_turns, angle.radians));
-  const GaussianRational& z = angle.direction;
-  return z.im == 0 ? sum : sum + Real([z](long bits) { return argument(z.re, z.im, bits); });
+  if (angle.half_turns == 0 && angle.direction.im == 0) return angle.radians;
+  // Whole turns in half_turns may cancel radians, or nearly.
+  const auto size = [](const Rational& x) {
+    return x == 0 ? 0 : std::max(0L, binary_exponent(abs(x)));
+  };
+  const long guard = 8 + std::max(size(angle.half_turns), size(angle.radians));
+  const auto enclosure = [angle, guard](long bits) {
+    const auto& [half_turns, radians, z] = angle;
+    const long more = bits + guard;
+    return add(
+        add(multiply(RealBall(half_turns, more), pi(more), more), RealBall(radians, more), more),
+        argument(z.re, z.im, more), more);
+  };
+  const auto& [half_turns, radians, z] = angle;
+  return {enclosure,
+          {false, bits_of(half_turns) + bits_of(radians) + bits_of(z.re) + bits_of(z.im)}};
 }
 
 }  // namespace phrame

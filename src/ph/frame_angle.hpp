@@ -22,9 +22,8 @@ FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame);
 /// The angle over π where that is rational; no value where it is not: decided exactly.
 std::optional<Rational> over_pi(const FrameAngle& angle);
 
-/// b − a.
+/// b − a, and the sum, whole turns included.
 FrameAngle difference(const FrameAngle& b, const FrameAngle& a);
-/// The sum, up to whole turns.
 FrameAngle operator+(const FrameAngle& a, const FrameAngle& b);
 
 /// 1 at t = 0 and z at t = 1, straight on and not through 0, so that its argument turns by arg z;

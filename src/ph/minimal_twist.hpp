@@ -12,9 +12,10 @@ namespace phrame {
 /// Not for concurrent use. Refers to the angle.
 class MinimalTwist {
  public:
-  /// With `extra_turns` ≠ 0 the frame makes that many more revolutions. Throws DomainError where
-  /// the multiplier of a segment changes sign on it, and Undecided where T cannot be told from an
-  /// odd multiple of π.
+  /// Whole turns in θ_f − θ_i do not count, however many: they are left out before anything is
+  /// rounded. With `extra_turns` ≠ 0 the frame makes that many more revolutions. Throws DomainError
+  /// where the multiplier of a segment changes sign on it, and Undecided where T cannot be told
+  /// from an odd multiple of π.
   MinimalTwist(SplineAngle& rmf, const FrameAngle& from, const FrameAngle& to,
                const Integer& extra_turns = 0);
 
@@ -36,20 +37,25 @@ class MinimalTwist {
   /// θ(t). At the start it is θ_i and at the end θ_f plus whole turns, exactly; where the twist is
   /// 0 it is exact where θ_RMF and θ_i are.
   Real value(const Rational& t) const;
+  /// The same less whole turns, so many that θ_i is in (−π, π]: what f₂ and f₃ depend on.
+  Real reduced_value(const Rational& t) const;
   /// θ where the arc length from the start is s and θ_RMF is known: θ_i + T_min·s/S + θ_RMF.
   Real value(const Real& s, const Real& rmf_angle) const;
 
  private:
+  Real value(const FrameAngle& start, const Rational& t) const;
+  Real value(const FrameAngle& start, const Real& s, const Real& rmf_angle) const;
+
   SplineAngle* rmf_;
   FrameAngle from_;
-  FrameAngle to_;
+  FrameAngle start_;                     ///< θ_i in (−π, π]
+  FrameAngle turn_;                      ///< θ(end) − θ(0)
   std::vector<Polynomial> arc_lengths_;  ///< of the segments
   std::vector<Rational> starts_;         ///< s at their starts
   Rational length_;
   Real erf_twist_;
   Real nominal_;
   Real twist_;
-  Integer turns_;  ///< θ(end) = θ_f + 2π·turns
 };
 
 }  // namespace phrame

@@ -90,7 +90,8 @@ BestTwist best_on_line(const TwistPiece& piece, long degree, EndRates rates,
     other = search_line(objective, -1);
   }
   if (!best && !other)
-    throw DomainError(fmt::format("no rotation of degree {} without a zero was found", degree));
+    throw Undecided(
+        fmt::format("no rotation of degree {} without a zero was found; there may be one", degree));
   // A frame that turns by T goes before one that turns 2π more or less, and that by its error.
   const auto rank = [&](const LineGuess& guess) {
     if (guess.value < one_turn) return std::pair(0, guess.value);
@@ -128,13 +129,14 @@ RationalTwist::RationalTwist(TwistPiece piece, long degree, EndRates rates,
       degree_(degree),
       rates_(rates),
       parameters_(std::move(parameters)),
-      rotations_(std::make_shared<std::map<long, Rotation>>()) {}
+      known_(std::make_shared<Known>()) {}
 
 const Rotation& RationalTwist::rotation(long bits) const {
-  const auto known = rotations_->find(bits);
-  if (known != rotations_->end()) return known->second;
+  std::map<long, Rotation>& rotations = known_->rotations;
+  const auto known = rotations.find(bits);
+  if (known != rotations.end()) return known->second;
   const RotationFamily family = rotation_family(piece_, degree_, rates_, bits);
-  return rotations_->emplace(bits, member(family, parameters_, bits)).first->second;
+  return rotations.emplace(bits, member(family, parameters_, bits)).first->second;
 }
 
 Real RationalTwist::end_factor() const {
@@ -181,11 +183,13 @@ Integer RationalTwist::extra_turns() const {
 
 Real RationalTwist::root_mean_square() const {
   return Real([twist = *this](long bits) {
+    Known& known = *twist.known_;
+    if (known.mean_square_bits >= bits) return known.root_mean_square;
     const RealBall square = mean_square(
         twist.piece_, twist.rotation(working_precision(twist.piece_, 2 * bits)), 2 * bits);
-    RealBall root;
-    arb_sqrtpos(root.raw(), square.raw(), bits + 64);
-    return root;
+    arb_sqrtpos(known.root_mean_square.raw(), square.raw(), bits + 64);
+    known.mean_square_bits = bits;
+    return known.root_mean_square;
   });
 }
 
@@ -196,14 +200,16 @@ Real RationalTwist::greatest_error() const {
   });
 }
 
-SignChanges RationalTwist::inflections(long bits) const {
-  SignChanges changes;
+const SignChanges& RationalTwist::inflections(long bits) const {
+  if (known_->inflection_bits >= bits) return known_->inflections;
   for (long factor = 1; factor <= 4; factor *= 2) {
     const long precision = working_precision(piece_, factor * bits);
-    changes = sign_changes(turn_numerator(piece_, rotation(precision), precision), factor * bits);
-    if (changes.is_complete()) break;
+    known_->inflections =
+        sign_changes(turn_numerator(piece_, rotation(precision), precision), factor * bits);
+    if (known_->inflections.is_complete()) break;
   }
-  return changes;
+  known_->inflection_bits = bits;
+  return known_->inflections;
 }
 
 int RationalTwist::sign_of_rate(const Rational& tau) const {
@@ -257,6 +263,7 @@ BestTwist best_twist(const TwistPiece& piece, const RationalTwistOptions& option
     least = coarse_mean_square(*best);
     starts.push_back(nearest_parameters(bernstein(*best, degree), piece, rates));
   } catch (const DomainError&) {  // there is none
+  } catch (const Undecided&) {    // none was found
   }
   for (const auto& start : starts) {
     const RationalTwist found(piece, degree, rates, exact(search(objective, start)));

@@ -34,8 +34,8 @@ class RationalTwist {
   Real root_mean_square() const;
   /// The maximum of |Ω₁ − Ω̄₁| along the piece, times its length.
   Real greatest_error() const;
-  /// Where Ω₁ changes its sign, as values of τ.
-  SignChanges inflections(long bits) const;
+  /// Where Ω₁ changes its sign, as values of τ, to 2^−bits or better.
+  const SignChanges& inflections(long bits) const;
   /// The sign of Ω₁ at τ; 0 where it cannot be told.
   int sign_of_rate(const Rational& tau) const;
 
@@ -47,7 +47,15 @@ class RationalTwist {
   long degree_;
   EndRates rates_;
   std::vector<Rational> parameters_;
-  std::shared_ptr<std::map<long, Rotation>> rotations_;  ///< by precision, as far as computed
+  /// What has been computed.
+  struct Known {
+    std::map<long, Rotation> rotations;  ///< by precision
+    long inflection_bits = 0;
+    SignChanges inflections;
+    long mean_square_bits = 0;
+    RealBall root_mean_square;
+  };
+  std::shared_ptr<Known> known_;
 };
 
 /// What is known of a rotation being the best of its degree. Where there is one for each sign of γ,
@@ -71,7 +79,8 @@ struct RationalTwistOptions {
 /// The rotation of this degree, or a lower one if none better was found, whose Ω₁ deviates least
 /// from Ω̄₁ in the mean square (36): for degree 1, and for degree 2 with matched rates, Brent's
 /// method and the proof; else NLopt's SLSQP from the best of the degree below. Throws DomainError
-/// for a degree that is not offered, and where there is no such rotation.
+/// for a degree that is not offered, and where there is no such rotation; Undecided where none was
+/// found.
 BestTwist best_twist(const TwistPiece& piece, const RationalTwistOptions& options);
 
 }  // namespace phrame

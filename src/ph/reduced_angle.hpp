@@ -2,9 +2,13 @@
 #include <functional>
 #include <optional>
 
-#include "phrame/algebra/real.hpp"
+#include "phrame/ph/frame_angle.hpp"
 
 namespace phrame {
+
+/// The angle in (−π, π] that differs from this one by whole turns, however many: decided exactly.
+/// Where whole turns are taken from radians they stand in half_turns.
+FrameAngle reduced(const FrameAngle& angle);
 
 /// 2π·k.
 Real whole_turn(const Integer& k);

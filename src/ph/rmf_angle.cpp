@@ -2,6 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/gaussian_logs.hpp"
+#include "phrame/integrate/short_integral.hpp"
 
 namespace phrame {
 namespace {
@@ -59,9 +60,12 @@ RmfAngle::RmfAngle(const Curve& curve, Reference reference, Form form)
     throw Error("RmfAngle: the check failed, the derivative of the angle is not its rate");
 }
 
-/// The two parts may nearly cancel: the precision rises until their sum is as accurate as asked.
+/// The two parts may nearly cancel, as near 0, where they are not taken apart: else the precision
+/// rises until their sum is as accurate as asked.
 RealBall RmfAngle::enclose(const Rational& t, long bits) {
   if (!argument_) return evaluator_.difference(0, t, bits);
+  if (evaluator_.route() == Route::automatic)
+    if (const auto value = short_integral(rate_, Rational(0), t, bits)) return *value;
   for (long more = bits + 8;; more += 64) {
     RealBall sum = add(evaluator_.difference(0, t, more), argument_->difference(t, more), more);
     if (sum.is_accurate(bits)) return sum;

@@ -1,5 +1,7 @@
 #include "phrame/ph/spline_angle.hpp"
 
+#include <algorithm>
+
 #include "phrame/ph/frame_angle.hpp"
 #include "phrame/ph/reduced_angle.hpp"
 #include "phrame/ph/transform.hpp"
@@ -10,6 +12,8 @@
 
 namespace phrame {
 namespace {
+
+constexpr long rational_bits = 256;
 
 /// F(t) − F(0) without the logarithms.
 Rational without_logarithms(const Antiderivative& F, const Rational& t) {
@@ -39,25 +43,70 @@ RealBall SplineAngle::enclose(const SplineParameter& at, long bits) {
   }
 }
 
-/// θ without the logarithms.
-Rational SplineAngle::rational_part(const SplineParameter& at) const {
+/// θ(at) less that at the start of segment `from`, without the logarithms.
+Rational SplineAngle::rational_part(std::size_t from, const SplineParameter& at) const {
   Rational sum = without_logarithms(angles_[at.segment].twist(), at.t);
-  for (std::size_t k = 0; k < at.segment; ++k) sum += without_logarithms(angles_[k].twist(), 1);
+  for (std::size_t k = from; k < at.segment; ++k) sum += without_logarithms(angles_[k].twist(), 1);
   return sum;
 }
 
-/// F with F(1) − F(0) = θ; what has no logarithm is in the polynomial.
-Antiderivative SplineAngle::over_unit_interval(const SplineParameter& at) const {
-  Antiderivative sum{Polynomial{0, rational_part(at)}, {}, {}};
+/// A ball around θ without the logarithms, at a cost that does not grow with the segments before.
+RealBall SplineAngle::rational_ball(const SplineParameter& at) {
+  const auto part = [&](std::size_t k, const Rational& t) {
+    return RealBall(without_logarithms(angles_[k].twist(), t), rational_bits);
+  };
+  while (rational_sums_.size() <= at.segment)
+    rational_sums_.push_back(
+        add(rational_sums_.back(), part(rational_sums_.size() - 1, 1), rational_bits));
+  return add(rational_sums_[at.segment], part(at.segment, at.t), rational_bits);
+}
+
+/// F with F(1) − F(0) = θ(at) less that at the start of segment `from`; what has no logarithm is in
+/// the polynomial.
+Antiderivative SplineAngle::over_unit_interval(std::size_t from, const SplineParameter& at) const {
+  Antiderivative sum{Polynomial{0, rational_part(from, at)}, {}, {}};
   const auto add = [&](const Antiderivative& F) {
     sum.logs.insert(sum.logs.end(), F.logs.begin(), F.logs.end());
   };
-  for (std::size_t k = 0; k < at.segment; ++k) add(angles_[k].twist());
+  for (std::size_t k = from; k < at.segment; ++k) add(angles_[k].twist());
   if (at.t == 1)
     add(angles_[at.segment].twist());
   else if (at.t != 0)
     add(integrate(erf_rate(phrame::segment(spline_.segments()[at.segment], 0, at.t).preimage())));
   return sum;
+}
+
+/// As in Evaluator::value: what is apart from its rational part is irrational.
+bool SplineAngle::may_be_rational(const SplineParameter& at, const Angle& start) {
+  constexpr long bits = 128;
+  return add(enclose(at, bits), to_real(start).enclose(bits), bits)
+      .overlaps(add(rational_ball(at), RealBall(start.radians, bits), bits));
+}
+
+/// θ(at) + start, given a joint before: that logarithms cancel is decided for the segments in
+/// between.
+Real SplineAngle::value_after(const Joint& joint, const SplineParameter& at, const Angle& start) {
+  if (joint.segment == at.segment) return angles_[at.segment].value(at.t, start) + joint.theta;
+  const auto theta = [this, at, before = joint.theta, start](long bits) {
+    return add(add(enclose(at, bits), RealBall(-before, bits), bits),
+               to_real(start).enclose(bits), bits);
+  };
+  return Evaluator(over_unit_interval(joint.segment, at)).value(0, 1, {{1}, {}}, theta, start) +
+         joint.theta;
+}
+
+/// The last joint up to the start of the segment at which θ is seen to be rational. Where segments
+/// cancel again and again, each decision is about few of them.
+const SplineAngle::Joint& SplineAngle::last_joint(std::size_t segment) {
+  while (joints_known_ < segment) {
+    const SplineParameter end{joints_known_++, 1};
+    if (!may_be_rational(end, {})) continue;
+    const Real theta = value_after(joints_.back(), end, {});
+    if (theta.exact()) joints_.push_back({joints_known_, *theta.exact()});
+  }
+  return *(std::upper_bound(joints_.begin(), joints_.end(), segment,
+                            [](std::size_t k, const Joint& joint) { return k < joint.segment; }) -
+           1);
 }
 
 Real SplineAngle::value(const Rational& t, const Angle& start) {
@@ -66,20 +115,19 @@ Real SplineAngle::value(const Rational& t, const Angle& start) {
 
 Real SplineAngle::value(const SplineParameter& at, const Angle& start) {
   if (at.segment == 0) return angles_[0].value(at.t, start);
-  const auto sum = [this, at, offset = to_real(start)](long bits) {
-    const RealBall theta = enclose(at, bits);
-    return offset.exact() == Rational(0) ? theta : add(theta, offset.enclose(bits), bits);
-  };
-  if (!sum(128).contains(rational_part(at) + start.radians)) return Real(sum);
-  return Evaluator(over_unit_interval(at)).value(0, 1, {{1}, {}}, sum, start);
+  if (may_be_rational(at, start)) return value_after(last_joint(at.segment), at, start);
+  return {[this, at, start](long bits) {
+            return add(enclose(at, bits), to_real(start).enclose(bits), bits);
+          },
+          {true, bits_of(at.t)}};
 }
 
 // Logarithms and a rational number ρ ≠ 0 do not add up to a rational multiple of π [Baker 1975].
 std::optional<Rational> SplineAngle::multiple_of_pi(const SplineParameter& at,
                                                     const GaussianPolynomial& phase,
                                                     const Rational& offset) const {
-  if (rational_part(at) + offset != 0) return std::nullopt;
-  return Evaluator(over_unit_interval(at)).multiple_of_pi(0, 1, phase);
+  if (rational_part(0, at) + offset != 0) return std::nullopt;
+  return Evaluator(over_unit_interval(0, at)).multiple_of_pi(0, 1, phase);
 }
 
 std::optional<GaussianRational> SplineAngle::direction(const SplineParameter& at) {

@@ -32,6 +32,9 @@ class SplineAngle {
   Real value(const Rational& t, const Angle& start = {});
   /// The same; at.t may be any number, with which the segment is continued.
   Real value(const SplineParameter& at, const Angle& start = {});
+  /// A ball around θ(at) with a radius ≤ 2^−bits · max(1, |θ(at)|); the sums up to the joints are
+  /// kept. at.t may be any number.
+  RealBall enclose(const SplineParameter& at, long bits);
   /// z ∈ ℚ(i) with e^{iθ} = z/|z|, where each segment up to there has an RmfAngle::direction().
   std::optional<GaussianRational> direction(const SplineParameter& at);
 
@@ -48,14 +51,26 @@ class SplineAngle {
   std::optional<Real> holonomy();
 
  private:
-  RealBall enclose(const SplineParameter& at, long bits);
+  /// A joint, the start of a segment, with a rational θ.
+  struct Joint {
+    std::size_t segment = 0;
+    Rational theta;
+  };
+
   RealBall sum_before(std::size_t segment, long bits);
-  Rational rational_part(const SplineParameter& at) const;
-  Antiderivative over_unit_interval(const SplineParameter& at) const;
+  RealBall rational_ball(const SplineParameter& at);
+  bool may_be_rational(const SplineParameter& at, const Angle& start);
+  const Joint& last_joint(std::size_t segment);
+  Real value_after(const Joint& joint, const SplineParameter& at, const Angle& start);
+  Rational rational_part(std::size_t from, const SplineParameter& at) const;
+  Antiderivative over_unit_interval(std::size_t from, const SplineParameter& at) const;
 
   Spline spline_;
   std::deque<RmfAngle> angles_;
-  std::map<long, std::vector<RealBall>> sums_;        ///< θ(0), θ(1), … by precision
+  std::map<long, std::vector<RealBall>> sums_;       ///< θ(0), θ(1), … by precision
+  std::vector<RealBall> rational_sums_{RealBall()};  ///< of these, what has no logarithm
+  std::vector<Joint> joints_{{}};                    ///< with a rational θ, ascending
+  std::size_t joints_known_ = 0;                     ///< up to there they are looked for
   std::vector<GaussianRational> directions_{{1, 0}};  ///< of θ(0), θ(1), …, as far as there are any
 };
 

@@ -20,135 +20,101 @@ struct Operations {
   Ball twice(const Ball& x) const { return add(x, x, bits); }
 };
 
-/// What the piece brings to E, at a point of the complex plane.
-class PieceFunction {
- public:
+// Where the frame is nearly exact E is small against its terms. They cancel in the coefficients of
+// one polynomial, once for all points:
+//   E·speed = N/(dD),  N = (n − T·speed·d)·D + 2d(ab′ − a′b).
+
+/// What the piece brings to E.
+struct PieceFunction {
+  BallPolynomial denominator;  ///< d
+  BallPolynomial speed;
+  BallPolynomial rest;  ///< n − T·speed·d
+
   PieceFunction(const TwistPiece& piece, long bits)
-      : numerator_(piece.erf_rate.numerator(), bits),
-        denominator_(piece.erf_rate.denominator(), bits),
-        speed_(piece.speed, bits),
-        twist_(piece.twist.enclose(bits)) {}
-
-  struct Values {
-    ComplexBall rate;  ///< erf_rate − T·speed
-    ComplexBall speed;
-  };
-
-  Values operator()(const ComplexBall& z, long bits) const {
-    const ComplexBall speed = evaluate(speed_, z, bits);
-    const ComplexBall erf =
-        divide(evaluate(numerator_, z, bits), evaluate(denominator_, z, bits), bits);
-    return {subtract(erf, multiply(twist_, speed, bits), bits), speed};
+      : denominator(piece.erf_rate.denominator(), bits), speed(piece.speed, bits) {
+    const BallPolynomial wanted =
+        multiply(piece.twist.enclose(bits), multiply(speed, denominator, bits), bits);
+    rest = subtract(BallPolynomial(piece.erf_rate.numerator(), bits), wanted, bits);
   }
 
- private:
-  BallPolynomial numerator_;
-  BallPolynomial denominator_;
-  BallPolynomial speed_;
-  RealBall twist_;
-};
-
-/// a, b and their derivatives there.
-class RotationFunction {
- public:
-  RotationFunction(const Rotation& w, long bits)
-      : w_(w), slope_{differentiate(w.a, bits), differentiate(w.b, bits)} {}
-
-  struct Values {
-    ComplexBall a;
-    ComplexBall b;
-    ComplexBall a_slope;
-    ComplexBall b_slope;
-  };
-
-  Values operator()(const ComplexBall& z, long bits) const {
-    return {evaluate(w_.a, z, bits), evaluate(w_.b, z, bits), evaluate(slope_.a, z, bits),
-            evaluate(slope_.b, z, bits)};
+  /// N, linear in D = norm and ab′ − a′b = cross.
+  BallPolynomial numerator(const BallPolynomial& norm, const BallPolynomial& cross,
+                           long bits) const {
+    const BallPolynomial turn = multiply(denominator, add(cross, cross, bits), bits);
+    return add(multiply(rest, norm, bits), turn, bits);
   }
-
- private:
-  Rotation w_;
-  Rotation slope_;
 };
 
-/// What both make.
-struct ErrorValues {
-  ComplexBall error;       ///< erf_rate + θ′ − T·speed
-  ComplexBall norm;        ///< D = a² + b²
-  ComplexBall norm_slope;  ///< D′
-};
-
-ErrorValues error_values(const ComplexBall& rate, const RotationFunction::Values& w, long bits) {
-  const Operations op{bits};
-  const ComplexBall norm = op.plus(op.times(w.a, w.a), op.times(w.b, w.b));
-  const ComplexBall half_turn =
-      op.over(op.minus(op.times(w.a, w.b_slope), op.times(w.a_slope, w.b)), norm);
-  const ComplexBall half_slope = op.plus(op.times(w.a, w.a_slope), op.times(w.b, w.b_slope));
-  return {op.plus(rate, op.twice(half_turn)), norm, op.twice(half_slope)};
+/// Re(ūv) and Im(ūv).
+BallPolynomial dot(const Rotation& u, const Rotation& v, long bits) {
+  return add(multiply(u.a, v.a, bits), multiply(u.b, v.b, bits), bits);
 }
 
-/// By how many bits the terms of a polynomial of the piece may be larger than its values.
+BallPolynomial cross(const Rotation& u, const Rotation& v, long bits) {
+  return subtract(multiply(u.a, v.b, bits), multiply(u.b, v.a, bits), bits);
+}
+
+/// By how many bits the terms of a polynomial may be larger than its values: on [0, 1] those of
+/// degree n are at most 3ⁿ times its Bernstein coefficients. The greatest degree is that of the
+/// denominator of E, with w of degree 8.
 long growth(const TwistPiece& piece) {
-  return 2 * std::max(piece.erf_rate.denominator().degree(), piece.speed.degree());
+  return 2 * (piece.erf_rate.denominator().degree() + piece.speed.degree() + 16);
 }
 
-/// A function and its derivative, on a ball.
+/// A function and its derivatives, on a ball.
 struct Jet {
   RealBall value;
   RealBall slope;
+  RealBall bend;
 };
 
 /// E on intervals.
 class ErrorJet {
  public:
-  ErrorJet(const TwistPiece& piece, const Rotation& w, long bits)
-      : bits_(bits),
-        numerator_(with_slope({piece.erf_rate.numerator(), bits})),
-        denominator_(with_slope({piece.erf_rate.denominator(), bits})),
-        speed_(with_slope({piece.speed, bits})),
-        cross_(with_slope(wronskian(w, bits))),
-        norm_(with_slope(norm(w, bits))),
-        twist_(piece.twist.enclose(bits)) {}
+  ErrorJet(const TwistPiece& piece, const Rotation& w, long bits) : bits_(bits) {
+    const PieceFunction of(piece, bits);
+    const BallPolynomial d = norm(w, bits);
+    numerator_ = with_slopes(of.numerator(d, wronskian(w, bits), bits));
+    denominator_ = with_slopes(multiply(multiply(of.denominator, d, bits), of.speed, bits));
+  }
 
+  /// q = x/y: q′ = (x′ − qy′)/y and q″ = (x″ − 2q′y′ − qy″)/y.
   Jet operator()(const Rational& a, const Rational& b) const {
-    const auto at = [&](const WithSlope& p) {
-      return Jet{range(p.p, a, b, bits_), range(p.slope, a, b, bits_)};
+    const RealBall point(a, bits_);
+    const auto on = [&](const BallPolynomial& p) {
+      return a == b ? evaluate(p, point, bits_) : range(p, a, b, bits_);
     };
-    const Jet half_turn = over(at(cross_), at(norm_));
-    const Jet erf = over(at(numerator_), at(denominator_));
-    const Jet turn{add(erf.value, add(half_turn.value, half_turn.value, bits_), bits_),
-                   add(erf.slope, add(half_turn.slope, half_turn.slope, bits_), bits_)};
-    const Jet rate = over(turn, at(speed_));
-    return {subtract(rate.value, twist_, bits_), rate.slope};
+    const auto at = [&](const WithSlopes& p) { return Jet{on(p.p), on(p.slope), on(p.bend)}; };
+    const auto times = [&](const RealBall& u, const RealBall& v) { return multiply(u, v, bits_); };
+    const auto minus = [&](const RealBall& u, const RealBall& v) { return subtract(u, v, bits_); };
+    const Jet x = at(numerator_);
+    const Jet y = at(denominator_);
+    const RealBall value = divide(x.value, y.value, bits_);
+    const RealBall slope = divide(minus(x.slope, times(value, y.slope)), y.value, bits_);
+    const RealBall twice = times(add(slope, slope, bits_), y.slope);
+    const RealBall rest = minus(minus(x.bend, twice), times(value, y.bend));
+    return {value, slope, divide(rest, y.value, bits_)};
   }
 
  private:
-  struct WithSlope {
+  struct WithSlopes {
     BallPolynomial p;
     BallPolynomial slope;
+    BallPolynomial bend;
   };
-  WithSlope with_slope(const BallPolynomial& p) const { return {p, differentiate(p, bits_)}; }
-  Jet over(const Jet& x, const Jet& y) const {
-    const RealBall ratio = divide(x.value, y.value, bits_);
-    const RealBall change = subtract(x.slope, multiply(ratio, y.slope, bits_), bits_);
-    return {ratio, divide(change, y.value, bits_)};
+  WithSlopes with_slopes(const BallPolynomial& p) const {
+    const BallPolynomial slope = differentiate(p, bits_);
+    return {p, slope, differentiate(slope, bits_)};
   }
 
   long bits_;
-  WithSlope numerator_;
-  WithSlope denominator_;
-  WithSlope speed_;
-  WithSlope cross_;
-  WithSlope norm_;
-  RealBall twist_;
+  WithSlopes numerator_;
+  WithSlopes denominator_;
 };
 
 }  // namespace
 
-long working_precision(const TwistPiece& piece, long bits) {
-  // The greatest degree is that of the slope of E, with w of degree 8 about twice this sum.
-  return bits + 64 + 4 * (piece.erf_rate.denominator().degree() + piece.speed.degree() + 8);
-}
+long working_precision(const TwistPiece& piece, long bits) { return bits + 64 + growth(piece); }
 
 BallPolynomial turn_numerator(const TwistPiece& piece, const Rotation& w, long bits) {
   const BallPolynomial n(piece.erf_rate.numerator(), bits);
@@ -159,72 +125,91 @@ BallPolynomial turn_numerator(const TwistPiece& piece, const Rotation& w, long b
 }
 
 RealBall mean_square(const TwistPiece& piece, const Rotation& w, long bits) {
-  const long more = growth(piece);
-  const PieceFunction piece_at(piece, bits + more + 64);
-  const RotationFunction w_at(w, bits + more + 64);
+  const long precision = working_precision(piece, bits);
+  const PieceFunction of(piece, precision);
+  const BallPolynomial d = norm(w, precision);
+  const BallPolynomial n = of.numerator(d, wronskian(w, precision), precision);
+  const BallPolynomial q = multiply(of.denominator, d, precision);
   return quadrature(
       [&](const ComplexBall& z, long working) {
         const Operations op{working};
-        const auto [rate, speed] = piece_at(z, working);
-        const ComplexBall error = error_values(rate, w_at(z, working), working).error;
-        return op.over(op.times(error, error), speed);
+        const ComplexBall error = op.over(evaluate(n, z, working), evaluate(q, z, working));
+        return op.over(op.times(error, error), evaluate(of.speed, z, working));
       },
-      bits, more);
+      bits, growth(piece));
 }
 
 RealBall mean_square_slope(const TwistPiece& piece, const RotationFamily& family,
                            const Rational& parameter, long bits) {
   // ∂θ/∂p = 2 Im(w¹/w) = 2K/D with K = Im(w̄⁰w¹), which does not depend on p.
-  const long more = growth(piece);
-  const long precision = bits + more + 64;
-  const PieceFunction piece_at(piece, precision);
-  const RotationFunction w_at(member(family, {parameter}, precision), precision);
-  const auto& p = family.basis[0];
-  const auto& q = family.basis[1];
-  const BallPolynomial k =
-      subtract(multiply(p.a, q.b, precision), multiply(p.b, q.a, precision), precision);
-  const BallPolynomial k_slope = differentiate(k, precision);
+  const long precision = working_precision(piece, bits);
+  const Rotation w = member(family, {parameter}, precision);
+  const PieceFunction of(piece, precision);
+  const BallPolynomial d = norm(w, precision);
+  const BallPolynomial n = of.numerator(d, wronskian(w, precision), precision);
+  const BallPolynomial q = multiply(of.denominator, d, precision);
+  const BallPolynomial k = cross(family.basis[0], family.basis[1], precision);
+  // θ′_p/2 = (K/D)′ = (K′D − KD′)/D².
+  const BallPolynomial change =
+      subtract(multiply(differentiate(k, precision), d, precision),
+               multiply(k, differentiate(d, precision), precision), precision);
   return quadrature(
       [&](const ComplexBall& z, long working) {
         const Operations op{working};
         const auto at = [&](const BallPolynomial& polynomial) {
           return evaluate(polynomial, z, working);
         };
-        const auto [rate, speed] = piece_at(z, working);
-        const auto [error, norm, norm_slope] = error_values(rate, w_at(z, working), working);
-        // θ′_p/2 = (K/D)′.
-        const ComplexBall change =
-            op.over(op.minus(op.times(at(k_slope), norm), op.times(at(k), norm_slope)),
-                    op.times(norm, norm));
-        return op.over(op.twice(op.twice(op.times(error, change))), speed);
+        const ComplexBall norm = at(d);
+        const ComplexBall error = op.over(at(n), at(q));
+        const ComplexBall product = op.over(op.times(error, at(change)), op.times(norm, norm));
+        return op.over(op.twice(op.twice(product)), at(of.speed));
       },
-      bits, more);
+      bits, growth(piece));
 }
 
-/// The values that do not depend on the parameter, by points.
+/// With w = w^c + δ·w¹ from a centre c: N = N⁰ + δN¹ + δ²N², D = D⁰ + 2δL⁰ + δ²D¹. The values that
+/// do not depend on δ, by points.
 class MeanSquareBend::Points {
  public:
   struct Values {
     ComplexBall z;
-    PieceFunction::Values piece;
-    RotationFunction::Values p;  ///< of w⁰ and w¹
-    RotationFunction::Values q;
+    ComplexBall denominator;
+    ComplexBall speed;
+    std::array<ComplexBall, 3> n;  ///< N⁰, N¹, N²
+    /// And their slopes: D⁰ = |w^c|², L⁰ = Re(w̄^c w¹), D¹ = |w¹|², K = Im(w̄^c w¹).
+    std::array<ComplexBall, 4> forms;
+    std::array<ComplexBall, 4> slopes;
   };
 
-  Points(const TwistPiece& piece, const RotationFamily& family, long bits)
-      : more(growth(piece)),
-        piece_at_(piece, bits + more + 64),
-        p_at_(family.basis[0], bits + more + 64),
-        q_at_(family.basis[1], bits + more + 64) {}
+  Points(const TwistPiece& piece, const RotationFamily& family, const Rational& at, long bits)
+      : centre(at, bits), of_(piece, bits) {
+    const Rotation w = member(family, {at}, bits);
+    const Rotation& v = family.basis[1];
+    const auto slope = [bits](const Rotation& u) {
+      return Rotation{differentiate(u.a, bits), differentiate(u.b, bits)};
+    };
+    const BallPolynomial l = dot(w, v, bits);
+    forms_ = {norm(w, bits), l, norm(v, bits), cross(w, v, bits)};
+    for (std::size_t k = 0; k < forms_.size(); ++k) slopes_[k] = differentiate(forms_[k], bits);
+    const BallPolynomial mixed = add(cross(w, slope(v), bits), cross(v, slope(w), bits), bits);
+    n_ = {of_.numerator(forms_[0], wronskian(w, bits), bits),
+          of_.numerator(add(l, l, bits), mixed, bits),
+          of_.numerator(forms_[2], wronskian(v, bits), bits)};
+  }
 
   const Values& at(const ComplexBall& z, long bits) {
     std::optional<Values>& known = values_[key_of(z)];
-    if (!known || acb_equal(known->z.raw(), z.raw()) == 0)
-      known = Values{z, piece_at_(z, bits), p_at_(z, bits), q_at_(z, bits)};
+    if (known && acb_equal(known->z.raw(), z.raw()) != 0) return *known;
+    known = Values{z, evaluate(of_.denominator, z, bits), evaluate(of_.speed, z, bits), {}, {}, {}};
+    for (std::size_t k = 0; k < n_.size(); ++k) known->n[k] = evaluate(n_[k], z, bits);
+    for (std::size_t k = 0; k < forms_.size(); ++k) {
+      known->forms[k] = evaluate(forms_[k], z, bits);
+      known->slopes[k] = evaluate(slopes_[k], z, bits);
+    }
     return *known;
   }
 
-  const long more;
+  const RealBall centre;
 
  private:
   /// Different points may share one: then the last one is kept.
@@ -233,66 +218,62 @@ class MeanSquareBend::Points {
             mag_get_d(arb_radref(acb_imagref(z.raw())))};
   }
 
-  PieceFunction piece_at_;
-  RotationFunction p_at_;
-  RotationFunction q_at_;
+  PieceFunction of_;
+  std::array<BallPolynomial, 3> n_;
+  std::array<BallPolynomial, 4> forms_;
+  std::array<BallPolynomial, 4> slopes_;
   std::map<std::array<double, 4>, std::optional<Values>> values_;
 };
 
-MeanSquareBend::MeanSquareBend(const TwistPiece& piece, const RotationFamily& family, long bits)
-    : points_(std::make_unique<Points>(piece, family, bits)), bits_(bits) {}
+MeanSquareBend::MeanSquareBend(const TwistPiece& piece, const RotationFamily& family,
+                               const Rational& centre, long bits)
+    : points_(std::make_unique<Points>(piece, family, centre, working_precision(piece, bits))),
+      bits_(bits),
+      more_(growth(piece)) {}
 
 MeanSquareBend::~MeanSquareBend() = default;
 
 RealBall MeanSquareBend::operator()(const RealBall& parameter, long most_points) {
+  const RealBall delta = subtract(parameter, points_->centre, bits_ + 64 + more_);
   return quadrature(
       [&](const ComplexBall& z, long working) {
         const Operations op{working};
         const Points::Values& here = points_->at(z, working);
-        const RotationFunction::Values& p = here.p;
-        const RotationFunction::Values& q = here.q;
         const auto moved = [&](const ComplexBall& x, const ComplexBall& y) {
-          return op.plus(x, multiply(parameter, y, working));
+          return op.plus(x, multiply(delta, y, working));
         };
-        const auto slope_of_product = [&](const ComplexBall& u, const ComplexBall& u_slope,
-                                          const ComplexBall& v, const ComplexBall& v_slope) {
-          return op.plus(op.times(u, v_slope), op.times(u_slope, v));
-        };
-        const RotationFunction::Values w{moved(p.a, q.a), moved(p.b, q.b),
-                                         moved(p.a_slope, q.a_slope), moved(p.b_slope, q.b_slope)};
-        const ErrorValues values = error_values(here.piece.rate, w, working);
-        const ComplexBall& norm = values.norm;
+        const auto l_at = [&](const auto& of) { return moved(of[1], of[2]); };
+        // D⁰ + δ(L⁰ + L)
+        const auto norm_at = [&](const auto& of) { return moved(of[0], op.plus(of[1], l_at(of))); };
         // θ_p = 2K/D with K = Im(w̄⁰w¹), D_p = 2L with L = Re(w̄w¹), so that θ_pp/4 = −K/D·L/D.
-        const ComplexBall k = op.minus(op.times(p.a, q.b), op.times(p.b, q.a));
-        const ComplexBall k_slope = op.minus(slope_of_product(p.a, p.a_slope, q.b, q.b_slope),
-                                             slope_of_product(p.b, p.b_slope, q.a, q.a_slope));
-        const ComplexBall l = op.plus(op.times(w.a, q.a), op.times(w.b, q.b));
-        const ComplexBall l_slope = op.plus(slope_of_product(w.a, w.a_slope, q.a, q.a_slope),
-                                            slope_of_product(w.b, w.b_slope, q.b, q.b_slope));
-        const ComplexBall k_share = op.over(k, norm);
-        const ComplexBall l_share = op.over(l, norm);
+        const ComplexBall norm = norm_at(here.forms);
+        const ComplexBall norm_slope = norm_at(here.slopes);
+        const ComplexBall n = moved(here.n[0], moved(here.n[1], here.n[2]));
+        const ComplexBall error = op.over(n, op.times(here.denominator, norm));
+        const ComplexBall k_share = op.over(here.forms[3], norm);
+        const ComplexBall l_share = op.over(l_at(here.forms), norm);
         const auto change = [&](const ComplexBall& share, const ComplexBall& slope) {
-          return op.over(op.minus(slope, op.times(share, values.norm_slope)), norm);
+          return op.over(op.minus(slope, op.times(share, norm_slope)), norm);
         };
-        const ComplexBall k_change = change(k_share, k_slope);
-        const ComplexBall l_change = change(l_share, l_slope);
-        const ComplexBall bend = slope_of_product(k_share, k_change, l_share, l_change);
-        const ComplexBall sum =
-            op.minus(op.times(k_change, k_change), op.times(values.error, bend));
-        return op.over(multiply(RealBall(8, working), sum, working), here.piece.speed);
+        const ComplexBall k_change = change(k_share, here.slopes[3]);
+        const ComplexBall l_change = change(l_share, l_at(here.slopes));
+        const ComplexBall bend = op.plus(op.times(k_share, l_change), op.times(k_change, l_share));
+        const ComplexBall sum = op.minus(op.times(k_change, k_change), op.times(error, bend));
+        return op.over(multiply(RealBall(8, working), sum, working), here.speed);
       },
-      bits_, points_->more, most_points);
+      bits_, more_, most_points);
 }
 
 RealBall greatest_error(const TwistPiece& piece, const Rotation& w, long bits) {
-  // Branch and bound: a part can be left where |E| is less than elsewhere, or E is monotone.
+  // Branch and bound: the maximum is at an end or where E′ = 0, so that a part can be left where
+  // E′ ≠ 0, or where |E| is less than elsewhere. Where E″ ≠ 0 Newton's interval step
+  // m − E′(m)/E″(part) holds what zero of E′ the part has.
   const long precision = working_precision(piece, bits);
   const ErrorJet error(piece, w, precision);
   RealBall least;  // of what the maximum can be
-  const auto look_at = [&](const Rational& tau) {
-    const RealBall here = absolute(error(tau, tau).value);
+  const auto look_at = [&](const Jet& jet) {
+    const RealBall here = absolute(jet.value);
     if (here.is_finite()) arb_max(least.raw(), least.raw(), here.raw(), precision);
-    return here;
   };
   struct Part {
     Rational a;
@@ -302,21 +283,35 @@ RealBall greatest_error(const TwistPiece& piece, const Rotation& w, long bits) {
   constexpr long first_parts = 16;
   for (long k = 0; k < first_parts; ++k)
     parts.push_back({Rational(k, first_parts), Rational(k + 1, first_parts)});
-  for (long k = 0; k <= first_parts; ++k) look_at(Rational(k, first_parts));
+  for (long k = 0; k <= first_parts; ++k) {
+    const Rational tau(k, first_parts);
+    look_at(error(tau, tau));
+  }
   const RealBall fine = RealBall(power_of_two(-bits), 53);
   for (long round = 0;; ++round) {
     RealBall most = least;
     std::vector<Part> left;
     for (const Part& part : parts) {
+      const Jet jet = error(part.a, part.b);
+      if (jet.slope.is_finite() && !jet.slope.contains_zero()) continue;
       const Rational middle = (part.a + part.b) / 2;
-      const auto [value, slope] = error(part.a, part.b);
-      if (slope.is_finite() && !slope.contains_zero()) continue;  // the ends were looked at
+      const Jet in_middle = error(middle, middle);
+      look_at(in_middle);
       const RealBall offset = hull(Rational(part.a - middle), Rational(part.b - middle), precision);
       const RealBall inside =
-          absolute(add(error(middle, middle).value, multiply(offset, slope, precision), precision));
-      look_at(middle);
+          absolute(add(in_middle.value, multiply(offset, jet.slope, precision), precision));
       if (arb_lt(inside.raw(), least.raw()) != 0) continue;
       most = hull(most, inside, precision);
+      const RealBall zero = subtract(RealBall(middle, precision),
+                                     divide(in_middle.slope, jet.bend, precision), precision);
+      if (zero.is_finite()) {
+        const Rational a = std::max(part.a, zero.lower());
+        const Rational b = std::min(part.b, zero.upper());
+        if (2 * (b - a) < part.b - part.a) {
+          if (a <= b) left.push_back({a, b});
+          continue;
+        }
+      }
       left.push_back({part.a, middle});
       left.push_back({middle, part.b});
     }

@@ -26,7 +26,9 @@ RealBall mean_square_slope(const TwistPiece& piece, const RotationFamily& family
 /// calls, whose quadratures meet the same points again and again. Not for concurrent use.
 class MeanSquareBend {
  public:
-  MeanSquareBend(const TwistPiece& piece, const RotationFamily& family, long bits);
+  /// Best near a centre, a parameter.
+  MeanSquareBend(const TwistPiece& piece, const RotationFamily& family, const Rational& centre,
+                 long bits);
   ~MeanSquareBend();
   MeanSquareBend(const MeanSquareBend&) = delete;
   MeanSquareBend& operator=(const MeanSquareBend&) = delete;
@@ -38,6 +40,7 @@ class MeanSquareBend {
   class Points;
   std::unique_ptr<Points> points_;
   long bits_;
+  long more_;
 };
 
 /// The maximum of |E| on [0, 1].

@@ -188,12 +188,15 @@ std::optional<RealBall> Branch::end(int direction) const {
 class Bend {
  public:
   /// `smallness`: G″ is about 2^−smallness.
-  Bend(const TwistPiece& piece, const RotationFamily& family, long smallness)
-      : bend_(piece, family, smallness + 8) {}
+  Bend(const TwistPiece& piece, const RotationFamily& family, const Rational& centre,
+       long smallness)
+      : bend_(piece, family, centre, smallness + 8) {}
 
   RealBall operator()(const Range& range) {
-    constexpr long most_points = 1000;  // the width comes from that of the range
-    return lower_end(bend_(hull(range.a, range.b, bits), most_points));
+    // The width comes from that of the range, so that many points often are of no use.
+    const RealBall parameter = hull(range.a, range.b, bits);
+    const RealBall quick = lower_end(bend_(parameter, 100));
+    return is_less({}, quick) ? quick : lower_end(bend_(parameter, 1000));
   }
 
  private:
@@ -293,7 +296,10 @@ TwistMinimum twist_minimum(const TwistPiece& piece, long degree, EndRates rates,
   const RotationFamily family = rotation_family(piece, degree, rates, bits);
   const Rational start = exact_rational(guess.parameter);
   const Rotation w = member(family, {start}, bits);
-  const RealBall least = mean_square(piece, w, smallness + 24);
+  const long precision = goal + smallness + 10;
+  const long working = working_precision(piece, precision);
+  const RotationFamily fine = rotation_family(piece, degree, rates, working);
+  const RealBall least = mean_square(piece, member(fine, {start}, working), smallness + 24);
   const Rational unit = natural_unit(family, w);
 
   // G ≥ (2πk)² where a frame makes k turns too many (Cauchy and Schwarz), and with the other sign
@@ -303,11 +309,8 @@ TwistMinimum twist_minimum(const TwistPiece& piece, long degree, EndRates rates,
       turns_as_wanted(piece, w) && is_less(least, times(one_turn, one_turn));
   const bool has_one_sign = arb_is_zero(family.end_factor[1].raw()) != 0;
 
-  const long precision = goal + smallness + 10;
-  const RotationFamily fine =
-      rotation_family(piece, degree, rates, working_precision(piece, precision));
   RealBall slope = mean_square_slope(piece, fine, start, precision);
-  Bend bend(piece, family, smallness);
+  Bend bend(piece, fine, start, smallness);
   const Core core = core_around(bend, start, unit / 32);
   const Rational radius0 = (core.range.b - core.range.a) / 2;
   const RealBall climb = lower_end(minus(times(core.bend, ball(radius0)), absolute(slope)));

@@ -37,6 +37,10 @@ double evaluate(const std::vector<double>& c, double t) {
   return value;
 }
 
+bool are_positive(const std::vector<double>& c) {
+  return std::all_of(c.begin(), c.end(), [](double x) { return x > 0; });
+}
+
 double square(double x) { return x * x; }
 
 using Complex = std::complex<double>;
@@ -56,14 +60,19 @@ double turn_rate(Complex w, Complex slope) {
 }  // namespace
 
 TwistObjective::TwistObjective(const TwistPiece& piece, const RotationFamily& family)
-    : family_(family), turn_(approximate(piece.turn.enclose(64))) {
+    : family_(family),
+      turn_(approximate(piece.turn.enclose(64))),
+      twist_(approximate(piece.twist.enclose(64))),
+      exact_rate_(piece.erf_rate),
+      exact_speed_(piece.speed),
+      balls_(balls_at(64)) {
   Rational scale = 0;
   for (const Rational& c : piece.erf_rate.denominator().coefficients())
     scale = std::max(scale, Rational(abs(c)));
   rate_numerator_ = bernstein_terms(piece.erf_rate.numerator(), scale);
   rate_denominator_ = bernstein_terms(piece.erf_rate.denominator(), scale);
   speed_ = bernstein_terms(piece.speed, 1);
-  twist_ = approximate(piece.twist.enclose(64));
+  are_doubles_stable_ = are_positive(rate_denominator_) && are_positive(speed_);
   for (const Rotation& w : family.basis) {
     std::vector<Complex> c;
     const long n = std::max({w.a.degree_bound(), w.b.degree_bound(), 0L});
@@ -71,10 +80,7 @@ TwistObjective::TwistObjective(const TwistPiece& piece, const RotationFamily& fa
       c.emplace_back(approximate(w.a.coefficient(k)), approximate(w.b.coefficient(k)));
     basis_.push_back(std::move(c));
   }
-  for (int k = 0; k < 4; ++k) {
-    quarters_.push_back(nodes_between(k / 4.0, (k + 1) / 4.0));
-    nodes_.append(quarters_.back());
-  }
+  for (int k = 0; k < 4; ++k) nodes_.append(nodes_between(k / 4.0, (k + 1) / 4.0));
 }
 
 void TwistObjective::Nodes::append(const Nodes& others) {
@@ -82,20 +88,52 @@ void TwistObjective::Nodes::append(const Nodes& others) {
   terms.insert(terms.end(), others.terms.begin(), others.terms.end());
 }
 
-TwistObjective::Nodes TwistObjective::nodes_between(double a, double b) const {
-  Nodes nodes;
-  nodes.nodes.reserve(points);
-  nodes.terms.reserve(points * basis_.size());
+TwistObjective::Node TwistObjective::node_at(double middle, double offset, double weight) {
+  const auto node = [&](double erf_rate, double speed) {
+    return Node{weight, erf_rate - twist_ * speed, speed};
+  };
+  if (are_doubles_stable_) {
+    const double tau = middle + offset;
+    return node(evaluate(rate_numerator_, tau) / evaluate(rate_denominator_, tau),
+                evaluate(speed_, tau));
+  }
+  // Beside a cusp the speed and the denominator are small against their terms, and τ has to be more
+  // exact than a double is.
+  RealBall tau;
+  flint::Arf step;
+  arf_set_d(arb_midref(tau.raw()), middle);
+  arf_set_d(step.get(), offset);
+  arb_add_arf(tau.raw(), tau.raw(), step.get(), ARF_PREC_EXACT);
+  constexpr long enough = 60;
+  for (;; balls_ = balls_at(2 * balls_.bits)) {
+    const long bits = balls_.bits;
+    const RealBall speed = phrame::evaluate(balls_.speed, tau, bits);
+    const RealBall denominator = phrame::evaluate(balls_.denominator, tau, bits);
+    if (std::min(speed.accuracy_bits(), denominator.accuracy_bits()) < enough) continue;
+    const RealBall numerator = phrame::evaluate(balls_.numerator, tau, bits);
+    return node(approximate(divide(numerator, denominator, bits)), approximate(speed));
+  }
+}
+
+TwistObjective::Balls TwistObjective::balls_at(long bits) const {
+  return {bits,
+          {exact_rate_.numerator(), bits},
+          {exact_rate_.denominator(), bits},
+          {exact_speed_, bits}};
+}
+
+const TwistObjective::Nodes& TwistObjective::nodes_between(double a, double b) {
+  Nodes& nodes = known_[{a, b}];
+  if (!nodes.nodes.empty()) return nodes;
+  const double middle = (a + b) / 2;  // exact, as half is: the ends are multiples of 2^−50
+  const double half = (b - a) / 2;
   const auto append = [&](double x, double weight) {
-    const double tau = (a + b) / 2 + x * (b - a) / 2;
-    const double speed = evaluate(speed_, tau);
-    const double erf_rate = evaluate(rate_numerator_, tau) / evaluate(rate_denominator_, tau);
-    nodes.nodes.push_back({weight * (b - a) / 2, erf_rate - twist_ * speed, speed});
+    nodes.nodes.push_back(node_at(middle, x * half, weight * half));
     for (const auto& c : basis_) {
       Term term{0, 0};
       for (std::size_t k = c.size(); k-- > 0;) {
-        term.slope = term.slope * tau + term.w;
-        term.w = term.w * tau + c[k];
+        term.slope = term.slope * (middle + x * half) + term.w;
+        term.w = term.w * (middle + x * half) + c[k];
       }
       nodes.terms.push_back(term);
     }
@@ -180,39 +218,69 @@ void TwistObjective::expect_turn_of(std::span<const double> parameters) {
   if (turned) turns_ = std::round((approximate(*turned) - turn_) / (2 * std::numbers::pi));
 }
 
+double TwistObjective::noise_at(const Nodes& nodes, std::size_t node,
+                                std::span<const double> parameters) const {
+  constexpr double epsilon = 1e-16;
+  const auto& [weight, rate, speed] = nodes.nodes[node];
+  const Term* terms = &nodes.terms[node * basis_.size()];
+  const Term w = member_at(nodes, node, parameters);
+  double size = std::abs(terms[0].w);
+  double slope_size = std::abs(terms[0].slope);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    size += std::abs(parameters[i] * terms[i + 1].w);
+    slope_size += std::abs(parameters[i] * terms[i + 1].slope);
+  }
+  const double length = std::abs(w.w);
+  const double error = std::abs(rate + turn_rate(w.w, w.slope));
+  const double off =
+      epsilon * (std::abs(rate) + 2 * (slope_size + std::abs(w.slope) * size / length) / length);
+  return weight * (2 * error + off) * off / speed;
+}
+
 void TwistObjective::resolve(std::span<const double> parameters) {
-  // No finer than rounding errors allow: E is a difference of rates.
-  double tolerance = 1e-13 * sums(nodes_, parameters).square;
-  for (const auto& [weight, rate, speed] : nodes_.nodes)
-    tolerance += 1e-16 * weight * square(rate) / speed;
-  constexpr std::size_t most_nodes = 10'000;
+  constexpr std::size_t most_parts = 700;
+  constexpr int most_halvings = 48;
   struct Part {
     double a;
     double b;
-    Nodes nodes;
-    int depth;
+    const Nodes* nodes;
+    double value;
+    double noise;  ///< what rounding errors may amount to
+    double gap;    ///< by how much its halves have another value
   };
-  const auto value = [&](const Part& p) { return sums(p.nodes, parameters).square; };
+  double total = 0;
+  double noise = 0;
+  const auto value = [&](const Nodes& nodes) { return sums(nodes, parameters).square; };
+  // The greatest gap goes first, so that a limit on the parts does not leave out a peak.
+  const auto is_before = [](const Part& x, const Part& y) { return x.gap < y.gap; };
   std::vector<Part> parts;
-  for (std::size_t k = 4; k-- > 0;) {
-    const double a = static_cast<double>(k) / 4;
-    parts.push_back({a, a + 0.25, quarters_[k], 0});
+  const auto insert = [&](double a, double b) {
+    const Nodes& nodes = nodes_between(a, b);
+    const double half = (a + b) / 2;
+    const double here = value(nodes);
+    const double halves = value(nodes_between(a, half)) + value(nodes_between(half, b));
+    const bool is_last = b - a < std::ldexp(1, -most_halvings);
+    Part part{a, b, &nodes, here, 0, is_last ? 0 : std::abs(halves - here)};
+    for (std::size_t k = 0; k < nodes.nodes.size(); ++k)
+      part.noise += noise_at(nodes, k, parameters);
+    total += part.value;
+    noise += part.noise;
+    parts.push_back(part);
+    std::push_heap(parts.begin(), parts.end(), is_before);
+  };
+  for (int k = 0; k < 4; ++k) insert(k / 4.0, (k + 1) / 4.0);
+  while (parts.front().gap > 1e-13 * total + noise && parts.size() < most_parts) {
+    std::pop_heap(parts.begin(), parts.end(), is_before);
+    const Part part = parts.back();
+    parts.pop_back();
+    total -= part.value;
+    noise -= part.noise;
+    const double half = (part.a + part.b) / 2;
+    insert(part.a, half);
+    insert(half, part.b);
   }
   nodes_ = {};
-  while (!parts.empty()) {
-    const Part here = std::move(parts.back());
-    parts.pop_back();
-    const double half = (here.a + here.b) / 2;
-    Part left{here.a, half, nodes_between(here.a, half), here.depth + 1};
-    Part right{half, here.b, nodes_between(half, here.b), here.depth + 1};
-    const bool is_fine = std::abs(value(left) + value(right) - value(here)) <= tolerance;
-    if (is_fine || here.depth > 25 || nodes_.nodes.size() > most_nodes) {
-      nodes_.append(here.nodes);
-    } else {
-      parts.push_back(std::move(right));
-      parts.push_back(std::move(left));
-    }
-  }
+  for (const Part& part : parts) nodes_.append(*part.nodes);
 }
 
 namespace {
@@ -297,7 +365,9 @@ std::optional<LineGuess> search_line(TwistObjective& objective, int sign_of_gamm
       x = next;
     }
   }
-  return LineGuess{x, coarse(x), objective.derivatives(x).second, is_interior};
+  const double least_value = value(x);
+  if (least_value == infinity) return std::nullopt;
+  return LineGuess{x, least_value, objective.derivatives(x).second, is_interior};
 }
 
 std::vector<double> search(TwistObjective& objective, std::vector<double> start) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <complex>
+#include <map>
 #include <span>
 
 #include "phrame/ph/rotation_family.hpp"
@@ -50,19 +51,38 @@ class TwistObjective {
     double turn = 0;    ///< ∫ (erf_rate + θ′ − T·speed), a whole multiple of 2π
   };
 
-  Nodes nodes_between(double a, double b) const;
+  /// The rates at one precision.
+  struct Balls {
+    long bits;
+    BallPolynomial numerator;
+    BallPolynomial denominator;
+    BallPolynomial speed;
+  };
+
+  Balls balls_at(long bits) const;
+  /// At τ = middle + offset.
+  Node node_at(double middle, double offset, double weight);
+  /// Computed once.
+  const Nodes& nodes_between(double a, double b);
   Term member_at(const Nodes& nodes, std::size_t node, std::span<const double> parameters) const;
   Sums sums(const Nodes& nodes, std::span<const double> parameters) const;
+  /// What rounding errors change in one term of G: E is a difference of rates, and w may nearly
+  /// vanish.
+  double noise_at(const Nodes& nodes, std::size_t node, std::span<const double> parameters) const;
 
   RotationFamily family_;
-  double turn_;                         ///< Δθ
-  std::optional<double> turns_;         ///< (∫θ′ − Δθ)/2π, where it is expected
+  double turn_;                  ///< Δθ
+  std::optional<double> turns_;  ///< (∫θ′ − Δθ)/2π, where it is expected
+  double twist_;
   std::vector<double> rate_numerator_;  ///< in Bernstein form, as the two others
   std::vector<double> rate_denominator_;
   std::vector<double> speed_;
-  double twist_;
+  bool are_doubles_stable_;  ///< where the last two have one sign; else balls are needed
+  RationalFunction exact_rate_;
+  Polynomial exact_speed_;
+  Balls balls_;  ///< at the precision that nodes have needed so far
   std::vector<std::vector<std::complex<double>>> basis_;  ///< in powers of τ
-  std::vector<Nodes> quarters_;  ///< of [0, 1], with which each quadrature begins
+  std::map<std::pair<double, double>, Nodes> known_;      ///< by parts of [0, 1]
   Nodes nodes_;
 };
 

@@ -43,7 +43,7 @@ TwistPiece piece_between(const MinimalTwist& mtf, std::size_t index, const Ratio
           twist,
           turn,
           whole_turns,
-          mtf.value(from),
+          mtf.reduced_value(from),
           erf_twist};
 }
 

@@ -18,7 +18,7 @@ struct TwistPiece {
   Real twist;        ///< T, the turn about e₁ that is wanted
   Real turn;         ///< θ(1) − θ(0) = T − ∫₀¹ 2h/σ
   std::optional<Integer> whole_turns;  ///< where it is known: turn = 2π·whole_turns, exactly
-  Real start;                          ///< θ(0)
+  Real start;                          ///< θ(0), counted from a θ_i in (−π, π]
   /// ∫₀^τ 2h/σ. Refers to the frame of minimal twist, as do copies.
   std::function<Real(const Rational& tau)> erf_twist;
 

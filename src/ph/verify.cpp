@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "phrame/integrate/quadrature.hpp"
 
@@ -17,13 +18,64 @@ std::string objection_to_invariants(const Certificate& c) {
   return unless(c.hodograph == hodograph(c.curve), "the hodograph is another one");
 }
 
-/// That N/D is in lowest terms is decided over ℚ; `modulus` is another proof of it.
+/// The residue of x modulo m > 0, ≥ 0.
+Integer modulo(const Integer& x, const Integer& m) {
+  const Integer rest = x % m;
+  return rest < 0 ? Integer(rest + m) : rest;
+}
+
+/// 1/x modulo m; no value where there is none.
+std::optional<Integer> inverse(const Integer& x, const Integer& m) {
+  Integer a = m;
+  Integer b = modulo(x, m);
+  Integer u = 0;  // a ≡ u·x, b ≡ v·x
+  Integer v = 1;
+  while (b != 0) {
+    const Integer quotient = a / b;
+    a = std::exchange(b, a - quotient * b);
+    u = std::exchange(v, u - quotient * v);
+  }
+  if (a != 1) return std::nullopt;
+  return modulo(u, m);
+}
+
+/// Why Euclid's algorithm modulo m ≥ 2 does not prove that n and d are coprime. m need not be
+/// prime.
+std::string objection_to_modulus(const Polynomial& n, const Polynomial& d, const Integer& m) {
+  if (n.is_zero()) return "";  // then d is constant
+  using Residues = std::vector<Integer>;
+  const auto residues = [&m](const Polynomial& p) {
+    Residues list;
+    for (const Rational& c : primitive_part(p).coefficients())
+      list.push_back(modulo(Integer(numerator(c)), m));
+    return list;
+  };
+  Residues a = residues(n);
+  Residues b = residues(d);
+  if (a.back() == 0 || b.back() == 0) return "the modulus divides a leading coefficient";
+  while (!b.empty()) {
+    const auto unit = inverse(b.back(), m);
+    if (!unit) return "the modulus is no prime";
+    for (Integer& x : b) x = modulo(x * *unit, m);
+    while (a.size() >= b.size()) {
+      const Integer factor = a.back();
+      const std::size_t low = a.size() - b.size();
+      for (std::size_t k = 0; k < b.size(); ++k) a[low + k] = modulo(a[low + k] - factor * b[k], m);
+      while (!a.empty() && a.back() == 0) a.pop_back();
+    }
+    std::swap(a, b);
+  }
+  return unless(a.size() == 1, "numerator and denominator have a common factor modulo the modulus");
+}
+
+/// That N/D is in lowest terms is decided over ℚ, and whether `modulus` proves it, too.
 std::string objection_to_rate(const Certificate& c) {
   const auto& [n, d, common, modulus] = c.rate;
   const QuaternionPolynomial& a = c.curve.preimage();
   if (!(Rational(-2) * twist_numerator(a) == n * common)) return "-2h is not numerator * common";
   if (!(sigma(a) == d * common)) return "sigma is not denominator * common";
-  return unless(gcd(n, d).is_constant(), "numerator and denominator have a common factor");
+  if (!gcd(n, d).is_constant()) return "numerator and denominator have a common factor";
+  return objection_to_modulus(n, d, modulus);
 }
 
 /// Σ c(z)·log(t − z) over the roots of q.

@@ -74,6 +74,23 @@ TEST_CASE(
   });
 }
 
+TEST_CASE(
+    "piecewise polynomial: as many pieces by halving as one interval may have, and more ends") {
+  const std::size_t most = PiecewisePolynomial::max_pieces;
+  const auto whole = [](double low, double high) { return empty_piece(low, high); };
+  CHECK(PiecewisePolynomial::on_units(4 * most, plain_shape(1), whole).pieces().size() == 4 * most);
+  // The interval [1, 2] of three needs too many.
+  const auto narrow = [](double low, double high) {
+    return 1 <= low && high <= 2 && high - low > 1e-5 ? std::nullopt : empty_piece(low, high);
+  };
+  CHECK_THROWS_WITH_AS(PiecewisePolynomial::on_units(3, plain_shape(1), narrow),
+                       doctest::Contains("more than 20002 pieces"), Undecided);
+  const auto coarser = [](double low, double high) {
+    return 1 <= low && high <= 2 && high - low > 1e-4 ? std::nullopt : empty_piece(low, high);
+  };
+  CHECK(PiecewisePolynomial::on_units(3, plain_shape(1), coarser).pieces().size() == 2 + 16384);
+}
+
 TEST_CASE("piecewise polynomial: most doubles of an even division need one comparison") {
   const PiecewisePolynomial p(0, 1, plain_shape(1), [](double low, double high) {
     return high - low > 1.0 / 64 ? std::nullopt : empty_piece(low, high);

@@ -30,6 +30,29 @@ TEST_CASE("rounding: π to 50 digits (Abramowitz & Stegun, table 1.1)") {
   CHECK(round_to_double(pi_value) == 0x1.921fb54442d18p+1);
 }
 
+TEST_CASE("rounding: what is near to a boundary is told from it as far as it may be near") {
+  // 2⁻²⁰⁰⁰⁰ beyond a half: undecided, unless it is known that this may be, or that it is
+  // irrational.
+  const Rational near = Rational(1, 2) + power_of_two(-20000);
+  const Real::Enclosure balls = [near](long bits) {
+    RealBall ball(near, bits);
+    arb_add_error_2exp_si(ball.raw(), -bits);
+    return ball;
+  };
+  const Real long_number(balls, {false, 20000});
+  const Real irrational(balls, {true, 0});
+  for (const Real& x : {long_number, irrational, -irrational, irrational + Rational(7, 3),
+                        Rational(2) * irrational, remembered(irrational)})
+    CHECK_NOTHROW(round_to_decimal(x, 20));
+  CHECK(round_to_decimal(long_number * Rational(3, 100), 1).value == "0.02");
+  CHECK(round_to_decimal(irrational * Rational(3, 100), 1).value == "0.02");
+  CHECK_THROWS_AS(round_to_decimal(Real(balls) * Rational(3, 100), 1), Undecided);
+  CHECK((irrational + Rational(1)).origin().is_irrational);
+  CHECK_FALSE((irrational + irrational).origin().is_irrational);
+  CHECK_FALSE((irrational * irrational).origin().is_irrational);
+  CHECK((Rational(0) * irrational).exact() == Rational(0));
+}
+
 TEST_CASE("rounding: exact numbers, ties to even, carries, exponents") {
   CHECK(round_to_decimal(Rational(0), 5).value == "0");
   CHECK(round_to_decimal(Rational(0), 5).radius == "0");

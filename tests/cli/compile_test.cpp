@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/io/c_header.hpp"
 #include "phrame/io/curve_file.hpp"
 #include "phrame/ph/compiled_angle.hpp"
 #include "phrame/ph/compiled_frame.hpp"
@@ -187,8 +188,7 @@ TEST_CASE("compile: other intervals and angles, Frenet's frame, and what is outs
 
 TEST_CASE("compile: of a spline there is one angle and one frame, through the joints") {
   const Workshop shop;
-  shop.write("spline.json",
-             test::bytes_of(test::root("/examples/curves/closed-spline.json")));
+  shop.write("spline.json", test::bytes_of(test::root("/examples/curves/closed-spline.json")));
   CHECK(shop.run("compile spline.json --theta0 1/3 --prefix arm -o angle.h").status == 0);
   const Spline spline =
       std::get<NamedSpline>(read_curve_or_spline(test::bytes_of(shop.file("spline.json")))).spline;
@@ -214,6 +214,25 @@ TEST_CASE("compile: of a spline there is one angle and one frame, through the jo
   CHECK(rows[0][11] < 0x1p-50);
   check_failure(shop.run("compile spline.json --to 2"), 2, "--to: \"2\" is for single curves");
   check_failure(shop.run("compile spline.json --frame frenet"), 2, "--frame: \"frenet\" is for");
+}
+
+TEST_CASE("compile: more pieces than a short index can count") {
+  const Workshop shop;
+  constexpr std::size_t count = 70'000;
+  const auto step = [](double low, double high) {  // θ = k on [k, k + 1]
+    auto piece = empty_piece(low, high);
+    piece->coefficients =
+        round_coefficients({BallPolynomial({RealBall(exact_rational(low), 64)})}, plain_shape(1));
+    return piece;
+  };
+  const CHeader header{"arm", "",
+                       true,  Reference::erf,
+                       0,     PiecewisePolynomial::on_units(count, plain_shape(1), step),
+                       {}};
+  shop.write("angle.h", to_c_header(header));
+  const auto rows = evaluated(shop, {0.5, 65535.5, 65536, 65537.5, 69999.5, 70000}, "-std=c99");
+  const std::vector<double> expected{0, 65535, 65536, 65537, 69999, 69999};
+  for (std::size_t k = 0; k < rows.size(); ++k) CHECK(rows[k][0] == expected[k]);
 }
 
 TEST_CASE("compile: names in C come from the curve's, and --prefix must be one") {

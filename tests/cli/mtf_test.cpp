@@ -83,8 +83,7 @@ TEST_CASE("mtf: bad input is refused with its place") {
 
 TEST_CASE("mtf: the rational frame, in one piece and in several") {
   const Workshop here;
-  here.write("example.json",
-             bytes_of(test::root("/examples/curves/farouki-moon-3.json")));
+  here.write("example.json", bytes_of(test::root("/examples/curves/farouki-moon-3.json")));
   const std::string ends = "mtf example.json --from -pi/4 --to 5pi/4 --digits 20 --print json ";
   const Run whole = here.run(ends);
   check_success(whole);
@@ -124,8 +123,7 @@ TEST_CASE("mtf: the rational frame, in one piece and in several") {
 
 TEST_CASE("mtf: angles that are multiples of pi, turns that are whole, frames that stand still") {
   const Workshop here;
-  here.write("example.json",
-             bytes_of(test::root("/examples/curves/farouki-moon-1.json")));
+  here.write("example.json", bytes_of(test::root("/examples/curves/farouki-moon-1.json")));
   for (const char* ends : {"--from pi/2 --to 0", "--from pi --to 0", "--from 2pi --to 1",
                            "--from 1 --to 1", "--from -pi --to pi/3"}) {
     CAPTURE(ends);
@@ -141,10 +139,79 @@ TEST_CASE("mtf: angles that are multiples of pi, turns that are whole, frames th
   CHECK(contains(still.out, "Ω₁ has one sign                  yes"));
 }
 
+TEST_CASE("mtf: whole turns in the angles given do not count") {
+  const Workshop here;
+  here.write("example.json", bytes_of(test::root("/examples/curves/farouki-moon-3.json")));
+  const auto rational_frame = [&](const std::string& ends) {
+    CAPTURE(ends);
+    const Run run = here.run("mtf example.json --print json " + ends);
+    check_success(run);
+    const Json answer = Json::parse(run.out);
+    return std::pair(answer["twist"]["minimal"]["value"], answer["rational"]);
+  };
+  const auto plain = rational_frame("--from pi/3 --to 5pi/4");
+  REQUIRE(plain.second.size() == 1);
+  // θ + 2πk, exactly.
+  CHECK(rational_frame("--from 7pi/3 --to 5pi/4") == plain);
+  CHECK(rational_frame("--from pi/3 --to -3pi/4") == plain);
+  CHECK(rational_frame("--from -2000000000000000000000000000000000000000000000000005pi/3 "
+                       "--to 4000000000000000000000000000000000000005pi/4") == plain);
+  // 10²⁴, 10³⁰ and 10³⁵ less whole turns, by mpmath with 1200 digits.
+  for (const auto& [power, rest] :
+       {std::pair("1e24", "-1.48677434103531370101561026317235323209512996036513602"),
+        std::pair("1e30", "-3.05135332969174021043146179537413728275343326969168942"),
+        std::pair("1e35", "1.27828869541662225344699375782786095934245333633604199")}) {
+    const auto large = rational_frame(std::string("--from 0 --to ") + power);
+    const auto small = rational_frame(std::string("--from 0 --to ") + rest);
+    CHECK(large.first == small.first);
+    for (const char* key : {"gamma", "rms_relative", "greatest_relative"})
+      CHECK(large.second[0][key]["value"] == small.second[0][key]["value"]);
+    CHECK(large.second[0]["optimum"]["proved"] == true);
+  }
+  const auto one = rational_frame("--from 0 --to 1");
+  const auto far =
+      rational_frame("--from 1000000000000000000000000000000 --to 1000000000000000000000000000001");
+  CHECK(one.first == far.first);
+  CHECK(one.second[0]["gamma"]["value"] == far.second[0]["gamma"]["value"]);
+}
+
+// The numbers by mpmath (tests/ph/rational_twist_test.cpp).
+TEST_CASE("mtf: next to a cusp rational frames are found, in one piece and in several") {
+  const Workshop here;
+  here.write("near.json", R"({"phrame": "curve/1", "basis": "power", "preimage": {
+      "u": ["-15001/10000", 3], "v": ["2499/5000", -1], "p": [0], "q": [-1, 2]}})");
+  const std::string ends = "mtf near.json --from 0.3 --to 1 --print json ";
+  const Run run = here.run(ends);
+  check_success(run);
+  const Json whole = Json::parse(run.out);
+  REQUIRE(whole["rational"].size() == 1);
+  CHECK(whole["rational"][0]["gamma"]["value"].get<std::string>().starts_with("1.0006914"));
+  CHECK(whole["rational"][0]["rms_relative"]["value"].get<std::string>().starts_with(
+      "3998027.32296"));
+  CHECK_FALSE(whole.contains("no_rational"));
+  for (const char* options : {"--degree 1 --free-ends", "--subdivide inflections",
+                              "--subdivide auto", "--subdivide 1/2", "--degree 3"}) {
+    CAPTURE(options);
+    check_success(here.run(ends + options));
+  }
+}
+
+TEST_CASE("mtf: the table says of which pieces nothing is proved, and rounds once") {
+  const Workshop here;
+  here.write("example.json", bytes_of(test::root("/examples/curves/farouki-moon-1.json")));
+  // To 12 digits 2.79220… and 0.0102775…: two digits of them are no reason to print 2.80000.
+  const std::string ends = "mtf example.json --from 0 --to pi/2 --subdivide 1/2 --unproved ";
+  const Run run = here.run(ends + "--digits 2");
+  check_success(run);
+  for (const char* number : {" 2.79220 ", " 0.0102775 "}) CHECK(contains(run.out, number));
+  const std::string twelve = here.run(ends + "--digits 12 --print json").out;
+  for (const char* number : {"\"2.79220", "\"0.0102775"}) CHECK(contains(twelve, number));
+  CHECK(contains(run.out, "No proof that w is the best one: that was not asked for\n"));
+}
+
 TEST_CASE("mtf: what is refused, and where there is no rational frame") {
   const Workshop here;
-  here.write("example.json",
-             bytes_of(test::root("/examples/curves/farouki-moon-1.json")));
+  here.write("example.json", bytes_of(test::root("/examples/curves/farouki-moon-1.json")));
   const std::string ends = "mtf example.json --from 0 --to 1 ";
   const auto check_refused = [&](const std::string& options, const std::string& message) {
     CAPTURE(options);
@@ -168,8 +235,7 @@ TEST_CASE("mtf: what is refused, and where there is no rational frame") {
 
 TEST_CASE("frames: of minimal twist, at both ends and in the middle") {
   const Workshop here;
-  here.write("example.json",
-             bytes_of(test::root("/examples/curves/farouki-moon-1.json")));
+  here.write("example.json", bytes_of(test::root("/examples/curves/farouki-moon-1.json")));
   const std::string ends = "frames example.json --from pi/8 --to -pi/2 --format json ";
   const Run run = here.run(ends + "--frame erf,mtf,mtf-exact --at 0,1/2,1");
   check_success(run);

@@ -1,5 +1,6 @@
 #include "phrame/integrate/quadrature.hpp"
 
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "support/random.hpp"
@@ -25,6 +26,24 @@ TEST_CASE("quadrature: poles near the path do not stop it") {
   arb_atan(expected.raw(), expected.raw(), 300);
   CHECK(value.overlaps(multiply(expected, RealBall(2, 300), 300)));
   CHECK(value.radius() < Rational(1) / pow(Integer(2), 90));
+}
+
+TEST_CASE("quadrature: nor do poles so near that the denominator loses all its digits") {
+  for (const char* text : {"1e-30", "1e-60"}) {
+    const Rational epsilon = parse_rational(text);
+    for (const Rational& middle : {Rational(1, 3), Rational(1), Rational(1) - epsilon}) {
+      const Polynomial d = pow(Polynomial{-middle, 1}, 2) + Polynomial{epsilon * epsilon};
+      const RealBall value = quadrature({Polynomial{epsilon}, d}, 0, 1, 100);
+      const auto arctan = [&](const Rational& x) {
+        RealBall y(x / epsilon, 400);
+        arb_atan(y.raw(), y.raw(), 400);
+        return y;
+      };
+      const RealBall expected = add(arctan(1 - middle), arctan(middle), 400);
+      CHECK(value.overlaps(expected));
+      CHECK(value.radius() < power_of_two(-90));
+    }
+  }
 }
 
 TEST_CASE("quadrature: a pole on the path gives no number") {

@@ -61,6 +61,27 @@ TEST_CASE("certificate: all curves up to preimage degree 8, both frames, through
   CHECK(proved == 161);  // a straight line has no Frenet frame
 }
 
+TEST_CASE("verify: near-cusps, next to the ends and inside, are proved") {
+  // A = (t − c)·B + ε·C, a cusp at c but for ε. tools/check_certificate.py proves the same ones:
+  // tests/certificates.
+  const auto near_cusp = [](const Rational& c, const Rational& epsilon) {
+    const Polynomial x{-c, 1};
+    const auto part = [&](const Polynomial& b, const Rational& e) {
+      return x * b + Polynomial{epsilon * e};
+    };
+    return Curve({part({2, -1}, 3), part({1, 4}, -2), part({-3, 1}, 1), part({5, -2}, 4)});
+  };
+  for (const char* text : {"1e-3", "1e-9", "1e-16", "1e-30"}) {
+    const Rational epsilon = parse_rational(text);
+    for (const Rational& c : {Rational(0), epsilon, Rational(1, 3), Rational(1, 2),
+                              Rational(1 - epsilon), Rational(1), Rational(1 + epsilon)}) {
+      CAPTURE(text);
+      CAPTURE(to_string(c));
+      check_proved(certify(near_cusp(c, epsilon), Reference::erf, {Rational(1, 2), 1}, 25));
+    }
+  }
+}
+
 TEST_CASE("certificate: exact angles are claimed as such") {
   const Certificate rational =
       certify(rational_angle_curve().curve, Reference::erf, {0, 1, Rational(1, 3)}, 20);
@@ -133,6 +154,15 @@ TEST_CASE("verify: what is false is not proved") {
          c.rate.numerator *= Polynomial{1, 1};
          c.rate.denominator *= Polynomial{1, 1};
        }},
+      {"modulus that divides a leading coefficient",
+       [](Certificate& c) {
+         c.rate.modulus = Integer(37);  // of 6 − 12t + 46t² − 72t³ + 37t⁴
+       }},
+      {"modulus of a common root",
+       [](Certificate& c) {
+         c.rate.modulus = Integer(3);  // h ≡ t(t − 1) and σ have the root 0
+       }},
+      {"modulus that is no prime", [](Certificate& c) { c.rate.modulus *= Integer(15); }},
       {"rational",
        [](Certificate& c) {
          c.rational = RationalFunction({1}, {1, 1});

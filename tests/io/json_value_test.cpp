@@ -136,6 +136,9 @@ TEST_CASE("JSON values: what is not JSON is refused at its line and column") {
   CHECK(place("\"\xC3(\"") == "1:3");  // not UTF-8
   CHECK(place("\"a\tb\"") == "1:3");   // a control character must be escaped
   CHECK(place(std::string_view("\0", 1)) == "1:1");
+  // It is not the end of the text.
+  CHECK(refusal(std::string_view("{}\n \0garbage", 12)) == "2:2 | not valid JSON: a NUL byte");
+  CHECK(refusal(std::string_view("{}\0", 3)) == "1:3 | not valid JSON: a NUL byte");
 }
 
 TEST_CASE("JSON values: an empty input is named as such, whatever the parser's release says") {

@@ -3,6 +3,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/quadrature.hpp"
 #include "phrame/ph/arc_length.hpp"
+#include "phrame/ph/reduced_angle.hpp"
 #include "support/curves.hpp"
 #include "support/farouki_moon.hpp"
 #include "support/random.hpp"
@@ -63,6 +64,62 @@ TEST_CASE("minimal twist: half a turn is a turn to the left, exactly") {
   const MinimalTwist radians(rmf, {0, 1}, {0, Rational(3, 2)});
   CHECK(radians.twist().exact() == Rational(1, 2));
   CHECK(radians.value(1).exact() == Rational(3, 2));
+}
+
+// T_ERF = −2.5078… by mpmath's quadrature, and T_min = T_ERF + θ_f − θ_i reduced there with 1200
+// digits.
+TEST_CASE("minimal twist: large angles in radians are reduced before anything is rounded") {
+  SplineAngle rmf{Spline(curve_of(farouki_moon()["example3"]))};
+  struct Case {
+    Rational from;
+    Rational to;
+    const char* twist;
+  };
+  const Case cases[]{{0, power_of_ten(24), "2.2885952393874186555"},
+                     {0, power_of_ten(30), "0.72401625073099214606"},
+                     {power_of_ten(30), power_of_ten(30) + 1, "-1.5078157267568541204"},
+                     {0, power_of_ten(35), "-1.2295270313402318670"},
+                     {power_of_ten(35), 0, "2.4970808850061101030"},
+                     {-power_of_ten(40), power_of_ten(41), "1.0172488380642664628"},
+                     {0, power_of_ten(1000), "-0.078237085564486860097"}};
+  for (const auto& [from, to, twist] : cases) {
+    CAPTURE(twist);
+    const MinimalTwist mtf(rmf, {0, from}, {0, to});
+    CHECK(round_to_decimal(mtf.twist(), 20).value == twist);
+    // As many bits as one asks for, whatever was cancelled.
+    CHECK(mtf.twist().enclose(100).accuracy_bits() > 80);
+    CHECK(mtf.value(0).exact() == from);
+    CHECK(mtf.reduced_value(0).enclose(100).overlaps(to_real(reduced({0, from})).enclose(100)));
+  }
+}
+
+// An angle in radians is no multiple of π, however near: 600 digits of it still differ.
+TEST_CASE("minimal twist: close to half a turn it is decided on which side") {
+  SplineAngle rmf{Spline(Curve({{1}, {0, 0, 0, 1}, {0, 3}, {0, 0, 1}}))};  // h = 0
+  const RealBall half_turn = pi(2100);
+  const MinimalTwist below(rmf, {0, 0}, {0, half_turn.midpoint() - power_of_two(-2000)});
+  CHECK(below.twist().enclose(100).lower() > 3);
+  const MinimalTwist above(rmf, {0, 0}, {0, half_turn.midpoint() + power_of_two(-2000)});
+  CHECK(above.twist().enclose(100).upper() < -3);
+}
+
+TEST_CASE("minimal twist: law: whole turns in the angles given change nothing but the angle") {
+  for_samples(30, [](Random& random) {
+    const Curve curve(random.quaternion_polynomial(4));
+    SplineAngle rmf{Spline(curve)};
+    const FrameAngle from{random.rational(), random.rational()};
+    const FrameAngle to{random.rational(), random.chance(2) ? Rational(0) : random.rational()};
+    FrameAngle from_turned = from;
+    FrameAngle to_turned = to;
+    from_turned.half_turns += 2 * Rational(random.integer(-9, 9)) * power_of_ten(40);
+    to_turned.half_turns += 2 * Rational(random.integer(-9, 9)) * power_of_ten(40);
+    const MinimalTwist a(rmf, from, to);
+    const MinimalTwist b(rmf, from_turned, to_turned);
+    const Rational t(random.integer(0, 4), 4);
+    CHECK(arb_equal(a.twist().enclose(200).raw(), b.twist().enclose(200).raw()) != 0);
+    CHECK(a.reduced_value(t).exact() == b.reduced_value(t).exact());
+    CHECK(a.reduced_value(t).enclose(200).overlaps(b.reduced_value(t).enclose(200)));
+  });
 }
 
 // A = (t + i)(t + j): θ_RMF = −2t/(1 + t²), so that T_ERF = 1 and θ_f = −1 needs no twist.

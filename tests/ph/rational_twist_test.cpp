@@ -257,12 +257,13 @@ TEST_CASE("rational twist: law: rates and orientations at the ends, turns, error
       CHECK(all.accuracy_bits() > 40);
     }
     // θ(0) = θ_i, θ(1) = θ_f up to whole turns.
-    CHECK(twist.value(Rational(0)).enclose(bits).overlaps(to_real(from).enclose(bits)));
-    const RealBall turns =
-        divide(subtract(twist.value(Rational(1)).enclose(bits), to_real(to).enclose(bits), bits),
-               multiply(RealBall(2, bits), pi(bits), bits), bits);
-    CHECK(arb_contains_int(turns.raw()) != 0);
-    CHECK(turns.radius() < power_of_ten(-20));
+    for (const auto& [tau, angle] : {std::pair(0, from), std::pair(1, to)}) {
+      const RealBall turns = divide(
+          subtract(twist.value(Rational(tau)).enclose(bits), to_real(angle).enclose(bits), bits),
+          multiply(RealBall(2, bits), pi(bits), bits), bits);
+      CHECK(arb_contains_int(turns.raw()) != 0);
+      CHECK(turns.radius() < power_of_ten(-20));
+    }
     // The twist, by quadrature; and G ≥ (2πk)² for k turns too many (Cauchy and Schwarz).
     const Integer extra = twist.extra_turns();
     const RealBall full = multiply(RealBall(Rational(2 * extra), bits), pi(bits), bits);
@@ -277,7 +278,7 @@ TEST_CASE("rational twist: law: rates and orientations at the ends, turns, error
     // Halfway along, θ lies where the exact angle does, off by no more than √(G s(1 − s)).
     const Rational share = antiderivative(piece.speed)(Rational(1, 2));
     const RealBall off = subtract(twist.value(Rational(1, 2)).enclose(bits),
-                                  framed.mtf.value(Rational(1, 2)).enclose(bits), bits);
+                                  framed.mtf.reduced_value(Rational(1, 2)).enclose(bits), bits);
     const RealBall bound = multiply(error, sqrt(RealBall(share * (1 - share), bits), bits), bits);
     if (extra == 0) CHECK(subtract(off, bound, bits).lower() <= 0);
   });
@@ -301,13 +302,13 @@ TEST_CASE("rational twist: law: derivatives of the mean square, and its bounds o
         difference(mean_square(piece, w(p + step), 160), mean_square(piece, w(p - step), 160));
     const Rational size = abs(slope.upper()) + 1;
     CHECK(abs(slope.upper() - by_values.upper()) < size * power_of_ten(-12));
-    MeanSquareBend bend(piece, family, 60);
+    MeanSquareBend bend(piece, family, p, 60);
     const RealBall here = bend(RealBall(p, 300), 100'000);
     const RealBall by_slopes = difference(mean_square_slope(piece, family, p + step, 160),
                                           mean_square_slope(piece, family, p - step, 160));
     CHECK(abs(here.upper() - by_slopes.upper()) < (abs(here.upper()) + 1) * power_of_ten(-12));
     // On an interval, and again where points are known.
-    MeanSquareBend rough(piece, family, 8);
+    MeanSquareBend rough(piece, family, p + Rational(1, 1000), 8);
     for (const Rational& width : {Rational(1, 1000), Rational(1, 300)}) {
       const RealBall around = rough(hull(p - width, p + width, 100), 1000);
       if (around.is_finite()) CHECK(around.overlaps(here));
@@ -340,6 +341,51 @@ TEST_CASE("rational twist: the greatest error is that of many points, and not le
       CHECK(greatest.accuracy_bits() > 40);
     }
   }
+}
+
+// A = (−1.5001 + 3t, 0.4998 − t, 0, −1 + 2t), |A(1/2)|² = 5·10⁻⁸. By mpmath: γ where the derivative
+// of (36) vanishes, and (36) there, quadrature in 25 digits with 20 parts around t = 1/2.
+TEST_CASE("rational twist: next to a cusp one is found") {
+  const Framed near(Curve({{Rational(-15001, 10000), 3}, {Rational(2499, 5000), -1}, {}, {-1, 2}}),
+                    {0, Rational(3, 10)}, {0, 1});
+  const TwistPiece piece = twist_pieces(near.mtf, {})[0];
+  const BestTwist quadratic = best_twist(piece, {});
+  CHECK(is_near(quadratic.twist.end_factor().enclose(bits), number("1.0006914188"), 7));
+  CHECK(is_near(relative_error(quadratic.twist), -number("3998027.3229601846909"), 6));
+  const BestTwist linear = best_twist(piece, {1, EndRates::free, true, 60});
+  CHECK(is_near(linear.twist.end_factor().enclose(bits), number("0.99997142898"), 7));
+  CHECK(is_near(relative_error(linear.twist), -number("3997532.5947385632541"), 6));
+  // Divided beside the cusp, too.
+  for (const Rational& at : {Rational(1, 2), Rational(2, 5), Rational(4999, 10000)})
+    for (const TwistPiece& part : twist_pieces(near.mtf, {at}))
+      CHECK(best_twist(part, {2, EndRates::matched, false, 60})
+                .twist.root_mean_square()
+                .enclose(60)
+                .is_finite());
+}
+
+// Where the frame is nearly exact, so that its error is small against its rates.
+TEST_CASE("rational twist: the greatest error of a short piece") {
+  const Framed example = framed_example(farouki_moon()["example3"]);
+  const TwistPiece piece = twist_pieces(example.mtf, {Rational(3, 100), Rational(4, 100)})[1];
+  const RationalTwist twist = best_twist(piece, {2, EndRates::matched, false, 60}).twist;
+  const Rotation& w = twist.rotation(256);
+  RealBall most;
+  for (long k = 0; k <= 2000; ++k) {
+    const Rational tau(k, 2000);
+    const RealBall at(tau, 256);
+    const RealBall turn =
+        divide(evaluate(wronskian(w, 256), at, 256), evaluate(norm(w, 256), at, 256), 256);
+    const RealBall rate = add(RealBall(piece.erf_rate(tau), 256), add(turn, turn, 256), 256);
+    const RealBall error = absolute(subtract(divide(rate, RealBall(piece.speed(tau), 256), 256),
+                                             piece.twist.enclose(256), 256));
+    arb_max(most.raw(), most.raw(), error.raw(), 256);
+  }
+  const RealBall greatest = twist.greatest_error().enclose(80);
+  CHECK(greatest.accuracy_bits() > 60);
+  CHECK(greatest.upper() >= most.lower());
+  CHECK(greatest.lower() <= most.upper() * (1 + power_of_ten(-5)));
+  CHECK(most.upper() < power_of_ten(-6));
 }
 
 TEST_CASE("rational twist: a minimum that another one beats is not proved to be the best") {

@@ -182,6 +182,24 @@ TEST_CASE("angle: far outside [0, 1] and close to 0, against the leading behavio
   // θ′ = 8t/6·(1 + O(t)): at t = 10^-30 θ = (2/3)·10^-60 (1 + O(10^-30)).
   CHECK(round_to_decimal(erf.value(parse_rational("1e-30")), 20).value ==
         "6.6666666666666666667e-61");
+  // The next terms are 4/9·t³ and −17/9·t⁴ (series division in fractions), and nothing is lost.
+  const Rational h = parse_rational("1e-3000");
+  const Rational near = h * h * (Rational(2, 3) + h * (Rational(4, 9) - h * Rational(17, 9)));
+  CHECK(round_to_decimal(erf.value(h), 10).value == "6.666666667e-6001");
+  CHECK(round_to_decimal(erf.value(h), 10000).value == round_to_decimal(near, 10000).value);
+  CHECK(round_to_decimal(erf.value(parse_rational("1e-100000")), 10).value ==
+        "6.666666667e-200001");
+  CHECK(round_to_decimal(erf.value(h) + Rational(1, 2), 9).value == "0.500000000");
+  // The Frenet angle is 2/15·t + 272/225·t² + …: both parts are (2/15) and more apart from 0.
+  RmfAngle frenet(quintic, Reference::frenet);
+  const Rational leading_terms = h * (Rational(2, 15) + h * Rational(272, 225));
+  CHECK(round_to_decimal(frenet.value(h), 3000).value ==
+        round_to_decimal(leading_terms, 3000).value);
+  for (const Route route : {Route::roots, Route::both}) {
+    RmfAngle slow(quintic, Reference::erf);
+    slow.take(route);
+    CHECK(round_to_decimal(slow.value(parse_rational("1e-700")), 10).value == "6.666666667e-1401");
+  }
   // θ has limits at ±∞: θ′ ~ −8/(37t²), so θ(10^30) and θ(10^31) differ by (8/37)(10^-30 − 10^-31).
   const RealBall change = subtract(erf.enclose(parse_rational("1e31"), 300),
                                    erf.enclose(parse_rational("1e30"), 300), 300);
