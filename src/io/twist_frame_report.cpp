@@ -10,15 +10,20 @@
 namespace phrame {
 namespace {
 
-/// Where it cannot be told from 0, 0 with the radius that is known.
-Decimal rounded_or_zero(const Real& x, const std::string& what, long digits) {
+/// Where it cannot be told from 0, 0 with the radius that is known, by a precision for `digits`.
+Decimal rounded_or_zero(const Real& x, const std::string& what, long digits, long shown_digits) {
+  const long most_bits = 14 * digits + 128;
   try {
-    return round_to_decimal(x, digits, {4, 128});
+    return round_to_decimal(x, shown_digits, {0, most_bits});
   } catch (const Undecided& undecided) {
-    const RealBall ball = x.enclose(4 * digits + 128);
+    const RealBall ball = x.enclose(most_bits);
     if (!ball.is_finite() || !ball.contains_zero()) throw Undecided(what + ": " + undecided.what());
     return {"0", upper_bound_text(std::max(Rational(-ball.lower()), ball.upper()))};
   }
+}
+
+Decimal rounded_or_zero(const Real& x, const std::string& what, long digits) {
+  return rounded_or_zero(x, what, digits, digits);
 }
 
 /// The parameter of the curve at an inflection of a piece.
@@ -42,7 +47,7 @@ ErrorSize error_size(const Real& number, const std::string& what, long digits) {
   const Decimal value = rounded_or_zero(x, what, digits);
   if (value.value == "0" && value.radius != "0")
     return {{value.radius, value.radius}, "≤ " + value.radius, true};
-  return {value, rounded_or_zero(x, what, few).value};
+  return {value, rounded_or_zero(x, what, std::max(digits, few), few).value};
 }
 
 TwistPieceReport piece_report(const MinimalTwist& mtf, const BestTwist& best, long digits) {

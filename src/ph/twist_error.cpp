@@ -301,16 +301,16 @@ RealBall greatest_error(const TwistPiece& piece, const Rotation& w, long bits) {
       const RealBall inside =
           absolute(add(in_middle.value, multiply(offset, jet.slope, precision), precision));
       if (arb_lt(inside.raw(), least.raw()) != 0) continue;
-      most = hull(most, inside, precision);
       const RealBall zero = subtract(RealBall(middle, precision),
                                      divide(in_middle.slope, jet.bend, precision), precision);
-      if (zero.is_finite()) {
-        const Rational a = std::max(part.a, zero.lower());
-        const Rational b = std::min(part.b, zero.upper());
-        if (2 * (b - a) < part.b - part.a) {
-          if (a <= b) left.push_back({a, b});
-          continue;
-        }
+      const bool is_known = zero.is_finite();
+      const Rational a = is_known ? std::max(part.a, zero.lower()) : part.a;
+      const Rational b = is_known ? std::min(part.b, zero.upper()) : part.b;
+      if (a > b) continue;  // E′ ≠ 0
+      most = hull(most, inside, precision);
+      if (2 * (b - a) < part.b - part.a) {
+        left.push_back({a, b});
+        continue;
       }
       left.push_back({part.a, middle});
       left.push_back({middle, part.b});

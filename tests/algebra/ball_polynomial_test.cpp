@@ -1,6 +1,5 @@
 #include "phrame/algebra/ball_polynomial.hpp"
 
-#include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "support/random.hpp"
 
@@ -84,29 +83,6 @@ TEST_CASE("ball polynomial: law: sign changes") {
     }
     // A squarefree polynomial without zeros at the ends is decided.
     if (is_squarefree(p) && p(0) != 0 && p(1) != 0) CHECK(found.is_complete());
-  });
-}
-
-// The zeros are those of the factors.
-TEST_CASE("ball polynomial: sign changes of high degree, and close to each other") {
-  for_samples(6, [](Random& random) {
-    const Rational first(random.integer(1, 999), 3000);
-    const std::vector<Rational> zeros{first, first + power_of_two(-50), Rational(1, 2),
-                                      Rational(random.integer(1001, 1999), 2000), Rational(3, 2)};
-    Polynomial p{random.chance(2) ? 1 : -1};
-    for (const Rational& zero : zeros) p *= Polynomial{-zero, 1};
-    for (long k = 0; k < 70; ++k) {  // (t − c)² + d²
-      const Rational c(random.integer(0, 100), 100);
-      const Rational d(random.integer(50, 125), 100);
-      p *= Polynomial{c * c + d * d, -2 * c, 1};
-    }
-    const SignChanges found = sign_changes(BallPolynomial(p, 800), 100);
-    CHECK(found.is_complete());
-    REQUIRE(found.at.size() == 4);
-    for (std::size_t k = 0; k < 4; ++k) {
-      CHECK(found.at[k].contains(zeros[k]));
-      CHECK(found.at[k].radius() <= power_of_two(-100));
-    }
   });
 }
 

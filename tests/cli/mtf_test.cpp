@@ -154,7 +154,7 @@ TEST_CASE("mtf: whole turns in the angles given do not count") {
   // θ + 2πk, exactly.
   CHECK(rational_frame("--from 7pi/3 --to 5pi/4") == plain);
   CHECK(rational_frame("--from pi/3 --to -3pi/4") == plain);
-  CHECK(rational_frame("--from -2000000000000000000000000000000000000000000000000005pi/3 "
+  CHECK(rational_frame("--from -2000000000000000000000000000000000000000000000000003pi/3 "
                        "--to 4000000000000000000000000000000000000005pi/4") == plain);
   // 10²⁴, 10³⁰ and 10³⁵ less whole turns, by mpmath with 1200 digits.
   for (const auto& [power, rest] :
@@ -204,8 +204,6 @@ TEST_CASE("mtf: the table says of which pieces nothing is proved, and rounds onc
   const Run run = here.run(ends + "--digits 2");
   check_success(run);
   for (const char* number : {" 2.79220 ", " 0.0102775 "}) CHECK(contains(run.out, number));
-  const std::string twelve = here.run(ends + "--digits 12 --print json").out;
-  for (const char* number : {"\"2.79220", "\"0.0102775"}) CHECK(contains(twelve, number));
   CHECK(contains(run.out, "No proof that w is the best one: that was not asked for\n"));
 }
 

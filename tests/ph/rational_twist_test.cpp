@@ -388,6 +388,14 @@ TEST_CASE("rational twist: the greatest error of a short piece") {
   CHECK(most.upper() < power_of_ten(-6));
 }
 
+// At an end here, with all zeros of E′ excluded in the last round.
+TEST_CASE("rational twist: the greatest error at an end of a linear rotation") {
+  const Framed example(curve_of(farouki_moon()["example2"]), {}, {0, 1});
+  const TwistPiece piece = twist_pieces(example.mtf, {})[0];
+  const RationalTwist twist = best_twist(piece, {1, EndRates::free, true, 60}).twist;
+  CHECK(twist.greatest_error().enclose(80).accuracy_bits() > 60);
+}
+
 TEST_CASE("rational twist: a minimum that another one beats is not proved to be the best") {
   const Framed example = framed_example(farouki_moon()["example1"]);
   const TwistPiece piece = twist_pieces(example.mtf, {})[0];
