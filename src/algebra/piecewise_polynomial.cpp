@@ -108,32 +108,35 @@ PiecewisePolynomial::PiecewisePolynomial(const std::vector<double>& ends, const 
       throw DomainError(
           fmt::format("piecewise polynomial: [{}, {}] is not an interval whose length is a double",
                       ends[k], ends[k + 1]));
-  std::vector<double> right_ends(ends.rbegin(), ends.rend() - 1);
-  const std::size_t most = max_pieces + ends.size() - 2;
-  while (!right_ends.empty()) {
-    const double low = ends_.back();
-    const double high = right_ends.back();
-    const bool has_zero_inside = low < 0 && 0 < high;
-    auto piece = has_zero_inside ? std::nullopt : make(low, high);
-    if (piece) {
-      const auto is_finite = [](double x) { return std::isfinite(x); };
-      if (!is_finite(piece->error) || !is_finite(piece->error_per_y) ||
-          !std::all_of(piece->coefficients.begin(), piece->coefficients.end(), is_finite))
-        throw Undecided(
-            fmt::format("piecewise polynomial: next to t = {} it is too large for doubles", low));
-      pieces_.push_back(std::move(*piece));
-      ends_.push_back(high);
-      right_ends.pop_back();
-      continue;
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const std::size_t before = pieces_.size();
+    std::vector<double> right_ends{ends[k + 1]};
+    while (!right_ends.empty()) {
+      const double low = ends_.back();
+      const double high = right_ends.back();
+      const bool has_zero_inside = low < 0 && 0 < high;
+      auto piece = has_zero_inside ? std::nullopt : make(low, high);
+      if (piece) {
+        const auto is_finite = [](double x) { return std::isfinite(x); };
+        if (!is_finite(piece->error) || !is_finite(piece->error_per_y) ||
+            !std::all_of(piece->coefficients.begin(), piece->coefficients.end(), is_finite))
+          throw Undecided(
+              fmt::format("piecewise polynomial: next to t = {} it is too large for doubles", low));
+        pieces_.push_back(std::move(*piece));
+        ends_.push_back(high);
+        right_ends.pop_back();
+        continue;
+      }
+      const double middle = has_zero_inside ? 0 : low + (high - low) / 2;
+      if (!(low < middle && middle < high))
+        throw Undecided(fmt::format(
+            "piecewise polynomial: next to t = {} it needs pieces that have no double inside",
+            low));
+      if (pieces_.size() - before + right_ends.size() >= max_pieces)
+        throw Undecided(fmt::format(
+            "piecewise polynomial: from t = {} on it needs more than {} pieces", low, max_pieces));
+      right_ends.push_back(middle);
     }
-    const double middle = has_zero_inside ? 0 : low + (high - low) / 2;
-    if (!(low < middle && middle < high))
-      throw Undecided(fmt::format(
-          "piecewise polynomial: next to t = {} it needs pieces that have no double inside", low));
-    if (pieces_.size() + right_ends.size() >= most)
-      throw Undecided(fmt::format(
-          "piecewise polynomial: from t = {} on it needs more than {} pieces", low, most));
-    right_ends.push_back(middle);
   }
   make_cells();
 }

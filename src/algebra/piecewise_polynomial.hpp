@@ -50,12 +50,12 @@ class PiecewisePolynomial {
   using Make = std::function<std::optional<PolynomialPiece>(double from, double to)>;
 
   /// Throws DomainError unless from < to and the length is finite, and Undecided where more than
-  /// max_pieces are needed for one interval, that is as many by halving, or a piece that has no
-  /// double inside, or where a coefficient or an error is too large for a double.
+  /// max_pieces are needed, or a piece that has no double inside, or where a coefficient or an
+  /// error is too large for a double.
   PiecewisePolynomial(double from, double to, const DoubleShape& shape, const Make& make)
       : PiecewisePolynomial(std::vector{from, to}, shape, make) {}
-  /// The same with these ends, ascending and at least two, among those of the pieces: as many more
-  /// pieces as there are more intervals. Cost: linear in the pieces.
+  /// The same with these ends, ascending and at least two, among those of the pieces; max_pieces
+  /// are for each interval between two of them. Cost: linear in the pieces.
   PiecewisePolynomial(const std::vector<double>& ends, const DoubleShape& shape, const Make& make);
   /// The same on [0, n] with the ends 0, 1, …, n.
   static PiecewisePolynomial on_units(std::size_t n, const DoubleShape& shape, const Make& make);

@@ -74,8 +74,7 @@ TEST_CASE(
   });
 }
 
-TEST_CASE(
-    "piecewise polynomial: as many pieces by halving as one interval may have, and more ends") {
+TEST_CASE("piecewise polynomial: the limit is one of each interval, and many are no matter") {
   const std::size_t most = PiecewisePolynomial::max_pieces;
   const auto whole = [](double low, double high) { return empty_piece(low, high); };
   CHECK(PiecewisePolynomial::on_units(4 * most, plain_shape(1), whole).pieces().size() == 4 * most);
@@ -84,11 +83,16 @@ TEST_CASE(
     return 1 <= low && high <= 2 && high - low > 1e-5 ? std::nullopt : empty_piece(low, high);
   };
   CHECK_THROWS_WITH_AS(PiecewisePolynomial::on_units(3, plain_shape(1), narrow),
-                       doctest::Contains("more than 20002 pieces"), Undecided);
+                       doctest::Contains("more than 20000 pieces"), Undecided);
   const auto coarser = [](double low, double high) {
     return 1 <= low && high <= 2 && high - low > 1e-4 ? std::nullopt : empty_piece(low, high);
   };
   CHECK(PiecewisePolynomial::on_units(3, plain_shape(1), coarser).pieces().size() == 2 + 16384);
+  // Together they may need more than one may.
+  const auto even = [](double low, double high) {
+    return high - low > 1e-4 ? std::nullopt : empty_piece(low, high);
+  };
+  CHECK(PiecewisePolynomial::on_units(3, plain_shape(1), even).pieces().size() == 3 * 16384);
 }
 
 TEST_CASE("piecewise polynomial: most doubles of an even division need one comparison") {
