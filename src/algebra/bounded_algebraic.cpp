@@ -21,7 +21,7 @@ constexpr long most_bits = 1L << 18;
 constexpr long most_lattice_bits = 4000;
 
 /// log₂ x rounded up, about, for x > 0; 0 for x ≤ 1.
-long bits_of(const Rational& x) { return x <= 1 ? 0 : binary_exponent(x) + 2; }
+long magnitude_bits(const Rational& x) { return x <= 1 ? 0 : binary_exponent(x) + 2; }
 
 Polynomial with_absolute_values(const Polynomial& p) {
   std::vector<Rational> list = p.coefficients();
@@ -47,9 +47,9 @@ struct IntegerMatrix {
 
 /// A polynomial of a degree ≤ e that is small at x for its coefficients.
 Polynomial guess(const BoundedAlgebraic& x, long e) {
-  const long height = e * (1 + bits_of(Rational(x.denominator)) + bits_of(x.size));
+  const long height = e * (1 + magnitude_bits(Rational(x.denominator)) + magnitude_bits(x.size));
   const long bits = std::min(most_lattice_bits, (e + 1) * (height + e) + 64);
-  const long precision = bits + 64 + e * bits_of(x.size + 1);
+  const long precision = bits + 64 + e * magnitude_bits(x.size + 1);
   const RealBall ball = narrow(x, precision);
   IntegerMatrix lattice(e + 1, e + 2);
   RealBall power(1, precision);
@@ -105,8 +105,8 @@ BoundedAlgebraic operator+(const BoundedAlgebraic& x, const BoundedAlgebraic& y)
 std::optional<bool> is_root(const Polynomial& p, const BoundedAlgebraic& x) {
   if (p.is_zero()) throw DomainError("is_root: the zero polynomial");
   const Polynomial q = primitive_part(p);
-  const long to_integer = q.degree() * bits_of(Rational(x.denominator));
-  const long height = bits_of(with_absolute_values(q)(x.size));
+  const long to_integer = q.degree() * magnitude_bits(Rational(x.denominator));
+  const long height = magnitude_bits(with_absolute_values(q)(x.size));
   const long each = to_integer + height;
   const bool is_short = each == 0 || x.conjugates < most_bits / each;
   const long proof = is_short ? to_integer + (x.conjugates - 1) * each : 4 * most_bits;

@@ -191,7 +191,7 @@ RealBall Evaluator::branch_difference(const Endpoint& a, const Endpoint& b, long
 /// hundred and more; so little is lost if it fails.
 const RealBall* Evaluator::cheap_quadrature(const Rational& a, const Rational& b, long bits) {
   constexpr long greatest_bits = 192;
-  constexpr long high_degree = 48;
+  constexpr long high_degree = 32;
   constexpr long points_per_pole = 60;
   if (bits > greatest_bits) return nullptr;
   if (!integrated_) {

@@ -120,18 +120,20 @@ std::string sentence(const FrameFinding& finding) {
   return "";
 }
 
-/// " at sample 3, t = 1/2", " at all samples", " at 12 samples, first at 3, t = 1/2".
+/// " at sample 3, t = 1/2", " at all samples", " at samples 3, 5, the first at t = 1/2"; of many,
+/// abridged, " at 12 samples, the first is 3, t = 1/2 …".
 std::string places(const FrameFinding& finding, const std::vector<GivenFrame>& frames) {
   const auto& samples = finding.samples;
   if (samples.empty()) return "";
   if (samples.size() == frames.size()) return " at all samples";
-  const auto place = [&](std::size_t k) {
-    return fmt::format("{}, t = {}", k, abbreviated(to_string(frames[k].t)));
-  };
-  if (samples.size() == 1) return " at sample " + place(samples[0]);
+  const std::string t = abbreviated(to_string(frames[samples[0]].t));
+  if (samples.size() == 1) return fmt::format(" at sample {}, t = {}", samples[0], t);
+  const std::string all =
+      fmt::format(" at samples {}, the first at t = {}", fmt::join(samples, ", "), t);
+  constexpr std::size_t few = 8;
+  if (samples.size() <= few) return all;
   return passage(
-      fmt::format(" at samples {}", fmt::join(samples, ", ")),
-      fmt::format(" at {} samples, the first is {} …", samples.size(), place(samples[0])));
+      all, fmt::format(" at {} samples, the first is {}, t = {} …", samples.size(), samples[0], t));
 }
 
 }  // namespace

@@ -225,9 +225,9 @@ TEST_CASE("compile: more pieces than a short index can count") {
         round_coefficients({BallPolynomial({RealBall(exact_rational(low), 64)})}, plain_shape(1));
     return piece;
   };
-  const CHeader header{"arm", "",
-                       true,  Reference::erf,
-                       0,     PiecewisePolynomial::on_units(count, plain_shape(1), step),
+  const CHeader header{"arm",   "",
+                       true,    Reference::erf,
+                       Angle(), PiecewisePolynomial::on_units(count, plain_shape(1), step),
                        {}};
   shop.write("angle.h", to_c_header(header));
   const auto rows = evaluated(shop, {0.5, 65535.5, 65536, 65537.5, 69999.5, 70000}, "-std=c99");

@@ -103,8 +103,9 @@ TEST_CASE("batch: a line may be a bare curve or spline, its name being the id") 
   const Json spline = {{"phrame", "spline/1"}, {"segments", Json::array({quintic()})}};
   CHECK(answer(spline)["phrame"] == "spline-angle/1");
   // Complaints have the places of the line itself, and an answer is no curve.
-  check_error(R"({"phrame": "curve/1", "basis": "power", "preimage": {"u": ["1/0"]}})", 2,
-              "/preimage/u/0: ");
+  check_error(
+      R"({"phrame": "curve/1", "basis": "power", "preimage": {"u": ["1/0"], "v": [0], "p": [0], "q": [0]}})",
+      2, "/preimage/u/0: ");
   check_error(R"({"phrame": "angle/1", "id": 1})", 2, "/phrame: the format is");
   check_error(R"({"phrame": "curve/1", "curve": 1})", 2, "unknown key \"phrame\"");
   // The answer to a spline has a name and an id; the id counts.

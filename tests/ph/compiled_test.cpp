@@ -342,23 +342,6 @@ TEST_CASE("compiled angle and frame: of a spline, through the joints") {
   }
 }
 
-TEST_CASE("compiled angle and frame: the time grows like the number of segments") {
-  // A(1) = A(0): each segment starts in the direction in which the one before ends.
-  const auto seconds = [](long segments) {
-    const QuaternionPolynomial a{{1}, {0, 1, -1}, {0, 2, -2}, {1, -1, 1}};
-    Spline spline{Curve(a)};
-    const Vector<Rational> step = evaluate(position(Curve(a)), 1);
-    for (long k = 1; k < segments; ++k)
-      spline.append(Curve(a, Polynomial{1}, {k * step[0], k * step[1], k * step[2]}));
-    const std::clock_t start = std::clock();
-    SplineAngle angle(spline);
-    compiled_angle(angle, 0, plain_shape(1));
-    compiled_rotation(angle, 0, plain_shape(4));
-    return static_cast<double>(std::clock() - start);
-  };
-  CHECK(seconds(1200) < 8 * seconds(300));  // 4 times; in proportion to the square it is 16 times
-}
-
 TEST_CASE("compiled angle and frame: outside the interval") {
   RmfAngle angle(test::quintic, Reference::erf);
   CompiledAngle compiled(angle, 0, 1);
