@@ -1,6 +1,7 @@
 #include "phrame/algebra/rational.hpp"
 
 #include <fmt/format.h>
+#include <mpfr.h>
 
 #include <cctype>
 #include <charconv>

@@ -1,4 +1,6 @@
 #pragma once
+#include <mpfr.h>
+
 #include <optional>
 #include <string>
 

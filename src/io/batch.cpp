@@ -110,12 +110,21 @@ std::string answer(const JsonNode& line, const BatchDefaults& defaults) {
   return to_json_line(report);
 }
 
+/// What a file over several lines is refused for.
+JsonValue parse_line(std::string_view line) {
+  try {
+    return parse_json(line);
+  } catch (const InputError& error) {
+    throw InputError(error.place(), error.reason() + " (each line is a JSON object by itself)");
+  }
+}
+
 }  // namespace
 
 BatchAnswer batch_answer(std::string_view line, const BatchDefaults& defaults) {
   std::string id = "null";
   try {
-    const JsonValue document = parse_json(line);
+    const JsonValue document = parse_line(line);
     id = id_of(document);
     return {fmt::format("{{\"id\":{},{}", id, answer(JsonNode(document), defaults).substr(1)),
             false};

@@ -82,11 +82,13 @@ std::string value_text(const DefiniteValue& definite, const IntegralReport& repo
   std::string text = fmt::format(
       "\n  {}∫ f d{} from {} to {}\n", definite.principal_value ? "principal value of " : "",
       report.integrand.variable, to_text(definite.from), to_text(definite.to));
-  if (definite.exact)
-    text += fmt::format(
-        "    = {}\n",
-        readable_exact(formatted_sum(formatted_terms(*definite.exact, unicode), " ", unicode)));
   const bool is_decimal = definite.value.radius == "0";
+  if (definite.exact) {
+    const std::string exact =
+        formatted_sum(formatted_terms(*definite.exact, unicode), " ", unicode);
+    if (is_decimal && exact == definite.value.value) return text + fmt::format("    = {}\n", exact);
+    text += fmt::format("    = {}\n", readable_exact(exact));
+  }
   return text + fmt::format("    {} {}\n    {} to {} digit{}\n", is_decimal ? "=" : "≈",
                             wrapped(definite.value.value, 6), "correctly rounded", report.digits,
                             report.digits == 1 ? "" : "s");
