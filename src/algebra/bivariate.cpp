@@ -82,7 +82,7 @@ Polynomial QuotientRing::divide(const Polynomial& n, const Polynomial& a) const 
   bool coprime = false;
   const auto image = [&](std::vector<ModularPolynomial> f) -> std::optional<ModularPolynomial> {
     if (f[2].degree() != size) return std::nullopt;
-    for (std::size_t k : {0, 1})
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1}})
       if (f[k].degree() >= size) nmod_poly_rem(f[k].raw(), f[k].raw(), f[2].raw());
     auto inverse = f[1].is_zero() ? std::nullopt : modular_inverse(f[1], f[2]);
     if (!inverse) {

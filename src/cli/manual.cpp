@@ -1,6 +1,8 @@
 // Manual pages in the man(7) macros, made of what --help says: one of the program, one a command.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/option_list.hpp"
 #include "phrame/version.hpp"

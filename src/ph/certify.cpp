@@ -3,6 +3,8 @@
 // depend on the machine, so that no two machines choose different grids.
 #include "phrame/ph/certify.hpp"
 
+#include <algorithm>
+
 #include "phrame/algebra/modular.hpp"
 
 namespace phrame {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/arc_length.hpp"
 #include "phrame/ph/invariants.hpp"

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {

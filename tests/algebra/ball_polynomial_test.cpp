@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "phrame/algebra/ball_polynomial.hpp"
 
 #include "phrame/algebra/sturm.hpp"

@@ -1,5 +1,6 @@
 #include "phrame/algebra/double_polynomial.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "phrame/algebra/rational.hpp"

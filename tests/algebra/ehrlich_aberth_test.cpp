@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "phrame/algebra/ehrlich_aberth.hpp"
 
 #include "phrame/algebra/rounding.hpp"

@@ -1,5 +1,6 @@
 #include "phrame/algebra/piecewise_polynomial.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "phrame/algebra/real_algebraic.hpp"
 
 #include "phrame/algebra/error.hpp"

@@ -1,5 +1,6 @@
 // Every option of every command is refused or has an effect. The commands, options and conditions
 // are those that the program lists itself; only what to try is written here.
+#include <algorithm>
 #include <map>
 #include <set>
 

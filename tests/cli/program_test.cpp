@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "cli/workshop.hpp"
 
 using namespace phrame;

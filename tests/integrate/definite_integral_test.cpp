@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "phrame/integrate/definite_integral.hpp"
 
 #include "phrame/algebra/error.hpp"

@@ -1,5 +1,6 @@
 #include "phrame/integrate/radicals.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 

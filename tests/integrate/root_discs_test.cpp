@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "phrame/integrate/root_discs.hpp"
 
 #include "phrame/algebra/error.hpp"

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "phrame/integrate/short_integral.hpp"
 
 #include "phrame/algebra/rounding.hpp"

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "phrame/io/angle_report.hpp"
 #include "phrame/io/text.hpp"
 

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "phrame/integrate/integrate.hpp"
 
 using namespace phrame;

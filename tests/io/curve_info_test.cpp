@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "phrame/io/curve_info.hpp"
 
 #include "io/reference.hpp"

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "phrame/io/integral_report.hpp"
 
 #include "io/reference.hpp"

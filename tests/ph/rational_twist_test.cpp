@@ -1,5 +1,6 @@
 #include "phrame/ph/rational_twist.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>

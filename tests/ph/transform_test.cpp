@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "phrame/ph/transform.hpp"
 
 #include "phrame/algebra/error.hpp"
