@@ -82,23 +82,23 @@ void run(const Command& command, const AngleOptions& options) {
 
 }  // namespace
 
-void add_angle(CLI::App& app) {
-  auto* command = Command::add(app, "angle", "the exact angle of the rotation-minimizing frame");
+void add_angle(Program& program) {
+  Command& command = program.add("angle", "the exact angle of the rotation-minimizing frame");
   const auto options = std::make_shared<AngleOptions>();
-  options->curve.add_to(*command);
-  options->parameters.add_to(*command);
-  add_reference(*command, options->frame,
+  options->curve.add_to(command);
+  options->parameters.add_to(command);
+  add_reference(command, options->frame,
                 "the frame the angle is measured from: erf (default) or frenet");
-  add_digits(*command, options->digits);
-  options->form.add_to(*command);
-  command->add_choice(
+  add_digits(command, options->digits);
+  options->form.add_to(command);
+  command.add_choice(
       "--route", options->route, {"auto", "roots", "quadrature", "both"},
       "how values are computed: auto (default), roots, quadrature, or both, which must\n"
       "agree");
-  add_start_angle(*command, options->start_angle);
-  command->not_with({"--at", "--samples", "--digits", "--route", "--theta0"},
-                    FormOptions::scripts());
-  command->footer(
+  add_start_angle(command, options->start_angle);
+  command.not_with({"--at", "--samples", "--digits", "--route", "--theta0"},
+                   FormOptions::scripts());
+  command.set_notes(
       "A spline of n segments has t from 0 to n; its angle is that to the Euler-Rodrigues frame,\n"
       "made continuous through the joints, and of a closed spline the holonomy is given.\n"
       "Examples:\n"
@@ -106,7 +106,7 @@ void add_angle(CLI::App& app) {
       "  phrame angle curve.json --frame frenet --samples 11 --print json\n"
       "  phrame angle - --form rothstein-trager < curve.json\n"
       "  phrame angle curve.json --form real --print maxima");
-  command->does([command, options] { run(*command, *options); });
+  command.does([&command, options] { run(command, *options); });
 }
 
 }  // namespace phrame::cli

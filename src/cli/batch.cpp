@@ -167,34 +167,26 @@ void run(const BatchOptions& options) {
 
 }  // namespace
 
-void add_batch(CLI::App& app) {
-  auto* command =
-      Command::add(app, "batch", "angles of many curves: JSON lines in, JSON lines out");
+void add_batch(Program& program) {
+  Command& command = program.add("batch", "angles of many curves: JSON lines in, JSON lines out");
   const auto options = std::make_shared<BatchOptions>();
-  command->add_option("LINES", options->path, "a file of JSON lines, standard input if not given")
-      ->type_name("");
-  command
-      ->add_option("-o,--output", options->output,
-                   "write to this file, as the answers come, instead of standard output")
-      ->type_name("FILE");
-  command
-      ->add_option("--skip-done", options->skip_done,
-                   "leave out the lines whose id has an answer in this file; if it is the output,\n"
-                   "it is continued, and a last line that was cut off is kept in FILE.damaged")
-      ->type_name("FILE");
-  command->add_option("--threads", options->threads, "so many at a time (default: all cores)")
-      ->type_name("N")
-      ->check(whole_number(1, 4096));
-  command->add_flag("--values-only", options->defaults.values_only,
-                    "answers without integrand and antiderivative");
-  add_reference(*command, options->frame, "for lines without \"frame\": erf (default) or frenet");
-  command->add_option("--at", options->at, "for lines without \"at\": 0,1/2,1")
-      ->type_name("T,...")
-      ->expected(1)
-      ->take_all();
-  add_digits(*command, options->defaults.digits);
-  add_max_degree(*command, options->defaults.limits);
-  command->footer(
+  command.add_optional_argument("LINES", options->path,
+                                "a file of JSON lines, standard input if not given");
+  command.add_option("-o,--output", "FILE", options->output,
+                     "write to this file, as the answers come, instead of standard output");
+  command.add_option(
+      "--skip-done", "FILE", options->skip_done,
+      "leave out the lines whose id has an answer in this file; if it is the output,\n"
+      "it is continued, and a last line that was cut off is kept in FILE.damaged");
+  command.add_number("--threads", options->threads, {1, 4096},
+                     "so many at a time (default: all cores)");
+  command.add_flag("--values-only", options->defaults.values_only,
+                   "answers without integrand and antiderivative");
+  add_reference(command, options->frame, "for lines without \"frame\": erf (default) or frenet");
+  command.add_list("--at", "T,...", options->at, "for lines without \"at\": 0,1/2,1");
+  add_digits(command, options->defaults.digits);
+  add_max_degree(command, options->defaults.limits);
+  command.set_notes(
       "A line is {\"id\": \"a7\", \"curve\": {...}, \"frame\": \"erf\", \"at\": [\"1\"], "
       "\"digits\": 17}; all but the\n"
       "curve (or spline) may be left out. Its answer is what \"phrame angle --print json\" gives, "
@@ -207,7 +199,7 @@ void add_batch(CLI::App& app) {
       "  phrame batch curves.jsonl --at 1 -o angles.jsonl\n"
       "  phrame batch curves.jsonl --at 1 -o angles.jsonl --skip-done angles.jsonl\n"
       "  generate | phrame batch --values-only | filter");
-  command->does([options] { run(*options); });
+  command.does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

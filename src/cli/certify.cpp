@@ -23,22 +23,22 @@ void run(const CertifyOptions& options) {
 
 }  // namespace
 
-void add_certify(CLI::App& app) {
-  auto* command = Command::add(app, "certify", "angles with a proof that others can check");
+void add_certify(Program& program) {
+  Command& command = program.add("certify", "angles with a proof that others can check");
   const auto options = std::make_shared<CertifyOptions>();
-  options->curve.add_to(*command);
-  options->parameters.add_to(*command);
-  add_digits(*command, options->digits);
-  add_reference(*command, options->frame,
+  options->curve.add_to(command);
+  options->parameters.add_to(command);
+  add_digits(command, options->digits);
+  add_reference(command, options->frame,
                 "what the angle is measured from: erf (default) or frenet");
-  command->footer(
+  command.set_notes(
       "Without --at and --samples the angle at t = 1. phrame verify checks the certificate, and "
       "so\n"
       "does tools/check_certificate.py, which needs Python and nothing else.\n"
       "Examples:\n"
       "  phrame certify curve.json --at 1/2,1 --digits 40 -o angle.cert\n"
       "  phrame certify curve.json --frame frenet | phrame verify -");
-  command->does([options] { run(*options); });
+  command.does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -91,39 +91,30 @@ void run(const CheckCommand& command) {
 
 }  // namespace
 
-void add_check(CLI::App& app) {
-  auto* command = Command::add(app, "check", "how far somebody's frames are from the exact one");
+void add_check(Program& program) {
+  Command& command = program.add("check", "how far somebody's frames are from the exact one");
   const auto options = std::make_shared<CheckCommand>();
-  options->curve.add_to(*command);
-  command
-      ->add_option("FRAMES", options->frames,
-                   "a table of frames (text or .npy), \"-\" for standard input")
-      ->required()
-      ->type_name("");
-  command
-      ->add_option("--tol", options->tolerance,
-                   "radians, cosines and lengths that may be off (default 1e-6)")
-      ->type_name("BOUND");
-  command
-      ->add_option("--theta0", options->start_angle,
-                   "compare with the frame at this angle to e2 at t = 0, not with the first sample")
-      ->type_name("ANGLE");
-  command->add_choice("--quaternion", options->quaternion, {"wxyz", "xyzw"},
-                      "of quaternions: the order of the columns, wxyz or xyzw (default: as they\n"
-                      "are named, else wxyz)");
-  command->add_choice("--tangent-axis", options->tangent_axis, {"x", "y", "z", "-x", "-y", "-z"},
-                      "of quaternions: the axis of the body along the tangent, x (default), y or\n"
-                      "z; =-x, =-y or =-z for the opposite");
-  command->add_flag("--inverse", options->is_inverse,
-                    "of quaternions: they turn the world to the body");
-  command
-      ->add_option("--header", options->header, "the names of the columns of a table without them")
-      ->type_name("NAME,...")
-      ->expected(1)
-      ->take_all();
-  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
-  options->length.add_to(*command);
-  command->footer(
+  options->curve.add_to(command);
+  command.add_argument("FRAMES", options->frames,
+                       "a table of frames (text or .npy), \"-\" for standard input");
+  command.add_option("--tol", "BOUND", options->tolerance,
+                     "radians, cosines and lengths that may be off (default 1e-6)");
+  command.add_option(
+      "--theta0", "ANGLE", options->start_angle,
+      "compare with the frame at this angle to e2 at t = 0, not with the first sample");
+  command.add_choice("--quaternion", options->quaternion, {"wxyz", "xyzw"},
+                     "of quaternions: the order of the columns, wxyz or xyzw (default: as they\n"
+                     "are named, else wxyz)");
+  command.add_choice("--tangent-axis", options->tangent_axis, {"x", "y", "z", "-x", "-y", "-z"},
+                     "of quaternions: the axis of the body along the tangent, x (default), y or\n"
+                     "z; =-x, =-y or =-z for the opposite");
+  command.add_flag("--inverse", options->is_inverse,
+                   "of quaternions: they turn the world to the body");
+  command.add_list("--header", "NAME,...", options->header,
+                   "the names of the columns of a table without them");
+  command.add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  options->length.add_to(command);
+  command.set_notes(
       "FRAMES has a header: t and f2x,f2y,f2z, optionally f3x,... and e1x,... (the tangent), or t\n"
       "and qw,qx,qy,qz. Other columns are skipped. Without a header their number tells: 4: t, f2;\n"
       "5: t, q; 7: t, f2, f3; 8: t, position, q; 10: t, e1, f2, f3; 13 or more: t, position, e1,\n"
@@ -133,7 +124,7 @@ void add_check(CLI::App& app) {
       "  phrame check curve.json frames.csv --tol 1e-9\n"
       "  phrame check curve.json frames.npy --theta0 0\n"
       "  phrame check curve.json poses.csv --tangent-axis z --print json -o check.json");
-  command->does([options] { run(*options); });
+  command.does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

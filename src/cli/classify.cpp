@@ -18,21 +18,21 @@ void run(const ClassifyOptions& options) {
 
 }  // namespace
 
-void add_classify(CLI::App& app) {
-  auto* command =
-      Command::add(app, "classify", "what kind of curve it is, each answer with its witness");
+void add_classify(Program& program) {
+  Command& command =
+      program.add("classify", "what kind of curve it is, each answer with its witness");
   const auto options = std::make_shared<ClassifyOptions>();
-  options->curve.add_to(*command);
-  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
-  options->length.add_to(*command);
-  command->footer(
+  options->curve.add_to(command);
+  command.add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  options->length.add_to(command);
+  command.set_notes(
       "Decided exactly: regular, inflections, straight line, plane, helix, double PH, primitive,\n"
       "whether the Euler-Rodrigues frame (ERF) or any rational frame is rotation-minimizing\n"
       "(RMF), and where the ERF turns back.\n"
       "Examples:\n"
       "  phrame classify curve.json\n"
       "  phrame classify curve.json --print json -o class.json");
-  command->does([options] { run(*options); });
+  command.does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

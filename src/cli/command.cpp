@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -59,9 +58,7 @@ void fail_for_spline(const std::string& option, const std::string& value) {
 }
 
 void CurveOptions::add_to(Command& command) {
-  command.add_option("CURVE", path, "a curve file (JSON), \"-\" for standard input")
-      ->required()
-      ->type_name("");
+  command.add_argument("CURVE", path, "a curve file (JSON), \"-\" for standard input");
   command.add_output(output);
   add_max_degree(command, limits);
 }
@@ -76,15 +73,10 @@ std::variant<NamedCurve, NamedSpline> CurveOptions::read_curve_or_spline() const
   return read_by(phrame::read_curve_or_spline, *this);
 }
 
-void Parameters::add_to(CLI::App& command) {
-  command.add_option("--at", at, "values of t, separated by commas: 0,1/2,-3,0.25")
-      ->type_name("T,...")
-      ->expected(1)
-      ->take_all();
-  command
-      .add_option("--samples", samples, "N equally spaced values of t from start to end (N ≥ 2)")
-      ->type_name("N")
-      ->check(whole_number(2, 10'000'000));
+void Parameters::add_to(Command& command) {
+  command.add_list("--at", "T,...", at, "values of t, separated by commas: 0,1/2,-3,0.25");
+  command.add_number("--samples", samples, {2, 10'000'000},
+                     "N equally spaced values of t from start to end (N ≥ 2)");
 }
 
 std::vector<Rational> Parameters::values(const Rational& end) const {
@@ -116,32 +108,15 @@ Angle parse_angle_option(const std::string& option, const std::string& text) {
   return at_place(option, ", ", [&] { return parse_angle(text); });
 }
 
-CLI::Validator whole_number(long least, long most) {
-  const auto complaint = [least, most](std::string& text) -> std::string {
-    text = trimmed(text);
-    long value = 0;
-    const char* const text_end = text.data() + text.size();
-    const auto [end, error] = std::from_chars(text.data(), text_end, value);
-    if (error == std::errc() && end == text_end && least <= value && value <= most) return "";
-    return fmt::format("\"{}\" is not a whole number from {} to {}", abbreviated(text), least,
-                       most);
-  };
-  return {complaint, ""};
+void add_digits(Command& command, long& digits) {
+  command.add_number(
+      "--digits", digits, {1, 100'000},
+      fmt::format("significant decimal digits, correctly rounded (default {})", digits));
 }
 
-void add_digits(CLI::App& command, long& digits) {
-  command
-      .add_option("--digits", digits,
-                  fmt::format("significant decimal digits, correctly rounded (default {})", digits))
-      ->type_name("N")
-      ->check(whole_number(1, 100'000));
-}
-
-void add_start_angle(CLI::App& command, std::string& angle) {
-  command
-      .add_option("--theta0", angle,
-                  "the angle at t = 0: radians, or such as pi/4 or 45deg (default 0)")
-      ->type_name("ANGLE");
+void add_start_angle(Command& command, std::string& angle) {
+  command.add_option("--theta0", "ANGLE", angle,
+                     "the angle at t = 0: radians, or such as pi/4 or 45deg (default 0)");
 }
 
 void TextLength::add_to(Command& command) {
@@ -153,12 +128,10 @@ void TextLength::write(const std::string& path, const std::string& printed) cons
   write_output(path, for_reading(printed, is_full));
 }
 
-void add_max_degree(CLI::App& command, CurveLimits& limits) {
-  command
-      .add_option("--max-degree", limits.max_degree,
-                  fmt::format("refuse curves of a higher degree (default {})", limits.max_degree))
-      ->type_name("N")
-      ->check(whole_number(1, 1'000'000));
+void add_max_degree(Command& command, CurveLimits& limits) {
+  command.add_number(
+      "--max-degree", limits.max_degree, {1, 1'000'000},
+      fmt::format("refuse curves of a higher degree (default {})", limits.max_degree));
 }
 
 std::string read_file(const std::string& path) {

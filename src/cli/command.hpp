@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/error.hpp"
-#include "phrame/cli/subcommand.hpp"
+#include "phrame/cli/program.hpp"
 #include "phrame/io/curve_file.hpp"
 #include "phrame/ph/rmf_angle.hpp"
 
@@ -28,7 +28,7 @@ struct Parameters {
   std::vector<std::string> at;  ///< lists, separated by commas
   long samples = 0;
 
-  void add_to(CLI::App& command);
+  void add_to(Command& command);
   /// In the order given, then the N equally spaced ones on [0, end].
   std::vector<Rational> values(const Rational& end = 1) const;
 };
@@ -42,17 +42,14 @@ Rational parse_option(const std::string& option, const std::string& text);
 /// The same of an angle: "pi/4", "45deg", "0.5".
 Angle parse_angle_option(const std::string& option, const std::string& text);
 
-/// A whole number from `least` to `most`, or an InputError that says so.
-CLI::Validator whole_number(long least, long most);
-
-/// --digits, checked to be in 1 … 100 000.
-void add_digits(CLI::App& command, long& digits);
+/// --digits, from 1 to 100 000.
+void add_digits(Command& command, long& digits);
 
 /// --theta0, the angle at t = 0.
-void add_start_angle(CLI::App& command, std::string& angle);
+void add_start_angle(Command& command, std::string& angle);
 
 /// --max-degree
-void add_max_degree(CLI::App& command, CurveLimits& limits);
+void add_max_degree(Command& command, CurveLimits& limits);
 
 /// --full, of commands that print a text for reading.
 struct TextLength {
@@ -116,23 +113,23 @@ struct AnswerNo {
 };
 
 // Each adds a command and what it does.
-void add_angle(CLI::App& app);
-void add_info(CLI::App& app);
-void add_classify(CLI::App& app);
-void add_totals(CLI::App& app);
-void add_frames(CLI::App& app);
-void add_mtf(CLI::App& app);
-void add_interpolate(CLI::App& app);
-void add_identify(CLI::App& app);
-void add_integrate(CLI::App& app);
-void add_batch(CLI::App& app);
-void add_compile(CLI::App& app);
-void add_check(CLI::App& app);
-void add_certify(CLI::App& app);
-void add_verify(CLI::App& app);
-void add_prove(CLI::App& app);
-void add_help(CLI::App& app);
-void add_completion(CLI::App& app);  ///< hidden
-void add_man(CLI::App& app);         ///< hidden
+void add_angle(Program& program);
+void add_info(Program& program);
+void add_classify(Program& program);
+void add_totals(Program& program);
+void add_frames(Program& program);
+void add_mtf(Program& program);
+void add_interpolate(Program& program);
+void add_identify(Program& program);
+void add_integrate(Program& program);
+void add_batch(Program& program);
+void add_compile(Program& program);
+void add_check(Program& program);
+void add_certify(Program& program);
+void add_verify(Program& program);
+void add_prove(Program& program);
+void add_help(Program& program);
+void add_completion(Program& program);  ///< hidden
+void add_man(Program& program);         ///< hidden
 
 }  // namespace phrame::cli

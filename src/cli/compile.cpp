@@ -70,27 +70,25 @@ void run(const CompileOptions& options) {
 
 }  // namespace
 
-void add_compile(CLI::App& app) {
-  auto* command = Command::add(app, "compile", "a C header that evaluates the angle and the frame");
+void add_compile(Program& program) {
+  Command& command = program.add("compile", "a C header that evaluates the angle and the frame");
   const auto options = std::make_shared<CompileOptions>();
-  options->curve.add_to(*command);
-  command->add_option("--prefix", options->prefix, "of the names in C (default: the curve's name)")
-      ->type_name("NAME");
-  add_reference(*command, options->frame,
+  options->curve.add_to(command);
+  command.add_option("--prefix", "NAME", options->prefix,
+                     "of the names in C (default: the curve's name)");
+  add_reference(command, options->frame,
                 "the frame the angle is measured from: erf (default), or frenet: only the angle");
-  add_start_angle(*command, options->start_angle);
-  command->add_option("--from", options->from, "the least t (default 0), rounded to a double")
-      ->type_name("T");
-  command->add_option("--to", options->to, "the greatest t (default 1), rounded to a double")
-      ->type_name("T");
-  command->footer(
+  add_start_angle(command, options->start_angle);
+  command.add_option("--from", "T", options->from, "the least t (default 0), rounded to a double");
+  command.add_option("--to", "T", options->to, "the greatest t (default 1), rounded to a double");
+  command.set_notes(
       "C99 without dependencies, in doubles; the header states the errors, proved with rounding\n"
       "included, usually below 2^-51 for the angle and 2^-50 for the frame.\n"
       "A spline of n segments has t from 0 to n, and one frame through all of them.\n"
       "Examples:\n"
       "  phrame compile curve.json -o angle.h\n"
       "  phrame compile curve.json --from -1 --to 2 --prefix arm -o arm.h");
-  command->does([options] { run(*options); });
+  command.does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

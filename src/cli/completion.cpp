@@ -69,7 +69,7 @@ complete -F _phrame phrame
 
 /// The case of one command.
 std::string bash_case(const Command& command) {
-  std::string text = fmt::format("  {})\n    case $prev in\n", command.get_name());
+  std::string text = fmt::format("  {})\n    case $prev in\n", command.name());
   std::vector<std::string> options;
   std::string names;  // of the argument, "-" for a file
   for (const ListedOption& option : listed_options(command)) {
@@ -91,11 +91,11 @@ std::string bash_case(const Command& command) {
          fmt::format("    esac\n    options='{}' names='{}'\n    ;;\n", words(options), names);
 }
 
-std::string bash(CLI::App& program) {
+std::string bash(const Program& program) {
   std::vector<std::string> commands;
   std::string cases;
-  for (const Command* command : commands_of(program)) {
-    commands.push_back(command->get_name());
+  for (const Command* command : program.commands()) {
+    commands.push_back(command->name());
     cases += bash_case(*command);
   }
   return fmt::format(bash_script, fmt::arg("commands", words(commands)), fmt::arg("cases", cases));
@@ -128,13 +128,12 @@ std::string zsh_option(const ListedOption& option) {
                      shell_quoted(text));
 }
 
-std::string zsh(CLI::App& program) {
+std::string zsh(const Program& program) {
   std::string commands;
   std::string cases;
-  for (const Command* command : commands_of(program)) {
-    commands += fmt::format("      {}\n",
-                            shell_quoted(command->get_name() + ":" + command->get_description()));
-    cases += fmt::format("    {})\n      _arguments", command->get_name());
+  for (const Command* command : program.commands()) {
+    commands += fmt::format("      {}\n", shell_quoted(command->name() + ":" + command->what()));
+    cases += fmt::format("    {})\n      _arguments", command->name());
     for (const ListedOption& option : listed_options(*command))
       cases += " \\\n        " + zsh_option(option);
     cases += "\n      ;;\n";
@@ -174,25 +173,25 @@ std::string fish_option(const std::string& command, const ListedOption& option) 
   return line + "\n";
 }
 
-std::string fish(CLI::App& program) {
+std::string fish(const Program& program) {
   std::string text =
       "# fish completion of phrame\ncomplete -c phrame -f\n"
       "complete -c phrame -n __fish_use_subcommand -s h -l help -d 'show this help'\n"
       "complete -c phrame -n __fish_use_subcommand -l version -d 'show the version'\n";
-  for (const Command* command : commands_of(program))
+  for (const Command* command : program.commands())
     text += fmt::format("complete -c phrame -n __fish_use_subcommand -a {} -d {}\n",
-                        command->get_name(), fish_quoted(command->get_description()));
-  for (const Command* command : commands_of(program))
+                        command->name(), fish_quoted(command->what()));
+  for (const Command* command : program.commands())
     for (const ListedOption& option : listed_options(*command))
       if (!option.is_argument || option.takes_file || !option.facts.names.empty())
-        text += fish_option(command->get_name(), option);
+        text += fish_option(command->name(), option);
   return text;
 }
 
 /// The commands and options themselves, for tests and other programs.
-std::string json(CLI::App& program) {
+std::string json(const Program& program) {
   JsonOutput list = JsonOutput::array();
-  for (const Command* command : commands_of(program)) {
+  for (const Command* command : program.commands()) {
     JsonOutput options = JsonOutput::array();
     for (const ListedOption& option : listed_options(*command))
       options.push_back({{"names", option.names},
@@ -205,26 +204,23 @@ std::string json(CLI::App& program) {
                          {"with", option.facts.with},
                          {"without", option.facts.without},
                          {"what", option.what}});
-    list.push_back({{"command", command->get_name()},
-                    {"what", command->get_description()},
-                    {"options", options}});
+    list.push_back({{"command", command->name()}, {"what", command->what()}, {"options", options}});
   }
   return pretty({{"phrame", "commands/1"}, {"commands", list}});
 }
 
 }  // namespace
 
-void add_completion(CLI::App& app) {
-  auto* command = Command::add(app, "completion", "a script that completes the command line");
-  command->group("");
+void add_completion(Program& program) {
+  Command& command = program.add_hidden("completion", "a script that completes the command line");
   const auto shell = std::make_shared<std::string>();
-  command->add_choice("SHELL", *shell, {"bash", "zsh", "fish", "json"},
-                      "bash, zsh or fish; json: the commands and options themselves");
-  command->get_option("SHELL")->type_name("")->required();
-  command->does([&app, shell] {
-    const auto write = choose<std::string (*)(CLI::App&)>(
+  command.add_choice("SHELL", *shell, {"bash", "zsh", "fish", "json"},
+                     "bash, zsh or fish; json: the commands and options themselves");
+  command.require("SHELL");
+  command.does([&program, shell] {
+    const auto write = choose<std::string (*)(const Program&)>(
         "SHELL", *shell, {{"bash", bash}, {"zsh", zsh}, {"fish", fish}, {"json", json}});
-    write_output("-", write(app));
+    write_output("-", write(program));
   });
 }
 

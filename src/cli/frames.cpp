@@ -129,30 +129,30 @@ void run(const FramesOptions& options) {
 
 }  // namespace
 
-void add_frames(CLI::App& app) {
-  auto* command = Command::add(app, "frames", "a table of t, r, e1 and frame vectors");
+void add_frames(Program& program) {
+  Command& command = program.add("frames", "a table of t, r, e1 and frame vectors");
   const auto options = std::make_shared<FramesOptions>();
-  options->curve.add_to(*command);
-  options->parameters.add_to(*command);
-  command->add_choices(
+  options->curve.add_to(command);
+  options->parameters.add_to(command);
+  command.add_choices(
       "--frame", options->frames, {"rmf", "erf", "frenet", "mtf", "mtf-exact"},
       "any of rmf (rotation-minimizing, default: f2, f3), erf (Euler-Rodrigues: e2, e3),\n"
       "frenet (n, b), mtf and mtf-exact (of minimal twist: rational, or at a constant rate;\n"
       "--from and --to are needed)");
-  command->add_choices("--columns", options->scalars, {"s", "curvature", "torsion", "frenet_rate"},
-                       "any of s (arc length), curvature, torsion and frenet_rate");
-  command->add_choice("--by", options->by, {"t", "arc-length"},
-                      "t (default), or arc-length: --at and --samples mean arc lengths from t = 0");
-  options->twist.add_to(*command);
-  command->only_with(TwistOptions::of_ends(), {"--frame mtf", "--frame mtf-exact"});
-  command->only_with(TwistOptions::of_rational_frame(), {"--frame mtf"});
-  command->add_format("--format", options->format, {"csv", "json", "npy"},
-                      "csv (default), json or npy");
-  command->add_flag("--skip-undefined", options->skips_undefined,
-                    "leave cells empty where the Frenet frame, a curvature or the torsion is\n"
-                    "undefined (json: null, npy: NaN), and say so on stderr");
-  command->only_with({"--skip-undefined"}, {"--frame frenet", "--columns"});
-  command->footer(
+  command.add_choices("--columns", options->scalars, {"s", "curvature", "torsion", "frenet_rate"},
+                      "any of s (arc length), curvature, torsion and frenet_rate");
+  command.add_choice("--by", options->by, {"t", "arc-length"},
+                     "t (default), or arc-length: --at and --samples mean arc lengths from t = 0");
+  options->twist.add_to(command);
+  command.only_with(TwistOptions::of_ends(), {"--frame mtf", "--frame mtf-exact"});
+  command.only_with(TwistOptions::of_rational_frame(), {"--frame mtf"});
+  command.add_format("--format", options->format, {"csv", "json", "npy"},
+                     "csv (default), json or npy");
+  command.add_flag("--skip-undefined", options->skips_undefined,
+                   "leave cells empty where the Frenet frame, a curvature or the torsion is\n"
+                   "undefined (json: null, npy: NaN), and say so on stderr");
+  command.only_with({"--skip-undefined"}, {"--frame frenet", "--columns"});
+  command.set_notes(
       "--at or --samples is needed: what the rows of the table are.\n"
       "All numbers are correctly rounded doubles. e1 is A i A*/|A|^2, the unit tangent\n"
       "where the multiplier is positive and its opposite where it is negative.\n"
@@ -166,7 +166,7 @@ void add_frames(CLI::App& app) {
       "  phrame frames curve.json --by arc-length --samples 101 --columns s,curvature\n"
       "  phrame frames curve.json --frame rmf,frenet --samples 1001 --format npy -o frames.npy\n"
       "  phrame frames curve.json --frame mtf --from pi/8 --to -pi/2 --samples 101");
-  command->does([options] { run(*options); });
+  command.does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -27,21 +27,21 @@ void run(const IdentifyOptions& options) {
 
 }  // namespace
 
-void add_identify(CLI::App& app) {
-  auto* command = Command::add(app, "identify",
-                               "is a polynomial curve Pythagorean-hodograph (PH)? its preimage");
+void add_identify(Program& program) {
+  Command& command =
+      program.add("identify", "is a polynomial curve Pythagorean-hodograph (PH)? its preimage");
   const auto options = std::make_shared<IdentifyOptions>();
-  options->curve.add_to(*command);
-  command->add_format("--print", options->print, {"text", "json", "curve"},
-                      "text (default), json, or curve: a curve file with the preimage");
-  options->length.add_to(*command);
-  command->footer(
+  options->curve.add_to(command);
+  command.add_format("--print", options->print, {"text", "json", "curve"},
+                     "text (default), json, or curve: a curve file with the preimage");
+  options->length.add_to(command);
+  command.set_notes(
       "Only r' counts, given by control_points or by any preimage and multiplier; found are the A\n"
       "of least degree and f with r' = f A i A*. Exit status 1: the curve is not PH over Q.\n"
       "Examples:\n"
       "  phrame identify bezier.json\n"
       "  phrame identify bezier.json --print curve -o ph.json");
-  command->does([options] { run(*options); });
+  command.does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -32,20 +32,20 @@ void run(const InfoOptions& options) {
 
 }  // namespace
 
-void add_info(CLI::App& app) {
-  auto* command = Command::add(app, "info", "the polynomials and totals of a curve or spline");
+void add_info(Program& program) {
+  Command& command = program.add("info", "the polynomials and totals of a curve or spline");
   const auto options = std::make_shared<InfoOptions>();
-  options->curve.add_to(*command);
-  add_digits(*command, options->digits);
-  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
-  options->length.add_to(*command);
-  command->footer(
+  options->curve.add_to(command);
+  add_digits(command, options->digits);
+  command.add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  options->length.add_to(command);
+  command.set_notes(
       "In JSON, arc_length is an exact text, or a value with its radius where the multiplier\n"
       "changes sign on [0, 1] and it is irrational; bending_energy is null where it is infinite.\n"
       "Examples:\n"
       "  phrame info curve.json --digits 30\n"
       "  phrame info curve.json --print json -o info.json");
-  command->does([options] { run(*options); });
+  command.does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

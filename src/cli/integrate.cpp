@@ -74,50 +74,42 @@ void run(const IntegrateOptions& options) {
 
 }  // namespace
 
-void add_integrate(CLI::App& app) {
-  auto* command = Command::add(app, "integrate", "the exact integral of a rational function");
+void add_integrate(Program& program) {
+  Command& command = program.add("integrate", "the exact integral of a rational function");
   const auto options = std::make_shared<IntegrateOptions>();
-  command
-      ->add_option(
-          "EXPR", options->expression,
-          "a rational function of one variable, such as 1/(x^4+1), \"-\" for standard input")
-      ->required()
-      ->type_name("");
-  command->add_option("--var", options->variable, "the variable (default: the one that occurs)")
-      ->type_name("NAME");
-  command
-      ->add_option("--from", options->from,
-                   "integrate from here: a number, as 3/7, sqrt(2) or pi/4, inf (or oo), or\n"
-                   "root(p, a, b), the root of p in [a, b]")
-      ->type_name("END");
-  command->add_option("--to", options->to, "to here")->type_name("END");
-  command->add_flag(
+  command.add_argument(
+      "EXPR", options->expression,
+      "a rational function of one variable, such as 1/(x^4+1), \"-\" for standard input");
+  command.add_option("--var", "NAME", options->variable,
+                     "the variable (default: the one that occurs)");
+  command.add_option("--from", "END", options->from,
+                     "integrate from here: a number, as 3/7, sqrt(2) or pi/4, inf (or oo), or\n"
+                     "root(p, a, b), the root of p in [a, b]");
+  command.add_option("--to", "END", options->to, "to here");
+  command.add_flag(
       "--principal-value", options->principal_value,
       "Cauchy's principal value at simple poles between the ends, and from -inf to inf");
-  add_digits(*command, options->digits);
-  options->form.add_to(*command);
-  command->add_flag("--no-derivative-check", options->is_silent,
-                    "do not say that the derivative was checked (it always is)");
-  command->add_flag("--derivative-check")->group("");  // the default
-  command
-      ->add_option("--max-degree", options->limits.size.max_degree,
-                   fmt::format("refuse functions of a higher degree (default {})",
-                               options->limits.size.max_degree))
-      ->type_name("N")
-      ->check(whole_number(1, 1'000'000));
-  command->add_output(options->output);
-  command->only_with({"--principal-value", "--digits"}, {"--from and --to"});
+  add_digits(command, options->digits);
+  options->form.add_to(command);
+  command.add_flag("--no-derivative-check", options->is_silent,
+                   "do not say that the derivative was checked (it always is)");
+  command.add_hidden_flag("--derivative-check");  // the default
+  command.add_number("--max-degree", options->limits.size.max_degree, {1, 1'000'000},
+                     fmt::format("refuse functions of a higher degree (default {})",
+                                 options->limits.size.max_degree));
+  command.add_output(options->output);
+  command.only_with({"--principal-value", "--digits"}, {"--from and --to"});
   std::vector<std::string> others = FormOptions::scripts();
   others.insert(others.end(), {"--print json", "--print latex"});
-  command->not_with({"--no-derivative-check"}, others);  // of which none says so
-  command->footer(
+  command.not_with({"--no-derivative-check"}, others);  // of which none says so
+  command.set_notes(
       "Numbers are exact: 0.1 is 1/10. A product needs its sign: 2*x, not 2x.\n"
       "Examples:\n"
       "  phrame integrate '(3*x^2+x+1)/(x^3+x)'\n"
       "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50\n"
       "  phrame integrate '1/(t^2-2)' --form real --from 'root(t^2-3, 1, 2)' --to inf\n"
       "  phrame integrate '1/(x^5+x+1)' --print sympy");
-  command->does([options] { run(*options); });
+  command.does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -34,23 +34,19 @@ void run(const InterpolateOptions& options) {
 
 }  // namespace
 
-void add_interpolate(CLI::App& app) {
-  auto* command = Command::add(app, "interpolate", "the points of a motion at equal times");
+void add_interpolate(Program& program) {
+  Command& command = program.add("interpolate", "the points of a motion at equal times");
   const auto options = std::make_shared<InterpolateOptions>();
-  options->curve.add_to(*command);
-  command
-      ->add_option("--period", options->period,
-                   "the time from one point to the next, such as 1/1000")
-      ->required()
-      ->type_name("TIME");
-  command
-      ->add_option("--feed", options->feed,
-                   "the speed V: a constant, or a rational function of s, t or kappa")
-      ->required()
-      ->type_name("EXPR");
-  command->add_format("--format", options->format, {"csv", "json", "npy"},
-                      "csv (default), json or npy");
-  command->footer(
+  options->curve.add_to(command);
+  command.add_option("--period", "TIME", options->period,
+                     "the time from one point to the next, such as 1/1000");
+  command.require("--period");
+  command.add_option("--feed", "EXPR", options->feed,
+                     "the speed V: a constant, or a rational function of s, t or kappa");
+  command.require("--feed");
+  command.add_format("--format", options->format, {"csv", "json", "npy"},
+                     "csv (default), json or npy");
+  command.set_notes(
       "The columns are k, time, t, s, x, y, z: the parameter t with the integral of |r'|/V from 0\n"
       "to t equal to the time k*PERIOD, the arc length s and the point there; the last row is the\n"
       "end of the curve with the total time. All numbers are correctly rounded doubles.\n"
@@ -61,7 +57,7 @@ void add_interpolate(CLI::App& app) {
       "  phrame interpolate curve.json --period 1/1000 --feed '10 + 2*s' -o points.csv\n"
       "  phrame interpolate curve.json --period 0.01 --feed '5 + t^2' --format json\n"
       "  phrame interpolate plane.json --period 0.01 --feed '5/(1 + 2*kappa)'");
-  command->does([options] { run(*options); });
+  command.does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

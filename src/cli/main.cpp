@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <sstream>
@@ -41,16 +42,10 @@ std::vector<std::string> without_help_command(std::vector<std::string> words) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app(
+  phrame::cli::Program program(
+      "phrame",
       "Exact rotation-minimizing frames of Pythagorean-hodograph curves, and exact integrals of "
       "rational functions.",
-      "phrame");
-  app.set_help_flag("-h,--help", "show this help");
-  app.option_defaults()->disable_flag_override();
-  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
-  app.get_formatter()->label("Positionals", "Arguments");
-  app.get_formatter()->label("REQUIRED", "(required)");
-  app.footer(
       "A curve file is JSON, such as\n"
       "  {\"phrame\": \"curve/1\", \"basis\": \"power\",\n"
       "   \"preimage\": {\"u\": [1], \"v\": [0, \"1/2\"], \"p\": [0, 0, 3], \"q\": [0.25]}}\n"
@@ -69,32 +64,34 @@ int run(int argc, char** argv) {
       "  phrame interpolate curve.json --period 0.001 --feed '10 + 2*s'\n"
       "  phrame batch curves.jsonl --at 1 -o angles.jsonl\n"
       "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50");
-  phrame::cli::add_angle(app);
-  phrame::cli::add_info(app);
-  phrame::cli::add_classify(app);
-  phrame::cli::add_totals(app);
-  phrame::cli::add_frames(app);
-  phrame::cli::add_mtf(app);
-  phrame::cli::add_interpolate(app);
-  phrame::cli::add_identify(app);
-  phrame::cli::add_integrate(app);
-  phrame::cli::add_batch(app);
-  phrame::cli::add_compile(app);
-  phrame::cli::add_check(app);
-  phrame::cli::add_certify(app);
-  phrame::cli::add_verify(app);
-  phrame::cli::add_prove(app);
-  phrame::cli::add_help(app);
-  phrame::cli::add_completion(app);
-  phrame::cli::add_man(app);
+  phrame::cli::add_angle(program);
+  phrame::cli::add_info(program);
+  phrame::cli::add_classify(program);
+  phrame::cli::add_totals(program);
+  phrame::cli::add_frames(program);
+  phrame::cli::add_mtf(program);
+  phrame::cli::add_interpolate(program);
+  phrame::cli::add_identify(program);
+  phrame::cli::add_integrate(program);
+  phrame::cli::add_batch(program);
+  phrame::cli::add_compile(program);
+  phrame::cli::add_check(program);
+  phrame::cli::add_certify(program);
+  phrame::cli::add_verify(program);
+  phrame::cli::add_prove(program);
+  phrame::cli::add_help(program);
+  phrame::cli::add_completion(program);
+  phrame::cli::add_man(program);
   const std::string version = fmt::format("phrame {}", phrame::version);
+  CLI::App& app = program.app();
   app.set_version_flag("--version", version, "show the version");
   for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
     command->set_version_flag("--version", version, "show the version");
   app.require_subcommand(0, 1);
 
   const std::vector<std::string> words = without_help_command({argv + 1, argv + argc});
-  if (const std::string wrong = phrame::cli::complaint_about_command(app, words); !wrong.empty())
+  if (const std::string wrong = phrame::cli::complaint_about_command(program, words);
+      !wrong.empty())
     throw phrame::InputError(wrong);
   try {
     app.parse(arguments(words));
@@ -104,12 +101,12 @@ int run(int argc, char** argv) {
     phrame::cli::write_output("-", text.str());  // a full or closed standard output is an error
     return done;
   } catch (const CLI::ParseError& error) {
-    return complain(phrame::cli::complaint(app, error), bad_input);
+    return complain(phrame::cli::complaint(program, error), bad_input);
   }
   const auto chosen = app.get_subcommands();
   if (chosen.empty())  // "--"
-    throw phrame::InputError(phrame::cli::complaint_about_command(app, {}));
-  auto& command = static_cast<phrame::cli::Command&>(*chosen.front());
+    throw phrame::InputError(phrame::cli::complaint_about_command(program, {}));
+  phrame::cli::Command& command = *program.find(chosen.front()->get_name());
   if (const std::string wrong = phrame::cli::about_swallowed_option(command); !wrong.empty())
     throw phrame::InputError(wrong);
   command.run();

@@ -41,10 +41,10 @@ std::string literal(std::string_view text) {
 std::string heading(const std::string& title) { return fmt::format(".SH {}\n", title); }
 
 /// The lines below --help's options: text, indented lines as they are, and "Examples:".
-std::string body(const std::string& footer) {
+std::string body(const std::string& notes) {
   std::string page;
   bool is_indented = false;
-  std::string_view rest = footer;
+  std::string_view rest = notes;
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::string_view line = rest.substr(0, end);
@@ -79,7 +79,7 @@ std::string item(const ListedOption& option) {
 }
 
 std::string synopsis(const Command& command) {
-  std::string text = fmt::format(".B phrame {}\n", literal(command.get_name()));
+  std::string text = fmt::format(".B phrame {}\n", literal(command.name()));
   std::string arguments;
   for (const ListedOption& option : listed_options(command)) {
     if (option.is_argument)
@@ -118,43 +118,40 @@ constexpr const char* exit_status =
     "undecided within the limits, of which the one is named\n";
 
 std::string page_of(const Command& command) {
-  const std::string name = "phrame-" + command.get_name();
+  const std::string name = "phrame-" + command.name();
   return title(name) + heading("NAME") +
-         fmt::format("{} \\- {}\n", literal(name), literal(command.get_description())) +
-         heading("SYNOPSIS") + synopsis(command) + heading("OPTIONS") + options(command) +
-         heading("NOTES") + body(command.get_footer()) + heading("EXIT STATUS") + exit_status +
-         heading("SEE ALSO") + ".BR phrame (1)\n";
+         fmt::format("{} \\- {}\n", literal(name), literal(command.what())) + heading("SYNOPSIS") +
+         synopsis(command) + heading("OPTIONS") + options(command) + heading("NOTES") +
+         body(command.notes()) + heading("EXIT STATUS") + exit_status + heading("SEE ALSO") +
+         ".BR phrame (1)\n";
 }
 
-std::string page_of_program(CLI::App& program) {
+std::string page_of_program(const Program& program) {
   std::string commands;
   std::string pages;
-  for (const Command* command : commands_of(program)) {
-    const std::string name = literal(command->get_name());
-    commands += fmt::format(".TP\n.B {}\n{}\n", name, literal(command->get_description()));
+  for (const Command* command : program.commands()) {
+    const std::string name = literal(command->name());
+    commands += fmt::format(".TP\n.B {}\n{}\n", name, literal(command->what()));
     pages += fmt::format("{}.BR phrame\\-{} (1)", pages.empty() ? "" : ",\n", name);
   }
   return title("phrame") + heading("NAME") + "phrame \\- " +
          literal("exact rotation-minimizing frames of Pythagorean-hodograph curves") + "\n" +
          heading("SYNOPSIS") + ".B phrame\n\\fICOMMAND\\fR [\\fIOPTIONS\\fR] ...\n.br\n" +
-         ".B phrame help\n\\fICOMMAND\\fR\n" + heading("DESCRIPTION") +
-         literal(program.get_description()) + "\n" + heading("COMMANDS") + commands +
-         heading("NOTES") + body(program.get_footer()) + heading("EXIT STATUS") + exit_status +
-         heading("SEE ALSO") + pages + "\n";
+         ".B phrame help\n\\fICOMMAND\\fR\n" + heading("DESCRIPTION") + literal(program.what()) +
+         "\n" + heading("COMMANDS") + commands + heading("NOTES") + body(program.notes()) +
+         heading("EXIT STATUS") + exit_status + heading("SEE ALSO") + pages + "\n";
 }
 
 }  // namespace
 
-void add_man(CLI::App& app) {
-  auto* command = Command::add(app, "man", "a manual page, in roff");
-  command->group("");
+void add_man(Program& program) {
+  Command& command = program.add_hidden("man", "a manual page, in roff");
   const auto name = std::make_shared<std::string>();
-  command->add_option("COMMAND", *name, "of this command; of the program if not given")
-      ->type_name("");
-  command->does([&app, name] {
-    if (name->empty()) return write_output("-", page_of_program(app));
+  command.add_optional_argument("COMMAND", *name, "of this command; of the program if not given");
+  command.does([&program, name] {
+    if (name->empty()) return write_output("-", page_of_program(program));
     std::vector<std::pair<std::string, const Command*>> pages;
-    for (const Command* known : commands_of(app)) pages.emplace_back(known->get_name(), known);
+    for (const Command* known : program.commands()) pages.emplace_back(known->name(), known);
     write_output("-", page_of(*choose("COMMAND", *name, pages)));
   });
 }

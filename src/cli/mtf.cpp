@@ -53,18 +53,18 @@ void run(const Command& command, const MtfOptions& options) {
 
 }  // namespace
 
-void add_mtf(CLI::App& app) {
-  auto* command = Command::add(app, "mtf", "the frame of minimal twist between two orientations");
+void add_mtf(Program& program) {
+  Command& command = program.add("mtf", "the frame of minimal twist between two orientations");
   const auto options = std::make_shared<MtfOptions>();
-  options->curve.add_to(*command);
-  options->twist.add_to(*command);
-  command->add_flag("--exact-only", options->is_exact_only, "no rational frame");
-  command->not_with(TwistOptions::of_rational_frame(), {"--exact-only"});
-  options->parameters.add_to(*command);
-  add_digits(*command, options->digits);
-  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
-  options->length.add_to(*command);
-  command->footer(
+  options->curve.add_to(command);
+  options->twist.add_to(command);
+  command.add_flag("--exact-only", options->is_exact_only, "no rational frame");
+  command.not_with(TwistOptions::of_rational_frame(), {"--exact-only"});
+  options->parameters.add_to(command);
+  add_digits(command, options->digits);
+  command.add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  options->length.add_to(command);
+  command.set_notes(
       "Angles are radians, multiples of pi or degrees: 0.3927, pi/8, -31pi/40, 45deg. e2 is that\n"
       "of the Euler-Rodrigues frame, which phrame frames --frame erf shows.\n"
       "The exact frame turns about e1 at a constant rate; the rational one is the ERF turned by\n"
@@ -74,7 +74,7 @@ void add_mtf(CLI::App& app) {
       "  phrame mtf curve.json --from pi/8 --to -pi/2 --degree 3 --subdivide extrema\n"
       "  phrame mtf curve.json --from-vector 0,0,1 --to-vector 1,1,0 --digits 30 --print json\n"
       "  phrame mtf closed.json --from 0 --closed");
-  command->does([command, options] { run(*command, *options); });
+  command.does([&command, options] { run(command, *options); });
 }
 
 }  // namespace phrame::cli

@@ -1,5 +1,6 @@
 #include "phrame/cli/option_list.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 namespace phrame::cli {
@@ -12,7 +13,7 @@ std::string on_one_line(const std::string& text) {
 
 std::vector<ListedOption> listed_options(const Command& command) {
   std::vector<ListedOption> list;
-  for (const CLI::Option* option : command.get_options()) {
+  for (const CLI::Option* option : command.app().get_options()) {
     if (option->get_group().empty()) continue;
     ListedOption listed;
     for (const std::string& name : option->get_snames()) listed.names.push_back("-" + name);
@@ -22,7 +23,7 @@ std::vector<ListedOption> listed_options(const Command& command) {
     if (option->get_items_expected_max() > 0) listed.value = option->get_type_name();
     listed.what = on_one_line(option->get_description());
     listed.group = option->get_group();
-    listed.facts = command.facts(*option);
+    listed.facts = command.facts(option->get_name());
     listed.facts.takes_list = listed.value.ends_with(",...");
     listed.is_required = option->get_required();
     listed.takes_file =

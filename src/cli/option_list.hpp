@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/cli/subcommand.hpp"
+#include "phrame/cli/program.hpp"
 
 namespace phrame::cli {
 

@@ -19,19 +19,19 @@ void run(const ProveOptions& options) {
 
 }  // namespace
 
-void add_prove(CLI::App& app) {
-  auto* command = Command::add(app, "prove", "a Coq file that proves a value of the angle");
+void add_prove(Program& program) {
+  Command& command = program.add("prove", "a Coq file that proves a value of the angle");
   const auto options = std::make_shared<ProveOptions>();
-  options->curve.add_to(*command);
-  command->add_option("--at", options->at, "t > 0 (default 1)")->type_name("T");
-  add_digits(*command, options->digits);
-  command->footer(
+  options->curve.add_to(command);
+  command.add_option("--at", "T", options->at, "t > 0 (default 1)");
+  add_digits(command, options->digits);
+  command.set_notes(
       "The theorem is about the angle to the Euler-Rodrigues frame. coqc accepts the file in "
       "seconds to\n"
       "minutes; it needs Coquelicot and CoqInterval (./dev prove installs them).\n"
       "Examples:\n"
       "  phrame prove curve.json --at 1 --digits 30 -o angle.v && coqc angle.v");
-  command->does([options] { run(*options); });
+  command.does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -20,22 +20,22 @@ void run(const TotalsOptions& options) {
 
 }  // namespace
 
-void add_totals(CLI::App& app) {
-  auto* command =
-      Command::add(app, "totals", "length, twist, torsion, curvature and energies, in closed form");
+void add_totals(Program& program) {
+  Command& command =
+      program.add("totals", "length, twist, torsion, curvature and energies, in closed form");
   const auto options = std::make_shared<TotalsOptions>();
-  options->curve.add_to(*command);
-  add_digits(*command, options->digits);
-  command->add_format("--print", options->print, {"text", "json"}, "text (default) or json");
-  options->length.add_to(*command);
-  command->footer(
+  options->curve.add_to(command);
+  add_digits(command, options->digits);
+  command.add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  options->length.add_to(command);
+  command.set_notes(
       "Integrals from t = 0 to 1, each with its integrand, its antiderivative and its value.\n"
       "A total that is infinite is said to be so, with the pole; one that is not defined or not\n"
       "elementary says why. These are answers, too: the exit status is 0.\n"
       "Examples:\n"
       "  phrame totals curve.json --digits 30\n"
       "  phrame totals curve.json --print json -o totals.json");
-  command->does([options] { run(*options); });
+  command.does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

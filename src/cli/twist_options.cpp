@@ -36,28 +36,23 @@ void require_one(const std::string& name, int given) {
 
 }  // namespace
 
-void TwistOptions::add_to(CLI::App& command) {
-  command.add_option("--from", from, "the angle of f2 to e2 at the start")->type_name("ANGLE");
-  command.add_option("--to", to, "the same at the end")->type_name("ANGLE");
-  command
-      .add_option("--from-vector", from_vector, "f2 at the start, projected to the normal plane")
-      ->type_name("X,Y,Z");
-  command.add_option("--to-vector", to_vector, "f2 at the end, projected")->type_name("X,Y,Z");
+void TwistOptions::add_to(Command& command) {
+  command.add_option("--from", "ANGLE", from, "the angle of f2 to e2 at the start");
+  command.add_option("--to", "ANGLE", to, "the same at the end");
+  command.add_option("--from-vector", "X,Y,Z", from_vector,
+                     "f2 at the start, projected to the normal plane");
+  command.add_option("--to-vector", "X,Y,Z", to_vector, "f2 at the end, projected");
   command.add_flag("--closed", is_closed, "of a closed spline: the frame ends as it starts");
-  command.add_option("--turns", turns, "so many revolutions more (default 0)")
-      ->type_name("K")
-      ->check(whole_number(-1'000'000, 1'000'000));
-  command.add_option("--degree", degree, "of w in the rational frame, 1 to 8 (default 2)")
-      ->type_name("N")
-      ->check(whole_number(1, 8));
+  command.add_number("--turns", turns, {-1'000'000, 1'000'000},
+                     "so many revolutions more (default 0)", "K");
+  command.add_number("--degree", degree, {1, 8}, "of w in the rational frame, 1 to 8 (default 2)");
   command.add_flag("--free-ends", has_free_ends,
                    "w need not have the mean rate at the ends of its pieces");
-  command
-      .add_option("--subdivide", subdivide,
-                  "where to divide the rational frame: any of inflections, extrema (of the ERF's\n"
-                  "rate), auto (until the rate has one sign), rms:X (until the relative error is\n"
-                  "at most X), or parameters t")
-      ->type_name("WHERE,...");
+  command.add_option(
+      "--subdivide", "WHERE,...", subdivide,
+      "where to divide the rational frame: any of inflections, extrema (of the ERF's\n"
+      "rate), auto (until the rate has one sign), rms:X (until the relative error is\n"
+      "at most X), or parameters t");
   command.add_flag("--unproved", is_unproved, "do not prove that w is the best one: faster");
 }
 

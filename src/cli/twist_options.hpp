@@ -17,7 +17,7 @@ struct TwistOptions {
   std::string subdivide;
   bool is_unproved = false;
 
-  void add_to(CLI::App& command);
+  void add_to(Command& command);
   /// The options about θ_i and θ_f, and those about the rational frame.
   static std::vector<std::string> of_ends();
   static std::vector<std::string> of_rational_frame();

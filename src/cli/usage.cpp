@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "phrame/algebra/rational.hpp"
@@ -43,23 +44,23 @@ bool looks_like_option(const std::string& word) { return word.size() > 1 && word
 std::string option_in(const std::string& word) { return word.substr(0, word.find('=')); }
 
 /// "--turns is no option of info; frames and mtf have it".
-std::string about_unknown_option(CLI::App& program, const CLI::App& command,
+std::string about_unknown_option(const Program& program, const CLI::App& command,
                                  const std::string& word) {
   const std::string option = option_in(word);
   std::string text = abbreviated(option) + " is no option";
-  if (&command == &program)
+  if (&command == &program.app())
     return text + question(suggestion(option, names_of(command.get_options())));
   text += " of " + command.get_name();
   std::string others;
-  for (const Command* other : commands_of(program))
-    if (is_in(option, names_of(std::as_const(*other).get_options())))
-      others += (others.empty() ? "" : ", ") + other->get_name();
+  for (const Command* other : program.commands())
+    if (is_in(option, names_of(other->app().get_options())))
+      others += (others.empty() ? "" : ", ") + other->name();
   if (!others.empty()) return text + "; it is one of " + others;
   return text + question(suggestion(option, names_of(command.get_options())));
 }
 
 /// The arguments that found no place.
-std::string about_rest(CLI::App& program, const CLI::App& command) {
+std::string about_rest(const Program& program, const CLI::App& command) {
   const std::vector<std::string> rest = command.remaining();
   const auto option = std::find_if(rest.begin(), rest.end(), looks_like_option);
   if (option != rest.end()) return about_unknown_option(program, command, *option);
@@ -72,9 +73,7 @@ std::string about_rest(CLI::App& program, const CLI::App& command) {
                                       in_quotes(rest.front()), command.get_name(), wanted);
 }
 
-}  // namespace
-
-std::string about_swallowed_option(const CLI::App& command) {
+std::string about_swallowed(const CLI::App& command) {
   const Options options = command.get_options();
   const std::vector<std::string> names = names_of(options);
   for (const CLI::Option* option : options)
@@ -84,8 +83,6 @@ std::string about_swallowed_option(const CLI::App& command) {
                            abbreviated(value));
   return "";
 }
-
-namespace {
 
 /// The option that CLI11's message begins with.
 const CLI::Option* option_of(const CLI::App& command, const std::string& message) {
@@ -119,24 +116,27 @@ std::string about_missing(const CLI::App& command) {
 
 }  // namespace
 
-std::string complaint_about_command(CLI::App& program, const std::vector<std::string>& words) {
+std::string about_swallowed_option(const Command& command) {
+  return about_swallowed(command.app());
+}
+
+std::string complaint_about_command(const Program& program, const std::vector<std::string>& words) {
   std::vector<std::string> names;
-  for (const Command* command : commands_of(program)) names.push_back(command->get_name());
+  for (const Command* command : program.commands()) names.push_back(command->name());
   const std::string there_are = fmt::format("there are {} (phrame --help)", fmt::join(names, ", "));
   if (words.empty()) return "a command is needed: " + there_are;
   const std::string& word = words.front();
-  const auto has_name = [&word](const CLI::App* command) { return command->get_name() == word; };
-  if (word.starts_with('-') || !program.get_subcommands(has_name).empty()) return "";
+  if (word.starts_with('-') || program.find(word) != nullptr) return "";
   const auto meant = suggestion(word, names);
   return fmt::format("{} is not a command{}", in_quotes(word),
                      meant ? question(meant) + " (phrame --help)" : ": " + there_are);
 }
 
-std::string complaint(CLI::App& program, const CLI::ParseError& error) {
-  const auto chosen = program.get_subcommands();
-  const CLI::App& command = chosen.empty() ? program : *chosen.front();
+std::string complaint(const Program& program, const CLI::ParseError& error) {
+  const auto chosen = program.app().get_subcommands();
+  const CLI::App& command = chosen.empty() ? program.app() : *chosen.front();
   const std::string message = error.what();
-  std::string text = about_swallowed_option(command);
+  std::string text = about_swallowed(command);
   const bool is_extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   const bool is_missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
   if (text.empty() && (is_extra || is_missing)) text = about_rest(program, command);

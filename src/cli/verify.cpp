@@ -37,20 +37,18 @@ void run(const VerifyOptions& options) {
 
 }  // namespace
 
-void add_verify(CLI::App& app) {
-  auto* command = Command::add(app, "verify", "check a certificate");
+void add_verify(Program& program) {
+  Command& command = program.add("verify", "check a certificate");
   const auto options = std::make_shared<VerifyOptions>();
-  command->add_option("CERT", options->path, "a certificate (JSON), \"-\" for standard input")
-      ->required()
-      ->type_name("");
-  command->add_output(options->output);
-  add_max_degree(*command, options->limits);
-  command->footer(
+  command.add_argument("CERT", options->path, "a certificate (JSON), \"-\" for standard input");
+  command.add_output(options->output);
+  add_max_degree(command, options->limits);
+  command.set_notes(
       "Starts from the curve in the certificate and proves every statement by another way than it\n"
       "was found. Exit status 0: all are proved, 1: not all.\n"
       "Examples:\n"
       "  phrame verify angle.cert");
-  command->does([options] { run(*options); });
+  command.does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

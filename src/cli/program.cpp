@@ -1,10 +1,13 @@
-#include "phrame/cli/subcommand.hpp"
+#include "phrame/cli/program.hpp"
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 
 #include "phrame/cli/command.hpp"
+#include "phrame/io/number_text.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -41,25 +44,74 @@ std::string ending(const std::string& path) {
   return is_word ? result : "";
 }
 
+CLI::Validator is_in(WholeNumbers range) {
+  const auto complaint = [range](std::string& text) -> std::string {
+    text = trimmed(text);
+    long value = 0;
+    const char* const text_end = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), text_end, value);
+    if (error == std::errc() && end == text_end && range.least <= value && value <= range.most)
+      return "";
+    return fmt::format("\"{}\" is not a whole number from {} to {}", abbreviated(text), range.least,
+                       range.most);
+  };
+  return {complaint, ""};
+}
+
 }  // namespace
 
-Command* Command::add(CLI::App& program, const std::string& name, const std::string& what) {
-  const std::shared_ptr<Command> command(new Command(what, name, &program));
-  command->group("Commands");
-  program.add_subcommand(command);
-  return command.get();
+std::string Command::name() const { return app_.get_name(); }
+std::string Command::what() const { return app_.get_description(); }
+std::string Command::notes() const { return app_.get_footer(); }
+void Command::set_notes(const std::string& text) { app_.footer(text); }
+
+void Command::add_argument(const std::string& argument, std::string& value,
+                           const std::string& what) {
+  add_optional_argument(argument, value, what);
+  require(argument);
 }
+
+void Command::add_optional_argument(const std::string& argument, std::string& value,
+                                    const std::string& what) {
+  app_.add_option(argument, value, what)->type_name("");
+}
+
+void Command::add_option(const std::string& option, const std::string& value_name,
+                         std::string& value, const std::string& what) {
+  app_.add_option(option, value, what)->type_name(value_name);
+}
+
+void Command::add_option(const std::string& option, const std::string& value_name,
+                         std::optional<std::string>& value, const std::string& what) {
+  app_.add_option(option, value, what)->type_name(value_name);
+}
+
+void Command::add_list(const std::string& option, const std::string& value_name,
+                       std::vector<std::string>& values, const std::string& what) {
+  app_.add_option(option, values, what)->type_name(value_name)->expected(1)->take_all();
+}
+
+void Command::add_number(const std::string& option, long& value, WholeNumbers range,
+                         const std::string& what, const std::string& value_name) {
+  app_.add_option(option, value, what)->type_name(value_name)->check(is_in(range));
+}
+
+void Command::add_flag(const std::string& option, bool& value, const std::string& what) {
+  app_.add_flag(option, value, what);
+}
+
+void Command::add_hidden_flag(const std::string& option) { app_.add_flag(option)->group(""); }
 
 void Command::add_choice(const std::string& option, std::string& value,
                          std::vector<std::string> names, const std::string& what) {
-  add_option(option, value, what)->type_name("NAME");
+  app_.add_option(option, value, what)->type_name(option.starts_with('-') ? "NAME" : "");
   facts_[option].names = std::move(names);
   values_[option] = [&value] { return std::vector{value}; };
 }
 
 void Command::add_choices(const std::string& option, std::vector<std::string>& values,
                           std::vector<std::string> names, const std::string& what) {
-  add_option(option, values, what)->type_name("NAME,...")->expected(1)->take_all();
+  add_list(option, "NAME,...", values, what);
   facts_[option].names = std::move(names);
   facts_[option].takes_list = true;
   values_[option] = [&values] { return split(values); };
@@ -74,23 +126,24 @@ void Command::add_format(const std::string& option, std::string& value,
 }
 
 void Command::add_output(std::string& path) {
-  add_option("-o,--output", path, "write to this file instead of standard output")
-      ->type_name("FILE");
+  add_option("-o,--output", "FILE", path, "write to this file instead of standard output");
   output_ = &path;
   describe_output();
 }
 
 void Command::describe_output() {
   if (format_ != nullptr && output_ != nullptr)
-    get_option("--output")
+    app_.get_option("--output")
         ->description("write to this file instead of standard output; without " + format_option_ +
                       "\nits ending chooses the format");
 }
 
+void Command::require(const std::string& option) { app_.get_option(option)->required(); }
+
 void Command::only_with(const std::vector<std::string>& options,
                         const std::vector<std::string>& choices) {
   for (const std::string& option : options) {
-    get_option(option)->group("Only with " + alternatives(choices));
+    app_.get_option(option)->group("Only with " + alternatives(choices));
     facts_[option].with = choices;
   }
 }
@@ -98,14 +151,18 @@ void Command::only_with(const std::vector<std::string>& options,
 void Command::not_with(const std::vector<std::string>& options,
                        const std::vector<std::string>& choices) {
   for (const std::string& option : options) {
-    get_option(option);  // throws where there is none
+    app_.get_option(option);  // throws where there is none
     facts_[option].without = choices;
   }
 }
 
-OptionFacts Command::facts(const CLI::Option& option) const {
-  const auto found = facts_.find(option.get_name());
+OptionFacts Command::facts(const std::string& option) const {
+  const auto found = facts_.find(option);
   return found == facts_.end() ? OptionFacts{} : found->second;
+}
+
+bool Command::is_given(const std::string& option) const {
+  return app_.get_option(option)->count() > 0;
 }
 
 void Command::refuse(const std::vector<std::string>& options, const std::string& why) const {
@@ -145,10 +202,10 @@ void Command::choose_format() const {
       *format_ = format;
       return;
     }
-  throw InputError(
-      "--output", fmt::format("\"{}\": \".{}\" is no format of {}; {} {} writes {} there",
-                              abbreviated(*output_), end, get_name(), format_option_, names.front(),
-                              names.front()));
+  throw InputError("--output",
+                   fmt::format("\"{}\": \".{}\" is no format of {}; {} {} writes {} there",
+                               abbreviated(*output_), end, name(), format_option_, names.front(),
+                               names.front()));
 }
 
 void Command::run() {
@@ -157,12 +214,45 @@ void Command::run() {
   action_();
 }
 
-std::vector<Command*> commands_of(CLI::App& program) {
-  std::vector<Command*> commands;
-  for (CLI::App* command :
-       program.get_subcommands([](CLI::App* app) { return !app->get_group().empty(); }))
-    commands.push_back(static_cast<Command*>(command));
-  return commands;
+Program::Program(const std::string& name, const std::string& what, const std::string& notes)
+    : app_(std::make_unique<CLI::App>(what, name)) {
+  app_->set_help_flag("-h,--help", "show this help");
+  app_->option_defaults()->disable_flag_override();
+  app_->get_formatter()->label("SUBCOMMAND", "COMMAND");
+  app_->get_formatter()->label("Positionals", "Arguments");
+  app_->get_formatter()->label("REQUIRED", "(required)");
+  app_->footer(notes);
+}
+
+Program::~Program() = default;
+
+std::string Program::what() const { return app_->get_description(); }
+std::string Program::notes() const { return app_->get_footer(); }
+
+Command& Program::add(const std::string& name, const std::string& what) {
+  CLI::App* app = app_->add_subcommand(name, what);
+  app->group("Commands");
+  commands_.push_back(std::unique_ptr<Command>(new Command(*app)));
+  return *commands_.back();
+}
+
+Command& Program::add_hidden(const std::string& name, const std::string& what) {
+  Command& command = add(name, what);
+  command.app_.group("");
+  return command;
+}
+
+std::vector<const Command*> Program::commands() const {
+  std::vector<const Command*> visible;
+  for (const auto& command : commands_)
+    if (!command->app().get_group().empty()) visible.push_back(command.get());
+  return visible;
+}
+
+Command* Program::find(const std::string& name) const {
+  for (const auto& command : commands_)
+    if (command->name() == name) return command.get();
+  return nullptr;
 }
 
 }  // namespace phrame::cli

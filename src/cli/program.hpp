@@ -1,0 +1,136 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace phrame::cli {
+
+/// What CLI11 does not know of an option; help, completion and manual pages say it, too.
+struct OptionFacts {
+  std::vector<std::string> names;  ///< that it takes; empty where it takes something else
+  bool takes_list = false;         ///< several, separated by commas
+  /// Choices like "--at", "--from and --to" or "--frame mtf": it means something with one of these
+  /// only, …
+  std::vector<std::string> with;
+  std::vector<std::string> without;  ///< … and with none of these
+};
+
+/// Whole numbers, the ends included.
+struct WholeNumbers {
+  long least;
+  long most;
+};
+
+/// A command of the program: what can be given to it, and what it then does.
+///
+/// It is CLI11 that reads the command line. Its header takes longer to compile than a command does,
+/// so that only the files that read and explain command lines include it.
+class Command {
+ public:
+  /// "angle"
+  std::string name() const;
+  /// In a line, for the list of commands.
+  std::string what() const;
+  /// What the help says below the options.
+  std::string notes() const;
+  void set_notes(const std::string& text);
+
+  // What can be given. Each `value` is written when the command line is read; until then it is the
+  // default. `value_name` stands for it in the help: "FILE".
+  void add_argument(const std::string& argument, std::string& value, const std::string& what);
+  void add_optional_argument(const std::string& argument, std::string& value,
+                             const std::string& what);
+  void add_option(const std::string& option, const std::string& value_name, std::string& value,
+                  const std::string& what);
+  void add_option(const std::string& option, const std::string& value_name,
+                  std::optional<std::string>& value, const std::string& what);
+  /// Lists separated by commas, which split() takes apart; it may be given several times.
+  void add_list(const std::string& option, const std::string& value_name,
+                std::vector<std::string>& values, const std::string& what);
+  void add_number(const std::string& option, long& value, WholeNumbers range,
+                  const std::string& what, const std::string& value_name = "N");
+  void add_flag(const std::string& option, bool& value, const std::string& what);
+  /// One that says what is so without it, too.
+  void add_hidden_flag(const std::string& option);
+  /// An option or argument that takes one of these names; `value` is the default.
+  void add_choice(const std::string& option, std::string& value, std::vector<std::string> names,
+                  const std::string& what);
+  /// An option that takes a list of these names.
+  void add_choices(const std::string& option, std::vector<std::string>& values,
+                   std::vector<std::string> names, const std::string& what);
+  /// The choice of a format. Where it is not made, the ending of the output file makes it.
+  void add_format(const std::string& option, std::string& value, std::vector<std::string> names,
+                  const std::string& what);
+  /// -o
+  void add_output(std::string& path);
+
+  // To be called after all options were added.
+  void require(const std::string& option);
+  void only_with(const std::vector<std::string>& options, const std::vector<std::string>& choices);
+  void not_with(const std::vector<std::string>& options, const std::vector<std::string>& choices);
+  OptionFacts facts(const std::string& option) const;
+
+  /// What the command does.
+  void does(std::function<void()> action) { action_ = std::move(action); }
+  /// Does it. Throws InputError for an option that does not apply, and what the action throws.
+  void run();
+
+  bool is_given(const std::string& option) const;
+  /// Throws InputError for one that is given: "--digits: `why`".
+  void refuse(const std::vector<std::string>& options, const std::string& why) const;
+
+  const CLI::App& app() const { return app_; }
+
+ private:
+  friend class Program;
+  explicit Command(CLI::App& app) : app_(app) {}
+
+  bool is_chosen(const std::string& choice) const;
+  void require_applicable() const;
+  void choose_format() const;
+  void describe_output();
+
+  CLI::App& app_;  ///< within the program's
+  std::map<std::string, OptionFacts> facts_;
+  std::map<std::string, std::function<std::vector<std::string>()>> values_;  ///< of choices, now
+  std::string format_option_;
+  std::string* format_ = nullptr;
+  std::string* output_ = nullptr;
+  std::function<void()> action_;
+};
+
+/// The program: its commands.
+class Program {
+ public:
+  Program(const std::string& name, const std::string& what, const std::string& notes);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  std::string what() const;
+  std::string notes() const;
+
+  /// A new command; it lives as long as the program.
+  Command& add(const std::string& name, const std::string& what);
+  /// One that help does not list.
+  Command& add_hidden(const std::string& name, const std::string& what);
+  /// The commands, without hidden ones.
+  std::vector<const Command*> commands() const;
+  /// The one with that name, hidden or not; null where there is none.
+  Command* find(const std::string& name) const;
+
+  CLI::App& app() const { return *app_; }
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+  std::vector<std::unique_ptr<Command>> commands_;
+};
+
+}  // namespace phrame::cli
