@@ -183,6 +183,10 @@ RealBall evaluate(const Polynomial& p, const RealBall& x, long bits) {
   return value;
 }
 
+RealBall evaluate(const RationalFunction& f, const RealBall& x, long bits) {
+  return divide(evaluate(f.numerator(), x, bits), evaluate(f.denominator(), x, bits), bits);
+}
+
 ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits) {
   ComplexBall c;
   acb_div(c.raw(), a.raw(), b.raw(), bits);

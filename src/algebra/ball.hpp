@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/gaussian_polynomial.hpp"
+#include "phrame/algebra/rational_function.hpp"
 
 namespace phrame {
 
@@ -87,6 +88,8 @@ RealBall argument(const ComplexBall& z, long bits);
 /// p(z).
 ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits);
 RealBall evaluate(const Polynomial& p, const RealBall& x, long bits);
+/// f(x); not finite where the denominator is not kept from 0.
+RealBall evaluate(const RationalFunction& f, const RealBall& x, long bits);
 /// a/b; not finite where b contains 0.
 ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits);
 

@@ -109,13 +109,15 @@ std::optional<bool> is_root(const Polynomial& p, const BoundedAlgebraic& x) {
   const long height = magnitude_bits(with_absolute_values(q)(x.size));
   const long each = to_integer + height;
   const bool is_short = each == 0 || x.conjugates < most_bits / each;
-  const long proof = is_short ? to_integer + (x.conjugates - 1) * each : 4 * most_bits;
+  // Not 0, the value is at least 2^−proof: the product of its conjugates, times a power of the
+  // denominator, is an integer.
+  const long proof = is_short ? to_integer + (x.conjugates - 1) * each : 0;
   for (long bits = 128 + height;; bits *= 2) {
     const RealBall value = evaluate(q, narrow(x, bits), bits + height);
     if (!value.contains_zero()) return false;
     flint::Mag largest;
     arb_get_mag(largest.get(), value.raw());
-    if (mag_cmp_2exp_si(largest.get(), -proof) < 0) return true;
+    if (is_short && mag_cmp_2exp_si(largest.get(), -proof) < 0) return true;
     if (bits > most_bits + height) return std::nullopt;
   }
 }

@@ -49,7 +49,6 @@ class Integer {
   /// ⌊this/2ⁿ⌋.
   Integer& operator>>=(unsigned long n) { return fmpz_fdiv_q_2exp(raw(), raw(), n), *this; }
   Integer& operator++() { return *this += 1; }
-  Integer& operator--() { return *this -= 1; }
 
   friend Integer operator+(Integer a, const Integer& b) { return std::move(a += b); }
   friend Integer operator-(Integer a, const Integer& b) { return std::move(a -= b); }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {
@@ -74,6 +76,13 @@ RationalFunction differentiate(const RationalFunction& f) {
   const Polynomial repeated = gcd(d, differentiate(d));
   const Polynomial radical = exact_quotient(d, repeated);
   return {differentiate(n) * radical - n * exact_quotient(differentiate(d), repeated), d * radical};
+}
+
+long bits_of(const RationalFunction& f) {
+  const auto bits = [](const Polynomial& p) {
+    return std::abs(fmpz_poly_max_bits(integer_primitive_part(p).get()));
+  };
+  return bits(f.numerator()) + bits(f.denominator());
 }
 
 }  // namespace phrame

@@ -35,4 +35,7 @@ class RationalFunction {
 
 RationalFunction differentiate(const RationalFunction& f);
 
+/// The bits of the greatest coefficients of numerator and denominator.
+long bits_of(const RationalFunction& f);
+
 }  // namespace phrame

@@ -38,14 +38,6 @@ long largest_precision(long bits, const Endpoint& a, const Endpoint& b) {
   return 64 * bits + 65536 + 4 * (bits_of(a) + bits_of(b));
 }
 
-/// The bits of the greatest coefficients of f.
-long height(const RationalFunction& f) {
-  const auto bits = [](const Polynomial& p) {
-    return std::abs(fmpz_poly_max_bits(integer_primitive_part(p).get()));
-  };
-  return bits(f.numerator()) + bits(f.denominator());
-}
-
 }  // namespace
 
 Evaluator::Evaluator(const Antiderivative& F, const RationalFunction& derivative)
@@ -369,7 +361,7 @@ Real Evaluator::value(const Rational& a, const Rational& b, const GaussianPolyno
   }
   return {
       [enclose, first](long precision) { return precision <= bits ? first : enclose(precision); },
-      {is_irrational, bits_of(a) + bits_of(b) + height(derivative_)}};
+      {is_irrational, bits_of(a) + bits_of(b) + bits_of(derivative_)}};
 }
 
 RealBall definite(const Antiderivative& F, const Rational& a, const Rational& b, long bits) {

@@ -34,6 +34,7 @@ class Evaluator {
   /// integrate where residues are algebraic numbers of high degree.
   Evaluator(const Antiderivative& F, const RationalFunction& derivative);
 
+  const RationalFunction& derivative() const { return derivative_; }
   void take(Route route) { route_ = route; }
   Route route() const { return route_; }
 

@@ -227,7 +227,7 @@ DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFuncti
     return {{[evaluator, value](long bits) { return value.enclose(bits); }, value.origin()}, exact};
   }
   return {{[=](long bits) { return evaluator->branch_difference(a, b, bits); },
-           {false, bits_of(a) + bits_of(b)}},
+           {exact.has_value(), bits_of(a) + bits_of(b) + bits_of(f)}},  // not rational: see above
           exact};
 }
 

@@ -40,13 +40,13 @@ Rational size_at(const Polynomial& v, const Endpoint& end) {
 RealBall argument_of(const GaussianRational& z, long bits) { return argument(z.re, z.im, bits); }
 
 /// The principal argument of z as r·π + sign·arctan(of).
-struct Angle {
+struct PrincipalAngle {
   Rational pi;
   int sign = 0;
   Rational of;
 };
 
-Angle angle(const GaussianRational& z) {
+PrincipalAngle angle(const GaussianRational& z) {
   if (z.re == 0) return {Rational(z.im > 0 ? 1 : -1, 2), 0, 0};
   const int side = z.im < 0 ? -1 : 1;
   const Rational turned = z.re < 0 ? side : 0;
@@ -143,7 +143,7 @@ ExactValue exact_value(const Rational& rational, const LogChange& change) {
   }
   std::map<Rational, Rational> arctangents;  // by argument, factors added
   for (const auto& [power, whole] : change.turns) {
-    const Angle principal = angle(power.base);
+    const PrincipalAngle principal = angle(power.base);
     value.pi += power.exponent * (principal.pi + Rational(2 * whole));
     if (principal.sign != 0) arctangents[principal.of] += principal.sign * power.exponent;
   }

@@ -14,10 +14,6 @@
 namespace phrame {
 namespace {
 
-RealBall evaluate(const RationalFunction& f, const RealBall& x, long bits) {
-  return divide(evaluate(f.numerator(), x, bits), evaluate(f.denominator(), x, bits), bits);
-}
-
 /// p(g), by Horner's rule.
 RationalFunction compose(const Polynomial& p, const RationalFunction& g) {
   RationalFunction result;
@@ -74,7 +70,7 @@ Rational next_to(const PiValue& end, const Polynomial& denominator) {
 /// ∫ f from m to the end, between which there is no pole; `evaluator` is of f.
 Real rest(const RationalFunction& f, const std::shared_ptr<Evaluator>& evaluator, const Rational& m,
           const PiValue& end) {
-  return Real([=, x = to_real(end)](long bits) {
+  const auto enclosure = [=, x = to_real(end)](long bits) {
     for (long precision = bits + 32;; precision *= 2) {
       const RealBall ball = x.enclose(precision);
       if (!ball.is_finite()) continue;
@@ -85,13 +81,15 @@ Real rest(const RationalFunction& f, const std::shared_ptr<Evaluator>& evaluator
       return add(evaluator->difference(m, u, bits + 8), multiply(width, rise, precision),
                  precision);
     }
-  });
+  };
+  return {enclosure, {false, bits_of(end.of_pi) + bits_of(m) + bits_of(f)}};
 }
 
 }  // namespace
 
 Real to_real(const PiValue& x) {
-  return Real([x](long bits) { return evaluate(x.of_pi, pi(bits + 16), bits + 16); });
+  return {[x](long bits) { return evaluate(x.of_pi, pi(bits + 16), bits + 16); },
+          {true, bits_of(x.of_pi)}};
 }
 
 DefiniteIntegral path_integral(const RationalFunction& f, const PathEnd& a, const PathEnd& b,

@@ -6,8 +6,8 @@
 namespace phrame {
 namespace {
 
-/// Is z as small as points are at this precision? A disc next to a pole is not, however small: there
-/// Horner's rule gives a ball that is much larger than the distance to the pole squared.
+/// Is z as small as points are at this precision? A disc next to a pole is not, however small:
+/// there Horner's rule gives a ball that is much larger than the distance to the pole squared.
 bool is_point(const ComplexBall& z, long precision) {
   return acb_rel_accuracy_bits(z.raw()) > precision / 2;
 }

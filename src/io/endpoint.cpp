@@ -143,7 +143,9 @@ RationalFunction in_letter(std::string_view text, std::string_view letter,
     std::string reason = error.reason();
     for (std::size_t at = 0; (at = reason.find(letter, at)) != std::string::npos;) {
       constexpr std::string_view root = "√(…)";
-      reason.replace(at, letter.size(), root);
+      const std::size_t end = reason.find_first_not_of(' ', at + letter.size());
+      const bool is_padded = end != std::string::npos && end > at + letter.size() + 1;
+      reason.replace(at, is_padded ? end - at : letter.size(), root);
       at += root.size();
     }
     throw InputError(error.place(), reason);
@@ -188,7 +190,12 @@ PathEnd parse_surd(std::string_view whole, const ExpressionLimits& limits) {
   return real_root(p, v > 0 ? Interval{u, std::nullopt} : Interval{std::nullopt, u});
 }
 
-PathEnd parse_in_pi(std::string_view text, std::string_view name, const ExpressionLimits& limits) {
+PathEnd parse_in_pi(std::string_view whole, const ExpressionLimits& limits) {
+  constexpr std::string_view name = "π";
+  std::string text(whole);
+  // The sign for the word, with a blank behind it, so that columns remain.
+  for (std::size_t at; (at = place_of_name(text, "pi")) != std::string_view::npos;)
+    text.replace(at, 2, std::string(name) + " ");
   const RationalFunction f = parse_expression(text, std::string(name), limits).value;
   if (f.is_polynomial() && f.numerator().is_constant()) return f(0);
   return PiValue{f};
@@ -232,12 +239,13 @@ PathEnd parse_endpoint(std::string_view text, const ExpressionLimits& limits) {
   if (pi != none && square != none)
     fail(text, std::max(pi, square), "pi and a square root in one end are not supported");
   if (square != none) return parse_surd(text, limits);
-  if (pi != none) return parse_in_pi(text, text[pi] == 'p' ? "pi" : "π", limits);
+  if (pi != none) return parse_in_pi(text, limits);
   return parse_expression(text, "", limits).value(0);
 }
 
 std::string to_text(const PathEnd& end) {
-  if (auto text = short_text(end, Notation::unicode)) return *text;
+  constexpr std::size_t limit = 240;
+  if (auto text = short_text(end, Notation::unicode)) return readable_exact(*text, limit);
   const auto& a = std::get<RealAlgebraic>(end);
   const Polynomial& p = a.polynomial();
   return fmt::format("the root of {} in {}", readable(formatted(p, Notation::unicode, "x"), p),

@@ -60,7 +60,8 @@ bool is_like_number(std::string_view field) {
 /// Lines of text, with or without a header.
 class TextTable {
  public:
-  explicit TextTable(std::string_view text);
+  /// The last comment above the numbers may be the header, if it is asked for one.
+  TextTable(std::string_view text, bool reads_comment);
 
   const Names& names() const { return names_; }
   std::string header_place() const { return fmt::format("line {}", header_line_); }
@@ -88,7 +89,7 @@ class TextTable {
   long comment_line_ = 0;
 };
 
-TextTable::TextTable(std::string_view text) {
+TextTable::TextTable(std::string_view text, bool reads_comment) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw InputError("line 1", "the text is UTF-16; UTF-8 is wanted");
   if (text.starts_with("PK\x03\x04"))
@@ -104,7 +105,7 @@ TextTable::TextTable(std::string_view text) {
     throw InputError("line 1", "a table of numbers is wanted, below the names of its columns");
   if (rows_.empty())
     throw InputError(fmt::format("line {}", header_line_ + 1), "there are no frames");
-  if (names_.empty() && !comment_.empty()) take_comment_for_header();
+  if (reads_comment && names_.empty() && !comment_.empty()) take_comment_for_header();
   require_equal_widths();
 }
 
@@ -362,7 +363,7 @@ GivenTable frames_of(const Table& table, const std::string& header_place,
 
 GivenTable read_frames(std::string_view bytes, const FrameReading& reading, std::size_t at_most) {
   if (NpyTable::is_one(bytes)) return frames_of(NpyTable(bytes), "header", reading, at_most);
-  const TextTable table(bytes);
+  const TextTable table(bytes, reading.names.empty());
   return frames_of(table, table.header_place(), reading, at_most);
 }
 

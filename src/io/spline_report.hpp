@@ -8,7 +8,7 @@ namespace phrame {
 struct SplineAngleReport {
   std::string name;
   const SplineAngle& angle;  ///< must outlive the report: an angle stays where it is
-  Angle start_angle;      ///< θ(0)
+  Angle start_angle;         ///< θ(0)
   std::vector<AngleValue> values;
   Decimal total;                    ///< θ(end) − θ(0)
   std::optional<Decimal> holonomy;  ///< where the spline is closed

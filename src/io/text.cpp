@@ -71,6 +71,7 @@ std::string in_length(std::string_view text, bool full) {
     if (begin == std::string_view::npos) return read;
     const auto middle = text.find(passage_middle, begin);
     const auto end = text.find(passage_end, middle);
+    if (end == std::string_view::npos) throw DomainError("a text with half a passage");
     read += full ? text.substr(begin + 1, middle - begin - 1)
                  : text.substr(middle + 1, end - middle - 1);
     text.remove_prefix(end + 1);
@@ -92,9 +93,11 @@ std::string with_decimal(const std::string& x, const Decimal& rounded) {
   return fmt::format("{} {} {}", x, rounded.radius == "0" ? "=" : "≈", rounded.value);
 }
 
-/// A passage where the text is longer than that.
+/// A passage where the text is longer than that; passages in it become part of that one.
 std::string within(std::size_t limit, const std::string& text) {
-  return text.size() <= limit ? text : passage(text, abbreviated(text, limit));
+  const std::string brief = in_length(text, false);
+  if (brief.size() <= limit) return text;
+  return passage(in_length(text, true), abbreviated(brief, limit));
 }
 
 std::string number_within(std::size_t limit, const Rational& x) {
@@ -338,8 +341,7 @@ std::string readable(const SurdPolynomial& p, std::string_view variable) {
                           std::max(longest_coefficient(p.a), longest_coefficient(p.b))));
 }
 
-std::string readable_exact(const std::string& text) {
-  constexpr std::size_t limit = 4000;
+std::string readable_exact(const std::string& text, std::size_t limit) {
   return within(limit, text);
 }
 

@@ -75,8 +75,9 @@ std::string readable(const Bivariate& v, std::string_view variable = "t",
 std::string readable(const GaussianPolynomial& g);
 std::string readable(const SurdPolynomial& p, std::string_view variable);
 
-/// A number in closed form, a passage where it is longer than a screen can bear.
-std::string readable_exact(const std::string& text);
+/// A number in closed form, a passage where it is longer than `limit`: by default what a screen can
+/// bear.
+std::string readable_exact(const std::string& text, std::size_t limit = 4000);
 
 /// "name: " as a report begins, or nothing for an empty name.
 std::string name_prefix(const std::string& name);

@@ -49,7 +49,7 @@ Real AlgebraicFrames::angle(const AlgebraicPoint& t) {
   const auto enclosure = [this, t](long bits) {
     return twist_.branch_difference(Rational(0), t.number(), bits + 8);
   };
-  return {enclosure, {false, bits_of(t.number())}};
+  return {enclosure, {false, bits_of(t.number()) + bits_of(twist_.derivative())}};
 }
 
 Frame<Real> AlgebraicFrames::rotation_minimizing(const AlgebraicPoint& t) {

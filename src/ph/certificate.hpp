@@ -36,7 +36,7 @@ struct Certificate {
     Polynomial numerator;
     Polynomial denominator;
     Polynomial common;
-    Integer modulus;  ///< numerator and denominator are coprime modulo this prime
+    Integer modulus;  ///< numerator and denominator are coprime modulo this number, mostly a prime
     friend bool operator==(const Rate&, const Rate&) = default;
   } rate;
   RationalFunction rational;  ///< of the antiderivative

@@ -139,9 +139,7 @@ using Kind = FrameFinding::Kind;
 RealBall reduced(const RealBall& x, long bits) {
   const RealBall turn = multiply(RealBall(2, bits), pi(bits), bits);
   const RealBall turns = divide(x, turn, bits);
-  const Rational middle = turns.midpoint() + Rational(1, 2);
-  Integer whole = numerator(middle) / denominator(middle);  // towards 0
-  if (Rational(whole) > middle) --whole;
+  const Integer whole = floor(turns.midpoint() + Rational(1, 2));
   return subtract(x, multiply(RealBall(Rational(whole), bits), turn, bits), bits);
 }
 

@@ -8,11 +8,7 @@ namespace phrame {
 namespace {
 
 /// The whole k with x ∈ (2k − 1, 2k + 1].
-Integer nearest_turns(const Rational& x) {
-  const Rational shifted = (x - 1) / 2;  // k is the ceiling
-  const Integer k = numerator(shifted) / denominator(shifted);
-  return Rational(k) < shifted ? Integer(k + 1) : k;
-}
+Integer nearest_turns(const Rational& x) { return -floor((1 - x) / 2); }
 
 /// The same, if it is the same for the whole ball.
 std::optional<Integer> whole_turns(const RealBall& x, long bits) {

@@ -88,8 +88,8 @@ bool SplineAngle::may_be_rational(const SplineParameter& at, const Angle& start)
 Real SplineAngle::value_after(const Joint& joint, const SplineParameter& at, const Angle& start) {
   if (joint.segment == at.segment) return angles_[at.segment].value(at.t, start) + joint.theta;
   const auto theta = [this, at, before = joint.theta, start](long bits) {
-    return add(add(enclose(at, bits), RealBall(-before, bits), bits),
-               to_real(start).enclose(bits), bits);
+    return add(add(enclose(at, bits), RealBall(-before, bits), bits), to_real(start).enclose(bits),
+               bits);
   };
   return Evaluator(over_unit_interval(joint.segment, at)).value(0, 1, {{1}, {}}, theta, start) +
          joint.theta;
@@ -149,13 +149,16 @@ std::optional<Real> SplineAngle::holonomy() {
   const GaussianRational back = angle_of({closing->re, -closing->im}).direction;
   const SplineParameter end{angles_.size() - 1, 1};
   const bool is_reversed = sign_after_zero(spline_.segments().front().multiplier()) < 0;  // e₁
-  const Real turned([this, end, back, is_reversed](long bits) {
+  const auto enclosure = [this, end, back, is_reversed](long bits) {
     const long more = bits + 8;
     const RealBall closing_turn =
         multiply(RealBall(2, more), argument(back.re, back.im, more), more);
     const RealBall sum = add(enclose(end, more), closing_turn, more);
     return is_reversed ? subtract({}, sum, more) : sum;
-  });
+  };
+  long size = 0;
+  for (const RmfAngle& angle : angles_) size += bits_of(angle.rate());
+  const Real turned(enclosure, {false, size});
   const GaussianPolynomial path = path_to(back);
   return reduced(turned, [&] { return multiple_of_pi(end, path * path); }).angle;
 }

@@ -33,10 +33,6 @@ bool is_later(const Rational& time, const Real& x) {
                               limit, abbreviated(to_string(time)), text(x)));
 }
 
-RealBall value(const RationalFunction& f, const RealBall& t, long bits) {
-  return divide(evaluate(f.numerator(), t, bits), evaluate(f.denominator(), t, bits), bits);
-}
-
 /// The simplest rational in the ball, where its denominator has up to 32 bits.
 std::optional<Rational> simple_rational(const RealBall& ball) {
   Rational simplest;
@@ -63,7 +59,7 @@ TravelTime::TravelTime(const Curve& curve, const Feedrate& feedrate)
   shared->value = [this](const RealBall& t, long bits) {
     return evaluator_.difference(0, t.lower(), bits);
   };
-  shared->slope = [this](const RealBall& t, long bits) { return phrame::value(rate_, t, bits); };
+  shared->slope = [this](const RealBall& t, long bits) { return evaluate(rate_, t, bits); };
   function_ = shared;
 }
 

@@ -119,8 +119,9 @@ TEST_CASE("integer: to and from the machine's integers, and text") {
   CHECK_THROWS_AS(static_cast<void>(static_cast<long>(Integer(greatest))), DomainError);
   CHECK(Integer("-123456789012345678901234567890").str() == "-123456789012345678901234567890");
   CHECK(Integer("ff", 16) == 255);
-  CHECK_THROWS_AS(Integer("12x"), InputError);
-  CHECK_THROWS_AS(Integer(""), InputError);
+  for (const std::string& text : {std::string("12x"), std::string(), std::string(" 12"),
+                                  std::string("1 2"), std::string("+1"), std::string("12\0", 3)})
+    CHECK_THROWS_AS(Integer{text}, InputError);
 }
 
 TEST_CASE("integer: copies are their own, what was moved from is 0, and an operand may be itself") {

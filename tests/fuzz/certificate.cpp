@@ -13,9 +13,7 @@ namespace {
 
 using namespace phrame;
 
-long size(const Rational& x) {
-  return bit_length(numerator(x)) + bit_length(denominator(x));
-}
+long size(const Rational& x) { return bit_length(numerator(x)) + bit_length(denominator(x)); }
 
 long size(const Polynomial& p) {
   long bits = 0;

@@ -3,6 +3,7 @@
 #include "phrame/integrate/definite_integral.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/integrate/quadrature.hpp"
@@ -102,6 +103,17 @@ TEST_CASE("definite integral: arctangents that add up to a multiple of π") {
   // (2 + it)(3 + it) turns by arctan(1/2) + arctan(1/3) from 0 to 1.
   CHECK(definite_integral({{30, 0, 5}, {36, 0, 13, 0, 1}}, rational(0), rational(1)).exact ==
         quarter);
+}
+
+// π − π/(1 + ε) = επ − ….
+TEST_CASE("definite integral: small ones over the whole line, with the digits asked for") {
+  const Rational a = 1 + power_of_ten(-3000);
+  const RationalFunction f =
+      RationalFunction({1}, {1, 0, 1}) - RationalFunction({1}, {a * a, 0, 1});
+  const DefiniteIntegral integral = definite_integral(f, Infinity::negative, Infinity::positive);
+  CHECK(round_to_decimal(integral.value, 10).value == "3.141592654e-3000");
+  REQUIRE(integral.exact);
+  CHECK(integral.exact->pi == 1 - 1 / a);
 }
 
 TEST_CASE("definite integral: what diverges is refused with the reason") {

@@ -1,6 +1,7 @@
 #include "phrame/integrate/path_end.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "support/random.hpp"
@@ -37,6 +38,17 @@ TEST_CASE("path end: integrals to pi that are known") {
   CHECK(path_integral(inverse_square, pi_itself, Infinity::positive)
             .value.enclose(bits)
             .overlaps(divide(RealBall(1, bits), pi_ball, bits)));
+}
+
+// log(1 + x) = x + …, 10⁻⁵⁰⁰⁰·π and log((π + 10⁻⁵⁰⁰⁰π)/π) = log(1 + 10⁻⁵⁰⁰⁰).
+TEST_CASE("path end: small integrals, with the digits that were asked for") {
+  const Rational small = power_of_ten(-5000);
+  const RationalFunction inverse({1}, {0, 1});
+  const auto digits = [&](const PathEnd& a, const PathEnd& b) {
+    return round_to_decimal(path_integral(inverse, a, b).value, 10).value;
+  };
+  CHECK(digits(Rational(1), of_pi({1, small})) == "3.141592654e-5000");
+  CHECK(digits(pi_itself, of_pi({0, 1 + small})) == "1.000000000e-5000");
 }
 
 TEST_CASE("path end: rational values are exact") {

@@ -178,7 +178,9 @@ TEST_CASE("verify: what is false is not proved") {
       {"radius", [](Certificate& c) { c.logs[0].roots[0].radius = 0; }},
       {"negative radius", [](Certificate& c) { c.logs[0].roots[0].radius = -1000; }},
       {"huge radius",
-       [](Certificate& c) { c.logs[0].roots[0].radius = Integer(1) << (c.bits + 8); }},
+       [](Certificate& c) {
+         c.logs[0].roots[0].radius = Integer(1) << static_cast<unsigned long>(c.bits + 8);
+       }},
       {"residue disc", [](Certificate& c) { c.logs[0].roots[0].residue.im += 1000; }},
       {"residue radius", [](Certificate& c) { c.logs[0].roots[0].residue_radius = 0; }},
       {"negative residue radius",

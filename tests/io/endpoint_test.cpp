@@ -122,8 +122,12 @@ TEST_CASE("endpoints: a rational function of pi is transcendental, or rational")
   };
   CHECK(of_pi("pi") == RationalFunction(Polynomial{0, 1}));
   CHECK(of_pi("-2*π/3 + 1") == RationalFunction(Polynomial{1, Rational(-2, 3)}));
+  CHECK(of_pi("pi + 2*π") == RationalFunction(Polynomial{0, 3}));
   CHECK(of_pi("1/pi^2") == RationalFunction({1}, {0, 0, 1}));
   CHECK(rational("pi - pi + 1/2") == Rational(1, 2));
-  CHECK(refusal("pi*x") == "column 4: \"x\" is not the variable \"pi\"");
+  CHECK(refusal("pi*x") == "column 4: \"x\" is not the variable \"π\"");
+  CHECK(refusal("1/(sqrt(2) - sqrt(2))") == "column 3: division by zero: \"(√(…) - √(…))\"");
+  // As long as a line can bear.
+  CHECK(abridged(to_text(parse_endpoint("pi*(1+1e-3000)"))).size() < 300);
   CHECK(refusal("e") == "column 1: \"e\" is not a rational number");
 }

@@ -160,7 +160,9 @@ TEST_CASE("frame table: without a header the number of columns tells what they a
   CHECK_THROWS_AS(read_frames(numbered(5), named), InputError);
   CHECK_THROWS_AS(read_frames("t,f2x,f2y,f2z\n0,1,0,0\n", named), InputError);
   // A comment of as many words is taken for the header; what it does not say is not guessed.
-  CHECK(refusal("# time nx ny nz\n0 1 0 0\n") == "line 1: a column \"t\" is wanted");
+  const std::string commented = "# time nx ny nz\n0 1 2 3\n";
+  CHECK(refusal(commented) == "line 1: a column \"t\" is wanted");
+  CHECK(read_frames(commented, named).frames[0].t == 3);
   CHECK(refusal("0 1 0 0\n0 1 0\n") ==
         "line 2: 4 numbers are wanted as in the first line of them, not 3");
 }

@@ -130,6 +130,13 @@ TEST_CASE("text: a passage is read in full or abridged, and that it is abridged 
         abridged(text) + "\nLong parts are abridged (--full prints it all).\n");
   CHECK(for_reading("a\n", false) == "a\n");
   CHECK(text_width(text) == 11);
+  // A passage within a longer one becomes part of it.
+  const std::string nested = readable_exact("a " + passage(std::string(90, 'b'), "b…") + " c", 50);
+  CHECK(nested == "a " + passage(std::string(90, 'b'), "b…") + " c");
+  const std::string outer = readable_exact(std::string(60, 'a') + passage("bbb", "b…"), 50);
+  CHECK(for_reading(outer, true) == std::string(60, 'a') + "bbb");
+  CHECK(abridged(outer) == abbreviated(std::string(60, 'a') + "b…", 50));
+  CHECK(printable(abridged(outer)) == abridged(outer));
   const auto column = aligned({"t", passage("123456", "12…"), "5678"});
   CHECK(for_reading(column[0], true) == "t     ");
   CHECK(abridged(column[0]) == "t   ");
