@@ -11,10 +11,12 @@
 
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/factor.hpp"
 #include "phrame/integrate/algebraic_logs.hpp"
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
+#include "phrame/integrate/rothstein_trager.hpp"
 #include "phrame/integrate/turned_logs.hpp"
 
 namespace phrame {
@@ -151,13 +153,28 @@ struct Logs {
   std::vector<SimpleFraction> others;
 };
 
+/// Is the sum one over its residues, which lie in a quadratic field or ℚ?
+bool is_over_quadratic_residues(const LogSum& sum) {
+  return sum.index.degree() <= 2 && sum.residue == Polynomial{0, 1} % sum.index &&
+         (sum.index.degree() == 1 || factor(sum.index).factors.size() == 1);
+}
+
 Logs split_logs(const Antiderivative& F) {
   Logs result;
-  std::vector<SimpleFraction> quadratic;
-  for (const LogSum& sum : F.logs)
-    for (SimpleFraction& f : simple_fractions(differentiate(sum)))
-      (has_quadratic_residues(f) ? quadratic : result.others).push_back(std::move(f));
-  result.gaussian = gaussian_logs(over_residues(quadratic));
+  std::vector<LogSum> quadratic;
+  for (const LogSum& sum : F.logs) {
+    if (is_over_quadratic_residues(sum)) {  // of a high degree: to find them again takes long
+      quadratic.push_back(sum);
+      continue;
+    }
+    for (SimpleFraction& f : simple_fractions(differentiate(sum))) {
+      if (has_quadratic_residues(f))
+        quadratic.push_back(over_residues({f}).front());
+      else
+        result.others.push_back(std::move(f));
+    }
+  }
+  result.gaussian = gaussian_logs(merge_equal_residues(std::move(quadratic)));
   for (const LogSum& sum : std::exchange(result.gaussian.others, {}))
     for (SimpleFraction& f : simple_fractions(differentiate(sum)))
       result.others.push_back(std::move(f));
