@@ -40,20 +40,22 @@ long largest_precision(long bits, const Endpoint& a, const Endpoint& b) {
 
 }  // namespace
 
+void Evaluator::add_poles(const Polynomial& numerator, const Polynomial& denominator) {
+  if (numerator.is_zero()) return;
+  poles_.push_back({numerator, denominator, differentiate(denominator), {}, {}, {}});
+}
+
 Evaluator::Evaluator(const Antiderivative& F, const RationalFunction& derivative)
     : polynomial_(F.polynomial - Polynomial{F.polynomial.coefficient(0)}),
       rational_(F.rational),
       derivative_(derivative) {
   if (F.logs.empty()) return;
-  const auto add = [this](const Polynomial& n, const Polynomial& d) {
-    if (!n.is_zero()) poles_.push_back({n, d, differentiate(d), {}, {}, {}});
-  };
   const bool is_over_all_poles = std::all_of(F.logs.begin(), F.logs.end(), is_over_poles);
   const bool is_all_logs = polynomial_.is_zero() && rational_.is_zero();
   if (is_over_all_poles && (F.logs.size() > 1 || !is_all_logs)) {
     for (const LogSum& sum : F.logs) {
       const RationalFunction f = differentiate(sum);
-      add(f.numerator(), f.denominator());
+      add_poles(f.numerator(), f.denominator());
     }
     return;
   }
@@ -61,9 +63,26 @@ Evaluator::Evaluator(const Antiderivative& F, const RationalFunction& derivative
   if (!is_all_logs)
     logs = logs - (RationalFunction(differentiate(polynomial_)) + differentiate(rational_));
   if (is_over_all_poles)
-    add(logs.numerator(), logs.denominator());
+    add_poles(logs.numerator(), logs.denominator());
   else
-    for (const auto& [n, d] : simple_fractions(logs)) add(n, d);
+    for (const auto& [n, d] : simple_fractions(logs)) add_poles(n, d);
+}
+
+Evaluator::Evaluator(const Antiderivative& F, const RationalFunction& derivative,
+                     const std::vector<SimpleFraction>& of_logs)
+    : polynomial_(F.polynomial - Polynomial{F.polynomial.coefficient(0)}),
+      rational_(F.rational),
+      derivative_(derivative) {
+  for (auto f = of_logs.begin(); f != of_logs.end(); ++f) {
+    const auto has_common_pole = [&](const SimpleFraction& g) {
+      return !gcd(f->denominator, g.denominator).is_constant();
+    };
+    if (std::any_of(of_logs.begin(), f, has_common_pole)) {
+      *this = Evaluator(F, derivative);
+      return;
+    }
+    add_poles(f->numerator, f->denominator);
+  }
 }
 
 void Evaluator::require_no_pole(const Rational& a, const Rational& b) const {

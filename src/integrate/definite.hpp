@@ -6,6 +6,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 #include "phrame/integrate/endpoint.hpp"
+#include "phrame/integrate/partial_fractions.hpp"
 
 namespace phrame {
 
@@ -33,6 +34,9 @@ class Evaluator {
   /// Of F with F′ = derivative, which is not checked. To differentiate costs as much as to
   /// integrate where residues are algebraic numbers of high degree.
   Evaluator(const Antiderivative& F, const RationalFunction& derivative);
+  /// The same, with squarefree fractions known whose sum is the derivative of the logarithms.
+  Evaluator(const Antiderivative& F, const RationalFunction& derivative,
+            const std::vector<SimpleFraction>& of_logs);
 
   const RationalFunction& derivative() const { return derivative_; }
   void take(Route route) { route_ = route; }
@@ -96,6 +100,7 @@ class Evaluator {
     bool is_decided = false;           ///< that there is none, where there is none
   };
 
+  void add_poles(const Polynomial& numerator, const Polynomial& denominator);
   LogsOverPi logs_over_pi(const Rational& a, const Rational& b, const GaussianPolynomial& phase);
   Rational rational_difference(const Rational& a, const Rational& b) const;
   void require_no_pole(const Rational& a, const Rational& b) const;

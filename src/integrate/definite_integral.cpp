@@ -11,10 +11,12 @@
 
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/factor.hpp"
 #include "phrame/integrate/algebraic_logs.hpp"
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
+#include "phrame/integrate/rothstein_trager.hpp"
 #include "phrame/integrate/turned_logs.hpp"
 
 namespace phrame {
@@ -108,6 +110,11 @@ std::optional<Rational> center_of_symmetry(const RationalFunction& f) {
   const long n = p.degree();
   if (n < 1) return std::nullopt;
   const Rational m = -p.coefficient(n - 1) / (n * p.leading_coefficient());
+  // Two values deny it for most f.
+  const auto product = [&](const Rational& s, const Rational& t) {
+    return f.numerator()(s) * f.denominator()(t);
+  };
+  if (product(m + 1, m - 1) != -product(m - 1, m + 1)) return std::nullopt;
   const Polynomial reflected{2 * m, -1};
   const RationalFunction g(compose(f.numerator(), reflected), compose(f.denominator(), reflected));
   return g == -f ? std::optional(m) : std::nullopt;
@@ -149,15 +156,34 @@ std::optional<Rational> rational_difference(const RationalFunction& F, const End
 struct Logs {
   GaussianLogs gaussian;
   std::vector<SimpleFraction> others;
+  std::vector<SimpleFraction> all;  ///< what sums up to the derivative, of any denominators
 };
+
+/// Is the sum one over its residues, which lie in a quadratic field or ℚ?
+bool is_over_quadratic_residues(const LogSum& sum) {
+  return sum.index.degree() <= 2 && sum.residue == Polynomial{0, 1} % sum.index &&
+         (sum.index.degree() == 1 || factor(sum.index).factors.size() == 1);
+}
 
 Logs split_logs(const Antiderivative& F) {
   Logs result;
-  std::vector<SimpleFraction> quadratic;
-  for (const LogSum& sum : F.logs)
-    for (SimpleFraction& f : simple_fractions(differentiate(sum)))
-      (has_quadratic_residues(f) ? quadratic : result.others).push_back(std::move(f));
-  result.gaussian = gaussian_logs(over_residues(quadratic));
+  std::vector<LogSum> quadratic;
+  for (const LogSum& sum : F.logs) {
+    if (is_over_quadratic_residues(sum)) {  // of a high degree: to find them again takes long
+      quadratic.push_back(sum);
+      const RationalFunction f = differentiate(sum);
+      result.all.push_back({f.numerator(), f.denominator()});
+      continue;
+    }
+    for (SimpleFraction& f : simple_fractions(differentiate(sum))) {
+      result.all.push_back(f);
+      if (has_quadratic_residues(f))
+        quadratic.push_back(over_residues({f}).front());
+      else
+        result.others.push_back(std::move(f));
+    }
+  }
+  result.gaussian = gaussian_logs(merge_equal_residues(std::move(quadratic)));
   for (const LogSum& sum : std::exchange(result.gaussian.others, {}))
     for (SimpleFraction& f : simple_fractions(differentiate(sum)))
       result.others.push_back(std::move(f));
@@ -176,11 +202,11 @@ std::optional<ExactValue> in_finite_terms(const Logs& logs, const Rational& rati
 }
 
 /// The same where an end is algebraic: a rational number plus a rational multiple of π.
-std::optional<ExactValue> in_finite_terms(const Antiderivative& F, const RationalFunction& plain,
-                                          const Endpoint& a, const Endpoint& b) {
+std::optional<ExactValue> in_finite_terms(const Logs& logs, const Antiderivative& F,
+                                          const RationalFunction& plain, const Endpoint& a,
+                                          const Endpoint& b) {
   Rational turned = 0;
   if (!F.logs.empty()) {
-    const Logs logs = split_logs(F);
     if (!logs.others.empty()) return std::nullopt;
     Evaluator evaluator(Antiderivative{{}, {}, F.logs});
     const auto multiple = multiple_of_pi(
@@ -208,17 +234,18 @@ DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFuncti
   // A constant of integration would not vanish at ±∞.
   const RationalFunction plain =
       RationalFunction(F.polynomial - Polynomial{F.polynomial.coefficient(0)}) + F.rational;
+  const Logs logs = split_logs(F);
   std::optional<ExactValue> exact;
   if (std::holds_alternative<RealAlgebraic>(a) || std::holds_alternative<RealAlgebraic>(b)) {
-    exact = in_finite_terms(F, plain, a, b);
+    exact = in_finite_terms(logs, F, plain, a, b);
   } else {
     const auto at = [&](const Endpoint& end) {
       return is_infinite(end) ? Rational(0) : plain(std::get<Rational>(end));
     };
-    exact = in_finite_terms(split_logs(F), at(b) - at(a), a, b);
+    exact = in_finite_terms(logs, at(b) - at(a), a, b);
   }
   if (exact && is_rational(*exact)) return exactly(exact->rational);
-  const auto evaluator = std::make_shared<Evaluator>(F, f);
+  const auto evaluator = std::make_shared<Evaluator>(F, f, logs.all);
   const auto r = std::get_if<Rational>(&a);
   const auto s = std::get_if<Rational>(&b);
   if (r != nullptr && s != nullptr && !has_poles) {

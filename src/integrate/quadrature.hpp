@@ -1,5 +1,7 @@
 #pragma once
 #include <functional>
+#include <map>
+#include <vector>
 
 #include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/algebra/rational_function.hpp"
@@ -25,5 +27,27 @@ RealBall quadrature(const AnalyticFunction& f, long bits, long more,
 
 /// p(z), on a large ball not much wider than necessary.
 ComplexBall evaluate(const BallPolynomial& p, const ComplexBall& z, long bits);
+
+/// A polynomial in an integrand. A quadrature asks for its values on many discs around few real
+/// numbers, and other quadratures for the same again: its Taylor polynomials there, which cost most
+/// of it, are kept. Not for concurrent use.
+class IntegrandPolynomial {
+ public:
+  IntegrandPolynomial() = default;
+  IntegrandPolynomial(BallPolynomial p) : p_(std::move(p)) {}  // NOLINT: it is one
+
+  const BallPolynomial& polynomial() const { return p_; }
+  /// As evaluate().
+  ComplexBall operator()(const ComplexBall& z, long bits) const;
+
+ private:
+  struct Taylor {
+    long bits = 0;
+    RealBall value;
+    std::vector<flint::Mag> sizes;  ///< of the coefficients
+  };
+  BallPolynomial p_;
+  mutable std::map<double, Taylor> at_;
+};
 
 }  // namespace phrame

@@ -254,6 +254,10 @@ class Multiple {
 
 std::optional<TurnedLogs> turned_logs(const std::vector<SimpleFraction>& fractions,
                                       const Endpoint& a, const Endpoint& b) {
+  const auto is_large = [](const SimpleFraction& f) {
+    return f.denominator.degree() > largest_degree;
+  };
+  if (std::any_of(fractions.begin(), fractions.end(), is_large)) return std::nullopt;
   const bool a_is_center = is_even_about(a, fractions);
   const bool b_is_center = is_even_about(b, fractions);
   struct Seen {
@@ -262,7 +266,6 @@ std::optional<TurnedLogs> turned_logs(const std::vector<SimpleFraction>& fractio
   };
   std::vector<Seen> seen;
   for (const SimpleFraction& f : fractions) {
-    if (f.denominator.degree() > largest_degree) return std::nullopt;
     const auto from = view(f.denominator, a, a_is_center);
     const auto to = from ? view(f.denominator, b, b_is_center) : std::nullopt;
     if (!to) return std::nullopt;

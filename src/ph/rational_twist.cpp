@@ -75,8 +75,8 @@ RealBall coarse_mean_square(const RationalTwist& twist) {
 BestTwist best_on_line(const TwistPiece& piece, long degree, EndRates rates,
                        const RationalTwistOptions& options) {
   const RotationFamily family = rotation_family(piece, degree, rates, coarse_bits);
-  const auto member = [&](double p) {
-    return RationalTwist(piece, degree, rates, {exact_rational(p)});
+  const auto member = [&](const LineGuess& guess) {
+    return RationalTwist(piece, degree, rates, {exact_rational(guess.parameter)}, guess.value);
   };
   if (family.parameters() == 0) return {{piece, degree, rates, {}}, {}, {}, {}};
   TwistObjective objective(piece, family);
@@ -102,8 +102,8 @@ BestTwist best_on_line(const TwistPiece& piece, long degree, EndRates rates,
     return std::pair(is_right ? 0 : 1, guess.value);
   };
   if (!best || (other && rank(*other) < rank(*best))) std::swap(best, other);
-  BestTwist found{member(best->parameter), {}, {}, {}};
-  if (other) found.other = member(other->parameter);
+  BestTwist found{member(*best), {}, {}, {}};
+  if (other) found.other = member(*other);
   // The better one has to be better than both, the right one only than its own kind.
   if (other && other->value < best->value) other.reset();
   if (!options.prove) {
@@ -112,7 +112,7 @@ BestTwist best_on_line(const TwistPiece& piece, long degree, EndRates rates,
   }
   try {
     found.minimum = twist_minimum(piece, degree, rates, *best, other, options.bits);
-    found.twist = RationalTwist(piece, degree, rates, {found.minimum->parameter});
+    found.twist = RationalTwist(piece, degree, rates, {found.minimum->parameter}, best->value);
   } catch (const Undecided& undecided) {
     found.doubt = undecided.what();
   }
@@ -125,11 +125,12 @@ BestTwist no_turn(const TwistPiece& piece) { return {{piece, 1, EndRates::free, 
 }  // namespace
 
 RationalTwist::RationalTwist(TwistPiece piece, long degree, EndRates rates,
-                             std::vector<Rational> parameters)
+                             std::vector<Rational> parameters, double mean_square_guess)
     : piece_(std::move(piece)),
       degree_(degree),
       rates_(rates),
       parameters_(std::move(parameters)),
+      mean_square_guess_(mean_square_guess),
       known_(std::make_shared<Known>()) {}
 
 const Rotation& RationalTwist::rotation(long bits) const {
@@ -186,9 +187,18 @@ Real RationalTwist::root_mean_square() const {
   return Real([twist = *this](long bits) {
     Known& known = *twist.known_;
     if (known.mean_square_bits >= bits) return known.root_mean_square;
-    const RealBall square = mean_square(
-        twist.piece_, twist.rotation(working_precision(twist.piece_, 2 * bits)), 2 * bits);
-    arb_sqrtpos(known.root_mean_square.raw(), square.raw(), bits + 64);
+    // √(G ± ε) is √G ± ε/(2√G), and at worst ±√ε.
+    constexpr long guard = 24;  // not seen in the bounds of rounded numbers
+    const double guess = twist.mean_square_guess_;
+    const bool is_guessed = guess > 0 && std::isfinite(guess);
+    const long smallness = is_guessed ? std::max(0, 1 - std::ilogb(guess) / 2) : bits;
+    const Rational wanted = power_of_two(-bits);
+    for (const long precision : {std::min(2 * bits, bits + guard + smallness), 2 * bits}) {
+      const Rotation& w = twist.rotation(working_precision(twist.piece_, precision));
+      const RealBall square = mean_square(twist.piece_, w, precision);
+      arb_sqrtpos(known.root_mean_square.raw(), square.raw(), bits + 64);
+      if (known.root_mean_square.is_finite() && known.root_mean_square.radius() <= wanted) break;
+    }
     known.mean_square_bits = bits;
     return known.root_mean_square;
   });

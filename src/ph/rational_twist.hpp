@@ -12,8 +12,10 @@ namespace phrame {
 /// m. Refers to the frame of minimal twist it was made for. Not for concurrent use, nor are copies.
 class RationalTwist {
  public:
-  /// The member of a family with these parameters.
-  RationalTwist(TwistPiece piece, long degree, EndRates rates, std::vector<Rational> parameters);
+  /// The member of a family with these parameters. A guess of its mean square, where there is one,
+  /// saves precision.
+  RationalTwist(TwistPiece piece, long degree, EndRates rates, std::vector<Rational> parameters,
+                double mean_square_guess = 0);
 
   const TwistPiece& piece() const { return piece_; }
   long degree() const { return degree_; }  ///< n
@@ -47,6 +49,7 @@ class RationalTwist {
   long degree_;
   EndRates rates_;
   std::vector<Rational> parameters_;
+  double mean_square_guess_;  ///< 0: none
   /// What has been computed.
   struct Known {
     std::map<long, Rotation> rotations;  ///< by precision

@@ -14,6 +14,10 @@ namespace {
 
 /// Is sgn(orientation)·rate odd about t = 1/2?
 bool is_odd_about_middle(const RationalFunction& rate, const Polynomial& orientation) {
+  const auto product = [&](const Rational& s, const Rational& t) {
+    return abs(rate.numerator()(s) * rate.denominator()(t));
+  };
+  if (product(0, 1) != product(1, 0)) return false;  // for most rates
   const Polynomial mirror{1, -1};
   const RationalFunction mirrored(compose(rate.numerator(), mirror),
                                   compose(rate.denominator(), mirror));

@@ -74,26 +74,28 @@ class ErrorJet {
   ErrorJet(const TwistPiece& piece, const Rotation& w, long bits) : bits_(bits) {
     const PieceFunction of(piece, bits);
     const BallPolynomial d = norm(w, bits);
-    numerator_ = with_slopes(of.numerator(d, wronskian(w, bits), bits));
-    denominator_ = with_slopes(multiply(multiply(of.denominator, d, bits), of.speed, bits));
+    numerator_ = of.numerator(d, wronskian(w, bits), bits);
+    denominator_ = multiply(multiply(of.denominator, d, bits), of.speed, bits);
   }
 
-  /// q = x/y: q′ = (x′ − qy′)/y and q″ = (x″ − 2q′y′ − qy″)/y.
-  Jet operator()(const Rational& a, const Rational& b) const {
-    const RealBall point(a, bits_);
-    const auto on = [&](const BallPolynomial& p) {
-      return a == b ? evaluate(p, point, bits_) : range(p, a, b, bits_);
-    };
-    const auto at = [&](const WithSlopes& p) { return Jet{on(p.p), on(p.slope), on(p.bend)}; };
-    const auto times = [&](const RealBall& u, const RealBall& v) { return multiply(u, v, bits_); };
-    const auto minus = [&](const RealBall& u, const RealBall& v) { return subtract(u, v, bits_); };
-    const Jet x = at(numerator_);
-    const Jet y = at(denominator_);
-    const RealBall value = divide(x.value, y.value, bits_);
-    const RealBall slope = divide(minus(x.slope, times(value, y.slope)), y.value, bits_);
-    const RealBall twice = times(add(slope, slope, bits_), y.slope);
-    const RealBall rest = minus(minus(x.bend, twice), times(value, y.bend));
-    return {value, slope, divide(rest, y.value, bits_)};
+  /// On [a, b] and in its middle: by the Taylor polynomials there, which cost most.
+  struct OnPart {
+    Jet all;
+    Jet middle;
+  };
+  OnPart operator()(const Rational& a, const Rational& b) const {
+    const Rational middle = (a + b) / 2;
+    const WithSlopes x = with_slopes(shifted(numerator_, middle));
+    const WithSlopes y = with_slopes(shifted(denominator_, middle));
+    const RealBall offset = hull(Rational(a - middle), Rational(b - middle), bits_);
+    const auto on_part = [&](const BallPolynomial& p) { return evaluate(p, offset, bits_); };
+    const auto in_middle = [&](const BallPolynomial& p) { return p.coefficient(0); };
+    return {quotient(x.map(on_part), y.map(on_part)), quotient(x.map(in_middle), y.map(in_middle))};
+  }
+
+  RealBall value(const Rational& tau) const {
+    const RealBall at(tau, bits_);
+    return divide(evaluate(numerator_, at, bits_), evaluate(denominator_, at, bits_), bits_);
   }
 
  private:
@@ -101,15 +103,39 @@ class ErrorJet {
     BallPolynomial p;
     BallPolynomial slope;
     BallPolynomial bend;
+
+    template <class Function>
+    Jet map(const Function& f) const {
+      return {f(p), f(slope), f(bend)};
+    }
   };
+
   WithSlopes with_slopes(const BallPolynomial& p) const {
     const BallPolynomial slope = differentiate(p, bits_);
     return {p, slope, differentiate(slope, bits_)};
   }
 
+  /// p(t + `by`).
+  BallPolynomial shifted(const BallPolynomial& p, const Rational& by) const {
+    BallPolynomial taylor;
+    arb_poly_taylor_shift(taylor.raw(), p.raw(), RealBall(by, bits_).raw(), bits_);
+    return taylor;
+  }
+
+  /// q = x/y: q′ = (x′ − qy′)/y and q″ = (x″ − 2q′y′ − qy″)/y.
+  Jet quotient(const Jet& x, const Jet& y) const {
+    const auto times = [&](const RealBall& u, const RealBall& v) { return multiply(u, v, bits_); };
+    const auto minus = [&](const RealBall& u, const RealBall& v) { return subtract(u, v, bits_); };
+    const RealBall value = divide(x.value, y.value, bits_);
+    const RealBall slope = divide(minus(x.slope, times(value, y.slope)), y.value, bits_);
+    const RealBall twice = times(add(slope, slope, bits_), y.slope);
+    const RealBall rest = minus(minus(x.bend, twice), times(value, y.bend));
+    return {value, slope, divide(rest, y.value, bits_)};
+  }
+
   long bits_;
-  WithSlopes numerator_;
-  WithSlopes denominator_;
+  BallPolynomial numerator_;
+  BallPolynomial denominator_;
 };
 
 }  // namespace
@@ -128,13 +154,14 @@ RealBall mean_square(const TwistPiece& piece, const Rotation& w, long bits) {
   const long precision = working_precision(piece, bits);
   const PieceFunction of(piece, precision);
   const BallPolynomial d = norm(w, precision);
-  const BallPolynomial n = of.numerator(d, wronskian(w, precision), precision);
-  const BallPolynomial q = multiply(of.denominator, d, precision);
+  const IntegrandPolynomial n = of.numerator(d, wronskian(w, precision), precision);
+  const IntegrandPolynomial q = multiply(of.denominator, d, precision);
+  const IntegrandPolynomial speed = of.speed;
   return quadrature(
       [&](const ComplexBall& z, long working) {
         const Operations op{working};
-        const ComplexBall error = op.over(evaluate(n, z, working), evaluate(q, z, working));
-        return op.over(op.times(error, error), evaluate(of.speed, z, working));
+        const ComplexBall error = op.over(n(z, working), q(z, working));
+        return op.over(op.times(error, error), speed(z, working));
       },
       bits, growth(piece));
 }
@@ -146,8 +173,9 @@ RealBall mean_square_slope(const TwistPiece& piece, const RotationFamily& family
   const Rotation w = member(family, {parameter}, precision);
   const PieceFunction of(piece, precision);
   const BallPolynomial d = norm(w, precision);
-  const BallPolynomial n = of.numerator(d, wronskian(w, precision), precision);
-  const BallPolynomial q = multiply(of.denominator, d, precision);
+  const IntegrandPolynomial n = of.numerator(d, wronskian(w, precision), precision);
+  const IntegrandPolynomial q = multiply(of.denominator, d, precision);
+  const IntegrandPolynomial speed = of.speed;
   const BallPolynomial k = cross(family.basis[0], family.basis[1], precision);
   // θ′_p/2 = (K/D)′ = (K′D − KD′)/D².
   const BallPolynomial change =
@@ -160,9 +188,9 @@ RealBall mean_square_slope(const TwistPiece& piece, const RotationFamily& family
           return evaluate(polynomial, z, working);
         };
         const ComplexBall norm = at(d);
-        const ComplexBall error = op.over(at(n), at(q));
+        const ComplexBall error = op.over(n(z, working), q(z, working));
         const ComplexBall product = op.over(op.times(error, at(change)), op.times(norm, norm));
-        return op.over(op.twice(op.twice(product)), at(of.speed));
+        return op.over(op.twice(op.twice(product)), speed(z, working));
       },
       bits, growth(piece));
 }
@@ -182,7 +210,10 @@ class MeanSquareBend::Points {
   };
 
   Points(const TwistPiece& piece, const RotationFamily& family, const Rational& at, long bits)
-      : centre(at, bits), of_(piece, bits) {
+      : centre(at, bits) {
+    const PieceFunction of(piece, bits);
+    denominator_ = of.denominator;
+    speed_ = of.speed;
     const Rotation w = member(family, {at}, bits);
     const Rotation& v = family.basis[1];
     const auto slope = [bits](const Rotation& u) {
@@ -192,16 +223,16 @@ class MeanSquareBend::Points {
     forms_ = {norm(w, bits), l, norm(v, bits), cross(w, v, bits)};
     for (std::size_t k = 0; k < forms_.size(); ++k) slopes_[k] = differentiate(forms_[k], bits);
     const BallPolynomial mixed = add(cross(w, slope(v), bits), cross(v, slope(w), bits), bits);
-    n_ = {of_.numerator(forms_[0], wronskian(w, bits), bits),
-          of_.numerator(add(l, l, bits), mixed, bits),
-          of_.numerator(forms_[2], wronskian(v, bits), bits)};
+    n_ = {of.numerator(forms_[0], wronskian(w, bits), bits),
+          of.numerator(add(l, l, bits), mixed, bits),
+          of.numerator(forms_[2], wronskian(v, bits), bits)};
   }
 
   const Values& at(const ComplexBall& z, long bits) {
     std::optional<Values>& known = values_[key_of(z)];
     if (known && acb_equal(known->z.raw(), z.raw()) != 0) return *known;
-    known = Values{z, evaluate(of_.denominator, z, bits), evaluate(of_.speed, z, bits), {}, {}, {}};
-    for (std::size_t k = 0; k < n_.size(); ++k) known->n[k] = evaluate(n_[k], z, bits);
+    known = Values{z, denominator_(z, bits), speed_(z, bits), {}, {}, {}};
+    for (std::size_t k = 0; k < n_.size(); ++k) known->n[k] = n_[k](z, bits);
     for (std::size_t k = 0; k < forms_.size(); ++k) {
       known->forms[k] = evaluate(forms_[k], z, bits);
       known->slopes[k] = evaluate(slopes_[k], z, bits);
@@ -218,8 +249,9 @@ class MeanSquareBend::Points {
             mag_get_d(arb_radref(acb_imagref(z.raw())))};
   }
 
-  PieceFunction of_;
-  std::array<BallPolynomial, 3> n_;
+  IntegrandPolynomial denominator_;
+  IntegrandPolynomial speed_;
+  std::array<IntegrandPolynomial, 3> n_;
   std::array<BallPolynomial, 4> forms_;
   std::array<BallPolynomial, 4> slopes_;
   std::map<std::array<double, 4>, std::optional<Values>> values_;
@@ -271,8 +303,8 @@ RealBall greatest_error(const TwistPiece& piece, const Rotation& w, long bits) {
   const long precision = working_precision(piece, bits);
   const ErrorJet error(piece, w, precision);
   RealBall least;  // of what the maximum can be
-  const auto look_at = [&](const Jet& jet) {
-    const RealBall here = absolute(jet.value);
+  const auto look_at = [&](const RealBall& value) {
+    const RealBall here = absolute(value);
     if (here.is_finite()) arb_max(least.raw(), least.raw(), here.raw(), precision);
   };
   struct Part {
@@ -285,18 +317,17 @@ RealBall greatest_error(const TwistPiece& piece, const Rotation& w, long bits) {
     parts.push_back({Rational(k, first_parts), Rational(k + 1, first_parts)});
   for (long k = 0; k <= first_parts; ++k) {
     const Rational tau(k, first_parts);
-    look_at(error(tau, tau));
+    look_at(error.value(tau));
   }
   const RealBall fine = RealBall(power_of_two(-bits), 53);
   for (long round = 0;; ++round) {
     RealBall most = least;
     std::vector<Part> left;
     for (const Part& part : parts) {
-      const Jet jet = error(part.a, part.b);
+      const auto [jet, in_middle] = error(part.a, part.b);
       if (jet.slope.is_finite() && !jet.slope.contains_zero()) continue;
       const Rational middle = (part.a + part.b) / 2;
-      const Jet in_middle = error(middle, middle);
-      look_at(in_middle);
+      look_at(in_middle.value);
       const RealBall offset = hull(Rational(part.a - middle), Rational(part.b - middle), precision);
       const RealBall inside =
           absolute(add(in_middle.value, multiply(offset, jet.slope, precision), precision));

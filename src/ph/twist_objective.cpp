@@ -245,6 +245,8 @@ void TwistObjective::resolve(std::span<const double> parameters) {
     double b;
     const Nodes* nodes;
     double value;
+    double left;  ///< of its halves
+    double right;
     double noise;  ///< what rounding errors may amount to
     double gap;    ///< by how much its halves have another value
   };
@@ -254,13 +256,13 @@ void TwistObjective::resolve(std::span<const double> parameters) {
   // The greatest gap goes first, so that a limit on the parts does not leave out a peak.
   const auto is_before = [](const Part& x, const Part& y) { return x.gap < y.gap; };
   std::vector<Part> parts;
-  const auto insert = [&](double a, double b) {
+  const auto insert = [&](double a, double b, double here) {
     const Nodes& nodes = nodes_between(a, b);
     const double half = (a + b) / 2;
-    const double here = value(nodes);
-    const double halves = value(nodes_between(a, half)) + value(nodes_between(half, b));
+    const double left = value(nodes_between(a, half));
+    const double right = value(nodes_between(half, b));
     const bool is_last = b - a < std::ldexp(1, -most_halvings);
-    Part part{a, b, &nodes, here, 0, is_last ? 0 : std::abs(halves - here)};
+    Part part{a, b, &nodes, here, left, right, 0, is_last ? 0 : std::abs(left + right - here)};
     for (std::size_t k = 0; k < nodes.nodes.size(); ++k)
       part.noise += noise_at(nodes, k, parameters);
     total += part.value;
@@ -268,7 +270,11 @@ void TwistObjective::resolve(std::span<const double> parameters) {
     parts.push_back(part);
     std::push_heap(parts.begin(), parts.end(), is_before);
   };
-  for (int k = 0; k < 4; ++k) insert(k / 4.0, (k + 1) / 4.0);
+  for (int k = 0; k < 4; ++k) {
+    const double a = k / 4.0;
+    const double b = (k + 1) / 4.0;
+    insert(a, b, value(nodes_between(a, b)));
+  }
   while (parts.front().gap > 1e-13 * total + noise && parts.size() < most_parts) {
     std::pop_heap(parts.begin(), parts.end(), is_before);
     const Part part = parts.back();
@@ -276,8 +282,8 @@ void TwistObjective::resolve(std::span<const double> parameters) {
     total -= part.value;
     noise -= part.noise;
     const double half = (part.a + part.b) / 2;
-    insert(part.a, half);
-    insert(half, part.b);
+    insert(part.a, half, part.left);
+    insert(half, part.b, part.right);
   }
   nodes_ = {};
   for (const Part& part : parts) nodes_.append(*part.nodes);
