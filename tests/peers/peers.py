@@ -32,7 +32,7 @@ IDS = """
     rioboo hardy-1916 leibniz-1702 wang-59 timofeev-18 hearn-04 con-sqrt2-a con-cubic-a con-qi-b con-irrational-pv
     con-real-quintic
 """.split()
-# Of degree 3 to 13, of each way that the angle is printed: by arctangents, by one sum over roots, by several.
+# Of degree 3 to 11, of each way that the angle is printed: by arctangents, by one sum over roots, by several.
 CURVES = """
     gen-m01-0 gen-m02-0 gen-m04-0 coi-rrmf5-0 coi-planar-2_2 coi-right-2_1 coi-right-2_3 coi-reparam-1_5 coi-reparam-2_2
     deg-nearcusp deg-line fac-lin-m03 fac-mix-2_3 fac-rep-1_3 fac-gcd-2_2 dbl-m02 seed-farouki2003
