@@ -16,6 +16,41 @@ struct Definition {
   bool of_variable = true;
 };
 
+/// "0x1f" of n > 0.
+std::string hexadecimal(Integer n) {
+  std::string text;
+  for (; n.sign() != 0; n >>= 60) {
+    long piece = static_cast<long>(n % (Integer(1) << 60));
+    for (int k = 0; k < 15; ++k, piece /= 16) text += "0123456789abcdef"[piece % 16];
+  }
+  std::reverse(text.begin(), text.end());
+  return "0x" + text.substr(text.find_first_not_of('0'));
+}
+
+/// Python reads no integer of more than 4300 decimal digits, but hexadecimal ones of any length
+/// (sys.get_int_max_str_digits()). What is quoted stays.
+std::string for_python(const std::string& formula) {
+  constexpr std::size_t limit = 4300;
+  constexpr std::string_view decimal = "0123456789";
+  std::string text;
+  std::size_t end = 0;
+  while (end < formula.size()) {
+    const std::size_t begin = end;
+    if (formula[begin] == '\'') {
+      end = formula.find('\'', begin + 1) + 1;
+      text += formula.substr(begin, end - begin);
+    } else if (decimal.find(formula[begin]) == std::string_view::npos) {
+      end = std::min(formula.find_first_of("'0123456789", begin), formula.size());
+      text += formula.substr(begin, end - begin);
+    } else {
+      end = std::min(formula.find_first_not_of(decimal, begin), formula.size());
+      const std::string digits = formula.substr(begin, end - begin);
+      text += digits.size() > limit ? hexadecimal(Integer(digits)) : digits;
+    }
+  }
+  return text;
+}
+
 std::string statement(const Definition& definition, Language language, std::string_view variable) {
   const auto& [name, formula, of_variable] = definition;
   switch (language) {
@@ -28,6 +63,8 @@ std::string statement(const Definition& definition, Language language, std::stri
     case Language::pari:
       return of_variable ? fmt::format("{}({}) = {};\n", name, variable, formula)
                          : fmt::format("{} = {};\n", name, formula);
+    case Language::sympy:
+      return fmt::format("{} = {}\n", name, for_python(formula));
     default:
       return fmt::format("{} = {}\n", name, formula);
   }

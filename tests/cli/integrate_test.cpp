@@ -259,6 +259,17 @@ TEST_CASE("integrate: scripts are read as they are meant") {
       contains(here.run("integrate x --from 0 --to 1 --print latex").out, "= \\frac{1}{2} = 0.5"));
 }
 
+TEST_CASE("integrate: Python reads integers of more than 4300 digits in hexadecimal") {
+  const Workshop here;
+  // 2^14284 has 4300 digits, 2^14285 one more.
+  const std::string power = "0x2" + std::string(3571, '0');
+  CHECK(here.run("integrate '1/(x+2^14285)' --print sympy").out ==
+        "from sympy import *\nx, z = symbols('x z')\nintegrand = 1/(x + " + power +
+            ")\nantiderivative = log(x + " + power + ")\n");
+  CHECK(!contains(here.run("integrate '1/(x+2^14284)' --print sympy").out, "0x"));
+  CHECK(!contains(here.run("integrate '1/(x+2^14285)' --print pari").out, "0x"));
+}
+
 TEST_CASE("integrate: a value may be as small as the input is") {
   const Workshop here;
   const Run run = here.run("integrate '1e-100000*1e-50000' --from 0 --to 1 --digits 5");

@@ -3,10 +3,13 @@
 A logarithm that crosses its cut makes F jump, which no derivative shows. So F is evaluated on a dense grid, and each
 difference is compared with Gauss's quadrature of the integrand, whose values are computed exactly and rounded once.
 """
+import functools
 import math
+import os
 
 # sinh spreads the grid: fine near 0, and out to ±1400. 1/7 keeps it off the poles that people choose.
-GRID = [round(math.sinh(k / 8), 6) + 1 / 7 for k in range(-64, 65)]
+FINENESS = 16 if os.environ.get("PHRAME_PEERS") == "corpus" else 8
+GRID = [round(math.sinh(k / FINENESS), 6) + 1 / 7 for k in range(-8 * FINENESS, 8 * FINENESS + 1)]
 
 
 def legendre(n):
@@ -43,19 +46,25 @@ class Integrand:
         self.scale = d_scale, n_scale
 
     @staticmethod
-    def homogeneous(c, t, s):
-        """sᵏ·p(t/s), k the degree."""
-        value, power = 0, 1
+    def homogeneous(c, t, shift):
+        """sᵏ·p(t/s), k the degree, s = 2 to the `shift`."""
+        value, bits = 0, 0
         for a in reversed(c):
-            value = value * t + a * power
-            power *= s
+            value = value * t + (a << bits)
+            bits += shift
         return value
 
     def __call__(self, x):
-        t, s = x.as_integer_ratio()
-        n = self.homogeneous(self.numerator, t, s) * s ** (len(self.denominator) - 1) * self.scale[0]
-        d = self.homogeneous(self.denominator, t, s) * s ** (len(self.numerator) - 1) * self.scale[1]
-        return n / d
+        t, s = x.as_integer_ratio()  # s is a power of 2
+        shift = s.bit_length() - 1
+        n = self.homogeneous(self.numerator, t, shift) * self.scale[0]
+        d = self.homogeneous(self.denominator, t, shift) * self.scale[1]
+        excess = shift * (len(self.denominator) - len(self.numerator))
+        return (n << excess) / d if excess >= 0 else n / (d << -excess)
+
+    @functools.cached_property
+    def integrals(self):
+        return [self.integral(a, b) for a, b in zip(GRID, GRID[1:])]
 
     def gauss(self, a, b):
         middle, half = (a + b) / 2, (b - a) / 2
@@ -79,16 +88,19 @@ class Integrand:
         return None if right is None else left + right
 
 
-def jumps(f, differences):
-    """The intervals [a, b] of the grid where F(b) − F(a), as the other system computes it, is not the integral of f."""
-    found, poles = [], 0
-    for a, b, difference in zip(GRID, GRID[1:], differences):
-        exact = f.integral(a, b)
-        if exact is None:
-            poles += 1
-        elif math.isfinite(exact) and not abs(difference - exact) <= 1e-7 * max(1, abs(exact)):
-            found.append(f"[{a:.4f}, {b:.4f}]: {difference:.6g}, not {exact:.6g}")
-    degree = len(f.denominator) - 1
+def compare(f, differences):
+    """How many F(b) − F(a), as the other system computes them on the grid, have been compared with the integrals of f;
+    how far they are from them at most; and those that are wrong."""
+    count, largest, wrong = 0, 0.0, []
+    for a, b, exact, difference in zip(GRID[:-1], GRID[1:], f.integrals, differences, strict=True):
+        if exact is None or not math.isfinite(exact):
+            continue
+        count += 1
+        error = abs(difference - exact) / max(1, abs(exact))
+        if not error <= 1e-7:
+            wrong.append(f"[{a:.4f}, {b:.4f}]: {difference:.6g}, not {exact:.6g}")
+        largest = max(largest, error)
+    poles, degree = f.integrals.count(None), len(f.denominator) - 1
     if poles > degree:
-        found.append(f"{poles} intervals with a pole for {degree} poles")
-    return found
+        wrong.append(f"{poles} intervals with a pole for {degree} poles")
+    return count, largest, wrong

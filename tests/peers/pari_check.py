@@ -4,44 +4,84 @@ PARI has no symbolic logarithm, but antiderivative(t) can be given a power serie
 48 equal coefficients prove them equal, but for rounding, which is 10^-40 of the largest. The differences of its values
 are the integrals.
 """
+import atexit
+import functools
+import os
+import subprocess
 from fractions import Fraction
 
 import differences
 import peers
 
-CHECK = """
+# The roots of a polynomial once, not at each point.
+START = f"""
+integrand = antiderivative = 0;
+known = Map();
+roots(q) =
+{{
+  my(z, key = [q, default(realprecision)]);
+  if(!mapisdefined(known, key, &z), z = polroots(q); mapput(known, key, z));
+  z;
+}}
+grid = [{", ".join(str(Fraction(t)) for t in differences.GRID)}];
+"""
+
+DERIVES = """
+default(realprecision, 300);
 {
   my(t = 37/11 + y + O(y^49), F = deriv(antiderivative(t), y), f = integrand(t) + O(y^48), size = 0, error = 0);
   for(k = 0, 47, size = max(size, abs(polcoef(f, k))); error = max(error, abs(polcoef(F, k) - polcoef(f, k))));
-  print("%s: ", if(error <= 1e-40 * size, "equal", "different"));
+  print(if(error <= 1e-40 * size, "equal", "different"));
 }
 """
 
 DIFFERENCES = """
+default(realprecision, %d);
 {
-  print("%s: differences");
   my(F = [1.*antiderivative(t) | t <- grid]);
   for(k = 1, #F - 1, my(d = bitprecision(F[k + 1] - F[k], 64)); print(real(d), ";", imag(d)));
 }
 """
 
 
-def run(session):
-    return peers.run(["gp", "-q", "-f", "--default", "parisize=64M"], session, "PARI/GP").splitlines()
+@functools.cache
+def gp(_):
+    """The one gp of a process, known by its number."""
+    try:
+        process = subprocess.Popen(["gp", "-q", "-f", "--default", "parisizemax=1G"], stdin=subprocess.PIPE,
+                                   stdout=subprocess.PIPE, text=True)
+    except FileNotFoundError:
+        peers.missing("PARI/GP")
+    atexit.register(process.communicate)
+    process.stdin.write(START)
+    return process
 
 
-items = list(peers.scripts("pari"))
-output = run("default(realprecision, 300);\n" + "".join(text + CHECK % name for name, text in items))
-failures = [name for name, _ in items if f"{name}: equal" not in output]
+def run(text):
+    """The lines it prints. What an earlier text has defined is gone, should this one not be read."""
+    process = gp(os.getpid())
+    try:
+        process.stdin.write("kill(integrand); kill(antiderivative);\n" + text + 'print("done");\n')
+        process.stdin.flush()
+        lines = []
+        for line in process.stdout:
+            if line == "done\n":
+                return lines
+            lines.append(line.rstrip())
+        raise EOFError("gp has ended")
+    except (peers.TooLong, EOFError, BrokenPipeError):
+        process.kill()
+        gp.cache_clear()
+        raise
 
-count = len(items)
-items = list(peers.continuous("pari"))
-grid = ", ".join(str(Fraction(t)) for t in differences.GRID)
-output = run(f"default(realprecision, 100);\ngrid = [{grid}];\n"
-             + "".join(text + DIFFERENCES % name for name, text, _ in items))
-for name, _, f in items:
-    first = output.index(f"{name}: differences") + 1
-    lines = output[first:first + len(differences.GRID) - 1]
-    values = [complex(*(float(part.replace(" ", "")) for part in line.split(";"))) for line in lines]
-    failures += [f"{name}, {jump}" for jump in differences.jumps(f, values)]
-peers.finish(count + len(items), failures)
+
+def derives(text):
+    return run(text + DERIVES) == ["equal"]
+
+
+def evaluate(text, digits):
+    lines = run(text.replace("polroots(", "roots(") + DIFFERENCES % digits)
+    return [complex(*(float(part.replace(" ", "")) for part in line.split(";"))) for line in lines]
+
+
+peers.main("pari", derives, evaluate)
