@@ -36,6 +36,7 @@ struct Done {
   std::unordered_set<std::string> ids;
   off_t whole_bytes = 0;  ///< up to the end of the last whole line
   std::string cut_off;    ///< what follows it
+  long others = 0;        ///< lines that are no answers
 };
 
 Done read_done(const std::string& path) {
@@ -48,7 +49,10 @@ Done read_done(const std::string& path) {
       done.cut_off = std::move(line);
       break;
     }
-    if (auto id = batch_id(line)) done.ids.insert(*std::move(id));
+    if (auto id = answered_id(line))
+      done.ids.insert(*std::move(id));
+    else
+      ++done.others;
     done.whole_bytes += static_cast<off_t>(line.size() + 1);
   }
   return done;
@@ -122,7 +126,12 @@ void run(const BatchOptions& options) {
   const Descriptor input = open_input(options.path);
   if (options.output != "-" && is_same_file(input, options.output))
     throw InputError("--output", "\"" + options.output + "\" is the input");
+  if (!options.skip_done.empty() && is_same_file(input, options.skip_done))
+    throw InputError("--skip-done", "\"" + options.skip_done + "\" is the input");
   const Done done = read_done(options.skip_done);
+  if (done.others > 0)
+    note(fmt::format("{}: {} of its lines {} no answer of phrame batch", options.skip_done,
+                     done.others, done.others == 1 ? "is" : "are"));
   const Descriptor output = open_output(options.output, options.skip_done, done);
   const Interruption interruption;
   LineReader reader(input, interruption);

@@ -98,6 +98,7 @@ FrameTable table(const Spline& spline, const TableColumns& columns,
   try {
     return frame_table(spline, columns, at);
   } catch (const DomainError& error) {
+    if (columns.may_be_empty) throw;
     throw DomainError(std::string(error.what()) + " (--skip-undefined leaves such cells empty)");
   }
 }
@@ -155,7 +156,7 @@ void add_frames(Program& program) {
   command.set_notes(
       "--at or --samples is needed: what the rows of the table are.\n"
       "All numbers are correctly rounded doubles. e1 is A i A*/|A|^2, the unit tangent\n"
-      "where the multiplier is positive and its opposite where it is negative.\n"
+      "where the multiplier is positive and its opposite where it is negative, as is n then.\n"
       "--by arc-length evaluates at the exact t of each arc length; column t is that t, rounded.\n"
       "The RMF turns at the rate curvature, the Frenet frame at frenet_rate = sqrt(curvature^2 +\n"
       "torsion^2), per unit of arc length.\n"

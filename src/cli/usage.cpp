@@ -126,7 +126,12 @@ std::string complaint_about_command(const Program& program, const std::vector<st
   const std::string there_are = fmt::format("there are {} (phrame --help)", fmt::join(names, ", "));
   if (words.empty()) return "a command is needed: " + there_are;
   const std::string& word = words.front();
-  if (word.starts_with('-') || program.find(word) != nullptr) return "";
+  if (program.find(word) != nullptr) return "";
+  if (looks_like_option(word)) {
+    const bool is_known =
+        word == "--" || is_in(option_in(word), names_of(program.app().get_options()));
+    return is_known ? "" : abbreviated(word) + ": options come after the command (phrame --help)";
+  }
   const auto meant = suggestion(word, names);
   return fmt::format("{} is not a command{}", in_quotes(word),
                      meant ? question(meant) + " (phrame --help)" : ": " + there_are);

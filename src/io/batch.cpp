@@ -115,7 +115,9 @@ JsonValue parse_line(std::string_view line) {
   try {
     return parse_json(line);
   } catch (const InputError& error) {
-    throw InputError(error.place(), error.reason() + " (each line is a JSON object by itself)");
+    const std::string& place = error.place();
+    const std::string column = place.starts_with("1:") ? "column " + place.substr(2) : place;
+    throw InputError(column, error.reason() + " (each line is a JSON object by itself)");
   }
 }
 
@@ -141,6 +143,19 @@ std::optional<std::string> batch_id(std::string_view line) {
     const std::string id = id_of(parse_json(line));
     if (id != "null") return id;
   } catch (const InputError&) {  // no JSON: it is computed, and refused, again
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> answered_id(std::string_view line) {
+  try {
+    const JsonValue document = parse_json(line);
+    if (document.kind != Kind::object) return std::nullopt;
+    const JsonValue* format = document.find("phrame");
+    const bool is_angle =
+        format != nullptr && (format->text == "angle/1" || format->text == "spline-angle/1");
+    if (is_angle || document.find("error") != nullptr) return id_of(document);
+  } catch (const InputError&) {
   }
   return std::nullopt;
 }

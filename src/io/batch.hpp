@@ -32,8 +32,11 @@ struct BatchAnswer {
 /// Throws nothing but bad_alloc.
 BatchAnswer batch_answer(std::string_view line, const BatchDefaults& defaults);
 
-/// The id of a line of a batch or of an answer, as JSON text, which is the name of a bare curve; no
-/// value where it has none, or is none.
+/// The id of a line of a batch, as JSON text, which is the name of a bare curve; no value where it
+/// has none, or is no JSON.
 std::optional<std::string> batch_id(std::string_view line);
+/// The id of an answer, errors included, "null" where it has none; no value where the line is no
+/// answer.
+std::optional<std::string> answered_id(std::string_view line);
 
 }  // namespace phrame

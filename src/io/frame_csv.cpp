@@ -96,6 +96,8 @@ TextTable::TextTable(std::string_view text, bool reads_comment) {
     throw InputError("line 1",
                      "this is an archive (.npz?); an array saved by numpy.save is wanted");
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // the mark of UTF-8
+  if (text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size())).starts_with('{'))
+    throw InputError("line 1", "this is JSON; a table of text or an array of NumPy is wanted");
   for (long line = 1; !text.empty(); ++line) {
     const auto end = std::min(text.find('\n'), text.size());
     add(trimmed(text.substr(0, end), blanks), line);

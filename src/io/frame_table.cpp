@@ -86,16 +86,24 @@ struct Scalar {
   bool is_square;
   bool is_on_segment;  ///< known for t in [0, 1] only
 
+  std::string undefined;  ///< why it is, for all t; empty where it is not
+
   Scalar(const Curve& curve, TabulatedScalar of)
       : kind(of),
-        f(function_of(curve, of)),
         is_square(of == TabulatedScalar::curvature || of == TabulatedScalar::frenet_rate),
-        is_on_segment(of == TabulatedScalar::arc_length && !curve.multiplier().is_constant()) {}
+        is_on_segment(of == TabulatedScalar::arc_length && !curve.multiplier().is_constant()) {
+    try {
+      f = function_of(curve, of);
+    } catch (const DomainError& error) {
+      undefined = error.what();
+    }
+  }
   /// The value at t of the point.
   Real at(const SplinePoint& point, const AlgebraicPoint& t) const;
 };
 
 Real Scalar::at(const SplinePoint& point, const AlgebraicPoint& t) const {
+  if (!undefined.empty()) throw DomainError(undefined);
   if (is_on_segment && (compare(t.number(), 0) < 0 || compare(t.number(), 1) > 0))
     throw DomainError(
         fmt::format("frame_table: {} is outside [0, 1], where the sign of the multiplier is known",
@@ -231,10 +239,11 @@ std::vector<double> Rows::at(const SplinePoint& point) {
   else
     add_irrational(row, point, t);
   for (const Scalar& scalar : segment(point.segment).scalars) {
-    const bool is_length = scalar.kind == TabulatedScalar::arc_length;
-    const Rational offset = is_length ? length_before(point.segment) : Rational(0);
-    add_where_defined(row, 1,
-                      [&] { row.push_back(round_to_double(scalar.at(point, t) + offset)); });
+    add_where_defined(row, 1, [&] {
+      const Real value = scalar.at(point, t);
+      const bool is_length = scalar.kind == TabulatedScalar::arc_length;
+      row.push_back(round_to_double(is_length ? value + length_before(point.segment) : value));
+    });
   }
   for (std::size_t k = 0; k < row.size(); ++k)
     if (std::isinf(row[k]))  // rounded to infinity, which is no answer

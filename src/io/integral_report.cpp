@@ -100,8 +100,8 @@ std::string to_text(const IntegralReport& report) {
   const std::string& x = report.integrand.variable;
   const RationalFunction& f = report.integrand.value;
   const std::string form = text_form(report);
-  std::string text = fmt::format("  f  = {}\n  ∫f = {}{}\n", formatted_quotient(f, unicode, x),
-                                 form, form == "0" ? "" : "\n      + constant");
+  std::string text = fmt::format("  f  = {}\n  ∫f = {}\n", formatted_quotient(f, unicode, x),
+                                 form == "0" ? "constant" : form + "\n      + constant");
   if (report.says_checked) text += "  Checked: the derivative of this ∫f is f, exactly.\n";
   if (report.textbook) {
     text += fmt::format("  Form: {}.\n", reason_for_form(*report.textbook));

@@ -244,6 +244,12 @@ TEST_CASE("frames: cells that are undefined are left empty where this is asked f
         "principal normal is undefined\n");
   check_failure(here.run("frames inflected.json --frame rmf --samples 3 --skip-undefined"), 2,
                 "--skip-undefined: needs --frame frenet or --columns");
+  // A straight line has no torsion anywhere.
+  const Run line = here.run("frames line.json --columns torsion,s --at 1 --skip-undefined");
+  CHECK(line.status == 0);
+  CHECK(contains(line.out, ",,1\n"));
+  check_failure(here.run("frames line.json --columns torsion --at 1"), 3,
+                "its torsion is undefined (--skip-undefined leaves such cells empty)");
   // What is outside of the curve is no empty row.
   check_failure(
       here.run("frames quintic.json --frame frenet --by arc-length --at 99 --skip-undefined"), 3,

@@ -72,6 +72,14 @@ TEST_CASE("terminal: what is missing, doubled or too much is said in our words")
   check_failure(here.run("--"), 2, "a command is needed");
 }
 
+TEST_CASE("terminal: an option before the command is told where it belongs") {
+  const Workshop here;
+  check_failure(here.run("--at 1 angle quintic.json"), 2,
+                "--at: options come after the command (phrame --help)");
+  check_failure(here.run("-o x.json info quintic.json"), 2, "-o: options come after the command");
+  check_success(here.run("--version"));
+}
+
 TEST_CASE("terminal: an unknown key of a curve file is answered with what was meant") {
   const Workshop here;
   here.write("points.json", R"({"phrame": "curve/1", "points": [[0, 0, 0], [1, 0, 0]]})");

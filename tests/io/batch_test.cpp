@@ -108,6 +108,11 @@ TEST_CASE("batch: a line may be a bare curve or spline, its name being the id") 
       2, "/preimage/u/0: ");
   check_error(R"({"phrame": "angle/1", "id": 1})", 2, "/phrame: the format is");
   check_error(R"({"phrame": "curve/1", "curve": 1})", 2, "unknown key \"phrame\"");
+  CHECK(answered_id(answer(spline).dump()) == "null");
+  // Questions and other objects are no answers, errors are.
+  CHECK(answered_id(R"({"id":8,"curve":0})") == std::nullopt);
+  CHECK(answered_id(R"({"id":8})") == std::nullopt);
+  CHECK(answered_id(batch_answer(R"({"id": 8, "curve": 0})", {}).line) == "8");
   // The answer to a spline has a name and an id; the id counts.
   CHECK(batch_id(R"({"id":null,"phrame":"spline-angle/1","name":"x"})") == std::nullopt);
 }
@@ -135,6 +140,7 @@ TEST_CASE("batch: a failure has the status that the program would have, and the 
   const std::string line =
       R"({"basis": "power", "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})";
   check_error("", 2, "not valid JSON: the input is empty");
+  check_error("{bad", 2, "column 2: not valid JSON: ");
   check_error("[1]", 2, "/: an object is wanted");
   check_error(R"({"id": 1})", 2, "the key \"curve\" is missing");
   check_error(R"({"id": [1], "curve": )" + line + "}", 2, "/id: an id is a string or a number");
