@@ -7,6 +7,9 @@
 #include <random>
 
 #include "curves.hpp"
+#include "phrame/io/c_header.hpp"
+#include "phrame/ph/spline_angle.hpp"
+#include "phrame/ph/transform.hpp"
 #include "quintic.h"  // by phrame compile
 
 namespace phrame::bench {
@@ -41,6 +44,25 @@ void compile_frames(State& state) {
   const Curve curve = random_curve(state.range(0));
   RmfAngle angle(curve, Reference::erf);
   for (auto _ : state) benchmark::DoNotOptimize(CompiledFrames(curve, angle, 0, 1));
+}
+
+/// A spline of so many segments, those of a quintic, as phrame compile does it: the joints checked,
+/// the angle and the rotation approximated, the header written. In proportion to their number.
+void compile_spline(State& state) {
+  const Curve curve = random_curve(2);
+  const long n = state.range(0);
+  std::vector<Curve> segments;
+  for (long k = 0; k < n; ++k)
+    segments.push_back(segment(curve, Rational(k, n), Rational(k + 1, n)));
+  for (auto _ : state) {
+    Spline spline(segments.front());
+    for (std::size_t k = 1; k < segments.size(); ++k) spline.append(segments[k]);
+    SplineAngle angle(std::move(spline));
+    benchmark::DoNotOptimize(to_c_header({"spline", "", true, Reference::erf, Angle(),
+                                          compiled_angle(angle, Angle(), plain_shape(1)),
+                                          compiled_rotation(angle, Angle(), plain_shape(4))}));
+  }
+  state.SetComplexityN(n);
 }
 
 /// Correctly rounded.
@@ -226,6 +248,11 @@ void all_steps(benchmark::internal::Benchmark* b) {
 
 BENCHMARK(compile_angle)->Apply(all_m);
 BENCHMARK(compile_frames)->Apply(all_m);
+BENCHMARK(compile_spline)
+    ->RangeMultiplier(2)
+    ->Range(500, 4000)
+    ->Complexity(benchmark::oN)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(compiled_angle)->Apply(all_m);
 BENCHMARK(compiled_frame)->Apply(all_m);
 BENCHMARK(header_angle);

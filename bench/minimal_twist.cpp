@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "curves.hpp"
-#include "phrame/ph/rational_twist.hpp"
+#include "phrame/ph/twist_frame.hpp"
 
 namespace phrame::bench {
 namespace {
@@ -48,10 +48,25 @@ void rational_twist_frame_proved_20(State& state) { build(state, example(), 72);
 
 void rational_twist_frame_of_degree(State& state) { build(state, random_curve(state.range(0)), 0); }
 
+/// A quintic in so many pieces, each proved.
+void rational_twist_frame_in_pieces(State& state) {
+  const Curve curve = random_curve(2);
+  const long n = state.range(0);
+  std::vector<Rational> points;
+  for (long k = 1; k < n; ++k) points.emplace_back(k, n);
+  for (auto _ : state) {
+    SplineAngle angle{Spline(curve)};
+    const MinimalTwist mtf(angle, FrameAngle{}, FrameAngle{0, 1});
+    const TwistFrame frame = twist_frame(mtf, {}, {points});
+    benchmark::DoNotOptimize(root_mean_square(frame).enclose(64));
+  }
+}
+
 BENCHMARK(exact_twist_frame)->Unit(benchmark::kMillisecond);
 BENCHMARK(rational_twist_frame)->Unit(benchmark::kMillisecond);
 BENCHMARK(rational_twist_frame_proved_12)->Unit(benchmark::kMillisecond);
 BENCHMARK(rational_twist_frame_proved_20)->Unit(benchmark::kMillisecond);
+BENCHMARK(rational_twist_frame_in_pieces)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond);
 BENCHMARK(rational_twist_frame_of_degree)
     ->Arg(2)
     ->Arg(5)

@@ -30,6 +30,15 @@ void frenet_energy(State& state) {
   }
 }
 
+/// ∫ τ ds: the argument of the bend beside the twist.
+void total_torsion(State& state) {
+  const Curve curve = random_curve(state.range(0));
+  for (auto _ : state) {
+    const Total torsion = phrame::total_torsion(curve);
+    benchmark::DoNotOptimize(round_to_decimal(torsion.value, 17));
+  }
+}
+
 /// θ at the end of a quintic in so many pieces, the joints checked.
 void spline_angle(State& state) {
   const Curve curve = random_curve(2);
@@ -45,7 +54,8 @@ void spline_angle(State& state) {
 }
 
 BENCHMARK(bending_energy)->Arg(2)->Arg(5)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
-BENCHMARK(frenet_energy)->Arg(2)->Arg(5)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
+BENCHMARK(frenet_energy)->Arg(2)->Arg(5)->Arg(10)->Arg(20)->Arg(80)->Unit(benchmark::kMillisecond);
+BENCHMARK(total_torsion)->Arg(2)->Arg(20)->Arg(80)->Unit(benchmark::kMillisecond);
 BENCHMARK(spline_angle)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond);
 
 }  // namespace

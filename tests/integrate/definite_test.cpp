@@ -230,3 +230,19 @@ TEST_CASE("definite: close ends lose no accuracy") {
   const Rational series = h - h * h * h / 3;
   CHECK(digits({{1}, {1, 0, 1}}, 0, h, 60) == round_to_decimal(series, 60).value);
 }
+
+// ∫₀¹ 2/(1 + t²) = π/2 and ∫₀¹ 1/(t − 2) = −log 2, given in fractions with and without a pole in
+// common.
+TEST_CASE("definite: what is known of the logarithms gives the same values") {
+  const Polynomial circle{1, 0, 1};
+  const Polynomial line{-2, 1};
+  const RationalFunction f = RationalFunction({2}, circle) + RationalFunction({1}, line);
+  const Antiderivative F = integrate(f);
+  const std::vector<SimpleFraction> apart[] = {{{{2}, circle}, {{1}, line}},
+                                               {{{1}, circle}, {{1}, line}, {{1}, circle}}};
+  for (const auto& fractions : apart) {
+    Evaluator evaluator(F, f, fractions);
+    CHECK(round_to_decimal(evaluator.value(0, 1), 20).value == "0.87764914623495130981");
+    CHECK_THROWS_WITH_AS(evaluator.value(0, 3), doctest::Contains("pole at 2"), DomainError);
+  }
+}
