@@ -128,9 +128,16 @@ std::string complaint_about_command(const Program& program, const std::vector<st
   const std::string& word = words.front();
   if (program.find(word) != nullptr) return "";
   if (looks_like_option(word)) {
-    const bool is_known =
-        word == "--" || is_in(option_in(word), names_of(program.app().get_options()));
-    return is_known ? "" : abbreviated(word) + ": options come after the command (phrame --help)";
+    const auto has_it = [&](const Command* command) {
+      return is_in(option_in(word), names_of(command->app().get_options()));
+    };
+    const auto commands = program.commands();
+    const bool is_own =
+        is_in(option_in(word), names_of(std::as_const(program.app()).get_options()));
+    const bool is_theirs = std::any_of(commands.begin(), commands.end(), has_it);
+    return is_own || !is_theirs
+               ? ""
+               : abbreviated(word) + ": options come after the command (phrame --help)";
   }
   const auto meant = suggestion(word, names);
   return fmt::format("{} is not a command{}", in_quotes(word),

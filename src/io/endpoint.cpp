@@ -145,7 +145,8 @@ RationalFunction in_letter(std::string_view text, std::string_view letter,
       constexpr std::string_view root = "√(…)";
       const std::size_t end = reason.find_first_not_of(' ', at + letter.size());
       const bool is_padded = end != std::string::npos && end > at + letter.size() + 1;
-      reason.replace(at, is_padded ? end - at : letter.size(), root);
+      const std::size_t kept = is_padded && reason[end] != ')' ? 1 : 0;  // of its blanks
+      reason.replace(at, is_padded ? end - at - kept : letter.size(), root);
       at += root.size();
     }
     throw InputError(error.place(), reason);

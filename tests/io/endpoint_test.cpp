@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/text.hpp"
 
 using namespace phrame;
 
