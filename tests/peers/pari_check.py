@@ -7,6 +7,7 @@ are the integrals.
 import atexit
 import functools
 import os
+import re
 import subprocess
 from fractions import Fraction
 
@@ -80,7 +81,9 @@ def derives(text):
 
 
 def evaluate(text, digits):
-    lines = run(text.replace("polroots(", "roots(") + DIFFERENCES % digits)
+    """Numbers are rounded when they are divided, for to reduce long fractions at each point takes hours."""
+    text = re.sub(r"\((\d+)/(\d+)\)", r"(\1./\2)", text.replace("polroots(", "roots("))
+    lines = run(text + DIFFERENCES % digits)
     return [complex(*(float(part.replace(" ", "")) for part in line.split(";"))) for line in lines]
 
 
