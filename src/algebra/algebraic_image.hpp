@@ -4,11 +4,12 @@
 
 namespace phrame {
 
-/// factor·x + shift, factor ≠ 0.
+/// factor·x + shift. Throws DomainError for factor = 0.
 RealAlgebraic affine(const RealAlgebraic& x, const Rational& factor, const Rational& shift);
 
 /// y(x) for a polynomial y: the root, near its value, of the characteristic polynomial of y in
-/// ℚ[t]/(p), a power of an irreducible one, where p is the polynomial of x.
+/// ℚ[t]/(p), a power of an irreducible one, where p is the polynomial of x. Cost: that polynomial
+/// and its squarefree part.
 RealAlgebraic image(const Polynomial& y, const RealAlgebraic& x);
 /// f(x). Throws DomainError at a pole.
 RealAlgebraic image(const RationalFunction& f, const RealAlgebraic& x);

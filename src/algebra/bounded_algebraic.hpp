@@ -21,7 +21,8 @@ BoundedAlgebraic bounded(const RealAlgebraic& x);
 BoundedAlgebraic operator+(const BoundedAlgebraic& x, const BoundedAlgebraic& y);
 
 /// Is p(x) = 0, p ≠ 0? Decided by the product of the conjugates; no value where that needs more
-/// than 2¹⁸ bits of x and fewer do not show p(x) ≠ 0.
+/// than 2¹⁸ bits of x and fewer do not show p(x) ≠ 0. Cost: x to so many bits at worst, where
+/// p(x) = 0.
 std::optional<bool> is_root(const Polynomial& p, const BoundedAlgebraic& x);
 
 /// x with its polynomial, which is guessed from digits of x (a short vector of a lattice) and then

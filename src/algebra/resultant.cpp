@@ -92,8 +92,4 @@ bool residues_are_distinct_modulo_a_prime(const Polynomial& n, const Polynomial&
   return distinct_residues_modulo_a_prime(n, d) == d.degree();
 }
 
-bool residues_are_distinct(const Polynomial& n, const Polynomial& d) {
-  return residues_are_distinct_modulo_a_prime(n, d) || is_squarefree(residue_polynomial(n, d));
-}
-
 }  // namespace phrame

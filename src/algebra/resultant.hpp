@@ -18,8 +18,4 @@ long distinct_residues_modulo_a_prime(const Polynomial& n, const Polynomial& d);
 /// nothing. Same preconditions.
 bool residues_are_distinct_modulo_a_prime(const Polynomial& n, const Polynomial& d);
 
-/// Are the residues of n/d pairwise distinct? Proved by a prime, or else decided by the residue
-/// polynomial. Same preconditions.
-bool residues_are_distinct(const Polynomial& n, const Polynomial& d);
-
 }  // namespace phrame

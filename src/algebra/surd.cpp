@@ -3,16 +3,16 @@
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {
+
+Surd surd(const Rational& a, const Rational& b, const Integer& d) {
+  return b == 0 || d == 1 ? Surd{a + b, 0, 1} : Surd{a, b, d};
+}
+
+SurdPolynomial surd_polynomial(const Polynomial& a, const Polynomial& b, const Integer& d) {
+  return b.is_zero() || d == 1 ? SurdPolynomial{a + b, {}, 1} : SurdPolynomial{a, b, d};
+}
+
 namespace {
-
-Surd surd(Rational a, Rational b, const Integer& d) {
-  return b == 0 ? Surd{std::move(a), 0, 1} : Surd{std::move(a), std::move(b), d};
-}
-
-SurdPolynomial surd_polynomial(Polynomial a, Polynomial b, const Integer& d) {
-  return b.is_zero() ? SurdPolynomial{std::move(a), {}, 1}
-                     : SurdPolynomial{std::move(a), std::move(b), d};
-}
 
 /// The d of a field that holds both.
 template <class T>

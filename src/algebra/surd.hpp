@@ -20,6 +20,10 @@ struct SurdPolynomial {
   friend bool operator==(const SurdPolynomial&, const SurdPolynomial&) = default;
 };
 
+/// a + b·√d for a d that is 1 or no square.
+Surd surd(const Rational& a, const Rational& b, const Integer& d);
+SurdPolynomial surd_polynomial(const Polynomial& a, const Polynomial& b, const Integer& d);
+
 // Arithmetic in one field ℚ(√d): the operands have the same d, or one of them is rational.
 
 Surd operator+(const Surd& x, const Surd& y);

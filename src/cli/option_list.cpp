@@ -4,12 +4,15 @@
 #include <algorithm>
 
 namespace phrame::cli {
+namespace {
 
 std::string on_one_line(const std::string& text) {
   std::string line = text;
   std::replace(line.begin(), line.end(), '\n', ' ');
   return line;
 }
+
+}  // namespace
 
 std::vector<ListedOption> listed_options(const Command& command) {
   std::vector<ListedOption> list;

@@ -19,7 +19,4 @@ struct ListedOption {
 /// The visible ones: arguments, options that always apply, others.
 std::vector<ListedOption> listed_options(const Command& command);
 
-/// A text with its lines joined by blanks.
-std::string on_one_line(const std::string& text);
-
 }  // namespace phrame::cli

@@ -25,14 +25,6 @@
 namespace phrame {
 namespace {
 
-Surd surd(const Rational& a, const Rational& b, const Integer& d) {
-  return b == 0 || d == 1 ? Surd{a + b, 0, 1} : Surd{a, b, d};
-}
-
-SurdPolynomial surd_polynomial(const Polynomial& a, const Polynomial& b, const Integer& d) {
-  return b.is_zero() || d == 1 ? SurdPolynomial{a + b, {}, 1} : SurdPolynomial{a, b, d};
-}
-
 /// Has v a real zero? At a real root of a² − d·b² it is a zero of a + b√d where a·b ≤ 0.
 bool has_real_zero(const SurdPolynomial& v) {
   if (v.b.is_zero()) return count_real_roots(v.a, real_line()) > 0;
