@@ -7,7 +7,6 @@ whose functions are those of SymPy's evalf, with the same cuts; what is free of 
 import cmath
 import contextlib
 import math
-import sys
 
 import differences
 import peers
@@ -137,16 +136,15 @@ def is_close(f, g, x):
 
 
 def read(text):
-    """What the script defines, and its variable. Python reads it with its limit for the digits of integers; SymPy, which
-    factors the coefficients of a RootSum, has none."""
-    names, code = {}, compile(text, "script", "exec")
-    if limit := getattr(sys, "get_int_max_str_digits", int)():
-        sys.set_int_max_str_digits(0)
+    """What the script defines, and its variable. Python reads it with the limit for the digits of integers that its users
+    have; SymPy, which factors what the coefficients of a RootSum have in common, has none."""
+    names = {}
+    differences.limit_integers(4300)
     try:
-        exec(code, names)
+        code = compile(text, "script", "exec")
     finally:
-        if limit:
-            sys.set_int_max_str_digits(limit)
+        differences.limit_integers(0)
+    exec(code, names)
     return sympy.sympify(names["antiderivative"]), names["integrand"], names[text.splitlines()[1].replace(",", " ").split()[0]]
 
 
