@@ -6,6 +6,11 @@ difference is compared with Gauss's quadrature of the integrand, whose values ar
 import functools
 import math
 import os
+import sys
+
+# Sets how many decimal digits the integers have that Python reads; 0 is no limit.
+limit_integers = getattr(sys, "set_int_max_str_digits", lambda digits: None)
+limit_integers(0)
 
 # sinh spreads the grid: fine near 0, and out to ±1400. 1/7 keeps it off the poles that people choose.
 FINENESS = 16 if os.environ.get("PHRAME_PEERS") == "corpus" else 8

@@ -40,7 +40,7 @@ CURVES = """
 FORMS = ["auto", "partial-fractions", "rothstein-trager", "lazard-rioboo-trager", "real", "radicals"]
 UNDEFINED = 3  # phrame's exit status for radicals, or a Frenet frame, that do not exist
 IS_CORPUS = os.environ.get("PHRAME_PEERS") == "corpus"
-LIMIT = 1800  # seconds for an antiderivative
+LIMIT = 600  # seconds for an antiderivative
 MAY_JUMP = "the logarithms may cross their cut"  # a comment of phrame's: the form asked for is not continuous
 
 TESTS = pathlib.Path(__file__).parent.parent

@@ -5,7 +5,7 @@ SymPy's own evalf is too slow for a grid. So the expression it has read is evalu
 whose functions are those of SymPy's evalf, with the same cuts; what is free of the variable once.
 """
 import cmath
-import functools
+import contextlib
 import math
 
 import differences
@@ -47,24 +47,20 @@ def is_zero(f, x):
 
 
 def roots(q):
-    """Of a squarefree polynomial over the rationals: about, then by Newton's method in the precision of mp."""
-    coefficients = [int(c) for c in q.clear_denoms(convert=True)[1].all_coeffs()]
-    for approximate in [in_doubles, *(functools.partial(in_digits, digits=digits) for digits in (30, 120, 480, 1920))]:
-        try:
-            with mp.workprec(2 * mp.prec):
-                found = [newton(coefficients, r) for r in approximate(coefficients)]
-        except (ArithmeticError, mp.NoConvergence):
-            continue
-        if all(abs(r - s) > mp.eps * abs(r) for k, r in enumerate(found) for s in found[:k]):
-            return [r.real if abs(r.imag) <= mp.eps * abs(r) else r for r in found]
-    raise ArithmeticError(f"the roots of a polynomial of degree {len(coefficients) - 1}")
-
-
-def in_doubles(coefficients):
-    """The method of Ehrlich and Aberth from points on a circle."""
-    largest, n = max(map(abs, coefficients)), len(coefficients) - 1
-    c = [a / largest for a in coefficients]
+    """Of a squarefree polynomial over the rationals, in the precision of mp: first in doubles."""
+    integers = [int(c) for c in q.clear_denoms(convert=True)[1].all_coeffs()]
+    largest, n = max(map(abs, integers)), q.degree()
     z = [cmath.rect(1 + 0.1 * math.sin(k), 0.4 + 2 * math.pi * k / n) for k in range(n)]
+    with contextlib.suppress(ArithmeticError):
+        z = ehrlich_aberth([c / largest for c in integers], z, 1e-13)
+    with mp.workprec(2 * mp.prec):
+        z = ehrlich_aberth(list(map(mp.mpf, integers)), list(map(mp.mpc, z)), mp.eps ** 0.75)
+    return [r.real if abs(r.imag) <= mp.eps * abs(r) else r for r in z]
+
+
+def ehrlich_aberth(c, z, accuracy):
+    """The roots by the method of Ehrlich and Aberth from z, or what 200 steps have come to."""
+    n = len(z)
     for _ in range(200):
         steps = []
         for k, r in enumerate(z):
@@ -78,24 +74,9 @@ def in_doubles(coefficients):
             ratio = slope / value if inside else (n - x * slope / value) * x  # p'/p at r, or of rⁿ·p(1/r)
             steps.append(1 / (ratio - sum(1 / (r - s) for s in z[:k] + z[k + 1:])))
         z = [r - step for r, step in zip(z, steps)]
-        if all(abs(step) <= 1e-13 * abs(r) for r, step in zip(z, steps)):
+        if all(abs(step) <= accuracy * abs(r) for r, step in zip(z, steps)):
             break
-    return map(mp.mpc, z)
-
-
-def in_digits(coefficients, digits):
-    with mp.workdps(digits):
-        return mp.polyroots(coefficients, maxsteps=200, extraprec=4 * digits)
-
-
-def newton(coefficients, r):
-    for _ in range(20):
-        value, slope = mp.polyval(coefficients, r, derivative=True)
-        step = value / slope
-        r -= step
-        if abs(step) <= mp.eps ** 0.75 * abs(r):
-            return r
-    raise mp.NoConvergence
+    return z
 
 
 class Values:
@@ -155,9 +136,15 @@ def is_close(f, g, x):
 
 
 def read(text):
-    """What the script defines, and its variable."""
+    """What the script defines, and its variable. Python reads it with the limit for the digits of integers that its users
+    have; SymPy, which factors what the coefficients of a RootSum have in common, has none."""
     names = {}
-    exec(text, names)
+    differences.limit_integers(4300)
+    try:
+        code = compile(text, "script", "exec")
+    finally:
+        differences.limit_integers(0)
+    exec(code, names)
     return sympy.sympify(names["antiderivative"]), names["integrand"], names[text.splitlines()[1].replace(",", " ").split()[0]]
 
 
