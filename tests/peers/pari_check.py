@@ -58,20 +58,28 @@ def gp(_):
     return process
 
 
-def run(text):
+def answer(process, text):
     """The lines it prints. What an earlier text has defined is gone, should this one not be read."""
-    process = gp(os.getpid())
+    process.stdin.write("kill(integrand); kill(antiderivative);\n" + text + 'print("done");\n')
+    process.stdin.flush()
+    lines = []
+    for line in process.stdout:
+        if line == "done\n":
+            return lines
+        lines.append(line.rstrip())
+    raise BrokenPipeError("gp has ended")
+
+
+def run(text):
+    """answer() of this process's gp. After minutes of long polynomials a gp has been seen to end; a new one is asked then."""
     try:
-        process.stdin.write("kill(integrand); kill(antiderivative);\n" + text + 'print("done");\n')
-        process.stdin.flush()
-        lines = []
-        for line in process.stdout:
-            if line == "done\n":
-                return lines
-            lines.append(line.rstrip())
-        raise EOFError("gp has ended")
-    except (peers.TooLong, EOFError, BrokenPipeError):
-        process.kill()
+        try:
+            return answer(gp(os.getpid()), text)
+        except BrokenPipeError:
+            gp.cache_clear()
+            return answer(gp(os.getpid()), text)
+    except peers.TooLong:
+        gp(os.getpid()).kill()
         gp.cache_clear()
         raise
 
