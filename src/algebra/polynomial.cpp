@@ -12,8 +12,8 @@ namespace {
 /// From so many words on an integer is long.
 constexpr slong long_limbs = 16;
 
-/// Are the coefficients of a long beside those of b? The operations of a school are then faster
-/// than FLINT's, which pad all of them to one length.
+/// Are the coefficients of a long beside those of b? Then the schoolbook algorithms are faster than
+/// FLINT's choice, which pads all coefficients to one length.
 bool is_long_beside(const fmpz* a, slong length_a, const fmpz* b, slong length_b) {
   constexpr slong most_terms = 1024;
   constexpr slong short_limbs = 2;
