@@ -137,7 +137,7 @@ void add_max_degree(Command& command, CurveLimits& limits) {
 std::string read_file(const std::string& path) {
   std::error_code ignored;
   if (path != "-" && std::filesystem::is_directory(path, ignored))
-    throw InputError(path, "is a directory, not a curve file");
+    throw InputError(path, "is a directory, not a file");
   const File opened(path == "-" ? nullptr : std::fopen(path.c_str(), "rb"));
   if (path != "-" && !opened) fail_with_errno(path, "cannot be read");
   std::FILE* file = path == "-" ? stdin : opened.get();

@@ -232,6 +232,32 @@ TEST_CASE("program: what is undefined has status 3 and its reason") {
   check_success(here.run("frames inflected.json --frame frenet --at 1/2,1"));
 }
 
+// A place on the terminal is a file, an option or a notion of the manual.
+TEST_CASE("program: no message begins with the name of a function") {
+  const Workshop here;
+  const std::string cusped = R"({"phrame": "curve/1", "basis": "power",
+      "preimage": {"u": [-1, 2], "v": [0], "p": [0], "q": [0, -1, 2]}})";
+  here.write("cusped.json", cusped);
+  check_failure(here.run("frames line.json --samples 2 --frame frenet"), 3,
+                "phrame: Frenet frame: the curve is a straight line");
+  check_failure(here.run("frames inflected.json --at 0 --frame frenet"), 3,
+                "phrame: Frenet frame: t = 0 is an inflection");
+  check_failure(here.run("frames cusped.json --at 1/2 --columns curvature"), 3,
+                "phrame: curvature: infinite at t = 1/2");
+  check_failure(here.run("frames quintic.json --at 3 --frame mtf --from 0 --to 1"), 3,
+                "phrame: t = 3 is outside [0, 1]\n");
+  check_failure(here.run("interpolate quintic.json --period 1 --feed kappa"), 3,
+                "phrame: signed curvature: the curve is not plane");
+  check_failure(here.run("prove cusped.json --at 1"), 3,
+                "phrame: proof: the preimage has a zero between 0 and t = 1,");
+  here.write("table.csv", "t,x,y,z\n0,0,0,0\n");
+  check_failure(here.run("angle table.csv"), 2,
+                "phrame: table.csv:1:2: a curve file is JSON, this begins with \"t,x,y,z\"\n");
+  check_failure(here.run("verify table.csv"), 2,
+                "phrame: table.csv:1:2: a certificate is JSON, this begins with \"t,x,y,z\"\n");
+  check_failure(here.run("check line.json ."), 2, "phrame: .: is a directory, not a file\n");
+}
+
 TEST_CASE("frames: cells that are undefined are left empty where this is asked for, and said") {
   const Workshop here;
   const std::string frames = "frames inflected.json --frame frenet --samples 3";
@@ -240,7 +266,7 @@ TEST_CASE("frames: cells that are undefined are left empty where this is asked f
   CHECK(run.status == 0);
   CHECK(contains(run.out, "\n0,0,0,0,1,0,0,,,,,,\n"));
   CHECK(run.err ==
-        "phrame: 1 of 3 rows has empty cells; the first: frenet_frame: t = 0 is an inflection, the "
+        "phrame: 1 of 3 rows has empty cells; the first: Frenet frame: t = 0 is an inflection, the "
         "principal normal is undefined\n");
   check_failure(here.run("frames inflected.json --frame rmf --samples 3 --skip-undefined"), 2,
                 "--skip-undefined: needs --frame frenet or --columns");

@@ -207,7 +207,7 @@ TEST_CASE("frame table: scalars that are undefined or infinite are refused, with
   const Curve cusped({c, Polynomial(), Polynomial(), c * Polynomial{0, 1}});
   const RealAlgebraic cusp = real_root(c, closed(0, 1));
   CHECK(contains(message(cusped, TabulatedScalar::curvature, cusp),
-                 "curvature is infinite at t ≈ 0.707106781187"));
+                 "curvature: infinite at t ≈ 0.707106781187"));
   CHECK(message(cusped, TabulatedScalar::curvature, Rational(1)).empty());
   const Curve turning({{1}, {}, {}, {}}, {-1, 2});
   CHECK(contains(message(turning, TabulatedScalar::arc_length, Rational(0)), "changes sign"));
