@@ -246,8 +246,7 @@ std::vector<double> Rows::at(const SplinePoint& point) {
   }
   for (std::size_t k = 0; k < row.size(); ++k)
     if (std::isinf(row[k]))  // rounded to infinity, which is no answer
-      throw Undecided(fmt::format("frame_table: at {}, {} is beyond the range of doubles",
-                                  text_of(point), names()[k]));
+      throw InputError(text_of(point), names()[k] + " does not fit a double, of at most 1.8e308");
   return row;
 }
 
