@@ -8,6 +8,17 @@ using namespace phrame;
 using namespace phrame::test;
 
 // Example 1 of Farouki and Moon, with the angle at the end that its results need.
+// A = (t³ − 1/5)(1 + 2k): a cusp at ∛(1/5) = 0.5848035476425732…
+TEST_CASE("mtf: a cusp at an irrational t is told in decimals, by info and angle, too") {
+  const Workshop here;
+  here.write("cusp.json", R"({"phrame": "curve/1", "basis": "power",
+      "preimage": {"u": ["-1/5", 0, 0, 1], "v": [0], "p": [0], "q": ["-2/5", 0, 0, 2]}})");
+  check_failure(here.run("mtf cusp.json --from 0 --to 1 --degree 2"), 3,
+                "phrame: the curve has a cusp at t ≈ 0.584803, where a frame");
+  for (const std::string command : {"info", "angle"})
+    CHECK(contains(here.run(command + " cusp.json").out, " t ≈ 0.584803, in (306605/524288, "));
+}
+
 TEST_CASE("mtf: twist and angles of an example of the paper") {
   const Workshop here;
   here.write("example.json", R"({"phrame": "curve/1", "basis": "bernstein", "quaternions": [
