@@ -68,6 +68,8 @@ struct Question {
 Question question(const JsonNode& line, const BatchDefaults& defaults) {
   line.require(Kind::object, "an object");
   if (!line.find("curve")) {
+    if (line.find("spline"))
+      line.fail("a spline stands at the key \"curve\", too, not at \"spline\"");
     if (!line.find("phrame"))
       line.fail("the key \"curve\" is missing, and without \"phrame\" it is no bare curve");
     return {read_curve_or_spline(line, defaults.limits), defaults.frame, defaults.at,
@@ -134,7 +136,7 @@ BatchAnswer batch_answer(std::string_view line, const BatchDefaults& defaults) {
     const auto [status, message] = current_failure();
     const JsonOutput error = {{"status", status}, {"message", message}};
     const auto text = error.dump(-1, ' ', false, JsonOutput::error_handler_t::replace);
-    return {fmt::format("{{\"id\":{},\"error\":{}}}", id, text), true};
+    return {fmt::format("{{\"id\":{},\"error\":{}}}", id, text), true, message};
   }
 }
 

@@ -238,6 +238,29 @@ TEST_CASE("program: what is undefined has status 3 and its reason") {
 }
 
 // A place on the terminal is a file, an option or a notion of the manual.
+TEST_CASE("batch: the lines that failed are told by their numbers in the input") {
+  const Workshop here;
+  std::string line = bytes_of(here.file("line.json"));
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  const std::string good = line + "\n";
+  const Run run = here.run("batch", good + "\n \n" + "{bad\n" + good + "{\"curve\": 7}");
+  CHECK(run.status == 1);
+  CHECK(std::count(run.out.begin(), run.out.end(), '\n') == 4);
+  CHECK(contains(run.err, "phrame: 2 of 4 lines failed: 4, 6; line 4: column 2: not valid JSON: "));
+  CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
+  // The number is that in the input, also where lines are left out.
+  here.write("done.jsonl", R"({"id":"a","error":{"status":2}})"
+                           "\n");
+  const std::string skipped = R"({"id": "a", "curve": 0})"
+                              "\n";
+  CHECK(here.run("batch --skip-done done.jsonl", skipped + "{\"curve\": 7}").err ==
+        "phrame: 1 of 1 line failed: 2; line 2: /curve: an object is wanted, not the number 7\n");
+  std::string many;
+  for (int k = 0; k < 12; ++k) many += "7\n";
+  CHECK(contains(here.run("batch", many).err,
+                 "12 of 12 lines failed: 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, …; line 1: /: an object"));
+}
+
 TEST_CASE("program: no message begins with the name of a function") {
   const Workshop here;
   const std::string cusped = R"({"phrame": "curve/1", "basis": "power",
