@@ -76,7 +76,7 @@ std::variant<NamedCurve, NamedSpline> CurveOptions::read_curve_or_spline() const
 void Parameters::add_to(Command& command) {
   command.add_list("--at", "T,...", at, "values of t, separated by commas: 0,1/2,-3,0.25");
   command.add_number("--samples", samples, {2, 10'000'000},
-                     "N equally spaced values of t from start to end (N ≥ 2)");
+                     "N equally spaced values of t from start to end (N ≥ 2), after those of --at");
 }
 
 std::vector<Rational> Parameters::values(const Rational& end) const {

@@ -95,7 +95,9 @@ void add_compile(Program& program) {
   command.set_notes(
       "C99 without dependencies, in doubles; the header states the errors, proved with rounding\n"
       "included, usually below 2^-51 for the angle and 2^-50 for the frame.\n"
-      "A spline of n segments has t from 0 to n, and one frame through all of them.\n"
+      "A spline of n segments has t from 0 to n, and one frame through all of them; --frame, "
+      "--from\n"
+      "and --to are for single curves.\n"
       "Examples:\n"
       "  phrame compile curve.json -o angle.h\n"
       "  phrame compile curve.json --from -1 --to 2 --prefix arm -o arm.h");

@@ -229,8 +229,12 @@ TEST_CASE("mtf: what is refused, and where there is no rational frame") {
     CHECK(contains(run.err, message));
     CHECK(run.out.empty());
   };
+  check_refused(
+      "--subdivide foo",
+      "--subdivide: \"foo\" is not one of inflections, extrema, auto, rms:X with a number "
+      "X, and a parameter t\n");
   check_refused("--subdivide 2", "--subdivide: the parameter 2 is outside [0, 1]");
-  check_refused("--subdivide middle", "--subdivide: \"middle\" is not a number");
+  check_refused("--subdivide middle", "--subdivide: \"middle\" is not one of inflections, ");
   check_refused("--subdivide rms:0", "the error must be positive");
   check_refused("--subdivide rms:1,rms:2", "rms: is given twice");
   check_refused("--degree 9", "--degree");

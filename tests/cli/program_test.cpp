@@ -261,6 +261,16 @@ TEST_CASE("batch: the lines that failed are told by their numbers in the input")
                  "12 of 12 lines failed: 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, …; line 1: /: an object"));
 }
 
+TEST_CASE("frames: the rows of --at come first, in their order, as the help says") {
+  const Workshop here;
+  const std::string table = here.run("frames line.json --samples 2 --at 3,2").out;
+  std::string t;
+  std::istringstream lines(table);
+  for (std::string row; std::getline(lines, row);) t += row.substr(0, row.find(',')) + " ";
+  CHECK(t == "t 3 2 0 1 ");
+  CHECK(contains(here.run("frames --help").out, "(N ≥ 2), after those of --at\n"));
+}
+
 TEST_CASE("program: no message begins with the name of a function") {
   const Workshop here;
   const std::string cusped = R"({"phrame": "curve/1", "basis": "power",
