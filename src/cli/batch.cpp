@@ -17,6 +17,7 @@
 
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/line_stream.hpp"
+#include "phrame/io/number_text.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -69,8 +70,8 @@ void keep_aside(const std::string& path, const std::string& cut_off) {
   const Descriptor file(::open(aside.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666),
                         aside);
   write_whole(file, cut_off + "\n");
-  note(fmt::format("{}: the last line was cut off; its {} byte{} kept in {}", path, cut_off.size(),
-                   cut_off.size() == 1 ? " is" : "s are", aside));
+  note(fmt::format("{}: the last line was cut off; its {} {} kept in {}", path,
+                   counted(cut_off.size(), "byte"), cut_off.size() == 1 ? "is" : "are", aside));
 }
 
 /// Where the output is what is skipped, it is continued; a line that was cut off is kept aside.
@@ -137,8 +138,8 @@ class Failures {
   }
   long count() const { return count_; }
   std::string text(long lines) const {
-    return fmt::format("{} of {} {} failed: {}; {}", count_, lines, lines == 1 ? "line" : "lines",
-                       numbers_, first_);
+    return fmt::format("{} of {} failed: {}; {}", count_,
+                       counted(static_cast<std::size_t>(lines), "line"), numbers_, first_);
   }
 
  private:

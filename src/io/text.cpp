@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/number_text.hpp"
 
 namespace phrame {
 namespace {
@@ -105,7 +106,7 @@ std::string number_within(std::size_t limit, const Rational& x) {
 }
 
 std::string summary(long degree, std::size_t digits) {
-  return fmt::format("⟨degree {}, coefficients of up to {} digits⟩", degree, digits);
+  return fmt::format("⟨degree {}, coefficients of up to {}⟩", degree, counted(digits, "digit"));
 }
 
 }  // namespace

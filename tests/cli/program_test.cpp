@@ -271,6 +271,15 @@ TEST_CASE("frames: the rows of --at come first, in their order, as the help says
   CHECK(contains(here.run("frames --help").out, "(N ≥ 2), after those of --at\n"));
 }
 
+TEST_CASE("program: one of a kind is singular") {
+  const Workshop here;
+  CHECK(contains(here.run("angle quintic.json --at 1 --digits 1").out, "rounded to 1 digit\n"));
+  here.write("table.csv", "t;f2x;f2y;f2z\n0\n");
+  check_failure(here.run("check line.json table.csv"), 2, "1 number here, but 4 in the header");
+  here.write("column.csv", "0\n1\n");
+  check_failure(here.run("check line.json column.csv"), 2, "and of 1 column it is not known");
+}
+
 TEST_CASE("program: no message begins with the name of a function") {
   const Workshop here;
   const std::string cusped = R"({"phrame": "curve/1", "basis": "power",

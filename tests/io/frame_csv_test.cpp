@@ -80,8 +80,7 @@ TEST_CASE("frame table: what is wrong is told with line and column") {
         "line 1: columns f2x, f2y, f2z or qw, qx, qy, qz are wanted");
   CHECK(refusal("t,f2x,f2y,f2z,qw,qx,qy,qz\n0,1,0,0,1,0,0,0\n") ==
         "line 1: columns of vectors (f2x) and of quaternions (qw) exclude each other");
-  CHECK(refusal("t,f2x,f2y,f2z\n\n0,1,0\n") ==
-        "line 3: 4 numbers are wanted as in the header, not 3");
+  CHECK(refusal("t,f2x,f2y,f2z\n\n0,1,0\n") == "line 3: 3 numbers here, but 4 in the header");
   CHECK(refusal("t,f2x,f2y,f2z\n0,1,nan,0\n").starts_with("line 2, f2y: "));
   CHECK(refusal("t,qw,qx,qy,qz\n0,0,0,0,0\n") == "line 2: the quaternion is 0");
   CHECK(refusal("t;f2x;f2y;f2z\n0;0,5;1;0\n") ==
@@ -163,8 +162,7 @@ TEST_CASE("frame table: without a header the number of columns tells what they a
   const std::string commented = "# time nx ny nz\n0 1 2 3\n";
   CHECK(refusal(commented) == "line 1: a column \"t\" is wanted");
   CHECK(read_frames(commented, named).frames[0].t == 3);
-  CHECK(refusal("0 1 0 0\n0 1 0\n") ==
-        "line 2: 4 numbers are wanted as in the first line of them, not 3");
+  CHECK(refusal("0 1 0 0\n0 1 0\n") == "line 2: 3 numbers here, but 4 in the first line of them");
 }
 
 namespace {
