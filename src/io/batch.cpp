@@ -7,6 +7,7 @@
 #include "phrame/io/failure.hpp"
 #include "phrame/io/json_node.hpp"
 #include "phrame/io/json_text.hpp"
+#include "phrame/io/number_text.hpp"
 #include "phrame/io/spline_report.hpp"
 
 namespace phrame {
@@ -119,7 +120,10 @@ JsonValue parse_line(std::string_view line) {
   } catch (const InputError& error) {
     const std::string& place = error.place();
     const std::string column = place.starts_with("1:") ? "column " + place.substr(2) : place;
-    throw InputError(column, error.reason() + " (each line is a JSON object by itself)");
+    const std::string hint = trimmed(line).find('\r') == std::string_view::npos
+                                 ? "each line is a JSON object by itself"
+                                 : "lines end with a line feed, a carriage return alone ends none";
+    throw InputError(column, fmt::format("{} ({})", error.reason(), hint));
   }
 }
 

@@ -100,9 +100,10 @@ TextTable::TextTable(std::string_view text, bool reads_comment) {
   if (text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size())).starts_with('{'))
     throw InputError("line 1", "this is JSON; a table of text or an array of NumPy is wanted");
   for (long line = 1; !text.empty(); ++line) {
-    const auto end = std::min(text.find('\n'), text.size());
+    const auto end = std::min(text.find_first_of("\r\n"), text.size());
     add(trimmed(text.substr(0, end), blanks), line);
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const auto next = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
+    text.remove_prefix(std::min(next, text.size()));
   }
   if (names_.empty() && rows_.empty())
     throw InputError("line 1", "a table of numbers is wanted, below the names of its columns");

@@ -27,6 +27,28 @@ std::string refusal(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("frame table: lines end with a line feed, a carriage return or both") {
+  const auto read = [](const std::string& end) {
+    std::string text;
+    for (const char* line : {"t,f2x,f2y,f2z", "0,0,1,0", "1,0,0,1"}) text += line + end;
+    return read_frames(text).frames;
+  };
+  const auto frames = read("\n");
+  REQUIRE(frames.size() == 2);
+  for (const std::string end : {"\r", "\r\n"}) {
+    const auto same = read(end);
+    REQUIRE(same.size() == 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+      CHECK(same[k].t == frames[k].t);
+      CHECK(same[k].f2 == frames[k].f2);
+    }
+  }
+  // The lines are counted, whatever ends them.
+  for (const std::string end : {"\n", "\r", "\r\n"})
+    CHECK_THROWS_WITH_AS(read_frames("t,f2x,f2y,f2z" + end + end + "0,0,1,0" + end + "1,0" + end),
+                         "line 4: 2 numbers here, but 4 in the header", InputError);
+}
+
 TEST_CASE("frame table: numbers are read exactly, other columns are skipped") {
   const auto [frames, columns, skipped, has_quaternions] =
       read_frames("# by hand\n\nx,t,f2x,f2y,f2z\r\n?, 0.1, 1e-3,\t-2,1/3\r\n\n9,1,0,0,0x1p-1\n");
