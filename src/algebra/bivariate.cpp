@@ -82,8 +82,8 @@ Polynomial QuotientRing::divide(const Polynomial& n, const Polynomial& a) const 
   bool coprime = false;
   const auto image = [&](std::vector<ModularPolynomial> f) -> std::optional<ModularPolynomial> {
     if (f[2].degree() != size) return std::nullopt;
-    for (const std::size_t k : {std::size_t{0}, std::size_t{1}})
-      if (f[k].degree() >= size) nmod_poly_rem(f[k].raw(), f[k].raw(), f[2].raw());
+    phrame::reduce(f[0], f[2]);
+    phrame::reduce(f[1], f[2]);
     auto inverse = f[1].is_zero() ? std::nullopt : modular_inverse(f[1], f[2]);
     if (!inverse) {
       if (!coprime) require_coprime(a, modulus_);

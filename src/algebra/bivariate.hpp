@@ -39,8 +39,6 @@ class QuotientRing {
   Polynomial reduce(const Polynomial& a) const { return a % modulus_; }
   Bivariate reduce(const Bivariate& v) const;
   Polynomial multiply(const Polynomial& a, const Polynomial& b) const { return (a * b) % modulus_; }
-  /// a⁻¹. Throws DomainError where gcd(a, q) ≠ 1.
-  Polynomial inverse(const Polynomial& a) const { return divide(Polynomial{1}, a); }
   /// n·a⁻¹. Throws DomainError where gcd(a, q) ≠ 1. Cost: an inverse modulo each of as
   /// many primes as the result has words to a coefficient, the number of which is bounded
   /// beforehand.

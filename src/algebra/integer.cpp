@@ -16,6 +16,10 @@ void require_divisor(const Integer& a, const Integer& b) {
   if (b == 0) throw DomainError(fmt::format("division of {} by 0", abbreviated(a.str())));
 }
 
+void require_modulus(const Integer& m) {
+  if (m < 1) throw DomainError(fmt::format("{} is no modulus", abbreviated(m.str())));
+}
+
 }  // namespace
 
 Integer::Integer(const std::string& digits, int base) {
@@ -27,9 +31,9 @@ Integer::Integer(const std::string& digits, int base) {
     throw InputError(fmt::format("\"{}\" is not an integer", abbreviated(digits)));
 }
 
-std::string Integer::str() const {
-  std::string text(fmpz_sizeinbase(raw(), 10) + 2, '\0');
-  fmpz_get_str(text.data(), 10, raw());
+std::string Integer::str(int base) const {
+  std::string text(fmpz_sizeinbase(raw(), base) + 2, '\0');
+  fmpz_get_str(text.data(), base, raw());
   text.resize(text.find('\0'));
   return text;
 }
@@ -86,6 +90,21 @@ Integer floor_quotient(const Integer& a, const Integer& b) {
   require_divisor(a, b);
   Integer result;
   fmpz_fdiv_q(result.raw(), a.raw(), b.raw());
+  return result;
+}
+
+Integer modulo(const Integer& x, const Integer& m) {
+  require_modulus(m);
+  Integer result;
+  fmpz_mod(result.raw(), x.raw(), m.raw());
+  return result;
+}
+
+std::optional<Integer> inverse_modulo(const Integer& x, const Integer& m) {
+  require_modulus(m);
+  Integer result;
+  if (m == 1) return result;
+  if (fmpz_invmod(result.raw(), x.raw(), m.raw()) == 0) return std::nullopt;
   return result;
 }
 

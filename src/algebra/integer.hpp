@@ -2,6 +2,7 @@
 #include <compare>
 #include <concepts>
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 #include "phrame/algebra/handle.hpp"
@@ -32,7 +33,8 @@ class Integer {
 
   /// −1, 0 or 1.
   int sign() const { return fmpz_sgn(raw()); }
-  std::string str() const;
+  /// In base 10, or another from 2 to 36, digits above 9 being a, b, …
+  std::string str(int base = 10) const;
   /// Throws DomainError where it does not fit.
   explicit operator long() const;
   /// The nearest double, ±∞ beyond them.
@@ -83,6 +85,10 @@ Integer pow(const Integer& base, unsigned long exponent);
 Integer sqrt(const Integer& x);
 /// ⌊a/b⌋. Throws DomainError for b = 0.
 Integer floor_quotient(const Integer& a, const Integer& b);
+/// The residue of x in [0, m). Throws DomainError for m < 1.
+Integer modulo(const Integer& x, const Integer& m);
+/// 1/x modulo m, in [0, m); no value where gcd(x, m) ≠ 1. Throws DomainError for m < 1.
+std::optional<Integer> inverse_modulo(const Integer& x, const Integer& m);
 /// The number of bits of |x|; 0 for 0.
 inline long bit_length(const Integer& x) { return static_cast<long>(fmpz_bits(x.raw())); }
 

@@ -68,22 +68,27 @@ std::optional<ModularInverse> general_inverse(const ModularPolynomial& a,
 
 }  // namespace
 
-// The quotient is a power series: at t = 1/z, rev(a·b)/rev(q) modulo z^{deg q − 1}.
-ModularPolynomial multiply_modulo(const ModularPolynomial& a, const ModularPolynomial& b,
-                                  const ModularPolynomial& q) {
+// The quotient is a power series: with e = deg a − deg q, at t = 1/z, rev(a)/rev(q) modulo z^{e+1}.
+void reduce(ModularPolynomial& a, const ModularPolynomial& q) {
   const slong n = q.degree();
-  ModularPolynomial product(q.prime());
-  nmod_poly_mul(product.raw(), a.raw(), b.raw());
-  if (product.degree() < n) return product;
+  const slong e = a.degree() - n;
+  if (e < 0) return;
   ModularPolynomial quotient(q.prime());
   ModularPolynomial reversed(q.prime());
-  nmod_poly_reverse(quotient.raw(), product.raw(), 2 * n - 1);
+  nmod_poly_reverse(quotient.raw(), a.raw(), a.degree() + 1);
   nmod_poly_reverse(reversed.raw(), q.raw(), n + 1);
-  nmod_poly_div_series(quotient.raw(), quotient.raw(), reversed.raw(), n - 1);
-  nmod_poly_reverse(quotient.raw(), quotient.raw(), n - 1);
+  nmod_poly_div_series(quotient.raw(), quotient.raw(), reversed.raw(), e + 1);
+  nmod_poly_reverse(quotient.raw(), quotient.raw(), e + 1);
   nmod_poly_mullow(quotient.raw(), quotient.raw(), q.raw(), n);
-  nmod_poly_truncate(product.raw(), n);
-  nmod_poly_sub(product.raw(), product.raw(), quotient.raw());
+  nmod_poly_truncate(a.raw(), n);
+  nmod_poly_sub(a.raw(), a.raw(), quotient.raw());
+}
+
+ModularPolynomial multiply_modulo(const ModularPolynomial& a, const ModularPolynomial& b,
+                                  const ModularPolynomial& q) {
+  ModularPolynomial product(q.prime());
+  nmod_poly_mul(product.raw(), a.raw(), b.raw());
+  reduce(product, q);
   return product;
 }
 

@@ -41,6 +41,9 @@ class ModularPolynomial {
   nmod_poly_struct value_;
 };
 
+/// a ← a mod q ≠ 0.
+void reduce(ModularPolynomial& a, const ModularPolynomial& q);
+
 /// a·b mod q for deg a, deg b < deg q: where q changes with every product, twice as fast as FLINT's
 /// nmod_poly_mulmod.
 ModularPolynomial multiply_modulo(const ModularPolynomial& a, const ModularPolynomial& b,

@@ -2,9 +2,27 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {
+namespace {
+
+/// From so many words on an integer is long.
+constexpr slong long_limbs = 16;
+
+/// Are the coefficients of a long beside those of b? The operations of a school are then faster
+/// than FLINT's, which pad all of them to one length.
+bool is_long_beside(const fmpz* a, slong length_a, const fmpz* b, slong length_b) {
+  constexpr slong most_terms = 1024;
+  constexpr slong short_limbs = 2;
+  return std::min(length_a, length_b) <= most_terms &&
+         std::abs(_fmpz_vec_max_bits(b, length_b)) <= short_limbs * FLINT_BITS &&
+         std::abs(_fmpz_vec_max_bits(a, length_a)) >= long_limbs * FLINT_BITS;
+}
+
+}  // namespace
 
 Polynomial::Polynomial(const std::vector<Rational>& ascending) {
   fmpq_poly_fit_length(raw(), static_cast<slong>(ascending.size()));
@@ -25,9 +43,34 @@ Rational Polynomial::coefficient(long k) const {
   return c;
 }
 
+// Of the coefficients n_k/d the gcd of n_k and d divides g = gcd(∏ n_k, d), so that it is that of
+// n_k and g, which is nearly always short: one long gcd instead of one for each coefficient.
 std::vector<Rational> Polynomial::coefficients() const {
-  std::vector<Rational> ascending;
-  for (long k = 0; k <= degree(); ++k) ascending.push_back(coefficient(k));
+  const auto size = static_cast<std::size_t>(degree() + 1);
+  std::vector<Rational> ascending(size);
+  const fmpz* d = fmpq_poly_denref(raw());
+  const bool is_long = fmpz_size(d) >= long_limbs && size > 2;
+  flint::Fmpz g;
+  if (is_long) {
+    fmpz_one(g.get());
+    for (const fmpz* n = raw()->coeffs; n != raw()->coeffs + size; ++n) {
+      if (fmpz_is_zero(n) != 0) continue;
+      fmpz_mul(g.get(), g.get(), n);
+      fmpz_mod(g.get(), g.get(), d);
+    }
+    fmpz_gcd(g.get(), g.get(), d);
+  }
+  flint::Fmpz common;
+  for (std::size_t k = 0; k < size; ++k) {
+    const fmpz* n = raw()->coeffs + k;
+    if (!is_long || fmpz_is_zero(n) != 0) {
+      ascending[k] = coefficient(static_cast<long>(k));
+      continue;
+    }
+    fmpz_gcd(common.get(), n, g.get());
+    fmpz_divexact(fmpq_numref(ascending[k].raw()), n, common.get());
+    fmpz_divexact(fmpq_denref(ascending[k].raw()), d, common.get());
+  }
   return ascending;
 }
 
@@ -48,7 +91,21 @@ Polynomial& Polynomial::operator-=(const Polynomial& b) {
 }
 
 Polynomial& Polynomial::operator*=(const Polynomial& b) {
-  fmpq_poly_mul(raw(), raw(), b.raw());
+  const auto [x, y] = std::pair(raw(), b.raw());
+  if (!is_long_beside(x->coeffs, x->length, y->coeffs, y->length) &&
+      !is_long_beside(y->coeffs, y->length, x->coeffs, x->length)) {
+    fmpq_poly_mul(x, x, y);
+    return *this;
+  }
+  flint::FmpzPoly product;
+  flint::FmpzPoly other;
+  flint::Fmpz denominator;
+  fmpz_mul(denominator.get(), fmpq_poly_denref(x), fmpq_poly_denref(y));
+  fmpq_poly_get_numerator(product.get(), x);
+  fmpq_poly_get_numerator(other.get(), y);
+  fmpz_poly_mul_classical(product.get(), product.get(), other.get());
+  fmpq_poly_set_fmpz_poly(x, product.get());
+  fmpq_poly_scalar_div_fmpz(x, x, denominator.get());
   return *this;
 }
 
@@ -71,28 +128,47 @@ Polynomial operator%(const Polynomial& a, const Polynomial& b) {
   return r;
 }
 
-Polynomial short_remainder(const Polynomial& a, const Polynomial& b) {
-  if (b.is_zero()) throw DomainError("remainder: the divisor is the zero polynomial");
-  flint::FmpzPoly numerator;
+namespace {
+
+/// Quotient and remainder over ℚ of the numerator of a and the primitive part of b, where the
+/// quotient is integral, as it is where b divides a (Gauss's lemma); else the remainder has at
+/// least the degree of b.
+struct IntegerDivision {
   flint::FmpzPoly quotient;
   flint::FmpzPoly remainder;
-  fmpq_poly_get_numerator(numerator.get(), a.raw());
-  // Quotient and remainder over ℚ if the remainder has the degree of one.
-  fmpz_poly_divrem(quotient.get(), remainder.get(), numerator.get(),
-                   integer_primitive_part(b).get());
-  if (fmpz_poly_degree(remainder.get()) >= b.degree()) return a % b;
-  Polynomial r = to_polynomial(remainder.get());
+
+  IntegerDivision(const Polynomial& a, const Polynomial& b) {
+    flint::FmpzPoly numerator;
+    fmpq_poly_get_numerator(numerator.get(), a.raw());
+    const flint::FmpzPoly divisor = integer_primitive_part(b);
+    const bool is_long = is_long_beside(numerator.get()->coeffs, numerator.get()->length,
+                                        divisor.get()->coeffs, divisor.get()->length);
+    (is_long ? fmpz_poly_divrem_basecase : fmpz_poly_divrem)(quotient.get(), remainder.get(),
+                                                             numerator.get(), divisor.get());
+  }
+};
+
+}  // namespace
+
+Polynomial short_remainder(const Polynomial& a, const Polynomial& b) {
+  if (b.is_zero()) throw DomainError("remainder: the divisor is the zero polynomial");
+  const IntegerDivision division(a, b);
+  if (fmpz_poly_degree(division.remainder.get()) >= b.degree()) return a % b;
+  Polynomial r = to_polynomial(division.remainder.get());
   fmpq_poly_scalar_div_fmpz(r.raw(), r.raw(), fmpq_poly_denref(a.raw()));
   return r;
 }
 
 Polynomial exact_quotient(const Polynomial& a, const Polynomial& b) {
-  auto [quotient, remainder] = divide(a, b);
-  if (!remainder.is_zero())
+  if (b.is_zero()) throw DomainError("exact_quotient: the divisor is the zero polynomial");
+  const IntegerDivision division(a, b);
+  if (fmpz_poly_is_zero(division.remainder.get()) == 0)
     throw DomainError(
         fmt::format("exact_quotient: a divisor of degree {} leaves a remainder of degree {}",
-                    b.degree(), remainder.degree()));
-  return std::move(quotient);
+                    b.degree(), (a % b).degree()));
+  Polynomial quotient = to_polynomial(division.quotient.get());
+  fmpq_poly_scalar_div_fmpz(quotient.raw(), quotient.raw(), fmpq_poly_denref(a.raw()));
+  return (1 / content(b)) * std::move(quotient);
 }
 
 Polynomial gcd(const Polynomial& a, const Polynomial& b) {

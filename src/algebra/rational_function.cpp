@@ -2,11 +2,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {
+namespace {
+
+/// p(n/d)·d^degree, degree ≥ deg p, by Horner's scheme.
+Polynomial homogenized(const Polynomial& p, const RationalFunction& x, long degree) {
+  Polynomial sum;
+  Polynomial power{1};
+  for (long k = degree; k >= 0; --k) {
+    sum = sum * x.numerator() + p.coefficient(k) * power;
+    power = power * x.denominator();
+  }
+  return sum;
+}
+
+}  // namespace
 
 RationalFunction::RationalFunction(Polynomial numerator, Polynomial denominator)
     : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {
@@ -76,6 +91,20 @@ RationalFunction differentiate(const RationalFunction& f) {
   const Polynomial repeated = gcd(d, differentiate(d));
   const Polynomial radical = exact_quotient(d, repeated);
   return {differentiate(n) * radical - n * exact_quotient(differentiate(d), repeated), d * radical};
+}
+
+RationalFunction compose(const RationalFunction& f, const Polynomial& g) {
+  return {compose(f.numerator(), g), compose(f.denominator(), g)};
+}
+
+RationalFunction compose(const RationalFunction& f, const RationalFunction& g) {
+  const long degree = std::max({f.numerator().degree(), f.denominator().degree(), 0L});
+  return {homogenized(f.numerator(), g, degree), homogenized(f.denominator(), g, degree)};
+}
+
+std::optional<Rational> constant(const RationalFunction& f) {
+  if (!f.is_polynomial() || !f.numerator().is_constant()) return std::nullopt;
+  return f.numerator().coefficient(0);
 }
 
 long bits_of(const RationalFunction& f) {

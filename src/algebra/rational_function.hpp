@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "phrame/algebra/polynomial.hpp"
 
 namespace phrame {
@@ -34,6 +36,13 @@ class RationalFunction {
 };
 
 RationalFunction differentiate(const RationalFunction& f);
+
+/// f(g(t)). Throws DomainError where g is a constant at which f has a pole.
+RationalFunction compose(const RationalFunction& f, const Polynomial& g);
+RationalFunction compose(const RationalFunction& f, const RationalFunction& g);
+
+/// c where f = c.
+std::optional<Rational> constant(const RationalFunction& f);
 
 /// The bits of the greatest coefficients of numerator and denominator.
 long bits_of(const RationalFunction& f);

@@ -83,8 +83,8 @@ std::string bash_case(const Command& command) {
         option.takes_file ? "_phrame_files \"$cur\"; "
         : option.facts.names.empty()
             ? ""
-            : fmt::format("_phrame_names \"$cur\" {} '{}'; ",
-                          option.facts.takes_list ? "list" : "one", words(option.facts.names));
+            : fmt::format("_phrame_names \"$cur\" {} '{}'; ", option.takes_list ? "list" : "one",
+                          words(option.facts.names));
     text += fmt::format("    {}) {}return ;;\n", words(option.names, "|"), then);
   }
   return text +
@@ -112,7 +112,7 @@ std::string zsh_option(const ListedOption& option) {
   std::string action;
   if (option.takes_file)
     action = "_files";
-  else if (option.facts.takes_list && !option.facts.names.empty())
+  else if (option.takes_list && !option.facts.names.empty())
     action = "_values -s , name " + words(option.facts.names);
   else if (!option.facts.names.empty())
     action = "(" + words(option.facts.names) + ")";
@@ -122,7 +122,7 @@ std::string zsh_option(const ListedOption& option) {
   std::string text = "[" + zsh_text(option.what) + "]";
   if (!option.is_flag())
     text += fmt::format(":{}:{}", colons(option.value), action.empty() ? " " : action);
-  const std::string repeated = option.facts.takes_list ? "*" : "";
+  const std::string repeated = option.takes_list ? "*" : "";
   if (option.names.size() == 1) return shell_quoted(repeated + option.names[0] + text);
   return fmt::format("'({})'{{{}}}{}", words(option.names), words(option.names, ","),
                      shell_quoted(text));
@@ -166,9 +166,8 @@ std::string fish_option(const std::string& command, const ListedOption& option) 
   else if (!option.is_flag() && !option.is_argument)
     line += " -x";
   if (!option.facts.names.empty())
-    line += option.facts.takes_list
-                ? fmt::format(" -a '(__fish_append , {})'", words(option.facts.names))
-                : fmt::format(" -a '{}'", words(option.facts.names));
+    line += option.takes_list ? fmt::format(" -a '(__fish_append , {})'", words(option.facts.names))
+                              : fmt::format(" -a '{}'", words(option.facts.names));
   if (!option.is_argument) line += " -d " + fish_quoted(option.what);
   return line + "\n";
 }
@@ -197,7 +196,7 @@ std::string json(const Program& program) {
       options.push_back({{"names", option.names},
                          {"value", option.value},
                          {"choices", option.facts.names},
-                         {"list", option.facts.takes_list},
+                         {"list", option.takes_list},
                          {"file", option.takes_file},
                          {"argument", option.is_argument},
                          {"required", option.is_required},

@@ -27,7 +27,7 @@ std::vector<ListedOption> listed_options(const Command& command) {
     listed.what = on_one_line(option->get_description());
     listed.group = option->get_group();
     listed.facts = command.facts(option->get_name());
-    listed.facts.takes_list = listed.value.ends_with(",...");
+    listed.takes_list = listed.value.ends_with(",...");
     listed.is_required = option->get_required();
     listed.takes_file =
         listed.value == "FILE" ||

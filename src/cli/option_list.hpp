@@ -10,6 +10,7 @@ struct ListedOption {
   std::string what;                ///< on one line
   std::string group;
   OptionFacts facts;
+  bool takes_list = false;  ///< several values, separated by commas
   bool is_argument = false;
   bool is_required = false;
   bool takes_file = false;

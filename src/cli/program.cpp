@@ -140,7 +140,6 @@ void Command::add_choices(const std::string& option, std::vector<std::string>& v
                           std::vector<std::string> names, const std::string& what) {
   add_list(option, "NAME,...", values, what);
   facts_[option].names = std::move(names);
-  facts_[option].takes_list = true;
   values_[option] = [&values] { return split(values); };
 }
 

@@ -15,7 +15,6 @@ namespace phrame::cli {
 /// What CLI11 does not know of an option; help, completion and manual pages say it, too.
 struct OptionFacts {
   std::vector<std::string> names;  ///< that it takes; empty where it takes something else
-  bool takes_list = false;         ///< several, separated by commas
   /// Choices like "--at", "--from and --to" or "--frame mtf": it means something with one of these
   /// only, …
   std::vector<std::string> with;

@@ -38,10 +38,15 @@ bool is_in(const std::string& word, const std::vector<std::string>& words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-bool looks_like_option(const std::string& word) { return word.size() > 1 && word[0] == '-'; }
-
 /// The word without "=value".
 std::string option_in(const std::string& word) { return word.substr(0, word.find('=')); }
+
+/// Has the program or a command this option: "--digits", or "--digits=30"?
+bool has_option(const CLI::App& app, const std::string& word) {
+  return is_in(option_in(word), names_of(app.get_options()));
+}
+
+bool looks_like_option(const std::string& word) { return word.size() > 1 && word[0] == '-'; }
 
 /// "--turns is no option of info; frames and mtf have it".
 std::string about_unknown_option(const Program& program, const CLI::App& command,
@@ -53,8 +58,7 @@ std::string about_unknown_option(const Program& program, const CLI::App& command
   text += " of " + command.get_name();
   std::string others;
   for (const Command* other : program.commands())
-    if (is_in(option, names_of(other->app().get_options())))
-      others += (others.empty() ? "" : ", ") + other->name();
+    if (has_option(other->app(), word)) others += (others.empty() ? "" : ", ") + other->name();
   if (!others.empty()) return text + "; it is one of " + others;
   return text + question(suggestion(option, names_of(command.get_options())));
 }
@@ -128,14 +132,11 @@ std::string complaint_about_command(const Program& program, const std::vector<st
   const std::string& word = words.front();
   if (program.find(word) != nullptr) return "";
   if (looks_like_option(word)) {
-    const auto has_it = [&](const Command* command) {
-      return is_in(option_in(word), names_of(command->app().get_options()));
-    };
     const auto commands = program.commands();
-    const bool is_own =
-        is_in(option_in(word), names_of(std::as_const(program.app()).get_options()));
-    const bool is_theirs = std::any_of(commands.begin(), commands.end(), has_it);
-    return is_own || !is_theirs
+    const bool is_theirs =
+        std::any_of(commands.begin(), commands.end(),
+                    [&](const Command* command) { return has_option(command->app(), word); });
+    return has_option(program.app(), word) || !is_theirs
                ? ""
                : abbreviated(word) + ": options come after the command (phrame --help)";
   }

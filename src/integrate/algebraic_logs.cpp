@@ -18,11 +18,6 @@ constexpr long first_bits = 256;
 constexpr long largest_denominator = 24;
 constexpr long largest_exponent = 4096;
 
-RealAlgebraic as_algebraic(const Endpoint& end) {
-  if (const auto* r = std::get_if<Rational>(&end)) return *r;
-  return std::get<RealAlgebraic>(end);
-}
-
 /// vᵏ modulo p, k ≥ 0.
 GaussianPolynomial power(const GaussianPolynomial& v, long k, const Polynomial& p) {
   GaussianPolynomial result{{1}, {}};
@@ -48,18 +43,18 @@ std::optional<long> exponent(const Rational& factor, const Rational& scale) {
 /// The absolute value of ∏ v^(scale·factor) at a finite end.
 std::optional<RealAlgebraic> size(const GaussianLogs& logs, const Rational& scale,
                                   const Endpoint& end) {
-  if (std::holds_alternative<Infinity>(end)) return RealAlgebraic(1);
-  const RealAlgebraic x = as_algebraic(end);
-  const QuotientRing ring(x.polynomial());
+  const auto x = finite(end);
+  if (!x) return RealAlgebraic(1);
+  const QuotientRing ring(x->polynomial());
   Polynomial above{1};
   Polynomial below{1};
   for (const auto& [factor, v] : logs.logarithms) {
     const auto k = exponent(factor, scale);
     if (!k) return std::nullopt;
     Polynomial& product = *k > 0 ? above : below;
-    product = ring.multiply(product, power({v, {}}, std::abs(*k), x.polynomial()).re);
+    product = ring.multiply(product, power({v, {}}, std::abs(*k), x->polynomial()).re);
   }
-  RealAlgebraic value = image(ring.divide(above, below), x);
+  RealAlgebraic value = image(ring.divide(above, below), *x);
   return compare(value, Rational(0)) < 0 ? affine(value, -1, 0) : value;
 }
 
@@ -71,9 +66,9 @@ struct Direction {
 
 std::optional<Direction> direction(const GaussianLogs& logs, const Rational& scale,
                                    const Endpoint& end) {
-  if (std::holds_alternative<Infinity>(end)) return Direction{};
-  const RealAlgebraic x = as_algebraic(end);
-  const Polynomial& p = x.polynomial();
+  const auto x = finite(end);
+  if (!x) return Direction{};
+  const Polynomial& p = x->polynomial();
   GaussianPolynomial product{{1}, {}};
   for (const auto& [factor, v] : logs.arguments) {
     const auto k = exponent(factor, scale);
@@ -82,7 +77,7 @@ std::optional<Direction> direction(const GaussianLogs& logs, const Rational& sca
     product = {product.re % p, product.im % p};
   }
   if (product.im.is_zero()) return Direction{};
-  return Direction{image(QuotientRing(p).divide(product.re, product.im), x)};
+  return Direction{image(QuotientRing(p).divide(product.re, product.im), *x)};
 }
 
 /// A number by which all factors become whole.

@@ -182,8 +182,7 @@ RealBall Evaluator::branch(const Endpoint& t, long bits) {
 }
 
 RealBall Evaluator::branch_difference(const Endpoint& a, const Endpoint& b, long bits) {
-  const auto is_finite = [](const Endpoint& end) { return !std::holds_alternative<Infinity>(end); };
-  if (route_ == Route::automatic && is_finite(a) && is_finite(b))
+  if (route_ == Route::automatic && !is_infinite(a) && !is_infinite(b))
     if (auto value = short_integral(derivative_, a, b, bits)) return *std::move(value);
   const long end = largest_precision(bits, a, b);
   for (long precision = bits + 24;; precision = std::min(end, precision + precision / 2)) {

@@ -22,8 +22,6 @@
 namespace phrame {
 namespace {
 
-bool is_infinite(const Endpoint& end) { return std::holds_alternative<Infinity>(end); }
-
 std::optional<Rational> rational(const Endpoint& end) {
   if (const auto* r = std::get_if<Rational>(&end)) return *r;
   if (const auto* a = std::get_if<RealAlgebraic>(&end)) return a->rational();
@@ -115,19 +113,13 @@ std::optional<Rational> center_of_symmetry(const RationalFunction& f) {
     return f.numerator()(s) * f.denominator()(t);
   };
   if (product(m + 1, m - 1) != -product(m - 1, m + 1)) return std::nullopt;
-  const Polynomial reflected{2 * m, -1};
-  const RationalFunction g(compose(f.numerator(), reflected), compose(f.denominator(), reflected));
-  return g == -f ? std::optional(m) : std::nullopt;
+  return compose(f, Polynomial{2 * m, -1}) == -f ? std::optional(m) : std::nullopt;
 }
 
 /// Is a + b = 2m, or a = −b infinite?
 bool are_opposite(const Endpoint& a, const Endpoint& b, const Rational& m) {
   if (is_infinite(a) || is_infinite(b)) return is_infinite(a) && is_infinite(b);
-  const auto as_algebraic = [](const Endpoint& end) {
-    const auto r = rational(end);
-    return r ? RealAlgebraic(*r) : std::get<RealAlgebraic>(end);
-  };
-  return affine(as_algebraic(a), -1, 2 * m) == as_algebraic(b);
+  return affine(*finite(a), -1, 2 * m) == *finite(b);
 }
 
 /// F at an end; at ±∞, where there is an integral, F tends to 0.

@@ -5,12 +5,6 @@
 namespace phrame {
 namespace {
 
-std::optional<RealAlgebraic> finite(const Endpoint& end) {
-  if (const auto* r = std::get_if<Rational>(&end)) return RealAlgebraic(*r);
-  if (const auto* a = std::get_if<RealAlgebraic>(&end)) return *a;
-  return std::nullopt;
-}
-
 /// −1, 0, 1 for −∞, a finite end, ∞.
 int region(const Endpoint& end) {
   const auto* infinity = std::get_if<Infinity>(&end);
@@ -18,6 +12,12 @@ int region(const Endpoint& end) {
 }
 
 }  // namespace
+
+std::optional<RealAlgebraic> finite(const Endpoint& end) {
+  if (const auto* r = std::get_if<Rational>(&end)) return RealAlgebraic(*r);
+  if (const auto* a = std::get_if<RealAlgebraic>(&end)) return *a;
+  return std::nullopt;
+}
 
 RealBall enclose(const Endpoint& end, long bits) {
   const auto x = finite(end);

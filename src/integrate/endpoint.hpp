@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <variant>
 
 #include "phrame/algebra/real_algebraic.hpp"
@@ -9,6 +10,11 @@ enum class Infinity { negative, positive };
 
 /// An end of a path of integration.
 using Endpoint = std::variant<Rational, RealAlgebraic, Infinity>;
+
+inline bool is_infinite(const Endpoint& end) { return std::holds_alternative<Infinity>(end); }
+
+/// The number, of a finite end.
+std::optional<RealAlgebraic> finite(const Endpoint& end);
 
 /// A ball around a finite end, as narrow as enclose(RealAlgebraic, bits). Throws DomainError for an
 /// infinite one.

@@ -83,8 +83,8 @@ LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint
       const auto rest = [&](const At& end) {
         return argument_of(end.value * conjugated(value(end.point)), bits);
       };
-      if (std::holds_alternative<Infinity>(b)) turn = add(turn, rest(to), bits);
-      if (std::holds_alternative<Infinity>(a)) turn = subtract(turn, rest(from), bits);
+      if (is_infinite(b)) turn = add(turn, rest(to), bits);
+      if (is_infinite(a)) turn = subtract(turn, rest(from), bits);
       turn = subtract(turn, argument_of(z, bits), bits);
       turn = divide(turn, multiply(pi(bits), RealBall(2, bits), bits), bits);
       flint::Fmpz whole;

@@ -21,22 +21,20 @@ std::vector<SimpleFraction> simple_fractions(const RationalFunction& f) {
   const auto highest = std::max_element(factors.factors.begin(), factors.factors.end(), of_degree);
   std::vector<SimpleFraction> parts;
   Polynomial left = f.numerator();
-  Polynomial rest_of_highest;
-  std::size_t index_of_highest = 0;
-  for (auto at = factors.factors.begin(); at != factors.factors.end(); ++at) {
-    const auto& [base, exponent] = *at;
-    if (exponent != 1) throw DomainError("simple_fractions: the function has a multiple pole");
-    const Polynomial rest = exact_quotient(f.denominator(), base);
-    parts.push_back({{}, base});
-    if (at == highest) {
-      rest_of_highest = rest;
-      index_of_highest = parts.size() - 1;
-      continue;
-    }
-    parts.back().numerator = QuotientRing(base).divide(f.numerator(), rest);
+  const auto rest_of = [&](const Polynomial& base) {
+    return exact_quotient(f.denominator(), base);
+  };
+  for (const Factor& factor : factors.factors) {
+    if (factor.exponent != 1)
+      throw DomainError("simple_fractions: the function has a multiple pole");
+    parts.push_back({{}, factor.base});
+    if (&factor == &*highest) continue;
+    const Polynomial rest = rest_of(factor.base);
+    parts.back().numerator = QuotientRing(factor.base).divide(f.numerator(), rest);
     left = left - parts.back().numerator * rest;
   }
-  parts[index_of_highest].numerator = exact_quotient(left, rest_of_highest);
+  SimpleFraction& last = parts[static_cast<std::size_t>(highest - factors.factors.begin())];
+  last.numerator = exact_quotient(left, rest_of(last.denominator));
   return parts;
 }
 

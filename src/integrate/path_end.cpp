@@ -14,32 +14,11 @@
 namespace phrame {
 namespace {
 
-/// p(g), by Horner's rule.
-RationalFunction compose(const Polynomial& p, const RationalFunction& g) {
-  RationalFunction result;
-  for (long k = p.degree(); k >= 0; --k)
-    result = result * g + RationalFunction(Polynomial{p.coefficient(k)});
-  return result;
-}
-
-RationalFunction quotient(const RationalFunction& a, const RationalFunction& b) {
-  return {a.numerator() * b.denominator(), a.denominator() * b.numerator()};
-}
-
-RationalFunction compose(const RationalFunction& f, const RationalFunction& g) {
-  return quotient(compose(f.numerator(), g), compose(f.denominator(), g));
-}
-
 /// g where the end is g(π) or rational; no value where it is another.
 std::optional<RationalFunction> function_of_pi(const PathEnd& end) {
   if (const auto* r = std::get_if<Rational>(&end)) return RationalFunction(Polynomial{*r});
   if (const auto* p = std::get_if<PiValue>(&end)) return p->of_pi;
   return std::nullopt;
-}
-
-std::optional<Rational> constant(const RationalFunction& f) {
-  if (!f.is_polynomial() || !f.numerator().is_constant()) return std::nullopt;
-  return f.numerator().coefficient(0);
 }
 
 /// The integral from g(π) to h(π), where it is rational for an algebraic reason: F is rational, and
@@ -50,7 +29,7 @@ std::optional<Rational> rational_value(const RationalFunction& f, const Antideri
   const auto h = function_of_pi(b);
   if (!g || !h) return std::nullopt;
   if (*g == *h) return Rational(0);
-  if (const auto c = constant(*g + *h); c && compose(f, RationalFunction(Polynomial{*c, -1})) == -f)
+  if (const auto c = constant(*g + *h); c && compose(f, Polynomial{*c, -1}) == -f)
     return Rational(0);
   if (!F.logs.empty()) return std::nullopt;
   const RationalFunction whole = RationalFunction(F.polynomial) + F.rational;

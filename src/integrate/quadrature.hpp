@@ -36,7 +36,6 @@ class IntegrandPolynomial {
   IntegrandPolynomial() = default;
   IntegrandPolynomial(BallPolynomial p) : p_(std::move(p)) {}  // NOLINT: it is one
 
-  const BallPolynomial& polynomial() const { return p_; }
   /// As evaluate().
   ComplexBall operator()(const ComplexBall& z, long bits) const;
 

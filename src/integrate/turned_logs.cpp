@@ -218,8 +218,7 @@ bool is_even_about(const Endpoint& end, const std::vector<SimpleFraction>& fract
   const Polynomial reflected{2 * *t, -1};
   RationalFunction sum;
   for (const auto& [n, d] : fractions)
-    sum = sum + RationalFunction(n, d) -
-          RationalFunction(compose(n, reflected), compose(d, reflected));
+    sum = sum + RationalFunction(n, d) - compose(RationalFunction(n, d), reflected);
   return sum.is_zero();
 }
 

@@ -16,17 +16,6 @@ struct Definition {
   bool of_variable = true;
 };
 
-/// "0x1f" of n > 0.
-std::string hexadecimal(Integer n) {
-  std::string text;
-  for (; n.sign() != 0; n >>= 60) {
-    long piece = static_cast<long>(n % (Integer(1) << 60));
-    for (int k = 0; k < 15; ++k, piece /= 16) text += "0123456789abcdef"[piece % 16];
-  }
-  std::reverse(text.begin(), text.end());
-  return "0x" + text.substr(text.find_first_not_of('0'));
-}
-
 /// Python reads no integer of more than 4300 decimal digits, but hexadecimal ones of any length
 /// (sys.get_int_max_str_digits()). What is quoted stays.
 std::string for_python(const std::string& formula) {
@@ -45,7 +34,7 @@ std::string for_python(const std::string& formula) {
     } else {
       end = std::min(formula.find_first_not_of(decimal, begin), formula.size());
       const std::string digits = formula.substr(begin, end - begin);
-      text += digits.size() > limit ? hexadecimal(Integer(digits)) : digits;
+      text += digits.size() > limit ? "0x" + Integer(digits).str(16) : digits;
     }
   }
   return text;

@@ -1,6 +1,7 @@
 #include "phrame/io/json_text.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "phrame/io/cas_formula.hpp"
 #include "phrame/io/radical_text.hpp"
@@ -13,11 +14,34 @@ bool fits_a_line(const JsonOutput& json) {
   return !json.is_array() || std::all_of(json.begin(), json.end(), fits_a_line);
 }
 
+/// Nothing to escape.
+bool is_plain(const std::string& text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+}
+
+/// As nlohmann's own dump, which takes long over the digits of long numbers.
+void append_line(std::string& text, const JsonOutput& json) {
+  if (const auto* plain = json.get_ptr<const std::string*>();
+      plain != nullptr && is_plain(*plain)) {
+    text += '"' + *plain + '"';
+  } else if (json.is_array()) {
+    text += '[';
+    for (auto at = json.begin(); at != json.end(); ++at) {
+      if (at != json.begin()) text += ',';
+      append_line(text, *at);
+    }
+    text += ']';
+  } else {
+    text += json.dump();
+  }
+}
+
 /// nlohmann's own dump puts either everything on one line or every number on a line of its own.
 void append(std::string& text, const JsonOutput& json, std::size_t depth) {
   const bool object = json.is_object();
   if (!json.is_structured() || json.empty() || (!object && fits_a_line(json))) {
-    text += json.dump();
+    append_line(text, json);
     return;
   }
   const std::string indent(2 * depth + 2, ' ');
@@ -42,7 +66,16 @@ std::string pretty(const JsonOutput& json) {
 
 JsonOutput json_of(const Polynomial& p) {
   JsonOutput list = JsonOutput::array();
-  for (const Rational& c : p.coefficients()) list.push_back(to_string(c));
+  std::map<Integer, std::string> denominators;  // few, and long where p is
+  for (const Rational& c : p.coefficients()) {
+    std::string text = numerator(c).str();
+    if (const Integer d = denominator(c); d != 1) {
+      std::string& below = denominators[d];
+      if (below.empty()) below = "/" + d.str();
+      text += below;
+    }
+    list.push_back(std::move(text));
+  }
   return list;
 }
 

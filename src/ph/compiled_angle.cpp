@@ -82,7 +82,7 @@ PiecewisePolynomial compiled_angle(SplineAngle& angle, const Angle& start_angle,
   const auto theta = [&](double t, long more) {
     const SplineParameter at = locate(angle.spline(), exact_rational(t));
     if (more > bits) return angle.value(at, start_angle).enclose(more);
-    return add(angle.enclose(at, more), to_real(start_angle).enclose(more), more);
+    return angle.enclose(at, start_angle, more);
   };
   const auto make = [&](double low, double high) {
     const double joint = std::floor(low);

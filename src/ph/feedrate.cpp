@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/arc_length.hpp"
 #include "phrame/ph/invariants.hpp"
@@ -14,19 +12,11 @@
 namespace phrame {
 namespace {
 
-/// p(n/d)·d^degree.
-Polynomial homogenized(const Polynomial& p, const RationalFunction& x, long degree) {
-  Polynomial sum;
-  for (long k = degree; k >= 0; --k)  // Horner's scheme
-    sum = sum * x.numerator() + p.coefficient(k) * pow(x.denominator(), degree - k);
-  return sum;
-}
-
-RationalFunction compose(const RationalFunction& f, const RationalFunction& x) {
-  const long degree = std::max({f.numerator().degree(), f.denominator().degree(), 0L});
-  const Polynomial denominator = homogenized(f.denominator(), x, degree);
-  if (denominator.is_zero()) throw DomainError("feedrate: it divides by zero all along the curve");
-  return {homogenized(f.numerator(), x, degree), denominator};
+/// f(x(t)), where x(t) is what the speed depends on.
+RationalFunction along(const RationalFunction& f, const RationalFunction& x) {
+  if (const auto c = constant(x); c && f.denominator()(*c) == 0)
+    throw DomainError("feedrate: it divides by zero all along the curve");
+  return compose(f, x);
 }
 
 void require_none_on_curve(const Polynomial& p, const char* what) {
@@ -41,9 +31,9 @@ void require_none_on_curve(const Polynomial& p, const char* what) {
 RationalFunction speed_along(const Curve& curve, const Feedrate& feedrate) {
   switch (feedrate.of) {
     case Feedrate::Of::arc_length:
-      return compose(feedrate.speed, RationalFunction(ArcLength(curve).polynomial()));
+      return along(feedrate.speed, RationalFunction(ArcLength(curve).polynomial()));
     case Feedrate::Of::curvature:
-      return compose(feedrate.speed, signed_curvature(curve));
+      return along(feedrate.speed, signed_curvature(curve));
     case Feedrate::Of::parameter:
       break;
   }

@@ -43,6 +43,10 @@ RealBall SplineAngle::enclose(const SplineParameter& at, long bits) {
   }
 }
 
+RealBall SplineAngle::enclose(const SplineParameter& at, const Angle& start, long bits) {
+  return add(enclose(at, bits), to_real(start).enclose(bits), bits);
+}
+
 /// θ(at) less that at the start of segment `from`, without the logarithms.
 Rational SplineAngle::rational_part(std::size_t from, const SplineParameter& at) const {
   Rational sum = without_logarithms(angles_[at.segment].twist(), at.t);
@@ -79,7 +83,7 @@ Antiderivative SplineAngle::over_unit_interval(std::size_t from, const SplinePar
 /// As in Evaluator::value: what is apart from its rational part is irrational.
 bool SplineAngle::may_be_rational(const SplineParameter& at, const Angle& start) {
   constexpr long bits = 128;
-  return add(enclose(at, bits), to_real(start).enclose(bits), bits)
+  return enclose(at, start, bits)
       .overlaps(add(rational_ball(at), RealBall(start.radians, bits), bits));
 }
 
@@ -88,8 +92,7 @@ bool SplineAngle::may_be_rational(const SplineParameter& at, const Angle& start)
 Real SplineAngle::value_after(const Joint& joint, const SplineParameter& at, const Angle& start) {
   if (joint.segment == at.segment) return angles_[at.segment].value(at.t, start) + joint.theta;
   const auto theta = [this, at, before = joint.theta, start](long bits) {
-    return add(add(enclose(at, bits), RealBall(-before, bits), bits), to_real(start).enclose(bits),
-               bits);
+    return add(enclose(at, start, bits), RealBall(-before, bits), bits);
   };
   return Evaluator(over_unit_interval(joint.segment, at)).value(0, 1, {{1}, {}}, theta, start) +
          joint.theta;
@@ -116,10 +119,7 @@ Real SplineAngle::value(const Rational& t, const Angle& start) {
 Real SplineAngle::value(const SplineParameter& at, const Angle& start) {
   if (at.segment == 0) return angles_[0].value(at.t, start);
   if (may_be_rational(at, start)) return value_after(last_joint(at.segment), at, start);
-  return {[this, at, start](long bits) {
-            return add(enclose(at, bits), to_real(start).enclose(bits), bits);
-          },
-          {true, bits_of(at.t)}};
+  return {[this, at, start](long bits) { return enclose(at, start, bits); }, {true, bits_of(at.t)}};
 }
 
 // Logarithms and a rational number ρ ≠ 0 do not add up to a rational multiple of π [Baker 1975].

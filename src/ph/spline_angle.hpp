@@ -35,6 +35,8 @@ class SplineAngle {
   /// A ball around θ(at) with a radius ≤ 2^−bits · max(1, |θ(at)|); the sums up to the joints are
   /// kept. at.t may be any number.
   RealBall enclose(const SplineParameter& at, long bits);
+  /// Around θ(at) + start, likewise but for what the two cancel.
+  RealBall enclose(const SplineParameter& at, const Angle& start, long bits);
   /// z ∈ ℚ(i) with e^{iθ} = z/|z|, where each segment up to there has an RmfAngle::direction().
   std::optional<GaussianRational> direction(const SplineParameter& at);
 

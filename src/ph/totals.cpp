@@ -19,8 +19,7 @@ bool is_odd_about_middle(const RationalFunction& rate, const Polynomial& orienta
   };
   if (product(0, 1) != product(1, 0)) return false;  // for most rates
   const Polynomial mirror{1, -1};
-  const RationalFunction mirrored(compose(rate.numerator(), mirror),
-                                  compose(rate.denominator(), mirror));
+  const RationalFunction mirrored = compose(rate, mirror);
   const Polynomial opposite = compose(orientation, mirror);
   return (opposite == orientation && mirrored == -rate) ||
          (opposite == -orientation && mirrored == rate);

@@ -18,27 +18,6 @@ std::string objection_to_invariants(const Certificate& c) {
   return unless(c.hodograph == hodograph(c.curve), "the hodograph is another one");
 }
 
-/// The residue of x modulo m > 0, ≥ 0.
-Integer modulo(const Integer& x, const Integer& m) {
-  const Integer rest = x % m;
-  return rest < 0 ? Integer(rest + m) : rest;
-}
-
-/// 1/x modulo m; no value where there is none.
-std::optional<Integer> inverse(const Integer& x, const Integer& m) {
-  Integer a = m;
-  Integer b = modulo(x, m);
-  Integer u = 0;  // a ≡ u·x, b ≡ v·x
-  Integer v = 1;
-  while (b != 0) {
-    const Integer quotient = a / b;
-    a = std::exchange(b, a - quotient * b);
-    u = std::exchange(v, u - quotient * v);
-  }
-  if (a != 1) return std::nullopt;
-  return modulo(u, m);
-}
-
 /// Why Euclid's algorithm modulo m ≥ 2 does not prove that n and d are coprime. m need not be
 /// prime.
 std::string objection_to_modulus(const Polynomial& n, const Polynomial& d, const Integer& m) {
@@ -54,7 +33,7 @@ std::string objection_to_modulus(const Polynomial& n, const Polynomial& d, const
   Residues b = residues(d);
   if (a.back() == 0 || b.back() == 0) return "the modulus divides a leading coefficient";
   while (!b.empty()) {
-    const auto unit = inverse(b.back(), m);
+    const auto unit = inverse_modulo(b.back(), m);
     if (!unit) return "the modulus is no prime";
     for (Integer& x : b) x = modulo(x * *unit, m);
     while (a.size() >= b.size()) {

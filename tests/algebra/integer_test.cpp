@@ -52,6 +52,8 @@ TEST_CASE("integer: law: the arithmetic is that of GMP") {
     CHECK(lcm(a, b).str() == text(lcm(x, y)));
     CHECK((a << 70).str() == text(x << 70));
     CHECK((abs(a) >> 5).str() == text(abs(x) >> 5));
+    CHECK(Integer(a.str(16), 16) == a);
+    CHECK(abs(a).str(16) == to_boost(abs(a)).str(0, std::ios_base::hex));
     CHECK(bit_length(a) == (a == 0 ? 0 : static_cast<long>(msb(abs(x))) + 1));
     if (b == 0) return;
     CHECK((a / b).str() == text(x / y));
@@ -140,4 +142,22 @@ TEST_CASE("integer: copies are their own, what was moved from is 0, and an opera
   Rational x(b, 3);
   x /= x;
   CHECK(x == 1);
+}
+
+TEST_CASE("integer: law: residues are in [0, m), and an inverse is one, where there is one") {
+  for_samples(300, [](Random& random) {
+    const Integer x = any(random);
+    const Integer m = abs(any(random)) + 1;
+    const Integer residue = modulo(x, m);
+    CHECK(residue >= 0);
+    CHECK(residue < m);
+    CHECK((x - residue) % m == 0);
+    const auto inverse = inverse_modulo(x, m);
+    CHECK(inverse.has_value() == (gcd(x, m) == 1));
+    if (!inverse) return;
+    CHECK(*inverse == modulo(*inverse, m));
+    CHECK(modulo(x * *inverse, m) == modulo(1, m));
+  });
+  CHECK_THROWS_AS(modulo(5, 0), DomainError);
+  CHECK_THROWS_AS(inverse_modulo(5, -7), DomainError);
 }

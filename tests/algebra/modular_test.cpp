@@ -48,6 +48,20 @@ TEST_CASE("modular: law: a·a⁻¹ = 1 in 𝔽ₚ[t]/(q), and the resultant is F
   });
 }
 
+TEST_CASE("modular: law: the remainder is FLINT's, of any degrees") {
+  for_samples(200, [](Random& random) {
+    const ulong p = random_prime(random);
+    const ModularPolynomial q = random_modular(random, p, random.integer(0, 40));
+    ModularPolynomial a = random_modular(random, p, random.integer(0, random.chance(4) ? 200 : 50));
+    if (random.chance(8)) nmod_poly_mul(a.raw(), a.raw(), q.raw());
+    if (random.chance(20)) a = ModularPolynomial(p);
+    ModularPolynomial expected(p);
+    nmod_poly_rem(expected.raw(), a.raw(), q.raw());
+    reduce(a, q);
+    CHECK(nmod_poly_equal(a.raw(), expected.raw()) != 0);
+  });
+}
+
 TEST_CASE("modular: law: the product modulo q is FLINT's, also where q is longer than it") {
   for_samples(200, [](Random& random) {
     const ulong p = random_prime(random);

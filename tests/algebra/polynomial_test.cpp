@@ -1,5 +1,6 @@
 #include "phrame/algebra/polynomial.hpp"
 
+#include <climits>
 #include <type_traits>
 
 #include "phrame/algebra/error.hpp"
@@ -115,6 +116,49 @@ TEST_CASE("polynomial: law: the squarefree part has the same roots, each once") 
   });
   CHECK_FALSE(is_squarefree(pow(Polynomial{1, 1}, 2)));
   CHECK_THROWS_AS(squarefree_part({}), DomainError);
+}
+
+namespace {
+
+/// Of so many words; not seldom with the factors of 720.
+Rational long_integer(Random& random, long words) {
+  Rational x = random.integer(1, 20);
+  for (long k = 0; k < words; ++k) x = x * Rational(1L << 62) * 4 + random.integer(0, LONG_MAX);
+  return random.chance(3) ? x * 720 : random.chance(6) ? Rational(0) : -x;
+}
+
+/// With coefficients as long, over one denominator.
+Polynomial long_polynomial(Random& random, long degree, long words) {
+  std::vector<Rational> c;
+  for (long k = random.integer(0, degree); k >= 0; --k) c.push_back(long_integer(random, words));
+  return Polynomial(c) * Polynomial{1 / (720 * abs(long_integer(random, words)) + 720)};
+}
+
+}  // namespace
+
+// From 16 words on long coefficients beside short ones have ways of their own.
+TEST_CASE("polynomial: law: long coefficients are multiplied, divided and listed like short ones") {
+  for_samples(60, [](Random& random) {
+    const Polynomial a = long_polynomial(random, 6, random.integer(12, 40));
+    const Polynomial b = random.nonzero_polynomial(5);
+    const Polynomial product = a * b;
+    CHECK(product == b * a);
+    const Rational t = random.rational();
+    CHECK(product(t) == a(t) * b(t));
+    CHECK(exact_quotient(product, b) == a);
+    if (!a.is_zero()) CHECK(exact_quotient(product, a) == b);
+    if (b.degree() > 0) {
+      CHECK_THROWS_WITH_AS(exact_quotient(product + Polynomial{1}, b),
+                           doctest::Contains("leaves a remainder of degree 0"), DomainError);
+      CHECK(short_remainder(product + Polynomial{7}, b) == Polynomial{7});
+      CHECK(short_remainder(a, b) == a % b);
+    }
+    const auto list = product.coefficients();
+    REQUIRE(list.size() == static_cast<std::size_t>(product.degree() + 1));
+    for (std::size_t k = 0; k < list.size(); ++k)
+      CHECK(list[k] == product.coefficient(static_cast<long>(k)));  // both in lowest terms
+  });
+  CHECK_THROWS_AS(exact_quotient({1}, {}), DomainError);
 }
 
 TEST_CASE("polynomial: law: a short remainder is the remainder, whether it is short or not") {

@@ -52,3 +52,31 @@ TEST_CASE("rational function: the value at a pole is refused by name") {
   CHECK_THROWS_WITH_AS(RationalFunction({1}, {-1, 3})(Rational(1, 3)),
                        doctest::Contains("pole at t = 1/3"), DomainError);
 }
+
+TEST_CASE("rational function: law: a composition has the values of its parts") {
+  for_samples(100, [](Random& random) {
+    const RationalFunction f(random.polynomial(3), random.nonzero_polynomial(3));
+    const RationalFunction g(random.polynomial(3), random.nonzero_polynomial(3));
+    const Polynomial p = random.polynomial(3);
+    const Rational t = random.rational();
+    const auto has_value = [](const RationalFunction& function, const Rational& at) {
+      return function.denominator()(at) != 0;
+    };
+    if (has_value(f, p(t))) CHECK(compose(f, p)(t) == f(p(t)));
+    if (!has_value(g, t)) return;
+    if (has_value(f, g(t)))
+      CHECK(compose(f, g)(t) == f(g(t)));
+    else if (constant(g))
+      CHECK_THROWS_AS(compose(f, g), DomainError);
+    else
+      CHECK_FALSE(has_value(compose(f, g), t));
+  });
+}
+
+TEST_CASE("rational function: a constant has its value, others have none") {
+  CHECK(constant(RationalFunction()) == Rational(0));
+  CHECK(constant(RationalFunction({2, 4}, {3, 6})) == Rational(2, 3));
+  CHECK_FALSE(constant(RationalFunction({0, 1}, {1})).has_value());
+  CHECK_FALSE(constant(RationalFunction({1}, {0, 1})).has_value());
+  CHECK_THROWS_AS(compose(RationalFunction({1}, {0, 1}), RationalFunction()), DomainError);
+}

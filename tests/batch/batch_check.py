@@ -14,12 +14,12 @@ import time
 from pathlib import Path
 
 PROGRAM = os.environ["PHRAME_PROGRAM"]
-LINES = 5000
+LINES = 2000
 
 
 def line(k, rng):
     """Mostly quintics, some curves that take a hundred times as long, some lines that are refused."""
-    degree = 25 if k % 500 == 7 else 2
+    degree = 25 if k % 200 == 7 else 2
     preimage = {c: [rng.randint(-9, 9) for _ in range(degree)] + [rng.randint(1, 9)] for c in "uvpq"}
     if k % 100 == 3:
         preimage["p"][0] = "1/0"
@@ -99,7 +99,7 @@ def check_kill(reference):
     process = started("out")
     process.kill()
     process.wait()
-    cut_off = b'{"id":4999,"phra'
+    cut_off = b'{"id":%d,"phra' % (LINES - 1)
     with open("out", "ab") as out:  # as if it had been killed while it wrote
         out.write(cut_off)
     shutil.copy("out", "copy")

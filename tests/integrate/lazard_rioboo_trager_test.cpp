@@ -35,7 +35,7 @@ std::optional<Bivariate> monic_remainder(std::vector<Polynomial> a, std::vector<
   }
   if (static_cast<long>(b.size()) - 1 != k) return std::nullopt;
   const QuotientRing ring(q);
-  const Polynomial inverse = ring.inverse(ring.reduce(b.back()));
+  const Polynomial inverse = ring.divide(Polynomial{1}, ring.reduce(b.back()));
   for (Polynomial& c : b) c = ring.multiply(c, inverse);
   return Bivariate(b);
 }

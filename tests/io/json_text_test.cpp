@@ -72,4 +72,15 @@ TEST_CASE("JSON text: pretty keeps lists on a line and gives every member its ow
 TEST_CASE("JSON text: pretty text means the same as what it was made of") {
   const JsonOutput json = {{"quote \" and \n", "\x01 \\ é"}, {"list", {1, "2", nullptr, true}}};
   CHECK(JsonOutput::parse(pretty(json)) == json);
+  for (const char* text : {"", "3/4", "\"", "a\\b", "\t", "\x7f", "é", "~ !"}) {
+    const JsonOutput list = JsonOutput::array({JsonOutput::array({text, 1}), text});
+    CHECK(pretty(list) == list.dump() + "\n");
+  }
+}
+
+TEST_CASE("JSON text: the coefficients of a polynomial are in lowest terms, each") {
+  const JsonOutput list =
+      json_of(Polynomial{Rational(1, 6), -2, 0, Rational(-5, 6), Rational(3, 2)});
+  CHECK(list.dump() == R"(["1/6","-2","0","-5/6","3/2"])");
+  CHECK(json_of(Polynomial()).dump() == "[]");
 }
