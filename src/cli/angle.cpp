@@ -100,7 +100,9 @@ void add_angle(Program& program) {
                    FormOptions::scripts());
   command.set_notes(
       "A spline of n segments has t from 0 to n; its angle is that to the Euler-Rodrigues frame,\n"
-      "made continuous through the joints, and of a closed spline the holonomy is given.\n"
+      "made continuous through the joints, and of a closed spline the holonomy is given. Of a\n"
+      "spline only --frame erf, --print text or json and no --form real or radicals; of a curve\n"
+      "--digits and --route need --at or --samples.\n"
       "Examples:\n"
       "  phrame angle curve.json --at 0,1/2,1 --digits 50\n"
       "  phrame angle curve.json --frame frenet --samples 11 --print json\n"

@@ -17,6 +17,7 @@
 
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/line_stream.hpp"
+#include "phrame/io/number_text.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -69,8 +70,8 @@ void keep_aside(const std::string& path, const std::string& cut_off) {
   const Descriptor file(::open(aside.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666),
                         aside);
   write_whole(file, cut_off + "\n");
-  note(fmt::format("{}: the last line was cut off; its {} byte{} kept in {}", path, cut_off.size(),
-                   cut_off.size() == 1 ? " is" : "s are", aside));
+  note(fmt::format("{}: the last line was cut off; its {} {} kept in {}", path,
+                   counted(cut_off.size(), "byte"), cut_off.size() == 1 ? "is" : "are", aside));
 }
 
 /// Where the output is what is skipped, it is continued; a line that was cut off is kept aside.
@@ -118,6 +119,35 @@ class Progress {
   Clock::time_point last_ = start_;
 };
 
+/// A line of the input, and its answer.
+template <class T>
+struct Numbered {
+  long number;
+  T of;
+};
+
+/// "2 of 5 lines failed: 3, 4; line 3: /curve: an object is wanted, not null".
+class Failures {
+ public:
+  void add(long line, const std::string& complaint) {
+    constexpr long most = 10;
+    if (count_ == 0) first_ = fmt::format("line {}: {}", line, complaint);
+    if (count_ < most) numbers_ += fmt::format("{}{}", count_ == 0 ? "" : ", ", line);
+    if (count_ == most) numbers_ += ", …";
+    ++count_;
+  }
+  long count() const { return count_; }
+  std::string text(long lines) const {
+    return fmt::format("{} of {} failed: {}; {}", count_,
+                       counted(static_cast<std::size_t>(lines), "line"), numbers_, first_);
+  }
+
+ private:
+  long count_ = 0;
+  std::string numbers_;
+  std::string first_;
+};
+
 void run(const BatchOptions& options) {
   BatchDefaults defaults = options.defaults;
   defaults.frame = chosen_reference(options.frame);
@@ -137,41 +167,44 @@ void run(const BatchOptions& options) {
   LineReader reader(input, interruption);
   Progress progress;
   long lines = 0;
-  long failures = 0;
+  Failures failures;
 
   namespace tbb = oneapi::tbb;
   const auto threads = static_cast<std::size_t>(
       options.threads > 0 ? options.threads : tbb::info::default_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  const auto read_line = [&](tbb::flow_control& control) -> std::string {
+  using Line = Numbered<std::string>;
+  using Answer = Numbered<BatchAnswer>;
+  const auto read_line = [&](tbb::flow_control& control) -> Line {
     for (;;) {
       auto line = reader.next();
       if (!line) {
         control.stop();
         return {};
       }
-      if (done.ids.empty()) return *std::move(line);
-      const auto id = batch_id(*line);
-      if (!id || !done.ids.contains(*id)) return *std::move(line);
+      const auto id = done.ids.empty() ? std::nullopt : batch_id(*line);
+      if (!id || !done.ids.contains(*id)) return {reader.number(), *std::move(line)};
     }
   };
-  const auto answer = [&](const std::string& line) { return batch_answer(line, defaults); };
-  const auto write_answer = [&](BatchAnswer found) {
-    write_whole(output, found.line += '\n');
+  const auto answer = [&](const Line& line) -> Answer {
+    return {line.number, batch_answer(line.of, defaults)};
+  };
+  const auto write_answer = [&](Answer found) {
+    write_whole(output, found.of.line += '\n');
     ++lines;
-    if (found.is_failure) ++failures;
-    progress.report(lines, failures);
+    if (found.of.is_failure) failures.add(found.number, found.of.complaint);
+    progress.report(lines, failures.count());
   };
   // So many lines in memory at a time; one that takes long holds up the others later.
   const std::size_t lines_in_flight = 64 * threads;
   tbb::parallel_pipeline(
       lines_in_flight,
-      tbb::make_filter<void, std::string>(tbb::filter_mode::serial_in_order, read_line) &
-          tbb::make_filter<std::string, BatchAnswer>(tbb::filter_mode::parallel, answer) &
-          tbb::make_filter<BatchAnswer, void>(tbb::filter_mode::serial_in_order, write_answer));
-  progress.finish(lines, failures);
+      tbb::make_filter<void, Line>(tbb::filter_mode::serial_in_order, read_line) &
+          tbb::make_filter<Line, Answer>(tbb::filter_mode::parallel, answer) &
+          tbb::make_filter<Answer, void>(tbb::filter_mode::serial_in_order, write_answer));
+  progress.finish(lines, failures.count());
   interruption.pass_on();
-  if (failures > 0) throw AnswerNo{fmt::format("{} of {} lines failed", failures, lines)};
+  if (failures.count() > 0) throw AnswerNo{failures.text(lines)};
 }
 
 }  // namespace
@@ -197,12 +230,16 @@ void add_batch(Program& program) {
   add_max_degree(command, options->defaults.limits);
   command.set_notes(
       "A line is {\"id\": \"a7\", \"curve\": {...}, \"frame\": \"erf\", \"at\": [\"1\"], "
-      "\"digits\": 17}; all but the\n"
-      "curve (or spline) may be left out. Its answer is what \"phrame angle --print json\" gives, "
-      "on\n"
-      "one line and with the id, or {\"id\": \"a7\", \"error\": {\"status\": 2, \"message\": "
-      "\"...\"}}. The answers\n"
-      "are in the order of the lines. Exit status 1 if a line failed.\n"
+      "\"digits\": 17,\n"
+      "\"theta0\": \"pi/4\", \"note\": ...}; all but \"curve\", a curve or a spline, may be left "
+      "out. "
+      "A line\n"
+      "may also be the curve or spline by itself, with its key \"phrame\"; its name is the id.\n"
+      "The answer is what \"phrame angle --print json\" gives, on one line and with the id, or\n"
+      "{\"id\": \"a7\", \"error\": {\"status\": 2, \"message\": \"...\"}}. The answers are in the "
+      "order "
+      "of\n"
+      "the lines. Exit status 1 if a line failed; stderr tells the numbers of the first ten.\n"
       "After Ctrl-C the lines that were begun are finished; the output has whole lines only.\n"
       "Examples:\n"
       "  phrame batch curves.jsonl --at 1 -o angles.jsonl\n"

@@ -76,7 +76,7 @@ std::variant<NamedCurve, NamedSpline> CurveOptions::read_curve_or_spline() const
 void Parameters::add_to(Command& command) {
   command.add_list("--at", "T,...", at, "values of t, separated by commas: 0,1/2,-3,0.25");
   command.add_number("--samples", samples, {2, 10'000'000},
-                     "N equally spaced values of t from start to end (N ≥ 2)");
+                     "N equally spaced values of t from start to end (N ≥ 2), after those of --at");
 }
 
 std::vector<Rational> Parameters::values(const Rational& end) const {
@@ -137,7 +137,7 @@ void add_max_degree(Command& command, CurveLimits& limits) {
 std::string read_file(const std::string& path) {
   std::error_code ignored;
   if (path != "-" && std::filesystem::is_directory(path, ignored))
-    throw InputError(path, "is a directory, not a curve file");
+    throw InputError(path, "is a directory, not a file");
   const File opened(path == "-" ? nullptr : std::fopen(path.c_str(), "rb"));
   if (path != "-" && !opened) fail_with_errno(path, "cannot be read");
   std::FILE* file = path == "-" ? stdin : opened.get();

@@ -16,20 +16,31 @@ struct CompileOptions {
 };
 
 /// Rounded to a double.
-double end_of_interval(const std::string& option, const std::string& text) {
-  const double end = round_to_double(parse_option(option, text));
-  if (!std::isfinite(end))
+double rounded(const std::string& option, const std::string& text, const Real& value) {
+  const double x = round_to_double(value);
+  if (!std::isfinite(x))
     throw InputError(option, "\"" + abbreviated(text) + "\" is too large for a double");
-  return end;
+  return x;
+}
+
+/// From a t to another, within the limits of docs/compiled.md.
+std::pair<double, double> interval(const CompileOptions& options) {
+  const double from = rounded("--from", options.from, parse_option("--from", options.from));
+  const double to = rounded("--to", options.to, parse_option("--to", options.to));
+  const auto refuse = [&options](const std::string& separator, const std::string& why) {
+    throw InputError("--to", "\"" + abbreviated(options.to) + "\"" + separator + why);
+  };
+  if (!(from < to)) refuse(" ", "is not greater than --from");
+  if (to - from > 0x1p900) refuse(": ", "the interval is longer than 2^900");
+  if (to - from < 0x1p-900) refuse(": ", "the interval is shorter than 2^-900");
+  return {from, to};
 }
 
 void run(const CompileOptions& options) {
   const auto reference = chosen_reference(options.frame);
   const Angle start_angle = parse_angle_option("--theta0", options.start_angle);
-  const double from = end_of_interval("--from", options.from);
-  const double to = end_of_interval("--to", options.to);
-  if (!(from < to))
-    throw InputError("--to", "\"" + abbreviated(options.to) + "\" is not greater than --from");
+  rounded("--theta0", options.start_angle, to_real(start_angle));
+  const auto [from, to] = interval(options);
   if (!options.prefix.empty() && !is_prefix(options.prefix))
     throw InputError("--prefix", "\"" + abbreviated(options.prefix) +
                                      "\" is not a letter followed by letters, digits and single _");
@@ -84,7 +95,9 @@ void add_compile(Program& program) {
   command.set_notes(
       "C99 without dependencies, in doubles; the header states the errors, proved with rounding\n"
       "included, usually below 2^-51 for the angle and 2^-50 for the frame.\n"
-      "A spline of n segments has t from 0 to n, and one frame through all of them.\n"
+      "A spline of n segments has t from 0 to n, and one frame through all of them; --frame, "
+      "--from\n"
+      "and --to are for single curves.\n"
       "Examples:\n"
       "  phrame compile curve.json -o angle.h\n"
       "  phrame compile curve.json --from -1 --to 2 --prefix arm -o arm.h");

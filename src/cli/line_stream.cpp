@@ -79,6 +79,7 @@ std::optional<std::string> LineReader::next() {
     if (end == std::string::npos && start_ == buffer_.size()) return std::nullopt;
     std::string line = buffer_.substr(start_, end - start_);
     start_ = searched_ = end == std::string::npos ? buffer_.size() : end + 1;
+    ++number_;
     if (line.find_first_not_of(" \t\r") != std::string::npos) return line;
   }
 }

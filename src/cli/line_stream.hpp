@@ -49,6 +49,8 @@ class LineReader {
   /// The next line that is not blank; no value at the end of the file and after a signal. Throws
   /// InputError, also for a line longer than 2²⁸ bytes.
   std::optional<std::string> next();
+  /// Of the last line, from 1 on; blank lines count.
+  long number() const { return number_; }
 
  private:
   void fill();
@@ -59,6 +61,7 @@ class LineReader {
   std::size_t start_ = 0;     ///< of the next line
   std::size_t searched_ = 0;  ///< no end of a line before
   bool is_at_end_ = false;
+  long number_ = 0;
 };
 
 }  // namespace phrame::cli

@@ -59,23 +59,14 @@ std::string body(const std::string& notes) {
   return page + (is_indented ? ".fi\n.RE\n" : "");
 }
 
-/// "The facts that hold, in a sentence each."
-std::string conditions(const OptionFacts& facts) {
-  std::string text;
-  if (!facts.without.empty())
-    text += "Not with " + literal(fmt::format("{}", fmt::join(facts.without, ", "))) + ".\n";
-  return text;
-}
-
 std::string item(const ListedOption& option) {
   std::string names;
   for (const std::string& name : option.names)
     names += fmt::format("{}{}{}\\fR", names.empty() ? "" : ", ",
                          option.is_argument ? "\\fI" : "\\fB", literal(name));
   if (!option.value.empty()) names += " \\fI" + literal(option.value) + "\\fR";
-  return fmt::format(".TP\n{}\n{}{}\n{}", names, literal(option.what),
-                     option.is_required && !option.is_argument ? " (required)" : "",
-                     conditions(option.facts));
+  return fmt::format(".TP\n{}\n{}{}\n", names, literal(option.what),
+                     option.is_required && !option.is_argument ? " (required)" : "");
 }
 
 std::string synopsis(const Command& command) {

@@ -20,6 +20,18 @@ std::string alternatives(const std::vector<std::string>& choices) {
   return text;
 }
 
+/// The words in lines of at most `width` bytes each; no word is longer.
+std::string in_lines(std::string_view text, std::size_t width) {
+  std::string lines;
+  while (text.size() > width) {
+    const std::size_t end = text.rfind(' ', width);
+    if (end == std::string_view::npos) break;
+    lines += std::string(text.substr(0, end)) + "\n";
+    text.remove_prefix(end + 1);
+  }
+  return lines + std::string(text) + "\n";
+}
+
 /// The endings of files that say what is in them.
 const std::vector<std::pair<std::string, std::string>>& formats_by_ending() {
   static const std::vector<std::pair<std::string, std::string>> table{
@@ -63,7 +75,22 @@ CLI::Validator is_in(WholeNumbers range) {
 std::string Command::name() const { return app_.get_name(); }
 std::string Command::what() const { return app_.get_description(); }
 std::string Command::notes() const { return app_.get_footer(); }
-void Command::set_notes(const std::string& text) { app_.footer(text); }
+
+void Command::set_notes(const std::string& text) {
+  notes_ = text;
+  describe_restrictions();
+}
+
+void Command::describe_restrictions() {
+  std::map<std::vector<std::string>, std::vector<std::string>> options_by_choices;
+  for (const auto& [option, facts] : facts_)
+    if (!facts.without.empty()) options_by_choices[facts.without].push_back(option);
+  std::string text;
+  for (const auto& [choices, options] : options_by_choices)
+    text += in_lines(
+        fmt::format("Not with {}: {}.", alternatives(choices), fmt::join(options, ", ")), 90);
+  app_.footer(text + notes_);
+}
 
 void Command::add_argument(const std::string& argument, std::string& value,
                            const std::string& what) {
@@ -153,6 +180,7 @@ void Command::not_with(const std::vector<std::string>& options,
     app_.get_option(option);  // throws where there is none
     facts_[option].without = choices;
   }
+  describe_restrictions();
 }
 
 OptionFacts Command::facts(const std::string& option) const {

@@ -38,6 +38,7 @@ class Command {
   /// In a line, for the list of commands.
   std::string what() const;
   /// What the help says below the options.
+  /// The options that do not go with others come first.
   std::string notes() const;
   void set_notes(const std::string& text);
 
@@ -95,10 +96,12 @@ class Command {
   void require_applicable() const;
   void choose_format() const;
   void describe_output();
+  void describe_restrictions();
 
   CLI::App& app_;  ///< within the program's
   std::map<std::string, OptionFacts> facts_;
   std::map<std::string, std::function<std::vector<std::string>()>> values_;  ///< of choices, now
+  std::string notes_;                                                        ///< as they were set
   std::string format_option_;
   std::string* format_ = nullptr;
   std::string* output_ = nullptr;

@@ -29,6 +29,18 @@ FrameAngle boundary(const std::string& name, const std::string& angle, const std
   }
 }
 
+/// What --subdivide takes besides words.
+Rational at_parameter(const std::string& option, const std::string& text) {
+  try {
+    return parse_option(option, text);
+  } catch (const InputError&) {
+    if (text.find_first_of("+-.0123456789") == 0) throw;
+    throw InputError(option, "\"" + abbreviated(text) +
+                                 "\" is not one of inflections, extrema, auto, rms:X with a number "
+                                 "X, and a parameter t");
+  }
+}
+
 void require_one(const std::string& name, int given) {
   if (given != 1)
     throw InputError(name, given == 0 ? "the angle is missing" : "the angle is given twice");
@@ -53,7 +65,9 @@ void TwistOptions::add_to(Command& command) {
       "where to divide the rational frame: any of inflections, extrema (of the ERF's\n"
       "rate), auto (until the rate has one sign), rms:X (until the relative error is\n"
       "at most X), or parameters t");
-  command.add_flag("--unproved", is_unproved, "do not prove that w is the best one: faster");
+  command.add_flag("--unproved", is_unproved,
+                   "do not prove that w is the best one (of degree 1, of 2 without --free-ends):\n"
+                   "faster");
 }
 
 std::pair<FrameAngle, FrameAngle> TwistOptions::ends(const Spline& spline) const {
@@ -85,7 +99,7 @@ Subdivision TwistOptions::subdivision(const Spline& spline) const {
       if (*wanted.tolerance <= 0)
         throw InputError(option, "\"" + abbreviated(part) + "\": the error must be positive");
     } else {
-      wanted.at.push_back(parse_option(option, part));
+      wanted.at.push_back(at_parameter(option, part));
       if (wanted.at.back() < 0 || wanted.at.back() > spline.end())
         throw InputError(option, "the parameter " + abbreviated(part) + " is outside [0, " +
                                      to_string(spline.end()) + "]");

@@ -29,8 +29,8 @@ void run(const VerifyOptions& options) {
       std::count_if(statements.begin(), statements.end(),
                     [](const Statement& statement) { return !statement.is_proved(); });
   report += not_proved == 0 ? fmt::format("all {} statements are proved\n", statements.size())
-                            : fmt::format("{} of {} statements are not proved\n", not_proved,
-                                          statements.size());
+                            : fmt::format("{} of {} statements {} not proved\n", not_proved,
+                                          statements.size(), not_proved == 1 ? "is" : "are");
   write_output(options.output, report);
   if (not_proved > 0) throw AnswerNo{};
 }

@@ -22,7 +22,10 @@ struct TurnedLogs {
 ///   for Im z > 0, as the logarithms of z and 2t − z have opposite factors; a rational t such that
 ///   a power (t − z)ᴺ is rational, for each fraction.
 /// Real poles between the ends count as in a principal value. No value where an angle is not known,
-/// or the multiple not recognised. Precondition: no end is a pole.
+/// or the multiple not recognised: its polynomial is guessed from no more than 4000 bits of it
+/// (most_lattice_bits in bounded_algebraic.cpp), as the reduction of the lattice takes time like a
+/// power of them. So the same function with large coefficients may get no value where with small
+/// ones it does; it never gets a wrong one. Precondition: no end is a pole.
 std::optional<TurnedLogs> turned_logs(const std::vector<SimpleFraction>& fractions,
                                       const Endpoint& a, const Endpoint& b);
 

@@ -7,6 +7,7 @@
 #include "phrame/algebra/factor.hpp"
 #include "phrame/io/closed_form.hpp"
 #include "phrame/io/json_text.hpp"
+#include "phrame/io/number_text.hpp"
 #include "phrame/io/pole_table.hpp"
 #include "phrame/io/radical_form_text.hpp"
 #include "phrame/io/text.hpp"
@@ -75,8 +76,9 @@ std::string value_table(const std::vector<AngleValue>& values, long digits) {
     whole_width = std::max(whole_width, whole(value.theta.value));
   }
   column = aligned(column);
-  std::string text = fmt::format("\n  {}   {}θ(t)   radians, correctly rounded to {} digits\n",
-                                 column[0], std::string(whole_width - 1, ' '), digits);
+  std::string text = fmt::format("\n  {}   {}θ(t)   radians, correctly rounded to {}\n", column[0],
+                                 std::string(whole_width - 1, ' '),
+                                 counted(static_cast<std::size_t>(digits), "digit"));
   for (std::size_t k = 0; k < values.size(); ++k) {
     const std::string& theta = values[k].theta.value;
     text += fmt::format("  {}   {}{}\n", column[k + 1],

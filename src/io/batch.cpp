@@ -7,6 +7,7 @@
 #include "phrame/io/failure.hpp"
 #include "phrame/io/json_node.hpp"
 #include "phrame/io/json_text.hpp"
+#include "phrame/io/number_text.hpp"
 #include "phrame/io/spline_report.hpp"
 
 namespace phrame {
@@ -68,6 +69,8 @@ struct Question {
 Question question(const JsonNode& line, const BatchDefaults& defaults) {
   line.require(Kind::object, "an object");
   if (!line.find("curve")) {
+    if (line.find("spline"))
+      line.fail("a spline stands at the key \"curve\", too, not at \"spline\"");
     if (!line.find("phrame"))
       line.fail("the key \"curve\" is missing, and without \"phrame\" it is no bare curve");
     return {read_curve_or_spline(line, defaults.limits), defaults.frame, defaults.at,
@@ -117,7 +120,10 @@ JsonValue parse_line(std::string_view line) {
   } catch (const InputError& error) {
     const std::string& place = error.place();
     const std::string column = place.starts_with("1:") ? "column " + place.substr(2) : place;
-    throw InputError(column, error.reason() + " (each line is a JSON object by itself)");
+    const std::string hint = trimmed(line).find('\r') == std::string_view::npos
+                                 ? "each line is a JSON object by itself"
+                                 : "lines end with a line feed, a carriage return alone ends none";
+    throw InputError(column, fmt::format("{} ({})", error.reason(), hint));
   }
 }
 
@@ -134,7 +140,7 @@ BatchAnswer batch_answer(std::string_view line, const BatchDefaults& defaults) {
     const auto [status, message] = current_failure();
     const JsonOutput error = {{"status", status}, {"message", message}};
     const auto text = error.dump(-1, ' ', false, JsonOutput::error_handler_t::replace);
-    return {fmt::format("{{\"id\":{},\"error\":{}}}", id, text), true};
+    return {fmt::format("{{\"id\":{},\"error\":{}}}", id, text), true, message};
   }
 }
 

@@ -21,6 +21,7 @@ struct BatchDefaults {
 struct BatchAnswer {
   std::string line;  ///< without its end
   bool is_failure;
+  std::string complaint = {};  ///< why, as in the line
 };
 
 /// The answer to a line

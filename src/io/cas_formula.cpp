@@ -315,17 +315,50 @@ std::string cas_formula(const ExactValue& x, Language language) {
   return sum.text();
 }
 
+namespace {
+
+/// x`p says in Mathematica that x is off by no more than |x|·10⁻ᵖ. Half a unit in the last of n
+/// digits is that for p = n where they begin with 5 or more, for p = n − 1 where with less.
+std::string mathematica_precision(char first_digit, long digits) {
+  if (first_digit >= '5') return std::to_string(digits);
+  return digits == 1 ? "0.3" : std::to_string(digits - 1);  // 10^-0.3 > 1/2
+}
+
+/// The digits without the point and the sign.
+std::string digits_of(std::string_view decimal) {
+  std::string digits;
+  for (const char c : decimal)
+    if (c >= '0' && c <= '9') digits += c;
+  return digits;
+}
+
+}  // namespace
+
 std::string cas_formula(const Decimal& x, Language language) {
   const auto e = x.value.find('e');
   const std::string significand = x.value.substr(0, e);
   const std::string exponent = e == std::string::npos ? "" : x.value.substr(e + 1);
-  const auto digits = std::count_if(significand.begin(), significand.end(),
-                                    [](char c) { return c >= '0' && c <= '9'; });
+  const std::string all = digits_of(significand);
+  const std::size_t leading_zeros = all.find_first_not_of('0');
+  if (leading_zeros == std::string::npos) return "0";
+  const std::string digits = all.substr(leading_zeros);
+  const auto count = static_cast<long>(digits.size());
   switch (language) {
-    case Language::sympy:
-      return fmt::format("Float('{}', {})", x.value, digits);
+    case Language::sympy: {
+      // The strings that Python takes for numbers are short.
+      constexpr long longest = 4300;
+      if (count <= longest) return fmt::format("Float('{}', {})", x.value, count);
+      const auto point = significand.find('.');
+      const long decimals =
+          point == std::string::npos ? 0 : static_cast<long>(significand.size() - point - 1);
+      const long shift = (exponent.empty() ? 0 : std::stol(exponent)) - decimals;
+      return fmt::format("Float(Rational({}{}*10**{}, 10**{}), {})",
+                         significand.front() == '-' ? "-" : "", digits, std::max(0L, shift),
+                         std::max(0L, -shift), count);
+    }
     case Language::mathematica:
-      return fmt::format("{}`{}{}", significand, digits, exponent.empty() ? "" : "*^" + exponent);
+      return fmt::format("{}`{}{}", significand, mathematica_precision(digits.front(), count),
+                         exponent.empty() ? "" : "*^" + exponent);
     case Language::maxima:
       return fmt::format("{}b{}", significand, exponent.empty() ? "0" : exponent);
     default:

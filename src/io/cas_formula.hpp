@@ -30,7 +30,7 @@ std::string cas_formula(const RealForm& F, Language language, const std::string&
 /// poles, not the residues. Up to a constant between two of them it is real: no |…|.
 std::string cas_formula(const TextbookForm& F, Language language, const std::string& variable);
 std::string cas_formula(const ExactValue& x, Language language);
-/// "Float('1.5e-12', 2)", "1.5`2*^-12", "1.5b-12".
+/// "Float('1.5e-12', 2)", "1.5`1*^-12", "1.5b-12"; in Python of more than 4300 digits a quotient.
 std::string cas_formula(const Decimal& x, Language language);
 
 }  // namespace phrame

@@ -139,11 +139,20 @@ std::string to_script(const IntegralReport& report, Language language) {
                            definite->exact ? cas_formula(*definite->exact, language)
                                            : cas_formula(definite->value, language),
                            false});
-  // Maxima reads a number with as many digits as are asked for before.
+  // Neither computes with as many digits as a number has that it reads.
   const bool has_digits = report.definite && !report.definite->exact;
   if (language == Language::maxima && has_digits && report.digits > 16)
     definitions.insert(definitions.begin(), {"fpprec", std::to_string(report.digits), false});
-  return script(definitions, language, t, report.real.has_value(), closed.warning);
+  const std::string text =
+      script(definitions, language, t, report.real.has_value(), closed.warning);
+  constexpr long default_digits = 38;
+  if (language != Language::pari || !has_digits || report.digits <= default_digits) return text;
+  return comment(
+             fmt::format("default(realprecision, {}) shows all digits of definite, and computes "
+                         "antiderivative to as many",
+                         report.digits),
+             language) +
+         text;
 }
 
 std::string to_script(const AngleReport& report, Language language) {

@@ -300,7 +300,7 @@ std::string write_certificate(const Certificate& c, const std::string& name) {
 }
 
 Certificate read_certificate(std::string_view text, const CurveLimits& limits) {
-  const JsonValue document = parse_json(text);
+  const JsonValue document = parse_json_file(text, "certificate");
   const JsonNode node(document);
   node.require(Kind::object, "an object");
   if (const JsonNode format = node.at("phrame"); format.string() != "certificate/1")

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/io/json_text.hpp"
+#include "phrame/io/number_text.hpp"
 #include "phrame/io/text.hpp"
 
 namespace phrame {
@@ -158,8 +159,7 @@ std::string to_text(const CheckReport& report) {
   std::string text = name_prefix(report.curve);
   const std::string from = abbreviated(to_string(first->t));
   text += first->t == last->t
-              ? fmt::format("{} frame{}, t = {}\n\n", report.table.frames.size(),
-                            report.table.frames.size() == 1 ? "" : "s", from)
+              ? fmt::format("{}, t = {}\n\n", counted(report.table.frames.size(), "frame"), from)
               : fmt::format("{} frames, t from {} to {}\n\n", report.table.frames.size(), from,
                             abbreviated(to_string(last->t)));
   text += summary(report) + "\n\n";
@@ -178,7 +178,8 @@ std::string to_text(const CheckReport& report) {
   if (!report.table.columns.empty())
     row("columns", fmt::format("{} (by their number{})", report.table.columns,
                                report.table.skipped > 0
-                                   ? fmt::format(", {} more are skipped", report.table.skipped)
+                                   ? fmt::format(", {} more {} skipped", report.table.skipped,
+                                                 report.table.skipped == 1 ? "is" : "are")
                                    : ""));
   if (!v.findings.empty()) text += "\nFindings\n";
   for (const FrameFinding& finding : v.findings)

@@ -80,11 +80,11 @@ Effort effort(const RationalFunction& rate, const Rational& t, long digits) {
 
 std::string coq_proof(const NamedCurve& named, const Rational& t, long digits) {
   const QuaternionPolynomial& a = named.curve.preimage();
-  if (t <= 0) throw DomainError("coq_proof: t = " + to_string(t) + " is not positive");
+  if (t <= 0) throw DomainError("proof: t = " + to_string(t) + " is not positive");
   const Polynomial s = sigma(a);
   if (count_real_roots(s, closed(0, t)) > 0)
-    throw DomainError(
-        "coq_proof: the preimage has a zero between 0 and t, where h/sigma is undefined");
+    throw DomainError("proof: the preimage has a zero between 0 and t = " +
+                      abbreviated(to_string(t)) + ", where h/sigma is undefined");
   const Polynomial h = twist_numerator(a);
   RmfAngle angle(named.curve, Reference::erf);
   const std::string shown = rounded(angle.value(t), "theta", digits).value;

@@ -234,7 +234,7 @@ NamedSpline read_spline(const Node& node, const CurveLimits& limits) {
 }  // namespace
 
 NamedCurve read_curve(std::string_view text, const CurveLimits& limits) {
-  const JsonValue document = parse_json(text);
+  const JsonValue document = parse_json_file(text, "curve file");
   return read_curve(JsonNode(document), limits);
 }
 
@@ -245,7 +245,7 @@ NamedCurve read_curve(const JsonNode& node, const CurveLimits& limits) {
 
 std::variant<NamedCurve, NamedSpline> read_curve_or_spline(std::string_view text,
                                                            const CurveLimits& limits) {
-  const JsonValue document = parse_json(text);
+  const JsonValue document = parse_json_file(text, "curve file");
   const Node node(document);
   node.require(Kind::object, "an object");
   node.at("phrame");
@@ -270,7 +270,7 @@ NamedSpline as_spline(const std::variant<NamedCurve, NamedSpline>& read) {
 }
 
 NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) {
-  const JsonValue document = parse_json(text);
+  const JsonValue document = parse_json_file(text, "curve file");
   const Node node(document);
   require_curve(node);
   if (const auto points = node.find("control_points")) return read_bezier(node, *points, limits);

@@ -9,6 +9,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/npy.hpp"
+#include "phrame/io/number_text.hpp"
 
 namespace phrame {
 namespace {
@@ -99,9 +100,10 @@ TextTable::TextTable(std::string_view text, bool reads_comment) {
   if (text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size())).starts_with('{'))
     throw InputError("line 1", "this is JSON; a table of text or an array of NumPy is wanted");
   for (long line = 1; !text.empty(); ++line) {
-    const auto end = std::min(text.find('\n'), text.size());
+    const auto end = std::min(text.find_first_of("\r\n"), text.size());
     add(trimmed(text.substr(0, end), blanks), line);
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const auto next = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
+    text.remove_prefix(std::min(next, text.size()));
   }
   if (names_.empty() && rows_.empty())
     throw InputError("line 1", "a table of numbers is wanted, below the names of its columns");
@@ -148,8 +150,8 @@ void TextTable::require_equal_widths() const {
     if (row.fields.size() != columns())
       throw InputError(
           fmt::format("line {}", row.line),
-          fmt::format("{} numbers are wanted as in {}, not {}", columns(),
-                      names_.empty() ? "the first line of them" : "the header", row.fields.size()));
+          fmt::format("{} here, but {} in {}", counted(row.fields.size(), "number"), columns(),
+                      names_.empty() ? "the first line of them" : "the header"));
 }
 
 Rational TextTable::number(std::size_t row, std::size_t column) const {
@@ -336,14 +338,13 @@ GivenTable frames_of(const Table& table, const std::string& header_place,
   if (names.empty()) {
     names = reading.names.empty() ? names_by_number(table.columns()) : reading.names;
     if (names.empty())
-      throw InputError(
-          table.place(0),
-          fmt::format("there is no header, and of {} columns it is not known what they "
-                      "are: 4, 5, 7, 8, 10, and 13 or more are; --header names them",
-                      table.columns()));
+      throw InputError(table.place(0),
+                       fmt::format("there is no header, and of {} it is not known what they "
+                                   "are: 4, 5, 7, 8, 10, and 13 or more are; --header names them",
+                                   counted(table.columns(), "column")));
     if (!reading.names.empty() && names.size() != table.columns())
-      throw InputError("--header", fmt::format("{} names are given, but the table has {} columns",
-                                               names.size(), table.columns()));
+      throw InputError("--header", fmt::format("{} for {}", counted(names.size(), "name"),
+                                               counted(table.columns(), "column")));
     if (reading.names.empty()) result.columns = fmt::format("{}", fmt::join(names, ", "));
     result.skipped = table.columns() - names.size();
   } else if (!reading.names.empty()) {

@@ -106,11 +106,10 @@ Real Scalar::at(const SplinePoint& point, const AlgebraicPoint& t) const {
   if (!undefined.empty()) throw DomainError(undefined);
   if (is_on_segment && (compare(t.number(), 0) < 0 || compare(t.number(), 1) > 0))
     throw DomainError(
-        fmt::format("frame_table: {} is outside [0, 1], where the sign of the multiplier is known",
-                    text_of(point)));
+        fmt::format("{}: {} is outside [0, 1], where the sign of the multiplier is known",
+                    name_of(kind), text_of(point)));
   if (sign_at(f.denominator(), t.number()) == 0)
-    throw DomainError(
-        fmt::format("frame_table: {} is infinite at {}", name_of(kind), text_of(point)));
+    throw DomainError(fmt::format("{}: infinite at {}", name_of(kind), text_of(point)));
   return is_square ? t.square_root(f) : t.value(f);
 }
 
@@ -247,8 +246,7 @@ std::vector<double> Rows::at(const SplinePoint& point) {
   }
   for (std::size_t k = 0; k < row.size(); ++k)
     if (std::isinf(row[k]))  // rounded to infinity, which is no answer
-      throw Undecided(fmt::format("frame_table: at {}, {} is beyond the range of doubles",
-                                  text_of(point), names()[k]));
+      throw InputError(text_of(point), names()[k] + " does not fit a double, of at most 1.8e308");
   return row;
 }
 

@@ -45,9 +45,10 @@ struct FrameTable {
 /// t, r, e₁, the frames and the scalars asked for, at each t: correctly rounded values at t itself,
 /// not at the t that is shown. Where a Frenet frame, a torsion or an arc length is undefined, and
 /// at the pole of a curvature or torsion, cells are left empty if they may be, or DomainError is
-/// thrown. Throws Undecided where a number is too large
-/// for a double, where a component of the rotation-minimizing frame at an irrational t is half way
-/// between two, and where any number is too near to that for the limit of round_to_double().
+/// thrown. Throws InputError where a number is too large
+/// for a double, Undecided where a component of the rotation-minimizing frame at an irrational t is
+/// half way between two, and where any number is too near to that for the limit of
+/// round_to_double().
 FrameTable frame_table(const Curve& curve, const TableColumns& columns,
                        const std::vector<RealAlgebraic>& at);
 

@@ -9,6 +9,7 @@
 #include "phrame/io/closed_form.hpp"
 #include "phrame/io/endpoint.hpp"
 #include "phrame/io/json_text.hpp"
+#include "phrame/io/number_text.hpp"
 #include "phrame/io/pole_table.hpp"
 #include "phrame/io/radical_form_text.hpp"
 #include "phrame/io/text.hpp"
@@ -89,9 +90,9 @@ std::string value_text(const DefiniteValue& definite, const IntegralReport& repo
     if (is_decimal && exact == definite.value.value) return text + fmt::format("    = {}\n", exact);
     text += fmt::format("    = {}\n", readable_exact(exact));
   }
-  return text + fmt::format("    {} {}\n    {} to {} digit{}\n", is_decimal ? "=" : "≈",
-                            wrapped(definite.value.value, 6), "correctly rounded", report.digits,
-                            report.digits == 1 ? "" : "s");
+  return text + fmt::format("    {} {}\n    {} to {}\n", is_decimal ? "=" : "≈",
+                            wrapped(definite.value.value, 6), "correctly rounded",
+                            counted(static_cast<std::size_t>(report.digits), "digit"));
 }
 
 }  // namespace

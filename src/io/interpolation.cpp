@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
@@ -18,11 +17,10 @@ FrameTable interpolation_table(const Curve& curve, TravelTime& time, const Ratio
     std::vector<double> row{round_to_double(Rational(k)), round_to_double(at),
                             round_to_double(point.parameter), round_to_double(point.value(s))};
     for (const Polynomial& x : r) row.push_back(round_to_double(point.value(x)));
-    if (!std::all_of(row.begin(), row.end(), [](double x) { return std::isfinite(x); }))
-      throw Undecided(
-          fmt::format("interpolation: a number of the point {} is beyond the range of "
-                      "doubles",
-                      k.str()));
+    for (std::size_t column = 0; column < row.size(); ++column)
+      if (!std::isfinite(row[column]))
+        throw InputError(fmt::format("point {}", k.str()),
+                         table.columns[column] + " does not fit a double, of at most 1.8e308");
     table.rows.push_back(std::move(row));
   };
   const Integer ticks = time.ticks(period);

@@ -26,8 +26,10 @@ JsonOutput json_of(const SurdPolynomial& p);
 JsonOutput json_of(const LogSum& sum);
 /// {"polynomial": …, "rational": …, "logs": […], "form": …, "checked": true}.
 JsonOutput json_of(const Antiderivative& F, const std::string& form);
-/// {"polynomial": …, "rational": …, "logarithms": [{"factor", "of", "positive"}],
-/// "arctangents": [{"factor", "of"}], "others": […], "checked": true}.
+/// {"polynomial": …, "rational": …, "logarithms": [{"factor", "of", "positive"}], "arctangents":
+/// [{"factor", "of"}], "log_quotients": [{"factor", "of", "radicand"}], "others": […], "checked":
+/// true}. "factor" and "radicand" are as a Surd is, "of" as a SurdPolynomial; an arctangent has a
+/// "radicand" unless it is 1. "others" are LogSums.
 JsonOutput json_of(const RealForm& F);
 /// {"logs": […]}, each with "roots" of the index, "residues" and "real_roots" beside what a LogSum
 /// has; radicals as "(1 + sqrt(3)*I)/2".

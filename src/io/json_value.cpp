@@ -230,6 +230,22 @@ JsonValue parse_json(std::string_view text) {
   return builder.result();
 }
 
+JsonValue parse_json_file(std::string_view text, std::string_view kind) {
+  try {
+    return parse_json(text);
+  } catch (const InputError& error) {
+    const auto begin = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    if (begin == std::string_view::npos || text[begin] == '{' || text[begin] == '[') throw;
+    const std::string_view rest = text.substr(begin);
+    const std::string what =
+        rest.starts_with("\x93NUMPY")
+            ? "is an array of NumPy"
+            : fmt::format("begins with \"{}\"",
+                          abbreviated(rest.substr(0, rest.find_first_of("\r\n"))));
+    throw InputError(error.place(), fmt::format("a {} is JSON, this {}", kind, what));
+  }
+}
+
 std::string description(const JsonValue& value) {
   switch (value.kind) {
     case JsonValue::Kind::null:

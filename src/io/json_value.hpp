@@ -21,6 +21,8 @@ struct JsonValue {
 /// Parses one JSON document. Throws InputError for invalid JSON (place "line:column"), for a key
 /// that occurs twice in an object and for nesting deeper than 32 (place: a JSON pointer).
 JsonValue parse_json(std::string_view text);
+/// The same of a file; what does not even begin as JSON does is said to be no `kind`, "curve file".
+JsonValue parse_json_file(std::string_view text, std::string_view kind);
 
 /// What is wrong, out of a message of nlohmann's parser: without the number of the error, the place
 /// and what was expected. Here to be tested, because releases of the parser word it differently.

@@ -16,6 +16,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/io/number_text.hpp"
 
 namespace phrame {
 namespace {
@@ -231,9 +232,9 @@ void NpyTable::lay_out_plain(const Header& header) {
   if (rows_ == 0 || columns == 0) throw InputError("data", "there are no frames");
   const std::size_t count = data_.size() / type.size;
   if (data_.size() % type.size != 0 || count % columns != 0 || count / columns != rows_)
-    throw InputError(
-        "data", fmt::format("{} × {} numbers of {} bytes are wanted, {} bytes are there", rows_,
-                            columns, type.size, data_.size()));
+    throw InputError("data",
+                     fmt::format("wanted: {} × {} numbers of {} each; there: {}", rows_, columns,
+                                 counted(type.size, "byte"), counted(data_.size(), "byte")));
   stride_ = header.is_fortran ? type.size : columns * type.size;
   for (std::size_t k = 0; k < columns; ++k)
     columns_.push_back({type, header.is_fortran ? k * rows_ * type.size : k * type.size});
@@ -277,8 +278,8 @@ void NpyTable::lay_out_structured(const Header& header) {
     }
   }
   if (stride_ == 0 || data_.size() % stride_ != 0 || data_.size() / stride_ != rows_)
-    throw InputError("data", fmt::format("{} rows of {} bytes are wanted, {} bytes are there",
-                                         rows_, stride_, data_.size()));
+    throw InputError("data", fmt::format("wanted: {} of {}; there: {}", counted(rows_, "row"),
+                                         counted(stride_, "byte"), counted(data_.size(), "byte")));
 }
 
 Rational NpyTable::number(std::size_t row, std::size_t column) const {

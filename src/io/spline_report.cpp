@@ -4,6 +4,7 @@
 
 #include "phrame/io/closed_form.hpp"
 #include "phrame/io/json_text.hpp"
+#include "phrame/io/number_text.hpp"
 #include "phrame/io/text.hpp"
 #include "phrame/ph/totals.hpp"
 
@@ -24,9 +25,8 @@ std::string closure(const Spline& spline) {
 }
 
 std::string heading(const std::string& name, const Spline& spline) {
-  const std::size_t count = spline.segments().size();
-  return fmt::format("{}PH spline of {} segment{}, {}", name_prefix(name), count,
-                     count == 1 ? "" : "s", closure(spline));
+  return fmt::format("{}PH spline of {}, {}", name_prefix(name),
+                     counted(spline.segments().size(), "segment"), closure(spline));
 }
 
 JsonOutput json_of(const SplineAngleReport& report) {

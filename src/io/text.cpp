@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/number_text.hpp"
 
 namespace phrame {
 namespace {
@@ -105,7 +106,7 @@ std::string number_within(std::size_t limit, const Rational& x) {
 }
 
 std::string summary(long degree, std::size_t digits) {
-  return fmt::format("⟨degree {}, coefficients of up to {} digits⟩", degree, digits);
+  return fmt::format("⟨degree {}, coefficients of up to {}⟩", degree, counted(digits, "digit"));
 }
 
 }  // namespace
@@ -258,7 +259,11 @@ std::string place_of_root(const Interval& root) {
   constexpr std::size_t limit = 40;
   const auto shown = [](const Rational& t) { return phrame::shown(t, limit); };
   if (*root.lower == *root.upper) return "t = " + shown(*root.lower);
-  return fmt::format("a t in ({}, {})", shown(*root.lower), shown(*root.upper));
+  const std::string interval = fmt::format("({}, {})", shown(*root.lower), shown(*root.upper));
+  const RealBall ball = hull(*root.lower, *root.upper, 64);
+  constexpr long few_digits = 10;  // in bits
+  if (ball.accuracy_bits() < few_digits) return "a t in " + interval;
+  return fmt::format("t ≈ {}, in {}", to_string(ball, 12), interval);
 }
 
 std::string printable(std::string_view text) {

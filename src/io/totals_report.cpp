@@ -6,6 +6,7 @@
 #include "phrame/io/cas_formula.hpp"
 #include "phrame/io/closed_form.hpp"
 #include "phrame/io/json_text.hpp"
+#include "phrame/io/number_text.hpp"
 #include "phrame/io/text.hpp"
 #include "phrame/ph/shape.hpp"
 
@@ -121,9 +122,9 @@ std::string to_text(const TotalsReport& report) {
   std::string text = heading(report.curve) + "\n\n";
   for (const Row& row : report.rows) text += to_text(row) + "\n";
   return text + fmt::format(
-                    "From t = 0 to 1; decimals are correctly rounded to {} digit{}. "
+                    "From t = 0 to 1; decimals are correctly rounded to {}. "
                     "Checked: the derivative of F is F′, exactly.\n",
-                    report.digits, report.digits == 1 ? "" : "s");
+                    counted(static_cast<std::size_t>(report.digits), "digit"));
 }
 
 std::string to_json(const TotalsReport& report) {

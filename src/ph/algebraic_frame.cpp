@@ -28,10 +28,10 @@ Frame<Real> AlgebraicFrames::euler_rodrigues(const AlgebraicPoint& t) const {
 
 Frame<Real> AlgebraicFrames::frenet(const AlgebraicPoint& t) const {
   if (is_zero(bend_))
-    throw DomainError("frenet_frame: the curve is a straight line, it has no principal normal");
+    throw DomainError("Frenet frame: the curve is a straight line, it has no principal normal");
   const Polynomial size = norm(bend_);
   if (sign_at(size, t.number()) == 0)
-    throw DomainError("frenet_frame: t in " + to_string(t.number().interval()) +
+    throw DomainError("Frenet frame: t ≈ " + to_string(enclose(t.number(), 64), 12) +
                       " is an inflection, the principal normal is undefined");
   const auto vector = [&](const Polynomial& x, const Polynomial& y) {
     const auto component = [&](std::size_t k) {

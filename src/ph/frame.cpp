@@ -45,12 +45,12 @@ Frame<Rational> Frames::euler_rodrigues(const Rational& t) const {
 
 Frame<Real> Frames::frenet(const Rational& t) const {
   if (is_zero(bend_))
-    throw DomainError("frenet_frame: the curve is a straight line, it has no principal normal");
+    throw DomainError("Frenet frame: the curve is a straight line, it has no principal normal");
   const Rational re = bend_.re(t);
   const Rational im = bend_.im(t);
   if (re == 0 && im == 0)
     throw DomainError(
-        fmt::format("frenet_frame: t = {} is an inflection, the principal normal is undefined",
+        fmt::format("Frenet frame: t = {} is an inflection, the principal normal is undefined",
                     abbreviated(to_string(t))));
   return turned(euler_rodrigues(t), {re, -im});
 }

@@ -408,7 +408,8 @@ FrameVerdict check_frames(const Spline& spline, const std::vector<GivenFrame>& f
     FrameVerdict verdict = judgement.verdict(check, forward);
     if (judgement.is_decided()) return verdict;
   }
-  throw Undecided("check_frames: 4096 bits of precision do not tell an error from the tolerance");
+  throw Undecided(
+      "check of frames: 4096 bits of precision do not tell an error from the tolerance");
 }
 
 }  // namespace phrame

@@ -36,7 +36,7 @@ std::optional<DoublePh> double_ph(const QuaternionPolynomial& a) {
 std::vector<Interval> normal_flips(const QuaternionPolynomial& a, const Interval& interval) {
   const GaussianPolynomial g = bend_numerator(a);
   if (is_zero(g))
-    throw DomainError("normal_flips: the curve is a straight line, it has no principal normal");
+    throw DomainError("principal normal: the curve is a straight line, it has no principal normal");
   Polynomial odd{1};
   for (const auto& [base, exponent] : squarefree_factorization(gcd(g.re, g.im)).factors)
     if (exponent % 2 == 1) odd *= base;
@@ -94,7 +94,7 @@ RationalFunction squared_frenet_rate(const Curve& curve) {
 RationalFunction signed_curvature(const Curve& curve) {
   const Signs signs = multiplier_signs(curve);
   if (signs.positive && signs.negative)
-    throw DomainError("signed_curvature: the multiplier changes sign on [0, 1]");
+    throw DomainError("signed curvature: the multiplier changes sign on [0, 1]");
   const Vector<Polynomial> d = rotated_i(curve.preimage());
   const auto minor = [&](std::size_t j, std::size_t k) {
     return d[j] * differentiate(d[k]) - d[k] * differentiate(d[j]);
@@ -107,12 +107,12 @@ RationalFunction signed_curvature(const Curve& curve) {
   Rational square = 0;  // |N|², N = normal/w
   for (const Polynomial& component : normal) {
     const Rational ratio = component.coefficient(w.degree()) / w.leading_coefficient();
-    if (!(component == ratio * w)) throw DomainError("signed_curvature: the curve is not plane");
+    if (!(component == ratio * w)) throw DomainError("signed curvature: the curve is not plane");
     square += ratio * ratio;
   }
   const auto length = square_root(square);
   if (!length)
-    throw DomainError("signed_curvature: the unit normal of the plane is not rational, |N|² = " +
+    throw DomainError("signed curvature: the unit normal of the plane is not rational, |N|² = " +
                       abbreviated(to_string(square)));
   const Polynomial f = signs.negative ? -curve.multiplier() : curve.multiplier();
   return {*length * w, f * pow(sigma(curve.preimage()), 3)};

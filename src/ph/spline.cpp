@@ -96,8 +96,7 @@ std::optional<GaussianRational> Spline::closing_turn() const {
 
 SplineParameter locate(const Spline& spline, const Rational& t) {
   if (t < 0 || t > spline.end())
-    throw DomainError(fmt::format("spline: t = {} is outside [0, {}]",
-                                  abbreviated(phrame::to_string(t)),
+    throw DomainError(fmt::format("t = {} is outside [0, {}]", abbreviated(phrame::to_string(t)),
                                   phrame::to_string(spline.end())));
   const auto count = spline.segments().size();
   const std::size_t k = std::min(static_cast<std::size_t>(static_cast<long>(floor(t))), count - 1);

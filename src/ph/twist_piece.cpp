@@ -73,8 +73,9 @@ std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Ration
       throw DomainError(
           "the curve has a cusp" +
           (spline.segments().size() > 1 ? " in segment " + std::to_string(k) : std::string()) +
-          (found.front().lower == found.front().upper ? " at t = " : " at a t in ") +
-          to_string(found.front()) +
+          (found.front().lower == found.front().upper
+               ? " at t = " + to_string(found.front())
+               : " at t ≈ " + to_string(hull(*found.front().lower, *found.front().upper, 64), 12)) +
           ", where a frame that turns with the parameter turns at an infinite rate");
     points.push_back(Rational(static_cast<long>(k)));
   }

@@ -18,7 +18,7 @@ TEST_CASE("certify and verify: a certificate is proved, a changed one is not") {
   CHECK(wrong.err.empty());
   CHECK(contains(wrong.out, "not proved  |theta(1) - 0.2858565301"));
   CHECK(contains(wrong.out, ": theta is further off\n"));
-  CHECK(wrong.out.ends_with("1 of 17 statements are not proved\n"));
+  CHECK(wrong.out.ends_with("1 of 17 statements is not proved\n"));
 }
 
 TEST_CASE("certify: without --at it is the angle at 1; the Frenet frame has its turn") {

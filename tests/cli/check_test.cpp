@@ -118,5 +118,5 @@ TEST_CASE("check: another convention that is right is named") {
     check_failure(here.run("check plane.json table " + option), 2,
                   option.substr(0, option.find(' ')) + ": is for quaternions");
   check_failure(here.run("check plane.json poses.txt --header t,f2x,f2y,f2z"), 2,
-                "--header: 4 names are given, but the table has 5 columns");
+                "--header: 4 names for 5 columns\n");
 }

@@ -258,7 +258,16 @@ TEST_CASE("compile: names in C come from the curve's, and --prefix must be one")
   check_failure(shop.run("compile quintic.json --from 1"), 2, "--to: \"1\"");
   check_failure(shop.run("compile quintic.json --to x"), 2, "--to: ");
   check_failure(shop.run("compile quintic.json --to 1e309"), 2, "--to: \"1e309\" is too large");
-  check_failure(shop.run("compile quintic.json --theta0 1e309"), 4, "too large for doubles");
+  check_failure(shop.run("compile quintic.json --theta0 1e309"), 2,
+                "--theta0: \"1e309\" is too large for a double");
+  check_failure(shop.run("compile quintic.json --to 1e280"), 2,
+                "--to: \"1e280\": the interval is longer than 2^900\n");
+  check_failure(shop.run("compile quintic.json --from=-1e308 --to 1e308"), 2,
+                "--to: \"1e308\": the interval is longer than 2^900\n");
+  check_failure(shop.run("compile quintic.json --to 1e-280"), 2,
+                "--to: \"1e-280\": the interval is shorter than 2^-900\n");
+  // 2⁹⁰⁰ = 8.45e270.
+  check_success(shop.run("compile line.json --to 8e270"));
   check_failure(shop.run("compile line.json --frame frenet"), 3, "straight line");
   shop.write("steep.json", R"({"phrame": "curve/1", "basis": "power", "preimage":
       {"u": [1], "v": ["-1e19", "3e19"], "p": ["-1e19", "3e19"], "q": [1, 1]}})");

@@ -249,6 +249,10 @@ TEST_CASE("integrate: scripts are read as they are meant") {
                  "x = symbols('x', real=True)"));
   CHECK(here.run("integrate '1/(x^3+x+1)' --from 0 --to 1 --digits 40 --print maxima")
             .out.starts_with("fpprec: 40$\n"));
+  CHECK(here.run("integrate '1/(x^3+x+1)' --from 0 --to 1 --digits 40 --print pari")
+            .out.starts_with("\\\\ default(realprecision, 40) shows all digits of definite"));
+  CHECK(here.run("integrate '1/(x^3+x+1)' --from 0 --to 1 --print pari")
+            .out.starts_with("integrand"));
   CHECK(contains(here.run("integrate 'x-1/x^2' --print maple").out, "(x^3 - 1)/(x^2)"));
   CHECK(
       contains(here.run("integrate '1+1/x^2' --print maple").out, "antiderivative := x - 1/(x):"));

@@ -8,6 +8,17 @@ using namespace phrame;
 using namespace phrame::test;
 
 // Example 1 of Farouki and Moon, with the angle at the end that its results need.
+// A = (t³ − 1/5)(1 + 2k): a cusp at ∛(1/5) = 0.5848035476425732…
+TEST_CASE("mtf: a cusp at an irrational t is told in decimals, by info and angle, too") {
+  const Workshop here;
+  here.write("cusp.json", R"({"phrame": "curve/1", "basis": "power",
+      "preimage": {"u": ["-1/5", 0, 0, 1], "v": [0], "p": [0], "q": ["-2/5", 0, 0, 2]}})");
+  check_failure(here.run("mtf cusp.json --from 0 --to 1 --degree 2"), 3,
+                "phrame: the curve has a cusp at t ≈ 0.584803, where a frame");
+  for (const std::string command : {"info", "angle"})
+    CHECK(contains(here.run(command + " cusp.json").out, " t ≈ 0.584803, in (306605/524288, "));
+}
+
 TEST_CASE("mtf: twist and angles of an example of the paper") {
   const Workshop here;
   here.write("example.json", R"({"phrame": "curve/1", "basis": "bernstein", "quaternions": [
@@ -220,8 +231,12 @@ TEST_CASE("mtf: what is refused, and where there is no rational frame") {
     CHECK(contains(run.err, message));
     CHECK(run.out.empty());
   };
+  check_refused(
+      "--subdivide foo",
+      "--subdivide: \"foo\" is not one of inflections, extrema, auto, rms:X with a number "
+      "X, and a parameter t\n");
   check_refused("--subdivide 2", "--subdivide: the parameter 2 is outside [0, 1]");
-  check_refused("--subdivide middle", "--subdivide: \"middle\" is not a number");
+  check_refused("--subdivide middle", "--subdivide: \"middle\" is not one of inflections, ");
   check_refused("--subdivide rms:0", "the error must be positive");
   check_refused("--subdivide rms:1,rms:2", "rms: is given twice");
   check_refused("--degree 9", "--degree");

@@ -137,10 +137,15 @@ TEST_CASE("program: huge and tiny t are no harder") {
 
 TEST_CASE("program: a t beyond the limits is refused, and named") {
   const Workshop here;
-  check_failure(here.run("frames quintic.json --at 1e200"), 4,
-                "characters), x is beyond the range");
-  check_failure(here.run("frames quintic.json --at 1,1e400"), 4,
-                "characters), t is beyond the range of doubles");
+  // Neither undefined nor undecided: the table cannot hold what is asked for.
+  for (const std::string format : {"csv", "json", "npy"}) {
+    check_failure(here.run("frames quintic.json --at 1e200 --format " + format), 2,
+                  "characters): x does not fit a double, of at most 1.8e308\n");
+    check_failure(here.run("frames quintic.json --at 1,1e400 --format " + format), 2,
+                  "characters): t does not fit a double");
+    check_failure(here.run("interpolate line.json --period 1e400 --feed 1e-400 --format " + format),
+                  2, "phrame: point 1: time does not fit a double, of at most 1.8e308\n");
+  }
   check_failure(here.run("frames inflected.json --frame frenet --at 0"), 3, "t = 0");
 }
 
@@ -232,6 +237,74 @@ TEST_CASE("program: what is undefined has status 3 and its reason") {
   check_success(here.run("frames inflected.json --frame frenet --at 1/2,1"));
 }
 
+// A place on the terminal is a file, an option or a notion of the manual.
+TEST_CASE("batch: the lines that failed are told by their numbers in the input") {
+  const Workshop here;
+  std::string line = bytes_of(here.file("line.json"));
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  const std::string good = line + "\n";
+  const Run run = here.run("batch", good + "\n \n" + "{bad\n" + good + "{\"curve\": 7}");
+  CHECK(run.status == 1);
+  CHECK(std::count(run.out.begin(), run.out.end(), '\n') == 4);
+  CHECK(contains(run.err, "phrame: 2 of 4 lines failed: 4, 6; line 4: column 2: not valid JSON: "));
+  CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
+  // The number is that in the input, also where lines are left out.
+  here.write("done.jsonl", R"({"id":"a","error":{"status":2}})"
+                           "\n");
+  const std::string skipped = R"({"id": "a", "curve": 0})"
+                              "\n";
+  CHECK(here.run("batch --skip-done done.jsonl", skipped + "{\"curve\": 7}").err ==
+        "phrame: 1 of 1 line failed: 2; line 2: /curve: an object is wanted, not the number 7\n");
+  std::string many;
+  for (int k = 0; k < 12; ++k) many += "7\n";
+  CHECK(contains(here.run("batch", many).err,
+                 "12 of 12 lines failed: 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, …; line 1: /: an object"));
+}
+
+TEST_CASE("frames: the rows of --at come first, in their order, as the help says") {
+  const Workshop here;
+  const std::string table = here.run("frames line.json --samples 2 --at 3,2").out;
+  std::string t;
+  std::istringstream lines(table);
+  for (std::string row; std::getline(lines, row);) t += row.substr(0, row.find(',')) + " ";
+  CHECK(t == "t 3 2 0 1 ");
+  CHECK(contains(here.run("frames --help").out, "(N ≥ 2), after those of --at\n"));
+}
+
+TEST_CASE("program: one of a kind is singular") {
+  const Workshop here;
+  CHECK(contains(here.run("angle quintic.json --at 1 --digits 1").out, "rounded to 1 digit\n"));
+  here.write("table.csv", "t;f2x;f2y;f2z\n0\n");
+  check_failure(here.run("check line.json table.csv"), 2, "1 number here, but 4 in the header");
+  here.write("column.csv", "0\n1\n");
+  check_failure(here.run("check line.json column.csv"), 2, "and of 1 column it is not known");
+}
+
+TEST_CASE("program: no message begins with the name of a function") {
+  const Workshop here;
+  const std::string cusped = R"({"phrame": "curve/1", "basis": "power",
+      "preimage": {"u": [-1, 2], "v": [0], "p": [0], "q": [0, -1, 2]}})";
+  here.write("cusped.json", cusped);
+  check_failure(here.run("frames line.json --samples 2 --frame frenet"), 3,
+                "phrame: Frenet frame: the curve is a straight line");
+  check_failure(here.run("frames inflected.json --at 0 --frame frenet"), 3,
+                "phrame: Frenet frame: t = 0 is an inflection");
+  check_failure(here.run("frames cusped.json --at 1/2 --columns curvature"), 3,
+                "phrame: curvature: infinite at t = 1/2");
+  check_failure(here.run("frames quintic.json --at 3 --frame mtf --from 0 --to 1"), 3,
+                "phrame: t = 3 is outside [0, 1]\n");
+  check_failure(here.run("interpolate quintic.json --period 1 --feed kappa"), 3,
+                "phrame: signed curvature: the curve is not plane");
+  check_failure(here.run("prove cusped.json --at 1"), 3,
+                "phrame: proof: the preimage has a zero between 0 and t = 1,");
+  here.write("table.csv", "t,x,y,z\n0,0,0,0\n");
+  check_failure(here.run("angle table.csv"), 2,
+                "phrame: table.csv:1:2: a curve file is JSON, this begins with \"t,x,y,z\"\n");
+  check_failure(here.run("verify table.csv"), 2,
+                "phrame: table.csv:1:2: a certificate is JSON, this begins with \"t,x,y,z\"\n");
+  check_failure(here.run("check line.json ."), 2, "phrame: .: is a directory, not a file\n");
+}
+
 TEST_CASE("frames: cells that are undefined are left empty where this is asked for, and said") {
   const Workshop here;
   const std::string frames = "frames inflected.json --frame frenet --samples 3";
@@ -240,7 +313,7 @@ TEST_CASE("frames: cells that are undefined are left empty where this is asked f
   CHECK(run.status == 0);
   CHECK(contains(run.out, "\n0,0,0,0,1,0,0,,,,,,\n"));
   CHECK(run.err ==
-        "phrame: 1 of 3 rows has empty cells; the first: frenet_frame: t = 0 is an inflection, the "
+        "phrame: 1 of 3 rows has empty cells; the first: Frenet frame: t = 0 is an inflection, the "
         "principal normal is undefined\n");
   check_failure(here.run("frames inflected.json --frame rmf --samples 3 --skip-undefined"), 2,
                 "--skip-undefined: needs --frame frenet or --columns");

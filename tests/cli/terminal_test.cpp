@@ -227,6 +227,32 @@ TEST_CASE("terminal: a manual page for the program and for each command") {
   check_failure(here.run("man nothing"), 2, "COMMAND: \"nothing\" is not one of angle,");
 }
 
+TEST_CASE("terminal: help and manual pages say which options do not go together") {
+  const Workshop here;
+  long found = 0;
+  const Json program = Json::parse(here.run("completion json").out);
+  for (const Json& command : program["commands"]) {
+    const std::string name = command["command"];
+    CAPTURE(name);
+    for (const std::string& page : std::vector{name + " --help", "man " + name}) {
+      std::string text = here.run(page).out;
+      std::erase(text, '\\');  // roff's
+      std::replace(text.begin(), text.end(), '\n', ' ');
+      for (const Json& option : command["options"]) {
+        if (option["without"].empty()) continue;
+        ++found;
+        const std::string last = option["without"].back();
+        const auto begin = text.find("Not with " + option["without"][0].get<std::string>());
+        REQUIRE(begin != std::string::npos);
+        const std::string sentence = text.substr(begin, text.find('.', begin) - begin);
+        CHECK(contains(sentence, last + ":"));
+        CHECK(contains(sentence, option["names"].back().get<std::string>()));
+      }
+    }
+  }
+  CHECK(found > 16);
+}
+
 TEST_CASE("terminal: bash completes commands, options, names, lists and files") {
   const Workshop here;
   if (!has_program("bash")) return;

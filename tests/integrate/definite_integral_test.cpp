@@ -36,7 +36,29 @@ RealBall value(const ExactValue& v, long bits) {
     arb_atan(term.raw(), term.raw(), bits);
     sum = add(sum, multiply(RealBall(factor, bits), term, bits), bits);
   }
+  if (v.irrational_pi)
+    sum = add(sum, multiply(enclose(*v.irrational_pi, bits), pi(bits), bits), bits);
   return sum;
+}
+
+/// ∫ f by Arb's quadrature, which knows neither logarithms nor residues: beyond ±1 of f(1/s)/s²
+/// from 0 to 1/t. Preconditions: no pole between the ends, and an integral.
+RealBall by_quadrature(const RationalFunction& f, const Endpoint& a, const Endpoint& b, long bits) {
+  const long n = f.numerator().degree();
+  const long m = f.denominator().degree();
+  const auto reversed = [](const Polynomial& p) {
+    std::vector<Rational> list = p.coefficients();
+    std::reverse(list.begin(), list.end());
+    return Polynomial(list);
+  };
+  const auto from_zero = [&](const Endpoint& end) {
+    if (const auto* t = std::get_if<Rational>(&end)) return quadrature(f, 0, *t, bits);
+    const Rational unit = end == infinity ? 1 : -1;
+    const RationalFunction g(reversed(f.numerator()) * Polynomial::monomial(1, m - n - 2),
+                             reversed(f.denominator()));
+    return add(quadrature(f, 0, unit, bits), quadrature(g, 0, unit, bits), 2 * bits);
+  };
+  return subtract(from_zero(b), from_zero(a), 2 * bits);
 }
 
 /// Is there an integral between rational or infinite ends? By counting roots only.
@@ -350,6 +372,62 @@ TEST_CASE(
         count_real_roots(f.denominator(), closed(std::min(*x, *y), std::max(*x, *y))) == 0)
       CHECK(enclosure.overlaps(quadrature(f, *x, *y, 60)));
   });
+}
+
+// In exact forms there are logarithms, arctangents and algebraic multiples of π, from poles in
+// ℚ(i), on circles about 0 or about another point, and of even functions.
+TEST_CASE(
+    "definite integral: law: the exact form of small functions meets the ball and quadrature") {
+  long forms = 0;
+  long multiples = 0;
+  for_samples(150, [&](Random& random) {
+    const auto factor = [&]() -> Polynomial {
+      const long c = random.integer(1, 5);
+      switch (random.integer(0, 4)) {
+        case 0:  // of degree 4, even
+          return {c, 0, random.integer(0, 3), 0, 1};
+        case 1:  // all roots on a circle about 0
+          return Polynomial::monomial(1, 2 * random.integer(1, 3)) + Polynomial{c};
+        case 2:  // cyclotomic, of 3, 5 or 12
+          return random.chance(2)   ? Polynomial{1, 1, 1}
+                 : random.chance(2) ? Polynomial{1, 1, 1, 1, 1}
+                                    : Polynomial{1, 0, -1, 0, 1};
+        case 3: {  // about another point
+          const Polynomial s{random.integer(-2, 2), 1};
+          return pow(s, 4) + Polynomial{c};
+        }
+        default: {  // (t − a)² + b²
+          const Rational a = random.integer(-3, 3);
+          return {a * a + c * c, -2 * a, 1};
+        }
+      }
+    };
+    Polynomial d = factor();
+    if (random.chance(3)) d *= factor();
+    const RationalFunction f(random.polynomial(d.degree() - 2), d);
+    if (f.is_zero()) return;
+    const auto end = [&]() -> Endpoint {
+      if (random.chance(2)) return random.chance(2) ? infinity : minus_infinity;
+      return random.chance(2) ? Rational(random.integer(-2, 2)) : random.rational();
+    };
+    const Endpoint a = end();
+    const Endpoint b = end();
+    if (a == b) return;
+    CAPTURE(to_string(f.numerator()));
+    CAPTURE(to_string(f.denominator()));
+    const DefiniteIntegral integral = definite_integral(f, a, b);
+    const RealBall ball = integral.value.enclose(120);
+    CHECK(ball.overlaps(by_quadrature(f, a, b, 60)));
+    if (!integral.exact) return;
+    ++forms;
+    multiples += integral.exact->irrational_pi ? 1 : 0;
+    const RealBall form = value(*integral.exact, 160);
+    CHECK(form.is_accurate(100));
+    CHECK(form.overlaps(ball));
+    CHECK(form.overlaps(by_quadrature(f, a, b, 60)));
+  });
+  CHECK(forms > 30);
+  CHECK(multiples > 10);
 }
 
 TEST_CASE("definite integral: law: t → 1/t and t → (at + b)/(ct + d) leave it alone") {

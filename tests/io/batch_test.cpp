@@ -141,8 +141,11 @@ TEST_CASE("batch: a failure has the status that the program would have, and the 
       R"({"basis": "power", "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})";
   check_error("", 2, "not valid JSON: the input is empty");
   check_error("{bad", 2, "column 2: not valid JSON: ");
+  check_error("{}\r{}\r", 2, "a carriage return alone ends none)");
+  check_error("{bad\r", 2, "each line is a JSON object by itself)");
   check_error("[1]", 2, "/: an object is wanted");
   check_error(R"({"id": 1})", 2, "the key \"curve\" is missing");
+  check_error(R"({"id": 1, "spline": {}})", 2, "a spline stands at the key \"curve\", too");
   check_error(R"({"id": [1], "curve": )" + line + "}", 2, "/id: an id is a string or a number");
   check_error(
       R"({"curve": {"basis": "power", "preimage": {"u": ["1/0"], "v": [0], "p": [0], "q": [0]}}})",

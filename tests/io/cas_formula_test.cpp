@@ -2,10 +2,15 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/io/expression.hpp"
+#include "support/random.hpp"
 
 using namespace phrame;
+using test::for_samples;
+using test::Random;
 
 // That the systems read all this, and find the derivative right, is tried in tests/peers.
 
@@ -97,7 +102,33 @@ TEST_CASE("cas formula: exact values and decimals") {
   for (const Language language : languages) CHECK(cas_formula(ExactValue{}, language) == "0");
   const Decimal d{"-1.50e-12", "5e-15"};
   CHECK(cas_formula(d, Language::sympy) == "Float('-1.50e-12', 3)");
-  CHECK(cas_formula(d, Language::mathematica) == "-1.50`3*^-12");
+  CHECK(cas_formula(d, Language::mathematica) == "-1.50`2*^-12");
   CHECK(cas_formula(d, Language::maxima) == "-1.50b-12");
   CHECK(cas_formula(d, Language::pari) == "-1.50e-12");
+  // Zeros in front are no significant digits.
+  CHECK(cas_formula(Decimal{"0.0131", "5e-5"}, Language::sympy) == "Float('0.0131', 3)");
+  CHECK(cas_formula(Decimal{"0.0131", "5e-5"}, Language::mathematica) == "0.0131`2");
+  CHECK(cas_formula(Decimal{"-0.50", "5e-3"}, Language::mathematica) == "-0.50`2");
+  CHECK(cas_formula(Decimal{"4", "0.5"}, Language::mathematica) == "4`0.3");
+  CHECK(cas_formula(Decimal{"0", "0"}, Language::mathematica) == "0");
+  const std::string nines(5000, '9');
+  CHECK(cas_formula(Decimal{"-0.0" + nines, "1"}, Language::sympy) ==
+        "Float(Rational(-" + nines + "*10**0, 10**5001), 5000)");
+  CHECK(cas_formula(Decimal{"9." + nines + "e6000", "1"}, Language::sympy) ==
+        "Float(Rational(9" + nines + "*10**1000, 10**0), 5001)");
+}
+
+// The interval that x`p stands for, |x|·10⁻ᵖ on both sides, holds all numbers that round to x.
+TEST_CASE("cas formula: law: the precision in Mathematica's numbers is no larger than it is") {
+  for_samples(200, [](Random& random) {
+    const long n = random.integer(1, 6);
+    const Decimal d = round_to_decimal(Rational(random.integer(1, 999'999), 1'000'003), n);
+    const std::string text = cas_formula(d, Language::mathematica);
+    CAPTURE(text);
+    const auto tick = text.find('`');
+    const double precision = std::stod(text.substr(tick + 1, text.find('*') - tick - 1));
+    const auto value = parse_rational(text.substr(0, tick));
+    const Rational half_unit = Rational(1, 2) * power_of_ten(decimal_exponent(value) + 1 - n);
+    CHECK(value * exact_rational(std::pow(10.0, -precision)) >= half_unit * Rational(999, 1000));
+  });
 }

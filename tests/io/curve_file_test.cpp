@@ -278,6 +278,15 @@ TEST_CASE("curve files: broken JSON is refused with line and column") {
   CHECK(contains(refusal(R"({"note": )" + std::string(100'000, '[')), "nested deeper than 32"));
 }
 
+TEST_CASE("curve files: a table is said to be no curve file") {
+  CHECK(refusal("t,x,y,z\n0,0,0,0\n") == "1:2: a curve file is JSON, this begins with \"t,x,y,z\"");
+  CHECK(contains(refusal("\xEF\xBB\xBF 0 0 0 1\r1 0 0 1\r"), "this begins with \"0 0 0 1\""));
+  CHECK(contains(refusal(std::string("\x93NUMPY\x01\0", 8)),
+                 "a curve file is JSON, this is an array of NumPy"));
+  CHECK(contains(refusal("[1, 2"), "not valid JSON"));
+  CHECK(contains(refusal("7"), "an object is wanted"));
+}
+
 TEST_CASE("curve files: every prefix of a good file is refused, and nothing else happens") {
   const std::string good = file(R"("name": "é", "basis": "power", "multiplier": [1, 1],
       "hopf": {"alpha": [["1/2", 0.5]], "beta": [["0x1p-1", -1e3]]})");

@@ -27,6 +27,28 @@ std::string refusal(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("frame table: lines end with a line feed, a carriage return or both") {
+  const auto read = [](const std::string& end) {
+    std::string text;
+    for (const char* line : {"t,f2x,f2y,f2z", "0,0,1,0", "1,0,0,1"}) text += line + end;
+    return read_frames(text).frames;
+  };
+  const auto frames = read("\n");
+  REQUIRE(frames.size() == 2);
+  for (const std::string end : {"\r", "\r\n"}) {
+    const auto same = read(end);
+    REQUIRE(same.size() == 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+      CHECK(same[k].t == frames[k].t);
+      CHECK(same[k].f2 == frames[k].f2);
+    }
+  }
+  // The lines are counted, whatever ends them.
+  for (const std::string end : {"\n", "\r", "\r\n"})
+    CHECK_THROWS_WITH_AS(read_frames("t,f2x,f2y,f2z" + end + end + "0,0,1,0" + end + "1,0" + end),
+                         "line 4: 2 numbers here, but 4 in the header", InputError);
+}
+
 TEST_CASE("frame table: numbers are read exactly, other columns are skipped") {
   const auto [frames, columns, skipped, has_quaternions] =
       read_frames("# by hand\n\nx,t,f2x,f2y,f2z\r\n?, 0.1, 1e-3,\t-2,1/3\r\n\n9,1,0,0,0x1p-1\n");
@@ -80,8 +102,7 @@ TEST_CASE("frame table: what is wrong is told with line and column") {
         "line 1: columns f2x, f2y, f2z or qw, qx, qy, qz are wanted");
   CHECK(refusal("t,f2x,f2y,f2z,qw,qx,qy,qz\n0,1,0,0,1,0,0,0\n") ==
         "line 1: columns of vectors (f2x) and of quaternions (qw) exclude each other");
-  CHECK(refusal("t,f2x,f2y,f2z\n\n0,1,0\n") ==
-        "line 3: 4 numbers are wanted as in the header, not 3");
+  CHECK(refusal("t,f2x,f2y,f2z\n\n0,1,0\n") == "line 3: 3 numbers here, but 4 in the header");
   CHECK(refusal("t,f2x,f2y,f2z\n0,1,nan,0\n").starts_with("line 2, f2y: "));
   CHECK(refusal("t,qw,qx,qy,qz\n0,0,0,0,0\n") == "line 2: the quaternion is 0");
   CHECK(refusal("t;f2x;f2y;f2z\n0;0,5;1;0\n") ==
@@ -163,8 +184,7 @@ TEST_CASE("frame table: without a header the number of columns tells what they a
   const std::string commented = "# time nx ny nz\n0 1 2 3\n";
   CHECK(refusal(commented) == "line 1: a column \"t\" is wanted");
   CHECK(read_frames(commented, named).frames[0].t == 3);
-  CHECK(refusal("0 1 0 0\n0 1 0\n") ==
-        "line 2: 4 numbers are wanted as in the first line of them, not 3");
+  CHECK(refusal("0 1 0 0\n0 1 0\n") == "line 2: 3 numbers here, but 4 in the first line of them");
 }
 
 namespace {

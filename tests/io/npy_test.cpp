@@ -104,7 +104,7 @@ TEST_CASE("npy: what is not a table of numbers is refused in a line") {
   CHECK(refusal(bytes_of("archive.npz")).find("archive") != std::string::npos);
   const std::string good = bytes_of("c.npy");
   CHECK(refusal(good).empty());
-  CHECK(refusal(good + "x") == "data: 3 × 4 numbers of 8 bytes are wanted, 97 bytes are there");
+  CHECK(refusal(good + "x") == "data: wanted: 3 × 4 numbers of 8 bytes each; there: 97 bytes");
   for (std::size_t length = 6; length < good.size(); ++length)
     CHECK_FALSE(refusal(good.substr(0, length)).empty());
   const auto with = [&](const std::string& from, const std::string& to) {
@@ -114,7 +114,8 @@ TEST_CASE("npy: what is not a table of numbers is refused in a line") {
   CHECK(refusal(with("\x01", "\x04")).starts_with("header: version 4"));
   // Sizes whose product is 12 modulo 2⁶⁴.
   CHECK(refusal(with("(3, 4), }" + std::string(18, ' '), "(4611686018427387907, 4), }"))
-            .starts_with("data: 4611686018427387907 × 4 numbers of 8 bytes are wanted, 96 bytes"));
+            .starts_with(
+                "data: wanted: 4611686018427387907 × 4 numbers of 8 bytes each; there: 96 bytes"));
   CHECK(refusal(with("'<f8'", "'<f9'")).starts_with("header: numbers of the type '<f9'"));
   CHECK(refusal(with("'<f8'", "'<f8 ")).starts_with("header: "));
   CHECK(refusal(with("False", "0    ")).starts_with("header: "));

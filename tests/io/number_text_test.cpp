@@ -16,6 +16,12 @@ TEST_CASE("number text: a quotient of numbers of any kind, with blanks") {
   CHECK(parse_number("\t.5 ") == Rational(1, 2));
 }
 
+TEST_CASE("number text: one is singular, none and many are plural") {
+  CHECK(counted(0, "digit") == "0 digits");
+  CHECK(counted(1, "digit") == "1 digit");
+  CHECK(counted(2, "digit") == "2 digits");
+}
+
 TEST_CASE("number text: what is none is refused whole") {
   for (const char* text : {"", " ", "/", "1/", "/2", "1/2/3", "1 2", "1/-2", "1/+2", "nan/2"}) {
     CAPTURE(text);

@@ -6,7 +6,11 @@ whose functions are those of SymPy's evalf, with the same cuts; what is free of 
 """
 import cmath
 import contextlib
+import json
 import math
+import os
+import subprocess
+import sys
 
 import differences
 import peers
@@ -162,4 +166,24 @@ def evaluate(text, digits):
         return [complex(v - u) for u, v in zip(found, found[1:])]
 
 
-if __name__=="__main__": peers.main("sympy", derives, evaluate)
+def check_long_numbers():
+    """A value of more digits than Python takes in a string is read with the limit its users have."""
+    integral = ["integrate", "1/(x^5-x+3)", "--from", "0", "--to", "1", "--digits", "5000", "--print"]
+
+    def printed(system):
+        return subprocess.run([os.environ["PHRAME_PROGRAM"], *integral, system], stdout=subprocess.PIPE, check=True).stdout
+    names = {}
+    differences.limit_integers(4300)
+    try:
+        exec(printed("sympy"), names)
+    finally:
+        differences.limit_integers(0)
+    decimal = json.loads(printed("json"))["definite"]["value"]
+    unit = sympy.Rational(1, 10 ** len(decimal.partition(".")[2]))
+    if abs(sympy.Rational(names["definite"]) - sympy.Rational(decimal)) > unit / 2:
+        sys.exit("FAILED: a value of 5000 digits")
+
+
+if __name__ == "__main__":
+    check_long_numbers()
+    peers.main("sympy", derives, evaluate)
