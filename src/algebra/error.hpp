@@ -11,7 +11,7 @@ class Error : public std::runtime_error {
 };
 
 /// The question has no answer: a division by zero, a pole on the path, a Frenet frame of a line.
-/// The message names the function, the reason and the value.
+/// The message names the notion or the function, the reason and the value.
 class DomainError : public Error {
  public:
   using Error::Error;

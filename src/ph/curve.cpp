@@ -6,6 +6,9 @@
 
 namespace phrame {
 
+Curve::Curve(QuaternionPolynomial preimage, Polynomial multiplier)
+    : Curve(std::move(preimage), std::move(multiplier), Vector<Rational>{}) {}
+
 Curve::Curve(QuaternionPolynomial preimage, Polynomial multiplier, Vector<Rational> start)
     : preimage_(std::move(preimage)), multiplier_(std::move(multiplier)), start_(std::move(start)) {
   if (is_zero(preimage_)) throw DomainError("Curve: the preimage is zero, so the curve is a point");

@@ -11,9 +11,10 @@ namespace phrame {
 /// f > 0 and −r′/|r′| where f < 0.
 class Curve {
  public:
-  /// Throws DomainError where the preimage or the multiplier is zero.
-  explicit Curve(QuaternionPolynomial preimage, Polynomial multiplier = Polynomial{1},
-                 Vector<Rational> start = {});
+  /// From (0, 0, 0), unless another start is given. Throws DomainError where the preimage or the
+  /// multiplier is zero.
+  explicit Curve(QuaternionPolynomial preimage, Polynomial multiplier = Polynomial{1});
+  Curve(QuaternionPolynomial preimage, Polynomial multiplier, Vector<Rational> start);
 
   const QuaternionPolynomial& preimage() const { return preimage_; }
   const Polynomial& multiplier() const { return multiplier_; }
