@@ -31,6 +31,7 @@ Rational divisor(std::string_view text) {
 Angle parse_angle(std::string_view text) {
   text = trimmed(text);
   try {
+    if (text.find('/') != text.rfind('/')) throw InputError("it divides twice");
     for (const std::string_view name : {"pi", "π"})
       if (const std::size_t at = text.find(name); at != std::string_view::npos)
         return {factor(text.substr(0, at)) / divisor(text.substr(at + name.size())), 0};
