@@ -14,6 +14,16 @@ bool has_right_tangents(const FrameVerdict& verdict) {
   });
 }
 
+/// Vectors are left out, for their columns are positions; but are they?
+bool hides_vectors(const Spline& spline, std::string_view bytes, const GivenTable& table,
+                   const FrameReading& other, const Rational& tolerance) {
+  const auto& names = other.names;
+  const bool has_positions = std::find(names.begin(), names.end(), "x") != names.end();
+  const bool had_positions = table.columns.find(", x,") != std::string::npos;
+  return has_positions && !had_positions &&
+         !are_on_curve(spline, read_positions(bytes, other), std::min(tolerance, Rational(1, 100)));
+}
+
 /// No value where it is not decided.
 std::optional<FrameVerdict> verdict_of(const Spline& spline, const std::vector<GivenFrame>& frames,
                                        const FrameCheckOptions& options) {
@@ -37,6 +47,7 @@ std::optional<BetterReading> better_reading(const Spline& spline, std::string_vi
     constexpr std::size_t few = 5;  // most readings are seen to be wrong by a few frames
     if (!are_along_curve(spline, read_frames(bytes, other, few).frames, options.tolerance))
       continue;
+    if (hides_vectors(spline, bytes, table, other, options.tolerance)) continue;
     const GivenTable all = read_frames(bytes, other);
     const auto found = verdict_of(spline, all.frames, options);
     if (!found) continue;

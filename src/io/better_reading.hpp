@@ -9,9 +9,11 @@ struct BetterReading {
   bool passes;  ///< the frames pass by it; else their tangents are right, at least
 };
 
-/// Of the other_readings(), the first by which the frames pass. If there is none, the first by
-/// which all tangents are right, where they are not by `reading`. Both are proved, as
-/// check_frames() does it. `table` and `verdict` are what `bytes` mean by `reading`.
+/// Of the other_readings(), the first by which the frames pass; where it takes for positions what
+/// `reading` took for vectors, they are to be the curve's, as are_on_curve() tells with the
+/// tolerance, but 1/100 at most: else what is wrong with a vector would be out of sight. If there
+/// is none, the first by which all tangents are right, where they are not by `reading`. Both are
+/// proved, as check_frames() does it. `table` and `verdict` are what `bytes` mean by `reading`.
 std::optional<BetterReading> better_reading(const Spline& spline, std::string_view bytes,
                                             const FrameReading& reading, const GivenTable& table,
                                             const FrameVerdict& verdict,

@@ -362,12 +362,29 @@ GivenTable frames_of(const Table& table, const std::string& header_place,
   return result;
 }
 
+template <class Table>
+std::vector<GivenPosition> positions_of(const Table& table, const Names& names) {
+  const auto number = [&](std::size_t row, std::string_view name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return table.number(row, static_cast<std::size_t>(found - names.begin()));
+  };
+  std::vector<GivenPosition> positions;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    positions.push_back({number(row, "t"), {number(row, "x"), number(row, "y"), number(row, "z")}});
+  return positions;
+}
+
 }  // namespace
 
 GivenTable read_frames(std::string_view bytes, const FrameReading& reading, std::size_t at_most) {
   if (NpyTable::is_one(bytes)) return frames_of(NpyTable(bytes), "header", reading, at_most);
   const TextTable table(bytes, reading.names.empty());
   return frames_of(table, table.header_place(), reading, at_most);
+}
+
+std::vector<GivenPosition> read_positions(std::string_view bytes, const FrameReading& reading) {
+  return NpyTable::is_one(bytes) ? positions_of(NpyTable(bytes), reading.names)
+                                 : positions_of(TextTable(bytes, false), reading.names);
 }
 
 namespace {

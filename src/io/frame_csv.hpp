@@ -45,6 +45,10 @@ struct GivenTable {
 GivenTable read_frames(std::string_view bytes, const FrameReading& reading = {},
                        std::size_t at_most = std::string_view::npos);
 
+/// The columns x, y, z of a table that `reading` names, of numbers all of them.
+/// Precondition: these names are among the reading's, and the table has no others.
+std::vector<GivenPosition> read_positions(std::string_view bytes, const FrameReading& reading);
+
 /// Other ways to read a table whose convention is not certain, those near `reading` first.
 std::vector<FrameReading> other_readings(const GivenTable& table, const FrameReading& reading);
 

@@ -16,6 +16,10 @@ Rational dot(const Vector<Rational>& a, const Vector<Rational>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+Vector<Rational> difference(const Vector<Rational>& a, const Vector<Rational>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
 Vector<Rational> cross(const Vector<Rational>& a, const Vector<Rational>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -397,6 +401,25 @@ bool are_along_curve(const Spline& spline, const std::vector<GivenFrame>& frames
     const Rational squared_size = dot(*frame.tangent, *frame.tangent);
     return squared_size != 0 && dot(c, c) <= tolerance * tolerance * squared_size;
   });
+}
+
+bool are_on_curve(const Spline& spline, const std::vector<GivenPosition>& positions,
+                  const Rational& tolerance) {
+  std::vector<Vector<Polynomial>> exact;
+  for (const Curve& curve : spline.segments()) exact.push_back(position(curve));
+  std::optional<Vector<Rational>> start;
+  Rational farthest;  // squared, as is
+  Rational worst;
+  for (const auto& [t, given] : positions) {
+    const SplineParameter at = place(spline, t);
+    const Vector<Rational> r = evaluate(exact[at.segment], at.t);
+    if (!start) start = r;
+    const Vector<Rational> way = difference(r, *start);
+    const Vector<Rational> off = difference(difference(given, positions.front().r), way);
+    farthest = std::max(farthest, dot(way, way));
+    worst = std::max(worst, dot(off, off));
+  }
+  return farthest > 0 && worst <= tolerance * tolerance * farthest;
 }
 
 FrameVerdict check_frames(const Spline& spline, const std::vector<GivenFrame>& frames,

@@ -120,6 +120,18 @@ std::size_t number_of_parameters(const std::vector<GivenFrame>& frames);
 bool are_along_curve(const Spline& spline, const std::vector<GivenFrame>& frames,
                      const Rational& tolerance);
 
+/// Where somebody says that the curve is at t.
+struct GivenPosition {
+  Rational t;
+  Vector<Rational> r;
+};
+
+/// Are these positions the curve's but for one translation, which takes the first to its place? To
+/// within the tolerance times the way from the first to the farthest; where all are one place, they
+/// are no sign of the curve. Exact.
+bool are_on_curve(const Spline& spline, const std::vector<GivenPosition>& positions,
+                  const Rational& tolerance);
+
 /// Judges frames: they pass where all angles, cosines and lengths are within the tolerance and no
 /// frame is left-handed. First and last are those of the least and the largest t. Throws Undecided
 /// where 4096 bits do not tell a number from the tolerance.

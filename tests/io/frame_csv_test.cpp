@@ -326,3 +326,45 @@ TEST_CASE("frame table: the order that makes a matrix right is found") {
   REQUIRE(seven);
   CHECK(to_options(seven->reading) == "--header t,e1x,e1y,e1z,f2x,f2y,f2z");
 }
+
+// f₂ passes by itself, so that any three columns in front of it could be called positions.
+TEST_CASE("frame table: what is wrong with f3 is not hidden by calling it a position") {
+  const FrameTable table = frame_table(test::quintic, {TabulatedFrame::rmf}, grid);
+  using Row = std::vector<double>;
+  constexpr std::size_t r = 1;
+  constexpr std::size_t f2 = 7;
+  constexpr std::size_t f3 = 10;
+  const auto vector = [](const Row& row, std::size_t begin, const Rational& factor = 1,
+                         const Rational& shift = 0) {
+    std::string text;
+    for (std::size_t k = begin; k < begin + 3; ++k)
+      text += " " + to_string(Rational(factor * exact_rational(row[k]) + shift));
+    return text;
+  };
+  const auto text = [&](const auto& six) {
+    std::string lines;
+    for (const Row& row : table.rows) lines += to_string(exact_rational(row[0])) + six(row) + "\n";
+    return lines;
+  };
+  const Spline spline(test::quintic);
+  using Kind = FrameFinding::Kind;
+  CHECK(kinds(spline, text([&](const Row& row) { return vector(row, f2) + vector(row, f3); }))
+            .empty());
+  for (const std::string& left_handed :
+       {text([&](const Row& row) { return vector(row, f2) + vector(row, f3, -1); }),
+        text([&](const Row& row) { return vector(row, f3) + vector(row, f2); })}) {
+    CHECK(kinds(spline, left_handed) == std::vector{Kind::left_handed});
+    CHECK_FALSE(better(left_handed));
+  }
+  const auto is_position = [&](const Rational& factor, const Rational& shift) {
+    const auto found = better(
+        text([&](const Row& row) { return vector(row, r, factor, shift) + vector(row, f2); }));
+    return found && found->passes && to_options(found->reading) == "--header t,x,y,z,f2x,f2y,f2z";
+  };
+  CHECK(is_position(1, 0));
+  CHECK(is_position(1, 1000));
+  CHECK(is_position(Rational(10'001, 10'000), 0));        // off by 1/10 of the tolerance
+  CHECK_FALSE(is_position(Rational(10'020, 10'000), 0));  // by twice as much
+  CHECK_FALSE(is_position(2, 0));
+  CHECK_FALSE(is_position(0, 1));
+}
