@@ -25,7 +25,7 @@ namespace {
 struct BatchOptions {
   std::string path = "-";
   std::string output = "-";
-  std::string skip_done;
+  std::optional<std::string> skip_done;
   long threads = 0;
   std::string frame = "erf";
   std::vector<std::string> at;
@@ -153,16 +153,19 @@ void run(const BatchOptions& options) {
   defaults.frame = chosen_reference(options.frame);
   for (const std::string& t : split(options.at)) defaults.at.push_back(parse_option("--at", t));
 
+  const std::string skip_done = options.skip_done.value_or("");
+  if (options.skip_done && skip_done.empty())
+    throw InputError("--skip-done", "\"\" is not a file's name");
   const Descriptor input = open_input(options.path);
   if (options.output != "-" && is_same_file(input, options.output))
     throw InputError("--output", "\"" + options.output + "\" is the input");
-  if (!options.skip_done.empty() && is_same_file(input, options.skip_done))
-    throw InputError("--skip-done", "\"" + options.skip_done + "\" is the input");
-  const Done done = read_done(options.skip_done);
+  if (!skip_done.empty() && is_same_file(input, skip_done))
+    throw InputError("--skip-done", "\"" + skip_done + "\" is the input");
+  const Done done = read_done(skip_done);
   if (done.others > 0)
-    note(fmt::format("{}: {} of its lines {} no answer of phrame batch", options.skip_done,
-                     done.others, done.others == 1 ? "is" : "are"));
-  const Descriptor output = open_output(options.output, options.skip_done, done);
+    note(fmt::format("{}: {} of its lines {} no answer of phrame batch", skip_done, done.others,
+                     done.others == 1 ? "is" : "are"));
+  const Descriptor output = open_output(options.output, skip_done, done);
   const Interruption interruption;
   LineReader reader(input, interruption);
   Progress progress;

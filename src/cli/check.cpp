@@ -9,11 +9,11 @@
 namespace phrame::cli {
 namespace {
 
-struct CheckCommand {
+struct CheckOptions {
   CurveOptions curve;
   std::string frames;
   std::string tolerance = "1e-6";
-  std::string start_angle;
+  std::optional<std::string> start_angle;
   std::string quaternion;
   std::string tangent_axis = "x";
   bool is_inverse = false;
@@ -22,34 +22,24 @@ struct CheckCommand {
   TextLength length;
 };
 
-FrameReading reading(const CheckCommand& command) {
+FrameReading reading(const Command& command, const CheckOptions& options) {
   using Quaternion = FrameReading::Quaternion;
   FrameReading reading;
-  if (!command.quaternion.empty())
+  if (command.is_given("--quaternion"))
     reading.quaternion =
-        choose<Quaternion>("--quaternion", command.quaternion,
+        choose<Quaternion>("--quaternion", options.quaternion,
                            {{"wxyz", Quaternion::wxyz}, {"xyzw", Quaternion::xyzw}});
   std::tie(reading.tangent_axis, reading.is_axis_reversed) =
-      choose<std::pair<std::size_t, bool>>("--tangent-axis", command.tangent_axis,
+      choose<std::pair<std::size_t, bool>>("--tangent-axis", options.tangent_axis,
                                            {{"x", {0, false}},
                                             {"y", {1, false}},
                                             {"z", {2, false}},
                                             {"-x", {0, true}},
                                             {"-y", {1, true}},
                                             {"-z", {2, true}}});
-  reading.is_inverse = command.is_inverse;
-  reading.names = split(command.header);
+  reading.is_inverse = options.is_inverse;
+  reading.names = split(options.header);
   return reading;
-}
-
-/// Throws InputError for options of quaternions where there are none.
-void require_quaternions(const CheckCommand& command) {
-  const auto refuse = [](const std::string& option) {
-    throw InputError(option, "is for quaternions; the table has vectors");
-  };
-  if (!command.quaternion.empty()) refuse("--quaternion");
-  if (command.tangent_axis != "x") refuse("--tangent-axis");
-  if (command.is_inverse) refuse("--inverse");
 }
 
 /// Throws InputError where the frame that is compared with agrees with all there is.
@@ -63,29 +53,31 @@ void require_enough(const std::vector<GivenFrame>& frames, const FrameCheckOptio
                                abbreviated(to_string(frames.front().t))));
 }
 
-void run(const CheckCommand& command) {
+void run(const Command& command, const CheckOptions& options) {
   const auto print = choose<std::string (*)(const CheckReport&)>(
-      "--print", command.print, {{"text", to_text}, {"json", to_json}});
-  const FrameReading reading = cli::reading(command);
-  FrameCheckOptions options;
-  options.tolerance = parse_option("--tol", command.tolerance);
-  if (options.tolerance < 0)
-    throw InputError("--tol", abbreviated(to_string(options.tolerance)) + " is negative");
-  if (!command.start_angle.empty())
-    options.start_angle = parse_angle_option("--theta0", command.start_angle);
-  if (command.curve.path == "-" && command.frames == "-")
+      "--print", options.print, {{"text", to_text}, {"json", to_json}});
+  const FrameReading reading = cli::reading(command, options);
+  FrameCheckOptions measure;
+  measure.tolerance = parse_option("--tol", options.tolerance);
+  if (measure.tolerance < 0)
+    throw InputError("--tol", abbreviated(to_string(measure.tolerance)) + " is negative");
+  if (options.start_angle)
+    measure.start_angle = parse_angle_option("--theta0", *options.start_angle);
+  if (options.curve.path == "-" && options.frames == "-")
     throw InputError("check", "the curve and the frames are both to be read from standard input");
 
-  const NamedSpline named = as_spline(command.curve.read_curve_or_spline());
-  const std::string bytes = read_file(command.frames);
-  const std::string file = name_of_file(command.frames);
+  const NamedSpline named = as_spline(options.curve.read_curve_or_spline());
+  const std::string bytes = read_file(options.frames);
+  const std::string file = name_of_file(options.frames);
   const GivenTable table = at_place(file, ":", [&] { return read_frames(bytes, reading); });
-  if (!table.has_quaternions) require_quaternions(command);
-  require_enough(table.frames, options, file);
-  const FrameVerdict verdict = check_frames(named.spline, table.frames, options);
-  const CheckReport report{named.name, table, options, verdict,
-                           better_reading(named.spline, bytes, reading, table, verdict, options)};
-  command.length.write(command.curve.output, print(report));
+  if (!table.has_quaternions)
+    command.refuse({"--quaternion", "--tangent-axis", "--inverse"},
+                   "is for quaternions; the table has vectors");
+  require_enough(table.frames, measure, file);
+  const FrameVerdict verdict = check_frames(named.spline, table.frames, measure);
+  const CheckReport report{named.name, table, measure, verdict,
+                           better_reading(named.spline, bytes, reading, table, verdict, measure)};
+  options.length.write(options.curve.output, print(report));
   if (!report.verdict.passes) throw AnswerNo{};
 }
 
@@ -93,7 +85,7 @@ void run(const CheckCommand& command) {
 
 void add_check(Program& program) {
   Command& command = program.add("check", "how far somebody's frames are from the exact one");
-  const auto options = std::make_shared<CheckCommand>();
+  const auto options = std::make_shared<CheckOptions>();
   options->curve.add_to(command);
   command.add_argument("FRAMES", options->frames,
                        "a table of frames (text or .npy), \"-\" for standard input");
@@ -124,7 +116,7 @@ void add_check(Program& program) {
       "  phrame check curve.json frames.csv --tol 1e-9\n"
       "  phrame check curve.json frames.npy --theta0 0\n"
       "  phrame check curve.json poses.csv --tangent-axis z --print json -o check.json");
-  command.does([options] { run(*options); });
+  command.does([&command, options] { run(command, *options); });
 }
 
 }  // namespace phrame::cli

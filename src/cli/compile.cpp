@@ -8,7 +8,7 @@ namespace {
 
 struct CompileOptions {
   CurveOptions curve;
-  std::string prefix;
+  std::optional<std::string> prefix;
   std::string frame = "erf";
   std::string start_angle = "0";
   std::string from = "0";
@@ -36,17 +36,17 @@ std::pair<double, double> interval(const CompileOptions& options) {
   return {from, to};
 }
 
-void run(const CompileOptions& options) {
+void run(const Command& command, const CompileOptions& options) {
   const auto reference = chosen_reference(options.frame);
   const Angle start_angle = parse_angle_option("--theta0", options.start_angle);
   rounded("--theta0", options.start_angle, to_real(start_angle));
   const auto [from, to] = interval(options);
-  if (!options.prefix.empty() && !is_prefix(options.prefix))
-    throw InputError("--prefix", "\"" + abbreviated(options.prefix) +
+  if (options.prefix && !is_prefix(*options.prefix))
+    throw InputError("--prefix", "\"" + abbreviated(*options.prefix) +
                                      "\" is not a letter followed by letters, digits and single _");
   const auto read = options.curve.read_curve_or_spline();
   const auto prefix = [&](const std::string& name) {
-    return options.prefix.empty() ? prefix_from(name) : options.prefix;
+    return options.prefix.value_or(prefix_from(name));
   };
   std::string text;
   if (const auto* named = std::get_if<NamedCurve>(&read)) {
@@ -64,13 +64,9 @@ void run(const CompileOptions& options) {
     text = to_c_header(header);
   } else {
     const auto& spline = std::get<NamedSpline>(read);
-    const auto require_default = [](const std::string& option, const std::string& value,
-                                    const std::string& standard) {
-      if (value != standard) fail_for_spline(option, value);
-    };
-    require_default("--frame", options.frame, "erf");
-    require_default("--from", options.from, "0");
-    require_default("--to", options.to, "1");
+    if (reference != Reference::erf) fail_for_spline("--frame", options.frame);
+    if (command.is_given("--from")) fail_for_spline("--from", options.from);
+    if (command.is_given("--to")) fail_for_spline("--to", options.to);
     SplineAngle angle(spline.spline);
     text = to_c_header({prefix(spline.name), spline.name, true, reference, start_angle,
                         compiled_angle(angle, start_angle, plain_shape(1)),
@@ -95,13 +91,13 @@ void add_compile(Program& program) {
   command.set_notes(
       "C99 without dependencies, in doubles; the header states the errors, proved with rounding\n"
       "included, usually below 2^-51 for the angle and 2^-50 for the frame.\n"
-      "A spline of n segments has t from 0 to n, and one frame through all of them; --frame, "
-      "--from\n"
-      "and --to are for single curves.\n"
+      "A spline of n segments has t from 0 to n, and one frame through all of them; --frame "
+      "frenet,\n"
+      "--from and --to are for single curves.\n"
       "Examples:\n"
       "  phrame compile curve.json -o angle.h\n"
       "  phrame compile curve.json --from -1 --to 2 --prefix arm -o arm.h");
-  command.does([options] { run(*options); });
+  command.does([&command, options] { run(command, *options); });
 }
 
 }  // namespace phrame::cli

@@ -13,15 +13,16 @@ Vector<Rational> parse_vector(const std::string& option, const std::string& text
           parse_option(option, parts[2])};
 }
 
-/// The angle given as such or by a vector, at t on the curve.
-FrameAngle boundary(const std::string& name, const std::string& angle, const std::string& vector,
-                    const Curve& curve, const Rational& t) {
-  if (!angle.empty()) {
-    const Angle given = parse_angle_option(name, angle);
+/// The angle given as such or else by a vector, at t on the curve.
+FrameAngle boundary(const std::string& name, const std::optional<std::string>& angle,
+                    const std::optional<std::string>& vector, const Curve& curve,
+                    const Rational& t) {
+  if (angle) {
+    const Angle given = parse_angle_option(name, *angle);
     return {given.half_turns, given.radians};
   }
   const std::string option = name + "-vector";
-  const auto v = parse_vector(option, vector);
+  const auto v = parse_vector(option, vector.value());
   try {
     return angle_of(v, euler_rodrigues_frame(curve, t));
   } catch (const DomainError& error) {
@@ -71,7 +72,7 @@ void TwistOptions::add_to(Command& command) {
 }
 
 std::pair<FrameAngle, FrameAngle> TwistOptions::ends(const Spline& spline) const {
-  const auto given = [](const std::string& text) { return text.empty() ? 0 : 1; };
+  const auto given = [](const auto& text) { return text ? 1 : 0; };
   require_one("--from", given(from) + given(from_vector));
   require_one("--to", given(to) + given(to_vector) + (is_closed ? 1 : 0));
   const auto& segments = spline.segments();
@@ -85,8 +86,8 @@ std::pair<FrameAngle, FrameAngle> TwistOptions::ends(const Spline& spline) const
 Subdivision TwistOptions::subdivision(const Spline& spline) const {
   const std::string option = "--subdivide";
   Subdivision wanted;
-  if (subdivide.empty()) return wanted;
-  for (const std::string& part : split({subdivide})) {
+  if (!subdivide) return wanted;
+  for (const std::string& part : split({*subdivide})) {
     if (part == "inflections") {
       wanted.at_inflections = true;
     } else if (part == "extrema") {

@@ -6,15 +6,15 @@ namespace phrame::cli {
 
 /// What the frames of minimal twist of `mtf` and `frames` depend on.
 struct TwistOptions {
-  std::string from;
-  std::string to;
-  std::string from_vector;
-  std::string to_vector;
+  std::optional<std::string> from;
+  std::optional<std::string> to;
+  std::optional<std::string> from_vector;
+  std::optional<std::string> to_vector;
   bool is_closed = false;
   long turns = 0;
   long degree = 2;
   bool has_free_ends = false;
-  std::string subdivide;
+  std::optional<std::string> subdivide;
   bool is_unproved = false;
 
   void add_to(Command& command);

@@ -114,7 +114,8 @@ TEST_CASE("check: another convention that is right is named") {
   check_success(here.run("check plane.json poses.txt --quaternion xyzw"));
   check_success(here.run("check plane.json poses.txt --header t,qx,qy,qz,qw"));
   CHECK(here.run("frames plane.json --samples 3 -o table").status == 0);
-  for (const std::string option : {"--quaternion xyzw", "--tangent-axis z", "--inverse"})
+  for (const std::string option :
+       {"--quaternion xyzw", "--tangent-axis z", "--tangent-axis x", "--inverse"})
     check_failure(here.run("check plane.json table " + option), 2,
                   option.substr(0, option.find(' ')) + ": is for quaternions");
   check_failure(here.run("check plane.json poses.txt --header t,f2x,f2y,f2z"), 2,

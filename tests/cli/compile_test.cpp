@@ -214,6 +214,9 @@ TEST_CASE("compile: of a spline there is one angle and one frame, through the jo
   }
   CHECK(rows[0][11] < 0x1p-50);
   check_failure(shop.run("compile spline.json --to 2"), 2, "--to: \"2\" is for single curves");
+  // What is given is not ignored, though it be the default of a curve.
+  check_failure(shop.run("compile spline.json --to 1"), 2, "--to: \"1\" is for single curves");
+  check_failure(shop.run("compile spline.json --from 0"), 2, "--from: \"0\" is for single curves");
   check_failure(shop.run("compile spline.json --frame frenet"), 2, "--frame: \"frenet\" is for");
 }
 

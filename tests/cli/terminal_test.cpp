@@ -105,6 +105,23 @@ TEST_CASE("terminal: blanks in lists, and quotients of decimals") {
   check_failure(here.run("angle quintic.json --at 1/2/3"), 2, "--at: \"1/2/3\" is not a number");
 }
 
+TEST_CASE("terminal: an empty text is not the same as an option that is not there") {
+  const Workshop here;
+  REQUIRE(here.run("frames quintic.json --samples 3 -o frames.csv").status == 0);
+  const std::vector<std::pair<std::string, std::string>> complaints{
+      {"compile quintic.json --prefix ''", "--prefix: \"\" is not a letter"},
+      {"check quintic.json frames.csv --theta0 ''", "--theta0: \"\" is not an angle"},
+      {"check quintic.json frames.csv --quaternion ''", "--quaternion: \"\" is not one of"},
+      {"mtf quintic.json --from '' --to 1", "--from: \"\" is not an angle"},
+      {"mtf quintic.json --from '' --from-vector 0,0,1 --to 1", "--from: the angle is given twice"},
+      {"mtf quintic.json --from 0 --to 1 --subdivide ''", "--subdivide: \"\" is not one of"},
+      {"batch --skip-done ''", "--skip-done: \"\" is not a file's name"}};
+  for (const auto& [call, complaint] : complaints) {
+    CAPTURE(call);
+    check_failure(here.run(call), 2, complaint);
+  }
+}
+
 // θ(1) = 0.28585653009834106200165… (2003 paper) and π = 3.14159265358979323846264…
 TEST_CASE("terminal: angles are radians, multiples of pi and degrees") {
   const Workshop here;
