@@ -21,6 +21,13 @@ std::string lower(const RealBall& x, long digits = 6) {
   return lower_bound_text(std::max(Rational(0), x.lower()), digits);
 }
 
+/// A number or angle, a passage where it is longer than messages quote.
+template <class T>
+std::string brief(const T& x) {
+  constexpr std::size_t limit = 40;
+  return readable_exact(to_string(x), limit);
+}
+
 /// "0.2858565" for a ball, and a bound of what it is off: half a unit of the tenth digit, at most,
 /// and the radius.
 Decimal rounded(const RealBall& x) {
@@ -127,14 +134,15 @@ std::string places(const FrameFinding& finding, const std::vector<GivenFrame>& f
   const auto& samples = finding.samples;
   if (samples.empty()) return "";
   if (samples.size() == frames.size()) return " at all samples";
-  const std::string t = abbreviated(to_string(frames[samples[0]].t));
-  if (samples.size() == 1) return fmt::format(" at sample {}, t = {}", samples[0], t);
-  const std::string all =
-      fmt::format(" at samples {}, the first at t = {}", fmt::join(samples, ", "), t);
+  const Rational& t = frames[samples[0]].t;
+  if (samples.size() == 1) return fmt::format(" at sample {}, t = {}", samples[0], brief(t));
+  const auto all = [&](const std::string& first) {
+    return fmt::format(" at samples {}, the first at t = {}", fmt::join(samples, ", "), first);
+  };
   constexpr std::size_t few = 8;
-  if (samples.size() <= few) return all;
-  return passage(
-      all, fmt::format(" at {} samples, the first is {}, t = {} …", samples.size(), samples[0], t));
+  if (samples.size() <= few) return all(brief(t));
+  return passage(all(to_string(t)), fmt::format(" at {} samples, the first is {}, t = {} …",
+                                                samples.size(), samples[0], abridged(brief(t))));
 }
 
 }  // namespace
@@ -142,8 +150,8 @@ std::string places(const FrameFinding& finding, const std::vector<GivenFrame>& f
 std::string summary(const CheckReport& report) {
   const FrameVerdict& v = report.verdict;
   const auto& start = report.options.start_angle;
-  const std::string reference = start ? "that starts at the angle " + abbreviated(to_string(*start))
-                                      : "that agrees with the first sample";
+  const std::string reference =
+      start ? "that starts at the angle " + brief(*start) : "that agrees with the first sample";
   const bool is_close = v.max_error.upper() <= report.options.tolerance;
   return fmt::format("{}: f2 is {} {} radians from the rotation-minimizing frame {}{}",
                      v.passes ? "pass" : "fail", is_close ? "at most" : "up to",
@@ -157,11 +165,11 @@ std::string to_text(const CheckReport& report) {
       std::minmax_element(report.table.frames.begin(), report.table.frames.end(),
                           [](const GivenFrame& a, const GivenFrame& b) { return a.t < b.t; });
   std::string text = name_prefix(report.curve);
-  const std::string from = abbreviated(to_string(first->t));
+  const std::string from = brief(first->t);
   text += first->t == last->t
               ? fmt::format("{}, t = {}\n\n", counted(report.table.frames.size(), "frame"), from)
               : fmt::format("{} frames, t from {} to {}\n\n", report.table.frames.size(), from,
-                            abbreviated(to_string(last->t)));
+                            brief(last->t));
   text += summary(report) + "\n\n";
   const auto row = [&](std::string_view label, const std::string& value) {
     text += phrame::row(label, value, 15);
@@ -169,12 +177,12 @@ std::string to_text(const CheckReport& report) {
   const auto& worst = report.table.frames[v.worst_sample];
   row("largest error",
       fmt::format("between {} and {} radians, at sample {}, t = {}", lower(v.max_error),
-                  upper(v.max_error), v.worst_sample, abbreviated(to_string(worst.t))));
+                  upper(v.max_error), v.worst_sample, brief(worst.t)));
   if (v.drift)
     row("drift", shown(*v.drift) + " radians per unit of arc length, from first to last");
   row("orthogonality", "cosines up to " + upper(v.orthogonality, 2));
   row("lengths", "off 1 by up to " + upper(v.length, 2));
-  row("tolerance", abbreviated(to_string(report.options.tolerance)));
+  row("tolerance", brief(report.options.tolerance));
   if (!report.table.columns.empty())
     row("columns", fmt::format("{} (by their number{})", report.table.columns,
                                report.table.skipped > 0

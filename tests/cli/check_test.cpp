@@ -99,6 +99,37 @@ TEST_CASE("check: a t of any size is answered") {
   CHECK(here.run("check quintic.json huge.csv --print json").status == 1);
 }
 
+TEST_CASE("check: what is abridged is said to be so, and --full prints it") {
+  const Workshop here;
+  const std::string hint = "\nLong parts are abridged (--full prints it all).\n";
+  const std::string t = "1" + std::string(1000, '0');
+  here.write("huge.csv", "t,f2x,f2y,f2z\n0,0,1,0\n1e1000,1,0,0\n");
+  const Run huge = here.run("check quintic.json huge.csv");
+  CHECK(contains(huge.out, "t from 0 to 1000000"));
+  CHECK_FALSE(contains(huge.out, t));
+  CHECK(huge.out.ends_with(hint));
+  const Run full = here.run("check quintic.json huge.csv --full");
+  CHECK(contains(full.out, "t from 0 to " + t + "\n"));
+  CHECK(contains(full.out, "at sample 1, t = " + t + "\n"));
+  CHECK_FALSE(contains(full.out, "characters"));
+  CHECK_FALSE(contains(full.out, hint));
+  // Ten samples with f2 = 0, the first at a long t.
+  std::string table = "t,f2x,f2y,f2z\n0,0,1,0\n";
+  for (int k = 1; k <= 10; ++k) table += "1e" + std::to_string(1000 * k) + ",0,0,0\n";
+  here.write("zero.csv", table);
+  const Run ten = here.run("check quintic.json zero.csv");
+  CHECK(contains(ten.out, " at 10 samples, the first is 1, t = 1000000"));
+  CHECK(ten.out.ends_with(hint));
+  CHECK(contains(here.run("check quintic.json zero.csv --full").out,
+                 " at samples 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, the first at t = " + t + "\n"));
+  // A tolerance and a start angle.
+  here.write("line.csv", "t,f2x,f2y,f2z\n0,0,1,0\n1,0,1,0\n");
+  const std::string options = " --theta0 1e-100 --tol 2e-100";
+  CHECK(here.run("check line.json line.csv" + options).out.ends_with(hint));
+  CHECK(contains(here.run("check line.json line.csv --full" + options).out,
+                 "  tolerance        1/5" + std::string(99, '0') + "\n"));
+}
+
 // A = 1 + tk is the frame as a quaternion; the table has it in the order x, y, z, w.
 TEST_CASE("check: another convention that is right is named") {
   const Workshop here;
