@@ -74,17 +74,17 @@ std::string bash_case(const Command& command) {
   std::string names;  // of the argument, "-" for a file
   for (const ListedOption& option : listed_options(command)) {
     if (option.is_argument) {
-      names = option.takes_file ? "-" : words(option.facts.names);
+      names = option.takes_file ? "-" : words(option.completions());
       continue;
     }
     options.insert(options.end(), option.names.begin(), option.names.end());
     if (option.is_flag()) continue;
     const std::string then =
         option.takes_file ? "_phrame_files \"$cur\"; "
-        : option.facts.names.empty()
+        : option.completions().empty()
             ? ""
             : fmt::format("_phrame_names \"$cur\" {} '{}'; ", option.takes_list ? "list" : "one",
-                          words(option.facts.names));
+                          words(option.completions()));
     text += fmt::format("    {}) {}return ;;\n", words(option.names, "|"), then);
   }
   return text +
@@ -112,10 +112,10 @@ std::string zsh_option(const ListedOption& option) {
   std::string action;
   if (option.takes_file)
     action = "_files";
-  else if (option.takes_list && !option.facts.names.empty())
-    action = "_values -s , name " + words(option.facts.names);
-  else if (!option.facts.names.empty())
-    action = "(" + words(option.facts.names) + ")";
+  else if (option.takes_list && !option.completions().empty())
+    action = "_values -s , name " + words(option.completions());
+  else if (!option.completions().empty())
+    action = "(" + words(option.completions()) + ")";
   if (option.is_argument)
     return shell_quoted(
         fmt::format("1:{}:{}", colons(option.names[0]), action.empty() ? " " : action));
@@ -165,9 +165,10 @@ std::string fish_option(const std::string& command, const ListedOption& option) 
     line += option.is_argument ? " -F" : " -r -F";
   else if (!option.is_flag() && !option.is_argument)
     line += " -x";
-  if (!option.facts.names.empty())
-    line += option.takes_list ? fmt::format(" -a '(__fish_append , {})'", words(option.facts.names))
-                              : fmt::format(" -a '{}'", words(option.facts.names));
+  if (!option.completions().empty())
+    line += option.takes_list
+                ? fmt::format(" -a '(__fish_append , {})'", words(option.completions()))
+                : fmt::format(" -a '{}'", words(option.completions()));
   if (!option.is_argument) line += " -d " + fish_quoted(option.what);
   return line + "\n";
 }
@@ -182,7 +183,7 @@ std::string fish(const Program& program) {
                         command->name(), fish_quoted(command->what()));
   for (const Command* command : program.commands())
     for (const ListedOption& option : listed_options(*command))
-      if (!option.is_argument || option.takes_file || !option.facts.names.empty())
+      if (!option.is_argument || option.takes_file || !option.completions().empty())
         text += fish_option(command->name(), option);
   return text;
 }
@@ -196,6 +197,7 @@ std::string json(const Program& program) {
       options.push_back({{"names", option.names},
                          {"value", option.value},
                          {"choices", option.facts.names},
+                         {"words", option.facts.words},
                          {"list", option.takes_list},
                          {"file", option.takes_file},
                          {"argument", option.is_argument},

@@ -15,6 +15,10 @@ struct ListedOption {
   bool is_required = false;
   bool takes_file = false;
   bool is_flag() const { return value.empty() && !is_argument; }
+  /// What a shell can complete: names, or words among other values.
+  const std::vector<std::string>& completions() const {
+    return facts.names.empty() ? facts.words : facts.names;
+  }
 };
 
 /// The visible ones: arguments, options that always apply, others.

@@ -143,6 +143,11 @@ void Command::add_choices(const std::string& option, std::vector<std::string>& v
   values_[option] = [&values] { return split(values); };
 }
 
+void Command::add_words(const std::string& option, std::vector<std::string> words) {
+  app_.get_option(option);  // throws where there is none
+  facts_[option].words = std::move(words);
+}
+
 void Command::add_format(const std::string& option, std::string& value,
                          std::vector<std::string> names, const std::string& what) {
   add_choice(option, value, std::move(names), what);

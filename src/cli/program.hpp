@@ -15,6 +15,7 @@ namespace phrame::cli {
 /// What CLI11 does not know of an option; help, completion and manual pages say it, too.
 struct OptionFacts {
   std::vector<std::string> names;  ///< that it takes; empty where it takes something else
+  std::vector<std::string> words;  ///< that it takes, too, where it takes something else
   /// Choices like "--at", "--from and --to" or "--frame mtf": it means something with one of these
   /// only, …
   std::vector<std::string> with;
@@ -65,6 +66,8 @@ class Command {
   /// An option that takes a list of these names.
   void add_choices(const std::string& option, std::vector<std::string>& values,
                    std::vector<std::string> names, const std::string& what);
+  /// An option of add_option() that takes a list, of these words among other things.
+  void add_words(const std::string& option, std::vector<std::string> words);
   /// The choice of a format. Where it is not made, the ending of the output file makes it.
   void add_format(const std::string& option, std::string& value, std::vector<std::string> names,
                   const std::string& what);

@@ -66,6 +66,7 @@ void TwistOptions::add_to(Command& command) {
       "where to divide the rational frame: any of inflections, extrema (of the ERF's\n"
       "rate), auto (until the rate has one sign), rms:X (until the relative error is\n"
       "at most X), or parameters t");
+  command.add_words("--subdivide", {"inflections", "extrema", "auto"});
   command.add_flag("--unproved", is_unproved,
                    "do not prove that w is the best one (of degree 1, of 2 without --free-ends):\n"
                    "faster");

@@ -20,6 +20,8 @@ namespace {
 
 using Kind = Token::Kind;
 
+constexpr std::string_view blanks = " \t\r\n";
+
 struct Operation {
   char sign;  ///< + - * / ^, '~' for the negative of one operand, '(' for a parenthesis
   std::size_t at;
@@ -92,6 +94,7 @@ class Parser {
   }
 
   void skip_blanks();
+  bool is_only_name(std::string_view name) const;
   void read_operand(const Token& token);
   void read_operator(const Token& token);
   void refuse_in_place_of_operator(const Token& token) const;
@@ -210,7 +213,9 @@ void Parser::read_name(std::string_view name) {
     };
     if (is_constant(name))
       fail(at_, fmt::format("\"{}\" is not a rational number{}", name,
-                            variable_is_given_ ? "" : advice("; {0} {1} makes it the variable")));
+                            variable_is_given_   ? ""
+                            : is_only_name(name) ? advice("; {0} {1} makes it the variable")
+                                                 : advice(": write a number for it")));
     if (variable_is_given_)
       fail(at_, variable_.empty()
                     ? fmt::format("{} where a number is expected", in_quotes(name))
@@ -299,8 +304,18 @@ void Parser::read_operator(const Token& token) {
   operand_is_next_ = true;
 }
 
-void Parser::skip_blanks() {
-  at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size());
+void Parser::skip_blanks() { at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size()); }
+
+/// In the whole text.
+bool Parser::is_only_name(std::string_view name) const {
+  std::string_view rest = text_;
+  for (;;) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+    const Token token = first_token(rest);
+    if (token.kind == Kind::end) return true;
+    if (token.kind == Kind::name && token.text != name) return false;
+    rest.remove_prefix(token.text.size());
+  }
 }
 
 Expression Parser::parse() {

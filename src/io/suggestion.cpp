@@ -38,10 +38,13 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::optional<std::size_t> distance(const std::string& word, const std::string& name) {
   if (word.empty() || name.empty()) return std::nullopt;
   const auto [shorter, longer] = std::minmax({word.size(), name.size()});
-  const bool is_part = name.find(word) != std::string::npos || word.find(name) != std::string::npos;
+  const std::size_t lengths = longer - shorter;
+  constexpr std::size_t more = 100;  // than what is nearer in kind
+  if (shorter >= 3 && name.starts_with(word)) return lengths;
   const std::size_t edits = edit_distance(word, name);
-  if (edits <= std::max<std::size_t>(1, longer / 3) && edits < shorter) return edits;
-  if (is_part && shorter >= 3) return 100 + longer - shorter;
+  if (edits <= std::max<std::size_t>(1, longer / 3) && edits < shorter) return more + edits;
+  const bool is_part = name.find(word) != std::string::npos || word.find(name) != std::string::npos;
+  if (is_part && shorter >= 3) return 2 * more + lengths;
   return std::nullopt;
 }
 

@@ -38,6 +38,7 @@ TEST_CASE("terminal: a misspelt command or option is answered with the one that 
   check_failure(
       here.run("angle quintic.json --digit 5"), 2,
       "phrame: --digit is no option of angle; did you mean --digits? (phrame angle --help)");
+  check_failure(here.run("angle quintic.json --out f"), 2, "did you mean --output?");
   check_failure(here.run("angle --sample=5 quintic.json"), 2, "did you mean --samples?");
   check_failure(here.run("angle quintic.json -digits 5"), 2, "did you mean --digits?");
   check_failure(here.run("frames quintic.json --form real --at 0"), 2,
@@ -284,6 +285,8 @@ TEST_CASE("terminal: bash completes commands, options, names, lists and files") 
   CHECK(completed("phrame angle quintic.json --frame ''") == "erf frenet\n");
   CHECK(completed("phrame angle --frame = f") == "frenet\n");
   CHECK(completed("phrame frames --frame rmf,mtf") == "rmf,mtf rmf,mtf-exact\n");
+  CHECK(completed("phrame mtf c.json --subdivide ''") == "inflections extrema auto\n");
+  CHECK(completed("phrame frames c.json --subdivide 1/2,e") == "1/2,extrema\n");
   CHECK(completed("phrame angle qu") == "quintic.json\n");
   CHECK(completed("phrame angle quintic.json -o qu") == "quintic.json\n");
   CHECK(completed("phrame angle quintic.json --at ''") == "\n");

@@ -193,7 +193,14 @@ TEST_CASE("expressions: e, i and pi are alike: a variable only where they are gi
     CHECK(refusal(name + "^2", {}, with_option) ==
           reason + "; --var " + name + " makes it the variable");
     CHECK(parse_expression(name + "^2", name).value == RationalFunction(Polynomial{0, 0, 1}));
+    // As the variable it would leave another name to be refused.
+    CHECK(refusal(name + "^2 + x", {}, with_option) == reason + ": write a number for it");
+    CHECK(refusal(name + " / (2*\ntheta)", {}, with_option) == reason + ": write a number for it");
+    CHECK(refusal(name + " + 2^" + name + "-$", {}, with_option) ==
+          reason + "; --var " + name + " makes it the variable");
   }
+  CHECK(refusal("1/(x^2+e)", {}, with_option) ==
+        "column 8: \"e\" is not a rational number: write a number for it");
 }
 
 TEST_CASE("expressions: what is wrong is said with its column") {

@@ -18,5 +18,10 @@ TEST_CASE("suggestion: the nearest name, a part of one, or none") {
   CHECK_FALSE(suggestion("", keys));
   CHECK_FALSE(suggestion("x", keys));
   CHECK_FALSE(suggestion("xy", {"ab"}));
+  // What begins with it goes before what has it in the middle, or is spelt nearly so.
+  CHECK(suggestion("--out", {"--route", "--output", "--without"}) == "--output");
+  CHECK(suggestion("--pri", {"--principal-value", "--print", "--prim"}) == "--prim");
+  CHECK(suggestion("form", {"from", "formula"}) == "formula");
+  CHECK(suggestion("fron", {"from", "formula"}) == "from");
   CHECK(suggestion("angel", {"mtf", "angle", "check"}) == "angle");
 }
