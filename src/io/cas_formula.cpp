@@ -291,13 +291,19 @@ std::string cas_formula(const RealForm& F, Language language, const std::string&
   return sum.text();
 }
 
-std::string cas_formula(const TextbookForm& F, Language language, const std::string& variable) {
+std::vector<LogSum> sums_over_poles(const TextbookForm& F) {
+  std::vector<LogSum> sums;
+  const RationalFunction rest = differentiate(Antiderivative{{}, {}, F.sums});
+  for (const SimpleFraction& f : simple_fractions(rest)) sums.push_back(full_partial_fraction(f));
+  return sums;
+}
+
+std::string cas_formula(const RealForm& F, const std::vector<LogSum>& sums_over_poles,
+                        Language language, const std::string& variable) {
   const Writer writer(language, variable);
   Sum sum;
-  writer.add_real(sum, F.real, false);
-  const RationalFunction rest = differentiate(Antiderivative{{}, {}, F.sums});
-  for (const SimpleFraction& f : simple_fractions(rest))
-    writer.add_sum(sum, full_partial_fraction(f));
+  writer.add_real(sum, F, false);
+  for (const LogSum& logs : sums_over_poles) writer.add_sum(sum, logs);
   return sum.text();
 }
 

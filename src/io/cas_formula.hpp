@@ -26,9 +26,12 @@ std::string cas_formula(const Antiderivative& F, Language language, const std::s
 /// In PARI the sums that are left are real; in the other systems as those of an Antiderivative:
 /// real up to a constant.
 std::string cas_formula(const RealForm& F, Language language, const std::string& variable);
-/// Continuous between the real poles, with principal logarithms: the sums are written over the
-/// poles, not the residues. Up to a constant between two of them it is real: no |…|.
-std::string cas_formula(const TextbookForm& F, Language language, const std::string& variable);
+/// Its sums, written over the poles, not the residues: continuous between the real poles with
+/// principal logarithms.
+std::vector<LogSum> sums_over_poles(const TextbookForm& F);
+/// The same with these. Up to a constant between two real poles it is real: no |…|.
+std::string cas_formula(const RealForm& F, const std::vector<LogSum>& sums_over_poles,
+                        Language language, const std::string& variable);
 std::string cas_formula(const ExactValue& x, Language language);
 /// "Float('1.5e-12', 2)", "1.5`1*^-12", "1.5b-12"; in Python of more than 4300 digits a quotient.
 std::string cas_formula(const Decimal& x, Language language);

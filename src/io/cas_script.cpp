@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/io/radical_form_text.hpp"
@@ -94,9 +96,81 @@ bool may_jump(const LogSum& sum) {
   return sum.argument.degree() > 1 && count_real_roots(sum.index, real_line()) < sum.index.degree();
 }
 
+/// log₂|x| for x ≠ 0, as doubles have it.
+double log2_of(const Rational& x) {
+  const long e = bit_length(numerator(x)) - bit_length(denominator(x));
+  const Integer power = Integer(1) << static_cast<unsigned long>(std::abs(e));
+  const Rational scaled = e < 0 ? Rational(x * Rational(power)) : Rational(x / Rational(power));
+  return static_cast<double>(e) + std::log2(static_cast<double>(abs(scaled)));
+}
+
+constexpr double log2_of_zero = -std::numeric_limits<double>::infinity();
+
+/// log₂ Σ 2ˣ.
+double log2_of_sum(const std::vector<double>& list) {
+  const double largest = list.empty() ? log2_of_zero : *std::max_element(list.begin(), list.end());
+  if (largest == log2_of_zero) return largest;
+  double sum = 0;
+  for (const double x : list) sum += std::exp2(x - largest);
+  return largest + std::log2(sum);
+}
+
+/// log₂ Σ|pₖ|rᵏ.
+double log2_of_size(const Polynomial& p, double log2_of_r) {
+  std::vector<double> terms;
+  for (long k = 0; k <= p.degree(); ++k)
+    if (const Rational c = p.coefficient(k); c != 0)
+      terms.push_back(log2_of(c) + (k == 0 ? 0 : static_cast<double>(k) * log2_of_r));
+  return log2_of_sum(terms);
+}
+
+/// log₂ of Cauchy's bound for the roots of q: the r > 0 with |qₙ|rⁿ = Σ|qₖ|rᵏ, k < n.
+double log2_of_root_bound(const Polynomial& q) {
+  const long n = q.degree();
+  double least = log2_of_zero;  // where one of the terms on the right reaches that on the left
+  for (long k = 0; k < n; ++k)
+    if (const Rational c = q.coefficient(k); c != 0)
+      least = std::max(least, log2_of(c / q.leading_coefficient()) / static_cast<double>(n - k));
+  if (least == log2_of_zero) return least;
+  double greatest = least + 1;  // there the right is at most 1/2 + 1/4 + … of the left
+  const Polynomial lower = q - Polynomial::monomial(q.leading_coefficient(), n);
+  for (int step = 0; step < 40; ++step) {
+    const double middle = (least + greatest) / 2;
+    const bool is_enough = log2_of_size(lower, middle) <=
+                           log2_of(q.leading_coefficient()) + static_cast<double>(n) * middle;
+    (is_enough ? greatest : least) = middle;
+  }
+  return greatest;
+}
+
+/// How many decimal digits are lost where the sum is computed in floating point, about. The error
+/// of a term pₖzᵏ is about k ε of it, that of adding n terms n ε of their sizes: at most 2n ε
+/// Σ|pₖ|rᵏ for |z| ≤ r, Cauchy's bound; a root z that is off by ε|z| changes p(z) by half as much.
+/// This n times, for each root. The logarithms count as of the size of 1, and so do their
+/// arguments, which are that or more but near a pole.
+double digits_lost(const LogSum& sum) {
+  const long n = sum.index.degree();
+  if (n == 1) return 0;  // it is written without a root
+  const double r = log2_of_root_bound(sum.index);
+  double bits = log2_of_size(sum.residue, r);
+  if (!is_over_poles(sum)) {
+    std::vector<double> sizes;
+    for (const Polynomial& c : sum.argument.coefficients()) sizes.push_back(log2_of_size(c, r));
+    bits += std::max(0.0, log2_of_sum(sizes));
+  }
+  return std::log10(2.0) * (bits + std::log2(3.0 * static_cast<double>(n * n)));
+}
+
+double digits_lost(const std::vector<LogSum>& sums) {
+  double most = 0;
+  for (const LogSum& sum : sums) most = std::max(most, digits_lost(sum));
+  return most;
+}
+
 /// A report's closed form in its style; what it says of the jumps that a form has by nature.
 struct ClosedForm {
   std::string formula;
+  double digits_lost = 0;  ///< in its sums over roots
   std::string warning = {};
 };
 
@@ -112,18 +186,37 @@ ClosedForm closed_form(const Antiderivative& F, const Report& report, Language l
                ? warning
                : "";
   };
-  if (report.real) return {cas_formula(*report.real, language, variable)};
-  if (report.textbook) return {cas_formula(*report.textbook, language, variable)};
+  if (report.real)
+    return {cas_formula(*report.real, language, variable), digits_lost(report.real->others)};
+  if (report.textbook) {
+    const std::vector<LogSum> sums = sums_over_poles(*report.textbook);
+    return {cas_formula(report.textbook->real, sums, language, variable), digits_lost(sums)};
+  }
   if (!report.radicals)
-    return {cas_formula(F, language, variable),
+    return {cas_formula(F, language, variable), digits_lost(F.logs),
             jumps(F.logs, [](const LogSum& sum) { return sum; })};
   const RadicalForm& radicals = *report.radicals;
   const std::string rest =
       cas_formula(Antiderivative{radicals.polynomial, radicals.rational, {}}, language, variable);
   if (radicals.logs.empty()) return {rest};
   const std::string logs = to_cas(radicals.logs, radical_notation_of(language), variable);
-  return {rest == "0" ? logs : fmt::format("{} + ({})", rest, logs),
+  return {rest == "0" ? logs : fmt::format("{} + ({})", rest, logs), 0,
           jumps(radicals.logs, [](const RadicalSum& sum) { return sum.sum; })};
+}
+
+/// What makes PARI compute so many digits, or 20 where these are less; nothing where it does by
+/// default.
+std::string precision_for_pari(double digits_lost, long digits) {
+  constexpr long default_digits = 38;
+  constexpr long enough = 20;
+  const long lost = static_cast<long>(std::ceil(digits_lost));
+  const long kept = std::max(digits, enough);
+  if (lost + enough <= default_digits) return "";
+  return comment(
+             fmt::format("the sums over roots lose up to {} digits; {} are to stay", lost, kept),
+             Language::pari) +
+         fmt::format("if(default(realprecision) < {0}, default(realprecision, {0}));\n",
+                     lost + kept);
 }
 
 }  // namespace
@@ -145,8 +238,12 @@ std::string to_script(const IntegralReport& report, Language language) {
     definitions.insert(definitions.begin(), {"fpprec", std::to_string(report.digits), false});
   const std::string text =
       script(definitions, language, t, report.real.has_value(), closed.warning);
+  if (language != Language::pari) return text;
+  const std::string precision =
+      precision_for_pari(closed.digits_lost, has_digits ? report.digits : 0);
+  if (!precision.empty()) return precision + text;
   constexpr long default_digits = 38;
-  if (language != Language::pari || !has_digits || report.digits <= default_digits) return text;
+  if (!has_digits || report.digits <= default_digits) return text;
   return comment(
              fmt::format("default(realprecision, {}) shows all digits of definite, and computes "
                          "antiderivative to as many",
@@ -157,9 +254,10 @@ std::string to_script(const IntegralReport& report, Language language) {
 
 std::string to_script(const AngleReport& report, Language language) {
   const ClosedForm closed = closed_form(report.angle.antiderivative(), report, language, "t");
-  return script({{"integrand", cas_formula(report.angle.rate(), language, "t")},
-                 {"antiderivative", closed.formula}},
-                language, "t", report.real.has_value(), closed.warning);
+  const std::string text = script({{"integrand", cas_formula(report.angle.rate(), language, "t")},
+                                   {"antiderivative", closed.formula}},
+                                  language, "t", report.real.has_value(), closed.warning);
+  return language == Language::pari ? precision_for_pari(closed.digits_lost, 0) + text : text;
 }
 
 }  // namespace phrame
