@@ -763,8 +763,8 @@ def check(name, show_name, quiet):
         if not (quiet and is_proved):
             print(line)
     failures, number = sum(not is_proved for is_proved, _ in lines), len(lines)
-    print("%d of %d statements are not proved" % (failures, number) if failures else
-          "all %d statements are proved" % number)
+    print("%d of %d statements %s not proved" % (failures, number, "is" if failures == 1 else "are") if failures
+          else "all %d statements are proved" % number)
     return 1 if failures else 0
 
 

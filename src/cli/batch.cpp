@@ -37,6 +37,7 @@ struct Done {
   std::unordered_set<std::string> ids;
   off_t whole_bytes = 0;  ///< up to the end of the last whole line
   std::string cut_off;    ///< what follows it
+  bool is_open = false;   ///< the last line is an answer, but for the end of the line
   long others = 0;        ///< lines that are no answers
 };
 
@@ -46,15 +47,18 @@ Done read_done(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) fail_with_errno(path, "cannot be read");
   for (std::string line; std::getline(file, line);) {
-    if (file.eof()) {
+    auto id = answered_id(line);
+    done.is_open = file.eof();
+    if (done.is_open && !id) {
       done.cut_off = std::move(line);
+      done.is_open = false;
       break;
     }
-    if (auto id = answered_id(line))
+    if (id)
       done.ids.insert(*std::move(id));
     else
       ++done.others;
-    done.whole_bytes += static_cast<off_t>(line.size() + 1);
+    done.whole_bytes += static_cast<off_t>(line.size() + (done.is_open ? 0 : 1));
   }
   return done;
 }
@@ -74,7 +78,8 @@ void keep_aside(const std::string& path, const std::string& cut_off) {
                    counted(cut_off.size(), "byte"), cut_off.size() == 1 ? "is" : "are", aside));
 }
 
-/// Where the output is what is skipped, it is continued; a line that was cut off is kept aside.
+/// Where the output is what is skipped, it is continued; a line that was cut off is kept aside, and
+/// one that lacks but its end gets it.
 Descriptor open_output(const std::string& path, const std::string& skip_done, const Done& done) {
   constexpr int flags = O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC;
   Descriptor file(path == "-" ? STDOUT_FILENO : ::open(path.c_str(), flags, 0666),
@@ -87,6 +92,7 @@ Descriptor open_output(const std::string& path, const std::string& skip_done, co
     fstat(file.number(), &status);
     if (S_ISREG(status.st_mode) && ftruncate(file.number(), size) != 0)
       fail_with_errno(file.name(), "cannot be written");
+    if (continues && done.is_open) write_whole(file, "\n");
   }
   return file;
 }

@@ -100,12 +100,19 @@ std::vector<std::string> split(const std::vector<std::string>& lists) {
   return parts;
 }
 
+std::string with_plain_minus(std::string text) {
+  constexpr std::string_view minus = "−";
+  for (std::size_t at = text.find(minus); at != std::string::npos; at = text.find(minus, at))
+    text.replace(at, minus.size(), "-");
+  return text;
+}
+
 Rational parse_option(const std::string& option, const std::string& text) {
-  return at_place(option, ", ", [&] { return parse_number(text); });
+  return at_place(option, ", ", [&] { return parse_number(with_plain_minus(text)); });
 }
 
 Angle parse_angle_option(const std::string& option, const std::string& text) {
-  return at_place(option, ", ", [&] { return parse_angle(text); });
+  return at_place(option, ", ", [&] { return parse_angle(with_plain_minus(text)); });
 }
 
 void add_digits(Command& command, long& digits) {

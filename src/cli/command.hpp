@@ -37,6 +37,9 @@ struct Parameters {
 /// part.
 std::vector<std::string> split(const std::vector<std::string>& lists);
 
+/// The text with "-" for each "−" (U+2212), which reports have for a minus sign.
+std::string with_plain_minus(std::string text);
+
 /// Reads a number given on the command line; the place of an InputError is the option.
 Rational parse_option(const std::string& option, const std::string& text);
 /// The same of an angle: "pi/4", "45deg", "0.5".

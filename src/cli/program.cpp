@@ -58,7 +58,7 @@ std::string ending(const std::string& path) {
 
 CLI::Validator is_in(WholeNumbers range) {
   const auto complaint = [range](std::string& text) -> std::string {
-    text = trimmed(text);
+    text = with_plain_minus(std::string(trimmed(text)));
     long value = 0;
     const char* const text_end = text.data() + text.size();
     const auto [end, error] = std::from_chars(text.data(), text_end, value);
@@ -120,7 +120,7 @@ void Command::add_list(const std::string& option, const std::string& value_name,
 
 void Command::add_number(const std::string& option, long& value, WholeNumbers range,
                          const std::string& what, const std::string& value_name) {
-  app_.add_option(option, value, what)->type_name(value_name)->check(is_in(range));
+  app_.add_option(option, value, what)->type_name(value_name)->transform(is_in(range));
 }
 
 void Command::add_flag(const std::string& option, bool& value, const std::string& what) {

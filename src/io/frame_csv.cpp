@@ -211,7 +211,14 @@ Layout::Layout(const Names& names, const std::string& place, FrameReading::Quate
       if (t_.columns.empty()) t_.columns.emplace_back();
       t_.columns[0].push_back(k);
     }
-  if (t_.columns.empty()) fail("a column \"t\" is wanted");
+  if (t_.columns.empty()) {
+    const auto other = std::find_if(names.begin(), names.end(), [](const std::string& name) {
+      return lower_case(name) == "t" || lower_case(name) == "time";
+    });
+    fail(other == names.end()
+             ? "a column \"t\" is wanted"
+             : fmt::format("missing is the column t: \"{}\" is another name", abbreviated(*other)));
+  }
   for (Group* group : {&f2_, &f3_, &e1_, &q_}) find(*group, names);
   if (f2_.columns.empty() && !has_quaternions())
     fail("columns f2x, f2y, f2z or qw, qx, qy, qz are wanted");

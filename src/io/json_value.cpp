@@ -81,12 +81,13 @@ std::string_view word_at(std::string_view text, std::size_t offset) {
   return text.substr(begin, end - begin);
 }
 
-/// "line:column" of the byte before `offset`.
+/// "line:column" of the byte before `offset`, counted from 1; that of the first byte where there is
+/// none before it on its line.
 std::string place_of(std::string_view text, std::size_t offset) {
   const auto read = text.substr(0, offset);
   const auto line = 1 + std::count(read.begin(), read.end(), '\n');
   const auto column = read.size() - (read.rfind('\n') + 1);  // npos + 1 is 0
-  return fmt::format("{}:{}", line, column);
+  return fmt::format("{}:{}", line, std::max(column, std::size_t{1}));
 }
 
 /// Builds a JsonValue from the events of nlohmann's parser.

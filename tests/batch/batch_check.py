@@ -114,6 +114,16 @@ def check_kill(reference):
     require(Path("copy.damaged").read_bytes() == cut_off + b"\n", "not kept aside by >>")
     run = batch("lines", "-o", "out", "--skip-done", "out")
     require(Path("out.damaged").read_bytes() == cut_off + b"\n" and run.stderr == b"", "told where nothing was cut off")
+    # A last line that lacks but its end is whole: it is kept, and ended.
+    first = reference[:reference.index(b"\n", len(reference) // 2)]
+    Path("open").write_bytes(first)
+    run = batch("lines", "-o", "open", "--skip-done", "open")
+    require(Path("open").read_bytes() == reference, "not completed after a line without an end")
+    require(not Path("open.damaged").exists() and b"cut off" not in run.stderr, "a whole line is called cut off")
+    Path("open").write_bytes(first)
+    with open("open", "ab") as out:
+        batch("lines", "--skip-done", "open", stdout=out)
+    require(Path("open").read_bytes() == reference, "not completed by >> after a line without an end")
     # Into another file: the rest only.
     rest = batch("lines", "--skip-done", "out", stdout=subprocess.PIPE)
     require(rest.stdout == b"" and rest.returncode == 0, "what was done is done again")

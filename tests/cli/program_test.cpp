@@ -178,7 +178,7 @@ TEST_CASE("program: a curve is read from standard input") {
   const Workshop here;
   const std::string quintic = bytes_of(here.file("quintic.json"));
   CHECK(here.run("info -", quintic).out == here.run("info quintic.json").out);
-  check_failure(here.run("info -", ""), 2, "phrame: standard input:1:0: not valid JSON");
+  check_failure(here.run("info -", ""), 2, "phrame: standard input:1:1: not valid JSON");
   check_failure(here.run("info - <&-"), 2, "phrame: standard input: cannot be read");
 }
 
@@ -192,7 +192,7 @@ TEST_CASE("program: bad curve files are refused with file, place and value") {
   check_failure(here.run("angle cut.json"), 2, "phrame: cut.json:1:");
   here.write("empty.json", "");
   check_failure(here.run("angle empty.json"), 2,
-                "phrame: empty.json:1:0: not valid JSON: the input is empty");
+                "phrame: empty.json:1:1: not valid JSON: the input is empty");
   here.write("deep.json", std::string(1'000'000, '['));
   check_failure(here.run("angle deep.json"), 2, "nested deeper than 32 levels");
   std::string ones = "1";
@@ -255,6 +255,16 @@ TEST_CASE("batch: the lines that failed are told by their numbers in the input")
                               "\n";
   CHECK(here.run("batch --skip-done done.jsonl", skipped + "{\"curve\": 7}").err ==
         "phrame: 1 of 1 line failed: 2; line 2: /curve: an object is wanted, not the number 7\n");
+  // A last line that is an answer is one without its end, too; half an answer is cut off.
+  const std::string whole = R"({"id":"a","error":{"status":2}})";
+  here.write("open.jsonl", whole);
+  const Run rest = here.run("batch --skip-done open.jsonl >>open.jsonl", skipped);
+  CHECK(rest.status == 0);
+  CHECK(rest.err.empty());
+  CHECK(bytes_of(here.file("open.jsonl")) == whole + "\n");
+  here.write("half.jsonl", whole.substr(0, whole.size() - 1));
+  CHECK(contains(here.run("batch -o half.jsonl --skip-done half.jsonl", skipped).err,
+                 "half.jsonl: the last line was cut off; its 30 bytes are kept in"));
   std::string many;
   for (int k = 0; k < 12; ++k) many += "7\n";
   CHECK(contains(here.run("batch", many).err,

@@ -106,6 +106,25 @@ TEST_CASE("terminal: blanks in lists, and quotients of decimals") {
   check_failure(here.run("angle quintic.json --at 1/2/3"), 2, "--at: \"1/2/3\" is not a number");
 }
 
+TEST_CASE("terminal: minus signs may be U+2212, which the reports have; not in files") {
+  const Workshop here;
+  const std::vector<std::pair<std::string, std::string>> calls{
+      {"angle quintic.json --at −1/2,−0.25 --theta0 −31pi/40",
+       "angle quintic.json --at=-1/2,-0.25 --theta0=-31pi/40"},
+      {"mtf quintic.json --from −pi/8 --to-vector 1,−2,3 --turns −1 --unproved",
+       "mtf quintic.json --from=-pi/8 --to-vector 1,-2,3 --turns=-1 --unproved"},
+      {"compile quintic.json --from −1 --to 2", "compile quintic.json --from=-1 --to 2"}};
+  for (const auto& [call, plain] : calls) {
+    CAPTURE(call);
+    const Run run = here.run(call);
+    check_success(run);
+    CHECK(run.out == here.run(plain).out);
+  }
+  here.write("minus.json", R"({"phrame": "curve/1", "basis": "power",
+                               "preimage": {"u": [1], "v": ["−1"], "p": [0], "q": [0]}})");
+  check_failure(here.run("info minus.json"), 2, "is not a number");
+}
+
 TEST_CASE("terminal: an empty text is not the same as an option that is not there") {
   const Workshop here;
   REQUIRE(here.run("frames quintic.json --samples 3 -o frames.csv").status == 0);

@@ -271,7 +271,7 @@ TEST_CASE("curve files: the degree is limited, and the limit can be raised") {
 }
 
 TEST_CASE("curve files: broken JSON is refused with line and column") {
-  CHECK(refusal("").starts_with("1:0: not valid JSON"));
+  CHECK(refusal("").starts_with("1:1: not valid JSON"));
   CHECK(refusal("{\n \"phrame\": \"curve/1\",\n \"basis\"").starts_with("3:8: not valid JSON"));
   CHECK(refusal(constant("NaN")).find(": not valid JSON") != std::string::npos);
   CHECK(contains(refusal(file("\"name\": \"\xFF\"")), "not valid JSON"));

@@ -98,6 +98,9 @@ TEST_CASE("frame table: what is wrong is told with line and column") {
   CHECK(refusal("") == "line 1: a table of numbers is wanted, below the names of its columns");
   CHECK(refusal("t,f2x,f2y,f2z\n") == "line 2: there are no frames");
   CHECK(refusal("f2x,f2y,f2z\n1,0,0") == "line 1: a column \"t\" is wanted");
+  for (const std::string name : {"T", "time", "Time", "TIME"})
+    CHECK(refusal("x," + name + ",f2x,f2y,f2z\n1,0,1,0,0") ==
+          "line 1: missing is the column t: \"" + name + "\" is another name");
   CHECK(refusal("t,x,y,z\n0,1,0,0") ==
         "line 1: columns f2x, f2y, f2z or qw, qx, qy, qz are wanted");
   CHECK(refusal("t,f2x,f2y,f2z,qw,qx,qy,qz\n0,1,0,0,1,0,0,0\n") ==
@@ -182,7 +185,7 @@ TEST_CASE("frame table: without a header the number of columns tells what they a
   CHECK_THROWS_AS(read_frames("t,f2x,f2y,f2z\n0,1,0,0\n", named), InputError);
   // A comment of as many words is taken for the header; what it does not say is not guessed.
   const std::string commented = "# time nx ny nz\n0 1 2 3\n";
-  CHECK(refusal(commented) == "line 1: a column \"t\" is wanted");
+  CHECK(refusal(commented) == "line 1: missing is the column t: \"time\" is another name");
   CHECK(read_frames(commented, named).frames[0].t == 3);
   CHECK(refusal("0 1 0 0\n0 1 0\n") == "line 2: 3 numbers here, but 4 in the first line of them");
 }

@@ -124,8 +124,9 @@ TEST_CASE("JSON values: what is not JSON is refused at its line and column") {
     CHECK(all.find('\n') == std::string::npos);
     return all.substr(0, all.find(' '));
   };
-  CHECK(place("") == "1:0");
+  CHECK(place("") == "1:1");
   CHECK(place("{\"a\": [1,\n2") == "2:1");  // the last byte there is
+  CHECK(place("[1,\n") == "2:1");           // there is none on the line
   CHECK(place("[1,\n  x]") == "2:3");
   CHECK(place("[1] x") == "1:5");
   CHECK(place("NaN") == "1:1");
@@ -142,7 +143,7 @@ TEST_CASE("JSON values: what is not JSON is refused at its line and column") {
 }
 
 TEST_CASE("JSON values: an empty input is named as such, whatever the parser's release says") {
-  CHECK(refusal("") == "1:0 | not valid JSON: the input is empty");
+  CHECK(refusal("") == "1:1 | not valid JSON: the input is empty");
   CHECK(refusal(" \n\t\r\n ") == "3:1 | not valid JSON: the input is empty");
   CHECK(refusal("\xEF\xBB\xBF") == "1:3 | not valid JSON: the input is empty");
 }
