@@ -35,10 +35,10 @@ TEST_CASE("angle text: what is no angle is refused") {
 TEST_CASE("angle text: two divisions are refused, as in 1/2/3, and the text is named") {
   for (const std::string text : {"1/2/3", "5pi/4/2", "pi/4/4", "pi/1/2", "5/8*pi/2", "1/2/3deg"}) {
     CAPTURE(text);
-    CHECK_THROWS_WITH_AS(parse_angle(text),
-                         ("\"" + text +
-                          "\" is not an angle such as pi/8, -31pi/40, 45deg or, in radians, 0.3927")
-                             .c_str(),
-                         InputError);
+    CHECK_THROWS_WITH_AS(
+        parse_angle(text),
+        ("\"" + text + "\" is not an angle such as pi/8, -31pi/40, 45deg or, in radians, 0.3927")
+            .c_str(),
+        InputError);
   }
 }
