@@ -7,12 +7,10 @@
 
 namespace phrame {
 
-AlgebraicPoint::AlgebraicPoint(RealAlgebraic t)
-    : t_(std::move(t)), cache_(std::make_shared<Cache>()) {}
+AlgebraicPoint::AlgebraicPoint(RealAlgebraic t) : t_(std::move(t)) {}
 
 RealBall AlgebraicPoint::enclose(long bits) const {
-  if (cache_->bits < bits) *cache_ = {bits, phrame::enclose(t_, bits)};
-  return cache_->ball;
+  return *enclosure_.get(bits, [&](const RealBall*) { return phrame::enclose(t_, bits); });
 }
 
 Real AlgebraicPoint::value(const Polynomial& p) const { return value(RationalFunction(p)); }

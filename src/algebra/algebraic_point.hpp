@@ -1,14 +1,13 @@
 #pragma once
-#include <memory>
-
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/algebra/shared.hpp"
 
 namespace phrame {
 
 /// A real algebraic number t at which many functions are evaluated: its enclosures are shared. A
 /// value is exact where it is rational, which is decided by algebra; else it is irrational, so that
-/// its correct rounding ends. Not for concurrent use.
+/// its correct rounding ends.
 class AlgebraicPoint {
  public:
   explicit AlgebraicPoint(RealAlgebraic t);
@@ -23,13 +22,8 @@ class AlgebraicPoint {
   Real square_root(const RationalFunction& f) const;
 
  private:
-  struct Cache {
-    long bits = 0;
-    RealBall ball;
-  };
-
   RealAlgebraic t_;
-  std::shared_ptr<Cache> cache_;  ///< of the narrowest enclosure asked for
+  Refined<RealBall> enclosure_;
 };
 
 }  // namespace phrame

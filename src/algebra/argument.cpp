@@ -26,16 +26,15 @@ GaussianPolynomial ContinuousArgument::coordinates(const Rational& t) const {
   return straight_.re(t) != 0 ? straight_ : straight_ * GaussianPolynomial{{1}, {1}};
 }
 
-const SturmChain& ContinuousArgument::chain_at(const Rational& t) {
-  std::optional<SturmChain>& chain = straight_.re(t) != 0 ? chain_ : turned_chain_;
-  if (!chain) {
+const SturmChain& ContinuousArgument::chain_at(const Rational& t) const {
+  const Lazy<SturmChain>& chain = straight_.re(t) != 0 ? chain_ : turned_chain_;
+  return chain.get([&] {
     const auto [x, y] = coordinates(t);
-    chain.emplace(x, y);
-  }
-  return *chain;
+    return SturmChain(x, y);
+  });
 }
 
-RealBall ContinuousArgument::difference(const Rational& t, long bits) {
+RealBall ContinuousArgument::difference(const Rational& t, long bits) const {
   const GaussianPolynomial xy = coordinates(t);
   const auto arctan = [&](const Rational& at) {
     RealBall value(xy.im(at) / xy.re(at), bits);
@@ -47,7 +46,7 @@ RealBall ContinuousArgument::difference(const Rational& t, long bits) {
   return value;
 }
 
-TurnCount ContinuousArgument::turn(const Rational& t) {
+TurnCount ContinuousArgument::turn(const Rational& t) const {
   const auto text = [&](const Rational& at) {
     std::string list;
     for (const int sign : chain_at(t).signs(at)) list += sign > 0 ? '+' : sign < 0 ? '-' : '0';

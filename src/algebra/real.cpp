@@ -1,6 +1,6 @@
 #include "phrame/algebra/real.hpp"
 
-#include <memory>
+#include "phrame/algebra/shared.hpp"
 
 namespace phrame {
 namespace {
@@ -43,13 +43,8 @@ Real operator*(const Real& x, const Real& y) {
 
 Real remembered(const Real& x) {
   if (x.exact()) return x;
-  struct Known {
-    long bits = 0;
-    RealBall ball;
-  };
-  return {[x, known = std::make_shared<Known>()](long bits) {
-            if (known->bits < bits) *known = {bits, x.enclose(bits)};
-            return known->ball;
+  return {[x, known = Refined<RealBall>()](long bits) {
+            return *known.get(bits, [&](const RealBall*) { return x.enclose(bits); });
           },
           x.origin()};
 }

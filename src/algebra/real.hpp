@@ -45,8 +45,8 @@ class Real {
 Real operator-(const Real& x);
 Real operator+(const Real& x, const Real& y);
 Real operator*(const Real& x, const Real& y);
-/// The same number, which keeps the narrowest ball that it was asked for, for the next time. Not
-/// for concurrent use, nor are its copies, which share it.
+/// The same number, which keeps the narrowest ball that it was asked for, for the next time. Its
+/// copies share it.
 Real remembered(const Real& x);
 /// √x for x ≥ 0, exact where it is rational.
 Real square_root_of(const Rational& x);

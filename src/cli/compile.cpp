@@ -50,7 +50,7 @@ void run(const Command& command, const CompileOptions& options) {
   };
   std::string text;
   if (const auto* named = std::get_if<NamedCurve>(&read)) {
-    RmfAngle angle(named->curve, reference);
+    const RmfAngle angle(named->curve, reference);
     CHeader header{prefix(named->name),
                    named->name,
                    false,
@@ -67,7 +67,7 @@ void run(const Command& command, const CompileOptions& options) {
     if (reference != Reference::erf) fail_for_spline("--frame", options.frame);
     if (command.is_given("--from")) fail_for_spline("--from", options.from);
     if (command.is_given("--to")) fail_for_spline("--to", options.to);
-    SplineAngle angle(spline.spline);
+    const SplineAngle angle(spline.spline);
     text = to_c_header({prefix(spline.name), spline.name, true, reference, start_angle,
                         compiled_angle(angle, start_angle, plain_shape(1)),
                         compiled_rotation(angle, start_angle, plain_shape(4))});

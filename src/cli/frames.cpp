@@ -70,28 +70,20 @@ TableColumns columns(const FramesOptions& options) {
   return columns;
 }
 
-/// The frames of minimal twist, as far as there are columns for them.
-struct TwistFrames {
-  std::optional<SplineAngle> angle;
-  std::optional<MinimalTwist> exact;
-  std::optional<TwistFrame> rational;
-
-  void make(TableColumns& columns, const TwistOptions& options, const Spline& spline) {
-    const auto wants = [&columns](TabulatedFrame frame) {
-      return std::find(columns.frames.begin(), columns.frames.end(), frame) != columns.frames.end();
-    };
-    const bool wants_rational = wants(TabulatedFrame::mtf);
-    if (!wants_rational && !wants(TabulatedFrame::exact_mtf)) return;
-    const auto [from, to] = options.ends(spline);
-    angle.emplace(spline);
-    exact.emplace(*angle, reduced(from), to, options.turns);
-    columns.exact_mtf = &*exact;
-    if (!wants_rational) return;
-    constexpr long digits = 17;
-    rational = twist_frame(*exact, options.rotation(digits), options.subdivision(spline));
-    columns.mtf = &*rational;
-  }
-};
+/// Adds the frames of minimal twist, as far as there are columns for them.
+void add_twist_frames(TableColumns& columns, const TwistOptions& options, const Spline& spline) {
+  const auto wants = [&columns](TabulatedFrame frame) {
+    return std::find(columns.frames.begin(), columns.frames.end(), frame) != columns.frames.end();
+  };
+  const bool wants_rational = wants(TabulatedFrame::mtf);
+  if (!wants_rational && !wants(TabulatedFrame::exact_mtf)) return;
+  const auto [from, to] = options.ends(spline);
+  columns.exact_mtf.emplace(SplineAngle(spline), reduced(from), to, options.turns);
+  if (!wants_rational) return;
+  constexpr long digits = 17;
+  columns.mtf =
+      twist_frame(*columns.exact_mtf, options.rotation(digits), options.subdivision(spline));
+}
 
 FrameTable table(const Spline& spline, const TableColumns& columns,
                  const std::vector<SplinePoint>& at) {
@@ -114,10 +106,9 @@ void run(const FramesOptions& options) {
     throw InputError("frames", "--samples N or --at t,… is needed");
   const auto read = options.curve.read_curve_or_spline();
   const Spline spline = as_spline(read).spline;
-  TwistFrames twist;
-  twist.make(chosen, options.twist, spline);
+  add_twist_frames(chosen, options.twist, spline);
   // A frame of minimal twist ends with the curve.
-  const bool is_curve = std::holds_alternative<NamedCurve>(read) && chosen.exact_mtf == nullptr;
+  const bool is_curve = std::holds_alternative<NamedCurve>(read) && !chosen.exact_mtf;
   const auto at =
       by == By::parameter ? points(options, spline, is_curve) : points_by_length(options, spline);
   const FrameTable made = table(spline, chosen, at);

@@ -39,9 +39,8 @@ void run(const Command& command, const MtfOptions& options) {
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
   const NamedSpline named = as_spline(options.curve.read_curve_or_spline());
   const auto [from, to] = options.twist.ends(named.spline);
-  SplineAngle rmf(named.spline);
-  const MinimalTwist mtf(rmf, from, to, options.twist.turns);
-  TwistReport report = twist_report(named.name, named.spline, from, to, mtf,
+  const MinimalTwist mtf(SplineAngle(named.spline), from, to, options.twist.turns);
+  TwistReport report = twist_report(named.name, from, to, mtf,
                                     options.parameters.values(named.spline.end()), options.digits);
   const auto about = TwistOptions::of_rational_frame();
   const bool asked = std::any_of(about.begin(), about.end(), [&](const std::string& option) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/roots.hpp"
+#include "phrame/algebra/shared.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/integrate/exact_value.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
@@ -40,18 +42,72 @@ long largest_precision(long bits, const Endpoint& a, const Endpoint& b) {
 
 }  // namespace
 
-void Evaluator::add_poles(const Polynomial& numerator, const Polynomial& denominator) {
-  if (numerator.is_zero()) return;
-  poles_.push_back({numerator, denominator, differentiate(denominator), {}, {}, {}});
-}
+/// F = polynomial + rational + Σ c(z) log(t − z).
+struct Evaluator::Function {
+  /// n/d = Σ c(z)/(t − z) over the roots z of the squarefree d.
+  struct Poles {
+    Polynomial numerator;
+    Polynomial denominator;
+    Polynomial slope;  ///< d′
+  };
+  /// The z and c(z) of one d.
+  struct Residues {
+    Roots roots;
+    std::vector<RealBall> real;
+    std::vector<ComplexBall> upper;
+  };
+  /// The same of all.
+  struct Isolated {
+    long precision;
+    std::vector<Residues> poles;
+  };
+  /// What was integrated on the automatic route, once.
+  struct Integrated {
+    Rational a;
+    Rational b;
+    RealBall value;
+  };
+  struct LogsOverPi {
+    std::optional<Rational> multiple;  ///< as multiple_of_pi
+    bool is_decided = false;           ///< that there is none, where there is none
+  };
 
-Evaluator::Evaluator(const Antiderivative& F, const RationalFunction& derivative)
-    : polynomial_(F.polynomial - Polynomial{F.polynomial.coefficient(0)}),
-      rational_(F.rational),
-      derivative_(derivative) {
+  Polynomial polynomial;
+  RationalFunction rational;
+  RationalFunction derivative;
+  std::vector<Poles> poles;
+  Refined<Isolated> isolated;
+  Lazy<std::optional<Integrated>> integrated;
+
+  Function(const Antiderivative& F, const RationalFunction& F_prime)
+      : polynomial(F.polynomial - Polynomial{F.polynomial.coefficient(0)}),
+        rational(F.rational),
+        derivative(F_prime) {}
+
+  void add_poles(const Polynomial& n, const Polynomial& d) {
+    if (!n.is_zero()) poles.push_back({n, d, differentiate(d)});
+  }
+  void add_poles_of(const Antiderivative& F);
+
+  std::shared_ptr<const Isolated> isolate(long precision) const;
+  void require_no_pole(const Rational& a, const Rational& b) const;
+  Rational rational_difference(const Rational& a, const Rational& b) const;
+  RealBall log_difference(const Rational& a, const Rational& b, long bits) const;
+  RealBall difference_by_roots(const Rational& a, const Rational& b, long bits) const;
+  std::optional<RealBall> difference_by_quadrature(const Rational& a, const Rational& b,
+                                                   long bits) const;
+  RealBall branch(const Endpoint& t, long bits) const;
+  bool turns_vanish(const Isolated& known, const Polynomial& residues,
+                    const Polynomial& other_residues, const Rational& a, const Rational& b) const;
+  std::vector<SimpleFraction> fractions() const;
+  LogsOverPi logs_over_pi(const Rational& a, const Rational& b,
+                          const GaussianPolynomial& phase) const;
+};
+
+void Evaluator::Function::add_poles_of(const Antiderivative& F) {
   if (F.logs.empty()) return;
   const bool is_over_all_poles = std::all_of(F.logs.begin(), F.logs.end(), is_over_poles);
-  const bool is_all_logs = polynomial_.is_zero() && rational_.is_zero();
+  const bool is_all_logs = polynomial.is_zero() && rational.is_zero();
   if (is_over_all_poles && (F.logs.size() > 1 || !is_all_logs)) {
     for (const LogSum& sum : F.logs) {
       const RationalFunction f = differentiate(sum);
@@ -61,31 +117,14 @@ Evaluator::Evaluator(const Antiderivative& F, const RationalFunction& derivative
   }
   RationalFunction logs = derivative;
   if (!is_all_logs)
-    logs = logs - (RationalFunction(differentiate(polynomial_)) + differentiate(rational_));
+    logs = logs - (RationalFunction(differentiate(polynomial)) + differentiate(rational));
   if (is_over_all_poles)
     add_poles(logs.numerator(), logs.denominator());
   else
     for (const auto& [n, d] : simple_fractions(logs)) add_poles(n, d);
 }
 
-Evaluator::Evaluator(const Antiderivative& F, const RationalFunction& derivative,
-                     const std::vector<SimpleFraction>& of_logs)
-    : polynomial_(F.polynomial - Polynomial{F.polynomial.coefficient(0)}),
-      rational_(F.rational),
-      derivative_(derivative) {
-  for (auto f = of_logs.begin(); f != of_logs.end(); ++f) {
-    const auto has_common_pole = [&](const SimpleFraction& g) {
-      return !gcd(f->denominator, g.denominator).is_constant();
-    };
-    if (std::any_of(of_logs.begin(), f, has_common_pole)) {
-      *this = Evaluator(F, derivative);
-      return;
-    }
-    add_poles(f->numerator, f->denominator);
-  }
-}
-
-void Evaluator::require_no_pole(const Rational& a, const Rational& b) const {
+void Evaluator::Function::require_no_pole(const Rational& a, const Rational& b) const {
   const Interval path = closed(std::min(a, b), std::max(a, b));
   const auto check = [&](const Polynomial& d) {
     if (count_real_roots(d, path) == 0) return;
@@ -94,46 +133,55 @@ void Evaluator::require_no_pole(const Rational& a, const Rational& b) const {
                                   abbreviated(to_string(a)), abbreviated(to_string(b)),
                                   pole.lower == pole.upper ? "at" : "in", to_string(pole)));
   };
-  if (!rational_.is_polynomial()) check(rational_.denominator());
-  for (const Poles& p : poles_)
-    if (precision_ == 0 || !p.roots.real.empty()) check(p.denominator);
+  if (!rational.is_polynomial()) check(rational.denominator());
+  const auto known = isolated.known();
+  for (std::size_t k = 0; k < poles.size(); ++k)
+    if (!known || !known->poles[k].roots.real.empty()) check(poles[k].denominator);
 }
 
-Rational Evaluator::rational_difference(const Rational& a, const Rational& b) const {
-  return polynomial_(b) - polynomial_(a) + rational_(b) - rational_(a);
+Rational Evaluator::Function::rational_difference(const Rational& a, const Rational& b) const {
+  return polynomial(b) - polynomial(a) + rational(b) - rational(a);
 }
 
-void Evaluator::prepare(long precision) {
-  if (precision <= precision_) return;
-  for (Poles& p : poles_) {
-    if (precision_ == 0)
-      p.roots = isolate_roots(p.denominator, precision);
-    else
-      refine(p.denominator, p.roots, precision);
-    const auto residue = [&](const ComplexBall& z) {
-      return divide(evaluate(p.numerator, z, precision), evaluate(p.slope, z, precision),
-                    precision);
-    };
-    p.real_residues.clear();
-    p.upper_residues.clear();
-    for (const RealBall& z : p.roots.real)
-      p.real_residues.push_back(residue(ComplexBall(z, RealBall())).re());
-    for (const ComplexBall& z : p.roots.upper) p.upper_residues.push_back(residue(z));
-  }
-  precision_ = precision;
+std::shared_ptr<const Evaluator::Function::Isolated> Evaluator::Function::isolate(
+    long precision) const {
+  return isolated.get(precision, [&](const Isolated* known) {
+    Isolated found{precision, {}};
+    for (std::size_t k = 0; k < poles.size(); ++k) {
+      const Poles& p = poles[k];
+      Residues here;
+      if (known == nullptr) {
+        here.roots = isolate_roots(p.denominator, precision);
+      } else {
+        here.roots = known->poles[k].roots;
+        refine(p.denominator, here.roots, precision);
+      }
+      const auto residue = [&](const ComplexBall& z) {
+        return divide(evaluate(p.numerator, z, precision), evaluate(p.slope, z, precision),
+                      precision);
+      };
+      for (const RealBall& z : here.roots.real)
+        here.real.push_back(residue(ComplexBall(z, RealBall())).re());
+      for (const ComplexBall& z : here.roots.upper) here.upper.push_back(residue(z));
+      found.poles.push_back(std::move(here));
+    }
+    return found;
+  });
 }
 
 /// Σ c(z) log((b − z)/(a − z)); a pair of conjugate poles gives twice the real part of one term.
-RealBall Evaluator::log_difference(const Rational& a, const Rational& b, long bits) const {
+RealBall Evaluator::Function::log_difference(const Rational& a, const Rational& b,
+                                             long bits) const {
+  const auto known = isolate(bits);
   RealBall sum;
-  for (const Poles& p : poles_) {
+  for (const Residues& p : known->poles) {
     for (std::size_t k = 0; k < p.roots.real.size(); ++k) {
       const RealBall term = log_ratio(p.roots.real[k], a, b, bits);
-      arb_addmul(sum.raw(), p.real_residues[k].raw(), term.raw(), bits);
+      arb_addmul(sum.raw(), p.real[k].raw(), term.raw(), bits);
     }
     for (std::size_t k = 0; k < p.roots.upper.size(); ++k) {
       ComplexBall term = log_ratio(p.roots.upper[k], a, b, bits);
-      acb_mul(term.raw(), term.raw(), p.upper_residues[k].raw(), bits);
+      acb_mul(term.raw(), term.raw(), p.upper[k].raw(), bits);
       arb_mul_2exp_si(acb_realref(term.raw()), acb_realref(term.raw()), 1);
       arb_add(sum.raw(), sum.raw(), acb_realref(term.raw()), bits);
     }
@@ -144,8 +192,8 @@ RealBall Evaluator::log_difference(const Rational& a, const Rational& b, long bi
 /// Σ c(z) log|t − z| over the real poles, and twice the real parts of c(z) log(t − z), principal
 /// branch, over those above the real axis; at ±∞ the limit. For Im z > 0 t − z is below the axis,
 /// so that log(t − z) tends to log|t| − πi at −∞.
-RealBall Evaluator::branch(const Endpoint& t, long bits) {
-  prepare(bits);
+RealBall Evaluator::Function::branch(const Endpoint& t, long bits) const {
+  const auto known = isolate(bits);
   const auto twice_real = [&](ComplexBall term, const ComplexBall& c) {
     acb_mul(term.raw(), term.raw(), c.raw(), bits);
     arb_mul_2exp_si(acb_realref(term.raw()), acb_realref(term.raw()), 1);
@@ -155,38 +203,63 @@ RealBall Evaluator::branch(const Endpoint& t, long bits) {
   if (const auto* infinity = std::get_if<Infinity>(&t)) {
     if (*infinity == Infinity::positive) return sum;
     const ComplexBall half_turn(RealBall(), subtract({}, pi(bits), bits));
-    for (const Poles& p : poles_)
-      for (const ComplexBall& c : p.upper_residues) sum = add(sum, twice_real(half_turn, c), bits);
+    for (const Residues& p : known->poles)
+      for (const ComplexBall& c : p.upper) sum = add(sum, twice_real(half_turn, c), bits);
     return sum;
   }
   const RealBall at = enclose(t, bits);
   const auto value = [&](const Polynomial& p) { return evaluate(p, {at, {}}, bits).re(); };
-  sum = add(value(polynomial_),
-            divide(value(rational_.numerator()), value(rational_.denominator()), bits), bits);
-  for (const Poles& p : poles_) {
+  sum = add(value(polynomial),
+            divide(value(rational.numerator()), value(rational.denominator()), bits), bits);
+  for (const Residues& p : known->poles) {
     for (std::size_t k = 0; k < p.roots.real.size(); ++k) {
       RealBall term = subtract(at, p.roots.real[k], bits);
       arb_abs(term.raw(), term.raw());
       arb_log(term.raw(), term.raw(), bits);
-      arb_addmul(sum.raw(), p.real_residues[k].raw(), term.raw(), bits);
+      arb_addmul(sum.raw(), p.real[k].raw(), term.raw(), bits);
     }
     for (std::size_t k = 0; k < p.roots.upper.size(); ++k) {
       ComplexBall term;
       acb_sub_arb(term.raw(), p.roots.upper[k].raw(), at.raw(), bits);
       acb_neg(term.raw(), term.raw());
       acb_log(term.raw(), term.raw(), bits);
-      sum = add(sum, twice_real(std::move(term), p.upper_residues[k]), bits);
+      sum = add(sum, twice_real(std::move(term), p.upper[k]), bits);
     }
   }
   return sum;
 }
 
-RealBall Evaluator::branch_difference(const Endpoint& a, const Endpoint& b, long bits) {
+Evaluator::Evaluator(const Antiderivative& F, const RationalFunction& derivative) {
+  Function function(F, derivative);
+  function.add_poles_of(F);
+  function_ = std::make_shared<const Function>(std::move(function));
+}
+
+Evaluator::Evaluator(const Antiderivative& F, const RationalFunction& derivative,
+                     const std::vector<SimpleFraction>& of_logs) {
+  Function function(F, derivative);
+  for (auto f = of_logs.begin(); f != of_logs.end(); ++f) {
+    const auto has_common_pole = [&](const SimpleFraction& g) {
+      return !gcd(f->denominator, g.denominator).is_constant();
+    };
+    if (std::any_of(of_logs.begin(), f, has_common_pole)) {
+      *this = Evaluator(F, derivative);
+      return;
+    }
+    function.add_poles(f->numerator, f->denominator);
+  }
+  function_ = std::make_shared<const Function>(std::move(function));
+}
+
+const RationalFunction& Evaluator::derivative() const { return function_->derivative; }
+
+RealBall Evaluator::branch_difference(const Endpoint& a, const Endpoint& b, long bits) const {
   if (route_ == Route::automatic && !is_infinite(a) && !is_infinite(b))
-    if (auto value = short_integral(derivative_, a, b, bits)) return *std::move(value);
+    if (auto value = short_integral(derivative(), a, b, bits)) return *std::move(value);
   const long end = largest_precision(bits, a, b);
   for (long precision = bits + 24;; precision = std::min(end, precision + precision / 2)) {
-    RealBall value = subtract(branch(b, precision), branch(a, precision), precision);
+    RealBall value =
+        subtract(function_->branch(b, precision), function_->branch(a, precision), precision);
     if (value.is_accurate(bits)) return value;
     if (precision == end)
       throw Undecided(fmt::format(
@@ -199,35 +272,40 @@ RealBall Evaluator::branch_difference(const Endpoint& a, const Endpoint& b, long
 /// clusters, and has not been asked for with other ends before (the table: docs/performance.md). A
 /// point costs about as much as one of the first steps towards a root, of which clusters need a
 /// hundred and more; so little is lost if it fails.
-const RealBall* Evaluator::cheap_quadrature(const Rational& a, const Rational& b, long bits) {
+std::optional<RealBall> Evaluator::cheap_quadrature(const Rational& a, const Rational& b,
+                                                    long bits) const {
   constexpr long greatest_bits = 192;
   constexpr long high_degree = 32;
   constexpr long points_per_pole = 60;
-  if (bits > greatest_bits) return nullptr;
-  if (!integrated_) {
-    const auto is_clustered = [](const Poles& p) {
+  if (bits > greatest_bits) return std::nullopt;
+  const Function& f = *function_;
+  const auto& integrated = f.integrated.get([&]() -> std::optional<Function::Integrated> {
+    const auto is_clustered = [](const Function::Poles& p) {
       return p.denominator.degree() >= high_degree && has_no_clear_root(p.denominator);
     };
-    if (precision_ > 0 || std::none_of(poles_.begin(), poles_.end(), is_clustered)) return nullptr;
-    require_no_pole(a, b);
-    integrated_ = {a, b,
-                   quadrature(derivative_, a, b, greatest_bits + 16,
-                              points_per_pole * derivative_.denominator().degree())};
-  }
-  const auto& [from, to, value] = *integrated_;
-  return from == a && to == b && value.is_accurate(bits) ? &value : nullptr;
+    if (f.isolated.known() || std::none_of(f.poles.begin(), f.poles.end(), is_clustered))
+      return std::nullopt;
+    f.require_no_pole(a, b);
+    return Function::Integrated{a, b,
+                                quadrature(f.derivative, a, b, greatest_bits + 16,
+                                           points_per_pole * f.derivative.denominator().degree())};
+  });
+  if (!integrated) return std::nullopt;
+  const auto& [from, to, value] = *integrated;
+  return from == a && to == b && value.is_accurate(bits) ? std::optional(value) : std::nullopt;
 }
 
-RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) {
-  if (poles_.empty() || a == b || route_ == Route::roots) return difference_by_roots(a, b, bits);
+RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) const {
+  const Function& f = *function_;
+  if (f.poles.empty() || a == b || route_ == Route::roots) return f.difference_by_roots(a, b, bits);
   if (route_ == Route::automatic) {
-    if (auto value = short_integral(derivative_, a, b, bits)) return *std::move(value);
-    const RealBall* value = cheap_quadrature(a, b, bits);
-    return value != nullptr ? *value : difference_by_roots(a, b, bits);
+    if (auto value = short_integral(f.derivative, a, b, bits)) return *std::move(value);
+    if (auto value = cheap_quadrature(a, b, bits)) return *std::move(value);
+    return f.difference_by_roots(a, b, bits);
   }
-  const auto value = difference_by_quadrature(a, b, bits);
+  const auto value = f.difference_by_quadrature(a, b, bits);
   if (value && route_ == Route::quadrature) return *value;
-  const RealBall other = difference_by_roots(a, b, bits);
+  const RealBall other = f.difference_by_roots(a, b, bits);
   if (!value)
     throw Undecided(
         fmt::format("definite integral from {} to {}: the quadrature does not give an enclosure "
@@ -240,25 +318,27 @@ RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) 
 }
 
 /// No value where the quadrature gives up, as next to a pole.
-std::optional<RealBall> Evaluator::difference_by_quadrature(const Rational& a, const Rational& b,
-                                                            long bits) const {
+std::optional<RealBall> Evaluator::Function::difference_by_quadrature(const Rational& a,
+                                                                      const Rational& b,
+                                                                      long bits) const {
   require_no_pole(a, b);
   for (const long more : {16L, 64L, 64 + bits}) {
-    const RealBall value = quadrature(derivative_, a, b, bits + more);
+    const RealBall value = quadrature(derivative, a, b, bits + more);
     if (value.is_accurate(bits)) return value;
   }
   return std::nullopt;
 }
 
-RealBall Evaluator::difference_by_roots(const Rational& a, const Rational& b, long bits) {
-  prepare(bits + 24);
+RealBall Evaluator::Function::difference_by_roots(const Rational& a, const Rational& b,
+                                                  long bits) const {
+  isolate(bits + 24);
   require_no_pole(a, b);
-  const Rational rational = rational_difference(a, b);
-  if (poles_.empty() || a == b) return RealBall(rational, bits + 8);
+  const Rational without_logs = rational_difference(a, b);
+  if (poles.empty() || a == b) return RealBall(without_logs, bits + 8);
   const long end = largest_precision(bits, a, b);
   for (long precision = bits + 24;; precision = std::min(end, precision + precision / 2)) {
-    prepare(precision);
-    RealBall value = add(RealBall(rational, precision), log_difference(a, b, precision), precision);
+    RealBall value =
+        add(RealBall(without_logs, precision), log_difference(a, b, precision), precision);
     if (value.is_accurate(bits)) return value;
     if (precision == end)
       throw Undecided(
@@ -271,18 +351,19 @@ RealBall Evaluator::difference_by_roots(const Rational& a, const Rational& b, lo
 /// For every root α of `residues`: is Σ_{c(z)=α} arg − Σ_{c(z)=ᾱ} arg of (b − z)/(a − z), over the
 /// poles z above the real axis, 0, given that it is a multiple of π? Poles z and z̄ turn in opposite
 /// directions, so there is nothing to ask for a real α.
-bool Evaluator::turns_vanish(const Polynomial& residues, const Polynomial& other_residues,
-                             const Rational& a, const Rational& b) const {
+bool Evaluator::Function::turns_vanish(const Isolated& known, const Polynomial& residues,
+                                       const Polynomial& other_residues, const Rational& a,
+                                       const Rational& b) const {
   if (residues.is_constant()) return true;
-  const auto isolated = [&](const Polynomial& p) {
-    return p.is_constant() ? Roots() : isolate_roots(p, precision_);
+  const auto roots_of = [&](const Polynomial& p) {
+    return p.is_constant() ? Roots() : isolate_roots(p, known.precision);
   };
-  const Roots alphas = isolated(residues);
-  const Roots others = isolated(other_residues);
+  const Roots alphas = roots_of(residues);
+  const Roots others = roots_of(other_residues);
   std::vector<RealBall> turns(alphas.upper.size());
-  for (const Poles& p : poles_)
+  for (const Residues& p : known.poles)
     for (std::size_t k = 0; k < p.roots.upper.size(); ++k) {
-      const ComplexBall& c = p.upper_residues[k];
+      const ComplexBall& c = p.upper[k];
       long matches = 0;
       for (const Roots* roots : {&alphas, &others}) {
         for (const RealBall& alpha : roots->real) matches += c.overlaps({alpha, {}}) ? 1 : 0;
@@ -290,10 +371,11 @@ bool Evaluator::turns_vanish(const Polynomial& residues, const Polynomial& other
           matches += (c.overlaps(alpha) ? 1 : 0) + (c.overlaps(conjugate(alpha)) ? 1 : 0);
       }
       if (matches != 1) return false;  // the balls are too wide to tell the residues apart
-      const RealBall turn = log_ratio(p.roots.upper[k], a, b, precision_).im();
+      const RealBall turn = log_ratio(p.roots.upper[k], a, b, known.precision).im();
       for (std::size_t j = 0; j < turns.size(); ++j) {
-        if (c.overlaps(alphas.upper[j])) turns[j] = add(turns[j], turn, precision_);
-        if (c.overlaps(conjugate(alphas.upper[j]))) turns[j] = subtract(turns[j], turn, precision_);
+        if (c.overlaps(alphas.upper[j])) turns[j] = add(turns[j], turn, known.precision);
+        if (c.overlaps(conjugate(alphas.upper[j])))
+          turns[j] = subtract(turns[j], turn, known.precision);
       }
     }
   return std::all_of(turns.begin(), turns.end(), [](const RealBall& turn) {
@@ -301,18 +383,23 @@ bool Evaluator::turns_vanish(const Polynomial& residues, const Polynomial& other
   });
 }
 
+/// Those of the logarithms, over the irreducible factors of their denominators.
+std::vector<SimpleFraction> Evaluator::Function::fractions() const {
+  std::vector<SimpleFraction> all;
+  for (const Poles& p : poles)
+    for (SimpleFraction& f : simple_fractions({p.numerator, p.denominator}))
+      all.push_back(std::move(f));
+  return all;
+}
+
 // Residues in ℚ(i) are decided together with the phase. The sum Σ α·L(α) over others, L(α) a value
 // of log(v(α, b)/v(α, a)): if v(α, b) = r·v(α, a) with r ∈ ℚ, exactly, then L(α) = log|r| + πi·k
 // with a whole k. So k = 0 and, for every irreducible polynomial of residues, log|r| = 0 or Σ α = 0
 // prove that the sum is 0.
-Evaluator::LogsOverPi Evaluator::logs_over_pi(const Rational& a, const Rational& b,
-                                              const GaussianPolynomial& phase) {
-  prepare(256);
-  std::vector<SimpleFraction> fractions;
-  for (const Poles& p : poles_)
-    for (SimpleFraction& f : simple_fractions({p.numerator, p.denominator}))
-      fractions.push_back(std::move(f));
-  const std::vector<LogSum> sums = over_residues(fractions);
+Evaluator::Function::LogsOverPi Evaluator::Function::logs_over_pi(
+    const Rational& a, const Rational& b, const GaussianPolynomial& phase) const {
+  const auto known = isolate(256);
+  const std::vector<LogSum> sums = over_residues(fractions());
   GaussianLogs gaussian = gaussian_logs(sums);
   gaussian.arguments.push_back({1, phase});
   const std::vector<LogSum> others = std::exchange(gaussian.others, {});
@@ -329,28 +416,31 @@ Evaluator::LogsOverPi Evaluator::logs_over_pi(const Rational& a, const Rational&
     residues *= sum.index;
     other_residues = exact_quotient(other_residues, sum.index);
   }
-  if (!turns_vanish(residues, other_residues, a, b)) return {};
+  if (!turns_vanish(*known, residues, other_residues, a, b)) return {};
   return {phrame::multiple_of_pi(log_change(gaussian, a, b)), true};
 }
 
-std::optional<GaussianPolynomial> Evaluator::single_argument() {
-  if (!polynomial_.is_zero() || !rational_.is_zero()) return std::nullopt;
+std::optional<Rational> Evaluator::multiple_of_pi(const Rational& a, const Rational& b,
+                                                  const GaussianPolynomial& phase) const {
+  return function_->logs_over_pi(a, b, phase).multiple;
+}
+
+std::optional<GaussianPolynomial> Evaluator::single_argument() const {
+  const Function& f = *function_;
+  if (!f.polynomial.is_zero() || !f.rational.is_zero()) return std::nullopt;
   constexpr long bits = first_bits + 24;  // as the first value needs
-  prepare(bits);
-  std::vector<SimpleFraction> fractions;
-  for (const Poles& p : poles_) {
-    for (const ComplexBall& c : p.upper_residues) {
+  const auto known = f.isolate(bits);
+  for (const Function::Residues& p : known->poles)
+    for (const ComplexBall& c : p.upper) {
       const RealBall twice = multiply(c.im(), RealBall(2, bits), bits);
       if (!c.re().contains_zero() || arb_contains_int(twice.raw()) == 0) return std::nullopt;
     }
-    for (SimpleFraction& f : simple_fractions({p.numerator, p.denominator}))
-      fractions.push_back(std::move(f));
-  }
-  return phrame::single_argument(gaussian_logs(over_residues(fractions)));
+  return phrame::single_argument(gaussian_logs(over_residues(f.fractions())));
 }
 
-Real Evaluator::value(const Rational& a, const Rational& b) {
-  return value(a, b, {{1}, {}}, [this, a, b](long bits) { return difference(a, b, bits); });
+Real Evaluator::value(const Rational& a, const Rational& b) const {
+  return value(a, b, {{1}, {}},
+               [evaluator = *this, a, b](long bits) { return evaluator.difference(a, b, bits); });
 }
 
 // What is nearly rational is rarely rational: the decision waits for a ball that an integral of
@@ -359,27 +449,28 @@ Real Evaluator::value(const Rational& a, const Rational& b) {
 // number that is not its rational part is irrational. A sum of logarithms that is a rational
 // multiple of π other than 0 is not 0.
 Real Evaluator::value(const Rational& a, const Rational& b, const GaussianPolynomial& phase,
-                      const Real::Enclosure& enclose, const Angle& offset) {
-  const Rational rational = rational_difference(a, b) + offset.radians;
-  if (a == b || (poles_.empty() && degree(phase) == 0))
+                      const Real::Enclosure& enclose, const Angle& offset) const {
+  const Function& f = *function_;
+  const Rational rational = f.rational_difference(a, b) + offset.radians;
+  if (a == b || (f.poles.empty() && degree(phase) == 0))
     return to_real(Angle(offset.half_turns, rational));
   constexpr long bits = first_bits;
   const RealBall first = enclose(bits);
   const auto is_apart = [&] {
     if (!first.contains(rational)) return true;
     long poles = degree(phase);
-    for (const Poles& p : poles_) poles += p.denominator.degree();
+    for (const Function::Poles& p : f.poles) poles += p.denominator.degree();
     return !enclose(bits + 16 * poles).contains(rational);
   };
   bool is_irrational = is_apart();
   if (!is_irrational) {
-    const auto [multiple, is_decided] = logs_over_pi(a, b, phase);
+    const auto [multiple, is_decided] = f.logs_over_pi(a, b, phase);
     if (multiple == Rational(-offset.half_turns)) return rational;
     is_irrational = is_decided;
   }
   return {
       [enclose, first](long precision) { return precision <= bits ? first : enclose(precision); },
-      {is_irrational, bits_of(a) + bits_of(b) + bits_of(derivative_)}};
+      {is_irrational, bits_of(a) + bits_of(b) + bits_of(f.derivative)}};
 }
 
 RealBall definite(const Antiderivative& F, const Rational& a, const Rational& b, long bits) {

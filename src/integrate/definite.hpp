@@ -1,8 +1,8 @@
 #pragma once
+#include <memory>
 #include <optional>
 
 #include "phrame/algebra/angle.hpp"
-#include "phrame/algebra/roots.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 #include "phrame/integrate/endpoint.hpp"
@@ -25,11 +25,11 @@ enum class Route {
 /// same values: they are computed from the poles z of F′ and its residues c(z) there,
 ///   Σ c(z) · log((b − z)/(a − z)),
 /// where the principal logarithm is the right branch, because t − z stays in one open half plane
-/// (for real z: keeps its sign) on the way from a to b.
-/// Not for concurrent use: an evaluation may refine the roots.
+/// (for real z: keeps its sign) on the way from a to b. Copies are cheap and share the
+/// poles, and any thread may ask them; to move one is to copy it.
 class Evaluator {
  public:
-  Evaluator() = default;  ///< of F = 0
+  Evaluator() : Evaluator(Antiderivative{}, RationalFunction{}) {}  ///< of F = 0
   explicit Evaluator(const Antiderivative& F) : Evaluator(F, differentiate(F)) {}
   /// Of F with F′ = derivative, which is not checked. To differentiate costs as much as to
   /// integrate where residues are algebraic numbers of high degree.
@@ -38,7 +38,12 @@ class Evaluator {
   Evaluator(const Antiderivative& F, const RationalFunction& derivative,
             const std::vector<SimpleFraction>& of_logs);
 
-  const RationalFunction& derivative() const { return derivative_; }
+  Evaluator(const Evaluator&) = default;
+  Evaluator& operator=(const Evaluator&) = default;
+  ~Evaluator() = default;
+
+  const RationalFunction& derivative() const;
+  /// The way to values from now on; that of copies stays.
   void take(Route route) { route_ = route; }
   Route route() const { return route_; }
 
@@ -48,85 +53,46 @@ class Evaluator {
   /// pole) and Undecided where 64·bits + 65536 bits of precision, more for ends with many digits,
   /// or the quadrature that was asked for do not reach the radius. Throws Error should two routes
   /// not agree.
-  RealBall difference(const Rational& a, const Rational& b, long bits);
+  RealBall difference(const Rational& a, const Rational& b, long bits) const;
 
   /// The same between ends of any kind: a ball around G(b) − G(a) for the branch G of F with |t −
   /// z| in the logarithms of real poles z, continuous between them. So it is the principal value
   /// where there are simple poles between the ends. At ±∞ it is the limit of what remains without
   /// the polynomial, the rational part and log|t|; in a convergent integral they tend to 0.
   /// Precondition: no end is a pole. Throws Undecided as above.
-  RealBall branch_difference(const Endpoint& a, const Endpoint& b, long bits);
+  RealBall branch_difference(const Endpoint& a, const Endpoint& b, long bits) const;
 
   /// The same, exact where it is seen to be rational. By Baker's theorem it is transcendental
   /// unless its logarithms cancel, and so its origin says where they are seen not to, so that
   /// correct rounding of the result ends; except where cancelling logarithms were not recognised.
-  /// The value keeps a reference to this evaluator. Throws as above.
-  Real value(const Rational& a, const Rational& b);
+  /// Throws as above.
+  Real value(const Rational& a, const Rational& b) const;
 
   /// F(b) − F(a) + arg phase(b) − arg phase(a) + offset, the argument continuous, in the same
   /// manner: exact where π, logarithms and arguments cancel, or where there are none. That they
   /// cancel is decided for residues in ℚ(i) (Baker) and recognised in many other cases.
-  /// Precondition: no pole in [a, b], and `enclose` gives balls around this number, which the value
-  /// keeps: it does not refer to this evaluator.
+  /// Precondition: no pole in [a, b], and `enclose` gives balls around this number.
   Real value(const Rational& a, const Rational& b, const GaussianPolynomial& phase,
-             const Real::Enclosure& enclose, const Angle& offset = {});
+             const Real::Enclosure& enclose, const Angle& offset = {}) const;
 
   /// The logarithms in F(b) − F(a) plus arg phase(b) − arg phase(a), over π, where this is
   /// rational: decided for residues in ℚ(i) (Baker) and recognised in many other cases; no value
   /// means that it is irrational or not recognised. Precondition: no pole in [a, b].
   std::optional<Rational> multiple_of_pi(const Rational& a, const Rational& b,
-                                         const GaussianPolynomial& phase) {
-    return logs_over_pi(a, b, phase).multiple;
-  }
+                                         const GaussianPolynomial& phase) const;
 
   /// P with F = arg P + constant, so that e^{iF} is P/|P| up to a constant factor. No value where
   /// there is none: where F has more than logarithms, or F′ a residue that is not in (i/2)ℤ, as a
   /// ball around it proves for most F. Cost: where there is one, that of over_residues().
-  std::optional<GaussianPolynomial> single_argument();
+  std::optional<GaussianPolynomial> single_argument() const;
 
  private:
-  /// n/d = Σ c(z)/(t − z) over the roots z of the squarefree d.
-  struct Poles {
-    Polynomial numerator;
-    Polynomial denominator;
-    Polynomial slope;  ///< d′
-    Roots roots;
-    std::vector<RealBall> real_residues;
-    std::vector<ComplexBall> upper_residues;
-  };
+  struct Function;  ///< F, and what has been found out about it
 
-  struct LogsOverPi {
-    std::optional<Rational> multiple;  ///< as multiple_of_pi
-    bool is_decided = false;           ///< that there is none, where there is none
-  };
+  std::optional<RealBall> cheap_quadrature(const Rational& a, const Rational& b, long bits) const;
 
-  void add_poles(const Polynomial& numerator, const Polynomial& denominator);
-  LogsOverPi logs_over_pi(const Rational& a, const Rational& b, const GaussianPolynomial& phase);
-  Rational rational_difference(const Rational& a, const Rational& b) const;
-  void require_no_pole(const Rational& a, const Rational& b) const;
-  void prepare(long precision);
-  RealBall difference_by_roots(const Rational& a, const Rational& b, long bits);
-  std::optional<RealBall> difference_by_quadrature(const Rational& a, const Rational& b,
-                                                   long bits) const;
-  const RealBall* cheap_quadrature(const Rational& a, const Rational& b, long bits);
-  RealBall log_difference(const Rational& a, const Rational& b, long bits) const;
-  RealBall branch(const Endpoint& t, long bits);
-  bool turns_vanish(const Polynomial& residues, const Polynomial& other_residues, const Rational& a,
-                    const Rational& b) const;
-
-  Polynomial polynomial_;
-  RationalFunction rational_;
-  RationalFunction derivative_;
-  std::vector<Poles> poles_;
-  long precision_ = 0;  ///< of the roots; 0 before they are isolated
+  std::shared_ptr<const Function> function_;
   Route route_ = Route::automatic;
-  /// What was integrated on the automatic route, once.
-  struct Integrated {
-    Rational a;
-    Rational b;
-    RealBall value;
-  };
-  std::optional<Integrated> integrated_;
 };
 
 /// ∫ F′ from a to b: Evaluator(F).difference(a, b, bits).

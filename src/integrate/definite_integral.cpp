@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/error.hpp"
@@ -200,7 +199,7 @@ std::optional<ExactValue> in_finite_terms(const Logs& logs, const Antiderivative
   Rational turned = 0;
   if (!F.logs.empty()) {
     if (!logs.others.empty()) return std::nullopt;
-    Evaluator evaluator(Antiderivative{{}, {}, F.logs});
+    const Evaluator evaluator(Antiderivative{{}, {}, F.logs});
     const auto multiple = multiple_of_pi(
         logs.gaussian, a, b, [&](long bits) { return evaluator.branch_difference(a, b, bits); });
     if (!multiple) return std::nullopt;
@@ -237,15 +236,15 @@ DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFuncti
     exact = in_finite_terms(logs, at(b) - at(a), a, b);
   }
   if (exact && is_rational(*exact)) return exactly(exact->rational);
-  const auto evaluator = std::make_shared<Evaluator>(F, f, logs.all);
+  const Evaluator evaluator(F, f, logs.all);
   const auto r = std::get_if<Rational>(&a);
   const auto s = std::get_if<Rational>(&b);
   if (r != nullptr && s != nullptr && !has_poles) {
-    const Real value = evaluator->value(*r, *s);
+    const Real value = evaluator.value(*r, *s);
     if (value.exact()) return exactly(*value.exact());
-    return {{[evaluator, value](long bits) { return value.enclose(bits); }, value.origin()}, exact};
+    return {value, exact};
   }
-  return {{[=](long bits) { return evaluator->branch_difference(a, b, bits); },
+  return {{[=](long bits) { return evaluator.branch_difference(a, b, bits); },
            {exact.has_value(), bits_of(a) + bits_of(b) + bits_of(f)}},  // not rational: see above
           exact};
 }

@@ -4,8 +4,6 @@
 //   ∫ f from m to p ∈ ∫ f from m to u + (v − u)·[0, 1]·f([u, v]).
 #include "phrame/integrate/path_end.hpp"
 
-#include <memory>
-
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/integrate/definite.hpp"
@@ -47,7 +45,7 @@ Rational next_to(const PiValue& end, const Polynomial& denominator) {
 }
 
 /// ∫ f from m to the end, between which there is no pole; `evaluator` is of f.
-Real rest(const RationalFunction& f, const std::shared_ptr<Evaluator>& evaluator, const Rational& m,
+Real rest(const RationalFunction& f, const Evaluator& evaluator, const Rational& m,
           const PiValue& end) {
   const auto enclosure = [=, x = to_real(end)](long bits) {
     for (long precision = bits + 32;; precision *= 2) {
@@ -57,8 +55,7 @@ Real rest(const RationalFunction& f, const std::shared_ptr<Evaluator>& evaluator
       const RealBall rise = evaluate(f, ball, precision);
       if (!rise.is_finite()) continue;
       const RealBall width = hull(0, ball.upper() - u, precision);
-      return add(evaluator->difference(m, u, bits + 8), multiply(width, rise, precision),
-                 precision);
+      return add(evaluator.difference(m, u, bits + 8), multiply(width, rise, precision), precision);
     }
   };
   return {enclosure, {false, bits_of(end.of_pi) + bits_of(m) + bits_of(f)}};
@@ -91,7 +88,7 @@ DefiniteIntegral path_integral(const RationalFunction& f, const PathEnd& a, cons
   const DefiniteIntegral middle = definite_integral(f, from, to, at_poles);
   const Antiderivative F = integrate(f, Form::partial_fractions);
   if (const auto r = rational_value(f, F, a, b)) return {*r, ExactValue{*r, 0, {}, {}}};
-  const auto evaluator = std::make_shared<Evaluator>(F, f);
+  const Evaluator evaluator(F, f);
   Real value = middle.value;
   if (p != nullptr) value = value + -rest(f, evaluator, std::get<Rational>(from), *p);
   if (q != nullptr) value = value + rest(f, evaluator, std::get<Rational>(to), *q);

@@ -19,8 +19,8 @@ AngleValue rounded_angle(const Rational& t, const Real& theta, long digits);
 struct AngleReport {
   NamedCurve curve;
   Reference reference;
-  const RmfAngle& angle;  ///< must outlive the report: an angle stays where it is
-  Angle start_angle;      ///< θ(0)
+  RmfAngle angle;
+  Angle start_angle;  ///< θ(0)
   std::vector<AngleValue> values;
   long digits;
   std::optional<RealForm> real = std::nullopt;  ///< of the angle, shown instead of its logarithms

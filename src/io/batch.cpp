@@ -97,7 +97,7 @@ Question question(const JsonNode& line, const BatchDefaults& defaults) {
 std::string answer(const JsonNode& line, const BatchDefaults& defaults) {
   const auto [read, reference, at, digits, start_angle] = question(line, defaults);
   if (const auto* curve = std::get_if<NamedCurve>(&read)) {
-    RmfAngle angle(curve->curve, reference);
+    const RmfAngle angle(curve->curve, reference);
     AngleReport report{*curve, reference, angle, start_angle, {}, digits};
     report.shows_form = !defaults.values_only;
     for (const Rational& t : at)
@@ -107,7 +107,7 @@ std::string answer(const JsonNode& line, const BatchDefaults& defaults) {
   if (reference != Reference::erf)
     line.fail("the Frenet frame is for single curves; this is a spline");
   const auto& spline = std::get<NamedSpline>(read);
-  SplineAngle angle(spline.spline);
+  const SplineAngle angle(spline.spline);
   auto report = spline_angle_report(spline.name, angle, start_angle, at, digits);
   report.shows_form = !defaults.values_only;
   return to_json_line(report);

@@ -86,7 +86,7 @@ std::string coq_proof(const NamedCurve& named, const Rational& t, long digits) {
     throw DomainError("proof: the preimage has a zero between 0 and t = " +
                       abbreviated(to_string(t)) + ", where h/sigma is undefined");
   const Polynomial h = twist_numerator(a);
-  RmfAngle angle(named.curve, Reference::erf);
+  const RmfAngle angle(named.curve);
   const std::string shown = rounded(angle.value(t), "theta", digits).value;
   const Rational theta = parse_rational(shown);
   const long leading = theta == 0 ? -1 : decimal_exponent(abs(theta));

@@ -141,7 +141,7 @@ class Rows {
 
  private:
   Segment& segment(std::size_t k);
-  SplineAngle& angle();
+  const SplineAngle& angle();
   Frame<Real> rotation_minimizing(const Frame<Rational>& erf, const SplineParameter& at);
   Rational length_before(std::size_t k);
   void add_rational(std::vector<double>& row, const SplineParameter& at);
@@ -154,7 +154,6 @@ class Rows {
   std::vector<std::unique_ptr<Segment>> segments_;
   std::vector<Rational> lengths_;  ///< of the first 0, 1, … segments
   std::optional<SplineAngle> angle_;
-  std::unique_ptr<RmfAngle> rmf_angle_;  ///< of compiled_
   std::optional<RoundedFrames> compiled_;
   std::string reason_;
 };
@@ -178,7 +177,7 @@ Segment& Rows::segment(std::size_t k) {
   return *segments_[k];
 }
 
-SplineAngle& Rows::angle() {
+const SplineAngle& Rows::angle() {
   if (!angle_) angle_.emplace(spline_);
   return *angle_;
 }
@@ -200,9 +199,9 @@ void Rows::expect(const std::vector<SplinePoint>& points) {
     if (const auto t = point.t.rational()) at.push_back(round_to_double(*t));
   const auto [from, to] = std::minmax_element(at.begin(), at.end());
   if (at.size() < many || *from == *to) return;
-  rmf_angle_ = std::make_unique<RmfAngle>(spline_.segments().front(), Reference::erf);
+  const Curve& curve = spline_.segments().front();
   try {
-    compiled_.emplace(spline_.segments().front(), *rmf_angle_, *from, *to);
+    compiled_.emplace(curve, RmfAngle(curve), *from, *to);
   } catch (const Undecided&) {  // then each row goes the exact way
   } catch (const DomainError&) {
   }

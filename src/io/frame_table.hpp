@@ -27,8 +27,8 @@ struct TableColumns {
   std::vector<TabulatedFrame> frames;
   std::vector<TabulatedScalar> scalars = {};
   /// The frames of minimal twist where there are columns for them; for t on the spline only.
-  const TwistFrame* mtf = nullptr;
-  const MinimalTwist* exact_mtf = nullptr;
+  std::optional<TwistFrame> mtf = {};
+  std::optional<MinimalTwist> exact_mtf = {};
   /// Is a cell whose number is undefined left empty? Else it is an error.
   bool may_be_empty = false;
 };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto unicode = Notation::unicode;
 
-std::optional<Decimal> rounded_holonomy(SplineAngle& angle, long digits) {
+std::optional<Decimal> rounded_holonomy(const SplineAngle& angle, long digits) {
   const auto holonomy = angle.holonomy();
   if (!holonomy) return std::nullopt;
   return rounded(*holonomy, "holonomy", digits);
@@ -62,7 +62,7 @@ std::string notes_on_signs(const Spline& spline) {
   return text.empty() ? "" : text + "\n";
 }
 
-SplineAngleReport spline_angle_report(const std::string& name, SplineAngle& angle,
+SplineAngleReport spline_angle_report(const std::string& name, const SplineAngle& angle,
                                       const Angle& start_angle, const std::vector<Rational>& at,
                                       long digits) {
   SplineAngleReport report{name, angle, start_angle, {}, {}, {}, digits};
@@ -105,7 +105,7 @@ std::string to_json(const SplineAngleReport& report) { return pretty(json_of(rep
 std::string to_json_line(const SplineAngleReport& report) { return json_of(report).dump(); }
 
 SplineInfo spline_info(const NamedSpline& named, long digits) {
-  SplineAngle angle(named.spline);
+  const SplineAngle angle(named.spline);
   SplineInfo info{named, {Rational(0), {}}, {}, {}, {}, {}};
   std::optional<Real> energy = Rational(0);
   for (const Curve& curve : named.spline.segments()) {

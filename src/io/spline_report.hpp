@@ -7,8 +7,8 @@ namespace phrame {
 /// What `phrame angle` shows of a spline.
 struct SplineAngleReport {
   std::string name;
-  const SplineAngle& angle;  ///< must outlive the report: an angle stays where it is
-  Angle start_angle;         ///< θ(0)
+  SplineAngle angle;
+  Angle start_angle;  ///< θ(0)
   std::vector<AngleValue> values;
   Decimal total;                    ///< θ(end) − θ(0)
   std::optional<Decimal> holonomy;  ///< where the spline is closed
@@ -18,7 +18,7 @@ struct SplineAngleReport {
 
 /// The values of θ at `at`, rounded to `digits` digits. Throws Undecided, naming what it is that
 /// cannot be rounded.
-SplineAngleReport spline_angle_report(const std::string& name, SplineAngle& angle,
+SplineAngleReport spline_angle_report(const std::string& name, const SplineAngle& angle,
                                       const Angle& start_angle, const std::vector<Rational>& at,
                                       long digits);
 

@@ -61,14 +61,13 @@ void add_rational(JsonOutput& output, const TwistFrameReport& report) {
 
 }  // namespace
 
-TwistReport twist_report(const std::string& name, const Spline& spline, const FrameAngle& from,
-                         const FrameAngle& to, const MinimalTwist& mtf,
-                         const std::vector<Rational>& at, long digits) {
+TwistReport twist_report(const std::string& name, const FrameAngle& from, const FrameAngle& to,
+                         const MinimalTwist& mtf, const std::vector<Rational>& at, long digits) {
   const auto decimal = [digits](const Real& x, const std::string& what) {
     return rounded(x, what, digits);
   };
   TwistReport report{name,
-                     spline,
+                     mtf.spline(),
                      decimal(to_real(from), "the angle at the start"),
                      decimal(to_real(to), "the angle at the end"),
                      mtf.length(),

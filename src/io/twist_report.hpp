@@ -8,9 +8,9 @@ namespace phrame {
 /// What `phrame mtf` shows of a curve or spline.
 struct TwistReport {
   std::string name;
-  const Spline& spline;  ///< must outlive the report
-  Decimal from;          ///< θ_i
-  Decimal to;            ///< θ_f
+  Spline spline;
+  Decimal from;  ///< θ_i
+  Decimal to;    ///< θ_f
   Rational length;
   Decimal erf_twist;
   Decimal nominal_twist;
@@ -25,9 +25,8 @@ struct TwistReport {
 
 /// The values of θ at `at`, rounded to `digits` digits. Throws Undecided, naming what it is that
 /// cannot be rounded.
-TwistReport twist_report(const std::string& name, const Spline& spline, const FrameAngle& from,
-                         const FrameAngle& to, const MinimalTwist& mtf,
-                         const std::vector<Rational>& at, long digits);
+TwistReport twist_report(const std::string& name, const FrameAngle& from, const FrameAngle& to,
+                         const MinimalTwist& mtf, const std::vector<Rational>& at, long digits);
 
 std::string to_text(const TwistReport& report);
 std::string to_json(const TwistReport& report);  ///< mtf/1

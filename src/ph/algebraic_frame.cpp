@@ -44,15 +44,15 @@ Frame<Real> AlgebraicFrames::frenet(const AlgebraicPoint& t) const {
   return {euler_rodrigues(t).e1, vector(bend_.re, -bend_.im), vector(bend_.im, bend_.re)};
 }
 
-Real AlgebraicFrames::angle(const AlgebraicPoint& t) {
+Real AlgebraicFrames::angle(const AlgebraicPoint& t) const {
   if (is_rotation_minimizing_) return Rational(0);
-  const auto enclosure = [this, t](long bits) {
-    return twist_.branch_difference(Rational(0), t.number(), bits + 8);
+  const auto enclosure = [twist = twist_, t](long bits) {
+    return twist.branch_difference(Rational(0), t.number(), bits + 8);
   };
   return {enclosure, {false, bits_of(t.number()) + bits_of(twist_.derivative())}};
 }
 
-Frame<Real> AlgebraicFrames::rotation_minimizing(const AlgebraicPoint& t) {
+Frame<Real> AlgebraicFrames::rotation_minimizing(const AlgebraicPoint& t) const {
   return turned(euler_rodrigues(t), angle(t));
 }
 

@@ -8,24 +8,18 @@ namespace phrame {
 /// Euler–Rodrigues and of the Frenet frame are exact where they are rational, else irrational.
 /// Those of the rotation-minimizing frame are exact where it is the Euler–Rodrigues frame and where
 /// both its vectors e₂, e₃ have the component 0; the correct rounding of others ends unless they
-/// lie half way between two results, which is then undecided. Not for concurrent use: evaluations
-/// share isolated roots.
+/// lie half way between two results, which is then undecided.
 class AlgebraicFrames {
  public:
   explicit AlgebraicFrames(const Curve& curve);
-  // Stays where it is: the components of a rotation-minimizing frame refer to it.
-  AlgebraicFrames(const AlgebraicFrames&) = delete;
-  AlgebraicFrames& operator=(const AlgebraicFrames&) = delete;
-  ~AlgebraicFrames() = default;
 
   Frame<Real> euler_rodrigues(const AlgebraicPoint& t) const;
   /// Throws DomainError for a straight line and at an inflection.
   Frame<Real> frenet(const AlgebraicPoint& t) const;
-  /// θ(t) of RmfAngle relative to the Euler–Rodrigues frame; exact where it is 0 everywhere. Refers
-  /// to this object.
-  Real angle(const AlgebraicPoint& t);
-  /// Equal to the Euler–Rodrigues frame at t = 0. Refers to this object.
-  Frame<Real> rotation_minimizing(const AlgebraicPoint& t);
+  /// θ(t) of RmfAngle relative to the Euler–Rodrigues frame; exact where it is 0 everywhere.
+  Real angle(const AlgebraicPoint& t) const;
+  /// Equal to the Euler–Rodrigues frame at t = 0.
+  Frame<Real> rotation_minimizing(const AlgebraicPoint& t) const;
 
  private:
   Frame<Polynomial> numerators_;  ///< σ times the Euler–Rodrigues frame

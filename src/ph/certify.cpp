@@ -122,7 +122,7 @@ Certificate certify(const Curve& curve, Reference reference, const std::vector<R
   const RationalFunction rate = erf_rate(a);
   const Polynomial s = sigma(a);
   const Antiderivative twist = integrate(rate, Form::partial_fractions);
-  RmfAngle angle(curve, reference, Form::partial_fractions);
+  const RmfAngle angle(curve, reference, Form::partial_fractions);
   const Classification classification = classify(curve);
 
   Certificate c{curve,

@@ -63,7 +63,7 @@ std::optional<PolynomialPiece> angle_piece(
 
 }  // namespace
 
-PiecewisePolynomial compiled_angle(RmfAngle& angle, const Angle& start_angle, double from,
+PiecewisePolynomial compiled_angle(const RmfAngle& angle, const Angle& start_angle, double from,
                                    double to, const DoubleShape& shape) {
   const Real start = to_real(start_angle);
   const auto theta = [&](double t, long more) {
@@ -75,7 +75,7 @@ PiecewisePolynomial compiled_angle(RmfAngle& angle, const Angle& start_angle, do
 }
 
 // A straight segment may have the angle 0 because others and the start cancel: value() sees that.
-PiecewisePolynomial compiled_angle(SplineAngle& angle, const Angle& start_angle,
+PiecewisePolynomial compiled_angle(const SplineAngle& angle, const Angle& start_angle,
                                    const DoubleShape& shape) {
   // That the segments before cancel is asked for only where a ball does not say enough: it costs as
   // much as all of them.
@@ -92,12 +92,13 @@ PiecewisePolynomial compiled_angle(SplineAngle& angle, const Angle& start_angle,
   return PiecewisePolynomial::on_units(angle.spline().segments().size(), shape, make);
 }
 
-CompiledAngle::CompiledAngle(RmfAngle& angle, double from, double to, const Angle& start_angle)
-    : angle_([&angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
+CompiledAngle::CompiledAngle(const RmfAngle& angle, double from, double to,
+                             const Angle& start_angle)
+    : angle_([angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
       polynomials_(compiled_angle(angle, start_angle, from, to, compensated_shape(1))) {}
 
-CompiledAngle::CompiledAngle(SplineAngle& angle, const Angle& start_angle)
-    : angle_([&angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
+CompiledAngle::CompiledAngle(const SplineAngle& angle, const Angle& start_angle)
+    : angle_([angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
       polynomials_(compiled_angle(angle, start_angle, compensated_shape(1))) {}
 
 double CompiledAngle::operator()(double t) {

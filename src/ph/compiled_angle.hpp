@@ -10,22 +10,22 @@ namespace phrame {
 ///   |p − θ| ≤ |p(center) − θ(center)| + ∫|p′·d − n|/min d.
 /// Throws as PiecewisePolynomial does: Undecided where a pole of θ′ is nearer to [from, to] than
 /// doubles are to each other there. Cost: some 10 to 1000 values of θ, more near a near-cusp.
-PiecewisePolynomial compiled_angle(RmfAngle& angle, const Angle& start_angle, double from,
+PiecewisePolynomial compiled_angle(const RmfAngle& angle, const Angle& start_angle, double from,
                                    double to, const DoubleShape& shape);
 
 /// The same of a spline, on [0, end].
-PiecewisePolynomial compiled_angle(SplineAngle& angle, const Angle& start_angle,
+PiecewisePolynomial compiled_angle(const SplineAngle& angle, const Angle& start_angle,
                                    const DoubleShape& shape);
 
 /// θ for millions of parameters: a few compensated operations each, a proof of the rounding after
 /// each [Ziv 1991], and the exact angle for the few that the proof fails for.
-/// Not for concurrent use, and it refers to the angle.
+/// Not for concurrent use: it counts the latter.
 class CompiledAngle {
  public:
   /// θ with θ(0) = start_angle. Throws as compiled_angle.
-  CompiledAngle(RmfAngle& angle, double from, double to, const Angle& start_angle = {});
+  CompiledAngle(const RmfAngle& angle, double from, double to, const Angle& start_angle = {});
   /// The same of a spline, on [0, end].
-  explicit CompiledAngle(SplineAngle& angle, const Angle& start_angle = {});
+  explicit CompiledAngle(const SplineAngle& angle, const Angle& start_angle = {});
 
   /// θ(t), correctly rounded: to nearest, ties to even. Throws DomainError for a t outside [from,
   /// to] and NaN, and what the exact angle throws.

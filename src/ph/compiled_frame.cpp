@@ -145,8 +145,9 @@ std::optional<PolynomialPiece> rotation_piece(
 
 }  // namespace
 
-PiecewisePolynomial compiled_rotation(const Curve& curve, RmfAngle& angle, const Angle& start_angle,
-                                      double from, double to, const DoubleShape& shape) {
+PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
+                                      const Angle& start_angle, double from, double to,
+                                      const DoubleShape& shape) {
   const Rotation rotation(curve);
   const auto theta = [&](double t, long more) { return angle.enclose(exact_rational(t), more); };
   return {from, to, shape, [&](double low, double high) {
@@ -154,7 +155,7 @@ PiecewisePolynomial compiled_rotation(const Curve& curve, RmfAngle& angle, const
           }};
 }
 
-PiecewisePolynomial compiled_rotation(SplineAngle& angle, const Angle& start_angle,
+PiecewisePolynomial compiled_rotation(const SplineAngle& angle, const Angle& start_angle,
                                       const DoubleShape& shape) {
   const std::vector<Rotation> rotations(angle.spline().segments().begin(),
                                         angle.spline().segments().end());
@@ -171,12 +172,12 @@ PiecewisePolynomial compiled_rotation(SplineAngle& angle, const Angle& start_ang
 
 double frame_error(double error) { return sum_up(2 * error, 2 * error * error); }
 
-CompiledFrames::CompiledFrames(const Curve& curve, RmfAngle& angle, double from, double to,
+CompiledFrames::CompiledFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
                                const Angle& start_angle)
     : CompiledFrames(compiled_rotation(curve, angle, start_angle, from, to, compensated_shape(4))) {
 }
 
-CompiledFrames::CompiledFrames(SplineAngle& angle, const Angle& start_angle)
+CompiledFrames::CompiledFrames(const SplineAngle& angle, const Angle& start_angle)
     : CompiledFrames(compiled_rotation(angle, start_angle, compensated_shape(4))) {}
 
 CompiledFrames::CompiledFrames(PiecewisePolynomial polynomials)
@@ -211,7 +212,7 @@ struct Ball {
 
 }  // namespace
 
-RoundedFrames::RoundedFrames(const Curve& curve, RmfAngle& angle, double from, double to)
+RoundedFrames::RoundedFrames(const Curve& curve, const RmfAngle& angle, double from, double to)
     : polynomials_(compiled_rotation(curve, angle, {}, from, to, compensated_shape(4))),
       exact_(curve),
       angle_(angle) {}
@@ -223,11 +224,12 @@ std::optional<Frame<RealBall>> RoundedFrames::enclose(const Rational& t) {
   const PolynomialPiece& piece = polynomials_.at(near);
   const Rational y = (t - exact_rational(piece.center)) * exact_rational(piece.scale);
   if (abs(y) > 1) return std::nullopt;
-  if (last_ != &piece)
+  const auto number = static_cast<std::size_t>(&piece - polynomials_.pieces().data());
+  if (last_ != number)
     for (std::size_t k = 0; k < 4; ++k)
       of_last_[k] =
           exact_polynomial(piece.coefficients, polynomials_.shape(), static_cast<long>(k));
-  last_ = &piece;
+  last_ = number;
 
   RealBall off;  // 0 ± what the polynomials are off by
   mag_set_d(arb_radref(off.raw()), piece.error);

@@ -14,11 +14,12 @@ namespace phrame {
 /// a linear equation with a skew-symmetric matrix, so that for polynomials Q
 ///   |Q − B| ≤ |Q − B|(center) + ∫|σQ′ − V·Q + h·Q·i|/min σ.
 /// `angle` is that of this curve relative to the ERF; shape.width = 4. Throws as compiled_angle.
-PiecewisePolynomial compiled_rotation(const Curve& curve, RmfAngle& angle, const Angle& start_angle,
-                                      double from, double to, const DoubleShape& shape);
+PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
+                                      const Angle& start_angle, double from, double to,
+                                      const DoubleShape& shape);
 
 /// The same of a spline, on [0, end], with its continuous ERF.
-PiecewisePolynomial compiled_rotation(SplineAngle& angle, const Angle& start_angle,
+PiecewisePolynomial compiled_rotation(const SplineAngle& angle, const Angle& start_angle,
                                       const DoubleShape& shape);
 
 /// Rotation-minimizing frames for millions of parameters, a few hundred operations each. Const
@@ -26,10 +27,10 @@ PiecewisePolynomial compiled_rotation(SplineAngle& angle, const Angle& start_ang
 class CompiledFrames {
  public:
   /// The frame whose angle to the ERF is θ + start_angle, as in compiled_rotation.
-  CompiledFrames(const Curve& curve, RmfAngle& angle, double from, double to,
+  CompiledFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
                  const Angle& start_angle = {});
   /// The same of a spline, on [0, end].
-  explicit CompiledFrames(SplineAngle& angle, const Angle& start_angle = {});
+  explicit CompiledFrames(const SplineAngle& angle, const Angle& start_angle = {});
 
   /// The frame at t, every component within 2^−53 of the true one. Throws DomainError for a t
   /// outside [from, to] and NaN.
@@ -43,15 +44,11 @@ class CompiledFrames {
 
 /// Correctly rounded rotation-minimizing frames at thousands of rational t, best in ascending
 /// order: by the same polynomials where they are enough to round a component, else exactly. Not for
-/// concurrent use, and it refers to the angle.
+/// concurrent use: it keeps the last piece.
 class RoundedFrames {
  public:
   /// `angle` is that of this curve relative to the ERF. Throws as compiled_rotation does.
-  RoundedFrames(const Curve& curve, RmfAngle& angle, double from, double to);
-  // Stays where it is: it refers to its own pieces.
-  RoundedFrames(const RoundedFrames&) = delete;
-  RoundedFrames& operator=(const RoundedFrames&) = delete;
-  ~RoundedFrames() = default;
+  RoundedFrames(const Curve& curve, const RmfAngle& angle, double from, double to);
 
   /// The frame at t, in [from, to] or not. Throws as round_to_double does.
   Frame<double> at(const Rational& t);
@@ -60,10 +57,10 @@ class RoundedFrames {
   std::optional<Frame<RealBall>> enclose(const Rational& t);
 
   PiecewisePolynomial polynomials_;
-  const PolynomialPiece* last_ = nullptr;  ///< whose polynomials, exactly, are:
+  std::optional<std::size_t> last_;  ///< the number of the piece whose polynomials, exactly, are:
   std::array<BallPolynomial, 4> of_last_;
   Frames exact_;
-  RmfAngle& angle_;
+  RmfAngle angle_;
 };
 
 /// What the components of the frame of a quaternion Q with |Q − B| ≤ error are off by, |B| = 1.

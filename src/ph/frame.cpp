@@ -55,7 +55,7 @@ Frame<Real> Frames::frenet(const Rational& t) const {
   return turned(euler_rodrigues(t), {re, -im});
 }
 
-Frame<Real> Frames::rotation_minimizing(RmfAngle& angle, const Rational& t) const {
+Frame<Real> Frames::rotation_minimizing(const RmfAngle& angle, const Rational& t) const {
   const Frame<Rational> erf = euler_rodrigues(t);
   if (const auto z = angle.direction(t)) return turned(erf, *z);
   return turned(as_real(erf), angle.value(t));
@@ -108,7 +108,8 @@ Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t) {
 
 Frame<Real> frenet_frame(const Curve& curve, const Rational& t) { return Frames(curve).frenet(t); }
 
-Frame<Real> rotation_minimizing_frame(const Curve& curve, RmfAngle& angle, const Rational& t) {
+Frame<Real> rotation_minimizing_frame(const Curve& curve, const RmfAngle& angle,
+                                      const Rational& t) {
   return Frames(curve).rotation_minimizing(angle, t);
 }
 

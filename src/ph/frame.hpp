@@ -41,9 +41,8 @@ class Frames {
 
   /// The rotation-minimizing frame that agrees with the ERF at t = 0; `angle` is that of this curve
   /// relative to the ERF. Exact where there is a direction() of the angle, so on plane curves and
-  /// all others with a rational rotation-minimizing frame, and where θ(t) = 0. The components refer
-  /// to `angle`.
-  Frame<Real> rotation_minimizing(RmfAngle& angle, const Rational& t) const;
+  /// all others with a rational rotation-minimizing frame, and where θ(t) = 0.
+  Frame<Real> rotation_minimizing(const RmfAngle& angle, const Rational& t) const;
 
  private:
   QuaternionPolynomial primitive_;  ///< A without its greatest real factor
@@ -53,7 +52,7 @@ class Frames {
 // One frame of a curve; Frames is faster for many.
 Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t);
 Frame<Real> frenet_frame(const Curve& curve, const Rational& t);
-Frame<Real> rotation_minimizing_frame(const Curve& curve, RmfAngle& angle, const Rational& t);
+Frame<Real> rotation_minimizing_frame(const Curve& curve, const RmfAngle& angle, const Rational& t);
 
 /// Every component correctly rounded.
 Vector<double> round_to_double(const Vector<Real>& v);

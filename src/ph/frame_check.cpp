@@ -75,7 +75,7 @@ Forward FrameCheck::forward(const std::vector<GivenFrame>& frames) const {
   return balance > 0 ? Forward::preimage : Forward::motion;
 }
 
-FrameDeviation FrameCheck::deviation(const GivenFrame& frame, Forward forward, long bits) {
+FrameDeviation FrameCheck::deviation(const GivenFrame& frame, Forward forward, long bits) const {
   const SplineParameter at = place(angle_.spline(), frame.t);
   const Frame<Rational> erf = frames_[at.segment].euler_rodrigues(at.t);
   const Curve& curve = angle_.spline().segments()[at.segment];

@@ -47,7 +47,7 @@ class FrameCheck {
 
   /// In balls with a radius of about 2^−bits. Where f changes its sign, T is either vector: the one
   /// that fits.
-  FrameDeviation deviation(const GivenFrame& frame, Forward forward, long bits);
+  FrameDeviation deviation(const GivenFrame& frame, Forward forward, long bits) const;
 
   /// The arc length from t = a to b, where f does not change sign on the way; no value else.
   std::optional<Rational> length(const Rational& a, const Rational& b) const;

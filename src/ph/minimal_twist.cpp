@@ -5,9 +5,9 @@
 
 namespace phrame {
 
-MinimalTwist::MinimalTwist(SplineAngle& rmf, const FrameAngle& from, const FrameAngle& to,
+MinimalTwist::MinimalTwist(const SplineAngle& rmf, const FrameAngle& from, const FrameAngle& to,
                            const Integer& extra_turns)
-    : rmf_(&rmf),
+    : rmf_(rmf),
       from_(from),
       start_(reduced(from)),
       length_(0),
@@ -56,10 +56,10 @@ Real MinimalTwist::reduced_value(const Rational& t) const { return value(start_,
 
 Real MinimalTwist::value(const FrameAngle& start, const Rational& t) const {
   if (t == 0) return to_real(start);
-  if (t == rmf_->spline().end()) return to_real(start + turn_);
-  const SplineParameter at = locate(rmf_->spline(), t);
+  if (t == spline().end()) return to_real(start + turn_);
+  const SplineParameter at = locate(spline(), t);
   const Real s(starts_[at.segment] + arc_lengths_[at.segment](at.t));
-  return value(start, s, rmf_->value(at));
+  return value(start, s, rmf_.value(at));
 }
 
 Real MinimalTwist::value(const Real& s, const Real& rmf_angle) const {

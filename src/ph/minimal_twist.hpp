@@ -9,14 +9,13 @@ namespace phrame {
 /// at a constant rate, with the least total turn:
 ///   θ(t) = θ_i + T_min·s(t)/S + θ_RMF(t),   θ_RMF′ = −2h/σ,  s(t) the arc length, S = s(end),
 ///   T = −θ_RMF(end) + θ_f − θ_i ≡ T_min modulo 2π, T_min ∈ (−π, π].
-/// Not for concurrent use. Refers to the angle.
 class MinimalTwist {
  public:
   /// Whole turns in θ_f − θ_i do not count, however many: they are left out before anything is
   /// rounded. With `extra_turns` ≠ 0 the frame makes that many more revolutions. Throws DomainError
   /// where the multiplier of a segment changes sign on it, and Undecided where T cannot be told
   /// from an odd multiple of π.
-  MinimalTwist(SplineAngle& rmf, const FrameAngle& from, const FrameAngle& to,
+  MinimalTwist(const SplineAngle& rmf, const FrameAngle& from, const FrameAngle& to,
                const Integer& extra_turns = 0);
 
   const Rational& length() const { return length_; }  ///< S
@@ -29,9 +28,8 @@ class MinimalTwist {
   const Real& twist() const { return twist_; }
   /// The turn per unit of arc length, twist()/S: Ω̄₁.
   Real rate() const;
-  const Spline& spline() const { return rmf_->spline(); }
-  /// θ_RMF(at).
-  Real rmf_angle(const SplineParameter& at) const { return rmf_->value(at); }
+  const Spline& spline() const { return rmf_.spline(); }
+  const SplineAngle& rmf() const { return rmf_; }  ///< θ_RMF
   /// (θ(end) − θ(0))/2π, where it is a whole number: decided exactly.
   std::optional<Integer> whole_turns_of_theta() const;
   /// θ(t). At the start it is θ_i and at the end θ_f plus whole turns, exactly; where the twist is
@@ -46,7 +44,7 @@ class MinimalTwist {
   Real value(const FrameAngle& start, const Rational& t) const;
   Real value(const FrameAngle& start, const Real& s, const Real& rmf_angle) const;
 
-  SplineAngle* rmf_;
+  SplineAngle rmf_;
   FrameAngle from_;
   FrameAngle start_;                     ///< θ_i in (−π, π]
   FrameAngle turn_;                      ///< θ(end) − θ(0)

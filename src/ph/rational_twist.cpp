@@ -131,10 +131,11 @@ RationalTwist::RationalTwist(TwistPiece piece, long degree, EndRates rates,
       rates_(rates),
       parameters_(std::move(parameters)),
       mean_square_guess_(mean_square_guess),
-      known_(std::make_shared<Known>()) {}
+      rotations_(std::make_shared<Rotations>()) {}
 
 const Rotation& RationalTwist::rotation(long bits) const {
-  std::map<long, Rotation>& rotations = known_->rotations;
+  const std::lock_guard lock(rotations_->lock);
+  std::map<long, Rotation>& rotations = rotations_->by_bits;
   const auto known = rotations.find(bits);
   if (known != rotations.end()) return known->second;
   const RotationFamily family = rotation_family(piece_, degree_, rates_, bits);
@@ -184,23 +185,25 @@ Integer RationalTwist::extra_turns() const {
 }
 
 Real RationalTwist::root_mean_square() const {
-  return Real([twist = *this](long bits) {
-    Known& known = *twist.known_;
-    if (known.mean_square_bits >= bits) return known.root_mean_square;
+  const auto compute = [](const RationalTwist& twist, long bits) {
     // √(G ± ε) is √G ± ε/(2√G), and at worst ±√ε.
     constexpr long guard = 24;  // not seen in the bounds of rounded numbers
     const double guess = twist.mean_square_guess_;
     const bool is_guessed = guess > 0 && std::isfinite(guess);
     const long smallness = is_guessed ? std::max(0, 1 - std::ilogb(guess) / 2) : bits;
     const Rational wanted = power_of_two(-bits);
+    RealBall root;
     for (const long precision : {std::min(2 * bits, bits + guard + smallness), 2 * bits}) {
       const Rotation& w = twist.rotation(working_precision(twist.piece_, precision));
       const RealBall square = mean_square(twist.piece_, w, precision);
-      arb_sqrtpos(known.root_mean_square.raw(), square.raw(), bits + 64);
-      if (known.root_mean_square.is_finite() && known.root_mean_square.radius() <= wanted) break;
+      arb_sqrtpos(root.raw(), square.raw(), bits + 64);
+      if (root.is_finite() && root.radius() <= wanted) break;
     }
-    known.mean_square_bits = bits;
-    return known.root_mean_square;
+    return root;
+  };
+  return Real([twist = *this, compute](long bits) {
+    return *twist.root_mean_square_.get(bits,
+                                        [&](const RealBall*) { return compute(twist, bits); });
   });
 }
 
@@ -211,16 +214,16 @@ Real RationalTwist::greatest_error() const {
   });
 }
 
-const SignChanges& RationalTwist::inflections(long bits) const {
-  if (known_->inflection_bits >= bits) return known_->inflections;
-  for (long factor = 1; factor <= 4; factor *= 2) {
-    const long precision = working_precision(piece_, factor * bits);
-    known_->inflections =
-        sign_changes(turn_numerator(piece_, rotation(precision), precision), factor * bits);
-    if (known_->inflections.is_complete()) break;
-  }
-  known_->inflection_bits = bits;
-  return known_->inflections;
+SignChanges RationalTwist::inflections(long bits) const {
+  return *inflections_.get(bits, [&](const SignChanges*) {
+    SignChanges found;
+    for (long factor = 1; factor <= 4; factor *= 2) {
+      const long precision = working_precision(piece_, factor * bits);
+      found = sign_changes(turn_numerator(piece_, rotation(precision), precision), factor * bits);
+      if (found.is_complete()) break;
+    }
+    return found;
+  });
 }
 
 int RationalTwist::sign_of_rate(const Rational& tau) const {

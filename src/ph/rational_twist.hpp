@@ -1,7 +1,9 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <mutex>
 
+#include "phrame/algebra/shared.hpp"
 #include "phrame/ph/rotation_family.hpp"
 #include "phrame/ph/twist_minimum.hpp"
 
@@ -9,7 +11,7 @@ namespace phrame {
 
 /// A rational frame along a piece: the Euler–Rodrigues frame turned by θ(τ) = θ(0) + 2·arg w(τ),
 /// with w of degree n, so that f₂, f₃ are rational of degree 2m + 2n where the preimage has degree
-/// m. Refers to the frame of minimal twist it was made for. Not for concurrent use, nor are copies.
+/// m. Copies share what has been computed; any thread may ask them.
 class RationalTwist {
  public:
   /// The member of a family with these parameters. A guess of its mean square, where there is one,
@@ -37,7 +39,7 @@ class RationalTwist {
   /// The maximum of |Ω₁ − Ω̄₁| along the piece, times its length.
   Real greatest_error() const;
   /// Where Ω₁ changes its sign, as values of τ, to 2^−bits or better.
-  const SignChanges& inflections(long bits) const;
+  SignChanges inflections(long bits) const;
   /// The sign of Ω₁ at τ; 0 where it cannot be told.
   int sign_of_rate(const Rational& tau) const;
 
@@ -50,15 +52,13 @@ class RationalTwist {
   EndRates rates_;
   std::vector<Rational> parameters_;
   double mean_square_guess_;  ///< 0: none
-  /// What has been computed.
-  struct Known {
-    std::map<long, Rotation> rotations;  ///< by precision
-    long inflection_bits = 0;
-    SignChanges inflections;
-    long mean_square_bits = 0;
-    RealBall root_mean_square;
+  struct Rotations {
+    std::mutex lock;
+    std::map<long, Rotation> by_bits;
   };
-  std::shared_ptr<Known> known_;
+  std::shared_ptr<Rotations> rotations_;
+  Refined<SignChanges> inflections_;
+  Refined<RealBall> root_mean_square_;
 };
 
 /// What is known of a rotation being the best of its degree. Where there is one for each sign of γ,

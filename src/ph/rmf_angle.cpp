@@ -35,58 +35,63 @@ RationalFunction frenet_rate(const QuaternionPolynomial& a) {
   return erf_rate(a) + rate_of_argument(regular_bend(a));
 }
 
-RmfAngle::RmfAngle(const Curve& curve, Reference reference, Form form)
-    : rate_(erf_rate(curve.preimage())) {
+RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, Reference reference, Form form) {
+  if (is_zero(preimage)) throw DomainError("RmfAngle: the preimage is zero, so there is no frame");
+  Parts parts{erf_rate(preimage), {}, {}, {}, {}};
+  auto& [rate, twist, antiderivative, bend, argument, phase] = parts;
   if (reference == Reference::frenet) {
-    bend_ = regular_bend(curve.preimage());
-    const RationalFunction bend_rate = rate_of_argument(*bend_);
-    if (rate_ + bend_rate == RationalFunction()) {
+    bend = regular_bend(preimage);
+    const RationalFunction bend_rate = rate_of_argument(*bend);
+    if (rate + bend_rate == RationalFunction()) {
       // A plane curve: its Frenet frame is rotation-minimizing, θ ≡ 0.
-      rate_ = {};
-      bend_.reset();
-    } else if (degree(*bend_) == 0) {
-      bend_.reset();  // a constant argument
+      rate = {};
+      bend.reset();
+    } else if (degree(*bend) == 0) {
+      bend.reset();  // a constant argument
     } else {
-      argument_.emplace(*bend_);
+      argument.emplace(*bend);
     }
   }
-  twist_ = integrate(rate_, form);
-  antiderivative_ = twist_;
-  evaluator_ = Evaluator(twist_, rate_);
-  if (!bend_) return;
-  antiderivative_.logs.push_back(argument_as_logs(*bend_));
-  rate_ = rate_ + rate_of_argument(*bend_);
-  if (!(differentiate(antiderivative_) == rate_))
-    throw Error("RmfAngle: the check failed, the derivative of the angle is not its rate");
+  twist = integrate(rate, form);
+  antiderivative = twist;
+  evaluator_ = Evaluator(twist, rate);
+  if (bend) {
+    antiderivative.logs.push_back(argument_as_logs(*bend));
+    rate = rate + rate_of_argument(*bend);
+    if (!(differentiate(antiderivative) == rate))
+      throw Error("RmfAngle: the check failed, the derivative of the angle is not its rate");
+  }
+  parts_ = std::make_shared<const Parts>(std::move(parts));
 }
 
 /// The two parts may nearly cancel, as near 0, where they are not taken apart: else the precision
 /// rises until their sum is as accurate as asked.
-RealBall RmfAngle::enclose(const Rational& t, long bits) {
-  if (!argument_) return evaluator_.difference(0, t, bits);
+RealBall RmfAngle::enclose(const Rational& t, long bits) const {
+  const auto& argument = parts_->argument;
+  if (!argument) return evaluator_.difference(0, t, bits);
   if (evaluator_.route() == Route::automatic)
-    if (const auto value = short_integral(rate_, Rational(0), t, bits)) return *value;
+    if (const auto value = short_integral(rate(), Rational(0), t, bits)) return *value;
   for (long more = bits + 8;; more += 64) {
-    RealBall sum = add(evaluator_.difference(0, t, more), argument_->difference(t, more), more);
+    RealBall sum = add(evaluator_.difference(0, t, more), argument->difference(t, more), more);
     if (sum.is_accurate(bits)) return sum;
   }
 }
 
-Real RmfAngle::value(const Rational& t, const Angle& start) {
+Real RmfAngle::value(const Rational& t, const Angle& start) const {
   const Real offset = to_real(start);
   if (t == 0) return offset;
-  const auto sum = [this, t, offset](long bits) {
-    const RealBall theta = enclose(t, bits);
+  const auto sum = [angle = *this, t, offset](long bits) {
+    const RealBall theta = angle.enclose(t, bits);
     return offset.exact() == Rational(0) ? theta : add(theta, offset.enclose(bits), bits);
   };
-  return evaluator_.value(0, t, bend_.value_or(GaussianPolynomial{{1}, {}}), sum, start);
+  return evaluator_.value(0, t, bend().value_or(GaussianPolynomial{{1}, {}}), sum, start);
 }
 
-std::optional<GaussianRational> RmfAngle::direction(const Rational& t) {
-  if (!phase_) phase_ = evaluator_.single_argument();
-  if (!*phase_) return std::nullopt;
-  const GaussianRational z = turn(**phase_, t);
-  return bend_ ? z * turn(*bend_, t) : z;
+std::optional<GaussianRational> RmfAngle::direction(const Rational& t) const {
+  const auto& phase = parts_->phase.get([&] { return evaluator_.single_argument(); });
+  if (!phase) return std::nullopt;
+  const GaussianRational z = turn(*phase, t);
+  return bend() ? z * turn(*bend(), t) : z;
 }
 
 std::optional<Antiderivative> frenet_angle_by_linear_system(const Curve& curve) {

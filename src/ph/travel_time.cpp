@@ -56,10 +56,10 @@ TravelTime::TravelTime(const Curve& curve, const Feedrate& feedrate)
       evaluator_(antiderivative_),
       total_(evaluator_.value(0, 1)) {
   const auto shared = std::make_shared<IncreasingFunction>();
-  shared->value = [this](const RealBall& t, long bits) {
-    return evaluator_.difference(0, t.lower(), bits);
+  shared->value = [evaluator = evaluator_](const RealBall& t, long bits) {
+    return evaluator.difference(0, t.lower(), bits);
   };
-  shared->slope = [this](const RealBall& t, long bits) { return evaluate(rate_, t, bits); };
+  shared->slope = [rate = rate_](const RealBall& t, long bits) { return evaluate(rate, t, bits); };
   function_ = shared;
 }
 

@@ -21,22 +21,17 @@ struct TimedPoint {
 };
 
 /// The time T(t) = ∫₀ᵗ |f|σ/V a motion with feedrate V takes from 0 to t ∈ [0, 1], strictly
-/// increasing, and its inverse: the interpolation integral of [Farouki 2008], in closed form. Not
-/// for concurrent use: evaluations share isolated roots.
+/// increasing, and its inverse: the interpolation integral of [Farouki 2008], in closed form.
 class TravelTime {
  public:
   /// Throws DomainError as travel_time_rate().
   TravelTime(const Curve& curve, const Feedrate& feedrate);
-  // Stays where it is: its values refer to it.
-  TravelTime(const TravelTime&) = delete;
-  TravelTime& operator=(const TravelTime&) = delete;
-  ~TravelTime() = default;
 
   const RationalFunction& rate() const { return rate_; }  ///< T′
   const Antiderivative& antiderivative() const { return antiderivative_; }
 
-  /// T(t), exact where it is rational. Refers to this object.
-  Real time(const Rational& t) { return evaluator_.value(0, t); }
+  /// T(t), exact where it is rational.
+  Real time(const Rational& t) const { return evaluator_.value(0, t); }
 
   const Real& total() const { return total_; }  ///< T(1)
   /// How many whole k ≥ 0 have k·period < T(1). Throws DomainError for a period ≤ 0, Undecided
@@ -46,8 +41,9 @@ class TravelTime {
   /// The point with T = time. Exact and algebraic t are decided where T has no logarithms. Else t
   /// is transcendental by Baker's theorem, but where the logarithms cancel; of such t those with
   /// denominators of up to 32 bits are recognised, and the correct rounding of others may be
-  /// undecided. Requests in ascending order are the fastest. Throws DomainError for a time outside
-  /// [0, T(1)], Undecided where that is not decided. The point refers to this object.
+  /// undecided. Requests in ascending order are the fastest: the last t is where the search for the
+  /// next one starts. Throws DomainError for a time outside [0, T(1)], Undecided where that is not
+  /// decided.
   TimedPoint at_time(const Rational& time);
 
  private:

@@ -136,11 +136,11 @@ Real relative_error(const Real& error, const MinimalTwist& mtf, const Rational& 
 
 Real root_mean_square(const TwistFrame& frame) {
   // ∫(Ω₁ − Ω̄₁)² ds = Σ G/ΔS.
-  return Real([&frame](long bits) {
+  return Real([pieces = frame.pieces](long bits) {
     const long precision = bits + 16;
     Rational length = 0;
     RealBall sum;
-    for (const BestTwist& piece : frame.pieces) {
+    for (const BestTwist& piece : pieces) {
       const RealBall error = piece.twist.root_mean_square().enclose(precision);
       length += piece.twist.piece().length;
       sum = add(sum,

@@ -21,7 +21,7 @@ struct Subdivision {
 enum class Monotone { yes, no, undecided };
 std::string_view to_string(Monotone monotone);
 
-/// A rational frame along a curve or spline, piece by piece. Refers to the frame of minimal twist.
+/// A rational frame along a curve or spline, piece by piece.
 struct TwistFrame {
   std::vector<BestTwist> pieces;
 };

@@ -23,14 +23,14 @@ TwistPiece piece_between(const MinimalTwist& mtf, std::size_t index, const Ratio
   const Rational length = arc_length(1);
   const Rational from = Rational(static_cast<long>(index)) + a;
   const Rational to = Rational(static_cast<long>(index)) + b;
-  const Real start = remembered(mtf.rmf_angle({index, a}));
+  const Real start = remembered(mtf.rmf().value({index, a}));
   const Real twist = mtf.twist() * Real(length / mtf.length());
   const bool is_whole = mtf.spline().segments().size() == 1 && is_segment;
   const Real whole_twist =
-      is_whole ? mtf.erf_twist() : remembered(start + -mtf.rmf_angle({index, b}));
-  const auto erf_twist = [&mtf, start, whole_twist, index, a, b](const Rational& tau) {
+      is_whole ? mtf.erf_twist() : remembered(start + -mtf.rmf().value({index, b}));
+  const auto erf_twist = [rmf = mtf.rmf(), start, whole_twist, index, a, b](const Rational& tau) {
     if (tau == 1) return whole_twist;
-    return start + -mtf.rmf_angle({index, a + (b - a) * tau});
+    return start + -rmf.value({index, a + (b - a) * tau});
   };
   const Real turn = remembered(twist + -whole_twist);
   std::optional<Integer> whole_turns;

@@ -19,7 +19,7 @@ struct TwistPiece {
   Real turn;         ///< θ(1) − θ(0) = T − ∫₀¹ 2h/σ
   std::optional<Integer> whole_turns;  ///< where it is known: turn = 2π·whole_turns, exactly
   Real start;                          ///< θ(0), counted from a θ_i in (−π, π]
-  /// ∫₀^τ 2h/σ. Refers to the frame of minimal twist, as do copies.
+  /// ∫₀^τ 2h/σ.
   std::function<Real(const Rational& tau)> erf_twist;
 
   /// What θ′ is at the ends where the frame turns at the constant rate there,

@@ -201,7 +201,7 @@ std::string objection_to_bend(const Certificate::Bend& bend, const GaussianPolyn
                 "the parts of the polynomial have a common factor");
 }
 
-std::string objection_to_turn(const TurnCount& turn, ContinuousArgument& argument,
+std::string objection_to_turn(const TurnCount& turn, const ContinuousArgument& argument,
                               const GaussianPolynomial& gamma, const Rational& t) {
   if (!(argument.turn(t) == turn)) return "the Sturm sequence has other signs";
   // Independent of Sturm: the argument by quadrature of its derivative.

@@ -1,6 +1,7 @@
 #include "phrame/integrate/definite.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/roots.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/integrate/quadrature.hpp"

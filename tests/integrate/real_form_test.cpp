@@ -1,6 +1,7 @@
 #include "phrame/integrate/real_form.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/roots.hpp"
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "support/random.hpp"

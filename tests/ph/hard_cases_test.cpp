@@ -55,7 +55,6 @@ std::map<std::string, Curve> curves() {
 
 std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
 
-/// Refers to the angle.
 Real number(const Curve& curve, RmfAngle& angle, const HardCase& hard) {
   if (hard.quantity == "theta") return angle.value(hard.t);
   const auto axis = static_cast<std::size_t>(hard.quantity.back() - 'x');

@@ -28,7 +28,7 @@ namespace {
 
 constexpr long bits = 160;
 
-/// A curve with a frame of minimal twist, which refer to each other.
+/// The frame of minimal twist of a curve.
 struct Framed {
   SplineAngle rmf;
   MinimalTwist mtf;

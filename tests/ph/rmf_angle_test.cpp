@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/quadrature.hpp"
@@ -25,7 +26,7 @@ bool agree(const std::string& a, const std::string& b) {
   return abs(x - y) <= parse_rational("1e-48") * (abs(y) > 1 ? Rational(abs(y)) : Rational(1));
 }
 
-std::string fifty(RmfAngle& angle, const Rational& t) {
+std::string fifty(const RmfAngle& angle, const Rational& t) {
   return round_to_decimal(angle.value(t), 50).value;
 }
 
@@ -262,4 +263,51 @@ TEST_CASE("angle: a start that is a multiple of pi cancels the angle exactly") {
   // π/2 − 2 arctan(1/2) = 0.643501108793284386802809… (mpmath)
   CHECK(round_to_decimal(angle.value(Rational(1, 2), Angle(Rational(1, 2), 0)), 20).value ==
         "0.64350110879328438680");
+}
+
+TEST_CASE("angle: copies outlive what they came from, and their values outlive them") {
+  const auto made = std::make_unique<RmfAngle>(quintic, Reference::frenet);
+  std::optional<RmfAngle> copy = *made;
+  const Real theta = copy->value(1);
+  copy.reset();
+  CHECK(agree(round_to_decimal(theta, 50).value, fifty(*made, 1)));
+  RmfAngle moved_from = *made;
+  const RmfAngle moved = std::move(moved_from);
+  CHECK(fifty(moved, 1) == fifty(*made, 1));
+  CHECK(fifty(moved_from, 1) == fifty(*made, 1));  // NOLINT(bugprone-use-after-move): a promise
+}
+
+TEST_CASE("angle: the way that a copy takes is its own") {
+  const RmfAngle angle(quintic, Reference::erf);
+  RmfAngle both = angle;
+  both.take(Route::both);
+  CHECK(both.enclose(1, 200).overlaps(angle.enclose(1, 200)));
+  CHECK(fifty(both, Rational(1, 3)) == fifty(angle, Rational(1, 3)));
+}
+
+TEST_CASE("angle: it depends on the preimage alone") {
+  const QuaternionPolynomial& a = quintic.preimage();
+  CHECK(RmfAngle(a).rate() == RmfAngle(Curve(a, {1, 0, 3})).rate());
+  CHECK_THROWS_AS(RmfAngle(QuaternionPolynomial{}), DomainError);
+}
+
+TEST_CASE("threads: four of them ask one angle at rising precisions") {
+  for (const Reference reference : {Reference::erf, Reference::frenet}) {
+    const RmfAngle angle(quintic, reference);
+    const RmfAngle other(quintic, reference);
+    const auto digits = [](const RmfAngle& of, long k) {
+      return round_to_decimal(of.value(Rational(1 + k % 3, 3)), 20 + 40 * k).value;
+    };
+    std::vector<std::vector<std::string>> found(4);
+    std::vector<std::thread> threads;
+    for (auto& list : found)
+      threads.emplace_back([&list, &digits, angle] {
+        for (long k = 0; k < 12; ++k) list.push_back(digits(angle, k));
+      });
+    for (std::thread& thread : threads) thread.join();
+    std::vector<std::string> expected;
+    for (long k = 0; k < 12; ++k) expected.push_back(digits(other, k));
+    for (const auto& list : found) CHECK(list == expected);
+    CHECK(angle.direction(1).has_value() == other.direction(1).has_value());
+  }
 }
