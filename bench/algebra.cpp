@@ -15,11 +15,11 @@ void residue_polynomial(State& state) {
     benchmark::DoNotOptimize(phrame::residue_polynomial(f.numerator(), f.denominator()));
 }
 
-/// Is it squarefree? Mostly one prime decides.
+/// One prime mostly shows that it is squarefree.
 void residues_are_distinct(State& state) {
   const RationalFunction f = erf_rate(random_curve(state.range(0) / 2).preimage());
   for (auto _ : state)
-    benchmark::DoNotOptimize(phrame::residues_are_distinct(f.numerator(), f.denominator()));
+    benchmark::DoNotOptimize(residues_are_distinct_modulo_a_prime(f.numerator(), f.denominator()));
 }
 
 /// The rational part of ∫ ρ/σ³, the bending energy of a random curve: a pole of order three.
