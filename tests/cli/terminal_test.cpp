@@ -10,7 +10,8 @@ std::vector<std::string> names_of_commands(const Workshop& here) {
   std::vector<std::string> names;
   const Run run = here.run("completion json");
   check_success(run);
-  for (const Json& command : Json::parse(run.out)["commands"]) names.push_back(command["command"]);
+  const Json program = Json::parse(run.out);
+  for (const Json& command : program["commands"]) names.push_back(command["command"]);
   return names;
 }
 
@@ -311,7 +312,8 @@ TEST_CASE("terminal: bash completes commands, options, names, lists and files") 
   CHECK(completed("phrame angle quintic.json --at ''") == "\n");
   CHECK(completed("phrame help cer") == "certify\n");
   // Each option of each command.
-  for (const Json& command : Json::parse(here.run("completion json").out)["commands"])
+  const Json program = Json::parse(here.run("completion json").out);
+  for (const Json& command : program["commands"])
     for (const Json& option : command["options"]) {
       const std::string name = option["names"].back();
       if (option["argument"] == true) continue;
