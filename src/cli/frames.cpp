@@ -128,9 +128,9 @@ void add_frames(Program& program) {
   options->parameters.add_to(command);
   command.add_choices(
       "--frame", options->frames, {"rmf", "erf", "frenet", "mtf", "mtf-exact"},
-      "any of rmf (rotation-minimizing, default: f2, f3), erf (Euler-Rodrigues: e2, e3),\n"
-      "frenet (n, b), mtf and mtf-exact (of minimal twist: rational, or at a constant rate;\n"
-      "--from and --to are needed)");
+      "any of rmf (rotation-minimizing, default: f2, f3), erf (Euler-Rodrigues:\n"
+      "e2, e3), frenet (n, b), mtf and mtf-exact (of minimal twist: rational, or at a\n"
+      "constant rate; --from and --to are needed)");
   command.add_choices("--columns", options->scalars, {"s", "curvature", "torsion", "frenet_rate"},
                       "any of s (arc length), curvature, torsion and frenet_rate");
   command.add_choice("--by", options->by, {"t", "arc-length"},

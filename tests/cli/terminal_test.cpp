@@ -12,6 +12,7 @@ std::vector<std::string> names_of_commands(const Workshop& here) {
   check_success(run);
   const Json program = Json::parse(run.out);
   for (const Json& command : program["commands"]) names.push_back(command["command"]);
+  REQUIRE(names.size() > 10);
   return names;
 }
 
