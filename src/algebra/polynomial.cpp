@@ -49,24 +49,22 @@ std::vector<Rational> Polynomial::coefficients() const {
   const auto size = static_cast<std::size_t>(degree() + 1);
   std::vector<Rational> ascending(size);
   const fmpz* d = fmpq_poly_denref(raw());
-  const bool is_long = fmpz_size(d) >= long_limbs && size > 2;
-  flint::Fmpz g;
-  if (is_long) {
-    fmpz_one(g.get());
-    for (const fmpz* n = raw()->coeffs; n != raw()->coeffs + size; ++n) {
-      if (fmpz_is_zero(n) != 0) continue;
-      fmpz_mul(g.get(), g.get(), n);
-      fmpz_mod(g.get(), g.get(), d);
-    }
-    fmpz_gcd(g.get(), g.get(), d);
+  if (fmpz_size(d) < long_limbs || size <= 2) {
+    for (std::size_t k = 0; k < size; ++k) ascending[k] = coefficient(static_cast<long>(k));
+    return ascending;
   }
+  flint::Fmpz g;
+  fmpz_one(g.get());
+  for (const fmpz* n = raw()->coeffs; n != raw()->coeffs + size; ++n) {
+    if (fmpz_is_zero(n) != 0) continue;
+    fmpz_mul(g.get(), g.get(), n);
+    fmpz_mod(g.get(), g.get(), d);
+  }
+  fmpz_gcd(g.get(), g.get(), d);
   flint::Fmpz common;
   for (std::size_t k = 0; k < size; ++k) {
     const fmpz* n = raw()->coeffs + k;
-    if (!is_long || fmpz_is_zero(n) != 0) {
-      ascending[k] = coefficient(static_cast<long>(k));
-      continue;
-    }
+    if (fmpz_is_zero(n) != 0) continue;
     fmpz_gcd(common.get(), n, g.get());
     fmpz_divexact(fmpq_numref(ascending[k].raw()), n, common.get());
     fmpz_divexact(fmpq_denref(ascending[k].raw()), d, common.get());

@@ -1,35 +1,8 @@
 #pragma once
 #include <memory>
 #include <mutex>
-#include <optional>
 
 namespace phrame {
-
-/// A value that is made when it is first asked for: once for all copies, whichever thread asks. To
-/// move one is to copy it.
-template <class T>
-class Lazy {
- public:
-  Lazy() = default;
-  Lazy(const Lazy&) = default;
-  Lazy& operator=(const Lazy&) = default;
-  ~Lazy() = default;
-
-  /// make() → T is called if there is no value yet; where it throws, there is none after it either.
-  template <class Make>
-  const T& get(const Make& make) const {
-    const std::lock_guard lock(state_->mutex);
-    if (!state_->value) state_->value.emplace(make());
-    return *state_->value;
-  }
-
- private:
-  struct State {
-    std::mutex mutex;
-    std::optional<T> value;
-  };
-  std::shared_ptr<State> state_ = std::make_shared<State>();
-};
 
 /// What is known to some number of bits, and to more when more are asked for: kept for all copies,
 /// whichever thread asks. To move one is to copy it.
@@ -67,6 +40,21 @@ class Refined {
     std::shared_ptr<const T> known;
   };
   std::shared_ptr<State> state_ = std::make_shared<State>();
+};
+
+/// A value that is made when it is first asked for: once for all copies, whichever thread asks. To
+/// move one is to copy it.
+template <class T>
+class Lazy {
+ public:
+  /// make() → T is called if there is no value yet; where it throws, there is none after it either.
+  template <class Make>
+  const T& get(const Make& make) const {
+    return *value_.get(0, [&](const T*) { return make(); });
+  }
+
+ private:
+  Refined<T> value_;
 };
 
 }  // namespace phrame

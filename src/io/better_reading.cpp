@@ -17,10 +17,10 @@ bool has_right_tangents(const FrameVerdict& verdict) {
 /// Vectors are left out, for their columns are positions; but are they?
 bool hides_vectors(const Spline& spline, std::string_view bytes, const GivenTable& table,
                    const FrameReading& other, const Rational& tolerance) {
-  const auto& names = other.names;
-  const bool has_positions = std::find(names.begin(), names.end(), "x") != names.end();
-  const bool had_positions = table.columns.find(", x,") != std::string::npos;
-  return has_positions && !had_positions &&
+  const auto has_positions = [](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), "x") != names.end();
+  };
+  return has_positions(other.names) && !has_positions(table.columns) &&
          !are_on_curve(spline, read_positions(bytes, other), std::min(tolerance, Rational(1, 100)));
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/io/radical_form_text.hpp"
 
@@ -98,10 +99,8 @@ bool may_jump(const LogSum& sum) {
 
 /// log₂|x| for x ≠ 0, as doubles have it.
 double log2_of(const Rational& x) {
-  const long e = bit_length(numerator(x)) - bit_length(denominator(x));
-  const Integer power = Integer(1) << static_cast<unsigned long>(std::abs(e));
-  const Rational scaled = e < 0 ? Rational(x * Rational(power)) : Rational(x / Rational(power));
-  return static_cast<double>(e) + std::log2(static_cast<double>(abs(scaled)));
+  const long e = binary_exponent(abs(x));
+  return static_cast<double>(e) + std::log2(static_cast<double>(abs(x) * power_of_two(-e)));
 }
 
 constexpr double log2_of_zero = -std::numeric_limits<double>::infinity();

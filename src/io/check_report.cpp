@@ -184,7 +184,7 @@ std::string to_text(const CheckReport& report) {
   row("lengths", "off 1 by up to " + upper(v.length, 2));
   row("tolerance", brief(report.options.tolerance));
   if (!report.table.columns.empty())
-    row("columns", fmt::format("{} (by their number{})", report.table.columns,
+    row("columns", fmt::format("{} (by their number{})", fmt::join(report.table.columns, ", "),
                                report.table.skipped > 0
                                    ? fmt::format(", {} more {} skipped", report.table.skipped,
                                                  report.table.skipped == 1 ? "is" : "are")

@@ -352,7 +352,7 @@ GivenTable frames_of(const Table& table, const std::string& header_place,
     if (!reading.names.empty() && names.size() != table.columns())
       throw InputError("--header", fmt::format("{} for {}", counted(names.size(), "name"),
                                                counted(table.columns(), "column")));
-    if (reading.names.empty()) result.columns = fmt::format("{}", fmt::join(names, ", "));
+    if (reading.names.empty()) result.columns = names;
     result.skipped = table.columns() - names.size();
   } else if (!reading.names.empty()) {
     throw InputError("--header",
@@ -444,7 +444,7 @@ std::vector<FrameReading> other_readings(const GivenTable& table, const FrameRea
     return others;
   }
   if (table.columns.empty() || table.skipped > 0) return {};
-  const auto columns = std::count(table.columns.begin(), table.columns.end(), ',') + 1;
+  const std::size_t columns = table.columns.size();
   std::vector<Names> names;
   if (columns == 10 || columns == 13) names = matrix_names(columns == 13);
   if (columns == 7)

@@ -25,8 +25,8 @@ struct FrameReading {
 
 struct GivenTable {
   std::vector<GivenFrame> frames;
-  std::string columns;      ///< "t, x, y, z, qw, …" where their number told what they are
-  std::size_t skipped = 0;  ///< further columns there
+  std::vector<std::string> columns;  ///< t, x, y, … where their number told what they are
+  std::size_t skipped = 0;           ///< further columns there
   bool has_quaternions = false;
 };
 

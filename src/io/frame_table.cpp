@@ -243,9 +243,6 @@ std::vector<double> Rows::at(const SplinePoint& point) {
       row.push_back(round_to_double(is_length ? value + length_before(point.segment) : value));
     });
   }
-  for (std::size_t k = 0; k < row.size(); ++k)
-    if (std::isinf(row[k]))  // rounded to infinity, which is no answer
-      throw InputError(text_of(point), names()[k] + " does not fit a double, of at most 1.8e308");
   return row;
 }
 
@@ -313,13 +310,21 @@ void Rows::add_irrational(std::vector<double>& row, const SplinePoint& point,
 
 }  // namespace
 
+void add_row(FrameTable& table, std::vector<double> row,
+             const std::function<std::string()>& place) {
+  for (std::size_t k = 0; k < row.size(); ++k)
+    if (std::isinf(row[k]))
+      throw InputError(place(), table.columns[k] + " does not fit a double, of at most 1.8e308");
+  table.rows.push_back(std::move(row));
+}
+
 FrameTable frame_table(const Spline& spline, const TableColumns& columns,
                        const std::vector<SplinePoint>& at) {
   Rows rows(spline, columns);
   rows.expect(at);
   FrameTable table{rows.names(), {}};
   for (const SplinePoint& point : at) {
-    table.rows.push_back(rows.at(point));
+    add_row(table, rows.at(point), [&] { return text_of(point); });
     if (rows.reason().empty()) continue;
     if (++table.incomplete_rows == 1) table.first_reason = rows.reason();
   }

@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/io/curve_file.hpp"
 #include "phrame/ph/frame.hpp"
@@ -66,6 +68,10 @@ struct SplinePoint {
 /// the segment named.
 FrameTable frame_table(const Spline& spline, const TableColumns& columns,
                        const std::vector<SplinePoint>& at);
+
+/// Throws InputError where a number has been rounded to infinity, which is no answer; `place` says
+/// of what the row is.
+void add_row(FrameTable& table, std::vector<double> row, const std::function<std::string()>& place);
 
 /// Shortest decimal texts that read back to the same doubles.
 std::string to_csv(const FrameTable& table);

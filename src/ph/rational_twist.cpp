@@ -185,25 +185,23 @@ Integer RationalTwist::extra_turns() const {
 }
 
 Real RationalTwist::root_mean_square() const {
-  const auto compute = [](const RationalTwist& twist, long bits) {
-    // √(G ± ε) is √G ± ε/(2√G), and at worst ±√ε.
-    constexpr long guard = 24;  // not seen in the bounds of rounded numbers
-    const double guess = twist.mean_square_guess_;
-    const bool is_guessed = guess > 0 && std::isfinite(guess);
-    const long smallness = is_guessed ? std::max(0, 1 - std::ilogb(guess) / 2) : bits;
-    const Rational wanted = power_of_two(-bits);
-    RealBall root;
-    for (const long precision : {std::min(2 * bits, bits + guard + smallness), 2 * bits}) {
-      const Rotation& w = twist.rotation(working_precision(twist.piece_, precision));
-      const RealBall square = mean_square(twist.piece_, w, precision);
-      arb_sqrtpos(root.raw(), square.raw(), bits + 64);
-      if (root.is_finite() && root.radius() <= wanted) break;
-    }
-    return root;
-  };
-  return Real([twist = *this, compute](long bits) {
-    return *twist.root_mean_square_.get(bits,
-                                        [&](const RealBall*) { return compute(twist, bits); });
+  return Real([twist = *this](long bits) {
+    return *twist.root_mean_square_.get(bits, [&](const RealBall*) {
+      // √(G ± ε) is √G ± ε/(2√G), and at worst ±√ε.
+      constexpr long guard = 24;  // not seen in the bounds of rounded numbers
+      const double guess = twist.mean_square_guess_;
+      const bool is_guessed = guess > 0 && std::isfinite(guess);
+      const long smallness = is_guessed ? std::max(0, 1 - std::ilogb(guess) / 2) : bits;
+      const Rational wanted = power_of_two(-bits);
+      RealBall root;
+      for (const long precision : {std::min(2 * bits, bits + guard + smallness), 2 * bits}) {
+        const Rotation& w = twist.rotation(working_precision(twist.piece_, precision));
+        const RealBall square = mean_square(twist.piece_, w, precision);
+        arb_sqrtpos(root.raw(), square.raw(), bits + 64);
+        if (root.is_finite() && root.radius() <= wanted) break;
+      }
+      return root;
+    });
   });
 }
 
