@@ -9,7 +9,7 @@
 #include "curves.hpp"
 #include "phrame/io/write/c_header.hpp"
 #include "phrame/ph/curve/transform.hpp"
-#include "phrame/ph/frame/spline_angle.hpp"
+#include "phrame/ph/frame/path_angle.hpp"
 #include "quintic.h"  // by phrame compile
 
 namespace phrame::bench {
@@ -55,12 +55,9 @@ void compile_spline(State& state) {
   for (long k = 0; k < n; ++k)
     segments.push_back(segment(curve, Rational(k, n), Rational(k + 1, n)));
   for (auto _ : state) {
-    Spline spline(segments.front());
-    for (std::size_t k = 1; k < segments.size(); ++k) spline.append(segments[k]);
-    SplineAngle angle(std::move(spline));
-    benchmark::DoNotOptimize(to_c_header({"spline", "", true, Reference::erf, Angle(),
-                                          compiled_angle(angle, Angle(), plain_shape(1)),
-                                          compiled_rotation(angle, Angle(), plain_shape(4))}));
+    Path path(segments.front());
+    for (std::size_t k = 1; k < segments.size(); ++k) path.append(segments[k]);
+    benchmark::DoNotOptimize(to_c_header(answer({"", path}, CompiledQuery{}), "spline"));
   }
   state.SetComplexityN(n);
 }

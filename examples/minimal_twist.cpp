@@ -41,13 +41,13 @@ Rates rates_at(const TwistPiece& piece, const Rotation& w, const Rational& tau) 
 constexpr long samples = 400;
 
 /// ω₁, θ′/σ, Ω₁ and Ω̄₁ along a frame.
-void write_rates(const std::filesystem::path& path, const MinimalTwist& mtf,
+void write_rates(const std::filesystem::path& name, const MinimalTwist& mtf,
                  const std::vector<RationalTwist>& frame) {
-  std::ofstream file(path);
+  std::ofstream file(name);
   file.precision(12);
   file << "t,s,omega,theta,Omega,mean\n";
   const double mean = approximate(mtf.rate().enclose(64));
-  const Polynomial length = arc_length(mtf.spline().segments().front());
+  const Polynomial length = arc_length(mtf.path().segments().front());
   for (const RationalTwist& twist : frame) {
     const TwistPiece& piece = twist.piece();
     for (long k = 0; k <= samples; ++k) {
@@ -72,8 +72,8 @@ double relative_error(const RationalTwist& twist) {
          std::abs(approximate(twist.piece().twist.enclose(64)));
 }
 
-void write_errors(const std::filesystem::path& path, const TwistPiece& piece) {
-  std::ofstream file(path);
+void write_errors(const std::filesystem::path& name, const TwistPiece& piece) {
+  std::ofstream file(name);
   file << "gamma,rms\n";
   for (double gamma = -2; gamma <= 2.001; gamma += 0.02)
     if (std::abs(gamma) > 0.05)
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
       argc > 1 ? std::optional<std::filesystem::path>(argv[1]) : std::nullopt;
   for (int number = 1; number <= 3; ++number) {
     const Curve curve = example(number);
-    SplineAngle rmf{Spline(curve)};
+    PathAngle rmf{Path(curve)};
     const FrameAngle end{differences[static_cast<std::size_t>(number - 1)], 0};
     const MinimalTwist mtf(rmf, FrameAngle{}, end);
     std::cout << "example " << number << ": T = " << rounded(mtf.nominal_twist(), 20)

@@ -12,7 +12,7 @@
 #include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/frame/algebraic_frame.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
-#include "phrame/ph/frame/spline_angle.hpp"
+#include "phrame/ph/frame/path_angle.hpp"
 
 namespace phrame {
 namespace {
@@ -70,7 +70,7 @@ RationalFunction function_of(const Curve& curve, TabulatedScalar kind) {
 }
 
 /// "t = 3/2", "t ≈ 1.33".
-std::string text_of(const SplinePoint& point) {
+std::string text_of(const PathPoint& point) {
   const Rational before(static_cast<long>(point.segment));
   if (const auto r = point.t.rational())
     return "t = " + abbreviated(to_string(Rational(before + *r)));
@@ -97,10 +97,10 @@ struct Scalar {
     }
   }
   /// The value at t of the point.
-  Real at(const SplinePoint& point, const AlgebraicPoint& t) const;
+  Real at(const PathPoint& point, const AlgebraicPoint& t) const;
 };
 
-Real Scalar::at(const SplinePoint& point, const AlgebraicPoint& t) const {
+Real Scalar::at(const PathPoint& point, const AlgebraicPoint& t) const {
   if (!undefined.empty()) throw DomainError(undefined);
   if (is_on_segment && (compare(t.number(), 0) < 0 || compare(t.number(), 1) > 0))
     throw DomainError(
@@ -127,31 +127,31 @@ struct Segment {
 /// One row after the other. What a row of another kind would need is not prepared.
 class Rows {
  public:
-  Rows(const Spline& spline, const TableColumns& columns)
-      : spline_(spline), columns_(columns), segments_(spline.segments().size()) {}
+  Rows(const Path& path, const TableColumns& columns)
+      : spline_(path), columns_(columns), segments_(path.segments().size()) {}
 
   std::vector<std::string> names() const;
-  std::vector<double> at(const SplinePoint& point);
+  std::vector<double> at(const PathPoint& point);
   /// Why the last row has empty cells; nothing where it has none.
   const std::string& reason() const { return reason_; }
   /// Prepares for rows at all of these points, where they are so many that it pays.
-  void expect(const std::vector<SplinePoint>& points);
+  void expect(const std::vector<PathPoint>& points);
 
  private:
   Segment& segment(std::size_t k);
-  const SplineAngle& angle();
-  Frame<Real> rotation_minimizing(const Frame<Rational>& erf, const SplineParameter& at);
+  const PathAngle& angle();
+  Frame<Real> rotation_minimizing(const Frame<Rational>& erf, const PathParameter& at);
   Rational length_before(std::size_t k);
-  void add_rational(std::vector<double>& row, const SplineParameter& at);
-  void add_irrational(std::vector<double>& row, const SplinePoint& point, const AlgebraicPoint& t);
+  void add_rational(std::vector<double>& row, const PathParameter& at);
+  void add_irrational(std::vector<double>& row, const PathPoint& point, const AlgebraicPoint& t);
   template <class Add>
   void add_where_defined(std::vector<double>& row, std::size_t count, Add add);
 
-  const Spline& spline_;
+  const Path& spline_;
   const TableColumns& columns_;
   std::vector<std::unique_ptr<Segment>> segments_;
   std::vector<Rational> lengths_;  ///< of the first 0, 1, … segments
-  std::optional<SplineAngle> angle_;
+  std::optional<PathAngle> angle_;
   std::optional<RoundedFrames> compiled_;
   std::string reason_;
 };
@@ -175,17 +175,17 @@ Segment& Rows::segment(std::size_t k) {
   return *segments_[k];
 }
 
-const SplineAngle& Rows::angle() {
+const PathAngle& Rows::angle() {
   if (!angle_) angle_.emplace(spline_);
   return *angle_;
 }
 
-Frame<Real> Rows::rotation_minimizing(const Frame<Rational>& erf, const SplineParameter& at) {
+Frame<Real> Rows::rotation_minimizing(const Frame<Rational>& erf, const PathParameter& at) {
   if (const auto z = angle().direction(at)) return turned(erf, *z);
   return turned(as_real(erf), angle().value(at));
 }
 
-void Rows::expect(const std::vector<SplinePoint>& points) {
+void Rows::expect(const std::vector<PathPoint>& points) {
   const std::size_t many =
       1000 + 20 * static_cast<std::size_t>(preimage_degree(spline_.segments().front()));
   const auto& frames = columns_.frames;
@@ -193,7 +193,7 @@ void Rows::expect(const std::vector<SplinePoint>& points) {
       std::find(frames.begin(), frames.end(), TabulatedFrame::rmf) == frames.end())
     return;
   std::vector<double> at;
-  for (const SplinePoint& point : points)
+  for (const PathPoint& point : points)
     if (const auto t = point.t.rational()) at.push_back(round_to_double(*t));
   const auto [from, to] = std::minmax_element(at.begin(), at.end());
   if (at.size() < many || *from == *to) return;
@@ -225,7 +225,7 @@ std::vector<std::string> Rows::names() const {
   return names;
 }
 
-std::vector<double> Rows::at(const SplinePoint& point) {
+std::vector<double> Rows::at(const PathPoint& point) {
   reason_.clear();
   const AlgebraicPoint t(point.t);
   const Rational before(static_cast<long>(point.segment));
@@ -250,7 +250,7 @@ void add_normals(std::vector<double>& row, const AnyFrame& frame) {
   add_values(row, round_to_double(frame.e3));
 }
 
-void Rows::add_rational(std::vector<double>& row, const SplineParameter& at) {
+void Rows::add_rational(std::vector<double>& row, const PathParameter& at) {
   const Segment& here = segment(at.segment);
   std::optional<Frame<Rational>> known_erf;
   const auto erf = [&]() -> const Frame<Rational>& {
@@ -279,7 +279,7 @@ void Rows::add_rational(std::vector<double>& row, const SplineParameter& at) {
   }
 }
 
-void Rows::add_irrational(std::vector<double>& row, const SplinePoint& point,
+void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
                           const AlgebraicPoint& t) {
   Segment& here = segment(point.segment);
   if (!here.algebraic) here.algebraic.emplace(spline_.segments()[point.segment]);
@@ -291,7 +291,7 @@ void Rows::add_irrational(std::vector<double>& row, const SplinePoint& point,
     if (frame == TabulatedFrame::frenet)
       add_where_defined(row, 6, [&] { add_normals(row, here.algebraic->frenet(t)); });
     const auto rmf_angle = [&] {
-      return angle().value(SplineParameter{point.segment, 0}) + here.algebraic->angle(t);
+      return angle().value(PathParameter{point.segment, 0}) + here.algebraic->angle(t);
     };
     if (frame == TabulatedFrame::rmf) add_normals(row, turned(erf, rmf_angle()));
     if (frame == TabulatedFrame::mtf) {
@@ -316,12 +316,12 @@ void add_row(FrameTable& table, std::vector<double> row,
   table.rows.push_back(std::move(row));
 }
 
-FrameTable frame_table(const Spline& spline, const TableColumns& columns,
-                       const std::vector<SplinePoint>& at) {
-  Rows rows(spline, columns);
+FrameTable frame_table(const Path& path, const TableColumns& columns,
+                       const std::vector<PathPoint>& at) {
+  Rows rows(path, columns);
   rows.expect(at);
   FrameTable table{rows.names(), {}};
-  for (const SplinePoint& point : at) {
+  for (const PathPoint& point : at) {
     add_row(table, rows.at(point), [&] { return text_of(point); });
     if (rows.reason().empty()) continue;
     if (++table.incomplete_rows == 1) table.first_reason = rows.reason();
@@ -331,9 +331,9 @@ FrameTable frame_table(const Spline& spline, const TableColumns& columns,
 
 FrameTable frame_table(const Curve& curve, const TableColumns& columns,
                        const std::vector<RealAlgebraic>& at) {
-  std::vector<SplinePoint> points;
+  std::vector<PathPoint> points;
   for (const RealAlgebraic& t : at) points.push_back({0, t});
-  return frame_table(Spline(curve), columns, points);
+  return frame_table(Path(curve), columns, points);
 }
 
 FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,

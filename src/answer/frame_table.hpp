@@ -58,15 +58,15 @@ FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& fr
                        const std::vector<Rational>& at);
 
 /// A point of a spline: its parameter is segment + t.
-struct SplinePoint {
+struct PathPoint {
   std::size_t segment;
   RealAlgebraic t;
 };
 
 /// The same along a spline. What is not continuous there, (n, b) and the scalars but s, is that of
 /// the segment named.
-FrameTable frame_table(const Spline& spline, const TableColumns& columns,
-                       const std::vector<SplinePoint>& at);
+FrameTable frame_table(const Path& path, const TableColumns& columns,
+                       const std::vector<PathPoint>& at);
 
 /// Throws InputError where a number has been rounded to infinity, which is no answer; `place` says
 /// of what the row is.

@@ -1,6 +1,5 @@
+#include "phrame/io/write/angle.hpp"
 #include "phrame/cli/form.hpp"
-#include "phrame/io/write/spline_report.hpp"
-#include "phrame/io/write/text.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -15,69 +14,57 @@ struct AngleOptions {
   long digits = 17;
 };
 
-/// The options, read. What is wrong on the command line is said before the curve is read.
-struct Choices {
-  Reference reference;
-  Route route;
-  FormChoice form;
-  Print<AngleReport> print;
-  Angle start_angle;
-};
-
-Choices choices(const AngleOptions& options) {
-  const Choices chosen{chosen_reference(options.frame),
-                       choose<Route>("--route", options.route,
-                                     {{"auto", Route::automatic},
-                                      {"roots", Route::roots},
-                                      {"quadrature", Route::quadrature},
-                                      {"both", Route::both}}),
-                       options.form.chosen_form(), chosen_print<AngleReport>(options.form.print),
-                       parse_angle_option("--theta0", options.start_angle)};
-  return chosen;
-}
-
-std::string curve_report(const Command& command, const AngleOptions& options, const Choices& chosen,
-                         const NamedCurve& named) {
-  if (options.parameters.values().empty())  // of a spline the total angle is shown, at least
-    command.refuse({"--digits", "--route"}, "needs --at or --samples: no value is asked for");
-  RmfAngle angle(named.curve, chosen.reference, chosen.form.form);
-  angle.take(chosen.route);
-  AngleReport report{named, chosen.reference, angle, chosen.start_angle, {}, options.digits};
-  report.lists_all_poles = options.form.length.is_full;
+/// What is wrong on the command line is said before the curve is read.
+AngleQuery query(const AngleOptions& options) {
+  AngleQuery query;
+  query.reference = chosen_reference(options.frame);
+  query.route = choose<Route>("--route", options.route,
+                              {{"auto", Route::automatic},
+                               {"roots", Route::roots},
+                               {"quadrature", Route::quadrature},
+                               {"both", Route::both}});
+  const auto [form, style] = options.form.chosen_form();
+  query.form = form;
   // The text of an angle says what the poles are; a script is to be continuous.
-  if (chosen.form.style != FormChoice::Style::textbook || !chosen.print.text)
-    set_style(report, chosen.form, angle.antiderivative());
-  for (const Rational& t : options.parameters.values())
-    report.values.push_back(rounded_angle(t, angle.value(t, chosen.start_angle), options.digits));
-  return chosen.print.text ? chosen.print.text(report) : to_script(report, chosen.print.language);
+  const bool is_script = options.form.chosen_print().as == Print::As::script;
+  query.style = style == Style::textbook && !is_script ? Style::logarithms : style;
+  // Which a form from the poles does not need.
+  if (query.style == Style::logarithms) query.most_poles = options.form.most_poles();
+  query.start_angle = parse_angle_option("--theta0", options.start_angle);
+  query.digits = options.digits;
+  return query;
 }
 
-std::string spline_report(const AngleOptions& options, const Choices& chosen,
-                          const NamedSpline& named) {
-  const auto require = [](bool is_possible, const std::string& option, const std::string& value) {
-    if (!is_possible) fail_for_spline(option, value);
-  };
-  const std::string& print = options.form.print;
-  require(chosen.reference == Reference::erf, "--frame", options.frame);
-  require(chosen.form.style == FormChoice::Style::algebraic ||
-              chosen.form.style == FormChoice::Style::textbook,
-          "--form", options.form.form);
-  require(print == "text" || print == "json", "--print", print);
-  SplineAngle angle(named.spline, chosen.form.form);
-  angle.take(chosen.route);
-  const auto report =
-      spline_angle_report(named.name, angle, chosen.start_angle,
-                          options.parameters.values(named.spline.end()), options.digits);
-  return print == "text" ? to_text(report) : to_json(report);
+void require_curve(const AngleOptions& options, const AngleQuery& query) {
+  if (query.reference != Reference::erf) fail_for_spline("--frame", options.frame);
+  if (options.form.chosen_print().as == Print::As::script)
+    fail_for_spline("--print", options.form.print);
+}
+
+std::string printed(const AngleAnswer& answer, const Print& print) {
+  switch (print.as) {
+    case Print::As::text:
+      return to_text(answer);
+    case Print::As::json:
+      return to_json(answer);
+    case Print::As::latex:
+      return to_latex(answer);
+    case Print::As::script:
+      break;
+  }
+  return to_script(answer, print.language);
 }
 
 void run(const Command& command, const AngleOptions& options) {
-  const Choices chosen = choices(options);
-  const auto read = options.curve.read_curve_or_spline();
-  const auto* curve = std::get_if<NamedCurve>(&read);
-  options.form.length.write(options.curve.output,
-                            curve ? curve_report(command, options, chosen, *curve)
-                                  : spline_report(options, chosen, std::get<NamedSpline>(read)));
+  AngleQuery query = cli::query(options);
+  const Print print = options.form.chosen_print();
+  const NamedPath named = options.curve.read_path();
+  query.at = options.parameters.values(named.path.end());
+  if (!named.path.is_curve())
+    require_curve(options, query);
+  else if (query.at.empty())  // of a spline the total angle is shown, at least
+    command.refuse({"--digits", "--route"}, "needs --at or --samples: no value is asked for");
+  options.form.length.write(options.curve.output, printed(answer(named, query), print));
 }
 
 }  // namespace
@@ -101,8 +88,8 @@ void add_angle(Program& program) {
   command.set_notes(
       "A spline of n segments has t from 0 to n; its angle is that to the Euler-Rodrigues frame,\n"
       "made continuous through the joints, and of a closed spline the holonomy is given. Of a\n"
-      "spline only --frame erf, --print text or json and no --form real or radicals; of a curve\n"
-      "--digits and --route need --at or --samples.\n"
+      "spline only --frame erf and --print text, json or latex; of a curve --digits and --route\n"
+      "need --at or --samples.\n"
       "Examples:\n"
       "  phrame angle curve.json --at 0,1/2,1 --digits 50\n"
       "  phrame angle curve.json --frame frenet --samples 11 --print json\n"

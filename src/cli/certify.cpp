@@ -16,7 +16,7 @@ void run(const CertifyOptions& options) {
   const auto reference = chosen_reference(options.frame);
   std::vector<Rational> at = options.parameters.values();
   if (at.empty()) at.emplace_back(1);
-  const NamedCurve named = options.curve.read();
+  const NamedCurve named = options.curve.read_curve();
   write_output(options.curve.output,
                write_certificate(certify(named.curve, reference, at, options.digits), named.name));
 }

@@ -4,7 +4,7 @@
 
 #include "phrame/cli/command.hpp"
 #include "phrame/io/better_reading.hpp"
-#include "phrame/io/write/check_report.hpp"
+#include "phrame/io/write/check.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -54,7 +54,7 @@ void require_enough(const std::vector<GivenFrame>& frames, const FrameCheckOptio
 }
 
 void run(const Command& command, const CheckOptions& options) {
-  const auto print = choose<std::string (*)(const CheckReport&)>(
+  const auto print = choose<std::string (*)(const CheckAnswer&, const TableReading&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
   const FrameReading reading = cli::reading(command, options);
   FrameCheckOptions measure;
@@ -66,7 +66,7 @@ void run(const Command& command, const CheckOptions& options) {
   if (options.curve.path == "-" && options.frames == "-")
     throw InputError("check", "the curve and the frames are both to be read from standard input");
 
-  const NamedSpline named = as_spline(options.curve.read_curve_or_spline());
+  const NamedPath named = options.curve.read_path();
   const std::string bytes = read_file(options.frames);
   const std::string file = name_of_file(options.frames);
   const GivenTable table = at_place(file, ":", [&] { return read_frames(bytes, reading); });
@@ -74,12 +74,12 @@ void run(const Command& command, const CheckOptions& options) {
     command.refuse({"--quaternion", "--tangent-axis", "--inverse"},
                    "is for quaternions; the table has vectors");
   require_enough(table.frames, measure, file);
-  const FrameVerdict verdict = check_frames(named.spline, table.frames, measure);
-  CheckReport report{named.name, table.frames, measure, verdict, table.columns, table.skipped};
-  if (const auto better = better_reading(named.spline, bytes, reading, table, verdict, measure))
-    report.better = {to_options(better->reading), better->passes};
-  options.length.write(options.curve.output, print(report));
-  if (!report.verdict.passes) throw AnswerNo{};
+  const CheckAnswer found = answer(named, CheckQuery{table.frames, measure});
+  TableReading shown{table.columns, table.skipped};
+  if (const auto better = better_reading(named.path, bytes, reading, table, found.verdict, measure))
+    shown.better = {to_options(better->reading), better->passes};
+  options.length.write(options.curve.output, print(found, shown));
+  if (!found.verdict.passes) throw AnswerNo{};
 }
 
 }  // namespace

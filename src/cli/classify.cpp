@@ -1,5 +1,5 @@
 #include "phrame/cli/command.hpp"
-#include "phrame/io/write/classify_report.hpp"
+#include "phrame/io/write/classification.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -11,9 +11,10 @@ struct ClassifyOptions {
 };
 
 void run(const ClassifyOptions& options) {
-  const auto print = choose<std::string (*)(const ClassifyReport&)>(
+  const auto print = choose<std::string (*)(const ClassificationAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
-  options.length.write(options.curve.output, print(classify_report(options.curve.read())));
+  options.length.write(options.curve.output,
+                       print(answer(options.curve.read_curve(), ClassificationQuery{})));
 }
 
 }  // namespace

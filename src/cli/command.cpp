@@ -10,7 +10,7 @@
 #include <memory>
 #include <system_error>
 
-#include "phrame/io/write/angle_text.hpp"
+#include "phrame/io/read/angle.hpp"
 #include "phrame/io/write/number_text.hpp"
 #include "phrame/io/write/text.hpp"
 
@@ -63,15 +63,13 @@ void CurveOptions::add_to(Command& command) {
   add_max_degree(command, limits);
 }
 
-NamedCurve CurveOptions::read() const { return read_by(read_curve, *this); }
+NamedCurve CurveOptions::read_curve() const { return read_by(phrame::read_curve, *this); }
 
 NamedHodograph CurveOptions::read_hodograph() const {
   return read_by(phrame::read_hodograph, *this);
 }
 
-std::variant<NamedCurve, NamedSpline> CurveOptions::read_curve_or_spline() const {
-  return read_by(phrame::read_curve_or_spline, *this);
-}
+NamedPath CurveOptions::read_path() const { return read_by(phrame::read_path, *this); }
 
 void Parameters::add_to(Command& command) {
   command.add_list("--at", "T,...", at, "values of t, separated by commas: 0,1/2,-3,0.25");

@@ -10,7 +10,7 @@
 
 namespace phrame::cli {
 
-/// What the commands that read one curve share: CURVE, --max-degree, -o.
+/// What the commands that read a curve or a spline share: CURVE, --max-degree, -o.
 struct CurveOptions {
   std::string path;
   CurveLimits limits;
@@ -18,9 +18,9 @@ struct CurveOptions {
 
   void add_to(Command& command);
   // Read the curve; an InputError's place starts with the path.
-  NamedCurve read() const;
+  NamedCurve read_curve() const;
+  NamedPath read_path() const;
   NamedHodograph read_hodograph() const;
-  std::variant<NamedCurve, NamedSpline> read_curve_or_spline() const;
 };
 
 /// Where t is asked for: --at and --samples.

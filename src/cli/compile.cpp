@@ -44,35 +44,16 @@ void run(const Command& command, const CompileOptions& options) {
   if (options.prefix && !is_prefix(*options.prefix))
     throw InputError("--prefix", "\"" + abbreviated(*options.prefix) +
                                      "\" is not a letter followed by letters, digits and single _");
-  const auto read = options.curve.read_curve_or_spline();
-  const auto prefix = [&](const std::string& name) {
-    return options.prefix.value_or(prefix_from(name));
-  };
-  std::string text;
-  if (const auto* named = std::get_if<NamedCurve>(&read)) {
-    const RmfAngle angle(named->curve, reference);
-    CHeader header{prefix(named->name),
-                   named->name,
-                   false,
-                   reference,
-                   start_angle,
-                   compiled_angle(angle, start_angle, from, to, plain_shape(1)),
-                   {}};
-    if (reference == Reference::erf)
-      header.rotation =
-          compiled_rotation(named->curve, angle, start_angle, from, to, plain_shape(4));
-    text = to_c_header(header);
-  } else {
-    const auto& spline = std::get<NamedSpline>(read);
+  const auto [name, path] = options.curve.read_path();
+  if (!path.is_curve()) {
     if (reference != Reference::erf) fail_for_spline("--frame", options.frame);
     if (command.is_given("--from")) fail_for_spline("--from", options.from);
     if (command.is_given("--to")) fail_for_spline("--to", options.to);
-    const SplineAngle angle(spline.spline);
-    text = to_c_header({prefix(spline.name), spline.name, true, reference, start_angle,
-                        compiled_angle(angle, start_angle, plain_shape(1)),
-                        compiled_rotation(angle, start_angle, plain_shape(4))});
   }
-  write_output(options.curve.output, text);
+  const CompiledQuery query{reference, start_angle, from, to};
+  const CompiledAnswer compiled = answer({name, path}, query);
+  write_output(options.curve.output,
+               to_c_header(compiled, options.prefix.value_or(prefix_from(name))));
 }
 
 }  // namespace

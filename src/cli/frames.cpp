@@ -24,22 +24,22 @@ struct FramesOptions {
 
 enum class By { parameter, arc_length };
 
-/// A single curve goes on for all t, a spline does not.
-std::vector<SplinePoint> points(const FramesOptions& options, const Spline& spline, bool goes_on) {
-  std::vector<SplinePoint> at;
-  for (const Rational& t : options.parameters.values(spline.end())) {
-    const SplineParameter located = goes_on ? SplineParameter{0, t} : locate(spline, t);
+/// A frame of minimal twist ends with the curve.
+std::vector<PathPoint> points(const FramesOptions& options, const Path& path, bool ends) {
+  std::vector<PathPoint> at;
+  for (const Rational& t : options.parameters.values(path.end())) {
+    const PathParameter located = ends ? locate_inside(path, t) : locate(path, t);
     at.push_back({located.segment, located.t});
   }
   return at;
 }
 
 /// Where the arc length from the start has the values asked for; at a joint the later segment.
-std::vector<SplinePoint> points_by_length(const FramesOptions& options, const Spline& spline) {
+std::vector<PathPoint> points_by_length(const FramesOptions& options, const Path& path) {
   std::vector<ArcLength> lengths;
   Rational total = 0;
-  for (const Curve& curve : spline.segments()) total += lengths.emplace_back(curve).total();
-  std::vector<SplinePoint> at;
+  for (const Curve& curve : path.segments()) total += lengths.emplace_back(curve).total();
+  std::vector<PathPoint> at;
   for (const Rational& s : options.parameters.values(total)) {
     if (s < 0 || s > total)
       throw DomainError("arc length: " + abbreviated(to_string(s)) + " is outside [0, " +
@@ -72,24 +72,23 @@ TableColumns columns(const FramesOptions& options) {
 }
 
 /// Adds the frames of minimal twist, as far as there are columns for them.
-void add_twist_frames(TableColumns& columns, const TwistOptions& options, const Spline& spline) {
+void add_twist_frames(TableColumns& columns, const TwistOptions& options, const Path& path) {
   const auto wants = [&columns](TabulatedFrame frame) {
     return std::find(columns.frames.begin(), columns.frames.end(), frame) != columns.frames.end();
   };
   const bool wants_rational = wants(TabulatedFrame::mtf);
   if (!wants_rational && !wants(TabulatedFrame::exact_mtf)) return;
-  const auto [from, to] = options.ends(spline);
-  columns.exact_mtf.emplace(SplineAngle(spline), reduced(from), to, options.turns);
+  const auto [from, to] = options.ends(path);
+  columns.exact_mtf.emplace(PathAngle(path), reduced(from), to, options.turns);
   if (!wants_rational) return;
   constexpr long digits = 17;
   columns.mtf =
-      twist_frame(*columns.exact_mtf, options.rotation(digits), options.subdivision(spline));
+      twist_frame(*columns.exact_mtf, options.rotation(digits), options.subdivision(path));
 }
 
-FrameTable table(const Spline& spline, const TableColumns& columns,
-                 const std::vector<SplinePoint>& at) {
+FrameTable table(const Path& path, const TableColumns& columns, const std::vector<PathPoint>& at) {
   try {
-    return frame_table(spline, columns, at);
+    return frame_table(path, columns, at);
   } catch (const DomainError& error) {
     if (columns.may_be_empty) throw;
     throw DomainError(std::string(error.what()) + " (--skip-undefined leaves such cells empty)");
@@ -105,14 +104,11 @@ void run(const FramesOptions& options) {
       choose<By>("--by", options.by, {{"t", By::parameter}, {"arc-length", By::arc_length}});
   if (options.parameters.values().empty())
     throw InputError("frames", "--samples N or --at t,… is needed");
-  const auto read = options.curve.read_curve_or_spline();
-  const Spline spline = as_spline(read).spline;
-  add_twist_frames(chosen, options.twist, spline);
-  // A frame of minimal twist ends with the curve.
-  const bool is_curve = std::holds_alternative<NamedCurve>(read) && !chosen.exact_mtf;
-  const auto at =
-      by == By::parameter ? points(options, spline, is_curve) : points_by_length(options, spline);
-  const FrameTable made = table(spline, chosen, at);
+  const Path path = options.curve.read_path().path;
+  add_twist_frames(chosen, options.twist, path);
+  const auto at = by == By::parameter ? points(options, path, chosen.exact_mtf.has_value())
+                                      : points_by_length(options, path);
+  const FrameTable made = table(path, chosen, at);
   write_output(options.curve.output, format(made));
   if (made.incomplete_rows > 0)
     note(fmt::format("{} of {} rows {} empty cells; the first: {}", made.incomplete_rows,

@@ -1,5 +1,6 @@
 #include "phrame/cli/command.hpp"
-#include "phrame/io/write/identify_report.hpp"
+#include "phrame/io/read/curve_file.hpp"
+#include "phrame/io/write/identification.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -10,19 +11,18 @@ struct IdentifyOptions {
   TextLength length;
 };
 
-std::string to_curve_file(const IdentifyReport& report) {
-  const auto* reason = std::get_if<NotPythagorean>(&report.result);
+std::string to_curve_file(const IdentificationAnswer& answer) {
+  const auto* reason = std::get_if<NotPythagorean>(&answer.result);
   if (reason != nullptr) throw AnswerNo{"this is no PH curve: " + to_string(*reason)};
-  return write_curve({report.name, std::get<Curve>(report.result)});
+  return write_curve({answer.name, std::get<Curve>(answer.result)});
 }
 
 void run(const IdentifyOptions& options) {
-  const auto print = choose<std::string (*)(const IdentifyReport&)>(
+  const auto print = choose<std::string (*)(const IdentificationAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"curve", to_curve_file}});
-  const NamedHodograph named = options.curve.read_hodograph();
-  const IdentifyReport report{named.name, identify(named.hodograph, named.start)};
-  options.length.write(options.curve.output, print(report));
-  if (std::holds_alternative<NotPythagorean>(report.result)) throw AnswerNo{};
+  const IdentificationAnswer found = answer(options.curve.read_hodograph());
+  options.length.write(options.curve.output, print(found));
+  if (std::holds_alternative<NotPythagorean>(found.result)) throw AnswerNo{};
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
+#include "phrame/io/write/info.hpp"
 #include "phrame/cli/command.hpp"
-#include "phrame/io/write/curve_info.hpp"
-#include "phrame/io/write/spline_report.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -12,22 +11,11 @@ struct InfoOptions {
   long digits = 17;
 };
 
-enum class Print { text, json };
-
-template <class Info>
-std::string printed(const Info& info, Print print) {
-  return print == Print::text ? to_text(info) : to_json(info);
-}
-
 void run(const InfoOptions& options) {
-  const Print print =
-      choose<Print>("--print", options.print, {{"text", Print::text}, {"json", Print::json}});
-  const auto read = options.curve.read_curve_or_spline();
-  const auto* curve = std::get_if<NamedCurve>(&read);
-  options.length.write(
-      options.curve.output,
-      curve ? printed(curve_info(*curve, options.digits), print)
-            : printed(spline_info(std::get<NamedSpline>(read), options.digits), print));
+  const auto print = choose<std::string (*)(const InfoAnswer&)>(
+      "--print", options.print, {{"text", to_text}, {"json", to_json}});
+  options.length.write(options.curve.output,
+                       print(answer(options.curve.read_path(), InfoQuery{options.digits})));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "phrame/cli/form.hpp"
 #include "phrame/io/read/endpoint.hpp"
+#include "phrame/io/write/integral.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -47,29 +48,38 @@ std::optional<std::pair<PathEnd, PathEnd>> ends(const IntegrateOptions& options)
   return std::pair(end("--from", *options.from), end("--to", *options.to));
 }
 
+std::string printed(const IntegralAnswer& answer, const IntegrateOptions& options) {
+  const Print print = options.form.chosen_print();
+  switch (print.as) {
+    case Print::As::text:
+      return to_text(answer, !options.is_silent);
+    case Print::As::json:
+      return to_json(answer);
+    case Print::As::latex:
+      return to_latex(answer);
+    case Print::As::script:
+      break;
+  }
+  return to_script(answer, print.language);
+}
+
 void run(const IntegrateOptions& options) {
-  const FormChoice form = options.form.chosen_form();
-  const auto print = chosen_print<IntegralReport>(options.form.print);
+  const auto [form, style] = options.form.chosen_form();
+  const Print print = options.form.chosen_print();
   const auto path = ends(options);
   const Expression f = integrand(options);
-  if (form.style == FormChoice::Style::radicals && f.variable == "i")
+  if (style == Style::radicals && f.variable == "i")
     throw InputError("--form radicals", "i is the imaginary unit there, not a variable");
 
-  IntegralReport report{f.value, f.variable, integrate(f.value, form.form)};
-  report.says_checked = !options.is_silent;
-  report.digits = options.digits;
-  report.lists_all_poles = options.form.length.is_full;
-  if (options.form.print != "json" || form.style != FormChoice::Style::textbook)
-    set_style(report, form, report.antiderivative);
-  if (path) {
-    const auto& [from, to] = *path;
-    const DefiniteIntegral integral = path_integral(
-        f.value, from, to, options.principal_value ? AtPoles::principal_value : AtPoles::refuse);
-    report.definite = {from, to, options.principal_value,
-                       round_to_decimal(integral.value, options.digits), integral.exact};
-  }
-  options.form.length.write(options.output,
-                            print.text ? print.text(report) : to_script(report, print.language));
+  IntegralQuery query{f.value, f.variable};
+  query.form = form;
+  query.style = print.as == Print::As::json && style == Style::textbook ? Style::logarithms : style;
+  query.most_poles = options.form.most_poles();
+  query.digits = options.digits;
+  if (path)
+    query.ends = {path->first, path->second,
+                  options.principal_value ? AtPoles::principal_value : AtPoles::refuse};
+  options.form.length.write(options.output, printed(answer(query), options));
 }
 
 }  // namespace

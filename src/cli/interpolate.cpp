@@ -24,7 +24,7 @@ void run(const InterpolateOptions& options) {
   if (period <= 0)
     throw InputError("--period", abbreviated(to_string(period)) + " is not positive");
   const Feedrate feed = at_place("--feed", ", ", [&] { return parse_feedrate(options.feed); });
-  const NamedCurve named = options.curve.read();
+  const NamedCurve named = options.curve.read_curve();
   TravelTime time(named.curve, feed);
   if (const Integer rows = time.ticks(period) + 1; rows > max_rows)
     throw InputError(

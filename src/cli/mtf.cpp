@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "phrame/cli/twist_options.hpp"
-#include "phrame/io/write/twist_report.hpp"
+#include "phrame/io/write/twist.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -16,38 +16,21 @@ struct MtfOptions {
   long digits = 17;
 };
 
-/// The rational frame, or, unless it was asked for, why there is none, or none was found.
-void add_rational(TwistReport& report, const MtfOptions& options, const MinimalTwist& mtf,
-                  bool asked) {
-  const auto make = [&] {
-    const TwistFrame frame = twist_frame(mtf, options.twist.rotation(options.digits),
-                                         options.twist.subdivision(mtf.spline()));
-    report.rational = twist_frame_report(mtf, frame, options.digits);
-  };
-  if (asked) return make();
-  try {
-    make();
-  } catch (const DomainError& error) {
-    report.why_not_rational = error.what();
-  } catch (const Undecided& error) {
-    report.why_undecided = error.what();
-  }
-}
-
 void run(const Command& command, const MtfOptions& options) {
-  const auto print = choose<std::string (*)(const TwistReport&)>(
+  const auto print = choose<std::string (*)(const MinimalTwistAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
-  const NamedSpline named = as_spline(options.curve.read_curve_or_spline());
-  const auto [from, to] = options.twist.ends(named.spline);
-  const MinimalTwist mtf(SplineAngle(named.spline), from, to, options.twist.turns);
-  TwistReport report = twist_report(named.name, from, to, mtf,
-                                    options.parameters.values(named.spline.end()), options.digits);
+  const NamedPath named = options.curve.read_path();
+  const auto [from, to] = options.twist.ends(named.path);
+  MinimalTwistQuery query{from, to, options.twist.turns,
+                          options.parameters.values(named.path.end()), options.digits};
   const auto about = TwistOptions::of_rational_frame();
-  const bool asked = std::any_of(about.begin(), about.end(), [&](const std::string& option) {
+  const bool is_asked_for = std::any_of(about.begin(), about.end(), [&](const std::string& option) {
     return command.is_given(option);
   });
-  if (!options.is_exact_only) add_rational(report, options, mtf, asked);
-  options.length.write(options.curve.output, print(report));
+  if (!options.is_exact_only)
+    query.rational = {options.twist.rotation(options.digits), options.twist.subdivision(named.path),
+                      is_asked_for};
+  options.length.write(options.curve.output, print(answer(named, query)));
 }
 
 }  // namespace

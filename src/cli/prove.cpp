@@ -13,8 +13,8 @@ struct ProveOptions {
 void run(const ProveOptions& options) {
   const Rational t = parse_option("--at", options.at);
   if (t <= 0) throw InputError("--at", abbreviated(to_string(t)) + " is not positive");
-  const NamedCurve named = options.curve.read();
-  write_output(options.curve.output, coq_proof(named, t, options.digits));
+  const NamedCurve named = options.curve.read_curve();
+  write_output(options.curve.output, coq_proof(answer(named.curve, CoqQuery{t, options.digits})));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
+#include "phrame/io/write/totals.hpp"
 #include "phrame/cli/command.hpp"
-#include "phrame/io/write/totals_report.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -12,10 +12,10 @@ struct TotalsOptions {
 };
 
 void run(const TotalsOptions& options) {
-  const auto print = choose<std::string (*)(const TotalsReport&)>(
+  const auto print = choose<std::string (*)(const TotalsAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
   options.length.write(options.curve.output,
-                       print(totals_report(options.curve.read(), options.digits)));
+                       print(answer(options.curve.read_curve(), TotalsQuery{options.digits})));
 }
 
 }  // namespace

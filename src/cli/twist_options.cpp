@@ -72,19 +72,19 @@ void TwistOptions::add_to(Command& command) {
                    "faster");
 }
 
-std::pair<FrameAngle, FrameAngle> TwistOptions::ends(const Spline& spline) const {
+std::pair<FrameAngle, FrameAngle> TwistOptions::ends(const Path& path) const {
   const auto given = [](const auto& text) { return text ? 1 : 0; };
   require_one("--from", given(from) + given(from_vector));
   require_one("--to", given(to) + given(to_vector) + (is_closed ? 1 : 0));
-  const auto& segments = spline.segments();
+  const auto& segments = path.segments();
   const FrameAngle start = boundary("--from", from, from_vector, segments.front(), 0);
   if (!is_closed) return {start, boundary("--to", to, to_vector, segments.back(), 1)};
-  const auto closing = spline.closing_turn();
+  const auto closing = path.closing_turn();
   if (!closing) throw DomainError("--closed: the curve is not closed with a continuous tangent");
   return {start, start + angle_of(*closing * *closing)};
 }
 
-Subdivision TwistOptions::subdivision(const Spline& spline) const {
+Subdivision TwistOptions::subdivision(const Path& path) const {
   const std::string option = "--subdivide";
   Subdivision wanted;
   if (!subdivide) return wanted;
@@ -102,9 +102,9 @@ Subdivision TwistOptions::subdivision(const Spline& spline) const {
         throw InputError(option, "\"" + abbreviated(part) + "\": the error must be positive");
     } else {
       wanted.at.push_back(at_parameter(option, part));
-      if (wanted.at.back() < 0 || wanted.at.back() > spline.end())
+      if (wanted.at.back() < 0 || wanted.at.back() > path.end())
         throw InputError(option, "the parameter " + abbreviated(part) + " is outside [0, " +
-                                     to_string(spline.end()) + "]");
+                                     to_string(path.end()) + "]");
     }
   }
   return wanted;

@@ -23,9 +23,9 @@ struct TwistOptions {
   static std::vector<std::string> of_rational_frame();
 
   /// θ_i and θ_f. Throws InputError where one is missing or given twice.
-  std::pair<FrameAngle, FrameAngle> ends(const Spline& spline) const;
+  std::pair<FrameAngle, FrameAngle> ends(const Path& path) const;
   /// Throws InputError for a point that is not on the spline, too.
-  Subdivision subdivision(const Spline& spline) const;
+  Subdivision subdivision(const Path& path) const;
   /// For results with so many digits.
   RationalTwistOptions rotation(long digits) const;
 };

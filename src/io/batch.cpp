@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/read/angle.hpp"
 #include "phrame/io/read/json_node.hpp"
-#include "phrame/io/write/angle_text.hpp"
+#include "phrame/io/write/angle.hpp"
 #include "phrame/io/write/failure.hpp"
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/number_text.hpp"
-#include "phrame/io/write/spline_report.hpp"
 
 namespace phrame {
 namespace {
@@ -57,60 +57,37 @@ Angle angle_of(const JsonNode& node) {
   }
 }
 
-/// What a line asks.
-struct Question {
-  std::variant<NamedCurve, NamedSpline> curve;
-  Reference reference;
-  std::vector<Rational> at;
-  long digits;
-  Angle start_angle = {};
-};
-
-Question question(const JsonNode& line, const BatchDefaults& defaults) {
+/// What a line asks, and of which path.
+std::pair<NamedPath, AngleQuery> question(const JsonNode& line, const BatchDefaults& defaults) {
+  AngleQuery query;
+  query.reference = defaults.frame;
+  query.at = defaults.at;
+  query.digits = defaults.digits;
+  query.wants_formula = !defaults.values_only;
   line.require(Kind::object, "an object");
   if (!line.find("curve")) {
     if (line.find("spline"))
       line.fail("a spline stands at the key \"curve\", too, not at \"spline\"");
     if (!line.find("phrame"))
       line.fail("the key \"curve\" is missing, and without \"phrame\" it is no bare curve");
-    return {read_curve_or_spline(line, defaults.limits), defaults.frame, defaults.at,
-            defaults.digits};
+    return {read_path(line, defaults.limits), query};
   }
   line.require_known_keys({"id", "curve", "frame", "at", "digits", "theta0", "note"});
   if (const auto id = line.find("id"); id && !id->is(Kind::string) && !id->is(Kind::number))
     id->fail("an id is a string or a number");
-  const auto frame = line.find("frame");
-  const Reference reference = frame ? frame_of(*frame) : defaults.frame;
-  const auto places = line.find("at");
-  const std::vector<Rational> at = !places                   ? defaults.at
-                                   : places->is(Kind::array) ? places->numbers()
-                                                             : std::vector{places->number()};
-  const auto precision = line.find("digits");
-  const long digits = precision ? digits_of(*precision) : defaults.digits;
-  const auto theta0 = line.find("theta0");
-  const Angle start_angle = theta0 ? angle_of(*theta0) : Angle();
-
-  return {read_curve_or_spline(line.at("curve"), defaults.limits), reference, at, digits,
-          start_angle};
+  if (const auto frame = line.find("frame")) query.reference = frame_of(*frame);
+  if (const auto at = line.find("at"))
+    query.at = at->is(Kind::array) ? at->numbers() : std::vector{at->number()};
+  if (const auto digits = line.find("digits")) query.digits = digits_of(*digits);
+  if (const auto theta0 = line.find("theta0")) query.start_angle = angle_of(*theta0);
+  return {read_path(line.at("curve"), defaults.limits), query};
 }
 
-std::string answer(const JsonNode& line, const BatchDefaults& defaults) {
-  const auto [read, reference, at, digits, start_angle] = question(line, defaults);
-  if (const auto* curve = std::get_if<NamedCurve>(&read)) {
-    const RmfAngle angle(curve->curve, reference);
-    AngleReport report{*curve, reference, angle, start_angle, {}, digits};
-    report.shows_form = !defaults.values_only;
-    for (const Rational& t : at)
-      report.values.push_back(rounded_angle(t, angle.value(t, start_angle), digits));
-    return to_json_line(report);
-  }
-  if (reference != Reference::erf)
+std::string answer_text(const JsonNode& line, const BatchDefaults& defaults) {
+  const auto [named, query] = question(line, defaults);
+  if (query.reference != Reference::erf && !named.path.is_curve())
     line.fail("the Frenet frame is for single curves; this is a spline");
-  const auto& spline = std::get<NamedSpline>(read);
-  const SplineAngle angle(spline.spline);
-  auto report = spline_angle_report(spline.name, angle, start_angle, at, digits);
-  report.shows_form = !defaults.values_only;
-  return to_json_line(report);
+  return to_json_line(answer(named, query));
 }
 
 /// What a file over several lines is refused for.
@@ -134,7 +111,7 @@ BatchAnswer batch_answer(std::string_view line, const BatchDefaults& defaults) {
   try {
     const JsonValue document = parse_line(line);
     id = id_of(document);
-    return {fmt::format("{{\"id\":{},{}", id, answer(JsonNode(document), defaults).substr(1)),
+    return {fmt::format("{{\"id\":{},{}", id, answer_text(JsonNode(document), defaults).substr(1)),
             false};
   } catch (...) {
     const auto [status, message] = current_failure();

@@ -15,20 +15,20 @@ bool has_right_tangents(const FrameVerdict& verdict) {
 }
 
 /// Vectors are left out, for their columns are positions; but are they?
-bool hides_vectors(const Spline& spline, std::string_view bytes, const GivenTable& table,
+bool hides_vectors(const Path& path, std::string_view bytes, const GivenTable& table,
                    const FrameReading& other, const Rational& tolerance) {
   const auto has_positions = [](const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), "x") != names.end();
   };
   return has_positions(other.names) && !has_positions(table.columns) &&
-         !are_on_curve(spline, read_positions(bytes, other), std::min(tolerance, Rational(1, 100)));
+         !are_on_curve(path, read_positions(bytes, other), std::min(tolerance, Rational(1, 100)));
 }
 
 /// No value where it is not decided.
-std::optional<FrameVerdict> verdict_of(const Spline& spline, const std::vector<GivenFrame>& frames,
+std::optional<FrameVerdict> verdict_of(const Path& path, const std::vector<GivenFrame>& frames,
                                        const FrameCheckOptions& options) {
   try {
-    return check_frames(spline, frames, options);
+    return check_frames(path, frames, options);
   } catch (const Undecided&) {
     return std::nullopt;
   }
@@ -36,7 +36,7 @@ std::optional<FrameVerdict> verdict_of(const Spline& spline, const std::vector<G
 
 }  // namespace
 
-std::optional<BetterReading> better_reading(const Spline& spline, std::string_view bytes,
+std::optional<BetterReading> better_reading(const Path& path, std::string_view bytes,
                                             const FrameReading& reading, const GivenTable& table,
                                             const FrameVerdict& verdict,
                                             const FrameCheckOptions& options) {
@@ -45,11 +45,10 @@ std::optional<BetterReading> better_reading(const Spline& spline, std::string_vi
   std::optional<BetterReading> better;
   for (const FrameReading& other : other_readings(table, reading)) {
     constexpr std::size_t few = 5;  // most readings are seen to be wrong by a few frames
-    if (!are_along_curve(spline, read_frames(bytes, other, few).frames, options.tolerance))
-      continue;
-    if (hides_vectors(spline, bytes, table, other, options.tolerance)) continue;
+    if (!are_along_curve(path, read_frames(bytes, other, few).frames, options.tolerance)) continue;
+    if (hides_vectors(path, bytes, table, other, options.tolerance)) continue;
     const GivenTable all = read_frames(bytes, other);
-    const auto found = verdict_of(spline, all.frames, options);
+    const auto found = verdict_of(path, all.frames, options);
     if (!found) continue;
     if (found->passes) return BetterReading{other, true};
     const bool is_better = all.frames.front().tangent && has_right_tangents(*found);

@@ -14,7 +14,7 @@ struct BetterReading {
 /// tolerance, but 1/100 at most: else what is wrong with a vector would be out of sight. If there
 /// is none, the first by which all tangents are right, where they are not by `reading`. Both are
 /// proved, as check_frames() does it. `table` and `verdict` are what `bytes` mean by `reading`.
-std::optional<BetterReading> better_reading(const Spline& spline, std::string_view bytes,
+std::optional<BetterReading> better_reading(const Path& path, std::string_view bytes,
                                             const FrameReading& reading, const GivenTable& table,
                                             const FrameVerdict& verdict,
                                             const FrameCheckOptions& options);

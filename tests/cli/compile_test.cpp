@@ -191,20 +191,19 @@ TEST_CASE("compile: of a spline there is one angle and one frame, through the jo
   const Workshop shop;
   shop.write("spline.json", test::bytes_of(test::root("/examples/curves/closed-spline.json")));
   CHECK(shop.run("compile spline.json --theta0 1/3 --prefix arm -o angle.h").status == 0);
-  const Spline spline =
-      std::get<NamedSpline>(read_curve_or_spline(test::bytes_of(shop.file("spline.json")))).spline;
-  REQUIRE(spline.segments().size() > 2);
-  SplineAngle angle(spline);
+  const Path path = read_path(test::bytes_of(shop.file("spline.json"))).path;
+  REQUIRE(path.segments().size() > 2);
+  PathAngle angle(path);
   std::vector<double> at{std::nextafter(1, 0), std::nextafter(1, 2), std::nextafter(2, 0)};
-  const double end = static_cast<double>(spline.segments().size());
+  const double end = static_cast<double>(path.segments().size());
   for (long k = 0; k <= 160; ++k) at.push_back(static_cast<double>(k) * end / 160);
   const auto rows = evaluated(shop, at, "-std=c99 -O2");
   for (std::size_t k = 0; k < at.size(); ++k) {
     CAPTURE(at[k]);
-    const SplineParameter t = locate(spline, exact_rational(at[k]));
+    const PathParameter t = locate(path, exact_rational(at[k]));
     const Real theta = angle.value(t) + Rational(1, 3);
     CHECK(distance(rows[k][0], theta) <= exact_rational(rows[k][10]));
-    const Frames frames(spline.segments()[t.segment]);
+    const Frames frames(path.segments()[t.segment]);
     const auto exact = turned(as_real(frames.euler_rodrigues(t.t)), theta);
     for (std::size_t i = 0; i < 3; ++i) {
       CHECK(distance(rows[k][1 + i], exact.e1[i]) <= exact_rational(rows[k][11]));
@@ -229,11 +228,13 @@ TEST_CASE("compile: more pieces than a short index can count") {
         round_coefficients({BallPolynomial({RealBall(exact_rational(low), 64)})}, plain_shape(1));
     return piece;
   };
-  const CHeader header{"arm",   "",
-                       true,    Reference::erf,
-                       Angle(), PiecewisePolynomial::on_units(count, plain_shape(1), step),
-                       {}};
-  shop.write("angle.h", to_c_header(header));
+  const Curve line({{1}, {}, {}, {}});
+  const CompiledAnswer compiled{{"", line},
+                                Reference::erf,
+                                Angle(),
+                                PiecewisePolynomial::on_units(count, plain_shape(1), step),
+                                {}};
+  shop.write("angle.h", to_c_header(compiled, "arm"));
   const auto rows = evaluated(shop, {0.5, 65535.5, 65536, 65537.5, 69999.5, 70000}, "-std=c99");
   const std::vector<double> expected{0, 65535, 65536, 65537, 69999, 69999};
   for (std::size_t k = 0; k < rows.size(); ++k) CHECK(rows[k][0] == expected[k]);

@@ -62,8 +62,7 @@ TEST_CASE("splines: what is refused, and where") {
                   "this is a spline; one curve is wanted");
   check_failure(here.run("angle s.json --frame frenet"), 2,
                 "--frame: \"frenet\" is for single curves");
-  check_failure(here.run("angle s.json --form real"), 2, "--form: \"real\" is for single curves");
-  check_failure(here.run("angle s.json --print latex"), 2,
-                "--print: \"latex\" is for single curves");
+  check_failure(here.run("angle s.json --print sympy"), 2,
+                "--print: \"sympy\" is for single curves");
   check_failure(here.run("angle s.json --at 4"), 3, "t = 4 is outside [0, 3]");
 }

@@ -116,8 +116,9 @@ TEST_CASE("terminal: minus signs may be U+2212, which the reports have; not in f
       {"mtf quintic.json --from −pi/8 --to-vector 1,−2,3 --turns −1 --unproved",
        "mtf quintic.json --from=-pi/8 --to-vector 1,-2,3 --turns=-1 --unproved"},
       {"compile quintic.json --from −1 --to 2", "compile quintic.json --from=-1 --to 2"}};
-  for (const auto& [call, plain] : calls) {
-    CAPTURE(call);
+  for (const auto& pair : calls) {
+    const auto& [call, plain] = pair;
+    CAPTURE(pair.first);
     const Run run = here.run(call);
     check_success(run);
     CHECK(run.out == here.run(plain).out);
@@ -138,9 +139,9 @@ TEST_CASE("terminal: an empty text is not the same as an option that is not ther
       {"mtf quintic.json --from '' --from-vector 0,0,1 --to 1", "--from: the angle is given twice"},
       {"mtf quintic.json --from 0 --to 1 --subdivide ''", "--subdivide: \"\" is not one of"},
       {"batch --skip-done ''", "--skip-done: \"\" is not a file's name"}};
-  for (const auto& [call, complaint] : complaints) {
-    CAPTURE(call);
-    check_failure(here.run(call), 2, complaint);
+  for (const auto& pair : complaints) {
+    CAPTURE(pair.first);
+    check_failure(here.run(pair.first), 2, pair.second);
   }
 }
 

@@ -9,7 +9,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    phrame::read_curve_or_spline({reinterpret_cast<const char*>(data), size});
+    phrame::read_path({reinterpret_cast<const char*>(data), size});
   } catch (const phrame::InputError& error) {
     if (std::string_view(error.what()).find('\n') != std::string_view::npos) std::abort();
   }

@@ -2,12 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "io/reference.hpp"
-#include "phrame/io/write/angle_report.hpp"
-#include "phrame/io/write/spline_report.hpp"
+#include "phrame/io/write/angle.hpp"
+#include "support/data.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -51,12 +52,12 @@ TEST_CASE("batch: an answer is what the report of the same curve says, with the 
                                {"theta0", "1/3"}});
     Json file = quintic();
     file["phrame"] = "curve/1";
-    const NamedCurve named = read_curve(file.dump());
-    RmfAngle angle(named.curve, reference);
-    AngleReport report{named, reference, angle, Rational(1, 3), {}, 40};
-    for (const Rational& t : {Rational(1, 2), Rational(1), Rational(1, 4)})
-      report.values.push_back(rounded_angle(t, angle.value(t) + Rational(1, 3), 40));
-    Json expected = Json::parse(to_json(report));
+    AngleQuery query;
+    query.reference = reference;
+    query.start_angle = Rational(1, 3);
+    query.at = {Rational(1, 2), 1, Rational(1, 4)};
+    query.digits = 40;
+    Json expected = Json::parse(to_json(phrame::answer(read_path(file.dump()), query)));
     expected["id"] = "a\"7";
     CHECK(found == expected);
   }
@@ -76,14 +77,21 @@ TEST_CASE("batch: what a line leaves out is the default") {
 }
 
 TEST_CASE("batch: splines") {
-  const Json spline = {{"phrame", "spline/1"}, {"segments", {quintic(), quintic()}}};
+  const Json path = {{"phrame", "spline/1"}, {"segments", {quintic(), quintic()}}};
   // The end of one is no start of the other: their tangents differ.
-  CHECK(answer({{"curve", spline}})["error"]["status"] == 2);
-  const Json one = {{"phrame", "spline/1"}, {"segments", Json::array({quintic()})}};
-  const Json found = answer({{"id", 3}, {"curve", one}, {"at", {1}}, {"digits", 20}});
+  CHECK(answer({{"curve", path}})["error"]["status"] == 2);
+  std::ifstream file(test::root("/examples/curves/closed-spline.json"));
+  const Json four = Json::parse(file);
+  const Json found = answer({{"id", 3}, {"curve", four}, {"at", {4}}, {"digits", 20}});
   CHECK(found["phrame"] == "spline-angle/1");
   CHECK(found["id"] == 3);
+  CHECK(found["segments"].size() == 4);
   CHECK(found["values"][0]["theta"] == found["total"]["value"]);
+  CHECK(answer({{"curve", four}, {"frame", "frenet"}})["error"]["status"] == 2);
+  // A spline of one curve is this curve.
+  const Json one = {
+      {"phrame", "spline/1"}, {"name", "quintic"}, {"segments", Json::array({quintic()})}};
+  CHECK(answer({{"curve", one}, {"at", {2}}}) == answer({{"curve", quintic()}, {"at", {2}}}));
 }
 
 TEST_CASE("batch: a line may be a bare curve or spline, its name being the id") {
@@ -100,15 +108,15 @@ TEST_CASE("batch: a line may be a bare curve or spline, its name being the id") 
   curve.erase("name");
   CHECK(answer(curve)["id"] == nullptr);
   CHECK(batch_id(curve.dump()) == std::nullopt);
-  const Json spline = {{"phrame", "spline/1"}, {"segments", Json::array({quintic()})}};
-  CHECK(answer(spline)["phrame"] == "spline-angle/1");
+  const Json path = {{"phrame", "spline/1"}, {"segments", Json::array({quintic()})}};
+  CHECK(answer(path)["phrame"] == "angle/1");
   // Complaints have the places of the line itself, and an answer is no curve.
   check_error(
       R"({"phrame": "curve/1", "basis": "power", "preimage": {"u": ["1/0"], "v": [0], "p": [0], "q": [0]}})",
       2, "/preimage/u/0: ");
   check_error(R"({"phrame": "angle/1", "id": 1})", 2, "/phrame: the format is");
   check_error(R"({"phrame": "curve/1", "curve": 1})", 2, "unknown key \"phrame\"");
-  CHECK(answered_id(answer(spline).dump()) == "null");
+  CHECK(answered_id(answer(path).dump()) == "null");
   // Questions and other objects are no answers, errors are.
   CHECK(answered_id(R"({"id":8,"curve":0})") == std::nullopt);
   CHECK(answered_id(R"({"id":8})") == std::nullopt);

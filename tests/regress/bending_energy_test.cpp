@@ -1,15 +1,15 @@
 // Wherever the curve had a cusp on [0, 1] its bending energy was said to be infinite.
 #include <doctest/doctest.h>
 
-#include "phrame/io/write/curve_info.hpp"
+#include "phrame/io/write/info.hpp"
 
 using namespace phrame;
 
 namespace {
 
 /// A = 1 + ck with c = t² − t: σ = 1 + c², g = c′ = 2t − 1, ρ = 4(2t − 1)².
-CurveInfo info(const Polynomial& multiplier) {
-  return curve_info({"", Curve({{1}, {}, {}, {0, -1, 1}}, multiplier)}, 20);
+InfoAnswer info(const Polynomial& multiplier) {
+  return answer({"", Curve({{1}, {}, {}, {0, -1, 1}}, multiplier)}, InfoQuery{20});
 }
 
 const Polynomial middle{-1, 2};
@@ -18,19 +18,19 @@ const Polynomial middle{-1, 2};
 
 TEST_CASE("bending energy: it is finite at a cusp where the bend vanishes, too") {
   // ρ/((2t − 1)²σ³) = 4/σ³ with 1 ≤ σ ≤ 17/16.
-  const CurveInfo ahead = info(pow(middle, 2));
+  const InfoAnswer ahead = info(pow(middle, 2));
   REQUIRE(ahead.cusps.size() == 1);
   REQUIRE(ahead.bending_energy);
   const Rational energy = parse_rational(ahead.bending_energy->value);
   CHECK(energy < 4);
   CHECK(energy > Rational(4 * 16 * 16 * 16, 17 * 17 * 17));
-  const CurveInfo back = info(-pow(middle, 2));
+  const InfoAnswer back = info(-pow(middle, 2));
   REQUIRE(back.bending_energy);
   CHECK(back.bending_energy->value == ahead.bending_energy->value);
 }
 
 TEST_CASE("bending energy: it is infinite at a pole that remains") {
-  const CurveInfo infinite = info(pow(middle, 3));
+  const InfoAnswer infinite = info(pow(middle, 3));
   CHECK_FALSE(infinite.bending_energy);
   CHECK(to_text(infinite).find("energy ∫₀¹ κ² ds    ∞\n") != std::string::npos);
   CHECK_FALSE(info({0, 1}).bending_energy);  // at an end

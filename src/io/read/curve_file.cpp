@@ -201,20 +201,20 @@ NamedCurve read_any_curve(const Node& node, const CurveLimits& limits) {
 }
 
 /// A segment says where it starts, or starts where the spline ends.
-void append_segment(Spline& spline, const Node& node, const CurveLimits& limits) {
+void append_segment(Path& path, const Node& node, const CurveLimits& limits) {
   const Curve read = read_any_curve(node, limits).curve;
   const bool says_start = node.find("start") || node.find("control_points");
-  const Curve& last = spline.segments().back();
+  const Curve& last = path.segments().back();
   const Curve next =
       says_start ? read : Curve(read.preimage(), read.multiplier(), evaluate(position(last), 1));
   try {
-    spline.append(next);
+    path.append(next);
   } catch (const DomainError& error) {
     node.fail(error.what());
   }
 }
 
-NamedSpline read_spline(const Node& node, const CurveLimits& limits) {
+NamedPath read_spline(const Node& node, const CurveLimits& limits) {
   node.require_known_keys({"phrame", "name", "segments", "note", "family", "expected"});
   const Node list = node.at("segments");
   list.require(Kind::array, "an array of curves");
@@ -226,8 +226,8 @@ NamedSpline read_spline(const Node& node, const CurveLimits& limits) {
     require_curve_keys(item);
     return item;
   };
-  NamedSpline result{read_name(node), Spline(read_any_curve(segment(0), limits).curve)};
-  for (std::size_t k = 1; k < list.size(); ++k) append_segment(result.spline, segment(k), limits);
+  NamedPath result{read_name(node), Path(read_any_curve(segment(0), limits).curve)};
+  for (std::size_t k = 1; k < list.size(); ++k) append_segment(result.path, segment(k), limits);
   return result;
 }
 
@@ -243,17 +243,15 @@ NamedCurve read_curve(const JsonNode& node, const CurveLimits& limits) {
   return read_any_curve(node, limits);
 }
 
-std::variant<NamedCurve, NamedSpline> read_curve_or_spline(std::string_view text,
-                                                           const CurveLimits& limits) {
+NamedPath read_path(std::string_view text, const CurveLimits& limits) {
   const JsonValue document = parse_json_file(text, "curve file");
   const Node node(document);
   node.require(Kind::object, "an object");
   node.at("phrame");
-  return read_curve_or_spline(node, limits);
+  return read_path(node, limits);
 }
 
-std::variant<NamedCurve, NamedSpline> read_curve_or_spline(const JsonNode& node,
-                                                           const CurveLimits& limits) {
+NamedPath read_path(const JsonNode& node, const CurveLimits& limits) {
   node.require(Kind::object, "an object");
   const auto format = node.find("phrame");
   if (format && format->string() == "spline/1") return read_spline(node, limits);
@@ -261,12 +259,8 @@ std::variant<NamedCurve, NamedSpline> read_curve_or_spline(const JsonNode& node,
     format->fail(fmt::format("the format is \"curve/1\" or \"spline/1\", not \"{}\"",
                              abbreviated(format->string())));
   require_curve_keys(node);
-  return read_any_curve(node, limits);
-}
-
-NamedSpline as_spline(const std::variant<NamedCurve, NamedSpline>& read) {
-  const auto* curve = std::get_if<NamedCurve>(&read);
-  return curve ? NamedSpline{curve->name, Spline(curve->curve)} : std::get<NamedSpline>(read);
+  auto [name, curve] = read_any_curve(node, limits);
+  return {std::move(name), std::move(curve)};
 }
 
 NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) {

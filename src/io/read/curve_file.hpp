@@ -1,6 +1,5 @@
 #pragma once
 #include <string_view>
-#include <variant>
 
 #include "phrame/ph/curve/named.hpp"
 
@@ -24,22 +23,9 @@ NamedCurve read_curve(const JsonNode& node, const CurveLimits& limits = {});
 /// Reads a curve/1 file, or a spline/1 file: `segments`, a list of curves, each starting where the
 /// one before ends; `start` may be left out of all but those given by control points. Throws
 /// InputError as read_curve, and with the segment at whose start position or tangent break.
-std::variant<NamedCurve, NamedSpline> read_curve_or_spline(std::string_view text,
-                                                           const CurveLimits& limits = {});
-
+NamedPath read_path(std::string_view text, const CurveLimits& limits = {});
 /// The same as a part of a document, where a curve may do without "phrame": "curve/1".
-std::variant<NamedCurve, NamedSpline> read_curve_or_spline(const JsonNode& node,
-                                                           const CurveLimits& limits = {});
-
-/// A curve as a spline of one segment.
-NamedSpline as_spline(const std::variant<NamedCurve, NamedSpline>& read);
-
-/// r′ and r(0) of a curve that may not be PH.
-struct NamedHodograph {
-  std::string name;
-  Vector<Polynomial> hodograph;  ///< not 0
-  Vector<Rational> start;
-};
+NamedPath read_path(const JsonNode& node, const CurveLimits& limits = {});
 
 /// Reads the same files, but does not ask whether a Bézier curve is PH.
 NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits = {});

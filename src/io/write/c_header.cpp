@@ -155,26 +155,11 @@ std::string in_comment(const std::string& name) {
   return text;
 }
 
-double greatest_error(const PiecewisePolynomial& p) {
-  double greatest = 0;
-  for (const PolynomialPiece& piece : p.pieces())
-    greatest = std::max(greatest, piece.error + piece.error_per_y);
-  return greatest * (1 + 0x1p-50);  // not rounded down
-}
-
-/// What the components of the frame are off by: a component is ((uu ± vv) ± pp) ± qq or twice a sum
-/// of two products. With |b| = 1, nearly, the products are off by 2^−53 together and each of the
-/// three sums by as much, at most; twice a sum of two products by half of that. Fused operations
-/// leave out some of it.
-double component_error(const PiecewisePolynomial& rotation) {
-  return (4 * 0x1p-53 + frame_error(greatest_error(rotation))) * (1 + 0x1p-40);
-}
-
 }  // namespace
 
-std::string to_c_header(const CHeader& header) {
+std::string to_c_header(const CompiledAnswer& header, const std::string& prefix) {
   using fmt::arg;
-  const std::string& p = header.prefix;
+  const std::string& p = prefix;
   std::string upper = p;
   std::transform(p.begin(), p.end(), upper.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
@@ -194,22 +179,22 @@ std::string to_c_header(const CHeader& header) {
   };
   std::string about_frame, define_frame;
   if (header.rotation) {
-    const double error = component_error(*header.rotation);
+    const double error = component_error(header);
     about_frame = fmt::format(fmt::runtime(frame_text), arg("p", p), arg("P", upper),
                               arg("frame_error", decimal_above(error)));
     define_frame = fmt::format("#define {}_FRAME_ERROR {:a}\n", upper, error);
   }
-  const double error = greatest_error(header.angle);
+  const double error = angle_error(header);
   const bool is_erf = header.reference == Reference::erf;
-  const std::string preimage_of = header.is_spline
-                                      ? "segment, chosen such that this frame is\n"
-                                        " *   continuous; segment k has k <= t <= k + 1"
-                                      : "curve";
+  const std::string preimage_of = header.path.path.is_curve()
+                                      ? "curve"
+                                      : "segment, chosen such that this frame is\n"
+                                        " *   continuous; segment k has k <= t <= k + 1";
   std::string text = fmt::format(
       fmt::runtime(preamble), arg("p", p), arg("P", upper),
-      arg("title", header.curve.empty()
+      arg("title", header.path.name.empty()
                        ? "A rotation-minimizing frame"
-                       : "A rotation-minimizing frame of " + in_comment(header.curve)),
+                       : "A rotation-minimizing frame of " + in_comment(header.path.name)),
       arg("reference",
           is_erf
               ? std::string(

@@ -166,15 +166,17 @@ double digits_lost(const std::vector<LogSum>& sums) {
   return most;
 }
 
-/// A report's closed form in its style; what it says of the jumps that a form has by nature.
+/// Is it written in real functions, on the command line's demand?
+bool is_real(const OtherForm& form) { return std::holds_alternative<RealForm>(form); }
+
+/// A closed form in its style; what it says of the jumps that a form has by nature.
 struct ClosedForm {
   std::string formula;
   double digits_lost = 0;  ///< in its sums over roots
   std::string warning = {};
 };
 
-template <class Report>
-ClosedForm closed_form(const Antiderivative& F, const Report& report, Language language,
+ClosedForm closed_form(const Antiderivative& F, const OtherForm& other, Language language,
                        const std::string& variable) {
   constexpr auto warning =
       "the logarithms may cross their cut, where antiderivative jumps; with --form auto or real it "
@@ -185,22 +187,22 @@ ClosedForm closed_form(const Antiderivative& F, const Report& report, Language l
                ? warning
                : "";
   };
-  if (report.real)
-    return {cas_formula(*report.real, language, variable), digits_lost(report.real->others)};
-  if (report.textbook) {
-    const std::vector<LogSum> sums = sums_over_poles(*report.textbook);
-    return {cas_formula(report.textbook->real, sums, language, variable), digits_lost(sums)};
+  if (const auto* real = std::get_if<RealForm>(&other))
+    return {cas_formula(*real, language, variable), digits_lost(real->others)};
+  if (const auto* textbook = std::get_if<TextbookForm>(&other)) {
+    const std::vector<LogSum> sums = sums_over_poles(*textbook);
+    return {cas_formula(textbook->real, sums, language, variable), digits_lost(sums)};
   }
-  if (!report.radicals)
+  const auto* radicals = std::get_if<RadicalForm>(&other);
+  if (!radicals)
     return {cas_formula(F, language, variable), digits_lost(F.logs),
             jumps(F.logs, [](const LogSum& sum) { return sum; })};
-  const RadicalForm& radicals = *report.radicals;
   const std::string rest =
-      cas_formula(Antiderivative{radicals.polynomial, radicals.rational, {}}, language, variable);
-  if (radicals.logs.empty()) return {rest};
-  const std::string logs = to_cas(radicals.logs, radical_notation_of(language), variable);
+      cas_formula(Antiderivative{radicals->polynomial, radicals->rational, {}}, language, variable);
+  if (radicals->logs.empty()) return {rest};
+  const std::string logs = to_cas(radicals->logs, radical_notation_of(language), variable);
   return {rest == "0" ? logs : fmt::format("{} + ({})", rest, logs), 0,
-          jumps(radicals.logs, [](const RadicalSum& sum) { return sum.sum; })};
+          jumps(radicals->logs, [](const RadicalSum& sum) { return sum.sum; })};
 }
 
 /// What makes PARI compute so many digits, or 20 where these are less; nothing where it does by
@@ -220,41 +222,41 @@ std::string precision_for_pari(double digits_lost, long digits) {
 
 }  // namespace
 
-std::string to_script(const IntegralReport& report, Language language) {
-  const std::string t = cas_variable(report.variable);
-  const ClosedForm closed = closed_form(report.antiderivative, report, language, t);
-  std::vector<Definition> definitions{{"integrand", cas_formula(report.integrand, language, t)},
+std::string to_script(const IntegralAnswer& answer, Language language) {
+  const std::string t = cas_variable(answer.variable);
+  const ClosedForm closed = closed_form(answer.antiderivative, answer.other, language, t);
+  std::vector<Definition> definitions{{"integrand", cas_formula(answer.integrand, language, t)},
                                       {"antiderivative", closed.formula}};
-  if (const auto& definite = report.definite)
+  if (const auto& definite = answer.definite)
     definitions.push_back({"definite",
                            definite->exact ? cas_formula(*definite->exact, language)
                                            : cas_formula(definite->value, language),
                            false});
   // Neither computes with as many digits as a number has that it reads.
-  const bool has_digits = report.definite && !report.definite->exact;
-  if (language == Language::maxima && has_digits && report.digits > 16)
-    definitions.insert(definitions.begin(), {"fpprec", std::to_string(report.digits), false});
-  const std::string text =
-      script(definitions, language, t, report.real.has_value(), closed.warning);
+  const bool has_digits = answer.definite && !answer.definite->exact;
+  if (language == Language::maxima && has_digits && answer.digits > 16)
+    definitions.insert(definitions.begin(), {"fpprec", std::to_string(answer.digits), false});
+  const std::string text = script(definitions, language, t, is_real(answer.other), closed.warning);
   if (language != Language::pari) return text;
   const std::string precision =
-      precision_for_pari(closed.digits_lost, has_digits ? report.digits : 0);
+      precision_for_pari(closed.digits_lost, has_digits ? answer.digits : 0);
   if (!precision.empty()) return precision + text;
   constexpr long default_digits = 38;
-  if (!has_digits || report.digits <= default_digits) return text;
+  if (!has_digits || answer.digits <= default_digits) return text;
   return comment(
              fmt::format("default(realprecision, {}) shows all digits of definite, and computes "
                          "antiderivative to as many",
-                         report.digits),
+                         answer.digits),
              language) +
          text;
 }
 
-std::string to_script(const AngleReport& report, Language language) {
-  const ClosedForm closed = closed_form(report.angle.antiderivative(), report, language, "t");
-  const std::string text = script({{"integrand", cas_formula(report.angle.rate(), language, "t")},
-                                   {"antiderivative", closed.formula}},
-                                  language, "t", report.real.has_value(), closed.warning);
+std::string to_script(const AngleAnswer& answer, Language language) {
+  const AngleFormula& formula = answer.formulas.front();
+  const ClosedForm closed = closed_form(formula.antiderivative, formula.other, language, "t");
+  const std::string text = script(
+      {{"integrand", cas_formula(formula.rate, language, "t")}, {"antiderivative", closed.formula}},
+      language, "t", is_real(formula.other), closed.warning);
   return language == Language::pari ? precision_for_pari(closed.digits_lost, 0) + text : text;
 }
 

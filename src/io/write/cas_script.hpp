@@ -1,7 +1,7 @@
 #pragma once
-#include "phrame/io/write/angle_report.hpp"
+#include "phrame/answer/angle.hpp"
+#include "phrame/answer/integral.hpp"
 #include "phrame/io/write/cas_formula.hpp"
-#include "phrame/io/write/integral_report.hpp"
 
 namespace phrame {
 
@@ -11,8 +11,8 @@ namespace phrame {
 // a comment says so. Where PARI needs more digits than it has by default to compute the sums over
 // roots, its script sees to that first.
 
-std::string to_script(const IntegralReport& report, Language language);
-/// The values of an angle are not in it.
-std::string to_script(const AngleReport& report, Language language);
+std::string to_script(const IntegralAnswer& answer, Language language);
+/// The values of an angle are not in it. Precondition: the path is a curve.
+std::string to_script(const AngleAnswer& answer, Language language);
 
 }  // namespace phrame

@@ -288,4 +288,16 @@ std::string formatted_sum(const std::vector<std::string>& terms, std::string_vie
   return text.empty() ? "0" : text;
 }
 
+std::string form_name(const Antiderivative& F) {
+  const auto over_poles = std::count_if(F.logs.begin(), F.logs.end(), is_over_poles);
+  if (F.logs.empty()) return "rational";
+  if (over_poles == static_cast<long>(F.logs.size())) return "partial-fractions";
+  if (over_poles > 0) return "mixed";
+  const auto is_irreducible = [](const LogSum& sum) {
+    return factor(sum.index).factors.size() == 1;
+  };
+  return std::all_of(F.logs.begin(), F.logs.end(), is_irreducible) ? "rothstein-trager"
+                                                                   : "lazard-rioboo-trager";
+}
+
 }  // namespace phrame

@@ -34,6 +34,11 @@ std::vector<std::string> formatted_terms(const TextbookForm& F, Notation notatio
                                          const Letters& letters = {});
 std::vector<std::string> formatted_terms(const ExactValue& x, Notation notation);
 
+/// How the logarithms of F are written: "partial-fractions" where all sums are over poles,
+/// "rothstein-trager" where none is and their polynomials are irreducible, "lazard-rioboo-trager"
+/// where one of these is not, else "mixed"; "rational" where there is no logarithm.
+std::string form_name(const Antiderivative& F);
+
 /// The terms with their signs, `before` each but the first; "0" where there are none.
 std::string formatted_sum(const std::vector<std::string>& terms, std::string_view before,
                           Notation notation);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "phrame/io/write/cas_formula.hpp"
+#include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/radical_text.hpp"
 
 namespace phrame {
@@ -101,13 +102,13 @@ JsonOutput json_of(const LogSum& sum) {
   return {{"index", json_of(sum.index)}, {"residue", json_of(sum.residue)}, {"argument", argument}};
 }
 
-JsonOutput json_of(const Antiderivative& F, const std::string& form) {
+JsonOutput json_of(const Antiderivative& F) {
   JsonOutput logs = JsonOutput::array();
   for (const LogSum& sum : F.logs) logs.push_back(json_of(sum));
   return {{"polynomial", json_of(F.polynomial)},
           {"rational", json_of(F.rational)},
           {"logs", logs},
-          {"form", form},
+          {"form", form_name(F)},
           {"checked", true}};  // nothing unchecked leaves integrate()
 }
 
@@ -134,6 +135,11 @@ JsonOutput json_of(const RealForm& F) {
           {"log_quotients", quotients},
           {"others", others},
           {"checked", true}};  // nothing unchecked leaves real_form()
+}
+
+void add_other_form(JsonOutput& json, const OtherForm& form) {
+  if (const auto* real = std::get_if<RealForm>(&form)) json["real"] = json_of(*real);
+  if (const auto* radicals = std::get_if<RadicalForm>(&form)) json["radicals"] = json_of(*radicals);
 }
 
 JsonOutput json_of(const PathEnd& end) {

@@ -1,11 +1,8 @@
 #pragma once
 #include <nlohmann/json.hpp>
 
-#include "phrame/algebra/rounding.hpp"
+#include "phrame/answer/angle.hpp"
 #include "phrame/integrate/path_end.hpp"
-#include "phrame/integrate/radicals.hpp"
-#include "phrame/integrate/real_form.hpp"
-#include "phrame/io/write/angle_report.hpp"
 
 namespace phrame {
 
@@ -25,7 +22,9 @@ JsonOutput json_of(const SurdPolynomial& p);
 /// {"index": …, "residue": …, "argument": […]}.
 JsonOutput json_of(const LogSum& sum);
 /// {"polynomial": …, "rational": …, "logs": […], "form": …, "checked": true}.
-JsonOutput json_of(const Antiderivative& F, const std::string& form);
+JsonOutput json_of(const Antiderivative& F);
+/// Its "real" or "radicals", if it is one of these.
+void add_other_form(JsonOutput& json, const OtherForm& form);
 /// {"polynomial": …, "rational": …, "logarithms": [{"factor", "of", "positive"}], "arctangents":
 /// [{"factor", "of"}], "log_quotients": [{"factor", "of", "radicand"}], "others": […], "checked":
 /// true}. "factor" and "radicand" are as a Surd is, "of" as a SurdPolynomial; an arctangent has a

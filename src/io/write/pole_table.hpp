@@ -1,15 +1,13 @@
 #pragma once
 #include <string>
 
-#include "phrame/integrate/antiderivative.hpp"
+#include "phrame/integrate/pole_table.hpp"
 
 namespace phrame {
 
-/// The poles z of F′ and their residues c(z), a row for each real pole and for each pair of
-/// conjugate ones, 12 correct digits a component. "0" is proved; a component that 16384 bits do not
-/// tell from 0 is shown as a bound, "(|·| < 1.3e-4932)".
-/// Empty where a sum of F is not over its poles, and where there are none. More than 24 are
-/// counted, unless `all` are to be listed.
-std::string pole_table(const Antiderivative& F, bool all = false);
+/// A row for each real pole and for each pair of conjugate ones, 12 correct digits a component; one
+/// that may be 0 is shown as a bound, "(|·| < 1.3e-4932)". Poles that are only counted are a
+/// passage.
+std::string to_text(const PoleTable& table);
 
 }  // namespace phrame

@@ -381,14 +381,6 @@ std::string row(std::string_view label, const std::string& value, std::size_t wi
   return fmt::format("  {}{}  {}\n", label, std::string(width - text_width(label), ' '), value);
 }
 
-Decimal rounded(const Real& x, const std::string& name, long digits) {
-  try {
-    return round_to_decimal(x, digits);
-  } catch (const Undecided& error) {
-    throw Undecided(name + ": " + error.what());
-  }
-}
-
 std::string shown(const RealAlgebraic& x) {
   if (const auto exact = x.rational()) return shown(*exact);
   const Rational below = enclose(x, 128).lower();

@@ -83,8 +83,6 @@ std::string readable_exact(const std::string& text, std::size_t limit = 4000);
 std::string name_prefix(const std::string& name);
 /// "  label      value", the values below each other.
 std::string row(std::string_view label, const std::string& value, std::size_t width);
-/// round_to_decimal; where that is undecided, the message begins with what the number is.
-Decimal rounded(const Real& x, const std::string& name, long digits);
 /// x, a passage where it is longer than `limit`; beside a fraction of more than 20 digits above or
 /// below the line stands its decimal, correctly rounded: "123456789012345678901/7 ≈
 /// 1.76366841446e19".

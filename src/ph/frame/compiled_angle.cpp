@@ -75,12 +75,12 @@ PiecewisePolynomial compiled_angle(const RmfAngle& angle, const Angle& start_ang
 }
 
 // A straight segment may have the angle 0 because others and the start cancel: value() sees that.
-PiecewisePolynomial compiled_angle(const SplineAngle& angle, const Angle& start_angle,
+PiecewisePolynomial compiled_angle(const PathAngle& angle, const Angle& start_angle,
                                    const DoubleShape& shape) {
   // That the segments before cancel is asked for only where a ball does not say enough: it costs as
   // much as all of them.
   const auto theta = [&](double t, long more) {
-    const SplineParameter at = locate(angle.spline(), exact_rational(t));
+    const PathParameter at = locate(angle.path(), exact_rational(t));
     if (more > bits) return angle.value(at, start_angle).enclose(more);
     return angle.enclose(at, start_angle, more);
   };
@@ -89,7 +89,7 @@ PiecewisePolynomial compiled_angle(const SplineAngle& angle, const Angle& start_
     const RmfAngle& segment = angle.segment(static_cast<std::size_t>(joint));
     return angle_piece(low, high, joint, segment.rate(), theta, shape);
   };
-  return PiecewisePolynomial::on_units(angle.spline().segments().size(), shape, make);
+  return PiecewisePolynomial::on_units(angle.path().segments().size(), shape, make);
 }
 
 CompiledAngle::CompiledAngle(const RmfAngle& angle, double from, double to,
@@ -97,7 +97,7 @@ CompiledAngle::CompiledAngle(const RmfAngle& angle, double from, double to,
     : angle_([angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
       polynomials_(compiled_angle(angle, start_angle, from, to, compensated_shape(1))) {}
 
-CompiledAngle::CompiledAngle(const SplineAngle& angle, const Angle& start_angle)
+CompiledAngle::CompiledAngle(const PathAngle& angle, const Angle& start_angle)
     : angle_([angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
       polynomials_(compiled_angle(angle, start_angle, compensated_shape(1))) {}
 

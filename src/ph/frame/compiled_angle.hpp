@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/algebra/piecewise_polynomial.hpp"
-#include "phrame/ph/frame/spline_angle.hpp"
+#include "phrame/ph/frame/path_angle.hpp"
 
 namespace phrame {
 
@@ -14,7 +14,7 @@ PiecewisePolynomial compiled_angle(const RmfAngle& angle, const Angle& start_ang
                                    double to, const DoubleShape& shape);
 
 /// The same of a spline, on [0, end].
-PiecewisePolynomial compiled_angle(const SplineAngle& angle, const Angle& start_angle,
+PiecewisePolynomial compiled_angle(const PathAngle& angle, const Angle& start_angle,
                                    const DoubleShape& shape);
 
 /// θ for millions of parameters: a few compensated operations each, a proof of the rounding after
@@ -25,7 +25,7 @@ class CompiledAngle {
   /// θ with θ(0) = start_angle. Throws as compiled_angle.
   CompiledAngle(const RmfAngle& angle, double from, double to, const Angle& start_angle = {});
   /// The same of a spline, on [0, end].
-  explicit CompiledAngle(const SplineAngle& angle, const Angle& start_angle = {});
+  explicit CompiledAngle(const PathAngle& angle, const Angle& start_angle = {});
 
   /// θ(t), correctly rounded: to nearest, ties to even. Throws DomainError for a t outside [from,
   /// to] and NaN, and what the exact angle throws.

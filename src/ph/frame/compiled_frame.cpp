@@ -155,12 +155,12 @@ PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
           }};
 }
 
-PiecewisePolynomial compiled_rotation(const SplineAngle& angle, const Angle& start_angle,
+PiecewisePolynomial compiled_rotation(const PathAngle& angle, const Angle& start_angle,
                                       const DoubleShape& shape) {
-  const std::vector<Rotation> rotations(angle.spline().segments().begin(),
-                                        angle.spline().segments().end());
+  const std::vector<Rotation> rotations(angle.path().segments().begin(),
+                                        angle.path().segments().end());
   const auto theta = [&](double t, long more) {
-    return angle.enclose(locate(angle.spline(), exact_rational(t)), more);
+    return angle.enclose(locate(angle.path(), exact_rational(t)), more);
   };
   const auto make = [&](double low, double high) {
     const double joint = std::floor(low);
@@ -177,7 +177,7 @@ CompiledFrames::CompiledFrames(const Curve& curve, const RmfAngle& angle, double
     : CompiledFrames(compiled_rotation(curve, angle, start_angle, from, to, compensated_shape(4))) {
 }
 
-CompiledFrames::CompiledFrames(const SplineAngle& angle, const Angle& start_angle)
+CompiledFrames::CompiledFrames(const PathAngle& angle, const Angle& start_angle)
     : CompiledFrames(compiled_rotation(angle, start_angle, compensated_shape(4))) {}
 
 CompiledFrames::CompiledFrames(PiecewisePolynomial polynomials)

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/algebra/piecewise_polynomial.hpp"
 #include "phrame/ph/frame/frame.hpp"
-#include "phrame/ph/frame/spline_angle.hpp"
+#include "phrame/ph/frame/path_angle.hpp"
 
 namespace phrame {
 
@@ -19,7 +19,7 @@ PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
                                       const DoubleShape& shape);
 
 /// The same of a spline, on [0, end], with its continuous ERF.
-PiecewisePolynomial compiled_rotation(const SplineAngle& angle, const Angle& start_angle,
+PiecewisePolynomial compiled_rotation(const PathAngle& angle, const Angle& start_angle,
                                       const DoubleShape& shape);
 
 /// Rotation-minimizing frames for millions of parameters, a few hundred operations each. Const
@@ -30,7 +30,7 @@ class CompiledFrames {
   CompiledFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
                  const Angle& start_angle = {});
   /// The same of a spline, on [0, end].
-  explicit CompiledFrames(const SplineAngle& angle, const Angle& start_angle = {});
+  explicit CompiledFrames(const PathAngle& angle, const Angle& start_angle = {});
 
   /// The frame at t, every component within 2^−53 of the true one. Throws DomainError for a t
   /// outside [from, to] and NaN.

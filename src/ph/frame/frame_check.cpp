@@ -49,16 +49,10 @@ int sign_beside(const Polynomial& f, const Rational& t) {
       return order % 2 == 1 ? 0 : value < 0 ? -1 : 1;
 }
 
-/// A single segment may be left.
-SplineParameter place(const Spline& spline, const Rational& t) {
-  if (spline.segments().size() == 1) return {0, t};
-  return locate(spline, t);
-}
-
 }  // namespace
 
-FrameCheck::FrameCheck(const Spline& spline) : angle_(spline) {
-  for (const Curve& curve : spline.segments()) {
+FrameCheck::FrameCheck(const Path& path) : angle_(path) {
+  for (const Curve& curve : path.segments()) {
     frames_.emplace_back(curve);
     bends_.push_back(bend_numerator(without_real_content(curve.preimage())));
   }
@@ -68,17 +62,17 @@ Forward FrameCheck::forward(const std::vector<GivenFrame>& frames) const {
   long balance = 0;
   for (const GivenFrame& frame : frames) {
     if (!frame.tangent) continue;
-    const SplineParameter at = place(angle_.spline(), frame.t);
-    if (sign_beside(angle_.spline().segments()[at.segment].multiplier(), at.t) >= 0) continue;
+    const PathParameter at = locate(angle_.path(), frame.t);
+    if (sign_beside(angle_.path().segments()[at.segment].multiplier(), at.t) >= 0) continue;
     balance += dot(*frame.tangent, frames_[at.segment].euler_rodrigues(at.t).e1).sign();
   }
   return balance > 0 ? Forward::preimage : Forward::motion;
 }
 
 FrameDeviation FrameCheck::deviation(const GivenFrame& frame, Forward forward, long bits) const {
-  const SplineParameter at = place(angle_.spline(), frame.t);
+  const PathParameter at = locate(angle_.path(), frame.t);
   const Frame<Rational> erf = frames_[at.segment].euler_rodrigues(at.t);
-  const Curve& curve = angle_.spline().segments()[at.segment];
+  const Curve& curve = angle_.path().segments()[at.segment];
 
   FrameDeviation result;
   result.theta = angle_.value(at).enclose(bits);
@@ -120,11 +114,11 @@ FrameDeviation FrameCheck::deviation(const GivenFrame& frame, Forward forward, l
 
 std::optional<Rational> FrameCheck::length(const Rational& a, const Rational& b) const {
   if (b < a) return length(b, a);
-  const SplineParameter from = place(angle_.spline(), a);
-  const SplineParameter to = place(angle_.spline(), b);
+  const PathParameter from = locate(angle_.path(), a);
+  const PathParameter to = locate(angle_.path(), b);
   Rational sum = 0;
   for (std::size_t k = from.segment; k <= to.segment; ++k) {
-    const Curve& curve = angle_.spline().segments()[k];
+    const Curve& curve = angle_.path().segments()[k];
     const Rational start = k == from.segment ? from.t : Rational(0);
     const Rational end = k == to.segment ? to.t : Rational(1);
     for (const RealRoot& zero : real_roots(curve.multiplier(), open(start, end)))
@@ -157,7 +151,7 @@ std::vector<std::size_t> by_parameter(const std::vector<GivenFrame>& frames) {
 }
 
 /// The errors in the order of t, each next to the one before modulo turns, flips undone.
-struct ErrorPath {
+struct ErrorWalk {
   std::vector<RealBall> errors;
   std::size_t first;  ///< the sample of the first
   RealBall way;       ///< last − first
@@ -192,9 +186,9 @@ class Judgement {
   void find_errors(FrameVerdict& verdict) const;
   void find_defects(FrameVerdict& verdict);
   void find_flips(FrameVerdict& verdict) const;
-  ErrorPath path(const FrameVerdict& verdict) const;
+  ErrorWalk walk(const FrameVerdict& verdict) const;
   void explain(FrameVerdict& verdict) const;
-  std::optional<FrameFinding> recognized(const FrameVerdict& verdict, const ErrorPath& path) const;
+  std::optional<FrameFinding> recognized(const FrameVerdict& verdict, const ErrorWalk& walk) const;
   std::optional<RealBall> variation(const Angles& angles, bool up_to_half_turns) const;
   void find_drift(FrameVerdict& verdict, const FrameCheck& check) const;
 
@@ -254,8 +248,8 @@ void Judgement::find_flips(FrameVerdict& verdict) const {
   if (!flips.samples.empty()) verdict.findings.push_back(std::move(flips));
 }
 
-ErrorPath Judgement::path(const FrameVerdict& verdict) const {
-  ErrorPath path{};
+ErrorWalk Judgement::walk(const FrameVerdict& verdict) const {
+  ErrorWalk walk{};
   const RealBall half_turn = pi(bits_);
   RealBall least;
   RealBall largest;
@@ -264,23 +258,23 @@ ErrorPath Judgement::path(const FrameVerdict& verdict) const {
     if (!verdict.errors[k]) continue;
     const RealBall& error = *verdict.errors[k];
     if (before == nullptr) {
-      path.errors.push_back(error);
-      path.first = k;
+      walk.errors.push_back(error);
+      walk.first = k;
     } else {
       RealBall step = reduced(subtract(error, *before, bits_), bits_);
       if (absolute(step).lower() > 3)  // a flip, as in find_flips
         step = sign(step) > 0 ? subtract(step, half_turn, bits_) : add(step, half_turn, bits_);
-      raise_to(path.step, absolute(step), bits_);
-      path.way = add(path.way, step, bits_);
-      path.errors.push_back(add(path.errors.back(), step, bits_));
-      raise_to(path.distance, absolute(path.way), bits_);
-      raise_to(largest, path.way, bits_);
-      lower_to(least, path.way, bits_);
+      raise_to(walk.step, absolute(step), bits_);
+      walk.way = add(walk.way, step, bits_);
+      walk.errors.push_back(add(walk.errors.back(), step, bits_));
+      raise_to(walk.distance, absolute(walk.way), bits_);
+      raise_to(largest, walk.way, bits_);
+      lower_to(least, walk.way, bits_);
     }
     before = &error;
   }
-  path.range = subtract(largest, least, bits_);
-  return path;
+  walk.range = subtract(largest, least, bits_);
+  return walk;
 }
 
 /// The largest |angle − first angle|; no value for less than three samples.
@@ -307,10 +301,10 @@ bool explains(const RealBall& residual, const RealBall& size) {
 
 /// Which other frame is it?
 std::optional<FrameFinding> Judgement::recognized(const FrameVerdict& verdict,
-                                                  const ErrorPath& path) const {
-  const RealBall offset = path.errors.front();
-  if (options_.start_angle && parameters_ >= 2 && explains(path.distance, absolute(offset)))
-    return FrameFinding{Kind::constant_offset, {}, offset, path.distance};
+                                                  const ErrorWalk& walk) const {
+  const RealBall offset = walk.errors.front();
+  if (options_.start_angle && parameters_ >= 2 && explains(walk.distance, absolute(offset)))
+    return FrameFinding{Kind::constant_offset, {}, offset, walk.distance};
   Angles erf;
   Angles frenet;
   Angles backwards;
@@ -325,35 +319,35 @@ std::optional<FrameFinding> Judgement::recognized(const FrameVerdict& verdict,
       {Kind::euler_rodrigues, variation(erf, false)},
       {Kind::turned_backwards, variation(backwards, false)}};
   for (const auto& [kind, residual] : candidates)
-    if (residual && explains(*residual, path.distance))
+    if (residual && explains(*residual, walk.distance))
       return FrameFinding{kind, {}, std::nullopt, residual};
   return std::nullopt;
 }
 
 /// Why errors are beyond the tolerance.
 void Judgement::explain(FrameVerdict& verdict) const {
-  const ErrorPath path = this->path(verdict);
-  if (const auto finding = recognized(verdict, path)) {
+  const ErrorWalk walk = this->walk(verdict);
+  if (const auto finding = recognized(verdict, walk)) {
     verdict.findings.push_back(*finding);
     return;
   }
   const bool is_elsewhere =
-      options_.start_angle && absolute(path.errors.front()).lower() > options_.tolerance;
+      options_.start_angle && absolute(walk.errors.front()).lower() > options_.tolerance;
   if (is_elsewhere)
     verdict.findings.push_back(
-        {Kind::other_start, {path.first}, path.errors.front(), std::nullopt});
+        {Kind::other_start, {walk.first}, walk.errors.front(), std::nullopt});
   const bool is_explained =
       is_elsewhere || (!verdict.findings.empty() && verdict.findings.back().kind == Kind::flip);
-  if (path.errors.size() < 2 || (is_explained && path.range.lower() <= options_.tolerance)) return;
+  if (walk.errors.size() < 2 || (is_explained && walk.range.lower() <= options_.tolerance)) return;
   // A drift makes its way without coming back by half of it, and without a jump: no step is more
   // than a quarter of the way or, of a few samples, twice its share.
-  const Rational way = absolute(path.way).lower();
+  const Rational way = absolute(walk.way).lower();
   const Rational share =
-      std::max(Rational(1, 4), Rational(2, static_cast<long>(path.errors.size()) - 1));
-  const bool is_drift = 2 * way >= path.range.upper() && path.step.upper() <= share * way;
+      std::max(Rational(1, 4), Rational(2, static_cast<long>(walk.errors.size()) - 1));
+  const bool is_drift = 2 * way >= walk.range.upper() && walk.step.upper() <= share * way;
   verdict.findings.push_back({is_drift ? Kind::drift : Kind::irregular,
                               {},
-                              is_drift ? path.way : path.range,
+                              is_drift ? walk.way : walk.range,
                               std::nullopt});
 }
 
@@ -390,28 +384,28 @@ std::size_t number_of_parameters(const std::vector<GivenFrame>& frames) {
   return parameters.size();
 }
 
-bool are_along_curve(const Spline& spline, const std::vector<GivenFrame>& frames,
+bool are_along_curve(const Path& path, const std::vector<GivenFrame>& frames,
                      const Rational& tolerance) {
   std::vector<Frames> exact;
-  for (const Curve& curve : spline.segments()) exact.emplace_back(curve);
+  for (const Curve& curve : path.segments()) exact.emplace_back(curve);
   return std::all_of(frames.begin(), frames.end(), [&](const GivenFrame& frame) {
     if (!frame.tangent) return true;
-    const SplineParameter at = place(spline, frame.t);
+    const PathParameter at = locate(path, frame.t);
     const Vector<Rational> c = cross(*frame.tangent, exact[at.segment].euler_rodrigues(at.t).e1);
     const Rational squared_size = dot(*frame.tangent, *frame.tangent);
     return squared_size != 0 && dot(c, c) <= tolerance * tolerance * squared_size;
   });
 }
 
-bool are_on_curve(const Spline& spline, const std::vector<GivenPosition>& positions,
+bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
                   const Rational& tolerance) {
   std::vector<Vector<Polynomial>> exact;
-  for (const Curve& curve : spline.segments()) exact.push_back(position(curve));
+  for (const Curve& curve : path.segments()) exact.push_back(position(curve));
   std::optional<Vector<Rational>> start;
   Rational farthest;  // squared, as is
   Rational worst;
   for (const auto& [t, given] : positions) {
-    const SplineParameter at = place(spline, t);
+    const PathParameter at = locate(path, t);
     const Vector<Rational> r = evaluate(exact[at.segment], at.t);
     if (!start) start = r;
     const Vector<Rational> way = difference(r, *start);
@@ -422,9 +416,9 @@ bool are_on_curve(const Spline& spline, const std::vector<GivenPosition>& positi
   return farthest > 0 && worst <= tolerance * tolerance * farthest;
 }
 
-FrameVerdict check_frames(const Spline& spline, const std::vector<GivenFrame>& frames,
+FrameVerdict check_frames(const Path& path, const std::vector<GivenFrame>& frames,
                           const FrameCheckOptions& options) {
-  FrameCheck check(spline);
+  FrameCheck check(path);
   const Forward forward = check.forward(frames);
   for (long bits = 128; bits <= 4096; bits *= 2) {
     Judgement judgement(frames, options, bits);

@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/ph/frame/frame.hpp"
-#include "phrame/ph/frame/spline_angle.hpp"
+#include "phrame/ph/frame/path_angle.hpp"
 
 namespace phrame {
 
@@ -40,7 +40,7 @@ struct FrameDeviation {
 /// parameter of a spline of several segments is to be in [0, end], else DomainError.
 class FrameCheck {
  public:
-  explicit FrameCheck(const Spline& spline);
+  explicit FrameCheck(const Path& path);
 
   /// What the tangents given take for forward: the preimage if most of those where f < 0 do.
   Forward forward(const std::vector<GivenFrame>& frames) const;
@@ -53,7 +53,7 @@ class FrameCheck {
   std::optional<Rational> length(const Rational& a, const Rational& b) const;
 
  private:
-  SplineAngle angle_;
+  PathAngle angle_;
   std::vector<Frames> frames_;             ///< of the segments
   std::vector<GaussianPolynomial> bends_;  ///< g of their preimages
 };
@@ -117,7 +117,7 @@ std::size_t number_of_parameters(const std::vector<GivenFrame>& frames);
 
 /// Is the sine of the angle between each tangent given and ±T within the tolerance? Exact, and much
 /// faster than check_frames().
-bool are_along_curve(const Spline& spline, const std::vector<GivenFrame>& frames,
+bool are_along_curve(const Path& path, const std::vector<GivenFrame>& frames,
                      const Rational& tolerance);
 
 /// Where somebody says that the curve is at t.
@@ -129,14 +129,14 @@ struct GivenPosition {
 /// Are these positions the curve's but for one translation, which takes the first to its place? To
 /// within the tolerance times the way from the first to the farthest; where all are one place, they
 /// are no sign of the curve. Exact.
-bool are_on_curve(const Spline& spline, const std::vector<GivenPosition>& positions,
+bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
                   const Rational& tolerance);
 
 /// Judges frames: they pass where all angles, cosines and lengths are within the tolerance and no
 /// frame is left-handed. First and last are those of the least and the largest t. Throws Undecided
 /// where 4096 bits do not tell a number from the tolerance.
 /// Precondition: there is at least one frame.
-FrameVerdict check_frames(const Spline& spline, const std::vector<GivenFrame>& frames,
+FrameVerdict check_frames(const Path& path, const std::vector<GivenFrame>& frames,
                           const FrameCheckOptions& options = {});
 
 }  // namespace phrame

@@ -5,16 +5,16 @@
 
 namespace phrame {
 
-MinimalTwist::MinimalTwist(const SplineAngle& rmf, const FrameAngle& from, const FrameAngle& to,
+MinimalTwist::MinimalTwist(const PathAngle& rmf, const FrameAngle& from, const FrameAngle& to,
                            const Integer& extra_turns)
     : rmf_(rmf),
       from_(from),
       start_(reduced(from)),
       length_(0),
-      erf_twist_(remembered(-rmf.value(rmf.spline().end()))),
+      erf_twist_(remembered(-rmf.value(rmf.path().end()))),
       nominal_(Rational(0)),
       twist_(Rational(0)) {
-  for (const Curve& curve : rmf.spline().segments()) {
+  for (const Curve& curve : rmf.path().segments()) {
     const ArcLength s(curve);
     arc_lengths_.push_back(s.polynomial());
     starts_.push_back(length_);
@@ -27,7 +27,7 @@ MinimalTwist::MinimalTwist(const SplineAngle& rmf, const FrameAngle& from, const
   const auto over_pi = [&]() -> std::optional<Rational> {
     // −T/π without the multiples of π.
     const GaussianRational& z = between.direction;
-    const auto m = rmf.multiple_of_pi(locate(rmf.spline(), rmf.spline().end()),
+    const auto m = rmf.multiple_of_pi(locate_inside(rmf.path(), rmf.path().end()),
                                       path_to({z.re, -z.im}), -between.radians);
     if (!m) return std::nullopt;
     return between.half_turns - *m;
@@ -56,8 +56,8 @@ Real MinimalTwist::reduced_value(const Rational& t) const { return value(start_,
 
 Real MinimalTwist::value(const FrameAngle& start, const Rational& t) const {
   if (t == 0) return to_real(start);
-  if (t == spline().end()) return to_real(start + turn_);
-  const SplineParameter at = locate(spline(), t);
+  if (t == path().end()) return to_real(start + turn_);
+  const PathParameter at = locate_inside(path(), t);
   const Real s(starts_[at.segment] + arc_lengths_[at.segment](at.t));
   return value(start, s, rmf_.value(at));
 }

@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/ph/frame/frame_angle.hpp"
-#include "phrame/ph/frame/spline_angle.hpp"
+#include "phrame/ph/frame/path_angle.hpp"
 
 namespace phrame {
 
@@ -15,7 +15,7 @@ class MinimalTwist {
   /// rounded. With `extra_turns` ≠ 0 the frame makes that many more revolutions. Throws DomainError
   /// where the multiplier of a segment changes sign on it, and Undecided where T cannot be told
   /// from an odd multiple of π.
-  MinimalTwist(const SplineAngle& rmf, const FrameAngle& from, const FrameAngle& to,
+  MinimalTwist(const PathAngle& rmf, const FrameAngle& from, const FrameAngle& to,
                const Integer& extra_turns = 0);
 
   const Rational& length() const { return length_; }  ///< S
@@ -28,8 +28,8 @@ class MinimalTwist {
   const Real& twist() const { return twist_; }
   /// The turn per unit of arc length, twist()/S: Ω̄₁.
   Real rate() const;
-  const Spline& spline() const { return rmf_.spline(); }
-  const SplineAngle& rmf() const { return rmf_; }  ///< θ_RMF
+  const Path& path() const { return rmf_.path(); }
+  const PathAngle& rmf() const { return rmf_; }  ///< θ_RMF
   /// (θ(end) − θ(0))/2π, where it is a whole number: decided exactly.
   std::optional<Integer> whole_turns_of_theta() const;
   /// θ(t). At the start it is θ_i and at the end θ_f plus whole turns, exactly; where the twist is
@@ -44,7 +44,7 @@ class MinimalTwist {
   Real value(const FrameAngle& start, const Rational& t) const;
   Real value(const FrameAngle& start, const Real& s, const Real& rmf_angle) const;
 
-  SplineAngle rmf_;
+  PathAngle rmf_;
   FrameAngle from_;
   FrameAngle start_;                     ///< θ_i in (−π, π]
   FrameAngle turn_;                      ///< θ(end) − θ(0)

@@ -16,12 +16,11 @@ Rational nearby(const RealAlgebraic& t, long bits) {
 }
 
 /// The points of the kinds asked for, on the whole spline.
-std::vector<Rational> special_points(const Spline& spline, bool inflections, bool extrema,
-                                     long bits) {
+std::vector<Rational> special_points(const Path& path, bool inflections, bool extrema, long bits) {
   std::vector<Rational> points;
   if (!inflections && !extrema) return points;
-  for (std::size_t k = 0; k < spline.segments().size(); ++k) {
-    const ErfTurning turning = erf_turning(spline.segments()[k]);
+  for (std::size_t k = 0; k < path.segments().size(); ++k) {
+    const ErfTurning turning = erf_turning(path.segments()[k]);
     const auto append = [&](const std::vector<RealRoot>& found) {
       for (const RealRoot& point : odd_inside(found))
         points.push_back(Rational(static_cast<long>(k)) + nearby(point.at, bits));
@@ -50,11 +49,11 @@ std::string_view to_string(Monotone monotone) {
 
 TwistFrame twist_frame(const MinimalTwist& mtf, const RationalTwistOptions& options,
                        const Subdivision& subdivision) {
-  std::vector<Rational> points = special_points(mtf.spline(), subdivision.at_inflections,
-                                                subdivision.at_extrema, options.bits);
+  std::vector<Rational> points =
+      special_points(mtf.path(), subdivision.at_inflections, subdivision.at_extrema, options.bits);
   points.insert(points.end(), subdivision.at.begin(), subdivision.at.end());
   const bool until_monotone = subdivision.until_monotone;
-  const auto special = special_points(mtf.spline(), until_monotone, until_monotone, options.bits);
+  const auto special = special_points(mtf.path(), until_monotone, until_monotone, options.bits);
 
   // Proofs are for the last division only.
   RationalTwistOptions draft = options;

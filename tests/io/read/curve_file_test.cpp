@@ -374,13 +374,11 @@ const std::string along_x = R"({"basis": "power", "quaternions": [[1, 0, 0, 0]]}
 const std::string from_one =
     R"({"phrame": "curve/1", "basis": "power", "start": [1, 0, 0], "quaternions": [[1, 0, 0, 0]]})";
 
-Spline read_spline(const std::string& segments) {
-  return std::get<NamedSpline>(read_curve_or_spline(spline_file(segments))).spline;
-}
+Path read_spline(const std::string& segments) { return read_path(spline_file(segments)).path; }
 
 std::string spline_refusal(const std::string& text) {
   try {
-    read_curve_or_spline(text);
+    read_path(text);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -390,16 +388,15 @@ std::string spline_refusal(const std::string& text) {
 }  // namespace
 
 TEST_CASE("spline files: segments start where they say, or where the one before ends") {
-  const Spline implied = read_spline(along_x + "," + along_x);
+  const Path implied = read_spline(along_x + "," + along_x);
   REQUIRE(implied.segments().size() == 2);
   CHECK(implied.segments()[1].start() == Vector<Rational>{1, 0, 0});
   CHECK(read_spline(along_x + "," + from_one) == implied);
   const std::string bezier = R"({"control_points": [[1, 0, 0], [2, 0, 0]]})";
   CHECK(read_spline(along_x + "," + bezier) == implied);
   CHECK(read_spline(from_one).segments()[0].start() == Vector<Rational>{1, 0, 0});
-  CHECK(std::get<NamedSpline>(read_curve_or_spline(spline_file(along_x))).name == "s");
-  CHECK(std::holds_alternative<NamedCurve>(
-      read_curve_or_spline(file(R"("basis": "power", "quaternions": [[1, 0, 0, 0]])"))));
+  CHECK(read_path(spline_file(along_x)).name == "s");
+  CHECK(read_path(file(R"("basis": "power", "quaternions": [[1, 0, 0, 0]])")).path.is_curve());
 }
 
 TEST_CASE("spline files: what is wrong is told with its segment") {

@@ -206,9 +206,9 @@ std::string as_given(FrameTable table, const std::string& second, const std::str
   return to_csv(table);
 }
 
-std::vector<FrameFinding::Kind> kinds(const Spline& spline, const std::string& table) {
+std::vector<FrameFinding::Kind> kinds(const Path& path, const std::string& table) {
   std::vector<FrameFinding::Kind> list;
-  for (const auto& finding : check_frames(spline, read_frames(table).frames).findings)
+  for (const auto& finding : check_frames(path, read_frames(table).frames).findings)
     list.push_back(finding.kind);
   return list;
 }
@@ -223,13 +223,13 @@ TEST_CASE("frame table: our own tables pass where the multiplier is negative or 
     const Polynomial multipliers[] = {{-1}, {-1, 0, -1}, {-1, 2}, {1, -2}, {0, 0, -1}};
     const Polynomial f = multipliers[random.integer(0, 4)];
     const Curve curve(random.quaternion_polynomial(3), f, {});
-    const Spline spline(curve);
+    const Path path(curve);
     const FrameTable table = frame_table(curve, {TabulatedFrame::rmf, TabulatedFrame::erf}, grid);
-    CHECK(kinds(spline, to_csv(table)).empty());
-    CHECK(kinds(spline, to_npy(table)).empty());
+    CHECK(kinds(path, to_csv(table)).empty());
+    CHECK(kinds(path, to_npy(table)).empty());
     // Frames of another kind are wrong in that only: their tangents and handedness are right.
     for (const Kind kind :
-         kinds(spline, as_given(frame_table(curve, {TabulatedFrame::erf}, grid), "e2", "e3"))) {
+         kinds(path, as_given(frame_table(curve, {TabulatedFrame::erf}, grid), "e2", "e3"))) {
       CHECK(kind >= Kind::flip);  // kinds of angles
       if (kind == Kind::euler_rodrigues) ++turned;
     }
@@ -246,9 +246,9 @@ TEST_CASE("frame table: our own tables pass where the multiplier is negative or 
       }
       for (const std::size_t k : {10U, 11U, 12U}) motion.rows[row][k] *= -1;
     }
-    CHECK(kinds(spline, to_csv(motion)).empty());
+    CHECK(kinds(path, to_csv(motion)).empty());
     if (reversed.rows != table.rows)
-      CHECK(kinds(spline, to_csv(reversed)) == std::vector{Kind::left_handed});
+      CHECK(kinds(path, to_csv(reversed)) == std::vector{Kind::left_handed});
   });
   CHECK(turned >= 10);
 }
@@ -256,17 +256,17 @@ TEST_CASE("frame table: our own tables pass where the multiplier is negative or 
 TEST_CASE("frame table: Frenet frames of a curve with f < 0 are recognised") {
   const Curve curve(test::quintic.preimage(), Polynomial{-1, -1}, {});
   const FrameTable table = frame_table(curve, {TabulatedFrame::frenet}, grid);
-  CHECK(kinds(Spline(curve), as_given(table, "n", "b")) == std::vector{FrameFinding::Kind::frenet});
+  CHECK(kinds(Path(curve), as_given(table, "n", "b")) == std::vector{FrameFinding::Kind::frenet});
 }
 
 namespace {
 
 std::optional<BetterReading> better(const std::string& text, const FrameReading& reading = {},
                                     const Curve& curve = test::quintic) {
-  const Spline spline(curve);
+  const Path path(curve);
   const GivenTable table = read_frames(text, reading);
   const FrameCheckOptions options{std::nullopt, Rational(1, 1000)};
-  return better_reading(spline, text, reading, table, check_frames(spline, table.frames, options),
+  return better_reading(path, text, reading, table, check_frames(path, table.frames, options),
                         options);
 }
 
@@ -352,14 +352,14 @@ TEST_CASE("frame table: what is wrong with f3 is not hidden by calling it a posi
     for (const Row& row : table.rows) lines += to_string(exact_rational(row[0])) + six(row) + "\n";
     return lines;
   };
-  const Spline spline(test::quintic);
+  const Path path(test::quintic);
   using Kind = FrameFinding::Kind;
-  CHECK(kinds(spline, text([&](const Row& row) { return vector(row, f2) + vector(row, f3); }))
-            .empty());
+  CHECK(
+      kinds(path, text([&](const Row& row) { return vector(row, f2) + vector(row, f3); })).empty());
   for (const std::string& left_handed :
        {text([&](const Row& row) { return vector(row, f2) + vector(row, f3, -1); }),
         text([&](const Row& row) { return vector(row, f3) + vector(row, f2); })}) {
-    CHECK(kinds(spline, left_handed) == std::vector{Kind::left_handed});
+    CHECK(kinds(path, left_handed) == std::vector{Kind::left_handed});
     CHECK_FALSE(better(left_handed));
   }
   const auto is_position = [&](const Rational& factor, const Rational& shift) {

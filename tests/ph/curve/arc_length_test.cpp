@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/answer/totals.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/frame/totals.hpp"
 #include "support/curves.hpp"
 #include "support/random.hpp"
 

@@ -312,11 +312,11 @@ TEST_CASE("compiled angle and frame: of a spline, through the joints") {
   // The two halves of a curve: the second one's preimage is turned by 3 + i, which append() undoes.
   const auto halves = [](const Curve& curve) {
     const Curve second = segment(curve, Rational(1, 3), 1);
-    Spline spline(segment(curve, 0, Rational(1, 3)));
-    spline.append(
+    Path path(segment(curve, 0, Rational(1, 3)));
+    path.append(
         Curve(second.preimage() * QuaternionPolynomial{Polynomial{3}, Polynomial{1}, {}, {}},
               Polynomial{Rational(1, 10)} * second.multiplier(), second.start()));
-    return spline;
+    return path;
   };
   Random random(13);
   for (const std::string name : {"gen-m02-0", "gen-m03-1", "deg-nearcusp"}) {
@@ -324,7 +324,7 @@ TEST_CASE("compiled angle and frame: of a spline, through the joints") {
     const Curve curve = named(name);
     RmfAngle whole(curve, Reference::erf);
     const Frames exact(curve);
-    SplineAngle angle(halves(curve));
+    PathAngle angle(halves(curve));
     CompiledAngle compiled(angle, Rational(1, 7));
     const CompiledFrames frames(angle);
     for (int k = 0; k < 60; ++k) {

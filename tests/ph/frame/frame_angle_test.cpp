@@ -76,8 +76,9 @@ TEST_CASE("reduced angle: of powers of ten in radians") {
       {30, "-3.05135332969174021043146179537413728275343326969169"},
       {35, "1.27828869541662225344699375782786095934245333633604"},
       {1000, "2.42957864119236726033630140940625449881524667678797"}};
-  for (const auto& [k, truth] : powers) {
-    CAPTURE(k);
-    CHECK(round_to_decimal(to_real(reduced({0, power_of_ten(k)})), 51).value == truth);
+  for (const auto& power : powers) {
+    CAPTURE(power.first);
+    CHECK(round_to_decimal(to_real(reduced({0, power_of_ten(power.first)})), 51).value ==
+          power.second);
   }
 }

@@ -35,7 +35,7 @@ TEST_CASE("minimal twist: the three examples of the paper") {
     CAPTURE(name);
     const auto& example = farouki_moon()[name];
     const auto& truth = example["consistent"];
-    SplineAngle rmf{Spline(curve_of(example))};
+    PathAngle rmf{Path(curve_of(example))};
     const Rational difference = parse_rational(truth["delta_theta_over_pi"].get<std::string>());
     const MinimalTwist mtf(rmf, multiple_of_pi(0), multiple_of_pi(difference));
     CHECK(to_string(mtf.length()) == truth["S"].get<std::string>());
@@ -49,7 +49,7 @@ TEST_CASE("minimal twist: the three examples of the paper") {
 }
 
 TEST_CASE("minimal twist: half a turn is a turn to the left, exactly") {
-  SplineAngle rmf{Spline(Curve({{1}, {0, 0, 0, 1}, {0, 3}, {0, 0, 1}}))};  // h = 0
+  PathAngle rmf{Path(Curve({{1}, {0, 0, 0, 1}, {0, 3}, {0, 0, 1}}))};  // h = 0
   for (const Rational& c : {Rational(1), Rational(-1), Rational(3), Rational(-7)}) {
     const MinimalTwist mtf(rmf, multiple_of_pi(0), multiple_of_pi(c));
     CHECK(mtf.twist().enclose(100).overlaps(pi(100)));
@@ -69,7 +69,7 @@ TEST_CASE("minimal twist: half a turn is a turn to the left, exactly") {
 // T_ERF = −2.5078… by mpmath's quadrature, and T_min = T_ERF + θ_f − θ_i reduced there with 1200
 // digits.
 TEST_CASE("minimal twist: large angles in radians are reduced before anything is rounded") {
-  SplineAngle rmf{Spline(curve_of(farouki_moon()["example3"]))};
+  PathAngle rmf{Path(curve_of(farouki_moon()["example3"]))};
   struct Case {
     Rational from;
     Rational to;
@@ -82,20 +82,21 @@ TEST_CASE("minimal twist: large angles in radians are reduced before anything is
                      {power_of_ten(35), 0, "2.4970808850061101030"},
                      {-power_of_ten(40), power_of_ten(41), "1.0172488380642664628"},
                      {0, power_of_ten(1000), "-0.078237085564486860097"}};
-  for (const auto& [from, to, twist] : cases) {
-    CAPTURE(twist);
-    const MinimalTwist mtf(rmf, {0, from}, {0, to});
-    CHECK(round_to_decimal(mtf.twist(), 20).value == twist);
+  for (const Case& wanted : cases) {
+    CAPTURE(wanted.twist);
+    const MinimalTwist mtf(rmf, {0, wanted.from}, {0, wanted.to});
+    CHECK(round_to_decimal(mtf.twist(), 20).value == wanted.twist);
     // As many bits as one asks for, whatever was cancelled.
     CHECK(mtf.twist().enclose(100).accuracy_bits() > 80);
-    CHECK(mtf.value(0).exact() == from);
-    CHECK(mtf.reduced_value(0).enclose(100).overlaps(to_real(reduced({0, from})).enclose(100)));
+    CHECK(mtf.value(0).exact() == wanted.from);
+    CHECK(mtf.reduced_value(0).enclose(100).overlaps(
+        to_real(reduced({0, wanted.from})).enclose(100)));
   }
 }
 
 // An angle in radians is no multiple of π, however near: 600 digits of it still differ.
 TEST_CASE("minimal twist: close to half a turn it is decided on which side") {
-  SplineAngle rmf{Spline(Curve({{1}, {0, 0, 0, 1}, {0, 3}, {0, 0, 1}}))};  // h = 0
+  PathAngle rmf{Path(Curve({{1}, {0, 0, 0, 1}, {0, 3}, {0, 0, 1}}))};  // h = 0
   const RealBall half_turn = pi(2100);
   const MinimalTwist below(rmf, {0, 0}, {0, half_turn.midpoint() - power_of_two(-2000)});
   CHECK(below.twist().enclose(100).lower() > 3);
@@ -106,7 +107,7 @@ TEST_CASE("minimal twist: close to half a turn it is decided on which side") {
 TEST_CASE("minimal twist: law: whole turns in the angles given change nothing but the angle") {
   for_samples(30, [](Random& random) {
     const Curve curve(random.quaternion_polynomial(4));
-    SplineAngle rmf{Spline(curve)};
+    PathAngle rmf{Path(curve)};
     const FrameAngle from{random.rational(), random.rational()};
     const FrameAngle to{random.rational(), random.chance(2) ? Rational(0) : random.rational()};
     FrameAngle from_turned = from;
@@ -124,7 +125,7 @@ TEST_CASE("minimal twist: law: whole turns in the angles given change nothing bu
 
 // A = (t + i)(t + j): θ_RMF = −2t/(1 + t²), so that T_ERF = 1 and θ_f = −1 needs no twist.
 TEST_CASE("minimal twist: a rotation-minimizing frame has none") {
-  SplineAngle rmf{Spline(Curve({{0, 0, 1}, {0, 1}, {0, 1}, {1}}))};
+  PathAngle rmf{Path(Curve({{0, 0, 1}, {0, 1}, {0, 1}, {1}}))};
   const MinimalTwist mtf(rmf, {0, 0}, {0, -1});
   CHECK(mtf.twist().exact() == Rational(0));
   CHECK(mtf.value(Rational(1, 3)).exact() == Rational(-3, 5));
@@ -138,7 +139,7 @@ TEST_CASE("minimal twist: a rotation-minimizing frame has none") {
 TEST_CASE("minimal twist: law: the exact frame turns at a constant rate") {
   for_samples(40, [](Random& random) {
     const Curve curve(random.quaternion_polynomial(4));
-    const SplineAngle rmf{Spline(curve)};
+    const PathAngle rmf{Path(curve)};
     const Polynomial speed = sigma(curve.preimage());
     const RationalFunction erf(Rational(2) * twist_numerator(curve.preimage()), speed);
     CHECK((erf + differentiate(rmf.segment(0).antiderivative())).is_zero());
@@ -149,7 +150,7 @@ TEST_CASE("minimal twist: law: the exact frame turns at a constant rate") {
 TEST_CASE("minimal twist: law: the least twist between the boundary angles, evenly spread") {
   for_samples(60, [](Random& random) {
     const Curve curve(random.quaternion_polynomial(4));
-    SplineAngle rmf{Spline(curve)};
+    PathAngle rmf{Path(curve)};
     const auto angle = [&] {
       return FrameAngle{random.rational(), random.chance(2) ? Rational(0) : random.rational()};
     };

@@ -30,10 +30,10 @@ constexpr long bits = 160;
 
 /// The frame of minimal twist of a curve.
 struct Framed {
-  SplineAngle rmf;
+  PathAngle rmf;
   MinimalTwist mtf;
   Framed(const Curve& curve, const FrameAngle& from, const FrameAngle& to)
-      : rmf(Spline(curve)), mtf(rmf, from, to) {}
+      : rmf(Path(curve)), mtf(rmf, from, to) {}
 };
 
 Framed framed_example(const json& example) {
@@ -454,7 +454,7 @@ TEST_CASE("rational twist: law: a local minimum is not proved to be the least") 
 
 // Two revolutions more: a frame with one less is better, but not what was asked for.
 TEST_CASE("rational twist: a frame that turns by T goes before a better one that does not") {
-  SplineAngle rmf{Spline(test::quintic)};
+  PathAngle rmf{Path(test::quintic)};
   long preferred = 0;
   for (long turns = -3; turns <= 3; ++turns) {
     const MinimalTwist mtf(rmf, {}, {Rational(1, 3), 0}, turns);

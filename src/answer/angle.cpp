@@ -1,0 +1,40 @@
+#include "phrame/answer/angle.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/answer/rounded.hpp"
+#include "phrame/ph/frame/path_angle.hpp"
+
+namespace phrame {
+namespace {
+
+AngleFormula formula(const RmfAngle& angle, const AngleQuery& query) {
+  AngleFormula formula{angle.rate(), angle.twist(), angle.bend(), angle.antiderivative(), {}, {}};
+  formula.other = other_form(formula.antiderivative, query.style);
+  if (query.most_poles) formula.poles = pole_table(formula.twist, *query.most_poles);
+  return formula;
+}
+
+}  // namespace
+
+AngleValue rounded_angle(const Rational& t, const Real& theta, long digits) {
+  return {t, rounded(theta, "theta at t = " + abbreviated(to_string(t)), digits)};
+}
+
+AngleAnswer answer(const NamedPath& named, const AngleQuery& query) {
+  const Path& path = named.path;
+  PathAngle angle(path, query.reference, query.form);
+  angle.take(query.route);
+  AngleAnswer answer{named, query.reference, query.start_angle, {}, {}, query.digits, {}, {}};
+  if (query.wants_formula)
+    for (std::size_t k = 0; k < path.segments().size(); ++k)
+      answer.formulas.push_back(formula(angle.segment(k), query));
+  for (const Rational& t : query.at)
+    answer.values.push_back(rounded_angle(t, angle.value(t, query.start_angle), query.digits));
+  if (path.is_curve()) return answer;
+  answer.total = rounded(angle.value(path.end()), "the total angle", query.digits);
+  if (const auto holonomy = angle.holonomy())
+    answer.holonomy = rounded(*holonomy, "holonomy", query.digits);
+  return answer;
+}
+
+}  // namespace phrame

@@ -1,0 +1,10 @@
+#include "phrame/answer/check.hpp"
+
+namespace phrame {
+
+CheckAnswer answer(const NamedPath& named, const CheckQuery& query) {
+  return {named.name, query.frames, query.options,
+          check_frames(named.path, query.frames, query.options)};
+}
+
+}  // namespace phrame

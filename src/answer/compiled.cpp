@@ -1,0 +1,53 @@
+#include "phrame/answer/compiled.hpp"
+
+#include <algorithm>
+
+#include "phrame/ph/frame/compiled_angle.hpp"
+#include "phrame/ph/frame/compiled_frame.hpp"
+
+namespace phrame {
+namespace {
+
+double greatest_error(const PiecewisePolynomial& p) {
+  double greatest = 0;
+  for (const PolynomialPiece& piece : p.pieces())
+    greatest = std::max(greatest, piece.error + piece.error_per_y);
+  return greatest * (1 + 0x1p-50);  // not rounded down
+}
+
+/// What the components of the frame are off by: a component is ((uu ± vv) ± pp) ± qq or twice a sum
+/// of two products. With |b| = 1, nearly, the products are off by 2^−53 together and each of the
+/// three sums by as much, at most; twice a sum of two products by half of that. Fused operations
+/// leave out some of it.
+double error_of_components(const PiecewisePolynomial& rotation) {
+  return (4 * 0x1p-53 + frame_error(greatest_error(rotation))) * (1 + 0x1p-40);
+}
+
+CompiledAnswer compiled_spline(const NamedPath& named, const CompiledQuery& query) {
+  const PathAngle angle(named.path, query.reference);
+  return {named, query.reference, query.start_angle,
+          compiled_angle(angle, query.start_angle, plain_shape(1)),
+          compiled_rotation(angle, query.start_angle, plain_shape(4))};
+}
+
+}  // namespace
+
+CompiledAnswer answer(const NamedPath& named, const CompiledQuery& query) {
+  if (!named.path.is_curve()) return compiled_spline(named, query);
+  const auto& [reference, start, from, to] = query;
+  const Curve& curve = named.path.segments().front();
+  const RmfAngle angle(curve, reference);
+  CompiledAnswer compiled{
+      named, reference, start, compiled_angle(angle, start, from, to, plain_shape(1)), {}};
+  if (reference == Reference::erf)
+    compiled.rotation = compiled_rotation(curve, angle, start, from, to, plain_shape(4));
+  return compiled;
+}
+
+double angle_error(const CompiledAnswer& answer) { return greatest_error(answer.angle); }
+
+double component_error(const CompiledAnswer& answer) {
+  return answer.rotation ? error_of_components(*answer.rotation) : 0;
+}
+
+}  // namespace phrame

@@ -1,0 +1,32 @@
+#pragma once
+#include "phrame/algebra/angle.hpp"
+#include "phrame/algebra/piecewise_polynomial.hpp"
+#include "phrame/ph/curve/named.hpp"
+#include "phrame/ph/frame/rmf_angle.hpp"
+
+namespace phrame {
+
+/// The angle and the frame as polynomials with a proof, docs/compiled.md.
+struct CompiledQuery {
+  Reference reference = Reference::erf;
+  Angle start_angle = {};
+  double from = 0;  ///< of a curve; a spline is compiled as a whole
+  double to = 1;
+};
+
+struct CompiledAnswer {
+  NamedPath path;
+  Reference reference;
+  Angle start_angle;
+  PiecewisePolynomial angle;                    ///< of plain_shape(1)
+  std::optional<PiecewisePolynomial> rotation;  ///< of plain_shape(4); not of a Frenet frame
+};
+
+/// Throws as PathAngle, compiled_angle() and compiled_rotation().
+CompiledAnswer answer(const NamedPath& path, const CompiledQuery& query);
+
+// With rounding, what is computed from the polynomials in doubles is off by at most
+double angle_error(const CompiledAnswer& answer);      ///< in radians
+double component_error(const CompiledAnswer& answer);  ///< of a frame vector; 0 without a rotation
+
+}  // namespace phrame

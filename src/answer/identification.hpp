@@ -1,0 +1,17 @@
+#pragma once
+#include <variant>
+
+#include "phrame/ph/curve/identify.hpp"
+#include "phrame/ph/curve/named.hpp"
+
+namespace phrame {
+
+/// Is a curve Pythagorean, and what is its preimage?
+struct IdentificationAnswer {
+  std::string name;
+  std::variant<Curve, NotPythagorean> result;
+};
+
+IdentificationAnswer answer(const NamedHodograph& query);
+
+}  // namespace phrame

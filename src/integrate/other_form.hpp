@@ -1,0 +1,23 @@
+#pragma once
+#include <variant>
+
+#include "phrame/integrate/radicals.hpp"
+#include "phrame/integrate/real_form.hpp"
+
+namespace phrame {
+
+/// How an antiderivative is written.
+enum class Style {
+  logarithms,  ///< as it is: sums of logarithms over roots
+  textbook,    ///< in real functions, as far as that is short
+  real,
+  radicals,
+};
+
+/// An antiderivative in another style than with its logarithms, up to a constant.
+using OtherForm = std::variant<std::monostate, TextbookForm, RealForm, RadicalForm>;
+
+/// Throws DomainError as radical_form().
+OtherForm other_form(const Antiderivative& F, Style style);
+
+}  // namespace phrame

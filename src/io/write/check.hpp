@@ -1,0 +1,27 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "phrame/answer/check.hpp"
+
+namespace phrame {
+
+/// How the table of the frames was read.
+struct TableReading {
+  /// How it would better have been read.
+  struct Other {
+    std::string options;
+    bool passes;  ///< the frames pass by it; else their tangents are right, at least
+  };
+  std::vector<std::string> columns = {};  ///< t, x, y, … where their number told what they are
+  std::size_t skipped = 0;                ///< further columns there
+  std::optional<Other> better = std::nullopt;
+};
+
+/// The verdict and its reason in a line.
+std::string summary(const CheckAnswer& answer);
+std::string to_text(const CheckAnswer& answer, const TableReading& reading);
+std::string to_json(const CheckAnswer& answer, const TableReading& reading);  ///< check/1
+
+}  // namespace phrame

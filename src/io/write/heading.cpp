@@ -1,0 +1,51 @@
+#include "phrame/io/write/heading.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/io/write/number_text.hpp"
+#include "phrame/io/write/text.hpp"
+
+namespace phrame {
+namespace {
+
+std::string closure(const Path& path) {
+  if (path.closing_turn()) return "closed";
+  return path.ends_meet() ? "its ends meet, but not their tangents" : "open";
+}
+
+}  // namespace
+
+std::string heading(const std::string& name, const Curve& curve) {
+  const long n = degree(curve);
+  const std::string kind = n == 1   ? "line segment"
+                           : n == 3 ? "PH cubic"
+                           : n == 5 ? "PH quintic"
+                           : n == 7 ? "PH septic"
+                                    : "PH curve";
+  return fmt::format("{}{}, degree {} (preimage of degree {})", name_prefix(name), kind, n,
+                     preimage_degree(curve));
+}
+
+std::string heading(const NamedPath& named) {
+  const auto& [name, path] = named;
+  if (path.is_curve()) return heading(name, path.segments().front());
+  return fmt::format("{}PH spline of {}, {}", name_prefix(name),
+                     counted(path.segments().size(), "segment"), closure(path));
+}
+
+std::string note_on_sign(const Curve& curve) {
+  const Signs signs = multiplier_signs(curve);
+  if (!signs.negative) return "";
+  return fmt::format("f < 0 {}: there e₁ = A i A*/σ is −r′/|r′|",
+                     signs.positive ? "in a part of [0, 1]" : "on [0, 1]");
+}
+
+std::string notes_on_signs(const Path& path) {
+  std::string text;
+  for (std::size_t k = 0; k < path.segments().size(); ++k)
+    if (const std::string note = note_on_sign(path.segments()[k]); !note.empty())
+      text += fmt::format("  segment {}: {}\n", k + 1, note);
+  return text.empty() ? "" : text + "\n";
+}
+
+}  // namespace phrame

@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+
+#include "phrame/ph/curve/named.hpp"
+
+namespace phrame {
+
+/// The first line of a report: "PH quintic, degree 5 (preimage of degree 2)", "PH spline of 4
+/// segments, closed".
+std::string heading(const std::string& name, const Curve& curve);
+std::string heading(const NamedPath& named);
+
+/// What frames and angles mean where the multiplier is negative on [0, 1]; empty where it is not.
+std::string note_on_sign(const Curve& curve);
+/// The same of the segments of a spline, a line each and an empty one behind.
+std::string notes_on_signs(const Path& path);
+
+}  // namespace phrame

@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "phrame/answer/info.hpp"
+
+namespace phrame {
+
+std::string to_text(const InfoAnswer& info);
+std::string to_json(const InfoAnswer& info);  ///< info/1, of a spline spline-info/1
+
+}  // namespace phrame

@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "phrame/answer/totals.hpp"
+
+namespace phrame {
+
+std::string to_text(const TotalsAnswer& answer);
+std::string to_json(const TotalsAnswer& answer);  ///< totals/1
+
+}  // namespace phrame

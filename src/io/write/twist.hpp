@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "phrame/answer/minimal_twist.hpp"
+
+namespace phrame {
+
+std::string to_text(const MinimalTwistAnswer& answer);
+std::string to_json(const MinimalTwistAnswer& answer);  ///< mtf/1
+
+}  // namespace phrame
