@@ -20,11 +20,12 @@ AngleValue rounded_angle(const Rational& t, const Real& theta, long digits) {
   return {t, rounded(theta, "theta at t = " + abbreviated(to_string(t)), digits)};
 }
 
-AngleAnswer answer(const NamedPath& named, const AngleQuery& query) {
-  const Path& path = named.path;
-  PathAngle angle(path, query.reference, query.form);
-  angle.take(query.route);
-  AngleAnswer answer{named, query.reference, query.start_angle, {}, {}, query.digits, {}, {}};
+AngleAnswer answer(NamedPath named, const AngleQuery& query) {
+  PathAngle angle(named.path, query.reference, query.form);
+  if (query.route != Route::automatic) angle.take(query.route);
+  const Path& path = angle.path();
+  AngleAnswer answer{
+      std::move(named), query.reference, query.start_angle, {}, {}, query.digits, {}, {}};
   if (query.wants_formula)
     for (std::size_t k = 0; k < path.segments().size(); ++k)
       answer.formulas.push_back(formula(angle.segment(k), query));

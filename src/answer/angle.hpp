@@ -50,7 +50,7 @@ struct AngleAnswer {
 
 /// Throws DomainError as PathAngle and, in the style of radicals, as radical_form(); Undecided,
 /// with the name of what it is, where a number cannot be rounded.
-AngleAnswer answer(const NamedPath& path, const AngleQuery& query);
+AngleAnswer answer(NamedPath path, const AngleQuery& query);
 
 /// θ = θ(t), rounded to `digits` digits. Throws Undecided, naming t.
 AngleValue rounded_angle(const Rational& t, const Real& theta, long digits);

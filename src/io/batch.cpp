@@ -84,10 +84,10 @@ std::pair<NamedPath, AngleQuery> question(const JsonNode& line, const BatchDefau
 }
 
 std::string answer_text(const JsonNode& line, const BatchDefaults& defaults) {
-  const auto [named, query] = question(line, defaults);
+  auto [named, query] = question(line, defaults);
   if (query.reference != Reference::erf && !named.path.is_curve())
     line.fail("the Frenet frame is for single curves; this is a spline");
-  return to_json_line(answer(named, query));
+  return to_json_line(answer(std::move(named), query));
 }
 
 /// What a file over several lines is refused for.
