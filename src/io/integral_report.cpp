@@ -62,8 +62,9 @@ std::string reason_for_form(const TextbookForm& F) {
   if (!real.arctangents.empty())
     return "real functions, since residues or poles lie in quadratic fields";
   if (!real.quotients.empty() ||
-      std::any_of(real.logarithms.begin(), real.logarithms.end(),
-                  [](const auto& log) { return log.factor.d != 1 || log.of.d != 1; }))
+      std::any_of(real.logarithms.begin(), real.logarithms.end(), [](const auto& log) {
+        return !log.factor.is_rational() || !log.of.is_rational();
+      }))
     return "real logarithms, since residues or poles lie in quadratic fields";
   return real.logarithms.empty()
              ? "no logarithms, since every residue is 0"

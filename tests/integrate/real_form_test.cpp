@@ -5,22 +5,23 @@
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "support/random.hpp"
+#include "support/surds.hpp"
 
 using namespace phrame;
 using test::for_samples;
+using test::norm;
 using test::Random;
 
 namespace {
 
 constexpr long bits = 200;
 
-RealBall value(const Surd& x) {
-  return add(RealBall(x.a, bits),
-             multiply(RealBall(x.b, bits), sqrt(RealBall(x.d, bits), bits), bits), bits);
-}
+RealBall value(const Surd& x) { return test::value(x, bits); }
 
 RealBall value(const SurdPolynomial& p, const Rational& t) {
-  return value(Surd{p.a(t), p.b(t), p.d});
+  Surd sum;
+  for (const auto& [d, c] : p.terms()) sum.add(c(t), d);
+  return value(sum);
 }
 
 /// The sum over the poles, as real_form.hpp gives it.
@@ -163,21 +164,6 @@ TEST_CASE("real form: law: its derivative is f, its values are the certified int
   });
 }
 
-namespace {
-
-/// p over ℚ(√d) from its coefficients.
-SurdPolynomial surds(const std::vector<Surd>& ascending, const Integer& d) {
-  std::vector<Rational> a;
-  std::vector<Rational> b;
-  for (const Surd& c : ascending) {
-    a.push_back(c.a);
-    b.push_back(c.b);
-  }
-  return {Polynomial(a), Polynomial(b), d};
-}
-
-}  // namespace
-
 // The table of integrals: ∫ dx/(x⁴ + 1) = √2/8·log((x² + √2x + 1)/(x² − √2x + 1))
 //   + √2/4·(arctan(√2x + 1) + arctan(√2x − 1)) [Gradshteyn, Ryzhik, 2.132.1].
 TEST_CASE("textbook form: 1/(x⁴ + 1) over ℚ(√2)") {
@@ -185,15 +171,16 @@ TEST_CASE("textbook form: 1/(x⁴ + 1) over ℚ(√2)") {
   const auto [form, sums] = textbook_form(integrate(f));
   CHECK(sums.empty());
   CHECK(form.others.empty());
-  const Surd eighth{0, Rational(1, 8), 2};
-  CHECK(form.logarithms ==
-        std::vector<RealForm::Logarithm>{{eighth, surds({{1, 0}, {0, 1}, {1, 0}}, 2), true},
-                                         {-eighth, surds({{1, 0}, {0, -1}, {1, 0}}, 2), true}});
+  const Surd eighth(0, Rational(1, 8), 2);
+  const Surd root(0, 1, 2);
+  CHECK(form.logarithms == std::vector<RealForm::Logarithm>{
+                               {eighth, surd_polynomial({Surd(1), root, Surd(1)}), true},
+                               {-eighth, surd_polynomial({Surd(1), -root, Surd(1)}), true}});
   // √(1/2)·(2x ± √2) = √2x ± 1, and 1/2·√(1/2) = √2/4.
-  const Surd half{Rational(1, 2), 0, 1};
+  const Surd half(Rational(1, 2));
   CHECK(form.arctangents ==
-        std::vector<RealForm::Arctangent>{{half, surds({{0, 1}, {2, 0}}, 2), half},
-                                          {half, surds({{0, -1}, {2, 0}}, 2), half}});
+        std::vector<RealForm::Arctangent>{{half, surd_polynomial({root, Surd(2)}), half},
+                                          {half, surd_polynomial({-root, Surd(2)}), half}});
   CHECK(differentiate(form) == f);
   check_values(f, form);
 }
