@@ -5,11 +5,27 @@
 // two factors are conjugate, for their product is rational and they are not. So either E = e√D,
 // and w = e²D > 0 is rational, or E = 0, Q = 0 and F, G = (P ± √(P² − 4R))/2 are real. Conversely,
 // every rational w > 0 gives a factorization, with F = (P + w)/2 − Q/(2E).
+//
+// An octic f with the roots c + βᵢ has the quadratic factors
+//   (t − c)² − (βᵢ + βⱼ)(t − c) + βᵢβⱼ.
+// Let c be such that the 28 products are distinct, as they are for all but finitely many: then
+//   M(y) = ∏_{i<j} (y − βᵢβⱼ),  S(y) = Σ_{i<j} (βᵢ + βⱼ)·M(y)/(y − βᵢβⱼ)
+// are rational, βᵢ + βⱼ = S(r)/M′(r) for r = βᵢβⱼ, and the coefficients of a factor generate ℚ(r).
+// So the factors over biquadratic fields are those of the roots r of the irreducible factors of
+// degree 4 of M which lie in such a field; their product over the four conjugates is f, as f is
+// irreducible. From the power sums sₖ of the βᵢ,
+//   Σ_{i<j} (βᵢβⱼ)ᵏ = (sₖ² − s₂ₖ)/2,  Σ_{i<j} (βᵢ + βⱼ)(βᵢβⱼ)ᵏ = sₖ₊₁sₖ − s₂ₖ₊₁.
+// Modulo a prime that does not divide its discriminant f has irreducible factors as long as the
+// cycles of an automorphism (Dedekind). That leaves each of the four pairs of roots where it is, or
+// exchanges them two by two: its cycles have the lengths 1 and 2 only, or 2 and 4 only. Of all
+// permutations of eight roots one in twelve is such, so that few primes exclude nearly every octic.
 #include "phrame/integrate/quadratic_fields.hpp"
 
 #include <algorithm>
 
+#include "phrame/algebra/bivariate.hpp"
 #include "phrame/algebra/factor.hpp"
+#include "phrame/algebra/modular.hpp"
 #include "phrame/algebra/surd_root.hpp"
 
 namespace phrame {
@@ -52,6 +68,96 @@ std::vector<Quadratic> factors_of_quartic(const Polynomial& quartic) {
 
 /// The square of half the difference of its zeros.
 Surd quarter_discriminant(const Quadratic& g) { return Rational(1, 4) * (g.p * g.p) - g.q; }
+
+/// A root of an irreducible quartic that is a sum of real square roots; no value where none is.
+std::optional<Surd> biquadratic_root(const Polynomial& quartic) {
+  for (const Quadratic& g : factors_of_quartic(quartic)) {
+    const Surd h = quarter_discriminant(g);
+    if (sign(h) < 0) continue;
+    if (const auto root = simple_root(h)) return *root - Rational(1, 2) * g.p;
+  }
+  return std::nullopt;
+}
+
+struct ModularFactors {
+  nmod_poly_factor_t value;
+  explicit ModularFactors(const ModularPolynomial& f) {
+    nmod_poly_factor_init(value);
+    nmod_poly_factor(value, f.raw());
+  }
+  ~ModularFactors() { nmod_poly_factor_clear(value); }
+  ModularFactors(const ModularFactors&) = delete;
+  ModularFactors& operator=(const ModularFactors&) = delete;
+};
+
+/// May f be a product of four conjugate quadratic polynomials over a biquadratic field, by the
+/// degrees of its factors modulo some primes?
+bool may_be_biquadratic(const Polynomial& f) {
+  constexpr int tries = 8;
+  const flint::FmpzPoly integral = integer_primitive_part(f);
+  Primes primes;
+  for (int k = 0; k < tries; ++k) {
+    const ModularPolynomial modular(primes.next(), integral);
+    const ModularFactors factors(modular);
+    std::vector<long> of_degree(static_cast<std::size_t>(f.degree()) + 1);
+    bool is_good = modular.degree() == f.degree();
+    for (long j = 0; j < factors.value->num; ++j) {
+      ++of_degree[static_cast<std::size_t>(nmod_poly_degree(factors.value->p + j))];
+      is_good = is_good && factors.value->exp[j] == 1;
+    }
+    const long short_cycles = of_degree[1] + 2 * of_degree[2];
+    const long even_cycles = 2 * of_degree[2] + 4 * of_degree[4];
+    if (is_good && short_cycles != f.degree() && even_cycles != f.degree()) return false;
+  }
+  return true;
+}
+
+/// M and S.
+struct PairResolvent {
+  Polynomial products;
+  Polynomial sums;
+};
+
+PairResolvent pair_resolvent(const Polynomial& f) {
+  const long pairs = f.degree() * (f.degree() - 1) / 2;
+  Polynomial s;  // s₀ + s₁y + …
+  fmpq_poly_power_sums(s.raw(), f.raw(), 2 * pairs + 1);
+  std::vector<Rational> of_products;
+  std::vector<Rational> of_sums;  // Σ (βᵢ + βⱼ)/(y − βᵢβⱼ) is Σ of_sums[k]·y^{−k−1}
+  for (long k = 0; k <= pairs; ++k)
+    of_products.push_back((s.coefficient(k) * s.coefficient(k) - s.coefficient(2 * k)) / 2);
+  for (long k = 0; k < pairs; ++k)
+    of_sums.push_back(s.coefficient(k + 1) * s.coefficient(k) - s.coefficient(2 * k + 1));
+  PairResolvent result;
+  fmpq_poly_power_sums_to_poly(result.products.raw(), Polynomial(of_products).raw());
+  // The part of M(y)·Σ of_sums[k]·y^{−k−1} without negative powers.
+  std::reverse(of_sums.begin(), of_sums.end());
+  result.sums =
+      divide(result.products * Polynomial(of_sums), Polynomial::monomial(1, pairs)).quotient;
+  return result;
+}
+
+/// One of four conjugate factors over each real biquadratic field.
+std::vector<Quadratic> factors_of_octic(const Polynomial& octic) {
+  if (!may_be_biquadratic(octic)) return {};
+  Rational c = 0;
+  PairResolvent resolvent = pair_resolvent(octic);
+  while (!is_squarefree(resolvent.products)) {
+    c += 1;
+    resolvent = pair_resolvent(compose(octic, {c, 1}));
+  }
+  const auto& [M, S] = resolvent;
+  std::vector<Quadratic> found;
+  for (const auto& [base, exponent] : factor(M).factors) {
+    if (base.degree() != 4) continue;
+    const auto r = biquadratic_root(base);
+    if (!r) continue;
+    const QuotientRing ring(base);
+    const Polynomial sum = ring.divide(ring.reduce(S), ring.reduce(differentiate(M)));
+    found.push_back(shifted(-evaluate(sum, *r), *r, c));
+  }
+  return found;
+}
 
 /// How hard its zeros are to write: √ of a rational number, a sum of such, a root of a root.
 int complexity(const Quadratic& g) {
@@ -104,8 +210,9 @@ void sort_by_place(std::vector<QuadraticFraction>& conjugates) {
 // For d = lead·g·h and n/d = (αt + β)/g + …: αt + β = n/(lead·h) modulo g, where d′ = lead·g′h.
 std::vector<QuadraticFraction> over_real_quadratic_fields(const SimpleFraction& f) {
   const Polynomial& d = f.denominator;
-  if (d.degree() != 4) return {};
-  const std::vector<Quadratic> factors = factors_of_quartic(d);
+  if (d.degree() != 4 && d.degree() != 8) return {};
+  const std::vector<Quadratic> factors =
+      d.degree() == 4 ? factors_of_quartic(d) : factors_of_octic(d);
   const auto simplest =
       std::min_element(factors.begin(), factors.end(),
                        [](const auto& g, const auto& h) { return complexity(g) < complexity(h); });

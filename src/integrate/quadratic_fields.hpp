@@ -12,10 +12,10 @@ struct QuadraticFraction {
   Surd q;
 };
 
-/// A simple fraction with four poles as the sum of conjugate fractions with two each, where its
-/// denominator is the product of two conjugate quadratic polynomials over a real quadratic field;
-/// empty where it is not. Of several fields the one is taken over which the poles are written with
-/// the simplest roots.
+/// A simple fraction with four or eight poles as the sum of conjugate fractions with two each,
+/// where its denominator is the product of two conjugate quadratic polynomials over a real
+/// quadratic field, or of four over a real biquadratic one, ℚ(√d, √e); empty where it is not. Of
+/// several fields the one is taken over which the poles are written with the simplest roots.
 std::vector<QuadraticFraction> over_real_quadratic_fields(const SimpleFraction& f);
 
 }  // namespace phrame

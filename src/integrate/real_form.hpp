@@ -7,7 +7,7 @@ namespace phrame {
 /// An antiderivative in real functions, continuous wherever its derivative is:
 ///   polynomial + rational + Σ factor·log|of| + Σ factor·√radicand·arctan(√radicand·of)
 ///   + Σ factor·√radicand·log|(of − √radicand)/(of + √radicand)| + Σ over the roots of others.
-/// Numbers are of real quadratic fields; terms with irrational ones come with all
+/// Numbers are of real quadratic and biquadratic fields; terms with irrational ones come with all
 /// their conjugates.
 struct RealForm {
   struct Logarithm {
@@ -38,8 +38,8 @@ struct RealForm {
 
 /// The real form of F, checked: it has the derivative of F. F may be in any form.
 /// A fraction over ℚ whose residues lie in ℚ or a quadratic field becomes logarithms and
-/// arctangents of polynomials [Rioboo 1991], and so does one whose four poles are zeros of
-/// conjugate quadratic polynomials over a real quadratic field. The others stay sums
+/// arctangents of polynomials [Rioboo 1991], and so does one whose four or eight poles are zeros of
+/// conjugate quadratic polynomials over a real quadratic or biquadratic field. The others stay sums
 /// over the poles z, over which
 ///   Σ_{z real} c·log|t − z| + Σ_{Im z > 0} (Re c·log((t − x)² + y²) − 2 Im c·arctan((t − x)/y)),
 /// c = residue(z), z = x + iy [Farouki 2003, end of §4].
