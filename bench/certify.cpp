@@ -1,12 +1,12 @@
 // The angle at t = 1 to 40 digits with a certificate, and the check of it. The argument is m, the
 // degree of the preimage.
-#include "phrame/ph/certify.hpp"
+#include "phrame/ph/proof/certify.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include "curves.hpp"
 #include "phrame/integrate/quadrature.hpp"
-#include "phrame/ph/verify.hpp"
+#include "phrame/ph/proof/verify.hpp"
 
 namespace phrame::bench {
 namespace {

@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "curves.hpp"
-#include "phrame/ph/classify.hpp"
+#include "phrame/ph/proof/classify.hpp"
 
 namespace phrame::bench {
 namespace {

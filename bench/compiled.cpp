@@ -7,9 +7,9 @@
 #include <random>
 
 #include "curves.hpp"
-#include "phrame/io/c_header.hpp"
-#include "phrame/ph/spline_angle.hpp"
-#include "phrame/ph/transform.hpp"
+#include "phrame/io/write/c_header.hpp"
+#include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/frame/spline_angle.hpp"
 #include "quintic.h"  // by phrame compile
 
 namespace phrame::bench {

@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "curves.hpp"
-#include "phrame/ph/twist_frame.hpp"
+#include "phrame/ph/twist/twist_frame.hpp"
 
 namespace phrame::bench {
 namespace {

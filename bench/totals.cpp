@@ -1,11 +1,11 @@
 // What a curve or spline gathers from start to end, each value to 17 digits.
-#include "phrame/ph/totals.hpp"
+#include "phrame/answer/totals.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include "curves.hpp"
-#include "phrame/ph/spline_angle.hpp"
-#include "phrame/ph/transform.hpp"
+#include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/frame/spline_angle.hpp"
 
 namespace phrame::bench {
 namespace {

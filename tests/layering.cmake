@@ -1,13 +1,14 @@
 # cmake -P layering.cmake
 # Holds the layering of src/, by its preprocessor lines:
-#   - a file includes, as "phrame/<floor>/<file>.hpp", only its own floor and those below it;
+#   - a file includes, as "phrame/<room>/<file>.hpp", only its own room and those below it;
 #   - only algebra/flint.hpp includes headers of FLINT and Arb, and only it has #if;
 #   - a header starts with #pragma once, and what src/phrame.hpp reaches needs no private dependency.
 
 cmake_minimum_required(VERSION 3.25)
 
 cmake_path(SET SOURCE_DIR NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../src)
-set(floors algebra integrate ph io cli)
+# From below to above; a folder of `ph` or `io` is a room, and what lies in io itself sees both of its.
+set(rooms algebra integrate ph/curve ph/frame ph/twist ph/proof answer io/write io/read io cli)
 set(flint_header "^(flint/.+|(acb|arb|arf|mag|fmpr|fmpz|fmpq|bool_mat|dlog|dirichlet|bernoulli\
 |hypgeom|partitions|double_interval)[a-z_]*\\.h)$")
 set(private_header "^(nlohmann|fmt|CLI)/")
@@ -34,12 +35,12 @@ endif()
 
 foreach(file IN LISTS files)
   read_directives(${file} directives)
-  string(REGEX MATCH "^[^/]*" floor ${file})
-  list(FIND floors ${floor} height)
+  cmake_path(GET file PARENT_PATH room)
+  list(FIND rooms "${room}" height)
   if(file STREQUAL phrame.hpp)
-    list(LENGTH floors height)
+    list(LENGTH rooms height)
   elseif(height EQUAL -1)
-    violation("is on no floor (${floors})")
+    violation("is in no room (${rooms})")
   endif()
   if(file MATCHES "\\.hpp$" AND NOT "#pragma once" IN_LIST directives)
     violation("lacks #pragma once")
@@ -55,13 +56,13 @@ foreach(file IN LISTS files)
     string(STRIP "${CMAKE_MATCH_1}" header)
     if(header MATCHES "^\"phrame/version\\.hpp\"")
       continue()
-    elseif(header MATCHES "^\"phrame/([^/\"]+)/[^\"]+\"")
-      list(FIND floors ${CMAKE_MATCH_1} included)
+    elseif(header MATCHES "^\"phrame/([^\"]+)/[^/\"]+\"")
+      list(FIND rooms ${CMAKE_MATCH_1} included)
       if(included EQUAL -1 OR included GREATER height)
-        violation("${directive}: not on its own floor or below")
+        violation("${directive}: not in its own room or below")
       endif()
     elseif(header MATCHES "^<phrame/" OR NOT header MATCHES "^<([^>]+)>")
-      violation("${directive}: ours are included as \"phrame/<floor>/<file>.hpp\", others in <>")
+      violation("${directive}: ours are included as \"phrame/<room>/<file>.hpp\", others in <>")
     elseif(CMAKE_MATCH_1 MATCHES "${flint_header}" AND NOT file STREQUAL algebra/flint.hpp)
       violation("${directive}: only algebra/flint.hpp includes FLINT and Arb")
     endif()

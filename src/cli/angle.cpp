@@ -1,6 +1,6 @@
 #include "phrame/cli/form.hpp"
-#include "phrame/io/spline_report.hpp"
-#include "phrame/io/text.hpp"
+#include "phrame/io/write/spline_report.hpp"
+#include "phrame/io/write/text.hpp"
 
 namespace phrame::cli {
 namespace {

@@ -1,6 +1,6 @@
-#include "phrame/ph/certify.hpp"
+#include "phrame/ph/proof/certify.hpp"
 #include "phrame/cli/command.hpp"
-#include "phrame/io/certificate_file.hpp"
+#include "phrame/io/read/certificate_file.hpp"
 
 namespace phrame::cli {
 namespace {

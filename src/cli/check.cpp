@@ -3,8 +3,8 @@
 #include <tuple>
 
 #include "phrame/cli/command.hpp"
-#include "phrame/io/check_report.hpp"
-#include "phrame/io/frame_csv.hpp"
+#include "phrame/io/better_reading.hpp"
+#include "phrame/io/write/check_report.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -75,8 +75,9 @@ void run(const Command& command, const CheckOptions& options) {
                    "is for quaternions; the table has vectors");
   require_enough(table.frames, measure, file);
   const FrameVerdict verdict = check_frames(named.spline, table.frames, measure);
-  const CheckReport report{named.name, table, measure, verdict,
-                           better_reading(named.spline, bytes, reading, table, verdict, measure)};
+  CheckReport report{named.name, table.frames, measure, verdict, table.columns, table.skipped};
+  if (const auto better = better_reading(named.spline, bytes, reading, table, verdict, measure))
+    report.better = {to_options(better->reading), better->passes};
   options.length.write(options.curve.output, print(report));
   if (!report.verdict.passes) throw AnswerNo{};
 }

@@ -1,5 +1,5 @@
 #include "phrame/cli/command.hpp"
-#include "phrame/io/classify_report.hpp"
+#include "phrame/io/write/classify_report.hpp"
 
 namespace phrame::cli {
 namespace {

@@ -10,9 +10,9 @@
 #include <memory>
 #include <system_error>
 
-#include "phrame/io/angle_text.hpp"
-#include "phrame/io/number_text.hpp"
-#include "phrame/io/text.hpp"
+#include "phrame/io/write/angle_text.hpp"
+#include "phrame/io/write/number_text.hpp"
+#include "phrame/io/write/text.hpp"
 
 namespace phrame::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/cli/program.hpp"
-#include "phrame/io/curve_file.hpp"
-#include "phrame/ph/rmf_angle.hpp"
+#include "phrame/io/read/curve_file.hpp"
+#include "phrame/ph/frame/rmf_angle.hpp"
 
 namespace phrame::cli {
 

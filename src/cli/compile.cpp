@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "phrame/cli/command.hpp"
-#include "phrame/io/c_header.hpp"
+#include "phrame/io/write/c_header.hpp"
 
 namespace phrame::cli {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/option_list.hpp"
-#include "phrame/io/json_text.hpp"
+#include "phrame/io/write/json_text.hpp"
 
 namespace phrame::cli {
 namespace {

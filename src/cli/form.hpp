@@ -3,7 +3,7 @@
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/integrate/radicals.hpp"
 #include "phrame/integrate/real_form.hpp"
-#include "phrame/io/cas_script.hpp"
+#include "phrame/io/write/cas_script.hpp"
 
 namespace phrame::cli {
 

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "phrame/answer/frame_table.hpp"
 #include "phrame/cli/twist_options.hpp"
-#include "phrame/io/frame_table.hpp"
-#include "phrame/ph/arc_length.hpp"
-#include "phrame/ph/reduced_angle.hpp"
+#include "phrame/io/write/frame_table.hpp"
+#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/frame/reduced_angle.hpp"
 
 namespace phrame::cli {
 namespace {

@@ -1,5 +1,5 @@
 #include "phrame/cli/command.hpp"
-#include "phrame/io/identify_report.hpp"
+#include "phrame/io/write/identify_report.hpp"
 
 namespace phrame::cli {
 namespace {

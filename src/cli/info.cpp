@@ -1,6 +1,6 @@
 #include "phrame/cli/command.hpp"
-#include "phrame/io/curve_info.hpp"
-#include "phrame/io/spline_report.hpp"
+#include "phrame/io/write/curve_info.hpp"
+#include "phrame/io/write/spline_report.hpp"
 
 namespace phrame::cli {
 namespace {

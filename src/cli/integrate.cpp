@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "phrame/cli/form.hpp"
-#include "phrame/io/endpoint.hpp"
+#include "phrame/io/read/endpoint.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -55,7 +55,7 @@ void run(const IntegrateOptions& options) {
   if (form.style == FormChoice::Style::radicals && f.variable == "i")
     throw InputError("--form radicals", "i is the imaginary unit there, not a variable");
 
-  IntegralReport report{f, integrate(f.value, form.form)};
+  IntegralReport report{f.value, f.variable, integrate(f.value, form.form)};
   report.says_checked = !options.is_silent;
   report.digits = options.digits;
   report.lists_all_poles = options.form.length.is_full;

@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
+#include "phrame/answer/interpolation.hpp"
 #include "phrame/cli/command.hpp"
-#include "phrame/io/feedrate.hpp"
-#include "phrame/io/interpolation.hpp"
+#include "phrame/io/read/feedrate.hpp"
+#include "phrame/io/write/frame_table.hpp"
 
 namespace phrame::cli {
 namespace {

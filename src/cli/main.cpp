@@ -7,8 +7,8 @@
 
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/usage.hpp"
-#include "phrame/io/failure.hpp"
-#include "phrame/io/text.hpp"
+#include "phrame/io/write/failure.hpp"
+#include "phrame/io/write/text.hpp"
 #include "phrame/version.hpp"
 
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "phrame/cli/twist_options.hpp"
-#include "phrame/io/twist_report.hpp"
+#include "phrame/io/write/twist_report.hpp"
 
 namespace phrame::cli {
 namespace {

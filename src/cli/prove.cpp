@@ -1,5 +1,5 @@
 #include "phrame/cli/command.hpp"
-#include "phrame/io/coq_proof.hpp"
+#include "phrame/io/write/coq_proof.hpp"
 
 namespace phrame::cli {
 namespace {

@@ -1,5 +1,5 @@
 #include "phrame/cli/command.hpp"
-#include "phrame/io/totals_report.hpp"
+#include "phrame/io/write/totals_report.hpp"
 
 namespace phrame::cli {
 namespace {

@@ -1,6 +1,6 @@
 #include "phrame/cli/twist_options.hpp"
 
-#include "phrame/ph/frame.hpp"
+#include "phrame/ph/frame/frame.hpp"
 
 namespace phrame::cli {
 namespace {

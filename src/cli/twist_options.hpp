@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/cli/command.hpp"
-#include "phrame/ph/twist_frame.hpp"
+#include "phrame/ph/twist/twist_frame.hpp"
 
 namespace phrame::cli {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/rational.hpp"
-#include "phrame/io/suggestion.hpp"
+#include "phrame/io/read/suggestion.hpp"
 
 namespace phrame::cli {
 namespace {

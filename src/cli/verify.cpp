@@ -1,12 +1,12 @@
-#include "phrame/ph/verify.hpp"
+#include "phrame/ph/proof/verify.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "phrame/cli/command.hpp"
-#include "phrame/io/certificate_file.hpp"
-#include "phrame/io/text.hpp"
+#include "phrame/io/read/certificate_file.hpp"
+#include "phrame/io/write/text.hpp"
 
 namespace phrame::cli {
 namespace {

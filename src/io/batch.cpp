@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/io/angle_text.hpp"
-#include "phrame/io/failure.hpp"
-#include "phrame/io/json_node.hpp"
-#include "phrame/io/json_text.hpp"
-#include "phrame/io/number_text.hpp"
-#include "phrame/io/spline_report.hpp"
+#include "phrame/io/read/json_node.hpp"
+#include "phrame/io/write/angle_text.hpp"
+#include "phrame/io/write/failure.hpp"
+#include "phrame/io/write/json_text.hpp"
+#include "phrame/io/write/number_text.hpp"
+#include "phrame/io/write/spline_report.hpp"
 
 namespace phrame {
 namespace {

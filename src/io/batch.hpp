@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "phrame/io/curve_file.hpp"
-#include "phrame/ph/rmf_angle.hpp"
+#include "phrame/io/read/curve_file.hpp"
+#include "phrame/ph/frame/rmf_angle.hpp"
 
 namespace phrame {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/io/frame_csv.hpp"
+#include "phrame/io/read/frame_csv.hpp"
 
 namespace phrame {
 

@@ -128,19 +128,21 @@ TEST_CASE("integer: to and from the machine's integers, and text") {
 
 TEST_CASE("integer: copies are their own, what was moved from is 0, and an operand may be itself") {
   Integer a = pow(Integer(10), 40);
+  const Integer& itself = a;
   const Integer b = a;
-  a += a;
+  a += itself;
   CHECK(a == 2 * b);
-  a *= a;
+  a *= itself;
   CHECK(a == 4 * b * b);
-  a -= a;
+  a -= itself;
   CHECK(a == 0);
   Integer c = b;
   const Integer d = std::move(c);
   CHECK(d == b);
   CHECK(c == 0);  // NOLINT(bugprone-use-after-move)
   Rational x(b, 3);
-  x /= x;
+  const Rational& x_itself = x;
+  x /= x_itself;
   CHECK(x == 1);
 }
 

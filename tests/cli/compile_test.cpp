@@ -3,10 +3,10 @@
 #include <cstring>
 
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/io/c_header.hpp"
-#include "phrame/io/curve_file.hpp"
-#include "phrame/ph/compiled_angle.hpp"
-#include "phrame/ph/compiled_frame.hpp"
+#include "phrame/io/read/curve_file.hpp"
+#include "phrame/io/write/c_header.hpp"
+#include "phrame/ph/frame/compiled_angle.hpp"
+#include "phrame/ph/frame/compiled_frame.hpp"
 #include "workshop.hpp"
 
 // The headers are compiled by a C compiler ($CC, or cc) and compared with the exact engine: a

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/io/certificate_file.hpp"
-#include "phrame/ph/verify.hpp"
+#include "phrame/io/read/certificate_file.hpp"
+#include "phrame/ph/proof/verify.hpp"
 
 namespace {
 

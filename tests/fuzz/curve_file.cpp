@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/io/curve_file.hpp"
+#include "phrame/io/read/curve_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

@@ -7,8 +7,9 @@
 #include <string_view>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/io/endpoint.hpp"
-#include "phrame/io/text.hpp"
+#include "phrame/io/read/endpoint.hpp"
+#include "phrame/io/write/endpoint_text.hpp"
+#include "phrame/io/write/text.hpp"
 
 namespace {
 

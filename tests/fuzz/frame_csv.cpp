@@ -1,6 +1,6 @@
 // Any bytes, text or .npy: frames, or an InputError of one line. The first byte chooses the
 // convention.
-#include "phrame/io/frame_csv.hpp"
+#include "phrame/io/read/frame_csv.hpp"
 
 #include <cstddef>
 #include <cstdint>

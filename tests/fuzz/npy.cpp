@@ -1,5 +1,5 @@
 // Any bytes behind the magic of NumPy's files: numbers, or an InputError of one line.
-#include "phrame/io/npy.hpp"
+#include "phrame/io/read/npy.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -9,7 +9,7 @@
 #include "phrame/algebra/roots.hpp"
 #include "phrame/integrate/definite.hpp"
 #include "phrame/integrate/integrate.hpp"
-#include "phrame/io/expression.hpp"
+#include "phrame/io/read/expression.hpp"
 #include "support/data.hpp"
 #include "support/random.hpp"
 

@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "io/reference.hpp"
-#include "phrame/io/angle_report.hpp"
-#include "phrame/io/spline_report.hpp"
+#include "phrame/io/write/angle_report.hpp"
+#include "phrame/io/write/spline_report.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;

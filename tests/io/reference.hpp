@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "phrame/algebra/rational_function.hpp"
-#include "phrame/io/curve_file.hpp"
+#include "phrame/io/read/curve_file.hpp"
 #include "support/data.hpp"
 
 // The reference values of tests/data, and how a printed decimal is compared with them: exactly.

@@ -1,7 +1,7 @@
 // A bare number beyond the range of long double was refused: "put it in quotes".
 #include <doctest/doctest.h>
 
-#include "phrame/io/curve_file.hpp"
+#include "phrame/io/read/curve_file.hpp"
 
 using namespace phrame;
 

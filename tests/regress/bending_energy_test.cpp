@@ -1,7 +1,7 @@
 // Wherever the curve had a cusp on [0, 1] its bending energy was said to be infinite.
 #include <doctest/doctest.h>
 
-#include "phrame/io/curve_info.hpp"
+#include "phrame/io/write/curve_info.hpp"
 
 using namespace phrame;
 

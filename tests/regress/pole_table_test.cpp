@@ -1,10 +1,10 @@
 // The table of poles and residues was computed with 128 bits, and printed "0" for whatever they
 // could not tell from 0.
-#include "phrame/io/pole_table.hpp"
+#include "phrame/io/write/pole_table.hpp"
 
 #include <doctest/doctest.h>
 
-#include "phrame/ph/rmf_angle.hpp"
+#include "phrame/ph/frame/rmf_angle.hpp"
 
 using namespace phrame;
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/ph/curve.hpp"
+#include "phrame/ph/curve/curve.hpp"
 
 namespace phrame::test {
 

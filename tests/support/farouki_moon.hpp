@@ -3,7 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "phrame/ph/curve.hpp"
+#include "phrame/ph/curve/curve.hpp"
 #include "support/data.hpp"
 
 namespace phrame::test {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "phrame/algebra/rational_function.hpp"
-#include "phrame/ph/curve.hpp"
+#include "phrame/ph/curve/curve.hpp"
 
 namespace phrame::test {
 

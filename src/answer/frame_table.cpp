@@ -1,0 +1,344 @@
+#include "phrame/answer/frame_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/frame/algebraic_frame.hpp"
+#include "phrame/ph/frame/compiled_frame.hpp"
+#include "phrame/ph/frame/spline_angle.hpp"
+
+namespace phrame {
+namespace {
+
+void add_columns(std::vector<std::string>& columns, std::string_view vector) {
+  for (const char* axis : {"x", "y", "z"}) columns.push_back(fmt::format("{}{}", vector, axis));
+}
+
+void add_values(std::vector<double>& row, const Vector<double>& values) {
+  row.insert(row.end(), values.begin(), values.end());
+}
+
+std::pair<const char*, const char*> vector_names(TabulatedFrame frame) {
+  switch (frame) {
+    case TabulatedFrame::rmf:
+      return {"f2", "f3"};
+    case TabulatedFrame::erf:
+      return {"e2", "e3"};
+    case TabulatedFrame::frenet:
+      return {"n", "b"};
+    case TabulatedFrame::mtf:
+      return {"mtf2", "mtf3"};
+    case TabulatedFrame::exact_mtf:
+      return {"exact_mtf2", "exact_mtf3"};
+  }
+  return {"", ""};
+}
+
+const char* name_of(TabulatedScalar kind) {
+  switch (kind) {
+    case TabulatedScalar::arc_length:
+      return "s";
+    case TabulatedScalar::curvature:
+      return "curvature";
+    case TabulatedScalar::torsion:
+      return "torsion";
+    case TabulatedScalar::frenet_rate:
+      return "frenet_rate";
+  }
+  return "";
+}
+
+RationalFunction function_of(const Curve& curve, TabulatedScalar kind) {
+  switch (kind) {
+    case TabulatedScalar::arc_length:
+      return RationalFunction(ArcLength(curve).polynomial());
+    case TabulatedScalar::curvature:
+      return squared_curvature(curve);
+    case TabulatedScalar::torsion:
+      return torsion(curve);
+    case TabulatedScalar::frenet_rate:
+      return squared_frenet_rate(curve);
+  }
+  return {};
+}
+
+/// "t = 3/2", "t ≈ 1.33".
+std::string text_of(const SplinePoint& point) {
+  const Rational before(static_cast<long>(point.segment));
+  if (const auto r = point.t.rational())
+    return "t = " + abbreviated(to_string(Rational(before + *r)));
+  return "t ≈ " + to_string((to_real(point.t) + before).enclose(64), 12);
+}
+
+/// A scalar as a function of t: f, or its square root.
+struct Scalar {
+  TabulatedScalar kind;
+  RationalFunction f;
+  bool is_square;
+  bool is_on_segment;  ///< known for t in [0, 1] only
+
+  std::string undefined;  ///< why it is, for all t; empty where it is not
+
+  Scalar(const Curve& curve, TabulatedScalar of)
+      : kind(of),
+        is_square(of == TabulatedScalar::curvature || of == TabulatedScalar::frenet_rate),
+        is_on_segment(of == TabulatedScalar::arc_length && !curve.multiplier().is_constant()) {
+    try {
+      f = function_of(curve, of);
+    } catch (const DomainError& error) {
+      undefined = error.what();
+    }
+  }
+  /// The value at t of the point.
+  Real at(const SplinePoint& point, const AlgebraicPoint& t) const;
+};
+
+Real Scalar::at(const SplinePoint& point, const AlgebraicPoint& t) const {
+  if (!undefined.empty()) throw DomainError(undefined);
+  if (is_on_segment && (compare(t.number(), 0) < 0 || compare(t.number(), 1) > 0))
+    throw DomainError(
+        fmt::format("{}: {} is outside [0, 1], where the sign of the multiplier is known",
+                    name_of(kind), text_of(point)));
+  if (sign_at(f.denominator(), t.number()) == 0)
+    throw DomainError(fmt::format("{}: infinite at {}", name_of(kind), text_of(point)));
+  return is_square ? t.square_root(f) : t.value(f);
+}
+
+/// What the rows along one segment share.
+struct Segment {
+  Vector<Polynomial> position;
+  Frames frames;
+  std::vector<Scalar> scalars;
+  std::optional<AlgebraicFrames> algebraic;  ///< made for the first irrational t
+
+  Segment(const Curve& curve, const TableColumns& columns)
+      : position(phrame::position(curve)), frames(curve) {
+    for (const TabulatedScalar kind : columns.scalars) scalars.emplace_back(curve, kind);
+  }
+};
+
+/// One row after the other. What a row of another kind would need is not prepared.
+class Rows {
+ public:
+  Rows(const Spline& spline, const TableColumns& columns)
+      : spline_(spline), columns_(columns), segments_(spline.segments().size()) {}
+
+  std::vector<std::string> names() const;
+  std::vector<double> at(const SplinePoint& point);
+  /// Why the last row has empty cells; nothing where it has none.
+  const std::string& reason() const { return reason_; }
+  /// Prepares for rows at all of these points, where they are so many that it pays.
+  void expect(const std::vector<SplinePoint>& points);
+
+ private:
+  Segment& segment(std::size_t k);
+  const SplineAngle& angle();
+  Frame<Real> rotation_minimizing(const Frame<Rational>& erf, const SplineParameter& at);
+  Rational length_before(std::size_t k);
+  void add_rational(std::vector<double>& row, const SplineParameter& at);
+  void add_irrational(std::vector<double>& row, const SplinePoint& point, const AlgebraicPoint& t);
+  template <class Add>
+  void add_where_defined(std::vector<double>& row, std::size_t count, Add add);
+
+  const Spline& spline_;
+  const TableColumns& columns_;
+  std::vector<std::unique_ptr<Segment>> segments_;
+  std::vector<Rational> lengths_;  ///< of the first 0, 1, … segments
+  std::optional<SplineAngle> angle_;
+  std::optional<RoundedFrames> compiled_;
+  std::string reason_;
+};
+
+/// `count` numbers, or empty cells where they are undefined and may be empty.
+template <class Add>
+void Rows::add_where_defined(std::vector<double>& row, std::size_t count, Add add) {
+  if (!columns_.may_be_empty) return add();
+  const std::size_t before = row.size();
+  try {
+    add();
+  } catch (const DomainError& error) {
+    row.resize(before);
+    row.resize(before + count, std::numeric_limits<double>::quiet_NaN());
+    if (reason_.empty()) reason_ = error.what();
+  }
+}
+
+Segment& Rows::segment(std::size_t k) {
+  if (!segments_[k]) segments_[k] = std::make_unique<Segment>(spline_.segments()[k], columns_);
+  return *segments_[k];
+}
+
+const SplineAngle& Rows::angle() {
+  if (!angle_) angle_.emplace(spline_);
+  return *angle_;
+}
+
+Frame<Real> Rows::rotation_minimizing(const Frame<Rational>& erf, const SplineParameter& at) {
+  if (const auto z = angle().direction(at)) return turned(erf, *z);
+  return turned(as_real(erf), angle().value(at));
+}
+
+void Rows::expect(const std::vector<SplinePoint>& points) {
+  const std::size_t many =
+      1000 + 20 * static_cast<std::size_t>(preimage_degree(spline_.segments().front()));
+  const auto& frames = columns_.frames;
+  if (points.size() < many || segments_.size() > 1 ||
+      std::find(frames.begin(), frames.end(), TabulatedFrame::rmf) == frames.end())
+    return;
+  std::vector<double> at;
+  for (const SplinePoint& point : points)
+    if (const auto t = point.t.rational()) at.push_back(round_to_double(*t));
+  const auto [from, to] = std::minmax_element(at.begin(), at.end());
+  if (at.size() < many || *from == *to) return;
+  const Curve& curve = spline_.segments().front();
+  try {
+    compiled_.emplace(curve, RmfAngle(curve), *from, *to);
+  } catch (const Undecided&) {  // then each row goes the exact way
+  } catch (const DomainError&) {
+  }
+}
+
+Rational Rows::length_before(std::size_t k) {
+  if (lengths_.empty()) lengths_.emplace_back(0);
+  while (lengths_.size() <= k)
+    lengths_.push_back(lengths_.back() +
+                       ArcLength(spline_.segments()[lengths_.size() - 1]).total());
+  return lengths_[k];
+}
+
+std::vector<std::string> Rows::names() const {
+  std::vector<std::string> names{"t", "x", "y", "z"};
+  add_columns(names, "e1");
+  for (const TabulatedFrame frame : columns_.frames) {
+    const auto [second, third] = vector_names(frame);
+    add_columns(names, second);
+    add_columns(names, third);
+  }
+  for (const TabulatedScalar kind : columns_.scalars) names.emplace_back(name_of(kind));
+  return names;
+}
+
+std::vector<double> Rows::at(const SplinePoint& point) {
+  reason_.clear();
+  const AlgebraicPoint t(point.t);
+  const Rational before(static_cast<long>(point.segment));
+  std::vector<double> row{round_to_double(to_real(point.t) + before)};
+  if (const auto r = point.t.rational())
+    add_rational(row, {point.segment, *r});
+  else
+    add_irrational(row, point, t);
+  for (const Scalar& scalar : segment(point.segment).scalars) {
+    add_where_defined(row, 1, [&] {
+      const Real value = scalar.at(point, t);
+      const bool is_length = scalar.kind == TabulatedScalar::arc_length;
+      row.push_back(round_to_double(is_length ? value + length_before(point.segment) : value));
+    });
+  }
+  return row;
+}
+
+template <class AnyFrame>
+void add_normals(std::vector<double>& row, const AnyFrame& frame) {
+  add_values(row, round_to_double(frame.e2));
+  add_values(row, round_to_double(frame.e3));
+}
+
+void Rows::add_rational(std::vector<double>& row, const SplineParameter& at) {
+  const Segment& here = segment(at.segment);
+  std::optional<Frame<Rational>> known_erf;
+  const auto erf = [&]() -> const Frame<Rational>& {
+    if (!known_erf) known_erf = here.frames.euler_rodrigues(at.t);
+    return *known_erf;
+  };
+  std::optional<Frame<double>> rmf;
+  if (compiled_) rmf = compiled_->at(at.t);
+  add_values(row, round_to_double(evaluate(here.position, at.t)));
+  add_values(row, rmf ? rmf->e1 : round_to_double(erf().e1));
+  for (const TabulatedFrame frame : columns_.frames) {
+    if (frame == TabulatedFrame::erf) add_normals(row, erf());
+    if (frame == TabulatedFrame::frenet)
+      add_where_defined(row, 6, [&] { add_normals(row, here.frames.frenet(at.t)); });
+    if (frame == TabulatedFrame::rmf && rmf) {
+      add_values(row, rmf->e2);
+      add_values(row, rmf->e3);
+    } else if (frame == TabulatedFrame::rmf) {
+      add_normals(row, rotation_minimizing(erf(), at));
+    }
+    const Rational t = Rational(static_cast<long>(at.segment)) + at.t;
+    if (frame == TabulatedFrame::mtf)
+      add_normals(row, turned(as_real(erf()), value(*columns_.mtf, Real(t))));
+    if (frame == TabulatedFrame::exact_mtf)
+      add_normals(row, turned(as_real(erf()), columns_.exact_mtf->value(t)));
+  }
+}
+
+void Rows::add_irrational(std::vector<double>& row, const SplinePoint& point,
+                          const AlgebraicPoint& t) {
+  Segment& here = segment(point.segment);
+  if (!here.algebraic) here.algebraic.emplace(spline_.segments()[point.segment]);
+  for (const Polynomial& x : here.position) row.push_back(round_to_double(t.value(x)));
+  const Frame<Real> erf = here.algebraic->euler_rodrigues(t);
+  add_values(row, round_to_double(erf.e1));
+  for (const TabulatedFrame frame : columns_.frames) {
+    if (frame == TabulatedFrame::erf) add_normals(row, erf);
+    if (frame == TabulatedFrame::frenet)
+      add_where_defined(row, 6, [&] { add_normals(row, here.algebraic->frenet(t)); });
+    const auto rmf_angle = [&] {
+      return angle().value(SplineParameter{point.segment, 0}) + here.algebraic->angle(t);
+    };
+    if (frame == TabulatedFrame::rmf) add_normals(row, turned(erf, rmf_angle()));
+    if (frame == TabulatedFrame::mtf) {
+      const Rational before(static_cast<long>(point.segment));
+      add_normals(row, turned(erf, value(*columns_.mtf, to_real(point.t) + before)));
+    }
+    if (frame == TabulatedFrame::exact_mtf) {
+      const ArcLength length(spline_.segments()[point.segment]);
+      const Real s = t.value(length.polynomial()) + length_before(point.segment);
+      add_normals(row, turned(erf, columns_.exact_mtf->value(s, rmf_angle())));
+    }
+  }
+}
+
+}  // namespace
+
+void add_row(FrameTable& table, std::vector<double> row,
+             const std::function<std::string()>& place) {
+  for (std::size_t k = 0; k < row.size(); ++k)
+    if (std::isinf(row[k]))
+      throw InputError(place(), table.columns[k] + " does not fit a double, of at most 1.8e308");
+  table.rows.push_back(std::move(row));
+}
+
+FrameTable frame_table(const Spline& spline, const TableColumns& columns,
+                       const std::vector<SplinePoint>& at) {
+  Rows rows(spline, columns);
+  rows.expect(at);
+  FrameTable table{rows.names(), {}};
+  for (const SplinePoint& point : at) {
+    add_row(table, rows.at(point), [&] { return text_of(point); });
+    if (rows.reason().empty()) continue;
+    if (++table.incomplete_rows == 1) table.first_reason = rows.reason();
+  }
+  return table;
+}
+
+FrameTable frame_table(const Curve& curve, const TableColumns& columns,
+                       const std::vector<RealAlgebraic>& at) {
+  std::vector<SplinePoint> points;
+  for (const RealAlgebraic& t : at) points.push_back({0, t});
+  return frame_table(Spline(curve), columns, points);
+}
+
+FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,
+                       const std::vector<Rational>& at) {
+  return frame_table(curve, TableColumns{frames}, std::vector<RealAlgebraic>(at.begin(), at.end()));
+}
+
+}  // namespace phrame

@@ -1,0 +1,75 @@
+#pragma once
+#include <functional>
+
+#include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/ph/frame/frame.hpp"
+#include "phrame/ph/twist/twist_frame.hpp"
+
+namespace phrame {
+
+/// The frames that a table can hold beside t, r and e₁.
+enum class TabulatedFrame {
+  rmf,        ///< f₂, f₃: rotation-minimizing, equal to (e₂, e₃) at t = 0
+  erf,        ///< e₂, e₃: Euler–Rodrigues
+  frenet,     ///< n, b
+  mtf,        ///< of minimal twist and rational
+  exact_mtf,  ///< of minimal twist, at a constant rate
+};
+
+/// Numbers that it can hold as well.
+enum class TabulatedScalar {
+  arc_length,   ///< s, from t = 0
+  curvature,    ///< κ ≥ 0, the rate at which a rotation-minimizing frame turns
+  torsion,      ///< τ
+  frenet_rate,  ///< √(κ² + τ²), the rate at which the Frenet frame turns
+};
+
+struct TableColumns {
+  std::vector<TabulatedFrame> frames;
+  std::vector<TabulatedScalar> scalars = {};
+  /// The frames of minimal twist where there are columns for them; for t on the spline only.
+  std::optional<TwistFrame> mtf = {};
+  std::optional<MinimalTwist> exact_mtf = {};
+  /// Is a cell whose number is undefined left empty? Else it is an error.
+  bool may_be_empty = false;
+};
+
+/// Numbers with a name for each column; all of them correctly rounded. NaN is an empty cell.
+struct FrameTable {
+  std::vector<std::string> columns;
+  std::vector<std::vector<double>> rows;
+  std::string format = "frames/1";  ///< as JSON names it
+  std::size_t incomplete_rows = 0;  ///< so many have empty cells
+  std::string first_reason = {};    ///< why the first of these has
+};
+
+/// t, r, e₁, the frames and the scalars asked for, at each t: correctly rounded values at t itself,
+/// not at the t that is shown. Where a Frenet frame, a torsion or an arc length is undefined, and
+/// at the pole of a curvature or torsion, cells are left empty if they may be, or DomainError is
+/// thrown. Throws InputError where a number is too large
+/// for a double, Undecided where a component of the rotation-minimizing frame at an irrational t is
+/// half way between two, and where any number is too near to that for the limit of
+/// round_to_double().
+FrameTable frame_table(const Curve& curve, const TableColumns& columns,
+                       const std::vector<RealAlgebraic>& at);
+
+/// The same with frames only, at rational t.
+FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,
+                       const std::vector<Rational>& at);
+
+/// A point of a spline: its parameter is segment + t.
+struct SplinePoint {
+  std::size_t segment;
+  RealAlgebraic t;
+};
+
+/// The same along a spline. What is not continuous there, (n, b) and the scalars but s, is that of
+/// the segment named.
+FrameTable frame_table(const Spline& spline, const TableColumns& columns,
+                       const std::vector<SplinePoint>& at);
+
+/// Throws InputError where a number has been rounded to infinity, which is no answer; `place` says
+/// of what the row is.
+void add_row(FrameTable& table, std::vector<double> row, const std::function<std::string()>& place);
+
+}  // namespace phrame

@@ -1,0 +1,50 @@
+#pragma once
+#include <string_view>
+#include <variant>
+
+#include "phrame/ph/curve/named.hpp"
+
+namespace phrame {
+
+class JsonNode;
+
+struct CurveLimits {
+  long max_degree = 1001;  ///< of the curve, 2m + 1 + deg f
+};
+
+/// Reads a curve/1 file (README, "Curve files"): `preimage`, `quaternions` or `hopf`, with `basis`
+/// and optionally `name`, `start` and `multiplier` (in the same basis); or `control_points` of a
+/// Bézier curve, which is identified as a PH curve or refused. Numbers are read exactly.
+/// `note`, `family` and `expected` are remarks and are skipped.
+/// Throws InputError; its place is a JSON pointer, or line:column where the JSON itself is broken.
+NamedCurve read_curve(std::string_view text, const CurveLimits& limits = {});
+/// The same as a part of a document.
+NamedCurve read_curve(const JsonNode& node, const CurveLimits& limits = {});
+
+/// Reads a curve/1 file, or a spline/1 file: `segments`, a list of curves, each starting where the
+/// one before ends; `start` may be left out of all but those given by control points. Throws
+/// InputError as read_curve, and with the segment at whose start position or tangent break.
+std::variant<NamedCurve, NamedSpline> read_curve_or_spline(std::string_view text,
+                                                           const CurveLimits& limits = {});
+
+/// The same as a part of a document, where a curve may do without "phrame": "curve/1".
+std::variant<NamedCurve, NamedSpline> read_curve_or_spline(const JsonNode& node,
+                                                           const CurveLimits& limits = {});
+
+/// A curve as a spline of one segment.
+NamedSpline as_spline(const std::variant<NamedCurve, NamedSpline>& read);
+
+/// r′ and r(0) of a curve that may not be PH.
+struct NamedHodograph {
+  std::string name;
+  Vector<Polynomial> hodograph;  ///< not 0
+  Vector<Rational> start;
+};
+
+/// Reads the same files, but does not ask whether a Bézier curve is PH.
+NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits = {});
+
+/// A curve/1 file that read_curve reads as the same curve, in the power basis.
+std::string write_curve(const NamedCurve& named);
+
+}  // namespace phrame

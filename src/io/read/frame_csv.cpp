@@ -1,0 +1,479 @@
+#include "phrame/io/read/frame_csv.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/read/npy.hpp"
+#include "phrame/io/write/number_text.hpp"
+
+namespace phrame {
+namespace {
+
+using Names = std::vector<std::string>;
+using Fields = std::vector<std::string_view>;
+
+constexpr std::string_view blanks = " \t\r";
+
+std::string_view trimmed(std::string_view text, std::string_view characters) {
+  const auto first = text.find_first_not_of(characters);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(characters) - first + 1);
+}
+
+char separator_of(std::string_view line) {
+  for (const char c : {';', ',', '\t'})
+    if (line.find(c) != std::string_view::npos) return c;
+  return ' ';
+}
+
+/// Between separators; many blanks are one.
+Fields fields(std::string_view line, char separator) {
+  Fields list;
+  for (;;) {
+    const auto end =
+        line.find_first_of(separator == ' ' ? blanks : std::string_view(&separator, 1));
+    list.push_back(trimmed(line.substr(0, end), " \t\r\""));
+    if (end == std::string_view::npos) return list;
+    line.remove_prefix(end + 1);
+    if (separator == ' ') line = trimmed(line, blanks);
+  }
+}
+
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// Something meant for a number, as names are not.
+bool is_like_number(std::string_view field) {
+  constexpr std::string_view first = "+-.0123456789";
+  const std::string word = lower_case(field);
+  return (!field.empty() && first.find(field.front()) != std::string_view::npos) || word == "nan" ||
+         word == "inf";
+}
+
+/// Lines of text, with or without a header.
+class TextTable {
+ public:
+  /// The last comment above the numbers may be the header, if it is asked for one.
+  TextTable(std::string_view text, bool reads_comment);
+
+  const Names& names() const { return names_; }
+  std::string header_place() const { return fmt::format("line {}", header_line_); }
+  std::size_t rows() const { return rows_.size(); }
+  std::size_t columns() const {
+    return names_.empty() ? rows_.front().fields.size() : names_.size();
+  }
+  std::string place(std::size_t row) const { return fmt::format("line {}", rows_[row].line); }
+  Rational number(std::size_t row, std::size_t column) const;
+
+ private:
+  struct Row {
+    Fields fields;
+    long line;
+  };
+  void add(std::string_view content, long line);
+  void take_comment_for_header();
+  void require_equal_widths() const;
+
+  Names names_;
+  long header_line_ = 1;
+  std::vector<Row> rows_;
+  char separator_ = 0;
+  std::string_view comment_;  ///< the last above the first row, without its "#"
+  long comment_line_ = 0;
+};
+
+TextTable::TextTable(std::string_view text, bool reads_comment) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw InputError("line 1", "the text is UTF-16; UTF-8 is wanted");
+  if (text.starts_with("PK\x03\x04"))
+    throw InputError("line 1",
+                     "this is an archive (.npz?); an array saved by numpy.save is wanted");
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // the mark of UTF-8
+  if (text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size())).starts_with('{'))
+    throw InputError("line 1", "this is JSON; a table of text or an array of NumPy is wanted");
+  for (long line = 1; !text.empty(); ++line) {
+    const auto end = std::min(text.find_first_of("\r\n"), text.size());
+    add(trimmed(text.substr(0, end), blanks), line);
+    const auto next = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
+    text.remove_prefix(std::min(next, text.size()));
+  }
+  if (names_.empty() && rows_.empty())
+    throw InputError("line 1", "a table of numbers is wanted, below the names of its columns");
+  if (rows_.empty())
+    throw InputError(fmt::format("line {}", header_line_ + 1), "there are no frames");
+  if (reads_comment && names_.empty() && !comment_.empty()) take_comment_for_header();
+  require_equal_widths();
+}
+
+void TextTable::add(std::string_view content, long line) {
+  if (content.empty()) return;
+  if (content.front() == '#') {
+    if (!rows_.empty() || !names_.empty()) return;
+    content.remove_prefix(std::min(content.find_first_not_of('#'), content.size()));
+    comment_ = trimmed(content, blanks);
+    comment_line_ = line;
+    return;
+  }
+  const bool is_first = separator_ == 0;
+  if (is_first) separator_ = separator_of(content);
+  Fields row = fields(content, separator_);
+  if (is_first && (std::none_of(row.begin(), row.end(), is_like_number) ||
+                   std::find(row.begin(), row.end(), "t") != row.end())) {
+    names_.assign(row.begin(), row.end());
+    header_line_ = line;
+  } else {
+    rows_.push_back({std::move(row), line});
+  }
+}
+
+/// numpy.savetxt writes its header as a comment, with the separators that the caller wrote.
+void TextTable::take_comment_for_header() {
+  for (const char separator : {separator_, ';', ',', '\t', ' '}) {
+    const Fields words = fields(comment_, separator);
+    if (words.size() != rows_.front().fields.size()) continue;
+    names_.assign(words.begin(), words.end());
+    header_line_ = comment_line_;
+    return;
+  }
+}
+
+void TextTable::require_equal_widths() const {
+  for (const Row& row : rows_)
+    if (row.fields.size() != columns())
+      throw InputError(
+          fmt::format("line {}", row.line),
+          fmt::format("{} here, but {} in {}", counted(row.fields.size(), "number"), columns(),
+                      names_.empty() ? "the first line of them" : "the header"));
+}
+
+Rational TextTable::number(std::size_t row, std::size_t column) const {
+  const std::string_view field = rows_[row].fields[column];
+  if (separator_ != ',' && field.find(',') != std::string_view::npos)
+    throw InputError(fmt::format("\"{}\" is not a number: decimals have a point, not a comma",
+                                 abbreviated(field)));
+  return parse_rational(field);
+}
+
+/// Vectors of three columns and quaternions of four, by the names of their columns.
+struct Group {
+  std::string_view name;  ///< "f2" or "q"
+  std::string_view ends;  ///< of the names: "xyz", "wxyz"
+  /// In the order of `ends`, the columns of that name; empty where the table has none of them.
+  std::vector<std::vector<std::size_t>> columns = {};
+
+  std::string column(std::size_t k) const { return fmt::format("{}{}", name, ends.substr(k, 1)); }
+};
+
+/// Which columns hold what is read.
+class Layout {
+ public:
+  Layout(const Names& names, const std::string& place, FrameReading::Quaternion order);
+
+  template <class Table>
+  GivenFrame frame(const Table& table, std::size_t row, const FrameReading& reading) const;
+  bool has_quaternions() const { return !q_.columns.empty(); }
+
+ private:
+  [[noreturn]] void fail(const std::string& reason) const { throw InputError(place_, reason); }
+  void find(Group& group, const Names& names) const;
+
+  template <class Table>
+  Rational number(const Table& table, std::size_t row, const std::vector<std::size_t>& columns,
+                  std::string_view name) const;
+  template <class Table>
+  Vector<Rational> vector(const Table& table, std::size_t row, const Group& group) const {
+    const auto component = [&](std::size_t k) {
+      return number(table, row, group.columns[k], group.column(k));
+    };
+    return {component(0), component(1), component(2)};
+  }
+
+  std::string place_;
+  Group t_{"t", " "};
+  Group f2_{"f2", "xyz"};
+  Group f3_{"f3", "xyz"};
+  Group e1_{"e1", "xyz"};
+  Group q_{"q", "wxyz"};
+};
+
+Layout::Layout(const Names& names, const std::string& place, FrameReading::Quaternion order)
+    : place_(place) {
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (names[k] == "t") {
+      if (t_.columns.empty()) t_.columns.emplace_back();
+      t_.columns[0].push_back(k);
+    }
+  if (t_.columns.empty()) {
+    const auto other = std::find_if(names.begin(), names.end(), [](const std::string& name) {
+      return lower_case(name) == "t" || lower_case(name) == "time";
+    });
+    fail(other == names.end()
+             ? "a column \"t\" is wanted"
+             : fmt::format("missing is the column t: \"{}\" is another name", abbreviated(*other)));
+  }
+  for (Group* group : {&f2_, &f3_, &e1_, &q_}) find(*group, names);
+  if (f2_.columns.empty() && !has_quaternions())
+    fail("columns f2x, f2y, f2z or qw, qx, qy, qz are wanted");
+  for (const Group* group : {&f2_, &f3_, &e1_})
+    if (!group->columns.empty() && has_quaternions())
+      fail(fmt::format("columns of vectors ({}) and of quaternions (qw) exclude each other",
+                       group->column(0)));
+  if (!has_quaternions() || order == FrameReading::Quaternion::named) return;
+  std::sort(q_.columns.begin(), q_.columns.end());  // from left to right
+  if (order == FrameReading::Quaternion::xyzw)
+    std::rotate(q_.columns.begin(), q_.columns.begin() + 3, q_.columns.end());
+}
+
+/// All columns of the group or none; a name that is right but for upper and lower case is an error.
+void Layout::find(Group& group, const Names& names) const {
+  Names found;
+  Names missing;
+  std::string misspelt;
+  for (std::size_t k = 0; k < group.ends.size(); ++k) {
+    const std::string wanted = group.column(k);
+    group.columns.emplace_back();
+    for (std::size_t at = 0; at < names.size(); ++at)
+      if (names[at] == wanted)
+        group.columns.back().push_back(at);
+      else if (lower_case(names[at]) == wanted)
+        misspelt = names[at];
+    (group.columns.back().empty() ? missing : found).push_back(wanted);
+  }
+  if (missing.empty()) return;
+  if (!found.empty() || !misspelt.empty())
+    fail(fmt::format(
+        "missing {} {}: {}", missing.size() == 1 ? "is the column" : "are the columns",
+        fmt::join(missing, ", "),
+        misspelt.empty()
+            ? fmt::format("{} {} there", fmt::join(found, ", "), found.size() == 1 ? "is" : "are")
+            : fmt::format("\"{}\" is another name", abbreviated(misspelt))));
+  group.columns.clear();
+}
+
+template <class Table>
+Rational Layout::number(const Table& table, std::size_t row,
+                        const std::vector<std::size_t>& columns, std::string_view name) const {
+  const auto fail_here = [&](const std::string& reason) {
+    throw InputError(fmt::format("{}, {}", table.place(row), name), reason);
+  };
+  std::optional<Rational> value;
+  for (const std::size_t column : columns) {
+    Rational next;
+    try {
+      next = table.number(row, column);
+    } catch (const InputError& error) {
+      fail_here(error.reason());
+    }
+    if (value && *value != next)
+      fail_here(fmt::format("two columns have this name, one with {}, one with {}",
+                            abbreviated(to_string(*value)), abbreviated(to_string(next))));
+    value = next;
+  }
+  return *value;
+}
+
+/// The frame that q means.
+void set_frame(GivenFrame& frame, RationalQuaternion q, const FrameReading& reading) {
+  const Rational size = norm(q);
+  if (reading.is_inverse) q = {q.u, -q.v, -q.p, -q.q};
+  const auto unit = [&](Vector<Rational> v) {
+    for (Rational& x : v) x /= size;
+    return v;
+  };
+  const std::array<Vector<Rational>, 3> axes{unit(rotated_i(q)), unit(rotated_j(q)),
+                                             unit(rotated_k(q))};
+  const std::size_t first = reading.tangent_axis;
+  frame.tangent = axes[first];
+  frame.f2 = axes[(first + 1) % 3];
+  frame.f3 = axes[(first + 2) % 3];
+  if (!reading.is_axis_reversed) return;
+  for (Rational& x : *frame.tangent) x = -x;
+  std::swap(frame.f2, *frame.f3);
+}
+
+template <class Table>
+GivenFrame Layout::frame(const Table& table, std::size_t row, const FrameReading& reading) const {
+  GivenFrame frame{number(table, row, t_.columns[0], "t"), {}};
+  if (!has_quaternions()) {
+    frame.f2 = vector(table, row, f2_);
+    if (!f3_.columns.empty()) frame.f3 = vector(table, row, f3_);
+    if (!e1_.columns.empty()) frame.tangent = vector(table, row, e1_);
+    return frame;
+  }
+  const auto component = [&](std::size_t k) {
+    return number(table, row, q_.columns[k], q_.column(k));
+  };
+  const RationalQuaternion q{component(0), component(1), component(2), component(3)};
+  if (norm(q) == 0) throw InputError(table.place(row), "the quaternion is 0");
+  set_frame(frame, q, reading);
+  return frame;
+}
+
+void add_triple(Names& names, std::string_view name) {
+  for (const char end : {'x', 'y', 'z'}) names.push_back(fmt::format("{}{}", name, end));
+}
+
+/// The columns of a table without a header; none for a number of them that says nothing.
+Names names_by_number(std::size_t columns) {
+  const bool is_ours = columns >= 13;  // and whatever our tables have behind
+  const bool has_position = columns == 8 || is_ours;
+  Names names{"t"};
+  if (has_position) add_triple(names, "");
+  if (columns == 5 || columns == 8) {
+    names.insert(names.end(), {"qw", "qx", "qy", "qz"});
+    return names;
+  }
+  if (columns == 10 || is_ours) add_triple(names, "e1");
+  if (columns == 4 || columns == 7 || columns == 10 || is_ours) add_triple(names, "f2");
+  if (columns == 7 || columns == 10 || is_ours) add_triple(names, "f3");
+  return names.size() == 1 ? Names{} : names;
+}
+
+template <class Table>
+GivenTable frames_of(const Table& table, const std::string& header_place,
+                     const FrameReading& reading, std::size_t at_most) {
+  Names names = table.names();
+  GivenTable result;
+  if (names.empty()) {
+    names = reading.names.empty() ? names_by_number(table.columns()) : reading.names;
+    if (names.empty())
+      throw InputError(table.place(0),
+                       fmt::format("there is no header, and of {} it is not known what they "
+                                   "are: 4, 5, 7, 8, 10, and 13 or more are; --header names them",
+                                   counted(table.columns(), "column")));
+    if (!reading.names.empty() && names.size() != table.columns())
+      throw InputError("--header", fmt::format("{} for {}", counted(names.size(), "name"),
+                                               counted(table.columns(), "column")));
+    if (reading.names.empty()) result.columns = names;
+    result.skipped = table.columns() - names.size();
+  } else if (!reading.names.empty()) {
+    throw InputError("--header",
+                     "is for tables without a header; this one has one: " + header_place);
+  }
+  const Layout layout(names, reading.names.empty() ? header_place : "--header", reading.quaternion);
+  result.has_quaternions = layout.has_quaternions();
+  const std::size_t rows = table.rows();
+  const std::size_t count = std::min(rows, std::max(at_most, std::size_t{2}));
+  result.frames.reserve(count);
+  for (std::size_t k = 0; k < count; ++k)
+    result.frames.push_back(
+        layout.frame(table, count == rows ? k : k * (rows - 1) / (count - 1), reading));
+  return result;
+}
+
+template <class Table>
+std::vector<GivenPosition> positions_of(const Table& table, const Names& names) {
+  const auto number = [&](std::size_t row, std::string_view name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return table.number(row, static_cast<std::size_t>(found - names.begin()));
+  };
+  std::vector<GivenPosition> positions;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    positions.push_back({number(row, "t"), {number(row, "x"), number(row, "y"), number(row, "z")}});
+  return positions;
+}
+
+}  // namespace
+
+GivenTable read_frames(std::string_view bytes, const FrameReading& reading, std::size_t at_most) {
+  if (NpyTable::is_one(bytes)) return frames_of(NpyTable(bytes), "header", reading, at_most);
+  const TextTable table(bytes, reading.names.empty());
+  return frames_of(table, table.header_place(), reading, at_most);
+}
+
+std::vector<GivenPosition> read_positions(std::string_view bytes, const FrameReading& reading) {
+  return NpyTable::is_one(bytes) ? positions_of(NpyTable(bytes), reading.names)
+                                 : positions_of(TextTable(bytes, false), reading.names);
+}
+
+namespace {
+
+/// The orders of the nine numbers of a matrix: by rows or by columns, the tangent at any place.
+std::vector<Names> matrix_names(bool has_position) {
+  std::vector<Names> all;
+  for (const bool is_transposed : {true, false})
+    for (std::size_t first = 0; first < 3; ++first) {
+      std::array<std::string_view, 3> vectors{"e1", "f2", "f3"};
+      std::rotate(vectors.begin(), vectors.begin() + (3 - first) % 3, vectors.end());
+      Names names{"t"};
+      if (has_position) add_triple(names, "");
+      for (std::size_t k = 0; k < 9; ++k)
+        names.push_back(fmt::format("{}{}", vectors[is_transposed ? k % 3 : k / 3],
+                                    "xyz"[is_transposed ? k / 3 : k % 3]));
+      all.push_back(names);
+    }
+  return all;
+}
+
+}  // namespace
+
+std::vector<FrameReading> other_readings(const GivenTable& table, const FrameReading& reading) {
+  std::vector<FrameReading> others;
+  using Quaternion = FrameReading::Quaternion;
+  if (table.has_quaternions) {
+    for (const bool is_other_order : {false, true})
+      for (const std::size_t turn : {0U, 2U, 1U})
+        for (const bool is_opposite : {false, true})
+          for (const bool is_inverse : {false, true}) {
+            FrameReading other = reading;
+            if (is_other_order)
+              other.quaternion =
+                  reading.quaternion == Quaternion::xyzw ? Quaternion::wxyz : Quaternion::xyzw;
+            other.tangent_axis = (reading.tangent_axis + turn) % 3;
+            other.is_axis_reversed = reading.is_axis_reversed != is_opposite;
+            other.is_inverse = reading.is_inverse != is_inverse;
+            if (other != reading) others.push_back(other);
+          }
+    const auto changes = [&](const FrameReading& other) {
+      return (other.quaternion != reading.quaternion ? 1 : 0) +
+             (other.tangent_axis != reading.tangent_axis ? 1 : 0) +
+             (other.is_axis_reversed != reading.is_axis_reversed ? 1 : 0) +
+             (other.is_inverse != reading.is_inverse ? 1 : 0);
+    };
+    std::stable_sort(
+        others.begin(), others.end(),
+        [&](const FrameReading& a, const FrameReading& b) { return changes(a) < changes(b); });
+    return others;
+  }
+  if (table.columns.empty() || table.skipped > 0) return {};
+  const std::size_t columns = table.columns.size();
+  std::vector<Names> names;
+  if (columns == 10 || columns == 13) names = matrix_names(columns == 13);
+  if (columns == 7)
+    for (const std::string_view first : {"e1", ""}) {
+      names.push_back({"t"});
+      add_triple(names.back(), first);
+      add_triple(names.back(), "f2");
+    }
+  for (const Names& list : names) {
+    FrameReading other = reading;
+    other.names = list;
+    others.push_back(other);
+  }
+  return others;
+}
+
+std::string to_options(const FrameReading& reading) {
+  Names options;
+  using Quaternion = FrameReading::Quaternion;
+  if (reading.quaternion != Quaternion::named)
+    options.push_back(reading.quaternion == Quaternion::xyzw ? "--quaternion xyzw"
+                                                             : "--quaternion wxyz");
+  if (reading.is_axis_reversed || reading.tangent_axis != 0)
+    options.push_back(fmt::format("--tangent-axis{}{}", reading.is_axis_reversed ? "=-" : " ",
+                                  "xyz"[reading.tangent_axis]));
+  if (reading.is_inverse) options.emplace_back("--inverse");
+  if (!reading.names.empty())
+    options.push_back(fmt::format("--header {}", fmt::join(reading.names, ",")));
+  return fmt::format("{}", fmt::join(options, " "));
+}
+
+}  // namespace phrame

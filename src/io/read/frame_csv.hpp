@@ -1,0 +1,58 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "phrame/ph/frame/frame_check.hpp"
+
+namespace phrame {
+
+/// How the numbers of a table mean frames, as far as the table does not say so itself. A quaternion
+/// q turns the axes x, y, z of the body to the world, v ↦ q v q*.
+struct FrameReading {
+  /// The four columns from left to right; `named`: by their names, else w, x, y, z.
+  enum class Quaternion { named, wxyz, xyzw };
+  Quaternion quaternion = Quaternion::named;
+  /// Which of x, y, z is the tangent; f₂ and f₃ are the next two.
+  std::size_t tangent_axis = 0;
+  /// The tangent is the opposite of that axis, and f₂ and f₃ change places.
+  bool is_axis_reversed = false;
+  bool is_inverse = false;  ///< q turns the world to the body
+  /// The names of the columns of a table without a header. If empty, their number tells.
+  std::vector<std::string> names = {};
+
+  friend bool operator==(const FrameReading&, const FrameReading&) = default;
+};
+
+struct GivenTable {
+  std::vector<GivenFrame> frames;
+  std::vector<std::string> columns;  ///< t, x, y, … where their number told what they are
+  std::size_t skipped = 0;           ///< further columns there
+  bool has_quaternions = false;
+};
+
+/// Reads a table of frames: a .npy file (NpyTable) or text. The text is lines of numbers, separated
+/// by ';', ',', tabs or blanks, whichever of them comes first in this list and in the first line; a
+/// header above names the columns t and f2x, f2y, f2z, optionally f3x, … and e1x, … (the tangent);
+/// or t and qw, qx, qy, qz, which are all three vectors. Other columns are skipped, as are empty
+/// lines and lines that begin with '#', but the last of these above the numbers is the header where
+/// there is no other and it has as many words. A column may be there twice if it is the same. A
+/// table without a header is t, followed by f2 (4 columns in all), a quaternion (5), f2 and f3 (7),
+/// position and quaternion (8), e1, f2 and f3 (10), position, e1, f2 and f3 (13 or more, the rest
+/// is skipped).
+/// Numbers are read exactly. Of more than `at_most` ≥ 2 rows so many are read, from the first to
+/// the last at about equal distances. Throws InputError; its place is "line 3" or "line 3, f2x", in
+/// a .npy file "header", "data", "row 3" or "row 3, f2x".
+GivenTable read_frames(std::string_view bytes, const FrameReading& reading = {},
+                       std::size_t at_most = std::string_view::npos);
+
+/// The columns x, y, z of a table that `reading` names, of numbers all of them.
+/// Precondition: these names are among the reading's, and the table has no others.
+std::vector<GivenPosition> read_positions(std::string_view bytes, const FrameReading& reading);
+
+/// Other ways to read a table whose convention is not certain, those near `reading` first.
+std::vector<FrameReading> other_readings(const GivenTable& table, const FrameReading& reading);
+
+/// As options of `phrame check`: "--quaternion xyzw --tangent-axis z".
+std::string to_options(const FrameReading& reading);
+
+}  // namespace phrame

@@ -1,0 +1,79 @@
+#include "phrame/io/read/json_node.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/read/suggestion.hpp"
+
+namespace phrame {
+
+void JsonNode::fail(const std::string& reason) const {
+  throw InputError(pointer_.empty() ? "/" : pointer_, reason);
+}
+
+void JsonNode::require(Kind kind, const std::string& wanted) const {
+  if (value_->kind != kind) fail(fmt::format("{} is wanted, not {}", wanted, description(*value_)));
+}
+
+void JsonNode::require_known_keys(const std::vector<std::string_view>& known) const {
+  require(Kind::object, "an object");
+  for (const std::string& key : keys()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    const auto meant = suggestion(key, {known.begin(), known.end()});
+    fail(fmt::format("unknown key \"{}\"; {}", abbreviated(key),
+                     meant ? fmt::format("the nearest known key is \"{}\"", *meant)
+                           : fmt::format("the keys are {}", fmt::join(known, ", "))));
+  }
+}
+
+std::optional<JsonNode> JsonNode::find(const std::string& key) const {
+  const JsonValue* member = value_->find(key);
+  if (member == nullptr) return std::nullopt;
+  return JsonNode(*member, pointer_ + "/" + key);
+}
+
+JsonNode JsonNode::at(const std::string& key) const {
+  auto member = find(key);
+  if (!member) fail(fmt::format("the key \"{}\" is missing", key));
+  return *std::move(member);
+}
+
+JsonNode JsonNode::item(std::size_t k) const {
+  return {value_->items[k], fmt::format("{}/{}", pointer_, k)};
+}
+
+std::vector<Rational> JsonNode::numbers() const {
+  std::vector<Rational> result;
+  for (std::size_t k = 0; k < size(); ++k) result.push_back(item(k).number());
+  return result;
+}
+
+std::vector<Rational> JsonNode::numbers(std::size_t count) const {
+  require(Kind::array, fmt::format("an array of {} numbers", count));
+  if (size() != count) fail(fmt::format("{} numbers are wanted, not {}", count, size()));
+  return numbers();
+}
+
+const std::string& JsonNode::string() const {
+  require(Kind::string, "a string");
+  return value_->text;
+}
+
+bool JsonNode::boolean() const {
+  require(Kind::boolean, "true or false");
+  return value_->text == "true";
+}
+
+Rational JsonNode::number() const {
+  if (value_->kind != Kind::number && value_->kind != Kind::string)
+    fail(fmt::format("a number is wanted, not {}", description(*value_)));
+  try {
+    return parse_rational(value_->text);
+  } catch (const InputError& error) {
+    fail(error.reason());
+  }
+}
+
+}  // namespace phrame

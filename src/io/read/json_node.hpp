@@ -1,0 +1,48 @@
+#pragma once
+#include <optional>
+
+#include "phrame/algebra/rational.hpp"
+#include "phrame/io/read/json_value.hpp"
+
+namespace phrame {
+
+/// A value of a JSON document with its JSON pointer: every complaint names the place. Refers to the
+/// document.
+class JsonNode {
+ public:
+  using Kind = JsonValue::Kind;
+
+  explicit JsonNode(const JsonValue& document) : value_(&document) {}
+
+  bool is(Kind kind) const { return value_->kind == kind; }
+  [[noreturn]] void fail(const std::string& reason) const;
+  /// Throws InputError unless it is of that kind: "`wanted` is wanted, not a number".
+  void require(Kind kind, const std::string& wanted) const;
+  /// An object without other keys.
+  void require_known_keys(const std::vector<std::string_view>& known) const;
+
+  // Of an object.
+  std::optional<JsonNode> find(const std::string& key) const;
+  JsonNode at(const std::string& key) const;  ///< throws InputError where the key is missing
+  const std::vector<std::string>& keys() const { return value_->keys; }
+
+  // Of an array.
+  std::size_t size() const { return value_->items.size(); }
+  JsonNode item(std::size_t k) const;
+  std::vector<Rational> numbers() const;
+  std::vector<Rational> numbers(std::size_t count) const;  ///< exactly so many
+
+  const std::string& string() const;
+  bool boolean() const;
+  /// Of a number, or of a string that holds one; exact.
+  Rational number() const;
+
+ private:
+  JsonNode(const JsonValue& value, std::string pointer)
+      : value_(&value), pointer_(std::move(pointer)) {}
+
+  const JsonValue* value_;
+  std::string pointer_;
+};
+
+}  // namespace phrame

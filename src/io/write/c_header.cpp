@@ -1,0 +1,259 @@
+#include "phrame/io/write/c_header.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "phrame/io/write/text.hpp"
+#include "phrame/version.hpp"
+
+namespace phrame {
+namespace {
+
+/// `items` of one line each, up to a line of 100 characters.
+template <class T>
+std::string wrapped(const std::vector<T>& items, const char* format) {
+  std::string text;
+  std::size_t width = 0;
+  for (const T& item : items) {
+    const std::string word = fmt::format(fmt::runtime(format), item) + ",";
+    const bool fits = width > 0 && width + 1 + word.size() <= 100;
+    text += fits ? " " : text.empty() ? "  " : "\n  ";
+    width = (fits ? width : 1) + 1 + word.size();
+    text += word;
+  }
+  return text;
+}
+
+/// The tables of one function: rows of center, scale and coefficients, ends and first pieces.
+std::string tables(const std::string& name, const PiecewisePolynomial& p, const char* index) {
+  std::string rows;
+  for (const PolynomialPiece& piece : p.pieces()) {
+    std::vector<double> row{piece.center, piece.scale};
+    row.insert(row.end(), piece.coefficients.begin(), piece.coefficients.end());
+    rows += fmt::format("  {{{:a}}},\n", fmt::join(row, ", "));
+  }
+  return fmt::format(
+      "static const double {0}_rows[{1}][{2}] = {{\n{3}}};\n"
+      "static const double {0}_ends[{4}] = {{\n{5}\n}};\n"
+      "static const {8} {0}_first[{6}] = {{\n{7}\n}};\n\n",
+      name, p.pieces().size(), 2 + p.shape().size(), rows, p.ends().size(),
+      wrapped(p.ends(), "{:a}"), p.first().size(), wrapped(p.first(), "{}"), index);
+}
+
+constexpr const char* preamble =
+    R"(/*
+ * {title}
+ *
+ * double {p}_theta(double t)
+ *   The angle in radians, on a continuous branch, of the rotation-minimizing frame (f2, f3) to the
+ *   {reference};
+ *   f2 = cos(theta) {second} + sin(theta) {third}, theta(0) = {start}.
+ *   Its error is at most {P}_THETA_ERROR = {angle_error}.
+ *
+{frame_text} * For {from} <= t <= {to}; NaN for other t.
+ *
+ * C99, C11, or C++17 and later. The errors are proved, rounding included, for IEEE 754 doubles
+ * rounded to nearest, with or without fused multiplication and addition; not where sums are
+ * rearranged, as by -ffast-math.
+ * Made by phrame {version}. Do not edit.
+ */
+)"
+    "#ifndef {p}_H\n"
+    "#define {p}_H\n\n"
+    "#include <float.h>\n\n"
+    "#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \\\n"
+    "    FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD > 64\n"
+    "#error \"the errors are not proved where doubles are computed loosely, or with more digits\"\n"
+    "#endif\n"
+    "#if FLT_RADIX != 2 || DBL_MANT_DIG != 53\n"
+    "#error \"the errors are proved for IEEE 754 doubles only\"\n"
+    "#endif\n\n"
+    R"(#define {P}_FROM {from_hex}
+#define {P}_TO {to_hex}
+#define {P}_THETA_ERROR {angle_error_hex}
+{frame_define}
+)";
+
+constexpr const char* frame_text =
+    R"( * void {p}_frame(double t, double f1[3], double f2[3], double f3[3])
+ *   The frame: f1 along A i A* (the unit tangent, or its opposite where the multiplier is
+ *   negative), f2 as above, f3 = cos(theta) e3 - sin(theta) e2.
+ *   The error of every component is at most {P}_FRAME_ERROR = {frame_error}.
+ *
+)";
+
+constexpr const char* find_function =
+    R"(static inline {number} {p}_find(double t, double cells_per_unit,
+                                const {index} *first, const double *ends)
+{{
+  const {number} cell = ({number})((t - {P}_FROM) * cells_per_unit);
+  {number} low = first[cell];
+  {number} high = first[cell + 1];
+  while (low < high) {{
+    const {number} middle = (low + high + 1) / 2;
+    if (t < ends[middle])
+      high = middle - 1;
+    else
+      low = middle;
+  }}
+  return low;
+}}
+
+)";
+
+constexpr const char* theta_function = R"(static inline double {p}_theta(double t)
+{{
+  if (!(t >= {P}_FROM && t <= {P}_TO)) return (t - t) / (t - t);
+  const double *c = {p}_theta_rows[{p}_find(t, {cells}, {p}_theta_first, {p}_theta_ends)];
+  const double y = (t - c[0]) * c[1];
+  double s = c[2];
+  for (int k = 3; k < {constant}; ++k) s = s * y + c[k];
+  return c[{constant}] + (c[{constant} + 1] + s * y);
+}}
+
+)";
+
+constexpr const char* frame_function =
+    R"(static inline void {p}_frame(double t, double f1[3], double f2[3], double f3[3])
+{{
+  if (!(t >= {P}_FROM && t <= {P}_TO)) {{
+    for (int k = 0; k < 3; ++k) f1[k] = f2[k] = f3[k] = (t - t) / (t - t);
+    return;
+  }}
+  /* The unit quaternion b of the rotation. */
+  const double *c = {p}_frame_rows[{p}_find(t, {cells}, {p}_frame_first, {p}_frame_ends)];
+  const double y = (t - c[0]) * c[1];
+  double b[4];
+  for (int k = 0; k < 4; ++k) b[k] = c[2 + k];
+  for (int j = 6; j < {constant}; j += 4)
+    for (int k = 0; k < 4; ++k) b[k] = b[k] * y + c[j + k];
+  for (int k = 0; k < 4; ++k) b[k] = c[{constant} + k] + (c[{constant} + 4 + k] + b[k] * y);
+  const double uu = b[0] * b[0], vv = b[1] * b[1], pp = b[2] * b[2], qq = b[3] * b[3];
+  f1[0] = uu + vv - pp - qq;
+  f1[1] = 2 * (b[0] * b[3] + b[1] * b[2]);
+  f1[2] = 2 * (b[1] * b[3] - b[0] * b[2]);
+  f2[0] = 2 * (b[1] * b[2] - b[0] * b[3]);
+  f2[1] = uu - vv + pp - qq;
+  f2[2] = 2 * (b[0] * b[1] + b[2] * b[3]);
+  f3[0] = 2 * (b[0] * b[2] + b[1] * b[3]);
+  f3[1] = 2 * (b[2] * b[3] - b[0] * b[1]);
+  f3[2] = uu - vv - pp + qq;
+}}
+
+)";
+
+/// "4.4e-16", rounded up.
+std::string decimal_above(double x) { return upper_bound_text(exact_rational(x)); }
+
+/// As a comment in C may hold it: on one line, ASCII, and not its end.
+std::string in_comment(const std::string& name) {
+  std::string text = abbreviated(name, 60);
+  for (char& c : text)
+    if (c < ' ' || c > '~' || c == '/' || c == '\\') c = '?';
+  return text;
+}
+
+double greatest_error(const PiecewisePolynomial& p) {
+  double greatest = 0;
+  for (const PolynomialPiece& piece : p.pieces())
+    greatest = std::max(greatest, piece.error + piece.error_per_y);
+  return greatest * (1 + 0x1p-50);  // not rounded down
+}
+
+/// What the components of the frame are off by: a component is ((uu ± vv) ± pp) ± qq or twice a sum
+/// of two products. With |b| = 1, nearly, the products are off by 2^−53 together and each of the
+/// three sums by as much, at most; twice a sum of two products by half of that. Fused operations
+/// leave out some of it.
+double component_error(const PiecewisePolynomial& rotation) {
+  return (4 * 0x1p-53 + frame_error(greatest_error(rotation))) * (1 + 0x1p-40);
+}
+
+}  // namespace
+
+std::string to_c_header(const CHeader& header) {
+  using fmt::arg;
+  const std::string& p = header.prefix;
+  std::string upper = p;
+  std::transform(p.begin(), p.end(), upper.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  // An unsigned short has 16 bits, and an unsigned long 32, or more.
+  const auto is_long = [](const PiecewisePolynomial& table) {
+    return table.pieces().size() > 65536;
+  };
+  const bool needs_long = is_long(header.angle) || (header.rotation && is_long(*header.rotation));
+  const char* index = needs_long ? "unsigned long" : "unsigned short";
+  const char* number = needs_long ? "unsigned long" : "unsigned";
+  const auto fill = [&](const char* text, const PiecewisePolynomial& table) {
+    const long constant = 2 + table.shape().position(0);
+    return fmt::format(fmt::runtime(text), arg("p", p), arg("P", upper), arg("index", index),
+                       arg("number", number),
+                       arg("cells", fmt::format("{:a}", table.cells_per_unit())),
+                       arg("constant", constant));
+  };
+  std::string about_frame, define_frame;
+  if (header.rotation) {
+    const double error = component_error(*header.rotation);
+    about_frame = fmt::format(fmt::runtime(frame_text), arg("p", p), arg("P", upper),
+                              arg("frame_error", decimal_above(error)));
+    define_frame = fmt::format("#define {}_FRAME_ERROR {:a}\n", upper, error);
+  }
+  const double error = greatest_error(header.angle);
+  const bool is_erf = header.reference == Reference::erf;
+  const std::string preimage_of = header.is_spline
+                                      ? "segment, chosen such that this frame is\n"
+                                        " *   continuous; segment k has k <= t <= k + 1"
+                                      : "curve";
+  std::string text = fmt::format(
+      fmt::runtime(preamble), arg("p", p), arg("P", upper),
+      arg("title", header.curve.empty()
+                       ? "A rotation-minimizing frame"
+                       : "A rotation-minimizing frame of " + in_comment(header.curve)),
+      arg("reference",
+          is_erf
+              ? std::string(
+                    "Euler-Rodrigues frame (e1, e2, e3) = (A i A*, A j A*, A k A*)/|A|^2, where\n"
+                    " *   A = u + v i + p j + q k is the preimage of the ") +
+                    preimage_of
+              : "Frenet frame, tangent, normal n and binormal b, continued through inflections"),
+      arg("second", is_erf ? "e2" : "n"), arg("third", is_erf ? "e3" : "b"),
+      arg("start", abbreviated(to_string(header.start_angle))),
+      arg("angle_error", decimal_above(error)), arg("angle_error_hex", fmt::format("{:a}", error)),
+      arg("frame_text", about_frame), arg("frame_define", define_frame),
+      arg("from", header.angle.from()), arg("to", header.angle.to()),
+      arg("from_hex", fmt::format("{:a}", header.angle.from())),
+      arg("to_hex", fmt::format("{:a}", header.angle.to())), arg("version", version));
+  text += fill(find_function, header.angle);
+  text += tables(p + "_theta", header.angle, index) + fill(theta_function, header.angle);
+  if (header.rotation)
+    text += tables(p + "_frame", *header.rotation, index) + fill(frame_function, *header.rotation);
+  return text + "#endif\n";
+}
+
+std::string prefix_from(const std::string& name) {
+  std::string prefix;
+  for (const char c : name) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (is_plain)
+      prefix += c;
+    else if (!prefix.empty() && prefix.back() != '_')
+      prefix += '_';
+  }
+  prefix = prefix.substr(0, 40);
+  while (!prefix.empty() && prefix.back() == '_') prefix.pop_back();
+  if (prefix.empty()) return "curve";
+  if (std::isdigit(static_cast<unsigned char>(prefix.front())) != 0) prefix.insert(0, "curve_");
+  return prefix;
+}
+
+bool is_prefix(const std::string& text) {
+  const auto is_letter = [](unsigned char c) { return c < 128 && std::isalpha(c) != 0; };
+  return !text.empty() && text.size() <= 60 && text.back() != '_' &&
+         text.find("__") == std::string::npos && is_letter(static_cast<unsigned char>(text[0])) &&
+         std::all_of(text.begin(), text.end(), [&](unsigned char c) {
+           return is_letter(c) || (c < 128 && std::isdigit(c) != 0) || c == '_';
+         });
+}
+
+}  // namespace phrame

@@ -1,0 +1,237 @@
+#include "phrame/io/write/check_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/io/write/json_text.hpp"
+#include "phrame/io/write/number_text.hpp"
+#include "phrame/io/write/text.hpp"
+
+namespace phrame {
+namespace {
+
+using Kind = FrameFinding::Kind;
+
+std::string upper(const RealBall& x, long digits = 6) {
+  return upper_bound_text(x.upper(), digits);
+}
+
+std::string lower(const RealBall& x, long digits = 6) {
+  return lower_bound_text(std::max(Rational(0), x.lower()), digits);
+}
+
+/// A number or angle, a passage where it is longer than messages quote.
+template <class T>
+std::string brief(const T& x) {
+  constexpr std::size_t limit = 40;
+  return readable_exact(to_string(x), limit);
+}
+
+/// "0.2858565" for a ball, and a bound of what it is off: half a unit of the tenth digit, at most,
+/// and the radius.
+Decimal rounded(const RealBall& x) {
+  const Rational middle = x.midpoint();
+  Decimal text = round_to_decimal(middle, 10);
+  text.radius = upper_bound_text(abs(middle) / 2 * power_of_ten(-9) + x.radius());
+  return text;
+}
+
+std::string shown(const RealBall& x) {
+  const bool is_tiny = x.contains_zero() || x.upper() - x.lower() > abs(x.upper()) / 1000;
+  return is_tiny
+             ? "0 ± " +
+                   upper_bound_text(std::max(Rational(abs(x.lower())), Rational(abs(x.upper()))))
+             : rounded(x).value;
+}
+
+/// The name of a kind in JSON.
+const char* name_of(Kind kind) {
+  switch (kind) {
+    case Kind::undefined:
+      return "undefined";
+    case Kind::wrong_tangent:
+      return "wrong-tangent";
+    case Kind::reversed_tangent:
+      return "reversed-tangent";
+    case Kind::left_handed:
+      return "left-handed";
+    case Kind::not_orthogonal:
+      return "not-orthogonal";
+    case Kind::not_unit:
+      return "not-unit";
+    case Kind::flip:
+      return "flip";
+    case Kind::constant_offset:
+      return "constant-offset";
+    case Kind::frenet:
+      return "frenet";
+    case Kind::euler_rodrigues:
+      return "euler-rodrigues";
+    case Kind::turned_backwards:
+      return "turned-backwards";
+    case Kind::other_start:
+      return "other-start";
+    case Kind::drift:
+      return "drift";
+    case Kind::irregular:
+      return "irregular";
+  }
+  return "";
+}
+
+std::string sentence(const FrameFinding& finding) {
+  const auto amount = [&] { return shown(*finding.amount) + " radians"; };
+  const auto within = [&] { return "to within " + upper(*finding.residual, 2) + " radians"; };
+  switch (finding.kind) {
+    case Kind::undefined:
+      return "f2 is 0 or along the tangent, so that it has no angle";
+    case Kind::wrong_tangent:
+      return "e1 is not the tangent of the curve";
+    case Kind::reversed_tangent:
+      return "e1 is the tangent reversed";
+    case Kind::left_handed:
+      return "the frame is left-handed: det(tangent, f2, f3) < 0";
+    case Kind::not_orthogonal:
+      return "the vectors are not orthogonal";
+    case Kind::not_unit:
+      return "the vectors are not of length 1";
+    case Kind::flip:
+      return "f2 flips against the sample before";
+    case Kind::constant_offset:
+      return fmt::format(
+          "the frame is rotation-minimizing, {}, but starts at another angle: {} off", within(),
+          amount());
+    case Kind::frenet:
+      return fmt::format("these are Frenet frames, {}: f2 keeps its angle to the principal normal",
+                         within());
+    case Kind::euler_rodrigues:
+      return fmt::format("these are Euler–Rodrigues frames, {}: f2 keeps its angle to A j A*",
+                         within());
+    case Kind::turned_backwards:
+      return fmt::format(
+          "the Euler–Rodrigues frame is turned by −θ instead of θ, {}: the sign of the angle is "
+          "wrong",
+          within());
+    case Kind::other_start:
+      return fmt::format("the frame does not start at the angle of --theta0: it is {} off",
+                         amount());
+    case Kind::drift:
+      return fmt::format(
+          "f2 drifts: from the first sample to the last it turns by {} against the "
+          "rotation-minimizing frame",
+          amount());
+    case Kind::irregular:
+      return fmt::format("f2 turns irregularly against the rotation-minimizing frame, within {}",
+                         amount());
+  }
+  return "";
+}
+
+/// " at sample 3, t = 1/2", " at all samples", " at samples 3, 5, the first at t = 1/2"; of many,
+/// abridged, " at 12 samples, the first is 3, t = 1/2 …".
+std::string places(const FrameFinding& finding, const std::vector<GivenFrame>& frames) {
+  const auto& samples = finding.samples;
+  if (samples.empty()) return "";
+  if (samples.size() == frames.size()) return " at all samples";
+  const Rational& t = frames[samples[0]].t;
+  if (samples.size() == 1) return fmt::format(" at sample {}, t = {}", samples[0], brief(t));
+  const auto all = [&](const std::string& first) {
+    return fmt::format(" at samples {}, the first at t = {}", fmt::join(samples, ", "), first);
+  };
+  constexpr std::size_t few = 8;
+  if (samples.size() <= few) return all(brief(t));
+  return passage(all(to_string(t)), fmt::format(" at {} samples, the first is {}, t = {} …",
+                                                samples.size(), samples[0], abridged(brief(t))));
+}
+
+}  // namespace
+
+std::string summary(const CheckReport& report) {
+  const FrameVerdict& v = report.verdict;
+  const auto& start = report.options.start_angle;
+  const std::string reference =
+      start ? "that starts at the angle " + brief(*start) : "that agrees with the first sample";
+  const bool is_close = v.max_error.upper() <= report.options.tolerance;
+  return fmt::format("{}: f2 is {} {} radians from the rotation-minimizing frame {}{}",
+                     v.passes ? "pass" : "fail", is_close ? "at most" : "up to",
+                     is_close ? upper(v.max_error, 2) : shown(v.max_error), reference,
+                     is_close && !v.passes ? ", but " + sentence(v.findings.front()) : "");
+}
+
+std::string to_text(const CheckReport& report) {
+  const FrameVerdict& v = report.verdict;
+  const auto [first, last] =
+      std::minmax_element(report.frames.begin(), report.frames.end(),
+                          [](const GivenFrame& a, const GivenFrame& b) { return a.t < b.t; });
+  std::string text = name_prefix(report.curve);
+  const std::string from = brief(first->t);
+  text += first->t == last->t
+              ? fmt::format("{}, t = {}\n\n", counted(report.frames.size(), "frame"), from)
+              : fmt::format("{} frames, t from {} to {}\n\n", report.frames.size(), from,
+                            brief(last->t));
+  text += summary(report) + "\n\n";
+  const auto row = [&](std::string_view label, const std::string& value) {
+    text += phrame::row(label, value, 15);
+  };
+  const auto& worst = report.frames[v.worst_sample];
+  row("largest error",
+      fmt::format("between {} and {} radians, at sample {}, t = {}", lower(v.max_error),
+                  upper(v.max_error), v.worst_sample, brief(worst.t)));
+  if (v.drift)
+    row("drift", shown(*v.drift) + " radians per unit of arc length, from first to last");
+  row("orthogonality", "cosines up to " + upper(v.orthogonality, 2));
+  row("lengths", "off 1 by up to " + upper(v.length, 2));
+  row("tolerance", brief(report.options.tolerance));
+  if (!report.columns.empty())
+    row("columns",
+        fmt::format("{} (by their number{})", fmt::join(report.columns, ", "),
+                    report.skipped > 0 ? fmt::format(", {} more {} skipped", report.skipped,
+                                                     report.skipped == 1 ? "is" : "are")
+                                       : ""));
+  if (!v.findings.empty()) text += "\nFindings\n";
+  for (const FrameFinding& finding : v.findings)
+    text += fmt::format("  - {}{}\n", sentence(finding), places(finding, report.frames));
+  if (report.better)
+    text += fmt::format("\n{}: {}.\n",
+                        report.better->passes ? "It passes by another reading of the table"
+                                              : "The tangents are right by another reading",
+                        report.better->options);
+  return text + "\nBounds are proved, at these samples. Samples count from 0.\n";
+}
+
+std::string to_json(const CheckReport& report) {
+  const FrameVerdict& v = report.verdict;
+  JsonOutput samples = JsonOutput::array();
+  for (std::size_t k = 0; k < report.frames.size(); ++k) {
+    const FrameDeviation& at = v.deviations[k];
+    const auto& error = v.errors[k];
+    samples.push_back({{"t", to_string(report.frames[k].t)},
+                       {"error", error ? json_of(rounded(*error)) : JsonOutput()},
+                       {"orthogonality", upper(at.orthogonality, 2)},
+                       {"length", upper(at.length, 2)},
+                       {"handedness", at.handedness}});
+  }
+  JsonOutput findings = JsonOutput::array();
+  for (const FrameFinding& finding : v.findings)
+    findings.push_back({{"kind", name_of(finding.kind)},
+                        {"text", sentence(finding)},
+                        {"samples", finding.samples}});
+  return pretty(
+      {{"phrame", "check/1"},
+       {"name", report.curve},
+       {"verdict", v.passes ? "pass" : "fail"},
+       {"tolerance", to_string(report.options.tolerance)},
+       {"max_error",
+        {{"lower", lower(v.max_error)}, {"upper", upper(v.max_error)}, {"sample", v.worst_sample}}},
+       {"drift", v.drift ? json_of(rounded(*v.drift)) : JsonOutput()},
+       {"orthogonality", upper(v.orthogonality, 2)},
+       {"length", upper(v.length, 2)},
+       {"findings", findings},
+       {"better_reading", report.better ? JsonOutput{{"options", report.better->options},
+                                                     {"passes", report.better->passes}}
+                                        : JsonOutput()},
+       {"samples", samples}});
+}
+
+}  // namespace phrame

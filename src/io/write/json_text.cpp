@@ -1,0 +1,221 @@
+#include "phrame/io/write/json_text.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "phrame/io/write/cas_formula.hpp"
+#include "phrame/io/write/radical_text.hpp"
+
+namespace phrame {
+namespace {
+
+bool fits_a_line(const JsonOutput& json) {
+  if (json.is_object()) return false;
+  return !json.is_array() || std::all_of(json.begin(), json.end(), fits_a_line);
+}
+
+/// Nothing to escape.
+bool is_plain(const std::string& text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+}
+
+/// As nlohmann's own dump, which takes long over the digits of long numbers.
+void append_line(std::string& text, const JsonOutput& json) {
+  if (const auto* plain = json.get_ptr<const std::string*>();
+      plain != nullptr && is_plain(*plain)) {
+    text += '"' + *plain + '"';
+  } else if (json.is_array()) {
+    text += '[';
+    for (auto at = json.begin(); at != json.end(); ++at) {
+      if (at != json.begin()) text += ',';
+      append_line(text, *at);
+    }
+    text += ']';
+  } else {
+    text += json.dump();
+  }
+}
+
+/// nlohmann's own dump puts either everything on one line or every number on a line of its own.
+void append(std::string& text, const JsonOutput& json, std::size_t depth) {
+  const bool object = json.is_object();
+  if (!json.is_structured() || json.empty() || (!object && fits_a_line(json))) {
+    append_line(text, json);
+    return;
+  }
+  const std::string indent(2 * depth + 2, ' ');
+  text += object ? "{\n" : "[\n";
+  std::size_t left = json.size();
+  for (const auto& [key, value] : json.items()) {
+    text += indent;
+    if (object) text += JsonOutput(key).dump() + ": ";
+    append(text, value, depth + 1);
+    text += --left > 0 ? ",\n" : "\n";
+  }
+  text += std::string(2 * depth, ' ') + (object ? "}" : "]");
+}
+
+}  // namespace
+
+std::string pretty(const JsonOutput& json) {
+  std::string text;
+  append(text, json, 0);
+  return text + "\n";
+}
+
+JsonOutput json_of(const Polynomial& p) {
+  JsonOutput list = JsonOutput::array();
+  std::map<Integer, std::string> denominators;  // few, and long where p is
+  for (const Rational& c : p.coefficients()) {
+    std::string text = numerator(c).str();
+    if (const Integer d = denominator(c); d != 1) {
+      std::string& below = denominators[d];
+      if (below.empty()) below = "/" + d.str();
+      text += below;
+    }
+    list.push_back(std::move(text));
+  }
+  return list;
+}
+
+JsonOutput json_of(const GaussianPolynomial& p) {
+  return {{"re", json_of(p.re)}, {"im", json_of(p.im)}};
+}
+
+JsonOutput json_of(const RationalFunction& f) {
+  return {{"numerator", json_of(f.numerator())}, {"denominator", json_of(f.denominator())}};
+}
+
+namespace {
+
+template <class C, class Write>
+JsonOutput json_of_sum(const SurdSum<C>& x, Write write) {
+  JsonOutput roots = JsonOutput::array();
+  for (const auto& [d, c] : x.terms())
+    if (d != 1) roots.push_back({{"b", write(c)}, {"d", d.str()}});
+  if (roots.size() > 1) return {{"a", write(x.rational_part())}, {"roots", roots}};
+  if (roots.empty()) roots.push_back({{"b", write(C{})}, {"d", "1"}});
+  return {{"a", write(x.rational_part())}, {"b", roots.front()["b"]}, {"d", roots.front()["d"]}};
+}
+
+}  // namespace
+
+JsonOutput json_of(const Surd& x) {
+  return json_of_sum(x, [](const Rational& c) { return to_string(c); });
+}
+
+JsonOutput json_of(const SurdPolynomial& p) {
+  return json_of_sum(p, [](const Polynomial& c) { return json_of(c); });
+}
+
+JsonOutput json_of(const LogSum& sum) {
+  JsonOutput argument = JsonOutput::array();
+  for (const Polynomial& c : sum.argument.coefficients()) argument.push_back(json_of(c));
+  return {{"index", json_of(sum.index)}, {"residue", json_of(sum.residue)}, {"argument", argument}};
+}
+
+JsonOutput json_of(const Antiderivative& F, const std::string& form) {
+  JsonOutput logs = JsonOutput::array();
+  for (const LogSum& sum : F.logs) logs.push_back(json_of(sum));
+  return {{"polynomial", json_of(F.polynomial)},
+          {"rational", json_of(F.rational)},
+          {"logs", logs},
+          {"form", form},
+          {"checked", true}};  // nothing unchecked leaves integrate()
+}
+
+JsonOutput json_of(const RealForm& F) {
+  JsonOutput logarithms = JsonOutput::array();
+  for (const auto& [factor, of, positive] : F.logarithms)
+    logarithms.push_back(
+        {{"factor", json_of(factor)}, {"of", json_of(of)}, {"positive", positive}});
+  JsonOutput arctangents = JsonOutput::array();
+  for (const auto& [factor, of, radicand] : F.arctangents) {
+    arctangents.push_back({{"factor", json_of(factor)}, {"of", json_of(of)}});
+    if (!(radicand == Surd(1))) arctangents.back()["radicand"] = json_of(radicand);
+  }
+  JsonOutput quotients = JsonOutput::array();
+  for (const auto& [factor, of, radicand] : F.quotients)
+    quotients.push_back(
+        {{"factor", json_of(factor)}, {"of", json_of(of)}, {"radicand", json_of(radicand)}});
+  JsonOutput others = JsonOutput::array();
+  for (const LogSum& sum : F.others) others.push_back(json_of(sum));
+  return {{"polynomial", json_of(F.polynomial)},
+          {"rational", json_of(F.rational)},
+          {"logarithms", logarithms},
+          {"arctangents", arctangents},
+          {"log_quotients", quotients},
+          {"others", others},
+          {"checked", true}};  // nothing unchecked leaves real_form()
+}
+
+JsonOutput json_of(const PathEnd& end) {
+  if (const auto* r = std::get_if<Rational>(&end)) return to_string(*r);
+  if (const auto* infinite = std::get_if<Infinity>(&end))
+    return *infinite == Infinity::negative ? "-inf" : "inf";
+  if (const auto* p = std::get_if<PiValue>(&end))
+    return {{"expression", cas_formula(p->of_pi, Language::plain, "pi")},
+            {"value", round_to_decimal(to_real(*p), 17).value}};
+  const auto& a = std::get<RealAlgebraic>(end);
+  const Interval& interval = a.interval();
+  return {{"polynomial", json_of(a.polynomial())},
+          {"interval", {to_string(*interval.lower), to_string(*interval.upper)}},
+          {"value", round_to_decimal(to_real(a), 17).value}};
+}
+
+JsonOutput json_of(const Decimal& x) { return {{"value", x.value}, {"radius", x.radius}}; }
+
+JsonOutput json_of(const std::vector<AngleValue>& values) {
+  JsonOutput list = JsonOutput::array();
+  for (const auto& [t, theta] : values)
+    list.push_back({{"t", to_string(t)}, {"theta", theta.value}, {"radius", theta.radius}});
+  return list;
+}
+
+JsonOutput json_of(const Real& x, const Decimal& rounded) {
+  return x.exact() ? JsonOutput(to_string(*x.exact())) : json_of(rounded);
+}
+
+JsonOutput json_of(const RealAlgebraic& x) {
+  const auto exact = x.rational();
+  return json_of(exact ? PathEnd(*exact) : PathEnd(x));
+}
+
+JsonOutput json_of(const Vector<Rational>& point) {
+  return {to_string(point[0]), to_string(point[1]), to_string(point[2])};
+}
+
+JsonOutput json_of(const RadicalForm& F) {
+  const auto texts = [](const std::vector<Radical>& list) {
+    JsonOutput result = JsonOutput::array();
+    for (const Radical& x : list) result.push_back(formatted(x, radical_notation::maple));
+    return result;
+  };
+  JsonOutput logs = JsonOutput::array();
+  for (const RadicalSum& sum : F.logs) {
+    JsonOutput log = json_of(sum.sum);
+    log["roots"] = texts(sum.roots);
+    log["residues"] = texts(sum.residues);
+    log["real_roots"] = sum.real_roots;
+    logs.push_back(std::move(log));
+  }
+  return {{"logs", logs}};
+}
+
+JsonOutput json_of(const NamedCurve& named) {
+  const auto list = [](const Polynomial& p) {
+    return p.is_zero() ? JsonOutput::array({"0"}) : json_of(p);
+  };
+  const QuaternionPolynomial& a = named.curve.preimage();
+  JsonOutput json = {{"phrame", "curve/1"}};
+  if (!named.name.empty()) json["name"] = named.name;
+  json["basis"] = "power";
+  json["start"] = json_of(named.curve.start());
+  json["preimage"] = {{"u", list(a.u)}, {"v", list(a.v)}, {"p", list(a.p)}, {"q", list(a.q)}};
+  if (!(named.curve.multiplier() == Polynomial{1}))
+    json["multiplier"] = list(named.curve.multiplier());
+  return json;
+}
+
+}  // namespace phrame

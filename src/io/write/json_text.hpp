@@ -1,0 +1,56 @@
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/integrate/path_end.hpp"
+#include "phrame/integrate/radicals.hpp"
+#include "phrame/integrate/real_form.hpp"
+#include "phrame/io/write/angle_report.hpp"
+
+namespace phrame {
+
+// The pieces of phrame's JSON output. Not a public header: it shows nlohmann's types.
+using JsonOutput = nlohmann::ordered_json;
+
+/// Ascending exact strings: ["6", "-12", "1/2"]; [] for 0.
+JsonOutput json_of(const Polynomial& p);
+/// {"re": […], "im": […]}.
+JsonOutput json_of(const GaussianPolynomial& p);
+/// {"numerator": […], "denominator": […]}.
+JsonOutput json_of(const RationalFunction& f);
+/// {"a": "…", "b": "…", "d": "…"}: a + b√d; {"a": "…", "roots": [{"b": "…", "d": "…"}, …]} where
+/// there are several roots.
+JsonOutput json_of(const Surd& x);
+/// {"a": […], "b": […], "d": "…"}, or with "roots" likewise.
+JsonOutput json_of(const SurdPolynomial& p);
+/// {"index": …, "residue": …, "argument": […]}.
+JsonOutput json_of(const LogSum& sum);
+/// {"polynomial": …, "rational": …, "logs": […], "form": …, "checked": true}.
+JsonOutput json_of(const Antiderivative& F, const std::string& form);
+/// {"polynomial": …, "rational": …, "logarithms": [{"factor", "of", "positive"}], "arctangents":
+/// [{"factor", "of"}], "log_quotients": [{"factor", "of", "radicand"}], "others": […], "checked":
+/// true}. "factor" and "radicand" are as a Surd is, "of" as a SurdPolynomial; an arctangent has a
+/// "radicand" unless it is 1. "others" are LogSums.
+JsonOutput json_of(const RealForm& F);
+/// {"logs": […]}, each with "roots" of the index, "residues" and "real_roots" beside what a LogSum
+/// has; radicals as "(1 + sqrt(3)*I)/2".
+JsonOutput json_of(const RadicalForm& F);
+/// "3/7", "inf", "-inf", {"polynomial": …, "interval": […], "value": "…"}, and of a PiValue
+/// {"expression": "2/3*pi", "value": "…"}.
+JsonOutput json_of(const PathEnd& end);
+/// {"value": "…", "radius": "…"}.
+JsonOutput json_of(const Decimal& x);
+/// [{"t": "…", "theta": "…", "radius": "…"}, …].
+JsonOutput json_of(const std::vector<AngleValue>& values);
+/// The exact text, or the decimal x was rounded to.
+JsonOutput json_of(const Real& x, const Decimal& rounded);
+/// As a PathEnd; a text where it is rational.
+JsonOutput json_of(const RealAlgebraic& x);
+JsonOutput json_of(const Vector<Rational>& point);
+/// A curve/1 object in the power basis.
+JsonOutput json_of(const NamedCurve& named);
+
+/// Indented by 2, but with every list of strings, or of such lists, on one line.
+std::string pretty(const JsonOutput& json);
+
+}  // namespace phrame

@@ -1,0 +1,41 @@
+#include "phrame/io/write/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
+
+namespace phrame {
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+Rational parse_number(std::string_view text) {
+  text = trimmed(text);
+  const std::size_t slash = text.find('/');
+  const bool is_short = text.size() <= max_number_length;
+  if (slash == std::string_view::npos || !is_short) return parse_rational(text);
+  const std::string_view below = trimmed(text.substr(slash + 1));
+  Rational n;
+  Rational d;
+  try {
+    n = parse_rational(trimmed(text.substr(0, slash)));
+    // A sign belongs in front of the whole, and a second "/" would be read from the wrong side.
+    if (below.find_first_of("+-/") == 0 || below.find('/') != std::string_view::npos)
+      return parse_rational(text);
+    d = parse_rational(below);
+  } catch (const InputError&) {
+    return parse_rational(text);  // complains of the whole
+  }
+  if (d == 0) throw InputError("\"" + abbreviated(text) + "\" divides by zero");
+  return n / d;
+}
+
+}  // namespace phrame

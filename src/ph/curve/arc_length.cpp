@@ -1,0 +1,83 @@
+#include "phrame/ph/curve/arc_length.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/invariants.hpp"
+
+// s′ = |f|σ ≥ 0 is a polynomial without a sign change, not 0, so that s is strictly increasing and
+// s(t) = s has one solution. It is guessed in doubles and proved by an interval Newton step. That t
+// is rational is decided by Gauss's lemma, without factors. At a cusp s′ = 0 and Newton's method
+// fails: there the interval is bisected.
+
+namespace phrame {
+
+Polynomial arc_length(const Curve& curve) {
+  return antiderivative(curve.multiplier() * sigma(curve.preimage()));
+}
+
+ArcLength::ArcLength(const Curve& curve) : length_(phrame::arc_length(curve)) {
+  const Signs signs = multiplier_signs(curve);
+  if (signs.positive && signs.negative)
+    throw DomainError("arc length: the multiplier changes sign on [0, 1]");
+  if (signs.negative) length_ = -length_;
+  total_ = length_(1);
+  for (const Rational& c : length_.coefficients())
+    scaled_.push_back(round_to_double(Rational(c / total_)));
+  const auto shared = std::make_shared<IncreasingFunction>();
+  shared->value = [s = length_](const RealBall& t, long bits) { return evaluate(s, t, bits); };
+  shared->slope = [speed = differentiate(length_)](const RealBall& t, long bits) {
+    return evaluate(speed, t, bits);
+  };
+  function_ = shared;
+}
+
+void ArcLength::require_on_curve(const Rational& s) const {
+  if (s < 0 || s > total_)
+    throw DomainError(fmt::format("arc length: {} is outside [0, {}], the length of the curve",
+                                  abbreviated(to_string(s)), abbreviated(to_string(total_))));
+}
+
+/// Newton's method kept in a bracket. Whatever overflows, the result is in [0, 1].
+double ArcLength::guess(const Rational& s) const {
+  const double y = round_to_double(Rational(s / total_));
+  double low = 0;
+  double high = 1;
+  double t = y;
+  for (int step = 0; step < 60; ++step) {
+    double value = 0;
+    double slope = 0;
+    for (std::size_t k = scaled_.size(); k-- > 0;) {
+      slope = slope * t + value;
+      value = value * t + scaled_[k];
+    }
+    (value > y ? high : low) = t;
+    double next = t - (value - y) / slope;
+    if (!(next > low && next < high)) next = (low + high) / 2;
+    if (std::abs(next - t) < 1e-14) return next;
+    t = next;
+  }
+  return t;
+}
+
+Real ArcLength::parameter(const Rational& s) const {
+  require_on_curve(s);
+  if (s == 0) return Rational(0);
+  if (s == total_) return Rational(1);
+  const Real t = preimage(function_, s, guess(s));
+  if (const auto exact = rational_root(length_ - Polynomial{s}, 0, 1, t)) return *exact;
+  return t;
+}
+
+RealAlgebraic ArcLength::algebraic_parameter(const Rational& s) const {
+  const Real t = parameter(s);
+  if (t.exact()) return *t.exact();
+  const RealBall around = t.enclose(64);
+  return real_root(length_ - Polynomial{s}, closed(std::max(around.lower(), Rational(0)),
+                                                   std::min(around.upper(), Rational(1))));
+}
+
+}  // namespace phrame

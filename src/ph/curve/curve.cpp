@@ -1,0 +1,134 @@
+#include "phrame/ph/curve/curve.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
+
+namespace phrame {
+
+Curve::Curve(QuaternionPolynomial preimage, Polynomial multiplier)
+    : Curve(std::move(preimage), std::move(multiplier), Vector<Rational>{}) {}
+
+Curve::Curve(QuaternionPolynomial preimage, Polynomial multiplier, Vector<Rational> start)
+    : preimage_(std::move(preimage)), multiplier_(std::move(multiplier)), start_(std::move(start)) {
+  if (is_zero(preimage_)) throw DomainError("Curve: the preimage is zero, so the curve is a point");
+  if (multiplier_.is_zero())
+    throw DomainError("Curve: the multiplier is zero, so the curve is a point");
+}
+
+long preimage_degree(const Curve& curve) { return degree(curve.preimage()); }
+
+long degree(const Curve& curve) {
+  return 2 * preimage_degree(curve) + 1 + curve.multiplier().degree();
+}
+
+Vector<Polynomial> hodograph(const Curve& curve) {
+  Vector<Polynomial> result = rotated_i(curve.preimage());
+  for (Polynomial& component : result) component *= curve.multiplier();
+  return result;
+}
+
+Vector<Polynomial> position(const Curve& curve) {
+  Vector<Polynomial> result = hodograph(curve);
+  for (std::size_t k = 0; k < 3; ++k)
+    result[k] = antiderivative(result[k]) + Polynomial{curve.start()[k]};
+  return result;
+}
+
+std::vector<Interval> cusps(const Curve& curve, const Interval& interval) {
+  return located_real_roots(curve.multiplier() * real_content(curve.preimage()), interval);
+}
+
+// The ends of isolating intervals and the middles between them meet every gap between two roots: an
+// open interval has no root at its ends, and between two roots that are points is their middle.
+Signs multiplier_signs(const Curve& curve) {
+  const Polynomial& f = curve.multiplier();
+  std::vector<Rational> samples{0};
+  for (const Interval& root : isolate_real_roots(f, closed(0, 1)))
+    for (const Rational& end : {*root.lower, *root.upper}) {
+      samples.push_back((samples.back() + end) / 2);
+      samples.push_back(end);
+    }
+  samples.push_back((samples.back() + 1) / 2);
+  samples.emplace_back(1);
+  Signs signs;
+  for (const Rational& t : samples) {
+    const Rational value = f(t);
+    signs.positive = signs.positive || value > 0;
+    signs.negative = signs.negative || value < 0;
+  }
+  return signs;
+}
+
+Vector<Rational> evaluate(const Vector<Polynomial>& v, const Rational& t) {
+  return {v[0](t), v[1](t), v[2](t)};
+}
+
+// With c_r = C(m, r) b_r and s = 1/t: Σ c_r tʳ (1 − t)^{m−r} = tᵐ Σ c_r (s − 1)^{m−r}, so reverse,
+// substitute s → s − 1, reverse again: one Taylor shift.
+Polynomial from_bernstein(const std::vector<Rational>& b) {
+  const auto m = static_cast<long>(b.size()) - 1;
+  std::vector<Rational> scaled = b;  // C(m, r)·b_r
+  Rational binomial = 1;
+  for (long r = 0; r <= m; ++r) {
+    scaled[static_cast<std::size_t>(r)] *= binomial;
+    binomial = binomial * (m - r) / (r + 1);
+  }
+  Polynomial result = Polynomial(scaled);
+  Polynomial reversed;
+  fmpq_poly_reverse(reversed.raw(), result.raw(), m + 1);  // c_m + c_{m−1} s + …
+  reversed = compose(reversed, Polynomial{-1, 1});         // s → s − 1, s = 1/t
+  fmpq_poly_reverse(result.raw(), reversed.raw(), m + 1);
+  return result;
+}
+
+Polynomial scaled_bernstein(const Polynomial& p, long m) {
+  if (m < p.degree())
+    throw DomainError(fmt::format("to_bernstein: degree {} is less than that of the polynomial, {}",
+                                  m, p.degree()));
+  // The inverse of the above: s → s + 1 on the reversed polynomial.
+  Polynomial reversed;
+  Polynomial scaled;
+  fmpq_poly_reverse(reversed.raw(), p.raw(), m + 1);
+  reversed = compose(reversed, Polynomial{1, 1});
+  fmpq_poly_reverse(scaled.raw(), reversed.raw(), m + 1);
+  return scaled;
+}
+
+std::vector<Rational> to_bernstein(const Polynomial& p, long m) {
+  const Polynomial scaled = scaled_bernstein(p, m);
+  std::vector<Rational> b;
+  Rational binomial = 1;
+  for (long r = 0; r <= m; ++r) {
+    b.push_back(scaled.coefficient(r) / binomial);
+    binomial = binomial * (m - r) / (r + 1);
+  }
+  return b;
+}
+
+std::vector<Vector<Rational>> control_points(const Curve& curve) {
+  const long n = degree(curve);
+  std::vector<Vector<Rational>> points(static_cast<std::size_t>(n + 1));
+  const Vector<Polynomial> r = position(curve);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto b = to_bernstein(r[k], n);
+    for (std::size_t j = 0; j < points.size(); ++j) points[j][k] = b[j];
+  }
+  return points;
+}
+
+// r′ = Σ n(P_{k+1} − P_k)·C(n − 1, k)(1 − t)^{n−1−k}tᵏ.
+Vector<Polynomial> bezier_hodograph(const std::vector<Vector<Rational>>& points) {
+  if (points.empty()) throw DomainError("bezier_hodograph: there are no control points");
+  const std::size_t n = points.size() - 1;
+  Vector<Polynomial> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::vector<Rational> steps;
+    for (std::size_t j = 0; j < n; ++j)
+      steps.emplace_back(static_cast<long>(n) * (points[j + 1][k] - points[j][k]));
+    result[k] = from_bernstein(steps);
+  }
+  return result;
+}
+
+}  // namespace phrame

@@ -1,0 +1,63 @@
+#pragma once
+#include "phrame/algebra/sturm.hpp"
+#include "phrame/ph/curve/quaternion.hpp"
+
+namespace phrame {
+
+/// A spatial Pythagorean-hodograph curve r(t), t ∈ ℝ (the segment is [0, 1]):
+///   r′ = f · A i A*,  r(0) = start,
+/// with the preimage A ∈ ℍ[t] and the multiplier f ∈ ℚ[t], both not zero [Farouki 2003, (12)].
+/// Frames and angles are those of A i A*, whatever the sign of f: e₁ = A i A*/σ is r′/|r′| where
+/// f > 0 and −r′/|r′| where f < 0.
+class Curve {
+ public:
+  /// From (0, 0, 0), unless another start is given. Throws DomainError where the preimage or the
+  /// multiplier is zero.
+  explicit Curve(QuaternionPolynomial preimage, Polynomial multiplier = Polynomial{1});
+  Curve(QuaternionPolynomial preimage, Polynomial multiplier, Vector<Rational> start);
+
+  const QuaternionPolynomial& preimage() const { return preimage_; }
+  const Polynomial& multiplier() const { return multiplier_; }
+  const Vector<Rational>& start() const { return start_; }
+
+  friend bool operator==(const Curve&, const Curve&) = default;
+
+ private:
+  QuaternionPolynomial preimage_;
+  Polynomial multiplier_;
+  Vector<Rational> start_;
+};
+
+long preimage_degree(const Curve& curve);  ///< m
+long degree(const Curve& curve);           ///< 2m + 1 + deg f, the degree of r
+
+Vector<Polynomial> hodograph(const Curve& curve);  ///< r′
+Vector<Polynomial> position(const Curve& curve);   ///< r
+/// The points of the interval where r′ = 0: real roots of f and of gcd(u, v, p, q), as
+/// located_real_roots gives them.
+std::vector<Interval> cusps(const Curve& curve, const Interval& interval);
+/// The signs that f takes on the segment [0, 1], its zeros apart; decided exactly.
+struct Signs {
+  bool positive = false;
+  bool negative = false;
+  friend bool operator==(const Signs&, const Signs&) = default;
+};
+Signs multiplier_signs(const Curve& curve);
+
+Vector<Rational> evaluate(const Vector<Polynomial>& v, const Rational& t);
+
+/// The polynomial Σ b_r C(m, r) (1 − t)^{m−r} tʳ with m + 1 Bernstein coefficients b.
+Polynomial from_bernstein(const std::vector<Rational>& b);
+/// The Bernstein coefficients of p on [0, 1] in degree m ≥ deg p: b_r = Σ_k C(r, k)/C(m, k) p_k.
+/// Throws DomainError for m < deg p.
+std::vector<Rational> to_bernstein(const Polynomial& p, long m);
+
+/// The cᵣ = C(m, r)·bᵣ, as coefficients: p(t) = Σ cᵣ tʳ (1 − t)ᵐ⁻ʳ. Throws as above.
+Polynomial scaled_bernstein(const Polynomial& p, long m);
+
+/// The Bézier control points of r on [0, 1], degree(curve) + 1 of them.
+std::vector<Vector<Rational>> control_points(const Curve& curve);
+/// r′ of the Bézier curve with these points. Throws DomainError where there is none.
+Vector<Polynomial> bezier_hodograph(const std::vector<Vector<Rational>>& control_points);
+
+}  // namespace phrame

@@ -1,0 +1,55 @@
+#include "phrame/ph/curve/feedrate.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/curve/invariants.hpp"
+
+// s(t) is a polynomial and so is |f|σ, and the signed curvature of a plane curve is rational: then
+// V(s(t)), V(t) and V(κ(t)) are rational functions, and so is |f|σ/V.
+
+namespace phrame {
+namespace {
+
+/// f(x(t)), where x(t) is what the speed depends on.
+RationalFunction along(const RationalFunction& f, const RationalFunction& x) {
+  if (const auto c = constant(x); c && f.denominator()(*c) == 0)
+    throw DomainError("feedrate: it divides by zero all along the curve");
+  return compose(f, x);
+}
+
+void require_none_on_curve(const Polynomial& p, const char* what) {
+  if (count_real_roots(p, closed(0, 1)) == 0) return;
+  const Interval place = located_real_roots(p, closed(0, 1)).front();
+  throw DomainError(fmt::format("feedrate: the speed {} at t {} {}", what,
+                                place.lower == place.upper ? "=" : "in", to_string(place)));
+}
+
+}  // namespace
+
+RationalFunction speed_along(const Curve& curve, const Feedrate& feedrate) {
+  switch (feedrate.of) {
+    case Feedrate::Of::arc_length:
+      return along(feedrate.speed, RationalFunction(ArcLength(curve).polynomial()));
+    case Feedrate::Of::curvature:
+      return along(feedrate.speed, signed_curvature(curve));
+    case Feedrate::Of::parameter:
+      break;
+  }
+  return feedrate.speed;
+}
+
+RationalFunction travel_time_rate(const Curve& curve, const Feedrate& feedrate) {
+  const RationalFunction speed = speed_along(curve, feedrate);
+  if (speed.is_zero()) throw DomainError("feedrate: the speed is 0");
+  require_none_on_curve(speed.numerator(), "is 0");
+  require_none_on_curve(speed.denominator(), "is infinite");
+  if (speed(0) < 0)
+    throw DomainError(fmt::format("feedrate: the speed is negative, {} at t = 0",
+                                  abbreviated(to_string(speed(0)))));
+  const Polynomial path = differentiate(ArcLength(curve).polynomial());
+  return {path * speed.denominator(), speed.numerator()};
+}
+
+}  // namespace phrame

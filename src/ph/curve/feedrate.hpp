@@ -1,0 +1,30 @@
+#pragma once
+#include "phrame/algebra/rational_function.hpp"
+#include "phrame/ph/curve/curve.hpp"
+
+namespace phrame {
+
+/// A feedrate: the speed V = ds/dt at which a tool moves along a curve, a rational function of one
+/// of the curve's own quantities. Constant, linear or quadratic in the arc length, any polynomial
+/// in the parameter, V₀/(1 + κd) for a plane curve: all are of this kind [Farouki 2008].
+struct Feedrate {
+  enum class Of {
+    arc_length,  ///< s
+    parameter,   ///< t
+    curvature,   ///< κ, signed, of a plane curve
+  };
+  RationalFunction speed;
+  Of of = Of::arc_length;
+
+  friend bool operator==(const Feedrate&, const Feedrate&) = default;
+};
+
+/// V as a function of the parameter t. Throws DomainError where the curvature is asked for and is
+/// no rational function (signed_curvature says why), and where f changes sign on [0, 1].
+RationalFunction speed_along(const Curve& curve, const Feedrate& feedrate);
+
+/// |f|σ/V, the rate dT/dt at which time passes. Throws DomainError as above and where V is not
+/// positive and finite on all of [0, 1]: decided exactly, with the place of the zero or the pole.
+RationalFunction travel_time_rate(const Curve& curve, const Feedrate& feedrate);
+
+}  // namespace phrame

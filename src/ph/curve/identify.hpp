@@ -1,0 +1,31 @@
+#pragma once
+#include <variant>
+
+#include "phrame/ph/curve/curve.hpp"
+
+namespace phrame {
+
+/// Why a hodograph has no form f · A i A* over ℚ: |r′|² = radicand · odd_factor · (a square in
+/// ℚ[t]), and not both are 1.
+struct NotPythagorean {
+  /// Squarefree, primitive. Where it is 1, |r′| = √radicand · (a polynomial): the curve is PH over
+  /// ℝ, but |f|·|A|² would be rational.
+  Polynomial odd_factor;
+  Integer radicand;  ///< ≥ 1; the rest of split_square
+  friend bool operator==(const NotPythagorean&, const NotPythagorean&) = default;
+};
+
+/// One line: why not.
+std::string to_string(const NotPythagorean& reason);
+
+/// The curve with the hodograph r′ and r(0) = start as r′ = f · A i A*, checked exactly, or why
+/// there is no such form. A has the least degree, f is ±gcd(x′, y′, z′) up to a constant, with f >
+/// 0 just after t = 0. A is then unique up to a factor on the right, A·c with c ∈ ℚ(i), |c| = 1,
+/// which turns the Euler–Rodrigues frame about the tangent by a constant; of these A·iᵏ the one is
+/// taken where the lowest coefficient of α = u + iv (of β = q + ip where α = 0) is in the first
+/// quadrant. The numbers: f is primitive times an integer ≥ 1 that is no norm |c|² as far as
+/// split_norm sees, mostly 1. Throws DomainError for r′ = 0, a point.
+std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph,
+                                             const Vector<Rational>& start = {});
+
+}  // namespace phrame

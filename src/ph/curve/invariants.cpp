@@ -1,0 +1,121 @@
+#include "phrame/ph/curve/invariants.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/factor.hpp"
+#include "phrame/algebra/linear_system.hpp"
+
+namespace phrame {
+
+Polynomial sigma(const QuaternionPolynomial& a) { return norm(a); }
+
+Polynomial twist_numerator(const QuaternionPolynomial& a) {
+  return a.u * differentiate(a.v) - differentiate(a.u) * a.v - a.p * differentiate(a.q) +
+         differentiate(a.p) * a.q;
+}
+
+GaussianPolynomial bend_numerator(const QuaternionPolynomial& a) {
+  const auto [alpha, beta] = hopf_form(a);
+  return alpha * differentiate(beta) - differentiate(alpha) * beta;
+}
+
+Polynomial rho(const QuaternionPolynomial& a) { return Rational(4) * norm(bend_numerator(a)); }
+
+std::optional<DoublePh> double_ph(const QuaternionPolynomial& a) {
+  const Polynomial squared_bend = rho(a);
+  DoublePh result{0, {1}};
+  if (squared_bend.is_zero()) return result;
+  const auto [unit, factors] = squarefree_factorization(squared_bend);
+  result.constant = unit;
+  for (const auto& [base, exponent] : factors) {
+    if (exponent % 2 != 0) return std::nullopt;
+    result.omega *= pow(base, exponent / 2);
+  }
+  return result;
+}
+
+std::vector<Interval> normal_flips(const QuaternionPolynomial& a, const Interval& interval) {
+  const GaussianPolynomial g = bend_numerator(a);
+  if (is_zero(g))
+    throw DomainError("principal normal: the curve is a straight line, it has no principal normal");
+  Polynomial odd{1};
+  for (const auto& [base, exponent] : squarefree_factorization(gcd(g.re, g.im)).factors)
+    if (exponent % 2 == 1) odd *= base;
+  return located_real_roots(odd, interval);
+}
+
+AngleSplit closed_split(const QuaternionPolynomial& preimage) {
+  const GaussianPolynomial g = bend_numerator(preimage);
+  return {Rational(2) * twist_numerator(preimage),
+          Rational(-4) * (differentiate(g) * conjugate(g)).im};
+}
+
+Polynomial triple_product(const Curve& curve) {
+  const QuaternionPolynomial& preimage = curve.preimage();
+  const auto [a, b] = closed_split(preimage);
+  return pow(curve.multiplier(), 3) * (a * rho(preimage) + b * sigma(preimage));
+}
+
+std::optional<AngleSplit> split_by_linear_system(const QuaternionPolynomial& preimage) {
+  const Polynomial s = sigma(preimage);
+  const Polynomial r = rho(preimage);
+  if (r.is_zero()) return std::nullopt;
+  // deg a < deg σ, deg b < deg ρ: as many unknowns as coefficients of a·ρ + b·σ.
+  std::vector<Polynomial> columns;
+  for (long k = 0; k < s.degree(); ++k) columns.push_back(r * Polynomial::monomial(1, k));
+  for (long k = 0; k < r.degree(); ++k) columns.push_back(s * Polynomial::monomial(1, k));
+  const auto solution =
+      solve_for_coefficients(columns, triple_product(Curve(preimage)), s.degree() + r.degree());
+  if (!solution) return std::nullopt;
+  const auto middle = solution->begin() + s.degree();
+  return AngleSplit{Polynomial(std::vector(solution->begin(), middle)),
+                    Polynomial(std::vector(middle, solution->end()))};
+}
+
+RationalFunction squared_curvature(const Curve& curve) {
+  const QuaternionPolynomial& a = curve.preimage();
+  return {rho(a), pow(curve.multiplier(), 2) * pow(sigma(a), 4)};
+}
+
+RationalFunction torsion(const Curve& curve) {
+  const QuaternionPolynomial& a = curve.preimage();
+  const Polynomial squared_bend = rho(a);
+  if (squared_bend.is_zero())
+    throw DomainError("torsion: the curve is a straight line, its torsion is undefined");
+  return {triple_product(curve), pow(curve.multiplier(), 4) * pow(sigma(a), 2) * squared_bend};
+}
+
+RationalFunction squared_frenet_rate(const Curve& curve) {
+  const RationalFunction tau = torsion(curve);
+  return squared_curvature(curve) + tau * tau;
+}
+
+// With d = A i A*: r′ = f·d, r′ × r″ = f²·d × d′ and |r′|³ = |f|³σ³, so κ = (d × d′)·n/(|f|σ³). In
+// a plane d × d′ = w·N with a constant N ∈ ℚ³.
+RationalFunction signed_curvature(const Curve& curve) {
+  const Signs signs = multiplier_signs(curve);
+  if (signs.positive && signs.negative)
+    throw DomainError("signed curvature: the multiplier changes sign on [0, 1]");
+  const Vector<Polynomial> d = rotated_i(curve.preimage());
+  const auto minor = [&](std::size_t j, std::size_t k) {
+    return d[j] * differentiate(d[k]) - d[k] * differentiate(d[j]);
+  };
+  const Vector<Polynomial> normal{minor(1, 2), minor(2, 0), minor(0, 1)};
+  std::size_t last = 2;
+  while (last > 0 && normal[last].is_zero()) --last;
+  const Polynomial& w = normal[last];
+  if (w.is_zero()) return {};
+  Rational square = 0;  // |N|², N = normal/w
+  for (const Polynomial& component : normal) {
+    const Rational ratio = component.coefficient(w.degree()) / w.leading_coefficient();
+    if (!(component == ratio * w)) throw DomainError("signed curvature: the curve is not plane");
+    square += ratio * ratio;
+  }
+  const auto length = square_root(square);
+  if (!length)
+    throw DomainError("signed curvature: the unit normal of the plane is not rational, |N|² = " +
+                      abbreviated(to_string(square)));
+  const Polynomial f = signs.negative ? -curve.multiplier() : curve.multiplier();
+  return {*length * w, f * pow(sigma(curve.preimage()), 3)};
+}
+
+}  // namespace phrame

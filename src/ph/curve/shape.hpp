@@ -1,0 +1,38 @@
+#pragma once
+#include <optional>
+
+#include "phrame/ph/curve/curve.hpp"
+
+namespace phrame {
+
+// Straight lines, plane curves and helices, by the linear relations between x, y, z and σ, where
+// (x, y, z) = A i A*. The multiplier of a curve does not matter. Vectors have coprime integer
+// components.
+
+/// a·b.
+Polynomial dot(const Vector<Rational>& a, const Vector<Polynomial>& b);
+
+/// The direction of A i A* on a straight line; no value for other curves.
+std::optional<Vector<Rational>> line_direction(const QuaternionPolynomial& a);
+
+/// n with n·A i A* = 0: the normal of a plane curve, and one of those of a straight line; no value
+/// for other curves.
+std::optional<Vector<Rational>> plane_normal(const QuaternionPolynomial& a);
+
+/// A curve that is not plane and whose tangent has a constant angle ψ to an axis:
+///   axis·A i A* = constant·σ, cos ψ = constant/|axis|, constant > 0.
+struct Helix {
+  Vector<Rational> axis;
+  Rational constant;
+  Rational cosine_squared;  ///< cos²ψ, strictly between 0 and 1
+  /// The degree of the tangent as a rational map to its circle: 1 for the monotone-helical quintics
+  /// of [Farouki, Giannelli, Sestini 2009], where the circle is traced once, 2 for the general
+  /// ones.
+  long map_degree;
+  /// Does the tangent go round the circle in one sense only, for all real t?
+  bool is_monotone;
+  friend bool operator==(const Helix&, const Helix&) = default;
+};
+std::optional<Helix> helix(const QuaternionPolynomial& a);
+
+}  // namespace phrame

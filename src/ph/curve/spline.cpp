@@ -1,0 +1,106 @@
+#include "phrame/ph/curve/spline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+
+// Unit tangents are ±A i A*/σ, A without its real content, the sign that of f on the inner side.
+// For v = A(end), w = B(start): v i v* and w i w* have the same direction iff v̄w commutes with i,
+// that is lies in ℚ(i).
+
+namespace phrame {
+namespace {
+
+RationalQuaternion conjugate(const RationalQuaternion& a) { return {a.u, -a.v, -a.p, -a.q}; }
+
+std::string to_string(const Vector<Rational>& v) {
+  const auto text = [](const Rational& x) { return abbreviated(phrame::to_string(x)); };
+  return fmt::format("({}, {}, {})", text(v[0]), text(v[1]), text(v[2]));
+}
+
+/// What the frame at an end of a curve depends on: A up to a positive factor, and the sign of f.
+struct End {
+  RationalQuaternion a;
+  int sign;
+};
+
+End start_of(const Curve& curve) {
+  return {evaluate(without_real_content(curve.preimage()), 0), sign_after_zero(curve.multiplier())};
+}
+
+End end_of(const Curve& curve) {
+  return {evaluate(without_real_content(curve.preimage()), 1),
+          sign_after_zero(compose(curve.multiplier(), Polynomial{1, -1}))};
+}
+
+/// The tangent, r′/|r′|, scaled such that its largest component is ±1.
+Vector<Rational> direction(const End& end) {
+  Vector<Rational> d = rotated_i(end.a);
+  const Rational size = std::max({Rational(abs(d[0])), Rational(abs(d[1])), Rational(abs(d[2]))});
+  for (Rational& x : d) x *= end.sign / size;
+  return d;
+}
+
+/// z ∈ ℚ(i) with w = v·z up to a positive factor; no value where the tangents differ or e₁ would be
+/// reversed.
+std::optional<GaussianRational> turn(const End& v, const End& w) {
+  const RationalQuaternion z = conjugate(v.a) * w.a;
+  if (v.sign != w.sign || z.p != 0 || z.q != 0) return std::nullopt;
+  return GaussianRational{z.u, z.v};
+}
+
+/// The same curve with A·j and −f: e₁ and e₃ are reversed.
+Curve turned_over(const Curve& curve) {
+  const QuaternionPolynomial j{{}, {}, Polynomial{1}, {}};
+  return Curve(curve.preimage() * j, -curve.multiplier(), curve.start());
+}
+
+/// The same curve with A·c and f/|c|².
+Curve turned(const Curve& curve, const GaussianInteger& c) {
+  if (c == GaussianInteger{1, 0}) return curve;
+  const QuaternionPolynomial factor{Polynomial{Rational(c.re)}, Polynomial{Rational(c.im)}, {}, {}};
+  const Polynomial slower{Rational(1) / Rational(norm(c))};
+  return Curve(curve.preimage() * factor, slower * curve.multiplier(), curve.start());
+}
+
+}  // namespace
+
+void Spline::append(const Curve& next) {
+  const Curve& last = segments_.back();
+  const Vector<Rational> here = evaluate(position(last), 1);
+  if (next.start() != here)
+    throw DomainError(fmt::format("it starts at {}, but the spline ends at {}",
+                                  to_string(next.start()), to_string(here)));
+  const End before = end_of(last);
+  const Curve same_side =
+      before.sign == sign_after_zero(next.multiplier()) ? next : turned_over(next);
+  const End after = start_of(same_side);
+  const auto z = turn(before, after);
+  if (!z)
+    throw DomainError(
+        fmt::format("the tangent breaks: it starts in the direction {}, but the spline ends in {}",
+                    to_string(direction(after)), to_string(direction(before))));
+  segments_.push_back(turned(same_side, conjugate(primitive_multiple(*z))));
+}
+
+bool Spline::ends_meet() const {
+  return evaluate(position(segments_.back()), 1) == segments_.front().start();
+}
+
+std::optional<GaussianRational> Spline::closing_turn() const {
+  if (!ends_meet()) return std::nullopt;
+  return turn(end_of(segments_.back()), start_of(segments_.front()));
+}
+
+SplineParameter locate(const Spline& spline, const Rational& t) {
+  if (t < 0 || t > spline.end())
+    throw DomainError(fmt::format("t = {} is outside [0, {}]", abbreviated(phrame::to_string(t)),
+                                  phrame::to_string(spline.end())));
+  const auto count = spline.segments().size();
+  const std::size_t k = std::min(static_cast<std::size_t>(static_cast<long>(floor(t))), count - 1);
+  return {k, t - Rational(static_cast<long>(k))};
+}
+
+}  // namespace phrame

@@ -1,0 +1,52 @@
+#pragma once
+#include <optional>
+
+#include "phrame/algebra/gaussian_integer.hpp"
+#include "phrame/ph/curve/curve.hpp"
+
+namespace phrame {
+
+/// PH curves joined to one: the segment k = 0, 1, …, each with its own [0, 1], is the part [k, k +
+/// 1] of the parameter t. At the joints the position and the unit tangent r′/|r′| are continuous,
+/// exactly; at a cusp there the tangent is its limit.
+///
+/// The segments are the curves given, but their preimages are chosen such that the Euler–Rodrigues
+/// frame is continuous, too. A ↦ A·c with c ∈ ℚ(i), f ↦ f/|c|², leaves a curve alone and turns that
+/// frame about the tangent by the constant 2·arg c; A ↦ A·j, f ↦ −f turns it over.
+class Spline {
+ public:
+  explicit Spline(Curve first) : segments_{std::move(first)} {}
+
+  /// Throws DomainError where the curve does not start where the spline ends, and where its tangent
+  /// there is another: "it starts at (1, 0, 0), but the spline ends at (1, 2, 0)". Cost: the
+  /// coefficients may get more digits from one segment to the next, by those of c.
+  void append(const Curve& next);
+
+  const std::vector<Curve>& segments() const { return segments_; }  ///< at least one
+  Rational end() const {
+    return Rational(static_cast<long>(segments_.size()));
+  }  ///< of the parameter
+
+  /// Is the end of the spline its start?
+  bool ends_meet() const;
+  /// Where the spline is closed with a continuous tangent: z with A(start) = A(end)·z up to a
+  /// positive factor, so that the Euler–Rodrigues frame at the start is that at the end, turned by
+  /// 2·arg z. No value for other splines, or where e₁ comes back reversed (after an odd number of
+  /// cusps at which the curve turns back).
+  std::optional<GaussianRational> closing_turn() const;
+
+  friend bool operator==(const Spline&, const Spline&) = default;
+
+ private:
+  std::vector<Curve> segments_;
+};
+
+/// The segment that t is in, the later one at a joint, and the parameter there.
+struct SplineParameter {
+  std::size_t segment;
+  Rational t;  ///< ∈ [0, 1]
+};
+/// Throws DomainError for t outside [0, end()].
+SplineParameter locate(const Spline& spline, const Rational& t);
+
+}  // namespace phrame

@@ -1,0 +1,22 @@
+#pragma once
+#include "phrame/ph/curve/curve.hpp"
+
+namespace phrame {
+
+// Exact transformations: of the parameter, and of space about the origin.
+
+/// t ↦ r(a + (b − a)·t): the part from a to b as a curve on [0, 1]; for a > b it runs backwards.
+/// A and f are reparametrised and f gets the factor b − a. Throws DomainError for a = b.
+Curve segment(const Curve& curve, const Rational& a, const Rational& b);
+/// t ↦ r(1 − t). The new f is −f(1 − t): e₁ is that of the curve, not its opposite.
+Curve reversed(const Curve& curve);
+
+/// r ↦ r + v.
+Curve translated(const Curve& curve, const Vector<Rational>& v);
+/// r ↦ c·r, through f. Throws DomainError for c = 0.
+Curve scaled(const Curve& curve, const Rational& c);
+/// r ↦ U r U*: the rotation that U means and a scaling by |U|² (scaled(…, 1/|U|²) undoes that).
+/// A ↦ U·A: h, σ and g get the factor |U|². Throws DomainError for U = 0.
+Curve rotated(const Curve& curve, const RationalQuaternion& u);
+
+}  // namespace phrame

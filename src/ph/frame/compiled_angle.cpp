@@ -1,0 +1,122 @@
+#include "phrame/ph/frame/compiled_angle.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+
+namespace phrame {
+namespace {
+
+constexpr long bits = 128;  // of what is known of a piece
+
+/// θ to about 2^−84 of its absolute value or of `scale`, the greater one.
+RealBall accurate(const Real::Enclosure& theta, const RealBall& scale) {
+  constexpr long most = 1L << 17;
+  for (long more = bits; more <= most; more *= 2) {
+    const RealBall value = theta(more);
+    RealBall allowed = add(absolute(value), scale, bits);
+    arb_mul_2exp_si(allowed.raw(), allowed.raw(), -84);
+    if (value.radius() == 0 || value.radius() <= allowed.lower()) return value;
+  }
+  throw Undecided(fmt::format("compiled angle: {} bits do not tell a constant angle from 0", most));
+}
+
+/// θ on [low, high], θ′(t) = rate(t − origin) there, from balls around θ(center).
+std::optional<PolynomialPiece> angle_piece(
+    double low, double high, double origin, const RationalFunction& rate,
+    const std::function<RealBall(double center, long bits)>& theta, const DoubleShape& shape) {
+  auto piece = empty_piece(low, high, origin);
+  if (!piece) return std::nullopt;
+  const BallPolynomial denominator = on_piece(rate.denominator(), *piece, bits, true);
+  const RealBall least_denominator = least(denominator, bits);
+  if (sign(least_denominator) <= 0) return std::nullopt;
+  const BallPolynomial numerator = per_y(rate.numerator(), *piece, bits);
+
+  BallPolynomial taylor;
+  arb_poly_div_series(taylor.raw(), numerator.raw(), denominator.raw(), shape.degree, bits);
+  arb_poly_integral(taylor.raw(), taylor.raw(), bits);
+  const RealBall size = variation(taylor, bits);
+  const RealBall at_center = accurate([&](long more) { return theta(piece->center, more); }, size);
+  arb_poly_set_coeff_arb(taylor.raw(), 0, at_center.raw());
+  piece->coefficients = round_coefficients({taylor}, shape);
+
+  const BallPolynomial p = exact_polynomial(piece->coefficients, shape, 0);
+  const BallPolynomial residual =
+      subtract(multiply(differentiate(p, bits), denominator, bits), numerator, bits);
+  const RealBall remainder = divide(integral_bound(residual, bits), least_denominator, bits);
+  // Where θ is large its rounding hides what is small beside the second part.
+  const double scale = upper_double(size) + upper_double(absolute(at_center)) / 64;
+  if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
+  const double off = sum_up(upper_double(remainder), rounding_error(piece->coefficients, shape, 0));
+  const double at_zero = upper_double(absolute(subtract(p.coefficient(0), at_center, bits)));
+  if (arb_is_zero(at_center.raw()) == 0)
+    piece->error = sum_up(off, at_zero);
+  else
+    piece->error_per_y = off;
+  if (arb_is_zero(size.raw()) == 0)
+    piece->error = sum_up(piece->error, underflow_error * (1 + upper_double(size)));
+  return piece;
+}
+
+}  // namespace
+
+PiecewisePolynomial compiled_angle(const RmfAngle& angle, const Angle& start_angle, double from,
+                                   double to, const DoubleShape& shape) {
+  const Real start = to_real(start_angle);
+  const auto theta = [&](double t, long more) {
+    return add(angle.enclose(exact_rational(t), more), start.enclose(more), more);
+  };
+  return {from, to, shape, [&](double low, double high) {
+            return angle_piece(low, high, 0, angle.rate(), theta, shape);
+          }};
+}
+
+// A straight segment may have the angle 0 because others and the start cancel: value() sees that.
+PiecewisePolynomial compiled_angle(const SplineAngle& angle, const Angle& start_angle,
+                                   const DoubleShape& shape) {
+  // That the segments before cancel is asked for only where a ball does not say enough: it costs as
+  // much as all of them.
+  const auto theta = [&](double t, long more) {
+    const SplineParameter at = locate(angle.spline(), exact_rational(t));
+    if (more > bits) return angle.value(at, start_angle).enclose(more);
+    return angle.enclose(at, start_angle, more);
+  };
+  const auto make = [&](double low, double high) {
+    const double joint = std::floor(low);
+    const RmfAngle& segment = angle.segment(static_cast<std::size_t>(joint));
+    return angle_piece(low, high, joint, segment.rate(), theta, shape);
+  };
+  return PiecewisePolynomial::on_units(angle.spline().segments().size(), shape, make);
+}
+
+CompiledAngle::CompiledAngle(const RmfAngle& angle, double from, double to,
+                             const Angle& start_angle)
+    : angle_([angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
+      polynomials_(compiled_angle(angle, start_angle, from, to, compensated_shape(1))) {}
+
+CompiledAngle::CompiledAngle(const SplineAngle& angle, const Angle& start_angle)
+    : angle_([angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
+      polynomials_(compiled_angle(angle, start_angle, compensated_shape(1))) {}
+
+double CompiledAngle::operator()(double t) {
+  polynomials_.require_inside(t, "compiled angle");
+  const PolynomialPiece& piece = polynomials_.at(t);
+  const double y = piece.y(t);
+  const auto [value] = evaluate_compensated<1>(piece.coefficients.data(), polynomials_.shape(), y);
+  // The last term and the last factor cover the rounding of these sums and of those below.
+  const double error =
+      (piece.error + piece.error_per_y * std::abs(y) + std::abs(value.low) * 0x1p-50) *
+      (1 + 0x1p-50);
+  const double least = value.high + (value.low - error);
+  return least == value.high + (value.low + error) ? least : exact(t);
+}
+
+double CompiledAngle::exact(double t) {
+  ++exact_values_;
+  return round_to_double(angle_(exact_rational(t)));
+}
+
+}  // namespace phrame

@@ -1,0 +1,45 @@
+#pragma once
+#include "phrame/algebra/piecewise_polynomial.hpp"
+#include "phrame/ph/frame/spline_angle.hpp"
+
+namespace phrame {
+
+/// θ + start_angle on [from, to] as Taylor polynomials; shape.width = 1. Each is proved afterwards,
+/// whatever it was found by: with θ′ = n/d and a polynomial p, all of p′·d − n is known, so that on
+/// the piece
+///   |p − θ| ≤ |p(center) − θ(center)| + ∫|p′·d − n|/min d.
+/// Throws as PiecewisePolynomial does: Undecided where a pole of θ′ is nearer to [from, to] than
+/// doubles are to each other there. Cost: some 10 to 1000 values of θ, more near a near-cusp.
+PiecewisePolynomial compiled_angle(const RmfAngle& angle, const Angle& start_angle, double from,
+                                   double to, const DoubleShape& shape);
+
+/// The same of a spline, on [0, end].
+PiecewisePolynomial compiled_angle(const SplineAngle& angle, const Angle& start_angle,
+                                   const DoubleShape& shape);
+
+/// θ for millions of parameters: a few compensated operations each, a proof of the rounding after
+/// each [Ziv 1991], and the exact angle for the few that the proof fails for.
+/// Not for concurrent use: it counts the latter.
+class CompiledAngle {
+ public:
+  /// θ with θ(0) = start_angle. Throws as compiled_angle.
+  CompiledAngle(const RmfAngle& angle, double from, double to, const Angle& start_angle = {});
+  /// The same of a spline, on [0, end].
+  explicit CompiledAngle(const SplineAngle& angle, const Angle& start_angle = {});
+
+  /// θ(t), correctly rounded: to nearest, ties to even. Throws DomainError for a t outside [from,
+  /// to] and NaN, and what the exact angle throws.
+  double operator()(double t);
+
+  /// How many values took the exact angle so far.
+  long exact_values() const { return exact_values_; }
+
+ private:
+  double exact(double t);
+
+  std::function<Real(const Rational&)> angle_;  ///< start_angle included
+  PiecewisePolynomial polynomials_;
+  long exact_values_ = 0;
+};
+
+}  // namespace phrame

@@ -1,0 +1,69 @@
+#pragma once
+#include "phrame/algebra/piecewise_polynomial.hpp"
+#include "phrame/ph/frame/frame.hpp"
+#include "phrame/ph/frame/spline_angle.hpp"
+
+namespace phrame {
+
+/// The unit quaternion B = A/|A|·e^{i(θ + start_angle)/2} on [from, to] as Taylor polynomials of
+/// its four components; the rotation-minimizing frame is (B i B*, B j B*, B k B*), and A is the
+/// preimage without its real factor, θ the angle to the Euler–Rodrigues frame. The sign of B may
+/// change from piece to piece. Each piece is proved afterwards, whatever it was found by: B
+/// satisfies
+///   σB′ = V·B − h·B·i,  V the vector part of A′A*,
+/// a linear equation with a skew-symmetric matrix, so that for polynomials Q
+///   |Q − B| ≤ |Q − B|(center) + ∫|σQ′ − V·Q + h·Q·i|/min σ.
+/// `angle` is that of this curve relative to the ERF; shape.width = 4. Throws as compiled_angle.
+PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
+                                      const Angle& start_angle, double from, double to,
+                                      const DoubleShape& shape);
+
+/// The same of a spline, on [0, end], with its continuous ERF.
+PiecewisePolynomial compiled_rotation(const SplineAngle& angle, const Angle& start_angle,
+                                      const DoubleShape& shape);
+
+/// Rotation-minimizing frames for millions of parameters, a few hundred operations each. Const
+/// members may be called from several threads.
+class CompiledFrames {
+ public:
+  /// The frame whose angle to the ERF is θ + start_angle, as in compiled_rotation.
+  CompiledFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
+                 const Angle& start_angle = {});
+  /// The same of a spline, on [0, end].
+  explicit CompiledFrames(const SplineAngle& angle, const Angle& start_angle = {});
+
+  /// The frame at t, every component within 2^−53 of the true one. Throws DomainError for a t
+  /// outside [from, to] and NaN.
+  Frame<double> operator()(double t) const;
+
+ private:
+  explicit CompiledFrames(PiecewisePolynomial polynomials);
+
+  PiecewisePolynomial polynomials_;
+};
+
+/// Correctly rounded rotation-minimizing frames at thousands of rational t, best in ascending
+/// order: by the same polynomials where they are enough to round a component, else exactly. Not for
+/// concurrent use: it keeps the last piece.
+class RoundedFrames {
+ public:
+  /// `angle` is that of this curve relative to the ERF. Throws as compiled_rotation does.
+  RoundedFrames(const Curve& curve, const RmfAngle& angle, double from, double to);
+
+  /// The frame at t, in [from, to] or not. Throws as round_to_double does.
+  Frame<double> at(const Rational& t);
+
+ private:
+  std::optional<Frame<RealBall>> enclose(const Rational& t);
+
+  PiecewisePolynomial polynomials_;
+  std::optional<std::size_t> last_;  ///< the number of the piece whose polynomials, exactly, are:
+  std::array<BallPolynomial, 4> of_last_;
+  Frames exact_;
+  RmfAngle angle_;
+};
+
+/// What the components of the frame of a quaternion Q with |Q − B| ≤ error are off by, |B| = 1.
+double frame_error(double error);
+
+}  // namespace phrame

@@ -1,0 +1,19 @@
+#pragma once
+#include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/ph/curve/curve.hpp"
+
+namespace phrame {
+
+/// How the ERF turns about the tangent on [0, 1]: by ω₁ = 2h/(fσ²) per arc length, up to the sign
+/// of f. Cusps are left out.
+struct ErfTurning {
+  std::vector<RealRoot> zeros;    ///< of h/σ: the turning is reversed at those of odd order
+  std::vector<RealRoot> extrema;  ///< of ω₁: for f = 1 the odd zeros of σh′ − 2σ′h
+  bool is_monotone;               ///< it is reversed nowhere in (0, 1)
+};
+ErfTurning erf_turning(const Curve& curve);
+
+/// Those of odd order in (0, 1).
+std::vector<RealRoot> odd_inside(const std::vector<RealRoot>& points);
+
+}  // namespace phrame

@@ -1,0 +1,124 @@
+#include "phrame/ph/frame/frame.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "phrame/algebra/error.hpp"
+
+namespace phrame {
+namespace {
+
+Vector<Rational> combine(const Rational& x, const Vector<Rational>& a, const Rational& y,
+                         const Vector<Rational>& b) {
+  return {x * a[0] + y * b[0], x * a[1] + y * b[1], x * a[2] + y * b[2]};
+}
+
+/// v/√s, s > 0.
+Vector<Real> over_square_root(const Vector<Rational>& v, const Rational& s) {
+  const auto root = square_root(s);
+  const auto component = [&](const Rational& x) -> Real {
+    if (root) return Rational(x / *root);
+    if (x == 0) return Rational(0);
+    const auto enclosure = [x, s](long bits) {
+      return divide(RealBall(x, bits + 8), sqrt(RealBall(s, bits + 8), bits + 8), bits + 8);
+    };
+    return {enclosure, {true, bits_of(x) + bits_of(s)}};
+  };
+  return {component(v[0]), component(v[1]), component(v[2])};
+}
+
+}  // namespace
+
+// A real factor c of A leaves the frames alone: it is a factor c² of σ and of g.
+Frames::Frames(const Curve& curve) : primitive_(without_real_content(curve.preimage())) {
+  bend_ = bend_numerator(primitive_);
+}
+
+Frame<Rational> Frames::euler_rodrigues(const Rational& t) const {
+  const RationalQuaternion a = evaluate(primitive_, t);
+  const Rational scale = 1 / norm(a);
+  const Vector<Rational> zero{};
+  return {combine(scale, rotated_i(a), 0, zero), combine(scale, rotated_j(a), 0, zero),
+          combine(scale, rotated_k(a), 0, zero)};
+}
+
+Frame<Real> Frames::frenet(const Rational& t) const {
+  if (is_zero(bend_))
+    throw DomainError("Frenet frame: the curve is a straight line, it has no principal normal");
+  const Rational re = bend_.re(t);
+  const Rational im = bend_.im(t);
+  if (re == 0 && im == 0)
+    throw DomainError(
+        fmt::format("Frenet frame: t = {} is an inflection, the principal normal is undefined",
+                    abbreviated(to_string(t))));
+  return turned(euler_rodrigues(t), {re, -im});
+}
+
+Frame<Real> Frames::rotation_minimizing(const RmfAngle& angle, const Rational& t) const {
+  const Frame<Rational> erf = euler_rodrigues(t);
+  if (const auto z = angle.direction(t)) return turned(erf, *z);
+  return turned(as_real(erf), angle.value(t));
+}
+
+Frame<Real> as_real(const Frame<Rational>& frame) {
+  const auto real = [](const Vector<Rational>& v) { return Vector<Real>{v[0], v[1], v[2]}; };
+  return {real(frame.e1), real(frame.e2), real(frame.e3)};
+}
+
+Frame<Real> turned(const Frame<Real>& frame, const Real& theta) {
+  if (theta.exact() == Rational(0)) return frame;
+  // The six components ask for the same few precisions one after the other: keep the last.
+  struct Turn {
+    long bits = 0;
+    CosSin value;
+  };
+  const auto last = std::make_shared<Turn>();
+  const auto turn = [theta, last](long bits) -> const CosSin& {
+    if (last->bits != bits) *last = {bits, cos_sin(theta.enclose(bits), bits)};
+    return last->value;
+  };
+  // cos θ·x + sin θ·y.
+  const auto component = [&](const Real& x, const Real& y) -> Real {
+    if (x.exact() == Rational(0) && y.exact() == Rational(0)) return Rational(0);
+    const auto enclosure = [x, y, turn](long bits) {
+      const CosSin& cs = turn(bits + 8);
+      return add(multiply(cs.cos, x.enclose(bits + 8), bits + 8),
+                 multiply(cs.sin, y.enclose(bits + 8), bits + 8), bits + 8);
+    };
+    return {enclosure, {false, theta.origin().bits + x.origin().bits + y.origin().bits}};
+  };
+  const auto vector = [&](const Vector<Real>& x, const Vector<Real>& y) {
+    return Vector<Real>{component(x[0], y[0]), component(x[1], y[1]), component(x[2], y[2])};
+  };
+  const Vector<Real>& e2 = frame.e2;
+  return {frame.e1, vector(e2, frame.e3), vector(frame.e3, {-e2[0], -e2[1], -e2[2]})};
+}
+
+Frame<Real> turned(const Frame<Rational>& frame, const GaussianRational& z) {
+  const Rational size = z.re * z.re + z.im * z.im;
+  return {{frame.e1[0], frame.e1[1], frame.e1[2]},
+          over_square_root(combine(z.re, frame.e2, z.im, frame.e3), size),
+          over_square_root(combine(-z.im, frame.e2, z.re, frame.e3), size)};
+}
+
+Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t) {
+  return Frames(curve).euler_rodrigues(t);
+}
+
+Frame<Real> frenet_frame(const Curve& curve, const Rational& t) { return Frames(curve).frenet(t); }
+
+Frame<Real> rotation_minimizing_frame(const Curve& curve, const RmfAngle& angle,
+                                      const Rational& t) {
+  return Frames(curve).rotation_minimizing(angle, t);
+}
+
+Vector<double> round_to_double(const Vector<Real>& v) {
+  return {round_to_double(v[0]), round_to_double(v[1]), round_to_double(v[2])};
+}
+
+Vector<double> round_to_double(const Vector<Rational>& v) {
+  return round_to_double(Vector<Real>{v[0], v[1], v[2]});
+}
+
+}  // namespace phrame

@@ -1,0 +1,61 @@
+#pragma once
+#include "phrame/ph/frame/rmf_angle.hpp"
+
+namespace phrame {
+
+/// A right-handed orthonormal frame; the first vector is along A i A*: the unit tangent, or its
+/// opposite where the multiplier f is negative.
+template <class T>
+struct Frame {
+  Vector<T> e1;
+  Vector<T> e2;
+  Vector<T> e3;
+};
+
+// Rounding. At rational t all components round correctly to doubles, to nearest with ties to even:
+// none is half way between two doubles or two decimals (docs/algorithms.md, "The vectors round").
+// Undecided is thrown where one is not told from such a point within the precision limit, by
+// default where it is within about 2^−9000 of it; and in rounding to decimals for a component that
+// is 0 but not exact in the sense below. As a double that is 0.
+
+/// The frame turned about e₁ by θ: e₁, cos θ e₂ + sin θ e₃, −sin θ e₂ + cos θ e₃. Exact where θ =
+/// 0, and a component where both e₂ and e₃ have the component 0.
+Frame<Real> turned(const Frame<Real>& frame, const Real& theta);
+/// The same by θ = arg z, z ≠ 0: components are exact where |z|² is a rational square, else
+/// irrational or 0.
+Frame<Real> turned(const Frame<Rational>& frame, const GaussianRational& z);
+Frame<Real> as_real(const Frame<Rational>& frame);
+
+/// The frames of one curve, for many t: what does not depend on t is computed once.
+class Frames {
+ public:
+  explicit Frames(const Curve& curve);
+
+  /// (A i A*, A j A*, A k A*)/σ at t, exact; through cusps by continuity.
+  Frame<Rational> euler_rodrigues(const Rational& t) const;
+
+  /// (t, n, b) at t: n = (Re g·e₂ − Im g·e₃)/|g|, b = (Im g·e₂ + Re g·e₃)/|g| in the ERF.
+  /// Components are exact where |g|² is a rational square, else irrational or 0.
+  /// Throws DomainError for a straight line and at an inflection.
+  Frame<Real> frenet(const Rational& t) const;
+
+  /// The rotation-minimizing frame that agrees with the ERF at t = 0; `angle` is that of this curve
+  /// relative to the ERF. Exact where there is a direction() of the angle, so on plane curves and
+  /// all others with a rational rotation-minimizing frame, and where θ(t) = 0.
+  Frame<Real> rotation_minimizing(const RmfAngle& angle, const Rational& t) const;
+
+ private:
+  QuaternionPolynomial primitive_;  ///< A without its greatest real factor
+  GaussianPolynomial bend_;         ///< g of that
+};
+
+// One frame of a curve; Frames is faster for many.
+Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t);
+Frame<Real> frenet_frame(const Curve& curve, const Rational& t);
+Frame<Real> rotation_minimizing_frame(const Curve& curve, const RmfAngle& angle, const Rational& t);
+
+/// Every component correctly rounded.
+Vector<double> round_to_double(const Vector<Real>& v);
+Vector<double> round_to_double(const Vector<Rational>& v);
+
+}  // namespace phrame

@@ -1,0 +1,438 @@
+#include "phrame/ph/frame/frame_check.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/arc_length.hpp"
+
+namespace phrame {
+namespace {
+
+Rational dot(const Vector<Rational>& a, const Vector<Rational>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector<Rational> difference(const Vector<Rational>& a, const Vector<Rational>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+Vector<Rational> cross(const Vector<Rational>& a, const Vector<Rational>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+RealBall root(const Rational& x, long bits) { return sqrt(RealBall(x, bits), bits); }
+
+void raise_to(RealBall& x, const RealBall& y, long bits) {
+  arb_max(x.raw(), x.raw(), y.raw(), bits);
+}
+
+void lower_to(RealBall& x, const RealBall& y, long bits) {
+  arb_min(x.raw(), x.raw(), y.raw(), bits);
+}
+
+/// |cos| of the angle between a and b; 0 where one of them is 0.
+RealBall cosine(const Vector<Rational>& a, const Vector<Rational>& b, long bits) {
+  const Rational sizes = dot(a, a) * dot(b, b);
+  const Rational c = dot(a, b);
+  return sizes == 0 ? RealBall() : root(c * c / sizes, bits);
+}
+
+/// The sign of f next to t: 0 where it changes there.
+int sign_beside(const Polynomial& f, const Rational& t) {
+  Polynomial derivative = f;
+  for (long order = 0;; ++order, derivative = differentiate(derivative))
+    if (const Rational value = derivative(t); value != 0)
+      return order % 2 == 1 ? 0 : value < 0 ? -1 : 1;
+}
+
+/// A single segment may be left.
+SplineParameter place(const Spline& spline, const Rational& t) {
+  if (spline.segments().size() == 1) return {0, t};
+  return locate(spline, t);
+}
+
+}  // namespace
+
+FrameCheck::FrameCheck(const Spline& spline) : angle_(spline) {
+  for (const Curve& curve : spline.segments()) {
+    frames_.emplace_back(curve);
+    bends_.push_back(bend_numerator(without_real_content(curve.preimage())));
+  }
+}
+
+Forward FrameCheck::forward(const std::vector<GivenFrame>& frames) const {
+  long balance = 0;
+  for (const GivenFrame& frame : frames) {
+    if (!frame.tangent) continue;
+    const SplineParameter at = place(angle_.spline(), frame.t);
+    if (sign_beside(angle_.spline().segments()[at.segment].multiplier(), at.t) >= 0) continue;
+    balance += dot(*frame.tangent, frames_[at.segment].euler_rodrigues(at.t).e1).sign();
+  }
+  return balance > 0 ? Forward::preimage : Forward::motion;
+}
+
+FrameDeviation FrameCheck::deviation(const GivenFrame& frame, Forward forward, long bits) const {
+  const SplineParameter at = place(angle_.spline(), frame.t);
+  const Frame<Rational> erf = frames_[at.segment].euler_rodrigues(at.t);
+  const Curve& curve = angle_.spline().segments()[at.segment];
+
+  FrameDeviation result;
+  result.theta = angle_.value(at).enclose(bits);
+  const Rational x = dot(frame.f2, erf.e2);
+  const Rational y = dot(frame.f2, erf.e3);
+  if (x != 0 || y != 0) {
+    result.f2 = argument(x, y, bits);
+    const Rational re = bends_[at.segment].re(at.t);
+    const Rational im = bends_[at.segment].im(at.t);
+    // n = (Re g e₂ − Im g e₃)/|g|.
+    if (re != 0 || im != 0) result.from_normal = argument(x * re - y * im, x * im + y * re, bits);
+  }
+  std::vector<Vector<Rational>> normals{frame.f2};
+  if (frame.f3) normals.push_back(*frame.f3);
+  for (const auto& f : normals) {
+    raise_to(result.orthogonality, cosine(f, erf.e1, bits), bits);
+    raise_to(result.length, absolute(subtract(root(dot(f, f), bits), RealBall(1, bits), bits)),
+             bits);
+  }
+  if (frame.f3) {
+    raise_to(result.orthogonality, cosine(frame.f2, *frame.f3, bits), bits);
+    result.handedness = dot(frame.tangent.value_or(erf.e1), cross(frame.f2, *frame.f3)).sign();
+  }
+  const int side = forward == Forward::preimage ? 1 : sign_beside(curve.multiplier(), at.t);
+  if (frame.tangent) {
+    const Vector<Rational>& given = *frame.tangent;
+    result.is_reversed = dot(given, erf.e1).sign() * side < 0;
+    const Rational squared_size = dot(given, given);
+    raise_to(result.length, absolute(subtract(root(squared_size, bits), RealBall(1, bits), bits)),
+             bits);
+    const Vector<Rational> c = cross(given, erf.e1);
+    result.tangent_sine =  // a vector that is 0 has no direction at all
+        squared_size == 0 ? RealBall(1, bits) : root(dot(c, c) / squared_size, bits);
+  } else {  // the determinant was that with e₁
+    result.handedness = side == 0 ? std::abs(result.handedness) : result.handedness * side;
+  }
+  return result;
+}
+
+std::optional<Rational> FrameCheck::length(const Rational& a, const Rational& b) const {
+  if (b < a) return length(b, a);
+  const SplineParameter from = place(angle_.spline(), a);
+  const SplineParameter to = place(angle_.spline(), b);
+  Rational sum = 0;
+  for (std::size_t k = from.segment; k <= to.segment; ++k) {
+    const Curve& curve = angle_.spline().segments()[k];
+    const Rational start = k == from.segment ? from.t : Rational(0);
+    const Rational end = k == to.segment ? to.t : Rational(1);
+    for (const RealRoot& zero : real_roots(curve.multiplier(), open(start, end)))
+      if (zero.order % 2 == 1) return std::nullopt;
+    const Polynomial s = arc_length(curve);
+    sum += abs(Rational(s(end) - s(start)));
+  }
+  return sum;
+}
+
+namespace {
+
+using Kind = FrameFinding::Kind;
+
+/// x less the multiple of 2π next to it.
+RealBall reduced(const RealBall& x, long bits) {
+  const RealBall turn = multiply(RealBall(2, bits), pi(bits), bits);
+  const RealBall turns = divide(x, turn, bits);
+  const Integer whole = floor(turns.midpoint() + Rational(1, 2));
+  return subtract(x, multiply(RealBall(Rational(whole), bits), turn, bits), bits);
+}
+
+/// The samples in the order of t.
+std::vector<std::size_t> by_parameter(const std::vector<GivenFrame>& frames) {
+  std::vector<std::size_t> order(frames.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return frames[a].t < frames[b].t; });
+  return order;
+}
+
+/// The errors in the order of t, each next to the one before modulo turns, flips undone.
+struct ErrorPath {
+  std::vector<RealBall> errors;
+  std::size_t first;  ///< the sample of the first
+  RealBall way;       ///< last − first
+  RealBall range;     ///< largest − least
+  RealBall distance;  ///< max |error − first|
+  RealBall step;      ///< the largest |difference| of one to the next
+};
+
+/// One attempt with balls of so many bits.
+class Judgement {
+ public:
+  Judgement(const std::vector<GivenFrame>& frames, const FrameCheckOptions& options, long bits)
+      : frames_(frames),
+        options_(options),
+        bits_(bits),
+        order_(by_parameter(frames)),
+        parameters_(number_of_parameters(frames)) {}
+
+  FrameVerdict verdict(FrameCheck& check, Forward forward);
+  bool is_decided() const { return decided_; }
+
+ private:
+  using Angles = std::vector<std::optional<RealBall>>;
+
+  /// |x| ≤ tolerance? Remembers where the ball does not tell.
+  bool is_small(const RealBall& x) {
+    const RealBall size = absolute(x);
+    if (size.upper() <= options_.tolerance) return true;
+    if (size.lower() <= options_.tolerance) decided_ = false;
+    return false;
+  }
+  void find_errors(FrameVerdict& verdict) const;
+  void find_defects(FrameVerdict& verdict);
+  void find_flips(FrameVerdict& verdict) const;
+  ErrorPath path(const FrameVerdict& verdict) const;
+  void explain(FrameVerdict& verdict) const;
+  std::optional<FrameFinding> recognized(const FrameVerdict& verdict, const ErrorPath& path) const;
+  std::optional<RealBall> variation(const Angles& angles, bool up_to_half_turns) const;
+  void find_drift(FrameVerdict& verdict, const FrameCheck& check) const;
+
+  const std::vector<GivenFrame>& frames_;
+  const FrameCheckOptions& options_;
+  long bits_;
+  std::vector<std::size_t> order_;
+  std::size_t parameters_;
+  bool decided_ = true;
+};
+
+void Judgement::find_errors(FrameVerdict& verdict) const {
+  std::optional<RealBall> start;
+  if (options_.start_angle) start = to_real(*options_.start_angle).enclose(bits_);
+  for (const FrameDeviation& at : verdict.deviations) {
+    verdict.errors.emplace_back();
+    if (!at.f2) continue;
+    const RealBall angle = subtract(*at.f2, at.theta, bits_);
+    if (!start) start = angle;
+    const RealBall error = reduced(subtract(angle, *start, bits_), bits_);
+    verdict.errors.back() = error;
+    if (absolute(error).upper() > verdict.max_error.upper())
+      verdict.worst_sample = verdict.errors.size() - 1;
+    raise_to(verdict.max_error, absolute(error), bits_);
+  }
+}
+
+void Judgement::find_defects(FrameVerdict& verdict) {
+  std::map<Kind, std::vector<std::size_t>> found;
+  for (std::size_t k = 0; k < verdict.deviations.size(); ++k) {
+    const FrameDeviation& at = verdict.deviations[k];
+    raise_to(verdict.orthogonality, at.orthogonality, bits_);
+    raise_to(verdict.length, at.length, bits_);
+    if (!at.f2) found[Kind::undefined].push_back(k);
+    const bool is_along = is_small(at.tangent_sine);
+    if (at.is_reversed && at.tangent_sine.upper() <= recognition_tolerance)
+      found[Kind::reversed_tangent].push_back(k);
+    else if (at.is_reversed || !is_along)
+      found[Kind::wrong_tangent].push_back(k);
+    if (at.handedness < 0) found[Kind::left_handed].push_back(k);
+    if (!is_small(at.orthogonality)) found[Kind::not_orthogonal].push_back(k);
+    if (!is_small(at.length)) found[Kind::not_unit].push_back(k);
+  }
+  for (auto& [kind, samples] : found) verdict.findings.push_back({kind, std::move(samples)});
+}
+
+void Judgement::find_flips(FrameVerdict& verdict) const {
+  FrameFinding flips{Kind::flip};
+  const RealBall* before = nullptr;
+  for (const std::size_t k : order_) {
+    if (!verdict.errors[k]) continue;
+    const RealBall& error = *verdict.errors[k];
+    if (before != nullptr && absolute(reduced(subtract(error, *before, bits_), bits_)).lower() > 3)
+      flips.samples.push_back(k);
+    before = &error;
+  }
+  if (!flips.samples.empty()) verdict.findings.push_back(std::move(flips));
+}
+
+ErrorPath Judgement::path(const FrameVerdict& verdict) const {
+  ErrorPath path{};
+  const RealBall half_turn = pi(bits_);
+  RealBall least;
+  RealBall largest;
+  const RealBall* before = nullptr;
+  for (const std::size_t k : order_) {
+    if (!verdict.errors[k]) continue;
+    const RealBall& error = *verdict.errors[k];
+    if (before == nullptr) {
+      path.errors.push_back(error);
+      path.first = k;
+    } else {
+      RealBall step = reduced(subtract(error, *before, bits_), bits_);
+      if (absolute(step).lower() > 3)  // a flip, as in find_flips
+        step = sign(step) > 0 ? subtract(step, half_turn, bits_) : add(step, half_turn, bits_);
+      raise_to(path.step, absolute(step), bits_);
+      path.way = add(path.way, step, bits_);
+      path.errors.push_back(add(path.errors.back(), step, bits_));
+      raise_to(path.distance, absolute(path.way), bits_);
+      raise_to(largest, path.way, bits_);
+      lower_to(least, path.way, bits_);
+    }
+    before = &error;
+  }
+  path.range = subtract(largest, least, bits_);
+  return path;
+}
+
+/// The largest |angle − first angle|; no value for less than three samples.
+std::optional<RealBall> Judgement::variation(const Angles& angles, bool up_to_half_turns) const {
+  const RealBall factor(up_to_half_turns ? 2 : 1, bits_);
+  const RealBall* first = nullptr;
+  std::set<Rational> parameters;
+  RealBall largest;
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    if (!angles[k]) continue;
+    if (first == nullptr) first = &*angles[k];
+    parameters.insert(frames_[k].t);
+    const RealBall change = multiply(factor, subtract(*angles[k], *first, bits_), bits_);
+    raise_to(largest, absolute(reduced(change, bits_)), bits_);
+  }
+  if (parameters.size() < 3) return std::nullopt;
+  return divide(largest, factor, bits_);
+}
+
+/// Does a kind of frame that leaves `residual` explain errors of that size?
+bool explains(const RealBall& residual, const RealBall& size) {
+  return residual.upper() <= std::min(recognition_tolerance, Rational(size.lower() / 100));
+}
+
+/// Which other frame is it?
+std::optional<FrameFinding> Judgement::recognized(const FrameVerdict& verdict,
+                                                  const ErrorPath& path) const {
+  const RealBall offset = path.errors.front();
+  if (options_.start_angle && parameters_ >= 2 && explains(path.distance, absolute(offset)))
+    return FrameFinding{Kind::constant_offset, {}, offset, path.distance};
+  Angles erf;
+  Angles frenet;
+  Angles backwards;
+  for (const FrameDeviation& at : verdict.deviations) {
+    erf.push_back(at.f2);
+    frenet.push_back(at.from_normal);
+    backwards.emplace_back();
+    if (at.f2) backwards.back() = add(*at.f2, at.theta, bits_);
+  }
+  const std::pair<Kind, std::optional<RealBall>> candidates[] = {
+      {Kind::frenet, variation(frenet, true)},
+      {Kind::euler_rodrigues, variation(erf, false)},
+      {Kind::turned_backwards, variation(backwards, false)}};
+  for (const auto& [kind, residual] : candidates)
+    if (residual && explains(*residual, path.distance))
+      return FrameFinding{kind, {}, std::nullopt, residual};
+  return std::nullopt;
+}
+
+/// Why errors are beyond the tolerance.
+void Judgement::explain(FrameVerdict& verdict) const {
+  const ErrorPath path = this->path(verdict);
+  if (const auto finding = recognized(verdict, path)) {
+    verdict.findings.push_back(*finding);
+    return;
+  }
+  const bool is_elsewhere =
+      options_.start_angle && absolute(path.errors.front()).lower() > options_.tolerance;
+  if (is_elsewhere)
+    verdict.findings.push_back(
+        {Kind::other_start, {path.first}, path.errors.front(), std::nullopt});
+  const bool is_explained =
+      is_elsewhere || (!verdict.findings.empty() && verdict.findings.back().kind == Kind::flip);
+  if (path.errors.size() < 2 || (is_explained && path.range.lower() <= options_.tolerance)) return;
+  // A drift makes its way without coming back by half of it, and without a jump: no step is more
+  // than a quarter of the way or, of a few samples, twice its share.
+  const Rational way = absolute(path.way).lower();
+  const Rational share =
+      std::max(Rational(1, 4), Rational(2, static_cast<long>(path.errors.size()) - 1));
+  const bool is_drift = 2 * way >= path.range.upper() && path.step.upper() <= share * way;
+  verdict.findings.push_back({is_drift ? Kind::drift : Kind::irregular,
+                              {},
+                              is_drift ? path.way : path.range,
+                              std::nullopt});
+}
+
+void Judgement::find_drift(FrameVerdict& verdict, const FrameCheck& check) const {
+  const auto is_defined = [&](std::size_t k) { return verdict.errors[k].has_value(); };
+  const auto first = std::find_if(order_.begin(), order_.end(), is_defined);
+  const auto last = std::find_if(order_.rbegin(), order_.rend(), is_defined);
+  if (first == order_.end()) return;
+  const auto length = check.length(frames_[*first].t, frames_[*last].t);
+  if (!length || *length == 0) return;
+  const RealBall way = subtract(*verdict.errors[*last], *verdict.errors[*first], bits_);
+  verdict.drift = divide(reduced(way, bits_), RealBall(*length, bits_), bits_);
+}
+
+FrameVerdict Judgement::verdict(FrameCheck& check, Forward forward) {
+  FrameVerdict verdict{};
+  for (const GivenFrame& frame : frames_)
+    verdict.deviations.push_back(check.deviation(frame, forward, bits_));
+  find_errors(verdict);
+  find_defects(verdict);
+  find_flips(verdict);
+  const bool is_close = is_small(verdict.max_error);
+  verdict.passes = is_close && verdict.findings.empty();
+  if (!is_close) explain(verdict);
+  find_drift(verdict, check);
+  return verdict;
+}
+
+}  // namespace
+
+std::size_t number_of_parameters(const std::vector<GivenFrame>& frames) {
+  std::set<Rational> parameters;
+  for (const GivenFrame& frame : frames) parameters.insert(frame.t);
+  return parameters.size();
+}
+
+bool are_along_curve(const Spline& spline, const std::vector<GivenFrame>& frames,
+                     const Rational& tolerance) {
+  std::vector<Frames> exact;
+  for (const Curve& curve : spline.segments()) exact.emplace_back(curve);
+  return std::all_of(frames.begin(), frames.end(), [&](const GivenFrame& frame) {
+    if (!frame.tangent) return true;
+    const SplineParameter at = place(spline, frame.t);
+    const Vector<Rational> c = cross(*frame.tangent, exact[at.segment].euler_rodrigues(at.t).e1);
+    const Rational squared_size = dot(*frame.tangent, *frame.tangent);
+    return squared_size != 0 && dot(c, c) <= tolerance * tolerance * squared_size;
+  });
+}
+
+bool are_on_curve(const Spline& spline, const std::vector<GivenPosition>& positions,
+                  const Rational& tolerance) {
+  std::vector<Vector<Polynomial>> exact;
+  for (const Curve& curve : spline.segments()) exact.push_back(position(curve));
+  std::optional<Vector<Rational>> start;
+  Rational farthest;  // squared, as is
+  Rational worst;
+  for (const auto& [t, given] : positions) {
+    const SplineParameter at = place(spline, t);
+    const Vector<Rational> r = evaluate(exact[at.segment], at.t);
+    if (!start) start = r;
+    const Vector<Rational> way = difference(r, *start);
+    const Vector<Rational> off = difference(difference(given, positions.front().r), way);
+    farthest = std::max(farthest, dot(way, way));
+    worst = std::max(worst, dot(off, off));
+  }
+  return farthest > 0 && worst <= tolerance * tolerance * farthest;
+}
+
+FrameVerdict check_frames(const Spline& spline, const std::vector<GivenFrame>& frames,
+                          const FrameCheckOptions& options) {
+  FrameCheck check(spline);
+  const Forward forward = check.forward(frames);
+  for (long bits = 128; bits <= 4096; bits *= 2) {
+    Judgement judgement(frames, options, bits);
+    FrameVerdict verdict = judgement.verdict(check, forward);
+    if (judgement.is_decided()) return verdict;
+  }
+  throw Undecided(
+      "check of frames: 4096 bits of precision do not tell an error from the tolerance");
+}
+
+}  // namespace phrame

@@ -1,0 +1,61 @@
+#pragma once
+#include <memory>
+
+#include "phrame/ph/curve/spline.hpp"
+#include "phrame/ph/frame/rmf_angle.hpp"
+
+namespace phrame {
+
+/// The angle θ of the rotation-minimizing frame relative to the continuous Euler–Rodrigues frame of
+/// a spline: θ(0) = 0, θ continuous on [0, end], θ′ = −2h/σ on each segment. Copies are cheap and
+/// share what was found; any thread may ask them. To move one is to copy it.
+class SplineAngle {
+ public:
+  explicit SplineAngle(Spline spline, Form form = Form::automatic);
+  SplineAngle(const SplineAngle&) = default;
+  SplineAngle& operator=(const SplineAngle&) = default;
+  ~SplineAngle() = default;
+
+  const Spline& spline() const;
+  /// The angle along segment k, counted from its start.
+  const RmfAngle& segment(std::size_t k) const;
+
+  /// The way to the values of the segments from now on; that of copies stays.
+  void take(Route route);
+
+  /// θ(t) + start, exact where it is seen to be rational; also where the contributions of different
+  /// segments cancel. Throws DomainError for t outside [0, end].
+  Real value(const Rational& t, const Angle& start = {}) const;
+  /// The same; at.t may be any number, with which the segment is continued.
+  Real value(const SplineParameter& at, const Angle& start = {}) const;
+  /// A ball around θ(at) with a radius ≤ 2^−bits · max(1, |θ(at)|); the sums up to the joints are
+  /// kept. at.t may be any number.
+  RealBall enclose(const SplineParameter& at, long bits) const;
+  /// Around θ(at) + start, likewise but for what the two cancel.
+  RealBall enclose(const SplineParameter& at, const Angle& start, long bits) const;
+  /// z ∈ ℚ(i) with e^{iθ} = z/|z|, where each segment up to there has an RmfAngle::direction().
+  std::optional<GaussianRational> direction(const SplineParameter& at) const;
+
+  /// (θ(at) + offset + arg phase(1) − arg phase(0))/π where that is rational: decided or recognised
+  /// as Evaluator::multiple_of_pi does. No value means that it is irrational or not recognised. The
+  /// phase has no zero on [0, 1].
+  std::optional<Rational> multiple_of_pi(const SplineParameter& at, const GaussianPolynomial& phase,
+                                         const Rational& offset = 0) const;
+
+  /// By which angle in (−π, π] the rotation-minimizing frame comes back turned about the tangent
+  /// r′/|r′| of a closed spline: f₂(end) = cos(·) f₂(0) + sin(·) T × f₂(0). It does not depend on
+  /// the preimages. Exact where it is seen to be 0. No value where the spline has no
+  /// closing_turn(). Throws Undecided where it can't be told from ±π.
+  std::optional<Real> holonomy() const;
+
+ private:
+  struct State;  ///< the angles of the segments, and what is known of their sums
+
+  Real value_after(std::size_t joint, const Rational& theta, const SplineParameter& at,
+                   const Angle& start) const;
+  Real value_after_last_joint(const SplineParameter& at, const Angle& start) const;
+
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace phrame

@@ -1,0 +1,56 @@
+#pragma once
+#include "phrame/integrate/root_discs.hpp"
+#include "phrame/ph/frame/rmf_angle.hpp"
+#include "phrame/ph/proof/stated_decisions.hpp"
+
+namespace phrame {
+
+/// Σ c(z)·log(t − z) over the roots z of q.
+struct CertifiedLogs {
+  Polynomial index;             ///< q
+  Polynomial residue;           ///< c, modulo q
+  std::vector<RootDisc> roots;  ///< those above the real axis; the others are their conjugates
+  friend bool operator==(const CertifiedLogs&, const CertifiedLogs&) = default;
+};
+
+/// |θ(t) − theta| ≤ radius.
+struct AngleClaim {
+  Rational t;
+  std::string theta;   ///< a decimal
+  std::string radius;  ///< a decimal
+  std::optional<TurnCount> turn;
+  friend bool operator==(const AngleClaim&, const AngleClaim&) = default;
+};
+
+/// Claims about the rotation-minimizing frame of one curve, and what proves them by arithmetic with
+/// integers: docs/certificate.md. This is what is stated, true or not; `certify` makes true ones,
+/// `verify` decides.
+struct Certificate {
+  Curve curve;
+  Reference reference;
+  Vector<Polynomial> hodograph;
+  Polynomial sigma;
+  Polynomial h;
+  GaussianPolynomial g;
+  struct Rate {  ///< −2h = numerator·common, σ = denominator·common
+    Polynomial numerator;
+    Polynomial denominator;
+    Polynomial common;
+    Integer modulus;  ///< numerator and denominator are coprime modulo this number, mostly a prime
+    friend bool operator==(const Rate&, const Rate&) = default;
+  } rate;
+  RationalFunction rational;  ///< of the antiderivative
+  std::vector<CertifiedLogs> logs;
+  long bits;
+  struct Bend {  ///< g = content·polynomial
+    GaussianPolynomial polynomial;
+    Polynomial content;
+    friend bool operator==(const Bend&, const Bend&) = default;
+  };
+  std::optional<Bend> bend;  ///< with the Frenet frame
+  std::vector<AngleClaim> claims;
+  StatedDecisions decisions;
+  friend bool operator==(const Certificate&, const Certificate&) = default;
+};
+
+}  // namespace phrame

@@ -1,0 +1,161 @@
+// The grid is as fine as the claims need: with discs of a first, coarse grid it is known what the
+// angle may be off, and that falls as 2^−bits. The bound is rational arithmetic on what does not
+// depend on the machine, so that no two machines choose different grids.
+#include "phrame/ph/proof/certify.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/modular.hpp"
+
+namespace phrame {
+namespace {
+
+/// A prime modulo which a and b, not both 0, are coprime: proof that they are coprime.
+Integer coprime_modulus(const Polynomial& a, const Polynomial& b) {
+  const flint::FmpzPoly f = integer_primitive_part(a);
+  const flint::FmpzPoly g = integer_primitive_part(b);
+  Primes primes;
+  for (;;) {
+    const ulong p = primes.next();
+    ModularPolynomial x(p, f);
+    ModularPolynomial y(p, g);
+    if (x.degree() != a.degree() || y.degree() != b.degree()) continue;
+    nmod_poly_gcd(x.raw(), x.raw(), y.raw());
+    if (x.degree() == 0) return Integer(p);
+  }
+}
+
+/// The sums over the poles of F′ without their discs.
+std::vector<CertifiedLogs> logs_over_poles(const Antiderivative& F) {
+  std::vector<CertifiedLogs> logs;
+  for (const LogSum& sum : F.logs) logs.push_back({primitive_part(sum.index), sum.residue, {}});
+  return logs;
+}
+
+/// Discs for all roots; false where the grid is too coarse.
+bool place_discs(std::vector<CertifiedLogs>& logs, long bits) {
+  for (CertifiedLogs& sum : logs) {
+    const Polynomial n = (sum.residue * differentiate(sum.index)) % sum.index;
+    auto discs = root_discs(sum.index, n, bits);
+    if (!discs) return false;
+    sum.roots = *std::move(discs);
+  }
+  return true;
+}
+
+/// Does the disc meet none of another sum?
+bool is_alone(const RootDisc& disc, const CertifiedLogs& its,
+              const std::vector<CertifiedLogs>& logs) {
+  for (const CertifiedLogs& sum : logs)
+    for (const RootDisc& other : sum.roots)
+      if (&sum != &its && !are_apart(disc, other)) return false;
+  return true;
+}
+
+/// Does a disc show a residue of F′ that is not in iℤ?
+bool excludes_multiples_of_i(const std::vector<CertifiedLogs>& logs, long bits) {
+  const Integer unit = Integer(1) << static_cast<unsigned long>(bits);
+  for (const CertifiedLogs& sum : logs)
+    for (const RootDisc& disc : sum.roots) {
+      if (!is_alone(disc, sum, logs)) continue;
+      const Integer rest = abs(disc.residue.im) % unit;
+      const Integer distance = std::min(rest, Integer(unit - rest));
+      if (abs(disc.residue.re) > disc.residue_radius || distance > disc.residue_radius) return true;
+    }
+  return false;
+}
+
+/// On a grid that proves the angle up to `slack` for all |t| ≤ reach and, where there is no
+/// rational frame though all poles are simple, a residue that is not in iℤ.
+void place_discs(Certificate& c, const std::optional<Rational>& slack, const Rational& reach) {
+  const bool shows_residue = !c.decisions.rational_frame && c.rational.is_zero();
+  for (c.bits = 64;;) {
+    long missing = c.bits;  // where nothing is known yet, twice as many
+    if (place_discs(c.logs, c.bits)) {
+      Rational error = 0;
+      for (const CertifiedLogs& sum : c.logs) error += log_error(sum.roots, c.bits, reach);
+      const bool is_fine = !slack || error <= *slack;
+      if (is_fine && (!shows_residue || excludes_multiples_of_i(c.logs, c.bits))) return;
+      if (!is_fine) missing = binary_exponent(error / *slack) + 2;
+    }
+    c.bits += missing;
+  }
+}
+
+/// Half a unit in the last place of a decimal with so many digits.
+Rational half_unit(const Rational& value, long digits) {
+  return 5 * power_of_ten((value == 0 ? -1 : decimal_exponent(abs(value))) - digits);
+}
+
+/// A claim, and what the angle may be off for it to be proved: 0 where no logarithm is needed.
+struct Planned {
+  AngleClaim claim;
+  Rational slack;
+};
+
+/// θ(t) correctly rounded, the radius half a unit of the last digit. What is known to be exact only
+/// because logarithms cancel gets a whole unit where it lies half way between two decimals.
+Planned plan(const Real& theta, const Rational& t, long digits, bool is_rational) {
+  AngleClaim claim{t, round_to_decimal(theta, digits).value, "0", {}};
+  const Rational value = parse_rational(claim.theta);
+  Rational radius = half_unit(value, digits);
+  const std::optional<Rational>& exact = theta.exact();
+  const auto set_radius = [&] { claim.radius = upper_bound_text(radius, 1); };
+  if (is_rational) {
+    if (*exact != value) set_radius();
+    return {claim, 0};
+  }
+  if (exact && abs(*exact - value) == radius) radius *= 2;
+  set_radius();
+  for (Rational slack = radius * power_of_two(-32);; slack *= power_of_two(-64)) {
+    const RealBall enclosure = theta.enclose(2 - binary_exponent(slack));
+    const Rational off = std::max(abs(enclosure.upper() - value), abs(enclosure.lower() - value));
+    if (off + 4 * slack <= radius) return {claim, slack};
+  }
+}
+
+}  // namespace
+
+Certificate certify(const Curve& curve, Reference reference, const std::vector<Rational>& at,
+                    long digits) {
+  const QuaternionPolynomial& a = curve.preimage();
+  const RationalFunction rate = erf_rate(a);
+  const Polynomial s = sigma(a);
+  const Antiderivative twist = integrate(rate, Form::partial_fractions);
+  const RmfAngle angle(curve, reference, Form::partial_fractions);
+  const Classification classification = classify(curve);
+
+  Certificate c{curve,
+                reference,
+                hodograph(curve),
+                s,
+                twist_numerator(a),
+                bend_numerator(a),
+                {rate.numerator(), rate.denominator(), exact_quotient(s, rate.denominator()),
+                 coprime_modulus(rate.numerator(), rate.denominator())},
+                twist.rational,
+                logs_over_poles(twist),
+                0,
+                {},
+                {},
+                stated(classification)};
+  std::optional<ContinuousArgument> bend;
+  if (reference == Reference::frenet) {
+    c.bend = {regular_bend(a), gcd(c.g.re, c.g.im)};
+    bend.emplace(c.bend->polynomial);
+  }
+  Rational reach = 0;
+  std::optional<Rational> slack;
+  for (const Rational& t : at) {
+    const bool is_rational = t == 0 || angle.antiderivative().logs.empty();
+    Planned planned = plan(angle.value(t), t, digits, is_rational);
+    if (bend) planned.claim.turn = bend->turn(t);
+    c.claims.push_back(std::move(planned.claim));
+    reach = std::max(reach, Rational(abs(t)));
+    if (!is_rational && (!slack || planned.slack < *slack)) slack = planned.slack;
+  }
+  if (!c.logs.empty()) place_discs(c, slack, reach);
+  return c;
+}
+
+}  // namespace phrame

@@ -1,0 +1,80 @@
+#include "phrame/ph/proof/classify.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/frame/rmf_angle.hpp"
+
+namespace phrame {
+namespace {
+
+const Interval segment = closed(0, 1);
+
+void check(bool holds, std::string_view what) {
+  if (!holds) throw Error(fmt::format("classify: the check failed, {}", what));
+}
+
+bool are_all_roots(const std::vector<RealRoot>& roots, const Polynomial& p) {
+  for (const RealRoot& root : roots)
+    if (sign_at(p, root.at) != 0) return false;
+  return static_cast<long>(roots.size()) == count_real_roots(p, segment);
+}
+
+void check(const RationalFrame& frame, const QuaternionPolynomial& a) {
+  const QuaternionPolynomial& b = frame.preimage;
+  check(twist_numerator(b).is_zero(), "the rational frame is not rotation-minimizing");
+  const Vector<Polynomial> x = rotated_i(a);
+  const Vector<Polynomial> y = rotated_i(b);
+  for (std::size_t k = 0; k < 3; ++k)
+    check(sigma(b) * x[k] == sigma(a) * y[k], "the rational frame has another tangent");
+}
+
+void check(const Classification& c, const Curve& curve) {
+  const QuaternionPolynomial& a = curve.preimage();
+  const Polynomial speed = sigma(a);
+  const Vector<Polynomial> r = rotated_i(a);
+  check(are_all_roots(c.cusps, curve.multiplier() * speed), "cusps");
+  if (c.line)
+    for (std::size_t k = 0; k < 3; ++k)
+      check((*c.line)[k] * r[(k + 1) % 3] == (*c.line)[(k + 1) % 3] * r[k], "line");
+  if (c.normal) check(dot(*c.normal, r).is_zero(), "normal");
+  if (c.helix) check(dot(c.helix->axis, r) == c.helix->constant * speed, "helix");
+  if (c.double_ph) check(rho(a) == c.double_ph->constant * pow(c.double_ph->omega, 2), "double PH");
+  Polynomial common;
+  for (const Polynomial& component : hodograph(curve))
+    common = gcd(common, exact_quotient(component, c.content));
+  check(common.is_constant(), "content");
+  if (const auto* frame = std::get_if<RationalFrame>(&c.rational_frame)) check(*frame, a);
+  const Polynomial twist = erf_rate(a).numerator();
+  if (!twist.is_zero()) check(are_all_roots(c.erf_turning.zeros, twist), "zeros of h");
+}
+
+}  // namespace
+
+std::vector<RealRoot> cusp_points(const Curve& curve) {
+  return real_roots(curve.multiplier() * pow(real_content(curve.preimage()), 2), segment);
+}
+
+std::vector<RealRoot> inflections(const QuaternionPolynomial& a) {
+  const GaussianPolynomial g = bend_numerator(without_real_content(a));
+  return is_zero(g) ? std::vector<RealRoot>() : real_roots(gcd(g.re, g.im), segment);
+}
+
+Polynomial hodograph_content(const Curve& curve) {
+  const auto [x, y, z] = hodograph(curve);
+  return gcd(gcd(x, y), z);
+}
+
+Classification classify(const Curve& curve) {
+  const QuaternionPolynomial& a = curve.preimage();
+  const Classification result{
+      cusp_points(curve), inflections(a),    line_direction(a),        plane_normal(a),
+      helix(a),           double_ph(a),      hodograph_content(curve), twist_numerator(a).is_zero(),
+      rational_frame(a),  erf_turning(curve)};
+  check(result, curve);
+  return result;
+}
+
+}  // namespace phrame

@@ -1,0 +1,133 @@
+#include "phrame/ph/proof/stated_decisions.hpp"
+
+#include "phrame/algebra/error.hpp"
+
+namespace phrame {
+namespace {
+
+StatedPoint stated(const RealRoot& root) {
+  return {root.at.polynomial(), root.at.interval(), root.order};
+}
+
+std::vector<StatedPoint> stated(const std::vector<RealRoot>& roots) {
+  std::vector<StatedPoint> list;
+  for (const RealRoot& root : roots) list.push_back(stated(root));
+  return list;
+}
+
+/// The root that is meant; none where it is not one.
+std::optional<RealRoot> meant(const StatedPoint& point) {
+  try {
+    return RealRoot{real_root(point.polynomial, point.interval), point.order};
+  } catch (const DomainError&) {
+    return std::nullopt;
+  }
+}
+
+/// In any order.
+std::string objection_to_points(const std::vector<StatedPoint>& stated,
+                                std::vector<RealRoot> roots) {
+  if (stated.size() != roots.size()) return "the points are not as many";
+  for (const StatedPoint& point : stated) {
+    const auto root = meant(point);
+    if (!root) return "an interval does not hold one root of its polynomial";
+    if (std::erase(roots, *root) == 0) return "a point or its order is another one";
+  }
+  return "";
+}
+
+/// One decision: the answer is that of classify, and its witness, if there is one, is a witness.
+template <class T, class Holds>
+std::string objection_to_witness(const std::optional<T>& stated, bool answer, Holds holds) {
+  if (stated.has_value() != answer) return "the answer is the other one";
+  return unless(!stated || holds(*stated), "the witness is none");
+}
+
+}  // namespace
+
+StatedDecisions stated(const Classification& c) {
+  StatedDecisions d{c.cusps.empty(),
+                    stated(c.cusps),
+                    !c.inflections.empty(),
+                    stated(c.inflections),
+                    c.line,
+                    c.normal,
+                    {},
+                    c.double_ph,
+                    c.content.is_constant(),
+                    c.content,
+                    c.erf_is_rotation_minimizing,
+                    {},
+                    c.erf_turning.is_monotone,
+                    stated(c.erf_turning.zeros),
+                    stated(c.erf_turning.extrema)};
+  if (c.helix) d.helix = {c.helix->axis, c.helix->cosine_squared};
+  if (const auto* frame = std::get_if<RationalFrame>(&c.rational_frame))
+    d.rational_frame = frame->w;
+  return d;
+}
+
+std::vector<Statement> check_decisions(const StatedDecisions& d, const Curve& curve) {
+  const Classification c = classify(curve);
+  const QuaternionPolynomial& a = curve.preimage();
+  const Vector<Polynomial> r = rotated_i(a);
+  const Polynomial s = sigma(a);
+  const auto is_nonzero = [](const Vector<Rational>& v) { return v != Vector<Rational>{}; };
+  const auto answer = [](bool stated, bool true_one) {
+    return unless(stated == true_one, "the answer is the other one");
+  };
+  const auto points = [&](bool stated, bool true_one, const std::vector<StatedPoint>& list,
+                          const std::vector<RealRoot>& roots) {
+    const std::string objection = answer(stated, true_one);
+    return objection.empty() ? objection_to_points(list, roots) : objection;
+  };
+  std::string monotone =
+      points(d.erf_monotone, c.erf_turning.is_monotone, d.zeros_of_h, c.erf_turning.zeros);
+  if (monotone.empty()) monotone = objection_to_points(d.extrema, c.erf_turning.extrema);
+  std::string primitive = answer(d.primitive, c.content.is_constant());
+  if (primitive.empty() &&
+      (d.content.is_zero() || !(primitive_part(d.content) == primitive_part(c.content))))
+    primitive = "the content is another polynomial";
+  return {{"decision regular", points(d.regular, c.cusps.empty(), d.cusps, c.cusps)},
+          {"decision inflections",
+           points(d.has_inflections, !c.inflections.empty(), d.inflections, c.inflections)},
+          {"decision line",
+           objection_to_witness(d.line, c.line.has_value(),
+                                [&](const Vector<Rational>& v) {
+                                  if (!is_nonzero(v)) return false;
+                                  for (std::size_t k = 0; k < 3; ++k)
+                                    if (!(v[k] * r[(k + 1) % 3] == v[(k + 1) % 3] * r[k]))
+                                      return false;
+                                  return true;
+                                })},
+          {"decision planar", objection_to_witness(d.normal, c.normal.has_value(),
+                                                   [&](const Vector<Rational>& n) {
+                                                     return is_nonzero(n) && dot(n, r).is_zero();
+                                                   })},
+          {"decision helical", objection_to_witness(d.helix, c.helix.has_value(),
+                                                    [&](const StatedDecisions::Helix& helix) {
+                                                      const auto& [x, y, z] = helix.axis;
+                                                      return is_nonzero(helix.axis) &&
+                                                             pow(dot(helix.axis, r), 2) ==
+                                                                 helix.cosine_squared *
+                                                                     (x * x + y * y + z * z) *
+                                                                     pow(s, 2);
+                                                    })},
+          {"decision double_ph", objection_to_witness(d.double_ph, c.double_ph.has_value(),
+                                                      [&](const DoublePh& square) {
+                                                        return rho(a) == square.constant *
+                                                                             pow(square.omega, 2);
+                                                      })},
+          {"decision primitive", primitive},
+          {"decision erf_is_rmf", answer(d.erf_is_rmf, c.erf_is_rotation_minimizing)},
+          {"decision rrmf",
+           objection_to_witness(
+               d.rational_frame, std::holds_alternative<RationalFrame>(c.rational_frame),
+               [&](const GaussianPolynomial& w) {
+                 return !is_zero(w) && (differentiate(w) * conjugate(w)).im * s ==
+                                           Rational(-1) * twist_numerator(a) * norm(w);
+               })},
+          {"decision erf_monotone", monotone}};
+}
+
+}  // namespace phrame

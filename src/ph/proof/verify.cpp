@@ -1,0 +1,287 @@
+#include "phrame/ph/proof/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "phrame/integrate/quadrature.hpp"
+
+namespace phrame {
+namespace {
+
+std::string objection_to_invariants(const Certificate& c) {
+  const QuaternionPolynomial& a = c.curve.preimage();
+  if (!(c.sigma == sigma(a))) return "sigma is another polynomial";
+  if (!(c.h == twist_numerator(a))) return "h is another polynomial";
+  if (!(c.g == bend_numerator(a))) return "g is another polynomial";
+  return unless(c.hodograph == hodograph(c.curve), "the hodograph is another one");
+}
+
+/// Why Euclid's algorithm modulo m ≥ 2 does not prove that n and d are coprime. m need not be
+/// prime.
+std::string objection_to_modulus(const Polynomial& n, const Polynomial& d, const Integer& m) {
+  if (n.is_zero()) return "";  // then d is constant
+  using Residues = std::vector<Integer>;
+  const auto residues = [&m](const Polynomial& p) {
+    Residues list;
+    for (const Rational& c : primitive_part(p).coefficients())
+      list.push_back(modulo(Integer(numerator(c)), m));
+    return list;
+  };
+  Residues a = residues(n);
+  Residues b = residues(d);
+  if (a.back() == 0 || b.back() == 0) return "the modulus divides a leading coefficient";
+  while (!b.empty()) {
+    const auto unit = inverse_modulo(b.back(), m);
+    if (!unit) return "the modulus is no prime";
+    for (Integer& x : b) x = modulo(x * *unit, m);
+    while (a.size() >= b.size()) {
+      const Integer factor = a.back();
+      const std::size_t low = a.size() - b.size();
+      for (std::size_t k = 0; k < b.size(); ++k) a[low + k] = modulo(a[low + k] - factor * b[k], m);
+      while (!a.empty() && a.back() == 0) a.pop_back();
+    }
+    std::swap(a, b);
+  }
+  return unless(a.size() == 1, "numerator and denominator have a common factor modulo the modulus");
+}
+
+/// That N/D is in lowest terms is decided over ℚ, and whether `modulus` proves it, too.
+std::string objection_to_rate(const Certificate& c) {
+  const auto& [n, d, common, modulus] = c.rate;
+  const QuaternionPolynomial& a = c.curve.preimage();
+  if (!(Rational(-2) * twist_numerator(a) == n * common)) return "-2h is not numerator * common";
+  if (!(sigma(a) == d * common)) return "sigma is not denominator * common";
+  if (!gcd(n, d).is_constant()) return "numerator and denominator have a common factor";
+  return objection_to_modulus(n, d, modulus);
+}
+
+/// Σ c(z)·log(t − z) over the roots of q.
+LogSum over_poles(const Polynomial& q, const Polynomial& c) {
+  return {q, c % q, Bivariate({Polynomial{0, -1}, Polynomial{1}})};
+}
+
+/// No pole of θ′ is lost by asking for that.
+std::string objection_to_index(const Polynomial& q, const Curve& curve) {
+  if (q.degree() > 2 * degree(curve.preimage())) return "the index has a higher degree than sigma";
+  return unless(!q.is_constant() && is_squarefree(q),
+                "the index is constant or has a repeated root");
+}
+
+std::string objection_to_antiderivative(const Certificate& c) {
+  RationalFunction derivative = differentiate(c.rational);
+  for (const CertifiedLogs& sum : c.logs) {
+    std::string objection = objection_to_index(sum.index, c.curve);
+    if (!objection.empty()) return objection;
+    derivative = derivative + differentiate(over_poles(sum.index, sum.residue));
+  }
+  return unless(derivative == erf_rate(c.curve.preimage()), "its derivative is not -2h/sigma");
+}
+
+/// The discs of one sum: a root in each by Newton's step m − q(m)/q′(Z) ⊂ Z, and the residue there.
+class DiscCheck {
+ public:
+  DiscCheck(const CertifiedLogs& sum, long bits)
+      : sum_(sum),
+        unit_(power_of_two(-bits)),
+        slope_(differentiate(sum.index)),
+        numerator_((sum.residue * slope_) % sum.index) {
+    const flint::FmpzPoly f = integer_primitive_part(sum.index);
+    precision_ = 2 * bits + std::abs(fmpz_poly_max_bits(f.get())) + 4 * sum.index.degree() + 128;
+  }
+
+  std::string objection_to_roots() {
+    if (2 * static_cast<long>(sum_.roots.size()) != sum_.index.degree())
+      return "the discs are not half as many as the degree of the index";
+    std::vector<const RootDisc*> discs;
+    for (const RootDisc& disc : sum_.roots) {
+      if (disc.radius < 0 || disc.center.im <= disc.radius) return "a disc meets the real axis";
+      for (const RootDisc* other : discs)
+        if (!are_apart(disc, *other)) return "two discs meet";
+      discs.push_back(&disc);
+      if (!find_root(disc)) return fmt::format("no root is proved in disc {}", discs.size() - 1);
+    }
+    return "";
+  }
+
+  /// Precondition: nothing is said against the roots.
+  std::string objection_to_residues() const {
+    for (std::size_t k = 0; k < roots_.size(); ++k) {
+      const RootDisc& disc = sum_.roots[k];
+      const ComplexBall residue = divide(evaluate(numerator_, roots_[k], precision_),
+                                         evaluate(slope_, roots_[k], precision_), precision_);
+      const bool is_exact = disc.residue_radius == 0;
+      if (is_exact ? !is_residue(disc) : !is_within(residue, disc.residue, disc.residue_radius))
+        return fmt::format("the residue of disc {} is not proved", k);
+    }
+    return "";
+  }
+
+ private:
+  /// Is |z − center| ≤ radius for all numbers of the ball z?
+  bool is_within(const ComplexBall& z, const GaussianInteger& center, const Integer& radius) const {
+    if (radius < 0) return false;
+    ComplexBall off;
+    acb_sub(off.raw(), z.raw(), ball(center, 0).raw(), precision_);
+    RealBall distance;
+    acb_abs(distance.raw(), off.raw(), precision_);
+    return arb_le(distance.raw(), RealBall(radius * unit_, precision_).raw()) != 0;
+  }
+
+  bool find_root(const RootDisc& disc) {
+    if (disc.radius == 0) {
+      // Exact: the root is a rational point.
+      const Polynomial factor = minimal_polynomial(disc.center);
+      roots_.push_back(ball(disc.center, 0));
+      return (sum_.index % factor).is_zero();
+    }
+    ComplexBall box = ball(disc.center, disc.radius);
+    const ComplexBall middle = ball(disc.center, 0);
+    const ComplexBall value = evaluate(sum_.index, middle, precision_);
+    const auto newton = [&](const ComplexBall& z, const ComplexBall& m, const ComplexBall& at_m) {
+      ComplexBall step = divide(at_m, evaluate(slope_, z, precision_), precision_);
+      acb_sub(step.raw(), m.raw(), step.raw(), precision_);
+      return step;
+    };
+    ComplexBall next = newton(box, middle, value);
+    if (!is_within(next, disc.center, disc.radius)) return false;
+    // Once more, from its own middle, for a narrow enclosure.
+    ComplexBall m;
+    acb_get_mid(m.raw(), next.raw());
+    ComplexBall narrow = newton(next, m, evaluate(sum_.index, m, precision_));
+    roots_.push_back(acb_contains(next.raw(), narrow.raw()) != 0 ? narrow : next);
+    return true;
+  }
+
+  /// (t − z)(t − z̄), whose only root above the axis is the point z.
+  Polynomial minimal_polynomial(const GaussianInteger& z) const {
+    const Rational re = z.re * unit_;
+    const Rational im = z.im * unit_;
+    return {re * re + im * im, -2 * re, 1};
+  }
+
+  /// Is w = n(z)/q′(z) for the exact root z? Where n − w·q′, over ℚ(i), is divisible by t − z.
+  bool is_residue(const RootDisc& disc) const {
+    if (disc.radius != 0) return false;
+    const Rational re = disc.residue.re * unit_;
+    const Rational im = disc.residue.im * unit_;
+    const GaussianPolynomial rest{numerator_ - re * slope_, Rational(-1) * (im * slope_)};
+    const Polynomial factor = minimal_polynomial(disc.center);
+    // Modulo (t − z)(t − z̄) the rest is linear, a + bt over ℚ(i).
+    const Polynomial x = rest.re % factor;
+    const Polynomial y = rest.im % factor;
+    const GaussianRational z{disc.center.re * unit_, disc.center.im * unit_};
+    const GaussianRational slope{x.coefficient(1), y.coefficient(1)};
+    const GaussianRational product = slope * z;
+    return product.re + x.coefficient(0) == 0 && product.im + y.coefficient(0) == 0;
+  }
+
+  ComplexBall ball(const GaussianInteger& z, const Integer& radius) const {
+    const auto interval = [&](const Integer& x) {
+      RealBall at(x * unit_, precision_);
+      const RealBall r(radius * unit_, precision_);
+      arb_add_error(at.raw(), r.raw());
+      return at;
+    };
+    return {interval(z.re), interval(z.im)};
+  }
+
+  const CertifiedLogs& sum_;
+  Rational unit_;
+  Polynomial slope_;
+  Polynomial numerator_;
+  long precision_;
+  std::vector<ComplexBall> roots_;
+};
+
+std::string objection_to_bend(const Certificate::Bend& bend, const GaussianPolynomial& g) {
+  if (!(bend.content * bend.polynomial == g)) return "g is not content * polynomial";
+  return unless(gcd(bend.polynomial.re, bend.polynomial.im).is_constant(),
+                "the parts of the polynomial have a common factor");
+}
+
+std::string objection_to_turn(const TurnCount& turn, const ContinuousArgument& argument,
+                              const GaussianPolynomial& gamma, const Rational& t) {
+  if (!(argument.turn(t) == turn)) return "the Sturm sequence has other signs";
+  // Independent of Sturm: the argument by quadrature of its derivative.
+  const RealBall rest =
+      subtract(quadrature(rate_of_argument(gamma), 0, t, 60), argument.difference(t, 60), 60);
+  return unless(rest.is_finite() && rest.lower() > -1 && rest.upper() < 1,
+                "quadrature does not confirm the turn");
+}
+
+/// |θ(t) − theta| ≤ radius, θ being the integral of `rate`, by quadrature, or exactly where θ is a
+/// rational function R with R′ = rate.
+std::string objection_to_angle(const AngleClaim& claim, const RationalFunction& rate,
+                               const std::optional<RationalFunction>& angle) {
+  const Rational value = parse_rational(claim.theta);
+  const Rational radius = parse_rational(claim.radius);
+  if (radius < 0) return "the radius is negative";
+  constexpr auto wrong = "theta is further off";
+  if (claim.t == 0 || rate.is_zero()) return unless(abs(value) <= radius, wrong);
+  if (angle) return unless(abs((*angle)(claim.t) - (*angle)(0) - value) <= radius, wrong);
+  if (radius == 0) return "theta is not rational as far as seen, so that no radius of 0 is proved";
+  const long needed = std::max(0L, -binary_exponent(radius)) + 16;
+  constexpr long largest = 32768;  // takes minutes
+  for (const long bits : {64L, needed, needed + 40, needed + 200}) {
+    if (bits > largest) break;
+    const RealBall theta = quadrature(rate, 0, claim.t, bits);
+    if (!theta.is_finite()) continue;
+    const Rational lower = theta.lower() - value;
+    const Rational upper = theta.upper() - value;
+    if (-radius <= lower && upper <= radius) return "";
+    if (upper < -radius || radius < lower) return wrong;
+  }
+  return "quadrature does not decide it";
+}
+
+}  // namespace
+
+std::vector<Statement> verify(const Certificate& c) {
+  const std::string no_frame = "a straight line has no Frenet frame";
+  std::vector<Statement> list{{"invariants", objection_to_invariants(c)},
+                              {"rate", objection_to_rate(c)},
+                              {"antiderivative", objection_to_antiderivative(c)}};
+  for (std::size_t k = 0; k < c.logs.size(); ++k) {
+    const std::string number = std::to_string(k);
+    std::string roots = objection_to_index(c.logs[k].index, c.curve);
+    std::string residues = "the roots are not proved";
+    if (roots.empty()) {
+      DiscCheck check(c.logs[k], c.bits);
+      roots = check.objection_to_roots();
+      if (roots.empty()) residues = check.objection_to_residues();
+    }
+    list.push_back({"roots of log " + number, roots});
+    list.push_back({"residues of log " + number, residues});
+  }
+  RationalFunction rate = erf_rate(c.curve.preimage());
+  std::optional<ContinuousArgument> argument;
+  GaussianPolynomial gamma;
+  const bool has_frame =
+      c.reference == Reference::erf || !is_zero(bend_numerator(c.curve.preimage()));
+  if (c.reference == Reference::frenet && has_frame) {
+    rate = frenet_rate(c.curve.preimage());
+    gamma = regular_bend(c.curve.preimage());
+    argument.emplace(gamma);
+    list.push_back({"bend", objection_to_bend(*c.bend, bend_numerator(c.curve.preimage()))});
+  } else if (!has_frame) {
+    list.push_back({"bend", no_frame});
+  }
+  std::optional<RationalFunction> angle;
+  if (const Antiderivative F = integrate(rate); F.logs.empty())
+    angle = RationalFunction(F.polynomial) + F.rational;
+  for (const AngleClaim& claim : c.claims) {
+    std::string objection = has_frame ? objection_to_angle(claim, rate, angle) : no_frame;
+    if (objection.empty() && argument)
+      objection = objection_to_turn(*claim.turn, *argument, gamma, claim.t);
+    list.push_back(
+        {fmt::format("|theta({}) - {}| <= {}", to_string(claim.t), claim.theta, claim.radius),
+         objection});
+  }
+  for (Statement& decision : check_decisions(c.decisions, c.curve))
+    list.push_back(std::move(decision));
+  return list;
+}
+
+}  // namespace phrame

@@ -1,0 +1,73 @@
+#include "phrame/ph/twist/minimal_twist.hpp"
+
+#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/frame/reduced_angle.hpp"
+
+namespace phrame {
+
+MinimalTwist::MinimalTwist(const SplineAngle& rmf, const FrameAngle& from, const FrameAngle& to,
+                           const Integer& extra_turns)
+    : rmf_(rmf),
+      from_(from),
+      start_(reduced(from)),
+      length_(0),
+      erf_twist_(remembered(-rmf.value(rmf.spline().end()))),
+      nominal_(Rational(0)),
+      twist_(Rational(0)) {
+  for (const Curve& curve : rmf.spline().segments()) {
+    const ArcLength s(curve);
+    arc_lengths_.push_back(s.polynomial());
+    starts_.push_back(length_);
+    length_ += s.total();
+  }
+  // Whole turns of the angles given are no matter, however many.
+  const FrameAngle given = difference(to, from);
+  const FrameAngle between = reduced(given);
+  const Real rest = erf_twist_ + to_real(between);
+  const auto over_pi = [&]() -> std::optional<Rational> {
+    // −T/π without the multiples of π.
+    const GaussianRational& z = between.direction;
+    const auto m = rmf.multiple_of_pi(locate(rmf.spline(), rmf.spline().end()),
+                                      path_to({z.re, -z.im}), -between.radians);
+    if (!m) return std::nullopt;
+    return between.half_turns - *m;
+  };
+  const auto [angle, more_turns] = reduced(rest, over_pi);
+  const Rational given_half_turns = given.half_turns - between.half_turns;
+  const Integer turns = numerator(given_half_turns) / 2 + more_turns;
+  nominal_ = turns == 0 ? angle : angle + whole_turn(turns);
+  twist_ = extra_turns == 0 ? angle : angle + whole_turn(extra_turns);
+  turn_ = between;
+  turn_.half_turns += Rational(2 * (extra_turns - more_turns));
+}
+
+Real MinimalTwist::rate() const { return twist_ * Real(1 / length_); }
+
+std::optional<Integer> MinimalTwist::whole_turns_of_theta() const {
+  const auto half_turns = over_pi(turn_);
+  if (!half_turns || denominator(*half_turns) != 1 || numerator(*half_turns) % 2 != 0)
+    return std::nullopt;
+  return Integer(numerator(*half_turns) / 2);
+}
+
+Real MinimalTwist::value(const Rational& t) const { return value(from_, t); }
+
+Real MinimalTwist::reduced_value(const Rational& t) const { return value(start_, t); }
+
+Real MinimalTwist::value(const FrameAngle& start, const Rational& t) const {
+  if (t == 0) return to_real(start);
+  if (t == spline().end()) return to_real(start + turn_);
+  const SplineParameter at = locate(spline(), t);
+  const Real s(starts_[at.segment] + arc_lengths_[at.segment](at.t));
+  return value(start, s, rmf_.value(at));
+}
+
+Real MinimalTwist::value(const Real& s, const Real& rmf_angle) const {
+  return value(from_, s, rmf_angle);
+}
+
+Real MinimalTwist::value(const FrameAngle& start, const Real& s, const Real& rmf_angle) const {
+  return to_real(start) + twist_ * (s * Real(1 / length_)) + rmf_angle;
+}
+
+}  // namespace phrame

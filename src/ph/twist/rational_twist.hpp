@@ -1,0 +1,89 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "phrame/algebra/shared.hpp"
+#include "phrame/ph/twist/rotation_family.hpp"
+#include "phrame/ph/twist/twist_minimum.hpp"
+
+namespace phrame {
+
+/// A rational frame along a piece: the Euler–Rodrigues frame turned by θ(τ) = θ(0) + 2·arg w(τ),
+/// with w of degree n, so that f₂, f₃ are rational of degree 2m + 2n where the preimage has degree
+/// m. Copies share what has been computed; any thread may ask them.
+class RationalTwist {
+ public:
+  /// The member of a family with these parameters. A guess of its mean square, where there is one,
+  /// saves precision.
+  RationalTwist(TwistPiece piece, long degree, EndRates rates, std::vector<Rational> parameters,
+                double mean_square_guess = 0);
+
+  const TwistPiece& piece() const { return piece_; }
+  long degree() const { return degree_; }  ///< n
+
+  /// w, with w(0) = 1.
+  const Rotation& rotation(long bits) const;
+  /// w(1) = γ·e^{iΔθ/2}.
+  Real end_factor() const;
+  /// By how much γ changes at most where the one parameter of the family does by this.
+  Rational end_factor_change(const Rational& radius) const;
+  /// The n + 1 Bernstein coefficients of w times e^{iθ(0)/2}, as the paper has them.
+  std::vector<std::pair<Real, Real>> coefficients() const;
+
+  /// The turn about e₁ is piece().twist + 2π·extra_turns(). Throws Undecided where w cannot be told
+  /// to have no zero on [0, 1].
+  Integer extra_turns() const;
+  /// The root mean square of Ω₁ − Ω̄₁ along the piece, times its length.
+  Real root_mean_square() const;
+  /// The maximum of |Ω₁ − Ω̄₁| along the piece, times its length.
+  Real greatest_error() const;
+  /// Where Ω₁ changes its sign, as values of τ, to 2^−bits or better.
+  SignChanges inflections(long bits) const;
+  /// The sign of Ω₁ at τ; 0 where it cannot be told.
+  int sign_of_rate(const Rational& tau) const;
+
+  /// θ at τ ∈ [0, 1].
+  Real value(const Real& tau) const;
+
+ private:
+  TwistPiece piece_;
+  long degree_;
+  EndRates rates_;
+  std::vector<Rational> parameters_;
+  double mean_square_guess_;  ///< 0: none
+  struct Rotations {
+    std::mutex lock;
+    std::map<long, Rotation> by_bits;
+  };
+  std::shared_ptr<Rotations> rotations_;
+  Refined<SignChanges> inflections_;
+  Refined<RealBall> root_mean_square_;
+};
+
+/// What is known of a rotation being the best of its degree. Where there is one for each sign of γ,
+/// it is the one whose frame turns by T, and the better one if that is both or neither.
+struct BestTwist {
+  RationalTwist twist;
+  /// Where it is proved: the best of all, or, if the other one is better, of those with its sign.
+  std::optional<TwistMinimum> minimum;
+  std::string doubt;  ///< else why not
+  /// The best with the other sign of γ, not proved; where it was looked for.
+  std::optional<RationalTwist> other;
+};
+
+struct RationalTwistOptions {
+  long degree = 2;                     ///< of w, 1 to 8
+  EndRates rates = EndRates::matched;  ///< of degree ≥ 2
+  bool prove = true;                   ///< that it is the best, where there is one parameter
+  long bits = 80;                      ///< for the parameter then: its radius is about 2^−bits
+};
+
+/// The rotation of this degree, or a lower one if none better was found, whose Ω₁ deviates least
+/// from Ω̄₁ in the mean square (36): for degree 1, and for degree 2 with matched rates, Brent's
+/// method and the proof; else NLopt's SLSQP from the best of the degree below. Throws DomainError
+/// for a degree that is not offered, and where there is no such rotation; Undecided where none was
+/// found.
+BestTwist best_twist(const TwistPiece& piece, const RationalTwistOptions& options);
+
+}  // namespace phrame

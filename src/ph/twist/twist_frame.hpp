@@ -1,0 +1,53 @@
+#pragma once
+#include "phrame/ph/twist/rational_twist.hpp"
+
+namespace phrame {
+
+/// Where a rational frame of minimal twist is divided, beside the joints.
+struct Subdivision {
+  std::vector<Rational> at;
+  bool at_inflections = false;  ///< of the Euler–Rodrigues frame, where it turns back
+  bool at_extrema = false;      ///< of its rate ω₁ [Farouki, Moon 2018, (17), (18)]
+  /// Pieces along which the frame turns back, or more than it should, are divided at the points of
+  /// the two kinds above in them, and if there are none in the middle, until there is no such
+  /// piece.
+  bool until_monotone = false;
+  /// Pieces are divided in the middle until the root mean square of Ω₁ − Ω̄₁ over |Ω̄₁|, or times
+  /// the length of the curve where Ω̄₁ = 0, is at most this.
+  std::optional<Rational> tolerance = {};
+};
+
+/// A frame whose Ω₁ has one sign, or not.
+enum class Monotone { yes, no, undecided };
+std::string_view to_string(Monotone monotone);
+
+/// A rational frame along a curve or spline, piece by piece.
+struct TwistFrame {
+  std::vector<BestTwist> pieces;
+};
+
+/// Irrational points are taken as rational numbers within 2^−options.bits of them. Throws
+/// DomainError as twist_pieces() and best_twist() do, and Undecided where 1000 pieces are not
+/// enough.
+TwistFrame twist_frame(const MinimalTwist& mtf, const RationalTwistOptions& options,
+                       const Subdivision& subdivision);
+
+/// θ at the parameter t ∈ [0, end] of the curve or spline, of the later piece at a joint. Throws
+/// DomainError outside.
+Real value(const TwistFrame& frame, const Real& t);
+
+/// Of one piece: `no` where Ω₁ changes its sign.
+Monotone is_monotone(const RationalTwist& twist);
+/// The same by the sign changes of Ω₁.
+Monotone is_monotone(const SignChanges& changes);
+/// Of the whole frame: all pieces, with the same sign.
+Monotone is_monotone(const TwistFrame& frame);
+
+/// An error of Ω₁ times the length of its piece, as a share of |Ω̄₁|; where that is 0, times the
+/// length of the whole.
+Real relative_error(const Real& error, const MinimalTwist& mtf, const Rational& length);
+
+/// The root mean square of Ω₁ − Ω̄₁ along the whole curve, times its length.
+Real root_mean_square(const TwistFrame& frame);
+
+}  // namespace phrame

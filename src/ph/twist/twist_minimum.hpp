@@ -1,0 +1,26 @@
+#pragma once
+#include "phrame/ph/twist/twist_objective.hpp"
+
+namespace phrame {
+
+/// The member of a family with one parameter that has the least mean square G, proved: it is the
+/// only one and within `radius` of this parameter.
+struct TwistMinimum {
+  Rational parameter;
+  Rational radius;         ///< > 0
+  bool is_for_both_signs;  ///< of γ; else among those with its sign
+};
+
+/// From a guess, and one for the other sign of γ if that is to be looked at. The radius is about
+/// 2^−bits, where w(1/2) moves by its own length per unit, or less. Throws Undecided where this is
+/// not proved, as where both signs of γ do equally well.
+///
+/// How: on a part of the line, G ≥ Σ (ΔY)²/ΔS over any division of [0, 1] (Cauchy and Schwarz),
+/// where Y is the angle between the frame and the exact one: so whatever is far from the guess has
+/// a greater G, up to the ends of the line. Around the guess G″ > 0, in interval arithmetic. There
+/// a parameter is |G′|/min G″ from the minimum at most.
+TwistMinimum twist_minimum(const TwistPiece& piece, long degree, EndRates rates,
+                           const LineGuess& guess, const std::optional<LineGuess>& other_guess,
+                           long bits);
+
+}  // namespace phrame

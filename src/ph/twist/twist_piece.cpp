@@ -1,0 +1,99 @@
+#include "phrame/ph/twist/twist_piece.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/curve/transform.hpp"
+
+namespace phrame {
+namespace {
+
+/// T·speed − erf_rate at τ.
+Real wanted_rate(const TwistPiece& piece, const Rational& tau) {
+  return piece.twist * Real(piece.speed(tau)) + Real(Rational(-piece.erf_rate(tau)));
+}
+
+TwistPiece piece_between(const MinimalTwist& mtf, std::size_t index, const Rational& a,
+                         const Rational& b) {
+  const Curve& whole = mtf.spline().segments()[index];
+  const bool is_segment = a == 0 && b == 1;
+  const Curve part = is_segment ? whole : segment(whole, a, b);
+  const Polynomial arc_length = is_segment ? mtf.arc_length(index) : ArcLength(part).polynomial();
+  const Rational length = arc_length(1);
+  const Rational from = Rational(static_cast<long>(index)) + a;
+  const Rational to = Rational(static_cast<long>(index)) + b;
+  const Real start = remembered(mtf.rmf().value({index, a}));
+  const Real twist = mtf.twist() * Real(length / mtf.length());
+  const bool is_whole = mtf.spline().segments().size() == 1 && is_segment;
+  const Real whole_twist =
+      is_whole ? mtf.erf_twist() : remembered(start + -mtf.rmf().value({index, b}));
+  const auto erf_twist = [rmf = mtf.rmf(), start, whole_twist, index, a, b](const Rational& tau) {
+    if (tau == 1) return whole_twist;
+    return start + -rmf.value({index, a + (b - a) * tau});
+  };
+  const Real turn = remembered(twist + -whole_twist);
+  std::optional<Integer> whole_turns;
+  if (turn.exact() == Rational(0)) whole_turns = 0;
+  return {from,
+          to,
+          -erf_rate(part.preimage()),
+          Rational(1 / length) * differentiate(arc_length),
+          length,
+          twist,
+          turn,
+          whole_turns,
+          mtf.reduced_value(from),
+          erf_twist};
+}
+
+/// Those between neighbours of the points.
+std::vector<TwistPiece> pieces_between(const MinimalTwist& mtf, std::vector<Rational> points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<TwistPiece> pieces;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const auto [index, t] = locate(mtf.spline(), points[k]);
+    pieces.push_back(piece_between(mtf, index, t, t + points[k + 1] - points[k]));
+  }
+  return pieces;
+}
+
+}  // namespace
+
+Real TwistPiece::first_rate() const { return wanted_rate(*this, 0); }
+
+Real TwistPiece::last_rate() const { return wanted_rate(*this, 1); }
+
+std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Rational> points) {
+  const Spline& spline = mtf.spline();
+  for (std::size_t k = 0; k < spline.segments().size(); ++k) {
+    const auto found = cusps(spline.segments()[k], closed(0, 1));
+    if (!found.empty())
+      throw DomainError(
+          "the curve has a cusp" +
+          (spline.segments().size() > 1 ? " in segment " + std::to_string(k) : std::string()) +
+          (found.front().lower == found.front().upper
+               ? " at t = " + to_string(found.front())
+               : " at t ≈ " + to_string(hull(*found.front().lower, *found.front().upper, 64), 12)) +
+          ", where a frame that turns with the parameter turns at an infinite rate");
+    points.push_back(Rational(static_cast<long>(k)));
+  }
+  points.push_back(spline.end());
+  const auto [least, greatest] = std::minmax_element(points.begin(), points.end());
+  if (*least < 0 || *greatest > spline.end())
+    throw DomainError("the parameter " + abbreviated(to_string(*least < 0 ? *least : *greatest)) +
+                      " is outside [0, " + to_string(spline.end()) + "]");
+  std::vector<TwistPiece> pieces = pieces_between(mtf, std::move(points));
+  if (pieces.size() == 1 && !pieces.front().whole_turns)
+    pieces.front().whole_turns = mtf.whole_turns_of_theta();
+  return pieces;
+}
+
+std::vector<TwistPiece> divided(const MinimalTwist& mtf, const TwistPiece& piece,
+                                std::vector<Rational> points) {
+  points.insert(points.end(), {piece.from, piece.to});
+  return pieces_between(mtf, std::move(points));
+}
+
+}  // namespace phrame

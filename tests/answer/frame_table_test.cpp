@@ -1,0 +1,304 @@
+#include "phrame/answer/frame_table.hpp"
+#include "phrame/io/write/frame_table.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+
+#include "io/reference.hpp"
+#include "phrame/algebra/error.hpp"
+#include "support/curves.hpp"
+
+using namespace phrame;
+
+namespace {
+
+using Row = std::vector<double>;
+using Kind = TabulatedFrame;
+
+/// A = 1 + t²k: r′ = (1 − t⁴, 2t², 0), a plane curve with an inflection at t = 0.
+Curve inflected() {
+  return Curve({Polynomial{1}, Polynomial(), Polynomial(), Polynomial{0, 0, 1}});
+}
+
+std::string message(const Curve& curve, TabulatedFrame frame, const Rational& t) {
+  try {
+    frame_table(curve, {frame}, {t});
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("frame table: the columns are named after the vectors, in the order asked for") {
+  const FrameTable table =
+      frame_table(test::farouki_quintic().curve, {Kind::frenet, Kind::rmf, Kind::erf}, {});
+  CHECK(table.columns == std::vector<std::string>{"t",   "x",   "y",   "z",   "e1x", "e1y", "e1z",
+                                                  "nx",  "ny",  "nz",  "bx",  "by",  "bz",  "f2x",
+                                                  "f2y", "f2z", "f3x", "f3y", "f3z", "e2x", "e2y",
+                                                  "e2z", "e3x", "e3y", "e3z"});
+  CHECK(table.rows.empty());
+}
+
+// At t = 1, A = 1 + i + j + k turns i → j → k → i, so (e₁, e₂, e₃) = (j, k, i), and θ = −1:
+// f₂ = cos 1·k − sin 1·i, f₃ = sin 1·k + cos 1·i. r(1) = ∫₀¹ A i A*: x′ = u² + v² − p² − q² = t⁴ −
+// 1, y′ = 2(uq + vp) = 4t², z′ = 2(vq − up) = 2t − 2t³. The decimals of cos 1 and sin 1 are well
+// known.
+TEST_CASE("frame table: values are the correctly rounded doubles") {
+  const double cos1 = 0.540302305868139717400936607443;
+  const double sin1 = 0.841470984807896506652502321630;
+  const Curve curve = test::rational_angle_curve().curve;
+  const FrameTable table = frame_table(curve, {Kind::erf, Kind::rmf}, {0, 1});
+  REQUIRE(table.rows.size() == 2);
+  CHECK(table.rows[1] == Row{1, -0.8, 4.0 / 3, 0.5, 0, 1, 0,  //
+                             0, 0, 1, 1, 0, 0,                //
+                             -sin1, 0, cos1, cos1, 0, sin1});
+  // At t = 0, A = k: e₁ = k i k* = −i, e₂ = −j, e₃ = k, and the RMF is the ERF.
+  CHECK(table.rows[0] == Row{0, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, 1, 0, -1, 0, 0, 0, 1});
+}
+
+// At t = 1 the tangent is j and turns to the left (its angle is 2 atan t²): n = −i, b = k.
+// r(1) = (1 − 1/5, 2/3, 0).
+TEST_CASE("frame table: the Frenet frame is tangent, normal, binormal") {
+  const FrameTable table = frame_table(inflected(), {Kind::frenet}, {1});
+  CHECK(table.rows.at(0) == Row{1, 0.8, 2.0 / 3, 0, 0, 1, 0, -1, 0, 0, 0, 0, 1});
+}
+
+TEST_CASE("frame table: where Frenet's frame is undefined, the reason and t are named") {
+  CHECK_THROWS_AS(frame_table(inflected(), {Kind::frenet}, {1, 0}), DomainError);
+  CHECK(message(inflected(), Kind::frenet, 0).find("t = 0 is an inflection") != std::string::npos);
+  CHECK_THROWS_AS(frame_table(test::straight_line().curve, {Kind::frenet}, {1}), DomainError);
+  CHECK(message(test::straight_line().curve, Kind::frenet, 1).find("straight line") !=
+        std::string::npos);
+  CHECK(message(inflected(), Kind::rmf, 0).empty());
+}
+
+// r(t) = (t − t⁵/5, 2t³/3, 0); at t = 1 r′ = (0, 2, 0), r″ = (−4, 4, 0), so that n = −i, b = k, κ
+// = 1.
+TEST_CASE("frame table: where a Frenet frame is undefined its cells are empty, if they may be") {
+  TableColumns columns{{Kind::frenet, Kind::erf}, {TabulatedScalar::curvature}};
+  columns.may_be_empty = true;
+  const FrameTable table = frame_table(inflected(), columns, {Rational(0), Rational(1)});
+  CHECK(table.incomplete_rows == 1);
+  CHECK(table.first_reason.find("t = 0 is an inflection") != std::string::npos);
+  CHECK(to_csv(table) ==
+        "t,x,y,z,e1x,e1y,e1z,nx,ny,nz,bx,by,bz,e2x,e2y,e2z,e3x,e3y,e3z,curvature\n"
+        "0,0,0,0,1,0,0,,,,,,,0,1,0,0,0,1,0\n"
+        "1,0.8,0.6666666666666666,0,0,1,0,-1,0,0,0,0,1,-1,0,0,0,0,1,1\n");
+  const auto rows = test::Json::parse(to_json(table))["rows"];
+  CHECK(rows[0][6] == 0);
+  CHECK(rows[0][7] == nullptr);
+  CHECK(rows[0][12] == nullptr);
+  CHECK(rows[0][13] == 0);
+  CHECK(rows[1][7] == -1);
+  const std::string npy = to_npy(table);  // 20 doubles a row, at the end; 7FF8… is NaN
+  const std::string nx = npy.substr(npy.size() - 33 * 8, 8);
+  CHECK(nx == std::string("\0\0\0\0\0\0\xF8\x7F", 8));
+}
+
+TEST_CASE("frame table: of a straight line, and where a curvature is infinite, cells are empty") {
+  TableColumns columns{{Kind::frenet}};
+  columns.may_be_empty = true;
+  const Curve line({{1}, {}, {}, {}});
+  const FrameTable straight = frame_table(line, columns, {Rational(0), Rational(1)});
+  CHECK(straight.incomplete_rows == 2);
+  CHECK(to_csv(straight).ends_with("\n0,0,0,0,1,0,0,,,,,,\n1,1,0,0,1,0,0,,,,,,\n"));
+  // r′ = t·(1 − t², 2t, 0) has a cusp at 0 with κ = 2/(t(1 + t²)²).
+  const Curve cusp({{1}, {}, {}, {0, 1}}, Polynomial{0, 1});
+  columns = {{}, {TabulatedScalar::curvature}};
+  CHECK_THROWS_AS(frame_table(cusp, columns, {Rational(0)}), DomainError);
+  columns.may_be_empty = true;
+  const FrameTable table = frame_table(cusp, columns, {Rational(1), Rational(0)});
+  CHECK(to_csv(table).ends_with("0.5\n0,0,0,0,1,0,0,\n"));
+}
+
+TEST_CASE("frame table: an overflow is refused, not rounded to infinity") {
+  // r = (t, 0, 0)
+  CHECK(
+      frame_table(test::straight_line().curve, {Kind::rmf}, {test::power_of_ten(308)}).rows[0][1] ==
+      1e308);
+  CHECK_THROWS_AS(frame_table(test::straight_line().curve, {Kind::rmf}, {test::power_of_ten(309)}),
+                  InputError);
+  CHECK(message(test::farouki_quintic().curve, Kind::erf, test::power_of_ten(100))
+            .find("x does not fit a double") != std::string::npos);
+}
+
+// κ, τ and ω at t = 1/3 by mpmath from numerical derivatives of the hodograph, 50 digits. At t = 0
+// the paper's polynomials give κ² = ρ/σ⁴ = 720/6⁴ and τ = (r′ × r″)·r‴/(σ²ρ) = −576/(36·720).
+TEST_CASE("frame table: arc length, curvature, torsion and the rate of the Frenet frame") {
+  const Curve curve = test::farouki_quintic().curve;
+  const TableColumns columns{{Kind::erf},
+                             {TabulatedScalar::arc_length, TabulatedScalar::curvature,
+                              TabulatedScalar::torsion, TabulatedScalar::frenet_rate}};
+  const FrameTable table = frame_table(curve, columns, {Rational(1, 3), Rational(0), Rational(1)});
+  const std::size_t n = table.columns.size();
+  CHECK(std::vector(table.columns.end() - 4, table.columns.end()) ==
+        std::vector<std::string>{"s", "curvature", "torsion", "frenet_rate"});
+  const auto last = [](const Row& row) { return std::vector(row.end() - 4, row.end()); };
+  REQUIRE(table.rows.size() == 3);
+  CHECK(n == table.rows[0].size());
+  const Row inside = last(table.rows[0]);
+  CHECK(Row(inside.begin() + 1, inside.end()) == Row{0.38141781257101745976686709325,
+                                                     -0.506069935540408449353258044013,
+                                                     0.633708393036050113137971138708});
+  CHECK(last(table.rows[1]) ==
+        Row{0, 0.745355992499929898803057889577, -1.0 / 45, 0.745687188247222994164498219777});
+  CHECK(last(table.rows[2])[0] == 71.0 / 15);
+}
+
+// A = 1 + tk: r = (t − t³/3, t², 0), e₁ = (1 − t², 2t, 0)/(1 + t²), κ = 2/(1 + t²)². At t = 1/√2,
+// which is 0.70710678118654752440…: y = 1/2, e₁ = (1/3, 2√2/3, 0), κ = 8/9, s = t + t³/3 = 7√2/12.
+TEST_CASE("frame table: at an irrational t the rational values are exact, the others rounded") {
+  const Curve curve({Polynomial{1}, Polynomial(), Polynomial(), Polynomial{0, 1}});
+  const RealAlgebraic t = real_root({-1, 0, 2}, closed(0, 1));
+  const TableColumns columns{
+      {Kind::rmf, Kind::frenet, Kind::erf},
+      {TabulatedScalar::curvature, TabulatedScalar::torsion, TabulatedScalar::arc_length}};
+  const FrameTable table = frame_table(curve, columns, {t});
+  const double third = 1.0 / 3;
+  const double root = 0.942809041582063365867792482806;  // 2√2/3
+  CHECK(table.rows.at(0) == Row{0.707106781186547524400844362105,
+                                0.589255650988789603667370301754,
+                                0.5,
+                                0,
+                                third,
+                                root,
+                                0,  //
+                                -root,
+                                third,
+                                0,
+                                0,
+                                0,
+                                1,  // the ERF does not turn
+                                -root,
+                                third,
+                                0,
+                                0,
+                                0,
+                                1,  //
+                                -root,
+                                third,
+                                0,
+                                0,
+                                0,
+                                1,  //
+                                8.0 / 9,
+                                0,
+                                0.824957911384305445134318422455});
+}
+
+TEST_CASE("frame table: scalars that are undefined or infinite are refused, with t") {
+  const auto message = [](const Curve& curve, TabulatedScalar scalar, const RealAlgebraic& t) {
+    try {
+      frame_table(curve, {{}, {scalar}}, {t});
+    } catch (const DomainError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto contains = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  const Curve line = test::straight_line().curve;
+  CHECK(contains(message(line, TabulatedScalar::torsion, Rational(0)), "straight line"));
+  CHECK(message(line, TabulatedScalar::curvature, Rational(0)).empty());
+  const Polynomial c{-1, 0, 2};
+  const Curve cusped({c, Polynomial(), Polynomial(), c * Polynomial{0, 1}});
+  const RealAlgebraic cusp = real_root(c, closed(0, 1));
+  CHECK(contains(message(cusped, TabulatedScalar::curvature, cusp),
+                 "curvature: infinite at t ≈ 0.707106781187"));
+  CHECK(message(cusped, TabulatedScalar::curvature, Rational(1)).empty());
+  const Curve turning({{1}, {}, {}, {}}, {-1, 2});
+  CHECK(contains(message(turning, TabulatedScalar::arc_length, Rational(0)), "changes sign"));
+  const Curve widening({{1}, {}, {}, {}}, {1, 1});
+  CHECK(contains(message(widening, TabulatedScalar::arc_length, Rational(3, 2)),
+                 "t = 3/2 is outside [0, 1]"));
+  CHECK(message(widening, TabulatedScalar::arc_length, Rational(1)).empty());
+  CHECK(message(line, TabulatedScalar::arc_length, Rational(-7)).empty());
+}
+
+TEST_CASE("frame table: CSV reads back to the same doubles") {
+  const FrameTable table = frame_table(test::farouki_quintic().curve, {Kind::rmf, Kind::frenet},
+                                       {0, Rational(1, 3), test::power_of_ten(-30), -1000});
+  std::istringstream lines(to_csv(table));
+  std::string line;
+  REQUIRE(std::getline(lines, line));
+  CHECK(line == "t,x,y,z,e1x,e1y,e1z,f2x,f2y,f2z,f3x,f3y,f3z,nx,ny,nz,bx,by,bz");
+  for (const Row& row : table.rows) {
+    REQUIRE(std::getline(lines, line));
+    Row read;
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) {
+      char* end = nullptr;
+      read.push_back(std::strtod(cell.c_str(), &end));
+      CHECK(*end == '\0');
+    }
+    CHECK(read == row);
+  }
+  CHECK_FALSE(std::getline(lines, line));
+}
+
+TEST_CASE("frame table: JSON reads back to the same doubles") {
+  const FrameTable table =
+      frame_table(test::farouki_quintic().curve, {Kind::rmf}, {0, Rational(1, 7), 1});
+  const test::Json json = test::Json::parse(to_json(table));
+  CHECK(json["phrame"] == "frames/1");
+  CHECK(json["columns"].get<std::vector<std::string>>() == table.columns);
+  CHECK(json["rows"].get<std::vector<Row>>() == table.rows);
+}
+
+// numpy.lib.format: "\x93NUMPY", version 1.0, the length of the header in two bytes, low one first,
+// the header, a Python literal that ends in a newline and pads all to a multiple of 64, then the
+// data.
+TEST_CASE("frame table: npy has a valid header, then the rows as little-endian doubles") {
+  for (const std::size_t count : {0U, 1U, 3U, 12U, 101U}) {
+    FrameTable table{{"t", "x"}, {}};
+    for (std::size_t k = 0; k < count; ++k)
+      table.rows.push_back({1.0 / (1.0 + static_cast<double>(k)), -2.5});
+    const std::string bytes = to_npy(table);
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(bytes.at(k)); };
+    CHECK(bytes.substr(0, 8) == std::string("\x93NUMPY\x01\x00", 8));
+    const std::size_t length = byte(8) + 256U * byte(9);
+    CHECK((10 + length) % 64 == 0);
+    const std::string header = bytes.substr(10, length);
+    const std::string literal =
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(count) + ", 2), }";
+    CHECK(header.starts_with(literal));
+    CHECK(header.find_first_not_of(' ', literal.size()) == length - 1);
+    CHECK(header.back() == '\n');
+    REQUIRE(bytes.size() == 10 + length + 16 * count);
+    for (std::size_t k = 0; k < 2 * count; ++k) {
+      std::uint64_t bits = 0;
+      for (std::size_t b = 8; b-- > 0;) bits = bits << 8U | byte(10 + length + 8 * k + b);
+      CHECK(std::bit_cast<double>(bits) == table.rows[k / 2][k % 2]);
+    }
+  }
+}
+
+TEST_CASE("frame table: the rows of a long table are those of short ones") {
+  // A curve; one in a plane, with components 0 and irrational angles; one with a rational frame; a
+  // line; a near-cusp that has no compiled frame; and t beyond [0, 1], in no order.
+  const Polynomial steep = parse_rational("1e19") * Polynomial{-1, 3};
+  const std::vector<Curve> curves{test::quintic,
+                                  inflected(),
+                                  Curve({Polynomial{1, 2}, Polynomial{0, 1}, {}, {}}),
+                                  Curve(test::class_one),
+                                  Curve({Polynomial{1}, {}, {}, {}}),
+                                  Curve({Polynomial{1}, steep, steep, Polynomial{1, 1}})};
+  for (const Curve& curve : curves) {
+    std::vector<Rational> at;
+    for (long k = 0; k < 1200; ++k) at.emplace_back((k * 389) % 1200 - 100, 997);
+    at[7] = at[8];
+    const auto kinds = {Kind::rmf, Kind::erf};
+    const FrameTable all = frame_table(curve, kinds, at);
+    for (std::size_t k = 0; k < at.size(); k += 13) {
+      CAPTURE(at[k]);
+      CHECK(all.rows[k] == frame_table(curve, kinds, {at[k]}).rows[0]);
+    }
+  }
+  // All t the same: there is no interval.
+  const FrameTable one = frame_table(test::quintic, {Kind::rmf}, std::vector(1500, Rational(1, 3)));
+  CHECK(one.rows.back() == frame_table(test::quintic, {Kind::rmf}, {Rational(1, 3)}).rows[0]);
+}

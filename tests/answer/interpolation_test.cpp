@@ -1,0 +1,89 @@
+#include "phrame/answer/interpolation.hpp"
+
+#include "io/reference.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/write/frame_table.hpp"
+#include "phrame/ph/curve/arc_length.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+
+namespace {
+
+using Row = std::vector<double>;
+
+Feedrate feed(const Polynomial& v, Feedrate::Of of = Feedrate::Of::arc_length) {
+  return {RationalFunction(v), of};
+}
+
+FrameTable points(const Curve& curve, const Feedrate& feedrate, const Rational& period) {
+  TravelTime time(curve, feedrate);
+  return interpolation_table(curve, time, period);
+}
+
+}  // namespace
+
+// r′ = 1, V = 1 + t: time = log(1 + t) = log(1 + s); e^(1/2) − 1 =
+// 0.64872127070012814684865078781416…
+TEST_CASE("interpolation: along a line with V = 1 + s, times are logarithms") {
+  const FrameTable table = points(test::straight_line().curve, feed({1, 1}), Rational(1, 2));
+  CHECK(table.columns == std::vector<std::string>{"k", "time", "t", "s", "x", "y", "z"});
+  const double t = 0.648721270700128146848650787814;
+  const double log2 = 0.693147180559945309417232121458;
+  REQUIRE(table.rows.size() == 3);
+  CHECK(table.rows[0] == Row{0, 0, 0, 0, 0, 0, 0});
+  CHECK(table.rows[1] == Row{1, 0.5, t, t, t, 0, 0});
+  CHECK(table.rows[2] == Row{2, log2, 1, 1, 1, 0, 0});
+}
+
+TEST_CASE("interpolation: an end that is a tick is one row, with the exact time") {
+  const FrameTable table = points(test::farouki_quintic().curve, feed({2}), Rational(71, 90));
+  REQUIRE(table.rows.size() == 4);  // 71/30 = 3·71/90
+  CHECK(table.rows[3][0] == 3);
+  CHECK(table.rows[3][1] == 71.0 / 30);
+  CHECK(table.rows[3][2] == 1);
+  CHECK(table.rows[2][2] < 1);
+  CHECK(points(test::farouki_quintic().curve, feed({2}), 1000).rows.size() == 2);
+}
+
+// mpmath: quadrature of |r′|/(1 + t²) and its root finder, 50 digits.
+TEST_CASE("interpolation: the quintic of Farouki 2003 with V = 1 + t²") {
+  const FrameTable table = points(test::farouki_quintic().curve,
+                                  feed({1, 0, 1}, Feedrate::Of::parameter), Rational(1, 2));
+  REQUIRE(table.rows.size() == 9);
+  CHECK(table.rows[1][2] == 0.0899735391225559562964490457463);
+  CHECK(table.rows[1][3] == 0.501301992185692453233701845119);
+  CHECK(table.rows[4][2] == 0.414184876005397242705635993996);
+  CHECK(table.rows[4][3] == 2.10577013546350905475825786553);
+  CHECK(table.rows[8][1] == 3.77155425993934768700331443962);
+  CHECK(table.rows[8][2] == 1);
+}
+
+TEST_CASE("interpolation: law: at constant speed the points are those of equal arc length") {
+  test::for_samples(20, [](test::Random& random) {
+    const Curve curve(random.quaternion_polynomial(2));
+    const ArcLength length(curve);
+    const long n = random.integer(2, 9);
+    const FrameTable moving = points(curve, feed({3}), length.total() / (3 * n));
+    std::vector<RealAlgebraic> at;
+    for (long k = 0; k <= n; ++k)
+      at.push_back(length.algebraic_parameter(length.total() * Rational(k, n)));
+    const FrameTable still = frame_table(curve, {{}, {TabulatedScalar::arc_length}}, at);
+    REQUIRE(moving.rows.size() == at.size());
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      const Row& a = moving.rows[k];
+      const Row& b = still.rows[k];
+      CHECK(Row(a.begin() + 4, a.end()) == Row(b.begin() + 1, b.begin() + 4));
+      CHECK(a[2] == b[0]);
+      CHECK(a[3] == b.back());
+    }
+  });
+}
+
+TEST_CASE("interpolation: JSON names its own format; what is too large is refused") {
+  const FrameTable table = points(test::straight_line().curve, feed({1}), 1);
+  CHECK(test::Json::parse(to_json(table))["phrame"] == "interpolation/1");
+  const Curve huge({Polynomial{test::power_of_ten(200)}, {}, {}, {}});
+  CHECK_THROWS_WITH_AS(points(huge, feed({test::power_of_ten(400)}), 1),
+                       "point 1: s does not fit a double, of at most 1.8e308", InputError);
+}

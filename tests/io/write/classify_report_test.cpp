@@ -1,0 +1,69 @@
+#include "phrame/io/write/classify_report.hpp"
+
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+using namespace phrame;
+using Json = nlohmann::json;
+
+namespace {
+
+bool contains(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+ClassifyReport report(const QuaternionPolynomial& a, const Polynomial& f = {1}) {
+  return classify_report({"", Curve(a, f)});
+}
+
+}  // namespace
+
+TEST_CASE("classify report: a helix, in text and JSON") {
+  // x = 1, y = 2t², z = −2t, σ = 1 + 2t²: x + y = σ.
+  const ClassifyReport cubic = report({{1}, {0, 1}, {0, 1}, {}});
+  CHECK(contains(to_text(cubic),
+                 "helix                 yes: axis (1, 1, 0), cos²ψ = 1/2, monotone\n"));
+  const Json json = Json::parse(to_json(cubic));
+  CHECK(json["phrame"] == "classify/1");
+  CHECK(json["helical"] == Json{{"answer", true},
+                                {"axis", {"1", "1", "0"}},
+                                {"cos_squared", "1/2"},
+                                {"monotone", true},
+                                {"map_degree", 1}});
+  CHECK(json["regular"] == Json{{"answer", true}, {"cusps", Json::array()}});
+  CHECK(json["planar"] == Json{{"answer", false}});
+  CHECK(json["rrmf"]["answer"] == false);
+  // 2h/σ = 2/(1 + 2t²).
+  CHECK(json["rrmf"]["residue_factor"] == Json{"1", "0", "2"});
+  // At t = 0 r′ × r″ = (1, 0, 0) × (0, 0, −2), so that ρ = 4.
+  CHECK(json["double_ph"]["constant"] == "4");
+  CHECK(json["double_ph"]["omega"] == Json{"1"});
+}
+
+TEST_CASE("classify report: points are exact or have an interval, and an order") {
+  const ClassifyReport cusps =
+      report({{1, 1}, {}, {}, {0, 1}}, Polynomial{-1, 0, 2} * Polynomial{-1, 3});
+  CHECK(contains(to_text(cusps), "no: r′ = 0 at t = 1/3, 0.707106781186…"));
+  const Json list = Json::parse(to_json(cusps))["regular"]["cusps"];
+  REQUIRE(list.size() == 2);
+  CHECK(list[0] == Json{{"t", "1/3"}, {"order", 1}});
+  CHECK(list[1]["t"]["polynomial"] == Json{"-1", "0", "2"});
+  CHECK(list[1]["t"]["value"] == "0.70710678118654752");
+  CHECK(list[1]["order"] == 1);
+  const ClassifyReport twice = report({{1, 1}, {}, {}, {0, 1}}, pow(Polynomial{-1, 3}, 2));
+  CHECK(contains(to_text(twice), "t = 1/3 (twice)"));
+}
+
+TEST_CASE("classify report: why there is no rational frame, or which there is") {
+  const std::string poles = to_text(report({{0, 0, 1}, {0, 1}, {0, 1}, {1}}));
+  CHECK(contains(poles, "no: 2h/σ has multiple poles, the zeros of t² + 1"));
+  const std::string line = to_text(report({{1}, {0, 1}, {}, {}}));
+  CHECK(contains(line, "straight line         yes: direction (1, 0, 0)"));
+  CHECK(contains(line, "rational RMF          yes"));
+  CHECK(contains(line, "double PH             yes: ρ = 0"));
+  CHECK(contains(line, "primitive             no: gcd(x′, y′, z′) = t² + 1"));
+  const Json json = Json::parse(to_json(report({{1}, {0, 1}, {}, {}})));
+  CHECK(json["rrmf"]["answer"] == true);
+  CHECK(json["line"]["direction"] == Json{"1", "0", "0"});
+}

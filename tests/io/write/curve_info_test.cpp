@@ -1,0 +1,195 @@
+#include <algorithm>
+
+#include "phrame/io/write/curve_info.hpp"
+
+#include "io/reference.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/write/angle_report.hpp"
+#include "phrame/io/write/text.hpp"
+#include "support/farouki_moon.hpp"
+
+using namespace phrame;
+using test::Json;
+
+namespace {
+
+Json info(const NamedCurve& named, long digits = 50) {
+  return Json::parse(to_json(curve_info(named, digits)));
+}
+
+bool contains(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// r′ = f·i.
+NamedCurve on_a_line(const Polynomial& f) {
+  return {"", Curve({Polynomial{1}, Polynomial(), Polynomial(), Polynomial()}, f)};
+}
+
+/// The reference curves whose preimage has at most that degree.
+std::vector<Json> reference_curves(std::size_t max_degree) {
+  std::istringstream lines(test::read_data("curves.jsonl"));
+  std::vector<Json> curves;
+  for (std::string line; std::getline(lines, line);) {
+    Json curve = Json::parse(line);
+    std::size_t length = 0;
+    for (const Json& list : curve["preimage"]) length = std::max(length, list.size());
+    if (length <= max_degree + 1) curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+}  // namespace
+
+TEST_CASE("curve info: the 2003 paper's quintic, exactly") {
+  const Json& truth = test::farouki_2003()["quintic"];
+  const Json out = info(test::farouki_quintic());
+  CHECK(out["phrame"] == "info/1");
+  CHECK(out["name"] == "quintic");
+  CHECK(out["degree"] == 5);
+  CHECK(out["preimage_degree"] == 2);
+  CHECK(out["multiplier"] == Json{"1"});
+  CHECK(out["sigma"] == truth["sigma"]);
+  CHECK(out["h"] == truth["h"]);
+  CHECK(out["rho"] == truth["rho"]);
+  CHECK(out["triple_product"] == truth["triple"]);
+  CHECK(out["split"] == Json{{"a", truth["a"]}, {"b", truth["b"]}});
+  CHECK(out["arc_length"] == truth["arc_length"]);
+  CHECK(out["end_point"] == truth["end_point"]);
+  CHECK(out["cusps"].empty());
+  // ρ = 4|g|² and the paper's W is g.
+  CHECK(out["g"] == Json{{"re", truth["W_re"]}, {"im", truth["W_im"]}});
+}
+
+TEST_CASE("curve info: the preimage is printed in the power basis") {
+  // By hand from the Bernstein coefficients, see curve_file_test.cpp.
+  CHECK(info(test::farouki_quintic())["preimage"] ==
+        Json::parse(R"({"u": ["2", "-4", "4"], "v": ["1", "0", "-1"], "p": ["0", "-4", "4"],
+                        "q": ["1", "2", "-2"]})"));
+}
+
+TEST_CASE("curve info: the control polygon starts with A₀ i A₀*/5 and ends in the end point") {
+  const Json points = info(test::farouki_quintic())["control_points"];
+  REQUIRE(points.size() == 6);
+  CHECK(points[0] == Json{"0", "0", "0"});
+  // A₀ = 2 + i + k: u² + v² − p² − q² = 4, 2(uq + vp) = 4, 2(vq − up) = 2.
+  CHECK(points[1] == Json{"4/5", "4/5", "2/5"});
+  CHECK(points[5] == test::farouki_2003()["quintic"]["end_point"]);
+}
+
+TEST_CASE("curve info: the twist is minus the angle at 1, to 50 digits") {
+  const std::string theta = test::farouki_2003()["quintic"]["theta_RMF_rel_ERF"]["1"];
+  const Json twist = info(test::farouki_quintic())["twist_erf"];
+  test::check_rounded(twist["value"], twist["radius"], "-" + theta, 50, 50);
+}
+
+TEST_CASE("curve info: a cusp is located, and the length of a curve that turns back is ∫|f|") {
+  // r′ = (2t − 1)·i: f changes sign, ∫₀¹ f = 0 is not the length.
+  const Json changing = info(on_a_line({-1, 2}));
+  REQUIRE(changing["cusps"].size() == 1);
+  CHECK(test::rational(changing["cusps"][0][0]) <= Rational(1, 2));
+  CHECK(test::rational(changing["cusps"][0][1]) >= Rational(1, 2));
+  CHECK(changing["bending_energy"]["value"] == "0");  // a line, there and back
+  CHECK(changing["arc_length"] == "1/2");
+  // r′ = (2t − 1)²·i: a cusp without a change of sign, ∫₀¹ (2t − 1)² = 1/3.
+  const Json touching = info(on_a_line({1, -4, 4}));
+  CHECK(touching["cusps"].size() == 1);
+  CHECK(touching["arc_length"] == "1/3");
+  // r′ = −i: no cusp, length 1.
+  const Json backwards = info(on_a_line({-1}));
+  CHECK(backwards["cusps"].empty());
+  CHECK(backwards["arc_length"] == "1");
+  CHECK(backwards["bending_energy"] == Json{{"value", "0"}, {"radius", "0"}});
+  const std::string text = to_text(curve_info(on_a_line({-1, 2}), 5));
+  CHECK(contains(text, "cusp, r′ = 0        t = 1/2\n"));
+  CHECK(contains(text, "length ∫₀¹ |f|σ     1/2\n"));
+  // ∫₀¹ |t² − 1/2| = √2/3 − 1/6.
+  const NamedCurve irrational = on_a_line({Rational(-1, 2), 0, 1});
+  CHECK(info(irrational)["arc_length"]["value"].get<std::string>().starts_with("0.30473785412"));
+  CHECK(contains(to_text(curve_info(irrational, 5)), "length ∫₀¹ |f|σ     0.30474\n"));
+}
+
+TEST_CASE("curve info: the energy does not depend on the direction of travel") {
+  const NamedCurve quintic = test::farouki_quintic();
+  const NamedCurve reversed{"", Curve(quintic.curve.preimage(), Polynomial{-1})};
+  CHECK(info(reversed)["bending_energy"] == info(quintic)["bending_energy"]);
+}
+
+TEST_CASE("curve info: where f is negative, the text says which way the tangent points") {
+  const auto text = [](const Polynomial& f) { return to_text(curve_info(on_a_line(f), 5)); };
+  CHECK(contains(text({-1}), "f < 0 on [0, 1]: there e₁ = A i A*/σ is −r′/|r′|\n"));
+  CHECK(contains(text({-1, 2}), "f < 0 in a part of [0, 1]: there e₁"));
+  CHECK_FALSE(contains(text({1, -4, 4}), "f < 0"));
+}
+
+TEST_CASE("curve info: the text abbreviates what is long, JSON does not") {
+  const Rational cusp = 1 / (1 + test::power_of_ten(1000));
+  const NamedCurve named = on_a_line({-cusp, 1});
+  std::istringstream lines(abridged(to_text(curve_info(named, 5))));
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() < 900);
+  CHECK(info(named)["cusps"][0][0] == to_string(cusp));
+  CHECK(info(on_a_line({test::power_of_ten(1000)}))["arc_length"].get<std::string>().size() ==
+        1001);
+}
+
+TEST_CASE("curve info: a report outlives the curve it was made of") {
+  const auto report = [] { return curve_info(test::farouki_quintic(), 5); };
+  CHECK(to_text(report()).starts_with("quintic: "));
+}
+
+TEST_CASE("curve info: the start moves the curve") {
+  const NamedCurve moved{
+      "", Curve(test::farouki_quintic().curve.preimage(), Polynomial{1}, {Rational(-1, 15), 0, 1})};
+  CHECK(info(moved)["end_point"] == Json{"0", "38/15", "22/5"});
+}
+
+TEST_CASE("curve info: the text shows what JSON does, factored") {
+  const std::string text = to_text(curve_info(test::farouki_quintic(), 12));
+  CHECK(text.starts_with("quintic: PH quintic, degree 5 (preimage of degree 2)\n"));
+  CHECK(contains(text, "  u                   4t² − 4t + 2\n"));
+  CHECK(contains(text, "  σ = |A|²            37t⁴ − 72t³ + 46t² − 12t + 6\n"));
+  CHECK(contains(text, "  h                   4t(t − 1)\n"));
+  CHECK(contains(text, "  ρ = 4|g|²           16(5t⁴ − 34t³ + 211t² − 186t + 45)\n"));
+  CHECK(contains(text, "  r(1)                (1/15, 38/15, 17/5)\n"));
+  CHECK(contains(text, "  length ∫₀¹ |f|σ     71/15\n"));
+  CHECK(contains(text, "  twist ∫₀¹ 2h/σ      -0.285856530098\n"));
+}
+
+// The expected values were computed with more than 60 digits, independently (tests/data).
+TEST_CASE("reports: angles and energies of all reference curves up to preimage degree 20") {
+  const auto curves = reference_curves(20);
+  CHECK(curves.size() > 100);
+  for (const Json& line : curves) {
+    CAPTURE(line["name"].get<std::string>());
+    const NamedCurve named = read_curve(line.dump());
+    const auto theta = [&](Reference reference) {
+      RmfAngle angle(named.curve, reference);
+      const AngleReport report{
+          named, reference, angle, Angle(), {{1, round_to_decimal(angle.value(1), 50)}}, 50};
+      return Json::parse(to_json(report))["values"][0];
+    };
+    const Json& expected = line["expected"];
+    const Json erf = theta(Reference::erf);
+    test::check_rounded(erf["theta"], erf["radius"], expected["theta_erf_1"], 50, 60);
+    if (expected.contains("theta_frenet_1")) {
+      const Json frenet = theta(Reference::frenet);
+      test::check_rounded(frenet["theta"], frenet["radius"], expected["theta_frenet_1"], 50, 60);
+    } else {
+      CHECK_THROWS_AS(theta(Reference::frenet), DomainError);  // a straight line
+    }
+    const Json energy = info(named)["bending_energy"];
+    test::check_rounded(energy["value"], energy["radius"], expected["energy"], 50, 60);
+  }
+}
+
+TEST_CASE("curve info: where the Euler-Rodrigues frame turns back, and the extrema of its rate") {
+  const auto& example = test::farouki_moon()["example3"];
+  const Json out = info({"", test::curve_of(example)}, 20);
+  for (const auto& [key, known] : {std::pair("erf_inflections", "ERF_inflections"),
+                                   std::pair("erf_extrema", "ERF_omega1_extrema")}) {
+    const auto& expected = example["consistent"][known];
+    REQUIRE(out[key].size() == expected.size());
+    for (std::size_t k = 0; k < expected.size(); ++k)
+      CHECK(abs(test::number(out[key][k]) - test::number(expected[k])) < power_of_ten(-19));
+  }
+}

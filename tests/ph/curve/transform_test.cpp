@@ -1,0 +1,176 @@
+#include <algorithm>
+
+#include "phrame/ph/curve/transform.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/frame/frame.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+namespace {
+
+using Points = std::vector<Vector<Rational>>;
+
+/// The blossom of a Bézier curve: de Casteljau's algorithm with another t in every step.
+Vector<Rational> blossom(Points points, const std::vector<Rational>& ts) {
+  for (const Rational& t : ts) {
+    for (std::size_t k = 0; k + 1 < points.size(); ++k)
+      for (std::size_t j = 0; j < 3; ++j)
+        points[k][j] = (1 - t) * points[k][j] + t * points[k + 1][j];
+    points.pop_back();
+  }
+  return points.front();
+}
+
+/// The control points of the part from a to b: blossoms of n − k times a and k times b.
+Points de_casteljau(const Points& points, const Rational& a, const Rational& b) {
+  const std::size_t n = points.size() - 1;
+  Points result;
+  for (std::size_t k = 0; k <= n; ++k) {
+    std::vector<Rational> ts(n, a);
+    std::fill_n(ts.begin(), k, b);
+    result.push_back(blossom(points, ts));
+  }
+  return result;
+}
+
+Rational other_than(const Rational& a, Random& random) {
+  const Rational b = random.rational();
+  return a == b ? Rational(b + 1) : b;
+}
+
+RationalQuaternion nonzero_quaternion(Random& random) {
+  return {random.integer(1, 5), random.rational(), random.rational(), random.rational()};
+}
+
+/// U v U* by the product itself.
+Vector<Rational> turned(const RationalQuaternion& u, const Vector<Rational>& v) {
+  const RationalQuaternion product =
+      u * RationalQuaternion{0, v[0], v[1], v[2]} * RationalQuaternion{u.u, -u.v, -u.p, -u.q};
+  CHECK(product.u == 0);
+  return {product.v, product.p, product.q};
+}
+
+Vector<Rational> times(const Rational& c, const Vector<Rational>& v) {
+  return {c * v[0], c * v[1], c * v[2]};
+}
+
+template <class Map>
+Points mapped(Points points, Map map) {
+  for (auto& point : points) point = map(point);
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("transform: the right half of the cubic with A = 1 + t·k, by hand") {
+  // A(1/2 + t/2) = 1 + k/2 + tk/2, r(1/2) = (1/2 − 1/24, 1/4, 0).
+  const Curve half = segment(Curve({{1}, {}, {}, {0, 1}}), Rational(1, 2), 1);
+  CHECK(half == Curve({{1}, {}, {}, {Rational(1, 2), Rational(1, 2)}}, {Rational(1, 2)},
+                      {Rational(11, 24), Rational(1, 4), 0}));
+}
+
+TEST_CASE("transform: law: control points of a segment are those of de Casteljau") {
+  for_samples(40, [](Random& random) {
+    const Curve curve = random.curve(3);
+    const Rational a = random.rational();
+    const Rational b = other_than(a, random);
+    CHECK(control_points(segment(curve, a, b)) == de_casteljau(control_points(curve), a, b));
+    auto backwards = control_points(curve);
+    std::reverse(backwards.begin(), backwards.end());
+    CHECK(control_points(reversed(curve)) == backwards);
+    CHECK(reversed(reversed(curve)) == curve);
+  });
+}
+
+TEST_CASE("transform: law: segments of segments are segments; σ, h, g and θ′ follow") {
+  for_samples(40, [](Random& random) {
+    const Curve curve = random.curve(3);
+    const Rational a = random.rational();
+    const Rational b = other_than(a, random);
+    const Rational c = random.rational();
+    const Rational d = other_than(c, random);
+    const Curve part = segment(curve, a, b);
+    CHECK(segment(part, c, d) == segment(curve, a + (b - a) * c, a + (b - a) * d));
+    CHECK(segment(part, -a / (b - a), (1 - a) / (b - a)) == curve);
+    const Polynomial w{a, b - a};
+    const Rational rate = b - a;
+    const QuaternionPolynomial& old = curve.preimage();
+    const QuaternionPolynomial& now = part.preimage();
+    CHECK(sigma(now) == compose(sigma(old), w));
+    CHECK(twist_numerator(now) == rate * compose(twist_numerator(old), w));
+    CHECK(bend_numerator(now).re == rate * compose(bend_numerator(old).re, w));
+    CHECK(bend_numerator(now).im == rate * compose(bend_numerator(old).im, w));
+    CHECK(rho(now) == rate * rate * compose(rho(old), w));
+    // The ERF stays; θ′ is multiplied.
+    const Rational t = random.rational();
+    const auto before = euler_rodrigues_frame(curve, w(t));
+    const auto after = euler_rodrigues_frame(part, t);
+    CHECK(before.e1 == after.e1);
+    CHECK(before.e2 == after.e2);
+    const RationalFunction theta = erf_rate(old);
+    CHECK(erf_rate(now) ==
+          RationalFunction(rate * compose(theta.numerator(), w), compose(theta.denominator(), w)));
+  });
+}
+
+TEST_CASE("transform: law: rotations turn points and frames, h, σ and g are multiplied by |U|²") {
+  for_samples(40, [](Random& random) {
+    const Curve curve = random.curve(3);
+    const RationalQuaternion u = nonzero_quaternion(random);
+    const Rational size = norm(u);
+    const Curve now = rotated(curve, u);
+    CHECK(control_points(now) ==
+          mapped(control_points(curve), [&](const auto& p) { return turned(u, p); }));
+    CHECK(sigma(now.preimage()) == size * sigma(curve.preimage()));
+    CHECK(twist_numerator(now.preimage()) == size * twist_numerator(curve.preimage()));
+    CHECK(bend_numerator(now.preimage()) == Polynomial{size} * bend_numerator(curve.preimage()));
+    CHECK(rho(now.preimage()) == size * size * rho(curve.preimage()));
+    CHECK(erf_rate(now.preimage()) == erf_rate(curve.preimage()));
+    // A pure rotation leaves length, curvature and torsion alone, and turns the frames.
+    const Curve rigid = scaled(now, 1 / size);
+    CHECK(arc_length(rigid) == arc_length(curve));
+    CHECK(squared_curvature(rigid) == squared_curvature(curve));
+    const Rational t = random.rational();
+    const auto before = euler_rodrigues_frame(curve, t);
+    const auto after = euler_rodrigues_frame(rigid, t);
+    CHECK(after.e1 == times(1 / size, turned(u, before.e1)));
+    CHECK(after.e2 == times(1 / size, turned(u, before.e2)));
+    CHECK(after.e3 == times(1 / size, turned(u, before.e3)));
+  });
+}
+
+TEST_CASE("transform: law: rotations compose like quaternions") {
+  for_samples(30, [](Random& random) {
+    const Curve curve = random.curve(2);
+    const RationalQuaternion u = nonzero_quaternion(random);
+    const RationalQuaternion v = nonzero_quaternion(random);
+    CHECK(rotated(rotated(curve, u), v) == rotated(curve, v * u));
+  });
+}
+
+TEST_CASE("transform: law: translations and scalings move the control points") {
+  for_samples(30, [](Random& random) {
+    const Curve curve = random.curve(3);
+    const Vector<Rational> v{random.rational(), random.rational(), random.rational()};
+    const Rational c = other_than(0, random);
+    CHECK(control_points(translated(curve, v)) == mapped(control_points(curve), [&](const auto& p) {
+            return Vector<Rational>{p[0] + v[0], p[1] + v[1], p[2] + v[2]};
+          }));
+    CHECK(control_points(scaled(curve, c)) ==
+          mapped(control_points(curve), [&](const auto& p) { return times(c, p); }));
+    CHECK(translated(curve, v).preimage() == curve.preimage());
+    CHECK(scaled(curve, c).preimage() == curve.preimage());
+  });
+}
+
+TEST_CASE("transform: what would make the curve a point is refused") {
+  const Curve curve({{1}, {}, {}, {0, 1}});
+  CHECK_THROWS_AS(segment(curve, Rational(1, 3), Rational(1, 3)), DomainError);
+  CHECK_THROWS_AS(scaled(curve, 0), DomainError);
+  CHECK_THROWS_AS(rotated(curve, {}), DomainError);
+}
