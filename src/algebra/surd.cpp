@@ -1,86 +1,95 @@
 #include "phrame/algebra/surd.hpp"
 
+#include <algorithm>
+
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {
 
-Surd surd(const Rational& a, const Rational& b, const Integer& d) {
-  return b == 0 || d == 1 ? Surd{a + b, 0, 1} : Surd{a, b, d};
+// With g = gcd(d, e) it is g·√((d/g)·(e/g)).
+RootProduct multiply_roots(const Integer& d, const Integer& e) {
+  if (d < 1 || e < 1) throw DomainError("surd: a root of a number that is not positive");
+  const Integer g = gcd(d, e);
+  const Integer rest = (d / g) * (e / g);
+  const Integer root = sqrt(rest);
+  if (root * root == rest) return {g * root, 1};
+  return {g, rest};
 }
 
-SurdPolynomial surd_polynomial(const Polynomial& a, const Polynomial& b, const Integer& d) {
-  return b.is_zero() || d == 1 ? SurdPolynomial{a + b, {}, 1} : SurdPolynomial{a, b, d};
+bool RootField::contains(const Integer& d) const {
+  return std::any_of(radicands_.begin(), radicands_.end(),
+                     [&](const Integer& e) { return multiply_roots(d, e).radicand == 1; });
 }
 
-namespace {
-
-/// The d of a field that holds both.
-template <class T>
-Integer common_radicand(const T& x, const T& y) {
-  if (x.d != 1 && y.d != 1 && x.d != y.d)
-    throw DomainError("surd: √" + x.d.str() + " and √" + y.d.str() + " are of different fields");
-  return x.d == 1 ? y.d : x.d;
+void RootField::adjoin(const Integer& d) {
+  if (contains(d)) return;
+  const std::size_t degree = radicands_.size();
+  for (std::size_t k = 0; k < degree; ++k)
+    radicands_.push_back(multiply_roots(radicands_[k], d).radicand);
 }
 
-}  // namespace
-
-Surd operator+(const Surd& x, const Surd& y) {
-  return surd(x.a + y.a, x.b + y.b, common_radicand(x, y));
-}
-
-Surd operator-(const Surd& x) { return {-x.a, -x.b, x.d}; }
-
-Surd operator-(const Surd& x, const Surd& y) { return x + -y; }
-
-Surd operator*(const Surd& x, const Surd& y) {
-  const Integer d = common_radicand(x, y);
-  return surd(x.a * y.a + Rational(d) * x.b * y.b, x.a * y.b + x.b * y.a, d);
+std::vector<RootField> fields_without_a_root(const RootField& field) {
+  const std::vector<Integer>& radicands = field.radicands();
+  std::vector<RootField> fields;
+  for (std::size_t left_out = 1; left_out < radicands.size(); left_out *= 2) {
+    RootField others;
+    for (std::size_t k = 1; k < radicands.size(); k *= 2)
+      if (k != left_out) others.adjoin(radicands[k]);
+    fields.push_back(std::move(others));
+  }
+  return fields;
 }
 
 Surd operator/(const Surd& x, const Surd& y) {
-  const Rational n = norm(y);
-  if (n == 0) throw DomainError("surd: division by zero");
-  return x * surd(y.a / n, -y.b / n, y.d);
+  if (y.is_zero()) throw DomainError("surd: division by zero");
+  if (y.is_rational()) return (1 / y.rational_part()) * x;
+  const Surd other = conjugate(y, half_field(y));
+  return (x * other) / (y * other);
 }
 
-Surd conjugate(const Surd& x) { return {x.a, -x.b, x.d}; }
-
-Rational norm(const Surd& x) { return x.a * x.a - Rational(x.d) * x.b * x.b; }
-
+// x = u + v, where v is what changes its sign under an automorphism: where the signs of u and v
+// differ, the greater square has it, and u² − v² is in a smaller field. So is v·√d for any term of
+// v.
 int sign(const Surd& x) {
-  const auto of = [](const Rational& r) { return r > 0 ? 1 : r < 0 ? -1 : 0; };
-  if (of(x.a) == of(x.b) || x.b == 0) return of(x.a);
-  // a and b√d pull in different directions: the greater square has it.
-  return norm(x) > 0 ? of(x.a) : of(x.b);
+  if (x.is_rational()) return x.rational_part().sign();
+  const RootField half = half_field(x);
+  const Surd other = conjugate(x, half);
+  const int u = sign(x + other);
+  const int v = sign(Surd(0, 1, x.terms().rbegin()->first) * (x - other));
+  if (u == v || u == 0) return v;
+  return sign(x * other) > 0 ? u : v;
 }
 
-SurdPolynomial operator+(const SurdPolynomial& p, const SurdPolynomial& q) {
-  return surd_polynomial(p.a + q.a, p.b + q.b, common_radicand(p, q));
+SurdPolynomial surd_polynomial(const std::vector<Surd>& ascending) {
+  SurdPolynomial p;
+  for (std::size_t k = 0; k < ascending.size(); ++k)
+    for (const auto& [d, c] : ascending[k].terms())
+      p.add(Polynomial::monomial(c, static_cast<long>(k)), d);
+  return p;
 }
-
-SurdPolynomial operator-(const SurdPolynomial& p, const SurdPolynomial& q) {
-  return surd_polynomial(p.a - q.a, p.b - q.b, common_radicand(p, q));
-}
-
-SurdPolynomial operator*(const SurdPolynomial& p, const SurdPolynomial& q) {
-  const Integer d = common_radicand(p, q);
-  return surd_polynomial(p.a * q.a + Rational(d) * (p.b * q.b), p.a * q.b + p.b * q.a, d);
-}
-
-SurdPolynomial operator*(const Surd& x, const SurdPolynomial& p) {
-  return surd_polynomial({x.a}, {x.b}, x.d) * p;
-}
-
-SurdPolynomial conjugate(const SurdPolynomial& p) { return {p.a, -p.b, p.d}; }
 
 SurdPolynomial differentiate(const SurdPolynomial& p) {
-  return surd_polynomial(differentiate(p.a), differentiate(p.b), p.d);
+  SurdPolynomial result;
+  for (const auto& [d, c] : p.terms()) result.add(differentiate(c), d);
+  return result;
 }
 
-Polynomial norm(const SurdPolynomial& p) { return p.a * p.a - Rational(p.d) * (p.b * p.b); }
+long degree(const SurdPolynomial& p) {
+  long degree = -1;
+  for (const auto& [d, c] : p.terms()) degree = std::max(degree, c.degree());
+  return degree;
+}
 
 Surd coefficient(const SurdPolynomial& p, long k) {
-  return surd(p.a.coefficient(k), p.b.coefficient(k), p.d);
+  Surd result;
+  for (const auto& [d, c] : p.terms()) result.add(c.coefficient(k), d);
+  return result;
+}
+
+Surd evaluate(const Polynomial& p, const Surd& x) {
+  Surd value;
+  for (long k = p.degree(); k >= 0; --k) value = value * x + Surd(p.coefficient(k));
+  return value;
 }
 
 SquareFactor split_square(const Integer& x) {
@@ -103,7 +112,7 @@ SquareFactor split_square(const Integer& x) {
 }
 
 // √(n/m) = √(nm)/m.
-Surd quadratic_root(const Polynomial& p) {
+QuadraticNumber quadratic_root(const Polynomial& p) {
   if (p.degree() < 1 || p.degree() > 2)
     throw DomainError("quadratic_root: the degree is not 1 or 2");
   const Rational lead = p.leading_coefficient();

@@ -1,58 +1,145 @@
 #pragma once
+#include <map>
+
 #include "phrame/algebra/polynomial.hpp"
 
 namespace phrame {
 
-/// a + b·√d, d an integer that is no square, with √d = i·√|d| for d < 0; b = 0 and d = 1 for a
-/// rational number.
-struct Surd {
-  Rational a;
-  Rational b;
-  Integer d = 1;
-  friend bool operator==(const Surd&, const Surd&) = default;
+/// √d·√e = factor·√radicand.
+struct RootProduct {
+  Integer factor;
+  Integer radicand;
+};
+RootProduct multiply_roots(const Integer& d, const Integer& e);
+
+/// ℚ(√d, √e, …) for integers d, e, … ≥ 1, by the integers whose roots are in it, up to squares.
+class RootField {
+ public:
+  /// Is √d in it?
+  bool contains(const Integer& d) const;
+  void adjoin(const Integer& d);
+  /// As many as its degree, 1 first; the k-th root that was new is at 2ᵏ⁻¹.
+  const std::vector<Integer>& radicands() const { return radicands_; }
+
+ private:
+  std::vector<Integer> radicands_{1};
 };
 
-/// a(t) + b(t)·√d, d likewise; b = 0 and d = 1 for a rational polynomial.
-struct SurdPolynomial {
-  Polynomial a;
-  Polynomial b;
-  Integer d = 1;
-  friend bool operator==(const SurdPolynomial&, const SurdPolynomial&) = default;
+/// For each root that was new in its turn the field of the others: the automorphisms that fix these
+/// fields generate all.
+std::vector<RootField> fields_without_a_root(const RootField& field);
+
+/// Σ c·√d with c ≠ 0 in ℚ or ℚ[t] and integers d ≥ 1, no two of which have a product that is a
+/// square. Such roots are linearly independent over ℚ [Besicovitch 1940]: only 0 has no term. So
+/// all is decided exactly, and no integer has to be factored for it.
+template <class C>
+class SurdSum {
+ public:
+  SurdSum() = default;  ///< 0
+  /// a + b·√d. Throws DomainError for d < 1.
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  SurdSum(const C& a, const C& b = {}, const Integer& d = 1) {
+    add(a, 1);
+    add(b, d);
+  }
+
+  /// c by ascending d.
+  const std::map<Integer, C>& terms() const { return terms_; }
+  /// The coefficient of √1.
+  C rational_part() const { return terms_.contains(1) ? terms_.at(1) : C{}; }
+  bool is_rational() const { return count_roots() == 0; }
+  bool is_zero() const { return terms_.empty(); }
+  /// The number of terms without that of √1.
+  std::size_t count_roots() const { return terms_.size() - terms_.count(1); }
+
+  /// Adds c·√d. Throws DomainError for d < 1.
+  void add(const C& c, const Integer& d);
+
+  friend SurdSum operator+(SurdSum x, const SurdSum& y) {
+    for (const auto& [d, c] : y.terms_) x.add(c, d);
+    return x;
+  }
+  friend SurdSum operator*(const Rational& r, const SurdSum& x) {
+    SurdSum product;
+    for (const auto& [d, c] : x.terms_) product.add(r * c, d);
+    return product;
+  }
+  friend SurdSum operator-(const SurdSum& x) { return Rational(-1) * x; }
+  friend SurdSum operator-(const SurdSum& x, const SurdSum& y) { return x + -y; }
+  friend bool operator==(const SurdSum& x, const SurdSum& y) { return (x - y).is_zero(); }
+
+ private:
+  std::map<Integer, C> terms_;
 };
 
-/// a + b·√d for a d that is 1 or no square.
-Surd surd(const Rational& a, const Rational& b, const Integer& d);
-SurdPolynomial surd_polynomial(const Polynomial& a, const Polynomial& b, const Integer& d);
+using Surd = SurdSum<Rational>;
+using SurdPolynomial = SurdSum<Polynomial>;
 
-// Arithmetic in one field ℚ(√d): the operands have the same d, or one of them is rational.
+template <class A, class B>
+auto operator*(const SurdSum<A>& x, const SurdSum<B>& y) {
+  SurdSum<decltype(A() * B())> product;
+  for (const auto& [d, a] : x.terms())
+    for (const auto& [e, b] : y.terms()) {
+      const auto [factor, radicand] = multiply_roots(d, e);
+      product.add(Rational(factor) * (a * b), radicand);
+    }
+  return product;
+}
 
-Surd operator+(const Surd& x, const Surd& y);
-Surd operator-(const Surd& x);
-Surd operator-(const Surd& x, const Surd& y);
-Surd operator*(const Surd& x, const Surd& y);
 /// Throws DomainError for y = 0.
 Surd operator/(const Surd& x, const Surd& y);
-/// a − b√d.
-Surd conjugate(const Surd& x);
-/// a² − d·b² = x·conjugate(x).
-Rational norm(const Surd& x);
-/// −1, 0 or 1, of a real x: d > 0.
+/// −1, 0 or 1.
 int sign(const Surd& x);
 
-SurdPolynomial operator+(const SurdPolynomial& p, const SurdPolynomial& q);
-SurdPolynomial operator-(const SurdPolynomial& p, const SurdPolynomial& q);
-SurdPolynomial operator*(const SurdPolynomial& p, const SurdPolynomial& q);
-SurdPolynomial operator*(const Surd& x, const SurdPolynomial& p);
-SurdPolynomial conjugate(const SurdPolynomial& p);
+/// ℚ(√d, …) for the d of the terms.
+template <class C>
+RootField field_of(const SurdSum<C>& x) {
+  RootField field;
+  for (const auto& [d, c] : x.terms()) field.adjoin(d);
+  return field;
+}
+
+/// c·√d becomes −c·√d where √d is not in `fixed`: an automorphism of a field that is, or is of
+/// degree 2 over, `fixed`.
+template <class C>
+SurdSum<C> conjugate(const SurdSum<C>& x, const RootField& fixed) {
+  SurdSum<C> result;
+  for (const auto& [d, c] : x.terms()) result.add(fixed.contains(d) ? c : -c, d);
+  return result;
+}
+
+/// A field over which field_of(x) has degree 2: ℚ where that is quadratic. Precondition: x is not
+/// rational.
+template <class C>
+RootField half_field(const SurdSum<C>& x) {
+  const Integer& outside = x.terms().rbegin()->first;
+  RootField half;
+  for (const auto& [d, c] : x.terms())
+    if (!half.contains(multiply_roots(d, outside).radicand)) half.adjoin(d);
+  return half;
+}
+
+SurdPolynomial surd_polynomial(const std::vector<Surd>& ascending);
 SurdPolynomial differentiate(const SurdPolynomial& p);
-/// a² − d·b².
-Polynomial norm(const SurdPolynomial& p);
+long degree(const SurdPolynomial& p);
 /// The coefficient of tᵏ.
 Surd coefficient(const SurdPolynomial& p, long k);
 
+/// p(x).
+Surd evaluate(const Polynomial& p, const Surd& x);
+
+/// a + b·√d, d an integer that is no square, with √d = i·√|d| for d < 0; b = 0 and d = 1 for a
+/// rational number.
+struct QuadraticNumber {
+  Rational a;
+  Rational b;
+  Integer d = 1;
+  friend bool operator==(const QuadraticNumber&, const QuadraticNumber&) = default;
+};
+
 /// A root of p of degree 1 or 2, the one with b ≥ 0; p irreducible over ℚ. Throws DomainError for
 /// other degrees.
-Surd quadratic_root(const Polynomial& p);
+QuadraticNumber quadratic_root(const Polynomial& p);
 
 /// x = root²·rest for an integer x ≥ 1; rest is 1 where x is a square, and has no square factor p²
 /// with p ≤ 10⁴. (To find all square factors is as hard as to factor x.)
@@ -61,5 +148,19 @@ struct SquareFactor {
   Integer rest;
 };
 SquareFactor split_square(const Integer& x);
+
+template <class C>
+void SurdSum<C>::add(const C& c, const Integer& d) {
+  if (c == C{}) return;
+  for (auto place = terms_.begin(); place != terms_.end(); ++place) {
+    const RootProduct product = multiply_roots(d, place->first);
+    if (product.radicand != 1) continue;
+    place->second += Rational(product.factor, place->first) * c;
+    if (place->second == C{}) terms_.erase(place);
+    return;
+  }
+  const RootProduct root = multiply_roots(d, 1);
+  terms_.emplace(root.radicand, Rational(root.factor) * c);
+}
 
 }  // namespace phrame

@@ -1,32 +1,60 @@
-// For x = a + b√d > 0 with a² − d·b² = w², w ≥ 0 rational, and b ≠ 0: then a > 0, and
-//   √x = √m ± √n,  m = (a + w)/2,  n = (a − w)/2,
-// with the sign of b, since m + n = a and 4mn = a² − w² = d·b². Both are > 0 where d > 0.
+// Let √x be a sum of square roots of rational numbers, x > 0 in a field K. Let k be a field over
+// which K has degree 2, x̄ the conjugate of x over k, and x = u + v, x̄ = u − v. Since √x generates
+// an extension whose group has the exponent 2, x = r·y² with r ∈ ℚ and y ∈ K (Kummer). Then x·x̄ =
+// w² for w = ±r·y·ȳ ∈ k, of either sign, and
+//   √x = √m ± √n,  m = (u + w)/2,  n = (u − w)/2,
+// since m + n = u and 4mn = u² − w² = v²; the sign is that of v. As x̄ = r·ȳ² > 0, for w > 0 both
+// are > 0, and √m = (√x + √x̄)/2 and √n are sums like √x, of numbers of k. Conversely, they make √x
+// one.
 #include "phrame/algebra/surd_root.hpp"
+
+#include <algorithm>
 
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {
 
-Radical to_radical(const Surd& x) { return Radical(x.a) + x.b * sqrt(Radical(Rational(x.d))); }
+Radical to_radical(const Surd& x) {
+  Radical sum;
+  for (auto term = x.terms().rbegin(); term != x.terms().rend(); ++term)
+    sum = sum + term->second * sqrt(Radical(Rational(term->first)));
+  return sum;
+}
 
-bool has_simple_root(const Surd& x) { return x.b == 0 || square_root(norm(x)).has_value(); }
+std::optional<Surd> simple_root(const Surd& x) {
+  if (sign(x) <= 0) throw DomainError("simple_root: the radicand is not positive");
+  if (x.is_rational()) {
+    const Rational r = x.rational_part();
+    const auto [root, rest] = split_square(numerator(r) * denominator(r));
+    return Surd(0, Rational(root, denominator(r)), rest);
+  }
+  const RootField half = half_field(x);
+  const Surd other = conjugate(x, half);
+  if (sign(other) < 0) return std::nullopt;
+  const auto w = simple_root(x * other);
+  if (!w || !(conjugate(*w, half) == *w)) return std::nullopt;
+  const Surd u = Rational(1, 2) * (x + other);
+  const auto m = simple_root(Rational(1, 2) * (u + *w));
+  const auto n = m ? simple_root(Rational(1, 2) * (u - *w)) : std::nullopt;
+  if (!n) return std::nullopt;
+  return sign(x - other) > 0 ? *m + *n : *m - *n;
+}
 
 Radical times_root(const Surd& factor, const Surd& x) {
-  if (sign(x) <= 0) throw DomainError("times_root: the radicand is not positive");
-  if (!has_simple_root(x)) {
-    const Radical root = sqrt(to_radical(factor * factor * x));
-    return sign(factor) < 0 ? -root : root;
+  if (const auto root = simple_root(x)) {
+    std::vector<std::pair<Integer, Rational>> terms(root->terms().begin(), root->terms().end());
+    const auto square = [](const auto& term) {
+      return term.second * term.second * Rational(term.first);
+    };
+    std::sort(terms.begin(), terms.end(),
+              [&](const auto& s, const auto& t) { return square(s) > square(t); });
+    Radical sum;
+    for (const auto& [d, c] : terms)
+      for (const auto& [e, b] : factor.terms()) sum = sum + b * c * sqrt(Radical(Rational(d * e)));
+    return sum;
   }
-  const Rational w = x.b == 0 ? x.a : *square_root(norm(x));
-  Radical sum;
-  // (factor.a + factor.b·√d)·√m.
-  const auto add = [&](const Rational& m, const Rational& sign) {
-    sum = sum + sign * factor.a * sqrt(Radical(m));
-    if (factor.b != 0) sum = sum + sign * factor.b * sqrt(Radical(Rational(factor.d) * m));
-  };
-  add((x.a + w) / 2, 1);
-  if (x.b != 0) add((x.a - w) / 2, x.b < 0 ? -1 : 1);
-  return sum;
+  const Radical root = sqrt(to_radical(factor * factor * x));
+  return sign(factor) < 0 ? -root : root;
 }
 
 }  // namespace phrame

@@ -7,7 +7,7 @@ namespace phrame {
 namespace {
 
 /// v(α, t) for deg v < 2 in x and α = a + bi.
-GaussianPolynomial argument_at(const Bivariate& v, const Surd& alpha) {
+GaussianPolynomial argument_at(const Bivariate& v, const QuadraticNumber& alpha) {
   std::vector<Rational> re;
   std::vector<Rational> im;
   for (const Polynomial& c : v.coefficients()) {
@@ -39,7 +39,7 @@ GaussianLogs gaussian_logs(const std::vector<LogSum>& over_residues) {
   for (const LogSum& sum : over_residues) {
     if (!(sum.residue == Polynomial{0, 1} % sum.index))
       throw DomainError("gaussian_logs: a sum that is not over its residues");
-    const std::optional<Surd> alpha =
+    const std::optional<QuadraticNumber> alpha =
         sum.index.degree() <= 2 ? std::optional(quadratic_root(sum.index)) : std::nullopt;
     if (!alpha || abs(alpha->d) != 1) {
       form.others.push_back(sum);

@@ -25,11 +25,11 @@
 namespace phrame {
 namespace {
 
-/// Has v a real zero? At a real root of a² − d·b² it is a zero of a + b√d where a·b ≤ 0.
-bool has_real_zero(const SurdPolynomial& v) {
-  if (v.b.is_zero()) return count_real_roots(v.a, real_line()) > 0;
-  const Polynomial product = v.a * v.b;
-  const std::vector<RealRoot> roots = real_roots(norm(v), real_line());
+/// Has a + b√d a real zero? At a real root of a² − d·b² it has one where a·b ≤ 0.
+bool has_real_zero(const Polynomial& a, const Polynomial& b, const Integer& d) {
+  if (b.is_zero()) return count_real_roots(a, real_line()) > 0;
+  const Polynomial product = a * b;
+  const std::vector<RealRoot> roots = real_roots(a * a - Rational(d) * (b * b), real_line());
   return std::any_of(roots.begin(), roots.end(),
                      [&](const RealRoot& root) { return sign_at(product, root.at) <= 0; });
 }
@@ -54,7 +54,7 @@ void add_arctangents(RealForm& form, const Rational& factor, const Integer& d, P
   const auto add = [&](const Polynomial& w) {  // 2·factor·√d·arctan(√d·w)
     if (w.is_constant()) return;
     const Rational sign = w.leading_coefficient() < 0 ? -1 : 1;
-    form.arctangents.push_back({surd(0, 2 * sign * factor, d), surd_polynomial({}, sign * w, d)});
+    form.arctangents.push_back({Surd(0, 2 * sign * factor, d), SurdPolynomial({}, sign * w, d)});
   };
   while (true) {
     const Division division = divide(p, q);
@@ -66,8 +66,10 @@ void add_arctangents(RealForm& form, const Rational& factor, const Integer& d, P
   }
 }
 
-void add_logarithm(RealForm& form, const Surd& factor, const SurdPolynomial& of) {
-  form.logarithms.push_back({factor, of, !has_real_zero(of)});
+/// factor·log|a + b√d|.
+void add_logarithm(RealForm& form, const Surd& factor, const Polynomial& a,
+                   const Polynomial& b = {}, const Integer& d = 1) {
+  form.logarithms.push_back({factor, SurdPolynomial(a, b, d), !has_real_zero(a, b, d)});
 }
 
 enum class Style { real, textbook };
@@ -77,7 +79,7 @@ enum class Style { real, textbook };
 std::optional<RealForm> over_quadratic(const LogSum& sum, Style style) {
   constexpr long most_poles = 3;
   RealForm form;
-  const Surd alpha = quadratic_root(sum.index);
+  const QuadraticNumber alpha = quadratic_root(sum.index);
   std::vector<Rational> constant;
   std::vector<Rational> linear;
   for (const Polynomial& c : sum.argument.coefficients()) {
@@ -87,40 +89,37 @@ std::optional<RealForm> over_quadratic(const LogSum& sum, Style style) {
   const Polynomial p(constant);
   const Polynomial q(linear);
   if (alpha.d > 0) {
-    add_logarithm(form, alpha, surd_polynomial(p, q, alpha.d));
-    if (alpha.d != 1) add_logarithm(form, conjugate(alpha), surd_polynomial(p, -q, alpha.d));
+    add_logarithm(form, {alpha.a, alpha.b, alpha.d}, p, q, alpha.d);
+    if (alpha.d != 1) add_logarithm(form, {alpha.a, -alpha.b, alpha.d}, p, -q, alpha.d);
     return form;
   }
   if (style == Style::textbook && p.degree() > most_poles && !(p % q).is_zero())
     return std::nullopt;  // several arctangents
   const Integer d = -alpha.d;
-  if (alpha.a != 0) add_logarithm(form, {alpha.a, 0, 1}, {p * p + Rational(d) * (q * q), {}, 1});
+  if (alpha.a != 0) add_logarithm(form, alpha.a, p * p + Rational(d) * (q * q));
   add_arctangents(form, alpha.b, d, p, q);
   return form;
 }
 
-/// ∫ (αt + β)/(t² + pt + q), one of two conjugates.
-void add_fraction(RealForm& form, const SurdPolynomial& numerator,
-                  const SurdPolynomial& denominator) {
-  const Surd half{Rational(1, 2), 0};
-  const Surd alpha = coefficient(numerator, 1);
-  const Surd middle = half * coefficient(denominator, 1);
-  const Surd h = coefficient(denominator, 0) - middle * middle;
+void add_integral(RealForm& form, const QuadraticFraction& f) {
+  const Surd middle = Rational(1, 2) * f.p;
+  const Surd h = f.q - middle * middle;
   const bool is_positive = sign(h) > 0;
-  const SurdPolynomial w = SurdPolynomial{{0, 1}, {}, 1} + middle * SurdPolynomial{{1}, {}, 1};
-  if (sign(alpha) != 0) form.logarithms.push_back({half * alpha, denominator, is_positive});
-  const Surd rest = coefficient(numerator, 0) - alpha * middle;
-  if (sign(rest) == 0) return;
+  if (!f.alpha.is_zero())
+    form.logarithms.push_back(
+        {Rational(1, 2) * f.alpha, surd_polynomial({f.q, f.p, Rational(1)}), is_positive});
+  const Surd rest = f.beta - f.alpha * middle;
+  if (rest.is_zero()) return;
   if (is_positive)
-    form.arctangents.push_back({rest / h, Surd{1, 0} / h * w, h});
+    form.arctangents.push_back({rest / h, surd_polynomial({middle / h, Surd(1) / h}), h});
   else
-    form.quotients.push_back({half * rest / -h, w, -h});
+    form.quotients.push_back(
+        {Rational(-1, 2) * (rest / h), surd_polynomial({middle, Rational(1)}), -h});
 }
 
-RealForm over_field(const ConjugateFractions& f) {
+RealForm integral_of(const std::vector<QuadraticFraction>& fractions) {
   RealForm form;
-  add_fraction(form, f.numerator, f.denominator);
-  add_fraction(form, conjugate(f.numerator), conjugate(f.denominator));
+  for (const QuadraticFraction& f : fractions) add_integral(form, f);
   return form;
 }
 
@@ -137,11 +136,13 @@ void append(RealForm& form, const RealForm& more) {
 
 bool is_short(const Surd& x) {
   constexpr std::size_t most_digits = 40;
-  return std::max(to_string(x.a).size(), to_string(x.b).size()) + x.d.str().size() <= most_digits;
+  std::size_t longest = 0;
+  for (const auto& [d, c] : x.terms()) longest = std::max(longest, to_string(c).size());
+  return x.is_zero() || longest + x.terms().rbegin()->first.str().size() <= most_digits;
 }
 
 bool is_short(const SurdPolynomial& p) {
-  for (long k = std::max(p.a.degree(), p.b.degree()); k >= 0; --k)
+  for (long k = degree(p); k >= 0; --k)
     if (!is_short(coefficient(p, k))) return false;
   return true;
 }
@@ -166,12 +167,11 @@ std::optional<RealForm> form_of(const SimpleFraction& f, Style style) {
     form = over_quadratic(over_residues({f}).front(), style);
     // Rational coefficients are better than linear arguments.
     const bool is_irrational =
-        form && form->arctangents.size() > 1 && form->arctangents.front().of.d != 1;
-    if (!is_irrational || f.denominator.degree() != 4) return form;
+        form && form->arctangents.size() > 1 && !form->arctangents.front().of.is_rational();
+    if (form && !is_irrational) return form;
   }
-  if (f.denominator.degree() != 4) return std::nullopt;
-  const auto fractions = over_real_quadratic_field(f);
-  return fractions ? over_field(*fractions) : form;
+  const auto fractions = over_real_quadratic_fields(f);
+  return fractions.empty() ? form : integral_of(fractions);
 }
 
 struct Parts {
@@ -187,7 +187,7 @@ Parts parts_of(const Antiderivative& F, Style style) {
     const auto part = form_of(f, style);
     if (!part || (style == Style::textbook && !is_short(*part)))
       parts.others.push_back(f);
-    else if (part->logarithms.size() == 1 && part->logarithms.front().of.d == 1 &&
+    else if (part->logarithms.size() == 1 && part->logarithms.front().of.is_rational() &&
              part->arctangents.empty())
       rational.push_back(over_residues({f}).front());
     else
@@ -225,23 +225,33 @@ TextbookForm textbook_form(const Antiderivative& F) {
 RationalFunction differentiate(const RealForm& form) {
   RationalFunction result =
       RationalFunction(differentiate(form.polynomial)) + differentiate(form.rational);
-  std::map<Integer, RationalFunction> irrational;  // what is to be multiplied by √d
-  const auto add = [&](const SurdPolynomial& numerator, const SurdPolynomial& denominator) {
-    const SurdPolynomial n = numerator * conjugate(denominator);
-    const Polynomial d = norm(denominator);
-    result = result + RationalFunction(n.a, d);
-    RationalFunction& rest = irrational[n.d];
-    rest = rest + RationalFunction(n.b, d);
+  SurdPolynomial numerators;  // of what has roots, over the denominator
+  Polynomial denominator{1};
+  const auto add = [&](SurdPolynomial n, SurdPolynomial d) {
+    while (!d.is_rational()) {
+      const SurdPolynomial other = conjugate(d, half_field(d));
+      n = n * other;
+      d = d * other;
+    }
+    const Polynomial rational = d.rational_part();
+    if (n.is_rational()) {
+      result = result + RationalFunction(n.rational_part(), rational);
+      return;
+    }
+    const Polynomial common = gcd(denominator, rational);
+    const Polynomial to_old = exact_quotient(rational, common);
+    const Polynomial to_new = exact_quotient(denominator, common);
+    numerators = SurdPolynomial(to_old) * numerators + SurdPolynomial(to_new) * n;
+    denominator *= to_old;
   };
-  const SurdPolynomial one{{1}, {}, 1};
+  const SurdPolynomial one(Polynomial{1});
   for (const auto& [factor, of, positive] : form.logarithms) add(factor * differentiate(of), of);
   for (const auto& [factor, of, radicand] : form.arctangents)
     add(factor * radicand * differentiate(of), one + radicand * (of * of));
-  const Surd two{2, 0};
   for (const auto& [factor, of, radicand] : form.quotients)
-    add(two * factor * radicand * differentiate(of), of * of - radicand * one);
-  for (const auto& [d, rest] : irrational)
-    if (!rest.is_zero()) throw Error("real form: the derivative is not rational");
+    add(Rational(2) * factor * radicand * differentiate(of), of * of - radicand * one);
+  if (!numerators.is_rational()) throw Error("real form: the derivative is not rational");
+  result = result + RationalFunction(numerators.rational_part(), denominator);
   for (const LogSum& sum : form.others) result = result + differentiate(sum);
   return result;
 }

@@ -7,7 +7,8 @@ namespace phrame {
 /// An antiderivative in real functions, continuous wherever its derivative is:
 ///   polynomial + rational + Σ factor·log|of| + Σ factor·√radicand·arctan(√radicand·of)
 ///   + Σ factor·√radicand·log|(of − √radicand)/(of + √radicand)| + Σ over the roots of others.
-/// Numbers are of real quadratic fields; conjugate ones come in pairs.
+/// Numbers are of real quadratic and biquadratic fields; terms with irrational ones come with all
+/// their conjugates.
 struct RealForm {
   struct Logarithm {
     Surd factor;
@@ -18,7 +19,7 @@ struct RealForm {
   struct Arctangent {
     Surd factor;
     SurdPolynomial of;
-    Surd radicand = {1, 0, 1};  ///< > 0; where it is not 1, `of` is linear with a slope > 0
+    Surd radicand = Rational(1);  ///< > 0; where it is not 1, `of` is linear with a slope > 0
     friend bool operator==(const Arctangent&, const Arctangent&) = default;
   };
   struct LogQuotient {
@@ -37,9 +38,9 @@ struct RealForm {
 
 /// The real form of F, checked: it has the derivative of F. F may be in any form.
 /// A fraction over ℚ whose residues lie in ℚ or a quadratic field becomes logarithms and
-/// arctangents of polynomials [Rioboo 1991], and so does one whose four poles are zeros of
-/// quadratic polynomials over a real quadratic field. The others stay sums over the poles z, over
-/// which
+/// arctangents of polynomials [Rioboo 1991], and so does one whose four or eight poles are zeros of
+/// conjugate quadratic polynomials over a real quadratic or biquadratic field. The others stay sums
+/// over the poles z, over which
 ///   Σ_{z real} c·log|t − z| + Σ_{Im z > 0} (Re c·log((t − x)² + y²) − 2 Im c·arctan((t − x)/y)),
 /// c = residue(z), z = x + iy [Farouki 2003, end of §4].
 RealForm real_form(const Antiderivative& F);
@@ -51,12 +52,11 @@ struct TextbookForm {
 };
 
 /// The real form of F as far as it is short, checked likewise. Sums over roots are the fractions
-/// whose residues and poles lie in no real or imaginary quadratic field, or in one with numbers of
-/// more than 40 digits, and those with more than three poles to a residue that are more than one
-/// arctangent.
+/// that real_form() writes so, those with numbers of more than 40 digits, and those with more than
+/// three poles to a residue that are more than one arctangent.
 TextbookForm textbook_form(const Antiderivative& F);
 
-/// Exactly. Precondition: what has a √d comes in conjugate pairs, as in a result of real_form().
+/// Exactly. Precondition: what has a √d comes with its conjugates, as in a result of real_form().
 RationalFunction differentiate(const RealForm& form);
 
 }  // namespace phrame

@@ -47,6 +47,18 @@ TEST_CASE("integrate: --form auto is what a book prints") {
         "      + 1/3·arctan(x)\n      + 1/6·arctan(2x + √3)\n      + 1/6·arctan(2x − √3)");
   CHECK(integral("(x^4-3*x^2+6)/(x^6-5*x^4+5*x^2+4)") ==
         "arctan((1/2)x⁵ − (3/2)x³ + (1/2)x)\n      + arctan(x³)\n      + arctan(x)");
+  // The twelfth roots of −1: 2·cos(π/12) = (√6 + √2)/2, 2·cos(5π/12) = (√6 − √2)/2 [2.146].
+  CHECK(integral("12/(x^12+1)") ==
+        "√2/2·log(x² + √2·x + 1)\n      − √2/2·log(x² − √2·x + 1)\n"
+        "      + (√6 + √2)/4·log(x² + (√6 + √2)/2·x + 1)\n"
+        "      − (√6 + √2)/4·log(x² − (√6 + √2)/2·x + 1)\n"
+        "      + (√6 − √2)/4·log(x² + (√6 − √2)/2·x + 1)\n"
+        "      − (√6 − √2)/4·log(x² − (√6 − √2)/2·x + 1)\n"
+        "      + √2·arctan(√2·x + 1)\n      + √2·arctan(√2·x − 1)\n"
+        "      + (√6 − √2)/2·arctan((√6 + √2)·x + 2 + √3)\n"
+        "      + (√6 − √2)/2·arctan((√6 + √2)·x − 2 − √3)\n"
+        "      + (√6 + √2)/2·arctan((√6 − √2)·x + 2 − √3)\n"
+        "      + (√6 + √2)/2·arctan((√6 − √2)·x − 2 + √3)");
   // x⁴ + x³ + x² + x + 1 = (x² + φx + 1)(x² − x/φ + 1), and cos 72° = (√5 − 1)/4.
   CHECK(contains(integral("1/(x^4+x^3+x^2+x+1)"), "arctan((4x + 1 + √5)/√(10 − 2√5))"));
   CHECK(integral("1/(x^8+1)").starts_with("Σ c(z)·log(x − z) over the 8 roots z of z⁸ + 1"));

@@ -25,12 +25,12 @@ import differences
 
 SKIP = 77
 
-# Of every kind that is printed differently: residues in Q, Q(i), quadratic fields and beyond, multiple poles, no pole, 0.
+# Of every kind that is printed differently: residues in Q, Q(i), quadratic and biquadratic fields and beyond, multiple poles, no pole, 0.
 IDS = """
     sympy-25896 sympy-8246-atan-4 sympy-28657 sympy-28186 sympy-5907 sympy-6828 sympy-12305 sympy-ratint-doc
     sympy-ratint-zero sympy-ratint-improper fricas-198 maxima-1778796 maxima-2907727 angourimath-1284 gcl-x3-x-1 gcl-x2-2
     rioboo hardy-1916 leibniz-1702 wang-59 timofeev-18 hearn-04 con-sqrt2-a con-cubic-a con-qi-b con-irrational-pv
-    con-real-quintic
+    con-real-quintic binomial-plus-12 con-swinnerton-dyer-3
 """.split()
 # Of degree 3 to 11, of each way that the angle is printed: by arctangents, by one sum over roots, by several.
 CURVES = """

@@ -122,20 +122,24 @@ class Writer {
 
   std::string root(const Integer& d) const { return filled(syntax_.sqrt, d.str()); }
 
-  std::string surd(const Surd& c) const {
+  /// |c|·√d·text; the text is a product, or empty for 1.
+  std::string multiple(const Rational& c, const Integer& d, const std::string& text) const {
+    if (d == 1) return text.empty() ? size_of(c) : product(c, text);
+    return product(c, root(d)) + (text.empty() ? "" : "*" + text);
+  }
+
+  std::string surd(const Surd& x) const {
     Sum sum;
-    if (c.a != 0 || c.b == 0) sum.add(c.a < 0, size_of(c.a));
-    if (c.b != 0) sum.add(c.b < 0, product(c.b, root(c.d)));
+    for (const auto& [d, c] : x.terms()) sum.add(c < 0, multiple(c, d, ""));
     return sum.text();
   }
 
   std::string polynomial(const SurdPolynomial& p) const {
     Sum sum;
-    for (long k = std::max(p.a.degree(), p.b.degree()); k >= 0; --k) {
-      const Rational a = p.a.coefficient(k);
-      const Rational b = p.b.coefficient(k);
-      if (a != 0) sum.add(a < 0, k == 0 ? size_of(a) : product(a, power(variable_, k)));
-      if (b != 0) sum.add(b < 0, product(b, root(p.d)) + (k == 0 ? "" : "*" + power(variable_, k)));
+    for (long k = degree(p); k >= 0; --k) {
+      const Surd factor = coefficient(p, k);
+      for (const auto& [d, c] : factor.terms())
+        sum.add(c < 0, multiple(c, d, k == 0 ? "" : power(variable_, k)));
     }
     return sum.text();
   }
@@ -202,13 +206,12 @@ class Writer {
   }
 
   /// Adds c·function.
-  void add(Sum& sum, const Surd& c, const std::string& function) const {
-    if (c.b == 0)
-      sum.add(c.a < 0, product(c.a, function));
-    else if (c.a == 0)
-      sum.add(c.b < 0, product(c.b, root(c.d)) + "*" + function);
-    else
-      sum.add(false, fmt::format("({})*{}", surd(c), function));
+  void add(Sum& sum, const Surd& x, const std::string& function) const {
+    if (x.terms().size() > 1) {
+      sum.add(false, fmt::format("({})*{}", surd(x), function));
+      return;
+    }
+    for (const auto& [d, c] : x.terms()) sum.add(c < 0, multiple(c, d, function));
   }
 
   void add(Sum& sum, const Radical& c, const std::string& function) const {
@@ -234,7 +237,7 @@ class Writer {
       add(sum, factor, log_of(argument, false));
     }
     for (const RealForm::Arctangent& term : F.arctangents) {
-      if (term.radicand == Surd{1, 0, 1}) {
+      if (term.radicand == Surd(1)) {
         add(sum, term.factor, arctan(polynomial(term.of)));
         continue;
       }
@@ -315,9 +318,9 @@ std::string cas_formula(const ExactValue& x, Language language) {
   if (x.irrational_pi) sum.add(false, cas_multiple(*x.irrational_pi, writer.pi(), language));
   const auto number = [&](const Rational& of) { return writer.polynomial(Polynomial{of}); };
   for (const auto& [factor, of] : x.logarithms)
-    writer.add(sum, {factor, 0}, writer.log(number(of)));
+    writer.add(sum, Surd(factor), writer.log(number(of)));
   for (const auto& [factor, of] : x.arctangents)
-    writer.add(sum, {factor, 0}, writer.arctan(number(of)));
+    writer.add(sum, Surd(factor), writer.arctan(number(of)));
   return sum.text();
 }
 

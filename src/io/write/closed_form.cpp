@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/surd_root.hpp"
 #include "phrame/io/write/algebraic_text.hpp"
 #include "phrame/io/write/root_term.hpp"
 
@@ -39,15 +40,6 @@ bool is_monomial(const Polynomial& p) {
 }
 
 /// factor · function, where the function is written `text`.
-std::string product(const Surd& factor, std::string_view text, Notation notation) {
-  if (factor.b == 0 && factor.a == 1) return std::string(text);
-  const std::string minus = notation == unicode ? "−" : "-";
-  if (factor.b == 0 && factor.a == -1) return minus + std::string(text);
-  std::string number = formatted(factor, notation);
-  if (factor.a != 0 && factor.b != 0) number = in_parentheses(number, notation);
-  return number + (notation == unicode ? "·" : " ") + std::string(text);
-}
-
 std::string product(const Radical& factor, std::string_view text, Notation notation) {
   const RadicalNotation& numbers =
       notation == unicode ? radical_notation::unicode : radical_notation::latex;
@@ -56,6 +48,16 @@ std::string product(const Radical& factor, std::string_view text, Notation notat
   return fmt::format(
       "{}{}{}", negative ? numbers.minus : "",
       size == Radical(1) ? "" : formatted_factor(size, numbers) + std::string(numbers.dot), text);
+}
+
+std::string product(const Surd& factor, std::string_view text, Notation notation) {
+  if (factor.count_roots() > 1) return product(to_radical(factor), text, notation);
+  if (factor == Surd(1)) return std::string(text);
+  const std::string minus = notation == unicode ? "−" : "-";
+  if (factor == Surd(-1)) return minus + std::string(text);
+  std::string number = formatted(factor, notation);
+  if (factor.terms().size() > 1) number = in_parentheses(number, notation);
+  return number + (notation == unicode ? "·" : " ") + std::string(text);
 }
 
 std::string log(const std::string& of, Notation notation) {
@@ -98,7 +100,7 @@ std::string latex_sum(const LogSum& sum, const Letters& letters) {
 std::string formatted_term(const LogSum& sum, Notation notation, const Letters& letters) {
   if (sum.index.degree() == 1) {  // a rational residue and a rational argument
     const QuotientRing ring(sum.index);
-    return product({ring.reduce(sum.residue).coefficient(0), 0},
+    return product(Surd(ring.reduce(sum.residue).coefficient(0)),
                    log(shown(ring.reduce(sum.argument), notation, letters), notation), notation);
   }
   return notation == unicode ? unicode_sum(sum, letters) : latex_sum(sum, letters);
@@ -150,7 +152,7 @@ RootTerm root_term(const auto& term, Notation notation, const Letters& letters) 
 
 std::string formatted_term(const RealForm::Arctangent& term, Notation notation,
                            const Letters& letters) {
-  if (term.radicand == Surd{1, 0, 1})
+  if (term.radicand == Surd(1))
     return product(term.factor, arctan(shown(term.of, notation, letters.variable), notation),
                    notation);
   const auto [factor, argument] = root_term(term, notation, letters);

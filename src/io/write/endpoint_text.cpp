@@ -28,8 +28,9 @@ std::optional<std::string> short_text(const PathEnd& end, Notation notation) {
   }
   const auto& a = std::get<RealAlgebraic>(end);
   if (a.polynomial().degree() > 2) return std::nullopt;
-  const Surd greater = quadratic_root(a.polynomial());
-  return formatted(compare(a, greater.a) > 0 ? greater : conjugate(greater), notation);
+  const auto [middle, distance, d] = quadratic_root(a.polynomial());
+  const bool is_greater = compare(a, middle) > 0;
+  return formatted(Surd(middle, is_greater ? distance : -distance, d), notation);
 }
 
 }  // namespace

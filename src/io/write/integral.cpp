@@ -52,6 +52,25 @@ std::string reason_for_sums(const Antiderivative& F) {
   return "over poles where the residues are distinct, over residues where they repeat";
 }
 
+template <class C>
+bool is_biquadratic(const SurdSum<C>& x) {
+  return field_of(x).radicands().size() > 2;
+}
+
+/// The fields of its numbers.
+std::string fields_of(const RealForm& form) {
+  const auto any = [](const auto& terms, const auto& is) {
+    return std::any_of(terms.begin(), terms.end(), is);
+  };
+  const bool some_are_biquadratic =
+      any(form.logarithms, [](const auto& log) { return is_biquadratic(log.of); }) ||
+      any(form.arctangents, [](const auto& term) { return is_biquadratic(term.of); }) ||
+      any(form.quotients, [](const auto& term) {
+        return is_biquadratic(term.of) || is_biquadratic(term.radicand);
+      });
+  return some_are_biquadratic ? "quadratic or biquadratic fields" : "quadratic fields";
+}
+
 /// Why the logarithms are written as they are, where nobody asked for a form.
 std::string reason_for_form(const TextbookForm& F) {
   const RealForm& real = F.real;
@@ -59,14 +78,16 @@ std::string reason_for_form(const TextbookForm& F) {
     const std::string reason = reason_for_sums(Antiderivative{{}, {}, F.sums});
     const bool is_mixed =
         !(real.logarithms.empty() && real.arctangents.empty() && real.quotients.empty());
-    return is_mixed ? "real functions as far as quadratic fields reach; else " + reason : reason;
+    return is_mixed ? "real functions as far as " + fields_of(real) + " reach; else " + reason
+                    : reason;
   }
   if (!real.arctangents.empty())
-    return "real functions, since residues or poles lie in quadratic fields";
+    return "real functions, since residues or poles lie in " + fields_of(real);
   if (!real.quotients.empty() ||
-      std::any_of(real.logarithms.begin(), real.logarithms.end(),
-                  [](const auto& log) { return log.factor.d != 1 || log.of.d != 1; }))
-    return "real logarithms, since residues or poles lie in quadratic fields";
+      std::any_of(real.logarithms.begin(), real.logarithms.end(), [](const auto& log) {
+        return !log.factor.is_rational() || !log.of.is_rational();
+      }))
+    return "real logarithms, since residues or poles lie in " + fields_of(real);
   return real.logarithms.empty()
              ? "no logarithms, since every residue is 0"
              : "logarithms of polynomials over ℚ, since every residue is rational";

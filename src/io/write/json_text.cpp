@@ -88,12 +88,26 @@ JsonOutput json_of(const RationalFunction& f) {
   return {{"numerator", json_of(f.numerator())}, {"denominator", json_of(f.denominator())}};
 }
 
+namespace {
+
+template <class C, class Write>
+JsonOutput json_of_sum(const SurdSum<C>& x, Write write) {
+  JsonOutput roots = JsonOutput::array();
+  for (const auto& [d, c] : x.terms())
+    if (d != 1) roots.push_back({{"b", write(c)}, {"d", d.str()}});
+  if (roots.size() > 1) return {{"a", write(x.rational_part())}, {"roots", roots}};
+  if (roots.empty()) roots.push_back({{"b", write(C{})}, {"d", "1"}});
+  return {{"a", write(x.rational_part())}, {"b", roots.front()["b"]}, {"d", roots.front()["d"]}};
+}
+
+}  // namespace
+
 JsonOutput json_of(const Surd& x) {
-  return {{"a", to_string(x.a)}, {"b", to_string(x.b)}, {"d", x.d.str()}};
+  return json_of_sum(x, [](const Rational& c) { return to_string(c); });
 }
 
 JsonOutput json_of(const SurdPolynomial& p) {
-  return {{"a", json_of(p.a)}, {"b", json_of(p.b)}, {"d", p.d.str()}};
+  return json_of_sum(p, [](const Polynomial& c) { return json_of(c); });
 }
 
 JsonOutput json_of(const LogSum& sum) {
@@ -120,7 +134,7 @@ JsonOutput json_of(const RealForm& F) {
   JsonOutput arctangents = JsonOutput::array();
   for (const auto& [factor, of, radicand] : F.arctangents) {
     arctangents.push_back({{"factor", json_of(factor)}, {"of", json_of(of)}});
-    if (!(radicand == Surd{1, 0, 1})) arctangents.back()["radicand"] = json_of(radicand);
+    if (!(radicand == Surd(1))) arctangents.back()["radicand"] = json_of(radicand);
   }
   JsonOutput quotients = JsonOutput::array();
   for (const auto& [factor, of, radicand] : F.quotients)

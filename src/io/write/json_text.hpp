@@ -15,9 +15,10 @@ JsonOutput json_of(const Polynomial& p);
 JsonOutput json_of(const GaussianPolynomial& p);
 /// {"numerator": […], "denominator": […]}.
 JsonOutput json_of(const RationalFunction& f);
-/// {"a": "…", "b": "…", "d": "…"}: a + b√d.
+/// {"a": "…", "b": "…", "d": "…"}: a + b√d; {"a": "…", "roots": [{"b": "…", "d": "…"}, …]} where
+/// there are several roots.
 JsonOutput json_of(const Surd& x);
-/// {"a": […], "b": […], "d": "…"}.
+/// {"a": […], "b": […], "d": "…"}, or with "roots" likewise.
 JsonOutput json_of(const SurdPolynomial& p);
 /// {"index": …, "residue": …, "argument": […]}.
 JsonOutput json_of(const LogSum& sum);

@@ -71,6 +71,15 @@ class Writer {
             Binding::product};
   }
 
+  /// n·x, n > 1.
+  Written product(const Integer& n, const Written& x) const {
+    const bool digits_meet =
+        notation_.times.empty() && x.text.front() >= '0' && x.text.front() <= '9';
+    return {n.str() + std::string(notation_.times) +
+                enclosed(x, digits_meet ? Binding::atom : Binding::product),
+            Binding::product};
+  }
+
   /// n times a step, n ≥ 1.
   Written multiple(const Integer& n, std::size_t step) const {
     const Written& x = texts_[step];
@@ -78,11 +87,7 @@ class Writer {
     const Radical::Step& s = x_.steps()[step];
     if (s.kind == Radical::Kind::quotient && s.left == Radical::Sum{1, {}})
       return quotient({n.str(), Binding::atom}, written(s.right));
-    const bool digits_meet =
-        notation_.times.empty() && x.text.front() >= '0' && x.text.front() <= '9';
-    return {n.str() + std::string(notation_.times) +
-                enclosed(x, digits_meet ? Binding::atom : Binding::product),
-            Binding::product};
+    return product(n, x);
   }
 
   Written written(const Radical::Sum& sum) const {
@@ -108,12 +113,22 @@ class Writer {
     if (denominator == 1) return all;
     // −x/2 is −(x/2).
     const bool negative = sum.constant == 0 && sum.terms.size() == 1 && sum.terms[0].factor < 0;
-    if (negative) {
-      const Integer n = numerator(Rational(-sum.terms[0].factor * denominator));
-      all = multiple(n, sum.terms[0].step);
-    }
-    all = quotient(all, {denominator.str(), Binding::atom});
+    if (sum.constant == 0 && sum.terms.size() == 1)
+      all = multiple_over(numerator(abs(sum.terms[0].factor)), denominator, sum.terms[0].step);
+    else
+      all = quotient(all, {denominator.str(), Binding::atom});
     return negative ? Written{std::string(notation_.minus) + all.text, Binding::sum} : all;
+  }
+
+  /// n/d times a step, d > 1; (a/b)/d is a/(d·b).
+  Written multiple_over(const Integer& n, const Integer& d, std::size_t step) const {
+    const Radical::Step& s = x_.steps()[step];
+    if (s.kind != Radical::Kind::quotient)
+      return quotient(multiple(n, step), {d.str(), Binding::atom});
+    const Written left = s.left == Radical::Sum{1, {}} ? Written{n.str(), Binding::atom}
+                         : n == 1                      ? written(s.left)
+                                                       : product(n, written(s.left));
+    return quotient(left, product(d, written(s.right)));
   }
 
   Written rational(const Rational& r) const {

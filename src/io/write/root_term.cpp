@@ -42,40 +42,51 @@ Integer denominator_of(const Radical& x) {
 
 /// m·(t + constant) and m·√radicand, without fractions.
 struct Scaled {
-  Radical slope;
+  Rational scale;  // m
   Radical constant;
   Radical root;
 };
 
 Scaled scaled(const Surd& constant, const Surd& radicand) {
   const Radical c = to_radical(constant);
-  const Radical root = times_root({1, 0}, radicand);
+  const Radical root = times_root(Surd(1), radicand);
   const Rational m(lcm(denominator_of(c), denominator_of(root)));
   return {m, m * c, m * root};
+}
+
+/// factor·√radicand = numerator/root. Under the root there is at most one other; with several, what
+/// is there would be long.
+Radical product(const Surd& factor, const Surd& radicand, const Surd& numerator,
+                const Radical& root) {
+  const bool is_long = !simple_root(radicand) && (factor * factor * radicand).count_roots() > 1;
+  return is_long ? to_radical(numerator) / root : times_root(factor, radicand);
 }
 
 }  // namespace
 
 RootTerm written(const RealForm::Arctangent& term, std::string_view variable,
                  const RadicalNotation& notation) {
-  const Surd slope = coefficient(term.of, 1);
-  const Surd constant = coefficient(term.of, 0);
-  const Radical factor = times_root(term.factor, term.radicand);
-  if (has_simple_root(term.radicand))
-    return {factor, linear(times_root(slope, term.radicand), times_root(constant, term.radicand),
-                           variable, notation)};
+  const auto& [factor, of, radicand] = term;
+  const Surd slope = coefficient(of, 1);
+  const Surd constant = coefficient(of, 0);
+  if (simple_root(radicand))
+    return {
+        times_root(factor, radicand),
+        linear(times_root(slope, radicand), times_root(constant, radicand), variable, notation)};
   // √h·slope·(t + c) is (t + c)/√(1/(h·slope²)).
-  const Scaled s = scaled(constant / slope, Surd{1, 0} / (term.radicand * slope * slope));
-  return {factor, quotient(linear(s.slope, s.constant, variable, notation),
-                           formatted(s.root, notation), notation)};
+  const Scaled s = scaled(constant / slope, Surd(1) / (radicand * slope * slope));
+  return {product(factor, radicand, s.scale * (factor / slope), s.root),
+          quotient(linear(s.scale, s.constant, variable, notation), formatted(s.root, notation),
+                   notation)};
 }
 
 RootTerm written(const RealForm::LogQuotient& term, std::string_view variable,
                  const RadicalNotation& notation) {
-  const Scaled s = scaled(coefficient(term.of, 0), term.radicand);
-  return {times_root(term.factor, term.radicand),
-          quotient(linear(s.slope, s.constant - s.root, variable, notation),
-                   linear(s.slope, s.constant + s.root, variable, notation), notation)};
+  const auto& [factor, of, radicand] = term;
+  const Scaled s = scaled(coefficient(of, 0), radicand);
+  return {product(factor, radicand, s.scale * (factor * radicand), s.root),
+          quotient(linear(s.scale, s.constant - s.root, variable, notation),
+                   linear(s.scale, s.constant + s.root, variable, notation), notation)};
 }
 
 }  // namespace phrame

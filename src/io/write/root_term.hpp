@@ -4,7 +4,8 @@
 
 namespace phrame {
 
-/// factor·function(argument) with roots of numbers of a quadratic field, written out.
+/// factor·function(argument) with roots of numbers of a quadratic or biquadratic field, written
+/// out.
 struct RootTerm {
   Radical factor;
   std::string argument;

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/surd_root.hpp"
 #include "phrame/io/write/number_text.hpp"
+#include "phrame/io/write/radical_text.hpp"
 
 namespace phrame {
 namespace {
@@ -178,28 +180,38 @@ std::string formatted(const Angle& angle, Notation notation) {
 }
 
 std::string formatted(const Surd& x, Notation notation) {
-  if (x.b == 0) return formatted(x.a, notation);
-  std::string text = x.a == 0 ? "" : formatted(x.a, notation);
-  append_term(text, x.b < 0, formatted_multiple(abs(x.b), root_of(x.d, notation), notation),
-              notation);
-  return text;
+  return formatted(surd_polynomial({x}), notation, "");
 }
 
 std::string formatted(const SurdPolynomial& p, Notation notation, std::string_view variable) {
-  const bool latex = notation == Notation::latex;
   std::string text;
-  for (long k = std::max(p.a.degree(), p.b.degree()); k >= 0; --k) {
-    const Rational a = p.a.coefficient(k);
-    const Rational b = p.b.coefficient(k);
-    const std::string power = k == 0 ? "" : (latex ? " " : "·") + term(1, k, notation, variable);
-    if (a != 0 && b != 0 && k > 0) {
-      append_term(text, false,
-                  in_parentheses(formatted(Surd{a, b, p.d}, notation), notation) + power, notation);
+  for (long k = degree(p); k >= 0; --k) {
+    const Surd factor = coefficient(p, k);
+    const std::string power =
+        k == 0 ? "" : (notation == Notation::latex ? " " : "·") + term(1, k, notation, variable);
+    if (factor.count_roots() > 1) {
+      const RadicalNotation& numbers =
+          notation == Notation::latex ? radical_notation::latex : radical_notation::unicode;
+      const Radical number = to_radical(factor);
+      const bool negative = is_written_negative(number);
+      const std::string plain = formatted(number, numbers);
+      if (k == 0 && (!negative || plain.starts_with(numbers.minus)))
+        append_term(text, negative, negative ? plain.substr(numbers.minus.size()) : plain,
+                    notation);
+      else
+        append_term(text, negative, formatted_factor(negative ? -number : number, numbers) + power,
+                    notation);
       continue;
     }
-    if (a != 0) append_term(text, a < 0, term(a, k, notation, variable), notation);
-    if (b != 0)
-      append_term(text, b < 0, formatted_multiple(abs(b), root_of(p.d, notation), notation) + power,
+    if (k > 0 && factor.terms().size() > 1) {
+      append_term(text, false, in_parentheses(formatted(factor, notation), notation) + power,
+                  notation);
+      continue;
+    }
+    for (const auto& [d, c] : factor.terms())
+      append_term(text, c < 0,
+                  d == 1 ? term(c, k, notation, variable)
+                         : formatted_multiple(abs(c), root_of(d, notation), notation) + power,
                   notation);
   }
   return text.empty() ? "0" : text;
@@ -341,9 +353,9 @@ std::string readable(const GaussianPolynomial& g) {
 }
 
 std::string readable(const SurdPolynomial& p, std::string_view variable) {
-  return readable(formatted(p, Notation::unicode, variable),
-                  summary(std::max(p.a.degree(), p.b.degree()),
-                          std::max(longest_coefficient(p.a), longest_coefficient(p.b))));
+  std::size_t digits = 0;
+  for (const auto& [d, c] : p.terms()) digits = std::max(digits, longest_coefficient(c));
+  return readable(formatted(p, Notation::unicode, variable), summary(degree(p), digits));
 }
 
 std::string readable_exact(const std::string& text, std::size_t limit) {

@@ -87,6 +87,17 @@ TEST_CASE("cas formula: real functions and surds in each language") {
         "ArcTan[x - Sqrt[3]]");
 }
 
+TEST_CASE("cas formula: numbers with several roots") {
+  const Surd sum = Rational(1, 2) * (Surd{0, 1, 6} + Surd{0, 1, 2});
+  const RealForm F{{},
+                   {},
+                   {{-sum, surd_polynomial({Surd(1), -sum, Surd(1)}), true}},
+                   {{Surd(1), surd_polynomial({Surd(0), Surd(1)}), sum * sum}}};
+  CHECK(cas_formula(F, Language::pari, "x") ==
+        "(-(1/2)*sqrt(2) - (1/2)*sqrt(6))*log(x^2 - (1/2)*sqrt(2)*x - (1/2)*sqrt(6)*x + 1) + "
+        "(sqrt(6) + sqrt(2))/2*atan((sqrt(6) + sqrt(2))/2*x)");
+}
+
 TEST_CASE("cas formula: what is left of a real form is real in PARI") {
   const RealForm F{{}, {}, {}, {}, over_poles().logs};
   CHECK(cas_formula(F, Language::pari, "x").starts_with("real(vecsum(["));

@@ -89,6 +89,26 @@ TEST_CASE("closed form: real functions, with bars only where a logarithm needs t
         "\\log\\left|x + \\sqrt{3}\\right| + \\arctan\\left(\\sqrt{2} x + 1\\right)");
 }
 
+// √(5 ± √2 ± √3) is no sum of square roots. The integral of n/(x² + h) is
+// n/√h·arctan(x/√h).
+TEST_CASE("closed form: roots of numbers with several roots are divided by") {
+  const Surd h = Surd(5) + Surd{0, 1, 2} + Surd{0, 1, 3};
+  const RealForm F{
+      {},
+      {},
+      {},
+      {{(Surd(2) + Surd{0, 1, 2} + Surd{0, 1, 3}) / h, surd_polynomial({Surd(0), Surd(1) / h}), h}},
+      {},
+      {{Rational(-1, 3) * (Surd(2) + Surd{0, 1, 3} - Surd{0, 1, 2}) / h,
+        surd_polynomial({Surd(1), Surd(1)}), h}}};
+  const std::string root = "√(5 + √3 + √2)";
+  CHECK(written(F, unicode, letters_for("x", unicode)) ==
+        "−(2 + √3 − √2)/(3" + root + ")·log|(x + 1 − " + root + ")/(x + 1 + " + root +
+            ")| + (2 + √3 + √2)/" + root + "·arctan(x/" + root + ")");
+  CHECK(written(F, latex, letters_for("x", latex))
+            .find("-\\frac{2 + \\sqrt{3} - \\sqrt{2}}{3\\sqrt{5 + ") != std::string::npos);
+}
+
 // t⁴ − 2 has two real roots and one with a positive imaginary part.
 TEST_CASE("closed form: what is left of a real form is a sum over real and over upper poles") {
   const RealForm F{

@@ -68,6 +68,10 @@ TEST_CASE("integral report: the text says why the logarithms have their form") {
   CHECK(reason("1/(x^2+1)") == "real functions, since residues or poles lie in quadratic fields.");
   CHECK(reason("1/(x^4+1)") == "real functions, since residues or poles lie in quadratic fields.");
   CHECK(reason("1/(x^2-2)") == "real logarithms, since residues or poles lie in quadratic fields.");
+  CHECK(reason("1/(x^12+1)") ==
+        "real functions, since residues or poles lie in quadratic or biquadratic fields.");
+  CHECK(reason("1/(x^8-40*x^6+352*x^4-960*x^2+576)") ==
+        "real logarithms, since residues or poles lie in quadratic or biquadratic fields.");
   // d/dx log(x³ − x − 2α) over α³ = 2: three poles to each residue α.
   CHECK(reason("24*(3*x^2-1)/((x^3-x)^3-16)") == "a sum over residues, since residues repeat.");
   CHECK(
@@ -140,6 +144,21 @@ TEST_CASE("integral report: JSON has the real form, a + b√d in three fields") 
   REQUIRE(real["arctangents"].size() == 1);
   CHECK(real["arctangents"][0]["factor"] == Json{{"a", "1"}, {"b", "0"}, {"d", "1"}});
   CHECK(real["arctangents"][0]["of"]["a"] == Json{"0", "1"});
+}
+
+// The first logarithm of Φ₂₄: √6/24·log(x² + (√6 + √2)/2·x + 1), with a factor in a quadratic
+// field.
+TEST_CASE("integral report: JSON lists the roots where a number has several") {
+  const Json real = Json::parse(to_json(real_report("1/(x^8-x^4+1)")))["real"];
+  CHECK(real["others"].empty());
+  REQUIRE(real["logarithms"].size() == 4);
+  const Json& first = real["logarithms"][0];
+  CHECK(first["factor"] == Json{{"a", "0"}, {"b", "1/24"}, {"d", "6"}});
+  CHECK(first["of"] ==
+        Json{{"a", {"1", "0", "1"}},
+             {"roots", {{{"b", {"0", "1/2"}}, {"d", "2"}}, {{"b", {"0", "1/2"}}, {"d", "6"}}}}});
+  REQUIRE(real["arctangents"].size() == 4);
+  CHECK(real["arctangents"][0]["radicand"] == Json{{"a", "1/2"}, {"b", "-1/4"}, {"d", "3"}});
 }
 
 TEST_CASE("integral report: JSON has ends that are infinite or algebraic") {

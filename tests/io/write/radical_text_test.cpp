@@ -32,6 +32,11 @@ TEST_CASE("radical text: nested roots, products and quotients have the parenthes
   CHECK(in_unicode((1 + root_of(2)) * (1 + root_of(3))) == "(1 + √2)·(1 + √3)");
   CHECK(in_unicode(3 / root_of(2)) == "3/√2");
   CHECK(in_unicode((1 + root_of(3)) / (1 + root_of(2))) == "(1 + √3)/(1 + √2)");
+  CHECK(in_unicode((1 + root_of(3)) / (1 + root_of(2)) / 5) == "(1 + √3)/(5(1 + √2))");
+  CHECK(in_unicode(-3 * ((1 + root_of(3)) / (1 + root_of(2))) / 5) == "−3(1 + √3)/(5(1 + √2))");
+  CHECK(in_unicode(Radical(Rational(-3, 5)) / (1 + root_of(2))) == "−3/(5(1 + √2))");
+  CHECK(formatted((1 + root_of(3)) / sqrt(1 + root_of(2)) / 5, radical_notation::latex) ==
+        "\\frac{1 + \\sqrt{3}}{5\\sqrt{1 + \\sqrt{2}}}");
   CHECK(in_unicode(3 * (root_of(5) * (1 / root_of(2)))) == "3√5·(1/√2)");
   CHECK(in_unicode(3 * ((1 / root_of(2)) * root_of(5))) == "3(1/√2·√5)");
   CHECK(in_unicode(1 / (root_of(3) * cbrt(Radical(2)))) == "1/(√3·∛2)");

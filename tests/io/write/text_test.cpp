@@ -171,6 +171,14 @@ TEST_CASE("text: surds") {
   CHECK(written({0, Rational(-3, 8), 2}) == "−3√2/8");
   CHECK(written({Rational(1, 2), -1, 3}) == "1/2 − √3");
   CHECK(formatted(Surd{1, Rational(-3, 8), 2}, Notation::latex) == "1 - \\frac{3\\sqrt{2}}{8}");
+  // Several roots: the greatest first, over one denominator.
+  const Surd difference = Surd{0, 1, 6} - Surd{0, 1, 2};
+  CHECK(written(difference) == "√6 − √2");
+  CHECK(written(-difference) == "−√6 + √2");
+  CHECK(written(Surd(5) + Rational(-1, 2) * difference) == "(10 − √6 + √2)/2");
+  CHECK(written(Rational(-1, 2) * difference) == "−(√6 − √2)/2");
+  CHECK(formatted(Rational(1, 2) * difference, Notation::latex) ==
+        "\\frac{\\sqrt{6} - \\sqrt{2}}{2}");
 }
 
 TEST_CASE("text: polynomials with surds, highest power first") {
@@ -182,4 +190,12 @@ TEST_CASE("text: polynomials with surds, highest power first") {
   CHECK(written({{}, {0, 0, Rational(1, 3)}, 7}) == "√7/3·x²");
   CHECK(formatted(SurdPolynomial{{0, 1}, {0, 1}, 2}, Notation::latex) ==
         "\\left(1 + \\sqrt{2}\\right) t");
+  const Surd sum = Surd{0, 1, 2} + Surd{0, 1, 3};
+  CHECK(written(surd_polynomial({sum, sum, Surd(1)})) == "x² + (√3 + √2)·x + √3 + √2");
+  CHECK(written(surd_polynomial({-sum, Rational(-1, 2) * sum, Surd(1)})) ==
+        "x² − (√3 + √2)/2·x − √3 − √2");
+  CHECK(written(surd_polynomial({Rational(-1, 2) * sum, Surd{0, 1, 3}, Surd{0, 1, 2}})) ==
+        "√2·x² + √3·x − (√3 + √2)/2");
+  CHECK(formatted(surd_polynomial({Surd(0), Rational(-1, 2) * sum}), Notation::latex) ==
+        "-\\frac{\\sqrt{3} + \\sqrt{2}}{2} t");
 }
