@@ -145,7 +145,7 @@ CertifiedLogs read_logs(const JsonNode& node) {
           read_list(node.at("roots"), read_disc)};
 }
 
-StatedPoint read_point(const JsonNode& node) {
+StatedPoint read_stated_point(const JsonNode& node) {
   node.require_known_keys({"t", "order"});
   const long order = read_count(node.at("order"), 1, 1'000'000'000);
   const JsonNode t = node.at("t");
@@ -215,7 +215,7 @@ StatedDecisions read_decisions(const JsonNode& node) {
   const JsonNode inflections = listed("inflections", {"points"});
   const JsonNode primitive = listed("primitive", {"content"});
   const JsonNode monotone = listed("erf_monotone", {"zeros_of_h", "extrema"});
-  const auto points = [](const JsonNode& list) { return read_list(list, read_point); };
+  const auto points = [](const JsonNode& list) { return read_list(list, read_stated_point); };
   StatedDecisions d{regular.at("answer").boolean(),
                     points(regular.at("cusps")),
                     inflections.at("answer").boolean(),

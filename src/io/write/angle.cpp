@@ -16,8 +16,7 @@
 namespace phrame {
 namespace {
 
-constexpr auto unicode = Notation::unicode;
-constexpr auto latex = Notation::latex;
+using enum Notation;
 constexpr auto line = "\n      ";
 
 std::string quotient(const RationalFunction& f) { return formatted_quotient(f, unicode); }

@@ -13,7 +13,7 @@ namespace phrame {
 namespace {
 
 using Row = TotalsAnswer::Row;
-constexpr auto unicode = Notation::unicode;
+using enum Notation;
 
 struct Label {
   const char* key;     ///< in JSON
