@@ -53,26 +53,12 @@ void check(const Classification& c, const Curve& curve) {
 
 }  // namespace
 
-std::vector<RealRoot> cusp_points(const Curve& curve) {
-  return real_roots(curve.multiplier() * pow(real_content(curve.preimage()), 2), unit_interval);
-}
-
-std::vector<RealRoot> inflections(const QuaternionPolynomial& a) {
-  const GaussianPolynomial g = bend_numerator(without_real_content(a));
-  return is_zero(g) ? std::vector<RealRoot>() : real_roots(gcd(g.re, g.im), unit_interval);
-}
-
-Polynomial hodograph_content(const Curve& curve) {
-  const auto [x, y, z] = hodograph(curve);
-  return gcd(gcd(x, y), z);
-}
-
 Classification classify(const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
   const Classification result{
-      cusp_points(curve), inflections(a),    line_direction(a),        plane_normal(a),
-      helix(a),           double_ph(a),      hodograph_content(curve), twist_numerator(a).is_zero(),
-      rational_frame(a),  erf_turning(curve)};
+      cusps(curve),      inflections(a),    line_direction(a),        plane_normal(a),
+      helix(a),          double_ph(a),      hodograph_content(curve), twist_numerator(a).is_zero(),
+      rational_frame(a), erf_turning(curve)};
   check(result, curve);
   return result;
 }
