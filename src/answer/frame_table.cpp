@@ -140,8 +140,8 @@ class Rows {
  private:
   Segment& segment(std::size_t k);
   const PathAngle& angle();
+  const PathLength& length();
   Frame<Real> rotation_minimizing(const Frame<Rational>& erf, const PathParameter& at);
-  Rational length_before(std::size_t k);
   void add_rational(std::vector<double>& row, const PathParameter& at);
   void add_irrational(std::vector<double>& row, const PathPoint& point, const AlgebraicPoint& t);
   template <class Add>
@@ -150,7 +150,7 @@ class Rows {
   const Path& spline_;
   const TableColumns& columns_;
   std::vector<std::unique_ptr<Segment>> segments_;
-  std::vector<Rational> lengths_;  ///< of the first 0, 1, … segments
+  std::optional<PathLength> length_;
   std::optional<PathAngle> angle_;
   std::optional<RoundedFrames> compiled_;
   std::string reason_;
@@ -180,6 +180,11 @@ const PathAngle& Rows::angle() {
   return *angle_;
 }
 
+const PathLength& Rows::length() {
+  if (!length_) length_.emplace(spline_);
+  return *length_;
+}
+
 Frame<Real> Rows::rotation_minimizing(const Frame<Rational>& erf, const PathParameter& at) {
   if (const auto z = angle().direction(at)) return turned(erf, *z);
   return turned(as_real(erf), angle().value(at));
@@ -203,14 +208,6 @@ void Rows::expect(const std::vector<PathPoint>& points) {
   } catch (const Undecided&) {  // then each row goes the exact way
   } catch (const DomainError&) {
   }
-}
-
-Rational Rows::length_before(std::size_t k) {
-  if (lengths_.empty()) lengths_.emplace_back(0);
-  while (lengths_.size() <= k)
-    lengths_.push_back(lengths_.back() +
-                       ArcLength(spline_.segments()[lengths_.size() - 1]).total());
-  return lengths_[k];
 }
 
 std::vector<std::string> Rows::names() const {
@@ -238,7 +235,7 @@ std::vector<double> Rows::at(const PathPoint& point) {
     add_where_defined(row, 1, [&] {
       const Real value = scalar.at(point, t);
       const bool is_length = scalar.kind == TabulatedScalar::arc_length;
-      row.push_back(round_to_double(is_length ? value + length_before(point.segment) : value));
+      row.push_back(round_to_double(is_length ? value + length().before(point.segment) : value));
     });
   }
   return row;
@@ -299,8 +296,8 @@ void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
       add_normals(row, turned(erf, value(*columns_.mtf, to_real(point.t) + before)));
     }
     if (frame == TabulatedFrame::exact_mtf) {
-      const ArcLength length(spline_.segments()[point.segment]);
-      const Real s = t.value(length.polynomial()) + length_before(point.segment);
+      const Real s =
+          t.value(length().segment(point.segment).polynomial()) + length().before(point.segment);
       add_normals(row, turned(erf, columns_.exact_mtf->value(s, rmf_angle())));
     }
   }

@@ -57,12 +57,6 @@ FrameTable frame_table(const Curve& curve, const TableColumns& columns,
 FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,
                        const std::vector<Rational>& at);
 
-/// A point of a spline: its parameter is segment + t.
-struct PathPoint {
-  std::size_t segment;
-  RealAlgebraic t;
-};
-
 /// The same along a spline. What is not continuous there, (n, b) and the scalars but s, is that of
 /// the segment named.
 FrameTable frame_table(const Path& path, const TableColumns& columns,

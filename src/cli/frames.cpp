@@ -36,19 +36,9 @@ std::vector<PathPoint> points(const FramesOptions& options, const Path& path, bo
 
 /// Where the arc length from the start has the values asked for; at a joint the later segment.
 std::vector<PathPoint> points_by_length(const FramesOptions& options, const Path& path) {
-  std::vector<ArcLength> lengths;
-  Rational total = 0;
-  for (const Curve& curve : path.segments()) total += lengths.emplace_back(curve).total();
+  const PathLength length(path);
   std::vector<PathPoint> at;
-  for (const Rational& s : options.parameters.values(total)) {
-    if (s < 0 || s > total)
-      throw DomainError("arc length: " + abbreviated(to_string(s)) + " is outside [0, " +
-                        abbreviated(to_string(total)) + "]");
-    Rational rest = s;
-    std::size_t k = 0;
-    for (; k + 1 < lengths.size() && rest >= lengths[k].total(); ++k) rest -= lengths[k].total();
-    at.push_back({k, lengths[k].algebraic_parameter(rest)});
-  }
+  for (const Rational& s : options.parameters.values(length.total())) at.push_back(length.point(s));
   return at;
 }
 

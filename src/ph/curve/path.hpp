@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "phrame/algebra/gaussian_integer.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
@@ -54,5 +55,11 @@ struct PathParameter {
 PathParameter locate(const Path& path, const Rational& t);
 /// The same, and of a curve, too.
 PathParameter locate_inside(const Path& path, const Rational& t);
+
+/// A point of a path, at an algebraic parameter on that segment.
+struct PathPoint {
+  std::size_t segment;
+  RealAlgebraic t;
+};
 
 }  // namespace phrame

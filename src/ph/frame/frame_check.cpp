@@ -113,20 +113,8 @@ FrameDeviation FrameCheck::deviation(const GivenFrame& frame, Forward forward, l
 }
 
 std::optional<Rational> FrameCheck::length(const Rational& a, const Rational& b) const {
-  if (b < a) return length(b, a);
-  const PathParameter from = locate(angle_.path(), a);
-  const PathParameter to = locate(angle_.path(), b);
-  Rational sum = 0;
-  for (std::size_t k = from.segment; k <= to.segment; ++k) {
-    const Curve& curve = angle_.path().segments()[k];
-    const Rational start = k == from.segment ? from.t : Rational(0);
-    const Rational end = k == to.segment ? to.t : Rational(1);
-    for (const RealRoot& zero : real_roots(curve.multiplier(), open(start, end)))
-      if (zero.order % 2 == 1) return std::nullopt;
-    const Polynomial s = arc_length(curve);
-    sum += abs(Rational(s(end) - s(start)));
-  }
-  return sum;
+  const Path& path = angle_.path();
+  return PathLength(path).between(locate(path, std::min(a, b)), locate(path, std::max(a, b)));
 }
 
 namespace {

@@ -1,6 +1,5 @@
 #include "phrame/ph/twist/minimal_twist.hpp"
 
-#include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
 
 namespace phrame {
@@ -10,16 +9,11 @@ MinimalTwist::MinimalTwist(const PathAngle& rmf, const FrameAngle& from, const F
     : rmf_(rmf),
       from_(from),
       start_(reduced(from)),
-      length_(0),
+      length_(rmf.path()),
       erf_twist_(remembered(-rmf.value(rmf.path().end()))),
       nominal_(Rational(0)),
       twist_(Rational(0)) {
-  for (const Curve& curve : rmf.path().segments()) {
-    const ArcLength s(curve);
-    arc_lengths_.push_back(s.polynomial());
-    starts_.push_back(length_);
-    length_ += s.total();
-  }
+  length_.total();  // throws where there is none
   // Whole turns of the angles given are no matter, however many.
   const FrameAngle given = difference(to, from);
   const FrameAngle between = reduced(given);
@@ -41,7 +35,7 @@ MinimalTwist::MinimalTwist(const PathAngle& rmf, const FrameAngle& from, const F
   turn_.half_turns += Rational(2 * (extra_turns - more_turns));
 }
 
-Real MinimalTwist::rate() const { return twist_ * Real(1 / length_); }
+Real MinimalTwist::rate() const { return twist_ * Real(1 / length()); }
 
 std::optional<Integer> MinimalTwist::whole_turns_of_theta() const {
   const auto half_turns = over_pi(turn_);
@@ -58,8 +52,7 @@ Real MinimalTwist::value(const FrameAngle& start, const Rational& t) const {
   if (t == 0) return to_real(start);
   if (t == path().end()) return to_real(start + turn_);
   const PathParameter at = locate_inside(path(), t);
-  const Real s(starts_[at.segment] + arc_lengths_[at.segment](at.t));
-  return value(start, s, rmf_.value(at));
+  return value(start, length_.value(at), rmf_.value(at));
 }
 
 Real MinimalTwist::value(const Real& s, const Real& rmf_angle) const {
@@ -67,7 +60,7 @@ Real MinimalTwist::value(const Real& s, const Real& rmf_angle) const {
 }
 
 Real MinimalTwist::value(const FrameAngle& start, const Real& s, const Real& rmf_angle) const {
-  return to_real(start) + twist_ * (s * Real(1 / length_)) + rmf_angle;
+  return to_real(start) + twist_ * (s * Real(1 / length())) + rmf_angle;
 }
 
 }  // namespace phrame

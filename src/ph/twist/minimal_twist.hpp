@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/frame/frame_angle.hpp"
 #include "phrame/ph/frame/path_angle.hpp"
 
@@ -18,9 +19,9 @@ class MinimalTwist {
   MinimalTwist(const PathAngle& rmf, const FrameAngle& from, const FrameAngle& to,
                const Integer& extra_turns = 0);
 
-  const Rational& length() const { return length_; }  ///< S
+  const Rational& length() const { return length_.total(); }  ///< S
   /// Of segment k, from its start.
-  const Polynomial& arc_length(std::size_t k) const { return arc_lengths_[k]; }
+  const Polynomial& arc_length(std::size_t k) const { return length_.segment(k).polynomial(); }
   /// The twist of the Euler–Rodrigues frame, −θ_RMF(end).
   const Real& erf_twist() const { return erf_twist_; }
   const Real& nominal_twist() const { return nominal_; }  ///< T
@@ -46,11 +47,9 @@ class MinimalTwist {
 
   PathAngle rmf_;
   FrameAngle from_;
-  FrameAngle start_;                     ///< θ_i in (−π, π]
-  FrameAngle turn_;                      ///< θ(end) − θ(0)
-  std::vector<Polynomial> arc_lengths_;  ///< of the segments
-  std::vector<Rational> starts_;         ///< s at their starts
-  Rational length_;
+  FrameAngle start_;  ///< θ_i in (−π, π]
+  FrameAngle turn_;   ///< θ(end) − θ(0)
+  PathLength length_;
   Real erf_twist_;
   Real nominal_;
   Real twist_;

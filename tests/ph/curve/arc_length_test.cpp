@@ -6,6 +6,7 @@
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/frame/totals.hpp"
 #include "support/curves.hpp"
+#include "support/paths.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -150,4 +151,64 @@ TEST_CASE("arc length: coefficients beyond the range of doubles only spoil the g
   CHECK(length.parameter(length.polynomial()(t)).exact() == t);
   const Rational s = length.total() / 2;
   CHECK(is_nearest(length.polynomial(), s, round_to_double(length.parameter(s))));
+}
+
+// s = 2t − t², s = t² and s = t + t³/3, joined: 1, 2 and 10/3.
+TEST_CASE("path length: up to the joints, between points, and back") {
+  const Path path =
+      test::chain({line({1}, {2, -2}), line({1}, {0, 2}), Curve({{1}, {}, {}, {0, 1}})});
+  const PathLength length(path);
+  CHECK(length.total() == Rational(10, 3));
+  CHECK(length.before(0) == 0);
+  CHECK(length.before(2) == 2);
+  CHECK(length.value({1, Rational(1, 2)}) == Rational(5, 4));
+  CHECK(length.between({0, Rational(1, 2)}, {2, 1}) == Rational(10, 3) - Rational(3, 4));
+  CHECK(length.between({1, Rational(1, 2)}, {1, 1}) == Rational(3, 4));
+  const auto place = [&](const Rational& s) {
+    const PathPoint point = length.point(s);
+    return std::pair(point.segment, point.t.rational().value());
+  };
+  using Place = std::pair<std::size_t, Rational>;
+  CHECK(place(0) == Place(0, 0));
+  CHECK(place(Rational(3, 4)) == Place(0, Rational(1, 2)));
+  CHECK(place(1) == Place(1, 0));
+  CHECK(place(Rational(5, 4)) == Place(1, Rational(1, 2)));
+  CHECK(place(2) == Place(2, 0));
+  CHECK(place(Rational(10, 3)) == Place(2, 1));
+  CHECK_THROWS_WITH_AS(length.point(4), "arc length: 4 is outside [0, 10/3]", DomainError);
+  CHECK_THROWS_AS(length.point(Rational(-1, 9)), DomainError);
+}
+
+// The second segment turns back at its middle: half a length there, half a length back.
+TEST_CASE("path length: a segment that turns back ends what is known, and is named") {
+  const PathLength length(test::chain({line({1}), line({1}, {1, -2}), line({1}, {-1})}));
+  CHECK(length.before(1) == 1);
+  CHECK(length.value({0, Rational(1, 2)}) == Rational(1, 2));
+  const char* why = "segment 2: arc length: the multiplier changes sign on [0, 1]";
+  CHECK_THROWS_WITH_AS(length.total(), why, DomainError);
+  CHECK_THROWS_WITH_AS(length.segment(1), why, DomainError);
+  CHECK(length.segment(2).total() == 1);
+  CHECK(length.between({0, Rational(1, 2)}, {1, Rational(1, 2)}) == Rational(3, 4));
+  CHECK_FALSE(length.between({0, 0}, {1, 1}));
+  CHECK_FALSE(length.between({0, 0}, {2, 0}));
+  CHECK(length.between({1, Rational(1, 2)}, {1, 1}) == Rational(1, 4));
+  // Of a curve t may be any number, and it is not a segment.
+  const PathLength curve{Path(line({1}, {1, -2}))};
+  CHECK(curve.between({0, -1}, {0, 0}) == Rational(2));
+  CHECK_THROWS_WITH_AS(curve.total(), "arc length: the multiplier changes sign on [0, 1]",
+                       DomainError);
+}
+
+TEST_CASE("path length: law: s and its inverse belong together, and pieces add up") {
+  for_samples(30, [](Random& random) {
+    const Curve curve(random.quaternion_polynomial(2));
+    const PathLength length(test::cut(curve, {Rational(1, 3), Rational(1, 2)}));
+    const ArcLength whole(curve);
+    CHECK(length.total() == whole.total());
+    const Rational s = length.total() * Rational(random.integer(0, 60), 60);
+    const PathPoint point = length.point(s);
+    const AlgebraicPoint t(point.t);
+    const Real there = t.value(length.segment(point.segment).polynomial());
+    CHECK((there + length.before(point.segment)).exact() == s);
+  });
 }
