@@ -3,33 +3,26 @@
 #include <fmt/format.h>
 
 #include "phrame/answer/rounded.hpp"
-#include "phrame/answer/totals.hpp"
 #include "phrame/ph/frame/erf_turning.hpp"
 #include "phrame/ph/frame/path_angle.hpp"
+#include "phrame/ph/frame/path_totals.hpp"
 
 namespace phrame {
 namespace {
 
-/// Sums over the segments; the energy is infinite where that of one is.
 void add_totals(InfoAnswer& answer, long digits) {
-  Real length = Rational(0);
-  std::optional<Real> energy = Rational(0);
-  const bool is_curve = answer.path.path.is_curve();
-  for (const Curve& curve : answer.path.path.segments()) {
-    const Real part = total_length(curve).value;
+  const Path& path = answer.path.path;
+  const PathTotal length = total_length(path);
+  for (const Total& segment : length.segments) {
     const std::string name =
-        is_curve ? "the length"
-                 : fmt::format("the length of segment {}", answer.lengths.size() + 1);
-    answer.lengths.push_back({part, rounded(part, name, digits)});
-    length = length + part;
-    const auto bending = bending_energy(curve);
-    if (!energy || std::holds_alternative<Infinite>(bending))
-      energy.reset();
-    else
-      energy = *energy + std::get<Total>(bending).value;
+        path.is_curve() ? "the length"
+                        : fmt::format("the length of segment {}", answer.lengths.size() + 1);
+    answer.lengths.push_back({segment.value, rounded(segment.value, name, digits)});
   }
-  answer.length = {length, rounded(length, "the length", digits)};
-  if (energy) answer.bending_energy = rounded(*energy, "the bending energy", digits);
+  answer.length = {length.value, rounded(length.value, "the length", digits)};
+  const auto energy = bending_energy(path);
+  if (const auto* finite = std::get_if<PathTotal>(&energy))
+    answer.bending_energy = rounded(finite->value, "the bending energy", digits);
 }
 
 std::vector<Decimal> rounded(const std::vector<RealRoot>& points, long digits) {

@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/ph/curve/named.hpp"
-#include "phrame/ph/frame/totals.hpp"
+#include "phrame/ph/frame/path_totals.hpp"
 
 namespace phrame {
 
@@ -22,17 +22,17 @@ enum class Quantity {
 struct TotalsAnswer {
   struct Row {
     Quantity quantity;
-    std::optional<Total> total = std::nullopt;        ///< in closed form
+    std::optional<PathTotal> total = std::nullopt;    ///< in closed form
     std::optional<Decimal> value = std::nullopt;      ///< no value where it is infinite
     std::optional<Infinite> infinite = std::nullopt;  ///< the pole, then
     std::string reason = {};                          ///< why there is neither
   };
-  NamedCurve curve;
+  NamedPath path;
   std::vector<Row> rows;  ///< of all quantities, in their order
   long digits;
 };
 
 /// Throws Undecided, naming the quantity, where one cannot be rounded.
-TotalsAnswer answer(const NamedCurve& curve, const TotalsQuery& query);
+TotalsAnswer answer(const NamedPath& path, const TotalsQuery& query);
 
 }  // namespace phrame

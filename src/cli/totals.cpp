@@ -15,7 +15,7 @@ void run(const TotalsOptions& options) {
   const auto print = choose<std::string (*)(const TotalsAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
   options.length.write(options.curve.output,
-                       print(answer(options.curve.read_curve(), TotalsQuery{options.digits})));
+                       print(answer(options.curve.read_path(), TotalsQuery{options.digits})));
 }
 
 }  // namespace
@@ -32,6 +32,7 @@ void add_totals(Program& program) {
       "Integrals from t = 0 to 1, each with its integrand, its antiderivative and its value.\n"
       "A total that is infinite is said to be so, with the pole; one that is not defined or not\n"
       "elementary says why. These are answers, too: the exit status is 0.\n"
+      "Of a spline they are the sums over its segments, without the formulas.\n"
       "Examples:\n"
       "  phrame totals curve.json --digits 30\n"
       "  phrame totals curve.json --print json -o totals.json");

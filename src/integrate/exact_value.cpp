@@ -162,17 +162,25 @@ ExactValue exact_value(const Rational& rational, LogChange change, const RealAlg
 
 bool is_rational(const ExactValue& x) { return x == ExactValue{x.rational, 0, {}, {}}; }
 
-ExactValue operator+(const ExactValue& a, const ExactValue& b) {
-  if (a.irrational_pi && b.irrational_pi)
-    throw DomainError("ExactValue: a sum of two irrational multiples of π");
+std::optional<ExactValue> sum_of(const std::vector<ExactValue>& values) {
+  Rational rational = 0;
   LogChange change;
-  for (const ExactValue* x : {&a, &b}) {
-    change.turns.push_back({{{-1, 0}, x->pi}, 0});
-    for (const auto& [factor, of] : x->logarithms) change.sizes.push_back({{of, 0}, factor});
-    for (const auto& [factor, of] : x->arctangents) change.turns.push_back({{{1, of}, factor}, 0});
+  std::optional<RealAlgebraic> irrational_pi;
+  for (const ExactValue& x : values) {
+    if (x.irrational_pi && irrational_pi) return std::nullopt;
+    if (x.irrational_pi) irrational_pi = x.irrational_pi;
+    rational += x.rational;
+    change.turns.push_back({{{-1, 0}, x.pi}, 0});
+    for (const auto& [factor, of] : x.logarithms) change.sizes.push_back({{of, 0}, factor});
+    for (const auto& [factor, of] : x.arctangents) change.turns.push_back({{{1, of}, factor}, 0});
   }
-  const auto& irrational = a.irrational_pi ? a.irrational_pi : b.irrational_pi;
-  return exact_value(a.rational + b.rational, change, irrational.value_or(RealAlgebraic(0)));
+  return exact_value(rational, change, irrational_pi.value_or(RealAlgebraic(0)));
+}
+
+ExactValue operator+(const ExactValue& a, const ExactValue& b) {
+  auto sum = sum_of({a, b});
+  if (!sum) throw DomainError("ExactValue: a sum of two irrational multiples of π");
+  return *std::move(sum);
 }
 
 ExactValue operator*(const Rational& c, const ExactValue& x) {

@@ -56,6 +56,8 @@ ExactValue exact_value(const Rational& rational, const LogChange& change);
 /// The same plus multiple·π.
 ExactValue exact_value(const Rational& rational, LogChange change, const RealAlgebraic& multiple);
 
+/// The sum; no value where several have an irrational multiple of π.
+std::optional<ExactValue> sum_of(const std::vector<ExactValue>& values);
 /// Throws DomainError where both have an irrational multiple of π.
 ExactValue operator+(const ExactValue& a, const ExactValue& b);
 ExactValue operator*(const Rational& c, const ExactValue& x);

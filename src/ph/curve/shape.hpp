@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "phrame/ph/curve/curve.hpp"
+#include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
 
@@ -34,5 +34,18 @@ struct Helix {
   friend bool operator==(const Helix&, const Helix&) = default;
 };
 std::optional<Helix> helix(const QuaternionPolynomial& a);
+
+// The same of a path: one line, one plane, one angle to one axis for all of its segments.
+
+std::optional<Vector<Rational>> line_direction(const Path& path);
+std::optional<Vector<Rational>> plane_normal(const Path& path);
+struct ConstantAngle {
+  Vector<Rational> axis;
+  Rational constant;        ///< axis·A i A* = constant·σ > 0 on each segment
+  Rational cosine_squared;  ///< strictly between 0 and 1
+  friend bool operator==(const ConstantAngle&, const ConstantAngle&) = default;
+};
+/// Of a path that is not plane.
+std::optional<ConstantAngle> helix(const Path& path);
 
 }  // namespace phrame

@@ -5,8 +5,6 @@
 #include "phrame/integrate/gaussian_logs.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/ph/curve/invariants.hpp"
-#include "phrame/ph/curve/shape.hpp"
-#include "phrame/ph/frame/frame.hpp"
 #include "phrame/ph/frame/rmf_angle.hpp"
 
 namespace phrame {
@@ -149,32 +147,6 @@ std::optional<Total> total_curvature(const Curve& curve) {
   const auto [root, rest] = split_square(Integer(numerator(square->constant)) * d);
   return total(RationalFunction(Polynomial{Rational(root, d)}) * rate, square->omega,
                Rational(rest));
-}
-
-// The tangents at the ends are rational vectors. Between them the tangent turns by ±α up to whole
-// turns, where it does not turn back; and an angle α with a rational cosine is a rational multiple
-// of π only for cos α = 0, ±1/2 and ±1 (Niven), that is a multiple of π/6.
-std::optional<Real> absolute_rotation_index(const Curve& curve) {
-  if (!plane_normal(curve.preimage())) return std::nullopt;
-  const Total curvature = total_curvature(curve).value();  // ρ of a plane curve is a square
-  if (curvature.value.exact() == Rational(0)) return Real(Rational(0));
-  if (const auto& x = curvature.exact; x && *x == ExactValue{0, x->pi, {}, {}})
-    return square_root_of(curvature.radicand) * Rational(x->pi / 2);
-  const Real index = curvature.value * Real([](long bits) {
-                       return divide(RealBall(Rational(1, 2), bits), pi(bits), bits);
-                     });
-  if (!curvature.sign_changes.empty()) return index;
-  const Frame<Rational> start = euler_rodrigues_frame(curve, 0);
-  const Frame<Rational> end = euler_rodrigues_frame(curve, 1);
-  Rational cosine = 0;
-  for (std::size_t k = 0; k < 3; ++k) cosine += start.e1[k] * end.e1[k];
-  if (cosine != 0 && abs(cosine) != 1 && abs(cosine) != Rational(1, 2)) return index;
-  for (long bits = 64;; bits *= 2) {
-    const RealBall twelfths = multiply(RealBall(12, bits), index.enclose(bits), bits);
-    flint::Fmpz nearest;
-    if (arb_get_unique_fmpz(nearest.get(), twelfths.raw()) != 0)
-      return Real(Rational(nearest.get()) / 12);
-  }
 }
 
 }  // namespace phrame

@@ -21,6 +21,7 @@ struct Total {
 /// A total that is infinite, with a pole of the rate on [0, 1], which is not negative.
 struct Infinite {
   RealAlgebraic pole;
+  std::size_t segment = 0;  ///< of a path, whose parameter the pole is then
   friend bool operator==(const Infinite&, const Infinite&) = default;
 };
 
@@ -40,10 +41,5 @@ Total total_torsion(const Curve& curve);
 /// ∫ κ ds = ∫ √ρ/σ dt for ρ = cω²: how far the tangent turns, in radians, without the half turns at
 /// cusps. No value where ρ is no square (double_ph).
 std::optional<Total> total_curvature(const Curve& curve);
-
-/// ∫ κ ds/2π of a plane curve, its absolute rotation index: by how many turns its tangent turns,
-/// left and right alike. Where it does not turn back, or the total curvature is known in finite
-/// terms, the index is exact if it is rational. No value for a curve that is not plane.
-std::optional<Real> absolute_rotation_index(const Curve& curve);
 
 }  // namespace phrame

@@ -1,6 +1,7 @@
 #include "phrame/io/write/totals.hpp"
 
 #include "io/reference.hpp"
+#include "support/paths.hpp"
 
 using namespace phrame;
 using test::Json;
@@ -55,4 +56,39 @@ TEST_CASE("totals report: what is infinite or undefined says so") {
   CHECK(line["torsion"]["reason"] == "a straight line has no torsion");
   CHECK(line["frenet_energy"]["value"].is_null());
   CHECK(line["rotation_index"]["value"] == "0");
+}
+
+TEST_CASE("totals report: of a spline, sums without formulas") {
+  const NamedPath loop{"loop", test::closed_loop()};
+  const Json out = Json::parse(to_json(answer(loop, TotalsQuery{10})));
+  CHECK(out["phrame"] == "spline-totals/1");
+  CHECK(out["length"] ==
+        Json{{"value", "5.333333333"}, {"radius", out["length"]["radius"]}, {"exact", "16/3"}});
+  CHECK(out["curvature"]["exact"] == "2*pi");
+  CHECK(out["rotation_index"] == Json{{"value", "1.000000000"}, {"radius", "0"}});
+  CHECK(out["bending_energy"]["exact"] == "4 + 3/2*pi");
+  const std::string text = to_text(answer(loop, TotalsQuery{5}));
+  CHECK(text.starts_with("loop: PH spline of 4 segments, closed\n\n  length ∫ ds\n    = 16/3\n"));
+  CHECK(contains(text, "  total curvature ∫ κ ds\n    = 2π\n    ≈ 6.2832\n"));
+  CHECK(
+      text.ends_with("From t = 0 to 4, the sums over the segments; decimals are correctly rounded "
+                     "to 5 digits.\n"));
+}
+
+TEST_CASE("totals report: of a spline, why there is no number, and on which segment") {
+  const Curve cusp({{1}, {}, {0, 1}, {}}, {-1, 2});
+  const NamedPath path{"", test::chain({Curve({{1}, {}, {}, {}}, {-1}), cusp})};
+  const Json out = Json::parse(to_json(answer(path, TotalsQuery{10})));
+  CHECK(out["torsion"] ==
+        Json{{"value", nullptr}, {"reason", "segment 1 is a straight line, which has no torsion"}});
+  CHECK(out["bending_energy"] == Json{{"value", "inf"}, {"pole", "3/2"}, {"segment", 2}});
+  CHECK(contains(to_text(answer(path, TotalsQuery{10})),
+                 "bending energy ∫ κ² ds = ∞, the pole is at t = 3/2\n"));
+  const NamedPath quintic{"", test::cut(test::farouki_quintic().curve, {Rational(1, 2)})};
+  const Json cut = Json::parse(to_json(answer(quintic, TotalsQuery{50})));
+  CHECK(cut["curvature"]["reason"] ==
+        "segment 1: κ is not rational, since ρ is not a constant times a square");
+  CHECK(cut["rotation_index"]["reason"] == "not in one plane");
+  const std::string theta = test::farouki_2003()["quintic"]["theta_RMF_rel_Frenet"]["1"];
+  test::check_rounded(cut["torsion"]["value"], cut["torsion"]["radius"], "-" + theta, 50, 50);
 }

@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "phrame/ph/curve/invariants.hpp"
+#include "support/paths.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -179,4 +180,28 @@ TEST_CASE("shape: law: the relations hold; real factors and rotations leave the 
     CHECK(plane_normal(turned).has_value() == plane_normal(a).has_value());
     if (const auto h = helix(turned)) CHECK(h->cosine_squared == helix(a)->cosine_squared);
   });
+}
+
+TEST_CASE("shape: of a path: one line, one plane, one angle for all segments") {
+  using test::chain;
+  const Curve line({{1}, {}, {}, {}});
+  const Curve flat({{1}, {}, {}, {0, 1}});     // in the plane of x and y
+  const Curve upright({{1}, {}, {0, 1}, {}});  // in that of x and z
+  CHECK(line_direction(chain({line, line})) == Vector<Rational>{1, 0, 0});
+  CHECK_FALSE(line_direction(chain({line, flat})));
+  CHECK(plane_normal(chain({line, flat})) == Vector<Rational>{0, 0, 1});
+  CHECK(plane_normal(test::closed_loop()) == Vector<Rational>{0, 0, 1});
+  CHECK(plane_normal(chain({flat, rotated(flat, {1, 0, 0, 1})})) == Vector<Rational>{0, 0, 1});
+  CHECK_FALSE(plane_normal(chain({reversed(rotated(flat, {0, 0, 0, 1})), upright})));
+  // (x, y, z) = (1, 2t², −2t), σ = 1 + 2t²: x + y = σ.
+  const Curve screw({{1}, {0, 1}, {0, 1}, {}});
+  const auto angle = helix(test::cut(screw, {Rational(1, 3)}));
+  REQUIRE(angle);
+  CHECK(angle->axis == Vector<Rational>{1, 1, 0});
+  CHECK(angle->cosine_squared == Rational(1, 2));
+  CHECK(angle->axis == helix(screw.preimage())->axis);
+  CHECK(angle->constant == helix(screw.preimage())->constant);
+  CHECK(helix(chain({line, screw})));  // the line has the angle at which it meets the screw
+  CHECK_FALSE(helix(chain({reversed(rotated(flat, {0, 0, 0, 1})), screw})));
+  CHECK_FALSE(helix(test::closed_loop()));
 }

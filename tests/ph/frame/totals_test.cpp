@@ -6,6 +6,7 @@
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/frame/path_totals.hpp"
 #include "phrame/ph/frame/rmf_angle.hpp"
 #include "support/curves.hpp"
 #include "support/random.hpp"
@@ -202,12 +203,14 @@ TEST_CASE("totals: the parts of a curve add up, and its reversal has the same") 
     const Curve first = segment(curve, 0, t);
     const Curve second = segment(curve, t, 1);
     const Curve back = reversed(curve);
-    for (Total (*total)(const Curve&) : {&total_length, &total_torsion}) {
+    using Sum = Total (*)(const Curve&);
+    for (const Sum total : {Sum(total_length), Sum(total_torsion)}) {
       const Real whole = total(curve).value;
       CHECK(agree(total(first).value + total(second).value, whole));
       CHECK(agree(total(back).value, whole));
     }
-    for (auto energy : {&bending_energy, &frenet_energy}) {
+    using Energy = std::variant<Total, Infinite> (*)(const Curve&);
+    for (const Energy energy : {Energy(bending_energy), Energy(frenet_energy)}) {
       const auto whole = energy(curve);
       const auto mirrored = energy(back);
       CHECK(whole.index() == mirrored.index());
