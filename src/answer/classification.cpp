@@ -2,8 +2,8 @@
 
 namespace phrame {
 
-ClassificationAnswer answer(const NamedCurve& named, const ClassificationQuery&) {
-  return {named, classify(named.curve)};
+ClassificationAnswer answer(const NamedPath& named, const ClassificationQuery&) {
+  return {named, classify(named.path)};
 }
 
 }  // namespace phrame

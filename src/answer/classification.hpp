@@ -4,14 +4,14 @@
 
 namespace phrame {
 
-/// Of which kinds is a curve?
+/// Of which kinds is a path, and are its segments?
 struct ClassificationQuery {};
 
 struct ClassificationAnswer {
-  NamedCurve curve;
-  Classification classification;
+  NamedPath path;
+  PathClassification classification;
 };
 
-ClassificationAnswer answer(const NamedCurve& curve, const ClassificationQuery& query);
+ClassificationAnswer answer(const NamedPath& path, const ClassificationQuery& query);
 
 }  // namespace phrame

@@ -14,7 +14,7 @@ void run(const ClassifyOptions& options) {
   const auto print = choose<std::string (*)(const ClassificationAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
   options.length.write(options.curve.output,
-                       print(answer(options.curve.read_curve(), ClassificationQuery{})));
+                       print(answer(options.curve.read_path(), ClassificationQuery{})));
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ void add_classify(Program& program) {
   command.set_notes(
       "Decided exactly: regular, inflections, straight line, plane, helix, double PH, primitive,\n"
       "whether the Euler-Rodrigues frame (ERF) or any rational frame is rotation-minimizing\n"
-      "(RMF), and where the ERF turns back.\n"
+      "(RMF), and where the ERF turns back. Of a spline each segment, and what is true of all.\n"
       "Examples:\n"
       "  phrame classify curve.json\n"
       "  phrame classify curve.json --print json -o class.json");

@@ -81,18 +81,32 @@ JsonOutput json_of(const std::variant<RationalFrame, NoRationalFrame>& frame) {
           {is_residue ? "residue_factor" : "pole_factor", phrame::json_of(none.factor)}};
 }
 
-}  // namespace
+std::string answer_text(const ConstantAngle& helix) {
+  return yes_or_no(
+      true, fmt::format("axis {}, cos²ψ = {}", shown(helix.axis), shown(helix.cosine_squared)));
+}
 
-std::string to_text(const ClassificationAnswer& answer) {
-  const Classification& c = answer.classification;
-  std::string text = heading(answer.curve.name, answer.curve.curve) + "\n\n";
+void add_row(std::string& text, std::string_view question, const std::string& found) {
+  text += row(question, found, 20);
+}
+
+std::string line_text(const std::optional<Vector<Rational>>& line) {
+  return line ? yes_or_no(true, "direction " + shown(*line)) : yes_or_no(false);
+}
+
+std::string plane_text(const std::optional<Vector<Rational>>& normal) {
+  return normal ? yes_or_no(true, "normal " + shown(*normal)) : yes_or_no(false);
+}
+
+std::string to_text(const Classification& c) {
+  std::string text;
   const auto row = [&](std::string_view question, const std::string& found) {
-    text += phrame::row(question, found, 20);
+    add_row(text, question, found);
   };
   row("regular", yes_or_no(c.cusps.empty(), c.cusps.empty() ? "" : "r′ = 0 at " + places(c.cusps)));
   row("inflections", c.inflections.empty() ? "none" : places(c.inflections));
-  row("straight line", c.line ? yes_or_no(true, "direction " + shown(*c.line)) : yes_or_no(false));
-  row("plane curve", c.normal ? yes_or_no(true, "normal " + shown(*c.normal)) : yes_or_no(false));
+  row("straight line", line_text(c.line));
+  row("plane curve", plane_text(c.normal));
   row("helix", c.helix ? answer_text(*c.helix) : yes_or_no(false));
   row("double PH", c.double_ph ? answer_text(*c.double_ph) : yes_or_no(false));
   row("primitive", c.content.is_constant()
@@ -102,40 +116,95 @@ std::string to_text(const ClassificationAnswer& answer) {
   row("rational RMF", answer_text(c.rational_frame));
   row("ERF turns one way", answer_text(c.erf_turning));
   row("extrema of ω₁", c.erf_turning.extrema.empty() ? "none" : places(c.erf_turning.extrema));
-  return text + "\nPoints are those on [0, 1]. The witnesses were checked, exactly.\n";
+  return text;
 }
 
-std::string to_json(const ClassificationAnswer& answer) {
-  const Classification& c = answer.classification;
+/// What is true of the whole of a spline, and of its segments.
+std::string spline_text(const Path& path, const PathClassification& c) {
+  std::string text;
+  add_row(text, "regular", yes_or_no(c.is_regular));
+  add_row(text, "straight line", line_text(c.line));
+  add_row(text, "in one plane", plane_text(c.normal));
+  add_row(text, "helix", c.helix ? answer_text(*c.helix) : yes_or_no(false));
+  add_row(text, "ERF is an RMF", yes_or_no(c.erf_is_rotation_minimizing));
+  for (std::size_t k = 0; k < c.segments.size(); ++k)
+    text += fmt::format("\nSegment {}: {}\n\n{}", k + 1, heading("", path.segments()[k]),
+                        to_text(c.segments[k]));
+  return text;
+}
+
+void add_direction(JsonOutput& json, const char* key, const char* witness,
+                   const std::optional<Vector<Rational>>& found) {
+  json[key] = {{"answer", found.has_value()}};
+  if (found) json[key][witness] = phrame::json_of(*found);
+}
+
+/// Without the format and the name.
+JsonOutput json_of(const Classification& c, const Curve& curve) {
   JsonOutput json = {
-      {"phrame", "classify/1"},
-      {"name", answer.curve.name},
-      {"degree", degree(answer.curve.curve)},
+      {"degree", degree(curve)},
       {"regular", {{"answer", c.cusps.empty()}, {"cusps", json_of(c.cusps)}}},
-      {"inflections", {{"answer", !c.inflections.empty()}, {"points", json_of(c.inflections)}}},
-      {"line", {{"answer", c.line.has_value()}}},
-      {"planar", {{"answer", c.normal.has_value()}}},
-      {"helical", {{"answer", c.helix.has_value()}}},
-      {"double_ph", {{"answer", c.double_ph.has_value()}}},
-      {"primitive", {{"answer", c.content.is_constant()}, {"content", json_of(c.content)}}},
-      {"erf_is_rmf", {{"answer", c.erf_is_rotation_minimizing}}},
-      {"rrmf", json_of(c.rational_frame)},
-      {"erf_monotone",
-       {{"answer", c.erf_turning.is_monotone},
-        {"zeros_of_h", json_of(c.erf_turning.zeros)},
-        {"extrema", json_of(c.erf_turning.extrema)}}}};
-  if (c.line) json["line"]["direction"] = phrame::json_of(*c.line);
-  if (c.normal) json["planar"]["normal"] = phrame::json_of(*c.normal);
+      {"inflections", {{"answer", !c.inflections.empty()}, {"points", json_of(c.inflections)}}}};
+  add_direction(json, "line", "direction", c.line);
+  add_direction(json, "planar", "normal", c.normal);
+  json["helical"] = {{"answer", c.helix.has_value()}};
   if (c.helix) {
     json["helical"]["axis"] = phrame::json_of(c.helix->axis);
     json["helical"]["cos_squared"] = to_string(c.helix->cosine_squared);
     json["helical"]["monotone"] = c.helix->is_monotone;
     json["helical"]["map_degree"] = c.helix->map_degree;
   }
+  json["double_ph"] = {{"answer", c.double_ph.has_value()}};
   if (c.double_ph) {
     json["double_ph"]["omega"] = phrame::json_of(c.double_ph->omega);
     json["double_ph"]["constant"] = to_string(c.double_ph->constant);
   }
+  json["primitive"] = {{"answer", c.content.is_constant()},
+                       {"content", phrame::json_of(c.content)}};
+  json["erf_is_rmf"] = {{"answer", c.erf_is_rotation_minimizing}};
+  json["rrmf"] = json_of(c.rational_frame);
+  json["erf_monotone"] = {{"answer", c.erf_turning.is_monotone},
+                          {"zeros_of_h", json_of(c.erf_turning.zeros)},
+                          {"extrema", json_of(c.erf_turning.extrema)}};
+  return json;
+}
+
+JsonOutput spline_json(const NamedPath& named, const PathClassification& c) {
+  JsonOutput json = {{"phrame", "spline-classify/1"},
+                     {"name", named.name},
+                     {"regular", {{"answer", c.is_regular}}}};
+  add_direction(json, "line", "direction", c.line);
+  add_direction(json, "planar", "normal", c.normal);
+  json["helical"] = {{"answer", c.helix.has_value()}};
+  if (c.helix) {
+    json["helical"]["axis"] = phrame::json_of(c.helix->axis);
+    json["helical"]["cos_squared"] = to_string(c.helix->cosine_squared);
+  }
+  json["erf_is_rmf"] = {{"answer", c.erf_is_rotation_minimizing}};
+  JsonOutput segments = JsonOutput::array();
+  for (std::size_t k = 0; k < c.segments.size(); ++k)
+    segments.push_back(json_of(c.segments[k], named.path.segments()[k]));
+  json["segments"] = segments;
+  return json;
+}
+
+}  // namespace
+
+std::string to_text(const ClassificationAnswer& answer) {
+  const Path& path = answer.path.path;
+  const PathClassification& c = answer.classification;
+  return fmt::format(
+      "{}\n\n{}\nPoints are those on [0, 1]{}. The witnesses were checked, exactly.\n",
+      heading(answer.path), path.is_curve() ? to_text(c.segments.front()) : spline_text(path, c),
+      path.is_curve() ? "" : " of the segment");
+}
+
+std::string to_json(const ClassificationAnswer& answer) {
+  const Path& path = answer.path.path;
+  const PathClassification& c = answer.classification;
+  if (!path.is_curve()) return pretty(spline_json(answer.path, c));
+  JsonOutput json = {{"phrame", "classify/1"}, {"name", answer.path.name}};
+  json.update(json_of(c.segments.front(), path.segments().front()));
   return pretty(json);
 }
 

@@ -6,6 +6,7 @@
 namespace phrame {
 
 std::string to_text(const ClassificationAnswer& answer);  ///< for reading, Unicode
-std::string to_json(const ClassificationAnswer& answer);  ///< classify/1
+/// classify/1, of a spline spline-classify/1
+std::string to_json(const ClassificationAnswer& answer);
 
 }  // namespace phrame

@@ -63,4 +63,23 @@ Classification classify(const Curve& curve) {
   return result;
 }
 
+PathClassification classify(const Path& path) {
+  PathClassification result{true, line_direction(path), plane_normal(path), helix(path), true, {}};
+  for (const Curve& curve : path.segments()) {
+    const Classification& segment = result.segments.emplace_back(classify(curve));
+    if (!segment.cusps.empty()) result.is_regular = false;
+    if (!segment.erf_is_rotation_minimizing) result.erf_is_rotation_minimizing = false;
+    const Vector<Polynomial> r = rotated_i(curve.preimage());
+    if (result.line)
+      for (std::size_t k = 0; k < 3; ++k)
+        check((*result.line)[k] * r[(k + 1) % 3] == (*result.line)[(k + 1) % 3] * r[k],
+              "line of the spline");
+    if (result.normal) check(dot(*result.normal, r).is_zero(), "normal of the spline");
+    if (result.helix)
+      check(dot(result.helix->axis, r) == result.helix->constant * sigma(curve.preimage()),
+            "helix of the spline");
+  }
+  return result;
+}
+
 }  // namespace phrame

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/paths.hpp"
+
 using namespace phrame;
 using Json = nlohmann::json;
 
@@ -66,4 +68,44 @@ TEST_CASE("classify report: why there is no rational frame, or which there is") 
   const Json json = Json::parse(to_json(report({{1}, {0, 1}, {}, {}})));
   CHECK(json["rrmf"]["answer"] == true);
   CHECK(json["line"]["direction"] == Json{"1", "0", "0"});
+}
+
+TEST_CASE("classify report: of a spline, the whole and its segments") {
+  const ClassificationAnswer loop = answer({"loop", test::closed_loop()}, ClassificationQuery{});
+  const std::string text = to_text(loop);
+  CHECK(text.starts_with("loop: PH spline of 4 segments, closed\n\n  regular               yes\n"));
+  CHECK(contains(text, "  in one plane          yes: normal (0, 0, 1)\n"));
+  CHECK(contains(text, "\nSegment 4: PH cubic, degree 3 (preimage of degree 1)\n\n  regular"));
+  CHECK(
+      text.ends_with("\nPoints are those on [0, 1] of the segment. The witnesses were checked, "
+                     "exactly.\n"));
+  const Json json = Json::parse(to_json(loop));
+  CHECK(json["phrame"] == "spline-classify/1");
+  CHECK(json["name"] == "loop");
+  CHECK(json["planar"] == Json{{"answer", true}, {"normal", {"0", "0", "1"}}});
+  CHECK(json["line"] == Json{{"answer", false}});
+  CHECK(json["erf_is_rmf"] == Json{{"answer", true}});
+  REQUIRE(json["segments"].size() == 4);
+  Json of_curve =
+      Json::parse(to_json(answer({"", loop.path.path.segments()[2]}, ClassificationQuery{})));
+  of_curve.erase("phrame");
+  of_curve.erase("name");
+  CHECK(json["segments"][2] == of_curve);
+}
+
+TEST_CASE("classify report: of a spline, where one segment makes the difference") {
+  const Curve screw({{1}, {0, 1}, {0, 1}, {}});
+  const auto report = [](const Path& path) {
+    return Json::parse(to_json(answer({"", path}, ClassificationQuery{})));
+  };
+  const Json pieces = report(test::cut(screw, {Rational(1, 2)}));
+  CHECK(pieces["helical"] ==
+        Json{{"answer", true}, {"axis", {"1", "1", "0"}}, {"cos_squared", "1/2"}});
+  CHECK(pieces["regular"] == Json{{"answer", true}});
+  CHECK(pieces["erf_is_rmf"] == Json{{"answer", false}});
+  const Curve stopping({{1}, {}, {}, {}}, {1, -1});
+  const Curve starting({{1}, {}, {}, {}}, {0, 1});
+  const Json line = report(test::chain({stopping, starting}));
+  CHECK(line["regular"] == Json{{"answer", false}});
+  CHECK(line["line"] == Json{{"answer", true}, {"direction", {"1", "0", "0"}}});
 }
