@@ -45,9 +45,9 @@ void frame_by_arc_length(State& state) {
 void interpolate(State& state, const Polynomial& speed) {
   const Curve curve = random_curve(state.range(0));
   const Feedrate feedrate{RationalFunction(speed)};
-  TravelTime time(curve, feedrate);
-  const Rational period = Rational(time.total().enclose(64).upper()) / 100;
-  for (auto _ : state) benchmark::DoNotOptimize(interpolation_table(curve, time, period));
+  const Real total = TravelTime(curve, feedrate).total();
+  const InterpolationQuery query{feedrate, Rational(total.enclose(64).upper()) / 100};
+  for (auto _ : state) benchmark::DoNotOptimize(answer(NamedPath("", curve), query));
   state.SetItemsProcessed(state.iterations() * 100);
 }
 void interpolate_constant(State& state) { interpolate(state, {1}); }

@@ -1,25 +1,42 @@
 #include "phrame/answer/interpolation.hpp"
 
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/curve/travel_time.hpp"
 
 namespace phrame {
 
-FrameTable interpolation_table(const Curve& curve, TravelTime& time, const Rational& period) {
+FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {
+  const Path& path = named.path;
+  TravelTime time(path, query.feedrate);
+  const Integer ticks = time.ticks(query.period);
+  if (const Integer rows = ticks + 1; rows > query.most_rows)
+    throw InputError(fmt::format("{} asks for {} rows, the limit is {}",
+                                 abbreviated(to_string(query.period)), abbreviated(rows.str()),
+                                 query.most_rows));
+
+  const PathLength length(path);
+  std::vector<Vector<Polynomial>> positions;
+  for (const Curve& curve : path.segments()) positions.push_back(position(curve));
   FrameTable table{{"k", "time", "t", "s", "x", "y", "z"}, {}, "interpolation/1"};
-  const Vector<Polynomial> r = position(curve);
-  const Polynomial s = ArcLength(curve).polynomial();
   const auto append = [&](const Integer& k, const Real& at, const TimedPoint& point) {
+    const Rational before(static_cast<long>(point.segment));
+    const Real s = point.value(length.segment(point.segment).polynomial());
     std::vector<double> row{round_to_double(Rational(k)), round_to_double(at),
-                            round_to_double(point.parameter), round_to_double(point.value(s))};
-    for (const Polynomial& x : r) row.push_back(round_to_double(point.value(x)));
+                            round_to_double(point.parameter + before),
+                            round_to_double(s + length.before(point.segment))};
+    for (const Polynomial& x : positions[point.segment])
+      row.push_back(round_to_double(point.value(x)));
     add_row(table, std::move(row), [&k] { return "point " + k.str(); });
   };
-  const Integer ticks = time.ticks(period);
   for (Integer k = 0; k < ticks; ++k) {
-    const Rational at = Rational(k) * period;
+    const Rational at = Rational(k) * query.period;
     append(k, at, time.at_time(at));
   }
-  append(ticks, time.total(), {Rational(1), AlgebraicPoint(Rational(1))});
+  append(ticks, time.total(),
+         {path.segments().size() - 1, Rational(1), AlgebraicPoint(Rational(1))});
   return table;
 }
 

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "phrame/answer/interpolation.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/feedrate.hpp"
@@ -8,14 +6,21 @@
 namespace phrame::cli {
 namespace {
 
-constexpr long max_rows = 10'000'000;
-
 struct InterpolateOptions {
   CurveOptions curve;
   std::string period;
   std::string feed;
   std::string format = "csv";
 };
+
+FrameTable points(const NamedPath& path, const InterpolationQuery& query) {
+  try {
+    return answer(path, query);
+  } catch (const InputError& error) {
+    if (!error.place().empty()) throw;
+    throw InputError("--period", error.reason());
+  }
+}
 
 void run(const InterpolateOptions& options) {
   const auto format = choose<std::string (*)(const FrameTable&)>(
@@ -24,13 +29,8 @@ void run(const InterpolateOptions& options) {
   if (period <= 0)
     throw InputError("--period", abbreviated(to_string(period)) + " is not positive");
   const Feedrate feed = at_place("--feed", ", ", [&] { return parse_feedrate(options.feed); });
-  const NamedCurve named = options.curve.read_curve();
-  TravelTime time(named.curve, feed);
-  if (const Integer rows = time.ticks(period) + 1; rows > max_rows)
-    throw InputError(
-        "--period", fmt::format("{} asks for {} rows, the limit is {}",
-                                abbreviated(to_string(period)), abbreviated(rows.str()), max_rows));
-  write_output(options.curve.output, format(interpolation_table(named.curve, time, period)));
+  const NamedPath path = options.curve.read_path();
+  write_output(options.curve.output, format(points(path, {feed, period})));
 }
 
 }  // namespace
@@ -51,6 +51,7 @@ void add_interpolate(Program& program) {
       "The columns are k, time, t, s, x, y, z: the parameter t with the integral of |r'|/V from 0\n"
       "to t equal to the time k*PERIOD, the arc length s and the point there; the last row is the\n"
       "end of the curve with the total time. All numbers are correctly rounded doubles.\n"
+      "Along a spline, time, t, s and V run on through the joints.\n"
       "V is positive and a function of one of s (arc length from t = 0), t (parameter) and kappa\n"
       "(curvature of a plane curve, > 0 in a left turn). A product needs its sign: 2*s, not 2s.\n"
       "Examples:\n"

@@ -4,6 +4,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
+#include "support/paths.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -17,8 +18,7 @@ Feedrate feed(const Polynomial& v, Feedrate::Of of = Feedrate::Of::arc_length) {
 }
 
 FrameTable points(const Curve& curve, const Feedrate& feedrate, const Rational& period) {
-  TravelTime time(curve, feedrate);
-  return interpolation_table(curve, time, period);
+  return answer({"", curve}, InterpolationQuery{feedrate, period});
 }
 
 }  // namespace
@@ -86,4 +86,57 @@ TEST_CASE("interpolation: JSON names its own format; what is too large is refuse
   const Curve huge({Polynomial{test::power_of_ten(200)}, {}, {}, {}});
   CHECK_THROWS_WITH_AS(points(huge, feed({test::power_of_ten(400)}), 1),
                        "point 1: s does not fit a double, of at most 1.8e308", InputError);
+}
+
+namespace {
+
+/// The same in the columns named, to the last bit?
+void check_columns(const FrameTable& a, const FrameTable& b,
+                   const std::vector<std::size_t>& which) {
+  REQUIRE(a.rows.size() == b.rows.size());
+  for (std::size_t k = 0; k < a.rows.size(); ++k)
+    for (const std::size_t column : which) CHECK(a.rows[k][column] == b.rows[k][column]);
+}
+
+const std::vector<std::size_t> all_but_t{0, 1, 3, 4, 5, 6};
+
+}  // namespace
+
+TEST_CASE("interpolation: pieces of a curve are passed as the whole") {
+  const Curve quintic = test::farouki_quintic().curve;
+  const Path pieces = test::cut(quintic, {Rational(1, 3)});
+  const auto check = [](const Curve& whole, const Path& cut, const Feedrate& feedrate) {
+    const InterpolationQuery query{feedrate, Rational(1, 7)};
+    check_columns(answer({"", cut}, query), answer({"", whole}, query), all_but_t);
+  };
+  check(quintic, pieces, feed({2}));
+  check(quintic, pieces, feed({1, Rational(1, 2)}));
+  check(quintic, pieces, feed({1, 0, Rational(1, 4)}));
+  check(quintic, test::cut(quintic, {Rational(1, 5), Rational(2, 5), Rational(3, 5)}),
+        {RationalFunction({3}, {1, 1}), Feedrate::Of::arc_length});
+  const Curve plane({{1}, {}, {}, {0, 1}});
+  check(plane, test::cut(plane, {Rational(1, 3), Rational(2, 3)}),
+        {RationalFunction({5}, {1, 2}), Feedrate::Of::curvature});
+  // The parameter of the whole is half of that of two equal pieces.
+  const Path halves = test::cut(quintic, {Rational(1, 2)});
+  const auto of_t = Feedrate::Of::parameter;
+  const FrameTable whole =
+      answer({"", quintic}, InterpolationQuery{feed({1, 0, 1}, of_t), Rational(1, 7)});
+  const FrameTable cut =
+      answer({"", halves}, InterpolationQuery{feed({1, 0, Rational(1, 4)}, of_t), Rational(1, 7)});
+  check_columns(cut, whole, all_but_t);
+  for (std::size_t k = 0; k < cut.rows.size(); ++k) CHECK(cut.rows[k][2] == 2 * whole.rows[k][2]);
+}
+
+// Two unit lengths along x at V = 1.
+TEST_CASE("interpolation: a tick at a joint, and too many rows") {
+  const Curve line = test::straight_line().curve;
+  const NamedPath two{"", test::chain({line, line})};
+  const FrameTable table = answer(two, InterpolationQuery{feed({1}), 1});
+  REQUIRE(table.rows.size() == 3);
+  CHECK(table.rows[1] == Row{1, 1, 1, 1, 1, 0, 0});
+  CHECK(table.rows[2] == Row{2, 2, 2, 2, 2, 0, 0});
+  CHECK_THROWS_WITH_AS(answer(two, InterpolationQuery{feed({1}), Rational(1, 5), 10}),
+                       "1/5 asks for 11 rows, the limit is 10", InputError);
+  CHECK_NOTHROW(answer(two, InterpolationQuery{feed({1}), Rational(1, 5), 11}));
 }

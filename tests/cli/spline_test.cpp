@@ -57,12 +57,52 @@ TEST_CASE("splines: what is refused, and where") {
   check_failure(here.run("angle broken.json"), 2, "broken.json:/segments/1: the tangent breaks");
   check_failure(here.run("info other.json"), 2,
                 "/phrame: the format is \"curve/1\" or \"spline/1\", not \"spline/2\"");
-  for (const char* command : {"classify", "totals", "identify", "interpolate --period 1 --feed 1"})
+  for (const char* command : {"identify", "certify", "prove --at 1"})
     check_failure(here.run(std::string(command) + " s.json"), 2,
                   "this is a spline; one curve is wanted");
+  check_failure(here.run("interpolate s.json --period 1/10000000 --feed 1"), 2,
+                "--period: 1/10000000 asks for 33333335 rows, the limit is 10000000");
+  check_failure(here.run("interpolate s.json --period 1 --feed '3 - s'"), 3,
+                "feedrate: the speed is 0 at t ≈ 2.8");
   check_failure(here.run("angle s.json --frame frenet"), 2,
                 "--frame: \"frenet\" is for single curves");
   check_failure(here.run("angle s.json --print sympy"), 2,
                 "--print: \"sympy\" is for single curves");
   check_failure(here.run("angle s.json --at 4"), 3, "t = 4 is outside [0, 3]");
+}
+
+TEST_CASE("splines: totals, classify and interpolate") {
+  const Workshop here;
+  add_splines(here);
+  const auto totals = nlohmann::json::parse(here.run("totals s.json --print json").out);
+  CHECK(totals["phrame"] == "spline-totals/1");
+  CHECK(totals["length"]["exact"] == "10/3");
+  CHECK(totals["rotation_index"]["value"] == "0.25000000000000000");
+  CHECK(totals["torsion"]["reason"] == "segment 1 is a straight line, which has no torsion");
+  CHECK(totals["bending_energy"]["exact"] == "1 + 3/8*pi");
+  const auto classes = nlohmann::json::parse(here.run("classify s.json --print json").out);
+  CHECK(classes["regular"]["answer"] == false);
+  CHECK(classes["planar"]["normal"] == nlohmann::json{"0", "0", "1"});
+  CHECK(classes["segments"][1]["regular"]["cusps"][0]["t"] == "0");
+  // Through the cusp: s = 2t − t², s = 1 + (t − 1)².
+  const Run points = here.run("interpolate s.json --period 1/4 --feed 1");
+  check_success(points);
+  CHECK(contains(points.out,
+                 "\n3,0.75,0.5,0.75,0.75,0,0\n4,1,1,1,1,0,0\n5,1.25,1.5,1.25,1.25,0,0\n"));
+  CHECK(points.out.ends_with(
+      "\n14,3.3333333333333335,3,3.3333333333333335,2.6666666666666665,1,0\n"));
+}
+
+// mpmath: quadrature of |r′|τ, |r′|κ², |r′|(κ² + τ²) and of |r′|/(1 + (k + t)²), these from
+// r′, r″ and r‴ as vectors, and its root finder.
+TEST_CASE("splines: the totals and motions of the closed spline of the examples") {
+  const Workshop here;
+  here.write("closed.json", bytes_of(root("/examples/curves/closed-spline.json")));
+  const auto totals = nlohmann::json::parse(here.run("totals closed.json --print json").out);
+  CHECK(totals["torsion"]["value"] == "-1.6782458621678584");
+  CHECK(totals["bending_energy"]["value"] == "20.374612525767639");
+  CHECK(totals["frenet_energy"]["value"] == "49.279344513875339");
+  const Run points = here.run("interpolate closed.json --period 1 --feed '1 + t^2'");
+  CHECK(contains(points.out, "\n4,4,1.4730938632589596,"));
+  CHECK(contains(points.out, "\n6,5.970479698460352,4,20.441814595660748,"));
 }

@@ -19,12 +19,21 @@ struct Feedrate {
   friend bool operator==(const Feedrate&, const Feedrate&) = default;
 };
 
-/// V as a function of the parameter t. Throws DomainError where the curvature is asked for and is
-/// no rational function (signed_curvature says why), and where f changes sign on [0, 1].
-RationalFunction speed_along(const Curve& curve, const Feedrate& feedrate);
+/// Where a curve begins that is a segment of a path: what the quantities of the path are there.
+struct SegmentStart {
+  Rational parameter = 0;
+  Rational arc_length = 0;
+};
+
+/// V as a function of the parameter t ∈ [0, 1] of the curve. Throws DomainError where the curvature
+/// is asked for and is no rational function (signed_curvature says why), and where f changes sign
+/// on [0, 1].
+RationalFunction speed_along(const Curve& curve, const Feedrate& feedrate,
+                             const SegmentStart& start = {});
 
 /// |f|σ/V, the rate dT/dt at which time passes. Throws DomainError as above and where V is not
 /// positive and finite on all of [0, 1]: decided exactly, with the place of the zero or the pole.
-RationalFunction travel_time_rate(const Curve& curve, const Feedrate& feedrate);
+RationalFunction travel_time_rate(const Curve& curve, const Feedrate& feedrate,
+                                  const SegmentStart& start = {});
 
 }  // namespace phrame

@@ -4,14 +4,17 @@
 #include "phrame/algebra/algebraic_point.hpp"
 #include "phrame/algebra/increasing.hpp"
 #include "phrame/integrate/evaluator.hpp"
+#include "phrame/integrate/integral_sum.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/ph/curve/feedrate.hpp"
+#include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
 
-/// A point of a curve that is reached at a given time.
+/// A point of a path that is reached at a given time.
 struct TimedPoint {
-  Real parameter;  ///< t
+  std::size_t segment;
+  Real parameter;  ///< t, on that segment
   /// t again, where it is known to be algebraic. Else it is transcendental, if only because no
   /// logarithm cancelled by chance.
   std::optional<AlgebraicPoint> algebraic;
@@ -20,40 +23,56 @@ struct TimedPoint {
   Real value(const Polynomial& p) const;
 };
 
-/// The time T(t) = ∫₀ᵗ |f|σ/V a motion with feedrate V takes from 0 to t ∈ [0, 1], strictly
-/// increasing, and its inverse: the interpolation integral of [Farouki 2008], in closed form.
+/// The time T(t) = ∫₀ᵗ |f|σ/V a motion with feedrate V takes from the start of a path to t,
+/// strictly increasing, and its inverse: the interpolation integral of [Farouki 2008], in closed
+/// form. The arc length and the parameter that V may depend on are those of the whole path; so is
+/// the plane that the curvature belongs to. Not for concurrent use.
 class TravelTime {
  public:
-  /// Throws DomainError as travel_time_rate().
-  TravelTime(const Curve& curve, const Feedrate& feedrate);
+  /// Throws DomainError as travel_time_rate(), and where the curvature is asked for and the
+  /// segments are not in one plane.
+  TravelTime(const Path& path, const Feedrate& feedrate);
 
-  const RationalFunction& rate() const { return rate_; }  ///< T′
-  const Antiderivative& antiderivative() const { return antiderivative_; }
+  const RationalFunction& rate(std::size_t segment = 0) const { return segments_[segment].rate; }
+  const Antiderivative& antiderivative(std::size_t segment = 0) const {
+    return segments_[segment].antiderivative;
+  }
 
-  /// T(t), exact where it is rational.
-  Real time(const Rational& t) const { return evaluator_.value(0, t); }
+  /// T(t), exact where it is seen to be rational. Throws DomainError for t outside [0, end].
+  Real time(const Rational& t) const;
 
-  const Real& total() const { return total_; }  ///< T(1)
-  /// How many whole k ≥ 0 have k·period < T(1). Throws DomainError for a period ≤ 0, Undecided
-  /// where T(1) cannot be told from a multiple of the period.
+  const Real& total() const { return starts_.back(); }  ///< T(end)
+  /// How many whole k ≥ 0 have k·period < T(end). Throws DomainError for a period ≤ 0, Undecided
+  /// where T(end) cannot be told from a multiple of the period.
   Integer ticks(const Rational& period) const;
 
-  /// The point with T = time. Exact and algebraic t are decided where T has no logarithms. Else t
-  /// is transcendental by Baker's theorem, but where the logarithms cancel; of such t those with
-  /// denominators of up to 32 bits are recognised, and the correct rounding of others may be
-  /// undecided. Requests in ascending order are the fastest: the last t is where the search for the
-  /// next one starts. Throws DomainError for a time outside [0, T(1)], Undecided where that is not
-  /// decided.
+  /// The point with T = time, at a joint that of the later segment. Exact and algebraic t are
+  /// decided where T has no logarithms, and on a spline where T is rational up to the start of the
+  /// segment. Else t is transcendental by Baker's theorem, but where the logarithms cancel; of such
+  /// t those with denominators of up to 32 bits are recognised, and the correct rounding of others
+  /// may be undecided. Requests in ascending order are the fastest: the last t is where the search
+  /// for the next one starts. Throws DomainError for a time outside [0, T(end)], Undecided where
+  /// that is not decided, or the segment.
   TimedPoint at_time(const Rational& time);
 
  private:
-  void require_within(const Rational& time) const;
+  struct Segment {
+    RationalFunction rate;
+    Antiderivative antiderivative;
+    Evaluator evaluator;  ///< of it
+  };
 
-  RationalFunction rate_;
-  Antiderivative antiderivative_;
-  Evaluator evaluator_;
-  std::shared_ptr<const IncreasingFunction> function_;
-  Real total_;
+  void require_within(const Rational& time) const;
+  std::size_t segment_at(const Rational& time) const;
+  void go_to(std::size_t segment);
+  KnownIntegral integral(const PathParameter& at) const;
+  Real time(const PathParameter& at) const;
+
+  Path path_;
+  std::vector<Segment> segments_;
+  std::vector<Real> starts_;  ///< T at their starts and at the end
+  std::size_t last_segment_ = 0;
+  std::shared_ptr<const IncreasingFunction> function_;  ///< along that segment
   double last_ = 0;  ///< the last t found: the guess for the next
 };
 

@@ -6,6 +6,7 @@
 #include "phrame/integrate/quadrature.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 #include "support/curves.hpp"
+#include "support/paths.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -163,4 +164,83 @@ TEST_CASE("travel time: times off the curve are refused with the value") {
   CHECK_THROWS_WITH_AS(time.at_time(2), doctest::Contains("2 is outside [0, 1.174"), DomainError);
   CHECK_THROWS_WITH_AS(time.at_time(-1), doctest::Contains("-1 is outside"), DomainError);
   CHECK(time.at_time(0).parameter.exact() == 0);
+}
+
+// s = 71/15 of the quintic, V = 2; the first third is as long as s(1/3).
+TEST_CASE("travel time: a time at a joint is decided where times are rational") {
+  const Path pieces = test::cut(quintic, {Rational(1, 3)});
+  TravelTime time(pieces, feed({2}));
+  const Rational joint = arc_length(quintic)(Rational(1, 3)) / 2;
+  CHECK(time.time(1).exact() == joint);
+  CHECK(time.total().exact() == Rational(71, 30));
+  const TimedPoint point = time.at_time(joint);
+  CHECK(point.segment == 1);
+  CHECK(point.parameter.exact() == Rational(0));
+  CHECK(time.at_time(Rational(71, 30)).parameter.exact() == Rational(1));
+  CHECK(time.at_time(joint - parse_rational("1e-40")).segment == 0);
+  CHECK(time.ticks(joint) > 1);
+}
+
+// T = log(1 + s) on the x axis, s from 0 to 2: at s = 1 it is log 2, at time 1 s = e − 1.
+TEST_CASE("travel time: behind a joint that is reached at an irrational time") {
+  const Curve line({{1}, {}, {}, {}});
+  TravelTime time(test::chain({line, line}), feed({1, 1}));
+  CHECK(digits(time.time(1)) == "0.6931471805599453094172321");  // OEIS A002162
+  CHECK(digits(time.total()) == "1.098612288668109691395245");   // OEIS A002391
+  const TimedPoint point = time.at_time(1);
+  CHECK(point.segment == 1);
+  CHECK(digits(point.parameter) == "0.7182818284590452353602875");  // OEIS A001113, e − 2
+  CHECK(time.at_time(Rational(1, 2)).segment == 0);
+  CHECK_THROWS_AS(time.at_time(Rational(11, 10)), DomainError);
+}
+
+// 1/V = 1 + (t − 1/2)/(t² − t + 5) along x, cut at 1/3: the logarithms cancel at the end only. With
+// (t − 1/4)/(t² − t/2 + 5) they cancel at t = 1/2, 1/4 of the second segment.
+TEST_CASE("travel time: logarithms of different segments that cancel are recognised") {
+  const Path pieces = test::cut(Curve({{1}, {}, {}, {}}), {Rational(1, 3)});
+  const auto of_length = [](const Polynomial& d, const Rational& middle) {
+    return Feedrate{RationalFunction(d, d + Polynomial{-middle, 1}), Of::arc_length};
+  };
+  TravelTime whole(pieces, of_length({5, -1, 1}, Rational(1, 2)));
+  CHECK_FALSE(whole.time(1).exact());
+  CHECK(whole.total().exact() == Rational(1));
+  CHECK(whole.ticks(1) == 1);
+  TravelTime half(pieces, of_length({5, Rational(-1, 2), 1}, Rational(1, 4)));
+  const TimedPoint point = half.at_time(Rational(1, 2));
+  CHECK(point.segment == 1);
+  CHECK(point.parameter.exact() == Rational(1, 4));
+}
+
+TEST_CASE("travel time: a speed that fails on a later segment is refused at its place") {
+  const Curve line({{1}, {}, {}, {}});
+  const Path two = test::chain({line, line});
+  const auto refused = [&](const Path& path, const Feedrate& feedrate, const char* why) {
+    CHECK_THROWS_WITH_AS(TravelTime(path, feedrate), doctest::Contains(why), DomainError);
+  };
+  refused(two, feed({3, -2}), "the speed is 0 at t = 3/2");
+  refused(two, feed({-2, 0, 1}, Of::parameter), "negative, -2 at t = 0");
+  refused(two, feed({2, 0, -1}, Of::parameter), "the speed is 0 at t ≈ 1.414213562");
+  refused(two, {RationalFunction({1}, {2, -1}), Of::parameter}, "is infinite at t = 2");
+  refused(test::chain({line, Curve({{1}, {}, {}, {}}, {1, -2}), Curve({{1}, {}, {}, {}}, {-1})}),
+          feed({1}), "segment 2: arc length: the multiplier changes sign");
+  const Curve upright({{1}, {}, {0, 1}, {}});
+  const Path bent = test::chain({reversed(rotated(plane, {0, 0, 0, 1})), upright});
+  refused(bent, {RationalFunction(Polynomial{3, 1}), Of::curvature}, "the spline is not plane");
+}
+
+TEST_CASE("travel time: law: pieces take the time of the whole") {
+  for_samples(30, [](Random& random) {
+    const Curve curve(random.quaternion_polynomial(2));
+    const Feedrate feedrate = feed({Rational(1, random.integer(1, 9)), abs(random.rational())});
+    const Rational joint(random.integer(1, 6), 7);
+    TravelTime whole(curve, feedrate);
+    TravelTime pieces(test::cut(curve, {joint}), feedrate);
+    CHECK(round_to_double(pieces.total()) == round_to_double(whole.total()));
+    const Rational at = whole.total().enclose(64).lower() * Rational(random.integer(1, 99), 100);
+    const TimedPoint point = pieces.at_time(at);
+    const Rational from = point.segment == 0 ? Rational(0) : joint;
+    const Rational to = point.segment == 0 ? joint : Rational(1);
+    const Real t = point.parameter * Real(to - from) + from;
+    CHECK(round_to_double(t) == round_to_double(whole.at_time(at).parameter));
+  });
 }
