@@ -14,7 +14,8 @@ set(rooms algebra integrate ph/curve ph/frame ph/twist ph/proof answer io/write 
 # What io/write may include: the values that answers are made of, with the polynomials of a curve.
 set(value_header "^(algebra|answer|io/write)/\
 |^integrate/(antiderivative|exact_value|other_form|path_end|pole_table|radicals|real_form)\\.hpp$\
-|^ph/curve/(curve|invariants|named|path|quaternion|special_points)\\.hpp$")
+|^ph/curve/(curve|invariants|named|path|quaternion|special_points)\\.hpp$\
+|^ph/proof/certificate\\.hpp$")
 set(flint_header "^(flint/.+|(acb|arb|arf|mag|fmpr|fmpz|fmpq|bool_mat|dlog|dirichlet|bernoulli\
 |hypgeom|partitions|double_interval)[a-z_]*\\.h)$")
 set(private_header "^(nlohmann|fmt|CLI)/")
