@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "phrame/algebra/ball_series.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 
@@ -17,8 +18,7 @@ RealBall accurate(const Real::Enclosure& theta, const RealBall& scale) {
   constexpr long most = 1L << 17;
   for (long more = bits; more <= most; more *= 2) {
     const RealBall value = theta(more);
-    RealBall allowed = add(absolute(value), scale, bits);
-    arb_mul_2exp_si(allowed.raw(), allowed.raw(), -84);
+    const RealBall allowed = times_power_of_two(add(absolute(value), scale, bits), -84);
     if (value.radius() == 0 || value.radius() <= allowed.lower()) return value;
   }
   throw Undecided(fmt::format("compiled angle: {} bits do not tell a constant angle from 0", most));
@@ -35,13 +35,11 @@ std::optional<PolynomialPiece> angle_piece(
   if (sign(least_denominator) <= 0) return std::nullopt;
   const BallPolynomial numerator = per_y(rate.numerator(), *piece, bits);
 
-  BallPolynomial taylor;
-  arb_poly_div_series(taylor.raw(), numerator.raw(), denominator.raw(), shape.degree, bits);
-  arb_poly_integral(taylor.raw(), taylor.raw(), bits);
-  const RealBall size = variation(taylor, bits);
+  const BallPolynomial rate_series = divide_series(numerator, denominator, shape.degree, bits);
+  const BallPolynomial from_center = antiderivative(rate_series, bits);
+  const RealBall size = variation(from_center, bits);
   const RealBall at_center = accurate([&](long more) { return theta(piece->center, more); }, size);
-  arb_poly_set_coeff_arb(taylor.raw(), 0, at_center.raw());
-  piece->coefficients = round_coefficients({taylor}, shape);
+  piece->coefficients = round_coefficients({with_constant(from_center, at_center)}, shape);
 
   const BallPolynomial p = exact_polynomial(piece->coefficients, shape, 0);
   const BallPolynomial residual =
@@ -52,11 +50,11 @@ std::optional<PolynomialPiece> angle_piece(
   if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
   const double off = sum_up(upper_double(remainder), rounding_error(piece->coefficients, shape, 0));
   const double at_zero = upper_double(absolute(subtract(p.coefficient(0), at_center, bits)));
-  if (arb_is_zero(at_center.raw()) == 0)
-    piece->error = sum_up(off, at_zero);
-  else
+  if (at_center.is_zero())
     piece->error_per_y = off;
-  if (arb_is_zero(size.raw()) == 0)
+  else
+    piece->error = sum_up(off, at_zero);
+  if (!size.is_zero())
     piece->error = sum_up(piece->error, underflow_error * (1 + upper_double(size)));
   return piece;
 }
