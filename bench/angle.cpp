@@ -23,7 +23,7 @@ void symbolic(State& state, Reference reference) {
     benchmark::DoNotOptimize(angle);
   }
 }
-void erf_symbolic(State& state) { symbolic(state, Reference::erf); }
+void erf_symbolic(State& state) { symbolic(state, Reference::euler_rodrigues); }
 void frenet_symbolic(State& state) { symbolic(state, Reference::frenet); }
 
 /// The coprimality of h and σ, is D squarefree, the factors of D and 1/D′ mod D; n/D is θ′.
@@ -89,7 +89,7 @@ void value(State& state, Reference reference) {
     state.ResumeTiming();
   }
 }
-void erf_value(State& state) { value(state, Reference::erf); }
+void erf_value(State& state) { value(state, Reference::euler_rodrigues); }
 void frenet_value(State& state) { value(state, Reference::frenet); }
 
 /// Arb's isolation of the roots of the denominator of −2h/σ, which both values rest on.
@@ -109,12 +109,12 @@ void from_scratch(State& state, Reference reference) {
     benchmark::DoNotOptimize(round_to_decimal(angle.value(1), digits));
   }
 }
-void erf_from_scratch(State& state) { from_scratch(state, Reference::erf); }
+void erf_from_scratch(State& state) { from_scratch(state, Reference::euler_rodrigues); }
 void frenet_from_scratch(State& state) { from_scratch(state, Reference::frenet); }
 
 /// θ at t = 0, 1/1000, …, correctly rounded to double; roots are isolated once.
 void doubles(State& state) {
-  RmfAngle angle(random_curve(state.range(0)), Reference::erf);
+  RmfAngle angle(random_curve(state.range(0)), Reference::euler_rodrigues);
   long k = 0;
   for (auto _ : state)
     benchmark::DoNotOptimize(round_to_double(angle.value(Rational(++k % 1001, 1000))));
@@ -124,7 +124,7 @@ void doubles(State& state) {
 /// The rotation-minimizing frame at such t, nine components correctly rounded.
 void frames(State& state) {
   const Curve curve = random_curve(state.range(0));
-  RmfAngle angle(curve, Reference::erf);
+  RmfAngle angle(curve, Reference::euler_rodrigues);
   long k = 0;
   for (auto _ : state) {
     const auto frame = rotation_minimizing_frame(curve, angle, Rational(++k % 1001, 1000));

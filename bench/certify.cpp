@@ -15,12 +15,13 @@ using State = benchmark::State;
 
 void certify(State& state) {
   const Curve curve = random_curve(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(phrame::certify(curve, Reference::erf, {1}, 40));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(phrame::certify(curve, Reference::euler_rodrigues, {1}, 40));
 }
 
 void verify(State& state) {
   const Certificate certificate =
-      phrame::certify(random_curve(state.range(0)), Reference::erf, {1}, 40);
+      phrame::certify(random_curve(state.range(0)), Reference::euler_rodrigues, {1}, 40);
   for (auto _ : state) benchmark::DoNotOptimize(phrame::verify(certificate));
 }
 

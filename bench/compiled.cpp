@@ -37,12 +37,12 @@ void values(State& state, F f) {
 
 void compile_angle(State& state) {
   const Curve curve = random_curve(state.range(0));
-  RmfAngle angle(curve, Reference::erf);
+  RmfAngle angle(curve, Reference::euler_rodrigues);
   for (auto _ : state) benchmark::DoNotOptimize(CompiledAngle(angle, 0, 1));
 }
 void compile_frames(State& state) {
   const Curve curve = random_curve(state.range(0));
-  RmfAngle angle(curve, Reference::erf);
+  RmfAngle angle(curve, Reference::euler_rodrigues);
   for (auto _ : state) benchmark::DoNotOptimize(CompiledFrames(curve, angle, 0, 1));
 }
 
@@ -64,14 +64,14 @@ void compile_spline(State& state) {
 
 /// Correctly rounded.
 void compiled_angle(State& state) {
-  RmfAngle angle(random_curve(state.range(0)), Reference::erf);
+  RmfAngle angle(random_curve(state.range(0)), Reference::euler_rodrigues);
   CompiledAngle compiled(angle, 0, 1);
   values(state, [&](double t) { return compiled(t); });
 }
 /// Every component within 2^−53.
 void compiled_frame(State& state) {
   const Curve curve = random_curve(state.range(0));
-  RmfAngle angle(curve, Reference::erf);
+  RmfAngle angle(curve, Reference::euler_rodrigues);
   const CompiledFrames compiled(curve, angle, 0, 1);
   values(state, [&](double t) { return compiled(t); });
 }
@@ -169,7 +169,7 @@ void steps_by_double_reflection(State& state) {
   const DoubleCurve in_doubles(curve);
   const long steps = state.range(0);
   std::vector<Point> f2(static_cast<std::size_t>(steps + 1));
-  RmfAngle angle(curve, Reference::erf);
+  RmfAngle angle(curve, Reference::euler_rodrigues);
   const CompiledFrames exact(curve, angle, 0, 1);
   for (auto _ : state) double_reflection(in_doubles, exact(0).e2, steps, f2);
   double error = 0;
@@ -187,7 +187,7 @@ void steps_by_compiled_frames(State& state) {
   const Curve curve = quintic();
   const long steps = state.range(0);
   std::vector<Frame<double>> frames(static_cast<std::size_t>(steps + 1));
-  RmfAngle angle(curve, Reference::erf);
+  RmfAngle angle(curve, Reference::euler_rodrigues);
   const CompiledFrames compiled(curve, angle, 0, 1);
   for (auto _ : state)
     for (long k = 0; k <= steps; ++k)
@@ -208,7 +208,7 @@ void steps_by_header(State& state) {
       Frame<double>& frame = frames[static_cast<std::size_t>(k)];
       quintic_frame(at(k), frame.e1.data(), frame.e2.data(), frame.e3.data());
     }
-  RmfAngle angle(curve, Reference::erf);
+  RmfAngle angle(curve, Reference::euler_rodrigues);
   const CompiledFrames exact(curve, angle, 0, 1);
   double error = 0;
   for (long k = 0; k <= steps; ++k) {
@@ -221,7 +221,7 @@ void steps_by_header(State& state) {
 
 void steps_by_gauss(State& state) {
   const Curve curve = quintic();
-  RmfAngle angle(curve, Reference::erf);
+  RmfAngle angle(curve, Reference::euler_rodrigues);
   const auto n = doubles(angle.rate().numerator());
   const auto d = doubles(angle.rate().denominator());
   const long steps = state.range(0);

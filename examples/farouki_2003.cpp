@@ -57,10 +57,11 @@ int main() {
   print_roots(split->a, sigma(preimage), "z", "c");
   print_roots(split->b, rho(preimage), "w", "d");
 
-  for (const Reference reference : {Reference::erf, Reference::frenet}) {
+  for (const Reference reference : {Reference::euler_rodrigues, Reference::frenet}) {
     RmfAngle theta(curve, reference);
-    std::cout << (reference == Reference::erf ? "θ relative to the Euler–Rodrigues frame\n"
-                                              : "θ relative to the Frenet frame\n");
+    std::cout << (reference == Reference::euler_rodrigues
+                      ? "θ relative to the Euler–Rodrigues frame\n"
+                      : "θ relative to the Frenet frame\n");
     for (int k = 0; k <= 10; ++k) {
       const Rational t(k, 10);
       std::cout << "  " << to_string(t) << "\t" << round_to_decimal(theta.value(t), 50).value

@@ -1,6 +1,7 @@
 # cmake -P layering.cmake
 # Holds the layering of src/, by its preprocessor lines and, without comments, its text:
 #   - a file includes, as "phrame/<room>/<file>.hpp", only its own room and those below it;
+#   - what writes sees answers and values, and nothing that evaluates them;
 #   - only algebra/flint.hpp includes headers of FLINT and Arb, and only it has #if;
 #   - only algebra calls FLINT and Arb, names their types and asks ours for them by raw();
 #   - a header starts with #pragma once, and what src/phrame.hpp reaches needs no private dependency.
@@ -10,6 +11,10 @@ cmake_minimum_required(VERSION 3.25)
 cmake_path(SET SOURCE_DIR NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../src)
 # From below to above; a folder of `ph` or `io` is a room, and what lies in io itself sees both of its.
 set(rooms algebra integrate ph/curve ph/frame ph/twist ph/proof answer io/write io/read io cli)
+# What io/write may include: the values that answers are made of, with the polynomials of a curve.
+set(value_header "^(algebra|answer|io/write)/\
+|^integrate/(antiderivative|exact_value|other_form|path_end|pole_table|radicals|real_form)\\.hpp$\
+|^ph/curve/(curve|invariants|named|path|quaternion|special_points)\\.hpp$")
 set(flint_header "^(flint/.+|(acb|arb|arf|mag|fmpr|fmpz|fmpq|bool_mat|dlog|dirichlet|bernoulli\
 |hypgeom|partitions|double_interval)[a-z_]*\\.h)$")
 set(flint_name "_?(arb|acb|arf|mag|fmpr|fmpz|fmpzi|fmpq|nmod|flint)_[a-z][a-z0-9_]*\
@@ -79,6 +84,10 @@ foreach(file IN LISTS files)
       list(FIND rooms ${CMAKE_MATCH_1} included)
       if(included EQUAL -1 OR included GREATER height)
         violation("${directive}: not in its own room or below")
+      endif()
+      string(REGEX REPLACE "^\"phrame/(.*)\".*" "\\1" included ${header})
+      if(room STREQUAL io/write AND NOT included MATCHES "${value_header}")
+        violation("${directive}: it evaluates, and what writes only writes")
       endif()
     elseif(header MATCHES "^<phrame/" OR NOT header MATCHES "^<([^>]+)>")
       violation("${directive}: ours are included as \"phrame/<room>/<file>.hpp\", others in <>")

@@ -28,14 +28,14 @@ int main(int argc, char** argv) {
   const long m = std::atol(argv[2]);
   const std::string text = bench::random_curve_text(m);
   const Curve curve = bench::random_curve(m);
-  RmfAngle angle(curve, Reference::erf);
+  RmfAngle angle(curve, Reference::euler_rodrigues);
   CompiledAngle compiled(angle, 0, 1);
   const CompiledFrames compiled_frames(curve, angle, 0, 1);
   long k = 0;
   const auto other = [&k] { return static_cast<double>(++k) / 1009; };
   const std::map<std::string, std::function<void()>> stages{
       // From the text of a curve file to the checked antiderivative.
-      {"symbolic", [&] { RmfAngle(read_curve(text).curve, Reference::erf); }},
+      {"symbolic", [&] { RmfAngle(read_curve(text).curve, Reference::euler_rodrigues); }},
       // θ(1) to 50 digits, roots isolated anew.
       {"first-value",
        [&] {

@@ -39,14 +39,14 @@ RealBall radius_of(const RealBall& a) {
 long exponent_above(const RealBall& a) {
   flint::Mag size;
   arb_get_mag(size.get(), a.raw());
-  if (mag_is_inf(size.get()) != 0) return greatest_exponent;
-  return mag_is_zero(size.get()) != 0 ? -greatest_exponent : fmpz_get_si(MAG_EXPREF(size.get()));
+  if (mag_is_inf(size.get()) != 0) return unbounded_exponent;
+  return mag_is_zero(size.get()) != 0 ? -unbounded_exponent : fmpz_get_si(MAG_EXPREF(size.get()));
 }
 
 long exponent_below(const RealBall& a) {
   flint::Mag size;
   arb_get_mag_lower(size.get(), a.raw());
-  return mag_is_zero(size.get()) != 0 ? -greatest_exponent
+  return mag_is_zero(size.get()) != 0 ? -unbounded_exponent
                                       : fmpz_get_si(MAG_EXPREF(size.get())) - 1;
 }
 

@@ -24,11 +24,11 @@ RealBall least_size(const RealBall& a, long bits);
 RealBall radius_of(const RealBall& a);
 
 /// Beyond every exponent of a number ≠ 0 that is computed.
-inline constexpr long greatest_exponent = 1L << 60;
-/// An e with |x| < 2^e for all x of the ball; −greatest_exponent for 0, greatest_exponent where
+inline constexpr long unbounded_exponent = 1L << 60;
+/// An e with |x| < 2^e for all x of the ball; −unbounded_exponent for 0, unbounded_exponent where
 /// there is none.
 long exponent_above(const RealBall& a);
-/// An e with |x| ≥ 2^e for all x of the ball; −greatest_exponent where 0 is one.
+/// An e with |x| ≥ 2^e for all x of the ball; −unbounded_exponent where 0 is one.
 long exponent_below(const RealBall& a);
 
 bool contains_integer(const RealBall& a);

@@ -41,7 +41,7 @@ std::optional<GaussianInteger> prime_above(const Integer& p) {
   const Integer exponent = (p - 1) / 4;
   Integer r;
   fmpz_powm(r.raw(), g.raw(), exponent.raw(), p.raw());
-  const GaussianInteger pi = gcd({p, 0}, {r, 1});
+  const GaussianInteger pi = gcd(GaussianInteger{p, 0}, GaussianInteger{r, 1});
   if (norm(pi) != p) return std::nullopt;
   return pi.re > pi.im ? pi : GaussianInteger{pi.im, pi.re};
 }

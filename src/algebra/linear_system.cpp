@@ -5,12 +5,12 @@
 namespace phrame {
 namespace {
 
-struct Matrix {
+struct RationalMatrix {
   fmpq_mat_t value;
-  Matrix(slong rows, slong columns) { fmpq_mat_init(value, rows, columns); }
-  ~Matrix() { fmpq_mat_clear(value); }
-  Matrix(const Matrix&) = delete;
-  Matrix& operator=(const Matrix&) = delete;
+  RationalMatrix(slong rows, slong columns) { fmpq_mat_init(value, rows, columns); }
+  ~RationalMatrix() { fmpq_mat_clear(value); }
+  RationalMatrix(const RationalMatrix&) = delete;
+  RationalMatrix& operator=(const RationalMatrix&) = delete;
 
   void set_column(slong k, const Polynomial& p) {
     for (slong row = 0; row <= p.degree(); ++row)
@@ -24,9 +24,9 @@ std::optional<std::vector<Rational>> solve_for_coefficients(const std::vector<Po
                                                             const Polynomial& right_side,
                                                             long equations) {
   if (static_cast<long>(columns.size()) != equations) return std::nullopt;
-  Matrix a(equations, equations);
-  Matrix x(equations, 1);
-  Matrix b(equations, 1);
+  RationalMatrix a(equations, equations);
+  RationalMatrix x(equations, 1);
+  RationalMatrix b(equations, 1);
   for (long k = 0; k < equations; ++k) a.set_column(k, columns[static_cast<std::size_t>(k)]);
   b.set_column(0, right_side);
   if (fmpq_mat_solve(x.value, a.value, b.value) == 0) return std::nullopt;
@@ -41,7 +41,7 @@ std::vector<std::vector<Rational>> linear_relations(const std::vector<Polynomial
   long rows = 1;
   for (const Polynomial& column : p) rows = std::max(rows, column.degree() + 1);
   const auto columns = static_cast<long>(p.size());
-  Matrix a(rows, columns);
+  RationalMatrix a(rows, columns);
   for (long k = 0; k < columns; ++k) a.set_column(k, p[static_cast<std::size_t>(k)]);
   fmpq_mat_rref(a.value, a.value);
   std::vector<std::vector<Rational>> relations;

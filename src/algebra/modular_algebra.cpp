@@ -65,12 +65,14 @@ ModularPolynomial ModularAlgebra::compose(const ModularPolynomial& form,
 
 namespace {
 
-struct Matrix {
+struct ModularMatrix {
   nmod_mat_t value;
-  Matrix(slong rows, slong columns, ulong prime) { nmod_mat_init(value, rows, columns, prime); }
-  ~Matrix() { nmod_mat_clear(value); }
-  Matrix(const Matrix&) = delete;
-  Matrix& operator=(const Matrix&) = delete;
+  ModularMatrix(slong rows, slong columns, ulong prime) {
+    nmod_mat_init(value, rows, columns, prime);
+  }
+  ~ModularMatrix() { nmod_mat_clear(value); }
+  ModularMatrix(const ModularMatrix&) = delete;
+  ModularMatrix& operator=(const ModularMatrix&) = delete;
 
   ulong& entry(slong row, slong column) { return nmod_mat_entry(value, row, column); }
 };
@@ -83,8 +85,8 @@ std::vector<ulong> values_of_powers(const ModularAlgebra& algebra, const Modular
                                     const ModularPolynomial& c, long count) {
   const slong n = algebra.size();
   const auto width = static_cast<slong>(std::ceil(std::sqrt(static_cast<double>(count))));
-  Matrix forms(width, n, algebra.prime());
-  Matrix powers(n, width, algebra.prime());
+  ModularMatrix forms(width, n, algebra.prime());
+  ModularMatrix powers(n, width, algebra.prime());
   ModularPolynomial power(algebra.prime());
   nmod_poly_one(power.raw());
   for (slong i = 0; i < width; ++i) {
@@ -96,7 +98,7 @@ std::vector<ulong> values_of_powers(const ModularAlgebra& algebra, const Modular
     for (slong k = 0; k <= row.degree(); ++k) forms.entry(j, k) = row.coefficient(k);
     row = algebra.compose(row, power);
   }
-  Matrix result(width, width, algebra.prime());
+  ModularMatrix result(width, width, algebra.prime());
   nmod_mat_mul(result.value, forms.value, powers.value);
   std::vector<ulong> values;
   for (slong k = 0; k < count; ++k) values.push_back(result.entry(k / width, k % width));

@@ -139,4 +139,10 @@ Real to_real(const RealAlgebraic& a) {
   return {[a](long bits) { return enclose(a, bits); }, {true, bits_of(a)}};
 }
 
+std::string place(std::string_view letter, const RealAlgebraic& a) {
+  const auto exact = a.rational();
+  return std::string(letter) +
+         (exact ? " = " + abbreviated(to_string(*exact)) : " ≈ " + to_string(enclose(a, 64), 12));
+}
+
 }  // namespace phrame

@@ -1,6 +1,8 @@
 #pragma once
 #include <compare>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "phrame/algebra/rounding.hpp"
@@ -67,6 +69,9 @@ int sign_at(const Polynomial& q, const RealAlgebraic& a);
 
 /// A ball around a with a radius ≤ 2^−bits · max(1, |a|).
 RealBall enclose(const RealAlgebraic& a, long bits);
+
+/// "t = 1/2", "t ≈ 0.584803547642", long fractions abbreviated: where something is, for messages.
+std::string place(std::string_view letter, const RealAlgebraic& a);
 
 /// The bits of what it is made from: of its polynomial, times the degree.
 long bits_of(const RealAlgebraic& a);

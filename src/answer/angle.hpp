@@ -9,7 +9,7 @@ namespace phrame {
 
 /// Which angle is the rotation-minimizing frame at?
 struct AngleQuery {
-  Reference reference = Reference::erf;
+  Reference reference = Reference::euler_rodrigues;
   Angle start_angle = {};         ///< θ(0)
   std::vector<Rational> at = {};  ///< the t where θ is asked for
   long digits = 17;               ///< of its values

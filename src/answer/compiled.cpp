@@ -39,7 +39,7 @@ CompiledAnswer answer(const NamedPath& named, const CompiledQuery& query) {
   const RmfAngle angle(curve, reference);
   CompiledAnswer compiled{
       named, reference, start, compiled_angle(angle, start, from, to, plain_shape(1)), {}};
-  if (reference == Reference::erf)
+  if (reference == Reference::euler_rodrigues)
     compiled.rotation = compiled_rotation(curve, angle, start, from, to, plain_shape(4));
   return compiled;
 }

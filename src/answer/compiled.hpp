@@ -8,7 +8,7 @@ namespace phrame {
 
 /// The angle and the frame as polynomials with a proof, docs/compiled.md.
 struct CompiledQuery {
-  Reference reference = Reference::erf;
+  Reference reference = Reference::euler_rodrigues;
   Angle start_angle = {};
   double from = 0;  ///< of a curve; a spline is compiled as a whole
   double to = 1;

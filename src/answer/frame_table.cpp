@@ -29,7 +29,7 @@ std::pair<const char*, const char*> vector_names(TabulatedFrame frame) {
   switch (frame) {
     case TabulatedFrame::rmf:
       return {"f2", "f3"};
-    case TabulatedFrame::erf:
+    case TabulatedFrame::euler_rodrigues:
       return {"e2", "e3"};
     case TabulatedFrame::frenet:
       return {"n", "b"};
@@ -262,7 +262,7 @@ void Rows::add_rational(std::vector<double>& row, const PathParameter& at) {
   add_values(row, round_to_double(evaluate(here.position, at.t)));
   add_values(row, rmf ? rmf->e1 : round_to_double(erf().e1));
   for (const TabulatedFrame frame : columns_.frames) {
-    if (frame == TabulatedFrame::erf) add_normals(row, erf());
+    if (frame == TabulatedFrame::euler_rodrigues) add_normals(row, erf());
     if (frame == TabulatedFrame::frenet)
       add_where_defined(row, 6, [&] { add_normals(row, here.frames.frenet(at.t)); });
     if (frame == TabulatedFrame::rmf && rmf) {
@@ -287,7 +287,7 @@ void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
   const Frame<Real> erf = here.algebraic->euler_rodrigues(t);
   add_values(row, round_to_double(erf.e1));
   for (const TabulatedFrame frame : columns_.frames) {
-    if (frame == TabulatedFrame::erf) add_normals(row, erf);
+    if (frame == TabulatedFrame::euler_rodrigues) add_normals(row, erf);
     if (frame == TabulatedFrame::frenet)
       add_where_defined(row, 6, [&] { add_normals(row, here.algebraic->frenet(t)); });
     const auto rmf_angle = [&] {

@@ -9,11 +9,11 @@ namespace phrame {
 
 /// The frames that a table can hold beside t, r and e₁.
 enum class TabulatedFrame {
-  rmf,        ///< f₂, f₃: rotation-minimizing, equal to (e₂, e₃) at t = 0
-  erf,        ///< e₂, e₃: Euler–Rodrigues
-  frenet,     ///< n, b
-  mtf,        ///< of minimal twist and rational
-  exact_mtf,  ///< of minimal twist, at a constant rate
+  rmf,              ///< f₂, f₃: rotation-minimizing, equal to (e₂, e₃) at t = 0
+  euler_rodrigues,  ///< e₂, e₃
+  frenet,           ///< n, b
+  mtf,              ///< of minimal twist and rational
+  exact_mtf,        ///< of minimal twist, at a constant rate
 };
 
 /// Numbers that it can hold as well.

@@ -50,7 +50,7 @@ InfoAnswer answer(const NamedPath& named, const InfoQuery& query) {
   if (path.is_curve()) {
     const Curve& curve = path.segments().front();
     const ErfTurning turning = erf_turning(curve);
-    answer.cusps = cusps(curve, closed(0, 1));
+    answer.cusps = cusps(curve);
     answer.erf_inflections = rounded(turning.zeros, query.digits);
     answer.erf_extrema = rounded(turning.extrema, query.digits);
   } else if (const auto holonomy = angle.holonomy()) {

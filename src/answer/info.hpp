@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/algebra/rounding.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/named.hpp"
 
 namespace phrame {
@@ -21,7 +21,7 @@ struct InfoAnswer {
   std::optional<Decimal> bending_energy;  ///< ∫ κ² ds; no value where it is infinite
   std::optional<Decimal> holonomy;        ///< where a spline is closed
   // Of a curve by itself:
-  std::vector<Interval> cusps;           ///< in [0, 1]
+  std::vector<RealRoot> cusps;           ///< in [0, 1]
   std::vector<Decimal> erf_inflections;  ///< in (0, 1), where the ERF turns back
   std::vector<Decimal> erf_extrema;      ///< in (0, 1), of its rate about e₁
 };

@@ -36,7 +36,7 @@ AngleQuery query(const AngleOptions& options) {
 }
 
 void require_curve(const AngleOptions& options, const AngleQuery& query) {
-  if (query.reference != Reference::erf) fail_for_spline("--frame", options.frame);
+  if (query.reference != Reference::euler_rodrigues) fail_for_spline("--frame", options.frame);
   if (options.form.chosen_print().as == Print::As::script)
     fail_for_spline("--print", options.form.print);
 }

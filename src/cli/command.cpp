@@ -12,6 +12,7 @@
 
 #include "phrame/io/read/angle.hpp"
 #include "phrame/io/write/number_text.hpp"
+#include "phrame/io/write/reference_names.hpp"
 #include "phrame/io/write/text.hpp"
 
 namespace phrame::cli {
@@ -49,8 +50,7 @@ void add_reference(Command& command, std::string& name, const std::string& what)
 }
 
 Reference chosen_reference(const std::string& name) {
-  return choose<Reference>("--frame", name,
-                           {{"erf", Reference::erf}, {"frenet", Reference::frenet}});
+  return choose<Reference>("--frame", name, reference_names);
 }
 
 void fail_for_spline(const std::string& option, const std::string& value) {

@@ -46,7 +46,7 @@ void run(const Command& command, const CompileOptions& options) {
                                      "\" is not a letter followed by letters, digits and single _");
   const auto [name, path] = options.curve.read_path();
   if (!path.is_curve()) {
-    if (reference != Reference::erf) fail_for_spline("--frame", options.frame);
+    if (reference != Reference::euler_rodrigues) fail_for_spline("--frame", options.frame);
     if (command.is_given("--from")) fail_for_spline("--from", options.from);
     if (command.is_given("--to")) fail_for_spline("--to", options.to);
   }

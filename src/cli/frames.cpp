@@ -57,7 +57,7 @@ TableColumns columns(const FramesOptions& options) {
   for (const std::string& name : split(options.frames))
     columns.frames.push_back(choose<TabulatedFrame>("--frame", name,
                                                     {{"rmf", TabulatedFrame::rmf},
-                                                     {"erf", TabulatedFrame::erf},
+                                                     {"erf", TabulatedFrame::euler_rodrigues},
                                                      {"frenet", TabulatedFrame::frenet},
                                                      {"mtf", TabulatedFrame::mtf},
                                                      {"mtf-exact", TabulatedFrame::exact_mtf}}));

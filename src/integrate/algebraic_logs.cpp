@@ -15,7 +15,7 @@
 namespace phrame {
 namespace {
 
-constexpr long first_bits = 256;
+constexpr long first_root_bits = 256;
 constexpr long largest_denominator = 24;
 constexpr long largest_exponent = 4096;
 
@@ -94,12 +94,13 @@ Rational common_scale(const Terms& terms) {
 std::optional<Rational> multiple_of_pi(const GaussianLogs& logs, const Endpoint& a,
                                        const Endpoint& b, const Real::Enclosure& enclose) {
   if (!logs.others.empty()) throw DomainError("multiple_of_pi: a residue is not in ℚ(i)");
-  const RealBall turn = divide(enclose(first_bits), pi(first_bits), first_bits);
+  const RealBall turn = divide(enclose(first_root_bits), pi(first_root_bits), first_root_bits);
   // A multiple of 1/unit is looked for; most numbers are near none.
   const Rational scale = common_scale(logs.arguments);
   Rational unit = scale;
   const auto nearest = [&](const RealBall& x) -> std::optional<Rational> {
-    const auto whole = unique_integer(multiply(x, RealBall(unit, first_bits), first_bits));
+    const RealBall multiple = multiply(x, RealBall(unit, first_root_bits), first_root_bits);
+    const auto whole = unique_integer(multiple);
     return whole ? std::optional(*whole / unit) : std::nullopt;
   };
   std::optional<Rational> found = nearest(turn);

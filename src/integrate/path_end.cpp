@@ -6,7 +6,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/sturm.hpp"
-#include "phrame/integrate/definite.hpp"
+#include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
 
 namespace phrame {

@@ -209,6 +209,13 @@ TextbookForm textbook_form(const Antiderivative& F) {
   return result;
 }
 
+std::vector<LogSum> sums_over_poles(const TextbookForm& F) {
+  std::vector<LogSum> sums;
+  const RationalFunction rest = differentiate(Antiderivative{{}, {}, F.sums});
+  for (const SimpleFraction& f : simple_fractions(rest)) sums.push_back(full_partial_fraction(f));
+  return sums;
+}
+
 RationalFunction differentiate(const RealForm& form) {
   RationalFunction result =
       RationalFunction(differentiate(form.polynomial)) + differentiate(form.rational);

@@ -56,6 +56,10 @@ struct TextbookForm {
 /// three poles to a residue that are more than one arctangent.
 TextbookForm textbook_form(const Antiderivative& F);
 
+/// The sums of F, written over the poles, not the residues: continuous between the real poles with
+/// principal logarithms.
+std::vector<LogSum> sums_over_poles(const TextbookForm& F);
+
 /// Exactly. Precondition: what has a √d comes with its conjugates, as in a result of real_form().
 RationalFunction differentiate(const RealForm& form);
 

@@ -25,7 +25,7 @@ long radius_exponent(const BallPolynomial& d, long largest) {
   long e = largest;
   for (long k = 1; k <= d.degree_bound(); ++k) {
     const long size = exponent_above(d.coefficient(k));
-    if (size != -greatest_exponent) e = std::min(e, floor_quotient(middle - size - k - 1, k));
+    if (size != -unbounded_exponent) e = std::min(e, floor_quotient(middle - size - k - 1, k));
   }
   return e;
 }

@@ -9,6 +9,7 @@
 #include "phrame/io/write/failure.hpp"
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/number_text.hpp"
+#include "phrame/io/write/reference_names.hpp"
 
 namespace phrame {
 namespace {
@@ -35,8 +36,8 @@ std::string id_of(const JsonValue& line) {
 
 Reference frame_of(const JsonNode& node) {
   const std::string& name = node.string();
-  if (name == "erf") return Reference::erf;
-  if (name == "frenet") return Reference::frenet;
+  for (const auto& [known, reference] : reference_names)
+    if (name == known) return reference;
   node.fail(fmt::format("\"{}\" is not one of erf, frenet", abbreviated(name)));
 }
 
@@ -85,7 +86,7 @@ std::pair<NamedPath, AngleQuery> question(const JsonNode& line, const BatchDefau
 
 std::string answer_text(const JsonNode& line, const BatchDefaults& defaults) {
   auto [named, query] = question(line, defaults);
-  if (query.reference != Reference::erf && !named.path.is_curve())
+  if (query.reference != Reference::euler_rodrigues && !named.path.is_curve())
     line.fail("the Frenet frame is for single curves; this is a spline");
   return to_json_line(answer(std::move(named), query));
 }

@@ -11,7 +11,7 @@ namespace phrame {
 
 /// What a line of a batch may leave out.
 struct BatchDefaults {
-  Reference frame = Reference::erf;
+  Reference frame = Reference::euler_rodrigues;
   std::vector<Rational> at;
   long digits = 17;
   bool values_only = false;  ///< answers without integrand and antiderivative

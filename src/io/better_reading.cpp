@@ -8,9 +8,9 @@ namespace phrame {
 namespace {
 
 bool has_right_tangents(const FrameVerdict& verdict) {
-  using Kind = FrameFinding::Kind;
   return std::none_of(verdict.findings.begin(), verdict.findings.end(), [](const auto& finding) {
-    return finding.kind == Kind::wrong_tangent || finding.kind == Kind::reversed_tangent;
+    return finding.kind == FrameFinding::Kind::wrong_tangent ||
+           finding.kind == FrameFinding::Kind::reversed_tangent;
   });
 }
 

@@ -59,19 +59,19 @@ TEST_CASE("ball order: law: ends, sizes and exponents") {
     CHECK(radius_of(ball).midpoint() == (a.to - a.from) / 2);
     CHECK(radius_of(ball).radius() == 0);
     if (greatest == 0) {
-      CHECK(exponent_above(ball) == -greatest_exponent);
+      CHECK(exponent_above(ball) == -unbounded_exponent);
     } else {
       CHECK(greatest < power_of_two(exponent_above(ball)));
       CHECK(power_of_two(exponent_above(ball) - 2) <= greatest);
     }
     if (least == 0) {
-      CHECK(exponent_below(ball) == -greatest_exponent);
+      CHECK(exponent_below(ball) == -unbounded_exponent);
     } else {
       CHECK(least >= power_of_two(exponent_below(ball)));
       CHECK(power_of_two(exponent_below(ball) + 2) > least);
     }
   });
-  CHECK(exponent_above(RealBall::unknown()) == greatest_exponent);
+  CHECK(exponent_above(RealBall::unknown()) == unbounded_exponent);
 }
 
 TEST_CASE("ball order: law: an integer is named where it is the only one") {

@@ -181,3 +181,11 @@ TEST_CASE("real algebraic: a root next to a fraction that could be one is not ra
   const Real half([](long bits) { return RealBall(Rational(1, 2), std::max(bits, 2L)); });
   CHECK(rational_root({-1, 0, 4}, 0, 1, half) == Rational(1, 2));
 }
+
+TEST_CASE("real algebraic: a place is a number or a decimal, a long number abbreviated") {
+  CHECK(place("t", Rational(1, 2)) == "t = 1/2");
+  CHECK(place("s", Rational(-3)) == "s = -3");
+  // ∛(1/5) = 0.584803547642573…
+  CHECK(place("t", real_root({-1, 0, 0, 5}, closed(0, 1))) == "t ≈ 0.584803547643");
+  CHECK(place("t", parse_rational("1e-500")).size() < 90);
+}

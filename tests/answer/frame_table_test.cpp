@@ -33,8 +33,8 @@ std::string message(const Curve& curve, TabulatedFrame frame, const Rational& t)
 }  // namespace
 
 TEST_CASE("frame table: the columns are named after the vectors, in the order asked for") {
-  const FrameTable table =
-      frame_table(test::farouki_quintic().curve, {Kind::frenet, Kind::rmf, Kind::erf}, {});
+  const FrameTable table = frame_table(test::farouki_quintic().curve,
+                                       {Kind::frenet, Kind::rmf, Kind::euler_rodrigues}, {});
   CHECK(table.columns == std::vector<std::string>{"t",   "x",   "y",   "z",   "e1x", "e1y", "e1z",
                                                   "nx",  "ny",  "nz",  "bx",  "by",  "bz",  "f2x",
                                                   "f2y", "f2z", "f3x", "f3y", "f3z", "e2x", "e2y",
@@ -50,7 +50,7 @@ TEST_CASE("frame table: values are the correctly rounded doubles") {
   const double cos1 = 0.540302305868139717400936607443;
   const double sin1 = 0.841470984807896506652502321630;
   const Curve curve = test::rational_angle_curve().curve;
-  const FrameTable table = frame_table(curve, {Kind::erf, Kind::rmf}, {0, 1});
+  const FrameTable table = frame_table(curve, {Kind::euler_rodrigues, Kind::rmf}, {0, 1});
   REQUIRE(table.rows.size() == 2);
   CHECK(table.rows[1] == Row{1, -0.8, 4.0 / 3, 0.5, 0, 1, 0,  //
                              0, 0, 1, 1, 0, 0,                //
@@ -78,7 +78,7 @@ TEST_CASE("frame table: where Frenet's frame is undefined, the reason and t are 
 // r(t) = (t − t⁵/5, 2t³/3, 0); at t = 1 r′ = (0, 2, 0), r″ = (−4, 4, 0), so that n = −i, b = k, κ
 // = 1.
 TEST_CASE("frame table: where a Frenet frame is undefined its cells are empty, if they may be") {
-  TableColumns columns{{Kind::frenet, Kind::erf}, {TabulatedScalar::curvature}};
+  TableColumns columns{{Kind::frenet, Kind::euler_rodrigues}, {TabulatedScalar::curvature}};
   columns.may_be_empty = true;
   const FrameTable table = frame_table(inflected(), columns, {Rational(0), Rational(1)});
   CHECK(table.incomplete_rows == 1);
@@ -121,7 +121,7 @@ TEST_CASE("frame table: an overflow is refused, not rounded to infinity") {
       1e308);
   CHECK_THROWS_AS(frame_table(test::straight_line().curve, {Kind::rmf}, {test::power_of_ten(309)}),
                   InputError);
-  CHECK(message(test::farouki_quintic().curve, Kind::erf, test::power_of_ten(100))
+  CHECK(message(test::farouki_quintic().curve, Kind::euler_rodrigues, test::power_of_ten(100))
             .find("x does not fit a double") != std::string::npos);
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("frame table: an overflow is refused, not rounded to infinity") {
 // the paper's polynomials give κ² = ρ/σ⁴ = 720/6⁴ and τ = (r′ × r″)·r‴/(σ²ρ) = −576/(36·720).
 TEST_CASE("frame table: arc length, curvature, torsion and the rate of the Frenet frame") {
   const Curve curve = test::farouki_quintic().curve;
-  const TableColumns columns{{Kind::erf},
+  const TableColumns columns{{Kind::euler_rodrigues},
                              {TabulatedScalar::arc_length, TabulatedScalar::curvature,
                               TabulatedScalar::torsion, TabulatedScalar::frenet_rate}};
   const FrameTable table = frame_table(curve, columns, {Rational(1, 3), Rational(0), Rational(1)});
@@ -154,7 +154,7 @@ TEST_CASE("frame table: at an irrational t the rational values are exact, the ot
   const Curve curve({Polynomial{1}, Polynomial(), Polynomial(), Polynomial{0, 1}});
   const RealAlgebraic t = real_root({-1, 0, 2}, closed(0, 1));
   const TableColumns columns{
-      {Kind::rmf, Kind::frenet, Kind::erf},
+      {Kind::rmf, Kind::frenet, Kind::euler_rodrigues},
       {TabulatedScalar::curvature, TabulatedScalar::torsion, TabulatedScalar::arc_length}};
   const FrameTable table = frame_table(curve, columns, {t});
   const double third = 1.0 / 3;
@@ -291,7 +291,7 @@ TEST_CASE("frame table: the rows of a long table are those of short ones") {
     std::vector<Rational> at;
     for (long k = 0; k < 1200; ++k) at.emplace_back((k * 389) % 1200 - 100, 997);
     at[7] = at[8];
-    const auto kinds = {Kind::rmf, Kind::erf};
+    const auto kinds = {Kind::rmf, Kind::euler_rodrigues};
     const FrameTable all = frame_table(curve, kinds, at);
     for (std::size_t k = 0; k < at.size(); k += 13) {
       CAPTURE(at[k]);

@@ -143,7 +143,7 @@ TEST_CASE("compile: a million values of a header are as exact as it says") {
     const auto run = shop.run("compile curve.json --prefix arm -o angle.h");
     CHECK(run.status == 0);
     const Curve curve = read_curve(curve_named(name)).curve;
-    RmfAngle angle(curve, Reference::erf);
+    RmfAngle angle(curve, Reference::euler_rodrigues);
     const auto rows = evaluated(shop, at, "-std=c99 -O2");
     check_angles(at, rows, angle);
     check_frames(at, rows, curve, angle);
@@ -155,7 +155,7 @@ TEST_CASE("compile: a million values of a header are as exact as it says") {
 TEST_CASE("compile: on a near-cusp, with every optimization that keeps IEEE arithmetic") {
   const std::string text = curve_named("deg-nearcusp");
   const Curve curve = read_curve(text).curve;
-  RmfAngle angle(curve, Reference::erf);
+  RmfAngle angle(curve, Reference::euler_rodrigues);
   auto at = even_parameters(20'000);  // and next to t = 1/3, where θ turns within 1e-8
   for (long k = -20'000; k < 20'000; ++k) at.push_back(1.0 / 3 + static_cast<double>(k) * 2e-12);
   const Workshop shop;
@@ -230,7 +230,7 @@ TEST_CASE("compile: more pieces than a short index can count") {
   };
   const Curve line({{1}, {}, {}, {}});
   const CompiledAnswer compiled{{"", line},
-                                Reference::erf,
+                                Reference::euler_rodrigues,
                                 Angle(),
                                 PiecewisePolynomial::on_units(count, plain_shape(1), step),
                                 {}};

@@ -14,9 +14,9 @@ TEST_CASE("mtf: a cusp at an irrational t is told in decimals, by info and angle
   here.write("cusp.json", R"({"phrame": "curve/1", "basis": "power",
       "preimage": {"u": ["-1/5", 0, 0, 1], "v": [0], "p": [0], "q": ["-2/5", 0, 0, 2]}})");
   check_failure(here.run("mtf cusp.json --from 0 --to 1 --degree 2"), 3,
-                "phrame: the curve has a cusp at t ≈ 0.584803, where a frame");
+                "phrame: the curve has a cusp at t ≈ 0.584803547643, where a frame");
   for (const std::string command : {"info", "angle"})
-    CHECK(contains(here.run(command + " cusp.json").out, " t ≈ 0.584803, in (306605/524288, "));
+    CHECK(contains(here.run(command + " cusp.json").out, " t ≈ 0.584803547643"));
 }
 
 TEST_CASE("mtf: twist and angles of an example of the paper") {

@@ -51,7 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!is_small(c)) return 0;
     for (const Statement& statement : verify(c))
       if (statement.objection.find('\n') != std::string::npos) std::abort();
-    RmfAngle angle(c.curve, Reference::erf);
+    RmfAngle angle(c.curve, Reference::euler_rodrigues);
     if (c.reference == Reference::frenet) return 0;
     for (std::size_t k = 0; k < c.claims.size(); ++k) {
       const auto& [t, theta, radius, turn] = c.claims[k];

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/integrate/definite.hpp"
+#include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/integrate/quadrature.hpp"
 #include "support/random.hpp"

@@ -2,7 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/integrate/definite.hpp"
+#include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "support/random.hpp"
 
@@ -28,7 +28,7 @@ TEST_CASE("path end: integrals to pi that are known") {
   CHECK(square.value.enclose(bits).overlaps(multiply(pi_ball, pi_ball, bits)));
   CHECK(square.value.enclose(bits).is_accurate(bits - 8));
   const RationalFunction inverse({1}, {0, 1});
-  const RealBall log_two = definite(integrate(inverse), 1, 2, bits);
+  const RealBall log_two = Evaluator(integrate(inverse)).difference(1, 2, bits);
   CHECK(path_integral(inverse, pi_itself, of_pi({0, 2})).value.enclose(bits).overlaps(log_two));
   CHECK(path_integral(inverse, of_pi({0, 2}), pi_itself)
             .value.enclose(bits)
@@ -86,7 +86,7 @@ TEST_CASE("path end: law: a path through pi has the integral of its two parts") 
     if (count_real_roots(f.denominator(), closed(-20, 20)) > 0) return;
     const RealBall left = path_integral(f, Rational(-5), middle).value.enclose(bits);
     const RealBall right = path_integral(f, middle, Rational(7)).value.enclose(bits);
-    const RealBall whole = definite(integrate(f), -5, 7, bits);
+    const RealBall whole = Evaluator(integrate(f)).difference(-5, 7, bits);
     CHECK(add(left, right, bits).overlaps(whole));
     CHECK(add(left, right, bits).is_accurate(bits / 2));
   });

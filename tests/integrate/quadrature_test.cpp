@@ -1,7 +1,7 @@
 #include "phrame/integrate/quadrature.hpp"
 
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/integrate/definite.hpp"
+#include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "support/random.hpp"
 
@@ -61,6 +61,6 @@ TEST_CASE("quadrature: law: backwards it is the negative, and parts add up") {
     CHECK(add(quadrature(f, a, b, 80), quadrature(f, b, a, 80), 100).contains_zero());
     CHECK(add(quadrature(f, a, b, 80), quadrature(f, b, c, 80), 100)
               .overlaps(quadrature(f, a, c, 80)));
-    CHECK(quadrature(f, a, b, 80).overlaps(definite(integrate(f), a, b, 80)));
+    CHECK(quadrature(f, a, b, 80).overlaps(Evaluator(integrate(f)).difference(a, b, 80)));
   });
 }

@@ -7,7 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/roots.hpp"
-#include "phrame/integrate/definite.hpp"
+#include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/io/read/expression.hpp"
 #include "support/data.hpp"
@@ -73,7 +73,7 @@ void check_form(const RadicalForm& form, const Antiderivative& F) {
   const Rational b(29, 103);
   RealBall expected;
   try {
-    expected = definite({{}, {}, F.logs}, a, b, bits);
+    expected = Evaluator(Antiderivative{{}, {}, F.logs}).difference(a, b, bits);
   } catch (const DomainError&) {  // a pole in between
     return;
   }

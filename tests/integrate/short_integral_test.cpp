@@ -3,7 +3,7 @@
 #include "phrame/integrate/short_integral.hpp"
 
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/integrate/definite.hpp"
+#include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "support/random.hpp"
 

@@ -43,13 +43,14 @@ void check_error(const std::string& line, int status, const std::string& message
 }  // namespace
 
 TEST_CASE("batch: an answer is what the report of the same curve says, with the id") {
-  for (const auto reference : {Reference::erf, Reference::frenet}) {
-    const Json found = answer({{"id", "a\"7"},
-                               {"curve", quintic()},
-                               {"frame", reference == Reference::erf ? "erf" : "frenet"},
-                               {"at", {"1/2", 1, 0.25}},
-                               {"digits", 40},
-                               {"theta0", "1/3"}});
+  for (const auto reference : {Reference::euler_rodrigues, Reference::frenet}) {
+    const Json found =
+        answer({{"id", "a\"7"},
+                {"curve", quintic()},
+                {"frame", reference == Reference::euler_rodrigues ? "erf" : "frenet"},
+                {"at", {"1/2", 1, 0.25}},
+                {"digits", 40},
+                {"theta0", "1/3"}});
     Json file = quintic();
     file["phrame"] = "curve/1";
     AngleQuery query;

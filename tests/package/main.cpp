@@ -4,7 +4,7 @@
 int main() {
   using namespace phrame;
   const Curve curve({Polynomial{0, 0, 1}, Polynomial{0, 1}, Polynomial{0, 1}, Polynomial{1}});
-  RmfAngle theta(curve, Reference::erf);
+  RmfAngle theta(curve, Reference::euler_rodrigues);
   const bool right = round_to_decimal(theta.value(Rational(1, 2)), 3).value == "-0.800";
   return right && !version.empty() ? 0 : 1;
 }

@@ -5,6 +5,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/write/json_text.hpp"
+#include "phrame/io/write/reference_names.hpp"
 
 namespace phrame {
 namespace {
@@ -145,7 +146,7 @@ CertifiedLogs read_logs(const JsonNode& node) {
           read_list(node.at("roots"), read_disc)};
 }
 
-StatedPoint read_point(const JsonNode& node) {
+StatedPoint read_stated_point(const JsonNode& node) {
   node.require_known_keys({"t", "order"});
   const long order = read_count(node.at("order"), 1, 1'000'000'000);
   const JsonNode t = node.at("t");
@@ -215,7 +216,7 @@ StatedDecisions read_decisions(const JsonNode& node) {
   const JsonNode inflections = listed("inflections", {"points"});
   const JsonNode primitive = listed("primitive", {"content"});
   const JsonNode monotone = listed("erf_monotone", {"zeros_of_h", "extrema"});
-  const auto points = [](const JsonNode& list) { return read_list(list, read_point); };
+  const auto points = [](const JsonNode& list) { return read_list(list, read_stated_point); };
   StatedDecisions d{regular.at("answer").boolean(),
                     points(regular.at("cusps")),
                     inflections.at("answer").boolean(),
@@ -245,11 +246,10 @@ StatedDecisions read_decisions(const JsonNode& node) {
 }
 
 Reference read_frame(const JsonNode& node) {
-  if (node.string() == "erf") return Reference::erf;
-  if (node.string() != "frenet")
-    node.fail(
-        fmt::format("the frame is \"erf\" or \"frenet\", not \"{}\"", abbreviated(node.string())));
-  return Reference::frenet;
+  for (const auto& [name, reference] : reference_names)
+    if (node.string() == name) return reference;
+  node.fail(
+      fmt::format("the frame is \"erf\" or \"frenet\", not \"{}\"", abbreviated(node.string())));
 }
 
 RationalFunction read_rational_function(const JsonNode& node) {
@@ -278,7 +278,7 @@ std::string write_certificate(const Certificate& c, const std::string& name) {
   JsonOutput json = {
       {"phrame", "certificate/1"},
       {"curve", json_of(NamedCurve{name, c.curve})},
-      {"frame", c.reference == Reference::erf ? "erf" : "frenet"},
+      {"frame", name_of(c.reference)},
       {"hodograph", JsonOutput::array({json_of(c.hodograph[0]), json_of(c.hodograph[1]),
                                        json_of(c.hodograph[2])})},
       {"sigma", json_of(c.sigma)},

@@ -11,8 +11,6 @@
 namespace phrame {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
-
 /// Reads tokens from the left.
 class Reader {
  public:

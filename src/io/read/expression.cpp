@@ -18,10 +18,6 @@
 namespace phrame {
 namespace {
 
-using Kind = Token::Kind;
-
-constexpr std::string_view blanks = " \t\r\n";
-
 struct Operation {
   char sign;  ///< + - * / ^, '~' for the negative of one operand, '(' for a parenthesis
   std::size_t at;
@@ -231,8 +227,8 @@ void Parser::read_name(std::string_view name) {
 }
 
 void Parser::read_operand(const Token& token) {
-  if (token.kind == Kind::number) return read_number(token.text);
-  if (token.kind == Kind::name) return read_name(token.text);
+  if (token.kind == Token::Kind::number) return read_number(token.text);
+  if (token.kind == Token::Kind::name) return read_name(token.text);
   switch (token.sign) {
     case '(':
       operations_.push_back({'(', at_});
@@ -246,7 +242,7 @@ void Parser::read_operand(const Token& token) {
       break;
   }
   constexpr auto expected = "a number, a variable or \"(\" is expected";
-  if (token.kind != Kind::end)
+  if (token.kind != Token::Kind::end)
     fail(at_, fmt::format("{} where {}", in_quotes(token.text), expected));
   fail(at_, operands_.empty() && operations_.empty()
                 ? "the expression is empty"
@@ -264,21 +260,21 @@ void Parser::close_parenthesis() {
 }
 
 void Parser::refuse_in_place_of_operator(const Token& token) const {
-  if (token.kind == Kind::other)
+  if (token.kind == Token::Kind::other)
     fail(at_, fmt::format("{} is not understood", in_quotes(token.text)));
   const std::string left = abbreviated(before_);
   const std::string right = abbreviated(token.text);
   fail(at_, fmt::format("no operator between \"{}\" and \"{}\": a product needs its sign, {}*{}",
                         left, right,
-                        left == ")"                                   ? "(…)"
-                        : first_token(before_).kind == Kind::exponent ? "…" + left
-                                                                      : left,
+                        left == ")"                                          ? "(…)"
+                        : first_token(before_).kind == Token::Kind::exponent ? "…" + left
+                                                                             : left,
                         right == "(" ? "(…)" : right));
 }
 
 void Parser::read_operator(const Token& token) {
   constexpr auto ambiguous = "one exponent after another: parentheses are needed";
-  if (token.kind == Kind::exponent) {
+  if (token.kind == Token::Kind::exponent) {
     if (!operations_.empty() && operations_.back().sign == '^') fail(at_, ambiguous);
     Operand& base = operands_.back();
     const std::string digits = plain_digits(token.text);
@@ -296,7 +292,7 @@ void Parser::read_operator(const Token& token) {
   if (token.sign == 0 || token.sign == '(') refuse_in_place_of_operator(token);
   const int rank = precedence(token.sign);
   const bool groups_right = token.sign == '^';
-  if (groups_right && first_token(before_).kind == Kind::exponent) fail(at_, ambiguous);
+  if (groups_right && first_token(before_).kind == Token::Kind::exponent) fail(at_, ambiguous);
   while (!operations_.empty() &&
          precedence(operations_.back().sign) >= (groups_right ? rank + 1 : rank))
     reduce();
@@ -312,8 +308,8 @@ bool Parser::is_only_name(std::string_view name) const {
   for (;;) {
     rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
     const Token token = first_token(rest);
-    if (token.kind == Kind::end) return true;
-    if (token.kind == Kind::name && token.text != name) return false;
+    if (token.kind == Token::Kind::end) return true;
+    if (token.kind == Token::Kind::name && token.text != name) return false;
     rest.remove_prefix(token.text.size());
   }
 }
@@ -324,7 +320,7 @@ Expression Parser::parse() {
     const Token token = first_token(text_.substr(at_));
     if (operand_is_next_)
       read_operand(token);
-    else if (token.kind == Kind::end)
+    else if (token.kind == Token::Kind::end)
       break;
     else
       read_operator(token);
@@ -345,7 +341,7 @@ Expression Parser::parse() {
 
 bool is_variable_name(std::string_view text) {
   const Token name = first_token(text);
-  return name.kind == Kind::name && name.text == text;
+  return name.kind == Token::Kind::name && name.text == text;
 }
 
 Expression parse_expression(std::string_view text, const std::optional<std::string>& variable,

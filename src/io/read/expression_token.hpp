@@ -4,6 +4,9 @@
 
 namespace phrame {
 
+/// What may stand between the tokens of an expression.
+inline constexpr std::string_view blanks = " \t\r\n";
+
 /// A piece of an expression.
 struct Token {
   enum class Kind {

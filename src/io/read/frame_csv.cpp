@@ -17,7 +17,7 @@ namespace {
 using Names = std::vector<std::string>;
 using Fields = std::vector<std::string_view>;
 
-constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view blanks_in_line = " \t\r";
 
 std::string_view trimmed(std::string_view text, std::string_view characters) {
   const auto first = text.find_first_not_of(characters);
@@ -36,11 +36,11 @@ Fields fields(std::string_view line, char separator) {
   Fields list;
   for (;;) {
     const auto end =
-        line.find_first_of(separator == ' ' ? blanks : std::string_view(&separator, 1));
+        line.find_first_of(separator == ' ' ? blanks_in_line : std::string_view(&separator, 1));
     list.push_back(trimmed(line.substr(0, end), " \t\r\""));
     if (end == std::string_view::npos) return list;
     line.remove_prefix(end + 1);
-    if (separator == ' ') line = trimmed(line, blanks);
+    if (separator == ' ') line = trimmed(line, blanks_in_line);
   }
 }
 
@@ -101,7 +101,7 @@ TextTable::TextTable(std::string_view text, bool reads_comment) {
     throw InputError("line 1", "this is JSON; a table of text or an array of NumPy is wanted");
   for (long line = 1; !text.empty(); ++line) {
     const auto end = std::min(text.find_first_of("\r\n"), text.size());
-    add(trimmed(text.substr(0, end), blanks), line);
+    add(trimmed(text.substr(0, end), blanks_in_line), line);
     const auto next = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
     text.remove_prefix(std::min(next, text.size()));
   }
@@ -118,7 +118,7 @@ void TextTable::add(std::string_view content, long line) {
   if (content.front() == '#') {
     if (!rows_.empty() || !names_.empty()) return;
     content.remove_prefix(std::min(content.find_first_not_of('#'), content.size()));
-    comment_ = trimmed(content, blanks);
+    comment_ = trimmed(content, blanks_in_line);
     comment_line_ = line;
     return;
   }

@@ -12,10 +12,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/io/read/npy_header.hpp"
 #include "phrame/io/write/number_text.hpp"
 
 namespace phrame {
@@ -24,88 +24,6 @@ namespace {
 constexpr std::string_view magic = "\x93NUMPY";
 
 [[noreturn]] void fail(const std::string& reason) { throw InputError("header", reason); }
-
-/// What the header of an array is made of: strings, numbers, True and False, tuples and lists.
-struct Literal {
-  enum class Kind { text, number, truth, sequence } kind;
-  std::string text = "";  ///< of a sequence "(" or "["
-  std::size_t number = 0;
-  std::vector<Literal> items = {};
-};
-
-class LiteralReader {
- public:
-  explicit LiteralReader(std::string_view text) : rest_(text) {}
-
-  /// Blanks, and then c?
-  bool take(char c) {
-    while (!rest_.empty() && (rest_.front() == ' ' || rest_.front() == '\n'))
-      rest_.remove_prefix(1);
-    if (rest_.empty() || rest_.front() != c) return false;
-    rest_.remove_prefix(1);
-    return true;
-  }
-  void want(char c) {
-    if (!take(c)) fail(fmt::format("\"{}\" is wanted before \"{}\"", c, abbreviated(rest_)));
-  }
-  bool is_done() {
-    take('\n');
-    return rest_.empty();
-  }
-
-  Literal read(int depth = 0) {
-    if (depth > 4) fail("is nested too deeply");
-    for (const char open : {'(', '['})
-      if (take(open)) return sequence(open, depth);
-    for (const char quote : {'\'', '"'})
-      if (take(quote)) return text(quote);
-    for (const std::string_view word : {"True", "False"})
-      if (rest_.starts_with(word)) {
-        rest_.remove_prefix(word.size());
-        return {Literal::Kind::truth, std::string(word)};
-      }
-    return number();
-  }
-
- private:
-  Literal sequence(char open, int depth) {
-    Literal result{Literal::Kind::sequence, {open}};
-    const char close = open == '(' ? ')' : ']';
-    while (!take(close)) {
-      result.items.push_back(read(depth + 1));
-      if (take(',')) continue;
-      want(close);
-      break;
-    }
-    return result;
-  }
-
-  Literal text(char quote) {
-    Literal result{Literal::Kind::text};
-    for (;;) {
-      if (rest_.empty()) fail("a string does not end");
-      const char c = rest_.front();
-      rest_.remove_prefix(1);
-      if (c == quote) return result;
-      if (c == '\\')
-        fail(fmt::format("the name \"{}\\…\" has a backslash", abbreviated(result.text)));
-      result.text += c;
-    }
-  }
-
-  Literal number() {
-    Literal result{Literal::Kind::number};
-    const char* const end = rest_.data() + rest_.size();
-    const auto [next, error] = std::from_chars(rest_.data(), end, result.number);
-    if (error != std::errc())
-      fail(fmt::format("\"{}\" is not a number or a name", abbreviated(rest_)));
-    rest_.remove_prefix(static_cast<std::size_t>(next - rest_.data()));
-    take('L');  // as Python 2 wrote them
-    return result;
-  }
-
-  std::string_view rest_;
-};
 
 /// Little- or big-endian.
 std::uint64_t unsigned_integer(std::string_view bytes, bool is_big_endian) {
@@ -129,47 +47,6 @@ double half_precision(std::uint64_t bits) {
 
 }  // namespace
 
-struct NpyTable::Header {
-  std::optional<Literal> descr;
-  std::vector<std::size_t> shape;
-  bool is_fortran = false;
-
-  explicit Header(std::string_view text);
-};
-
-NpyTable::Header::Header(std::string_view text) {
-  LiteralReader in(text);
-  bool has_shape = false;
-  bool has_order = false;
-  in.want('{');
-  while (!in.take('}')) {
-    const Literal key = in.read();
-    in.want(':');
-    const Literal value = in.read();
-    if (key.text == "descr") {
-      descr = value;
-    } else if (key.text == "fortran_order" && value.kind == Literal::Kind::truth) {
-      is_fortran = value.text == "True";
-      has_order = true;
-    } else if (key.text == "shape" && value.kind == Literal::Kind::sequence) {
-      shape.clear();
-      for (const Literal& size : value.items) {
-        if (size.kind != Literal::Kind::number) fail("shape is not made of numbers");
-        shape.push_back(size.number);
-      }
-      has_shape = true;
-    } else {
-      fail(fmt::format("\"{}\" is not understood", abbreviated(key.text)));
-    }
-    if (!in.take(',')) {
-      in.want('}');
-      break;
-    }
-  }
-  if (!in.is_done() || !descr || !has_shape || !has_order)
-    fail("descr, fortran_order and shape are wanted, and nothing else");
-}
-
 bool NpyTable::is_one(std::string_view bytes) { return bytes.starts_with(magic); }
 
 NpyTable::NpyTable(std::string_view bytes) {
@@ -184,9 +61,9 @@ NpyTable::NpyTable(std::string_view bytes) {
   const std::uint64_t length = unsigned_integer(bytes.substr(0, width), false);
   bytes.remove_prefix(width);
   if (bytes.size() < length) fail("the file ends in it");
-  const Header header(bytes.substr(0, length));
+  const NpyHeader header = read_npy_header(bytes.substr(0, length));
   data_ = bytes.substr(length);
-  if (header.descr->kind == Literal::Kind::text)
+  if (header.descr.kind == PythonLiteral::Kind::text)
     lay_out_plain(header);
   else
     lay_out_structured(header);
@@ -220,8 +97,8 @@ NpyTable::Type NpyTable::type_of(const std::string& text) {
   return type;
 }
 
-void NpyTable::lay_out_plain(const Header& header) {
-  const Type type = type_of(header.descr->text);
+void NpyTable::lay_out_plain(const NpyHeader& header) {
+  const Type type = type_of(header.descr.text);
   if (type.kind == 0)
     fail(fmt::format("numbers of the type '{}' are not read: save doubles, by array.astype(float)",
                      abbreviated(type.text)));
@@ -240,25 +117,25 @@ void NpyTable::lay_out_plain(const Header& header) {
     columns_.push_back({type, header.is_fortran ? k * rows_ * type.size : k * type.size});
 }
 
-void NpyTable::lay_out_structured(const Header& header) {
-  if (header.descr->kind != Literal::Kind::sequence || header.descr->items.empty())
+void NpyTable::lay_out_structured(const NpyHeader& header) {
+  if (header.descr.kind != PythonLiteral::Kind::sequence || header.descr.items.empty())
     fail("descr is neither a type nor a list of fields");
   if (header.shape.size() != 1)
     fail(fmt::format("a structured array is wanted to be of one dimension, not of {}",
                      header.shape.size()));
   rows_ = header.shape[0];
   if (rows_ == 0) throw InputError("data", "there are no frames");
-  for (const Literal& field : header.descr->items) {
+  for (const PythonLiteral& field : header.descr.items) {
     const auto& parts = field.items;
     if (parts.size() < 2 || parts.size() > 3) fail("a field is not a name, a type and a shape");
     // A name with a title is a pair, the name last.
     const std::string& name = parts[0].items.empty() ? parts[0].text : parts[0].items.back().text;
-    if (parts[1].kind != Literal::Kind::text)
+    if (parts[1].kind != PythonLiteral::Kind::text)
       fail(fmt::format("the field \"{}\" has fields itself", abbreviated(name)));
     const Type type = type_of(parts[1].text);
     std::size_t count = 1;
     if (parts.size() == 3)
-      for (const Literal& size : parts[2].items) {
+      for (const PythonLiteral& size : parts[2].items) {
         if (size.number != 0 && count > data_.size() / size.number)
           throw InputError("data", "the fields are larger than the file");
         count *= size.number;

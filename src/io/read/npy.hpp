@@ -7,6 +7,8 @@
 
 namespace phrame {
 
+struct NpyHeader;
+
 /// A table in NumPy's .npy format, versions 1.0 to 3.0 (numpy.lib.format): an array of two
 /// dimensions, in C or Fortran order, or a structured array of one, whose fields are the columns; a
 /// field "f2" of shape (3,) is the columns f2x, f2y, f2z, and a field "q" of shape (4,) is qw, qx,
@@ -40,11 +42,9 @@ class NpyTable {
     Type type;
     std::size_t offset;  ///< of its first number
   };
-  struct Header;
-
   static Type type_of(const std::string& text);
-  void lay_out_plain(const Header& header);
-  void lay_out_structured(const Header& header);
+  void lay_out_plain(const NpyHeader& header);
+  void lay_out_structured(const NpyHeader& header);
 
   std::string_view data_;
   std::vector<std::string> names_;

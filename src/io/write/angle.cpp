@@ -10,14 +10,15 @@
 #include "phrame/io/write/number_text.hpp"
 #include "phrame/io/write/pole_table.hpp"
 #include "phrame/io/write/radical_form_text.hpp"
+#include "phrame/io/write/reference_names.hpp"
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 
 namespace phrame {
 namespace {
 
-constexpr auto unicode = Notation::unicode;
-constexpr auto latex = Notation::latex;
+using enum Notation;
 constexpr auto line = "\n      ";
 
 std::string quotient(const RationalFunction& f) { return formatted_quotient(f, unicode); }
@@ -50,7 +51,7 @@ std::string formula_text(const AngleFormula& formula, std::string_view rate) {
 
 /// How the frame is turned.
 std::string turning_text(const AngleAnswer& answer) {
-  const bool erf = answer.reference == Reference::erf;
+  const bool erf = answer.reference == Reference::euler_rodrigues;
   return fmt::format("  f₂ = cos θ {} + sin θ {},  f₃ = −sin θ {} + cos θ {},  θ(0) = {}\n\n",
                      erf ? "e₂" : "n", erf ? "e₃" : "b", erf ? "e₂" : "n", erf ? "e₃" : "b",
                      shown(answer.start_angle));
@@ -60,19 +61,19 @@ std::string curve_text(const AngleAnswer& answer) {
   const Curve& curve = answer.path.path.segments().front();
   const AngleFormula& formula = answer.formulas.front();
   const QuaternionPolynomial& preimage = curve.preimage();
-  const bool erf = answer.reference == Reference::erf;
+  const bool erf = answer.reference == Reference::euler_rodrigues;
   std::string text = fmt::format("  σ = {}\n  h = {}\n", readable_factors(sigma(preimage)),
                                  readable_factors(twist_numerator(preimage)));
   if (!erf) text += fmt::format("  g = {}\n", readable(bend_numerator(preimage)));
-  for (const Interval& cusp : cusps(curve, closed(0, 1)))
+  for (const RealRoot& cusp : cusps(curve))
     text += fmt::format("  r′ = 0 at {}: frames and angle are continued through\n",
-                        place_of_root(cusp));
+                        place("t", cusp.at));
   if (const std::string note = note_on_sign(curve); !note.empty())
     text += fmt::format("  {}\n", note);
   if (!erf)
-    for (const Interval& flip : normal_flips(preimage, closed(0, 1)))
+    for (const RealRoot& flip : odd(inflections(preimage)))
       text += fmt::format("  inflection at {}: (n, b) flip there, the angle is continued through\n",
-                          place_of_root(flip));
+                          place("t", flip.at));
   text += fmt::format(
       "\nThe rotation-minimizing frame is the {} frame turned by θ about the tangent:\n",
       erf ? "Euler–Rodrigues" : "Frenet");
@@ -118,7 +119,7 @@ JsonOutput json_of(const AngleAnswer& answer) {
   if (path.is_curve()) {
     json = {{"phrame", "angle/1"},
             {"curve", {{"name", name}, {"degree", degree(segments.front())}}},
-            {"frame", answer.reference == Reference::erf ? "erf" : "frenet"}};
+            {"frame", name_of(answer.reference)}};
     if (!answer.formulas.empty()) add_formula(json, answer.formulas.front());
   } else {
     json = {{"phrame", "spline-angle/1"}, {"name", name}};

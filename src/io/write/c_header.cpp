@@ -185,7 +185,7 @@ std::string to_c_header(const CompiledAnswer& header, const std::string& prefix)
     define_frame = fmt::format("#define {}_FRAME_ERROR {:a}\n", upper, error);
   }
   const double error = angle_error(header);
-  const bool is_erf = header.reference == Reference::erf;
+  const bool is_erf = header.reference == Reference::euler_rodrigues;
   const std::string preimage_of = header.path.path.is_curve()
                                       ? "curve"
                                       : "segment, chosen such that this frame is\n"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "phrame/integrate/partial_fractions.hpp"
 #include "phrame/io/write/algebraic_text.hpp"
 #include "phrame/io/write/root_term.hpp"
 
@@ -292,13 +291,6 @@ std::string cas_formula(const RealForm& F, Language language, const std::string&
   writer.add_real(sum, F, true);
   for (const LogSum& logs : F.others) writer.add_real_sum(sum, logs);
   return sum.text();
-}
-
-std::vector<LogSum> sums_over_poles(const TextbookForm& F) {
-  std::vector<LogSum> sums;
-  const RationalFunction rest = differentiate(Antiderivative{{}, {}, F.sums});
-  for (const SimpleFraction& f : simple_fractions(rest)) sums.push_back(full_partial_fraction(f));
-  return sums;
 }
 
 std::string cas_formula(const RealForm& F, const std::vector<LogSum>& sums_over_poles,

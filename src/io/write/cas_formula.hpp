@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/integrate/definite_integral.hpp"
+#include "phrame/integrate/exact_value.hpp"
 #include "phrame/integrate/real_form.hpp"
 #include "phrame/io/write/radical_text.hpp"
 
@@ -26,9 +26,6 @@ std::string cas_formula(const Antiderivative& F, Language language, const std::s
 /// In PARI the sums that are left are real; in the other systems as those of an Antiderivative:
 /// real up to a constant.
 std::string cas_formula(const RealForm& F, Language language, const std::string& variable);
-/// Its sums, written over the poles, not the residues: continuous between the real poles with
-/// principal logarithms.
-std::vector<LogSum> sums_over_poles(const TextbookForm& F);
 /// The same with these. Up to a constant between two real poles it is real: no |…|.
 std::string cas_formula(const RealForm& F, const std::vector<LogSum>& sums_over_poles,
                         Language language, const std::string& variable);

@@ -11,8 +11,7 @@
 namespace phrame {
 namespace {
 
-constexpr auto unicode = Notation::unicode;
-constexpr auto latex = Notation::latex;
+using enum Notation;
 
 constexpr auto next_line = "\n        ";
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/integrate/definite_integral.hpp"
+#include "phrame/integrate/exact_value.hpp"
 #include "phrame/integrate/real_form.hpp"
 #include "phrame/io/write/text.hpp"
 

@@ -35,7 +35,7 @@ std::string curve_text(const InfoAnswer& info) {
   row("  split b", shown(split.b));
   row("r(0)", shown(curve.start()));
   row("r(1)", shown(evaluate(position(curve), 1)));
-  for (const Interval& cusp : info.cusps) row("cusp, r′ = 0", place_of_root(cusp));
+  for (const RealRoot& cusp : info.cusps) row("cusp, r′ = 0", place("t", cusp.at));
   if (const std::string note = note_on_sign(curve); !note.empty()) row("sign of f", note);
   row("length ∫₀¹ |f|σ", shown(info.length.exact, info.length.rounded));
   row("twist ∫₀¹ 2h/σ", info.twist_erf.value);
@@ -78,8 +78,12 @@ JsonOutput curve_json(const InfoAnswer& info) {
   JsonOutput points = JsonOutput::array();
   for (const auto& point : control_points(curve)) points.push_back(phrame::json_of(point));
   JsonOutput cusp_list = JsonOutput::array();
-  for (const Interval& cusp : info.cusps)
-    cusp_list.push_back({to_string(*cusp.lower), to_string(*cusp.upper)});
+  for (const RealRoot& cusp : info.cusps) {
+    const auto exact = cusp.at.rational();
+    const RealBall t = enclose(cusp.at, 53);
+    cusp_list.push_back(
+        {to_string(exact ? *exact : t.lower()), to_string(exact ? *exact : t.upper())});
+  }
   const auto values = [](const std::vector<Decimal>& decimals) {
     JsonOutput list = JsonOutput::array();
     for (const Decimal& t : decimals) list.push_back(t.value);

@@ -16,8 +16,7 @@
 namespace phrame {
 namespace {
 
-constexpr auto unicode = Notation::unicode;
-constexpr auto latex = Notation::latex;
+using enum Notation;
 
 std::string closed_form(const IntegralAnswer& answer, Notation notation, std::string_view before) {
   const Letters letters = letters_for(answer.variable, notation);

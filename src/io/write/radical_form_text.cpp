@@ -8,8 +8,6 @@
 namespace phrame {
 namespace {
 
-bool is_unicode(const RadicalNotation& notation) { return &notation == &radical_notation::unicode; }
-
 std::string in_pattern(std::string_view pattern, std::string_view a, std::string_view b = "") {
   return fmt::vformat(pattern, fmt::make_format_args(a, b));
 }

@@ -34,6 +34,10 @@ extern const RadicalNotation maxima;
 extern const RadicalNotation pari;
 }  // namespace radical_notation
 
+inline bool is_unicode(const RadicalNotation& notation) {
+  return &notation == &radical_notation::unicode;
+}
+
 /// "(−1 + i√3)/2", "(∛(−108 + 12√93) − ∛(108 + 12√93))/6".
 std::string formatted(const Radical& x, const RadicalNotation& notation);
 

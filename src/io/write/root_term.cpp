@@ -8,8 +8,6 @@
 namespace phrame {
 namespace {
 
-bool is_unicode(const RadicalNotation& notation) { return &notation == &radical_notation::unicode; }
-
 /// "√2·x + 1 − √3", slope > 0.
 std::string linear(const Radical& slope, const Radical& constant, std::string_view variable,
                    const RadicalNotation& notation) {

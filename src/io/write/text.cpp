@@ -267,17 +267,6 @@ std::string for_reading(std::string_view text, bool in_full) {
 
 std::string abridged(std::string_view text) { return in_length(text, false); }
 
-std::string place_of_root(const Interval& root) {
-  constexpr std::size_t limit = 40;
-  const auto shown = [](const Rational& t) { return phrame::shown(t, limit); };
-  if (*root.lower == *root.upper) return "t = " + shown(*root.lower);
-  const std::string interval = fmt::format("({}, {})", shown(*root.lower), shown(*root.upper));
-  const RealBall ball = hull(*root.lower, *root.upper, 64);
-  constexpr long few_digits = 10;  // in bits
-  if (ball.accuracy_bits() < few_digits) return "a t in " + interval;
-  return fmt::format("t ≈ {}, in {}", to_string(ball, 12), interval);
-}
-
 std::string printable(std::string_view text) {
   std::string shown;
   for (std::size_t k = 0; k < text.size(); ++k) {

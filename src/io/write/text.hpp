@@ -53,9 +53,6 @@ std::string formatted(const Surd& x, Notation notation);
 /// "t² − √2·t + (1 + √2)", highest power first.
 std::string formatted(const SurdPolynomial& p, Notation notation, std::string_view variable = "t");
 
-/// Where a root lies, as located_real_roots has it: "t = 1/2", "t ≈ 0.584804, in (306605/524288,
-/// 613211/1048576)"; "a t in (1/4, 1/2)" where no decimal is known. Long numbers are passages.
-std::string place_of_root(const Interval& root);
 /// The text on one line, safe for a terminal: control characters (C0, DEL, C1) become "\u001b".
 std::string printable(std::string_view text);
 

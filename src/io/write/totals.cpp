@@ -13,7 +13,7 @@ namespace phrame {
 namespace {
 
 using Row = TotalsAnswer::Row;
-constexpr auto unicode = Notation::unicode;
+using enum Notation;
 
 struct Label {
   const char* key;     ///< in JSON
@@ -62,13 +62,13 @@ std::string to_text(const Row& row) {
   if (!row.value) return text + fmt::format(": {}\n", row.reason);
   if (!row.total) return text + "\n" + value_line("", *row.value);
   const Total& total = *row.total;
-  text +=
-      fmt::format(" = {} with\n    F′ = {}\n",
-                  times_root(total.radicand, total.turns.empty() ? "F(1) − F(0)" : "∫₀¹ ±F′ dt"),
-                  formatted_quotient(total.rate, unicode));
-  if (!total.turns.empty() && !total.rate.is_zero()) {
+  text += fmt::format(
+      " = {} with\n    F′ = {}\n",
+      times_root(total.radicand, total.sign_changes.empty() ? "F(1) − F(0)" : "∫₀¹ ±F′ dt"),
+      formatted_quotient(total.rate, unicode));
+  if (!total.sign_changes.empty() && !total.rate.is_zero()) {
     std::string places;
-    for (const RealAlgebraic& turn : total.turns)
+    for (const RealAlgebraic& turn : total.sign_changes)
       places += (places.empty() ? "" : ", ") + shown(turn);
     text += fmt::format("    the sign is + from 0 on and changes at t = {}\n", places);
   }
@@ -89,7 +89,7 @@ JsonOutput json_of(const Row& row) {
   if (!row.total) return json;
   const Total& total = *row.total;
   JsonOutput turns = JsonOutput::array();
-  for (const RealAlgebraic& turn : total.turns) turns.push_back(phrame::json_of(turn));
+  for (const RealAlgebraic& turn : total.sign_changes) turns.push_back(phrame::json_of(turn));
   json["radicand"] = to_string(total.radicand);
   json["integrand"] = phrame::json_of(total.rate);
   json["turns"] = turns;

@@ -36,8 +36,9 @@ Vector<Polynomial> position(const Curve& curve) {
   return result;
 }
 
-std::vector<Interval> cusps(const Curve& curve, const Interval& interval) {
-  return located_real_roots(curve.multiplier() * real_content(curve.preimage()), interval);
+Polynomial hodograph_content(const Curve& curve) {
+  const auto [x, y, z] = hodograph(curve);
+  return gcd(gcd(x, y), z);
 }
 
 // The ends of isolating intervals and the middles between them meet every gap between two roots: an

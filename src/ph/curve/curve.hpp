@@ -33,9 +33,8 @@ long degree(const Curve& curve);           ///< 2m + 1 + deg f, the degree of r
 
 Vector<Polynomial> hodograph(const Curve& curve);  ///< r′
 Vector<Polynomial> position(const Curve& curve);   ///< r
-/// The points of the interval where r′ = 0: real roots of f and of gcd(u, v, p, q), as
-/// located_real_roots gives them.
-std::vector<Interval> cusps(const Curve& curve, const Interval& interval);
+/// gcd(x′, y′, z′); constant for a primitive hodograph.
+Polynomial hodograph_content(const Curve& curve);
 /// The signs that f takes on the segment [0, 1], its zeros apart; decided exactly.
 struct Signs {
   bool positive = false;

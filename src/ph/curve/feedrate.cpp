@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
@@ -21,9 +22,8 @@ RationalFunction along(const RationalFunction& f, const RationalFunction& x) {
 
 void require_none_on_curve(const Polynomial& p, const char* what) {
   if (count_real_roots(p, closed(0, 1)) == 0) return;
-  const Interval place = located_real_roots(p, closed(0, 1)).front();
-  throw DomainError(fmt::format("feedrate: the speed {} at t {} {}", what,
-                                place.lower == place.upper ? "=" : "in", to_string(place)));
+  const RealAlgebraic first = real_roots(p, closed(0, 1)).front().at;
+  throw DomainError(fmt::format("feedrate: the speed {} at {}", what, place("t", first)));
 }
 
 }  // namespace

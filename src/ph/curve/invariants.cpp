@@ -33,16 +33,6 @@ std::optional<DoublePh> double_ph(const QuaternionPolynomial& a) {
   return result;
 }
 
-std::vector<Interval> normal_flips(const QuaternionPolynomial& a, const Interval& interval) {
-  const GaussianPolynomial g = bend_numerator(a);
-  if (is_zero(g))
-    throw DomainError("principal normal: the curve is a straight line, it has no principal normal");
-  Polynomial odd{1};
-  for (const auto& [base, exponent] : squarefree_factorization(gcd(g.re, g.im)).factors)
-    if (exponent % 2 == 1) odd *= base;
-  return located_real_roots(odd, interval);
-}
-
 AngleSplit closed_split(const QuaternionPolynomial& preimage) {
   const GaussianPolynomial g = bend_numerator(preimage);
   return {Rational(2) * twist_numerator(preimage),

@@ -28,12 +28,6 @@ struct DoublePh {
 /// No value where a factor of ρ has an odd exponent. All helices have one [Beltran, Monterde 2007].
 std::optional<DoublePh> double_ph(const QuaternionPolynomial& a);
 
-/// Where n and b flip: the real zeros of odd order of gcd(Re g, Im g) in the interval, as
-/// located_real_roots gives them; at one of even order n and b continue. The order is that of the
-/// inflection, but for the even one that a real factor of A brings.
-/// Throws DomainError for a straight line.
-std::vector<Interval> normal_flips(const QuaternionPolynomial& a, const Interval& interval);
-
 /// (r′ × r″)·r‴ = f³(2hρ − 4 Im(g′ḡ)σ).
 Polynomial triple_product(const Curve& curve);
 /// κ² = ρ/(f²σ⁴). The curvature of a cusp is a pole.

@@ -2,6 +2,7 @@
 
 #include "phrame/algebra/linear_system.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 
 // The tangent is (x, y, z)/σ. It is constant where x, y, z are multiples of one polynomial, lies in
 // a plane through 0 where n·(x, y, z) = 0, and in another plane, a·(x, y, z)/σ = c, where there is
@@ -59,7 +60,7 @@ std::optional<Helix> helix(const QuaternionPolynomial& a) {
   for (std::size_t k = 0; k < 3; ++k)
     if (direction[k] != 0) result.constant = result.axis[k] / direction[k];
   result.map_degree = (degree(a) * 2 - gcd(gcd(x, y), z).degree()) / 2;
-  result.is_monotone = normal_flips(a, real_line()).empty();
+  result.is_monotone = odd(inflections(a, real_line())).empty();
   return result;
 }
 

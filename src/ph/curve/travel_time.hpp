@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/algebraic_point.hpp"
 #include "phrame/algebra/increasing.hpp"
-#include "phrame/integrate/definite.hpp"
+#include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/ph/curve/feedrate.hpp"
 

@@ -31,7 +31,7 @@ Frame<Real> AlgebraicFrames::frenet(const AlgebraicPoint& t) const {
     throw DomainError("Frenet frame: the curve is a straight line, it has no principal normal");
   const Polynomial size = norm(bend_);
   if (sign_at(size, t.number()) == 0)
-    throw DomainError("Frenet frame: t ≈ " + to_string(enclose(t.number(), 64), 12) +
+    throw DomainError("Frenet frame: " + place("t", t.number()) +
                       " is an inflection, the principal normal is undefined");
   const auto vector = [&](const Polynomial& x, const Polynomial& y) {
     const auto component = [&](std::size_t k) {

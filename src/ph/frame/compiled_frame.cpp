@@ -11,7 +11,7 @@
 namespace phrame {
 namespace {
 
-constexpr long bits = 128;  // of what is known of a piece
+constexpr long frame_bits = 128;  // of what is known of a piece
 
 /// u, v, p, q of a quaternion that depends on y.
 using Components = std::array<BallPolynomial, 4>;
@@ -48,7 +48,9 @@ struct FrameEquation {
 class EquationOnPiece {
  public:
   EquationOnPiece(const FrameEquation& equation, const PolynomialPiece& piece)
-      : equation_(equation), piece_(piece), sigma_(on_piece(equation.sigma, piece, bits, true)) {}
+      : equation_(equation),
+        piece_(piece),
+        sigma_(on_piece(equation.sigma, piece, frame_bits, true)) {}
 
   const BallPolynomial& sigma() const { return sigma_; }
   /// B with φ(0) = phi_at_center, up to y^{length−1}.
@@ -64,22 +66,23 @@ class EquationOnPiece {
 
 Components EquationOnPiece::taylor(const RealBall& phi_at_center, long length) const {
   const auto times = [&](const BallPolynomial& f, const BallPolynomial& g) {
-    return multiply_series(f, g, length, bits);
+    return multiply_series(f, g, length, frame_bits);
   };
   const BallPolynomial minus_phi_rate =
-      divide_series(per_y(equation_.h, piece_, bits), sigma_, length - 1, bits);
-  const BallPolynomial phi = with_constant(-antiderivative(minus_phi_rate, bits), phi_at_center);
-  const BallPolynomial over_root = inverse_sqrt_series(sigma_, length, bits);  // 1/√σ
-  const auto unit = cos_sin_series(phi, length, bits);
+      divide_series(per_y(equation_.h, piece_, frame_bits), sigma_, length - 1, frame_bits);
+  const BallPolynomial phi =
+      with_constant(-antiderivative(minus_phi_rate, frame_bits), phi_at_center);
+  const BallPolynomial over_root = inverse_sqrt_series(sigma_, length, frame_bits);  // 1/√σ
+  const auto unit = cos_sin_series(phi, length, frame_bits);
   const BallPolynomial cos = times(unit.cos, over_root);
   const BallPolynomial sin = times(unit.sin, over_root);
 
   // (x + yi)·e^{iφ}/√σ and (x + yi)·j·e^{iφ}/√σ = (x + yi)·e^{−iφ}/√σ·j.
   const auto turned = [&](const Polynomial& re, const Polynomial& im, const BallPolynomial& sine) {
-    const BallPolynomial x = on_piece(re, piece_, bits);
-    const BallPolynomial y = on_piece(im, piece_, bits);
-    return std::pair{subtract(times(x, cos), times(y, sine), bits),
-                     add(times(x, sine), times(y, cos), bits)};
+    const BallPolynomial x = on_piece(re, piece_, frame_bits);
+    const BallPolynomial y = on_piece(im, piece_, frame_bits);
+    return std::pair{subtract(times(x, cos), times(y, sine), frame_bits),
+                     add(times(x, sine), times(y, cos), frame_bits)};
   };
   const auto [u, v] = turned(equation_.preimage.u, equation_.preimage.v, sin);
   const auto [p, q] = turned(equation_.preimage.p, equation_.preimage.q, -sin);
@@ -89,15 +92,16 @@ Components EquationOnPiece::taylor(const RealBall& phi_at_center, long length) c
 /// f·x + g·y + h·z.
 BallPolynomial products(const BallPolynomial& f, const BallPolynomial& x, const BallPolynomial& g,
                         const BallPolynomial& y, const BallPolynomial& h, const BallPolynomial& z) {
-  const BallPolynomial sum = add(multiply(f, x, bits), multiply(g, y, bits), bits);
-  return add(sum, multiply(h, z, bits), bits);
+  const BallPolynomial sum =
+      add(multiply(f, x, frame_bits), multiply(g, y, frame_bits), frame_bits);
+  return add(sum, multiply(h, z, frame_bits), frame_bits);
 }
 
 RealBall EquationOnPiece::residual_bound(const Components& x) const {
-  const BallPolynomial a = per_y(equation_.a, piece_, bits);
-  const BallPolynomial b = per_y(equation_.b, piece_, bits);
-  const BallPolynomial c = per_y(equation_.c, piece_, bits);
-  const BallPolynomial d = per_y(equation_.d, piece_, bits);
+  const BallPolynomial a = per_y(equation_.a, piece_, frame_bits);
+  const BallPolynomial b = per_y(equation_.b, piece_, frame_bits);
+  const BallPolynomial c = per_y(equation_.c, piece_, frame_bits);
+  const BallPolynomial d = per_y(equation_.d, piece_, frame_bits);
   const BallPolynomial minus_b = -b;
   const BallPolynomial minus_c = -c;
   const auto& [u, v, p, q] = x;
@@ -107,8 +111,8 @@ RealBall EquationOnPiece::residual_bound(const Components& x) const {
                          products(c, u, minus_b, v, d, p)};        //  cu − bv + dp
   RealBall sum;
   for (std::size_t k = 0; k < 4; ++k) {
-    const BallPolynomial rate = multiply(sigma_, differentiate(x[k], bits), bits);
-    sum = add(sum, integral_bound(subtract(rate, moved[k], bits), bits), bits);
+    const BallPolynomial rate = multiply(sigma_, differentiate(x[k], frame_bits), frame_bits);
+    sum = add(sum, integral_bound(subtract(rate, moved[k], frame_bits), frame_bits), frame_bits);
   }
   return sum;
 }
@@ -121,14 +125,14 @@ std::optional<PolynomialPiece> rotation_piece(
   auto piece = empty_piece(low, high, origin);
   if (!piece) return std::nullopt;
   const EquationOnPiece on_this(equation, *piece);
-  const RealBall least_sigma = least(on_this.sigma(), bits);
+  const RealBall least_sigma = least(on_this.sigma(), frame_bits);
   if (sign(least_sigma) <= 0) return std::nullopt;
 
   // Absolutely, φ is to be known to about 2^−bits.
   const Rational size_of_start = abs(start_angle.radians) + 4 * abs(start_angle.half_turns);
-  const long phi_bits = bits + (size_of_start > 1 ? binary_exponent(size_of_start) : 0);
+  const long phi_bits = frame_bits + (size_of_start > 1 ? binary_exponent(size_of_start) : 0);
   const RealBall twice_phi =
-      add(theta(piece->center, bits), to_real(start_angle).enclose(phi_bits), phi_bits);
+      add(theta(piece->center, frame_bits), to_real(start_angle).enclose(phi_bits), phi_bits);
   const Components taylor = on_this.taylor(times_power_of_two(twice_phi, -1), shape.degree + 1);
   piece->coefficients = round_coefficients({taylor.begin(), taylor.end()}, shape);
 
@@ -137,16 +141,16 @@ std::optional<PolynomialPiece> rotation_piece(
   double squares = 0;
   for (std::size_t k = 0; k < 4; ++k) {
     exact[k] = exact_polynomial(piece->coefficients, shape, static_cast<long>(k));
-    size = add(size, variation(exact[k], bits), bits);
-    const RealBall off = subtract(exact[k].coefficient(0), taylor[k].coefficient(0), bits);
-    at_zero = add(at_zero, absolute(off), bits);
+    size = add(size, variation(exact[k], frame_bits), frame_bits);
+    const RealBall off = subtract(exact[k].coefficient(0), taylor[k].coefficient(0), frame_bits);
+    at_zero = add(at_zero, absolute(off), frame_bits);
     squares += std::pow(rounding_error(piece->coefficients, shape, static_cast<long>(k)), 2);
   }
-  const RealBall remainder = divide(on_this.residual_bound(exact), least_sigma, bits);
+  const RealBall remainder = divide(on_this.residual_bound(exact), least_sigma, frame_bits);
   // |B| = 1: to be more exact than the second part makes no difference.
   const double scale = upper_double(size) + 1.0 / 64;
   if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
-  const double off = upper_double(add(at_zero, remainder, bits));
+  const double off = upper_double(add(at_zero, remainder, frame_bits));
   const double rounding = std::sqrt(squares) * (1 + 0x1p-48);         // not rounded down
   piece->error = sum_up(sum_up(rounding, off), 8 * underflow_error);  // |B| = 1
   return piece;
@@ -228,8 +232,8 @@ std::optional<Frame<RealBall>> RoundedFrames::enclose(const Rational& t) {
           exact_polynomial(piece.coefficients, polynomials_.shape(), static_cast<long>(k));
   last_ = number;
 
-  const BallPowers powers(RealBall(y, bits), polynomials_.shape().degree + 1, bits);
-  using Ball = RingBall<bits>;
+  const BallPowers powers(RealBall(y, frame_bits), polynomials_.shape().degree + 1, frame_bits);
+  using Ball = RingBall<frame_bits>;
   const auto component = [&](std::size_t k) {
     return Ball{widened(powers.value_of(of_last_[k]), piece.error)};
   };

@@ -1,7 +1,5 @@
 #include "phrame/ph/frame/erf_turning.hpp"
 
-#include <algorithm>
-
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/frame/rmf_angle.hpp"
 
@@ -17,17 +15,8 @@ ErfTurning erf_turning(const Curve& curve) {
   const RationalFunction slope =
       differentiate(RationalFunction(h, curve.multiplier() * pow(sigma(a), 2)));
   if (slope.is_zero()) return turning;
-  for (const RealRoot& root : real_roots(slope.numerator(), closed(0, 1)))
-    if (root.order % 2 == 1) turning.extrema.push_back(root);
+  turning.extrema = odd(real_roots(slope.numerator(), closed(0, 1)));
   return turning;
-}
-
-std::vector<RealRoot> odd_inside(const std::vector<RealRoot>& points) {
-  std::vector<RealRoot> found;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(found), [](const RealRoot& point) {
-    return point.order % 2 == 1 && compare(point.at, 0) > 0 && compare(point.at, 1) < 0;
-  });
-  return found;
 }
 
 }  // namespace phrame

@@ -1,6 +1,5 @@
 #pragma once
-#include "phrame/algebra/real_algebraic.hpp"
-#include "phrame/ph/curve/curve.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 
 namespace phrame {
 
@@ -12,8 +11,5 @@ struct ErfTurning {
   bool is_monotone;               ///< it is reversed nowhere in (0, 1)
 };
 ErfTurning erf_turning(const Curve& curve);
-
-/// Those of odd order in (0, 1).
-std::vector<RealRoot> odd_inside(const std::vector<RealRoot>& points);
 
 }  // namespace phrame

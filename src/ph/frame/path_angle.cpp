@@ -62,7 +62,7 @@ struct PathAngle::State {
 };
 
 PathAngle::PathAngle(Path path, Reference reference, Form form) {
-  if (reference != Reference::erf && !path.is_curve())
+  if (reference != Reference::euler_rodrigues && !path.is_curve())
     throw DomainError("Frenet frame: that of a spline jumps at joints; it is for single curves");
   std::vector<RmfAngle> angles;
   for (const Curve& curve : path.segments()) angles.emplace_back(curve, reference, form);
@@ -222,7 +222,7 @@ std::optional<GaussianRational> PathAngle::direction(const PathParameter& at) co
 }
 
 std::optional<Real> PathAngle::holonomy() const {
-  if (reference() != Reference::erf)
+  if (reference() != Reference::euler_rodrigues)
     throw DomainError("holonomy: it is found from the angle to the Euler–Rodrigues frame");
   const auto closing = path().closing_turn();
   if (!closing) return std::nullopt;

@@ -13,7 +13,8 @@ namespace phrame {
 class PathAngle {
  public:
   /// Throws DomainError as RmfAngle, and for the Frenet frame of a spline, which jumps at joints.
-  explicit PathAngle(Path path, Reference reference = Reference::erf, Form form = Form::automatic);
+  explicit PathAngle(Path path, Reference reference = Reference::euler_rodrigues,
+                     Form form = Form::automatic);
   PathAngle(const PathAngle&) = default;
   PathAngle& operator=(const PathAngle&) = default;
   ~PathAngle() = default;

@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/argument.hpp"
 #include "phrame/algebra/gaussian_integer.hpp"
-#include "phrame/integrate/definite.hpp"
+#include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
@@ -11,7 +11,7 @@ namespace phrame {
 
 /// The frame that an angle is measured from.
 enum class Reference {
-  erf,     ///< Euler–Rodrigues: (A i A*, A j A*, A k A*)/σ
+  euler_rodrigues,  ///< (A i A*, A j A*, A k A*)/σ
   frenet,  ///< tangent, normal, binormal; continued through inflections, where (n, b) jump by π
 };
 
@@ -24,9 +24,9 @@ enum class Reference {
 class RmfAngle {
  public:
   /// Throws DomainError for A = 0 and for the Frenet frame of a straight line.
-  explicit RmfAngle(const QuaternionPolynomial& preimage, Reference reference = Reference::erf,
-                    Form form = Form::automatic);
-  explicit RmfAngle(const Curve& curve, Reference reference = Reference::erf,
+  explicit RmfAngle(const QuaternionPolynomial& preimage,
+                    Reference reference = Reference::euler_rodrigues, Form form = Form::automatic);
+  explicit RmfAngle(const Curve& curve, Reference reference = Reference::euler_rodrigues,
                     Form form = Form::automatic)
       : RmfAngle(curve.preimage(), reference, form) {}
   RmfAngle(const RmfAngle&) = default;

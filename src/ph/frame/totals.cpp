@@ -32,12 +32,12 @@ Total total(const RationalFunction& rate, Antiderivative F, const Polynomial& or
             const Rational& radicand = 1) {
   Total result{radicand, rate, std::move(F), {}, Rational(0), ExactValue{}};
   for (const RealRoot& root : real_roots(orientation, open(0, 1)))
-    if (root.order % 2 == 1) result.turns.push_back(root.at);
+    if (root.order % 2 == 1) result.sign_changes.push_back(root.at);
 
   if (is_odd_about_middle(rate, orientation)) return result;  // 0
 
   std::vector<Endpoint> ends{Rational(0)};
-  ends.insert(ends.end(), result.turns.begin(), result.turns.end());
+  ends.insert(ends.end(), result.sign_changes.begin(), result.sign_changes.end());
   ends.emplace_back(Rational(1));
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const Rational sign = k % 2 == 0 ? 1 : -1;
@@ -164,7 +164,7 @@ std::optional<Real> absolute_rotation_index(const Curve& curve) {
   const Real index = curvature.value * Real([](long bits) {
                        return divide(RealBall(Rational(1, 2), bits), pi(bits), bits);
                      });
-  if (!curvature.turns.empty()) return index;
+  if (!curvature.sign_changes.empty()) return index;
   const Frame<Rational> start = euler_rodrigues_frame(curve, 0);
   const Frame<Rational> end = euler_rodrigues_frame(curve, 1);
   Rational cosine = 0;

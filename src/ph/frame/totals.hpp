@@ -8,13 +8,12 @@ namespace phrame {
 
 /// What a curve gathers on the segment [0, 1], in closed form:
 ///   √radicand · ∫₀¹ ±rate dt = √radicand · Σ ±(F(b) − F(a))
-/// over the parts [a, b] between the turns. On the first part the sign is +, at each turn it
-/// changes.
+/// over the parts [a, b] between the sign changes. On the first part the sign is +.
 struct Total {
   Rational radicand;              ///< > 0
   RationalFunction rate;          ///< without a pole on [0, 1]
   Antiderivative antiderivative;  ///< F, of the rate
-  std::vector<RealAlgebraic> turns;
+  std::vector<RealAlgebraic> sign_changes;
   Real value;                       ///< exact where it is seen to be rational
   std::optional<ExactValue> exact;  ///< of value/√radicand, where known in finite terms
 };

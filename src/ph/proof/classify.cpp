@@ -10,7 +10,7 @@
 namespace phrame {
 namespace {
 
-const Interval segment = closed(0, 1);
+const Interval unit_interval = closed(0, 1);
 
 void check(bool holds, std::string_view what) {
   if (!holds) throw Error(fmt::format("classify: the check failed, {}", what));
@@ -19,7 +19,7 @@ void check(bool holds, std::string_view what) {
 bool are_all_roots(const std::vector<RealRoot>& roots, const Polynomial& p) {
   for (const RealRoot& root : roots)
     if (sign_at(p, root.at) != 0) return false;
-  return static_cast<long>(roots.size()) == count_real_roots(p, segment);
+  return static_cast<long>(roots.size()) == count_real_roots(p, unit_interval);
 }
 
 void check(const RationalFrame& frame, const QuaternionPolynomial& a) {
@@ -53,26 +53,12 @@ void check(const Classification& c, const Curve& curve) {
 
 }  // namespace
 
-std::vector<RealRoot> cusp_points(const Curve& curve) {
-  return real_roots(curve.multiplier() * pow(real_content(curve.preimage()), 2), segment);
-}
-
-std::vector<RealRoot> inflections(const QuaternionPolynomial& a) {
-  const GaussianPolynomial g = bend_numerator(without_real_content(a));
-  return is_zero(g) ? std::vector<RealRoot>() : real_roots(gcd(g.re, g.im), segment);
-}
-
-Polynomial hodograph_content(const Curve& curve) {
-  const auto [x, y, z] = hodograph(curve);
-  return gcd(gcd(x, y), z);
-}
-
 Classification classify(const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
   const Classification result{
-      cusp_points(curve), inflections(a),    line_direction(a),        plane_normal(a),
-      helix(a),           double_ph(a),      hodograph_content(curve), twist_numerator(a).is_zero(),
-      rational_frame(a),  erf_turning(curve)};
+      cusps(curve),      inflections(a),    line_direction(a),        plane_normal(a),
+      helix(a),          double_ph(a),      hodograph_content(curve), twist_numerator(a).is_zero(),
+      rational_frame(a), erf_turning(curve)};
   check(result, curve);
   return result;
 }

@@ -249,7 +249,7 @@ std::vector<Statement> verify(const Certificate& c) {
   std::optional<ContinuousArgument> argument;
   GaussianPolynomial gamma;
   const bool has_frame =
-      c.reference == Reference::erf || !is_zero(bend_numerator(c.curve.preimage()));
+      c.reference == Reference::euler_rodrigues || !is_zero(bend_numerator(c.curve.preimage()));
   if (c.reference == Reference::frenet && has_frame) {
     rate = frenet_rate(c.curve.preimage());
     gamma = regular_bend(c.curve.preimage());

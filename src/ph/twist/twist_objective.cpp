@@ -15,8 +15,8 @@
 namespace phrame {
 namespace {
 
-constexpr unsigned points = 15;
-using Gauss = boost::math::quadrature::gauss<double, points>;
+constexpr unsigned gauss_points = 15;
+using Gauss = boost::math::quadrature::gauss<double, gauss_points>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// In doubles, those of p/scale.

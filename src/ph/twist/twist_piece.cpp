@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/transform.hpp"
 
 namespace phrame {
@@ -68,15 +69,12 @@ Real TwistPiece::last_rate() const { return wanted_rate(*this, 1); }
 std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Rational> points) {
   const Path& path = mtf.path();
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    const auto found = cusps(path.segments()[k], closed(0, 1));
+    const auto found = cusps(path.segments()[k]);
     if (!found.empty())
-      throw DomainError(
-          "the curve has a cusp" +
-          (path.segments().size() > 1 ? " in segment " + std::to_string(k) : std::string()) +
-          (found.front().lower == found.front().upper
-               ? " at t = " + to_string(found.front())
-               : " at t ≈ " + to_string(hull(*found.front().lower, *found.front().upper, 64), 12)) +
-          ", where a frame that turns with the parameter turns at an infinite rate");
+      throw DomainError("the curve has a cusp" +
+                        (path.is_curve() ? std::string() : " in segment " + std::to_string(k)) +
+                        " at " + place("t", found.front().at) +
+                        ", where a frame that turns with the parameter turns at an infinite rate");
     points.push_back(Rational(static_cast<long>(k)));
   }
   points.push_back(path.end());

@@ -35,7 +35,7 @@ bool is_line(const Curve& curve) { return line_direction(curve.preimage()).has_v
 }  // namespace
 
 TEST_CASE("certificate: the quintic's angles are the known ones, its proof is proved") {
-  const Certificate c = certify(farouki_quintic().curve, Reference::erf, {1}, 40);
+  const Certificate c = certify(farouki_quintic().curve, Reference::euler_rodrigues, {1}, 40);
   const std::string truth = farouki_2003()["quintic"]["theta_RMF_rel_ERF"]["1"].get<std::string>();
   check_rounded(c.claims[0].theta, c.claims[0].radius, truth, 40, 48);
   CHECK(c.claims[0].radius == "5e-41");
@@ -49,7 +49,7 @@ TEST_CASE("certificate: all curves up to preimage degree 8, both frames, through
     const NamedCurve named = read_curve(line);
     if (preimage_degree(named.curve) > 8) continue;
     CAPTURE(named.name);
-    for (const Reference reference : {Reference::erf, Reference::frenet}) {
+    for (const Reference reference : {Reference::euler_rodrigues, Reference::frenet}) {
       if (reference == Reference::frenet && is_line(named.curve)) continue;
       const Certificate c = certificate(named.curve, reference);
       const std::string text = write_certificate(c, named.name);
@@ -77,14 +77,15 @@ TEST_CASE("verify: near-cusps, next to the ends and inside, are proved") {
                               Rational(1 - epsilon), Rational(1), Rational(1 + epsilon)}) {
       CAPTURE(text);
       CAPTURE(to_string(c));
-      check_proved(certify(near_cusp(c, epsilon), Reference::erf, {Rational(1, 2), 1}, 25));
+      check_proved(
+          certify(near_cusp(c, epsilon), Reference::euler_rodrigues, {Rational(1, 2), 1}, 25));
     }
   }
 }
 
 TEST_CASE("certificate: exact angles are claimed as such") {
   const Certificate rational =
-      certify(rational_angle_curve().curve, Reference::erf, {0, 1, Rational(1, 3)}, 20);
+      certify(rational_angle_curve().curve, Reference::euler_rodrigues, {0, 1, Rational(1, 3)}, 20);
   CHECK(rational.logs.empty());
   CHECK(rational.claims[0] == AngleClaim{0, "0", "0", {}});
   CHECK(parse_rational(rational.claims[1].theta) == -1);  // −2t/(t² + 1)
@@ -103,7 +104,7 @@ TEST_CASE("certificate: exact angles are claimed as such") {
     }
     check_proved(c);
   }
-  const Certificate line = certificate(straight_line().curve, Reference::erf);
+  const Certificate line = certificate(straight_line().curve, Reference::euler_rodrigues);
   CHECK(line.claims[1] == AngleClaim{1, "0", "0", {}});
   check_proved(line);
   CHECK_THROWS_AS(certificate(straight_line().curve, Reference::frenet), DomainError);
@@ -122,7 +123,7 @@ TEST_CASE("certificate: law: random curves are proved, many or few digits") {
   for_samples(40, [](Random& random) {
     const Curve curve = random.curve(5);
     const Reference reference =
-        is_line(curve) || random.chance(2) ? Reference::erf : Reference::frenet;
+        is_line(curve) || random.chance(2) ? Reference::euler_rodrigues : Reference::frenet;
     const Certificate c =
         certify(curve, reference, {random.rational(), random.rational()}, random.integer(1, 120));
     CHECK(read_certificate(write_certificate(c, "")) == c);
@@ -243,7 +244,7 @@ TEST_CASE("verify: what is false is not proved") {
 // Lists of two texts each, which JSON libraries like to take for an object.
 TEST_CASE("certificate: a hodograph of linear polynomials is a list of lists") {
   const Curve curve({{-2}, {9}, {}, {Rational(-2, 7)}}, Polynomial{2, 3});
-  const Certificate c = certificate(curve, Reference::erf);
+  const Certificate c = certificate(curve, Reference::euler_rodrigues);
   CHECK(read_certificate(write_certificate(c, "")) == c);
 }
 
@@ -253,7 +254,8 @@ TEST_CASE("certificate: a residue is shown where only one logarithm has a pole")
   Rational m = 0;  // a convergent of √2 − 1
   for (int k = 0; k < 30; ++k) m = Rational(1) / (2 + m);
   const Rational b = (1 + 2 * m - m * m) / (1 + m * m);
-  const Certificate c = certify(Curve({{1}, {0, b}, {}, {0, 0, 1}}), Reference::erf, {0}, 17);
+  const Certificate c =
+      certify(Curve({{1}, {0, b}, {}, {0, 0, 1}}), Reference::euler_rodrigues, {0}, 17);
   REQUIRE(c.logs.size() == 2);
   CHECK(are_apart(c.logs[0].roots[0], c.logs[1].roots[0]));
   check_proved(c);
@@ -262,7 +264,7 @@ TEST_CASE("certificate: a residue is shown where only one logarithm has a pole")
 TEST_CASE("certificate: roots of any size are at the nearest points of the grid") {
   const Rational tiny = phrame::power_of_ten(-3000);
   const Certificate c = certify(Curve({{1}, {0, tiny}, {0, 0, tiny * tiny}, {Rational(1, 3)}}),
-                                Reference::erf, {0}, 17);
+                                Reference::euler_rodrigues, {0}, 17);
   for (const RootDisc& disc : c.logs.at(0).roots) CHECK(disc.radius <= 4);
 }
 
@@ -275,7 +277,7 @@ TEST_CASE("verify: a straight line has no Frenet frame") {
 }
 
 TEST_CASE("verify: the order of points is no matter") {
-  Certificate c = certificate(farouki_quintic().curve, Reference::erf);
+  Certificate c = certificate(farouki_quintic().curve, Reference::euler_rodrigues);
   std::swap(c.decisions.zeros_of_h.at(0), c.decisions.zeros_of_h.at(1));
   check_proved(c);
 }

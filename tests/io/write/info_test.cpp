@@ -170,7 +170,7 @@ TEST_CASE("reports: angles and energies of all reference curves up to preimage d
       return Json::parse(to_json(answer(named, query)))["values"][0];
     };
     const Json& expected = line["expected"];
-    const Json erf = theta(Reference::erf);
+    const Json erf = theta(Reference::euler_rodrigues);
     test::check_rounded(erf["theta"], erf["radius"], expected["theta_erf_1"], 50, 60);
     if (expected.contains("theta_frenet_1")) {
       const Json frenet = theta(Reference::frenet);

@@ -82,17 +82,6 @@ TEST_CASE("text: bivariate polynomials put only coefficients with an x into pare
         "⟨degree 1 in t⟩");
 }
 
-TEST_CASE("text: a root is at a point or in an interval, long numbers abbreviated") {
-  CHECK(place_of_root(closed(Rational(1, 2), Rational(1, 2))) == "t = 1/2");
-  CHECK(place_of_root(open(Rational(1, 4), Rational(1, 2))) == "a t in (1/4, 1/2)");
-  // ∛(1/5) = 0.58480354764…
-  CHECK(place_of_root(open(Rational(306605, 524288), Rational(613211, 1048576))) ==
-        "t ≈ 0.584803, in (306605/524288, 613211/1048576)");
-  CHECK(place_of_root(open(0, Rational(1, 1048576))) == "a t in (0, 1/1048576)");
-  const Rational tiny = parse_rational("1e-500");
-  CHECK(text_width(place_of_root(closed(tiny, tiny))) < 90);
-}
-
 TEST_CASE("text: control characters, in one byte or two, are escaped; other characters stay") {
   CHECK(printable("a\x1b[31m\nb\x7f") == "a\\u001b[31m\\u000ab\\u007f");
   CHECK(printable("\xC2\x9B"

@@ -72,17 +72,6 @@ TEST_CASE("Bernstein: law: the sum of basis polynomials, written out") {
   });
 }
 
-TEST_CASE("cusps: real roots of the multiplier and of the common factor") {
-  const QuaternionPolynomial a{{1}, {0, 1}, {2}, {}};
-  CHECK(cusps(Curve(a), real_line()).empty());
-  const Polynomial half{-1, 2};
-  const auto found =
-      cusps(Curve({half * a.u, half * a.v, half * a.p, half * a.q}, {-3, 1}), real_line());
-  REQUIRE(found.size() == 2);
-  CHECK(found[0] == closed(Rational(1, 2), Rational(1, 2)));
-  CHECK(found[1] == closed(3, 3));
-}
-
 TEST_CASE("curve: the signs of the multiplier on [0, 1] are exact") {
   const auto signs = [](const Polynomial& f) {
     return multiplier_signs(Curve({{1}, {}, {}, {}}, f));

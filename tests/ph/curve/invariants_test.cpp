@@ -143,20 +143,3 @@ TEST_CASE("invariants: law: ω² = κ² + τ² is at least κ², and κ² where 
   const Curve flat({{1, 2}, {}, {}, {3, 0, 1}});
   CHECK(squared_frenet_rate(flat) == squared_curvature(flat));
 }
-
-TEST_CASE("invariants: n and b flip at the zeros of odd order of g, and only there") {
-  const auto at = [](const Rational& t) { return std::vector<Interval>{closed(t, t)}; };
-  // A = 1 + ck: g = c′.
-  const auto flips = [](const Polynomial& c) {
-    return normal_flips({{1}, {}, {}, c}, closed(0, 1));
-  };
-  CHECK(flips({0, 0, 1}) == at(0));
-  CHECK(flips({0, -1, 1}) == at(Rational(1, 2)));
-  CHECK(flips(pow(Polynomial{-1, 2}, 3)).empty());
-  CHECK(flips(pow(Polynomial{-1, 2}, 4)) == at(Rational(1, 2)));
-  CHECK(flips({0, -3, 1}).empty());  // at 3/2
-  // A real factor of A is a double factor of g.
-  const Polynomial c{-1, 3};
-  CHECK(normal_flips({c, {}, {}, c * Polynomial{0, -1, 1}}, closed(0, 1)) == at(Rational(1, 2)));
-  CHECK_THROWS_AS(normal_flips({{1, 1}, {}, {}, {}}, closed(0, 1)), DomainError);
-}

@@ -65,7 +65,7 @@ TEST_CASE("algebraic frame: law: at rational t it is what Frames says") {
     const auto erf = frames.euler_rodrigues(t);
     CHECK(algebraic.euler_rodrigues(point).e2[1].exact() == erf.e2[1]);
     check_near(algebraic.euler_rodrigues(point).e3, real(erf.e3), tiny);
-    RmfAngle angle(curve, Reference::erf);
+    RmfAngle angle(curve, Reference::euler_rodrigues);
     const auto rmf = frames.rotation_minimizing(angle, t);
     check_near(algebraic.rotation_minimizing(point).e2, rmf.e2, tiny);
     check_near(algebraic.rotation_minimizing(point).e3, rmf.e3, tiny);
@@ -84,7 +84,7 @@ TEST_CASE("algebraic frame: law: it is continuous: next to an irrational t it is
     if (norm(bend_numerator(curve.preimage()))(t) < Rational(1, 1000)) return;
     AlgebraicFrames algebraic(curve);
     const Frames frames(curve);
-    RmfAngle angle(curve, Reference::erf);
+    RmfAngle angle(curve, Reference::euler_rodrigues);
     const Rational small = parse_rational("1e-20");
     const auto rmf = frames.rotation_minimizing(angle, t);
     check_near(algebraic.rotation_minimizing(point).e1, rmf.e1, small);

@@ -117,7 +117,7 @@ TEST_CASE("compiled angle and frame: every curve of the collection") {
     const NamedCurve c = read_curve(line);
     if (preimage_degree(c.curve) > 8) continue;
     CAPTURE(c.name);
-    RmfAngle angle(c.curve, Reference::erf);
+    RmfAngle angle(c.curve, Reference::euler_rodrigues);
     const auto at = parameters(random, 12);
     check_angle(angle, 0, at, 0, 1);
     if (++curves % 4 == 0) check_frame(c.curve, angle, at, 0, 1);
@@ -134,7 +134,7 @@ TEST_CASE("compiled angle and frame: law: on any interval, from any angle, to bo
     for (int k = 0; k < 12; ++k) at.push_back(std::min(to, from + (to - from) * parameter(random)));
     if (from < 0 && to > 0) at.insert(at.end(), {0.0, 0x1p-1070, -1e-200});
     try {
-      RmfAngle angle(curve, Reference::erf);
+      RmfAngle angle(curve, Reference::euler_rodrigues);
       check_angle(angle, random.rational(), at, from, to);
       check_frame(curve, angle, at, from, to);
       RmfAngle frenet(curve, Reference::frenet);
@@ -148,7 +148,7 @@ TEST_CASE("compiled angle and frame: law: on any interval, from any angle, to bo
 TEST_CASE("rounded frames: law: those of the exact frames, also beyond the interval") {
   for_samples(20, [](Random& random) {
     const Curve curve = random.curve(3);
-    RmfAngle angle(curve, Reference::erf);
+    RmfAngle angle(curve, Reference::euler_rodrigues);
     try {
       RoundedFrames rounded(curve, angle, -1, 2);
       const Frames exact(curve);
@@ -173,7 +173,7 @@ TEST_CASE("compiled angle and frame: law: the bounds of crude polynomials hold, 
   double closest_frame = 0;
   for_samples(30, [&](Random& random) {
     const Curve curve = random.curve(2);
-    RmfAngle angle(curve, Reference::erf);
+    RmfAngle angle(curve, Reference::euler_rodrigues);
     const long degree = random.integer(1, 6);
     const double goal = std::pow(10.0, -static_cast<double>(random.integer(1, 4)));
     const Rational start = random.rational();
@@ -239,15 +239,16 @@ TEST_CASE("compiled angle: next to a near-cusp, and where doubles are too far ap
     return at;
   };
   const Curve in_collection = named("deg-nearcusp");
-  RmfAngle angle(in_collection, Reference::erf);
+  RmfAngle angle(in_collection, Reference::euler_rodrigues);
   check_angle(angle, 0, near(1.0 / 3, 1e-8), 0, 1);
   check_frame(in_collection, angle, near(1.0 / 3, 1e-8), 0, 1);
 
   const Curve at_zero = near_cusp(0, parse_rational("1e-40"));  // doubles are close there
-  RmfAngle steep(at_zero, Reference::erf);
+  RmfAngle steep(at_zero, Reference::euler_rodrigues);
   check_angle(steep, 0, near(0, 1e-40), 0, 1);
 
-  RmfAngle too_steep(near_cusp(Rational(1, 3), parse_rational("1e-19")), Reference::erf);
+  RmfAngle too_steep(near_cusp(Rational(1, 3), parse_rational("1e-19")),
+                     Reference::euler_rodrigues);
   CHECK_THROWS_WITH_AS(CompiledAngle(too_steep, 0, 1), doctest::Contains("next to t = 0.33333"),
                        Undecided);
 }
@@ -255,7 +256,7 @@ TEST_CASE("compiled angle: next to a near-cusp, and where doubles are too far ap
 TEST_CASE("compiled angle and frame: large and tiny intervals, and angles beyond doubles") {
   Random random(11);
   const Curve curve = named("gen-m02-0");
-  RmfAngle angle(curve, Reference::erf);
+  RmfAngle angle(curve, Reference::euler_rodrigues);
   for (const auto& [from, to] : {std::pair{3e15, 3e15 + 64}, {1e-200, 2e-200}, {-1e20, 1e20}}) {
     std::vector<double> at{from, to};
     for (int k = 0; k < 10; ++k) at.push_back(from + (to - from) * parameter(random));
@@ -272,7 +273,7 @@ TEST_CASE("compiled angle and frame: large and tiny intervals, and angles beyond
 }
 
 TEST_CASE("compiled angle: the exact angle is rarely needed, but for 0") {
-  RmfAngle angle(named("gen-m02-0"), Reference::erf);
+  RmfAngle angle(named("gen-m02-0"), Reference::euler_rodrigues);
   CompiledAngle compiled(angle, 0, 1);
   Random random(5);
   for (int k = 0; k < 100'000; ++k)
@@ -283,7 +284,7 @@ TEST_CASE("compiled angle: the exact angle is rarely needed, but for 0") {
   CHECK(compiled(0) == 0);
   CHECK(compiled.exact_values() == 1);
 
-  RmfAngle zero(Curve({Polynomial{1, 1}, {}, {}, {}}), Reference::erf);
+  RmfAngle zero(Curve({Polynomial{1, 1}, {}, {}, {}}), Reference::euler_rodrigues);
   CompiledAngle always_zero(zero, 0, 1);
   for (const double t : {0.0, 0.3, 1.0}) CHECK(always_zero(t) == 0);
   CHECK(always_zero.exact_values() == 0);
@@ -300,7 +301,7 @@ TEST_CASE("compiled angle: next to ties between doubles") {
     const double at = round_to_double(parse_rational(t));
     if (exact_rational(at) != parse_rational(t)) continue;
     CAPTURE(line);
-    RmfAngle angle(named(curve), Reference::erf);
+    RmfAngle angle(named(curve), Reference::euler_rodrigues);
     CompiledAngle compiled(angle, std::min(at, 0.0) - 0.1, std::max(at, 0.0) + 0.1);
     CHECK(compiled(at) == std::strtod(value.c_str(), nullptr));
     ++ties;
@@ -322,7 +323,7 @@ TEST_CASE("compiled angle and frame: of a spline, through the joints") {
   for (const std::string name : {"gen-m02-0", "gen-m03-1", "deg-nearcusp"}) {
     CAPTURE(name);
     const Curve curve = named(name);
-    RmfAngle whole(curve, Reference::erf);
+    RmfAngle whole(curve, Reference::euler_rodrigues);
     const Frames exact(curve);
     PathAngle angle(halves(curve));
     CompiledAngle compiled(angle, Rational(1, 7));
@@ -344,7 +345,7 @@ TEST_CASE("compiled angle and frame: of a spline, through the joints") {
 }
 
 TEST_CASE("compiled angle and frame: outside the interval") {
-  RmfAngle angle(test::quintic, Reference::erf);
+  RmfAngle angle(test::quintic, Reference::euler_rodrigues);
   CompiledAngle compiled(angle, 0, 1);
   const CompiledFrames frames(test::quintic, angle, 0, 1);
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -42,7 +42,7 @@ std::vector<GivenFrame> turned_frames(const Curve& curve, Angle angle) {
 }
 
 std::vector<GivenFrame> good_frames() {
-  RmfAngle theta(quintic, Reference::erf);
+  RmfAngle theta(quintic, Reference::euler_rodrigues);
   return turned_frames(quintic, [&](const Rational& t) { return theta.value(t); });
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("frame check: Frenet frames are recognised, and their angle is the err
 }
 
 TEST_CASE("frame check: other frames that are meant well are recognised") {
-  RmfAngle theta(quintic, Reference::erf);
+  RmfAngle theta(quintic, Reference::euler_rodrigues);
   const auto erf = turned_frames(quintic, [](const Rational&) { return Rational(1, 3); });
   CHECK(kinds(check(erf)) == std::vector{Kind::euler_rodrigues});
   const auto backwards = turned_frames(quintic, [&](const Rational& t) { return -theta.value(t); });
@@ -181,7 +181,7 @@ namespace {
 /// The rotation-minimizing frame, turned by `error`(k) at t = k/10.
 template <class Error>
 std::vector<GivenFrame> off_by(Error error) {
-  RmfAngle theta(quintic, Reference::erf);
+  RmfAngle theta(quintic, Reference::euler_rodrigues);
   return turned_frames(quintic, [&](const Rational& t) {
     return theta.value(t) + error(static_cast<long>(numerator(t * 10)));
   });
@@ -308,7 +308,7 @@ TEST_CASE("frame check: samples in any order, and one alone") {
 TEST_CASE("frame check: a known error is found") {
   for_samples(30, [](Random& random) {
     const Curve curve = random.curve(3);
-    RmfAngle theta(curve, Reference::erf);
+    RmfAngle theta(curve, Reference::euler_rodrigues);
     const double error = std::ldexp(1.0, -static_cast<int>(random.integer(1, 40)));
     const auto frames = turned_frames(
         curve, [&](const Rational& t) { return theta.value(t) + exact_rational(error) * t; });

@@ -53,7 +53,7 @@ TEST_CASE("frame: law: ERF, Frenet and RMF are orthonormal and right-handed, alo
     const auto r1 = evaluate(hodograph(curve), t);
     CHECK(cross(erf.e1, r1) == Vector<Rational>{});
     CHECK(dot(erf.e1, r1) >= 0);
-    RmfAngle angle(curve, Reference::erf);
+    RmfAngle angle(curve, Reference::euler_rodrigues);
     check_orthonormal(rotation_minimizing_frame(curve, angle, t));
   });
 }
@@ -88,7 +88,7 @@ TEST_CASE("frame: law: both angles describe the same rotation-minimizing frames"
     const Polynomial g_common =
         gcd(bend_numerator(curve.preimage()).re, bend_numerator(curve.preimage()).im);
     if (count_real_roots(g_common, closed(0, t)) > 0) return;
-    RmfAngle erf(curve, Reference::erf);
+    RmfAngle erf(curve, Reference::euler_rodrigues);
     RmfAngle frenet(curve, Reference::frenet);
     const RealBall difference = subtract(frenet.enclose(t, bits), erf.enclose(t, bits), bits);
     const auto angle_of_n = [&](const Rational& at) {  // of n in (e₂, e₃)
@@ -108,7 +108,7 @@ TEST_CASE("frame: law: both angles describe the same rotation-minimizing frames"
 TEST_CASE("frame: rotation-minimizing: f₂ only ever moves along the tangent, by differences") {
   // (f₂(t + ε) − f₂(t))/ε has no part along f₃ beyond O(ε).
   const Curve curve({{1, 2}, {3, 0, 1}, {0, 1}, {2, -1}});
-  RmfAngle angle(curve, Reference::erf);
+  RmfAngle angle(curve, Reference::euler_rodrigues);
   const Rational t(2, 5);
   const Rational epsilon = parse_rational("1e-20");
   const auto now = rotation_minimizing_frame(curve, angle, t);
@@ -121,7 +121,7 @@ TEST_CASE("frame: rotation-minimizing: f₂ only ever moves along the tangent, b
 
 TEST_CASE("frame: exact values: at t = 0, with h = 0, and through a cusp") {
   const Curve curve({{1, 2}, {3}, {0, 1}, {2, -1}});
-  RmfAngle angle(curve, Reference::erf);
+  RmfAngle angle(curve, Reference::euler_rodrigues);
   const auto start = rotation_minimizing_frame(curve, angle, 0);
   const auto erf = euler_rodrigues_frame(curve, 0);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -138,7 +138,7 @@ TEST_CASE("frame: exact values: at t = 0, with h = 0, and through a cusp") {
 TEST_CASE("frame: a rational rotation-minimizing frame is exact, and 0 where it is") {
   // (1 + tk)(1 + ti): in the plane z = 0, e₂(0) = j, so that f₃ is k.
   const Curve plane({{1}, {0, 1}, {0, 0, 1}, {0, 1}});
-  RmfAngle angle(plane, Reference::erf);
+  RmfAngle angle(plane, Reference::euler_rodrigues);
   const auto frame = rotation_minimizing_frame(plane, angle, Rational(1, 2));
   CHECK(euler_rodrigues_frame(plane, Rational(1, 2)).e3[2] != 1);
   CHECK(frame.e2[0].exact() == Rational(-4, 5));
@@ -154,7 +154,7 @@ TEST_CASE("frame: law: a rational rotation-minimizing frame is the turned one") 
     if (is_zero(w)) return;
     const Curve curve(class_one * w);
     const Rational t = random.rational();
-    RmfAngle angle(curve, Reference::erf);
+    RmfAngle angle(curve, Reference::euler_rodrigues);
     const auto frame = rotation_minimizing_frame(curve, angle, t);
     const auto expected = turned(as_real(euler_rodrigues_frame(curve, t)), angle.value(t));
     for (std::size_t k = 0; k < 3; ++k) {

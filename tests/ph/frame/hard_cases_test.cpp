@@ -74,7 +74,7 @@ TEST_CASE("hard cases: every one is rounded correctly, to the last bit") {
     CAPTURE(hard.curve);
     CAPTURE(hard.t);
     CAPTURE(hard.quantity);
-    RmfAngle angle(curve.at(hard.curve), Reference::erf);
+    RmfAngle angle(curve.at(hard.curve), Reference::euler_rodrigues);
     const Real x = number(curve.at(hard.curve), angle, hard);
     CHECK(bits(round_to_double(x)) == bits(hard.value));
   }
@@ -88,7 +88,7 @@ TEST_CASE("hard cases: with too few bits they are undecided, not guessed") {
     CAPTURE(hard.curve);
     CAPTURE(hard.t);
     CAPTURE(hard.quantity);
-    RmfAngle angle(curve.at(hard.curve), Reference::erf);
+    RmfAngle angle(curve.at(hard.curve), Reference::euler_rodrigues);
     const Real known = number(curve.at(hard.curve), angle, hard);
     if (known.exact()) continue;
     // Of a number that is known to be irrational there never are too few: that is forgotten here.

@@ -35,7 +35,7 @@ std::string fifty(const RmfAngle& angle, const Rational& t) {
 TEST_CASE("angle: the quintic of Farouki 2003 at eleven points, in both frames") {
   std::ifstream file(test::data("/farouki-2003.json"));
   const auto reference = nlohmann::json::parse(file).at("quintic");
-  RmfAngle erf(quintic, Reference::erf);
+  RmfAngle erf(quintic, Reference::euler_rodrigues);
   RmfAngle frenet(quintic, Reference::frenet);
   for (const auto& [t, theta] : reference.at("theta_RMF_rel_ERF").items())
     CHECK(agree(fifty(erf, parse_rational(t)), theta));
@@ -52,7 +52,7 @@ TEST_CASE("angle: every curve of the collection, both frames, 50 digits") {
     const Curve& curve = named.curve;
     CAPTURE(named.name);
     const auto expected = nlohmann::json::parse(line).at("expected");
-    RmfAngle erf(curve, Reference::erf);
+    RmfAngle erf(curve, Reference::euler_rodrigues);
     CHECK(agree(fifty(erf, 1), expected.at("theta_erf_1")));
     if (expected.contains("theta_frenet_1")) {
       RmfAngle frenet(curve, Reference::frenet);
@@ -69,7 +69,7 @@ TEST_CASE("angle: every curve of the collection, both frames, 50 digits") {
 TEST_CASE(
     "angle: A = (t + i)(t + j): θ = −2t/(1 + t²) exactly, Frenet as in the reference values") {
   const Curve curve({{0, 0, 1}, {0, 1}, {0, 1}, {1}});
-  RmfAngle erf(curve, Reference::erf);
+  RmfAngle erf(curve, Reference::euler_rodrigues);
   CHECK(erf.twist() == Antiderivative{{}, RationalFunction({0, -2}, {1, 0, 1}), {}});
   CHECK(erf.value(Rational(1, 2)).exact() == Rational(-4, 5));
   RmfAngle frenet(curve, Reference::frenet);
@@ -81,7 +81,7 @@ TEST_CASE(
 TEST_CASE("angle: h = 0 without lying in a plane: the ERF is rotation-minimizing") {
   const Curve curve({{1}, {0, 0, 0, 1}, {0, 3}, {0, 0, 1}});  // 1 + t³i + 3tj + t²k
   CHECK(erf_rate(curve.preimage()).is_zero());
-  RmfAngle erf(curve, Reference::erf);
+  RmfAngle erf(curve, Reference::euler_rodrigues);
   CHECK(erf.value(Rational(2, 3)).exact() == Rational(0));
   CHECK_FALSE(frenet_rate(curve.preimage()).is_zero());
 }
@@ -94,7 +94,7 @@ TEST_CASE("angle: a plane curve's Frenet frame is rotation-minimizing, exactly")
   CHECK(frenet.rate().is_zero());
   CHECK(frenet.value(5).exact() == Rational(0));
   CHECK_FALSE(frenet.bend().has_value());
-  RmfAngle erf(Curve(turned), Reference::erf);
+  RmfAngle erf(Curve(turned), Reference::euler_rodrigues);
   CHECK_FALSE(erf.value(1).exact().has_value());
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("angle: a cusp does not disturb it") {
   const QuaternionPolynomial b{{1, 2}, {3}, {0, 1}, {2, -1}};
   const Polynomial factor{-1, 2};
   const Curve curve({factor * b.u, factor * b.v, factor * b.p, factor * b.q}, {-1, 3});
-  for (const Reference reference : {Reference::erf, Reference::frenet}) {
+  for (const Reference reference : {Reference::euler_rodrigues, Reference::frenet}) {
     RmfAngle with_cusp(curve, reference);
     RmfAngle without(Curve(b), reference);
     CHECK(with_cusp.rate() == without.rate());
@@ -130,7 +130,7 @@ TEST_CASE("angle: h of both signs with θ(t₁) = 0 exactly, seen through w(0) =
   const QuaternionPolynomial b{{1, 2}, {3}, {0, 1}, {2, -1}};
   const Polynomial w{0, -1, 1};
   const Curve curve({compose(b.u, w), compose(b.v, w), compose(b.p, w), compose(b.q, w)});
-  RmfAngle erf(curve, Reference::erf);
+  RmfAngle erf(curve, Reference::euler_rodrigues);
   CHECK(erf.value(1).exact() == Rational(0));
   RmfAngle frenet(curve, Reference::frenet);
   CHECK(frenet.value(1).exact() == Rational(0));
@@ -147,7 +147,7 @@ TEST_CASE("angle: a rational RMF whose turns cancel at t = 1: θ = 0 exactly, in
                                  linear(Rational(1, 2), Rational(-1, 2)) *
                                  linear(Rational(1, 2), Rational(-1, 2));
   const Curve curve(QuaternionPolynomial{{1}, {}, {0, 1}, {}} * w);
-  RmfAngle erf(curve, Reference::erf);
+  RmfAngle erf(curve, Reference::euler_rodrigues);
   CHECK(erf.value(1).exact() == Rational(0));
   CHECK_FALSE(erf.value(2).exact().has_value());
   CHECK(RmfAngle(curve, Reference::frenet).value(1).exact() == Rational(0));
@@ -161,7 +161,7 @@ TEST_CASE(
     const QuaternionPolynomial w{random.polynomial(2), random.polynomial(2), {}, {}};
     const QuaternionPolynomial a = (random.chance(2) ? plane : class_one) * w;
     if (is_zero(a)) return;
-    for (const Reference reference : {Reference::erf, Reference::frenet}) {
+    for (const Reference reference : {Reference::euler_rodrigues, Reference::frenet}) {
       if (reference == Reference::frenet && is_zero(bend_numerator(a))) continue;
       RmfAngle angle(Curve(a), reference);
       const Rational t = random.rational();
@@ -173,13 +173,14 @@ TEST_CASE(
       CHECK(expected.sin.overlaps(divide(RealBall(z->im, 128), size, 128)));
     }
   });
-  CHECK_FALSE(RmfAngle(quintic, Reference::erf).direction(0));
+  CHECK_FALSE(RmfAngle(quintic, Reference::euler_rodrigues).direction(0));
   // θ = −2t/(1 + t²): e^{iθ} is no rational function.
-  CHECK_FALSE(RmfAngle(Curve({{0, 0, 1}, {0, 1}, {0, 1}, {1}}), Reference::erf).direction(1));
+  CHECK_FALSE(
+      RmfAngle(Curve({{0, 0, 1}, {0, 1}, {0, 1}, {1}}), Reference::euler_rodrigues).direction(1));
 }
 
 TEST_CASE("angle: far outside [0, 1] and close to 0, against the leading behaviour") {
-  RmfAngle erf(quintic, Reference::erf);
+  RmfAngle erf(quintic, Reference::euler_rodrigues);
   // θ′ = 8t/6·(1 + O(t)): at t = 10^-30 θ = (2/3)·10^-60 (1 + O(10^-30)).
   CHECK(round_to_decimal(erf.value(parse_rational("1e-30")), 20).value ==
         "6.6666666666666666667e-61");
@@ -199,7 +200,7 @@ TEST_CASE("angle: far outside [0, 1] and close to 0, against the leading behavio
   CHECK(round_to_decimal(frenet.value(h), 3000).value ==
         round_to_decimal(leading_terms, 3000).value);
   for (const Route route : {Route::roots, Route::both}) {
-    RmfAngle slow(quintic, Reference::erf);
+    RmfAngle slow(quintic, Reference::euler_rodrigues);
     slow.take(route);
     CHECK(round_to_decimal(slow.value(parse_rational("1e-700")), 10).value == "6.666666667e-1401");
   }
@@ -214,7 +215,7 @@ TEST_CASE("angle: law: values are integrals of the rate, for every form and both
   for_samples(40, [](Random& random) {
     const Curve curve = random.curve(3);
     const Rational t = Rational(random.integer(-8, 8), 4);
-    for (const Reference reference : {Reference::erf, Reference::frenet}) {
+    for (const Reference reference : {Reference::euler_rodrigues, Reference::frenet}) {
       if (reference == Reference::frenet && is_zero(bend_numerator(curve.preimage()))) {
         CHECK_THROWS_AS(RmfAngle(curve, reference), DomainError);
         continue;
@@ -252,7 +253,7 @@ TEST_CASE("angle: law: the paper's route has the same derivative and the same ce
 // A = 1 + ti: σ = 1 + t², h = 1, θ = −2 arctan t.
 TEST_CASE("angle: a start that is a multiple of pi cancels the angle exactly") {
   const Curve turning({Polynomial{1}, Polynomial{0, 1}, {}, {}});
-  RmfAngle angle(turning, Reference::erf);
+  RmfAngle angle(turning, Reference::euler_rodrigues);
   CHECK(angle.value(1, Angle(Rational(1, 2), 0)).exact() == Rational(0));
   CHECK(angle.value(1, Angle(Rational(1, 2), Rational(1, 3))).exact() == Rational(1, 3));
   CHECK(angle.value(-1, Angle(Rational(-1, 2), 0)).exact() == Rational(0));
@@ -278,7 +279,7 @@ TEST_CASE("angle: copies outlive what they came from, and their values outlive t
 }
 
 TEST_CASE("angle: the way that a copy takes is its own") {
-  const RmfAngle angle(quintic, Reference::erf);
+  const RmfAngle angle(quintic, Reference::euler_rodrigues);
   RmfAngle both = angle;
   both.take(Route::both);
   CHECK(both.enclose(1, 200).overlaps(angle.enclose(1, 200)));
@@ -292,7 +293,7 @@ TEST_CASE("angle: it depends on the preimage alone") {
 }
 
 TEST_CASE("threads: four of them ask one angle at rising precisions") {
-  for (const Reference reference : {Reference::erf, Reference::frenet}) {
+  for (const Reference reference : {Reference::euler_rodrigues, Reference::frenet}) {
     const RmfAngle angle(quintic, reference);
     const RmfAngle other(quintic, reference);
     const auto digits = [](const RmfAngle& of, long k) {

@@ -84,8 +84,8 @@ TEST_CASE("totals: a plane cubic in finite terms") {
 TEST_CASE("totals: where a plane curve turns the other way, its curvature still counts") {
   const Curve bend({{1}, {}, {}, {0, 1, -1}});
   const Total total = total_curvature(bend).value();
-  REQUIRE(total.turns.size() == 1);
-  CHECK(total.turns[0] == Rational(1, 2));
+  REQUIRE(total.sign_changes.size() == 1);
+  CHECK(total.sign_changes[0] == Rational(1, 2));
   CHECK(total.exact == ExactValue{0, 0, {}, {{4, Rational(1, 4)}}});
   CHECK(agree(total_curvature(rotated(bend, {2, 1, 3, 5})).value().value, total.value));
   const Curve oblique({{1, 1, -1}, {0, 1, -1}, {0, -1, 1}, {1, -1, 1}});
@@ -116,7 +116,7 @@ TEST_CASE("totals: a torsion that cancels by symmetry is exactly 0") {
   const Polynomial odd{Rational(-1, 2), 1};
   const Curve curve({{Rational(7, 4), -3, 3}, Polynomial{2} * odd, odd, odd}, odd);
   const Total torsion = total_torsion(curve);
-  REQUIRE(torsion.turns.size() == 1);
+  REQUIRE(torsion.sign_changes.size() == 1);
   CHECK_FALSE(torsion.rate.is_zero());
   CHECK(torsion.value.exact() == Rational(0));
 }
@@ -127,7 +127,7 @@ TEST_CASE("totals: of a straight line") {
         Rational(1, 3));
   // ∫|t² − 1/2| dt = √2/3 − 1/6 and ∫|2t − 1| dt = 1/2, by hand.
   const Total there_and_back = total_length(on_a_line({Rational(-1, 2), 0, 1}));
-  CHECK(there_and_back.turns.size() == 1);
+  CHECK(there_and_back.sign_changes.size() == 1);
   CHECK(agree(there_and_back.value, Rational(1, 3) * square_root_of(2) + Rational(-1, 6)));
   CHECK(total_length(on_a_line({-1, 2})).value.exact() == Rational(1, 2));
   CHECK(std::get<Total>(bending_energy(on_a_line({-1, 2}))).value.exact() == Rational(0));
@@ -235,7 +235,7 @@ TEST_CASE("totals: of helices") {
     if (!found) return;
     const Total curvature = total_curvature(curve).value();
     const Real torsion = total_torsion(curve).value;
-    if (!curvature.turns.empty()) return;
+    if (!curvature.sign_changes.empty()) return;
     ++count;
     const Rational cot_squared = found->cosine_squared / (1 - found->cosine_squared);
     CHECK(agree(torsion * torsion, cot_squared * (curvature.value * curvature.value)));

@@ -37,7 +37,7 @@ TEST_CASE("classify: cusps and inflections with their orders, also at the ends")
   const QuaternionPolynomial a{c, {}, {}, c * Polynomial{0, 0, 1}};  // α = c, β = c·t²
   const Curve curve(a, Polynomial{0, 1} * pow(Polynomial{1, -2}, 2));
   const std::vector<RealRoot> cusps = {{Rational(0), 1}, {Rational(1, 3), 2}, {Rational(1, 2), 2}};
-  CHECK(cusp_points(curve) == cusps);
+  CHECK(phrame::cusps(curve) == cusps);
   // g = c²·2t.
   CHECK(inflections(a) == std::vector<RealRoot>{{Rational(0), 1}});
   const Classification all = classify(curve);

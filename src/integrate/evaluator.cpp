@@ -1,4 +1,4 @@
-#include "phrame/integrate/definite.hpp"
+#include "phrame/integrate/evaluator.hpp"
 
 #include <fmt/format.h>
 
@@ -470,10 +470,6 @@ Real Evaluator::value(const Rational& a, const Rational& b, const GaussianPolyno
   return {
       [enclose, first](long precision) { return precision <= bits ? first : enclose(precision); },
       {is_irrational, bits_of(a) + bits_of(b) + bits_of(f.derivative)}};
-}
-
-RealBall definite(const Antiderivative& F, const Rational& a, const Rational& b, long bits) {
-  return Evaluator(F).difference(a, b, bits);
 }
 
 }  // namespace phrame

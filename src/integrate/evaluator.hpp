@@ -95,7 +95,4 @@ class Evaluator {
   Route route_ = Route::automatic;
 };
 
-/// ∫ F′ from a to b: Evaluator(F).difference(a, b, bits).
-RealBall definite(const Antiderivative& F, const Rational& a, const Rational& b, long bits);
-
 }  // namespace phrame

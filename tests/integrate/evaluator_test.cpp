@@ -1,4 +1,4 @@
-#include "phrame/integrate/definite.hpp"
+#include "phrame/integrate/evaluator.hpp"
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/roots.hpp"
@@ -28,19 +28,21 @@ TEST_CASE("definite: known constants: π/4, log 2, and 3π/4 + arctan(1/2)") {
   RealBall expected;
   arb_atan(expected.raw(), RealBall(Rational(1, 2), 200).raw(), 200);
   expected = add(expected, multiply(pi(200), RealBall(Rational(3, 4), 200), 200), 200);
-  CHECK(definite(integrate(f), 1, 2, 150).overlaps(expected));
+  CHECK(Evaluator(integrate(f)).difference(1, 2, 150).overlaps(expected));
 }
 
 TEST_CASE("definite: a pole between or at the ends is refused by name, a pole outside is not") {
   const Antiderivative F = integrate({{1}, {-2, 0, 1}});  // poles ±√2
-  CHECK_THROWS_WITH_AS(definite(F, 0, 2, 60), doctest::Contains("pole in"), DomainError);
-  CHECK_THROWS_AS(definite(F, 2, 0, 60), DomainError);
-  CHECK_NOTHROW(definite(F, 0, 1, 60));
+  CHECK_THROWS_WITH_AS(Evaluator(F).difference(0, 2, 60), doctest::Contains("pole in"),
+                       DomainError);
+  CHECK_THROWS_AS(Evaluator(F).difference(2, 0, 60), DomainError);
+  CHECK_NOTHROW(Evaluator(F).difference(0, 1, 60));
   const Antiderivative G = integrate({{1}, {-1, 3}});
-  CHECK_THROWS_WITH_AS(definite(G, 0, 1, 60), doctest::Contains("pole at 1/3"), DomainError);
-  CHECK_THROWS_AS(definite(G, Rational(1, 3), 1, 60), DomainError);
-  CHECK_THROWS_AS(definite(integrate({{1}, {0, 0, 1}}), -1, 1, 60), DomainError);
-  CHECK(definite(integrate({{1}, {0, 0, 1}}), 1, 2, 60).contains(Rational(1, 2)));
+  CHECK_THROWS_WITH_AS(Evaluator(G).difference(0, 1, 60), doctest::Contains("pole at 1/3"),
+                       DomainError);
+  CHECK_THROWS_AS(Evaluator(G).difference(Rational(1, 3), 1, 60), DomainError);
+  CHECK_THROWS_AS(Evaluator(integrate({{1}, {0, 0, 1}})).difference(-1, 1, 60), DomainError);
+  CHECK(Evaluator(integrate({{1}, {0, 0, 1}})).difference(1, 2, 60).contains(Rational(1, 2)));
 }
 
 TEST_CASE("definite: what is rational is exact") {
@@ -155,7 +157,7 @@ TEST_CASE("definite: law: enclosures overlap Arb's quadrature, for every form") 
     RealBall first;
     for (const Form form : {Form::automatic, Form::partial_fractions, Form::rothstein_trager,
                             Form::lazard_rioboo_trager}) {
-      const RealBall value = definite(integrate(f, form), a, b, 100);
+      const RealBall value = Evaluator(integrate(f, form)).difference(a, b, 100);
       CHECK(value.overlaps(expected));
       CHECK(value.radius() <= (abs(value.upper()) + 1) * parse_rational("0x1p-100"));
       if (form == Form::automatic) first = value;
@@ -181,7 +183,7 @@ TEST_CASE("definite: law: all routes lead to the same value, as accurate as aske
   CHECK(has_no_clear_root(cluster));
   const auto check = [](const RationalFunction& f, const Rational& a, const Rational& b) {
     const Antiderivative F = integrate(f);
-    const RealBall expected = definite(F, a, b, 300);
+    const RealBall expected = Evaluator(F).difference(a, b, 300);
     for (const auto route : {Route::automatic, Route::roots, Route::quadrature, Route::both}) {
       Evaluator evaluator(F, f);
       evaluator.take(route);

@@ -1,0 +1,34 @@
+#include "phrame/ph/curve/special_points.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "phrame/ph/curve/invariants.hpp"
+
+namespace phrame {
+
+std::vector<RealRoot> cusps(const Curve& curve, const Interval& interval) {
+  return real_roots(curve.multiplier() * pow(real_content(curve.preimage()), 2), interval);
+}
+
+std::vector<RealRoot> inflections(const QuaternionPolynomial& a, const Interval& interval) {
+  const GaussianPolynomial g = bend_numerator(without_real_content(a));
+  return is_zero(g) ? std::vector<RealRoot>() : real_roots(gcd(g.re, g.im), interval);
+}
+
+std::vector<RealRoot> odd(const std::vector<RealRoot>& points) {
+  std::vector<RealRoot> found;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(found),
+               [](const RealRoot& point) { return point.order % 2 == 1; });
+  return found;
+}
+
+std::vector<RealRoot> odd_inside(const std::vector<RealRoot>& points) {
+  std::vector<RealRoot> found = odd(points);
+  std::erase_if(found, [](const RealRoot& point) {
+    return compare(point.at, 0) <= 0 || compare(point.at, 1) >= 0;
+  });
+  return found;
+}
+
+}  // namespace phrame
