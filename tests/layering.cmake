@@ -1,8 +1,9 @@
 # cmake -P layering.cmake
-# Holds the layering of src/, by its preprocessor lines:
+# Holds the layering of src/, by its preprocessor lines and, without comments, its text:
 #   - a file includes, as "phrame/<room>/<file>.hpp", only its own room and those below it;
 #   - what writes sees answers and values, and nothing that evaluates them;
 #   - only algebra/flint.hpp includes headers of FLINT and Arb, and only it has #if;
+#   - only algebra calls FLINT and Arb, names their types and asks ours for them by raw();
 #   - a header starts with #pragma once, and what src/phrame.hpp reaches needs no private dependency.
 
 cmake_minimum_required(VERSION 3.25)
@@ -18,6 +19,8 @@ set(value_header "^(algebra|answer|io/write)/\
 |^ph/proof/certificate\\.hpp$")
 set(flint_header "^(flint/.+|(acb|arb|arf|mag|fmpr|fmpz|fmpq|bool_mat|dlog|dirichlet|bernoulli\
 |hypgeom|partitions|double_interval)[a-z_]*\\.h)$")
+set(flint_name "_?(arb|acb|arf|mag|fmpr|fmpz|fmpzi|fmpq|nmod|flint)_[a-z][a-z0-9_]*\
+|(ARB|ACB|ARF|MAG|FMPZ|FMPQ|NMOD|COEFF|FLINT)_[A-Z0-9_]+|slong|ulong|fmpz|fmpq|flint::|raw\\(\\)")
 set(private_header "^(nlohmann|fmt|CLI)/")
 
 set(violations 0)
@@ -33,6 +36,16 @@ function(read_directives file result)
   string(REGEX MATCHALL "\n[ \t]*#[^\n]*" lines "${text}")
   list(TRANSFORM lines STRIP)
   set(${result} "${lines}" PARENT_SCOPE)
+endfunction()
+
+# What a file above algebra has of FLINT in its text, each name once.
+function(read_flint_names file result)
+  file(READ ${SOURCE_DIR}/${file} text)
+  string(REGEX REPLACE "//[^\n]*" "" text "\n${text}")
+  string(REGEX MATCHALL "[^A-Za-z0-9_](${flint_name})" names "${text}")
+  list(TRANSFORM names REPLACE "^[^A-Za-z0-9_]" "")
+  list(REMOVE_DUPLICATES names)
+  set(${result} "${names}" PARENT_SCOPE)
 endfunction()
 
 file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/*.hpp ${SOURCE_DIR}/*.cpp)
@@ -51,6 +64,12 @@ foreach(file IN LISTS files)
   endif()
   if(file MATCHES "\\.hpp$" AND NOT "#pragma once" IN_LIST directives)
     violation("lacks #pragma once")
+  endif()
+  if(NOT room STREQUAL algebra)
+    read_flint_names(${file} names)
+    foreach(name IN LISTS names)
+      violation("${name}: only algebra calls FLINT and Arb")
+    endforeach()
   endif()
 
   foreach(directive IN LISTS directives)

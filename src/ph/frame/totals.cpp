@@ -1,5 +1,6 @@
 #include "phrame/ph/frame/totals.hpp"
 
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/surd.hpp"
 #include "phrame/integrate/gaussian_logs.hpp"
@@ -171,9 +172,7 @@ std::optional<Real> absolute_rotation_index(const Curve& curve) {
   if (cosine != 0 && abs(cosine) != 1 && abs(cosine) != Rational(1, 2)) return index;
   for (long bits = 64;; bits *= 2) {
     const RealBall twelfths = multiply(RealBall(12, bits), index.enclose(bits), bits);
-    flint::Fmpz nearest;
-    if (arb_get_unique_fmpz(nearest.get(), twelfths.raw()) != 0)
-      return Real(Rational(nearest.get()) / 12);
+    if (const auto nearest = unique_integer(twelfths)) return Real(Rational(*nearest, 12));
   }
 }
 
