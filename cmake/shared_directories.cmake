@@ -5,6 +5,13 @@
 set(installed_to
   ${CMAKE_INSTALL_BINDIR} ${CMAKE_INSTALL_INCLUDEDIR} ${CMAKE_INSTALL_LIBDIR}/cmake/phrame
   ${CMAKE_INSTALL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_DOCDIR} ${CMAKE_INSTALL_DATADIR}/phrame)
+include(${CMAKE_CURRENT_LIST_DIR}/public_headers.cmake)
+phrame_public_headers(${PROJECT_SOURCE_DIR}/src headers)
+foreach(header IN LISTS headers)
+  get_filename_component(room ${header} DIRECTORY)
+  list(APPEND installed_to ${CMAKE_INSTALL_INCLUDEDIR}/phrame/${room})
+endforeach()
+list(REMOVE_DUPLICATES installed_to)
 install(CODE "set(installed_to ${installed_to})")
 install(CODE [[
   foreach(folder IN LISTS installed_to)

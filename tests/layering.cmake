@@ -1,11 +1,13 @@
 # cmake -P layering.cmake
-# Holds the layering of src/, by its preprocessor lines:
+# Holds the layering of src/, by its preprocessor lines and, without comments, its text:
 #   - a file includes, as "phrame/<room>/<file>.hpp", only its own room and those below it;
 #   - what writes sees answers and values, and nothing that evaluates them;
 #   - only algebra/flint.hpp includes headers of FLINT and Arb, and only it has #if;
+#   - only algebra calls FLINT and Arb, names their types and asks ours for them by raw();
 #   - a header starts with #pragma once, and what src/phrame.hpp reaches needs no private dependency.
 
 cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/../cmake/public_headers.cmake)
 
 cmake_path(SET SOURCE_DIR NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../src)
 # From below to above; a folder of `ph` or `io` is a room, and what lies in io itself sees both of its.
@@ -13,9 +15,12 @@ set(rooms algebra integrate ph/curve ph/frame ph/twist ph/proof answer io/write 
 # What io/write may include: the values that answers are made of, with the polynomials of a curve.
 set(value_header "^(algebra|answer|io/write)/\
 |^integrate/(antiderivative|exact_value|other_form|path_end|pole_table|radicals|real_form)\\.hpp$\
-|^ph/curve/(curve|invariants|named|path|quaternion|special_points)\\.hpp$")
+|^ph/curve/(curve|invariants|named|path|quaternion|special_points)\\.hpp$\
+|^ph/proof/certificate\\.hpp$")
 set(flint_header "^(flint/.+|(acb|arb|arf|mag|fmpr|fmpz|fmpq|bool_mat|dlog|dirichlet|bernoulli\
 |hypgeom|partitions|double_interval)[a-z_]*\\.h)$")
+set(flint_name "_?(arb|acb|arf|mag|fmpr|fmpz|fmpzi|fmpq|nmod|flint)_[a-z][a-z0-9_]*\
+|(ARB|ACB|ARF|MAG|FMPZ|FMPQ|NMOD|COEFF|FLINT)_[A-Z0-9_]+|slong|ulong|fmpz|fmpq|flint::|raw\\(\\)")
 set(private_header "^(nlohmann|fmt|CLI)/")
 
 set(violations 0)
@@ -33,6 +38,16 @@ function(read_directives file result)
   set(${result} "${lines}" PARENT_SCOPE)
 endfunction()
 
+# What a file above algebra has of FLINT in its text, each name once.
+function(read_flint_names file result)
+  file(READ ${SOURCE_DIR}/${file} text)
+  string(REGEX REPLACE "//[^\n]*" "" text "\n${text}")
+  string(REGEX MATCHALL "[^A-Za-z0-9_](${flint_name})" names "${text}")
+  list(TRANSFORM names REPLACE "^[^A-Za-z0-9_]" "")
+  list(REMOVE_DUPLICATES names)
+  set(${result} "${names}" PARENT_SCOPE)
+endfunction()
+
 file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/*.hpp ${SOURCE_DIR}/*.cpp)
 if(NOT files)
   message(FATAL_ERROR "no sources in ${SOURCE_DIR}")
@@ -42,13 +57,19 @@ foreach(file IN LISTS files)
   read_directives(${file} directives)
   cmake_path(GET file PARENT_PATH room)
   list(FIND rooms "${room}" height)
-  if(file STREQUAL phrame.hpp)
+  if(file MATCHES "^(phrame|fwd)\\.hpp$")
     list(LENGTH rooms height)
   elseif(height EQUAL -1)
     violation("is in no room (${rooms})")
   endif()
   if(file MATCHES "\\.hpp$" AND NOT "#pragma once" IN_LIST directives)
     violation("lacks #pragma once")
+  endif()
+  if(NOT room STREQUAL algebra)
+    read_flint_names(${file} names)
+    foreach(name IN LISTS names)
+      violation("${name}: only algebra calls FLINT and Arb")
+    endforeach()
   endif()
 
   foreach(directive IN LISTS directives)
@@ -78,24 +99,15 @@ foreach(file IN LISTS files)
   endforeach()
 endforeach()
 
-# Walk from the umbrella header over what it includes.
-set(reached)
-set(todo phrame.hpp)
-while(todo AND EXISTS ${SOURCE_DIR}/phrame.hpp)
-  list(POP_FRONT todo file)
-  if(file IN_LIST reached OR file STREQUAL version.hpp OR NOT EXISTS ${SOURCE_DIR}/${file})
-    continue()
-  endif()
-  list(APPEND reached ${file})
+phrame_public_headers(${SOURCE_DIR} public_headers)
+foreach(file IN LISTS public_headers)
   read_directives(${file} directives)
   foreach(directive IN LISTS directives)
-    if(directive MATCHES "^#[ \t]*include[ \t]*\"phrame/([^\"]+)\"")
-      list(APPEND todo ${CMAKE_MATCH_1})
-    elseif(directive MATCHES "<([^>]+)>" AND CMAKE_MATCH_1 MATCHES "${private_header}")
+    if(directive MATCHES "<([^>]+)>" AND CMAKE_MATCH_1 MATCHES "${private_header}")
       violation("${directive}: is reached from phrame.hpp, so a user of the library would need it")
     endif()
   endforeach()
-endwhile()
+endforeach()
 
 if(violations)
   message(FATAL_ERROR "${violations} violations of the layering")

@@ -15,6 +15,12 @@ Rational exact_value(const arf_t x) {
 
 RealBall::RealBall(const Rational& x, long bits) { arb_set_fmpq(raw(), x.raw(), bits); }
 
+RealBall RealBall::unknown() {
+  RealBall x;
+  arb_indeterminate(x.raw());
+  return x;
+}
+
 Rational RealBall::lower() const { return midpoint() - radius(); }
 
 Rational RealBall::upper() const { return midpoint() + radius(); }
@@ -89,10 +95,53 @@ RealBall divide(const RealBall& a, const RealBall& b, long bits) {
   return c;
 }
 
+RealBall add_product(RealBall sum, const RealBall& a, const RealBall& b, long bits) {
+  arb_addmul(sum.raw(), a.raw(), b.raw(), bits);
+  return sum;
+}
+
 RealBall sqrt(const RealBall& a, long bits) {
   RealBall c;
   arb_sqrt(c.raw(), a.raw(), bits);
   return c;
+}
+
+RealBall pow(const RealBall& a, long k, long bits) {
+  RealBall c;
+  arb_pow_ui(c.raw(), a.raw(), static_cast<ulong>(k), bits);
+  return c;
+}
+
+RealBall sqrt_of_nonnegative(const RealBall& a, long bits) {
+  RealBall c;
+  arb_sqrtpos(c.raw(), a.raw(), bits);
+  return c;
+}
+
+RealBall times_power_of_two(RealBall a, long k) {
+  arb_mul_2exp_si(a.raw(), a.raw(), k);
+  return a;
+}
+
+RealBall exact_sum(double a, double b) {
+  RealBall sum;
+  flint::Arf other;
+  arf_set_d(arb_midref(sum.raw()), a);
+  arf_set_d(other.get(), b);
+  arb_add_arf(sum.raw(), sum.raw(), other.get(), ARF_PREC_EXACT);
+  return sum;
+}
+
+RealBall widened(RealBall a, const RealBall& by) {
+  arb_add_error(a.raw(), by.raw());
+  return a;
+}
+
+RealBall widened(RealBall a, double by) {
+  flint::Mag radius;
+  mag_set_d(radius.get(), by);
+  arb_add_error_mag(a.raw(), radius.get());
+  return a;
 }
 
 RealBall argument(const Rational& x, const Rational& y, long bits) {
@@ -117,6 +166,18 @@ ComplexBall::ComplexBall(const RealBall& re, const RealBall& im) {
   acb_set_arb_arb(raw(), re.raw(), im.raw());
 }
 
+ComplexBall ComplexBall::unknown() {
+  ComplexBall z;
+  acb_indeterminate(z.raw());
+  return z;
+}
+
+ComplexBall ComplexBall::midpoint() const {
+  ComplexBall middle;
+  acb_get_mid(middle.raw(), raw());
+  return middle;
+}
+
 RealBall ComplexBall::re() const {
   RealBall part;
   acb_get_real(part.raw(), raw());
@@ -133,6 +194,12 @@ ComplexBall conjugate(const ComplexBall& z) {
   ComplexBall c;
   acb_conj(c.raw(), z.raw());
   return c;
+}
+
+RealBall absolute(const ComplexBall& z, long bits) {
+  RealBall size;
+  acb_abs(size.raw(), z.raw(), bits);
+  return size;
 }
 
 ComplexBall add(const ComplexBall& a, const ComplexBall& b, long bits) {
@@ -190,6 +257,12 @@ RealBall evaluate(const RationalFunction& f, const RealBall& x, long bits) {
 ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits) {
   ComplexBall c;
   acb_div(c.raw(), a.raw(), b.raw(), bits);
+  return c;
+}
+
+ComplexBall inverse(const ComplexBall& b, long bits) {
+  ComplexBall c;
+  acb_inv(c.raw(), b.raw(), bits);
   return c;
 }
 

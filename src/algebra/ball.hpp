@@ -12,6 +12,8 @@ class RealBall {
  public:
   RealBall() = default;  ///< exactly 0
   RealBall(const Rational& x, long bits);
+  /// Any real number: what is known of a value that could not be computed.
+  static RealBall unknown();
 
   /// The ends of the ball, exact. Precondition: is_finite().
   Rational lower() const;
@@ -19,6 +21,7 @@ class RealBall {
   Rational radius() const;
   Rational midpoint() const;
   bool is_finite() const { return arb_is_finite(raw()) != 0; }
+  bool is_zero() const { return arb_is_zero(raw()) != 0; }  ///< exactly 0, without a radius
   bool contains(const Rational& x) const;
   bool contains_zero() const { return arb_contains_zero(raw()) != 0; }
   bool overlaps(const RealBall& other) const { return arb_overlaps(raw(), other.raw()) != 0; }
@@ -50,7 +53,20 @@ RealBall add(const RealBall& a, const RealBall& b, long bits);
 RealBall subtract(const RealBall& a, const RealBall& b, long bits);
 RealBall multiply(const RealBall& a, const RealBall& b, long bits);
 RealBall divide(const RealBall& a, const RealBall& b, long bits);
+/// sum + a·b, rounded once.
+RealBall add_product(RealBall sum, const RealBall& a, const RealBall& b, long bits);
 RealBall sqrt(const RealBall& a, long bits);
+/// aᵏ, k ≥ 0.
+RealBall pow(const RealBall& a, long k, long bits);
+/// √a for an a that is known not to be negative, though its ball may have negative numbers.
+RealBall sqrt_of_nonnegative(const RealBall& a, long bits);
+/// 2ᵏ·a, exactly.
+RealBall times_power_of_two(RealBall a, long k);
+/// a + b, exactly.
+RealBall exact_sum(double a, double b);
+/// x + y for all x of the ball and |y| ≤ |by|.
+RealBall widened(RealBall a, const RealBall& by);
+RealBall widened(RealBall a, double by);
 RealBall pi(long bits);
 /// The principal argument of x + iy ≠ 0, in (−π, π].
 RealBall argument(const Rational& x, const Rational& y, long bits);
@@ -66,10 +82,19 @@ class ComplexBall {
  public:
   ComplexBall() = default;  ///< exactly 0
   ComplexBall(const RealBall& re, const RealBall& im);
+  /// Any complex number.
+  static ComplexBall unknown();
 
   RealBall re() const;
   RealBall im() const;
+  ComplexBall midpoint() const;  ///< exact
   bool overlaps(const ComplexBall& other) const { return acb_overlaps(raw(), other.raw()) != 0; }
+  /// Are all numbers of the other in this one?
+  bool contains(const ComplexBall& other) const { return acb_contains(raw(), other.raw()) != 0; }
+  /// Is it the same rectangle? Whether the numbers meant are equal is another question.
+  bool is_same_ball(const ComplexBall& other) const { return acb_equal(raw(), other.raw()) != 0; }
+  /// The relative accuracy in bits; a large negative number for a ball that contains 0.
+  long accuracy_bits() const { return acb_rel_accuracy_bits(raw()); }
 
   acb_struct* raw() { return handle_.get(); }
   const acb_struct* raw() const { return handle_.get(); }
@@ -79,6 +104,7 @@ class ComplexBall {
 };
 
 ComplexBall conjugate(const ComplexBall& z);
+RealBall absolute(const ComplexBall& z, long bits);
 ComplexBall add(const ComplexBall& a, const ComplexBall& b, long bits);
 ComplexBall subtract(const ComplexBall& a, const ComplexBall& b, long bits);
 ComplexBall multiply(const ComplexBall& a, const ComplexBall& b, long bits);
@@ -90,8 +116,9 @@ ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits);
 RealBall evaluate(const Polynomial& p, const RealBall& x, long bits);
 /// f(x); not finite where the denominator is not kept from 0.
 RealBall evaluate(const RationalFunction& f, const RealBall& x, long bits);
-/// a/b; not finite where b contains 0.
+/// a/b and 1/b; not finite where b contains 0.
 ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits);
+ComplexBall inverse(const ComplexBall& b, long bits);
 
 /// "-0.343344423853", for messages and tables: `digits` significant digits, fewer where the ball is
 /// wide; "0" for a ball that contains 0.

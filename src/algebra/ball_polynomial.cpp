@@ -145,6 +145,16 @@ RealBall BallPolynomial::coefficient(long k) const {
   return c;
 }
 
+BallPolynomial with_constant(BallPolynomial p, const RealBall& c) {
+  arb_poly_set_coeff_arb(p.raw(), 0, c.raw());
+  return p;
+}
+
+BallPolynomial operator-(BallPolynomial p) {
+  arb_poly_neg(p.raw(), p.raw());
+  return p;
+}
+
 BallPolynomial add(const BallPolynomial& p, const BallPolynomial& q, long bits) {
   BallPolynomial sum;
   arb_poly_add(sum.raw(), p.raw(), q.raw(), bits);
@@ -175,6 +185,24 @@ BallPolynomial differentiate(const BallPolynomial& p, long bits) {
   return derivative;
 }
 
+BallPolynomial antiderivative(BallPolynomial p, long bits) {
+  arb_poly_integral(p.raw(), p.raw(), bits);
+  return p;
+}
+
+BallPolynomial shifted(BallPolynomial p, const RealBall& by, long bits) {
+  arb_poly_taylor_shift(p.raw(), p.raw(), by.raw(), bits);
+  return p;
+}
+
+BallPolynomial stretched(BallPolynomial p, long e) {
+  for (long k = 0; k <= p.degree_bound(); ++k) {
+    arb_struct* c = arb_poly_get_coeff_ptr(p.raw(), k);
+    arb_mul_2exp_si(c, c, k * e);
+  }
+  return p;
+}
+
 RealBall evaluate(const BallPolynomial& p, const RealBall& x, long bits) {
   RealBall value;
   arb_poly_evaluate(value.raw(), p.raw(), x.raw(), bits);
@@ -182,9 +210,8 @@ RealBall evaluate(const BallPolynomial& p, const RealBall& x, long bits) {
 }
 
 RealBall range(const BallPolynomial& p, const Rational& a, const Rational& b, long bits) {
-  BallPolynomial taylor;
   const Rational middle = (a + b) / 2;
-  arb_poly_taylor_shift(taylor.raw(), p.raw(), RealBall(middle, bits).raw(), bits);
+  const BallPolynomial taylor = shifted(p, RealBall(middle, bits), bits);
   return evaluate(taylor, hull(Rational(a - middle), Rational(b - middle), bits), bits);
 }
 

@@ -25,11 +25,20 @@ class BallPolynomial {
   flint::ArbPoly handle_;
 };
 
+/// p but for the coefficient of t⁰, which is c.
+BallPolynomial with_constant(BallPolynomial p, const RealBall& c);
+BallPolynomial operator-(BallPolynomial p);  ///< exactly
 BallPolynomial add(const BallPolynomial& p, const BallPolynomial& q, long bits);
 BallPolynomial subtract(const BallPolynomial& p, const BallPolynomial& q, long bits);
 BallPolynomial multiply(const BallPolynomial& p, const BallPolynomial& q, long bits);
 BallPolynomial multiply(const RealBall& c, const BallPolynomial& p, long bits);
 BallPolynomial differentiate(const BallPolynomial& p, long bits);
+/// ∫₀ᵗ p.
+BallPolynomial antiderivative(BallPolynomial p, long bits);
+/// p(t + by): the Taylor polynomial at `by`.
+BallPolynomial shifted(BallPolynomial p, const RealBall& by, long bits);
+/// p(2ᵉ·t), exactly.
+BallPolynomial stretched(BallPolynomial p, long e);
 
 /// p(x).
 RealBall evaluate(const BallPolynomial& p, const RealBall& x, long bits);

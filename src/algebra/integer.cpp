@@ -108,4 +108,6 @@ std::optional<Integer> inverse_modulo(const Integer& x, const Integer& m) {
   return result;
 }
 
+unsigned long euler_phi(unsigned long n) { return n_euler_phi(n); }
+
 }  // namespace phrame

@@ -89,6 +89,8 @@ Integer floor_quotient(const Integer& a, const Integer& b);
 Integer modulo(const Integer& x, const Integer& m);
 /// 1/x modulo m, in [0, m); no value where gcd(x, m) ≠ 1. Throws DomainError for m < 1.
 std::optional<Integer> inverse_modulo(const Integer& x, const Integer& m);
+/// Euler's φ(n), n ≥ 1: how many of 1, …, n are coprime to n.
+unsigned long euler_phi(unsigned long n);
 /// The number of bits of |x|; 0 for 0.
 inline long bit_length(const Integer& x) { return static_cast<long>(fmpz_bits(x.raw())); }
 

@@ -68,6 +68,43 @@ std::optional<ModularInverse> general_inverse(const ModularPolynomial& a,
 
 }  // namespace
 
+ModularPolynomial::ModularPolynomial(Word prime, const std::vector<Word>& ascending)
+    : ModularPolynomial(prime) {
+  for (std::size_t k = ascending.size(); k-- > 0;)
+    nmod_poly_set_coeff_ui(raw(), static_cast<slong>(k), ascending[k]);
+}
+
+ModularPolynomial differentiate(const ModularPolynomial& a) {
+  ModularPolynomial derivative(a.prime());
+  nmod_poly_derivative(derivative.raw(), a.raw());
+  return derivative;
+}
+
+ModularPolynomial shifted_down(const ModularPolynomial& a, long k) {
+  ModularPolynomial quotient(a.prime());
+  nmod_poly_shift_right(quotient.raw(), a.raw(), k);
+  return quotient;
+}
+
+bool are_coprime(const ModularPolynomial& a, const ModularPolynomial& b) {
+  ModularPolynomial common(a.prime());
+  nmod_poly_gcd(common.raw(), a.raw(), b.raw());
+  return common.degree() == 0;
+}
+
+std::vector<FactorShape> shapes_of_factors(const ModularPolynomial& a) {
+  nmod_poly_factor_t factors;
+  nmod_poly_factor_init(factors);
+  nmod_poly_factor(factors, a.raw());
+  std::vector<FactorShape> shapes(static_cast<std::size_t>(factors->num));
+  for (slong k = 0; k < factors->num; ++k)
+    shapes[static_cast<std::size_t>(k)] = {nmod_poly_degree(factors->p + k), factors->exp[k]};
+  nmod_poly_factor_clear(factors);
+  return shapes;
+}
+
+Word residue(const Integer& x, Word p) { return fmpz_fdiv_ui(x.raw(), p); }
+
 // The quotient is a power series: with e = deg a − deg q, at t = 1/z, rev(a)/rev(q) modulo z^{e+1}.
 void reduce(ModularPolynomial& a, const ModularPolynomial& q) {
   const slong n = q.degree();

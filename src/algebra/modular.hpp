@@ -6,13 +6,17 @@
 
 namespace phrame {
 
+/// A machine word: a prime p, or a number modulo p, in [0, p).
+using Word = ulong;
+
 /// A polynomial over ℤ/p: nmod_poly with its lifetime. Both sides of an operation share p.
 class ModularPolynomial {
  public:
-  explicit ModularPolynomial(ulong prime) { nmod_poly_init(raw(), prime); }
-  ModularPolynomial(ulong prime, const flint::FmpzPoly& f) : ModularPolynomial(prime) {
+  explicit ModularPolynomial(Word prime) { nmod_poly_init(raw(), prime); }  ///< 0
+  ModularPolynomial(Word prime, const IntegerPolynomial& f) : ModularPolynomial(prime) {
     fmpz_poly_get_nmod_poly(raw(), f.get());
   }
+  ModularPolynomial(Word prime, const std::vector<Word>& ascending);
   ModularPolynomial(const ModularPolynomial& other) : ModularPolynomial(other.prime()) {
     nmod_poly_set(raw(), other.raw());
   }
@@ -29,10 +33,22 @@ class ModularPolynomial {
   }
   ~ModularPolynomial() { nmod_poly_clear(raw()); }
 
-  ulong prime() const { return raw()->mod.n; }
+  Word prime() const { return raw()->mod.n; }
   long degree() const { return nmod_poly_degree(raw()); }
   bool is_zero() const { return nmod_poly_is_zero(raw()) != 0; }
-  ulong coefficient(long k) const { return nmod_poly_get_coeff_ui(raw(), k); }
+  Word coefficient(long k) const { return nmod_poly_get_coeff_ui(raw(), k); }
+
+  ModularPolynomial& operator-=(const ModularPolynomial& b) {
+    return nmod_poly_sub(raw(), raw(), b.raw()), *this;
+  }
+  ModularPolynomial& operator*=(const ModularPolynomial& b) {
+    return nmod_poly_mul(raw(), raw(), b.raw()), *this;
+  }
+  ModularPolynomial& operator*=(Word c) {
+    return nmod_poly_scalar_mul_nmod(raw(), raw(), c), *this;
+  }
+  /// c ≠ 0.
+  ModularPolynomial& operator/=(Word c) { return *this *= nmod_inv(c, raw()->mod); }
 
   nmod_poly_struct* raw() { return &value_; }
   const nmod_poly_struct* raw() const { return &value_; }
@@ -40,6 +56,21 @@ class ModularPolynomial {
  private:
   nmod_poly_struct value_;
 };
+
+ModularPolynomial differentiate(const ModularPolynomial& a);
+/// The quotient of a by tᵏ.
+ModularPolynomial shifted_down(const ModularPolynomial& a, long k);
+/// Is the gcd 1? Requires that a and b are not both 0.
+bool are_coprime(const ModularPolynomial& a, const ModularPolynomial& b);
+/// An irreducible factor, but for what it is.
+struct FactorShape {
+  long degree;
+  long exponent;
+};
+/// Of all irreducible factors of a ≠ 0.
+std::vector<FactorShape> shapes_of_factors(const ModularPolynomial& a);
+/// The residue of x modulo p.
+Word residue(const Integer& x, Word p);
 
 /// a ← a mod q ≠ 0.
 void reduce(ModularPolynomial& a, const ModularPolynomial& q);
@@ -52,7 +83,7 @@ ModularPolynomial multiply_modulo(const ModularPolynomial& a, const ModularPolyn
 /// a⁻¹ in 𝔽ₚ[t]/(q), and res(q, a) ≠ 0.
 struct ModularInverse {
   ModularPolynomial inverse;
-  ulong resultant;
+  Word resultant;
 };
 
 /// No value where gcd(a, q) ≠ 1. Requires a ≠ 0, deg a < deg q, and an odd prime p < 2⁶².
@@ -64,7 +95,7 @@ std::optional<ModularInverse> modular_inverse(const ModularPolynomial& a,
 /// enough for FLINT's fastest word arithmetic and for `modular_inverse`.
 class Primes {
  public:
-  ulong next();
+  Word next();
 
  private:
   std::size_t used_ = 0;

@@ -54,20 +54,12 @@ std::optional<PolynomialPiece> empty_piece(double from, double to, double origin
 
 BallPolynomial on_piece(const Polynomial& p, const PolynomialPiece& piece, long bits,
                         bool is_definite) {
-  RealBall center;
-  arb_set_d(center.raw(), piece.center);
-  RealBall origin;
-  arb_set_d(origin.raw(), piece.origin);
-  arb_sub(center.raw(), center.raw(), origin.raw(), ARF_PREC_EXACT);
+  const RealBall center = exact_sum(piece.center, -piece.origin);
   const long exponent = -std::ilogb(piece.scale);
   constexpr long most_bits = 1 << 20;
   for (long precision = bits + 32; precision <= most_bits; precision *= 2) {
-    BallPolynomial q(p, precision);
-    arb_poly_taylor_shift(q.raw(), q.raw(), center.raw(), precision);
-    for (long k = 0; k <= q.degree_bound(); ++k) {
-      arb_struct* c = arb_poly_get_coeff_ptr(q.raw(), k);
-      arb_mul_2exp_si(c, c, k * exponent);
-    }
+    const BallPolynomial q =
+        stretched(shifted(BallPolynomial(p, precision), center, precision), exponent);
     if (is_accurate(q, bits) && (!is_definite || q.coefficient(0).accuracy_bits() >= bits))
       return q;
   }

@@ -169,12 +169,20 @@ Polynomial exact_quotient(const Polynomial& a, const Polynomial& b) {
   return (1 / content(b)) * std::move(quotient);
 }
 
+Integer denominator(const Polynomial& p) { return Integer(fmpq_poly_denref(p.raw())); }
+
 Polynomial gcd(const Polynomial& a, const Polynomial& b) {
   const flint::FmpzPoly p = integer_primitive_part(a);
   const flint::FmpzPoly q = integer_primitive_part(b);
   flint::FmpzPoly g;
   fmpz_poly_gcd(g.get(), p.get(), q.get());
   return to_polynomial(g.get());
+}
+
+ExtendedGcd extended_gcd(const Polynomial& a, const Polynomial& b) {
+  ExtendedGcd result;
+  fmpq_poly_xgcd(result.g.raw(), result.s.raw(), result.t.raw(), a.raw(), b.raw());
+  return result;
 }
 
 Rational content(const Polynomial& p) {
@@ -187,9 +195,18 @@ Polynomial primitive_part(const Polynomial& p) {
   return to_polynomial(integer_primitive_part(p).get());
 }
 
-flint::FmpzPoly integer_primitive_part(const Polynomial& p) {
-  flint::FmpzPoly result;
+IntegerPolynomial integer_numerator(const Polynomial& p) {
+  IntegerPolynomial result;
   fmpq_poly_get_numerator(result.get(), p.raw());
+  return result;
+}
+
+long primitive_bits(const Polynomial& p) {
+  return std::abs(fmpz_poly_max_bits(integer_primitive_part(p).get()));
+}
+
+IntegerPolynomial integer_primitive_part(const Polynomial& p) {
+  IntegerPolynomial result = integer_numerator(p);
   fmpz_poly_primitive_part(result.get(), result.get());  // its leading coefficient is positive
   return result;
 }

@@ -67,9 +67,20 @@ Polynomial short_remainder(const Polynomial& a, const Polynomial& b);
 /// a / b, where b divides a. Throws DomainError where it does not.
 Polynomial exact_quotient(const Polynomial& a, const Polynomial& b);
 
+/// The least common denominator of the coefficients, > 0.
+Integer denominator(const Polynomial& p);
+
 /// The greatest common divisor with coprime integer coefficients and a positive leading one;
 /// gcd(0, 0) = 0.
 Polynomial gcd(const Polynomial& a, const Polynomial& b);
+
+struct ExtendedGcd {
+  Polynomial g;
+  Polynomial s;
+  Polynomial t;
+};
+/// g = gcd(a, b) = s·a + t·b, but monic.
+ExtendedGcd extended_gcd(const Polynomial& a, const Polynomial& b);
 
 /// p = content(p) · primitive_part(p); the primitive part has coprime integer coefficients and a
 /// positive leading one, so the content carries the sign. Both are 0 for 0.
@@ -92,8 +103,12 @@ bool is_squarefree(const Polynomial& p);
 /// "t^2 - 1/2*t + 3", for messages.
 std::string to_string(const Polynomial& p);
 
-/// The integer polynomial primitive_part(p), in FLINT's own type.
-flint::FmpzPoly integer_primitive_part(const Polynomial& p);
+/// A polynomial over ℤ, to be reduced modulo primes (modular.hpp).
+using IntegerPolynomial = flint::FmpzPoly;
+IntegerPolynomial integer_primitive_part(const Polynomial& p);  ///< primitive_part(p)
+IntegerPolynomial integer_numerator(const Polynomial& p);       ///< denominator(p)·p
+/// The bits of the greatest coefficient of primitive_part(p); 0 for 0.
+long primitive_bits(const Polynomial& p);
 Polynomial to_polynomial(const fmpz_poly_t p);
 
 /// The sign of p(t) for small t > 0: that of its lowest coefficient, 0 for p = 0.

@@ -44,6 +44,12 @@ std::ostream& operator<<(std::ostream& out, const Rational& x) { return out << x
 
 Integer floor(const Rational& x) { return floor_quotient(numerator(x), denominator(x)); }
 
+Rational simplest_between(const Rational& a, const Rational& b) {
+  Rational simplest;
+  fmpq_simplest_between(simplest.raw(), a.raw(), b.raw());
+  return simplest;
+}
+
 namespace {
 
 // A hand-written scanner: GMP's own accepts blanks inside numbers, Boost's rejects decimals.

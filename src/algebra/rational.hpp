@@ -59,6 +59,8 @@ inline Integer denominator(const Rational& x) { return Integer(fmpq_denref(x.raw
 inline Rational abs(Rational x) { return fmpq_abs(x.raw(), x.raw()), x; }
 /// The greatest integer ≤ x.
 Integer floor(const Rational& x);
+/// The fraction with the least denominator in [a, b], a ≤ b, and of these the one next to 0.
+Rational simplest_between(const Rational& a, const Rational& b);
 
 /// The longest number text that parse_rational accepts, in characters.
 inline constexpr std::size_t max_number_length = 100'000;

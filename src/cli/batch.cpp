@@ -17,7 +17,7 @@
 
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/line_stream.hpp"
-#include "phrame/io/write/number_text.hpp"
+#include "phrame/io/write/text.hpp"
 
 namespace phrame::cli {
 namespace {

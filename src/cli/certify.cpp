@@ -1,6 +1,6 @@
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/cli/command.hpp"
-#include "phrame/io/read/certificate_file.hpp"
+#include "phrame/io/write/certificate.hpp"
 
 namespace phrame::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "phrame/io/read/angle.hpp"
-#include "phrame/io/write/number_text.hpp"
+#include "phrame/io/read/number.hpp"
 #include "phrame/io/write/reference_names.hpp"
 #include "phrame/io/write/text.hpp"
 

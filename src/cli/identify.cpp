@@ -1,5 +1,6 @@
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/curve_file.hpp"
+#include "phrame/io/write/curve_file.hpp"
 #include "phrame/io/write/identification.hpp"
 
 namespace phrame::cli {

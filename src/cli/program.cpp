@@ -7,7 +7,7 @@
 #include <charconv>
 
 #include "phrame/cli/command.hpp"
-#include "phrame/io/write/number_text.hpp"
+#include "phrame/io/read/number.hpp"
 
 namespace phrame::cli {
 namespace {

@@ -7,6 +7,7 @@
 #include "phrame/integrate/algebraic_logs.hpp"
 
 #include "phrame/algebra/algebraic_image.hpp"
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/bivariate.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/power_product.hpp"
@@ -98,10 +99,9 @@ std::optional<Rational> multiple_of_pi(const GaussianLogs& logs, const Endpoint&
   const Rational scale = common_scale(logs.arguments);
   Rational unit = scale;
   const auto nearest = [&](const RealBall& x) -> std::optional<Rational> {
-    flint::Fmpz whole;
     const RealBall multiple = multiply(x, RealBall(unit, first_root_bits), first_root_bits);
-    if (arb_get_unique_fmpz(whole.get(), multiple.raw()) == 0) return std::nullopt;
-    return Rational(whole.get()) / unit;
+    const auto whole = unique_integer(multiple);
+    return whole ? std::optional(*whole / unit) : std::nullopt;
   };
   std::optional<Rational> found = nearest(turn);
   for (long q = 2; q <= largest_denominator && !found; ++q) {

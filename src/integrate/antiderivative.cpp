@@ -10,20 +10,10 @@
 // of degree < e with the value c(z)·q′(z) at every root z (Lagrange): c·q′ mod q.
 #include "phrame/integrate/antiderivative.hpp"
 
+#include "phrame/algebra/power_series.hpp"
+
 namespace phrame {
 namespace {
-
-Polynomial truncated(const Polynomial& p, long n) {
-  Polynomial result = p;
-  fmpq_poly_truncate(result.raw(), n);
-  return result;
-}
-
-Polynomial reversed(const Polynomial& p, long length) {
-  Polynomial result;
-  fmpq_poly_reverse(result.raw(), p.raw(), length);
-  return result;
-}
 
 RationalFunction derivative_by_power_sums(const LogSum& sum) {
   const QuotientRing ring(sum.index);
@@ -41,8 +31,7 @@ RationalFunction derivative_by_power_sums(const LogSum& sum) {
     logarithm.push_back(ring.trace(s_k) / -k);
     weighted.push_back(ring.trace(sum.residue * s_k));
   }
-  Polynomial norm(logarithm);
-  fmpq_poly_exp_series(norm.raw(), norm.raw(), n + 1);
+  const Polynomial norm = exp_series(Polynomial(logarithm), n + 1);
   const Polynomial numerator = truncated(norm * Polynomial(weighted), n);
   return {reversed(numerator, n), reversed(norm, n + 1)};
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/ball_log.hpp"
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/roots.hpp"
 #include "phrame/algebra/shared.hpp"
@@ -19,20 +21,28 @@ namespace {
 /// Of the first ball: enough for a double, so that it is often the last.
 constexpr long first_bits = 128;
 
-/// log((b − z)/(a − z)) = log(1 + (b − a)/(a − z)), accurate also for b close to a.
-ComplexBall log_ratio(const ComplexBall& z, const Rational& a, const Rational& b, long bits) {
-  ComplexBall ratio;
-  acb_sub_arb(ratio.raw(), z.raw(), RealBall(a, bits).raw(), bits);  // z − a
-  acb_inv(ratio.raw(), ratio.raw(), bits);
-  acb_mul_arb(ratio.raw(), ratio.raw(), RealBall(a - b, bits).raw(), bits);
-  acb_log1p(ratio.raw(), ratio.raw(), bits);
-  return ratio;
-}
+/// z ↦ log((b − z)/(a − z)) = log(1 + (a − b)/(z − a)), accurate also for b close to a.
+class LogRatio {
+ public:
+  LogRatio(const Rational& a, const Rational& b, long bits)
+      : a_(RealBall(a, bits), {}), a_minus_b_(a - b, bits), bits_(bits) {}
 
-RealBall log_ratio(const RealBall& z, const Rational& a, const Rational& b, long bits) {
-  RealBall ratio = divide(RealBall(a - b, bits), subtract(z, RealBall(a, bits), bits), bits);
-  arb_log1p(ratio.raw(), ratio.raw(), bits);
-  return ratio;
+  ComplexBall operator()(const ComplexBall& z) const {
+    return log1p(multiply(a_minus_b_, inverse(subtract(z, a_, bits_), bits_), bits_), bits_);
+  }
+  RealBall operator()(const RealBall& z) const {
+    return log1p(divide(a_minus_b_, subtract(z, a_.re(), bits_), bits_), bits_);
+  }
+
+ private:
+  ComplexBall a_;
+  RealBall a_minus_b_;
+  long bits_;
+};
+
+/// z·w + z̄·w̄.
+RealBall twice_real_part(const ComplexBall& z, const ComplexBall& w, long bits) {
+  return times_power_of_two(multiply(z, w, bits).re(), 1);
 }
 
 /// What may be lost to cancellation: a multiple of the digits that the ends have, and much more.
@@ -173,17 +183,14 @@ std::shared_ptr<const Evaluator::Function::Isolated> Evaluator::Function::isolat
 RealBall Evaluator::Function::log_difference(const Rational& a, const Rational& b,
                                              long bits) const {
   const auto known = isolate(bits);
+  const LogRatio log_ratio(a, b, bits);
   RealBall sum;
   for (const Residues& p : known->poles) {
-    for (std::size_t k = 0; k < p.roots.real.size(); ++k) {
-      const RealBall term = log_ratio(p.roots.real[k], a, b, bits);
-      arb_addmul(sum.raw(), p.real[k].raw(), term.raw(), bits);
-    }
+    for (std::size_t k = 0; k < p.roots.real.size(); ++k)
+      sum = add_product(std::move(sum), p.real[k], log_ratio(p.roots.real[k]), bits);
     for (std::size_t k = 0; k < p.roots.upper.size(); ++k) {
-      ComplexBall term = log_ratio(p.roots.upper[k], a, b, bits);
-      acb_mul(term.raw(), term.raw(), p.upper[k].raw(), bits);
-      arb_mul_2exp_si(acb_realref(term.raw()), acb_realref(term.raw()), 1);
-      arb_add(sum.raw(), sum.raw(), acb_realref(term.raw()), bits);
+      const ComplexBall term = log_ratio(p.roots.upper[k]);
+      sum = add(sum, twice_real_part(term, p.upper[k], bits), bits);
     }
   }
   return sum;
@@ -194,17 +201,13 @@ RealBall Evaluator::Function::log_difference(const Rational& a, const Rational& 
 /// so that log(t − z) tends to log|t| − πi at −∞.
 RealBall Evaluator::Function::branch(const Endpoint& t, long bits) const {
   const auto known = isolate(bits);
-  const auto twice_real = [&](ComplexBall term, const ComplexBall& c) {
-    acb_mul(term.raw(), term.raw(), c.raw(), bits);
-    arb_mul_2exp_si(acb_realref(term.raw()), acb_realref(term.raw()), 1);
-    return term.re();
-  };
   RealBall sum;
   if (const auto* infinity = std::get_if<Infinity>(&t)) {
     if (*infinity == Infinity::positive) return sum;
     const ComplexBall half_turn(RealBall(), subtract({}, pi(bits), bits));
     for (const Residues& p : known->poles)
-      for (const ComplexBall& c : p.upper) sum = add(sum, twice_real(half_turn, c), bits);
+      for (const ComplexBall& c : p.upper)
+        sum = add(sum, twice_real_part(half_turn, c, bits), bits);
     return sum;
   }
   const RealBall at = enclose(t, bits);
@@ -213,17 +216,12 @@ RealBall Evaluator::Function::branch(const Endpoint& t, long bits) const {
             divide(value(rational.numerator()), value(rational.denominator()), bits), bits);
   for (const Residues& p : known->poles) {
     for (std::size_t k = 0; k < p.roots.real.size(); ++k) {
-      RealBall term = subtract(at, p.roots.real[k], bits);
-      arb_abs(term.raw(), term.raw());
-      arb_log(term.raw(), term.raw(), bits);
-      arb_addmul(sum.raw(), p.real[k].raw(), term.raw(), bits);
+      const RealBall distance = absolute(subtract(at, p.roots.real[k], bits));
+      sum = add_product(std::move(sum), p.real[k], log(distance, bits), bits);
     }
     for (std::size_t k = 0; k < p.roots.upper.size(); ++k) {
-      ComplexBall term;
-      acb_sub_arb(term.raw(), p.roots.upper[k].raw(), at.raw(), bits);
-      acb_neg(term.raw(), term.raw());
-      acb_log(term.raw(), term.raw(), bits);
-      sum = add(sum, twice_real(std::move(term), p.upper[k]), bits);
+      const ComplexBall term = log(subtract({at, {}}, p.roots.upper[k], bits), bits);
+      sum = add(sum, twice_real_part(term, p.upper[k], bits), bits);
     }
   }
   return sum;
@@ -360,6 +358,7 @@ bool Evaluator::Function::turns_vanish(const Isolated& known, const Polynomial& 
   };
   const Roots alphas = roots_of(residues);
   const Roots others = roots_of(other_residues);
+  const LogRatio log_ratio(a, b, known.precision);
   std::vector<RealBall> turns(alphas.upper.size());
   for (const Residues& p : known.poles)
     for (std::size_t k = 0; k < p.roots.upper.size(); ++k) {
@@ -371,7 +370,7 @@ bool Evaluator::Function::turns_vanish(const Isolated& known, const Polynomial& 
           matches += (c.overlaps(alpha) ? 1 : 0) + (c.overlaps(conjugate(alpha)) ? 1 : 0);
       }
       if (matches != 1) return false;  // the balls are too wide to tell the residues apart
-      const RealBall turn = log_ratio(p.roots.upper[k], a, b, known.precision).im();
+      const RealBall turn = log_ratio(p.roots.upper[k]).im();
       for (std::size_t j = 0; j < turns.size(); ++j) {
         if (c.overlaps(alphas.upper[j])) turns[j] = add(turns[j], turn, known.precision);
         if (c.overlaps(conjugate(alphas.upper[j])))
@@ -433,7 +432,7 @@ std::optional<GaussianPolynomial> Evaluator::single_argument() const {
   for (const Function::Residues& p : known->poles)
     for (const ComplexBall& c : p.upper) {
       const RealBall twice = multiply(c.im(), RealBall(2, bits), bits);
-      if (!c.re().contains_zero() || arb_contains_int(twice.raw()) == 0) return std::nullopt;
+      if (!c.re().contains_zero() || !contains_integer(twice)) return std::nullopt;
     }
   return phrame::single_argument(gaussian_logs(over_residues(f.fractions())));
 }

@@ -5,6 +5,7 @@
 
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/argument.hpp"
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {
@@ -87,9 +88,9 @@ LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint
       if (is_infinite(a)) turn = subtract(turn, rest(from), bits);
       turn = subtract(turn, argument_of(z, bits), bits);
       turn = divide(turn, multiply(pi(bits), RealBall(2, bits), bits), bits);
-      flint::Fmpz whole;
-      if (arb_get_unique_fmpz(whole.get(), turn.raw()) == 0) continue;
-      change.turns.push_back({{z, term.factor}, Integer(whole.get())});
+      const auto whole = unique_integer(turn);
+      if (!whole) continue;
+      change.turns.push_back({{z, term.factor}, *whole});
       break;
     }
   }
@@ -111,8 +112,7 @@ std::optional<Rational> turns_over_pi(const std::vector<LogChange::Turn>& turns)
                                  RealBall(Rational(2 * whole), bits), bits);
       sum = add(sum, multiply(RealBall(power.exponent / unit, bits), angle, bits), bits);
     }
-    flint::Fmpz multiple;
-    if (arb_get_unique_fmpz(multiple.get(), sum.raw()) != 0) return unit * Rational(multiple.get());
+    if (const auto multiple = unique_integer(sum)) return unit * *multiple;
   }
 }
 

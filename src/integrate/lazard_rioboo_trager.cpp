@@ -22,91 +22,86 @@ namespace {
 std::vector<ModularPolynomial> interpolated_power_sums(const ModularAlgebra& algebra,
                                                        const ModularPolynomial& c,
                                                        const ModularPolynomial& q, long count) {
-  const slong m = q.degree();
+  const long m = q.degree();
   const ModularPolynomial t = algebra.variable();
   ModularPolynomial form = algebra.trace();
   std::vector<ModularPolynomial> result;
   for (long j = 1; j <= count; ++j) {
     form = algebra.compose(form, t);
-    const std::vector<ulong> traces = values_of_powers(algebra, form, c, m);
-    ModularPolynomial p(algebra.prime());
-    for (slong i = 0; i < m; ++i)
-      nmod_poly_set_coeff_ui(p.raw(), m - 1 - i, traces[static_cast<std::size_t>(i)]);
-    nmod_poly_mul(p.raw(), p.raw(), q.raw());
-    nmod_poly_shift_right(p.raw(), p.raw(), m);
-    result.push_back(std::move(p));
+    std::vector<Word> traces = values_of_powers(algebra, form, c, m);
+    std::reverse(traces.begin(), traces.end());
+    ModularPolynomial p(algebra.prime(), traces);
+    p *= q;
+    result.push_back(shifted_down(p, m));
   }
   return result;
 }
 
 /// The coefficients of t⁰, …, tᵏ⁻¹ of v = tᵏ + c₁tᵏ⁻¹ + … from j·c_j = −Σ_{0<i≤j} c_{j−i}·p_i,
 /// flattened, deg Q_k numbers each.
-std::vector<ulong> monic_argument(const std::vector<ModularPolynomial>& sums,
-                                  const ModularPolynomial& slope_inverse,
-                                  const ModularPolynomial& q_k, long k) {
-  const ulong prime = q_k.prime();
+std::vector<Word> monic_argument(const std::vector<ModularPolynomial>& sums,
+                                 const ModularPolynomial& slope_inverse,
+                                 const ModularPolynomial& q_k, long k) {
+  const Word prime = q_k.prime();
   const auto multiply = [&](const ModularPolynomial& a, const ModularPolynomial& b) {
-    ModularPolynomial product(prime);
-    nmod_poly_mulmod(product.raw(), a.raw(), b.raw(), q_k.raw());
-    return product;
+    return multiply_modulo(a, b, q_k);
   };
   std::vector<ModularPolynomial> p;
   for (long j = 0; j < k; ++j) {
-    ModularPolynomial reduced(prime);
-    nmod_poly_rem(reduced.raw(), sums[static_cast<std::size_t>(j)].raw(), q_k.raw());
+    ModularPolynomial reduced = sums[static_cast<std::size_t>(j)];
+    reduce(reduced, q_k);
     p.push_back(multiply(reduced, slope_inverse));
   }
-  ModularPolynomial one(prime);
-  nmod_poly_one(one.raw());
-  std::vector<ModularPolynomial> c = {one};
+  std::vector<ModularPolynomial> c = {ModularPolynomial(prime, std::vector<Word>{1})};
   for (std::size_t j = 1; j <= static_cast<std::size_t>(k); ++j) {
     ModularPolynomial sum(prime);
-    for (std::size_t i = 1; i <= j; ++i) {
-      const ModularPolynomial term = j == i ? p[i - 1] : multiply(c[j - i], p[i - 1]);
-      nmod_poly_sub(sum.raw(), sum.raw(), term.raw());
-    }
-    const ulong over_j = nmod_inv(j, sum.raw()->mod);
-    nmod_poly_scalar_mul_nmod(sum.raw(), sum.raw(), over_j);
+    for (std::size_t i = 1; i <= j; ++i) sum -= j == i ? p[i - 1] : multiply(c[j - i], p[i - 1]);
+    sum /= j;
     c.push_back(std::move(sum));
   }
-  std::vector<ulong> list;
+  std::vector<Word> list;
   for (std::size_t j = static_cast<std::size_t>(k); j >= 1; --j)
     for (long i = 0; i < q_k.degree(); ++i) list.push_back(c[j].coefficient(i));
   return list;
 }
 
+/// numerator/(scale·denominator).
+struct IntegerFraction {
+  IntegerPolynomial numerator;
+  Integer scale;
+  IntegerPolynomial denominator;
+  long poles;  ///< the degree of the denominator
+};
+
 /// The arguments for all factors of the residue polynomial modulo p, flattened one after the other;
 /// no value where p is bad.
-std::optional<std::vector<ulong>> arguments_modulo(ulong p, const flint::FmpzPoly& n,
-                                                   const flint::Fmpz& scale,
-                                                   const flint::FmpzPoly& d,
-                                                   const std::vector<Factor>& residues) {
-  const auto algebra = ModularAlgebra::make(ModularPolynomial(p, d), fmpz_poly_degree(d.get()));
-  const ulong s = fmpz_fdiv_ui(scale.get(), p);
+std::optional<std::vector<Word>> arguments_modulo(Word p, const IntegerFraction& f,
+                                                  const std::vector<Factor>& residues) {
+  const auto algebra = ModularAlgebra::make(ModularPolynomial(p, f.denominator), f.poles);
+  const Word s = residue(f.scale, p);
   if (!algebra || s == 0) return std::nullopt;
-  ModularPolynomial c = algebra->residue(ModularPolynomial(p, n));
-  nmod_poly_scalar_mul_nmod(c.raw(), c.raw(), nmod_inv(s, c.raw()->mod));
+  ModularPolynomial c = algebra->residue(ModularPolynomial(p, f.numerator));
+  c /= s;
 
-  ModularPolynomial q(p);
-  nmod_poly_one(q.raw());
+  ModularPolynomial q(p, std::vector<Word>{1});
   std::vector<ModularPolynomial> factors;
   long most_poles = 0;
   for (const auto& [base, exponent] : residues) {
     factors.emplace_back(p, integer_primitive_part(base));
     if (factors.back().degree() != base.degree()) return std::nullopt;
-    nmod_poly_mul(q.raw(), q.raw(), factors.back().raw());
+    q *= factors.back();
     most_poles = std::max(most_poles, exponent);
   }
-  ModularPolynomial slope(p);
-  nmod_poly_derivative(slope.raw(), q.raw());
+  const ModularPolynomial slope = differentiate(q);
   const auto sums = interpolated_power_sums(*algebra, c, q, most_poles);
-  std::vector<ulong> all;
+  std::vector<Word> all;
   for (std::size_t k = 0; k < factors.size(); ++k) {
-    ModularPolynomial inverse(p);
-    nmod_poly_rem(inverse.raw(), slope.raw(), factors[k].raw());
-    if (inverse.is_zero() || nmod_poly_invmod(inverse.raw(), inverse.raw(), factors[k].raw()) == 0)
-      return std::nullopt;
-    const auto list = monic_argument(sums, inverse, factors[k], residues[k].exponent);
+    ModularPolynomial reduced = slope;
+    reduce(reduced, factors[k]);
+    if (reduced.is_zero()) return std::nullopt;
+    const auto inverse = modular_inverse(reduced, factors[k]);
+    if (!inverse) return std::nullopt;
+    const auto list = monic_argument(sums, inverse->inverse, factors[k], residues[k].exponent);
     all.insert(all.end(), list.begin(), list.end());
   }
   return all;
@@ -146,11 +141,9 @@ std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f,
   if (residue_polynomial.degree() != f.denominator().degree() || f.is_zero())
     throw DomainError("lazard_rioboo_trager: not the residue polynomial of the function");
   const std::vector<Factor> residues = squarefree_factorization(residue_polynomial).factors;
-  flint::FmpzPoly n;
-  flint::Fmpz scale;
-  fmpq_poly_get_numerator(n.get(), f.numerator().raw());
-  fmpz_set(scale.get(), fmpq_poly_denref(f.numerator().raw()));
-  const flint::FmpzPoly d = integer_primitive_part(f.denominator());
+  const IntegerFraction over_integers{integer_numerator(f.numerator()), denominator(f.numerator()),
+                                      integer_primitive_part(f.denominator()),
+                                      f.denominator().degree()};
 
   std::size_t count = 0;
   for (const auto& [base, exponent] : residues)
@@ -158,8 +151,8 @@ std::vector<LogSum> lazard_rioboo_trager(const RationalFunction& f,
   RationalLift lift(count);
   std::optional<std::vector<Rational>> numbers;
   for (Primes primes; !numbers;) {
-    const ulong p = primes.next();
-    if (const auto image = arguments_modulo(p, n, scale, d, residues))
+    const Word p = primes.next();
+    if (const auto image = arguments_modulo(p, over_integers, residues))
       numbers = lift.include(*image, p);
   }
   std::vector<LogSum> sums;

@@ -26,6 +26,7 @@
 #include "phrame/algebra/bivariate.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/modular.hpp"
+#include "phrame/algebra/power_series.hpp"
 #include "phrame/algebra/surd_root.hpp"
 
 namespace phrame {
@@ -79,31 +80,19 @@ std::optional<Surd> biquadratic_root(const Polynomial& quartic) {
   return std::nullopt;
 }
 
-struct ModularFactors {
-  nmod_poly_factor_t value;
-  explicit ModularFactors(const ModularPolynomial& f) {
-    nmod_poly_factor_init(value);
-    nmod_poly_factor(value, f.raw());
-  }
-  ~ModularFactors() { nmod_poly_factor_clear(value); }
-  ModularFactors(const ModularFactors&) = delete;
-  ModularFactors& operator=(const ModularFactors&) = delete;
-};
-
 /// May f be a product of four conjugate quadratic polynomials over a biquadratic field, by the
 /// degrees of its factors modulo some primes?
 bool may_be_biquadratic(const Polynomial& f) {
   constexpr int tries = 8;
-  const flint::FmpzPoly integral = integer_primitive_part(f);
+  const IntegerPolynomial integral = integer_primitive_part(f);
   Primes primes;
   for (int k = 0; k < tries; ++k) {
     const ModularPolynomial modular(primes.next(), integral);
-    const ModularFactors factors(modular);
     std::vector<long> of_degree(static_cast<std::size_t>(f.degree()) + 1);
     bool is_good = modular.degree() == f.degree();
-    for (long j = 0; j < factors.value->num; ++j) {
-      ++of_degree[static_cast<std::size_t>(nmod_poly_degree(factors.value->p + j))];
-      is_good = is_good && factors.value->exp[j] == 1;
+    for (const auto& [degree, exponent] : shapes_of_factors(modular)) {
+      ++of_degree[static_cast<std::size_t>(degree)];
+      is_good = is_good && exponent == 1;
     }
     const long short_cycles = of_degree[1] + 2 * of_degree[2];
     const long even_cycles = 2 * of_degree[2] + 4 * of_degree[4];
@@ -120,16 +109,14 @@ struct PairResolvent {
 
 PairResolvent pair_resolvent(const Polynomial& f) {
   const long pairs = f.degree() * (f.degree() - 1) / 2;
-  Polynomial s;  // s₀ + s₁y + …
-  fmpq_poly_power_sums(s.raw(), f.raw(), 2 * pairs + 1);
+  const Polynomial s = power_sums_of_roots(f, 2 * pairs + 1);  // s₀ + s₁y + …
   std::vector<Rational> of_products;
   std::vector<Rational> of_sums;  // Σ (βᵢ + βⱼ)/(y − βᵢβⱼ) is Σ of_sums[k]·y^{−k−1}
   for (long k = 0; k <= pairs; ++k)
     of_products.push_back((s.coefficient(k) * s.coefficient(k) - s.coefficient(2 * k)) / 2);
   for (long k = 0; k < pairs; ++k)
     of_sums.push_back(s.coefficient(k + 1) * s.coefficient(k) - s.coefficient(2 * k + 1));
-  PairResolvent result;
-  fmpq_poly_power_sums_to_poly(result.products.raw(), Polynomial(of_products).raw());
+  PairResolvent result{with_power_sums(of_products), {}};
   // The part of M(y)·Σ of_sums[k]·y^{−k−1} without negative powers.
   std::reverse(of_sums.begin(), of_sums.end());
   result.sums =

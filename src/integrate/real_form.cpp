@@ -34,19 +34,6 @@ bool has_real_zero(const Polynomial& a, const Polynomial& b, const Integer& d) {
                      [&](const RealRoot& root) { return sign_at(product, root.at) <= 0; });
 }
 
-struct ExtendedGcd {
-  Polynomial g;
-  Polynomial s;
-  Polynomial t;
-};
-
-/// g = s·a + t·b, monic.
-ExtendedGcd extended_gcd(const Polynomial& a, const Polynomial& b) {
-  ExtendedGcd result;
-  fmpq_poly_xgcd(result.g.raw(), result.s.raw(), result.t.raw(), a.raw(), b.raw());
-  return result;
-}
-
 /// −2·factor·√d·arg(P + i√d·Q) as arctangents; deg P ≥ deg Q ≥ 0. That remains so: the next pair is
 /// (D, C), and A·C = B·D − G has no higher degree than B·D.
 void add_arctangents(RealForm& form, const Rational& factor, const Integer& d, Polynomial p,

@@ -6,9 +6,9 @@
 #include "phrame/integrate/short_integral.hpp"
 
 #include <algorithm>
-#include <limits>
 
-#include "phrame/algebra/ball_polynomial.hpp"
+#include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/ball_series.hpp"
 #include "phrame/algebra/real.hpp"
 
 namespace phrame {
@@ -16,22 +16,6 @@ namespace {
 
 constexpr long least_gain = 4;   // bits that a term gives
 constexpr long most_terms = 64;  // of the series
-constexpr long smallest = std::numeric_limits<long>::min() / 8;
-
-/// An e with |x| < 2^e for all x of the ball; `smallest` for 0.
-long exponent_above(const RealBall& x) {
-  flint::Mag size;
-  arb_get_mag(size.get(), x.raw());
-  if (mag_is_inf(size.get()) != 0) return -smallest;
-  return mag_is_zero(size.get()) != 0 ? smallest : fmpz_get_si(MAG_EXPREF(size.get()));
-}
-
-/// An e with |x| ≥ 2^e for all x of the ball; `smallest` where 0 is one.
-long exponent_below(const RealBall& x) {
-  flint::Mag size;
-  arb_get_mag_lower(size.get(), x.raw());
-  return mag_is_zero(size.get()) != 0 ? smallest : fmpz_get_si(MAG_EXPREF(size.get())) - 1;
-}
 
 long floor_quotient(long a, long b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
@@ -41,17 +25,9 @@ long radius_exponent(const BallPolynomial& d, long largest) {
   long e = largest;
   for (long k = 1; k <= d.degree_bound(); ++k) {
     const long size = exponent_above(d.coefficient(k));
-    if (size != smallest) e = std::min(e, floor_quotient(middle - size - k - 1, k));
+    if (size != -unbounded_exponent) e = std::min(e, floor_quotient(middle - size - k - 1, k));
   }
   return e;
-}
-
-/// p(2^e·v).
-void scale(BallPolynomial& p, long e) {
-  for (long k = 0; k <= p.degree_bound(); ++k) {
-    arb_struct* c = arb_poly_get_coeff_ptr(p.raw(), k);
-    if (c != nullptr) arb_mul_2exp_si(c, c, k * e);
-  }
 }
 
 /// f near a, with n/d = f/(t − a)^zeros.
@@ -64,8 +40,7 @@ struct Shifted {
   BallPolynomial around_a(const Polynomial& p, long bits) const {
     BallPolynomial q(p, bits);
     if (a == Endpoint(Rational(0))) return q;
-    arb_poly_taylor_shift(q.raw(), q.raw(), enclose(a, bits).raw(), bits);
-    return q;
+    return shifted(q, enclose(a, bits), bits);
   }
 };
 
@@ -76,22 +51,18 @@ struct Series {
   RealBall remainder;  ///< a bound of the terms left out
 };
 
-Series series(const Shifted& f, BallPolynomial d, const RealBall& h, long e, long terms,
-              long bits) {
-  BallPolynomial n = f.around_a(f.numerator, bits);
-  scale(n, e);
-  scale(d, e);
+Series series(const Shifted& f, const BallPolynomial& around_a, const RealBall& h, long e,
+              long terms, long bits) {
+  const BallPolynomial n = stretched(f.around_a(f.numerator, bits), e);
+  const BallPolynomial d = stretched(around_a, e);
   RealBall bound;
   for (long k = 0; k <= n.degree_bound(); ++k) bound = add(bound, absolute(n.coefficient(k)), bits);
   bound = divide(bound, absolute(d.coefficient(0)), bits);
-  BallPolynomial q;
-  arb_poly_div_series(q.raw(), n.raw(), d.raw(), terms, bits);
+  const BallPolynomial q = divide_series(n, d, terms, bits);
 
-  RealBall w = h;
-  arb_mul_2exp_si(w.raw(), w.raw(), -e);
-  RealBall power;  // w^{k+m+1}·2^{E(m+1)}
-  arb_pow_ui(power.raw(), w.raw(), static_cast<ulong>(f.zeros) + 1, bits);
-  arb_mul_2exp_si(power.raw(), power.raw(), e * (f.zeros + 1));
+  const RealBall w = times_power_of_two(h, -e);
+  // w^{k+m+1}·2^{E(m+1)}
+  RealBall power = times_power_of_two(pow(w, f.zeros + 1, bits), e * (f.zeros + 1));
   Series result;
   for (long k = 0; k < terms; ++k) {
     const RealBall term =
@@ -100,19 +71,11 @@ Series series(const Shifted& f, BallPolynomial d, const RealBall& h, long e, lon
     result.sizes = add(result.sizes, absolute(term), bits);
     power = multiply(power, w, bits);
   }
-  result.remainder =
+  const RealBall quarter =
       divide(multiply(bound, absolute(power), bits), RealBall(terms + f.zeros + 1, bits), bits);
-  arb_mul_2exp_si(result.remainder.raw(), result.remainder.raw(), 2);
-  arb_add_error(result.sum.raw(), result.remainder.raw());
+  result.remainder = times_power_of_two(quarter, 2);
+  result.sum = widened(std::move(result.sum), result.remainder);
   return result;
-}
-
-/// Is |x| ≤ 2^−bits·y?
-bool is_below(const mag_t x, const RealBall& y, long bits) {
-  flint::Mag allowed;
-  arb_get_mag_lower(allowed.get(), y.raw());
-  mag_mul_2exp_si(allowed.get(), allowed.get(), -bits);
-  return mag_cmp(x, allowed.get()) <= 0;
 }
 
 RealBall difference(const Endpoint& b, const Endpoint& a, long bits) {
@@ -143,6 +106,7 @@ std::optional<RealBall> short_integral(const RationalFunction& f, const Endpoint
     for (; at_a.numerator(*r) == 0; ++at_a.zeros)
       at_a.numerator = exact_quotient(at_a.numerator, Polynomial{-*r, 1});
   }
+  const RealBall one(1, bits);
   const long end = 64 * bits + 65536 + 4 * (bits_of(a) + bits_of(b)) * (f.numerator().degree() + 1);
   long terms = 0;
   for (long precision = bits + 64; precision <= end;) {
@@ -158,17 +122,15 @@ std::optional<RealBall> short_integral(const RationalFunction& f, const Endpoint
     if (terms == 0) terms = (bits + 16) / (e - size) + 2;
     if (terms > most_terms) return std::nullopt;
     const Series found = series(at_a, d, h, e, terms, precision);
-    const mag_struct* radius = arb_radref(found.sum.raw());
+    const RealBall radius = radius_of(found.sum);
+    const auto is_below = [&](const RealBall& x) {
+      return is_at_most(radius, times_power_of_two(absolute(x), -bits));
+    };
     const bool is_fine =
-        found.sum.is_finite() &&
-        (is_below(radius, found.sum, bits) ||
-         (is_below(radius, found.sizes, bits) && mag_cmp_2exp_si(radius, -bits) <= 0));
+        found.sum.is_finite() && (is_below(found.sum) || (is_below(found.sizes) && is_below(one)));
     if (is_fine) return found.sum;
     // Half the radius and more is what was left out, or it is rounding.
-    flint::Mag left_out;
-    arb_get_mag(left_out.get(), found.remainder.raw());
-    mag_mul_2exp_si(left_out.get(), left_out.get(), 1);
-    if (mag_cmp(left_out.get(), radius) < 0)
+    if (is_less(times_power_of_two(found.remainder, 1), radius))
       precision *= 2;
     else
       terms += terms / 2 + 2;

@@ -17,6 +17,7 @@
 #include <numeric>
 
 #include "phrame/algebra/algebraic_image.hpp"
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/bounded_algebraic.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/resultant.hpp"
@@ -60,11 +61,10 @@ struct View {
   Rational angle(const ComplexBall& z, long bits, bool& is_known) const {
     if (!from) return at_all;
     const ComplexBall s = subtract(ComplexBall(RealBall(*from, bits), RealBall()), z, bits);
-    RealBall multiple = divide(argument(s, bits), pi(bits), bits);
-    multiple = multiply(multiple, RealBall(unit, bits), bits);
-    flint::Fmpz whole;
-    is_known = is_known && arb_get_unique_fmpz(whole.get(), multiple.raw()) != 0;
-    return Rational(whole.get()) / unit;
+    const RealBall over_pi = divide(argument(s, bits), pi(bits), bits);
+    const auto whole = unique_integer(multiply(over_pi, RealBall(unit, bits), bits));
+    is_known = is_known && whole;
+    return Rational(whole.value_or(0)) / unit;
   }
 };
 
@@ -206,7 +206,7 @@ std::optional<long> cyclotomic_bound(const Polynomial& d) {
     // A rational number times a root of unity generates a normal field.
     const Polynomial sizes = Polynomial::monomial(1, n) - Polynomial{norm};
     if (real_root(sizes, {Rational(0), std::nullopt}).is_rational()) return 2 * n;
-    return n * static_cast<long>(n_euler_phi(static_cast<ulong>(std::lcm(*power, 4L))));
+    return n * static_cast<long>(euler_phi(static_cast<unsigned long>(std::lcm(*power, 4L))));
   }
   return std::nullopt;
 }

@@ -5,10 +5,10 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/angle.hpp"
 #include "phrame/io/read/json_node.hpp"
+#include "phrame/io/read/number.hpp"
 #include "phrame/io/write/angle.hpp"
 #include "phrame/io/write/failure.hpp"
 #include "phrame/io/write/json_text.hpp"
-#include "phrame/io/write/number_text.hpp"
 #include "phrame/io/write/reference_names.hpp"
 
 namespace phrame {

@@ -105,3 +105,17 @@ TEST_CASE("ball polynomial: what balls cannot decide is said") {
   CHECK(three.is_complete());
   CHECK(three.at.size() == 3);
 }
+
+TEST_CASE("ball polynomial: law: negatives, integrals, shifts and stretches") {
+  for_samples(200, [](Random& random) {
+    const Polynomial p = random.polynomial(7);
+    const BallPolynomial a(p, 100);
+    CHECK(contains(-a, -p));
+    CHECK(contains(antiderivative(a, 100), antiderivative(p)));
+    const Rational c = random.rational();
+    CHECK(contains(shifted(a, RealBall(c, 100), 100), compose(p, {c, 1})));
+    CHECK(contains(stretched(a, 3), compose(p, {0, 8})));
+    CHECK(contains(stretched(a, -2), compose(p, {0, Rational(1, 4)})));
+    CHECK(contains(with_constant(a, RealBall(c, 100)), p + Polynomial{c - p.coefficient(0)}));
+  });
+}

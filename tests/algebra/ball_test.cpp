@@ -98,3 +98,71 @@ TEST_CASE("ball: hulls, and arguments in all directions") {
   CHECK(cut.contains(3));
   CHECK(cut.contains(-3));
 }
+
+TEST_CASE(
+    "ball: law: powers of two and sums of doubles are exact, other operations contain theirs") {
+  for_samples(200, [](Random& random) {
+    const Rational x = random.rational();
+    const Rational y = random.rational();
+    const Rational z = random.rational();
+    const long bits = random.integer(20, 300);
+    const RealBall a(x, bits);
+    const RealBall b(y, bits);
+    const long k = random.integer(-200, 200);
+    const Rational power = k < 0 ? Rational(1) / pow(Integer(2), static_cast<unsigned long>(-k))
+                                 : Rational(pow(Integer(2), static_cast<unsigned long>(k)));
+    CHECK(times_power_of_two(a, k).midpoint() == power * a.midpoint());
+    CHECK(times_power_of_two(a, k).radius() == power * a.radius());
+    CHECK(add_product(RealBall(z, bits), a, b, bits).contains(x * y + z));
+    CHECK(pow(a, 3, bits).contains(x * x * x));
+    CHECK(sqrt_of_nonnegative(RealBall(x * x, bits), bits).contains(abs(x)));
+    const RealBall wide = widened(a, b);
+    for (const Rational& end : {Rational(x - y), Rational(x + y)}) CHECK(wide.contains(end));
+    const auto s = static_cast<double>(x);
+    const auto t = static_cast<double>(y) * 0x1p-200;
+    CHECK(exact_sum(s, t).radius() == 0);
+    CHECK(exact_sum(s, t).midpoint() == exact_rational(s) + exact_rational(t));
+    const RealBall little_wider = widened(a, std::abs(t));
+    CHECK(little_wider.contains(x + exact_rational(t)));
+    CHECK(little_wider.contains(x - exact_rational(t)));
+  });
+}
+
+TEST_CASE("ball: a root of what is not negative has no imaginary part to fear") {
+  const RealBall x = hull(Rational(-1, 4), Rational(4), 100);
+  CHECK_FALSE(sqrt(x, 100).is_finite());
+  CHECK(sqrt_of_nonnegative(x, 100).contains(0));
+  CHECK(sqrt_of_nonnegative(x, 100).contains(2));
+}
+
+TEST_CASE("ball: what is not known may be any number") {
+  CHECK_FALSE(RealBall::unknown().is_finite());
+  CHECK_FALSE(RealBall::unknown().is_zero());
+  CHECK_FALSE(ComplexBall::unknown().re().is_finite());
+  CHECK_FALSE(ComplexBall::unknown().im().is_finite());
+  CHECK(RealBall().is_zero());
+  CHECK_FALSE(hull(Rational(-1), Rational(1), 53).is_zero());
+}
+
+TEST_CASE("ball: law: complex inverses, sizes, midpoints and what contains what") {
+  for_samples(200, [](Random& random) {
+    const Rational x = random.rational();
+    const Rational y = random.rational();
+    if (x == 0 && y == 0) return;
+    const ComplexBall z(RealBall(x, 100), RealBall(y, 100));
+    const ComplexBall inverted = inverse(z, 100);
+    CHECK(inverted.re().contains(x / (x * x + y * y)));
+    CHECK(inverted.im().contains(-y / (x * x + y * y)));
+    const RealBall size = absolute(z, 100);
+    CHECK(multiply(size, size, 100).contains(x * x + y * y));
+    CHECK(z.accuracy_bits() > 90);
+    const ComplexBall middle = z.midpoint();
+    CHECK(middle.re().radius() == 0);
+    CHECK(z.contains(middle));
+    CHECK(z.is_same_ball(z));
+    const ComplexBall larger(widened(z.re(), 1.0), widened(z.im(), 1.0));
+    CHECK(larger.contains(z));
+    CHECK_FALSE(z.contains(larger));
+    CHECK_FALSE(z.is_same_ball(larger));
+  });
+}

@@ -163,3 +163,11 @@ TEST_CASE("integer: law: residues are in [0, m), and an inverse is one, where th
   CHECK_THROWS_AS(modulo(5, 0), DomainError);
   CHECK_THROWS_AS(inverse_modulo(5, -7), DomainError);
 }
+
+TEST_CASE("integer: Euler's function counts what is coprime") {
+  for (long n = 1; n <= 60; ++n) {
+    unsigned long count = 0;
+    for (long k = 1; k <= n; ++k) count += gcd(Integer(k), Integer(n)) == 1 ? 1 : 0;
+    CHECK(euler_phi(static_cast<unsigned long>(n)) == count);
+  }
+}

@@ -87,3 +87,55 @@ TEST_CASE("modular: the primes start above 2⁶¹, and none is left out, whoever
     last = p;
   }
 }
+
+TEST_CASE("modular: law: a ring, and its derivation") {
+  for_samples(100, [](Random& random) {
+    const ulong prime = random_prime(random);
+    const ModularPolynomial a = random_modular(random, prime, random.integer(0, 9));
+    const ModularPolynomial b = random_modular(random, prime, random.integer(0, 9));
+    // (ab)′ − a′b − ab′ = 0.
+    ModularPolynomial product = a;
+    product *= b;
+    ModularPolynomial rest = differentiate(product);
+    for (const auto& [f, g] : {std::pair{differentiate(a), b}, std::pair{a, differentiate(b)}}) {
+      ModularPolynomial term = f;
+      term *= g;
+      rest -= term;
+    }
+    CHECK(rest.is_zero());
+    const Word c = prime - 1;
+    ModularPolynomial scaled = a;
+    scaled *= c;
+    scaled /= c;
+    scaled -= a;
+    CHECK(scaled.is_zero());
+    const ModularPolynomial t_squared(prime, std::vector<Word>{0, 0, 1});
+    ModularPolynomial raised = a;
+    raised *= t_squared;
+    ModularPolynomial back = shifted_down(raised, 2);
+    back -= a;
+    CHECK(back.is_zero());
+  });
+}
+
+// x⁴ − 1 = (x − 1)(x + 1)(x² + 1) modulo 7, where −1 is no square; and (x + 1)²(x² + 1).
+TEST_CASE("modular: the shapes of factors, and what is coprime") {
+  const ModularPolynomial f(7, std::vector<Word>{6, 0, 0, 0, 1});
+  long linear = 0;
+  long quadratic = 0;
+  for (const auto& [degree, exponent] : shapes_of_factors(f)) {
+    CHECK(exponent == 1);
+    (degree == 1 ? linear : quadratic) += 1;
+  }
+  CHECK(linear == 2);
+  CHECK(quadratic == 1);
+  const ModularPolynomial g(7, std::vector<Word>{1, 2, 2, 2, 1});
+  bool has_square = false;
+  for (const auto& [degree, exponent] : shapes_of_factors(g))
+    has_square = has_square || (degree == 1 && exponent == 2);
+  CHECK(has_square);
+  CHECK_FALSE(are_coprime(f, g));
+  CHECK(are_coprime(g, ModularPolynomial(7, std::vector<Word>{6, 1})));
+  CHECK(residue(Integer(-1), 7) == 6);
+  CHECK(residue(pow(Integer(10), 30), 7) == 1);
+}

@@ -194,3 +194,29 @@ TEST_CASE("polynomial: the square root is exact, or there is none") {
     CHECK_FALSE(square_root(p * p * Polynomial{1, 1}));
   });
 }
+
+TEST_CASE("polynomial: law: g = s·a + t·b") {
+  for_samples(100, [](Random& random) {
+    const Polynomial common = random.nonzero_polynomial(3);
+    const Polynomial a = common * random.nonzero_polynomial(4);
+    const Polynomial b = common * random.polynomial(4);
+    const auto [g, s, t] = extended_gcd(a, b);
+    CHECK(s * a + t * b == g);
+    CHECK(primitive_part(g) == gcd(a, b));
+    CHECK(g.leading_coefficient() == 1);
+  });
+}
+
+TEST_CASE("polynomial: law: the least common denominator, and the numerator over it") {
+  for_samples(100, [](Random& random) {
+    const Polynomial p = random.polynomial(6);
+    Integer common = 1;
+    for (const Rational& c : p.coefficients()) common = lcm(common, denominator(c));
+    CHECK(denominator(p) == common);
+    CHECK(to_polynomial(integer_numerator(p).get()) == Rational(common) * p);
+    long bits = 0;
+    const Polynomial q = primitive_part(p);
+    for (const Rational& c : q.coefficients()) bits = std::max(bits, bit_length(numerator(c)));
+    CHECK(primitive_bits(p) == bits);
+  });
+}

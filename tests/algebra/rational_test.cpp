@@ -82,3 +82,11 @@ TEST_CASE("rational: an abbreviated text is one line and cuts no character in tw
   const std::string cut = abbreviated(std::string(39, 'a') + "é and more text", 40);
   CHECK(cut.starts_with(std::string(39, 'a') + "…"));
 }
+
+TEST_CASE("rational: the simplest fraction in an interval") {
+  CHECK(simplest_between(Rational(3, 10), Rational(4, 10)) == Rational(1, 3));
+  CHECK(simplest_between(Rational(-1, 2), Rational(7)) == 0);
+  CHECK(simplest_between(Rational(22, 7), Rational(22, 7)) == Rational(22, 7));
+  CHECK(simplest_between(parse_rational("3.14159"), parse_rational("3.1416")) ==
+        Rational(355, 113));
+}

@@ -7,6 +7,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/certificate_file.hpp"
+#include "phrame/io/write/certificate.hpp"
 #include "phrame/ph/proof/verify.hpp"
 
 namespace {

@@ -64,20 +64,3 @@ TEST_CASE("quadrature: law: backwards it is the negative, and parts add up") {
     CHECK(quadrature(f, a, b, 80).overlaps(Evaluator(integrate(f)).difference(a, b, 80)));
   });
 }
-
-TEST_CASE(
-    "quadrature: law: polynomials of integrands enclose their values on discs, again and again") {
-  for_samples(20, [](Random& random) {
-    const Polynomial p = random.polynomial(8);
-    const IntegrandPolynomial kept = BallPolynomial(p, 200);
-    const Rational middle(random.integer(-9, 9), 8);
-    for (const Rational& radius : {Rational(1, 4), Rational(1, 64), Rational(2), Rational(0)}) {
-      const RealBall side = hull(Rational(-radius), radius, 100);
-      const ComplexBall disc(hull(Rational(middle - radius), Rational(middle + radius), 100), side);
-      const ComplexBall values = kept(disc, 150);
-      CHECK(values.overlaps(evaluate(BallPolynomial(p, 200), disc, 150)));
-      for (const Rational& t : {Rational(middle - radius), middle, Rational(middle + radius)})
-        CHECK(values.re().contains(p(t)));
-    }
-  });
-}

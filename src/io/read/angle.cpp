@@ -1,7 +1,7 @@
 #include "phrame/io/read/angle.hpp"
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/io/write/number_text.hpp"
+#include "phrame/io/read/number.hpp"
 
 namespace phrame {
 namespace {

@@ -4,7 +4,6 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/json_node.hpp"
-#include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/reference_names.hpp"
 
 namespace phrame {
@@ -13,75 +12,6 @@ namespace {
 using Kind = JsonNode::Kind;
 
 constexpr long max_bits = 1'000'000;
-
-// ---- writing
-
-JsonOutput json_of(const GaussianInteger& z) { return {z.re.str(), z.im.str()}; }
-
-JsonOutput json_of(const std::vector<RootDisc>& discs) {
-  JsonOutput list = JsonOutput::array();
-  for (const RootDisc& disc : discs)
-    list.push_back({{"center", json_of(disc.center)},
-                    {"radius", disc.radius.str()},
-                    {"residue", json_of(disc.residue)},
-                    {"residue_radius", disc.residue_radius.str()}});
-  return list;
-}
-
-JsonOutput json_of(const StatedPoint& point) {
-  const Interval& i = point.interval;
-  if (*i.lower == *i.upper) return {{"t", to_string(*i.lower)}, {"order", point.order}};
-  return {{"t",
-           {{"polynomial", phrame::json_of(point.polynomial)},
-            {"interval", {to_string(*i.lower), to_string(*i.upper)}}}},
-          {"order", point.order}};
-}
-
-JsonOutput json_of(const std::vector<StatedPoint>& points) {
-  JsonOutput list = JsonOutput::array();
-  for (const StatedPoint& point : points) list.push_back(json_of(point));
-  return list;
-}
-
-JsonOutput json_of(const AngleClaim& claim) {
-  JsonOutput json = {{"t", to_string(claim.t)}, {"theta", claim.theta}, {"radius", claim.radius}};
-  if (claim.turn)
-    json["turn"] = {{"index", claim.turn->index},
-                    {"signs", {claim.turn->at_zero, claim.turn->at_t}}};
-  return json;
-}
-
-JsonOutput json_of(const StatedDecisions& d) {
-  const auto answer = [](bool yes) { return JsonOutput{{"answer", yes}}; };
-  JsonOutput json = {
-      {"regular", {{"answer", d.regular}, {"cusps", json_of(d.cusps)}}},
-      {"inflections", {{"answer", d.has_inflections}, {"points", json_of(d.inflections)}}},
-      {"line", answer(d.line.has_value())},
-      {"planar", answer(d.normal.has_value())},
-      {"helical", answer(d.helix.has_value())},
-      {"double_ph", answer(d.double_ph.has_value())},
-      {"primitive", {{"answer", d.primitive}, {"content", phrame::json_of(d.content)}}},
-      {"erf_is_rmf", answer(d.erf_is_rmf)},
-      {"rrmf", answer(d.rational_frame.has_value())},
-      {"erf_monotone",
-       {{"answer", d.erf_monotone},
-        {"zeros_of_h", json_of(d.zeros_of_h)},
-        {"extrema", json_of(d.extrema)}}}};
-  if (d.line) json["line"]["direction"] = phrame::json_of(*d.line);
-  if (d.normal) json["planar"]["normal"] = phrame::json_of(*d.normal);
-  if (d.helix) {
-    json["helical"]["axis"] = phrame::json_of(d.helix->axis);
-    json["helical"]["cos_squared"] = to_string(d.helix->cosine_squared);
-  }
-  if (d.double_ph) {
-    json["double_ph"]["constant"] = to_string(d.double_ph->constant);
-    json["double_ph"]["omega"] = phrame::json_of(d.double_ph->omega);
-  }
-  if (d.rational_frame) json["rrmf"]["w"] = phrame::json_of(*d.rational_frame);
-  return json;
-}
-
-// ---- reading
 
 Integer read_integer(const JsonNode& node) {
   const Rational x = node.number();
@@ -266,38 +196,6 @@ Vector<Polynomial> read_hodograph(const JsonNode& node) {
 }
 
 }  // namespace
-
-std::string write_certificate(const Certificate& c, const std::string& name) {
-  JsonOutput logs = JsonOutput::array();
-  for (const CertifiedLogs& sum : c.logs)
-    logs.push_back({{"index", json_of(sum.index)},
-                    {"residue", json_of(sum.residue)},
-                    {"roots", json_of(sum.roots)}});
-  JsonOutput claims = JsonOutput::array();
-  for (const AngleClaim& claim : c.claims) claims.push_back(json_of(claim));
-  JsonOutput json = {
-      {"phrame", "certificate/1"},
-      {"curve", json_of(NamedCurve{name, c.curve})},
-      {"frame", name_of(c.reference)},
-      {"hodograph", JsonOutput::array({json_of(c.hodograph[0]), json_of(c.hodograph[1]),
-                                       json_of(c.hodograph[2])})},
-      {"sigma", json_of(c.sigma)},
-      {"h", json_of(c.h)},
-      {"g", json_of(c.g)},
-      {"rate",
-       {{"numerator", json_of(c.rate.numerator)},
-        {"denominator", json_of(c.rate.denominator)},
-        {"common", json_of(c.rate.common)},
-        {"coprime_modulo", c.rate.modulus.str()}}},
-      {"bits", c.bits},
-      {"antiderivative", {{"rational", json_of(c.rational)}, {"logs", logs}}}};
-  if (c.bend)
-    json["bend"] = {{"polynomial", json_of(c.bend->polynomial)},
-                    {"content", json_of(c.bend->content)}};
-  json["claims"] = claims;
-  json["decisions"] = json_of(c.decisions);
-  return pretty(json);
-}
 
 Certificate read_certificate(std::string_view text, const CurveLimits& limits) {
   const JsonValue document = parse_json_file(text, "certificate");

@@ -272,6 +272,4 @@ NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) 
   return {name, hodograph(curve), curve.start()};
 }
 
-std::string write_curve(const NamedCurve& named) { return pretty(json_of(named)); }
-
 }  // namespace phrame

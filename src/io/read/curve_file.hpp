@@ -30,7 +30,4 @@ NamedPath read_path(const JsonNode& node, const CurveLimits& limits = {});
 /// Reads the same files, but does not ask whether a Bézier curve is PH.
 NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits = {});
 
-/// A curve/1 file that read_curve reads as the same curve, in the power basis.
-std::string write_curve(const NamedCurve& named);
-
 }  // namespace phrame

@@ -9,7 +9,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/npy.hpp"
-#include "phrame/io/write/number_text.hpp"
+#include "phrame/io/read/number.hpp"
 
 namespace phrame {
 namespace {

@@ -16,7 +16,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/npy_header.hpp"
-#include "phrame/io/write/number_text.hpp"
+#include "phrame/io/write/text.hpp"
 
 namespace phrame {
 namespace {

@@ -7,7 +7,6 @@
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/json_text.hpp"
-#include "phrame/io/write/number_text.hpp"
 #include "phrame/io/write/pole_table.hpp"
 #include "phrame/io/write/radical_form_text.hpp"
 #include "phrame/io/write/reference_names.hpp"

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "phrame/io/write/json_text.hpp"
-#include "phrame/io/write/number_text.hpp"
 #include "phrame/io/write/text.hpp"
 
 namespace phrame {

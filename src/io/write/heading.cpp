@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "phrame/io/write/number_text.hpp"
 #include "phrame/io/write/text.hpp"
 
 namespace phrame {

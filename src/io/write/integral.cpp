@@ -8,7 +8,6 @@
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/endpoint_text.hpp"
 #include "phrame/io/write/json_text.hpp"
-#include "phrame/io/write/number_text.hpp"
 #include "phrame/io/write/pole_table.hpp"
 #include "phrame/io/write/radical_form_text.hpp"
 #include "phrame/io/write/text.hpp"

@@ -6,7 +6,6 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/surd_root.hpp"
-#include "phrame/io/write/number_text.hpp"
 #include "phrame/io/write/radical_text.hpp"
 
 namespace phrame {
@@ -369,6 +368,10 @@ std::string shown(const Real& x, const Decimal& rounded) {
   if (!x.exact()) return rounded.value;
   const std::string text = number_within(longest_line, *x.exact());
   return is_long_fraction(*x.exact()) ? with_decimal(text, rounded) : text;
+}
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 std::string name_prefix(const std::string& name) {

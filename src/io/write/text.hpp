@@ -76,6 +76,8 @@ std::string readable(const SurdPolynomial& p, std::string_view variable);
 /// bear.
 std::string readable_exact(const std::string& text, std::size_t limit = 4000);
 
+/// "1 digit", "2 digits".
+std::string counted(std::size_t count, std::string_view noun);
 /// "name: " as a report begins, or nothing for an empty name.
 std::string name_prefix(const std::string& name);
 /// "  label      value", the values below each other.

@@ -6,7 +6,6 @@
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/json_text.hpp"
-#include "phrame/io/write/number_text.hpp"
 #include "phrame/io/write/text.hpp"
 
 namespace phrame {

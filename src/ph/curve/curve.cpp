@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/power_series.hpp"
 
 namespace phrame {
 
@@ -75,12 +76,8 @@ Polynomial from_bernstein(const std::vector<Rational>& b) {
     scaled[static_cast<std::size_t>(r)] *= binomial;
     binomial = binomial * (m - r) / (r + 1);
   }
-  Polynomial result = Polynomial(scaled);
-  Polynomial reversed;
-  fmpq_poly_reverse(reversed.raw(), result.raw(), m + 1);  // c_m + c_{m−1} s + …
-  reversed = compose(reversed, Polynomial{-1, 1});         // s → s − 1, s = 1/t
-  fmpq_poly_reverse(result.raw(), reversed.raw(), m + 1);
-  return result;
+  const Polynomial in_s = reversed(Polynomial(scaled), m + 1);  // c_m + c_{m−1} s + …
+  return reversed(compose(in_s, Polynomial{-1, 1}), m + 1);     // s → s − 1, s = 1/t
 }
 
 Polynomial scaled_bernstein(const Polynomial& p, long m) {
@@ -88,12 +85,7 @@ Polynomial scaled_bernstein(const Polynomial& p, long m) {
     throw DomainError(fmt::format("to_bernstein: degree {} is less than that of the polynomial, {}",
                                   m, p.degree()));
   // The inverse of the above: s → s + 1 on the reversed polynomial.
-  Polynomial reversed;
-  Polynomial scaled;
-  fmpq_poly_reverse(reversed.raw(), p.raw(), m + 1);
-  reversed = compose(reversed, Polynomial{1, 1});
-  fmpq_poly_reverse(scaled.raw(), reversed.raw(), m + 1);
-  return scaled;
+  return reversed(compose(reversed(p, m + 1), Polynomial{1, 1}), m + 1);
 }
 
 std::vector<Rational> to_bernstein(const Polynomial& p, long m) {

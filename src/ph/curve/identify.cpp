@@ -138,4 +138,8 @@ std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph
   return result;
 }
 
+std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph) {
+  return identify(hodograph, {});
+}
+
 }  // namespace phrame

@@ -26,6 +26,8 @@ std::string to_string(const NotPythagorean& reason);
 /// quadrant. The numbers: f is primitive times an integer ≥ 1 that is no norm |c|² as far as
 /// split_norm sees, mostly 1. Throws DomainError for r′ = 0, a point.
 std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph,
-                                             const Vector<Rational>& start = {});
+                                             const Vector<Rational>& start);
+/// The same with r(0) = (0, 0, 0).
+std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph);
 
 }  // namespace phrame

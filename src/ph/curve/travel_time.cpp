@@ -42,8 +42,7 @@ int compare(const Rational& time, const Real& x, const std::string& what) {
 
 /// The simplest rational in the ball, where its denominator has up to 32 bits.
 std::optional<Rational> simple_rational(const RealBall& ball) {
-  Rational simplest;
-  fmpq_simplest_between(simplest.raw(), ball.lower().raw(), ball.upper().raw());
+  const Rational simplest = simplest_between(ball.lower(), ball.upper());
   if (denominator(simplest) >> 32 != 0) return std::nullopt;
   return simplest;
 }

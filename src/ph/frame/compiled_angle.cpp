@@ -4,21 +4,21 @@
 
 #include <cmath>
 
+#include "phrame/algebra/ball_series.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 
 namespace phrame {
 namespace {
 
-constexpr long bits = 128;  // of what is known of a piece
+constexpr long angle_bits = 128;  // of what is known of a piece
 
 /// θ to about 2^−84 of its absolute value or of `scale`, the greater one.
 RealBall accurate(const Real::Enclosure& theta, const RealBall& scale) {
   constexpr long most = 1L << 17;
-  for (long more = bits; more <= most; more *= 2) {
+  for (long more = angle_bits; more <= most; more *= 2) {
     const RealBall value = theta(more);
-    RealBall allowed = add(absolute(value), scale, bits);
-    arb_mul_2exp_si(allowed.raw(), allowed.raw(), -84);
+    const RealBall allowed = times_power_of_two(add(absolute(value), scale, angle_bits), -84);
     if (value.radius() == 0 || value.radius() <= allowed.lower()) return value;
   }
   throw Undecided(fmt::format("compiled angle: {} bits do not tell a constant angle from 0", most));
@@ -30,33 +30,33 @@ std::optional<PolynomialPiece> angle_piece(
     const std::function<RealBall(double center, long bits)>& theta, const DoubleShape& shape) {
   auto piece = empty_piece(low, high, origin);
   if (!piece) return std::nullopt;
-  const BallPolynomial denominator = on_piece(rate.denominator(), *piece, bits, true);
-  const RealBall least_denominator = least(denominator, bits);
+  const BallPolynomial denominator = on_piece(rate.denominator(), *piece, angle_bits, true);
+  const RealBall least_denominator = least(denominator, angle_bits);
   if (sign(least_denominator) <= 0) return std::nullopt;
-  const BallPolynomial numerator = per_y(rate.numerator(), *piece, bits);
+  const BallPolynomial numerator = per_y(rate.numerator(), *piece, angle_bits);
 
-  BallPolynomial taylor;
-  arb_poly_div_series(taylor.raw(), numerator.raw(), denominator.raw(), shape.degree, bits);
-  arb_poly_integral(taylor.raw(), taylor.raw(), bits);
-  const RealBall size = variation(taylor, bits);
+  const BallPolynomial rate_series =
+      divide_series(numerator, denominator, shape.degree, angle_bits);
+  const BallPolynomial from_center = antiderivative(rate_series, angle_bits);
+  const RealBall size = variation(from_center, angle_bits);
   const RealBall at_center = accurate([&](long more) { return theta(piece->center, more); }, size);
-  arb_poly_set_coeff_arb(taylor.raw(), 0, at_center.raw());
-  piece->coefficients = round_coefficients({taylor}, shape);
+  piece->coefficients = round_coefficients({with_constant(from_center, at_center)}, shape);
 
   const BallPolynomial p = exact_polynomial(piece->coefficients, shape, 0);
-  const BallPolynomial residual =
-      subtract(multiply(differentiate(p, bits), denominator, bits), numerator, bits);
-  const RealBall remainder = divide(integral_bound(residual, bits), least_denominator, bits);
+  const BallPolynomial residual = subtract(
+      multiply(differentiate(p, angle_bits), denominator, angle_bits), numerator, angle_bits);
+  const RealBall remainder =
+      divide(integral_bound(residual, angle_bits), least_denominator, angle_bits);
   // Where θ is large its rounding hides what is small beside the second part.
   const double scale = upper_double(size) + upper_double(absolute(at_center)) / 64;
   if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
   const double off = sum_up(upper_double(remainder), rounding_error(piece->coefficients, shape, 0));
-  const double at_zero = upper_double(absolute(subtract(p.coefficient(0), at_center, bits)));
-  if (arb_is_zero(at_center.raw()) == 0)
-    piece->error = sum_up(off, at_zero);
-  else
+  const double at_zero = upper_double(absolute(subtract(p.coefficient(0), at_center, angle_bits)));
+  if (at_center.is_zero())
     piece->error_per_y = off;
-  if (arb_is_zero(size.raw()) == 0)
+  else
+    piece->error = sum_up(off, at_zero);
+  if (!size.is_zero())
     piece->error = sum_up(piece->error, underflow_error * (1 + upper_double(size)));
   return piece;
 }
@@ -81,7 +81,7 @@ PiecewisePolynomial compiled_angle(const PathAngle& angle, const Angle& start_an
   // much as all of them.
   const auto theta = [&](double t, long more) {
     const PathParameter at = locate(angle.path(), exact_rational(t));
-    if (more > bits) return angle.value(at, start_angle).enclose(more);
+    if (more > angle_bits) return angle.value(at, start_angle).enclose(more);
     return angle.enclose(at, start_angle, more);
   };
   const auto make = [&](double low, double high) {

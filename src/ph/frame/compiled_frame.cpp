@@ -2,23 +2,34 @@
 
 #include <cmath>
 
+#include "phrame/algebra/ball_powers.hpp"
+#include "phrame/algebra/ball_series.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/ring_ball.hpp"
 #include "phrame/algebra/rounding.hpp"
 
 namespace phrame {
 namespace {
 
-constexpr long bits = 128;  // of what is known of a piece
+constexpr long frame_bits = 128;  // of what is known of a piece
 
-using Components = std::array<BallPolynomial, 4>;  // u, v, p, q
+/// u, v, p, q of a quaternion that depends on y.
+using Components = std::array<BallPolynomial, 4>;
 
-/// B = A/√σ·e^{iφ}, φ′ = −h/σ, and σB′ = M·B, where M·B = V·B − h·B·i is
-///   (−av − bp − cq, au − cp + bq, bu + cv − dq, cu − bv + dp).
-struct Rotation {
+// B = A/√σ·e^{iφ} with φ′ = −h/σ, so that
+//   σB′ = V·B − h·B·i = M·B,  V = b₁i + b₂j + b₃k the vector part of A′A*,
+//
+//       ⎛ 0  −a  −b  −c ⎞
+//   M = ⎜ a   0  −c   b ⎟,  a = b₁ − h,  b = b₂,  c = b₃,  d = b₁ + h.
+//       ⎜ b   c   0  −d ⎟
+//       ⎝ c  −b   d   0 ⎠
+
+/// What B of a curve is determined by: A without its real factor, σ, h and the entries of M.
+struct FrameEquation {
   QuaternionPolynomial preimage;
   Polynomial sigma, h, a, b, c, d;
 
-  explicit Rotation(const Curve& curve)
+  explicit FrameEquation(const Curve& curve)
       : preimage(without_real_content(curve.preimage())),
         sigma(phrame::sigma(preimage)),
         h(twist_numerator(preimage)) {
@@ -33,94 +44,96 @@ struct Rotation {
   }
 };
 
-/// The same as polynomials in the y of a piece.
-class RotationOnPiece {
+/// The same for polynomials in the y of a piece.
+class EquationOnPiece {
  public:
-  RotationOnPiece(const Rotation& rotation, const PolynomialPiece& piece)
-      : rotation_(rotation), piece_(piece), sigma_(on_piece(rotation.sigma, piece, bits, true)) {}
+  EquationOnPiece(const FrameEquation& equation, const PolynomialPiece& piece)
+      : equation_(equation),
+        piece_(piece),
+        sigma_(on_piece(equation.sigma, piece, frame_bits, true)) {}
 
   const BallPolynomial& sigma() const { return sigma_; }
+  /// B with φ(0) = phi_at_center, up to y^{length−1}.
   Components taylor(const RealBall& phi_at_center, long length) const;
   /// ∫₀^y |σX′ − M·X| ≤ |y|·that.
   RealBall residual_bound(const Components& x) const;
 
  private:
-  const Rotation& rotation_;
+  const FrameEquation& equation_;
   const PolynomialPiece& piece_;
   BallPolynomial sigma_;
 };
 
-Components RotationOnPiece::taylor(const RealBall& phi_at_center, long length) const {
-  BallPolynomial phi, cos, sin, size;
-  const BallPolynomial h = per_y(rotation_.h, piece_, bits);
-  arb_poly_div_series(phi.raw(), h.raw(), sigma_.raw(), length - 1, bits);
-  arb_poly_integral(phi.raw(), phi.raw(), bits);
-  arb_poly_neg(phi.raw(), phi.raw());
-  arb_poly_set_coeff_arb(phi.raw(), 0, phi_at_center.raw());
-  arb_poly_sin_cos_series(sin.raw(), cos.raw(), phi.raw(), length, bits);
-  arb_poly_rsqrt_series(size.raw(), sigma_.raw(), length, bits);
-  arb_poly_mullow(sin.raw(), sin.raw(), size.raw(), length, bits);
-  arb_poly_mullow(cos.raw(), cos.raw(), size.raw(), length, bits);
-
-  // (x + yi)·e^{iφ} and (x + yi)·j·e^{iφ} = (x + yi)·e^{−iφ}·j.
-  const auto turned = [&](const Polynomial& re, const Polynomial& im, const BallPolynomial& sine) {
-    const BallPolynomial x = on_piece(re, piece_, bits);
-    const BallPolynomial y = on_piece(im, piece_, bits);
-    const auto times = [&](const BallPolynomial& p, const BallPolynomial& q) {
-      BallPolynomial product;
-      arb_poly_mullow(product.raw(), p.raw(), q.raw(), length, bits);
-      return product;
-    };
-    return std::pair{subtract(times(x, cos), times(y, sine), bits),
-                     add(times(x, sine), times(y, cos), bits)};
+Components EquationOnPiece::taylor(const RealBall& phi_at_center, long length) const {
+  const auto times = [&](const BallPolynomial& f, const BallPolynomial& g) {
+    return multiply_series(f, g, length, frame_bits);
   };
-  BallPolynomial minus_sin;
-  arb_poly_neg(minus_sin.raw(), sin.raw());
-  const auto [u, v] = turned(rotation_.preimage.u, rotation_.preimage.v, sin);
-  const auto [p, q] = turned(rotation_.preimage.p, rotation_.preimage.q, minus_sin);
+  const BallPolynomial minus_phi_rate =
+      divide_series(per_y(equation_.h, piece_, frame_bits), sigma_, length - 1, frame_bits);
+  const BallPolynomial phi =
+      with_constant(-antiderivative(minus_phi_rate, frame_bits), phi_at_center);
+  const BallPolynomial over_root = inverse_sqrt_series(sigma_, length, frame_bits);  // 1/√σ
+  const auto unit = cos_sin_series(phi, length, frame_bits);
+  const BallPolynomial cos = times(unit.cos, over_root);
+  const BallPolynomial sin = times(unit.sin, over_root);
+
+  // (x + yi)·e^{iφ}/√σ and (x + yi)·j·e^{iφ}/√σ = (x + yi)·e^{−iφ}/√σ·j.
+  const auto turned = [&](const Polynomial& re, const Polynomial& im, const BallPolynomial& sine) {
+    const BallPolynomial x = on_piece(re, piece_, frame_bits);
+    const BallPolynomial y = on_piece(im, piece_, frame_bits);
+    return std::pair{subtract(times(x, cos), times(y, sine), frame_bits),
+                     add(times(x, sine), times(y, cos), frame_bits)};
+  };
+  const auto [u, v] = turned(equation_.preimage.u, equation_.preimage.v, sin);
+  const auto [p, q] = turned(equation_.preimage.p, equation_.preimage.q, -sin);
   return {u, v, p, q};
 }
 
-RealBall RotationOnPiece::residual_bound(const Components& x) const {
+/// f·x + g·y + h·z.
+BallPolynomial products(const BallPolynomial& f, const BallPolynomial& x, const BallPolynomial& g,
+                        const BallPolynomial& y, const BallPolynomial& h, const BallPolynomial& z) {
+  const BallPolynomial sum =
+      add(multiply(f, x, frame_bits), multiply(g, y, frame_bits), frame_bits);
+  return add(sum, multiply(h, z, frame_bits), frame_bits);
+}
+
+RealBall EquationOnPiece::residual_bound(const Components& x) const {
+  const BallPolynomial a = per_y(equation_.a, piece_, frame_bits);
+  const BallPolynomial b = per_y(equation_.b, piece_, frame_bits);
+  const BallPolynomial c = per_y(equation_.c, piece_, frame_bits);
+  const BallPolynomial d = per_y(equation_.d, piece_, frame_bits);
+  const BallPolynomial minus_b = -b;
+  const BallPolynomial minus_c = -c;
   const auto& [u, v, p, q] = x;
-  const BallPolynomial a = per_y(rotation_.a, piece_, bits);
-  const BallPolynomial b = per_y(rotation_.b, piece_, bits);
-  const BallPolynomial c = per_y(rotation_.c, piece_, bits);
-  const BallPolynomial d = per_y(rotation_.d, piece_, bits);
-  const auto times = [](const BallPolynomial& f, const BallPolynomial& g) {
-    return multiply(f, g, bits);
-  };
-  const auto minus = [](const BallPolynomial& f, const BallPolynomial& g) {
-    return subtract(f, g, bits);
-  };
-  const Components moved{minus(minus(minus({}, times(a, v)), times(b, p)), times(c, q)),
-                         minus(minus(times(a, u), times(c, p)), minus({}, times(b, q))),
-                         minus(minus(times(b, u), minus({}, times(c, v))), times(d, q)),
-                         minus(minus(times(c, u), times(b, v)), minus({}, times(d, p)))};
+  const Components moved{products(-a, v, minus_b, p, minus_c, q),  // −av − bp − cq
+                         products(a, u, minus_c, p, b, q),         //  au − cp + bq
+                         products(b, u, c, v, -d, q),              //  bu + cv − dq
+                         products(c, u, minus_b, v, d, p)};        //  cu − bv + dp
   RealBall sum;
-  for (std::size_t k = 0; k < 4; ++k)
-    sum = add(sum, integral_bound(minus(times(sigma_, differentiate(x[k], bits)), moved[k]), bits),
-              bits);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const BallPolynomial rate = multiply(sigma_, differentiate(x[k], frame_bits), frame_bits);
+    sum = add(sum, integral_bound(subtract(rate, moved[k], frame_bits), frame_bits), frame_bits);
+  }
   return sum;
 }
 
 /// B on [low, high] for a curve with the parameter t − origin, from balls around θ(center).
 std::optional<PolynomialPiece> rotation_piece(
-    double low, double high, double origin, const Rotation& rotation,
+    double low, double high, double origin, const FrameEquation& equation,
     const std::function<RealBall(double center, long bits)>& theta, const Angle& start_angle,
     const DoubleShape& shape) {
   auto piece = empty_piece(low, high, origin);
   if (!piece) return std::nullopt;
-  const RotationOnPiece on_this(rotation, *piece);
-  const RealBall least_sigma = least(on_this.sigma(), bits);
+  const EquationOnPiece on_this(equation, *piece);
+  const RealBall least_sigma = least(on_this.sigma(), frame_bits);
   if (sign(least_sigma) <= 0) return std::nullopt;
 
   // Absolutely, φ is to be known to about 2^−bits.
   const Rational size_of_start = abs(start_angle.radians) + 4 * abs(start_angle.half_turns);
-  const long phi_bits = bits + (size_of_start > 1 ? binary_exponent(size_of_start) : 0);
-  RealBall phi = add(theta(piece->center, bits), to_real(start_angle).enclose(phi_bits), phi_bits);
-  arb_mul_2exp_si(phi.raw(), phi.raw(), -1);
-  const Components taylor = on_this.taylor(phi, shape.degree + 1);
+  const long phi_bits = frame_bits + (size_of_start > 1 ? binary_exponent(size_of_start) : 0);
+  const RealBall twice_phi =
+      add(theta(piece->center, frame_bits), to_real(start_angle).enclose(phi_bits), phi_bits);
+  const Components taylor = on_this.taylor(times_power_of_two(twice_phi, -1), shape.degree + 1);
   piece->coefficients = round_coefficients({taylor.begin(), taylor.end()}, shape);
 
   Components exact;
@@ -128,16 +141,16 @@ std::optional<PolynomialPiece> rotation_piece(
   double squares = 0;
   for (std::size_t k = 0; k < 4; ++k) {
     exact[k] = exact_polynomial(piece->coefficients, shape, static_cast<long>(k));
-    size = add(size, variation(exact[k], bits), bits);
-    const RealBall off = subtract(exact[k].coefficient(0), taylor[k].coefficient(0), bits);
-    at_zero = add(at_zero, absolute(off), bits);
+    size = add(size, variation(exact[k], frame_bits), frame_bits);
+    const RealBall off = subtract(exact[k].coefficient(0), taylor[k].coefficient(0), frame_bits);
+    at_zero = add(at_zero, absolute(off), frame_bits);
     squares += std::pow(rounding_error(piece->coefficients, shape, static_cast<long>(k)), 2);
   }
-  const RealBall remainder = divide(on_this.residual_bound(exact), least_sigma, bits);
+  const RealBall remainder = divide(on_this.residual_bound(exact), least_sigma, frame_bits);
   // |B| = 1: to be more exact than the second part makes no difference.
   const double scale = upper_double(size) + 1.0 / 64;
   if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
-  const double off = upper_double(add(at_zero, remainder, bits));
+  const double off = upper_double(add(at_zero, remainder, frame_bits));
   const double rounding = std::sqrt(squares) * (1 + 0x1p-48);         // not rounded down
   piece->error = sum_up(sum_up(rounding, off), 8 * underflow_error);  // |B| = 1
   return piece;
@@ -148,26 +161,26 @@ std::optional<PolynomialPiece> rotation_piece(
 PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
                                       const Angle& start_angle, double from, double to,
                                       const DoubleShape& shape) {
-  const Rotation rotation(curve);
+  const FrameEquation equation(curve);
   const auto theta = [&](double t, long more) { return angle.enclose(exact_rational(t), more); };
   return {from, to, shape, [&](double low, double high) {
-            return rotation_piece(low, high, 0, rotation, theta, start_angle, shape);
+            return rotation_piece(low, high, 0, equation, theta, start_angle, shape);
           }};
 }
 
 PiecewisePolynomial compiled_rotation(const PathAngle& angle, const Angle& start_angle,
                                       const DoubleShape& shape) {
-  const std::vector<Rotation> rotations(angle.path().segments().begin(),
-                                        angle.path().segments().end());
+  const std::vector<FrameEquation> equations(angle.path().segments().begin(),
+                                             angle.path().segments().end());
   const auto theta = [&](double t, long more) {
     return angle.enclose(locate(angle.path(), exact_rational(t)), more);
   };
   const auto make = [&](double low, double high) {
     const double joint = std::floor(low);
-    const Rotation& rotation = rotations[static_cast<std::size_t>(joint)];
-    return rotation_piece(low, high, joint, rotation, theta, start_angle, shape);
+    const FrameEquation& equation = equations[static_cast<std::size_t>(joint)];
+    return rotation_piece(low, high, joint, equation, theta, start_angle, shape);
   };
-  return PiecewisePolynomial::on_units(rotations.size(), shape, make);
+  return PiecewisePolynomial::on_units(equations.size(), shape, make);
 }
 
 double frame_error(double error) { return sum_up(2 * error, 2 * error * error); }
@@ -200,18 +213,6 @@ Frame<double> CompiledFrames::operator()(double t) const {
   return {rounded(rotated_i(b)), rounded(rotated_j(b)), rounded(rotated_k(b))};
 }
 
-namespace {
-
-/// A ball with the operations of a ring.
-struct Ball {
-  RealBall x;
-  friend Ball operator+(const Ball& a, const Ball& b) { return {add(a.x, b.x, bits)}; }
-  friend Ball operator-(const Ball& a, const Ball& b) { return {subtract(a.x, b.x, bits)}; }
-  friend Ball operator*(const Ball& a, const Ball& b) { return {multiply(a.x, b.x, bits)}; }
-};
-
-}  // namespace
-
 RoundedFrames::RoundedFrames(const Curve& curve, const RmfAngle& angle, double from, double to)
     : polynomials_(compiled_rotation(curve, angle, {}, from, to, compensated_shape(4))),
       exact_(curve),
@@ -231,18 +232,10 @@ std::optional<Frame<RealBall>> RoundedFrames::enclose(const Rational& t) {
           exact_polynomial(piece.coefficients, polynomials_.shape(), static_cast<long>(k));
   last_ = number;
 
-  RealBall off;  // 0 ± what the polynomials are off by
-  mag_set_d(arb_radref(off.raw()), piece.error);
-  BallPolynomial powers;  // y⁰, y¹, … for all four
-  const long length = polynomials_.shape().degree + 1;
-  arb_poly_fit_length(powers.raw(), length);
-  _arb_vec_set_powers(powers.raw()->coeffs, RealBall(y, bits).raw(), length, bits);
-  _arb_poly_set_length(powers.raw(), length);
+  const BallPowers powers(RealBall(y, frame_bits), polynomials_.shape().degree + 1, frame_bits);
+  using Ball = RingBall<frame_bits>;
   const auto component = [&](std::size_t k) {
-    const arb_poly_struct* p = of_last_[k].raw();
-    RealBall value;
-    arb_dot(value.raw(), nullptr, 0, p->coeffs, 1, powers.raw()->coeffs, 1, p->length, bits);
-    return Ball{add(value, off, bits)};
+    return Ball{widened(powers.value_of(of_last_[k]), piece.error)};
   };
   const Quaternion<Ball> b{component(0), component(1), component(2), component(3)};
   const auto balls = [](const Vector<Ball>& v) { return Vector<RealBall>{v[0].x, v[1].x, v[2].x}; };

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 
@@ -26,13 +27,9 @@ Vector<Rational> cross(const Vector<Rational>& a, const Vector<Rational>& b) {
 
 RealBall root(const Rational& x, long bits) { return sqrt(RealBall(x, bits), bits); }
 
-void raise_to(RealBall& x, const RealBall& y, long bits) {
-  arb_max(x.raw(), x.raw(), y.raw(), bits);
-}
+void raise_to(RealBall& x, const RealBall& y, long bits) { x = max(x, y, bits); }
 
-void lower_to(RealBall& x, const RealBall& y, long bits) {
-  arb_min(x.raw(), x.raw(), y.raw(), bits);
-}
+void lower_to(RealBall& x, const RealBall& y, long bits) { x = min(x, y, bits); }
 
 /// |cos| of the angle between a and b; 0 where one of them is 0.
 RealBall cosine(const Vector<Rational>& a, const Vector<Rational>& b, long bits) {

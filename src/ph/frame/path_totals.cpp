@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/algebraic_image.hpp"
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/integrate/integral_sum.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/shape.hpp"
@@ -158,9 +159,7 @@ std::optional<Real> absolute_rotation_index(const Path& path) {
     return Real([index](long bits) { return index.enclose(bits); }, {true, index.origin().bits});
   for (long bits = 64;; bits *= 2) {
     const RealBall twelfths = multiply(RealBall(12, bits), index.enclose(bits), bits);
-    const Integer nearest = floor(twelfths.upper());
-    if (twelfths.lower() > Rational(nearest - 1) && twelfths.lower() <= Rational(nearest))
-      return Real(Rational(nearest) / 12);
+    if (const auto nearest = unique_integer(twelfths)) return Real(Rational(*nearest, 12));
   }
 }
 

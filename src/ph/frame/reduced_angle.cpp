@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {
@@ -13,11 +14,7 @@ Integer nearest_turns(const Rational& x) { return -floor((1 - x) / 2); }
 /// The same, if it is the same for the whole ball.
 std::optional<Integer> whole_turns(const RealBall& x, long bits) {
   const RealBall shifted = divide(add(x, RealBall(-1, bits), bits), RealBall(2, bits), bits);
-  RealBall ceiling;
-  arb_ceil(ceiling.raw(), shifted.raw(), bits);
-  flint::Fmpz k;
-  if (arb_get_unique_fmpz(k.get(), ceiling.raw()) == 0) return std::nullopt;
-  return Integer(k.get());
+  return unique_ceiling(shifted, bits);
 }
 
 }  // namespace
@@ -51,9 +48,8 @@ ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>(
   bool was_asked = false;
   for (long bits = 80;; bits = bits == 80 ? 512 : 4 * bits) {
     const RealBall y = divide(x.enclose(bits), pi(bits), bits);
-    const bool is_near = arb_contains_int(y.raw()) != 0;
-    flint::Fmpz nearest;
-    if (is_near && bits > 80 && !was_asked && arb_get_unique_fmpz(nearest.get(), y.raw()) != 0) {
+    const bool is_near = contains_integer(y);
+    if (is_near && bits > 80 && !was_asked && unique_integer(y)) {
       was_asked = true;
       const auto known = over_pi();
       if (known && denominator(*known) == 1) {

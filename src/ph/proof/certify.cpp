@@ -12,16 +12,15 @@ namespace {
 
 /// A prime modulo which a and b, not both 0, are coprime: proof that they are coprime.
 Integer coprime_modulus(const Polynomial& a, const Polynomial& b) {
-  const flint::FmpzPoly f = integer_primitive_part(a);
-  const flint::FmpzPoly g = integer_primitive_part(b);
+  const IntegerPolynomial f = integer_primitive_part(a);
+  const IntegerPolynomial g = integer_primitive_part(b);
   Primes primes;
   for (;;) {
-    const ulong p = primes.next();
-    ModularPolynomial x(p, f);
-    ModularPolynomial y(p, g);
-    if (x.degree() != a.degree() || y.degree() != b.degree()) continue;
-    nmod_poly_gcd(x.raw(), x.raw(), y.raw());
-    if (x.degree() == 0) return Integer(p);
+    const Word p = primes.next();
+    const ModularPolynomial x(p, f);
+    const ModularPolynomial y(p, g);
+    const bool is_good = x.degree() == a.degree() && y.degree() == b.degree();
+    if (is_good && are_coprime(x, y)) return Integer(p);
   }
 }
 

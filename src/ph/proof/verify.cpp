@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/integrate/quadrature.hpp"
 
 namespace phrame {
@@ -86,10 +87,8 @@ class DiscCheck {
       : sum_(sum),
         unit_(power_of_two(-bits)),
         slope_(differentiate(sum.index)),
-        numerator_((sum.residue * slope_) % sum.index) {
-    const flint::FmpzPoly f = integer_primitive_part(sum.index);
-    precision_ = 2 * bits + std::abs(fmpz_poly_max_bits(f.get())) + 4 * sum.index.degree() + 128;
-  }
+        numerator_((sum.residue * slope_) % sum.index),
+        precision_(2 * bits + primitive_bits(sum.index) + 4 * sum.index.degree() + 128) {}
 
   std::string objection_to_roots() {
     if (2 * static_cast<long>(sum_.roots.size()) != sum_.index.degree())
@@ -122,11 +121,8 @@ class DiscCheck {
   /// Is |z − center| ≤ radius for all numbers of the ball z?
   bool is_within(const ComplexBall& z, const GaussianInteger& center, const Integer& radius) const {
     if (radius < 0) return false;
-    ComplexBall off;
-    acb_sub(off.raw(), z.raw(), ball(center, 0).raw(), precision_);
-    RealBall distance;
-    acb_abs(distance.raw(), off.raw(), precision_);
-    return arb_le(distance.raw(), RealBall(radius * unit_, precision_).raw()) != 0;
+    const ComplexBall off = subtract(z, ball(center, 0), precision_);
+    return is_at_most(absolute(off, precision_), RealBall(radius * unit_, precision_));
   }
 
   bool find_root(const RootDisc& disc) {
@@ -136,21 +132,18 @@ class DiscCheck {
       roots_.push_back(ball(disc.center, 0));
       return (sum_.index % factor).is_zero();
     }
-    ComplexBall box = ball(disc.center, disc.radius);
+    const ComplexBall box = ball(disc.center, disc.radius);
     const ComplexBall middle = ball(disc.center, 0);
     const ComplexBall value = evaluate(sum_.index, middle, precision_);
     const auto newton = [&](const ComplexBall& z, const ComplexBall& m, const ComplexBall& at_m) {
-      ComplexBall step = divide(at_m, evaluate(slope_, z, precision_), precision_);
-      acb_sub(step.raw(), m.raw(), step.raw(), precision_);
-      return step;
+      return subtract(m, divide(at_m, evaluate(slope_, z, precision_), precision_), precision_);
     };
-    ComplexBall next = newton(box, middle, value);
+    const ComplexBall next = newton(box, middle, value);
     if (!is_within(next, disc.center, disc.radius)) return false;
     // Once more, from its own middle, for a narrow enclosure.
-    ComplexBall m;
-    acb_get_mid(m.raw(), next.raw());
-    ComplexBall narrow = newton(next, m, evaluate(sum_.index, m, precision_));
-    roots_.push_back(acb_contains(next.raw(), narrow.raw()) != 0 ? narrow : next);
+    const ComplexBall m = next.midpoint();
+    const ComplexBall narrow = newton(next, m, evaluate(sum_.index, m, precision_));
+    roots_.push_back(next.contains(narrow) ? narrow : next);
     return true;
   }
 
@@ -179,10 +172,7 @@ class DiscCheck {
 
   ComplexBall ball(const GaussianInteger& z, const Integer& radius) const {
     const auto interval = [&](const Integer& x) {
-      RealBall at(x * unit_, precision_);
-      const RealBall r(radius * unit_, precision_);
-      arb_add_error(at.raw(), r.raw());
-      return at;
+      return widened(RealBall(x * unit_, precision_), RealBall(radius * unit_, precision_));
     };
     return {interval(z.re), interval(z.im)};
   }

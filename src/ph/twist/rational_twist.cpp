@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
 #include "phrame/ph/twist/twist_error.hpp"
@@ -178,10 +179,8 @@ Integer RationalTwist::extra_turns() const {
   if (!turned) throw Undecided("a rotation may have a zero");
   const RealBall extra =
       divide(subtract(*turned, piece_.turn.enclose(bits), bits), whole_turn(1).enclose(bits), bits);
-  flint::Fmpz turns;
-  if (arb_get_unique_fmpz(turns.get(), extra.raw()) == 0)
-    throw Undecided("the turn of a rotation is not known well enough");
-  return Integer(turns.get());
+  if (const auto turns = unique_integer(extra)) return *turns;
+  throw Undecided("the turn of a rotation is not known well enough");
 }
 
 Real RationalTwist::root_mean_square() const {
@@ -196,8 +195,7 @@ Real RationalTwist::root_mean_square() const {
       RealBall root;
       for (const long precision : {std::min(2 * bits, bits + guard + smallness), 2 * bits}) {
         const Rotation& w = twist.rotation(working_precision(twist.piece_, precision));
-        const RealBall square = mean_square(twist.piece_, w, precision);
-        arb_sqrtpos(root.raw(), square.raw(), bits + 64);
+        root = sqrt_of_nonnegative(mean_square(twist.piece_, w, precision), bits + 64);
         if (root.is_finite() && root.radius() <= wanted) break;
       }
       return root;
@@ -241,10 +239,8 @@ Real RationalTwist::value(const Real& tau) const {
            const auto at = [&](const RealBall& x) {
              return ComplexBall(evaluate(w.a, x, precision), evaluate(w.b, x, precision));
            };
-           RealBall angle;
-           arb_indeterminate(angle.raw());
            const auto turned = turn(w, 0, std::clamp(near, Rational(0), Rational(1)), precision);
-           if (!turned || tau.exact()) return turned.value_or(angle);
+           if (!turned || tau.exact()) return turned.value_or(RealBall::unknown());
            const ComplexBall step = multiply(at(tau.enclose(precision)),
                                              conjugate(at(RealBall(near, precision))), precision);
            const RealBall half = argument(step, precision);
@@ -280,7 +276,7 @@ BestTwist best_twist(const TwistPiece& piece, const RationalTwistOptions& option
   for (const auto& start : starts) {
     const RationalTwist found(piece, degree, rates, exact(search(objective, start)));
     const RealBall value = coarse_mean_square(found);
-    if (best && arb_lt(value.raw(), least->raw()) == 0) continue;
+    if (best && !is_less(value, *least)) continue;
     best = found;
     least = value;
   }

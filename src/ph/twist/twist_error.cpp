@@ -4,21 +4,11 @@
 #include <array>
 #include <map>
 
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/integrate/quadrature.hpp"
 
 namespace phrame {
 namespace {
-
-/// Arithmetic at one precision.
-struct Operations {
-  long bits;
-  using Ball = ComplexBall;
-  Ball plus(const Ball& x, const Ball& y) const { return add(x, y, bits); }
-  Ball minus(const Ball& x, const Ball& y) const { return subtract(x, y, bits); }
-  Ball times(const Ball& x, const Ball& y) const { return multiply(x, y, bits); }
-  Ball over(const Ball& x, const Ball& y) const { return divide(x, y, bits); }
-  Ball twice(const Ball& x) const { return add(x, x, bits); }
-};
 
 // Where the frame is nearly exact E is small against its terms. They cancel in the coefficients of
 // one polynomial, once for all points:
@@ -85,8 +75,11 @@ class ErrorJet {
   };
   OnPart operator()(const Rational& a, const Rational& b) const {
     const Rational middle = (a + b) / 2;
-    const WithSlopes x = with_slopes(shifted(numerator_, middle));
-    const WithSlopes y = with_slopes(shifted(denominator_, middle));
+    const auto in_middle_of_part = [&](const BallPolynomial& p) {
+      return with_slopes(shifted(p, RealBall(middle, bits_), bits_));
+    };
+    const WithSlopes x = in_middle_of_part(numerator_);
+    const WithSlopes y = in_middle_of_part(denominator_);
     const RealBall offset = hull(Rational(a - middle), Rational(b - middle), bits_);
     const auto on_part = [&](const BallPolynomial& p) { return evaluate(p, offset, bits_); };
     const auto in_middle = [&](const BallPolynomial& p) { return p.coefficient(0); };
@@ -115,21 +108,14 @@ class ErrorJet {
     return {p, slope, differentiate(slope, bits_)};
   }
 
-  /// p(t + `by`).
-  BallPolynomial shifted(const BallPolynomial& p, const Rational& by) const {
-    BallPolynomial taylor;
-    arb_poly_taylor_shift(taylor.raw(), p.raw(), RealBall(by, bits_).raw(), bits_);
-    return taylor;
-  }
-
   /// q = x/y: q′ = (x′ − qy′)/y and q″ = (x″ − 2q′y′ − qy″)/y.
   Jet quotient(const Jet& x, const Jet& y) const {
-    const auto times = [&](const RealBall& u, const RealBall& v) { return multiply(u, v, bits_); };
-    const auto minus = [&](const RealBall& u, const RealBall& v) { return subtract(u, v, bits_); };
     const RealBall value = divide(x.value, y.value, bits_);
-    const RealBall slope = divide(minus(x.slope, times(value, y.slope)), y.value, bits_);
-    const RealBall twice = times(add(slope, slope, bits_), y.slope);
-    const RealBall rest = minus(minus(x.bend, twice), times(value, y.bend));
+    const RealBall rest_of_slope = subtract(x.slope, multiply(value, y.slope, bits_), bits_);
+    const RealBall slope = divide(rest_of_slope, y.value, bits_);
+    const RealBall twice = multiply(add(slope, slope, bits_), y.slope, bits_);
+    const RealBall rest =
+        subtract(subtract(x.bend, twice, bits_), multiply(value, y.bend, bits_), bits_);
     return {value, slope, divide(rest, y.value, bits_)};
   }
 
@@ -159,9 +145,8 @@ RealBall mean_square(const TwistPiece& piece, const Rotation& w, long bits) {
   const IntegrandPolynomial speed = of.speed;
   return quadrature(
       [&](const ComplexBall& z, long working) {
-        const Operations op{working};
-        const ComplexBall error = op.over(n(z, working), q(z, working));
-        return op.over(op.times(error, error), speed(z, working));
+        const ComplexBall error = divide(n(z, working), q(z, working), working);
+        return divide(multiply(error, error, working), speed(z, working), working);
       },
       bits, growth(piece));
 }
@@ -183,14 +168,14 @@ RealBall mean_square_slope(const TwistPiece& piece, const RotationFamily& family
                multiply(k, differentiate(d, precision), precision), precision);
   return quadrature(
       [&](const ComplexBall& z, long working) {
-        const Operations op{working};
         const auto at = [&](const BallPolynomial& polynomial) {
           return evaluate(polynomial, z, working);
         };
         const ComplexBall norm = at(d);
-        const ComplexBall error = op.over(n(z, working), q(z, working));
-        const ComplexBall product = op.over(op.times(error, at(change)), op.times(norm, norm));
-        return op.over(op.twice(op.twice(product)), speed(z, working));
+        const ComplexBall error = divide(n(z, working), q(z, working), working);
+        const ComplexBall product =
+            divide(multiply(error, at(change), working), multiply(norm, norm, working), working);
+        return divide(multiply(RealBall(4, working), product, working), speed(z, working), working);
       },
       bits, growth(piece));
 }
@@ -230,7 +215,7 @@ class MeanSquareBend::Points {
 
   const Values& at(const ComplexBall& z, long bits) {
     std::optional<Values>& known = values_[key_of(z)];
-    if (known && acb_equal(known->z.raw(), z.raw()) != 0) return *known;
+    if (known && known->z.is_same_ball(z)) return *known;
     known = Values{z, denominator_(z, bits), speed_(z, bits), {}, {}, {}};
     for (std::size_t k = 0; k < n_.size(); ++k) known->n[k] = n_[k](z, bits);
     for (std::size_t k = 0; k < forms_.size(); ++k) {
@@ -245,8 +230,10 @@ class MeanSquareBend::Points {
  private:
   /// Different points may share one: then the last one is kept.
   static std::array<double, 4> key_of(const ComplexBall& z) {
-    return {approximate(z.re()), approximate(z.im()), mag_get_d(arb_radref(acb_realref(z.raw()))),
-            mag_get_d(arb_radref(acb_imagref(z.raw())))};
+    const RealBall re = z.re();
+    const RealBall im = z.im();
+    return {approximate(re), approximate(im), approximate(radius_of(re)),
+            approximate(radius_of(im))};
   }
 
   IntegrandPolynomial denominator_;
@@ -269,29 +256,33 @@ RealBall MeanSquareBend::operator()(const RealBall& parameter, long most_points)
   const RealBall delta = subtract(parameter, points_->centre, bits_ + 64 + more_);
   return quadrature(
       [&](const ComplexBall& z, long working) {
-        const Operations op{working};
         const Points::Values& here = points_->at(z, working);
         const auto moved = [&](const ComplexBall& x, const ComplexBall& y) {
-          return op.plus(x, multiply(delta, y, working));
+          return add(x, multiply(delta, y, working), working);
         };
         const auto l_at = [&](const auto& of) { return moved(of[1], of[2]); };
         // D⁰ + δ(L⁰ + L)
-        const auto norm_at = [&](const auto& of) { return moved(of[0], op.plus(of[1], l_at(of))); };
+        const auto norm_at = [&](const auto& of) {
+          return moved(of[0], add(of[1], l_at(of), working));
+        };
         // θ_p = 2K/D with K = Im(w̄⁰w¹), D_p = 2L with L = Re(w̄w¹), so that θ_pp/4 = −K/D·L/D.
         const ComplexBall norm = norm_at(here.forms);
         const ComplexBall norm_slope = norm_at(here.slopes);
         const ComplexBall n = moved(here.n[0], moved(here.n[1], here.n[2]));
-        const ComplexBall error = op.over(n, op.times(here.denominator, norm));
-        const ComplexBall k_share = op.over(here.forms[3], norm);
-        const ComplexBall l_share = op.over(l_at(here.forms), norm);
+        const ComplexBall error = divide(n, multiply(here.denominator, norm, working), working);
+        const ComplexBall k_share = divide(here.forms[3], norm, working);
+        const ComplexBall l_share = divide(l_at(here.forms), norm, working);
         const auto change = [&](const ComplexBall& share, const ComplexBall& slope) {
-          return op.over(op.minus(slope, op.times(share, norm_slope)), norm);
+          return divide(subtract(slope, multiply(share, norm_slope, working), working), norm,
+                        working);
         };
         const ComplexBall k_change = change(k_share, here.slopes[3]);
         const ComplexBall l_change = change(l_share, l_at(here.slopes));
-        const ComplexBall bend = op.plus(op.times(k_share, l_change), op.times(k_change, l_share));
-        const ComplexBall sum = op.minus(op.times(k_change, k_change), op.times(error, bend));
-        return op.over(multiply(RealBall(8, working), sum, working), here.speed);
+        const ComplexBall bend = add(multiply(k_share, l_change, working),
+                                     multiply(k_change, l_share, working), working);
+        const ComplexBall sum = subtract(multiply(k_change, k_change, working),
+                                         multiply(error, bend, working), working);
+        return divide(multiply(RealBall(8, working), sum, working), here.speed, working);
       },
       bits_, more_, most_points);
 }
@@ -305,7 +296,7 @@ RealBall greatest_error(const TwistPiece& piece, const Rotation& w, long bits) {
   RealBall least;  // of what the maximum can be
   const auto look_at = [&](const RealBall& value) {
     const RealBall here = absolute(value);
-    if (here.is_finite()) arb_max(least.raw(), least.raw(), here.raw(), precision);
+    if (here.is_finite()) least = max(least, here, precision);
   };
   struct Part {
     Rational a;
@@ -331,7 +322,7 @@ RealBall greatest_error(const TwistPiece& piece, const Rotation& w, long bits) {
       const RealBall offset = hull(Rational(part.a - middle), Rational(part.b - middle), precision);
       const RealBall inside =
           absolute(add(in_middle.value, multiply(offset, jet.slope, precision), precision));
-      if (arb_lt(inside.raw(), least.raw()) != 0) continue;
+      if (is_less(inside, least)) continue;
       const RealBall zero = subtract(RealBall(middle, precision),
                                      divide(in_middle.slope, jet.bend, precision), precision);
       const bool is_known = zero.is_finite();
@@ -348,9 +339,7 @@ RealBall greatest_error(const TwistPiece& piece, const Rotation& w, long bits) {
     }
     const RealBall bound = hull(least, most, precision);
     const RealBall allowed = multiply(fine, add(least, fine, 53), 53);
-    flint::Mag radius;
-    arb_get_mag_lower(radius.get(), allowed.raw());
-    const bool is_fine = mag_cmp(arb_radref(bound.raw()), radius.get()) <= 0;
+    const bool is_fine = is_at_most(radius_of(bound), allowed);
     constexpr std::size_t most_parts = 5000;
     if (left.empty() || is_fine || round > bits || left.size() > most_parts) return bound;
     parts = std::move(left);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/twist/twist_error.hpp"
 
@@ -17,26 +18,11 @@ ComplexBall evaluate(const Rotation& w, const RealBall& tau) {
 }
 
 RealBall ball(const Rational& x) { return RealBall(x, bits); }
-RealBall plus(const RealBall& x, const RealBall& y) { return add(x, y, bits); }
-RealBall minus(const RealBall& x, const RealBall& y) { return subtract(x, y, bits); }
-RealBall times(const RealBall& x, const RealBall& y) { return multiply(x, y, bits); }
+
+RealBall square_of(const RealBall& x) { return multiply(x, x, bits); }
 
 /// x² ≥ this.
-RealBall least_square(const RealBall& x) {
-  flint::Arf least;
-  arb_get_abs_lbound_arf(least.get(), x.raw(), 53);
-  RealBall size;
-  arb_set_arf(size.raw(), least.get());
-  return times(size, size);
-}
-
-RealBall lower_end(const RealBall& x) {
-  RealBall end;
-  arb_get_lbound_arf(arb_midref(end.raw()), x.raw(), bits);
-  return end;
-}
-
-bool is_less(const RealBall& x, const RealBall& y) { return arb_lt(x.raw(), y.raw()) != 0; }
+RealBall least_square(const RealBall& x) { return square_of(least_size(x, 53)); }
 
 /// A parameter interval.
 struct Range {
@@ -85,7 +71,7 @@ Branch::Branch(const TwistPiece& piece, const RotationFamily& family, const Rati
                long parts)
     : gamma_(family.end_factor[0]), gamma_slope_(family.end_factor[1]) {
   sign_of_gamma_ = sign(end_factor(family, {origin}, bits));
-  const bool is_constant = arb_is_zero(gamma_slope_.raw()) != 0;
+  const bool is_constant = gamma_slope_.is_zero();
   if (sign_of_gamma_ == 0 || (!is_constant && sign(gamma_slope_) == 0))
     throw Undecided("where the parameters with one sign of gamma end is not known");
   const Rotation w = member(family, {origin}, bits);
@@ -97,21 +83,22 @@ Branch::Branch(const TwistPiece& piece, const RotationFamily& family, const Rati
     if (k > 0) {
       const auto turned = turn(w, Rational(k - 1, parts), tau, bits);
       if (!turned) throw Undecided("a rotation close to the best one may have a zero");
-      theta = plus(theta, *turned);
+      theta = add(theta, *turned, bits);
     }
     const RealBall s = ball(share(tau));
     const ComplexBall p = evaluate(family.basis[0], ball(tau));
     const ComplexBall q = evaluate(family.basis[1], ball(tau));
-    const RealBall wanted = minus(times(twist, s), piece.erf_twist(tau).enclose(bits));
+    const RealBall wanted =
+        subtract(multiply(twist, s, bits), piece.erf_twist(tau).enclose(bits), bits);
     nodes_.push_back({s, p, q, multiply(conjugate(p), q, bits).im(), evaluate(w, ball(tau)),
-                      minus(theta, wanted), k == 0 || k == parts});
+                      subtract(theta, wanted, bits), k == 0 || k == parts});
   }
 }
 
 RealBall Branch::deviation(const Node& node, const ComplexBall& w) const {
   if (node.is_end) return node.deviation;
   const RealBall angle = argument(multiply(w, conjugate(node.origin), bits), bits);
-  return plus(node.deviation, plus(angle, angle));
+  return add(node.deviation, add(angle, angle, bits), bits);
 }
 
 bool Branch::is_above(const Range& range, const RealBall& least) const {
@@ -127,8 +114,8 @@ bool Branch::is_above(const Range& range, const RealBall& least, std::size_t str
   const auto slope = [&](const Node& node) -> RealBall {
     if (node.is_end) return {};
     const ComplexBall w = add(node.p, multiply(whole, node.q, bits), bits);
-    const RealBall size = plus(times(w.re(), w.re()), times(w.im(), w.im()));
-    return divide(plus(node.cross, node.cross), size, bits);
+    const RealBall square = add(square_of(w.re()), square_of(w.im()), bits);
+    return divide(add(node.cross, node.cross, bits), square, bits);
   };
   const auto in_middle = [&](const Node& node) {
     return deviation(node, add(node.p, multiply(ball(middle), node.q, bits), bits));
@@ -139,9 +126,10 @@ bool Branch::is_above(const Range& range, const RealBall& least, std::size_t str
   for (std::size_t k = stride; k < nodes_.size(); k += stride) {
     const RealBall here = in_middle(nodes_[k]);
     const RealBall here_slope = slope(nodes_[k]);
-    const RealBall change = plus(minus(here, last), times(offset, minus(here_slope, last_slope)));
-    sum = plus(
-        sum, divide(least_square(change), minus(nodes_[k].share, nodes_[k - stride].share), bits));
+    const RealBall beside = multiply(offset, subtract(here_slope, last_slope, bits), bits);
+    const RealBall change = add(subtract(here, last, bits), beside, bits);
+    const RealBall length = subtract(nodes_[k].share, nodes_[k - stride].share, bits);
+    sum = add(sum, divide(least_square(change), length, bits), bits);
     last = here;
     last_slope = here_slope;
   }
@@ -164,24 +152,26 @@ bool Branch::is_above_beyond(const Rational& a, int direction, const RealBall& l
     const ComplexBall there = limit ? add(node.p, multiply(*limit, node.q, bits), bits)
                                     : multiply(RealBall(direction, bits), node.q, bits);
     const RealBall angle = argument(multiply(there, conjugate(here), bits), bits);
-    ranges.push_back(hull(at_a, plus(at_a, plus(angle, angle)), bits));
+    ranges.push_back(hull(at_a, add(at_a, add(angle, angle, bits), bits), bits));
   }
   // Wide ranges are better compared over long parts.
   for (std::size_t stride = parts; stride > 0; stride /= 2) {
     RealBall sum;
-    for (std::size_t k = 0; k < parts; k += stride)
-      sum =
-          plus(sum, divide(least_square(minus(ranges[k + stride], ranges[k])),
-                           minus(nodes_[(k + stride) * part].share, nodes_[k * part].share), bits));
+    for (std::size_t k = 0; k < parts; k += stride) {
+      const RealBall change = subtract(ranges[k + stride], ranges[k], bits);
+      const RealBall length =
+          subtract(nodes_[(k + stride) * part].share, nodes_[k * part].share, bits);
+      sum = add(sum, divide(least_square(change), length, bits), bits);
+    }
     if (is_less(least, sum)) return true;
   }
   return false;
 }
 
 std::optional<RealBall> Branch::end(int direction) const {
-  if (arb_is_zero(gamma_slope_.raw()) != 0) return std::nullopt;
+  if (gamma_slope_.is_zero()) return std::nullopt;
   if (sign(gamma_slope_) * direction == sign_of_gamma_) return std::nullopt;
-  return divide(times(gamma_, ball(-1)), gamma_slope_, bits);
+  return divide(multiply(gamma_, ball(-1), bits), gamma_slope_, bits);
 }
 
 /// A lower bound of G″ on parameter intervals; −∞ where there is none.
@@ -195,8 +185,8 @@ class Bend {
   RealBall operator()(const Range& range) {
     // The width comes from that of the range, so that many points often are of no use.
     const RealBall parameter = hull(range.a, range.b, bits);
-    const RealBall quick = lower_end(bend_(parameter, 100));
-    return is_less({}, quick) ? quick : lower_end(bend_(parameter, 1000));
+    const RealBall quick = lower_end(bend_(parameter, 100), bits);
+    return is_less({}, quick) ? quick : lower_end(bend_(parameter, 1000), bits);
   }
 
  private:
@@ -238,7 +228,7 @@ void walk(const Branch& branch, const Rational& from, int direction, Rational st
   };
   for (int steps = 0; !is_done(steps); ++steps) {
     if (limit) {  // the end itself is for is_above_beyond
-      const RealBall room = times(minus(*limit, ball(a)), ball(direction));
+      const RealBall room = multiply(subtract(*limit, ball(a), bits), ball(direction), bits);
       for (; !is_less(ball(step), room) && steps <= most_steps; ++steps) step /= 2;
     }
     if (steps > most_steps)
@@ -249,9 +239,10 @@ void walk(const Branch& branch, const Rational& from, int direction, Rational st
     if (is_shown) {
       climb.reset();
     } else if (climb) {
-      const RealBall slope = plus(climb->slope, times(climb->bend(range), ball(step)));
+      const RealBall slope =
+          add(climb->slope, multiply(climb->bend(range), ball(step), bits), bits);
       is_shown = is_less({}, slope);
-      if (is_shown) climb.emplace(Climb{climb->bend, lower_end(slope)});
+      if (is_shown) climb.emplace(Climb{climb->bend, lower_end(slope, bits)});
     }
     if (is_shown) {
       a = b;
@@ -266,9 +257,7 @@ void walk(const Branch& branch, const Rational& from, int direction, Rational st
 /// The change of the parameter that moves w(1/2) by its own length.
 Rational natural_unit(const RotationFamily& family, const Rotation& w) {
   const auto size = [](const Rotation& v) {
-    RealBall length;
-    acb_abs(length.raw(), evaluate(v, ball(Rational(1, 2))).raw(), bits);
-    return length;
+    return absolute(evaluate(v, ball(Rational(1, 2))), bits);
   };
   const RealBall unit = divide(size(w), size(family.basis[1]), bits);
   if (!unit.is_finite() || !is_less({}, unit))
@@ -279,7 +268,7 @@ Rational natural_unit(const RotationFamily& family, const Rotation& w) {
 /// Does it make no turns too many, for certain?
 bool turns_as_wanted(const TwistPiece& piece, const Rotation& w) {
   const auto turned = turn(w, 0, 1, bits);
-  return turned && is_less(absolute(minus(*turned, piece.turn.enclose(bits))), ball(1));
+  return turned && is_less(absolute(subtract(*turned, piece.turn.enclose(bits), bits)), ball(1));
 }
 
 }  // namespace
@@ -304,16 +293,16 @@ TwistMinimum twist_minimum(const TwistPiece& piece, long degree, EndRates rates,
 
   // G ≥ (2πk)² where a frame makes k turns too many (Cauchy and Schwarz), and with the other sign
   // of γ it makes an odd number more.
-  const RealBall one_turn = times(ball(2), pi(bits));
-  const bool is_other_worse =
-      turns_as_wanted(piece, w) && is_less(least, times(one_turn, one_turn));
-  const bool has_one_sign = arb_is_zero(family.end_factor[1].raw()) != 0;
+  const RealBall one_turn = multiply(ball(2), pi(bits), bits);
+  const bool is_other_worse = turns_as_wanted(piece, w) && is_less(least, square_of(one_turn));
+  const bool has_one_sign = family.end_factor[1].is_zero();
 
   RealBall slope = mean_square_slope(piece, fine, start, precision);
   Bend bend(piece, fine, start, smallness);
   const Core core = core_around(bend, start, unit / 32);
   const Rational radius0 = (core.range.b - core.range.a) / 2;
-  const RealBall climb = lower_end(minus(times(core.bend, ball(radius0)), absolute(slope)));
+  const RealBall climb =
+      lower_end(subtract(multiply(core.bend, ball(radius0), bits), absolute(slope), bits), bits);
   if (!is_less({}, climb)) throw Undecided("the guess is too far from the least value");
   constexpr long most_parts = 256;
   for (long parts = 64;; parts *= 4) {

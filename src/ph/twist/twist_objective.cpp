@@ -99,11 +99,7 @@ TwistObjective::Node TwistObjective::node_at(double middle, double offset, doubl
   }
   // Beside a cusp the speed and the denominator are small against their terms, and τ has to be more
   // exact than a double is.
-  RealBall tau;
-  flint::Arf step;
-  arf_set_d(arb_midref(tau.raw()), middle);
-  arf_set_d(step.get(), offset);
-  arb_add_arf(tau.raw(), tau.raw(), step.get(), ARF_PREC_EXACT);
+  const RealBall tau = exact_sum(middle, offset);
   constexpr long enough = 60;
   for (;; balls_ = balls_at(2 * balls_.bits)) {
     const long bits = balls_.bits;

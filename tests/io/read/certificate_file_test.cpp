@@ -5,6 +5,7 @@
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/roots.hpp"
+#include "phrame/io/write/certificate.hpp"
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/ph/proof/verify.hpp"
 #include "support/random.hpp"

@@ -4,6 +4,7 @@
 
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/write/curve_file.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;

@@ -188,3 +188,9 @@ TEST_CASE("text: polynomials with surds, highest power first") {
   CHECK(formatted(surd_polynomial({Surd(0), Rational(-1, 2) * sum}), Notation::latex) ==
         "-\\frac{\\sqrt{3} + \\sqrt{2}}{2} t");
 }
+
+TEST_CASE("text: one is singular, none and many are plural") {
+  CHECK(counted(0, "digit") == "0 digits");
+  CHECK(counted(1, "digit") == "1 digit");
+  CHECK(counted(2, "digit") == "2 digits");
+}

@@ -1,4 +1,4 @@
-#include "phrame/io/write/number_text.hpp"
+#include "phrame/io/read/number.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 
 using namespace phrame;
 
-TEST_CASE("number text: a quotient of numbers of any kind, with blanks") {
+TEST_CASE("number: a quotient of numbers of any kind, with blanks") {
   CHECK(parse_number("3/7") == Rational(3, 7));
   CHECK(parse_number("1.5/2.5") == Rational(3, 5));
   CHECK(parse_number("-1.5/0.25") == Rational(-6));
@@ -16,13 +16,7 @@ TEST_CASE("number text: a quotient of numbers of any kind, with blanks") {
   CHECK(parse_number("\t.5 ") == Rational(1, 2));
 }
 
-TEST_CASE("number text: one is singular, none and many are plural") {
-  CHECK(counted(0, "digit") == "0 digits");
-  CHECK(counted(1, "digit") == "1 digit");
-  CHECK(counted(2, "digit") == "2 digits");
-}
-
-TEST_CASE("number text: what is none is refused whole") {
+TEST_CASE("number: what is none is refused whole") {
   for (const char* text : {"", " ", "/", "1/", "/2", "1/2/3", "1 2", "1/-2", "1/+2", "nan/2"}) {
     CAPTURE(text);
     CHECK_THROWS_WITH_AS(parse_number(text), doctest::Contains("is not a number"), InputError);

@@ -1,6 +1,4 @@
-#include "phrame/io/write/number_text.hpp"
-
-#include <fmt/format.h>
+#include "phrame/io/read/number.hpp"
 
 #include "phrame/algebra/error.hpp"
 
@@ -11,10 +9,6 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(blanks);
   if (begin == std::string_view::npos) return {};
   return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
-
-std::string counted(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 Rational parse_number(std::string_view text) {

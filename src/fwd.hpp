@@ -1,0 +1,86 @@
+#pragma once
+
+// The types of the public interface, declared only: what they are stands in the rooms named.
+namespace phrame {
+
+// algebra
+class Integer;
+class Rational;
+class Polynomial;
+class RationalFunction;
+class Real;
+class RealBall;
+class ComplexBall;
+class RealAlgebraic;
+struct RealRoot;
+struct Decimal;
+struct Angle;
+class Error;
+class DomainError;
+class Undecided;
+class InputError;
+
+// integrate
+struct Antiderivative;
+struct LogSum;
+struct RealForm;
+struct RadicalForm;
+class Evaluator;
+struct DefiniteIntegral;
+
+// ph/curve
+class Curve;
+class Path;
+struct NamedCurve;
+struct NamedPath;
+struct NotPythagorean;
+struct Feedrate;
+class TravelTime;
+class ArcLength;
+class PathLength;
+
+// ph/frame
+class RmfAngle;
+class PathAngle;
+class Frames;
+class CompiledAngle;
+class CompiledFrames;
+struct GivenFrame;
+struct FrameVerdict;
+struct Total;
+struct PathTotal;
+
+// ph/twist
+class MinimalTwist;
+struct TwistFrame;
+
+// ph/proof
+struct Classification;
+struct PathClassification;
+struct Certificate;
+
+// answer
+struct AngleQuery;
+struct AngleAnswer;
+struct CheckQuery;
+struct CheckAnswer;
+struct ClassificationQuery;
+struct ClassificationAnswer;
+struct CompiledQuery;
+struct CompiledAnswer;
+struct CoqQuery;
+struct CoqAnswer;
+struct IdentificationAnswer;
+struct InfoQuery;
+struct InfoAnswer;
+struct IntegralQuery;
+struct IntegralAnswer;
+struct InterpolationQuery;
+struct MinimalTwistQuery;
+struct MinimalTwistAnswer;
+struct TotalsQuery;
+struct TotalsAnswer;
+struct TwistPieceAnswer;
+struct TwistFrameAnswer;
+
+}  // namespace phrame

@@ -1,0 +1,65 @@
+#include "phrame/algebra/ball_series.hpp"
+
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+namespace {
+
+constexpr long bits = 160;
+constexpr long length = 9;
+
+Polynomial first_coefficients(const Polynomial& p) { return p % Polynomial::monomial(1, length); }
+
+/// Does every ball contain the coefficient of p, modulo t^length?
+bool contains_series(const BallPolynomial& set, const Polynomial& p) {
+  for (long k = 0; k < length; ++k)
+    if (!set.coefficient(k).contains(p.coefficient(k))) return false;
+  return set.degree_bound() < length;
+}
+
+/// A polynomial with the value `constant` at 0.
+Polynomial random_series(Random& random, const Rational& constant) {
+  return Polynomial{0, 1} * random.polynomial(10) + Polynomial{constant};
+}
+
+}  // namespace
+
+TEST_CASE("ball series: law: products, quotients and roots, by multiplying back") {
+  for_samples(100, [](Random& random) {
+    const Polynomial p = random.polynomial(11);
+    const Polynomial q = random_series(random, random.integer(1, 9));
+    const BallPolynomial a(p, bits);
+    const BallPolynomial b(q, bits);
+    CHECK(contains_series(multiply_series(a, b, length, bits), first_coefficients(p * q)));
+    const BallPolynomial quotient = divide_series(a, b, length, bits);
+    CHECK(contains_series(multiply_series(quotient, b, length, bits), first_coefficients(p)));
+    const BallPolynomial root = inverse_sqrt_series(b, length, bits);
+    const BallPolynomial square = multiply_series(root, root, length, bits);
+    CHECK(contains_series(multiply_series(square, b, length, bits), Polynomial{1}));
+  });
+}
+
+TEST_CASE("ball series: law: cos² + sin² = 1, cos 0 = 1 and cos′ = −p′·sin") {
+  for_samples(100, [](Random& random) {
+    const BallPolynomial p(random_series(random, random.rational()), bits);
+    const auto [cos, sin] = cos_sin_series(p, length, bits);
+    const auto times = [](const BallPolynomial& f, const BallPolynomial& g) {
+      return multiply_series(f, g, length - 1, bits);
+    };
+    CHECK(contains_series(add(times(cos, cos), times(sin, sin), bits), Polynomial{1}));
+    const BallPolynomial slope = times(differentiate(p, bits), sin);
+    CHECK(contains_series(add(differentiate(cos, bits), slope, bits), {}));
+    CHECK(cos.coefficient(0).overlaps(cos_sin(p.coefficient(0), bits).cos));
+  });
+}
+
+TEST_CASE("ball series: there is no quotient by 0 and no root of a negative number") {
+  const BallPolynomial t(Polynomial{0, 1}, bits);
+  CHECK_FALSE(divide_series(t, t, length, bits).coefficient(0).is_finite());
+  CHECK_FALSE(inverse_sqrt_series(-BallPolynomial(Polynomial{1, 1}, bits), length, bits)
+                  .coefficient(0)
+                  .is_finite());
+}
