@@ -117,11 +117,11 @@ TEST_CASE("frame table: of a straight line, and where a curvature is infinite, c
 TEST_CASE("frame table: an overflow is refused, not rounded to infinity") {
   // r = (t, 0, 0)
   CHECK(
-      frame_table(test::straight_line().curve, {Kind::rmf}, {test::power_of_ten(308)}).rows[0][1] ==
+      frame_table(test::straight_line().curve, {Kind::rmf}, {power_of_ten(308)}).rows[0][1] ==
       1e308);
-  CHECK_THROWS_AS(frame_table(test::straight_line().curve, {Kind::rmf}, {test::power_of_ten(309)}),
+  CHECK_THROWS_AS(frame_table(test::straight_line().curve, {Kind::rmf}, {power_of_ten(309)}),
                   InputError);
-  CHECK(message(test::farouki_quintic().curve, Kind::euler_rodrigues, test::power_of_ten(100))
+  CHECK(message(test::farouki_quintic().curve, Kind::euler_rodrigues, power_of_ten(100))
             .find("x does not fit a double") != std::string::npos);
 }
 
@@ -221,7 +221,7 @@ TEST_CASE("frame table: scalars that are undefined or infinite are refused, with
 
 TEST_CASE("frame table: CSV reads back to the same doubles") {
   const FrameTable table = frame_table(test::farouki_quintic().curve, {Kind::rmf, Kind::frenet},
-                                       {0, Rational(1, 3), test::power_of_ten(-30), -1000});
+                                       {0, Rational(1, 3), power_of_ten(-30), -1000});
   std::istringstream lines(to_csv(table));
   std::string line;
   REQUIRE(std::getline(lines, line));

@@ -83,8 +83,8 @@ TEST_CASE("interpolation: law: at constant speed the points are those of equal a
 TEST_CASE("interpolation: JSON names its own format; what is too large is refused") {
   const FrameTable table = points(test::straight_line().curve, feed({1}), 1);
   CHECK(test::Json::parse(to_json(table))["phrame"] == "interpolation/1");
-  const Curve huge({Polynomial{test::power_of_ten(200)}, {}, {}, {}});
-  CHECK_THROWS_WITH_AS(points(huge, feed({test::power_of_ten(400)}), 1),
+  const Curve huge({Polynomial{power_of_ten(200)}, {}, {}, {}});
+  CHECK_THROWS_WITH_AS(points(huge, feed({power_of_ten(400)}), 1),
                        "point 1: s does not fit a double, of at most 1.8e308", InputError);
 }
 

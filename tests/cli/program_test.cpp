@@ -122,7 +122,7 @@ TEST_CASE("program: huge and tiny t are no harder") {
   const Workshop here;
   const Json some =
       values(here.run("angle quintic.json --print json --digits 50 --at 1e-30,1e30,1e31"));
-  const Rational t = test::power_of_ten(-30);
+  const Rational t = power_of_ten(-30);
   const Rational series = Rational(2, 3) * t * t + Rational(4, 9) * t * t * t;
   const Rational theta = test::rational(some[0]["theta"]);
   CHECK(test::digit_count(some[0]["theta"]) == 50);
@@ -166,8 +166,8 @@ TEST_CASE("program: --theta0 is added, exactly") {
   const Rational truth =
       test::rational(test::farouki_2003()["quintic"]["theta_RMF_rel_ERF"]["1"]) - Rational(1, 3);
   const Rational error = abs(test::rational(some[1]["theta"]) - truth);
-  CHECK(error <= test::last_place(truth, 40) / 2 + test::power_of_ten(-50));
-  CHECK(error <= test::rational(some[1]["radius"]) + test::power_of_ten(-50));
+  CHECK(error <= test::last_place(truth, 40) / 2 + power_of_ten(-50));
+  CHECK(error <= test::rational(some[1]["radius"]) + power_of_ten(-50));
   // θ(1) = 0.28585653009834106200165…: the first 17 digits cancel.
   const Json rest = values(
       here.run("angle quintic.json --print json --theta0 -0.28585653009834106 --digits 4 --at 1"));

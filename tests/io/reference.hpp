@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "phrame/algebra/rational_function.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/curve_file.hpp"
 #include "support/data.hpp"
 
@@ -67,11 +68,6 @@ inline std::size_t digit_count(const std::string& decimal) {
   for (const char c : decimal.substr(0, decimal.find('e')))
     if (c != '-' && c != '.' && !(digits.empty() && c == '0')) digits += c;
   return digits.size();
-}
-
-inline Rational power_of_ten(long k) {
-  const Integer power = pow(Integer(10), static_cast<unsigned long>(std::abs(k)));
-  return k < 0 ? Rational(1) / Rational(power) : Rational(power);
 }
 
 /// The unit of the last of `digits` significant digits of x ≠ 0.

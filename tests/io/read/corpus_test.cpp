@@ -29,7 +29,7 @@ void check_value(const RationalFunction& f, const Json& path) {
   const Rational truth = test::rational(path["value"]);
   const Rational value =
       parse_rational(round_to_decimal(path_integral(f, from, to, at_poles).value, 52).value);
-  CHECK(abs(value - truth) <= test::power_of_ten(-48) * (1 + abs(truth)));
+  CHECK(abs(value - truth) <= power_of_ten(-48) * (1 + abs(truth)));
 }
 
 }  // namespace

@@ -109,12 +109,12 @@ TEST_CASE("curve files: numbers are read exactly, bare or as text") {
   CHECK(read_number("\"0x1.8p-3\"") == Rational(3, 16));
   CHECK(read_number("1e-3") == Rational(1, 1000));
   CHECK(read_number("0.30000000000000000000000000000000001") ==
-        Rational(3, 10) + test::power_of_ten(-35));
-  CHECK(read_number("1e400") == test::power_of_ten(400));
-  CHECK(read_number("1e-5000") == test::power_of_ten(-5000));
+        Rational(3, 10) + power_of_ten(-35));
+  CHECK(read_number("1e400") == power_of_ten(400));
+  CHECK(read_number("1e-5000") == power_of_ten(-5000));
   // 400 nines
-  CHECK(read_number(std::string(400, '9')) == test::power_of_ten(400) - 1);
-  CHECK(read_number("-" + std::string(400, '9')) == 1 - test::power_of_ten(400));
+  CHECK(read_number(std::string(400, '9')) == power_of_ten(400) - 1);
+  CHECK(read_number("-" + std::string(400, '9')) == 1 - power_of_ten(400));
   CHECK(read_number("18446744073709551617") == Rational(Integer(1) << 64) + 1);
 }
 

@@ -52,7 +52,7 @@ TEST_CASE("unbounded: every value is known exactly, and is the one in the table"
     const Rational truth = test::rational(entry["value"]);
     for (const RealBall& ball : {enclosed(x, 240), integral.value.enclose(240)}) {
       CHECK(ball.is_accurate(200));
-      CHECK(abs(ball.midpoint() - truth) <= test::power_of_ten(-48) * (1 + abs(truth)));
+      CHECK(abs(ball.midpoint() - truth) <= power_of_ten(-48) * (1 + abs(truth)));
     }
     if (is_rational(x)) CHECK(integral.value.exact() == x.rational);
   }

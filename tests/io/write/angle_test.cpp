@@ -72,7 +72,7 @@ Complex evaluate(const Polynomial& p, const Complex& z) {
 }
 
 bool is_small(const Complex& z, long digits) {
-  return abs(z.re) < test::power_of_ten(-digits) && abs(z.im) < test::power_of_ten(-digits);
+  return abs(z.re) < power_of_ten(-digits) && abs(z.im) < power_of_ten(-digits);
 }
 
 const Form forms[] = {Form::automatic, Form::partial_fractions, Form::rothstein_trager};
@@ -324,7 +324,7 @@ TEST_CASE("angle report: LaTeX has balanced braces, the closed form and the tabl
   for (const Reference reference : references) {
     const std::string text = printed(
         to_latex, test::farouki_quintic(),
-        {.reference = reference, .at = {Rational(1, 2), test::power_of_ten(-30)}, .digits = 5});
+        {.reference = reference, .at = {Rational(1, 2), power_of_ten(-30)}, .digits = 5});
     CHECK(std::count(text.begin(), text.end(), '{') == std::count(text.begin(), text.end(), '}'));
     CHECK(contains(text, "\\sum_{37z^{4} - 72z^{3} + 46z^{2} - 12z + 6 = 0}"));
     CHECK(contains(text, "\\frac{602064}{1669067}z^{3}"));
@@ -335,12 +335,12 @@ TEST_CASE("angle report: LaTeX has balanced braces, the closed form and the tabl
   }
   // θ ≈ (2/3)·10⁻⁶⁰, as θ′ = 8t/6 + O(t²) at 0.
   const std::string erf =
-      printed(to_latex, test::farouki_quintic(), {.at = {test::power_of_ten(-30)}, .digits = 5});
+      printed(to_latex, test::farouki_quintic(), {.at = {power_of_ten(-30)}, .digits = 5});
   CHECK(contains(erf, "$6.6667 \\cdot 10^{-61}$"));
 }
 
 TEST_CASE("angle report: a long t does not widen the text, JSON keeps it") {
-  const Rational t = test::power_of_ten(500);
+  const Rational t = power_of_ten(500);
   const std::string text =
       abridged(printed(to_text, test::farouki_quintic(), {.at = {t}, .digits = 5}));
   CHECK(contains(text,

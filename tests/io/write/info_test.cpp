@@ -123,12 +123,12 @@ TEST_CASE("curve info: where f is negative, the text says which way the tangent 
 }
 
 TEST_CASE("curve info: the text abbreviates what is long, JSON does not") {
-  const Rational cusp = 1 / (1 + test::power_of_ten(1000));
+  const Rational cusp = 1 / (1 + power_of_ten(1000));
   const NamedCurve named = on_a_line({-cusp, 1});
   std::istringstream lines(abridged(to_text(answer(named, InfoQuery{5}))));
   for (std::string line; std::getline(lines, line);) CHECK(line.size() < 900);
   CHECK(info(named)["cusps"][0][0] == to_string(cusp));
-  CHECK(info(on_a_line({test::power_of_ten(1000)}))["arc_length"].get<std::string>().size() ==
+  CHECK(info(on_a_line({power_of_ten(1000)}))["arc_length"].get<std::string>().size() ==
         1001);
 }
 
