@@ -37,7 +37,7 @@ TEST_CASE("mtf: twist and angles of an example of the paper") {
   // θ − θ_i = 2.391898772922595071…
   const Rational theta = rational(answer["exact"]["values"][0]["theta"]);
   const Rational start = rational(answer["from"]["value"]);
-  CHECK(abs(theta - start - parse_rational("2.391898772922595071493908")) < test::power_of_ten(-18));
+  CHECK(abs(theta - start - parse_rational("2.391898772922595071493908")) < power_of_ten(-18));
   CHECK(contains(here.run("mtf example.json --from 0 --to 0 --turns -3").out, "\n  twist T"));
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("mtf: by vectors, and closing up") {
   const Run straight = here.run(options);
   check_success(straight);
   for (const char* end : {"from", "to"})  // the table has doubles
-    CHECK(abs(rational(Json::parse(straight.out)[end]["value"])) < test::power_of_ten(-15));
+    CHECK(abs(rational(Json::parse(straight.out)[end]["value"])) < power_of_ten(-15));
   here.write("closed.json", bytes_of(test::root("/examples/curves/closed-spline.json")));
   const Run closed = here.run("mtf closed.json --from 1/3 --closed --digits 15 --print json");
   check_success(closed);
@@ -103,13 +103,13 @@ TEST_CASE("mtf: the rational frame, in one piece and in several") {
   const Json& piece = one["rational"][0];
   CHECK(piece["degree"] == 8);
   CHECK(piece["optimum"]["proved"] == true);
-  CHECK(rational(piece["optimum"]["gamma_radius"]) < test::power_of_ten(-20));
+  CHECK(rational(piece["optimum"]["gamma_radius"]) < power_of_ten(-20));
   CHECK(piece["gamma"]["value"] == "0.55718958215068116465");
   CHECK(piece["rms_relative"]["value"] == "0.55463591772394686060");
   CHECK(piece["monotone"] == false);
   REQUIRE(piece["inflections"].size() == 2);
   CHECK(abs(rational(piece["inflections"][0]) - parse_rational("0.540370263399618154793843787")) <
-        test::power_of_ten(-19));
+        power_of_ten(-19));
   CHECK(one["monotone"] == false);
 
   const Run divided = here.run(ends + "--subdivide inflections,extrema");
