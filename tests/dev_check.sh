@@ -63,7 +63,7 @@ dev DEV_YES=1 CI= test
 [[ $output =~ 'dev: 0 of '([0-9]+)' tests ran. Not run: '([a-z0-9_. ]*) ]] || fail "$output"
 all=(${BASH_REMATCH[2]})
 ((${#all[@]} == BASH_REMATCH[1])) || fail "a number of tests, and other tests: $output"
-for name in algebra.roots batch certificates cli.mtf dev example_quickstart package peers_sympy pkg_config; do
+for name in algebra.roots ph.frame.rmf_angle batch certificates cli.mtf dev example_quickstart package peers_sympy pkg_config; do
   [[ " ${all[*]} " == *" $name "* ]] || fail "$name would not be missed"
 done
 
@@ -76,6 +76,11 @@ dev CI=true DEV_YES=1 test
 [[ $status == 0 && $output == *'Not run: peers_maxima '* ]] || fail "Maxima is not asked for: $output"
 dev CI=true DEV_YES=1 'test --peers'
 [[ $status == 1 && $output == *'none may be left out'* ]] || fail "Maxima is asked for: $output"
+ran_all_but none
+echo ph.new_room.stranger >>"$work/ran"
+dev CI= DEV_YES=1 test
+[[ $status == 1 && $output == *'the list of those to be expected lacks: ph.new_room.stranger'* ]] ||
+  fail "a test that is not expected: $output"
 ran_all_but batch
 dev CI= DEV_YES=1 test
 [[ $status == 0 && $output == *'Not run: batch '* ]] || fail "$output"
