@@ -2,6 +2,11 @@
 #include <benchmark/benchmark.h>
 
 #include "curves.hpp"
+#include "phrame/algebra/resultant.hpp"
+#include "phrame/integrate/hermite.hpp"
+#include "phrame/integrate/horowitz.hpp"
+#include "phrame/integrate/lazard_rioboo_trager.hpp"
+#include "phrame/integrate/rothstein_trager.hpp"
 
 namespace phrame::bench {
 namespace {
