@@ -15,14 +15,6 @@ double greatest_error(const PiecewisePolynomial& p) {
   return greatest * (1 + 0x1p-50);  // not rounded down
 }
 
-/// What the components of the frame are off by: a component is ((uu ± vv) ± pp) ± qq or twice a sum
-/// of two products. With |b| = 1, nearly, the products are off by 2^−53 together and each of the
-/// three sums by as much, at most; twice a sum of two products by half of that. Fused operations
-/// leave out some of it.
-double error_of_components(const PiecewisePolynomial& rotation) {
-  return (4 * 0x1p-53 + frame_error(greatest_error(rotation))) * (1 + 0x1p-40);
-}
-
 CompiledAnswer compiled_spline(const NamedPath& named, const CompiledQuery& query) {
   const PathAngle angle(named.path, query.reference);
   return {named, query.reference, query.start_angle,
@@ -46,8 +38,12 @@ CompiledAnswer answer(const NamedPath& named, const CompiledQuery& query) {
 
 double angle_error(const CompiledAnswer& answer) { return greatest_error(answer.angle); }
 
+// A component is ((uu ± vv) ± pp) ± qq or twice a sum of two products. With |b| = 1, nearly, the
+// products are off by 2^−53 together and each of the three sums by as much, at most; twice a sum of
+// two products by half of that. Fused operations leave out some of it.
 double component_error(const CompiledAnswer& answer) {
-  return answer.rotation ? error_of_components(*answer.rotation) : 0;
+  if (!answer.rotation) return 0;
+  return (4 * 0x1p-53 + frame_error(greatest_error(*answer.rotation))) * (1 + 0x1p-40);
 }
 
 }  // namespace phrame

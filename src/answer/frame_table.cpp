@@ -70,11 +70,11 @@ RationalFunction function_of(const Curve& curve, TabulatedScalar kind) {
 }
 
 /// "t = 3/2", "t ≈ 1.33".
-std::string text_of(const PathPoint& point) {
-  const Rational before(static_cast<long>(point.segment));
-  if (const auto r = point.t.rational())
-    return "t = " + abbreviated(to_string(Rational(before + *r)));
-  return "t ≈ " + to_string((to_real(point.t) + before).enclose(64), 12);
+std::string text_of(const PathPoint& point) { return place("t", parameter(point)); }
+
+/// The parameter along the path, for rounding.
+Real real_parameter(const PathPoint& point) {
+  return to_real(point.t) + Rational(static_cast<long>(point.segment));
 }
 
 /// A scalar as a function of t: f, or its square root.
@@ -225,8 +225,7 @@ std::vector<std::string> Rows::names() const {
 std::vector<double> Rows::at(const PathPoint& point) {
   reason_.clear();
   const AlgebraicPoint t(point.t);
-  const Rational before(static_cast<long>(point.segment));
-  std::vector<double> row{round_to_double(to_real(point.t) + before)};
+  std::vector<double> row{round_to_double(real_parameter(point))};
   if (const auto r = point.t.rational())
     add_rational(row, {point.segment, *r});
   else
@@ -268,11 +267,10 @@ void Rows::add_rational(std::vector<double>& row, const PathParameter& at) {
     } else if (frame == TabulatedFrame::rmf) {
       add_normals(row, rotation_minimizing(erf(), at));
     }
-    const Rational t = Rational(static_cast<long>(at.segment)) + at.t;
     if (frame == TabulatedFrame::mtf)
-      add_normals(row, turned(as_real(erf()), value(*columns_.mtf, Real(t))));
+      add_normals(row, turned(as_real(erf()), value(*columns_.mtf, Real(parameter(at)))));
     if (frame == TabulatedFrame::exact_mtf)
-      add_normals(row, turned(as_real(erf()), columns_.exact_mtf->value(t)));
+      add_normals(row, turned(as_real(erf()), columns_.exact_mtf->value(parameter(at))));
   }
 }
 
@@ -291,10 +289,8 @@ void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
       return angle().value(PathParameter{point.segment, 0}) + here.algebraic->angle(t);
     };
     if (frame == TabulatedFrame::rmf) add_normals(row, turned(erf, rmf_angle()));
-    if (frame == TabulatedFrame::mtf) {
-      const Rational before(static_cast<long>(point.segment));
-      add_normals(row, turned(erf, value(*columns_.mtf, to_real(point.t) + before)));
-    }
+    if (frame == TabulatedFrame::mtf)
+      add_normals(row, turned(erf, value(*columns_.mtf, real_parameter(point))));
     if (frame == TabulatedFrame::exact_mtf) {
       const Real s =
           t.value(length().segment(point.segment).polynomial()) + length().before(point.segment);

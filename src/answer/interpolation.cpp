@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/curve/travel_time.hpp"
 
 namespace phrame {
@@ -17,16 +16,15 @@ FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {
                                  abbreviated(to_string(query.period)), abbreviated(rows.str()),
                                  query.most_rows));
 
-  const PathLength length(path);
   std::vector<Vector<Polynomial>> positions;
   for (const Curve& curve : path.segments()) positions.push_back(position(curve));
   FrameTable table{{"k", "time", "t", "s", "x", "y", "z"}, {}, "interpolation/1"};
   const auto append = [&](const Integer& k, const Real& at, const TimedPoint& point) {
     const Rational before(static_cast<long>(point.segment));
-    const Real s = point.value(length.segment(point.segment).polynomial());
+    const Real s = point.value(time.length().segment(point.segment).polynomial());
     std::vector<double> row{round_to_double(Rational(k)), round_to_double(at),
                             round_to_double(point.parameter + before),
-                            round_to_double(s + length.before(point.segment))};
+                            round_to_double(s + time.length().before(point.segment))};
     for (const Polynomial& x : positions[point.segment])
       row.push_back(round_to_double(point.value(x)));
     add_row(table, std::move(row), [&k] { return "point " + k.str(); });

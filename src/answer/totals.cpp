@@ -14,29 +14,9 @@ namespace {
 
 using Row = TotalsAnswer::Row;
 
-std::string name(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::length:
-      return "length";
-    case Quantity::erf_twist:
-      return "twist of the ERF";
-    case Quantity::torsion:
-      return "total torsion";
-    case Quantity::curvature:
-      return "total curvature";
-    case Quantity::rotation_index:
-      return "absolute rotation index";
-    case Quantity::bending_energy:
-      return "bending energy";
-    case Quantity::frenet_energy:
-      break;
-  }
-  return "energy of the Frenet frame";
-}
-
 Row row(Quantity quantity, PathTotal total, long digits) {
   Row row{quantity, std::move(total)};
-  row.value = rounded(row.total->value, name(quantity), digits);
+  row.value = rounded(row.total->value, name_of(quantity), digits);
   return row;
 }
 
@@ -79,6 +59,26 @@ std::string why_no_curvature(const Path& path) {
 
 }  // namespace
 
+const char* name_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::length:
+      return "length";
+    case Quantity::erf_twist:
+      return "twist of the ERF";
+    case Quantity::torsion:
+      return "total torsion";
+    case Quantity::curvature:
+      return "total curvature";
+    case Quantity::rotation_index:
+      return "absolute rotation index";
+    case Quantity::bending_energy:
+      return "bending energy";
+    case Quantity::frenet_energy:
+      break;
+  }
+  return "energy of the Frenet frame";
+}
+
 TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
   const Path& path = named.path;
   const long digits = query.digits;
@@ -95,7 +95,7 @@ TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
   Row index = without_value(Quantity::rotation_index,
                             path.is_curve() ? "not a plane curve" : "not in one plane");
   if (const auto found = absolute_rotation_index(path))
-    index.value = rounded(*found, name(Quantity::rotation_index), digits);
+    index.value = rounded(*found, name_of(Quantity::rotation_index), digits);
   add(std::move(index));
   add(row(Quantity::bending_energy, bending_energy(path), digits));
   add(no_torsion.empty() ? row(Quantity::frenet_energy, frenet_energy(path), digits)

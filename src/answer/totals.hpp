@@ -19,6 +19,9 @@ enum class Quantity {
   frenet_energy,   ///< ∫ (κ² + τ²) ds
 };
 
+/// "twist of the ERF".
+const char* name_of(Quantity quantity);
+
 struct TotalsAnswer {
   struct Row {
     Quantity quantity;

@@ -41,20 +41,6 @@ void require_curve(const AngleOptions& options, const AngleQuery& query) {
     fail_for_spline("--print", options.form.print);
 }
 
-std::string printed(const AngleAnswer& answer, const Print& print) {
-  switch (print.as) {
-    case Print::As::text:
-      return to_text(answer);
-    case Print::As::json:
-      return to_json(answer);
-    case Print::As::latex:
-      return to_latex(answer);
-    case Print::As::script:
-      break;
-  }
-  return to_script(answer, print.language);
-}
-
 void run(const Command& command, const AngleOptions& options) {
   AngleQuery query = cli::query(options);
   const Print print = options.form.chosen_print();

@@ -35,4 +35,20 @@ struct FormOptions {
   std::optional<long> most_poles() const;
 };
 
+/// The answer as print says.
+template <class Answer>
+std::string printed(const Answer& answer, const Print& print) {
+  switch (print.as) {
+    case Print::As::text:
+      return to_text(answer);
+    case Print::As::json:
+      return to_json(answer);
+    case Print::As::latex:
+      return to_latex(answer);
+    case Print::As::script:
+      break;
+  }
+  return to_script(answer, print.language);
+}
+
 }  // namespace phrame::cli

@@ -48,19 +48,9 @@ std::optional<std::pair<PathEnd, PathEnd>> ends(const IntegrateOptions& options)
   return std::pair(end("--from", *options.from), end("--to", *options.to));
 }
 
-std::string printed(const IntegralAnswer& answer, const IntegrateOptions& options) {
-  const Print print = options.form.chosen_print();
-  switch (print.as) {
-    case Print::As::text:
-      return to_text(answer, !options.is_silent);
-    case Print::As::json:
-      return to_json(answer);
-    case Print::As::latex:
-      return to_latex(answer);
-    case Print::As::script:
-      break;
-  }
-  return to_script(answer, print.language);
+std::string shown(const IntegralAnswer& answer, const Print& print, bool is_silent) {
+  if (print.as == Print::As::text) return to_text(answer, !is_silent);
+  return printed(answer, print);
 }
 
 void run(const IntegrateOptions& options) {
@@ -79,7 +69,7 @@ void run(const IntegrateOptions& options) {
   if (path)
     query.ends = {path->first, path->second,
                   options.principal_value ? AtPoles::principal_value : AtPoles::refuse};
-  options.form.length.write(options.output, printed(answer(query), options));
+  options.form.length.write(options.output, shown(answer(query), print, options.is_silent));
 }
 
 }  // namespace

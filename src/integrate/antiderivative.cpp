@@ -83,4 +83,9 @@ RationalFunction differentiate(const Antiderivative& F) {
   return result;
 }
 
+Rational difference_without_logarithms(const Antiderivative& F, const Rational& a,
+                                       const Rational& b) {
+  return F.polynomial(b) - F.polynomial(a) + F.rational(b) - F.rational(a);
+}
+
 }  // namespace phrame

@@ -31,4 +31,8 @@ struct Antiderivative {
 RationalFunction differentiate(const LogSum& sum);
 RationalFunction differentiate(const Antiderivative& F);
 
+/// F(b) − F(a) without the logarithms. Throws DomainError where that has a pole at an end.
+Rational difference_without_logarithms(const Antiderivative& F, const Rational& a,
+                                       const Rational& b);
+
 }  // namespace phrame

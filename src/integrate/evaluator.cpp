@@ -82,16 +82,14 @@ struct Evaluator::Function {
     bool is_decided = false;           ///< that there is none, where there is none
   };
 
-  Polynomial polynomial;
-  RationalFunction rational;
+  Antiderivative plain;  ///< F without its logarithms
   RationalFunction derivative;
   std::vector<Poles> poles;
   Refined<Isolated> isolated;
   Lazy<std::optional<Integrated>> integrated;
 
   Function(const Antiderivative& F, const RationalFunction& F_prime)
-      : polynomial(F.polynomial - Polynomial{F.polynomial.coefficient(0)}),
-        rational(F.rational),
+      : plain{F.polynomial - Polynomial{F.polynomial.coefficient(0)}, F.rational, {}},
         derivative(F_prime) {}
 
   void add_poles(const Polynomial& n, const Polynomial& d) {
@@ -101,7 +99,6 @@ struct Evaluator::Function {
 
   std::shared_ptr<const Isolated> isolate(long precision) const;
   void require_no_pole(const Rational& a, const Rational& b) const;
-  Rational rational_difference(const Rational& a, const Rational& b) const;
   RealBall log_difference(const Rational& a, const Rational& b, long bits) const;
   RealBall difference_by_roots(const Rational& a, const Rational& b, long bits) const;
   std::optional<RealBall> difference_by_quadrature(const Rational& a, const Rational& b,
@@ -117,7 +114,7 @@ struct Evaluator::Function {
 void Evaluator::Function::add_poles_of(const Antiderivative& F) {
   if (F.logs.empty()) return;
   const bool is_over_all_poles = std::all_of(F.logs.begin(), F.logs.end(), is_over_poles);
-  const bool is_all_logs = polynomial.is_zero() && rational.is_zero();
+  const bool is_all_logs = plain.polynomial.is_zero() && plain.rational.is_zero();
   if (is_over_all_poles && (F.logs.size() > 1 || !is_all_logs)) {
     for (const LogSum& sum : F.logs) {
       const RationalFunction f = differentiate(sum);
@@ -126,8 +123,7 @@ void Evaluator::Function::add_poles_of(const Antiderivative& F) {
     return;
   }
   RationalFunction logs = derivative;
-  if (!is_all_logs)
-    logs = logs - (RationalFunction(differentiate(polynomial)) + differentiate(rational));
+  if (!is_all_logs) logs = logs - differentiate(plain);
   if (is_over_all_poles)
     add_poles(logs.numerator(), logs.denominator());
   else
@@ -143,14 +139,10 @@ void Evaluator::Function::require_no_pole(const Rational& a, const Rational& b) 
                                   abbreviated(to_string(a)), abbreviated(to_string(b)),
                                   pole.lower == pole.upper ? "at" : "in", to_string(pole)));
   };
-  if (!rational.is_polynomial()) check(rational.denominator());
+  if (!plain.rational.is_polynomial()) check(plain.rational.denominator());
   const auto known = isolated.known();
   for (std::size_t k = 0; k < poles.size(); ++k)
     if (!known || !known->poles[k].roots.real.empty()) check(poles[k].denominator);
-}
-
-Rational Evaluator::Function::rational_difference(const Rational& a, const Rational& b) const {
-  return polynomial(b) - polynomial(a) + rational(b) - rational(a);
 }
 
 std::shared_ptr<const Evaluator::Function::Isolated> Evaluator::Function::isolate(
@@ -212,8 +204,9 @@ RealBall Evaluator::Function::branch(const Endpoint& t, long bits) const {
   }
   const RealBall at = enclose(t, bits);
   const auto value = [&](const Polynomial& p) { return evaluate(p, {at, {}}, bits).re(); };
-  sum = add(value(polynomial),
-            divide(value(rational.numerator()), value(rational.denominator()), bits), bits);
+  sum = add(value(plain.polynomial),
+            divide(value(plain.rational.numerator()), value(plain.rational.denominator()), bits),
+            bits);
   for (const Residues& p : known->poles) {
     for (std::size_t k = 0; k < p.roots.real.size(); ++k) {
       const RealBall distance = absolute(subtract(at, p.roots.real[k], bits));
@@ -331,7 +324,7 @@ RealBall Evaluator::Function::difference_by_roots(const Rational& a, const Ratio
                                                   long bits) const {
   isolate(bits + 24);
   require_no_pole(a, b);
-  const Rational without_logs = rational_difference(a, b);
+  const Rational without_logs = difference_without_logarithms(plain, a, b);
   if (poles.empty() || a == b) return RealBall(without_logs, bits + 8);
   const long end = largest_precision(bits, a, b);
   for (long precision = bits + 24;; precision = std::min(end, precision + precision / 2)) {
@@ -426,7 +419,7 @@ std::optional<Rational> Evaluator::multiple_of_pi(const Rational& a, const Ratio
 
 std::optional<GaussianPolynomial> Evaluator::single_argument() const {
   const Function& f = *function_;
-  if (!f.polynomial.is_zero() || !f.rational.is_zero()) return std::nullopt;
+  if (!f.plain.polynomial.is_zero() || !f.plain.rational.is_zero()) return std::nullopt;
   constexpr long bits = first_bits + 24;  // as the first value needs
   const auto known = f.isolate(bits);
   for (const Function::Residues& p : known->poles)
@@ -450,7 +443,7 @@ Real Evaluator::value(const Rational& a, const Rational& b) const {
 Real Evaluator::value(const Rational& a, const Rational& b, const GaussianPolynomial& phase,
                       const Real::Enclosure& enclose, const Angle& offset) const {
   const Function& f = *function_;
-  const Rational rational = f.rational_difference(a, b) + offset.radians;
+  const Rational rational = difference_without_logarithms(f.plain, a, b) + offset.radians;
   if (a == b || (f.poles.empty() && degree(phase) == 0))
     return to_real(Angle(offset.half_turns, rational));
   constexpr long bits = first_bits;

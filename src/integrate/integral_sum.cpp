@@ -16,12 +16,6 @@ namespace {
 
 bool is_known(const KnownIntegral& integral) { return integral.value.value.exact().has_value(); }
 
-Rational without_logarithms(const IntegralPart& part) {
-  const Antiderivative& F = part.F;
-  return part.factor * (F.polynomial(part.to) - F.polynomial(part.from) + F.rational(part.to) -
-                        F.rational(part.from));
-}
-
 /// The sum of those that are known to be rational.
 Rational rational_sum(const std::vector<KnownIntegral>& integrals) {
   Rational sum = 0;
@@ -35,7 +29,8 @@ Rational without_logarithms(const std::vector<KnownIntegral>& integrals) {
   Rational sum = 0;
   for (const KnownIntegral& integral : integrals)
     if (!is_known(integral))
-      for (const IntegralPart& part : integral.parts) sum += without_logarithms(part);
+      for (const auto& [f, F, from, to, factor] : integral.parts)
+        sum += factor * difference_without_logarithms(F, from, to);
   return sum;
 }
 

@@ -21,6 +21,7 @@
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
 #include "phrame/integrate/quadratic_fields.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
+#include "phrame/integrate/style.hpp"
 
 namespace phrame {
 namespace {
@@ -59,11 +60,9 @@ void add_logarithm(RealForm& form, const Surd& factor, const Polynomial& a,
   form.logarithms.push_back({factor, SurdPolynomial(a, b, d), !has_real_zero(a, b, d)});
 }
 
-enum class RealFormStyle { real, textbook };
-
 /// Σ x·log v(x, t) over the roots of an irreducible polynomial of degree ≤ 2; no value where that
 /// is too long for a textbook.
-std::optional<RealForm> over_quadratic(const LogSum& sum, RealFormStyle style) {
+std::optional<RealForm> over_quadratic(const LogSum& sum, Style style) {
   constexpr long most_poles = 3;
   RealForm form;
   const QuadraticNumber alpha = quadratic_root(sum.index);
@@ -80,7 +79,7 @@ std::optional<RealForm> over_quadratic(const LogSum& sum, RealFormStyle style) {
     if (alpha.d != 1) add_logarithm(form, {alpha.a, -alpha.b, alpha.d}, p, -q, alpha.d);
     return form;
   }
-  if (style == RealFormStyle::textbook && p.degree() > most_poles && !(p % q).is_zero())
+  if (style == Style::textbook && p.degree() > most_poles && !(p % q).is_zero())
     return std::nullopt;  // several arctangents
   const Integer d = -alpha.d;
   if (alpha.a != 0) add_logarithm(form, alpha.a, p * p + Rational(d) * (q * q));
@@ -148,7 +147,7 @@ bool is_short(const RealForm& form) {
 }
 
 /// The form of one fraction; no value where it is a sum over roots.
-std::optional<RealForm> form_of(const SimpleFraction& f, RealFormStyle style) {
+std::optional<RealForm> form_of(const SimpleFraction& f, Style style) {
   std::optional<RealForm> form;
   if (has_quadratic_residues(f)) {
     form = over_quadratic(over_residues({f}).front(), style);
@@ -166,13 +165,13 @@ struct Parts {
   std::vector<SimpleFraction> others;
 };
 
-Parts parts_of(const Antiderivative& F, RealFormStyle style) {
+Parts parts_of(const Antiderivative& F, Style style) {
   Parts parts{{F.polynomial, F.rational, {}, {}}, {}};
   std::vector<LogSum> rational;  // equal rational residues are put into one logarithm
   RealForm irrational;
   for (const SimpleFraction& f : simple_fractions(differentiate(Antiderivative{{}, {}, F.logs}))) {
     const auto part = form_of(f, style);
-    if (!part || (style == RealFormStyle::textbook && !is_short(*part)))
+    if (!part || (style == Style::textbook && !is_short(*part)))
       parts.others.push_back(f);
     else if (part->logarithms.size() == 1 && part->logarithms.front().of.is_rational() &&
              part->arctangents.empty())
@@ -181,7 +180,7 @@ Parts parts_of(const Antiderivative& F, RealFormStyle style) {
       append(irrational, *part);
   }
   for (const LogSum& sum : merge_equal_residues(std::move(rational)))
-    append(parts.form, *over_quadratic(sum, RealFormStyle::real));
+    append(parts.form, *over_quadratic(sum, Style::real));
   append(parts.form, irrational);
   return parts;
 }
@@ -194,14 +193,14 @@ void check(const RationalFunction& derivative, const Antiderivative& F) {
 }  // namespace
 
 RealForm real_form(const Antiderivative& F) {
-  auto [form, others] = parts_of(F, RealFormStyle::real);
+  auto [form, others] = parts_of(F, Style::real);
   for (const SimpleFraction& f : others) form.others.push_back(full_partial_fraction(f));
   check(differentiate(form), F);
   return form;
 }
 
 TextbookForm textbook_form(const Antiderivative& F) {
-  const auto [form, others] = parts_of(F, RealFormStyle::textbook);
+  const auto [form, others] = parts_of(F, Style::textbook);
   RationalFunction rest;
   for (const auto& [n, d] : others) rest = rest + RationalFunction(n, d);
   TextbookForm result{form, integrate(rest).logs};

@@ -25,10 +25,18 @@ std::string yes_or_no(bool answer, const std::string& because = "") {
   return (answer ? "yes" : "no") + (because.empty() ? "" : ": " + because);
 }
 
-std::string answer_text(const Helix& helix) {
-  return yes_or_no(
-      true, fmt::format("axis {}, cos²ψ = {}, {}", shown(helix.axis), shown(helix.cosine_squared),
-                        helix.is_monotone ? "monotone" : "not monotone"));
+std::string witness(const ConstantAngle& helix) {
+  return fmt::format("axis {}, cos²ψ = {}", shown(helix.axis), shown(helix.cosine_squared));
+}
+
+std::string witness(const Helix& helix) {
+  return fmt::format("{}, {}", witness(static_cast<const ConstantAngle&>(helix)),
+                     helix.is_monotone ? "monotone" : "not monotone");
+}
+
+template <class AnyHelix>
+std::string helix_text(const std::optional<AnyHelix>& helix) {
+  return helix ? yes_or_no(true, witness(*helix)) : yes_or_no(false);
 }
 
 std::string answer_text(const DoublePh& square) {
@@ -81,11 +89,6 @@ JsonOutput json_of(const std::variant<RationalFrame, NoRationalFrame>& frame) {
           {is_residue ? "residue_factor" : "pole_factor", phrame::json_of(none.factor)}};
 }
 
-std::string answer_text(const ConstantAngle& helix) {
-  return yes_or_no(
-      true, fmt::format("axis {}, cos²ψ = {}", shown(helix.axis), shown(helix.cosine_squared)));
-}
-
 void add_row(std::string& text, std::string_view question, const std::string& found) {
   text += row(question, found, 20);
 }
@@ -107,7 +110,7 @@ std::string to_text(const Classification& c) {
   row("inflections", c.inflections.empty() ? "none" : places(c.inflections));
   row("straight line", line_text(c.line));
   row("plane curve", plane_text(c.normal));
-  row("helix", c.helix ? answer_text(*c.helix) : yes_or_no(false));
+  row("helix", helix_text(c.helix));
   row("double PH", c.double_ph ? answer_text(*c.double_ph) : yes_or_no(false));
   row("primitive", c.content.is_constant()
                        ? yes_or_no(true)
@@ -125,7 +128,7 @@ std::string spline_text(const Path& path, const PathClassification& c) {
   add_row(text, "regular", yes_or_no(c.is_regular));
   add_row(text, "straight line", line_text(c.line));
   add_row(text, "in one plane", plane_text(c.normal));
-  add_row(text, "helix", c.helix ? answer_text(*c.helix) : yes_or_no(false));
+  add_row(text, "helix", helix_text(c.helix));
   add_row(text, "ERF is an RMF", yes_or_no(c.erf_is_rotation_minimizing));
   for (std::size_t k = 0; k < c.segments.size(); ++k)
     text += fmt::format("\nSegment {}: {}\n\n{}", k + 1, heading("", path.segments()[k]),
@@ -139,6 +142,14 @@ void add_direction(JsonOutput& json, const char* key, const char* witness,
   if (found) json[key][witness] = phrame::json_of(*found);
 }
 
+JsonOutput helical(const std::optional<ConstantAngle>& helix) {
+  JsonOutput json = {{"answer", helix.has_value()}};
+  if (!helix) return json;
+  json["axis"] = phrame::json_of(helix->axis);
+  json["cos_squared"] = to_string(helix->cosine_squared);
+  return json;
+}
+
 /// Without the format and the name.
 JsonOutput json_of(const Classification& c, const Curve& curve) {
   JsonOutput json = {
@@ -147,10 +158,8 @@ JsonOutput json_of(const Classification& c, const Curve& curve) {
       {"inflections", {{"answer", !c.inflections.empty()}, {"points", json_of(c.inflections)}}}};
   add_direction(json, "line", "direction", c.line);
   add_direction(json, "planar", "normal", c.normal);
-  json["helical"] = {{"answer", c.helix.has_value()}};
+  json["helical"] = helical(c.helix);
   if (c.helix) {
-    json["helical"]["axis"] = phrame::json_of(c.helix->axis);
-    json["helical"]["cos_squared"] = to_string(c.helix->cosine_squared);
     json["helical"]["monotone"] = c.helix->is_monotone;
     json["helical"]["map_degree"] = c.helix->map_degree;
   }
@@ -175,11 +184,7 @@ JsonOutput spline_json(const NamedPath& named, const PathClassification& c) {
                      {"regular", {{"answer", c.is_regular}}}};
   add_direction(json, "line", "direction", c.line);
   add_direction(json, "planar", "normal", c.normal);
-  json["helical"] = {{"answer", c.helix.has_value()}};
-  if (c.helix) {
-    json["helical"]["axis"] = phrame::json_of(c.helix->axis);
-    json["helical"]["cos_squared"] = to_string(c.helix->cosine_squared);
-  }
+  json["helical"] = helical(c.helix);
   json["erf_is_rmf"] = {{"answer", c.erf_is_rotation_minimizing}};
   JsonOutput segments = JsonOutput::array();
   for (std::size_t k = 0; k < c.segments.size(); ++k)

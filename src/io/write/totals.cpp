@@ -16,28 +16,27 @@ using enum Notation;
 
 struct Label {
   const char* key;     ///< in JSON
-  const char* name;    ///< "length"
   const char* symbol;  ///< "∫ ds"
 };
 
 Label label(Quantity quantity) {
   switch (quantity) {
     case Quantity::length:
-      return {"length", "length", "∫ ds"};
+      return {"length", "∫ ds"};
     case Quantity::erf_twist:
-      return {"erf_twist", "twist of the ERF", "∫ 2h/σ dt"};
+      return {"erf_twist", "∫ 2h/σ dt"};
     case Quantity::torsion:
-      return {"torsion", "total torsion", "∫ τ ds"};
+      return {"torsion", "∫ τ ds"};
     case Quantity::curvature:
-      return {"curvature", "total curvature", "∫ κ ds"};
+      return {"curvature", "∫ κ ds"};
     case Quantity::rotation_index:
-      return {"rotation_index", "absolute rotation index", "∫ κ ds/2π"};
+      return {"rotation_index", "∫ κ ds/2π"};
     case Quantity::bending_energy:
-      return {"bending_energy", "bending energy", "∫ κ² ds"};
+      return {"bending_energy", "∫ κ² ds"};
     case Quantity::frenet_energy:
       break;
   }
-  return {"frenet_energy", "energy of the Frenet frame", "∫ (κ² + τ²) ds"};
+  return {"frenet_energy", "∫ (κ² + τ²) ds"};
 }
 
 /// "√3·(…)": x times the root of the radicand.
@@ -90,8 +89,7 @@ std::string formula_text(const Total& total) {
 }
 
 std::string to_text(const Row& row) {
-  const auto [key, name, symbol] = label(row.quantity);
-  std::string text = fmt::format("  {} {}", name, symbol);
+  std::string text = fmt::format("  {} {}", name_of(row.quantity), label(row.quantity).symbol);
   if (row.infinite)
     return text + fmt::format(" = ∞, the pole is at t = {}\n", shown(row.infinite->pole));
   if (!row.value) return text + fmt::format(": {}\n", row.reason);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/error.hpp"
 
 // Unit tangents are ±A i A*/σ, A without its real content, the sign that of f on the inner side.
@@ -105,6 +106,14 @@ PathParameter locate_inside(const Path& path, const Rational& t) {
   const auto count = path.segments().size();
   const std::size_t k = std::min(static_cast<std::size_t>(static_cast<long>(floor(t))), count - 1);
   return {k, t - Rational(static_cast<long>(k))};
+}
+
+Rational parameter(const PathParameter& at) {
+  return Rational(static_cast<long>(at.segment)) + at.t;
+}
+
+RealAlgebraic parameter(const PathPoint& at) {
+  return affine(at.t, 1, Rational(static_cast<long>(at.segment)));
 }
 
 }  // namespace phrame

@@ -62,4 +62,8 @@ struct PathPoint {
   RealAlgebraic t;
 };
 
+/// The parameter along the path, segment + t.
+Rational parameter(const PathParameter& at);
+RealAlgebraic parameter(const PathPoint& at);
+
 }  // namespace phrame

@@ -107,8 +107,7 @@ std::optional<Helix> helix(const QuaternionPolynomial& a) {
   const auto angle = constant_angle({a});
   if (!angle) return std::nullopt;
   const auto [x, y, z] = rotated_i(a);
-  return Helix{angle->axis, angle->constant, angle->cosine_squared,
-               (degree(a) * 2 - gcd(gcd(x, y), z).degree()) / 2,
+  return Helix{*angle, (degree(a) * 2 - gcd(gcd(x, y), z).degree()) / 2,
                odd(inflections(a, real_line())).empty()};
 }
 

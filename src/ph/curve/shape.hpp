@@ -19,12 +19,17 @@ std::optional<Vector<Rational>> line_direction(const QuaternionPolynomial& a);
 /// for other curves.
 std::optional<Vector<Rational>> plane_normal(const QuaternionPolynomial& a);
 
-/// A curve that is not plane and whose tangent has a constant angle ψ to an axis:
-///   axis·A i A* = constant·σ, cos ψ = constant/|axis|, constant > 0.
-struct Helix {
+/// The tangent of what is not plane has a constant angle ψ to an axis, cos ψ = constant/|axis|:
+///   axis·A i A* = constant·σ, constant > 0.
+struct ConstantAngle {
   Vector<Rational> axis;
   Rational constant;
   Rational cosine_squared;  ///< cos²ψ, strictly between 0 and 1
+  friend bool operator==(const ConstantAngle&, const ConstantAngle&) = default;
+};
+
+/// A curve with a constant angle.
+struct Helix : ConstantAngle {
   /// The degree of the tangent as a rational map to its circle: 1 for the monotone-helical quintics
   /// of [Farouki, Giannelli, Sestini 2009], where the circle is traced once, 2 for the general
   /// ones.
@@ -39,13 +44,6 @@ std::optional<Helix> helix(const QuaternionPolynomial& a);
 
 std::optional<Vector<Rational>> line_direction(const Path& path);
 std::optional<Vector<Rational>> plane_normal(const Path& path);
-struct ConstantAngle {
-  Vector<Rational> axis;
-  Rational constant;        ///< axis·A i A* = constant·σ > 0 on each segment
-  Rational cosine_squared;  ///< strictly between 0 and 1
-  friend bool operator==(const ConstantAngle&, const ConstantAngle&) = default;
-};
-/// Of a path that is not plane.
 std::optional<ConstantAngle> helix(const Path& path);
 
 }  // namespace phrame

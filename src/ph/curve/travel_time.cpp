@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/curve/shape.hpp"
 
 // T is an antiderivative of a rational function. Without logarithms T = n/d, and the t with T(t) =
@@ -59,17 +58,16 @@ Real TimedPoint::value(const Polynomial& p) const {
 }
 
 TravelTime::TravelTime(const Path& path, const Feedrate& feedrate)
-    : path_(path), starts_{Rational(0)} {
+    : path_(path), length_(path), starts_{Rational(0)} {
   if (feedrate.of == Feedrate::Of::curvature && !path.is_curve() && !plane_normal(path))
     throw DomainError("signed curvature: the spline is not plane");
-  const PathLength length(path);
   std::vector<KnownIntegral> since_rational;
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    if (!path.is_curve()) length.segment(k);  // throws, with k, where f changes sign
-    const SegmentStart start{Rational(static_cast<long>(k)), length.before(k)};
+    if (!path.is_curve()) length_.segment(k);  // throws, with k, where f changes sign
+    const SegmentStart start{Rational(static_cast<long>(k)), length_.before(k)};
     const RationalFunction rate = travel_time_rate(path.segments()[k], feedrate, start);
     const Antiderivative T = integrate(rate);
-    segments_.push_back({rate, T, Evaluator(T)});
+    segments_.push_back({rate, T, Evaluator(T, rate)});
     since_rational.push_back(integral({k, 1}));
     starts_.push_back(remembered(sum_of_integrals(since_rational).value));
     if (const auto exact = starts_.back().exact()) since_rational = std::vector{known(*exact)};

@@ -6,6 +6,7 @@
 #include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integral_sum.hpp"
 #include "phrame/integrate/integrate.hpp"
+#include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/curve/feedrate.hpp"
 #include "phrame/ph/curve/path.hpp"
 
@@ -33,6 +34,7 @@ class TravelTime {
   /// segments are not in one plane.
   TravelTime(const Path& path, const Feedrate& feedrate);
 
+  const PathLength& length() const { return length_; }
   const RationalFunction& rate(std::size_t segment = 0) const { return segments_[segment].rate; }
   const Antiderivative& antiderivative(std::size_t segment = 0) const {
     return segments_[segment].antiderivative;
@@ -69,6 +71,7 @@ class TravelTime {
   Real time(const PathParameter& at) const;
 
   Path path_;
+  PathLength length_;
   std::vector<Segment> segments_;
   std::vector<Real> starts_;  ///< T at their starts and at the end
   std::size_t last_segment_ = 0;

@@ -18,9 +18,9 @@ namespace {
 
 constexpr long rational_bits = 256;
 
-/// F(t) − F(0) without the logarithms.
-Rational without_logarithms(const Antiderivative& F, const Rational& t) {
-  return F.polynomial(t) - F.polynomial(0) + F.rational(t) - F.rational(0);
+/// Of the angle at t, which begins at 0.
+Rational without_logarithms(const RmfAngle& angle, const Rational& t) {
+  return difference_without_logarithms(angle.twist(), 0, t);
 }
 
 }  // namespace
@@ -113,15 +113,15 @@ RealBall PathAngle::enclose(const PathParameter& at, const Angle& start, long bi
 
 /// θ(at) less that at the start of segment `from`, without the logarithms.
 Rational PathAngle::State::rational_part(std::size_t from, const PathParameter& at) const {
-  Rational sum = without_logarithms(angles[at.segment].twist(), at.t);
-  for (std::size_t k = from; k < at.segment; ++k) sum += without_logarithms(angles[k].twist(), 1);
+  Rational sum = without_logarithms(angles[at.segment], at.t);
+  for (std::size_t k = from; k < at.segment; ++k) sum += without_logarithms(angles[k], 1);
   return sum;
 }
 
 /// A ball around θ without the logarithms, at a cost that does not grow with the segments before.
 RealBall PathAngle::State::rational_ball(const PathParameter& at) {
   const auto part = [&](std::size_t k, const Rational& t) {
-    return RealBall(without_logarithms(angles[k].twist(), t), rational_bits);
+    return RealBall(without_logarithms(angles[k], t), rational_bits);
   };
   const std::lock_guard lock(rational_sums_lock);
   while (rational_sums.size() <= at.segment)

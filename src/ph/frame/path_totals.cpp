@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/integrate/integral_sum.hpp"
 #include "phrame/ph/curve/invariants.hpp"
@@ -86,7 +85,7 @@ std::variant<PathTotal, Infinite> sum_over(const Path& path,
     const std::variant<Total, Infinite> total = of(curve);
     if (const auto* infinite = std::get_if<Infinite>(&total)) {
       const std::size_t k = segments.size();
-      return Infinite{affine(infinite->pole, 1, Rational(static_cast<long>(k))), k};
+      return Infinite{parameter(PathPoint{k, infinite->pole}), k};
     }
     segments.push_back(std::get<Total>(total));
   }

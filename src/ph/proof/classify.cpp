@@ -31,16 +31,21 @@ void check(const RationalFrame& frame, const QuaternionPolynomial& a) {
     check(sigma(b) * x[k] == sigma(a) * y[k], "the rational frame has another tangent");
 }
 
-void check(const Classification& c, const Curve& curve) {
-  const QuaternionPolynomial& a = curve.preimage();
-  const Polynomial speed = sigma(a);
+/// Line, plane and helix, of a curve or of the path that it is part of.
+template <class AnyClassification>
+void check_shape(const AnyClassification& c, const QuaternionPolynomial& a) {
   const Vector<Polynomial> r = rotated_i(a);
-  check(are_all_roots(c.cusps, curve.multiplier() * speed), "cusps");
   if (c.line)
     for (std::size_t k = 0; k < 3; ++k)
       check((*c.line)[k] * r[(k + 1) % 3] == (*c.line)[(k + 1) % 3] * r[k], "line");
   if (c.normal) check(dot(*c.normal, r).is_zero(), "normal");
-  if (c.helix) check(dot(c.helix->axis, r) == c.helix->constant * speed, "helix");
+  if (c.helix) check(dot(c.helix->axis, r) == c.helix->constant * sigma(a), "helix");
+}
+
+void check(const Classification& c, const Curve& curve) {
+  const QuaternionPolynomial& a = curve.preimage();
+  check(are_all_roots(c.cusps, curve.multiplier() * sigma(a)), "cusps");
+  check_shape(c, a);
   if (c.double_ph) check(rho(a) == c.double_ph->constant * pow(c.double_ph->omega, 2), "double PH");
   Polynomial common;
   for (const Polynomial& component : hodograph(curve))
@@ -64,21 +69,23 @@ Classification classify(const Curve& curve) {
 }
 
 PathClassification classify(const Path& path) {
-  PathClassification result{true, line_direction(path), plane_normal(path), helix(path), true, {}};
+  PathClassification result;
   for (const Curve& curve : path.segments()) {
     const Classification& segment = result.segments.emplace_back(classify(curve));
     if (!segment.cusps.empty()) result.is_regular = false;
     if (!segment.erf_is_rotation_minimizing) result.erf_is_rotation_minimizing = false;
-    const Vector<Polynomial> r = rotated_i(curve.preimage());
-    if (result.line)
-      for (std::size_t k = 0; k < 3; ++k)
-        check((*result.line)[k] * r[(k + 1) % 3] == (*result.line)[(k + 1) % 3] * r[k],
-              "line of the spline");
-    if (result.normal) check(dot(*result.normal, r).is_zero(), "normal of the spline");
-    if (result.helix)
-      check(dot(result.helix->axis, r) == result.helix->constant * sigma(curve.preimage()),
-            "helix of the spline");
   }
+  if (path.is_curve()) {
+    const Classification& curve = result.segments.front();
+    result.line = curve.line;
+    result.normal = curve.normal;
+    result.helix = curve.helix;
+    return result;
+  }
+  result.line = line_direction(path);
+  result.normal = plane_normal(path);
+  result.helix = helix(path);
+  for (const Curve& curve : path.segments()) check_shape(result, curve.preimage());
   return result;
 }
 

@@ -26,11 +26,11 @@ Classification classify(const Curve& curve);
 
 /// What is true of a path as a whole, and of each of its segments.
 struct PathClassification {
-  bool is_regular;                         ///< no segment has a cusp
+  bool is_regular = true;                  ///< no segment has a cusp
   std::optional<Vector<Rational>> line;    ///< its direction, of the first segment
   std::optional<Vector<Rational>> normal;  ///< of the plane of all segments
   std::optional<ConstantAngle> helix;      ///< one axis and one angle for all segments
-  bool erf_is_rotation_minimizing;         ///< h = 0 on all segments
+  bool erf_is_rotation_minimizing = true;  ///< h = 0 on all segments
   std::vector<Classification> segments;
 };
 

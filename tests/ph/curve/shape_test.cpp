@@ -52,7 +52,7 @@ TEST_CASE("shape: a line, a plane curve and a helix") {
   // (u, v, p, q) = (1, t, t, 0): x = 1, y = 2t², z = −2t, σ = 1 + 2t²: y − σ = −x.
   const QuaternionPolynomial cubic{{1}, {0, 1}, {0, 1}, {}};
   CHECK_FALSE(plane_normal(cubic).has_value());
-  CHECK(helix(cubic) == Helix{{1, 1, 0}, 1, Rational(1, 2), 1, true});
+  CHECK(helix(cubic) == Helix{{{1, 1, 0}, 1, Rational(1, 2)}, 1, true});
 }
 
 TEST_CASE("shape: two curves that the slides on helices count wrongly") {
