@@ -15,14 +15,14 @@ using State = benchmark::State;
 
 /// res_t(n − x·d′, d) of the ERF rate of a random curve.
 void residue_polynomial(State& state) {
-  const RationalFunction f = erf_rate(random_curve(state.range(0) / 2).preimage());
+  const RationalFunction f = rate_to_erf(random_curve(state.range(0) / 2).preimage());
   for (auto _ : state)
     benchmark::DoNotOptimize(phrame::residue_polynomial(f.numerator(), f.denominator()));
 }
 
 /// One prime mostly shows that it is squarefree.
 void residues_are_distinct(State& state) {
-  const RationalFunction f = erf_rate(random_curve(state.range(0) / 2).preimage());
+  const RationalFunction f = rate_to_erf(random_curve(state.range(0) / 2).preimage());
   for (auto _ : state)
     benchmark::DoNotOptimize(residues_are_distinct_modulo_a_prime(f.numerator(), f.denominator()));
 }

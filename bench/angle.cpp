@@ -32,7 +32,7 @@ struct ErfCalls {
   flint::FmpqPoly slope, modulus;
 
   explicit ErfCalls(const Curve& curve) {
-    const Polynomial denominator = erf_rate(curve.preimage()).denominator();
+    const Polynomial denominator = rate_to_erf(curve.preimage()).denominator();
     h = integer_primitive_part(twist_numerator(curve.preimage()));
     sigma = integer_primitive_part(phrame::sigma(curve.preimage()));
     d = integer_primitive_part(denominator);
@@ -94,7 +94,7 @@ void frenet_value(State& state) { value(state, Reference::frenet); }
 
 /// Arb's isolation of the roots of the denominator of −2h/σ, which both values rest on.
 void roots_alone(State& state) {
-  const Polynomial d = erf_rate(random_curve(state.range(0)).preimage()).denominator();
+  const Polynomial d = rate_to_erf(random_curve(state.range(0)).preimage()).denominator();
   const flint::FmpzPoly p = integer_primitive_part(d);
   acb_ptr roots = _acb_vec_init(d.degree());
   for (auto _ : state) arb_fmpz_poly_complex_roots(roots, p.get(), 0, root_bits);

@@ -27,7 +27,7 @@ void verify(State& state) {
 
 /// The angle by numerical integration, to 50 digits.
 void quadrature(State& state) {
-  const RationalFunction rate = erf_rate(random_curve(state.range(0)).preimage());
+  const RationalFunction rate = rate_to_erf(random_curve(state.range(0)).preimage());
   for (auto _ : state) benchmark::DoNotOptimize(phrame::quadrature(rate, 0, 1, 170));
 }
 

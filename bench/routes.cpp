@@ -58,7 +58,7 @@ Polynomial chebyshev(long n) {
 }
 
 void value(benchmark::State& state, const QuaternionPolynomial& a, Route route) {
-  const RationalFunction rate = erf_rate(a);
+  const RationalFunction rate = rate_to_erf(a);
   const Antiderivative F = integrate(rate, Form::partial_fractions);
   try {
     for (auto _ : state) {

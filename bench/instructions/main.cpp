@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
       // θ(1) to 50 digits, roots isolated anew.
       {"first-value",
        [&] {
-         Evaluator evaluator(angle.twist(), angle.rate());
+         Evaluator evaluator(angle.angle_to_erf(), angle.rate());
          round_to_decimal(evaluator.value(0, 1), 50);
        }},
       // θ as a double at other and other t.

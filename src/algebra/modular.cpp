@@ -53,9 +53,22 @@ class Combination {
   ulong z_ = 0;
 };
 
-/// r ← combination(r, s, t·s) for the coefficients of 1, …, t^{length−1}; s₋₁ is readable and 0.
-void combine(ulong* r, const ulong* s, slong length, const Combination& combination) {
-  for (slong k = 0; k < length; ++k) r[k] = combination(r[k], s[k], s[k - 1]);
+/// Coefficients of 1, …, tⁿ, and that of 1/t, which is 0.
+class Coefficients {
+ public:
+  explicit Coefficients(slong n) : words_(static_cast<std::size_t>(n + 2)) {}
+  ulong* from_constant() { return &words_[1]; }
+  ulong& operator[](slong k) { return words_[static_cast<std::size_t>(k + 1)]; }
+
+ private:
+  std::vector<ulong> words_;
+};
+
+/// r ← combination(r, s, t·s) for the coefficients of 1, …, t^{length−1}.
+void combine(Coefficients& r, Coefficients& s, slong length, const Combination& combination) {
+  ulong* a = r.from_constant();
+  const ulong* b = s.from_constant();
+  for (slong k = 0; k < length; ++k) a[k] = combination(a[k], b[k], b[k - 1]);
 }
 
 /// For any degrees, by FLINT.
@@ -134,14 +147,12 @@ std::optional<ModularInverse> modular_inverse(const ModularPolynomial& a,
   const slong n = q.degree();
   if (n < 2 || a.degree() != n - 1) return general_inverse(a, q);
   const nmod_t mod = q.raw()->mod;
-  const auto stride = static_cast<std::size_t>(n + 2);
-  std::vector<ulong> words(4 * stride);
-  ulong* r = &words[1];
-  ulong* s = r + stride;
-  ulong* u = s + stride;
-  ulong* v = u + stride;
-  std::copy_n(q.raw()->coeffs, n + 1, r);
-  std::copy_n(a.raw()->coeffs, n, s);
+  Coefficients r(n);
+  Coefficients s(n);
+  Coefficients u(n);
+  Coefficients v(n);
+  std::copy_n(q.raw()->coeffs, n + 1, r.from_constant());
+  std::copy_n(a.raw()->coeffs, n, s.from_constant());
   v[0] = 1;
   Combination combination(mod.n);
   ulong leads = 1;    // ∏ l_j, j ≥ k
@@ -163,7 +174,8 @@ std::optional<ModularInverse> modular_inverse(const ModularPolynomial& a,
   if (c == 0) return general_inverse(a, q);
   ModularInverse result{ModularPolynomial(mod.n), 0};
   nmod_poly_fit_length(result.inverse.raw(), n);
-  _nmod_vec_scalar_mul_nmod(result.inverse.raw()->coeffs, v, n, nmod_inv(c, mod), mod);
+  _nmod_vec_scalar_mul_nmod(result.inverse.raw()->coeffs, v.from_constant(), n, nmod_inv(c, mod),
+                            mod);
   result.inverse.raw()->length = n;
   _nmod_poly_normalise(result.inverse.raw());
   const ulong powers = nmod_mul(c, nmod_pow_ui(2, static_cast<ulong>(32 * n * (n - 1)), mod), mod);

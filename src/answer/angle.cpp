@@ -8,9 +8,10 @@ namespace phrame {
 namespace {
 
 AngleFormula formula(const RmfAngle& angle, const AngleQuery& query) {
-  AngleFormula formula{angle.rate(), angle.twist(), angle.bend(), angle.antiderivative(), {}, {}};
+  AngleFormula formula{
+      angle.rate(), angle.angle_to_erf(), angle.bend(), angle.antiderivative(), {}, {}};
   formula.other = other_form(formula.antiderivative, query.style);
-  if (query.most_poles) formula.poles = pole_table(formula.twist, *query.most_poles);
+  if (query.most_poles) formula.poles = pole_table(formula.angle_to_erf, *query.most_poles);
   return formula;
 }
 

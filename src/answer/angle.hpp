@@ -24,7 +24,7 @@ struct AngleQuery {
 /// θ on one segment, up to a constant.
 struct AngleFormula {
   RationalFunction rate;                   ///< θ′
-  Antiderivative twist;                    ///< θ, or θ − arg(bend)
+  Antiderivative angle_to_erf;             ///< θ, or θ − arg(bend)
   std::optional<GaussianPolynomial> bend;  ///< to the Frenet frame: g without its real factor
   Antiderivative antiderivative;           ///< θ, with the argument of the bend as logarithms
   OtherForm other;

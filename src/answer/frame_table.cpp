@@ -246,6 +246,11 @@ void add_normals(std::vector<double>& row, const AnyFrame& frame) {
   add_values(row, round_to_double(frame.e3));
 }
 
+void add_normals(std::vector<double>& row, const Frame<double>& frame) {
+  add_values(row, frame.e2);
+  add_values(row, frame.e3);
+}
+
 void Rows::add_rational(std::vector<double>& row, const PathParameter& at) {
   const Segment& here = segment(at.segment);
   std::optional<Frame<Rational>> known_erf;
@@ -253,24 +258,31 @@ void Rows::add_rational(std::vector<double>& row, const PathParameter& at) {
     if (!known_erf) known_erf = here.frames.euler_rodrigues(at.t);
     return *known_erf;
   };
-  std::optional<Frame<double>> rmf;
-  if (compiled_) rmf = compiled_->at(at.t);
+  std::optional<Frame<double>> compiled_rmf;
+  if (compiled_) compiled_rmf = compiled_->at(at.t);
   add_values(row, round_to_double(evaluate(here.position, at.t)));
-  add_values(row, rmf ? rmf->e1 : round_to_double(erf().e1));
+  add_values(row, compiled_rmf ? compiled_rmf->e1 : round_to_double(erf().e1));
   for (const TabulatedFrame frame : columns_.frames) {
-    if (frame == TabulatedFrame::euler_rodrigues) add_normals(row, erf());
-    if (frame == TabulatedFrame::frenet)
-      add_where_defined(row, 6, [&] { add_normals(row, here.frames.frenet(at.t)); });
-    if (frame == TabulatedFrame::rmf && rmf) {
-      add_values(row, rmf->e2);
-      add_values(row, rmf->e3);
-    } else if (frame == TabulatedFrame::rmf) {
-      add_normals(row, rotation_minimizing(erf(), at));
+    switch (frame) {
+      case TabulatedFrame::rmf:
+        if (compiled_rmf)
+          add_normals(row, *compiled_rmf);
+        else
+          add_normals(row, rotation_minimizing(erf(), at));
+        break;
+      case TabulatedFrame::euler_rodrigues:
+        add_normals(row, erf());
+        break;
+      case TabulatedFrame::frenet:
+        add_where_defined(row, 6, [&] { add_normals(row, here.frames.frenet(at.t)); });
+        break;
+      case TabulatedFrame::mtf:
+        add_normals(row, turned(as_real(erf()), value(*columns_.mtf, Real(parameter(at)))));
+        break;
+      case TabulatedFrame::exact_mtf:
+        add_normals(row, turned(as_real(erf()), columns_.exact_mtf->value(parameter(at))));
+        break;
     }
-    if (frame == TabulatedFrame::mtf)
-      add_normals(row, turned(as_real(erf()), value(*columns_.mtf, Real(parameter(at)))));
-    if (frame == TabulatedFrame::exact_mtf)
-      add_normals(row, turned(as_real(erf()), columns_.exact_mtf->value(parameter(at))));
   }
 }
 
@@ -281,20 +293,29 @@ void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
   for (const Polynomial& x : here.position) row.push_back(round_to_double(t.value(x)));
   const Frame<Real> erf = here.algebraic->euler_rodrigues(t);
   add_values(row, round_to_double(erf.e1));
+  const auto rmf_angle = [&] {
+    return angle().value(PathParameter{point.segment, 0}) + here.algebraic->angle(t);
+  };
+  const auto arc_length = [&] {
+    return t.value(length().segment(point.segment).polynomial()) + length().before(point.segment);
+  };
   for (const TabulatedFrame frame : columns_.frames) {
-    if (frame == TabulatedFrame::euler_rodrigues) add_normals(row, erf);
-    if (frame == TabulatedFrame::frenet)
-      add_where_defined(row, 6, [&] { add_normals(row, here.algebraic->frenet(t)); });
-    const auto rmf_angle = [&] {
-      return angle().value(PathParameter{point.segment, 0}) + here.algebraic->angle(t);
-    };
-    if (frame == TabulatedFrame::rmf) add_normals(row, turned(erf, rmf_angle()));
-    if (frame == TabulatedFrame::mtf)
-      add_normals(row, turned(erf, value(*columns_.mtf, real_parameter(point))));
-    if (frame == TabulatedFrame::exact_mtf) {
-      const Real s =
-          t.value(length().segment(point.segment).polynomial()) + length().before(point.segment);
-      add_normals(row, turned(erf, columns_.exact_mtf->value(s, rmf_angle())));
+    switch (frame) {
+      case TabulatedFrame::rmf:
+        add_normals(row, turned(erf, rmf_angle()));
+        break;
+      case TabulatedFrame::euler_rodrigues:
+        add_normals(row, erf);
+        break;
+      case TabulatedFrame::frenet:
+        add_where_defined(row, 6, [&] { add_normals(row, here.algebraic->frenet(t)); });
+        break;
+      case TabulatedFrame::mtf:
+        add_normals(row, turned(erf, value(*columns_.mtf, real_parameter(point))));
+        break;
+      case TabulatedFrame::exact_mtf:
+        add_normals(row, turned(erf, columns_.exact_mtf->value(arc_length(), rmf_angle())));
+        break;
     }
   }
 }

@@ -1,12 +1,10 @@
 #include "phrame/ph/proof/verify.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/certificate_file.hpp"
-#include "phrame/io/write/text.hpp"
+#include "phrame/io/write/verification.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -18,35 +16,15 @@ struct VerifyOptions {
   TextLength length;
 };
 
-/// "|theta(t) - 0.5| <= 1e-9", a long t as a passage.
-std::string shown(const std::string& what) {
-  constexpr std::string_view before = "theta(";
-  constexpr std::size_t limit = 240;
-  const std::size_t at = what.find(before);
-  if (at == std::string::npos) return what;
-  const std::size_t begin = at + before.size();
-  const std::size_t end = std::min(what.find(')', begin), what.size());
-  return what.substr(0, begin) + readable_exact(what.substr(begin, end - begin), limit) +
-         what.substr(end);
-}
-
 void run(const VerifyOptions& options) {
   const std::string text = read_file(options.path);
   const Certificate certificate = at_place(name_of_file(options.path), ":",
                                            [&] { return read_certificate(text, options.limits); });
   const std::vector<Statement> statements = verify(certificate);
-  std::string report;
-  for (const auto& [what, objection] : statements)
-    report += objection.empty() ? fmt::format("proved      {}\n", shown(what))
-                                : fmt::format("not proved  {}: {}\n", shown(what), objection);
-  const auto not_proved =
-      std::count_if(statements.begin(), statements.end(),
-                    [](const Statement& statement) { return !statement.is_proved(); });
-  report += not_proved == 0 ? fmt::format("all {} statements are proved\n", statements.size())
-                            : fmt::format("{} of {} statements {} not proved\n", not_proved,
-                                          statements.size(), not_proved == 1 ? "is" : "are");
-  options.length.write(options.output, report);
-  if (not_proved > 0) throw AnswerNo{};
+  options.length.write(options.output, to_text(statements));
+  if (!std::all_of(statements.begin(), statements.end(),
+                   [](const Statement& statement) { return statement.is_proved(); }))
+    throw AnswerNo{};
 }
 
 }  // namespace

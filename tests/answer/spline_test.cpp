@@ -111,7 +111,7 @@ TEST_CASE("spline report: every form and LaTeX are those of the segments") {
   REQUIRE(real.formulas.size() == 2);
   for (std::size_t k = 0; k < 2; ++k)
     CHECK(differentiate(std::get<RealForm>(real.formulas[k].other)) ==
-          erf_rate(named.path.segments()[k].preimage()));
+          rate_to_erf(named.path.segments()[k].preimage()));
   CHECK(Json::parse(to_json(real))["segments"][1]["real"]["checked"] == true);
   CHECK(contains(to_text(real), "Segment 2\n"));
   const std::string latex = to_latex(real);

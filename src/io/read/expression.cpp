@@ -96,6 +96,8 @@ class Parser {
   void refuse_in_place_of_operator(const Token& token) const;
   void read_number(std::string_view number);
   void read_name(std::string_view name);
+  [[noreturn]] void refuse_name(std::string_view name) const;
+  void read_raised_digits(std::string_view digits);
   void close_parenthesis();
 
   void push(Unreduced value, std::size_t length) {
@@ -201,29 +203,36 @@ void Parser::read_number(std::string_view number) {
 
 void Parser::read_name(std::string_view name) {
   if (name != variable_) {
-    if (is_function(name))
-      fail(at_, fmt::format("\"{}\": only rational functions are known", name));
-    const auto advice = [&](const std::string& text) {
-      return variable_option_.empty() ? ""
-                                      : fmt::format(fmt::runtime(text), variable_option_, name);
-    };
-    if (is_constant(name))
-      fail(at_, fmt::format("\"{}\" is not a rational number{}", name,
-                            variable_is_given_   ? ""
-                            : is_only_name(name) ? advice("; {0} {1} makes it the variable")
-                                                 : advice(": write a number for it")));
-    if (variable_is_given_)
-      fail(at_, variable_.empty()
-                    ? fmt::format("{} where a number is expected", in_quotes(name))
-                    : fmt::format("{} is not the variable {}{}", in_quotes(name),
-                                  in_quotes(variable_), advice(": write a number for it")));
-    if (!variable_.empty())
-      fail(at_,
-           fmt::format("a second variable, {} beside {}{}", in_quotes(name), in_quotes(variable_),
-                       advice(": write a number for one of them ({} names the variable)")));
+    const bool is_free = variable_.empty() && !variable_is_given_;
+    if (!is_free || is_function(name) || is_constant(name)) refuse_name(name);
     variable_ = name;
   }
   push(Unreduced::monomial(1, 1), name.size());
+}
+
+/// Says why the name is not the variable and, to those who can choose that, what to do about it.
+void Parser::refuse_name(std::string_view name) const {
+  const bool has_remedy = !variable_option_.empty();
+  const std::string number = has_remedy ? ": write a number for it" : "";
+  if (is_function(name)) fail(at_, fmt::format("\"{}\": only rational functions are known", name));
+  if (is_constant(name)) {
+    std::string remedy;
+    if (has_remedy && !variable_is_given_)
+      remedy = is_only_name(name)
+                   ? fmt::format("; {} {} makes it the variable", variable_option_, name)
+                   : number;
+    fail(at_, fmt::format("\"{}\" is not a rational number{}", name, remedy));
+  }
+  if (!variable_is_given_)
+    fail(at_,
+         fmt::format("a second variable, {} beside {}{}", in_quotes(name), in_quotes(variable_),
+                     !has_remedy ? ""
+                                 : fmt::format(": write a number for one of them ({} names the "
+                                               "variable)",
+                                               variable_option_)));
+  if (variable_.empty()) fail(at_, fmt::format("{} where a number is expected", in_quotes(name)));
+  fail(at_,
+       fmt::format("{} is not the variable {}{}", in_quotes(name), in_quotes(variable_), number));
 }
 
 void Parser::read_operand(const Token& token) {
@@ -272,27 +281,31 @@ void Parser::refuse_in_place_of_operator(const Token& token) const {
                         right == "(" ? "(…)" : right));
 }
 
-void Parser::read_operator(const Token& token) {
-  constexpr auto ambiguous = "one exponent after another: parentheses are needed";
-  if (token.kind == Token::Kind::exponent) {
-    if (!operations_.empty() && operations_.back().sign == '^') fail(at_, ambiguous);
-    Operand& base = operands_.back();
-    const std::string digits = plain_digits(token.text);
-    std::optional<Rational> exponent;
-    try {
-      exponent = parse_rational(digits);
-    } catch (const InputError&) {
-      fail(at_, fmt::format("{} is not an exponent", in_quotes(token.text)));
-    }
-    within_limits(base.begin, at_ + token.text.size(), [&] { raise(base, *exponent, at_); });
-    base.end = at_ + token.text.size();
-    return;
+constexpr auto ambiguous_exponent = "one exponent after another: parentheses are needed";
+
+/// "x²".
+void Parser::read_raised_digits(std::string_view digits) {
+  if (!operations_.empty() && operations_.back().sign == '^') fail(at_, ambiguous_exponent);
+  std::optional<Rational> exponent;
+  try {
+    exponent = parse_rational(plain_digits(digits));
+  } catch (const InputError&) {
+    fail(at_, fmt::format("{} is not an exponent", in_quotes(digits)));
   }
+  Operand& base = operands_.back();
+  const std::size_t end = at_ + digits.size();
+  within_limits(base.begin, end, [&] { raise(base, *exponent, at_); });
+  base.end = end;
+}
+
+void Parser::read_operator(const Token& token) {
+  if (token.kind == Token::Kind::exponent) return read_raised_digits(token.text);
   if (token.sign == ')') return close_parenthesis();
   if (token.sign == 0 || token.sign == '(') refuse_in_place_of_operator(token);
   const int rank = precedence(token.sign);
   const bool groups_right = token.sign == '^';
-  if (groups_right && first_token(before_).kind == Token::Kind::exponent) fail(at_, ambiguous);
+  if (groups_right && first_token(before_).kind == Token::Kind::exponent)
+    fail(at_, ambiguous_exponent);
   while (!operations_.empty() &&
          precedence(operations_.back().sign) >= (groups_right ? rank + 1 : rank))
     reduce();

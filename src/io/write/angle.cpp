@@ -32,7 +32,7 @@ std::string closed_form(const AngleFormula& formula, Notation notation,
   if (const auto* real = std::get_if<RealForm>(&formula.other)) {
     terms = formatted_terms(*real, notation);
   } else {
-    terms = formatted_terms(formula.twist, notation);
+    terms = formatted_terms(formula.angle_to_erf, notation);
     if (const auto& g = formula.bend)
       terms.push_back(notation == unicode
                           ? "arg g(t), continuous"

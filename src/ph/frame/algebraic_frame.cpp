@@ -13,7 +13,7 @@ AlgebraicFrames::AlgebraicFrames(const Curve& curve) {
   numerators_ = {rotated_i(a), rotated_j(a), rotated_k(a)};
   sigma_ = sigma(a);
   bend_ = bend_numerator(a);
-  const RationalFunction rate = erf_rate(a);
+  const RationalFunction rate = rate_to_erf(a);
   is_rotation_minimizing_ = rate.is_zero();
   twist_ = Evaluator(integrate(rate), rate);
 }

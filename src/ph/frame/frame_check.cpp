@@ -9,6 +9,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/frame/reduced_angle.hpp"
 
 namespace phrame {
 namespace {
@@ -117,14 +118,6 @@ std::optional<Rational> FrameCheck::length(const Rational& a, const Rational& b)
 namespace {
 
 using Kind = FrameFinding::Kind;
-
-/// x less the multiple of 2π next to it.
-RealBall reduced(const RealBall& x, long bits) {
-  const RealBall turn = multiply(RealBall(2, bits), pi(bits), bits);
-  const RealBall turns = divide(x, turn, bits);
-  const Integer whole = floor(turns.midpoint() + Rational(1, 2));
-  return subtract(x, multiply(RealBall(Rational(whole), bits), turn, bits), bits);
-}
 
 /// The samples in the order of t.
 std::vector<std::size_t> by_parameter(const std::vector<GivenFrame>& frames) {

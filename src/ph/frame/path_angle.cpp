@@ -20,7 +20,7 @@ constexpr long rational_bits = 256;
 
 /// Of the angle at t, which begins at 0.
 Rational without_logarithms(const RmfAngle& angle, const Rational& t) {
-  return difference_without_logarithms(angle.twist(), 0, t);
+  return difference_without_logarithms(angle.angle_to_erf(), 0, t);
 }
 
 }  // namespace
@@ -138,11 +138,11 @@ Antiderivative PathAngle::State::over_unit_interval(std::size_t from,
   const auto add = [&](const Antiderivative& F) {
     sum.logs.insert(sum.logs.end(), F.logs.begin(), F.logs.end());
   };
-  for (std::size_t k = from; k < at.segment; ++k) add(angles[k].twist());
+  for (std::size_t k = from; k < at.segment; ++k) add(angles[k].angle_to_erf());
   if (at.t == 1)
-    add(angles[at.segment].twist());
+    add(angles[at.segment].angle_to_erf());
   else if (at.t != 0)
-    add(integrate(erf_rate(phrame::segment(path.segments()[at.segment], 0, at.t).preimage())));
+    add(integrate(rate_to_erf(phrame::segment(path.segments()[at.segment], 0, at.t).preimage())));
   return sum;
 }
 

@@ -49,7 +49,7 @@ Polynomial without_integer_multiples_of_i(Polynomial p) {
 
 std::variant<RationalFrame, NoRationalFrame> rational_frame(const QuaternionPolynomial& a) {
   using Reason = NoRationalFrame::Reason;
-  const RationalFunction rate = erf_rate(a);
+  const RationalFunction rate = rate_to_erf(a);
   RationalFrame frame{{{1}, {}}, {}};
   if (!rate.is_zero()) {
     const Polynomial& d = rate.denominator();

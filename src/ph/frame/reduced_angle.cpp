@@ -67,4 +67,10 @@ ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>(
   }
 }
 
+RealBall reduced(const RealBall& x, long bits) {
+  const RealBall turn = multiply(RealBall(2, bits), pi(bits), bits);
+  const Integer whole = floor(divide(x, turn, bits).midpoint() + Rational(1, 2));
+  return subtract(x, multiply(RealBall(Rational(whole), bits), turn, bits), bits);
+}
+
 }  // namespace phrame

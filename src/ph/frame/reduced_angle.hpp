@@ -24,4 +24,8 @@ struct ReducedAngle {
 /// told from an odd multiple of π.
 ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>()>& over_pi);
 
+/// x less the multiple of 2π next to its midpoint: a ball around a number of about [−π, π], for
+/// what is measured and not decided.
+RealBall reduced(const RealBall& x, long bits);
+
 }  // namespace phrame

@@ -27,18 +27,18 @@ RationalFunction rate_of_argument(const GaussianPolynomial& g) {
   return {(differentiate(g) * conjugate(g)).im, norm(g)};
 }
 
-RationalFunction erf_rate(const QuaternionPolynomial& a) {
+RationalFunction rate_to_erf(const QuaternionPolynomial& a) {
   return {Rational(-2) * twist_numerator(a), sigma(a)};
 }
 
-RationalFunction frenet_rate(const QuaternionPolynomial& a) {
-  return erf_rate(a) + rate_of_argument(regular_bend(a));
+RationalFunction rate_to_frenet(const QuaternionPolynomial& a) {
+  return rate_to_erf(a) + rate_of_argument(regular_bend(a));
 }
 
 RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, Reference reference, Form form) {
   if (is_zero(preimage)) throw DomainError("RmfAngle: the preimage is zero, so there is no frame");
-  Parts parts{erf_rate(preimage), {}, {}, {}, {}};
-  auto& [rate, twist, antiderivative, bend, argument, phase] = parts;
+  Parts parts{rate_to_erf(preimage), {}, {}, {}, {}};
+  auto& [rate, angle_to_erf, antiderivative, bend, argument, phase] = parts;
   if (reference == Reference::frenet) {
     bend = regular_bend(preimage);
     const RationalFunction bend_rate = rate_of_argument(*bend);
@@ -52,9 +52,9 @@ RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, Reference reference, Fo
       argument.emplace(*bend);
     }
   }
-  twist = integrate(rate, form);
-  antiderivative = twist;
-  evaluator_ = Evaluator(twist, rate);
+  angle_to_erf = integrate(rate, form);
+  antiderivative = angle_to_erf;
+  evaluator_ = Evaluator(angle_to_erf, rate);
   if (bend) {
     antiderivative.logs.push_back(argument_as_logs(*bend));
     rate = rate + rate_of_argument(*bend);

@@ -35,9 +35,9 @@ class RmfAngle {
 
   /// θ′ in lowest terms.
   const RationalFunction& rate() const { return parts_->rate; }
-  /// θ up to a constant is twist() plus, where there is a bend(), its argument.
-  /// twist() is ∫ −2h/σ, or 0 where θ ≡ 0.
-  const Antiderivative& twist() const { return parts_->twist; }
+  /// θ up to a constant is angle_to_erf() plus, where there is a bend(), its argument.
+  /// angle_to_erf() is ∫ −2h/σ, or 0 where θ ≡ 0.
+  const Antiderivative& angle_to_erf() const { return parts_->angle_to_erf; }
   /// g without its real factor; of a Frenet angle only, and none where its argument is constant
   /// or θ ≡ 0.
   const std::optional<GaussianPolynomial>& bend() const { return parts_->bend; }
@@ -62,15 +62,15 @@ class RmfAngle {
  private:
   struct Parts {
     RationalFunction rate;
-    Antiderivative twist;
+    Antiderivative angle_to_erf;
     Antiderivative antiderivative;
     std::optional<GaussianPolynomial> bend;
     std::optional<ContinuousArgument> argument;       ///< of the bend
-    Lazy<std::optional<GaussianPolynomial>> phase{};  ///< whose argument the twist is, if any
+    Lazy<std::optional<GaussianPolynomial>> phase{};  ///< whose argument it is, if any
   };
 
   std::shared_ptr<const Parts> parts_;
-  Evaluator evaluator_;  ///< of the twist
+  Evaluator evaluator_;  ///< of angle_to_erf
 };
 
 /// g without its greatest real factor: the Frenet frame turns with its argument, continuously.
@@ -78,10 +78,14 @@ class RmfAngle {
 GaussianPolynomial regular_bend(const QuaternionPolynomial& a);
 /// (arg g)′ = Im(g′/g).
 RationalFunction rate_of_argument(const GaussianPolynomial& g);
-/// −2h/σ, in lowest terms.
-RationalFunction erf_rate(const QuaternionPolynomial& a);
-/// −2h/σ + Im(g′/g), in lowest terms. Throws DomainError for a straight line.
-RationalFunction frenet_rate(const QuaternionPolynomial& a);
+
+// θ′ of the rotation-minimizing frame to these frames, in lowest terms; the frames themselves turn
+// about the tangent with the opposite rates.
+
+/// −2h/σ.
+RationalFunction rate_to_erf(const QuaternionPolynomial& a);
+/// −2h/σ + Im(g′/g). Throws DomainError for a straight line.
+RationalFunction rate_to_frenet(const QuaternionPolynomial& a);
 
 /// θ_Frenet as the paper finds it: −∫a/σ − ∫b/ρ with a and b from the linear system of (15). No
 /// value where that system is singular. Slow (it needs the poles of both); kept as a check.

@@ -99,7 +99,7 @@ Total total_length(const Curve& curve) {
   return total(RationalFunction(speed), curve.multiplier());
 }
 
-Total erf_twist(const Curve& curve) { return total(-erf_rate(curve.preimage()), Polynomial{1}); }
+Total erf_twist(const Curve& curve) { return total(-rate_to_erf(curve.preimage()), Polynomial{1}); }
 
 std::variant<Total, Infinite> bending_energy(const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
@@ -127,7 +127,7 @@ std::variant<Total, Infinite> frenet_energy(const Curve& curve) {
 
 Total total_torsion(const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
-  RationalFunction twist = erf_rate(a);
+  RationalFunction twist = rate_to_erf(a);
   GaussianPolynomial bend = regular_bend(a);
   if (sign_after_zero(curve.multiplier()) > 0) {
     twist = -twist;

@@ -2,6 +2,7 @@
 #include "phrame/integrate/root_discs.hpp"
 #include "phrame/ph/frame/rmf_angle.hpp"
 #include "phrame/ph/proof/stated_decisions.hpp"
+#include "phrame/ph/proof/statement.hpp"
 
 namespace phrame {
 
@@ -11,15 +12,6 @@ struct CertifiedLogs {
   Polynomial residue;           ///< c, modulo q
   std::vector<RootDisc> roots;  ///< those above the real axis; the others are their conjugates
   friend bool operator==(const CertifiedLogs&, const CertifiedLogs&) = default;
-};
-
-/// |θ(t) − theta| ≤ radius.
-struct AngleClaim {
-  Rational t;
-  std::string theta;   ///< a decimal
-  std::string radius;  ///< a decimal
-  std::optional<TurnCount> turn;
-  friend bool operator==(const AngleClaim&, const AngleClaim&) = default;
 };
 
 /// Claims about the rotation-minimizing frame of one curve, and what proves them by arithmetic with

@@ -118,9 +118,9 @@ Planned plan(const Real& theta, const Rational& t, long digits, bool is_rational
 Certificate certify(const Curve& curve, Reference reference, const std::vector<Rational>& at,
                     long digits) {
   const QuaternionPolynomial& a = curve.preimage();
-  const RationalFunction rate = erf_rate(a);
+  const RationalFunction rate = rate_to_erf(a);
   const Polynomial s = sigma(a);
-  const Antiderivative twist = integrate(rate, Form::partial_fractions);
+  const Antiderivative F = integrate(rate, Form::partial_fractions);
   const RmfAngle angle(curve, reference, Form::partial_fractions);
   const Classification classification = classify(curve);
 
@@ -132,8 +132,8 @@ Certificate certify(const Curve& curve, Reference reference, const std::vector<R
                 bend_numerator(a),
                 {rate.numerator(), rate.denominator(), exact_quotient(s, rate.denominator()),
                  coprime_modulus(rate.numerator(), rate.denominator())},
-                twist.rational,
-                logs_over_poles(twist),
+                F.rational,
+                logs_over_poles(F),
                 0,
                 {},
                 {},

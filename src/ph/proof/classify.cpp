@@ -52,7 +52,7 @@ void check(const Classification& c, const Curve& curve) {
     common = gcd(common, exact_quotient(component, c.content));
   check(common.is_constant(), "content");
   if (const auto* frame = std::get_if<RationalFrame>(&c.rational_frame)) check(*frame, a);
-  const Polynomial twist = erf_rate(a).numerator();
+  const Polynomial twist = rate_to_erf(a).numerator();
   if (!twist.is_zero()) check(are_all_roots(c.erf_turning.zeros, twist), "zeros of h");
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "phrame/ph/proof/classify.hpp"
+#include "phrame/ph/proof/statement.hpp"
 
 namespace phrame {
 
@@ -41,13 +43,6 @@ struct StatedDecisions {
 };
 
 StatedDecisions stated(const Classification& c);
-
-/// One thing that a certificate states.
-struct Statement {
-  std::string what;
-  std::string objection;  ///< why it is not proved; empty for a proved one
-  bool is_proved() const { return objection.empty(); }
-};
 
 /// No objection where it holds.
 inline std::string unless(bool holds, const char* objection) { return holds ? "" : objection; }

@@ -77,7 +77,7 @@ std::string objection_to_antiderivative(const Certificate& c) {
     if (!objection.empty()) return objection;
     derivative = derivative + differentiate(over_poles(sum.index, sum.residue));
   }
-  return unless(derivative == erf_rate(c.curve.preimage()), "its derivative is not -2h/sigma");
+  return unless(derivative == rate_to_erf(c.curve.preimage()), "its derivative is not -2h/sigma");
 }
 
 /// The discs of one sum: a root in each by Newton's step m − q(m)/q′(Z) ⊂ Z, and the residue there.
@@ -245,13 +245,13 @@ std::vector<Statement> verify(const Certificate& c) {
     list.push_back({"roots of log " + number, roots});
     list.push_back({"residues of log " + number, residues});
   }
-  RationalFunction rate = erf_rate(c.curve.preimage());
+  RationalFunction rate = rate_to_erf(c.curve.preimage());
   std::optional<ContinuousArgument> argument;
   GaussianPolynomial gamma;
   const bool has_frame =
       c.reference == Reference::euler_rodrigues || !is_zero(bend_numerator(c.curve.preimage()));
   if (c.reference == Reference::frenet && has_frame) {
-    rate = frenet_rate(c.curve.preimage());
+    rate = rate_to_frenet(c.curve.preimage());
     gamma = regular_bend(c.curve.preimage());
     argument.emplace(gamma);
     list.push_back({"bend", objection_to_bend(*c.bend, bend_numerator(c.curve.preimage()))});
@@ -265,9 +265,7 @@ std::vector<Statement> verify(const Certificate& c) {
     std::string objection = has_frame ? objection_to_angle(claim, rate, angle) : no_frame;
     if (objection.empty() && argument)
       objection = objection_to_turn(*claim.turn, *argument, gamma, claim.t);
-    list.push_back(
-        {fmt::format("|theta({}) - {}| <= {}", to_string(claim.t), claim.theta, claim.radius),
-         objection});
+    list.push_back({claim, objection});
   }
   for (Statement& decision : check_decisions(c.decisions, c.curve))
     list.push_back(std::move(decision));

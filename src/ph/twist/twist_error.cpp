@@ -55,7 +55,7 @@ long growth(const TwistPiece& piece) {
 struct Jet {
   RealBall value;
   RealBall slope;
-  RealBall bend;
+  RealBall second;
 };
 
 /// E on intervals.
@@ -95,11 +95,11 @@ class ErrorJet {
   struct WithSlopes {
     BallPolynomial p;
     BallPolynomial slope;
-    BallPolynomial bend;
+    BallPolynomial second;
 
     template <class Function>
     Jet map(const Function& f) const {
-      return {f(p), f(slope), f(bend)};
+      return {f(p), f(slope), f(second)};
     }
   };
 
@@ -115,7 +115,7 @@ class ErrorJet {
     const RealBall slope = divide(rest_of_slope, y.value, bits_);
     const RealBall twice = multiply(add(slope, slope, bits_), y.slope, bits_);
     const RealBall rest =
-        subtract(subtract(x.bend, twice, bits_), multiply(value, y.bend, bits_), bits_);
+        subtract(subtract(x.second, twice, bits_), multiply(value, y.second, bits_), bits_);
     return {value, slope, divide(rest, y.value, bits_)};
   }
 
@@ -182,7 +182,7 @@ RealBall mean_square_slope(const TwistPiece& piece, const RotationFamily& family
 
 /// With w = w^c + δ·w¹ from a centre c: N = N⁰ + δN¹ + δ²N², D = D⁰ + 2δL⁰ + δ²D¹. The values that
 /// do not depend on δ, by points.
-class MeanSquareBend::Points {
+class MeanSquareConvexity::Points {
  public:
   struct Values {
     ComplexBall z;
@@ -244,15 +244,15 @@ class MeanSquareBend::Points {
   std::map<std::array<double, 4>, std::optional<Values>> values_;
 };
 
-MeanSquareBend::MeanSquareBend(const TwistPiece& piece, const RotationFamily& family,
-                               const Rational& centre, long bits)
+MeanSquareConvexity::MeanSquareConvexity(const TwistPiece& piece, const RotationFamily& family,
+                                         const Rational& centre, long bits)
     : points_(std::make_unique<Points>(piece, family, centre, working_precision(piece, bits))),
       bits_(bits),
       more_(growth(piece)) {}
 
-MeanSquareBend::~MeanSquareBend() = default;
+MeanSquareConvexity::~MeanSquareConvexity() = default;
 
-RealBall MeanSquareBend::operator()(const RealBall& parameter, long most_points) {
+RealBall MeanSquareConvexity::operator()(const RealBall& parameter, long most_points) {
   const RealBall delta = subtract(parameter, points_->centre, bits_ + 64 + more_);
   return quadrature(
       [&](const ComplexBall& z, long working) {
@@ -278,10 +278,10 @@ RealBall MeanSquareBend::operator()(const RealBall& parameter, long most_points)
         };
         const ComplexBall k_change = change(k_share, here.slopes[3]);
         const ComplexBall l_change = change(l_share, l_at(here.slopes));
-        const ComplexBall bend = add(multiply(k_share, l_change, working),
-                                     multiply(k_change, l_share, working), working);
+        const ComplexBall mixed = add(multiply(k_share, l_change, working),
+                                      multiply(k_change, l_share, working), working);
         const ComplexBall sum = subtract(multiply(k_change, k_change, working),
-                                         multiply(error, bend, working), working);
+                                         multiply(error, mixed, working), working);
         return divide(multiply(RealBall(8, working), sum, working), here.speed, working);
       },
       bits_, more_, most_points);
@@ -324,7 +324,7 @@ RealBall greatest_error(const TwistPiece& piece, const Rotation& w, long bits) {
           absolute(add(in_middle.value, multiply(offset, jet.slope, precision), precision));
       if (is_less(inside, least)) continue;
       const RealBall zero = subtract(RealBall(middle, precision),
-                                     divide(in_middle.slope, jet.bend, precision), precision);
+                                     divide(in_middle.slope, jet.second, precision), precision);
       const bool is_known = zero.is_finite();
       const Rational a = is_known ? std::max(part.a, zero.lower()) : part.a;
       const Rational b = is_known ? std::min(part.b, zero.upper()) : part.b;

@@ -24,14 +24,14 @@ RealBall mean_square_slope(const TwistPiece& piece, const RotationFamily& family
 
 /// d²G/dp² on intervals of the parameter. What does not depend on it is evaluated once for all
 /// calls, whose quadratures meet the same points again and again. Not for concurrent use.
-class MeanSquareBend {
+class MeanSquareConvexity {
  public:
   /// Best near a centre, a parameter.
-  MeanSquareBend(const TwistPiece& piece, const RotationFamily& family, const Rational& centre,
-                 long bits);
-  ~MeanSquareBend();
-  MeanSquareBend(const MeanSquareBend&) = delete;
-  MeanSquareBend& operator=(const MeanSquareBend&) = delete;
+  MeanSquareConvexity(const TwistPiece& piece, const RotationFamily& family, const Rational& centre,
+                      long bits);
+  ~MeanSquareConvexity();
+  MeanSquareConvexity(const MeanSquareConvexity&) = delete;
+  MeanSquareConvexity& operator=(const MeanSquareConvexity&) = delete;
 
   /// At all numbers of the ball; as narrow as so many values of the integrand make it.
   RealBall operator()(const RealBall& parameter, long most_points);

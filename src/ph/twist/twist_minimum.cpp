@@ -175,42 +175,42 @@ std::optional<RealBall> Branch::end(int direction) const {
 }
 
 /// A lower bound of G″ on parameter intervals; −∞ where there is none.
-class Bend {
+class Convexity {
  public:
   /// `smallness`: G″ is about 2^−smallness.
-  Bend(const TwistPiece& piece, const RotationFamily& family, const Rational& centre,
-       long smallness)
-      : bend_(piece, family, centre, smallness + 8) {}
+  Convexity(const TwistPiece& piece, const RotationFamily& family, const Rational& centre,
+            long smallness)
+      : convexity_(piece, family, centre, smallness + 8) {}
 
   RealBall operator()(const Range& range) {
     // The width comes from that of the range, so that many points often are of no use.
     const RealBall parameter = hull(range.a, range.b, bits);
-    const RealBall quick = lower_end(bend_(parameter, 100), bits);
-    return is_less({}, quick) ? quick : lower_end(bend_(parameter, 1000), bits);
+    const RealBall quick = lower_end(convexity_(parameter, 100), bits);
+    return is_less({}, quick) ? quick : lower_end(convexity_(parameter, 1000), bits);
   }
 
  private:
-  MeanSquareBend bend_;
+  MeanSquareConvexity convexity_;
 };
 
-/// A range around the least value of G, on which G″ ≥ bend > 0.
+/// A range around the least value of G, on which G″ ≥ convexity > 0.
 struct Core {
   Range range;
-  RealBall bend;
+  RealBall convexity;
 };
 
-Core core_around(Bend& bend, const Rational& parameter, Rational width) {
+Core core_around(Convexity& convexity, const Rational& parameter, Rational width) {
   for (int failures = 0; failures < 40; ++failures, width /= 2) {
     const Range range{parameter - width, parameter + width};
-    const RealBall least_bend = bend(range);
-    if (is_less({}, least_bend)) return {range, least_bend};
+    const RealBall least_convexity = convexity(range);
+    if (is_less({}, least_convexity)) return {range, least_convexity};
   }
   throw Undecided("the mean square of the rates is too flat at its least value");
 }
 
 /// That G increases from a parameter on, away from its least value.
 struct Climb {
-  Bend& bend;
+  Convexity& convexity;
   RealBall slope;  ///< > 0: its rate there is no less
 };
 
@@ -240,9 +240,9 @@ void walk(const Branch& branch, const Rational& from, int direction, Rational st
       climb.reset();
     } else if (climb) {
       const RealBall slope =
-          add(climb->slope, multiply(climb->bend(range), ball(step), bits), bits);
+          add(climb->slope, multiply(climb->convexity(range), ball(step), bits), bits);
       is_shown = is_less({}, slope);
-      if (is_shown) climb.emplace(Climb{climb->bend, lower_end(slope, bits)});
+      if (is_shown) climb.emplace(Climb{climb->convexity, lower_end(slope, bits)});
     }
     if (is_shown) {
       a = b;
@@ -265,10 +265,94 @@ Rational natural_unit(const RotationFamily& family, const Rotation& w) {
   return unit.midpoint();
 }
 
-/// Does it make no turns too many, for certain?
-bool turns_as_wanted(const TwistPiece& piece, const Rotation& w) {
-  const auto turned = turn(w, 0, 1, bits);
-  return turned && is_less(absolute(subtract(*turned, piece.turn.enclose(bits), bits)), ball(1));
+/// A guess at the best member of a family, and what the proof around it works with.
+struct Candidate {
+  const TwistPiece& piece;
+  RotationFamily family;
+  Rational parameter;
+  Rotation w = {};
+  Rational unit = {};  ///< the change of the parameter that moves w(1/2) by its own length
+  long smallness = 0;  ///< G″ is about 2^−smallness, which all precisions of integrals follow
+  long precision = 0;  ///< of G′, whose zero is the best parameter
+  RotationFamily fine = {};   ///< the family, as precise as that takes
+  RealBall mean_square = {};  ///< G
+};
+
+Candidate candidate(const TwistPiece& piece, long degree, EndRates rates, const LineGuess& guess,
+                    long goal) {
+  if (!guess.is_interior)
+    throw Undecided("no least mean square was found: it decreases as an end of w tends to 0");
+  if (!(guess.convexity > 0) || !std::isfinite(guess.convexity))
+    throw Undecided("the mean square of the rates is too flat at its least value");
+  Candidate result{piece, rotation_family(piece, degree, rates, bits),
+                   exact_rational(guess.parameter)};
+  result.w = member(result.family, {result.parameter}, bits);
+  result.unit = natural_unit(result.family, result.w);
+  result.smallness = std::max(0, 1 - std::ilogb(guess.convexity));
+  result.precision = goal + result.smallness + 10;
+  const long working = working_precision(piece, result.precision);
+  result.fine = rotation_family(piece, degree, rates, working);
+  result.mean_square =
+      mean_square(piece, member(result.fine, {result.parameter}, working), result.smallness + 24);
+  return result;
+}
+
+/// Is it known that all rotations with the other sign of γ have a greater G? A frame that makes k
+/// turns more than the exact one has G ≥ (2πk)² (Cauchy and Schwarz). If this one makes none, one
+/// with the other sign makes an odd number.
+bool is_better_than_other_sign(const Candidate& c) {
+  const auto turned = turn(c.w, 0, 1, bits);
+  if (!turned) return false;
+  const RealBall excess = subtract(*turned, c.piece.turn.enclose(bits), bits);
+  const RealBall one_turn = multiply(ball(2), pi(bits), bits);
+  return is_less(absolute(excess), ball(1)) && is_less(c.mean_square, square_of(one_turn));
+}
+
+/// Shows that G is greater than that of the candidate outside its core, and on the branch with the
+/// other sign of γ if a parameter there is given; on that, with a quarter of the parts.
+void show_greater(const Candidate& c, const Core& core, const Climb& climb,
+                  const std::optional<Rational>& other_sign, long parts) {
+  const Branch branch(c.piece, c.family, c.parameter, parts);
+  const Rational step = (core.range.b - core.range.a) / 2;
+  walk(branch, core.range.a, -1, step, c.mean_square, climb);
+  walk(branch, core.range.b, 1, step, c.mean_square, climb);
+  if (!other_sign) return;
+  const Branch other(c.piece, c.family, *other_sign, parts / 4);
+  walk(other, *other_sign, -1, c.unit / 4, c.mean_square);
+  walk(other, *other_sign, 1, c.unit / 4, c.mean_square);
+}
+
+/// The same with as many parts as it takes.
+void show_greater(const Candidate& c, const Core& core, const Climb& climb,
+                  const std::optional<Rational>& other_sign) {
+  constexpr long most_parts = 256;
+  for (long parts = 64;; parts *= 4) {
+    try {
+      return show_greater(c, core, climb, other_sign, parts);
+    } catch (const Undecided&) {
+      if (parts == most_parts) throw;
+    }
+  }
+}
+
+/// A parameter that is within `radius` of the zero of G′ in the core, given G′ at the candidate:
+/// |p − p*| ≤ |G′(p)|/min G″. The steps are those of the secant method.
+Rational zero_of_slope(const Candidate& c, const Core& core, RealBall slope,
+                       const Rational& radius) {
+  Rational parameter = c.parameter;
+  RealBall convexity = core.convexity;  // G″, about
+  for (int step = 0; step < 40 && slope.is_finite(); ++step) {
+    if (divide(absolute(slope), core.convexity, 53).upper() <= radius) return parameter;
+    const RealBall here(parameter, c.precision);
+    const RealBall next = subtract(here, divide(slope, convexity, c.precision), c.precision);
+    parameter = std::clamp(next.midpoint(), core.range.a, core.range.b);
+    const RealBall next_slope = mean_square_slope(c.piece, c.fine, parameter, c.precision);
+    const RealBall run = subtract(RealBall(parameter, c.precision), here, c.precision);
+    const RealBall secant = divide(subtract(next_slope, slope, c.precision), run, c.precision);
+    if (is_less({}, secant)) convexity = secant;
+    slope = next_slope;
+  }
+  throw Undecided("the precision does not suffice to enclose the best rotation");
 }
 
 }  // namespace
@@ -276,69 +360,25 @@ bool turns_as_wanted(const TwistPiece& piece, const Rotation& w) {
 TwistMinimum twist_minimum(const TwistPiece& piece, long degree, EndRates rates,
                            const LineGuess& guess, const std::optional<LineGuess>& other_guess,
                            long goal) {
-  if (!guess.is_interior)
-    throw Undecided("no least mean square was found: it decreases as an end of w tends to 0");
-  if (!(guess.bend > 0) || !std::isfinite(guess.bend))
-    throw Undecided("the mean square of the rates is too flat at its least value");
-  // G″ is about 2^−smallness, which all precisions of integrals have to follow.
-  const long smallness = std::max(0, 1 - std::ilogb(guess.bend));
-  const RotationFamily family = rotation_family(piece, degree, rates, bits);
-  const Rational start = exact_rational(guess.parameter);
-  const Rotation w = member(family, {start}, bits);
-  const long precision = goal + smallness + 10;
-  const long working = working_precision(piece, precision);
-  const RotationFamily fine = rotation_family(piece, degree, rates, working);
-  const RealBall least = mean_square(piece, member(fine, {start}, working), smallness + 24);
-  const Rational unit = natural_unit(family, w);
-
-  // G ≥ (2πk)² where a frame makes k turns too many (Cauchy and Schwarz), and with the other sign
-  // of γ it makes an odd number more.
-  const RealBall one_turn = multiply(ball(2), pi(bits), bits);
-  const bool is_other_worse = turns_as_wanted(piece, w) && is_less(least, square_of(one_turn));
-  const bool has_one_sign = family.end_factor[1].is_zero();
-
-  RealBall slope = mean_square_slope(piece, fine, start, precision);
-  Bend bend(piece, fine, start, smallness);
-  const Core core = core_around(bend, start, unit / 32);
-  const Rational radius0 = (core.range.b - core.range.a) / 2;
+  const Candidate c = candidate(piece, degree, rates, guess, goal);
+  Convexity convexity(piece, c.fine, c.parameter, c.smallness);
+  const Core core = core_around(convexity, c.parameter, c.unit / 32);
+  const RealBall slope = mean_square_slope(piece, c.fine, c.parameter, c.precision);
+  // G′ at the ends of the core, away from the candidate, is no less than this.
+  const RealBall half_width = ball((core.range.b - core.range.a) / 2);
   const RealBall climb =
-      lower_end(subtract(multiply(core.bend, ball(radius0), bits), absolute(slope), bits), bits);
+      lower_end(subtract(multiply(core.convexity, half_width, bits), absolute(slope), bits), bits);
   if (!is_less({}, climb)) throw Undecided("the guess is too far from the least value");
-  constexpr long most_parts = 256;
-  for (long parts = 64;; parts *= 4) {
-    try {
-      const Branch branch(piece, family, start, parts);
-      walk(branch, core.range.a, -1, radius0, least, Climb{bend, climb});
-      walk(branch, core.range.b, 1, radius0, least, Climb{bend, climb});
-      if (other_guess && !is_other_worse) {
-        const Rational other = exact_rational(other_guess->parameter);
-        const Branch other_branch(piece, family, other, parts / 4);
-        walk(other_branch, other, -1, unit / 4, least);
-        walk(other_branch, other, 1, unit / 4, least);
-      }
-      break;
-    } catch (const Undecided&) {
-      if (parts == most_parts) throw;
-    }
-  }
 
-  // |p − p*| ≤ |G′(p)|/min G″ in the core; secants as in Newton's method.
-  const Rational wanted = unit * power_of_two(-goal);
-  Rational parameter = start;
-  RealBall curvature = core.bend;
-  for (int step = 0; step < 40 && slope.is_finite(); ++step) {
-    if (divide(absolute(slope), core.bend, 53).upper() <= wanted)
-      return {parameter, wanted, has_one_sign || is_other_worse || other_guess.has_value()};
-    const RealBall here(parameter, precision);
-    const RealBall next = subtract(here, divide(slope, curvature, precision), precision);
-    const RealBall slope_here = slope;
-    parameter = std::clamp(next.midpoint(), core.range.a, core.range.b);
-    slope = mean_square_slope(piece, fine, parameter, precision);
-    const RealBall run = subtract(RealBall(parameter, precision), here, precision);
-    const RealBall secant = divide(subtract(slope, slope_here, precision), run, precision);
-    if (is_less({}, secant)) curvature = secant;
-  }
-  throw Undecided("the precision does not suffice to enclose the best rotation");
+  const bool is_other_worse = is_better_than_other_sign(c);
+  std::optional<Rational> other_sign;  // a parameter there, if that branch has to be walked
+  if (other_guess && !is_other_worse) other_sign = exact_rational(other_guess->parameter);
+  show_greater(c, core, {convexity, climb}, other_sign);
+
+  const Rational radius = c.unit * power_of_two(-goal);
+  const bool has_one_sign = c.family.end_factor[1].is_zero();
+  return {zero_of_slope(c, core, slope, radius), radius,
+          has_one_sign || is_other_worse || other_sign.has_value()};
 }
 
 }  // namespace phrame

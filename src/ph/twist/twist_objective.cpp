@@ -200,9 +200,9 @@ std::pair<double, double> TwistObjective::derivatives(double parameter) const {
     const Complex ratio_slope =
         quotient(product(q_slope, w) - product(q, slope), product(w, w));  // (q/w)′
     const double change = 2 * std::imag(ratio_slope);
-    const double bend = -4 * std::imag(product(ratio_slope, quotient(q, w)));
+    const double second_change = -4 * std::imag(product(ratio_slope, quotient(q, w)));
     first += 2 * weight * error * change / speed;
-    second += 2 * weight * (square(change) + error * bend) / speed;
+    second += 2 * weight * (square(change) + error * second_change) / speed;
   }
   return {first, second};
 }
@@ -357,8 +357,9 @@ std::optional<LineGuess> search_line(TwistObjective& objective, int sign_of_gamm
       refine_around(x);
     };
     minimise();
-    const auto [slope, bend] = objective.derivatives(x);
-    if (!(std::abs(slope) < 1e-4 * bend * (right - left))) minimise();  // misled by coarse values
+    const auto [slope, convexity] = objective.derivatives(x);
+    if (!(std::abs(slope) < 1e-4 * convexity * (right - left)))
+      minimise();                  // misled by coarse values
     for (int k = 0; k < 4; ++k) {  // Newton's method, as long as it helps
       const auto [first, second] = objective.derivatives(x);
       const double next = x - first / second;

@@ -90,7 +90,7 @@ class TwistObjective {
 struct LineGuess {
   double parameter;
   double value;      ///< G
-  double bend;       ///< G″
+  double convexity;  ///< G″
   bool is_interior;  ///< false where G decreases towards an end of the branch
 };
 

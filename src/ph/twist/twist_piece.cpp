@@ -38,7 +38,7 @@ TwistPiece piece_between(const MinimalTwist& mtf, std::size_t index, const Ratio
   if (turn.exact() == Rational(0)) whole_turns = 0;
   return {from,
           to,
-          -erf_rate(part.preimage()),
+          -rate_to_erf(part.preimage()),
           Rational(1 / length) * differentiate(arc_length),
           length,
           twist,

@@ -112,8 +112,8 @@ TEST_CASE("transform: law: segments of segments are segments; σ, h, g and θ′
     const auto after = euler_rodrigues_frame(part, t);
     CHECK(before.e1 == after.e1);
     CHECK(before.e2 == after.e2);
-    const RationalFunction theta = erf_rate(old);
-    CHECK(erf_rate(now) ==
+    const RationalFunction theta = rate_to_erf(old);
+    CHECK(rate_to_erf(now) ==
           RationalFunction(rate * compose(theta.numerator(), w), compose(theta.denominator(), w)));
   });
 }
@@ -130,7 +130,7 @@ TEST_CASE("transform: law: rotations turn points and frames, h, σ and g are mul
     CHECK(twist_numerator(now.preimage()) == size * twist_numerator(curve.preimage()));
     CHECK(bend_numerator(now.preimage()) == Polynomial{size} * bend_numerator(curve.preimage()));
     CHECK(rho(now.preimage()) == size * size * rho(curve.preimage()));
-    CHECK(erf_rate(now.preimage()) == erf_rate(curve.preimage()));
+    CHECK(rate_to_erf(now.preimage()) == rate_to_erf(curve.preimage()));
     // A pure rotation leaves length, curvature and torsion alone, and turns the frames.
     const Curve rigid = scaled(now, 1 / size);
     CHECK(arc_length(rigid) == arc_length(curve));

@@ -42,7 +42,7 @@ RationalFrame checked_frame(const QuaternionPolynomial& a) {
 
 /// Is a residue of 2h/σ not in iℤ? By enclosures.
 bool has_residue_off_integers(const QuaternionPolynomial& a) {
-  const RationalFunction f = -erf_rate(a);
+  const RationalFunction f = -rate_to_erf(a);
   const Polynomial& d = f.denominator();
   const Roots roots = isolate_roots(d, 128);
   const auto is_off = [&](const ComplexBall& z) {
@@ -142,7 +142,7 @@ TEST_CASE("rational frame: law: random quintics have none, and the residue says 
     const auto& none = std::get<NoRationalFrame>(result);
     if (none.reason == NoRationalFrame::Reason::multiple_pole) return;
     CHECK(has_residue_off_integers(a));
-    const RationalFunction f = -erf_rate(a);
+    const RationalFunction f = -rate_to_erf(a);
     CHECK((residue_polynomial(f.numerator(), f.denominator()) % none.factor).is_zero());
     for (long n = 1; n <= 20; ++n) CHECK(gcd(none.factor, Polynomial{n * n, 0, 1}).is_constant());
   });

@@ -70,7 +70,7 @@ TEST_CASE(
     "angle: A = (t + i)(t + j): θ = −2t/(1 + t²) exactly, Frenet as in the reference values") {
   const Curve curve({{0, 0, 1}, {0, 1}, {0, 1}, {1}});
   RmfAngle erf(curve, Reference::euler_rodrigues);
-  CHECK(erf.twist() == Antiderivative{{}, RationalFunction({0, -2}, {1, 0, 1}), {}});
+  CHECK(erf.angle_to_erf() == Antiderivative{{}, RationalFunction({0, -2}, {1, 0, 1}), {}});
   CHECK(erf.value(Rational(1, 2)).exact() == Rational(-4, 5));
   RmfAngle frenet(curve, Reference::frenet);
   CHECK(agree(fifty(frenet, 1), "-1.7853981633974483096156608458198757210492923498438"));
@@ -80,10 +80,10 @@ TEST_CASE(
 
 TEST_CASE("angle: h = 0 without lying in a plane: the ERF is rotation-minimizing") {
   const Curve curve({{1}, {0, 0, 0, 1}, {0, 3}, {0, 0, 1}});  // 1 + t³i + 3tj + t²k
-  CHECK(erf_rate(curve.preimage()).is_zero());
+  CHECK(rate_to_erf(curve.preimage()).is_zero());
   RmfAngle erf(curve, Reference::euler_rodrigues);
   CHECK(erf.value(Rational(2, 3)).exact() == Rational(0));
-  CHECK_FALSE(frenet_rate(curve.preimage()).is_zero());
+  CHECK_FALSE(rate_to_frenet(curve.preimage()).is_zero());
 }
 
 TEST_CASE("angle: a plane curve's Frenet frame is rotation-minimizing, exactly") {

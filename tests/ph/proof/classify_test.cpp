@@ -57,26 +57,6 @@ TEST_CASE("classify: a straight line is many things") {
   CHECK(c.content == primitive_part(sigma({{1, 2}, {0, 3}, {}, {}})));
 }
 
-TEST_CASE("classify: how the ERF turns") {
-  // The quintic of Farouki 2003: h = 4t(t − 1), so that it turns back only at the ends.
-  const ErfTurning turning = erf_turning(quintic);
-  CHECK(turning.zeros == std::vector<RealRoot>{{Rational(0), 1}, {Rational(1), 1}});
-  CHECK(turning.is_monotone);
-  REQUIRE(turning.extrema.size() == 1);
-  const Polynomial s = sigma(quintic.preimage());
-  const Polynomial h = twist_numerator(quintic.preimage());
-  CHECK(sign_at(s * differentiate(h) - Rational(2) * differentiate(s) * h, turning.extrema[0].at) ==
-        0);
-  // α = 1 + it, β = 0: ω₁ = 2/(1 + t²)² is greatest at 0.
-  const ErfTurning line = erf_turning(Curve({{1}, {0, 1}, {}, {}}));
-  CHECK(line.zeros.empty());
-  CHECK(line.extrema == std::vector<RealRoot>{{Rational(0), 1}});
-  // u = 1, v = t − t²: h = 1 − 2t.
-  const ErfTurning back = erf_turning(Curve({{1}, {0, 1, -1}, {}, {}}));
-  CHECK(back.zeros == std::vector<RealRoot>{{Rational(1, 2), 1}});
-  CHECK_FALSE(back.is_monotone);
-}
-
 TEST_CASE("classify: law: the witnesses stand, and real factors do not matter") {
   for_samples(25, [](Random& random) {
     const Curve curve = random.curve(3);
@@ -88,7 +68,7 @@ TEST_CASE("classify: law: the witnesses stand, and real factors do not matter") 
     CHECK(common == c.content);
     CHECK(static_cast<long>(c.cusps.size()) ==
           count_real_roots(r[0] * r[0] + r[1] * r[1] + r[2] * r[2], closed(0, 1)));
-    CHECK(c.erf_is_rotation_minimizing == erf_rate(a).is_zero());
+    CHECK(c.erf_is_rotation_minimizing == rate_to_erf(a).is_zero());
     if (c.helix || c.normal) CHECK((c.double_ph.has_value() || c.normal.has_value()));
     if (c.helix) CHECK(c.double_ph.has_value());
     const Polynomial f{random.integer(1, 3), random.integer(-5, 5)};

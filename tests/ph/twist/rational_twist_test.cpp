@@ -304,13 +304,13 @@ TEST_CASE("rational twist: law: derivatives of the mean square, and its bounds o
         difference(mean_square(piece, w(p + step), 160), mean_square(piece, w(p - step), 160));
     const Rational size = abs(slope.upper()) + 1;
     CHECK(abs(slope.upper() - by_values.upper()) < size * power_of_ten(-12));
-    MeanSquareBend bend(piece, family, p, 60);
-    const RealBall here = bend(RealBall(p, 300), 100'000);
+    MeanSquareConvexity convexity(piece, family, p, 60);
+    const RealBall here = convexity(RealBall(p, 300), 100'000);
     const RealBall by_slopes = difference(mean_square_slope(piece, family, p + step, 160),
                                           mean_square_slope(piece, family, p - step, 160));
     CHECK(abs(here.upper() - by_slopes.upper()) < (abs(here.upper()) + 1) * power_of_ten(-12));
     // On an interval, and again where points are known.
-    MeanSquareBend rough(piece, family, p + Rational(1, 1000), 8);
+    MeanSquareConvexity rough(piece, family, p + Rational(1, 1000), 8);
     for (const Rational& width : {Rational(1, 1000), Rational(1, 300)}) {
       const RealBall around = rough(hull(p - width, p + width, 100), 1000);
       if (around.is_finite()) CHECK(around.overlaps(here));
@@ -444,7 +444,7 @@ TEST_CASE("rational twist: law: a local minimum is not proved to be the least") 
         x -= std::clamp(first / second, -0.02 * x, 0.02 * x);
       }
       const LineGuess local{x, value(x), objective.derivatives(x).second, true};
-      if (!(local.bend > 0) || !(local.value > best->value * 1.0001)) continue;
+      if (!(local.convexity > 0) || !(local.value > best->value * 1.0001)) continue;
       ++refused;
       CHECK_THROWS_AS(twist_minimum(piece, 1, EndRates::free, local, {}, 40), Undecided);
     }

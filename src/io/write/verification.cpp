@@ -1,0 +1,37 @@
+#include "phrame/io/write/verification.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/io/write/text.hpp"
+
+namespace phrame {
+namespace {
+
+struct Name {
+  std::string operator()(const std::string& part) const { return part; }
+  std::string operator()(const AngleClaim& claim) const {
+    constexpr std::size_t limit = 240;
+    return fmt::format("|theta({}) - {}| <= {}", readable_exact(to_string(claim.t), limit),
+                       claim.theta, claim.radius);
+  }
+};
+
+}  // namespace
+
+std::string to_text(const std::vector<Statement>& statements) {
+  std::string text;
+  for (const auto& [what, objection] : statements) {
+    const std::string name = std::visit(Name{}, what);
+    text += objection.empty() ? fmt::format("proved      {}\n", name)
+                              : fmt::format("not proved  {}: {}\n", name, objection);
+  }
+  const auto not_proved = std::count_if(statements.begin(), statements.end(),
+                                        [](const Statement& s) { return !s.is_proved(); });
+  return text + (not_proved == 0 ? fmt::format("all {} statements are proved\n", statements.size())
+                                 : fmt::format("{} of {} statements {} not proved\n", not_proved,
+                                               statements.size(), not_proved == 1 ? "is" : "are"));
+}
+
+}  // namespace phrame

@@ -1,0 +1,28 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "phrame/algebra/argument.hpp"
+#include "phrame/algebra/rational.hpp"
+
+namespace phrame {
+
+/// |θ(t) − theta| ≤ radius.
+struct AngleClaim {
+  Rational t;
+  std::string theta;   ///< a decimal
+  std::string radius;  ///< a decimal
+  std::optional<TurnCount> turn;
+  friend bool operator==(const AngleClaim&, const AngleClaim&) = default;
+};
+
+/// One thing that a certificate states.
+struct Statement {
+  /// An angle, or what the certificate calls the part that states it: "rate", "decision helical".
+  std::variant<std::string, AngleClaim> what;
+  std::string objection;  ///< why it is not proved; empty for a proved one
+  bool is_proved() const { return objection.empty(); }
+};
+
+}  // namespace phrame
