@@ -23,5 +23,7 @@ Real to_real(const Angle& angle);
 
 /// "1/3", "pi/4", "-31pi/40", "1/3 + pi/4".
 std::string to_string(const Angle& angle);
+/// Writes to_string(angle).
+std::ostream& operator<<(std::ostream& out, const Angle& angle);
 
 }  // namespace phrame

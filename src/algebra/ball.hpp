@@ -124,4 +124,10 @@ ComplexBall inverse(const ComplexBall& b, long bits);
 /// wide; "0" for a ball that contains 0.
 std::string to_string(const RealBall& a, long digits);
 
+/// @{ "[0.333333333333333 +/- 3.34e-16]": up to 15 digits, and a bound of how far any number of the
+/// ball is from them; of a complex one "[…] + […]*i".
+std::ostream& operator<<(std::ostream& out, const RealBall& a);
+std::ostream& operator<<(std::ostream& out, const ComplexBall& z);
+/// @}
+
 }  // namespace phrame

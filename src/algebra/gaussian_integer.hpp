@@ -47,4 +47,9 @@ struct NormFactor {
 /// DomainError for x < 1. Cost: up to a second, for two large primes.
 NormFactor split_norm(const Integer& x);
 
+/// @{ "1/2 - 3*i", "2", "-i".
+std::ostream& operator<<(std::ostream& out, const GaussianInteger& z);
+std::ostream& operator<<(std::ostream& out, const GaussianRational& z);
+/// @}
+
 }  // namespace phrame

@@ -31,4 +31,7 @@ GaussianPolynomial exact_quotient(const GaussianPolynomial& a, const GaussianPol
 /// Cost: Euclid's algorithm modulo as many primes as the result, not a or b, is long.
 GaussianPolynomial gcd(const GaussianPolynomial& a, const GaussianPolynomial& b);
 
+/// "(t^2 - 1) + (2*t)*i".
+std::ostream& operator<<(std::ostream& out, const GaussianPolynomial& p);
+
 }  // namespace phrame

@@ -74,6 +74,7 @@ class Integer {
   flint::Fmpz handle_;
 };
 
+/// In base 10.
 std::ostream& operator<<(std::ostream& out, const Integer& x);
 
 inline Integer abs(Integer x) { return fmpz_abs(x.raw(), x.raw()), x; }

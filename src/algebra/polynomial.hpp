@@ -102,6 +102,8 @@ bool is_squarefree(const Polynomial& p);
 
 /// "t^2 - 1/2*t + 3", for messages.
 std::string to_string(const Polynomial& p);
+/// Writes to_string(p).
+std::ostream& operator<<(std::ostream& out, const Polynomial& p);
 
 /// A polynomial over ℤ, to be reduced modulo primes (modular.hpp).
 using IntegerPolynomial = flint::FmpzPoly;

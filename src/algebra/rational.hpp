@@ -52,6 +52,7 @@ class Rational {
   flint::Fmpq handle_;
 };
 
+/// "3/7", "-2".
 std::ostream& operator<<(std::ostream& out, const Rational& x);
 
 inline Integer numerator(const Rational& x) { return Integer(fmpq_numref(x.raw())); }

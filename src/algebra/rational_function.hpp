@@ -47,4 +47,7 @@ std::optional<Rational> constant(const RationalFunction& f);
 /// The bits of the greatest coefficients of numerator and denominator.
 long bits_of(const RationalFunction& f);
 
+/// "(t^2 - 1)/(t + 3)", "-2/(t + 3)", or as a polynomial where it is one.
+std::ostream& operator<<(std::ostream& out, const RationalFunction& f);
+
 }  // namespace phrame

@@ -51,4 +51,8 @@ Real remembered(const Real& x);
 /// √x for x ≥ 0, exact where it is rational.
 Real square_root_of(const Rational& x);
 
+/// The number, where it is exact; else a ball of 64 bits around it, "[3.14159265358979
+/// +/- 3.24e-15]". For digits that are certain: round_to_decimal().
+std::ostream& operator<<(std::ostream& out, const Real& x);
+
 }  // namespace phrame

@@ -80,4 +80,7 @@ long bits_of(const RealAlgebraic& a);
 /// numbers with finitely many digits.
 Real to_real(const RealAlgebraic& a);
 
+/// "1/2", "root of t^2 - 2 in (1, 2)".
+std::ostream& operator<<(std::ostream& out, const RealAlgebraic& a);
+
 }  // namespace phrame

@@ -53,4 +53,7 @@ long decimal_exponent(const Rational& x);
 std::string upper_bound_text(const Rational& x, long digits = 2);
 std::string lower_bound_text(const Rational& x, long digits = 2);
 
+/// Its value.
+std::ostream& operator<<(std::ostream& out, const Decimal& x);
+
 }  // namespace phrame

@@ -21,6 +21,8 @@ inline Interval open(Rational a, Rational b) { return {std::move(a), std::move(b
 
 /// "[0, 1]", "(-1/2, ∞)".
 std::string to_string(const Interval& interval);
+/// Writes to_string(interval).
+std::ostream& operator<<(std::ostream& out, const Interval& interval);
 
 /// How many distinct real roots p has in the interval: Descartes' rule of signs on smaller and
 /// smaller parts until it decides (0 or 1 changes), and Sturm's theorem for roots close together.

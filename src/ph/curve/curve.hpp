@@ -59,4 +59,7 @@ std::vector<Vector<Rational>> control_points(const Curve& curve);
 /// r′ of the Bézier curve with these points. Throws DomainError where there is none.
 Vector<Polynomial> bezier_hodograph(const std::vector<Vector<Rational>>& control_points);
 
+/// On one line: "A = (t + 1, 2, 0, t^2), f = 1, r(0) = (0, 0, 0)".
+std::ostream& operator<<(std::ostream& out, const Curve& curve);
+
 }  // namespace phrame

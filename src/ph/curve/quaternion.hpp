@@ -72,4 +72,11 @@ Polynomial real_content(const QuaternionPolynomial& a);
 /// a over its real content ≠ 0: what its frames depend on.
 QuaternionPolynomial without_real_content(const QuaternionPolynomial& a);
 
+/// @{ The components: "(1, 0, 2/3)", of a quaternion u, v, p, q.
+std::ostream& operator<<(std::ostream& out, const Vector<Rational>& v);
+std::ostream& operator<<(std::ostream& out, const Vector<Polynomial>& v);
+std::ostream& operator<<(std::ostream& out, const RationalQuaternion& a);
+std::ostream& operator<<(std::ostream& out, const QuaternionPolynomial& a);
+/// @}
+
 }  // namespace phrame
