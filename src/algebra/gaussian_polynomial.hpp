@@ -5,22 +5,24 @@ namespace phrame {
 
 /// A polynomial over ℚ(i): re + i·im.
 struct GaussianPolynomial {
-  Polynomial re;
-  Polynomial im;
+  Polynomial re;  ///< the real part for real t
+  Polynomial im;  ///< the imaginary part
 
   friend bool operator==(const GaussianPolynomial&, const GaussianPolynomial&) = default;
 };
 
+/// @{ Exact.
 GaussianPolynomial operator+(const GaussianPolynomial& a, const GaussianPolynomial& b);
 GaussianPolynomial operator-(const GaussianPolynomial& a, const GaussianPolynomial& b);
 GaussianPolynomial operator*(const GaussianPolynomial& a, const GaussianPolynomial& b);
 GaussianPolynomial operator*(const Polynomial& a, const GaussianPolynomial& b);
+/// @}
 
-bool is_zero(const GaussianPolynomial& a);
-long degree(const GaussianPolynomial& a);
+bool is_zero(const GaussianPolynomial& a);  ///< are both parts 0?
+long degree(const GaussianPolynomial& a);   ///< the greater of those of the parts; −1 for 0
 /// The coefficients conjugated; the variable is real.
 GaussianPolynomial conjugate(const GaussianPolynomial& a);
-GaussianPolynomial differentiate(const GaussianPolynomial& a);
+GaussianPolynomial differentiate(const GaussianPolynomial& a);  ///< a′
 /// |a|² = a·ā ∈ ℚ[t].
 Polynomial norm(const GaussianPolynomial& a);
 /// a over its leading coefficient. Throws DomainError for 0.
