@@ -1,6 +1,6 @@
 #pragma once
 
-// The types of the public interface, declared only: what they are stands in the rooms named.
+/// All of phrame: this file declares the types that programs use, by the rooms that they are in.
 namespace phrame {
 
 // algebra

@@ -10,13 +10,14 @@ namespace phrame {
 /// its correct rounding ends.
 class AlgebraicPoint {
  public:
+  /// The point with the parameter t.
   explicit AlgebraicPoint(RealAlgebraic t);
 
-  const RealAlgebraic& number() const { return t_; }
-  RealBall enclose(long bits) const;
+  const RealAlgebraic& number() const { return t_; }  ///< t
+  RealBall enclose(long bits) const;  ///< a ball around t with a radius ≤ 2^−bits · max(1, |t|)
 
-  Real value(const Polynomial& p) const;
-  /// Throws DomainError at a pole.
+  Real value(const Polynomial& p) const;  ///< p(t)
+  /// f(t). Throws DomainError at a pole.
   Real value(const RationalFunction& f) const;
   /// √f(t) ≥ 0. Throws DomainError at a pole and where f(t) < 0.
   Real square_root(const RationalFunction& f) const;

@@ -1,5 +1,7 @@
 #include "phrame/algebra/angle.hpp"
 
+#include <ostream>
+
 namespace phrame {
 
 Real to_real(const Angle& angle) {
@@ -22,5 +24,7 @@ std::string to_string(const Angle& angle) {
   if (radians == 0) return (half_turns < 0 ? "-" : "") + multiple;
   return to_string(radians) + (half_turns < 0 ? " - " : " + ") + multiple;
 }
+
+std::ostream& operator<<(std::ostream& out, const Angle& angle) { return out << to_string(angle); }
 
 }  // namespace phrame

@@ -8,11 +8,13 @@ namespace phrame {
 /// An angle known exactly: π·half_turns + radians. It is rational where half_turns = 0 only,
 /// because π is not.
 struct Angle {
-  Rational half_turns;
-  Rational radians;
+  Rational half_turns;  ///< the multiple of π
+  Rational radians;     ///< what is added to it
 
+  /// So many radians.
   Angle(Rational in_radians = 0)  // NOLINT(google-explicit-constructor)
       : radians(std::move(in_radians)) {}
+  /// π·times_pi + in_radians.
   Angle(Rational times_pi, Rational in_radians)
       : half_turns(std::move(times_pi)), radians(std::move(in_radians)) {}
   friend bool operator==(const Angle&, const Angle&) = default;
@@ -23,5 +25,7 @@ Real to_real(const Angle& angle);
 
 /// "1/3", "pi/4", "-31pi/40", "1/3 + pi/4".
 std::string to_string(const Angle& angle);
+/// Writes to_string(angle).
+std::ostream& operator<<(std::ostream& out, const Angle& angle);
 
 }  // namespace phrame

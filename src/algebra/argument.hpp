@@ -11,7 +11,7 @@ namespace phrame {
 struct TurnCount {
   long index;           ///< sign changes at 0 minus those at t: the Cauchy index of y/x
   std::string at_zero;  ///< "+-0…", one for each polynomial of the sequence
-  std::string at_t;
+  std::string at_t;     ///< the same at t
   friend bool operator==(const TurnCount&, const TurnCount&) = default;
 };
 
@@ -29,6 +29,7 @@ class ContinuousArgument {
   /// γ·conj γ(0), which starts on the positive real axis; 1 + i times that where it is on the
   /// imaginary axis at t.
   GaussianPolynomial coordinates(const Rational& t) const;
+  /// The turns counted between 0 and t, and the signs from which they are.
   TurnCount turn(const Rational& t) const;
 
  private:

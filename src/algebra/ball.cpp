@@ -1,6 +1,7 @@
 #include "phrame/algebra/ball.hpp"
 
 #include <memory>
+#include <ostream>
 
 namespace phrame {
 namespace {
@@ -271,6 +272,15 @@ std::string to_string(const RealBall& a, long digits) {
   const std::unique_ptr<char, void (*)(void*)> text(arb_get_str(a.raw(), digits, ARB_STR_NO_RADIUS),
                                                     flint_free);
   return text.get();
+}
+
+std::ostream& operator<<(std::ostream& out, const RealBall& a) {
+  const std::unique_ptr<char, void (*)(void*)> text(arb_get_str(a.raw(), 15, 0), flint_free);
+  return out << text.get();
+}
+
+std::ostream& operator<<(std::ostream& out, const ComplexBall& z) {
+  return out << z.re() << " + " << z.im() << "*i";
 }
 
 }  // namespace phrame

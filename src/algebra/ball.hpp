@@ -11,19 +11,26 @@ namespace phrame {
 class RealBall {
  public:
   RealBall() = default;  ///< exactly 0
+  /// A ball around x; without a radius where x has at most so many bits and is dyadic.
   RealBall(const Rational& x, long bits);
   /// Any real number: what is known of a value that could not be computed.
   static RealBall unknown();
 
-  /// The ends of the ball, exact. Precondition: is_finite().
+  /// @{ Of the ball, exact. Precondition: is_finite().
   Rational lower() const;
   Rational upper() const;
   Rational radius() const;
   Rational midpoint() const;
+  /// @}
+  /// Are both ends finite?
   bool is_finite() const { return arb_is_finite(raw()) != 0; }
-  bool is_zero() const { return arb_is_zero(raw()) != 0; }  ///< exactly 0, without a radius
+  /// Is it exactly 0, without a radius?
+  bool is_zero() const { return arb_is_zero(raw()) != 0; }
+  /// May the number be x?
   bool contains(const Rational& x) const;
+  /// May the number be 0?
   bool contains_zero() const { return arb_contains_zero(raw()) != 0; }
+  /// May the two numbers be equal?
   bool overlaps(const RealBall& other) const { return arb_overlaps(raw(), other.raw()) != 0; }
   /// Is the radius ≤ 2^−bits · max(1, |x|) for every x in the ball?
   bool is_accurate(long bits) const;
@@ -39,7 +46,7 @@ class RealBall {
 
 /// The sign of all numbers in it; 0 where it is not certain, or 0.
 int sign(const RealBall& a);
-RealBall absolute(const RealBall& a);
+RealBall absolute(const RealBall& a);  ///< of |a|
 /// A double next to the midpoint, for guesses.
 double approximate(const RealBall& a);
 /// A double that no number of the ball exceeds, next to the least one; +∞ where there is none.
@@ -49,12 +56,15 @@ RealBall hull(const Rational& a, const Rational& b, long bits);
 /// A ball that contains both.
 RealBall hull(const RealBall& a, const RealBall& b, long bits);
 
+/// @{ The sum, difference, product and quotient; a quotient is not finite where b contains 0.
 RealBall add(const RealBall& a, const RealBall& b, long bits);
 RealBall subtract(const RealBall& a, const RealBall& b, long bits);
 RealBall multiply(const RealBall& a, const RealBall& b, long bits);
 RealBall divide(const RealBall& a, const RealBall& b, long bits);
+/// @}
 /// sum + a·b, rounded once.
 RealBall add_product(RealBall sum, const RealBall& a, const RealBall& b, long bits);
+/// √a; not finite where the ball has negative numbers.
 RealBall sqrt(const RealBall& a, long bits);
 /// aᵏ, k ≥ 0.
 RealBall pow(const RealBall& a, long k, long bits);
@@ -64,30 +74,35 @@ RealBall sqrt_of_nonnegative(const RealBall& a, long bits);
 RealBall times_power_of_two(RealBall a, long k);
 /// a + b, exactly.
 RealBall exact_sum(double a, double b);
-/// x + y for all x of the ball and |y| ≤ |by|.
+/// @{ x + y for all x of the ball and |y| ≤ |by|.
 RealBall widened(RealBall a, const RealBall& by);
 RealBall widened(RealBall a, double by);
-RealBall pi(long bits);
+/// @}
+RealBall pi(long bits);  ///< π
 /// The principal argument of x + iy ≠ 0, in (−π, π].
 RealBall argument(const Rational& x, const Rational& y, long bits);
 
+/// The cosine and the sine of one angle.
 struct CosSin {
-  RealBall cos;
-  RealBall sin;
+  RealBall cos;  ///< cos φ
+  RealBall sin;  ///< sin φ
 };
+/// Both for an angle in radians.
 CosSin cos_sin(const RealBall& angle, long bits);
 
 /// A rectangle of two real balls that contains a complex number.
 class ComplexBall {
  public:
-  ComplexBall() = default;  ///< exactly 0
-  ComplexBall(const RealBall& re, const RealBall& im);
+  ComplexBall() = default;                              ///< exactly 0
+  ComplexBall(const RealBall& re, const RealBall& im);  ///< re + i·im
   /// Any complex number.
   static ComplexBall unknown();
 
-  RealBall re() const;
-  RealBall im() const;
-  ComplexBall midpoint() const;  ///< exact
+  RealBall re() const;  ///< the real part
+  RealBall im() const;  ///< the imaginary part
+  /// The middle, exact.
+  ComplexBall midpoint() const;
+  /// May the two numbers be equal?
   bool overlaps(const ComplexBall& other) const { return acb_overlaps(raw(), other.raw()) != 0; }
   /// Are all numbers of the other in this one?
   bool contains(const ComplexBall& other) const { return acb_contains(raw(), other.raw()) != 0; }
@@ -103,25 +118,35 @@ class ComplexBall {
   flint::Acb handle_;
 };
 
-ComplexBall conjugate(const ComplexBall& z);
-RealBall absolute(const ComplexBall& z, long bits);
+ComplexBall conjugate(const ComplexBall& z);         ///< the complex conjugate
+RealBall absolute(const ComplexBall& z, long bits);  ///< of |z|
+/// @{ The sum, difference and product.
 ComplexBall add(const ComplexBall& a, const ComplexBall& b, long bits);
 ComplexBall subtract(const ComplexBall& a, const ComplexBall& b, long bits);
 ComplexBall multiply(const ComplexBall& a, const ComplexBall& b, long bits);
 ComplexBall multiply(const RealBall& a, const ComplexBall& b, long bits);
+/// @}
 /// The principal argument, in (−π, π]; all of [−π, π] where the ball meets the negative real axis.
 RealBall argument(const ComplexBall& z, long bits);
-/// p(z).
+/// @{ p(z).
 ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits);
 RealBall evaluate(const Polynomial& p, const RealBall& x, long bits);
+/// @}
 /// f(x); not finite where the denominator is not kept from 0.
 RealBall evaluate(const RationalFunction& f, const RealBall& x, long bits);
-/// a/b and 1/b; not finite where b contains 0.
+/// @{ a/b and 1/b; not finite where b contains 0.
 ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits);
 ComplexBall inverse(const ComplexBall& b, long bits);
+/// @}
 
 /// "-0.343344423853", for messages and tables: `digits` significant digits, fewer where the ball is
 /// wide; "0" for a ball that contains 0.
 std::string to_string(const RealBall& a, long digits);
+
+/// @{ "[0.333333333333333 +/- 3.34e-16]": up to 15 digits, and a bound of how far any number of the
+/// ball is from them; of a complex one "[…] + […]*i".
+std::ostream& operator<<(std::ostream& out, const RealBall& a);
+std::ostream& operator<<(std::ostream& out, const ComplexBall& z);
+/// @}
 
 }  // namespace phrame

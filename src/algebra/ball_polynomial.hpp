@@ -11,7 +11,9 @@ namespace phrame {
 class BallPolynomial {
  public:
   BallPolynomial() = default;  ///< exactly 0
+  /// p, with its coefficients in balls of so many bits.
   BallPolynomial(const Polynomial& p, long bits);
+  /// The coefficients of t⁰, t¹, …
   explicit BallPolynomial(const std::vector<RealBall>& ascending);
 
   /// No polynomial of the set has a higher degree; −1 for 0.
@@ -28,11 +30,13 @@ class BallPolynomial {
 /// p but for the coefficient of t⁰, which is c.
 BallPolynomial with_constant(BallPolynomial p, const RealBall& c);
 BallPolynomial operator-(BallPolynomial p);  ///< exactly
+/// @{ The sum, difference and product.
 BallPolynomial add(const BallPolynomial& p, const BallPolynomial& q, long bits);
 BallPolynomial subtract(const BallPolynomial& p, const BallPolynomial& q, long bits);
 BallPolynomial multiply(const BallPolynomial& p, const BallPolynomial& q, long bits);
 BallPolynomial multiply(const RealBall& c, const BallPolynomial& p, long bits);
-BallPolynomial differentiate(const BallPolynomial& p, long bits);
+/// @}
+BallPolynomial differentiate(const BallPolynomial& p, long bits);  ///< p′
 /// ∫₀ᵗ p.
 BallPolynomial antiderivative(BallPolynomial p, long bits);
 /// p(t + by): the Taylor polynomial at `by`.
@@ -59,6 +63,7 @@ BallPolynomial from_bernstein(std::vector<RealBall> coefficients, long bits);
 struct SignChanges {
   std::vector<RealBall> at;  ///< one zero of odd order in each, ascending, radius ≤ 2^−bits
   std::vector<RealBall> undecided;  ///< there may be others in these only
+  /// Are these all?
   bool is_complete() const { return undecided.empty(); }
 };
 /// On (0, 1), by Bernstein coefficients on smaller and smaller parts. What is closer than about

@@ -11,9 +11,10 @@ class Bivariate {
   explicit Bivariate(std::vector<Polynomial> ascending);
 
   long degree() const { return static_cast<long>(coefficients_.size()) - 1; }  ///< in t
-  bool is_zero() const { return coefficients_.empty(); }
+  bool is_zero() const { return coefficients_.empty(); }                       ///< is it 0?
   /// The coefficient of tᵏ; 0 beyond the degree.
   Polynomial coefficient(long k) const;
+  /// Of t⁰, t¹, …; the last is not 0.
   const std::vector<Polynomial>& coefficients() const { return coefficients_; }
 
   friend bool operator==(const Bivariate&, const Bivariate&) = default;
@@ -35,9 +36,12 @@ class QuotientRing {
   /// Throws DomainError for a constant q.
   explicit QuotientRing(Polynomial q);
 
-  const Polynomial& modulus() const { return modulus_; }
+  const Polynomial& modulus() const { return modulus_; }  ///< q
+  /// @{ The element that it stands for, of degree < deg q in x.
   Polynomial reduce(const Polynomial& a) const { return a % modulus_; }
   Bivariate reduce(const Bivariate& v) const;
+  /// @}
+  /// a·b.
   Polynomial multiply(const Polynomial& a, const Polynomial& b) const { return (a * b) % modulus_; }
   /// n·a⁻¹. Throws DomainError where gcd(a, q) ≠ 1. Cost: an inverse modulo each of as
   /// many primes as the result has words to a coefficient, the number of which is bounded

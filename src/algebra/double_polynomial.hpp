@@ -12,20 +12,21 @@ namespace phrame {
 /// needs them, from the highest to y⁰, of all polynomials together; the second doubles follow the
 /// first ones.
 struct DoubleShape {
-  long width = 1;
+  long width = 1;   ///< so many polynomials
   long degree = 1;  ///< in 1 … 63
   long paired = 1;  ///< in 1 … degree
   /// What a polynomial is to be off by, at most, relative to Σ |coefficients of y, y², …|.
   double goal = 0;
 
-  long size() const { return width * (degree + 1 + paired); }
+  long size() const { return width * (degree + 1 + paired); }  ///< so many doubles they are
   /// Where the coefficient of yᵏ of the first polynomial is; those of the others follow.
   long position(long k) const;
 };
 
-/// For evaluation in doubles, and with compensation.
+/// @{ For evaluation in doubles, and with compensation.
 inline constexpr DoubleShape plain_shape(long width) { return {width, 11, 1, 0x1p-52}; }
 inline constexpr DoubleShape compensated_shape(long width) { return {width, 16, 6, 0x1p-78}; }
+/// @}
 
 /// The doubles nearest to the middles of the balls; what is beyond the degree is left out.
 std::vector<double> round_coefficients(const std::vector<BallPolynomial>& polynomials,

@@ -27,11 +27,14 @@ class Undecided : public Error {
 /// option), `reason` what is wrong, with the value; what() is "place: reason".
 class InputError : public Error {
  public:
+  /// Without a place, for a caller who knows it.
   explicit InputError(std::string reason) : Error(reason), reason_(std::move(reason)) {}
+  /// At this place.
   InputError(std::string place, std::string reason)
       : Error(place + ": " + reason), place_(std::move(place)), reason_(std::move(reason)) {}
 
-  const std::string& place() const noexcept { return place_; }
+  const std::string& place() const noexcept { return place_; }  ///< where; empty if it is not known
+  /// What is wrong, without the place.
   const std::string& reason() const noexcept { return reason_; }
 
  private:

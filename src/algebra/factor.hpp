@@ -3,6 +3,7 @@
 
 namespace phrame {
 
+/// A power in a factorization.
 struct Factor {
   Polynomial base;  ///< coprime integer coefficients, positive leading one, degree ≥ 1
   long exponent;    ///< ≥ 1
@@ -13,8 +14,8 @@ struct Factor {
 /// coefficients from the highest down, by size, so that equal polynomials have equal factorizations
 /// and t comes before t − 1.
 struct Factorization {
-  Rational unit;
-  std::vector<Factor> factors;
+  Rational unit;                ///< content(p), with its sign
+  std::vector<Factor> factors;  ///< none for a constant
 };
 
 /// The bases are squarefree and the exponents distinct (Yun). Throws DomainError for 0.

@@ -6,6 +6,7 @@
 // That |π|² = p is checked; it does not matter whether p is proved to be prime.
 #include "phrame/algebra/gaussian_integer.hpp"
 
+#include <ostream>
 #include <vector>
 
 #include "phrame/algebra/error.hpp"
@@ -153,6 +154,18 @@ NormFactor split_norm(const Integer& x) {
       result.rest *= base;
   }
   return result;
+}
+
+std::ostream& operator<<(std::ostream& out, const GaussianInteger& z) {
+  return out << GaussianRational{z.re, z.im};
+}
+
+std::ostream& operator<<(std::ostream& out, const GaussianRational& z) {
+  if (z.im == 0) return out << z.re;
+  if (z.re != 0) out << z.re << (z.im < 0 ? " - " : " + ");
+  if (z.re == 0 && z.im < 0) out << '-';
+  if (const Rational size = abs(z.im); size != 1) out << size << '*';
+  return out << 'i';
 }
 
 }  // namespace phrame

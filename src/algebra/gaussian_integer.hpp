@@ -7,24 +7,24 @@ namespace phrame {
 
 /// re + i·im.
 struct GaussianInteger {
-  Integer re;
-  Integer im;
+  Integer re;  ///< the real part
+  Integer im;  ///< the imaginary part
   friend bool operator==(const GaussianInteger&, const GaussianInteger&) = default;
 };
 
 /// re + i·im over ℚ.
 struct GaussianRational {
-  Rational re;
-  Rational im;
+  Rational re;  ///< the real part
+  Rational im;  ///< the imaginary part
   friend bool operator==(const GaussianRational&, const GaussianRational&) = default;
 };
 
-GaussianRational operator*(const GaussianRational& a, const GaussianRational& b);
+GaussianRational operator*(const GaussianRational& a, const GaussianRational& b);  ///< the product
 /// z ≠ 0 times a positive number, its parts coprime.
 GaussianInteger primitive_multiple(const GaussianRational& z);
 
-GaussianInteger operator*(const GaussianInteger& a, const GaussianInteger& b);
-GaussianInteger conjugate(const GaussianInteger& a);
+GaussianInteger operator*(const GaussianInteger& a, const GaussianInteger& b);  ///< the product
+GaussianInteger conjugate(const GaussianInteger& a);                            ///< re − i·im
 /// |a|².
 Integer norm(const GaussianInteger& a);
 /// The one of ±a, ±i·a with re > 0 and im ≥ 0; 0 for 0.
@@ -37,8 +37,8 @@ GaussianInteger gcd(GaussianInteger a, GaussianInteger b);
 
 /// x = |root|²·rest for an integer x ≥ 1.
 struct NormFactor {
-  GaussianInteger root;
-  Integer rest;
+  GaussianInteger root;  ///< the norm |root|² is taken out
+  Integer rest;          ///< ≥ 1
 };
 
 /// Where at most one prime factor is above 10⁴ (and that below 2⁴⁰⁹⁶), and in practice for x <
@@ -46,5 +46,10 @@ struct NormFactor {
 /// squares. Otherwise rest may keep more: to find all factors is as hard as to factor x. Throws
 /// DomainError for x < 1. Cost: up to a second, for two large primes.
 NormFactor split_norm(const Integer& x);
+
+/// @{ "1/2 - 3*i", "2", "-i".
+std::ostream& operator<<(std::ostream& out, const GaussianInteger& z);
+std::ostream& operator<<(std::ostream& out, const GaussianRational& z);
+/// @}
 
 }  // namespace phrame

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ostream>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/modular.hpp"
@@ -171,6 +172,10 @@ GaussianPolynomial gcd(const GaussianPolynomial& a, const GaussianPolynomial& b)
     GaussianPolynomial candidate = monic_from_parts(*list);
     if (quotient(a, candidate) && quotient(b, candidate)) return candidate;
   }
+}
+
+std::ostream& operator<<(std::ostream& out, const GaussianPolynomial& p) {
+  return out << '(' << p.re << ") + (" << p.im << ")*i";
 }
 
 }  // namespace phrame

@@ -5,22 +5,24 @@ namespace phrame {
 
 /// A polynomial over ℚ(i): re + i·im.
 struct GaussianPolynomial {
-  Polynomial re;
-  Polynomial im;
+  Polynomial re;  ///< the real part for real t
+  Polynomial im;  ///< the imaginary part
 
   friend bool operator==(const GaussianPolynomial&, const GaussianPolynomial&) = default;
 };
 
+/// @{ Exact.
 GaussianPolynomial operator+(const GaussianPolynomial& a, const GaussianPolynomial& b);
 GaussianPolynomial operator-(const GaussianPolynomial& a, const GaussianPolynomial& b);
 GaussianPolynomial operator*(const GaussianPolynomial& a, const GaussianPolynomial& b);
 GaussianPolynomial operator*(const Polynomial& a, const GaussianPolynomial& b);
+/// @}
 
-bool is_zero(const GaussianPolynomial& a);
-long degree(const GaussianPolynomial& a);
+bool is_zero(const GaussianPolynomial& a);  ///< are both parts 0?
+long degree(const GaussianPolynomial& a);   ///< the greater of those of the parts; −1 for 0
 /// The coefficients conjugated; the variable is real.
 GaussianPolynomial conjugate(const GaussianPolynomial& a);
-GaussianPolynomial differentiate(const GaussianPolynomial& a);
+GaussianPolynomial differentiate(const GaussianPolynomial& a);  ///< a′
 /// |a|² = a·ā ∈ ℚ[t].
 Polynomial norm(const GaussianPolynomial& a);
 /// a over its leading coefficient. Throws DomainError for 0.
@@ -30,5 +32,8 @@ GaussianPolynomial exact_quotient(const GaussianPolynomial& a, const GaussianPol
 /// The monic greatest common divisor, proved by dividing a and b; gcd(0, 0) = 0.
 /// Cost: Euclid's algorithm modulo as many primes as the result, not a or b, is long.
 GaussianPolynomial gcd(const GaussianPolynomial& a, const GaussianPolynomial& b);
+
+/// "(t^2 - 1) + (2*t)*i".
+std::ostream& operator<<(std::ostream& out, const GaussianPolynomial& p);
 
 }  // namespace phrame

@@ -19,6 +19,7 @@ concept MachineInteger = std::integral<T> && !std::same_as<T, bool>;
 class Integer {
  public:
   Integer() = default;  ///< 0
+  /// x, of any of these types.
   template <MachineInteger T>
   Integer(T x) {
     if constexpr (std::signed_integral<T>)
@@ -26,9 +27,10 @@ class Integer {
     else
       fmpz_set_ui(raw(), x);
   }
-  explicit Integer(const fmpz_t x) { fmpz_set(raw(), x); }
+  explicit Integer(const fmpz_t x) { fmpz_set(raw(), x); }  ///< a copy of FLINT's
   /// "-12": decimal digits after an optional minus. Throws InputError on anything else.
   explicit Integer(const std::string& decimal) : Integer(decimal, 10) {}
+  /// In a base from 2 to 36. Throws InputError as above.
   Integer(const std::string& digits, int base);
 
   /// −1, 0 or 1.
@@ -40,18 +42,23 @@ class Integer {
   /// The nearest double, ±∞ beyond them.
   explicit operator double() const;
 
+  /// @{ Exact.
   Integer& operator+=(const Integer& x) { return fmpz_add(raw(), raw(), x.raw()), *this; }
   Integer& operator-=(const Integer& x) { return fmpz_sub(raw(), raw(), x.raw()), *this; }
   Integer& operator*=(const Integer& x) { return fmpz_mul(raw(), raw(), x.raw()), *this; }
-  /// Rounded towards 0, and the remainder, with the sign of the dividend. Throw DomainError for
+  /// @}
+  /// @{ Rounded towards 0, and the remainder, with the sign of the dividend. Throw DomainError for
   /// x = 0.
   Integer& operator/=(const Integer& x);
   Integer& operator%=(const Integer& x);
+  /// @}
+  /// 2ⁿ·this.
   Integer& operator<<=(unsigned long n) { return fmpz_mul_2exp(raw(), raw(), n), *this; }
   /// ⌊this/2ⁿ⌋.
   Integer& operator>>=(unsigned long n) { return fmpz_fdiv_q_2exp(raw(), raw(), n), *this; }
-  Integer& operator++() { return *this += 1; }
+  Integer& operator++() { return *this += 1; }  ///< the next one
 
+  /// @{ What the assignments above make of a copy.
   friend Integer operator+(Integer a, const Integer& b) { return std::move(a += b); }
   friend Integer operator-(Integer a, const Integer& b) { return std::move(a -= b); }
   friend Integer operator*(Integer a, const Integer& b) { return std::move(a *= b); }
@@ -59,13 +66,16 @@ class Integer {
   friend Integer operator%(Integer a, const Integer& b) { return std::move(a %= b); }
   friend Integer operator<<(Integer a, unsigned long n) { return std::move(a <<= n); }
   friend Integer operator>>(Integer a, unsigned long n) { return std::move(a >>= n); }
-  friend Integer operator-(Integer a) { return fmpz_neg(a.raw(), a.raw()), std::move(a); }
+  /// @}
+  friend Integer operator-(Integer a) { return fmpz_neg(a.raw(), a.raw()), std::move(a); }  ///< −a
+  /// @{ By value.
   friend bool operator==(const Integer& a, const Integer& b) {
     return fmpz_equal(a.raw(), b.raw()) != 0;
   }
   friend std::strong_ordering operator<=>(const Integer& a, const Integer& b) {
     return fmpz_cmp(a.raw(), b.raw()) <=> 0;
   }
+  /// @}
 
   fmpz* raw() { return handle_.get(); }
   const fmpz* raw() const { return handle_.get(); }
@@ -74,13 +84,15 @@ class Integer {
   flint::Fmpz handle_;
 };
 
+/// In base 10.
 std::ostream& operator<<(std::ostream& out, const Integer& x);
 
-inline Integer abs(Integer x) { return fmpz_abs(x.raw(), x.raw()), x; }
-/// Not negative; gcd(0, 0) = 0.
+inline Integer abs(Integer x) { return fmpz_abs(x.raw(), x.raw()), x; }  ///< |x|
+/// @{ Not negative; gcd(0, 0) = 0.
 Integer gcd(const Integer& a, const Integer& b);
 Integer lcm(const Integer& a, const Integer& b);
-Integer pow(const Integer& base, unsigned long exponent);
+/// @}
+Integer pow(const Integer& base, unsigned long exponent);  ///< the power; 0⁰ = 1
 /// ⌊√x⌋. Throws DomainError for x < 0.
 Integer sqrt(const Integer& x);
 /// ⌊a/b⌋. Throws DomainError for b = 0.

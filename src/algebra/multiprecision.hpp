@@ -8,10 +8,12 @@
 // phrame includes this header: Boost's take seconds to compile.
 namespace phrame {
 
+/// @{ The same number.
 boost::multiprecision::mpz_int to_boost(const Integer& x);
 boost::multiprecision::mpq_rational to_boost(const Rational& x);
 Integer from_boost(const boost::multiprecision::mpz_int& x);
 Rational from_boost(const boost::multiprecision::mpq_rational& x);
+/// @}
 
 /// Correctly rounded to a significand of `bits` bits. Throws DomainError for bits < 1, otherwise
 /// what round_to_mpfr of rounding.hpp throws.

@@ -11,17 +11,17 @@ namespace phrame {
 /// where t is one in the piece: the scale is a power of two, and the center 0 or so near that
 /// t/2 ≤ center ≤ 2t.
 struct PolynomialPiece {
-  double center = 0;
-  double scale = 1;
+  double center = 0;  ///< where y = 0
+  double scale = 1;   ///< a power of two
   double origin = 0;  ///< what is 0 for the polynomials that on_piece is given
   /// What a value computed in doubles is off by: at most error + error_per_y·|y|, of all
   /// polynomials together in the Euclidean norm. The error is 0 but for underflow where all are 0
   /// at y = 0, as what they stand for is.
   double error = 0;
-  double error_per_y = 0;
-  std::vector<double> coefficients;
+  double error_per_y = 0;            ///< see error
+  std::vector<double> coefficients;  ///< as a DoubleShape says
 
-  double y(double t) const { return (t - center) * scale; }
+  double y(double t) const { return (t - center) * scale; }  ///< of the parameter t
 };
 
 /// A center and a scale for [from, to]. No value where there is no such center: the interval is to
@@ -59,19 +59,21 @@ class PiecewisePolynomial {
   PiecewisePolynomial(const std::vector<double>& ends, const DoubleShape& shape, const Make& make);
   /// The same on [0, n] with the ends 0, 1, …, n.
   static PiecewisePolynomial on_units(std::size_t n, const DoubleShape& shape, const Make& make);
+  /// More pieces than these between two ends that were given are Undecided.
   static constexpr std::size_t max_pieces = 20'000;
 
-  double from() const { return ends_.front(); }
-  double to() const { return ends_.back(); }
-  const DoubleShape& shape() const { return shape_; }
-  const std::vector<PolynomialPiece>& pieces() const { return pieces_; }
+  double from() const { return ends_.front(); }        ///< where they begin
+  double to() const { return ends_.back(); }           ///< where they end
+  const DoubleShape& shape() const { return shape_; }  ///< of the coefficients of every piece
+  const std::vector<PolynomialPiece>& pieces() const { return pieces_; }  ///< ascending
 
   /// Ascending, one more than pieces; a piece is [end, next end), the last one closed.
   const std::vector<double>& ends() const { return ends_; }
-  // [from, to] is cut into cells, the floors of (t − from)·cells_per_unit() in doubles. The pieces
-  // that meet cell number k are those from first[k] to first[k + 1], often only first[k].
+  /// @{ [from, to] is cut into cells, the floors of (t − from)·cells_per_unit() in doubles. The
+  /// pieces that meet cell number k are those from first[k] to first[k + 1], often only first[k].
   double cells_per_unit() const { return cells_per_unit_; }
   const std::vector<std::uint32_t>& first() const { return first_; }
+  /// @}
 
   /// Throws DomainError, in the name of `what`, for a t outside [from(), to()] and NaN.
   void require_inside(double t, const char* what) const {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ostream>
 
 #include "phrame/algebra/error.hpp"
 
@@ -279,5 +280,7 @@ int sign_after_zero(const Polynomial& p) {
     if (const Rational c = p.coefficient(k); c != 0) return c < 0 ? -1 : 1;
   return 0;
 }
+
+std::ostream& operator<<(std::ostream& out, const Polynomial& p) { return out << to_string(p); }
 
 }  // namespace phrame

@@ -13,38 +13,48 @@ namespace phrame {
 class Polynomial {
  public:
   Polynomial() = default;  ///< 0
+  /// The coefficients of t⁰, t¹, …: {1, 0, 2} is 2t² + 1.
   Polynomial(std::initializer_list<Rational> ascending) : Polynomial(std::vector(ascending)) {}
+  /// The same from a list.
   explicit Polynomial(const std::vector<Rational>& ascending);
   /// c · tᵏ, k ≥ 0.
   static Polynomial monomial(const Rational& c, long k);
 
-  long degree() const { return fmpq_poly_degree(raw()); }
+  long degree() const { return fmpq_poly_degree(raw()); }  ///< −1 for 0
+  /// @{ By the degree: 0 is a constant, too.
   bool is_zero() const { return fmpq_poly_is_zero(raw()) != 0; }
   bool is_constant() const { return degree() <= 0; }
+  /// @}
 
   /// 0 beyond the degree; k ≥ 0.
   Rational coefficient(long k) const;
+  /// That of the highest power; 0 for 0.
   Rational leading_coefficient() const { return is_zero() ? Rational(0) : coefficient(degree()); }
   std::vector<Rational> coefficients() const;  ///< ascending, degree() + 1 of them
 
   /// The value at t.
   Rational operator()(const Rational& t) const;
 
+  /// @{ Exact.
   Polynomial& operator+=(const Polynomial& b);
   Polynomial& operator-=(const Polynomial& b);
   Polynomial& operator*=(const Polynomial& b);
   Polynomial& operator*=(const Rational& c);
+  /// @}
 
+  /// @{ Exact.
   friend Polynomial operator+(Polynomial a, const Polynomial& b) { return std::move(a += b); }
   friend Polynomial operator-(Polynomial a, const Polynomial& b) { return std::move(a -= b); }
   friend Polynomial operator*(Polynomial a, const Polynomial& b) { return std::move(a *= b); }
   friend Polynomial operator*(const Rational& c, Polynomial a) { return std::move(a *= c); }
   friend Polynomial operator-(Polynomial a) { return Rational(-1) * std::move(a); }
+  /// @}
+  /// Are all coefficients equal?
   friend bool operator==(const Polynomial& a, const Polynomial& b) {
     return fmpq_poly_equal(a.raw(), b.raw()) != 0;
   }
 
-  /// FLINT's own, for the files of this folder.
+  // FLINT's own, for the files of this folder.
   fmpq_poly_struct* raw() { return handle_.get(); }
   const fmpq_poly_struct* raw() const { return handle_.get(); }
 
@@ -52,13 +62,15 @@ class Polynomial {
   flint::FmpqPoly handle_;
 };
 
+/// What divide() finds.
 struct Division {
-  Polynomial quotient;
-  Polynomial remainder;
+  Polynomial quotient;   ///< of any degree
+  Polynomial remainder;  ///< of a lower degree than the divisor
 };
 
 /// a = quotient · b + remainder, deg remainder < deg b. Throws DomainError for b = 0.
 Division divide(const Polynomial& a, const Polynomial& b);
+/// The remainder. Throws DomainError for b = 0.
 Polynomial operator%(const Polynomial& a, const Polynomial& b);
 /// a % b, much faster where it is known to be far shorter than a: the quotient of a, without its
 /// denominator, by the primitive part of b is then integral (Gauss's lemma), and no power of a
@@ -74,20 +86,22 @@ Integer denominator(const Polynomial& p);
 /// gcd(0, 0) = 0.
 Polynomial gcd(const Polynomial& a, const Polynomial& b);
 
+/// What extended_gcd() finds.
 struct ExtendedGcd {
-  Polynomial g;
-  Polynomial s;
-  Polynomial t;
+  Polynomial g;  ///< the greatest common divisor, monic; 0 for a = b = 0
+  Polynomial s;  ///< the factor of a
+  Polynomial t;  ///< the factor of b
 };
 /// g = gcd(a, b) = s·a + t·b, but monic.
 ExtendedGcd extended_gcd(const Polynomial& a, const Polynomial& b);
 
-/// p = content(p) · primitive_part(p); the primitive part has coprime integer coefficients and a
+/// @{ p = content(p) · primitive_part(p); the primitive part has coprime integer coefficients and a
 /// positive leading one, so the content carries the sign. Both are 0 for 0.
 Rational content(const Polynomial& p);
 Polynomial primitive_part(const Polynomial& p);
+/// @}
 
-Polynomial differentiate(const Polynomial& p);
+Polynomial differentiate(const Polynomial& p);  ///< p′
 /// ∫₀ᵗ p.
 Polynomial antiderivative(const Polynomial& p);
 /// p(q(t)).
@@ -98,10 +112,12 @@ Polynomial pow(const Polynomial& p, long k);
 std::optional<Polynomial> square_root(const Polynomial& p);
 /// p/gcd(p, p′), primitive: the same roots, each once. Throws DomainError for 0.
 Polynomial squarefree_part(const Polynomial& p);
-bool is_squarefree(const Polynomial& p);
+bool is_squarefree(const Polynomial& p);  ///< has it no multiple root? True for constants ≠ 0
 
 /// "t^2 - 1/2*t + 3", for messages.
 std::string to_string(const Polynomial& p);
+/// Writes to_string(p).
+std::ostream& operator<<(std::ostream& out, const Polynomial& p);
 
 /// A polynomial over ℤ, to be reduced modulo primes (modular.hpp).
 using IntegerPolynomial = flint::FmpzPoly;
@@ -109,7 +125,7 @@ IntegerPolynomial integer_primitive_part(const Polynomial& p);  ///< primitive_p
 IntegerPolynomial integer_numerator(const Polynomial& p);       ///< denominator(p)·p
 /// The bits of the greatest coefficient of primitive_part(p); 0 for 0.
 long primitive_bits(const Polynomial& p);
-Polynomial to_polynomial(const fmpz_poly_t p);
+Polynomial to_polynomial(const fmpz_poly_t p);  ///< the same over ℚ
 
 /// The sign of p(t) for small t > 0: that of its lowest coefficient, 0 for p = 0.
 int sign_after_zero(const Polynomial& p);

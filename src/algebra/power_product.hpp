@@ -5,9 +5,10 @@
 
 namespace phrame {
 
+/// A power with a rational exponent, of which only products are asked for.
 struct Power {
   GaussianRational base;  ///< not 0
-  Rational exponent;
+  Rational exponent;      ///< of any sign
 };
 
 /// A number N > 0 such that N·exponent is whole for all of them.

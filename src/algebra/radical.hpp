@@ -15,45 +15,54 @@ namespace phrame {
 /// simplified: == compares the steps, and different radicals may be the same number.
 class Radical {
  public:
+  /// What a step does.
   enum class Kind { imaginary_unit, product, quotient, square_root, cube_root };
 
+  /// factor · step.
   struct Term {
-    Rational factor;  ///< not 0
-    std::size_t step;
+    Rational factor;   ///< not 0
+    std::size_t step;  ///< its number in steps()
     friend bool operator==(const Term&, const Term&) = default;
   };
   /// constant + Σ factor · step, by ascending steps.
   struct Sum {
-    Rational constant;
-    std::vector<Term> terms;
+    Rational constant;        ///< what is rational of it
+    std::vector<Term> terms;  ///< of other steps each
     friend bool operator==(const Sum&, const Sum&) = default;
   };
+  /// A number made from those of the steps before it.
   struct Step {
-    Kind kind = Kind::imaginary_unit;
-    Sum left = {};   ///< of a product, a quotient, a root
-    Sum right = {};  ///< of a product, a quotient
+    Kind kind = Kind::imaginary_unit;  ///< what is made of left, or of both
+    Sum left = {};                     ///< of a product, a quotient, a root
+    Sum right = {};                    ///< of a product, a quotient
     friend bool operator==(const Step&, const Step&) = default;
   };
 
+  /// @{ A rational number.
   Radical(const Rational& r = 0) : value_{r, {}} {}  // NOLINT(google-explicit-constructor)
   Radical(long r) : Radical(Rational(r)) {}          // NOLINT(google-explicit-constructor)
-  static Radical imaginary_unit();
+  /// @}
+  static Radical imaginary_unit();  ///< i
 
+  /// In the order in which they are computed.
   const std::vector<Step>& steps() const { return steps_; }
-  const Sum& value() const { return value_; }
+  const Sum& value() const { return value_; }  ///< the number, a sum of steps
   /// The number, where no step is needed to write it.
   std::optional<Rational> rational() const;
 
-  friend Radical operator+(const Radical& a, const Radical& b);
-  friend Radical operator*(const Radical& a, const Radical& b);
+  friend Radical operator+(const Radical& a, const Radical& b);  ///< like terms collected
+  friend Radical operator*(const Radical& a, const Radical& b);  ///< i² = −1 and √x·√x = x are used
   /// Throws DomainError for b = 0, if it is written as 0.
   friend Radical operator/(const Radical& a, const Radical& b);
+  /// @{ As written by + and ·.
   friend Radical operator-(const Radical& a) { return a * Rational(-1); }
   friend Radical operator-(const Radical& a, const Radical& b) { return a + -b; }
-  /// Powers are taken out of rational radicands as far as they are found (split_square):
+  /// @}
+  /// @{ Powers are taken out of rational radicands as far as they are found (split_square):
   /// √12 = 2√3, √(−1/2) = i√2/2, ∛(16/27) = 2∛2/3.
   friend Radical sqrt(const Radical& a);
   friend Radical cbrt(const Radical& a);
+  /// @}
 
   /// Are they written alike, whatever the order of the steps?
   friend bool operator==(const Radical& a, const Radical& b);

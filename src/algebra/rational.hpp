@@ -13,37 +13,45 @@ namespace phrame {
 class Rational {
  public:
   Rational() = default;  ///< 0
+  /// An integer, of any type.
   template <MachineInteger T>
   Rational(T x) : Rational(Integer(x)) {}
+  /// An integer.
   Rational(const Integer& x) { fmpz_set(fmpq_numref(raw()), x.raw()); }
   /// n/d. Throws DomainError for d = 0.
   Rational(const Integer& n, const Integer& d);
-  explicit Rational(const fmpq_t x) { fmpq_set(raw(), x); }
-  explicit Rational(const fmpz_t x) { fmpz_set(fmpq_numref(raw()), x); }
+  explicit Rational(const fmpq_t x) { fmpq_set(raw(), x); }               ///< a copy of FLINT's
+  explicit Rational(const fmpz_t x) { fmpz_set(fmpq_numref(raw()), x); }  ///< the integer
 
   /// −1, 0 or 1.
   int sign() const { return fmpq_sgn(raw()); }
-  std::string str() const;
+  std::string str() const;  ///< "3/7", "-2"
   /// The nearest double, ±∞ beyond them; one of the two next to it where it is subnormal.
   explicit operator double() const;
 
+  /// @{ Exact.
   Rational& operator+=(const Rational& x) { return fmpq_add(raw(), raw(), x.raw()), *this; }
   Rational& operator-=(const Rational& x) { return fmpq_sub(raw(), raw(), x.raw()), *this; }
   Rational& operator*=(const Rational& x) { return fmpq_mul(raw(), raw(), x.raw()), *this; }
+  /// @}
   /// Throws DomainError for x = 0.
   Rational& operator/=(const Rational& x);
 
+  /// @{ Exact; a quotient by 0 throws DomainError.
   friend Rational operator+(Rational a, const Rational& b) { return std::move(a += b); }
   friend Rational operator-(Rational a, const Rational& b) { return std::move(a -= b); }
   friend Rational operator*(Rational a, const Rational& b) { return std::move(a *= b); }
   friend Rational operator/(Rational a, const Rational& b) { return std::move(a /= b); }
   friend Rational operator-(Rational a) { return fmpq_neg(a.raw(), a.raw()), std::move(a); }
+  /// @}
+  /// @{ By value.
   friend bool operator==(const Rational& a, const Rational& b) {
     return fmpq_equal(a.raw(), b.raw()) != 0;
   }
   friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
     return fmpq_cmp(a.raw(), b.raw()) <=> 0;
   }
+  /// @}
 
   fmpq* raw() { return handle_.get(); }
   const fmpq* raw() const { return handle_.get(); }
@@ -52,11 +60,14 @@ class Rational {
   flint::Fmpq handle_;
 };
 
+/// "3/7", "-2".
 std::ostream& operator<<(std::ostream& out, const Rational& x);
 
+/// In lowest terms, with the sign.
 inline Integer numerator(const Rational& x) { return Integer(fmpq_numref(x.raw())); }
+/// In lowest terms, > 0.
 inline Integer denominator(const Rational& x) { return Integer(fmpq_denref(x.raw())); }
-inline Rational abs(Rational x) { return fmpq_abs(x.raw(), x.raw()), x; }
+inline Rational abs(Rational x) { return fmpq_abs(x.raw(), x.raw()), x; }  ///< |x|
 /// The greatest integer ≤ x.
 Integer floor(const Rational& x);
 /// The fraction with the least denominator in [a, b], a ≤ b, and of these the one next to 0.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <ostream>
 
 #include "phrame/algebra/error.hpp"
 
@@ -112,6 +113,13 @@ long bits_of(const RationalFunction& f) {
     return std::abs(fmpz_poly_max_bits(integer_primitive_part(p).get()));
   };
   return bits(f.numerator()) + bits(f.denominator());
+}
+
+std::ostream& operator<<(std::ostream& out, const RationalFunction& f) {
+  if (f.is_polynomial()) return out << f.numerator();
+  const bool is_integer = f.numerator().is_constant() && denominator(f.numerator()) == 1;
+  if (is_integer) return out << f.numerator() << "/(" << f.denominator() << ')';
+  return out << '(' << f.numerator() << ")/(" << f.denominator() << ')';
 }
 
 }  // namespace phrame

@@ -12,22 +12,25 @@ class RationalFunction {
   RationalFunction() = default;  ///< 0
   /// Throws DomainError for a zero denominator.
   RationalFunction(Polynomial numerator, Polynomial denominator);
+  /// The polynomial over 1.
   explicit RationalFunction(Polynomial polynomial);
 
-  const Polynomial& numerator() const { return numerator_; }
-  const Polynomial& denominator() const;
-  bool is_zero() const { return numerator_.is_zero(); }
-  bool is_polynomial() const { return denominator_.is_zero(); }
+  const Polynomial& numerator() const { return numerator_; }     ///< with the content and the sign
+  const Polynomial& denominator() const;                         ///< primitive; 1 for a polynomial
+  bool is_zero() const { return numerator_.is_zero(); }          ///< is it 0?
+  bool is_polynomial() const { return denominator_.is_zero(); }  ///< is the denominator 1?
   /// deg numerator < deg denominator; 0 is proper.
   bool is_proper() const { return numerator_.degree() < denominator().degree(); }
 
   /// The value at t. Throws DomainError at a pole.
   Rational operator()(const Rational& t) const;
 
+  /// @{ Exact, in lowest terms. Cost: a gcd.
   friend RationalFunction operator+(const RationalFunction& a, const RationalFunction& b);
   friend RationalFunction operator-(const RationalFunction& a, const RationalFunction& b);
   friend RationalFunction operator*(const RationalFunction& a, const RationalFunction& b);
   friend RationalFunction operator-(const RationalFunction& a);
+  /// @}
   friend bool operator==(const RationalFunction&, const RationalFunction&) = default;
 
  private:
@@ -35,16 +38,20 @@ class RationalFunction {
   Polynomial denominator_;  ///< 0 stands for 1, so that a moved-from value is 0/1
 };
 
-RationalFunction differentiate(const RationalFunction& f);
+RationalFunction differentiate(const RationalFunction& f);  ///< f′
 
-/// f(g(t)). Throws DomainError where g is a constant at which f has a pole.
+/// @{ f(g(t)). Throws DomainError where g is a constant at which f has a pole.
 RationalFunction compose(const RationalFunction& f, const Polynomial& g);
 RationalFunction compose(const RationalFunction& f, const RationalFunction& g);
+/// @}
 
 /// c where f = c.
 std::optional<Rational> constant(const RationalFunction& f);
 
 /// The bits of the greatest coefficients of numerator and denominator.
 long bits_of(const RationalFunction& f);
+
+/// "(t^2 - 1)/(t + 3)", "-2/(t + 3)", or as a polynomial where it is one.
+std::ostream& operator<<(std::ostream& out, const RationalFunction& f);
 
 }  // namespace phrame

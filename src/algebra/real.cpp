@@ -1,5 +1,7 @@
 #include "phrame/algebra/real.hpp"
 
+#include <ostream>
+
 #include "phrame/algebra/shared.hpp"
 
 namespace phrame {
@@ -52,6 +54,10 @@ Real remembered(const Real& x) {
 Real square_root_of(const Rational& x) {
   if (const auto root = square_root(x)) return *root;
   return {[x](long bits) { return sqrt(RealBall(x, bits + 8), bits + 8); }, {true, bits_of(x)}};
+}
+
+std::ostream& operator<<(std::ostream& out, const Real& x) {
+  return x.exact() ? out << *x.exact() : out << x.enclose(64);
 }
 
 }  // namespace phrame

@@ -22,14 +22,19 @@ class Real {
     long bits = 0;  ///< of all that the number was made from, about
   };
 
+  /// A number known exactly.
   Real(Rational exact) : exact_(std::move(exact)) {}  // NOLINT(google-explicit-constructor)
+  /// A number of which nothing but enclosures is known.
   explicit Real(Enclosure enclosure) : Real(std::move(enclosure), Origin()) {}
+  /// The same with what is known beside them.
   Real(Enclosure enclosure, Origin origin)
       : enclosure_(std::make_shared<const Enclosure>(std::move(enclosure))), origin_(origin) {}
 
+  /// The number, where it is known exactly; else it may be rational still.
   const std::optional<Rational>& exact() const { return exact_; }
   /// Of an exact number, its bits.
   Origin origin() const { return exact_ ? Origin{false, bits_of(*exact_)} : origin_; }
+  /// A ball around it: the more bits, the narrower, as the enclosure does it.
   RealBall enclose(long bits) const {
     return exact_ ? RealBall(*exact_, bits) : (*enclosure_)(bits);
   }
@@ -40,15 +45,20 @@ class Real {
   Origin origin_;
 };
 
-// Exact where the operands are, and 0·x = 0. Sums and products of an irrational number and a
-// rational one ≠ 0 are irrational; of two irrational ones nothing is known.
+/// @{ Exact where the operands are, and 0·x = 0. Sums and products of an irrational number and a
+/// rational one ≠ 0 are irrational; of two irrational ones nothing is known.
 Real operator-(const Real& x);
 Real operator+(const Real& x, const Real& y);
 Real operator*(const Real& x, const Real& y);
+/// @}
 /// The same number, which keeps the narrowest ball that it was asked for, for the next time. Its
 /// copies share it.
 Real remembered(const Real& x);
 /// √x for x ≥ 0, exact where it is rational.
 Real square_root_of(const Rational& x);
+
+/// The number, where it is exact; else a ball of 64 bits around it, "[3.14159265358979
+/// +/- 3.24e-15]". For digits that are certain: round_to_decimal().
+std::ostream& operator<<(std::ostream& out, const Real& x);
 
 }  // namespace phrame

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ostream>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
@@ -143,6 +144,11 @@ std::string place(std::string_view letter, const RealAlgebraic& a) {
   const auto exact = a.rational();
   return std::string(letter) +
          (exact ? " = " + abbreviated(to_string(*exact)) : " ≈ " + to_string(enclose(a, 64), 12));
+}
+
+std::ostream& operator<<(std::ostream& out, const RealAlgebraic& a) {
+  if (a.is_rational()) return out << *a.rational();
+  return out << "root of " << a.polynomial() << " in " << a.interval();
 }
 
 }  // namespace phrame

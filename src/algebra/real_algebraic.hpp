@@ -15,11 +15,13 @@ namespace phrame {
 /// other is open, with rational ends. Equality and order are decided by algebra.
 class RealAlgebraic {
  public:
+  /// A rational number.
   RealAlgebraic(const Rational& r = 0);  // NOLINT(google-explicit-constructor)
 
   /// Irreducible over ℚ, with coprime integer coefficients and a positive leading one.
   const Polynomial& polynomial() const { return polynomial_; }
-  const Interval& interval() const { return interval_; }
+  const Interval& interval() const { return interval_; }  ///< which holds no other root of it
+  /// Is it rational? The degree of its polynomial says so.
   bool is_rational() const { return polynomial_.degree() == 1; }
   /// The number, where it is rational.
   std::optional<Rational> rational() const;
@@ -39,6 +41,7 @@ class RealAlgebraic {
 /// there are none or several, saying how many, and for p = 0. Cost: the factorization of p.
 RealAlgebraic real_root(const Polynomial& p, const Interval& interval);
 
+/// @{ Which is the greater one, decided exactly.
 std::strong_ordering compare(const RealAlgebraic& a, const Rational& r);
 std::strong_ordering compare(const RealAlgebraic& a, const RealAlgebraic& b);
 inline bool operator==(const RealAlgebraic& a, const RealAlgebraic& b) {
@@ -47,10 +50,12 @@ inline bool operator==(const RealAlgebraic& a, const RealAlgebraic& b) {
 inline std::strong_ordering operator<=>(const RealAlgebraic& a, const RealAlgebraic& b) {
   return compare(a, b);
 }
+/// @}
 
+/// A root of a polynomial with its multiplicity.
 struct RealRoot {
-  RealAlgebraic at;
-  long order;  ///< its multiplicity, ≥ 1; the polynomial changes sign where it is odd
+  RealAlgebraic at;  ///< the root
+  long order;        ///< its multiplicity, ≥ 1; the polynomial changes sign where it is odd
   friend bool operator==(const RealRoot&, const RealRoot&) = default;
 };
 
@@ -79,5 +84,8 @@ long bits_of(const RealAlgebraic& a);
 /// For correct rounding, which always ends: an irrational number is never half way between two
 /// numbers with finitely many digits.
 Real to_real(const RealAlgebraic& a);
+
+/// "1/2", "root of t^2 - 2 in (1, 2)".
+std::ostream& operator<<(std::ostream& out, const RealAlgebraic& a);
 
 }  // namespace phrame

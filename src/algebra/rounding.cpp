@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ostream>
 
 #include "phrame/algebra/error.hpp"
 
@@ -215,5 +216,7 @@ std::string upper_bound_text(const Rational& x, long digits) { return bound_text
 std::string lower_bound_text(const Rational& x, long digits) {
   return bound_text(x, digits, false);
 }
+
+std::ostream& operator<<(std::ostream& out, const Decimal& x) { return out << x.value; }
 
 }  // namespace phrame

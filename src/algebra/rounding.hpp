@@ -8,11 +8,11 @@
 
 namespace phrame {
 
-/// Where Ziv's loop gives up: at factor · (the bits of the result + those the number was made from)
-/// + offset bits of precision; never, where the number is known to be irrational.
+/// Where Ziv's loop gives up: at factor · (the bits of the result + those the number was made
+/// from) + offset bits of precision; never, where the number is known to be irrational.
 struct PrecisionLimit {
-  long factor = 16;
-  long offset = 8192;
+  long factor = 16;    ///< of the bits of result and number together
+  long offset = 8192;  ///< what is added
 };
 
 // Correct rounding, to nearest with ties to even, by Ziv's strategy: the precision rises until
@@ -23,7 +23,8 @@ struct PrecisionLimit {
 // chosen as near to a boundary, 0 included, as these allow. Ziv, Fast evaluation of elementary
 // mathematical functions with correctly rounded last bit, ACM TOMS 17 (1991).
 
-/// 0 is no boundary here: a ball within 2^−1075 of it rounds to 0, the positive one.
+/// The nearest double. 0 is no boundary here: a ball within 2^−1075 of it rounds to 0, the positive
+/// one.
 double round_to_double(const Real& x, PrecisionLimit limit = {});
 
 /// The double that all numbers of the ball round to, where there is one.
@@ -33,24 +34,29 @@ std::optional<double> common_double(const RealBall& x);
 /// mpfr_float.)
 void round_to_mpfr(mpfr_t target, const Real& x, PrecisionLimit limit = {});
 
+/// A number with so many significant decimal digits, correctly rounded.
 struct Decimal {
   std::string value;  ///< "0.28585", "1.5e-12": exactly the significant digits asked for; "0" for 0
   std::string radius;  ///< an upper bound of |value − number|, two digits; "0" where they are equal
 };
+/// Its value.
+std::ostream& operator<<(std::ostream& out, const Decimal& x);
 /// With `digits` ≥ 1 significant decimal digits. Throws DomainError for digits < 1.
 Decimal round_to_decimal(const Real& x, long digits, PrecisionLimit limit = {});
 
-/// 2ᵏ and 10ᵏ.
+/// @{ 2ᵏ and 10ᵏ.
 Rational power_of_two(long k);
 Rational power_of_ten(long k);
+/// @}
 /// log₂ x, off by less than 1, for x > 0.
 long binary_exponent(const Rational& x);
 /// The e with 10ᵉ ≤ x < 10ᵉ⁺¹, x > 0.
 long decimal_exponent(const Rational& x);
 
-/// A bound of x ≥ 0 with so many digits, "1.3e-51", rounded up or down; "0" for 0. With
+/// @{ A bound of x ≥ 0 with so many digits, "1.3e-51", rounded up or down; "0" for 0. With
 /// more than two digits "0.0131" where that is short.
 std::string upper_bound_text(const Rational& x, long digits = 2);
 std::string lower_bound_text(const Rational& x, long digits = 2);
+/// @}
 
 }  // namespace phrame

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <ostream>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 
@@ -252,6 +254,10 @@ std::vector<Interval> located_real_roots(const Polynomial& p, const Interval& in
 
 long cauchy_index(const SturmChain& chain, const Rational& a, const Rational& b) {
   return chain.variations(a) - chain.variations(b);
+}
+
+std::ostream& operator<<(std::ostream& out, const Interval& interval) {
+  return out << to_string(interval);
 }
 
 }  // namespace phrame

@@ -7,20 +7,23 @@ namespace phrame {
 
 /// A part of the real line. A missing end is infinite (and open).
 struct Interval {
-  std::optional<Rational> lower;
-  std::optional<Rational> upper;
-  bool lower_closed = true;
-  bool upper_closed = true;
+  std::optional<Rational> lower;  ///< none for −∞
+  std::optional<Rational> upper;  ///< none for ∞
+  bool lower_closed = true;       ///< does the lower end belong to it?
+  bool upper_closed = true;       ///< does the upper end?
 
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-inline Interval real_line() { return {}; }
-inline Interval closed(Rational a, Rational b) { return {std::move(a), std::move(b)}; }
+inline Interval real_line() { return {}; }  ///< (−∞, ∞)
+inline Interval closed(Rational a, Rational b) { return {std::move(a), std::move(b)}; }  ///< [a, b]
+/// (a, b).
 inline Interval open(Rational a, Rational b) { return {std::move(a), std::move(b), false, false}; }
 
 /// "[0, 1]", "(-1/2, ∞)".
 std::string to_string(const Interval& interval);
+/// Writes to_string(interval).
+std::ostream& operator<<(std::ostream& out, const Interval& interval);
 
 /// How many distinct real roots p has in the interval: Descartes' rule of signs on smaller and
 /// smaller parts until it decides (0 or 1 changes), and Sturm's theorem for roots close together.
@@ -32,8 +35,8 @@ long count_real_roots(const Polynomial& p, const Interval& interval);
 /// squarefree part and no root at its ends. Throws DomainError for p = 0.
 std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& interval);
 
-/// The same isolating interval of p, with finite ends, bisected until it is no wider than `width`
-/// > 0.
+/// The same isolating interval of p, with finite ends, bisected until it is no wider than
+/// `width` > 0.
 Interval narrowed(const Polynomial& p, Interval isolating, const Rational& width);
 
 /// isolate_real_roots for people to read: rational roots as points, the others in intervals no
@@ -44,6 +47,7 @@ std::vector<Interval> located_real_roots(const Polynomial& p, const Interval& in
 /// the last is gcd(p, q). Basu–Pollack–Roy, Algorithms in Real Algebraic Geometry, §2.2.
 class SturmChain {
  public:
+  /// Throws DomainError for p = 0.
   SturmChain(const Polynomial& p, const Polynomial& q);
 
   /// The signs −1, 0, 1 of all its polynomials at t.

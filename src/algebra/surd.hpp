@@ -7,9 +7,11 @@ namespace phrame {
 
 /// √d·√e = factor·√radicand.
 struct RootProduct {
-  Integer factor;
-  Integer radicand;
+  Integer factor;    ///< ≥ 1
+  Integer radicand;  ///< ≥ 1
 };
+/// By the gcd of d and e alone: the radicand may have square factors. Throws DomainError for d or e
+/// < 1.
 RootProduct multiply_roots(const Integer& d, const Integer& e);
 
 /// ℚ(√d, √e, …) for integers d, e, … ≥ 1, by the integers whose roots are in it, up to squares.
@@ -17,6 +19,7 @@ class RootField {
  public:
   /// Is √d in it?
   bool contains(const Integer& d) const;
+  /// Makes it contain √d.
   void adjoin(const Integer& d);
   /// As many as its degree, 1 first; the k-th root that was new is at 2ᵏ⁻¹.
   const std::vector<Integer>& radicands() const { return radicands_; }
@@ -47,14 +50,15 @@ class SurdSum {
   const std::map<Integer, C>& terms() const { return terms_; }
   /// The coefficient of √1.
   C rational_part() const { return terms_.contains(1) ? terms_.at(1) : C{}; }
-  bool is_rational() const { return count_roots() == 0; }
-  bool is_zero() const { return terms_.empty(); }
+  bool is_rational() const { return count_roots() == 0; }  ///< has it no root?
+  bool is_zero() const { return terms_.empty(); }          ///< has it no term?
   /// The number of terms without that of √1.
   std::size_t count_roots() const { return terms_.size() - terms_.count(1); }
 
   /// Adds c·√d. Throws DomainError for d < 1.
   void add(const C& c, const Integer& d);
 
+  /// @{ Exact.
   friend SurdSum operator+(SurdSum x, const SurdSum& y) {
     for (const auto& [d, c] : y.terms_) x.add(c, d);
     return x;
@@ -66,15 +70,20 @@ class SurdSum {
   }
   friend SurdSum operator-(const SurdSum& x) { return Rational(-1) * x; }
   friend SurdSum operator-(const SurdSum& x, const SurdSum& y) { return x + -y; }
+  /// @}
+  /// Are they the same number? Decided, however they are written.
   friend bool operator==(const SurdSum& x, const SurdSum& y) { return (x - y).is_zero(); }
 
  private:
   std::map<Integer, C> terms_;
 };
 
+/// A number that is a sum of square roots.
 using Surd = SurdSum<Rational>;
+/// A polynomial whose coefficients are such numbers.
 using SurdPolynomial = SurdSum<Polynomial>;
 
+/// Exact.
 template <class A, class B>
 auto operator*(const SurdSum<A>& x, const SurdSum<B>& y) {
   SurdSum<decltype(A() * B())> product;
@@ -119,9 +128,10 @@ RootField half_field(const SurdSum<C>& x) {
   return half;
 }
 
+/// The coefficients of t⁰, t¹, …
 SurdPolynomial surd_polynomial(const std::vector<Surd>& ascending);
-SurdPolynomial differentiate(const SurdPolynomial& p);
-long degree(const SurdPolynomial& p);
+SurdPolynomial differentiate(const SurdPolynomial& p);  ///< p′
+long degree(const SurdPolynomial& p);                   ///< −1 for 0
 /// The coefficient of tᵏ.
 Surd coefficient(const SurdPolynomial& p, long k);
 
@@ -131,9 +141,9 @@ Surd evaluate(const Polynomial& p, const Surd& x);
 /// a + b·√d, d an integer that is no square, with √d = i·√|d| for d < 0; b = 0 and d = 1 for a
 /// rational number.
 struct QuadraticNumber {
-  Rational a;
-  Rational b;
-  Integer d = 1;
+  Rational a;     ///< what is rational
+  Rational b;     ///< the factor of the root
+  Integer d = 1;  ///< the radicand
   friend bool operator==(const QuadraticNumber&, const QuadraticNumber&) = default;
 };
 
@@ -144,9 +154,10 @@ QuadraticNumber quadratic_root(const Polynomial& p);
 /// x = root²·rest for an integer x ≥ 1; rest is 1 where x is a square, and has no square factor p²
 /// with p ≤ 10⁴. (To find all square factors is as hard as to factor x.)
 struct SquareFactor {
-  Integer root;
-  Integer rest;
+  Integer root;  ///< what is taken out of the root, ≥ 1
+  Integer rest;  ///< what stays under it, ≥ 1
 };
+/// Throws DomainError for x < 1. Cost: divisions by the numbers up to 10⁴.
 SquareFactor split_square(const Integer& x);
 
 template <class C>

@@ -20,26 +20,31 @@ struct SizeLimits {
 /// much longer than its limits allow is not begun. After an exception the value is unspecified.
 class Unreduced {
  public:
+  /// A constant.
   explicit Unreduced(Rational constant = 0) : scale_(std::move(constant)) {}
+  /// Of any function.
   explicit Unreduced(const RationalFunction& f);
   /// c·tᵏ, k of any sign.
   static Unreduced monomial(const Rational& c, long k);
 
-  bool is_zero() const { return scale_ == 0; }
+  bool is_zero() const { return scale_ == 0; }  ///< is it 0?
+  /// Is it written as c·tᵏ?
   bool is_monomial() const { return numerator_.is_constant() && denominator_.is_constant(); }
+  /// Is it written without a denominator?
   bool is_polynomial() const { return shift_ >= 0 && denominator_.is_constant(); }
-  const Rational& scale() const { return scale_; }
-  long shift() const { return shift_; }
+  const Rational& scale() const { return scale_; }  ///< c
+  long shift() const { return shift_; }             ///< k
 
   /// The value, if it is a constant. Cost: a gcd where it is not a monomial.
   std::optional<Rational> constant() const;
+  /// In lowest terms. Throws Undecided beyond the limits.
   RationalFunction reduced(const SizeLimits& limits) const;
 
-  void negate() { scale_ = -scale_; }
-  void multiply(const Unreduced& b, const SizeLimits& limits);
-  /// Throws DomainError for b = 0.
+  void negate() { scale_ = -scale_; }                           ///< becomes −this
+  void multiply(const Unreduced& b, const SizeLimits& limits);  ///< becomes this·b
+  /// Becomes this/b. Throws DomainError for b = 0.
   void divide(const Unreduced& b, const SizeLimits& limits);
-  /// Throws DomainError for a power ≤ 0 of 0.
+  /// Becomes this^exponent. Throws DomainError for a power ≤ 0 of 0.
   void raise(const Integer& exponent, const SizeLimits& limits);
 
  private:
@@ -58,11 +63,12 @@ class Unreduced {
 /// fractions are added in pairs of like length, so that most additions are of small ones.
 class UnreducedSum {
  public:
+  /// With its first term.
   UnreducedSum(const Unreduced& first, const SizeLimits& limits) : limits_(limits) { add(first); }
 
-  /// Throws Undecided beyond the limits.
+  /// Adds a. Throws Undecided beyond the limits.
   void add(const Unreduced& a);
-  Unreduced total() const;
+  Unreduced total() const;  ///< the sum, not reduced
 
  private:
   RationalFunction laurent_part() const;

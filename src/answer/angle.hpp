@@ -9,14 +9,14 @@ namespace phrame {
 
 /// Which angle is the rotation-minimizing frame at?
 struct AngleQuery {
-  Reference reference = Reference::euler_rodrigues;
-  Angle start_angle = {};         ///< θ(0)
-  std::vector<Rational> at = {};  ///< the t where θ is asked for
-  long digits = 17;               ///< of its values
-  Route route = Route::automatic;
-  bool wants_formula = true;  ///< of θ, on each segment
-  Form form = Form::automatic;
-  Style style = Style::logarithms;
+  Reference reference = Reference::euler_rodrigues;  ///< the frame that θ is measured from
+  Angle start_angle = {};                            ///< θ(0)
+  std::vector<Rational> at = {};                     ///< the t where θ is asked for
+  long digits = 17;                                  ///< of its values
+  Route route = Route::automatic;                    ///< the way to values
+  bool wants_formula = true;                         ///< of θ, on each segment
+  Form form = Form::automatic;                       ///< how logarithms are written
+  Style style = Style::logarithms;                   ///< in which functions θ is written
   /// Where they are listed: so many poles with their residues, and more are counted.
   std::optional<long> most_poles = {};
 };
@@ -27,25 +27,26 @@ struct AngleFormula {
   Antiderivative angle_to_erf;             ///< θ, or θ − arg(bend)
   std::optional<GaussianPolynomial> bend;  ///< to the Frenet frame: g without its real factor
   Antiderivative antiderivative;           ///< θ, with the argument of the bend as logarithms
-  OtherForm other;
-  std::optional<PoleTable> poles;
+  OtherForm other;  ///< the antiderivative in the style asked for, if another than logarithms
+  std::optional<PoleTable> poles;  ///< of the antiderivative, where they are to be listed
 };
 
 /// One row of a table of angles.
 struct AngleValue {
-  Rational t;
+  Rational t;     ///< the parameter
   Decimal theta;  ///< radians, continuous branch
 };
 
+/// The angle of the rotation-minimizing frame of a path.
 struct AngleAnswer {
-  NamedPath path;
-  Reference reference;
-  Angle start_angle;
+  NamedPath path;                      ///< as asked
+  Reference reference;                 ///< the frame that θ is measured from
+  Angle start_angle;                   ///< θ(0)
   std::vector<AngleFormula> formulas;  ///< of the segments, if they are wanted
-  std::vector<AngleValue> values;
-  long digits;
-  std::optional<Decimal> total;     ///< θ(end) − θ(0) of a spline
-  std::optional<Decimal> holonomy;  ///< of a closed spline
+  std::vector<AngleValue> values;      ///< at the t asked for, in their order
+  long digits;                         ///< of the values
+  std::optional<Decimal> total;        ///< θ(end) − θ(0) of a spline
+  std::optional<Decimal> holonomy;     ///< of a closed spline
 };
 
 /// Throws DomainError as PathAngle and, in the style of radicals, as radical_form(); Undecided,

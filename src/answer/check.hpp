@@ -7,14 +7,15 @@ namespace phrame {
 /// How far are somebody's frames from the rotation-minimizing one?
 struct CheckQuery {
   std::vector<GivenFrame> frames;  ///< at least one
-  FrameCheckOptions options = {};
+  FrameCheckOptions options = {};  ///< what they are compared with, and the tolerance
 };
 
+/// The verdict on somebody's frames.
 struct CheckAnswer {
-  std::string name;  ///< of the path
-  std::vector<GivenFrame> frames;
-  FrameCheckOptions options;
-  FrameVerdict verdict;
+  std::string name;                ///< of the path
+  std::vector<GivenFrame> frames;  ///< as given
+  FrameCheckOptions options;       ///< as asked
+  FrameVerdict verdict;            ///< whether they pass, errors and findings
 };
 
 /// Throws as check_frames().

@@ -7,11 +7,13 @@ namespace phrame {
 /// Of which kinds is a path, and are its segments?
 struct ClassificationQuery {};
 
+/// Of which kinds a path and its segments are.
 struct ClassificationAnswer {
-  NamedPath path;
-  PathClassification classification;
+  NamedPath path;                     ///< as asked
+  PathClassification classification;  ///< with witnesses
 };
 
+/// Throws as classify().
 ClassificationAnswer answer(const NamedPath& path, const ClassificationQuery& query);
 
 }  // namespace phrame

@@ -8,16 +8,17 @@ namespace phrame {
 
 /// The angle and the frame as polynomials with a proof, docs/compiled.md.
 struct CompiledQuery {
-  Reference reference = Reference::euler_rodrigues;
-  Angle start_angle = {};
+  Reference reference = Reference::euler_rodrigues;  ///< the frame that θ is measured from
+  Angle start_angle = {};                            ///< θ(0)
   double from = 0;  ///< of a curve; a spline is compiled as a whole
-  double to = 1;
+  double to = 1;    ///< > from
 };
 
+/// Polynomials for a whole path: to_c_header() writes them.
 struct CompiledAnswer {
-  NamedPath path;
-  Reference reference;
-  Angle start_angle;
+  NamedPath path;                               ///< as asked
+  Reference reference;                          ///< the frame that θ is measured from
+  Angle start_angle;                            ///< θ(0)
   PiecewisePolynomial angle;                    ///< of plain_shape(1)
   std::optional<PiecewisePolynomial> rotation;  ///< of plain_shape(4); not of a Frenet frame
 };
@@ -25,8 +26,9 @@ struct CompiledAnswer {
 /// Throws as PathAngle, compiled_angle() and compiled_rotation().
 CompiledAnswer answer(const NamedPath& path, const CompiledQuery& query);
 
-// With rounding, what is computed from the polynomials in doubles is off by at most
+/// @{ With rounding, what is computed from the polynomials in doubles is off by at most so much:
 double angle_error(const CompiledAnswer& answer);      ///< in radians
 double component_error(const CompiledAnswer& answer);  ///< of a frame vector; 0 without a rotation
+/// @}
 
 }  // namespace phrame

@@ -6,22 +6,24 @@ namespace phrame {
 
 /// What is a proof assistant to prove of a value of the angle, and how?
 struct CoqQuery {
-  Rational t = 1;
-  long digits = 20;
+  Rational t = 1;    ///< > 0, where the angle is asked for
+  long digits = 20;  ///< of the value
 };
 
 /// |θ_ERF(t) − theta| ≤ unit.
 struct CoqAnswer {
-  Curve curve;
-  Rational t;
+  Curve curve;    ///< as asked
+  Rational t;     ///< likewise
   Decimal theta;  ///< correctly rounded
   Rational unit;  ///< one in the place of its last digit
   /// Of CoqInterval's tactic `integral`, by the distance of the poles from [0, t].
   struct Effort {
+    /// @{ What that tactic takes by this name.
     long precision;
     long degree;
     long fuel;
-  } effort;
+    /// @}
+  } effort;  ///< what the proof takes
 };
 
 /// Throws DomainError for t ≤ 0 and where A has a zero in [0, t].

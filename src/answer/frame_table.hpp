@@ -24,23 +24,24 @@ enum class TabulatedScalar {
   frenet_rate,  ///< √(κ² + τ²), the rate at which the Frenet frame turns
 };
 
+/// What a table holds beside t, r and e₁.
 struct TableColumns {
-  std::vector<TabulatedFrame> frames;
-  std::vector<TabulatedScalar> scalars = {};
+  std::vector<TabulatedFrame> frames;         ///< two vectors each
+  std::vector<TabulatedScalar> scalars = {};  ///< a column each
   /// The frames of minimal twist where there are columns for them; for t on the spline only.
   std::optional<TwistFrame> mtf = {};
-  std::optional<MinimalTwist> exact_mtf = {};
+  std::optional<MinimalTwist> exact_mtf = {};  ///< likewise
   /// Is a cell whose number is undefined left empty? Else it is an error.
   bool may_be_empty = false;
 };
 
 /// Numbers with a name for each column; all of them correctly rounded. NaN is an empty cell.
 struct FrameTable {
-  std::vector<std::string> columns;
-  std::vector<std::vector<double>> rows;
-  std::string format = "frames/1";  ///< as JSON names it
-  std::size_t incomplete_rows = 0;  ///< so many have empty cells
-  std::string first_reason = {};    ///< why the first of these has
+  std::vector<std::string> columns;       ///< their names: "t", "x", "y", "z", "e1x", …
+  std::vector<std::vector<double>> rows;  ///< as long as columns
+  std::string format = "frames/1";        ///< as JSON names it
+  std::size_t incomplete_rows = 0;        ///< so many have empty cells
+  std::string first_reason = {};          ///< why the first of these has
 };
 
 /// t, r, e₁, the frames and the scalars asked for, at each t: correctly rounded values at t itself,

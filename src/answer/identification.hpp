@@ -8,10 +8,11 @@ namespace phrame {
 
 /// Is a curve Pythagorean, and what is its preimage?
 struct IdentificationAnswer {
-  std::string name;
-  std::variant<Curve, NotPythagorean> result;
+  std::string name;                            ///< of the curve
+  std::variant<Curve, NotPythagorean> result;  ///< the curve, or why it is none
 };
 
+/// Throws as identify().
 IdentificationAnswer answer(const NamedHodograph& query);
 
 }  // namespace phrame

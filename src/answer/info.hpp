@@ -6,15 +6,17 @@ namespace phrame {
 
 /// What are the length, the twist and the energy of a path?
 struct InfoQuery {
-  long digits = 17;
+  long digits = 17;  ///< of all numbers
 };
 
+/// The numbers of a path.
 struct InfoAnswer {
+  /// A length, exact where it is rational.
   struct Length {
-    Real exact;
+    Real exact;       ///< the number
     Decimal rounded;  ///< where it is irrational
   };
-  NamedPath path;
+  NamedPath path;               ///< as asked
   Length length;                ///< ∫ |f|σ dt
   std::vector<Length> lengths;  ///< of the segments
   Decimal twist_erf;            ///< ∫ 2h/σ dt, of the continuous Euler–Rodrigues frame

@@ -7,9 +7,9 @@ namespace phrame {
 
 /// Which points does a motion pass at the times 0, period, 2·period, …?
 struct InterpolationQuery {
-  Feedrate feedrate;
-  Rational period;
-  long most_rows = 10'000'000;
+  Feedrate feedrate;            ///< the speed along the path
+  Rational period;              ///< > 0, in units of time
+  long most_rows = 10'000'000;  ///< more are refused
 };
 
 /// Those points and the end of the path, whose k is the next and whose time is the total. The

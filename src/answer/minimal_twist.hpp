@@ -12,28 +12,30 @@ struct MinimalTwistQuery {
   long extra_turns = 0;           ///< so many revolutions more
   std::vector<Rational> at = {};  ///< the t where θ is asked for
   long digits = 17;               ///< of all numbers
+  /// How a rational frame is looked for.
   struct RationalFrame {
-    RationalTwistOptions rotation;
-    Subdivision subdivision;
-    bool is_needed;  ///< is it an error that there is none?
+    RationalTwistOptions rotation;  ///< the degree of its rotations, and their ends
+    Subdivision subdivision;        ///< its pieces
+    bool is_needed;                 ///< is it an error that there is none?
   };
-  std::optional<RationalFrame> rational = {};
+  std::optional<RationalFrame> rational = {};  ///< none for the exact frame alone
 };
 
+/// The exact frame of minimal twist, and a rational one near to it.
 struct MinimalTwistAnswer {
-  NamedPath path;
-  Decimal from;  ///< θ_i
-  Decimal to;    ///< θ_f
-  Rational length;
-  Decimal erf_twist;
-  Decimal nominal_twist;
-  Decimal twist;
-  Decimal rate;
-  std::vector<AngleValue> values;
-  long digits;
-  std::optional<TwistFrameAnswer> rational = {};
-  std::string why_not_rational = {};  ///< where there is none
-  std::string why_undecided = {};     ///< where none was found, or could be shown
+  NamedPath path;                                 ///< as asked
+  Decimal from;                                   ///< θ_i
+  Decimal to;                                     ///< θ_f
+  Rational length;                                ///< S, of the path
+  Decimal erf_twist;                              ///< of the Euler–Rodrigues frame, ∫ 2h/σ dt
+  Decimal nominal_twist;                          ///< T
+  Decimal twist;                                  ///< T_min, with the extra turns
+  Decimal rate;                                   ///< the twist over S
+  std::vector<AngleValue> values;                 ///< θ at the t asked for
+  long digits;                                    ///< of all numbers
+  std::optional<TwistFrameAnswer> rational = {};  ///< where it was asked for and found
+  std::string why_not_rational = {};              ///< where there is none
+  std::string why_undecided = {};                 ///< where none was found, or could be shown
 };
 
 /// Throws DomainError as MinimalTwist, and as twist_frame() where a rational frame is needed;

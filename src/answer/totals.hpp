@@ -6,9 +6,10 @@ namespace phrame {
 
 /// What does a path gather from its start to its end?
 struct TotalsQuery {
-  long digits = 17;
+  long digits = 17;  ///< of all values
 };
 
+/// What a path gathers.
 enum class Quantity {
   length,          ///< ∫ ds
   erf_twist,       ///< ∫ 2h/σ dt
@@ -22,17 +23,19 @@ enum class Quantity {
 /// "twist of the ERF".
 const char* name_of(Quantity quantity);
 
+/// All totals of a path.
 struct TotalsAnswer {
+  /// One of them.
   struct Row {
-    Quantity quantity;
+    Quantity quantity;                                ///< which one
     std::optional<PathTotal> total = std::nullopt;    ///< in closed form
     std::optional<Decimal> value = std::nullopt;      ///< no value where it is infinite
     std::optional<Infinite> infinite = std::nullopt;  ///< the pole, then
     std::string reason = {};                          ///< why there is neither
   };
-  NamedPath path;
+  NamedPath path;         ///< as asked
   std::vector<Row> rows;  ///< of all quantities, in their order
-  long digits;
+  long digits;            ///< of the values
 };
 
 /// Throws Undecided, naming the quantity, where one cannot be rounded.

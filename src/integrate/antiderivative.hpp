@@ -20,16 +20,17 @@ bool is_over_poles(const LogSum& sum);
 /// F = polynomial + rational + Σ logs, up to a constant [Bronstein 2005, §2.5].
 /// Two antiderivatives differ by a constant iff their derivatives are equal.
 struct Antiderivative {
-  Polynomial polynomial;
+  Polynomial polynomial;      ///< the polynomial part, integrated
   RationalFunction rational;  ///< proper
-  std::vector<LogSum> logs;
+  std::vector<LogSum> logs;   ///< none where F is rational
 
   friend bool operator==(const Antiderivative&, const Antiderivative&) = default;
 };
 
-/// F′ ∈ ℚ(t), computed exactly in ℚ[x]/(q): no root is approximated.
+/// @{ F′ ∈ ℚ(t), computed exactly in ℚ[x]/(q): no root is approximated.
 RationalFunction differentiate(const LogSum& sum);
 RationalFunction differentiate(const Antiderivative& F);
+/// @}
 
 /// F(b) − F(a) without the logarithms. Throws DomainError where that has a pole at an end.
 Rational difference_without_logarithms(const Antiderivative& F, const Rational& a,

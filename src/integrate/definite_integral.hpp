@@ -5,6 +5,7 @@
 
 namespace phrame {
 
+/// The value of a definite integral.
 struct DefiniteIntegral {
   Real value;  ///< exact where it is rational
   /// In finite terms, where the ends are rational or infinite and all residues lie in ℚ(i) or
@@ -12,6 +13,7 @@ struct DefiniteIntegral {
   std::optional<ExactValue> exact;
 };
 
+/// What is done with poles between the ends.
 enum class AtPoles {
   refuse,           ///< no integral has a pole on its path
   principal_value,  ///< Cauchy's: simple poles between the ends, from −∞ to ∞ the limit for R → ∞

@@ -6,11 +6,13 @@
 
 namespace phrame {
 
+/// −∞ and ∞.
 enum class Infinity { negative, positive };
 
 /// An end of a path of integration.
 using Endpoint = std::variant<Rational, RealAlgebraic, Infinity>;
 
+/// Is it −∞ or ∞?
 inline bool is_infinite(const Endpoint& end) { return std::holds_alternative<Infinity>(end); }
 
 /// The number, of a finite end.

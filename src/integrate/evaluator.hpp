@@ -30,6 +30,7 @@ enum class Route {
 class Evaluator {
  public:
   Evaluator() : Evaluator(Antiderivative{}, RationalFunction{}) {}  ///< of F = 0
+  /// Of F.
   explicit Evaluator(const Antiderivative& F) : Evaluator(F, differentiate(F)) {}
   /// Of F with F′ = derivative, which is not checked. To differentiate costs as much as to
   /// integrate where residues are algebraic numbers of high degree.
@@ -42,10 +43,10 @@ class Evaluator {
   Evaluator& operator=(const Evaluator&) = default;
   ~Evaluator() = default;
 
-  const RationalFunction& derivative() const;
+  const RationalFunction& derivative() const;  ///< F′
   /// The way to values from now on; that of copies stays.
   void take(Route route) { route_ = route; }
-  Route route() const { return route_; }
+  Route route() const { return route_; }  ///< the way to values
 
   /// A ball around F(b) − F(a) with a radius ≤ 2^−bits · max(1, |F(b) − F(a)|), and on the
   /// automatic route, where b is near to a beside the poles, as narrow as short_integral's. Throws

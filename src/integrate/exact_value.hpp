@@ -11,15 +11,17 @@ namespace phrame {
 /// of > 1 and the factors are different, in the arctangents of > 0, of ≠ 1, and the arguments are
 /// different. Where there is an irrational multiple of π it is the whole one: pi is 0.
 struct ExactValue {
+  /// factor·log(of), or factor·arctan(of).
   struct Term {
-    Rational factor;
-    Rational of;
+    Rational factor;  ///< not 0
+    Rational of;      ///< the argument
     friend bool operator==(const Term&, const Term&) = default;
   };
-  Rational rational;
-  Rational pi;
-  std::vector<Term> logarithms;
-  std::vector<Term> arctangents;
+  Rational rational;              ///< what is rational
+  Rational pi;                    ///< the rational multiple of π
+  std::vector<Term> logarithms;   ///< those of log
+  std::vector<Term> arctangents;  ///< those of arctan
+  /// The multiple of π, where it is irrational.
   std::optional<RealAlgebraic> irrational_pi = std::nullopt;
   friend bool operator==(const ExactValue&, const ExactValue&) = default;
 };
@@ -34,12 +36,13 @@ bool is_rational(const ExactValue& x);
 /// At ±∞ it is the limit, in which log|t| is left out: the factors of it add up to 0 where there is
 /// an integral.
 struct LogChange {
+  /// exponent·(arg base + 2π·whole).
   struct Turn {
-    Power power;
+    Power power;    ///< base and exponent
     Integer whole;  ///< with −π < arg base ≤ π
   };
-  std::vector<Power> sizes;
-  std::vector<Turn> turns;
+  std::vector<Power> sizes;  ///< those of logarithms
+  std::vector<Turn> turns;   ///< those of arguments
 };
 
 /// Precondition: the ends are rational or infinite, and no zero of a logarithm. Throws DomainError
@@ -60,6 +63,7 @@ ExactValue exact_value(const Rational& rational, LogChange change, const RealAlg
 std::optional<ExactValue> sum_of(const std::vector<ExactValue>& values);
 /// Throws DomainError where both have an irrational multiple of π.
 ExactValue operator+(const ExactValue& a, const ExactValue& b);
+/// c·x.
 ExactValue operator*(const Rational& c, const ExactValue& x);
 
 }  // namespace phrame

@@ -10,19 +10,21 @@ namespace phrame {
 ///   Σ factor·log|of(t)| + Σ factor·arg of(t) + the sums whose residues do not.
 /// The arguments are continuous along the real line.
 struct GaussianLogs {
+  /// factor·log|of(t)|.
   struct Logarithm {
-    Rational factor;
-    Polynomial of;
+    Rational factor;  ///< not 0
+    Polynomial of;    ///< not constant
     friend bool operator==(const Logarithm&, const Logarithm&) = default;
   };
+  /// factor·arg of(t).
   struct Argument {
-    Rational factor;
+    Rational factor;        ///< not 0
     GaussianPolynomial of;  ///< without a real zero
     friend bool operator==(const Argument&, const Argument&) = default;
   };
-  std::vector<Logarithm> logarithms;
-  std::vector<Argument> arguments;
-  std::vector<LogSum> others;
+  std::vector<Logarithm> logarithms;  ///< of real functions
+  std::vector<Argument> arguments;    ///< continuous
+  std::vector<LogSum> others;         ///< whose residues do not lie in ℚ(i)
 };
 
 /// The sums Σ α·log v(α, t) over the roots of irreducible polynomials in this form: conjugate

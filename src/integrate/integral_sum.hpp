@@ -5,16 +5,16 @@ namespace phrame {
 
 /// factor · ∫ f from `from` to `to`, where F is an antiderivative of f without a pole between them.
 struct IntegralPart {
-  RationalFunction f;
-  Antiderivative F;
-  Rational from = 0;
-  Rational to = 1;
-  Rational factor = 1;
+  RationalFunction f;   ///< the integrand
+  Antiderivative F;     ///< with F′ = f
+  Rational from = 0;    ///< where the path begins
+  Rational to = 1;      ///< and ends
+  Rational factor = 1;  ///< of the integral
 };
 
 /// Integrals that are added up, and their value as far as it is known.
 struct KnownIntegral {
-  DefiniteIntegral value;
+  DefiniteIntegral value;  ///< as far as it is known
   /// Whose sum it is. They may be left out where it is rational, and where they are not between
   /// rational ends: it then takes part in what is known in finite terms only.
   std::vector<IntegralPart> parts = {};

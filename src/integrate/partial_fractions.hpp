@@ -6,8 +6,8 @@ namespace phrame {
 /// n/d with d irreducible over ℚ (primitive) and deg n < deg d, n ≠ 0: one term of the partial
 /// fraction decomposition over ℚ of a function with simple poles.
 struct SimpleFraction {
-  Polynomial numerator;
-  Polynomial denominator;
+  Polynomial numerator;    ///< n
+  Polynomial denominator;  ///< d
 };
 
 /// f = Σ of simple fractions, one for each irreducible factor of its denominator, in the order of

@@ -6,7 +6,7 @@ namespace phrame {
 /// g(π), where g ∈ ℚ(x) is not constant: a transcendental number [Baker 1975, chapter 1], so that
 /// it is no pole of a rational function, and the same number as h(π) only for h = g.
 struct PiValue {
-  RationalFunction of_pi;
+  RationalFunction of_pi;  ///< g
   friend bool operator==(const PiValue&, const PiValue&) = default;
 };
 

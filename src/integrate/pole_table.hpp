@@ -17,12 +17,15 @@ struct PolePart {
 /// A pole z of F′ and its residue c(z): a real one, or, with both signs of the imaginary parts, a
 /// pair of conjugate ones.
 struct PoleRow {
+  /// @{ Of the pole, and of its residue.
   PolePart re;
   PolePart im;
   PolePart residue_re;
   PolePart residue_im;
+  /// @}
 };
 
+/// Poles and residues of a derivative.
 struct PoleTable {
   long poles = 0;             ///< of F′ that have a residue, conjugate ones counted both
   std::vector<PoleRow> rows;  ///< none where there are more than were to be listed

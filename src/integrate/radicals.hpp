@@ -20,9 +20,9 @@ struct RadicalSum {
 /// continuous on the whole real line. For real x, log|v| is the real antiderivative. Elsewhere, for
 /// complex x and v of a degree > 1, the logarithm is to be continued along the path.
 struct RadicalForm {
-  Polynomial polynomial;
-  RationalFunction rational;  ///< proper
-  std::vector<RadicalSum> logs;
+  Polynomial polynomial;         ///< the polynomial part
+  RationalFunction rational;     ///< proper
+  std::vector<RadicalSum> logs;  ///< written out
   friend bool operator==(const RadicalForm&, const RadicalForm&) = default;
 };
 

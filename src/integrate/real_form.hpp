@@ -10,30 +10,35 @@ namespace phrame {
 /// Numbers are of real quadratic and biquadratic fields; terms with irrational ones come with all
 /// their conjugates.
 struct RealForm {
+  /// factor·log|of|.
   struct Logarithm {
-    Surd factor;
-    SurdPolynomial of;
+    Surd factor;            ///< not 0
+    SurdPolynomial of;      ///< not constant
     bool positive = false;  ///< of(t) > 0 on the whole real line: |…| is not needed
     friend bool operator==(const Logarithm&, const Logarithm&) = default;
   };
+  /// factor·√radicand·arctan(√radicand·of).
   struct Arctangent {
-    Surd factor;
-    SurdPolynomial of;
+    Surd factor;                  ///< not 0
+    SurdPolynomial of;            ///< not constant
     Surd radicand = Rational(1);  ///< > 0; where it is not 1, `of` is linear with a slope > 0
     friend bool operator==(const Arctangent&, const Arctangent&) = default;
   };
+  /// factor·√radicand·log|(of − √radicand)/(of + √radicand)|.
   struct LogQuotient {
-    Surd factor;
+    Surd factor;        ///< not 0
     SurdPolynomial of;  ///< t + constant
     Surd radicand;      ///< > 0
     friend bool operator==(const LogQuotient&, const LogQuotient&) = default;
   };
-  Polynomial polynomial;
+  Polynomial polynomial;      ///< the polynomial part
   RationalFunction rational;  ///< proper
+  /// @{ The terms of each kind.
   std::vector<Logarithm> logarithms;
   std::vector<Arctangent> arctangents;
-  std::vector<LogSum> others = {};  ///< is_over_poles() of irreducible polynomials
-  std::vector<LogQuotient> quotients = {};
+  /// @}
+  std::vector<LogSum> others = {};          ///< is_over_poles() of irreducible polynomials
+  std::vector<LogQuotient> quotients = {};  ///< with the square roots of surds
 };
 
 /// The real form of F, checked: it has the derivative of F. F may be in any form.

@@ -10,13 +10,14 @@ namespace phrame {
 /// A disc that holds one root of q, above the real axis, and one that holds the residue of n/q
 /// there. Integers stand for multiples of 2^−bits.
 struct RootDisc {
-  GaussianInteger center;
-  Integer radius;  ///< 0 for an exact root
-  GaussianInteger residue;
-  Integer residue_radius;
+  GaussianInteger center;   ///< of the disc of the root
+  Integer radius;           ///< 0 for an exact root
+  GaussianInteger residue;  ///< the center of the disc of the residue
+  Integer residue_radius;   ///< and its radius
   friend bool operator==(const RootDisc&, const RootDisc&) = default;
 };
 
+/// Have the two discs of roots no point in common?
 bool are_apart(const RootDisc& a, const RootDisc& b);
 
 /// Discs for all roots of the squarefree q above the real axis, from left to right, that integers

@@ -5,8 +5,10 @@
 
 namespace phrame {
 
+/// A place in a JSON document; its definition is not public.
 class JsonNode;
 
+/// What is refused because it would take too long.
 struct CurveLimits {
   long max_degree = 1001;  ///< of the curve, 2m + 1 + deg f
 };

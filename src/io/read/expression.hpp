@@ -9,8 +9,8 @@ namespace phrame {
 
 /// A rational function that somebody has typed.
 struct Expression {
-  RationalFunction value;
-  std::string variable;  ///< as given or found; empty for a constant
+  RationalFunction value;  ///< in lowest terms
+  std::string variable;    ///< as given or found; empty for a constant
 };
 
 /// What is refused, and what the refusal advises.

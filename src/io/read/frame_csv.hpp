@@ -11,7 +11,7 @@ namespace phrame {
 struct FrameReading {
   /// The four columns from left to right; `named`: by their names, else w, x, y, z.
   enum class Quaternion { named, wxyz, xyzw };
-  Quaternion quaternion = Quaternion::named;
+  Quaternion quaternion = Quaternion::named;  ///< how its columns are ordered
   /// Which of x, y, z is the tangent; f₂ and f₃ are the next two.
   std::size_t tangent_axis = 0;
   /// The tangent is the opposite of that axis, and f₂ and f₃ change places.
@@ -23,11 +23,12 @@ struct FrameReading {
   friend bool operator==(const FrameReading&, const FrameReading&) = default;
 };
 
+/// What read_frames() has read.
 struct GivenTable {
-  std::vector<GivenFrame> frames;
+  std::vector<GivenFrame> frames;    ///< a row each
   std::vector<std::string> columns;  ///< t, x, y, … where their number told what they are
   std::size_t skipped = 0;           ///< further columns there
-  bool has_quaternions = false;
+  bool has_quaternions = false;      ///< are the frames given by quaternions?
 };
 
 /// Reads a table of frames: a .npy file (NpyTable) or text. The text is lines of numbers, separated

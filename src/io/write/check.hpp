@@ -11,16 +11,18 @@ namespace phrame {
 struct TableReading {
   /// How it would better have been read.
   struct Other {
-    std::string options;
-    bool passes;  ///< the frames pass by it; else their tangents are right, at least
+    std::string options;  ///< as they are typed: "--quaternion xyzw"
+    bool passes;          ///< the frames pass by it; else their tangents are right, at least
   };
   std::vector<std::string> columns = {};  ///< t, x, y, … where their number told what they are
   std::size_t skipped = 0;                ///< further columns there
+  /// Where frames that do not pass would be better with other options.
   std::optional<Other> better = std::nullopt;
 };
 
 /// The verdict and its reason in a line.
 std::string summary(const CheckAnswer& answer);
+/// For reading, Unicode.
 std::string to_text(const CheckAnswer& answer, const TableReading& reading);
 std::string to_json(const CheckAnswer& answer, const TableReading& reading);  ///< check/1
 

@@ -7,9 +7,9 @@ namespace phrame {
 
 /// The letters of a formula.
 struct Letters {
-  std::string variable = "t";
-  std::string pole = "z";     ///< what a sum over poles runs over
-  std::string residue = "x";  ///< what a sum over residues runs over
+  std::string variable = "t";  ///< of the function
+  std::string pole = "z";      ///< what a sum over poles runs over
+  std::string residue = "x";   ///< what a sum over residues runs over
 };
 
 /// Letters that are not `variable`, which is written as the notation can: "\theta",
@@ -23,9 +23,9 @@ std::string readable_factors(const Polynomial& p, std::string_view variable = "t
 std::string formatted_quotient(const RationalFunction& f, Notation notation,
                                std::string_view variable = "t");
 
-// The terms of a formula, those with a minus sign beginning with it. In Unicode long polynomials
-// are abbreviated, and a sum over roots goes on in a second line, which says what its c(z) is.
-
+/// @{ The terms of a formula, those with a minus sign beginning with it. In Unicode long
+/// polynomials are abbreviated, and a sum over roots goes on in a second line, which says what its
+/// c(z) is.
 std::vector<std::string> formatted_terms(const Antiderivative& F, Notation notation,
                                          const Letters& letters = {});
 std::vector<std::string> formatted_terms(const RealForm& F, Notation notation,
@@ -33,6 +33,7 @@ std::vector<std::string> formatted_terms(const RealForm& F, Notation notation,
 std::vector<std::string> formatted_terms(const TextbookForm& F, Notation notation,
                                          const Letters& letters = {});
 std::vector<std::string> formatted_terms(const ExactValue& x, Notation notation);
+/// @}
 
 /// How the logarithms of F are written: "partial-fractions" where all sums are over poles,
 /// "rothstein-trager" where none is and their polynomials are irreducible, "lazard-rioboo-trager"

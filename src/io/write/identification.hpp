@@ -5,7 +5,7 @@
 
 namespace phrame {
 
-std::string to_text(const IdentificationAnswer& answer);
+std::string to_text(const IdentificationAnswer& answer);  ///< for reading, Unicode
 std::string to_json(const IdentificationAnswer& answer);  ///< identify/1
 
 }  // namespace phrame

@@ -14,6 +14,7 @@
 
 namespace phrame {
 
+/// How formulas are written: for a screen, or for a paper.
 enum class Notation { unicode, latex };
 
 // A text for reading has passages in two lengths: all of it, and what a screen line can bear. Such
@@ -38,13 +39,13 @@ std::string formatted(const GaussianPolynomial& p, Notation notation,
 /// "t² − t + (2x + 1)", by powers of t: coefficients with an x stand in parentheses.
 std::string formatted(const Bivariate& v, Notation notation, std::string_view variable = "t",
                       std::string_view index = "x");
-/// "3/7", "\frac{3}{7}"; a minus sign is "−" in Unicode.
+/// "3/7", `\frac{3}{7}`; a minus sign is "−" in Unicode.
 std::string formatted(const Rational& x, Notation notation);
 /// "(…)", in LaTeX as high as what it holds.
 std::string in_parentheses(std::string_view text, Notation notation);
 /// c times a number with a name: "√2", "−3π/4".
 std::string formatted_multiple(const Rational& c, std::string_view name, Notation notation);
-/// A decimal, "1.5e-12", as 1.5 \cdot 10^{-12}.
+/// A decimal, "1.5e-12", as `1.5 \cdot 10^{-12}`.
 std::string latex_decimal(const std::string& decimal);
 /// "1/3", "−3π/4", "1/3 + π/4".
 std::string formatted(const Angle& angle, Notation notation);
@@ -66,11 +67,12 @@ std::vector<std::string> aligned(const std::vector<std::string>& texts);
 /// `text`, or, where it is longer than a screen line can bear, a passage: abridged, it says what
 /// the polynomial is, "⟨degree 160, coefficients of up to 53 digits⟩".
 std::string readable(std::string text, const Polynomial& p);
-/// The same of v: "⟨degree 12 in t⟩", and of g and p, in Unicode.
+/// @{ The same of v: "⟨degree 12 in t⟩", and of g and p, in Unicode.
 std::string readable(const Bivariate& v, std::string_view variable = "t",
                      std::string_view index = "x");
 std::string readable(const GaussianPolynomial& g);
 std::string readable(const SurdPolynomial& p, std::string_view variable);
+/// @}
 
 /// A number in closed form, a passage where it is longer than `limit`: by default what a screen can
 /// bear.
@@ -86,9 +88,11 @@ std::string row(std::string_view label, const std::string& value, std::size_t wi
 /// below the line stands its decimal, correctly rounded: "123456789012345678901/7 ≈
 /// 1.76366841446e19".
 std::string shown(const Rational& x, std::size_t limit = 240);
+/// @{ For reading, numbers in it as above: "1/3 + π/4", "(1, 0, 2/3)", "t² − 1".
 std::string shown(const Angle& x);
 std::string shown(const Vector<Rational>& v);
 std::string shown(const Polynomial& p);
+/// @}
 /// x where it is exact, and the decimal it was rounded to where it is not or is a long fraction.
 std::string shown(const Real& x, const Decimal& rounded);
 /// A place: "1/2", "0.707106781187…", cut off and not rounded.

@@ -5,7 +5,7 @@
 
 namespace phrame {
 
-std::string to_text(const MinimalTwistAnswer& answer);
+std::string to_text(const MinimalTwistAnswer& answer);  ///< for reading, Unicode
 std::string to_json(const MinimalTwistAnswer& answer);  ///< mtf/1
 
 }  // namespace phrame

@@ -20,8 +20,8 @@ class ArcLength {
   /// Throws DomainError where f changes sign on [0, 1], since |f|σ is then no polynomial.
   explicit ArcLength(const Curve& curve);
 
-  const Polynomial& polynomial() const { return length_; }
-  const Rational& total() const { return total_; }  ///< s(1)
+  const Polynomial& polynomial() const { return length_; }  ///< s(t)
+  const Rational& total() const { return total_; }          ///< s(1)
 
   /// The t ∈ [0, 1] with s(t) = s, exact where it is rational, else algebraic: its correct rounding
   /// ends. Throws DomainError for s outside [0, s(1)]. Cost: two or three values of s and σ and,
@@ -47,14 +47,17 @@ class ArcLength {
 /// which names the segment of a spline.
 class PathLength {
  public:
+  /// Along this path.
   explicit PathLength(Path path);
 
   /// Along segment k, from its start.
   const ArcLength& segment(std::size_t k) const;
   /// Up to the start of segment k, the end of the path for k = the number of segments.
   const Rational& before(std::size_t k) const;
+  /// Of the whole path.
   const Rational& total() const { return before(path_.segments().size()); }
 
+  /// The arc length from the start of the path to there.
   Rational value(const PathParameter& at) const;
   /// From a to b, a ≤ b; no value where f changes sign between them, and only there.
   std::optional<Rational> between(const PathParameter& a, const PathParameter& b) const;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <ostream>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/power_series.hpp"
 
@@ -122,6 +124,11 @@ Vector<Polynomial> bezier_hodograph(const std::vector<Vector<Rational>>& points)
     result[k] = from_bernstein(steps);
   }
   return result;
+}
+
+std::ostream& operator<<(std::ostream& out, const Curve& curve) {
+  return out << "A = " << curve.preimage() << ", f = " << curve.multiplier()
+             << ", r(0) = " << curve.start();
 }
 
 }  // namespace phrame

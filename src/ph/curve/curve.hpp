@@ -11,14 +11,15 @@ namespace phrame {
 /// f > 0 and −r′/|r′| where f < 0.
 class Curve {
  public:
-  /// From (0, 0, 0), unless another start is given. Throws DomainError where the preimage or the
+  /// @{ From (0, 0, 0), unless another start is given. Throws DomainError where the preimage or the
   /// multiplier is zero.
   explicit Curve(QuaternionPolynomial preimage, Polynomial multiplier = Polynomial{1});
   Curve(QuaternionPolynomial preimage, Polynomial multiplier, Vector<Rational> start);
+  /// @}
 
-  const QuaternionPolynomial& preimage() const { return preimage_; }
-  const Polynomial& multiplier() const { return multiplier_; }
-  const Vector<Rational>& start() const { return start_; }
+  const QuaternionPolynomial& preimage() const { return preimage_; }  ///< A
+  const Polynomial& multiplier() const { return multiplier_; }        ///< f
+  const Vector<Rational>& start() const { return start_; }            ///< r(0)
 
   friend bool operator==(const Curve&, const Curve&) = default;
 
@@ -27,6 +28,9 @@ class Curve {
   Polynomial multiplier_;
   Vector<Rational> start_;
 };
+
+/// On one line: "A = (t + 1, 2, 0, t^2), f = 1, r(0) = (0, 0, 0)".
+std::ostream& operator<<(std::ostream& out, const Curve& curve);
 
 long preimage_degree(const Curve& curve);  ///< m
 long degree(const Curve& curve);           ///< 2m + 1 + deg f, the degree of r
@@ -37,13 +41,14 @@ Vector<Polynomial> position(const Curve& curve);   ///< r
 Polynomial hodograph_content(const Curve& curve);
 /// The signs that f takes on the segment [0, 1], its zeros apart; decided exactly.
 struct Signs {
-  bool positive = false;
-  bool negative = false;
+  bool positive = false;  ///< is f > 0 anywhere on it?
+  bool negative = false;  ///< is f < 0 anywhere on it?
   friend bool operator==(const Signs&, const Signs&) = default;
 };
+/// Cost: the real roots of f in (0, 1).
 Signs multiplier_signs(const Curve& curve);
 
-Vector<Rational> evaluate(const Vector<Polynomial>& v, const Rational& t);
+Vector<Rational> evaluate(const Vector<Polynomial>& v, const Rational& t);  ///< v(t)
 
 /// The polynomial Σ b_r C(m, r) (1 − t)^{m−r} tʳ with m + 1 Bernstein coefficients b.
 Polynomial from_bernstein(const std::vector<Rational>& b);

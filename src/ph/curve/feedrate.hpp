@@ -8,21 +8,22 @@ namespace phrame {
 /// of the curve's own quantities. Constant, linear or quadratic in the arc length, any polynomial
 /// in the parameter, V₀/(1 + κd) for a plane curve: all are of this kind [Farouki 2008].
 struct Feedrate {
+  /// The quantity that the speed is a function of.
   enum class Of {
     arc_length,  ///< s
     parameter,   ///< t
     curvature,   ///< κ, signed, of a plane curve
   };
-  RationalFunction speed;
-  Of of = Of::arc_length;
+  RationalFunction speed;  ///< V, of that quantity
+  Of of = Of::arc_length;  ///< which one it is
 
   friend bool operator==(const Feedrate&, const Feedrate&) = default;
 };
 
 /// Where a curve begins that is a segment of a path: what the quantities of the path are there.
 struct SegmentStart {
-  Rational parameter = 0;
-  Rational arc_length = 0;
+  Rational parameter = 0;   ///< of the path
+  Rational arc_length = 0;  ///< from the start of the path
 };
 
 /// V as a function of the parameter t ∈ [0, 1] of the curve. Throws DomainError where the curvature

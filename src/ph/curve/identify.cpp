@@ -22,6 +22,8 @@
 
 #include <fmt/format.h>
 
+#include <ostream>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/gaussian_integer.hpp"
@@ -140,6 +142,10 @@ std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph
 
 std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph) {
   return identify(hodograph, {});
+}
+
+std::ostream& operator<<(std::ostream& out, const NotPythagorean& reason) {
+  return out << to_string(reason);
 }
 
 }  // namespace phrame

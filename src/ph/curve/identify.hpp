@@ -17,6 +17,8 @@ struct NotPythagorean {
 
 /// One line: why not.
 std::string to_string(const NotPythagorean& reason);
+/// Writes to_string(reason).
+std::ostream& operator<<(std::ostream& out, const NotPythagorean& reason);
 
 /// The curve with the hodograph r′ and r(0) = start as r′ = f · A i A*, checked exactly, or why
 /// there is no such form. A has the least degree, f is ±gcd(x′, y′, z′) up to a constant, with f >

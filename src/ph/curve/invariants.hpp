@@ -21,8 +21,8 @@ Polynomial rho(const QuaternionPolynomial& a);
 /// ρ = constant·ω², with ω primitive: then |r′ × r″| = √constant·|f²σω| is a polynomial, up to its
 /// sign, over ℝ, and κ, n and b are rational over ℚ(√constant). For a straight line ρ = 0 = 0·1².
 struct DoublePh {
-  Rational constant;
-  Polynomial omega;
+  Rational constant;  ///< > 0, also where it is a square; 0 for a straight line
+  Polynomial omega;   ///< primitive
   friend bool operator==(const DoublePh&, const DoublePh&) = default;
 };
 /// No value where a factor of ρ has an odd exponent. All helices have one [Beltran, Monterde 2007].
@@ -47,10 +47,11 @@ RationalFunction signed_curvature(const Curve& curve);
 /// The split (15) of [Farouki 2003], triple_product = f³(a·ρ + b·σ), in closed form:
 /// a = 2h, b = −4 Im(g′ḡ). Then θ_Frenet′ = −a/σ − b/ρ.
 struct AngleSplit {
-  Polynomial a;
-  Polynomial b;
+  Polynomial a;  ///< of ρ
+  Polynomial b;  ///< of σ
   friend bool operator==(const AngleSplit&, const AngleSplit&) = default;
 };
+/// Of the curves with this preimage.
 AngleSplit closed_split(const QuaternionPolynomial& preimage);
 
 /// The same by the paper's linear system for the coefficients of a and b. It has a unique solution

@@ -17,6 +17,7 @@ namespace phrame {
 /// frame about the tangent by the constant 2·arg c; A ↦ A·j, f ↦ −f turns it over.
 class Path {
  public:
+  /// One segment, to which others may be appended.
   Path(Curve first) : segments_{std::move(first)} {}  // NOLINT(google-explicit-constructor)
 
   /// Throws DomainError where the curve does not start where the spline ends, and where its tangent
@@ -48,8 +49,8 @@ class Path {
 /// The segment that t is in, the later one at a joint, and the parameter there: in [0, 1], unless
 /// the path is a curve.
 struct PathParameter {
-  std::size_t segment;
-  Rational t;
+  std::size_t segment;  ///< 0, 1, …
+  Rational t;           ///< the parameter of that segment
 };
 /// Throws DomainError for t outside [0, end()] of a spline.
 PathParameter locate(const Path& path, const Rational& t);
@@ -58,12 +59,13 @@ PathParameter locate_inside(const Path& path, const Rational& t);
 
 /// A point of a path, at an algebraic parameter on that segment.
 struct PathPoint {
-  std::size_t segment;
-  RealAlgebraic t;
+  std::size_t segment;  ///< 0, 1, …
+  RealAlgebraic t;      ///< the parameter of that segment
 };
 
-/// The parameter along the path, segment + t.
+/// @{ The parameter along the path, segment + t.
 Rational parameter(const PathParameter& at);
 RealAlgebraic parameter(const PathPoint& at);
+/// @}
 
 }  // namespace phrame

@@ -1,8 +1,20 @@
 #include "phrame/ph/curve/quaternion.hpp"
 
 #include <algorithm>
+#include <ostream>
+#include <utility>
 
 namespace phrame {
+namespace {
+
+template <class Components>
+std::ostream& write_components(std::ostream& out, const Components& components) {
+  const char* before = "(";
+  for (const auto& x : components) out << std::exchange(before, ", ") << x;
+  return out << ')';
+}
+
+}  // namespace
 
 HopfForm hopf_form(const QuaternionPolynomial& a) { return {{a.u, a.v}, {a.q, a.p}}; }
 
@@ -26,6 +38,22 @@ QuaternionPolynomial without_real_content(const QuaternionPolynomial& a) {
   const Polynomial common = real_content(a);
   return {exact_quotient(a.u, common), exact_quotient(a.v, common), exact_quotient(a.p, common),
           exact_quotient(a.q, common)};
+}
+
+std::ostream& operator<<(std::ostream& out, const Vector<Rational>& v) {
+  return write_components(out, v);
+}
+
+std::ostream& operator<<(std::ostream& out, const Vector<Polynomial>& v) {
+  return write_components(out, v);
+}
+
+std::ostream& operator<<(std::ostream& out, const RationalQuaternion& a) {
+  return write_components(out, std::array{a.u, a.v, a.p, a.q});
+}
+
+std::ostream& operator<<(std::ostream& out, const QuaternionPolynomial& a) {
+  return write_components(out, std::array{a.u, a.v, a.p, a.q});
 }
 
 }  // namespace phrame

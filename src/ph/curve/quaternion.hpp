@@ -5,19 +5,23 @@
 
 namespace phrame {
 
+/// Three components x, y, z.
 template <class T>
 using Vector = std::array<T, 3>;
 
 /// u + v i + p j + q k with i² = j² = k² = ijk = −1, over ℚ or ℚ[t].
 template <class T>
 struct Quaternion {
-  T u;
+  T u;  ///< the real part
+  /// @{ The components of i, j and k.
   T v;
   T p;
   T q;
+  /// @}
   friend bool operator==(const Quaternion&, const Quaternion&) = default;
 };
 
+/// The product, not commutative.
 template <class T>
 Quaternion<T> operator*(const Quaternion<T>& a, const Quaternion<T>& b) {
   return {
@@ -31,7 +35,8 @@ T norm(const Quaternion<T>& a) {
   return a.u * a.u + a.v * a.v + a.p * a.p + a.q * a.q;
 }
 
-/// A i A*, A j A*, A k A*: pure quaternions, |A|² times the columns of the rotation that A means.
+/// @{ A i A*, A j A*, A k A*: pure quaternions, |A|² times the columns of the rotation that A
+/// means.
 template <class T>
 Vector<T> rotated_i(const Quaternion<T>& a) {
   const auto twice = [](const T& x) { return T(x + x); };
@@ -52,24 +57,36 @@ Vector<T> rotated_k(const Quaternion<T>& a) {
   return {twice(a.u * a.p + a.v * a.q), twice(a.p * a.q - a.u * a.v),
           a.u * a.u - a.v * a.v - a.p * a.p + a.q * a.q};
 }
+/// @}
 
+/// A constant quaternion.
 using RationalQuaternion = Quaternion<Rational>;
+/// A curve in ℍ, such as the preimage of a PH curve.
 using QuaternionPolynomial = Quaternion<Polynomial>;
 
 /// The Hopf form A = α + kβ: α = u + iv, β = q + ip.
 struct HopfForm {
-  GaussianPolynomial alpha;
-  GaussianPolynomial beta;
+  GaussianPolynomial alpha;  ///< u + iv
+  GaussianPolynomial beta;   ///< q + ip
 };
+/// @{ The one from the other.
 HopfForm hopf_form(const QuaternionPolynomial& a);
 QuaternionPolynomial from_hopf_form(const HopfForm& form);
+/// @}
 
-long degree(const QuaternionPolynomial& a);
-bool is_zero(const QuaternionPolynomial& a);
-RationalQuaternion evaluate(const QuaternionPolynomial& a, const Rational& t);
+long degree(const QuaternionPolynomial& a);   ///< the greatest of the components; −1 for 0
+bool is_zero(const QuaternionPolynomial& a);  ///< are all components 0?
+RationalQuaternion evaluate(const QuaternionPolynomial& a, const Rational& t);  ///< A(t)
 /// gcd(u, v, p, q): the greatest real polynomial that divides A.
 Polynomial real_content(const QuaternionPolynomial& a);
 /// a over its real content ≠ 0: what its frames depend on.
 QuaternionPolynomial without_real_content(const QuaternionPolynomial& a);
+
+/// @{ The components: "(1, 0, 2/3)", of a quaternion u, v, p, q.
+std::ostream& operator<<(std::ostream& out, const Vector<Rational>& v);
+std::ostream& operator<<(std::ostream& out, const Vector<Polynomial>& v);
+std::ostream& operator<<(std::ostream& out, const RationalQuaternion& a);
+std::ostream& operator<<(std::ostream& out, const QuaternionPolynomial& a);
+/// @}
 
 }  // namespace phrame

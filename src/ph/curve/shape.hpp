@@ -22,8 +22,8 @@ std::optional<Vector<Rational>> plane_normal(const QuaternionPolynomial& a);
 /// The tangent of what is not plane has a constant angle ψ to an axis, cos ψ = constant/|axis|:
 ///   axis·A i A* = constant·σ, constant > 0.
 struct ConstantAngle {
-  Vector<Rational> axis;
-  Rational constant;
+  Vector<Rational> axis;    ///< with coprime integer components
+  Rational constant;        ///< cos ψ·|axis|, > 0
   Rational cosine_squared;  ///< cos²ψ, strictly between 0 and 1
   friend bool operator==(const ConstantAngle&, const ConstantAngle&) = default;
 };
@@ -38,12 +38,16 @@ struct Helix : ConstantAngle {
   bool is_monotone;
   friend bool operator==(const Helix&, const Helix&) = default;
 };
+/// No value where there is no such axis, and for plane curves and straight lines.
 std::optional<Helix> helix(const QuaternionPolynomial& a);
 
 // The same of a path: one line, one plane, one angle to one axis for all of its segments.
 
+/// @{ One line, one plane, one angle to one axis for all segments of a path; no value where there
+/// is none.
 std::optional<Vector<Rational>> line_direction(const Path& path);
 std::optional<Vector<Rational>> plane_normal(const Path& path);
 std::optional<ConstantAngle> helix(const Path& path);
+/// @}
 
 }  // namespace phrame

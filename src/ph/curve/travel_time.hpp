@@ -14,8 +14,8 @@ namespace phrame {
 
 /// A point of a path that is reached at a given time.
 struct TimedPoint {
-  std::size_t segment;
-  Real parameter;  ///< t, on that segment
+  std::size_t segment;  ///< of the path
+  Real parameter;       ///< t, on that segment
   /// t again, where it is known to be algebraic. Else it is transcendental, if only because no
   /// logarithm cancelled by chance.
   std::optional<AlgebraicPoint> algebraic;
@@ -34,8 +34,10 @@ class TravelTime {
   /// segments are not in one plane.
   TravelTime(const Path& path, const Feedrate& feedrate);
 
-  const PathLength& length() const { return length_; }
+  const PathLength& length() const { return length_; }  ///< the arc length along the path
+  /// |f|σ/V, dT/dt on this segment.
   const RationalFunction& rate(std::size_t segment = 0) const { return segments_[segment].rate; }
+  /// Of that rate, so that differences of it are times.
   const Antiderivative& antiderivative(std::size_t segment = 0) const {
     return segments_[segment].antiderivative;
   }

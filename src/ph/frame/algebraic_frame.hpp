@@ -11,8 +11,10 @@ namespace phrame {
 /// lie half way between two results, which is then undecided.
 class AlgebraicFrames {
  public:
+  /// Cost: the antiderivative of θ.
   explicit AlgebraicFrames(const Curve& curve);
 
+  /// (A i A*, A j A*, A k A*)/σ at t.
   Frame<Real> euler_rodrigues(const AlgebraicPoint& t) const;
   /// Throws DomainError for a straight line and at an inflection.
   Frame<Real> frenet(const AlgebraicPoint& t) const;

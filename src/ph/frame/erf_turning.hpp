@@ -10,6 +10,7 @@ struct ErfTurning {
   std::vector<RealRoot> extrema;  ///< of ω₁: for f = 1 the odd zeros of σh′ − 2σ′h
   bool is_monotone;               ///< it is reversed nowhere in (0, 1)
 };
+/// Decided exactly. Cost: the factorization of h and of the numerator of ω₁′.
 ErfTurning erf_turning(const Curve& curve);
 
 }  // namespace phrame

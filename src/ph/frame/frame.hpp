@@ -7,9 +7,11 @@ namespace phrame {
 /// opposite where the multiplier f is negative.
 template <class T>
 struct Frame {
-  Vector<T> e1;
+  Vector<T> e1;  ///< along the tangent
+  /// @{ Normal to it: f₂, f₃ of a rotation-minimizing frame; n, b of Frenet's.
   Vector<T> e2;
   Vector<T> e3;
+  /// @}
 };
 
 // Rounding. At rational t all components round correctly to doubles, to nearest with ties to even:
@@ -24,11 +26,12 @@ Frame<Real> turned(const Frame<Real>& frame, const Real& theta);
 /// The same by θ = arg z, z ≠ 0: components are exact where |z|² is a rational square, else
 /// irrational or 0.
 Frame<Real> turned(const Frame<Rational>& frame, const GaussianRational& z);
-Frame<Real> as_real(const Frame<Rational>& frame);
+Frame<Real> as_real(const Frame<Rational>& frame);  ///< the same numbers
 
 /// The frames of one curve, for many t: what does not depend on t is computed once.
 class Frames {
  public:
+  /// Of this curve.
   explicit Frames(const Curve& curve);
 
   /// (A i A*, A j A*, A k A*)/σ at t, exact; through cusps by continuity.
@@ -49,13 +52,15 @@ class Frames {
   GaussianPolynomial bend_;         ///< g of that
 };
 
-// One frame of a curve; Frames is faster for many.
+/// @{ One frame of a curve, as those of Frames; Frames is faster for many.
 Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t);
 Frame<Real> frenet_frame(const Curve& curve, const Rational& t);
 Frame<Real> rotation_minimizing_frame(const Curve& curve, const RmfAngle& angle, const Rational& t);
+/// @}
 
-/// Every component correctly rounded.
+/// @{ Every component correctly rounded.
 Vector<double> round_to_double(const Vector<Real>& v);
 Vector<double> round_to_double(const Vector<Rational>& v);
+/// @}
 
 }  // namespace phrame

@@ -7,8 +7,8 @@ namespace phrame {
 
 /// An angle that a frame is to have, exactly: π·half_turns + radians + arg direction.
 struct FrameAngle {
-  Rational half_turns;
-  Rational radians;
+  Rational half_turns;               ///< the multiple of π
+  Rational radians;                  ///< what is added to it
   GaussianRational direction{1, 0};  ///< re > 0, or a positive multiple of i
   friend bool operator==(const FrameAngle&, const FrameAngle&) = default;
 };
@@ -22,9 +22,10 @@ FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame);
 /// The angle over π where that is rational; no value where it is not: decided exactly.
 std::optional<Rational> over_pi(const FrameAngle& angle);
 
-/// b − a, and the sum, whole turns included.
+/// @{ b − a, and the sum, whole turns included.
 FrameAngle difference(const FrameAngle& b, const FrameAngle& a);
 FrameAngle operator+(const FrameAngle& a, const FrameAngle& b);
+/// @}
 
 /// 1 at t = 0 and z at t = 1, straight on and not through 0, so that its argument turns by arg z;
 /// for the z of a FrameAngle.

@@ -6,10 +6,10 @@ namespace phrame {
 
 /// What somebody says a frame is at t, not necessarily orthonormal.
 struct GivenFrame {
-  Rational t;
-  Vector<Rational> f2;
-  std::optional<Vector<Rational>> f3 = std::nullopt;
-  std::optional<Vector<Rational>> tangent = std::nullopt;
+  Rational t;                                              ///< a parameter of the path
+  Vector<Rational> f2;                                     ///< of any length
+  std::optional<Vector<Rational>> f3 = std::nullopt;       ///< where it is given
+  std::optional<Vector<Rational>> tangent = std::nullopt;  ///< where it is given
 };
 
 /// Which of the two unit vectors along the tangent is T.
@@ -40,6 +40,7 @@ struct FrameDeviation {
 /// parameter of a spline of several segments is to be in [0, end], else DomainError.
 class FrameCheck {
  public:
+  /// Of the frames of this path.
   explicit FrameCheck(const Path& path);
 
   /// What the tangents given take for forward: the preimage if most of those where f < 0 do.
@@ -60,6 +61,7 @@ class FrameCheck {
 
 /// What is wrong with given frames, with the samples where it is.
 struct FrameFinding {
+  /// What it is.
   enum class Kind {
     undefined,         ///< f₂ is 0 or along the tangent
     wrong_tangent,     ///< the given tangent is another
@@ -76,8 +78,8 @@ struct FrameFinding {
     drift,      ///< f₂ turns away, more or less steadily, from the first sample to the last
     irregular,  ///< f₂ turns to and fro, or jumps
   };
-  Kind kind;
-  std::vector<std::size_t> samples = {};
+  Kind kind;                              ///< what is wrong
+  std::vector<std::size_t> samples = {};  ///< the numbers of the frames, from 0
   /// The offset of constant_offset and other_start; what f₂ turns by from the first sample to the
   /// last for drift; the range of the errors for irregular.
   std::optional<RealBall> amount = std::nullopt;
@@ -90,6 +92,7 @@ struct FrameFinding {
 /// errors. Whatever the tolerance of the verdict is.
 inline const Rational recognition_tolerance{1, 100'000};
 
+/// What frames are compared with, and how exactly.
 struct FrameCheckOptions {
   /// The angle, to e₂ of the Euler–Rodrigues frame at t = 0, of the rotation-minimizing frame that
   /// the frames are compared with. Without it, that frame agrees with the first sample.
@@ -97,17 +100,19 @@ struct FrameCheckOptions {
   Rational tolerance{1, 1'000'000};  ///< for angles, cosines and lengths
 };
 
+/// What check_frames() says of frames; its lists have one element for each.
 struct FrameVerdict {
-  bool passes;
+  bool passes;  ///< is everything within the tolerance?
   /// The angle of f₂ to the exact f₂, in balls around numbers of about [−π, π]; no value where f₂
   /// is undefined.
   std::vector<std::optional<RealBall>> errors;
-  std::vector<FrameDeviation> deviations;
-  RealBall max_error;             ///< of |error|
+  std::vector<FrameDeviation> deviations;  ///< of each frame
+  RealBall max_error;                      ///< of |error|
   std::size_t worst_sample;       ///< a sample where it is reached, as far as the balls tell
   RealBall orthogonality;         ///< the largest
   RealBall length;                ///< the largest
   std::optional<RealBall> drift;  ///< (last error − first error)/arc length, modulo turns
+  /// What is wrong; none of frames that pass and need no remark.
   std::vector<FrameFinding> findings;
 };
 
@@ -122,8 +127,8 @@ bool are_along_curve(const Path& path, const std::vector<GivenFrame>& frames,
 
 /// Where somebody says that the curve is at t.
 struct GivenPosition {
-  Rational t;
-  Vector<Rational> r;
+  Rational t;          ///< a parameter of the path
+  Vector<Rational> r;  ///< the place
 };
 
 /// Are these positions the curve's but for one translation, which takes the first to its place? To

@@ -19,8 +19,8 @@ class PathAngle {
   PathAngle& operator=(const PathAngle&) = default;
   ~PathAngle() = default;
 
-  const Path& path() const;
-  Reference reference() const;
+  const Path& path() const;     ///< along which it is
+  Reference reference() const;  ///< the frame it is measured from
   /// The angle along segment k, counted from its start.
   const RmfAngle& segment(std::size_t k) const;
 

@@ -9,7 +9,7 @@ struct PathTotal {
   /// √radicand · of
   struct Term {
     Rational radicand;  ///< > 0
-    ExactValue of;
+    ExactValue of;      ///< what √radicand is multiplied by
     friend bool operator==(const Term&, const Term&) = default;
   };
   std::vector<Total> segments;  ///< in closed form
@@ -21,16 +21,19 @@ struct PathTotal {
   std::optional<std::vector<Term>> exact;
 };
 
-// As the totals of a curve, which a path of one segment is. Where one segment has none, the path
-// has none.
-
+/// @{ As the totals of a curve, which a path of one segment is. Where one segment has none, the
+/// path has none.
 PathTotal total_length(const Path& path);
 PathTotal erf_twist(const Path& path);  ///< of the Euler–Rodrigues frame through the joints
-/// The pole is that of the first segment that has one, a parameter of the path.
+/// @}
+/// @{ As those of a curve. The pole is that of the first segment that has one, a parameter of the
+/// path.
 std::variant<PathTotal, Infinite> bending_energy(const Path& path);
 std::variant<PathTotal, Infinite> frenet_energy(const Path& path);
+/// @}
 /// The Frenet frame may jump at a joint; this is no part of it.
 PathTotal total_torsion(const Path& path);
+/// No value where one segment has none.
 std::optional<PathTotal> total_curvature(const Path& path);
 
 /// ∫ κ ds/2π of a path in one plane, its absolute rotation index: by how many turns its tangent

@@ -18,8 +18,9 @@ struct RationalFrame {
 
 /// Why there is none: e^{iθ} is rational iff 2h/σ has only simple poles and residues in iℤ.
 struct NoRationalFrame {
+  /// What 2h/σ has.
   enum class Reason { multiple_pole, residue };
-  Reason reason;
+  Reason reason;  ///< which of the two
   /// Of multiple poles: the polynomial that has them all, each once. Else the factor of the
   /// squarefree residue polynomial of 2h/σ that has the roots which are not in iℤ.
   Polynomial factor;

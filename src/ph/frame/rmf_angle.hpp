@@ -26,6 +26,7 @@ class RmfAngle {
   /// Throws DomainError for A = 0 and for the Frenet frame of a straight line.
   explicit RmfAngle(const QuaternionPolynomial& preimage,
                     Reference reference = Reference::euler_rodrigues, Form form = Form::automatic);
+  /// Of the preimage of a curve.
   explicit RmfAngle(const Curve& curve, Reference reference = Reference::euler_rodrigues,
                     Form form = Form::automatic)
       : RmfAngle(curve.preimage(), reference, form) {}

@@ -10,17 +10,17 @@ namespace phrame {
 ///   √radicand · ∫₀¹ ±rate dt = √radicand · Σ ±(F(b) − F(a))
 /// over the parts [a, b] between the sign changes. On the first part the sign is +.
 struct Total {
-  Rational radicand;              ///< > 0
-  RationalFunction rate;          ///< without a pole on [0, 1]
-  Antiderivative antiderivative;  ///< F, of the rate
-  std::vector<RealAlgebraic> sign_changes;
-  Real value;                       ///< exact where it is seen to be rational
-  std::optional<ExactValue> exact;  ///< of value/√radicand, where known in finite terms
+  Rational radicand;                        ///< > 0
+  RationalFunction rate;                    ///< without a pole on [0, 1]
+  Antiderivative antiderivative;            ///< F, of the rate
+  std::vector<RealAlgebraic> sign_changes;  ///< of what is integrated, in (0, 1)
+  Real value;                               ///< exact where it is seen to be rational
+  std::optional<ExactValue> exact;          ///< of value/√radicand, where known in finite terms
 };
 
 /// A total that is infinite, with a pole of the rate on [0, 1], which is not negative.
 struct Infinite {
-  RealAlgebraic pole;
+  RealAlgebraic pole;       ///< the first one
   std::size_t segment = 0;  ///< of a path, whose parameter the pole is then
   friend bool operator==(const Infinite&, const Infinite&) = default;
 };

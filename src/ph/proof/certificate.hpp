@@ -18,30 +18,36 @@ struct CertifiedLogs {
 /// integers: docs/certificate.md. This is what is stated, true or not; `certify` makes true ones,
 /// `verify` decides.
 struct Certificate {
-  Curve curve;
-  Reference reference;
-  Vector<Polynomial> hodograph;
-  Polynomial sigma;
-  Polynomial h;
-  GaussianPolynomial g;
+  Curve curve;                   ///< what the claims are about
+  Reference reference;           ///< what θ is measured from
+  Vector<Polynomial> hodograph;  ///< r′ = f · A i A*
+  Polynomial sigma;              ///< σ = |A|²
+  Polynomial h;                  ///< uv′ − u′v − pq′ + p′q
+  GaussianPolynomial g;          ///< αβ′ − α′β
+  /// θ_ERF′ in lowest terms.
   struct Rate {  ///< −2h = numerator·common, σ = denominator·common
+    /// @{ As the equations above say.
     Polynomial numerator;
     Polynomial denominator;
     Polynomial common;
+    /// @}
     Integer modulus;  ///< numerator and denominator are coprime modulo this number, mostly a prime
     friend bool operator==(const Rate&, const Rate&) = default;
-  } rate;
-  RationalFunction rational;  ///< of the antiderivative
-  std::vector<CertifiedLogs> logs;
-  long bits;
+  } rate;                           ///< −2h/σ
+  RationalFunction rational;        ///< of the antiderivative
+  std::vector<CertifiedLogs> logs;  ///< of the antiderivative
+  long bits;                        ///< the unit of the discs is 2^−bits
+  /// What the Frenet frame turns with beside −2h/σ.
   struct Bend {  ///< g = content·polynomial
+    /// @{ As the equation above says; the polynomial has no real zero.
     GaussianPolynomial polynomial;
     Polynomial content;
+    /// @}
     friend bool operator==(const Bend&, const Bend&) = default;
   };
-  std::optional<Bend> bend;  ///< with the Frenet frame
-  std::vector<AngleClaim> claims;
-  StatedDecisions decisions;
+  std::optional<Bend> bend;        ///< with the Frenet frame
+  std::vector<AngleClaim> claims;  ///< values of θ
+  StatedDecisions decisions;       ///< of what kinds the curve is
   friend bool operator==(const Certificate&, const Certificate&) = default;
 };
 

@@ -7,17 +7,18 @@
 
 namespace phrame {
 
+/// Of which kinds a curve is, with a witness of each: docs/classification.md.
 struct Classification {
-  std::vector<RealRoot> cusps;
-  std::vector<RealRoot> inflections;
+  std::vector<RealRoot> cusps;             ///< on [0, 1]
+  std::vector<RealRoot> inflections;       ///< on [0, 1]
   std::optional<Vector<Rational>> line;    ///< its direction
   std::optional<Vector<Rational>> normal;  ///< of its plane
-  std::optional<Helix> helix;
-  std::optional<DoublePh> double_ph;
-  Polynomial content;
-  bool erf_is_rotation_minimizing;  ///< h = 0
-  std::variant<RationalFrame, NoRationalFrame> rational_frame;
-  ErfTurning erf_turning;
+  std::optional<Helix> helix;              ///< with axis and angle; no value for plane curves
+  std::optional<DoublePh> double_ph;       ///< ρ as a constant times a square
+  Polynomial content;  ///< gcd(x′, y′, z′); the hodograph is primitive where it is constant
+  bool erf_is_rotation_minimizing;                              ///< h = 0
+  std::variant<RationalFrame, NoRationalFrame> rational_frame;  ///< the frame, or why there is none
+  ErfTurning erf_turning;  ///< how the Euler–Rodrigues frame turns
 };
 
 /// The answers to all questions, their witnesses checked by identities between polynomials and by
@@ -31,7 +32,7 @@ struct PathClassification {
   std::optional<Vector<Rational>> normal;  ///< of the plane of all segments
   std::optional<ConstantAngle> helix;      ///< one axis and one angle for all segments
   bool erf_is_rotation_minimizing = true;  ///< h = 0 on all segments
-  std::vector<Classification> segments;
+  std::vector<Classification> segments;    ///< each by itself
 };
 
 /// Likewise checked.

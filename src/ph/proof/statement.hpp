@@ -10,10 +10,10 @@ namespace phrame {
 
 /// |θ(t) − theta| ≤ radius.
 struct AngleClaim {
-  Rational t;
-  std::string theta;   ///< a decimal
-  std::string radius;  ///< a decimal
-  std::optional<TurnCount> turn;
+  Rational t;                     ///< the parameter
+  std::string theta;              ///< a decimal
+  std::string radius;             ///< a decimal
+  std::optional<TurnCount> turn;  ///< of the argument of the bend, with the Frenet frame
   friend bool operator==(const AngleClaim&, const AngleClaim&) = default;
 };
 
@@ -22,7 +22,7 @@ struct Statement {
   /// An angle, or what the certificate calls the part that states it: "rate", "decision helical".
   std::variant<std::string, AngleClaim> what;
   std::string objection;  ///< why it is not proved; empty for a proved one
-  bool is_proved() const { return objection.empty(); }
+  bool is_proved() const { return objection.empty(); }  ///< has it no objection?
 };
 
 }  // namespace phrame

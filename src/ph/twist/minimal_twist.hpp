@@ -29,8 +29,8 @@ class MinimalTwist {
   const Real& twist() const { return twist_; }
   /// The turn per unit of arc length, twist()/S: Ω̄₁.
   Real rate() const;
-  const Path& path() const { return rmf_.path(); }
-  const PathAngle& rmf() const { return rmf_; }  ///< θ_RMF
+  const Path& path() const { return rmf_.path(); }  ///< along which it is
+  const PathAngle& rmf() const { return rmf_; }     ///< θ_RMF
   /// (θ(end) − θ(0))/2π, where it is a whole number: decided exactly.
   std::optional<Integer> whole_turns_of_theta() const;
   /// θ(t). At the start it is θ_i and at the end θ_f plus whole turns, exactly; where the twist is

@@ -19,8 +19,8 @@ class RationalTwist {
   RationalTwist(TwistPiece piece, long degree, EndRates rates, std::vector<Rational> parameters,
                 double mean_square_guess = 0);
 
-  const TwistPiece& piece() const { return piece_; }
-  long degree() const { return degree_; }  ///< n
+  const TwistPiece& piece() const { return piece_; }  ///< along which it is
+  long degree() const { return degree_; }             ///< n
 
   /// w, with w(0) = 1.
   const Rotation& rotation(long bits) const;
@@ -64,7 +64,7 @@ class RationalTwist {
 /// What is known of a rotation being the best of its degree. Where there is one for each sign of γ,
 /// it is the one whose frame turns by T, and the better one if that is both or neither.
 struct BestTwist {
-  RationalTwist twist;
+  RationalTwist twist;  ///< the best that was found
   /// Where it is proved: the best of all, or, if the other one is better, of those with its sign.
   std::optional<TwistMinimum> minimum;
   std::string doubt;  ///< else why not
@@ -72,6 +72,7 @@ struct BestTwist {
   std::optional<RationalTwist> other;
 };
 
+/// Which rotations are looked for, and how exactly.
 struct RationalTwistOptions {
   long degree = 2;                     ///< of w, 1 to 8
   EndRates rates = EndRates::matched;  ///< of degree ≥ 2

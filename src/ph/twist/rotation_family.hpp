@@ -12,8 +12,8 @@ enum class EndRates {
 
 /// w(τ) = a(τ) + i·b(τ), which turns by θ = 2·arg w [Farouki, Moon 2018, (29)].
 struct Rotation {
-  BallPolynomial a;
-  BallPolynomial b;
+  BallPolynomial a;  ///< Re w
+  BallPolynomial b;  ///< Im w
 };
 
 /// The rotations w of one degree that turn a piece's frame as its ends ask: w = w⁰ + Σ pₖ wᵏ with
@@ -25,6 +25,7 @@ struct Rotation {
 struct RotationFamily {
   std::vector<Rotation> basis;       ///< w⁰, w¹, …
   std::vector<RealBall> end_factor;  ///< γ = γ⁰ + Σ pₖ γᵏ
+  /// How many p there are.
   std::size_t parameters() const { return basis.size() - 1; }
 };
 
@@ -33,17 +34,19 @@ struct RotationFamily {
 /// told at `bits`.
 RotationFamily rotation_family(const TwistPiece& piece, long degree, EndRates rates, long bits);
 
-/// The w with these parameters, numbers or balls around them, and its γ.
+/// @{ The w with these parameters, numbers or balls around them, and its γ.
 Rotation member(const RotationFamily& family, const std::vector<RealBall>& parameters, long bits);
 Rotation member(const RotationFamily& family, const std::vector<Rational>& parameters, long bits);
 RealBall end_factor(const RotationFamily& family, const std::vector<Rational>& parameters,
                     long bits);
+/// @}
 
 /// The n + 1 Bernstein coefficients of a w of degree n or less.
 std::vector<ComplexBall> to_bernstein(const Rotation& w, long n, long bits);
-/// a² + b² and a·b′ − a′·b: θ′ = 2(ab′ − a′b)/(a² + b²) (24).
+/// @{ a² + b² and a·b′ − a′·b: θ′ = 2(ab′ − a′b)/(a² + b²) (24).
 BallPolynomial norm(const Rotation& w, long bits);
 BallPolynomial wronskian(const Rotation& w, long bits);
+/// @}
 
 /// ∫ θ′ = 2(arg w(to) − arg w(from)), the argument continuous. No value where it cannot be told
 /// that w has no zero on [from, to] ⊂ [0, 1].

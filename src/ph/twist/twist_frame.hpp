@@ -5,7 +5,7 @@ namespace phrame {
 
 /// Where a rational frame of minimal twist is divided, beside the joints.
 struct Subdivision {
-  std::vector<Rational> at;
+  std::vector<Rational> at;     ///< parameters of the path
   bool at_inflections = false;  ///< of the Euler–Rodrigues frame, where it turns back
   bool at_extrema = false;      ///< of its rate ω₁ [Farouki, Moon 2018, (17), (18)]
   /// Pieces along which the frame turns back, or more than it should, are divided at the points of
@@ -19,11 +19,12 @@ struct Subdivision {
 
 /// A frame whose Ω₁ has one sign, or not.
 enum class Monotone { yes, no, undecided };
+/// "yes", "no", "undecided".
 std::string_view to_string(Monotone monotone);
 
 /// A rational frame along a curve or spline, piece by piece.
 struct TwistFrame {
-  std::vector<BestTwist> pieces;
+  std::vector<BestTwist> pieces;  ///< from the start of the path to its end
 };
 
 /// Irrational points are taken as rational numbers within 2^−options.bits of them. Throws

@@ -6,7 +6,7 @@ namespace phrame {
 /// The member of a family with one parameter that has the least mean square G, proved: it is the
 /// only one and within `radius` of this parameter.
 struct TwistMinimum {
-  Rational parameter;
+  Rational parameter;      ///< p₁ of the RotationFamily
   Rational radius;         ///< > 0
   bool is_for_both_signs;  ///< of γ; else among those with its sign
 };

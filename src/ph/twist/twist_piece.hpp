@@ -22,10 +22,11 @@ struct TwistPiece {
   /// ∫₀^τ 2h/σ.
   std::function<Real(const Rational& tau)> erf_twist;
 
-  /// What θ′ is at the ends where the frame turns at the constant rate there,
+  /// @{ What θ′ is at the ends where the frame turns at the constant rate there,
   /// T·speed − erf_rate: ρ₀ and ρ₁ of (33).
   Real first_rate() const;
   Real last_rate() const;
+  /// @}
 };
 
 /// The pieces of the curve or spline between its joints and the points given, in any order, others

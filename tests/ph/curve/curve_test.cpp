@@ -1,5 +1,7 @@
 #include "phrame/ph/curve/curve.hpp"
 
+#include <sstream>
+
 #include "phrame/algebra/error.hpp"
 #include "support/random.hpp"
 
@@ -122,4 +124,10 @@ TEST_CASE("Bézier hodograph: law: the derivative of the curve with these points
     const Curve curve = random.curve(3);
     CHECK(bezier_hodograph(control_points(curve)) == hodograph(curve));
   });
+}
+
+TEST_CASE("a curve is printed on one line") {
+  std::ostringstream text;
+  text << Curve({{1, 1}, {2}, {}, {}}, Polynomial{-3}, {0, 1, 2});
+  CHECK(text.str() == "A = (t + 1, 2, 0, 0), f = -3, r(0) = (0, 1, 2)");
 }

@@ -1,5 +1,7 @@
 #include "phrame/ph/curve/identify.hpp"
 
+#include <sstream>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/ph/curve/invariants.hpp"
@@ -214,4 +216,11 @@ TEST_CASE("identify: huge coefficients and a content that is not factored") {
   const Integer mersenne = (Integer(1) << 127U) - 1;
   const Rational large(mersenne * mersenne * ((Integer(1) << 89U) - 1));
   CHECK(identified({Polynomial{large}, {}, {}}).preimage().u.degree() == 0);
+}
+
+TEST_CASE("why a curve is not PH is printed as to_string has it") {
+  const NotPythagorean reason{Polynomial{1}, 2};
+  std::ostringstream text;
+  text << reason;
+  CHECK(text.str() == to_string(reason));
 }

@@ -1,5 +1,7 @@
 #include "phrame/ph/curve/quaternion.hpp"
 
+#include <sstream>
+
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -44,4 +46,11 @@ TEST_CASE(
     CHECK(real_content(a) * rest.q == a.q);
     CHECK(real_content(a) * rest.p == a.p);
   });
+}
+
+TEST_CASE("vectors and quaternions are printed by their components") {
+  std::ostringstream text;
+  text << Vector<Rational>{1, 0, Rational(2, 3)} << Vector<Polynomial>{Polynomial{0, 1}, {}, {}}
+       << RationalQuaternion{1, 2, 3, 4} << QuaternionPolynomial{{}, {1}, {0, 2}, {}};
+  CHECK(text.str() == "(1, 0, 2/3)(t, 0, 0)(1, 2, 3, 4)(0, 1, 2*t, 0)");
 }
