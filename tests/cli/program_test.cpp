@@ -75,7 +75,7 @@ TEST_CASE("program: what is typed wrongly is refused by name") {
                 "--form: \"best\" is not one of auto,");
   check_failure(here.run("angle quintic.json --print npy"), 2,
                 "--print: \"npy\" is not one of text,");
-  check_failure(here.run("info quintic.json --print latex"), 2, "--print: \"latex\" is not one of");
+  check_failure(here.run("info quintic.json --print maple"), 2, "--print: \"maple\" is not one of");
   check_failure(here.run("frames quintic.json --at 0 --format xls"), 2, "--format: \"xls\"");
   check_failure(here.run("frames quintic.json --at 0 --frame rmf,,erf"), 2, "--frame: \"\" is not");
 }
