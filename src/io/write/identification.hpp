@@ -7,5 +7,6 @@ namespace phrame {
 
 std::string to_text(const IdentificationAnswer& answer);
 std::string to_json(const IdentificationAnswer& answer);  ///< identify/1
+std::string to_latex(const IdentificationAnswer& answer);
 
 }  // namespace phrame
