@@ -6,7 +6,7 @@
 namespace phrame {
 
 std::string to_text(const IdentificationAnswer& answer);
-std::string to_json(const IdentificationAnswer& answer);  ///< identify/1
-std::string to_latex(const IdentificationAnswer& answer);
+std::string to_json(const IdentificationAnswer& answer);   ///< identify/1
+std::string to_latex(const IdentificationAnswer& answer);  ///< for amsmath and amssymb
 
 }  // namespace phrame

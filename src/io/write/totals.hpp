@@ -6,7 +6,7 @@
 namespace phrame {
 
 std::string to_text(const TotalsAnswer& answer);
-std::string to_json(const TotalsAnswer& answer);  ///< totals/1, of a spline spline-totals/1
-std::string to_latex(const TotalsAnswer& answer);
+std::string to_json(const TotalsAnswer& answer);   ///< totals/1, of a spline spline-totals/1
+std::string to_latex(const TotalsAnswer& answer);  ///< for amsmath and amssymb
 
 }  // namespace phrame

@@ -6,7 +6,7 @@
 namespace phrame {
 
 std::string to_text(const MinimalTwistAnswer& answer);
-std::string to_json(const MinimalTwistAnswer& answer);  ///< mtf/1
-std::string to_latex(const MinimalTwistAnswer& answer);
+std::string to_json(const MinimalTwistAnswer& answer);   ///< mtf/1
+std::string to_latex(const MinimalTwistAnswer& answer);  ///< for amsmath and amssymb
 
 }  // namespace phrame
