@@ -16,7 +16,7 @@ set(rooms algebra integrate ph/curve ph/frame ph/twist ph/proof answer io/write 
 set(value_header "^(algebra|answer|io/write)/\
 |^integrate/(antiderivative|exact_value|other_form|path_end|pole_table|radicals|real_form)\\.hpp$\
 |^ph/curve/(curve|invariants|named|path|quaternion|special_points)\\.hpp$\
-|^ph/proof/certificate\\.hpp$")
+|^ph/proof/(certificate|statement)\\.hpp$")
 set(flint_header "^(flint/.+|(acb|arb|arf|mag|fmpr|fmpz|fmpq|bool_mat|dlog|dirichlet|bernoulli\
 |hypgeom|partitions|double_interval)[a-z_]*\\.h)$")
 set(flint_name "_?(arb|acb|arf|mag|fmpr|fmpz|fmpzi|fmpq|nmod|flint)_[a-z][a-z0-9_]*\

@@ -12,7 +12,7 @@ struct ClassifyOptions {
 
 void run(const ClassifyOptions& options) {
   const auto print = choose<std::string (*)(const ClassificationAnswer&)>(
-      "--print", options.print, {{"text", to_text}, {"json", to_json}});
+      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
   options.length.write(options.curve.output,
                        print(answer(options.curve.read_path(), ClassificationQuery{})));
 }
@@ -24,7 +24,8 @@ void add_classify(Program& program) {
       program.add("classify", "what kind of curve it is, each answer with its witness");
   const auto options = std::make_shared<ClassifyOptions>();
   options->curve.add_to(command);
-  command.add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  command.add_format("--print", options->print, {"text", "json", "latex"},
+                     "text (default), json or latex");
   options->length.add_to(command);
   command.set_notes(
       "Decided exactly: regular, inflections, straight line, plane, helix, double PH, primitive,\n"

@@ -20,7 +20,8 @@ std::string to_curve_file(const IdentificationAnswer& answer) {
 
 void run(const IdentifyOptions& options) {
   const auto print = choose<std::string (*)(const IdentificationAnswer&)>(
-      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"curve", to_curve_file}});
+      "--print", options.print,
+      {{"text", to_text}, {"json", to_json}, {"latex", to_latex}, {"curve", to_curve_file}});
   const IdentificationAnswer found = answer(options.curve.read_hodograph());
   options.length.write(options.curve.output, print(found));
   if (std::holds_alternative<NotPythagorean>(found.result)) throw AnswerNo{};
@@ -33,8 +34,8 @@ void add_identify(Program& program) {
       program.add("identify", "is a polynomial curve Pythagorean-hodograph (PH)? its preimage");
   const auto options = std::make_shared<IdentifyOptions>();
   options->curve.add_to(command);
-  command.add_format("--print", options->print, {"text", "json", "curve"},
-                     "text (default), json, or curve: a curve file with the preimage");
+  command.add_format("--print", options->print, {"text", "json", "latex", "curve"},
+                     "text (default), json, latex, or curve: a curve file with the preimage");
   options->length.add_to(command);
   command.set_notes(
       "Only r' counts, given by control_points or by any preimage and multiplier; found are the A\n"

@@ -13,7 +13,7 @@ struct InfoOptions {
 
 void run(const InfoOptions& options) {
   const auto print = choose<std::string (*)(const InfoAnswer&)>(
-      "--print", options.print, {{"text", to_text}, {"json", to_json}});
+      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
   options.length.write(options.curve.output,
                        print(answer(options.curve.read_path(), InfoQuery{options.digits})));
 }
@@ -25,7 +25,8 @@ void add_info(Program& program) {
   const auto options = std::make_shared<InfoOptions>();
   options->curve.add_to(command);
   add_digits(command, options->digits);
-  command.add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  command.add_format("--print", options->print, {"text", "json", "latex"},
+                     "text (default), json or latex");
   options->length.add_to(command);
   command.set_notes(
       "In JSON, arc_length is an exact text, or a value with its radius where the multiplier\n"

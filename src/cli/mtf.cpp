@@ -18,7 +18,7 @@ struct MtfOptions {
 
 void run(const Command& command, const MtfOptions& options) {
   const auto print = choose<std::string (*)(const MinimalTwistAnswer&)>(
-      "--print", options.print, {{"text", to_text}, {"json", to_json}});
+      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
   const NamedPath named = options.curve.read_path();
   const auto [from, to] = options.twist.ends(named.path);
   MinimalTwistQuery query{from, to, options.twist.turns,
@@ -44,7 +44,8 @@ void add_mtf(Program& program) {
   command.not_with(TwistOptions::of_rational_frame(), {"--exact-only"});
   options->parameters.add_to(command);
   add_digits(command, options->digits);
-  command.add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  command.add_format("--print", options->print, {"text", "json", "latex"},
+                     "text (default), json or latex");
   options->length.add_to(command);
   command.set_notes(
       "Angles are radians, multiples of pi or degrees: 0.3927, pi/8, -31pi/40, 45deg. e2 is that\n"

@@ -13,7 +13,7 @@ struct TotalsOptions {
 
 void run(const TotalsOptions& options) {
   const auto print = choose<std::string (*)(const TotalsAnswer&)>(
-      "--print", options.print, {{"text", to_text}, {"json", to_json}});
+      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
   options.length.write(options.curve.output,
                        print(answer(options.curve.read_path(), TotalsQuery{options.digits})));
 }
@@ -26,7 +26,8 @@ void add_totals(Program& program) {
   const auto options = std::make_shared<TotalsOptions>();
   options->curve.add_to(command);
   add_digits(command, options->digits);
-  command.add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  command.add_format("--print", options->print, {"text", "json", "latex"},
+                     "text (default), json or latex");
   options->length.add_to(command);
   command.set_notes(
       "Integrals from t = 0 to 1, each with its integrand, its antiderivative and its value.\n"

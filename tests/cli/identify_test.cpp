@@ -82,7 +82,7 @@ TEST_CASE("identify: a curve that is not PH has status 1 and a reason") {
 TEST_CASE("identify: bad files and options are refused") {
   const Workshop here;
   here.write("bezier.json", bezier);
-  check_failure(here.run("identify bezier.json --print latex"), 2, "--print: \"latex\" is not one");
+  check_failure(here.run("identify bezier.json --print maple"), 2, "--print: \"maple\" is not one");
   check_failure(here.run("identify bezier.json --max-degree 2"), 2,
                 "bezier.json:/control_points: 4 points make a degree beyond the limit 2");
   check_failure(here.run("identify missing.json"), 2, "missing.json: cannot be read");

@@ -226,7 +226,16 @@ TEST_CASE("terminal: the ending of -o chooses the format, and is refused where t
   CHECK(bytes_of(here.file("info.json")) == here.run("info quintic.json --print json").out);
   CHECK(here.run("angle quintic.json -o angle.tex").status == 0);
   CHECK(bytes_of(here.file("angle.tex")) == here.run("angle quintic.json --print latex").out);
-  check_failure(here.run("info quintic.json -o info.tex"), 2, "is no format of info");
+  check_failure(here.run("info quintic.json -o info.py"), 2, "is no format of info");
+  for (const std::string command : {"info", "totals", "classify", "identify"}) {
+    CHECK(here.run(command + " quintic.json -o answer.tex").status == 0);
+    CHECK(bytes_of(here.file("answer.tex"))
+              .starts_with(command == "identify" ? "$r' = f" : "\\begin{align*}\n"));
+  }
+  CHECK(contains(here.run("mtf quintic.json --from 0 --to 1 --print latex").out,
+                 "\n\\text{twist $T$} &\\approx "));
+  check_failure(here.run("info quintic.json --print latex --full"), 2,
+                "--full: needs --print text");
 }
 
 TEST_CASE("terminal: help, by command") {

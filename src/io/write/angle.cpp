@@ -68,7 +68,7 @@ std::string curve_text(const AngleAnswer& answer) {
     text += fmt::format("  r′ = 0 at {}: frames and angle are continued through\n",
                         place("t", cusp.at));
   if (const std::string note = note_on_sign(curve); !note.empty())
-    text += fmt::format("  {}\n", note);
+    text += fmt::format("  {}\n", prose(note, unicode));
   if (!erf)
     for (const RealRoot& flip : odd(inflections(preimage)))
       text += fmt::format("  inflection at {}: (n, b) flip there, the angle is continued through\n",
@@ -162,6 +162,14 @@ std::string value_table(const std::vector<AngleValue>& values, long digits) {
   return text;
 }
 
+std::string latex_value_table(const std::vector<AngleValue>& values) {
+  std::string text = "\\begin{tabular}{ll}\n$t$ & $\\theta(t)$ \\\\\n";
+  for (const AngleValue& value : values)
+    text += fmt::format("${}$ & ${}$ \\\\\n", formatted(value.t, latex),
+                        latex_decimal(value.theta.value));
+  return text + "\\end{tabular}\n";
+}
+
 std::string to_text(const AngleAnswer& answer) {
   std::string text = heading(answer.path) + "\n\n";
   text += answer.path.path.is_curve() ? curve_text(answer) : spline_text(answer);
@@ -181,12 +189,7 @@ std::string to_latex(const AngleAnswer& answer) {
   if (!(answer.start_angle == Angle()))
     text += fmt::format(" \\\\\n\\theta(0) &= {}", formatted(answer.start_angle, latex));
   text += "\n\\end{align*}\n";
-  if (answer.values.empty()) return text;
-  text += "\\begin{tabular}{ll}\n$t$ & $\\theta(t)$ \\\\\n";
-  for (const AngleValue& value : answer.values)
-    text += fmt::format("${}$ & ${}$ \\\\\n", formatted(value.t, latex),
-                        latex_decimal(value.theta.value));
-  return text + "\\end{tabular}\n";
+  return answer.values.empty() ? text : text + latex_value_table(answer.values);
 }
 
 std::string to_json(const AngleAnswer& answer) { return pretty(json_of(answer)); }

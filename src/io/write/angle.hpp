@@ -12,5 +12,7 @@ std::string to_json_line(const AngleAnswer& answer);  ///< the same on one line,
 
 /// "t  θ(t)", a line each; long t are passages.
 std::string value_table(const std::vector<AngleValue>& values, long digits);
+/// The same for LaTeX.
+std::string latex_value_table(const std::vector<AngleValue>& values);
 
 }  // namespace phrame

@@ -35,15 +35,16 @@ std::string heading(const NamedPath& named) {
 std::string note_on_sign(const Curve& curve) {
   const Signs signs = multiplier_signs(curve);
   if (!signs.negative) return "";
-  return fmt::format("f < 0 {}: there e₁ = A i A*/σ is −r′/|r′|",
-                     signs.positive ? "in a part of [0, 1]" : "on [0, 1]");
+  return fmt::format("$f < 0$ {} $[0, 1]$: there $e₁ = A i A*/σ$ is $−r′/|r′|$",
+                     signs.positive ? "in a part of" : "on");
 }
 
-std::string notes_on_signs(const Path& path) {
+std::string notes_on_signs(const Path& path, Notation notation) {
   std::string text;
   for (std::size_t k = 0; k < path.segments().size(); ++k)
     if (const std::string note = note_on_sign(path.segments()[k]); !note.empty())
-      text += fmt::format("  segment {}: {}\n", k + 1, note);
+      text += fmt::format("  segment {}: {}{}\n", k + 1, prose(note, notation),
+                          notation == Notation::latex ? " \\\\" : "");
   return text.empty() ? "" : text + "\n";
 }
 

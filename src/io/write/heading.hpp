@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "phrame/io/write/prose.hpp"
 #include "phrame/ph/curve/named.hpp"
 
 namespace phrame {
@@ -10,9 +11,10 @@ namespace phrame {
 std::string heading(const std::string& name, const Curve& curve);
 std::string heading(const NamedPath& named);
 
-/// What frames and angles mean where the multiplier is negative on [0, 1]; empty where it is not.
+/// What frames and angles mean where the multiplier is negative on [0, 1], as prose() has it; empty
+/// where it is not.
 std::string note_on_sign(const Curve& curve);
 /// The same of the segments of a spline, a line each and an empty one behind.
-std::string notes_on_signs(const Path& path);
+std::string notes_on_signs(const Path& path, Notation notation = Notation::unicode);
 
 }  // namespace phrame

@@ -5,7 +5,8 @@
 
 namespace phrame {
 
-std::string to_text(const IdentificationAnswer& answer);  ///< for reading, Unicode
-std::string to_json(const IdentificationAnswer& answer);  ///< identify/1
+std::string to_text(const IdentificationAnswer& answer);   ///< for reading, Unicode
+std::string to_json(const IdentificationAnswer& answer);   ///< identify/1
+std::string to_latex(const IdentificationAnswer& answer);  ///< for amsmath and amssymb
 
 }  // namespace phrame

@@ -4,9 +4,8 @@
 
 #include "phrame/io/write/cas_formula.hpp"
 #include "phrame/io/write/closed_form.hpp"
+#include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
-#include "phrame/io/write/json_text.hpp"
-#include "phrame/io/write/text.hpp"
 
 namespace phrame {
 namespace {
@@ -16,7 +15,7 @@ using enum Notation;
 
 struct Label {
   const char* key;     ///< in JSON
-  const char* symbol;  ///< "∫ ds"
+  const char* symbol;  ///< in a formula of prose()
 };
 
 Label label(Quantity quantity) {
@@ -24,41 +23,42 @@ Label label(Quantity quantity) {
     case Quantity::length:
       return {"length", "∫ ds"};
     case Quantity::erf_twist:
-      return {"erf_twist", "∫ 2h/σ dt"};
+      return {"erf_twist", "∫ 2h/σ\\, dt"};
     case Quantity::torsion:
-      return {"torsion", "∫ τ ds"};
+      return {"torsion", "∫ τ\\, ds"};
     case Quantity::curvature:
-      return {"curvature", "∫ κ ds"};
+      return {"curvature", "∫ κ\\, ds"};
     case Quantity::rotation_index:
-      return {"rotation_index", "∫ κ ds/2π"};
+      return {"rotation_index", "∫ κ\\, ds/2π"};
     case Quantity::bending_energy:
-      return {"bending_energy", "∫ κ² ds"};
+      return {"bending_energy", "∫ κ²\\, ds"};
     case Quantity::frenet_energy:
       break;
   }
-  return {"frenet_energy", "∫ (κ² + τ²) ds"};
+  return {"frenet_energy", "∫ (κ² + τ²)\\, ds"};
+}
+
+/// "twist of the ERF $∫ 2h/σ dt$".
+std::string name(const Row& row) {
+  return fmt::format("{} ${}$", name_of(row.quantity), label(row.quantity).symbol);
 }
 
 /// "√3·(…)": x times the root of the radicand.
-std::string times_root(const Rational& radicand, const std::string& x) {
-  return radicand == 1 ? x : fmt::format("√{}·({})", formatted(radicand, unicode), x);
+std::string times_root(const Rational& radicand, const std::string& x, Notation notation) {
+  if (radicand == 1) return x;
+  return fmt::format(
+      fmt::runtime(notation == latex ? "\\sqrt{{{}}} \\left({}\\right)" : "√{}·({})"),
+      formatted(radicand, notation), x);
 }
 
-std::string value_line(const std::string& exact, const Decimal& value) {
-  std::string text;
-  if (!exact.empty()) text += fmt::format("    = {}\n", readable_exact(exact));
-  if (value.value != exact)
-    text += fmt::format("    {} {}\n", value.radius == "0" ? "=" : "≈", value.value);
-  return text;
-}
-
-/// "√3·(…) + …", and as the parts of a formula for computer algebra.
-std::string exact_text(const PathTotal& total) {
+/// "√3·(…) + …", empty where there is none, and as the parts of a formula for computer algebra.
+std::string exact_text(const Row& row, Notation notation) {
+  if (!row.total || !row.total->exact) return "";
   std::vector<std::string> terms;
-  for (const auto& [radicand, of] : *total.exact)
-    terms.push_back(
-        times_root(radicand, formatted_sum(formatted_terms(of, unicode), " ", unicode)));
-  return formatted_sum(terms, " ", unicode);
+  for (const auto& [radicand, of] : *row.total->exact)
+    terms.push_back(times_root(
+        radicand, formatted_sum(formatted_terms(of, notation), " ", notation), notation));
+  return formatted_sum(terms, " ", notation);
 }
 
 std::string exact_formula(const PathTotal& total) {
@@ -71,31 +71,91 @@ std::string exact_formula(const PathTotal& total) {
   return sum;
 }
 
-/// The integral, its integrand and its antiderivative.
-std::string formula_text(const Total& total) {
-  std::string text = fmt::format(
-      " = {} with\n    F′ = {}\n",
-      times_root(total.radicand, total.sign_changes.empty() ? "F(1) − F(0)" : "∫₀¹ ±F′ dt"),
-      formatted_quotient(total.rate, unicode));
-  if (!total.sign_changes.empty() && !total.rate.is_zero()) {
-    std::string places;
-    for (const RealAlgebraic& turn : total.sign_changes)
-      places += (places.empty() ? "" : ", ") + shown(turn);
-    text += fmt::format("    the sign is + from 0 on and changes at t = {}\n", places);
-  }
-  const auto& F = total.antiderivative;
-  return text + fmt::format("    F  = {}\n",
-                            formatted_sum(formatted_terms(F, unicode), "\n         ", unicode));
+/// What the integral is of a curve.
+std::string integral(const Total& total, Notation notation) {
+  return times_root(total.radicand, total.sign_changes.empty() ? "F(1) − F(0)" : "∫₀¹ ±F′\\, dt",
+                    notation);
 }
 
-std::string to_text(const Row& row) {
-  std::string text = fmt::format("  {} {}", name_of(row.quantity), label(row.quantity).symbol);
+Value sign_changes(const Total& total) {
+  const auto rows = [&](Notation notation) {
+    std::string places;
+    for (const RealAlgebraic& turn : total.sign_changes)
+      places += (places.empty() ? "" : ", ") + in_words(turn, notation);
+    return places.empty() || total.rate.is_zero() ? std::vector<std::string>()
+                                                  : std::vector{places};
+  };
+  const auto json = [&] {
+    JsonOutput turns = JsonOutput::array();
+    for (const RealAlgebraic& turn : total.sign_changes) turns.push_back(phrame::json_of(turn));
+    return turns;
+  };
+  return {Value::Rows(rows), json};
+}
+
+/// The integrand and its antiderivative.
+Fields formula_fields(const Total& total) {
+  const auto rate = [&](Notation notation) {
+    return formula(formatted_quotient(total.rate, notation), notation);
+  };
+  const auto antiderivative = [&](Notation notation) {
+    const std::vector<std::string> terms = formatted_terms(total.antiderivative, notation);
+    return formula(formatted_sum(terms, notation == latex ? " " : "\n         ", notation),
+                   notation);
+  };
+  return {json_field("radicand", to_string(total.radicand)),
+          {"integrand", "$F′$", {Value::Words(rate), [&] { return json_of(total.rate); }}},
+          {"turns", "the sign is $+$ from $0$ on and changes at $t$", sign_changes(total)},
+          {"antiderivative", "$F$ ", {Value::Words(antiderivative), [&] {
+                                        return json_of(total.antiderivative);
+                                      }}}};
+}
+
+/// Of the total of a curve.
+Fields formula_fields(const Row& row, bool is_curve) {
+  return is_curve && row.value && row.total ? formula_fields(row.total->segments.front())
+                                            : Fields();
+}
+
+std::string to_text(const Row& row, bool is_curve) {
+  std::string text = "  " + prose(name(row), unicode);
   if (row.infinite)
     return text + fmt::format(" = ∞, the pole is at t = {}\n", shown(row.infinite->pole));
   if (!row.value) return text + fmt::format(": {}\n", row.reason);
-  const bool is_curve = row.total && row.total->segments.size() == 1;
-  text += is_curve ? formula_text(row.total->segments.front()) : "\n";
-  return text + value_line(row.total && row.total->exact ? exact_text(*row.total) : "", *row.value);
+  const Fields fields = formula_fields(row, is_curve);
+  if (!fields.empty())
+    text +=
+        prose(fmt::format(" = ${}$ with", integral(row.total->segments.front(), unicode)), unicode);
+  text += "\n";
+  for (const auto& [label, words] : rows(fields, unicode))
+    text += fmt::format("    {} = {}\n", label, words);
+  const std::string exact = exact_text(row, unicode);
+  if (!exact.empty()) text += fmt::format("    = {}\n", readable_exact(exact));
+  const Decimal& value = *row.value;
+  if (value.value != exact)
+    text += fmt::format("    {} {}\n", value.radius == "0" ? "=" : "≈", value.value);
+  return text;
+}
+
+/// The integral, its closed form and its decimal.
+std::string equation(const Row& row, bool is_curve) {
+  if (row.infinite) return "$∞$, the pole is at $t =$ " + in_words(row.infinite->pole, latex);
+  if (!row.value) return row.reason;
+  std::string text;
+  if (is_curve && row.total) text += " = " + integral(row.total->segments.front(), latex);
+  const std::string exact = exact_text(row, latex);
+  if (!exact.empty()) text += " = " + exact;
+  const std::string decimal = latex_decimal(row.value->value);
+  if (decimal != exact) text += (row.value->radius == "0" ? " = " : " \\approx ") + decimal;
+  return "$" + text.substr(1) + "$";
+}
+
+Fields latex_fields(const Row& row, bool is_curve) {
+  const auto words = [&row, is_curve](Notation) { return equation(row, is_curve); };
+  Fields fields{{"", name(row), {Value::Words(words), {}}}};
+  const Fields more = formula_fields(row, is_curve);
+  fields.insert(fields.end(), more.begin(), more.end());
+  return fields;
 }
 
 JsonOutput json_of(const Row& row, bool is_curve) {
@@ -106,17 +166,8 @@ JsonOutput json_of(const Row& row, bool is_curve) {
   }
   if (!row.value) return {{"value", nullptr}, {"reason", row.reason}};
   JsonOutput json = phrame::json_of(*row.value);
-  if (!row.total) return json;
-  if (is_curve) {
-    const Total& total = row.total->segments.front();
-    JsonOutput turns = JsonOutput::array();
-    for (const RealAlgebraic& turn : total.sign_changes) turns.push_back(phrame::json_of(turn));
-    json["radicand"] = to_string(total.radicand);
-    json["integrand"] = phrame::json_of(total.rate);
-    json["turns"] = turns;
-    json["antiderivative"] = phrame::json_of(total.antiderivative);
-  }
-  if (row.total->exact) json["exact"] = exact_formula(*row.total);
+  json.update(json_of(formula_fields(row, is_curve)));
+  if (row.total && row.total->exact) json["exact"] = exact_formula(*row.total);
   return json;
 }
 
@@ -125,12 +176,19 @@ JsonOutput json_of(const Row& row, bool is_curve) {
 std::string to_text(const TotalsAnswer& answer) {
   const Path& path = answer.path.path;
   std::string text = heading(answer.path) + "\n\n";
-  for (const Row& row : answer.rows) text += to_text(row) + "\n";
+  for (const Row& row : answer.rows) text += to_text(row, path.is_curve()) + "\n";
   return text + fmt::format("From t = 0 to {}{}; decimals are correctly rounded to {}.{}\n",
                             to_string(path.end()),
                             path.is_curve() ? "" : ", the sums over the segments",
                             counted(static_cast<std::size_t>(answer.digits), "digit"),
                             path.is_curve() ? " Checked: the derivative of F is F′, exactly." : "");
+}
+
+std::string to_latex(const TotalsAnswer& answer) {
+  const bool is_curve = answer.path.path.is_curve();
+  std::string text;
+  for (const Row& row : answer.rows) text += to_align(latex_fields(row, is_curve));
+  return text;
 }
 
 std::string to_json(const TotalsAnswer& answer) {

@@ -43,10 +43,6 @@ bool is_good(const RationalTwist& twist, const Subdivision& subdivision, const M
 
 }  // namespace
 
-std::string_view to_string(Monotone monotone) {
-  return monotone == Monotone::yes ? "yes" : monotone == Monotone::no ? "no" : "undecided";
-}
-
 TwistFrame twist_frame(const MinimalTwist& mtf, const RationalTwistOptions& options,
                        const Subdivision& subdivision) {
   std::vector<Rational> points =

@@ -19,8 +19,6 @@ struct Subdivision {
 
 /// A frame whose Ω₁ has one sign, or not.
 enum class Monotone { yes, no, undecided };
-/// "yes", "no", "undecided".
-std::string_view to_string(Monotone monotone);
 
 /// A rational frame along a curve or spline, piece by piece.
 struct TwistFrame {

@@ -109,3 +109,23 @@ TEST_CASE("classify report: of a spline, where one segment makes the difference"
   CHECK(line["regular"] == Json{{"answer", false}});
   CHECK(line["line"] == Json{{"answer", true}, {"direction", {"1", "0", "0"}}});
 }
+
+TEST_CASE("classify report: the LaTeX of a helix") {
+  // As above; ω₁ = 2h/σ² = 2/(1 + 2t²)² has its maximum at 0, and ρ = 4.
+  CHECK(to_latex(report({{1}, {0, 1}, {0, 1}, {}})) ==
+        R"(\begin{align*}
+\text{regular} &\quad \text{yes} \\
+\text{inflections} &\quad \text{none} \\
+\text{straight line} &\quad \text{no} \\
+\text{plane curve} &\quad \text{no} \\
+\text{helix} &\quad \text{yes: axis $\left(1, 1, 0\right)$, $\cos^2\psi = \frac{1}{2}$, monotone} \\
+\text{double PH} &\quad \text{yes: $\rho = 4\cdot\omega^2$, $\omega = 1$} \\
+\text{primitive} &\quad \text{yes} \\
+\text{ERF is an RMF} &\quad \text{no} \\
+\text{rational RMF} &\quad \text{no: $2h/\sigma$ has residues that are not in $i\mathbb{Z}$, the roots of
+    $2x^{2} + 1$} \\
+\text{ERF turns one way} &\quad \text{yes} \\
+\text{extrema of $\omega_1$} &\quad t = 0
+\end{align*}
+)");
+}

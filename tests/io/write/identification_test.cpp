@@ -84,3 +84,22 @@ TEST_CASE("identify report: every curve of the corpus is identified from r′ al
   }
   CHECK(count == 132);
 }
+
+TEST_CASE("identify report: LaTeX has f and A, or why there are none") {
+  CHECK(to_latex(report("septic", septic)) ==
+        R"($r' = f \cdot A i A^*$ with $A = u + v i + p j + q k$:
+\begin{align*}
+f &= 3 \\
+u &= -\frac{1}{3}t^{3} + t \\
+v &= -t^{2} \\
+p &= 0 \\
+q &= 1 \\
+f|A|^2 &= \frac{1}{3}(t^{6} + 3t^{4} + 9t^{2} + 9)
+\end{align*}
+)");
+  CHECK(contains(to_latex(report("", {Polynomial{1}, Polynomial{0, 2}, {}})),
+                 "$|r'|$ is no polynomial: $|r'|^2$ has these factors to an odd power:\n"
+                 "    $4t^{2} + 1$\n"));
+  CHECK(contains(to_latex(report("", {Polynomial{1}, Polynomial{1}, {}})),
+                 "$|r'|$ is $\\sqrt{2}$ times a polynomial: the curve is PH over $\\mathbb{R}$"));
+}

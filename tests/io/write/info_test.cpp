@@ -7,6 +7,7 @@
 #include "phrame/io/write/angle.hpp"
 #include "phrame/io/write/text.hpp"
 #include "support/farouki_moon.hpp"
+#include "support/paths.hpp"
 
 using namespace phrame;
 using test::Json;
@@ -128,8 +129,7 @@ TEST_CASE("curve info: the text abbreviates what is long, JSON does not") {
   std::istringstream lines(abridged(to_text(answer(named, InfoQuery{5}))));
   for (std::string line; std::getline(lines, line);) CHECK(line.size() < 900);
   CHECK(info(named)["cusps"][0][0] == to_string(cusp));
-  CHECK(info(on_a_line({power_of_ten(1000)}))["arc_length"].get<std::string>().size() ==
-        1001);
+  CHECK(info(on_a_line({power_of_ten(1000)}))["arc_length"].get<std::string>().size() == 1001);
 }
 
 TEST_CASE("curve info: a report outlives the curve it was made of") {
@@ -193,4 +193,78 @@ TEST_CASE("curve info: where the Euler-Rodrigues frame turns back, and the extre
     for (std::size_t k = 0; k < expected.size(); ++k)
       CHECK(abs(test::number(out[key][k]) - test::number(expected[k])) < power_of_ten(-19));
   }
+}
+
+// A = 1 + ti + tj: α = 1 + it, β = it, σ = 1 + 2t², h = uv′ − u′v − pq′ + p′q = 1, g = αβ′ − α′β =
+// i, ρ = 4, a = 2h, b = −4 Im(g′ḡ) = 0. r′ = (1, 2t², −2t), r′ × r″ = (4t², 2, 4t), r‴ = (0, 4, 0).
+// ∫₀¹ 2/(1 + 2t²) dt = √2·arctan √2, and with κ = 2/σ², ∫ κ² ds = ∫₀¹ 4/(1 + 2t²)³ dt = 1/9 + 1/2 +
+// (3/4)√2·arctan √2, where arctan √2 = 0.955316618….
+TEST_CASE("curve info: the LaTeX of a helix") {
+  const NamedCurve helix{"", Curve({{1}, {0, 1}, {0, 1}, {}})};
+  CHECK(to_latex(answer(helix, InfoQuery{5})) ==
+        R"(\begin{align*}
+u &= 1 \\
+v &= t \\
+p &= t \\
+q &= 0 \\
+\sigma = |A|^2 &= 2t^{2} + 1 \\
+h &= 1 \\
+g &= i \\
+\rho = 4|g|^2 &= 4 \\
+(r' \times r'')\cdot r''' &= 8 \\
+\text{split $a$} &= 2 \\
+\text{split $b$} &= 0 \\
+r(0) &= \left(0, 0, 0\right) \\
+r(1) &= \left(1, \frac{2}{3}, -1\right) \\
+\text{length $\int_0^1 |f|\sigma$} &= \frac{5}{3} \\
+\text{twist $\int_0^1 2h/\sigma$} &\approx 1.3510 \\
+\text{energy $\int_0^1 \kappa^2\, ds$} &\approx 1.6244
+\end{align*}
+)");
+}
+
+TEST_CASE("curve info: text, JSON and LaTeX name the same fields") {
+  const InfoAnswer quintic = answer(test::farouki_quintic(), InfoQuery{12});
+  const std::string text = to_text(quintic);
+  const std::string latex = to_latex(quintic);
+  const Json json = Json::parse(to_json(quintic));
+  struct Names {
+    const char* key;
+    const char* label;
+    const char* latex;
+  };
+  for (const auto& [key, label, in_latex] :
+       {Names{"/preimage/u", "u", "u"}, Names{"/sigma", "σ = |A|²", "\\sigma = |A|^2"},
+        Names{"/h", "h", "h"}, Names{"/g", "g", "g"}, Names{"/rho", "ρ = 4|g|²", "\\rho = 4|g|^2"},
+        Names{"/triple_product", "(r′ × r″)·r‴", "(r' \\times r'')\\cdot r'''"},
+        Names{"/split/b", "  split b", "\\text{split $b$}"},
+        Names{"/control_points/0", "r(0)", "r(0)"}, Names{"/end_point", "r(1)", "r(1)"},
+        Names{"/arc_length", "length ∫₀¹ |f|σ", "\\text{length $\\int_0^1 |f|\\sigma$}"},
+        Names{"/twist_erf", "twist ∫₀¹ 2h/σ", "\\text{twist $\\int_0^1 2h/\\sigma$}"},
+        Names{"/erf_extrema/0", "extremum of ω₁", "\\text{extremum of $\\omega_1$}"},
+        Names{"/bending_energy", "energy ∫₀¹ κ² ds",
+              "\\text{energy $\\int_0^1 \\kappa^2\\, ds$}"}}) {
+    CAPTURE(key);
+    CHECK(json.contains(Json::json_pointer(key)));
+    CHECK(contains(text, std::string("\n  ") + label + "  "));
+    CHECK(contains(latex, std::string("\n") + in_latex + " &"));
+  }
+}
+
+TEST_CASE("spline info: LaTeX has the segments in a table") {
+  // Two segments of a straight line, of the lengths 1/3 and 2/3.
+  const std::string latex = to_latex(
+      answer({"", test::cut(test::straight_line().curve, {Rational(1, 3)})}, InfoQuery{5}));
+  CHECK(latex ==
+        R"(\begin{align*}
+\text{length $\int |f|\sigma$} &= 1 \\
+\text{twist $\int 2h/\sigma$} &= 0 \\
+\text{energy $\int \kappa^2\, ds$} &= 0
+\end{align*}
+\begin{tabular}{rrl}
+segment & degree & length \\
+1 & 1 & $\frac{1}{3}$ \\
+2 & 1 & $\frac{2}{3}$ \\
+\end{tabular}
+)");
 }

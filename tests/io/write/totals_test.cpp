@@ -92,3 +92,43 @@ TEST_CASE("totals report: of a spline, why there is no number, and on which segm
   const std::string theta = test::farouki_2003()["quintic"]["theta_RMF_rel_Frenet"]["1"];
   test::check_rounded(cut["torsion"]["value"], cut["torsion"]["radius"], "-" + theta, 50, 50);
 }
+
+// A = 1 + tk: r′ = (1 − t², 2t, 0), σ = 1 + t², κ = 2/σ², so that κ ds = 2 dt/(1 + t²) and
+// κ² ds = 4 dt/(1 + t²)³; ∫₀¹ dt/(1 + t²)³ = 1/4 + 3π/32. At the poles z = ±i of 2/(1 + t²) the
+// residues are 1/z = −z.
+TEST_CASE("totals report: the LaTeX of a plane cubic") {
+  const std::string latex =
+      to_latex(answer(NamedCurve{"", Curve({{1}, {}, {}, {0, 1}})}, TotalsQuery{5}));
+  CHECK(contains(latex, R"(\begin{align*}
+\text{length $\int ds$} &= F(1) - F(0) = \frac{4}{3} \approx 1.3333 \\
+F' &= t^{2} + 1 \\
+F &= \frac{1}{3}t^{3} + t
+\end{align*}
+)"));
+  CHECK(contains(latex, R"(\begin{align*}
+\text{total curvature $\int \kappa\, ds$} &= F(1) - F(0) = \frac{\pi }{2} \approx 1.5708 \\
+F' &= \frac{2}{t^{2} + 1} \\
+F &= \sum_{z^{2} + 1 = 0} \left(-z\right) \log(t - z)
+\end{align*}
+)"));
+  CHECK(contains(latex,
+                 "\\text{bending energy $\\int \\kappa^2\\, ds$} &= F(1) - F(0) = "
+                 "1 + \\frac{3\\pi }{8} \\approx 2.1781 \\\\\n"));
+  CHECK(contains(latex, "\\text{absolute rotation index $\\int \\kappa\\, ds/2\\pi$} &= 0.25"));
+}
+
+TEST_CASE("totals report: in LaTeX a square root, a sign that changes, a pole, and a reason") {
+  const auto latex = [](const NamedCurve& curve) {
+    return to_latex(answer(curve, TotalsQuery{5}));
+  };
+  // The curves of the tests above.
+  const std::string turning = latex({"", Curve({{1, 1, -1}, {0, 1, -1}, {0, -1, 1}, {1, -1, 1}})});
+  CHECK(contains(turning, "= \\sqrt{2} \\left(\\int_0^1 \\pm F'\\, dt\\right)"));
+  CHECK(contains(
+      turning, "\n\\text{the sign is $+$ from $0$ on and changes at $t$} &= \\frac{1}{2} \\\\\n"));
+  CHECK(contains(latex({"", Curve({{1}, {}, {0, 1}, {}}, {Rational(-1, 2), 1})}),
+                 "&\\quad \\text{$\\infty$, the pole is at $t = \\frac{1}{2}$}\n"));
+  CHECK(contains(latex(test::farouki_quintic()),
+                 "\\text{total curvature $\\int \\kappa\\, ds$} &\\quad \\text{$\\kappa$ is not "
+                 "rational, since $\\rho$ is not a constant times a square}\n"));
+}
