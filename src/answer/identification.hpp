@@ -1,6 +1,7 @@
 #pragma once
 #include <variant>
 
+#include "phrame/ph/construct/near.hpp"
 #include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/curve/named.hpp"
 
@@ -8,10 +9,20 @@ namespace phrame {
 
 /// Is a curve Pythagorean, and what is its preimage?
 struct IdentificationAnswer {
+  /// What is near a curve that is not Pythagorean.
+  struct Near {
+    Rational epsilon;
+    std::variant<NearCurve, NotNear> found;
+  };
+
   std::string name;
   std::variant<Curve, NotPythagorean> result;
+  std::optional<Near> near;                  ///< where it was asked for
+  std::optional<NearSuggestion> suggestion;  ///< where it was not, but might be
 };
 
-IdentificationAnswer answer(const NamedHodograph& query);
+/// Where the curve is not Pythagorean, but ε is given, what is that near to it.
+IdentificationAnswer answer(const NamedHodograph& query,
+                            const std::optional<Rational>& epsilon = std::nullopt);
 
 }  // namespace phrame

@@ -12,6 +12,7 @@
 
 #include "phrame/io/read/angle.hpp"
 #include "phrame/io/read/number.hpp"
+#include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/reference_names.hpp"
 #include "phrame/io/write/text.hpp"
 
@@ -59,17 +60,44 @@ void fail_for_spline(const std::string& option, const std::string& value) {
 
 void CurveOptions::add_to(Command& command) {
   command.add_argument("CURVE", path, "a curve file (JSON), \"-\" for standard input");
+  command.add_option("--near", "EPS", near,
+                     "where control points are those of no PH curve, as rounded ones are, take\n"
+                     "one that is at most EPS away");
   command.add_output(output);
   add_max_degree(command, limits);
 }
 
-NamedCurve CurveOptions::read_curve() const { return read_by(phrame::read_curve, *this); }
+std::optional<Rational> CurveOptions::epsilon() const {
+  if (!near) return std::nullopt;
+  Rational epsilon = parse_option("--near", *near);
+  if (epsilon <= 0)
+    throw InputError("--near", abbreviated(to_string(epsilon)) + " is not a distance > 0");
+  return epsilon;
+}
+
+NamedCurve CurveOptions::read_curve() const {
+  if (!near) return read_by(phrame::read_curve, *this);
+  const auto [name, path_read] = read_path();
+  if (!path_read.is_curve())
+    throw InputError(name_of_file(path) + ":/phrame", "this is a spline; one curve is wanted");
+  return {name, path_read.segments().front()};
+}
 
 NamedHodograph CurveOptions::read_hodograph() const {
   return read_by(phrame::read_hodograph, *this);
 }
 
-NamedPath CurveOptions::read_path() const { return read_by(phrame::read_path, *this); }
+NamedPath CurveOptions::read_path() const {
+  const auto within = epsilon();
+  if (!within) return read_by(phrame::read_path, *this);
+  const std::string text = read_file(path);
+  ReadPath read =
+      at_place(name_of_file(path), ":", [&] { return read_path_near(text, *within, limits); });
+  if (read.nearness)
+    note(fmt::format("{}: in its place a PH {} {}", name_of_file(path),
+                     read.named.path.is_curve() ? "curve" : "spline", to_line(*read.nearness)));
+  return std::move(read.named);
+}
 
 void Parameters::add_to(Command& command) {
   command.add_list("--at", "T,...", at, "values of t, separated by commas: 0,1/2,-3,0.25");

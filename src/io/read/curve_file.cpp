@@ -6,8 +6,10 @@
 #include <array>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/write/json_text.hpp"
+#include "phrame/ph/construct/near.hpp"
 #include "phrame/ph/curve/identify.hpp"
 
 namespace phrame {
@@ -190,13 +192,21 @@ NamedHodograph read_bezier(const Node& node, const Node& list, const CurveLimits
   return result;
 }
 
+/// What --near might do; empty where it would not help.
+std::string suggestion_for(const NamedHodograph& bezier) {
+  const auto near = near_suggestion(bezier.hodograph, bezier.start);
+  if (!near) return "";
+  return fmt::format("; --near {} takes the PH curve {} from it",
+                     upper_bound_text(near->epsilon, 1), upper_bound_text(near->distance));
+}
+
 NamedCurve read_any_curve(const Node& node, const CurveLimits& limits) {
   const auto points = node.find("control_points");
   if (!points) return read_preimage_curve(node, limits);
   NamedHodograph bezier = read_bezier(node, *points, limits);
   auto result = identify(bezier.hodograph, bezier.start);
   if (const auto* reason = std::get_if<NotPythagorean>(&result))
-    points->fail("this is no PH curve: " + to_string(*reason));
+    points->fail("this is no PH curve: " + to_string(*reason) + suggestion_for(bezier));
   return {std::move(bezier.name), std::get<Curve>(std::move(result))};
 }
 
@@ -214,21 +224,80 @@ void append_segment(Path& path, const Node& node, const CurveLimits& limits) {
   }
 }
 
-NamedPath read_spline(const Node& node, const CurveLimits& limits) {
-  node.require_known_keys({"phrame", "name", "segments", "note", "family", "expected"});
-  const Node list = node.at("segments");
+std::vector<Node> read_segments(const Node& spline) {
+  spline.require_known_keys({"phrame", "name", "segments", "note", "family", "expected"});
+  const Node list = spline.at("segments");
   list.require(Kind::array, "an array of curves");
   if (list.size() == 0) list.fail("a spline has at least one segment");
-  const auto segment = [&](std::size_t k) {
-    const Node item = list.item(k);
+  std::vector<Node> segments;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const Node& item = segments.emplace_back(list.item(k));
     item.require(Kind::object, "an object");
     if (item.find("phrame")) require_format(item, "curve/1");
     require_curve_keys(item);
-    return item;
-  };
-  NamedPath result{read_name(node), Path(read_any_curve(segment(0), limits).curve)};
-  for (std::size_t k = 1; k < list.size(); ++k) append_segment(result.path, segment(k), limits);
+  }
+  return segments;
+}
+
+NamedPath read_spline(const Node& node, const CurveLimits& limits) {
+  const std::vector<Node> segments = read_segments(node);
+  NamedPath result{read_name(node), Path(read_any_curve(segments[0], limits).curve)};
+  for (std::size_t k = 1; k < segments.size(); ++k)
+    append_segment(result.path, segments[k], limits);
   return result;
+}
+
+[[noreturn]] void fail_as_not_near(const Node& node, const NotNear& none, const Rational& epsilon) {
+  node.fail(fmt::format("no PH curve was found within {}; the nearest one is {} away",
+                        abbreviated(to_string(epsilon)), upper_bound_text(none.distance)));
+}
+
+/// What near_curve or near_path does; what it cannot do is an error at this place.
+template <class Find>
+auto found_near(const Node& node, const Rational& epsilon, Find find) {
+  try {
+    auto result = find();
+    if (const auto* none = std::get_if<NotNear>(&result)) fail_as_not_near(node, *none, epsilon);
+    return std::get<0>(std::move(result));
+  } catch (const DomainError& error) {
+    node.fail(error.what());
+  }
+}
+
+/// No value where all its segments are PH as they are.
+std::optional<ReadPath> read_spline_near(const Node& node, const Rational& epsilon,
+                                         const CurveLimits& limits) {
+  std::vector<BezierPoints> curves;
+  bool all_ph = true;
+  for (const Node& segment : read_segments(node)) {
+    const auto list = segment.find("control_points");
+    if (list) {
+      const NamedHodograph bezier = read_bezier(segment, *list, limits);
+      all_ph = all_ph && std::holds_alternative<Curve>(identify(bezier.hodograph));
+      curves.push_back(bezier_points(bezier.hodograph, bezier.start));
+    } else {
+      const Curve curve = read_preimage_curve(segment, limits).curve;
+      const bool says_start = segment.find("start") || curves.empty();
+      curves.push_back(
+          bezier_points(hodograph(curve), says_start ? curve.start() : curves.back().back()));
+    }
+  }
+  if (all_ph) return std::nullopt;
+  NearPath near = found_near(node, epsilon, [&] { return near_path(curves, epsilon); });
+  return ReadPath{{read_name(node), std::move(near.path)}, std::move(near.nearness)};
+}
+
+/// No value where it is PH as it is.
+std::optional<ReadPath> read_curve_near(const Node& node, const Rational& epsilon,
+                                        const CurveLimits& limits) {
+  require_curve_keys(node);
+  const auto list = node.find("control_points");
+  if (!list) return std::nullopt;
+  NamedHodograph bezier = read_bezier(node, *list, limits);
+  if (std::holds_alternative<Curve>(identify(bezier.hodograph))) return std::nullopt;
+  NearCurve near = found_near(*list, epsilon,
+                              [&] { return near_curve(bezier.hodograph, bezier.start, epsilon); });
+  return ReadPath{{std::move(bezier.name), std::move(near.curve)}, std::move(near.nearness)};
 }
 
 }  // namespace
@@ -261,6 +330,17 @@ NamedPath read_path(const JsonNode& node, const CurveLimits& limits) {
   require_curve_keys(node);
   auto [name, curve] = read_any_curve(node, limits);
   return {std::move(name), std::move(curve)};
+}
+
+ReadPath read_path_near(std::string_view text, const Rational& epsilon, const CurveLimits& limits) {
+  const JsonValue document = parse_json_file(text, "curve file");
+  const Node node(document);
+  const bool is_spline = format_of(node) == "spline/1";
+  if (auto near = is_spline                      ? read_spline_near(node, epsilon, limits)
+                  : format_of(node) == "curve/1" ? read_curve_near(node, epsilon, limits)
+                                                 : std::nullopt)
+    return *std::move(near);
+  return {read_path(node, limits), std::nullopt};
 }
 
 NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) {

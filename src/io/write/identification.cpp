@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/json_text.hpp"
@@ -29,30 +30,86 @@ std::string curve_text(const Curve& curve) {
   const Polynomial speed = curve.multiplier() * sigma(curve.preimage());
   return fmt::format(
       "r′ = f · A i A* with A = u + v i + p j + q k\n\n"
-      "  f      {}\n  u      {}\n  v      {}\n  p      {}\n  q      {}\n  f|A|²  {}\n\n"
-      "  Checked: f · A i A* is r′, exactly.\n",
+      "  f      {}\n  u      {}\n  v      {}\n  p      {}\n  q      {}\n  f|A|²  {}\n",
       plain(curve.multiplier()), plain(u), plain(v), plain(p), plain(q), readable_factors(speed));
+}
+
+std::string nearness_text(const Nearness& nearness) {
+  const std::string frames =
+      nearness.rmf_difference
+          ? fmt::format("rotation-minimizing frames differ by at most {} (radians)",
+                        upper_bound_text(*nearness.rmf_difference))
+          : "no bound of what frames differ by: the speed is not kept from 0";
+  return fmt::format(
+      "  distance  at most {}, of control points and so of the curves; {} before A was rounded\n"
+      "            to multiples of 2^{}\n"
+      "  frames    {}\n",
+      upper_bound_text(nearness.distance), upper_bound_text(nearness.unrounded_distance),
+      -nearness.bits, frames);
+}
+
+std::string near_text(const IdentificationAnswer::Near& near) {
+  const std::string epsilon = abbreviated(to_string(near.epsilon));
+  if (const auto* none = std::get_if<NotNear>(&near.found))
+    return fmt::format("\nNo PH curve was found within {}; the nearest one is {} away.\n", epsilon,
+                       upper_bound_text(none->distance));
+  const auto& found = std::get<NearCurve>(near.found);
+  return fmt::format("\nWithin {} there is the {}\n\n{}\n{}", upper_bound_text(near.epsilon),
+                     heading("", found.curve), nearness_text(found.nearness),
+                     curve_text(found.curve));
+}
+
+std::string suggestion_text(const NearSuggestion& suggestion) {
+  return fmt::format("\n  --near {} takes the PH curve {} from it.\n",
+                     upper_bound_text(suggestion.epsilon, 1),
+                     upper_bound_text(suggestion.distance));
+}
+
+void add_curve(JsonOutput& json, const Curve& curve) {
+  const auto& [u, v, p, q] = curve.preimage();
+  json["degree"] = degree(curve);
+  json["multiplier"] = json_of(curve.multiplier());
+  json["preimage"] = {{"u", json_of(u)}, {"v", json_of(v)}, {"p", json_of(p)}, {"q", json_of(q)}};
+  json["start"] = json_of(curve.start());
+  json["speed"] = json_of(curve.multiplier() * sigma(curve.preimage()));
+}
+
+JsonOutput json_of(const IdentificationAnswer::Near& near) {
+  JsonOutput json = {{"epsilon", to_string(near.epsilon)}};
+  if (const auto* none = std::get_if<NotNear>(&near.found)) {
+    json["found"] = false;
+    json["distance"] = upper_bound_text(none->distance);
+    return json;
+  }
+  const auto& [curve, nearness] = std::get<NearCurve>(near.found);
+  json["found"] = true;
+  json["distance"] = upper_bound_text(nearness.distance);
+  json["unrounded_distance"] = upper_bound_text(nearness.unrounded_distance);
+  json["bits"] = nearness.bits;
+  json["rmf_difference"] = nullptr;
+  if (nearness.rmf_difference) json["rmf_difference"] = upper_bound_text(*nearness.rmf_difference);
+  add_curve(json, curve);
+  return json;
 }
 
 }  // namespace
 
 std::string to_text(const IdentificationAnswer& answer) {
   if (const auto* curve = std::get_if<Curve>(&answer.result))
-    return heading(answer.name, *curve) + "\n\n" + curve_text(*curve);
-  return name_prefix(answer.name) + "not a PH curve over ℚ\n\n" +
-         reason_text(std::get<NotPythagorean>(answer.result));
+    return heading(answer.name, *curve) + "\n\n" + curve_text(*curve) +
+           "\n  Checked: f · A i A* is r′, exactly.\n";
+  std::string text = name_prefix(answer.name) + "not a PH curve over ℚ\n\n" +
+                     reason_text(std::get<NotPythagorean>(answer.result));
+  if (answer.near) text += near_text(*answer.near);
+  if (answer.suggestion) text += suggestion_text(*answer.suggestion);
+  return text;
 }
 
 std::string to_json(const IdentificationAnswer& answer) {
   JsonOutput json = {{"phrame", "identify/1"}, {"name", answer.name}};
   if (const auto* curve = std::get_if<Curve>(&answer.result)) {
-    const auto& [u, v, p, q] = curve->preimage();
     json["ph"] = true;
-    json["degree"] = degree(*curve);
-    json["multiplier"] = json_of(curve->multiplier());
-    json["preimage"] = {{"u", json_of(u)}, {"v", json_of(v)}, {"p", json_of(p)}, {"q", json_of(q)}};
-    json["start"] = json_of(curve->start());
-    json["speed"] = json_of(curve->multiplier() * sigma(curve->preimage()));
+    add_curve(json, *curve);
     json["checked"] = true;  // nothing unchecked leaves identify()
   } else {
     const auto& reason = std::get<NotPythagorean>(answer.result);
@@ -60,6 +117,10 @@ std::string to_json(const IdentificationAnswer& answer) {
     json["reason"] = to_string(reason);
     json["odd_factor"] = json_of(reason.odd_factor);
     json["radicand"] = reason.radicand.str();
+    if (answer.near) json["near"] = json_of(*answer.near);
+    if (answer.suggestion)
+      json["suggestion"] = {{"near", upper_bound_text(answer.suggestion->epsilon, 1)},
+                            {"distance", upper_bound_text(answer.suggestion->distance)}};
   }
   return pretty(json);
 }
