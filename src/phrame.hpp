@@ -42,6 +42,8 @@
 #include "phrame/io/write/integral.hpp"
 #include "phrame/io/write/totals.hpp"
 #include "phrame/io/write/twist.hpp"
+#include "phrame/ph/construct/near.hpp"
+#include "phrame/ph/construct/rmf_difference.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/travel_time.hpp"

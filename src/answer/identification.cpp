@@ -3,7 +3,7 @@
 namespace phrame {
 
 IdentificationAnswer answer(const NamedHodograph& query, const std::optional<Rational>& epsilon) {
-  IdentificationAnswer result{query.name, identify(query.hodograph, query.start), {}, {}};
+  IdentificationAnswer result{query.name, identify(query.hodograph, query.start)};
   if (std::holds_alternative<Curve>(result.result)) return result;
   if (epsilon)
     result.near.emplace(

@@ -17,8 +17,8 @@ struct IdentificationAnswer {
 
   std::string name;
   std::variant<Curve, NotPythagorean> result;
-  std::optional<Near> near;                  ///< where it was asked for
-  std::optional<NearSuggestion> suggestion;  ///< where it was not, but might be
+  std::optional<Near> near = std::nullopt;                  ///< where it was asked for
+  std::optional<NearSuggestion> suggestion = std::nullopt;  ///< where it was not, but might be
 };
 
 /// Where the curve is not Pythagorean, but ε is given, what is that near to it.

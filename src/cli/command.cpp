@@ -83,20 +83,19 @@ NamedCurve CurveOptions::read_curve() const {
   return {name, path_read.segments().front()};
 }
 
-NamedHodograph CurveOptions::read_hodograph() const {
-  return read_by(phrame::read_hodograph, *this);
-}
-
 NamedPath CurveOptions::read_path() const {
   const auto within = epsilon();
   if (!within) return read_by(phrame::read_path, *this);
   const std::string text = read_file(path);
-  ReadPath read =
-      at_place(name_of_file(path), ":", [&] { return read_path_near(text, *within, limits); });
-  if (read.nearness)
-    note(fmt::format("{}: in its place a PH {} {}", name_of_file(path),
-                     read.named.path.is_curve() ? "curve" : "spline", to_line(*read.nearness)));
-  return std::move(read.named);
+  const std::string file = name_of_file(path);
+  auto read = at_place(file, ":", [&] { return read_path_near(text, *within, limits); });
+  if (const auto* none = std::get_if<NotNear>(&read))
+    throw InputError(file, to_line(*none, *within));
+  auto& [named, nearness] = std::get<PathIdentification>(read);
+  if (nearness)
+    note(fmt::format("{}: in its place a PH {} {}", file,
+                     named.path.is_curve() ? "curve" : "spline", to_line(*nearness)));
+  return std::move(named);
 }
 
 void Parameters::add_to(Command& command) {

@@ -24,8 +24,6 @@ struct CurveOptions {
   // then says; an InputError's place starts with the path.
   NamedCurve read_curve() const;
   NamedPath read_path() const;
-  /// As it is.
-  NamedHodograph read_hodograph() const;
 };
 
 /// Where t is asked for: --at and --samples.

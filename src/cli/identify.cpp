@@ -1,10 +1,8 @@
-#include <fmt/format.h>
-
-#include "phrame/algebra/rounding.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/write/curve_file.hpp"
 #include "phrame/io/write/identification.hpp"
+#include "phrame/io/write/nearness.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -22,28 +20,46 @@ const Curve* curve_of(const IdentificationAnswer& answer) {
   return near != nullptr ? &near->curve : nullptr;
 }
 
-std::string why_none(const IdentificationAnswer& answer) {
-  if (answer.near)
-    return fmt::format("no PH curve was found within {}; the nearest one is {} away",
-                       abbreviated(to_string(answer.near->epsilon)),
-                       upper_bound_text(std::get<NotNear>(answer.near->found).distance));
-  return "this is no PH curve: " + to_string(std::get<NotPythagorean>(answer.result));
-}
-
 std::string to_curve_file(const IdentificationAnswer& answer) {
   const Curve* curve = curve_of(answer);
-  if (curve == nullptr) throw AnswerNo{why_none(answer)};
-  return write_curve({answer.name, *curve});
+  if (curve != nullptr) return write_curve({answer.name, *curve});
+  if (answer.near)
+    throw AnswerNo{to_line(std::get<NotNear>(answer.near->found), answer.near->epsilon)};
+  throw AnswerNo{"this is no PH curve: " + to_string(std::get<NotPythagorean>(answer.result))};
+}
+
+std::string to_path_file(const PathIdentification& found) { return write_path(found.named); }
+
+template <class Answer>
+using Printer = std::string (*)(const Answer&);
+
+template <class Answer>
+Printer<Answer> printer(const std::string& name, Printer<Answer> as_curve) {
+  return choose<Printer<Answer>>("--print", name,
+                                 {{"text", to_text}, {"json", to_json}, {"curve", as_curve}});
+}
+
+void run_for_spline(const IdentifyOptions& options, const std::string& text,
+                    const Rational& epsilon) {
+  const auto print = printer<PathIdentification>(options.print, to_path_file);
+  const auto found = at_place(name_of_file(options.curve.path), ":",
+                              [&] { return read_path_near(text, epsilon, options.curve.limits); });
+  if (const auto* none = std::get_if<NotNear>(&found)) throw AnswerNo{to_line(*none, epsilon)};
+  options.length.write(options.curve.output, print(std::get<PathIdentification>(found)));
 }
 
 void run(const IdentifyOptions& options) {
-  const auto print = choose<std::string (*)(const IdentificationAnswer&)>(
-      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"curve", to_curve_file}});
+  const auto print = printer<IdentificationAnswer>(options.print, to_curve_file);
   const auto epsilon = options.curve.epsilon();
-  const NamedHodograph read = options.curve.read_hodograph();
-  const IdentificationAnswer found = answer(read, epsilon);
-  options.length.write(options.curve.output, print(found));
-  if (curve_of(found) == nullptr) throw AnswerNo{};
+  const std::string text = read_file(options.curve.path);
+  const auto found = at_place(name_of_file(options.curve.path), ":", [&] {
+    return epsilon && is_spline_file(text)
+               ? std::nullopt
+               : std::optional(answer(read_hodograph(text, options.curve.limits), epsilon));
+  });
+  if (!found) return run_for_spline(options, text, *epsilon);
+  options.length.write(options.curve.output, print(*found));
+  if (curve_of(*found) == nullptr) throw AnswerNo{};
 }
 
 }  // namespace
@@ -62,7 +78,8 @@ void add_identify(Program& program) {
       "with\n"
       "--near EPS there is none found within EPS, the distance of control points. Where one is, "
       "it\n"
-      "is told how near it is, proved, and by how much rotation-minimizing frames may differ.\n"
+      "is told how near it is, proved, and by how much rotation-minimizing frames may differ; so\n"
+      "of splines.\n"
       "Examples:\n"
       "  phrame identify bezier.json\n"
       "  phrame identify doubles.json --near 1e-14\n"

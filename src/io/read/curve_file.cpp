@@ -247,26 +247,24 @@ NamedPath read_spline(const Node& node, const CurveLimits& limits) {
   return result;
 }
 
-[[noreturn]] void fail_as_not_near(const Node& node, const NotNear& none, const Rational& epsilon) {
-  node.fail(fmt::format("no PH curve was found within {}; the nearest one is {} away",
-                        abbreviated(to_string(epsilon)), upper_bound_text(none.distance)));
-}
+using NearReading = std::variant<PathIdentification, NotNear>;
 
-/// What near_curve or near_path does; what it cannot do is an error at this place.
+/// What near_curve or near_path finds; what it cannot do is an error at this place.
 template <class Find>
-auto found_near(const Node& node, const Rational& epsilon, Find find) {
+NearReading found_near(const Node& node, std::string name, Find find) {
   try {
     auto result = find();
-    if (const auto* none = std::get_if<NotNear>(&result)) fail_as_not_near(node, *none, epsilon);
-    return std::get<0>(std::move(result));
+    if (const auto* none = std::get_if<NotNear>(&result)) return *none;
+    auto& [path, nearness] = std::get<0>(result);
+    return PathIdentification{{std::move(name), std::move(path)}, std::move(nearness)};
   } catch (const DomainError& error) {
     node.fail(error.what());
   }
 }
 
 /// No value where all its segments are PH as they are.
-std::optional<ReadPath> read_spline_near(const Node& node, const Rational& epsilon,
-                                         const CurveLimits& limits) {
+std::optional<NearReading> read_spline_near(const Node& node, const Rational& epsilon,
+                                            const CurveLimits& limits) {
   std::vector<BezierPoints> curves;
   bool all_ph = true;
   for (const Node& segment : read_segments(node)) {
@@ -283,21 +281,20 @@ std::optional<ReadPath> read_spline_near(const Node& node, const Rational& epsil
     }
   }
   if (all_ph) return std::nullopt;
-  NearPath near = found_near(node, epsilon, [&] { return near_path(curves, epsilon); });
-  return ReadPath{{read_name(node), std::move(near.path)}, std::move(near.nearness)};
+  return found_near(node.at("segments"), read_name(node),
+                    [&] { return near_path(curves, epsilon); });
 }
 
 /// No value where it is PH as it is.
-std::optional<ReadPath> read_curve_near(const Node& node, const Rational& epsilon,
-                                        const CurveLimits& limits) {
+std::optional<NearReading> read_curve_near(const Node& node, const Rational& epsilon,
+                                           const CurveLimits& limits) {
   require_curve_keys(node);
   const auto list = node.find("control_points");
   if (!list) return std::nullopt;
   NamedHodograph bezier = read_bezier(node, *list, limits);
   if (std::holds_alternative<Curve>(identify(bezier.hodograph))) return std::nullopt;
-  NearCurve near = found_near(*list, epsilon,
-                              [&] { return near_curve(bezier.hodograph, bezier.start, epsilon); });
-  return ReadPath{{std::move(bezier.name), std::move(near.curve)}, std::move(near.nearness)};
+  return found_near(*list, std::move(bezier.name),
+                    [&] { return near_curve(bezier.hodograph, bezier.start, epsilon); });
 }
 
 }  // namespace
@@ -332,15 +329,22 @@ NamedPath read_path(const JsonNode& node, const CurveLimits& limits) {
   return {std::move(name), std::move(curve)};
 }
 
-ReadPath read_path_near(std::string_view text, const Rational& epsilon, const CurveLimits& limits) {
+std::variant<PathIdentification, NotNear> read_path_near(std::string_view text,
+                                                         const Rational& epsilon,
+                                                         const CurveLimits& limits) {
   const JsonValue document = parse_json_file(text, "curve file");
   const Node node(document);
-  const bool is_spline = format_of(node) == "spline/1";
-  if (auto near = is_spline                      ? read_spline_near(node, epsilon, limits)
-                  : format_of(node) == "curve/1" ? read_curve_near(node, epsilon, limits)
-                                                 : std::nullopt)
-    return *std::move(near);
-  return {read_path(node, limits), std::nullopt};
+  const std::string format = format_of(node);
+  std::optional<NearReading> near;
+  if (format == "spline/1") near = read_spline_near(node, epsilon, limits);
+  if (format == "curve/1") near = read_curve_near(node, epsilon, limits);
+  if (near) return *std::move(near);
+  return PathIdentification{read_path(node, limits), std::nullopt};
+}
+
+bool is_spline_file(std::string_view text) {
+  const JsonValue document = parse_json_file(text, "curve file");
+  return format_of(Node(document)) == "spline/1";
 }
 
 NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) {

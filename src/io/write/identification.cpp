@@ -6,6 +6,7 @@
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/json_text.hpp"
+#include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
@@ -49,20 +50,18 @@ std::string nearness_text(const Nearness& nearness) {
 }
 
 std::string near_text(const IdentificationAnswer::Near& near) {
-  const std::string epsilon = abbreviated(to_string(near.epsilon));
-  if (const auto* none = std::get_if<NotNear>(&near.found))
-    return fmt::format("\nNo PH curve was found within {}; the nearest one is {} away.\n", epsilon,
-                       upper_bound_text(none->distance));
+  if (const auto* none = std::get_if<NotNear>(&near.found)) {
+    return "\n  " + to_line(*none, near.epsilon) + "\n";
+  }
   const auto& found = std::get<NearCurve>(near.found);
-  return fmt::format("\nWithin {} there is the {}\n\n{}\n{}", upper_bound_text(near.epsilon),
+  return fmt::format("\nWithin {} there is the {}\n\n{}\n{}", distance_text(near.epsilon),
                      heading("", found.curve), nearness_text(found.nearness),
                      curve_text(found.curve));
 }
 
 std::string suggestion_text(const NearSuggestion& suggestion) {
   return fmt::format("\n  --near {} takes the PH curve {} from it.\n",
-                     upper_bound_text(suggestion.epsilon, 1),
-                     upper_bound_text(suggestion.distance));
+                     distance_text(suggestion.epsilon), upper_bound_text(suggestion.distance));
 }
 
 void add_curve(JsonOutput& json, const Curve& curve) {
@@ -74,6 +73,14 @@ void add_curve(JsonOutput& json, const Curve& curve) {
   json["speed"] = json_of(curve.multiplier() * sigma(curve.preimage()));
 }
 
+void add_nearness(JsonOutput& json, const Nearness& nearness) {
+  json["distance"] = upper_bound_text(nearness.distance);
+  json["unrounded_distance"] = upper_bound_text(nearness.unrounded_distance);
+  json["bits"] = nearness.bits;
+  json["rmf_difference"] = nullptr;
+  if (nearness.rmf_difference) json["rmf_difference"] = upper_bound_text(*nearness.rmf_difference);
+}
+
 JsonOutput json_of(const IdentificationAnswer::Near& near) {
   JsonOutput json = {{"epsilon", to_string(near.epsilon)}};
   if (const auto* none = std::get_if<NotNear>(&near.found)) {
@@ -83,11 +90,7 @@ JsonOutput json_of(const IdentificationAnswer::Near& near) {
   }
   const auto& [curve, nearness] = std::get<NearCurve>(near.found);
   json["found"] = true;
-  json["distance"] = upper_bound_text(nearness.distance);
-  json["unrounded_distance"] = upper_bound_text(nearness.unrounded_distance);
-  json["bits"] = nearness.bits;
-  json["rmf_difference"] = nullptr;
-  if (nearness.rmf_difference) json["rmf_difference"] = upper_bound_text(*nearness.rmf_difference);
+  add_nearness(json, nearness);
   add_curve(json, curve);
   return json;
 }
@@ -119,9 +122,33 @@ std::string to_json(const IdentificationAnswer& answer) {
     json["radicand"] = reason.radicand.str();
     if (answer.near) json["near"] = json_of(*answer.near);
     if (answer.suggestion)
-      json["suggestion"] = {{"near", upper_bound_text(answer.suggestion->epsilon, 1)},
+      json["suggestion"] = {{"near", distance_text(answer.suggestion->epsilon)},
                             {"distance", upper_bound_text(answer.suggestion->distance)}};
   }
+  return pretty(json);
+}
+
+std::string to_text(const PathIdentification& found) {
+  return heading(found.named) + "\n\n" +
+         (found.nearness
+              ? "What was given is near it, but not PH over ℚ.\n\n" + nearness_text(*found.nearness)
+              : "  Checked: all segments are as they were given, exactly.\n");
+}
+
+std::string to_json(const PathIdentification& found) {
+  JsonOutput json = {{"phrame", "identify/1"}, {"name", found.named.name}};
+  json["ph"] = !found.nearness;
+  if (found.nearness) {
+    json["near"] = {{"found", true}};
+    add_nearness(json["near"], *found.nearness);
+  }
+  JsonOutput segments = JsonOutput::array();
+  for (const Curve& curve : found.named.path.segments()) {
+    JsonOutput segment;
+    add_curve(segment, curve);
+    segments.push_back(std::move(segment));
+  }
+  json["segments"] = std::move(segments);
   return pretty(json);
 }
 

@@ -41,7 +41,8 @@ ExactFit exact_fit(const PreimageFit& fit, long scale);
 /// of the curve of a fit from `start`.
 Rational squared_distance(const ExactFit& fit, const Vector<Rational>& start,
                           const BezierPoints& points);
-/// A measured fit.
+
+/// A fit of which the distance is known.
 struct MeasuredFit {
   ExactFit fit;
   Rational squared_distance;

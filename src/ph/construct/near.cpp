@@ -17,13 +17,13 @@ namespace {
 void require_near_degree(std::size_t points) {
   const long n = static_cast<long>(points) - 1;
   if (n > max_near_degree)
-    throw DomainError(
-        fmt::format("near: the degree of the curve is {}, the limit is {}", n, max_near_degree));
+    throw DomainError(fmt::format("PH curve nearby: the degree of the curve is {}, the limit is {}",
+                                  n, max_near_degree));
 }
 
 void require_positive(const Rational& epsilon) {
   if (epsilon <= 0)
-    throw DomainError(fmt::format("near: the distance {} is not positive",
+    throw DomainError(fmt::format("PH curve nearby: the distance {} is not positive",
                                   abbreviated(phrame::to_string(epsilon))));
 }
 
@@ -46,7 +46,7 @@ struct FineFit {
 
 FineFit fine_fit(const Vector<Polynomial>& hodograph, const Vector<Rational>& start) {
   if (hodograph == Vector<Polynomial>{})
-    throw DomainError("near: the hodograph is zero, so the curve is a point");
+    throw DomainError("PH curve nearby: the hodograph is zero, so the curve is a point");
   FineFit result{bezier_points(hodograph, start), 0, {}};
   require_near_degree(result.points.size());
   result.scale = scale_of(result.points);
@@ -119,10 +119,12 @@ void join(SplineFit& spline, std::size_t k, const std::vector<BezierPoints>& cur
   const double sizes = std::sqrt(norm(end) * norm(after.preimage.front()));
   constexpr double tiny = 1e-8;
   if (!(sizes > tiny))
-    throw DomainError(fmt::format("near: there is a cusp where segment {} begins", k + 1));
+    throw DomainError(
+        fmt::format("PH curve nearby: there is a cusp where segment {} begins", k + 1));
   constexpr double most_turn = 0.1;  // |H|/(|A||B|) is the cosine of half the angle
   if (size < std::cos(most_turn / 2) * sizes)
-    throw DomainError(fmt::format("near: the tangent breaks where segment {} begins", k + 1));
+    throw DomainError(
+        fmt::format("PH curve nearby: the tangent breaks where segment {} begins", k + 1));
   for (auto& a : after.preimage)
     a = turned(a, ComplexOf<double>{product.re / size, -product.im / size});
   const double ratio = is_differentiable(before, after, curves[k].size(), epsilon)
@@ -138,11 +140,20 @@ void join(SplineFit& spline, std::size_t k, const std::vector<BezierPoints>& cur
     spline.joints.push_back(0.5 * (end + behind));
 }
 
-SplineFit spline_fit(const std::vector<BezierPoints>& curves, const Rational& epsilon) {
+/// No value where a segment by itself is too far from any; `farthest` is the greatest distance of
+/// one, squared.
+std::optional<SplineFit> spline_fit(const std::vector<BezierPoints>& curves,
+                                    const Rational& epsilon, Rational& farthest) {
   SplineFit spline;
+  spline.scale = scale_of(curves.front());
   for (const BezierPoints& points : curves) spline.scale = std::max(spline.scale, scale_of(points));
-  for (const BezierPoints& points : curves)
+  for (const BezierPoints& points : curves) {
     spline.segments.push_back(fit_of_points(points, spline.scale));
+    const ExactFit fit = exact_fit(spline.segments.back(), spline.scale);
+    farthest = std::max(farthest, squared_distance(fit, points.front(), points));
+  }
+  const Rational within = 4 * epsilon;  // a fit in doubles is not the best one
+  if (!is_within(farthest, within)) return std::nullopt;
   const auto scaled_epsilon =
       static_cast<double>(Rational(epsilon * power_of_two(-2 * spline.scale)));
   for (std::size_t k = 0; k + 1 < curves.size(); ++k) join(spline, k, curves, scaled_epsilon);
@@ -228,7 +239,10 @@ std::variant<NearPath, NotNear> near_path(const std::vector<BezierPoints>& curve
                                           const Rational& epsilon) {
   require_positive(epsilon);
   for (const BezierPoints& points : curves) require_near_degree(points.size());
-  const SplineFit spline = spline_fit(curves, epsilon);
+  Rational farthest = 0;
+  const auto guess = spline_fit(curves, epsilon, farthest);
+  if (!guess) return NotNear{square_root_above(farthest)};
+  const SplineFit& spline = *guess;
   std::vector<FitStep> steps;
   for (const PreimageFit& fit : spline.segments) steps.emplace_back(fit, FreePart::inner);
   const auto with_bits = [&](long bits, const std::optional<Rational>& within) {
@@ -236,7 +250,7 @@ std::variant<NearPath, NotNear> near_path(const std::vector<BezierPoints>& curve
   };
   const long most_bits = std::max(64L, 2 * spline.scale - binary_exponent(epsilon) + 16);
   const auto fine = with_bits(most_bits, std::nullopt);
-  if (!fine) return NotNear{epsilon};
+  if (!fine) throw DomainError("PH curve nearby: a segment shrinks to a point");
   if (!is_within(fine->squared_distance, epsilon))
     return NotNear{square_root_above(fine->squared_distance)};
   MeasuredSpline best = *fine;

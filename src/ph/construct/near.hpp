@@ -40,13 +40,12 @@ struct NearPath {
   Nearness nearness;
 };
 
-/// The same for curves that follow one another. The joints of the spline are exact: one position,
-/// one tangent, and one derivative where those given agree within what ε makes of them. Each
-/// segment starts where the one before ends, and aims at the points given, so that distances do not
-/// add up. The ends of the spline need not meet exactly if those of the curves do. Throws
-/// DomainError where the tangent breaks and at a cusp at a joint, too. At least one curve; of one
-/// it is near_curve(). Cost: one search of a curve and some ten refinements a segment. To some
-/// 1e-14 of the size.
+/// The same for curves, at least one, that follow one another. The joints of the spline are exact:
+/// one position, one tangent, and one derivative where those given agree within what ε makes of
+/// them. Each segment starts where the one before ends, and aims at the points given, so that
+/// distances do not add up. The ends of the spline need not meet exactly if those of the curves do.
+/// Throws DomainError where the tangent breaks and at a cusp at a joint, too. Joints come from
+/// doubles, so that ε is to be 1e-15 of the size at least.
 std::variant<NearPath, NotNear> near_path(const std::vector<BezierPoints>& curves,
                                           const Rational& epsilon);
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "phrame/algebra/rational.hpp"
+#include "phrame/ph/curve/named.hpp"
 
 namespace phrame {
 
@@ -23,6 +23,12 @@ struct Nearness {
 /// None was found that is near enough.
 struct NotNear {
   Rational distance;  ///< of the nearest that was found
+};
+
+/// A PH path, and how near it is to what was given, where that is not it.
+struct PathIdentification {
+  NamedPath named;
+  std::optional<Nearness> nearness;
 };
 
 }  // namespace phrame

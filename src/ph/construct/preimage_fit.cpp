@@ -4,8 +4,8 @@
 // coefficients. Their best solution is the right singular vector of the least singular value. In
 // the Bernstein basis and at Chebyshev's points this is well conditioned.
 //
-// Next to a zero of f of odd order the direction jumps to its opposite (ᾱ, β̄) ↦ (−β̄, ᾱ), which is
-// no analytic function of (α : β). Straight through, it is smooth again: AtCusps::through.
+// Next to a zero of f of odd order the direction jumps to its opposite, (α : β) to (−β̄ : ᾱ), and
+// that is on no rational curve with it. Straight through, it is smooth again: AtCusps::through.
 //
 // Which degree m has A, and which n − 2m has f? As great an m as can be comes first, with f = 1
 // where n is even; a curve that is given by the points of a random A of that degree is then found

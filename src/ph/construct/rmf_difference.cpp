@@ -74,9 +74,8 @@ RealBall angle(const BallVector& a, const BallVector& b) {
   return argument(ComplexBall(dot(a, b), length(cross(a, b))), ball_bits);
 }
 
-RealBall greater(const RealBall& a, const RealBall& b) {
-  return upper_double(a) < upper_double(b) ? b : a;
-}
+/// Of finite balls, the one that goes farther.
+RealBall greater(const RealBall& a, const RealBall& b) { return a.upper() < b.upper() ? b : a; }
 
 /// A part of both curves: r̃′ and r′ − r̃′.
 struct PairPart {

@@ -200,6 +200,19 @@ TEST_CASE("rmf_difference_bound: a piece cut in two has about the bound of the w
   CHECK(*whole <= Rational(11, 10) * *halves);
 }
 
+TEST_CASE("rmf_difference_bound: units do not matter, be they beyond the doubles") {
+  std::mt19937_64 engine(4);
+  const auto [a, b] = near_pair(engine, 3, 1e-3);
+  const HodographPair whole = pair(a, b);
+  for (const long e : {-2000L, 2000L}) {
+    HodographPair scaled = whole;
+    for (auto* hodograph : {&scaled.given, &scaled.other})
+      for (auto& v : *hodograph)
+        for (Rational& x : v) x *= power_of_two(e);
+    CHECK(rmf_difference_bound({scaled}) == rmf_difference_bound({whole}));
+  }
+}
+
 TEST_CASE("rmf_difference_bound: where the given tangent breaks at a joint, that counts") {
   // Two lines of the given curve at the angle 2δ, near one line.
   const Rational d(1, 1000);
