@@ -229,6 +229,9 @@ std::optional<NearSuggestion> near_suggestion(const Vector<Polynomial>& hodograp
   Rational size = 0;
   for (const auto& p : fine.points) size = std::max(size, largest(p - start));
   if (distance == 0 || distance > least_share * size) return std::nullopt;
+  // A curve that is PH over ℝ has PH curves over ℚ as near as one likes.
+  const Rational enough = power_of_ten(decimal_exponent(size) - 30);
+  if (10 * distance < enough) return NearSuggestion{enough, enough / 10};
   // The power of ten above it, or the next where little room is left to take bits off.
   Rational epsilon = power_of_ten(decimal_exponent(distance) + 1);
   if (distance > Rational(9, 10) * epsilon) epsilon *= 10;

@@ -23,8 +23,8 @@ struct NearCurve {
 std::variant<NearCurve, NotNear> near_curve(const Vector<Polynomial>& hodograph,
                                             const Vector<Rational>& start, const Rational& epsilon);
 
-/// What one might ask near_curve() for: a power of ten, which is enough, and the distance of the
-/// curve that is then to be had, before its bits are taken off.
+/// What one might ask near_curve() for: a power of ten, which is enough, and a bound of the
+/// distance of the curve that is then to be had, before its bits are taken off.
 struct NearSuggestion {
   Rational epsilon;
   Rational distance;

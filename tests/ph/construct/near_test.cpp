@@ -287,6 +287,25 @@ TEST_CASE("near: what is no PH curve is refused with a distance") {
   check_found(cubic, number("1.01") * distance);
 }
 
+TEST_CASE("near: what is suggested is found, and nothing is where all is far") {
+  for (long k = 0; k < 12; ++k) {
+    CAPTURE(k);
+    const Points exact = control_points(Gauss(3000 + k).curve(1 + k % 5));
+    const Points points = k % 2 == 0 ? rounded_to<double>(exact) : rounded_to<float>(exact);
+    const auto suggestion = near_suggestion(bezier_hodograph(points), points.front());
+    REQUIRE(suggestion);
+    CHECK(suggestion->distance < suggestion->epsilon);
+    CHECK(suggestion->epsilon < (k % 2 == 0 ? number("1e-13") : number("1e-4")));
+    check_found(points, suggestion->epsilon);
+  }
+  // (1, 1, 0) is the direction of no rational A, but of some as near as one likes.
+  const auto irrational = near_suggestion({Polynomial{1}, Polynomial{1}, {}}, {});
+  REQUIRE(irrational);
+  CHECK(irrational->epsilon == number("1e-30"));
+  check_found({{0, 0, 0}, {1, 1, 0}}, irrational->epsilon);
+  CHECK_FALSE(near_suggestion(bezier_hodograph({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 1, 0}}), {}));
+}
+
 TEST_CASE("near: what cannot be is an error") {
   CHECK_THROWS_AS(near_curve({}, {}, 1), DomainError);
   CHECK_THROWS_AS(near_curve(hodograph(quintic), {}, 0), DomainError);
