@@ -32,12 +32,23 @@ void identify_refused(State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(phrame::identify(r1));
 }
 
+/// The PH curve near control points in doubles.
+void near(State& state) {
+  auto points = control_points(random_curve(state.range(0)));
+  for (auto& p : points)
+    for (Rational& x : p) x = exact_rational(static_cast<double>(x));
+  const Vector<Polynomial> r1 = bezier_hodograph(points);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(phrame::near_curve(r1, points.front(), parse_rational("1e-9")));
+}
+
 void all_m(benchmark::internal::Benchmark* b) {
   for (const long m : {2, 5, 10, 20, 40}) b->Arg(m);
 }
 BENCHMARK(identify)->Apply(all_m);
 BENCHMARK(identify_turned)->Apply(all_m);
 BENCHMARK(identify_refused)->Apply(all_m);
+BENCHMARK(near)->Arg(2)->Arg(5)->Arg(10)->Arg(20);
 
 }  // namespace
 }  // namespace phrame::bench

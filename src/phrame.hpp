@@ -43,6 +43,8 @@
 #include "phrame/io/write/totals.hpp"
 #include "phrame/io/write/twist.hpp"
 #include "phrame/io/write/verification.hpp"
+#include "phrame/ph/construct/near.hpp"
+#include "phrame/ph/construct/rmf_difference.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/travel_time.hpp"

@@ -11,17 +11,18 @@ include(${CMAKE_CURRENT_LIST_DIR}/../cmake/public_headers.cmake)
 
 cmake_path(SET SOURCE_DIR NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../src)
 # From below to above; a folder of `ph` or `io` is a room, and what lies in io itself sees both of its.
-set(rooms algebra integrate ph/curve ph/frame ph/twist ph/proof answer io/write io/read io cli)
+set(rooms algebra integrate ph/curve ph/frame ph/construct ph/twist ph/proof answer io/write io/read io cli)
 # What io/write may include: the values that answers are made of, with the polynomials of a curve.
 set(value_header "^(algebra|answer|io/write)/\
 |^integrate/(antiderivative|exact_value|other_form|path_end|pole_table|radicals|real_form)\\.hpp$\
 |^ph/curve/(curve|invariants|named|path|quaternion|special_points)\\.hpp$\
+|^ph/construct/nearness\\.hpp$\
 |^ph/proof/(certificate|statement)\\.hpp$")
 set(flint_header "^(flint/.+|(acb|arb|arf|mag|fmpr|fmpz|fmpq|bool_mat|dlog|dirichlet|bernoulli\
 |hypgeom|partitions|double_interval)[a-z_]*\\.h)$")
 set(flint_name "_?(arb|acb|arf|mag|fmpr|fmpz|fmpzi|fmpq|nmod|flint)_[a-z][a-z0-9_]*\
 |(ARB|ACB|ARF|MAG|FMPZ|FMPQ|NMOD|COEFF|FLINT)_[A-Z0-9_]+|slong|ulong|fmpz|fmpq|flint::|raw\\(\\)")
-set(private_header "^(nlohmann|fmt|CLI)/")
+set(private_header "^(nlohmann|fmt|CLI|Eigen)/")
 
 set(violations 0)
 macro(violation)

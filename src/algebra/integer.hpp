@@ -21,7 +21,7 @@ class Integer {
   Integer() = default;  ///< 0
   /// x, of any of these types.
   template <MachineInteger T>
-  Integer(T x) {
+  Integer(T x) {  // NOLINT(google-explicit-constructor)
     if constexpr (std::signed_integral<T>)
       fmpz_set_si(raw(), x);
     else

@@ -15,8 +15,9 @@ class Rational {
   Rational() = default;  ///< 0
   /// An integer, of any type.
   template <MachineInteger T>
-  Rational(T x) : Rational(Integer(x)) {}
+  Rational(T x) : Rational(Integer(x)) {}  // NOLINT(google-explicit-constructor)
   /// An integer.
+  // NOLINTNEXTLINE(google-explicit-constructor)
   Rational(const Integer& x) { fmpz_set(fmpq_numref(raw()), x.raw()); }
   /// n/d. Throws DomainError for d = 0.
   Rational(const Integer& n, const Integer& d);

@@ -2,8 +2,15 @@
 
 namespace phrame {
 
-IdentificationAnswer answer(const NamedHodograph& query) {
-  return {query.name, identify(query.hodograph, query.start)};
+IdentificationAnswer answer(const NamedHodograph& query, const std::optional<Rational>& epsilon) {
+  IdentificationAnswer result{query.name, identify(query.hodograph, query.start)};
+  if (std::holds_alternative<Curve>(result.result)) return result;
+  if (epsilon)
+    result.near.emplace(
+        IdentificationAnswer::Near{*epsilon, near_curve(query.hodograph, query.start, *epsilon)});
+  else
+    result.suggestion = near_suggestion(query.hodograph, query.start);
+  return result;
 }
 
 }  // namespace phrame

@@ -12,6 +12,7 @@
 
 #include "phrame/io/read/angle.hpp"
 #include "phrame/io/read/number.hpp"
+#include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/reference_names.hpp"
 #include "phrame/io/write/text.hpp"
 
@@ -59,17 +60,43 @@ void fail_for_spline(const std::string& option, const std::string& value) {
 
 void CurveOptions::add_to(Command& command) {
   command.add_argument("CURVE", path, "a curve file (JSON), \"-\" for standard input");
+  command.add_option("--near", "EPS", near,
+                     "where control points are those of no PH curve, as rounded ones are, take\n"
+                     "one that is at most EPS away");
   command.add_output(output);
   add_max_degree(command, limits);
 }
 
-NamedCurve CurveOptions::read_curve() const { return read_by(phrame::read_curve, *this); }
-
-NamedHodograph CurveOptions::read_hodograph() const {
-  return read_by(phrame::read_hodograph, *this);
+std::optional<Rational> CurveOptions::epsilon() const {
+  if (!near) return std::nullopt;
+  Rational epsilon = parse_option("--near", *near);
+  if (epsilon <= 0)
+    throw InputError("--near", abbreviated(to_string(epsilon)) + " is not a distance > 0");
+  return epsilon;
 }
 
-NamedPath CurveOptions::read_path() const { return read_by(phrame::read_path, *this); }
+NamedCurve CurveOptions::read_curve() const {
+  if (!near) return read_by(phrame::read_curve, *this);
+  const auto [name, path_read] = read_path();
+  if (!path_read.is_curve())
+    throw InputError(name_of_file(path) + ":/phrame", "this is a spline; one curve is wanted");
+  return {name, path_read.segments().front()};
+}
+
+NamedPath CurveOptions::read_path() const {
+  const auto within = epsilon();
+  if (!within) return read_by(phrame::read_path, *this);
+  const std::string text = read_file(path);
+  const std::string file = name_of_file(path);
+  auto read = at_place(file, ":", [&] { return read_path_near(text, *within, limits); });
+  if (const auto* none = std::get_if<NotNear>(&read))
+    throw InputError(file, to_line(*none, *within));
+  auto& [named, nearness] = std::get<PathIdentification>(read);
+  if (nearness)
+    note(fmt::format("{}: in its place a PH {} {}", file,
+                     named.path.is_curve() ? "curve" : "spline", to_line(*nearness)));
+  return std::move(named);
+}
 
 void Parameters::add_to(Command& command) {
   command.add_list("--at", "T,...", at, "values of t, separated by commas: 0,1/2,-3,0.25");

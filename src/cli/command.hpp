@@ -10,17 +10,20 @@
 
 namespace phrame::cli {
 
-/// What the commands that read a curve or a spline share: CURVE, --max-degree, -o.
+/// What the commands that read a curve or a spline share: CURVE, --near, --max-degree, -o.
 struct CurveOptions {
   std::string path;
+  std::optional<std::string> near;
   CurveLimits limits;
   std::string output = "-";
 
   void add_to(Command& command);
-  // Read the curve; an InputError's place starts with the path.
+  /// What --near says, where it is given. Throws InputError where that is not > 0.
+  std::optional<Rational> epsilon() const;
+  // Read the curve, with --near the one that is near what is no PH curve, which a line on stderr
+  // then says; an InputError's place starts with the path.
   NamedCurve read_curve() const;
   NamedPath read_path() const;
-  NamedHodograph read_hodograph() const;
 };
 
 /// Where t is asked for: --at and --samples.

@@ -2,6 +2,7 @@
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/write/curve_file.hpp"
 #include "phrame/io/write/identification.hpp"
+#include "phrame/io/write/nearness.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -12,19 +13,54 @@ struct IdentifyOptions {
   TextLength length;
 };
 
+/// The curve, or the one that stands for it; null where there is none.
+const Curve* curve_of(const IdentificationAnswer& answer) {
+  if (const auto* curve = std::get_if<Curve>(&answer.result)) return curve;
+  const auto* near = answer.near ? std::get_if<NearCurve>(&answer.near->found) : nullptr;
+  return near != nullptr ? &near->curve : nullptr;
+}
+
 std::string to_curve_file(const IdentificationAnswer& answer) {
-  const auto* reason = std::get_if<NotPythagorean>(&answer.result);
-  if (reason != nullptr) throw AnswerNo{"this is no PH curve: " + to_string(*reason)};
-  return write_curve({answer.name, std::get<Curve>(answer.result)});
+  const Curve* curve = curve_of(answer);
+  if (curve != nullptr) return write_curve({answer.name, *curve});
+  if (answer.near)
+    throw AnswerNo{to_line(std::get<NotNear>(answer.near->found), answer.near->epsilon)};
+  throw AnswerNo{"this is no PH curve: " + to_string(std::get<NotPythagorean>(answer.result))};
+}
+
+std::string to_path_file(const PathIdentification& found) { return write_path(found.named); }
+
+template <class Answer>
+using Printer = std::string (*)(const Answer&);
+
+template <class Answer>
+Printer<Answer> printer(const std::string& name, Printer<Answer> as_curve) {
+  return choose<Printer<Answer>>(
+      "--print", name,
+      {{"text", to_text}, {"json", to_json}, {"latex", to_latex}, {"curve", as_curve}});
+}
+
+void run_for_spline(const IdentifyOptions& options, const std::string& text,
+                    const Rational& epsilon) {
+  const auto print = printer<PathIdentification>(options.print, to_path_file);
+  const auto found = at_place(name_of_file(options.curve.path), ":",
+                              [&] { return read_path_near(text, epsilon, options.curve.limits); });
+  if (const auto* none = std::get_if<NotNear>(&found)) throw AnswerNo{to_line(*none, epsilon)};
+  options.length.write(options.curve.output, print(std::get<PathIdentification>(found)));
 }
 
 void run(const IdentifyOptions& options) {
-  const auto print = choose<std::string (*)(const IdentificationAnswer&)>(
-      "--print", options.print,
-      {{"text", to_text}, {"json", to_json}, {"latex", to_latex}, {"curve", to_curve_file}});
-  const IdentificationAnswer found = answer(options.curve.read_hodograph());
-  options.length.write(options.curve.output, print(found));
-  if (std::holds_alternative<NotPythagorean>(found.result)) throw AnswerNo{};
+  const auto print = printer<IdentificationAnswer>(options.print, to_curve_file);
+  const auto epsilon = options.curve.epsilon();
+  const std::string text = read_file(options.curve.path);
+  const auto found = at_place(name_of_file(options.curve.path), ":", [&] {
+    return epsilon && is_spline_file(text)
+               ? std::nullopt
+               : std::optional(answer(read_hodograph(text, options.curve.limits), epsilon));
+  });
+  if (!found) return run_for_spline(options, text, *epsilon);
+  options.length.write(options.curve.output, print(*found));
+  if (curve_of(*found) == nullptr) throw AnswerNo{};
 }
 
 }  // namespace
@@ -39,9 +75,15 @@ void add_identify(Program& program) {
   options->length.add_to(command);
   command.set_notes(
       "Only r' counts, given by control_points or by any preimage and multiplier; found are the A\n"
-      "of least degree and f with r' = f A i A*. Exit status 1: the curve is not PH over Q.\n"
+      "of least degree and f with r' = f A i A*. Exit status 1: the curve is not PH over Q, and "
+      "with\n"
+      "--near EPS there is none found within EPS, the distance of control points. Where one is, "
+      "it\n"
+      "is told how near it is, proved, and by how much rotation-minimizing frames may differ; so\n"
+      "of splines.\n"
       "Examples:\n"
       "  phrame identify bezier.json\n"
+      "  phrame identify doubles.json --near 1e-14\n"
       "  phrame identify bezier.json --print curve -o ph.json");
   command.does([options] { run(*options); });
 }

@@ -89,3 +89,132 @@ TEST_CASE("identify: bad files and options are refused") {
   here.write("point.json", R"({"phrame": "curve/1", "control_points": [[0, 0, 0], [0, 0, 0]]})");
   check_failure(here.run("identify point.json"), 2, "single point");
 }
+
+namespace {
+
+/// The control points of a curve file as doubles.
+std::string rounded_points(const Workshop& here, const std::string& file, const char* format) {
+  const Run run = here.run("info " + file + " --print json");
+  check_success(run);
+  const Json info = Json::parse(run.out);
+  std::string text;
+  for (const Json& point : info["control_points"]) {
+    text += text.empty() ? "[" : ", [";
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double x = static_cast<double>(parse_rational(point[c].get<std::string>()));
+      std::array<char, 40> digits{};
+      std::snprintf(digits.data(), digits.size(), format, x);
+      text += std::string(c == 0 ? "" : ", ") + digits.data();
+    }
+    text += "]";
+  }
+  return "[" + text + "]";
+}
+
+}  // namespace
+
+TEST_CASE(
+    "identify --near: rounded control points give a curve, its distance and what frames differ") {
+  const Workshop here;
+  // Thirds and sevenths, so that the points are no doubles.
+  here.write("exact.json", R"({"phrame": "curve/1", "basis": "bernstein", "preimage":
+      {"u": [1, "1/3", 2], "v": ["2/7", 1, 0], "p": [0, -1, "1/3"], "q": [1, "1/7", 1]}})");
+  here.write("near.json", R"({"phrame": "curve/1", "name": "rounded", "control_points": )" +
+                              rounded_points(here, "exact.json", "%.17g") + "}");
+  const Run refused = here.run("identify near.json");
+  CHECK(refused.status == 1);
+  CHECK(contains(refused.out, "not a PH curve over ℚ"));
+  CHECK(contains(refused.out, "--near 1e-1"));
+  CHECK(contains(refused.out, "takes the PH curve"));
+  check_failure(here.run("angle near.json"), 2, "; --near 1e-1");
+
+  const Run text = here.run("identify near.json --near 1e-15");
+  check_success(text);
+  CHECK(contains(text.out, "Within 1e-15 there is the PH quintic, degree 5"));
+  CHECK(contains(text.out, "rotation-minimizing frames differ by at most"));
+
+  const Run json = here.run("identify near.json --near 1e-12 --print json");
+  check_success(json);
+  const Json near = Json::parse(json.out)["near"];
+  CHECK(Json::parse(json.out)["ph"] == false);
+  CHECK(near["found"] == true);
+  CHECK(parse_rational(near["distance"].get<std::string>()) <= parse_rational("1e-12"));
+  CHECK(parse_rational(near["unrounded_distance"].get<std::string>()) <= parse_rational("1e-15"));
+  CHECK(parse_rational(near["rmf_difference"].get<std::string>()) <= parse_rational("1e-10"));
+
+  // The file that is written is PH, exactly.
+  CHECK(here.run("identify near.json --near 1e-15 --print curve -o ph.json").status == 0);
+  const Run again = here.run("identify ph.json");
+  check_success(again);
+  CHECK(again.out.starts_with("rounded: PH quintic"));
+}
+
+TEST_CASE("--near: other commands take the curve near the points, and say so") {
+  const Workshop here;
+  here.write("near.json", R"({"phrame": "curve/1", "control_points": )" +
+                              rounded_points(here, "quintic.json", "%.9g") + "}");
+  for (const char* command : {"angle", "info", "classify", "totals", "compile", "certify"}) {
+    CAPTURE(command);
+    check_failure(here.run(std::string(command) + " near.json"), 2, "this is no PH curve");
+    const Run run = here.run(std::string(command) + " near.json --near 1e-6");
+    CHECK(run.status == 0);
+    CHECK_FALSE(run.out.empty());
+    CHECK(contains(run.err, "phrame: near.json: in its place a PH curve at most "));
+    CHECK(contains(run.err, "rotation-minimizing frames differ by at most "));
+  }
+  // What is PH as it is stays what it is.
+  const Run exact = here.run("angle quintic.json --near 1e-6");
+  check_success(exact);
+  CHECK(exact.out == here.run("angle quintic.json").out);
+}
+
+TEST_CASE("--near: splines get exact joints") {
+  const Workshop here;
+  // A cubic, and its mirror image behind it: the tangent is continuous, up to rounding.
+  here.write("spline.json", R"({"phrame": "spline/1", "name": "two", "segments": [
+    {"control_points": [[0, 0, 0], [0.3333333333333333, 0, 0],
+                        [0.6666666666666666, 0.3333333333333333, 0], [0.6666666666666666, 1, 0]]},
+    {"control_points": [[0.6666666666666666, 1, 0], [0.6666666666666666, 1.6666666666666667, 0],
+                        [0.3333333333333333, 2, 0], [0, 2, 0]]}]})");
+  const Run refused = here.run("angle spline.json");
+  CHECK(refused.status == 2);
+  const Run angle = here.run("angle spline.json --near 1e-14 --at 2");
+  CHECK(angle.status == 0);
+  CHECK(contains(angle.err, "in its place a PH spline at most "));
+  const Run text = here.run("identify spline.json --near 1e-14");
+  check_success(text);
+  CHECK(contains(text.out, "two: PH spline of 2 segments"));
+  CHECK(contains(text.out, "distance"));
+  check_success(here.run("identify spline.json --near 1e-14 --print json"));
+  check_failure(here.run("identify spline.json --near 1e-17"), 1,
+                "no PH curve was found within 1e-17; the nearest one is ");
+  const Run certificate = here.run("certify spline.json --near 1e-14");
+  CHECK(certificate.status == 2);
+  CHECK(contains(certificate.err, "one curve is wanted"));
+  CHECK(here.run("identify spline.json --near 1e-14 --print curve -o ph.json").status == 0);
+  check_success(here.run("angle ph.json --at 2"));
+  CHECK(here.run("angle ph.json --at 2").out == angle.out);
+}
+
+TEST_CASE("identify --near: too far is refused with the distance, and bad distances are") {
+  const Workshop here;
+  here.write("parabola.json", parabola);
+  const Run text = here.run("identify parabola.json --near 1e-3");
+  CHECK(text.status == 1);
+  CHECK(contains(text.out, "no PH curve was found within 1e-3; the nearest one is 0."));
+  const Run json = here.run("identify parabola.json --near 1e-3 --print json");
+  CHECK(json.status == 1);
+  CHECK(Json::parse(json.out)["near"]["found"] == false);
+  check_failure(here.run("identify parabola.json --near 1e-3 --print curve"), 1,
+                "no PH curve was found within 1e-3");
+  check_failure(here.run("angle parabola.json --near 1e-3"), 2,
+                "parabola.json: no PH curve was found within 1e-3; the nearest one is 0.");
+  CHECK_FALSE(contains(here.run("identify parabola.json").out, "--near"));
+  for (const char* epsilon : {"0", "-1", "nan", "1/0", "x", "''"}) {
+    CAPTURE(epsilon);
+    const Run run = here.run(std::string("angle parabola.json --near ") + epsilon);
+    CHECK(run.status == 2);
+    CHECK(contains(run.err, "--near"));
+    CHECK(here.run(std::string("identify parabola.json --near ") + epsilon).status == 2);
+  }
+}

@@ -89,9 +89,9 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--header", "t,f2x,f2y,f2z"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.
-const std::set<std::string> neutral{"--max-degree", "--output",        "--threads", "--skip-done",
-                                    "--help",       "--version",       "--route",   "--var",
-                                    "--full",       "--skip-undefined"};
+const std::set<std::string> neutral{"--max-degree", "--output",         "--threads", "--skip-done",
+                                    "--help",       "--version",        "--route",   "--var",
+                                    "--full",       "--skip-undefined", "--near"};
 
 /// All ways to give the options of a command, but the neutral ones.
 std::vector<Given> given(const Json& command) {

@@ -6,8 +6,10 @@
 #include <array>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/write/json_text.hpp"
+#include "phrame/ph/construct/near.hpp"
 #include "phrame/ph/curve/identify.hpp"
 
 namespace phrame {
@@ -190,13 +192,21 @@ NamedHodograph read_bezier(const Node& node, const Node& list, const CurveLimits
   return result;
 }
 
+/// What --near might do; empty where it would not help.
+std::string suggestion_for(const NamedHodograph& bezier) {
+  const auto near = near_suggestion(bezier.hodograph, bezier.start);
+  if (!near) return "";
+  return fmt::format("; --near {} takes the PH curve {} from it",
+                     upper_bound_text(near->epsilon, 1), upper_bound_text(near->distance));
+}
+
 NamedCurve read_any_curve(const Node& node, const CurveLimits& limits) {
   const auto points = node.find("control_points");
   if (!points) return read_preimage_curve(node, limits);
   NamedHodograph bezier = read_bezier(node, *points, limits);
   auto result = identify(bezier.hodograph, bezier.start);
   if (const auto* reason = std::get_if<NotPythagorean>(&result))
-    points->fail("this is no PH curve: " + to_string(*reason));
+    points->fail("this is no PH curve: " + to_string(*reason) + suggestion_for(bezier));
   return {std::move(bezier.name), std::get<Curve>(std::move(result))};
 }
 
@@ -214,21 +224,77 @@ void append_segment(Path& path, const Node& node, const CurveLimits& limits) {
   }
 }
 
-NamedPath read_spline(const Node& node, const CurveLimits& limits) {
-  node.require_known_keys({"phrame", "name", "segments", "note", "family", "expected"});
-  const Node list = node.at("segments");
+std::vector<Node> read_segments(const Node& spline) {
+  spline.require_known_keys({"phrame", "name", "segments", "note", "family", "expected"});
+  const Node list = spline.at("segments");
   list.require(Kind::array, "an array of curves");
   if (list.size() == 0) list.fail("a spline has at least one segment");
-  const auto segment = [&](std::size_t k) {
-    const Node item = list.item(k);
+  std::vector<Node> segments;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const Node& item = segments.emplace_back(list.item(k));
     item.require(Kind::object, "an object");
     if (item.find("phrame")) require_format(item, "curve/1");
     require_curve_keys(item);
-    return item;
-  };
-  NamedPath result{read_name(node), Path(read_any_curve(segment(0), limits).curve)};
-  for (std::size_t k = 1; k < list.size(); ++k) append_segment(result.path, segment(k), limits);
+  }
+  return segments;
+}
+
+NamedPath read_spline(const Node& node, const CurveLimits& limits) {
+  const std::vector<Node> segments = read_segments(node);
+  NamedPath result{read_name(node), Path(read_any_curve(segments[0], limits).curve)};
+  for (std::size_t k = 1; k < segments.size(); ++k)
+    append_segment(result.path, segments[k], limits);
   return result;
+}
+
+using NearReading = std::variant<PathIdentification, NotNear>;
+
+/// What near_curve or near_path finds; what it cannot do is an error at this place.
+template <class Find>
+NearReading found_near(const Node& node, std::string name, Find find) {
+  try {
+    auto result = find();
+    if (const auto* none = std::get_if<NotNear>(&result)) return *none;
+    auto& [path, nearness] = std::get<0>(result);
+    return PathIdentification{{std::move(name), std::move(path)}, std::move(nearness)};
+  } catch (const DomainError& error) {
+    node.fail(error.what());
+  }
+}
+
+/// No value where all its segments are PH as they are.
+std::optional<NearReading> read_spline_near(const Node& node, const Rational& epsilon,
+                                            const CurveLimits& limits) {
+  std::vector<BezierPoints> curves;
+  bool all_ph = true;
+  for (const Node& segment : read_segments(node)) {
+    const auto list = segment.find("control_points");
+    if (list) {
+      const NamedHodograph bezier = read_bezier(segment, *list, limits);
+      all_ph = all_ph && std::holds_alternative<Curve>(identify(bezier.hodograph));
+      curves.push_back(bezier_points(bezier.hodograph, bezier.start));
+    } else {
+      const Curve curve = read_preimage_curve(segment, limits).curve;
+      const bool says_start = segment.find("start") || curves.empty();
+      curves.push_back(
+          bezier_points(hodograph(curve), says_start ? curve.start() : curves.back().back()));
+    }
+  }
+  if (all_ph) return std::nullopt;
+  return found_near(node.at("segments"), read_name(node),
+                    [&] { return near_path(curves, epsilon); });
+}
+
+/// No value where it is PH as it is.
+std::optional<NearReading> read_curve_near(const Node& node, const Rational& epsilon,
+                                           const CurveLimits& limits) {
+  require_curve_keys(node);
+  const auto list = node.find("control_points");
+  if (!list) return std::nullopt;
+  NamedHodograph bezier = read_bezier(node, *list, limits);
+  if (std::holds_alternative<Curve>(identify(bezier.hodograph))) return std::nullopt;
+  return found_near(*list, std::move(bezier.name),
+                    [&] { return near_curve(bezier.hodograph, bezier.start, epsilon); });
 }
 
 }  // namespace
@@ -261,6 +327,24 @@ NamedPath read_path(const JsonNode& node, const CurveLimits& limits) {
   require_curve_keys(node);
   auto [name, curve] = read_any_curve(node, limits);
   return {std::move(name), std::move(curve)};
+}
+
+std::variant<PathIdentification, NotNear> read_path_near(std::string_view text,
+                                                         const Rational& epsilon,
+                                                         const CurveLimits& limits) {
+  const JsonValue document = parse_json_file(text, "curve file");
+  const Node node(document);
+  const std::string format = format_of(node);
+  std::optional<NearReading> near;
+  if (format == "spline/1") near = read_spline_near(node, epsilon, limits);
+  if (format == "curve/1") near = read_curve_near(node, epsilon, limits);
+  if (near) return *std::move(near);
+  return PathIdentification{read_path(node, limits), std::nullopt};
+}
+
+bool is_spline_file(std::string_view text) {
+  const JsonValue document = parse_json_file(text, "curve file");
+  return format_of(Node(document)) == "spline/1";
 }
 
 NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) {

@@ -1,6 +1,8 @@
 #pragma once
 #include <string_view>
+#include <variant>
 
+#include "phrame/ph/construct/nearness.hpp"
 #include "phrame/ph/curve/named.hpp"
 
 namespace phrame {
@@ -28,6 +30,14 @@ NamedCurve read_curve(const JsonNode& node, const CurveLimits& limits = {});
 NamedPath read_path(std::string_view text, const CurveLimits& limits = {});
 /// The same as a part of a document, where a curve may do without "phrame": "curve/1".
 NamedPath read_path(const JsonNode& node, const CurveLimits& limits = {});
+
+/// Reads the same files, but where control points are those of no PH curve, it takes one that is at
+/// most ε > 0 away (near_curve); a spline with such a segment is replaced as a whole (near_path).
+std::variant<PathIdentification, NotNear> read_path_near(std::string_view text,
+                                                         const Rational& epsilon,
+                                                         const CurveLimits& limits = {});
+/// Is it a spline/1 file? Throws InputError where it says no format.
+bool is_spline_file(std::string_view text);
 
 /// Reads the same files, but does not ask whether a Bézier curve is PH.
 NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits = {});

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
+#include "phrame/io/write/nearness.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
 namespace phrame {
@@ -23,28 +25,93 @@ std::string reason_text(const NotPythagorean& reason, Notation notation) {
       in_words(Factored{reason.odd_factor}, notation));
 }
 
-/// The curve, or why there is none.
-Fields fields(const IdentificationAnswer& answer) {
-  Fields fields{json_field("phrame", "identify/1"), json_field("name", answer.name)};
-  const auto append = [&](const Fields& more) {
-    fields.insert(fields.end(), more.begin(), more.end());
-  };
-  if (const auto* curve = std::get_if<Curve>(&answer.result)) {
-    const QuaternionPolynomial& a = curve->preimage();
-    append({json_field("ph", true),
-            json_field("degree", degree(*curve)),
-            {"multiplier", "$f$", curve->multiplier()},
-            preimage_field(a),
-            json_field("start", json_of(curve->start())),
-            {"speed", "$f|A|²$", Factored{curve->multiplier() * sigma(a)}},
-            json_field("checked", true)});  // nothing unchecked leaves identify()
-  } else {
-    const auto& reason = std::get<NotPythagorean>(answer.result);
-    append({json_field("ph", false), json_field("reason", to_string(reason)),
-            json_field("odd_factor", json_of(reason.odd_factor)),
-            json_field("radicand", reason.radicand.str())});
+Fields curve_fields(const Curve& curve) {
+  const QuaternionPolynomial& a = curve.preimage();
+  return {json_field("degree", degree(curve)),
+          {"multiplier", "$f$", curve.multiplier()},
+          preimage_field(a),
+          json_field("start", json_of(curve.start())),
+          {"speed", "$f|A|²$", Factored{curve.multiplier() * sigma(a)}}};
+}
+
+std::string bound(const Rational& x, Notation notation) {
+  const std::string text = upper_bound_text(x);
+  return notation == Notation::latex ? formula(latex_decimal(text), notation) : text;
+}
+
+std::string nearness_words(const Nearness& nearness, Notation notation) {
+  const std::string frames =
+      nearness.rmf_difference
+          ? fmt::format("rotation-minimizing frames differ by at most {} (radians)",
+                        bound(*nearness.rmf_difference, notation))
+          : "no bound of what frames differ by: the speed is not kept from 0";
+  return fmt::format(
+      "  distance  at most {}, of control points and so of the curves; {} before $A$ was rounded\n"
+      "            to multiples of {}\n"
+      "  frames    {}\n",
+      bound(nearness.distance, notation), bound(nearness.unrounded_distance, notation),
+      notation == Notation::latex ? fmt::format("$2^{{{}}}$", -nearness.bits)
+                                  : fmt::format("2^{}", -nearness.bits),
+      frames);
+}
+
+Fields nearness_fields(const Nearness& nearness) {
+  const auto& frames = nearness.rmf_difference;
+  return {
+      json_field("distance", upper_bound_text(nearness.distance)),
+      json_field("unrounded_distance", upper_bound_text(nearness.unrounded_distance)),
+      json_field("bits", nearness.bits),
+      json_field("rmf_difference", frames ? JsonOutput(upper_bound_text(*frames)) : JsonOutput())};
+}
+
+JsonOutput json_of(const IdentificationAnswer::Near& near) {
+  JsonOutput json = {{"epsilon", to_string(near.epsilon)}};
+  if (const auto* none = std::get_if<NotNear>(&near.found)) {
+    json["found"] = false;
+    json["distance"] = upper_bound_text(none->distance);
+    return json;
   }
-  return fields;
+  const auto& [curve, nearness] = std::get<NearCurve>(near.found);
+  json["found"] = true;
+  json.update(phrame::json_of(nearness_fields(nearness)));
+  json.update(phrame::json_of(curve_fields(curve)));
+  return json;
+}
+
+std::string curve_words(const Curve& curve, Notation notation) {
+  const Fields fields = curve_fields(curve);
+  return notation == Notation::latex
+             ? "$r' = f \\cdot A i A^*$ with $A = u + v i + p j + q k$:\n" + to_align(fields)
+             : "r′ = f · A i A* with A = u + v i + p j + q k\n\n" + to_rows(fields, 5);
+}
+
+std::string near_words(const IdentificationAnswer::Near& near, Notation notation) {
+  if (const auto* none = std::get_if<NotNear>(&near.found))
+    return "\n  " + to_line(*none, near.epsilon) + "\n";
+  const auto& found = std::get<NearCurve>(near.found);
+  return fmt::format("\nWithin {} there is the {}\n\n{}\n{}", distance_text(near.epsilon),
+                     heading("", found.curve),
+                     prose(nearness_words(found.nearness, notation), notation),
+                     curve_words(found.curve, notation));
+}
+
+/// Why there is no curve, and what is near it.
+std::string none_words(const IdentificationAnswer& answer, Notation notation) {
+  std::string text =
+      prose(reason_text(std::get<NotPythagorean>(answer.result), notation), notation);
+  if (answer.near) text += near_words(*answer.near, notation);
+  if (answer.suggestion)
+    text += fmt::format("\n  --near {} takes the PH curve {} from it.\n",
+                        distance_text(answer.suggestion->epsilon),
+                        upper_bound_text(answer.suggestion->distance));
+  return text;
+}
+
+std::string nearness_of_path(const PathIdentification& found, Notation notation) {
+  if (!found.nearness) return "  Checked: all segments are as they were given, exactly.\n";
+  return prose("What was given is near it, but not PH over $ℚ$.\n\n" +
+                   nearness_words(*found.nearness, notation),
+               notation);
 }
 
 }  // namespace
@@ -53,21 +120,62 @@ std::string to_text(const IdentificationAnswer& answer) {
   const auto* curve = std::get_if<Curve>(&answer.result);
   if (curve == nullptr)
     return name_prefix(answer.name) + "not a PH curve over ℚ\n\n" +
-           prose(reason_text(std::get<NotPythagorean>(answer.result), Notation::unicode),
-                 Notation::unicode);
-  return fmt::format(
-      "{}\n\nr′ = f · A i A* with A = u + v i + p j + q k\n\n{}\n"
-      "  Checked: f · A i A* is r′, exactly.\n",
-      heading(answer.name, *curve), to_rows(fields(answer), 5));
+           none_words(answer, Notation::unicode);
+  return fmt::format("{}\n\n{}\n  Checked: f · A i A* is r′, exactly.\n",
+                     heading(answer.name, *curve), curve_words(*curve, Notation::unicode));
 }
 
 std::string to_latex(const IdentificationAnswer& answer) {
-  if (const auto* reason = std::get_if<NotPythagorean>(&answer.result))
-    return "Not a PH curve over $\\mathbb{Q}$:\n" +
-           prose(reason_text(*reason, Notation::latex), Notation::latex);
-  return "$r' = f \\cdot A i A^*$ with $A = u + v i + p j + q k$:\n" + to_align(fields(answer));
+  if (const auto* curve = std::get_if<Curve>(&answer.result))
+    return curve_words(*curve, Notation::latex);
+  return "Not a PH curve over $\\mathbb{Q}$:\n" + none_words(answer, Notation::latex);
 }
 
-std::string to_json(const IdentificationAnswer& answer) { return pretty(json_of(fields(answer))); }
+std::string to_json(const IdentificationAnswer& answer) {
+  Fields fields{json_field("phrame", "identify/1"), json_field("name", answer.name)};
+  const auto append = [&](const Fields& more) {
+    fields.insert(fields.end(), more.begin(), more.end());
+  };
+  if (const auto* curve = std::get_if<Curve>(&answer.result)) {
+    append({json_field("ph", true)});
+    append(curve_fields(*curve));
+    append({json_field("checked", true)});  // nothing unchecked leaves identify()
+    return pretty(json_of(fields));
+  }
+  const auto& reason = std::get<NotPythagorean>(answer.result);
+  append({json_field("ph", false), json_field("reason", to_string(reason)),
+          json_field("odd_factor", json_of(reason.odd_factor)),
+          json_field("radicand", reason.radicand.str())});
+  if (answer.near) append({json_field("near", json_of(*answer.near))});
+  if (answer.suggestion)
+    append(
+        {json_field("suggestion", {{"near", distance_text(answer.suggestion->epsilon)},
+                                   {"distance", upper_bound_text(answer.suggestion->distance)}})});
+  return pretty(json_of(fields));
+}
+
+std::string to_text(const PathIdentification& found) {
+  return heading(found.named) + "\n\n" + nearness_of_path(found, Notation::unicode);
+}
+
+std::string to_latex(const PathIdentification& found) {
+  std::string text = nearness_of_path(found, Notation::latex);
+  for (const Curve& curve : found.named.path.segments())
+    text += "\n" + curve_words(curve, Notation::latex);
+  return text;
+}
+
+std::string to_json(const PathIdentification& found) {
+  JsonOutput json = {{"phrame", "identify/1"}, {"name", found.named.name}, {"ph", !found.nearness}};
+  if (found.nearness) {
+    json["near"] = {{"found", true}};
+    json["near"].update(json_of(nearness_fields(*found.nearness)));
+  }
+  JsonOutput segments = JsonOutput::array();
+  for (const Curve& curve : found.named.path.segments())
+    segments.push_back(json_of(curve_fields(curve)));
+  json["segments"] = std::move(segments);
+  return pretty(json);
+}
 
 }  // namespace phrame

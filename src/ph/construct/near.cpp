@@ -1,0 +1,286 @@
+#include "phrame/ph/construct/near.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/preimage.hpp"
+#include "phrame/ph/construct/rmf_difference.hpp"
+#include "phrame/ph/construct/scale.hpp"
+
+namespace phrame {
+namespace {
+
+void require_near_degree(std::size_t points) {
+  const long n = static_cast<long>(points) - 1;
+  if (n > max_near_degree)
+    throw DomainError(fmt::format("PH curve nearby: the degree of the curve is {}, the limit is {}",
+                                  n, max_near_degree));
+}
+
+void require_positive(const Rational& epsilon) {
+  if (epsilon <= 0)
+    throw DomainError(fmt::format("PH curve nearby: the distance {} is not positive",
+                                  abbreviated(phrame::to_string(epsilon))));
+}
+
+PreimageFit fit_of_points(const BezierPoints& points, long scale) {
+  std::vector<Vector<Rational>> from_first;
+  for (std::size_t k = 1; k < points.size(); ++k) from_first.push_back(points[k] - points[0]);
+  return best_fit(scaled_down(bezier_derivatives(points), scale), scaled_down(from_first, scale));
+}
+
+bool is_within(const Rational& squared_distance, const Rational& epsilon) {
+  return squared_distance <= epsilon * epsilon;
+}
+
+/// What is known of a curve before it is rounded.
+struct FineFit {
+  BezierPoints points;
+  long scale;
+  MeasuredFit fit;
+};
+
+FineFit fine_fit(const Vector<Polynomial>& hodograph, const Vector<Rational>& start) {
+  if (hodograph == Vector<Polynomial>{})
+    throw DomainError("PH curve nearby: the hodograph is zero, so the curve is a point");
+  FineFit result{bezier_points(hodograph, start), 0, {}};
+  require_near_degree(result.points.size());
+  result.scale = scale_of(result.points);
+  const PreimageFit guess = fit_of_points(result.points, result.scale);
+  result.fit = refined(exact_fit(guess, result.scale), FitStep(guess, FreePart::all), FreePart::all,
+                       result.scale, start, result.points);
+  return result;
+}
+
+/// With the fewest bits that keep it within ε, as it is given.
+MeasuredFit shortest(const FineFit& fine, const Rational& epsilon) {
+  MeasuredFit best = fine.fit;
+  for (long low = -1; best.bits - low > 1;) {
+    const long bits = low + (best.bits - low) / 2;
+    MeasuredFit next{rounded(fine.fit.fit, fine.scale, bits, FreePart::all), 0, bits};
+    if (is_point(next.fit)) {
+      low = bits;
+      continue;
+    }
+    next.squared_distance = squared_distance(next.fit, fine.points.front(), fine.points);
+    if (is_within(next.squared_distance, epsilon))
+      best = std::move(next);
+    else
+      low = bits;
+  }
+  return best;
+}
+
+/// The hodographs of a curve given and of the one in its place.
+HodographPair hodograph_pair(const BezierPoints& given, const Curve& curve) {
+  return {bezier_derivatives(given),
+          bezier_derivatives(control_points_in_degree(curve, given.size() - 1))};
+}
+
+/// √x as a bound to print, and not above ε where x is not above ε².
+Rational distance_of(const Rational& squared, const Rational& epsilon) {
+  return std::min(square_root_above(squared), epsilon);
+}
+
+/// A spline in doubles, each A divided by 2ᵉ, and what its joints are to be: the ends of A on both
+/// sides in one direction, the later one `ratio` times the former.
+struct SplineFit {
+  long scale = 0;
+  std::vector<PreimageFit> segments;
+  std::vector<Quaternion<double>>
+      joints;                  ///< the ends of A before joint k and, last, of the spline
+  std::vector<double> ratios;  ///< at joint k
+};
+
+/// Both are constants, and the speeds are as equal as points known to within ε can tell.
+bool is_differentiable(const PreimageFit& before, const PreimageFit& after, std::size_t points,
+                       double epsilon) {
+  if (before.multiplier.size() > 1 || after.multiplier.size() > 1) return false;
+  const double difference = norm(before.preimage.back()) - norm(after.preimage.front());
+  return std::abs(difference) <= 8 * epsilon * static_cast<double>(points);
+}
+
+/// Turns the segment behind joint k to the one before it, and says what the joint is.
+void join(SplineFit& spline, std::size_t k, const std::vector<BezierPoints>& curves,
+          double epsilon) {
+  const PreimageFit& before = spline.segments[k];
+  PreimageFit& after = spline.segments[k + 1];
+  if (before.multiplier.back() < 0) {  // A j i (A j)* = −A i A*
+    for (auto& a : after.preimage) a = a * Quaternion<double>{0, 0, 1, 0};
+    for (double& f : after.multiplier) f = -f;
+  }
+  const auto& end = before.preimage.back();
+  const auto product = hermitian_product(end, after.preimage.front());
+  const double size = std::hypot(product.re, product.im);
+  const double sizes = std::sqrt(norm(end) * norm(after.preimage.front()));
+  constexpr double tiny = 1e-8;
+  if (!(sizes > tiny))
+    throw DomainError(
+        fmt::format("PH curve nearby: there is a cusp where segment {} begins", k + 1));
+  constexpr double most_turn = 0.1;  // |H|/(|A||B|) is the cosine of half the angle
+  if (size < std::cos(most_turn / 2) * sizes)
+    throw DomainError(
+        fmt::format("PH curve nearby: the tangent breaks where segment {} begins", k + 1));
+  for (auto& a : after.preimage)
+    a = turned(a, ComplexOf<double>{product.re / size, -product.im / size});
+  const double ratio = is_differentiable(before, after, curves[k].size(), epsilon)
+                           ? 1
+                           : std::sqrt(norm(after.preimage.front()) / norm(end));
+  spline.ratios.push_back(ratio);
+  const auto behind = (1 / ratio) * after.preimage.front();
+  if (after.preimage.size() == 1 && before.preimage.size() > 1)
+    spline.joints.push_back(behind);  // a line has one direction
+  else if (before.preimage.size() == 1)
+    spline.joints.push_back(end);
+  else
+    spline.joints.push_back(0.5 * (end + behind));
+}
+
+/// No value where a segment by itself is too far from any; `farthest` is the greatest distance of
+/// one, squared.
+std::optional<SplineFit> spline_fit(const std::vector<BezierPoints>& curves,
+                                    const Rational& epsilon, Rational& farthest) {
+  SplineFit spline;
+  spline.scale = scale_of(curves.front());
+  for (const BezierPoints& points : curves) spline.scale = std::max(spline.scale, scale_of(points));
+  for (const BezierPoints& points : curves) {
+    spline.segments.push_back(fit_of_points(points, spline.scale));
+    const ExactFit fit = exact_fit(spline.segments.back(), spline.scale);
+    farthest = std::max(farthest, squared_distance(fit, points.front(), points));
+  }
+  const Rational within = 4 * epsilon;  // a fit in doubles is not the best one
+  if (!is_within(farthest, within)) return std::nullopt;
+  const auto scaled_epsilon =
+      static_cast<double>(Rational(epsilon * power_of_two(-2 * spline.scale)));
+  for (std::size_t k = 0; k + 1 < curves.size(); ++k) join(spline, k, curves, scaled_epsilon);
+  spline.joints.push_back(spline.segments.back().preimage.back());
+  return spline;
+}
+
+/// A spline with exact joints.
+struct MeasuredSpline {
+  std::vector<ExactFit> segments;
+  std::vector<Vector<Rational>> starts;
+  Rational squared_distance;
+};
+
+/// With so many bits, as far as it is within ε: no value where it is not.
+std::optional<MeasuredSpline> measured_spline(const SplineFit& spline,
+                                              const std::vector<FitStep>& steps,
+                                              const std::vector<BezierPoints>& curves, long bits,
+                                              const std::optional<Rational>& epsilon) {
+  const auto to_bits = [&](const Quaternion<double>& a) {
+    return rounded_to_places(power_of_two(spline.scale) * exact_quaternion(a), bits - spline.scale);
+  };
+  MeasuredSpline result;
+  Vector<Rational> start = curves.front().front();
+  RationalQuaternion first = to_bits(spline.segments.front().preimage.front());
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    ExactFit fit = exact_fit(spline.segments[k], spline.scale);
+    // The ends are the joints', all else is refined and rounded.
+    fit.preimage.front() = first;
+    if (fit.preimage.size() > 1) fit.preimage.back() = to_bits(spline.joints[k]);
+    if (is_point(fit)) return std::nullopt;
+    fit = refined(fit, steps[k], FreePart::inner, spline.scale, start, curves[k]).fit;
+    fit = rounded(std::move(fit), spline.scale, bits, FreePart::inner);
+    if (is_point(fit)) return std::nullopt;
+    const Rational distance = squared_distance(fit, start, curves[k]);
+    if (epsilon && !is_within(distance, *epsilon)) return std::nullopt;
+    result.squared_distance = std::max(result.squared_distance, distance);
+    result.starts.push_back(start);
+    start = evaluate(position(curve_of(fit, start)), 1);
+    if (k < spline.ratios.size())
+      first = rounded_to_places(exact_rational(spline.ratios[k]), bits) * fit.preimage.back();
+    result.segments.push_back(std::move(fit));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::variant<NearCurve, NotNear> near_curve(const Vector<Polynomial>& hodograph,
+                                            const Vector<Rational>& start,
+                                            const Rational& epsilon) {
+  require_positive(epsilon);
+  const FineFit fine = fine_fit(hodograph, start);
+  if (!is_within(fine.fit.squared_distance, epsilon))
+    return NotNear{square_root_above(fine.fit.squared_distance)};
+  const MeasuredFit found = shortest(fine, epsilon);
+  Curve curve = curve_of(found.fit, start);
+  const auto bound = rmf_difference_bound({hodograph_pair(fine.points, curve)});
+  return NearCurve{
+      std::move(curve),
+      {distance_of(found.squared_distance, epsilon),
+       distance_of(fine.fit.squared_distance, epsilon), found.bits - fine.scale, bound}};
+}
+
+std::optional<NearSuggestion> near_suggestion(const Vector<Polynomial>& hodograph,
+                                              const Vector<Rational>& start) {
+  constexpr long most_degree = 45;
+  const Rational least_share(1, 1000);
+  for (const Polynomial& p : hodograph)
+    if (p.degree() >= most_degree) return std::nullopt;
+  const FineFit fine = fine_fit(hodograph, start);
+  const Rational distance = square_root_above(fine.fit.squared_distance);
+  Rational size = 0;
+  for (const auto& p : fine.points) size = std::max(size, largest(p - start));
+  if (distance == 0 || distance > least_share * size) return std::nullopt;
+  // A curve that is PH over ℝ has PH curves over ℚ as near as one likes.
+  const Rational enough = power_of_ten(decimal_exponent(size) - 30);
+  if (10 * distance < enough) return NearSuggestion{enough, enough / 10};
+  // The power of ten above it, or the next where little room is left to take bits off.
+  Rational epsilon = power_of_ten(decimal_exponent(distance) + 1);
+  if (distance > Rational(9, 10) * epsilon) epsilon *= 10;
+  return NearSuggestion{epsilon, distance};
+}
+
+std::variant<NearPath, NotNear> near_path(const std::vector<BezierPoints>& curves,
+                                          const Rational& epsilon) {
+  require_positive(epsilon);
+  for (const BezierPoints& points : curves) require_near_degree(points.size());
+  Rational farthest = 0;
+  const auto guess = spline_fit(curves, epsilon, farthest);
+  if (!guess) return NotNear{square_root_above(farthest)};
+  const SplineFit& spline = *guess;
+  std::vector<FitStep> steps;
+  for (const PreimageFit& fit : spline.segments) steps.emplace_back(fit, FreePart::inner);
+  const auto with_bits = [&](long bits, const std::optional<Rational>& within) {
+    return measured_spline(spline, steps, curves, bits, within);
+  };
+  const long most_bits = std::max(64L, 2 * spline.scale - binary_exponent(epsilon) + 16);
+  const auto fine = with_bits(most_bits, std::nullopt);
+  if (!fine) throw DomainError("PH curve nearby: a segment shrinks to a point");
+  if (!is_within(fine->squared_distance, epsilon))
+    return NotNear{square_root_above(fine->squared_distance)};
+  MeasuredSpline best = *fine;
+  long bits = most_bits;
+  for (long low = -1; bits - low > 1;) {
+    const long middle = low + (bits - low) / 2;
+    if (auto next = with_bits(middle, epsilon)) {
+      best = *std::move(next);
+      bits = middle;
+    } else {
+      low = middle;
+    }
+  }
+  std::vector<HodographPair> pairs;
+  std::optional<Path> path;
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const Curve curve = curve_of(best.segments[k], best.starts[k]);
+    pairs.push_back(hodograph_pair(curves[k], curve));
+    if (path)
+      path->append(curve);
+    else
+      path = Path(curve);
+  }
+  return NearPath{
+      *std::move(path),
+      {distance_of(best.squared_distance, epsilon), distance_of(fine->squared_distance, epsilon),
+       bits - spline.scale, rmf_difference_bound(pairs)}};
+}
+
+}  // namespace phrame

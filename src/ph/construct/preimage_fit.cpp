@@ -1,0 +1,394 @@
+// r′ = f·A i A* with A = α + kβ has the direction A i A*/σ, which is the point (α : β) of the
+// complex projective line, the Riemann sphere. So w = (α : β) is a rational curve of degree m in
+// it, known at as many t as one likes, and α°(t)·β(t) − β°(t)·α(t) = 0 are linear equations for its
+// coefficients. Their best solution is the right singular vector of the least singular value. In
+// the Bernstein basis and at Chebyshev's points this is well conditioned.
+//
+// Next to a zero of f of odd order the direction jumps to its opposite, (α : β) to (−β̄ : ᾱ), and
+// that is on no rational curve with it. Straight through, it is smooth again: AtCusps::through.
+//
+// Which degree m has A, and which n − 2m has f? As great an m as can be comes first, with f = 1
+// where n is even; a curve that is given by the points of a random A of that degree is then found
+// at once. Where A = L·z with z ∈ ℂ[t], or r′ = f·A i A* with another f, the linear problem has
+// many solutions for this m and one for a lower m. So lower ones are tried until the distance is
+// what rounding the data to doubles makes, and the best is taken. A straight line, m = 0, has least
+// and comes before all.
+#include "phrame/ph/construct/preimage_fit.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "phrame/ph/construct/preimage.hpp"
+
+namespace phrame {
+namespace {
+
+using DoubleQuaternion = Quaternion<double>;
+using DoubleVector = Vector<double>;
+
+/// C(n, k) for k = 0, …, n.
+std::vector<double> binomials(std::size_t n) {
+  std::vector<double> row{1};
+  for (std::size_t k = 0; k < n; ++k)
+    row.push_back(row.back() * static_cast<double>(n - k) / static_cast<double>(k + 1));
+  return row;
+}
+
+/// Σ a_k C(n, k) tᵏ (1 − t)ⁿ⁻ᵏ has these a_k·C(n, k), which multiply as those of a power basis do.
+template <class T>
+std::vector<T> scaled(std::vector<T> bernstein) {
+  const auto row = binomials(bernstein.size() - 1);
+  for (std::size_t k = 0; k < bernstein.size(); ++k) bernstein[k] = row[k] * bernstein[k];
+  return bernstein;
+}
+
+std::vector<DoubleVector> product(const std::vector<double>& f,
+                                  const std::vector<DoubleVector>& v) {
+  std::vector<DoubleVector> result(f.size() + v.size() - 1, DoubleVector{});
+  for (std::size_t i = 0; i < f.size(); ++i)
+    for (std::size_t j = 0; j < v.size(); ++j) result[i + j] = result[i + j] + f[i] * v[j];
+  return result;
+}
+
+/// A i A*, all with scaled coefficients.
+std::vector<DoubleVector> scaled_square(const std::vector<DoubleQuaternion>& a) {
+  std::vector<DoubleVector> result(2 * a.size() - 1, DoubleVector{});
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < a.size(); ++j)
+      result[i + j] = result[i + j] + symmetric_product(a[i], a[j]);
+  return result;
+}
+
+/// The control points after the first of the curve with the hodograph of these scaled
+/// coefficients: r_{k+1} − r_k = r′_k/(degree of r′ + 1).
+std::vector<DoubleVector> integrated(const std::vector<DoubleVector>& scaled_hodograph) {
+  const std::size_t n = scaled_hodograph.size() - 1;
+  const auto row = binomials(n);
+  std::vector<DoubleVector> points;
+  DoubleVector at{};
+  for (std::size_t k = 0; k <= n; ++k) {
+    at = at + (1 / (row[k] * static_cast<double>(n + 1))) * scaled_hodograph[k];
+    points.push_back(at);
+  }
+  return points;
+}
+
+Eigen::VectorXd stacked(const std::vector<DoubleVector>& v) {
+  Eigen::VectorXd result(3 * static_cast<Eigen::Index>(v.size()));
+  for (Eigen::Index k = 0; k < result.size(); ++k)
+    result[k] = v[static_cast<std::size_t>(k / 3)][static_cast<std::size_t>(k % 3)];
+  return result;
+}
+
+/// By de Casteljau's algorithm.
+DoubleVector value(std::vector<DoubleVector> b, double t) {
+  for (std::size_t n = b.size() - 1; n > 0; --n)
+    for (std::size_t k = 0; k < n; ++k) b[k] = (1 - t) * b[k] + t * b[k + 1];
+  return b[0];
+}
+
+/// A t of Chebyshev's, and r′ there.
+struct HodographSample {
+  double t;
+  DoubleVector derivative;
+};
+
+std::vector<HodographSample> samples(const std::vector<DoubleVector>& hodograph) {
+  constexpr std::size_t least = 24;
+  const std::size_t count = std::max(4 * hodograph.size(), least);
+  std::vector<HodographSample> result;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double angle =
+        std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
+    const double t = (1 - std::cos(angle)) / 2;
+    result.push_back({t, value(hodograph, t)});
+  }
+  return result;
+}
+
+/// Reverses the derivatives such that none is opposed to the one before. Is there any to reverse?
+bool straighten(std::vector<HodographSample>& samples) {
+  bool changed = false;
+  for (std::size_t k = 1; k < samples.size(); ++k)
+    if (dot(samples[k - 1].derivative, samples[k].derivative) < 0) {
+      samples[k].derivative = -1.0 * samples[k].derivative;
+      changed = true;
+    }
+  return changed;
+}
+
+using Decomposition = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+
+/// A vector of length 1 that the matrix makes about as short as can be: by QR and a few steps of
+/// inverse iteration, x ↦ (RᵀR)⁻¹x.
+Eigen::VectorXd least_singular_vector(const Eigen::MatrixXd& matrix) {
+  constexpr double tiny = 1e-15;
+  constexpr int steps = 4;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
+  const Eigen::Index n = matrix.cols();
+  Eigen::MatrixXd r = qr.matrixR().topRows(n);
+  const double least = tiny * std::abs(r(0, 0));
+  for (Eigen::Index k = 0; k < n; ++k)
+    if (std::abs(r(k, k)) < least) r(k, k) = least;
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(n);
+  for (int k = 0; k < steps; ++k) {
+    x = r.transpose().triangularView<Eigen::Lower>().solve(x);
+    x = r.triangularView<Eigen::Upper>().solve(x);
+    x /= x.norm();
+  }
+  return qr.colsPermutation() * x;
+}
+
+/// Each complex unknown is two real ones, its real and its imaginary part, so is each equation.
+std::vector<DoubleQuaternion> first_preimage(const std::vector<HodographSample>& at, long m) {
+  double largest = 0;
+  for (const HodographSample& s : at) largest = std::max(largest, dot(s.derivative, s.derivative));
+  const auto row = binomials(static_cast<std::size_t>(m));
+  Eigen::MatrixXd equations =
+      Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(at.size()), 4 * (m + 1));
+  const auto set = [&](std::size_t k, long unknown, const std::complex<double>& c) {
+    const auto y = 2 * static_cast<Eigen::Index>(k);
+    const auto x = 2 * static_cast<Eigen::Index>(unknown);
+    equations(y, x) = equations(y + 1, x + 1) = c.real();
+    equations(y, x + 1) = -c.imag();
+    equations(y + 1, x) = c.imag();
+  };
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const double speed = std::sqrt(dot(at[k].derivative, at[k].derivative));
+    if (speed == 0) continue;
+    const DoubleQuaternion w = preimage((1 / speed) * at[k].derivative);
+    const double weight = speed / std::sqrt(largest);
+    for (long j = 0; j <= m; ++j) {
+      const double b = weight * row[static_cast<std::size_t>(j)] *
+                       std::pow(at[k].t, static_cast<double>(j)) *
+                       std::pow(1 - at[k].t, static_cast<double>(m - j));
+      set(k, j, b * std::complex(w.q, w.p));
+      set(k, m + 1 + j, -b * std::complex(w.u, w.v));
+    }
+  }
+  const Eigen::VectorXd x = least_singular_vector(equations);
+  std::vector<DoubleQuaternion> result;
+  for (long j = 0; j <= m; ++j) {
+    const auto alpha = 2 * j;
+    const auto beta = 2 * (m + 1 + j);
+    result.push_back({x[alpha], x[alpha + 1], x[beta + 1], x[beta]});
+  }
+  return result;
+}
+
+/// The f with f·A i A* next to r′, by linear least squares.
+std::vector<double> best_multiplier(const std::vector<DoubleQuaternion>& a,
+                                    const std::vector<DoubleVector>& hodograph) {
+  const auto square = scaled_square(scaled(a));
+  const std::size_t unknowns = hodograph.size() - square.size() + 1;
+  const auto row = binomials(hodograph.size() - 1);
+  const auto f_row = binomials(unknowns - 1);
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(hodograph.size()),
+                                                  static_cast<Eigen::Index>(unknowns));
+  for (std::size_t j = 0; j < unknowns; ++j)
+    for (std::size_t i = 0; i < square.size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+        columns(static_cast<Eigen::Index>(3 * (i + j) + c), static_cast<Eigen::Index>(j)) =
+            f_row[j] * square[i][c] / row[i + j];
+  const Eigen::VectorXd f = Decomposition(columns).solve(stacked(hodograph));
+  return {f.begin(), f.end()};
+}
+
+/// f is to be 1 where it is a constant.
+PreimageFit with_unit_constant(PreimageFit fit) {
+  if (fit.multiplier.size() > 1) return fit;
+  double f = fit.multiplier[0];
+  for (DoubleQuaternion& a : fit.preimage) {
+    if (f < 0) a = a * DoubleQuaternion{0, 0, 1, 0};  // which turns A i A* around
+    a = std::sqrt(std::abs(f)) * a;
+  }
+  return {std::move(fit.preimage), {1}};
+}
+
+PreimageFit added(PreimageFit a, const PreimageFit& b) {
+  for (std::size_t k = 0; k < a.preimage.size(); ++k) a.preimage[k] = a.preimage[k] + b.preimage[k];
+  for (std::size_t k = 0; k < a.multiplier.size(); ++k) a.multiplier[k] += b.multiplier[k];
+  return a;
+}
+
+std::vector<DoubleVector> points_after_first(const PreimageFit& fit) {
+  return integrated(product(scaled(fit.multiplier), scaled_square(scaled(fit.preimage))));
+}
+
+/// How the tangent is to be read where the curve goes through a cusp.
+enum class AtCusps {
+  forward,  ///< A i A* is along r′: f > 0
+  through   ///< A i A* goes on straight where r′ turns back: f changes its sign
+};
+
+/// Where to begin: A of degree m, f of degree n − 2m where r′ has degree n.
+PreimageFit first_fit(const std::vector<DoubleVector>& hodograph, long m, AtCusps at_cusps) {
+  auto at = samples(hodograph);
+  if (at_cusps == AtCusps::through) straighten(at);
+  PreimageFit result{first_preimage(at, m), {}};
+  result.multiplier = best_multiplier(result.preimage, hodograph);
+  return with_unit_constant(std::move(result));
+}
+
+/// The points less those of the fit, and the sum of their squares.
+struct Remainder {
+  std::vector<DoubleVector> of_points;
+  double sum_of_squares = 0;
+  double greatest_square = 0;
+};
+
+Remainder remainder(const PreimageFit& fit, const std::vector<DoubleVector>& points) {
+  const auto reached = points_after_first(fit);
+  Remainder result;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    result.of_points.push_back(points[k] - reached[k]);
+    const double square = dot(result.of_points.back(), result.of_points.back());
+    result.sum_of_squares += square;
+    result.greatest_square = std::max(result.greatest_square, square);
+  }
+  return result;
+}
+
+struct FitCandidate {
+  PreimageFit fit;
+  double distance;  ///< the greatest of a point
+};
+
+/// By Gauss's and Newton's iteration, as far as it helps.
+FitCandidate candidate(const std::vector<DoubleVector>& hodograph,
+                       const std::vector<DoubleVector>& points, long m, AtCusps at_cusps) {
+  constexpr int most_steps = 20;
+  PreimageFit fit = first_fit(hodograph, m, at_cusps);
+  Remainder now = remainder(fit, points);
+  double last = HUGE_VAL;
+  for (int k = 0; k < most_steps && (k < 4 || now.sum_of_squares < 0.9 * last); ++k) {
+    PreimageFit next = added(fit, FitStep(fit, FreePart::all)(now.of_points));
+    Remainder after = remainder(next, points);
+    // Where it is no number this is false, too.
+    if (!(after.sum_of_squares < now.sum_of_squares)) break;
+    last = now.sum_of_squares;
+    now = std::move(after);
+    fit = std::move(next);
+  }
+  const bool is_number = std::isfinite(now.sum_of_squares);
+  return {std::move(fit), is_number ? std::sqrt(now.greatest_square) : HUGE_VAL};
+}
+
+PreimageFit normalized(PreimageFit fit) {
+  double multiplier = 0;
+  for (const double f : fit.multiplier) multiplier = std::max(multiplier, std::abs(f));
+  const bool is_negative = fit.multiplier.front() < 0;
+  // Powers of 4, so that nothing is rounded.
+  const int exponent = multiplier > 0 ? std::ilogb(multiplier) >> 1 : 0;
+  for (double& f : fit.multiplier) f = std::ldexp(is_negative ? -f : f, -2 * exponent);
+  std::complex<double> largest = 1;
+  double size = 0;
+  for (DoubleQuaternion& a : fit.preimage) {
+    a = std::ldexp(1.0, exponent) * a;
+    if (is_negative) a = a * DoubleQuaternion{0, 0, 1, 0};
+    for (const auto& part : {std::complex(a.u, a.v), std::complex(a.q, a.p)})
+      if (std::abs(part) > 1.001 * size) {  // of nearly equal ones the first
+        largest = part;
+        size = std::abs(part);
+      }
+  }
+  const std::complex<double> turn = std::conj(largest) / std::abs(largest);
+  for (DoubleQuaternion& a : fit.preimage)
+    a = turned(a, ComplexOf<double>{turn.real(), turn.imag()});
+  return fit;
+}
+
+}  // namespace
+
+struct FitStep::Solver {
+  std::size_t preimage_size = 0;
+  std::size_t multiplier_size = 0;
+  std::size_t first = 0;  ///< of the free coefficients of A
+  std::size_t count = 0;  ///< of them
+  bool frees_multiplier = false;
+  Decomposition decomposition;
+};
+
+FitStep::FitStep(const PreimageFit& fit, FreePart part) : solver_(std::make_unique<Solver>()) {
+  const std::size_t size = fit.preimage.size();
+  solver_->preimage_size = size;
+  solver_->multiplier_size = fit.multiplier.size();
+  solver_->frees_multiplier = fit.multiplier.size() > 1;
+  if (part == FreePart::all) {
+    solver_->count = size;
+  } else if (size > 2) {
+    solver_->first = 1;
+    solver_->count = size - 2;
+  }
+  const auto a = scaled(fit.preimage);
+  const auto f = scaled(fit.multiplier);
+  const auto row = binomials(size - 1);
+  std::vector<Eigen::VectorXd> columns;
+  constexpr std::array<DoubleQuaternion, 4> units{
+      {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+  for (std::size_t k = solver_->first; k < solver_->first + solver_->count; ++k)
+    for (const DoubleQuaternion& unit : units) {
+      std::vector<DoubleVector> change(2 * size - 1, DoubleVector{});
+      for (std::size_t j = 0; j < size; ++j)
+        change[k + j] = (2 * row[k]) * symmetric_product(unit, a[j]);
+      columns.push_back(stacked(integrated(product(f, change))));
+    }
+  if (solver_->frees_multiplier) {
+    const auto square = scaled_square(a);
+    for (std::size_t k = 0; k < f.size(); ++k) {
+      std::vector<double> unit(f.size(), 0.0);
+      unit[k] = 1;
+      columns.push_back(stacked(integrated(product(scaled(unit), square))));
+    }
+  }
+  if (columns.empty()) return;
+  Eigen::MatrixXd matrix(columns[0].size(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    matrix.col(static_cast<Eigen::Index>(k)) = columns[k];
+  // What turns A about i, and other changes that leave the curve alone, is singular.
+  constexpr double singular = 1e-12;
+  solver_->decomposition.setThreshold(singular);
+  solver_->decomposition.compute(matrix);
+}
+
+FitStep::~FitStep() = default;
+FitStep::FitStep(FitStep&&) noexcept = default;
+FitStep& FitStep::operator=(FitStep&&) noexcept = default;
+
+PreimageFit FitStep::operator()(const std::vector<DoubleVector>& wanted) const {
+  const Solver& s = *solver_;
+  PreimageFit result{std::vector<DoubleQuaternion>(s.preimage_size),
+                     std::vector<double>(s.multiplier_size, 0.0)};
+  if (s.count == 0 && !s.frees_multiplier) return result;
+  const Eigen::VectorXd x = s.decomposition.solve(stacked(wanted));
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const auto at = static_cast<Eigen::Index>(4 * k);
+    result.preimage[s.first + k] = {x[at], x[at + 1], x[at + 2], x[at + 3]};
+  }
+  if (s.frees_multiplier)
+    for (std::size_t k = 0; k < s.multiplier_size; ++k)
+      result.multiplier[k] = x[static_cast<Eigen::Index>(4 * s.count + k)];
+  return result;
+}
+
+PreimageFit best_fit(const std::vector<DoubleVector>& hodograph,
+                     const std::vector<DoubleVector>& points) {
+  // Below this, the doubles that the points are tell nothing more.
+  constexpr double noise = 0x1p-46;
+  const long n = static_cast<long>(hodograph.size()) - 1;
+  FitCandidate best = candidate(hodograph, points, 0, AtCusps::forward);
+  for (const AtCusps at_cusps : {AtCusps::forward, AtCusps::through}) {
+    auto at = samples(hodograph);
+    if (at_cusps == AtCusps::through && !straighten(at)) break;
+    for (long m = n / 2; m >= 0 && !(best.distance <= noise); --m) {
+      FitCandidate next = candidate(hodograph, points, m, at_cusps);
+      if (next.distance < best.distance) best = std::move(next);
+    }
+  }
+  return normalized(std::move(best.fit));
+}
+
+}  // namespace phrame
