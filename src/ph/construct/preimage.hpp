@@ -1,0 +1,109 @@
+#pragma once
+#include <cmath>
+
+#include "phrame/ph/curve/quaternion.hpp"
+
+namespace phrame {
+
+// The algebra that interpolation by PH curves lives in, for any numbers: doubles for guesses,
+// BigFloat for what is rounded, integers and fractions for what is exact.
+
+/// re + i·im.
+template <class T>
+struct ComplexOf {
+  T re;
+  T im;
+};
+
+template <class T>
+ComplexOf<T> operator*(const ComplexOf<T>& a, const ComplexOf<T>& b) {
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+template <class T>
+Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+template <class T>
+Vector<T> operator-(const Vector<T>& a, const Vector<T>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+template <class T>
+Vector<T> operator*(const T& c, const Vector<T>& a) {
+  return {c * a[0], c * a[1], c * a[2]};
+}
+
+template <class T>
+T dot(const Vector<T>& a, const Vector<T>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class T>
+Quaternion<T> operator+(const Quaternion<T>& a, const Quaternion<T>& b) {
+  return {a.u + b.u, a.v + b.v, a.p + b.p, a.q + b.q};
+}
+
+template <class T>
+Quaternion<T> operator-(const Quaternion<T>& a, const Quaternion<T>& b) {
+  return {a.u - b.u, a.v - b.v, a.p - b.p, a.q - b.q};
+}
+
+template <class T>
+Quaternion<T> operator*(const T& c, const Quaternion<T>& a) {
+  return {c * a.u, c * a.v, c * a.p, c * a.q};
+}
+
+/// A·(re + i·im). By a complex number of size 1 this leaves A i A* alone.
+template <class T>
+Quaternion<T> turned(const Quaternion<T>& a, const ComplexOf<T>& z) {
+  return {a.u * z.re - a.v * z.im, a.u * z.im + a.v * z.re, a.p * z.re + a.q * z.im,
+          a.q * z.re - a.p * z.im};
+}
+
+/// S(A, B) = ½(A i B* + B i A*), a vector, bilinear; S(A, A) = A i A*.
+template <class T>
+Vector<T> symmetric_product(const Quaternion<T>& a, const Quaternion<T>& b) {
+  return {a.u * b.u + a.v * b.v - a.p * b.p - a.q * b.q,
+          a.u * b.q + a.q * b.u + a.v * b.p + a.p * b.v,
+          a.v * b.q + a.q * b.v - a.u * b.p - a.p * b.u};
+}
+
+/// H(A, B) = ᾱ_A·α_B + β̄_A·β_B for A = α + kβ. Its real part is the scalar product A·B, its
+/// imaginary part ω(A, B); h = ω(A, A′). H(A, B·z) = z·H(A, B), and
+/// |H(A, B)|² = ½(|A|²|B|² + S(A, A)·S(B, B)).
+template <class T>
+ComplexOf<T> hermitian_product(const Quaternion<T>& a, const Quaternion<T>& b) {
+  return {a.u * b.u + a.v * b.v + a.p * b.p + a.q * b.q,
+          a.u * b.v - a.v * b.u - a.p * b.q + a.q * b.p};
+}
+
+/// An A with A i A* = d, up to rounding; the others are A·z, |z| = 1. Without cancellation,
+/// because the greater of |α|, |β| is the one that comes from a root: it is real and not negative.
+/// 0 for 0.
+template <class T>
+Quaternion<T> preimage(const Vector<T>& d) {
+  using std::sqrt;
+  const auto& [x, y, z] = d;
+  const T half(0.5);
+  const T s = sqrt(dot(d, d));
+  if (s == T(0.0)) return {T(0.0), T(0.0), T(0.0), T(0.0)};
+  if (!(x < T(0.0))) {
+    const T alpha = sqrt(half * (s + x));
+    return {alpha, T(0.0), -(half * z / alpha), half * y / alpha};
+  }
+  const T beta = sqrt(half * (s - x));
+  return {half * y / beta, half * z / beta, T(0.0), beta};
+}
+
+/// z/|z|; 1 where |z| ≤ `least`, so that its argument means nothing.
+template <class T>
+ComplexOf<T> direction_of(const ComplexOf<T>& z, const T& least) {
+  using std::sqrt;
+  const T size = sqrt(z.re * z.re + z.im * z.im);
+  if (!(least < size)) return {T(1.0), T(0.0)};
+  return {z.re / size, z.im / size};
+}
+
+}  // namespace phrame

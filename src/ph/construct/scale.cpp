@@ -1,0 +1,43 @@
+#include "phrame/ph/construct/scale.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/rounding.hpp"
+
+namespace phrame {
+
+Rational largest(const Vector<Rational>& v) { return std::max({abs(v[0]), abs(v[1]), abs(v[2])}); }
+
+Rational largest(const std::vector<Vector<Rational>>& list) {
+  Rational size;
+  for (const Vector<Rational>& v : list) size = std::max(size, largest(v));
+  return size;
+}
+
+Rational scale_for_doubles(const Rational& size) {
+  if (size == 0) return 1;
+  const long e = binary_exponent(size);
+  return power_of_two(-(e - (e & 1)));
+}
+
+Vector<double> scaled_to_doubles(const Rational& c, const Vector<Rational>& v) {
+  Vector<double> result;
+  for (std::size_t k = 0; k < 3; ++k) result[k] = static_cast<double>(c * v[k]);
+  return result;
+}
+
+Rational rounded_to_places(const Rational& x, long k) {
+  return Rational(floor(x * power_of_two(k) + Rational(1, 2))) * power_of_two(-k);
+}
+
+Rational rounded_to_bits(const Rational& x, long bits) {
+  return rounded_to_places(x, bits - binary_exponent(x));
+}
+
+Rational square_root_above(const Rational& x) {
+  if (x == 0) return 0;
+  const long half = 32 - binary_exponent(x) / 2;  // x·4^half has 63 bits at least
+  return Rational(sqrt(floor(x * power_of_two(2 * half))) + 1) * power_of_two(-half);
+}
+
+}  // namespace phrame

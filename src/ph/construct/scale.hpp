@@ -1,0 +1,25 @@
+#pragma once
+#include <vector>
+
+#include "phrame/ph/curve/quaternion.hpp"
+
+namespace phrame {
+
+/// The greatest |coordinate|.
+Rational largest(const Vector<Rational>& v);
+Rational largest(const std::vector<Vector<Rational>>& list);
+
+/// A power of 4 that brings numbers of that size, > 0, to between 1/4 and 4; 1 for 0.
+Rational scale_for_doubles(const Rational& size);
+/// c·v in doubles.
+Vector<double> scaled_to_doubles(const Rational& c, const Vector<Rational>& v);
+
+/// x > 0 to so many significant bits.
+Rational rounded_to_bits(const Rational& x, long bits);
+/// The multiple of 2^−k next to x.
+Rational rounded_to_places(const Rational& x, long k);
+
+/// An upper bound of √x for x ≥ 0, greater by less than a 2^−30th; √0 = 0.
+Rational square_root_above(const Rational& x);
+
+}  // namespace phrame
