@@ -6,4 +6,20 @@ namespace phrame {
 
 std::string write_curve(const NamedCurve& named) { return pretty(json_of(named)); }
 
+std::string write_path(const NamedPath& named) {
+  const auto& [name, path] = named;
+  if (path.is_curve()) return write_curve({name, path.segments().front()});
+  JsonOutput segments = JsonOutput::array();
+  for (const Curve& curve : path.segments()) {
+    JsonOutput segment = json_of(NamedCurve{"", curve});
+    segment.erase("phrame");
+    if (!segments.empty()) segment.erase("start");
+    segments.push_back(std::move(segment));
+  }
+  JsonOutput json = {{"phrame", "spline/1"}};
+  if (!name.empty()) json["name"] = name;
+  json["segments"] = std::move(segments);
+  return pretty(json);
+}
+
 }  // namespace phrame

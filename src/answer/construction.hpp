@@ -1,0 +1,52 @@
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "phrame/ph/construct/quintic_spline.hpp"
+#include "phrame/ph/curve/named.hpp"
+
+namespace phrame {
+
+/// What kind of PH curves a construction is made of.
+enum class CurveKind { quintic };
+
+/// The kinds there are, in their order, as people call them.
+struct NamedKind {
+  CurveKind kind;
+  std::string_view name;  ///< "quintic"
+  std::string_view what;  ///< "C1 splines of PH quintics, from points and derivatives"
+};
+const std::vector<NamedKind>& curve_kinds();
+
+/// Which exact PH curve meets these data, as nearly as asked?
+struct ConstructQuery {
+  CurveKind kind = CurveKind::quintic;
+  QuinticChoice choice = QuinticSelection::automatic;
+  /// How far the curve may be from the points, beside their extent, and its derivatives from those
+  /// wanted, beside the greatest of them. > 0.
+  Rational tolerance = Rational(1, 1'000'000'000'000'000);
+  bool is_closed = false;
+};
+
+struct ConstructionAnswer {
+  struct Segment {
+    FreeAngles angles;
+    Rational length;
+    double energy;  ///< ∫κ² ds, about; ∞ at a cusp
+  };
+  NamedPath path;
+  CurveKind kind;
+  QuinticChoice choice;
+  HermiteSpline data;  ///< what was wanted
+  DerivativeSource derivatives_from;
+  ParameterSource parameters_from;
+  Deviation tolerance;
+  Deviation deviation;  ///< proved bounds
+  long bits;            ///< of the preimages' common denominator, a power of 2
+  std::vector<Segment> segments;
+};
+
+/// Throws InputError for what this kind does not take, DomainError where there is no such curve.
+ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query);
+
+}  // namespace phrame
