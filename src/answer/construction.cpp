@@ -86,6 +86,7 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
           query.kind,
           query.choice,
           std::move(data),
+          std::move(found.parameters),
           derivative_source(given, query.is_closed),
           parameter_source(given),
           tolerance,

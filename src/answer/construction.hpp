@@ -37,7 +37,8 @@ struct ConstructionAnswer {
   NamedPath path;
   CurveKind kind;
   QuinticChoice choice;
-  HermiteSpline data;  ///< what was wanted
+  HermiteSpline data;                ///< what was wanted
+  std::vector<Rational> parameters;  ///< of the joints and the ends
   DerivativeSource derivatives_from;
   ParameterSource parameters_from;
   Deviation tolerance;

@@ -120,3 +120,18 @@ TEST_CASE("construct: antiparallel tangents and data of any size have a curve") 
     CHECK(number(Json::parse(run.out)["deviation"]["points"]) <= 1e-15 * std::stod(size));
   }
 }
+
+TEST_CASE("construct: a closed spline is one, exactly, and has a holonomy") {
+  const Workshop here;
+  here.write("points.csv", table);
+  const Run run = here.run("construct points.csv --closed --print json -o spline.json");
+  check_success(run);
+  const Json report = Json::parse(run.out);
+  CHECK(report["closed"] == true);
+  CHECK(report["segments"].size() == 5);  // the last of four in two halves
+  CHECK(report["parameters"].size() == 6);
+  const Run info = here.run("info spline.json");
+  check_success(info);
+  CHECK(info.out.starts_with("PH spline of 5 segments, closed\n"));
+  CHECK(contains(info.out, "holonomy"));
+}

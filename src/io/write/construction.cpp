@@ -123,7 +123,8 @@ std::string to_text(const ConstructionAnswer& answer) {
   row("derivatives", bound_text(answer.deviation.derivatives, answer.tolerance.derivatives));
   if (!answer.path.path.is_curve())
     row("joints", "position and derivative by the parameter are equal fractions");
-  row("preimage", fmt::format("coefficients are multiples of 2^{}", -answer.bits));
+  row("preimage", fmt::format("coefficients are multiples of 2^{}{}", -answer.bits,
+                              answer.data.is_closed ? ", but for the last two segments" : ""));
   row("length", "≈ " + decimal(length(answer), 12));
   row("energy ∫ κ² ds", "about " + energy_text(energy(answer)));
   return text + segment_table(answer);
@@ -134,7 +135,7 @@ std::string to_json(const ConstructionAnswer& answer) {
     return std::isfinite(energy) ? JsonOutput(energy_text(energy)) : JsonOutput("inf");
   };
   JsonOutput parameters = JsonOutput::array();
-  for (const Rational& t : answer.data.parameters) parameters.push_back(to_string(t));
+  for (const Rational& t : answer.parameters) parameters.push_back(to_string(t));
   JsonOutput segments = JsonOutput::array();
   for (const auto& [angles, length, energy] : answer.segments)
     segments.push_back({{"delta", to_string(angles.delta)},

@@ -14,9 +14,9 @@ struct Deviation {
 /// An exact curve near its data.
 struct Construction {
   Path path;
-  std::vector<FreeAngles> angles;  ///< chosen for each segment
-  /// The coefficients of A are multiples of 2^−bits, but the last of a closed spline, which is one
-  /// times a rational number of size 1.
+  std::vector<Rational> parameters;  ///< of the joints and the ends, those of the data
+  std::vector<FreeAngles> angles;    ///< chosen for each segment
+  /// The coefficients of A are multiples of 2^−bits; but not those of what closes a spline.
   long bits;
   Deviation deviation;  ///< proved: not less than the greatest distances from the data
 };

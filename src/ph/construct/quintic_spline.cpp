@@ -13,6 +13,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/exact_end.hpp"
 #include "phrame/ph/construct/scale.hpp"
 
 // Continuity is linear in the preimage, interpolation quadratic. So the coefficients of A are
@@ -96,7 +97,7 @@ Phase turn_to(const Quaternion<BigFloat>& a, const Quaternion<BigFloat>& b) {
 }
 
 struct ExactSegment {
-  std::array<RationalQuaternion, 3> a;
+  QuadraticPreimage a;
   Rational h;
   Vector<Rational> start;
 };
@@ -249,6 +250,19 @@ void require_regular_joints(const HermiteSpline& data) {
           fmt::format("the derivative at point {} is 0: the tangent would break there", k + 1));
 }
 
+/// The last segment in two halves that end at `end`, exactly.
+void close(std::vector<ExactSegment>& segments, const Vector<Rational>& end, long bits) {
+  const auto [a, h, start] = segments.back();
+  const auto [first, second] = exact_halves(a, (1 / h) * (end - start), bits);
+  segments.pop_back();
+  const Rational half = h / 2;
+  const RationalQuaternion b = Rational(3) * (first[0] + first[2]) + Rational(4) * first[1];
+  const Vector<Rational> middle =
+      start + half / 120 * (rotated_i(b) + known_part(first[0], first[2]));
+  segments.push_back({first, half, start});
+  segments.push_back({second, half, middle});
+}
+
 Path path_of(const std::vector<ExactSegment>& segments) {
   std::optional<Path> path;
   for (const auto& [a, h, start] : segments) {
@@ -274,12 +288,19 @@ Construction quintic_spline(const HermiteSpline& data, const QuinticChoice& choi
     angles.push_back(
         chosen_angles(hermite_data(data, k, data.parameters[k + 1] - data.parameters[k]), choice));
   for (long p = first_bits(data, tolerance);; p += 8) {
-    const Attempt found = Chain(data, angles, Grid(p, working_bits(data, p))).run();
+    Attempt found = Chain(data, angles, Grid(p, working_bits(data, p))).run();
     const auto& [points, derivatives] = found.squared;
     if (points > tolerance.points * tolerance.points ||
         derivatives > tolerance.derivatives * tolerance.derivatives)
       continue;
+    std::vector<Rational> parameters = data.parameters;
+    if (data.is_closed) {
+      close(found.segments, data.points.front(), p);
+      angles.push_back(angles.back());
+      parameters.insert(parameters.end() - 1, parameters.back() - found.segments.back().h);
+    }
     return {path_of(found.segments),
+            std::move(parameters),
             std::move(angles),
             p,
             {square_root_above(points), square_root_above(derivatives)}};

@@ -257,3 +257,55 @@ TEST_CASE("quintic splines: what is no curve is refused, with its place") {
   CHECK(refusal({{{1, 2, 3}, {1, 2, 3}}, {{0, 0, 0}, {0, 0, 0}}, {0, 1}}) ==
         "segment 1 is a point: its points are equal and its derivatives are 0");
 }
+
+TEST_CASE("quintic splines: closed ones end at their start, with the derivative there, exactly") {
+  // A trefoil through 12 points, to 6 decimals.
+  HermiteSpline data;
+  const auto decimal = [](double x) {
+    return Rational(static_cast<long>(std::lround(x * 1e6)), 1'000'000);
+  };
+  constexpr long count = 12;
+  for (long k = 0; k <= count; ++k) {
+    const double t = 2 * std::numbers::pi * static_cast<double>(k % count) / count;
+    const double speed = 2 * std::numbers::pi / count;
+    data.points.push_back({decimal(std::sin(t) + 2 * std::sin(2 * t)),
+                           decimal(std::cos(t) - 2 * std::cos(2 * t)), decimal(-std::sin(3 * t))});
+    data.derivatives.push_back({decimal(speed * (std::cos(t) + 4 * std::cos(2 * t))),
+                                decimal(speed * (-std::sin(t) + 4 * std::sin(2 * t))),
+                                decimal(speed * -3 * std::cos(3 * t))});
+    data.parameters.emplace_back(k);
+  }
+  data.is_closed = true;
+  for (const char* tolerance : {"1e-15", "1e-30"}) {
+    CAPTURE(tolerance);
+    const Deviation allowed = relative(data, number(tolerance));
+    const Construction found = quintic_spline(data, QuinticSelection::automatic, allowed);
+    CHECK(found.deviation.points <= allowed.points);
+    CHECK(found.path.segments().size() == count + 1);
+    CHECK(found.parameters[count] == count - Rational(1, 2));
+    CHECK(found.path.ends_meet());
+    CHECK(found.path.closing_turn().has_value());
+    const auto& segments = found.path.segments();
+    CHECK(derivative(segments.back(), Rational(1, 2), 1) == derivative(segments.front(), 1, 0));
+    for (std::size_t k = 0; k + 1 < segments.size(); ++k) {
+      const Rational h = found.parameters[k + 1] - found.parameters[k];
+      const Rational next = found.parameters[k + 2] - found.parameters[k + 1];
+      CHECK(derivative(segments[k], h, 1) == derivative(segments[k + 1], next, 0));
+      CHECK(evaluate(position(segments[k]), 1) == segments[k + 1].start());
+    }
+    // In Python: 7.841.
+    double energy = 0;
+    for (const Curve& curve : segments) {
+      const QuaternionPolynomial& a = curve.preimage();
+      QuinticFamily::Member b;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto at = [&](const Polynomial& p) {
+          return static_cast<double>(to_bernstein(p, 2)[k]);
+        };
+        b[k] = {at(a.u), at(a.v), at(a.p), at(a.q)};
+      }
+      energy += approximate_energy(b) / static_cast<double>(curve.multiplier().coefficient(0));
+    }
+    CHECK(energy == doctest::Approx(7.841).epsilon(1e-3));
+  }
+}
