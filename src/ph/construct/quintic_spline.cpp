@@ -115,9 +115,18 @@ struct Attempt {
   Deviation squared;  ///< the greatest ones
 };
 
-Rational squared_distance(const Vector<Rational>& a, const Vector<Rational>& b) {
-  const Vector<Rational> off = a - b;
-  return dot(off, off);
+/// Of a difference, an upper bound of its square, and 0 of 0. A coordinate counts for more than it
+/// is by less than a 2^−20th of the tolerance: so the numbers are short, for there are many.
+Rational squared_above(const Vector<Rational>& off, const Rational& tolerance) {
+  if (off == Vector<Rational>{}) return 0;
+  const long places = tolerance == 0 ? 0 : 21 - binary_exponent(tolerance);
+  Integer sum;
+  for (const Rational& x : off)
+    if (x != 0) {
+      const Integer n = floor(abs(x) * power_of_two(places)) + 1;
+      sum += n * n;
+    }
+  return sum * power_of_two(-2 * places);
 }
 
 /// z/|z| for z ≠ 0 in ℚ(i), near e^{iψ}, with short numbers: (1 + iτ)² over its size, and quarters.
@@ -137,8 +146,9 @@ GaussianInteger short_direction(const Phase& wanted) {
 
 class Chain {
  public:
-  Chain(const HermiteSpline& data, const std::vector<FreeAngles>& angles, const Grid& grid)
-      : data_(data), angles_(angles), grid_(grid) {}
+  Chain(const HermiteSpline& data, const std::vector<FreeAngles>& angles, const Grid& grid,
+        const Deviation& tolerance)
+      : data_(data), angles_(angles), grid_(grid), tolerance_(tolerance) {}
 
   Attempt run();
 
@@ -148,6 +158,7 @@ class Chain {
   const HermiteSpline& data_;
   const std::vector<FreeAngles>& angles_;
   const Grid& grid_;
+  const Deviation& tolerance_;
   Attempt result_;
   Quaternion<BigFloat> a0_;  ///< a preimage of the derivative at the last joint, …
   Phase turn_;               ///< … by which it is turned to be that of the spline …
@@ -160,8 +171,8 @@ Attempt Chain::run() {
   turn_ = {BigFloat(1.0), BigFloat(0.0)};
   first_ = q_ = grid_.rounded(a0_);
   result_.end = data_.points.front();
-  result_.squared.derivatives =
-      squared_distance(exact(rotated_i(q_), grid_.step2()), data_.derivatives.front());
+  result_.squared.derivatives = squared_above(
+      exact(rotated_i(q_), grid_.step2()) - data_.derivatives.front(), tolerance_.derivatives);
   for (std::size_t k = 0; k < data_.segments(); ++k) add(k);
   return std::move(result_);
 }
@@ -201,9 +212,11 @@ void Chain::add(std::size_t k) {
   result_.segments.push_back({{exact(q0, step), exact(a1, step), exact(q, step)}, h, r});
   result_.end = r + exact(rotated_i(b) + known, h * step2 / 120);
   Deviation& squared = result_.squared;
-  squared.points = std::max(squared.points, squared_distance(result_.end, data_.points[k + 1]));
+  squared.points =
+      std::max(squared.points, squared_above(result_.end - data_.points[k + 1], tolerance_.points));
   squared.derivatives = std::max(
-      squared.derivatives, squared_distance(exact(rotated_i(q), step2), data_.derivatives[k + 1]));
+      squared.derivatives,
+      squared_above(exact(rotated_i(q), step2) - data_.derivatives[k + 1], tolerance_.derivatives));
   a0_ = a2_as_is;
   turn_ = next_turn;
   q_ = q;
@@ -288,7 +301,7 @@ Construction quintic_spline(const HermiteSpline& data, const QuinticChoice& choi
     angles.push_back(
         chosen_angles(hermite_data(data, k, data.parameters[k + 1] - data.parameters[k]), choice));
   for (long p = first_bits(data, tolerance);; p += 8) {
-    Attempt found = Chain(data, angles, Grid(p, working_bits(data, p))).run();
+    Attempt found = Chain(data, angles, Grid(p, working_bits(data, p)), tolerance).run();
     const auto& [points, derivatives] = found.squared;
     if (points > tolerance.points * tolerance.points ||
         derivatives > tolerance.derivatives * tolerance.derivatives)
