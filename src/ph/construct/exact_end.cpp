@@ -77,10 +77,22 @@ GaussianRational unit_near(const GaussianRational& z, long bits) {
   return quarters * GaussianRational{(1 - tau * tau) / norm, 2 * tau / norm};
 }
 
+/// Is it seen at a glance that n > 0 is no sum of two squares? Two in three that are none.
+bool is_no_norm(const Integer& n) {
+  for (const long p : {3, 7, 11, 19, 23, 31, 43, 47, 59, 67, 71, 79, 83}) {
+    Integer rest = n;
+    bool is_odd = false;
+    for (; rest % p == 0; rest /= p) is_odd = !is_odd;
+    if (is_odd) return true;
+  }
+  return false;
+}
+
 /// η with |η|² = r·d², an integer, over d; no value where that is not seen to exist.
 std::optional<GaussianRational> of_norm(const Rational& r, const Integer& d) {
   const Integer n = numerator(Rational(r * Rational(d) * Rational(d)));
   if (n == 0) return GaussianRational{0, 0};
+  if (is_no_norm(n)) return std::nullopt;
   const NormFactor factor = split_norm(n);
   if (factor.rest != 1) return std::nullopt;
   return GaussianRational{Rational(factor.root.re, d), Rational(factor.root.im, d)};
