@@ -5,7 +5,7 @@ using namespace phrame::test;
 
 namespace {
 
-/// Data of Farouki and Moon (2018).
+/// Data of Farouki's talk on helical curves.
 constexpr auto hermite = R"({"phrame": "points/1", "name": "left",
     "points": [[0, 0, 0], [1, 1, 1]], "derivatives": [[-0.8, 0.3, 1.2], [0.5, -1.3, -1]]})";
 constexpr auto table = "x,y,z\n0,0,0\n1,1,0\n2,0,1\n3,1,1\n";
@@ -32,7 +32,7 @@ TEST_CASE("construct: points go to a spline that the other commands read") {
   CHECK(info.out.starts_with("PH spline of 3 segments, open\n"));
 }
 
-TEST_CASE("construct: a segment is a curve file, with the length and the twist of 2018") {
+TEST_CASE("construct: a segment is a curve file, with the length and the twist that Python has") {
   const Workshop here;
   here.write("hermite.json", hermite);
   const Run run = here.run(

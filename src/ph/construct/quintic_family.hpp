@@ -20,7 +20,7 @@ struct HermiteData {
 enum class QuinticSelection {
   automatic,  ///< of minimal, bv and cc that of least bending energy
   minimal,    ///< Δ = 0: the minimal rotation from d₀ to d₁
-  bv,         ///< next to a PH cubic: |A₀ − 2A₁ + A₂| is least [after Šír and Jüttler]
+  bv,         ///< next to a PH cubic: |A₀ − 2A₁ + A₂| is least
   cc,         ///< S(A₀, A₂) is next to the middle leg of the ordinary cubic with these data
   shortest,   ///< of all lengths the least …
   longest,    ///< … and the greatest
@@ -36,7 +36,7 @@ struct FreeAngles {
 };
 
 /// The angles φ₀, φ₁, φ₂ of the solutions of Aᵢ i Aᵢ* = … in the literature: A = exp(φ i) from the
-/// right times the solution whose α is positive, times i [Farouki, al-Kandari and Sakkalis 2002].
+/// right times the solution whose α is positive, times i [Farouki 2007].
 /// Adding the same number to all three changes nothing.
 struct SolutionAngles {
   double phi0;

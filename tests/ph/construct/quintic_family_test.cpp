@@ -18,7 +18,8 @@ constexpr double half_turn = std::numbers::pi;
 
 using Data = HermiteData<double>;
 
-// Farouki and Moon (2018): from (0, 0, 0) to (1, 1, 1).
+// Data of Farouki's talk on helical curves, "left" and "right". All numbers of these tests that
+// have many digits were computed by a program in Python, with mpmath.
 const Data left{{1, 1, 1}, {-0.8, 0.3, 1.2}, {0.5, -1.3, -1}};
 const Data right{{1, 1, 1}, {0.4, -1.5, -1.2}, {-1.2, -0.6, -1.2}};
 
@@ -69,7 +70,7 @@ const std::vector<QuinticSelection> all_selections{
 
 }  // namespace
 
-TEST_CASE("quintics: lengths and energies of the solutions of Farouki and Moon 2018") {
+TEST_CASE("quintics: lengths and energies of the solutions with angles φ₀, φ₁, φ₂") {
   struct Row {
     Data data;
     SolutionAngles angles;
@@ -97,7 +98,7 @@ TEST_CASE("quintics: lengths and energies of the solutions of Farouki and Moon 2
   }
 }
 
-TEST_CASE("quintics: the shortest and the longest are as long as the helical ones of 2018") {
+TEST_CASE("quintics: the shortest and the longest are as long as the helical ones") {
   const auto length = [](const Data& data, QuinticSelection selection) {
     const QuinticFamily family(data);
     return family.length(value(family.choose(selection).delta));

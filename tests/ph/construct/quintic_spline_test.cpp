@@ -119,7 +119,9 @@ TEST_CASE("quintic splines: deviations are proved and below every tolerance, joi
   });
 }
 
-TEST_CASE("quintic splines: lengths, twists and angles of Farouki and Moon 2018, of exact curves") {
+TEST_CASE(
+    "quintic splines: exact curves have the lengths and twists that Python has, of Farouki's "
+    "talk") {
   constexpr double quarter = std::numbers::pi / 4;
   constexpr double third = std::numbers::pi / 3;
   struct Row {
@@ -141,7 +143,7 @@ TEST_CASE("quintic splines: lengths, twists and angles of Farouki and Moon 2018,
   }
 }
 
-TEST_CASE("quintic splines: twists of the examples of Farouki, Giannelli and Sestini, seed 001") {
+TEST_CASE("quintic splines: the same of the three examples of Farouki and Moon 2018") {
   constexpr double pi = std::numbers::pi;
   struct Row {
     HermiteSpline data;
