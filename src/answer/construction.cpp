@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/construct/plane_quintics.hpp"
 #include "phrame/ph/construct/scale.hpp"
 
 namespace phrame {
@@ -27,11 +28,16 @@ Construction quintics(const Task& task) {
   return quintic_spline(task.data, task.query.choice, task.tolerance);
 }
 
+Construction planar(const Task& task) {
+  return plane_quintics(task.data, task.query.solution, task.tolerance);
+}
+
 const std::vector<KindRow>& rows() {
   static const std::vector<KindRow> table{
-      {{CurveKind::quintic, "quintic", "C1 splines of PH quintics, from points and derivatives"},
+      {{CurveKind::quintic, "quintic", "C1 splines of PH quintics"}, false, quintics},
+      {{CurveKind::planar, "planar", "the same in the plane z = 0", plane_solutions},
        false,
-       quintics}};
+       planar}};
   return table;
 }
 
@@ -75,6 +81,11 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
   if (query.tolerance <= 0)
     throw InputError(
         fmt::format("the tolerance {} is not positive", abbreviated(to_string(query.tolerance))));
+  if (query.solution < 1 || query.solution > row->named.solutions)
+    throw InputError(
+        fmt::format("the kind {} has no solution {}: {}", row->named.name, query.solution,
+                    row->named.solutions == 1 ? std::string("there is one")
+                                              : fmt::format("there are {}", row->named.solutions)));
   HermiteSpline data = hermite_spline(given, query.is_closed);
   const Deviation tolerance{query.tolerance * size_of_points(data),
                             query.tolerance * size_of_derivatives(data)};
@@ -83,8 +94,9 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
   for (std::size_t k = 0; k < found.path.segments().size(); ++k)
     segments.push_back(measured(found.path.segments()[k], found.angles[k]));
   return {{given.name, std::move(found.path)},
-          query.kind,
+          row->named,
           query.choice,
+          query.solution,
           std::move(data),
           std::move(found.parameters),
           derivative_source(given, query.is_closed),

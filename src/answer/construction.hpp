@@ -8,20 +8,22 @@
 namespace phrame {
 
 /// What kind of PH curves a construction is made of.
-enum class CurveKind { quintic };
+enum class CurveKind { quintic, planar };
 
 /// The kinds there are, in their order, as people call them.
 struct NamedKind {
   CurveKind kind;
   std::string_view name;  ///< "quintic"
-  std::string_view what;  ///< "C1 splines of PH quintics, from points and derivatives"
+  std::string_view what;  ///< "C1 splines of PH quintics"
+  long solutions = 1;     ///< how many curves there are, of which one is asked for
 };
 const std::vector<NamedKind>& curve_kinds();
 
 /// Which exact PH curve meets these data, as nearly as asked?
 struct ConstructQuery {
   CurveKind kind = CurveKind::quintic;
-  QuinticChoice choice = QuinticSelection::automatic;
+  QuinticChoice choice = QuinticSelection::automatic;  ///< of the kind quintic
+  long solution = 1;  ///< of the kinds with several: from 1, the best one, to their number
   /// How far the curve may be from the points, beside their extent, and its derivatives from those
   /// wanted, beside the greatest of them. > 0.
   Rational tolerance = Rational(1, 1'000'000'000'000'000);
@@ -35,8 +37,9 @@ struct ConstructionAnswer {
     double energy;  ///< ∫κ² ds, about; ∞ at a cusp
   };
   NamedPath path;
-  CurveKind kind;
+  NamedKind kind;
   QuinticChoice choice;
+  long solution;
   HermiteSpline data;                ///< what was wanted
   std::vector<Rational> parameters;  ///< of the joints and the ends
   DerivativeSource derivatives_from;

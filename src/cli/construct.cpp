@@ -2,6 +2,7 @@
 #include "phrame/io/read/point_file.hpp"
 #include "phrame/io/write/construction.hpp"
 #include "phrame/io/write/curve_file.hpp"
+#include "phrame/ph/construct/plane_quintics.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -11,6 +12,7 @@ struct ConstructOptions {
   std::string kind = "quintic";
   std::string select = "auto";
   std::vector<std::string> angles;
+  long solution = 1;
   std::string tolerance;
   bool is_closed = false;
   std::string print = "text";
@@ -36,6 +38,7 @@ ConstructQuery query(const ConstructOptions& options) {
   for (const NamedKind& named : curve_kinds()) kinds.emplace_back(named.name, named.kind);
   query.kind = choose("--kind", options.kind, kinds);
   query.choice = chosen_quintic(options);
+  query.solution = options.solution;
   if (!options.tolerance.empty()) {
     query.tolerance = parse_option("--tolerance", options.tolerance);
     if (query.tolerance <= 0)
@@ -68,7 +71,8 @@ void add_construct(Program& program) {
                        "points: JSON, a table of text or of NumPy; \"-\" for standard input");
   std::vector<std::string> kinds;
   for (const NamedKind& named : curve_kinds()) kinds.emplace_back(named.name);
-  command.add_choice("--kind", options->kind, kinds, "what to make (default quintic)");
+  command.add_choice("--kind", options->kind, kinds,
+                     "what to make: quintic (default), or planar: in the plane z = 0");
   std::vector<std::string> selections;
   for (const auto& [name, selection] : quintic_selections()) selections.push_back(name);
   command.add_choice("--select", options->select, selections,
@@ -76,6 +80,10 @@ void add_construct(Program& program) {
                      "longest or energy");
   command.add_list("--angles", "A,...", options->angles,
                    "which of the quintics: the angles Delta,phi or phi0,phi1,phi2");
+  command.add_number("--solution", options->solution, {1, plane_solutions},
+                     "which of the curves there are, 1 being the best (default 1)");
+  command.only_with({"--select", "--angles"}, {"--kind quintic"});
+  command.only_with({"--solution"}, {"--kind planar"});
   command.not_with({"--select"}, {"--angles"});
   command.add_option("--tolerance", "X", options->tolerance,
                      "how far the curve may be from the points, beside their extent\n"

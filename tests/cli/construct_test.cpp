@@ -135,3 +135,26 @@ TEST_CASE("construct: a closed spline is one, exactly, and has a holonomy") {
   CHECK(info.out.starts_with("PH spline of 5 segments, closed\n"));
   CHECK(contains(info.out, "holonomy"));
 }
+
+TEST_CASE("construct: --kind planar makes the four plane curves, the good one first") {
+  const Workshop here;
+  const std::string arch = R"({"phrame": "points/1", "points": [[0, 0], [1, 0]],
+                               "derivatives": [[1, 1], [1, -1]]})";
+  double energy = 0;
+  for (const std::string solution : {"1", "4"}) {
+    const Run run = here.run("construct - --kind planar --print json --solution " + solution, arch);
+    check_success(run);
+    const Json report = Json::parse(run.out);
+    CHECK(report["solutions"] == 4);
+    CHECK(std::to_string(report["solution"].get<long>()) == solution);
+    CHECK_FALSE(report.contains("select"));
+    CHECK(number(report["energy"]) > 100 * energy);
+    energy = number(report["energy"]);
+  }
+  CHECK(contains(here.run("construct - --kind planar", arch).out, "planar, solution 1 of 4"));
+  check_failure(here.run("construct - --kind planar", "0,0,0\n1,1,1\n"), 3,
+                "point 2 has z = 1, but a plane curve is wanted");
+  check_failure(here.run("construct - --solution 2", arch), 2, "--solution: needs --kind planar");
+  check_failure(here.run("construct - --kind planar --select bv", arch), 2,
+                "--select: needs --kind quintic");
+}

@@ -12,13 +12,6 @@
 namespace phrame {
 namespace {
 
-std::string_view kind_name(CurveKind kind) {
-  const auto& kinds = curve_kinds();
-  return std::find_if(kinds.begin(), kinds.end(),
-                      [&](const NamedKind& named) { return named.kind == kind; })
-      ->name;
-}
-
 /// "auto"; "angles" where they were given.
 std::string choice_name(const QuinticChoice& choice) {
   const auto* selection = std::get_if<QuinticSelection>(&choice);
@@ -27,6 +20,11 @@ std::string choice_name(const QuinticChoice& choice) {
   return std::find_if(names.begin(), names.end(),
                       [&](const auto& named) { return named.second == *selection; })
       ->first;
+}
+
+std::string which_text(const ConstructionAnswer& answer) {
+  if (answer.kind.solutions == 1) return choice_name(answer.choice);
+  return fmt::format("solution {} of {}", answer.solution, answer.kind.solutions);
 }
 
 const char* name_of(DerivativeSource source) {
@@ -114,7 +112,7 @@ std::string to_text(const ConstructionAnswer& answer) {
   const auto row = [&](std::string_view label, const std::string& value) {
     text += phrame::row(label, value, 14);
   };
-  row("kind", fmt::format("{}, {}", kind_name(answer.kind), choice_name(answer.choice)));
+  row("kind", fmt::format("{}, {}", answer.kind.name, which_text(answer)));
   row("data", fmt::format("{}{}", counted(answer.data.points.size(), "point"),
                           answer.data.is_closed ? ", the last of them the first" : ""));
   row("  derivatives", name_of(answer.derivatives_from));
@@ -146,20 +144,25 @@ std::string to_json(const ConstructionAnswer& answer) {
     return {{"points", upper_bound_text(x.points)},
             {"derivatives", upper_bound_text(x.derivatives)}};
   };
-  return pretty({{"phrame", "construct/1"},
-                 {"name", answer.path.name},
-                 {"kind", kind_name(answer.kind)},
-                 {"select", choice_name(answer.choice)},
-                 {"closed", answer.path.path.closing_turn().has_value()},
-                 {"derivatives_from", name_of(answer.derivatives_from)},
-                 {"parameters_from", name_of(answer.parameters_from)},
-                 {"parameters", parameters},
-                 {"tolerance", deviation(answer.tolerance)},
-                 {"deviation", deviation(answer.deviation)},
-                 {"bits", answer.bits},
-                 {"length", decimal(length(answer), 17)},
-                 {"energy", energy_json(energy(answer))},
-                 {"segments", segments}});
+  JsonOutput json = {
+      {"phrame", "construct/1"}, {"name", answer.path.name}, {"kind", answer.kind.name}};
+  if (answer.kind.solutions == 1) {
+    json["select"] = choice_name(answer.choice);
+  } else {
+    json["solution"] = answer.solution;
+    json["solutions"] = answer.kind.solutions;
+  }
+  json["closed"] = answer.path.path.closing_turn().has_value();
+  json["derivatives_from"] = name_of(answer.derivatives_from);
+  json["parameters_from"] = name_of(answer.parameters_from);
+  json["parameters"] = parameters;
+  json["tolerance"] = deviation(answer.tolerance);
+  json["deviation"] = deviation(answer.deviation);
+  json["bits"] = answer.bits;
+  json["length"] = decimal(length(answer), 17);
+  json["energy"] = energy_json(energy(answer));
+  json["segments"] = segments;
+  return pretty(json);
 }
 
 }  // namespace phrame

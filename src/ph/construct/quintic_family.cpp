@@ -243,10 +243,9 @@ constexpr std::array<GaussPoint, 5> half_of_points{{{0.1488743389816312, 0.29552
                                                     {0.8650633666889845, 0.1494513491505806},
                                                     {0.9739065285171717, 0.0666713443086881}}};
 
-}  // namespace
-
-// κ² ds = 4|g|²/σ³ dt, g = αβ′ − α′β.
-double approximate_energy(const QuinticFamily::Member& a) {
+/// ∫ f(σ, |g|²) dt from 0 to 1, g = αβ′ − α′β; ∞ where it is no number.
+template <class F>
+double integral(const QuinticFamily::Member& a, const F& f) {
   constexpr int panels = 8;
   const auto rate = [&](double t) {
     const double s = 1 - t;
@@ -254,17 +253,27 @@ double approximate_energy(const QuinticFamily::Member& a) {
     const Quaternion<double> second = s * a[1] + t * a[2];
     const Quaternion<double> w = s * first + t * second;
     const Quaternion<double> slope = 2.0 * (second - first);
-    const double sigma = norm(w);
     const double re = w.u * slope.q - w.v * slope.p - (slope.u * w.q - slope.v * w.p);
     const double im = w.u * slope.p + w.v * slope.q - (slope.u * w.p + slope.v * w.q);
-    return 4 * (re * re + im * im) / (sigma * sigma * sigma);
+    return f(norm(w), re * re + im * im);
   };
   double sum = 0;
   for (int k = 0; k < panels; ++k)
     for (const auto& [x, weight] : half_of_points)
       sum += weight * (rate((k + (1 - x) / 2) / panels) + rate((k + (1 + x) / 2) / panels));
-  const double energy = sum / (2 * panels);
-  return std::isnan(energy) ? std::numeric_limits<double>::infinity() : energy;
+  const double value = sum / (2 * panels);
+  return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+}
+
+}  // namespace
+
+// κ = 2|g|/σ², ds = σ dt.
+double approximate_energy(const QuinticFamily::Member& a) {
+  return integral(a, [](double sigma, double gg) { return 4 * gg / (sigma * sigma * sigma); });
+}
+
+double approximate_turning(const QuinticFamily::Member& a) {
+  return integral(a, [](double sigma, double gg) { return 2 * std::sqrt(gg) / sigma; });
 }
 
 }  // namespace phrame

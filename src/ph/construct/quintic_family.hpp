@@ -80,6 +80,8 @@ class QuinticFamily {
 
 /// ∫κ² ds of r′ = A i A* by quadrature in doubles, about 8 digits of smooth curves; ∞ at a cusp.
 double approximate_energy(const QuinticFamily::Member& a);
+/// ∫|κ| ds likewise: how much the tangent turns.
+double approximate_turning(const QuinticFamily::Member& a);
 
 /// A vector of H below this, beside |A||B|, is rounding: the tangents are antiparallel, and the
 /// preimages of both stay as they are.

@@ -42,23 +42,6 @@ RationalQuaternion exact(const IntegerQuaternion& a, const Rational& step) {
   return {a.u * step, a.v * step, a.p * step, a.q * step};
 }
 
-/// What a segment on [0, 1] is to have, with respect to its own parameter over h.
-HermiteData<Rational> hermite_data(const HermiteSpline& data, std::size_t k, const Rational& h) {
-  return {(1 / h) * (data.points[k + 1] - data.points[k]), data.derivatives[k],
-          data.derivatives[k + 1]};
-}
-
-FreeAngles chosen_angles(const HermiteData<Rational>& data, const QuinticChoice& choice) {
-  if (const auto* angles = std::get_if<FreeAngles>(&choice)) return *angles;
-  const Rational scale =
-      scale_for_doubles(std::max({largest(data.step), largest(data.d0), largest(data.d1)}));
-  const QuinticFamily family({scaled_to_doubles(scale, data.step),
-                              scaled_to_doubles(scale, data.d0),
-                              scaled_to_doubles(scale, data.d1)});
-  if (const auto* given = std::get_if<SolutionAngles>(&choice)) return family.angles(*given);
-  return family.choose(std::get<QuinticSelection>(choice));
-}
-
 /// The rounding to multiples of 2^−p, and the precision that it needs.
 class Grid {
  public:
@@ -293,13 +276,32 @@ Path path_of(const std::vector<ExactSegment>& segments) {
 
 }  // namespace
 
+QuinticFamily quintic_family(const HermiteSpline& data, std::size_t k) {
+  const Rational h = data.parameters[k + 1] - data.parameters[k];
+  const Vector<Rational> step = (1 / h) * (data.points[k + 1] - data.points[k]);
+  const Vector<Rational>& d0 = data.derivatives[k];
+  const Vector<Rational>& d1 = data.derivatives[k + 1];
+  const Rational scale = scale_for_doubles(std::max({largest(step), largest(d0), largest(d1)}));
+  return QuinticFamily(
+      {scaled_to_doubles(scale, step), scaled_to_doubles(scale, d0), scaled_to_doubles(scale, d1)});
+}
+
 Construction quintic_spline(const HermiteSpline& data, const QuinticChoice& choice,
                             const Deviation& tolerance) {
-  require_regular_joints(data);
+  const auto chosen = [&](std::size_t k) {
+    if (const auto* angles = std::get_if<FreeAngles>(&choice)) return *angles;
+    const QuinticFamily family = quintic_family(data, k);
+    if (const auto* given = std::get_if<SolutionAngles>(&choice)) return family.angles(*given);
+    return family.choose(std::get<QuinticSelection>(choice));
+  };
   std::vector<FreeAngles> angles;
-  for (std::size_t k = 0; k < data.segments(); ++k)
-    angles.push_back(
-        chosen_angles(hermite_data(data, k, data.parameters[k + 1] - data.parameters[k]), choice));
+  for (std::size_t k = 0; k < data.segments(); ++k) angles.push_back(chosen(k));
+  return quintic_spline(data, std::move(angles), tolerance);
+}
+
+Construction quintic_spline(const HermiteSpline& data, std::vector<FreeAngles> angles,
+                            const Deviation& tolerance) {
+  require_regular_joints(data);
   for (long p = first_bits(data, tolerance);; p += 8) {
     Attempt found = Chain(data, angles, Grid(p, working_bits(data, p)), tolerance).run();
     const auto& [points, derivatives] = found.squared;

@@ -17,5 +17,11 @@ using QuinticChoice = std::variant<QuinticSelection, FreeAngles, SolutionAngles>
 /// point, Undecided where a spline could not be closed.
 Construction quintic_spline(const HermiteSpline& data, const QuinticChoice& choice,
                             const Deviation& tolerance);
+/// The same with the angles of each segment.
+Construction quintic_spline(const HermiteSpline& data, std::vector<FreeAngles> angles,
+                            const Deviation& tolerance);
+
+/// The quintics with the data of segment k, in doubles, scaled: energies are not theirs.
+QuinticFamily quintic_family(const HermiteSpline& data, std::size_t k);
 
 }  // namespace phrame
