@@ -78,9 +78,9 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
   if (!given.accelerations.empty() && !row->takes_accelerations)
     throw InputError("/accelerations",
                      fmt::format("the kind {} takes points and derivatives only", row->named.name));
-  if (query.tolerance <= 0)
-    throw InputError(
-        fmt::format("the tolerance {} is not positive", abbreviated(to_string(query.tolerance))));
+  if (query.tolerance <= 0 || query.tolerance >= 1)
+    throw InputError(fmt::format("the tolerance {} is not between 0 and 1",
+                                 abbreviated(to_string(query.tolerance))));
   if (query.solution < 1 || query.solution > row->named.solutions)
     throw InputError(
         fmt::format("the kind {} has no solution {}: {}", row->named.name, query.solution,

@@ -25,7 +25,7 @@ struct ConstructQuery {
   QuinticChoice choice = QuinticSelection::automatic;  ///< of the kind quintic
   long solution = 1;  ///< of the kinds with several: from 1, the best one, to their number
   /// How far the curve may be from the points, beside their extent, and its derivatives from those
-  /// wanted, beside the greatest of them. > 0.
+  /// wanted, beside the greatest of them. > 0 and < 1.
   Rational tolerance = Rational(1, 1'000'000'000'000'000);
   bool is_closed = false;
 };

@@ -41,8 +41,8 @@ ConstructQuery query(const ConstructOptions& options) {
   query.solution = options.solution;
   if (!options.tolerance.empty()) {
     query.tolerance = parse_option("--tolerance", options.tolerance);
-    if (query.tolerance <= 0)
-      throw InputError("--tolerance", abbreviated(options.tolerance) + " is not positive");
+    if (query.tolerance <= 0 || query.tolerance >= 1)
+      throw InputError("--tolerance", abbreviated(options.tolerance) + " is not between 0 and 1");
   }
   query.is_closed = options.is_closed;
   return query;

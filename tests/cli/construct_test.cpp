@@ -100,7 +100,9 @@ TEST_CASE("construct: bad data and options are refused in a line") {
   refused(R"({"phrame": "points/1", "points": [[0, 0], [0, 0]], "derivatives": [[0, 0], [0, 0]]})",
           3, "segment 1 is a point");
   check_failure(here.run("construct points.csv --tolerance 0"), 2,
-                "--tolerance: 0 is not positive");
+                "--tolerance: 0 is not between 0 and 1");
+  check_failure(here.run("construct points.csv --tolerance 1"), 2,
+                "--tolerance: 1 is not between 0 and 1");
   check_failure(here.run("construct points.csv --angles 1"), 2, "--angles: two angles are wanted");
   check_failure(here.run("construct points.csv --angles 0,0 --select bv"), 2,
                 "--select: does not apply with --angles");

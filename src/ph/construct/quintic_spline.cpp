@@ -208,12 +208,16 @@ void Chain::add(std::size_t k) {
 /// 2^e above √x.
 long exponent_of_root(const Rational& x) { return binary_exponent(x) / 2 + 1; }
 
-/// A first p, about that which the bounds above ask for.
+/// A first p, about that which the bounds above ask for; and such that the preimages of small
+/// derivatives, too, have some bits, for they say where the curve goes.
 long first_bits(const HermiteSpline& data, const Deviation& tolerance) {
   long bits = std::numeric_limits<long>::min();
   const auto want = [&](long e) { bits = std::max(bits, e); };
   if (const Rational size = size_of_derivatives(data); size != 0)
     want(exponent_of_root(size) + 2 - binary_exponent(tolerance.derivatives));
+  constexpr long least_bits = 20;
+  for (const Vector<Rational>& d : data.derivatives)
+    if (const Rational size = largest(d); size != 0) want(least_bits - exponent_of_root(size));
   for (std::size_t k = 0; k < data.segments(); ++k) {
     const Rational h = data.parameters[k + 1] - data.parameters[k];
     const Rational c = std::max({120 / h * largest(data.points[k + 1] - data.points[k]),

@@ -243,6 +243,20 @@ TEST_CASE("quintic splines: data of any size and at the edge are met") {
   check(one_segment({1, number("0.2"), 0}, {0, 0, 0}, {0, 0, 0}));
 }
 
+TEST_CASE("quintic splines: a derivative far below the tolerance still has its direction") {
+  const Rational tiny = number("1e-30");
+  const HermiteSpline data{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}},
+                           {{1, 0, 0}, {tiny, 2 * tiny, -tiny}, {0, 1, 0}},
+                           {0, 1, 2}};
+  const Construction found =
+      quintic_spline(data, QuinticSelection::automatic, relative(data, number("1e-6")));
+  const Vector<Rational> d = derivative(found.path.segments().front(), 1, 1);
+  const Rational length_squared = squared_size(d);
+  const Rational along = d[0] + 2 * d[1] - d[2];
+  CHECK(along > 0);
+  CHECK(along * along > number("0.999999") * 6 * length_squared);
+}
+
 TEST_CASE("quintic splines: what is no curve is refused, with its place") {
   const Deviation allowed{number("1e-15"), number("1e-15")};
   const auto refusal = [&](const HermiteSpline& data) -> std::string {
