@@ -41,7 +41,7 @@ const std::vector<KindRow>& rows() {
   return table;
 }
 
-/// Of a segment with a constant multiplier. With A scaled by 2^−j, ∫ κ² ds is 4^j times as small.
+/// Of a segment with a constant multiplier. With A times √s, ∫ κ² ds is s times as small.
 ConstructionAnswer::Segment measured(const Curve& curve, const FreeAngles& angles) {
   const QuaternionPolynomial& a = curve.preimage();
   const Rational h = curve.multiplier().coefficient(0);

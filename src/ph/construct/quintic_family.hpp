@@ -83,7 +83,7 @@ double approximate_energy(const QuinticFamily::Member& a);
 /// ∫|κ| ds likewise: how much the tangent turns.
 double approximate_turning(const QuinticFamily::Member& a);
 
-/// A vector of H below this, beside |A||B|, is rounding: the tangents are antiparallel, and the
+/// An |H(A, B)| below this, beside |A||B|, is rounding: the tangents are antiparallel, and the
 /// preimages of both stay as they are.
 inline constexpr double antiparallel = 0x1p-46;
 

@@ -19,12 +19,12 @@
 // Continuity is linear in the preimage, interpolation quadratic. So the coefficients of A are
 // rounded to multiples of δ = 2^−p, those at a joint once for both neighbours, and continuity is
 // exact; and each segment aims at its end from where it does start, on the exact curve, so that
-// deviations do not add up. With Q_k the coefficient at point k, c = (120/h)(p_{k+1} − r_k) −
-// 15(S(A₀, A₀) + S(A₂, A₂)) + 10·S(A₀, A₂) exact, B near a solution of B i B* = c and
-// A₁ = round((B − 3A₀ − 3A₂)/4):
-//   r_{k+1} = r_k + h/120·(S(B̃, B̃) + 15(S(A₀, A₀) + S(A₂, A₂)) − 10·S(A₀, A₂)), B̃ = 3A₀ + 4A₁ +
-//   3A₂, |r_{k+1} − p_{k+1}| = h/120·|S(B̃, B̃) − c| ≤ h/120·(2√|c| + 4δ)·4δ, |S(Q_k, Q_k) − d_k| ≤
-//   (2|Q_k| + δ)·δ,
+// deviations do not add up. With Q_k the coefficient at point k, K = 15(S(A₀, A₀) + S(A₂, A₂)) −
+// 10·S(A₀, A₂), c = (120/h)(p_{k+1} − r_k) − K exact, B near a solution of B i B* = c,
+// A₁ = round((B − 3A₀ − 3A₂)/4) and B̃ = 3A₀ + 4A₁ + 3A₂:
+//   r_{k+1} = r_k + h/120·(S(B̃, B̃) + K),
+//   |r_{k+1} − p_{k+1}| = h/120·|S(B̃, B̃) − c| ≤ h/120·(2√|c| + 4δ)·4δ,
+//   |S(Q_k, Q_k) − d_k| ≤ (2|Q_k| + δ)·δ,
 // whatever k is: p grows until both are within the tolerance, which is tested in fractions.
 // The coefficients are integers times δ; r_k is r_0 and multiples of h/(120·4^p).
 
@@ -85,7 +85,7 @@ struct ExactSegment {
   Vector<Rational> start;
 };
 
-/// The sum of 15(S(A₀, A₀) + S(A₂, A₂)) − 10·S(A₀, A₂).
+/// K = 15(S(A₀, A₀) + S(A₂, A₂)) − 10·S(A₀, A₂).
 template <class T>
 Vector<T> known_part(const Quaternion<T>& a0, const Quaternion<T>& a2) {
   return T(15) * (rotated_i(a0) + rotated_i(a2)) - T(10) * symmetric_product(a0, a2);
@@ -308,9 +308,9 @@ Construction quintic_spline(const HermiteSpline& data, std::vector<FreeAngles> a
   require_regular_joints(data);
   for (long p = first_bits(data, tolerance);; p += 8) {
     Attempt found = Chain(data, angles, Grid(p, working_bits(data, p)), tolerance).run();
-    const auto& [points, derivatives] = found.squared;
-    if (points > tolerance.points * tolerance.points ||
-        derivatives > tolerance.derivatives * tolerance.derivatives)
+    const Deviation deviation{square_root_above(found.squared.points),
+                              square_root_above(found.squared.derivatives)};
+    if (deviation.points > tolerance.points || deviation.derivatives > tolerance.derivatives)
       continue;
     std::vector<Rational> parameters = data.parameters;
     if (data.is_closed) {
@@ -318,11 +318,7 @@ Construction quintic_spline(const HermiteSpline& data, std::vector<FreeAngles> a
       angles.push_back(angles.back());
       parameters.insert(parameters.end() - 1, parameters.back() - found.segments.back().h);
     }
-    return {path_of(found.segments),
-            std::move(parameters),
-            std::move(angles),
-            p,
-            {square_root_above(points), square_root_above(derivatives)}};
+    return {path_of(found.segments), std::move(parameters), std::move(angles), p, deviation};
   }
 }
 
