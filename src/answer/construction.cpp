@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/construct/cubic_spline.hpp"
 #include "phrame/ph/construct/plane_quintics.hpp"
 #include "phrame/ph/construct/scale.hpp"
 
@@ -28,6 +29,11 @@ Construction quintics(const Task& task) {
   return quintic_spline(task.data, task.query.choice, task.tolerance);
 }
 
+Construction cubics(const Task& task) {
+  if (task.data.is_closed) throw InputError("the kind cubic makes open curves only");
+  return cubic_spline(task.data, task.query.solution, task.tolerance);
+}
+
 Construction planar(const Task& task) {
   return plane_quintics(task.data, task.query.solution, task.tolerance);
 }
@@ -37,12 +43,15 @@ const std::vector<KindRow>& rows() {
       {{CurveKind::quintic, "quintic", "C1 splines of PH quintics"}, false, quintics},
       {{CurveKind::planar, "planar", "the same in the plane z = 0", plane_solutions},
        false,
-       planar}};
+       planar},
+      {{CurveKind::cubic, "cubic", "G1 splines of PH cubics", cubic_solutions, true},
+       false,
+       cubics}};
   return table;
 }
 
 /// Of a segment with a constant multiplier. With A times √s, ∫ κ² ds is s times as small.
-ConstructionAnswer::Segment measured(const Curve& curve, const FreeAngles& angles) {
+ConstructionAnswer::Segment measured(const Curve& curve, std::optional<FreeAngles> angles) {
   const QuaternionPolynomial& a = curve.preimage();
   const Rational h = curve.multiplier().coefficient(0);
   const Polynomial sigma = norm(a);
@@ -87,12 +96,15 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
                     row->named.solutions == 1 ? std::string("there is one")
                                               : fmt::format("there are {}", row->named.solutions)));
   HermiteSpline data = hermite_spline(given, query.is_closed);
-  const Deviation tolerance{query.tolerance * size_of_points(data),
-                            query.tolerance * size_of_derivatives(data)};
+  const Deviation tolerance{
+      query.tolerance * size_of_points(data),
+      row->named.is_geometric ? query.tolerance : query.tolerance * size_of_derivatives(data)};
   Construction found = row->construct({data, query, tolerance});
   std::vector<ConstructionAnswer::Segment> segments;
   for (std::size_t k = 0; k < found.path.segments().size(); ++k)
-    segments.push_back(measured(found.path.segments()[k], found.angles[k]));
+    segments.push_back(measured(found.path.segments()[k], found.angles.empty()
+                                                              ? std::nullopt
+                                                              : std::optional(found.angles[k])));
   return {{given.name, std::move(found.path)},
           row->named,
           query.choice,

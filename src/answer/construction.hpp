@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -8,14 +9,15 @@
 namespace phrame {
 
 /// What kind of PH curves a construction is made of.
-enum class CurveKind { quintic, planar };
+enum class CurveKind { quintic, planar, cubic };
 
 /// The kinds there are, in their order, as people call them.
 struct NamedKind {
   CurveKind kind;
-  std::string_view name;  ///< "quintic"
-  std::string_view what;  ///< "C1 splines of PH quintics"
-  long solutions = 1;     ///< how many curves there are, of which one is asked for
+  std::string_view name;      ///< "quintic"
+  std::string_view what;      ///< "C1 splines of PH quintics"
+  long solutions = 1;         ///< how many curves there are at most, of which one is asked for
+  bool is_geometric = false;  ///< of derivatives it takes the directions only
 };
 const std::vector<NamedKind>& curve_kinds();
 
@@ -32,7 +34,7 @@ struct ConstructQuery {
 
 struct ConstructionAnswer {
   struct Segment {
-    FreeAngles angles;
+    std::optional<FreeAngles> angles;  ///< of quintics
     Rational length;
     double energy;  ///< ∫κ² ds, about; ∞ at a cusp
   };

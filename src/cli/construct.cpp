@@ -1,7 +1,10 @@
+#include <algorithm>
+
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/point_file.hpp"
 #include "phrame/io/write/construction.hpp"
 #include "phrame/io/write/curve_file.hpp"
+#include "phrame/ph/construct/cubic_spline.hpp"
 #include "phrame/ph/construct/plane_quintics.hpp"
 
 namespace phrame::cli {
@@ -72,7 +75,8 @@ void add_construct(Program& program) {
   std::vector<std::string> kinds;
   for (const NamedKind& named : curve_kinds()) kinds.emplace_back(named.name);
   command.add_choice("--kind", options->kind, kinds,
-                     "what to make: quintic (default), or planar: in the plane z = 0");
+                     "what to make: quintic (default), planar: in the plane z = 0, or\n"
+                     "cubic: with continuous tangents");
   std::vector<std::string> selections;
   for (const auto& [name, selection] : quintic_selections()) selections.push_back(name);
   command.add_choice("--select", options->select, selections,
@@ -80,10 +84,11 @@ void add_construct(Program& program) {
                      "longest or energy");
   command.add_list("--angles", "A,...", options->angles,
                    "which of the quintics: the angles Delta,phi or phi0,phi1,phi2");
-  command.add_number("--solution", options->solution, {1, plane_solutions},
+  command.add_number("--solution", options->solution,
+                     {1, std::max(plane_solutions, cubic_solutions)},
                      "which of the curves there are, 1 being the best (default 1)");
   command.only_with({"--select", "--angles"}, {"--kind quintic"});
-  command.only_with({"--solution"}, {"--kind planar"});
+  command.only_with({"--solution"}, {"--kind planar", "--kind cubic"});
   command.not_with({"--select"}, {"--angles"});
   command.add_option("--tolerance", "X", options->tolerance,
                      "how far the curve may be from the points, beside their extent\n"

@@ -156,7 +156,28 @@ TEST_CASE("construct: --kind planar makes the four plane curves, the good one fi
   CHECK(contains(here.run("construct - --kind planar", arch).out, "planar, solution 1 of 4"));
   check_failure(here.run("construct - --kind planar", "0,0,0\n1,1,1\n"), 3,
                 "point 2 has z = 1, but a plane curve is wanted");
-  check_failure(here.run("construct - --solution 2", arch), 2, "--solution: needs --kind planar");
+  check_failure(here.run("construct - --solution 2", arch), 2,
+                "--solution: needs --kind planar or --kind cubic");
   check_failure(here.run("construct - --kind planar --select bv", arch), 2,
                 "--select: needs --kind quintic");
+}
+
+TEST_CASE(
+    "construct: --kind cubic makes PH cubics of ends and tangents, or says that there is none") {
+  const Workshop here;
+  // A = 1 + t·k has r' = (1 - t^2, 2t, 0): from (1, 0) in the direction (1, 0) to (5/3, 1), (0, 1).
+  const Run run = here.run("construct - --kind cubic --print json -o cubic.json",
+                           R"({"phrame": "points/1", "points": [[1, 0], ["5/3", 1]],
+                               "tangents": [[1, 0], [0, 1]]})");
+  check_success(run);
+  const Json report = Json::parse(run.out);
+  CHECK(report["kind"] == "cubic");
+  CHECK_FALSE(report["segments"][0].contains("delta"));
+  CHECK(number(report["length"]) == doctest::Approx(4.0 / 3).epsilon(1e-14));
+  CHECK(here.run("info cubic.json").out.starts_with("PH cubic, degree 3"));
+  check_failure(here.run("construct - --kind cubic", R"({"phrame": "points/1",
+                         "points": [[0, 0], [1, 1]], "tangents": [[1, 0], [1, 0]]})"),
+                3, "segment 1: there is no PH cubic with these ends and tangents");
+  check_failure(here.run("construct - --kind cubic --closed", table), 2,
+                "the kind cubic makes open curves only");
 }

@@ -85,8 +85,9 @@ std::string segment_table(const ConstructionAnswer& answer) {
   for (std::size_t k = 0; k < answer.segments.size(); ++k) {
     const auto& [angles, length, energy] = answer.segments[k];
     list += fmt::format("  {:>7}  {:>11}  {:>11}  {:>12}  {:>12}\n", k + 1,
-                        decimal(to_real(angles.delta), 6), decimal(to_real(angles.phi), 6),
-                        decimal(length, 8), energy_text(energy));
+                        angles ? decimal(to_real(angles->delta), 6) : "",
+                        angles ? decimal(to_real(angles->phi), 6) : "", decimal(length, 8),
+                        energy_text(energy));
   }
   constexpr std::size_t most = 20;
   if (answer.segments.size() <= most) return head + list;
@@ -118,11 +119,15 @@ std::string to_text(const ConstructionAnswer& answer) {
   row("  derivatives", name_of(answer.derivatives_from));
   row("  parameters", name_of(answer.parameters_from));
   row("points met", bound_text(answer.deviation.points, answer.tolerance.points));
-  row("derivatives", bound_text(answer.deviation.derivatives, answer.tolerance.derivatives));
+  row(answer.kind.is_geometric ? "tangents" : "derivatives",
+      bound_text(answer.deviation.derivatives, answer.tolerance.derivatives));
   if (!answer.path.path.is_curve())
-    row("joints", "position and derivative by the parameter are equal fractions");
-  row("preimage", fmt::format("coefficients are multiples of 2^{}{}", -answer.bits,
-                              answer.data.is_closed ? ", but for the last two segments" : ""));
+    row("joints", answer.kind.is_geometric
+                      ? "position and tangent are equal, exactly"
+                      : "position and derivative by the parameter are equal fractions");
+  if (!answer.kind.is_geometric)
+    row("preimage", fmt::format("coefficients are multiples of 2^{}{}", -answer.bits,
+                                answer.data.is_closed ? ", but for the last two segments" : ""));
   row("length", "≈ " + decimal(length(answer), 12));
   row("energy ∫ κ² ds", "about " + energy_text(energy(answer)));
   return text + segment_table(answer);
@@ -135,11 +140,16 @@ std::string to_json(const ConstructionAnswer& answer) {
   JsonOutput parameters = JsonOutput::array();
   for (const Rational& t : answer.parameters) parameters.push_back(to_string(t));
   JsonOutput segments = JsonOutput::array();
-  for (const auto& [angles, length, energy] : answer.segments)
-    segments.push_back({{"delta", to_string(angles.delta)},
-                        {"phi", to_string(angles.phi)},
-                        {"length", decimal(length, 17)},
-                        {"energy", energy_json(energy)}});
+  for (const auto& [angles, length, energy] : answer.segments) {
+    JsonOutput json = JsonOutput::object();
+    if (angles) {
+      json["delta"] = to_string(angles->delta);
+      json["phi"] = to_string(angles->phi);
+    }
+    json["length"] = decimal(length, 17);
+    json["energy"] = energy_json(energy);
+    segments.push_back(std::move(json));
+  }
   const auto deviation = [](const Deviation& x) -> JsonOutput {
     return {{"points", upper_bound_text(x.points)},
             {"derivatives", upper_bound_text(x.derivatives)}};

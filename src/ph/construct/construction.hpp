@@ -4,7 +4,8 @@
 
 namespace phrame {
 
-/// How far a curve may be from its data, and how far it is.
+/// How far a curve may be from its data, and how far it is. Of kinds that take the directions of
+/// derivatives only, their deviation is an angle.
 struct Deviation {
   Rational points;
   Rational derivatives;
@@ -15,8 +16,9 @@ struct Deviation {
 struct Construction {
   Path path;
   std::vector<Rational> parameters;  ///< of the joints and the ends, those of the data
-  std::vector<FreeAngles> angles;    ///< chosen for each segment
-  /// The coefficients of A are multiples of 2^−bits; but not those of what closes a spline.
+  std::vector<FreeAngles> angles;    ///< chosen for each segment of quintics; else none
+  /// The coefficients of A are multiples of 2^−bits; but not those of what closes a spline. Of
+  /// cubics they are products of two such.
   long bits;
   Deviation deviation;  ///< proved: not less than the greatest distances from the data
 };
