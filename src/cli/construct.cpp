@@ -87,13 +87,13 @@ void add_construct(Program& program) {
   command.add_number("--solution", options->solution,
                      {1, std::max(plane_solutions, cubic_solutions)},
                      "which of the curves there are, 1 being the best (default 1)");
-  command.only_with({"--select", "--angles"}, {"--kind quintic"});
+  command.not_with({"--select", "--angles"}, {"--kind planar", "--kind cubic"});
   command.only_with({"--solution"}, {"--kind planar", "--kind cubic"});
-  command.not_with({"--select"}, {"--angles"});
   command.add_option("--tolerance", "X", options->tolerance,
                      "how far the curve may be from the points, beside their extent\n"
                      "(default 1e-15)");
   command.add_flag("--closed", options->is_closed, "the curve ends where it starts");
+  command.not_with({"--closed"}, {"--kind cubic"});
   command.add_option("-o,--output", "FILE", options->output,
                      "write the curve to this file, beside the report");
   command.add_format("--print", options->print, {"text", "json", "curve"},
@@ -109,7 +109,10 @@ void add_construct(Program& program) {
       "  phrame construct hermite.json --select energy --tolerance 1e-40 -o curve.json\n"
       "  phrame construct knot.csv --closed --print json\n"
       "  phrame construct points.csv --print curve | phrame frames - --samples 101");
-  command.does([options] { run(*options); });
+  command.does([options, &command] {
+    if (command.is_given("--angles")) command.refuse({"--select"}, "does not apply with --angles");
+    run(*options);
+  });
 }
 
 }  // namespace phrame::cli

@@ -159,7 +159,7 @@ TEST_CASE("construct: --kind planar makes the four plane curves, the good one fi
   check_failure(here.run("construct - --solution 2", arch), 2,
                 "--solution: needs --kind planar or --kind cubic");
   check_failure(here.run("construct - --kind planar --select bv", arch), 2,
-                "--select: needs --kind quintic");
+                "--select: does not apply with --kind planar");
 }
 
 TEST_CASE(
@@ -179,5 +179,5 @@ TEST_CASE(
                          "points": [[0, 0], [1, 1]], "tangents": [[1, 0], [1, 0]]})"),
                 3, "segment 1: there is no PH cubic with these ends and tangents");
   check_failure(here.run("construct - --kind cubic --closed", table), 2,
-                "the kind cubic makes open curves only");
+                "--closed: does not apply with --kind cubic");
 }
