@@ -39,6 +39,10 @@ class TravelTime;
 class ArcLength;
 class PathLength;
 
+// ph/construct
+struct GivenPoints;
+struct HermiteSpline;
+
 // ph/frame
 class RmfAngle;
 class PathAngle;
@@ -68,6 +72,8 @@ struct ClassificationQuery;
 struct ClassificationAnswer;
 struct CompiledQuery;
 struct CompiledAnswer;
+struct ConstructQuery;
+struct ConstructionAnswer;
 struct CoqQuery;
 struct CoqAnswer;
 struct IdentificationAnswer;

@@ -126,6 +126,7 @@ void add_totals(Program& program);
 void add_frames(Program& program);
 void add_mtf(Program& program);
 void add_interpolate(Program& program);
+void add_construct(Program& program);
 void add_identify(Program& program);
 void add_integrate(Program& program);
 void add_batch(Program& program);

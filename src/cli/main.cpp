@@ -71,6 +71,7 @@ int run(int argc, char** argv) {
   phrame::cli::add_frames(program);
   phrame::cli::add_mtf(program);
   phrame::cli::add_interpolate(program);
+  phrame::cli::add_construct(program);
   phrame::cli::add_identify(program);
   phrame::cli::add_integrate(program);
   phrame::cli::add_batch(program);

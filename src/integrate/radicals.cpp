@@ -8,7 +8,7 @@
 namespace phrame {
 namespace {
 
-constexpr long largest_degree = 4;
+constexpr long largest_solved_degree = 4;
 
 /// The sums, with those over residues first, where equal residues become one logarithm.
 std::vector<LogSum> solvable_sums(const RationalFunction& f) {
@@ -17,12 +17,12 @@ std::vector<LogSum> solvable_sums(const RationalFunction& f) {
   for (const SimpleFraction& part : simple_fractions(f)) {
     const long degree = part.denominator.degree();
     const LogSum poles = full_partial_fraction(part);
-    if (degree == 1 || (degree <= largest_degree && !poles.residue.is_constant())) {
+    if (degree == 1 || (degree <= largest_solved_degree && !poles.residue.is_constant())) {
       over_poles.push_back(poles);
       continue;
     }
     const LogSum residues = rothstein_trager(part);
-    if (residues.index.degree() > largest_degree)
+    if (residues.index.degree() > largest_solved_degree)
       throw DomainError("radicals: the poles and the residues at the roots of " +
                         abbreviated(to_string(part.denominator), 200) + " have a degree > 4");
     over_residues.push_back(residues);

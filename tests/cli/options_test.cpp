@@ -29,6 +29,8 @@ void prepare(const Workshop& here) {
   here.write("spline.json", bytes_of(test::root("/examples/curves/closed-spline.json")));
   here.write("plane.json", R"({"phrame": "curve/1", "basis": "power",
       "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, "1/2"]}})");
+  here.write("points.json", R"({"phrame": "points/1", "points": [[0, 0], [1, 0]],
+      "tangents": [[1, 1], [1, -2]]})");
   std::string curve = bytes_of(here.file("quintic.json"));
   std::replace(curve.begin(), curve.end(), '\n', ' ');
   here.write("lines.jsonl", R"({"id": 1, "curve": )" + curve + "}\n");
@@ -49,6 +51,7 @@ const std::vector<std::string> calls{
     "mtf example.json --from pi/8 --to 1 --exact-only",
     "mtf example.json --from pi/8 --to 1 --unproved",
     "interpolate plane.json --period 1/4 --feed 1",
+    "construct points.json",
     "identify quintic.json",
     "integrate '1/(4*x^2-1)'",
     "integrate '1/(x^4-2)' --from 0 --to 1",
@@ -86,6 +89,9 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--feed", "2"},
                                                 {"--prefix", "arm"},
                                                 {"--tol", "1/1000"},
+                                                {"--tolerance", "1/1000"},
+                                                {"--angles", "1/3,0"},
+                                                {"--solution", "2"},
                                                 {"--header", "t,f2x,f2y,f2z"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.
@@ -119,10 +125,11 @@ bool is_refused(const Run& run) { return run.status == 2; }
 bool are_equal(const Run& a, const Run& b) { return a.status == b.status && a.out == b.out; }
 
 /// Given with any other, these may leave the answer as it is: the form may be the one that is taken
-/// anyway, there may be no pole to be a principal value at, and the w that is not proved to be the
-/// best one may be it.
+/// anyway, there may be no pole to be a principal value at, the w that is not proved to be the best
+/// one may be it, and a rule or a kind may have the same curve as another.
 bool may_be_equal(const std::string& option) {
-  return option == "--form" || option == "--principal-value" || option == "--unproved";
+  return option == "--form" || option == "--principal-value" || option == "--unproved" ||
+         option == "--select" || option == "--kind";
 }
 
 }  // namespace

@@ -5,162 +5,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/npy.hpp"
-#include "phrame/io/read/number.hpp"
+#include "phrame/io/read/text_table.hpp"
+#include "phrame/io/write/text.hpp"
 
 namespace phrame {
 namespace {
 
 using Names = std::vector<std::string>;
-using Fields = std::vector<std::string_view>;
-
-constexpr std::string_view blanks_in_line = " \t\r";
-
-std::string_view trimmed(std::string_view text, std::string_view characters) {
-  const auto first = text.find_first_not_of(characters);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(characters) - first + 1);
-}
-
-char separator_of(std::string_view line) {
-  for (const char c : {';', ',', '\t'})
-    if (line.find(c) != std::string_view::npos) return c;
-  return ' ';
-}
-
-/// Between separators; many blanks are one.
-Fields fields(std::string_view line, char separator) {
-  Fields list;
-  for (;;) {
-    const auto end =
-        line.find_first_of(separator == ' ' ? blanks_in_line : std::string_view(&separator, 1));
-    list.push_back(trimmed(line.substr(0, end), " \t\r\""));
-    if (end == std::string_view::npos) return list;
-    line.remove_prefix(end + 1);
-    if (separator == ' ') line = trimmed(line, blanks_in_line);
-  }
-}
-
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
-/// Something meant for a number, as names are not.
-bool is_like_number(std::string_view field) {
-  constexpr std::string_view first = "+-.0123456789";
-  const std::string word = lower_case(field);
-  return (!field.empty() && first.find(field.front()) != std::string_view::npos) || word == "nan" ||
-         word == "inf";
-}
-
-/// Lines of text, with or without a header.
-class TextTable {
- public:
-  /// The last comment above the numbers may be the header, if it is asked for one.
-  TextTable(std::string_view text, bool reads_comment);
-
-  const Names& names() const { return names_; }
-  std::string header_place() const { return fmt::format("line {}", header_line_); }
-  std::size_t rows() const { return rows_.size(); }
-  std::size_t columns() const {
-    return names_.empty() ? rows_.front().fields.size() : names_.size();
-  }
-  std::string place(std::size_t row) const { return fmt::format("line {}", rows_[row].line); }
-  Rational number(std::size_t row, std::size_t column) const;
-
- private:
-  struct Row {
-    Fields fields;
-    long line;
-  };
-  void add(std::string_view content, long line);
-  void take_comment_for_header();
-  void require_equal_widths() const;
-
-  Names names_;
-  long header_line_ = 1;
-  std::vector<Row> rows_;
-  char separator_ = 0;
-  std::string_view comment_;  ///< the last above the first row, without its "#"
-  long comment_line_ = 0;
-};
-
-TextTable::TextTable(std::string_view text, bool reads_comment) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    throw InputError("line 1", "the text is UTF-16; UTF-8 is wanted");
-  if (text.starts_with("PK\x03\x04"))
-    throw InputError("line 1",
-                     "this is an archive (.npz?); an array saved by numpy.save is wanted");
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // the mark of UTF-8
-  if (text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size())).starts_with('{'))
-    throw InputError("line 1", "this is JSON; a table of text or an array of NumPy is wanted");
-  for (long line = 1; !text.empty(); ++line) {
-    const auto end = std::min(text.find_first_of("\r\n"), text.size());
-    add(trimmed(text.substr(0, end), blanks_in_line), line);
-    const auto next = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
-    text.remove_prefix(std::min(next, text.size()));
-  }
-  if (names_.empty() && rows_.empty())
-    throw InputError("line 1", "a table of numbers is wanted, below the names of its columns");
-  if (rows_.empty())
-    throw InputError(fmt::format("line {}", header_line_ + 1), "there are no frames");
-  if (reads_comment && names_.empty() && !comment_.empty()) take_comment_for_header();
-  require_equal_widths();
-}
-
-void TextTable::add(std::string_view content, long line) {
-  if (content.empty()) return;
-  if (content.front() == '#') {
-    if (!rows_.empty() || !names_.empty()) return;
-    content.remove_prefix(std::min(content.find_first_not_of('#'), content.size()));
-    comment_ = trimmed(content, blanks_in_line);
-    comment_line_ = line;
-    return;
-  }
-  const bool is_first = separator_ == 0;
-  if (is_first) separator_ = separator_of(content);
-  Fields row = fields(content, separator_);
-  if (is_first && (std::none_of(row.begin(), row.end(), is_like_number) ||
-                   std::find(row.begin(), row.end(), "t") != row.end())) {
-    names_.assign(row.begin(), row.end());
-    header_line_ = line;
-  } else {
-    rows_.push_back({std::move(row), line});
-  }
-}
-
-/// numpy.savetxt writes its header as a comment, with the separators that the caller wrote.
-void TextTable::take_comment_for_header() {
-  for (const char separator : {separator_, ';', ',', '\t', ' '}) {
-    const Fields words = fields(comment_, separator);
-    if (words.size() != rows_.front().fields.size()) continue;
-    names_.assign(words.begin(), words.end());
-    header_line_ = comment_line_;
-    return;
-  }
-}
-
-void TextTable::require_equal_widths() const {
-  for (const Row& row : rows_)
-    if (row.fields.size() != columns())
-      throw InputError(
-          fmt::format("line {}", row.line),
-          fmt::format("{} here, but {} in {}", counted(row.fields.size(), "number"), columns(),
-                      names_.empty() ? "the first line of them" : "the header"));
-}
-
-Rational TextTable::number(std::size_t row, std::size_t column) const {
-  const std::string_view field = rows_[row].fields[column];
-  if (separator_ != ',' && field.find(',') != std::string_view::npos)
-    throw InputError(fmt::format("\"{}\" is not a number: decimals have a point, not a comma",
-                                 abbreviated(field)));
-  return parse_rational(field);
-}
 
 /// Vectors of three columns and quaternions of four, by the names of their columns.
 struct Group {
@@ -385,13 +239,13 @@ std::vector<GivenPosition> positions_of(const Table& table, const Names& names) 
 
 GivenTable read_frames(std::string_view bytes, const FrameReading& reading, std::size_t at_most) {
   if (NpyTable::is_one(bytes)) return frames_of(NpyTable(bytes), "header", reading, at_most);
-  const TextTable table(bytes, reading.names.empty());
+  const TextTable table(bytes, {reading.names.empty(), "frames"});
   return frames_of(table, table.header_place(), reading, at_most);
 }
 
 std::vector<GivenPosition> read_positions(std::string_view bytes, const FrameReading& reading) {
   return NpyTable::is_one(bytes) ? positions_of(NpyTable(bytes), reading.names)
-                                 : positions_of(TextTable(bytes, false), reading.names);
+                                 : positions_of(TextTable(bytes, {}), reading.names);
 }
 
 namespace {

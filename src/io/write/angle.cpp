@@ -18,7 +18,7 @@ namespace phrame {
 namespace {
 
 using enum Notation;
-constexpr auto line = "\n      ";
+constexpr auto below_label = "\n      ";
 
 std::string quotient(const RationalFunction& f) { return formatted_quotient(f, unicode); }
 
@@ -26,7 +26,7 @@ std::string quotient(const RationalFunction& f) { return formatted_quotient(f, u
 std::string closed_form(const AngleFormula& formula, Notation notation,
                         const std::string& constant = " + C") {
   if (const auto* radicals = std::get_if<RadicalForm>(&formula.other))
-    return notation == unicode ? indented(to_text(*radicals), line)
+    return notation == unicode ? indented(to_text(*radicals), below_label)
                                : to_latex(*radicals, "t", "z", constant);
   std::vector<std::string> terms;
   if (const auto* real = std::get_if<RealForm>(&formula.other)) {
@@ -38,14 +38,14 @@ std::string closed_form(const AngleFormula& formula, Notation notation,
                           ? "arg g(t), continuous"
                           : fmt::format("\\arg\\left({}\\right)", formatted(*g, latex)));
   }
-  return notation == unicode ? formatted_sum(terms, line, unicode)
+  return notation == unicode ? formatted_sum(terms, below_label, unicode)
                              : formatted_sum(terms, " ", latex) + constant;
 }
 
 std::string formula_text(const AngleFormula& formula, std::string_view rate) {
   const std::string form = closed_form(formula, unicode);
   return fmt::format("  θ′ = {}{}\n  θ  = {}{}\n", rate, quotient(formula.rate), form,
-                     form == "0" ? "" : line + std::string("+ constant"));
+                     form == "0" ? "" : below_label + std::string("+ constant"));
 }
 
 /// How the frame is turned.

@@ -1,6 +1,6 @@
 #pragma once
+#include "phrame/ph/construct/bezier_points.hpp"
 #include "phrame/ph/construct/preimage_fit.hpp"
-#include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
 
@@ -20,15 +20,6 @@ RationalQuaternion rounded_to_places(const RationalQuaternion& a, long k);
 bool is_point(const ExactFit& fit);
 /// The curve f·A i A* from `start`. Throws DomainError for a point.
 Curve curve_of(const ExactFit& fit, const Vector<Rational>& start);
-
-/// The control points of a Bézier curve, at least two, and not all equal.
-using BezierPoints = std::vector<Vector<Rational>>;
-/// Of a curve, in a degree that is not less than its own.
-BezierPoints control_points_in_degree(const Curve& curve, std::size_t degree);
-/// Of ∫ r′ from `start`, where r′ ≠ 0 has the degree n: n + 2 points.
-BezierPoints bezier_points(const Vector<Polynomial>& hodograph, const Vector<Rational>& start);
-/// The Bernstein coefficients of r′.
-std::vector<Vector<Rational>> bezier_derivatives(const BezierPoints& points);
 
 /// e such that the points divided by 4ᵉ are about 1 from the first. They belong to an A divided by
 /// 2ᵉ. Fits in doubles are of these, to keep off the ends of the doubles' range.

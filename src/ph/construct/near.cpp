@@ -7,6 +7,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/exact_fit.hpp"
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/construct/rmf_difference.hpp"
 #include "phrame/ph/construct/scale.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 #include <variant>
 
-#include "phrame/ph/construct/exact_fit.hpp"
+#include "phrame/ph/construct/bezier_points.hpp"
 #include "phrame/ph/construct/nearness.hpp"
 #include "phrame/ph/curve/path.hpp"
 
@@ -12,8 +12,8 @@ inline constexpr long max_near_degree = 101;
 
 /// An exact PH curve near a polynomial curve on [0, 1].
 struct NearCurve {
-  Curve curve;
-  Nearness nearness;
+  Curve curve;        ///< exact
+  Nearness nearness;  ///< to what was given
 };
 
 /// A PH curve near the curve with the hodograph r′ ≠ 0 and r(0) = start: the control points are at
@@ -26,8 +26,8 @@ std::variant<NearCurve, NotNear> near_curve(const Vector<Polynomial>& hodograph,
 /// What one might ask near_curve() for: a power of ten, which is enough, and a bound of the
 /// distance of the curve that is then to be had, before its bits are taken off.
 struct NearSuggestion {
-  Rational epsilon;
-  Rational distance;
+  Rational epsilon;   ///< 10ᵏ
+  Rational distance;  ///< ≤ epsilon
 };
 /// No value where the curve is farther from being PH than a 1000th of its size, and above the
 /// degree 45, since that takes long.
@@ -36,8 +36,8 @@ std::optional<NearSuggestion> near_suggestion(const Vector<Polynomial>& hodograp
 
 /// An exact PH spline near several polynomial curves, each on its own [0, 1].
 struct NearPath {
-  Path path;
-  Nearness nearness;
+  Path path;          ///< exact
+  Nearness nearness;  ///< to what was given
 };
 
 /// The same for curves, at least one, that follow one another. The joints of the spline are exact:

@@ -27,8 +27,8 @@ struct NotNear {
 
 /// A PH path, and how near it is to what was given, where that is not it.
 struct PathIdentification {
-  NamedPath named;
-  std::optional<Nearness> nearness;
+  NamedPath named;                   ///< the PH path
+  std::optional<Nearness> nearness;  ///< none where it is what was given
 };
 
 }  // namespace phrame

@@ -9,8 +9,8 @@ namespace phrame {
 /// The hodographs of a polynomial curve and of another near it, on [0, 1], by their Bernstein
 /// coefficients in the same degree.
 struct HodographPair {
-  std::vector<Vector<Rational>> given;
-  std::vector<Vector<Rational>> other;
+  std::vector<Vector<Rational>> given;  ///< of the curve that is given
+  std::vector<Vector<Rational>> other;  ///< of the one near it
 };
 
 /// A number that bounds, for all t of the pieces, the angle between the rotation-minimizing frames

@@ -5,6 +5,7 @@
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/write/curve_file.hpp"
+#include "support/paths.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -422,4 +423,17 @@ TEST_CASE("spline files: what is wrong is told with its segment") {
         "/segments: an array of curves is wanted, not an object of 0");
   CHECK(spline_refusal(R"({"phrame": "spline/1", "segment": []})") ==
         "/: unknown key \"segment\"; the nearest known key is \"segments\"");
+}
+
+TEST_CASE("curve files: law: a spline that is written is read as the same spline") {
+  test::for_samples(20, [](test::Random& random) {
+    const Curve curve = random.curve(3);
+    const NamedPath named{"a \"name\"", test::cut(curve, {Rational(1, 3), Rational(1, 2)})};
+    const NamedPath back = read_path(write_path(named));
+    CHECK(back.name == named.name);
+    CHECK(back.path == named.path);
+    CHECK(write_path(NamedCurve{"one", curve}) == write_curve({"one", curve}));
+  });
+  const NamedPath loop{"", test::closed_loop()};
+  CHECK(read_path(write_path(loop)).path == loop.path);
 }

@@ -1,0 +1,66 @@
+// Exact C1 splines of PH quintics through points. The first argument is the number of segments, the
+// second −log10 of the tolerance; the time is that of all segments.
+#include <benchmark/benchmark.h>
+
+#include <random>
+
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/quintic_spline.hpp"
+
+namespace phrame::bench {
+namespace {
+
+using State = benchmark::State;
+
+/// Points and derivatives with 6 decimals, parameters at steps of about 1.
+HermiteSpline spline_data(long segments) {
+  std::mt19937_64 engine(7);
+  const auto decimal = [&](long low, long high) {
+    return Rational(std::uniform_int_distribution<long>(low, high)(engine), 1'000'000);
+  };
+  HermiteSpline data;
+  for (long k = 0; k <= segments; ++k) {
+    const auto coordinate = [&] { return decimal(-1'000'000, 1'000'000); };
+    data.points.push_back({k + coordinate(), coordinate(), coordinate()});
+    data.derivatives.push_back({1 + coordinate(), coordinate(), coordinate()});
+    data.parameters.push_back(k == 0 ? Rational(0)
+                                     : data.parameters.back() + decimal(500'000, 1'500'000));
+  }
+  return data;
+}
+
+void construct_quintics(State& state) {
+  const HermiteSpline data = spline_data(state.range(0));
+  const Rational tolerance = power_of_ten(-state.range(1));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        quintic_spline(data, QuinticSelection::automatic, {tolerance, tolerance}));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(construct_quintics)->Args({1, 15})->Args({100, 15})->Args({1000, 15})->Args({1000, 40});
+
+/// The choice of one quintic, in doubles.
+void choose_quintic(State& state) {
+  const QuinticFamily family({{1, 1, 1}, {-0.8, 0.3, 1.2}, {0.5, -1.3, -1}});
+  for (auto _ : state)
+    benchmark::DoNotOptimize(family.choose(static_cast<QuinticSelection>(state.range(0))));
+}
+BENCHMARK(choose_quintic)
+    ->Arg(static_cast<long>(QuinticSelection::automatic))
+    ->Arg(static_cast<long>(QuinticSelection::bv))
+    ->Arg(static_cast<long>(QuinticSelection::energy));
+
+void close_spline(State& state) {
+  HermiteSpline data = spline_data(4);
+  data.points.back() = data.points.front();
+  data.derivatives.back() = data.derivatives.front();
+  data.is_closed = true;
+  const Rational tolerance = power_of_ten(-state.range(0));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        quintic_spline(data, QuinticSelection::automatic, {tolerance, tolerance}));
+}
+BENCHMARK(close_spline)->Arg(15)->Arg(40);
+
+}  // namespace
+}  // namespace phrame::bench

@@ -1,0 +1,64 @@
+#pragma once
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "phrame/ph/construct/quintic_spline.hpp"
+#include "phrame/ph/curve/named.hpp"
+
+namespace phrame {
+
+/// What kind of PH curves a construction is made of.
+enum class CurveKind { quintic, planar, cubic };
+
+/// The kinds there are, in their order, as people call them.
+struct NamedKind {
+  CurveKind kind;             ///< which one
+  std::string_view name;      ///< "quintic"
+  std::string_view what;      ///< "C1 splines of PH quintics"
+  long solutions = 1;         ///< how many curves there are at most, of which one is asked for
+  bool is_geometric = false;  ///< of derivatives it takes the directions only
+};
+const std::vector<NamedKind>& curve_kinds();  ///< all kinds
+
+/// Which exact PH curve meets these data, as nearly as asked?
+struct ConstructQuery {
+  CurveKind kind = CurveKind::quintic;                 ///< what the curve is made of
+  QuinticChoice choice = QuinticSelection::automatic;  ///< of the kind quintic
+  long solution = 1;  ///< of the kinds with several: from 1, the best one, to their number
+  /// How far the curve may be from the points, beside their extent, and its derivatives from those
+  /// wanted, beside the greatest of them. > 0 and < 1.
+  Rational tolerance = Rational(1, 1'000'000'000'000'000);
+  bool is_closed = false;  ///< does the curve end where it starts?
+};
+
+/// An exact PH curve near its data, and how near it is.
+struct ConstructionAnswer {
+  /// What is said of one segment.
+  struct Segment {
+    std::optional<FreeAngles> angles;  ///< of quintics
+    Rational length;                   ///< exact
+    double energy;                     ///< ∫κ² ds, about; ∞ at a cusp
+  };
+  NamedPath path;  ///< the curve
+  /// @{ As asked.
+  NamedKind kind;
+  QuinticChoice choice;
+  long solution;
+  /// @}
+  HermiteSpline data;                ///< what was wanted
+  std::vector<Rational> parameters;  ///< of the joints and the ends
+  /// @{ Where those come from that were not given.
+  DerivativeSource derivatives_from;
+  ParameterSource parameters_from;
+  /// @}
+  Deviation tolerance;            ///< what was asked for, as distances
+  Deviation deviation;            ///< proved bounds
+  long bits;                      ///< of the preimages' common denominator, a power of 2
+  std::vector<Segment> segments;  ///< one after the other
+};
+
+/// Throws InputError for what this kind does not take, DomainError where there is no such curve.
+ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query);
+
+}  // namespace phrame

@@ -1,0 +1,118 @@
+#include <algorithm>
+
+#include "phrame/cli/command.hpp"
+#include "phrame/io/read/point_file.hpp"
+#include "phrame/io/write/construction.hpp"
+#include "phrame/io/write/curve_file.hpp"
+#include "phrame/ph/construct/cubic_spline.hpp"
+#include "phrame/ph/construct/plane_quintics.hpp"
+
+namespace phrame::cli {
+namespace {
+
+struct ConstructOptions {
+  std::string data;
+  std::string kind = "quintic";
+  std::string select = "auto";
+  std::vector<std::string> angles;
+  long solution = 1;
+  std::string tolerance;
+  bool is_closed = false;
+  std::string print = "text";
+  TextLength length;
+  std::string output;
+};
+
+QuinticChoice chosen_quintic(const ConstructOptions& options) {
+  if (options.angles.empty())
+    return choose<QuinticSelection>("--select", options.select, quintic_selections());
+  std::vector<Angle> angles;
+  for (const std::string& text : split(options.angles))
+    angles.push_back(parse_angle_option("--angles", text));
+  const auto value = [&](std::size_t k) { return round_to_double(to_real(angles[k])); };
+  if (angles.size() == 2) return FreeAngles{angles[0], angles[1]};
+  if (angles.size() == 3) return SolutionAngles{value(0), value(1), value(2)};
+  throw InputError("--angles", "two angles are wanted, Delta and phi, or three, phi0, phi1, phi2");
+}
+
+ConstructQuery query(const ConstructOptions& options) {
+  ConstructQuery query;
+  std::vector<std::pair<std::string, CurveKind>> kinds;
+  for (const NamedKind& named : curve_kinds()) kinds.emplace_back(named.name, named.kind);
+  query.kind = choose("--kind", options.kind, kinds);
+  query.choice = chosen_quintic(options);
+  query.solution = options.solution;
+  if (!options.tolerance.empty()) {
+    query.tolerance = parse_option("--tolerance", options.tolerance);
+    if (query.tolerance <= 0 || query.tolerance >= 1)
+      throw InputError("--tolerance", abbreviated(options.tolerance) + " is not between 0 and 1");
+  }
+  query.is_closed = options.is_closed;
+  return query;
+}
+
+std::string curve_of(const ConstructionAnswer& answer) { return write_path(answer.path); }
+
+void run(const ConstructOptions& options) {
+  const auto print = choose<std::string (*)(const ConstructionAnswer&)>(
+      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"curve", curve_of}});
+  const ConstructQuery asked = query(options);
+  const std::string bytes = read_file(options.data);
+  const ConstructionAnswer found =
+      at_place(name_of_file(options.data), ":", [&] { return answer(read_points(bytes), asked); });
+  if (!options.output.empty()) write_output(options.output, curve_of(found));
+  if (options.output.empty() || print != curve_of) options.length.write("-", print(found));
+}
+
+}  // namespace
+
+void add_construct(Program& program) {
+  Command& command =
+      program.add("construct", "an exact PH curve or spline through points, as near as asked");
+  const auto options = std::make_shared<ConstructOptions>();
+  command.add_argument("DATA", options->data,
+                       "points: JSON, a table of text or of NumPy; \"-\" for standard input");
+  std::vector<std::string> kinds;
+  for (const NamedKind& named : curve_kinds()) kinds.emplace_back(named.name);
+  command.add_choice("--kind", options->kind, kinds,
+                     "what to make: quintic (default), planar: in the plane z = 0, or\n"
+                     "cubic: with continuous tangents");
+  std::vector<std::string> selections;
+  for (const auto& [name, selection] : quintic_selections()) selections.push_back(name);
+  command.add_choice("--select", options->select, selections,
+                     "which of the quintics: auto (default), minimal, bv, cc, shortest,\n"
+                     "longest or energy");
+  command.add_list("--angles", "A,...", options->angles,
+                   "which of the quintics: the angles Delta,phi or phi0,phi1,phi2");
+  command.add_number("--solution", options->solution,
+                     {1, std::max(plane_solutions, cubic_solutions)},
+                     "which of the curves there are, 1 being the best (default 1)");
+  command.not_with({"--select", "--angles"}, {"--kind planar", "--kind cubic"});
+  command.only_with({"--solution"}, {"--kind planar", "--kind cubic"});
+  command.add_option("--tolerance", "X", options->tolerance,
+                     "how far the curve may be from the points, beside their extent\n"
+                     "(default 1e-15)");
+  command.add_flag("--closed", options->is_closed, "the curve ends where it starts");
+  command.not_with({"--closed"}, {"--kind cubic"});
+  command.add_option("-o,--output", "FILE", options->output,
+                     "write the curve to this file, beside the report");
+  command.add_format("--print", options->print, {"text", "json", "curve"},
+                     "text (default), json, or curve: the curve file instead of a report");
+  options->length.add_to(command);
+  command.set_notes(
+      "DATA: {\"phrame\": \"points/1\", \"points\": [[0, 0, 0], [1, 1, 1]]}, with derivatives,\n"
+      "tangents and parameters if known; or lines of x, y, z. Derivatives not given are those of\n"
+      "the C2 cubic spline. The spline is C1: at joints position and derivative are equal as\n"
+      "fractions; the data are met within the tolerance, and the report says the proved bound.\n"
+      "Examples:\n"
+      "  phrame construct points.csv -o spline.json\n"
+      "  phrame construct hermite.json --select energy --tolerance 1e-40 -o curve.json\n"
+      "  phrame construct knot.csv --closed --print json\n"
+      "  phrame construct points.csv --print curve | phrame frames - --samples 101");
+  command.does([options, &command] {
+    if (command.is_given("--angles")) command.refuse({"--select"}, "does not apply with --angles");
+    run(*options);
+  });
+}
+
+}  // namespace phrame::cli

@@ -1,0 +1,226 @@
+#include "phrame/io/read/point_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/read/json_node.hpp"
+#include "phrame/io/read/npy.hpp"
+#include "phrame/io/read/text_table.hpp"
+#include "phrame/io/write/text.hpp"
+
+namespace phrame {
+namespace {
+
+using Vectors = std::vector<Vector<Rational>>;
+using Node = JsonNode;
+/// Where the k-th entry of a list stands: of "points", 3 the place of the fourth point.
+using Place = std::function<std::string(std::string_view list, std::size_t k)>;
+
+std::string to_text(const Vector<Rational>& v) {
+  const auto text = [](const Rational& x) { return abbreviated(to_string(x)); };
+  return fmt::format("({}, {}, {})", text(v[0]), text(v[1]), text(v[2]));
+}
+
+/// What is wrong in any format.
+void require_meaning(const GivenPoints& given, const Place& place) {
+  for (std::size_t k = 0; k < given.tangents.size(); ++k)
+    if (given.tangents[k] == Vector<Rational>{})
+      throw InputError(place("tangents", k), "the tangent is 0, which is no direction");
+  for (std::size_t k = 1; k < given.parameters.size(); ++k)
+    if (given.parameters[k] <= given.parameters[k - 1])
+      throw InputError(place("parameters", k),
+                       fmt::format("{} is not greater than the parameter before it, {}",
+                                   abbreviated(to_string(given.parameters[k])),
+                                   abbreviated(to_string(given.parameters[k - 1]))));
+  if (!given.derivatives.empty()) return;
+  for (std::size_t k = 1; k < given.points.size(); ++k)
+    if (given.points[k] == given.points[k - 1])
+      throw InputError(place("points", k),
+                       fmt::format("the point {} is that before it; only with derivatives is it "
+                                   "known how a curve goes from one to the other",
+                                   to_text(given.points[k])));
+}
+
+Vectors read_vectors(const Node& list, std::size_t dimension) {
+  list.require(Node::Kind::array, "an array of points");
+  Vectors vectors;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const Node item = list.item(k);
+    item.require(Node::Kind::array, fmt::format("an array of {} numbers", dimension));
+    if (item.size() != dimension)
+      item.fail(fmt::format("{} here, but {} in the first point", counted(item.size(), "number"),
+                            dimension));
+    const std::vector<Rational> numbers = item.numbers();
+    Vector<Rational> v;
+    std::copy(numbers.begin(), numbers.end(), v.begin());
+    vectors.push_back(v);
+  }
+  return vectors;
+}
+
+GivenPoints read_json(std::string_view text) {
+  const JsonValue document = parse_json_file(text, "file of points");
+  const Node node(document);
+  node.require_known_keys({"phrame", "name", "points", "derivatives", "tangents", "accelerations",
+                           "parameters", "note"});
+  if (const Node format = node.at("phrame"); format.string() != "points/1")
+    format.fail(
+        fmt::format("the format is \"points/1\", not \"{}\"", abbreviated(format.string())));
+  GivenPoints given;
+  if (const auto name = node.find("name")) given.name = name->string();
+  const Node points = node.at("points");
+  points.require(Node::Kind::array, "an array of points");
+  if (points.size() < 2)
+    points.fail(fmt::format("{}; a curve needs two at least", counted(points.size(), "point")));
+  const Node first = points.item(0);
+  first.require(Node::Kind::array, "an array of 2 or 3 numbers");
+  if (first.size() != 2 && first.size() != 3)
+    first.fail(fmt::format("a point has 2 or 3 coordinates, not {}", first.size()));
+  given.is_planar = first.size() == 2;
+  given.points = read_vectors(points, first.size());
+  const auto require_count = [&](const Node& list, std::size_t most) {
+    if (list.size() < points.size() || list.size() > most)
+      list.fail(fmt::format("{} for {}", list.size(), counted(points.size(), "point")));
+  };
+  const auto read = [&](const char* key, Vectors& vectors) {
+    const auto list = node.find(key);
+    if (!list) return;
+    vectors = read_vectors(*list, first.size());
+    require_count(*list, points.size());
+  };
+  read("derivatives", given.derivatives);
+  read("tangents", given.tangents);
+  read("accelerations", given.accelerations);
+  if (!given.derivatives.empty() && !given.tangents.empty())
+    node.fail("\"derivatives\" and \"tangents\" exclude each other");
+  if (const auto list = node.find("parameters")) {
+    list->require(Node::Kind::array, "an array of numbers");
+    require_count(*list, points.size() + 1);
+    given.parameters = list->numbers();
+  }
+  require_meaning(
+      given, [](std::string_view list, std::size_t k) { return fmt::format("/{}/{}", list, k); });
+  return given;
+}
+
+/// The columns of a vector, by the names that begin with `name`.
+struct Columns {
+  std::string_view name;
+  std::vector<std::size_t> columns = {};
+
+  std::string column(std::size_t k) const { return fmt::format("{}{}", name, "xyz"[k]); }
+};
+
+class PointLayout {
+ public:
+  explicit PointLayout(const std::vector<std::string>& names, const std::string& place) {
+    const auto find = [&](const std::string& wanted) -> std::optional<std::size_t> {
+      std::optional<std::size_t> found;
+      for (std::size_t k = 0; k < names.size(); ++k)
+        if (lower_case(names[k]) == wanted) {
+          if (found) throw InputError(place, fmt::format("two columns have the name {}", wanted));
+          found = k;
+        }
+      return found;
+    };
+    t_ = find("t");
+    for (Columns* group : {&points_, &derivatives_, &tangents_})
+      for (std::size_t k = 0; k < 3; ++k)
+        if (const auto column = find(group->column(k))) {
+          if (group->columns.size() < k)
+            throw InputError(place, fmt::format("missing is the column {}",
+                                                group->column(group->columns.size())));
+          group->columns.push_back(*column);
+        }
+    if (points_.columns.size() < 2)
+      throw InputError(place, "columns x, y and z are wanted, or x and y");
+    for (const Columns* group : {&derivatives_, &tangents_})
+      if (!group->columns.empty() && group->columns.size() != points_.columns.size())
+        throw InputError(
+            place, fmt::format("{} of {}, but {} of x", counted(group->columns.size(), "column"),
+                               group->column(0), points_.columns.size()));
+    if (!derivatives_.columns.empty()) tangents_.columns.clear();
+  }
+
+  template <class Table>
+  GivenPoints read(const Table& table) const {
+    GivenPoints given;
+    given.is_planar = points_.columns.size() == 2;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      given.points.push_back(vector(table, row, points_));
+      if (!derivatives_.columns.empty())
+        given.derivatives.push_back(vector(table, row, derivatives_));
+      if (!tangents_.columns.empty()) given.tangents.push_back(vector(table, row, tangents_));
+      if (t_) given.parameters.push_back(number(table, row, *t_, "t"));
+    }
+    return given;
+  }
+
+ private:
+  template <class Table>
+  static Rational number(const Table& table, std::size_t row, std::size_t column,
+                         const std::string& name) {
+    try {
+      return table.number(row, column);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}, {}", table.place(row), name), error.reason());
+    }
+  }
+  template <class Table>
+  static Vector<Rational> vector(const Table& table, std::size_t row, const Columns& group) {
+    Vector<Rational> v;
+    for (std::size_t k = 0; k < group.columns.size(); ++k)
+      v[k] = number(table, row, group.columns[k], group.column(k));
+    return v;
+  }
+
+  std::optional<std::size_t> t_;
+  Columns points_{""};
+  Columns derivatives_{"d"};
+  Columns tangents_{"e1"};
+};
+
+template <class Table>
+GivenPoints read_table(const Table& table, const std::string& header_place) {
+  std::vector<std::string> names = table.names();
+  if (names.empty()) {
+    names = {"x", "y", "z"};
+    if (table.columns() != 2 && table.columns() != 3)
+      throw InputError(table.place(0),
+                       fmt::format("there is no header, and of {} it is not known what they are: "
+                                   "2 are x, y and 3 are x, y, z",
+                                   counted(table.columns(), "column")));
+    names.resize(table.columns());
+  }
+  GivenPoints given = PointLayout(names, header_place).read(table);
+  if (given.points.size() < 2)
+    throw InputError(table.place(0), "there is one point; a curve needs two at least");
+  require_meaning(given, [&](std::string_view, std::size_t k) { return table.place(k); });
+  return given;
+}
+
+/// A comment above the numbers is their header where it says which of them is x.
+TextTable text_table(std::string_view text) {
+  TextTable table(text, {true, "points"});
+  const auto& names = table.names();
+  const bool names_x = std::any_of(names.begin(), names.end(),
+                                   [](const std::string& name) { return lower_case(name) == "x"; });
+  return names_x ? table : TextTable(text, {false, "points"});
+}
+
+}  // namespace
+
+GivenPoints read_points(std::string_view bytes) {
+  if (NpyTable::is_one(bytes)) return read_table(NpyTable(bytes), "header");
+  const auto first = bytes.find_first_not_of(" \t\r\n", bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+  if (first != std::string_view::npos && bytes[first] == '{') return read_json(bytes);
+  const TextTable table = text_table(bytes);
+  return read_table(table, table.header_place());
+}
+
+}  // namespace phrame

@@ -1,0 +1,21 @@
+#pragma once
+#include <string_view>
+
+#include "phrame/ph/construct/given_points.hpp"
+
+namespace phrame {
+
+/// Reads points that a curve is to pass: a points/1 file (docs/construct.md) or a table.
+/// In points/1, JSON, are `points`, a list of two or three coordinates each, and, as many of each,
+/// `derivatives` or `tangents`, `accelerations` and `parameters`; all but the points may be left
+/// out. `name` and `note` are for people.
+/// A table is text (TextTable) or of NumPy (NpyTable). Its columns are named x, y and z, and may be
+/// t, the parameter, dx, dy, dz, the derivatives by t, and e1x, e1y, e1z, the tangents; all others
+/// are skipped. Without names two columns are x, y and three x, y, z.
+/// Numbers are read exactly. Throws InputError for what is not of this form, for fewer than two
+/// points, tangents that are 0, parameters that do not increase, and for a point that is that
+/// before it, unless there are derivatives. The place is a JSON pointer, "line 3", "line 3, y" or
+/// "row 3".
+GivenPoints read_points(std::string_view bytes);
+
+}  // namespace phrame

@@ -1,0 +1,54 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "phrame/algebra/rational.hpp"
+
+namespace phrame {
+
+/// Lines of numbers, separated by ';', ',', tabs or blanks, whichever of them comes first in this
+/// list and in the first line, below the names of the columns, or without. Empty lines and lines
+/// that begin with '#' are skipped. Refers to the text.
+class TextTable {
+ public:
+  /// How a table may have the names of its columns, and what it is to be, for complaints.
+  struct Reading {
+    bool reads_comment = false;  ///< the last comment above the numbers may be the header
+    std::string_view row = "numbers";
+  };
+
+  /// Throws InputError for what is no table, or has no row, and for rows of unequal widths.
+  TextTable(std::string_view text, const Reading& reading);
+
+  const std::vector<std::string>& names() const { return names_; }  ///< none without a header
+  std::string header_place() const;
+  std::size_t rows() const { return rows_.size(); }
+  std::size_t columns() const {
+    return names_.empty() ? rows_.front().fields.size() : names_.size();
+  }
+  std::string place(std::size_t row) const;
+  /// Throws InputError, with no place, for what is no number.
+  Rational number(std::size_t row, std::size_t column) const;
+
+ private:
+  struct Row {
+    std::vector<std::string_view> fields;
+    long line;
+  };
+  void add(std::string_view content, long line);
+  void take_comment_for_header();
+  void require_equal_widths() const;
+
+  std::vector<std::string> names_;
+  long header_line_ = 1;
+  std::vector<Row> rows_;
+  char separator_ = 0;
+  std::string_view comment_;  ///< the last above the first row, without its "#"
+  long comment_line_ = 0;
+};
+
+/// The text in lower case, of ASCII letters.
+std::string lower_case(std::string_view text);
+
+}  // namespace phrame

@@ -1,0 +1,178 @@
+#include "phrame/io/write/construction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "phrame/io/write/heading.hpp"
+#include "phrame/io/write/json_text.hpp"
+#include "phrame/io/write/text.hpp"
+
+namespace phrame {
+namespace {
+
+/// "auto"; "angles" where they were given.
+std::string choice_name(const QuinticChoice& choice) {
+  const auto* selection = std::get_if<QuinticSelection>(&choice);
+  if (selection == nullptr) return "angles";
+  const auto& names = quintic_selections();
+  return std::find_if(names.begin(), names.end(),
+                      [&](const auto& named) { return named.second == *selection; })
+      ->first;
+}
+
+std::string which_text(const ConstructionAnswer& answer) {
+  if (answer.kind.solutions == 1) return choice_name(answer.choice);
+  return fmt::format("solution {} of {}", answer.solution, answer.kind.solutions);
+}
+
+const char* name_of(DerivativeSource source) {
+  switch (source) {
+    case DerivativeSource::given:
+      return "given";
+    case DerivativeSource::tangents:
+      return "tangents given, speeds of the chords";
+    case DerivativeSource::natural_spline:
+      return "natural C2 cubic spline";
+    case DerivativeSource::periodic_spline:
+      break;
+  }
+  return "periodic C2 cubic spline";
+}
+
+const char* name_of(ParameterSource source) {
+  switch (source) {
+    case ParameterSource::given:
+      return "given";
+    case ParameterSource::whole_numbers:
+      return "0, 1, 2, ...";
+    case ParameterSource::chord_lengths:
+      break;
+  }
+  return "chord lengths";
+}
+
+std::string decimal(const Real& x, long digits) { return round_to_decimal(x, digits).value; }
+
+std::string energy_text(double energy) {
+  return std::isfinite(energy) ? decimal(exact_rational(energy), 6) : "∞";
+}
+
+Rational length(const ConstructionAnswer& answer) {
+  Rational sum;
+  for (const ConstructionAnswer::Segment& segment : answer.segments) sum += segment.length;
+  return sum;
+}
+
+double energy(const ConstructionAnswer& answer) {
+  double sum = 0;
+  for (const ConstructionAnswer::Segment& segment : answer.segments) sum += segment.energy;
+  return sum;
+}
+
+/// "within 6.9e-17, proved; asked for: 1e-15"
+std::string bound_text(const Rational& bound, const Rational& asked) {
+  return fmt::format("{}, proved; asked for: {}",
+                     bound == 0 ? "exact" : "within " + upper_bound_text(bound),
+                     upper_bound_text(asked));
+}
+
+std::string segment_table(const ConstructionAnswer& answer) {
+  std::string list;
+  std::string head = fmt::format("\n  {:>7}  {:>11}  {:>11}  {:>12}  {:>12}\n", "segment", "Δ", "φ",
+                                 "length", "∫ κ² ds");
+  for (std::size_t k = 0; k < answer.segments.size(); ++k) {
+    const auto& [angles, length, energy] = answer.segments[k];
+    list += fmt::format("  {:>7}  {:>11}  {:>11}  {:>12}  {:>12}\n", k + 1,
+                        angles ? decimal(to_real(angles->delta), 6) : "",
+                        angles ? decimal(to_real(angles->phi), 6) : "", decimal(length, 8),
+                        energy_text(energy));
+  }
+  constexpr std::size_t most = 20;
+  if (answer.segments.size() <= most) return head + list;
+  return head + passage(list, fmt::format("  ⟨{}⟩\n", counted(answer.segments.size(), "segment")));
+}
+
+}  // namespace
+
+const std::vector<std::pair<std::string, QuinticSelection>>& quintic_selections() {
+  static const std::vector<std::pair<std::string, QuinticSelection>> names{
+      {"auto", QuinticSelection::automatic},
+      {"minimal", QuinticSelection::minimal},
+      {"bv", QuinticSelection::bv},
+      {"cc", QuinticSelection::cc},
+      {"shortest", QuinticSelection::shortest},
+      {"longest", QuinticSelection::longest},
+      {"energy", QuinticSelection::energy}};
+  return names;
+}
+
+std::string to_text(const ConstructionAnswer& answer) {
+  std::string text = heading(answer.path) + "\n\n";
+  const auto row = [&](std::string_view label, const std::string& value) {
+    text += phrame::row(label, value, 14);
+  };
+  row("kind", fmt::format("{}, {}", answer.kind.name, which_text(answer)));
+  row("data", fmt::format("{}{}", counted(answer.data.points.size(), "point"),
+                          answer.data.is_closed ? ", the last of them the first" : ""));
+  row("  derivatives", name_of(answer.derivatives_from));
+  row("  parameters", name_of(answer.parameters_from));
+  row("points met", bound_text(answer.deviation.points, answer.tolerance.points));
+  row(answer.kind.is_geometric ? "tangents" : "derivatives",
+      bound_text(answer.deviation.derivatives, answer.tolerance.derivatives));
+  if (!answer.path.path.is_curve())
+    row("joints", answer.kind.is_geometric
+                      ? "position and tangent are equal, exactly"
+                      : "position and derivative by the parameter are equal fractions");
+  if (!answer.kind.is_geometric)
+    row("preimage", fmt::format("coefficients are multiples of 2^{}{}", -answer.bits,
+                                answer.data.is_closed ? ", but for the last two segments" : ""));
+  row("length", "≈ " + decimal(length(answer), 12));
+  row("energy ∫ κ² ds", "about " + energy_text(energy(answer)));
+  return text + segment_table(answer);
+}
+
+std::string to_json(const ConstructionAnswer& answer) {
+  const auto energy_json = [](double energy) {
+    return std::isfinite(energy) ? JsonOutput(energy_text(energy)) : JsonOutput("inf");
+  };
+  JsonOutput parameters = JsonOutput::array();
+  for (const Rational& t : answer.parameters) parameters.push_back(to_string(t));
+  JsonOutput segments = JsonOutput::array();
+  for (const auto& [angles, length, energy] : answer.segments) {
+    JsonOutput json = JsonOutput::object();
+    if (angles) {
+      json["delta"] = to_string(angles->delta);
+      json["phi"] = to_string(angles->phi);
+    }
+    json["length"] = decimal(length, 17);
+    json["energy"] = energy_json(energy);
+    segments.push_back(std::move(json));
+  }
+  const auto deviation = [](const Deviation& x) -> JsonOutput {
+    return {{"points", upper_bound_text(x.points)},
+            {"derivatives", upper_bound_text(x.derivatives)}};
+  };
+  JsonOutput json = {
+      {"phrame", "construct/1"}, {"name", answer.path.name}, {"kind", answer.kind.name}};
+  if (answer.kind.solutions == 1) {
+    json["select"] = choice_name(answer.choice);
+  } else {
+    json["solution"] = answer.solution;
+    json["solutions"] = answer.kind.solutions;
+  }
+  json["closed"] = answer.path.path.closing_turn().has_value();
+  json["derivatives_from"] = name_of(answer.derivatives_from);
+  json["parameters_from"] = name_of(answer.parameters_from);
+  json["parameters"] = parameters;
+  json["tolerance"] = deviation(answer.tolerance);
+  json["deviation"] = deviation(answer.deviation);
+  json["bits"] = answer.bits;
+  json["length"] = decimal(length(answer), 17);
+  json["energy"] = energy_json(energy(answer));
+  json["segments"] = segments;
+  return pretty(json);
+}
+
+}  // namespace phrame

@@ -1,0 +1,26 @@
+#pragma once
+#include "phrame/ph/construct/quintic_choice.hpp"
+#include "phrame/ph/curve/path.hpp"
+
+namespace phrame {
+
+/// How far a curve may be from its data, and how far it is. Of kinds that take the directions of
+/// derivatives only, their deviation is an angle.
+struct Deviation {
+  Rational points;       ///< the greatest distance from a point
+  Rational derivatives;  ///< of a derivative from the one wanted
+  friend bool operator==(const Deviation&, const Deviation&) = default;
+};
+
+/// An exact curve near its data.
+struct Construction {
+  Path path;                         ///< the curve, or the spline
+  std::vector<Rational> parameters;  ///< of the joints and the ends, those of the data
+  std::vector<FreeAngles> angles;    ///< chosen for each segment of quintics; else none
+  /// The coefficients of A are multiples of 2^−bits; but not those of what closes a spline. Of
+  /// cubics they are products of two such.
+  long bits;
+  Deviation deviation;  ///< proved: not less than the greatest distances from the data
+};
+
+}  // namespace phrame

@@ -1,0 +1,190 @@
+#include "phrame/ph/construct/cubic_spline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "phrame/algebra/big_float.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/preimage.hpp"
+#include "phrame/ph/construct/quintic_family.hpp"
+#include "phrame/ph/construct/scale.hpp"
+
+// With preimages U₀, U₁ of the unit tangents u₀, u₁ such that c = H(U₀, U₁) > 0, the cubic with
+// A = (λ₀U₀, λ₁U₁e^{iφ}) goes along 3Δp = λ₀²u₀ + λ₁²u₁ + λ₀λ₁((u₀ + u₁) cos φ/(2c) + b sin φ),
+// b = S(U₀, U₁i) ⟂ u₀, u₁. For 3Δp = m₀u₀ + m₁u₁ + μb and δ = m₀ − m₁ it follows that X = λ₀² has
+//   (1 − 4c²)X² + (8c²m₀ − δ)X − 4c²m₀² − μ² = 0, X > max(0, δ),
+//   λ₁² = X − δ, λ₀λ₁ cos φ = 2c(m₀ − X), λ₀λ₁ sin φ = μ.
+// Each such X is a solution. For u₁ = u₀ there is a line or nothing, for u₁ = −u₀ this says
+// nothing. Rounded are U₀, U₁e^{iφ}, once for both neighbours of a joint, and the λ.
+
+namespace phrame {
+namespace {
+
+using Float = BigFloat;
+
+struct Cubic {
+  Float lambda0;
+  Float lambda1;
+  ComplexOf<Float> turn;  ///< of the preimage at the end
+  double energy;
+};
+
+/// ∫κ² ds = ∫ 4|g|²/σ³ dt, g constant and σ quadratic, in doubles.
+double energy_of(const Quaternion<Float>& a0, const Quaternion<Float>& a1) {
+  const auto in_doubles = [](const Quaternion<Float>& a) {
+    return Quaternion<double>{a.u.to_double(), a.v.to_double(), a.p.to_double(), a.q.to_double()};
+  };
+  const Quaternion<double> first = in_doubles(a0);
+  const Quaternion<double> last = in_doubles(a1);
+  return approximate_energy({first, 0.5 * (first + last), last});
+}
+
+/// The solutions with these preimages of unit tangents, by energy. Lengths are of about 1.
+std::vector<Cubic> cubics(const Quaternion<Float>& u0, const Quaternion<Float>& u1,
+                          const Vector<Float>& triple_step) {
+  const Vector<Float> t0 = rotated_i(u0);
+  const Vector<Float> t1 = rotated_i(u1);
+  const Float cosine = dot(t0, t1);
+  const Float determinant = Float(1.0) - cosine * cosine;
+  const Float s0 = dot(triple_step, t0);
+  const Float s1 = dot(triple_step, t1);
+  const Float tiny(0x1p-60);
+  if (determinant < tiny) {  // a line, or nothing
+    const Vector<Float> off = triple_step - s0 * t0;
+    if (cosine < Float(0.0) || !(Float(0.0) < s0) || tiny * s0 * s0 < dot(off, off)) return {};
+    const auto [re, im] = direction_of(hermitian_product(u0, u1), Float(0.0));
+    const Float lambda = sqrt(s0 / Float(3.0));
+    return {{lambda, lambda, {re, -im}, 0}};
+  }
+  const ComplexOf<Float> h = hermitian_product(u0, u1);
+  const auto [re, im] = direction_of(h, Float(0.0));
+  const ComplexOf<Float> to_minimal{re, -im};
+  const Float c = sqrt(h.re * h.re + h.im * h.im);
+  const Vector<Float> b =
+      symmetric_product(u0, turned(turned(u1, to_minimal), {Float(0.0), Float(1.0)}));
+  const Float m0 = (s0 - cosine * s1) / determinant;
+  const Float m1 = (s1 - cosine * s0) / determinant;
+  const Float mu = dot(triple_step, b) / dot(b, b);
+  const Float delta = m0 - m1;
+  const Float cc = Float(4.0) * c * c;
+  const Float square = Float(1.0) - cc;
+  const Float linear = Float(2.0) * cc * m0 - delta;
+  const Float constant = -(cc * m0 * m0 + mu * mu);
+  const Float discriminant = linear * linear - Float(4.0) * square * constant;
+  if (discriminant < Float(0.0)) return {};
+  // Of the two roots that with no cancellation, and the other by their product.
+  const Float root = sqrt(discriminant);
+  const Float q = Float(-0.5) * (linear < Float(0.0) ? linear - root : linear + root);
+  std::vector<Cubic> found;
+  const auto consider = [&](const Float& above, const Float& below) {
+    if (below == Float(0.0)) return;
+    const Float x = above / below;
+    const Float y = x - delta;
+    if (!(Float(0.0) < x) || !(Float(0.0) < y)) return;
+    const Float product = sqrt(x * y);
+    const ComplexOf<Float> phase{c * Float(2.0) * (m0 - x) / product, mu / product};
+    Cubic cubic{sqrt(x), sqrt(y), to_minimal * phase, 0};
+    cubic.energy = energy_of(cubic.lambda0 * u0, cubic.lambda1 * turned(u1, cubic.turn));
+    found.push_back(cubic);
+  };
+  consider(q, square);
+  if (discriminant != Float(0.0)) consider(constant, q);
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Cubic& x, const Cubic& y) { return x.energy < y.energy; });
+  return found;
+}
+
+Quaternion<Float> unit_preimage(const Vector<Rational>& d, long bits) {
+  const Rational scale = scale_for_doubles(largest(d));
+  Vector<Float> v;
+  for (std::size_t k = 0; k < 3; ++k) v[k] = Float(scale * d[k], bits);
+  return preimage((Float(1.0) / sqrt(dot(v, v))) * v);
+}
+
+Rational rounded(const Float& x, long places) {
+  return Rational(x.scaled(places)) * power_of_two(-places);
+}
+
+RationalQuaternion rounded(const Quaternion<Float>& a, long places) {
+  return {rounded(a.u, places), rounded(a.v, places), rounded(a.p, places), rounded(a.q, places)};
+}
+
+/// The square of the sine of the angle between them; 1 where that is not acute.
+Rational squared_sine(const Vector<Rational>& a, const Vector<Rational>& b) {
+  const Rational ab = dot(a, b);
+  if (ab <= 0) return 1;
+  const Rational sizes = dot(a, a) * dot(b, b);
+  return (sizes - ab * ab) / sizes;
+}
+
+/// A spline with A rounded to multiples of 2^−bits where it is of size 1; no value where the
+/// deviations are too great. An acute angle is less than twice its sine.
+std::optional<Construction> attempt(const HermiteSpline& data, long solution,
+                                    const Deviation& tolerance, long bits) {
+  const long precision = bits + 96;
+  const Rational scale = scale_for_doubles(size_of_points(data));
+  const Rational root_of_scale = *square_root(scale);
+  Quaternion<Float> u0 = unit_preimage(data.derivatives[0], precision);
+  ComplexOf<Float> turn{Float(1.0), Float(0.0)};
+  RationalQuaternion q0 = rounded(u0, bits);
+  Vector<Rational> r = data.points.front();
+  Rational points;
+  Rational sines = squared_sine(rotated_i(q0), data.derivatives[0]);
+  std::optional<Path> path;
+  for (std::size_t k = 0; k < data.segments(); ++k) {
+    const Quaternion<Float> u1 = unit_preimage(data.derivatives[k + 1], precision);
+    Vector<Float> triple_step;
+    for (std::size_t j = 0; j < 3; ++j)
+      triple_step[j] = Float(3 * scale * (data.points[k + 1][j] - r[j]), precision);
+    const std::vector<Cubic> found = cubics(u0, u1, triple_step);
+    if (static_cast<long>(found.size()) < solution)
+      throw DomainError(fmt::format("segment {}: there is {} PH cubic with these ends and tangents",
+                                    k + 1, found.empty() ? "no" : "only one"));
+    const Cubic& cubic = found[static_cast<std::size_t>(solution - 1)];
+    const ComplexOf<Float> next_turn = cubic.turn * turn;
+    const RationalQuaternion q1 = rounded(turned(u1, next_turn), bits);
+    const RationalQuaternion a0 = Rational(rounded(cubic.lambda0, bits) / root_of_scale) * q0;
+    const RationalQuaternion a1 = Rational(rounded(cubic.lambda1, bits) / root_of_scale) * q1;
+    const Curve curve({from_bernstein({a0.u, a1.u}), from_bernstein({a0.v, a1.v}),
+                       from_bernstein({a0.p, a1.p}), from_bernstein({a0.q, a1.q})},
+                      Polynomial{1}, r);
+    r = r + Rational(1, 3) * (rotated_i(a0) + symmetric_product(a0, a1) + rotated_i(a1));
+    const Vector<Rational> off = r - data.points[k + 1];
+    points = std::max(points, dot(off, off));
+    sines = std::max(sines, squared_sine(rotated_i(q1), data.derivatives[k + 1]));
+    if (path)
+      path->append(curve);
+    else
+      path = Path(curve);
+    u0 = u1;
+    turn = next_turn;
+    q0 = q1;
+  }
+  const Deviation deviation{square_root_above(points), 2 * square_root_above(sines)};
+  if (deviation.points > tolerance.points || deviation.derivatives > tolerance.derivatives)
+    return std::nullopt;
+  std::vector<Rational> parameters;
+  for (std::size_t k = 0; k <= data.segments(); ++k) parameters.emplace_back(k);
+  return Construction{*std::move(path), std::move(parameters), {}, bits, deviation};
+}
+
+}  // namespace
+
+Construction cubic_spline(const HermiteSpline& data, long solution, const Deviation& tolerance) {
+  constexpr long most_passes = 20;
+  for (std::size_t k = 0; k < data.derivatives.size(); ++k)
+    if (largest(data.derivatives[k]) == 0)
+      throw DomainError(fmt::format("the derivative at point {} is 0: it has no direction", k + 1));
+  const Rational finest = std::min(
+      tolerance.derivatives, Rational(tolerance.points * scale_for_doubles(size_of_points(data))));
+  long bits = std::max(20L, 4 - binary_exponent(finest));
+  for (long pass = 0; pass < most_passes; ++pass, bits += 8)
+    if (auto found = attempt(data, solution, tolerance, bits)) return *std::move(found);
+  throw Undecided("the PH cubics: the points are too sensitive to their coefficients");
+}
+
+}  // namespace phrame

@@ -1,0 +1,201 @@
+#include "phrame/ph/construct/exact_end.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <random>
+
+#include "phrame/algebra/big_float.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/gaussian_integer.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/preimage.hpp"
+#include "phrame/ph/construct/scale.hpp"
+
+// For the halves (A₀, L, M), (M, R, A₂), X = 3A₀ + 4L + 3M and Y = 3M + 4R + 3A₂ the condition is
+//   X i X* + Y i Y* = c,
+//   c = 240·integral − 15(S(A₀, A₀) + 2S(M, M) + S(A₂, A₂)) + 10(S(A₀, M) + S(M, A₂)).
+// For X = α₁ + kβ₁, Y = α₂ + kβ₂ with given α₁, α₂ ∈ ℚ(i), N = |α₁|² + |α₂|², γ = (c_y + ic_z)/2,
+// its y and z are ᾱ₁β₁ + ᾱ₂β₂ = γ̄. The solutions are, with any ζ ∈ ℚ(i),
+//   β₁ = α₁γ̄/N − ᾱ₂ζ, β₂ = α₂γ̄/N + ᾱ₁ζ, and then |β₁|² + |β₂|² = |γ|²/N + |ζ|²N,
+// and its x is N − (|β₁|² + |β₂|²) = c_x, that is |Nζ|² = R = (N − c_x/2)² − |c|²/4. So what is
+// needed is that R is a sum of two rational squares; α₁ is moved until it is seen to be. It is so
+// if it is at every prime. At 2 it is made sure: of the numerators of α₁, α₂ over a power of 2 one
+// is odd, and that power is so high that N exceeds c 2-adically; then R is N² times a number that
+// is 1 modulo 4. η = Nζ is free up to a factor of size 1 in ℚ(i), and is turned near to that of the
+// curve: α₁β₂ − α₂β₁ = Nζ. All is done in a rotated space, because c along the x-axis would make R
+// a product of two rational numbers, each of which had to be such a sum.
+
+namespace phrame {
+namespace {
+
+GaussianRational conjugate(const GaussianRational& z) { return {z.re, -z.im}; }
+GaussianRational plus(const GaussianRational& a, const GaussianRational& b) {
+  return {a.re + b.re, a.im + b.im};
+}
+GaussianRational times(const Rational& c, const GaussianRational& z) {
+  return {c * z.re, c * z.im};
+}
+Rational size_squared(const GaussianRational& z) { return z.re * z.re + z.im * z.im; }
+
+GaussianRational alpha(const RationalQuaternion& a) { return {a.u, a.v}; }
+GaussianRational beta(const RationalQuaternion& a) { return {a.q, a.p}; }
+RationalQuaternion from_hopf(const GaussianRational& alpha, const GaussianRational& beta) {
+  return {alpha.re, alpha.im, beta.im, beta.re};
+}
+
+/// The exponent of 2 in the denominator.
+long binary_places(const Rational& x) {
+  const Integer d = denominator(x);
+  return bit_length(gcd(d, Integer(1) << static_cast<unsigned long>(bit_length(d)))) - 1;
+}
+
+/// The number 2k/2^places next to x, or (2k + 1)/2^places.
+Rational even_near(const Rational& x, long places) { return rounded_to_places(x, places - 1); }
+Rational odd_near(const Rational& x, long places) {
+  const Rational unit = power_of_two(-places);
+  return even_near(x - unit, places) + unit;
+}
+
+/// A number of size 1 in ℚ(i), within about 2^−bits of z/|z|; 1 for 0.
+GaussianRational unit_near(const GaussianRational& z, long bits) {
+  if (z.re == 0 && z.im == 0) return {1, 0};
+  const Rational scale = scale_for_doubles(std::max(abs(z.re), abs(z.im)));
+  BigFloat re(scale * z.re, bits + 64);
+  BigFloat im(scale * z.im, bits + 64);
+  GaussianRational quarters{1, 0};
+  while (re < im || re < -im) {  // times −i
+    const BigFloat old = re;
+    re = im;
+    im = -old;
+    quarters = quarters * GaussianRational{0, 1};
+  }
+  const Rational tau =
+      Rational((im / (re + sqrt(re * re + im * im))).scaled(bits)) * power_of_two(-bits);
+  const Rational norm = 1 + tau * tau;
+  return quarters * GaussianRational{(1 - tau * tau) / norm, 2 * tau / norm};
+}
+
+/// Is it seen at a glance that n > 0 is no sum of two squares? Two in three that are none.
+bool is_no_norm(const Integer& n) {
+  for (const long p : {3, 7, 11, 19, 23, 31, 43, 47, 59, 67, 71, 79, 83}) {
+    Integer rest = n;
+    bool is_odd = false;
+    for (; rest % p == 0; rest /= p) is_odd = !is_odd;
+    if (is_odd) return true;
+  }
+  return false;
+}
+
+/// η with |η|² = r·d², an integer, over d; no value where that is not seen to exist.
+std::optional<GaussianRational> of_norm(const Rational& r, const Integer& d) {
+  const Integer n = numerator(Rational(r * Rational(d) * Rational(d)));
+  if (n == 0) return GaussianRational{0, 0};
+  if (is_no_norm(n)) return std::nullopt;
+  const NormFactor factor = split_norm(n);
+  if (factor.rest != 1) return std::nullopt;
+  return GaussianRational{Rational(factor.root.re, d), Rational(factor.root.im, d)};
+}
+
+struct Solution {
+  RationalQuaternion x;
+  RationalQuaternion y;
+};
+
+/// Near x and y, with X i X* + Y i Y* = c.
+Solution exact_sum(const RationalQuaternion& x, const RationalQuaternion& y,
+                   const Vector<Rational>& c, long bits) {
+  constexpr long most_tries = 4000;
+  const long places = std::max(
+      bits, std::max({binary_places(c[0]), binary_places(c[1]), binary_places(c[2])}) / 2 + 3);
+  const GaussianRational start{odd_near(x.u, places), even_near(x.v, places)};
+  const GaussianRational a2{even_near(y.u, places), even_near(y.v, places)};
+  const GaussianRational gamma_bar{c[1] / 2, -c[2] / 2};
+  const GaussianRational wanted = plus(alpha(x) * beta(y), times(-1, alpha(y) * beta(x)));
+  const Integer d_of_c =
+      lcm(lcm(Integer(denominator(c[0])), Integer(denominator(c[1]))), Integer(denominator(c[2])));
+  std::mt19937_64 engine(1);
+  unsigned long range = 2;
+  long negative = 0;
+  for (long n = 0; n < most_tries; ++n) {
+    const auto step = [&] {
+      if (n == 0) return Rational(0);
+      return 2 * (Rational(engine() % (2 * range + 1)) - Rational(range)) * power_of_two(-places);
+    };
+    const GaussianRational a1{start.re + step(), start.im + step()};
+    if (n % 40 == 39) ++range;
+    const Rational size = size_squared(a1) + size_squared(a2);
+    const Rational r = (size - c[0] / 2) * (size - c[0] / 2) - dot(c, c) / 4;
+    if (r < 0) {  // nearly straight: look farther away
+      if (++negative % 12 == 0) range *= 2;
+      continue;
+    }
+    const auto eta = of_norm(r, 2 * lcm(d_of_c, Integer(denominator(size))));
+    if (!eta) continue;
+    const GaussianRational zeta =
+        times(1 / size, *eta * unit_near(wanted * conjugate(*eta), std::max(bits, 20L)));
+    const GaussianRational b1 =
+        plus(times(1 / size, a1 * gamma_bar), times(-1, conjugate(a2) * zeta));
+    const GaussianRational b2 = plus(times(1 / size, a2 * gamma_bar), conjugate(a1) * zeta);
+    return {from_hopf(a1, b1), from_hopf(a2, b2)};
+  }
+  throw Undecided(fmt::format(
+      "the exact end: in {} tries no sum of two rational squares was found near the curve",
+      most_tries));
+}
+
+/// Is it u + qk? These make the curves in the plane z = 0.
+bool is_plane(const RationalQuaternion& a) { return a.v == 0 && a.p == 0; }
+
+/// The same in that plane: w = u + iq has the square x + iy, and w₁² + w₂² = c is
+/// (w₁ + iw₂)(w₁ − iw₂) = c. The first factor is near to that of x and y; any is possible but 0.
+Solution exact_plane_sum(const RationalQuaternion& x, const RationalQuaternion& y,
+                         const Vector<Rational>& c, long bits) {
+  const GaussianRational sum{x.u - y.q, x.q + y.u};
+  const GaussianRational difference{x.u + y.q, x.q - y.u};
+  const bool takes_sum = size_squared(sum) >= size_squared(difference);
+  const GaussianRational& factor = takes_sum ? sum : difference;
+  const GaussianRational s{rounded_to_places(factor.re, bits), rounded_to_places(factor.im, bits)};
+  if (size_squared(s) == 0) throw Undecided("the exact end: the last segment is too short");
+  const GaussianRational other =
+      times(1 / size_squared(s), GaussianRational{c[0], c[1]} * conjugate(s));
+  const GaussianRational w1 = times(Rational(1, 2), plus(s, other));
+  const GaussianRational half = times(Rational(1, 2), plus(s, times(-1, other)));  // ±iw₂
+  const GaussianRational w2 = half * GaussianRational{0, takes_sum ? -1 : 1};
+  return {{w1.re, 0, 0, w1.im}, {w2.re, 0, 0, w2.im}};
+}
+
+}  // namespace
+
+std::array<QuadraticPreimage, 2> exact_halves(const QuadraticPreimage& a,
+                                              const Vector<Rational>& integral, long bits) {
+  const Rational fifth(1, 5);
+  const RationalQuaternion u = fifth * RationalQuaternion{2, 1, 2, 4};  // of size 1
+  const RationalQuaternion u_back{u.u, -u.v, -u.p, -u.q};
+  const Rational half(1, 2);
+  const RationalQuaternion left = half * (a[0] + a[1]);
+  const RationalQuaternion right = half * (a[1] + a[2]);
+  const RationalQuaternion middle = half * (left + right);
+  const auto known = [](const RationalQuaternion& p, const RationalQuaternion& q) {
+    return Rational(15) * (rotated_i(p) + rotated_i(q)) - Rational(10) * symmetric_product(p, q);
+  };
+  const Vector<Rational> c = Rational(240) * integral - known(a[0], middle) - known(middle, a[2]);
+  const RationalQuaternion first_ends = Rational(3) * (a[0] + middle);
+  const RationalQuaternion second_ends = Rational(3) * (middle + a[2]);
+  const RationalQuaternion x = first_ends + Rational(4) * left;
+  const RationalQuaternion y = second_ends + Rational(4) * right;
+  Solution found;
+  if (std::all_of(a.begin(), a.end(), is_plane) && integral[2] == 0) {
+    found = exact_plane_sum(x, y, c, bits);
+  } else {
+    const RationalQuaternion turned_c = u * RationalQuaternion{0, c[0], c[1], c[2]} * u_back;
+    found = exact_sum(u * x, u * y, {turned_c.v, turned_c.p, turned_c.q}, bits);
+    found = {u_back * found.x, u_back * found.y};
+  }
+  const Rational quarter(1, 4);
+  return {QuadraticPreimage{a[0], quarter * (found.x - first_ends), middle},
+          QuadraticPreimage{middle, quarter * (found.y - second_ends), a[2]}};
+}
+
+}  // namespace phrame

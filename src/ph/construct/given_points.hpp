@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "phrame/ph/curve/quaternion.hpp"
+
+namespace phrame {
+
+/// Points that a curve is to pass, with what else is known of it there. A list is empty or has as
+/// many entries as there are points; parameters may have one more, of the end of a closed curve.
+struct GivenPoints {
+  std::string name;                           ///< may be empty
+  std::vector<Vector<Rational>> points;       ///< two at least; of points of a plane, z = 0
+  std::vector<Vector<Rational>> derivatives;  ///< with respect to the parameter
+  std::vector<Vector<Rational>> tangents;     ///< not 0, of any length; only their directions count
+  std::vector<Vector<Rational>> accelerations;  ///< second derivatives
+  std::vector<Rational> parameters;             ///< increasing
+  bool is_planar = false;                       ///< two coordinates were given
+  friend bool operator==(const GivenPoints&, const GivenPoints&) = default;
+};
+
+}  // namespace phrame

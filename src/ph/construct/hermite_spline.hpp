@@ -1,0 +1,45 @@
+#pragma once
+#include "phrame/ph/construct/given_points.hpp"
+
+namespace phrame {
+
+/// Points, derivatives and increasing parameters, as many of each: what a C¹ spline is to have. The
+/// derivatives are those with respect to the parameter. Of a closed one the last point and
+/// derivative are the first.
+struct HermiteSpline {
+  /// @{ One for each joint and end.
+  std::vector<Vector<Rational>> points;
+  std::vector<Vector<Rational>> derivatives;
+  std::vector<Rational> parameters;
+  /// @}
+  bool is_closed = false;  ///< is the last joint the first?
+
+  /// How many there are between the points.
+  std::size_t segments() const { return points.size() - 1; }
+};
+
+/// Where the derivatives of a spline come from.
+enum class DerivativeSource { given, tangents, natural_spline, periodic_spline };
+/// The same of the parameters.
+enum class ParameterSource { given, whole_numbers, chord_lengths };
+/// @{ Where hermite_spline() takes them from.
+DerivativeSource derivative_source(const GivenPoints& given, bool is_closed);
+ParameterSource parameter_source(const GivenPoints& given);
+/// @}
+
+/// What the points given mean: derivatives as they are; tangents with the speed of the chords on
+/// both sides; else the derivatives of the C² cubic spline, natural or periodic, rounded to 40
+/// bits. Parameters as they are; else 0, 1, 2, … where derivatives are given, and sums of chord
+/// lengths, rounded to 12 bits each, where they are not. A closed spline ends at its first point,
+/// which is appended unless it is given at the end.
+/// Throws DomainError where two successive points are equal and their distance is needed, and where
+/// a closed spline does not end with the first derivative.
+HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed);
+
+/// The greatest difference of a coordinate of two points; of points that are all equal, of what
+/// the derivatives say the points do.
+Rational size_of_points(const HermiteSpline& data);
+/// The greatest coordinate of a derivative.
+Rational size_of_derivatives(const HermiteSpline& data);
+
+}  // namespace phrame

@@ -1,0 +1,316 @@
+#include "phrame/ph/construct/quintic_spline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+
+#include "phrame/algebra/big_float.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/gaussian_integer.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/exact_end.hpp"
+#include "phrame/ph/construct/quintic_family.hpp"
+#include "phrame/ph/construct/scale.hpp"
+
+// Continuity is linear in the preimage, interpolation quadratic. So the coefficients of A are
+// rounded to multiples of δ = 2^−p, those at a joint once for both neighbours, and continuity is
+// exact; and each segment aims at its end from where it does start, on the exact curve, so that
+// deviations do not add up. With Q_k the coefficient at point k, K = 15(S(A₀, A₀) + S(A₂, A₂)) −
+// 10·S(A₀, A₂), c = (120/h)(p_{k+1} − r_k) − K exact, B near a solution of B i B* = c,
+// A₁ = round((B − 3A₀ − 3A₂)/4) and B̃ = 3A₀ + 4A₁ + 3A₂:
+//   r_{k+1} = r_k + h/120·(S(B̃, B̃) + K),
+//   |r_{k+1} − p_{k+1}| = h/120·|S(B̃, B̃) − c| ≤ h/120·(2√|c| + 4δ)·4δ,
+//   |S(Q_k, Q_k) − d_k| ≤ (2|Q_k| + δ)·δ,
+// whatever k is: p grows until both are within the tolerance, which is tested in fractions.
+// The coefficients are integers times δ; r_k is r_0 and multiples of h/(120·4^p).
+
+namespace phrame {
+namespace {
+
+using IntegerQuaternion = Quaternion<Integer>;
+using Phase = ComplexOf<BigFloat>;
+
+Vector<Rational> exact(const Vector<Integer>& v, const Rational& scale) {
+  return {v[0] * scale, v[1] * scale, v[2] * scale};
+}
+
+RationalQuaternion exact(const IntegerQuaternion& a, const Rational& step) {
+  return {a.u * step, a.v * step, a.p * step, a.q * step};
+}
+
+/// The rounding to multiples of 2^−p, and the precision that it needs.
+class Grid {
+ public:
+  Grid(long p, long bits) : p_(p), bits_(bits), step_(power_of_two(-p)), step2_(step_ * step_) {}
+
+  const Rational& step() const { return step_; }
+  const Rational& step2() const { return step2_; }
+  BigFloat number(const Rational& x) const { return {x, bits_}; }
+  Vector<BigFloat> vector(const Vector<Rational>& v) const {
+    return {number(v[0]), number(v[1]), number(v[2])};
+  }
+  Quaternion<BigFloat> quaternion(const IntegerQuaternion& a, const Rational& step) const {
+    const auto value = [&](const Integer& x) { return number(x * step); };
+    return {value(a.u), value(a.v), value(a.p), value(a.q)};
+  }
+  IntegerQuaternion rounded(const Quaternion<BigFloat>& a) const {
+    return {a.u.scaled(p_), a.v.scaled(p_), a.p.scaled(p_), a.q.scaled(p_)};
+  }
+  Phase phase(const Angle& angle) const {
+    const auto [cos, sin] = cos_sin(to_real(angle).enclose(bits_), bits_);
+    return {BigFloat(cos, bits_), BigFloat(sin, bits_)};
+  }
+
+ private:
+  long p_;
+  long bits_;
+  Rational step_;
+  Rational step2_;
+};
+
+/// What turns b such that H(a, b) becomes positive; 1 where H is 0.
+Phase turn_to(const Quaternion<BigFloat>& a, const Quaternion<BigFloat>& b) {
+  const auto [re, im] =
+      direction_of(hermitian_product(a, b), BigFloat(antiparallel) * sqrt(norm(a) * norm(b)));
+  return {re, -im};
+}
+
+struct ExactSegment {
+  QuadraticPreimage a;
+  Rational h;
+  Vector<Rational> start;
+};
+
+/// K = 15(S(A₀, A₀) + S(A₂, A₂)) − 10·S(A₀, A₂).
+template <class T>
+Vector<T> known_part(const Quaternion<T>& a0, const Quaternion<T>& a2) {
+  return T(15) * (rotated_i(a0) + rotated_i(a2)) - T(10) * symmetric_product(a0, a2);
+}
+
+/// A spline with one rounding.
+struct Attempt {
+  std::vector<ExactSegment> segments;
+  Vector<Rational> end;
+  Deviation squared;  ///< the greatest ones
+};
+
+/// Of a difference, an upper bound of its square, and 0 of 0. A coordinate counts for more than it
+/// is by less than a 2^−20th of the tolerance: so the numbers are short, for there are many.
+Rational squared_above(const Vector<Rational>& off, const Rational& tolerance) {
+  if (off == Vector<Rational>{}) return 0;
+  const long places = tolerance == 0 ? 0 : 21 - binary_exponent(tolerance);
+  Integer sum;
+  for (const Rational& x : off)
+    if (x != 0) {
+      const Integer n = floor(abs(x) * power_of_two(places)) + 1;
+      sum += n * n;
+    }
+  return sum * power_of_two(-2 * places);
+}
+
+/// z/|z| for z ≠ 0 in ℚ(i), near e^{iψ}, with short numbers: (1 + iτ)² over its size, and quarters.
+GaussianInteger short_direction(const Phase& wanted) {
+  constexpr long bits = 1024;  // off by less than a 2000th of a radian
+  double re = wanted.re.to_double();
+  double im = wanted.im.to_double();
+  long quarters = 0;
+  for (; re < std::abs(im); ++quarters) std::tie(re, im) = std::pair(im, -re);
+  const Rational tau = exact_rational(im / (re + std::hypot(re, im)));
+  const Rational short_tau = simplest_between(tau - Rational(1, bits), tau + Rational(1, bits));
+  GaussianInteger root{denominator(short_tau), numerator(short_tau)};
+  GaussianInteger z = root * root;
+  for (; quarters > 0; --quarters) z = {-z.im, z.re};
+  return z;
+}
+
+class Chain {
+ public:
+  Chain(const HermiteSpline& data, const std::vector<FreeAngles>& angles, const Grid& grid,
+        const Deviation& tolerance)
+      : data_(data), angles_(angles), grid_(grid), tolerance_(tolerance) {}
+
+  Attempt run();
+
+ private:
+  void add(std::size_t k);
+
+  const HermiteSpline& data_;
+  const std::vector<FreeAngles>& angles_;
+  const Grid& grid_;
+  const Deviation& tolerance_;
+  Attempt result_;
+  Quaternion<BigFloat> a0_;  ///< a preimage of the derivative at the last joint, …
+  Phase turn_;               ///< … by which it is turned to be that of the spline …
+  IntegerQuaternion q_;      ///< … and rounded
+  IntegerQuaternion first_;
+};
+
+Attempt Chain::run() {
+  a0_ = preimage(grid_.vector(data_.derivatives.front()));
+  turn_ = {BigFloat(1.0), BigFloat(0.0)};
+  first_ = q_ = grid_.rounded(a0_);
+  result_.end = data_.points.front();
+  result_.squared.derivatives = squared_above(
+      exact(rotated_i(q_), grid_.step2()) - data_.derivatives.front(), tolerance_.derivatives);
+  for (std::size_t k = 0; k < data_.segments(); ++k) add(k);
+  return std::move(result_);
+}
+
+void Chain::add(std::size_t k) {
+  const Rational h = data_.parameters[k + 1] - data_.parameters[k];
+  const Vector<Rational> r = result_.end;
+  // A₂ beside A₀, both of them before they are turned.
+  const Quaternion<BigFloat> a2_as_is = preimage(grid_.vector(data_.derivatives[k + 1]));
+  const Phase z = turn_to(a0_, a2_as_is) * grid_.phase(angles_[k].delta);
+  const Quaternion<BigFloat> a2 = turned(a2_as_is, z);
+  const Phase next_turn = z * turn_;
+  // The last Q of a closed spline is the first one times a z/n with |z| = n: then all is n times as
+  // fine here.
+  Integer n = 1;
+  IntegerQuaternion q;
+  if (data_.is_closed && k + 1 == data_.segments()) {
+    const GaussianInteger closing = short_direction(next_turn);
+    n = sqrt(norm(closing));
+    q = turned(first_, ComplexOf<Integer>{closing.re, closing.im});
+  } else {
+    q = grid_.rounded(turned(a2, turn_));
+  }
+  const IntegerQuaternion q0 = n * q_;
+  const Rational step = grid_.step() / Rational(n);
+  const Rational step2 = step * step;
+
+  const Vector<Integer> known = known_part(q0, q);
+  const Vector<Rational> c = (120 / h) * (data_.points[k + 1] - r) - exact(known, step2);
+  const Quaternion<BigFloat> b_as_is = preimage(grid_.vector(c));
+  const Phase w = turn_to(a0_ + a2, b_as_is) * grid_.phase(angles_[k].phi) * turn_;
+  const Quaternion<BigFloat> ends = grid_.quaternion(q0 + q, step);
+  const IntegerQuaternion a1 =
+      n * grid_.rounded(BigFloat(0.25) * (turned(b_as_is, w) - BigFloat(3.0) * ends));
+
+  const IntegerQuaternion b = Integer(3) * (q0 + q) + Integer(4) * a1;
+  result_.segments.push_back({{exact(q0, step), exact(a1, step), exact(q, step)}, h, r});
+  result_.end = r + exact(rotated_i(b) + known, h * step2 / 120);
+  Deviation& squared = result_.squared;
+  squared.points =
+      std::max(squared.points, squared_above(result_.end - data_.points[k + 1], tolerance_.points));
+  squared.derivatives = std::max(
+      squared.derivatives,
+      squared_above(exact(rotated_i(q), step2) - data_.derivatives[k + 1], tolerance_.derivatives));
+  a0_ = a2_as_is;
+  turn_ = next_turn;
+  q_ = q;
+}
+
+/// 2^e above √x.
+long exponent_of_root(const Rational& x) { return binary_exponent(x) / 2 + 1; }
+
+/// A first p, about that which the bounds above ask for; and such that the preimages of small
+/// derivatives, too, have some bits, for they say where the curve goes.
+long first_bits(const HermiteSpline& data, const Deviation& tolerance) {
+  long bits = std::numeric_limits<long>::min();
+  const auto want = [&](long e) { bits = std::max(bits, e); };
+  if (const Rational size = size_of_derivatives(data); size != 0)
+    want(exponent_of_root(size) + 2 - binary_exponent(tolerance.derivatives));
+  constexpr long least_bits = 20;
+  for (const Vector<Rational>& d : data.derivatives)
+    if (const Rational size = largest(d); size != 0) want(least_bits - exponent_of_root(size));
+  for (std::size_t k = 0; k < data.segments(); ++k) {
+    const Rational h = data.parameters[k + 1] - data.parameters[k];
+    const Rational c = std::max({120 / h * largest(data.points[k + 1] - data.points[k]),
+                                 Rational(20 * largest(data.derivatives[k])),
+                                 Rational(20 * largest(data.derivatives[k + 1]))});
+    if (c == 0)
+      throw DomainError(
+          fmt::format("segment {} is a point: its points are equal and its "
+                      "derivatives are 0",
+                      k + 1));
+    want(exponent_of_root(c) + binary_exponent(h) - 3 - binary_exponent(tolerance.points));
+  }
+  return bits;
+}
+
+/// The bits of the numbers that are rounded to multiples of 2^−p, and more.
+long working_bits(const HermiteSpline& data, long p) {
+  Rational size = size_of_derivatives(data);
+  for (std::size_t k = 0; k < data.segments(); ++k)
+    size = std::max(size, Rational(largest(data.points[k + 1] - data.points[k]) /
+                                   (data.parameters[k + 1] - data.parameters[k])));
+  return std::max(p + exponent_of_root(size), 0L) + 96;
+}
+
+void require_regular_joints(const HermiteSpline& data) {
+  const std::size_t n = data.segments();
+  for (std::size_t k = data.is_closed ? 0 : 1; k < n; ++k)
+    if (largest(data.derivatives[k]) == 0)
+      throw DomainError(
+          fmt::format("the derivative at point {} is 0: the tangent would break there", k + 1));
+}
+
+/// The last segment in two halves that end at `end`, exactly.
+void close(std::vector<ExactSegment>& segments, const Vector<Rational>& end, long bits) {
+  const auto [a, h, start] = segments.back();
+  const auto [first, second] = exact_halves(a, (1 / h) * (end - start), bits);
+  segments.pop_back();
+  const Rational half = h / 2;
+  const RationalQuaternion b = Rational(3) * (first[0] + first[2]) + Rational(4) * first[1];
+  const Vector<Rational> middle =
+      start + half / 120 * (rotated_i(b) + known_part(first[0], first[2]));
+  segments.push_back({first, half, start});
+  segments.push_back({second, half, middle});
+}
+
+Path path_of(const std::vector<ExactSegment>& segments) {
+  std::optional<Path> path;
+  for (const auto& [a, h, start] : segments) {
+    QuaternionPolynomial preimage{
+        from_bernstein({a[0].u, a[1].u, a[2].u}), from_bernstein({a[0].v, a[1].v, a[2].v}),
+        from_bernstein({a[0].p, a[1].p, a[2].p}), from_bernstein({a[0].q, a[1].q, a[2].q})};
+    const Curve curve(std::move(preimage), Polynomial{h}, start);
+    if (path)
+      path->append(curve);
+    else
+      path = Path(curve);
+  }
+  return *std::move(path);
+}
+
+}  // namespace
+
+Construction quintic_spline(const HermiteSpline& data, const QuinticChoice& choice,
+                            const Deviation& tolerance) {
+  const auto chosen = [&](std::size_t k) {
+    if (const auto* angles = std::get_if<FreeAngles>(&choice)) return *angles;
+    const QuinticFamily family = quintic_family(data, k);
+    if (const auto* given = std::get_if<SolutionAngles>(&choice)) return family.angles(*given);
+    return family.choose(std::get<QuinticSelection>(choice));
+  };
+  std::vector<FreeAngles> angles;
+  for (std::size_t k = 0; k < data.segments(); ++k) angles.push_back(chosen(k));
+  return quintic_spline(data, std::move(angles), tolerance);
+}
+
+Construction quintic_spline(const HermiteSpline& data, std::vector<FreeAngles> angles,
+                            const Deviation& tolerance) {
+  require_regular_joints(data);
+  for (long p = first_bits(data, tolerance);; p += 8) {
+    Attempt found = Chain(data, angles, Grid(p, working_bits(data, p)), tolerance).run();
+    const Deviation deviation{square_root_above(found.squared.points),
+                              square_root_above(found.squared.derivatives)};
+    if (deviation.points > tolerance.points || deviation.derivatives > tolerance.derivatives)
+      continue;
+    std::vector<Rational> parameters = data.parameters;
+    if (data.is_closed) {
+      close(found.segments, data.points.front(), p);
+      angles.push_back(angles.back());
+      parameters.insert(parameters.end() - 1, parameters.back() - found.segments.back().h);
+    }
+    return {path_of(found.segments), std::move(parameters), std::move(angles), p, deviation};
+  }
+}
+
+}  // namespace phrame

@@ -1,0 +1,183 @@
+#include "cli/workshop.hpp"
+
+using namespace phrame;
+using namespace phrame::test;
+
+namespace {
+
+/// Data of Farouki's talk on helical curves.
+constexpr auto hermite = R"({"phrame": "points/1", "name": "left",
+    "points": [[0, 0, 0], [1, 1, 1]], "derivatives": [[-0.8, 0.3, 1.2], [0.5, -1.3, -1]]})";
+constexpr auto table = "x,y,z\n0,0,0\n1,1,0\n2,0,1\n3,1,1\n";
+
+double number(const Json& text) { return std::stod(text.get<std::string>()); }
+
+}  // namespace
+
+TEST_CASE("construct: points go to a spline that the other commands read") {
+  const Workshop here;
+  here.write("points.csv", table);
+  const Run run = here.run("construct points.csv -o spline.json");
+  check_success(run);
+  CHECK(run.out.starts_with("PH spline of 3 segments, open\n"));
+  CHECK(contains(run.out, "proved; asked for: 3.0e-15"));
+  const Json spline = Json::parse(bytes_of(here.file("spline.json")));
+  CHECK(spline["phrame"] == "spline/1");
+  CHECK(spline["segments"].size() == 3);
+  CHECK(spline["segments"][0]["start"] == Json{"0", "0", "0"});
+  CHECK_FALSE(spline["segments"][1].contains("start"));
+  check_success(here.run("frames spline.json --at 0,1,2,3"));
+  const Run info = here.run("info spline.json");
+  check_success(info);
+  CHECK(info.out.starts_with("PH spline of 3 segments, open\n"));
+}
+
+TEST_CASE("construct: a segment is a curve file, with the length and the twist that Python has") {
+  const Workshop here;
+  here.write("hermite.json", hermite);
+  const Run run = here.run(
+      "construct hermite.json --angles 0,0,0 --tolerance 1e-20 --print json -o curve.json");
+  check_success(run);
+  const Json report = Json::parse(run.out);
+  CHECK(report["phrame"] == "construct/1");
+  CHECK(report["select"] == "angles");
+  CHECK(number(report["length"]) == doctest::Approx(2.31036187855954887).epsilon(1e-14));
+  CHECK(number(report["energy"]) == doctest::Approx(8.86009090365239988).epsilon(1e-5));
+  CHECK(number(report["deviation"]["points"]) <= 1e-20);
+  CHECK(number(report["deviation"]["derivatives"]) <= 1.3e-20);
+  const Run totals = here.run("totals curve.json --print json");
+  check_success(totals);
+  const Json found = Json::parse(totals.out);
+  CHECK(number(found["erf_twist"]["value"]) == doctest::Approx(0.86264582773312778).epsilon(1e-13));
+  CHECK(number(found["bending_energy"]["value"]) ==
+        doctest::Approx(8.86009090365239988).epsilon(1e-13));
+}
+
+TEST_CASE("construct: --print curve is what -o writes, and nothing more is printed beside it") {
+  const Workshop here;
+  here.write("hermite.json", hermite);
+  const Run printed = here.run("construct hermite.json --print curve");
+  check_success(printed);
+  const Run quiet = here.run("construct hermite.json --print curve -o curve.json");
+  CHECK(quiet.status == 0);
+  CHECK(quiet.out.empty());
+  CHECK(bytes_of(here.file("curve.json")) == printed.out);
+  CHECK(here.run("construct - --print curve", hermite).out == printed.out);
+}
+
+TEST_CASE("construct: every rule has a curve, and each says which it is") {
+  const Workshop here;
+  here.write("hermite.json", hermite);
+  for (const std::string name : {"auto", "minimal", "bv", "cc", "shortest", "longest", "energy"}) {
+    const Run run = here.run("construct hermite.json --print json --select " + name);
+    check_success(run);
+    CHECK(Json::parse(run.out)["select"] == name);
+  }
+  const Run turned = here.run("construct hermite.json --angles pi/4,-0.5 --print json");
+  check_success(turned);
+  CHECK(Json::parse(turned.out)["segments"][0]["delta"] == "pi/4");
+  CHECK(Json::parse(turned.out)["segments"][0]["phi"] == "-1/2");
+}
+
+TEST_CASE("construct: bad data and options are refused in a line") {
+  const Workshop here;
+  here.write("points.csv", table);
+  const auto refused = [&](const std::string& data, int status, std::string_view part) {
+    check_failure(here.run("construct -", data), status, part);
+  };
+  refused("1,2,3\n1,2,3\n", 2, "standard input:line 2: the point (1, 2, 3) is that before it");
+  refused("1,2,3\n1,nan,3\n", 2, "standard input:line 2, y: \"nan\" is not a number");
+  refused("1,2,3\n", 2, "standard input:line 1: there is one point");
+  refused("1,2,3\n1,2\n", 2, "standard input:line 2: 2 numbers here");
+  refused(R"({"phrame": "points/1", "points": [[0, 0], [1, 0]],
+              "accelerations": [[0, 0], [0, 0]]})",
+          2, "standard input:/accelerations: the kind quintic takes points and derivatives only");
+  refused(R"({"phrame": "points/1", "points": [[0, 0], [1, 0]], "tangents": [[0, 0], [1, 0]]})", 2,
+          "/tangents/0: the tangent is 0");
+  refused(R"({"phrame": "points/1", "points": [[0, 0], [1, 0], [2, 0]],
+              "derivatives": [[1, 0], [0, 0], [1, 0]]})",
+          3, "the derivative at point 2 is 0: the tangent would break there");
+  refused(R"({"phrame": "points/1", "points": [[0, 0], [0, 0]], "derivatives": [[0, 0], [0, 0]]})",
+          3, "segment 1 is a point");
+  check_failure(here.run("construct points.csv --tolerance 0"), 2,
+                "--tolerance: 0 is not between 0 and 1");
+  check_failure(here.run("construct points.csv --tolerance 1"), 2,
+                "--tolerance: 1 is not between 0 and 1");
+  check_failure(here.run("construct points.csv --angles 1"), 2, "--angles: two angles are wanted");
+  check_failure(here.run("construct points.csv --angles 0,0 --select bv"), 2,
+                "--select: does not apply with --angles");
+  check_failure(here.run("construct points.csv --select best"), 2, "--select: \"best\"");
+  check_failure(here.run("construct points.csv --kind sextic"), 2, "--kind: \"sextic\"");
+  check_failure(here.run("construct missing.csv"), 2, "missing.csv: cannot be read");
+}
+
+TEST_CASE("construct: antiparallel tangents and data of any size have a curve") {
+  const Workshop here;
+  for (const std::string size : {"1", "1e150", "1e-150"}) {
+    const Run run =
+        here.run("construct - --print json", R"({"phrame": "points/1", "points": [[0, 0, 0], [")" +
+                                                 size + R"(", 0, 0]], "tangents": [[0, 1, 0],
+                                                 [0, -1, 0]]})");
+    check_success(run);
+    CHECK(number(Json::parse(run.out)["deviation"]["points"]) <= 1e-15 * std::stod(size));
+  }
+}
+
+TEST_CASE("construct: a closed spline is one, exactly, and has a holonomy") {
+  const Workshop here;
+  here.write("points.csv", table);
+  const Run run = here.run("construct points.csv --closed --print json -o spline.json");
+  check_success(run);
+  const Json report = Json::parse(run.out);
+  CHECK(report["closed"] == true);
+  CHECK(report["segments"].size() == 5);  // the last of four in two halves
+  CHECK(report["parameters"].size() == 6);
+  const Run info = here.run("info spline.json");
+  check_success(info);
+  CHECK(info.out.starts_with("PH spline of 5 segments, closed\n"));
+  CHECK(contains(info.out, "holonomy"));
+}
+
+TEST_CASE("construct: --kind planar makes the four plane curves, the good one first") {
+  const Workshop here;
+  const std::string arch = R"({"phrame": "points/1", "points": [[0, 0], [1, 0]],
+                               "derivatives": [[1, 1], [1, -1]]})";
+  double energy = 0;
+  for (const std::string solution : {"1", "4"}) {
+    const Run run = here.run("construct - --kind planar --print json --solution " + solution, arch);
+    check_success(run);
+    const Json report = Json::parse(run.out);
+    CHECK(report["solutions"] == 4);
+    CHECK(std::to_string(report["solution"].get<long>()) == solution);
+    CHECK_FALSE(report.contains("select"));
+    CHECK(number(report["energy"]) > 100 * energy);
+    energy = number(report["energy"]);
+  }
+  CHECK(contains(here.run("construct - --kind planar", arch).out, "planar, solution 1 of 4"));
+  check_failure(here.run("construct - --kind planar", "0,0,0\n1,1,1\n"), 3,
+                "point 2 has z = 1, but a plane curve is wanted");
+  check_failure(here.run("construct - --solution 2", arch), 2,
+                "--solution: needs --kind planar or --kind cubic");
+  check_failure(here.run("construct - --kind planar --select bv", arch), 2,
+                "--select: does not apply with --kind planar");
+}
+
+TEST_CASE(
+    "construct: --kind cubic makes PH cubics of ends and tangents, or says that there is none") {
+  const Workshop here;
+  // A = 1 + t·k has r' = (1 - t^2, 2t, 0): from (1, 0) in the direction (1, 0) to (5/3, 1), (0, 1).
+  const Run run = here.run("construct - --kind cubic --print json -o cubic.json",
+                           R"({"phrame": "points/1", "points": [[1, 0], ["5/3", 1]],
+                               "tangents": [[1, 0], [0, 1]]})");
+  check_success(run);
+  const Json report = Json::parse(run.out);
+  CHECK(report["kind"] == "cubic");
+  CHECK_FALSE(report["segments"][0].contains("delta"));
+  CHECK(number(report["length"]) == doctest::Approx(4.0 / 3).epsilon(1e-14));
+  CHECK(here.run("info cubic.json").out.starts_with("PH cubic, degree 3"));
+  check_failure(here.run("construct - --kind cubic", R"({"phrame": "points/1",
+                         "points": [[0, 0], [1, 1]], "tangents": [[1, 0], [1, 0]]})"),
+                3, "segment 1: there is no PH cubic with these ends and tangents");
+  check_failure(here.run("construct - --kind cubic --closed", table), 2,
+                "--closed: does not apply with --kind cubic");
+}

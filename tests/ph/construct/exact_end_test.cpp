@@ -1,0 +1,83 @@
+#include "phrame/ph/construct/exact_end.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/curve.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+namespace {
+
+Vector<Rational> integral(const QuadraticPreimage& a) {
+  const Curve curve(
+      {from_bernstein({a[0].u, a[1].u, a[2].u}), from_bernstein({a[0].v, a[1].v, a[2].v}),
+       from_bernstein({a[0].p, a[1].p, a[2].p}), from_bernstein({a[0].q, a[1].q, a[2].q})});
+  return evaluate(position(curve), 1);
+}
+
+Rational distance(const RationalQuaternion& a, const RationalQuaternion& b) {
+  return std::max({abs(a.u - b.u), abs(a.v - b.v), abs(a.p - b.p), abs(a.q - b.q)});
+}
+
+}  // namespace
+
+TEST_CASE("exact end: two halves of A have the integral that is wanted, as a fraction") {
+  for_samples(6, [](Random& random) {
+    const long bits = random.chance(2) ? 52 : 135;
+    const auto quaternion = [&] {
+      const auto x = [&] {
+        return rounded_to_places(Rational(random.integer(-1'000'000, 1'000'000), 654'321), bits);
+      };
+      return RationalQuaternion{x(), x(), x(), x()};
+    };
+    const QuadraticPreimage a{quaternion(), quaternion(), quaternion()};
+    Vector<Rational> wanted = integral(a);
+    for (Rational& x : wanted) x += Rational(random.integer(-99, 99), 7) * power_of_two(-bits);
+    const auto [first, second] = exact_halves(a, wanted, bits);
+    const Vector<Rational> before = integral(first);
+    const Vector<Rational> after = integral(second);
+    for (std::size_t k = 0; k < 3; ++k) CHECK((before[k] + after[k]) / 2 == wanted[k]);
+    // The rest of A is where it was.
+    const auto mean = [](const Rational& x, const Rational& y) { return Rational((x + y) / 2); };
+    const auto between = [&](const RationalQuaternion& x, const RationalQuaternion& y) {
+      return RationalQuaternion{mean(x.u, y.u), mean(x.v, y.v), mean(x.p, y.p), mean(x.q, y.q)};
+    };
+    const RationalQuaternion left = between(a[0], a[1]);
+    const RationalQuaternion right = between(a[1], a[2]);
+    CHECK(first[0] == a[0]);
+    CHECK(first[2] == between(left, right));
+    CHECK(second[0] == first[2]);
+    CHECK(second[2] == a[2]);
+    CHECK(distance(first[1], left) < power_of_two(16 - bits));
+    CHECK(distance(second[1], right) < power_of_two(16 - bits));
+  });
+}
+
+TEST_CASE("exact end: plane halves stay in the plane and have the integral that is wanted") {
+  for_samples(20, [](Random& random) {
+    constexpr long bits = 52;
+    const auto quaternion = [&] {
+      const auto x = [&] {
+        return rounded_to_places(Rational(random.integer(-1'000'000, 1'000'000), 654'321), bits);
+      };
+      return RationalQuaternion{x(), 0, 0, x()};
+    };
+    const QuadraticPreimage a{quaternion(), quaternion(), quaternion()};
+    Vector<Rational> wanted = integral(a);
+    wanted[0] += Rational(3, 7) * power_of_two(-bits);
+    wanted[1] -= Rational(5, 7) * power_of_two(-bits);
+    const auto [first, second] = exact_halves(a, wanted, bits);
+    const Vector<Rational> before = integral(first);
+    const Vector<Rational> after = integral(second);
+    CHECK(before[2] == 0);
+    for (std::size_t k = 0; k < 3; ++k) CHECK((before[k] + after[k]) / 2 == wanted[k]);
+    CHECK(distance(first[0], a[0]) == 0);
+    CHECK(distance(second[2], a[2]) == 0);
+    const RationalQuaternion left{(a[0].u + a[1].u) / 2, 0, 0, (a[0].q + a[1].q) / 2};
+    CHECK(distance(first[1], left) < power_of_two(16 - bits));
+  });
+}

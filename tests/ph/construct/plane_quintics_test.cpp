@@ -1,0 +1,58 @@
+#include "phrame/ph/construct/plane_quintics.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/frame/path_totals.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+
+namespace {
+
+const Deviation tolerance{Rational(1, 1'000'000'000'000), Rational(1, 1'000'000'000'000)};
+
+double rotation_index(const Construction& found) {
+  const auto index = absolute_rotation_index(found.path);
+  REQUIRE(index.has_value());
+  return round_to_double(*index);
+}
+
+}  // namespace
+
+// An arch: Δp = 1, r′ = 1 ± i as complex numbers. A program in Python has these rotation indices.
+TEST_CASE("plane quintics: the four of an arch, by how much they turn") {
+  const HermiteSpline arch{{{0, 0, 0}, {1, 0, 0}}, {{1, 1, 0}, {1, -1, 0}}, {0, 1}};
+  const std::array<double, 4> indices{0.25, 1.0712, 1.0712, 1.75};
+  std::vector<FreeAngles> angles;
+  for (long solution = 1; solution <= plane_solutions; ++solution) {
+    const Construction found = plane_quintics(arch, solution, tolerance);
+    CHECK(rotation_index(found) ==
+          doctest::Approx(indices[static_cast<std::size_t>(solution - 1)]).epsilon(1e-4));
+    CHECK(hodograph(found.path.segments().front())[2] == Polynomial());
+    angles.push_back(found.angles.front());
+    for (std::size_t k = 0; k + 1 < angles.size(); ++k) CHECK(angles[k] != angles.back());
+  }
+  // It turns by the angle between its tangents, and no more.
+  CHECK(angles.front() == FreeAngles{});
+}
+
+TEST_CASE("plane quintics: a closed spline of them is closed, and in the plane") {
+  const HermiteSpline circle{{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 0, 0}},
+                             {{0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 0, 0}, {0, 1, 0}},
+                             {0, 2, 4, 6, 8},
+                             true};
+  const Construction found = plane_quintics(circle, 1, tolerance);
+  CHECK(found.path.closing_turn().has_value());
+  for (const Curve& curve : found.path.segments()) CHECK(hodograph(curve)[2] == Polynomial());
+  CHECK(rotation_index(found) == doctest::Approx(1).epsilon(1e-9));
+}
+
+TEST_CASE("plane quintics: data outside the plane are refused by their place") {
+  const HermiteSpline data{{{0, 0, 0}, {1, 0, 0}}, {{1, 1, 0}, {1, -1, Rational(1, 3)}}, {0, 1}};
+  CHECK_THROWS_WITH_AS(
+      plane_quintics(data, 1, tolerance),
+      "the derivative at point 2 has z = 1/3, but a plane curve is wanted, in z = 0", DomainError);
+}
