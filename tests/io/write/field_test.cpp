@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <regex>
+#include <cctype>
 
 #include "io/reference.hpp"
 #include "phrame/io/write/classification.hpp"
@@ -33,11 +33,24 @@ Fields example() {
           out_of_json(half)};
 }
 
-/// The letters of a label, which has signs in Unicode or commands of LaTeX.
-std::string letters(const std::string& label) {
-  std::string text = std::regex_replace(label, std::regex(R"(\\(exp))"), "$1");
-  text = std::regex_replace(text, std::regex(R"(\\(mathbb\{.\}|[a-zA-Z]+))"), "");
-  std::erase_if(text, [](unsigned char c) { return c >= 0x80U || std::isalpha(c) == 0; });
+/// The letters of a label, which has signs in Unicode or commands of LaTeX, of which \exp is one.
+std::string letters(std::string_view label) {
+  std::string text;
+  for (std::size_t k = 0; k < label.size();) {
+    const auto is_letter = [&] {
+      return k < label.size() && std::isalpha(static_cast<unsigned char>(label[k])) != 0;
+    };
+    if (label[k] != '\\') {
+      if (is_letter()) text += label[k];
+      ++k;
+      continue;
+    }
+    const std::size_t begin = ++k;
+    while (is_letter()) ++k;
+    const std::string_view command = label.substr(begin, k - begin);
+    if (command == "exp") text += command;
+    if (command == "mathbb") k = label.find('}', k);
+  }
   return text;
 }
 
@@ -46,9 +59,11 @@ std::vector<std::string> labels_of_text(const std::string& text) {
   std::vector<std::string> labels;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    std::smatch match;
-    if (std::regex_match(line, match, std::regex(R"(  (?:  )?(\S+(?: \S+)*)   *\S.*)")))
-      labels.push_back(letters(match[1]));
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (begin != 2 && begin != 4) continue;
+    const std::size_t end = line.find("  ", begin);
+    if (end != std::string::npos && line.find_first_not_of(' ', end) != std::string::npos)
+      labels.push_back(letters(std::string_view(line).substr(begin, end - begin)));
   }
   return labels;
 }
