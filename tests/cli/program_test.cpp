@@ -31,6 +31,7 @@ TEST_CASE("program: each command succeeds on the paper's quintic") {
   const Workshop here;
   here.write("batch.jsonl",
              R"({"curve": )" + bytes_of(here.file("quintic.json")) + R"(, "at": ["1/2"]})" + "\n");
+  here.write("points.csv", "x,y,z\n0,0,0\n1,1,0\n2,1,1\n");
   CHECK(here.run("frames quintic.json --samples 5 -o frames.csv").status == 0);
   CHECK(here.run("certify quintic.json --at 1 -o certificate.json").status == 0);
   struct Case {
@@ -45,7 +46,8 @@ TEST_CASE("program: each command succeeds on the paper's quintic") {
                      {"mtf quintic.json --from 0 --to 0", "71/15"},
                      {"interpolate quintic.json --feed 1 --period 1",
                       "\n5,4.733333333333333,1,4.733333333333333,"},
-                     {"identify quintic.json", "f|A|²  37t⁴ − 72t³ + 46t² − 12t + 6\n"},
+                     {"construct points.csv", "deviation"},
+      {"identify quintic.json", "f|A|²  37t⁴ − 72t³ + 46t² − 12t + 6\n"},
                      {"integrate '1/(x^2+1)'", "arctan(x)"},
                      {"batch batch.jsonl", "0.13516216082994723"},
                      {"compile quintic.json", "#ifndef "},
