@@ -5,6 +5,7 @@
 #include <random>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/quintic_family.hpp"
 #include "phrame/ph/construct/quintic_spline.hpp"
 
 namespace phrame::bench {

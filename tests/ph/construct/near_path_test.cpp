@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/exact_fit.hpp"
 #include "phrame/ph/construct/near.hpp"
 
 using namespace phrame;

@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/quintic_family.hpp"
 #include "phrame/ph/frame/path_totals.hpp"
 #include "phrame/ph/frame/totals.hpp"
 #include "support/random.hpp"

@@ -304,6 +304,7 @@ TEST_CASE("threads: four of them ask one angle at rising precisions") {
     for (auto& list : found)
       threads.emplace_back([&list, &digits, angle] {
         for (long k = 0; k < 12; ++k) list.push_back(digits(angle, k));
+        release_caches();  // of this thread
       });
     for (std::thread& thread : threads) thread.join();
     std::vector<std::string> expected;
