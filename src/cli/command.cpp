@@ -65,6 +65,7 @@ void CurveOptions::add_to(Command& command) {
                      "one that is at most EPS away");
   command.add_output(output);
   add_max_degree(command, limits);
+  limits.near_option = "--near";
 }
 
 std::optional<Rational> CurveOptions::epsilon() const {

@@ -4,19 +4,14 @@
 #include <cmath>
 
 #include "phrame/algebra/rational.hpp"
-#include "support/random.hpp"
+#include "support/doubles.hpp"
 
 using namespace phrame;
+using test::any_double;
 using test::for_samples;
 using test::Random;
 
 namespace {
-
-/// A double of any sign, with an exponent in [−60, 60].
-double any_double(Random& random) {
-  const double significand = static_cast<double>(random.integer(-(1L << 53), 1L << 53));
-  return std::ldexp(significand, static_cast<int>(random.integer(-113, 7)));
-}
 
 /// In [−1, 1], often of few digits, small, or an end.
 double argument(Random& random) {

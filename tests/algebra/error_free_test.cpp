@@ -3,19 +3,14 @@
 #include <cmath>
 
 #include "phrame/algebra/rational.hpp"
-#include "support/random.hpp"
+#include "support/doubles.hpp"
 
 using namespace phrame;
+using test::any_double;
 using test::for_samples;
 using test::Random;
 
 namespace {
-
-/// Of 53 random bits, between 2^−60 and 2^60.
-double any_double(Random& random) {
-  const double bits = static_cast<double>(random.integer(-(1L << 53), 1L << 53));
-  return std::ldexp(bits, static_cast<int>(random.integer(-60, 60)) - 53);
-}
 
 Rational exact(double x) { return exact_rational(x); }
 Rational exact(const DoubleDouble& x) { return exact(x.high) + exact(x.low); }

@@ -192,11 +192,12 @@ NamedHodograph read_bezier(const Node& node, const Node& list, const CurveLimits
   return result;
 }
 
-/// What --near might do; empty where it would not help.
-std::string suggestion_for(const NamedHodograph& bezier) {
+/// What read_path_near() might do; empty where it would not help.
+std::string suggestion_for(const NamedHodograph& bezier, const std::string& near_option) {
+  if (near_option.empty()) return "";
   const auto near = near_suggestion(bezier.hodograph, bezier.start);
   if (!near) return "";
-  return fmt::format("; --near {} takes the PH curve {} from it",
+  return fmt::format("; {} {} takes the PH curve {} from it", near_option,
                      upper_bound_text(near->epsilon, 1), upper_bound_text(near->distance));
 }
 
@@ -206,7 +207,8 @@ NamedCurve read_any_curve(const Node& node, const CurveLimits& limits) {
   NamedHodograph bezier = read_bezier(node, *points, limits);
   auto result = identify(bezier.hodograph, bezier.start);
   if (const auto* reason = std::get_if<NotPythagorean>(&result))
-    points->fail("this is no PH curve: " + to_string(*reason) + suggestion_for(bezier));
+    points->fail("this is no PH curve: " + to_string(*reason) +
+                 suggestion_for(bezier, limits.near_option));
   return {std::move(bezier.name), std::get<Curve>(std::move(result))};
 }
 

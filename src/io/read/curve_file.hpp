@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -13,6 +14,9 @@ class JsonNode;
 /// What is refused because it would take too long.
 struct CurveLimits {
   long max_degree = 1001;  ///< of the curve, 2m + 1 + deg f
+  /// What the caller calls the ε of read_path_near(), "--near". Where control points are refused
+  /// that are near those of a PH curve, the message then says how near; that takes some time.
+  std::string near_option = {};
 };
 
 /// Reads a curve/1 file (README, "Curve files"): `preimage`, `quaternions` or `hopf`, with `basis`

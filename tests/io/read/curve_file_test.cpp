@@ -318,10 +318,15 @@ TEST_CASE("curve files: control points that make no PH curve are refused with th
   CHECK(refusal(file(R"("control_points": [[0, 0, 0], [0.5, 0, 0], [1, 1, 0]])")) ==
         "/control_points: this is no PH curve: |r'| is no polynomial: |r'|^2 has the factor "
         "4*t^2 + 1 to an odd power");
-  CHECK(refusal(file(R"("control_points": [[0, 0, 0], [1, 1, 0]])")) ==
-        "/control_points: this is no PH curve: |r'| is sqrt(2) times a polynomial: the curve is PH "
-        "over the reals, but has no preimage with rational coefficients, whatever the multiplier; "
-        "--near 1e-30 takes the PH curve 1.0e-31 from it");
+  const std::string diagonal = file(R"("control_points": [[0, 0, 0], [1, 1, 0]])");
+  const std::string no_preimage =
+      "/control_points: this is no PH curve: |r'| is sqrt(2) times a polynomial: the curve is PH "
+      "over the reals, but has no preimage with rational coefficients, whatever the multiplier";
+  CHECK(refusal(diagonal) == no_preimage);
+  CurveLimits limits;
+  limits.near_option = "--near";
+  CHECK(refusal(diagonal, limits) ==
+        no_preimage + "; --near 1e-30 takes the PH curve 1.0e-31 from it");
   CHECK(read_hodograph(file(R"("control_points": [[0, 0, 0], [1, 1, 0]])")).hodograph ==
         Vector<Polynomial>{Polynomial{1}, Polynomial{1}, {}});
   // However long the factor is.
