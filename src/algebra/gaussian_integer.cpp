@@ -91,6 +91,22 @@ std::vector<IntegerPower> factors(const Integer& x) {
 
 }  // namespace
 
+GaussianRational operator+(const GaussianRational& a, const GaussianRational& b) {
+  return {a.re + b.re, a.im + b.im};
+}
+
+GaussianRational operator-(const GaussianRational& a, const GaussianRational& b) {
+  return {a.re - b.re, a.im - b.im};
+}
+
+GaussianRational operator*(const Rational& c, const GaussianRational& a) {
+  return {c * a.re, c * a.im};
+}
+
+GaussianRational conjugate(const GaussianRational& a) { return {a.re, -a.im}; }
+
+Rational norm(const GaussianRational& a) { return a.re * a.re + a.im * a.im; }
+
 GaussianRational operator*(const GaussianRational& a, const GaussianRational& b) {
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }

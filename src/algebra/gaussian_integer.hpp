@@ -19,7 +19,14 @@ struct GaussianRational {
   friend bool operator==(const GaussianRational&, const GaussianRational&) = default;
 };
 
-GaussianRational operator*(const GaussianRational& a, const GaussianRational& b);  ///< the product
+/// @{ Sums, products, multiples.
+GaussianRational operator+(const GaussianRational& a, const GaussianRational& b);
+GaussianRational operator-(const GaussianRational& a, const GaussianRational& b);
+GaussianRational operator*(const GaussianRational& a, const GaussianRational& b);
+GaussianRational operator*(const Rational& c, const GaussianRational& a);
+/// @}
+GaussianRational conjugate(const GaussianRational& a);  ///< re − i·im
+Rational norm(const GaussianRational& a);               ///< |a|²
 /// z ≠ 0 times a positive number, its parts coprime.
 GaussianInteger primitive_multiple(const GaussianRational& z);
 

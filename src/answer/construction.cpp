@@ -6,9 +6,9 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/construct/cubic_spline.hpp"
+#include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/plane_quintics.hpp"
-#include "phrame/ph/construct/quintic_family.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/arc_length.hpp"
 
 namespace phrame {
 namespace {
@@ -24,6 +24,8 @@ struct KindRow {
   NamedKind named;
   bool takes_accelerations;
   Construction (*construct)(const Task& task);
+  /// Is the law true of it, decided exactly? None where there is no law.
+  bool (*obeys_law)(const Path& path) = nullptr;
 };
 
 Construction quintics(const Task& task) {
@@ -39,35 +41,31 @@ Construction planar(const Task& task) {
   return plane_quintics(task.data, task.query.solution, task.tolerance);
 }
 
+bool is_in_plane(const Path& path) {
+  return std::ranges::all_of(path.segments(), [](const Curve& curve) {
+    return curve.start()[2] == 0 && rotated_i(curve.preimage())[2].is_zero();
+  });
+}
+
 const std::vector<KindRow>& rows() {
   static const std::vector<KindRow> table{
-      {{CurveKind::quintic, "quintic", "C1 splines of PH quintics"}, false, quintics},
-      {{CurveKind::planar, "planar", "the same in the plane z = 0", plane_solutions},
+      {{CurveKind::quintic, "quintic", "C1 splines of PH quintics", Continuity::c1},
        false,
-       planar},
-      {{CurveKind::cubic, "cubic", "G1 splines of PH cubics", cubic_solutions, true},
+       quintics},
+      {{CurveKind::planar, "planar", "the same in the plane z = 0", Continuity::c1, plane_solutions,
+        "the curve is in the plane z = 0"},
+       false,
+       planar,
+       is_in_plane},
+      {{CurveKind::cubic, "cubic", "G1 splines of PH cubics", Continuity::g1, cubic_solutions},
        false,
        cubics}};
   return table;
 }
 
-/// Of a segment with a constant multiplier. With A times √s, ∫ κ² ds is s times as small.
+/// f > 0: there is no way back on a curve that is made here.
 ConstructionAnswer::Segment measured(const Curve& curve, std::optional<FreeAngles> angles) {
-  const QuaternionPolynomial& a = curve.preimage();
-  const Rational h = curve.multiplier().coefficient(0);
-  const Polynomial sigma = norm(a);
-  const Rational length = h * antiderivative(sigma)(1);
-  const Rational scale = scale_for_doubles(length / h);  // of σ, so that of A it is the root
-  const Rational root = *square_root(scale);
-  std::array<std::vector<Rational>, 4> b{to_bernstein(a.u, 2), to_bernstein(a.v, 2),
-                                         to_bernstein(a.p, 2), to_bernstein(a.q, 2)};
-  QuinticFamily::Member member;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto value = [&](std::size_t j) { return static_cast<double>(root * b[j][k]); };
-    member[k] = {value(0), value(1), value(2), value(3)};
-  }
-  const double of_unit_size = approximate_energy(member);
-  return {angles, length, of_unit_size * static_cast<double>(scale / h)};
+  return {angles, arc_length(curve)(1), approximate_energy(curve)};
 }
 
 }  // namespace
@@ -97,10 +95,13 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
                     row->named.solutions == 1 ? std::string("there is one")
                                               : fmt::format("there are {}", row->named.solutions)));
   HermiteSpline data = hermite_spline(given, query.is_closed);
-  const Deviation tolerance{
-      query.tolerance * size_of_points(data),
-      row->named.is_geometric ? query.tolerance : query.tolerance * size_of_derivatives(data)};
+  const Deviation tolerance{query.tolerance * size_of_points(data),
+                            row->named.continuity == Continuity::g1
+                                ? query.tolerance
+                                : query.tolerance * size_of_derivatives(data)};
   Construction found = row->construct({data, query, tolerance});
+  if (row->obeys_law != nullptr && !row->obeys_law(found.path))
+    throw Error(fmt::format("construct: it is not true that {}", row->named.law));
   std::vector<ConstructionAnswer::Segment> segments;
   for (std::size_t k = 0; k < found.path.segments().size(); ++k)
     segments.push_back(measured(found.path.segments()[k], found.angles.empty()

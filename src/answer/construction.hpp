@@ -11,13 +11,23 @@ namespace phrame {
 /// What kind of PH curves a construction is made of.
 enum class CurveKind { quintic, planar, cubic };
 
+/// What is equal at the joints of a spline, exactly.
+enum class Continuity {
+  g1,  ///< position and tangent; of derivatives the data are then the directions only
+  c1,  ///< position and derivative by the parameter
+  c2   ///< the second derivative as well
+};
+
 /// The kinds there are, in their order, as people call them.
 struct NamedKind {
-  CurveKind kind;             ///< which one
-  std::string_view name;      ///< "quintic"
-  std::string_view what;      ///< "C1 splines of PH quintics"
-  long solutions = 1;         ///< how many curves there are at most, of which one is asked for
-  bool is_geometric = false;  ///< of derivatives it takes the directions only
+  CurveKind kind;         ///< which one
+  std::string_view name;  ///< "quintic"
+  std::string_view what;  ///< "C1 splines of PH quintics"
+  Continuity continuity;  ///< of its splines
+  long solutions = 1;     ///< how many curves there are at most, of which one is asked for
+  /// What holds exactly of every curve of this kind, beside being PH; it has been checked of the
+  /// one that is answered. May be empty.
+  std::string_view law = {};
 };
 const std::vector<NamedKind>& curve_kinds();  ///< all kinds
 

@@ -73,16 +73,15 @@ LogChange log_change(const GaussianLogs& logs, const Endpoint& a, const Endpoint
     const GaussianPolynomial& v = term.of;
     const At from = at(v, a);
     const At to = at(v, b);
-    const auto conjugated = [](const GaussianRational& z) { return GaussianRational{z.re, -z.im}; };
     const auto value = [&v](const Rational& t) { return GaussianRational{v.re(t), v.im(t)}; };
-    const GaussianRational z = to.value * conjugated(from.value);
+    const GaussianRational z = to.value * conjugate(from.value);
     ContinuousArgument argument(v);
     for (long bits = 64;; bits *= 2) {
       RealBall turn = subtract(argument.difference(to.point, bits),
                                argument.difference(from.point, bits), bits);
       // On to infinity: from v(point) to v(end).
       const auto rest = [&](const At& end) {
-        return argument_of(end.value * conjugated(value(end.point)), bits);
+        return argument_of(end.value * conjugate(value(end.point)), bits);
       };
       if (is_infinite(b)) turn = add(turn, rest(to), bits);
       if (is_infinite(a)) turn = subtract(turn, rest(from), bits);

@@ -36,7 +36,7 @@ Integer ceil_sqrt(const Rational& x) {
 }
 
 /// |re + i·im|, rounded up.
-Rational size_above(const GaussianRational& z) { return sqrt_above(z.re * z.re + z.im * z.im); }
+Rational size_above(const GaussianRational& z) { return sqrt_above(norm(z)); }
 
 /// p with the absolute values of its coefficients.
 Polynomial with_absolute_values(const Polynomial& p) {
@@ -126,7 +126,7 @@ bool are_disjoint(const std::vector<RootDisc>& discs) {
 
 bool are_apart(const RootDisc& a, const RootDisc& b) {
   const Integer sum = a.radius + b.radius;
-  return norm({a.center.re - b.center.re, a.center.im - b.center.im}) > sum * sum;
+  return norm(GaussianInteger{a.center.re - b.center.re, a.center.im - b.center.im}) > sum * sum;
 }
 
 std::optional<std::vector<RootDisc>> root_discs(const Polynomial& q, const Polynomial& n,
@@ -142,12 +142,12 @@ std::optional<std::vector<RootDisc>> root_discs(const Polynomial& q, const Polyn
   for (const GaussianInteger& center : roots_on_grid(q, bits)) {
     const GaussianRational value = q_at(center);
     const GaussianRational s = slope_at(center);
-    const Rational s_norm = s.re * s.re + s.im * s.im;
+    const Rational s_norm = norm(s);
     if (s_norm == 0) return std::nullopt;
-    const Rational step = (value.re * value.re + value.im * value.im) / s_norm;  // |q/q′|²
+    const Rational step = norm(value) / s_norm;  // |q/q′|²
     const Integer radius = ceil_sqrt(step * (q.degree() * q.degree()) * power_of_two(2 * bits));
 
-    const GaussianRational c = n_at(center) * GaussianRational{s.re / s_norm, -s.im / s_norm};
+    const GaussianRational c = 1 / s_norm * (n_at(center) * conjugate(s));
     const GaussianInteger residue{nearest(c.re, bits), nearest(c.im, bits)};
     const GaussianRational w{residue.re * unit, residue.im * unit};
     const Rational r = radius * unit;
@@ -156,7 +156,7 @@ std::optional<std::vector<RootDisc>> root_discs(const Polynomial& q, const Polyn
     const Rational curving = r * slope_variation(rho) * flatness;
     if (curving >= 1) return std::nullopt;
     const Rational off =
-        (size_above({c.re - w.re, c.im - w.im}) +
+        (size_above(c - w) +
          r * flatness * (n_variation(rho) + size_above(w) * slope_variation(rho))) /
         (1 - curving);
     // One more, for a checker that rounds more coarsely.

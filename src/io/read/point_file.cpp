@@ -12,6 +12,7 @@
 #include "phrame/io/read/npy.hpp"
 #include "phrame/io/read/text_table.hpp"
 #include "phrame/io/write/text.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 namespace {
@@ -20,11 +21,6 @@ using Vectors = std::vector<Vector<Rational>>;
 using Node = JsonNode;
 /// Where the k-th entry of a list stands: of "points", 3 the place of the fourth point.
 using Place = std::function<std::string(std::string_view list, std::size_t k)>;
-
-std::string to_text(const Vector<Rational>& v) {
-  const auto text = [](const Rational& x) { return abbreviated(to_string(x)); };
-  return fmt::format("({}, {}, {})", text(v[0]), text(v[1]), text(v[2]));
-}
 
 /// What is wrong in any format.
 void require_meaning(const GivenPoints& given, const Place& place) {
@@ -43,7 +39,7 @@ void require_meaning(const GivenPoints& given, const Place& place) {
       throw InputError(place("points", k),
                        fmt::format("the point {} is that before it; only with derivatives is it "
                                    "known how a curve goes from one to the other",
-                                   to_text(given.points[k])));
+                                   abbreviated(given.points[k])));
 }
 
 Vectors read_vectors(const Node& list, std::size_t dimension) {
@@ -208,6 +204,7 @@ GivenPoints read_table(const Table& table, const std::string& header_place) {
 TextTable text_table(std::string_view text) {
   TextTable table(text, {true, "points"});
   const auto& names = table.names();
+  if (names.empty()) return table;
   const bool names_x = std::any_of(names.begin(), names.end(),
                                    [](const std::string& name) { return lower_case(name) == "x"; });
   return names_x ? table : TextTable(text, {false, "points"});

@@ -59,6 +59,18 @@ std::string energy_text(double energy) {
   return std::isfinite(energy) ? decimal(exact_rational(energy), 6) : "∞";
 }
 
+const char* joints_text(Continuity continuity) {
+  switch (continuity) {
+    case Continuity::g1:
+      return "position and tangent are equal, exactly";
+    case Continuity::c1:
+      return "position and derivative by the parameter are equal fractions";
+    case Continuity::c2:
+      break;
+  }
+  return "position and both derivatives by the parameter are equal fractions";
+}
+
 Rational length(const ConstructionAnswer& answer) {
   Rational sum;
   for (const ConstructionAnswer::Segment& segment : answer.segments) sum += segment.length;
@@ -119,13 +131,11 @@ std::string to_text(const ConstructionAnswer& answer) {
   row("  derivatives", name_of(answer.derivatives_from));
   row("  parameters", name_of(answer.parameters_from));
   row("points met", bound_text(answer.deviation.points, answer.tolerance.points));
-  row(answer.kind.is_geometric ? "tangents" : "derivatives",
+  row(answer.kind.continuity == Continuity::g1 ? "tangents" : "derivatives",
       bound_text(answer.deviation.derivatives, answer.tolerance.derivatives));
-  if (!answer.path.path.is_curve())
-    row("joints", answer.kind.is_geometric
-                      ? "position and tangent are equal, exactly"
-                      : "position and derivative by the parameter are equal fractions");
-  if (!answer.kind.is_geometric)
+  if (!answer.path.path.is_curve()) row("joints", joints_text(answer.kind.continuity));
+  if (!answer.kind.law.empty()) row("shape", fmt::format("{}, checked", answer.kind.law));
+  if (answer.kind.continuity != Continuity::g1)
     row("preimage", fmt::format("coefficients are multiples of 2^{}{}", -answer.bits,
                                 answer.data.is_closed ? ", but for the last two segments" : ""));
   row("length", "≈ " + decimal(length(answer), 12));
@@ -162,6 +172,7 @@ std::string to_json(const ConstructionAnswer& answer) {
     json["solution"] = answer.solution;
     json["solutions"] = answer.kind.solutions;
   }
+  if (!answer.kind.law.empty()) json["law"] = answer.kind.law;
   json["closed"] = answer.path.path.closing_turn().has_value();
   json["derivatives_from"] = name_of(answer.derivatives_from);
   json["parameters_from"] = name_of(answer.parameters_from);

@@ -9,8 +9,8 @@
 #include "phrame/algebra/big_float.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/preimage.hpp"
-#include "phrame/ph/construct/quintic_family.hpp"
 #include "phrame/ph/construct/scale.hpp"
 
 // With preimages U₀, U₁ of the unit tangents u₀, u₁ such that c = H(U₀, U₁) > 0, the cubic with
@@ -33,14 +33,12 @@ struct Cubic {
   double energy;
 };
 
-/// ∫κ² ds = ∫ 4|g|²/σ³ dt, g constant and σ quadratic, in doubles.
 double energy_of(const Quaternion<Float>& a0, const Quaternion<Float>& a1) {
   const auto in_doubles = [](const Quaternion<Float>& a) {
     return Quaternion<double>{a.u.to_double(), a.v.to_double(), a.p.to_double(), a.q.to_double()};
   };
-  const Quaternion<double> first = in_doubles(a0);
-  const Quaternion<double> last = in_doubles(a1);
-  return approximate_energy({first, 0.5 * (first + last), last});
+  const std::array a{in_doubles(a0), in_doubles(a1)};
+  return approximate_energy(a);
 }
 
 /// The solutions with these preimages of unit tangents, by energy. Lengths are of about 1.
@@ -134,7 +132,7 @@ std::optional<Construction> attempt(const HermiteSpline& data, long solution,
   Vector<Rational> r = data.points.front();
   Rational points;
   Rational sines = squared_sine(rotated_i(q0), data.derivatives[0]);
-  std::optional<Path> path;
+  std::vector<Curve> curves;
   for (std::size_t k = 0; k < data.segments(); ++k) {
     const Quaternion<Float> u1 = unit_preimage(data.derivatives[k + 1], precision);
     Vector<Float> triple_step;
@@ -149,17 +147,11 @@ std::optional<Construction> attempt(const HermiteSpline& data, long solution,
     const RationalQuaternion q1 = rounded(turned(u1, next_turn), bits);
     const RationalQuaternion a0 = Rational(rounded(cubic.lambda0, bits) / root_of_scale) * q0;
     const RationalQuaternion a1 = Rational(rounded(cubic.lambda1, bits) / root_of_scale) * q1;
-    const Curve curve({from_bernstein({a0.u, a1.u}), from_bernstein({a0.v, a1.v}),
-                       from_bernstein({a0.p, a1.p}), from_bernstein({a0.q, a1.q})},
-                      Polynomial{1}, r);
+    curves.emplace_back(from_bernstein({a0, a1}), Polynomial{1}, r);
     r = r + Rational(1, 3) * (rotated_i(a0) + symmetric_product(a0, a1) + rotated_i(a1));
     const Vector<Rational> off = r - data.points[k + 1];
     points = std::max(points, dot(off, off));
     sines = std::max(sines, squared_sine(rotated_i(q1), data.derivatives[k + 1]));
-    if (path)
-      path->append(curve);
-    else
-      path = Path(curve);
     u0 = u1;
     turn = next_turn;
     q0 = q1;
@@ -169,7 +161,7 @@ std::optional<Construction> attempt(const HermiteSpline& data, long solution,
     return std::nullopt;
   std::vector<Rational> parameters;
   for (std::size_t k = 0; k <= data.segments(); ++k) parameters.emplace_back(k);
-  return Construction{*std::move(path), std::move(parameters), {}, bits, deviation};
+  return Construction{joined(curves), std::move(parameters), {}, bits, deviation};
 }
 
 }  // namespace

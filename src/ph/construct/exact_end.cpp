@@ -30,15 +30,6 @@
 namespace phrame {
 namespace {
 
-GaussianRational conjugate(const GaussianRational& z) { return {z.re, -z.im}; }
-GaussianRational plus(const GaussianRational& a, const GaussianRational& b) {
-  return {a.re + b.re, a.im + b.im};
-}
-GaussianRational times(const Rational& c, const GaussianRational& z) {
-  return {c * z.re, c * z.im};
-}
-Rational size_squared(const GaussianRational& z) { return z.re * z.re + z.im * z.im; }
-
 GaussianRational alpha(const RationalQuaternion& a) { return {a.u, a.v}; }
 GaussianRational beta(const RationalQuaternion& a) { return {a.q, a.p}; }
 RationalQuaternion from_hopf(const GaussianRational& alpha, const GaussianRational& beta) {
@@ -112,7 +103,7 @@ Solution exact_sum(const RationalQuaternion& x, const RationalQuaternion& y,
   const GaussianRational start{odd_near(x.u, places), even_near(x.v, places)};
   const GaussianRational a2{even_near(y.u, places), even_near(y.v, places)};
   const GaussianRational gamma_bar{c[1] / 2, -c[2] / 2};
-  const GaussianRational wanted = plus(alpha(x) * beta(y), times(-1, alpha(y) * beta(x)));
+  const GaussianRational wanted = alpha(x) * beta(y) - alpha(y) * beta(x);
   const Integer d_of_c =
       lcm(lcm(Integer(denominator(c[0])), Integer(denominator(c[1]))), Integer(denominator(c[2])));
   std::mt19937_64 engine(1);
@@ -125,7 +116,7 @@ Solution exact_sum(const RationalQuaternion& x, const RationalQuaternion& y,
     };
     const GaussianRational a1{start.re + step(), start.im + step()};
     if (n % 40 == 39) ++range;
-    const Rational size = size_squared(a1) + size_squared(a2);
+    const Rational size = norm(a1) + norm(a2);
     const Rational r = (size - c[0] / 2) * (size - c[0] / 2) - dot(c, c) / 4;
     if (r < 0) {  // nearly straight: look farther away
       if (++negative % 12 == 0) range *= 2;
@@ -134,10 +125,9 @@ Solution exact_sum(const RationalQuaternion& x, const RationalQuaternion& y,
     const auto eta = of_norm(r, 2 * lcm(d_of_c, Integer(denominator(size))));
     if (!eta) continue;
     const GaussianRational zeta =
-        times(1 / size, *eta * unit_near(wanted * conjugate(*eta), std::max(bits, 20L)));
-    const GaussianRational b1 =
-        plus(times(1 / size, a1 * gamma_bar), times(-1, conjugate(a2) * zeta));
-    const GaussianRational b2 = plus(times(1 / size, a2 * gamma_bar), conjugate(a1) * zeta);
+        1 / size * (*eta * unit_near(wanted * conjugate(*eta), std::max(bits, 20L)));
+    const GaussianRational b1 = 1 / size * (a1 * gamma_bar) - conjugate(a2) * zeta;
+    const GaussianRational b2 = 1 / size * (a2 * gamma_bar) + conjugate(a1) * zeta;
     return {from_hopf(a1, b1), from_hopf(a2, b2)};
   }
   throw Undecided(fmt::format(
@@ -154,14 +144,13 @@ Solution exact_plane_sum(const RationalQuaternion& x, const RationalQuaternion& 
                          const Vector<Rational>& c, long bits) {
   const GaussianRational sum{x.u - y.q, x.q + y.u};
   const GaussianRational difference{x.u + y.q, x.q - y.u};
-  const bool takes_sum = size_squared(sum) >= size_squared(difference);
+  const bool takes_sum = norm(sum) >= norm(difference);
   const GaussianRational& factor = takes_sum ? sum : difference;
   const GaussianRational s{rounded_to_places(factor.re, bits), rounded_to_places(factor.im, bits)};
-  if (size_squared(s) == 0) throw Undecided("the exact end: the last segment is too short");
-  const GaussianRational other =
-      times(1 / size_squared(s), GaussianRational{c[0], c[1]} * conjugate(s));
-  const GaussianRational w1 = times(Rational(1, 2), plus(s, other));
-  const GaussianRational half = times(Rational(1, 2), plus(s, times(-1, other)));  // ±iw₂
+  if (norm(s) == 0) throw Undecided("the exact end: the last segment is too short");
+  const GaussianRational other = 1 / norm(s) * (GaussianRational{c[0], c[1]} * conjugate(s));
+  const GaussianRational w1 = Rational(1, 2) * (s + other);
+  const GaussianRational half = Rational(1, 2) * (s - other);  // ±iw₂
   const GaussianRational w2 = half * GaussianRational{0, takes_sum ? -1 : 1};
   return {{w1.re, 0, 0, w1.im}, {w2.re, 0, 0, w2.im}};
 }
@@ -172,15 +161,13 @@ std::array<QuadraticPreimage, 2> exact_halves(const QuadraticPreimage& a,
                                               const Vector<Rational>& integral, long bits) {
   const Rational fifth(1, 5);
   const RationalQuaternion u = fifth * RationalQuaternion{2, 1, 2, 4};  // of size 1
-  const RationalQuaternion u_back{u.u, -u.v, -u.p, -u.q};
+  const RationalQuaternion u_back = conjugate(u);
   const Rational half(1, 2);
   const RationalQuaternion left = half * (a[0] + a[1]);
   const RationalQuaternion right = half * (a[1] + a[2]);
   const RationalQuaternion middle = half * (left + right);
-  const auto known = [](const RationalQuaternion& p, const RationalQuaternion& q) {
-    return Rational(15) * (rotated_i(p) + rotated_i(q)) - Rational(10) * symmetric_product(p, q);
-  };
-  const Vector<Rational> c = Rational(240) * integral - known(a[0], middle) - known(middle, a[2]);
+  const Vector<Rational> c =
+      Rational(240) * integral - integral_of_ends(a[0], middle) - integral_of_ends(middle, a[2]);
   const RationalQuaternion first_ends = Rational(3) * (a[0] + middle);
   const RationalQuaternion second_ends = Rational(3) * (middle + a[2]);
   const RationalQuaternion x = first_ends + Rational(4) * left;

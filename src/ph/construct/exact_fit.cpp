@@ -40,16 +40,7 @@ ExactFit added(ExactFit fit, const PreimageFit& change, long k, long k_of_multip
 }  // namespace
 
 Curve curve_of(const ExactFit& fit, const Vector<Rational>& start) {
-  Quaternion<std::vector<Rational>> lists;
-  for (const RationalQuaternion& a : fit.preimage) {
-    lists.u.push_back(a.u);
-    lists.v.push_back(a.v);
-    lists.p.push_back(a.p);
-    lists.q.push_back(a.q);
-  }
-  return Curve({from_bernstein(lists.u), from_bernstein(lists.v), from_bernstein(lists.p),
-                from_bernstein(lists.q)},
-               from_bernstein(fit.multiplier), start);
+  return Curve(from_bernstein(fit.preimage), from_bernstein(fit.multiplier), start);
 }
 
 bool is_point(const ExactFit& fit) {

@@ -208,8 +208,7 @@ HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed) {
         "{} parameters for {} points{}", data.parameters.size(), count,
         is_closed ? ", of which the last is the first: the last parameter is that of the end"
                   : ""));
-  if (data.derivatives.empty() || parameter_source(given) == ParameterSource::chord_lengths)
-    require_apart(data.points);
+  if (data.derivatives.empty()) require_apart(data.points);
   if (data.parameters.empty()) {
     if (parameter_source(given) == ParameterSource::chord_lengths)
       data.parameters = chord_lengths(data.points);

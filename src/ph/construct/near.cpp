@@ -269,17 +269,13 @@ std::variant<NearPath, NotNear> near_path(const std::vector<BezierPoints>& curve
     }
   }
   std::vector<HodographPair> pairs;
-  std::optional<Path> path;
+  std::vector<Curve> exact;
   for (std::size_t k = 0; k < curves.size(); ++k) {
-    const Curve curve = curve_of(best.segments[k], best.starts[k]);
-    pairs.push_back(hodograph_pair(curves[k], curve));
-    if (path)
-      path->append(curve);
-    else
-      path = Path(curve);
+    exact.push_back(curve_of(best.segments[k], best.starts[k]));
+    pairs.push_back(hodograph_pair(curves[k], exact.back()));
   }
   return NearPath{
-      *std::move(path),
+      joined(exact),
       {distance_of(best.squared_distance, epsilon), distance_of(fine->squared_distance, epsilon),
        bits - spline.scale, rmf_difference_bound(pairs)}};
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
 
 // In the plane A = u + qk, so that H(A₀, A₂) and H(A₀ + A₂, B) are real: positive or negative.

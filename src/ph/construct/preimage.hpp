@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "phrame/ph/curve/quaternion.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 
@@ -20,41 +20,6 @@ ComplexOf<T> operator*(const ComplexOf<T>& a, const ComplexOf<T>& b) {
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 
-template <class T>
-Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-
-template <class T>
-Vector<T> operator-(const Vector<T>& a, const Vector<T>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-template <class T>
-Vector<T> operator*(const T& c, const Vector<T>& a) {
-  return {c * a[0], c * a[1], c * a[2]};
-}
-
-template <class T>
-T dot(const Vector<T>& a, const Vector<T>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <class T>
-Quaternion<T> operator+(const Quaternion<T>& a, const Quaternion<T>& b) {
-  return {a.u + b.u, a.v + b.v, a.p + b.p, a.q + b.q};
-}
-
-template <class T>
-Quaternion<T> operator-(const Quaternion<T>& a, const Quaternion<T>& b) {
-  return {a.u - b.u, a.v - b.v, a.p - b.p, a.q - b.q};
-}
-
-template <class T>
-Quaternion<T> operator*(const T& c, const Quaternion<T>& a) {
-  return {c * a.u, c * a.v, c * a.p, c * a.q};
-}
-
 /// A·(re + i·im). By a complex number of size 1 this leaves A i A* alone.
 template <class T>
 Quaternion<T> turned(const Quaternion<T>& a, const ComplexOf<T>& z) {
@@ -68,6 +33,13 @@ Vector<T> symmetric_product(const Quaternion<T>& a, const Quaternion<T>& b) {
   return {a.u * b.u + a.v * b.v - a.p * b.p - a.q * b.q,
           a.u * b.q + a.q * b.u + a.v * b.p + a.p * b.v,
           a.v * b.q + a.q * b.v - a.u * b.p - a.p * b.u};
+}
+
+/// 15(S(A₀, A₀) + S(A₂, A₂)) − 10·S(A₀, A₂): with B = 3A₀ + 4A₁ + 3A₂, 120·∫ A i A* of a quadratic
+/// A on [0, 1] is B i B* and this.
+template <class T>
+Vector<T> integral_of_ends(const Quaternion<T>& a0, const Quaternion<T>& a2) {
+  return T(15) * (rotated_i(a0) + rotated_i(a2)) - T(10) * symmetric_product(a0, a2);
 }
 
 /// H(A, B) = ᾱ_A·α_B + β̄_A·β_B for A = α + kβ. Its real part is the scalar product A·B, its

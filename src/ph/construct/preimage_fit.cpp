@@ -5,7 +5,7 @@
 // the Bernstein basis and at Chebyshev's points this is well conditioned.
 //
 // Next to a zero of f of odd order the direction jumps to its opposite, (α : β) to (−β̄ : ᾱ), and
-// that is on no rational curve with it. Straight through, it is smooth again: AtCusps::through.
+// that is on no rational curve with it. Straight through, it is smooth again: straighten().
 //
 // Which degree m has A, and which n − 2m has f? As great an m as can be comes first, with f = 1
 // where n is even; a curve that is given by the points of a random A of that degree is then found
@@ -218,16 +218,10 @@ std::vector<DoubleVector> points_after_first(const PreimageFit& fit) {
   return integrated(product(scaled(fit.multiplier), scaled_square(scaled(fit.preimage))));
 }
 
-/// How the tangent is to be read where the curve goes through a cusp.
-enum class AtCusps {
-  forward,  ///< A i A* is along r′: f > 0
-  through   ///< A i A* goes on straight where r′ turns back: f changes its sign
-};
-
-/// Where to begin: A of degree m, f of degree n − 2m where r′ has degree n.
-PreimageFit first_fit(const std::vector<DoubleVector>& hodograph, long m, AtCusps at_cusps) {
-  auto at = samples(hodograph);
-  if (at_cusps == AtCusps::through) straighten(at);
+/// Where to begin: A of degree m with A i A* along the samples, f of degree n − 2m where r′ has
+/// degree n.
+PreimageFit first_fit(const std::vector<DoubleVector>& hodograph,
+                      const std::vector<HodographSample>& at, long m) {
   PreimageFit result{first_preimage(at, m), {}};
   result.multiplier = best_multiplier(result.preimage, hodograph);
   return with_unit_constant(std::move(result));
@@ -259,9 +253,10 @@ struct FitCandidate {
 
 /// By Gauss's and Newton's iteration, as far as it helps.
 FitCandidate candidate(const std::vector<DoubleVector>& hodograph,
-                       const std::vector<DoubleVector>& points, long m, AtCusps at_cusps) {
+                       const std::vector<HodographSample>& at,
+                       const std::vector<DoubleVector>& points, long m) {
   constexpr int most_steps = 20;
-  PreimageFit fit = first_fit(hodograph, m, at_cusps);
+  PreimageFit fit = first_fit(hodograph, at, m);
   Remainder now = remainder(fit, points);
   double last = HUGE_VAL;
   for (int k = 0; k < most_steps && (k < 4 || now.sum_of_squares < 0.9 * last); ++k) {
@@ -379,15 +374,17 @@ PreimageFit best_fit(const std::vector<DoubleVector>& hodograph,
   // Below this, the doubles that the points are tell nothing more.
   constexpr double noise = 0x1p-46;
   const long n = static_cast<long>(hodograph.size()) - 1;
-  FitCandidate best = candidate(hodograph, points, 0, AtCusps::forward);
-  for (const AtCusps at_cusps : {AtCusps::forward, AtCusps::through}) {
-    auto at = samples(hodograph);
-    if (at_cusps == AtCusps::through && !straighten(at)) break;
+  auto at = samples(hodograph);
+  FitCandidate best = candidate(hodograph, at, points, 0);
+  const auto improve = [&] {
     for (long m = n / 2; m >= 0 && !(best.distance <= noise); --m) {
-      FitCandidate next = candidate(hodograph, points, m, at_cusps);
+      FitCandidate next = candidate(hodograph, at, points, m);
       if (next.distance < best.distance) best = std::move(next);
     }
-  }
+  };
+  improve();  // with A i A* along r′: f > 0
+  // Then as if the curve went on straight where it turns back at a cusp: f changes its sign.
+  if (straighten(at)) improve();
   return normalized(std::move(best.fit));
 }
 

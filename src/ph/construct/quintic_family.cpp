@@ -8,6 +8,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/scale.hpp"
 
 // With m(Δ) = S(A₀, A₂) = a cos Δ + b sin Δ: 120·length = |c| + 15(s₀ + s₁) − 10g cos Δ, for
@@ -230,45 +231,6 @@ FreeAngles QuinticFamily::angles(const SolutionAngles& given) const {
           Angle(exact_rational(argument(hermitian_product(a0 + a2, b))))};
 }
 
-namespace {
-
-struct GaussPoint {
-  double t;
-  double weight;
-};
-
-/// Legendre's 10 points on [0, 1] [Abramowitz and Stegun, table 25.4].
-constexpr std::array<GaussPoint, 5> half_of_points{{{0.1488743389816312, 0.2955242247147529},
-                                                    {0.4333953941292472, 0.2692667193099963},
-                                                    {0.6794095682990244, 0.2190863625159820},
-                                                    {0.8650633666889845, 0.1494513491505806},
-                                                    {0.9739065285171717, 0.0666713443086881}}};
-
-/// ∫ f(σ, |g|²) dt from 0 to 1, g = αβ′ − α′β; ∞ where it is no number.
-template <class F>
-double integral(const QuinticFamily::Member& a, const F& f) {
-  constexpr int panels = 8;
-  const auto rate = [&](double t) {
-    const double s = 1 - t;
-    const Quaternion<double> first = s * a[0] + t * a[1];
-    const Quaternion<double> second = s * a[1] + t * a[2];
-    const Quaternion<double> w = s * first + t * second;
-    const Quaternion<double> slope = 2.0 * (second - first);
-    const double re = w.u * slope.q - w.v * slope.p - (slope.u * w.q - slope.v * w.p);
-    const double im = w.u * slope.p + w.v * slope.q - (slope.u * w.p + slope.v * w.q);
-    return f(norm(w), re * re + im * im);
-  };
-  double sum = 0;
-  for (int k = 0; k < panels; ++k)
-    for (const auto& [x, weight] : half_of_points)
-      sum += weight * (rate((k + (1 - x) / 2) / panels) + rate((k + (1 + x) / 2) / panels));
-  const double value = sum / (2 * panels);
-  return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
-}
-
-}  // namespace
-
-// κ = 2|g|/σ², ds = σ dt.
 QuinticFamily quintic_family(const HermiteSpline& data, std::size_t k) {
   const Rational h = data.parameters[k + 1] - data.parameters[k];
   const Vector<Rational> step = (1 / h) * (data.points[k + 1] - data.points[k]);
@@ -277,14 +239,6 @@ QuinticFamily quintic_family(const HermiteSpline& data, std::size_t k) {
   const Rational scale = scale_for_doubles(std::max({largest(step), largest(d0), largest(d1)}));
   return QuinticFamily(
       {scaled_to_doubles(scale, step), scaled_to_doubles(scale, d0), scaled_to_doubles(scale, d1)});
-}
-
-double approximate_energy(const QuinticFamily::Member& a) {
-  return integral(a, [](double sigma, double gg) { return 4 * gg / (sigma * sigma * sigma); });
-}
-
-double approximate_turning(const QuinticFamily::Member& a) {
-  return integral(a, [](double sigma, double gg) { return 2 * std::sqrt(gg) / sigma; });
 }
 
 }  // namespace phrame

@@ -55,11 +55,6 @@ class QuinticFamily {
 /// The quintics with the data of segment k, in doubles, scaled: energies are not theirs.
 QuinticFamily quintic_family(const HermiteSpline& data, std::size_t k);
 
-/// ∫κ² ds of r′ = A i A* by quadrature in doubles, about 8 digits of smooth curves; ∞ at a cusp.
-double approximate_energy(const QuinticFamily::Member& a);
-/// ∫|κ| ds likewise: how much the tangent turns.
-double approximate_turning(const QuinticFamily::Member& a);
-
 /// An |H(A, B)| below this, beside |A||B|, is rounding: the tangents are antiparallel, and the
 /// preimages of both stay as they are.
 inline constexpr double antiparallel = 0x1p-46;

@@ -86,12 +86,6 @@ struct ExactSegment {
   Vector<Rational> start;
 };
 
-/// K = 15(S(A₀, A₀) + S(A₂, A₂)) − 10·S(A₀, A₂).
-template <class T>
-Vector<T> known_part(const Quaternion<T>& a0, const Quaternion<T>& a2) {
-  return T(15) * (rotated_i(a0) + rotated_i(a2)) - T(10) * symmetric_product(a0, a2);
-}
-
 /// A spline with one rounding.
 struct Attempt {
   std::vector<ExactSegment> segments;
@@ -184,7 +178,7 @@ void Chain::add(std::size_t k) {
   const Rational step = grid_.step() / Rational(n);
   const Rational step2 = step * step;
 
-  const Vector<Integer> known = known_part(q0, q);
+  const Vector<Integer> known = integral_of_ends(q0, q);
   const Vector<Rational> c = (120 / h) * (data_.points[k + 1] - r) - exact(known, step2);
   const Quaternion<BigFloat> b_as_is = preimage(grid_.vector(c));
   const Phase w = turn_to(a0_ + a2, b_as_is) * grid_.phase(angles_[k].phi) * turn_;
@@ -259,24 +253,16 @@ void close(std::vector<ExactSegment>& segments, const Vector<Rational>& end, lon
   const Rational half = h / 2;
   const RationalQuaternion b = Rational(3) * (first[0] + first[2]) + Rational(4) * first[1];
   const Vector<Rational> middle =
-      start + half / 120 * (rotated_i(b) + known_part(first[0], first[2]));
+      start + half / 120 * (rotated_i(b) + integral_of_ends(first[0], first[2]));
   segments.push_back({first, half, start});
   segments.push_back({second, half, middle});
 }
 
 Path path_of(const std::vector<ExactSegment>& segments) {
-  std::optional<Path> path;
-  for (const auto& [a, h, start] : segments) {
-    QuaternionPolynomial preimage{
-        from_bernstein({a[0].u, a[1].u, a[2].u}), from_bernstein({a[0].v, a[1].v, a[2].v}),
-        from_bernstein({a[0].p, a[1].p, a[2].p}), from_bernstein({a[0].q, a[1].q, a[2].q})};
-    const Curve curve(std::move(preimage), Polynomial{h}, start);
-    if (path)
-      path->append(curve);
-    else
-      path = Path(curve);
-  }
-  return *std::move(path);
+  std::vector<Curve> curves;
+  for (const auto& [a, h, start] : segments)
+    curves.emplace_back(from_bernstein(std::vector(a.begin(), a.end())), Polynomial{h}, start);
+  return joined(curves);
 }
 
 }  // namespace

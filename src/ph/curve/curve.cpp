@@ -101,6 +101,28 @@ std::vector<Rational> to_bernstein(const Polynomial& p, long m) {
   return b;
 }
 
+QuaternionPolynomial from_bernstein(const std::vector<RationalQuaternion>& b) {
+  Quaternion<std::vector<Rational>> lists;
+  for (const RationalQuaternion& a : b) {
+    lists.u.push_back(a.u);
+    lists.v.push_back(a.v);
+    lists.p.push_back(a.p);
+    lists.q.push_back(a.q);
+  }
+  return {from_bernstein(lists.u), from_bernstein(lists.v), from_bernstein(lists.p),
+          from_bernstein(lists.q)};
+}
+
+std::vector<RationalQuaternion> to_bernstein(const QuaternionPolynomial& a, long m) {
+  const auto u = to_bernstein(a.u, m);
+  const auto v = to_bernstein(a.v, m);
+  const auto p = to_bernstein(a.p, m);
+  const auto q = to_bernstein(a.q, m);
+  std::vector<RationalQuaternion> b;
+  for (std::size_t k = 0; k < u.size(); ++k) b.push_back({u[k], v[k], p[k], q[k]});
+  return b;
+}
+
 std::vector<Vector<Rational>> control_points(const Curve& curve) {
   const long n = degree(curve);
   std::vector<Vector<Rational>> points(static_cast<std::size_t>(n + 1));

@@ -56,6 +56,11 @@ Polynomial from_bernstein(const std::vector<Rational>& b);
 /// Throws DomainError for m < deg p.
 std::vector<Rational> to_bernstein(const Polynomial& p, long m);
 
+/// @{ The same of A, component by component.
+QuaternionPolynomial from_bernstein(const std::vector<RationalQuaternion>& b);
+std::vector<RationalQuaternion> to_bernstein(const QuaternionPolynomial& a, long m);
+/// @}
+
 /// The cᵣ = C(m, r)·bᵣ, as coefficients: p(t) = Σ cᵣ tʳ (1 − t)ᵐ⁻ʳ. Throws as above.
 Polynomial scaled_bernstein(const Polynomial& p, long m);
 

@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 // Unit tangents are ±A i A*/σ, A without its real content, the sign that of f on the inner side.
 // For v = A(end), w = B(start): v i v* and w i w* have the same direction iff v̄w commutes with i,
@@ -13,13 +14,6 @@
 
 namespace phrame {
 namespace {
-
-RationalQuaternion conjugate(const RationalQuaternion& a) { return {a.u, -a.v, -a.p, -a.q}; }
-
-std::string to_string(const Vector<Rational>& v) {
-  const auto text = [](const Rational& x) { return abbreviated(phrame::to_string(x)); };
-  return fmt::format("({}, {}, {})", text(v[0]), text(v[1]), text(v[2]));
-}
 
 /// What the frame at an end of a curve depends on: A up to a positive factor, and the sign of f.
 struct End {
@@ -73,7 +67,7 @@ void Path::append(const Curve& next) {
   const Vector<Rational> here = evaluate(position(last), 1);
   if (next.start() != here)
     throw DomainError(fmt::format("it starts at {}, but the spline ends at {}",
-                                  to_string(next.start()), to_string(here)));
+                                  abbreviated(next.start()), abbreviated(here)));
   const End before = end_of(last);
   const Curve same_side =
       before.sign == sign_after_zero(next.multiplier()) ? next : turned_over(next);
@@ -82,8 +76,14 @@ void Path::append(const Curve& next) {
   if (!z)
     throw DomainError(
         fmt::format("the tangent breaks: it starts in the direction {}, but the spline ends in {}",
-                    to_string(direction(after)), to_string(direction(before))));
+                    abbreviated(direction(after)), abbreviated(direction(before))));
   segments_.push_back(turned(same_side, conjugate(primitive_multiple(*z))));
+}
+
+Path joined(const std::vector<Curve>& curves) {
+  Path path(curves.front());
+  for (std::size_t k = 1; k < curves.size(); ++k) path.append(curves[k]);
+  return path;
 }
 
 bool Path::ends_meet() const {

@@ -46,6 +46,9 @@ class Path {
   std::vector<Curve> segments_;
 };
 
+/// The curves, at least one, one after the other. Throws as Path::append.
+Path joined(const std::vector<Curve>& curves);
+
 /// The segment that t is in, the later one at a joint, and the parameter there: in [0, 1], unless
 /// the path is a curve.
 struct PathParameter {

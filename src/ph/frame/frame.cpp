@@ -96,7 +96,7 @@ Frame<Real> turned(const Frame<Real>& frame, const Real& theta) {
 }
 
 Frame<Real> turned(const Frame<Rational>& frame, const GaussianRational& z) {
-  const Rational size = z.re * z.re + z.im * z.im;
+  const Rational size = norm(z);
   return {{frame.e1[0], frame.e1[1], frame.e1[2]},
           over_square_root(combine(z.re, frame.e2, z.im, frame.e3), size),
           over_square_root(combine(-z.im, frame.e2, z.re, frame.e3), size)};

@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 
@@ -14,14 +15,9 @@ FrameAngle angle_of(const GaussianRational& z) {
 }
 
 FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame) {
-  const auto dot = [&v](const Vector<Rational>& e) {
-    return Rational(v[0] * e[0] + v[1] * e[1] + v[2] * e[2]);
-  };
-  const GaussianRational z{dot(frame.e2), dot(frame.e3)};
+  const GaussianRational z{dot(v, frame.e2), dot(v, frame.e3)};
   if (z.re == 0 && z.im == 0)
-    throw DomainError("the vector (" + abbreviated(to_string(v[0])) + ", " +
-                      abbreviated(to_string(v[1])) + ", " + abbreviated(to_string(v[2])) +
-                      ") has no part in the normal plane");
+    throw DomainError("the vector " + abbreviated(v) + " has no part in the normal plane");
   return angle_of(z);
 }
 
@@ -38,7 +34,7 @@ std::optional<Rational> over_pi(const FrameAngle& angle) {
 
 FrameAngle difference(const FrameAngle& b, const FrameAngle& a) {
   // The two arguments are in (−π/2, π/2], so that their difference is principal.
-  FrameAngle angle = angle_of(b.direction * GaussianRational{a.direction.re, -a.direction.im});
+  FrameAngle angle = angle_of(b.direction * conjugate(a.direction));
   angle.half_turns += b.half_turns - a.half_turns;
   angle.radians = b.radians - a.radians;
   return angle;

@@ -9,22 +9,11 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
 
 namespace phrame {
 namespace {
-
-Rational dot(const Vector<Rational>& a, const Vector<Rational>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector<Rational> difference(const Vector<Rational>& a, const Vector<Rational>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Vector<Rational> cross(const Vector<Rational>& a, const Vector<Rational>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 RealBall root(const Rational& x, long bits) { return sqrt(RealBall(x, bits), bits); }
 
@@ -386,8 +375,8 @@ bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
     const PathParameter at = locate(path, t);
     const Vector<Rational> r = evaluate(exact[at.segment], at.t);
     if (!start) start = r;
-    const Vector<Rational> way = difference(r, *start);
-    const Vector<Rational> off = difference(difference(given, positions.front().r), way);
+    const Vector<Rational> way = r - *start;
+    const Vector<Rational> off = given - positions.front().r - way;
     farthest = std::max(farthest, dot(way, way));
     worst = std::max(worst, dot(off, off));
   }

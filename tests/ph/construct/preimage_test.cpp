@@ -14,8 +14,6 @@ RationalQuaternion random_quaternion(Random& random) {
   return {random.rational(), random.rational(), random.rational(), random.rational()};
 }
 
-RationalQuaternion conjugate(const RationalQuaternion& a) { return {a.u, -a.v, -a.p, -a.q}; }
-
 constexpr double tiny = 1e-300;
 const std::vector<Vector<double>> directions{
     {1, 0, 0},     {-1, 0, 0},      {0, 1, 0},        {0, 0, -1},    {-1, 1e-12, -1e-13},

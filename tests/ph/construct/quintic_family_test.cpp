@@ -5,6 +5,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/energy.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;

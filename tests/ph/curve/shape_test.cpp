@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
 
@@ -17,23 +18,8 @@ RationalQuaternion small_quaternion(Random& random) {
   return {c(), c(), c(), c()};
 }
 
-QuaternionPolynomial from_bernstein(const std::vector<RationalQuaternion>& b) {
-  const auto component = [&](Rational RationalQuaternion::*c) {
-    std::vector<Rational> list;
-    for (const RationalQuaternion& q : b) list.push_back(q.*c);
-    return phrame::from_bernstein(list);
-  };
-  return {component(&RationalQuaternion::u), component(&RationalQuaternion::v),
-          component(&RationalQuaternion::p), component(&RationalQuaternion::q)};
-}
-
-Rational dot(const Vector<Rational>& a, const Vector<Rational>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 RationalQuaternion inverse_times(const RationalQuaternion& a, const RationalQuaternion& b) {
-  const Rational n = norm(a);
-  return RationalQuaternion{a.u / n, -a.v / n, -a.p / n, -a.q / n} * b;
+  return 1 / norm(a) * (conjugate(a) * b);
 }
 
 }  // namespace

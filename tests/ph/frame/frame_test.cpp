@@ -1,6 +1,7 @@
 #include "phrame/ph/frame/frame.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "support/curves.hpp"
 #include "support/random.hpp"
 
@@ -19,14 +20,6 @@ RealBall dot(const Vector<Real>& a, const Vector<Real>& b) {
   RealBall sum;
   for (std::size_t k = 0; k < 3; ++k) sum = add(sum, multiply(ball(a[k]), ball(b[k]), bits), bits);
   return sum;
-}
-
-Vector<Rational> cross(const Vector<Rational>& a, const Vector<Rational>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Rational dot(const Vector<Rational>& a, const Vector<Rational>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 void check_orthonormal(const Frame<Real>& f) {

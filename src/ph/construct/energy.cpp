@@ -1,0 +1,103 @@
+#include "phrame/ph/construct/energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+// With g = αβ′ − α′β: κ = 2|g|/(fσ²), ds = fσ dt.
+
+namespace phrame {
+namespace {
+
+struct GaussPoint {
+  double t;
+  double weight;
+};
+
+/// Legendre's 10 points on [0, 1] [Abramowitz and Stegun, table 25.4].
+constexpr std::array<GaussPoint, 5> half_of_points{{{0.1488743389816312, 0.2955242247147529},
+                                                    {0.4333953941292472, 0.2692667193099963},
+                                                    {0.6794095682990244, 0.2190863625159820},
+                                                    {0.8650633666889845, 0.1494513491505806},
+                                                    {0.9739065285171717, 0.0666713443086881}}};
+
+double squared_size_of_g(const Quaternion<double>& a, const Quaternion<double>& slope) {
+  const double re = a.u * slope.q - a.v * slope.p - (slope.u * a.q - slope.v * a.p);
+  const double im = a.u * slope.p + a.v * slope.q - (slope.u * a.p + slope.v * a.q);
+  return re * re + im * im;
+}
+
+/// ∫ F(t, σ, |g|²) dt from 0 to 1; ∞ where it is no number.
+template <class F>
+double integral(std::span<const Quaternion<double>> a, const F& integrand) {
+  constexpr int panels = 8;
+  const std::size_t m = a.size() - 1;
+  if (m == 0) return 0;
+  const auto rate = [&](double t) {
+    std::array<Quaternion<double>, max_energy_degree + 1> b;  // by de Casteljau's algorithm
+    std::copy(a.begin(), a.end(), b.begin());
+    const double s = 1 - t;
+    for (std::size_t n = m; n > 1; --n)
+      for (std::size_t k = 0; k < n; ++k) b[k] = s * b[k] + t * b[k + 1];
+    const Quaternion<double> slope = static_cast<double>(m) * (b[1] - b[0]);
+    const Quaternion<double> value = s * b[0] + t * b[1];
+    return integrand(t, norm(value), squared_size_of_g(value, slope));
+  };
+  double sum = 0;
+  for (int k = 0; k < panels; ++k)
+    for (const auto& [x, weight] : half_of_points)
+      sum += weight * (rate((k + (1 - x) / 2) / panels) + rate((k + (1 + x) / 2) / panels));
+  const double value = sum / (2 * panels);
+  return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+}
+
+double value_of(std::span<const double> f, double t) {
+  std::array<double, max_energy_degree + 1> b;
+  std::copy(f.begin(), f.end(), b.begin());
+  for (std::size_t n = f.size() - 1; n > 0; --n)
+    for (std::size_t k = 0; k < n; ++k) b[k] = (1 - t) * b[k] + t * b[k + 1];
+  return b[0];
+}
+
+}  // namespace
+
+double approximate_energy(std::span<const Quaternion<double>> a, std::span<const double> f) {
+  return integral(a, [f](double t, double sigma, double gg) {
+    return 4 * gg / (value_of(f, t) * sigma * sigma * sigma);
+  });
+}
+
+double approximate_energy(std::span<const Quaternion<double>> a) {
+  return integral(a,
+                  [](double, double sigma, double gg) { return 4 * gg / (sigma * sigma * sigma); });
+}
+
+double approximate_turning(std::span<const Quaternion<double>> a) {
+  return integral(a, [](double, double sigma, double gg) { return 2 * std::sqrt(gg) / sigma; });
+}
+
+// With A times √s and f times c, ∫κ² ds is sc times as small.
+double approximate_energy(const Curve& curve) {
+  const auto a = to_bernstein(curve.preimage(), preimage_degree(curve));
+  const auto f = to_bernstein(curve.multiplier(), curve.multiplier().degree());
+  Rational size;
+  for (const RationalQuaternion& b : a) size = std::max(size, norm(b));
+  const Rational s = scale_for_doubles(size);
+  const Rational root = *square_root(s);
+  Rational greatest;
+  for (const Rational& b : f) greatest = std::max(greatest, Rational(abs(b)));
+  const Rational c = scale_for_doubles(greatest);
+  std::vector<Quaternion<double>> scaled_a;
+  for (const RationalQuaternion& b : a) {
+    const auto scaled = [&](const Rational& x) { return static_cast<double>(root * x); };
+    scaled_a.push_back({scaled(b.u), scaled(b.v), scaled(b.p), scaled(b.q)});
+  }
+  std::vector<double> scaled_f;
+  for (const Rational& b : f) scaled_f.push_back(static_cast<double>(c * b));
+  return approximate_energy(scaled_a, scaled_f) * static_cast<double>(s * c);
+}
+
+}  // namespace phrame

@@ -1,0 +1,12 @@
+#include "phrame/ph/curve/vector.hpp"
+
+#include <fmt/format.h>
+
+namespace phrame {
+
+std::string abbreviated(const Vector<Rational>& v) {
+  const auto text = [](const Rational& x) { return abbreviated(to_string(x)); };
+  return fmt::format("({}, {}, {})", text(v[0]), text(v[1]), text(v[2]));
+}
+
+}  // namespace phrame

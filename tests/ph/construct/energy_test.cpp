@@ -1,0 +1,67 @@
+#include "phrame/ph/construct/energy.hpp"
+
+#include <numbers>
+
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/frame/totals.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+namespace {
+
+/// Without cusps: |A| ≥ 2 for its first part is ≥ 2.
+QuaternionPolynomial smooth_preimage(Random& random, long degree) {
+  const auto part = [&](long first) {
+    std::vector<Rational> c{first};
+    for (long k = 1; k <= degree; ++k) c.emplace_back(random.integer(0, 9), 10);
+    return Polynomial(c);
+  };
+  return {part(2), part(-1), part(1), part(0)};
+}
+
+}  // namespace
+
+// bending_energy() is the integral in closed form.
+TEST_CASE("energy: law: the quadrature agrees with the certified integral") {
+  for_samples(20, [](Random& random) {
+    const Curve curve(smooth_preimage(random, random.integer(1, 3)));
+    const auto exact = bending_energy(curve);
+    const double energy = round_to_double(std::get<Total>(exact).value);
+    CHECK(approximate_energy(curve) == doctest::Approx(energy).epsilon(1e-7));
+  });
+}
+
+TEST_CASE("energy: law: a square in the multiplier is one in the preimage") {
+  for_samples(20, [](Random& random) {
+    const QuaternionPolynomial a = smooth_preimage(random, random.integer(0, 3));
+    const Polynomial p{1, Rational(random.integer(1, 9), 10)};
+    const Curve faster({p * a.u, p * a.v, p * a.p, p * a.q});
+    CHECK(approximate_energy(Curve(a, p * p)) ==
+          doctest::Approx(approximate_energy(faster)).epsilon(1e-9));
+  });
+}
+
+// r times c has 1/c of the energy.
+TEST_CASE("energy: curves of any size have one") {
+  Random random(3);
+  const QuaternionPolynomial a = smooth_preimage(random, 2);
+  const double energy = approximate_energy(Curve(a));
+  for (const long exponent : {-120L, -7L, 90L}) {
+    const Rational c = power_of_ten(exponent);
+    const double of_size = approximate_energy(Curve(a, Polynomial{c}));
+    CHECK(of_size == doctest::Approx(energy * static_cast<double>(Rational(1 / c))).epsilon(1e-12));
+  }
+}
+
+// x′ + iy′ = (1 + ti)², of which the argument goes from 0 to 2 atan 1.
+TEST_CASE("energy: the turning is the angle of the tangents of a plane curve") {
+  const QuaternionPolynomial a{Polynomial{1}, {}, {}, Polynomial{0, 1}};
+  std::vector<Quaternion<double>> b;
+  for (const RationalQuaternion& c : to_bernstein(a, 1))
+    b.push_back({static_cast<double>(c.u), static_cast<double>(c.v), static_cast<double>(c.p),
+                 static_cast<double>(c.q)});
+  CHECK(approximate_turning(b) == doctest::Approx(std::numbers::pi / 2).epsilon(1e-12));
+}
