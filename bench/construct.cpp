@@ -63,5 +63,15 @@ void close_spline(State& state) {
 }
 BENCHMARK(close_spline)->Arg(15)->Arg(40);
 
+void meet_points(State& state) {
+  const HermiteSpline data = spline_data(state.range(0));
+  const Rational tolerance = power_of_ten(-state.range(1));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(quintic_spline(data, QuinticSelection::automatic,
+                                            {tolerance, tolerance}, PointRule::exact));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(meet_points)->Args({100, 15})->Args({100, 40});
+
 }  // namespace
 }  // namespace phrame::bench

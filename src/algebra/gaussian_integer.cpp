@@ -6,6 +6,7 @@
 // That |π|² = p is checked; it does not matter whether p is proved to be prime.
 #include "phrame/algebra/gaussian_integer.hpp"
 
+#include <limits>
 #include <ostream>
 #include <vector>
 
@@ -89,6 +90,26 @@ std::vector<IntegerPower> factors(const Integer& x) {
   return list;
 }
 
+/// Primes whose product fits a word, so that one division tells which of them divide a number.
+struct PrimeGroup {
+  unsigned long product = 1;
+  std::vector<unsigned> primes;
+};
+
+std::vector<PrimeGroup> prime_groups(unsigned below) {
+  std::vector<PrimeGroup> groups(1);
+  for (unsigned p = 2; p < below; ++p) {
+    bool is_prime = true;
+    for (unsigned d = 2; d * d <= p && is_prime; ++d) is_prime = p % d != 0;
+    if (!is_prime) continue;
+    if (groups.back().product > std::numeric_limits<unsigned long>::max() / p)
+      groups.emplace_back();
+    groups.back().product *= p;
+    groups.back().primes.push_back(p);
+  }
+  return groups;
+}
+
 }  // namespace
 
 GaussianRational operator+(const GaussianRational& a, const GaussianRational& b) {
@@ -170,6 +191,32 @@ NormFactor split_norm(const Integer& x) {
       result.rest *= base;
   }
   return result;
+}
+
+std::optional<GaussianInteger> easy_norm_root(const Integer& n) {
+  static const std::vector<PrimeGroup> groups = prime_groups(2000);
+  if (n == 0) return GaussianInteger{0, 0};
+  if (n < 0) return std::nullopt;
+  GaussianInteger root{1, 0};
+  Integer rest = n;
+  for (const PrimeGroup& group : groups) {
+    const unsigned long residue = fmpz_fdiv_ui(n.raw(), group.product);
+    for (const unsigned p : group.primes) {
+      if (residue % p != 0) continue;
+      unsigned exponent = 0;
+      for (; rest % p == 0; rest /= p) ++exponent;
+      if (exponent % 2 == 1 && p % 4 == 3) return std::nullopt;
+      root = root * GaussianInteger{pow(Integer(p), exponent / 2), 0};
+      if (exponent % 2 == 1) root = root * *prime_above(p);
+    }
+  }
+  if (rest == 1) return root;
+  if (const Integer square_root = sqrt(rest); square_root * square_root == rest)
+    return root * GaussianInteger{square_root, 0};
+  if (rest % 4 != 1 || fmpz_is_probabprime(rest.raw()) == 0) return std::nullopt;
+  const auto pi = prime_above(rest);
+  if (!pi) return std::nullopt;
+  return root * *pi;
 }
 
 std::ostream& operator<<(std::ostream& out, const GaussianInteger& z) {

@@ -22,14 +22,14 @@ struct Task {
 /// A row is all that a kind needs here; what it does is in a file of its own in ph/construct.
 struct KindRow {
   NamedKind named;
-  bool takes_accelerations;
+  bool takes_accelerations = false;
   Construction (*construct)(const Task& task);
   /// Is the law true of it, decided exactly? None where there is no law.
   bool (*obeys_law)(const Path& path) = nullptr;
 };
 
 Construction quintics(const Task& task) {
-  return quintic_spline(task.data, task.query.choice, task.tolerance);
+  return quintic_spline(task.data, task.query.choice, task.tolerance, task.query.points);
 }
 
 Construction cubics(const Task& task) {
@@ -38,7 +38,7 @@ Construction cubics(const Task& task) {
 }
 
 Construction planar(const Task& task) {
-  return plane_quintics(task.data, task.query.solution, task.tolerance);
+  return plane_quintics(task.data, task.query.solution, task.tolerance, task.query.points);
 }
 
 bool is_in_plane(const Path& path) {
@@ -48,18 +48,27 @@ bool is_in_plane(const Path& path) {
 }
 
 const std::vector<KindRow>& rows() {
-  static const std::vector<KindRow> table{
-      {{CurveKind::quintic, "quintic", "C1 splines of PH quintics", Continuity::c1},
-       false,
-       quintics},
-      {{CurveKind::planar, "planar", "the same in the plane z = 0", Continuity::c1, plane_solutions,
-        "the curve is in the plane z = 0"},
-       false,
-       planar,
-       is_in_plane},
-      {{CurveKind::cubic, "cubic", "G1 splines of PH cubics", Continuity::g1, cubic_solutions},
-       false,
-       cubics}};
+  static const std::vector<KindRow> table{{.named = {.kind = CurveKind::quintic,
+                                                     .name = "quintic",
+                                                     .what = "C1 splines of PH quintics",
+                                                     .continuity = Continuity::c1,
+                                                     .meets_points = true},
+                                           .construct = quintics},
+                                          {.named = {.kind = CurveKind::planar,
+                                                     .name = "planar",
+                                                     .what = "the same in the plane z = 0",
+                                                     .continuity = Continuity::c1,
+                                                     .solutions = plane_solutions,
+                                                     .meets_points = true,
+                                                     .law = "the curve is in the plane z = 0"},
+                                           .construct = planar,
+                                           .obeys_law = is_in_plane},
+                                          {.named = {.kind = CurveKind::cubic,
+                                                     .name = "cubic",
+                                                     .what = "G1 splines of PH cubics",
+                                                     .continuity = Continuity::g1,
+                                                     .solutions = cubic_solutions},
+                                           .construct = cubics}};
   return table;
 }
 
@@ -86,6 +95,8 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
   if (!given.accelerations.empty() && !row->takes_accelerations)
     throw InputError("/accelerations",
                      fmt::format("the kind {} takes points and derivatives only", row->named.name));
+  if (query.points == PointRule::exact && !row->named.meets_points)
+    throw InputError(fmt::format("the kind {} does not meet points exactly", row->named.name));
   if (query.tolerance <= 0 || query.tolerance >= 1)
     throw InputError(fmt::format("the tolerance {} is not between 0 and 1",
                                  abbreviated(to_string(query.tolerance))));
@@ -111,6 +122,7 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
           row->named,
           query.choice,
           query.solution,
+          query.points,
           std::move(data),
           std::move(found.parameters),
           derivative_source(given, query.is_closed),

@@ -18,6 +18,7 @@ struct ConstructOptions {
   long solution = 1;
   std::string tolerance;
   bool is_closed = false;
+  bool exact_points = false;
   std::string print = "text";
   TextLength length;
   std::string output;
@@ -48,6 +49,7 @@ ConstructQuery query(const ConstructOptions& options) {
       throw InputError("--tolerance", abbreviated(options.tolerance) + " is not between 0 and 1");
   }
   query.is_closed = options.is_closed;
+  if (options.exact_points) query.points = PointRule::exact;
   return query;
 }
 
@@ -93,7 +95,9 @@ void add_construct(Program& program) {
                      "how far the curve may be from the points, beside their extent\n"
                      "(default 1e-15)");
   command.add_flag("--closed", options->is_closed, "the curve ends where it starts");
-  command.not_with({"--closed"}, {"--kind cubic"});
+  command.add_flag("--exact-points", options->exact_points,
+                   "meet the points exactly, by two quintics between any two of them");
+  command.not_with({"--closed", "--exact-points"}, {"--kind cubic"});
   command.add_option("-o,--output", "FILE", options->output,
                      "write the curve to this file, beside the report");
   command.add_format("--print", options->print, {"text", "json", "curve"},

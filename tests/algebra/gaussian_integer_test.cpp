@@ -1,5 +1,7 @@
 #include "phrame/algebra/gaussian_integer.hpp"
 
+#include <cmath>
+
 #include "phrame/algebra/error.hpp"
 #include "support/random.hpp"
 
@@ -84,4 +86,37 @@ TEST_CASE("split_norm: large primes, their products and squares") {
   CHECK(rest(mersenne * mersenne * 7) != 1);
   CHECK_THROWS_AS(split_norm(0), DomainError);
   CHECK_THROWS_AS(split_norm(-5), DomainError);
+}
+
+TEST_CASE(
+    "easy norm root: law: |z|² = n, and there is one for all sums of two squares up to 4000") {
+  for (long n = 0; n <= 4000; ++n) {
+    bool is_sum = false;
+    for (long a = 0; a * a <= n; ++a) {
+      const long b = std::lround(std::sqrt(static_cast<double>(n - a * a)));
+      is_sum = is_sum || a * a + b * b == n;
+    }
+    CAPTURE(n);
+    const auto root = easy_norm_root(n);
+    CHECK(root.has_value() == is_sum);
+    if (root) CHECK(norm(*root) == n);
+  }
+}
+
+// The primes are those above; 9973 ≡ 1 and 9967 ≡ 3 mod 4 are primes above 2000.
+TEST_CASE("easy norm root: with a large prime or a square, but not with two") {
+  const Integer three = Integer("1000000000039");
+  const Integer one = Integer("1000000000061");
+  const auto check = [](const Integer& n) {
+    const auto root = easy_norm_root(n);
+    REQUIRE(root.has_value());
+    CHECK(norm(*root) == n);
+  };
+  check(one);
+  check(one * 2 * 9 * 5 * 1997);
+  check(three * three * 13);
+  check(one * one);
+  for (const Integer& n : {three, Integer(3 * one), Integer(three * 9967), Integer(one * 9973),
+                           Integer(-5), Integer(1999 * one)})
+    CHECK(!easy_norm_root(n).has_value());
 }

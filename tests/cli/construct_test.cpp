@@ -181,3 +181,22 @@ TEST_CASE(
   check_failure(here.run("construct - --kind cubic --closed", table), 2,
                 "--closed: does not apply with --kind cubic");
 }
+
+TEST_CASE("construct: --exact-points meets the points as fractions, in space and in the plane") {
+  const Workshop here;
+  here.write("points.csv", "x,y,z\n0,0,0\n1,1/3,0\n2,0,1/7\n");
+  const Run run = here.run("construct points.csv --exact-points -o spline.json");
+  check_success(run);
+  CHECK(contains(run.out, "points met      exactly, as equal fractions"));
+  // t = 2 is the second point.
+  CHECK(contains(here.run("frames spline.json --at 2").out, "\n2,1,0.3333333333333333,0,"));
+  const Json spline = Json::parse(bytes_of(here.file("spline.json")));
+  CHECK(spline["segments"].size() == 4);
+  here.write("plane.csv", "x,y\n0,0\n1,1/3\n2,0\n");
+  const Run plane = here.run("construct plane.csv --kind planar --exact-points --print json");
+  check_success(plane);
+  const Json report = Json::parse(plane.out);
+  CHECK(report["law"] == "the curve is in the plane z = 0");
+  CHECK(number(report["deviation"]["points"]) == 0);
+  check_failure(here.run("construct points.csv --kind cubic --exact-points"), 2, "--exact-points");
+}

@@ -59,6 +59,11 @@ std::string energy_text(double energy) {
   return std::isfinite(energy) ? decimal(exact_rational(energy), 6) : "∞";
 }
 
+const char* preimage_exception(const ConstructionAnswer& answer) {
+  if (answer.points == PointRule::exact) return ", but for those between the points";
+  return answer.data.is_closed ? ", but for the last two segments" : "";
+}
+
 const char* joints_text(Continuity continuity) {
   switch (continuity) {
     case Continuity::g1:
@@ -130,14 +135,16 @@ std::string to_text(const ConstructionAnswer& answer) {
                           answer.data.is_closed ? ", the last of them the first" : ""));
   row("  derivatives", name_of(answer.derivatives_from));
   row("  parameters", name_of(answer.parameters_from));
-  row("points met", bound_text(answer.deviation.points, answer.tolerance.points));
+  row("points met", answer.points == PointRule::exact
+                        ? "exactly, as equal fractions"
+                        : bound_text(answer.deviation.points, answer.tolerance.points));
   row(answer.kind.continuity == Continuity::g1 ? "tangents" : "derivatives",
       bound_text(answer.deviation.derivatives, answer.tolerance.derivatives));
   if (!answer.path.path.is_curve()) row("joints", joints_text(answer.kind.continuity));
   if (!answer.kind.law.empty()) row("shape", fmt::format("{}, checked", answer.kind.law));
   if (answer.kind.continuity != Continuity::g1)
     row("preimage", fmt::format("coefficients are multiples of 2^{}{}", -answer.bits,
-                                answer.data.is_closed ? ", but for the last two segments" : ""));
+                                preimage_exception(answer)));
   row("length", "≈ " + decimal(length(answer), 12));
   row("energy ∫ κ² ds", "about " + energy_text(energy(answer)));
   return text + segment_table(answer);

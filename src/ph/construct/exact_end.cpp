@@ -68,25 +68,12 @@ GaussianRational unit_near(const GaussianRational& z, long bits) {
   return quarters * GaussianRational{(1 - tau * tau) / norm, 2 * tau / norm};
 }
 
-/// Is it seen at a glance that n > 0 is no sum of two squares? Two in three that are none.
-bool is_no_norm(const Integer& n) {
-  for (const long p : {3, 7, 11, 19, 23, 31, 43, 47, 59, 67, 71, 79, 83}) {
-    Integer rest = n;
-    bool is_odd = false;
-    for (; rest % p == 0; rest /= p) is_odd = !is_odd;
-    if (is_odd) return true;
-  }
-  return false;
-}
-
 /// η with |η|² = r·d², an integer, over d; no value where that is not seen to exist.
 std::optional<GaussianRational> of_norm(const Rational& r, const Integer& d) {
   const Integer n = numerator(Rational(r * Rational(d) * Rational(d)));
-  if (n == 0) return GaussianRational{0, 0};
-  if (is_no_norm(n)) return std::nullopt;
-  const NormFactor factor = split_norm(n);
-  if (factor.rest != 1) return std::nullopt;
-  return GaussianRational{Rational(factor.root.re, d), Rational(factor.root.im, d)};
+  const auto root = easy_norm_root(n);
+  if (!root) return std::nullopt;
+  return GaussianRational{Rational(root->re, d), Rational(root->im, d)};
 }
 
 struct Solution {
@@ -135,6 +122,60 @@ Solution exact_sum(const RationalQuaternion& x, const RationalQuaternion& y,
       most_tries));
 }
 
+/// λ with c = λ·d, where there is one; d ≠ 0.
+std::optional<Rational> ratio(const Vector<Rational>& c, const Vector<Rational>& d) {
+  const Rational lambda = dot(c, d) / dot(d, d);
+  if (c != lambda * d) return std::nullopt;
+  return lambda;
+}
+
+/// a ≠ 0 over a factor of ℚ(i), so that it has short coefficients if its multiples have.
+RationalQuaternion short_multiple(const RationalQuaternion& a) {
+  Integer d = 1;
+  for (const Rational& x : {a.u, a.v, a.p, a.q}) d = lcm(d, Integer(denominator(x)));
+  const auto integral = [&](const GaussianRational& z) {
+    return GaussianInteger{numerator(Rational(z.re * d)), numerator(Rational(z.im * d))};
+  };
+  const GaussianInteger factor = gcd(integral(alpha(a)), integral(beta(a)));
+  const auto divided = [&](const GaussianRational& z) {
+    const GaussianInteger q = *exact_quotient(integral(z), factor);
+    return GaussianRational{q.re, q.im};
+  };
+  return from_hopf(divided(alpha(a)), divided(beta(a)));
+}
+
+/// The same where all are on one line: for X = wa, Y = wb with a, b ∈ ℚ(i) and c = λ·w i w* it is
+/// |a|² + |b|² = λ. By Lagrange's theorem on four squares there is no obstruction. The denominator
+/// of λ is one of a, so that it is no factor of what has to be a norm; which power of 2 has to be
+/// one, too, depends on λ, so several are tried.
+Solution exact_line_sum(const RationalQuaternion& x, const RationalQuaternion& y,
+                        const RationalQuaternion& w, const Rational& lambda, long bits) {
+  constexpr long most_tries = 4000;
+  const auto over_w = [&](const RationalQuaternion& a) {
+    return alpha(1 / norm(w) * (conjugate(w) * a));
+  };
+  const auto times_w = [&](const GaussianRational& z) {
+    return w * RationalQuaternion{z.re, z.im, 0, 0};
+  };
+  const GaussianRational a_near = over_w(x);
+  const GaussianRational b_near = over_w(y);
+  const long most_twos = binary_places(lambda) / 2 + 2;
+  Integer fives = denominator(lambda);
+  for (long k = 0; k < bits; k += 2) fives *= 5;
+  std::mt19937_64 engine(1);
+  for (long n = 0; n < most_tries; ++n) {
+    const Integer grid = fives << static_cast<unsigned long>(n % (most_twos + 1));
+    const auto near = [&](const Rational& part) {
+      return Rational(floor(part * grid) + Integer(engine() % 17) - 8, grid);
+    };
+    const GaussianRational a{near(a_near.re), near(a_near.im)};
+    const auto eta = of_norm(lambda - norm(a), grid);
+    if (!eta) continue;
+    return {times_w(a), times_w(*eta * unit_near(b_near * conjugate(*eta), std::max(bits, 20L)))};
+  }
+  throw Undecided("the exact end: no four rational squares were found near the straight segment");
+}
+
 /// Is it u + qk? These make the curves in the plane z = 0.
 bool is_plane(const RationalQuaternion& a) { return a.v == 0 && a.p == 0; }
 
@@ -173,7 +214,11 @@ std::array<QuadraticPreimage, 2> exact_halves(const QuadraticPreimage& a,
   const RationalQuaternion x = first_ends + Rational(4) * left;
   const RationalQuaternion y = second_ends + Rational(4) * right;
   Solution found;
-  if (std::all_of(a.begin(), a.end(), is_plane) && integral[2] == 0) {
+  const RationalQuaternion w = norm(x) == 0 ? x : short_multiple(x);
+  const auto lambda = norm(x) == 0 ? std::nullopt : ratio(c, rotated_i(w));
+  if (lambda && ratio(rotated_i(y), rotated_i(w))) {
+    found = exact_line_sum(x, y, w, *lambda, bits);
+  } else if (std::all_of(a.begin(), a.end(), is_plane) && integral[2] == 0) {
     found = exact_plane_sum(x, y, c, bits);
   } else {
     const RationalQuaternion turned_c = u * RationalQuaternion{0, c[0], c[1], c[2]} * u_back;

@@ -43,13 +43,14 @@ FreeAngles nth_by_turning(const QuinticFamily& family, long solution) {
 
 }  // namespace
 
-Construction plane_quintics(const HermiteSpline& data, long solution, const Deviation& tolerance) {
+Construction plane_quintics(const HermiteSpline& data, long solution, const Deviation& tolerance,
+                            PointRule rule) {
   require_plane(data.points, "point");
   require_plane(data.derivatives, "derivative at point");
   std::vector<FreeAngles> angles;
   for (std::size_t k = 0; k < data.segments(); ++k)
     angles.push_back(nth_by_turning(quintic_family(data, k), solution));
-  return quintic_spline(data, std::move(angles), tolerance);
+  return quintic_spline(data, std::move(angles), tolerance, rule);
 }
 
 }  // namespace phrame

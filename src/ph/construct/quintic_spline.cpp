@@ -245,30 +245,60 @@ void require_regular_joints(const HermiteSpline& data) {
           fmt::format("the derivative at point {} is 0: the tangent would break there", k + 1));
 }
 
-/// The last segment in two halves that end at `end`, exactly.
-void close(std::vector<ExactSegment>& segments, const Vector<Rational>& end, long bits) {
-  const auto [a, h, start] = segments.back();
-  const auto [first, second] = exact_halves(a, (1 / h) * (end - start), bits);
-  segments.pop_back();
+/// The segment in two halves from `start` to `end`, exactly.
+std::array<ExactSegment, 2> halves(const ExactSegment& segment, const Vector<Rational>& start,
+                                   const Vector<Rational>& end, long bits) {
+  const Rational& h = segment.h;
+  const auto [first, second] = exact_halves(segment.a, (1 / h) * (end - start), bits);
   const Rational half = h / 2;
   const RationalQuaternion b = Rational(3) * (first[0] + first[2]) + Rational(4) * first[1];
   const Vector<Rational> middle =
       start + half / 120 * (rotated_i(b) + integral_of_ends(first[0], first[2]));
-  segments.push_back({first, half, start});
-  segments.push_back({second, half, middle});
+  return {ExactSegment{first, half, start}, ExactSegment{second, half, middle}};
 }
 
-Path path_of(const std::vector<ExactSegment>& segments) {
+/// With the segments halved that have to end in a point exactly: all, or the last one of a closed
+/// spline.
+Construction construction_of(const Attempt& attempt, const HermiteSpline& data,
+                             const std::vector<FreeAngles>& angles, PointRule rule, long bits,
+                             const Deviation& deviation) {
   std::vector<Curve> curves;
-  for (const auto& [a, h, start] : segments)
-    curves.emplace_back(from_bernstein(std::vector(a.begin(), a.end())), Polynomial{h}, start);
-  return joined(curves);
+  std::vector<Rational> parameters{data.parameters.front()};
+  std::vector<FreeAngles> angles_of_curves;
+  const auto add = [&](const ExactSegment& segment, std::size_t k) {
+    const auto& a = segment.a;
+    curves.emplace_back(from_bernstein(std::vector(a.begin(), a.end())), Polynomial{segment.h},
+                        segment.start);
+    parameters.push_back(parameters.back() + segment.h);
+    angles_of_curves.push_back(angles[k]);
+  };
+  const bool is_exact = rule == PointRule::exact;
+  for (std::size_t k = 0; k < attempt.segments.size(); ++k) {
+    const ExactSegment& segment = attempt.segments[k];
+    const bool is_last = k + 1 == attempt.segments.size();
+    if (!is_exact && !(data.is_closed && is_last)) {
+      add(segment, k);
+      continue;
+    }
+    try {
+      const Vector<Rational>& start = is_exact ? data.points[k] : segment.start;
+      for (const ExactSegment& half : halves(segment, start, data.points[k + 1], bits))
+        add(half, k);
+    } catch (const Undecided& error) {
+      throw Undecided(fmt::format("segment {}: {}", k + 1, error.what()));
+    }
+  }
+  return {joined(curves),
+          std::move(parameters),
+          std::move(angles_of_curves),
+          bits,
+          {is_exact ? Rational(0) : deviation.points, deviation.derivatives}};
 }
 
 }  // namespace
 
 Construction quintic_spline(const HermiteSpline& data, const QuinticChoice& choice,
-                            const Deviation& tolerance) {
+                            const Deviation& tolerance, PointRule rule) {
   const auto chosen = [&](std::size_t k) {
     if (const auto* angles = std::get_if<FreeAngles>(&choice)) return *angles;
     const QuinticFamily family = quintic_family(data, k);
@@ -277,25 +307,18 @@ Construction quintic_spline(const HermiteSpline& data, const QuinticChoice& choi
   };
   std::vector<FreeAngles> angles;
   for (std::size_t k = 0; k < data.segments(); ++k) angles.push_back(chosen(k));
-  return quintic_spline(data, std::move(angles), tolerance);
+  return quintic_spline(data, std::move(angles), tolerance, rule);
 }
 
 Construction quintic_spline(const HermiteSpline& data, std::vector<FreeAngles> angles,
-                            const Deviation& tolerance) {
+                            const Deviation& tolerance, PointRule rule) {
   require_regular_joints(data);
   for (long p = first_bits(data, tolerance);; p += 8) {
-    Attempt found = Chain(data, angles, Grid(p, working_bits(data, p)), tolerance).run();
+    const Attempt found = Chain(data, angles, Grid(p, working_bits(data, p)), tolerance).run();
     const Deviation deviation{square_root_above(found.squared.points),
                               square_root_above(found.squared.derivatives)};
-    if (deviation.points > tolerance.points || deviation.derivatives > tolerance.derivatives)
-      continue;
-    std::vector<Rational> parameters = data.parameters;
-    if (data.is_closed) {
-      close(found.segments, data.points.front(), p);
-      angles.push_back(angles.back());
-      parameters.insert(parameters.end() - 1, parameters.back() - found.segments.back().h);
-    }
-    return {path_of(found.segments), std::move(parameters), std::move(angles), p, deviation};
+    if (deviation.points <= tolerance.points && deviation.derivatives <= tolerance.derivatives)
+      return construction_of(found, data, angles, rule, p, deviation);
   }
 }
 

@@ -9,16 +9,22 @@ namespace phrame {
 /// Which of the quintics: by a rule, or by angles, the same in all segments.
 using QuinticChoice = std::variant<QuinticSelection, FreeAngles, SolutionAngles>;
 
+/// How the points are met.
+enum class PointRule {
+  near,  ///< within the tolerance
+  exact  ///< by equal fractions; between two points there are then two quintics
+};
+
 /// A C¹ spline of PH quintics, exactly, near its data. Segment k is r′ = h_k·A i A* on [0, 1], h_k
 /// the step of the parameter, so that neighbours have the derivative by the parameter in common:
 /// the coefficient of A at a joint is the same for both. A closed one ends at its start, exactly,
 /// with the derivative there; for that its last segment is halved. Throws DomainError where a
 /// derivative is 0 at a joint, so that the tangent would break there, and where a segment is a
-/// point, Undecided where a spline could not be closed.
+/// point, Undecided where a spline could not be closed and where a point could not be met exactly.
 Construction quintic_spline(const HermiteSpline& data, const QuinticChoice& choice,
-                            const Deviation& tolerance);
+                            const Deviation& tolerance, PointRule rule = PointRule::near);
 /// The same with the angles of each segment.
 Construction quintic_spline(const HermiteSpline& data, std::vector<FreeAngles> angles,
-                            const Deviation& tolerance);
+                            const Deviation& tolerance, PointRule rule = PointRule::near);
 
 }  // namespace phrame

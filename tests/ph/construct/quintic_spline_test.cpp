@@ -317,3 +317,71 @@ TEST_CASE("quintic splines: closed ones end at their start, with the derivative 
     CHECK(energy == doctest::Approx(7.841).epsilon(1e-3));
   }
 }
+
+TEST_CASE("quintic spline: law: exact points are joints, and derivatives stay as near as without") {
+  for_samples(12, [](Random& random) {
+    const long count = random.integer(1, 6);
+    HermiteSpline data = random_spline(random, count);
+    if (random.chance(2)) {  // denominators that are no powers of 10
+      for (auto& p : data.points)
+        for (Rational& x : p) x += Rational(random.integer(-20, 20), random.chance(2) ? 231 : 13);
+    }
+    data.is_closed = count > 1 && random.chance(2);
+    if (data.is_closed) {
+      data.points.back() = data.points.front();
+      data.derivatives.back() = data.derivatives.front();
+    }
+    const Deviation allowed = relative(data, number(random.chance(2) ? "1e-15" : "1e-30"));
+    const Construction found =
+        quintic_spline(data, QuinticSelection::automatic, allowed, PointRule::exact);
+    CHECK(found.deviation.points == 0);
+    CHECK(found.deviation.derivatives <= allowed.derivatives);
+    const auto& segments = found.path.segments();
+    REQUIRE(segments.size() == 2 * data.segments());
+    REQUIRE(found.parameters.size() == segments.size() + 1);
+    REQUIRE(found.angles.size() == segments.size());
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+      const Rational h = found.parameters[k + 1] - found.parameters[k];
+      const Vector<Rational> end = evaluate(position(segments[k]), 1);
+      if (k % 2 == 0) {
+        CHECK(segments[k].start() == data.points[k / 2]);
+        CHECK(found.parameters[k] == data.parameters[k / 2]);
+        const Vector<Rational> off = minus(derivative(segments[k], h, 0), data.derivatives[k / 2]);
+        CHECK(squared_size(off) <= allowed.derivatives * allowed.derivatives);
+      } else {
+        CHECK(end == data.points[k / 2 + 1]);
+      }
+      if (k + 1 == segments.size()) continue;
+      const Rational next = found.parameters[k + 2] - found.parameters[k + 1];
+      CHECK(derivative(segments[k], h, 1) == derivative(segments[k + 1], next, 0));
+    }
+    if (data.is_closed) CHECK(found.path.closing_turn().has_value());
+    // The numbers are longer than those of a spline that is near, but by a factor.
+    for (const Curve& curve : segments)
+      for (const RationalQuaternion& b : to_bernstein(curve.preimage(), 2))
+        CHECK(bit_length(numerator(b.u)) < 10 * (found.bits + 20));
+  });
+}
+
+// Along (1, 2, 3) no rational PH curve is straight (its speed would be a multiple of √14), so a
+// line through such points is bent a little; along (1, 2, 2) it could be one.
+TEST_CASE("quintic spline: points on straight lines are met exactly, too") {
+  for (const Vector<Rational>& d :
+       {Vector<Rational>{1, 2, 3}, Vector<Rational>{1, 2, 2}, Vector<Rational>{1, 0, 0},
+        Vector<Rational>{-1, 0, 0}, Vector<Rational>{0, 0, Rational(1, 3)}}) {
+    HermiteSpline data;
+    for (long k = 0; k < 3; ++k) {
+      data.points.push_back({k * d[0], k * d[1], k * d[2]});
+      data.derivatives.push_back(d);
+      data.parameters.emplace_back(k);
+    }
+    const Deviation allowed = relative(data, number("1e-15"));
+    const Construction found =
+        quintic_spline(data, QuinticSelection::automatic, allowed, PointRule::exact);
+    const auto& segments = found.path.segments();
+    double energy = 0;
+    for (const Curve& curve : segments) energy += approximate_energy(curve);
+    CHECK(energy < 1e-10);
+    CHECK(evaluate(position(segments.back()), 1) == data.points.back());
+  }
+}
