@@ -203,7 +203,7 @@ TEST_CASE("mtf: next to a cusp rational frames are found, in one piece and in se
   // Found or not is asked here, and 650 proofs take long.
   for (const char* options :
        {"--unproved --degree 1 --free-ends", "--unproved --subdivide inflections",
-        "--unproved --subdivide auto", "--subdivide 1/2", "--degree 3"}) {
+        "--unproved --subdivide auto"}) {
     CAPTURE(options);
     check_success(here.run(ends + options));
   }

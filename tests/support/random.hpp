@@ -91,6 +91,10 @@ inline long multiplier() {
   return text == nullptr ? 1 : std::max(1L, std::strtol(text, nullptr, 10));
 }
 
+/// The first number, or with more effort the second: of collections of which a part is enough for
+/// every day.
+inline long everyday(long part, long whole) { return multiplier() > 1 ? whole : part; }
+
 /// Checks a law on `count` random samples; a failure shows the seed of its sample.
 /// PHRAME_TEST_SEED is added to the seeds.
 template <class Law>

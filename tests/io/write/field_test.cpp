@@ -10,6 +10,7 @@
 #include "phrame/io/write/info.hpp"
 #include "phrame/io/write/totals.hpp"
 #include "phrame/io/write/twist.hpp"
+#include "support/random.hpp"
 
 using namespace phrame;
 using test::Json;
@@ -86,7 +87,8 @@ std::vector<NamedCurve> curves() {
   list.push_back({"cusp", Curve({{1}, {0, 1}, {0, 1}, {}}, {-1, 2})});
   std::istringstream lines(test::read_data("curves.jsonl"));
   std::string line;
-  for (int k = 0; k < 30 && std::getline(lines, line); ++k) list.push_back(read_curve(line));
+  for (long k = 0; k < test::everyday(12, 30) && std::getline(lines, line); ++k)
+    list.push_back(read_curve(line));
   return list;
 }
 
