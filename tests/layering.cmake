@@ -15,8 +15,8 @@ set(rooms algebra integrate ph/curve ph/frame ph/construct ph/twist ph/proof ans
 # What io/write may include: the values that answers are made of, with the polynomials of a curve.
 set(value_header "^(algebra|answer|io/write)/\
 |^integrate/(antiderivative|exact_value|other_form|path_end|pole_table|radicals|real_form)\\.hpp$\
-|^ph/curve/(curve|invariants|named|path|quaternion|special_points)\\.hpp$\
-|^ph/construct/nearness\\.hpp$\
+|^ph/curve/(curve|invariants|named|nearness|path|quaternion|special_points|vector)\\.hpp$\
+|^ph/frame/(frame_angle|frame_start)\\.hpp$\
 |^ph/proof/(certificate|statement)\\.hpp$")
 set(flint_header "^(flint/.+|(acb|arb|arf|mag|fmpr|fmpz|fmpq|bool_mat|dlog|dirichlet|bernoulli\
 |hypgeom|partitions|double_interval)[a-z_]*\\.h)$")

@@ -25,13 +25,14 @@ AngleAnswer answer(NamedPath named, const AngleQuery& query) {
   PathAngle angle(named.path, query.reference, query.form);
   if (query.route != Route::automatic) angle.take(query.route);
   const Path& path = angle.path();
+  const FrameAngle start = start_angle(query.start, path, query.reference);
   AngleAnswer answer{
-      std::move(named), query.reference, query.start_angle, {}, {}, query.digits, {}, {}};
+      std::move(named), query.reference, query.start, start, {}, {}, query.digits, {}, {}};
   if (query.wants_formula)
     for (std::size_t k = 0; k < path.segments().size(); ++k)
       answer.formulas.push_back(formula(angle.segment(k), query));
   for (const Rational& t : query.at)
-    answer.values.push_back(rounded_angle(t, angle.value(t, query.start_angle), query.digits));
+    answer.values.push_back(rounded_angle(t, angle.value(t, start), query.digits));
   if (path.is_curve()) return answer;
   answer.total = rounded(angle.value(path.end()), "the total angle", query.digits);
   if (const auto holonomy = angle.holonomy())

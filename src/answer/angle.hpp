@@ -3,14 +3,14 @@
 #include "phrame/integrate/other_form.hpp"
 #include "phrame/integrate/pole_table.hpp"
 #include "phrame/ph/curve/named.hpp"
-#include "phrame/ph/frame/rmf_angle.hpp"
+#include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame {
 
 /// Which angle is the rotation-minimizing frame at?
 struct AngleQuery {
   Reference reference = Reference::euler_rodrigues;  ///< the frame that θ is measured from
-  Angle start_angle = {};                            ///< θ(0)
+  FrameStart start = {};                             ///< θ(0), or where f₂ is at t = 0
   std::vector<Rational> at = {};                     ///< the t where θ is asked for
   long digits = 17;                                  ///< of its values
   Route route = Route::automatic;                    ///< the way to values
@@ -41,7 +41,8 @@ struct AngleValue {
 struct AngleAnswer {
   NamedPath path;                      ///< as asked
   Reference reference;                 ///< the frame that θ is measured from
-  Angle start_angle;                   ///< θ(0)
+  FrameStart start;                    ///< as asked
+  FrameAngle start_angle;              ///< θ(0)
   std::vector<AngleFormula> formulas;  ///< of the segments, if they are wanted
   std::vector<AngleValue> values;      ///< at the t asked for, in their order
   long digits;                         ///< of the values
@@ -49,8 +50,8 @@ struct AngleAnswer {
   std::optional<Decimal> holonomy;     ///< of a closed spline
 };
 
-/// Throws DomainError as PathAngle and, in the style of radicals, as radical_form(); Undecided,
-/// with the name of what it is, where a number cannot be rounded.
+/// Throws DomainError as PathAngle, start_angle() and, in the style of radicals, as radical_form();
+/// Undecided, with the name of what it is, where a number cannot be rounded.
 AngleAnswer answer(NamedPath path, const AngleQuery& query);
 
 /// θ = θ(t), rounded to `digits` digits. Throws Undecided, naming t.

@@ -3,7 +3,7 @@
 namespace phrame {
 
 CheckAnswer answer(const NamedPath& named, const CheckQuery& query) {
-  return {named.name, query.frames, query.options,
+  return {named, query.frames, query.options,
           check_frames(named.path, query.frames, query.options)};
 }
 

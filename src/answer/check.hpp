@@ -12,7 +12,7 @@ struct CheckQuery {
 
 /// The verdict on somebody's frames.
 struct CheckAnswer {
-  std::string name;                ///< of the path
+  NamedPath path;                  ///< what the frames are of
   std::vector<GivenFrame> frames;  ///< as given
   FrameCheckOptions options;       ///< as asked
   FrameVerdict verdict;            ///< whether they pass, errors and findings

@@ -17,20 +17,25 @@ double greatest_error(const PiecewisePolynomial& p) {
 
 CompiledAnswer compiled_spline(const NamedPath& named, const CompiledQuery& query) {
   const PathAngle angle(named.path, query.reference);
-  return {named, query.reference, query.start_angle,
-          compiled_angle(angle, query.start_angle, plain_shape(1)),
-          compiled_rotation(angle, query.start_angle, plain_shape(4))};
+  const FrameAngle start = start_angle(query.start, named.path);
+  return {named,
+          query.reference,
+          query.start,
+          start,
+          compiled_angle(angle, start, plain_shape(1)),
+          compiled_rotation(angle, start, plain_shape(4))};
 }
 
 }  // namespace
 
 CompiledAnswer answer(const NamedPath& named, const CompiledQuery& query) {
   if (!named.path.is_curve()) return compiled_spline(named, query);
-  const auto& [reference, start, from, to] = query;
+  const auto& [reference, asked, from, to] = query;
   const Curve& curve = named.path.segments().front();
   const RmfAngle angle(curve, reference);
+  const FrameAngle start = start_angle(asked, named.path, reference);
   CompiledAnswer compiled{
-      named, reference, start, compiled_angle(angle, start, from, to, plain_shape(1)), {}};
+      named, reference, asked, start, compiled_angle(angle, start, from, to, plain_shape(1)), {}};
   if (reference == Reference::euler_rodrigues)
     compiled.rotation = compiled_rotation(curve, angle, start, from, to, plain_shape(4));
   return compiled;

@@ -2,14 +2,14 @@
 #include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/piecewise_polynomial.hpp"
 #include "phrame/ph/curve/named.hpp"
-#include "phrame/ph/frame/rmf_angle.hpp"
+#include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame {
 
 /// The angle and the frame as polynomials with a proof, docs/compiled.md.
 struct CompiledQuery {
   Reference reference = Reference::euler_rodrigues;  ///< the frame that θ is measured from
-  Angle start_angle = {};                            ///< θ(0)
+  FrameStart start = {};                             ///< θ(0), or where f₂ is at t = 0
   double from = 0;  ///< of a curve; a spline is compiled as a whole
   double to = 1;    ///< > from
 };
@@ -18,12 +18,13 @@ struct CompiledQuery {
 struct CompiledAnswer {
   NamedPath path;                               ///< as asked
   Reference reference;                          ///< the frame that θ is measured from
-  Angle start_angle;                            ///< θ(0)
+  FrameStart start;                             ///< as asked
+  FrameAngle start_angle;                       ///< θ(0)
   PiecewisePolynomial angle;                    ///< of plain_shape(1)
   std::optional<PiecewisePolynomial> rotation;  ///< of plain_shape(4); not of a Frenet frame
 };
 
-/// Throws as PathAngle, compiled_angle() and compiled_rotation().
+/// Throws as PathAngle, start_angle(), compiled_angle() and compiled_rotation().
 CompiledAnswer answer(const NamedPath& path, const CompiledQuery& query);
 
 /// @{ With rounding, what is computed from the polynomials in doubles is off by at most so much:

@@ -13,6 +13,7 @@
 #include "phrame/ph/frame/algebraic_frame.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/frame/path_angle.hpp"
+#include "phrame/ph/frame/reduced_angle.hpp"
 
 namespace phrame {
 namespace {
@@ -128,7 +129,10 @@ struct Segment {
 class Rows {
  public:
   Rows(const Path& path, const TableColumns& columns)
-      : spline_(path), columns_(columns), segments_(path.segments().size()) {}
+      : spline_(path),
+        columns_(columns),
+        start_(reduced(start_angle(columns.start, path))),
+        segments_(path.segments().size()) {}
 
   std::vector<std::string> names() const;
   std::vector<double> at(const PathPoint& point);
@@ -149,6 +153,7 @@ class Rows {
 
   const Path& spline_;
   const TableColumns& columns_;
+  FrameAngle start_;  ///< of the rotation-minimizing frame
   std::vector<std::unique_ptr<Segment>> segments_;
   std::optional<PathLength> length_;
   std::optional<PathAngle> angle_;
@@ -186,8 +191,9 @@ const PathLength& Rows::length() {
 }
 
 Frame<Real> Rows::rotation_minimizing(const Frame<Rational>& erf, const PathParameter& at) {
-  if (const auto z = angle().direction(at)) return turned(erf, *z);
-  return turned(as_real(erf), angle().value(at));
+  return turned(
+      erf, angle().direction(at), [&](const FrameAngle& start) { return angle().value(at, start); },
+      start_);
 }
 
 void Rows::expect(const std::vector<PathPoint>& points) {
@@ -204,7 +210,7 @@ void Rows::expect(const std::vector<PathPoint>& points) {
   if (at.size() < many || *from == *to) return;
   const Curve& curve = spline_.segments().front();
   try {
-    compiled_.emplace(curve, RmfAngle(curve), *from, *to);
+    compiled_.emplace(curve, RmfAngle(curve), *from, *to, start_);
   } catch (const Undecided&) {  // then each row goes the exact way
   } catch (const DomainError&) {
   }
@@ -302,7 +308,7 @@ void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
   for (const TabulatedFrame frame : columns_.frames) {
     switch (frame) {
       case TabulatedFrame::rmf:
-        add_normals(row, turned(erf, rmf_angle()));
+        add_normals(row, turned(erf, rmf_angle() + to_real(start_)));
         break;
       case TabulatedFrame::euler_rodrigues:
         add_normals(row, erf);

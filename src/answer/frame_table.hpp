@@ -2,14 +2,15 @@
 #include <functional>
 
 #include "phrame/algebra/real_algebraic.hpp"
-#include "phrame/ph/frame/frame.hpp"
+#include "phrame/ph/curve/nearness.hpp"
+#include "phrame/ph/frame/frame_start.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
 
 namespace phrame {
 
 /// The frames that a table can hold beside t, r and e₁.
 enum class TabulatedFrame {
-  rmf,              ///< f₂, f₃: rotation-minimizing, equal to (e₂, e₃) at t = 0
+  rmf,              ///< f₂, f₃: rotation-minimizing, from a start that is asked for
   euler_rodrigues,  ///< e₂, e₃
   frenet,           ///< n, b
   mtf,              ///< of minimal twist and rational
@@ -31,6 +32,8 @@ struct TableColumns {
   /// The frames of minimal twist where there are columns for them; for t on the spline only.
   std::optional<TwistFrame> mtf = {};
   std::optional<MinimalTwist> exact_mtf = {};  ///< likewise
+  /// Where the rotation-minimizing frame starts; an angle is that to e₂, so that 0 is (e₂, e₃).
+  FrameStart start = {};
   /// Is a cell whose number is undefined left empty? Else it is an error.
   bool may_be_empty = false;
 };
@@ -42,6 +45,7 @@ struct FrameTable {
   std::string format = "frames/1";        ///< as JSON names it
   std::size_t incomplete_rows = 0;        ///< so many have empty cells
   std::string first_reason = {};          ///< why the first of these has
+  std::optional<Nearness> near = {};      ///< of the path, where it stands for what is no PH path
 };
 
 /// t, r, e₁, the frames and the scalars asked for, at each t: correctly rounded values at t itself,
@@ -50,7 +54,7 @@ struct FrameTable {
 /// thrown. Throws InputError where a number is too large
 /// for a double, Undecided where a component of the rotation-minimizing frame at an irrational t is
 /// half way between two, and where any number is too near to that for the limit of
-/// round_to_double().
+/// round_to_double(), DomainError as start_angle().
 FrameTable frame_table(const Curve& curve, const TableColumns& columns,
                        const std::vector<RealAlgebraic>& at);
 

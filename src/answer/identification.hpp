@@ -21,6 +21,11 @@ struct IdentificationAnswer {
   std::optional<NearSuggestion> suggestion = std::nullopt;  ///< where it was not, but might be
 };
 
+/// A PH spline, or what stands for one that is not.
+struct PathIdentification {
+  NamedPath path;  ///< near to that, or itself
+};
+
 /// Where the curve is not Pythagorean, but ε is given, what is that near to it. Throws as
 /// identify().
 IdentificationAnswer answer(const NamedHodograph& query,

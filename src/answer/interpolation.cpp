@@ -18,7 +18,8 @@ FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {
 
   std::vector<Vector<Polynomial>> positions;
   for (const Curve& curve : path.segments()) positions.push_back(position(curve));
-  FrameTable table{{"k", "time", "t", "s", "x", "y", "z"}, {}, "interpolation/1"};
+  FrameTable table{
+      {"k", "time", "t", "s", "x", "y", "z"}, {}, "interpolation/1", 0, {}, named.near};
   const auto append = [&](const Integer& k, const Real& at, const TimedPoint& point) {
     const Rational before(static_cast<long>(point.segment));
     const Real s = point.value(time.length().segment(point.segment).polynomial());

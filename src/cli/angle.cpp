@@ -10,7 +10,7 @@ struct AngleOptions {
   std::string frame = "erf";
   std::string route = "auto";
   FormOptions form;
-  std::string start_angle = "0";
+  StartOptions start;
   long digits = 17;
 };
 
@@ -30,7 +30,7 @@ AngleQuery query(const AngleOptions& options) {
   query.style = style == Style::textbook && !is_script ? Style::logarithms : style;
   // Which a form from the poles does not need.
   if (query.style == Style::logarithms) query.most_poles = options.form.most_poles();
-  query.start_angle = parse_angle_option("--theta0", options.start_angle);
+  query.start = options.start.given().value_or(FrameStart());
   query.digits = options.digits;
   return query;
 }
@@ -46,6 +46,7 @@ void run(const Command& command, const AngleOptions& options) {
   const Print print = options.form.chosen_print();
   const NamedPath named = options.curve.read_path();
   query.at = options.parameters.values(named.path.end());
+  options.start.check(named.path);
   if (!named.path.is_curve())
     require_curve(options, query);
   else if (query.at.empty())  // of a spline the total angle is shown, at least
@@ -68,8 +69,8 @@ void add_angle(Program& program) {
       "--route", options->route, {"auto", "roots", "quadrature", "both"},
       "how values are computed: auto (default), roots, quadrature, or both, which must\n"
       "agree");
-  add_start_angle(command, options->start_angle);
-  command.not_with({"--at", "--samples", "--digits", "--route", "--theta0"},
+  options->start.add_to(command, "e2 or n", "default 0");
+  command.not_with({"--at", "--samples", "--digits", "--route", "--theta0", "--start-normal"},
                    FormOptions::scripts());
   command.set_notes(
       "A spline of n segments has t from 0 to n; its angle is that to the Euler-Rodrigues frame,\n"

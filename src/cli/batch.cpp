@@ -29,6 +29,8 @@ struct BatchOptions {
   long threads = 0;
   std::string frame = "erf";
   std::vector<std::string> at;
+  StartOptions start;
+  std::optional<std::string> near;
   BatchDefaults defaults;
 };
 
@@ -158,6 +160,9 @@ void run(const BatchOptions& options) {
   BatchDefaults defaults = options.defaults;
   defaults.frame = chosen_reference(options.frame);
   for (const std::string& t : split(options.at)) defaults.at.push_back(parse_option("--at", t));
+  defaults.start = options.start.given().value_or(FrameStart());
+  defaults.near = parse_near_option(options.near);
+  defaults.limits.near_option = "--near";
 
   const std::string skip_done = options.skip_done.value_or("");
   if (options.skip_done && skip_done.empty())
@@ -235,15 +240,18 @@ void add_batch(Program& program) {
                    "answers without integrand and antiderivative");
   add_reference(command, options->frame, "for lines without \"frame\": erf (default) or frenet");
   command.add_list("--at", "T,...", options->at, "for lines without \"at\": 0,1/2,1");
+  options->start.add_to(command, "e2 or n",
+                        "for lines without \"theta0\" and \"start_normal\"; default 0");
+  add_near(command, options->near);
   add_digits(command, options->defaults.digits);
   add_max_degree(command, options->defaults.limits);
   command.set_notes(
       "A line is {\"id\": \"a7\", \"curve\": {...}, \"frame\": \"erf\", \"at\": [\"1\"], "
       "\"digits\": 17,\n"
       "\"theta0\": \"pi/4\", \"note\": ...}; all but \"curve\", a curve or a spline, may be left "
-      "out. "
-      "A line\n"
-      "may also be the curve or spline by itself, with its key \"phrame\"; its name is the id.\n"
+      "out,\n"
+      "and \"start_normal\": [0, 0, 1] may stand for \"theta0\". A line may also be the curve or\n"
+      "spline by itself, with its key \"phrame\"; its name is the id.\n"
       "The answer is what \"phrame angle --print json\" gives, on one line and with the id, or\n"
       "{\"id\": \"a7\", \"error\": {\"status\": 2, \"message\": \"...\"}}. The answers are in the "
       "order "

@@ -18,7 +18,8 @@ void run(const CertifyOptions& options) {
   if (at.empty()) at.emplace_back(1);
   const NamedCurve named = options.curve.read_curve();
   write_output(options.curve.output,
-               write_certificate(certify(named.curve, reference, at, options.digits), named.name));
+               write_certificate(certify(named.curve, reference, at, options.digits), named.name,
+                                 named.near));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ struct CheckOptions {
   CurveOptions curve;
   std::string frames;
   std::string tolerance = "1e-6";
-  std::optional<std::string> start_angle;
+  StartOptions start;
   std::string quaternion;
   std::string tangent_axis = "x";
   bool is_inverse = false;
@@ -45,12 +45,12 @@ FrameReading reading(const Command& command, const CheckOptions& options) {
 /// Throws InputError where the frame that is compared with agrees with all there is.
 void require_enough(const std::vector<GivenFrame>& frames, const FrameCheckOptions& options,
                     const std::string& file) {
-  if (options.start_angle || number_of_parameters(frames) > 1) return;
-  throw InputError(file,
-                   fmt::format("all samples are at t = {}: without --theta0 they are compared "
-                               "with the frame that agrees with the first, so that samples "
-                               "at other t are wanted",
-                               abbreviated(to_string(frames.front().t))));
+  if (options.start || number_of_parameters(frames) > 1) return;
+  throw InputError(
+      file, fmt::format("all samples are at t = {}: without --theta0 and --start-normal they "
+                        "are compared with the frame that agrees with the first, so that samples "
+                        "at other t are wanted",
+                        abbreviated(to_string(frames.front().t))));
 }
 
 void run(const Command& command, const CheckOptions& options) {
@@ -61,12 +61,12 @@ void run(const Command& command, const CheckOptions& options) {
   measure.tolerance = parse_option("--tol", options.tolerance);
   if (measure.tolerance < 0)
     throw InputError("--tol", abbreviated(to_string(measure.tolerance)) + " is negative");
-  if (options.start_angle)
-    measure.start_angle = parse_angle_option("--theta0", *options.start_angle);
+  measure.start = options.start.given();
   if (options.curve.path == "-" && options.frames == "-")
     throw InputError("check", "the curve and the frames are both to be read from standard input");
 
   const NamedPath named = options.curve.read_path();
+  options.start.check(named.path);
   const std::string bytes = read_file(options.frames);
   const std::string file = name_of_file(options.frames);
   const GivenTable table = at_place(file, ":", [&] { return read_frames(bytes, reading); });
@@ -92,9 +92,7 @@ void add_check(Program& program) {
                        "a table of frames (text or .npy), \"-\" for standard input");
   command.add_option("--tol", "BOUND", options->tolerance,
                      "radians, cosines and lengths that may be off (default 1e-6)");
-  command.add_option(
-      "--theta0", "ANGLE", options->start_angle,
-      "compare with the frame at this angle to e2 at t = 0, not with the first sample");
+  options->start.add_to(command, "e2", "default: that of the first sample");
   command.add_choice("--quaternion", options->quaternion, {"wxyz", "xyzw"},
                      "of quaternions: the order of the columns, wxyz or xyzw (default: as they\n"
                      "are named, else wxyz)");

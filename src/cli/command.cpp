@@ -58,17 +58,13 @@ void fail_for_spline(const std::string& option, const std::string& value) {
   throw InputError(option, "\"" + abbreviated(value) + "\" is for single curves; this is a spline");
 }
 
-void CurveOptions::add_to(Command& command) {
-  command.add_argument("CURVE", path, "a curve file (JSON), \"-\" for standard input");
+void add_near(Command& command, std::optional<std::string>& near) {
   command.add_option("--near", "EPS", near,
                      "where control points are those of no PH curve, as rounded ones are, take\n"
                      "one that is at most EPS away");
-  command.add_output(output);
-  add_max_degree(command, limits);
-  limits.near_option = "--near";
 }
 
-std::optional<Rational> CurveOptions::epsilon() const {
+std::optional<Rational> parse_near_option(const std::optional<std::string>& near) {
   if (!near) return std::nullopt;
   Rational epsilon = parse_option("--near", *near);
   if (epsilon <= 0)
@@ -76,12 +72,20 @@ std::optional<Rational> CurveOptions::epsilon() const {
   return epsilon;
 }
 
+void CurveOptions::add_to(Command& command) {
+  command.add_argument("CURVE", path, "a curve file (JSON), \"-\" for standard input");
+  add_near(command, near);
+  command.add_output(output);
+  add_max_degree(command, limits);
+  limits.near_option = "--near";
+}
+
 NamedCurve CurveOptions::read_curve() const {
   if (!near) return read_by(phrame::read_curve, *this);
-  const auto [name, path_read] = read_path();
-  if (!path_read.is_curve())
+  const NamedPath named = read_path();
+  if (!named.path.is_curve())
     throw InputError(name_of_file(path) + ":/phrame", "this is a spline; one curve is wanted");
-  return {name, path_read.segments().front()};
+  return {named.name, named.path.segments().front(), named.near};
 }
 
 NamedPath CurveOptions::read_path() const {
@@ -92,10 +96,10 @@ NamedPath CurveOptions::read_path() const {
   auto read = at_place(file, ":", [&] { return read_path_near(text, *within, limits); });
   if (const auto* none = std::get_if<NotNear>(&read))
     throw InputError(file, to_line(*none, *within));
-  auto& [named, nearness] = std::get<PathIdentification>(read);
-  if (nearness)
+  auto& named = std::get<NamedPath>(read);
+  if (named.near)
     note(fmt::format("{}: in its place a PH {} {}", file,
-                     named.path.is_curve() ? "curve" : "spline", to_line(*nearness)));
+                     named.path.is_curve() ? "curve" : "spline", to_line(*named.near)));
   return std::move(named);
 }
 
@@ -141,15 +145,44 @@ Angle parse_angle_option(const std::string& option, const std::string& text) {
   return at_place(option, ", ", [&] { return parse_angle(with_plain_minus(text)); });
 }
 
+Vector<Rational> parse_vector_option(const std::string& option, const std::string& text) {
+  const auto parts = split({text});
+  if (parts.size() != 3)
+    throw InputError(option, "\"" + abbreviated(text) + "\" is not a vector x,y,z");
+  return {parse_option(option, parts[0]), parse_option(option, parts[1]),
+          parse_option(option, parts[2])};
+}
+
 void add_digits(Command& command, long& digits) {
   command.add_number(
       "--digits", digits, {1, 100'000},
       fmt::format("significant decimal digits, correctly rounded (default {})", digits));
 }
 
-void add_start_angle(Command& command, std::string& angle) {
-  command.add_option("--theta0", "ANGLE", angle,
-                     "the angle at t = 0: radians, or such as pi/4 or 45deg (default 0)");
+void StartOptions::add_to(Command& command, const std::string& angle_to,
+                          const std::string& otherwise) {
+  command.add_option(
+      "--theta0", "ANGLE", angle,
+      fmt::format("the angle of f2 to {} at t = 0: radians, or such as pi/4 or 45deg\n"
+                  "({})",
+                  angle_to, otherwise));
+  command.add_option("--start-normal", "X,Y,Z", normal,
+                     "f2 at t = 0, projected to the normal plane; instead of --theta0");
+  command.not_with({"--start-normal"}, {"--theta0"});
+}
+
+std::optional<FrameStart> StartOptions::given() const {
+  if (angle) return parse_angle_option("--theta0", *angle);
+  if (normal) return StartNormal(parse_vector_option("--start-normal", *normal));
+  return std::nullopt;
+}
+
+void StartOptions::check(const Path& path) const {
+  try {
+    if (const auto start = given()) start_angle(*start, path);
+  } catch (const DomainError& error) {
+    throw InputError("--start-normal", error.what());
+  }
 }
 
 void TextLength::add_to(Command& command) {

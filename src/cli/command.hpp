@@ -6,9 +6,14 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/cli/program.hpp"
 #include "phrame/io/read/curve_file.hpp"
-#include "phrame/ph/frame/rmf_angle.hpp"
+#include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame::cli {
+
+/// --near
+void add_near(Command& command, std::optional<std::string>& near);
+/// What it says, where it is given. Throws InputError where that is not > 0.
+std::optional<Rational> parse_near_option(const std::optional<std::string>& near);
 
 /// What the commands that read a curve or a spline share: CURVE, --near, --max-degree, -o.
 struct CurveOptions {
@@ -18,8 +23,7 @@ struct CurveOptions {
   std::string output = "-";
 
   void add_to(Command& command);
-  /// What --near says, where it is given. Throws InputError where that is not > 0.
-  std::optional<Rational> epsilon() const;
+  std::optional<Rational> epsilon() const { return parse_near_option(near); }
   // Read the curve, with --near the one that is near what is no PH curve, which a line on stderr
   // then says; an InputError's place starts with the path.
   NamedCurve read_curve() const;
@@ -47,12 +51,26 @@ std::string with_plain_minus(std::string text);
 Rational parse_option(const std::string& option, const std::string& text);
 /// The same of an angle: "pi/4", "45deg", "0.5".
 Angle parse_angle_option(const std::string& option, const std::string& text);
+/// The same of a vector: "1,0,1/2".
+Vector<Rational> parse_vector_option(const std::string& option, const std::string& text);
 
 /// --digits, from 1 to 100 000.
 void add_digits(Command& command, long& digits);
 
-/// --theta0, the angle at t = 0.
-void add_start_angle(Command& command, std::string& angle);
+/// Where a rotation-minimizing frame starts: --theta0 or --start-normal.
+struct StartOptions {
+  std::optional<std::string> angle;
+  std::optional<std::string> normal;
+
+  /// `angle_to` is the vector that an angle is measured from, "e2"; `otherwise` says what is so
+  /// without both.
+  void add_to(Command& command, const std::string& angle_to, const std::string& otherwise);
+  /// What is given. Throws InputError.
+  std::optional<FrameStart> given() const;
+  /// Throws InputError for a vector that has no part across the tangent.
+  void check(const Path& path) const;
+  static std::vector<std::string> names() { return {"--theta0", "--start-normal"}; }
+};
 
 /// --max-degree
 void add_max_degree(Command& command, CurveLimits& limits);

@@ -10,7 +10,7 @@ struct CompileOptions {
   CurveOptions curve;
   std::optional<std::string> prefix;
   std::string frame = "erf";
-  std::string start_angle = "0";
+  StartOptions start;
   std::string from = "0";
   std::string to = "1";
 };
@@ -38,22 +38,23 @@ std::pair<double, double> interval(const CompileOptions& options) {
 
 void run(const Command& command, const CompileOptions& options) {
   const auto reference = chosen_reference(options.frame);
-  const Angle start_angle = parse_angle_option("--theta0", options.start_angle);
-  rounded("--theta0", options.start_angle, to_real(start_angle));
+  const FrameStart start = options.start.given().value_or(FrameStart());
+  if (options.start.angle)
+    rounded("--theta0", *options.start.angle, to_real(std::get<Angle>(start)));
   const auto [from, to] = interval(options);
   if (options.prefix && !is_prefix(*options.prefix))
     throw InputError("--prefix", "\"" + abbreviated(*options.prefix) +
                                      "\" is not a letter followed by letters, digits and single _");
-  const auto [name, path] = options.curve.read_path();
-  if (!path.is_curve()) {
+  const NamedPath named = options.curve.read_path();
+  options.start.check(named.path);
+  if (!named.path.is_curve()) {
     if (reference != Reference::euler_rodrigues) fail_for_spline("--frame", options.frame);
     if (command.is_given("--from")) fail_for_spline("--from", options.from);
     if (command.is_given("--to")) fail_for_spline("--to", options.to);
   }
-  const CompiledQuery query{reference, start_angle, from, to};
-  const CompiledAnswer compiled = answer({name, path}, query);
+  const CompiledAnswer compiled = answer(named, CompiledQuery{reference, start, from, to});
   write_output(options.curve.output,
-               to_c_header(compiled, options.prefix.value_or(prefix_from(name))));
+               to_c_header(compiled, options.prefix.value_or(prefix_from(named.name))));
 }
 
 }  // namespace
@@ -66,7 +67,7 @@ void add_compile(Program& program) {
                      "of the names in C (default: the curve's name)");
   add_reference(command, options->frame,
                 "the frame the angle is measured from: erf (default), or frenet: only the angle");
-  add_start_angle(command, options->start_angle);
+  options->start.add_to(command, "e2 or n", "default 0");
   command.add_option("--from", "T", options->from, "the least t (default 0), rounded to a double");
   command.add_option("--to", "T", options->to, "the greatest t (default 1), rounded to a double");
   command.set_notes(

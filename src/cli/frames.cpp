@@ -14,6 +14,7 @@ namespace {
 struct FramesOptions {
   CurveOptions curve;
   Parameters parameters;
+  StartOptions start;
   TwistOptions twist;
   std::vector<std::string> frames{"rmf"};
   std::vector<std::string> scalars;
@@ -92,13 +93,16 @@ void run(const FramesOptions& options) {
       "--format", options.format, {{"csv", to_csv}, {"json", to_json}, {"npy", to_npy}});
   const By by =
       choose<By>("--by", options.by, {{"t", By::parameter}, {"arc-length", By::arc_length}});
+  chosen.start = options.start.given().value_or(FrameStart());
   if (options.parameters.values().empty())
     throw InputError("frames", "--samples N or --at t,… is needed");
-  const Path path = options.curve.read_path().path;
+  const auto [name, path, near] = options.curve.read_path();
+  options.start.check(path);
   add_twist_frames(chosen, options.twist, path);
   const auto at = by == By::parameter ? points(options, path, chosen.exact_mtf.has_value())
                                       : points_by_length(options, path);
-  const FrameTable made = table(path, chosen, at);
+  FrameTable made = table(path, chosen, at);
+  made.near = near;
   write_output(options.curve.output, format(made));
   if (made.incomplete_rows > 0)
     note(fmt::format("{} of {} rows {} empty cells; the first: {}", made.incomplete_rows,
@@ -122,6 +126,8 @@ void add_frames(Program& program) {
                       "any of s (arc length), curvature, torsion and frenet_rate");
   command.add_choice("--by", options->by, {"t", "arc-length"},
                      "t (default), or arc-length: --at and --samples mean arc lengths from t = 0");
+  options->start.add_to(command, "e2", "default 0");
+  command.only_with(StartOptions::names(), {"--frame rmf"});
   options->twist.add_to(command);
   command.only_with(TwistOptions::of_ends(), {"--frame mtf", "--frame mtf-exact"});
   command.only_with(TwistOptions::of_rational_frame(), {"--frame mtf"});

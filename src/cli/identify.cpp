@@ -13,22 +13,23 @@ struct IdentifyOptions {
   TextLength length;
 };
 
-/// The curve, or the one that stands for it; null where there is none.
-const Curve* curve_of(const IdentificationAnswer& answer) {
-  if (const auto* curve = std::get_if<Curve>(&answer.result)) return curve;
+/// The curve, or the one that stands for it; no value where there is none.
+std::optional<NamedCurve> curve_of(const IdentificationAnswer& answer) {
+  if (const auto* curve = std::get_if<Curve>(&answer.result))
+    return NamedCurve{answer.name, *curve};
   const auto* near = answer.near ? std::get_if<NearCurve>(&answer.near->found) : nullptr;
-  return near != nullptr ? &near->curve : nullptr;
+  if (near == nullptr) return std::nullopt;
+  return NamedCurve{answer.name, near->curve, near->nearness};
 }
 
 std::string to_curve_file(const IdentificationAnswer& answer) {
-  const Curve* curve = curve_of(answer);
-  if (curve != nullptr) return write_curve({answer.name, *curve});
+  if (const auto curve = curve_of(answer)) return write_curve(*curve);
   if (answer.near)
     throw AnswerNo{to_line(std::get<NotNear>(answer.near->found), answer.near->epsilon)};
   throw AnswerNo{"this is no PH curve: " + to_string(std::get<NotPythagorean>(answer.result))};
 }
 
-std::string to_path_file(const PathIdentification& found) { return write_path(found.named); }
+std::string to_path_file(const PathIdentification& found) { return write_path(found.path); }
 
 template <class Answer>
 using Printer = std::string (*)(const Answer&);
@@ -46,7 +47,7 @@ void run_for_spline(const IdentifyOptions& options, const std::string& text,
   const auto found = at_place(name_of_file(options.curve.path), ":",
                               [&] { return read_path_near(text, epsilon, options.curve.limits); });
   if (const auto* none = std::get_if<NotNear>(&found)) throw AnswerNo{to_line(*none, epsilon)};
-  options.length.write(options.curve.output, print(std::get<PathIdentification>(found)));
+  options.length.write(options.curve.output, print({std::get<NamedPath>(found)}));
 }
 
 void run(const IdentifyOptions& options) {
@@ -60,7 +61,7 @@ void run(const IdentifyOptions& options) {
   });
   if (!found) return run_for_spline(options, text, *epsilon);
   options.length.write(options.curve.output, print(*found));
-  if (curve_of(*found) == nullptr) throw AnswerNo{};
+  if (!curve_of(*found)) throw AnswerNo{};
 }
 
 }  // namespace

@@ -183,7 +183,8 @@ void Command::not_with(const std::vector<std::string>& options,
                        const std::vector<std::string>& choices) {
   for (const std::string& option : options) {
     app_.get_option(option);  // throws where there is none
-    facts_[option].without = choices;
+    auto& without = facts_[option].without;
+    without.insert(without.end(), choices.begin(), choices.end());
   }
   describe_restrictions();
 }

@@ -5,24 +5,13 @@
 namespace phrame::cli {
 namespace {
 
-Vector<Rational> parse_vector(const std::string& option, const std::string& text) {
-  const auto parts = split({text});
-  if (parts.size() != 3)
-    throw InputError(option, "\"" + abbreviated(text) + "\" is not a vector x,y,z");
-  return {parse_option(option, parts[0]), parse_option(option, parts[1]),
-          parse_option(option, parts[2])};
-}
-
 /// The angle given as such or else by a vector, at t on the curve.
 FrameAngle boundary(const std::string& name, const std::optional<std::string>& angle,
                     const std::optional<std::string>& vector, const Curve& curve,
                     const Rational& t) {
-  if (angle) {
-    const Angle given = parse_angle_option(name, *angle);
-    return {given.half_turns, given.radians};
-  }
+  if (angle) return parse_angle_option(name, *angle);
   const std::string option = name + "-vector";
-  const auto v = parse_vector(option, vector.value());
+  const auto v = parse_vector_option(option, vector.value());
   try {
     return angle_of(v, euler_rodrigues_frame(curve, t));
   } catch (const DomainError& error) {

@@ -9,6 +9,7 @@
 #include "phrame/io/write/angle.hpp"
 #include "phrame/io/write/failure.hpp"
 #include "phrame/io/write/json_text.hpp"
+#include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/reference_names.hpp"
 
 namespace phrame {
@@ -58,12 +59,32 @@ Angle angle_of(const JsonNode& node) {
   }
 }
 
+/// Where a frame starts, for a line with "theta0" or "start_normal".
+std::optional<FrameStart> start_of(const JsonNode& line) {
+  const auto theta0 = line.find("theta0");
+  const auto normal = line.find("start_normal");
+  if (theta0 && normal) line.fail("\"theta0\" and \"start_normal\" exclude each other");
+  if (theta0) return angle_of(*theta0);
+  if (!normal) return std::nullopt;
+  const auto v = normal->numbers(3);
+  return StartNormal({v[0], v[1], v[2]});
+}
+
+/// With `near` one that stands for what is no PH path.
+NamedPath path_of(const JsonNode& curve, const BatchDefaults& defaults) {
+  if (!defaults.near) return read_path(curve, defaults.limits);
+  auto read = read_path_near(curve, *defaults.near, defaults.limits);
+  if (const auto* none = std::get_if<NotNear>(&read)) curve.fail(to_line(*none, *defaults.near));
+  return std::get<NamedPath>(std::move(read));
+}
+
 /// What a line asks, and of which path.
 std::pair<NamedPath, AngleQuery> question(const JsonNode& line, const BatchDefaults& defaults) {
   AngleQuery query;
   query.reference = defaults.frame;
   query.at = defaults.at;
   query.digits = defaults.digits;
+  query.start = defaults.start;
   query.wants_formula = !defaults.values_only;
   line.require(Kind::object, "an object");
   if (!line.find("curve")) {
@@ -71,23 +92,29 @@ std::pair<NamedPath, AngleQuery> question(const JsonNode& line, const BatchDefau
       line.fail("a spline stands at the key \"curve\", too, not at \"spline\"");
     if (!line.find("phrame"))
       line.fail("the key \"curve\" is missing, and without \"phrame\" it is no bare curve");
-    return {read_path(line, defaults.limits), query};
+    return {path_of(line, defaults), query};
   }
-  line.require_known_keys({"id", "curve", "frame", "at", "digits", "theta0", "note"});
+  line.require_known_keys(
+      {"id", "curve", "frame", "at", "digits", "theta0", "start_normal", "note"});
   if (const auto id = line.find("id"); id && !id->is(Kind::string) && !id->is(Kind::number))
     id->fail("an id is a string or a number");
   if (const auto frame = line.find("frame")) query.reference = frame_of(*frame);
   if (const auto at = line.find("at"))
     query.at = at->is(Kind::array) ? at->numbers() : std::vector{at->number()};
   if (const auto digits = line.find("digits")) query.digits = digits_of(*digits);
-  if (const auto theta0 = line.find("theta0")) query.start_angle = angle_of(*theta0);
-  return {read_path(line.at("curve"), defaults.limits), query};
+  if (auto start = start_of(line)) query.start = *std::move(start);
+  return {path_of(line.at("curve"), defaults), query};
 }
 
 std::string answer_text(const JsonNode& line, const BatchDefaults& defaults) {
   auto [named, query] = question(line, defaults);
   if (query.reference != Reference::euler_rodrigues && !named.path.is_curve())
     line.fail("the Frenet frame is for single curves; this is a spline");
+  try {
+    start_angle(query.start, named.path);
+  } catch (const DomainError& error) {
+    (line.find("start_normal") ? line.at("start_normal") : line).fail(error.what());
+  }
   return to_json_line(answer(std::move(named), query));
 }
 

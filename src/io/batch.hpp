@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "phrame/io/read/curve_file.hpp"
-#include "phrame/ph/frame/rmf_angle.hpp"
+#include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame {
 
@@ -16,6 +16,8 @@ struct BatchDefaults {
   long digits = 17;
   bool values_only = false;  ///< answers without integrand and antiderivative
   CurveLimits limits;
+  FrameStart start = {};
+  std::optional<Rational> near = {};  ///< so far away may be the curve that stands for no PH curve
 };
 
 struct BatchAnswer {
@@ -26,11 +28,11 @@ struct BatchAnswer {
 
 /// The answer to a line
 ///   {"id": …, "curve": {…}, "frame": "erf", "at": ["1"], "digits": 17, "theta0": "0"},
-/// of which all but the curve (curve/1 or spline/1) may be left out, or to a line that is a bare
-/// curve or spline, whose id is its name: an object angle/1 or spline-angle/1 with the same "id",
-/// or {"id": …, "error": {"status": 2, "message": "…"}}, the status being the program's exit status
-/// for the same curve. Depends on nothing but the line, and may be called from several threads.
-/// Throws nothing but bad_alloc.
+/// with "start_normal": ["0", "0", "1"] instead of "theta0", of which all but the curve (curve/1 or
+/// spline/1) may be left out, or to a line that is a bare curve or spline, whose id is its name: an
+/// object angle/1 or spline-angle/1 with the same "id", or {"id": …, "error": {"status": 2,
+/// "message": "…"}}, the status being the program's exit status for the same curve. Depends on
+/// nothing but the line, and may be called from several threads. Throws nothing but bad_alloc.
 BatchAnswer batch_answer(std::string_view line, const BatchDefaults& defaults);
 
 /// The id of a line of a batch, as JSON text, which is the name of a bare curve; no value where it

@@ -116,9 +116,8 @@ TEST_CASE("frame table: of a straight line, and where a curvature is infinite, c
 
 TEST_CASE("frame table: an overflow is refused, not rounded to infinity") {
   // r = (t, 0, 0)
-  CHECK(
-      frame_table(test::straight_line().curve, {Kind::rmf}, {power_of_ten(308)}).rows[0][1] ==
-      1e308);
+  CHECK(frame_table(test::straight_line().curve, {Kind::rmf}, {power_of_ten(308)}).rows[0][1] ==
+        1e308);
   CHECK_THROWS_AS(frame_table(test::straight_line().curve, {Kind::rmf}, {power_of_ten(309)}),
                   InputError);
   CHECK(message(test::farouki_quintic().curve, Kind::euler_rodrigues, power_of_ten(100))
@@ -219,6 +218,38 @@ TEST_CASE("frame table: scalars that are undefined or infinite are refused, with
   CHECK(message(line, TabulatedScalar::arc_length, Rational(-7)).empty());
 }
 
+// f′ = −(f·e₁′)e₁ from the projected vector at t = 0, by mpmath's Taylor series method.
+TEST_CASE("frame table: the rotation-minimizing frame starts where it is asked to") {
+  TableColumns columns{{Kind::rmf, Kind::euler_rodrigues}};
+  columns.start = StartNormal({1, 2, -3});
+  const auto at = [&](const RealAlgebraic& t) {
+    const Row row = frame_table(test::quintic, columns, {t}).rows[0];
+    return Row(row.begin() + 7, row.begin() + 10);
+  };
+  CHECK(at(Rational(0)) ==
+        Row{0.09245003270420485367, 0.36980013081681941468, -0.9245003270420485367});
+  CHECK(at(Rational(1, 3)) ==
+        Row{0.37943567170755379896, 0.89121339729086589591, -0.24853018232220947318});
+  CHECK(at(Rational(1)) ==
+        Row{0.23805579746694417487, -0.17854184810020813116, -0.95470008158025181009});
+  columns.start = StartNormal({Rational(1, 3), 0, 5});
+  CHECK(at(Rational(1)) ==
+        Row{-0.34706300803479110769, 0.26029725602609333076, 0.90099534236261673487});
+  // At an irrational t between two rational ones.
+  const RealAlgebraic root = real_root({-1, 0, 2}, closed(0, 1));
+  const Rational near = parse_rational("0.70710678118654752440084436210484903928");
+  const Row exact = at(root);
+  const Row beside = at(near);
+  for (std::size_t k = 0; k < 3; ++k) CHECK(exact[k] == beside[k]);
+  // An angle is that to e₂; whole turns are no matter, however many.
+  columns.start = Angle(Rational(1, 3), Rational(1, 7));
+  const Row some = at(Rational(2, 5));
+  columns.start = Angle(2 * power_of_ten(40) + Rational(1, 3), Rational(1, 7));
+  CHECK(at(Rational(2, 5)) == some);
+  columns.start = StartNormal({2, 2, 1});
+  CHECK_THROWS_AS(at(Rational(0)), DomainError);
+}
+
 TEST_CASE("frame table: CSV reads back to the same doubles") {
   const FrameTable table = frame_table(test::farouki_quintic().curve, {Kind::rmf, Kind::frenet},
                                        {0, Rational(1, 3), power_of_ten(-30), -1000});
@@ -291,11 +322,16 @@ TEST_CASE("frame table: the rows of a long table are those of short ones") {
     std::vector<Rational> at;
     for (long k = 0; k < 1200; ++k) at.emplace_back((k * 389) % 1200 - 100, 997);
     at[7] = at[8];
-    const auto kinds = {Kind::rmf, Kind::euler_rodrigues};
-    const FrameTable all = frame_table(curve, kinds, at);
-    for (std::size_t k = 0; k < at.size(); k += 13) {
-      CAPTURE(at[k]);
-      CHECK(all.rows[k] == frame_table(curve, kinds, {at[k]}).rows[0]);
+    const std::vector<RealAlgebraic> points(at.begin(), at.end());
+    for (const FrameStart& start :
+         {FrameStart(), FrameStart(StartNormal({3, -1, 2})), FrameStart(Angle(Rational(5, 3)))}) {
+      TableColumns columns{{Kind::rmf, Kind::euler_rodrigues}};
+      columns.start = start;
+      const FrameTable all = frame_table(curve, columns, points);
+      for (std::size_t k = 0; k < at.size(); k += start == FrameStart() ? 13 : 51) {
+        CAPTURE(at[k]);
+        CHECK(all.rows[k] == frame_table(curve, columns, {points[k]}).rows[0]);
+      }
     }
   }
   // All t the same: there is no interval.

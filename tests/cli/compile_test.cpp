@@ -187,6 +187,28 @@ TEST_CASE("compile: other intervals and angles, Frenet's frame, and what is outs
     CHECK(std::isnan(row[0]));
 }
 
+TEST_CASE("compile: from a given normal, within the errors that are stated") {
+  const Workshop shop;
+  CHECK(shop.run("compile quintic.json --start-normal 1,2,-3 --prefix arm -o angle.h").status == 0);
+  const Curve curve = read_curve(test::bytes_of(shop.file("quintic.json"))).curve;
+  const RmfAngle angle(curve);
+  const FrameAngle start = angle_of(GaussianRational{-2, -3});  // to e₂ = (−2, 1, 2)/3
+  const auto at = even_parameters(201);
+  const auto rows = evaluated(shop, at, "-std=c99 -O2");
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    CAPTURE(at[k]);
+    const Real theta = angle.value(exact_rational(at[k])) + to_real(start);
+    CHECK(distance(rows[k][0], theta) <= exact_rational(rows[k][10]));
+    const auto exact = turned(as_real(euler_rodrigues_frame(curve, exact_rational(at[k]))), theta);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(distance(rows[k][4 + i], exact.e2[i]) <= exact_rational(rows[k][11]));
+      CHECK(distance(rows[k][7 + i], exact.e3[i]) <= exact_rational(rows[k][11]));
+    }
+  }
+  CHECK(rows[0][10] < 0x1p-50);
+  CHECK(rows[0][11] < 0x1p-49);
+}
+
 TEST_CASE("compile: of a spline there is one angle and one frame, through the joints") {
   const Workshop shop;
   shop.write("spline.json", test::bytes_of(test::root("/examples/curves/closed-spline.json")));
@@ -232,6 +254,7 @@ TEST_CASE("compile: more pieces than a short index can count") {
   const CompiledAnswer compiled{{"", line},
                                 Reference::euler_rodrigues,
                                 Angle(),
+                                FrameAngle(),
                                 PiecewisePolynomial::on_units(count, plain_shape(1), step),
                                 {}};
   shop.write("angle.h", to_c_header(compiled, "arm"));

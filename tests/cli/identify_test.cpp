@@ -162,10 +162,43 @@ TEST_CASE("--near: other commands take the curve near the points, and say so") {
     CHECK(contains(run.err, "phrame: near.json: in its place a PH curve at most "));
     CHECK(contains(run.err, "rotation-minimizing frames differ by at most "));
   }
+  // Each answer in JSON says what identify says of the curve that stands there.
+  here.write("frames.csv", "t,f2x,f2y,f2z\n0,0,1,0\n1,0,1,0\n");
+  here.write("lines.jsonl", R"({"curve": )" + test::bytes_of(here.file("near.json")) + "}\n");
+  const Json identified =
+      Json::parse(here.run("identify near.json --near 1e-6 --print json").out)["near"];
+  for (const std::string command :
+       {"angle near.json --print json", "info near.json --print json",
+        "classify near.json --print json", "totals near.json --print json",
+        "frames near.json --at 0 --format json",
+        "mtf near.json --from 0 --to 0 --exact-only "
+        "--print json",
+        "interpolate near.json --period 1 --feed 1 --format json",
+        "check near.json frames.csv --print json", "batch lines.jsonl"}) {
+    CAPTURE(command);
+    const Json near = Json::parse(here.run(command + " --near 1e-6").out)["near"];
+    CHECK(near["epsilon"] == "1/1000000");
+    for (const char* key : {"epsilon", "distance", "rmf_difference", "bits"})
+      CHECK(near[key] == identified[key]);
+  }
+  const std::string note = "at most " + identified["distance"].get<std::string>() + " from it; ";
+  const Json certificate = Json::parse(here.run("certify near.json --near 1e-6").out);
+  CHECK(contains(certificate["curve"]["note"].get<std::string>(), note));
+  const Json file = Json::parse(here.run("identify near.json --near 1e-6 --print curve").out);
+  CHECK(contains(file["note"].get<std::string>(), note));
+  CHECK(here.run("certify near.json --near 1e-6 -o near.cert").status == 0);
+  check_success(here.run("verify near.cert"));
+  CHECK(contains(here.run("compile near.json --near 1e-6").out,
+                 " * The curve is an exact one that is at most " +
+                     identified["distance"].get<std::string>() +
+                     " from the one that was given;\n * rotation-minimizing frames of the two "
+                     "differ by at most "));
   // What is PH as it is stays what it is.
   const Run exact = here.run("angle quintic.json --near 1e-6");
   check_success(exact);
   CHECK(exact.out == here.run("angle quintic.json").out);
+  CHECK_FALSE(
+      Json::parse(here.run("info quintic.json --near 1e-6 --print json").out).contains("near"));
 }
 
 TEST_CASE("--near: splines get exact joints") {

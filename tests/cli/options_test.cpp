@@ -78,6 +78,7 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--samples", "3"},
                                                 {"--digits", "5"},
                                                 {"--theta0", "pi/3"},
+                                                {"--start-normal", "1,2,3"},
                                                 {"--from", "1/8"},
                                                 {"--to", "3/4"},
                                                 {"--from-vector", "1,2,3"},
@@ -120,6 +121,18 @@ std::vector<Given> given(const Json& command) {
   return all;
 }
 
+/// "--frame erf" for the choice "--frame rmf", where that is the default of the command; else
+/// nothing.
+std::string instead_of_default(const Json& command, const std::string& choice) {
+  for (const Json& option : command["options"]) {
+    const std::string name = option["names"].back();
+    const Json& names = option["choices"];
+    if (names.size() > 1 && choice == name + " " + names[0].get<std::string>())
+      return name + " " + names[1].get<std::string>();
+  }
+  return "";
+}
+
 bool is_refused(const Run& run) { return run.status == 2; }
 
 bool are_equal(const Run& a, const Run& b) { return a.status == b.status && a.out == b.out; }
@@ -151,7 +164,10 @@ TEST_CASE("options: an option that needs another choice is refused without it") 
         CAPTURE(way.text);
         if (!option["with"].empty() && !contains(call, "--from")) {
           ++conditions;
-          const Run without = here.run(call + " " + way.text);
+          std::string other;
+          for (const Json& choice : option["with"])
+            other += " " + instead_of_default(command, choice);
+          const Run without = here.run(call + " " + way.text + other);
           check_failure(without, 2, "phrame: " + name + ": needs ");
           for (const Json& choice : option["with"])
             CHECK(contains(without.err, choice.get<std::string>()));
@@ -159,7 +175,8 @@ TEST_CASE("options: an option that needs another choice is refused without it") 
         for (const Json& choice : option["without"]) {
           ++conditions;
           const std::string other = choice;
-          check_failure(here.run(call + " " + way.text + " " + other), 2,
+          const std::string value = values.count(other) == 1 ? " " + values.at(other) : "";
+          check_failure(here.run(call + " " + way.text + " " + other + value), 2,
                         "phrame: " + name + ": does not apply with " + other + "\n");
         }
       }

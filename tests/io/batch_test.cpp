@@ -55,7 +55,7 @@ TEST_CASE("batch: an answer is what the report of the same curve says, with the 
     file["phrame"] = "curve/1";
     AngleQuery query;
     query.reference = reference;
-    query.start_angle = Rational(1, 3);
+    query.start = Angle(Rational(1, 3));
     query.at = {Rational(1, 2), 1, Rational(1, 4)};
     query.digits = 40;
     Json expected = Json::parse(to_json(phrame::answer(read_path(file.dump()), query)));
@@ -75,6 +75,49 @@ TEST_CASE("batch: what a line leaves out is the default") {
   CHECK(found["values"][0]["theta"].get<std::string>().size() >= 31);
   CHECK_FALSE(found.contains("antiderivative"));
   CHECK(answer({{"curve", quintic()}, {"at", "1/3"}}, defaults)["values"][0]["t"] == "1/3");
+}
+
+TEST_CASE("batch: a frame starts at an angle or along a vector") {
+  const auto error = [](const Json& more) {
+    Json line = {{"id", 1}, {"curve", quintic()}};
+    line.update(more);
+    return answer(line)["error"];
+  };
+  CHECK(error({{"theta0", "0"}, {"start_normal", {0, 0, 1}}})["message"] ==
+        "/: \"theta0\" and \"start_normal\" exclude each other");
+  CHECK(error({{"start_normal", {2, 2, 1}}})["message"] ==
+        "/start_normal: the vector (2, 2, 1) has no part in the normal plane: it is along the "
+        "tangent");
+  CHECK(error({{"start_normal", {2, 2}}})["status"] == 2);
+  BatchDefaults defaults;
+  defaults.start = StartNormal({2, 2, 1});
+  CHECK(answer({{"curve", quintic()}}, defaults)["error"]["status"] == 2);
+  CHECK(answer({{"curve", quintic()}, {"theta0", 1}}, defaults)["theta0"] == "1");
+}
+
+TEST_CASE("batch: a curve may stand for one that is no PH curve") {
+  // A cubic with thirds in doubles, and a parabola.
+  const Json cubic = {{"control_points",
+                       {{0, 0, 0},
+                        {0.3333333333333333, 0, 0},
+                        {0.6666666666666666, 0.3333333333333333, 0},
+                        {0.6666666666666666, 1, 0}}}};
+  const Json parabola = {{"control_points", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}};
+  BatchDefaults defaults;
+  CHECK(answer({{"curve", cubic}}, defaults)["error"]["status"] == 2);
+  defaults.near = parse_rational("1e-15");
+  const Json found = answer({{"curve", cubic}}, defaults);
+  CHECK(found["near"]["epsilon"] == "1/1000000000000000");
+  CHECK(parse_rational(found["near"]["distance"].get<std::string>()) <= *defaults.near);
+  CHECK_FALSE(answer({{"curve", quintic()}}, defaults).contains("near"));
+  CHECK(answer({{"curve", parabola}}, defaults)["error"]["message"].get<std::string>().starts_with(
+      "/curve: no PH curve was found within 1e-15; the nearest one is 0."));
+  Json bare = cubic;
+  bare["phrame"] = "curve/1";
+  bare["name"] = "bare";
+  CHECK(answer(bare, defaults)["id"] == "bare");
+  CHECK(answer({{"curve", {{"phrame", "spline/1"}, {"segments", {cubic}}}}}, defaults)
+            .contains("near"));
 }
 
 TEST_CASE("batch: splines") {

@@ -249,7 +249,7 @@ NamedPath read_spline(const Node& node, const CurveLimits& limits) {
   return result;
 }
 
-using NearReading = std::variant<PathIdentification, NotNear>;
+using NearReading = std::variant<NamedPath, NotNear>;
 
 /// What near_curve or near_path finds; what it cannot do is an error at this place.
 template <class Find>
@@ -258,7 +258,7 @@ NearReading found_near(const Node& node, std::string name, Find find) {
     auto result = find();
     if (const auto* none = std::get_if<NotNear>(&result)) return *none;
     auto& [path, nearness] = std::get<0>(result);
-    return PathIdentification{{std::move(name), std::move(path)}, std::move(nearness)};
+    return NamedPath(std::move(name), std::move(path), std::move(nearness));
   } catch (const DomainError& error) {
     node.fail(error.what());
   }
@@ -313,10 +313,8 @@ NamedCurve read_curve(const JsonNode& node, const CurveLimits& limits) {
 
 NamedPath read_path(std::string_view text, const CurveLimits& limits) {
   const JsonValue document = parse_json_file(text, "curve file");
-  const Node node(document);
-  node.require(Kind::object, "an object");
-  node.at("phrame");
-  return read_path(node, limits);
+  format_of(Node(document));
+  return read_path(Node(document), limits);
 }
 
 NamedPath read_path(const JsonNode& node, const CurveLimits& limits) {
@@ -327,21 +325,25 @@ NamedPath read_path(const JsonNode& node, const CurveLimits& limits) {
     format->fail(fmt::format("the format is \"curve/1\" or \"spline/1\", not \"{}\"",
                              abbreviated(format->string())));
   require_curve_keys(node);
-  auto [name, curve] = read_any_curve(node, limits);
-  return {std::move(name), std::move(curve)};
+  return read_any_curve(node, limits);
 }
 
-std::variant<PathIdentification, NotNear> read_path_near(std::string_view text,
-                                                         const Rational& epsilon,
-                                                         const CurveLimits& limits) {
+std::variant<NamedPath, NotNear> read_path_near(std::string_view text, const Rational& epsilon,
+                                                const CurveLimits& limits) {
   const JsonValue document = parse_json_file(text, "curve file");
-  const Node node(document);
-  const std::string format = format_of(node);
+  format_of(Node(document));
+  return read_path_near(Node(document), epsilon, limits);
+}
+
+std::variant<NamedPath, NotNear> read_path_near(const JsonNode& node, const Rational& epsilon,
+                                                const CurveLimits& limits) {
+  node.require(Kind::object, "an object");
+  const std::string format = node.find("phrame") ? format_of(node) : "curve/1";
   std::optional<NearReading> near;
   if (format == "spline/1") near = read_spline_near(node, epsilon, limits);
   if (format == "curve/1") near = read_curve_near(node, epsilon, limits);
   if (near) return *std::move(near);
-  return PathIdentification{read_path(node, limits), std::nullopt};
+  return read_path(node, limits);
 }
 
 bool is_spline_file(std::string_view text) {
@@ -354,8 +356,8 @@ NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) 
   const Node node(document);
   require_curve(node);
   if (const auto points = node.find("control_points")) return read_bezier(node, *points, limits);
-  const auto [name, curve] = read_preimage_curve(node, limits);
-  return {name, hodograph(curve), curve.start()};
+  const NamedCurve named = read_preimage_curve(node, limits);
+  return {named.name, hodograph(named.curve), named.curve.start()};
 }
 
 }  // namespace phrame

@@ -3,7 +3,6 @@
 #include <string_view>
 #include <variant>
 
-#include "phrame/ph/construct/nearness.hpp"
 #include "phrame/ph/curve/named.hpp"
 
 namespace phrame {
@@ -37,9 +36,11 @@ NamedPath read_path(const JsonNode& node, const CurveLimits& limits = {});
 
 /// Reads the same files, but where control points are those of no PH curve, it takes one that is at
 /// most ε > 0 away (near_curve); a spline with such a segment is replaced as a whole (near_path).
-std::variant<PathIdentification, NotNear> read_path_near(std::string_view text,
-                                                         const Rational& epsilon,
-                                                         const CurveLimits& limits = {});
+std::variant<NamedPath, NotNear> read_path_near(std::string_view text, const Rational& epsilon,
+                                                const CurveLimits& limits = {});
+/// The same as a part of a document.
+std::variant<NamedPath, NotNear> read_path_near(const JsonNode& node, const Rational& epsilon,
+                                                const CurveLimits& limits = {});
 /// Is it a spline/1 file? Throws InputError where it says no format.
 bool is_spline_file(std::string_view text);
 

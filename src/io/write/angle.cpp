@@ -51,9 +51,13 @@ std::string formula_text(const AngleFormula& formula, std::string_view rate) {
 /// How the frame is turned.
 std::string turning_text(const AngleAnswer& answer) {
   const bool erf = answer.reference == Reference::euler_rodrigues;
-  return fmt::format("  f₂ = cos θ {} + sin θ {},  f₃ = −sin θ {} + cos θ {},  θ(0) = {}\n\n",
-                     erf ? "e₂" : "n", erf ? "e₃" : "b", erf ? "e₂" : "n", erf ? "e₃" : "b",
-                     shown(answer.start_angle));
+  std::string text = fmt::format(
+      "  f₂ = cos θ {} + sin θ {},  f₃ = −sin θ {} + cos θ {},  θ(0) = {}\n", erf ? "e₂" : "n",
+      erf ? "e₃" : "b", erf ? "e₂" : "n", erf ? "e₃" : "b", shown(answer.start_angle));
+  if (const auto* normal = std::get_if<StartNormal>(&answer.start))
+    text +=
+        fmt::format("  f₂(0) is along {}, projected to the normal plane\n", shown(normal->vector));
+  return text + "\n";
 }
 
 std::string curve_text(const AngleAnswer& answer) {
@@ -112,7 +116,7 @@ void add_formula(JsonOutput& json, const AngleFormula& formula) {
 }
 
 JsonOutput json_of(const AngleAnswer& answer) {
-  const auto& [name, path] = answer.path;
+  const auto& [name, path, near] = answer.path;
   const std::vector<Curve>& segments = path.segments();
   JsonOutput json;
   if (path.is_curve()) {
@@ -128,6 +132,9 @@ JsonOutput json_of(const AngleAnswer& answer) {
     }
   }
   json["theta0"] = to_string(answer.start_angle);
+  if (const auto* normal = std::get_if<StartNormal>(&answer.start))
+    json["start_normal"] = phrame::json_of(normal->vector);
+  add_nearness(json, near);
   if (!path.is_curve()) {
     json["total"] = phrame::json_of(*answer.total);
     json["closed"] = path.closing_turn().has_value();
@@ -186,7 +193,7 @@ std::string to_latex(const AngleAnswer& answer) {
                         formatted_quotient(formula.rate, latex), theta,
                         closed_form(formula, latex, " + C" + index));
   }
-  if (!(answer.start_angle == Angle()))
+  if (!(answer.start_angle == FrameAngle()))
     text += fmt::format(" \\\\\n\\theta(0) &= {}", formatted(answer.start_angle, latex));
   text += "\n\\end{align*}\n";
   return answer.values.empty() ? text : text + latex_value_table(answer.values);

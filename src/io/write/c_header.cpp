@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "phrame/io/write/text.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "phrame/version.hpp"
 
 namespace phrame {
@@ -50,11 +51,11 @@ constexpr const char* preamble =
  *   The angle in radians, on a continuous branch, of the rotation-minimizing frame (f2, f3) to the
  *   {reference};
  *   f2 = cos(theta) {second} + sin(theta) {third}, theta(0) = {start}.
- *   Its error is at most {P}_THETA_ERROR = {angle_error}.
+{normal} *   Its error is at most {P}_THETA_ERROR = {angle_error}.
  *
 {frame_text} * For {from} <= t <= {to}; NaN for other t.
  *
- * C99, C11, or C++17 and later. The errors are proved, rounding included, for IEEE 754 doubles
+{near} * C99, C11, or C++17 and later. The errors are proved, rounding included, for IEEE 754 doubles
  * rounded to nearest, with or without fused multiplication and addition; not where sums are
  * rearranged, as by -ffast-math.
  * Made by phrame {version}. Do not edit.
@@ -155,6 +156,28 @@ std::string in_comment(const std::string& name) {
   return text;
 }
 
+/// A line of the comment, where f2 is to start along a vector.
+std::string about_normal(const FrameStart& start) {
+  const auto* normal = std::get_if<StartNormal>(&start);
+  if (normal == nullptr) return "";
+  return fmt::format(" *   f2(0) is along {}, projected to the normal plane.\n",
+                     abbreviated(normal->vector));
+}
+
+/// A paragraph of the comment, where the curve stands for another.
+std::string about_curve(const std::optional<Nearness>& near) {
+  if (!near) return "";
+  const std::string frames = near->rmf_difference
+                                 ? fmt::format(
+                                       ";\n * rotation-minimizing frames of the two differ by at "
+                                       "most {} radians",
+                                       upper_bound_text(*near->rmf_difference))
+                                 : "";
+  return fmt::format(
+      " * The curve is an exact one that is at most {} from the one that was given{}.\n *\n",
+      upper_bound_text(near->distance), frames);
+}
+
 }  // namespace
 
 std::string to_c_header(const CompiledAnswer& header, const std::string& prefix) {
@@ -204,6 +227,7 @@ std::string to_c_header(const CompiledAnswer& header, const std::string& prefix)
               : "Frenet frame, tangent, normal n and binormal b, continued through inflections"),
       arg("second", is_erf ? "e2" : "n"), arg("third", is_erf ? "e3" : "b"),
       arg("start", abbreviated(to_string(header.start_angle))),
+      arg("normal", about_normal(header.start)), arg("near", about_curve(header.path.near)),
       arg("angle_error", decimal_above(error)), arg("angle_error_hex", fmt::format("{:a}", error)),
       arg("frame_text", about_frame), arg("frame_define", define_frame),
       arg("from", header.angle.from()), arg("to", header.angle.to()),

@@ -73,7 +73,8 @@ JsonOutput json_of(const StatedDecisions& d) {
 
 }  // namespace
 
-std::string write_certificate(const Certificate& c, const std::string& name) {
+std::string write_certificate(const Certificate& c, const std::string& name,
+                              const std::optional<Nearness>& near) {
   JsonOutput logs = JsonOutput::array();
   for (const CertifiedLogs& sum : c.logs)
     logs.push_back({{"index", json_of(sum.index)},
@@ -83,7 +84,7 @@ std::string write_certificate(const Certificate& c, const std::string& name) {
   for (const AngleClaim& claim : c.claims) claims.push_back(json_of(claim));
   JsonOutput json = {
       {"phrame", "certificate/1"},
-      {"curve", json_of(NamedCurve{name, c.curve})},
+      {"curve", json_of(NamedCurve{name, c.curve, near})},
       {"frame", name_of(c.reference)},
       {"hodograph", JsonOutput::array({json_of(c.hodograph[0]), json_of(c.hodograph[1]),
                                        json_of(c.hodograph[2])})},

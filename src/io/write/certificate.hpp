@@ -1,11 +1,14 @@
 #pragma once
 #include <string>
 
+#include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/proof/certificate.hpp"
 
 namespace phrame {
 
-/// A certificate/1 file (docs/certificate.md). `name` is that of the curve and may be empty.
-std::string write_certificate(const Certificate& certificate, const std::string& name);
+/// A certificate/1 file (docs/certificate.md). `name` is that of the curve and may be empty; `near`
+/// is told in a note where the curve stands for another.
+std::string write_certificate(const Certificate& certificate, const std::string& name,
+                              const std::optional<Nearness>& near = {});
 
 }  // namespace phrame

@@ -79,6 +79,13 @@ const char* name_of(Kind kind) {
   return "";
 }
 
+/// "at the angle pi/4", "with f2 along (1, 0, 0)".
+std::string place_of(const FrameStart& start) {
+  if (const auto* angle = std::get_if<Angle>(&start)) return "at the angle " + brief(*angle);
+  const Vector<Rational>& v = std::get<StartNormal>(start).vector;
+  return fmt::format("with f2 along ({}, {}, {})", brief(v[0]), brief(v[1]), brief(v[2]));
+}
+
 std::string sentence(const FrameFinding& finding) {
   const auto amount = [&] { return shown(*finding.amount) + " radians"; };
   const auto within = [&] { return "to within " + upper(*finding.residual, 2) + " radians"; };
@@ -113,8 +120,7 @@ std::string sentence(const FrameFinding& finding) {
           "wrong",
           within());
     case Kind::other_start:
-      return fmt::format("the frame does not start at the angle of --theta0: it is {} off",
-                         amount());
+      return fmt::format("the frame does not start where it is to start: it is {} off", amount());
     case Kind::drift:
       return fmt::format(
           "f2 drifts: from the first sample to the last it turns by {} against the "
@@ -148,9 +154,9 @@ std::string places(const FrameFinding& finding, const std::vector<GivenFrame>& f
 
 std::string summary(const CheckAnswer& answer) {
   const FrameVerdict& v = answer.verdict;
-  const auto& start = answer.options.start_angle;
+  const auto& start = answer.options.start;
   const std::string reference =
-      start ? "that starts at the angle " + brief(*start) : "that agrees with the first sample";
+      start ? "that starts " + place_of(*start) : "that agrees with the first sample";
   const bool is_close = v.max_error.upper() <= answer.options.tolerance;
   return fmt::format("{}: f2 is {} {} radians from the rotation-minimizing frame {}{}",
                      v.passes ? "pass" : "fail", is_close ? "at most" : "up to",
@@ -163,7 +169,7 @@ std::string to_text(const CheckAnswer& answer, const TableReading& reading) {
   const auto [first, last] =
       std::minmax_element(answer.frames.begin(), answer.frames.end(),
                           [](const GivenFrame& a, const GivenFrame& b) { return a.t < b.t; });
-  std::string text = name_prefix(answer.name);
+  std::string text = name_prefix(answer.path.name);
   const std::string from = brief(first->t);
   text += first->t == last->t
               ? fmt::format("{}, t = {}\n\n", counted(answer.frames.size(), "frame"), from)
@@ -216,21 +222,29 @@ std::string to_json(const CheckAnswer& answer, const TableReading& reading) {
     findings.push_back({{"kind", name_of(finding.kind)},
                         {"text", sentence(finding)},
                         {"samples", finding.samples}});
-  return pretty(
-      {{"phrame", "check/1"},
-       {"name", answer.name},
-       {"verdict", v.passes ? "pass" : "fail"},
-       {"tolerance", to_string(answer.options.tolerance)},
-       {"max_error",
-        {{"lower", lower(v.max_error)}, {"upper", upper(v.max_error)}, {"sample", v.worst_sample}}},
-       {"drift", v.drift ? json_of(rounded(*v.drift)) : JsonOutput()},
-       {"orthogonality", upper(v.orthogonality, 2)},
-       {"length", upper(v.length, 2)},
-       {"findings", findings},
-       {"better_reading", reading.better ? JsonOutput{{"options", reading.better->options},
-                                                      {"passes", reading.better->passes}}
-                                         : JsonOutput()},
-       {"samples", samples}});
+  JsonOutput json = {
+      {"phrame", "check/1"},
+      {"name", answer.path.name},
+      {"verdict", v.passes ? "pass" : "fail"},
+      {"tolerance", to_string(answer.options.tolerance)},
+      {"max_error",
+       {{"lower", lower(v.max_error)}, {"upper", upper(v.max_error)}, {"sample", v.worst_sample}}},
+      {"drift", v.drift ? json_of(rounded(*v.drift)) : JsonOutput()},
+      {"orthogonality", upper(v.orthogonality, 2)},
+      {"length", upper(v.length, 2)},
+      {"findings", findings},
+      {"better_reading", reading.better ? JsonOutput{{"options", reading.better->options},
+                                                     {"passes", reading.better->passes}}
+                                        : JsonOutput()},
+      {"samples", samples}};
+  if (const auto& start = answer.options.start) {
+    if (const auto* angle = std::get_if<Angle>(&*start))
+      json["theta0"] = to_string(*angle);
+    else
+      json["start_normal"] = phrame::json_of(std::get<StartNormal>(*start).vector);
+  }
+  add_nearness(json, answer.path.near);
+  return pretty(json);
 }
 
 }  // namespace phrame

@@ -176,11 +176,13 @@ std::string to_json(const ClassificationAnswer& answer) {
   if (named.path.is_curve()) {
     JsonOutput json = {{"phrame", "classify/1"}, {"name", named.name}};
     json.update(json_of(fields(c.segments.front(), segments.front())));
+    add_nearness(json, named.near);
     return pretty(json);
   }
   JsonOutput json = json_of(spline_fields(named, c));
   for (std::size_t k = 0; k < segments.size(); ++k)
     json["segments"].push_back(json_of(fields(c.segments[k], segments[k])));
+  add_nearness(json, named.near);
   return pretty(json);
 }
 

@@ -7,8 +7,8 @@ namespace phrame {
 std::string write_curve(const NamedCurve& named) { return pretty(json_of(named)); }
 
 std::string write_path(const NamedPath& named) {
-  const auto& [name, path] = named;
-  if (path.is_curve()) return write_curve({name, path.segments().front()});
+  const auto& [name, path, near] = named;
+  if (path.is_curve()) return write_curve({name, path.segments().front(), near});
   JsonOutput segments = JsonOutput::array();
   for (const Curve& curve : path.segments()) {
     JsonOutput segment = json_of(NamedCurve{"", curve});
@@ -18,6 +18,7 @@ std::string write_path(const NamedPath& named) {
   }
   JsonOutput json = {{"phrame", "spline/1"}};
   if (!name.empty()) json["name"] = name;
+  add_note(json, near);
   json["segments"] = std::move(segments);
   return pretty(json);
 }

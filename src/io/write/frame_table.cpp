@@ -25,8 +25,8 @@ std::string to_csv(const FrameTable& table) {
 
 std::string to_json(const FrameTable& table) {
   // NaN is written null.
-  const JsonOutput json = {
-      {"phrame", table.format}, {"columns", table.columns}, {"rows", table.rows}};
+  JsonOutput json = {{"phrame", table.format}, {"columns", table.columns}, {"rows", table.rows}};
+  add_nearness(json, table.near);
   return json.dump() + "\n";
 }
 

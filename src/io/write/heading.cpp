@@ -26,9 +26,9 @@ std::string heading(const std::string& name, const Curve& curve) {
 }
 
 std::string heading(const NamedPath& named) {
-  const auto& [name, path] = named;
-  if (path.is_curve()) return heading(name, path.segments().front());
-  return fmt::format("{}PH spline of {}, {}", name_prefix(name),
+  const Path& path = named.path;
+  if (path.is_curve()) return heading(named.name, path.segments().front());
+  return fmt::format("{}PH spline of {}, {}", name_prefix(named.name),
                      counted(path.segments().size(), "segment"), closure(path));
 }
 

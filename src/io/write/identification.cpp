@@ -55,15 +55,6 @@ std::string nearness_words(const Nearness& nearness, Notation notation) {
       frames);
 }
 
-Fields nearness_fields(const Nearness& nearness) {
-  const auto& frames = nearness.rmf_difference;
-  return {
-      json_field("distance", upper_bound_text(nearness.distance)),
-      json_field("unrounded_distance", upper_bound_text(nearness.unrounded_distance)),
-      json_field("bits", nearness.bits),
-      json_field("rmf_difference", frames ? JsonOutput(upper_bound_text(*frames)) : JsonOutput())};
-}
-
 JsonOutput json_of(const IdentificationAnswer::Near& near) {
   JsonOutput json = {{"epsilon", to_string(near.epsilon)}};
   if (const auto* none = std::get_if<NotNear>(&near.found)) {
@@ -73,7 +64,7 @@ JsonOutput json_of(const IdentificationAnswer::Near& near) {
   }
   const auto& [curve, nearness] = std::get<NearCurve>(near.found);
   json["found"] = true;
-  json.update(phrame::json_of(nearness_fields(nearness)));
+  json.update(phrame::json_of(nearness));
   json.update(phrame::json_of(curve_fields(curve)));
   return json;
 }
@@ -107,11 +98,11 @@ std::string none_words(const IdentificationAnswer& answer, Notation notation) {
   return text;
 }
 
-std::string nearness_of_path(const PathIdentification& found, Notation notation) {
-  if (!found.nearness) return "  Checked: all segments are as they were given, exactly.\n";
-  return prose("What was given is near it, but not PH over $ℚ$.\n\n" +
-                   nearness_words(*found.nearness, notation),
-               notation);
+std::string nearness_of(const NamedPath& path, Notation notation) {
+  if (!path.near) return "  Checked: all segments are as they were given, exactly.\n";
+  return prose(
+      "What was given is near it, but not PH over $ℚ$.\n\n" + nearness_words(*path.near, notation),
+      notation);
 }
 
 }  // namespace
@@ -155,25 +146,25 @@ std::string to_json(const IdentificationAnswer& answer) {
 }
 
 std::string to_text(const PathIdentification& found) {
-  return heading(found.named) + "\n\n" + nearness_of_path(found, Notation::unicode);
+  return heading(found.path) + "\n\n" + nearness_of(found.path, Notation::unicode);
 }
 
 std::string to_latex(const PathIdentification& found) {
-  std::string text = nearness_of_path(found, Notation::latex);
-  for (const Curve& curve : found.named.path.segments())
+  std::string text = nearness_of(found.path, Notation::latex);
+  for (const Curve& curve : found.path.path.segments())
     text += "\n" + curve_words(curve, Notation::latex);
   return text;
 }
 
 std::string to_json(const PathIdentification& found) {
-  JsonOutput json = {{"phrame", "identify/1"}, {"name", found.named.name}, {"ph", !found.nearness}};
-  if (found.nearness) {
-    json["near"] = {{"found", true}};
-    json["near"].update(json_of(nearness_fields(*found.nearness)));
+  const auto& [name, path, near] = found.path;
+  JsonOutput json = {{"phrame", "identify/1"}, {"name", name}, {"ph", !near}};
+  if (near) {
+    json["near"] = {{"epsilon", to_string(near->epsilon)}, {"found", true}};
+    json["near"].update(json_of(*near));
   }
   JsonOutput segments = JsonOutput::array();
-  for (const Curve& curve : found.named.path.segments())
-    segments.push_back(json_of(curve_fields(curve)));
+  for (const Curve& curve : path.segments()) segments.push_back(json_of(curve_fields(curve)));
   json["segments"] = std::move(segments);
   return pretty(json);
 }

@@ -173,7 +173,11 @@ std::string to_text(const InfoAnswer& info) {
          segment_table(info, Notation::unicode);
 }
 
-std::string to_json(const InfoAnswer& info) { return pretty(json_of(fields(info))); }
+std::string to_json(const InfoAnswer& info) {
+  JsonOutput json = json_of(fields(info));
+  add_nearness(json, info.path.near);
+  return pretty(json);
+}
 
 std::string to_latex(const InfoAnswer& info) {
   const Path& path = info.path.path;

@@ -5,6 +5,7 @@
 
 #include "phrame/io/write/cas_formula.hpp"
 #include "phrame/io/write/closed_form.hpp"
+#include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/radical_text.hpp"
 
 namespace phrame {
@@ -209,6 +210,10 @@ JsonOutput json_of(const RadicalForm& F) {
   return {{"logs", logs}};
 }
 
+void add_note(JsonOutput& json, const std::optional<Nearness>& near) {
+  if (near) json["note"] = "in the place of what is no PH curve, " + to_line(*near);
+}
+
 JsonOutput json_of(const NamedCurve& named) {
   const auto list = [](const Polynomial& p) {
     return p.is_zero() ? JsonOutput::array({"0"}) : json_of(p);
@@ -216,12 +221,26 @@ JsonOutput json_of(const NamedCurve& named) {
   const QuaternionPolynomial& a = named.curve.preimage();
   JsonOutput json = {{"phrame", "curve/1"}};
   if (!named.name.empty()) json["name"] = named.name;
+  add_note(json, named.near);
   json["basis"] = "power";
   json["start"] = json_of(named.curve.start());
   json["preimage"] = {{"u", list(a.u)}, {"v", list(a.v)}, {"p", list(a.p)}, {"q", list(a.q)}};
   if (!(named.curve.multiplier() == Polynomial{1}))
     json["multiplier"] = list(named.curve.multiplier());
   return json;
+}
+
+JsonOutput json_of(const Nearness& nearness) {
+  const auto& frames = nearness.rmf_difference;
+  return {{"epsilon", to_string(nearness.epsilon)},
+          {"distance", upper_bound_text(nearness.distance)},
+          {"unrounded_distance", upper_bound_text(nearness.unrounded_distance)},
+          {"bits", nearness.bits},
+          {"rmf_difference", frames ? JsonOutput(upper_bound_text(*frames)) : JsonOutput()}};
+}
+
+void add_nearness(JsonOutput& json, const std::optional<Nearness>& near) {
+  if (near) json["near"] = json_of(*near);
 }
 
 }  // namespace phrame

@@ -46,8 +46,15 @@ JsonOutput json_of(const Real& x, const Decimal& rounded);
 /// As a PathEnd; a text where it is rational.
 JsonOutput json_of(const RealAlgebraic& x);
 JsonOutput json_of(const Vector<Rational>& point);
+/// A "note" for a file with a curve that stands for another.
+void add_note(JsonOutput& json, const std::optional<Nearness>& near);
 /// A curve/1 object in the power basis.
 JsonOutput json_of(const NamedCurve& named);
+/// {"epsilon": "…", "distance": "…", "unrounded_distance": "…", "bits": …, "rmf_difference":
+/// "…"}, bounds; null where there is none of the last.
+JsonOutput json_of(const Nearness& nearness);
+/// The same as "near", where the path of an answer stands for another.
+void add_nearness(JsonOutput& json, const std::optional<Nearness>& near);
 
 /// Indented by 2, but with every list of strings, or of such lists, on one line.
 std::string pretty(const JsonOutput& json);

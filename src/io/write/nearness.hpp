@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "phrame/ph/construct/nearness.hpp"
+#include "phrame/ph/curve/nearness.hpp"
 
 namespace phrame {
 

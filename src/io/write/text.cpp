@@ -178,6 +178,15 @@ std::string formatted(const Angle& angle, Notation notation) {
   return text;
 }
 
+std::string formatted(const FrameAngle& angle, Notation notation) {
+  const auto [plain, z] = terms(angle);
+  if (!z) return formatted(plain, notation);
+  const std::string argument =
+      fmt::format("{}({}, {})", notation == Notation::latex ? "\\operatorname{atan2}" : "atan2",
+                  formatted(Rational(z->im), notation), formatted(Rational(z->re), notation));
+  return plain == Angle() ? argument : formatted(plain, notation) + " + " + argument;
+}
+
 std::string formatted(const Surd& x, Notation notation) {
   return formatted(surd_polynomial({x}), notation, "");
 }
@@ -356,7 +365,9 @@ std::string shown(const Rational& x, std::size_t limit) {
   return is_long_fraction(x) ? with_decimal(text, round_to_decimal(x, digits)) : text;
 }
 
-std::string shown(const Angle& x) { return within(longest_line, formatted(x, Notation::unicode)); }
+std::string shown(const FrameAngle& x) {
+  return within(longest_line, formatted(x, Notation::unicode));
+}
 
 std::string shown(const Vector<Rational>& v) {
   return fmt::format("({}, {}, {})", shown(v[0]), shown(v[1]), shown(v[2]));

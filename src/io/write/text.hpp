@@ -11,6 +11,7 @@
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/algebra/surd.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
+#include "phrame/ph/frame/frame_angle.hpp"
 
 namespace phrame {
 
@@ -49,6 +50,8 @@ std::string formatted_multiple(const Rational& c, std::string_view name, Notatio
 std::string latex_decimal(const std::string& decimal);
 /// "1/3", "−3π/4", "1/3 + π/4".
 std::string formatted(const Angle& angle, Notation notation);
+/// "π/4", "atan2(4, 3)", "1/3 + atan2(−1, 2)".
+std::string formatted(const FrameAngle& angle, Notation notation);
 /// "1/2 + 3√2/8".
 std::string formatted(const Surd& x, Notation notation);
 /// "t² − √2·t + (1 + √2)", highest power first.
@@ -89,7 +92,7 @@ std::string row(std::string_view label, const std::string& value, std::size_t wi
 /// 1.76366841446e19".
 std::string shown(const Rational& x, std::size_t limit = 240);
 /// @{ For reading, numbers in it as above: "1/3 + π/4", "(1, 0, 2/3)", "t² − 1".
-std::string shown(const Angle& x);
+std::string shown(const FrameAngle& x);
 std::string shown(const Vector<Rational>& v);
 std::string shown(const Polynomial& p);
 /// @}

@@ -192,10 +192,11 @@ std::string to_latex(const TotalsAnswer& answer) {
 }
 
 std::string to_json(const TotalsAnswer& answer) {
-  const auto& [name, path] = answer.path;
+  const auto& [name, path, near] = answer.path;
   JsonOutput json = {{"phrame", path.is_curve() ? "totals/1" : "spline-totals/1"}, {"name", name}};
   if (path.is_curve()) json["degree"] = degree(path.segments().front());
   for (const Row& row : answer.rows) json[label(row.quantity).key] = json_of(row, path.is_curve());
+  add_nearness(json, near);
   return pretty(json);
 }
 

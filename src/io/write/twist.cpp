@@ -66,6 +66,7 @@ std::string to_json(const MinimalTwistAnswer& answer) {
   if (answer.rational) output.update(json_of(fields(*answer.rational)));
   if (!answer.why_not_rational.empty()) output["no_rational"] = answer.why_not_rational;
   if (!answer.why_undecided.empty()) output["rational_undecided"] = answer.why_undecided;
+  add_nearness(output, answer.path.near);
   return pretty(output);
 }
 

@@ -216,7 +216,7 @@ std::variant<NearCurve, NotNear> near_curve(const Vector<Polynomial>& hodograph,
   return NearCurve{
       std::move(curve),
       {distance_of(found.squared_distance, epsilon),
-       distance_of(fine.fit.squared_distance, epsilon), found.bits - fine.scale, bound}};
+       distance_of(fine.fit.squared_distance, epsilon), found.bits - fine.scale, bound, epsilon}};
 }
 
 std::optional<NearSuggestion> near_suggestion(const Vector<Polynomial>& hodograph,
@@ -277,7 +277,7 @@ std::variant<NearPath, NotNear> near_path(const std::vector<BezierPoints>& curve
   return NearPath{
       joined(exact),
       {distance_of(best.squared_distance, epsilon), distance_of(fine->squared_distance, epsilon),
-       bits - spline.scale, rmf_difference_bound(pairs)}};
+       bits - spline.scale, rmf_difference_bound(pairs), epsilon}};
 }
 
 }  // namespace phrame

@@ -2,7 +2,7 @@
 #include <variant>
 
 #include "phrame/ph/construct/bezier_points.hpp"
-#include "phrame/ph/construct/nearness.hpp"
+#include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame {

@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
@@ -10,19 +11,23 @@ namespace phrame {
 struct NamedCurve {
   std::string name;  ///< may be empty
   Curve curve;       ///< the curve
+  /// How near it is to the one in whose place it stands, where that is no PH curve.
+  std::optional<Nearness> near = {};
 };
 
 /// A path and what it is called; a curve is one.
 struct NamedPath {
   std::string name;  ///< may be empty
   Path path;         ///< the path
+  /// How near it is to the one in whose place it stands, where that is no PH path.
+  std::optional<Nearness> near = {};
 
   /// A path under this name.
-  NamedPath(std::string its_name, Path its_path)
-      : name(std::move(its_name)), path(std::move(its_path)) {}
+  NamedPath(std::string its_name, Path its_path, std::optional<Nearness> to_another = {})
+      : name(std::move(its_name)), path(std::move(its_path)), near(std::move(to_another)) {}
   /// The path of one segment, under the name of the curve.
   NamedPath(NamedCurve named)  // NOLINT(google-explicit-constructor)
-      : NamedPath(std::move(named.name), std::move(named.curve)) {}
+      : NamedPath(std::move(named.name), std::move(named.curve), std::move(named.near)) {}
 };
 
 /// r′ and r(0) of a curve that may not be PH.

@@ -63,8 +63,8 @@ std::optional<PolynomialPiece> angle_piece(
 
 }  // namespace
 
-PiecewisePolynomial compiled_angle(const RmfAngle& angle, const Angle& start_angle, double from,
-                                   double to, const DoubleShape& shape) {
+PiecewisePolynomial compiled_angle(const RmfAngle& angle, const FrameAngle& start_angle,
+                                   double from, double to, const DoubleShape& shape) {
   const Real start = to_real(start_angle);
   const auto theta = [&](double t, long more) {
     return add(angle.enclose(exact_rational(t), more), start.enclose(more), more);
@@ -75,7 +75,7 @@ PiecewisePolynomial compiled_angle(const RmfAngle& angle, const Angle& start_ang
 }
 
 // A straight segment may have the angle 0 because others and the start cancel: value() sees that.
-PiecewisePolynomial compiled_angle(const PathAngle& angle, const Angle& start_angle,
+PiecewisePolynomial compiled_angle(const PathAngle& angle, const FrameAngle& start_angle,
                                    const DoubleShape& shape) {
   // That the segments before cancel is asked for only where a ball does not say enough: it costs as
   // much as all of them.
@@ -93,11 +93,11 @@ PiecewisePolynomial compiled_angle(const PathAngle& angle, const Angle& start_an
 }
 
 CompiledAngle::CompiledAngle(const RmfAngle& angle, double from, double to,
-                             const Angle& start_angle)
+                             const FrameAngle& start_angle)
     : angle_([angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
       polynomials_(compiled_angle(angle, start_angle, from, to, compensated_shape(1))) {}
 
-CompiledAngle::CompiledAngle(const PathAngle& angle, const Angle& start_angle)
+CompiledAngle::CompiledAngle(const PathAngle& angle, const FrameAngle& start_angle)
     : angle_([angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
       polynomials_(compiled_angle(angle, start_angle, compensated_shape(1))) {}
 

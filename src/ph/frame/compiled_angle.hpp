@@ -10,11 +10,11 @@ namespace phrame {
 ///   |p − θ| ≤ |p(center) − θ(center)| + ∫|p′·d − n|/min d.
 /// Throws as PiecewisePolynomial does: Undecided where a pole of θ′ is nearer to [from, to] than
 /// doubles are to each other there. Cost: some 10 to 1000 values of θ, more near a near-cusp.
-PiecewisePolynomial compiled_angle(const RmfAngle& angle, const Angle& start_angle, double from,
-                                   double to, const DoubleShape& shape);
+PiecewisePolynomial compiled_angle(const RmfAngle& angle, const FrameAngle& start_angle,
+                                   double from, double to, const DoubleShape& shape);
 
 /// The same of a spline, on [0, end].
-PiecewisePolynomial compiled_angle(const PathAngle& angle, const Angle& start_angle,
+PiecewisePolynomial compiled_angle(const PathAngle& angle, const FrameAngle& start_angle,
                                    const DoubleShape& shape);
 
 /// θ for millions of parameters: a few compensated operations each, a proof of the rounding after
@@ -23,9 +23,9 @@ PiecewisePolynomial compiled_angle(const PathAngle& angle, const Angle& start_an
 class CompiledAngle {
  public:
   /// θ with θ(0) = start_angle. Throws as compiled_angle.
-  CompiledAngle(const RmfAngle& angle, double from, double to, const Angle& start_angle = {});
+  CompiledAngle(const RmfAngle& angle, double from, double to, const FrameAngle& start_angle = {});
   /// The same of a spline, on [0, end].
-  explicit CompiledAngle(const PathAngle& angle, const Angle& start_angle = {});
+  explicit CompiledAngle(const PathAngle& angle, const FrameAngle& start_angle = {});
 
   /// θ(t), correctly rounded: to nearest, ties to even. Throws DomainError for a t outside [from,
   /// to] and NaN, and what the exact angle throws.

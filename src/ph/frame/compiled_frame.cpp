@@ -120,7 +120,7 @@ RealBall EquationOnPiece::residual_bound(const Components& x) const {
 /// B on [low, high] for a curve with the parameter t − origin, from balls around θ(center).
 std::optional<PolynomialPiece> rotation_piece(
     double low, double high, double origin, const FrameEquation& equation,
-    const std::function<RealBall(double center, long bits)>& theta, const Angle& start_angle,
+    const std::function<RealBall(double center, long bits)>& theta, const FrameAngle& start_angle,
     const DoubleShape& shape) {
   auto piece = empty_piece(low, high, origin);
   if (!piece) return std::nullopt;
@@ -129,8 +129,8 @@ std::optional<PolynomialPiece> rotation_piece(
   if (sign(least_sigma) <= 0) return std::nullopt;
 
   // Absolutely, φ is to be known to about 2^−bits.
-  const Rational size_of_start = abs(start_angle.radians) + 4 * abs(start_angle.half_turns);
-  const long phi_bits = frame_bits + (size_of_start > 1 ? binary_exponent(size_of_start) : 0);
+  const Rational size_of_start = abs(start_angle.radians) + 4 * abs(start_angle.half_turns) + 2;
+  const long phi_bits = frame_bits + binary_exponent(size_of_start);
   const RealBall twice_phi =
       add(theta(piece->center, frame_bits), to_real(start_angle).enclose(phi_bits), phi_bits);
   const Components taylor = on_this.taylor(times_power_of_two(twice_phi, -1), shape.degree + 1);
@@ -159,7 +159,7 @@ std::optional<PolynomialPiece> rotation_piece(
 }  // namespace
 
 PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
-                                      const Angle& start_angle, double from, double to,
+                                      const FrameAngle& start_angle, double from, double to,
                                       const DoubleShape& shape) {
   const FrameEquation equation(curve);
   const auto theta = [&](double t, long more) { return angle.enclose(exact_rational(t), more); };
@@ -168,7 +168,7 @@ PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
           }};
 }
 
-PiecewisePolynomial compiled_rotation(const PathAngle& angle, const Angle& start_angle,
+PiecewisePolynomial compiled_rotation(const PathAngle& angle, const FrameAngle& start_angle,
                                       const DoubleShape& shape) {
   const std::vector<FrameEquation> equations(angle.path().segments().begin(),
                                              angle.path().segments().end());
@@ -186,11 +186,11 @@ PiecewisePolynomial compiled_rotation(const PathAngle& angle, const Angle& start
 double frame_error(double error) { return sum_up(2 * error, 2 * error * error); }
 
 CompiledFrames::CompiledFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
-                               const Angle& start_angle)
+                               const FrameAngle& start_angle)
     : CompiledFrames(compiled_rotation(curve, angle, start_angle, from, to, compensated_shape(4))) {
 }
 
-CompiledFrames::CompiledFrames(const PathAngle& angle, const Angle& start_angle)
+CompiledFrames::CompiledFrames(const PathAngle& angle, const FrameAngle& start_angle)
     : CompiledFrames(compiled_rotation(angle, start_angle, compensated_shape(4))) {}
 
 CompiledFrames::CompiledFrames(PiecewisePolynomial polynomials)
@@ -213,10 +213,12 @@ Frame<double> CompiledFrames::operator()(double t) const {
   return {rounded(rotated_i(b)), rounded(rotated_j(b)), rounded(rotated_k(b))};
 }
 
-RoundedFrames::RoundedFrames(const Curve& curve, const RmfAngle& angle, double from, double to)
-    : polynomials_(compiled_rotation(curve, angle, {}, from, to, compensated_shape(4))),
+RoundedFrames::RoundedFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
+                             const FrameAngle& start_angle)
+    : polynomials_(compiled_rotation(curve, angle, start_angle, from, to, compensated_shape(4))),
       exact_(curve),
-      angle_(angle) {}
+      angle_(angle),
+      start_angle_(start_angle) {}
 
 /// No value where no piece is at t.
 std::optional<Frame<RealBall>> RoundedFrames::enclose(const Rational& t) {
@@ -250,7 +252,7 @@ Frame<double> RoundedFrames::at(const Rational& t) {
     Vector<double> v{};
     for (std::size_t k = 0; k < 3; ++k) {
       const auto common = enclosed ? common_double(((*enclosed).*near)[k]) : std::nullopt;
-      if (!common && !exact) exact = exact_.rotation_minimizing(angle_, t);
+      if (!common && !exact) exact = exact_.rotation_minimizing(angle_, t, start_angle_);
       v[k] = common ? *common : round_to_double(((*exact).*far)[k]);
     }
     return v;

@@ -15,11 +15,11 @@ namespace phrame {
 ///   |Q − B| ≤ |Q − B|(center) + ∫|σQ′ − V·Q + h·Q·i|/min σ.
 /// `angle` is that of this curve relative to the ERF; shape.width = 4. Throws as compiled_angle.
 PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
-                                      const Angle& start_angle, double from, double to,
+                                      const FrameAngle& start_angle, double from, double to,
                                       const DoubleShape& shape);
 
 /// The same of a spline, on [0, end], with its continuous ERF.
-PiecewisePolynomial compiled_rotation(const PathAngle& angle, const Angle& start_angle,
+PiecewisePolynomial compiled_rotation(const PathAngle& angle, const FrameAngle& start_angle,
                                       const DoubleShape& shape);
 
 /// Rotation-minimizing frames for millions of parameters, a few hundred operations each. Const
@@ -28,9 +28,9 @@ class CompiledFrames {
  public:
   /// The frame whose angle to the ERF is θ + start_angle, as in compiled_rotation.
   CompiledFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
-                 const Angle& start_angle = {});
+                 const FrameAngle& start_angle = {});
   /// The same of a spline, on [0, end].
-  explicit CompiledFrames(const PathAngle& angle, const Angle& start_angle = {});
+  explicit CompiledFrames(const PathAngle& angle, const FrameAngle& start_angle = {});
 
   /// The frame at t, every component within 2^−53 of the true one. Throws DomainError for a t
   /// outside [from, to] and NaN.
@@ -47,8 +47,10 @@ class CompiledFrames {
 /// concurrent use: it keeps the last piece.
 class RoundedFrames {
  public:
-  /// `angle` is that of this curve relative to the ERF. Throws as compiled_rotation does.
-  RoundedFrames(const Curve& curve, const RmfAngle& angle, double from, double to);
+  /// `angle` is that of this curve relative to the ERF, start_angle that of the frame at t = 0.
+  /// Throws as compiled_rotation does.
+  RoundedFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
+                const FrameAngle& start_angle = {});
 
   /// The frame at t, in [from, to] or not. Throws as round_to_double does.
   Frame<double> at(const Rational& t);
@@ -61,6 +63,7 @@ class RoundedFrames {
   std::array<BallPolynomial, 4> of_last_;
   Frames exact_;
   RmfAngle angle_;
+  FrameAngle start_angle_;
 };
 
 /// What the components of the frame of a quaternion Q with |Q − B| ≤ error are off by, |B| = 1.

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 namespace {
@@ -55,10 +56,11 @@ Frame<Real> Frames::frenet(const Rational& t) const {
   return turned(euler_rodrigues(t), {re, -im});
 }
 
-Frame<Real> Frames::rotation_minimizing(const RmfAngle& angle, const Rational& t) const {
-  const Frame<Rational> erf = euler_rodrigues(t);
-  if (const auto z = angle.direction(t)) return turned(erf, *z);
-  return turned(as_real(erf), angle.value(t));
+Frame<Real> Frames::rotation_minimizing(const RmfAngle& angle, const Rational& t,
+                                        const FrameAngle& start) const {
+  return turned(
+      euler_rodrigues(t), angle.direction(t),
+      [&](const FrameAngle& from) { return angle.value(t, from); }, start);
 }
 
 Frame<Real> as_real(const Frame<Rational>& frame) {
@@ -100,6 +102,22 @@ Frame<Real> turned(const Frame<Rational>& frame, const GaussianRational& z) {
   return {{frame.e1[0], frame.e1[1], frame.e1[2]},
           over_square_root(combine(z.re, frame.e2, z.im, frame.e3), size),
           over_square_root(combine(-z.im, frame.e2, z.re, frame.e3), size)};
+}
+
+FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame) {
+  const GaussianRational z{dot(v, frame.e2), dot(v, frame.e3)};
+  if (z.re != 0 || z.im != 0) return angle_of(z);
+  throw DomainError("the vector " + abbreviated(v) + " has no part in the normal plane" +
+                    (dot(v, frame.e1) == 0 ? "" : ": it is along the tangent"));
+}
+
+Frame<Real> turned(const Frame<Rational>& frame, const std::optional<GaussianRational>& direction,
+                   const std::function<Real(const FrameAngle& start)>& theta,
+                   const FrameAngle& start) {
+  const auto from = direction_of(start);
+  if (direction && from) return turned(frame, *direction * *from);
+  if (from) return turned(turned(frame, *from), theta({}));
+  return turned(as_real(frame), theta(start));
 }
 
 Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t) {

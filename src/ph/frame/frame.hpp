@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "phrame/ph/frame/rmf_angle.hpp"
 
 namespace phrame {
@@ -28,6 +30,16 @@ Frame<Real> turned(const Frame<Real>& frame, const Real& theta);
 Frame<Real> turned(const Frame<Rational>& frame, const GaussianRational& z);
 Frame<Real> as_real(const Frame<Rational>& frame);  ///< the same numbers
 
+/// The angle to (e₂, e₃) of v projected to their plane. Throws DomainError where that is 0.
+FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame);
+
+/// The frame turned about e₁ by θ + start, of which `theta(start)` is asked. Exact where
+/// `direction` is there, θ = arg of it up to whole turns, and start is of such a number, too; also
+/// where θ = 0.
+Frame<Real> turned(const Frame<Rational>& frame, const std::optional<GaussianRational>& direction,
+                   const std::function<Real(const FrameAngle& start)>& theta,
+                   const FrameAngle& start);
+
 /// The frames of one curve, for many t: what does not depend on t is computed once.
 class Frames {
  public:
@@ -42,10 +54,12 @@ class Frames {
   /// Throws DomainError for a straight line and at an inflection.
   Frame<Real> frenet(const Rational& t) const;
 
-  /// The rotation-minimizing frame that agrees with the ERF at t = 0; `angle` is that of this curve
-  /// relative to the ERF. Exact where there is a direction() of the angle, so on plane curves and
-  /// all others with a rational rotation-minimizing frame, and where θ(t) = 0.
-  Frame<Real> rotation_minimizing(const RmfAngle& angle, const Rational& t) const;
+  /// The rotation-minimizing frame that at t = 0 has this angle to the ERF, so that it agrees with
+  /// it for 0; `angle` is that of this curve relative to the ERF. Where the angle at the start is
+  /// arg z with z ∈ ℚ(i), the frame is exact where there is a direction() of the angle, so on plane
+  /// curves and all others with a rational rotation-minimizing frame, and where θ(t) = 0.
+  Frame<Real> rotation_minimizing(const RmfAngle& angle, const Rational& t,
+                                  const FrameAngle& start = {}) const;
 
  private:
   QuaternionPolynomial primitive_;  ///< A without its greatest real factor

@@ -1,10 +1,12 @@
 #include "phrame/ph/frame/frame_angle.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <ostream>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 
@@ -12,13 +14,6 @@ FrameAngle angle_of(const GaussianRational& z) {
   if (z.re == 0 && z.im == 0) throw DomainError("angle_of: 0 has no direction");
   if (z.re > 0 || (z.re == 0 && z.im > 0)) return {0, 0, z};
   return {z.im >= 0 && z.re < 0 ? 1 : -1, 0, {-z.re, -z.im}};
-}
-
-FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame) {
-  const GaussianRational z{dot(v, frame.e2), dot(v, frame.e3)};
-  if (z.re == 0 && z.im == 0)
-    throw DomainError("the vector " + abbreviated(v) + " has no part in the normal plane");
-  return angle_of(z);
 }
 
 std::optional<Rational> over_pi(const FrameAngle& angle) {
@@ -53,23 +48,55 @@ GaussianPolynomial path_to(const GaussianRational& z) {
   return {Polynomial{1, z.re - 1}, Polynomial{0, z.im}};
 }
 
+// By Niven, as above: where the multiple of π has another denominator, e^{iπ·half_turns} is not
+// z/|z| for a z ∈ ℚ(i).
+std::optional<GaussianRational> direction_of(const FrameAngle& angle) {
+  const Rational eighths = 4 * angle.half_turns;
+  if (angle.radians != 0 || denominator(eighths) != 1) return std::nullopt;
+  GaussianRational z = angle.direction;
+  const Integer turns = floor(eighths / 8);
+  for (Rational k = eighths - Rational(8 * turns); k > 0; k -= 1) z = z * GaussianRational{1, 1};
+  return z;
+}
+
+// π·half_turns + arg z = −i·log of an algebraic number is 0 or transcendental (Lindemann).
 Real to_real(const FrameAngle& angle) {
-  if (angle.half_turns == 0 && angle.direction.im == 0) return angle.radians;
+  const auto& [half_turns, radians, z] = angle;
+  if (over_pi({half_turns, 0, z}) == Rational(0)) return radians;
   // Whole turns in half_turns may cancel radians, or nearly.
   const auto size = [](const Rational& x) {
     return x == 0 ? 0 : std::max(0L, binary_exponent(abs(x)));
   };
-  const long guard = 8 + std::max(size(angle.half_turns), size(angle.radians));
+  const long guard = 8 + std::max(size(half_turns), size(radians));
   const auto enclosure = [angle, guard](long bits) {
-    const auto& [half_turns, radians, z] = angle;
+    const auto& [times_pi, in_radians, direction] = angle;
     const long more = bits + guard;
     return add(
-        add(multiply(RealBall(half_turns, more), pi(more), more), RealBall(radians, more), more),
-        argument(z.re, z.im, more), more);
+        add(multiply(RealBall(times_pi, more), pi(more), more), RealBall(in_radians, more), more),
+        argument(direction.re, direction.im, more), more);
   };
-  const auto& [half_turns, radians, z] = angle;
   return {enclosure,
-          {false, bits_of(half_turns) + bits_of(radians) + bits_of(z.re) + bits_of(z.im)}};
+          {true, bits_of(half_turns) + bits_of(radians) + bits_of(z.re) + bits_of(z.im)}};
+}
+
+AngleTerms terms(const FrameAngle& angle) {
+  const auto& [half_turns, radians, z] = angle;
+  if (const auto p = over_pi({half_turns, 0, z})) return {{*p, radians}, std::nullopt};
+  if (abs(half_turns) == 1)
+    if (const GaussianRational turned{-z.re, -z.im}; angle_of(turned).half_turns == half_turns)
+      return {radians, primitive_multiple(turned)};
+  return {{half_turns, radians}, primitive_multiple(z)};
+}
+
+std::string to_string(const FrameAngle& angle) {
+  const auto [plain, z] = terms(angle);
+  if (!z) return to_string(plain);
+  const std::string argument = fmt::format("atan2({}, {})", z->im.str(), z->re.str());
+  return plain == Angle() ? argument : to_string(plain) + " + " + argument;
+}
+
+std::ostream& operator<<(std::ostream& out, const FrameAngle& angle) {
+  return out << to_string(angle);
 }
 
 }  // namespace phrame

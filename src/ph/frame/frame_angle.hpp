@@ -1,7 +1,11 @@
 #pragma once
+#include <iosfwd>
+#include <optional>
+#include <string>
+
 #include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/gaussian_integer.hpp"
-#include "phrame/ph/frame/frame.hpp"
+#include "phrame/algebra/gaussian_polynomial.hpp"
 
 namespace phrame {
 
@@ -10,14 +14,22 @@ struct FrameAngle {
   Rational half_turns;               ///< the multiple of π
   Rational radians;                  ///< what is added to it
   GaussianRational direction{1, 0};  ///< re > 0, or a positive multiple of i
+
+  FrameAngle() = default;  ///< 0
+  /// π·times_pi + in_radians + arg z.
+  FrameAngle(Rational times_pi, Rational in_radians, GaussianRational z = {1, 0})
+      : half_turns(std::move(times_pi)), radians(std::move(in_radians)), direction(std::move(z)) {}
+  /// The same angle.
+  FrameAngle(const Angle& angle)  // NOLINT(google-explicit-constructor)
+      : FrameAngle(angle.half_turns, angle.radians) {}
+  /// So many radians.
+  FrameAngle(Rational in_radians)  // NOLINT(google-explicit-constructor)
+      : FrameAngle(0, std::move(in_radians)) {}
   friend bool operator==(const FrameAngle&, const FrameAngle&) = default;
 };
 
 /// The principal argument of z ≠ 0, in (−π, π].
 FrameAngle angle_of(const GaussianRational& z);
-
-/// The angle to (e₂, e₃) of v projected to their plane. Throws DomainError where that is 0.
-FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame);
 
 /// The angle over π where that is rational; no value where it is not: decided exactly.
 std::optional<Rational> over_pi(const FrameAngle& angle);
@@ -31,7 +43,23 @@ FrameAngle operator+(const FrameAngle& a, const FrameAngle& b);
 /// for the z of a FrameAngle.
 GaussianPolynomial path_to(const GaussianRational& z);
 
-/// Exact where the angle is rational.
+/// z ∈ ℚ(i) whose argument is the angle, up to whole turns; no value where there is none: decided
+/// exactly.
+std::optional<GaussianRational> direction_of(const FrameAngle& angle);
+
+/// Exact where the angle is rational, else known to be irrational: decided exactly.
 Real to_real(const FrameAngle& angle);
+
+/// An angle as it is written: as an Angle and, where z is there, arg z, the principal one.
+struct AngleTerms {
+  Angle angle;                       ///< π·half_turns + radians
+  std::optional<GaussianInteger> z;  ///< what the argument is of
+};
+AngleTerms terms(const FrameAngle& angle);  ///< the fewest of them
+
+/// "pi/4", "atan2(4, 3)", "1/3 + atan2(-1, 2)".
+std::string to_string(const FrameAngle& angle);
+/// Writes to_string(angle).
+std::ostream& operator<<(std::ostream& out, const FrameAngle& angle);
 
 }  // namespace phrame

@@ -130,9 +130,11 @@ struct ErrorWalk {
 /// One attempt with balls of so many bits.
 class Judgement {
  public:
-  Judgement(const std::vector<GivenFrame>& frames, const FrameCheckOptions& options, long bits)
+  Judgement(const std::vector<GivenFrame>& frames, const std::optional<FrameAngle>& start,
+            const Rational& tolerance, long bits)
       : frames_(frames),
-        options_(options),
+        start_(start),
+        tolerance_(tolerance),
         bits_(bits),
         order_(by_parameter(frames)),
         parameters_(number_of_parameters(frames)) {}
@@ -146,8 +148,8 @@ class Judgement {
   /// |x| ≤ tolerance? Remembers where the ball does not tell.
   bool is_small(const RealBall& x) {
     const RealBall size = absolute(x);
-    if (size.upper() <= options_.tolerance) return true;
-    if (size.lower() <= options_.tolerance) decided_ = false;
+    if (size.upper() <= tolerance_) return true;
+    if (size.lower() <= tolerance_) decided_ = false;
     return false;
   }
   void find_errors(FrameVerdict& verdict) const;
@@ -160,7 +162,8 @@ class Judgement {
   void find_drift(FrameVerdict& verdict, const FrameCheck& check) const;
 
   const std::vector<GivenFrame>& frames_;
-  const FrameCheckOptions& options_;
+  const std::optional<FrameAngle>& start_;  ///< of the frame that is compared with
+  const Rational& tolerance_;
   long bits_;
   std::vector<std::size_t> order_;
   std::size_t parameters_;
@@ -169,7 +172,7 @@ class Judgement {
 
 void Judgement::find_errors(FrameVerdict& verdict) const {
   std::optional<RealBall> start;
-  if (options_.start_angle) start = to_real(*options_.start_angle).enclose(bits_);
+  if (start_) start = to_real(*start_).enclose(bits_);
   for (const FrameDeviation& at : verdict.deviations) {
     verdict.errors.emplace_back();
     if (!at.f2) continue;
@@ -270,7 +273,7 @@ bool explains(const RealBall& residual, const RealBall& size) {
 std::optional<FrameFinding> Judgement::recognized(const FrameVerdict& verdict,
                                                   const ErrorWalk& walk) const {
   const RealBall offset = walk.errors.front();
-  if (options_.start_angle && parameters_ >= 2 && explains(walk.distance, absolute(offset)))
+  if (start_ && parameters_ >= 2 && explains(walk.distance, absolute(offset)))
     return FrameFinding{Kind::constant_offset, {}, offset, walk.distance};
   Angles erf;
   Angles frenet;
@@ -298,14 +301,13 @@ void Judgement::explain(FrameVerdict& verdict) const {
     verdict.findings.push_back(*finding);
     return;
   }
-  const bool is_elsewhere =
-      options_.start_angle && absolute(walk.errors.front()).lower() > options_.tolerance;
+  const bool is_elsewhere = start_ && absolute(walk.errors.front()).lower() > tolerance_;
   if (is_elsewhere)
     verdict.findings.push_back(
         {Kind::other_start, {walk.first}, walk.errors.front(), std::nullopt});
   const bool is_explained =
       is_elsewhere || (!verdict.findings.empty() && verdict.findings.back().kind == Kind::flip);
-  if (walk.errors.size() < 2 || (is_explained && walk.range.lower() <= options_.tolerance)) return;
+  if (walk.errors.size() < 2 || (is_explained && walk.range.lower() <= tolerance_)) return;
   // A drift makes its way without coming back by half of it, and without a jump: no step is more
   // than a quarter of the way or, of a few samples, twice its share.
   const Rational way = absolute(walk.way).lower();
@@ -387,8 +389,10 @@ FrameVerdict check_frames(const Path& path, const std::vector<GivenFrame>& frame
                           const FrameCheckOptions& options) {
   FrameCheck check(path);
   const Forward forward = check.forward(frames);
+  std::optional<FrameAngle> start;
+  if (options.start) start = start_angle(*options.start, path);
   for (long bits = 128; bits <= 4096; bits *= 2) {
-    Judgement judgement(frames, options, bits);
+    Judgement judgement(frames, start, options.tolerance, bits);
     FrameVerdict verdict = judgement.verdict(check, forward);
     if (judgement.is_decided()) return verdict;
   }

@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/ph/frame/frame.hpp"
+#include "phrame/ph/frame/frame_start.hpp"
 #include "phrame/ph/frame/path_angle.hpp"
 
 namespace phrame {
@@ -94,9 +94,9 @@ inline const Rational recognition_tolerance{1, 100'000};
 
 /// What frames are compared with, and how exactly.
 struct FrameCheckOptions {
-  /// The angle, to e₂ of the Euler–Rodrigues frame at t = 0, of the rotation-minimizing frame that
-  /// the frames are compared with. Without it, that frame agrees with the first sample.
-  std::optional<Angle> start_angle = std::nullopt;
+  /// Where the rotation-minimizing frame that the frames are compared with starts; an angle is that
+  /// to e₂ of the Euler–Rodrigues frame. Without it, that frame agrees with the first sample.
+  std::optional<FrameStart> start = std::nullopt;
   Rational tolerance{1, 1'000'000};  ///< for angles, cosines and lengths
 };
 
@@ -139,7 +139,7 @@ bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
 
 /// Judges frames: they pass where all angles, cosines and lengths are within the tolerance and no
 /// frame is left-handed. First and last are those of the least and the largest t. Throws Undecided
-/// where 4096 bits do not tell a number from the tolerance.
+/// where 4096 bits do not tell a number from the tolerance, and DomainError as start_angle() does.
 /// Precondition: there is at least one frame.
 FrameVerdict check_frames(const Path& path, const std::vector<GivenFrame>& frames,
                           const FrameCheckOptions& options = {});

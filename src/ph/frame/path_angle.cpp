@@ -54,11 +54,11 @@ struct PathAngle::State {
 
   RealBall sum_before(std::size_t segment, long bits);
   RealBall enclose(const PathParameter& at, long bits);
-  RealBall enclose(const PathParameter& at, const Angle& start, long bits);
+  RealBall enclose(const PathParameter& at, const FrameAngle& start, long bits);
   Rational rational_part(std::size_t from, const PathParameter& at) const;
   RealBall rational_ball(const PathParameter& at);
   Antiderivative over_unit_interval(std::size_t from, const PathParameter& at) const;
-  bool may_be_rational(const PathParameter& at, const Angle& start);
+  bool may_be_rational(const PathParameter& at, const FrameAngle& start);
 };
 
 PathAngle::PathAngle(Path path, Reference reference, Form form) {
@@ -99,7 +99,7 @@ RealBall PathAngle::State::enclose(const PathParameter& at, long bits) {
   }
 }
 
-RealBall PathAngle::State::enclose(const PathParameter& at, const Angle& start, long bits) {
+RealBall PathAngle::State::enclose(const PathParameter& at, const FrameAngle& start, long bits) {
   return add(enclose(at, bits), to_real(start).enclose(bits), bits);
 }
 
@@ -107,7 +107,7 @@ RealBall PathAngle::enclose(const PathParameter& at, long bits) const {
   return state_->enclose(at, bits);
 }
 
-RealBall PathAngle::enclose(const PathParameter& at, const Angle& start, long bits) const {
+RealBall PathAngle::enclose(const PathParameter& at, const FrameAngle& start, long bits) const {
   return state_->enclose(at, start, bits);
 }
 
@@ -147,7 +147,7 @@ Antiderivative PathAngle::State::over_unit_interval(std::size_t from,
 }
 
 /// As in Evaluator::value: what is apart from its rational part is irrational.
-bool PathAngle::State::may_be_rational(const PathParameter& at, const Angle& start) {
+bool PathAngle::State::may_be_rational(const PathParameter& at, const FrameAngle& start) {
   constexpr long bits = 128;
   return enclose(at, start, bits)
       .overlaps(add(rational_ball(at), RealBall(start.radians, bits), bits));
@@ -156,18 +156,20 @@ bool PathAngle::State::may_be_rational(const PathParameter& at, const Angle& sta
 /// θ(at) + start, given a joint before and θ there: that logarithms cancel is decided for the
 /// segments in between.
 Real PathAngle::value_after(std::size_t joint, const Rational& theta, const PathParameter& at,
-                            const Angle& start) const {
+                            const FrameAngle& start) const {
   if (joint == at.segment) return state_->angles[at.segment].value(at.t, start) + theta;
   const auto enclosure = [state = state_, at, theta, start](long bits) {
     return add(state->enclose(at, start, bits), RealBall(-theta, bits), bits);
   };
-  return Evaluator(state_->over_unit_interval(joint, at)).value(0, 1, {{1}, {}}, enclosure, start) +
+  const Evaluator from_joint(state_->over_unit_interval(joint, at));
+  return from_joint.value(0, 1, path_to(start.direction), enclosure,
+                          Angle(start.half_turns, start.radians)) +
          theta;
 }
 
 /// The same from the last joint up to the start of the segment at which θ is seen to be rational.
 /// Where segments cancel again and again, each decision is about few of them.
-Real PathAngle::value_after_last_joint(const PathParameter& at, const Angle& start) const {
+Real PathAngle::value_after_last_joint(const PathParameter& at, const FrameAngle& start) const {
   const auto last_joint = [&] {
     const std::lock_guard lock(state_->joints_lock);
     std::vector<State::Joint>& joints = state_->joints;
@@ -187,11 +189,11 @@ Real PathAngle::value_after_last_joint(const PathParameter& at, const Angle& sta
   return value_after(joint.segment, joint.theta, at, start);
 }
 
-Real PathAngle::value(const Rational& t, const Angle& start) const {
+Real PathAngle::value(const Rational& t, const FrameAngle& start) const {
   return value(locate(path(), t), start);
 }
 
-Real PathAngle::value(const PathParameter& at, const Angle& start) const {
+Real PathAngle::value(const PathParameter& at, const FrameAngle& start) const {
   if (at.segment == 0) return state_->angles[0].value(at.t, start);
   if (state_->may_be_rational(at, start)) return value_after_last_joint(at, start);
   return {[state = state_, at, start](long bits) { return state->enclose(at, start, bits); },

@@ -30,14 +30,14 @@ class PathAngle {
   /// θ(t) + start, exact where it is seen to be rational; also where the contributions of different
   /// segments cancel. Throws DomainError for t outside [0, end] of a
   /// spline.
-  Real value(const Rational& t, const Angle& start = {}) const;
+  Real value(const Rational& t, const FrameAngle& start = {}) const;
   /// The same; at.t may be any number, with which the segment is continued.
-  Real value(const PathParameter& at, const Angle& start = {}) const;
+  Real value(const PathParameter& at, const FrameAngle& start = {}) const;
   /// A ball around θ(at) with a radius ≤ 2^−bits · max(1, |θ(at)|); the sums up to the joints are
   /// kept. at.t may be any number.
   RealBall enclose(const PathParameter& at, long bits) const;
   /// Around θ(at) + start, likewise but for what the two cancel.
-  RealBall enclose(const PathParameter& at, const Angle& start, long bits) const;
+  RealBall enclose(const PathParameter& at, const FrameAngle& start, long bits) const;
   /// z ∈ ℚ(i) with e^{iθ} = z/|z|, where each segment up to there has an RmfAngle::direction().
   std::optional<GaussianRational> direction(const PathParameter& at) const;
 
@@ -58,8 +58,8 @@ class PathAngle {
   struct State;  ///< the angles of the segments, and what is known of their sums
 
   Real value_after(std::size_t joint, const Rational& theta, const PathParameter& at,
-                   const Angle& start) const;
-  Real value_after_last_joint(const PathParameter& at, const Angle& start) const;
+                   const FrameAngle& start) const;
+  Real value_after_last_joint(const PathParameter& at, const FrameAngle& start) const;
 
   std::shared_ptr<State> state_;
 };

@@ -12,15 +12,41 @@ GaussianRational turn(const GaussianPolynomial& p, const Rational& t) {
   return GaussianRational{p.re(t), p.im(t)} * GaussianRational{p.re(0), -p.im(0)};
 }
 
-}  // namespace
-
-GaussianPolynomial regular_bend(const QuaternionPolynomial& a) {
-  const GaussianPolynomial g = bend_numerator(a);
+/// g ≠ 0.
+GaussianPolynomial bend_of(const QuaternionPolynomial& a) {
+  GaussianPolynomial g = bend_numerator(a);
   if (is_zero(g))
     throw DomainError(
         "Frenet frame: the curve is a straight line (r′ × r″ = 0), it has no principal normal");
+  return g;
+}
+
+/// Its argument is that of the bend, where there is one, plus that of z at t, and 0 of the latter
+/// at 0.
+GaussianPolynomial with_turn(const std::optional<GaussianPolynomial>& bend,
+                             const GaussianRational& z, const Rational& t) {
+  GaussianPolynomial turn = path_to(z);
+  if (z.im != 0) {
+    const Polynomial over_t{0, 1 / t};
+    turn = {compose(turn.re, over_t), compose(turn.im, over_t)};
+  }
+  return bend ? *bend * turn : turn;
+}
+
+}  // namespace
+
+GaussianPolynomial regular_bend(const QuaternionPolynomial& a) {
+  const GaussianPolynomial g = bend_of(a);
   const Polynomial common = gcd(g.re, g.im);
   return {exact_quotient(g.re, common), exact_quotient(g.im, common)};
+}
+
+GaussianRational bend_after_zero(const QuaternionPolynomial& a) {
+  const GaussianPolynomial g = bend_of(a);
+  GaussianRational lowest;
+  for (long k = 0; lowest == GaussianRational(); ++k)
+    lowest = {g.re.coefficient(k), g.im.coefficient(k)};
+  return lowest;
 }
 
 RationalFunction rate_of_argument(const GaussianPolynomial& g) {
@@ -77,14 +103,15 @@ RealBall RmfAngle::enclose(const Rational& t, long bits) const {
   }
 }
 
-Real RmfAngle::value(const Rational& t, const Angle& start) const {
+Real RmfAngle::value(const Rational& t, const FrameAngle& start) const {
   const Real offset = to_real(start);
   if (t == 0) return offset;
   const auto sum = [angle = *this, t, offset](long bits) {
     const RealBall theta = angle.enclose(t, bits);
     return offset.exact() == Rational(0) ? theta : add(theta, offset.enclose(bits), bits);
   };
-  return evaluator_.value(0, t, bend().value_or(GaussianPolynomial{{1}, {}}), sum, start);
+  return evaluator_.value(0, t, with_turn(bend(), start.direction, t), sum,
+                          Angle(start.half_turns, start.radians));
 }
 
 std::optional<GaussianRational> RmfAngle::direction(const Rational& t) const {

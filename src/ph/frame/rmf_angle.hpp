@@ -6,6 +6,7 @@
 #include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/frame/frame_angle.hpp"
 
 namespace phrame {
 
@@ -49,7 +50,7 @@ class RmfAngle {
   /// θ(t) + start, exact where it is rational, else transcendental, so that it rounds correctly.
   /// That it is rational is decided where all residues of θ′ lie in ℚ(i) and recognised in many
   /// other cases; where it is not recognised, to round it throws Undecided.
-  Real value(const Rational& t, const Angle& start = {}) const;
+  Real value(const Rational& t, const FrameAngle& start = {}) const;
   /// The way to values from now on; that of copies stays.
   void take(Route route) { evaluator_.take(route); }
   /// A ball around θ(t) with a radius ≤ 2^−bits · max(1, |θ(t)|).
@@ -77,6 +78,9 @@ class RmfAngle {
 /// g without its greatest real factor: the Frenet frame turns with its argument, continuously.
 /// Throws DomainError for a straight line.
 GaussianPolynomial regular_bend(const QuaternionPolynomial& a);
+/// g(t) for small t > 0, up to a positive factor that tends to 1. Throws DomainError for a straight
+/// line.
+GaussianRational bend_after_zero(const QuaternionPolynomial& a);
 /// (arg g)′ = Im(g′/g).
 RationalFunction rate_of_argument(const GaussianPolynomial& g);
 

@@ -27,7 +27,7 @@ std::string printed(Printer print, const NamedPath& named, const Options& option
   query.form = options.form;
   query.at = options.at;
   query.digits = options.digits;
-  query.start_angle = options.start_angle;
+  query.start = Angle(options.start_angle);
   query.most_poles = 24;
   return print(answer(named, query));
 }
@@ -322,9 +322,9 @@ TEST_CASE("angle report: cusps are announced") {
 
 TEST_CASE("angle report: LaTeX has balanced braces, the closed form and the table") {
   for (const Reference reference : references) {
-    const std::string text = printed(
-        to_latex, test::farouki_quintic(),
-        {.reference = reference, .at = {Rational(1, 2), power_of_ten(-30)}, .digits = 5});
+    const std::string text =
+        printed(to_latex, test::farouki_quintic(),
+                {.reference = reference, .at = {Rational(1, 2), power_of_ten(-30)}, .digits = 5});
     CHECK(std::count(text.begin(), text.end(), '{') == std::count(text.begin(), text.end(), '}'));
     CHECK(contains(text, "\\sum_{37z^{4} - 72z^{3} + 46z^{2} - 12z + 6 = 0}"));
     CHECK(contains(text, "\\frac{602064}{1669067}z^{3}"));

@@ -2,6 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/frame/frame.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
 #include "support/curves.hpp"
 #include "support/random.hpp"
@@ -46,6 +47,43 @@ TEST_CASE("frame angle: over pi, where that is rational; differences") {
   CHECK(over_pi(difference({0, 3}, {2, 3})) == Rational(-2));
   // From −45° to 90°.
   CHECK(over_pi(difference(angle_of({0, 1}), angle_of({1, -1}))) == Rational(3, 4));
+}
+
+TEST_CASE("frame angle: law: it is the argument of its direction, where there is one") {
+  for_samples(100, [](Random& random) {
+    const FrameAngle angle{Rational(random.integer(-40, 40), random.chance(2) ? 4 : 12), 0,
+                           angle_of({Rational(1), random.rational()}).direction};
+    const auto z = direction_of(angle);
+    CHECK(z.has_value() == (denominator(4 * angle.half_turns) == 1));
+    if (!z) return;
+    const FrameAngle difference = reduced(phrame::difference(angle, angle_of(*z)));
+    CHECK(over_pi(difference) == Rational(0));
+  });
+  CHECK_FALSE(direction_of({0, 1}));
+  CHECK(direction_of({}) == GaussianRational{1, 0});
+}
+
+TEST_CASE("frame angle: as a number it is exact, or known to be irrational") {
+  CHECK(to_real(FrameAngle{Rational(-1, 4), 5, {3, 3}}).exact() == Rational(5));
+  CHECK(to_real(FrameAngle{Rational(1, 7), 5, {3, 3}}).origin().is_irrational);
+  CHECK(to_real(FrameAngle{0, 5, {3, 2}}).origin().is_irrational);
+  CHECK(to_real(FrameAngle{Rational(1, 3)}).exact() == Rational(1, 3));
+  // By mpmath: 1/3 + pi/7 + atan2(-2, 1).
+  CHECK(round_to_decimal(to_real(FrameAngle{Rational(1, 7), Rational(1, 3), {1, -2}}), 30).value ==
+        "-0.325016433947929564189068786377");
+}
+
+TEST_CASE("frame angle: it is written in the fewest terms") {
+  const auto text = [](const FrameAngle& angle) { return to_string(angle); };
+  CHECK(text({}) == "0");
+  CHECK(text(angle_of({3, 4})) == "atan2(4, 3)");
+  CHECK(text(angle_of({-6, 8})) == "atan2(4, -3)");
+  CHECK(text(angle_of({Rational(-1, 2), Rational(-1, 3)})) == "atan2(-2, -3)");
+  CHECK(text(angle_of({-1, 0})) == "pi");
+  CHECK(text(angle_of({2, -2})) == "-pi/4");
+  CHECK(text({Rational(1, 2), Rational(1, 3), {0, 1}}) == "1/3 + pi");
+  CHECK(text({1, 0, {3, 4}}) == "pi + atan2(4, 3)");  // beyond π
+  CHECK(text({Rational(1, 3), 2, {3, -4}}) == "2 + pi/3 + atan2(-4, 3)");
 }
 
 TEST_CASE("reduced angle: law: whole turns do not count, and what is left is in (-pi, pi]") {

@@ -102,9 +102,9 @@ TEST_CASE("frame check: other frames that are meant well are recognised") {
       turned_frames(quintic, [&](const Rational& t) { return theta.value(t) + Rational(1, 7); });
   CHECK(check(offset).passes);
   FrameCheckOptions options;
-  options.start_angle = Rational(1, 7);
+  options.start = Angle(Rational(1, 7));
   CHECK(check(offset, options).passes);
-  options.start_angle = Angle();
+  options.start = Angle();
   const FrameVerdict verdict = check(offset, options);
   CHECK(kinds(verdict) == std::vector{Kind::constant_offset});
   CHECK(abs(Rational(verdict.errors[4].value().upper() - Rational(1, 7))) < decimal("1e-15"));

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "phrame/ph/curve/named.hpp"
+#include "phrame/algebra/rational.hpp"
 
 namespace phrame {
 
@@ -18,17 +18,12 @@ struct Nearness {
   /// A bound, proved, of the angle between the rotation-minimizing frames of both, which agree at t
   /// = 0 (rmf_difference_bound). No value where the speed is not kept from 0.
   std::optional<Rational> rmf_difference;
+  Rational epsilon;  ///< that was allowed for the distance
 };
 
 /// None was found that is near enough.
 struct NotNear {
   Rational distance;  ///< of the nearest that was found
-};
-
-/// A PH path, and how near it is to what was given, where that is not it.
-struct PathIdentification {
-  NamedPath named;                   ///< the PH path
-  std::optional<Nearness> nearness;  ///< none where it is what was given
 };
 
 }  // namespace phrame
