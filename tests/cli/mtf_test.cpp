@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "cli/workshop.hpp"
+#include "support/random.hpp"
 
 using namespace phrame;
 using namespace phrame::test;
@@ -201,9 +202,11 @@ TEST_CASE("mtf: next to a cusp rational frames are found, in one piece and in se
       "3998027.32296"));
   CHECK_FALSE(whole.contains("no_rational"));
   // Found or not is asked here, and 650 proofs take long.
-  for (const char* options :
-       {"--unproved --degree 1 --free-ends", "--unproved --subdivide inflections",
-        "--unproved --subdivide auto"}) {
+  std::vector<const char*> options_tried{
+      "--unproved --degree 1 --free-ends", "--unproved --subdivide inflections",
+      "--unproved --subdivide auto", "--subdivide 1/2", "--degree 3"};
+  options_tried.resize(static_cast<std::size_t>(test::everyday(3, 5)));
+  for (const char* options : options_tried) {
     CAPTURE(options);
     check_success(here.run(ends + options));
   }
