@@ -1,0 +1,42 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "phrame/algebra/rational.hpp"
+
+namespace phrame {
+
+// An exact family has rational parameters, and whatever they are, its law holds as an identity:
+// h = 0, a helix, C². What is left are conditions on the parameters, such as the end point.
+
+/// What each condition lacks with these parameters; 0 where it is met.
+using ExactDefect = std::function<std::vector<Rational>(const std::vector<Rational>& parameters)>;
+/// The change of the parameters that adds, to first order, so much to what the conditions lack, in
+/// doubles.
+using ParameterStep = std::function<std::vector<double>(const std::vector<double>& defect)>;
+/// ∂(condition)/∂(parameter): a row for each condition, with an entry for each parameter.
+using JacobianRows = std::vector<std::vector<double>>;
+
+/// Parameters that are multiples of 2^−bits, and what they lack.
+struct Refined {
+  std::vector<Rational> parameters;
+  std::vector<Rational> defect;
+};
+
+/// Newton's iteration θ ↦ θ − J⁺F(θ) to the nearest parameters that meet the conditions, until the
+/// rounding to multiples of 2^−bits keeps the greatest |F| from becoming half of what it was. F is
+/// computed exactly and brought to about 1 by a power of 2 before it becomes doubles, so a J known
+/// to few digits is enough: the digits of F come one after the other. Parameters are wanted near a
+/// solution, and of about the same size. What `defect` throws goes through.
+Refined refine(std::vector<Rational> parameters, const ExactDefect& defect,
+               const ParameterStep& step, long bits);
+
+/// The same with the least change that a step can be, J⁺ being the pseudo-inverse of J: there may
+/// be more parameters than conditions.
+Refined refine(std::vector<Rational> parameters, const ExactDefect& defect,
+               const JacobianRows& jacobian, long bits);
+
+/// Is every |F| ≤ `tolerance`?
+bool is_within(const Refined& result, const Rational& tolerance);
+
+}  // namespace phrame
