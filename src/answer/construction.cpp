@@ -7,7 +7,9 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/construct/cubic_spline.hpp"
 #include "phrame/ph/construct/energy.hpp"
+#include "phrame/ph/construct/helical_spline.hpp"
 #include "phrame/ph/construct/plane_quintics.hpp"
+#include "phrame/ph/construct/rrmf_spline.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 
 namespace phrame {
@@ -33,13 +35,18 @@ Construction quintics(const Task& task) {
 }
 
 Construction cubics(const Task& task) {
-  if (task.data.is_closed) throw InputError("the kind cubic makes open curves only");
   return cubic_spline(task.data, task.query.solution, task.tolerance);
 }
 
 Construction planar(const Task& task) {
   return plane_quintics(task.data, task.query.solution, task.tolerance, task.query.points);
 }
+
+Construction helices(const Task& task) {
+  return helical_spline(task.data, task.query.solution, task.tolerance);
+}
+
+Construction rrmf_quintics(const Task& task) { return rrmf_spline(task.data, task.tolerance); }
 
 bool is_in_plane(const Path& path) {
   return std::ranges::all_of(path.segments(), [](const Curve& curve) {
@@ -48,27 +55,46 @@ bool is_in_plane(const Path& path) {
 }
 
 const std::vector<KindRow>& rows() {
-  static const std::vector<KindRow> table{{.named = {.kind = CurveKind::quintic,
-                                                     .name = "quintic",
-                                                     .what = "C1 splines of PH quintics",
-                                                     .continuity = Continuity::c1,
-                                                     .meets_points = true},
-                                           .construct = quintics},
-                                          {.named = {.kind = CurveKind::planar,
-                                                     .name = "planar",
-                                                     .what = "the same in the plane z = 0",
-                                                     .continuity = Continuity::c1,
-                                                     .solutions = plane_solutions,
-                                                     .meets_points = true,
-                                                     .law = "the curve is in the plane z = 0"},
-                                           .construct = planar,
-                                           .obeys_law = is_in_plane},
-                                          {.named = {.kind = CurveKind::cubic,
-                                                     .name = "cubic",
-                                                     .what = "G1 splines of PH cubics",
-                                                     .continuity = Continuity::g1,
-                                                     .solutions = cubic_solutions},
-                                           .construct = cubics}};
+  static const std::vector<KindRow> table{
+      {.named = {.kind = CurveKind::quintic,
+                 .name = "quintic",
+                 .what = "C1 splines of PH quintics",
+                 .continuity = Continuity::c1,
+                 .meets_points = true},
+       .construct = quintics},
+      {.named = {.kind = CurveKind::planar,
+                 .name = "planar",
+                 .what = "the same in the plane z = 0",
+                 .continuity = Continuity::c1,
+                 .solutions = plane_solutions,
+                 .meets_points = true,
+                 .law = "the curve is in the plane z = 0"},
+       .construct = planar,
+       .obeys_law = is_in_plane},
+      {.named = {.kind = CurveKind::cubic,
+                 .name = "cubic",
+                 .what = "G1 splines of PH cubics",
+                 .continuity = Continuity::g1,
+                 .solutions = cubic_solutions,
+                 .is_open = true},
+       .construct = cubics},
+      {.named = {.kind = CurveKind::helical,
+                 .name = "helical",
+                 .what = "C1 splines of helical quintics",
+                 .continuity = Continuity::c1,
+                 .solutions = helical_solutions,
+                 .law = "the tangent of each segment has a constant angle to an axis",
+                 .is_open = true},
+       .construct = helices,
+       .obeys_law = is_helical},
+      {.named = {.kind = CurveKind::rrmf,
+                 .name = "rrmf",
+                 .what = "G1 splines of RRMF quintics of class I",
+                 .continuity = Continuity::g1,
+                 .law = "each segment has a rational rotation-minimizing frame",
+                 .is_open = true},
+       .construct = rrmf_quintics,
+       .obeys_law = is_rrmf_of_class_one}};
   return table;
 }
 
@@ -105,6 +131,8 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
         fmt::format("the kind {} has no solution {}: {}", row->named.name, query.solution,
                     row->named.solutions == 1 ? std::string("there is one")
                                               : fmt::format("there are {}", row->named.solutions)));
+  if (query.is_closed && row->named.is_open)
+    throw InputError(fmt::format("the kind {} makes open curves only", row->named.name));
   HermiteSpline data = hermite_spline(given, query.is_closed);
   const Deviation tolerance{query.tolerance * size_of_points(data),
                             row->named.continuity == Continuity::g1

@@ -9,7 +9,7 @@
 namespace phrame {
 
 /// What kind of PH curves a construction is made of.
-enum class CurveKind { quintic, planar, cubic };
+enum class CurveKind { quintic, planar, cubic, helical, rrmf };
 
 /// What is equal at the joints of a spline, exactly.
 enum class Continuity {
@@ -29,6 +29,7 @@ struct NamedKind {
   /// What holds exactly of every curve of this kind, beside being PH; it has been checked of the
   /// one that is answered. May be empty.
   std::string_view law = {};
+  bool is_open = false;  ///< its splines cannot be closed
 };
 const std::vector<NamedKind>& curve_kinds();  ///< all kinds
 

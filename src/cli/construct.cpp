@@ -1,11 +1,11 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/point_file.hpp"
 #include "phrame/io/write/construction.hpp"
 #include "phrame/io/write/curve_file.hpp"
-#include "phrame/ph/construct/cubic_spline.hpp"
-#include "phrame/ph/construct/plane_quintics.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -75,10 +75,24 @@ void add_construct(Program& program) {
   command.add_argument("DATA", options->data,
                        "points: JSON, a table of text or of NumPy; \"-\" for standard input");
   std::vector<std::string> kinds;
-  for (const NamedKind& named : curve_kinds()) kinds.emplace_back(named.name);
+  std::vector<std::string> others;
+  std::vector<std::string> with_solutions;
+  std::vector<std::string> open;
+  std::vector<std::string> near_points;
+  long most_solutions = 1;
+  for (const NamedKind& named : curve_kinds()) {
+    const std::string option = fmt::format("--kind {}", named.name);
+    kinds.emplace_back(named.name);
+    if (named.kind != CurveKind::quintic) others.push_back(option);
+    if (named.solutions > 1) with_solutions.push_back(option);
+    if (named.is_open) open.push_back(option);
+    if (!named.meets_points) near_points.push_back(option);
+    most_solutions = std::max(most_solutions, named.solutions);
+  }
   command.add_choice("--kind", options->kind, kinds,
-                     "what to make: quintic (default), planar: in the plane z = 0, or\n"
-                     "cubic: with continuous tangents");
+                     "what to make: quintic (default); planar: in the plane z = 0; cubic: with\n"
+                     "continuous tangents; helical: with a constant angle to an axis; rrmf: with\n"
+                     "a rational rotation-minimizing frame");
   std::vector<std::string> selections;
   for (const auto& [name, selection] : quintic_selections()) selections.push_back(name);
   command.add_choice("--select", options->select, selections,
@@ -86,18 +100,18 @@ void add_construct(Program& program) {
                      "longest or energy");
   command.add_list("--angles", "A,...", options->angles,
                    "which of the quintics: the angles Delta,phi or phi0,phi1,phi2");
-  command.add_number("--solution", options->solution,
-                     {1, std::max(plane_solutions, cubic_solutions)},
+  command.add_number("--solution", options->solution, {1, most_solutions},
                      "which of the curves there are, 1 being the best (default 1)");
-  command.not_with({"--select", "--angles"}, {"--kind planar", "--kind cubic"});
-  command.only_with({"--solution"}, {"--kind planar", "--kind cubic"});
+  command.not_with({"--select", "--angles"}, others);
+  command.only_with({"--solution"}, with_solutions);
   command.add_option("--tolerance", "X", options->tolerance,
                      "how far the curve may be from the points, beside their extent\n"
                      "(default 1e-15)");
   command.add_flag("--closed", options->is_closed, "the curve ends where it starts");
   command.add_flag("--exact-points", options->exact_points,
                    "meet the points exactly, by two quintics between any two of them");
-  command.not_with({"--closed", "--exact-points"}, {"--kind cubic"});
+  command.not_with({"--closed"}, open);
+  command.not_with({"--exact-points"}, near_points);
   command.add_option("-o,--output", "FILE", options->output,
                      "write the curve to this file, beside the report");
   command.add_format("--print", options->print, {"text", "json", "curve"},

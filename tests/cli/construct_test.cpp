@@ -157,7 +157,7 @@ TEST_CASE("construct: --kind planar makes the four plane curves, the good one fi
   check_failure(here.run("construct - --kind planar", "0,0,0\n1,1,1\n"), 3,
                 "point 2 has z = 1, but a plane curve is wanted");
   check_failure(here.run("construct - --solution 2", arch), 2,
-                "--solution: needs --kind planar or --kind cubic");
+                "--solution: needs --kind planar, --kind cubic or --kind helical");
   check_failure(here.run("construct - --kind planar --select bv", arch), 2,
                 "--select: does not apply with --kind planar");
 }
@@ -199,4 +199,55 @@ TEST_CASE("construct: --exact-points meets the points as fractions, in space and
   CHECK(report["law"] == "the curve is in the plane z = 0");
   CHECK(number(report["deviation"]["points"]) == 0);
   check_failure(here.run("construct points.csv --kind cubic --exact-points"), 2, "--exact-points");
+}
+
+// Lengths and energies of Farouki's talk.
+TEST_CASE("construct: --kind helical makes the helices there are, and classify finds them") {
+  const Workshop here;
+  const auto report = [&](const std::string& solution) {
+    const Run run = here.run(
+        "construct - --kind helical --print json -o curve.json --solution " + solution, hermite);
+    check_success(run);
+    return Json::parse(run.out);
+  };
+  const Json first = report("1");
+  CHECK(first["law"] == "the tangent of each segment has a constant angle to an axis");
+  CHECK_FALSE(first.contains("select"));
+  CHECK(number(first["length"]) == doctest::Approx(2.35974267543260545).epsilon(1e-14));
+  CHECK(number(first["energy"]) == doctest::Approx(8.43828938599157977).epsilon(1e-5));
+  const Json classified = Json::parse(here.run("classify curve.json --print json").out);
+  CHECK(classified["helical"]["answer"] == true);
+  CHECK(number(report("4")["energy"]) == doctest::Approx(1484.97155).epsilon(1e-4));
+  report("5");
+  check_failure(here.run("construct - --kind helical --solution 6", hermite), 3,
+                "segment 1: there are 5 helical quintics with these ends and derivatives, so no "
+                "solution 6");
+  check_failure(here.run("construct - --kind helical --closed", table), 2,
+                "--closed: does not apply with --kind helical");
+  const Run spline = here.run("construct - --kind helical -o spline.json", table);
+  check_success(spline);
+  CHECK(contains(spline.out, "helical, solution 1 of up to 8"));
+  check_success(here.run("frames spline.json --at 0,1,2,3"));
+}
+
+TEST_CASE(
+    "construct: --kind rrmf makes quintics with a rational frame, or says that none is found") {
+  const Workshop here;
+  const Run run = here.run("construct - --kind rrmf --print json -o spline.json",
+                           "x,y,z\n0,0,0\n1,1,0.3\n2,1.5,1\n3,1.6,2\n");
+  check_success(run);
+  const Json report = Json::parse(run.out);
+  CHECK(report["law"] == "each segment has a rational rotation-minimizing frame");
+  CHECK_FALSE(report.contains("select"));
+  CHECK_FALSE(report.contains("solution"));
+  CHECK(number(report["deviation"]["derivatives"]) <= 1e-15);
+  const Json classified = Json::parse(here.run("classify spline.json --print json").out);
+  REQUIRE(classified["segments"].size() == 3);
+  for (const Json& segment : classified["segments"]) CHECK(segment["rrmf"]["answer"] == true);
+  check_failure(here.run("construct - --kind rrmf",
+                         R"({"phrame": "points/1", "points": [[0, 0, 0], [1, 1, 1]],
+                             "tangents": [[0.4, -1.5, -1.2], [-1.2, -0.6, -1.2]]})"),
+                4, "segment 1: no quintic with these ends and tangents and a rational");
+  check_failure(here.run("construct - --kind rrmf --closed", table), 2,
+                "--closed: does not apply with --kind rrmf");
 }

@@ -22,9 +22,13 @@ std::string choice_name(const QuinticChoice& choice) {
       ->first;
 }
 
+/// ", auto", ", solution 1 of 4"; nothing where there is no choice.
 std::string which_text(const ConstructionAnswer& answer) {
-  if (answer.kind.solutions == 1) return choice_name(answer.choice);
-  return fmt::format("solution {} of {}", answer.solution, answer.kind.solutions);
+  if (answer.kind.kind == CurveKind::quintic) return ", " + choice_name(answer.choice);
+  if (answer.kind.solutions == 1) return "";
+  const bool are_all_there = answer.kind.kind == CurveKind::planar;
+  return fmt::format(", solution {} of {}{}", answer.solution, are_all_there ? "" : "up to ",
+                     answer.kind.solutions);
 }
 
 const char* name_of(DerivativeSource source) {
@@ -96,15 +100,18 @@ std::string bound_text(const Rational& bound, const Rational& asked) {
 }
 
 std::string segment_table(const ConstructionAnswer& answer) {
+  const bool have_angles = answer.segments.front().angles.has_value();
+  const auto angle_text = [](const Angle& angle) { return decimal(to_real(angle), 6); };
+  std::string head = fmt::format("\n  {:>7}", "segment");
+  if (have_angles) head += fmt::format("  {:>11}  {:>11}", "Δ", "φ");
+  head += fmt::format("  {:>12}  {:>12}\n", "length", "∫ κ² ds");
   std::string list;
-  std::string head = fmt::format("\n  {:>7}  {:>11}  {:>11}  {:>12}  {:>12}\n", "segment", "Δ", "φ",
-                                 "length", "∫ κ² ds");
   for (std::size_t k = 0; k < answer.segments.size(); ++k) {
     const auto& [angles, length, energy] = answer.segments[k];
-    list += fmt::format("  {:>7}  {:>11}  {:>11}  {:>12}  {:>12}\n", k + 1,
-                        angles ? decimal(to_real(angles->delta), 6) : "",
-                        angles ? decimal(to_real(angles->phi), 6) : "", decimal(length, 8),
-                        energy_text(energy));
+    list += fmt::format("  {:>7}", k + 1);
+    if (have_angles)
+      list += fmt::format("  {:>11}  {:>11}", angle_text(angles->delta), angle_text(angles->phi));
+    list += fmt::format("  {:>12}  {:>12}\n", decimal(length, 8), energy_text(energy));
   }
   constexpr std::size_t most = 20;
   if (answer.segments.size() <= most) return head + list;
@@ -130,7 +137,7 @@ std::string to_text(const ConstructionAnswer& answer) {
   const auto row = [&](std::string_view label, const std::string& value) {
     text += phrame::row(label, value, 14);
   };
-  row("kind", fmt::format("{}, {}", answer.kind.name, which_text(answer)));
+  row("kind", std::string(answer.kind.name) + which_text(answer));
   row("data", fmt::format("{}{}", counted(answer.data.points.size(), "point"),
                           answer.data.is_closed ? ", the last of them the first" : ""));
   row("  derivatives", name_of(answer.derivatives_from));
@@ -173,9 +180,9 @@ std::string to_json(const ConstructionAnswer& answer) {
   };
   JsonOutput json = {
       {"phrame", "construct/1"}, {"name", answer.path.name}, {"kind", answer.kind.name}};
-  if (answer.kind.solutions == 1) {
+  if (answer.kind.kind == CurveKind::quintic) {
     json["select"] = choice_name(answer.choice);
-  } else {
+  } else if (answer.kind.solutions > 1) {
     json["solution"] = answer.solution;
     json["solutions"] = answer.kind.solutions;
   }

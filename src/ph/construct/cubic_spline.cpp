@@ -111,14 +111,6 @@ RationalQuaternion rounded(const Quaternion<Float>& a, long places) {
   return {rounded(a.u, places), rounded(a.v, places), rounded(a.p, places), rounded(a.q, places)};
 }
 
-/// The square of the sine of the angle between them; 1 where that is not acute.
-Rational squared_sine(const Vector<Rational>& a, const Vector<Rational>& b) {
-  const Rational ab = dot(a, b);
-  if (ab <= 0) return 1;
-  const Rational sizes = dot(a, a) * dot(b, b);
-  return (sizes - ab * ab) / sizes;
-}
-
 /// A spline with A rounded to multiples of 2^−bits where it is of size 1; no value where the
 /// deviations are too great. An acute angle is less than twice its sine.
 std::optional<Construction> attempt(const HermiteSpline& data, long solution,
@@ -168,9 +160,7 @@ std::optional<Construction> attempt(const HermiteSpline& data, long solution,
 
 Construction cubic_spline(const HermiteSpline& data, long solution, const Deviation& tolerance) {
   constexpr long most_passes = 20;
-  for (std::size_t k = 0; k < data.derivatives.size(); ++k)
-    if (largest(data.derivatives[k]) == 0)
-      throw DomainError(fmt::format("the derivative at point {} is 0: it has no direction", k + 1));
+  require_directions(data);
   const Rational finest = std::min(
       tolerance.derivatives, Rational(tolerance.points * scale_for_doubles(size_of_points(data))));
   long bits = std::max(20L, 4 - binary_exponent(finest));

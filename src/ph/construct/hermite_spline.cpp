@@ -222,6 +222,25 @@ HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed) {
   return data;
 }
 
+void require_regular(const HermiteSpline& data) {
+  const std::size_t n = data.segments();
+  const auto is_zero = [&](std::size_t k) { return largest(data.derivatives[k]) == 0; };
+  for (std::size_t k = data.is_closed ? 0 : 1; k < n; ++k)
+    if (is_zero(k))
+      throw DomainError(
+          fmt::format("the derivative at point {} is 0: the tangent would break there", k + 1));
+  for (std::size_t k = 0; k < n; ++k)
+    if (data.points[k] == data.points[k + 1] && is_zero(k) && is_zero(k + 1))
+      throw DomainError(fmt::format(
+          "segment {} is a point: its points are equal and its derivatives are 0", k + 1));
+}
+
+void require_directions(const HermiteSpline& data) {
+  for (std::size_t k = 0; k < data.derivatives.size(); ++k)
+    if (largest(data.derivatives[k]) == 0)
+      throw DomainError(fmt::format("the derivative at point {} is 0: it has no direction", k + 1));
+}
+
 Rational size_of_points(const HermiteSpline& data) {
   Rational size;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -36,6 +36,12 @@ ParameterSource parameter_source(const GivenPoints& given);
 /// a closed spline does not end with the first derivative.
 HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed);
 
+/// Throws DomainError where a derivative is 0 at a joint, so that the tangent would break there,
+/// and where a segment is a point: its points are equal, its derivatives 0.
+void require_regular(const HermiteSpline& data);
+/// Throws DomainError where a derivative is 0, of which a direction is wanted.
+void require_directions(const HermiteSpline& data);
+
 /// The greatest difference of a coordinate of two points; of points that are all equal, of what
 /// the derivatives say the points do.
 Rational size_of_points(const HermiteSpline& data);

@@ -51,6 +51,13 @@ ComplexOf<T> hermitian_product(const Quaternion<T>& a, const Quaternion<T>& b) {
           a.u * b.v - a.v * b.u - a.p * b.q + a.q * b.p};
 }
 
+/// α_A·β_B − β_A·α_B: 0 where B is A times a complex number, so that both have one direction.
+template <class T>
+ComplexOf<T> wedge(const Quaternion<T>& a, const Quaternion<T>& b) {
+  return {a.u * b.q - a.v * b.p - a.q * b.u + a.p * b.v,
+          a.u * b.p + a.v * b.q - a.q * b.v - a.p * b.u};
+}
+
 /// An A with A i A* = d, up to rounding; the others are A·z, |z| = 1. Without cancellation,
 /// because the greater of |α|, |β| is the one that comes from a root: it is real and not negative.
 /// 0 for 0.

@@ -1,7 +1,5 @@
 #include "phrame/ph/construct/quintic_spline.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -218,11 +216,6 @@ long first_bits(const HermiteSpline& data, const Deviation& tolerance) {
     const Rational c = std::max({120 / h * largest(data.points[k + 1] - data.points[k]),
                                  Rational(20 * largest(data.derivatives[k])),
                                  Rational(20 * largest(data.derivatives[k + 1]))});
-    if (c == 0)
-      throw DomainError(
-          fmt::format("segment {} is a point: its points are equal and its "
-                      "derivatives are 0",
-                      k + 1));
     want(exponent_of_root(c) + binary_exponent(h) - 3 - binary_exponent(tolerance.points));
   }
   return bits;
@@ -235,14 +228,6 @@ long working_bits(const HermiteSpline& data, long p) {
     size = std::max(size, Rational(largest(data.points[k + 1] - data.points[k]) /
                                    (data.parameters[k + 1] - data.parameters[k])));
   return std::max(p + exponent_of_root(size), 0L) + 96;
-}
-
-void require_regular_joints(const HermiteSpline& data) {
-  const std::size_t n = data.segments();
-  for (std::size_t k = data.is_closed ? 0 : 1; k < n; ++k)
-    if (largest(data.derivatives[k]) == 0)
-      throw DomainError(
-          fmt::format("the derivative at point {} is 0: the tangent would break there", k + 1));
 }
 
 /// The segment in two halves from `start` to `end`, exactly.
@@ -312,7 +297,7 @@ Construction quintic_spline(const HermiteSpline& data, const QuinticChoice& choi
 
 Construction quintic_spline(const HermiteSpline& data, std::vector<FreeAngles> angles,
                             const Deviation& tolerance, PointRule rule) {
-  require_regular_joints(data);
+  require_regular(data);
   for (long p = first_bits(data, tolerance);; p += 8) {
     const Attempt found = Chain(data, angles, Grid(p, working_bits(data, p)), tolerance).run();
     const Deviation deviation{square_root_above(found.squared.points),

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 
@@ -32,6 +33,13 @@ Rational rounded_to_places(const Rational& x, long k) {
 
 Rational rounded_to_bits(const Rational& x, long bits) {
   return rounded_to_places(x, bits - binary_exponent(x));
+}
+
+Rational squared_sine(const Vector<Rational>& a, const Vector<Rational>& b) {
+  const Rational ab = dot(a, b);
+  if (ab <= 0) return 1;
+  const Rational sizes = dot(a, a) * dot(b, b);
+  return (sizes - ab * ab) / sizes;
 }
 
 Rational square_root_above(const Rational& x) {

@@ -19,6 +19,9 @@ Rational rounded_to_bits(const Rational& x, long bits);
 /// The multiple of 2^−k next to x.
 Rational rounded_to_places(const Rational& x, long k);
 
+/// The square of the sine of the angle between them; 1 where that is not acute.
+Rational squared_sine(const Vector<Rational>& a, const Vector<Rational>& b);
+
 /// An upper bound of √x for x ≥ 0, greater by less than a 2^−30th; √0 = 0.
 Rational square_root_above(const Rational& x);
 

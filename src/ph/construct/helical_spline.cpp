@@ -1,0 +1,236 @@
+#include "phrame/ph/construct/helical_spline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/big_float.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/linear_system.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/refine.hpp"
+#include "phrame/ph/construct/scale.hpp"
+
+// The parameters of a segment are refined and rounded until its end, from where it does start on
+// the exact curve, and its derivative there are within the tolerance. All of them are multiples of
+// 2^−p, A(0) of the next segment is A(1) of this one or g·A₁, a product of two such, and A(0)
+// enters the rest but does not enter A(1): numbers do not grow along the spline. (They do where
+// tangents are so nearly parallel that the form `end` with y is taken.)
+
+namespace phrame {
+namespace {
+
+RationalQuaternion rounded_preimage(const Vector<Rational>& d, const Rational& tolerance) {
+  const Rational size = largest(d);
+  if (size == 0) return {};
+  const long size_bits = binary_exponent(size) / 2 + 1;  // of A
+  constexpr long least_bits = 24;
+  for (long p = std::max(least_bits - size_bits, size_bits + 3 - binary_exponent(tolerance));;
+       p += 8) {
+    Vector<BigFloat> v;
+    for (std::size_t k = 0; k < 3; ++k) v[k] = BigFloat(d[k], p + std::max(size_bits, 0L) + 96);
+    const Quaternion<BigFloat> a = preimage(v);
+    const auto part = [&](const BigFloat& x) { return Rational(x.scaled(p)) * power_of_two(-p); };
+    const RationalQuaternion q{part(a.u), part(a.v), part(a.p), part(a.q)};
+    const Vector<Rational> off = rotated_i(q) - d;
+    if (dot(off, off) <= tolerance * tolerance) return q;
+  }
+}
+
+DirectionsOfEnds directions(const Vector<Rational>& step, const Vector<Rational>& d0,
+                            const Vector<Rational>& d1) {
+  const auto collinear = [](const Vector<Rational>& x, const Vector<Rational>& y) {
+    return cross(x, y) == Vector<Rational>{};
+  };
+  if (!collinear(d0, d1)) return DirectionsOfEnds::general;
+  if (dot(d0, d1) >= 0) return DirectionsOfEnds::parallel;
+  return collinear(d0, step) ? DirectionsOfEnds::opposite_collinear : DirectionsOfEnds::general;
+}
+
+/// A segment of unit step of the parameter, of about the size 1: all in units where A is `root`
+/// times as great.
+struct ScaledSegment {
+  Vector<Rational> step;
+  Vector<Rational> d1;
+  HelicalStart<Rational> start;
+  Rational points;  ///< how far off the end may be, …
+  Rational derivatives;
+};
+
+bool is_met(const ScaledSegment& wanted, const std::vector<Rational>& defect) {
+  const auto square = [&](std::size_t k) {
+    return Rational(defect[k] * defect[k] + defect[k + 1] * defect[k + 1] +
+                    defect[k + 2] * defect[k + 2]);
+  };
+  return square(0) <= wanted.points * wanted.points &&
+         square(3) <= wanted.derivatives * wanted.derivatives;
+}
+
+/// By differences.
+JacobianRows jacobian(const HelicalGuess& at, const HelicalStart<double>& start) {
+  JacobianRows rows(6, std::vector<double>(at.parameters.size()));
+  for (std::size_t k = 0; k < at.parameters.size(); ++k) {
+    const double h = 0x1p-17 * std::max(1.0, std::abs(at.parameters[k]));
+    const auto defect = [&](double x) {
+      std::vector<double> moved = at.parameters;
+      moved[k] += x;
+      return helical_defect(helical_member(at.form, start, moved), {0, 0, 0}, {0, 0, 0});
+    };
+    const std::vector<double> high = defect(h);
+    const std::vector<double> low = defect(-h);
+    for (std::size_t j = 0; j < 6; ++j) rows[j][k] = (high[j] - low[j]) / (2 * h);
+  }
+  return rows;
+}
+
+std::vector<double> in_doubles(const std::vector<Rational>& list) {
+  std::vector<double> result;
+  for (const Rational& x : list) result.push_back(static_cast<double>(x));
+  return result;
+}
+
+/// The guess, refined. It is found to some bits more and then rounded, so that the way there does
+/// not decide the last ones.
+std::optional<std::vector<Rational>> fit(const ScaledSegment& wanted, HelicalGuess guess,
+                                         const HelicalStart<double>& start) {
+  constexpr int most_passes = 12;
+  constexpr long spare_bits = 24;
+  const ExactDefect defect = [&](const std::vector<Rational>& x) {
+    return helical_defect(helical_member(guess.form, wanted.start, x), wanted.step, wanted.d1);
+  };
+  std::vector<Rational> parameters;
+  for (const double x : guess.parameters) parameters.push_back(exact_rational(x));
+  // To a derivative that is that at the solution.
+  constexpr long bits_of_doubles = 50;
+  for (int pass = 0; pass < 4; ++pass) {
+    parameters =
+        refine(std::move(parameters), defect, jacobian(guess, start), bits_of_doubles).parameters;
+    guess.parameters = in_doubles(parameters);
+  }
+  const JacobianRows rows = jacobian(guess, start);
+  long bits = std::max(24L, 4 - binary_exponent(std::min(wanted.points, wanted.derivatives)));
+  for (int pass = 0; pass < most_passes; ++pass, bits += 12) {
+    parameters = refine(std::move(parameters), defect, rows, bits + spare_bits).parameters;
+    std::vector<Rational> rounded;
+    for (const Rational& x : parameters) rounded.push_back(rounded_to_places(x, bits));
+    if (is_met(wanted, defect(rounded))) return rounded;
+  }
+  return std::nullopt;
+}
+
+/// Is f > 0 on [0, 1]?
+bool is_positive(const HelicalMember<Rational>& member, const std::vector<Rational>& parameters) {
+  return member.f.size() == 1 || (parameters[4] > 0 && parameters[5] > -parameters[4]);
+}
+
+/// The least k such that all coefficients are multiples of 2^−k, for those whose denominators are
+/// powers of 2.
+long bits_after_point(const std::vector<RationalQuaternion>& a) {
+  long bits = 0;
+  for (const RationalQuaternion& x : a)
+    for (const Rational& part : {x.u, x.v, x.p, x.q})
+      bits = std::max(bits, binary_exponent(Rational(denominator(part))));
+  return bits;
+}
+
+class Helices {
+ public:
+  Helices(const HermiteSpline& data, long solution, const Deviation& tolerance)
+      : data_(data), solution_(solution), tolerance_(tolerance) {}
+
+  Construction run();
+
+ private:
+  void add(std::size_t k);
+
+  const HermiteSpline& data_;
+  long solution_;
+  const Deviation& tolerance_;
+  HelicalStart<Rational> start_;
+  Vector<Rational> r_;
+  std::vector<Curve> curves_;
+  Deviation squared_;
+  long bits_ = 0;
+};
+
+Construction Helices::run() {
+  start_ = {rounded_preimage(data_.derivatives.front(), tolerance_.derivatives), 1};
+  r_ = data_.points.front();
+  const Vector<Rational> off = rotated_i(start_.q) - data_.derivatives.front();
+  squared_.derivatives = dot(off, off);
+  for (std::size_t k = 0; k < data_.segments(); ++k) add(k);
+  return {joined(curves_),
+          data_.parameters,
+          {},
+          bits_,
+          {square_root_above(squared_.points), square_root_above(squared_.derivatives)}};
+}
+
+void Helices::add(std::size_t k) {
+  const Rational h = data_.parameters[k + 1] - data_.parameters[k];
+  const Vector<Rational>& d0 = data_.derivatives[k];
+  const Vector<Rational>& d1 = data_.derivatives[k + 1];
+  const Vector<Rational> step = (1 / h) * (data_.points[k + 1] - r_);
+  const Rational scale = scale_for_doubles(std::max({largest(step), largest(d0), largest(d1)}));
+  const Rational root = *square_root(scale);
+  const ScaledSegment wanted{scale * step,
+                             scale * d1,
+                             {root * start_.q, start_.factor},
+                             tolerance_.points / h * scale,
+                             tolerance_.derivatives * scale};
+  const auto doubles = [](const RationalQuaternion& a) {
+    return Quaternion<double>{static_cast<double>(a.u), static_cast<double>(a.v),
+                              static_cast<double>(a.p), static_cast<double>(a.q)};
+  };
+  const HelicalStart<double> start{doubles(wanted.start.q),
+                                   static_cast<double>(wanted.start.factor)};
+  const HermiteData<double> guessed{scaled_to_doubles(scale, step), scaled_to_doubles(scale, d0),
+                                    scaled_to_doubles(scale, d1)};
+  const std::vector<HelicalGuess> guesses =
+      helical_quintics(guessed, start, directions(data_.points[k + 1] - data_.points[k], d0, d1));
+  if (static_cast<long>(guesses.size()) < solution_)
+    throw DomainError(
+        fmt::format("segment {}: there are {} helical quintics with these ends and "
+                    "derivatives, so no solution {}",
+                    k + 1, guesses.size(), solution_));
+  const HelicalGuess& guess = guesses[static_cast<std::size_t>(solution_ - 1)];
+  const std::optional<std::vector<Rational>> found = fit(wanted, guess, start);
+  const auto fail = [&] {
+    throw Undecided(fmt::format(
+        "segment {}: the end of the helical quintic is too sensitive to its coefficients", k + 1));
+  };
+  if (!found) fail();
+  HelicalMember<Rational> member = helical_member(guess.form, wanted.start, *found);
+  if (!is_positive(member, *found)) fail();
+  const Rational back = 1 / root;
+  for (RationalQuaternion& a : member.a) a = back * a;
+  for (Rational& f : member.f) f = h * f;
+  curves_.emplace_back(from_bernstein(member.a), from_bernstein(member.f), r_);
+  member.end = back * member.end;
+  r_ = evaluate(position(curves_.back()), 1);
+  const Vector<Rational> off = r_ - data_.points[k + 1];
+  const Vector<Rational> off_end = rotated_i(member.end) - d1;
+  squared_.points = std::max(squared_.points, dot(off, off));
+  squared_.derivatives = std::max(squared_.derivatives, dot(off_end, off_end));
+  bits_ = std::max(bits_, bits_after_point(member.a));
+  if (guess.form == HelicalForm::end && guess.parameters.size() == 5)
+    start_.factor = (*found)[4];
+  else
+    start_ = {member.end, 1};
+}
+
+}  // namespace
+
+Construction helical_spline(const HermiteSpline& data, long solution, const Deviation& tolerance) {
+  require_regular(data);
+  return Helices(data, solution, tolerance).run();
+}
+
+bool is_helical(const Path& path) {
+  return std::ranges::all_of(path.segments(), [](const Curve& curve) {
+    const QuaternionPolynomial& a = curve.preimage();
+    return linear_relations({a.u, a.v, a.p, a.q}).size() >= 2;
+  });
+}
+
+}  // namespace phrame

@@ -1,0 +1,20 @@
+#pragma once
+#include "phrame/ph/construct/construction.hpp"
+#include "phrame/ph/construct/hermite_spline.hpp"
+
+namespace phrame {
+
+/// A G¹ spline of quintics with rational rotation-minimizing frames, of class I, exactly, near its
+/// points and the directions of its derivatives. Of each segment's quintics it is one of little
+/// energy. The law and the start fix A(1) up to a rational, so its numbers are products of those of
+/// all segments before: they get longer by the same from one to the next. `derivatives` of the
+/// tolerance and the deviation are angles between tangents. Open. Throws DomainError where a
+/// derivative is 0 or two points that follow each other are equal, Undecided where no such quintic
+/// is found.
+Construction rrmf_spline(const HermiteSpline& data, const Deviation& tolerance);
+
+/// Are the Bernstein coefficients of A on each segment such that S(A₀, A₂) = A₁ i A₁*, so that it
+/// has a rational rotation-minimizing frame?
+bool is_rrmf_of_class_one(const Path& path);
+
+}  // namespace phrame
