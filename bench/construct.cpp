@@ -5,8 +5,10 @@
 #include <random>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/helical_spline.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
 #include "phrame/ph/construct/quintic_spline.hpp"
+#include "phrame/ph/construct/rrmf_spline.hpp"
 
 namespace phrame::bench {
 namespace {
@@ -39,6 +41,29 @@ void construct_quintics(State& state) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 BENCHMARK(construct_quintics)->Args({1, 15})->Args({100, 15})->Args({1000, 15})->Args({1000, 40});
+
+void construct_helices(State& state) {
+  const HermiteSpline data = spline_data(state.range(0));
+  const Rational tolerance = power_of_ten(-state.range(1));
+  for (auto _ : state) benchmark::DoNotOptimize(helical_spline(data, 1, {tolerance, tolerance}));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(construct_helices)->Args({1, 15})->Args({100, 15})->Args({100, 40});
+
+/// Of points and tangents of (t, t² + t³/5, t³/3) for 0 ≤ t ≤ 2.
+void construct_rrmf_quintics(State& state) {
+  HermiteSpline data;
+  for (long k = 0; k <= state.range(0); ++k) {
+    const Rational t(2 * k, state.range(0));
+    data.points.push_back({t, t * t + t * t * t / 5, t * t * t / 3});
+    data.derivatives.push_back({1, 2 * t + 3 * t * t / 5, t * t});
+    data.parameters.push_back(k);
+  }
+  const Rational tolerance = power_of_ten(-15);
+  for (auto _ : state) benchmark::DoNotOptimize(rrmf_spline(data, {tolerance, tolerance}));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(construct_rrmf_quintics)->Arg(1)->Arg(8)->Arg(32);
 
 /// The choice of one quintic, in doubles.
 void choose_quintic(State& state) {

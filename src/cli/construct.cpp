@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/point_file.hpp"
@@ -53,6 +54,14 @@ ConstructQuery query(const ConstructOptions& options) {
   return query;
 }
 
+/// "--kind cubic" for each such kind.
+std::vector<std::string> kinds_where(const std::function<bool(const NamedKind&)>& is_such) {
+  std::vector<std::string> list;
+  for (const NamedKind& named : curve_kinds())
+    if (is_such(named)) list.push_back(fmt::format("--kind {}", named.name));
+  return list;
+}
+
 std::string curve_of(const ConstructionAnswer& answer) { return write_path(answer.path); }
 
 void run(const ConstructOptions& options) {
@@ -75,20 +84,7 @@ void add_construct(Program& program) {
   command.add_argument("DATA", options->data,
                        "points: JSON, a table of text or of NumPy; \"-\" for standard input");
   std::vector<std::string> kinds;
-  std::vector<std::string> others;
-  std::vector<std::string> with_solutions;
-  std::vector<std::string> open;
-  std::vector<std::string> near_points;
-  long most_solutions = 1;
-  for (const NamedKind& named : curve_kinds()) {
-    const std::string option = fmt::format("--kind {}", named.name);
-    kinds.emplace_back(named.name);
-    if (named.kind != CurveKind::quintic) others.push_back(option);
-    if (named.solutions > 1) with_solutions.push_back(option);
-    if (named.is_open) open.push_back(option);
-    if (!named.meets_points) near_points.push_back(option);
-    most_solutions = std::max(most_solutions, named.solutions);
-  }
+  for (const NamedKind& named : curve_kinds()) kinds.emplace_back(named.name);
   command.add_choice("--kind", options->kind, kinds,
                      "what to make: quintic (default); planar: in the plane z = 0; cubic: with\n"
                      "continuous tangents; helical: with a constant angle to an axis; rrmf: with\n"
@@ -100,18 +96,23 @@ void add_construct(Program& program) {
                      "longest or energy");
   command.add_list("--angles", "A,...", options->angles,
                    "which of the quintics: the angles Delta,phi or phi0,phi1,phi2");
-  command.add_number("--solution", options->solution, {1, most_solutions},
+  const long most = std::ranges::max(curve_kinds(), {}, &NamedKind::solutions).solutions;
+  command.add_number("--solution", options->solution, {1, most},
                      "which of the curves there are, 1 being the best (default 1)");
-  command.not_with({"--select", "--angles"}, others);
-  command.only_with({"--solution"}, with_solutions);
+  command.not_with({"--select", "--angles"}, kinds_where([](const NamedKind& named) {
+                     return named.kind != CurveKind::quintic;
+                   }));
+  command.only_with({"--solution"},
+                    kinds_where([](const NamedKind& named) { return named.solutions > 1; }));
   command.add_option("--tolerance", "X", options->tolerance,
                      "how far the curve may be from the points, beside their extent\n"
                      "(default 1e-15)");
   command.add_flag("--closed", options->is_closed, "the curve ends where it starts");
   command.add_flag("--exact-points", options->exact_points,
                    "meet the points exactly, by two quintics between any two of them");
-  command.not_with({"--closed"}, open);
-  command.not_with({"--exact-points"}, near_points);
+  command.not_with({"--closed"}, kinds_where(&NamedKind::is_open));
+  command.not_with({"--exact-points"},
+                   kinds_where([](const NamedKind& named) { return !named.meets_points; }));
   command.add_option("-o,--output", "FILE", options->output,
                      "write the curve to this file, beside the report");
   command.add_format("--print", options->print, {"text", "json", "curve"},

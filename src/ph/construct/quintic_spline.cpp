@@ -1,5 +1,7 @@
 #include "phrame/ph/construct/quintic_spline.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

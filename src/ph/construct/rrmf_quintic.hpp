@@ -9,7 +9,7 @@ namespace phrame {
 
 // Quintics with a rational rotation-minimizing frame, of class I: S(A₀, A₂) = A₁ i A₁*. With
 // A₁ = A₀b this is A₂ = A₀q, q = τi − (b i b*)i, for any quaternion b and any number τ, and there
-// are no others [Farouki, Giannelli, Manni, Sestini 2009 have the condition].
+// are no others. The condition is that of [Farouki 2010].
 
 /// Of r′ = A₀·(f·B i B*)·A₀*, B = (1, b, q): the curve turned such that it starts along x.
 template <class T>
@@ -51,8 +51,8 @@ std::array<T, 5> rrmf_defect(const RrmfQuintic<T>& x, const RrmfEnds<T>& wanted)
   return {off[0], off[1], off[2], turn.re, turn.im};
 }
 
-/// In doubles, for a step of about 1: of those found, for there is a one-parameter family at least,
-/// that of least bending energy. No value where none is found.
+/// In doubles, for a step of about 1: of those found, for there is a one-parameter family if there
+/// is any, one where energy times length is least nearby. No value where none is found.
 std::optional<RrmfQuintic<double>> rrmf_quintic(const RrmfEnds<double>& wanted);
 
 /// ∂(defect)/∂(u, v, p, q of b; τ; f), by differences.

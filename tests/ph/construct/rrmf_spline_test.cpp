@@ -50,7 +50,7 @@ void check_met(const Construction& found, const HermiteSpline& data, const Devia
 
 }  // namespace
 
-// The example of [Farouki, Giannelli, Manni, Sestini 2009] in the notation of MATHEMATICS, §5.
+// Worked by hand: b i b* = (−5, 2, 14).
 TEST_CASE("RRMF quintics: 1, 1 + 2i − j + 3k and τ = 7 make −5 + 7i − 14j + 2k") {
   const RrmfQuintic<Rational> known{{1, 2, -1, 3}, 7, 1};
   CHECK(last_coefficient(known) == RationalQuaternion{-5, 7, -14, 2});
