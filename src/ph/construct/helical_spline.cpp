@@ -100,11 +100,13 @@ std::optional<std::vector<Rational>> fit(const ScaledSegment& wanted, HelicalGue
   };
   std::vector<Rational> parameters;
   for (const double x : guess.parameters) parameters.push_back(exact_rational(x));
-  // To a derivative that is that at the solution.
+  // Until the derivative is that at the solution.
   constexpr long bits_of_doubles = 50;
   for (int pass = 0; pass < 4; ++pass) {
-    parameters =
-        refine(std::move(parameters), defect, jacobian(guess, start), bits_of_doubles).parameters;
+    std::vector<Rational> next =
+        refine(parameters, defect, jacobian(guess, start), bits_of_doubles).parameters;
+    if (next == parameters) break;
+    parameters = std::move(next);
     guess.parameters = in_doubles(parameters);
   }
   const JacobianRows rows = jacobian(guess, start);

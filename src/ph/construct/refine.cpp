@@ -37,12 +37,12 @@ std::vector<Rational> improved(std::vector<Rational> parameters,
 
 }  // namespace
 
-Refined refine(std::vector<Rational> parameters, const ExactDefect& defect,
-               const ParameterStep& step, long bits) {
+RefinedParameters refine(std::vector<Rational> parameters, const ExactDefect& defect,
+                         const ParameterStep& step, long bits) {
   constexpr int most_passes = 400;
   round_all(parameters, bits);
   std::vector<Rational> lacking = defect(parameters);
-  Refined best{std::move(parameters), std::move(lacking)};
+  RefinedParameters best{std::move(parameters), std::move(lacking)};
   Rational size = largest_of(best.defect);
   for (int pass = 0; pass < most_passes && size != 0; ++pass) {
     std::vector<Rational> next =
@@ -60,8 +60,8 @@ Refined refine(std::vector<Rational> parameters, const ExactDefect& defect,
   return best;
 }
 
-Refined refine(std::vector<Rational> parameters, const ExactDefect& defect,
-               const JacobianRows& jacobian, long bits) {
+RefinedParameters refine(std::vector<Rational> parameters, const ExactDefect& defect,
+                         const JacobianRows& jacobian, long bits) {
   constexpr double singular = 1e-10;
   const auto conditions = static_cast<Eigen::Index>(jacobian.size());
   const auto unknowns = static_cast<Eigen::Index>(parameters.size());
@@ -85,7 +85,7 @@ Refined refine(std::vector<Rational> parameters, const ExactDefect& defect,
   return refine(std::move(parameters), defect, step, bits);
 }
 
-bool is_within(const Refined& result, const Rational& tolerance) {
+bool is_within(const RefinedParameters& result, const Rational& tolerance) {
   return largest_of(result.defect) <= tolerance;
 }
 

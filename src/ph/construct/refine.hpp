@@ -18,7 +18,7 @@ using ParameterStep = std::function<std::vector<double>(const std::vector<double
 using JacobianRows = std::vector<std::vector<double>>;
 
 /// Parameters that are multiples of 2^−bits, and what they lack.
-struct Refined {
+struct RefinedParameters {
   std::vector<Rational> parameters;
   std::vector<Rational> defect;
 };
@@ -28,15 +28,15 @@ struct Refined {
 /// computed exactly and brought to about 1 by a power of 2 before it becomes doubles, so a J known
 /// to few digits is enough: the digits of F come one after the other. Parameters are wanted near a
 /// solution, and of about the same size. What `defect` throws goes through.
-Refined refine(std::vector<Rational> parameters, const ExactDefect& defect,
-               const ParameterStep& step, long bits);
+RefinedParameters refine(std::vector<Rational> parameters, const ExactDefect& defect,
+                         const ParameterStep& step, long bits);
 
 /// The same with the least change that a step can be, J⁺ being the pseudo-inverse of J: there may
 /// be more parameters than conditions.
-Refined refine(std::vector<Rational> parameters, const ExactDefect& defect,
-               const JacobianRows& jacobian, long bits);
+RefinedParameters refine(std::vector<Rational> parameters, const ExactDefect& defect,
+                         const JacobianRows& jacobian, long bits);
 
 /// Is every |F| ≤ `tolerance`?
-bool is_within(const Refined& result, const Rational& tolerance);
+bool is_within(const RefinedParameters& result, const Rational& tolerance);
 
 }  // namespace phrame

@@ -12,8 +12,8 @@
 #include "phrame/ph/construct/scale.hpp"
 
 // A segment is r′ = F·(A₀B) i (A₀B)*, B = (1, b, q): turned back by A₀ and in units of its step it
-// is φ·B i B*, φ = F·|A₀|², with numbers b, τ, φ of p bits. The next A₀ is A₀q over its content, so
-// that the tangent is the same, exactly; F is rounded again.
+// is φ·B i B*, φ = F·|A₀|², with numbers b, τ, φ of p bits. The next A₀ is A₀q, so that the
+// tangent is the same, exactly.
 
 namespace phrame {
 namespace {
@@ -36,11 +36,6 @@ RationalQuaternion unit_preimage_of(const Vector<Rational>& v, long bits) {
     return Rational(x.scaled(bits)) * power_of_two(-bits);
   };
   return {part(a.u), part(a.v), part(a.p), part(a.q)};
-}
-
-/// The multiple with coprime integer components.
-RationalQuaternion primitive(const RationalQuaternion& a) {
-  return Rational(1 / abs(content(Polynomial{a.u, a.v, a.p, a.q}))) * a;
 }
 
 Quaternion<double> in_doubles(const RationalQuaternion& a) {
@@ -79,7 +74,7 @@ class RrmfParameters {
 };
 
 struct RrmfState {
-  RationalQuaternion a0;  ///< with integers
+  RationalQuaternion a0;
   Vector<Rational> r;
 };
 
@@ -134,7 +129,7 @@ RrmfPiece RrmfSegment::piece(const RrmfQuintic<Rational>& x, long bits) const {
                     start_.r);
   const Vector<Rational> r = evaluate(position(curve), 1);
   const Vector<Rational> off = r - point_;
-  return {curve, {primitive(a2), r}, dot(off, off), squared_sine(rotated_i(a2), d1_), bits};
+  return {curve, {a2, r}, dot(off, off), squared_sine(rotated_i(a2), d1_), bits};
 }
 
 std::optional<RrmfPiece> RrmfSegment::found() const {
@@ -173,8 +168,7 @@ std::optional<RrmfPiece> RrmfSegment::found() const {
 Construction rrmf_spline(const HermiteSpline& data, const Deviation& tolerance) {
   require_directions(data);
   const long first_bits = std::max(24L, 6 - binary_exponent(tolerance.derivatives));
-  RrmfState state{primitive(unit_preimage_of(data.derivatives.front(), first_bits)),
-                  data.points.front()};
+  RrmfState state{unit_preimage_of(data.derivatives.front(), first_bits), data.points.front()};
   Rational squared_points;
   Rational sines = squared_sine(rotated_i(state.a0), data.derivatives.front());
   std::vector<Curve> curves;

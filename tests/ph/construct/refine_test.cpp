@@ -22,7 +22,7 @@ TEST_CASE(
     "refine: the parameters are multiples of 2^-bits, and the rounding is all that they lack") {
   for (const long bits : {20L, 60L, 200L, 1000L}) {
     CAPTURE(bits);
-    const Refined found =
+    const RefinedParameters found =
         refine({Rational(1618, 1000), Rational(618, 1000)}, golden_defect, golden_jacobian, bits);
     for (const Rational& x : found.parameters) CHECK(is_multiple(x, bits));
     CHECK(found.defect == golden_defect(found.parameters));
@@ -37,7 +37,7 @@ TEST_CASE(
 TEST_CASE("refine: of many solutions the nearest one is taken") {
   // x + 2y = 5 from the origin: (1, 2).
   const auto defect = [](const List& v) { return List{v[0] + 2 * v[1] - 5}; };
-  const Refined found = refine({0, 0}, defect, JacobianRows{{1, 2}}, 80);
+  const RefinedParameters found = refine({0, 0}, defect, JacobianRows{{1, 2}}, 80);
   CHECK(abs(found.parameters[0] - 1) < power_of_two(-78));
   CHECK(abs(found.parameters[1] - 2) < power_of_two(-78));
 }
@@ -75,7 +75,7 @@ TEST_CASE("refine: what is met stays, and nothing is met by no parameters") {
   const auto zero = [](const List&) { return List{0}; };
   CHECK(refine({Rational(1, 4)}, zero, JacobianRows{{1}}, 2).parameters == List{Rational(1, 4)});
   const auto one = [](const List&) { return List{1}; };
-  const Refined none = refine({}, one, JacobianRows{{}}, 10);
+  const RefinedParameters none = refine({}, one, JacobianRows{{}}, 10);
   CHECK(none.parameters.empty());
   CHECK(none.defect == List{1});
   CHECK_FALSE(is_within(none, Rational(1, 2)));

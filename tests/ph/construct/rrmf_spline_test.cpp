@@ -4,6 +4,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/rrmf_quintic.hpp"
 #include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/proof/classify.hpp"
 #include "support/random.hpp"
 
@@ -88,6 +89,8 @@ TEST_CASE("RRMF quintics: data that have some get one, and one line says where n
       const Construction found = rrmf_spline(data, asked);
       check_met(found, data, asked);
       CHECK(is_rrmf_of_class_one(found.path));
+      // No great loop, though that would have less energy.
+      CHECK(arc_length(found.path.segments().front())(1) < 4);
       CHECK(std::holds_alternative<RationalFrame>(
           classify(found.path.segments().front()).rational_frame));
     }
