@@ -8,7 +8,7 @@
 #include "phrame/ph/construct/quintic_family.hpp"
 
 // Five equations for six unknowns. From members of the family of quintics with these ends and
-// speeds of about the chord, damped Gauss–Newton steps of least change; then along the kernel of
+// the speed of the chord, damped Gauss–Newton steps of least change; then along the kernel of
 // the derivative as long as energy times length falls.
 
 namespace phrame {
@@ -136,21 +136,17 @@ std::optional<RrmfQuintic<double>> rrmf_quintic(const RrmfEnds<double>& wanted) 
   const Vector<double> direction = rotated_i(wanted.end);
   std::optional<Unknowns> best;
   double least = 0;
-  for (const double speed : {1.0, 0.6, 1.5}) {
-    if (best) break;
-    const QuinticFamily family({wanted.step,
-                                {speed * length, 0, 0},
-                                speed * length / std::sqrt(dot(direction, direction)) * direction});
-    for (const double delta : {0.0, 0.5, -0.5, 1.2, -1.2, 2.2, -2.2, 3.0})
-      for (const double phi : {0.0, 0.7, -0.7}) {
-        const Unknowns found = solved(start_from(family.member(delta, phi)), wanted, 40);
-        if (!is_solution(found, wanted)) continue;
-        const double there = cost(found);
-        if (best && !(there < least)) continue;
-        best = found;
-        least = there;
-      }
-  }
+  const QuinticFamily family(
+      {wanted.step, {length, 0, 0}, length / std::sqrt(dot(direction, direction)) * direction});
+  for (const double delta : {0.0, 0.5, -0.5, 1.2, -1.2, 2.2, -2.2, 3.0})
+    for (const double phi : {0.0, 0.7, -0.7}) {
+      const Unknowns found = solved(start_from(family.member(delta, phi)), wanted, 40);
+      if (!is_solution(found, wanted)) continue;
+      const double there = cost(found);
+      if (best && !(there < least)) continue;
+      best = found;
+      least = there;
+    }
   if (!best) return std::nullopt;
   return quintic_of(slid(*best, wanted));
 }
