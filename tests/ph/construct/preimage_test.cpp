@@ -50,6 +50,22 @@ TEST_CASE("H(A, B) = A·B + iω(A, B): linear over ℂ in B, and |H|² = ½(|A|�
   });
 }
 
+TEST_CASE("wedge(A, B) is 0 for B = A·z, is ℂ-linear in both, and |wedge|² + |H|² = |A|²|B|²") {
+  for_samples(50, [](Random& random) {
+    const RationalQuaternion a = random_quaternion(random);
+    const RationalQuaternion b = random_quaternion(random);
+    const ComplexOf<Rational> z{random.rational(), random.rational()};
+    const auto none = wedge(a, turned(a, z));
+    CHECK((none.re == 0 && none.im == 0));
+    const auto w = wedge(a, b);
+    const auto h = hermitian_product(a, b);
+    CHECK(w.re * w.re + w.im * w.im + h.re * h.re + h.im * h.im == norm(a) * norm(b));
+    const auto product = z * w;
+    CHECK(wedge(turned(a, z), b).re == product.re);
+    CHECK(wedge(a, turned(b, z)).im == product.im);
+  });
+}
+
 TEST_CASE("preimage(d): A i A* = d to a few units of the last place, in all directions") {
   for (const Vector<double>& d : directions) {
     CAPTURE(d[0]);

@@ -48,3 +48,10 @@ TEST_CASE("largest is the greatest coordinate, whatever its sign") {
   CHECK(largest(Vector<Rational>{1, -3, 2}) == 3);
   CHECK(largest({{1, -3, 2}, {0, 0, 4}}) == 4);
 }
+
+TEST_CASE("squared_sine is that of the angle, 1 where that is not acute") {
+  CHECK(squared_sine({2, 0, 0}, {3, 4, 0}) == Rational(16, 25));
+  CHECK(squared_sine({1, 1, 0}, {5, 5, 0}) == 0);
+  CHECK(squared_sine({1, 0, 0}, {-3, 4, 0}) == 1);
+  CHECK(squared_sine({1, 0, 0}, {0, 4, 0}) == 1);
+}
