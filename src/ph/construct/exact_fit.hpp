@@ -13,6 +13,7 @@ struct ExactFit {
 };
 
 RationalQuaternion exact_quaternion(const Quaternion<double>& a);
+Quaternion<double> quaternion_in_doubles(const RationalQuaternion& a);
 /// Each part to the multiple of 2^−k next to it.
 RationalQuaternion rounded_to_places(const RationalQuaternion& a, long k);
 

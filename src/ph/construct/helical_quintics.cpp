@@ -55,6 +55,7 @@ class Search {
                std::sqrt(norm(preimage(data.step)) + norm(a0_) + norm(preimage(data.d1)))) {}
 
   void add_extrema();
+  bool add_nearly_straight();
   double extremum_near(double delta) const;
   void add_extremum(double delta);
   void add_dependent(double delta);
@@ -85,7 +86,43 @@ void Search::add(HelicalForm form, std::vector<double> parameters) {
   found_.push_back({form, std::move(parameters), approximate_energy(member.a, member.f)});
 }
 
+// Where the data are nearly straight, δ off, the length is (w + 10a cos Δ − 10a cos Δ)/120 but for
+// something of size δ², which doubles do not see in it. Then with A = w·a, B = w·b and
+// Q = A² − g²(|w|² + 100|b|²) = |b|²(|w|² − 100g²) − |w × a|² the equation above is, for
+// t = tan Δ/2, (A − 10g²)B t² + Q t − (A + 10g²)B = 0 but for roots near 0 and ∞, which are no
+// extrema. Its coefficients are of size δ².
+bool Search::add_nearly_straight() {
+  constexpr double small = 0x1p-16;
+  const Hamilton end = family_.member(0, 0)[2];
+  const Hamilton begin = family_.member(0, 0)[0];
+  const Vector<double> a = symmetric_product(begin, end);
+  const Vector<double> b = symmetric_product(begin, turned(end, DoubleComplex{0, 1}));
+  const Vector<double> w = 120.0 * data_.step - 15.0 * (data_.d0 + data_.d1);
+  const double gg = dot(a, a) - dot(b, b);
+  const double along = dot(w, a);
+  const Vector<double> across = cross(w, a);
+  if (!(dot(b, b) < small * small * dot(a, a)) ||
+      !(dot(across, across) < small * small * dot(a, a) * dot(w, w)) || !(along > 11 * gg))
+    return false;
+  const double off = dot(w, b);
+  const double q = dot(b, b) * (dot(w, w) - 100 * gg) - dot(across, across);
+  const double leading = (along - 10 * gg) * off;
+  const double constant = -(along + 10 * gg) * off;
+  if (leading == 0) {  // in a plane
+    add_extremum(0);
+    add_extremum(std::numbers::pi);
+    return true;
+  }
+  // One root without cancellation, the other by their product.
+  const double root = std::sqrt(q * q - 4 * leading * constant);
+  const double sum = -0.5 * (q < 0 ? q - root : q + root);
+  add_extremum(2 * std::atan(sum / leading));
+  add_extremum(2 * std::atan(constant / sum));
+  return true;
+}
+
 void Search::add_extrema() {
+  if (add_nearly_straight()) return;
   for (const auto selection : {QuinticSelection::shortest, QuinticSelection::longest}) {
     const Angle delta = family_.choose(selection).delta;
     add_extremum(extremum_near(std::numbers::pi * static_cast<double>(delta.half_turns)));
@@ -265,6 +302,50 @@ std::vector<HelicalGuess> Search::found() {
 }
 
 }  // namespace
+
+// With quadratic A: ∂/∂A₁ of the step is S(3A₀ + 4A₁ + 3A₂, ·)/15, ∂/∂A₂ is
+// S(2A₀ + 6A₁ + 12A₂, ·)/30.
+std::vector<double> helical_derivative(HelicalForm form, const HelicalStart<double>& start,
+                                       const std::vector<double>& parameters, std::size_t k) {
+  const HelicalMember<double> member = helical_member(form, start, parameters);
+  const auto& a = member.a;
+  const auto unit = [](std::size_t part) -> Hamilton {
+    return {part == 0 ? 1.0 : 0.0, part == 1 ? 1.0 : 0.0, part == 2 ? 1.0 : 0.0,
+            part == 3 ? 1.0 : 0.0};
+  };
+  const auto listed = [](const Vector<double>& x, const Vector<double>& y) -> std::vector<double> {
+    return {x[0], x[1], x[2], y[0], y[1], y[2]};
+  };
+  const Hamilton zero{0, 0, 0, 0};
+  if (form == HelicalForm::monotone) {
+    const double g = parameters[4];
+    const double f1 = parameters[5];
+    const Vector<double> start_part = rotated_i(a[0]);
+    const Vector<double> middle = symmetric_product(a[0], a[1]);
+    const Vector<double> end = rotated_i(a[1]);
+    if (k == 4) return listed((g / 15) * (start_part + 3.0 * middle + 6.0 * end), (2 * g) * end);
+    if (k == 5) return listed(1.0 / 30 * (3.0 * start_part + 4.0 * middle + 3.0 * end), {0, 0, 0});
+    const Hamilton slope = (3 + 4 * f1 + 3 * g * g) * a[0] + (2 * (1 + 3 * f1 + 6 * g * g)) * a[1];
+    return listed(1.0 / 30 * symmetric_product(slope, unit(k)),
+                  (2 * g * g) * symmetric_product(a[1], unit(k)));
+  }
+  Hamilton d1 = zero;
+  Hamilton d2 = zero;
+  if (form == HelicalForm::middle) {
+    if (k < 4) d2 = unit(k);
+    d1 = k < 4 ? parameters[5] * d2 : a[k == 4 ? 0 : 2];
+  } else if (k < 4) {
+    d1 = unit(k);
+    if (form == HelicalForm::end && parameters.size() > 5) d2 = parameters[5] * d1;
+  } else if (form == HelicalForm::end) {
+    d2 = k == 4 ? start.q : a[1];
+  } else {
+    d2 = unit(k - 4);
+  }
+  return listed(1.0 / 15 * symmetric_product(3.0 * (a[0] + a[2]) + 4.0 * a[1], d1) +
+                    1.0 / 15 * symmetric_product(a[0] + 3.0 * a[1] + 6.0 * a[2], d2),
+                2.0 * symmetric_product(a[2], d2));
+}
 
 std::vector<HelicalGuess> helical_quintics(const HermiteData<double>& data,
                                            const HelicalStart<double>& start,

@@ -89,6 +89,10 @@ std::vector<T> helical_defect(const HelicalMember<T>& member, const Vector<T>& s
   return {off[0], off[1], off[2], off_end[0], off_end[1], off_end[2]};
 }
 
+/// The derivative of the defect by parameter k.
+std::vector<double> helical_derivative(HelicalForm form, const HelicalStart<double>& start,
+                                       const std::vector<double>& parameters, std::size_t k);
+
 /// A member in doubles, near one that meets its data.
 struct HelicalGuess {
   HelicalForm form;

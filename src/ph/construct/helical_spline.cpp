@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "phrame/algebra/big_float.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/linear_system.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/exact_fit.hpp"
 #include "phrame/ph/construct/refine.hpp"
 #include "phrame/ph/construct/scale.hpp"
 
@@ -66,21 +70,55 @@ bool is_met(const ScaledSegment& wanted, const std::vector<Rational>& defect) {
          square(3) <= wanted.derivatives * wanted.derivatives;
 }
 
-/// By differences.
-JacobianRows jacobian(const HelicalGuess& at, const HelicalStart<double>& start) {
-  JacobianRows rows(6, std::vector<double>(at.parameters.size()));
-  for (std::size_t k = 0; k < at.parameters.size(); ++k) {
-    const double h = 0x1p-17 * std::max(1.0, std::abs(at.parameters[k]));
-    const auto defect = [&](double x) {
-      std::vector<double> moved = at.parameters;
-      moved[k] += x;
-      return helical_defect(helical_member(at.form, start, moved), {0, 0, 0}, {0, 0, 0});
-    };
-    const std::vector<double> high = defect(h);
-    const std::vector<double> low = defect(-h);
-    for (std::size_t j = 0; j < 6; ++j) rows[j][k] = (high[j] - low[j]) / (2 * h);
+/// They are computed as if the curve started along x: where it is nearly straight, what is across
+/// has all of its digits then.
+std::vector<HelicalGuess> helical_guesses(const ScaledSegment& wanted,
+                                          const HelicalStart<double>& start,
+                                          DirectionsOfEnds ends) {
+  const RationalQuaternion& q = wanted.start.q;
+  const bool is_zero = norm(q) == 0;
+  const RationalQuaternion frame = is_zero ? RationalQuaternion{1, 0, 0, 0} : q;
+  const Rational shrink = 1 / norm(frame);
+  const double size = std::sqrt(norm(start.q));
+  const Quaternion<double> turn = is_zero ? Quaternion<double>{1, 0, 0, 0} : (1 / size) * start.q;
+  const double speed = start.factor * start.factor * norm(start.q);
+  std::vector<HelicalGuess> guesses =
+      helical_quintics({scaled_to_doubles(shrink, turned_back(wanted.step, frame)),
+                        {speed, 0, 0},
+                        scaled_to_doubles(shrink, turned_back(wanted.d1, frame))},
+                       {{size, 0, 0, 0}, start.factor}, ends);
+  for (HelicalGuess& guess : guesses) {
+    std::vector<double>& x = guess.parameters;
+    const bool has_two = guess.form == HelicalForm::free && x.size() > 4;
+    for (const std::size_t k : {std::size_t{0}, std::size_t{4}}) {
+      if (k == 4 && !has_two) break;
+      const Quaternion<double> a = turn * Quaternion<double>{x[k], x[k + 1], x[k + 2], x[k + 3]};
+      std::tie(x[k], x[k + 1], x[k + 2], x[k + 3]) = std::tie(a.u, a.v, a.p, a.q);
+    }
   }
-  return rows;
+  return guesses;
+}
+
+/// What a step has to be so that the defect changes by so much, to first order, and no longer than
+/// needed. Where the data are nearly straight two of the six directions hardly count, but do: all
+/// digits of the derivative are wanted, so it is no quotient of differences.
+ParameterStep newton_step(const HelicalGuess& at, const HelicalStart<double>& start) {
+  constexpr double nothing = 1e-14;
+  const std::size_t n = at.parameters.size();
+  Eigen::MatrixXd matrix(6, static_cast<Eigen::Index>(n));
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::vector<double> column = helical_derivative(at.form, start, at.parameters, k);
+    for (std::size_t j = 0; j < 6; ++j)
+      matrix(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) = column[j];
+  }
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
+  inverse.setThreshold(nothing);
+  inverse.compute(matrix);
+  return [inverse](const std::vector<double>& wanted) {
+    const Eigen::VectorXd change =
+        inverse.solve(Eigen::Map<const Eigen::VectorXd>(wanted.data(), 6));
+    return std::vector<double>(change.begin(), change.end());
+  };
 }
 
 std::vector<double> in_doubles(const std::vector<Rational>& list) {
@@ -104,15 +142,15 @@ std::optional<std::vector<Rational>> fit(const ScaledSegment& wanted, HelicalGue
   constexpr long bits_of_doubles = 50;
   for (int pass = 0; pass < 4; ++pass) {
     std::vector<Rational> next =
-        refine(parameters, defect, jacobian(guess, start), bits_of_doubles).parameters;
+        refine(parameters, defect, newton_step(guess, start), bits_of_doubles).parameters;
     if (next == parameters) break;
     parameters = std::move(next);
     guess.parameters = in_doubles(parameters);
   }
-  const JacobianRows rows = jacobian(guess, start);
+  const ParameterStep step = newton_step(guess, start);
   long bits = std::max(24L, 4 - binary_exponent(std::min(wanted.points, wanted.derivatives)));
   for (int pass = 0; pass < most_passes; ++pass, bits += 12) {
-    parameters = refine(std::move(parameters), defect, rows, bits + spare_bits).parameters;
+    parameters = refine(std::move(parameters), defect, step, bits + spare_bits).parameters;
     std::vector<Rational> rounded;
     for (const Rational& x : parameters) rounded.push_back(rounded_to_places(x, bits));
     if (is_met(wanted, defect(rounded))) return rounded;
@@ -180,16 +218,10 @@ void Helices::add(std::size_t k) {
                              {root * start_.q, start_.factor},
                              tolerance_.points / h * scale,
                              tolerance_.derivatives * scale};
-  const auto doubles = [](const RationalQuaternion& a) {
-    return Quaternion<double>{static_cast<double>(a.u), static_cast<double>(a.v),
-                              static_cast<double>(a.p), static_cast<double>(a.q)};
-  };
-  const HelicalStart<double> start{doubles(wanted.start.q),
+  const HelicalStart<double> start{quaternion_in_doubles(wanted.start.q),
                                    static_cast<double>(wanted.start.factor)};
-  const HermiteData<double> guessed{scaled_to_doubles(scale, step), scaled_to_doubles(scale, d0),
-                                    scaled_to_doubles(scale, d1)};
   const std::vector<HelicalGuess> guesses =
-      helical_quintics(guessed, start, directions(data_.points[k + 1] - data_.points[k], d0, d1));
+      helical_guesses(wanted, start, directions(data_.points[k + 1] - data_.points[k], d0, d1));
   if (static_cast<long>(guesses.size()) < solution_)
     throw DomainError(
         fmt::format("segment {}: there are {} helical quintics with these ends and "

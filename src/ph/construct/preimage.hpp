@@ -58,6 +58,13 @@ ComplexOf<T> wedge(const Quaternion<T>& a, const Quaternion<T>& b) {
           a.u * b.p + a.v * b.q - a.q * b.v - a.p * b.u};
 }
 
+/// A*·v·A: v turned back by the rotation that A means, |A|² times as long.
+template <class T>
+Vector<T> turned_back(const Vector<T>& v, const Quaternion<T>& a) {
+  const Quaternion<T> w = conjugate(a) * (Quaternion<T>{T(0), v[0], v[1], v[2]} * a);
+  return {w.v, w.p, w.q};
+}
+
 /// An A with A i A* = d, up to rounding; the others are A·z, |z| = 1. Without cancellation,
 /// because the greater of |α|, |β| is the one that comes from a root: it is real and not negative.
 /// 0 for 0.

@@ -20,12 +20,6 @@ namespace {
 
 using RrmfEnd = RrmfEnds<Rational>;
 
-/// A⁻¹ v A·|A|².
-Vector<Rational> turned_back(const Vector<Rational>& v, const RationalQuaternion& a) {
-  const RationalQuaternion w = conjugate(a) * (RationalQuaternion{0, v[0], v[1], v[2]} * a);
-  return {w.v, w.p, w.q};
-}
-
 /// A preimage of the direction of v, of size 1, to so many bits.
 RationalQuaternion unit_preimage_of(const Vector<Rational>& v, long bits) {
   const Rational scale = scale_for_doubles(largest(v));
@@ -36,11 +30,6 @@ RationalQuaternion unit_preimage_of(const Vector<Rational>& v, long bits) {
     return Rational(x.scaled(bits)) * power_of_two(-bits);
   };
   return {part(a.u), part(a.v), part(a.p), part(a.q)};
-}
-
-Quaternion<double> in_doubles(const RationalQuaternion& a) {
-  return {static_cast<double>(a.u), static_cast<double>(a.v), static_cast<double>(a.p),
-          static_cast<double>(a.q)};
 }
 
 /// The six parameters, one of them held as it is.
@@ -138,7 +127,8 @@ std::optional<RrmfPiece> RrmfSegment::found() const {
   long bits = std::max(24L, 6 - binary_exponent(std::min(Rational(tolerance_.points * scale_),
                                                          tolerance_.derivatives)));
   const RrmfEnd first = wanted(bits + spare_bits);
-  const RrmfEnds<double> guessed{scaled_to_doubles(1, first.step), in_doubles(first.end)};
+  const RrmfEnds<double> guessed{scaled_to_doubles(1, first.step),
+                                 quaternion_in_doubles(first.end)};
   const std::optional<RrmfQuintic<double>> guess = rrmf_quintic(guessed);
   if (!guess) return std::nullopt;
   const RrmfParameters parameters(*guess, freest_parameter(*guess, guessed));

@@ -248,8 +248,24 @@ TEST_CASE("helical quintics: adverse data have a curve or a line that says why n
                 vector("2e-9", "-1e-9", "1e-9"))
             .size() == 4);
   CHECK(outcome(vector("-1", "1e-12", "0"), vector("-1", "1e-15", "1e-16"),
-                vector("-1", "0", "1e-14")) ==
-        "segment 1: the end of the helical quintic is too sensitive to its coefficients");
+                vector("-1", "0", "1e-14")) == "hhhh");
+}
+
+// The derivatives of the cubic spline through points of a line are off it by their rounding.
+TEST_CASE("helical quintics: points of a line, and nearly so, have their four splines") {
+  for (const char* off : {"0", "1e-13", "1e-10", "1e-7", "1e-5"}) {
+    CAPTURE(off);
+    const Vector<Rational> aside = parse_rational(off) * Vector<Rational>{1, 3, -2};
+    GivenPoints given;
+    given.points = {{0, 0, 0}, {1, 2, 3}, Vector<Rational>{2, 4, 6} + aside, {5, 10, 15}};
+    const HermiteSpline data = hermite_spline(given, false);
+    const Deviation asked = tolerance("1e-15");
+    for (long k = 1; k <= 4; ++k) {
+      const Construction found = helical_spline(data, k, asked);
+      check_met(found, data, asked);
+      CHECK(is_helical(found.path));
+    }
+  }
 }
 
 TEST_CASE("helical quintics: the size of the data does not matter") {
