@@ -4,6 +4,7 @@
 
 #include "curves.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
+#include "phrame/ph/twist/wronskian_frame.hpp"
 
 namespace phrame::bench {
 namespace {
@@ -62,6 +63,16 @@ void rational_twist_frame_in_pieces(State& state) {
   }
 }
 
+/// The best pair of polynomials with ab′ − a′b = 2hσ, proved; the argument is its FrameWeight.
+void wronskian_frame(State& state) {
+  const Curve curve = example();
+  for (auto _ : state) {
+    const WronskianFrame frame(curve, static_cast<FrameWeight>(state.range(0)));
+    benchmark::DoNotOptimize(frame.rounded(72));
+  }
+}
+
+BENCHMARK(wronskian_frame)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 BENCHMARK(exact_twist_frame)->Unit(benchmark::kMillisecond);
 BENCHMARK(rational_twist_frame)->Unit(benchmark::kMillisecond);
 BENCHMARK(rational_twist_frame_proved_12)->Unit(benchmark::kMillisecond);

@@ -60,6 +60,7 @@ struct PathTotal;
 // ph/twist
 class MinimalTwist;
 struct TwistFrame;
+class WronskianFrame;
 
 // ph/proof
 struct Classification;
@@ -91,5 +92,7 @@ struct TotalsQuery;
 struct TotalsAnswer;
 struct TwistPieceAnswer;
 struct TwistFrameAnswer;
+struct WronskianQuery;
+struct WronskianAnswer;
 
 }  // namespace phrame

@@ -31,4 +31,10 @@ RealBall numerical_integral(const AnalyticFunction& f, const RealBall& a, const 
   return value.re();
 }
 
+ComplexBall integrand_sqrt(const ComplexBall& z, long bits) {
+  ComplexBall root;
+  acb_sqrt_analytic(root.raw(), z.raw(), 1, bits);
+  return root;
+}
+
 }  // namespace phrame

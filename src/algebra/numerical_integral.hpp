@@ -21,4 +21,8 @@ struct IntegralEffort {
 RealBall numerical_integral(const AnalyticFunction& f, const RealBall& a, const RealBall& b,
                             const IntegralEffort& effort);
 
+/// The principal √z in an integrand: not finite where the ball meets (−∞, 0], across which it is
+/// not analytic.
+ComplexBall integrand_sqrt(const ComplexBall& z, long bits);
+
 }  // namespace phrame

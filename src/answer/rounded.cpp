@@ -1,5 +1,7 @@
 #include "phrame/answer/rounded.hpp"
 
+#include <algorithm>
+
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {
@@ -10,6 +12,30 @@ Decimal rounded(const Real& x, const std::string& name, long digits) {
   } catch (const Undecided& error) {
     throw Undecided(name + ": " + error.what());
   }
+}
+
+Decimal rounded_or_zero(const Real& x, const std::string& name, long digits, long shown_digits) {
+  const long most_bits = 14 * digits + 128;
+  try {
+    return round_to_decimal(x, shown_digits, {0, most_bits});
+  } catch (const Undecided& undecided) {
+    const RealBall ball = x.enclose(most_bits);
+    if (!ball.is_finite() || !ball.contains_zero()) throw Undecided(name + ": " + undecided.what());
+    return {"0", upper_bound_text(std::max(Rational(-ball.lower()), ball.upper()))};
+  }
+}
+
+Decimal rounded_or_zero(const Real& x, const std::string& name, long digits) {
+  return rounded_or_zero(x, name, digits, digits);
+}
+
+ErrorSize error_size(const Real& number, const std::string& name, long digits) {
+  constexpr long few = 6;
+  const Real x = remembered(number);
+  const Decimal value = rounded_or_zero(x, name, digits);
+  if (value.value == "0" && value.radius != "0")
+    return {{value.radius, value.radius}, "≤ " + value.radius, true};
+  return {value, rounded_or_zero(x, name, std::max(digits, few), few).value};
 }
 
 }  // namespace phrame

@@ -2,27 +2,8 @@
 
 #include <algorithm>
 
-#include "phrame/algebra/error.hpp"
-#include "phrame/answer/rounded.hpp"
-
 namespace phrame {
 namespace {
-
-/// Where it cannot be told from 0, 0 with the radius that is known, by a precision for `digits`.
-Decimal rounded_or_zero(const Real& x, const std::string& what, long digits, long shown_digits) {
-  const long most_bits = 14 * digits + 128;
-  try {
-    return round_to_decimal(x, shown_digits, {0, most_bits});
-  } catch (const Undecided& undecided) {
-    const RealBall ball = x.enclose(most_bits);
-    if (!ball.is_finite() || !ball.contains_zero()) throw Undecided(what + ": " + undecided.what());
-    return {"0", upper_bound_text(std::max(Rational(-ball.lower()), ball.upper()))};
-  }
-}
-
-Decimal rounded_or_zero(const Real& x, const std::string& what, long digits) {
-  return rounded_or_zero(x, what, digits, digits);
-}
 
 /// The parameter of the curve at an inflection of a piece.
 Real inflection_at(const RationalTwist& twist, const RealBall& found) {
@@ -38,15 +19,7 @@ Real inflection_at(const RationalTwist& twist, const RealBall& found) {
   });
 }
 
-constexpr long few = 6;  // digits in a table
-
-ErrorSize error_size(const Real& number, const std::string& what, long digits) {
-  const Real x = remembered(number);
-  const Decimal value = rounded_or_zero(x, what, digits);
-  if (value.value == "0" && value.radius != "0")
-    return {{value.radius, value.radius}, "≤ " + value.radius, true};
-  return {value, rounded_or_zero(x, what, std::max(digits, few), few).value};
-}
+constexpr long few = 6;  // digits of what is only guessed, and in a table
 
 TwistPieceAnswer rounded_piece(const MinimalTwist& mtf, const BestTwist& best, long digits) {
   const RationalTwist& twist = best.twist;

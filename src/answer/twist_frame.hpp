@@ -1,15 +1,8 @@
 #pragma once
-#include "phrame/algebra/rounding.hpp"
+#include "phrame/answer/rounded.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
 
 namespace phrame {
-
-/// A number that is not negative: correctly rounded, or, where it may be 0, an upper bound.
-struct ErrorSize {
-  Decimal value;          ///< with the digits asked for
-  std::string in_short;   ///< the number, rounded once to six digits for a table
-  bool is_bound = false;  ///< is it an upper bound?
-};
 
 /// What is shown of one piece of a rational frame of minimal twist.
 struct TwistPieceAnswer {

@@ -315,3 +315,77 @@ TEST_CASE("frames: of minimal twist, closing up along a closed spline") {
   for (std::size_t column = 1; column < rows[0].size(); ++column)
     CHECK(rows[0][column].get<double>() == doctest::Approx(rows[1][column].get<double>()));
 }
+
+// The numbers are those of SciPy (Nelder and Mead's method in the best plane).
+TEST_CASE("mtf --wronskian: the quintic of Peng, Pang and Pan") {
+  const Workshop here;
+  here.write("example.json", bytes_of(test::root("/examples/curves/peng-pang-pan-2023.json")));
+  const std::string command = "mtf example.json --wronskian --digits 11 ";
+  const Run run = here.run(command + "--print json");
+  check_success(run);
+  const Json answer = Json::parse(run.out);
+  CHECK(answer["phrame"] == "wronskian/1");
+  CHECK(answer["weight"] == "one");
+  CHECK(answer["resolvent"] == Json({"31231336", "12466956", "1992728", "159229", "6340", "100"}));
+  REQUIRE(answer["planes"].size() == 3);
+  CHECK(answer["best"] == 2);
+  const Json& best = answer["planes"][2];
+  CHECK(best["objective"]["value"] == "173.37920852");
+  CHECK(best["parameter"]["polynomial"] == answer["resolvent"]);
+  CHECK(best["critical_points"] == 1);
+  CHECK(best["tied"] == false);
+  // (24) by the pair that is printed.
+  const auto polynomial = [](const Json& list) {
+    std::vector<Rational> c;
+    for (const Json& x : list) c.push_back(rational(x));
+    return Polynomial(c);
+  };
+  const Polynomial a = polynomial(answer["rational"]["a"]);
+  const Polynomial b = polynomial(answer["rational"]["b"]);
+  CHECK(a * differentiate(b) - differentiate(a) * b - polynomial(answer["wronskian"]) ==
+        Polynomial::monomial(rational(answer["rational"]["residual"]), 6));
+  CHECK(answer["rational"]["frame_degree"] == 12);
+  CHECK(rational(answer["rms_times_length"]["value"]) >
+        rational(answer["least_rms_times_length"]["value"]));
+
+  const auto value = [&](const std::string& weight) {
+    const Run weighted = here.run(command + "--print json --weight " + weight);
+    check_success(weighted);
+    return Json::parse(weighted.out)["planes"][2]["objective"]["value"].get<std::string>();
+  };
+  CHECK(value("speed") == "1063.0251767");
+  CHECK(abs(rational(Json(value("torsion-curvature"))) - parse_rational("11.83033300")) <
+        power_of_ten(-8));
+  CHECK(contains(here.run(command).out,
+                 "x = −10.3984092745…            J ≈ 173.37920852, 1 critical point of J, the "
+                 "least\n"));
+  const Run latex = here.run(command + "--print latex");
+  CHECK(contains(latex.out, "\n\\text{multiplier $\\lambda$} &\\approx -15.698218105 \\\\\n"));
+  CHECK(contains(latex.out, "\na_{0} &= 0 \\\\\n"));
+}
+
+TEST_CASE("mtf --wronskian: what does not apply is refused") {
+  const Workshop here;
+  for (const char* option :
+       {"--degree 2", "--free-ends", "--subdivide 1/2", "--unproved", "--exact-only", "--from 0",
+        "--to 0", "--from-vector 0,0,1", "--to-vector 0,0,1", "--closed", "--turns 1", "--at 1/2",
+        "--samples 3"}) {
+    CAPTURE(option);
+    const std::string name = std::string(option).substr(0, std::string(option).find(' '));
+    check_failure(here.run(std::string("mtf quintic.json --wronskian ") + option), 2,
+                  "phrame: " + name + ": ");
+  }
+  check_failure(here.run("mtf quintic.json --from 0 --to 1 --weight speed"), 2, "--weight: ");
+  check_failure(here.run("mtf quintic.json --wronskian --weight 2"), 2, "--weight: ");
+  here.write("spline.json", bytes_of(test::root("/examples/curves/closed-spline.json")));
+  check_failure(here.run("mtf spline.json --wronskian"), 2,
+                "--wronskian: this is for single curves; this is a spline");
+  check_failure(here.run("mtf line.json --wronskian"), 3,
+                "there is nothing to turn: h = 0, the Euler-Rodrigues frame is");
+  here.write("septic.json", bytes_of(test::root("/examples/curves/double-ph-septic.json")));
+  check_failure(here.run("mtf septic.json --wronskian"), 3, "the preimage has degree 3: ");
+  here.write("zero.json", R"({"phrame": "curve/1", "basis": "power",
+      "preimage": {"u": [0, 1], "v": [0, -2, 1], "p": [0], "q": [-2, 3, 5]}})");
+  check_failure(here.run("mtf zero.json --wronskian"), 4,
+                "the best pair of polynomials vanishes, or nearly, at t = 0, where");
+}

@@ -5,10 +5,10 @@
 namespace phrame {
 
 std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(blanks);
+  constexpr std::string_view surroundings = " \t\r\n";
+  const std::size_t begin = text.find_first_not_of(surroundings);
   if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+  return text.substr(begin, text.find_last_not_of(surroundings) - begin + 1);
 }
 
 Rational parse_number(std::string_view text) {

@@ -12,7 +12,7 @@
 namespace phrame {
 namespace {
 
-using Fields = std::vector<std::string_view>;
+using Cells = std::vector<std::string_view>;
 
 constexpr std::string_view blanks_in_line = " \t\r";
 
@@ -29,8 +29,8 @@ char separator_of(std::string_view line) {
 }
 
 /// Between separators; many blanks are one.
-Fields fields(std::string_view line, char separator) {
-  Fields list;
+Cells fields(std::string_view line, char separator) {
+  Cells list;
   for (;;) {
     const auto end =
         line.find_first_of(separator == ' ' ? blanks_in_line : std::string_view(&separator, 1));
@@ -98,7 +98,7 @@ void TextTable::add(std::string_view content, long line) {
   }
   const bool is_first = separator_ == 0;
   if (is_first) separator_ = separator_of(content);
-  Fields row = fields(content, separator_);
+  Cells row = fields(content, separator_);
   if (is_first && (std::none_of(row.begin(), row.end(), is_like_number) ||
                    std::find(row.begin(), row.end(), "t") != row.end())) {
     names_.assign(row.begin(), row.end());
@@ -111,7 +111,7 @@ void TextTable::add(std::string_view content, long line) {
 /// numpy.savetxt writes its header as a comment, with the separators that the caller wrote.
 void TextTable::take_comment_for_header() {
   for (const char separator : {separator_, ';', ',', '\t', ' '}) {
-    const Fields words = fields(comment_, separator);
+    const Cells words = fields(comment_, separator);
     if (words.size() != rows_.front().fields.size()) continue;
     names_.assign(words.begin(), words.end());
     header_line_ = comment_line_;

@@ -151,6 +151,15 @@ RealBall mean_square(const TwistPiece& piece, const Rotation& w, long bits) {
       bits, growth(piece));
 }
 
+Real root_mean_square(const TwistPiece& piece, const Polynomial& a, const Polynomial& b) {
+  return Real([piece, a, b](long bits) {
+    // √(G ± ε) is at worst √G ± √ε.
+    const long precision = working_precision(piece, 2 * bits);
+    const Rotation w{BallPolynomial(a, precision), BallPolynomial(b, precision)};
+    return sqrt_of_nonnegative(mean_square(piece, w, 2 * bits), bits + 64);
+  });
+}
+
 RealBall mean_square_slope(const TwistPiece& piece, const RotationFamily& family,
                            const Rational& parameter, long bits) {
   // ∂θ/∂p = 2 Im(w¹/w) = 2K/D with K = Im(w̄⁰w¹), which does not depend on p.

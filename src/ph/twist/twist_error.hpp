@@ -18,6 +18,9 @@ BallPolynomial turn_numerator(const TwistPiece& piece, const Rotation& w, long b
 /// G = ∫₀¹ E²·speed dτ (36). √G/|T| is the relative root mean square of Ω₁ − Ω̄₁.
 RealBall mean_square(const TwistPiece& piece, const Rotation& w, long bits);
 
+/// √G for w = a + ib over ℚ.
+Real root_mean_square(const TwistPiece& piece, const Polynomial& a, const Polynomial& b);
+
 /// dG/dp of a family with one parameter p.
 RealBall mean_square_slope(const TwistPiece& piece, const RotationFamily& family,
                            const Rational& parameter, long bits);

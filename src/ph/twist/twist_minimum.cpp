@@ -11,15 +11,15 @@ namespace phrame {
 namespace {
 
 /// What is too wide to be of use becomes infinite, never wrong.
-constexpr long bits = 96;
+constexpr long proof_bits = 96;
 
 ComplexBall evaluate(const Rotation& w, const RealBall& tau) {
-  return {phrame::evaluate(w.a, tau, bits), phrame::evaluate(w.b, tau, bits)};
+  return {phrame::evaluate(w.a, tau, proof_bits), phrame::evaluate(w.b, tau, proof_bits)};
 }
 
-RealBall ball(const Rational& x) { return RealBall(x, bits); }
+RealBall ball(const Rational& x) { return RealBall(x, proof_bits); }
 
-RealBall square_of(const RealBall& x) { return multiply(x, x, bits); }
+RealBall square_of(const RealBall& x) { return multiply(x, x, proof_bits); }
 
 /// x² ≥ this.
 RealBall least_square(const RealBall& x) { return square_of(least_size(x, 53)); }
@@ -70,35 +70,35 @@ class Branch {
 Branch::Branch(const TwistPiece& piece, const RotationFamily& family, const Rational& origin,
                long parts)
     : gamma_(family.end_factor[0]), gamma_slope_(family.end_factor[1]) {
-  sign_of_gamma_ = sign(end_factor(family, {origin}, bits));
+  sign_of_gamma_ = sign(end_factor(family, {origin}, proof_bits));
   const bool is_constant = gamma_slope_.is_zero();
   if (sign_of_gamma_ == 0 || (!is_constant && sign(gamma_slope_) == 0))
     throw Undecided("where the parameters with one sign of gamma end is not known");
-  const Rotation w = member(family, {origin}, bits);
+  const Rotation w = member(family, {origin}, proof_bits);
   const Polynomial share = antiderivative(piece.speed);
-  const RealBall twist = piece.twist.enclose(bits);
+  const RealBall twist = piece.twist.enclose(proof_bits);
   RealBall theta;
   for (long k = 0; k <= parts; ++k) {
     const Rational tau(k, parts);
     if (k > 0) {
-      const auto turned = turn(w, Rational(k - 1, parts), tau, bits);
+      const auto turned = turn(w, Rational(k - 1, parts), tau, proof_bits);
       if (!turned) throw Undecided("a rotation close to the best one may have a zero");
-      theta = add(theta, *turned, bits);
+      theta = add(theta, *turned, proof_bits);
     }
     const RealBall s = ball(share(tau));
     const ComplexBall p = evaluate(family.basis[0], ball(tau));
     const ComplexBall q = evaluate(family.basis[1], ball(tau));
-    const RealBall wanted =
-        subtract(multiply(twist, s, bits), piece.erf_twist(tau).enclose(bits), bits);
-    nodes_.push_back({s, p, q, multiply(conjugate(p), q, bits).im(), evaluate(w, ball(tau)),
-                      subtract(theta, wanted, bits), k == 0 || k == parts});
+    const RealBall wanted = subtract(multiply(twist, s, proof_bits),
+                                     piece.erf_twist(tau).enclose(proof_bits), proof_bits);
+    nodes_.push_back({s, p, q, multiply(conjugate(p), q, proof_bits).im(), evaluate(w, ball(tau)),
+                      subtract(theta, wanted, proof_bits), k == 0 || k == parts});
   }
 }
 
 RealBall Branch::deviation(const Node& node, const ComplexBall& w) const {
   if (node.is_end) return node.deviation;
-  const RealBall angle = argument(multiply(w, conjugate(node.origin), bits), bits);
-  return add(node.deviation, add(angle, angle, bits), bits);
+  const RealBall angle = argument(multiply(w, conjugate(node.origin), proof_bits), proof_bits);
+  return add(node.deviation, add(angle, angle, proof_bits), proof_bits);
 }
 
 bool Branch::is_above(const Range& range, const RealBall& least) const {
@@ -109,16 +109,16 @@ bool Branch::is_above(const Range& range, const RealBall& least) const {
 
 bool Branch::is_above(const Range& range, const RealBall& least, std::size_t stride) const {
   const Rational middle = (range.a + range.b) / 2;
-  const RealBall offset = hull(Rational(range.a - middle), Rational(range.b - middle), bits);
-  const RealBall whole = hull(range.a, range.b, bits);
+  const RealBall offset = hull(Rational(range.a - middle), Rational(range.b - middle), proof_bits);
+  const RealBall whole = hull(range.a, range.b, proof_bits);
   const auto slope = [&](const Node& node) -> RealBall {
     if (node.is_end) return {};
-    const ComplexBall w = add(node.p, multiply(whole, node.q, bits), bits);
-    const RealBall square = add(square_of(w.re()), square_of(w.im()), bits);
-    return divide(add(node.cross, node.cross, bits), square, bits);
+    const ComplexBall w = add(node.p, multiply(whole, node.q, proof_bits), proof_bits);
+    const RealBall square = add(square_of(w.re()), square_of(w.im()), proof_bits);
+    return divide(add(node.cross, node.cross, proof_bits), square, proof_bits);
   };
   const auto in_middle = [&](const Node& node) {
-    return deviation(node, add(node.p, multiply(ball(middle), node.q, bits), bits));
+    return deviation(node, add(node.p, multiply(ball(middle), node.q, proof_bits), proof_bits));
   };
   RealBall sum;
   RealBall last = in_middle(nodes_[0]);
@@ -126,10 +126,11 @@ bool Branch::is_above(const Range& range, const RealBall& least, std::size_t str
   for (std::size_t k = stride; k < nodes_.size(); k += stride) {
     const RealBall here = in_middle(nodes_[k]);
     const RealBall here_slope = slope(nodes_[k]);
-    const RealBall beside = multiply(offset, subtract(here_slope, last_slope, bits), bits);
-    const RealBall change = add(subtract(here, last, bits), beside, bits);
-    const RealBall length = subtract(nodes_[k].share, nodes_[k - stride].share, bits);
-    sum = add(sum, divide(least_square(change), length, bits), bits);
+    const RealBall beside =
+        multiply(offset, subtract(here_slope, last_slope, proof_bits), proof_bits);
+    const RealBall change = add(subtract(here, last, proof_bits), beside, proof_bits);
+    const RealBall length = subtract(nodes_[k].share, nodes_[k - stride].share, proof_bits);
+    sum = add(sum, divide(least_square(change), length, proof_bits), proof_bits);
     last = here;
     last_slope = here_slope;
   }
@@ -143,25 +144,25 @@ bool Branch::is_above_beyond(const Rational& a, int direction, const RealBall& l
   std::vector<RealBall> ranges;
   for (std::size_t k = 0; k < nodes_.size(); k += part) {
     const Node& node = nodes_[k];
-    const ComplexBall here = add(node.p, multiply(ball(a), node.q, bits), bits);
+    const ComplexBall here = add(node.p, multiply(ball(a), node.q, proof_bits), proof_bits);
     const RealBall at_a = deviation(node, here);
     if (node.is_end) {
       ranges.push_back(at_a);
       continue;
     }
-    const ComplexBall there = limit ? add(node.p, multiply(*limit, node.q, bits), bits)
-                                    : multiply(RealBall(direction, bits), node.q, bits);
-    const RealBall angle = argument(multiply(there, conjugate(here), bits), bits);
-    ranges.push_back(hull(at_a, add(at_a, add(angle, angle, bits), bits), bits));
+    const ComplexBall there = limit ? add(node.p, multiply(*limit, node.q, proof_bits), proof_bits)
+                                    : multiply(RealBall(direction, proof_bits), node.q, proof_bits);
+    const RealBall angle = argument(multiply(there, conjugate(here), proof_bits), proof_bits);
+    ranges.push_back(hull(at_a, add(at_a, add(angle, angle, proof_bits), proof_bits), proof_bits));
   }
   // Wide ranges are better compared over long parts.
   for (std::size_t stride = parts; stride > 0; stride /= 2) {
     RealBall sum;
     for (std::size_t k = 0; k < parts; k += stride) {
-      const RealBall change = subtract(ranges[k + stride], ranges[k], bits);
+      const RealBall change = subtract(ranges[k + stride], ranges[k], proof_bits);
       const RealBall length =
-          subtract(nodes_[(k + stride) * part].share, nodes_[k * part].share, bits);
-      sum = add(sum, divide(least_square(change), length, bits), bits);
+          subtract(nodes_[(k + stride) * part].share, nodes_[k * part].share, proof_bits);
+      sum = add(sum, divide(least_square(change), length, proof_bits), proof_bits);
     }
     if (is_less(least, sum)) return true;
   }
@@ -171,7 +172,7 @@ bool Branch::is_above_beyond(const Rational& a, int direction, const RealBall& l
 std::optional<RealBall> Branch::end(int direction) const {
   if (gamma_slope_.is_zero()) return std::nullopt;
   if (sign(gamma_slope_) * direction == sign_of_gamma_) return std::nullopt;
-  return divide(multiply(gamma_, ball(-1), bits), gamma_slope_, bits);
+  return divide(multiply(gamma_, ball(-1), proof_bits), gamma_slope_, proof_bits);
 }
 
 /// A lower bound of G″ on parameter intervals; −∞ where there is none.
@@ -184,9 +185,9 @@ class Convexity {
 
   RealBall operator()(const Range& range) {
     // The width comes from that of the range, so that many points often are of no use.
-    const RealBall parameter = hull(range.a, range.b, bits);
-    const RealBall quick = lower_end(convexity_(parameter, 100), bits);
-    return is_less({}, quick) ? quick : lower_end(convexity_(parameter, 1000), bits);
+    const RealBall parameter = hull(range.a, range.b, proof_bits);
+    const RealBall quick = lower_end(convexity_(parameter, 100), proof_bits);
+    return is_less({}, quick) ? quick : lower_end(convexity_(parameter, 1000), proof_bits);
   }
 
  private:
@@ -228,7 +229,8 @@ void walk(const Branch& branch, const Rational& from, int direction, Rational st
   };
   for (int steps = 0; !is_done(steps); ++steps) {
     if (limit) {  // the end itself is for is_above_beyond
-      const RealBall room = multiply(subtract(*limit, ball(a), bits), ball(direction), bits);
+      const RealBall room =
+          multiply(subtract(*limit, ball(a), proof_bits), ball(direction), proof_bits);
       for (; !is_less(ball(step), room) && steps <= most_steps; ++steps) step /= 2;
     }
     if (steps > most_steps)
@@ -240,9 +242,9 @@ void walk(const Branch& branch, const Rational& from, int direction, Rational st
       climb.reset();
     } else if (climb) {
       const RealBall slope =
-          add(climb->slope, multiply(climb->convexity(range), ball(step), bits), bits);
+          add(climb->slope, multiply(climb->convexity(range), ball(step), proof_bits), proof_bits);
       is_shown = is_less({}, slope);
-      if (is_shown) climb.emplace(Climb{climb->convexity, lower_end(slope, bits)});
+      if (is_shown) climb.emplace(Climb{climb->convexity, lower_end(slope, proof_bits)});
     }
     if (is_shown) {
       a = b;
@@ -257,9 +259,9 @@ void walk(const Branch& branch, const Rational& from, int direction, Rational st
 /// The change of the parameter that moves w(1/2) by its own length.
 Rational natural_unit(const RotationFamily& family, const Rotation& w) {
   const auto size = [](const Rotation& v) {
-    return absolute(evaluate(v, ball(Rational(1, 2))), bits);
+    return absolute(evaluate(v, ball(Rational(1, 2))), proof_bits);
   };
-  const RealBall unit = divide(size(w), size(family.basis[1]), bits);
+  const RealBall unit = divide(size(w), size(family.basis[1]), proof_bits);
   if (!unit.is_finite() || !is_less({}, unit))
     throw Undecided("a rotation close to the best one may have a zero");
   return unit.midpoint();
@@ -284,9 +286,9 @@ Candidate candidate(const TwistPiece& piece, long degree, EndRates rates, const 
     throw Undecided("no least mean square was found: it decreases as an end of w tends to 0");
   if (!(guess.convexity > 0) || !std::isfinite(guess.convexity))
     throw Undecided("the mean square of the rates is too flat at its least value");
-  Candidate result{piece, rotation_family(piece, degree, rates, bits),
+  Candidate result{piece, rotation_family(piece, degree, rates, proof_bits),
                    exact_rational(guess.parameter)};
-  result.w = member(result.family, {result.parameter}, bits);
+  result.w = member(result.family, {result.parameter}, proof_bits);
   result.unit = natural_unit(result.family, result.w);
   result.smallness = std::max(0, 1 - std::ilogb(guess.convexity));
   result.precision = goal + result.smallness + 10;
@@ -301,10 +303,10 @@ Candidate candidate(const TwistPiece& piece, long degree, EndRates rates, const 
 /// turns more than the exact one has G ≥ (2πk)² (Cauchy and Schwarz). If this one makes none, one
 /// with the other sign makes an odd number.
 bool is_better_than_other_sign(const Candidate& c) {
-  const auto turned = turn(c.w, 0, 1, bits);
+  const auto turned = turn(c.w, 0, 1, proof_bits);
   if (!turned) return false;
-  const RealBall excess = subtract(*turned, c.piece.turn.enclose(bits), bits);
-  const RealBall one_turn = multiply(ball(2), pi(bits), bits);
+  const RealBall excess = subtract(*turned, c.piece.turn.enclose(proof_bits), proof_bits);
+  const RealBall one_turn = multiply(ball(2), pi(proof_bits), proof_bits);
   return is_less(absolute(excess), ball(1)) && is_less(c.mean_square, square_of(one_turn));
 }
 
@@ -366,8 +368,9 @@ TwistMinimum twist_minimum(const TwistPiece& piece, long degree, EndRates rates,
   const RealBall slope = mean_square_slope(piece, c.fine, c.parameter, c.precision);
   // G′ at the ends of the core, away from the candidate, is no less than this.
   const RealBall half_width = ball((core.range.b - core.range.a) / 2);
-  const RealBall climb =
-      lower_end(subtract(multiply(core.convexity, half_width, bits), absolute(slope), bits), bits);
+  const RealBall climb = lower_end(
+      subtract(multiply(core.convexity, half_width, proof_bits), absolute(slope), proof_bits),
+      proof_bits);
   if (!is_less({}, climb)) throw Undecided("the guess is too far from the least value");
 
   const bool is_other_worse = is_better_than_other_sign(c);

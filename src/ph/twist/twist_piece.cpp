@@ -48,6 +48,14 @@ TwistPiece piece_between(const MinimalTwist& mtf, std::size_t index, const Ratio
           erf_twist};
 }
 
+/// `where` names the segment of a spline.
+void require_no_cusp(const Curve& curve, const std::string& where) {
+  const auto found = cusps(curve);
+  if (!found.empty())
+    throw DomainError("the curve has a cusp" + where + " at " + place("t", found.front().at) +
+                      ", where a frame that turns with the parameter turns at an infinite rate");
+}
+
 /// Those between neighbours of the points.
 std::vector<TwistPiece> pieces_between(const MinimalTwist& mtf, std::vector<Rational> points) {
   std::sort(points.begin(), points.end());
@@ -69,12 +77,8 @@ Real TwistPiece::last_rate() const { return wanted_rate(*this, 1); }
 std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Rational> points) {
   const Path& path = mtf.path();
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    const auto found = cusps(path.segments()[k]);
-    if (!found.empty())
-      throw DomainError("the curve has a cusp" +
-                        (path.is_curve() ? std::string() : " in segment " + std::to_string(k)) +
-                        " at " + place("t", found.front().at) +
-                        ", where a frame that turns with the parameter turns at an infinite rate");
+    require_no_cusp(path.segments()[k],
+                    path.is_curve() ? std::string() : " in segment " + std::to_string(k));
     points.push_back(Rational(static_cast<long>(k)));
   }
   points.push_back(path.end());
@@ -86,6 +90,29 @@ std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Ration
   if (pieces.size() == 1 && !pieces.front().whole_turns)
     pieces.front().whole_turns = mtf.whole_turns_of_theta();
   return pieces;
+}
+
+TwistPiece untwisted_piece(const Curve& curve) {
+  require_no_cusp(curve, "");
+  const Polynomial arc_length = ArcLength(curve).polynomial();
+  const Rational length = arc_length(1);
+  const RmfAngle rmf(curve);
+  const Real turn = remembered(rmf.value(1));
+  std::optional<Integer> whole_turns;
+  if (turn.exact() == Rational(0)) whole_turns = 0;
+  const auto erf_twist = [rmf, turn](const Rational& tau) {
+    return tau == 1 ? -turn : -rmf.value(tau);
+  };
+  return {0,
+          1,
+          -rate_to_erf(curve.preimage()),
+          Rational(1 / length) * differentiate(arc_length),
+          length,
+          Real(Rational(0)),
+          turn,
+          whole_turns,
+          Real(Rational(0)),
+          erf_twist};
 }
 
 std::vector<TwistPiece> divided(const MinimalTwist& mtf, const TwistPiece& piece,

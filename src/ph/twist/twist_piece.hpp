@@ -35,6 +35,11 @@ struct TwistPiece {
 /// where the curve has a cusp, at which a turn per unit of length is infinite.
 std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Rational> points);
 
+/// All of a curve, along which a frame is not to turn at all: T = 0, θ that of the
+/// rotation-minimizing frame. Throws DomainError as twist_pieces() does, and where the multiplier
+/// changes sign on [0, 1].
+TwistPiece untwisted_piece(const Curve& curve);
+
 /// A piece divided at points inside it, in any order: its own pieces.
 std::vector<TwistPiece> divided(const MinimalTwist& mtf, const TwistPiece& piece,
                                 std::vector<Rational> points);

@@ -1,0 +1,46 @@
+#pragma once
+#include <vector>
+
+#include "phrame/algebra/ball_polynomial.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
+
+namespace phrame {
+
+// The pairs of polynomials a, b of degree ≤ n with ab′ − a′b = N, deg N ≤ 2n − 2: the system (24)
+// of [Peng, Pang, Pan 2023], of rank 2n − 1 for 2n + 2 unknowns. With (a, b) it has (a, b)·G for
+// all G with det G = 1, so that the plane which a and b span is what is looked for. Of planes there
+// are finitely many: with their multiplicity as many as the Catalan number (2n − 2)!/((n − 1)!·n!),
+// the degree of the Grassmannian: 1 for n = 2, 5 for n = 4.
+
+/// One real plane, by its basis in normal form: with τ = t − origin
+///   a = 1 + a₂τ² + a₃τ³ + …,  b = n₀τ + b₂τ² + …,  ab′ − a′b = N.
+struct WronskianPlane {
+  RealAlgebraic parameter;  ///< x: a₂, but where two planes have the same it is a₃
+  /// @{ The coefficients of τ⁰, τ¹, …, n + 1 of them, as functions of x, which have no pole there.
+  /// For every other x, too, all coefficients of ab′ − a′b but the highest, that of τ²ⁿ⁻², are N's.
+  std::vector<RationalFunction> a;
+  std::vector<RationalFunction> b;
+  /// @}
+};
+
+/// All planes of N.
+struct WronskianPlanes {
+  long degree;           ///< n
+  Rational origin;       ///< the first of 0, 1, −1, 2, … where N is not 0
+  Polynomial resolvent;  ///< its roots are the a₂ of all planes, with those that are not real
+  std::vector<WronskianPlane> real;  ///< by ascending a₂, at least one
+};
+
+/// For n = 2 and n = 4. Throws DomainError for other n, for N = 0, and where its degree is higher
+/// than 2n − 2.
+WronskianPlanes wronskian_planes(const Polynomial& wronskian, long n);
+
+/// A basis a, b in powers of t.
+struct PlaneBasis {
+  BallPolynomial a;  ///< a
+  BallPolynomial b;  ///< b
+};
+/// That in normal form.
+PlaneBasis enclose(const WronskianPlane& plane, const Rational& origin, long bits);
+
+}  // namespace phrame
