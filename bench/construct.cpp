@@ -1,10 +1,12 @@
-// Exact C1 splines of PH quintics through points. The first argument is the number of segments, the
-// second −log10 of the tolerance; the time is that of all segments.
+// Exact C1 and C2 splines of PH curves through points. The first argument is the number of
+// segments, the second −log10 of the tolerance; the time is that of all segments.
 #include <benchmark/benchmark.h>
 
 #include <random>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/c2_hermite.hpp"
+#include "phrame/ph/construct/c2_spline.hpp"
 #include "phrame/ph/construct/helical_spline.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
 #include "phrame/ph/construct/quintic_spline.hpp"
@@ -97,6 +99,39 @@ void meet_points(State& state) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 BENCHMARK(meet_points)->Args({100, 15})->Args({100, 40});
+
+/// Through points only, with chord lengths.
+HermiteSpline points_data(long segments, bool is_closed) {
+  GivenPoints given;
+  given.points = spline_data(segments).points;
+  return hermite_spline(given, is_closed);
+}
+
+void construct_c2(State& state) {
+  const HermiteSpline data = points_data(state.range(0), false);
+  const Rational tolerance = power_of_ten(-state.range(1));
+  for (auto _ : state) benchmark::DoNotOptimize(c2_spline(data, {tolerance, tolerance}));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(construct_c2)->Args({100, 15})->Args({1000, 12})->Args({1000, 40});
+
+void close_c2(State& state) {
+  const HermiteSpline data = points_data(state.range(0), true);
+  const Rational tolerance = power_of_ten(-15);
+  for (auto _ : state) benchmark::DoNotOptimize(c2_spline(data, {tolerance, tolerance}));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(close_c2)->Arg(10)->Arg(100)->Arg(1000);
+
+void construct_c2_hermite(State& state) {
+  HermiteSpline data = spline_data(state.range(0));
+  data.accelerations = data.derivatives;
+  const Rational tolerance = power_of_ten(-state.range(1));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(c2_hermite_spline(data, {tolerance, tolerance, tolerance}));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(construct_c2_hermite)->Args({100, 15})->Args({1000, 15})->Args({1000, 40});
 
 }  // namespace
 }  // namespace phrame::bench

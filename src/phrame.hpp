@@ -48,6 +48,8 @@
 #include "phrame/io/write/twist.hpp"
 #include "phrame/io/write/verification.hpp"
 #include "phrame/io/write/wronskian.hpp"
+#include "phrame/ph/construct/c2_hermite.hpp"
+#include "phrame/ph/construct/c2_spline.hpp"
 #include "phrame/ph/construct/near.hpp"
 #include "phrame/ph/construct/rmf_difference.hpp"
 #include "phrame/ph/curve/arc_length.hpp"

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/construct/c2_hermite.hpp"
+#include "phrame/ph/construct/c2_spline.hpp"
 #include "phrame/ph/construct/cubic_spline.hpp"
 #include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/helical_spline.hpp"
@@ -47,6 +49,25 @@ Construction helices(const Task& task) {
 }
 
 Construction rrmf_quintics(const Task& task) { return rrmf_spline(task.data, task.tolerance); }
+
+constexpr std::string_view c2_law = "the second derivative by the parameter is continuous";
+
+/// What the law does not know of a path is whether it is to be closed.
+Construction c2_at_the_end(const Task& task, Construction found) {
+  if (task.data.is_closed && !is_c2(found.path, true))
+    throw Error(fmt::format("construct: at the end it is not true that {}", c2_law));
+  return found;
+}
+
+Construction c2_splines(const Task& task) {
+  return c2_at_the_end(task, c2_spline(task.data, task.tolerance, task.query.points));
+}
+
+Construction c2_hermite_splines(const Task& task) {
+  return c2_at_the_end(task, c2_hermite_spline(task.data, task.tolerance, task.query.points));
+}
+
+bool is_c2_between(const Path& path) { return is_c2(path, false); }
 
 bool is_in_plane(const Path& path) {
   return std::ranges::all_of(path.segments(), [](const Curve& curve) {
@@ -94,7 +115,25 @@ const std::vector<KindRow>& rows() {
                  .law = "each segment has a rational rotation-minimizing frame",
                  .is_open = true},
        .construct = rrmf_quintics,
-       .obeys_law = is_rrmf_of_class_one}};
+       .obeys_law = is_rrmf_of_class_one},
+      {.named = {.kind = CurveKind::c2,
+                 .name = "c2",
+                 .what = "C2 splines of PH quintics through points",
+                 .continuity = Continuity::c2,
+                 .meets_points = true,
+                 .law = c2_law,
+                 .is_through_points = true},
+       .construct = c2_splines,
+       .obeys_law = is_c2_between},
+      {.named = {.kind = CurveKind::c2_hermite,
+                 .name = "c2-hermite",
+                 .what = "C2 splines of degree 9 with accelerations",
+                 .continuity = Continuity::c2,
+                 .meets_points = true,
+                 .law = c2_law},
+       .takes_accelerations = true,
+       .construct = c2_hermite_splines,
+       .obeys_law = is_c2_between}};
   return table;
 }
 
@@ -121,8 +160,17 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
   if (!given.accelerations.empty() && !row->takes_accelerations)
     throw InputError("/accelerations",
                      fmt::format("the kind {} takes points and derivatives only", row->named.name));
+  if (given.accelerations.empty() && row->takes_accelerations)
+    throw InputError(fmt::format(
+        "the kind {} wants accelerations; for points only there is the kind c2", row->named.name));
   if (query.points == PointRule::exact && !row->named.meets_points)
     throw InputError(fmt::format("the kind {} does not meet points exactly", row->named.name));
+  if (row->named.is_through_points && query.is_closed)
+    for (const auto& [place, list] :
+         {std::pair("/derivatives", &given.derivatives), std::pair("/tangents", &given.tangents)})
+      if (!list->empty())
+        throw InputError(place, fmt::format("a closed spline of the kind {} takes points only",
+                                            row->named.name));
   if (query.tolerance <= 0 || query.tolerance >= 1)
     throw InputError(fmt::format("the tolerance {} is not between 0 and 1",
                                  abbreviated(to_string(query.tolerance))));
@@ -137,7 +185,8 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
   const Deviation tolerance{query.tolerance * size_of_points(data),
                             row->named.continuity == Continuity::g1
                                 ? query.tolerance
-                                : query.tolerance * size_of_derivatives(data)};
+                                : query.tolerance * size_of_derivatives(data),
+                            query.tolerance * size_of_accelerations(data)};
   Construction found = row->construct({data, query, tolerance});
   if (row->obeys_law != nullptr && !row->obeys_law(found.path))
     throw Error(fmt::format("construct: it is not true that {}", row->named.law));

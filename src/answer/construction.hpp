@@ -9,7 +9,7 @@
 namespace phrame {
 
 /// What kind of PH curves a construction is made of.
-enum class CurveKind { quintic, planar, cubic, helical, rrmf };
+enum class CurveKind { quintic, planar, cubic, helical, rrmf, c2, c2_hermite };
 
 /// What is equal at the joints of a spline, exactly.
 enum class Continuity {
@@ -30,6 +30,8 @@ struct NamedKind {
   /// one that is answered. May be empty.
   std::string_view law = {};
   bool is_open = false;  ///< its splines cannot be closed
+  /// Are derivatives wanted at the ends of open curves only, those between being a consequence?
+  bool is_through_points = false;
 };
 const std::vector<NamedKind>& curve_kinds();  ///< all kinds
 

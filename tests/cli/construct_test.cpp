@@ -251,3 +251,75 @@ TEST_CASE(
   check_failure(here.run("construct - --kind rrmf --closed", table), 2,
                 "--closed: does not apply with --kind rrmf");
 }
+
+TEST_CASE("construct: --kind c2 makes C2 splines through points, open and closed") {
+  const Workshop here;
+  here.write("points.csv", table);
+  const Run open = here.run("construct points.csv --kind c2 --print json -o open.json");
+  check_success(open);
+  const Json report = Json::parse(open.out);
+  CHECK(report["kind"] == "c2");
+  CHECK(report["law"] == "the second derivative by the parameter is continuous");
+  CHECK_FALSE(report.contains("select"));
+  CHECK_FALSE(report["segments"][0].contains("delta"));
+  CHECK(report["segments"].size() == 3);
+  CHECK(number(report["deviation"]["points"]) <= 3e-15);
+  CHECK(number(report["deviation"]["derivatives"]) <= 3e-15);
+  CHECK(here.run("info open.json").out.starts_with("PH spline of 3 segments, open\n"));
+  const Run closed = here.run("construct points.csv --kind c2 --closed --print json -o ring.json");
+  check_success(closed);
+  const Json ring = Json::parse(closed.out);
+  CHECK(ring["closed"] == true);
+  CHECK(ring["segments"].size() == 9);  // one of four in six parts
+  CHECK(ring["parameters"].size() == 10);
+  CHECK_FALSE(ring["deviation"].contains("derivatives"));
+  CHECK(here.run("info ring.json").out.starts_with("PH spline of 9 segments, closed\n"));
+  const std::string text = here.run("construct points.csv --kind c2 --closed").out;
+  CHECK(contains(text, "position and both derivatives by the parameter are equal fractions"));
+  CHECK_FALSE(contains(text, "\n    derivatives "));
+  CHECK_FALSE(contains(text, "Δ"));
+  const Run exact = here.run("construct points.csv --kind c2 --exact-points --print json");
+  check_success(exact);
+  CHECK(Json::parse(exact.out)["segments"].size() == 18);
+}
+
+TEST_CASE("construct: --kind c2 takes derivatives at the ends of open splines") {
+  const Workshop here;
+  here.write("hermite.json", hermite);
+  const Run run = here.run("construct hermite.json --kind c2 -o curve.json");
+  check_success(run);
+  CHECK(contains(run.out, "given, at the ends\n"));
+  check_failure(here.run("construct hermite.json --kind c2 --closed"), 2,
+                "hermite.json:/derivatives: a closed spline of the kind c2 takes points only");
+  check_failure(here.run("construct - --kind c2 --closed", R"({"phrame": "points/1",
+                         "points": [[0, 0], [1, 0], [0, 1]],
+                         "tangents": [[0, 1], [1, 0], [1, 1]]})"),
+                2, "/tangents: a closed spline of the kind c2 takes points only");
+  check_failure(here.run("construct hermite.json --kind c2 --select bv"), 2,
+                "--select: does not apply with --kind c2");
+  check_failure(here.run("construct - --kind c2 --closed", "0,0,0\n1,0,0\n"), 3,
+                "a closed C2 spline wants three different points at least");
+  check_failure(
+      here.run("construct - --kind c2", "t,x,y,z\n0,0,0,0\n1,1,1,0\n1.001,2,1,1\n2,3,0,0\n"), 4,
+      "the C2 spline: Newton's method finds none");
+}
+
+TEST_CASE("construct: --kind c2-hermite meets accelerations") {
+  const Workshop here;
+  const std::string data = R"({"phrame": "points/1", "points": [[0, 0, 0], [1, 1, 1], [2, 4, 8]],
+      "derivatives": [[1, 0, 0], [1, 2, 3], [1, 4, 12]],
+      "accelerations": [[0, 2, 0], [0, 2, 6], [0, 2, 12]]})";
+  const Run run =
+      here.run("construct - --kind c2-hermite --tolerance 1e-30 --print json -o curve.json", data);
+  check_success(run);
+  const Json report = Json::parse(run.out);
+  CHECK(report["segments"].size() == 2);
+  CHECK(number(report["deviation"]["accelerations"]) <= 1.2e-29);
+  CHECK(number(report["tolerance"]["accelerations"]) == doctest::Approx(1.2e-29));
+  CHECK(
+      contains(here.run("construct - --kind c2-hermite", data).out, "\n  accelerations   within "));
+  check_failure(here.run("construct - --kind c2-hermite", table), 2,
+                "the kind c2-hermite wants accelerations; for points only there is the kind c2");
+  check_failure(here.run("construct - --kind c2", data), 2,
+                "/accelerations: the kind c2 takes points and derivatives only");
+}

@@ -65,7 +65,9 @@ std::string energy_text(double energy) {
 
 const char* preimage_exception(const ConstructionAnswer& answer) {
   if (answer.points == PointRule::exact) return ", but for those between the points";
-  return answer.data.is_closed ? ", but for the last two segments" : "";
+  if (!answer.data.is_closed) return "";
+  return answer.kind.continuity == Continuity::c2 ? ", but for what closes the spline"
+                                                  : ", but for the last two segments";
 }
 
 const char* joints_text(Continuity continuity) {
@@ -140,13 +142,20 @@ std::string to_text(const ConstructionAnswer& answer) {
   row("kind", std::string(answer.kind.name) + which_text(answer));
   row("data", fmt::format("{}{}", counted(answer.data.points.size(), "point"),
                           answer.data.is_closed ? ", the last of them the first" : ""));
-  row("  derivatives", name_of(answer.derivatives_from));
+  const bool only_at_ends = answer.kind.is_through_points;
+  if (!only_at_ends || !answer.data.is_closed)
+    row("  derivatives",
+        fmt::format("{}{}", name_of(answer.derivatives_from), only_at_ends ? ", at the ends" : ""));
   row("  parameters", name_of(answer.parameters_from));
   row("points met", answer.points == PointRule::exact
                         ? "exactly, as equal fractions"
                         : bound_text(answer.deviation.points, answer.tolerance.points));
-  row(answer.kind.continuity == Continuity::g1 ? "tangents" : "derivatives",
-      bound_text(answer.deviation.derivatives, answer.tolerance.derivatives));
+  if (!only_at_ends || !answer.data.is_closed)
+    row(answer.kind.continuity == Continuity::g1 ? "tangents" : "derivatives",
+        bound_text(answer.deviation.derivatives, answer.tolerance.derivatives));
+  if (!answer.data.accelerations.empty())
+    row("accelerations",
+        bound_text(answer.deviation.accelerations, answer.tolerance.accelerations));
   if (!answer.path.path.is_curve()) row("joints", joints_text(answer.kind.continuity));
   if (!answer.kind.law.empty()) row("shape", fmt::format("{}, checked", answer.kind.law));
   if (answer.kind.continuity != Continuity::g1)
@@ -174,9 +183,13 @@ std::string to_json(const ConstructionAnswer& answer) {
     json["energy"] = energy_json(energy);
     segments.push_back(std::move(json));
   }
-  const auto deviation = [](const Deviation& x) -> JsonOutput {
-    return {{"points", upper_bound_text(x.points)},
-            {"derivatives", upper_bound_text(x.derivatives)}};
+  const auto deviation = [&](const Deviation& x) {
+    JsonOutput json = {{"points", upper_bound_text(x.points)}};
+    if (!answer.kind.is_through_points || !answer.data.is_closed)
+      json["derivatives"] = upper_bound_text(x.derivatives);
+    if (!answer.data.accelerations.empty())
+      json["accelerations"] = upper_bound_text(x.accelerations);
+    return json;
   };
   JsonOutput json = {
       {"phrame", "construct/1"}, {"name", answer.path.name}, {"kind", answer.kind.name}};

@@ -76,14 +76,9 @@ std::optional<GaussianRational> of_norm(const Rational& r, const Integer& d) {
   return GaussianRational{Rational(root->re, d), Rational(root->im, d)};
 }
 
-struct Solution {
-  RationalQuaternion x;
-  RationalQuaternion y;
-};
-
 /// Near x and y, with X i X* + Y i Y* = c.
-Solution exact_sum(const RationalQuaternion& x, const RationalQuaternion& y,
-                   const Vector<Rational>& c, long bits) {
+QuaternionPair exact_sum(const RationalQuaternion& x, const RationalQuaternion& y,
+                         const Vector<Rational>& c, long bits) {
   constexpr long most_tries = 4000;
   const long places = std::max(
       bits, std::max({binary_places(c[0]), binary_places(c[1]), binary_places(c[2])}) / 2 + 3);
@@ -148,8 +143,8 @@ RationalQuaternion short_multiple(const RationalQuaternion& a) {
 /// |a|² + |b|² = λ. By Lagrange's theorem on four squares there is no obstruction. The denominator
 /// of λ is one of a, so that it is no factor of what has to be a norm; which power of 2 has to be
 /// one, too, depends on λ, so several are tried.
-Solution exact_line_sum(const RationalQuaternion& x, const RationalQuaternion& y,
-                        const RationalQuaternion& w, const Rational& lambda, long bits) {
+QuaternionPair exact_line_sum(const RationalQuaternion& x, const RationalQuaternion& y,
+                              const RationalQuaternion& w, const Rational& lambda, long bits) {
   constexpr long most_tries = 4000;
   const auto over_w = [&](const RationalQuaternion& a) {
     return alpha(1 / norm(w) * (conjugate(w) * a));
@@ -181,8 +176,8 @@ bool is_plane(const RationalQuaternion& a) { return a.v == 0 && a.p == 0; }
 
 /// The same in that plane: w = u + iq has the square x + iy, and w₁² + w₂² = c is
 /// (w₁ + iw₂)(w₁ − iw₂) = c. The first factor is near to that of x and y; any is possible but 0.
-Solution exact_plane_sum(const RationalQuaternion& x, const RationalQuaternion& y,
-                         const Vector<Rational>& c, long bits) {
+QuaternionPair exact_plane_sum(const RationalQuaternion& x, const RationalQuaternion& y,
+                               const Vector<Rational>& c, long bits) {
   const GaussianRational sum{x.u - y.q, x.q + y.u};
   const GaussianRational difference{x.u + y.q, x.q - y.u};
   const bool takes_sum = norm(sum) >= norm(difference);
@@ -198,11 +193,22 @@ Solution exact_plane_sum(const RationalQuaternion& x, const RationalQuaternion& 
 
 }  // namespace
 
-std::array<QuadraticPreimage, 2> exact_halves(const QuadraticPreimage& a,
-                                              const Vector<Rational>& integral, long bits) {
+QuaternionPair exact_pair(const QuaternionPair& near, const Vector<Rational>& c, long bits) {
+  const auto& [x, y] = near;
+  const RationalQuaternion w = norm(x) == 0 ? x : short_multiple(x);
+  const auto lambda = norm(x) == 0 ? std::nullopt : ratio(c, rotated_i(w));
+  if (lambda && ratio(rotated_i(y), rotated_i(w))) return exact_line_sum(x, y, w, *lambda, bits);
+  if (is_plane(x) && is_plane(y) && c[2] == 0) return exact_plane_sum(x, y, c, bits);
   const Rational fifth(1, 5);
   const RationalQuaternion u = fifth * RationalQuaternion{2, 1, 2, 4};  // of size 1
   const RationalQuaternion u_back = conjugate(u);
+  const RationalQuaternion turned_c = u * RationalQuaternion{0, c[0], c[1], c[2]} * u_back;
+  const QuaternionPair found = exact_sum(u * x, u * y, {turned_c.v, turned_c.p, turned_c.q}, bits);
+  return {u_back * found.x, u_back * found.y};
+}
+
+std::array<QuadraticPreimage, 2> exact_halves(const QuadraticPreimage& a,
+                                              const Vector<Rational>& integral, long bits) {
   const Rational half(1, 2);
   const RationalQuaternion left = half * (a[0] + a[1]);
   const RationalQuaternion right = half * (a[1] + a[2]);
@@ -213,21 +219,88 @@ std::array<QuadraticPreimage, 2> exact_halves(const QuadraticPreimage& a,
   const RationalQuaternion second_ends = Rational(3) * (middle + a[2]);
   const RationalQuaternion x = first_ends + Rational(4) * left;
   const RationalQuaternion y = second_ends + Rational(4) * right;
-  Solution found;
-  const RationalQuaternion w = norm(x) == 0 ? x : short_multiple(x);
-  const auto lambda = norm(x) == 0 ? std::nullopt : ratio(c, rotated_i(w));
-  if (lambda && ratio(rotated_i(y), rotated_i(w))) {
-    found = exact_line_sum(x, y, w, *lambda, bits);
-  } else if (std::all_of(a.begin(), a.end(), is_plane) && integral[2] == 0) {
-    found = exact_plane_sum(x, y, c, bits);
-  } else {
-    const RationalQuaternion turned_c = u * RationalQuaternion{0, c[0], c[1], c[2]} * u_back;
-    found = exact_sum(u * x, u * y, {turned_c.v, turned_c.p, turned_c.q}, bits);
-    found = {u_back * found.x, u_back * found.y};
-  }
+  const QuaternionPair found = exact_pair({x, y}, c, bits);
   const Rational quarter(1, 4);
   return {QuadraticPreimage{a[0], quarter * (found.x - first_ends), middle},
           QuadraticPreimage{middle, quarter * (found.y - second_ends), a[2]}};
+}
+
+// With Z₁, …, Z₆ the middle coefficients of the sixths and Z₀, Z₇ those that A would have before
+// and after, the values at the joints are (Z_{i−1} + Z_i)/2, and 60·∫ A i A* of a sixth is
+//   3S(Z₋, Z₋) + 27S(Z, Z) + 3S(Z₊, Z₊) + S(Z₋, Z₊) + 13S(Z₋, Z) + 13S(Z, Z₊).
+// The sum of these has no term with both Z₂ and Z₅, and 33S(Z₂, Z₂) + 66S(Z₂, L), likewise of Z₅;
+// completing the squares leaves X i X* + Y i Y* = c.
+std::array<QuadraticPreimage, 6> exact_sixths(const QuadraticPreimage& a,
+                                              const Vector<Rational>& integral, long bits) {
+  const auto blossom = [&](const Rational& s, const Rational& t) {
+    return Rational((1 - s) * (1 - t)) * a[0] + Rational(s * (1 - t) + t * (1 - s)) * a[1] +
+           Rational(s * t) * a[2];
+  };
+  std::array<RationalQuaternion, 8> z;
+  for (long i = 0; i < 8; ++i)
+    z[static_cast<std::size_t>(i)] = blossom(Rational(i - 1, 6), Rational(i, 6));
+  const auto rest = [&](std::size_t k) {
+    return Rational(1, 66) * (Rational(26) * (z[k - 1] + z[k + 1]) + z[k - 2] + z[k + 2]);
+  };
+  const RationalQuaternion rest2 = rest(2);
+  const RationalQuaternion rest5 = rest(5);
+  const QuaternionPair near{z[2] + rest2, z[5] + rest5};
+  z[2] = z[5] = {};
+  Vector<Rational> c = Rational(360) * integral;
+  for (std::size_t i = 1; i <= 6; ++i)
+    c = c - Rational(3) * (rotated_i(z[i - 1]) + rotated_i(z[i + 1])) -
+        Rational(27) * rotated_i(z[i]) - symmetric_product(z[i - 1], z[i + 1]) -
+        Rational(13) * symmetric_product(z[i], z[i - 1] + z[i + 1]);
+  const QuaternionPair found =
+      exact_pair(near, Rational(1, 33) * c + rotated_i(rest2) + rotated_i(rest5), bits);
+  z[2] = found.x - rest2;
+  z[5] = found.y - rest5;
+  std::array<QuadraticPreimage, 6> pieces;
+  const Rational half(1, 2);
+  for (std::size_t i = 1; i <= 6; ++i)
+    pieces[i - 1] = {half * (z[i - 1] + z[i]), z[i], half * (z[i] + z[i + 1])};
+  return pieces;
+}
+
+// With w_ij = C(4, i)·C(4, j)/(9·C(8, i + j)), ∫ A i A* = Σ w_ij S(A_i, A_j); w₂₂ = 2/35.
+QuarticSquare complete_square(const QuarticPreimage& a) {
+  constexpr std::array<long, 5> row{1, 4, 6, 4, 1};
+  constexpr std::array<long, 9> long_row{1, 8, 28, 56, 70, 56, 28, 8, 1};
+  const auto weight = [&](std::size_t i, std::size_t j) {
+    return Rational(row[i] * row[j], 9 * long_row[i + j]);
+  };
+  const Rational square = weight(2, 2);
+  QuarticSquare result{};
+  for (const std::size_t i : {0U, 1U, 3U, 4U}) {
+    result.shift = result.shift + Rational(weight(2, i) / square) * a[i];
+    for (const std::size_t j : {0U, 1U, 3U, 4U})
+      result.rest = result.rest + weight(i, j) * symmetric_product(a[i], a[j]);
+  }
+  result.rest = result.rest - square * rotated_i(result.shift);
+  return result;
+}
+
+Vector<Rational> integral(const QuarticPreimage& a) {
+  const auto [shift, rest] = complete_square(a);
+  return Rational(2, 35) * rotated_i(a[2] + shift) + rest;
+}
+
+std::array<QuarticPreimage, 2> exact_halves(const QuarticPreimage& a,
+                                            const Vector<Rational>& integral, long bits) {
+  QuarticPreimage left;
+  QuarticPreimage right = a;
+  const Rational half(1, 2);
+  for (std::size_t k = 0; k < 5; ++k) {  // de Casteljau
+    left[k] = right[0];
+    for (std::size_t j = 0; j + k < 4; ++j) right[j] = half * (right[j] + right[j + 1]);
+  }
+  const auto [left_shift, left_rest] = complete_square(left);
+  const auto [right_shift, right_rest] = complete_square(right);
+  const Vector<Rational> c = Rational(35, 2) * (Rational(2) * integral - left_rest - right_rest);
+  const QuaternionPair found = exact_pair({left[2] + left_shift, right[2] + right_shift}, c, bits);
+  left[2] = found.x - left_shift;
+  right[2] = found.y - right_shift;
+  return {left, right};
 }
 
 }  // namespace phrame

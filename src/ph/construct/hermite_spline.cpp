@@ -189,18 +189,23 @@ ParameterSource parameter_source(const GivenPoints& given) {
 }
 
 HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed) {
-  HermiteSpline data{given.points, given.derivatives, given.parameters, is_closed};
+  HermiteSpline data{given.points, given.derivatives, given.parameters, is_closed,
+                     given.accelerations};
   std::vector<Vector<Rational>> tangents = given.tangents;
   if (is_closed && data.points.front() != data.points.back()) {
     close(data.points);
     close(data.derivatives);
+    close(data.accelerations);
     close(tangents);
   } else if (is_closed) {
-    for (const auto* list : {&data.derivatives, &tangents})
-      if (!list->empty() && list->front() != list->back())
+    const auto require_same = [](const auto& list, std::string_view name) {
+      if (!list.empty() && list.front() != list.back())
         throw DomainError(fmt::format(
-            "the closed curve ends with another {} than it starts with, at the same point",
-            list == &tangents ? "tangent" : "derivative"));
+            "the closed curve ends with another {} than it starts with, at the same point", name));
+    };
+    require_same(data.derivatives, "derivative");
+    require_same(data.accelerations, "acceleration");
+    require_same(tangents, "tangent");
   }
   const std::size_t count = data.points.size();
   if (!data.parameters.empty() && data.parameters.size() != count)
@@ -241,6 +246,24 @@ void require_directions(const HermiteSpline& data) {
       throw DomainError(fmt::format("the derivative at point {} is 0: it has no direction", k + 1));
 }
 
+ParameterSteps parameter_steps(const HermiteSpline& data) {
+  std::vector<Rational> steps;
+  Integer denominators = 1;
+  for (std::size_t k = 0; k < data.segments(); ++k) {
+    steps.push_back(data.parameters[k + 1] - data.parameters[k]);
+    denominators = lcm(denominators, denominator(steps.back()));
+  }
+  ParameterSteps result;
+  Integer divisor;
+  for (const Rational& step : steps) {
+    result.counts.push_back(numerator(Rational(step * denominators)));
+    divisor = gcd(divisor, result.counts.back());
+  }
+  for (Integer& count : result.counts) count /= divisor;
+  result.unit = Rational(divisor, denominators);
+  return result;
+}
+
 Rational size_of_points(const HermiteSpline& data) {
   Rational size;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -254,5 +277,7 @@ Rational size_of_points(const HermiteSpline& data) {
 }
 
 Rational size_of_derivatives(const HermiteSpline& data) { return largest(data.derivatives); }
+
+Rational size_of_accelerations(const HermiteSpline& data) { return largest(data.accelerations); }
 
 }  // namespace phrame

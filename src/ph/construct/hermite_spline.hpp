@@ -13,6 +13,8 @@ struct HermiteSpline {
   std::vector<Rational> parameters;
   /// @}
   bool is_closed = false;  ///< is the last joint the first?
+  /// Second derivatives with respect to the parameter, where they are given: one for each, too.
+  std::vector<Vector<Rational>> accelerations = {};
 
   /// How many there are between the points.
   std::size_t segments() const { return points.size() - 1; }
@@ -42,10 +44,20 @@ void require_regular(const HermiteSpline& data);
 /// Throws DomainError where a derivative is 0, of which a direction is wanted.
 void require_directions(const HermiteSpline& data);
 
+/// The steps of the parameter.
+struct ParameterSteps {
+  std::vector<Integer> counts;  ///< times …
+  Rational unit;                ///< … the greatest number of which all are multiples
+};
+/// Between the points.
+ParameterSteps parameter_steps(const HermiteSpline& data);
+
 /// The greatest difference of a coordinate of two points; of points that are all equal, of what
 /// the derivatives say the points do.
 Rational size_of_points(const HermiteSpline& data);
 /// The greatest coordinate of a derivative.
 Rational size_of_derivatives(const HermiteSpline& data);
+/// The greatest coordinate of an acceleration.
+Rational size_of_accelerations(const HermiteSpline& data);
 
 }  // namespace phrame

@@ -4,16 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <optional>
-#include <tuple>
 
-#include "phrame/algebra/big_float.hpp"
 #include "phrame/algebra/error.hpp"
-#include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/exact_end.hpp"
+#include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
 #include "phrame/ph/construct/scale.hpp"
 
@@ -32,54 +29,6 @@
 namespace phrame {
 namespace {
 
-using IntegerQuaternion = Quaternion<Integer>;
-using Phase = ComplexOf<BigFloat>;
-
-Vector<Rational> exact(const Vector<Integer>& v, const Rational& scale) {
-  return {v[0] * scale, v[1] * scale, v[2] * scale};
-}
-
-RationalQuaternion exact(const IntegerQuaternion& a, const Rational& step) {
-  return {a.u * step, a.v * step, a.p * step, a.q * step};
-}
-
-/// The rounding to multiples of 2^−p, and the precision that it needs.
-class Grid {
- public:
-  Grid(long p, long bits) : p_(p), bits_(bits), step_(power_of_two(-p)), step2_(step_ * step_) {}
-
-  const Rational& step() const { return step_; }
-  const Rational& step2() const { return step2_; }
-  BigFloat number(const Rational& x) const { return {x, bits_}; }
-  Vector<BigFloat> vector(const Vector<Rational>& v) const {
-    return {number(v[0]), number(v[1]), number(v[2])};
-  }
-  Quaternion<BigFloat> quaternion(const IntegerQuaternion& a, const Rational& step) const {
-    const auto value = [&](const Integer& x) { return number(x * step); };
-    return {value(a.u), value(a.v), value(a.p), value(a.q)};
-  }
-  IntegerQuaternion rounded(const Quaternion<BigFloat>& a) const {
-    return {a.u.scaled(p_), a.v.scaled(p_), a.p.scaled(p_), a.q.scaled(p_)};
-  }
-  Phase phase(const Angle& angle) const {
-    const auto [cos, sin] = cos_sin(to_real(angle).enclose(bits_), bits_);
-    return {BigFloat(cos, bits_), BigFloat(sin, bits_)};
-  }
-
- private:
-  long p_;
-  long bits_;
-  Rational step_;
-  Rational step2_;
-};
-
-/// What turns b such that H(a, b) becomes positive; 1 where H is 0.
-Phase turn_to(const Quaternion<BigFloat>& a, const Quaternion<BigFloat>& b) {
-  const auto [re, im] =
-      direction_of(hermitian_product(a, b), BigFloat(antiparallel) * sqrt(norm(a) * norm(b)));
-  return {re, -im};
-}
-
 struct ExactSegment {
   QuadraticPreimage a;
   Rational h;
@@ -93,38 +42,9 @@ struct Attempt {
   Deviation squared;  ///< the greatest ones
 };
 
-/// Of a difference, an upper bound of its square, and 0 of 0. A coordinate counts for more than it
-/// is by less than a 2^−20th of the tolerance: so the numbers are short, for there are many.
-Rational squared_above(const Vector<Rational>& off, const Rational& tolerance) {
-  if (off == Vector<Rational>{}) return 0;
-  const long places = tolerance == 0 ? 0 : 21 - binary_exponent(tolerance);
-  Integer sum;
-  for (const Rational& x : off)
-    if (x != 0) {
-      const Integer n = floor(abs(x) * power_of_two(places)) + 1;
-      sum += n * n;
-    }
-  return sum * power_of_two(-2 * places);
-}
-
-/// z/|z| for z ≠ 0 in ℚ(i), near e^{iψ}, with short numbers: (1 + iτ)² over its size, and quarters.
-GaussianInteger short_direction(const Phase& wanted) {
-  constexpr long bits = 1024;  // off by less than a 2000th of a radian
-  double re = wanted.re.to_double();
-  double im = wanted.im.to_double();
-  long quarters = 0;
-  for (; re < std::abs(im); ++quarters) std::tie(re, im) = std::pair(im, -re);
-  const Rational tau = exact_rational(im / (re + std::hypot(re, im)));
-  const Rational short_tau = simplest_between(tau - Rational(1, bits), tau + Rational(1, bits));
-  GaussianInteger root{denominator(short_tau), numerator(short_tau)};
-  GaussianInteger z = root * root;
-  for (; quarters > 0; --quarters) z = {-z.im, z.re};
-  return z;
-}
-
 class Chain {
  public:
-  Chain(const HermiteSpline& data, const std::vector<FreeAngles>& angles, const Grid& grid,
+  Chain(const HermiteSpline& data, const std::vector<FreeAngles>& angles, const PreimageGrid& grid,
         const Deviation& tolerance)
       : data_(data), angles_(angles), grid_(grid), tolerance_(tolerance) {}
 
@@ -135,7 +55,7 @@ class Chain {
 
   const HermiteSpline& data_;
   const std::vector<FreeAngles>& angles_;
-  const Grid& grid_;
+  const PreimageGrid& grid_;
   const Deviation& tolerance_;
   Attempt result_;
   Quaternion<BigFloat> a0_;  ///< a preimage of the derivative at the last joint, …
@@ -301,7 +221,8 @@ Construction quintic_spline(const HermiteSpline& data, std::vector<FreeAngles> a
                             const Deviation& tolerance, PointRule rule) {
   require_regular(data);
   for (long p = first_bits(data, tolerance);; p += 8) {
-    const Attempt found = Chain(data, angles, Grid(p, working_bits(data, p)), tolerance).run();
+    const Attempt found =
+        Chain(data, angles, PreimageGrid(p, working_bits(data, p)), tolerance).run();
     const Deviation deviation{square_root_above(found.squared.points),
                               square_root_above(found.squared.derivatives)};
     if (deviation.points <= tolerance.points && deviation.derivatives <= tolerance.derivatives)

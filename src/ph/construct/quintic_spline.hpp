@@ -9,12 +9,6 @@ namespace phrame {
 /// Which of the quintics: by a rule, or by angles, the same in all segments.
 using QuinticChoice = std::variant<QuinticSelection, FreeAngles, SolutionAngles>;
 
-/// How the points are met.
-enum class PointRule {
-  near,  ///< within the tolerance
-  exact  ///< by equal fractions; between two points there are then two quintics
-};
-
 /// A C¹ spline of PH quintics, exactly, near its data. Segment k is r′ = h_k·A i A* on [0, 1], h_k
 /// the step of the parameter, so that neighbours have the derivative by the parameter in common:
 /// the coefficient of A at a joint is the same for both. A closed one ends at its start, exactly,

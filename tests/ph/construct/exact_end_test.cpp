@@ -4,6 +4,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/scale.hpp"
 #include "phrame/ph/curve/curve.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -79,5 +80,88 @@ TEST_CASE("exact end: plane halves stay in the plane and have the integral that 
     CHECK(distance(second[2], a[2]) == 0);
     const RationalQuaternion left{(a[0].u + a[1].u) / 2, 0, 0, (a[0].q + a[1].q) / 2};
     CHECK(distance(first[1], left) < power_of_two(16 - bits));
+  });
+}
+
+TEST_CASE("exact end: two quaternions have the sum of vectors that is wanted") {
+  for_samples(6, [](Random& random) {
+    constexpr long bits = 60;
+    const auto x = [&] {
+      return rounded_to_places(Rational(random.integer(-1'000'000, 1'000'000), 654'321), bits);
+    };
+    const QuaternionPair near{{x(), x(), x(), x()}, {x(), x(), x(), x()}};
+    Vector<Rational> c = rotated_i(near.x) + rotated_i(near.y);
+    for (Rational& part : c) part += Rational(random.integer(-99, 99), 7) * power_of_two(-bits);
+    const auto [a, b] = exact_pair(near, c, bits);
+    CHECK(rotated_i(a) + rotated_i(b) == c);
+    CHECK(distance(a, near.x) < power_of_two(16 - bits));
+    CHECK(distance(b, near.y) < power_of_two(16 - bits));
+  });
+}
+
+TEST_CASE("exact end: six parts of A have the integral that is wanted, and A' is continuous") {
+  for_samples(6, [](Random& random) {
+    const bool is_plane = random.chance(2);
+    constexpr long bits = 60;
+    const auto x = [&] {
+      return rounded_to_places(Rational(random.integer(-1'000'000, 1'000'000), 654'321), bits);
+    };
+    const auto quaternion = [&] {
+      return is_plane ? RationalQuaternion{x(), 0, 0, x()} : RationalQuaternion{x(), x(), x(), x()};
+    };
+    const QuadraticPreimage a{quaternion(), quaternion(), quaternion()};
+    Vector<Rational> wanted = integral(a);
+    wanted[0] += Rational(3, 7) * power_of_two(-bits);
+    const auto parts = exact_sixths(a, wanted, bits);
+    Vector<Rational> sum{};
+    for (const QuadraticPreimage& part : parts) sum = sum + Rational(1, 6) * integral(part);
+    CHECK(sum == wanted);
+    CHECK(parts.front()[0] == a[0]);
+    CHECK(parts.back()[2] == a[2]);
+    CHECK(Rational(6) * (parts.front()[1] - parts.front()[0]) == a[1] - a[0]);
+    CHECK(Rational(6) * (parts.back()[2] - parts.back()[1]) == a[2] - a[1]);
+    for (std::size_t k = 1; k < 6; ++k) {
+      CHECK(parts[k - 1][2] == parts[k][0]);
+      CHECK(parts[k - 1][2] - parts[k - 1][1] == parts[k][1] - parts[k][0]);
+      CHECK(distance(parts[k][1],
+                     Rational(static_cast<long>((5 - k) * (6 - k)), 36) * a[0] +
+                         Rational(static_cast<long>(k * (5 - k) + (k + 1) * (6 - k)), 36) * a[1] +
+                         Rational(static_cast<long>(k * (k + 1)), 36) * a[2]) <
+            power_of_two(16 - bits));
+    }
+  });
+}
+
+TEST_CASE(
+    "exact end: halves of a quartic A have the integral that is wanted, and A' is continuous") {
+  for_samples(6, [](Random& random) {
+    const bool is_plane = random.chance(2);
+    constexpr long bits = 60;
+    const auto x = [&] {
+      return rounded_to_places(Rational(random.integer(-1'000'000, 1'000'000), 654'321), bits);
+    };
+    const auto quaternion = [&] {
+      return is_plane ? RationalQuaternion{x(), 0, 0, x()} : RationalQuaternion{x(), x(), x(), x()};
+    };
+    const QuarticPreimage a{quaternion(), quaternion(), quaternion(), quaternion(), quaternion()};
+    const auto end = [](const QuarticPreimage& b) {
+      return evaluate(position(Curve(from_bernstein(std::vector(b.begin(), b.end())))), 1);
+    };
+    Vector<Rational> wanted = end(a);
+    CHECK(phrame::integral(a) == wanted);
+    wanted[1] += Rational(3, 7) * power_of_two(-bits);
+    const auto [first, second] = exact_halves(a, wanted, bits);
+    CHECK(Rational(1, 2) * (end(first) + end(second)) == wanted);
+    const QuaternionPolynomial whole = from_bernstein(std::vector(a.begin(), a.end()));
+    CHECK(first[0] == a[0]);
+    CHECK(first[4] == evaluate(whole, Rational(1, 2)));
+    CHECK(second[0] == first[4]);
+    CHECK(second[4] == a[4]);
+    CHECK(Rational(2) * (first[1] - first[0]) == a[1] - a[0]);
+    CHECK(Rational(2) * (second[4] - second[3]) == a[4] - a[3]);
+    CHECK(first[4] - first[3] == second[1] - second[0]);
+    CHECK(
+        distance(evaluate(from_bernstein(std::vector(first.begin(), first.end())), Rational(1, 2)),
+                 evaluate(whole, Rational(1, 4))) < power_of_two(16 - bits));
   });
 }

@@ -142,3 +142,29 @@ TEST_CASE("hermite data: what has no meaning is refused, with its place") {
         "the end");
   CHECK(refusal(given, false).empty());
 }
+
+TEST_CASE("hermite_spline: accelerations come along, the first once more at the end of a ring") {
+  GivenPoints given;
+  given.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  given.accelerations = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+  CHECK(hermite_spline(given, false).accelerations == given.accelerations);
+  const HermiteSpline ring = hermite_spline(given, true);
+  REQUIRE(ring.accelerations.size() == 4);
+  CHECK(ring.accelerations.back() == given.accelerations.front());
+  CHECK(size_of_accelerations(ring) == 9);
+  given.points.push_back(given.points.front());
+  given.accelerations.push_back({1, 2, 4});
+  CHECK_THROWS_WITH_AS(hermite_spline(given, true),
+                       "the closed curve ends with another acceleration than it starts with, at "
+                       "the same point",
+                       DomainError);
+}
+
+TEST_CASE("parameter_steps: multiples of one number, as great as can be") {
+  HermiteSpline data;
+  data.points.assign(4, {});
+  data.parameters = {Rational(1, 2), Rational(5, 6), Rational(3, 2), Rational(19, 6)};
+  const ParameterSteps steps = parameter_steps(data);
+  CHECK(steps.unit == Rational(1, 3));
+  CHECK(steps.counts == std::vector<Integer>{1, 2, 5});
+}

@@ -1,0 +1,360 @@
+// A with the coefficients Z is C¹ whatever they are (c2_equations.hpp), so they may be rounded. But
+// values at joints, (h⁺Z + hZ⁺)/(h + h⁺), would then have denominators of their own at each joint,
+// and the points of the curve, which are sums, ever longer ones. With the steps h_k = n_k·u, n_k
+// integers, it is the differences that are rounded instead:
+//   Z⁺ = Z + (n + n⁺)E,  J = Z + nE,  A′ = 2E/u at the joint,
+// where E is a multiple of 2^−p. Then all coefficients of A are, and r_k is r_0 and a multiple of
+// u/(120·4^p). E is what takes Z next to where it is wanted, so that Z is off by (n + n⁺)/2^{p+1}
+// at most. The differences of a closed spline have a sum given by Z₀, so the last one is a fraction
+// over n + n⁺, and so are the values at the start.
+#include "phrame/ph/construct/c2_spline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/c2_equations.hpp"
+#include "phrame/ph/construct/exact_end.hpp"
+#include "phrame/ph/construct/preimage_grid.hpp"
+#include "phrame/ph/construct/refine.hpp"
+#include "phrame/ph/construct/scale.hpp"
+
+namespace phrame {
+namespace {
+
+/// The Bernstein coefficients of A, over one denominator.
+struct LatticeSpline {
+  std::vector<IntegerQuaternion> joints;   ///< N + 1
+  std::vector<IntegerQuaternion> middles;  ///< N
+  Rational step;                           ///< times this
+};
+
+/// 2^p·z, rounded.
+IntegerQuaternion on_lattice(const RationalQuaternion& z, long p) {
+  const Rational scale = power_of_two(p);
+  const auto rounded = [&](const Rational& x) { return floor(scale * x + Rational(1, 2)); };
+  return {rounded(z.u), rounded(z.v), rounded(z.p), rounded(z.q)};
+}
+
+IntegerQuaternion rounded_quotient(const IntegerQuaternion& a, const Integer& n) {
+  const auto rounded = [&](const Integer& x) { return floor(Rational(2 * x + n, 2 * n)); };
+  return {rounded(a.u), rounded(a.v), rounded(a.p), rounded(a.q)};
+}
+
+/// The points wanted, and all that is computed of them once. Lengths and steps are of about 1.
+class C2Problem {
+ public:
+  explicit C2Problem(const HermiteSpline& data);
+
+  std::optional<Construction> run(const Deviation& tolerance, PointRule rule, bool is_plane) const;
+
+ private:
+  C2Data in_doubles(bool is_plane) const;
+  LatticeSpline lattice_spline(const std::vector<RationalQuaternion>& z, const Integer& sign,
+                               long p) const;
+  /// 120/(u·step²) times the chords of the spline.
+  std::vector<Vector<Integer>> chords(const LatticeSpline& spline) const;
+  /// The segment that turns most: a closed spline goes wrong there, and is made to end where the
+  /// next one begins.
+  std::size_t adjusted_segment(const LatticeSpline& spline) const;
+  /// From the start on up to that segment, and from the end back to it.
+  std::vector<Vector<Rational>> joints_of(const LatticeSpline& spline, std::size_t adjusted) const;
+  std::optional<Construction> within(const Deviation& tolerance, const LatticeSpline& spline,
+                                     PointRule rule, long p) const;
+
+  const HermiteSpline& data_;
+  std::size_t n_;
+  Rational scale_;       ///< of points
+  Rational step_scale_;  ///< of the parameter
+  std::vector<Vector<Rational>> wanted_chords_;
+  std::vector<Rational> steps_;
+  ParameterSteps common_;
+};
+
+C2Problem::C2Problem(const HermiteSpline& data) : data_(data), n_(data.segments()) {
+  std::vector<Vector<Rational>> chords;
+  std::vector<Rational> steps;
+  for (std::size_t k = 0; k < n_; ++k) {
+    chords.push_back(data.points[k + 1] - data.points[k]);
+    steps.push_back(data.parameters[k + 1] - data.parameters[k]);
+  }
+  Rational size = largest(chords);
+  if (size == 0) size = size_of_derivatives(data) * steps[0];
+  scale_ = scale_for_doubles(size);
+  step_scale_ = scale_for_doubles(*std::max_element(steps.begin(), steps.end()));
+  for (std::size_t k = 0; k < n_; ++k) {
+    wanted_chords_.push_back(scale_ * chords[k]);
+    steps_.push_back(step_scale_ * steps[k]);
+  }
+  common_ = parameter_steps(data);
+  common_.unit *= step_scale_;
+}
+
+C2Data C2Problem::in_doubles(bool is_plane) const {
+  C2Data result;
+  for (std::size_t k = 0; k < n_; ++k) {
+    result.steps.push_back(static_cast<double>(steps_[k]));
+    result.chords.push_back(scaled_to_doubles(1, wanted_chords_[k]));
+  }
+  for (const Vector<Rational>& d : data_.derivatives)
+    result.derivatives.push_back(scaled_to_doubles(scale_ / step_scale_, d));
+  result.is_closed = data_.is_closed;
+  result.is_plane = is_plane;
+  return result;
+}
+
+LatticeSpline C2Problem::lattice_spline(const std::vector<RationalQuaternion>& z,
+                                        const Integer& sign, long p) const {
+  const std::vector<Integer>& n = common_.counts;
+  LatticeSpline result;
+  result.step = power_of_two(-p);
+  IntegerQuaternion at = on_lattice(z[0], p);
+  const auto go_on = [&](const Integer& before, const Integer& after,
+                         const RationalQuaternion& wanted) {
+    const Integer sum = before + after;
+    const IntegerQuaternion e = rounded_quotient(on_lattice(wanted, p) - at, sum);
+    result.joints.push_back(at + before * e);
+    at = at + sum * e;
+  };
+  if (!data_.is_closed) {
+    for (std::size_t k = 0; k <= n_; ++k) {
+      go_on(n[k > 0 ? k - 1 : 0], n[k < n_ ? k : n_ - 1], z[k + 1]);
+      if (k < n_) result.middles.push_back(at);
+    }
+    return result;
+  }
+  result.middles.push_back(at);
+  for (std::size_t k = 1; k < n_; ++k) {
+    go_on(n[k - 1], n[k], z[k]);
+    result.middles.push_back(at);
+  }
+  // Over the denominator of what closes it.
+  const Integer sum = n.back() + n.front();
+  const IntegerQuaternion last = sum * at + n.back() * (sign * result.middles.front() - at);
+  for (auto* list : {&result.joints, &result.middles})
+    for (IntegerQuaternion& a : *list) a = sum * a;
+  result.joints.insert(result.joints.begin(), sign * last);
+  result.joints.push_back(last);
+  result.step /= sum;
+  return result;
+}
+
+std::vector<Vector<Integer>> C2Problem::chords(const LatticeSpline& spline) const {
+  std::vector<Vector<Integer>> result;
+  for (std::size_t k = 0; k < n_; ++k) {
+    const IntegerQuaternion& a = spline.joints[k];
+    const IntegerQuaternion& c = spline.joints[k + 1];
+    const IntegerQuaternion b = Integer(3) * (a + c) + Integer(4) * spline.middles[k];
+    const Vector<Integer> sum = rotated_i(b) + integral_of_ends(a, c);
+    result.push_back(common_.counts[k] * sum);
+  }
+  return result;
+}
+
+std::vector<RationalQuaternion> to_quaternions(const std::vector<Rational>& parts, bool is_plane) {
+  std::vector<RationalQuaternion> z;
+  for (std::size_t k = 0; k < parts.size(); k += is_plane ? 2 : 4)
+    z.push_back(is_plane ? RationalQuaternion{parts[k], 0, 0, parts[k + 1]}
+                         : RationalQuaternion{parts[k], parts[k + 1], parts[k + 2], parts[k + 3]});
+  return z;
+}
+
+/// Without the last digits, which are those of the doubles' rounding.
+std::vector<Rational> to_parts(const std::vector<Quaternion<double>>& z, bool is_plane) {
+  constexpr long places = 40;
+  std::vector<Rational> parts;
+  const auto put = [&](double x) { parts.push_back(rounded_to_places(exact_rational(x), places)); };
+  for (const auto& [u, v, p, q] : z) {
+    put(u);
+    if (!is_plane) {
+      put(v);
+      put(p);
+    }
+    put(q);
+  }
+  return parts;
+}
+
+std::optional<Construction> C2Problem::run(const Deviation& tolerance, PointRule rule,
+                                           bool is_plane) const {
+  constexpr int most_passes = 20;
+  const C2Data data = in_doubles(is_plane);
+  const auto guess = c2_coefficients(data);
+  if (!guess) return std::nullopt;
+  const ParameterStep step = c2_step(data, *guess);
+  const Integer sign = guess->closing_sign < 0 ? -1 : 1;
+  const std::size_t dimension = is_plane ? 2 : 3;
+  long longest = 0;
+  for (const Integer& count : common_.counts) longest = std::max(longest, bit_length(count));
+  long p = 40;
+  if (tolerance.points != 0)
+    p = std::max(
+        p, longest + bit_length(Integer(n_)) + 2 - binary_exponent(scale_ * tolerance.points));
+  std::vector<Rational> parts = to_parts(guess->z, is_plane);
+  for (int pass = 0; pass < most_passes; ++pass, p += 8) {
+    const ExactDefect defect = [&](const std::vector<Rational>& parameters) {
+      const LatticeSpline spline = lattice_spline(to_quaternions(parameters, is_plane), sign, p);
+      const Rational square = spline.step * spline.step;
+      std::vector<Rational> result;
+      const auto put = [&](const Vector<Rational>& v) {
+        result.insert(result.end(), v.begin(), v.begin() + static_cast<long>(dimension));
+      };
+      const auto put_end = [&](const Rational& h, const IntegerQuaternion& a,
+                               const Vector<Rational>& d) {
+        if (!data_.is_closed)
+          put(h * (exact(rotated_i(a), square) - Rational(scale_ / step_scale_) * d));
+      };
+      put_end(steps_.front(), spline.joints.front(), data_.derivatives.front());
+      const std::vector<Vector<Integer>> found = chords(spline);
+      const Rational scale = common_.unit * square / 120;
+      for (std::size_t k = 0; k < n_; ++k) put(exact(found[k], scale) - wanted_chords_[k]);
+      put_end(steps_.back(), spline.joints.back(), data_.derivatives.back());
+      return result;
+    };
+    parts = refine(std::move(parts), defect, step, p).parameters;
+    if (auto found =
+            within(tolerance, lattice_spline(to_quaternions(parts, is_plane), sign, p), rule, p))
+      return found;
+  }
+  return std::nullopt;
+}
+
+/// Of the angle between the tangents.
+double cosine_between(const IntegerQuaternion& a, const IntegerQuaternion& c) {
+  const Vector<Integer> t0 = rotated_i(a);
+  const Vector<Integer> t1 = rotated_i(c);
+  const Integer sizes = norm(a) * norm(c);
+  return sizes == 0 ? -1 : static_cast<double>(Rational(dot(t0, t1), sizes));
+}
+
+/// ∫ A i A*.
+Vector<Rational> integral_of(const QuadraticPreimage& a) {
+  const RationalQuaternion b = Rational(3) * (a[0] + a[2]) + Rational(4) * a[1];
+  return Rational(1, 120) * (rotated_i(b) + integral_of_ends(a[0], a[2]));
+}
+
+std::size_t C2Problem::adjusted_segment(const LatticeSpline& spline) const {
+  const auto cosine = [&](std::size_t k) {
+    return cosine_between(spline.joints[k], spline.joints[k + 1]);
+  };
+  std::size_t result = 0;
+  for (std::size_t k = 1; k < n_; ++k)
+    if (cosine(k) < cosine(result)) result = k;
+  return result;
+}
+
+std::vector<Vector<Rational>> C2Problem::joints_of(const LatticeSpline& spline,
+                                                   std::size_t adjusted) const {
+  const std::vector<Vector<Integer>> moves = chords(spline);
+  const Rational scale = common_.unit * spline.step * spline.step / (120 * scale_);
+  std::vector<Vector<Rational>> result(n_ + 1, data_.points.front());
+  Vector<Integer> sum{};
+  for (std::size_t k = 0; k < std::min(adjusted, n_); ++k) {
+    sum = sum + moves[k];
+    result[k + 1] = result[0] + exact(sum, scale);
+  }
+  sum = {};
+  for (std::size_t k = n_; k > adjusted + 1; --k) {
+    sum = sum - moves[k - 1];
+    result[k - 1] = result[n_] + exact(sum, scale);
+  }
+  return result;
+}
+
+std::optional<Construction> C2Problem::within(const Deviation& tolerance,
+                                              const LatticeSpline& spline, PointRule rule,
+                                              long p) const {
+  const Rational root = *square_root(Rational(step_scale_ / scale_));  // back from scaled data
+  const Rational step = spline.step * root;
+  const std::size_t adjusted = data_.is_closed ? adjusted_segment(spline) : n_;
+  std::vector<Vector<Rational>> joints = joints_of(spline, adjusted);
+  Deviation squared{};
+  for (std::size_t k = 0; k <= n_; ++k)
+    squared.points =
+        std::max(squared.points, squared_above(joints[k] - data_.points[k], tolerance.points));
+  if (!data_.is_closed)
+    for (const std::size_t k : {std::size_t{0}, n_})
+      squared.derivatives = std::max(
+          squared.derivatives,
+          squared_above(exact(rotated_i(spline.joints[k]), step * step) - data_.derivatives[k],
+                        tolerance.derivatives));
+  Deviation deviation{square_root_above(squared.points), square_root_above(squared.derivatives)};
+  if (deviation.points > tolerance.points || deviation.derivatives > tolerance.derivatives)
+    return std::nullopt;
+  if (rule == PointRule::exact) {
+    joints = data_.points;
+    deviation.points = 0;
+  }
+  std::vector<Curve> curves;
+  std::vector<Rational> parameters{data_.parameters.front()};
+  const auto add = [&](const QuadraticPreimage& a, const Rational& h,
+                       const Vector<Rational>& start) {
+    curves.emplace_back(from_bernstein(std::vector(a.begin(), a.end())), Polynomial{h}, start);
+    parameters.push_back(parameters.back() + h);
+  };
+  for (std::size_t k = 0; k < n_; ++k) {
+    const Rational h = data_.parameters[k + 1] - data_.parameters[k];
+    const auto coefficients = [&](const Rational& scale) {
+      return QuadraticPreimage{exact(spline.joints[k], scale), exact(spline.middles[k], scale),
+                               exact(spline.joints[k + 1], scale)};
+    };
+    if (rule == PointRule::near && k != adjusted) {
+      add(coefficients(step), h, joints[k]);
+      continue;
+    }
+    const Vector<Rational> integral = Rational(1 / (h * root * root)) * (joints[k + 1] - joints[k]);
+    Vector<Rational> start = joints[k];
+    try {
+      for (const auto& [a, b, c] : exact_sixths(coefficients(spline.step), integral, p)) {
+        const QuadraticPreimage piece{root * a, root * b, root * c};
+        add(piece, h / 6, start);
+        start = start + Rational(h / 6) * integral_of(piece);
+      }
+    } catch (const Undecided& error) {
+      throw Undecided(fmt::format("segment {}: {}", k + 1, error.what()));
+    }
+  }
+  return Construction{
+      joined(curves), std::move(parameters), {}, p - binary_exponent(root), deviation};
+}
+
+bool is_plane(const Vector<Rational>& v) { return v[2] == 0; }
+
+}  // namespace
+
+Construction c2_spline(const HermiteSpline& data, const Deviation& tolerance, PointRule rule) {
+  const std::size_t n = data.segments();
+  if (data.is_closed && n < 3)
+    throw DomainError("a closed C2 spline wants three different points at least");
+  if (!data.is_closed)
+    for (const std::size_t k : {std::size_t{0}, n})
+      if (largest(data.derivatives[k]) == 0)
+        throw DomainError(fmt::format(
+            "the derivative at point {} is 0: the C2 spline has no tangent there", k + 1));
+  const C2Problem problem(data);
+  if (std::ranges::all_of(data.points, is_plane) && std::ranges::all_of(data.derivatives, is_plane))
+    if (auto found = problem.run(tolerance, rule, true)) return *std::move(found);
+  if (auto found = problem.run(tolerance, rule, false)) return *std::move(found);
+  throw Undecided("the C2 spline: Newton's method finds none from the C2 cubic spline on");
+}
+
+bool is_c2(const Path& path, bool is_closed) {
+  /// r′/h and r″/h² at t.
+  const auto derivatives = [](const Curve& curve, const Rational& t) {
+    const Rational h = curve.multiplier().coefficient(0);
+    const Vector<Polynomial> d = hodograph(curve);
+    const Vector<Polynomial> dd{differentiate(d[0]), differentiate(d[1]), differentiate(d[2])};
+    return std::pair(Rational(1 / h) * evaluate(d, t), Rational(1 / (h * h)) * evaluate(dd, t));
+  };
+  const std::vector<Curve>& segments = path.segments();
+  if (std::ranges::any_of(segments, [](const Curve& c) { return c.multiplier().degree() != 0; }))
+    return false;
+  for (std::size_t k = 1; k < segments.size(); ++k)
+    if (derivatives(segments[k - 1], 1) != derivatives(segments[k], 0)) return false;
+  return !is_closed || derivatives(segments.back(), 1) == derivatives(segments.front(), 0);
+}
+
+}  // namespace phrame

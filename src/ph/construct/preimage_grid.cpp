@@ -1,0 +1,76 @@
+#include "phrame/ph/construct/preimage_grid.hpp"
+
+#include <cmath>
+#include <tuple>
+
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/quintic_family.hpp"
+
+namespace phrame {
+
+Vector<Rational> exact(const Vector<Integer>& v, const Rational& scale) {
+  return {v[0] * scale, v[1] * scale, v[2] * scale};
+}
+
+RationalQuaternion exact(const IntegerQuaternion& a, const Rational& step) {
+  return {a.u * step, a.v * step, a.p * step, a.q * step};
+}
+
+PreimageGrid::PreimageGrid(long p, long bits)
+    : p_(p), bits_(bits), step_(power_of_two(-p)), step2_(step_ * step_) {}
+
+Vector<BigFloat> PreimageGrid::vector(const Vector<Rational>& v) const {
+  return {number(v[0]), number(v[1]), number(v[2])};
+}
+
+Quaternion<BigFloat> PreimageGrid::quaternion(const RationalQuaternion& a) const {
+  return {number(a.u), number(a.v), number(a.p), number(a.q)};
+}
+
+Quaternion<BigFloat> PreimageGrid::quaternion(const IntegerQuaternion& a,
+                                              const Rational& step) const {
+  return quaternion(exact(a, step));
+}
+
+IntegerQuaternion PreimageGrid::rounded(const Quaternion<BigFloat>& a) const {
+  return {a.u.scaled(p_), a.v.scaled(p_), a.p.scaled(p_), a.q.scaled(p_)};
+}
+
+Phase PreimageGrid::phase(const Angle& angle) const {
+  const auto [cos, sin] = cos_sin(to_real(angle).enclose(bits_), bits_);
+  return {BigFloat(cos, bits_), BigFloat(sin, bits_)};
+}
+
+Phase turn_to(const Quaternion<BigFloat>& a, const Quaternion<BigFloat>& b) {
+  const auto [re, im] =
+      direction_of(hermitian_product(a, b), BigFloat(antiparallel) * sqrt(norm(a) * norm(b)));
+  return {re, -im};
+}
+
+GaussianInteger short_direction(const Phase& wanted) {
+  constexpr long bits = 1024;  // off by less than a 2000th of a radian
+  double re = wanted.re.to_double();
+  double im = wanted.im.to_double();
+  long quarters = 0;
+  for (; re < std::abs(im); ++quarters) std::tie(re, im) = std::pair(im, -re);
+  const Rational tau = exact_rational(im / (re + std::hypot(re, im)));
+  const Rational short_tau = simplest_between(tau - Rational(1, bits), tau + Rational(1, bits));
+  GaussianInteger root{denominator(short_tau), numerator(short_tau)};
+  GaussianInteger z = root * root;
+  for (; quarters > 0; --quarters) z = {-z.im, z.re};
+  return z;
+}
+
+Rational squared_above(const Vector<Rational>& off, const Rational& tolerance) {
+  if (off == Vector<Rational>{}) return 0;
+  const long places = tolerance == 0 ? 0 : 21 - binary_exponent(tolerance);
+  Integer sum;
+  for (const Rational& x : off)
+    if (x != 0) {
+      const Integer n = floor(abs(x) * power_of_two(places)) + 1;
+      sum += n * n;
+    }
+  return sum * power_of_two(-2 * places);
+}
+
+}  // namespace phrame
