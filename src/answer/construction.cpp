@@ -9,8 +9,10 @@
 #include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/helical_spline.hpp"
 #include "phrame/ph/construct/plane_quintics.hpp"
+#include "phrame/ph/construct/rmf_spline.hpp"
 #include "phrame/ph/construct/rrmf_spline.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/curve/invariants.hpp"
 
 namespace phrame {
 namespace {
@@ -47,6 +49,14 @@ Construction helices(const Task& task) {
 }
 
 Construction rrmf_quintics(const Task& task) { return rrmf_spline(task.data, task.tolerance); }
+
+Construction rmf_septics(const Task& task) { return rmf_spline(task.data, task.tolerance); }
+
+bool is_without_twist(const Path& path) {
+  return std::ranges::all_of(path.segments(), [](const Curve& curve) {
+    return twist_numerator(curve.preimage()).is_zero();
+  });
+}
 
 bool is_in_plane(const Path& path) {
   return std::ranges::all_of(path.segments(), [](const Curve& curve) {
@@ -94,7 +104,14 @@ const std::vector<KindRow>& rows() {
                  .law = "each segment has a rational rotation-minimizing frame",
                  .is_open = true},
        .construct = rrmf_quintics,
-       .obeys_law = is_rrmf_of_class_one}};
+       .obeys_law = is_rrmf_of_class_one},
+      {.named = {.kind = CurveKind::rmf,
+                 .name = "rmf",
+                 .what = "C1 splines of septics whose rational frame is rotation-minimizing",
+                 .continuity = Continuity::c1,
+                 .law = "h = 0: the Euler-Rodrigues frame is rotation-minimizing"},
+       .construct = rmf_septics,
+       .obeys_law = is_without_twist}};
   return table;
 }
 

@@ -88,7 +88,8 @@ void add_construct(Program& program) {
   command.add_choice("--kind", options->kind, kinds,
                      "what to make: quintic (default); planar: in the plane z = 0; cubic: with\n"
                      "continuous tangents; helical: with a constant angle to an axis; rrmf: with\n"
-                     "a rational rotation-minimizing frame");
+                     "a rational rotation-minimizing frame; rmf: with one that is the\n"
+                     "Euler-Rodrigues frame");
   std::vector<std::string> selections;
   for (const auto& [name, selection] : quintic_selections()) selections.push_back(name);
   command.add_choice("--select", options->select, selections,

@@ -250,4 +250,46 @@ TEST_CASE(
                 4, "segment 1: no quintic with these ends and tangents and a rational");
   check_failure(here.run("construct - --kind rrmf --closed", table), 2,
                 "--closed: does not apply with --kind rrmf");
+TEST_CASE("construct: --kind rmf makes curves whose rational frame is rotation-minimizing") {
+  const Workshop here;
+  const Run run =
+      here.run("construct - --kind rmf --tolerance 1e-30 --print json -o curve.json", hermite);
+  check_success(run);
+  const Json report = Json::parse(run.out);
+  CHECK(report["kind"] == "rmf");
+  CHECK(report["law"] == "h = 0: the Euler-Rodrigues frame is rotation-minimizing");
+  CHECK_FALSE(report.contains("select"));
+  CHECK_FALSE(report.contains("solution"));
+  // The prototype in Python has 9.206459.
+  CHECK(number(report["energy"]) == doctest::Approx(9.206459).epsilon(1e-5));
+  CHECK(number(report["deviation"]["points"]) <= 1e-30);
+  CHECK(contains(here.run("classify curve.json").out, "ERF is an RMF         yes"));
+  const Run angle = here.run("angle curve.json --at 1");
+  check_success(angle);
+  CHECK(contains(angle.out, "θ  = 0"));
+  const Run text = here.run("construct - --kind rmf", table);
+  check_success(text);
+  CHECK(contains(text.out, "\n  kind            rmf\n"));
+  CHECK(contains(text.out, "is rotation-minimizing, checked\n"));
+  CHECK_FALSE(contains(text.out, "multiples of"));
+  CHECK_FALSE(contains(text.out, "Δ"));
+}
+
+TEST_CASE("construct: --kind rmf closes splines, and says which segment has no septic") {
+  const Workshop here;
+  const Run run = here.run("construct - --kind rmf --closed -o spline.json", table);
+  check_success(run);
+  CHECK(run.out.starts_with("PH spline of 4 segments, closed\n"));
+  const Run classified = here.run("classify spline.json --print json");
+  check_success(classified);
+  for (const Json& segment : Json::parse(classified.out)["segments"])
+    CHECK(segment["erf_is_rmf"]["answer"] == true);
+  check_failure(here.run("construct - --kind rmf", R"({"phrame": "points/1",
+                    "points": [[0, 0, 0], [1, 0.1, 0.2]],
+                    "derivatives": [[1e8, 0, 1], [0, 1e-8, 0]]})"),
+                4, "segment 1: no septic with h = 0 was found");
+  check_failure(here.run("construct - --kind rmf --exact-points", table), 2,
+                "--exact-points: does not apply with --kind rmf");
+  check_failure(here.run("construct - --kind rmf --select bv", table), 2,
+                "--select: does not apply with --kind rmf");
 }

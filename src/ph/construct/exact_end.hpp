@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
 namespace phrame {
@@ -14,5 +15,8 @@ using QuadraticPreimage = std::array<RationalQuaternion, 3>;
 /// Throws Undecided where no such numbers were found, as of straight pieces.
 std::array<QuadraticPreimage, 2> exact_halves(const QuadraticPreimage& a,
                                               const Vector<Rational>& integral, long bits);
+
+/// A number of size 1 in ℚ(i), within about 2^−bits of z/|z|; 1 for 0.
+GaussianRational unit_near(const GaussianRational& z, long bits);
 
 }  // namespace phrame
