@@ -10,6 +10,7 @@
 #include "phrame/ph/construct/helical_spline.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
 #include "phrame/ph/construct/quintic_spline.hpp"
+#include "phrame/ph/construct/rmf_spline.hpp"
 #include "phrame/ph/construct/rrmf_spline.hpp"
 
 namespace phrame::bench {
@@ -66,6 +67,14 @@ void construct_rrmf_quintics(State& state) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 BENCHMARK(construct_rrmf_quintics)->Arg(1)->Arg(8)->Arg(32);
+
+void construct_rmf_septics(State& state) {
+  const HermiteSpline data = spline_data(state.range(0));
+  const Rational tolerance = power_of_ten(-state.range(1));
+  for (auto _ : state) benchmark::DoNotOptimize(rmf_spline(data, {tolerance, tolerance}));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(construct_rmf_septics)->Args({1, 15})->Args({100, 15})->Args({1000, 15})->Args({100, 40});
 
 /// The choice of one quintic, in doubles.
 void choose_quintic(State& state) {

@@ -11,8 +11,10 @@
 #include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/helical_spline.hpp"
 #include "phrame/ph/construct/plane_quintics.hpp"
+#include "phrame/ph/construct/rmf_spline.hpp"
 #include "phrame/ph/construct/rrmf_spline.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/curve/invariants.hpp"
 
 namespace phrame {
 namespace {
@@ -69,6 +71,14 @@ Construction c2_hermite_splines(const Task& task) {
 
 bool is_c2_between(const Path& path) { return is_c2(path, false); }
 
+Construction rmf_septics(const Task& task) { return rmf_spline(task.data, task.tolerance); }
+
+bool is_without_twist(const Path& path) {
+  return std::ranges::all_of(path.segments(), [](const Curve& curve) {
+    return twist_numerator(curve.preimage()).is_zero();
+  });
+}
+
 bool is_in_plane(const Path& path) {
   return std::ranges::all_of(path.segments(), [](const Curve& curve) {
     return curve.start()[2] == 0 && rotated_i(curve.preimage())[2].is_zero();
@@ -116,6 +126,13 @@ const std::vector<KindRow>& rows() {
                  .is_open = true},
        .construct = rrmf_quintics,
        .obeys_law = is_rrmf_of_class_one},
+      {.named = {.kind = CurveKind::rmf,
+                 .name = "rmf",
+                 .what = "C1 splines of septics whose rational frame is rotation-minimizing",
+                 .continuity = Continuity::c1,
+                 .law = "h = 0: the Euler-Rodrigues frame is rotation-minimizing"},
+       .construct = rmf_septics,
+       .obeys_law = is_without_twist},
       {.named = {.kind = CurveKind::c2,
                  .name = "c2",
                  .what = "C2 splines of PH quintics through points",

@@ -9,7 +9,7 @@
 namespace phrame {
 
 /// What kind of PH curves a construction is made of.
-enum class CurveKind { quintic, planar, cubic, helical, rrmf, c2, c2_hermite };
+enum class CurveKind { quintic, planar, cubic, helical, rrmf, rmf, c2, c2_hermite };
 
 /// What is equal at the joints of a spline, exactly.
 enum class Continuity {

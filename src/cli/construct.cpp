@@ -88,8 +88,9 @@ void add_construct(Program& program) {
   command.add_choice("--kind", options->kind, kinds,
                      "what to make: quintic (default); planar: in the plane z = 0; cubic: with\n"
                      "continuous tangents; helical: with a constant angle to an axis; rrmf: with\n"
-                     "a rational rotation-minimizing frame; c2: through points, with continuous\n"
-                     "second derivatives; c2-hermite: with these given");
+                     "a rational rotation-minimizing frame; rmf: with one that is the\n"
+                     "Euler-Rodrigues frame; c2: through points, with continuous second\n"
+                     "derivatives; c2-hermite: with these given");
   std::vector<std::string> selections;
   for (const auto& [name, selection] : quintic_selections()) selections.push_back(name);
   command.add_choice("--select", options->select, selections,

@@ -158,7 +158,7 @@ std::string to_text(const ConstructionAnswer& answer) {
         bound_text(answer.deviation.accelerations, answer.tolerance.accelerations));
   if (!answer.path.path.is_curve()) row("joints", joints_text(answer.kind.continuity));
   if (!answer.kind.law.empty()) row("shape", fmt::format("{}, checked", answer.kind.law));
-  if (answer.kind.continuity != Continuity::g1)
+  if (answer.kind.continuity != Continuity::g1 && answer.kind.kind != CurveKind::rmf)
     row("preimage", fmt::format("coefficients are multiples of 2^{}{}", -answer.bits,
                                 preimage_exception(answer)));
   row("length", "≈ " + decimal(length(answer), 12));

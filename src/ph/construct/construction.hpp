@@ -25,8 +25,8 @@ struct Construction {
   std::vector<Rational> parameters;  ///< of the joints and the ends, those of the data
   std::vector<FreeAngles> angles;    ///< chosen for each segment of quintics; else none
   /// The coefficients of A are multiples of 2^−bits; but not those of what closes a spline. Of
-  /// cubics they are products of two such, and of degree 9 a quarter of the step of the parameter
-  /// comes in.
+  /// cubics they are products of two such, of septics with h = 0 those between the joints are
+  /// products of several, over 3, and of degree 9 a quarter of the step of the parameter comes in.
   long bits;
   Deviation deviation;  ///< proved: not less than the greatest distances from the data
 };

@@ -49,25 +49,6 @@ Rational odd_near(const Rational& x, long places) {
   return even_near(x - unit, places) + unit;
 }
 
-/// A number of size 1 in ℚ(i), within about 2^−bits of z/|z|; 1 for 0.
-GaussianRational unit_near(const GaussianRational& z, long bits) {
-  if (z.re == 0 && z.im == 0) return {1, 0};
-  const Rational scale = scale_for_doubles(std::max(abs(z.re), abs(z.im)));
-  BigFloat re(scale * z.re, bits + 64);
-  BigFloat im(scale * z.im, bits + 64);
-  GaussianRational quarters{1, 0};
-  while (re < im || re < -im) {  // times −i
-    const BigFloat old = re;
-    re = im;
-    im = -old;
-    quarters = quarters * GaussianRational{0, 1};
-  }
-  const Rational tau =
-      Rational((im / (re + sqrt(re * re + im * im))).scaled(bits)) * power_of_two(-bits);
-  const Rational norm = 1 + tau * tau;
-  return quarters * GaussianRational{(1 - tau * tau) / norm, 2 * tau / norm};
-}
-
 /// η with |η|² = r·d², an integer, over d; no value where that is not seen to exist.
 std::optional<GaussianRational> of_norm(const Rational& r, const Integer& d) {
   const Integer n = numerator(Rational(r * Rational(d) * Rational(d)));
@@ -192,6 +173,24 @@ QuaternionPair exact_plane_sum(const RationalQuaternion& x, const RationalQuater
 }
 
 }  // namespace
+
+GaussianRational unit_near(const GaussianRational& z, long bits) {
+  if (z.re == 0 && z.im == 0) return {1, 0};
+  const Rational scale = scale_for_doubles(std::max(abs(z.re), abs(z.im)));
+  BigFloat re(scale * z.re, bits + 64);
+  BigFloat im(scale * z.im, bits + 64);
+  GaussianRational quarters{1, 0};
+  while (re < im || re < -im) {  // times −i
+    const BigFloat old = re;
+    re = im;
+    im = -old;
+    quarters = quarters * GaussianRational{0, 1};
+  }
+  const Rational tau =
+      Rational((im / (re + sqrt(re * re + im * im))).scaled(bits)) * power_of_two(-bits);
+  const Rational norm = 1 + tau * tau;
+  return quarters * GaussianRational{(1 - tau * tau) / norm, 2 * tau / norm};
+}
 
 QuaternionPair exact_pair(const QuaternionPair& near, const Vector<Rational>& c, long bits) {
   const auto& [x, y] = near;

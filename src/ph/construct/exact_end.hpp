@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
 namespace phrame {
@@ -25,6 +26,9 @@ QuaternionPair exact_pair(const QuaternionPair& near, const Vector<Rational>& c,
 /// Throws Undecided where no such numbers were found, as of straight pieces.
 std::array<QuadraticPreimage, 2> exact_halves(const QuadraticPreimage& a,
                                               const Vector<Rational>& integral, long bits);
+
+/// A number of size 1 in ℚ(i), within about 2^−bits of z/|z|; 1 for 0.
+GaussianRational unit_near(const GaussianRational& z, long bits);
 
 /// The sixths of A, each on [0, 1], likewise moved such that the mean of their ∫ A i A* is
 /// `integral`. A and A′ stay at both ends and are continuous between.

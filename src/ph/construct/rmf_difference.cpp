@@ -50,15 +50,15 @@ BallVectors coefficients(const std::vector<Vector<Rational>>& v) {
 
 BallVector item(const BallVectors& a, std::size_t k) { return {a[0][k], a[1][k], a[2][k]}; }
 
-RealBall dot(const BallVector& a, const BallVector& b) {
+RealBall dot_of_balls(const BallVector& a, const BallVector& b) {
   RealBall result = multiply(a[0], b[0], ball_bits);
   for (std::size_t c = 1; c < 3; ++c) result = add_product(result, a[c], b[c], ball_bits);
   return result;
 }
 
-RealBall length(const BallVector& a) { return sqrt_of_nonnegative(dot(a, a), ball_bits); }
+RealBall length(const BallVector& a) { return sqrt_of_nonnegative(dot_of_balls(a, a), ball_bits); }
 
-BallVector cross(const BallVector& a, const BallVector& b) {
+BallVector cross_of_balls(const BallVector& a, const BallVector& b) {
   const auto minor = [&](std::size_t i, std::size_t j) {
     return subtract(multiply(a[i], b[j], ball_bits), multiply(a[j], b[i], ball_bits), ball_bits);
   };
@@ -71,7 +71,7 @@ BallVector sum(const BallVector& a, const BallVector& b) {
 
 /// Between the vectors; all of [−π, π], at worst, where one of them may be 0.
 RealBall angle(const BallVector& a, const BallVector& b) {
-  return argument(ComplexBall(dot(a, b), length(cross(a, b))), ball_bits);
+  return argument(ComplexBall(dot_of_balls(a, b), length(cross_of_balls(a, b))), ball_bits);
 }
 
 /// Of finite balls, the one that goes farther.
@@ -160,7 +160,8 @@ class DifferenceBound {
     if (sign(middle_length) <= 0) return std::nullopt;
     std::optional<Rational> slowest;
     for (std::size_t k = 0; k < count; ++k) {
-      const RealBall along = divide(dot(middle, item(part.other, k)), middle_length, ball_bits);
+      const RealBall along =
+          divide(dot_of_balls(middle, item(part.other, k)), middle_length, ball_bits);
       if (!along.is_finite()) return std::nullopt;
       if (!slowest || along.lower() < *slowest) slowest = along.lower();
     }

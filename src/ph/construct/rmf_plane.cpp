@@ -1,0 +1,111 @@
+#include "phrame/ph/construct/rmf_plane.hpp"
+
+#include <array>
+
+#include "phrame/algebra/big_float.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/energy.hpp"
+#include "phrame/ph/construct/preimage.hpp"
+#include "phrame/ph/construct/scale.hpp"
+
+// In the plane of the displacement and of Q i Q*, seen from Q, r′ is the square of the complex
+// w = u + i|ν|s, and the plane quintics have w₀ = λ₀, w₂ = ±λ₁ and, with B = 3w₀ + 4w₁ + 3w₂ as in
+// space, B² = 120·displacement − 15(w₀² + w₂²) + 10w₀w₂. It is wanted to be short of digits, so ν
+// is rounded, and then u₁ and s₁.
+
+namespace phrame {
+namespace {
+
+using PlaneNumber = ComplexOf<BigFloat>;
+
+BigFloat size_of(const PlaneNumber& z) { return sqrt(z.re * z.re + z.im * z.im); }
+
+/// One of the two square roots, without cancellation.
+PlaneNumber square_root_of(const PlaneNumber& z) {
+  const BigFloat half(0.5);
+  const BigFloat zero(0.0);
+  const BigFloat size = size_of(z);
+  if (size == zero) return {zero, zero};
+  if (!(z.re < zero)) {
+    const BigFloat re = sqrt(half * (size + z.re));
+    return {re, half * z.im / re};
+  }
+  const BigFloat im = sqrt(half * (size - z.re));
+  return {half * z.im / im, im};
+}
+
+Rational rounded_number(const BigFloat& x, long places) {
+  return Rational(x.scaled(places)) * power_of_two(-places);
+}
+
+/// Seen from Q: the v with Q v Q* = displacement.
+Vector<Rational> seen_from(const RationalQuaternion& q, const Vector<Rational>& displacement) {
+  const Quaternion<Rational> v{0, displacement[0], displacement[1], displacement[2]};
+  const Quaternion<Rational> w = conjugate(q) * v * q;
+  const Rational factor = 1 / (norm(q) * norm(q));
+  return {factor * w.v, factor * w.p, factor * w.q};
+}
+
+}  // namespace
+
+ExactFit plane_between(const ParallelEnds& ends, const Vector<Rational>& displacement,
+                       long places) {
+  constexpr long guard = 96;
+  const Vector<Rational> d = seen_from(ends.q, displacement);
+  const long bits = std::max(0L, places + binary_exponent(1 + largest(d))) + guard;
+  const auto number = [bits](const Rational& x) { return BigFloat(x, bits); };
+  // y = 2us·ν_k, z = −2us·ν_j.
+  const Rational across = std::max(abs(d[1]), abs(d[2]));
+  const Rational scale = scale_for_doubles(across);
+  RationalQuaternion nu{0, 0, 0, 1};
+  if (across != 0) {
+    const BigFloat y = number(scale * d[1]);
+    const BigFloat z = number(scale * d[2]);
+    const BigFloat size = sqrt(y * y + z * z);
+    nu = {0, 0, rounded_number(-z / size, places), rounded_number(y / size, places)};
+  }
+  const BigFloat size_of_nu = sqrt(number(norm(nu)));
+  const BigFloat along = number(d[0]);
+  const BigFloat aside = (number(nu.q * d[1] - nu.p * d[2])) / size_of_nu;
+  const Rational& first = ends.at_start;
+  struct Candidate {
+    Rational last;
+    Rational u;
+    Rational s;
+    double energy;
+  };
+  std::optional<Candidate> best;
+  for (const long sign : {1, -1}) {
+    const Rational last = sign * ends.at_end;
+    const Rational known = 10 * first * last - 15 * (first * first + last * last);
+    const PlaneNumber root =
+        square_root_of({BigFloat(120.0) * along + number(known), BigFloat(120.0) * aside});
+    for (const double side : {1.0, -1.0}) {
+      const BigFloat quarter(0.25 * side);
+      const BigFloat u = quarter * root.re - number(Rational(3, 4) * (first + last));
+      const BigFloat s = quarter * root.im;
+      const std::array<Quaternion<double>, 3> a{{{static_cast<double>(first), 0, 0, 0},
+                                                 {u.to_double(), 0, 0, s.to_double()},
+                                                 {static_cast<double>(last), 0, 0, 0}}};
+      const double energy = approximate_energy(a);
+      if (best && !(energy < best->energy)) continue;
+      best = {last, rounded_number(u, places), rounded_number(s / size_of_nu, places), energy};
+    }
+    if (last == 0) break;
+  }
+  const RationalQuaternion middle{best->u, 0, best->s * nu.p, best->s * nu.q};
+  return {{first * ends.q, ends.q * middle, best->last * ends.q}, {1}};
+}
+
+std::optional<ExactFit> line_between(const ParallelEnds& ends, const Vector<Rational>& displacement,
+                                     long places) {
+  const Rational f0 = ends.at_start * ends.at_start;
+  const Rational f2 = ends.at_end * ends.at_end;
+  const Rational f1 = rounded_to_places(3 * seen_from(ends.q, displacement)[0] - f0 - f2, places);
+  // f₀(1 − t)² + 2f₁(1 − t)t + f₂t² > 0 between 0 and 1.
+  const bool is_positive = f1 > 0 || (f1 == 0 && f0 + f2 > 0) || f1 * f1 < f0 * f2;
+  if (!is_positive) return std::nullopt;
+  return ExactFit{{ends.q}, {f0, f1, f2}};
+}
+
+}  // namespace phrame

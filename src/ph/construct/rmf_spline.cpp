@@ -1,0 +1,383 @@
+#include "phrame/ph/construct/rmf_spline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "phrame/algebra/big_float.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/exact_end.hpp"
+#include "phrame/ph/construct/multiplier.hpp"
+#include "phrame/ph/construct/preimage_grid.hpp"
+#include "phrame/ph/construct/rmf_family.hpp"
+#include "phrame/ph/construct/rmf_plan.hpp"
+#include "phrame/ph/construct/rmf_plane.hpp"
+#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/path.hpp"
+
+// At every joint there is one quaternion Q_k, rounded, where the segment before ends and the next
+// one begins, up to a real factor. The shape of a septic is chosen for the data, in doubles; then
+// its free numbers are refined, exactly, such that it ends where it is to from where the one before
+// does end. Along tangents that are parallel Q_k is a multiple of the first such Q, and so the
+// directions are the same.
+//
+// A closed spline ends with Q₀u, u of size 1 in ℚ(i), so with the derivative that it starts with,
+// and what is missing of the way back is put into the multiplier of one segment.
+
+namespace phrame {
+namespace {
+
+using Floats = Quaternion<BigFloat>;
+using Turn = ComplexOf<BigFloat>;
+
+Floats floats(const RationalQuaternion& a, long bits) {
+  return {{a.u, bits}, {a.v, bits}, {a.p, bits}, {a.q, bits}};
+}
+
+Rational rounded_off(const BigFloat& x, long places) {
+  return Rational(x.scaled(places)) * power_of_two(-places);
+}
+
+RationalQuaternion rounded_off(const Floats& a, long places) {
+  return {rounded_off(a.u, places), rounded_off(a.v, places), rounded_off(a.p, places),
+          rounded_off(a.q, places)};
+}
+
+Quaternion<double> in_doubles(const Floats& a) {
+  return {a.u.to_double(), a.v.to_double(), a.p.to_double(), a.q.to_double()};
+}
+
+/// 2^e above √x.
+long exponent_above_root(const Rational& x) { return (binary_exponent(x) >> 1) + 1; }
+
+/// e^{iπx}.
+Turn turn_by(const Rational& half_turns, long bits) {
+  const auto [cos, sin] = cos_sin(to_real(Angle(half_turns, 0)).enclose(bits), bits);
+  return {BigFloat(cos, bits), BigFloat(sin, bits)};
+}
+
+/// ∫ A i A* of a cubic A. With the denominators apart: they are common ones.
+Vector<Rational> integral_of(const CubicPreimage<Rational>& a) {
+  constexpr std::array<std::array<long, 4>, 4> weights{
+      {{60, 30, 12, 3}, {30, 36, 27, 12}, {12, 27, 36, 30}, {3, 12, 30, 60}}};
+  Integer d = 1;
+  for (const RationalQuaternion& x : a)
+    for (const Rational* part : {&x.u, &x.v, &x.p, &x.q}) d = lcm(d, denominator(*part));
+  const auto whole = [&](const Rational& x) { return numerator(x) * (d / denominator(x)); };
+  CubicPreimage<Integer> b;
+  for (std::size_t k = 0; k < 4; ++k)
+    b[k] = {whole(a[k].u), whole(a[k].v), whole(a[k].p), whole(a[k].q)};
+  Vector<Integer> sum;
+  for (std::size_t i = 0; i < 4; ++i) {
+    Quaternion<Integer> weighted{};
+    for (std::size_t j = 0; j < 4; ++j) weighted = weighted + Integer(weights[i][j]) * b[j];
+    sum = sum + symmetric_product(b[i], weighted);
+  }
+  const Integer divisor = 420 * d * d;
+  return {Rational(sum[0], divisor), Rational(sum[1], divisor), Rational(sum[2], divisor)};
+}
+
+Vector<Rational> displacement_of(const ExactFit& piece) {
+  return evaluate(position(curve_of(piece, {})), 1);
+}
+
+/// So many more of what is rounded again.
+constexpr long guard_places = 16;
+
+/// Of a factor of an A with this |A|², for multiples of 2^−places.
+long bits_for(const Rational& squared_size, long places) {
+  constexpr long least_bits = 40;
+  return std::max(places + exponent_above_root(squared_size), least_bits);
+}
+
+/// How many bits must be known of the numbers that are rounded to multiples of 2^−places.
+long working_precision(const HermiteSpline& data, long places) {
+  return std::max(0L, places + exponent_above_root(size_of_derivatives(data) + 1)) + 96;
+}
+
+/// A spline with one rounding.
+class RmfChain {
+ public:
+  RmfChain(const HermiteSpline& data, const RmfPlan& plan, long places)
+      : data_(data), plan_(plan), places_(places) {}
+
+  /// No value where it could not be closed.
+  std::optional<Construction> run();
+
+ private:
+  /// A = size·base there.
+  struct Joint {
+    RationalQuaternion base;
+    Rational size;
+  };
+
+  void start();
+  void add(std::size_t k);
+  class Septics;
+  Joint end_of(const Floats& as_is, std::size_t k, long places) const;
+  ExactFit between_parallels(std::size_t k, const Vector<Rational>& target);
+  bool close();
+
+  bool is_closing(std::size_t k) const { return data_.is_closed && k == plan_.closing; }
+  /// Of Q_k; nearly parallel tangents have digits in which they do not differ.
+  long places_at(std::size_t k) const;
+  /// The size of A at joint k where it is a multiple of this; 1 at the end of a closed spline,
+  /// where that is Q₀u.
+  Rational size_at(std::size_t k, const RationalQuaternion& base) const;
+
+  const HermiteSpline& data_;
+  const RmfPlan& plan_;
+  long places_;
+  std::vector<ExactFit> pieces_;  ///< without the factor h of f
+  RationalQuaternion first_;      ///< Q₀
+  Joint joint_;                   ///< the last one, …
+  Vector<Rational> end_;          ///< … and where it is
+};
+
+long RmfChain::places_at(std::size_t k) const {
+  double unit = 1;
+  if (k > 0) unit = std::min(unit, plan_.segments[k - 1].unit);
+  if (k < plan_.segments.size()) unit = std::min(unit, plan_.segments[k].unit);
+  return places_ - std::ilogb(unit);
+}
+
+Rational RmfChain::size_at(std::size_t k, const RationalQuaternion& base) const {
+  if (data_.is_closed && k == data_.segments()) return 1;
+  const Vector<Rational>& d = data_.derivatives[k];
+  if (largest(d) == 0) return 0;
+  const long places = bits_for(norm(base), places_);
+  const long precision = working_precision(data_, places);
+  const Vector<BigFloat> v = big_floats(d, precision);
+  return rounded_off(sqrt(sqrt(dot(v, v)) / BigFloat(norm(base), precision)), places);
+}
+
+void RmfChain::start() {
+  const auto is_zero_at = [&](std::size_t k) { return largest(data_.derivatives[k]) == 0; };
+  const std::size_t k = is_zero_at(0) ? 1 : 0;
+  const Vector<Rational> along = is_zero_at(k) ? mean_derivative(data_, 0) : data_.derivatives[k];
+  const long places = places_at(k);
+  first_ = rounded_off(preimage(big_floats(along, working_precision(data_, places))), places);
+  joint_ = {first_, is_zero_at(0) ? 0 : 1};
+  end_ = data_.points.front();
+}
+
+ExactFit RmfChain::between_parallels(std::size_t k, const Vector<Rational>& target) {
+  const RationalQuaternion& q = joint_.base;
+  const bool is_base = plan_.base[k + 1] == k + 1 && largest(data_.derivatives[k + 1]) != 0;
+  const ParallelEnds ends{q, joint_.size, is_base ? Rational(1) : size_at(k + 1, q)};
+  const long places = bits_for(norm(q), places_);
+  joint_.size = ends.at_end;
+  if (plan_.segments[k].form == SegmentForm::line)
+    if (auto line = line_between(ends, target, places)) return *std::move(line);
+  ExactFit plane = plane_between(ends, target, places);
+  if (hermitian_product(q, plane.preimage.back()).re < 0) joint_.size = -joint_.size;
+  return plane;
+}
+
+/// The end of a septic for a phase of its own.
+RmfChain::Joint RmfChain::end_of(const Floats& as_is, std::size_t k, long places) const {
+  if (!is_closing(k)) return {rounded_off(as_is, places), 1};
+  const long precision = working_precision(data_, places);
+  const auto [re, im] =
+      direction_of(hermitian_product(floats(first_, precision), as_is), BigFloat(0.0));
+  const GaussianRational u = unit_near({rounded_off(re, precision), rounded_off(im, precision)},
+                                       bits_for(norm(first_), places));
+  const RationalQuaternion base = turned(first_, ComplexOf<Rational>{u.re, u.im});
+  return {base, size_at(k + 1, base)};
+}
+
+/// The septics with a start that is given, and the phase, b and b′ as parameters.
+class RmfChain::Septics {
+ public:
+  Septics(const RmfChain& chain, std::size_t k, const Vector<Rational>& target);
+
+  /// The one that ends at the target, next to that of the plan.
+  CubicPreimage<Rational> solution();
+  /// The end of what was the solution.
+  const Joint& end() const { return end_; }
+
+ private:
+  CubicPreimage<Rational> member(const std::vector<Rational>& x);
+  std::vector<double> step(const std::vector<double>& off) const;
+
+  const RmfChain& chain_;
+  const SegmentPlan& plan_;
+  std::size_t k_;
+  Vector<Rational> target_;
+  long places_;
+  long precision_;
+  RationalQuaternion q_;  ///< A at the start
+  long bits_;             ///< of the parameters
+  Floats a0_;
+  Floats a3_;
+  Turn turn_;      ///< A = a₀·turn at the start …
+  Turn end_turn_;  ///< … and a₃·this at the end, for the minimal rotation
+  std::optional<Rational> t_;
+  std::optional<RmfFamily> family_;  ///< of the t above
+  Joint end_;
+};
+
+// What closes a spline is not rounded, so that its end can come as near as one likes.
+RmfChain::Septics::Septics(const RmfChain& chain, std::size_t k, const Vector<Rational>& target)
+    : chain_(chain),
+      plan_(chain.plan_.segments[k]),
+      k_(k),
+      target_(target),
+      places_(chain.places_at(k + 1)),
+      q_(chain.joint_.size * chain.joint_.base) {
+  if (chain.is_closing(k)) places_ += bits_for(norm(q_), places_);
+  precision_ = working_precision(chain.data_, places_);
+  const Vector<Rational>& d3 = chain.data_.derivatives[k + 1];
+  bits_ = bits_for(std::max(norm(q_), 2 * largest(d3)), places_);
+  a0_ = preimage(big_floats(chain.data_.derivatives[k], precision_));
+  a3_ = preimage(big_floats(d3, precision_));
+  const auto [re, im] = direction_of(hermitian_product(a0_, floats(q_, precision_)), BigFloat(0.0));
+  turn_ = {re, im};
+  end_turn_ = turn_to(a0_, a3_) * turn_;
+}
+
+CubicPreimage<Rational> RmfChain::Septics::member(const std::vector<Rational>& x) {
+  if (t_ != x[0]) {
+    t_ = x[0];
+    const Rational half_turns = exact_rational(plan_.unit) * x[0];
+    end_ = chain_.end_of(turned(a3_, end_turn_ * turn_by(half_turns, precision_)), k_, places_);
+    family_.emplace(q_, end_.size * end_.base);
+  }
+  const auto inner = [&](std::size_t at) {
+    const Floats b{BigFloat(x[at], precision_), BigFloat(0.0), BigFloat(x[at + 1], precision_),
+                   BigFloat(x[at + 2], precision_)};
+    return rounded_off(turned(a0_ * b, turn_), places_ + guard_places);
+  };
+  return family_->member(inner(1), inner(4), bits_);
+}
+
+/// Seen from the start, and over the |A|² there.
+std::vector<double> RmfChain::Septics::step(const std::vector<double>& off) const {
+  const BigFloat inverse_size = BigFloat(1.0) / sqrt(norm(a0_));
+  const Quaternion<double> a = in_doubles(inverse_size * a0_);
+  const Quaternion<double> v = conjugate(a) * Quaternion<double>{0, off[0], off[1], off[2]} * a;
+  return plan_.section->change({v.v, v.p, v.q});
+}
+
+CubicPreimage<Rational> RmfChain::Septics::solution() {
+  const Rational squared_size = norm(q_);
+  const ExactDefect defect = [&](const std::vector<Rational>& x) {
+    const Vector<Rational> off = integral_of(member(x)) - target_;
+    return std::vector<Rational>{off[0] / squared_size, off[1] / squared_size,
+                                 off[2] / squared_size};
+  };
+  const SepticShape& shape = plan_.section->solution();
+  std::vector<Rational> start{exact_rational(shape.turn)};
+  for (const Vector<double>& b : {shape.b, shape.b_prime})
+    for (const double x : b) start.push_back(exact_rational(x));
+  const ParameterStep newton_step = [&](const std::vector<double>& off) { return step(off); };
+  return member(refine(std::move(start), defect, newton_step, bits_).parameters);
+}
+
+void RmfChain::add(std::size_t k) {
+  const Rational h = parameter_step(data_, k);
+  const Vector<Rational> target = (1 / h) * (data_.points[k + 1] - end_);
+  if (plan_.segments[k].form == SegmentForm::space) {
+    Septics septics(*this, k, target);
+    CubicPreimage<Rational> a;
+    try {
+      a = septics.solution();
+    } catch (const DomainError& error) {
+      throw Undecided(fmt::format("segment {}: {}", k + 1, error.what()));
+    }
+    joint_ = septics.end();
+    end_ = end_ + h * integral_of(a);
+    pieces_.push_back({{a.begin(), a.end()}, {1}});
+  } else {
+    pieces_.push_back(between_parallels(k, target));
+    end_ = end_ + h * displacement_of(pieces_.back());
+  }
+}
+
+bool RmfChain::close() {
+  const std::size_t m = plan_.closing;
+  ExactFit& piece = pieces_[m];
+  const Vector<Rational> lacking = (1 / parameter_step(data_, m)) * (data_.points.front() - end_);
+  auto f = multiplier_with(from_bernstein(piece.preimage), displacement_of(piece) + lacking,
+                           MultiplierFreedom::inner_only);
+  if (!f || std::ranges::any_of(*f, [](const Rational& x) { return x <= 0; })) return false;
+  piece.multiplier = *std::move(f);
+  return true;
+}
+
+std::optional<Construction> RmfChain::run() {
+  start();
+  for (std::size_t k = 0; k < data_.segments(); ++k) add(k);
+  if (data_.is_closed && end_ != data_.points.front() && !close()) return std::nullopt;
+  std::vector<Curve> curves;
+  Vector<Rational> r = data_.points.front();
+  Rational points;
+  Rational derivatives;
+  const auto compare = [&](const Vector<Rational>& d, std::size_t k) {
+    const Vector<Rational> off = d - data_.derivatives[k];
+    derivatives = std::max(derivatives, dot(off, off));
+  };
+  for (std::size_t k = 0; k < pieces_.size(); ++k) {
+    ExactFit piece = pieces_[k];
+    compare(piece.multiplier.front() * rotated_i(piece.preimage.front()), k);
+    if (k + 1 == pieces_.size())
+      compare(piece.multiplier.back() * rotated_i(piece.preimage.back()), k + 1);
+    for (Rational& f : piece.multiplier) f *= parameter_step(data_, k);
+    curves.push_back(curve_of(piece, r));
+    r = evaluate(position(curves.back()), 1);
+    const Vector<Rational> off = r - data_.points[k + 1];
+    points = std::max(points, dot(off, off));
+  }
+  return Construction{joined(curves),
+                      data_.parameters,
+                      {},
+                      places_,
+                      {square_root_above(points), square_root_above(derivatives)}};
+}
+
+/// A first number of places: such that derivatives and points can be met, and such that small
+/// derivatives have some bits, for they say where the curve goes.
+long first_places(const HermiteSpline& data, const Deviation& tolerance) {
+  constexpr long least_bits = 40;
+  constexpr long margin = 6;
+  const Rational fastest = size_of_derivatives(data);
+  long places = std::numeric_limits<long>::min();
+  const auto want = [&](long e) { places = std::max(places, e); };
+  for (const Vector<Rational>& d : data.derivatives)
+    if (const Rational size = largest(d); size != 0) want(least_bits - exponent_above_root(size));
+  if (fastest != 0)
+    want(exponent_above_root(fastest) + margin - binary_exponent(tolerance.derivatives));
+  for (std::size_t k = 0; k < data.segments(); ++k) {
+    const Rational h = parameter_step(data, k);
+    const Rational size =
+        std::max({Rational(largest(mean_derivative(data, k))), largest(data.derivatives[k]),
+                  largest(data.derivatives[k + 1])});
+    want(exponent_above_root(size) + binary_exponent(h) + margin -
+         binary_exponent(tolerance.points));
+  }
+  return places;
+}
+
+}  // namespace
+
+Construction rmf_spline(const HermiteSpline& data, const Deviation& tolerance) {
+  constexpr int most_passes = 12;
+  require_regular(data);
+  long places = first_places(data, tolerance);
+  const RmfPlan plan = rmf_plan(data, tolerance, 2 * working_precision(data, places));
+  for (int pass = 0; pass < most_passes; ++pass, places += 8) {
+    auto found = RmfChain(data, plan, places).run();
+    if (found && found->deviation.points <= tolerance.points &&
+        found->deviation.derivatives <= tolerance.derivatives)
+      return *std::move(found);
+  }
+  throw Undecided(
+      data.is_closed
+          ? "the septics with h = 0: the spline could not be closed"
+          : "the septics with h = 0: the points are too sensitive to their coefficients");
+}
+
+}  // namespace phrame
