@@ -101,9 +101,7 @@ void add_construct(Program& program) {
   const long most = std::ranges::max(curve_kinds(), {}, &NamedKind::solutions).solutions;
   command.add_number("--solution", options->solution, {1, most},
                      "which of the curves there are, 1 being the best (default 1)");
-  command.not_with({"--select", "--angles"}, kinds_where([](const NamedKind& named) {
-                     return named.kind != CurveKind::quintic;
-                   }));
+  command.only_with({"--select", "--angles"}, {"--kind quintic"});
   command.only_with({"--solution"},
                     kinds_where([](const NamedKind& named) { return named.solutions > 1; }));
   command.add_option("--tolerance", "X", options->tolerance,
@@ -111,7 +109,7 @@ void add_construct(Program& program) {
                      "(default 1e-15)");
   command.add_flag("--closed", options->is_closed, "the curve ends where it starts");
   command.add_flag("--exact-points", options->exact_points,
-                   "meet the points exactly, by two quintics between any two of them");
+                   "meet the points exactly, by two or more segments between any two of them");
   command.not_with({"--closed"}, kinds_where(&NamedKind::is_open));
   command.not_with({"--exact-points"},
                    kinds_where([](const NamedKind& named) { return !named.meets_points; }));
@@ -123,12 +121,14 @@ void add_construct(Program& program) {
   command.set_notes(
       "DATA: {\"phrame\": \"points/1\", \"points\": [[0, 0, 0], [1, 1, 1]]}, with derivatives,\n"
       "tangents and parameters if known; or lines of x, y, z. Derivatives not given are those of\n"
-      "the C2 cubic spline. The spline is C1: at joints position and derivative are equal as\n"
-      "fractions; the data are met within the tolerance, and the report says the proved bound.\n"
+      "the C2 cubic spline. Joints are exact: position and derivative are equal as fractions,\n"
+      "with --kind cubic and rrmf position and tangent, with c2 and c2-hermite the second\n"
+      "derivative as well. The data are met within the tolerance, and the report says the proved\n"
+      "bound.\n"
       "Examples:\n"
       "  phrame construct points.csv -o spline.json\n"
       "  phrame construct hermite.json --select energy --tolerance 1e-40 -o curve.json\n"
-      "  phrame construct knot.csv --closed --print json\n"
+      "  phrame construct knot.csv --kind rmf --closed --print json\n"
       "  phrame construct points.csv --print curve | phrame frames - --samples 101");
   command.does([options, &command] {
     if (command.is_given("--angles")) command.refuse({"--select"}, "does not apply with --angles");

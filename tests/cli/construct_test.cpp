@@ -159,7 +159,7 @@ TEST_CASE("construct: --kind planar makes the four plane curves, the good one fi
   check_failure(here.run("construct - --solution 2", arch), 2,
                 "--solution: needs --kind planar, --kind cubic or --kind helical");
   check_failure(here.run("construct - --kind planar --select bv", arch), 2,
-                "--select: does not apply with --kind planar");
+                "--select: needs --kind quintic");
 }
 
 TEST_CASE(
@@ -250,119 +250,120 @@ TEST_CASE(
                 4, "segment 1: no quintic with these ends and tangents and a rational");
   check_failure(here.run("construct - --kind rrmf --closed", table), 2,
                 "--closed: does not apply with --kind rrmf");
-  TEST_CASE("construct: --kind rmf makes curves whose rational frame is rotation-minimizing") {
-    const Workshop here;
-    const Run run =
-        here.run("construct - --kind rmf --tolerance 1e-30 --print json -o curve.json", hermite);
-    check_success(run);
-    const Json report = Json::parse(run.out);
-    CHECK(report["kind"] == "rmf");
-    CHECK(report["law"] == "h = 0: the Euler-Rodrigues frame is rotation-minimizing");
-    CHECK_FALSE(report.contains("select"));
-    CHECK_FALSE(report.contains("solution"));
-    // The prototype in Python has 9.206459.
-    CHECK(number(report["energy"]) == doctest::Approx(9.206459).epsilon(1e-5));
-    CHECK(number(report["deviation"]["points"]) <= 1e-30);
-    CHECK(contains(here.run("classify curve.json").out, "ERF is an RMF         yes"));
-    const Run angle = here.run("angle curve.json --at 1");
-    check_success(angle);
-    CHECK(contains(angle.out, "θ  = 0"));
-    const Run text = here.run("construct - --kind rmf", table);
-    check_success(text);
-    CHECK(contains(text.out, "\n  kind            rmf\n"));
-    CHECK(contains(text.out, "is rotation-minimizing, checked\n"));
-    CHECK_FALSE(contains(text.out, "multiples of"));
-    CHECK_FALSE(contains(text.out, "Δ"));
-  }
+}
 
-  TEST_CASE("construct: --kind rmf closes splines, and says which segment has no septic") {
-    const Workshop here;
-    const Run run = here.run("construct - --kind rmf --closed -o spline.json", table);
-    check_success(run);
-    CHECK(run.out.starts_with("PH spline of 4 segments, closed\n"));
-    const Run classified = here.run("classify spline.json --print json");
-    check_success(classified);
-    for (const Json& segment : Json::parse(classified.out)["segments"])
-      CHECK(segment["erf_is_rmf"]["answer"] == true);
-    check_failure(here.run("construct - --kind rmf", R"({"phrame": "points/1",
+TEST_CASE("construct: --kind rmf makes curves whose rational frame is rotation-minimizing") {
+  const Workshop here;
+  const Run run =
+      here.run("construct - --kind rmf --tolerance 1e-30 --print json -o curve.json", hermite);
+  check_success(run);
+  const Json report = Json::parse(run.out);
+  CHECK(report["kind"] == "rmf");
+  CHECK(report["law"] == "h = 0: the Euler-Rodrigues frame is rotation-minimizing");
+  CHECK_FALSE(report.contains("select"));
+  CHECK_FALSE(report.contains("solution"));
+  // The prototype in Python has 9.206459.
+  CHECK(number(report["energy"]) == doctest::Approx(9.206459).epsilon(1e-5));
+  CHECK(number(report["deviation"]["points"]) <= 1e-30);
+  CHECK(contains(here.run("classify curve.json").out, "ERF is an RMF         yes"));
+  const Run angle = here.run("angle curve.json --at 1");
+  check_success(angle);
+  CHECK(contains(angle.out, "θ  = 0"));
+  const Run text = here.run("construct - --kind rmf", table);
+  check_success(text);
+  CHECK(contains(text.out, "\n  kind            rmf\n"));
+  CHECK(contains(text.out, "is rotation-minimizing, checked\n"));
+  CHECK_FALSE(contains(text.out, "multiples of"));
+  CHECK_FALSE(contains(text.out, "Δ"));
+}
+
+TEST_CASE("construct: --kind rmf closes splines, and says which segment has no septic") {
+  const Workshop here;
+  const Run run = here.run("construct - --kind rmf --closed -o spline.json", table);
+  check_success(run);
+  CHECK(run.out.starts_with("PH spline of 4 segments, closed\n"));
+  const Run classified = here.run("classify spline.json --print json");
+  check_success(classified);
+  for (const Json& segment : Json::parse(classified.out)["segments"])
+    CHECK(segment["erf_is_rmf"]["answer"] == true);
+  check_failure(here.run("construct - --kind rmf", R"({"phrame": "points/1",
                     "points": [[0, 0, 0], [1, 0.1, 0.2]],
                     "derivatives": [[1e8, 0, 1], [0, 1e-8, 0]]})"),
-                  4, "segment 1: no septic with h = 0 was found");
-    check_failure(here.run("construct - --kind rmf --exact-points", table), 2,
-                  "--exact-points: does not apply with --kind rmf");
-    check_failure(here.run("construct - --kind rmf --select bv", table), 2,
-                  "--select: does not apply with --kind rmf");
-  }
+                4, "segment 1: no septic with h = 0 was found");
+  check_failure(here.run("construct - --kind rmf --exact-points", table), 2,
+                "--exact-points: does not apply with --kind rmf");
+  check_failure(here.run("construct - --kind rmf --select bv", table), 2,
+                "--select: needs --kind quintic");
+}
 
-  TEST_CASE("construct: --kind c2 makes C2 splines through points, open and closed") {
-    const Workshop here;
-    here.write("points.csv", table);
-    const Run open = here.run("construct points.csv --kind c2 --print json -o open.json");
-    check_success(open);
-    const Json report = Json::parse(open.out);
-    CHECK(report["kind"] == "c2");
-    CHECK(report["law"] == "the second derivative by the parameter is continuous");
-    CHECK_FALSE(report.contains("select"));
-    CHECK_FALSE(report["segments"][0].contains("delta"));
-    CHECK(report["segments"].size() == 3);
-    CHECK(number(report["deviation"]["points"]) <= 3e-15);
-    CHECK(number(report["deviation"]["derivatives"]) <= 3e-15);
-    CHECK(here.run("info open.json").out.starts_with("PH spline of 3 segments, open\n"));
-    const Run closed =
-        here.run("construct points.csv --kind c2 --closed --print json -o ring.json");
-    check_success(closed);
-    const Json ring = Json::parse(closed.out);
-    CHECK(ring["closed"] == true);
-    CHECK(ring["segments"].size() == 9);  // one of four in six parts
-    CHECK(ring["parameters"].size() == 10);
-    CHECK_FALSE(ring["deviation"].contains("derivatives"));
-    CHECK(here.run("info ring.json").out.starts_with("PH spline of 9 segments, closed\n"));
-    const std::string text = here.run("construct points.csv --kind c2 --closed").out;
-    CHECK(contains(text, "position and both derivatives by the parameter are equal fractions"));
-    CHECK_FALSE(contains(text, "\n    derivatives "));
-    CHECK_FALSE(contains(text, "Δ"));
-    const Run exact = here.run("construct points.csv --kind c2 --exact-points --print json");
-    check_success(exact);
-    CHECK(Json::parse(exact.out)["segments"].size() == 18);
-  }
+TEST_CASE("construct: --kind c2 makes C2 splines through points, open and closed") {
+  const Workshop here;
+  here.write("points.csv", table);
+  const Run open = here.run("construct points.csv --kind c2 --print json -o open.json");
+  check_success(open);
+  const Json report = Json::parse(open.out);
+  CHECK(report["kind"] == "c2");
+  CHECK(report["law"] == "the second derivative by the parameter is continuous");
+  CHECK_FALSE(report.contains("select"));
+  CHECK_FALSE(report["segments"][0].contains("delta"));
+  CHECK(report["segments"].size() == 3);
+  CHECK(number(report["deviation"]["points"]) <= 3e-15);
+  CHECK(number(report["deviation"]["derivatives"]) <= 3e-15);
+  CHECK(here.run("info open.json").out.starts_with("PH spline of 3 segments, open\n"));
+  const Run closed = here.run("construct points.csv --kind c2 --closed --print json -o ring.json");
+  check_success(closed);
+  const Json ring = Json::parse(closed.out);
+  CHECK(ring["closed"] == true);
+  CHECK(ring["segments"].size() == 9);  // one of four in six parts
+  CHECK(ring["parameters"].size() == 10);
+  CHECK_FALSE(ring["deviation"].contains("derivatives"));
+  CHECK(here.run("info ring.json").out.starts_with("PH spline of 9 segments, closed\n"));
+  const std::string text = here.run("construct points.csv --kind c2 --closed").out;
+  CHECK(contains(text, "position and both derivatives by the parameter are equal fractions"));
+  CHECK_FALSE(contains(text, "\n    derivatives "));
+  CHECK_FALSE(contains(text, "Δ"));
+  const Run exact = here.run("construct points.csv --kind c2 --exact-points --print json");
+  check_success(exact);
+  CHECK(Json::parse(exact.out)["segments"].size() == 18);
+}
 
-  TEST_CASE("construct: --kind c2 takes derivatives at the ends of open splines") {
-    const Workshop here;
-    here.write("hermite.json", hermite);
-    const Run run = here.run("construct hermite.json --kind c2 -o curve.json");
-    check_success(run);
-    CHECK(contains(run.out, "given, at the ends\n"));
-    check_failure(here.run("construct hermite.json --kind c2 --closed"), 2,
-                  "hermite.json:/derivatives: a closed spline of the kind c2 takes points only");
-    check_failure(here.run("construct - --kind c2 --closed", R"({"phrame": "points/1",
+TEST_CASE("construct: --kind c2 takes derivatives at the ends of open splines") {
+  const Workshop here;
+  here.write("hermite.json", hermite);
+  const Run run = here.run("construct hermite.json --kind c2 -o curve.json");
+  check_success(run);
+  CHECK(contains(run.out, "given, at the ends\n"));
+  check_failure(here.run("construct hermite.json --kind c2 --closed"), 2,
+                "hermite.json:/derivatives: a closed spline of the kind c2 takes points only");
+  check_failure(here.run("construct - --kind c2 --closed", R"({"phrame": "points/1",
                          "points": [[0, 0], [1, 0], [0, 1]],
                          "tangents": [[0, 1], [1, 0], [1, 1]]})"),
-                  2, "/tangents: a closed spline of the kind c2 takes points only");
-    check_failure(here.run("construct hermite.json --kind c2 --select bv"), 2,
-                  "--select: does not apply with --kind c2");
-    check_failure(here.run("construct - --kind c2 --closed", "0,0,0\n1,0,0\n"), 3,
-                  "a closed C2 spline wants three different points at least");
-    check_failure(
-        here.run("construct - --kind c2", "t,x,y,z\n0,0,0,0\n1,1,1,0\n1.001,2,1,1\n2,3,0,0\n"), 4,
-        "the C2 spline: Newton's method finds none");
-  }
+                2, "/tangents: a closed spline of the kind c2 takes points only");
+  check_failure(here.run("construct hermite.json --kind c2 --select bv"), 2,
+                "--select: needs --kind quintic");
+  check_failure(here.run("construct - --kind c2 --closed", "0,0,0\n1,0,0\n"), 3,
+                "a closed C2 spline wants three different points at least");
+  check_failure(
+      here.run("construct - --kind c2", "t,x,y,z\n0,0,0,0\n1,1,1,0\n1.001,2,1,1\n2,3,0,0\n"), 4,
+      "the C2 spline: Newton's method finds none");
+}
 
-  TEST_CASE("construct: --kind c2-hermite meets accelerations") {
-    const Workshop here;
-    const std::string data = R"({"phrame": "points/1", "points": [[0, 0, 0], [1, 1, 1], [2, 4, 8]],
+TEST_CASE("construct: --kind c2-hermite meets accelerations") {
+  const Workshop here;
+  const std::string data = R"({"phrame": "points/1", "points": [[0, 0, 0], [1, 1, 1], [2, 4, 8]],
       "derivatives": [[1, 0, 0], [1, 2, 3], [1, 4, 12]],
       "accelerations": [[0, 2, 0], [0, 2, 6], [0, 2, 12]]})";
-    const Run run = here.run(
-        "construct - --kind c2-hermite --tolerance 1e-30 --print json -o curve.json", data);
-    check_success(run);
-    const Json report = Json::parse(run.out);
-    CHECK(report["segments"].size() == 2);
-    CHECK(number(report["deviation"]["accelerations"]) <= 1.2e-29);
-    CHECK(number(report["tolerance"]["accelerations"]) == doctest::Approx(1.2e-29));
-    CHECK(contains(here.run("construct - --kind c2-hermite", data).out,
-                   "\n  accelerations   within "));
-    check_failure(here.run("construct - --kind c2-hermite", table), 2,
-                  "the kind c2-hermite wants accelerations; for points only there is the kind c2");
-    check_failure(here.run("construct - --kind c2", data), 2,
-                  "/accelerations: the kind c2 takes points and derivatives only");
-  }
+  const Run run =
+      here.run("construct - --kind c2-hermite --tolerance 1e-30 --print json -o curve.json", data);
+  check_success(run);
+  const Json report = Json::parse(run.out);
+  CHECK(report["segments"].size() == 2);
+  CHECK(number(report["deviation"]["accelerations"]) <= 1.2e-29);
+  CHECK(number(report["tolerance"]["accelerations"]) == doctest::Approx(1.2e-29));
+  CHECK(
+      contains(here.run("construct - --kind c2-hermite", data).out, "\n  accelerations   within "));
+  check_failure(here.run("construct - --kind c2-hermite", table), 2,
+                "the kind c2-hermite wants accelerations; for points only there is the kind c2");
+  check_failure(here.run("construct - --kind c2", data), 2,
+                "/accelerations: the kind c2 takes points and derivatives only");
+}
