@@ -328,14 +328,15 @@ TEST_CASE("terminal: bash completes commands, options, names, lists and files") 
   CHECK(completed("phrame help cer") == "certify\n");
   // Each option of each command.
   const Json program = Json::parse(here.run("completion json").out);
-  for (const Json& command : program["commands"])
+  for (const Json& command : program["commands"]) {
+    const std::string all =
+        " " + completed("phrame " + command["command"].get<std::string>() + " --");
     for (const Json& option : command["options"]) {
       const std::string name = option["names"].back();
       if (option["argument"] == true) continue;
-      const std::string all =
-          " " + completed("phrame " + command["command"].get<std::string>() + " --");
       CHECK(contains(all.substr(0, all.size() - 1) + " ", " " + name + " "));
     }
+  }
 }
 
 TEST_CASE("terminal: zsh and fish read their scripts") {

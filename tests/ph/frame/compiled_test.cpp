@@ -126,7 +126,7 @@ TEST_CASE("compiled angle and frame: every curve of the collection") {
 }
 
 TEST_CASE("compiled angle and frame: law: on any interval, from any angle, to both frames") {
-  for_samples(25, [](Random& random) {
+  for_samples(12, [](Random& random) {
     const Curve curve = random.curve(3);
     const double from = static_cast<double>(random.integer(-12, 8)) / 7;
     const double to = from + static_cast<double>(random.integer(1, 40)) / 9;
@@ -146,7 +146,7 @@ TEST_CASE("compiled angle and frame: law: on any interval, from any angle, to bo
 }
 
 TEST_CASE("rounded frames: law: those of the exact frames, also beyond the interval") {
-  for_samples(20, [](Random& random) {
+  for_samples(10, [](Random& random) {
     const Curve curve = random.curve(3);
     RmfAngle angle(curve, Reference::euler_rodrigues);
     try {
@@ -171,7 +171,7 @@ TEST_CASE("rounded frames: law: those of the exact frames, also beyond the inter
 TEST_CASE("compiled angle and frame: law: the bounds of crude polynomials hold, and are not wide") {
   double closest = 0;  // of all errors to their bounds
   double closest_frame = 0;
-  for_samples(30, [&](Random& random) {
+  for_samples(15, [&](Random& random) {
     const Curve curve = random.curve(2);
     RmfAngle angle(curve, Reference::euler_rodrigues);
     const long degree = random.integer(1, 6);

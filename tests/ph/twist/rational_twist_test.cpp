@@ -239,7 +239,7 @@ TEST_CASE("rational twist: where the Euler-Rodrigues frame turns back, and its e
 }
 
 TEST_CASE("rational twist: law: rates and orientations at the ends, turns, errors") {
-  for_samples(100, [](Random& random) {
+  for_samples(50, [](Random& random) {
     const FrameAngle from = random_angle(random);
     const FrameAngle to = random_angle(random);
     const Framed framed(random_curve(random), from, to);
@@ -287,7 +287,7 @@ TEST_CASE("rational twist: law: rates and orientations at the ends, turns, error
 }
 
 TEST_CASE("rational twist: law: derivatives of the mean square, and its bounds on intervals") {
-  for_samples(12, [](Random& random) {
+  for_samples(6, [](Random& random) {
     const Framed framed(random_curve(random), random_angle(random), random_angle(random));
     const TwistPiece piece = twist_pieces(framed.mtf, {})[0];
     const RotationFamily family = rotation_family(piece, 2, EndRates::matched, 300);
@@ -472,7 +472,7 @@ TEST_CASE("rational twist: a frame that turns by T goes before a better one that
 }
 
 TEST_CASE("rational twist: law: no parameter is better than the proved one") {
-  for_samples(8, [](Random& random) {
+  for_samples(5, [](Random& random) {
     const Framed framed(random_curve(random), random_angle(random), random_angle(random));
     const TwistPiece piece = twist_pieces(framed.mtf, {})[0];
     const long degree = random.integer(1, 2);
@@ -506,7 +506,7 @@ TEST_CASE("rational twist: law: no parameter is better than the proved one") {
 }
 
 TEST_CASE("rational twist: law: a higher degree is no worse") {
-  for_samples(12, [](Random& random) {
+  for_samples(8, [](Random& random) {
     const Framed framed(random_curve(random), random_angle(random), random_angle(random));
     const TwistPiece piece = twist_pieces(framed.mtf, {})[0];
     const EndRates rates = random.chance(2) ? EndRates::matched : EndRates::free;
