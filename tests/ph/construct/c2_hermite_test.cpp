@@ -7,19 +7,18 @@
 #include "phrame/ph/construct/c2_spline.hpp"
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
-#include "support/random.hpp"
+#include "support/hermite.hpp"
 
 using namespace phrame;
+using test::is_within;
+using test::Motion;
+using test::motion;
 using test::Random;
+using test::relative;
 
 namespace {
 
 Rational number(const char* text) { return parse_rational(text); }
-
-Deviation relative(const HermiteSpline& data, const Rational& tolerance) {
-  return {tolerance * size_of_points(data), tolerance * size_of_derivatives(data),
-          tolerance * size_of_accelerations(data)};
-}
 
 HermiteSpline hermite_data(Random& random, long segments, bool is_plane = false) {
   const auto decimal = [&] { return Rational(random.integer(-1'000'000, 1'000'000), 1'000'000); };
@@ -35,30 +34,6 @@ HermiteSpline hermite_data(Random& random, long segments, bool is_plane = false)
   return data;
 }
 
-bool is_within(const Vector<Rational>& off, const Rational& bound) {
-  return dot(off, off) <= bound * bound;
-}
-
-/// r, r′ and r″ by the parameter, from the position.
-struct State {
-  Vector<Rational> r;
-  Vector<Rational> d;
-  Vector<Rational> dd;
-  friend bool operator==(const State&, const State&) = default;
-};
-
-State state(const Curve& curve, const Rational& h, const Rational& t) {
-  Vector<Polynomial> p = position(curve);
-  const auto next = [&] {
-    for (Polynomial& x : p) x = differentiate(x);
-    return evaluate(p, t);
-  };
-  State result{evaluate(p, t), {}, {}};
-  result.d = Rational(1 / h) * next();
-  result.dd = Rational(1 / (h * h)) * next();
-  return result;
-}
-
 void check_claims(const HermiteSpline& data, const Construction& found,
                   const Deviation& tolerance) {
   CHECK(found.deviation.points <= tolerance.points);
@@ -66,14 +41,14 @@ void check_claims(const HermiteSpline& data, const Construction& found,
   CHECK(found.deviation.accelerations <= tolerance.accelerations);
   const auto& segments = found.path.segments();
   REQUIRE(found.parameters.size() == segments.size() + 1);
-  std::vector<State> states;
+  std::vector<Motion> states;
   for (std::size_t k = 0; k < segments.size(); ++k) {
     const Rational h = found.parameters[k + 1] - found.parameters[k];
     CHECK(degree(segments[k]) <= 9);
-    const State start = state(segments[k], h, 0);
+    const Motion start = motion(segments[k], h, 0);
     if (k > 0) CHECK(start == states.back());
     if (k == 0) states.push_back(start);
-    states.push_back(state(segments[k], h, 1));
+    states.push_back(motion(segments[k], h, 1));
   }
   if (data.is_closed) CHECK(states.front() == states.back());
   std::size_t point = 0;
@@ -156,7 +131,8 @@ TEST_CASE("c2_hermite_spline: points are met exactly where that is asked for, an
 
 TEST_CASE("c2_hermite_spline: plane data have a curve in their plane") {
   Random random(4);
-  for (const Curve& curve : c2_hermite(hermite_data(random, 5, true)).path.segments())
+  const Construction found = c2_hermite(hermite_data(random, 5, true));
+  for (const Curve& curve : found.path.segments())
     CHECK(rotated_i(curve.preimage())[2].is_zero());
 }
 

@@ -8,16 +8,16 @@
 #include "phrame/ph/construct/quintic_spline.hpp"
 #include "phrame/ph/construct/scale.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
-#include "support/random.hpp"
+#include "support/hermite.hpp"
 
 using namespace phrame;
+using test::is_within;
+using test::Motion;
+using test::motion;
 using test::Random;
+using test::relative;
 
 namespace {
-
-Deviation relative(const HermiteSpline& data, const Rational& tolerance) {
-  return {tolerance * size_of_points(data), tolerance * size_of_derivatives(data)};
-}
 
 Construction c2(const HermiteSpline& data, const Rational& tolerance = power_of_ten(-15)) {
   return c2_spline(data, relative(data, tolerance));
@@ -51,30 +51,6 @@ HermiteSpline random_ring(Random& random, long count, bool is_plane) {
   return through(std::move(points), true);
 }
 
-/// r, r′ and r″ with respect to the parameter, of which the segment has the step h.
-struct State {
-  Vector<Rational> r;
-  Vector<Rational> d;
-  Vector<Rational> dd;
-  friend bool operator==(const State&, const State&) = default;
-};
-
-State state(const Curve& curve, const Rational& h, const Rational& t) {
-  Vector<Polynomial> p = position(curve);
-  const auto next = [&] {
-    for (Polynomial& x : p) x = differentiate(x);
-    return evaluate(p, t);
-  };
-  State result{evaluate(p, t), {}, {}};
-  result.d = Rational(1 / h) * next();
-  result.dd = Rational(1 / (h * h)) * next();
-  return result;
-}
-
-bool is_within(const Vector<Rational>& off, const Rational& bound) {
-  return dot(off, off) <= bound * bound;
-}
-
 /// What is claimed of a spline, from its positions.
 void check_claims(const HermiteSpline& data, const Construction& found,
                   const Deviation& tolerance) {
@@ -82,12 +58,12 @@ void check_claims(const HermiteSpline& data, const Construction& found,
   CHECK(found.deviation.derivatives <= tolerance.derivatives);
   const auto& segments = found.path.segments();
   REQUIRE(found.parameters.size() == segments.size() + 1);
-  std::vector<State> starts;
-  std::vector<State> ends;
+  std::vector<Motion> starts;
+  std::vector<Motion> ends;
   for (std::size_t k = 0; k < segments.size(); ++k) {
     const Rational h = found.parameters[k + 1] - found.parameters[k];
-    starts.push_back(state(segments[k], h, 0));
-    ends.push_back(state(segments[k], h, 1));
+    starts.push_back(motion(segments[k], h, 0));
+    ends.push_back(motion(segments[k], h, 1));
   }
   for (std::size_t k = 1; k < segments.size(); ++k) CHECK(ends[k - 1] == starts[k]);
   if (data.is_closed) CHECK(ends.back() == starts.front());
@@ -215,7 +191,7 @@ TEST_CASE("c2_spline: the plane splines that Python finds") {
     const Construction found = c2(data);
     for (std::size_t k = 0; k < 3; ++k) {
       const Rational h = parameters[k + 2] - parameters[k + 1];
-      const Vector<Rational> d = state(found.path.segments()[k + 1], h, 0).d;
+      const Vector<Rational> d = motion(found.path.segments()[k + 1], h, 0).d;
       CHECK(distance(d, {derivatives[k].first, derivatives[k].second, 0}) < 1e-13);
     }
     CHECK(static_cast<double>(length(found.path)) == doctest::Approx(total).epsilon(1e-14));

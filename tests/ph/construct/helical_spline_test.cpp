@@ -8,10 +8,11 @@
 #include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/frame/totals.hpp"
 #include "phrame/ph/proof/classify.hpp"
-#include "support/random.hpp"
+#include "support/hermite.hpp"
 
 using namespace phrame;
 using test::for_samples;
+using test::one_segment;
 using test::Random;
 
 namespace {
@@ -20,11 +21,6 @@ Deviation tolerance(const char* text) { return {parse_rational(text), parse_rati
 
 Vector<Rational> vector(const char* x, const char* y, const char* z) {
   return {parse_rational(x), parse_rational(y), parse_rational(z)};
-}
-
-HermiteSpline segment(const Vector<Rational>& step, const Vector<Rational>& d0,
-                      const Vector<Rational>& d1) {
-  return {{{0, 0, 0}, step}, {d0, d1}, {0, 1}};
 }
 
 double energy_of(const Curve& curve) {
@@ -105,12 +101,12 @@ TEST_CASE("helical quintics: the four of known data have the lengths, angles and
       CHECK(energy_of(curve) == doctest::Approx(energy).epsilon(1e-13));
     }
   };
-  check(segment({1, 1, 1}, vector("-0.8", "0.3", "1.2"), vector("0.5", "-1.3", "-1")),
+  check(one_segment({1, 1, 1}, vector("-0.8", "0.3", "1.2"), vector("0.5", "-1.3", "-1")),
         {{{2.35974267543260545, 24.7739631442188520, 8.43828938599157977},
           {2.06886961655150659, 22.9515646517220409, 94.9848842872045810},
           {2.35974267543260545, 24.7739631442188520, 181.211655783525102},
           {2.06886961655150659, 22.9515646517220409, 1484.97155238916563}}});
-  check(segment({1, 1, 1}, vector("0.4", "-1.5", "-1.2"), vector("-1.2", "-0.6", "-1.2")),
+  check(one_segment({1, 1, 1}, vector("0.4", "-1.5", "-1.2"), vector("-1.2", "-0.6", "-1.2")),
         {{{2.87797896696405226, 219.84223073364729, 16.176671029907991},
           {2.87797896696405226, 219.84223073364729, 46.898068159643582},
           {2.30316776436017593, 169.80172990343519, 62.163845199205198},
@@ -120,8 +116,8 @@ TEST_CASE("helical quintics: the four of known data have the lengths, angles and
 TEST_CASE("helical quintics: random data have four with f = 1, and all are what they should be") {
   for_samples(14, [](Random& random) {
     const long size = random.integer(0, 1) == 0 ? 300 : 3000;
-    const HermiteSpline data = segment(random_vector(random, 1000), random_vector(random, size),
-                                       random_vector(random, size));
+    const HermiteSpline data = one_segment(random_vector(random, 1000), random_vector(random, size),
+                                           random_vector(random, size));
     const Deviation asked = tolerance("1e-15");
     double before = 0;
     std::size_t general = 0;
@@ -163,8 +159,8 @@ TEST_CASE("helical quintics: one that is known comes back, of either form") {
         is_monotone ? Curve(from_bernstein({a, b}),
                             from_bernstein(std::vector<Rational>{1, x, x * x + y * y}))
                     : Curve(from_bernstein({a, number() * a + number() * b, b}), Polynomial{1});
-    const HermiteSpline data = segment(evaluate(position(known), 1), evaluate(hodograph(known), 0),
-                                       evaluate(hodograph(known), 1));
+    const HermiteSpline data = one_segment(
+        evaluate(position(known), 1), evaluate(hodograph(known), 0), evaluate(hodograph(known), 1));
     Rational least = 1000;
     for (const Construction& found : all_of(data, tolerance("1e-20"))) {
       const std::vector<Vector<Rational>> p = control_points(found.path.segments().front());
@@ -203,7 +199,7 @@ TEST_CASE("helical quintics: adverse data have a curve or a line that says why n
   const Deviation asked = tolerance("1e-15");
   const auto outcome = [&](const Vector<Rational>& step, const Vector<Rational>& d0,
                            const Vector<Rational>& d1) -> std::string {
-    const HermiteSpline data = segment(step, d0, d1);
+    const HermiteSpline data = one_segment(step, d0, d1);
     try {
       std::string list;
       helical_spline(data, 1, asked);
@@ -271,8 +267,8 @@ TEST_CASE("helical quintics: points of a line, and nearly so, have their four sp
 TEST_CASE("helical quintics: the size of the data does not matter") {
   const auto lengths = [](const Rational& size) {
     const HermiteSpline data =
-        segment(size * Vector<Rational>{1, 2, 0}, size * Vector<Rational>{1, 0, 1},
-                size * Vector<Rational>{1, 1, -2});
+        one_segment(size * Vector<Rational>{1, 2, 0}, size * Vector<Rational>{1, 0, 1},
+                    size * Vector<Rational>{1, 1, -2});
     const Construction found =
         helical_spline(data, 1, {size * power_of_ten(-15), size * power_of_ten(-15)});
     return static_cast<double>(arc_length(found.path.segments().front())(1) / size);
@@ -285,9 +281,9 @@ TEST_CASE("helical quintics: the size of the data does not matter") {
 // The middle leg of symmetric data is along a, so that the equation for f₁ vanishes: the arc of a
 // circular helix, (cos, sin)(±1/2) and a climb, has a monotone one that is as symmetric.
 TEST_CASE("helical quintics: symmetric data have their monotone ones, too") {
-  const HermiteSpline data = segment(vector("0", "0.958851077208406", "0.5"),
-                                     vector("0.479425538604203", "0.8775825618903728", "0.5"),
-                                     vector("-0.479425538604203", "0.8775825618903728", "0.5"));
+  const HermiteSpline data = one_segment(vector("0", "0.958851077208406", "0.5"),
+                                         vector("0.479425538604203", "0.8775825618903728", "0.5"),
+                                         vector("-0.479425538604203", "0.8775825618903728", "0.5"));
   const std::vector<Construction> found = all_of(data, tolerance("1e-15"));
   CHECK(found.size() > 4);
   for (std::size_t k = 4; k < found.size(); ++k)

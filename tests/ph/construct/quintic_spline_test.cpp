@@ -8,44 +8,24 @@
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/frame/path_totals.hpp"
 #include "phrame/ph/frame/totals.hpp"
-#include "support/random.hpp"
+#include "support/hermite.hpp"
 
 using namespace phrame;
 using test::for_samples;
+using test::is_within;
+using test::one_segment;
 using test::Random;
+using test::random_spline;
+using test::relative;
 
 namespace {
 
 Rational number(const char* text) { return parse_rational(text); }
 
-HermiteSpline one_segment(const Vector<Rational>& step, const Vector<Rational>& d0,
-                          const Vector<Rational>& d1) {
-  return {{{0, 0, 0}, step}, {d0, d1}, {0, 1}};
-}
-
 const HermiteSpline left = one_segment({1, 1, 1}, {number("-0.8"), number("0.3"), number("1.2")},
                                        {number("0.5"), number("-1.3"), -1});
 const HermiteSpline right = one_segment({1, 1, 1}, {number("0.4"), number("-1.5"), number("-1.2")},
                                         {number("-1.2"), number("-0.6"), number("-1.2")});
-
-/// Decimals of six places, and parameters at steps from 1/2 to 3/2.
-HermiteSpline random_spline(Random& random, long segments) {
-  const auto decimal = [&] { return Rational(random.integer(-1'000'000, 1'000'000), 1'000'000); };
-  HermiteSpline data;
-  for (long k = 0; k <= segments; ++k) {
-    data.points.push_back({decimal() + k, decimal(), decimal()});
-    data.derivatives.push_back({1 + decimal(), decimal(), decimal()});
-    data.parameters.push_back(
-        k == 0 ? Rational(0) : data.parameters.back() + Rational(random.integer(50, 150), 100));
-  }
-  return data;
-}
-
-Vector<Rational> minus(const Vector<Rational>& a, const Vector<Rational>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Rational squared_size(const Vector<Rational>& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
 Vector<Rational> derivative(const Curve& curve, const Rational& h, const Rational& t) {
   Vector<Rational> d = evaluate(hodograph(curve), t);
@@ -61,9 +41,7 @@ void check_claims(const HermiteSpline& data, const Construction& found,
   CHECK(found.deviation.points <= tolerance.points);
   CHECK(found.deviation.derivatives <= tolerance.derivatives);
   const auto check_near = [](const Vector<Rational>& a, const Vector<Rational>& b,
-                             const Rational& bound) {
-    CHECK(squared_size(minus(a, b)) <= bound * bound);
-  };
+                             const Rational& bound) { CHECK(is_within(a - b, bound)); };
   for (std::size_t k = 0; k < segments.size(); ++k) {
     CAPTURE(k);
     const Rational h = data.parameters[k + 1] - data.parameters[k];
@@ -79,10 +57,6 @@ void check_claims(const HermiteSpline& data, const Construction& found,
     // The Euler–Rodrigues frame runs on, too: A itself is the same.
     CHECK(evaluate(segments[k].preimage(), 1) == evaluate(segments[k + 1].preimage(), 0));
   }
-}
-
-Deviation relative(const HermiteSpline& data, const Rational& tolerance) {
-  return {tolerance * size_of_points(data), tolerance * size_of_derivatives(data)};
 }
 
 /// The most bits of a numerator over 2^−bits.
@@ -253,7 +227,7 @@ TEST_CASE("quintic splines: a derivative far below the tolerance still has its d
   const Construction found =
       quintic_spline(data, QuinticSelection::automatic, relative(data, number("1e-6")));
   const Vector<Rational> d = derivative(found.path.segments().front(), 1, 1);
-  const Rational length_squared = squared_size(d);
+  const Rational length_squared = dot(d, d);
   const Rational along = d[0] + 2 * d[1] - d[2];
   CHECK(along > 0);
   CHECK(along * along > number("0.999999") * 6 * length_squared);
@@ -346,8 +320,8 @@ TEST_CASE("quintic spline: law: exact points are joints, and derivatives stay as
       if (k % 2 == 0) {
         CHECK(segments[k].start() == data.points[k / 2]);
         CHECK(found.parameters[k] == data.parameters[k / 2]);
-        const Vector<Rational> off = minus(derivative(segments[k], h, 0), data.derivatives[k / 2]);
-        CHECK(squared_size(off) <= allowed.derivatives * allowed.derivatives);
+        const Vector<Rational> off = derivative(segments[k], h, 0) - data.derivatives[k / 2];
+        CHECK(is_within(off, allowed.derivatives));
       } else {
         CHECK(end == data.points[k / 2 + 1]);
       }

@@ -10,40 +10,18 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/path_angle.hpp"
 #include "phrame/ph/frame/rational_frame.hpp"
-#include "support/random.hpp"
+#include "support/hermite.hpp"
 
 using namespace phrame;
 using test::for_samples;
+using test::one_segment;
 using test::Random;
+using test::random_spline;
+using test::relative;
 
 namespace {
 
 Rational decimal(const char* text) { return parse_rational(text); }
-
-HermiteSpline segment(const Vector<Rational>& step, const Vector<Rational>& d0,
-                      const Vector<Rational>& d1) {
-  return {{{0, 0, 0}, step}, {d0, d1}, {0, 1}};
-}
-
-/// Decimals of six places, and parameters at steps from 1/2 to 3/2.
-HermiteSpline random_data_of(Random& random, long segments) {
-  const auto number = [&] { return Rational(random.integer(-1'000'000, 1'000'000), 1'000'000); };
-  HermiteSpline data;
-  for (long k = 0; k <= segments; ++k) {
-    data.points.push_back({number() + k, number(), number()});
-    data.derivatives.push_back({1 + number(), number(), number()});
-    data.parameters.push_back(
-        k == 0 ? Rational(0) : data.parameters.back() + Rational(random.integer(50, 150), 100));
-  }
-  return data;
-}
-
-Deviation relative_to(const HermiteSpline& data, const char* tolerance) {
-  Deviation result;
-  result.points = decimal(tolerance) * size_of_points(data);
-  result.derivatives = decimal(tolerance) * size_of_derivatives(data);
-  return result;
-}
 
 Vector<Rational> derivative_at(const Curve& curve, const Rational& h, const Rational& t) {
   return 1 / h * evaluate(hodograph(curve), t);
@@ -97,7 +75,7 @@ void check_claims(const HermiteSpline& data, const Construction& found, const De
 }
 
 void check(const HermiteSpline& data, const char* tolerance = "1e-15") {
-  const Deviation allowed = relative_to(data, tolerance);
+  const Deviation allowed = relative(data, decimal(tolerance));
   check_claims(data, rmf_spline(data, allowed), allowed);
 }
 
@@ -107,14 +85,14 @@ TEST_CASE("RMF splines: h = 0, the joints are equal, the data are met, whatever 
   for (const char* tolerance : {"1e-6", "1e-15", "1e-40", "1e-60"}) {
     CAPTURE(tolerance);
     Random random(5);
-    check(random_data_of(random, 6), tolerance);
+    check(random_spline(random, 6), tolerance);
   }
 }
 
 TEST_CASE("RMF splines: the Euler-Rodrigues frame is rotation-minimizing through the joints") {
   Random random(8);
-  const HermiteSpline data = random_data_of(random, 4);
-  const Construction found = rmf_spline(data, relative_to(data, "1e-15"));
+  const HermiteSpline data = random_spline(random, 4);
+  const Construction found = rmf_spline(data, relative(data, decimal("1e-15")));
   for (const Curve& curve : found.path.segments()) {
     const auto frame = rational_frame(curve.preimage());
     REQUIRE(std::holds_alternative<RationalFrame>(frame));
@@ -126,8 +104,8 @@ TEST_CASE("RMF splines: the Euler-Rodrigues frame is rotation-minimizing through
 
 TEST_CASE("RMF splines: the numbers of segment 300 are not longer than those of the first") {
   Random random(7);
-  const HermiteSpline data = random_data_of(random, 300);
-  const Construction found = rmf_spline(data, relative_to(data, "1e-15"));
+  const HermiteSpline data = random_spline(random, 300);
+  const Construction found = rmf_spline(data, relative(data, decimal("1e-15")));
   const auto& segments = found.path.segments();
   for (const std::size_t k : {0U, 1U, 150U, 299U}) {
     CHECK(longest_number(segments[k]) < 5 * found.bits + 40);
@@ -140,10 +118,10 @@ TEST_CASE("RMF splines: plane data and parallel tangents, nearly and exactly") {
   for (const char* text : {"1e-1", "1e-3", "1e-6", "1e-9", "1e-12", "1e-15", "1e-18", "0"}) {
     CAPTURE(text);
     const Rational e = decimal(text);
-    check(
-        segment({1, decimal("0.1"), 7 * e / 10}, {1, Rational(1, 2), 0}, {1, -Rational(1, 2), e}));
-    check(segment({1, decimal("0.3"), decimal("0.2")}, {1, 1, 1}, {1 + e, 1, 1 - e}));
-    check(segment({1, 0, 0}, {1, 0, e}, {1, e, -e}));
+    check(one_segment({1, decimal("0.1"), 7 * e / 10}, {1, Rational(1, 2), 0},
+                      {1, -Rational(1, 2), e}));
+    check(one_segment({1, decimal("0.3"), decimal("0.2")}, {1, 1, 1}, {1 + e, 1, 1 - e}));
+    check(one_segment({1, 0, 0}, {1, 0, e}, {1, e, -e}));
   }
 }
 
@@ -152,13 +130,13 @@ TEST_CASE("RMF splines: what is plane or straight and on an axis stays there") {
                             {{0, 1, 0}, {1, 0, 0}, {0, -1, 0}, {-1, 0, 0}, {-2, 0, 0}},
                             {0, 1, 2, 3, 4}};
   check(plane);
-  const Construction in_plane = rmf_spline(plane, relative_to(plane, "1e-15"));
+  const Construction in_plane = rmf_spline(plane, relative(plane, decimal("1e-15")));
   for (const Curve& curve : in_plane.path.segments()) CHECK(hodograph(curve)[2].is_zero());
   const HermiteSpline line{{{0, 0, 0}, {3, 0, 0}, {4, 0, 0}, {9, 0, 0}},
                            {{1, 0, 0}, {2, 0, 0}, {1, 0, 0}, {0, 0, 0}},
                            {0, 2, 3, 7}};
   check(line);
-  const Construction on_line = rmf_spline(line, relative_to(line, "1e-15"));
+  const Construction on_line = rmf_spline(line, relative(line, decimal("1e-15")));
   for (const Curve& curve : on_line.path.segments()) {
     CHECK(preimage_degree(curve) == 0);
     CHECK(hodograph(curve)[1].is_zero());
@@ -169,26 +147,26 @@ TEST_CASE("RMF splines: what is plane or straight and on an axis stays there") {
 TEST_CASE("RMF splines: data of any size and at the edge are met") {
   for (const char* size : {"1e150", "1e-150", "1e400"}) {
     const Rational c = decimal(size);
-    check(segment({c, c, c}, {c, 0, c / 3}, {-c, c / 7, 0}));
+    check(one_segment({c, c, c}, {c, 0, c / 3}, {-c, c / 7, 0}));
   }
   const Vector<Rational> step{1, decimal("0.1"), decimal("0.2")};
-  check(segment(step, {1'000'000, 300'000, 0}, {200'000, -1'000'000, 100'000}));
-  check(segment(step, {decimal("1e-9"), decimal("3e-9"), 0},
-                {decimal("2e-9"), decimal("-1e-9"), decimal("1e-9")}));
-  check(segment({1, 0, 0}, {0, 1, 0}, {0, -1, 0}));                 // antiparallel
-  check(segment({1, 0, 0}, {0, 1, 0}, {0, -1, decimal("1e-13")}));  // nearly so
-  check(segment({1, 0, 0}, {1, 2, 3}, {-1, -2, -3}));
-  check(segment({-1, 0, 0}, {-1, 0, 0}, {-1, 0, 0}));
-  check(segment({-1, decimal("1e-12"), 0}, {-1, decimal("1e-15"), decimal("1e-16")},
-                {-1, 0, decimal("1e-14")}));
-  check(segment({1, 1, 1}, {9, 9, 9}, {9, 9, 9}));   // too fast for a line
-  check(segment({-1, 0, 0}, {1, 0, 0}, {1, 0, 0}));  // back
-  check(segment({Rational(1, 4), 0, 0}, {1, 0, 0}, {1, 0, 0}));
-  check(segment({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));  // loops
-  check(segment({0, 0, 0}, {1, 2, 2}, {1, 2, 2}));
-  check(segment({1, decimal("0.2"), 0}, {0, 0, 0}, {1, 0, decimal("0.3")}));  // from rest
-  check(segment({1, decimal("0.2"), 0}, {1, 0, decimal("0.3")}, {0, 0, 0}));
-  check(segment({1, decimal("0.2"), 0}, {0, 0, 0}, {0, 0, 0}));
+  check(one_segment(step, {1'000'000, 300'000, 0}, {200'000, -1'000'000, 100'000}));
+  check(one_segment(step, {decimal("1e-9"), decimal("3e-9"), 0},
+                    {decimal("2e-9"), decimal("-1e-9"), decimal("1e-9")}));
+  check(one_segment({1, 0, 0}, {0, 1, 0}, {0, -1, 0}));                 // antiparallel
+  check(one_segment({1, 0, 0}, {0, 1, 0}, {0, -1, decimal("1e-13")}));  // nearly so
+  check(one_segment({1, 0, 0}, {1, 2, 3}, {-1, -2, -3}));
+  check(one_segment({-1, 0, 0}, {-1, 0, 0}, {-1, 0, 0}));
+  check(one_segment({-1, decimal("1e-12"), 0}, {-1, decimal("1e-15"), decimal("1e-16")},
+                    {-1, 0, decimal("1e-14")}));
+  check(one_segment({1, 1, 1}, {9, 9, 9}, {9, 9, 9}));   // too fast for a line
+  check(one_segment({-1, 0, 0}, {1, 0, 0}, {1, 0, 0}));  // back
+  check(one_segment({Rational(1, 4), 0, 0}, {1, 0, 0}, {1, 0, 0}));
+  check(one_segment({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));  // loops
+  check(one_segment({0, 0, 0}, {1, 2, 2}, {1, 2, 2}));
+  check(one_segment({1, decimal("0.2"), 0}, {0, 0, 0}, {1, 0, decimal("0.3")}));  // from rest
+  check(one_segment({1, decimal("0.2"), 0}, {1, 0, decimal("0.3")}, {0, 0, 0}));
+  check(one_segment({1, decimal("0.2"), 0}, {0, 0, 0}, {0, 0, 0}));
   check({{{0, 0, 0}, {1, 1, 0}, {2, 1, 1}}, {{0, 0, 0}, {1, 2, 0}, {0, 0, 0}}, {0, 1, 2}});
 }
 
@@ -200,7 +178,7 @@ TEST_CASE("RMF splines: a run of parallel tangents has one direction, and no lon
     data.parameters.emplace_back(k);
   }
   check(data);
-  const Construction found = rmf_spline(data, relative_to(data, "1e-15"));
+  const Construction found = rmf_spline(data, relative(data, decimal("1e-15")));
   for (const Curve& curve : found.path.segments()) {
     CHECK(preimage_degree(curve) == 2);
     CHECK(longest_number(curve) < 4 * found.bits + 20);
@@ -212,7 +190,7 @@ TEST_CASE("RMF splines: a run of parallel tangents has one direction, and no lon
 TEST_CASE("RMF splines: what is no curve is refused, with its place") {
   const auto refusal = [](const HermiteSpline& data) -> std::string {
     try {
-      rmf_spline(data, relative_to(data, "1e-15"));
+      rmf_spline(data, relative(data, decimal("1e-15")));
     } catch (const Error& error) {
       return error.what();
     }
@@ -224,7 +202,7 @@ TEST_CASE("RMF splines: what is no curve is refused, with its place") {
   CHECK(refusal({{{1, 2, 3}, {1, 2, 3}}, {{0, 0, 0}, {0, 0, 0}}, {0, 1}}) ==
         "segment 1 is a point: its points are equal and its derivatives are 0");
   const Rational fast = decimal("1e8");
-  CHECK(refusal(segment({1, decimal("0.1"), decimal("0.2")}, {fast, 0, 1}, {0, 1 / fast, 0})) ==
+  CHECK(refusal(one_segment({1, decimal("0.1"), decimal("0.2")}, {fast, 0, 1}, {0, 1 / fast, 0})) ==
         "segment 1: no septic with h = 0 was found that has its points and derivatives");
 }
 
@@ -259,7 +237,7 @@ TEST_CASE("RMF splines: closed ones end at their start, with the derivative ther
   const HermiteSpline trefoil = closed(points, derivatives);
   for (const char* tolerance : {"1e-15", "1e-40"}) check(trefoil, tolerance);
   // In Python: energy 7.848, and f differs from 1 by 2e-17 at most.
-  const Construction found = rmf_spline(trefoil, relative_to(trefoil, "1e-15"));
+  const Construction found = rmf_spline(trefoil, relative(trefoil, decimal("1e-15")));
   CHECK(energy_of(found) == doctest::Approx(7.848).epsilon(1e-4));
   const Polynomial& f = found.path.segments().back().multiplier();
   CHECK(f.degree() == 4);

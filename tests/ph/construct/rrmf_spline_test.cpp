@@ -6,21 +6,17 @@
 #include "phrame/ph/construct/scale.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/proof/classify.hpp"
-#include "support/random.hpp"
+#include "support/hermite.hpp"
 
 using namespace phrame;
 using test::for_samples;
+using test::one_segment;
 using test::Random;
 
 namespace {
 
 Vector<Rational> vector(const char* x, const char* y, const char* z) {
   return {parse_rational(x), parse_rational(y), parse_rational(z)};
-}
-
-HermiteSpline segment(const Vector<Rational>& step, const Vector<Rational>& d0,
-                      const Vector<Rational>& d1) {
-  return {{{0, 0, 0}, step}, {d0, d1}, {0, 1}};
 }
 
 void check_met(const Construction& found, const HermiteSpline& data, const Deviation& asked) {
@@ -80,16 +76,17 @@ TEST_CASE("RRMF quintics: every b, τ has the law, a rational frame, and the ste
 // and of the last one, where none is found here, not one from 200.
 TEST_CASE("RRMF quintics: data that have some get one, and one line says where none is found") {
   const std::vector<HermiteSpline> solvable{
-      segment({1, 1, 1}, vector("-0.8", "0.3", "1.2"), vector("0.5", "-1.3", "-1")),
-      segment(vector("1", "0.1", "-0.2"), vector("1", "0.5", "0.3"), vector("1", "-0.4", "0.6")),
-      segment(vector("1", "0.3", "0"), vector("1", "1", "0"), vector("0.4", "-1", "0")),
+      one_segment({1, 1, 1}, vector("-0.8", "0.3", "1.2"), vector("0.5", "-1.3", "-1")),
+      one_segment(vector("1", "0.1", "-0.2"), vector("1", "0.5", "0.3"),
+                  vector("1", "-0.4", "0.6")),
+      one_segment(vector("1", "0.3", "0"), vector("1", "1", "0"), vector("0.4", "-1", "0")),
       // Of these the first found have f < 0.
-      segment(vector("-0.234445", "-0.745186", "-0.972382"),
-              vector("-0.231397", "0.756044", "-0.387802"),
-              vector("0.336939", "-0.969904", "0.657054")),
-      segment(vector("0.939606", "-0.412139", "0.374902"),
-              vector("-0.913525", "0.661781", "0.465144"),
-              vector("-0.015037", "-0.747463", "-0.510827"))};
+      one_segment(vector("-0.234445", "-0.745186", "-0.972382"),
+                  vector("-0.231397", "0.756044", "-0.387802"),
+                  vector("0.336939", "-0.969904", "0.657054")),
+      one_segment(vector("0.939606", "-0.412139", "0.374902"),
+                  vector("-0.913525", "0.661781", "0.465144"),
+                  vector("-0.015037", "-0.747463", "-0.510827"))};
   for (const char* bound : {"1e-9", "1e-15", "1e-40"}) {
     const Deviation asked{parse_rational(bound), parse_rational(bound)};
     for (const HermiteSpline& data : solvable) {
@@ -104,8 +101,9 @@ TEST_CASE("RRMF quintics: data that have some get one, and one line says where n
   }
   const Deviation asked{power_of_ten(-15), power_of_ten(-15)};
   CHECK_THROWS_WITH_AS(
-      rrmf_spline(segment({1, 1, 1}, vector("0.4", "-1.5", "-1.2"), vector("-1.2", "-0.6", "-1.2")),
-                  asked),
+      rrmf_spline(
+          one_segment({1, 1, 1}, vector("0.4", "-1.5", "-1.2"), vector("-1.2", "-0.6", "-1.2")),
+          asked),
       "segment 1: no quintic with these ends and tangents and a rational rotation-minimizing frame "
       "was found",
       Undecided);
@@ -138,7 +136,7 @@ TEST_CASE(
 TEST_CASE("RRMF quintics: adverse data have a curve or a line that says why not") {
   const auto outcome = [](const Vector<Rational>& step, const Vector<Rational>& d0,
                           const Vector<Rational>& d1) -> std::string {
-    const HermiteSpline data = segment(step, d0, d1);
+    const HermiteSpline data = one_segment(step, d0, d1);
     const Rational size = largest(step);
     const Deviation asked{size * power_of_ten(-15), power_of_ten(-15)};
     try {
