@@ -245,3 +245,73 @@ TEST_CASE(
                        "(-1, 0, 0), where they mean nothing",
                        DomainError);
 }
+
+// r is the integral of the hodograph; by Simpson's rule, which is exact for its pieces to 1e-12.
+TEST_CASE("quintics: the order of minimal, bv, cc, auto and energy is four") {
+  for (const QuinticSelection selection :
+       {QuinticSelection::minimal, QuinticSelection::bv, QuinticSelection::cc,
+        QuinticSelection::automatic, QuinticSelection::energy}) {
+    CAPTURE(static_cast<int>(selection));
+    const auto error = [&](double h) {
+      const auto r = [](double t) {
+        return Vector<double>{std::cos(t), std::sin(2 * t) / 2, t * t / 3};
+      };
+      const auto d = [&](double t) {
+        return h * Vector<double>{-std::sin(t), std::cos(2 * t), 2 * t / 3};
+      };
+      constexpr double start = 0.25;
+      const QuinticFamily family({r(start + h) - r(start), d(start), d(start + h)});
+      const FreeAngles angles = family.choose(selection);
+      const auto a = family.member(value(angles.delta), value(angles.phi));
+      const auto hodograph = [&](double t) {
+        const Quaternion<double> w =
+            (1 - t) * (1 - t) * a[0] + 2 * t * (1 - t) * a[1] + t * t * a[2];
+        return rotated_i(w);
+      };
+      constexpr int steps = 400;
+      Vector<double> at = r(start);
+      double greatest = 0;
+      for (int k = 0; k < steps; ++k) {
+        const double t = static_cast<double>(k) / steps;
+        const double half = 0.5 / steps;
+        at = at + (half / 3) * (hodograph(t) + 4.0 * hodograph(t + half) + hodograph(t + 2 * half));
+        const Vector<double> off = at - r(start + h * (t + 2 * half));
+        greatest = std::max(greatest, std::sqrt(dot(off, off)));
+      }
+      return greatest;
+    };
+    const double ratio = error(0.1) / error(0.05);
+    CHECK(ratio > 13);
+    CHECK(ratio < 22);
+  }
+}
+
+// Δ and φ come out as multiples of π/2²⁰, so that they may differ by one or two of these.
+TEST_CASE("quintics: law: the curves are turned, scaled and reversed with their data") {
+  for_samples(40, [](Random& random) {
+    const Data data = random_hermite(random);
+    const Quaternion<double> q{normal(random), normal(random), normal(random), normal(random)};
+    const double scale = std::exp(normal(random));
+    const auto turned = [&](const Vector<double>& v) -> Vector<double> {
+      const Quaternion<double> w = q * Quaternion<double>{0, v[0], v[1], v[2]} * conjugate(q);
+      return scale / norm(q) * Vector<double>{w.v, w.p, w.q};
+    };
+    const QuinticFamily family(data);
+    const QuinticFamily other({turned(data.step), turned(data.d0), turned(data.d1)});
+    const QuinticFamily back({-1.0 * data.step, -1.0 * data.d1, -1.0 * data.d0});
+    for (const QuinticSelection selection :
+         {QuinticSelection::minimal, QuinticSelection::bv, QuinticSelection::cc,
+          QuinticSelection::shortest, QuinticSelection::longest}) {
+      CAPTURE(static_cast<int>(selection));
+      const FreeAngles angles = family.choose(selection);
+      const FreeAngles of_other = other.choose(selection);
+      const double off = std::remainder(value(angles.delta) - value(of_other.delta), 2 * half_turn);
+      CHECK(std::abs(off) < 1e-5);
+      CHECK(is_near(energy(family, angles), scale * energy(other, of_other), 1e-3));
+      CHECK(is_near(family.length(value(angles.delta)), other.length(value(of_other.delta)) / scale,
+                    1e-9));
+      const FreeAngles of_back = back.choose(selection);
+      CHECK(is_near(family.length(value(angles.delta)), back.length(value(of_back.delta)), 1e-9));
+    }
+  });
+}
