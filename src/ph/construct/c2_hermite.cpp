@@ -171,21 +171,22 @@ Construction c2_hermite_spline(const HermiteSpline& data, const Deviation& toler
     if (largest(data.derivatives[k]) == 0)
       throw DomainError(
           fmt::format("the derivative at point {} is 0: no acceleration can be had there", k + 1));
-  const auto [scaled_data, root, step_scale, scales] = scaled(data);
-  const Deviation wanted{scales[0] * tolerance.points, scales[1] * tolerance.derivatives,
-                         scales[2] * tolerance.accelerations};
+  const ScaledData units = scaled(data);
+  const Deviation wanted{units.scales[0] * tolerance.points,
+                         units.scales[1] * tolerance.derivatives,
+                         units.scales[2] * tolerance.accelerations};
   long p = 20;
   for (const Rational& x : {wanted.points, wanted.derivatives, wanted.accelerations})
-    if (x != 0) p = std::max(p, 4 - binary_exponent(x) + bits_before_point(scaled_data));
+    if (x != 0) p = std::max(p, 4 - binary_exponent(x) + bits_before_point(units.data));
   if (wanted.accelerations != 0)
     p = std::max(
-        p, 6 - binary_exponent(Rational(wanted.accelerations * parameter_steps(scaled_data).unit)));
+        p, 6 - binary_exponent(Rational(wanted.accelerations * parameter_steps(units.data).unit)));
   for (int pass = 0; pass < most_passes; ++pass, p += 8) {
-    const auto found = attempt(scaled_data, wanted, p);
+    const auto found = attempt(units.data, wanted, p);
     if (!found) continue;
-    const Deviation deviation{square_root_above(found->squared.points) / scales[0],
-                              square_root_above(found->squared.derivatives) / scales[1],
-                              square_root_above(found->squared.accelerations) / scales[2]};
+    const Deviation deviation{square_root_above(found->squared.points) / units.scales[0],
+                              square_root_above(found->squared.derivatives) / units.scales[1],
+                              square_root_above(found->squared.accelerations) / units.scales[2]};
     if (deviation.points > tolerance.points || deviation.derivatives > tolerance.derivatives ||
         deviation.accelerations > tolerance.accelerations)
       continue;
@@ -194,10 +195,10 @@ Construction c2_hermite_spline(const HermiteSpline& data, const Deviation& toler
     std::vector<Rational> parameters{data.parameters.front()};
     const auto add = [&](const QuarticSegment& segment) {
       std::vector<RationalQuaternion> b;
-      for (const RationalQuaternion& coefficient : segment.a) b.push_back(root * coefficient);
-      const Rational h = segment.h / step_scale;
+      for (const RationalQuaternion& coefficient : segment.a) b.push_back(units.root * coefficient);
+      const Rational h = segment.h / units.step_scale;
       curves.emplace_back(from_bernstein(b), Polynomial{h},
-                          Rational(1 / scales[0]) * segment.start);
+                          Rational(1 / units.scales[0]) * segment.start);
       parameters.push_back(parameters.back() + h);
     };
     for (std::size_t k = 0; k < data.segments(); ++k) {
@@ -206,10 +207,10 @@ Construction c2_hermite_spline(const HermiteSpline& data, const Deviation& toler
         add(found->segments[k]);
         continue;
       }
-      const Vector<Rational>& start = is_exact ? scaled_data.points[k] : own_start;
+      const Vector<Rational>& start = is_exact ? units.data.points[k] : own_start;
       try {
         const auto [first, second] =
-            exact_halves(a, Rational(1 / h) * (scaled_data.points[k + 1] - start), p);
+            exact_halves(a, Rational(1 / h) * (units.data.points[k + 1] - start), p);
         add({first, h / 2, start});
         add({second, h / 2, start + Rational(h / 2) * integral(first)});
       } catch (const Undecided& error) {
@@ -219,7 +220,7 @@ Construction c2_hermite_spline(const HermiteSpline& data, const Deviation& toler
     return {joined(curves),
             std::move(parameters),
             {},
-            p - binary_exponent(root),
+            p - binary_exponent(units.root),
             {is_exact ? Rational(0) : deviation.points, deviation.derivatives,
              deviation.accelerations}};
   }

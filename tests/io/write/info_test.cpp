@@ -234,7 +234,7 @@ TEST_CASE("curve info: text, JSON and LaTeX name the same fields") {
     const char* label;
     const char* latex;
   };
-  for (const auto& [key, label, in_latex] :
+  for (const Names& names :
        {Names{"/preimage/u", "u", "u"}, Names{"/sigma", "σ = |A|²", "\\sigma = |A|^2"},
         Names{"/h", "h", "h"}, Names{"/g", "g", "g"}, Names{"/rho", "ρ = 4|g|²", "\\rho = 4|g|^2"},
         Names{"/triple_product", "(r′ × r″)·r‴", "(r' \\times r'')\\cdot r'''"},
@@ -245,10 +245,10 @@ TEST_CASE("curve info: text, JSON and LaTeX name the same fields") {
         Names{"/erf_extrema/0", "extremum of ω₁", "\\text{extremum of $\\omega_1$}"},
         Names{"/bending_energy", "energy ∫₀¹ κ² ds",
               "\\text{energy $\\int_0^1 \\kappa^2\\, ds$}"}}) {
-    CAPTURE(key);
-    CHECK(json.contains(Json::json_pointer(key)));
-    CHECK(contains(text, std::string("\n  ") + label + "  "));
-    CHECK(contains(latex, std::string("\n") + in_latex + " &"));
+    CAPTURE(names.key);
+    CHECK(json.contains(Json::json_pointer(names.key)));
+    CHECK(contains(text, std::string("\n  ") + names.label + "  "));
+    CHECK(contains(latex, std::string("\n") + names.latex + " &"));
   }
 }
 

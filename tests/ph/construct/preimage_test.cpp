@@ -1,5 +1,7 @@
 #include "phrame/ph/construct/preimage.hpp"
 
+#include <cmath>
+
 #include "phrame/algebra/big_float.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "support/random.hpp"

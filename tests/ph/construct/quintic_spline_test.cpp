@@ -1,5 +1,6 @@
 #include "phrame/ph/construct/quintic_spline.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include "phrame/algebra/error.hpp"

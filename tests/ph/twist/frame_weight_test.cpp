@@ -1,5 +1,7 @@
 #include "phrame/ph/twist/frame_weight.hpp"
 
+#include <cmath>
+
 #include <doctest/doctest.h>
 
 #include "phrame/algebra/error.hpp"
