@@ -354,9 +354,11 @@ TEST_CASE("rational twist: next to a cusp one is found") {
   const BestTwist quadratic = best_twist(piece, {});
   CHECK(is_near(quadratic.twist.end_factor().enclose(bits), number("1.0006914188"), 7));
   CHECK(is_near(relative_error(quadratic.twist), -number("3998027.3229601846909"), 6));
-  const BestTwist linear = best_twist(piece, {1, EndRates::free, true, 60});
-  CHECK(is_near(linear.twist.end_factor().enclose(bits), number("0.99997142898"), 7));
-  CHECK(is_near(relative_error(linear.twist), -number("3997532.5947385632541"), 6));
+  if (test::multiplier() > 1) {
+    const BestTwist linear = best_twist(piece, {1, EndRates::free, true, 60});
+    CHECK(is_near(linear.twist.end_factor().enclose(bits), number("0.99997142898"), 7));
+    CHECK(is_near(relative_error(linear.twist), -number("3997532.5947385632541"), 6));
+  }
   // Divided beside the cusp, too.
   std::vector<Rational> places{Rational(4999, 10000), Rational(1, 2), Rational(2, 5)};
   places.resize(static_cast<std::size_t>(test::everyday(1, 3)));
