@@ -107,21 +107,21 @@ std::size_t number_length(std::string_view rest) {
 }  // namespace
 
 Token first_token(std::string_view rest) {
-  using Kind = Token::Kind;
-  if (rest.empty()) return {Kind::end, rest};
-  if (const auto n = number_length(rest); n > 0) return {Kind::number, rest.substr(0, n)};
+  using TokenKind = Token::Kind;
+  if (rest.empty()) return {TokenKind::end, rest};
+  if (const auto n = number_length(rest); n > 0) return {TokenKind::number, rest.substr(0, n)};
   const Character c = first_character(rest);
   if (is_letter(c.code))
-    return {Kind::name, rest.substr(0, length_of(rest, [](char32_t code) {
-                                      return is_letter(code) || (code >= U'0' && code <= U'9');
-                                    }))};
-  if (rest.starts_with("**")) return {Kind::sign, rest.substr(0, 2), '^'};
+    return {TokenKind::name, rest.substr(0, length_of(rest, [](char32_t code) {
+                                           return is_letter(code) || (code >= U'0' && code <= U'9');
+                                         }))};
+  if (rest.starts_with("**")) return {TokenKind::sign, rest.substr(0, 2), '^'};
   if (const char sign = sign_of(c.code); sign != 0)
-    return {Kind::sign, rest.substr(0, c.bytes), sign};
+    return {TokenKind::sign, rest.substr(0, c.bytes), sign};
   if (plain(c.code) != 0)
-    return {Kind::exponent,
+    return {TokenKind::exponent,
             rest.substr(0, length_of(rest, [](char32_t code) { return plain(code) != 0; }))};
-  return {Kind::other, rest.substr(0, c.bytes)};
+  return {TokenKind::other, rest.substr(0, c.bytes)};
 }
 
 std::string plain_digits(std::string_view superscript) {
