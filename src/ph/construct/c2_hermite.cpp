@@ -39,7 +39,7 @@ ScaledData scaled(const HermiteSpline& data) {
   Rational longest_step;
   for (std::size_t k = 0; k < data.segments(); ++k) {
     longest_chord = std::max(longest_chord, largest(data.points[k + 1] - data.points[k]));
-    longest_step = std::max(longest_step, Rational(data.parameters[k + 1] - data.parameters[k]));
+    longest_step = std::max(longest_step, data.step(k));
   }
   const Rational step_scale = scale_for_doubles(longest_step);
   if (longest_chord == 0) longest_chord = size_of_derivatives(data) * longest_step;
@@ -66,11 +66,6 @@ RationalQuaternion times_i(const Vector<Rational>& v, const RationalQuaternion& 
   return RationalQuaternion{0, v[0], v[1], v[2]} * a * RationalQuaternion{0, 1, 0, 0};
 }
 
-RationalQuaternion rounded_places(const RationalQuaternion& a, long p) {
-  return {rounded_to_places(a.u, p), rounded_to_places(a.v, p), rounded_to_places(a.p, p),
-          rounded_to_places(a.q, p)};
-}
-
 std::vector<JointValue> joint_values(const HermiteSpline& data, const Rational& unit,
                                      const PreimageGrid& grid, long p) {
   std::vector<JointValue> result;
@@ -91,8 +86,8 @@ std::vector<JointValue> joint_values(const HermiteSpline& data, const Rational& 
     const RationalQuaternion q = exact(grid.rounded(a), grid.step());
     const Rational size = norm(q);
     if (size == 0) return {};
-    result.push_back(
-        {q, rounded_places(Rational(-unit / (8 * size)) * times_i(data.accelerations[k], q), p)});
+    result.push_back({q, rounded_to_places(
+                             Rational(-unit / (8 * size)) * times_i(data.accelerations[k], q), p)});
   }
   return result;
 }
@@ -137,7 +132,7 @@ std::optional<QuarticAttempt> attempt(const HermiteSpline& data, const Deviation
   }
   Vector<Rational> at = data.points.front();
   for (std::size_t k = 0; k < data.segments(); ++k) {
-    const Rational h = data.parameters[k + 1] - data.parameters[k];
+    const Rational h = data.step(k);
     const Rational count = steps.counts[k];
     QuarticPreimage a{joints[k].a,
                       joints[k].a + count * joints[k].slope,
@@ -150,7 +145,7 @@ std::optional<QuarticAttempt> attempt(const HermiteSpline& data, const Deviation
     const RationalQuaternion mean = shift + Rational(1, 2) * (a[1] + a[3]);
     const Quaternion<BigFloat> x = preimage(grid.vector(c));
     const Quaternion<BigFloat> turned_x = turned(x, turn_to(grid.quaternion(mean), x));
-    a[2] = rounded_places(exact(grid.rounded(turned_x), grid.step()) - shift, p);
+    a[2] = rounded_to_places(exact(grid.rounded(turned_x), grid.step()) - shift, p);
     result.segments.push_back({a, h, at});
     at = at + h * integral(a);
     squared.points =
@@ -187,9 +182,7 @@ Construction c2_hermite_spline(const HermiteSpline& data, const Deviation& toler
     const Deviation deviation{square_root_above(found->squared.points) / units.scales[0],
                               square_root_above(found->squared.derivatives) / units.scales[1],
                               square_root_above(found->squared.accelerations) / units.scales[2]};
-    if (deviation.points > tolerance.points || deviation.derivatives > tolerance.derivatives ||
-        deviation.accelerations > tolerance.accelerations)
-      continue;
+    if (!is_within(deviation, tolerance)) continue;
     const bool is_exact = rule == PointRule::exact;
     std::vector<Curve> curves;
     std::vector<Rational> parameters{data.parameters.front()};

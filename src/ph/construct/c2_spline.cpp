@@ -79,7 +79,7 @@ C2Problem::C2Problem(const HermiteSpline& data) : data_(data), n_(data.segments(
   std::vector<Rational> steps;
   for (std::size_t k = 0; k < n_; ++k) {
     chords.push_back(data.points[k + 1] - data.points[k]);
-    steps.push_back(data.parameters[k + 1] - data.parameters[k]);
+    steps.push_back(data.step(k));
   }
   Rational size = largest(chords);
   if (size == 0) size = size_of_derivatives(data) * steps[0];
@@ -282,8 +282,7 @@ std::optional<Construction> C2Problem::within(const Deviation& tolerance,
           squared_above(exact(rotated_i(spline.joints[k]), step * step) - data_.derivatives[k],
                         tolerance.derivatives));
   Deviation deviation{square_root_above(squared.points), square_root_above(squared.derivatives)};
-  if (deviation.points > tolerance.points || deviation.derivatives > tolerance.derivatives)
-    return std::nullopt;
+  if (!is_within(deviation, tolerance)) return std::nullopt;
   if (rule == PointRule::exact) {
     joints = data_.points;
     deviation.points = 0;
@@ -296,7 +295,7 @@ std::optional<Construction> C2Problem::within(const Deviation& tolerance,
     parameters.push_back(parameters.back() + h);
   };
   for (std::size_t k = 0; k < n_; ++k) {
-    const Rational h = data_.parameters[k + 1] - data_.parameters[k];
+    const Rational h = data_.step(k);
     const auto coefficients = [&](const Rational& scale) {
       return QuadraticPreimage{exact(spline.joints[k], scale), exact(spline.middles[k], scale),
                                exact(spline.joints[k + 1], scale)};

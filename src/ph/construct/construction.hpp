@@ -13,6 +13,12 @@ struct Deviation {
   friend bool operator==(const Deviation&, const Deviation&) = default;
 };
 
+/// Is none greater than the tolerance?
+inline bool is_within(const Deviation& deviation, const Deviation& tolerance) {
+  return deviation.points <= tolerance.points && deviation.derivatives <= tolerance.derivatives &&
+         deviation.accelerations <= tolerance.accelerations;
+}
+
 /// How the points are met.
 enum class PointRule {
   near,  ///< within the tolerance

@@ -6,11 +6,10 @@
 #include <array>
 #include <optional>
 
-#include "phrame/algebra/big_float.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/energy.hpp"
-#include "phrame/ph/construct/preimage.hpp"
+#include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/scale.hpp"
 
 // With preimages U₀, U₁ of the unit tangents u₀, u₁ such that c = H(U₀, U₁) > 0, the cubic with
@@ -34,9 +33,6 @@ struct Cubic {
 };
 
 double energy_of(const Quaternion<Float>& a0, const Quaternion<Float>& a1) {
-  const auto in_doubles = [](const Quaternion<Float>& a) {
-    return Quaternion<double>{a.u.to_double(), a.v.to_double(), a.p.to_double(), a.q.to_double()};
-  };
   const std::array a{in_doubles(a0), in_doubles(a1)};
   return approximate_energy(a);
 }
@@ -98,17 +94,8 @@ std::vector<Cubic> cubics(const Quaternion<Float>& u0, const Quaternion<Float>& 
 
 Quaternion<Float> unit_preimage(const Vector<Rational>& d, long bits) {
   const Rational scale = scale_for_doubles(largest(d));
-  Vector<Float> v;
-  for (std::size_t k = 0; k < 3; ++k) v[k] = Float(scale * d[k], bits);
+  const Vector<Float> v = big_floats(scale * d, bits);
   return preimage((Float(1.0) / sqrt(dot(v, v))) * v);
-}
-
-Rational rounded(const Float& x, long places) {
-  return Rational(x.scaled(places)) * power_of_two(-places);
-}
-
-RationalQuaternion rounded(const Quaternion<Float>& a, long places) {
-  return {rounded(a.u, places), rounded(a.v, places), rounded(a.p, places), rounded(a.q, places)};
 }
 
 /// A spline with A rounded to multiples of 2^−bits where it is of size 1; no value where the
@@ -120,25 +107,26 @@ std::optional<Construction> attempt(const HermiteSpline& data, long solution,
   const Rational root_of_scale = *square_root(scale);
   Quaternion<Float> u0 = unit_preimage(data.derivatives[0], precision);
   ComplexOf<Float> turn{Float(1.0), Float(0.0)};
-  RationalQuaternion q0 = rounded(u0, bits);
+  RationalQuaternion q0 = rounded_to_places(u0, bits);
   Vector<Rational> r = data.points.front();
   Rational points;
   Rational sines = squared_sine(rotated_i(q0), data.derivatives[0]);
   std::vector<Curve> curves;
   for (std::size_t k = 0; k < data.segments(); ++k) {
     const Quaternion<Float> u1 = unit_preimage(data.derivatives[k + 1], precision);
-    Vector<Float> triple_step;
-    for (std::size_t j = 0; j < 3; ++j)
-      triple_step[j] = Float(3 * scale * (data.points[k + 1][j] - r[j]), precision);
+    const Vector<Float> triple_step =
+        big_floats(Rational(3 * scale) * (data.points[k + 1] - r), precision);
     const std::vector<Cubic> found = cubics(u0, u1, triple_step);
     if (static_cast<long>(found.size()) < solution)
       throw DomainError(fmt::format("segment {}: there is {} PH cubic with these ends and tangents",
                                     k + 1, found.empty() ? "no" : "only one"));
     const Cubic& cubic = found[static_cast<std::size_t>(solution - 1)];
     const ComplexOf<Float> next_turn = cubic.turn * turn;
-    const RationalQuaternion q1 = rounded(turned(u1, next_turn), bits);
-    const RationalQuaternion a0 = Rational(rounded(cubic.lambda0, bits) / root_of_scale) * q0;
-    const RationalQuaternion a1 = Rational(rounded(cubic.lambda1, bits) / root_of_scale) * q1;
+    const RationalQuaternion q1 = rounded_to_places(turned(u1, next_turn), bits);
+    const RationalQuaternion a0 =
+        Rational(rounded_to_places(cubic.lambda0, bits) / root_of_scale) * q0;
+    const RationalQuaternion a1 =
+        Rational(rounded_to_places(cubic.lambda1, bits) / root_of_scale) * q1;
     curves.emplace_back(from_bernstein({a0, a1}), Polynomial{1}, r);
     r = r + Rational(1, 3) * (rotated_i(a0) + symmetric_product(a0, a1) + rotated_i(a1));
     const Vector<Rational> off = r - data.points[k + 1];
@@ -149,8 +137,7 @@ std::optional<Construction> attempt(const HermiteSpline& data, long solution,
     q0 = q1;
   }
   const Deviation deviation{square_root_above(points), 2 * square_root_above(sines)};
-  if (deviation.points > tolerance.points || deviation.derivatives > tolerance.derivatives)
-    return std::nullopt;
+  if (!is_within(deviation, tolerance)) return std::nullopt;
   std::vector<Rational> parameters;
   for (std::size_t k = 0; k <= data.segments(); ++k) parameters.emplace_back(k);
   return Construction{joined(curves), std::move(parameters), {}, bits, deviation};

@@ -10,7 +10,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/construct/preimage.hpp"
+#include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/scale.hpp"
 
 // For the halves (A₀, L, M), (M, R, A₂), X = 3A₀ + 4L + 3M and Y = 3M + 4R + 3A₂ the condition is
@@ -186,8 +186,7 @@ GaussianRational unit_near(const GaussianRational& z, long bits) {
     im = -old;
     quarters = quarters * GaussianRational{0, 1};
   }
-  const Rational tau =
-      Rational((im / (re + sqrt(re * re + im * im))).scaled(bits)) * power_of_two(-bits);
+  const Rational tau = rounded_to_places(im / (re + sqrt(re * re + im * im)), bits);
   const Rational norm = 1 + tau * tau;
   return quarters * GaussianRational{(1 - tau * tau) / norm, 2 * tau / norm};
 }

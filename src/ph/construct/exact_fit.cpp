@@ -138,11 +138,6 @@ ExactFit rounded(ExactFit fit, long scale, long bits, FreePart part) {
   return fit;
 }
 
-RationalQuaternion rounded_to_places(const RationalQuaternion& a, long k) {
-  return {rounded_to_places(a.u, k), rounded_to_places(a.v, k), rounded_to_places(a.p, k),
-          rounded_to_places(a.q, k)};
-}
-
 RationalQuaternion exact_quaternion(const Quaternion<double>& a) {
   return {exact_rational(a.u), exact_rational(a.v), exact_rational(a.p), exact_rational(a.q)};
 }

@@ -14,8 +14,6 @@ struct ExactFit {
 
 RationalQuaternion exact_quaternion(const Quaternion<double>& a);
 Quaternion<double> quaternion_in_doubles(const RationalQuaternion& a);
-/// Each part to the multiple of 2^−k next to it.
-RationalQuaternion rounded_to_places(const RationalQuaternion& a, long k);
 
 /// Is A or f zero, so that there is no curve?
 bool is_point(const ExactFit& fit);

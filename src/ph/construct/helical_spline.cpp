@@ -7,11 +7,11 @@
 #include <cmath>
 #include <tuple>
 
-#include "phrame/algebra/big_float.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/linear_system.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/exact_fit.hpp"
+#include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/refine.hpp"
 #include "phrame/ph/construct/scale.hpp"
 
@@ -31,11 +31,8 @@ RationalQuaternion rounded_preimage(const Vector<Rational>& d, const Rational& t
   constexpr long least_bits = 24;
   for (long p = std::max(least_bits - size_bits, size_bits + 3 - binary_exponent(tolerance));;
        p += 8) {
-    Vector<BigFloat> v;
-    for (std::size_t k = 0; k < 3; ++k) v[k] = BigFloat(d[k], p + std::max(size_bits, 0L) + 96);
-    const Quaternion<BigFloat> a = preimage(v);
-    const auto part = [&](const BigFloat& x) { return Rational(x.scaled(p)) * power_of_two(-p); };
-    const RationalQuaternion q{part(a.u), part(a.v), part(a.p), part(a.q)};
+    const RationalQuaternion q =
+        rounded_to_places(preimage(big_floats(d, p + std::max(size_bits, 0L) + 96)), p);
     const Vector<Rational> off = rotated_i(q) - d;
     if (dot(off, off) <= tolerance * tolerance) return q;
   }
@@ -207,7 +204,7 @@ Construction Helices::run() {
 }
 
 void Helices::add(std::size_t k) {
-  const Rational h = data_.parameters[k + 1] - data_.parameters[k];
+  const Rational h = data_.step(k);
   const Vector<Rational>& d0 = data_.derivatives[k];
   const Vector<Rational>& d1 = data_.derivatives[k + 1];
   const Vector<Rational> step = (1 / h) * (data_.points[k + 1] - r_);

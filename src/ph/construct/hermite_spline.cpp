@@ -250,7 +250,7 @@ ParameterSteps parameter_steps(const HermiteSpline& data) {
   std::vector<Rational> steps;
   Integer denominators = 1;
   for (std::size_t k = 0; k < data.segments(); ++k) {
-    steps.push_back(data.parameters[k + 1] - data.parameters[k]);
+    steps.push_back(data.step(k));
     denominators = lcm(denominators, denominator(steps.back()));
   }
   ParameterSteps result;

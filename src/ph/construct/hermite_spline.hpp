@@ -18,6 +18,8 @@ struct HermiteSpline {
 
   /// How many there are between the points.
   std::size_t segments() const { return points.size() - 1; }
+  /// Of the parameter, from point k to the next.
+  Rational step(std::size_t k) const { return parameters[k + 1] - parameters[k]; }
 };
 
 /// Where the derivatives of a spline come from.

@@ -16,16 +16,34 @@ RationalQuaternion exact(const IntegerQuaternion& a, const Rational& step) {
   return {a.u * step, a.v * step, a.p * step, a.q * step};
 }
 
+Vector<BigFloat> big_floats(const Vector<Rational>& v, long bits) {
+  return {BigFloat(v[0], bits), BigFloat(v[1], bits), BigFloat(v[2], bits)};
+}
+
+Quaternion<BigFloat> big_floats(const RationalQuaternion& a, long bits) {
+  return {{a.u, bits}, {a.v, bits}, {a.p, bits}, {a.q, bits}};
+}
+
+Phase phase_of(const Angle& angle, long bits) {
+  const auto [cos, sin] = cos_sin(to_real(angle).enclose(bits), bits);
+  return {BigFloat(cos, bits), BigFloat(sin, bits)};
+}
+
+Rational rounded_to_places(const BigFloat& x, long k) {
+  return Rational(x.scaled(k)) * power_of_two(-k);
+}
+
+RationalQuaternion rounded_to_places(const Quaternion<BigFloat>& a, long k) {
+  return {rounded_to_places(a.u, k), rounded_to_places(a.v, k), rounded_to_places(a.p, k),
+          rounded_to_places(a.q, k)};
+}
+
+Quaternion<double> in_doubles(const Quaternion<BigFloat>& a) {
+  return {a.u.to_double(), a.v.to_double(), a.p.to_double(), a.q.to_double()};
+}
+
 PreimageGrid::PreimageGrid(long p, long bits)
     : p_(p), bits_(bits), step_(power_of_two(-p)), step2_(step_ * step_) {}
-
-Vector<BigFloat> PreimageGrid::vector(const Vector<Rational>& v) const {
-  return {number(v[0]), number(v[1]), number(v[2])};
-}
-
-Quaternion<BigFloat> PreimageGrid::quaternion(const RationalQuaternion& a) const {
-  return {number(a.u), number(a.v), number(a.p), number(a.q)};
-}
 
 Quaternion<BigFloat> PreimageGrid::quaternion(const IntegerQuaternion& a,
                                               const Rational& step) const {
@@ -34,11 +52,6 @@ Quaternion<BigFloat> PreimageGrid::quaternion(const IntegerQuaternion& a,
 
 IntegerQuaternion PreimageGrid::rounded(const Quaternion<BigFloat>& a) const {
   return {a.u.scaled(p_), a.v.scaled(p_), a.p.scaled(p_), a.q.scaled(p_)};
-}
-
-Phase PreimageGrid::phase(const Angle& angle) const {
-  const auto [cos, sin] = cos_sin(to_real(angle).enclose(bits_), bits_);
-  return {BigFloat(cos, bits_), BigFloat(sin, bits_)};
 }
 
 Phase turn_to(const Quaternion<BigFloat>& a, const Quaternion<BigFloat>& b) {

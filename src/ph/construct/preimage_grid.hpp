@@ -17,6 +17,18 @@ Vector<Rational> exact(const Vector<Integer>& v, const Rational& scale);
 RationalQuaternion exact(const IntegerQuaternion& a, const Rational& scale);
 /// @}
 
+/// @{ With so many bits.
+Vector<BigFloat> big_floats(const Vector<Rational>& v, long bits);
+Quaternion<BigFloat> big_floats(const RationalQuaternion& a, long bits);
+Phase phase_of(const Angle& angle, long bits);
+/// @}
+
+/// @{ Rounded to multiples of 2^−k.
+Rational rounded_to_places(const BigFloat& x, long k);
+RationalQuaternion rounded_to_places(const Quaternion<BigFloat>& a, long k);
+/// @}
+Quaternion<double> in_doubles(const Quaternion<BigFloat>& a);
+
 /// The rounding to multiples of 2^−p, and the precision that it needs.
 class PreimageGrid {
  public:
@@ -25,11 +37,13 @@ class PreimageGrid {
   const Rational& step() const { return step_; }
   const Rational& step2() const { return step2_; }
   BigFloat number(const Rational& x) const { return {x, bits_}; }
-  Vector<BigFloat> vector(const Vector<Rational>& v) const;
-  Quaternion<BigFloat> quaternion(const RationalQuaternion& a) const;
+  Vector<BigFloat> vector(const Vector<Rational>& v) const { return big_floats(v, bits_); }
+  Quaternion<BigFloat> quaternion(const RationalQuaternion& a) const {
+    return big_floats(a, bits_);
+  }
   Quaternion<BigFloat> quaternion(const IntegerQuaternion& a, const Rational& step) const;
   IntegerQuaternion rounded(const Quaternion<BigFloat>& a) const;
-  Phase phase(const Angle& angle) const;
+  Phase phase(const Angle& angle) const { return phase_of(angle, bits_); }
 
  private:
   long p_;

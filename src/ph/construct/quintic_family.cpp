@@ -232,7 +232,7 @@ FreeAngles QuinticFamily::angles(const SolutionAngles& given) const {
 }
 
 QuinticFamily quintic_family(const HermiteSpline& data, std::size_t k) {
-  const Rational h = data.parameters[k + 1] - data.parameters[k];
+  const Rational h = data.step(k);
   const Vector<Rational> step = (1 / h) * (data.points[k + 1] - data.points[k]);
   const Vector<Rational>& d0 = data.derivatives[k];
   const Vector<Rational>& d1 = data.derivatives[k + 1];

@@ -76,7 +76,7 @@ Attempt Chain::run() {
 }
 
 void Chain::add(std::size_t k) {
-  const Rational h = data_.parameters[k + 1] - data_.parameters[k];
+  const Rational h = data_.step(k);
   const Vector<Rational> r = result_.end;
   // A₂ beside A₀, both of them before they are turned.
   const Quaternion<BigFloat> a2_as_is = preimage(grid_.vector(data_.derivatives[k + 1]));
@@ -134,7 +134,7 @@ long first_bits(const HermiteSpline& data, const Deviation& tolerance) {
   for (const Vector<Rational>& d : data.derivatives)
     if (const Rational size = largest(d); size != 0) want(least_bits - exponent_of_root(size));
   for (std::size_t k = 0; k < data.segments(); ++k) {
-    const Rational h = data.parameters[k + 1] - data.parameters[k];
+    const Rational h = data.step(k);
     const Rational c = std::max({120 / h * largest(data.points[k + 1] - data.points[k]),
                                  Rational(20 * largest(data.derivatives[k])),
                                  Rational(20 * largest(data.derivatives[k + 1]))});
@@ -147,8 +147,7 @@ long first_bits(const HermiteSpline& data, const Deviation& tolerance) {
 long working_bits(const HermiteSpline& data, long p) {
   Rational size = size_of_derivatives(data);
   for (std::size_t k = 0; k < data.segments(); ++k)
-    size = std::max(size, Rational(largest(data.points[k + 1] - data.points[k]) /
-                                   (data.parameters[k + 1] - data.parameters[k])));
+    size = std::max(size, Rational(largest(data.points[k + 1] - data.points[k]) / data.step(k)));
   return std::max(p + exponent_of_root(size), 0L) + 96;
 }
 
@@ -225,7 +224,7 @@ Construction quintic_spline(const HermiteSpline& data, std::vector<FreeAngles> a
         Chain(data, angles, PreimageGrid(p, working_bits(data, p)), tolerance).run();
     const Deviation deviation{square_root_above(found.squared.points),
                               square_root_above(found.squared.derivatives)};
-    if (deviation.points <= tolerance.points && deviation.derivatives <= tolerance.derivatives)
+    if (is_within(deviation, tolerance))
       return construction_of(found, data, angles, rule, p, deviation);
   }
 }

@@ -74,16 +74,8 @@ RmfPlan rmf_plan(const HermiteSpline& data, const Deviation& tolerance, long bit
   return plan;
 }
 
-Rational parameter_step(const HermiteSpline& data, std::size_t k) {
-  return data.parameters[k + 1] - data.parameters[k];
-}
-
 Vector<Rational> mean_derivative(const HermiteSpline& data, std::size_t k) {
-  return (1 / parameter_step(data, k)) * (data.points[k + 1] - data.points[k]);
-}
-
-Vector<BigFloat> big_floats(const Vector<Rational>& v, long bits) {
-  return {BigFloat(v[0], bits), BigFloat(v[1], bits), BigFloat(v[2], bits)};
+  return (1 / data.step(k)) * (data.points[k + 1] - data.points[k]);
 }
 
 }  // namespace phrame

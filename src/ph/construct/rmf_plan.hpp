@@ -1,7 +1,6 @@
 #pragma once
 #include <optional>
 
-#include "phrame/algebra/big_float.hpp"
 #include "phrame/ph/construct/construction.hpp"
 #include "phrame/ph/construct/hermite_spline.hpp"
 #include "phrame/ph/construct/rmf_septic.hpp"
@@ -37,11 +36,7 @@ struct RmfPlan {
 /// is found, with the segment.
 RmfPlan rmf_plan(const HermiteSpline& data, const Deviation& tolerance, long bits);
 
-/// @{ Of segment k: the step of the parameter, and that of the points per parameter.
-Rational parameter_step(const HermiteSpline& data, std::size_t k);
+/// From point k to the next, by the parameter.
 Vector<Rational> mean_derivative(const HermiteSpline& data, std::size_t k);
-/// @}
-/// The same with so many bits.
-Vector<BigFloat> big_floats(const Vector<Rational>& v, long bits);
 
 }  // namespace phrame

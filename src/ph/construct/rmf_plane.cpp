@@ -2,10 +2,9 @@
 
 #include <array>
 
-#include "phrame/algebra/big_float.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/energy.hpp"
-#include "phrame/ph/construct/preimage.hpp"
+#include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/scale.hpp"
 
 // In the plane of the displacement and of Q i Q*, seen from Q, r′ is the square of the complex
@@ -34,10 +33,6 @@ PlaneNumber square_root_of(const PlaneNumber& z) {
   return {half * z.im / im, im};
 }
 
-Rational rounded_number(const BigFloat& x, long places) {
-  return Rational(x.scaled(places)) * power_of_two(-places);
-}
-
 /// Seen from Q: the v with Q v Q* = displacement.
 Vector<Rational> seen_from(const RationalQuaternion& q, const Vector<Rational>& displacement) {
   const Quaternion<Rational> v{0, displacement[0], displacement[1], displacement[2]};
@@ -62,7 +57,7 @@ ExactFit plane_between(const ParallelEnds& ends, const Vector<Rational>& displac
     const BigFloat y = number(scale * d[1]);
     const BigFloat z = number(scale * d[2]);
     const BigFloat size = sqrt(y * y + z * z);
-    nu = {0, 0, rounded_number(-z / size, places), rounded_number(y / size, places)};
+    nu = {0, 0, rounded_to_places(-z / size, places), rounded_to_places(y / size, places)};
   }
   const BigFloat size_of_nu = sqrt(number(norm(nu)));
   const BigFloat along = number(d[0]);
@@ -89,7 +84,8 @@ ExactFit plane_between(const ParallelEnds& ends, const Vector<Rational>& displac
                                                  {static_cast<double>(last), 0, 0, 0}}};
       const double energy = approximate_energy(a);
       if (best && !(energy < best->energy)) continue;
-      best = {last, rounded_number(u, places), rounded_number(s / size_of_nu, places), energy};
+      best = {last, rounded_to_places(u, places), rounded_to_places(s / size_of_nu, places),
+              energy};
     }
     if (last == 0) break;
   }

@@ -31,33 +31,9 @@ namespace phrame {
 namespace {
 
 using Floats = Quaternion<BigFloat>;
-using Turn = ComplexOf<BigFloat>;
-
-Floats floats(const RationalQuaternion& a, long bits) {
-  return {{a.u, bits}, {a.v, bits}, {a.p, bits}, {a.q, bits}};
-}
-
-Rational rounded_off(const BigFloat& x, long places) {
-  return Rational(x.scaled(places)) * power_of_two(-places);
-}
-
-RationalQuaternion rounded_off(const Floats& a, long places) {
-  return {rounded_off(a.u, places), rounded_off(a.v, places), rounded_off(a.p, places),
-          rounded_off(a.q, places)};
-}
-
-Quaternion<double> in_doubles(const Floats& a) {
-  return {a.u.to_double(), a.v.to_double(), a.p.to_double(), a.q.to_double()};
-}
 
 /// 2^e above √x.
 long exponent_above_root(const Rational& x) { return (binary_exponent(x) >> 1) + 1; }
-
-/// e^{iπx}.
-Turn turn_by(const Rational& half_turns, long bits) {
-  const auto [cos, sin] = cos_sin(to_real(Angle(half_turns, 0)).enclose(bits), bits);
-  return {BigFloat(cos, bits), BigFloat(sin, bits)};
-}
 
 /// ∫ A i A* of a cubic A. With the denominators apart: they are common ones.
 Vector<Rational> integral_of(const CubicPreimage<Rational>& a) {
@@ -151,7 +127,7 @@ Rational RmfChain::size_at(std::size_t k, const RationalQuaternion& base) const 
   const long places = bits_for(norm(base), places_);
   const long precision = working_precision(data_, places);
   const Vector<BigFloat> v = big_floats(d, precision);
-  return rounded_off(sqrt(sqrt(dot(v, v)) / BigFloat(norm(base), precision)), places);
+  return rounded_to_places(sqrt(sqrt(dot(v, v)) / BigFloat(norm(base), precision)), places);
 }
 
 void RmfChain::start() {
@@ -159,7 +135,7 @@ void RmfChain::start() {
   const std::size_t k = is_zero_at(0) ? 1 : 0;
   const Vector<Rational> along = is_zero_at(k) ? mean_derivative(data_, 0) : data_.derivatives[k];
   const long places = places_at(k);
-  first_ = rounded_off(preimage(big_floats(along, working_precision(data_, places))), places);
+  first_ = rounded_to_places(preimage(big_floats(along, working_precision(data_, places))), places);
   joint_ = {first_, is_zero_at(0) ? 0 : 1};
   end_ = data_.points.front();
 }
@@ -179,12 +155,13 @@ ExactFit RmfChain::between_parallels(std::size_t k, const Vector<Rational>& targ
 
 /// The end of a septic for a phase of its own.
 RmfChain::Joint RmfChain::end_of(const Floats& as_is, std::size_t k, long places) const {
-  if (!is_closing(k)) return {rounded_off(as_is, places), 1};
+  if (!is_closing(k)) return {rounded_to_places(as_is, places), 1};
   const long precision = working_precision(data_, places);
   const auto [re, im] =
-      direction_of(hermitian_product(floats(first_, precision), as_is), BigFloat(0.0));
-  const GaussianRational u = unit_near({rounded_off(re, precision), rounded_off(im, precision)},
-                                       bits_for(norm(first_), places));
+      direction_of(hermitian_product(big_floats(first_, precision), as_is), BigFloat(0.0));
+  const GaussianRational u =
+      unit_near({rounded_to_places(re, precision), rounded_to_places(im, precision)},
+                bits_for(norm(first_), places));
   const RationalQuaternion base = turned(first_, ComplexOf<Rational>{u.re, u.im});
   return {base, size_at(k + 1, base)};
 }
@@ -213,8 +190,8 @@ class RmfChain::Septics {
   long bits_;             ///< of the parameters
   Floats a0_;
   Floats a3_;
-  Turn turn_;      ///< A = a₀·turn at the start …
-  Turn end_turn_;  ///< … and a₃·this at the end, for the minimal rotation
+  Phase turn_;      ///< A = a₀·turn at the start …
+  Phase end_turn_;  ///< … and a₃·this at the end, for the minimal rotation
   std::optional<Rational> t_;
   std::optional<RmfFamily> family_;  ///< of the t above
   Joint end_;
@@ -234,7 +211,8 @@ RmfChain::Septics::Septics(const RmfChain& chain, std::size_t k, const Vector<Ra
   bits_ = bits_for(std::max(norm(q_), 2 * largest(d3)), places_);
   a0_ = preimage(big_floats(chain.data_.derivatives[k], precision_));
   a3_ = preimage(big_floats(d3, precision_));
-  const auto [re, im] = direction_of(hermitian_product(a0_, floats(q_, precision_)), BigFloat(0.0));
+  const auto [re, im] =
+      direction_of(hermitian_product(a0_, big_floats(q_, precision_)), BigFloat(0.0));
   turn_ = {re, im};
   end_turn_ = turn_to(a0_, a3_) * turn_;
 }
@@ -243,13 +221,14 @@ CubicPreimage<Rational> RmfChain::Septics::member(const std::vector<Rational>& x
   if (t_ != x[0]) {
     t_ = x[0];
     const Rational half_turns = exact_rational(plan_.unit) * x[0];
-    end_ = chain_.end_of(turned(a3_, end_turn_ * turn_by(half_turns, precision_)), k_, places_);
+    end_ = chain_.end_of(turned(a3_, end_turn_ * phase_of(Angle(half_turns, 0), precision_)), k_,
+                         places_);
     family_.emplace(q_, end_.size * end_.base);
   }
   const auto inner = [&](std::size_t at) {
     const Floats b{BigFloat(x[at], precision_), BigFloat(0.0), BigFloat(x[at + 1], precision_),
                    BigFloat(x[at + 2], precision_)};
-    return rounded_off(turned(a0_ * b, turn_), places_ + guard_places);
+    return rounded_to_places(turned(a0_ * b, turn_), places_ + guard_places);
   };
   return family_->member(inner(1), inner(4), bits_);
 }
@@ -278,7 +257,7 @@ CubicPreimage<Rational> RmfChain::Septics::solution() {
 }
 
 void RmfChain::add(std::size_t k) {
-  const Rational h = parameter_step(data_, k);
+  const Rational h = data_.step(k);
   const Vector<Rational> target = (1 / h) * (data_.points[k + 1] - end_);
   if (plan_.segments[k].form == SegmentForm::space) {
     Septics septics(*this, k, target);
@@ -300,7 +279,7 @@ void RmfChain::add(std::size_t k) {
 bool RmfChain::close() {
   const std::size_t m = plan_.closing;
   ExactFit& piece = pieces_[m];
-  const Vector<Rational> lacking = (1 / parameter_step(data_, m)) * (data_.points.front() - end_);
+  const Vector<Rational> lacking = (1 / data_.step(m)) * (data_.points.front() - end_);
   auto f = multiplier_with(from_bernstein(piece.preimage), displacement_of(piece) + lacking,
                            MultiplierFreedom::inner_only);
   if (!f || std::ranges::any_of(*f, [](const Rational& x) { return x <= 0; })) return false;
@@ -325,7 +304,7 @@ std::optional<Construction> RmfChain::run() {
     compare(piece.multiplier.front() * rotated_i(piece.preimage.front()), k);
     if (k + 1 == pieces_.size())
       compare(piece.multiplier.back() * rotated_i(piece.preimage.back()), k + 1);
-    for (Rational& f : piece.multiplier) f *= parameter_step(data_, k);
+    for (Rational& f : piece.multiplier) f *= data_.step(k);
     curves.push_back(curve_of(piece, r));
     r = evaluate(position(curves.back()), 1);
     const Vector<Rational> off = r - data_.points[k + 1];
@@ -351,7 +330,7 @@ long first_places(const HermiteSpline& data, const Deviation& tolerance) {
   if (fastest != 0)
     want(exponent_above_root(fastest) + margin - binary_exponent(tolerance.derivatives));
   for (std::size_t k = 0; k < data.segments(); ++k) {
-    const Rational h = parameter_step(data, k);
+    const Rational h = data.step(k);
     const Rational size =
         std::max({Rational(largest(mean_derivative(data, k))), largest(data.derivatives[k]),
                   largest(data.derivatives[k + 1])});
@@ -370,9 +349,7 @@ Construction rmf_spline(const HermiteSpline& data, const Deviation& tolerance) {
   const RmfPlan plan = rmf_plan(data, tolerance, 2 * working_precision(data, places));
   for (int pass = 0; pass < most_passes; ++pass, places += 8) {
     auto found = RmfChain(data, plan, places).run();
-    if (found && found->deviation.points <= tolerance.points &&
-        found->deviation.derivatives <= tolerance.derivatives)
-      return *std::move(found);
+    if (found && is_within(found->deviation, tolerance)) return *std::move(found);
   }
   throw Undecided(
       data.is_closed

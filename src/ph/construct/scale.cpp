@@ -31,6 +31,11 @@ Rational rounded_to_places(const Rational& x, long k) {
   return Rational(floor(x * power_of_two(k) + Rational(1, 2))) * power_of_two(-k);
 }
 
+RationalQuaternion rounded_to_places(const RationalQuaternion& a, long k) {
+  return {rounded_to_places(a.u, k), rounded_to_places(a.v, k), rounded_to_places(a.p, k),
+          rounded_to_places(a.q, k)};
+}
+
 Rational rounded_to_bits(const Rational& x, long bits) {
   return rounded_to_places(x, bits - binary_exponent(x));
 }

@@ -18,6 +18,8 @@ Vector<double> scaled_to_doubles(const Rational& c, const Vector<Rational>& v);
 Rational rounded_to_bits(const Rational& x, long bits);
 /// The multiple of 2^−k next to x.
 Rational rounded_to_places(const Rational& x, long k);
+/// The same of each part.
+RationalQuaternion rounded_to_places(const RationalQuaternion& a, long k);
 
 /// The square of the sine of the angle between them; 1 where that is not acute.
 Rational squared_sine(const Vector<Rational>& a, const Vector<Rational>& b);
