@@ -195,20 +195,18 @@ Construction c2_hermite_spline(const HermiteSpline& data, const Deviation& toler
       parameters.push_back(parameters.back() + h);
     };
     for (std::size_t k = 0; k < data.segments(); ++k) {
-      const auto& [a, h, own_start] = found->segments[k];
+      const QuarticPreimage& a = found->segments[k].a;
+      const Rational& h = found->segments[k].h;
       if (!is_exact && !(data.is_closed && k + 1 == data.segments())) {
         add(found->segments[k]);
         continue;
       }
-      const Vector<Rational>& start = is_exact ? units.data.points[k] : own_start;
-      try {
-        const auto [first, second] =
-            exact_halves(a, Rational(1 / h) * (units.data.points[k + 1] - start), p);
-        add({first, h / 2, start});
-        add({second, h / 2, start + Rational(h / 2) * integral(first)});
-      } catch (const Undecided& error) {
-        throw Undecided(fmt::format("segment {}: {}", k + 1, error.what()));
-      }
+      const Vector<Rational>& start = is_exact ? units.data.points[k] : found->segments[k].start;
+      const auto [first, second] = of_segment(k, [&] {
+        return exact_halves(a, Rational(1 / h) * (units.data.points[k + 1] - start), p);
+      });
+      add({first, h / 2, start});
+      add({second, h / 2, start + Rational(h / 2) * integral(first)});
     }
     return {joined(curves),
             std::move(parameters),

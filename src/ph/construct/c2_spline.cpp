@@ -147,9 +147,7 @@ std::vector<Vector<Integer>> C2Problem::chords(const LatticeSpline& spline) cons
   for (std::size_t k = 0; k < n_; ++k) {
     const IntegerQuaternion& a = spline.joints[k];
     const IntegerQuaternion& c = spline.joints[k + 1];
-    const IntegerQuaternion b = Integer(3) * (a + c) + Integer(4) * spline.middles[k];
-    const Vector<Integer> sum = rotated_i(b) + integral_of_ends(a, c);
-    result.push_back(common_.counts[k] * sum);
+    result.push_back(common_.counts[k] * integral_times_120(a, spline.middles[k], c));
   }
   return result;
 }
@@ -230,12 +228,6 @@ double cosine_between(const IntegerQuaternion& a, const IntegerQuaternion& c) {
   return sizes == 0 ? -1 : static_cast<double>(Rational(dot(t0, t1), sizes));
 }
 
-/// ∫ A i A*.
-Vector<Rational> integral_of(const QuadraticPreimage& a) {
-  const RationalQuaternion b = Rational(3) * (a[0] + a[2]) + Rational(4) * a[1];
-  return Rational(1, 120) * (rotated_i(b) + integral_of_ends(a[0], a[2]));
-}
-
 std::size_t C2Problem::adjusted_segment(const LatticeSpline& spline) const {
   const auto cosine = [&](std::size_t k) {
     return cosine_between(spline.joints[k], spline.joints[k + 1]);
@@ -306,14 +298,12 @@ std::optional<Construction> C2Problem::within(const Deviation& tolerance,
     }
     const Vector<Rational> integral = Rational(1 / (h * root * root)) * (joints[k + 1] - joints[k]);
     Vector<Rational> start = joints[k];
-    try {
-      for (const auto& [a, b, c] : exact_sixths(coefficients(spline.step), integral, p)) {
-        const QuadraticPreimage piece{root * a, root * b, root * c};
-        add(piece, h / 6, start);
-        start = start + Rational(h / 6) * integral_of(piece);
-      }
-    } catch (const Undecided& error) {
-      throw Undecided(fmt::format("segment {}: {}", k + 1, error.what()));
+    const auto sixths =
+        of_segment(k, [&] { return exact_sixths(coefficients(spline.step), integral, p); });
+    for (const auto& [a, b, c] : sixths) {
+      const QuadraticPreimage piece{root * a, root * b, root * c};
+      add(piece, h / 6, start);
+      start = start + Rational(h / 720) * integral_times_120(piece[0], piece[1], piece[2]);
     }
   }
   return Construction{

@@ -70,8 +70,7 @@ template <class T>
 Vector<T> step_of(const HelicalMember<T>& member) {
   const auto& a = member.a;
   if (a.size() == 3) {
-    const Quaternion<T> b = T(3) * (a[0] + a[2]) + T(4) * a[1];
-    return T(T(1) / T(120)) * (rotated_i(b) + integral_of_ends(a[0], a[2]));
+    return T(T(1) / T(120)) * integral_times_120(a[0], a[1], a[2]);
   }
   const T& f1 = member.f[1];
   const T& f2 = member.f[2];

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -101,21 +100,12 @@ std::vector<HelicalGuess> helical_guesses(const ScaledSegment& wanted,
 /// digits of the derivative are wanted, so it is no quotient of differences.
 ParameterStep newton_step(const HelicalGuess& at, const HelicalStart<double>& start) {
   constexpr double nothing = 1e-14;
-  const std::size_t n = at.parameters.size();
-  Eigen::MatrixXd matrix(6, static_cast<Eigen::Index>(n));
-  for (std::size_t k = 0; k < n; ++k) {
+  JacobianRows rows(6, std::vector<double>(at.parameters.size()));
+  for (std::size_t k = 0; k < at.parameters.size(); ++k) {
     const std::vector<double> column = helical_derivative(at.form, start, at.parameters, k);
-    for (std::size_t j = 0; j < 6; ++j)
-      matrix(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) = column[j];
+    for (std::size_t j = 0; j < 6; ++j) rows[j][k] = column[j];
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
-  inverse.setThreshold(nothing);
-  inverse.compute(matrix);
-  return [inverse](const std::vector<double>& wanted) {
-    const Eigen::VectorXd change =
-        inverse.solve(Eigen::Map<const Eigen::VectorXd>(wanted.data(), 6));
-    return std::vector<double>(change.begin(), change.end());
-  };
+  return least_change(rows, nothing);
 }
 
 std::vector<double> in_doubles(const std::vector<Rational>& list) {

@@ -42,6 +42,13 @@ Vector<T> integral_of_ends(const Quaternion<T>& a0, const Quaternion<T>& a2) {
   return T(15) * (rotated_i(a0) + rotated_i(a2)) - T(10) * symmetric_product(a0, a2);
 }
 
+/// 120·∫ A i A* of a quadratic A on [0, 1].
+template <class T>
+Vector<T> integral_times_120(const Quaternion<T>& a0, const Quaternion<T>& a1,
+                             const Quaternion<T>& a2) {
+  return rotated_i(T(3) * (a0 + a2) + T(4) * a1) + integral_of_ends(a0, a2);
+}
+
 /// H(A, B) = ᾱ_A·α_B + β̄_A·β_B for A = α + kβ. Its real part is the scalar product A·B, its
 /// imaginary part ω(A, B); h = ω(A, A′). H(A, B·z) = z·H(A, B), and
 /// |H(A, B)|² = ½(|A|²|B|² + S(A, A)·S(B, B)).

@@ -157,9 +157,8 @@ std::array<ExactSegment, 2> halves(const ExactSegment& segment, const Vector<Rat
   const Rational& h = segment.h;
   const auto [first, second] = exact_halves(segment.a, (1 / h) * (end - start), bits);
   const Rational half = h / 2;
-  const RationalQuaternion b = Rational(3) * (first[0] + first[2]) + Rational(4) * first[1];
   const Vector<Rational> middle =
-      start + half / 120 * (rotated_i(b) + integral_of_ends(first[0], first[2]));
+      start + half / 120 * integral_times_120(first[0], first[1], first[2]);
   return {ExactSegment{first, half, start}, ExactSegment{second, half, middle}};
 }
 
@@ -186,13 +185,10 @@ Construction construction_of(const Attempt& attempt, const HermiteSpline& data,
       add(segment, k);
       continue;
     }
-    try {
-      const Vector<Rational>& start = is_exact ? data.points[k] : segment.start;
-      for (const ExactSegment& half : halves(segment, start, data.points[k + 1], bits))
-        add(half, k);
-    } catch (const Undecided& error) {
-      throw Undecided(fmt::format("segment {}: {}", k + 1, error.what()));
-    }
+    const Vector<Rational>& start = is_exact ? data.points[k] : segment.start;
+    const auto both =
+        of_segment(k, [&] { return halves(segment, start, data.points[k + 1], bits); });
+    for (const ExactSegment& half : both) add(half, k);
   }
   return {joined(curves),
           std::move(parameters),

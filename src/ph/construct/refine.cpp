@@ -37,6 +37,23 @@ std::vector<Rational> improved(std::vector<Rational> parameters,
 
 }  // namespace
 
+ParameterStep least_change(const JacobianRows& jacobian, double nothing) {
+  const auto conditions = static_cast<Eigen::Index>(jacobian.size());
+  const auto unknowns = static_cast<Eigen::Index>(jacobian.front().size());
+  Eigen::MatrixXd matrix(conditions, unknowns);
+  for (Eigen::Index y = 0; y < conditions; ++y)
+    for (Eigen::Index x = 0; x < unknowns; ++x)
+      matrix(y, x) = jacobian[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
+  inverse.setThreshold(nothing);
+  inverse.compute(matrix);
+  return [inverse, conditions](const std::vector<double>& wanted) {
+    const Eigen::VectorXd change =
+        inverse.solve(Eigen::Map<const Eigen::VectorXd>(wanted.data(), conditions));
+    return std::vector<double>(change.begin(), change.end());
+  };
+}
+
 RefinedParameters refine(std::vector<Rational> parameters, const ExactDefect& defect,
                          const ParameterStep& step, long bits) {
   constexpr int most_passes = 400;
@@ -62,27 +79,13 @@ RefinedParameters refine(std::vector<Rational> parameters, const ExactDefect& de
 
 RefinedParameters refine(std::vector<Rational> parameters, const ExactDefect& defect,
                          const JacobianRows& jacobian, long bits) {
-  constexpr double singular = 1e-10;
-  const auto conditions = static_cast<Eigen::Index>(jacobian.size());
-  const auto unknowns = static_cast<Eigen::Index>(parameters.size());
-  if (conditions == 0 || unknowns == 0) {
+  constexpr double nothing = 1e-10;
+  if (jacobian.empty() || parameters.empty()) {
     round_all(parameters, bits);
     std::vector<Rational> lacking = defect(parameters);
     return {std::move(parameters), std::move(lacking)};
   }
-  Eigen::MatrixXd matrix(conditions, unknowns);
-  for (Eigen::Index y = 0; y < conditions; ++y)
-    for (Eigen::Index x = 0; x < unknowns; ++x)
-      matrix(y, x) = jacobian[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
-  inverse.setThreshold(singular);
-  inverse.compute(matrix);
-  const ParameterStep step = [&](const std::vector<double>& wanted) {
-    const Eigen::VectorXd change =
-        inverse.solve(Eigen::Map<const Eigen::VectorXd>(wanted.data(), conditions));
-    return std::vector<double>(change.begin(), change.end());
-  };
-  return refine(std::move(parameters), defect, step, bits);
+  return refine(std::move(parameters), defect, least_change(jacobian, nothing), bits);
 }
 
 bool is_within(const RefinedParameters& result, const Rational& tolerance) {

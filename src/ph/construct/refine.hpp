@@ -17,6 +17,10 @@ using ParameterStep = std::function<std::vector<double>(const std::vector<double
 /// ∂(condition)/∂(parameter): a row for each condition, with an entry for each parameter.
 using JacobianRows = std::vector<std::vector<double>>;
 
+/// The least change that does it, by the pseudo-inverse of this derivative: there may be more
+/// parameters than conditions. What is less than `nothing` beside the greatest is taken for 0.
+ParameterStep least_change(const JacobianRows& jacobian, double nothing);
+
 /// Parameters that are multiples of 2^−bits, and what they lack.
 struct RefinedParameters {
   std::vector<Rational> parameters;
