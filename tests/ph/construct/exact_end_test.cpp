@@ -20,6 +20,14 @@ Vector<Rational> integral(const QuadraticPreimage& a) {
   return evaluate(position(curve), 1);
 }
 
+/// Multiples of 2^−bits up to about 1.5; u + qk for the plane.
+RationalQuaternion random_quaternion(Random& random, long bits, bool is_plane) {
+  const auto x = [&] {
+    return rounded_to_places(Rational(random.integer(-1'000'000, 1'000'000), 654'321), bits);
+  };
+  return is_plane ? RationalQuaternion{x(), 0, 0, x()} : RationalQuaternion{x(), x(), x(), x()};
+}
+
 Rational distance(const RationalQuaternion& a, const RationalQuaternion& b) {
   return std::max({abs(a.u - b.u), abs(a.v - b.v), abs(a.p - b.p), abs(a.q - b.q)});
 }
@@ -29,12 +37,7 @@ Rational distance(const RationalQuaternion& a, const RationalQuaternion& b) {
 TEST_CASE("exact end: two halves of A have the integral that is wanted, as a fraction") {
   for_samples(6, [](Random& random) {
     const long bits = random.chance(2) ? 52 : 135;
-    const auto quaternion = [&] {
-      const auto x = [&] {
-        return rounded_to_places(Rational(random.integer(-1'000'000, 1'000'000), 654'321), bits);
-      };
-      return RationalQuaternion{x(), x(), x(), x()};
-    };
+    const auto quaternion = [&] { return random_quaternion(random, bits, false); };
     const QuadraticPreimage a{quaternion(), quaternion(), quaternion()};
     Vector<Rational> wanted = integral(a);
     for (Rational& x : wanted) x += Rational(random.integer(-99, 99), 7) * power_of_two(-bits);
@@ -61,12 +64,7 @@ TEST_CASE("exact end: two halves of A have the integral that is wanted, as a fra
 TEST_CASE("exact end: plane halves stay in the plane and have the integral that is wanted") {
   for_samples(20, [](Random& random) {
     constexpr long bits = 52;
-    const auto quaternion = [&] {
-      const auto x = [&] {
-        return rounded_to_places(Rational(random.integer(-1'000'000, 1'000'000), 654'321), bits);
-      };
-      return RationalQuaternion{x(), 0, 0, x()};
-    };
+    const auto quaternion = [&] { return random_quaternion(random, bits, true); };
     const QuadraticPreimage a{quaternion(), quaternion(), quaternion()};
     Vector<Rational> wanted = integral(a);
     wanted[0] += Rational(3, 7) * power_of_two(-bits);
@@ -86,10 +84,8 @@ TEST_CASE("exact end: plane halves stay in the plane and have the integral that 
 TEST_CASE("exact end: two quaternions have the sum of vectors that is wanted") {
   for_samples(6, [](Random& random) {
     constexpr long bits = 60;
-    const auto x = [&] {
-      return rounded_to_places(Rational(random.integer(-1'000'000, 1'000'000), 654'321), bits);
-    };
-    const QuaternionPair near{{x(), x(), x(), x()}, {x(), x(), x(), x()}};
+    const QuaternionPair near{random_quaternion(random, bits, false),
+                              random_quaternion(random, bits, false)};
     Vector<Rational> c = rotated_i(near.x) + rotated_i(near.y);
     for (Rational& part : c) part += Rational(random.integer(-99, 99), 7) * power_of_two(-bits);
     const auto [a, b] = exact_pair(near, c, bits);
@@ -103,12 +99,7 @@ TEST_CASE("exact end: six parts of A have the integral that is wanted, and A' is
   for_samples(6, [](Random& random) {
     const bool is_plane = random.chance(2);
     constexpr long bits = 60;
-    const auto x = [&] {
-      return rounded_to_places(Rational(random.integer(-1'000'000, 1'000'000), 654'321), bits);
-    };
-    const auto quaternion = [&] {
-      return is_plane ? RationalQuaternion{x(), 0, 0, x()} : RationalQuaternion{x(), x(), x(), x()};
-    };
+    const auto quaternion = [&] { return random_quaternion(random, bits, is_plane); };
     const QuadraticPreimage a{quaternion(), quaternion(), quaternion()};
     Vector<Rational> wanted = integral(a);
     wanted[0] += Rational(3, 7) * power_of_two(-bits);
@@ -137,12 +128,7 @@ TEST_CASE(
   for_samples(6, [](Random& random) {
     const bool is_plane = random.chance(2);
     constexpr long bits = 60;
-    const auto x = [&] {
-      return rounded_to_places(Rational(random.integer(-1'000'000, 1'000'000), 654'321), bits);
-    };
-    const auto quaternion = [&] {
-      return is_plane ? RationalQuaternion{x(), 0, 0, x()} : RationalQuaternion{x(), x(), x(), x()};
-    };
+    const auto quaternion = [&] { return random_quaternion(random, bits, is_plane); };
     const QuarticPreimage a{quaternion(), quaternion(), quaternion(), quaternion(), quaternion()};
     const auto end = [](const QuarticPreimage& b) {
       return evaluate(position(Curve(from_bernstein(std::vector(b.begin(), b.end())))), 1);
