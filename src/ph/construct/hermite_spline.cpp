@@ -9,6 +9,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/construct/spline_slopes.hpp"
 
 namespace phrame {
 namespace {
@@ -17,11 +18,7 @@ constexpr long chord_bits = 12;
 constexpr long slope_bits = 40;
 
 /// |v| > 0, to 12 bits.
-Rational rounded_size(const Vector<Rational>& v) {
-  const Rational scale = scale_for_doubles(largest(v));
-  const Vector<double> w = scaled_to_doubles(scale, v);
-  return rounded_to_bits(exact_rational(std::sqrt(dot(w, w))), chord_bits) / scale;
-}
+Rational rounded_size(const Vector<Rational>& v) { return rounded_length(v, chord_bits); }
 
 void require_apart(const std::vector<Vector<Rational>>& points) {
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
@@ -37,84 +34,6 @@ std::vector<Rational> chord_lengths(const std::vector<Vector<Rational>>& points)
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
     parameters.push_back(parameters.back() + rounded_size(points[k + 1] - points[k]));
   return parameters;
-}
-
-/// SlopeRow k of the system of the spline's slopes: low·x_{k−1} + middle·x_k + high·x_{k+1} =
-/// right.
-struct SlopeRow {
-  double low;
-  double middle;
-  double high;
-  Vector<double> right;
-};
-
-/// By elimination; no pivots, for the middle exceeds both others together.
-std::vector<Vector<double>> solve(std::vector<SlopeRow> rows) {
-  const std::size_t n = rows.size();
-  for (std::size_t k = 1; k < n; ++k) {
-    const double factor = rows[k].low / rows[k - 1].middle;
-    rows[k].middle -= factor * rows[k - 1].high;
-    rows[k].right = rows[k].right - factor * rows[k - 1].right;
-  }
-  std::vector<Vector<double>> x(n);
-  for (std::size_t k = n; k-- > 0;) {
-    const Vector<double> rest = k + 1 < n ? rows[k].right - rows[k].high * x[k + 1] : rows[k].right;
-    x[k] = (1 / rows[k].middle) * rest;
-  }
-  return x;
-}
-
-/// The periodic system, whose first row reaches back to the last unknown and whose last one to the
-/// first, by two systems without these corners [Sherman and Morrison].
-std::vector<Vector<double>> solve_periodic(std::vector<SlopeRow> rows) {
-  const std::size_t n = rows.size();
-  const double corner_high = rows.front().low;
-  const double corner_low = rows.back().high;
-  const double gamma = -rows.front().middle;
-  rows.front().middle -= gamma;
-  rows.back().middle -= corner_high * corner_low / gamma;
-  std::vector<SlopeRow> unit = rows;
-  for (SlopeRow& row : unit) row.right = {};
-  unit.front().right[0] = gamma;
-  unit.back().right[0] += corner_low;
-  std::vector<Vector<double>> x = solve(std::move(rows));
-  const std::vector<Vector<double>> z = solve(std::move(unit));
-  const double weight = corner_high / gamma;
-  const double denominator = 1 + z[0][0] + weight * z[n - 1][0];
-  const Vector<double> factor = (1 / denominator) * (x[0] + weight * x[n - 1]);
-  for (std::size_t k = 0; k < n; ++k) x[k] = x[k] - z[k][0] * factor;
-  return x;
-}
-
-/// The derivatives of the C² cubic spline through the points: with δ_k the slope of the chord from
-/// point k to k + 1 and h_k the parameter's step there,
-///   h_k x_{k−1} + 2(h_{k−1} + h_k) x_k + h_{k−1} x_{k+1} = 3(h_k δ_{k−1} + h_{k−1} δ_k).
-std::vector<Vector<double>> cubic_spline_slopes(const std::vector<double>& h,
-                                                const std::vector<Vector<double>>& slopes,
-                                                bool is_periodic) {
-  const std::size_t n = h.size();
-  std::vector<SlopeRow> rows;
-  const auto inner = [&](std::size_t before, std::size_t k) {
-    return SlopeRow{h[k], 2 * (h[before] + h[k]), h[before],
-                    3.0 * (h[k] * slopes[before] + h[before] * slopes[k])};
-  };
-  if (is_periodic && n == 1) return {slopes[0], slopes[0]};
-  if (is_periodic && n == 2) {  // both neighbours of a point are the other one
-    const SlopeRow row = inner(1, 0);
-    const Vector<double> slope = (1 / (row.middle + row.low + row.high)) * row.right;
-    return {slope, slope, slope};
-  }
-  if (is_periodic) {
-    rows.push_back(inner(n - 1, 0));
-    for (std::size_t k = 1; k < n; ++k) rows.push_back(inner(k - 1, k));
-    std::vector<Vector<double>> x = solve_periodic(std::move(rows));
-    x.push_back(x.front());
-    return x;
-  }
-  rows.push_back({0, 2, 1, 3.0 * slopes.front()});
-  for (std::size_t k = 1; k < n; ++k) rows.push_back(inner(k - 1, k));
-  rows.push_back({1, 2, 0, 3.0 * slopes.back()});
-  return solve(std::move(rows));
 }
 
 std::vector<Vector<Rational>> spline_derivatives(const std::vector<Vector<Rational>>& points,
@@ -135,7 +54,8 @@ std::vector<Vector<Rational>> spline_derivatives(const std::vector<Vector<Ration
     slopes.push_back(scaled_to_doubles(scale, chords[k]));
   }
   std::vector<Vector<Rational>> result;
-  for (const Vector<double>& slope : cubic_spline_slopes(h, slopes, is_periodic)) {
+  for (const Vector<double>& slope :
+       cubic_spline_slopes(h, slopes, is_periodic ? SplineEnds::periodic : SplineEnds::natural)) {
     Vector<Rational> d;
     for (std::size_t k = 0; k < 3; ++k) {
       if (!std::isfinite(slope[k]))

@@ -1,6 +1,7 @@
 #include "phrame/ph/construct/scale.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -38,6 +39,19 @@ RationalQuaternion rounded_to_places(const RationalQuaternion& a, long k) {
 
 Rational rounded_to_bits(const Rational& x, long bits) {
   return rounded_to_places(x, bits - binary_exponent(x));
+}
+
+Rational rounded_length(const Vector<Rational>& v, long bits) {
+  const Rational scale = scale_for_doubles(largest(v));
+  const Vector<double> w = scaled_to_doubles(scale, v);
+  return rounded_to_bits(exact_rational(std::sqrt(dot(w, w))), bits) / scale;
+}
+
+Rational rounded_root_of_length(const Vector<Rational>& v, long bits) {
+  const Rational length = rounded_length(v, 50);
+  const Rational scale = scale_for_doubles(length);
+  const double root = std::sqrt(static_cast<double>(scale * length));
+  return rounded_to_bits(exact_rational(root), bits) / *square_root(scale);
 }
 
 Rational squared_sine(const Vector<Rational>& a, const Vector<Rational>& b) {

@@ -16,6 +16,10 @@ Vector<double> scaled_to_doubles(const Rational& c, const Vector<Rational>& v);
 
 /// x > 0 to so many significant bits.
 Rational rounded_to_bits(const Rational& x, long bits);
+/// @{ |v| > 0 and √|v|, in doubles, to so many significant bits, at most 50.
+Rational rounded_length(const Vector<Rational>& v, long bits);
+Rational rounded_root_of_length(const Vector<Rational>& v, long bits);
+/// @}
 /// The multiple of 2^−k next to x.
 Rational rounded_to_places(const Rational& x, long k);
 /// The same of each part.

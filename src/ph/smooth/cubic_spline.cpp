@@ -1,0 +1,146 @@
+#include "phrame/ph/smooth/cubic_spline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/big_float.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/scale.hpp"
+
+// For the spline's law, spline_slopes.hpp. In ℚ the elimination makes numbers with as many digits
+// as all points before have together, so that n points cost n³; big floats cost n. What they find
+// is a guess, of which the residual, in ℚ with short numbers, says how good it is.
+
+namespace phrame {
+namespace {
+
+using Vectors = std::vector<Vector<Rational>>;
+
+/// Steps of the parameter, and slopes of the chords.
+struct Chords {
+  std::vector<Rational> steps;
+  Vectors slopes;
+};
+
+Chords chords_of(const CubicInterpolation& data) {
+  Chords chords;
+  for (std::size_t k = 0; k + 1 < data.points.size(); ++k) {
+    chords.steps.push_back(data.parameters[k + 1] - data.parameters[k]);
+    chords.slopes.push_back((1 / chords.steps.back()) * (data.points[k + 1] - data.points[k]));
+  }
+  return chords;
+}
+
+void require_interpolation(const CubicInterpolation& data) {
+  const std::size_t count = data.points.size();
+  const bool is_periodic = data.ends == SplineEnds::periodic;
+  const std::size_t least = is_periodic ? 3 : 2;
+  if (count < least)
+    throw DomainError(fmt::format("a {}cubic spline has {} points at least, not {}",
+                                  is_periodic ? "periodic " : "", least, count));
+  if (data.parameters.size() != count)
+    throw DomainError(fmt::format("{} parameters for {} points", data.parameters.size(), count));
+  for (std::size_t k = 1; k < count; ++k)
+    if (data.parameters[k] <= data.parameters[k - 1])
+      throw DomainError(fmt::format("the parameters do not increase: {} after {}",
+                                    abbreviated(to_string(data.parameters[k])),
+                                    abbreviated(to_string(data.parameters[k - 1]))));
+  if (is_periodic && data.points.front() != data.points.back())
+    throw DomainError(fmt::format("a periodic spline ends at its first point, {}, not {}",
+                                  abbreviated(data.points.front()),
+                                  abbreviated(data.points.back())));
+}
+
+Vectors rounded_slopes(const Chords& chords, const CubicInterpolation& data, long places) {
+  constexpr long bits = 192;
+  const auto in_floats = [&](const Vector<Rational>& v) {
+    return Vector<BigFloat>{BigFloat(v[0], bits), BigFloat(v[1], bits), BigFloat(v[2], bits)};
+  };
+  std::vector<BigFloat> h;
+  std::vector<Vector<BigFloat>> slopes;
+  for (const Rational& step : chords.steps) h.emplace_back(step, bits);
+  for (const Vector<Rational>& slope : chords.slopes) slopes.push_back(in_floats(slope));
+  Vectors result;
+  const Rational unit = power_of_two(-places);
+  for (const Vector<BigFloat>& x :
+       cubic_spline_slopes(h, slopes, data.ends,
+                           {in_floats(data.start_derivative), in_floats(data.end_derivative)}))
+    result.push_back({unit * Rational(x[0].scaled(places)), unit * Rational(x[1].scaled(places)),
+                      unit * Rational(x[2].scaled(places))});
+  if (data.ends == SplineEnds::clamped) {
+    result.front() = data.start_derivative;
+    result.back() = data.end_derivative;
+  }
+  return result;
+}
+
+/// The greatest residual of a row, divided by its off-diagonal numbers' sum.
+Rational greatest_residual(const Chords& chords, const CubicInterpolation& data, const Vectors& x) {
+  const auto rows = slope_rows(chords.steps, chords.slopes, data.ends,
+                               {data.start_derivative, data.end_derivative});
+  const std::size_t n = rows.size();
+  Rational greatest;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto& [low, middle, high, right] = rows[k];
+    const Vector<Rational> left = low * x[(k + n - 1) % n] + middle * x[k] + high * x[(k + 1) % n];
+    const Rational size = largest(left - right);
+    if (size != 0) greatest = std::max(greatest, Rational(size / (middle - low - high)));
+  }
+  return greatest;
+}
+
+}  // namespace
+
+std::vector<Rational> parameters_of(const std::vector<Vector<Rational>>& points,
+                                    ParameterChoice choice) {
+  constexpr long bits = 12;
+  std::vector<Rational> parameters{0};
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    Rational step = 1;
+    if (choice != ParameterChoice::uniform) {
+      const Vector<Rational> chord = points[k + 1] - points[k];
+      if (largest(chord) == 0)
+        throw DomainError(fmt::format(
+            "the points {} and {} of {} are equal: only with uniform or given parameters is it "
+            "known how a curve goes from one to the other",
+            k + 1, k + 2, points.size()));
+      step = choice == ParameterChoice::chord_lengths ? rounded_length(chord, bits)
+                                                      : rounded_root_of_length(chord, bits);
+    }
+    parameters.push_back(parameters.back() + step);
+  }
+  return parameters;
+}
+
+CubicDerivatives cubic_derivatives(const CubicInterpolation& data) {
+  require_interpolation(data);
+  const Chords chords = chords_of(data);
+  if (data.points.size() <= exact_cubic_points)
+    return {cubic_spline_slopes(chords.steps, chords.slopes, data.ends,
+                                {data.start_derivative, data.end_derivative}),
+            0};
+  constexpr long bits = 128;
+  const Rational size = std::max(
+      {largest(chords.slopes), largest(data.start_derivative), largest(data.end_derivative)});
+  if (size == 0) throw DomainError("the points are all equal, so the curve is a single point");
+  CubicDerivatives result;
+  result.values = rounded_slopes(chords, data, bits - binary_exponent(size));
+  result.error = greatest_residual(chords, data, result.values);
+  return result;
+}
+
+std::vector<BezierPoints> cubic_pieces(const CubicInterpolation& data,
+                                       const std::vector<Vector<Rational>>& derivatives) {
+  std::vector<BezierPoints> pieces;
+  for (std::size_t k = 0; k + 1 < data.points.size(); ++k) {
+    const Rational third = (data.parameters[k + 1] - data.parameters[k]) / 3;
+    const Vector<Rational>& a = data.points[k];
+    const Vector<Rational>& b = data.points[k + 1];
+    pieces.push_back({a, a + third * derivatives[k], b - third * derivatives[k + 1], b});
+  }
+  return pieces;
+}
+
+}  // namespace phrame

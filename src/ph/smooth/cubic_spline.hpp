@@ -1,0 +1,53 @@
+#pragma once
+#include <vector>
+
+#include "phrame/ph/construct/bezier_points.hpp"
+#include "phrame/ph/construct/spline_slopes.hpp"
+
+namespace phrame {
+
+/// Where the parameters of points come from that are given without.
+enum class ParameterChoice {
+  uniform,        ///< 0, 1, 2, …
+  chord_lengths,  ///< sums of the distances, each rounded to 12 bits
+  centripetal     ///< sums of their square roots, each rounded to 12 bits [Lee 1989]
+};
+/// One parameter for each point, from 0. Throws DomainError where two successive points are equal,
+/// unless they are uniform.
+std::vector<Rational> parameters_of(const std::vector<Vector<Rational>>& points,
+                                    ParameterChoice choice);
+
+/// What a C² cubic spline is to pass.
+struct CubicInterpolation {
+  std::vector<Vector<Rational>> points;  ///< two at least; periodic: three, the last is the first
+  std::vector<Rational> parameters;      ///< increasing, one for each
+  SplineEnds ends = SplineEnds::natural;
+  Vector<Rational> start_derivative = {};  ///< with respect to the parameter; of clamped ones
+  Vector<Rational> end_derivative = {};    ///< the same at the end
+};
+
+/// The derivatives of a spline at its points.
+struct CubicDerivatives {
+  std::vector<Vector<Rational>> values;  ///< one for each
+  /// No coordinate of one is off by more. 0: the spline is C² exactly. Else it passes the points
+  /// and is C¹, both exactly, and only its second derivatives are off at the joints.
+  Rational error;
+};
+
+/// Up to so many points the spline is exact.
+inline constexpr std::size_t exact_cubic_points = 50;
+
+/// The derivatives of the C² cubic spline: for exact_cubic_points at most in ℚ, where their digits
+/// are as many as those of all points together. For more they are rounded to multiples of 2^−k, at
+/// least 128 bits below the greatest, and the error is proved by the residual: the equations'
+/// matrix, with rows divided by hₖ₋₁ + hₖ, has 2 on its diagonal and 1 beside it, so that its
+/// inverse is at most 1. Throws DomainError for parameters that do not increase, wrong counts, and
+/// a periodic spline that does not end where it starts.
+CubicDerivatives cubic_derivatives(const CubicInterpolation& data);
+
+/// The cubics between the points as Bézier curves, each with four control points, for derivatives
+/// as cubic_derivatives() finds them.
+std::vector<BezierPoints> cubic_pieces(const CubicInterpolation& data,
+                                       const std::vector<Vector<Rational>>& derivatives);
+
+}  // namespace phrame
