@@ -60,4 +60,5 @@
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/ph/proof/verify.hpp"
+#include "phrame/ph/smooth/smooth_path.hpp"
 #include "phrame/version.hpp"

@@ -17,7 +17,8 @@ set(value_header "^(algebra|answer|io/write)/\
 |^integrate/(antiderivative|exact_value|other_form|path_end|pole_table|radicals|real_form)\\.hpp$\
 |^ph/curve/(curve|invariants|named|nearness|path|quaternion|special_points|vector)\\.hpp$\
 |^ph/frame/(frame_angle|frame_start)\\.hpp$\
-|^ph/proof/(certificate|statement)\\.hpp$")
+|^ph/proof/(certificate|statement)\\.hpp$\
+|^ph/smooth/(rational_curve|smooth_path)\\.hpp$")
 set(flint_header "^(flint/.+|(acb|arb|arf|mag|fmpr|fmpz|fmpq|bool_mat|dlog|dirichlet|bernoulli\
 |hypgeom|partitions|double_interval)[a-z_]*\\.h)$")
 set(flint_name "_?(arb|acb|arf|mag|fmpr|fmpz|fmpzi|fmpq|nmod|flint)_[a-z][a-z0-9_]*\

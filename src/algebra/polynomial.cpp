@@ -192,6 +192,18 @@ Rational content(const Polynomial& p) {
   return p.leading_coefficient() < 0 ? -c : c;
 }
 
+Rational common_content(const std::vector<Polynomial>& polynomials) {
+  Rational common = 0;
+  for (const Polynomial& p : polynomials) {
+    if (p.is_zero()) continue;
+    const Rational c = abs(content(p));
+    common = common == 0 ? c
+                         : Rational(gcd(numerator(common), numerator(c)),
+                                    lcm(denominator(common), denominator(c)));
+  }
+  return common;
+}
+
 Polynomial primitive_part(const Polynomial& p) {
   return to_polynomial(integer_primitive_part(p).get());
 }

@@ -100,6 +100,9 @@ ExtendedGcd extended_gcd(const Polynomial& a, const Polynomial& b);
 Rational content(const Polynomial& p);
 Polynomial primitive_part(const Polynomial& p);
 /// @}
+/// The greatest c ≥ 0 such that all of them have integer coefficients when divided by c; 0 where
+/// all are 0.
+Rational common_content(const std::vector<Polynomial>& polynomials);
 
 Polynomial differentiate(const Polynomial& p);  ///< p′
 /// ∫₀ᵗ p.

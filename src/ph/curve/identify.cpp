@@ -32,21 +32,6 @@
 namespace phrame {
 namespace {
 
-/// The greatest c ≥ 0 such that all the polynomials have integer coefficients when divided by c.
-template <class... P>
-Rational common_content(const P&... polynomials) {
-  Rational result = 0;
-  const auto include = [&result](const Polynomial& p) {
-    const Rational c = content(p);
-    if (c == 0) return;
-    result = result == 0 ? Rational(abs(c))
-                         : Rational(gcd(numerator(result), numerator(c)),
-                                    lcm(denominator(result), denominator(c)));
-  };
-  (include(polynomials), ...);
-  return result;
-}
-
 /// The coefficient of tᵏ, where the coefficients are integers.
 GaussianInteger coefficient(const GaussianPolynomial& a, long k) {
   return {Integer(numerator(a.re.coefficient(k))), Integer(numerator(a.im.coefficient(k)))};
@@ -61,7 +46,7 @@ HopfForm multiple(const Rational& r, const GaussianInteger& c, const HopfForm& w
 /// w over all that its coefficients have in common in ℤ[i]: first in ℤ, then the divisor g, which
 /// also divides the norms.
 HopfForm primitive(const HopfForm& w) {
-  const Rational real = common_content(w.alpha.re, w.alpha.im, w.beta.re, w.beta.im);
+  const Rational real = common_content({w.alpha.re, w.alpha.im, w.beta.re, w.beta.im});
   const HopfForm result = multiple(1 / real, {1, 0}, w);
   Integer norms = 0;
   for (const auto* part : {&result.alpha, &result.beta})
@@ -116,7 +101,7 @@ std::string to_string(const NotPythagorean& reason) {
 std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph,
                                              const Vector<Rational>& start) {
   const auto& [dx, dy, dz] = hodograph;
-  const Rational number = common_content(dx, dy, dz);
+  const Rational number = common_content({dx, dy, dz});
   if (number == 0) throw DomainError("identify: the hodograph is zero, so the curve is a point");
   Polynomial f = gcd(gcd(dx, dy), dz);
   long order = 0;

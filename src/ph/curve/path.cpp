@@ -100,12 +100,15 @@ PathParameter locate(const Path& path, const Rational& t) {
 }
 
 PathParameter locate_inside(const Path& path, const Rational& t) {
-  if (t < 0 || t > path.end())
-    throw DomainError(fmt::format("t = {} is outside [0, {}]", abbreviated(phrame::to_string(t)),
-                                  phrame::to_string(path.end())));
-  const auto count = path.segments().size();
+  return locate_inside(path.segments().size(), t);
+}
+
+PathParameter locate_inside(std::size_t count, const Rational& t) {
+  if (t < 0 || t > Rational(count))
+    throw DomainError(
+        fmt::format("t = {} is outside [0, {}]", abbreviated(phrame::to_string(t)), count));
   const std::size_t k = std::min(static_cast<std::size_t>(static_cast<long>(floor(t))), count - 1);
-  return {k, t - Rational(static_cast<long>(k))};
+  return {k, t - Rational(k)};
 }
 
 Rational parameter(const PathParameter& at) {

@@ -59,6 +59,8 @@ struct PathParameter {
 PathParameter locate(const Path& path, const Rational& t);
 /// The same, and of a curve, too.
 PathParameter locate_inside(const Path& path, const Rational& t);
+/// The same on a path of `count` ≥ 1 segments of any kind.
+PathParameter locate_inside(std::size_t count, const Rational& t);
 
 /// A point of a path, at an algebraic parameter on that segment.
 struct PathPoint {

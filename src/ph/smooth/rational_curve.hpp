@@ -1,0 +1,45 @@
+#pragma once
+#include "phrame/ph/curve/curve.hpp"
+
+namespace phrame {
+
+/// A polynomial or rational curve r = X/W on [0, 1], whatever its hodograph:
+///   r′ = p·H/W²,  X′W − XW′ = p·H,
+/// with a direction H of integer coefficients without a common factor. Where H is a polynomial
+/// vector without a common root it has no zero, so that e₁ = H/|H| is defined for all t, through
+/// cusps, too. As for PH curves, e₁ is r′/|r′| where p > 0 and −r′/|r′| where p < 0.
+class RationalCurve {
+ public:
+  /// The lowest terms of X/W, with coprime integers for the coefficients of W > 0. H has the sign
+  /// for which p > 0 for small t > 0. Throws DomainError where W has a zero in [0, 1] that does not
+  /// cancel, and for a single point.
+  explicit RationalCurve(const Vector<Polynomial>& numerator, const Polynomial& weight = {1});
+
+  const Vector<Polynomial>& numerator() const { return numerator_; }  ///< X
+  const Polynomial& weight() const { return weight_; }                ///< W > 0 on [0, 1]
+  const Vector<Polynomial>& direction() const { return direction_; }  ///< H
+  const Polynomial& multiplier() const { return multiplier_; }        ///< p
+
+  /// The same curve with −H and −p, whose e₁ is reversed.
+  RationalCurve turned_over() const;
+
+  friend bool operator==(const RationalCurve&, const RationalCurve&) = default;
+
+ private:
+  Vector<Polynomial> numerator_;
+  Polynomial weight_;
+  Vector<Polynomial> direction_;
+  Polynomial multiplier_;
+};
+
+/// The greatest degree of X₁, X₂, X₃ and W.
+long degree(const RationalCurve& curve);
+/// r(t). Throws DomainError where W(t) = 0, so outside [0, 1].
+Vector<Rational> point(const RationalCurve& curve, const Rational& t);
+
+/// The Bézier curve Σ wₖ Pₖ Bₖ/Σ wₖ Bₖ, with weights 1 where none are given. Throws DomainError for
+/// no points, another number of weights, and as RationalCurve.
+RationalCurve bezier_curve(const std::vector<Vector<Rational>>& points,
+                           const std::vector<Rational>& weights = {});
+
+}  // namespace phrame

@@ -1,0 +1,58 @@
+#pragma once
+#include <string>
+#include <variant>
+
+#include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/smooth/rational_curve.hpp"
+
+namespace phrame {
+
+/// A segment of a path of curves of any kind, on [0, 1].
+using SmoothSegment = std::variant<RationalCurve>;
+
+/// A curve of any kind, or several joined to one. Segment k = 0, 1, … is the part [k, k + 1] of the
+/// parameter t. At the joints the position and the unit tangent r′/|r′| are continuous, exactly; at
+/// a cusp there the tangent is its limit. Segments are turned over where that keeps e₁ continuous,
+/// which after an odd number of changes of the sign of p is −r′/|r′|.
+class SmoothPath {
+ public:
+  /// One segment, to which others may be appended.
+  SmoothPath(SmoothSegment first)  // NOLINT(google-explicit-constructor)
+      : segments_{std::move(first)} {}
+
+  /// Throws DomainError where the segment does not start where the path ends, and where its tangent
+  /// there is another, with the same messages as Path::append.
+  void append(const SmoothSegment& next);
+
+  const std::vector<SmoothSegment>& segments() const { return segments_; }  ///< at least one
+  /// Of the parameter.
+  Rational end() const { return Rational(static_cast<long>(segments_.size())); }
+
+  bool ends_meet() const;  ///< Is its end its start?
+  /// Do its ends meet, with the same e₁?
+  bool is_closed() const;
+
+  friend bool operator==(const SmoothPath&, const SmoothPath&) = default;
+
+ private:
+  std::vector<SmoothSegment> segments_;
+};
+
+/// The segments, at least one, one after the other. Throws as SmoothPath::append.
+SmoothPath joined(const std::vector<SmoothSegment>& segments);
+
+/// The same path by its positions, as if it were not known to be Pythagorean. Its e₁ is that of the
+/// path or, everywhere, its opposite.
+SmoothPath by_positions(const Path& path);
+
+/// A path and what it is called.
+struct NamedSmoothPath {
+  std::string name;  ///< may be empty
+  SmoothPath path;   ///< the path
+};
+
+/// The segment that t is in, the later one at a joint, and the parameter there, in [0, 1]. Throws
+/// DomainError for t outside [0, end()].
+PathParameter locate(const SmoothPath& path, const Rational& t);
+
+}  // namespace phrame

@@ -1,0 +1,75 @@
+#include "phrame/ph/smooth/smooth_path.hpp"
+
+#include <doctest/doctest.h>
+
+#include "phrame/algebra/error.hpp"
+#include "support/paths.hpp"
+
+using namespace phrame;
+
+namespace {
+
+std::string complaint(const RationalCurve& first, const RationalCurve& second) {
+  try {
+    SmoothPath path{SmoothSegment(first)};
+    path.append(second);
+  } catch (const DomainError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+RationalCurve quarter(long turns) {
+  const std::vector<Vector<Rational>> square{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  const auto at = [&](long k) { return square[static_cast<std::size_t>(k % 4)]; };
+  const Vector<Rational> a = at(turns), b = at(turns + 1);
+  return bezier_curve({a, {a[0] + b[0], a[1] + b[1], 0}, b}, {1, 1, 2});
+}
+
+}  // namespace
+
+TEST_CASE("smooth path: a joint that breaks is refused, with what differs") {
+  const RationalCurve line({Polynomial{0, 1}, {}, {}});
+  CHECK(complaint(line, line) == "it starts at (0, 0, 0), but the spline ends at (1, 0, 0)");
+  CHECK(complaint(line, RationalCurve({Polynomial{1, 2}, Polynomial{0, 0, 1}, {}})).empty());
+  CHECK(complaint(line, RationalCurve({Polynomial{1, -2}, {}, {}})) ==
+        "the tangent breaks: it starts in the direction (-1, 0, 0), but the spline ends in (1, 0, "
+        "0)");
+}
+
+TEST_CASE("smooth path: a circle of four rational arcs is closed, three of them are not") {
+  SmoothPath path{SmoothSegment(quarter(0))};
+  path.append(quarter(1));
+  path.append(quarter(2));
+  CHECK_FALSE(path.ends_meet());
+  path.append(quarter(3));
+  CHECK(path.ends_meet());
+  CHECK(path.is_closed());
+  CHECK(path.end() == 4);
+  CHECK(locate(path, Rational(5, 2)).segment == 2);
+  CHECK_THROWS_AS(locate(path, Rational(17, 4)), DomainError);
+  // A drop: its ends meet at an angle.
+  const SmoothPath drop{SmoothSegment(bezier_curve({{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 0}}))};
+  CHECK(drop.ends_meet());
+  CHECK_FALSE(drop.is_closed());
+}
+
+TEST_CASE("smooth path: behind a cusp segments are turned over, so that e1 is continuous") {
+  // r = (t − t², 0, 0) turns back at 1/2 and ends with the tangent (−1, 0, 0), e₁ = (1, 0, 0).
+  const RationalCurve there_and_back({Polynomial{0, 1, -1}, {}, {}});
+  const RationalCurve on({Polynomial{0, -1}, Polynomial{0, 0, 1}, {}});
+  SmoothPath path{SmoothSegment(there_and_back)};
+  path.append(on);
+  const auto& last = std::get<RationalCurve>(path.segments().back());
+  CHECK(evaluate(last.direction(), 0)[0] > 0);
+  CHECK(last.multiplier() == Polynomial{-1});
+}
+
+TEST_CASE("smooth path: a PH path by its positions has its points, and is as closed") {
+  const Path loop = test::closed_loop();
+  const SmoothPath path = by_positions(loop);
+  REQUIRE(path.segments().size() == loop.segments().size());
+  CHECK(path.is_closed());
+  for (std::size_t k = 0; k < loop.segments().size(); ++k)
+    CHECK(std::get<RationalCurve>(path.segments()[k]).numerator() == position(loop.segments()[k]));
+}
