@@ -39,7 +39,7 @@ Construction quintics(const Task& task) {
 }
 
 Construction cubics(const Task& task) {
-  return cubic_spline(task.data, task.query.solution, task.tolerance);
+  return cubic_spline(task.data, task.query.solution, task.tolerance, task.query.points);
 }
 
 Construction planar(const Task& task) {
@@ -47,10 +47,12 @@ Construction planar(const Task& task) {
 }
 
 Construction helices(const Task& task) {
-  return helical_spline(task.data, task.query.solution, task.tolerance);
+  return helical_spline(task.data, task.query.solution, task.tolerance, task.query.points);
 }
 
-Construction rrmf_quintics(const Task& task) { return rrmf_spline(task.data, task.tolerance); }
+Construction rrmf_quintics(const Task& task) {
+  return rrmf_spline(task.data, task.tolerance, task.query.points);
+}
 
 constexpr std::string_view c2_law = "the second derivative by the parameter is continuous";
 
@@ -71,7 +73,9 @@ Construction c2_hermite_splines(const Task& task) {
 
 bool is_c2_between(const Path& path) { return is_c2(path, false); }
 
-Construction rmf_septics(const Task& task) { return rmf_spline(task.data, task.tolerance); }
+Construction rmf_septics(const Task& task) {
+  return rmf_spline(task.data, task.tolerance, task.query.points);
+}
 
 bool is_without_twist(const Path& path) {
   return std::ranges::all_of(path.segments(), [](const Curve& curve) {
@@ -90,15 +94,13 @@ const std::vector<KindRow>& rows() {
       {.named = {.kind = CurveKind::quintic,
                  .name = "quintic",
                  .what = "C1 splines of PH quintics",
-                 .continuity = Continuity::c1,
-                 .meets_points = true},
+                 .continuity = Continuity::c1},
        .construct = quintics},
       {.named = {.kind = CurveKind::planar,
                  .name = "planar",
                  .what = "the same in the plane z = 0",
                  .continuity = Continuity::c1,
                  .solutions = plane_solutions,
-                 .meets_points = true,
                  .law = "the curve is in the plane z = 0"},
        .construct = planar,
        .obeys_law = is_in_plane},
@@ -137,7 +139,6 @@ const std::vector<KindRow>& rows() {
                  .name = "c2",
                  .what = "C2 splines of PH quintics through points",
                  .continuity = Continuity::c2,
-                 .meets_points = true,
                  .law = c2_law,
                  .is_through_points = true},
        .construct = c2_splines,
@@ -146,7 +147,6 @@ const std::vector<KindRow>& rows() {
                  .name = "c2-hermite",
                  .what = "C2 splines of degree 9 with accelerations",
                  .continuity = Continuity::c2,
-                 .meets_points = true,
                  .law = c2_law},
        .takes_accelerations = true,
        .construct = c2_hermite_splines,
@@ -180,8 +180,6 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
   if (given.accelerations.empty() && row->takes_accelerations)
     throw InputError(fmt::format(
         "the kind {} wants accelerations; for points only there is the kind c2", row->named.name));
-  if (query.points == PointRule::exact && !row->named.meets_points)
-    throw InputError(fmt::format("the kind {} does not meet points exactly", row->named.name));
   if (row->named.is_through_points && query.is_closed)
     for (const auto& [place, list] :
          {std::pair("/derivatives", &given.derivatives), std::pair("/tangents", &given.tangents)})

@@ -20,12 +20,11 @@ enum class Continuity {
 
 /// The kinds there are, in their order, as people call them.
 struct NamedKind {
-  CurveKind kind;             ///< which one
-  std::string_view name;      ///< "quintic"
-  std::string_view what;      ///< "C1 splines of PH quintics"
-  Continuity continuity;      ///< of its splines
-  long solutions = 1;         ///< how many curves there are at most, of which one is asked for
-  bool meets_points = false;  ///< can it meet the points exactly?
+  CurveKind kind;         ///< which one
+  std::string_view name;  ///< "quintic"
+  std::string_view what;  ///< "C1 splines of PH quintics"
+  Continuity continuity;  ///< of its splines
+  long solutions = 1;     ///< how many curves there are at most, of which one is asked for
   /// What holds exactly of every curve of this kind, beside being PH; it has been checked of the
   /// one that is answered. May be empty.
   std::string_view law = {};
@@ -43,7 +42,7 @@ struct ConstructQuery {
   /// How far the curve may be from the points, beside their extent, and its derivatives from those
   /// wanted, beside the greatest of them. > 0 and < 1.
   Rational tolerance = Rational(1, 1'000'000'000'000'000);
-  PointRule points = PointRule::near;  ///< exact for some kinds only
+  PointRule points = PointRule::near;  ///< how are the points met?
   bool is_closed = false;              ///< does the curve end where it starts?
 };
 

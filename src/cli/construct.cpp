@@ -109,10 +109,9 @@ void add_construct(Program& program) {
                      "(default 1e-15)");
   command.add_flag("--closed", options->is_closed, "the curve ends where it starts");
   command.add_flag("--exact-points", options->exact_points,
-                   "meet the points exactly, by two or more segments between any two of them");
+                   "meet the points exactly, by several segments between any two of them, or\n"
+                   "by a multiplier");
   command.not_with({"--closed"}, kinds_where(&NamedKind::is_open));
-  command.not_with({"--exact-points"},
-                   kinds_where([](const NamedKind& named) { return !named.meets_points; }));
   command.add_option("-o,--output", "FILE", options->output,
                      "write the curve to this file, beside the report");
   command.add_format("--print", options->print, {"text", "json", "curve"},

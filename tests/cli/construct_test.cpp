@@ -1,4 +1,5 @@
 #include "cli/workshop.hpp"
+#include "phrame/io/read/curve_file.hpp"
 
 using namespace phrame;
 using namespace phrame::test;
@@ -198,7 +199,36 @@ TEST_CASE("construct: --exact-points meets the points as fractions, in space and
   const Json report = Json::parse(plane.out);
   CHECK(report["law"] == "the curve is in the plane z = 0");
   CHECK(number(report["deviation"]["points"]) == 0);
-  check_failure(here.run("construct points.csv --kind cubic --exact-points"), 2, "--exact-points");
+}
+
+TEST_CASE("construct: --exact-points keeps the shape of every kind") {
+  const Workshop here;
+  here.write("points.csv", "x,y,z\n0,0,0\n1,1,0.3\n2,1.5,1\n3,1.6,2\n");
+  for (const std::string kind : {"rmf", "helical", "rrmf", "cubic"}) {
+    CAPTURE(kind);
+    const Run run = here.run("construct points.csv --exact-points -o spline.json --kind " + kind);
+    check_success(run);
+    CHECK(contains(run.out, "points met      exactly, as equal fractions"));
+    CHECK(contains(run.out, ", checked\n") == (kind != "cubic"));
+    const NamedPath read = read_path(bytes_of(here.file("spline.json")));
+    const std::vector<Curve>& segments = read.path.segments();
+    REQUIRE(segments.size() == 3);
+    const std::vector<Vector<Rational>> points{
+        {0, 0, 0}, {1, 1, Rational(3, 10)}, {2, Rational(3, 2), 1}, {3, Rational(8, 5), 2}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(segments[k].start() == points[k]);
+      CHECK(evaluate(position(segments[k]), 1) == points[k + 1]);
+    }
+    const Json classified = Json::parse(here.run("classify spline.json --print json").out);
+    for (const Json& segment : classified["segments"]) {
+      if (kind == "rmf") CHECK(segment["erf_is_rmf"]["answer"] == true);
+      if (kind == "helical") CHECK(segment["helical"]["answer"] == true);
+      if (kind == "rrmf") CHECK(segment["rrmf"]["answer"] == true);
+    }
+  }
+  check_failure(here.run("construct - --kind cubic --exact-points", R"({"phrame": "points/1",
+                         "points": [[0, 0, 0], [1, 2, 3]], "tangents": [[1, 2, 3], [1, 2, 3]]})"),
+                4, "segment 1: no slight change of its speed leads to its point exactly");
 }
 
 // Lengths and energies of Farouki's talk.
@@ -290,8 +320,6 @@ TEST_CASE("construct: --kind rmf closes splines, and says which segment has no s
                     "points": [[0, 0, 0], [1, 0.1, 0.2]],
                     "derivatives": [[1e8, 0, 1], [0, 1e-8, 0]]})"),
                 4, "segment 1: no septic with h = 0 was found");
-  check_failure(here.run("construct - --kind rmf --exact-points", table), 2,
-                "--exact-points: does not apply with --kind rmf");
   check_failure(here.run("construct - --kind rmf --select bv", table), 2,
                 "--select: needs --kind quintic");
 }

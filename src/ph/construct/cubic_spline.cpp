@@ -9,6 +9,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/energy.hpp"
+#include "phrame/ph/construct/multiplier.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/scale.hpp"
 
@@ -99,21 +100,31 @@ Quaternion<Float> unit_preimage(const Vector<Rational>& d, long bits) {
 }
 
 /// A spline with A rounded to multiples of 2^−bits where it is of size 1; no value where the
-/// deviations are too great. An acute angle is less than twice its sine.
+/// deviations are too great, or where segment `not_met` does not meet its point exactly. An acute
+/// angle is less than twice its sine.
 std::optional<Construction> attempt(const HermiteSpline& data, long solution,
-                                    const Deviation& tolerance, long bits) {
-  const long precision = bits + 96;
+                                    const Deviation& tolerance, PointRule rule, long bits,
+                                    std::size_t& not_met) {
+  // What A i A* is out of a plane that is not rational is to be more than what the end is off.
+  const long places = rule == PointRule::exact ? bits + 48 : bits;
+  const long precision = places + 96;
   const Rational scale = scale_for_doubles(size_of_points(data));
   const Rational root_of_scale = *square_root(scale);
-  Quaternion<Float> u0 = unit_preimage(data.derivatives[0], precision);
+  const auto direction = [&](std::size_t k) {
+    Quaternion<Float> u = unit_preimage(data.derivatives[k], precision);
+    if (rule == PointRule::near) return u;
+    u = big_floats(rounded_to_places(u, bits), precision);
+    return Float(1.0) / sqrt(norm(u)) * u;
+  };
+  Quaternion<Float> u0 = direction(0);
   ComplexOf<Float> turn{Float(1.0), Float(0.0)};
-  RationalQuaternion q0 = rounded_to_places(u0, bits);
+  RationalQuaternion q0 = rounded_to_places(u0, places);
   Vector<Rational> r = data.points.front();
   Rational points;
   Rational sines = squared_sine(rotated_i(q0), data.derivatives[0]);
   std::vector<Curve> curves;
   for (std::size_t k = 0; k < data.segments(); ++k) {
-    const Quaternion<Float> u1 = unit_preimage(data.derivatives[k + 1], precision);
+    const Quaternion<Float> u1 = direction(k + 1);
     const Vector<Float> triple_step =
         big_floats(Rational(3 * scale) * (data.points[k + 1] - r), precision);
     const std::vector<Cubic> found = cubics(u0, u1, triple_step);
@@ -122,13 +133,24 @@ std::optional<Construction> attempt(const HermiteSpline& data, long solution,
                                     k + 1, found.empty() ? "no" : "only one"));
     const Cubic& cubic = found[static_cast<std::size_t>(solution - 1)];
     const ComplexOf<Float> next_turn = cubic.turn * turn;
-    const RationalQuaternion q1 = rounded_to_places(turned(u1, next_turn), bits);
+    const RationalQuaternion q1 = rounded_to_places(turned(u1, next_turn), places);
     const RationalQuaternion a0 =
-        Rational(rounded_to_places(cubic.lambda0, bits) / root_of_scale) * q0;
+        Rational(rounded_to_places(cubic.lambda0, places) / root_of_scale) * q0;
     const RationalQuaternion a1 =
-        Rational(rounded_to_places(cubic.lambda1, bits) / root_of_scale) * q1;
-    curves.emplace_back(from_bernstein({a0, a1}), Polynomial{1}, r);
-    r = r + Rational(1, 3) * (rotated_i(a0) + symmetric_product(a0, a1) + rotated_i(a1));
+        Rational(rounded_to_places(cubic.lambda1, places) / root_of_scale) * q1;
+    const QuaternionPolynomial a = from_bernstein({a0, a1});
+    if (rule == PointRule::exact) {
+      const auto f = slight_multiplier(a, {1}, data.points[k + 1] - r, MultiplierFreedom::all);
+      if (!f) {
+        not_met = k + 1;
+        return std::nullopt;
+      }
+      curves.emplace_back(a, from_bernstein(*f), r);
+      r = data.points[k + 1];
+    } else {
+      curves.emplace_back(a, Polynomial{1}, r);
+      r = r + Rational(1, 3) * (rotated_i(a0) + symmetric_product(a0, a1) + rotated_i(a1));
+    }
     const Vector<Rational> off = r - data.points[k + 1];
     points = std::max(points, dot(off, off));
     sines = std::max(sines, squared_sine(rotated_i(q1), data.derivatives[k + 1]));
@@ -145,14 +167,20 @@ std::optional<Construction> attempt(const HermiteSpline& data, long solution,
 
 }  // namespace
 
-Construction cubic_spline(const HermiteSpline& data, long solution, const Deviation& tolerance) {
+Construction cubic_spline(const HermiteSpline& data, long solution, const Deviation& tolerance,
+                          PointRule rule) {
   constexpr long most_passes = 20;
   require_directions(data);
   const Rational finest = std::min(
       tolerance.derivatives, Rational(tolerance.points * scale_for_doubles(size_of_points(data))));
   long bits = std::max(20L, 4 - binary_exponent(finest));
-  for (long pass = 0; pass < most_passes; ++pass, bits += 8)
-    if (auto found = attempt(data, solution, tolerance, bits)) return *std::move(found);
+  std::size_t not_met = 0;  // its number
+  for (long pass = 0; pass < most_passes; ++pass, bits += 8) {
+    not_met = 0;
+    if (auto found = attempt(data, solution, tolerance, rule, bits, not_met))
+      return *std::move(found);
+  }
+  if (not_met != 0) throw Undecided(fmt::format("segment {}: {}", not_met, no_slight_multiplier));
   throw Undecided("the PH cubics: the points are too sensitive to their coefficients");
 }
 

@@ -11,7 +11,9 @@ inline constexpr long cubic_solutions = 2;
 /// linear, and at a joint that of one segment is a multiple of that of the other. There are none,
 /// one or two to a segment; taken is the `solution`-th by bending energy. `derivatives` of the
 /// tolerance and the deviation are angles between tangents. Throws DomainError, with the segment,
-/// where there is no such cubic, and where a derivative is 0.
-Construction cubic_spline(const HermiteSpline& data, long solution, const Deviation& tolerance);
+/// where there is no such cubic, and where a derivative is 0. Where points are met exactly, each
+/// segment has a quadratic multiplier near 1, so it is of degree 5; Undecided where there is none.
+Construction cubic_spline(const HermiteSpline& data, long solution, const Deviation& tolerance,
+                          PointRule rule = PointRule::near);
 
 }  // namespace phrame

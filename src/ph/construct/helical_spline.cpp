@@ -10,6 +10,7 @@
 #include "phrame/algebra/linear_system.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/exact_fit.hpp"
+#include "phrame/ph/construct/multiplier.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/refine.hpp"
 #include "phrame/ph/construct/scale.hpp"
@@ -162,8 +163,8 @@ long bits_after_point(const std::vector<RationalQuaternion>& a) {
 
 class Helices {
  public:
-  Helices(const HermiteSpline& data, long solution, const Deviation& tolerance)
-      : data_(data), solution_(solution), tolerance_(tolerance) {}
+  Helices(const HermiteSpline& data, long solution, const Deviation& tolerance, PointRule rule)
+      : data_(data), solution_(solution), tolerance_(tolerance), rule_(rule) {}
 
   Construction run();
 
@@ -173,6 +174,7 @@ class Helices {
   const HermiteSpline& data_;
   long solution_;
   const Deviation& tolerance_;
+  PointRule rule_;
   HelicalStart<Rational> start_;
   Vector<Rational> r_;
   std::vector<Curve> curves_;
@@ -200,11 +202,12 @@ void Helices::add(std::size_t k) {
   const Vector<Rational> step = (1 / h) * (data_.points[k + 1] - r_);
   const Rational scale = scale_for_doubles(std::max({largest(step), largest(d0), largest(d1)}));
   const Rational root = *square_root(scale);
-  const ScaledSegment wanted{scale * step,
-                             scale * d1,
-                             {root * start_.q, start_.factor},
-                             tolerance_.points / h * scale,
-                             tolerance_.derivatives * scale};
+  constexpr int most_passes = 3;
+  ScaledSegment wanted{scale * step,
+                       scale * d1,
+                       {root * start_.q, start_.factor},
+                       tolerance_.points / h * scale,
+                       tolerance_.derivatives * scale};
   const HelicalStart<double> start{quaternion_in_doubles(wanted.start.q),
                                    static_cast<double>(wanted.start.factor)};
   const std::vector<HelicalGuess> guesses =
@@ -215,14 +218,25 @@ void Helices::add(std::size_t k) {
                     "derivatives, so no solution {}",
                     k + 1, guesses.size(), solution_));
   const HelicalGuess& guess = guesses[static_cast<std::size_t>(solution_ - 1)];
-  const std::optional<std::vector<Rational>> found = fit(wanted, guess, start);
-  const auto fail = [&] {
-    throw Undecided(fmt::format(
-        "segment {}: the end of the helical quintic is too sensitive to its coefficients", k + 1));
-  };
-  if (!found) fail();
-  HelicalMember<Rational> member = helical_member(guess.form, wanted.start, *found);
-  if (!is_positive(member, *found)) fail();
+  std::optional<std::vector<Rational>> found;
+  HelicalMember<Rational> member;
+  for (int pass = 0;; ++pass, wanted.points *= power_of_two(-24)) {
+    found = fit(wanted, guess, start);
+    if (found) member = helical_member(guess.form, wanted.start, *found);
+    if (!found || !is_positive(member, *found))
+      throw Undecided(fmt::format(
+          "segment {}: the end of the helical quintic is too sensitive to its coefficients",
+          k + 1));
+    if (rule_ == PointRule::near) break;
+    const auto f = slight_multiplier(from_bernstein(member.a), member.f, wanted.step,
+                                     MultiplierFreedom::inner_only);
+    if (f) {
+      member.f = *f;
+      break;
+    }
+    if (pass == most_passes)
+      throw Undecided(fmt::format("segment {}: {}", k + 1, no_slight_multiplier));
+  }
   const Rational back = 1 / root;
   for (RationalQuaternion& a : member.a) a = back * a;
   for (Rational& f : member.f) f = h * f;
@@ -242,9 +256,10 @@ void Helices::add(std::size_t k) {
 
 }  // namespace
 
-Construction helical_spline(const HermiteSpline& data, long solution, const Deviation& tolerance) {
+Construction helical_spline(const HermiteSpline& data, long solution, const Deviation& tolerance,
+                            PointRule rule) {
   require_regular(data);
-  return Helices(data, solution, tolerance).run();
+  return Helices(data, solution, tolerance, rule).run();
 }
 
 bool is_helical(const Path& path) {

@@ -1,13 +1,14 @@
 #include "phrame/ph/construct/multiplier.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "phrame/ph/construct/preimage.hpp"
 
-// With f = 1 + Σ x_k B_k, B_k the Bernstein polynomials that are free, and the moments
-// c_k = ∫ B_k·A i A*, the condition is Σ x_k c_k = e, e = displacement − ∫ A i A*. Its solution of
-// least Σ x_k² is x_k = c_k·y with (Σ c_k c_kᵀ) y = e, whether the moments span space or not.
+// With f + Σ x_k B_k, B_k the Bernstein polynomials that are free, and the moments
+// c_k = ∫ B_k·A i A*, the condition is Σ x_k c_k = e, e = displacement − ∫ f·A i A*. Its solution
+// of least Σ x_k² is x_k = c_k·y with (Σ c_k c_kᵀ) y = e, whether the moments span space or not.
 
 namespace phrame {
 namespace {
@@ -42,13 +43,14 @@ std::optional<Vector<Rational>> solved(std::array<Vector<Rational>, 3> m, Vector
 }  // namespace
 
 std::optional<std::vector<Rational>> multiplier_with(const QuaternionPolynomial& a,
+                                                     const std::vector<Rational>& f,
                                                      const Vector<Rational>& displacement,
                                                      MultiplierFreedom freedom) {
   const std::size_t ends = freedom == MultiplierFreedom::all ? 0 : 1;
-  const std::size_t degree = freedom == MultiplierFreedom::all ? 2 : 4;
+  const std::size_t degree = std::max(f.size() - 1, std::size_t{2} + 2 * ends);
   const Vector<Polynomial> hodograph = rotated_i(a);
-  const auto integral_with = [&](const Polynomial& f) -> Vector<Rational> {
-    return {integral(f * hodograph[0]), integral(f * hodograph[1]), integral(f * hodograph[2])};
+  const auto integral_with = [&](const Polynomial& g) -> Vector<Rational> {
+    return {integral(g * hodograph[0]), integral(g * hodograph[1]), integral(g * hodograph[2])};
   };
   std::vector<Vector<Rational>> moments;
   std::array<Vector<Rational>, 3> matrix;
@@ -59,11 +61,30 @@ std::optional<std::vector<Rational>> multiplier_with(const QuaternionPolynomial&
     for (std::size_t y = 0; y < 3; ++y) matrix[y] = matrix[y] + c[y] * c;
     moments.push_back(c);
   }
-  const auto y = solved(matrix, displacement - integral_with(Polynomial{1}));
+  const Polynomial before = from_bernstein(f);
+  const auto y = solved(matrix, displacement - integral_with(before));
   if (!y) return std::nullopt;
-  std::vector<Rational> f(degree + 1, 1);
-  for (std::size_t k = 0; k < moments.size(); ++k) f[k + ends] += dot(moments[k], *y);
-  return f;
+  std::vector<Rational> after = to_bernstein(before, static_cast<long>(degree));
+  for (std::size_t k = 0; k < moments.size(); ++k) after[k + ends] += dot(moments[k], *y);
+  return after;
+}
+
+std::optional<std::vector<Rational>> slight_multiplier(const QuaternionPolynomial& a,
+                                                       const std::vector<Rational>& f,
+                                                       const Vector<Rational>& displacement,
+                                                       MultiplierFreedom freedom) {
+  constexpr long least_bits = 20;
+  auto after = multiplier_with(a, f, displacement, freedom);
+  if (!after) return std::nullopt;
+  const std::vector<Rational> before =
+      to_bernstein(from_bernstein(f), static_cast<long>(after->size()) - 1);
+  const Rational most = *std::ranges::max_element(before) * power_of_two(-least_bits);
+  for (std::size_t k = 0; k < before.size(); ++k)
+    if (abs((*after)[k] - before[k]) > most) return std::nullopt;
+  const bool are_positive = std::ranges::all_of(*after, [](const Rational& x) { return x >= 0; });
+  if (!are_positive && multiplier_signs(Curve(a, from_bernstein(*after))).negative)
+    return std::nullopt;
+  return after;
 }
 
 }  // namespace phrame

@@ -43,17 +43,23 @@ Vector<Rational> seen_from(const RationalQuaternion& q, const Vector<Rational>& 
 
 }  // namespace
 
-ExactFit plane_between(const ParallelEnds& ends, const Vector<Rational>& displacement,
-                       long places) {
+ExactFit plane_between(const ParallelEnds& ends, const Vector<Rational>& displacement, long places,
+                       PointRule rule) {
   constexpr long guard = 96;
   const Vector<Rational> d = seen_from(ends.q, displacement);
+  const Rational across = std::max(abs(d[1]), abs(d[2]));
   const long bits = std::max(0L, places + binary_exponent(1 + largest(d))) + guard;
   const auto number = [bits](const Rational& x) { return BigFloat(x, bits); };
   // y = 2us·ν_k, z = −2us·ν_j.
-  const Rational across = std::max(abs(d[1]), abs(d[2]));
   const Rational scale = scale_for_doubles(across);
   RationalQuaternion nu{0, 0, 0, 1};
-  if (across != 0) {
+  long places_across = places;
+  if (across != 0 && rule == PointRule::exact) {
+    const Rational squared_size = norm(ends.q) * norm(ends.q);  // without the denominator of d
+    const Rational factor = squared_size * scale_for_doubles(across * squared_size);
+    nu = {0, 0, -factor * d[2], factor * d[1]};
+    places_across += std::max(0L, binary_exponent(1 + largest(d)) - binary_exponent(across));
+  } else if (across != 0) {
     const BigFloat y = number(scale * d[1]);
     const BigFloat z = number(scale * d[2]);
     const BigFloat size = sqrt(y * y + z * z);
@@ -84,7 +90,7 @@ ExactFit plane_between(const ParallelEnds& ends, const Vector<Rational>& displac
                                                  {static_cast<double>(last), 0, 0, 0}}};
       const double energy = approximate_energy(a);
       if (best && !(energy < best->energy)) continue;
-      best = {last, rounded_to_places(u, places), rounded_to_places(s / size_of_nu, places),
+      best = {last, rounded_to_places(u, places), rounded_to_places(s / size_of_nu, places_across),
               energy};
     }
     if (last == 0) break;

@@ -25,7 +25,8 @@
 // directions are the same.
 //
 // A closed spline ends with Q₀u, u of size 1 in ℚ(i), so with the derivative that it starts with,
-// and what is missing of the way back is put into the multiplier of one segment.
+// and what is missing of the way back is put into the multiplier of one segment. Where points are
+// to be met exactly, each segment starts in its point, and has a multiplier that leads to the next.
 
 namespace phrame {
 namespace {
@@ -63,6 +64,11 @@ Vector<Rational> displacement_of(const ExactFit& piece) {
 /// So many more of what is rounded again.
 constexpr long guard_places = 16;
 
+/// So many more of the phase at the end, and of what is between, where points are met exactly. In a
+/// plane that is not rational the curve is out of it by what A i A* at the ends is; the multiplier
+/// can mend no more than a small part of that.
+constexpr long places_between = 48;
+
 /// Of a factor of an A with this |A|², for multiples of 2^−places.
 long bits_for(const Rational& squared_size, long places) {
   constexpr long least_bits = 40;
@@ -77,11 +83,13 @@ long working_precision(const HermiteSpline& data, long places) {
 /// A spline with one rounding.
 class RmfChain {
  public:
-  RmfChain(const HermiteSpline& data, const RmfPlan& plan, long places)
-      : data_(data), plan_(plan), places_(places) {}
+  RmfChain(const HermiteSpline& data, const RmfPlan& plan, long places, PointRule rule)
+      : data_(data), plan_(plan), places_(places), rule_(rule) {}
 
-  /// No value where it could not be closed.
+  /// No value where it could not be closed, or not meet its points exactly.
   std::optional<Construction> run();
+  /// The segment that did not meet its point exactly.
+  std::optional<std::size_t> not_met() const { return not_met_; }
 
  private:
   /// A = size·base there.
@@ -91,11 +99,12 @@ class RmfChain {
   };
 
   void start();
-  void add(std::size_t k);
+  void add(std::size_t k, const Vector<Rational>& target);
   class Septics;
   Joint end_of(const Floats& as_is, std::size_t k, long places) const;
   ExactFit between_parallels(std::size_t k, const Vector<Rational>& target);
   bool close();
+  bool meet(std::size_t k, const Vector<Rational>& target);
 
   bool is_closing(std::size_t k) const { return data_.is_closed && k == plan_.closing; }
   /// Of Q_k; nearly parallel tangents have digits in which they do not differ.
@@ -107,10 +116,12 @@ class RmfChain {
   const HermiteSpline& data_;
   const RmfPlan& plan_;
   long places_;
+  PointRule rule_;
   std::vector<ExactFit> pieces_;  ///< without the factor h of f
   RationalQuaternion first_;      ///< Q₀
   Joint joint_;                   ///< the last one, …
   Vector<Rational> end_;          ///< … and where it is
+  std::optional<std::size_t> not_met_;
 };
 
 long RmfChain::places_at(std::size_t k) const {
@@ -146,9 +157,11 @@ ExactFit RmfChain::between_parallels(std::size_t k, const Vector<Rational>& targ
   const ParallelEnds ends{q, joint_.size, is_base ? Rational(1) : size_at(k + 1, q)};
   const long places = bits_for(norm(q), places_);
   joint_.size = ends.at_end;
-  if (plan_.segments[k].form == SegmentForm::line)
+  const bool may_be_straight =
+      rule_ == PointRule::near || cross(rotated_i(q), target) == Vector<Rational>{};
+  if (plan_.segments[k].form == SegmentForm::line && may_be_straight)
     if (auto line = line_between(ends, target, places)) return *std::move(line);
-  ExactFit plane = plane_between(ends, target, places);
+  ExactFit plane = plane_between(ends, target, places, rule_);
   if (hermitian_product(q, plane.preimage.back()).re < 0) joint_.size = -joint_.size;
   return plane;
 }
@@ -205,12 +218,18 @@ RmfChain::Septics::Septics(const RmfChain& chain, std::size_t k, const Vector<Ra
       target_(target),
       places_(chain.places_at(k + 1)),
       q_(chain.joint_.size * chain.joint_.base) {
-  if (chain.is_closing(k)) places_ += bits_for(norm(q_), places_);
+  const bool is_exact = chain.rule_ == PointRule::exact;
+  const long places_of_end = places_;
+  if (is_exact)
+    places_ += places_between;
+  else if (chain.is_closing(k))
+    places_ += bits_for(norm(q_), places_);
   precision_ = working_precision(chain.data_, places_);
   const Vector<Rational>& d3 = chain.data_.derivatives[k + 1];
   bits_ = bits_for(std::max(norm(q_), 2 * largest(d3)), places_);
   a0_ = preimage(big_floats(chain.data_.derivatives[k], precision_));
   a3_ = preimage(big_floats(d3, precision_));
+  if (is_exact) a3_ = big_floats(rounded_to_places(a3_, places_of_end), precision_);
   const auto [re, im] =
       direction_of(hermitian_product(a0_, big_floats(q_, precision_)), BigFloat(0.0));
   turn_ = {re, im};
@@ -256,9 +275,19 @@ CubicPreimage<Rational> RmfChain::Septics::solution() {
   return member(refine(std::move(start), defect, newton_step, bits_).parameters);
 }
 
-void RmfChain::add(std::size_t k) {
+/// Whether there is a multiplier for it.
+bool RmfChain::meet(std::size_t k, const Vector<Rational>& target) {
+  ExactFit& piece = pieces_[k];
+  auto f = slight_multiplier(from_bernstein(piece.preimage), piece.multiplier, target,
+                             MultiplierFreedom::inner_only);
+  if (!f) return false;
+  piece.multiplier = *std::move(f);
+  end_ = data_.points[k + 1];
+  return true;
+}
+
+void RmfChain::add(std::size_t k, const Vector<Rational>& target) {
   const Rational h = data_.step(k);
-  const Vector<Rational> target = (1 / h) * (data_.points[k + 1] - end_);
   if (plan_.segments[k].form == SegmentForm::space) {
     Septics septics(*this, k, target);
     CubicPreimage<Rational> a;
@@ -280,8 +309,8 @@ bool RmfChain::close() {
   const std::size_t m = plan_.closing;
   ExactFit& piece = pieces_[m];
   const Vector<Rational> lacking = (1 / data_.step(m)) * (data_.points.front() - end_);
-  auto f = multiplier_with(from_bernstein(piece.preimage), displacement_of(piece) + lacking,
-                           MultiplierFreedom::inner_only);
+  auto f = multiplier_with(from_bernstein(piece.preimage), piece.multiplier,
+                           displacement_of(piece) + lacking, MultiplierFreedom::inner_only);
   if (!f || std::ranges::any_of(*f, [](const Rational& x) { return x <= 0; })) return false;
   piece.multiplier = *std::move(f);
   return true;
@@ -289,7 +318,15 @@ bool RmfChain::close() {
 
 std::optional<Construction> RmfChain::run() {
   start();
-  for (std::size_t k = 0; k < data_.segments(); ++k) add(k);
+  const bool is_exact = rule_ == PointRule::exact;
+  for (std::size_t k = 0; k < data_.segments(); ++k) {
+    const Vector<Rational> target = 1 / data_.step(k) * (data_.points[k + 1] - end_);
+    add(k, target);
+    if (is_exact && !meet(k, target)) {
+      not_met_ = k;
+      return std::nullopt;
+    }
+  }
   if (data_.is_closed && end_ != data_.points.front() && !close()) return std::nullopt;
   std::vector<Curve> curves;
   Vector<Rational> r = data_.points.front();
@@ -342,15 +379,19 @@ long first_places(const HermiteSpline& data, const Deviation& tolerance) {
 
 }  // namespace
 
-Construction rmf_spline(const HermiteSpline& data, const Deviation& tolerance) {
+Construction rmf_spline(const HermiteSpline& data, const Deviation& tolerance, PointRule rule) {
   constexpr int most_passes = 12;
   require_regular(data);
   long places = first_places(data, tolerance);
   const RmfPlan plan = rmf_plan(data, tolerance, 2 * working_precision(data, places));
+  std::optional<std::size_t> not_met;
   for (int pass = 0; pass < most_passes; ++pass, places += 8) {
-    auto found = RmfChain(data, plan, places).run();
+    RmfChain chain(data, plan, places, rule);
+    auto found = chain.run();
     if (found && is_within(found->deviation, tolerance)) return *std::move(found);
+    not_met = chain.not_met();
   }
+  if (not_met) throw Undecided(fmt::format("segment {}: {}", *not_met + 1, no_slight_multiplier));
   throw Undecided(
       data.is_closed
           ? "the septics with h = 0: the spline could not be closed"

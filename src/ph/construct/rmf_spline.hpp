@@ -12,6 +12,9 @@ namespace phrame {
 /// for that one of its segments has a quartic f, nearly constant. Throws DomainError where a
 /// derivative is 0 at a joint, and where a segment is a point, Undecided where no septic was found,
 /// with the segment.
-Construction rmf_spline(const HermiteSpline& data, const Deviation& tolerance);
+/// Where points are met exactly, f of every segment is such a quartic; Undecided where none is near
+/// enough to a constant.
+Construction rmf_spline(const HermiteSpline& data, const Deviation& tolerance,
+                        PointRule rule = PointRule::near);
 
 }  // namespace phrame

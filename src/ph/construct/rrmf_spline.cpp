@@ -8,6 +8,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/exact_fit.hpp"
+#include "phrame/ph/construct/multiplier.hpp"
 #include "phrame/ph/construct/rrmf_quintic.hpp"
 #include "phrame/ph/construct/scale.hpp"
 
@@ -76,15 +77,28 @@ struct RrmfPiece {
   long bits;
 };
 
+/// The same with a multiplier that leads to the point, exactly; no value where there is none.
+std::optional<RrmfPiece> meeting(RrmfPiece piece, const Vector<Rational>& point) {
+  const Curve& curve = piece.curve;
+  const auto f = slight_multiplier(curve.preimage(), curve.multiplier().coefficients(),
+                                   point - curve.start(), MultiplierFreedom::all);
+  if (!f) return std::nullopt;
+  piece.curve = Curve(curve.preimage(), from_bernstein(*f), curve.start());
+  piece.next.r = point;
+  piece.squared_points = 0;
+  return piece;
+}
+
 class RrmfSegment {
  public:
   /// Towards that point and in that direction.
   RrmfSegment(const RrmfState& start, const Vector<Rational>& point, const Vector<Rational>& d1,
-              const Deviation& tolerance)
+              const Deviation& tolerance, PointRule rule)
       : start_(start),
         point_(point),
         d1_(d1),
         tolerance_(tolerance),
+        rule_(rule),
         size_(norm(start.a0)),
         scale_(scale_for_doubles(largest(point - start.r))),
         step_((scale_ / size_) * turned_back(point - start.r, start.a0)),
@@ -105,6 +119,7 @@ class RrmfSegment {
   const Vector<Rational>& point_;
   const Vector<Rational>& d1_;
   const Deviation& tolerance_;
+  PointRule rule_;
   Rational size_;
   Rational scale_;
   Vector<Rational> step_;
@@ -124,6 +139,7 @@ RrmfPiece RrmfSegment::piece(const RrmfQuintic<Rational>& x, long bits) const {
 std::optional<RrmfPiece> RrmfSegment::found() const {
   constexpr long spare_bits = 24;
   constexpr int most_passes = 12;
+  bool met_nearly = false;
   long bits = std::max(24L, 6 - binary_exponent(std::min(Rational(tolerance_.points * scale_),
                                                          tolerance_.derivatives)));
   const RrmfEnd first = wanted(bits + spare_bits);
@@ -146,16 +162,20 @@ std::optional<RrmfPiece> RrmfSegment::found() const {
     const RrmfQuintic<Rational> quintic = parameters.quintic(std::move(rounded));
     if (!(quintic.f > 0) || norm(last_coefficient(quintic)) == 0) continue;
     RrmfPiece result = piece(quintic, bits);
-    if (result.squared_points <= tolerance_.points * tolerance_.points &&
-        4 * result.sines <= tolerance_.derivatives * tolerance_.derivatives)
-      return result;
+    if (result.squared_points > tolerance_.points * tolerance_.points ||
+        4 * result.sines > tolerance_.derivatives * tolerance_.derivatives)
+      continue;
+    if (rule_ == PointRule::near) return result;
+    met_nearly = true;
+    if (auto exact = meeting(std::move(result), point_)) return exact;
   }
+  if (met_nearly) throw Undecided(std::string(no_slight_multiplier));
   return std::nullopt;
 }
 
 }  // namespace
 
-Construction rrmf_spline(const HermiteSpline& data, const Deviation& tolerance) {
+Construction rrmf_spline(const HermiteSpline& data, const Deviation& tolerance, PointRule rule) {
   require_directions(data);
   const long first_bits = std::max(24L, 6 - binary_exponent(tolerance.derivatives));
   RrmfState state{unit_preimage_of(data.derivatives.front(), first_bits), data.points.front()};
@@ -169,8 +189,10 @@ Construction rrmf_spline(const HermiteSpline& data, const Deviation& tolerance) 
       throw DomainError(fmt::format(
           "segment {}: its ends are equal, and directions alone do not say how great it is",
           k + 1));
-    const std::optional<RrmfPiece> found =
-        RrmfSegment(state, data.points[k + 1], data.derivatives[k + 1], tolerance).found();
+    const std::optional<RrmfPiece> found = of_segment(k, [&] {
+      return RrmfSegment(state, data.points[k + 1], data.derivatives[k + 1], tolerance, rule)
+          .found();
+    });
     if (!found)
       throw Undecided(fmt::format(
           "segment {}: no quintic with these ends and tangents and a rational rotation-minimizing "

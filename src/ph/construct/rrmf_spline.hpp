@@ -10,8 +10,10 @@ namespace phrame {
 /// all segments before: they get longer by the same from one to the next. `derivatives` of the
 /// tolerance and the deviation are angles between tangents. Open. Throws DomainError where a
 /// derivative is 0 or two points that follow each other are equal, Undecided where no such quintic
-/// is found.
-Construction rrmf_spline(const HermiteSpline& data, const Deviation& tolerance);
+/// is found. Where points are met exactly, f is of degree 2 and nearly constant; Undecided where
+/// there is no such f, as of straight segments.
+Construction rrmf_spline(const HermiteSpline& data, const Deviation& tolerance,
+                         PointRule rule = PointRule::near);
 
 /// Are the Bernstein coefficients of A on each segment such that S(A₀, A₂) = A₁ i A₁*, so that it
 /// has a rational rotation-minimizing frame?

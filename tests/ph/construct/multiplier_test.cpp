@@ -23,8 +23,8 @@ TEST_CASE("multipliers: the displacement is met exactly, the ends are kept where
   test::for_samples(60, [&](Random& random) {
     const QuaternionPolynomial a = random.quaternion_polynomial(3);
     const Vector<Rational> wanted = vector(random);
-    const auto all = multiplier_with(a, wanted, MultiplierFreedom::all);
-    const auto inner = multiplier_with(a, wanted, MultiplierFreedom::inner_only);
+    const auto all = multiplier_with(a, {1}, wanted, MultiplierFreedom::all);
+    const auto inner = multiplier_with(a, {1}, wanted, MultiplierFreedom::inner_only);
     if (all) {
       CHECK(all->size() == 3);
       CHECK(reached(a, *all) == wanted);
@@ -45,28 +45,30 @@ TEST_CASE("multipliers: what is met already is met by 1") {
   for (int k = 0; k < 20; ++k) {
     const QuaternionPolynomial a = random.quaternion_polynomial(3);
     const Vector<Rational> as_is = evaluate(position(Curve(a)), 1);
-    CHECK(multiplier_with(a, as_is, MultiplierFreedom::all) == std::vector<Rational>(3, 1));
-    CHECK(multiplier_with(a, as_is, MultiplierFreedom::inner_only) == std::vector<Rational>(5, 1));
+    CHECK(multiplier_with(a, {1}, as_is, MultiplierFreedom::all) == std::vector<Rational>(3, 1));
+    CHECK(multiplier_with(a, {1}, as_is, MultiplierFreedom::inner_only) ==
+          std::vector<Rational>(5, 1));
   }
 }
 
 TEST_CASE("multipliers: lines go along themselves, plane curves in their planes, by the least f") {
   const QuaternionPolynomial line{Polynomial{1}, {}, {}, {}};
   // f = 1 + x(B₀ + B₁ + B₂), ∫ f = 1 + x.
-  CHECK(multiplier_with(line, {3, 0, 0}, MultiplierFreedom::all) == std::vector<Rational>(3, 3));
+  CHECK(multiplier_with(line, {1}, {3, 0, 0}, MultiplierFreedom::all) ==
+        std::vector<Rational>(3, 3));
   // 1 + x(B₁ + B₂ + B₃) of degree 4: ∫ = 1 + 3x/5.
-  const auto inner = multiplier_with(line, {4, 0, 0}, MultiplierFreedom::inner_only);
+  const auto inner = multiplier_with(line, {1}, {4, 0, 0}, MultiplierFreedom::inner_only);
   CHECK(inner == std::vector<Rational>{1, 6, 6, 6, 1});
-  CHECK_FALSE(multiplier_with(line, {3, 1, 0}, MultiplierFreedom::all));
-  CHECK_FALSE(multiplier_with(line, {3, 0, 1}, MultiplierFreedom::inner_only));
+  CHECK_FALSE(multiplier_with(line, {1}, {3, 1, 0}, MultiplierFreedom::all));
+  CHECK_FALSE(multiplier_with(line, {1}, {3, 0, 1}, MultiplierFreedom::inner_only));
   // A = u + qk is in the plane of x and y.
   const QuaternionPolynomial plane{Polynomial{1, 2}, {}, {}, Polynomial{3, -1, 4}};
   const Vector<Rational> wanted{5, -7, 0};
   for (const auto freedom : {MultiplierFreedom::all, MultiplierFreedom::inner_only}) {
-    const auto f = multiplier_with(plane, wanted, freedom);
+    const auto f = multiplier_with(plane, {1}, wanted, freedom);
     REQUIRE(f);
     CHECK(reached(plane, *f) == wanted);
-    CHECK_FALSE(multiplier_with(plane, {5, -7, Rational(1, 1000)}, freedom));
+    CHECK_FALSE(multiplier_with(plane, {1}, {5, -7, Rational(1, 1000)}, freedom));
     // Any other f that does it, moved along the relation of the moments, is farther from 1.
     const auto size = [](const std::vector<Rational>& g) {
       Rational sum;
