@@ -66,7 +66,8 @@ std::string curve_of(const ConstructionAnswer& answer) { return write_path(answe
 
 void run(const ConstructOptions& options) {
   const auto print = choose<std::string (*)(const ConstructionAnswer&)>(
-      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"curve", curve_of}});
+      "--print", options.print,
+      {{"text", to_text}, {"json", to_json}, {"latex", to_latex}, {"curve", curve_of}});
   const ConstructQuery asked = query(options);
   const std::string bytes = read_file(options.data);
   const ConstructionAnswer found =
@@ -114,8 +115,8 @@ void add_construct(Program& program) {
   command.not_with({"--closed"}, kinds_where(&NamedKind::is_open));
   command.add_option("-o,--output", "FILE", options->output,
                      "write the curve to this file, beside the report");
-  command.add_format("--print", options->print, {"text", "json", "curve"},
-                     "text (default), json, or curve: the curve file instead of a report");
+  command.add_format("--print", options->print, {"text", "json", "latex", "curve"},
+                     "text (default), json, latex, or curve: the curve file instead of a report");
   options->length.add_to(command);
   command.set_notes(
       "DATA: {\"phrame\": \"points/1\", \"points\": [[0, 0, 0], [1, 1, 1]]}, with derivatives,\n"

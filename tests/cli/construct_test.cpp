@@ -231,6 +231,19 @@ TEST_CASE("construct: --exact-points keeps the shape of every kind") {
                 4, "segment 1: no slight change of its speed leads to its point exactly");
 }
 
+TEST_CASE("construct: --print latex has the rows of the text, and a table of the segments") {
+  const Workshop here;
+  const Run run = here.run("construct - --print latex", hermite);
+  check_success(run);
+  CHECK(run.out.starts_with("\\begin{align*}\n\\text{kind} &\\quad \\text{quintic, auto}"));
+  CHECK(contains(run.out, "\\text{points met} &\\quad \\text{within $"));
+  CHECK(contains(run.out, "multiples of $2^{-"));
+  CHECK(contains(run.out, "\\text{length} &\\approx 2.35693900088"));
+  CHECK(contains(run.out, "1 & $-2.31797$ & $0$ & $2.3569390$ & $8.29871$"));
+  CHECK(run.out.ends_with("\\end{tabular}\n"));
+  for (const char* sign : {"≈", "²", "∫", "Δ"}) CHECK_FALSE(contains(run.out, sign));
+}
+
 // Lengths and energies of Farouki's talk.
 TEST_CASE("construct: --kind helical makes the helices there are, and classify finds them") {
   const Workshop here;

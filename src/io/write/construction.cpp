@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
-#include "phrame/io/write/json_text.hpp"
-#include "phrame/io/write/text.hpp"
 
 namespace phrame {
 namespace {
@@ -59,11 +59,21 @@ const char* name_of(ParameterSource source) {
 
 std::string decimal(const Real& x, long digits) { return round_to_decimal(x, digits).value; }
 
-std::string energy_text(double energy) {
-  return std::isfinite(energy) ? decimal(exact_rational(energy), 6) : "∞";
+std::string energy_words(double energy, Notation notation) {
+  if (!std::isfinite(energy)) return formula("∞", notation);
+  const Decimal rounded = round_to_decimal(exact_rational(energy), 6);
+  return notation == Notation::latex ? formula(latex_decimal(rounded.value), notation)
+                                     : rounded.value;
 }
 
+JsonOutput energy_json(double energy) {
+  if (!std::isfinite(energy)) return "inf";
+  return energy_words(energy, Notation::unicode);
+}
+
+/// What is no multiple of a power of 2 in the preimages.
 const char* preimage_exception(const ConstructionAnswer& answer) {
+  if (answer.kind.kind == CurveKind::helical) return "";
   if (answer.points == PointRule::exact) return ", but for those between the points";
   if (!answer.data.is_closed) return "";
   return answer.kind.continuity == Continuity::c2 ? ", but for what closes the spline"
@@ -94,13 +104,144 @@ double energy(const ConstructionAnswer& answer) {
   return sum;
 }
 
-/// "within 6.9e-17, proved; asked for: 1e-15"
-std::string bound_text(const Rational& bound, const Rational& asked) {
-  return fmt::format("{}, proved; asked for: {}",
-                     bound == 0 ? "exact" : "within " + upper_bound_text(bound),
-                     upper_bound_text(asked));
+/// A row without a key.
+Field words_field(const std::string& label, const std::string& words) {
+  return {"", label, {Value::Words([words](Notation) { return words; }), Value::Json()}};
 }
 
+/// "within 6.9e-17, proved; asked for: 1e-15"
+Field bound_field(const std::string& label, const Rational& bound, const Rational& asked) {
+  const auto words = [bound, asked](Notation notation) {
+    return fmt::format("{}, proved; asked for: {}",
+                       bound == 0 ? "exact" : "within " + upper_bound_words(bound, notation),
+                       upper_bound_words(asked, notation));
+  };
+  return {"", label, {Value::Words(words), Value::Json()}};
+}
+
+/// Of an open spline through points derivatives are wanted at its ends, of a closed one nowhere.
+bool wants_derivatives(const ConstructionAnswer& answer) {
+  return !answer.kind.is_through_points || !answer.data.is_closed;
+}
+
+Fields choice_fields(const ConstructionAnswer& answer) {
+  if (answer.kind.kind == CurveKind::quintic)
+    return {json_field("select", choice_name(answer.choice))};
+  if (answer.kind.solutions == 1) return {};
+  return {json_field("solution", answer.solution), json_field("solutions", answer.kind.solutions)};
+}
+
+/// How near the curve is to its data.
+Fields deviation_rows(const ConstructionAnswer& answer) {
+  const auto& [deviation, tolerance] = std::pair(answer.deviation, answer.tolerance);
+  Fields rows{answer.points == PointRule::exact
+                  ? words_field("points met", "exactly, as equal fractions")
+                  : bound_field("points met", deviation.points, tolerance.points)};
+  if (wants_derivatives(answer))
+    rows.push_back(
+        bound_field(answer.kind.continuity == Continuity::g1 ? "tangents" : "derivatives",
+                    deviation.derivatives, tolerance.derivatives));
+  if (!answer.data.accelerations.empty())
+    rows.push_back(bound_field("accelerations", deviation.accelerations, tolerance.accelerations));
+  return rows;
+}
+
+/// The same in JSON.
+JsonOutput deviation_json(const ConstructionAnswer& answer, const Deviation& x) {
+  JsonOutput json = {{"points", upper_bound_text(x.points)}};
+  if (wants_derivatives(answer)) json["derivatives"] = upper_bound_text(x.derivatives);
+  if (!answer.data.accelerations.empty()) json["accelerations"] = upper_bound_text(x.accelerations);
+  return json;
+}
+
+Value bits_value(const ConstructionAnswer& answer) {
+  const auto rows = [&](Notation notation) -> std::vector<std::string> {
+    if (answer.kind.continuity == Continuity::g1 || answer.kind.kind == CurveKind::rmf) return {};
+    const bool is_latex = notation == Notation::latex;
+    return {fmt::format(fmt::runtime(is_latex ? "coefficients are multiples of $2^{{{}}}${}"
+                                              : "coefficients are multiples of 2^{}{}"),
+                        -answer.bits, preimage_exception(answer))};
+  };
+  return {Value::Rows(rows), [&] { return answer.bits; }};
+}
+
+Value length_value(const ConstructionAnswer& answer) {
+  const auto words = [&](Notation notation) {
+    constexpr long digits = 12;
+    const Decimal rounded = round_to_decimal(length(answer), digits);
+    return notation == Notation::latex ? in_words(rounded, notation) : "≈ " + rounded.value;
+  };
+  constexpr long digits_of_doubles = 17;
+  return {Value::Words(words), [&] { return decimal(length(answer), digits_of_doubles); }};
+}
+
+Value energy_value(const ConstructionAnswer& answer) {
+  return {Value::Words(
+              [&](Notation notation) { return "about " + energy_words(energy(answer), notation); }),
+          [&] { return energy_json(energy(answer)); }};
+}
+
+Value segments_value(const ConstructionAnswer& answer) {
+  return {Value::Rows(), [&] {
+            JsonOutput segments = JsonOutput::array();
+            for (const auto& [angles, length, energy] : answer.segments) {
+              JsonOutput json = JsonOutput::object();
+              if (angles) {
+                json["delta"] = to_string(angles->delta);
+                json["phi"] = to_string(angles->phi);
+              }
+              json["length"] = decimal(length, 17);
+              json["energy"] = energy_json(energy);
+              segments.push_back(std::move(json));
+            }
+            return segments;
+          }};
+}
+
+Value parameters_value(const ConstructionAnswer& answer) {
+  return {Value::Rows(), [&] {
+            JsonOutput parameters = JsonOutput::array();
+            for (const Rational& t : answer.parameters) parameters.push_back(to_string(t));
+            return parameters;
+          }};
+}
+
+Fields fields(const ConstructionAnswer& answer) {
+  Fields fields{json_field("phrame", "construct/1"), json_field("name", answer.path.name),
+                json_field("kind", answer.kind.name),
+                words_field("kind", std::string(answer.kind.name) + which_text(answer))};
+  const auto append = [&](const Fields& more) {
+    fields.insert(fields.end(), more.begin(), more.end());
+  };
+  append(choice_fields(answer));
+  const std::string law(answer.kind.law);
+  if (!law.empty()) append({json_field("law", law)});
+  append({json_field("closed", answer.path.path.closing_turn().has_value()),
+          words_field("data",
+                      fmt::format("{}{}", counted(answer.data.points.size(), "point"),
+                                  answer.data.is_closed ? ", the last of them the first" : "")),
+          json_field("derivatives_from", name_of(answer.derivatives_from))});
+  if (wants_derivatives(answer))
+    append({words_field("  derivatives",
+                        fmt::format("{}{}", name_of(answer.derivatives_from),
+                                    answer.kind.is_through_points ? ", at the ends" : ""))});
+  append({json_field("parameters_from", name_of(answer.parameters_from)),
+          words_field("  parameters", name_of(answer.parameters_from)),
+          {"parameters", "", parameters_value(answer)},
+          json_field("tolerance", deviation_json(answer, answer.tolerance)),
+          json_field("deviation", deviation_json(answer, answer.deviation))});
+  append(deviation_rows(answer));
+  if (!answer.path.path.is_curve())
+    append({words_field("joints", joints_text(answer.kind.continuity))});
+  if (!law.empty()) append({words_field("shape", law + ", checked")});
+  append({{"bits", "preimage", bits_value(answer)},
+          {"length", "length", length_value(answer)},
+          {"energy", "energy $∫ κ²\\, ds$", energy_value(answer)},
+          {"segments", "", segments_value(answer)}});
+  return fields;
+}
+
+/// The segments with their angles, lengths and energies.
 std::string segment_table(const ConstructionAnswer& answer) {
   const bool have_angles = answer.segments.front().angles.has_value();
   const auto angle_text = [](const Angle& angle) { return decimal(to_real(angle), 6); };
@@ -113,11 +254,32 @@ std::string segment_table(const ConstructionAnswer& answer) {
     list += fmt::format("  {:>7}", k + 1);
     if (have_angles)
       list += fmt::format("  {:>11}  {:>11}", angle_text(angles->delta), angle_text(angles->phi));
-    list += fmt::format("  {:>12}  {:>12}\n", decimal(length, 8), energy_text(energy));
+    list += fmt::format("  {:>12}  {:>12}\n", decimal(length, 8),
+                        energy_words(energy, Notation::unicode));
   }
   constexpr std::size_t most = 20;
   if (answer.segments.size() <= most) return head + list;
   return head + passage(list, fmt::format("  ⟨{}⟩\n", counted(answer.segments.size(), "segment")));
+}
+
+/// The same as a tabular.
+std::string latex_table(const ConstructionAnswer& answer) {
+  const bool have_angles = answer.segments.front().angles.has_value();
+  const auto number = [](const Real& x, long digits) {
+    return formula(latex_decimal(decimal(x, digits)), Notation::latex);
+  };
+  std::string text = fmt::format(
+      "\\begin{{tabular}}{{r{}rr}}\nsegment & {}length & {} \\\\\n", have_angles ? "rr" : "",
+      have_angles ? "$\\Delta$ & $\\varphi$ & " : "", prose("$∫ κ²\\, ds$", Notation::latex));
+  for (std::size_t k = 0; k < answer.segments.size(); ++k) {
+    const auto& [angles, length, energy] = answer.segments[k];
+    text += std::to_string(k + 1) + " & ";
+    if (have_angles)
+      text += fmt::format("{} & {} & ", number(to_real(angles->delta), 6),
+                          number(to_real(angles->phi), 6));
+    text += fmt::format("{} & {} \\\\\n", number(length, 8), energy_words(energy, Notation::latex));
+  }
+  return text + "\\end{tabular}\n";
 }
 
 }  // namespace
@@ -135,82 +297,13 @@ const std::vector<std::pair<std::string, QuinticSelection>>& quintic_selections(
 }
 
 std::string to_text(const ConstructionAnswer& answer) {
-  std::string text = heading(answer.path) + "\n\n";
-  const auto row = [&](std::string_view label, const std::string& value) {
-    text += phrame::row(label, value, 14);
-  };
-  row("kind", std::string(answer.kind.name) + which_text(answer));
-  row("data", fmt::format("{}{}", counted(answer.data.points.size(), "point"),
-                          answer.data.is_closed ? ", the last of them the first" : ""));
-  const bool only_at_ends = answer.kind.is_through_points;
-  if (!only_at_ends || !answer.data.is_closed)
-    row("  derivatives",
-        fmt::format("{}{}", name_of(answer.derivatives_from), only_at_ends ? ", at the ends" : ""));
-  row("  parameters", name_of(answer.parameters_from));
-  row("points met", answer.points == PointRule::exact
-                        ? "exactly, as equal fractions"
-                        : bound_text(answer.deviation.points, answer.tolerance.points));
-  if (!only_at_ends || !answer.data.is_closed)
-    row(answer.kind.continuity == Continuity::g1 ? "tangents" : "derivatives",
-        bound_text(answer.deviation.derivatives, answer.tolerance.derivatives));
-  if (!answer.data.accelerations.empty())
-    row("accelerations",
-        bound_text(answer.deviation.accelerations, answer.tolerance.accelerations));
-  if (!answer.path.path.is_curve()) row("joints", joints_text(answer.kind.continuity));
-  if (!answer.kind.law.empty()) row("shape", fmt::format("{}, checked", answer.kind.law));
-  if (answer.kind.continuity != Continuity::g1 && answer.kind.kind != CurveKind::rmf)
-    row("preimage", fmt::format("coefficients are multiples of 2^{}{}", -answer.bits,
-                                preimage_exception(answer)));
-  row("length", "≈ " + decimal(length(answer), 12));
-  row("energy ∫ κ² ds", "about " + energy_text(energy(answer)));
-  return text + segment_table(answer);
+  return heading(answer.path) + "\n\n" + to_rows(fields(answer), 14) + segment_table(answer);
 }
 
-std::string to_json(const ConstructionAnswer& answer) {
-  const auto energy_json = [](double energy) {
-    return std::isfinite(energy) ? JsonOutput(energy_text(energy)) : JsonOutput("inf");
-  };
-  JsonOutput parameters = JsonOutput::array();
-  for (const Rational& t : answer.parameters) parameters.push_back(to_string(t));
-  JsonOutput segments = JsonOutput::array();
-  for (const auto& [angles, length, energy] : answer.segments) {
-    JsonOutput json = JsonOutput::object();
-    if (angles) {
-      json["delta"] = to_string(angles->delta);
-      json["phi"] = to_string(angles->phi);
-    }
-    json["length"] = decimal(length, 17);
-    json["energy"] = energy_json(energy);
-    segments.push_back(std::move(json));
-  }
-  const auto deviation = [&](const Deviation& x) {
-    JsonOutput json = {{"points", upper_bound_text(x.points)}};
-    if (!answer.kind.is_through_points || !answer.data.is_closed)
-      json["derivatives"] = upper_bound_text(x.derivatives);
-    if (!answer.data.accelerations.empty())
-      json["accelerations"] = upper_bound_text(x.accelerations);
-    return json;
-  };
-  JsonOutput json = {
-      {"phrame", "construct/1"}, {"name", answer.path.name}, {"kind", answer.kind.name}};
-  if (answer.kind.kind == CurveKind::quintic) {
-    json["select"] = choice_name(answer.choice);
-  } else if (answer.kind.solutions > 1) {
-    json["solution"] = answer.solution;
-    json["solutions"] = answer.kind.solutions;
-  }
-  if (!answer.kind.law.empty()) json["law"] = answer.kind.law;
-  json["closed"] = answer.path.path.closing_turn().has_value();
-  json["derivatives_from"] = name_of(answer.derivatives_from);
-  json["parameters_from"] = name_of(answer.parameters_from);
-  json["parameters"] = parameters;
-  json["tolerance"] = deviation(answer.tolerance);
-  json["deviation"] = deviation(answer.deviation);
-  json["bits"] = answer.bits;
-  json["length"] = decimal(length(answer), 17);
-  json["energy"] = energy_json(energy(answer));
-  json["segments"] = segments;
-  return pretty(json);
+std::string to_json(const ConstructionAnswer& answer) { return pretty(json_of(fields(answer))); }
+
+std::string to_latex(const ConstructionAnswer& answer) {
+  return to_align(fields(answer)) + latex_table(answer);
 }
 
 }  // namespace phrame

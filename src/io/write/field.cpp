@@ -72,6 +72,11 @@ std::string in_words(const Factored& x, Notation notation) {
   return notation == latex ? formula(formatted_factors(x.p, latex), latex) : readable_factors(x.p);
 }
 
+std::string upper_bound_words(const Rational& x, Notation notation) {
+  const std::string text = upper_bound_text(x);
+  return notation == latex ? formula(latex_decimal(text), notation) : text;
+}
+
 JsonOutput json_of(const Factored& x) { return json_of(x.p); }
 
 JsonOutput json_of(const Rational& x) { return to_string(x); }

@@ -21,6 +21,9 @@ std::string in_words(const Decimal& x, Notation notation);
 /// As shown(): an irrational one is cut off, "0.707106781187…".
 std::string in_words(const RealAlgebraic& x, Notation notation);
 
+/// A bound from above of two digits: "6.9e-17".
+std::string upper_bound_words(const Rational& x, Notation notation);
+
 /// A polynomial that is factored in words, not in JSON.
 struct Factored {
   Polynomial p;

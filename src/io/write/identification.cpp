@@ -34,22 +34,18 @@ Fields curve_fields(const Curve& curve) {
           {"speed", "$f|A|²$", Factored{curve.multiplier() * sigma(a)}}};
 }
 
-std::string bound(const Rational& x, Notation notation) {
-  const std::string text = upper_bound_text(x);
-  return notation == Notation::latex ? formula(latex_decimal(text), notation) : text;
-}
-
 std::string nearness_words(const Nearness& nearness, Notation notation) {
   const std::string frames =
       nearness.rmf_difference
           ? fmt::format("rotation-minimizing frames differ by at most {} (radians)",
-                        bound(*nearness.rmf_difference, notation))
+                        upper_bound_words(*nearness.rmf_difference, notation))
           : "no bound of what frames differ by: the speed is not kept from 0";
   return fmt::format(
       "  distance  at most {}, of control points and so of the curves; {} before $A$ was rounded\n"
       "            to multiples of {}\n"
       "  frames    {}\n",
-      bound(nearness.distance, notation), bound(nearness.unrounded_distance, notation),
+      upper_bound_words(nearness.distance, notation),
+      upper_bound_words(nearness.unrounded_distance, notation),
       notation == Notation::latex ? fmt::format("$2^{{{}}}$", -nearness.bits)
                                   : fmt::format("2^{}", -nearness.bits),
       frames);
