@@ -1,6 +1,15 @@
 #include "phrame/algebra/ball_series.hpp"
 
 namespace phrame {
+namespace {
+
+/// Every coefficient is unknown.
+BallPolynomial unknown_ball_series(long length) {
+  return BallPolynomial(
+      std::vector<RealBall>(static_cast<std::size_t>(length), RealBall::unknown()));
+}
+
+}  // namespace
 
 BallPolynomial multiply_series(const BallPolynomial& p, const BallPolynomial& q, long length,
                                long bits) {
@@ -25,6 +34,38 @@ BallPolynomial inverse_sqrt_series(const BallPolynomial& p, long length, long bi
 CosSinSeries cos_sin_series(const BallPolynomial& p, long length, long bits) {
   CosSinSeries series;
   arb_poly_sin_cos_series(series.sin.raw(), series.cos.raw(), p.raw(), length, bits);
+  return series;
+}
+
+BallPolynomial exp_series(const BallPolynomial& p, long length, long bits) {
+  BallPolynomial series;
+  arb_poly_exp_series(series.raw(), p.raw(), length, bits);
+  return series;
+}
+
+BallPolynomial log_series(const BallPolynomial& p, long length, long bits) {
+  if (sign(p.coefficient(0)) <= 0) return unknown_ball_series(length);
+  BallPolynomial series;
+  arb_poly_log_series(series.raw(), p.raw(), length, bits);
+  return series;
+}
+
+BallPolynomial atan_series(const BallPolynomial& p, long length, long bits) {
+  BallPolynomial series;
+  arb_poly_atan_series(series.raw(), p.raw(), length, bits);
+  return series;
+}
+
+BallPolynomial sqrt_series(const BallPolynomial& p, long length, long bits) {
+  if (sign(p.coefficient(0)) <= 0) return unknown_ball_series(length);
+  BallPolynomial series;
+  arb_poly_sqrt_series(series.raw(), p.raw(), length, bits);
+  return series;
+}
+
+BallPolynomial pow_series(const BallPolynomial& p, unsigned long k, long length, long bits) {
+  BallPolynomial series;
+  arb_poly_pow_ui_trunc_binexp(series.raw(), p.raw(), k, length, bits);
   return series;
 }
 

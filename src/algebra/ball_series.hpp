@@ -19,5 +19,14 @@ struct CosSinSeries {
   BallPolynomial sin;
 };
 CosSinSeries cos_sin_series(const BallPolynomial& p, long length, long bits);
+/// exp p.
+BallPolynomial exp_series(const BallPolynomial& p, long length, long bits);
+/// log p; not finite unless p(0) > 0.
+BallPolynomial log_series(const BallPolynomial& p, long length, long bits);
+BallPolynomial atan_series(const BallPolynomial& p, long length, long bits);
+/// √p; not finite unless p(0) > 0.
+BallPolynomial sqrt_series(const BallPolynomial& p, long length, long bits);
+/// pᵏ, k ≥ 0.
+BallPolynomial pow_series(const BallPolynomial& p, unsigned long k, long length, long bits);
 
 }  // namespace phrame

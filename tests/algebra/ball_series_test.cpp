@@ -63,3 +63,29 @@ TEST_CASE("ball series: there is no quotient by 0 and no root of a negative numb
                   .coefficient(0)
                   .is_finite());
 }
+
+TEST_CASE("ball series: law: exp, log, atan, roots and powers, by going back") {
+  for_samples(100, [](Random& random) {
+    const Polynomial p = random_series(random, random.rational());
+    const Polynomial q = random_series(random, random.integer(1, 9));
+    const BallPolynomial a(p, bits);
+    const BallPolynomial b(q, bits);
+    CHECK(contains_series(exp_series(log_series(b, length, bits), length, bits),
+                          first_coefficients(q)));
+    const BallPolynomial root = sqrt_series(b, length, bits);
+    CHECK(contains_series(multiply_series(root, root, length, bits), first_coefficients(q)));
+    CHECK(sign(root.coefficient(0)) > 0);
+    const auto [cos, sin] = cos_sin_series(atan_series(a, length, bits), length, bits);
+    CHECK(contains_series(divide_series(sin, cos, length, bits), first_coefficients(p)));
+    CHECK(sign(cos.coefficient(0)) > 0);
+    CHECK(contains_series(pow_series(a, 4, length, bits), first_coefficients(p * p * p * p)));
+  });
+}
+
+TEST_CASE("ball series: no coefficient of a logarithm or root of what may be 0 is finite") {
+  const BallPolynomial t(Polynomial{0, 1}, bits);
+  for (long k = 0; k < length; ++k) {
+    CHECK_FALSE(log_series(t, length, bits).coefficient(k).is_finite());
+    CHECK_FALSE(sqrt_series(t, length, bits).coefficient(k).is_finite());
+  }
+}

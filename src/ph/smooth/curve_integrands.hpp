@@ -1,0 +1,17 @@
+#pragma once
+#include "phrame/ph/smooth/expression_integral.hpp"
+
+namespace phrame {
+
+// What is integrated along a curve, analytic where the curve is and where what it divides by is
+// not 0. ρ = |r′ × r″|².
+
+CurveIntegrand length_rate();     ///< |r′|
+CurveIntegrand curvature_rate();  ///< κ|r′| = √ρ/|r′|²; ρ ≠ 0
+CurveIntegrand torsion_rate();    ///< τ|r′| = det(r′, r″, r‴)·|r′|/ρ; ρ ≠ 0
+CurveIntegrand bending_rate();    ///< κ²|r′| = ρ/|r′|⁵
+/// How fast the frame of v, e₂ = v × r′/|v × r′| and e₃ = e₁ × e₂, turns about e₁: e₂′·e₃ =
+///   (v·r′)·det(v, r′, r″)/(|r′|·|v × r′|²),  v × r′ ≠ 0.
+CurveIntegrand up_frame_rate(const Vector<Rational>& v);
+
+}  // namespace phrame

@@ -1,0 +1,58 @@
+#pragma once
+#include <optional>
+
+#include "phrame/algebra/ball_series.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+namespace phrame {
+
+/// A function of z that is analytic on |z| ≤ 8, by the first coefficients of its Taylor series and
+/// a bound of it on that disc. Then what is left out of the series, Σ_{k≥n} |c_k| rᵏ, is at most
+/// bound·(r/8)ⁿ/(1 − r/8) for r < 8, by Cauchy's estimate.
+struct DiscFunction {
+  BallPolynomial series;  ///< n = length coefficients
+  RealBall bound;         ///< |f(z)| is at most its greatest number where |z| ≤ 8
+  long length = 0;        ///< n
+  long bits = 0;          ///< of what is computed
+};
+
+/// The radius of the disc of a DiscFunction.
+inline constexpr long outer_radius = 8;
+/// That of the disc on which products with roots and inverses are bounded.
+inline constexpr long inner_radius = 4;
+
+/// @{ The sum, difference and product.
+DiscFunction operator+(const DiscFunction& f, const DiscFunction& g);
+DiscFunction operator-(const DiscFunction& f, const DiscFunction& g);
+DiscFunction operator*(const DiscFunction& f, const DiscFunction& g);
+/// @}
+/// c, with the length and the bits of `like`.
+DiscFunction constant_like(const DiscFunction& like, const Rational& c);
+
+/// Between which bounds is |f| on |z| ≤ 4? The lower one is ≤ 0 where f is not seen to have no zero
+/// there.
+struct SizeBounds {
+  RealBall lower;  ///< |f| is at least the least number of it, where that is > 0
+  RealBall upper;  ///< |f| is at most the greatest number of it
+};
+SizeBounds size_bounds(const DiscFunction& f);
+
+/// numerator · Π factorᵏᐟ², of factors that are ≥ 0 on the real axis. For such a product around a
+/// point of a curve.
+struct DiscProduct {
+  /// One factor.
+  struct Factor {
+    DiscFunction base;   ///< ≥ 0 for real z
+    int half_exponents;  ///< k
+  };
+  DiscFunction numerator;
+  std::vector<Factor> factors;
+};
+
+/// A bound of it on |z| ≤ 4, as the greatest number of the ball, where its factors are seen to have
+/// no zero there, so that it is analytic; else no value.
+std::optional<RealBall> bound_on_inner_disc(const DiscProduct& product);
+/// The first coefficients of its Taylor series, as many as the numerator has.
+BallPolynomial series(const DiscProduct& product);
+
+}  // namespace phrame

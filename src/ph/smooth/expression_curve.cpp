@@ -1,0 +1,180 @@
+#include "phrame/ph/smooth/expression_curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/smooth/expression_integral.hpp"
+
+namespace phrame {
+namespace {
+
+using FormulaId = FormulaProgram::Id;
+
+/// With which the ends of the parameter are told apart.
+constexpr long end_bits = 1024;
+
+/// s at t.
+FormulaId parameter_step(const ExpressionCurve& curve, const Rational& t, FormulaProgram& program) {
+  const FormulaId a = program.insert(curve.from(), program.number(0));
+  const FormulaId b = program.insert(curve.to(), program.number(0));
+  return program.add(a, program.multiply(program.number(t), program.subtract(b, a)));
+}
+
+RealBall end_value(const Formula& end, const std::string& variable) {
+  if (!is_constant(end))
+    throw DomainError(
+        fmt::format("the end {} of the parameter is no constant", to_string(end, variable)));
+  const RealBall value = constant_value(end, 64);
+  if (!value.is_finite())
+    throw DomainError(
+        fmt::format("the end {} of the parameter is undefined", to_string(end, variable)));
+  return value;
+}
+
+void check_ends(const ExpressionCurve& curve) {
+  const RealBall a = end_value(curve.from(), curve.variable());
+  const RealBall b = end_value(curve.to(), curve.variable());
+  if (!a.overlaps(b)) return;
+  FormulaProgram program;
+  const FormulaId from = parameter_step(curve, 0, program);
+  const FormulaId to = parameter_step(curve, 1, program);
+  const std::string ends = fmt::format("from {} to {}", to_string(curve.from(), curve.variable()),
+                                       to_string(curve.to(), curve.variable()));
+  if (from == to)
+    throw DomainError(fmt::format("{} goes {}: that is a point", curve.variable(), ends));
+  if (constant_value(program, from, end_bits).overlaps(constant_value(program, to, end_bits)))
+    throw Undecided(fmt::format("{} goes {}: within 2^-{} these ends are not told apart",
+                                curve.variable(), ends, end_bits));
+}
+
+Vector<RealBall> values(const FormulaProgram& program, const ExactVector& v, long bits) {
+  Vector<RealBall> result;
+  for (std::size_t k = 0; k < 3; ++k) result[k] = constant_value(program, v[k], bits);
+  return result;
+}
+
+Vector<ComplexSeries> unknown_vector(long length) {
+  const ComplexSeries unknown(
+      std::vector<ComplexBall>(static_cast<std::size_t>(length), ComplexBall::unknown()));
+  return {unknown, unknown, unknown};
+}
+
+/// a·b, for vectors of balls.
+RealBall dot_product(const Vector<RealBall>& a, const Vector<RealBall>& b, long bits) {
+  RealBall sum;
+  for (std::size_t k = 0; k < 3; ++k) sum = add_product(std::move(sum), a[k], b[k], bits);
+  return sum;
+}
+
+/// Is a×b seen not to be 0?
+bool are_apart(const Vector<RealBall>& a, const Vector<RealBall>& b, long bits) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3;
+    const std::size_t j = (k + 2) % 3;
+    const RealBall minor = subtract(multiply(a[i], b[j], bits), multiply(a[j], b[i], bits), bits);
+    if (sign(minor) != 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+ExpressionCurve::ExpressionCurve(Vector<Formula> position, Formula from, Formula to,
+                                 std::string variable)
+    : position_(std::move(position)),
+      from_(std::move(from)),
+      to_(std::move(to)),
+      variable_(std::move(variable)) {
+  check_ends(*this);
+  for (std::size_t k = 0; k < 3; ++k)
+    components_[k] = program_.insert(position_[k], program_.variable());
+  regular_parts(*this);
+}
+
+RealBall ExpressionCurve::parameter(const RealBall& t, long bits) const {
+  const RealBall a = constant_value(from_, bits);
+  return add_product(a, subtract(constant_value(to_, bits), a, bits), t, bits);
+}
+
+Vector<BallPolynomial> ExpressionCurve::series(const RealBall& t, const Rational& scale,
+                                               long length, long bits) const {
+  const RealBall a = constant_value(from_, bits);
+  const RealBall span = subtract(constant_value(to_, bits), a, bits);
+  const BallPolynomial s(std::vector<RealBall>{add_product(a, span, t, bits),
+                                               multiply(span, RealBall(scale, bits), bits)});
+  const auto all = evaluate_steps(program_.steps(), s, length, bits);
+  return {all[components_[0]], all[components_[1]], all[components_[2]]};
+}
+
+Vector<ComplexSeries> ExpressionCurve::series(const ComplexBall& t, const Rational& scale,
+                                              long length, long bits) const {
+  const RealBall a = constant_value(from_, bits);
+  const RealBall span = subtract(constant_value(to_, bits), a, bits);
+  const ComplexSeries s({add(multiply(span, t, bits), ComplexBall(a, {}), bits),
+                         ComplexBall(multiply(span, RealBall(scale, bits), bits), {})});
+  const auto all = evaluate_steps(program_.steps(), s, length, bits);
+  const bool is_analytic = std::all_of(all.begin(), all.end(), [](const ComplexSeries& step) {
+    return step.coefficient(0).re().is_finite() && step.coefficient(0).im().is_finite();
+  });
+  if (!is_analytic) return unknown_vector(length);
+  return {all[components_[0]], all[components_[1]], all[components_[2]]};
+}
+
+ExactVector exact_point(const ExpressionCurve& curve, const Rational& t, FormulaProgram& program) {
+  const FormulaId s = parameter_step(curve, t, program);
+  ExactVector point{};
+  for (std::size_t k = 0; k < 3; ++k) point[k] = program.insert(curve.position()[k], s);
+  return point;
+}
+
+ExactVector exact_direction(const ExpressionCurve& curve, const Rational& t,
+                            FormulaProgram& program) {
+  const FormulaId s = parameter_step(curve, t, program);
+  const bool is_forward =
+      is_less(constant_value(curve.from(), end_bits), constant_value(curve.to(), end_bits));
+  ExactVector slope{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    slope[k] = program.insert(derivative(curve.position()[k]), s);
+    if (!is_forward) slope[k] = program.negative(slope[k]);
+  }
+  return slope;
+}
+
+std::optional<bool> are_equal(const FormulaProgram& program, const ExactVector& a,
+                              const ExactVector& b, long most_bits) {
+  if (a == b) return true;
+  for (long bits = 128; bits <= most_bits; bits *= 2) {
+    const Vector<RealBall> x = values(program, a, bits);
+    const Vector<RealBall> y = values(program, b, bits);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!x[k].overlaps(y[k])) return false;
+  }
+  return std::nullopt;
+}
+
+std::optional<bool> have_same_direction(const FormulaProgram& program, const ExactVector& a,
+                                        const ExactVector& b, long most_bits) {
+  if (a == b) return true;
+  Vector<Rational> p;
+  Vector<Rational> q;
+  bool are_rational = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    are_rational =
+        are_rational && program.rational(a[k]) != nullptr && program.rational(b[k]) != nullptr;
+    if (!are_rational) break;
+    p[k] = *program.rational(a[k]);
+    q[k] = *program.rational(b[k]);
+  }
+  if (are_rational) return cross(p, q) == Vector<Rational>{} && dot(p, q) > 0;
+  for (long bits = 128; bits <= most_bits; bits *= 2) {
+    const Vector<RealBall> x = values(program, a, bits);
+    const Vector<RealBall> y = values(program, b, bits);
+    if (are_apart(x, y, bits) || sign(dot_product(x, y, bits)) < 0) return false;
+  }
+  return std::nullopt;
+}
+
+}  // namespace phrame

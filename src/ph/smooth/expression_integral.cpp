@@ -1,0 +1,200 @@
+#include "phrame/ph/smooth/expression_integral.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "phrame/algebra/ball_order.hpp"
+
+// On a part of length 2h around c, with z = (t − c)/h, the integrand is y dt = y_z dz, y_z made of
+// derivatives by z. Its factors are bounded from below on |z| ≤ 4 by the coefficients of their
+// Taylor series and, for what is left out of these, by Cauchy's estimate on |z| ≤ 8, where balls
+// enclose the derivatives of r. With |y_z| ≤ M on |z| ≤ 4, its coefficients are at most M/4ᵏ, so
+// that the integral of what is left out is at most M/4ⁿ · Σ 4⁻ᵏ/(n + 1) up to |z| = 1.
+
+namespace phrame {
+namespace {
+
+constexpr long guess_bits = 64;
+constexpr long guess_length = 16;
+constexpr long most_halvings = 40;
+constexpr std::size_t most_parts = 20'000;
+
+/// A number that |z| does not exceed, exactly.
+RealBall size_above(const ComplexBall& z) {
+  const RealBall size = absolute(z, guess_bits);
+  return subtract({}, lower_end(subtract({}, size, guess_bits), guess_bits), guess_bits);
+}
+
+BallPolynomial shortened_series(const BallPolynomial& p, long length) {
+  std::vector<RealBall> coefficients;
+  for (long k = 0; k < length; ++k) coefficients.push_back(p.coefficient(k));
+  return BallPolynomial(coefficients);
+}
+
+/// |r′|, |r″| and |r‴| on |z| ≤ 8, component by component; no value where r is not seen to be
+/// analytic there.
+std::optional<std::array<Vector<RealBall>, 3>> bounds_on_disc(const ExpressionCurve& curve,
+                                                              const Rational& middle,
+                                                              const Rational& half) {
+  const Rational radius = half * Rational(outer_radius);
+  const RealBall around = widened(RealBall(), RealBall(radius, guess_bits));
+  const ComplexBall disc(add(RealBall(middle, guess_bits), around, guess_bits), around);
+  const Vector<ComplexSeries> r = curve.series(disc, half, 4, guess_bits);
+  std::array<Vector<RealBall>, 3> bounds;
+  for (long order = 1; order <= 3; ++order)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const RealBall size = size_above(r[k].coefficient(order));
+      if (!size.is_finite()) return std::nullopt;
+      const long factorial = order == 3 ? 6 : order;
+      bounds[static_cast<std::size_t>(order - 1)][k] =
+          multiply(RealBall(factorial, guess_bits), size, guess_bits);
+    }
+  return bounds;
+}
+
+CurveJet curve_jet(const ExpressionCurve& curve, const Rational& middle, const Rational& half,
+                   const std::array<Vector<RealBall>, 3>& bounds, long length, long bits) {
+  const Vector<BallPolynomial> r = curve.series(RealBall(middle, bits), half, length + 3, bits);
+  CurveJet jet;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const BallPolynomial first = differentiate(r[k], bits);
+    const BallPolynomial second = differentiate(first, bits);
+    jet.first[k] = {shortened_series(first, length), bounds[0][k], length, bits};
+    jet.second[k] = {shortened_series(second, length), bounds[1][k], length, bits};
+    jet.third[k] = {differentiate(second, bits), bounds[2][k], length, bits};
+  }
+  return jet;
+}
+
+/// Halves until every part is good, from left to right.
+class PartSearch {
+ public:
+  PartSearch(const ExpressionCurve& curve, const CurveIntegrand& integrand)
+      : curve_(curve), integrand_(integrand) {}
+
+  TaylorParts run() {
+    cover(0, 1, 0);
+    return std::move(found_);
+  }
+
+ private:
+  bool is_good(const Rational& lower, const Rational& upper) {
+    const Rational half = (upper - lower) / 2;
+    const Rational middle = lower + half;
+    const auto bounds = bounds_on_disc(curve_, middle, half);
+    if (!bounds) return false;
+    const auto bound = bound_on_inner_disc(
+        integrand_(curve_jet(curve_, middle, half, *bounds, guess_length, guess_bits)));
+    if (bound) found_.parts.push_back({lower, upper, *bound});
+    return bound.has_value();
+  }
+
+  bool cover(const Rational& lower, const Rational& upper, long halvings) {
+    if (is_good(lower, upper)) return true;
+    if (halvings == most_halvings || found_.parts.size() > most_parts) {
+      found_.fault = NarrowPart{lower, upper};
+      return false;
+    }
+    const Rational middle = (lower + upper) / 2;
+    return cover(lower, middle, halvings + 1) && cover(middle, upper, halvings + 1);
+  }
+
+  const ExpressionCurve& curve_;
+  const CurveIntegrand& integrand_;
+  TaylorParts found_;
+};
+
+}  // namespace
+
+TaylorParts taylor_parts(const ExpressionCurve& curve, const CurveIntegrand& integrand) {
+  return PartSearch(curve, integrand).run();
+}
+
+std::vector<TaylorPart> regular_parts(const ExpressionCurve& curve) {
+  TaylorParts found = taylor_parts(curve, [](const CurveJet& jet) {
+    const DiscFunction one = constant_like(jet.first[0], 1);
+    return DiscProduct{one, {{dot(jet.first, jet.first), 1}}};
+  });
+  if (!found.fault) return std::move(found.parts);
+  refuse_part(curve, *found.fault);
+}
+
+struct ExpressionIntegral::State {
+  /// ∫ y from the middle of a part, a polynomial in z, and how far it is from the truth at most.
+  struct Piece {
+    BallPolynomial antiderivative;
+    RealBall start;  ///< its value at z = −1
+    RealBall error;
+  };
+
+  ExpressionCurve curve;
+  CurveIntegrand integrand;
+  std::vector<TaylorPart> parts;
+
+  std::mutex lock;
+  long bits = 0;  ///< of what follows
+  std::vector<std::optional<Piece>> pieces;
+  std::vector<RealBall> sums;  ///< ∫ up to the start of part 0, 1, …, as far as known
+
+  Piece make_piece(const TaylorPart& part) const;
+  const Piece& piece(std::size_t k) {
+    if (!pieces[k]) pieces[k] = make_piece(parts[k]);
+    return *pieces[k];
+  }
+  RealBall up_to(const Piece& of, const RealBall& z) const {
+    const RealBall value = subtract(evaluate(of.antiderivative, z, bits), of.start, bits);
+    return widened(value, of.error);
+  }
+  RealBall value(const Rational& t);
+  void refine(long to_bits) {
+    bits = to_bits;
+    pieces.assign(parts.size(), std::nullopt);
+    sums.assign(1, RealBall());
+  }
+};
+
+ExpressionIntegral::State::Piece ExpressionIntegral::State::make_piece(
+    const TaylorPart& part) const {
+  const long above = std::max(exponent_above(part.bound), 0L);
+  const long length = (bits + above) / 2 + 2;
+  const Rational half = (part.upper - part.lower) / 2;
+  const CurveJet jet = curve_jet(curve, part.lower + half, half, {}, length, bits + above);
+  Piece piece;
+  piece.antiderivative = antiderivative(series(integrand(jet)), bits + above);
+  piece.start = evaluate(piece.antiderivative, RealBall(-1, bits), bits);
+  // Both ends, 2/(1 − 1/4) < 4.
+  piece.error = times_power_of_two(multiply(part.bound, RealBall(4, 64), 64), -2 * length);
+  return piece;
+}
+
+RealBall ExpressionIntegral::State::value(const Rational& t) {
+  const auto next =
+      std::upper_bound(parts.begin(), parts.end(), t,
+                       [](const Rational& at, const TaylorPart& part) { return at < part.lower; });
+  const auto k = static_cast<std::size_t>(next - parts.begin()) - 1;
+  while (sums.size() <= k)
+    sums.push_back(add(sums.back(), up_to(piece(sums.size() - 1), RealBall(1, bits)), bits));
+  const TaylorPart& part = parts[k];
+  const Rational z = (Rational(2) * t - part.lower - part.upper) / (part.upper - part.lower);
+  return add(sums[k], up_to(piece(k), RealBall(z, bits)), bits);
+}
+
+ExpressionIntegral::ExpressionIntegral(const ExpressionCurve& curve, CurveIntegrand integrand,
+                                       std::vector<TaylorPart> parts)
+    : state_(new State{curve, std::move(integrand), std::move(parts), {}, 0, {}, {}}) {}
+
+RealBall ExpressionIntegral::enclose(const Rational& t, long bits) const {
+  const std::lock_guard guard(state_->lock);
+  const RealBall wanted = times_power_of_two(RealBall(1, 2), -bits);
+  const long least = bits + 20 + static_cast<long>(std::log2(state_->parts.size() + 1));
+  if (state_->bits < least) state_->refine(least);
+  RealBall value = state_->value(t);
+  for (int more = 0; more < 3 && !is_at_most(radius_of(value), wanted); ++more) {
+    state_->refine(state_->bits + (32L << more));
+    value = state_->value(t);
+  }
+  return value;
+}
+
+}  // namespace phrame

@@ -1,0 +1,57 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "phrame/algebra/shared.hpp"
+#include "phrame/ph/smooth/disc_function.hpp"
+#include "phrame/ph/smooth/formula_domain.hpp"
+
+namespace phrame {
+
+/// r′, r″ and r‴ of a curve around a point.
+struct CurveJet {
+  Vector<DiscFunction> first;   ///< r′
+  Vector<DiscFunction> second;  ///< r″
+  Vector<DiscFunction> third;   ///< r‴
+};
+
+/// What is integrated, for any parameter: y dt does not depend on it.
+using CurveIntegrand = std::function<DiscProduct(const CurveJet&)>;
+
+/// A part of [0, 1] of the parameter on which an integrand y is analytic, and on the disc of four
+/// times its size, where |y| ≤ bound with z = ±1 at the ends.
+struct TaylorPart {
+  Rational lower;
+  Rational upper;
+  RealBall bound;
+};
+
+/// [0, 1] in parts, by halving; or where that ends, at 2^−40 or with too many.
+struct TaylorParts {
+  std::vector<TaylorPart> parts;
+  std::optional<NarrowPart> fault;
+};
+TaylorParts taylor_parts(const ExpressionCurve& curve, const CurveIntegrand& integrand);
+
+/// The parts for ∫ |r′| dt. Throws as the constructor of the curve, whose proof that is.
+std::vector<TaylorPart> regular_parts(const ExpressionCurve& curve);
+
+/// t ↦ ∫₀ᵗ y dt of an analytic integrand along an expression curve, by Taylor polynomials on parts,
+/// whose error is bounded by Cauchy's estimate. What is computed for one t is kept for others. Any
+/// thread may ask; copies share what is known.
+class ExpressionIntegral {
+ public:
+  /// The parts must be those of this integrand.
+  ExpressionIntegral(const ExpressionCurve& curve, CurveIntegrand integrand,
+                     std::vector<TaylorPart> parts);
+
+  /// A ball with a radius of about 2^−bits, t ∈ [0, 1].
+  RealBall enclose(const Rational& t, long bits) const;
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace phrame

@@ -1,0 +1,89 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "phrame/algebra/rational.hpp"
+
+namespace phrame {
+
+/// The largest numerator and denominator of an exponent.
+inline constexpr long max_exponent = 1'000'000;
+
+/// A function of one real variable, as people write it: of fractions, π and the variable by + − ·
+/// /, powers, and sin, cos, exp, log, sqrt and atan. It is a list of steps, each of which applies
+/// an operation to the values of earlier ones; the last value is that of the function.
+class Formula {
+ public:
+  /// What a step does to the values of the earlier steps `left` and `right`.
+  enum class Operation {
+    number,    ///< number + pi_multiple·π
+    variable,  ///< the variable
+    add,       ///< left + right
+    multiply,  ///< left · right
+    divide,    ///< left/right
+    power,     ///< left to the power `number`; of a negative left where that is an integer
+    sin,       ///< sin left
+    cos,       ///< cos left
+    exp,       ///< exp left
+    log,       ///< the natural logarithm of left > 0
+    sqrt,      ///< √left, left > 0
+    atan,      ///< arctan left, in (−π/2, π/2)
+  };
+  /// One value.
+  struct Step {
+    Operation operation = Operation::number;  ///< how it is found
+    std::size_t left = 0;                     ///< the first operand, an earlier step
+    std::size_t right = 0;                    ///< the second one of two
+    Rational number;                          ///< of a number, and the exponent of a power
+    Rational pi_multiple;                     ///< of a number
+
+    friend bool operator==(const Step&, const Step&) = default;
+    friend std::strong_ordering operator<=>(const Step&, const Step&) = default;  ///< any order
+  };
+
+  /// number + pi_multiple·π.
+  Formula(Rational number = 0,  // NOLINT(google-explicit-constructor)
+          Rational pi_multiple = 0);
+  static Formula variable();  ///< the variable itself
+  /// Of at least one step, operands before what is made of them.
+  explicit Formula(std::vector<Step> steps) : steps_(std::move(steps)) {}
+
+  const std::vector<Step>& steps() const { return steps_; }  ///< at least one
+
+  /// @{ The functions of these values. An operation that is undefined everywhere, as a division by
+  /// the number 0, is found where the function is evaluated.
+  friend Formula operator+(const Formula& f, const Formula& g);
+  friend Formula operator-(const Formula& f, const Formula& g);
+  friend Formula operator*(const Formula& f, const Formula& g);
+  friend Formula operator/(const Formula& f, const Formula& g);
+  friend Formula operator-(const Formula& f);
+  /// @}
+  /// f to this power. Throws DomainError beyond max_exponent.
+  friend Formula power(const Formula& f, const Rational& exponent);
+  /// @{ The functions of these values.
+  friend Formula sin(const Formula& f);
+  friend Formula cos(const Formula& f);
+  friend Formula tan(const Formula& f);  ///< sin/cos
+  friend Formula exp(const Formula& f);
+  friend Formula log(const Formula& f);
+  friend Formula sqrt(const Formula& f);
+  friend Formula atan(const Formula& f);
+  /// @}
+
+ private:
+  Formula(Operation operation, const Formula& left, const Rational& number = 0);
+  Formula(Operation operation, Formula left, const Formula& right);
+
+  std::vector<Step> steps_;
+};
+
+/// Does its value not depend on the variable, by its form?
+bool is_constant(const Formula& f);
+
+/// "cos(2*s)*(2 + cos(3*s))"; the middle is left out of what is longer than about 60 characters.
+std::string to_string(const Formula& f, const std::string& variable);
+/// The same of each step, for messages that name a part.
+std::vector<std::string> step_texts(const std::vector<Formula::Step>& steps,
+                                    const std::string& variable);
+
+}  // namespace phrame
