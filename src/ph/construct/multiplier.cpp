@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/preimage.hpp"
 
 // With f + Σ x_k B_k, B_k the Bernstein polynomials that are free, and the moments
