@@ -1,0 +1,147 @@
+#include "phrame/ph/smooth/smooth_angle.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+
+#include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/shared.hpp"
+#include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/smooth/rational_rates.hpp"
+#include "phrame/ph/smooth/up_vector.hpp"
+
+namespace phrame {
+namespace {
+
+SmoothReference single_curve(const SmoothPath& path, SmoothReference reference) {
+  if (reference == SmoothReference::frenet && path.segments().size() > 1)
+    throw DomainError("Frenet frame: that of a spline jumps at joints; it is for single curves");
+  return reference;
+}
+
+void require_on_segment(const Real& t) {
+  if (t.exact() && (*t.exact() < 0 || *t.exact() > 1))
+    throw DomainError(fmt::format("t = {} is outside [0, 1]", abbreviated(to_string(*t.exact()))));
+}
+
+}  // namespace
+
+struct SmoothAngle::State {
+  SmoothPath path;
+  Vector<Rational> up;
+  SmoothReference reference;
+  bool is_zero = false;
+  std::vector<Lazy<TaylorIntegral>> integrals;  ///< of the segments
+
+  std::mutex sums_lock;
+  std::map<long, std::vector<RealBall>> sums{};  ///< θ(0), θ(1), … by precision
+
+  State(SmoothPath along, Vector<Rational> v, SmoothReference to)
+      : path(std::move(along)), up(std::move(v)), reference(to), integrals(path.segments().size()) {
+    const auto is_at_rest = [this](const SmoothSegment& segment) {
+      return turning(segment).numerator.is_zero();
+    };
+    is_zero = std::all_of(path.segments().begin(), path.segments().end(), is_at_rest);
+  }
+
+  RootQuotient turning(const SmoothSegment& segment) const {
+    const auto& curve = std::get<RationalCurve>(segment);
+    return reference == SmoothReference::up ? up_frame_turning(curve, up) : frenet_turning(curve);
+  }
+
+  const TaylorIntegral& integral(std::size_t k) const {
+    return integrals[k].get([&] { return TaylorIntegral(turning(path.segments()[k])); });
+  }
+
+  RealBall enclose_on(std::size_t k, const Real& t, long bits) const {
+    return t.exact() ? integral(k).enclose(*t.exact(), bits)
+                     : integral(k).enclose(t.enclose(bits + 8), bits);
+  }
+
+  RealBall sum_before(std::size_t segment, long bits);
+};
+
+/// θ at the start of the segment.
+RealBall SmoothAngle::State::sum_before(std::size_t segment, long bits) {
+  const std::lock_guard lock(sums_lock);
+  std::vector<RealBall>& known = sums[bits];
+  if (known.empty()) known.emplace_back();
+  while (known.size() <= segment)
+    known.push_back(add(known.back(), enclose_on(known.size() - 1, Rational(1), bits), bits));
+  return known[segment];
+}
+
+SmoothAngle::SmoothAngle(const SmoothPath& path)
+    : state_(std::make_shared<State>(path, up_vector(path), SmoothReference::up)) {}
+
+SmoothAngle::SmoothAngle(const SmoothPath& path, const Vector<Rational>& up) {
+  require_up_vector(path, up);
+  state_ = std::make_shared<State>(path, up, SmoothReference::up);
+}
+
+SmoothAngle::SmoothAngle(const SmoothPath& path, SmoothReference reference)
+    : state_(std::make_shared<State>(path, up_vector(path), single_curve(path, reference))) {}
+
+const SmoothPath& SmoothAngle::path() const { return state_->path; }
+const Vector<Rational>& SmoothAngle::up() const { return state_->up; }
+SmoothReference SmoothAngle::reference() const { return state_->reference; }
+bool SmoothAngle::is_zero() const { return state_->is_zero; }
+
+Real SmoothAngle::value(const SmoothParameter& at) const {
+  require_on_segment(at.t);
+  if (is_zero() || (at.segment == 0 && at.t.exact() == Rational(0))) return Rational(0);
+  return Real([*this, at](long bits) { return enclose(at, bits); }, {false, at.t.origin().bits});
+}
+
+RealBall SmoothAngle::enclose(const SmoothParameter& at, long bits) const {
+  require_on_segment(at.t);
+  if (is_zero()) return {};
+  constexpr long most = 1L << 20;
+  for (long more = bits + 16;; more += 32 + more / 4) {
+    const RealBall sum =
+        add(state_->sum_before(at.segment, more), state_->enclose_on(at.segment, at.t, more), more);
+    if (sum.is_accurate(bits)) return sum;
+    if (more > most) throw Undecided("the angle was not found to so many bits");
+  }
+}
+
+RealBall SmoothAngle::rate(const SmoothParameter& at, long bits) const {
+  require_on_segment(at.t);
+  return state_->integral(at.segment).rate(at.t.enclose(bits + 8), bits);
+}
+
+// At both ends e₁ is the same, and so is the frame of v. About −e₁ an angle has the other sign.
+std::optional<Real> holonomy(const SmoothAngle& angle) {
+  if (angle.reference() != SmoothReference::up)
+    throw DomainError("holonomy: it is found from the angle to the frame of an up vector");
+  const SmoothPath& path = angle.path();
+  if (!path.is_closed()) return std::nullopt;
+  if (angle.is_zero()) return Rational(0);
+  const auto& first = std::get<RationalCurve>(path.segments().front());
+  const bool is_reversed = sign_after_zero(first.multiplier()) < 0;
+  const SmoothParameter end{path.segments().size() - 1, Rational(1)};
+  // θ − 2π·k with the k nearest to θ/2π.
+  Integer turns;
+  for (long bits = 64;; bits *= 2) {
+    const RealBall theta = angle.enclose(end, bits);
+    const RealBall ratio = divide(theta, times_power_of_two(pi(bits), 1), bits);
+    const RealBall shifted = subtract(ratio, RealBall(Rational(1, 2), bits), bits);
+    if (const auto k = unique_ceiling(shifted, bits)) {
+      turns = *k;
+      break;
+    }
+    if (bits > 16384) throw Undecided("holonomy: it is not told from half a turn");
+  }
+  const auto enclosure = [angle, end, turns, is_reversed](long bits) {
+    const RealBall whole = multiply(RealBall(Rational(turns), bits + 64),
+                                    times_power_of_two(pi(bits + 64), 1), bits + 64);
+    const RealBall theta = subtract(angle.enclose(end, bits + 8), whole, bits + 8);
+    return is_reversed ? subtract({}, theta, bits + 8) : theta;
+  };
+  return Real(enclosure);
+}
+
+}  // namespace phrame

@@ -1,0 +1,124 @@
+#include "phrame/ph/smooth/smooth_angle.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/io/read/curve_file.hpp"
+#include "phrame/ph/frame/path_angle.hpp"
+#include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/smooth/up_vector.hpp"
+#include "support/data.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+
+namespace {
+
+/// Are all components equal as far as so many bits tell?
+bool agree(const Frame<Real>& a, const Frame<Real>& b, long bits) {
+  const auto same = [bits](const Vector<Real>& u, const Vector<Real>& v, bool is_reversed) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const RealBall x = u[k].enclose(bits);
+      const RealBall y = v[k].enclose(bits);
+      if (!x.is_accurate(bits - 20) || !y.is_accurate(bits - 20)) return false;
+      if (!x.overlaps(is_reversed ? subtract({}, y, bits) : y)) return false;
+    }
+    return true;
+  };
+  return (same(a.e1, b.e1, false) && same(a.e3, b.e3, false) && same(a.e2, b.e2, false)) ||
+         (same(a.e1, b.e1, true) && same(a.e3, b.e3, true) && same(a.e2, b.e2, false));
+}
+
+}  // namespace
+
+TEST_CASE("smooth angle: the twisted cubic (t, t², t³) [mpmath: quad of the same rate]") {
+  const SmoothPath path(RationalCurve({Polynomial{0, 1}, {0, 0, 1}, {0, 0, 0, 1}}));
+  const SmoothAngle angle(path, {0, 0, 1});
+  CHECK(round_to_decimal(angle.value({0, Rational(1)}), 40).value ==
+        "-0.3304832001393860863483991853636333167034");
+  // θ to the Frenet frame is −∫ τ ds.
+  CHECK(round_to_decimal(SmoothAngle(path, SmoothReference::frenet).value({0, Rational(1)}), 40)
+            .value == "-1.507278500292393126918601351905495484273");
+}
+
+TEST_CASE("smooth angle: PH curves by their positions have the frames of the exact way") {
+  std::ifstream file(test::data("/curves.jsonl"));
+  long number = 0;
+  for (std::string line; std::getline(file, line); ++number) {
+    if (number % test::everyday(6, 1) != 0) continue;
+    const NamedPath named = read_path(line);
+    const Curve& curve = named.path.segments().front();
+    if (degree(curve) > test::everyday(13, 41)) continue;
+    CAPTURE(named.name);
+    const SmoothPath path = by_positions(Path(curve));
+    const SmoothAngle angle(path);
+    const RmfAngle exact(curve);
+    const Frame<Rational> erf = euler_rodrigues_frame(curve, 0);
+    const Real from = start_angle(StartNormal({erf.e2[0], erf.e2[1], erf.e2[2]}), angle);
+    for (const Rational& t : {Rational(1, 3), Rational(1)})
+      CHECK(agree(rotation_minimizing_frame(angle, {0, t}, from),
+                  rotation_minimizing_frame(curve, exact, t), 190));
+  }
+}
+
+TEST_CASE("smooth angle: another up vector gives the same frame") {
+  test::Random random(77);
+  for (long k = 0; k < 5 * test::multiplier(); ++k) {
+    const long degree = random.integer(3, 8);
+    std::vector<Vector<Rational>> points;
+    std::vector<Rational> weights;
+    for (long j = 0; j <= degree; ++j) {
+      points.push_back({random.integer(-9, 9), random.integer(-9, 9), random.integer(-9, 9)});
+      weights.push_back(Rational(random.integer(1, 9)));
+    }
+    const SmoothPath path(bezier_curve(points, weights));
+    const SmoothAngle one(path);
+    const SmoothAngle other(path, {7, -31, 19});
+    const Vector<Rational> normal{3, 1, 4};
+    const Real from_one = start_angle(StartNormal(normal), one);
+    const Real from_other = start_angle(StartNormal(normal), other);
+    const SmoothParameter at{0, Rational(2, 3)};
+    CHECK(agree(rotation_minimizing_frame(one, at, from_one),
+                rotation_minimizing_frame(other, at, from_other), 120));
+  }
+}
+
+TEST_CASE("smooth angle: plane curves and straight lines do not turn") {
+  const SmoothPath plane(RationalCurve({Polynomial{0, 1}, {0, 0, 1}, {1, 2, 3}}));
+  CHECK(plane_normal(plane) == Vector<Rational>{-2, -3, 1});
+  CHECK(SmoothAngle(plane).is_zero());
+  CHECK(SmoothAngle(plane).value({0, Rational(1, 3)}).exact() == Rational(0));
+  const SmoothPath line(RationalCurve({Polynomial{0, 1}, {0, 2}, {1, 3}}));
+  CHECK(is_straight(line));
+  CHECK_FALSE(plane_normal(line));
+  CHECK(SmoothAngle(line).is_zero());
+  CHECK_THROWS_AS(SmoothAngle(line, SmoothReference::frenet), DomainError);
+  const Frame<Real> frame = rotation_minimizing_frame(SmoothAngle(plane), {0, Rational(0)});
+  CHECK(frame.e1[0].enclose(60).overlaps(divide(RealBall(1, 60), sqrt(RealBall(5, 60), 60), 60)));
+}
+
+TEST_CASE("smooth angle: an up vector along the tangent is refused, with the place") {
+  const SmoothPath path(RationalCurve({Polynomial{0, 1}, {0, -1, 1}, {0, 0, -1, Rational(4, 3)}}));
+  CHECK_THROWS_WITH_AS(SmoothAngle(path, {1, 0, 0}),
+                       "the up vector (1, 0, 0) is along the tangent at t = 1/2", DomainError);
+  CHECK_THROWS_WITH_AS(SmoothAngle(path, {0, 0, 0}), "the up vector is 0", DomainError);
+  CHECK_FALSE(tangent_along(std::get<RationalCurve>(path.segments()[0]), up_vector(path)));
+  CHECK_THROWS_AS(SmoothAngle(path).value({0, Rational(2)}), DomainError);
+}
+
+TEST_CASE("smooth angle: a path that is cut turns as the whole") {
+  // (t, t², t³) on [0, 1] and [1, 2].
+  const Polynomial x{0, 1};
+  const Polynomial later{1, 1};
+  const auto cubic = [](const Polynomial& t) { return RationalCurve({t, t * t, t * t * t}); };
+  const SmoothPath cut = joined({cubic(x), cubic(later)});
+  const SmoothPath whole(cubic(Rational(2) * x));
+  const Vector<Rational> up{1, 1, 5};
+  const RealBall a = SmoothAngle(cut, up).enclose({1, Rational(1, 2)}, 150);
+  const RealBall b = SmoothAngle(whole, up).enclose({0, Rational(3, 4)}, 150);
+  CHECK(a.overlaps(b));
+  CHECK(a.is_accurate(150));
+}
