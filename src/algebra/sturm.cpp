@@ -11,7 +11,7 @@ namespace phrame {
 namespace {
 
 /// The number of sign changes in a sequence, zeros skipped.
-struct SignChanges {
+struct SignCounter {
   long count = 0;
   int last = 0;
 
@@ -50,7 +50,7 @@ long descartes_bound(const Polynomial& p, const Rational& a, const Rational& b) 
   fmpz_one(one.get());
   fmpz_poly_reverse(shifted.get(), on_unit.get(), fmpz_poly_length(on_unit.get()));
   fmpz_poly_taylor_shift(shifted.get(), shifted.get(), one.get());
-  SignChanges changes;
+  SignCounter changes;
   for (slong k = 0; k < fmpz_poly_length(shifted.get()); ++k)
     changes.see(fmpz_sgn(fmpz_poly_get_coeff_ptr(shifted.get(), k)));
   return changes.count;
@@ -172,7 +172,7 @@ std::vector<int> SturmChain::signs(const Rational& t) const {
 }
 
 long SturmChain::variations(const Rational& t) const {
-  SignChanges changes;
+  SignCounter changes;
   for (const int sign : signs(t)) changes.see(sign);
   return changes.count;
 }
