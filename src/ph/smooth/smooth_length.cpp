@@ -1,0 +1,112 @@
+#include "phrame/ph/smooth/smooth_length.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/increasing.hpp"
+#include "phrame/algebra/shared.hpp"
+#include "phrame/integrate/absolute_integral.hpp"
+#include "phrame/ph/smooth/rational_rates.hpp"
+
+namespace phrame {
+namespace {
+
+/// The sign of x − s.
+int compare_length(const Real& x, const Rational& s) {
+  if (x.exact()) return (*x.exact() - s).sign();
+  for (long bits = 64; bits <= 8192; bits *= 2)
+    if (const int found = sign(subtract(x.enclose(bits), RealBall(s, bits), bits)); found != 0)
+      return found;
+  throw Undecided(fmt::format("arc length: {} is not told from that of a joint or of the path",
+                              abbreviated(to_string(s))));
+}
+
+/// Newton's steps, in doubles, from the share of the whole; a guess.
+double guess_parameter(const AbsoluteIntegral& length, const Rational& s) {
+  constexpr long bits = 64;
+  double low = 0;
+  double high = 1;
+  double t = 0.5;
+  for (int step = 0; step < 60 && high - low > 0x1p-50; ++step) {
+    const RealBall at(exact_rational(t), bits);
+    const RealBall excess =
+        subtract(length.enclose(Real(exact_rational(t)), bits), RealBall(s, bits), bits);
+    (sign(excess) > 0 ? high : low) = t;
+    const double change =
+        approximate(divide(excess, absolute(length.integral().rate(at, bits)), bits));
+    const double next = t - change;
+    if (next == t) break;
+    t = next > low && next < high ? next : (low + high) / 2;
+  }
+  return t;
+}
+
+}  // namespace
+
+struct SmoothLength::State {
+  SmoothPath path;
+  std::vector<Lazy<AbsoluteIntegral>> lengths;  ///< of the segments
+  std::mutex lock;
+  std::vector<Real> before{Rational(0)};  ///< as far as it is known
+
+  explicit State(const SmoothPath& along) : path(along), lengths(path.segments().size()) {}
+
+  const AbsoluteIntegral& length(std::size_t k) const {
+    return lengths[k].get(
+        [&] { return AbsoluteIntegral(length_rate(std::get<RationalCurve>(path.segments()[k]))); });
+  }
+};
+
+SmoothLength::SmoothLength(const SmoothPath& path) : state_(std::make_shared<State>(path)) {}
+
+Real SmoothLength::before(std::size_t k) const {
+  const std::lock_guard lock(state_->lock);
+  std::vector<Real>& known = state_->before;
+  while (known.size() <= k) {
+    const Real next = remembered(state_->length(known.size() - 1).value(Rational(1)));
+    known.push_back(next.exact() && known.back().exact() ? known.back() + next
+                                                         : remembered(known.back() + next));
+  }
+  return known[k];
+}
+
+Real SmoothLength::total() const { return before(state_->path.segments().size()); }
+
+Real SmoothLength::value(const SmoothParameter& at) const {
+  return before(at.segment) + state_->length(at.segment).value(at.t);
+}
+
+SmoothParameter SmoothLength::point(const Rational& s) const {
+  const std::size_t count = state_->path.segments().size();
+  if (s < 0 || compare_length(total(), s) < 0)
+    throw DomainError(fmt::format("arc length: {} is outside [0, {}]", abbreviated(to_string(s)),
+                                  to_string(total().enclose(64), 9)));
+  std::size_t low = 0;
+  for (std::size_t high = count; high - low > 1;) {
+    const std::size_t middle = (low + high) / 2;
+    (compare_length(before(middle), s) <= 0 ? low : high) = middle;
+  }
+  const Real start = before(low);
+  if (start.exact() == s) return {low, Rational(0)};
+  const AbsoluteIntegral& length = state_->length(low);
+  if (const Real whole = length.value(Rational(1));
+      whole.exact() && start.exact() && *start.exact() + *whole.exact() == s)
+    return {low, Rational(1)};
+  const auto from_start = [&length, start](const RealBall& t, long bits) {
+    return add(start.enclose(bits), length.enclose(Real(t.midpoint()), bits), bits);
+  };
+  const auto slope = [&length](const RealBall& t, long bits) {
+    return absolute(length.integral().rate(t, bits));
+  };
+  const auto F = std::make_shared<const IncreasingFunction>(IncreasingFunction{
+      [state = state_, from_start](const RealBall& t, long bits) { return from_start(t, bits); },
+      [state = state_, slope](const RealBall& t, long bits) { return slope(t, bits); }});
+  const Rational inside = std::max(Rational(0), s - start.enclose(64).midpoint());
+  return {low, preimage(F, s, guess_parameter(length, inside))};
+}
+
+}  // namespace phrame

@@ -1,0 +1,32 @@
+#pragma once
+#include <memory>
+
+#include "phrame/ph/smooth/smooth_point.hpp"
+
+namespace phrame {
+
+/// The arc length ∫ |r′| dt along a path of any kind from its start, through cusps, too, and its
+/// inverse. Copies are cheap and share what was found; any thread may ask.
+class SmoothLength {
+ public:
+  /// Along this path.
+  explicit SmoothLength(const SmoothPath& path);
+
+  /// From the start of the path to there; exact where it is seen to be rational, as on lines.
+  Real value(const SmoothParameter& at) const;
+  /// Up to the start of segment k, the end of the path for k = the number of segments.
+  Real before(std::size_t k) const;
+  /// Of the whole path.
+  Real total() const;
+
+  /// Where the arc length from the start is s. Throws DomainError for s outside [0, total()],
+  /// Undecided where that, or which segment it is, is not told within 8192 bits. The t is not for
+  /// concurrent use.
+  SmoothParameter point(const Rational& s) const;
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace phrame

@@ -1,0 +1,15 @@
+#pragma once
+#include "phrame/ph/smooth/smooth_point.hpp"
+
+namespace phrame {
+
+// Of a curve with r′ = p·H/W², σ = |H|², ρ = |H × H′|²; at a joint of a path, those of the segment
+// named.
+
+/// κ = √ρ·W²/(|p|·σ^{3/2}) ≥ 0 there. Throws DomainError where it is infinite, as at most cusps.
+Real curvature(const SmoothPath& path, const SmoothParameter& at);
+/// τ = W²·det(H, H′, H″)/(p·ρ) there, rational where t is. Throws DomainError where it is infinite
+/// and on a straight line, where it is undefined.
+Real torsion(const SmoothPath& path, const SmoothParameter& at);
+
+}  // namespace phrame

@@ -1,0 +1,116 @@
+#include "phrame/ph/smooth/smooth_totals.hpp"
+
+#include <doctest/doctest.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/curve/shape.hpp"
+#include "phrame/ph/frame/path_angle.hpp"
+#include "phrame/ph/smooth/smooth_angle.hpp"
+#include "phrame/ph/smooth/smooth_length.hpp"
+#include "phrame/ph/smooth/smooth_shape.hpp"
+#include "support/curves.hpp"
+#include "support/farouki_moon.hpp"
+
+using namespace phrame;
+
+namespace {
+
+SmoothPath twisted_cubic() {
+  return SmoothPath(RationalCurve({Polynomial{0, 1}, {0, 0, 1}, {0, 0, 0, 1}}));
+}
+
+RationalCurve quarter(const Vector<Rational>& a, const Vector<Rational>& b) {
+  return bezier_curve({a, {a[0] + b[0], a[1] + b[1], 0}, b}, {1, 1, 2});
+}
+
+SmoothPath circle() {
+  return joined({quarter({1, 0, 0}, {0, 1, 0}), quarter({0, 1, 0}, {-1, 0, 0}),
+                 quarter({-1, 0, 0}, {0, -1, 0}), quarter({0, -1, 0}, {1, 0, 0})});
+}
+
+std::string digits(const Real& x, long count) { return round_to_decimal(x, count).value; }
+
+}  // namespace
+
+TEST_CASE("smooth totals: the twisted cubic [mpmath: quad of the definitions]") {
+  const SmoothPath path = twisted_cubic();
+  CHECK(digits(SmoothLength(path).total(), 40) == "1.863022982512251394374780595207168197138");
+  CHECK(digits(total_curvature(path), 40) == "1.450910899864031275661649070608977192011");
+  CHECK(digits(total_torsion(path), 40) == "1.507278500292393126918601351905495484273");
+  CHECK(digits(std::get<Real>(bending_energy(path)), 40) ==
+        "1.828426963311391191731029359327983399300");
+  // κ and τ at 1/2: |r′ × r″|/|r′|³ and det/|r′ × r″|².
+  CHECK(digits(curvature(path, {0, Rational(1, 2)}), 30) == "0.952004740039499345894030721134");
+  CHECK(torsion(path, {0, Rational(1, 2)}).exact() == Rational(12, 1) / Rational(61, 4));
+}
+
+TEST_CASE("smooth totals: a circle of four arcs") {
+  const SmoothPath path = circle();
+  const RealBall whole = times_power_of_two(pi(200), 1);
+  CHECK(SmoothLength(path).total().enclose(150).overlaps(whole));
+  CHECK(total_curvature(path).enclose(150).overlaps(whole));
+  CHECK(std::get<Real>(bending_energy(path)).enclose(150).overlaps(whole));
+  CHECK(total_torsion(path).exact() == Rational(0));
+  CHECK(holonomy(SmoothAngle(path))->exact() == Rational(0));
+  CHECK(curvature(path, {2, Rational(1, 3)}).exact() == Rational(1));
+  // An eighth of the way: s = π/4 is no rational number; s = 1 is at the angle 1.
+  const SmoothParameter at = SmoothLength(path).point(2);
+  CHECK(at.segment == 1);
+  const Vector<Real> r = position(path, at);
+  CHECK(r[0].enclose(100).overlaps(cos_sin(RealBall(2, 120), 120).cos));
+  CHECK(r[1].enclose(100).overlaps(cos_sin(RealBall(2, 120), 120).sin));
+  CHECK(r[1].enclose(100).is_accurate(80));
+}
+
+TEST_CASE("smooth totals: a closed path whose frame comes back turned [holonomy of its pieces]") {
+  // Any closed path: θ from another up vector is the same up to whole turns.
+  const RationalCurve loop =
+      bezier_curve({{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}});
+  const SmoothPath path(loop);
+  REQUIRE(path.is_closed());
+  const Real one = *holonomy(SmoothAngle(path));
+  const Real other = *holonomy(SmoothAngle(path, {5, -9, 11}));
+  CHECK(one.enclose(120).overlaps(other.enclose(120)));
+  CHECK(one.enclose(120).is_accurate(110));
+  CHECK_FALSE(holonomy(SmoothAngle(twisted_cubic())));
+}
+
+TEST_CASE("smooth totals: PH curves have the exact lengths of theirs") {
+  for (const Curve& curve : {test::quintic, Curve({{1}, {0, 1}, {0, 1}, {}}, {-1, 2})}) {
+    const SmoothPath path = by_positions(Path(curve));
+    const SmoothLength length(path);
+    const Real there = length.value({0, Rational(2, 3)});
+    const Rational exact = *arc_length(curve, 0, Rational(1, 4)) +
+                           (arc_length(curve, Rational(1, 4), Rational(1, 2)).value()) +
+                           *arc_length(curve, Rational(1, 2), Rational(2, 3));
+    CHECK(there.exact() == exact);
+    const SmoothParameter at = length.point(exact);
+    CHECK(at.t.enclose(100).overlaps(RealBall(Rational(2, 3), 120)));
+    CHECK(at.t.enclose(100).is_accurate(90));
+  }
+}
+
+TEST_CASE("smooth totals: at a cusp the length goes on, the bending energy does not end") {
+  // (t², t³) from −1/2 to 1/2: s = 2·((1 + 9/16)^{3/2} − 1)·8/27.
+  const Polynomial t{Rational(-1, 2), 1};
+  const SmoothPath path(RationalCurve({t * t, t * t * t, {}}));
+  const Rational root = Rational(5, 4);
+  CHECK(SmoothLength(path).total().enclose(100).overlaps(
+      RealBall(Rational(16, 27) * (root * root * root - 1), 120)));
+  const auto energy = bending_energy(path);
+  REQUIRE(std::holds_alternative<Infinite>(energy));
+  CHECK(std::get<Infinite>(energy).pole == RealAlgebraic(Rational(1, 2)));
+  CHECK_THROWS_AS(curvature(path, {0, Rational(1, 2)}), DomainError);
+  CHECK_THROWS_AS(SmoothLength(path).point(2), DomainError);
+}
+
+TEST_CASE("smooth totals: an inflection adds to the curvature, whatever its side") {
+  // y = x³ from −1 to 1: 2·arctan 3.
+  const Polynomial x{-1, 2};
+  const SmoothPath path(RationalCurve({x, x * x * x, {}}));
+  const RealBall exact = multiply(RealBall(2, 130), argument(1, 3, 130), 130);
+  CHECK(total_curvature(path).enclose(100).overlaps(exact));
+  CHECK(total_curvature(path).enclose(100).is_accurate(90));
+}
