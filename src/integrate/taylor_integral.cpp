@@ -35,9 +35,6 @@
 // coefficients, and raised until E is small enough.
 
 namespace phrame {
-namespace {
-
-constexpr long greatest_level = 8192;
 
 /// [middle − 2^−(level+1), middle + 2^−(level+1)], with the polynomials in x there.
 struct SeriesPart {
@@ -54,13 +51,17 @@ struct SeriesPart {
 };
 
 /// What is known of a part to some number of bits.
-struct Expansion {
+struct SeriesExpansion {
   BallPolynomial integral;  ///< h·Y in x, Y(−1) = 0
   RealBall error;           ///< 2h·E
   RealBall before;          ///< ∫ from 0 to the start of the part
   RealBall whole;           ///< ∫ over the part
   RealBall size;            ///< |N/(D√S)| is no greater
 };
+
+namespace {
+
+constexpr long greatest_level = 8192;
 
 /// By how many bits a coefficient of c is smaller than the one before, about.
 double decay(const BallPolynomial& c, long length) {
@@ -163,7 +164,7 @@ Approximation approximation(const SeriesPart& part, long length, long bits) {
 }
 
 /// E ≤ 2^−bits·‖y‖.
-Expansion expansion(const SeriesPart& part, long bits) {
+SeriesExpansion expansion(const SeriesPart& part, long bits) {
   const long degree = std::max(part.N.degree(), 0L) + part.D.degree() + part.S.degree();
   long precision = bits + 24 + degree / 2;
   for (int attempt = 0; attempt < 16; ++attempt) {
@@ -172,7 +173,7 @@ Expansion expansion(const SeriesPart& part, long bits) {
     const Approximation found = approximation(part, length, precision);
     const RealBall size = sum_of_sizes(found.y);
     if (is_at_most(found.error, times_power_of_two(size, -bits))) {
-      Expansion result;
+      SeriesExpansion result;
       BallPolynomial Y = antiderivative(found.y, precision);
       Y = with_constant(Y,
                         subtract({}, evaluate(Y, RealBall(-1, precision), precision), precision));
@@ -191,8 +192,8 @@ Expansion expansion(const SeriesPart& part, long bits) {
                   static_cast<double>(part.middle), bits));
 }
 
-std::vector<Expansion> expansions(const std::vector<SeriesPart>& parts, long bits) {
-  std::vector<Expansion> all;
+std::vector<SeriesExpansion> expansions(const std::vector<SeriesPart>& parts, long bits) {
+  std::vector<SeriesExpansion> all;
   RealBall sum;
   for (const SeriesPart& part : parts) {
     all.push_back(expansion(part, bits));
@@ -255,7 +256,7 @@ struct TaylorIntegral::State {
   RootQuotient f;
   std::optional<Polynomial> exact;  ///< F, where that is a polynomial over ℚ
   Lazy<std::vector<SeriesPart>> parts;
-  Refined<std::vector<Expansion>> known;
+  Refined<std::vector<SeriesExpansion>> known;
 
   explicit State(const RootQuotient& given)
       : f(in_lowest_terms(given)), exact(polynomial_integral(f)) {}
@@ -264,7 +265,7 @@ struct TaylorIntegral::State {
     return parts.get([this] { return series_parts(f); });
   }
   std::size_t part_at(const Rational& t) const;
-  std::shared_ptr<const std::vector<Expansion>> to_bits(long bits) const;
+  std::shared_ptr<const std::vector<SeriesExpansion>> to_bits(long bits) const;
 };
 
 /// The last part that begins at t or before.
@@ -281,7 +282,8 @@ TaylorIntegral::TaylorIntegral(const RootQuotient& f) : state_(std::make_shared<
 const RootQuotient& TaylorIntegral::integrand() const { return state_->f; }
 
 /// What is known to at least so many bits.
-std::shared_ptr<const std::vector<Expansion>> TaylorIntegral::State::to_bits(long bits) const {
+std::shared_ptr<const std::vector<SeriesExpansion>> TaylorIntegral::State::to_bits(
+    long bits) const {
   const long enough = (std::max(bits, 32L) + 31) / 32 * 32;
   return known.get(enough, [&](const auto*) { return expansions(all_parts(), enough); });
 }
@@ -292,7 +294,7 @@ RealBall TaylorIntegral::enclose(const Rational& t, long bits) const {
   const auto known = state_->to_bits(bits);
   const std::size_t k = state_->part_at(t);
   const SeriesPart& part = state_->all_parts()[k];
-  const Expansion& here = (*known)[k];
+  const SeriesExpansion& here = (*known)[k];
   const long precision = bits + 32;
   const RealBall x =
       times_power_of_two(RealBall(Rational(t - part.middle), precision), part.level + 1);
