@@ -67,6 +67,11 @@ struct Classification;
 struct PathClassification;
 struct Certificate;
 
+// ph/smooth
+class Formula;
+class ExpressionCurve;
+struct ClosedFrame;
+
 // answer
 struct AngleQuery;
 struct AngleAnswer;

@@ -4,6 +4,7 @@
 //   answer(path, AngleQuery{…}), to_text()    what the commands of the program answer, and its text
 //   RmfAngle, PathAngle, Frames               angles and frames, for many t
 //   CompiledAngle, CompiledFrames             the same for millions of t
+//   ExpressionCurve, closed_frame()           curves by formulas; writhe, linking of closed curves
 //   integrate(), definite_integral()          of any rational function
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
@@ -28,6 +29,7 @@
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/read/expression.hpp"
 #include "phrame/io/read/feedrate.hpp"
+#include "phrame/io/read/formula.hpp"
 #include "phrame/io/read/frame_csv.hpp"
 #include "phrame/io/read/point_file.hpp"
 #include "phrame/io/write/angle.hpp"
@@ -60,5 +62,6 @@
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/ph/proof/verify.hpp"
+#include "phrame/ph/smooth/closed_curve.hpp"
 #include "phrame/ph/smooth/smooth_path.hpp"
 #include "phrame/version.hpp"

@@ -6,6 +6,7 @@ namespace phrame {
 // Polynomials with real balls for coefficients as power series in t, of which the coefficients of
 // t⁰, …, t^{length−1} are computed.
 
+/// p·q.
 BallPolynomial multiply_series(const BallPolynomial& p, const BallPolynomial& q, long length,
                                long bits);
 /// p/q; the coefficients are not finite where q(0) is not kept from 0.
@@ -14,15 +15,18 @@ BallPolynomial divide_series(const BallPolynomial& p, const BallPolynomial& q, l
 /// 1/√p; not finite unless p(0) > 0.
 BallPolynomial inverse_sqrt_series(const BallPolynomial& p, long length, long bits);
 
+/// The cosine and the sine of one series.
 struct CosSinSeries {
-  BallPolynomial cos;
-  BallPolynomial sin;
+  BallPolynomial cos;  ///< cos p
+  BallPolynomial sin;  ///< sin p
 };
+/// Both of p.
 CosSinSeries cos_sin_series(const BallPolynomial& p, long length, long bits);
 /// exp p.
 BallPolynomial exp_series(const BallPolynomial& p, long length, long bits);
 /// log p; not finite unless p(0) > 0.
 BallPolynomial log_series(const BallPolynomial& p, long length, long bits);
+/// arctan p.
 BallPolynomial atan_series(const BallPolynomial& p, long length, long bits);
 /// √p; not finite unless p(0) > 0.
 BallPolynomial sqrt_series(const BallPolynomial& p, long length, long bits);

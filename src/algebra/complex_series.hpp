@@ -40,10 +40,12 @@ ComplexSeries sqrt_series(const ComplexSeries& p, long length, long bits);
 ComplexSeries pow_series(const ComplexSeries& p, unsigned long k, long length, long bits);
 /// @}
 
+/// The cosine and the sine of one series.
 struct ComplexCosSinSeries {
-  ComplexSeries cos;
-  ComplexSeries sin;
+  ComplexSeries cos;  ///< cos p
+  ComplexSeries sin;  ///< sin p
 };
+/// Both of p.
 ComplexCosSinSeries cos_sin_series(const ComplexSeries& p, long length, long bits);
 
 }  // namespace phrame

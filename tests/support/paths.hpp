@@ -29,4 +29,15 @@ inline Path closed_loop() {
                 Curve({{0, -1}, {}, {}, {1}}), Curve({{-1, -1}, {}, {}, {1, -1}}, half)});
 }
 
+/// Four copies of A = B² (1, 1 + 2i + 19/13 j + k, (1 + k)(2 + i)), each turned by a quarter about
+/// z: a closed curve in space with a continuous tangent.
+inline std::vector<Curve> quarters() {
+  const Curve first({from_bernstein({1, 1, 2}), from_bernstein({0, 2, 1}),
+                     from_bernstein({0, Rational(19, 13), 1}), from_bernstein({0, 1, 2})});
+  std::vector<Curve> curves{first};
+  while (curves.size() < 4)
+    curves.push_back(scaled(rotated(curves.back(), {1, 0, 0, 1}), Rational(1, 2)));
+  return curves;
+}
+
 }  // namespace phrame::test

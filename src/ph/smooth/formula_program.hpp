@@ -15,10 +15,11 @@ namespace phrame {
 /// steps.
 class FormulaProgram {
  public:
-  using Step = Formula::Step;
-  using Operation = Formula::Operation;
-  using Id = std::size_t;  ///< a step
+  using Step = Formula::Step;            ///< of which the list is
+  using Operation = Formula::Operation;  ///< of a step
+  using Id = std::size_t;                ///< a step
 
+  /// Operands before what is made of them.
   const std::vector<Step>& steps() const { return steps_; }
 
   /// @{ The step with this value, a new one where there is none.

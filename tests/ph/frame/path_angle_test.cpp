@@ -8,6 +8,7 @@
 using namespace phrame;
 using test::chain;
 using test::for_samples;
+using test::quarters;
 using test::Random;
 
 namespace {
@@ -18,17 +19,6 @@ Curve with_other_frame(const Curve& curve, const RationalQuaternion& c) {
   const bool turns_over = c.u == 0 && c.v == 0;
   const Polynomial scale{(turns_over ? -1 : 1) / norm(c)};
   return Curve(curve.preimage() * factor, scale * curve.multiplier(), curve.start());
-}
-
-/// Four copies of A = B² (1, 1 + 2i + 19/13 j + k, (1 + k)(2 + i)), each turned by a quarter about
-/// z.
-std::vector<Curve> quarters() {
-  const Curve first({from_bernstein({1, 1, 2}), from_bernstein({0, 2, 1}),
-                     from_bernstein({0, Rational(19, 13), 1}), from_bernstein({0, 1, 2})});
-  std::vector<Curve> curves{first};
-  while (curves.size() < 4)
-    curves.push_back(scaled(rotated(curves.back(), {1, 0, 0, 1}), Rational(1, 2)));
-  return curves;
 }
 
 /// r′ = (1 − t²)a + 2tb for unit vectors a ⟂ b of the axes: from direction a to direction b in
