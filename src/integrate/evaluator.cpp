@@ -70,6 +70,7 @@ struct Evaluator::Function {
   struct Isolated {
     long precision;
     std::vector<Residues> poles;
+    long nearness;  ///< no pole is nearer to 0 than 2^nearness
   };
   /// What was integrated on the automatic route, once.
   struct Integrated {
@@ -99,6 +100,7 @@ struct Evaluator::Function {
 
   std::shared_ptr<const Isolated> isolate(long precision) const;
   void require_no_pole(const Rational& a, const Rational& b) const;
+  bool prefers_known_poles(const Rational& a, const Rational& b) const;
   RealBall log_difference(const Rational& a, const Rational& b, long bits) const;
   RealBall difference_by_roots(const Rational& a, const Rational& b, long bits) const;
   std::optional<RealBall> difference_by_quadrature(const Rational& a, const Rational& b,
@@ -148,7 +150,7 @@ void Evaluator::Function::require_no_pole(const Rational& a, const Rational& b) 
 std::shared_ptr<const Evaluator::Function::Isolated> Evaluator::Function::isolate(
     long precision) const {
   return isolated.get(precision, [&](const Isolated* known) {
-    Isolated found{precision, {}};
+    Isolated found{precision, {}, unbounded_exponent};
     for (std::size_t k = 0; k < poles.size(); ++k) {
       const Poles& p = poles[k];
       Residues here;
@@ -162,13 +164,29 @@ std::shared_ptr<const Evaluator::Function::Isolated> Evaluator::Function::isolat
         return divide(evaluate(p.numerator, z, precision), evaluate(p.slope, z, precision),
                       precision);
       };
-      for (const RealBall& z : here.roots.real)
+      for (const RealBall& z : here.roots.real) {
         here.real.push_back(residue(ComplexBall(z, RealBall())).re());
-      for (const ComplexBall& z : here.roots.upper) here.upper.push_back(residue(z));
+        found.nearness = std::min(found.nearness, exponent_below(z));
+      }
+      for (const ComplexBall& z : here.roots.upper) {
+        here.upper.push_back(residue(z));
+        found.nearness =
+            std::min(found.nearness, std::max(exponent_below(z.re()), exponent_below(z.im())));
+      }
       found.poles.push_back(std::move(here));
     }
     return found;
   });
+}
+
+/// A logarithm for each known pole costs less than a Taylor series at a, unless b is so near to a
+/// beside the poles that few terms of it are enough. Between ends that are not 0 short_integral
+/// itself asks for more than that.
+bool Evaluator::Function::prefers_known_poles(const Rational& a, const Rational& b) const {
+  constexpr long near = 16;
+  if (a != 0) return false;
+  const auto known = isolated.known();
+  return known && exponent_above(RealBall(b, 53)) > known->nearness - near;
 }
 
 /// Σ c(z) log((b − z)/(a − z)); a pair of conjugate poles gives twice the real part of one term.
@@ -290,7 +308,8 @@ RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) 
   const Function& f = *function_;
   if (f.poles.empty() || a == b || route_ == Route::roots) return f.difference_by_roots(a, b, bits);
   if (route_ == Route::automatic) {
-    if (auto value = short_integral(f.derivative, a, b, bits)) return *std::move(value);
+    if (!f.prefers_known_poles(a, b))
+      if (auto value = short_integral(f.derivative, a, b, bits)) return *std::move(value);
     if (auto value = cheap_quadrature(a, b, bits)) return *std::move(value);
     return f.difference_by_roots(a, b, bits);
   }

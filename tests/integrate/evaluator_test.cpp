@@ -236,6 +236,21 @@ TEST_CASE("definite: close ends lose no accuracy") {
 
 // ∫₀¹ 2/(1 + t²) = π/2 and ∫₀¹ 1/(t − 2) = −log 2, given in fractions with and without a pole in
 // common.
+TEST_CASE(
+    "evaluator: next to 0 values are relatively accurate, whether the poles are known or not") {
+  // ∫₀ʰ t²/(1 + t⁴) = h³/3 − h⁷/7 + …, where the terms of the poles cancel each other.
+  const RationalFunction f{{0, 0, 1}, {1, 0, 0, 0, 1}};
+  const Evaluator evaluator(integrate(f), f);
+  for (const bool is_known : {false, true}) {
+    if (is_known) evaluator.difference(0, 1, 60);
+    for (const long k : {20L, 200L}) {
+      const RealBall value = evaluator.difference(0, power_of_two(-k), 60);
+      const Rational truth = power_of_two(-3 * k) / 3 - power_of_two(-7 * k) / 7;
+      CHECK(abs(value.upper() - truth) < 2 * truth * power_of_two(-60));
+    }
+  }
+}
+
 TEST_CASE("definite: what is known of the logarithms gives the same values") {
   const Polynomial circle{1, 0, 1};
   const Polynomial line{-2, 1};
