@@ -184,10 +184,8 @@ class Convexity {
       : convexity_(piece, family, centre, smallness + 8) {}
 
   RealBall operator()(const Range& range) {
-    // The width comes from that of the range, so that many points often are of no use.
-    const RealBall parameter = hull(range.a, range.b, proof_bits);
-    const RealBall quick = lower_end(convexity_(parameter, 100), proof_bits);
-    return is_less({}, quick) ? quick : lower_end(convexity_(parameter, 1000), proof_bits);
+    constexpr long most_points = 1000;
+    return lower_end(convexity_(hull(range.a, range.b, proof_bits), most_points), proof_bits);
   }
 
  private:
