@@ -46,6 +46,7 @@
 #include "phrame/io/write/identification.hpp"
 #include "phrame/io/write/info.hpp"
 #include "phrame/io/write/integral.hpp"
+#include "phrame/io/write/passage.hpp"
 #include "phrame/io/write/totals.hpp"
 #include "phrame/io/write/twist.hpp"
 #include "phrame/io/write/verification.hpp"

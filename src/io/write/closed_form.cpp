@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/surd_root.hpp"
 #include "phrame/io/write/algebraic_text.hpp"
 #include "phrame/io/write/root_term.hpp"

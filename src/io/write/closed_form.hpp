@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/integrate/exact_value.hpp"
 #include "phrame/integrate/real_form.hpp"
-#include "phrame/io/write/text.hpp"
+#include "phrame/io/write/formula.hpp"
 
 namespace phrame {
 
