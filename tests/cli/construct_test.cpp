@@ -384,9 +384,11 @@ TEST_CASE("construct: --kind c2 takes derivatives at the ends of open splines") 
                 "--select: needs --kind quintic");
   check_failure(here.run("construct - --kind c2 --closed", "0,0,0\n1,0,0\n"), 3,
                 "a closed C2 spline wants three different points at least");
+  check_success(
+      here.run("construct - --kind c2", "t,x,y,z\n0,0,0,0\n1,1,1,0\n1.001,2,1,1\n2,3,0,0\n"));
   check_failure(
-      here.run("construct - --kind c2", "t,x,y,z\n0,0,0,0\n1,1,1,0\n1.001,2,1,1\n2,3,0,0\n"), 4,
-      "the C2 spline: Newton's method finds none");
+      here.run("construct - --kind c2", "t,x,y,z\n0,0,0,0\n1,1,1,0\n1.000000001,2,1,1\n2,3,0,0\n"),
+      4, "the C2 spline: Newton's method finds none");
 }
 
 TEST_CASE("construct: --kind c2-hermite meets accelerations") {
@@ -403,6 +405,10 @@ TEST_CASE("construct: --kind c2-hermite meets accelerations") {
   CHECK(number(report["tolerance"]["accelerations"]) == doctest::Approx(1.2e-29));
   CHECK(
       contains(here.run("construct - --kind c2-hermite", data).out, "\n  accelerations   within "));
+  check_failure(here.run("construct - --kind c2-hermite --exact-points", R"({"phrame": "points/1",
+                         "points": [[0, 0, 0], [1, 1, 1]], "derivatives": [[1, 0, 0], [1, 2, 3]],
+                         "accelerations": [[0, 2, 0], [1e150, 2, 6]]})"),
+                4, "the exact end: the sum of two squares would have ");
   check_failure(here.run("construct - --kind c2-hermite", table), 2,
                 "the kind c2-hermite wants accelerations; for points only there is the kind c2");
   check_failure(here.run("construct - --kind c2", data), 2,

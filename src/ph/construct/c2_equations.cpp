@@ -104,6 +104,9 @@ C2Equations::C2Equations(const C2Data& data, double closing_sign)
   mean_step_ = std::accumulate(data.steps.begin(), data.steps.end(), 0.0) / static_cast<double>(n);
   double sum = 0;
   for (const Vector<double>& chord : data.chords) sum += dot(chord, chord);
+  if (sum == 0)  // a loop
+    for (const auto& d : {data.derivatives.front(), data.derivatives.back()})
+      sum += mean_step_ * mean_step_ * dot(d, d);
   scale_ = std::sqrt(sum);
 }
 
@@ -250,11 +253,38 @@ std::vector<Guess> C2Equations::from_joints(const std::vector<Guess>& q) const {
   return z;
 }
 
+/// Where the search begins, instead of with the derivatives as they are: with those of chord
+/// lengths, each of a speed between those of the chords beside it, the slower one for haste = 0.
+/// Where the parameters are far from chord lengths, a cubic spline goes far astray.
+std::vector<Vector<double>> calm_derivatives(const C2Data& data, double haste) {
+  const std::size_t n = data.steps.size();
+  std::vector<Vector<double>> result = data.derivatives;
+  const auto size = [&](std::size_t k) { return std::sqrt(dot(data.chords[k], data.chords[k])); };
+  for (std::size_t k = 0; k <= n; ++k) {
+    const bool is_end = k == 0 || k == n;
+    if (is_end && !data.is_closed) continue;
+    const std::size_t before = k > 0 ? k - 1 : n - 1;
+    const std::size_t after = k < n ? k : 0;
+    const double a = size(before);
+    const double b = size(after);
+    if (a == 0 || b == 0) continue;
+    const Vector<double> along = (b / a) * data.chords[before] + (a / b) * data.chords[after];
+    const double length = std::sqrt(dot(along, along));
+    const double speed_before = a / data.steps[before];
+    const double speed_after = b / data.steps[after];
+    const double slow = std::min(speed_before, speed_after);
+    const double fast = std::max(speed_before, speed_after);
+    if (length > 0) result[k] = (slow * std::pow(fast / slow, haste) / length) * along;
+  }
+  return result;
+}
+
 /// Preimages of the derivatives, each turned next to the one before; of a closed spline they come
 /// back as ± the first, by turning all a little.
-std::vector<Guess> first_joints(const C2Data& data, double& closing_sign) {
+std::vector<Guess> first_joints(const C2Data& data, const std::vector<Vector<double>>& derivatives,
+                                double& closing_sign) {
   std::vector<Guess> q;
-  for (const Vector<double>& d : data.derivatives) {
+  for (const Vector<double>& d : derivatives) {
     const Guess a = preimage(d);
     if (q.empty()) {
       q.push_back(a);
@@ -284,16 +314,15 @@ std::vector<Guess> first_joints(const C2Data& data, double& closing_sign) {
 
 using Decomposition = Eigen::SparseLU<SparseMatrix, Eigen::NaturalOrdering<int>>;
 
-}  // namespace
-
-std::optional<C2Coefficients> c2_coefficients(const C2Data& data) {
+std::optional<C2Coefficients> coefficients_from(const C2Data& data,
+                                                const std::vector<Vector<double>>& derivatives) {
   constexpr int most_steps = 60;
   constexpr int least_descents = 2;
   constexpr int most_descents = 12;
   constexpr double rounding = 1e-14;
   constexpr double enough = 1e-10;  // exact refinement goes on from there
   C2Coefficients found;
-  const std::vector<Guess> joints = first_joints(data, found.closing_sign);
+  const std::vector<Guess> joints = first_joints(data, derivatives, found.closing_sign);
   const C2Equations equations(data, found.closing_sign);
   std::vector<Guess>& z = found.z;
   z = equations.from_joints(joints);
@@ -339,6 +368,15 @@ std::optional<C2Coefficients> c2_coefficients(const C2Data& data) {
   }
   if (!(residuals.norm() <= enough * scale)) return std::nullopt;
   return found;
+}
+
+}  // namespace
+
+std::optional<C2Coefficients> c2_coefficients(const C2Data& data) {
+  if (auto found = coefficients_from(data, data.derivatives)) return found;
+  for (const double haste : {0.0, 0.5, 0.25, 0.75, 1.0})
+    if (auto found = coefficients_from(data, calm_derivatives(data, haste))) return found;
+  return std::nullopt;
 }
 
 ParameterStep c2_step(const C2Data& data, const C2Coefficients& at) {

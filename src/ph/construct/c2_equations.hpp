@@ -29,7 +29,8 @@ struct C2Coefficients {
   double closing_sign = 1;  ///< A(end) = ±A(start) of a closed spline
 };
 
-/// The Z that Newton's method finds from preimages of the derivatives. There are 4(N + 2) unknowns
+/// The Z that Newton's method finds from preimages of the derivatives or, where it finds none, of
+/// calmer ones. There are 4(N + 2) unknowns
 /// and 3N + 6 equations, 4N and 3N of a closed spline: of all solutions it is one with small
 /// changes of A′. In the plane there are as many equations as unknowns, and 2^{N+1} solutions; the
 /// start says which. No value where the method does not converge.

@@ -327,7 +327,9 @@ Construction c2_spline(const HermiteSpline& data, const Deviation& tolerance, Po
   if (std::ranges::all_of(data.points, is_plane) && std::ranges::all_of(data.derivatives, is_plane))
     if (auto found = problem.run(tolerance, rule, true)) return *std::move(found);
   if (auto found = problem.run(tolerance, rule, false)) return *std::move(found);
-  throw Undecided("the C2 spline: Newton's method finds none from the C2 cubic spline on");
+  throw Undecided(
+      "the C2 spline: Newton's method finds none; are the parameters far from the lengths of the "
+      "chords?");
 }
 
 bool is_c2(const Path& path, bool is_closed) {

@@ -49,18 +49,24 @@ Rational odd_near(const Rational& x, long places) {
   return even_near(x - unit, places) + unit;
 }
 
-/// η with |η|² = r·d², an integer, over d; no value where that is not seen to exist.
+/// η with |η|² = r·d², an integer, over d; no value where that is not seen to exist. Throws
+/// Undecided where that integer is so long that it would take minutes to find one that is prime.
 std::optional<GaussianRational> of_norm(const Rational& r, const Integer& d) {
+  constexpr long most_bits = 2500;
   const Integer n = numerator(Rational(r * Rational(d) * Rational(d)));
+  if (bit_length(n) > most_bits)
+    throw Undecided(fmt::format(
+        "the exact end: the sum of two squares would have {} bits, and at most {} are tried",
+        bit_length(n), most_bits));
   const auto root = easy_norm_root(n);
   if (!root) return std::nullopt;
   return GaussianRational{Rational(root->re, d), Rational(root->im, d)};
 }
 
-/// Near x and y, with X i X* + Y i Y* = c.
-QuaternionPair exact_sum(const RationalQuaternion& x, const RationalQuaternion& y,
-                         const Vector<Rational>& c, long bits) {
-  constexpr long most_tries = 4000;
+/// Near x and y, with X i X* + Y i Y* = c; no value where none are found.
+std::optional<QuaternionPair> exact_sum(const RationalQuaternion& x, const RationalQuaternion& y,
+                                        const Vector<Rational>& c, long bits) {
+  constexpr long most_tries = 1500;
   const long places = std::max(
       bits, std::max({binary_places(c[0]), binary_places(c[1]), binary_places(c[2])}) / 2 + 3);
   const GaussianRational start{odd_near(x.u, places), even_near(x.v, places)};
@@ -91,11 +97,30 @@ QuaternionPair exact_sum(const RationalQuaternion& x, const RationalQuaternion& 
         1 / size * (*eta * unit_near(wanted * conjugate(*eta), std::max(bits, 20L)));
     const GaussianRational b1 = 1 / size * (a1 * gamma_bar) - conjugate(a2) * zeta;
     const GaussianRational b2 = 1 / size * (a2 * gamma_bar) + conjugate(a1) * zeta;
-    return {from_hopf(a1, b1), from_hopf(a2, b2)};
+    return QuaternionPair{from_hopf(a1, b1), from_hopf(a2, b2)};
   }
-  throw Undecided(fmt::format(
-      "the exact end: in {} tries no sum of two rational squares was found near the curve",
-      most_tries));
+  return std::nullopt;
+}
+
+/// The same, seen from other sides. From one of them a prime of the denominator of c, which comes
+/// from the steps of the parameter, may divide all R, to an odd power or so that it hides the
+/// others: where its y² + z² is divided by that prime.
+std::optional<QuaternionPair> exact_turned_sum(const QuaternionPair& near,
+                                               const Vector<Rational>& c, long bits) {
+  const Rational fifth(1, 5);
+  for (const RationalQuaternion& five : {RationalQuaternion{2, 1, 2, 4},
+                                         {4, 2, 1, 2},
+                                         {2, 4, 1, -2},
+                                         {1, -2, 4, 2},
+                                         {2, -2, -1, 4}}) {
+    const RationalQuaternion u = fifth * five;  // of size 1
+    const RationalQuaternion u_back = conjugate(u);
+    const RationalQuaternion turned_c = u * RationalQuaternion{0, c[0], c[1], c[2]} * u_back;
+    const auto found =
+        exact_sum(u * near.x, u * near.y, {turned_c.v, turned_c.p, turned_c.q}, bits);
+    if (found) return QuaternionPair{u_back * found->x, u_back * found->y};
+  }
+  return std::nullopt;
 }
 
 /// λ with c = λ·d, where there is one; d ≠ 0.
@@ -197,12 +222,8 @@ QuaternionPair exact_pair(const QuaternionPair& near, const Vector<Rational>& c,
   const auto lambda = norm(x) == 0 ? std::nullopt : ratio(c, rotated_i(w));
   if (lambda && ratio(rotated_i(y), rotated_i(w))) return exact_line_sum(x, y, w, *lambda, bits);
   if (is_plane(x) && is_plane(y) && c[2] == 0) return exact_plane_sum(x, y, c, bits);
-  const Rational fifth(1, 5);
-  const RationalQuaternion u = fifth * RationalQuaternion{2, 1, 2, 4};  // of size 1
-  const RationalQuaternion u_back = conjugate(u);
-  const RationalQuaternion turned_c = u * RationalQuaternion{0, c[0], c[1], c[2]} * u_back;
-  const QuaternionPair found = exact_sum(u * x, u * y, {turned_c.v, turned_c.p, turned_c.q}, bits);
-  return {u_back * found.x, u_back * found.y};
+  if (auto found = exact_turned_sum(near, c, bits)) return *std::move(found);
+  throw Undecided("the exact end: no sum of two rational squares was found near the curve");
 }
 
 std::array<QuadraticPreimage, 2> exact_halves(const QuadraticPreimage& a,

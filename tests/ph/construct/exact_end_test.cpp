@@ -95,6 +95,39 @@ TEST_CASE("exact end: two quaternions have the sum of vectors that is wanted") {
   });
 }
 
+// With c = (k/59, …) and the other coordinates without 59 in the denominator, all R of one frame
+// have that prime to an odd power.
+TEST_CASE("exact end: where a prime bars one view, another one is taken") {
+  constexpr long bits = 60;
+  Random random(59);
+  for (const long prime : {59L, 2741L}) {
+    const QuaternionPair near{random_quaternion(random, bits, false),
+                              random_quaternion(random, bits, false)};
+    const RationalQuaternion u{Rational(2, 5), Rational(1, 5), Rational(2, 5), Rational(4, 5)};
+    const Vector<Rational> sum = rotated_i(near.x) + rotated_i(near.y);
+    const RationalQuaternion seen =
+        u * RationalQuaternion{0, sum[0], sum[1], sum[2]} * conjugate(u);
+    const Rational grid = prime * power_of_two(bits);
+    const RationalQuaternion rounded{0, Rational(floor(seen.v * grid) / prime * prime + 1) / grid,
+                                     rounded_to_places(seen.p, bits),
+                                     rounded_to_places(seen.q, bits)};
+    const RationalQuaternion c = conjugate(u) * rounded * u;
+    const auto [a, b] = exact_pair(near, {c.v, c.p, c.q}, bits);
+    CHECK(rotated_i(a) + rotated_i(b) == Vector<Rational>{c.v, c.p, c.q});
+    CHECK(distance(a, near.x) < power_of_two(20 - bits));
+  }
+}
+
+TEST_CASE("exact end: numbers that are too long are refused at once") {
+  Random random(1);
+  constexpr long bits = 3000;
+  const QuaternionPair near{random_quaternion(random, 60, false),
+                            random_quaternion(random, 60, false)};
+  Vector<Rational> c = rotated_i(near.x) + rotated_i(near.y);
+  for (Rational& part : c) part += Rational(1, 7) * power_of_two(-bits);
+  CHECK_THROWS_AS(exact_pair(near, c, bits), Undecided);
+}
+
 TEST_CASE("exact end: six parts of A have the integral that is wanted, and A' is continuous") {
   for_samples(6, [](Random& random) {
     const bool is_plane = random.chance(2);
