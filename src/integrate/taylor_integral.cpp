@@ -169,7 +169,7 @@ SeriesExpansion expansion(const SeriesPart& part, long bits) {
   long precision = bits + 24 + degree / 2;
   for (int attempt = 0; attempt < 16; ++attempt) {
     const double terms = static_cast<double>(precision) / part.bits_per_term;
-    const long length = static_cast<long>(terms * (1 + 0.2 * attempt)) + degree / 2 + 8;
+    const long length = static_cast<long>(terms * (1.08 + 0.2 * attempt)) + degree / 2 + 8;
     const Approximation found = approximation(part, length, precision);
     const RealBall size = sum_of_sizes(found.y);
     if (is_at_most(found.error, times_power_of_two(size, -bits))) {

@@ -1,0 +1,66 @@
+// Curves that need not be Pythagorean: an angle to so many digits, all found anew, and a table.
+#include <benchmark/benchmark.h>
+
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/smooth/smooth_length.hpp"
+
+namespace phrame::bench {
+namespace {
+
+using State = benchmark::State;
+
+/// A Bézier curve of that degree, with control points of one digit.
+SmoothPath bezier_path(long degree) {
+  std::vector<Vector<Rational>> points;
+  unsigned long state = 2026;
+  const auto next = [&state] {
+    state = state * 6364136223846793005UL + 1442695040888963407UL;
+    return Rational(static_cast<long>(state >> 33U) % 19 - 9);
+  };
+  for (long k = 0; k <= degree; ++k) {
+    const Rational x = next();
+    const Rational y = next();
+    points.push_back({x, y, next()});
+  }
+  return SmoothPath(bezier_curve(points));
+}
+
+/// Of degree range(0), to range(1) digits.
+void smooth_angle(State& state) {
+  const SmoothPath path = bezier_path(state.range(0));
+  for (auto _ : state) {
+    const SmoothAngle angle(path);
+    benchmark::DoNotOptimize(round_to_decimal(angle.value({0, Rational(1)}), state.range(1)));
+  }
+}
+
+/// 1001 rotation-minimizing frames in doubles.
+void smooth_frames(State& state) {
+  const SmoothPath path = bezier_path(state.range(0));
+  for (auto _ : state) {
+    const SmoothAngle angle(path);
+    for (long k = 0; k <= 1000; ++k) {
+      const auto frame = rotation_minimizing_frame(angle, {0, Rational(k, 1000)});
+      benchmark::DoNotOptimize(round_to_double(frame.e2));
+      benchmark::DoNotOptimize(round_to_double(frame.e3));
+    }
+  }
+}
+
+/// ∫ |r′| dt, to 50 digits.
+void smooth_length(State& state) {
+  const SmoothPath path = bezier_path(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(round_to_decimal(SmoothLength(path).total(), 50));
+}
+
+}  // namespace
+
+BENCHMARK(smooth_angle)
+    ->ArgsProduct({{3, 9}, {17, 50}})
+    ->ArgNames({"degree", "digits"})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(smooth_frames)->Arg(3)->Unit(benchmark::kMillisecond);
+BENCHMARK(smooth_length)->Arg(3)->Arg(9)->Unit(benchmark::kMillisecond);
+
+}  // namespace phrame::bench
