@@ -165,9 +165,10 @@ std::vector<BezierPiece> bezier_pieces(const BSpline& spline) {
     piece.lower = u[i];
     piece.upper = u[i + 1];
     for (const HomogeneousPoint& h : span_points(u, p, i, points, is_rational ? 4 : 3)) {
-      if (is_rational) piece.weights.push_back(h[3]);
-      piece.points.push_back(is_rational ? Vector<Rational>{h[0] / h[3], h[1] / h[3], h[2] / h[3]}
-                                         : Vector<Rational>{h[0], h[1], h[2]});
+      if (is_rational) piece.curve.weights.push_back(h[3]);
+      piece.curve.points.push_back(is_rational
+                                       ? Vector<Rational>{h[0] / h[3], h[1] / h[3], h[2] / h[3]}
+                                       : Vector<Rational>{h[0], h[1], h[2]});
     }
   }
   return pieces;

@@ -1,9 +1,8 @@
 #pragma once
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "phrame/ph/curve/quaternion.hpp"
+#include "phrame/ph/smooth/rational_bezier.hpp"
 
 namespace phrame {
 
@@ -36,10 +35,9 @@ std::optional<BSplineFault> fault_of(const BSpline& spline);
 
 /// The part of a B-spline between two successive knots, as a Bézier curve on [0, 1].
 struct BezierPiece {
-  std::vector<Vector<Rational>> points;  ///< p + 1
-  std::vector<Rational> weights;         ///< p + 1 numbers > 0; none: all are 1
-  Rational lower;                        ///< the knot where it begins
-  Rational upper;                        ///< the next greater one
+  RationalBezier curve;  ///< of degree p
+  Rational lower;        ///< the knot where it begins
+  Rational upper;        ///< the next greater one
 };
 /// The parts of the curve between successive knots of its domain, exactly, by the blossom b of
 /// each: the control points are b(uᵢ, …, uᵢ, uᵢ₊₁, …, uᵢ₊₁) [Ramshaw 1989]. Costs p² combinations

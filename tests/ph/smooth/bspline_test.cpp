@@ -41,13 +41,13 @@ Vector<Rational> value(const BSpline& spline, const Rational& at) {
 /// Of a Bézier curve, by the Bernstein polynomials.
 Vector<Rational> value(const BezierPiece& piece, const Rational& u) {
   const Rational t = (u - piece.lower) / (piece.upper - piece.lower);
-  std::vector<Rational> weights = piece.weights;
-  if (weights.empty()) weights.assign(piece.points.size(), 1);
+  std::vector<Rational> weights = piece.curve.weights;
+  if (weights.empty()) weights.assign(piece.curve.points.size(), 1);
   Vector<Rational> sum;
   for (std::size_t c = 0; c < 3; ++c) {
     std::vector<Rational> coefficients;
     for (std::size_t k = 0; k < weights.size(); ++k)
-      coefficients.push_back(weights[k] * piece.points[k][c]);
+      coefficients.push_back(weights[k] * piece.curve.points[k][c]);
     sum[c] = from_bernstein(coefficients)(t);
   }
   return Rational(1 / from_bernstein(weights)(t)) * sum;
@@ -100,13 +100,13 @@ TEST_CASE("the pieces of a B-spline are it, by the recursion of Cox and de Boor"
     CHECK(pieces.back().upper == spline.knots[spline.points.size()]);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const BezierPiece& piece = pieces[k];
-      CHECK(piece.points.size() == p + 1);
+      CHECK(piece.curve.points.size() == p + 1);
       if (k > 0) CHECK(piece.lower == pieces[k - 1].upper);
       for (const Rational& share : {Rational(0), Rational(1, 3), Rational(7, 8)}) {
         const Rational u = piece.lower + share * (piece.upper - piece.lower);
         CHECK(value(piece, u) == value(spline, u));
       }
-      for (const Rational& w : piece.weights) CHECK(w > 0);
+      for (const Rational& w : piece.curve.weights) CHECK(w > 0);
     }
   });
 }
@@ -122,19 +122,19 @@ TEST_CASE("without its outermost knots a B-spline is the same") {
     const auto b = bezier_pieces(shorter);
     REQUIRE(a.size() == b.size());
     for (std::size_t k = 0; k < a.size(); ++k) {
-      CHECK(a[k].points == b[k].points);
-      CHECK(a[k].weights == b[k].weights);
+      CHECK(a[k].curve.points == b[k].curve.points);
+      CHECK(a[k].curve.weights == b[k].curve.weights);
     }
   });
 }
 
 TEST_CASE("a Bézier curve is its own piece; equal weights are none") {
   const BSpline line = spline_with(3, {0, 0, 0, 0, 2, 2, 2, 2}, 4);
-  CHECK(bezier_pieces(line).front().points == line.points);
+  CHECK(bezier_pieces(line).front().curve.points == line.points);
   BSpline weighted = line;
   weighted.weights = {3, 3, 3, 3};
-  CHECK(bezier_pieces(weighted).front().points == line.points);
-  CHECK(bezier_pieces(weighted).front().weights.empty());
+  CHECK(bezier_pieces(weighted).front().curve.points == line.points);
+  CHECK(bezier_pieces(weighted).front().curve.weights.empty());
 }
 
 TEST_CASE("B-splines and NURBS have the points that SciPy and geomdl find") {
