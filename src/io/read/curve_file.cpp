@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/io/read/json_node.hpp"
+#include "phrame/io/read/any_path.hpp"
+#include "phrame/io/read/curve_node.hpp"
+#include "phrame/io/read/rational_node.hpp"
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/ph/construct/near.hpp"
 #include "phrame/ph/curve/identify.hpp"
@@ -15,182 +14,8 @@
 namespace phrame {
 namespace {
 
-using Kind = JsonValue::Kind;
 using Node = JsonNode;
-
-/// What turns lists of numbers into polynomials.
-class Basis {
- public:
-  Basis(const Node& curve, const CurveLimits& limits) : limits_(limits) {
-    const Node node = curve.at("basis");
-    const std::string& name = node.string();
-    if (name != "bernstein" && name != "power")
-      node.fail(
-          fmt::format("the basis is \"bernstein\" or \"power\", not \"{}\"", abbreviated(name)));
-    bernstein_ = name == "bernstein";
-  }
-
-  void require_list(const Node& list) const {
-    list.require(Kind::array, "an array of coefficients");
-    if (list.size() == 0) list.fail("the list of coefficients is empty");
-    if (static_cast<long>(list.size()) > limits_.max_degree + 1)
-      list.fail(
-          fmt::format("{} coefficients make a degree beyond the limit {}; --max-degree "
-                      "raises it",
-                      list.size(), limits_.max_degree));
-  }
-
-  /// In the Bernstein basis a short list would silently mean another degree: an error.
-  void require_equal_lengths(const Node& parent, const std::vector<Node>& lists) const {
-    for (const Node& list : lists) {
-      require_list(list);
-      if (bernstein_ && list.size() != lists.front().size())
-        parent.fail(fmt::format("Bernstein lists must have equal lengths, here {} and {}",
-                                lists.front().size(), list.size()));
-    }
-  }
-
-  Polynomial polynomial(const std::vector<Rational>& coefficients) const {
-    return bernstein_ ? from_bernstein(coefficients) : Polynomial(coefficients);
-  }
-  Polynomial polynomial(const Node& list) const { return polynomial(list.numbers()); }
-
- private:
-  CurveLimits limits_;
-  bool bernstein_ = false;
-};
-
-QuaternionPolynomial read_components(const Node& node, const Basis& basis) {
-  node.require_known_keys({"u", "v", "p", "q"});
-  const std::vector<Node> lists{node.at("u"), node.at("v"), node.at("p"), node.at("q")};
-  basis.require_equal_lengths(node, lists);
-  return {basis.polynomial(lists[0]), basis.polynomial(lists[1]), basis.polynomial(lists[2]),
-          basis.polynomial(lists[3])};
-}
-
-/// An array of arrays of N numbers, transposed to N lists.
-template <std::size_t N>
-std::array<Polynomial, N> read_tuples(const Node& node, const Basis& basis) {
-  basis.require_list(node);
-  std::array<std::vector<Rational>, N> lists;
-  for (std::size_t k = 0; k < node.size(); ++k) {
-    const auto tuple = node.item(k).numbers(N);
-    for (std::size_t j = 0; j < N; ++j) lists[j].push_back(tuple[j]);
-  }
-  std::array<Polynomial, N> result;
-  for (std::size_t j = 0; j < N; ++j) result[j] = basis.polynomial(lists[j]);
-  return result;
-}
-
-QuaternionPolynomial read_quaternions(const Node& node, const Basis& basis) {
-  auto [u, v, p, q] = read_tuples<4>(node, basis);
-  return {std::move(u), std::move(v), std::move(p), std::move(q)};
-}
-
-QuaternionPolynomial read_hopf(const Node& node, const Basis& basis) {
-  node.require_known_keys({"alpha", "beta"});
-  const Node alpha = node.at("alpha");
-  const Node beta = node.at("beta");
-  basis.require_equal_lengths(node, {alpha, beta});
-  const auto [a_re, a_im] = read_tuples<2>(alpha, basis);
-  const auto [b_re, b_im] = read_tuples<2>(beta, basis);
-  return from_hopf_form({{a_re, a_im}, {b_re, b_im}});
-}
-
-Vector<Rational> read_point(const Node& node) {
-  const auto coordinates = node.numbers(3);
-  return {coordinates[0], coordinates[1], coordinates[2]};
-}
-
-QuaternionPolynomial read_preimage(const Node& curve, const Basis& basis) {
-  std::vector<std::string> given;
-  for (const char* key : {"preimage", "quaternions", "hopf"})
-    if (curve.find(key)) given.emplace_back(key);
-  if (given.size() != 1)
-    curve.fail(given.empty()
-                   ? "a curve needs one of \"preimage\", \"quaternions\", \"hopf\" and "
-                     "\"control_points\""
-                   : fmt::format("\"{}\" and \"{}\" exclude each other", given[0], given[1]));
-  const Node node = curve.at(given.front());
-  QuaternionPolynomial preimage = given.front() == "preimage"      ? read_components(node, basis)
-                                  : given.front() == "quaternions" ? read_quaternions(node, basis)
-                                                                   : read_hopf(node, basis);
-  if (is_zero(preimage)) node.fail("the preimage is zero, so the curve is a single point");
-  return preimage;
-}
-
-/// The text at "phrame".
-std::string format_of(const Node& node) {
-  node.require(Kind::object, "an object");
-  return node.at("phrame").string();
-}
-
-void require_format(const Node& node, std::string_view wanted) {
-  const std::string format = format_of(node);
-  if (format != wanted)
-    node.at("phrame").fail(
-        fmt::format("the format is \"{}\", not \"{}\"", wanted, abbreviated(format)));
-}
-
-void require_curve_keys(const Node& node) {
-  node.require_known_keys({"phrame", "name", "basis", "start", "preimage", "quaternions", "hopf",
-                           "control_points", "multiplier", "note", "family", "expected"});
-}
-
-/// Requires an object of the format curve/1 with known keys only.
-void require_curve(const Node& node) {
-  if (format_of(node) == "spline/1")
-    node.at("phrame").fail("this is a spline; one curve is wanted");
-  require_format(node, "curve/1");
-  require_curve_keys(node);
-}
-
-std::string read_name(const Node& curve) {
-  const auto name = curve.find("name");
-  return name ? name->string() : "";
-}
-
-NamedCurve read_preimage_curve(const Node& node, const CurveLimits& limits) {
-  std::string name = read_name(node);
-  const Basis basis(node, limits);
-  QuaternionPolynomial preimage = read_preimage(node, basis);
-  Polynomial multiplier{1};
-  if (const auto list = node.find("multiplier")) {
-    basis.require_list(*list);
-    multiplier = basis.polynomial(*list);
-    if (multiplier.is_zero()) list->fail("the multiplier is zero, so the curve is a single point");
-  }
-  Vector<Rational> start{};
-  if (const auto point = node.find("start")) start = read_point(*point);
-  NamedCurve result{std::move(name),
-                    Curve(std::move(preimage), std::move(multiplier), std::move(start))};
-  if (degree(result.curve) > limits.max_degree)
-    node.fail(fmt::format("the curve has degree {}, the limit is {}; --max-degree raises it",
-                          degree(result.curve), limits.max_degree));
-  return result;
-}
-
-/// The points say all: where the curve starts and, by its hodograph, f.
-NamedHodograph read_bezier(const Node& node, const Node& list, const CurveLimits& limits) {
-  for (const char* key : {"preimage", "quaternions", "hopf", "multiplier", "start"})
-    if (node.find(key))
-      node.fail(fmt::format("\"control_points\" and \"{}\" exclude each other", key));
-  if (const auto basis = node.find("basis"); basis && basis->string() != "bernstein")
-    basis->fail(fmt::format("control points have the basis \"bernstein\", not \"{}\"",
-                            abbreviated(basis->string())));
-  list.require(Kind::array, "an array of points");
-  if (list.size() < 2)
-    list.fail(fmt::format("a curve has at least 2 control points, not {}", list.size()));
-  if (static_cast<long>(list.size()) > limits.max_degree + 1)
-    list.fail(fmt::format("{} points make a degree beyond the limit {}; --max-degree raises it",
-                          list.size(), limits.max_degree));
-  std::vector<Vector<Rational>> points;
-  for (std::size_t k = 0; k < list.size(); ++k) points.push_back(read_point(list.item(k)));
-  NamedHodograph result{read_name(node), bezier_hodograph(points), points.front()};
-  if (result.hodograph == Vector<Polynomial>{})
-    list.fail("the control points are all equal, so the curve is a single point");
-  return result;
-}
+using Kind = JsonValue::Kind;
 
 /// What read_path_near() might do; empty where it would not help.
 std::string suggestion_for(const NamedHodograph& bezier, const std::string& near_option) {
@@ -201,7 +26,23 @@ std::string suggestion_for(const NamedHodograph& bezier, const std::string& near
                      upper_bound_text(near->epsilon, 1), upper_bound_text(near->distance));
 }
 
+/// One that only read_any_path() knows.
+bool is_format_of_any_curve(std::string_view format) {
+  return format == "bspline/1" || format == "nurbs/1" || format == "points/1";
+}
+
+/// Is it given in a way that only curves of any kind are?
+bool is_given_as_rational(const Node& node) {
+  return node.find("weights") || node.find("position");
+}
+
 NamedCurve read_any_curve(const Node& node, const CurveLimits& limits) {
+  if (is_given_as_rational(node)) {
+    auto result = identify_segment(read_curve_segment(node, limits));
+    if (const auto* reason = std::get_if<std::string>(&result))
+      node.fail("this is no PH curve: " + *reason);
+    return {read_name(node), std::get<Curve>(std::move(result))};
+  }
   const auto points = node.find("control_points");
   if (!points) return read_preimage_curve(node, limits);
   NamedHodograph bezier = read_bezier(node, *points, limits);
@@ -215,7 +56,8 @@ NamedCurve read_any_curve(const Node& node, const CurveLimits& limits) {
 /// A segment says where it starts, or starts where the spline ends.
 void append_segment(Path& path, const Node& node, const CurveLimits& limits) {
   const Curve read = read_any_curve(node, limits).curve;
-  const bool says_start = node.find("start") || node.find("control_points");
+  const bool says_start =
+      node.find("start") || node.find("control_points") || node.find("position");
   const Curve& last = path.segments().back();
   const Curve next =
       says_start ? read : Curve(read.preimage(), read.multiplier(), evaluate(position(last), 1));
@@ -270,6 +112,7 @@ std::optional<NearReading> read_spline_near(const Node& node, const Rational& ep
   std::vector<BezierPoints> curves;
   bool all_ph = true;
   for (const Node& segment : read_segments(node)) {
+    if (is_given_as_rational(segment)) return std::nullopt;
     const auto list = segment.find("control_points");
     if (list) {
       const NamedHodograph bezier = read_bezier(segment, *list, limits);
@@ -292,11 +135,21 @@ std::optional<NearReading> read_curve_near(const Node& node, const Rational& eps
                                            const CurveLimits& limits) {
   require_curve_keys(node);
   const auto list = node.find("control_points");
-  if (!list) return std::nullopt;
+  if (!list || is_given_as_rational(node)) return std::nullopt;
   NamedHodograph bezier = read_bezier(node, *list, limits);
   if (std::holds_alternative<Curve>(identify(bezier.hodograph))) return std::nullopt;
   return found_near(*list, std::move(bezier.name),
                     [&] { return near_curve(bezier.hodograph, bezier.start, epsilon); });
+}
+
+/// Of a curve whose weight function is constant.
+NamedHodograph rational_hodograph(const Node& node, const CurveLimits& limits) {
+  const auto curve = std::get<RationalCurve>(read_curve_segment(node, limits).form);
+  if (!curve.weight().is_constant())
+    node.fail("the curve is rational; only polynomial ones are identified as PH curves");
+  Vector<Polynomial> hodograph = curve.direction();
+  for (Polynomial& h : hodograph) h *= curve.multiplier();
+  return {read_name(node), std::move(hodograph), point(curve, 0)};
 }
 
 }  // namespace
@@ -321,6 +174,11 @@ NamedPath read_path(const JsonNode& node, const CurveLimits& limits) {
   node.require(Kind::object, "an object");
   const auto format = node.find("phrame");
   if (format && format->string() == "spline/1") return read_spline(node, limits);
+  if (format && is_format_of_any_curve(format->string())) {
+    AnyPath path = read_any_path(node, limits);
+    if (auto* ph = std::get_if<NamedPath>(&path)) return std::move(*ph);
+    node.fail("this is no path of PH curves");
+  }
   if (format && format->string() != "curve/1")
     format->fail(fmt::format("the format is \"curve/1\" or \"spline/1\", not \"{}\"",
                              abbreviated(format->string())));
@@ -355,6 +213,7 @@ NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) 
   const JsonValue document = parse_json_file(text, "curve file");
   const Node node(document);
   require_curve(node);
+  if (is_given_as_rational(node)) return rational_hodograph(node, limits);
   if (const auto points = node.find("control_points")) return read_bezier(node, *points, limits);
   const NamedCurve named = read_preimage_curve(node, limits);
   return {named.name, hodograph(named.curve), named.curve.start()};

@@ -9,9 +9,7 @@
 
 namespace phrame {
 
-void JsonNode::fail(const std::string& reason) const {
-  throw InputError(pointer_.empty() ? "/" : pointer_, reason);
-}
+void JsonNode::fail(const std::string& reason) const { throw InputError(place(), reason); }
 
 void JsonNode::require(Kind kind, const std::string& wanted) const {
   if (value_->kind != kind) fail(fmt::format("{} is wanted, not {}", wanted, description(*value_)));

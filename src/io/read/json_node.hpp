@@ -14,6 +14,8 @@ class JsonNode {
 
   explicit JsonNode(const JsonValue& document) : value_(&document) {}
 
+  /// The JSON pointer; "/" of the whole document.
+  std::string place() const { return pointer_.empty() ? "/" : pointer_; }
   bool is(Kind kind) const { return value_->kind == kind; }
   [[noreturn]] void fail(const std::string& reason) const;
   /// Throws InputError unless it is of that kind: "`wanted` is wanted, not a number".

@@ -8,6 +8,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rational.hpp"
+#include "phrame/io/read/number.hpp"
 
 namespace phrame {
 namespace {
@@ -81,15 +82,6 @@ std::string_view word_at(std::string_view text, std::size_t offset) {
   return text.substr(begin, end - begin);
 }
 
-/// "line:column" of the byte before `offset`, counted from 1; that of the first byte where there is
-/// none before it on its line.
-std::string place_of(std::string_view text, std::size_t offset) {
-  const auto read = text.substr(0, offset);
-  const auto line = 1 + std::count(read.begin(), read.end(), '\n');
-  const auto column = read.size() - (read.rfind('\n') + 1);  // npos + 1 is 0
-  return fmt::format("{}:{}", line, std::max(column, std::size_t{1}));
-}
-
 /// Builds a JsonValue from the events of nlohmann's parser.
 class Builder : public nlohmann::json_sax<Json> {
  public:
@@ -138,7 +130,7 @@ class Builder : public nlohmann::json_sax<Json> {
     if (!word.empty() && !reason.starts_with("invalid string") &&
         !reason.starts_with("unexpected end"))
       message += fmt::format(", at \"{}\"", abbreviated(word));
-    throw InputError(place_of(text_, position), message);
+    throw InputError(line_and_column(text_, position), message);
   }
 
  private:
@@ -219,12 +211,12 @@ std::string parse_error_reason(std::string_view message) {
 JsonValue parse_json(std::string_view text) {
   // nlohmann's parser takes it for the end of the text.
   if (const auto nul = text.find('\0'); nul != std::string_view::npos)
-    throw InputError(place_of(text, nul + 1), "not valid JSON: a NUL byte");
+    throw InputError(line_and_column(text, nul + 1), "not valid JSON: a NUL byte");
   // Named here, since the releases of nlohmann's parser differ in what they say of it.
   std::string_view content = text;
   if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
   if (content.find_first_not_of(" \t\r\n") == std::string_view::npos)
-    throw InputError(place_of(text, text.size()), "not valid JSON: the input is empty");
+    throw InputError(line_and_column(text, text.size()), "not valid JSON: the input is empty");
   const Numbers numbers = take_numbers(text);
   Builder builder(text, numbers.texts);
   Json::sax_parse(numbers.without, &builder);

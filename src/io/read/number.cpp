@@ -1,5 +1,9 @@
 #include "phrame/io/read/number.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {
@@ -9,6 +13,13 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(surroundings);
   if (begin == std::string_view::npos) return {};
   return text.substr(begin, text.find_last_not_of(surroundings) - begin + 1);
+}
+
+std::string line_and_column(std::string_view text, std::size_t offset) {
+  const auto read = text.substr(0, offset);
+  const auto line = 1 + std::count(read.begin(), read.end(), '\n');
+  const auto column = read.size() - (read.rfind('\n') + 1);  // npos + 1 is 0
+  return fmt::format("{}:{}", line, std::max(column, std::size_t{1}));
 }
 
 Rational parse_number(std::string_view text) {

@@ -9,6 +9,10 @@ namespace phrame {
 /// The text without the blanks around it.
 std::string_view trimmed(std::string_view text);
 
+/// "line:column" of the byte before `offset`, counted from 1; that of the first byte where there is
+/// none before it on its line.
+std::string line_and_column(std::string_view text, std::size_t offset);
+
 /// A number as people type it: what parse_rational reads, or a quotient of two such, "1.5/2.5",
 /// "1e3/7"; blanks around it, and around the "/", do not matter. Throws InputError (no place).
 Rational parse_number(std::string_view text);

@@ -64,44 +64,7 @@ GivenPoints read_json(std::string_view text) {
   const Node node(document);
   node.require_known_keys({"phrame", "name", "points", "derivatives", "tangents", "accelerations",
                            "parameters", "note"});
-  if (const Node format = node.at("phrame"); format.string() != "points/1")
-    format.fail(
-        fmt::format("the format is \"points/1\", not \"{}\"", abbreviated(format.string())));
-  GivenPoints given;
-  if (const auto name = node.find("name")) given.name = name->string();
-  const Node points = node.at("points");
-  points.require(Node::Kind::array, "an array of points");
-  if (points.size() < 2)
-    points.fail(fmt::format("{}; a curve needs two at least", counted(points.size(), "point")));
-  const Node first = points.item(0);
-  first.require(Node::Kind::array, "an array of 2 or 3 numbers");
-  if (first.size() != 2 && first.size() != 3)
-    first.fail(fmt::format("a point has 2 or 3 coordinates, not {}", first.size()));
-  given.is_planar = first.size() == 2;
-  given.points = read_vectors(points, first.size());
-  const auto require_count = [&](const Node& list, std::size_t most) {
-    if (list.size() < points.size() || list.size() > most)
-      list.fail(fmt::format("{} for {}", list.size(), counted(points.size(), "point")));
-  };
-  const auto read = [&](const char* key, Vectors& vectors) {
-    const auto list = node.find(key);
-    if (!list) return;
-    vectors = read_vectors(*list, first.size());
-    require_count(*list, points.size());
-  };
-  read("derivatives", given.derivatives);
-  read("tangents", given.tangents);
-  read("accelerations", given.accelerations);
-  if (!given.derivatives.empty() && !given.tangents.empty())
-    node.fail("\"derivatives\" and \"tangents\" exclude each other");
-  if (const auto list = node.find("parameters")) {
-    list->require(Node::Kind::array, "an array of numbers");
-    require_count(*list, points.size() + 1);
-    given.parameters = list->numbers();
-  }
-  require_meaning(
-      given, [](std::string_view list, std::size_t k) { return fmt::format("/{}/{}", list, k); });
-  return given;
+  return read_points(node);
 }
 
 /// The columns of a vector, by the names that begin with `name`.
@@ -211,6 +174,47 @@ TextTable text_table(std::string_view text) {
 }
 
 }  // namespace
+
+GivenPoints read_points(const JsonNode& node) {
+  if (const Node format = node.at("phrame"); format.string() != "points/1")
+    format.fail(
+        fmt::format("the format is \"points/1\", not \"{}\"", abbreviated(format.string())));
+  GivenPoints given;
+  if (const auto name = node.find("name")) given.name = name->string();
+  const Node points = node.at("points");
+  points.require(Node::Kind::array, "an array of points");
+  if (points.size() < 2)
+    points.fail(fmt::format("{}; a curve needs two at least", counted(points.size(), "point")));
+  const Node first = points.item(0);
+  first.require(Node::Kind::array, "an array of 2 or 3 numbers");
+  if (first.size() != 2 && first.size() != 3)
+    first.fail(fmt::format("a point has 2 or 3 coordinates, not {}", first.size()));
+  given.is_planar = first.size() == 2;
+  given.points = read_vectors(points, first.size());
+  const auto require_count = [&](const Node& list, std::size_t most) {
+    if (list.size() < points.size() || list.size() > most)
+      list.fail(fmt::format("{} for {}", list.size(), counted(points.size(), "point")));
+  };
+  const auto read = [&](const char* key, Vectors& vectors) {
+    const auto list = node.find(key);
+    if (!list) return;
+    vectors = read_vectors(*list, first.size());
+    require_count(*list, points.size());
+  };
+  read("derivatives", given.derivatives);
+  read("tangents", given.tangents);
+  read("accelerations", given.accelerations);
+  if (!given.derivatives.empty() && !given.tangents.empty())
+    node.fail("\"derivatives\" and \"tangents\" exclude each other");
+  if (const auto list = node.find("parameters")) {
+    list->require(Node::Kind::array, "an array of numbers");
+    require_count(*list, points.size() + 1);
+    given.parameters = list->numbers();
+  }
+  require_meaning(
+      given, [](std::string_view list, std::size_t k) { return fmt::format("/{}/{}", list, k); });
+  return given;
+}
 
 GivenPoints read_points(std::string_view bytes) {
   if (NpyTable::is_one(bytes)) return read_table(NpyTable(bytes), "header");

@@ -5,6 +5,9 @@
 
 namespace phrame {
 
+/// A place in a JSON document; its definition is not public.
+class JsonNode;
+
 /// Reads points that a curve is to pass: a points/1 file (docs/construct.md) or a table.
 /// In points/1, JSON, are `points`, a list of two or three coordinates each, and, as many of each,
 /// `derivatives` or `tangents`, `accelerations` and `parameters`; all but the points may be left
@@ -17,5 +20,7 @@ namespace phrame {
 /// before it, unless there are derivatives. The place is a JSON pointer, "line 3", "line 3, y" or
 /// "row 3".
 GivenPoints read_points(std::string_view bytes);
+/// Reads what points/1 has at these keys, and no others.
+GivenPoints read_points(const JsonNode& node);
 
 }  // namespace phrame

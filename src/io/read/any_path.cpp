@@ -1,0 +1,127 @@
+#include "phrame/io/read/any_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/read/bspline_node.hpp"
+#include "phrame/io/read/curve_node.hpp"
+#include "phrame/io/read/geomdl_file.hpp"
+#include "phrame/io/read/npy.hpp"
+#include "phrame/io/read/number.hpp"
+#include "phrame/io/read/point_curve.hpp"
+#include "phrame/io/read/rational_node.hpp"
+#include "phrame/io/read/svg_file.hpp"
+#include "phrame/io/read/svg_path.hpp"
+#include "phrame/io/read/text_table.hpp"
+#include "phrame/io/read/three_file.hpp"
+
+namespace phrame {
+namespace {
+
+using GivenSegments = std::vector<GivenSegment>;
+
+std::string format_at(const JsonNode& node, const char* otherwise) {
+  node.require(JsonNode::Kind::object, "an object");
+  const auto format = node.find("phrame");
+  return format ? format->string() : otherwise;
+}
+
+/// A segment of a spline, which goes on where that ends unless it says where it starts.
+void append_given(GivenSegments& segments, const JsonNode& node, const CurveLimits& limits) {
+  const std::string format = format_at(node, "curve/1");
+  if (format == "bspline/1" || format == "nurbs/1") {
+    for (GivenSegment& segment : read_bspline(node, limits)) segments.push_back(std::move(segment));
+    return;
+  }
+  if (format != "curve/1")
+    node.at("phrame").fail(
+        fmt::format("the format of a segment is \"curve/1\", \"bspline/1\" or \"nurbs/1\", not "
+                    "\"{}\"",
+                    abbreviated(format)));
+  GivenSegment segment = read_curve_segment(node, limits);
+  const auto* curve = std::get_if<Curve>(&segment.form);
+  if (curve != nullptr && !node.find("start") && !segments.empty())
+    segment.form = Curve(curve->preimage(), curve->multiplier(), end_point(segments.back()));
+  segments.push_back(std::move(segment));
+}
+
+GivenSegments read_spline_segments(const JsonNode& spline, const CurveLimits& limits) {
+  spline.require_known_keys({"phrame", "name", "segments", "note", "family", "expected"});
+  const JsonNode list = spline.at("segments");
+  list.require(JsonNode::Kind::array, "an array of curves");
+  if (list.size() == 0) list.fail("a spline has at least one segment");
+  GivenSegments segments;
+  for (std::size_t k = 0; k < list.size(); ++k) append_given(segments, list.item(k), limits);
+  return segments;
+}
+
+AnyPath read_json_path(std::string_view text, const CurveLimits& limits) {
+  const JsonValue document = parse_json_file(text, "curve file");
+  const JsonNode node(document);
+  if (is_geomdl_file(node)) {
+    const auto name = node.at("shape").find("name");
+    return path_of(name ? name->string() : "", read_geomdl(node, limits));
+  }
+  if (is_three_file(node)) return path_of("", read_three(node, limits));
+  format_of(node);
+  return read_any_path(node, limits);
+}
+
+/// Numbers, or names of columns with an x among them, in the first line that says something.
+bool is_table(std::string_view text) {
+  for (;;) {
+    const auto end = std::min(text.find('\n'), text.size());
+    const std::string_view line = trimmed(text.substr(0, end));
+    if (line.starts_with('#') || (line.empty() && end < text.size())) {
+      text.remove_prefix(std::min(end + 1, text.size()));
+      continue;
+    }
+    if (line.empty()) return false;
+    constexpr std::string_view first_of_number = "+-.0123456789";
+    if (first_of_number.find(line.front()) != std::string_view::npos) return true;
+    for (std::size_t at = 0; at < line.size();) {
+      const auto separator = std::min(line.find_first_of(";, \t", at), line.size());
+      const std::string word = lower_case(line.substr(at, separator - at));
+      if (word == "x" || word == "\"x\"" || word == "nan" || word == "inf") return true;
+      at = separator + 1;
+    }
+    return false;
+  }
+}
+
+}  // namespace
+
+AnyPath read_any_path(const JsonNode& node, const CurveLimits& limits) {
+  const std::string format = format_at(node, "curve/1");
+  if (format == "spline/1") return path_of(read_name(node), read_spline_segments(node, limits));
+  if (format == "bspline/1" || format == "nurbs/1")
+    return path_of(read_name(node), read_bspline(node, limits));
+  if (format == "points/1") {
+    const auto [name, segments] = read_point_curve(node);
+    return path_of(name, segments);
+  }
+  if (format != "curve/1")
+    node.at("phrame").fail(
+        fmt::format("the format is \"curve/1\", \"spline/1\", \"bspline/1\", \"nurbs/1\" or "
+                    "\"points/1\", not \"{}\"",
+                    abbreviated(format)));
+  return path_of(read_name(node), {read_curve_segment(node, limits)});
+}
+
+AnyPath read_any_path(std::string_view text, const CurveLimits& limits) {
+  std::string_view content = text;
+  if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
+  content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
+  if (content.starts_with('{') || content.starts_with('[')) return read_json_path(text, limits);
+  if (content.starts_with('<')) return path_of("", read_svg(text));
+  if (is_path_data(text)) return path_of("", read_path_data(text, 0, text.size()));
+  if (NpyTable::is_one(text) || is_table(content)) {
+    const auto [name, segments] = read_point_table(text, limits);
+    return path_of(name, segments);
+  }
+  return read_json_path(text, limits);  // which says what it begins with
+}
+
+}  // namespace phrame

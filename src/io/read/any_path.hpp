@@ -1,0 +1,24 @@
+#pragma once
+#include "phrame/io/read/curve_file.hpp"
+#include "phrame/ph/smooth/smooth_path.hpp"
+
+namespace phrame {
+
+/// A path of PH curves, or of curves of any kind.
+using AnyPath = std::variant<NamedPath, NamedSmoothPath>;
+
+/// Reads a path of curves of any kind, exactly (docs/curve-files.md):
+///   curve/1, with `preimage`, `quaternions` or `hopf`; `control_points`, perhaps with `weights`;
+///   or `position`, polynomials x, y, z, perhaps over w;
+///   spline/1, `segments` of these, of bspline/1 and nurbs/1;
+///   bspline/1 and nurbs/1; points/1, a cubic spline through points; tables of points, of text or
+///   NumPy; JSON of geomdl and of three.js; SVG files and path data.
+/// A path all of whose segments are PH is read as that, with the same Path as read_path(), so that
+/// it is answered exactly. Throws InputError; its place is a JSON pointer, line:column, "line 3" or
+/// "row 3".
+AnyPath read_any_path(std::string_view text, const CurveLimits& limits = {});
+/// The same as a part of a JSON document, in the formats of phrame, where a curve may do without
+/// "phrame": "curve/1".
+AnyPath read_any_path(const JsonNode& node, const CurveLimits& limits = {});
+
+}  // namespace phrame

@@ -1,0 +1,184 @@
+#include "phrame/io/read/curve_node.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "phrame/algebra/error.hpp"
+
+namespace phrame {
+
+namespace {
+using Kind = JsonValue::Kind;
+using Node = JsonNode;
+}  // namespace
+
+CoefficientBasis::CoefficientBasis(const Node& curve, const CurveLimits& limits) : limits_(limits) {
+  const Node node = curve.at("basis");
+  const std::string& name = node.string();
+  if (name != "bernstein" && name != "power")
+    node.fail(
+        fmt::format("the basis is \"bernstein\" or \"power\", not \"{}\"", abbreviated(name)));
+  bernstein_ = name == "bernstein";
+}
+
+void CoefficientBasis::require_list(const Node& list) const {
+  list.require(Kind::array, "an array of coefficients");
+  if (list.size() == 0) list.fail("the list of coefficients is empty");
+  if (static_cast<long>(list.size()) > limits_.max_degree + 1)
+    list.fail(
+        fmt::format("{} coefficients make a degree beyond the limit {}; --max-degree "
+                    "raises it",
+                    list.size(), limits_.max_degree));
+}
+
+void CoefficientBasis::require_equal_lengths(const Node& parent,
+                                             const std::vector<Node>& lists) const {
+  for (const Node& list : lists) {
+    require_list(list);
+    if (bernstein_ && list.size() != lists.front().size())
+      parent.fail(fmt::format("Bernstein lists must have equal lengths, here {} and {}",
+                              lists.front().size(), list.size()));
+  }
+}
+
+Polynomial CoefficientBasis::polynomial(const std::vector<Rational>& coefficients) const {
+  return bernstein_ ? from_bernstein(coefficients) : Polynomial(coefficients);
+}
+
+Vector<Rational> read_point(const Node& node) {
+  const auto coordinates = node.numbers(3);
+  return {coordinates[0], coordinates[1], coordinates[2]};
+}
+
+namespace {
+
+QuaternionPolynomial read_components(const Node& node, const CoefficientBasis& basis) {
+  node.require_known_keys({"u", "v", "p", "q"});
+  const std::vector<Node> lists{node.at("u"), node.at("v"), node.at("p"), node.at("q")};
+  basis.require_equal_lengths(node, lists);
+  return {basis.polynomial(lists[0]), basis.polynomial(lists[1]), basis.polynomial(lists[2]),
+          basis.polynomial(lists[3])};
+}
+
+/// An array of arrays of N numbers, transposed to N lists.
+template <std::size_t N>
+std::array<Polynomial, N> read_tuples(const Node& node, const CoefficientBasis& basis) {
+  basis.require_list(node);
+  std::array<std::vector<Rational>, N> lists;
+  for (std::size_t k = 0; k < node.size(); ++k) {
+    const auto tuple = node.item(k).numbers(N);
+    for (std::size_t j = 0; j < N; ++j) lists[j].push_back(tuple[j]);
+  }
+  std::array<Polynomial, N> result;
+  for (std::size_t j = 0; j < N; ++j) result[j] = basis.polynomial(lists[j]);
+  return result;
+}
+
+QuaternionPolynomial read_quaternions(const Node& node, const CoefficientBasis& basis) {
+  auto [u, v, p, q] = read_tuples<4>(node, basis);
+  return {std::move(u), std::move(v), std::move(p), std::move(q)};
+}
+
+QuaternionPolynomial read_hopf(const Node& node, const CoefficientBasis& basis) {
+  node.require_known_keys({"alpha", "beta"});
+  const Node alpha = node.at("alpha");
+  const Node beta = node.at("beta");
+  basis.require_equal_lengths(node, {alpha, beta});
+  const auto [a_re, a_im] = read_tuples<2>(alpha, basis);
+  const auto [b_re, b_im] = read_tuples<2>(beta, basis);
+  return from_hopf_form({{a_re, a_im}, {b_re, b_im}});
+}
+
+QuaternionPolynomial read_preimage(const Node& curve, const CoefficientBasis& basis) {
+  std::vector<std::string> given;
+  for (const char* key : {"preimage", "quaternions", "hopf"})
+    if (curve.find(key)) given.emplace_back(key);
+  if (given.size() != 1)
+    curve.fail(given.empty()
+                   ? "a curve needs one of \"preimage\", \"quaternions\", \"hopf\" and "
+                     "\"control_points\""
+                   : fmt::format("\"{}\" and \"{}\" exclude each other", given[0], given[1]));
+  const Node node = curve.at(given.front());
+  QuaternionPolynomial preimage = given.front() == "preimage"      ? read_components(node, basis)
+                                  : given.front() == "quaternions" ? read_quaternions(node, basis)
+                                                                   : read_hopf(node, basis);
+  if (is_zero(preimage)) node.fail("the preimage is zero, so the curve is a single point");
+  return preimage;
+}
+
+}  // namespace
+
+std::string format_of(const Node& node) {
+  node.require(Kind::object, "an object");
+  return node.at("phrame").string();
+}
+
+void require_format(const Node& node, std::string_view wanted) {
+  const std::string format = format_of(node);
+  if (format != wanted)
+    node.at("phrame").fail(
+        fmt::format("the format is \"{}\", not \"{}\"", wanted, abbreviated(format)));
+}
+
+void require_curve_keys(const Node& node) {
+  node.require_known_keys({"phrame", "name", "basis", "start", "preimage", "quaternions", "hopf",
+                           "control_points", "weights", "position", "multiplier", "note", "family",
+                           "expected"});
+}
+
+void require_curve(const Node& node) {
+  if (format_of(node) == "spline/1")
+    node.at("phrame").fail("this is a spline; one curve is wanted");
+  require_format(node, "curve/1");
+  require_curve_keys(node);
+}
+
+std::string read_name(const Node& curve) {
+  const auto name = curve.find("name");
+  return name ? name->string() : "";
+}
+
+NamedCurve read_preimage_curve(const Node& node, const CurveLimits& limits) {
+  std::string name = read_name(node);
+  const CoefficientBasis basis(node, limits);
+  QuaternionPolynomial preimage = read_preimage(node, basis);
+  Polynomial multiplier{1};
+  if (const auto list = node.find("multiplier")) {
+    basis.require_list(*list);
+    multiplier = basis.polynomial(*list);
+    if (multiplier.is_zero()) list->fail("the multiplier is zero, so the curve is a single point");
+  }
+  Vector<Rational> start{};
+  if (const auto point = node.find("start")) start = read_point(*point);
+  NamedCurve result{std::move(name),
+                    Curve(std::move(preimage), std::move(multiplier), std::move(start))};
+  if (degree(result.curve) > limits.max_degree)
+    node.fail(fmt::format("the curve has degree {}, the limit is {}; --max-degree raises it",
+                          degree(result.curve), limits.max_degree));
+  return result;
+}
+
+// The points say all: where the curve starts and, by its hodograph, f.
+NamedHodograph read_bezier(const Node& node, const Node& list, const CurveLimits& limits) {
+  for (const char* key : {"preimage", "quaternions", "hopf", "multiplier", "start"})
+    if (node.find(key))
+      node.fail(fmt::format("\"control_points\" and \"{}\" exclude each other", key));
+  if (const auto basis = node.find("basis"); basis && basis->string() != "bernstein")
+    basis->fail(fmt::format("control points have the basis \"bernstein\", not \"{}\"",
+                            abbreviated(basis->string())));
+  list.require(Kind::array, "an array of points");
+  if (list.size() < 2)
+    list.fail(fmt::format("a curve has at least 2 control points, not {}", list.size()));
+  if (static_cast<long>(list.size()) > limits.max_degree + 1)
+    list.fail(fmt::format("{} points make a degree beyond the limit {}; --max-degree raises it",
+                          list.size(), limits.max_degree));
+  std::vector<Vector<Rational>> points;
+  for (std::size_t k = 0; k < list.size(); ++k) points.push_back(read_point(list.item(k)));
+  NamedHodograph result{read_name(node), bezier_hodograph(points), points.front()};
+  if (result.hodograph == Vector<Polynomial>{})
+    list.fail("the control points are all equal, so the curve is a single point");
+  return result;
+}
+
+}  // namespace phrame

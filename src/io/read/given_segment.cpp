@@ -1,0 +1,78 @@
+#include "phrame/io/read/given_segment.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/identify.hpp"
+
+namespace phrame {
+namespace {
+
+RationalCurve smooth_curve(const GivenSegment& segment) {
+  const auto* curve = std::get_if<Curve>(&segment.form);
+  return curve != nullptr ? RationalCurve(position(*curve)) : std::get<RationalCurve>(segment.form);
+}
+
+/// The first is there; what append() refuses is an error at the place of its segment.
+template <class AnyPath, class AnyCurve>
+void append_all(AnyPath& path, const std::vector<GivenSegment>& segments,
+                const std::vector<AnyCurve>& curves) {
+  for (std::size_t k = 1; k < curves.size(); ++k) {
+    try {
+      path.append(curves[k]);
+    } catch (const DomainError& error) {
+      fail_at(segments[k], error.what());
+    }
+  }
+}
+
+}  // namespace
+
+void fail_at(const GivenSegment& segment, const std::string& reason) {
+  throw InputError(segment.place, segment.part.empty() ? reason : segment.part + ": " + reason);
+}
+
+GivenSegment bezier_segment(const RationalBezier& bezier, const std::string& place,
+                            const std::string& part) {
+  try {
+    return {bezier_curve(bezier.points, bezier.weights), place, part};
+  } catch (const DomainError& error) {
+    throw InputError(place, part.empty() ? error.what() : part + ": " + error.what());
+  }
+}
+
+std::variant<Curve, std::string> identify_segment(const GivenSegment& segment) {
+  if (const auto* curve = std::get_if<Curve>(&segment.form)) return *curve;
+  const auto& curve = std::get<RationalCurve>(segment.form);
+  if (!curve.weight().is_constant()) return "its weight function is no constant";
+  Vector<Polynomial> hodograph = curve.direction();
+  for (Polynomial& h : hodograph) h *= curve.multiplier();
+  auto found = identify(hodograph, point(curve, 0));
+  if (const auto* reason = std::get_if<NotPythagorean>(&found)) return to_string(*reason);
+  return std::get<Curve>(std::move(found));
+}
+
+Vector<Rational> end_point(const GivenSegment& segment) {
+  if (const auto* curve = std::get_if<Curve>(&segment.form)) return evaluate(position(*curve), 1);
+  return point(std::get<RationalCurve>(segment.form), 1);
+}
+
+std::variant<NamedPath, NamedSmoothPath> path_of(std::string name,
+                                                 const std::vector<GivenSegment>& segments) {
+  std::vector<Curve> ph;
+  for (const GivenSegment& segment : segments) {
+    auto curve = identify_segment(segment);
+    if (std::holds_alternative<std::string>(curve)) break;
+    ph.push_back(std::get<Curve>(std::move(curve)));
+  }
+  if (ph.size() == segments.size()) {
+    Path path(ph.front());
+    append_all(path, segments, ph);
+    return NamedPath(std::move(name), std::move(path));
+  }
+  std::vector<RationalCurve> curves;
+  for (const GivenSegment& segment : segments) curves.push_back(smooth_curve(segment));
+  SmoothPath path(curves.front());
+  append_all(path, segments, curves);
+  return NamedSmoothPath{std::move(name), std::move(path)};
+}
+
+}  // namespace phrame

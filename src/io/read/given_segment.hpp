@@ -1,0 +1,40 @@
+#pragma once
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "phrame/ph/curve/named.hpp"
+#include "phrame/ph/smooth/rational_bezier.hpp"
+#include "phrame/ph/smooth/smooth_path.hpp"
+
+namespace phrame {
+
+/// A piece of a path as it was read, before it is known what all pieces make.
+struct GivenSegment {
+  /// A PH curve, or X/W.
+  using Form = std::variant<Curve, RationalCurve>;
+  Form form;
+  std::string place;      ///< where it is in the file
+  std::string part = {};  ///< which part of that it is, "between the knots 0 and 1"; may be empty
+};
+
+/// Throws InputError with the place and part of the segment.
+[[noreturn]] void fail_at(const GivenSegment& segment, const std::string& reason);
+
+/// A Bézier curve as a segment. Throws InputError where it is a point.
+GivenSegment bezier_segment(const RationalBezier& bezier, const std::string& place,
+                            const std::string& part = {});
+
+/// The PH curve that the segment is, or in words why it is none.
+std::variant<Curve, std::string> identify_segment(const GivenSegment& segment);
+
+/// r(1).
+Vector<Rational> end_point(const GivenSegment& segment);
+
+/// Of segments, at least one, the path: that of PH curves where all of them are, identified where
+/// they are polynomial. Throws InputError at the segment that does not go on where the one before
+/// ends, or with another tangent.
+std::variant<NamedPath, NamedSmoothPath> path_of(std::string name,
+                                                 const std::vector<GivenSegment>& segments);
+
+}  // namespace phrame

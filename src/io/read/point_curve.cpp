@@ -1,0 +1,288 @@
+#include "phrame/io/read/point_curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/read/npy.hpp"
+#include "phrame/io/read/number.hpp"
+#include "phrame/io/read/point_file.hpp"
+#include "phrame/io/read/text_table.hpp"
+#include "phrame/ph/smooth/bspline.hpp"
+#include "phrame/ph/smooth/cubic_spline.hpp"
+
+namespace phrame {
+namespace {
+
+/// The text of a setting and how to complain of it.
+struct Setting {
+  std::string text;
+  std::string place;
+};
+using Settings = std::map<std::string, Setting>;
+
+/// The entry of the list that a setting names; the first where it is not there.
+template <class T>
+T chosen(const Settings& settings, const std::string& key,
+         const std::vector<std::pair<std::string, T>>& list) {
+  const auto found = settings.find(key);
+  if (found == settings.end()) return list.front().second;
+  std::string names;
+  for (const auto& [name, value] : list) {
+    if (found->second.text == name) return value;
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  throw InputError(found->second.place, fmt::format("the {} is one of {}, not \"{}\"", key, names,
+                                                    abbreviated(found->second.text)));
+}
+
+ParameterChoice chosen_spacing(const Settings& settings) {
+  return chosen<ParameterChoice>(settings, "spacing",
+                                 {{"chord-length", ParameterChoice::chord_lengths},
+                                  {"uniform", ParameterChoice::uniform},
+                                  {"centripetal", ParameterChoice::centripetal}});
+}
+
+void refuse_setting(const Settings& settings, const std::string& key, const std::string& reason) {
+  if (const auto found = settings.find(key); found != settings.end())
+    throw InputError(found->second.place, reason);
+}
+
+/// The place of point k.
+using PointPlace = std::function<std::string(std::size_t)>;
+
+std::vector<GivenSegment> segments_of(const CubicInterpolation& data,
+                                      const std::vector<Vector<Rational>>& derivatives,
+                                      const PointPlace& place) {
+  std::vector<GivenSegment> segments;
+  const auto pieces = cubic_pieces(data, derivatives);
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+    segments.push_back(bezier_segment({pieces[k]}, place(k), "the curve from here on"));
+  return segments;
+}
+
+/// The spline, without the derivatives of a clamped one.
+CubicInterpolation interpolation_of(const GivenPoints& given, const Settings& settings,
+                                    SplineEnds ends, const std::string& place) {
+  CubicInterpolation data{given.points, given.parameters, ends};
+  if (ends == SplineEnds::periodic && data.points.front() != data.points.back())
+    data.points.push_back(data.points.front());
+  try {
+    if (data.parameters.empty())
+      data.parameters = parameters_of(data.points, chosen_spacing(settings));
+    else
+      refuse_setting(settings, "spacing", "parameters are given, so that their spacing is known");
+  } catch (const DomainError& error) {
+    throw InputError(place, error.what());
+  }
+  if (data.parameters.size() != data.points.size())
+    throw InputError(
+        place,
+        fmt::format("{} parameters for {} points{}", data.parameters.size(), data.points.size(),
+                    ends == SplineEnds::periodic
+                        ? ", of which the last is the first: the last parameter is that of "
+                          "the end"
+                        : ""));
+  return data;
+}
+
+std::vector<GivenSegment> spline_segments(const CubicInterpolation& data, const std::string& place,
+                                          const PointPlace& place_of_point) {
+  std::vector<Vector<Rational>> derivatives;
+  try {
+    derivatives = cubic_derivatives(data).values;
+  } catch (const DomainError& error) {
+    throw InputError(place, error.what());
+  }
+  return segments_of(data, derivatives, place_of_point);
+}
+
+/// The C¹ spline with the derivatives given.
+std::vector<GivenSegment> hermite_segments(const GivenPoints& given, const Settings& settings,
+                                           const std::string& place,
+                                           const PointPlace& place_of_point) {
+  refuse_setting(settings, "kind", "derivatives are given, so that the spline is known");
+  const bool has_spacing = settings.count("spacing") > 0 || !given.parameters.empty();
+  const Settings uniform{{"spacing", {"uniform", ""}}};
+  CubicInterpolation data =
+      interpolation_of(given, has_spacing ? settings : uniform, SplineEnds::natural, place);
+  return segments_of(data, given.derivatives, place_of_point);
+}
+
+/// What a curve through points does not know what to do with.
+void refuse_other_data(const GivenPoints& given, const std::string& place) {
+  if (!given.tangents.empty())
+    throw InputError(place,
+                     "tangents without lengths make no cubic spline: derivatives do, or construct");
+  if (!given.accelerations.empty())
+    throw InputError(place, "accelerations are for construct; a cubic spline takes none");
+}
+
+/// Lines "# key: value" of the keys that are known.
+Settings read_comments(std::string_view text) {
+  Settings settings;
+  for (long line = 1; !text.empty(); ++line) {
+    const auto end = std::min(text.find('\n'), text.size());
+    std::string_view content = trimmed(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!content.starts_with('#')) continue;
+    content.remove_prefix(std::min(content.find_first_not_of("# \t"), content.size()));
+    const auto colon = content.find(':');
+    if (colon == std::string_view::npos) continue;
+    const std::string key = lower_case(trimmed(content.substr(0, colon)));
+    if (key == "kind" || key == "spacing" || key == "degree")
+      settings[key] = {std::string(trimmed(content.substr(colon + 1))),
+                       fmt::format("line {}", line)};
+  }
+  return settings;
+}
+
+/// The column w; none where there is no such name.
+template <class Table>
+std::vector<Rational> read_weights(const Table& table) {
+  const auto& names = table.names();
+  const auto column = std::find_if(names.begin(), names.end(),
+                                   [](const auto& name) { return lower_case(name) == "w"; });
+  std::vector<Rational> weights;
+  if (column == names.end()) return weights;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string place = table.place(row) + ", w";
+    try {
+      weights.push_back(table.number(row, static_cast<std::size_t>(column - names.begin())));
+    } catch (const InputError& error) {
+      throw InputError(place, error.reason());
+    }
+    if (weights.back() <= 0)
+      throw InputError(place, fmt::format("the weight {} is not greater than 0",
+                                          abbreviated(to_string(weights.back()))));
+  }
+  return weights;
+}
+
+enum class TableKind { natural, periodic, bezier, bspline };
+
+long read_degree(const Settings& settings, TableKind kind, std::size_t count,
+                 const CurveLimits& limits) {
+  const auto found = settings.find("degree");
+  const long whole = static_cast<long>(count) - 1;
+  const std::string place = found == settings.end() ? "line 1" : found->second.place;
+  long degree = kind == TableKind::bezier ? whole : std::min(3L, whole);
+  if (found != settings.end()) {
+    const Rational given = [&] {
+      try {
+        return parse_rational(found->second.text);
+      } catch (const InputError& error) {
+        throw InputError(place, error.reason());
+      }
+    }();
+    if (denominator(given) != 1 || given < 1 || given > whole)
+      throw InputError(place, fmt::format("the degree {} is no whole number from 1 to {}, one less "
+                                          "than there are points",
+                                          abbreviated(to_string(given)), whole));
+    degree = static_cast<long>(numerator(given));
+    if (kind == TableKind::bezier && degree != whole)
+      throw InputError(place, fmt::format("{} control points make a Bézier curve of degree {}, not "
+                                          "{}",
+                                          count, whole, degree));
+  }
+  if (degree > limits.max_degree)
+    throw InputError(
+        place, fmt::format("the degree {} is beyond the limit {}; --max-degree raises it", degree,
+                           limits.max_degree));
+  return degree;
+}
+
+/// p + 1 times 0, then 1, 2, …, at the end p + 1 times the last.
+BSpline clamped_uniform(long degree, std::vector<Vector<Rational>> points,
+                        std::vector<Rational> weights) {
+  const long spans = static_cast<long>(points.size()) - degree;
+  BSpline spline{degree, {}, std::move(points), std::move(weights)};
+  for (long k = -degree; k <= spans + degree; ++k)
+    spline.knots.emplace_back(std::clamp(k, 0L, spans));
+  return spline;
+}
+
+template <class Table>
+PointCurve table_curve(const Table& table, const GivenPoints& given, const Settings& settings,
+                       const CurveLimits& limits) {
+  const auto kind = chosen<TableKind>(settings, "kind",
+                                      {{"natural", TableKind::natural},
+                                       {"periodic", TableKind::periodic},
+                                       {"bezier", TableKind::bezier},
+                                       {"bspline", TableKind::bspline}});
+  std::vector<Rational> weights = read_weights(table);
+  const PointPlace place = [&](std::size_t k) {
+    return table.place(std::min(k, table.rows() - 1));
+  };
+  refuse_other_data(given, place(0));
+  if (kind == TableKind::bezier || kind == TableKind::bspline) {
+    if (!given.derivatives.empty() || !given.parameters.empty())
+      throw InputError(place(0), "control points have neither derivatives nor parameters");
+    refuse_setting(settings, "spacing", "control points have no parameters");
+    const long degree = read_degree(settings, kind, given.points.size(), limits);
+    PointCurve result;
+    for (const auto& [curve, lower, upper] :
+         bezier_pieces(clamped_uniform(degree, given.points, std::move(weights))))
+      result.segments.push_back(
+          bezier_segment(curve, place(static_cast<std::size_t>(static_cast<long>(floor(lower))))));
+    return result;
+  }
+  if (!weights.empty())
+    throw InputError(place(0),
+                     "weights, a column w, are those of control points: \"# kind: bezier\", or "
+                     "bspline, says that the points are that");
+  refuse_setting(settings, "degree", "a cubic spline through points has the degree 3");
+  if (!given.derivatives.empty()) return {"", hermite_segments(given, settings, place(0), place)};
+  const SplineEnds ends = kind == TableKind::periodic ? SplineEnds::periodic : SplineEnds::natural;
+  return {"", spline_segments(interpolation_of(given, settings, ends, place(0)), place(0), place)};
+}
+
+}  // namespace
+
+PointCurve read_point_curve(const JsonNode& node) {
+  node.require_known_keys({"phrame", "name", "points", "derivatives", "tangents", "accelerations",
+                           "parameters", "kind", "spacing", "start_derivative", "end_derivative",
+                           "note"});
+  const GivenPoints given = read_points(node);
+  refuse_other_data(given, node.place());
+  Settings settings;
+  for (const char* key : {"kind", "spacing"})
+    if (const auto found = node.find(key)) settings[key] = {found->string(), found->place()};
+  const std::string place = node.at("points").place();
+  const PointPlace place_of_point = [&](std::size_t k) { return fmt::format("{}/{}", place, k); };
+  const auto ends = chosen<SplineEnds>(settings, "kind",
+                                       {{"natural", SplineEnds::natural},
+                                        {"clamped", SplineEnds::clamped},
+                                        {"periodic", SplineEnds::periodic}});
+  const auto start = node.find("start_derivative");
+  const auto end = node.find("end_derivative");
+  for (const auto& derivative : {start, end})
+    if (derivative && ends != SplineEnds::clamped)
+      derivative->fail("derivatives at the ends are for the kind \"clamped\"");
+  if (!given.derivatives.empty())
+    return {given.name, hermite_segments(given, settings, place, place_of_point)};
+  CubicInterpolation data = interpolation_of(given, settings, ends, place);
+  if (ends == SplineEnds::clamped) {
+    const auto read = [&](const char* key) {
+      const auto numbers = node.at(key).numbers(given.is_planar ? 2 : 3);
+      Vector<Rational> v;
+      std::copy(numbers.begin(), numbers.end(), v.begin());
+      return v;
+    };
+    data.start_derivative = read("start_derivative");
+    data.end_derivative = read("end_derivative");
+  }
+  return {given.name, spline_segments(data, place, place_of_point)};
+}
+
+PointCurve read_point_table(std::string_view bytes, const CurveLimits& limits) {
+  const GivenPoints given = read_points(bytes);
+  if (NpyTable::is_one(bytes)) return table_curve(NpyTable(bytes), given, {}, limits);
+  const Settings settings = read_comments(bytes);
+  return table_curve(TextTable(bytes, {true, "points"}), given, settings, limits);
+}
+
+}  // namespace phrame

@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+
+#include "phrame/io/read/curve_file.hpp"
+#include "phrame/io/read/given_segment.hpp"
+#include "phrame/io/read/json_node.hpp"
+
+namespace phrame {
+
+/// A curve by points: its name, and its pieces.
+struct PointCurve {
+  std::string name;
+  std::vector<GivenSegment> segments;
+};
+
+/// A points/1 file as a curve: with "derivatives" the C¹ cubic spline that has them; else the C²
+/// cubic spline of "kind" natural, clamped (with "start_derivative" and "end_derivative") or
+/// periodic, natural where it is not said, with the "parameters" given, or of "spacing" uniform,
+/// chord-length or centripetal, chord-length where it is not said (ph/smooth/cubic_spline.hpp).
+PointCurve read_point_curve(const JsonNode& node);
+
+/// The same of a table, of text or of NumPy (read_points). In comments of a text, "# kind:
+/// periodic", may be kind, not clamped, and spacing. With the kind bezier or bspline the points are
+/// control points, with weights where there is a column w: of one Bézier curve, or of a B-spline
+/// with clamped uniform knots, of degree 3 unless "# degree: 4".
+PointCurve read_point_table(std::string_view bytes, const CurveLimits& limits);
+
+}  // namespace phrame
