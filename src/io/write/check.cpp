@@ -69,6 +69,8 @@ const char* name_of(Kind kind) {
       return "euler-rodrigues";
     case Kind::turned_backwards:
       return "turned-backwards";
+    case Kind::fixed_up:
+      return "fixed-up";
     case Kind::other_start:
       return "other-start";
     case Kind::drift:
@@ -79,11 +81,15 @@ const char* name_of(Kind kind) {
   return "";
 }
 
+/// "(1, 0, 0)".
+std::string brief_vector(const Vector<Rational>& v) {
+  return fmt::format("({}, {}, {})", brief(v[0]), brief(v[1]), brief(v[2]));
+}
+
 /// "at the angle pi/4", "with f2 along (1, 0, 0)".
 std::string place_of(const FrameStart& start) {
   if (const auto* angle = std::get_if<Angle>(&start)) return "at the angle " + brief(*angle);
-  const Vector<Rational>& v = std::get<StartNormal>(start).vector;
-  return fmt::format("with f2 along ({}, {}, {})", brief(v[0]), brief(v[1]), brief(v[2]));
+  return "with f2 along " + brief_vector(std::get<StartNormal>(start).vector);
 }
 
 std::string sentence(const FrameFinding& finding) {
@@ -119,6 +125,10 @@ std::string sentence(const FrameFinding& finding) {
           "the Euler–Rodrigues frame is turned by −θ instead of θ, {}: the sign of the angle is "
           "wrong",
           within());
+    case Kind::fixed_up:
+      return fmt::format(
+          "these are frames of the fixed vector v = {}, {}: f2 keeps its angle to v × T",
+          brief_vector(*finding.up), within());
     case Kind::other_start:
       return fmt::format("the frame does not start where it is to start: it is {} off", amount());
     case Kind::drift:
@@ -218,10 +228,12 @@ std::string to_json(const CheckAnswer& answer, const TableReading& reading) {
                        {"handedness", at.handedness}});
   }
   JsonOutput findings = JsonOutput::array();
-  for (const FrameFinding& finding : v.findings)
+  for (const FrameFinding& finding : v.findings) {
     findings.push_back({{"kind", name_of(finding.kind)},
                         {"text", sentence(finding)},
                         {"samples", finding.samples}});
+    if (finding.up) findings.back()["up"] = phrame::json_of(*finding.up);
+  }
   JsonOutput json = {
       {"phrame", "check/1"},
       {"name", answer.path.name},

@@ -1,40 +1,9 @@
 #pragma once
 #include "phrame/ph/frame/frame_start.hpp"
+#include "phrame/ph/frame/frame_verdict.hpp"
 #include "phrame/ph/frame/path_angle.hpp"
 
 namespace phrame {
-
-/// What somebody says a frame is at t, not necessarily orthonormal.
-struct GivenFrame {
-  Rational t;                                              ///< a parameter of the path
-  Vector<Rational> f2;                                     ///< of any length
-  std::optional<Vector<Rational>> f3 = std::nullopt;       ///< where it is given
-  std::optional<Vector<Rational>> tangent = std::nullopt;  ///< where it is given
-};
-
-/// Which of the two unit vectors along the tangent is T.
-enum class Forward {
-  motion,    ///< r′/|r′|
-  preimage,  ///< A i A*/|A|², the e₁ of our own frames: its opposite where f < 0
-};
-
-/// Balls around what is exact: the given frame against T and the normal plane of the curve at t.
-struct FrameDeviation {
-  /// f₂, projected to the normal plane, has this angle in (e₂, e₃); no value where the projection
-  /// is 0. In (−π, π].
-  std::optional<RealBall> f2;
-  RealBall theta;  ///< the angle of the rotation-minimizing frame there, θ(0) = 0
-  /// The angle from ±n to the projection of f₂; no value for a straight line and at inflections.
-  std::optional<RealBall> from_normal;
-  RealBall orthogonality;  ///< max |cos| of the angles between T, f₂ and f₃
-  RealBall length;         ///< max | |f| − 1 | over the vectors given
-  /// The sine of the angle between the given tangent and ±T; 0 where none is given, 1 where it is
-  /// 0.
-  RealBall tangent_sine;
-  bool is_reversed = false;  ///< is (given tangent)·T < 0?
-  /// The sign of det(given tangent, f₂, f₃), with T where none is given; 0 without f₃.
-  int handedness = 0;
-};
 
 /// Compares frames with the exact ones of a spline, or of a curve as a spline of one segment. The
 /// parameter of a spline of several segments is to be in [0, end], else DomainError.
@@ -59,39 +28,6 @@ class FrameCheck {
   std::vector<GaussianPolynomial> bends_;  ///< g of their preimages
 };
 
-/// What is wrong with given frames, with the samples where it is.
-struct FrameFinding {
-  /// What it is.
-  enum class Kind {
-    undefined,         ///< f₂ is 0 or along the tangent
-    wrong_tangent,     ///< the given tangent is another
-    reversed_tangent,  ///< it is the opposite
-    left_handed,       ///< the handedness is −1
-    not_orthogonal,
-    not_unit,
-    flip,              ///< f₂ turns by more than 3 radians from the sample before
-    constant_offset,   ///< the frame is rotation-minimizing, but starts at another angle
-    frenet,            ///< f₂ keeps its angle to the principal normal, up to flips
-    euler_rodrigues,   ///< to e₂ of the Euler–Rodrigues frame
-    turned_backwards,  ///< it is the frame at the angle −θ instead of θ
-    other_start,       ///< the first sample is not at the start angle
-    drift,      ///< f₂ turns away, more or less steadily, from the first sample to the last
-    irregular,  ///< f₂ turns to and fro, or jumps
-  };
-  Kind kind;                              ///< what is wrong
-  std::vector<std::size_t> samples = {};  ///< the numbers of the frames, from 0
-  /// The offset of constant_offset and other_start; what f₂ turns by from the first sample to the
-  /// last for drift; the range of the errors for irregular.
-  std::optional<RealBall> amount = std::nullopt;
-  /// What f₂ is off a frame of the kind named, at most: constant_offset to turned_backwards.
-  std::optional<RealBall> residual = std::nullopt;
-};
-
-/// Frames are recognised as of some kind where they are proved to be so to within this angle, in
-/// radians, and to within 1/100 of what that is to explain: of the offset, or of the range of the
-/// errors. Whatever the tolerance of the verdict is.
-inline const Rational recognition_tolerance{1, 100'000};
-
 /// What frames are compared with, and how exactly.
 struct FrameCheckOptions {
   /// Where the rotation-minimizing frame that the frames are compared with starts; an angle is that
@@ -99,26 +35,6 @@ struct FrameCheckOptions {
   std::optional<FrameStart> start = std::nullopt;
   Rational tolerance{1, 1'000'000};  ///< for angles, cosines and lengths
 };
-
-/// What check_frames() says of frames; its lists have one element for each.
-struct FrameVerdict {
-  bool passes;  ///< is everything within the tolerance?
-  /// The angle of f₂ to the exact f₂, in balls around numbers of about [−π, π]; no value where f₂
-  /// is undefined.
-  std::vector<std::optional<RealBall>> errors;
-  std::vector<FrameDeviation> deviations;  ///< of each frame
-  RealBall max_error;                      ///< of |error|
-  std::size_t worst_sample;       ///< a sample where it is reached, as far as the balls tell
-  RealBall orthogonality;         ///< the largest
-  RealBall length;                ///< the largest
-  std::optional<RealBall> drift;  ///< (last error − first error)/arc length, modulo turns
-  /// What is wrong; none of frames that pass and need no remark.
-  std::vector<FrameFinding> findings;
-};
-
-/// The number of different t. Without a start angle one says nothing: the first sample agrees with
-/// itself.
-std::size_t number_of_parameters(const std::vector<GivenFrame>& frames);
 
 /// Is the sine of the angle between each tangent given and ±T within the tolerance? Exact, and much
 /// faster than check_frames().

@@ -110,6 +110,61 @@ TEST_CASE("frame check: other frames that are meant well are recognised") {
   CHECK(abs(Rational(verdict.errors[4].value().upper() - Rational(1, 7))) < decimal("1e-15"));
 }
 
+namespace {
+
+/// f₂ = v × T/|v × T| in doubles, or the projection of v, from the exact tangent; v depends on t.
+template <class Up>
+std::vector<GivenFrame> up_frames(Up up, bool is_projection) {
+  std::vector<GivenFrame> frames;
+  for (long k = 0; k <= 10; ++k) {
+    const Vector<Rational> e1 = euler_rodrigues_frame(quintic, Rational(k, 10)).e1;
+    const Vector<Rational> across = cross(up(Rational(k, 10)), e1);
+    const Vector<Rational> along = is_projection ? cross(e1, across) : across;
+    const double size = std::sqrt(round_to_double(dot(along, along)));
+    Vector<Rational> f2;
+    for (std::size_t i = 0; i < 3; ++i) f2[i] = exact_rational(round_to_double(along[i]) / size);
+    frames.push_back({Rational(k, 10), f2});
+  }
+  return frames;
+}
+
+}  // namespace
+
+// The frames are made from the definition, v × T, and the tangent.
+TEST_CASE("frame check: frames of a fixed up vector are recognised, with the vector") {
+  const Vector<Rational> vectors[] = {
+      {0, 0, 1}, {0, 1, 0}, {Rational(7, 100), 1, Rational(-3, 11)}};
+  for (const Vector<Rational>& v : vectors) {
+    for (const bool is_projection : {false, true}) {
+      const auto up = [&](const Rational&) { return v; };
+      const FrameVerdict verdict = check(up_frames(up, is_projection));
+      CHECK_FALSE(verdict.passes);
+      REQUIRE(kinds(verdict) == std::vector{Kind::fixed_up});
+      const FrameFinding& finding = verdict.findings.front();
+      CHECK(finding.up.value() == v);
+      CHECK(finding.residual.value().upper() < decimal("1e-14"));
+    }
+  }
+}
+
+TEST_CASE("frame check: f2 opposite to v × T is that of −v") {
+  auto frames = up_frames([](const Rational&) { return Vector<Rational>{0, 0, 1}; }, false);
+  for (GivenFrame& frame : frames) frame.f2 = negative(frame.f2);
+  const FrameVerdict verdict = check(frames);
+  REQUIRE(kinds(verdict) == std::vector{Kind::fixed_up});
+  CHECK(verdict.findings.front().up.value() == Vector<Rational>{0, 0, -1});
+}
+
+TEST_CASE(
+    "frame check: an up vector that moves, and three samples, are not taken for a fixed one") {
+  const auto moving = [](const Rational& t) { return Vector<Rational>{t * t / 10, t / 7, 1}; };
+  for (const FrameFinding& finding : check(up_frames(moving, false)).findings)
+    CHECK(finding.kind != Kind::fixed_up);
+  const auto fixed = up_frames([](const Rational&) { return Vector<Rational>{0, 0, 1}; }, false);
+  for (const FrameFinding& finding : check({fixed[0], fixed[4], fixed[9]}).findings)
+    CHECK(finding.kind != Kind::fixed_up);
+}
+
 TEST_CASE("frame check: what is wrong is named with its samples") {
   auto frames = good_frames();
   for (std::size_t k = 6; k < frames.size(); ++k) {
