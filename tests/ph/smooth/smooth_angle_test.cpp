@@ -122,3 +122,16 @@ TEST_CASE("smooth angle: a path that is cut turns as the whole") {
   CHECK(a.overlaps(b));
   CHECK(a.is_accurate(150));
 }
+
+TEST_CASE("smooth angle: next to a cusp, |H| ≥ 1e-12, two up vectors give the same frame") {
+  // r′ = (x, x², 1e-12), x = t − 1/3.
+  const Polynomial x{Rational(-1, 3), 1};
+  const SmoothPath path(
+      RationalCurve({antiderivative(x), antiderivative(x * x), Polynomial{0, power_of_ten(-12)}}));
+  const SmoothAngle one(path, {1, 2, 2});
+  const SmoothAngle other(path, {-3, 4, 7});
+  const StartNormal normal({0, 1, 1});
+  const SmoothParameter end{0, Rational(1)};
+  CHECK(agree(rotation_minimizing_frame(one, end, start_angle(normal, one)),
+              rotation_minimizing_frame(other, end, start_angle(normal, other)), 120));
+}
