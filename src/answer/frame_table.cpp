@@ -34,12 +34,18 @@ std::pair<const char*, const char*> vector_names(TabulatedFrame frame) {
       return {"e2", "e3"};
     case TabulatedFrame::frenet:
       return {"n", "b"};
+    case TabulatedFrame::up:
+      return {"up2", "up3"};
     case TabulatedFrame::mtf:
       return {"mtf2", "mtf3"};
     case TabulatedFrame::exact_mtf:
       return {"exact_mtf2", "exact_mtf3"};
   }
   return {"", ""};
+}
+
+[[noreturn]] void throw_no_up() {
+  throw DomainError("frame up: only tables of curves that are not Pythagorean-hodograph have it");
 }
 
 const char* name_of(TabulatedScalar kind) {
@@ -134,7 +140,6 @@ class Rows {
         start_(reduced(start_angle(columns.start, path))),
         segments_(path.segments().size()) {}
 
-  std::vector<std::string> names() const;
   std::vector<double> at(const PathPoint& point);
   /// Why the last row has empty cells; nothing where it has none.
   const std::string& reason() const { return reason_; }
@@ -216,18 +221,6 @@ void Rows::expect(const std::vector<PathPoint>& points) {
   }
 }
 
-std::vector<std::string> Rows::names() const {
-  std::vector<std::string> names{"t", "x", "y", "z"};
-  add_columns(names, "e1");
-  for (const TabulatedFrame frame : columns_.frames) {
-    const auto [second, third] = vector_names(frame);
-    add_columns(names, second);
-    add_columns(names, third);
-  }
-  for (const TabulatedScalar kind : columns_.scalars) names.emplace_back(name_of(kind));
-  return names;
-}
-
 std::vector<double> Rows::at(const PathPoint& point) {
   reason_.clear();
   const AlgebraicPoint t(point.t);
@@ -282,6 +275,8 @@ void Rows::add_rational(std::vector<double>& row, const PathParameter& at) {
       case TabulatedFrame::frenet:
         add_where_defined(row, 6, [&] { add_normals(row, here.frames.frenet(at.t)); });
         break;
+      case TabulatedFrame::up:
+        throw_no_up();
       case TabulatedFrame::mtf:
         add_normals(row, turned(as_real(erf()), value(*columns_.mtf, Real(parameter(at)))));
         break;
@@ -316,6 +311,8 @@ void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
       case TabulatedFrame::frenet:
         add_where_defined(row, 6, [&] { add_normals(row, here.algebraic->frenet(t)); });
         break;
+      case TabulatedFrame::up:
+        throw_no_up();
       case TabulatedFrame::mtf:
         add_normals(row, turned(erf, value(*columns_.mtf, real_parameter(point))));
         break;
@@ -327,6 +324,18 @@ void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
 }
 
 }  // namespace
+
+std::vector<std::string> names_of(const TableColumns& columns) {
+  std::vector<std::string> names{"t", "x", "y", "z"};
+  add_columns(names, "e1");
+  for (const TabulatedFrame frame : columns.frames) {
+    const auto [second, third] = vector_names(frame);
+    add_columns(names, second);
+    add_columns(names, third);
+  }
+  for (const TabulatedScalar kind : columns.scalars) names.emplace_back(name_of(kind));
+  return names;
+}
 
 void add_row(FrameTable& table, std::vector<double> row,
              const std::function<std::string()>& place) {
@@ -340,7 +349,7 @@ FrameTable frame_table(const Path& path, const TableColumns& columns,
                        const std::vector<PathPoint>& at) {
   Rows rows(path, columns);
   rows.expect(at);
-  FrameTable table{rows.names(), {}};
+  FrameTable table{names_of(columns), {}};
   for (const PathPoint& point : at) {
     add_row(table, rows.at(point), [&] { return text_of(point); });
     if (rows.reason().empty()) continue;

@@ -15,6 +15,7 @@ enum class TabulatedFrame {
   frenet,           ///< n, b
   mtf,              ///< of minimal twist and rational
   exact_mtf,        ///< of minimal twist, at a constant rate
+  up,               ///< v × e₁ and e₁ × (v × e₁), of length 1, of paths of any kind
 };
 
 /// Numbers that it can hold as well.
@@ -66,6 +67,9 @@ FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& fr
 /// the segment named.
 FrameTable frame_table(const Path& path, const TableColumns& columns,
                        const std::vector<PathPoint>& at);
+
+/// What the columns are called: "t", "x", "y", "z", "e1x", …
+std::vector<std::string> names_of(const TableColumns& columns);
 
 /// Throws InputError where a number has been rounded to infinity, which is no answer; `place` says
 /// of what the row is.

@@ -1,5 +1,8 @@
-#include "phrame/io/write/angle.hpp"
+#include <fmt/format.h>
+
 #include "phrame/cli/form.hpp"
+#include "phrame/io/write/angle.hpp"
+#include "phrame/io/write/smooth_angle.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -8,6 +11,7 @@ struct AngleOptions {
   CurveOptions curve;
   Parameters parameters;
   std::string frame = "erf";
+  std::optional<std::string> up;
   std::string route = "auto";
   FormOptions form;
   StartOptions start;
@@ -17,7 +21,7 @@ struct AngleOptions {
 /// What is wrong on the command line is said before the curve is read.
 AngleQuery query(const AngleOptions& options) {
   AngleQuery query;
-  query.reference = chosen_reference(options.frame);
+  if (options.frame != "up") query.reference = chosen_reference(options.frame);
   query.route = choose<Route>("--route", options.route,
                               {{"auto", Route::automatic},
                                {"roots", Route::roots},
@@ -41,10 +45,40 @@ void require_curve(const AngleOptions& options, const AngleQuery& query) {
     fail_for_spline("--print", options.form.print);
 }
 
+/// Of a curve that is no PH curve.
+void run(const Command& command, const AngleOptions& options, const NamedSmoothPath& named) {
+  command.refuse({"--form", "--route"},
+                 "is of closed forms, and the curve is not Pythagorean-hodograph");
+  if (command.is_given("--frame") && options.frame == "erf")
+    throw InputError("--frame", std::string("\"erf\" ") + needs_ph);
+  const Print print = options.form.chosen_print();
+  if (print.as == Print::As::script)
+    throw InputError("--print", fmt::format("\"{}\" is the closed form, and the curve is not "
+                                            "Pythagorean-hodograph",
+                                            options.form.print));
+  SmoothAngleQuery query;
+  if (options.frame == "frenet") query.reference = SmoothReference::frenet;
+  if (options.up) query.up = parse_vector_option("--up", *options.up);
+  query.start = options.start.given().value_or(FrameStart());
+  query.at = options.parameters.values(named.path.end());
+  query.digits = options.digits;
+  const SmoothAngleAnswer found = answer(named, query);
+  options.form.length.write(options.curve.output, print.as == Print::As::text   ? to_text(found)
+                                                  : print.as == Print::As::json ? to_json(found)
+                                                                                : to_latex(found));
+}
+
 void run(const Command& command, const AngleOptions& options) {
+  const bool is_of_any = options.frame == "up" || options.up;
   AngleQuery query = cli::query(options);
   const Print print = options.form.chosen_print();
-  const NamedPath named = options.curve.read_path();
+  const AnyPath read = options.curve.read_any_path();
+  if (const auto* smooth = std::get_if<NamedSmoothPath>(&read))
+    return run(command, options, *smooth);
+  if (is_of_any)
+    throw InputError(options.up ? "--up" : "--frame",
+                     "the curve is Pythagorean-hodograph: its angle is that to erf or frenet");
+  const auto& named = std::get<NamedPath>(read);
   query.at = options.parameters.values(named.path.end());
   options.start.check(named.path);
   if (!named.path.is_curve())
@@ -61,8 +95,13 @@ void add_angle(Program& program) {
   const auto options = std::make_shared<AngleOptions>();
   options->curve.add_to(command);
   options->parameters.add_to(command);
-  add_reference(command, options->frame,
-                "the frame the angle is measured from: erf (default) or frenet");
+  command.add_choice(
+      "--frame", options->frame, {"erf", "frenet", "up"},
+      "the frame the angle is measured from: erf (default) or frenet; of curves that\n"
+      "are not Pythagorean-hodograph up (default) or frenet");
+  command.add_option("--up", "X,Y,Z", options->up,
+                     "of such curves: the vector v that makes the frame e2 = v x e1/|v x e1|\n"
+                     "(default: one that is nowhere along the tangent)");
   add_digits(command, options->digits);
   options->form.add_to(command);
   command.add_choice(
@@ -76,7 +115,9 @@ void add_angle(Program& program) {
       "A spline of n segments has t from 0 to n; its angle is that to the Euler-Rodrigues frame,\n"
       "made continuous through the joints, and of a closed spline the holonomy is given. Of a\n"
       "spline only --frame erf and --print text, json or latex; of a curve --digits and --route\n"
-      "need --at or --samples.\n"
+      "need --at or --samples. Curves that are not Pythagorean-hodograph have no closed form; "
+      "their\n"
+      "values are as certain.\n"
       "Examples:\n"
       "  phrame angle curve.json --at 0,1/2,1 --digits 50\n"
       "  phrame angle curve.json --frame frenet --samples 11 --print json\n"

@@ -15,6 +15,7 @@
 #include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/reference_names.hpp"
 #include "phrame/io/write/text.hpp"
+#include "phrame/ph/construct/near.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -37,6 +38,17 @@ template <class T>
 T read_by(T (*read)(std::string_view, const CurveLimits&), const CurveOptions& options) {
   const std::string text = read_file(options.path);
   return at_place(name_of_file(options.path), ":", [&] { return read(text, options.limits); });
+}
+
+/// Of one polynomial curve, so far.
+std::optional<NearSuggestion> suggestion_of(const SmoothPath& path) {
+  const auto* curve = std::get_if<RationalCurve>(&path.segments().front());
+  if (path.segments().size() > 1 || curve == nullptr || !curve->weight().is_constant())
+    return std::nullopt;
+  const Rational w = curve->weight().coefficient(0);
+  Vector<Polynomial> hodograph = curve->direction();
+  for (Polynomial& h : hodograph) h = h * curve->multiplier() * Polynomial{1 / (w * w)};
+  return near_suggestion(hodograph, point(*curve, 0));
 }
 
 }  // namespace
@@ -101,6 +113,18 @@ NamedPath CurveOptions::read_path() const {
     note(fmt::format("{}: in its place a PH {} {}", file,
                      named.path.is_curve() ? "curve" : "spline", to_line(*named.near)));
   return std::move(named);
+}
+
+AnyPath CurveOptions::read_any_path() const {
+  if (near) return read_path();
+  AnyPath read = read_by(phrame::read_any_path, *this);
+  if (const auto* named = std::get_if<NamedSmoothPath>(&read))
+    if (const auto near_one = suggestion_of(named->path))
+      note(fmt::format(
+          "{}: a PH curve is at most {} away; with --near {} the answer has a closed form",
+          name_of_file(path), upper_bound_text(near_one->distance),
+          upper_bound_text(near_one->epsilon, 1)));
+  return read;
 }
 
 void Parameters::add_to(Command& command) {

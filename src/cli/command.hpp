@@ -5,7 +5,7 @@
 #include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/cli/program.hpp"
-#include "phrame/io/read/curve_file.hpp"
+#include "phrame/io/read/any_path.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame::cli {
@@ -28,7 +28,16 @@ struct CurveOptions {
   // then says; an InputError's place starts with the path.
   NamedCurve read_curve() const;
   NamedPath read_path() const;
+  /// One of any kind. Where it is no PH path but one is very near, as of rounded control points, a
+  /// line on stderr says what --near gives closed forms.
+  AnyPath read_any_path() const;
 };
+
+/// Why a curve of any kind has no closed form.
+inline constexpr const char* needs_ph =
+    "needs a Pythagorean-hodograph curve, and this is none (\"phrame identify --near\" finds one "
+    "near "
+    "it, \"phrame construct\" one through points)";
 
 /// Where t is asked for: --at and --samples.
 struct Parameters {

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
-#include "phrame/answer/frame_table.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/answer/smooth_table.hpp"
 #include "phrame/cli/twist_options.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
+#include "phrame/ph/smooth/smooth_length.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -20,6 +22,7 @@ struct FramesOptions {
   std::vector<std::string> scalars;
   std::string by = "t";
   std::string format = "csv";
+  std::optional<std::string> up;
   bool skips_undefined = false;
 };
 
@@ -43,6 +46,29 @@ std::vector<PathPoint> points_by_length(const FramesOptions& options, const Path
   return at;
 }
 
+std::vector<SmoothParameter> points(const FramesOptions& options, const SmoothPath& path) {
+  std::vector<SmoothParameter> at;
+  for (const Rational& t : options.parameters.values(path.end())) at.push_back(locate(path, t));
+  return at;
+}
+
+/// The greatest double of at most the length: samples are equally spaced up to there.
+Rational length_below(const Real& length) {
+  if (length.exact()) return *length.exact();
+  const Rational lower = length.enclose(192).lower();
+  const Rational unit = power_of_two(binary_exponent(lower) - 51);
+  return Rational(floor(lower / unit)) * unit;
+}
+
+std::vector<SmoothParameter> points_by_length(const FramesOptions& options,
+                                              const SmoothPath& path) {
+  const SmoothLength length(path);
+  std::vector<SmoothParameter> at;
+  for (const Rational& s : options.parameters.values(length_below(length.total())))
+    at.push_back(length.point(s));
+  return at;
+}
+
 TableColumns columns(const FramesOptions& options) {
   TableColumns columns;
   for (const std::string& name : split(options.frames))
@@ -50,6 +76,7 @@ TableColumns columns(const FramesOptions& options) {
                                                     {{"rmf", TabulatedFrame::rmf},
                                                      {"erf", TabulatedFrame::euler_rodrigues},
                                                      {"frenet", TabulatedFrame::frenet},
+                                                     {"up", TabulatedFrame::up},
                                                      {"mtf", TabulatedFrame::mtf},
                                                      {"mtf-exact", TabulatedFrame::exact_mtf}}));
   for (const std::string& name : split(options.scalars))
@@ -77,13 +104,44 @@ void add_twist_frames(TableColumns& columns, const TwistOptions& options, const 
       twist_frame(*columns.exact_mtf, options.rotation(digits), options.subdivision(path));
 }
 
-FrameTable table(const Path& path, const TableColumns& columns, const std::vector<PathPoint>& at) {
+template <class Make>
+FrameTable table(const TableColumns& columns, Make make) {
   try {
-    return frame_table(path, columns, at);
+    return make();
   } catch (const DomainError& error) {
     if (columns.may_be_empty) throw;
     throw DomainError(std::string(error.what()) + " (--skip-undefined leaves such cells empty)");
   }
+}
+
+FrameTable table_of(const NamedPath& named, TableColumns& columns, By by,
+                    const FramesOptions& options) {
+  const Path& path = named.path;
+  const auto names = split(options.frames);
+  const bool has_up = std::find(names.begin(), names.end(), "up") != names.end();
+  if (options.up || has_up)
+    throw InputError(options.up ? "--up" : "--frame",
+                     "the curve is Pythagorean-hodograph; its frames are rmf, erf, frenet");
+  options.start.check(path);
+  add_twist_frames(columns, options.twist, path);
+  const auto at = by == By::parameter ? points(options, path, columns.exact_mtf.has_value())
+                                      : points_by_length(options, path);
+  FrameTable made = table(columns, [&] { return frame_table(path, columns, at); });
+  made.near = named.near;
+  return made;
+}
+
+/// Of a curve that is no PH curve.
+FrameTable table_of(const NamedSmoothPath& named, const TableColumns& columns, By by,
+                    const FramesOptions& options) {
+  for (const std::string& name : split(options.frames))
+    if (name == "erf" || name == "mtf" || name == "mtf-exact")
+      throw InputError("--frame", fmt::format("\"{}\" {}", name, needs_ph));
+  std::optional<Vector<Rational>> up;
+  if (options.up) up = parse_vector_option("--up", *options.up);
+  const auto at =
+      by == By::parameter ? points(options, named.path) : points_by_length(options, named.path);
+  return table(columns, [&] { return frame_table(named.path, columns, up, at); });
 }
 
 void run(const FramesOptions& options) {
@@ -96,13 +154,11 @@ void run(const FramesOptions& options) {
   chosen.start = options.start.given().value_or(FrameStart());
   if (options.parameters.values().empty())
     throw InputError("frames", "--samples N or --at t,… is needed");
-  const auto [name, path, near] = options.curve.read_path();
-  options.start.check(path);
-  add_twist_frames(chosen, options.twist, path);
-  const auto at = by == By::parameter ? points(options, path, chosen.exact_mtf.has_value())
-                                      : points_by_length(options, path);
-  FrameTable made = table(path, chosen, at);
-  made.near = near;
+  const AnyPath read = options.curve.read_any_path();
+  const auto* smooth = std::get_if<NamedSmoothPath>(&read);
+  const FrameTable made = smooth != nullptr
+                              ? table_of(*smooth, chosen, by, options)
+                              : table_of(std::get<NamedPath>(read), chosen, by, options);
   write_output(options.curve.output, format(made));
   if (made.incomplete_rows > 0)
     note(fmt::format("{} of {} rows {} empty cells; the first: {}", made.incomplete_rows,
@@ -118,16 +174,20 @@ void add_frames(Program& program) {
   options->curve.add_to(command);
   options->parameters.add_to(command);
   command.add_choices(
-      "--frame", options->frames, {"rmf", "erf", "frenet", "mtf", "mtf-exact"},
+      "--frame", options->frames, {"rmf", "erf", "frenet", "up", "mtf", "mtf-exact"},
       "any of rmf (rotation-minimizing, default: f2, f3), erf (Euler-Rodrigues:\n"
-      "e2, e3), frenet (n, b), mtf and mtf-exact (of minimal twist: rational, or at a\n"
-      "constant rate; --from and --to are needed)");
+      "e2, e3), frenet (n, b), up (of a fixed vector), mtf and mtf-exact (of minimal\n"
+      "twist: rational, or at a constant rate; --from and --to are needed)");
   command.add_choices("--columns", options->scalars, {"s", "curvature", "torsion", "frenet_rate"},
                       "any of s (arc length), curvature, torsion and frenet_rate");
   command.add_choice("--by", options->by, {"t", "arc-length"},
                      "t (default), or arc-length: --at and --samples mean arc lengths from t = 0");
   options->start.add_to(command, "e2", "default 0");
   command.only_with(StartOptions::names(), {"--frame rmf"});
+  command.add_option("--up", "X,Y,Z", options->up,
+                     "of curves that are not Pythagorean-hodograph: the vector v that makes the\n"
+                     "frame up, v x e1/|v x e1| and e1 x (v x e1)/|v x e1|, and that --theta0 is\n"
+                     "counted from (default: one that is nowhere along the tangent)");
   options->twist.add_to(command);
   command.only_with(TwistOptions::of_ends(), {"--frame mtf", "--frame mtf-exact"});
   command.only_with(TwistOptions::of_rational_frame(), {"--frame mtf"});
@@ -144,6 +204,8 @@ void add_frames(Program& program) {
       "--by arc-length evaluates at the exact t of each arc length; column t is that t, rounded.\n"
       "The RMF turns at the rate curvature, the Frenet frame at frenet_rate = sqrt(curvature^2 +\n"
       "torsion^2), per unit of arc length.\n"
+      "A curve of any kind, as a Bezier curve or a NURBS, has rmf, up, frenet, curvature and "
+      "torsion.\n"
       "A spline of n segments has t from 0 to n; at a joint, n, b and curvatures are\n"
       "those of the later segment.\n"
       "Examples:\n"

@@ -75,7 +75,7 @@ TEST_CASE("identify: a curve that is not PH has status 1 and a reason") {
                 "no PH curve: |r'| is no polynomial: |r'|^2 has the factor 4*t^2 + 1");
   CHECK_FALSE(fs::exists(here.file("ph.json")));
   // To the other commands it is bad input.
-  check_failure(here.run("angle parabola.json"), 2,
+  check_failure(here.run("totals parabola.json"), 2,
                 "phrame: parabola.json:/control_points: this is no PH curve");
 }
 
@@ -126,7 +126,7 @@ TEST_CASE(
   CHECK(contains(refused.out, "not a PH curve over ℚ"));
   CHECK(contains(refused.out, "--near 1e-1"));
   CHECK(contains(refused.out, "takes the PH curve"));
-  check_failure(here.run("angle near.json"), 2, "; --near 1e-1");
+  check_failure(here.run("info near.json"), 2, "; --near 1e-1");
 
   const Run text = here.run("identify near.json --near 1e-15");
   check_success(text);
@@ -153,7 +153,7 @@ TEST_CASE("--near: other commands take the curve near the points, and say so") {
   const Workshop here;
   here.write("near.json", R"({"phrame": "curve/1", "control_points": )" +
                               rounded_points(here, "quintic.json", "%.9g") + "}");
-  for (const char* command : {"angle", "info", "classify", "totals", "compile", "certify"}) {
+  for (const char* command : {"info", "classify", "totals", "compile", "certify"}) {
     CAPTURE(command);
     check_failure(here.run(std::string(command) + " near.json"), 2, "this is no PH curve");
     const Run run = here.run(std::string(command) + " near.json --near 1e-6");
@@ -209,7 +209,7 @@ TEST_CASE("--near: splines get exact joints") {
                         [0.6666666666666666, 0.3333333333333333, 0], [0.6666666666666666, 1, 0]]},
     {"control_points": [[0.6666666666666666, 1, 0], [0.6666666666666666, 1.6666666666666667, 0],
                         [0.3333333333333333, 2, 0], [0, 2, 0]]}]})");
-  const Run refused = here.run("angle spline.json");
+  const Run refused = here.run("info spline.json");
   CHECK(refused.status == 2);
   const Run angle = here.run("angle spline.json --near 1e-14 --at 2");
   CHECK(angle.status == 0);
@@ -250,4 +250,21 @@ TEST_CASE("identify --near: too far is refused with the distance, and bad distan
     CHECK(contains(run.err, "--near"));
     CHECK(here.run(std::string("identify parabola.json --near ") + epsilon).status == 2);
   }
+}
+
+TEST_CASE("any curve: angle and frames answer what is no PH curve, and say what needs one") {
+  const Workshop here;
+  here.write("parabola.json", parabola);
+  const Run angle = here.run("angle parabola.json --at 1");
+  check_success(angle);
+  CHECK(contains(angle.out, "no closed form: the curve is not Pythagorean-hodograph") !=
+        contains(angle.out, "θ is constant"));
+  CHECK(here.run("frames parabola.json --frame rmf,up,frenet --samples 3").status == 0);
+  check_failure(here.run("angle parabola.json --frame erf"), 2, "needs a Pythagorean-hodograph");
+  check_failure(here.run("angle parabola.json --route roots"), 2, "is of closed forms");
+  check_failure(here.run("frames parabola.json --frame mtf --from 0 --to 0 --at 0"), 2,
+                "needs a Pythagorean-hodograph");
+  check_failure(here.run("angle quintic.json --frame up"), 2, "is Pythagorean-hodograph");
+  check_failure(here.run("frames quintic.json --frame rmf,up --at 0"), 2,
+                "is Pythagorean-hodograph");
 }

@@ -76,26 +76,14 @@ Json find_command(const Json& commands, const std::string& name) {
 }
 
 /// What an option is tried with that takes no name of a list.
-const std::map<std::string, std::string> values{{"--at", "1/3"},
-                                                {"--samples", "3"},
-                                                {"--digits", "5"},
-                                                {"--theta0", "pi/3"},
-                                                {"--start-normal", "1,2,3"},
-                                                {"--from", "1/8"},
-                                                {"--to", "3/4"},
-                                                {"--from-vector", "1,2,3"},
-                                                {"--to-vector", "3,2,-1"},
-                                                {"--turns", "1"},
-                                                {"--degree", "3"},
-                                                {"--subdivide", "1/2"},
-                                                {"--period", "1/3"},
-                                                {"--feed", "2"},
-                                                {"--prefix", "arm"},
-                                                {"--tol", "1/1000"},
-                                                {"--tolerance", "1/1000"},
-                                                {"--angles", "1/3,0"},
-                                                {"--solution", "2"},
-                                                {"--header", "t,f2x,f2y,f2z"}};
+const std::map<std::string, std::string> values{
+    {"--at", "1/3"},           {"--samples", "3"},  {"--digits", "5"},
+    {"--theta0", "pi/3"},      {"--up", "1,2,3"},   {"--start-normal", "1,2,3"},
+    {"--from", "1/8"},         {"--to", "3/4"},     {"--from-vector", "1,2,3"},
+    {"--to-vector", "3,2,-1"}, {"--turns", "1"},    {"--degree", "3"},
+    {"--subdivide", "1/2"},    {"--period", "1/3"}, {"--feed", "2"},
+    {"--prefix", "arm"},       {"--tol", "1/1000"}, {"--tolerance", "1/1000"},
+    {"--angles", "1/3,0"},     {"--solution", "2"}, {"--header", "t,f2x,f2y,f2z"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.
 const std::set<std::string> neutral{"--max-degree", "--output",         "--threads", "--skip-done",

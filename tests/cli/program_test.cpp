@@ -47,7 +47,7 @@ TEST_CASE("program: each command succeeds on the paper's quintic") {
                      {"interpolate quintic.json --feed 1 --period 1",
                       "\n5,4.733333333333333,1,4.733333333333333,"},
                      {"construct points.csv", "  points met      within "},
-      {"identify quintic.json", "f|A|²  37t⁴ − 72t³ + 46t² − 12t + 6\n"},
+                     {"identify quintic.json", "f|A|²  37t⁴ − 72t³ + 46t² − 12t + 6\n"},
                      {"integrate '1/(x^2+1)'", "arctan(x)"},
                      {"batch batch.jsonl", "0.13516216082994723"},
                      {"compile quintic.json", "#ifndef "},
@@ -94,11 +94,11 @@ TEST_CASE("program: help and version succeed, for each command") {
 
 TEST_CASE("program: what is typed wrongly is refused by name") {
   const Workshop here;
-  check_failure(
-      here.run(""), 2,
-      "a command is needed: there are angle, info, classify, totals, frames, mtf, "
-      "interpolate, construct, identify, integrate, batch, compile, check, certify, verify, prove, help "
-      "(phrame --help)");
+  check_failure(here.run(""), 2,
+                "a command is needed: there are angle, info, classify, totals, frames, mtf, "
+                "interpolate, construct, identify, integrate, batch, compile, check, certify, "
+                "verify, prove, help "
+                "(phrame --help)");
   check_failure(here.run("angel quintic.json"), 2, "\"angel\" is not a command");
   check_failure(here.run("''"), 2, "\"\" is not a command");
   check_failure(here.run("--frobnicate"), 2, "--frobnicate");
@@ -346,7 +346,7 @@ TEST_CASE("program: no message begins with the name of a function") {
   check_failure(here.run("prove cusped.json --at 1"), 3,
                 "phrame: proof: the preimage has a zero between 0 and t = 1,");
   here.write("table.csv", "t,x,y,z\n0,0,0,0\n");
-  check_failure(here.run("angle table.csv"), 2,
+  check_failure(here.run("info table.csv"), 2,
                 "phrame: table.csv:1:2: a curve file is JSON, this begins with \"t,x,y,z\"\n");
   check_failure(here.run("verify table.csv"), 2,
                 "phrame: table.csv:1:2: a certificate is JSON, this begins with \"t,x,y,z\"\n");

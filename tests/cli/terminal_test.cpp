@@ -317,7 +317,7 @@ TEST_CASE("terminal: bash completes commands, options, names, lists and files") 
   CHECK(completed("phrame ang") == "angle\n");
   CHECK(completed("phrame in") == "info interpolate integrate\n");
   CHECK(completed("phrame angle quintic.json --di") == "--digits\n");
-  CHECK(completed("phrame angle quintic.json --frame ''") == "erf frenet\n");
+  CHECK(completed("phrame angle quintic.json --frame ''") == "erf frenet up\n");
   CHECK(completed("phrame angle --frame = f") == "frenet\n");
   CHECK(completed("phrame frames --frame rmf,mtf") == "rmf,mtf rmf,mtf-exact\n");
   CHECK(completed("phrame mtf c.json --subdivide ''") == "inflections extrema auto\n");

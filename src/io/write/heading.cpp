@@ -32,6 +32,21 @@ std::string heading(const NamedPath& named) {
                      counted(path.segments().size(), "segment"), closure(path));
 }
 
+std::string heading(const NamedSmoothPath& named) {
+  const auto& segments = named.path.segments();
+  const std::string closure = named.path.is_closed()   ? "closed"
+                              : named.path.ends_meet() ? "its ends meet, but not their tangents"
+                                                       : "open";
+  std::string kind = fmt::format("path of {}", counted(segments.size(), "curve"));
+  if (segments.size() == 1) {
+    kind = "curve by formulas";
+    if (const auto* curve = std::get_if<RationalCurve>(&segments.front()))
+      kind = fmt::format("{} curve of degree {}",
+                         curve->weight().is_constant() ? "polynomial" : "rational", degree(*curve));
+  }
+  return fmt::format("{}{}, {}", name_prefix(named.name), kind, closure);
+}
+
 std::string note_on_sign(const Curve& curve) {
   const Signs signs = multiplier_signs(curve);
   if (!signs.negative) return "";

@@ -3,6 +3,7 @@
 
 #include "phrame/io/write/prose.hpp"
 #include "phrame/ph/curve/named.hpp"
+#include "phrame/ph/smooth/smooth_path.hpp"
 
 namespace phrame {
 
@@ -10,6 +11,8 @@ namespace phrame {
 /// segments, closed".
 std::string heading(const std::string& name, const Curve& curve);
 std::string heading(const NamedPath& named);
+/// Of a path of any kind: "rational curve of degree 2", "path of 4 curves, closed".
+std::string heading(const NamedSmoothPath& named);
 
 /// What frames and angles mean where the multiplier is negative on [0, 1], as prose() has it; empty
 /// where it is not.

@@ -1,0 +1,127 @@
+#include "phrame/answer/smooth_table.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/smooth/smooth_length.hpp"
+#include "phrame/ph/smooth/smooth_shape.hpp"
+
+namespace phrame {
+namespace {
+
+/// √(x² + y²).
+Real size_of(const Real& x, const Real& y) {
+  return Real([square = x * x + y * y](long bits) {
+    return sqrt_of_nonnegative(square.enclose(bits), bits);
+  });
+}
+
+void add_rounded(std::vector<double>& row, const Vector<Real>& v) {
+  const Vector<double> values = round_to_double(v);
+  row.insert(row.end(), values.begin(), values.end());
+}
+
+void require_columns(const TableColumns& columns) {
+  for (const TabulatedFrame frame : columns.frames)
+    if (frame != TabulatedFrame::rmf && frame != TabulatedFrame::up &&
+        frame != TabulatedFrame::frenet)
+      throw DomainError(
+          "frame erf, mtf or mtf-exact: only Pythagorean-hodograph curves have it here");
+}
+
+class SmoothRows {
+ public:
+  SmoothRows(const SmoothPath& path, const TableColumns& columns,
+             const std::optional<Vector<Rational>>& up)
+      : columns_(columns),
+        angle_(up ? SmoothAngle(path, *up) : SmoothAngle(path)),
+        start_(start_angle(columns.start, angle_)) {}
+
+  std::vector<double> at(const SmoothParameter& at);
+  const std::string& reason() const { return reason_; }
+
+ private:
+  template <class Add>
+  void add_if_defined(std::vector<double>& row, std::size_t count, Add add);
+  Frame<Real> frame(TabulatedFrame kind, const SmoothParameter& at) const;
+  Real scalar(TabulatedScalar kind, const SmoothParameter& at);
+
+  const TableColumns& columns_;
+  SmoothAngle angle_;
+  std::optional<SmoothLength> length_;
+  Real start_;
+  std::string reason_;  ///< why the last row has empty cells
+};
+
+template <class Add>
+void SmoothRows::add_if_defined(std::vector<double>& row, std::size_t count, Add add) {
+  const std::size_t before = row.size();
+  try {
+    add();
+  } catch (const DomainError& error) {
+    if (!columns_.may_be_empty) throw;
+    row.resize(before);
+    row.resize(before + count, std::numeric_limits<double>::quiet_NaN());
+    if (reason_.empty()) reason_ = error.what();
+  }
+}
+
+Frame<Real> SmoothRows::frame(TabulatedFrame kind, const SmoothParameter& at) const {
+  if (kind == TabulatedFrame::rmf) return rotation_minimizing_frame(angle_, at, start_);
+  if (kind == TabulatedFrame::frenet) return frenet_frame(angle_.path(), at);
+  return up_frame(angle_.path(), angle_.up(), at);
+}
+
+Real SmoothRows::scalar(TabulatedScalar kind, const SmoothParameter& at) {
+  const SmoothPath& path = angle_.path();
+  switch (kind) {
+    case TabulatedScalar::arc_length:
+      if (!length_) length_.emplace(path);
+      return length_->value(at);
+    case TabulatedScalar::curvature:
+      return curvature(path, at);
+    case TabulatedScalar::torsion:
+      return torsion(path, at);
+    case TabulatedScalar::frenet_rate:
+      break;
+  }
+  return size_of(curvature(path, at), torsion(path, at));
+}
+
+std::vector<double> SmoothRows::at(const SmoothParameter& at) {
+  reason_.clear();
+  const Rational before(static_cast<long>(at.segment));
+  std::vector<double> row{round_to_double(at.t + before)};
+  add_rounded(row, position(angle_.path(), at));
+  add_rounded(row, up_frame(angle_.path(), angle_.up(), at).e1);
+  for (const TabulatedFrame kind : columns_.frames)
+    add_if_defined(row, 6, [&] {
+      const Frame<Real> found = frame(kind, at);
+      add_rounded(row, found.e2);
+      add_rounded(row, found.e3);
+    });
+  for (const TabulatedScalar kind : columns_.scalars)
+    add_if_defined(row, 1, [&] { row.push_back(round_to_double(scalar(kind, at))); });
+  return row;
+}
+
+}  // namespace
+
+FrameTable frame_table(const SmoothPath& path, const TableColumns& columns,
+                       const std::optional<Vector<Rational>>& up,
+                       const std::vector<SmoothParameter>& at) {
+  require_columns(columns);
+  SmoothRows rows(path, columns, up);
+  FrameTable table{names_of(columns), {}};
+  for (const SmoothParameter& point : at) {
+    add_row(table, rows.at(point), [&] { return fmt::format("row {}", table.rows.size()); });
+    if (rows.reason().empty()) continue;
+    if (++table.incomplete_rows == 1) table.first_reason = rows.reason();
+  }
+  return table;
+}
+
+}  // namespace phrame

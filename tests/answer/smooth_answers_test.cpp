@@ -1,0 +1,134 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/answer/smooth_angle.hpp"
+#include "phrame/answer/smooth_table.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+using namespace phrame;
+
+namespace {
+
+const NamedSmoothPath cubic{"cubic",
+                            SmoothPath(bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 3}}))};
+
+const SmoothParameter start(0, Rational(0));
+
+SmoothAngleQuery upright() {
+  SmoothAngleQuery query;
+  query.up = Vector<Rational>{0, 0, 1};
+  return query;
+}
+
+double angle_between(const Vector<double>& a, const Vector<double>& b) {
+  return std::sqrt(dot(a - b, a - b));
+}
+
+}  // namespace
+
+// θ(1/2) is that of the solution of f₂′ = −(f₂·T′)T by mpmath's odefun (Taylor series, 30 digits),
+// measured in the frame of v = (0, 0, 1); θ(1) also −∫ τ ds by mpmath's quad, since (n, b) is the
+// frame of v at both ends of this curve.
+TEST_CASE("smooth answers: the angle of a cubic to the frames of v and Frenet") {
+  SmoothAngleQuery query = upright();
+  query.at = {0, Rational(1, 2), 1};
+  query.digits = 24;
+  const SmoothAngleAnswer up = answer(cubic, query);
+  CHECK(up.values.at(0).theta.value == "0");
+  CHECK(up.values.at(1).theta.value == "-0.289671535325403270086160");
+  CHECK(up.values.at(2).theta.value == "-1.65740642390110110987773");
+  CHECK(up.total.value == "-1.65740642390110110987773");
+  CHECK_FALSE(up.is_zero);
+  CHECK_FALSE(up.holonomy.has_value());
+  SmoothAngleQuery frenet;
+  frenet.reference = SmoothReference::frenet;
+  frenet.digits = 30;
+  CHECK(answer(cubic, frenet).total.value == "-1.65740642390110110987772706379");
+}
+
+TEST_CASE("smooth answers: a start angle is added, a start normal measured") {
+  SmoothAngleQuery query = upright();
+  query.at = {0, 1};
+  query.start = Angle(Rational(1, 4));
+  CHECK(answer(cubic, query).values.at(1).theta.value == "-1.4074064239011011");
+  // At t = 0 the tangent is (1, 0, 0), e₂ = (0, 1, 0) and e₃ = (0, 0, 1): atan2(4, 3).
+  query.start = StartNormal({7, 3, 4});
+  CHECK(answer(cubic, query).start_angle.value == "0.92729521800161223");
+  query.start = StartNormal({5, 0, 0});
+  CHECK_THROWS_AS(answer(cubic, query), DomainError);
+}
+
+TEST_CASE("smooth answers: an up vector along the tangent is refused, with the place") {
+  SmoothAngleQuery query;
+  query.up = Vector<Rational>{1, 0, 0};
+  CHECK_THROWS_WITH_AS(answer(cubic, query), doctest::Contains("t = 0"), DomainError);
+}
+
+// A circle of four rational arcs, x² + y² = 1, has the normal of its plane for v and turns nowhere.
+TEST_CASE("smooth answers: a closed plane path has no holonomy, exactly") {
+  const auto arc = [](const Vector<Rational>& a, const Vector<Rational>& b,
+                      const Vector<Rational>& c) {
+    return SmoothSegment(RationalCurve(
+        {Polynomial{a[0], 2 * (b[0] - a[0]), a[0] - 2 * b[0] + 2 * c[0]},
+         Polynomial{a[1], 2 * (b[1] - a[1]), a[1] - 2 * b[1] + 2 * c[1]}, Polynomial{}},
+        Polynomial{1, 0, 1}));
+  };
+  const NamedSmoothPath circle{
+      "circle",
+      joined({arc({1, 0, 0}, {1, 1, 0}, {0, 1, 0}), arc({0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}),
+              arc({-1, 0, 0}, {-1, -1, 0}, {0, -1, 0}), arc({0, -1, 0}, {1, -1, 0}, {1, 0, 0})})};
+  REQUIRE(circle.path.is_closed());
+  const SmoothAngleAnswer found = answer(circle, {});
+  CHECK(found.is_zero);
+  CHECK(found.total.value == "0");
+  CHECK(found.holonomy.value().value == "0");
+  CHECK(found.holonomy.value().radius == "0");
+}
+
+// f₂ by mpmath's odefun as above; κ and τ are |r′ × r″|/|r′|³ and det(r′, r″, r‴)/|r′ × r″|².
+TEST_CASE("smooth answers: the frames of a cubic are correctly rounded") {
+  TableColumns columns{{TabulatedFrame::rmf, TabulatedFrame::up, TabulatedFrame::frenet},
+                       {TabulatedScalar::curvature, TabulatedScalar::torsion}};
+  const FrameTable table = frame_table(cubic.path, columns, Vector<Rational>{0, 0, 1},
+                                       {{0, Rational(1, 2)}, {0, Rational(1)}});
+  REQUIRE(table.columns.size() == table.rows.at(0).size());
+  const std::vector<double>& half = table.rows[0];
+  CHECK(table.columns[7] == "f2x");
+  CHECK(half[1] == 0.75);
+  CHECK(half[7] == -0.9583377490235709016413);
+  CHECK(half[8] == 0.1713824762533109234127);
+  CHECK(half[9] == -0.2285099683377478978835);
+  CHECK(table.rows[1][7] == -0.9451273385037555372876);
+  CHECK(table.rows[1][8] == 0.08650185619593178435427);
+  CHECK(table.columns[13] == "up2x");
+  CHECK(half[15] == 0);  // v × e₁ is across v
+  CHECK(half[half.size() - 2] == 0.66647463901070117497);
+  CHECK(half.back() == 0.52459016393442622951);
+  // At t = 1 the frame of v is the Frenet frame.
+  const auto at = [&](std::size_t k) {
+    return Vector<double>{table.rows[1][k], table.rows[1][k + 1], table.rows[1][k + 2]};
+  };
+  CHECK(table.columns[19] == "nx");
+  CHECK(angle_between(at(13), at(19)) == 0);
+}
+
+TEST_CASE("smooth answers: columns that only PH curves have are refused") {
+  CHECK_THROWS_AS(frame_table(cubic.path, {{TabulatedFrame::euler_rodrigues}}, {}, {start}),
+                  DomainError);
+}
+
+// r = (t, t³, t⁴) has an inflection at t = 0, where τ = 72t²/(36t² + …) is 2 by continuity.
+TEST_CASE("smooth answers: cells may be empty where the Frenet frame is undefined") {
+  const SmoothPath inflected(
+      RationalCurve({Polynomial{0, 1}, Polynomial{0, 0, 0, 1}, Polynomial{0, 0, 0, 0, 1}}));
+  TableColumns columns{{TabulatedFrame::frenet}, {TabulatedScalar::torsion}};
+  CHECK_THROWS_AS(frame_table(inflected, columns, {}, {start}), DomainError);
+  columns.may_be_empty = true;
+  const FrameTable table = frame_table(inflected, columns, {}, {start, {0, Rational(1)}});
+  CHECK(table.incomplete_rows == 1);
+  CHECK(std::isnan(table.rows[0][7]));
+  CHECK(table.rows[0].back() == 2);
+  CHECK_FALSE(std::isnan(table.rows[1][7]));
+}
