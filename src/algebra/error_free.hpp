@@ -1,5 +1,7 @@
 #pragma once
 #include <cfloat>
+#include <cmath>
+#include <optional>
 
 namespace phrame {
 
@@ -60,6 +62,16 @@ inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
 inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble product = two_product(split_factor(a.high), split_factor(b.high));
   return {product.high, product.low + (a.high * b.low + a.low * b.high)};
+}
+
+/// The double that all numbers within `error` of high + low round to, where there is one [Ziv
+/// 1991]. Precondition: |low| is at most about an ulp of high.
+inline std::optional<double> common_double(const DoubleDouble& x, double error) {
+  // The last term and the last factor cover the rounding of these sums and of those below.
+  const double radius = (error + std::abs(x.low) * 0x1p-50) * (1 + 0x1p-50);
+  const double least = x.high + (x.low - radius);
+  if (least == x.high + (x.low + radius)) return least;
+  return std::nullopt;
 }
 
 }  // namespace phrame

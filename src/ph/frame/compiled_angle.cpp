@@ -106,12 +106,8 @@ double CompiledAngle::operator()(double t) {
   const PolynomialPiece& piece = polynomials_.at(t);
   const double y = piece.y(t);
   const auto [value] = evaluate_compensated<1>(piece.coefficients.data(), polynomials_.shape(), y);
-  // The last term and the last factor cover the rounding of these sums and of those below.
-  const double error =
-      (piece.error + piece.error_per_y * std::abs(y) + std::abs(value.low) * 0x1p-50) *
-      (1 + 0x1p-50);
-  const double least = value.high + (value.low - error);
-  return least == value.high + (value.low + error) ? least : exact(t);
+  const auto rounded = common_double(value, piece.error + piece.error_per_y * std::abs(y));
+  return rounded ? *rounded : exact(t);
 }
 
 double CompiledAngle::exact(double t) {

@@ -7,6 +7,8 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/ring_ball.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/shape.hpp"
+#include "phrame/ph/frame/rational_frame.hpp"
 
 namespace phrame {
 namespace {
@@ -156,6 +158,36 @@ std::optional<PolynomialPiece> rotation_piece(
   return piece;
 }
 
+// f₂ has a component that is 0 everywhere on plane curves only: of f₂·k = 0 the derivative is
+// f₂′·k = 0, where f₂′ is along e₁, so that either e₁·k = 0 or f₂ is constant, the normal of a
+// plane. There the frames are rational, of a degree ≤ 2·degree(B), so that one that is 0 at so many
+// t and one more is 0.
+
+/// Which components of the frames at(frames, t) are 0 for all t: decided exactly.
+template <class At>
+std::array<std::array<bool, 3>, 3> frame_zeros(const Curve& curve, const At& at) {
+  const QuaternionPolynomial a = without_real_content(curve.preimage());
+  const Vector<Polynomial> tangent = rotated_i(a);
+  std::array<std::array<bool, 3>, 3> zeros{};
+  for (std::size_t k = 0; k < 3; ++k) zeros[0][k] = tangent[k].is_zero();
+  if (!plane_normal(a)) return zeros;
+  const auto rational = rational_frame(a);
+  const auto* found = std::get_if<RationalFrame>(&rational);
+  if (found == nullptr) return zeros;
+  zeros[1].fill(true);
+  zeros[2].fill(true);
+  const Frames frames(curve);
+  const long points = 2 * degree(found->preimage) + 1;
+  for (long n = 0; n < points; ++n) {
+    const Frame<Real> frame = at(frames, Rational(n, points));
+    for (std::size_t k = 0; k < 3; ++k) {
+      zeros[1][k] = zeros[1][k] && frame.e2[k].exact() == Rational(0);
+      zeros[2][k] = zeros[2][k] && frame.e3[k].exact() == Rational(0);
+    }
+  }
+  return zeros;
+}
+
 }  // namespace
 
 PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
@@ -187,30 +219,80 @@ double frame_error(double error) { return sum_up(2 * error, 2 * error * error); 
 
 CompiledFrames::CompiledFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
                                const FrameAngle& start_angle)
-    : CompiledFrames(compiled_rotation(curve, angle, start_angle, from, to, compensated_shape(4))) {
-}
+    : CompiledFrames(compiled_rotation(curve, angle, start_angle, from, to, compensated_shape(4)),
+                     zeros(curve, angle, start_angle)) {}
 
 CompiledFrames::CompiledFrames(const PathAngle& angle, const FrameAngle& start_angle)
-    : CompiledFrames(compiled_rotation(angle, start_angle, compensated_shape(4))) {}
+    : CompiledFrames(compiled_rotation(angle, start_angle, compensated_shape(4)),
+                     zeros(angle, start_angle)) {}
 
-CompiledFrames::CompiledFrames(PiecewisePolynomial polynomials)
-    : polynomials_(std::move(polynomials)) {
+CompiledFrames::CompiledFrames(PiecewisePolynomial polynomials, const Zeros& zeros)
+    : polynomials_(std::move(polynomials)), zeros_(zeros) {
   // Far more than the operations on pairs of doubles are off by, and than rounding leaves.
   for (const PolynomialPiece& piece : polynomials_.pieces())
     if (!(frame_error(piece.error) <= 0x1p-60))
       throw Undecided("compiled frames: the polynomials are not exact enough");
 }
 
-Frame<double> CompiledFrames::operator()(double t) const {
+CompiledFrames::Zeros CompiledFrames::zeros(const Curve& curve, const RmfAngle& angle,
+                                            const FrameAngle& start_angle) {
+  return frame_zeros(curve, [&](const Frames& frames, const Rational& t) {
+    return frames.rotation_minimizing(angle, t, start_angle);
+  });
+}
+
+CompiledFrames::Zeros CompiledFrames::zeros(const PathAngle& angle, const FrameAngle& start) {
+  Zeros all;
+  for (auto& of_vector : all) of_vector.fill(true);
+  const auto& segments = angle.path().segments();
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const auto of_segment = frame_zeros(segments[k], [&](const Frames& frames, const Rational& t) {
+      const PathParameter at{k, t};
+      return turned(
+          frames.euler_rodrigues(t), angle.direction(at),
+          [&](const FrameAngle& from) { return angle.value(at, from); }, start);
+    });
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) all[i][j] = all[i][j] && of_segment[i][j];
+  }
+  return all;
+}
+
+CompiledFrames::Rotation CompiledFrames::rotation(double t) const {
   polynomials_.require_inside(t, "compiled frames");
   const PolynomialPiece& piece = polynomials_.at(t);
   const auto [u, v, p, q] =
       evaluate_compensated<4>(piece.coefficients.data(), polynomials_.shape(), piece.y(t));
-  const Quaternion<DoubleDouble> b{u, v, p, q};
+  return {{u, v, p, q}, piece.error};
+}
+
+Frame<double> CompiledFrames::operator()(double t) const {
+  const auto b = rotation(t).b;
   const auto rounded = [](const Vector<DoubleDouble>& x) {
     return Vector<double>{x[0].high + x[0].low, x[1].high + x[1].low, x[2].high + x[2].low};
   };
   return {rounded(rotated_i(b)), rounded(rotated_j(b)), rounded(rotated_k(b))};
+}
+
+std::optional<Frame<double>> CompiledFrames::rounded(double t) const {
+  const auto [b, off] = rotation(t);
+  // Of a component, at most four products and three sums of them, which are off by about 2^−102.
+  const double error = frame_error(off) + 0x1p-94;
+  bool is_certain = true;
+  const auto rounded = [&](const Vector<DoubleDouble>& x, const std::array<bool, 3>& is_zero) {
+    Vector<double> v{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (is_zero[k]) continue;
+      const auto common = common_double(x[k], error);
+      is_certain = is_certain && common;
+      v[k] = common.value_or(0);
+    }
+    return v;
+  };
+  const Frame<double> frame{rounded(rotated_i(b), zeros_[0]), rounded(rotated_j(b), zeros_[1]),
+                            rounded(rotated_k(b), zeros_[2])};
+  if (!is_certain) return std::nullopt;
+  return frame;
 }
 
 RoundedFrames::RoundedFrames(const Curve& curve, const RmfAngle& angle, double from, double to,

@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/algebra/error_free.hpp"
 #include "phrame/algebra/piecewise_polynomial.hpp"
 #include "phrame/ph/frame/frame.hpp"
 #include "phrame/ph/frame/path_angle.hpp"
@@ -36,10 +37,29 @@ class CompiledFrames {
   /// outside [from, to] and NaN.
   Frame<double> operator()(double t) const;
 
+  /// The frame at t with every component correctly rounded, to nearest with ties to even, where the
+  /// polynomials are enough for that: all but about one in a million, but for components that are 0
+  /// or nearly so. Those that are 0 everywhere, as on plane curves, are known. Throws as above.
+  std::optional<Frame<double>> rounded(double t) const;
+
+  /// B at t as sums of two doubles, off by at most the error, in the Euclidean norm. Throws as
+  /// above.
+  struct Rotation {
+    Quaternion<DoubleDouble> b;  ///< B, a unit quaternion
+    double error;                ///< of all components together
+  };
+  Rotation rotation(double t) const;
+
  private:
-  explicit CompiledFrames(PiecewisePolynomial polynomials);
+  /// Whether a component of e₁, e₂, e₃ is 0 for all t.
+  using Zeros = std::array<std::array<bool, 3>, 3>;
+
+  CompiledFrames(PiecewisePolynomial polynomials, const Zeros& zeros);
+  static Zeros zeros(const Curve& curve, const RmfAngle& angle, const FrameAngle& start_angle);
+  static Zeros zeros(const PathAngle& angle, const FrameAngle& start_angle);
 
   PiecewisePolynomial polynomials_;
+  Zeros zeros_;
 };
 
 /// Correctly rounded rotation-minimizing frames at thousands of rational t, best in ascending

@@ -84,6 +84,11 @@ void check_frame(const Curve& curve, RmfAngle& angle, const std::vector<double>&
     check(found.e1, exact.e1);
     check(found.e2, exact.e2);
     check(found.e3, exact.e3);
+    if (const auto rounded = compiled.rounded(t)) {
+      CHECK(rounded->e1 == round_to_double(exact.e1));
+      CHECK(rounded->e2 == round_to_double(exact.e2));
+      CHECK(rounded->e3 == round_to_double(exact.e3));
+    }
   }
 }
 
@@ -344,6 +349,50 @@ TEST_CASE("compiled angle and frame: of a spline, through the joints") {
   }
 }
 
+TEST_CASE(
+    "compiled frames: all but a few components are rounded correctly without the closed form") {
+  const Curve plane({Polynomial{1, 1}, Polynomial{}, Polynomial{}, Polynomial{0, 2}});  // z = 0
+  const Curve tilted = rotated(plane, {1, 2, 0, -1});
+  for (const Curve& curve : {test::quintic, plane, tilted}) {
+    CAPTURE(curve);
+    const RmfAngle angle(curve);
+    const CompiledFrames compiled(curve, angle, 0, 1);
+    const CompiledFrames of_path{PathAngle(curve)};
+    const Frames frames(curve);
+    int left = 0;
+    for (int k = 0; k < 300; ++k) {
+      const double t = (k + 0.37) / 300;  // not next to a zero of a component
+      const auto rounded = compiled.rounded(t);
+      CHECK(rounded.has_value() == of_path.rounded(t).has_value());
+      if (!rounded) {
+        ++left;
+        continue;
+      }
+      const Frame<Real> exact = frames.rotation_minimizing(angle, exact_rational(t));
+      CHECK(rounded->e1 == round_to_double(exact.e1));
+      CHECK(rounded->e2 == round_to_double(exact.e2));
+      CHECK(rounded->e3 == round_to_double(exact.e3));
+      CHECK(of_path.rounded(t)->e2 == rounded->e2);
+    }
+    CHECK(left <= 3);
+  }
+}
+
+TEST_CASE("compiled frames: the rotation is a unit quaternion within its error") {
+  const RmfAngle angle(test::quintic);
+  const CompiledFrames compiled(test::quintic, angle, 0, 1);
+  for (const double t : {0.0, 0.125, 0.7, 1.0}) {
+    const auto [b, error] = compiled.rotation(t);
+    Rational size = 0;
+    for (const DoubleDouble& x : {b.u, b.v, b.p, b.q}) {
+      const Rational value = exact_rational(x.high) + exact_rational(x.low);
+      size += value * value;
+    }
+    CHECK(abs(size - 1) <= 3 * exact_rational(error));
+    CHECK(error <= 0x1p-61);
+  }
+}
+
 TEST_CASE("compiled angle and frame: outside the interval") {
   RmfAngle angle(test::quintic, Reference::euler_rodrigues);
   CompiledAngle compiled(angle, 0, 1);
@@ -352,6 +401,8 @@ TEST_CASE("compiled angle and frame: outside the interval") {
   for (const double t : {-0x1p-1074, std::nextafter(1.0, 2.0), nan}) {
     CHECK_THROWS_AS(compiled(t), DomainError);
     CHECK_THROWS_AS(frames(t), DomainError);
+    CHECK_THROWS_AS(frames.rounded(t), DomainError);
+    CHECK_THROWS_AS(frames.rotation(t), DomainError);
   }
   CHECK_THROWS_AS(CompiledAngle(angle, 1, 1), DomainError);
   CHECK_THROWS_AS(CompiledAngle(angle, 0, 1e-300), Undecided);

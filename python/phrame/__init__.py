@@ -1,0 +1,48 @@
+"""Exact rotation-minimizing frames of Pythagorean-hodograph curves.
+
+>>> import phrame
+>>> curve = phrame.Curve([2, -4, 4], [1, 0, -1], [0, -4, 4], [1, 2, -2])
+>>> curve.angle().value(1, digits=20)
+Decimal('0.28585653009834106200')
+"""
+
+from __future__ import annotations
+
+from ._errors import DomainError, Error, InputError, Undecided
+from ._phrame import (
+    Angle,
+    Certificate,
+    CheckResult,
+    Classification,
+    Curve,
+    Integral,
+    MinimalTwist,
+    Path,
+    Polynomial,
+    RationalFunction,
+    Real,
+    integrate,
+    root,
+)
+from ._phrame import version as __version__
+
+__all__ = [
+    "Angle",
+    "Certificate",
+    "CheckResult",
+    "Classification",
+    "Curve",
+    "DomainError",
+    "Error",
+    "InputError",
+    "Integral",
+    "MinimalTwist",
+    "Path",
+    "Polynomial",
+    "RationalFunction",
+    "Real",
+    "Undecided",
+    "__version__",
+    "integrate",
+    "root",
+]

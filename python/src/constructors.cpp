@@ -1,0 +1,333 @@
+#include "paths.hpp"
+#include "phrame/io/write/nearness.hpp"
+
+namespace phrame::python {
+namespace {
+
+std::string basis_named(const std::string& name) {
+  if (name != "power" && name != "bernstein")
+    refuse("basis", "\"" + abbreviated(name) + "\" is not one of power, bernstein",
+           nb::str(name.c_str()));
+  return name;
+}
+
+CurveObject of_preimage(QuaternionPolynomial a, nb::handle multiplier, nb::handle start,
+                        const std::string& name, const std::string& basis) {
+  Polynomial f{1};
+  if (!multiplier.is_none()) f = polynomial(multiplier, "multiplier", basis);
+  Vector<Rational> from{};
+  if (!start.is_none()) from = vector(start, "start");
+  return {{NamedPath(name, Curve(std::move(a), std::move(f), std::move(from)))}};
+}
+
+/// Lists in the Bernstein basis are of one degree.
+CurveObject from_preimage(nb::handle u, nb::handle v, nb::handle p, nb::handle q,
+                          nb::handle multiplier, nb::handle start, const std::string& name,
+                          const std::string& basis_name) {
+  const std::string basis = basis_named(basis_name);
+  if (basis == "bernstein")
+    for (const auto& [list, place] : {std::pair{v, "v"}, {p, "p"}, {q, "q"}})
+      if (nb::len(list) != nb::len(u))
+        refuse(place, "in the Bernstein basis it is as long as u: " + std::to_string(nb::len(u)),
+               list);
+  return of_preimage({polynomial(u, "u", basis), polynomial(v, "v", basis),
+                      polynomial(p, "p", basis), polynomial(q, "q", basis)},
+                     multiplier, start, name, basis);
+}
+
+nb::object from_quaternions(nb::handle rows, nb::handle multiplier, nb::handle start,
+                            const std::string& name, const std::string& basis_name) {
+  const std::string basis = basis_named(basis_name);
+  std::array<std::vector<Rational>, 4> parts;
+  std::size_t k = 0;
+  if (PySequence_Check(rows.ptr()) == 0) refuse_type("quaternions", "a list of quaternions", rows);
+  for (const nb::handle row : nb::list(rows)) {
+    const std::string place = "quaternions[" + std::to_string(k++) + "]";
+    const auto list = rationals(row, place);
+    if (list.size() != 4)
+      refuse(place, "4 numbers are wanted, there are " + std::to_string(list.size()), row);
+    for (std::size_t i = 0; i < 4; ++i) parts[i].push_back(list[i]);
+  }
+  if (k == 0) refuse("quaternions", "there are none", rows);
+  const auto made = [&](std::size_t i) {
+    return basis == "power" ? Polynomial(parts[i]) : from_bernstein(parts[i]);
+  };
+  return wrap(
+      of_preimage({made(0), made(1), made(2), made(3)}, multiplier, start, name, basis).named);
+}
+
+/// Lists of complex coefficients: (re, im) each, or numbers.
+GaussianPolynomial complex_list(nb::handle list, const std::string& place,
+                                const std::string& basis) {
+  std::vector<Rational> re;
+  std::vector<Rational> im;
+  if (PySequence_Check(list.ptr()) == 0) refuse_type(place, "a list of pairs (re, im)", list);
+  for (const nb::handle x : nb::list(list)) {
+    const std::string here = place + "[" + std::to_string(re.size()) + "]";
+    if (PyComplex_Check(x.ptr()) != 0) {
+      re.push_back(rational(x.attr("real"), here));
+      im.push_back(rational(x.attr("imag"), here));
+      continue;
+    }
+    const auto pair = rationals(x, here);
+    if (pair.size() != 2) refuse(here, "a pair (re, im) is wanted", x);
+    re.push_back(pair[0]);
+    im.push_back(pair[1]);
+  }
+  if (re.empty()) refuse(place, "there are no coefficients", list);
+  if (basis == "power") return {Polynomial(re), Polynomial(im)};
+  return {from_bernstein(re), from_bernstein(im)};
+}
+
+nb::object from_hopf(nb::handle alpha, nb::handle beta, nb::handle multiplier, nb::handle start,
+                     const std::string& name, const std::string& basis_name) {
+  const std::string basis = basis_named(basis_name);
+  if (basis == "bernstein" && nb::len(alpha) != nb::len(beta))
+    refuse("beta", "in the Bernstein basis it is as long as alpha", beta);
+  const HopfForm form{complex_list(alpha, "alpha", basis), complex_list(beta, "beta", basis)};
+  return wrap(of_preimage(from_hopf_form(form), multiplier, start, name, basis).named);
+}
+
+nb::object from_control_points(nb::handle points, const std::string& name) {
+  const auto given = vectors(points, "points", 2);
+  std::optional<IdentificationAnswer> found;
+  {
+    const nb::gil_scoped_release released;
+    found = answer({name, bezier_hodograph(given), given.front()});
+  }
+  if (auto* curve = std::get_if<Curve>(&found->result))
+    return wrap(NamedPath(name, std::move(*curve)));
+  std::string reason = "not a PH curve: " + to_string(std::get<NotPythagorean>(found->result));
+  if (found->suggestion)
+    reason += "; Curve.near(points, " + distance_text(found->suggestion->epsilon) +
+              ") has one that is at most " + distance_text(found->suggestion->distance) + " away";
+  refuse("points", reason, points);
+}
+
+nb::object near(nb::handle points, nb::handle eps, const std::string& name) {
+  const auto given = vectors(points, "points", 2);
+  const Rational epsilon = rational(eps, "eps");
+  if (epsilon.sign() <= 0) refuse("eps", "it is not positive", eps);
+  const auto found = [&] {
+    const nb::gil_scoped_release released;
+    const Vector<Polynomial> rate = bezier_hodograph(given);
+    auto exact = identify(rate, given.front());
+    if (auto* curve = std::get_if<Curve>(&exact))
+      return std::variant<NearCurve, NotNear>(NearCurve{std::move(*curve), Nearness{}});
+    return near_curve(rate, given.front(), epsilon);
+  }();
+  if (const auto* none = std::get_if<NotNear>(&found)) refuse("eps", to_line(*none, epsilon), eps);
+  const NearCurve& curve = std::get<NearCurve>(found);
+  return wrap(
+      NamedPath(name, curve.curve,
+                curve.nearness.epsilon == 0 ? std::nullopt : std::optional(curve.nearness)));
+}
+
+CurveKind kind_named(const std::string& name) {
+  std::string names;
+  for (const NamedKind& kind : curve_kinds()) {
+    if (kind.name == name) return kind.kind;
+    names += (names.empty() ? "" : ", ") + std::string(kind.name);
+  }
+  refuse("kind", "\"" + abbreviated(name) + "\" is not one of " + names, nb::str(name.c_str()));
+}
+
+nb::object constructed(const GivenPoints& given, const ConstructQuery& query) {
+  std::optional<ConstructionAnswer> found;
+  {
+    const nb::gil_scoped_release released;
+    found = answer(given, query);
+  }
+  return wrap(std::move(found->path));
+}
+
+std::vector<Vector<Rational>> as_many(nb::handle list, const std::string& place,
+                                      const GivenPoints& given) {
+  if (list.is_none()) return {};
+  auto found = vectors(list, place, 0);
+  if (found.size() != given.points.size())
+    refuse(place,
+           std::to_string(found.size()) + " for " + std::to_string(given.points.size()) + " points",
+           list);
+  return found;
+}
+
+nb::object through(nb::handle points, nb::handle derivatives, nb::handle tangents,
+                   nb::handle accelerations, nb::handle parameters, bool closed,
+                   const std::string& kind, bool exact, nb::handle tolerance, nb::handle solution,
+                   const std::string& name) {
+  GivenPoints given;
+  given.name = name;
+  given.points = vectors(points, "points", 2);
+  given.derivatives = as_many(derivatives, "derivatives", given);
+  given.tangents = as_many(tangents, "tangents", given);
+  given.accelerations = as_many(accelerations, "accelerations", given);
+  if (!parameters.is_none()) {
+    given.parameters = rationals(parameters, "parameters");
+    const std::size_t n = given.parameters.size();
+    if (n != given.points.size() && !(closed && n == given.points.size() + 1))
+      refuse("parameters",
+             std::to_string(n) + " for " + std::to_string(given.points.size()) + " points",
+             parameters);
+    for (std::size_t k = 1; k < n; ++k)
+      if (given.parameters[k] <= given.parameters[k - 1])
+        refuse("parameters[" + std::to_string(k) + "]", "it does not increase", parameters);
+  }
+  for (std::size_t k = 0; k < given.tangents.size(); ++k)
+    if (given.tangents[k] == Vector<Rational>{})
+      refuse("tangents[" + std::to_string(k) + "]", "it is 0, which is no direction", tangents);
+  if (given.derivatives.empty())
+    for (std::size_t k = 1; k < given.points.size(); ++k)
+      if (given.points[k] == given.points[k - 1])
+        refuse("points[" + std::to_string(k) + "]", "it is the point before it", points);
+  ConstructQuery query;
+  query.kind = kind_named(kind);
+  query.points = exact ? PointRule::exact : PointRule::near;
+  query.is_closed = closed;
+  query.solution = count(solution, "solution", 1, 1000);
+  if (!tolerance.is_none()) query.tolerance = rational(tolerance, "tolerance");
+  if (query.tolerance <= 0 || query.tolerance >= 1)
+    refuse("tolerance", "it is not between 0 and 1", tolerance);
+  return constructed(given, query);
+}
+
+nb::object hermite(nb::handle p0, nb::handle d0, nb::handle p1, nb::handle d1,
+                   const std::string& kind, nb::handle tolerance) {
+  GivenPoints given;
+  given.points = {vector(p0, "p0"), vector(p1, "p1")};
+  given.derivatives = {vector(d0, "d0"), vector(d1, "d1")};
+  ConstructQuery query;
+  query.kind = kind_named(kind);
+  if (!tolerance.is_none()) query.tolerance = rational(tolerance, "tolerance");
+  if (query.tolerance <= 0 || query.tolerance >= 1)
+    refuse("tolerance", "it is not between 0 and 1", tolerance);
+  return constructed(given, query);
+}
+
+nb::object parsed(const std::string& text, nb::handle near) {
+  if (near.is_none()) return wrap(read_path(text));
+  const Rational epsilon = rational(near, "near");
+  if (epsilon.sign() <= 0) refuse("near", "it is not positive", near);
+  auto found = read_path_near(text, epsilon);
+  if (const auto* none = std::get_if<NotNear>(&found))
+    refuse("near", to_line(*none, epsilon), near);
+  return wrap(std::get<NamedPath>(std::move(found)));
+}
+
+nb::object read(nb::handle file, nb::handle near) {
+  const nb::object open = imported("builtins", "open")(file, nb::arg("encoding") = "utf-8");
+  const nb::object text = open.attr("read")();
+  open.attr("close")();
+  return parsed(nb::cast<std::string>(text), near);
+}
+
+CurveObject only_curve(nb::object made, const char* place) {
+  if (!nb::isinstance<CurveObject>(made)) refuse(place, "a spline; Path.read reads one", made);
+  return nb::cast<CurveObject>(made);
+}
+
+PathObject of_segments(nb::handle curves, const std::string& name) {
+  std::vector<Curve> segments;
+  if (PySequence_Check(curves.ptr()) == 0) refuse_type("curves", "a list of curves", curves);
+  for (const nb::handle x : nb::list(curves)) {
+    if (!nb::isinstance<PathObject>(x))
+      refuse_type("curves[" + std::to_string(segments.size()) + "]", "a Curve", x);
+    const auto& more = nb::cast<const PathObject&>(x).named.path.segments();
+    segments.insert(segments.end(), more.begin(), more.end());
+  }
+  if (segments.empty()) refuse("curves", "there are none", curves);
+  return {NamedPath(name, joined(segments))};
+}
+
+#define PHRAME_CURVE_PARAMETERS                                                     \
+  nb::kw_only(), nb::arg("multiplier") = nb::none(), nb::arg("start") = nb::none(), \
+                 nb::arg("name") = "", nb::arg("basis") = "power"
+#define PHRAME_CURVE_SIG                                                                \
+  "*, multiplier: Polynomial | collections.abc.Sequence[Number] | None = None, start: " \
+  "Vector | None = None, name: str = '', basis: str = 'power'"
+#define PHRAME_LIST "Polynomial | collections.abc.Sequence[Number]"
+
+}  // namespace
+
+void bind_constructors(nb::class_<PathObject>& path, nb::class_<CurveObject, PathObject>& curve) {
+  path.def(
+          "__init__",
+          [](PathObject* self, nb::handle curves, const std::string& name) {
+            new (self) PathObject(of_segments(curves, name));
+          },
+          nb::arg("curves"), nb::arg("name") = "",
+          nb::sig(
+              "def __init__(self, curves: collections.abc.Iterable[Path], name: str = '') -> None"),
+          "Curves one after the other; position and tangent are checked to be continuous.")
+      .def_static(
+          "read", read, nb::arg("file"), nb::arg("near") = nb::none(),
+          nb::sig("def read(file: str | os.PathLike[str], near: Number | None = None) -> Path"),
+          "Of a curve/1 or spline/1 file. With `near`, control points that are not PH are "
+          "replaced by some at most so far away.")
+      .def_static("from_json", parsed, nb::arg("text"), nb::arg("near") = nb::none(),
+                  nb::sig("def from_json(text: str, near: Number | None = None) -> Path"),
+                  "Of the text of such a file.");
+  curve
+      .def(
+          "__init__",
+          [](CurveObject* self, nb::handle u, nb::handle v, nb::handle p, nb::handle q,
+             nb::handle multiplier, nb::handle start, const std::string& name,
+             const std::string& basis) {
+            new (self) CurveObject(from_preimage(u, v, p, q, multiplier, start, name, basis));
+          },
+          nb::arg("u"), nb::arg("v"), nb::arg("p"), nb::arg("q"), PHRAME_CURVE_PARAMETERS,
+          nb::sig("def __init__(self, u: " PHRAME_LIST ", v: " PHRAME_LIST ", p: " PHRAME_LIST
+                  ", q: " PHRAME_LIST ", " PHRAME_CURVE_SIG ") -> None"),
+          "Of the components of the preimage A = u + vi + pj + qk, each a list of coefficients.")
+      .def_static("from_quaternions", from_quaternions, nb::arg("quaternions"),
+                  PHRAME_CURVE_PARAMETERS,
+                  nb::sig("def from_quaternions(quaternions: collections.abc.Sequence["
+                          "collections.abc.Sequence[Number]], " PHRAME_CURVE_SIG ") -> Curve"),
+                  "Of the coefficients (u, v, p, q) of A.")
+      .def_static(
+          "from_hopf", from_hopf, nb::arg("alpha"), nb::arg("beta"), PHRAME_CURVE_PARAMETERS,
+          nb::sig("def from_hopf(alpha: collections.abc.Sequence[complex | "
+                  "collections.abc.Sequence[Number]], beta: collections.abc.Sequence[complex "
+                  "| collections.abc.Sequence[Number]], " PHRAME_CURVE_SIG ") -> Curve"),
+          "Of A = α + kβ: pairs (re, im) of coefficients of α = u + iv, β = q + ip.")
+      .def_static("from_control_points", from_control_points, nb::arg("points"),
+                  nb::arg("name") = "",
+                  nb::sig("def from_control_points(points: Vectors, name: str = '') -> Curve"),
+                  "The Bézier curve with these points, if it is PH, exactly.")
+      .def_static("near", near, nb::arg("points"), nb::arg("eps"), nb::arg("name") = "",
+                  nb::sig("def near(points: Vectors, eps: Number, name: str = '') -> Curve"),
+                  "An exact PH curve whose control points are at most eps from those given.")
+      .def_static(
+          "hermite", hermite, nb::arg("p0"), nb::arg("d0"), nb::arg("p1"), nb::arg("d1"),
+          nb::kw_only(), nb::arg("kind") = "quintic", nb::arg("tolerance") = nb::none(),
+          nb::sig("def hermite(p0: Vector, d0: Vector, p1: Vector, d1: Vector, *, kind: str "
+                  "= 'quintic', tolerance: Number | None = None) -> Path"),
+          "From p0 to p1 with the derivatives d0 and d1; of most kinds a Curve.")
+      .def_static(
+          "through", through, nb::arg("points"), nb::kw_only(), nb::arg("derivatives") = nb::none(),
+          nb::arg("tangents") = nb::none(), nb::arg("accelerations") = nb::none(),
+          nb::arg("parameters") = nb::none(), nb::arg("closed") = false,
+          nb::arg("kind") = "quintic", nb::arg("exact") = false, nb::arg("tolerance") = nb::none(),
+          nb::arg("solution") = 1, nb::arg("name") = "",
+          nb::sig("def through(points: Vectors, *, derivatives: Vectors | None = None, "
+                  "tangents: Vectors | None = None, accelerations: Vectors | None = None, "
+                  "parameters: collections.abc.Sequence[Number] | None = None, closed: bool "
+                  "= False, kind: str = 'quintic', exact: bool = False, tolerance: Number | "
+                  "None = None, solution: int = 1, name: str = '') -> Path"),
+          "A spline of exact PH curves through points: docs/construct.md names the kinds.")
+      .def_static(
+          "read",
+          [](nb::handle file, nb::handle eps) { return only_curve(read(file, eps), "file"); },
+          nb::arg("file"), nb::arg("near") = nb::none(),
+          nb::sig("def read(file: str | os.PathLike[str], near: Number | None = None) -> Curve"),
+          "Of a curve/1 file.")
+      .def_static(
+          "from_json",
+          [](const std::string& text, nb::handle eps) {
+            return only_curve(parsed(text, eps), "text");
+          },
+          nb::arg("text"), nb::arg("near") = nb::none(),
+          nb::sig("def from_json(text: str, near: Number | None = None) -> Curve"));
+}
+
+}  // namespace phrame::python

@@ -1,0 +1,147 @@
+#include "jobs.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace phrame::python {
+namespace {
+
+/// Threads that live as long as the process: what FLINT keeps for each of them is kept once.
+class Pool {
+ public:
+  /// Of this process: a child after fork() has none of its parent's threads.
+  static Pool& instance() {
+    static std::mutex& lock = *new std::mutex();
+    static Pool* pool = nullptr;  // never destroyed, since its threads do not end
+    const std::lock_guard guard(lock);
+    if (pool == nullptr || pool->process_ != getpid()) pool = new Pool();
+    return *pool;
+  }
+
+  std::size_t cores() const { return cores_; }
+
+  /// So many threads are still busy with what nobody waits for: others take their places.
+  void replace(std::size_t threads) {
+    const std::lock_guard guard(lock_);
+    most_ += threads;
+  }
+
+  void submit(std::function<void()> task) {
+    const std::lock_guard guard(lock_);
+    tasks_.push_back(std::move(task));
+    if (idle_ < tasks_.size() && threads_ < most_) {
+      std::thread([this] { serve(); }).detach();
+      ++threads_;
+    }
+    ready_.notify_one();
+  }
+
+ private:
+  void serve() {
+    std::unique_lock guard(lock_);
+    while (true) {
+      ++idle_;
+      ready_.wait(guard, [this] { return !tasks_.empty(); });
+      --idle_;
+      const auto task = std::move(tasks_.front());
+      tasks_.pop_front();
+      guard.unlock();
+      task();
+      guard.lock();
+    }
+  }
+
+  const pid_t process_ = getpid();
+  const std::size_t cores_ = std::max(1U, std::thread::hardware_concurrency());
+  std::size_t most_ = cores_;
+  std::mutex lock_;
+  std::condition_variable ready_;
+  std::deque<std::function<void()>> tasks_;
+  std::size_t threads_ = 0;
+  std::size_t idle_ = 0;
+};
+
+/// What the threads of one job share; the last of them that is left frees it.
+struct State {
+  Job job;
+  std::atomic<std::size_t> next{0};
+  std::atomic<std::size_t> done{0};
+  std::atomic<bool> is_cancelled{false};
+  std::mutex lock;
+  std::condition_variable ended;
+  std::size_t active;  ///< threads that have not ended
+  std::exception_ptr failure;
+
+  State(Job what, std::size_t threads) : job(std::move(what)), active(threads) {}
+
+  template <class F>
+  void guarded(const F& f) {
+    try {
+      f();
+    } catch (...) {
+      const std::lock_guard guard(lock);
+      if (!failure) failure = std::current_exception();
+      is_cancelled = true;
+    }
+  }
+
+  void work() {
+    guarded([&] {
+      while (!is_cancelled) {
+        const std::size_t from = next.fetch_add(job.grain);
+        if (from >= job.n) return;
+        const std::size_t to = std::min(job.n, from + job.grain);
+        job.work(from, to);
+        done += to - from;
+      }
+    });
+    end();
+  }
+
+  void end() {
+    const std::lock_guard guard(lock);
+    if (--active == 0) ended.notify_all();
+  }
+};
+
+}  // namespace
+
+void run(Job job, nb::handle progress) {
+  const std::size_t parts = (job.n + job.grain - 1) / job.grain;
+  const std::size_t threads = std::max<std::size_t>(1, std::min(Pool::instance().cores(), parts));
+  const auto state = std::make_shared<State>(std::move(job), threads);
+  Pool::instance().submit([state, threads] {
+    if (state->job.prepare) state->guarded(state->job.prepare);
+    for (std::size_t k = 1; k < threads; ++k) Pool::instance().submit([state] { state->work(); });
+    state->work();
+  });
+  bool has_ended = false;
+  while (!has_ended) {
+    {
+      const nb::gil_scoped_release released;
+      std::unique_lock guard(state->lock);
+      has_ended = state->ended.wait_for(guard, std::chrono::milliseconds(50),
+                                        [&] { return state->active == 0; });
+    }
+    try {
+      if (PyErr_CheckSignals() != 0) throw nb::python_error();
+      if (!progress.is_none()) progress(state->done.load(), state->job.n);
+    } catch (...) {
+      state->is_cancelled = true;
+      const std::lock_guard guard(state->lock);
+      Pool::instance().replace(state->active);
+      throw;
+    }
+  }
+  if (state->failure) std::rethrow_exception(state->failure);
+}
+
+}  // namespace phrame::python

@@ -1,0 +1,37 @@
+#include "numbers.hpp"
+
+namespace phrame::python {
+namespace {
+
+/// The exceptions of the library as those of phrame._errors.
+void translate(const std::exception_ptr& thrown, void*) {
+  const auto raise = [](const char* name, const char* message, const std::string& place,
+                        const std::string& reason) {
+    const nb::object& type = imported("phrame._errors", name);
+    const nb::object error = type(message, nb::arg("place") = place, nb::arg("reason") = reason);
+    PyErr_SetObject(type.ptr(), error.ptr());
+  };
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const InputError& error) {
+    raise("InputError", error.what(), error.place(), error.reason());
+  } catch (const DomainError& error) {
+    raise("DomainError", error.what(), "", error.what());
+  } catch (const Undecided& error) {
+    raise("Undecided", error.what(), "", error.what());
+  } catch (const Error& error) {
+    raise("Error", error.what(), "", error.what());
+  }
+}
+
+}  // namespace
+}  // namespace phrame::python
+
+NB_MODULE(_phrame, m) {
+  using namespace phrame::python;
+  m.doc() = "The library phrame: exact rotation-minimizing frames of Pythagorean-hodograph curves.";
+  m.attr("version") = phrame::version.data();
+  nb::register_exception_translator(translate);
+  bind_numbers(m);
+  bind_paths(m);
+}

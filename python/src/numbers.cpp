@@ -1,0 +1,247 @@
+#include "numbers.hpp"
+
+#include <cmath>
+#include <map>
+
+#include "phrame/io/read/angle.hpp"
+#include "phrame/io/read/number.hpp"
+
+namespace phrame::python {
+namespace {
+
+std::string type_of(nb::handle x) { return nb::type_name(x.type()).c_str(); }
+
+std::string shown_value(nb::handle x) {
+  try {
+    return abbreviated(nb::repr(x).c_str());
+  } catch (nb::python_error&) {
+    return "a " + type_of(x);  // an int too long to be printed, say
+  }
+}
+
+std::optional<Rational> machine_integer(PyObject* x) {
+  int overflow = 0;
+  const long long small = PyLong_AsLongLongAndOverflow(x, &overflow);
+  if (overflow != 0) return std::nullopt;
+  return Rational(static_cast<long>(small));
+}
+
+/// Of an int, whatever its size: hexadecimal digits take linear time.
+Rational integer(nb::handle x) {
+  if (const auto small = machine_integer(x.ptr())) return *small;
+  const nb::object text = nb::steal(PyNumber_ToBase(x.ptr(), 16));  // "-0x…"
+  if (!text.is_valid()) throw nb::python_error();
+  std::string digits = nb::cast<std::string>(text);
+  const bool is_negative = digits.front() == '-';
+  digits.erase(0, is_negative ? 3 : 2);
+  const Integer size(digits, 16);
+  return Rational(is_negative ? -size : size);
+}
+
+Rational quotient(nb::handle n, nb::handle d) { return integer(n) / integer(d); }
+
+Rational dyadic(double x, nb::handle value, const std::string& place) {
+  if (!std::isfinite(x)) refuse(place, "not a finite number: " + shown_value(value), value);
+  return exact_rational(x);
+}
+
+/// Of a Decimal, a np.float32, …: a pair of ints; that of NaN and infinities raises.
+Rational by_ratio(nb::handle x, const std::string& place) {
+  nb::object pair;
+  try {
+    pair = x.attr("as_integer_ratio")();
+  } catch (nb::python_error&) {
+    refuse(place, "not a finite number: " + shown_value(x), x);
+  }
+  return quotient(pair[0], pair[1]);
+}
+
+Rational by_text(nb::handle x, const std::string& place) {
+  const auto text = nb::cast<std::string>(x);
+  try {
+    return parse_number(text);
+  } catch (const InputError& error) {
+    refuse(place, error.reason(), x);
+  }
+}
+
+/// A Decimal whose exponent would make an integer of a million digits is refused before it does.
+void require_modest(nb::handle decimal, const std::string& place) {
+  const nb::object parts = decimal.attr("as_tuple")();
+  const nb::object exponent = parts.attr("exponent");
+  if (!PyLong_Check(exponent.ptr())) return;  // "n", "F"
+  int overflow = 0;
+  const long e = PyLong_AsLongAndOverflow(exponent.ptr(), &overflow);
+  if (overflow != 0 || e > max_number_exponent || e < -max_number_exponent)
+    refuse(place,
+           "the exponent is beyond " + std::to_string(max_number_exponent) + ": " +
+               shown_value(decimal),
+           decimal);
+}
+
+}  // namespace
+
+nb::object& imported(const char* module, const char* name) {
+  // Never freed: Python may be gone by then.
+  static auto& known = *new std::map<std::pair<std::string, std::string>, nb::object>();
+  static auto& lock = *new nb::ft_mutex();
+  const nb::ft_lock_guard guard(lock);
+  auto& found = known[{module, name}];
+  if (!found.is_valid()) found = nb::module_::import_(module).attr(name);
+  return found;
+}
+
+void refuse(const std::string& place, const std::string& reason, nb::handle value) {
+  const nb::object error = imported("phrame._errors", "InputError")(
+      place + ": " + reason, nb::arg("place") = place, nb::arg("reason") = reason,
+      nb::arg("value") = nb::borrow(value));
+  PyErr_SetObject(imported("phrame._errors", "InputError").ptr(), error.ptr());
+  throw nb::python_error();
+}
+
+void refuse_type(const std::string& place, const char* wanted, nb::handle value) {
+  throw nb::type_error((place + ": " + wanted + " is wanted, not " + type_of(value)).c_str());
+}
+
+Rational rational(nb::handle x, const std::string& place) {
+  PyObject* const p = x.ptr();
+  if (PyFloat_Check(p)) return dyadic(PyFloat_AS_DOUBLE(p), x, place);
+  if (PyBool_Check(p)) refuse_type(place, "a number", x);
+  if (PyLong_Check(p)) return integer(x);
+  if (PyUnicode_Check(p)) return by_text(x, place);
+  if (x.type().is(imported("fractions", "Fraction")))
+    return quotient(x.attr("numerator"), x.attr("denominator"));
+  if (x.type().is(imported("decimal", "Decimal"))) {
+    require_modest(x, place);
+    return by_ratio(x, place);
+  }
+  if (nb::isinstance<RealNumber>(x))
+    refuse(place, "an irrational number is not taken here; x.digits(n) is rational", x);
+  if (PyIndex_Check(p) != 0) {  // NumPy's integers; not arrays, whose __index__ raises
+    const nb::object index = nb::steal(PyNumber_Index(p));
+    if (index.is_valid()) return integer(index);
+    PyErr_Clear();
+  }
+  if (nb::hasattr(x, "as_integer_ratio")) return by_ratio(x, place);
+  if (nb::hasattr(x, "numerator") && nb::hasattr(x, "denominator")) {
+    const nb::object n = x.attr("numerator");
+    const nb::object d = x.attr("denominator");
+    if (PyIndex_Check(n.ptr()) != 0 && PyIndex_Check(d.ptr()) != 0)
+      return quotient(nb::steal(PyNumber_Index(n.ptr())), nb::steal(PyNumber_Index(d.ptr())));
+  }
+  if (nb::hasattr(x, "p") && nb::hasattr(x, "q"))  // SymPy and python-flint
+    return quotient(nb::int_(x.attr("p")), nb::int_(x.attr("q")));
+  if (nb::hasattr(x, "man_exp")) {  // mpmath
+    const nb::object parts = x.attr("man_exp");
+    return integer(nb::int_(parts[0])) * power_of_two(nb::cast<long>(parts[1]));
+  }
+  refuse_type(place, "a number (int, Fraction, Decimal, float or str)", x);
+}
+
+Angle angle_number(nb::handle x, const std::string& place) {
+  if (PyUnicode_Check(x.ptr()) == 0) return Angle(rational(x, place));
+  try {
+    return parse_angle(nb::cast<std::string>(x));
+  } catch (const InputError& error) {
+    refuse(place, error.reason(), x);
+  }
+}
+
+long count(nb::handle x, const std::string& place, long least, long most) {
+  if (PyBool_Check(x.ptr()) || PyIndex_Check(x.ptr()) == 0) refuse_type(place, "an int", x);
+  const Rational n = rational(x, place);
+  if (n < least || n > most)
+    refuse(place,
+           shown_value(x) + " is not in " + std::to_string(least) + " … " + std::to_string(most),
+           x);
+  return static_cast<long>(numerator(n));
+}
+
+std::vector<Rational> rationals(nb::handle list, const std::string& place) {
+  if (PyUnicode_Check(list.ptr()) != 0 || PySequence_Check(list.ptr()) == 0)
+    refuse_type(place, "a list of numbers", list);
+  const nb::object items = nb::steal(PySequence_Fast(list.ptr(), "a list of numbers is wanted"));
+  if (!items.is_valid()) {
+    PyErr_Clear();
+    refuse_type(place, "a list of numbers", list);
+  }
+  const auto n = static_cast<std::size_t>(PySequence_Fast_GET_SIZE(items.ptr()));
+  std::vector<Rational> result;
+  result.reserve(n);
+  for (std::size_t k = 0; k < n; ++k)
+    result.push_back(rational(PySequence_Fast_GET_ITEM(items.ptr(), static_cast<Py_ssize_t>(k)),
+                              place + "[" + std::to_string(k) + "]"));
+  return result;
+}
+
+Vector<Rational> vector(nb::handle x, const std::string& place) {
+  const auto list = rationals(x, place);
+  if (list.size() != 3)
+    refuse(place, "3 numbers are wanted, there are " + std::to_string(list.size()), x);
+  return {list[0], list[1], list[2]};
+}
+
+std::vector<Vector<Rational>> vectors(nb::handle list, const std::string& place,
+                                      std::size_t least) {
+  if (PyUnicode_Check(list.ptr()) != 0 || PySequence_Check(list.ptr()) == 0)
+    refuse_type(place, "a list of points", list);
+  std::vector<Vector<Rational>> result;
+  for (const nb::handle row : nb::list(list))
+    result.push_back(vector(row, place + "[" + std::to_string(result.size()) + "]"));
+  if (result.size() < least)
+    refuse(
+        place,
+        std::to_string(least) + " are wanted at least, there are " + std::to_string(result.size()),
+        list);
+  return result;
+}
+
+nb::object to_python(const Integer& x) {
+  if (bit_length(x) < 63) return nb::int_(static_cast<long>(x));
+  return nb::steal(PyLong_FromString(x.str(16).c_str(), nullptr, 16));
+}
+
+nb::object to_python(const Rational& x) {
+  return imported("fractions", "Fraction")(to_python(numerator(x)), to_python(denominator(x)));
+}
+
+nb::object to_python(const std::vector<Rational>& list) {
+  nb::list result;
+  for (const Rational& x : list) result.append(to_python(x));
+  return nb::tuple(result);
+}
+
+nb::object to_decimal(const std::string& digits) { return imported("decimal", "Decimal")(digits); }
+
+nb::object to_python(const Real& x, const nb::object& recipe) {
+  if (x.exact()) return to_python(*x.exact());
+  return nb::cast(RealNumber{x, recipe});
+}
+
+nb::object to_python(const RealAlgebraic& x) {
+  if (const auto r = x.rational()) return to_python(*r);
+  const Interval& around = x.interval();
+  return nb::cast(RealNumber{
+      to_real(x),
+      nb::make_tuple(imported("phrame._pickle", "rebuild"),
+                     nb::make_tuple("root", to_python(x.polynomial().coefficients()),
+                                    to_python(*around.lower), to_python(*around.upper)))});
+}
+
+nb::object to_python(const std::vector<RealRoot>& roots) {
+  nb::list result;
+  for (const RealRoot& root : roots) result.append(nb::make_tuple(to_python(root.at), root.order));
+  return nb::tuple(result);
+}
+
+Real real(nb::handle x, const std::string& place) {
+  if (nb::isinstance<RealNumber>(x)) return nb::cast<RealNumber&>(x).value;
+  return rational(x, place);
+}
+
+nb::object ends(const RealBall& ball) {
+  if (!ball.is_finite()) throw Undecided("enclosure: it is not finite with so few bits");
+  return nb::make_tuple(to_python(ball.lower()), to_python(ball.upper()));
+}
+
+}  // namespace phrame::python

@@ -1,0 +1,71 @@
+#pragma once
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "phrame/phrame.hpp"
+
+namespace phrame::python {
+
+namespace nb = nanobind;
+
+/// What a caller gave is not what was asked for: phrame.InputError with the name of the argument.
+[[noreturn]] void refuse(const std::string& place, const std::string& reason, nb::handle value);
+/// The same as a TypeError.
+[[noreturn]] void refuse_type(const std::string& place, const char* wanted, nb::handle value);
+
+/// The number that a Python object is, exactly: int, Fraction, Decimal, str, float, and what has
+/// __index__, numerator and denominator, or as_integer_ratio. `place` is the argument's name.
+Rational rational(nb::handle x, const std::string& place);
+/// An angle: a number of radians, or a text such as "pi/4" or "45deg".
+Angle angle_number(nb::handle x, const std::string& place);
+/// A number of digits ≥ 1, or of bits.
+long count(nb::handle x, const std::string& place, long least, long most);
+
+/// A list, a tuple or an array, one element each; numbers are named "place[3]".
+std::vector<Rational> rationals(nb::handle list, const std::string& place);
+/// Three numbers.
+Vector<Rational> vector(nb::handle x, const std::string& place);
+/// Rows of three numbers, `least` of them or more.
+std::vector<Vector<Rational>> vectors(nb::handle list, const std::string& place, std::size_t least);
+
+nb::object to_python(const Integer& x);   ///< int
+nb::object to_python(const Rational& x);  ///< fractions.Fraction
+template <class T>
+nb::object to_python(const Vector<T>& v) {
+  return nb::make_tuple(to_python(v[0]), to_python(v[1]), to_python(v[2]));
+}
+nb::object to_python(const std::vector<Rational>& list);  ///< a tuple
+/// decimal.Decimal, with all digits.
+nb::object to_decimal(const std::string& digits);
+
+/// An attribute of a module of Python, looked up once.
+nb::object& imported(const char* module, const char* name);
+
+/// A real number that is known by enclosures. `recipe` is (function, arguments), by which it is
+/// pickled: a number that is computed is computed again.
+struct RealNumber {
+  Real value;
+  nb::object recipe;
+};
+/// A Fraction where it is exact, else a RealNumber.
+nb::object to_python(const Real& x, const nb::object& recipe);
+nb::object to_python(const RealAlgebraic& x);
+/// [(number, order), …].
+nb::object to_python(const std::vector<RealRoot>& roots);
+/// The number of a RealNumber, or what rational() reads.
+Real real(nb::handle x, const std::string& place);
+
+/// Both ends of a ball, exactly, as Fractions.
+nb::object ends(const RealBall& ball);
+
+void bind_numbers(nb::module_& m);
+void bind_paths(nb::module_& m);
+
+}  // namespace phrame::python

@@ -1,0 +1,274 @@
+#include "paths.hpp"
+
+#include <limits>
+#include <sstream>
+
+namespace phrame::python {
+namespace {
+
+nb::object total(nb::handle self, const char* name, const PathTotal& found) {
+  return to_python(found.value, attribute_recipe(self, name));
+}
+
+/// Of what is infinite, that.
+nb::object total(nb::handle self, const char* name,
+                 const std::variant<PathTotal, Infinite>& found) {
+  if (const auto* finite = std::get_if<PathTotal>(&found)) return total(self, name, *finite);
+  return nb::float_(std::numeric_limits<double>::infinity());
+}
+
+const PathObject& path_of(nb::handle self) { return nb::cast<const PathObject&>(self); }
+
+template <class F>
+auto without_gil(const F& f) {
+  const nb::gil_scoped_release released;
+  return f();
+}
+
+nb::tuple polynomials(const Vector<Polynomial>& v) { return nb::make_tuple(v[0], v[1], v[2]); }
+
+nb::object complex_polynomial(const GaussianPolynomial& g) { return nb::make_tuple(g.re, g.im); }
+
+nb::object point(const PathObject& self, nb::handle t) {
+  const PathParameter at = locate(self.named.path, rational(t, "t"));
+  return to_python(evaluate(position(self.named.path.segments()[at.segment]), at.t));
+}
+
+void bind_totals(nb::class_<PathObject>& path) {
+#define PHRAME_TOTAL(name, of, what)                                      \
+  path.def_prop_ro(                                                       \
+      name,                                                               \
+      [](nb::handle self) {                                               \
+        const Path& asked = path_of(self).named.path;                     \
+        return total(self, name, without_gil([&] { return of(asked); })); \
+      },                                                                  \
+      nb::sig("def " name "(self) -> fractions.Fraction | Real | float"), what)
+  PHRAME_TOTAL("length", total_length, "∫ ds.");
+  PHRAME_TOTAL("erf_twist", erf_twist,
+               "∫ 2h/σ dt: how far the Euler–Rodrigues frame turns, in radians.");
+  PHRAME_TOTAL("total_torsion", total_torsion, "∫ τ ds.");
+  PHRAME_TOTAL("bending_energy", bending_energy, "∫ κ² ds; infinite at most cusps.");
+  PHRAME_TOTAL("frenet_energy", frenet_energy, "∫ (κ² + τ²) ds; infinite at most cusps.");
+#undef PHRAME_TOTAL
+  path.def_prop_ro(
+      "total_curvature",
+      [](nb::handle self) -> nb::object {
+        const Path& asked = path_of(self).named.path;
+        const auto found = without_gil([&] { return total_curvature(asked); });
+        return found ? total(self, "total_curvature", *found) : nb::none();
+      },
+      nb::sig("def total_curvature(self) -> fractions.Fraction | Real | None"),
+      "∫ κ ds where the curvature is rational over a field ℚ(√c), else None.");
+  path.def_prop_ro(
+      "holonomy",
+      [](nb::handle self) -> nb::object {
+        const Path& asked = path_of(self).named.path;
+        const auto found = without_gil([&] { return PathAngle(asked).holonomy(); });
+        return found ? to_python(*found, attribute_recipe(self, "holonomy")) : nb::none();
+      },
+      nb::sig("def holonomy(self) -> fractions.Fraction | Real | None"),
+      "By which angle the rotation-minimizing frame of a closed path comes back turned, else "
+      "None.");
+}
+
+void bind_path(nb::class_<PathObject>& path) {
+  path.def_prop_ro("name", [](const PathObject& self) { return self.named.name; })
+      .def_prop_ro(
+          "segments",
+          [](const PathObject& self) {
+            nb::list list;
+            for (const Curve& curve : self.named.path.segments())
+              list.append(wrap(NamedPath("", curve)));
+            return nb::tuple(list);
+          },
+          nb::sig("def segments(self) -> tuple[Curve, ...]"))
+      .def_prop_ro(
+          "end", [](const PathObject& self) { return self.named.path.segments().size(); },
+          "Of the parameter: the number of segments.")
+      .def_prop_ro(
+          "is_closed", [](const PathObject& self) { return self.named.path.ends_meet(); },
+          "Is the end the start?")
+      .def("point", point, nb::arg("t"),
+           nb::sig("def point(self, t: Number) -> tuple[fractions.Fraction, fractions.Fraction, "
+                   "fractions.Fraction]"),
+           "r(t), exactly.")
+      .def(
+          "json", [](const PathObject& self) { return write_path(self.named); },
+          "The curve/1 or spline/1 file.")
+      .def(
+          "__eq__",
+          [](const PathObject& self, nb::handle other) {
+            return nb::isinstance<PathObject>(other) &&
+                   self.named.path == path_of(other).named.path;
+          },
+          nb::sig("def __eq__(self, other: object) -> bool"))
+      .def("__hash__",
+           [](const PathObject& self) {
+             return nb::hash(
+                 to_python(self.named.path.segments().front().preimage().u.coefficients()));
+           })
+      .def("__repr__",
+           [](nb::handle self) {
+             const NamedPath& named = path_of(self).named;
+             std::ostringstream out;
+             if (named.path.is_curve())
+               out << named.path.segments().front();
+             else
+               out << named.path.segments().size() << " segments";
+             const std::string name = named.name.empty() ? "" : " " + abbreviated(named.name);
+             return "<" + nb::cast<std::string>(self.type().attr("__name__")) + name + ": " +
+                    abbreviated(out.str(), 200) + ">";
+           })
+      .def(
+          "__reduce__",
+          [](const PathObject& self) { return remade("_path_from", write_path(self.named)); },
+          PHRAME_REDUCE_SIG);
+  bind_copies(path);
+}
+
+void bind_transformations(nb::class_<CurveObject, PathObject>& curve) {
+  const auto renamed = [](const CurveObject& self, Curve made) {
+    return wrap(NamedPath(self.named.name, std::move(made)));
+  };
+  curve
+      .def(
+          "segment",
+          [renamed](const CurveObject& self, nb::handle a, nb::handle b) {
+            return renamed(self, segment(curve_of(self), rational(a, "a"), rational(b, "b")));
+          },
+          nb::arg("a"), nb::arg("b"), nb::sig("def segment(self, a: Number, b: Number) -> Curve"),
+          "The part from t = a to b as a curve on [0, 1].")
+      .def(
+          "reversed",
+          [renamed](const CurveObject& self) { return renamed(self, reversed(curve_of(self))); },
+          nb::sig("def reversed(self) -> Curve"), "t ↦ r(1 − t).")
+      .def(
+          "translated",
+          [renamed](const CurveObject& self, nb::handle v) {
+            return renamed(self, translated(curve_of(self), vector(v, "v")));
+          },
+          nb::arg("v"), nb::sig("def translated(self, v: Vector) -> Curve"))
+      .def(
+          "scaled",
+          [renamed](const CurveObject& self, nb::handle c) {
+            return renamed(self, scaled(curve_of(self), rational(c, "c")));
+          },
+          nb::arg("c"), nb::sig("def scaled(self, c: Number) -> Curve"))
+      .def(
+          "rotated",
+          [renamed](const CurveObject& self, nb::handle u) {
+            const auto list = rationals(u, "u");
+            if (list.size() != 4)
+              refuse("u", "4 numbers are wanted, there are " + std::to_string(list.size()), u);
+            return renamed(self, rotated(curve_of(self), {list[0], list[1], list[2], list[3]}));
+          },
+          nb::arg("u"), nb::sig("def rotated(self, u: collections.abc.Sequence[Number]) -> Curve"),
+          "Rotated as the quaternion u, its real part first, says, and scaled by |u|².");
+}
+
+void bind_curve(nb::class_<CurveObject, PathObject>& curve) {
+  curve
+      .def_prop_ro(
+          "preimage",
+          [](const CurveObject& self) {
+            const auto& [u, v, p, q] = curve_of(self).preimage();
+            return nb::make_tuple(u, v, p, q);
+          },
+          nb::sig("def preimage(self) -> tuple[Polynomial, Polynomial, Polynomial, Polynomial]"),
+          "A = u + vi + pj + qk.")
+      .def_prop_ro(
+          "multiplier", [](const CurveObject& self) { return curve_of(self).multiplier(); },
+          "f of r′ = f·A i A*.")
+      .def_prop_ro(
+          "start", [](const CurveObject& self) { return to_python(curve_of(self).start()); },
+          nb::sig("def start(self) -> tuple[fractions.Fraction, fractions.Fraction, "
+                  "fractions.Fraction]"))
+      .def_prop_ro("degree", [](const CurveObject& self) { return degree(curve_of(self)); })
+      .def_prop_ro(
+          "hodograph",
+          [](const CurveObject& self) { return polynomials(hodograph(curve_of(self))); },
+          nb::sig("def hodograph(self) -> tuple[Polynomial, Polynomial, Polynomial]"), "r′.")
+      .def_prop_ro(
+          "position", [](const CurveObject& self) { return polynomials(position(curve_of(self))); },
+          nb::sig("def position(self) -> tuple[Polynomial, Polynomial, Polynomial]"), "r.")
+      .def_prop_ro(
+          "sigma", [](const CurveObject& self) { return sigma(curve_of(self).preimage()); },
+          "σ = |A|².")
+      .def_prop_ro(
+          "h", [](const CurveObject& self) { return twist_numerator(curve_of(self).preimage()); },
+          "uv′ − u′v − pq′ + p′q.")
+      .def_prop_ro(
+          "g",
+          [](const CurveObject& self) {
+            return complex_polynomial(bend_numerator(curve_of(self).preimage()));
+          },
+          nb::sig("def g(self) -> tuple[Polynomial, Polynomial]"),
+          "αβ′ − α′β: its real and its imaginary part.")
+      .def_prop_ro(
+          "rho", [](const CurveObject& self) { return rho(curve_of(self).preimage()); }, "4|g|².")
+      .def_prop_ro(
+          "control_points",
+          [](const CurveObject& self) {
+            nb::list list;
+            for (const auto& point : control_points(curve_of(self))) list.append(to_python(point));
+            return nb::tuple(list);
+          },
+          nb::sig("def control_points(self) -> tuple[tuple[fractions.Fraction, "
+                  "fractions.Fraction, fractions.Fraction], ...]"))
+      .def_prop_ro(
+          "squared_curvature",
+          [](const CurveObject& self) { return squared_curvature(curve_of(self)); }, "κ².")
+      .def_prop_ro(
+          "torsion", [](const CurveObject& self) { return torsion(curve_of(self)); }, "τ.");
+}
+
+}  // namespace
+
+const Curve& curve_of(const PathObject& path) { return path.named.path.segments().front(); }
+
+nb::object wrap(NamedPath named) {
+  if (named.path.is_curve()) return nb::cast(CurveObject{{std::move(named)}});
+  return nb::cast(PathObject{std::move(named)});
+}
+
+nb::object attribute_recipe(nb::handle self, const char* name) {
+  return nb::make_tuple(imported("operator", "attrgetter")(name), nb::make_tuple(self));
+}
+
+Reference reference_named(const std::string& name, const std::string& place) {
+  if (name == "erf") return Reference::euler_rodrigues;
+  if (name == "frenet") return Reference::frenet;
+  refuse(place, "\"" + abbreviated(name) + "\" is not one of erf, frenet", nb::str(name.c_str()));
+}
+
+FrameStart frame_start(nb::handle start, nb::handle start_normal, const Path& path,
+                       Reference reference) {
+  if (start_normal.is_none()) return start.is_none() ? Angle() : angle_number(start, "start");
+  if (!start.is_none()) refuse("start", "it and start_normal exclude each other", start);
+  const StartNormal along(vector(start_normal, "start_normal"));
+  try {
+    start_angle(along, path, reference);
+  } catch (const DomainError& error) {
+    refuse("start_normal", error.what(), start_normal);
+  }
+  return along;
+}
+
+void bind_paths(nb::module_& m) {
+  m.def("_path_from", [](const std::string& text) { return wrap(read_path(text)); });
+  nb::class_<PathObject> path(
+      m, "Path",
+      "Pythagorean-hodograph curves joined to one, with the parameter from 0 "
+      "to their number. A Curve is a Path.");
+  nb::class_<CurveObject, PathObject> curve(
+      m, "Curve", "A Pythagorean-hodograph curve r′ = f·A i A*, exactly.");
+  bind_path(path);
+  bind_totals(path);
+  bind_arrays(path);
+  bind_curve(curve);
+  bind_transformations(curve);
+  bind_constructors(path, curve);
+  bind_answers(m, path, curve);
+}
+
+}  // namespace phrame::python

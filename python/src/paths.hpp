@@ -1,0 +1,44 @@
+#pragma once
+#include "phrame/phrame.hpp"
+#include "values.hpp"
+
+namespace phrame::python {
+
+/// A path as Python has it; a curve is one of a single segment, and of a type derived from it.
+struct PathObject {
+  NamedPath named;
+};
+struct CurveObject : PathObject {};
+
+/// A Curve where it is one, else a Path.
+nb::object wrap(NamedPath named);
+const Curve& curve_of(const PathObject& path);
+
+/// Where a frame starts: `start`, an angle, or `start_normal`, a vector, or neither.
+FrameStart frame_start(nb::handle start, nb::handle start_normal, const Path& path,
+                       Reference reference);
+/// "erf", "frenet".
+Reference reference_named(const std::string& name, const std::string& place);
+
+/// How an attribute or the answer of a method is pickled: it is asked for again.
+nb::object attribute_recipe(nb::handle self, const char* name);
+template <class... T>
+nb::object method_recipe(nb::handle self, const char* name, T&&... arguments) {
+  return nb::make_tuple(imported("operator", "methodcaller")(name, std::forward<T>(arguments)...),
+                        nb::make_tuple(self));
+}
+
+/// What curves and paths are made by; what they are asked for many parameters.
+void bind_constructors(nb::class_<PathObject>& path, nb::class_<CurveObject, PathObject>& curve);
+void bind_arrays(nb::class_<PathObject>& path);
+void bind_answers(nb::module_& m, nb::class_<PathObject>& path,
+                  nb::class_<CurveObject, PathObject>& curve);
+
+/// θ at many parameters, correctly rounded: an array.
+nb::object angles(const PathAngle& angle, const FrameAngle& start, nb::handle ts,
+                  nb::handle progress);
+
+#define PHRAME_START_PARAMETERS nb::arg("start") = nb::none(), nb::arg("start_normal") = nb::none()
+#define PHRAME_START_SIG "start: Number | None = None, start_normal: Vector | None = None"
+
+}  // namespace phrame::python
