@@ -16,7 +16,7 @@ rm -rf "$folder"
 mkdir -p "$(dirname "$folder")"
 echo "dev: making $folder, with packages from PyPI"
 if "$python" -m venv "$folder" &&
-  "$folder/bin/python" -m pip install --quiet --disable-pip-version-check --retries 1 -r "$requirements"; then
+  "$folder/bin/python" -m pip install --quiet --disable-pip-version-check --retries 5 -r "$requirements"; then
   cp "$requirements" "$folder/made-of"
 else
   rm -rf "$folder"
