@@ -40,6 +40,24 @@ T read_by(T (*read)(std::string_view, const CurveLimits&), const CurveOptions& o
   return at_place(name_of_file(options.path), ":", [&] { return read(text, options.limits); });
 }
 
+/// A PH path of a file in any format. What is said of a file in another one than curve/1 and
+/// spline/1 that is read as no PH path is that it is none; of all else, why it is not read.
+NamedPath read_ph_path(std::string_view text, const CurveLimits& limits) {
+  try {
+    return phrame::read_path(text, limits);
+  } catch (const InputError& error) {
+    if (error.place() != "/phrame" && error.place() != "1:1") throw;
+    std::optional<AnyPath> other;
+    try {
+      other = phrame::read_any_path(text, limits);
+    } catch (const InputError&) {
+      throw error;
+    }
+    if (auto* named = std::get_if<NamedPath>(&*other)) return std::move(*named);
+    throw InputError("", fmt::format("this command {}", needs_ph));
+  }
+}
+
 /// Of one polynomial curve, so far.
 std::optional<NearSuggestion> suggestion_of(const SmoothPath& path) {
   const auto* curve = std::get_if<RationalCurve>(&path.segments().front());
@@ -102,7 +120,7 @@ NamedCurve CurveOptions::read_curve() const {
 
 NamedPath CurveOptions::read_path() const {
   const auto within = epsilon();
-  if (!within) return read_by(phrame::read_path, *this);
+  if (!within) return read_by(read_ph_path, *this);
   const std::string text = read_file(path);
   const std::string file = name_of_file(path);
   auto read = at_place(file, ":", [&] { return read_path_near(text, *within, limits); });

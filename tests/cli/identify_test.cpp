@@ -268,3 +268,19 @@ TEST_CASE("any curve: angle and frames answer what is no PH curve, and say what 
   check_failure(here.run("frames quintic.json --frame rmf,up --at 0"), 2,
                 "is Pythagorean-hodograph");
 }
+
+TEST_CASE("identify: commands for PH curves read them in all formats, and say where one is none") {
+  const Workshop here;
+  here.write("segment.json", R"({"phrame": "bspline/1", "degree": 1, "knots": [0, 0, 1, 1],
+      "control_points": [[0, 0, 0], [3, 4, 0]]})");
+  const Run info = here.run("info segment.json --print json");
+  check_success(info);
+  CHECK(Json::parse(info.out)["arc_length"] == "5");
+  here.write("points.csv", "x,y,z\n0,0,0\n1,1,0\n2,0,1\n");
+  const Run none = here.run("info points.csv");
+  CHECK(none.status == 2);
+  CHECK(none.err.starts_with(
+      "phrame: points.csv: this command needs a Pythagorean-hodograph curve, and this is none ("));
+  here.write("words.csv", "no curve\n");
+  CHECK(contains(here.run("info words.csv").err, "a curve file is JSON"));
+}
