@@ -185,7 +185,7 @@ Segments read_curve_path(const JsonNode& node, const CurveLimits& limits) {
 
 Segments read_three_curve(const JsonNode& node, const CurveLimits& limits) {
   node.require(JsonNode::Kind::object, "a curve of three.js");
-  const std::string& type = node.at("type").string();
+  const std::string type = node.at("type").string();
   if (type == "LineCurve" || type == "LineCurve3") return read_three_bezier(node, {"v1", "v2"});
   if (type == "QuadraticBezierCurve" || type == "QuadraticBezierCurve3")
     return read_three_bezier(node, {"v0", "v1", "v2"});
