@@ -23,25 +23,6 @@ struct Operation {
   std::size_t at;
 };
 
-/// What binds tighter has more. −x^2 is −(x^2), and x^-2 is possible because a prefix sign is
-/// pushed whatever stands before it.
-int precedence(char sign) {
-  switch (sign) {
-    case '+':
-    case '-':
-      return 1;
-    case '*':
-    case '/':
-      return 2;
-    case '~':
-      return 3;
-    case '^':
-      return 4;
-    default:
-      return 0;
-  }
-}
-
 struct Operand {
   std::variant<Unreduced, UnreducedSum> value;
   std::size_t begin;  ///< the piece of the text that it is the value of

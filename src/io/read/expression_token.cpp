@@ -148,4 +148,21 @@ std::string in_quotes(std::string_view text) {
   return "\"" + abbreviated(text) + "\"";
 }
 
+int precedence(char sign) {
+  switch (sign) {
+    case '+':
+    case '-':
+      return 1;
+    case '*':
+    case '/':
+      return 2;
+    case '~':
+      return 3;
+    case '^':
+      return 4;
+    default:
+      return 0;
+  }
+}
+
 }  // namespace phrame

@@ -26,6 +26,11 @@ struct Token {
 /// end. Any bytes will do.
 Token first_token(std::string_view rest);
 
+/// How tightly an operation binds its operands: + - * / ^, and '~' for the negative of one; 0 for
+/// what is none. −x^2 is −(x^2), and x^-2 is possible because a prefix sign waits whatever stands
+/// before it.
+int precedence(char sign);
+
 /// The value of a Kind::exponent.
 std::string plain_digits(std::string_view superscript);
 

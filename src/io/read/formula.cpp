@@ -33,23 +33,6 @@ struct WaitingOperation {
   std::string_view function = {};  ///< of a parenthesis
 };
 
-int binding(char sign) {
-  switch (sign) {
-    case '+':
-    case '-':
-      return 1;
-    case '*':
-    case '/':
-      return 2;
-    case '~':
-      return 3;
-    case '^':
-      return 4;
-    default:
-      return 0;
-  }
-}
-
 constexpr std::array function_names{"sin",  "cos",    "tan",  "cot",  "sec",  "csc",
                                     "exp",  "log",    "ln",   "sqrt", "asin", "acos",
                                     "atan", "arctan", "sinh", "cosh", "tanh"};
@@ -325,8 +308,8 @@ void FormulaParser::read_operator(const Token& token) {
   const bool groups_right = token.sign == '^';
   if (groups_right && first_token(before_).kind == Token::Kind::exponent)
     fail(at_, ambiguous_power);
-  const int rank = binding(token.sign) + (groups_right ? 1 : 0);
-  while (!operations_.empty() && binding(operations_.back().sign) >= rank) reduce();
+  const int rank = precedence(token.sign) + (groups_right ? 1 : 0);
+  while (!operations_.empty() && precedence(operations_.back().sign) >= rank) reduce();
   operations_.push_back({token.sign, at_});
   operand_is_next_ = true;
 }
