@@ -1,6 +1,7 @@
 #pragma once
 // The public interface: this and what it includes; all else is not installed. Where to begin:
 //   read_path(), identify()                   curves of files, or by their hodograph
+//   read_any_path()                           curves of any kind, of files of any format
 //   answer(path, AngleQuery{…}), to_text()    what the commands of the program answer, and its text
 //   RmfAngle, PathAngle, Frames               angles and frames, for many t
 //   CompiledAngle, CompiledFrames             the same for millions of t
@@ -21,10 +22,13 @@
 #include "phrame/answer/integral.hpp"
 #include "phrame/answer/interpolation.hpp"
 #include "phrame/answer/minimal_twist.hpp"
+#include "phrame/answer/smooth_angle.hpp"
+#include "phrame/answer/smooth_table.hpp"
 #include "phrame/answer/totals.hpp"
 #include "phrame/answer/wronskian.hpp"
 #include "phrame/integrate/definite_integral.hpp"
 #include "phrame/integrate/integrate.hpp"
+#include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/certificate_file.hpp"
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/read/expression.hpp"
@@ -47,6 +51,7 @@
 #include "phrame/io/write/info.hpp"
 #include "phrame/io/write/integral.hpp"
 #include "phrame/io/write/passage.hpp"
+#include "phrame/io/write/smooth_angle.hpp"
 #include "phrame/io/write/totals.hpp"
 #include "phrame/io/write/twist.hpp"
 #include "phrame/io/write/verification.hpp"
@@ -64,5 +69,8 @@
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/ph/proof/verify.hpp"
 #include "phrame/ph/smooth/closed_curve.hpp"
+#include "phrame/ph/smooth/smooth_check.hpp"
+#include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/smooth/smooth_length.hpp"
 #include "phrame/ph/smooth/smooth_path.hpp"
 #include "phrame/version.hpp"

@@ -1,6 +1,6 @@
 #pragma once
-#include "phrame/ph/curve/named.hpp"
 #include "phrame/ph/frame/frame_check.hpp"
+#include "phrame/ph/smooth/smooth_path.hpp"
 
 namespace phrame {
 
@@ -12,13 +12,17 @@ struct CheckQuery {
 
 /// The verdict on somebody's frames.
 struct CheckAnswer {
-  NamedPath path;                  ///< what the frames are of
+  AnyPath path;                    ///< what the frames are of
   std::vector<GivenFrame> frames;  ///< as given
   FrameCheckOptions options;       ///< as asked
   FrameVerdict verdict;            ///< whether they pass, errors and findings
+  /// v, given or chosen, to whose frame angles are where the path is no PH path.
+  std::optional<Vector<Rational>> up = std::nullopt;
 };
 
-/// Throws as check_frames().
+/// @{ Throws as check_frames().
 CheckAnswer answer(const NamedPath& path, const CheckQuery& query);
+CheckAnswer answer(const NamedSmoothPath& path, const CheckQuery& query);
+/// @}
 
 }  // namespace phrame

@@ -34,11 +34,8 @@ void require_columns(const TableColumns& columns) {
 
 class SmoothRows {
  public:
-  SmoothRows(const SmoothPath& path, const TableColumns& columns,
-             const std::optional<Vector<Rational>>& up)
-      : columns_(columns),
-        angle_(up ? SmoothAngle(path, *up) : SmoothAngle(path)),
-        start_(start_angle(columns.start, angle_)) {}
+  SmoothRows(const SmoothAngle& angle, const TableColumns& columns)
+      : columns_(columns), angle_(angle), start_(start_angle(columns.start, angle_)) {}
 
   std::vector<double> at(const SmoothParameter& at);
   const std::string& reason() const { return reason_; }
@@ -110,11 +107,10 @@ std::vector<double> SmoothRows::at(const SmoothParameter& at) {
 
 }  // namespace
 
-FrameTable frame_table(const SmoothPath& path, const TableColumns& columns,
-                       const std::optional<Vector<Rational>>& up,
+FrameTable frame_table(const SmoothAngle& angle, const TableColumns& columns,
                        const std::vector<SmoothParameter>& at) {
   require_columns(columns);
-  SmoothRows rows(path, columns, up);
+  SmoothRows rows(angle, columns);
   FrameTable table{names_of(columns), {}};
   for (const SmoothParameter& point : at) {
     add_row(table, rows.at(point), [&] { return fmt::format("row {}", table.rows.size()); });

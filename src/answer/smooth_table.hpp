@@ -1,15 +1,14 @@
 #pragma once
 #include "phrame/answer/frame_table.hpp"
-#include "phrame/ph/smooth/smooth_point.hpp"
+#include "phrame/ph/smooth/smooth_angle.hpp"
 
 namespace phrame {
 
-/// The table of a path of any kind: frames rmf, up and frenet, and all scalars; `up` is v, one is
-/// chosen if there is none. An angle at which the rotation-minimizing frame starts is that to e₂ =
-/// v × e₁/|v × e₁|. What is not continuous at a joint is that of the later segment. Throws as the
-/// frame_table() of PH curves, as SmoothAngle, and DomainError for a frame that only these have.
-FrameTable frame_table(const SmoothPath& path, const TableColumns& columns,
-                       const std::optional<Vector<Rational>>& up,
+/// The table of a path of any kind: frames rmf, up and frenet, and all scalars; the angle is that
+/// to the frame of v. Where the rotation-minimizing frame starts at an angle, it is that to e₂ = v
+/// × e₁/|v × e₁|. What is not continuous at a joint is that of the later segment. Throws as the
+/// frame_table() of PH curves, and DomainError for a frame that only these have.
+FrameTable frame_table(const SmoothAngle& angle, const TableColumns& columns,
                        const std::vector<SmoothParameter>& at);
 
 }  // namespace phrame

@@ -11,7 +11,7 @@ struct AngleOptions {
   CurveOptions curve;
   Parameters parameters;
   std::string frame = "erf";
-  std::optional<std::string> up;
+  UpOption up;
   std::string route = "auto";
   FormOptions form;
   StartOptions start;
@@ -58,7 +58,9 @@ void run(const Command& command, const AngleOptions& options, const NamedSmoothP
                                             options.form.print));
   SmoothAngleQuery query;
   if (options.frame == "frenet") query.reference = SmoothReference::frenet;
-  if (options.up) query.up = parse_vector_option("--up", *options.up);
+  const SmoothAngle angle = options.up.angle(named.path);
+  options.start.check(angle);
+  query.up = angle.up();
   query.start = options.start.given().value_or(FrameStart());
   query.at = options.parameters.values(named.path.end());
   query.digits = options.digits;
@@ -69,14 +71,14 @@ void run(const Command& command, const AngleOptions& options, const NamedSmoothP
 }
 
 void run(const Command& command, const AngleOptions& options) {
-  const bool is_of_any = options.frame == "up" || options.up;
   AngleQuery query = cli::query(options);
   const Print print = options.form.chosen_print();
   const AnyPath read = options.curve.read_any_path();
   if (const auto* smooth = std::get_if<NamedSmoothPath>(&read))
     return run(command, options, *smooth);
-  if (is_of_any)
-    throw InputError(options.up ? "--up" : "--frame",
+  options.up.refuse(": its angle is that to erf or frenet");
+  if (options.frame == "up")
+    throw InputError("--frame",
                      "the curve is Pythagorean-hodograph: its angle is that to erf or frenet");
   const auto& named = std::get<NamedPath>(read);
   query.at = options.parameters.values(named.path.end());
@@ -99,9 +101,8 @@ void add_angle(Program& program) {
       "--frame", options->frame, {"erf", "frenet", "up"},
       "the frame the angle is measured from: erf (default) or frenet; of curves that\n"
       "are not Pythagorean-hodograph up (default) or frenet");
-  command.add_option("--up", "X,Y,Z", options->up,
-                     "of such curves: the vector v that makes the frame e2 = v x e1/|v x e1|\n"
-                     "(default: one that is nowhere along the tangent)");
+  options->up.add_to(command,
+                     "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");
   add_digits(command, options->digits);
   options->form.add_to(command);
   command.add_choice(

@@ -14,6 +14,7 @@ struct CheckOptions {
   std::string frames;
   std::string tolerance = "1e-6";
   StartOptions start;
+  UpOption up;
   std::string quaternion;
   std::string tangent_axis = "x";
   bool is_inverse = false;
@@ -53,6 +54,17 @@ void require_enough(const std::vector<GivenFrame>& frames, const FrameCheckOptio
                         abbreviated(to_string(frames.front().t))));
 }
 
+/// Throws InputError for vectors that do not do with this path.
+void check_start(const AnyPath& path, const CheckOptions& options, FrameCheckOptions& measure) {
+  if (const auto* named = std::get_if<NamedPath>(&path)) {
+    options.up.refuse(": its angles are those to the Euler-Rodrigues frame");
+    return options.start.check(named->path);
+  }
+  const SmoothAngle angle = options.up.angle(std::get<NamedSmoothPath>(path).path);
+  options.start.check(angle);
+  measure.up = angle.up();
+}
+
 void run(const Command& command, const CheckOptions& options) {
   const auto print = choose<std::string (*)(const CheckAnswer&, const TableReading&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
@@ -65,8 +77,8 @@ void run(const Command& command, const CheckOptions& options) {
   if (options.curve.path == "-" && options.frames == "-")
     throw InputError("check", "the curve and the frames are both to be read from standard input");
 
-  const NamedPath named = options.curve.read_path();
-  options.start.check(named.path);
+  const AnyPath path = options.curve.read_any_path();
+  check_start(path, options, measure);
   const std::string bytes = read_file(options.frames);
   const std::string file = name_of_file(options.frames);
   const GivenTable table = at_place(file, ":", [&] { return read_frames(bytes, reading); });
@@ -74,9 +86,11 @@ void run(const Command& command, const CheckOptions& options) {
     command.refuse({"--quaternion", "--tangent-axis", "--inverse"},
                    "is for quaternions; the table has vectors");
   require_enough(table.frames, measure, file);
-  const CheckAnswer found = answer(named, CheckQuery{table.frames, measure});
+  const CheckQuery query{table.frames, measure};
+  const CheckAnswer found =
+      std::visit([&](const auto& named) { return answer(named, query); }, path);
   TableReading shown{table.columns, table.skipped};
-  if (const auto better = better_reading(named.path, bytes, reading, table, found.verdict, measure))
+  if (const auto better = better_reading(found, bytes, reading, table))
     shown.better = {to_options(better->reading), better->passes};
   options.length.write(options.curve.output, print(found, shown));
   if (!found.verdict.passes) throw AnswerNo{};
@@ -93,6 +107,8 @@ void add_check(Program& program) {
   command.add_option("--tol", "BOUND", options->tolerance,
                      "radians, cosines and lengths that may be off (default 1e-6)");
   options->start.add_to(command, "e2", "default: that of the first sample");
+  options->up.add_to(command,
+                     "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");
   command.add_choice("--quaternion", options->quaternion, {"wxyz", "xyzw"},
                      "of quaternions: the order of the columns, wxyz or xyzw (default: as they\n"
                      "are named, else wxyz)");

@@ -16,6 +16,7 @@
 #include "phrame/io/write/reference_names.hpp"
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/construct/near.hpp"
+#include "phrame/ph/smooth/smooth_frame.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -32,6 +33,16 @@ bool write_and_close(File file, const std::string& bytes) {
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
   const bool flushed = std::fflush(file.get()) == 0;
   return std::fclose(file.release()) == 0 && written && flushed;
+}
+
+/// What is undefined for the value of an option is an error there.
+template <class Make>
+auto at_option(const std::string& option, Make make) {
+  try {
+    return make();
+  } catch (const DomainError& error) {
+    throw InputError(option, error.what());
+  }
 }
 
 template <class T>
@@ -220,11 +231,35 @@ std::optional<FrameStart> StartOptions::given() const {
 }
 
 void StartOptions::check(const Path& path) const {
-  try {
+  at_option("--start-normal", [&] {
     if (const auto start = given()) start_angle(*start, path);
-  } catch (const DomainError& error) {
-    throw InputError("--start-normal", error.what());
-  }
+  });
+}
+
+void StartOptions::check(const SmoothAngle& along) const {
+  at_option("--start-normal", [&] {
+    if (const auto start = given()) start_angle(*start, along);
+  });
+}
+
+void UpOption::add_to(Command& command, const std::string& what) {
+  command.add_option(
+      "--up", "X,Y,Z", vector,
+      "of curves that are not Pythagorean-hodograph: the vector v that makes the\n" + what);
+}
+
+std::optional<Vector<Rational>> UpOption::given() const {
+  if (!vector) return std::nullopt;
+  return parse_vector_option("--up", *vector);
+}
+
+SmoothAngle UpOption::angle(const SmoothPath& path) const {
+  const auto up = given();
+  return up ? at_option("--up", [&] { return SmoothAngle(path, *up); }) : SmoothAngle(path);
+}
+
+void UpOption::refuse(const std::string& has_instead) const {
+  if (vector) throw InputError("--up", "the curve is Pythagorean-hodograph" + has_instead);
 }
 
 void TextLength::add_to(Command& command) {

@@ -7,6 +7,7 @@
 #include "phrame/cli/program.hpp"
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
+#include "phrame/ph/smooth/smooth_angle.hpp"
 
 namespace phrame::cli {
 
@@ -76,9 +77,26 @@ struct StartOptions {
   void add_to(Command& command, const std::string& angle_to, const std::string& otherwise);
   /// What is given. Throws InputError.
   std::optional<FrameStart> given() const;
-  /// Throws InputError for a vector that has no part across the tangent.
+  /// @{ Throws InputError for a vector that has no part across the tangent.
   void check(const Path& path) const;
+  void check(const SmoothAngle& along) const;
+  /// @}
   static std::vector<std::string> names() { return {"--theta0", "--start-normal"}; }
+};
+
+/// --up, of curves that are not PH: the vector v to whose frame angles are.
+struct UpOption {
+  std::optional<std::string> vector;
+
+  /// `what` goes on after "of curves that are not Pythagorean-hodograph: the vector v that makes
+  /// the".
+  void add_to(Command& command, const std::string& what);
+  /// What is given. Throws InputError.
+  std::optional<Vector<Rational>> given() const;
+  /// The angle along the path. Throws InputError for a v that is 0 or along the tangent.
+  SmoothAngle angle(const SmoothPath& path) const;
+  /// Throws InputError where it is given, for a PH curve that `has_instead` something else.
+  void refuse(const std::string& has_instead) const;
 };
 
 /// --max-degree

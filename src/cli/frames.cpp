@@ -22,7 +22,7 @@ struct FramesOptions {
   std::vector<std::string> scalars;
   std::string by = "t";
   std::string format = "csv";
-  std::optional<std::string> up;
+  UpOption up;
   bool skips_undefined = false;
 };
 
@@ -119,8 +119,9 @@ FrameTable table_of(const NamedPath& named, TableColumns& columns, By by,
   const Path& path = named.path;
   const auto names = split(options.frames);
   const bool has_up = std::find(names.begin(), names.end(), "up") != names.end();
-  if (options.up || has_up)
-    throw InputError(options.up ? "--up" : "--frame",
+  options.up.refuse("; its frames are rmf, erf, frenet");
+  if (has_up)
+    throw InputError("--frame",
                      "the curve is Pythagorean-hodograph; its frames are rmf, erf, frenet");
   options.start.check(path);
   add_twist_frames(columns, options.twist, path);
@@ -137,11 +138,11 @@ FrameTable table_of(const NamedSmoothPath& named, const TableColumns& columns, B
   for (const std::string& name : split(options.frames))
     if (name == "erf" || name == "mtf" || name == "mtf-exact")
       throw InputError("--frame", fmt::format("\"{}\" {}", name, needs_ph));
-  std::optional<Vector<Rational>> up;
-  if (options.up) up = parse_vector_option("--up", *options.up);
+  const SmoothAngle angle = options.up.angle(named.path);
+  options.start.check(angle);
   const auto at =
       by == By::parameter ? points(options, named.path) : points_by_length(options, named.path);
-  return table(columns, [&] { return frame_table(named.path, columns, up, at); });
+  return table(columns, [&] { return frame_table(angle, columns, at); });
 }
 
 void run(const FramesOptions& options) {
@@ -184,8 +185,7 @@ void add_frames(Program& program) {
                      "t (default), or arc-length: --at and --samples mean arc lengths from t = 0");
   options->start.add_to(command, "e2", "default 0");
   command.only_with(StartOptions::names(), {"--frame rmf"});
-  command.add_option("--up", "X,Y,Z", options->up,
-                     "of curves that are not Pythagorean-hodograph: the vector v that makes the\n"
+  options->up.add_to(command,
                      "frame up, v x e1/|v x e1| and e1 x (v x e1)/|v x e1|, and that --theta0 is\n"
                      "counted from (default: one that is nowhere along the tangent)");
   options->twist.add_to(command);

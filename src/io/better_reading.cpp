@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/smooth/smooth_check.hpp"
 
 namespace phrame {
 namespace {
@@ -15,20 +16,39 @@ bool has_right_tangents(const FrameVerdict& verdict) {
 }
 
 /// Vectors are left out, for their columns are positions; but are they?
-bool hides_vectors(const Path& path, std::string_view bytes, const GivenTable& table,
-                   const FrameReading& other, const Rational& tolerance) {
+bool hides_vectors(const CheckAnswer& found, std::string_view bytes, const GivenTable& table,
+                   const FrameReading& other) {
   const auto has_positions = [](const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), "x") != names.end();
   };
-  return has_positions(other.names) && !has_positions(table.columns) &&
-         !are_on_curve(path, read_positions(bytes, other), std::min(tolerance, Rational(1, 100)));
+  if (!has_positions(other.names) || has_positions(table.columns)) return false;
+  const Rational tolerance = std::min(found.options.tolerance, Rational(1, 100));
+  const std::vector<GivenPosition> positions = read_positions(bytes, other);
+  return std::visit(
+      [&](const auto& named) { return !are_on_curve(named.path, positions, tolerance); },
+      found.path);
+}
+
+/// By few frames, most readings are seen to be wrong.
+bool are_along_few(const CheckAnswer& found, std::string_view bytes, const FrameReading& other) {
+  constexpr std::size_t few = 5;
+  const std::vector<GivenFrame> frames = read_frames(bytes, other, few).frames;
+  return std::visit(
+      [&](const auto& named) {
+        return are_along_curve(named.path, frames, found.options.tolerance);
+      },
+      found.path);
 }
 
 /// No value where it is not decided.
-std::optional<FrameVerdict> verdict_of(const Path& path, const std::vector<GivenFrame>& frames,
-                                       const FrameCheckOptions& options) {
+std::optional<FrameVerdict> verdict_of(const CheckAnswer& found,
+                                       const std::vector<GivenFrame>& frames) {
   try {
-    return check_frames(path, frames, options);
+    return std::visit(
+        [&](const auto& named) {
+          return answer(named, CheckQuery{frames, found.options}).verdict;
+        },
+        found.path);
   } catch (const Undecided&) {
     return std::nullopt;
   }
@@ -36,22 +56,19 @@ std::optional<FrameVerdict> verdict_of(const Path& path, const std::vector<Given
 
 }  // namespace
 
-std::optional<BetterReading> better_reading(const Path& path, std::string_view bytes,
-                                            const FrameReading& reading, const GivenTable& table,
-                                            const FrameVerdict& verdict,
-                                            const FrameCheckOptions& options) {
+std::optional<BetterReading> better_reading(const CheckAnswer& found, std::string_view bytes,
+                                            const FrameReading& reading, const GivenTable& table) {
   const bool has_tangents = table.frames.front().tangent.has_value();
-  if (verdict.passes || (has_tangents && has_right_tangents(verdict))) return std::nullopt;
+  if (found.verdict.passes || (has_tangents && has_right_tangents(found.verdict)))
+    return std::nullopt;
   std::optional<BetterReading> better;
   for (const FrameReading& other : other_readings(table, reading)) {
-    constexpr std::size_t few = 5;  // most readings are seen to be wrong by a few frames
-    if (!are_along_curve(path, read_frames(bytes, other, few).frames, options.tolerance)) continue;
-    if (hides_vectors(path, bytes, table, other, options.tolerance)) continue;
+    if (!are_along_few(found, bytes, other) || hides_vectors(found, bytes, table, other)) continue;
     const GivenTable all = read_frames(bytes, other);
-    const auto found = verdict_of(path, all.frames, options);
-    if (!found) continue;
-    if (found->passes) return BetterReading{other, true};
-    const bool is_better = all.frames.front().tangent && has_right_tangents(*found);
+    const auto verdict = verdict_of(found, all.frames);
+    if (!verdict) continue;
+    if (verdict->passes) return BetterReading{other, true};
+    const bool is_better = all.frames.front().tangent && has_right_tangents(*verdict);
     if (is_better && !better) better = BetterReading{other, false};
   }
   return better;

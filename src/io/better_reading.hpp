@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/answer/check.hpp"
 #include "phrame/io/read/frame_csv.hpp"
 
 namespace phrame {
@@ -13,10 +14,8 @@ struct BetterReading {
 /// `reading` took for vectors, they are to be the curve's, as are_on_curve() tells with the
 /// tolerance, but 1/100 at most: else what is wrong with a vector would be out of sight. If there
 /// is none, the first by which all tangents are right, where they are not by `reading`. Both are
-/// proved, as check_frames() does it. `table` and `verdict` are what `bytes` mean by `reading`.
-std::optional<BetterReading> better_reading(const Path& path, std::string_view bytes,
-                                            const FrameReading& reading, const GivenTable& table,
-                                            const FrameVerdict& verdict,
-                                            const FrameCheckOptions& options);
+/// proved, as check_frames() does it. `table` and `found` are what `bytes` mean by `reading`.
+std::optional<BetterReading> better_reading(const CheckAnswer& found, std::string_view bytes,
+                                            const FrameReading& reading, const GivenTable& table);
 
 }  // namespace phrame

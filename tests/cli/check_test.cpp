@@ -152,3 +152,51 @@ TEST_CASE("check: another convention that is right is named") {
   check_failure(here.run("check plane.json poses.txt --header t,f2x,f2y,f2z"), 2,
                 "--header: 4 names for 5 columns\n");
 }
+
+TEST_CASE("check: frames of a curve of any kind are judged, by angles to the frame of v") {
+  const Workshop here;
+  here.write("cubic.json", R"({"phrame": "curve/1", "name": "cubic",
+      "control_points": [[0, 0, 0], [1, 0, 0], [1, 2, 0], [0, 2, 3]]})");
+  CHECK(
+      here.run("frames cubic.json --frame rmf,up,frenet --up 0,0,1 --samples 9 -o table").status ==
+      0);
+  const Run pass = here.run("check cubic.json table --tol 1e-15");
+  check_success(pass);
+  CHECK(contains(pass.out, "cubic: 9 frames, t from 0 to 1\n\npass: f2 is at most "));
+  std::string table = here.run("frames cubic.json --frame up --up 0,0,1 --samples 9").out;
+  for (const auto& [from, to] :
+       {std::pair("up2x,up2y,up2z", "f2x,f2y,f2z"), {"up3x,up3y,up3z", "f3x,f3y,f3z"}})
+    table.replace(table.find(from), 14, to);
+  here.write("up.csv", table);
+  // −∫ τ ds by mpmath's quad: -1.65740642390110…; n and b are this frame at both ends.
+  const Run fail = here.run("check cubic.json up.csv --theta0 0 --up 0,0,1 --print json");
+  CHECK(fail.status == 1);
+  CHECK(fail.err.empty());
+  const auto out = nlohmann::json::parse(fail.out);
+  CHECK(out["name"] == "cubic");
+  CHECK(out["up"] == nlohmann::json::array({"0", "0", "1"}));
+  CHECK(out["max_error"]["lower"] == "1.65740");
+  CHECK(out["max_error"]["upper"] == "1.65741");
+  CHECK(out["findings"][0]["kind"] == "fixed-up");
+  CHECK(contains(here.run("check cubic.json table --up 0,0,1 --theta0 1/8").out,
+                 "that starts at the angle 1/8 to v × T, v = (0, 0, 1)\n"));
+  CHECK(here.run("check cubic.json table --up 0,0,1 --start-normal 3,1,0 --tol 1e-15").status == 0);
+  check_failure(here.run("check cubic.json table --up 0,0,0"), 2, "--up: the up vector is 0\n");
+  check_failure(here.run("check cubic.json table --up 1,0,0"), 2,
+                "--up: the up vector (1, 0, 0) is along the tangent at t = 0\n");
+  check_failure(here.run("check cubic.json table --start-normal 1,0,0"), 2, "--start-normal: ");
+  check_failure(here.run("check quintic.json table --up 0,0,1"), 2,
+                "--up: the curve is Pythagorean-hodograph");
+}
+
+// A table of quaternions of frames of the plane parabola, whose scalar is last.
+TEST_CASE("check: a better reading is found for curves of any kind") {
+  const Workshop here;
+  here.write("parabola.json", R"({"phrame": "curve/1",
+      "position": {"x": [0, 1], "y": [0, 0, 0.5]}, "basis": "power"})");
+  here.write("poses.csv", "0 0 0 0 1\n1 0 0 0.41421356237309503 1\n");
+  const auto json =
+      nlohmann::json::parse(here.run("check parabola.json poses.csv --print json").out);
+  CHECK(json["better_reading"]["options"] == "--quaternion xyzw");
+  CHECK(json["better_reading"]["passes"] == true);
+}

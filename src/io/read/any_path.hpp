@@ -4,9 +4,6 @@
 
 namespace phrame {
 
-/// A path of PH curves, or of curves of any kind.
-using AnyPath = std::variant<NamedPath, NamedSmoothPath>;
-
 /// Reads a path of curves of any kind, exactly (docs/curve-files.md):
 ///   curve/1, with `preimage`, `quaternions` or `hopf`; `control_points`, perhaps with `weights`;
 ///   or `position`, polynomials x, y, z, perhaps over w;

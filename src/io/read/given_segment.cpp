@@ -12,8 +12,8 @@ RationalCurve smooth_curve(const GivenSegment& segment) {
 }
 
 /// The first is there; what append() refuses is an error at the place of its segment.
-template <class AnyPath, class AnyCurve>
-void append_all(AnyPath& path, const std::vector<GivenSegment>& segments,
+template <class SomePath, class AnyCurve>
+void append_all(SomePath& path, const std::vector<GivenSegment>& segments,
                 const std::vector<AnyCurve>& curves) {
   for (std::size_t k = 1; k < curves.size(); ++k) {
     try {
@@ -55,8 +55,7 @@ Vector<Rational> end_point(const GivenSegment& segment) {
   return point(std::get<RationalCurve>(segment.form), 1);
 }
 
-std::variant<NamedPath, NamedSmoothPath> path_of(std::string name,
-                                                 const std::vector<GivenSegment>& segments) {
+AnyPath path_of(std::string name, const std::vector<GivenSegment>& segments) {
   std::vector<Curve> ph;
   for (const GivenSegment& segment : segments) {
     auto curve = identify_segment(segment);

@@ -86,10 +86,16 @@ std::string brief_vector(const Vector<Rational>& v) {
   return fmt::format("({}, {}, {})", brief(v[0]), brief(v[1]), brief(v[2]));
 }
 
-/// "at the angle pi/4", "with f2 along (1, 0, 0)".
-std::string place_of(const FrameStart& start) {
-  if (const auto* angle = std::get_if<Angle>(&start)) return "at the angle " + brief(*angle);
+/// "at the angle pi/4", "at the angle pi/4 to v × T, v = (0, 0, 1)", "with f2 along (1, 0, 0)".
+std::string place_of(const FrameStart& start, const std::optional<Vector<Rational>>& up) {
+  if (const auto* angle = std::get_if<Angle>(&start))
+    return "at the angle " + brief(*angle) + (up ? " to v × T, v = " + brief_vector(*up) : "");
   return "with f2 along " + brief_vector(std::get<StartNormal>(start).vector);
+}
+
+/// What the path is called.
+std::string name_of(const AnyPath& path) {
+  return std::visit([](const auto& named) { return named.name; }, path);
 }
 
 std::string sentence(const FrameFinding& finding) {
@@ -122,8 +128,8 @@ std::string sentence(const FrameFinding& finding) {
                          within());
     case Kind::turned_backwards:
       return fmt::format(
-          "the Euler–Rodrigues frame is turned by −θ instead of θ, {}: the sign of the angle is "
-          "wrong",
+          "the {} is turned by −θ instead of θ, {}: the sign of the angle is wrong",
+          finding.up ? "frame of v = " + brief_vector(*finding.up) : "Euler–Rodrigues frame",
           within());
     case Kind::fixed_up:
       return fmt::format(
@@ -166,7 +172,7 @@ std::string summary(const CheckAnswer& answer) {
   const FrameVerdict& v = answer.verdict;
   const auto& start = answer.options.start;
   const std::string reference =
-      start ? "that starts " + place_of(*start) : "that agrees with the first sample";
+      start ? "that starts " + place_of(*start, answer.up) : "that agrees with the first sample";
   const bool is_close = v.max_error.upper() <= answer.options.tolerance;
   return fmt::format("{}: f2 is {} {} radians from the rotation-minimizing frame {}{}",
                      v.passes ? "pass" : "fail", is_close ? "at most" : "up to",
@@ -179,7 +185,7 @@ std::string to_text(const CheckAnswer& answer, const TableReading& reading) {
   const auto [first, last] =
       std::minmax_element(answer.frames.begin(), answer.frames.end(),
                           [](const GivenFrame& a, const GivenFrame& b) { return a.t < b.t; });
-  std::string text = name_prefix(answer.path.name);
+  std::string text = name_prefix(name_of(answer.path));
   const std::string from = brief(first->t);
   text += first->t == last->t
               ? fmt::format("{}, t = {}\n\n", counted(answer.frames.size(), "frame"), from)
@@ -236,7 +242,7 @@ std::string to_json(const CheckAnswer& answer, const TableReading& reading) {
   }
   JsonOutput json = {
       {"phrame", "check/1"},
-      {"name", answer.path.name},
+      {"name", name_of(answer.path)},
       {"verdict", v.passes ? "pass" : "fail"},
       {"tolerance", to_string(answer.options.tolerance)},
       {"max_error",
@@ -255,7 +261,8 @@ std::string to_json(const CheckAnswer& answer, const TableReading& reading) {
     else
       json["start_normal"] = phrame::json_of(std::get<StartNormal>(*start).vector);
   }
-  add_nearness(json, answer.path.near);
+  if (answer.up) json["up"] = phrame::json_of(*answer.up);
+  if (const auto* named = std::get_if<NamedPath>(&answer.path)) add_nearness(json, named->near);
   return pretty(json);
 }
 

@@ -31,9 +31,12 @@ class FrameCheck {
 /// What frames are compared with, and how exactly.
 struct FrameCheckOptions {
   /// Where the rotation-minimizing frame that the frames are compared with starts; an angle is that
-  /// to e₂ of the Euler–Rodrigues frame. Without it, that frame agrees with the first sample.
+  /// to e₂ of the Euler–Rodrigues frame, or of the frame of v where the path is no PH path. Without
+  /// it, that frame agrees with the first sample.
   std::optional<FrameStart> start = std::nullopt;
   Rational tolerance{1, 1'000'000};  ///< for angles, cosines and lengths
+  /// v, of paths that are not PH; one that does is chosen if there is none.
+  std::optional<Vector<Rational>> up = std::nullopt;
 };
 
 /// Is the sine of the angle between each tangent given and ±T within the tolerance? Exact, and much
@@ -52,6 +55,15 @@ struct GivenPosition {
 /// are no sign of the curve. Exact.
 bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
                   const Rational& tolerance);
+
+/// A vector for each t.
+using PointFunction = std::function<Vector<Rational>(const Rational& t)>;
+/// @{ The same of any curve, by its tangent, of any length, and by its position.
+bool are_along(const PointFunction& tangent_at, const std::vector<GivenFrame>& frames,
+               const Rational& tolerance);
+bool are_on(const PointFunction& position_at, const std::vector<GivenPosition>& positions,
+            const Rational& tolerance);
+/// @}
 
 /// Judges frames: they pass where all angles, cosines and lengths are within the tolerance and no
 /// frame is left-handed. First and last are those of the least and the largest t. Throws Undecided

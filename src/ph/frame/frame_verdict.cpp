@@ -67,8 +67,9 @@ class Judgement {
   void find_defects(FrameVerdict& verdict);
   void find_flips(FrameVerdict& verdict) const;
   ErrorWalk walk(const FrameVerdict& verdict) const;
-  void explain(FrameVerdict& verdict) const;
-  std::optional<FrameFinding> recognized(const FrameVerdict& verdict, const ErrorWalk& walk) const;
+  void explain(FrameVerdict& verdict, const std::optional<Vector<Rational>>& up) const;
+  std::optional<FrameFinding> recognized(const FrameVerdict& verdict, const ErrorWalk& walk,
+                                         const std::optional<Vector<Rational>>& up) const;
   std::optional<RealBall> variation(const Angles& angles, bool up_to_half_turns) const;
   std::optional<FrameFinding> of_fixed_up(const FrameVerdict& verdict, const ErrorWalk& walk) const;
   void find_drift(FrameVerdict& verdict, const ExactFrames& exact) const;
@@ -181,28 +182,30 @@ bool explains(const RealBall& residual, const RealBall& size) {
   return residual.upper() <= std::min(recognition_tolerance, Rational(size.lower() / 100));
 }
 
-/// Which other frame is it?
+/// Which other frame is it? `up` is v of the reference frame.
 std::optional<FrameFinding> Judgement::recognized(const FrameVerdict& verdict,
-                                                  const ErrorWalk& walk) const {
+                                                  const ErrorWalk& walk,
+                                                  const std::optional<Vector<Rational>>& up) const {
   const RealBall offset = walk.errors.front();
   if (start_ && parameters_ >= 2 && explains(walk.distance, absolute(offset)))
     return FrameFinding{Kind::constant_offset, {}, offset, walk.distance};
-  Angles erf;
+  Angles reference;
   Angles frenet;
   Angles backwards;
   for (const FrameDeviation& at : verdict.deviations) {
-    erf.push_back(at.f2);
+    reference.push_back(at.f2);
     frenet.push_back(at.from_normal);
     backwards.emplace_back();
     if (at.f2) backwards.back() = add(*at.f2, at.theta, bits_);
   }
   const std::pair<Kind, std::optional<RealBall>> candidates[] = {
       {Kind::frenet, variation(frenet, true)},
-      {Kind::euler_rodrigues, variation(erf, false)},
+      {up ? Kind::fixed_up : Kind::euler_rodrigues, variation(reference, false)},
       {Kind::turned_backwards, variation(backwards, false)}};
   for (const auto& [kind, residual] : candidates)
     if (residual && explains(*residual, walk.distance))
-      return FrameFinding{kind, {}, std::nullopt, residual};
+      return FrameFinding{
+          kind, {}, std::nullopt, residual, kind == Kind::frenet ? std::nullopt : up};
   return of_fixed_up(verdict, walk);
 }
 
@@ -225,9 +228,9 @@ std::optional<FrameFinding> Judgement::of_fixed_up(const FrameVerdict& verdict,
 }
 
 /// Why errors are beyond the tolerance.
-void Judgement::explain(FrameVerdict& verdict) const {
+void Judgement::explain(FrameVerdict& verdict, const std::optional<Vector<Rational>>& up) const {
   const ErrorWalk walk = this->walk(verdict);
-  if (const auto finding = recognized(verdict, walk)) {
+  if (const auto finding = recognized(verdict, walk, up)) {
     verdict.findings.push_back(*finding);
     return;
   }
@@ -270,7 +273,7 @@ FrameVerdict Judgement::verdict(const ExactFrames& exact) {
   find_flips(verdict);
   const bool is_close = is_small(verdict.max_error);
   verdict.passes = is_close && verdict.findings.empty();
-  if (!is_close) explain(verdict);
+  if (!is_close) explain(verdict, exact.up);
   find_drift(verdict, exact);
   return verdict;
 }

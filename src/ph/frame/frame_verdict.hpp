@@ -20,7 +20,7 @@ struct GivenFrame {
 /// Which of the two unit vectors along the tangent is T.
 enum class Forward {
   motion,    ///< r′/|r′|
-  preimage,  ///< A i A*/|A|², the e₁ of our own frames: its opposite where f < 0
+  preimage,  ///< the e₁ of our own frames, A i A*/|A|²: its opposite where f < 0
 };
 
 /// Balls around what is exact: the given frame against T and the normal plane of the curve at t,
@@ -28,7 +28,7 @@ enum class Forward {
 struct FrameDeviation {
   Vector<RealBall> e1;  ///< of length 1
   /// f₂, projected to the normal plane, has this angle in (e₂, e₃); no value where the projection
-  /// is 0. In (−π, π].
+  /// is 0. Up to whole turns.
   std::optional<RealBall> f2;
   RealBall theta;  ///< the angle of the rotation-minimizing frame there, θ(0) = 0
   /// The angle from ±n to the projection of f₂; no value for a straight line and at inflections.
@@ -57,7 +57,7 @@ struct FrameFinding {
     constant_offset,   ///< the frame is rotation-minimizing, but starts at another angle
     frenet,            ///< f₂ keeps its angle to the principal normal, up to flips
     euler_rodrigues,   ///< to e₂ of the Euler–Rodrigues frame
-    turned_backwards,  ///< it is the frame at the angle −θ instead of θ
+    turned_backwards,  ///< it is the reference frame turned by −θ instead of θ
     fixed_up,          ///< f₂ keeps its angle to v × T of a fixed vector v
     other_start,       ///< the first sample is not at the start angle
     drift,      ///< f₂ turns away, more or less steadily, from the first sample to the last
@@ -70,7 +70,7 @@ struct FrameFinding {
   std::optional<RealBall> amount = std::nullopt;
   /// What f₂ is off a frame of the kind named, at most: constant_offset to fixed_up.
   std::optional<RealBall> residual = std::nullopt;
-  /// v, of fixed_up.
+  /// v, of fixed_up; and of turned_backwards, where the reference frame is that of v.
   std::optional<Vector<Rational>> up = std::nullopt;
 };
 
@@ -105,6 +105,8 @@ struct ExactFrames {
   std::function<FrameDeviation(const GivenFrame&, long bits)> deviation;
   /// The arc length from t = a to b; no value where it is not known, or not told from 0.
   std::function<std::optional<RealBall>(const Rational& a, const Rational& b, long bits)> length;
+  /// v, where angles are those to its frame; else they are those to the Euler–Rodrigues frame.
+  std::optional<Vector<Rational>> up = std::nullopt;
 };
 
 /// Judges frames as check_frames() does; `start` is the angle θ(0) of the rotation-minimizing frame

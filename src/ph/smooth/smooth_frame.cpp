@@ -6,8 +6,6 @@
 namespace phrame {
 namespace {
 
-Vector<Real> as_reals(const Vector<Rational>& v) { return {v[0], v[1], v[2]}; }
-
 Vector<Real> over_size(const Vector<Real>& v, const Real& squared_size) {
   return {over_square_root(v[0], squared_size), over_square_root(v[1], squared_size),
           over_square_root(v[2], squared_size)};

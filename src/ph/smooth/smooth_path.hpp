@@ -2,7 +2,7 @@
 #include <string>
 #include <variant>
 
-#include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/curve/named.hpp"
 #include "phrame/ph/smooth/rational_curve.hpp"
 
 namespace phrame {
@@ -50,6 +50,9 @@ struct NamedSmoothPath {
   std::string name;  ///< may be empty
   SmoothPath path;   ///< the path
 };
+
+/// A path of PH curves, or of curves of any kind.
+using AnyPath = std::variant<NamedPath, NamedSmoothPath>;
 
 /// The segment that t is in, the later one at a joint, and the parameter there, in [0, 1]. Throws
 /// DomainError for t outside [0, end()].

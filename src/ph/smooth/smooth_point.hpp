@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/algebra/real.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/smooth/smooth_path.hpp"
 
 namespace phrame {
@@ -25,10 +25,5 @@ Vector<Real> direction(const RationalCurve& curve, const Real& t);
 Vector<Real> position(const SmoothPath& path, const SmoothParameter& at);
 Vector<Real> direction(const SmoothPath& path, const SmoothParameter& at);
 /// @}
-
-/// u × v, exact where both are.
-Vector<Real> cross(const Vector<Real>& u, const Vector<Real>& v);
-/// x/√s, s > 0: where both are exact, exact if it is rational, else irrational.
-Real over_square_root(const Real& x, const Real& s);
 
 }  // namespace phrame

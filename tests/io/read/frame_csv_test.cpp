@@ -268,8 +268,9 @@ std::optional<BetterReading> better(const std::string& text, const FrameReading&
   const Path path(curve);
   const GivenTable table = read_frames(text, reading);
   const FrameCheckOptions options{std::nullopt, Rational(1, 1000)};
-  return better_reading(path, text, reading, table, check_frames(path, table.frames, options),
-                        options);
+  const CheckAnswer found{NamedPath("", path), table.frames, options,
+                          check_frames(path, table.frames, options)};
+  return better_reading(found, text, reading, table);
 }
 
 /// A plane curve, whose Euler–Rodrigues frame A = 1 + tk is rotation-minimizing: A is the

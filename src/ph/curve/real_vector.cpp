@@ -1,0 +1,39 @@
+#include "phrame/ph/curve/real_vector.hpp"
+
+namespace phrame {
+
+Vector<Real> as_reals(const Vector<Rational>& v) { return {v[0], v[1], v[2]}; }
+
+Vector<Real> cross(const Vector<Real>& u, const Vector<Real>& v) {
+  const auto minor = [](const Real& a, const Real& d, const Real& b, const Real& c) {
+    return a * d + -(b * c);
+  };
+  return {minor(u[1], v[2], u[2], v[1]), minor(u[2], v[0], u[0], v[2]),
+          minor(u[0], v[1], u[1], v[0])};
+}
+
+Real quotient_of(const Real& a, const Real& b) {
+  if (a.exact() && b.exact()) return Rational(*a.exact() / *b.exact());
+  return Real(
+      [a, b](long bits) { return divide(a.enclose(bits + 8), b.enclose(bits + 8), bits + 8); });
+}
+
+Real over_square_root(const Real& x, const Real& s) {
+  if (x.exact() == Rational(0)) return Rational(0);
+  const bool is_exact = x.exact() && s.exact();
+  if (is_exact)
+    if (const auto root = square_root(*s.exact())) return Rational(*x.exact() / *root);
+  const auto enclosure = [x, s](long bits) {
+    return divide(x.enclose(bits + 8), sqrt(s.enclose(bits + 8), bits + 8), bits + 8);
+  };
+  return {enclosure, {is_exact, x.origin().bits + s.origin().bits}};
+}
+
+int sign_of(const Real& x) {
+  if (x.exact()) return x.exact()->sign();
+  for (long bits = 64; bits <= 2048; bits *= 2)
+    if (const int found = sign(x.enclose(bits)); found != 0) return found;
+  return 0;
+}
+
+}  // namespace phrame

@@ -1,0 +1,23 @@
+#pragma once
+#include "phrame/algebra/real.hpp"
+#include "phrame/ph/curve/quaternion.hpp"
+
+namespace phrame {
+
+// Vectors of real numbers: what can be exact is.
+
+/// The same numbers.
+Vector<Real> as_reals(const Vector<Rational>& v);
+
+/// u × v, exact where both are.
+Vector<Real> cross(const Vector<Real>& u, const Vector<Real>& v);
+
+/// a/b, b ≠ 0: exact where both are.
+Real quotient_of(const Real& a, const Real& b);
+/// x/√s, s > 0: where both are exact, exact if it is rational, else irrational.
+Real over_square_root(const Real& x, const Real& s);
+
+/// The sign of x; 0 also where 2048 bits do not tell it from 0.
+int sign_of(const Real& x);
+
+}  // namespace phrame
