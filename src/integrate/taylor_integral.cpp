@@ -10,113 +10,67 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
-#include "phrame/algebra/on_half.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/algebra/series_guess.hpp"
 #include "phrame/algebra/shared.hpp"
 #include "phrame/algebra/sturm.hpp"
+#include "phrame/algebra/unit_series.hpp"
 
 // [0, 1] is halved into parts [m − h, m + h] until, with t = m + hx, the Taylor series of 1/√S and
-// 1/D in x converge well beyond |x| = 1. On a part let ‖p‖ = Σ |pₖ|, so that |p(x)| ≤ ‖p‖.
-//
-// 1. That a part will do is shown by short polynomials u ≈ 1/√S and q ≈ 1/D of about double
-//    precision, of which nothing is known but what is left over:
-//      ‖S·u² − 1‖ ≤ 1/2 gives S > 0 and 1/√S ≤ √2·|u| ≤ B := √2·‖u‖,
-//      ‖D·q − 1‖ ≤ 1/2 gives D ≠ 0 and 1/|D| ≤ 2·|q| ≤ C := 2·‖q‖      for −1 ≤ x ≤ 1.
-// 2. To many bits let w ≈ 1/√S be a polynomial, and r = S·w′ + S′·w/2. Then (w√S)′ = r/√S, so
-//      |w√S − 1| ≤ |w(0)·√S(0) − 1| + B·Σ |rₖ|/(k + 1) =: e,  |w − 1/√S| ≤ B·e.
-// 3. Let y ≈ N·w/D be a polynomial. N/(D√S) − y = (N·(1/√S − w) + (N·w − D·y))/D, so
-//      |N/(D√S) − y| ≤ C·(‖N‖·B·e + ‖N·w − D·y‖) =: E.
-// 4. From x₀ to x₁ the integral is h·(Y(x₁) − Y(x₀)) with Y = ∫y, off by h·|x₁ − x₀|·E at most.
-//
-// w and y come from the recurrences that D and S give, in floating point (series_guess): what is
-// left over holds their rounding and truncation errors, whatever these are. All sizes above are
-// found in balls. No root of D or S is asked for; the number of terms is guessed from the first
-// coefficients, and raised until E is small enough.
+// 1/D in x converge well beyond |x| = 1, which unit_bounds() proves. On a part unit_series() has an
+// antiderivative and its error; the parts get as many bits as their shares of the whole need.
+// No root of D or S is asked for.
 
 namespace phrame {
 
-/// [middle − 2^−(level+1), middle + 2^−(level+1)], with the polynomials in x there.
+/// [middle − 2^−(level+1), middle + 2^−(level+1)].
 struct SeriesPart {
   Rational middle{1, 2};
   long level = 0;
-  Polynomial N;
-  Polynomial D;
-  Polynomial S;
-  double bits_per_term = 1;  ///< by which the coefficients get smaller
-  RealBall root_bound;       ///< B
-  RealBall quotient_bound;   ///< C
+  UnitQuotient f;  ///< of x there, times the half of the length
+  UnitBounds bounds{};
 
   Rational start() const { return middle - power_of_two(-level - 1); }
 };
 
+/// The parts, and by how many bits more than the whole is known to each of them is to be known.
+struct SeriesParts {
+  std::vector<SeriesPart> all;
+  std::vector<long> more_bits;
+};
+
 /// What is known of a part to some number of bits.
 struct SeriesExpansion {
-  BallPolynomial integral;  ///< h·Y in x, Y(−1) = 0
-  RealBall error;           ///< 2h·E
-  RealBall before;          ///< ∫ from 0 to the start of the part
-  RealBall whole;           ///< ∫ over the part
-  RealBall size;            ///< |N/(D√S)| is no greater
+  UnitSeries series;
+  RealBall factor;  ///< unit_factor()
+  RealBall before;  ///< ∫ from 0 to the start of the part
+  RealBall whole;   ///< ∫ over the part
+  RealBall size;    ///< |N/(D√S)| is no greater
 };
 
 namespace {
 
 constexpr long greatest_level = 8192;
 
-/// By how many bits a coefficient of c is smaller than the one before, about.
-double decay(const BallPolynomial& c, long length) {
-  double first = -INFINITY;
-  double second = -INFINITY;
-  for (long k = 0; k < length; ++k) {
-    const long e = exponent_above(c.coefficient(k));
-    const double size = e == -unbounded_exponent ? -1e6 : static_cast<double>(e);
-    double& half = 2 * k < length ? first : second;
-    half = std::max(half, size);
-  }
-  return 2 * (first - second) / static_cast<double>(length);
-}
-
 SeriesPart half_of(const SeriesPart& part, long side) {
   SeriesPart half;
   half.level = part.level + 1;
   half.middle = part.middle + Rational(side) * power_of_two(-half.level - 1);
-  half.N = on_half(part.N, side);
-  half.D = on_half(part.D, side);
-  half.S = on_half(part.S, side);
+  half.f = half_of(part.f, side);
+  half.f.factor /= 2;
   return half;
 }
 
-/// Step 1: is the part short enough? Then its bounds are known.
-bool has_bounds(SeriesPart& part) {
-  const long degree = std::max(part.D.degree(), part.S.degree());
-  const long bits = 64 + 2 * degree;
-  const long length = 16 + degree;
-  const BallPolynomial S(part.S, bits);
-  const BallPolynomial D(part.D, bits);
-  const BallPolynomial one{Polynomial{1}, bits};
-  const BallPolynomial u = guess_inverse_sqrt(S, length, bits);
-  const BallPolynomial q = guess_quotient(one, D, length, bits);
-  const RealBall half(Rational(1, 2), bits);
-  const BallPolynomial square = multiply(u, u, bits);
-  if (!is_at_most(sum_of_sizes(subtract(multiply(S, square, bits), one, bits)), half)) return false;
-  if (!is_at_most(sum_of_sizes(subtract(multiply(D, q, bits), one, bits)), half)) return false;
-  part.bits_per_term = std::min({decay(u, length), decay(q, length), 8.0});
-  if (part.bits_per_term < 0.9) return false;
-  part.root_bound = multiply(RealBall(Rational(3, 2), bits), sum_of_sizes(u), bits);
-  part.quotient_bound = multiply(RealBall(2, bits), sum_of_sizes(q), bits);
-  return true;
-}
-
-std::vector<SeriesPart> series_parts(const RootQuotient& f) {
+std::vector<SeriesPart> short_parts(const RootQuotient& f) {
   std::vector<SeriesPart> parts;
   std::vector<SeriesPart> open(1);
-  open.back().N = on_half(f.numerator, 1);
-  open.back().D = on_half(f.denominator, 1);
-  open.back().S = on_half(f.radicand, 1);
+  // t = (x + 1)/2.
+  open.back().f = half_of(unit_quotient(f.numerator, f.denominator, f.radicand), 1);
+  open.back().f.factor /= 2;
   while (!open.empty()) {
     SeriesPart part = std::move(open.back());
     open.pop_back();
-    if (has_bounds(part)) {
+    if (const auto bounds = unit_bounds(part.f)) {
+      part.bounds = *bounds;
       parts.push_back(std::move(part));
     } else {
       if (part.level == greatest_level)
@@ -130,73 +84,45 @@ std::vector<SeriesPart> series_parts(const RootQuotient& f) {
   return parts;
 }
 
-/// e of step 2.
-RealBall root_error(const SeriesPart& part, const BallPolynomial& S, const BallPolynomial& w,
-                    long bits) {
-  const RealBall half(Rational(1, 2), bits);
-  const BallPolynomial left_over =
-      add(multiply(S, differentiate(w, bits), bits),
-          multiply(half, multiply(differentiate(S, bits), w, bits), bits), bits);
-  const RealBall at_0 = subtract(multiply(w.coefficient(0), sqrt(S.coefficient(0), bits), bits),
-                                 RealBall(1, bits), bits);
-  const RealBall spread =
-      multiply(part.root_bound, sum_of_sizes(antiderivative(left_over, bits)), bits);
-  return add(absolute(at_0), spread, bits);
+/// An error of 2^−(bits + more) of each is one of 2^−bits·∫|f|/4 of the sum, about.
+SeriesParts series_parts(const RootQuotient& f) {
+  SeriesParts parts{short_parts(f), {}};
+  long greatest = -unbounded_exponent;
+  for (const SeriesPart& part : parts.all)
+    parts.more_bits.push_back(exponent_above(unit_factor(part.f, 32)));
+  for (std::size_t k = 0; k < parts.all.size(); ++k)
+    if (parts.all[k].bounds.mean_size > 0) greatest = std::max(greatest, parts.more_bits[k]);
+  if (greatest == -unbounded_exponent)
+    greatest = *std::max_element(parts.more_bits.begin(), parts.more_bits.end());
+  double whole = 0;
+  for (std::size_t k = 0; k < parts.all.size(); ++k)
+    whole += std::ldexp(parts.all[k].bounds.mean_size,
+                        static_cast<int>(std::max(parts.more_bits[k] - greatest, -2000L)));
+  if (!(whole > 1e-12)) whole = 1e-12;
+  const double share = std::log2(static_cast<double>(parts.all.size()) / whole);
+  for (long& more : parts.more_bits) more += 2 - greatest + static_cast<long>(std::ceil(share));
+  return parts;
 }
 
-/// y, and E of step 3.
-struct Approximation {
-  BallPolynomial y;
-  RealBall error;
-};
-
-Approximation approximation(const SeriesPart& part, long length, long bits) {
-  const BallPolynomial N(part.N, bits);
-  const BallPolynomial D(part.D, bits);
-  const BallPolynomial S(part.S, bits);
-  const BallPolynomial w = guess_inverse_sqrt(S, length, bits);
-  const BallPolynomial product = multiply(N, w, bits);
-  BallPolynomial y = guess_quotient(product, D, length, bits);
-  const RealBall of_root = multiply(part.root_bound, root_error(part, S, w, bits), bits);
-  const RealBall left_over = sum_of_sizes(subtract(product, multiply(D, y, bits), bits));
-  const RealBall sum = add(multiply(sum_of_sizes(N), of_root, bits), left_over, bits);
-  return {std::move(y), multiply(part.quotient_bound, sum, bits)};
+SeriesExpansion expansion(const SeriesPart& part, long more, long bits) {
+  auto series = unit_series(part.f, part.bounds, std::max(8L, bits + more));
+  if (!series)
+    throw Undecided(
+        fmt::format("the Taylor series of the integrand at t = {:.9g} did not give {} bits",
+                    static_cast<double>(part.middle), bits));
+  SeriesExpansion result{std::move(*series), unit_factor(part.f, bits + 32), {}, {}, {}};
+  result.whole =
+      multiply(result.factor, widened(result.series.whole, result.series.error), bits + 32);
+  result.size =
+      times_power_of_two(multiply(absolute(result.factor), result.series.size, 64), part.level + 1);
+  return result;
 }
 
-/// E ≤ 2^−bits·‖y‖.
-SeriesExpansion expansion(const SeriesPart& part, long bits) {
-  const long degree = std::max(part.N.degree(), 0L) + part.D.degree() + part.S.degree();
-  long precision = bits + 24 + degree / 2;
-  for (int attempt = 0; attempt < 16; ++attempt) {
-    const double terms = static_cast<double>(precision) / part.bits_per_term;
-    const long length = static_cast<long>(terms * (1.08 + 0.2 * attempt)) + degree / 2 + 8;
-    const Approximation found = approximation(part, length, precision);
-    const RealBall size = sum_of_sizes(found.y);
-    if (is_at_most(found.error, times_power_of_two(size, -bits))) {
-      SeriesExpansion result;
-      BallPolynomial Y = antiderivative(found.y, precision);
-      Y = with_constant(Y,
-                        subtract({}, evaluate(Y, RealBall(-1, precision), precision), precision));
-      result.integral =
-          multiply(times_power_of_two(RealBall(1, precision), -part.level - 1), Y, precision);
-      result.error = times_power_of_two(found.error, -part.level);
-      result.size = add(size, found.error, precision);
-      result.whole =
-          widened(evaluate(result.integral, RealBall(1, precision), precision), result.error);
-      return result;
-    }
-    precision += 24 + bits / 8;
-  }
-  throw Undecided(
-      fmt::format("the Taylor series of the integrand at t = {:.9g} did not give {} bits",
-                  static_cast<double>(part.middle), bits));
-}
-
-std::vector<SeriesExpansion> expansions(const std::vector<SeriesPart>& parts, long bits) {
+std::vector<SeriesExpansion> expansions(const SeriesParts& parts, long bits) {
   std::vector<SeriesExpansion> all;
   RealBall sum;
-  for (const SeriesPart& part : parts) {
-    all.push_back(expansion(part, bits));
+  for (std::size_t k = 0; k < parts.all.size(); ++k) {
+    all.push_back(expansion(parts.all[k], parts.more_bits[k], bits));
     all.back().before = sum;
     sum = add(sum, all.back().whole, bits + 32);
   }
@@ -255,13 +181,13 @@ void require_inside(const Rational& t) {
 struct TaylorIntegral::State {
   RootQuotient f;
   std::optional<Polynomial> exact;  ///< F, where that is a polynomial over ℚ
-  Lazy<std::vector<SeriesPart>> parts;
+  Lazy<SeriesParts> parts;
   Refined<std::vector<SeriesExpansion>> known;
 
   explicit State(const RootQuotient& given)
       : f(in_lowest_terms(given)), exact(polynomial_integral(f)) {}
 
-  const std::vector<SeriesPart>& all_parts() const {
+  const SeriesParts& all_parts() const {
     return parts.get([this] { return series_parts(f); });
   }
   std::size_t part_at(const Rational& t) const;
@@ -270,7 +196,7 @@ struct TaylorIntegral::State {
 
 /// The last part that begins at t or before.
 std::size_t TaylorIntegral::State::part_at(const Rational& t) const {
-  const std::vector<SeriesPart>& all = all_parts();
+  const std::vector<SeriesPart>& all = all_parts().all;
   const auto next = std::upper_bound(
       all.begin() + 1, all.end(), t,
       [](const Rational& at, const SeriesPart& part) { return at < part.start(); });
@@ -284,7 +210,7 @@ const RootQuotient& TaylorIntegral::integrand() const { return state_->f; }
 /// What is known to at least so many bits.
 std::shared_ptr<const std::vector<SeriesExpansion>> TaylorIntegral::State::to_bits(
     long bits) const {
-  const long enough = (std::max(bits, 32L) + 31) / 32 * 32;
+  const long enough = (std::max(bits, 32L) + 7) / 8 * 8;
   return known.get(enough, [&](const auto*) { return expansions(all_parts(), enough); });
 }
 
@@ -293,12 +219,15 @@ RealBall TaylorIntegral::enclose(const Rational& t, long bits) const {
   if (state_->exact) return RealBall((*state_->exact)(t), bits);
   const auto known = state_->to_bits(bits);
   const std::size_t k = state_->part_at(t);
-  const SeriesPart& part = state_->all_parts()[k];
+  const SeriesPart& part = state_->all_parts().all[k];
   const SeriesExpansion& here = (*known)[k];
   const long precision = bits + 32;
   const RealBall x =
       times_power_of_two(RealBall(Rational(t - part.middle), precision), part.level + 1);
-  return add(here.before, widened(evaluate(here.integral, x, precision), here.error), precision);
+  const RealBall from_start =
+      subtract(evaluate(here.series.integral, x, precision), here.series.start, precision);
+  return add(here.before, multiply(here.factor, widened(from_start, here.series.error), precision),
+             precision);
 }
 
 RealBall TaylorIntegral::enclose(const RealBall& t, long bits) const {

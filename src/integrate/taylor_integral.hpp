@@ -15,8 +15,8 @@ struct RootQuotient {
 
 /// F(t) = ∫₀ᵗ N/(D√S) for t in [0, 1], where S > 0 and D has no zero there: to any number of
 /// digits, by Taylor polynomials on parts, found once for all t and proved by what they leave over
-/// in the equations of 1/√S and of the quotient (taylor_integral.cpp). Copies are cheap and share
-/// them; any thread may ask. To move one is to copy it.
+/// in the equations of 1/√S and of the quotient (unit_series()). Copies are cheap and share them;
+/// any thread may ask. To move one is to copy it.
 class TaylorIntegral {
  public:
   /// Factors that cancel are no matter. Throws DomainError where a zero of D or S is left in [0,

@@ -100,7 +100,7 @@ RealBall SmoothAngle::enclose(const SmoothParameter& at, long bits) const {
   require_on_segment(at.t);
   if (is_zero()) return {};
   constexpr long most = 1L << 20;
-  for (long more = bits + 16;; more += 32 + more / 4) {
+  for (long more = bits + 8;; more += 24 + more / 4) {
     const RealBall sum =
         add(state_->sum_before(at.segment, more), state_->enclose_on(at.segment, at.t, more), more);
     if (sum.is_accurate(bits)) return sum;
