@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/algebra/real_algebraic.hpp"
-#include "phrame/ph/curve/named.hpp"
+#include "phrame/ph/smooth/smooth_path.hpp"
 
 namespace phrame {
 
@@ -28,7 +28,25 @@ struct InfoAnswer {
   std::vector<Decimal> erf_extrema;      ///< in (0, 1), of its rate about e₁
 };
 
-/// Throws Undecided, with the name of what it is, where a number cannot be rounded.
+/// The numbers of a path of any kind.
+struct SmoothInfoAnswer {
+  NamedSmoothPath path;                     ///< as asked
+  InfoAnswer::Length length;                ///< ∫ |r′| dt
+  std::vector<InfoAnswer::Length> lengths;  ///< of the segments
+  Vector<Rational> up;                      ///< v, nowhere along the tangent
+  Decimal twist_up;                         ///< ∫ e₂′·e₃ dt of the frame of v
+  std::optional<Decimal> bending_energy;    ///< ∫ κ² ds; no value where it is infinite
+  bool is_straight;                         ///< is it a straight line?
+  std::optional<Vector<Rational>> normal;   ///< of the plane that it is in, where it is no line
+  std::optional<Decimal> holonomy;          ///< where it is closed
+  std::string no_holonomy = {};             ///< why there is none of a closed one: it is undecided
+  /// Of a rational curve by itself, in [0, 1].
+  std::vector<RealRoot> cusps = {};
+};
+
+/// @{ Throws Undecided, with the name of what it is, where a number cannot be rounded.
 InfoAnswer answer(const NamedPath& path, const InfoQuery& query);
+SmoothInfoAnswer answer(const NamedSmoothPath& path, const InfoQuery& query);
+/// @}
 
 }  // namespace phrame

@@ -74,9 +74,19 @@ const char* name_of(Quantity quantity) {
     case Quantity::bending_energy:
       return "bending energy";
     case Quantity::frenet_energy:
+      return "energy of the Frenet frame";
+    case Quantity::up_twist:
+      return "twist of the frame of v";
+    case Quantity::holonomy:
+      return "holonomy";
+    case Quantity::closing_turn:
+      return "turn per length that closes a sweep";
+    case Quantity::writhe:
+      return "writhe";
+    case Quantity::self_linking:
       break;
   }
-  return "energy of the Frenet frame";
+  return "self-linking number";
 }
 
 TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {

@@ -1,6 +1,6 @@
 #pragma once
-#include "phrame/ph/curve/named.hpp"
 #include "phrame/ph/frame/path_totals.hpp"
+#include "phrame/ph/smooth/smooth_path.hpp"
 
 namespace phrame {
 
@@ -18,6 +18,13 @@ enum class Quantity {
   rotation_index,  ///< ∫ |κ| ds/2π of a plane path
   bending_energy,  ///< ∫ κ² ds
   frenet_energy,   ///< ∫ (κ² + τ²) ds
+  // Of a path that is not PH:
+  up_twist,  ///< ∫ e₂′·e₃ dt of the frame of v
+  // And where it is closed:
+  holonomy,      ///< by which angle in (−π, π] a rotation-minimizing frame comes back turned
+  closing_turn,  ///< −holonomy/length
+  writhe,        ///< Gauss's integral over the curve twice
+  self_linking,  ///< writhe + ∫ τ ds/2π, whole
 };
 
 /// "twist of the ERF".
@@ -28,17 +35,23 @@ struct TotalsAnswer {
   /// One of them.
   struct Row {
     Quantity quantity;                                ///< which one
-    std::optional<PathTotal> total = std::nullopt;    ///< in closed form
+    std::optional<PathTotal> total = std::nullopt;    ///< of a PH path, in closed form
     std::optional<Decimal> value = std::nullopt;      ///< no value where it is infinite
     std::optional<Infinite> infinite = std::nullopt;  ///< the pole, then
     std::string reason = {};                          ///< why there is neither
+    std::optional<Rational> exact = std::nullopt;  ///< of other paths, the value where it is known
   };
-  NamedPath path;         ///< as asked
-  std::vector<Row> rows;  ///< of all quantities, in their order
+  AnyPath path;           ///< as asked
+  std::vector<Row> rows;  ///< of all quantities that such a path has, in their order
   long digits;            ///< of the values
+  /// v of up_twist, where the path is no PH path.
+  std::optional<Vector<Rational>> up = std::nullopt;
 };
 
-/// Throws Undecided, naming the quantity, where one cannot be rounded.
+/// @{ Throws Undecided, naming the quantity, where one cannot be rounded. That the writhe, and what
+/// comes with it, is undecided is said in its row.
 TotalsAnswer answer(const NamedPath& path, const TotalsQuery& query);
+TotalsAnswer answer(const NamedSmoothPath& path, const TotalsQuery& query);
+/// @}
 
 }  // namespace phrame

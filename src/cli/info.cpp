@@ -11,11 +11,25 @@ struct InfoOptions {
   long digits = 17;
 };
 
+/// Of PH paths and of others.
+struct InfoPrint {
+  std::string (*of_ph)(const InfoAnswer&);
+  std::string (*of_smooth)(const SmoothInfoAnswer&);
+
+  std::string operator()(const InfoAnswer& answer) const { return of_ph(answer); }
+  std::string operator()(const SmoothInfoAnswer& answer) const { return of_smooth(answer); }
+};
+
 void run(const InfoOptions& options) {
-  const auto print = choose<std::string (*)(const InfoAnswer&)>(
-      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
-  options.length.write(options.curve.output,
-                       print(answer(options.curve.read_path(), InfoQuery{options.digits})));
+  const auto print = choose<InfoPrint>("--print", options.print,
+                                       {{"text", {to_text, to_text}},
+                                        {"json", {to_json, to_json}},
+                                        {"latex", {to_latex, to_latex}}});
+  const InfoQuery query{options.digits};
+  const AnyPath path = options.curve.read_any_path();
+  options.length.write(
+      options.curve.output,
+      std::visit([&](const auto& named) { return print(answer(named, query)); }, path));
 }
 
 }  // namespace
@@ -31,6 +45,7 @@ void add_info(Program& program) {
   command.set_notes(
       "In JSON, arc_length is an exact text, or a value with its radius where the multiplier\n"
       "changes sign on [0, 1] and it is irrational; bending_energy is null where it is infinite.\n"
+      "Of curves that are not Pythagorean-hodograph the twist is that of the frame of a vector v.\n"
       "Examples:\n"
       "  phrame info curve.json --digits 30\n"
       "  phrame info curve.json --print json -o info.json");

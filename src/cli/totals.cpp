@@ -14,8 +14,11 @@ struct TotalsOptions {
 void run(const TotalsOptions& options) {
   const auto print = choose<std::string (*)(const TotalsAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
-  options.length.write(options.curve.output,
-                       print(answer(options.curve.read_path(), TotalsQuery{options.digits})));
+  const TotalsQuery query{options.digits};
+  const AnyPath path = options.curve.read_any_path();
+  options.length.write(
+      options.curve.output,
+      print(std::visit([&](const auto& named) { return answer(named, query); }, path)));
 }
 
 }  // namespace
@@ -33,7 +36,9 @@ void add_totals(Program& program) {
       "Integrals from t = 0 to 1, each with its integrand, its antiderivative and its value.\n"
       "A total that is infinite is said to be so, with the pole; one that is not defined or not\n"
       "elementary says why. These are answers, too: the exit status is 0.\n"
-      "Of a spline they are the sums over its segments, without the formulas.\n"
+      "Of a spline they are the sums over its segments, without the formulas. Curves that are not\n"
+      "Pythagorean-hodograph have no formulas; of closed ones there are the holonomy, the writhe\n"
+      "and the self-linking number, too.\n"
       "Examples:\n"
       "  phrame totals curve.json --digits 30\n"
       "  phrame totals curve.json --print json -o totals.json");

@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/answer/info.hpp"
 #include "phrame/answer/smooth_angle.hpp"
 #include "phrame/answer/smooth_table.hpp"
+#include "phrame/answer/totals.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 using namespace phrame;
@@ -80,7 +82,7 @@ TEST_CASE("smooth answers: a closed plane path has no holonomy, exactly") {
       joined({arc({1, 0, 0}, {1, 1, 0}, {0, 1, 0}), arc({0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}),
               arc({-1, 0, 0}, {-1, -1, 0}, {0, -1, 0}), arc({0, -1, 0}, {1, -1, 0}, {1, 0, 0})})};
   REQUIRE(circle.path.is_closed());
-  const SmoothAngleAnswer found = answer(circle, {});
+  const SmoothAngleAnswer found = answer(circle, SmoothAngleQuery{});
   CHECK(found.is_zero);
   CHECK(found.total.value == "0");
   CHECK(found.holonomy.value().value == "0");
@@ -132,4 +134,81 @@ TEST_CASE("smooth answers: cells may be empty where the Frenet frame is undefine
   CHECK(std::isnan(table.rows[0][7]));
   CHECK(table.rows[0].back() == 2);
   CHECK_FALSE(std::isnan(table.rows[1][7]));
+}
+
+namespace {
+
+/// Closed, with a continuous tangent; its curvature jumps where it closes.
+const NamedSmoothPath loop{
+    "loop", SmoothPath(bezier_curve(
+                {{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}}))};
+
+const TotalsAnswer::Row& row(const TotalsAnswer& answer, Quantity quantity) {
+  for (const TotalsAnswer::Row& row : answer.rows)
+    if (row.quantity == quantity) return row;
+  FAIL("there is no such row");
+  return answer.rows.front();
+}
+
+std::string value(const TotalsAnswer& answer, Quantity quantity) {
+  return row(answer, quantity).value.value().value;
+}
+
+}  // namespace
+
+// The integrals of the definitions by mpmath's quad, with 40 digits; the writhe, 0.214465, also as
+// Gauss's double integral by numpy with 16 · 32 points of Gauss and Legendre each way, 0.214464.
+TEST_CASE("smooth answers: what a closed curve gathers") {
+  const TotalsAnswer found = answer(loop, TotalsQuery{20});
+  CHECK(value(found, Quantity::length) == "8.2495251007898865117");
+  CHECK(value(found, Quantity::torsion) == "0.79359769730082330997");
+  CHECK(value(found, Quantity::curvature) == "7.0782023482680988787");
+  CHECK(value(found, Quantity::bending_energy) == "9.8854655028811821621");
+  CHECK(value(found, Quantity::frenet_energy) == "11.336730960530331891");
+  CHECK(value(found, Quantity::holonomy) == "1.3475234949517146297");
+  // The turn of the frame of any v is −holonomy up to whole turns.
+  CHECK(value(found, Quantity::up_twist) == "-1.3475234949517146297");
+  CHECK(value(found, Quantity::closing_turn) == "-0.16334558395642558336");  // the quotient
+  CHECK(value(found, Quantity::writhe).substr(0, 7) == "0.21446");
+  CHECK_FALSE(row(found, Quantity::rotation_index).value.has_value());
+  CHECK(row(found, Quantity::self_linking).reason ==
+        "the Frenet frame is not defined and continuous all along");
+}
+
+TEST_CASE("smooth answers: what is exact or not defined is said to be so") {
+  const NamedSmoothPath line{"line", joined({bezier_curve({{0, 0, 0}, {1, 2, 2}}),
+                                             bezier_curve({{1, 2, 2}, {2, 4, 4}, {4, 8, 8}})})};
+  const TotalsAnswer found = answer(line, TotalsQuery{5});
+  CHECK(row(found, Quantity::length).exact == Rational(12));
+  CHECK(row(found, Quantity::curvature).exact == Rational(0));
+  CHECK(row(found, Quantity::rotation_index).exact == Rational(0));
+  CHECK(row(found, Quantity::torsion).reason ==
+        "segment 1 is a straight line, which has no torsion");
+  CHECK(found.rows.back().quantity == Quantity::frenet_energy);  // for it is open
+  const SmoothInfoAnswer info = answer(line, InfoQuery{5});
+  CHECK(info.is_straight);
+  CHECK_FALSE(info.normal.has_value());
+  CHECK(info.lengths.at(1).exact.exact() == Rational(9));
+  // (t², t³) has a cusp at 0, where κ² ds is infinite.
+  const NamedSmoothPath cusp{"",
+                             SmoothPath(RationalCurve({Polynomial{0, 0, 1}, {0, 0, 0, 1}, {}}))};
+  const TotalsAnswer infinite = answer(cusp, TotalsQuery{5});
+  CHECK(row(infinite, Quantity::bending_energy).infinite.value().pole.rational() == Rational(0));
+  const SmoothInfoAnswer of_cusp = answer(cusp, InfoQuery{30});
+  CHECK_FALSE(of_cusp.bending_energy.has_value());
+  CHECK(of_cusp.cusps.size() == 1);
+  CHECK(of_cusp.normal == Vector<Rational>{0, 0, 1});
+  // (13√13 − 8)/27
+  CHECK(of_cusp.length.rounded.value == "1.43970987337155040039073616582");
+}
+
+TEST_CASE("smooth answers: the numbers of a curve") {
+  const SmoothInfoAnswer info = answer(loop, InfoQuery{20});
+  CHECK(info.length.rounded.value == "8.2495251007898865117");
+  CHECK(info.holonomy.value().value == "1.3475234949517146297");
+  CHECK(info.twist_up.value == "-1.3475234949517146297");
+  CHECK(info.bending_energy.value().value == "9.8854655028811821621");
+  CHECK_FALSE(info.is_straight);
+  CHECK_FALSE(info.normal.has_value());
+  CHECK(info.cusps.empty());
 }

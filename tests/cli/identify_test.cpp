@@ -74,8 +74,8 @@ TEST_CASE("identify: a curve that is not PH has status 1 and a reason") {
   check_failure(here.run("identify parabola.json --print curve -o ph.json"), 1,
                 "no PH curve: |r'| is no polynomial: |r'|^2 has the factor 4*t^2 + 1");
   CHECK_FALSE(fs::exists(here.file("ph.json")));
-  // To the other commands it is bad input.
-  check_failure(here.run("totals parabola.json"), 2,
+  // To commands that need a PH curve it is bad input.
+  check_failure(here.run("classify parabola.json"), 2,
                 "phrame: parabola.json:/control_points: this is no PH curve");
 }
 
@@ -126,7 +126,7 @@ TEST_CASE(
   CHECK(contains(refused.out, "not a PH curve over ℚ"));
   CHECK(contains(refused.out, "--near 1e-1"));
   CHECK(contains(refused.out, "takes the PH curve"));
-  check_failure(here.run("info near.json"), 2, "; --near 1e-1");
+  check_failure(here.run("classify near.json"), 2, "; --near 1e-1");
 
   const Run text = here.run("identify near.json --near 1e-15");
   check_success(text);
@@ -155,13 +155,14 @@ TEST_CASE("--near: other commands take the curve near the points, and say so") {
                               rounded_points(here, "quintic.json", "%.9g") + "}");
   for (const char* command : {"info", "classify", "totals", "compile", "certify"}) {
     CAPTURE(command);
-    check_failure(here.run(std::string(command) + " near.json"), 2, "this is no PH curve");
     const Run run = here.run(std::string(command) + " near.json --near 1e-6");
     CHECK(run.status == 0);
     CHECK_FALSE(run.out.empty());
     CHECK(contains(run.err, "phrame: near.json: in its place a PH curve at most "));
     CHECK(contains(run.err, "rotation-minimizing frames differ by at most "));
   }
+  for (const char* command : {"classify", "certify"})
+    check_failure(here.run(std::string(command) + " near.json"), 2, "this is no PH curve");
   // Each answer in JSON says what identify says of the curve that stands there.
   here.write("frames.csv", "t,f2x,f2y,f2z\n0,0,1,0\n1,0,1,0\n");
   here.write("lines.jsonl", R"({"curve": )" + test::bytes_of(here.file("near.json")) + "}\n");
@@ -209,7 +210,7 @@ TEST_CASE("--near: splines get exact joints") {
                         [0.6666666666666666, 0.3333333333333333, 0], [0.6666666666666666, 1, 0]]},
     {"control_points": [[0.6666666666666666, 1, 0], [0.6666666666666666, 1.6666666666666667, 0],
                         [0.3333333333333333, 2, 0], [0, 2, 0]]}]})");
-  const Run refused = here.run("info spline.json");
+  const Run refused = here.run("classify spline.json");
   CHECK(refused.status == 2);
   const Run angle = here.run("angle spline.json --near 1e-14 --at 2");
   CHECK(angle.status == 0);
@@ -277,10 +278,10 @@ TEST_CASE("identify: commands for PH curves read them in all formats, and say wh
   check_success(info);
   CHECK(Json::parse(info.out)["arc_length"] == "5");
   here.write("points.csv", "x,y,z\n0,0,0\n1,1,0\n2,0,1\n");
-  const Run none = here.run("info points.csv");
+  const Run none = here.run("classify points.csv");
   CHECK(none.status == 2);
   CHECK(none.err.starts_with(
       "phrame: points.csv: this command needs a Pythagorean-hodograph curve, and this is none ("));
   here.write("words.csv", "no curve\n");
-  CHECK(contains(here.run("info words.csv").err, "a curve file is JSON"));
+  CHECK(contains(here.run("classify words.csv").err, "a curve file is JSON"));
 }

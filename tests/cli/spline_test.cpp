@@ -55,7 +55,7 @@ TEST_CASE("splines: what is refused, and where") {
   const Workshop here;
   add_splines(here);
   check_failure(here.run("angle broken.json"), 2, "broken.json:/segments/1: the tangent breaks");
-  check_failure(here.run("info other.json"), 2,
+  check_failure(here.run("classify other.json"), 2,
                 "/phrame: the format is \"curve/1\" or \"spline/1\", not \"spline/2\"");
   for (const char* command : {"identify", "certify", "prove --at 1"})
     check_failure(here.run(std::string(command) + " s.json"), 2,

@@ -68,7 +68,7 @@ Value optional_value(const std::optional<Decimal>& value,
   return {Value::Rows([otherwise](Notation) { return otherwise; }), [] { return JsonOutput(); }};
 }
 
-Value energy(const InfoAnswer& info) { return optional_value(info.bending_energy, {"$∞$"}); }
+Value energy(const std::optional<Decimal>& value) { return optional_value(value, {"$∞$"}); }
 
 Value control_points_value(const Curve& curve) {
   return {Value::Rows(), [&] {
@@ -114,7 +114,7 @@ Fields curve_fields(const InfoAnswer& info) {
           {"twist_erf", "twist $∫₀¹ 2h/σ$", info.twist_erf},
           {"erf_inflections", "ERF turns back", places(info.erf_inflections)},
           {"erf_extrema", "extremum of $ω₁$", places(info.erf_extrema)},
-          {"bending_energy", "energy $∫₀¹ κ²\\, ds$", energy(info)}};
+          {"bending_energy", "energy $∫₀¹ κ²\\, ds$", energy(info.bending_energy)}};
 }
 
 Value segments_value(const InfoAnswer& info) {
@@ -140,20 +140,130 @@ Fields spline_fields(const InfoAnswer& info) {
           json_field("ends_meet", path.ends_meet()),
           {"arc_length", "length $∫ |f|σ$", length_value(info.length)},
           {"twist_erf", "twist $∫ 2h/σ$", info.twist_erf},
-          {"bending_energy", "energy $∫ κ²\\, ds$", energy(info)},
+          {"bending_energy", "energy $∫ κ²\\, ds$", energy(info.bending_energy)},
           {"holonomy", "holonomy", optional_value(info.holonomy, {})}};
 }
 
-/// The segments with their degrees and lengths.
-std::string segment_table(const InfoAnswer& info, Notation notation) {
+using Lengths = std::vector<InfoAnswer::Length>;
+
+/// The segments with their degrees, in words, and lengths.
+std::string segment_table(const std::vector<std::string>& degrees, const Lengths& lengths,
+                          Notation notation) {
   const bool is_latex = notation == Notation::latex;
   std::string text = is_latex ? "\\begin{tabular}{rrl}\nsegment & degree & length \\\\\n"
                               : "\n  segment  degree  length\n";
-  for (std::size_t k = 0; k < info.lengths.size(); ++k)
+  for (std::size_t k = 0; k < lengths.size(); ++k)
     text += fmt::format(fmt::runtime(is_latex ? "{} & {} & {} \\\\\n" : "  {:>7}  {:>6}  {}\n"),
-                        k + 1, degree(info.path.path.segments()[k]),
-                        length_value(info.lengths[k]).rows(notation).front());
+                        k + 1, degrees[k], length_value(lengths[k]).rows(notation).front());
   return text + (is_latex ? "\\end{tabular}\n" : "");
+}
+
+std::string segment_table(const InfoAnswer& info, Notation notation) {
+  std::vector<std::string> degrees;
+  for (const Curve& curve : info.path.path.segments())
+    degrees.push_back(std::to_string(degree(curve)));
+  return segment_table(degrees, info.lengths, notation);
+}
+
+// ---- Of paths of any kind.
+
+/// "3", or "2/2" where it is X/W; "–" of a curve by formulas.
+std::string degree_text(const SmoothSegment& segment) {
+  const auto* curve = std::get_if<RationalCurve>(&segment);
+  if (curve == nullptr) return "–";
+  long above = 0;
+  for (const Polynomial& x : curve->numerator()) above = std::max(above, x.degree());
+  const long below = curve->weight().degree();
+  return below > 0 ? fmt::format("{}/{}", above, below) : std::to_string(above);
+}
+
+JsonOutput coordinates_json(const Vector<Polynomial>& v) {
+  return {json_of(v[0]), json_of(v[1]), json_of(v[2])};
+}
+
+Field vector_field(const std::string& key, const std::string& name, const Vector<Polynomial>& v) {
+  Fields parts;
+  constexpr const char* axes[] = {"₁", "₂", "₃"};
+  for (std::size_t k = 0; k < 3; ++k) parts.push_back({"", "$" + name + axes[k] + "$", v[k]});
+  return {key, "", {Value::Rows(), [v] { return coordinates_json(v); }}, parts};
+}
+
+/// Of a rational curve by itself.
+Fields polynomial_fields(const RationalCurve& curve) {
+  const Polynomial& w = curve.weight();
+  const Polynomial& p = curve.multiplier();
+  return {vector_field("numerator", "X", curve.numerator()),
+          {"weight", w == Polynomial{1} ? "" : "$W$", w},
+          vector_field("direction", "H", curve.direction()),
+          {"multiplier", p.is_constant() ? "" : "$p$", p}};
+}
+
+/// Of the plane that the path is in, if it is in one.
+Field plane_field(const SmoothInfoAnswer& info) {
+  if (info.is_straight)
+    return {"straight",
+            "straight line",
+            {Value::Words(
+                 [](Notation) { return std::string("any frame that does not turn is right"); }),
+             [] { return JsonOutput(true); }}};
+  if (!info.normal) return json_field("plane_normal", nullptr);
+  return {"plane_normal", "normal to its plane", *info.normal};
+}
+
+Value smooth_segments(const SmoothInfoAnswer& info) {
+  return {Value::Rows(), [&] {
+            JsonOutput segments = JsonOutput::array();
+            for (std::size_t k = 0; k < info.lengths.size(); ++k) {
+              JsonOutput json = {{"arc_length", length_value(info.lengths[k]).json()}};
+              if (const auto* curve = std::get_if<RationalCurve>(&info.path.path.segments()[k]))
+                json.update({{"degree", degree(*curve)},
+                             {"start", json_of(point(*curve, 0))},
+                             {"end", json_of(point(*curve, 1))}});
+              segments.push_back(std::move(json));
+            }
+            return segments;
+          }};
+}
+
+Fields fields(const SmoothInfoAnswer& info) {
+  const SmoothPath& path = info.path.path;
+  const bool is_single = path.segments().size() == 1;
+  Fields fields{json_field("phrame", is_single ? "info/1" : "spline-info/1"),
+                json_field("name", info.path.name)};
+  const auto add = [&](const Fields& more) {
+    fields.insert(fields.end(), more.begin(), more.end());
+  };
+  if (const auto* curve = std::get_if<RationalCurve>(&path.segments().front());
+      curve != nullptr && is_single) {
+    add(polynomial_fields(*curve));
+    add({{"", "$r(0)$", point(*curve, 0)},
+         {"", "$r(1)$", point(*curve, 1)},
+         {"cusps", "cusp, $r′ = 0$", cusps_value(info.cusps)}});
+  }
+  add({{"segments", "", smooth_segments(info)},
+       json_field("closed", path.is_closed()),
+       json_field("ends_meet", path.ends_meet()),
+       {"arc_length", "length $∫ |r′|$", length_value(info.length)},
+       plane_field(info),
+       {"up", "$v$", info.up},
+       {"twist_up", "twist $∫ e₂′·e₃$", info.twist_up},
+       {"bending_energy", "energy $∫ κ²\\, ds$", energy(info.bending_energy)},
+       {"holonomy", "holonomy", optional_value(info.holonomy, {})}});
+  if (!info.bending_energy) fields.push_back(json_field("bending_energy_reason", "∞"));
+  if (!info.no_holonomy.empty())
+    fields.push_back({"holonomy_reason",
+                      "holonomy",
+                      {Value::Words([&](Notation) { return "undecided: " + info.no_holonomy; }),
+                       [&] { return JsonOutput("undecided: " + info.no_holonomy); }}});
+  return fields;
+}
+
+std::string segment_table(const SmoothInfoAnswer& info, Notation notation) {
+  if (info.lengths.size() == 1) return "";
+  std::vector<std::string> degrees;
+  for (const SmoothSegment& segment : info.path.path.segments())
+    degrees.push_back(degree_text(segment));
+  return segment_table(degrees, info.lengths, notation);
 }
 
 /// What the fields are for both.
@@ -184,6 +294,17 @@ std::string to_latex(const InfoAnswer& info) {
   if (path.is_curve()) return to_align(fields(info));
   return notes_on_signs(path, Notation::latex) + to_align(fields(info)) +
          segment_table(info, Notation::latex);
+}
+
+std::string to_text(const SmoothInfoAnswer& info) {
+  return heading(info.path) + "\n\n" + to_rows(fields(info), 21) +
+         segment_table(info, Notation::unicode);
+}
+
+std::string to_json(const SmoothInfoAnswer& info) { return pretty(json_of(fields(info))); }
+
+std::string to_latex(const SmoothInfoAnswer& info) {
+  return to_align(fields(info)) + segment_table(info, Notation::latex);
 }
 
 }  // namespace phrame

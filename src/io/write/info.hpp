@@ -5,8 +5,17 @@
 
 namespace phrame {
 
-std::string to_text(const InfoAnswer& info);   ///< for reading, Unicode
-std::string to_json(const InfoAnswer& info);   ///< info/1, of a spline spline-info/1
-std::string to_latex(const InfoAnswer& info);  ///< for amsmath and amssymb
+/// @{ For reading, Unicode.
+std::string to_text(const InfoAnswer& info);
+std::string to_text(const SmoothInfoAnswer& info);
+/// @}
+/// @{ info/1, of a spline spline-info/1.
+std::string to_json(const InfoAnswer& info);
+std::string to_json(const SmoothInfoAnswer& info);
+/// @}
+/// @{ For amsmath and amssymb.
+std::string to_latex(const InfoAnswer& info);
+std::string to_latex(const SmoothInfoAnswer& info);
+/// @}
 
 }  // namespace phrame

@@ -33,14 +33,25 @@ Label label(Quantity quantity) {
     case Quantity::bending_energy:
       return {"bending_energy", "∫ κ²\\, ds"};
     case Quantity::frenet_energy:
+      return {"frenet_energy", "∫ (κ² + τ²)\\, ds"};
+    case Quantity::up_twist:
+      return {"up_twist", "∫ e₂′·e₃\\, dt"};
+    case Quantity::holonomy:
+      return {"holonomy", ""};
+    case Quantity::closing_turn:
+      return {"closing_turn_per_length", ""};
+    case Quantity::writhe:
+      return {"writhe", ""};
+    case Quantity::self_linking:
       break;
   }
-  return {"frenet_energy", "∫ (κ² + τ²)\\, ds"};
+  return {"self_linking", ""};
 }
 
 /// "twist of the ERF $∫ 2h/σ dt$".
 std::string name(const Row& row) {
-  return fmt::format("{} ${}$", name_of(row.quantity), label(row.quantity).symbol);
+  const std::string symbol = label(row.quantity).symbol;
+  return name_of(row.quantity) + (symbol.empty() ? "" : " $" + symbol + "$");
 }
 
 /// "√3·(…)": x times the root of the radicand.
@@ -53,6 +64,7 @@ std::string times_root(const Rational& radicand, const std::string& x, Notation 
 
 /// "√3·(…) + …", empty where there is none, and as the parts of a formula for computer algebra.
 std::string exact_text(const Row& row, Notation notation) {
+  if (row.exact) return formatted(*row.exact, notation);
   if (!row.total || !row.total->exact) return "";
   std::vector<std::string> terms;
   for (const auto& [radicand, of] : *row.total->exact)
@@ -167,36 +179,52 @@ JsonOutput json_of(const Row& row, bool is_curve) {
   if (!row.value) return {{"value", nullptr}, {"reason", row.reason}};
   JsonOutput json = phrame::json_of(*row.value);
   json.update(json_of(formula_fields(row, is_curve)));
+  if (row.exact) json["exact"] = to_string(*row.exact);
   if (row.total && row.total->exact) json["exact"] = exact_formula(*row.total);
   return json;
+}
+
+struct Shape {
+  std::size_t segments;
+  bool has_formulas;  ///< a PH curve by itself
+};
+
+Shape shape_of(const TotalsAnswer& answer) {
+  const std::size_t count =
+      std::visit([](const auto& named) { return named.path.segments().size(); }, answer.path);
+  return {count, count == 1 && std::holds_alternative<NamedPath>(answer.path)};
 }
 
 }  // namespace
 
 std::string to_text(const TotalsAnswer& answer) {
-  const Path& path = answer.path.path;
-  std::string text = heading(answer.path) + "\n\n";
-  for (const Row& row : answer.rows) text += to_text(row, path.is_curve()) + "\n";
-  return text + fmt::format("From t = 0 to {}{}; decimals are correctly rounded to {}.{}\n",
-                            to_string(path.end()),
-                            path.is_curve() ? "" : ", the sums over the segments",
+  const auto [count, has_formulas] = shape_of(answer);
+  std::string text =
+      std::visit([](const auto& named) { return heading(named); }, answer.path) + "\n\n";
+  if (answer.up) text += fmt::format("  v = {}\n\n", shown(*answer.up));
+  for (const Row& row : answer.rows) text += to_text(row, has_formulas) + "\n";
+  return text + fmt::format("From t = 0 to {}{}; decimals are correctly rounded to {}.{}\n", count,
+                            count == 1 ? "" : ", the sums over the segments",
                             counted(static_cast<std::size_t>(answer.digits), "digit"),
-                            path.is_curve() ? " Checked: the derivative of F is F′, exactly." : "");
+                            has_formulas ? " Checked: the derivative of F is F′, exactly." : "");
 }
 
 std::string to_latex(const TotalsAnswer& answer) {
-  const bool is_curve = answer.path.path.is_curve();
+  const bool has_formulas = shape_of(answer).has_formulas;
   std::string text;
-  for (const Row& row : answer.rows) text += to_align(latex_fields(row, is_curve));
+  for (const Row& row : answer.rows) text += to_align(latex_fields(row, has_formulas));
   return text;
 }
 
 std::string to_json(const TotalsAnswer& answer) {
-  const auto& [name, path, near] = answer.path;
-  JsonOutput json = {{"phrame", path.is_curve() ? "totals/1" : "spline-totals/1"}, {"name", name}};
-  if (path.is_curve()) json["degree"] = degree(path.segments().front());
-  for (const Row& row : answer.rows) json[label(row.quantity).key] = json_of(row, path.is_curve());
-  add_nearness(json, near);
+  const auto [count, has_formulas] = shape_of(answer);
+  const std::string name = std::visit([](const auto& named) { return named.name; }, answer.path);
+  JsonOutput json = {{"phrame", count == 1 ? "totals/1" : "spline-totals/1"}, {"name", name}};
+  const auto* named = std::get_if<NamedPath>(&answer.path);
+  if (has_formulas) json["degree"] = degree(named->path.segments().front());
+  if (answer.up) json["up"] = json_of(*answer.up);
+  for (const Row& row : answer.rows) json[label(row.quantity).key] = json_of(row, count == 1);
+  if (named != nullptr) add_nearness(json, named->near);
   return pretty(json);
 }
 

@@ -65,4 +65,16 @@ RootQuotient bending_rate(const RationalCurve& curve) {
           curve.multiplier() * sigma * sigma, sigma};
 }
 
+RootQuotient frenet_energy_rate(const RationalCurve& curve) {
+  const Vector<Polynomial>& H = curve.direction();
+  const Vector<Polynomial> first = slope(H);
+  const Vector<Polynomial> normal = cross(H, first);
+  const Polynomial sigma = squared_size(H);
+  const Polynomial rho = squared_size(normal);
+  if (rho.is_zero()) throw DomainError("torsion: the curve is a straight line, it has none");
+  const Polynomial turn = dot(normal, slope(first)) * curve.weight();
+  return {pow(rho, 3) * pow(curve.weight(), 2) + pow(sigma, 3) * turn * turn,
+          curve.multiplier() * pow(sigma * rho, 2), sigma};
+}
+
 }  // namespace phrame

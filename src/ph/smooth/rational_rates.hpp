@@ -20,5 +20,8 @@ RootQuotient length_rate(const RationalCurve& curve);
 RootQuotient curvature_rate(const RationalCurve& curve);
 /// κ²·ds/dt = ρ·W²/(p·σ²·√σ), with the sign of p.
 RootQuotient bending_rate(const RationalCurve& curve);
+/// (κ² + τ²)·ds/dt = W²·(ρ³ + σ³·det(H, H′, H″)²)/(p·σ²·ρ²·√σ), likewise. Throws DomainError for a
+/// straight line.
+RootQuotient frenet_energy_rate(const RationalCurve& curve);
 
 }  // namespace phrame

@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rational_function.hpp"
+#include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
@@ -45,6 +46,22 @@ const RationalCurve& curve_at(const SmoothPath& path, const SmoothParameter& at)
   return std::get<RationalCurve>(path.segments()[at.segment]);
 }
 
+Vector<Polynomial> binormal_of(const RationalCurve& curve) {
+  return cross(curve.direction(), derivative_of(curve.direction()));
+}
+
+/// Has the curve neither inflections nor a straight part?
+bool bends_all_along(const RationalCurve& curve) {
+  const Vector<Polynomial> b = binormal_of(curve);
+  const Polynomial common = gcd(gcd(b[0], b[1]), b[2]);
+  return !common.is_zero() && count_real_roots(common, {0, 1}) == 0;
+}
+
+/// Along the binormal at t.
+Vector<Rational> binormal_at(const RationalCurve& curve, const Rational& t) {
+  return evaluate(binormal_of(curve), t);
+}
+
 }  // namespace
 
 Real curvature(const SmoothPath& path, const SmoothParameter& at) {
@@ -56,6 +73,24 @@ Real curvature(const SmoothPath& path, const SmoothParameter& at) {
 
 Real torsion(const SmoothPath& path, const SmoothParameter& at) {
   return value_of(torsion_of(curve_at(path, at)), at.t, "torsion");
+}
+
+bool has_continuous_frenet_frame(const SmoothPath& path) {
+  const auto& segments = path.segments();
+  for (const SmoothSegment& segment : segments)
+    if (!std::visit([](const auto& curve) { return bends_all_along(curve); }, segment))
+      return false;
+  const auto at = [&](std::size_t k, const Rational& t) {
+    return std::visit([&](const auto& curve) { return binormal_at(curve, t); }, segments[k]);
+  };
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const bool is_last = k + 1 == segments.size();
+    if (is_last && !path.is_closed()) break;
+    const Vector<Rational> before = at(k, 1);
+    const Vector<Rational> after = at(is_last ? 0 : k + 1, 0);
+    if (cross(before, after) != Vector<Rational>{} || dot(before, after) <= 0) return false;
+  }
+  return true;
 }
 
 }  // namespace phrame

@@ -12,4 +12,8 @@ Real curvature(const SmoothPath& path, const SmoothParameter& at);
 /// and on a straight line, where it is undefined.
 Real torsion(const SmoothPath& path, const SmoothParameter& at);
 
+/// Is the Frenet frame defined all along, κ ≠ 0, and continuous through the joints, from the end of
+/// a closed path to its start, too? Decided exactly.
+bool has_continuous_frenet_frame(const SmoothPath& path);
+
 }  // namespace phrame

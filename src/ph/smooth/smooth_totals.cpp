@@ -49,6 +49,22 @@ Real torsion_total(const RationalCurve& curve) {
   return sum;
 }
 
+/// ∫ of what is not negative, infinite where it has a pole.
+std::variant<Real, Infinite> energy_of(const SmoothPath& path,
+                                       RootQuotient (*rate_of)(const RationalCurve&)) {
+  Real sum = Rational(0);
+  for (std::size_t k = 0; k < path.segments().size(); ++k) {
+    const RootQuotient rate =
+        without_common_factor(rate_of(std::get<RationalCurve>(path.segments()[k])));
+    const auto poles = rate.denominator.is_constant() ? std::vector<RealRoot>{}
+                                                      : real_roots(rate.denominator, closed(0, 1));
+    if (!poles.empty() && !rate.numerator.is_zero())
+      return Infinite{affine(poles.front().at, 1, Rational(static_cast<long>(k))), k};
+    sum = sum + AbsoluteIntegral(rate).value(Rational(1));
+  }
+  return remembered(sum);
+}
+
 }  // namespace
 
 Real total_curvature(const SmoothPath& path) {
@@ -60,17 +76,11 @@ Real total_curvature(const SmoothPath& path) {
 Real total_torsion(const SmoothPath& path) { return sum_of_segments(path, torsion_total); }
 
 std::variant<Real, Infinite> bending_energy(const SmoothPath& path) {
-  Real sum = Rational(0);
-  for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    const RootQuotient rate =
-        without_common_factor(bending_rate(std::get<RationalCurve>(path.segments()[k])));
-    const auto poles = rate.denominator.is_constant() ? std::vector<RealRoot>{}
-                                                      : real_roots(rate.denominator, closed(0, 1));
-    if (!poles.empty() && !rate.numerator.is_zero())
-      return Infinite{affine(poles.front().at, 1, Rational(static_cast<long>(k))), k};
-    sum = sum + AbsoluteIntegral(rate).value(Rational(1));
-  }
-  return remembered(sum);
+  return energy_of(path, bending_rate);
+}
+
+std::variant<Real, Infinite> frenet_energy(const SmoothPath& path) {
+  return energy_of(path, frenet_energy_rate);
 }
 
 Real up_frame_twist(const SmoothPath& path, const Vector<Rational>& up) {

@@ -16,6 +16,9 @@ Real total_curvature(const SmoothPath& path);
 Real total_torsion(const SmoothPath& path);
 /// ∫ κ² ds, infinite at most cusps.
 std::variant<Real, Infinite> bending_energy(const SmoothPath& path);
+/// ∫ (κ² + τ²) ds, infinite at most cusps; at inflections τ is finite. Throws DomainError where a
+/// segment is a straight line.
+std::variant<Real, Infinite> frenet_energy(const SmoothPath& path);
 /// ∫ e₂′·e₃ dt of the frame of v: how far it turns about e₁, in radians.
 Real up_frame_twist(const SmoothPath& path, const Vector<Rational>& up);
 

@@ -41,6 +41,8 @@ TEST_CASE("smooth totals: the twisted cubic [mpmath: quad of the definitions]") 
   CHECK(digits(total_torsion(path), 40) == "1.507278500292393126918601351905495484273");
   CHECK(digits(std::get<Real>(bending_energy(path)), 40) ==
         "1.828426963311391191731029359327983399300");
+  CHECK(digits(std::get<Real>(frenet_energy(path)), 40) ==
+        "4.277343296518597175317471301064697099343");
   // κ and τ at 1/2: |r′ × r″|/|r′|³ and det/|r′ × r″|².
   CHECK(digits(curvature(path, {0, Rational(1, 2)}), 30) == "0.952004740039499345894030721134");
   CHECK(torsion(path, {0, Rational(1, 2)}).exact() == Rational(12, 1) / Rational(61, 4));
@@ -113,4 +115,23 @@ TEST_CASE("smooth totals: an inflection adds to the curvature, whatever its side
   const RealBall exact = multiply(RealBall(2, 130), argument(1, 3, 130), 130);
   CHECK(total_curvature(path).enclose(100).overlaps(exact));
   CHECK(total_curvature(path).enclose(100).is_accurate(90));
+}
+
+// An inflection, a line, and joints in the plane that turn on, or the other way, or out of it.
+TEST_CASE("smooth shape: where the Frenet frame is continuous") {
+  CHECK(has_continuous_frenet_frame(circle()));
+  CHECK(has_continuous_frenet_frame(twisted_cubic()));
+  CHECK_FALSE(has_continuous_frenet_frame(
+      SmoothPath(bezier_curve({{0, 0, 0}, {1, 1, 0}, {2, -1, 0}, {3, 0, 0}}))));
+  CHECK_FALSE(has_continuous_frenet_frame(SmoothPath(bezier_curve({{0, 0, 0}, {1, 1, 0}}))));
+  const RationalCurve bend = bezier_curve({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}});
+  CHECK(
+      has_continuous_frenet_frame(joined({bend, bezier_curve({{2, 1, 0}, {3, 2, 0}, {3, 4, 0}})})));
+  CHECK_FALSE(
+      has_continuous_frenet_frame(joined({bend, bezier_curve({{2, 1, 0}, {3, 2, 0}, {5, 3, 0}})})));
+  CHECK_FALSE(
+      has_continuous_frenet_frame(joined({bend, bezier_curve({{2, 1, 0}, {3, 2, 0}, {3, 4, 1}})})));
+  // Where it closes, too: this loop's curvature jumps there.
+  CHECK_FALSE(has_continuous_frenet_frame(SmoothPath(
+      bezier_curve({{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}}))));
 }

@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/roots.hpp"
+#include "phrame/answer/info.hpp"
+#include "phrame/answer/rounded.hpp"
+#include "phrame/ph/smooth/smooth_angle.hpp"
+#include "phrame/ph/smooth/smooth_length.hpp"
+#include "phrame/ph/smooth/smooth_totals.hpp"
+#include "phrame/ph/smooth/up_vector.hpp"
+
+namespace phrame {
+namespace {
+
+InfoAnswer::Length rounded_length(const Real& length, const std::string& name, long digits) {
+  return {length, rounded(length, name, digits)};
+}
+
+void add_lengths(SmoothInfoAnswer& answer, long digits) {
+  const auto& segments = answer.path.path.segments();
+  const SmoothLength length(answer.path.path);
+  answer.length = rounded_length(length.total(), "the length", digits);
+  for (std::size_t k = 0; k < segments.size(); ++k)
+    answer.lengths.push_back(rounded_length(SmoothLength(SmoothPath(segments[k])).total(),
+                                            fmt::format("the length of segment {}", k + 1),
+                                            digits));
+}
+
+}  // namespace
+
+SmoothInfoAnswer answer(const NamedSmoothPath& named, const InfoQuery& query) {
+  const SmoothPath& path = named.path;
+  const SmoothAngle angle(path);
+  SmoothInfoAnswer answer{named,
+                          {Rational(0), {}},
+                          {},
+                          angle.up(),
+                          rounded_or_zero(up_frame_twist(path, angle.up()),
+                                          "the twist of the frame of v", query.digits),
+                          {},
+                          is_straight(path),
+                          plane_normal(path),
+                          {}};
+  add_lengths(answer, query.digits);
+  const auto energy = bending_energy(path);
+  if (const auto* finite = std::get_if<Real>(&energy))
+    answer.bending_energy = rounded_or_zero(*finite, "the bending energy", query.digits);
+  try {
+    if (const auto turn = holonomy(angle))
+      answer.holonomy = rounded_or_zero(*turn, "holonomy", query.digits);
+  } catch (const Undecided& undecided) {
+    answer.no_holonomy = undecided.what();
+  }
+  if (const auto* curve = std::get_if<RationalCurve>(&path.segments().front());
+      curve != nullptr && path.segments().size() == 1 && !curve->multiplier().is_constant())
+    answer.cusps = real_roots(curve->multiplier(), closed(0, 1));
+  return answer;
+}
+
+}  // namespace phrame

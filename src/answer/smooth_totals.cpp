@@ -1,0 +1,136 @@
+#include "phrame/ph/smooth/smooth_totals.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/answer/rounded.hpp"
+#include "phrame/answer/totals.hpp"
+#include "phrame/ph/smooth/closed_curve.hpp"
+#include "phrame/ph/smooth/smooth_angle.hpp"
+#include "phrame/ph/smooth/smooth_length.hpp"
+#include "phrame/ph/smooth/smooth_shape.hpp"
+#include "phrame/ph/smooth/up_vector.hpp"
+
+namespace phrame {
+namespace {
+
+/// Adds rows to an answer.
+class SmoothTotals {
+ public:
+  explicit SmoothTotals(TotalsAnswer& answer) : answer_(answer) {}
+
+  void add(Quantity quantity, const Real& value) {
+    TotalsAnswer::Row row{quantity};
+    row.value = rounded_or_zero(value, name_of(quantity), answer_.digits);
+    row.exact = value.exact();
+    answer_.rows.push_back(std::move(row));
+  }
+  void add(Quantity quantity, const std::variant<Real, Infinite>& value) {
+    if (const auto* finite = std::get_if<Real>(&value)) return add(quantity, *finite);
+    TotalsAnswer::Row row{quantity};
+    row.infinite = std::get<Infinite>(value);
+    answer_.rows.push_back(std::move(row));
+  }
+  void add_whole(Quantity quantity, long value) {
+    TotalsAnswer::Row row{quantity};
+    row.value = Decimal{std::to_string(value), "0"};
+    answer_.rows.push_back(std::move(row));
+  }
+  void add_reason(Quantity quantity, std::string reason) {
+    TotalsAnswer::Row row{quantity};
+    row.reason = std::move(reason);
+    answer_.rows.push_back(std::move(row));
+  }
+
+ private:
+  TotalsAnswer& answer_;
+};
+
+/// Why there is no torsion; empty where there is.
+std::string why_no_torsion(const SmoothPath& path) {
+  const auto& segments = path.segments();
+  if (segments.size() == 1) return is_straight(path) ? "a straight line has no torsion" : "";
+  for (std::size_t k = 0; k < segments.size(); ++k)
+    if (is_straight(SmoothPath(segments[k])))
+      return fmt::format("segment {} is a straight line, which has no torsion", k + 1);
+  return "";
+}
+
+/// x/2π.
+Real in_turns(const Real& x) {
+  if (x.exact() == Rational(0)) return x;
+  return Real([x](long bits) {
+    return divide(x.enclose(bits + 8), times_power_of_two(pi(bits + 8), 1), bits + 8);
+  });
+}
+
+void add_holonomy(SmoothTotals& totals, const SmoothAngle& angle, const Real& length) {
+  try {
+    const Real turn = *holonomy(angle);
+    totals.add(Quantity::holonomy, turn);
+    totals.add(Quantity::closing_turn,
+               turn.exact() == Rational(0) ? turn : closing_turn_per_length(turn, length));
+  } catch (const Undecided& undecided) {
+    totals.add_reason(Quantity::holonomy, std::string("undecided: ") + undecided.what());
+    totals.add_reason(Quantity::closing_turn, "the holonomy is undecided");
+  }
+}
+
+void add_self_linking(SmoothTotals& totals, const ClosedFrame& frame, const SmoothPath& path) {
+  if (!has_continuous_frenet_frame(path))
+    return totals.add_reason(Quantity::self_linking,
+                             "the Frenet frame is not defined and continuous all along");
+  try {
+    totals.add_whole(Quantity::self_linking, self_linking_number(frame, total_torsion(path)));
+  } catch (const Undecided& undecided) {
+    totals.add_reason(Quantity::self_linking, std::string("undecided: ") + undecided.what());
+  }
+}
+
+void add_writhe(SmoothTotals& totals, const SmoothPath& path) {
+  std::optional<ClosedFrame> frame;
+  std::string reason;
+  try {
+    frame = closed_frame(path);
+  } catch (const DomainError& error) {
+    reason = error.what();
+  } catch (const Undecided& undecided) {
+    reason = std::string("undecided: ") + undecided.what();
+  }
+  if (frame) {
+    totals.add(Quantity::writhe, writhe(*frame));
+    return add_self_linking(totals, *frame, path);
+  }
+  totals.add_reason(Quantity::writhe, reason);
+  totals.add_reason(Quantity::self_linking, "the writhe is not known");
+}
+
+}  // namespace
+
+TotalsAnswer answer(const NamedSmoothPath& named, const TotalsQuery& query) {
+  const SmoothPath& path = named.path;
+  const SmoothAngle angle(path);
+  TotalsAnswer answer{named, {}, query.digits, angle.up()};
+  SmoothTotals totals(answer);
+  const std::string no_torsion = why_no_torsion(path);
+  const Real length = SmoothLength(path).total();
+  const Real curvature = total_curvature(path);
+  totals.add(Quantity::length, length);
+  totals.add(Quantity::up_twist, up_frame_twist(path, angle.up()));
+  no_torsion.empty() ? totals.add(Quantity::torsion, total_torsion(path))
+                     : totals.add_reason(Quantity::torsion, no_torsion);
+  totals.add(Quantity::curvature, curvature);
+  is_straight(path) || plane_normal(path)
+      ? totals.add(Quantity::rotation_index, in_turns(curvature))
+      : totals.add_reason(Quantity::rotation_index,
+                          path.segments().size() == 1 ? "not a plane curve" : "not in one plane");
+  totals.add(Quantity::bending_energy, bending_energy(path));
+  no_torsion.empty() ? totals.add(Quantity::frenet_energy, frenet_energy(path))
+                     : totals.add_reason(Quantity::frenet_energy, no_torsion);
+  if (!path.is_closed()) return answer;
+  add_holonomy(totals, angle, length);
+  add_writhe(totals, path);
+  return answer;
+}
+
+}  // namespace phrame
