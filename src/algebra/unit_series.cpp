@@ -209,6 +209,17 @@ struct EndOfSeries {
         delta(sums_from(unit_ratios(f.denominator))),
         nu(static_cast<std::size_t>(fmpz_poly_length(f.numerator.get())), 1.0) {}
 
+  /// What is left over by the rounding alone, when all that is left of the series is that: some
+  /// units of w, and of y as many times as 1/δ makes of them.
+  double of_rounding(const UnitBounds& bounds, double weight_of_root) const {
+    const auto tail = [](const std::vector<double>& sums) {
+      double total = 0;
+      for (std::size_t k = 1; k < sums.size(); ++k) total += sums[k];
+      return total;
+    };
+    return 2 * bounds.root * (weight_of_root * tail(sigma) + static_cast<double>(nu.size())) +
+           2 * bounds.quotient * tail(delta);
+  }
   double of_root(const FixedSeries& w) const { return left_out(sigma, w.c); }
   double of_quotient(const FixedSeries& w, const FixedSeries& y) const {
     return left_out(nu, w.c) + left_out(delta, y.c);
@@ -265,7 +276,9 @@ std::optional<UnitSeries> unit_series(const UnitQuotient& f, const UnitBounds& b
   const double terms =
       (static_cast<double>(bits) + std::log2(of_root * of_all) + 8) / bounds.bits_per_term +
       static_cast<double>(count);
-  const double roundings = of_all * (of_root + 1) * 2 * terms + 2 * terms;
+  const EndOfSeries end(f);
+  const double roundings =
+      of_all * std::max((of_root + 1) * 2 * terms, end.of_rounding(bounds, of_root)) + 2 * terms;
   const long Q = bits + 1 + static_cast<long>(std::ceil(std::log2(roundings)));
   const double enough = 0.5 * std::ldexp(1.0, static_cast<int>(std::min(Q - bits, 1000L)));
 
@@ -273,7 +286,6 @@ std::optional<UnitSeries> unit_series(const UnitQuotient& f, const UnitBounds& b
       Q + 2 + bits_of_count(count) + static_cast<long>(std::log2(bounds.root * bounds.quotient));
   RootRecurrence root(f, Q, most_bits);
   QuotientRecurrence quotient(f, most_bits);
-  const EndOfSeries end(f);
   quotient.step(root.w());
   double left_out = INFINITY;
   while (!(left_out <= enough)) {
