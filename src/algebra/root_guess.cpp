@@ -42,6 +42,14 @@ struct Coefficients {
   std::vector<double> mantissas;
   std::vector<slong> exponents;
 
+  explicit Coefficients(const std::vector<double>& f) {
+    for (const double c : f) {
+      int exponent = 0;
+      mantissas.push_back(std::frexp(c, &exponent));
+      exponents.push_back(exponent);
+    }
+  }
+
   Coefficients(const flint::FmpzPoly& f, slong first) {
     for (slong k = first; k <= fmpz_poly_degree(f.get()); ++k) {
       slong exponent = 0;
@@ -118,14 +126,9 @@ std::optional<Complex> logarithmic_derivative(const std::vector<double>& c, Comp
   return outside ? product(static_cast<double>(n) - product(y, quotient), y) : quotient;
 }
 
-}  // namespace
-
-// Each root is written in the scale it starts from, so that roots of very different sizes are found
-// together: f is scaled anew for each of these sizes.
-RootGuess guess_roots(const flint::FmpzPoly& f) {
-  slong zeros = 0;
-  while (fmpz_is_zero(fmpz_poly_get_coeff_ptr(f.get(), zeros)) != 0) ++zeros;
-  const Coefficients coefficients(f, zeros);
+/// Of f with f(0) ≠ 0. Each root is written in the scale it starts from, so that roots of very
+/// different sizes are found together: f is scaled anew for each of these sizes.
+std::vector<Approximation> approximations(const Coefficients& coefficients) {
   std::vector<Approximation> roots = starting_points(coefficients);
   std::map<long, std::vector<double>> c;
   for (const Approximation& z : roots)
@@ -148,14 +151,33 @@ RootGuess guess_roots(const flint::FmpzPoly& f) {
       z->last_step = std::norm(step) / std::norm(z->mantissa);
       return z->last_step < 1e-26;
     });
+  return roots;
+}
+
+}  // namespace
+
+RootGuess guess_roots(const flint::FmpzPoly& f) {
+  slong zeros = 0;
+  while (fmpz_is_zero(fmpz_poly_get_coeff_ptr(f.get(), zeros)) != 0) ++zeros;
   RootGuess guess{std::vector<ComplexBall>(static_cast<std::size_t>(zeros)), 0};
-  for (const auto& [z, scale, last_step] : roots) {
+  for (const auto& [z, scale, last_step] : approximations(Coefficients(f, zeros))) {
     ComplexBall& point = guess.points.emplace_back();
     acb_set_d_d(point.raw(), z.real(), z.imag());
     acb_mul_2exp_si(point.raw(), point.raw(), scale);
     if (last_step > 1e-10) ++guess.vague;
   }
   return guess;
+}
+
+std::vector<std::complex<double>> guess_roots(std::vector<double> f) {
+  while (!f.empty() && f.back() == 0) f.pop_back();
+  const auto first = std::ranges::find_if(f, [](double c) { return c != 0; });
+  std::vector<Complex> roots(static_cast<std::size_t>(first - f.begin()));
+  f.erase(f.begin(), first);
+  if (f.empty()) return {};
+  for (const Approximation& z : approximations(Coefficients(f)))
+    roots.push_back(scaled(z.mantissa, z.scale));
+  return roots;
 }
 
 }  // namespace phrame

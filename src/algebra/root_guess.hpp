@@ -1,4 +1,5 @@
 #pragma once
+#include <complex>
 #include <vector>
 
 #include "phrame/algebra/ball.hpp"
@@ -15,5 +16,7 @@ struct RootGuess {
 /// certified root finder its first steps. Bini, Numerical computation of polynomial zeros by means
 /// of Aberth's method, Numerical Algorithms 13 (1996).
 RootGuess guess_roots(const flint::FmpzPoly& f);
+/// The same of f₀ + f₁t + …, all finite; none of f = 0. Sizes are cut at 2^±400.
+std::vector<std::complex<double>> guess_roots(std::vector<double> f);
 
 }  // namespace phrame

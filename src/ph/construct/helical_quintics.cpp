@@ -1,10 +1,10 @@
 #include "phrame/ph/construct/helical_quintics.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "phrame/algebra/root_guess.hpp"
 #include "phrame/ph/construct/energy.hpp"
 
 // f = 1. With B = 3A₀ + 4A₁ + 3A₂ and c(Δ) = B i B* the length is (|c| − 10g cos Δ)/120 and a
@@ -259,19 +259,13 @@ void Search::add_monotone() {
   const Coefficients dd = times(d, d);
   Coefficients quartic = times(left, left);
   for (std::size_t k = 0; k < 4; ++k) quartic[k + 1] -= nn[k] + mu * mu * dd[k];
-  Eigen::Matrix4d companion = Eigen::Matrix4d::Zero();
-  for (Eigen::Index k = 0; k < 4; ++k) {
-    companion(k, 3) = -quartic[static_cast<std::size_t>(k)] / quartic[4];
-    if (k > 0) companion(k, k - 1) = 1;
-  }
-  if (!companion.allFinite()) return;
+  if (!std::ranges::all_of(quartic, [](double c) { return std::isfinite(c); })) return;
   const auto value = [](const Coefficients& x, double at) {
     return (((x[4] * at + x[3]) * at + x[2]) * at + x[1]) * at + x[0];
   };
-  const Eigen::EigenSolver<Eigen::Matrix4d> roots(companion, false);
-  for (Eigen::Index k = 0; k < 4; ++k) {
-    const double square = roots.eigenvalues()[k].real();
-    if (std::abs(roots.eigenvalues()[k].imag()) > 1e-6 * square) continue;
+  for (const std::complex<double>& root : guess_roots({quartic.begin(), quartic.end()})) {
+    const double square = root.real();
+    if (!(square > 0) || std::abs(root.imag()) > 1e-6 * square) continue;
     const double at_d = value(d, square);
     add_monotone(square, value(big_n, square) / (3 * at_d), -value(n, square) / at_d, mu, a2);
   }

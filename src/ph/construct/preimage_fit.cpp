@@ -15,12 +15,13 @@
 // and comes before all.
 #include "phrame/ph/construct/preimage_fit.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 
+#include "phrame/algebra/least_squares.hpp"
 #include "phrame/ph/construct/preimage.hpp"
 
 namespace phrame {
@@ -76,10 +77,9 @@ std::vector<DoubleVector> integrated(const std::vector<DoubleVector>& scaled_hod
   return points;
 }
 
-Eigen::VectorXd stacked(const std::vector<DoubleVector>& v) {
-  Eigen::VectorXd result(3 * static_cast<Eigen::Index>(v.size()));
-  for (Eigen::Index k = 0; k < result.size(); ++k)
-    result[k] = v[static_cast<std::size_t>(k / 3)][static_cast<std::size_t>(k % 3)];
+std::vector<double> stacked(const std::vector<DoubleVector>& v) {
+  std::vector<double> result;
+  for (const DoubleVector& x : v) result.insert(result.end(), x.begin(), x.end());
   return result;
 }
 
@@ -120,60 +120,38 @@ bool straighten(std::vector<HodographSample>& samples) {
   return changed;
 }
 
-using Decomposition = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
-
-/// A vector of length 1 that the matrix makes about as short as can be: by QR and a few steps of
-/// inverse iteration, x ↦ (RᵀR)⁻¹x.
-Eigen::VectorXd least_singular_vector(const Eigen::MatrixXd& matrix) {
-  constexpr double tiny = 1e-15;
-  constexpr int steps = 4;
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
-  const Eigen::Index n = matrix.cols();
-  Eigen::MatrixXd r = qr.matrixR().topRows(n);
-  const double least = tiny * std::abs(r(0, 0));
-  for (Eigen::Index k = 0; k < n; ++k)
-    if (std::abs(r(k, k)) < least) r(k, k) = least;
-  Eigen::VectorXd x = Eigen::VectorXd::Ones(n);
-  for (int k = 0; k < steps; ++k) {
-    x = r.transpose().triangularView<Eigen::Lower>().solve(x);
-    x = r.triangularView<Eigen::Upper>().solve(x);
-    x /= x.norm();
-  }
-  return qr.colsPermutation() * x;
-}
-
 /// Each complex unknown is two real ones, its real and its imaginary part, so is each equation.
 std::vector<DoubleQuaternion> first_preimage(const std::vector<HodographSample>& at, long m) {
   double largest = 0;
   for (const HodographSample& s : at) largest = std::max(largest, dot(s.derivative, s.derivative));
   const auto row = binomials(static_cast<std::size_t>(m));
-  Eigen::MatrixXd equations =
-      Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(at.size()), 4 * (m + 1));
-  const auto set = [&](std::size_t k, long unknown, const std::complex<double>& c) {
-    const auto y = 2 * static_cast<Eigen::Index>(k);
-    const auto x = 2 * static_cast<Eigen::Index>(unknown);
-    equations(y, x) = equations(y + 1, x + 1) = c.real();
-    equations(y, x + 1) = -c.imag();
-    equations(y + 1, x) = c.imag();
+  const auto count = static_cast<std::size_t>(m + 1);
+  DoubleRows equations(2 * at.size(), std::vector<double>(4 * count, 0.0));
+  const auto set = [&](std::size_t k, std::size_t unknown, const std::complex<double>& c) {
+    const std::size_t x = 2 * unknown;
+    auto& real = equations[2 * k];
+    auto& imaginary = equations[2 * k + 1];
+    real[x] = imaginary[x + 1] = c.real();
+    real[x + 1] = -c.imag();
+    imaginary[x] = c.imag();
   };
   for (std::size_t k = 0; k < at.size(); ++k) {
     const double speed = std::sqrt(dot(at[k].derivative, at[k].derivative));
     if (speed == 0) continue;
     const DoubleQuaternion w = preimage((1 / speed) * at[k].derivative);
     const double weight = speed / std::sqrt(largest);
-    for (long j = 0; j <= m; ++j) {
-      const double b = weight * row[static_cast<std::size_t>(j)] *
-                       std::pow(at[k].t, static_cast<double>(j)) *
-                       std::pow(1 - at[k].t, static_cast<double>(m - j));
+    for (std::size_t j = 0; j < count; ++j) {
+      const double b = weight * row[j] * std::pow(at[k].t, static_cast<double>(j)) *
+                       std::pow(1 - at[k].t, static_cast<double>(count - 1 - j));
       set(k, j, b * std::complex(w.q, w.p));
-      set(k, m + 1 + j, -b * std::complex(w.u, w.v));
+      set(k, count + j, -b * std::complex(w.u, w.v));
     }
   }
-  const Eigen::VectorXd x = least_singular_vector(equations);
+  const std::vector<double> x = least_singular_vector(equations);
   std::vector<DoubleQuaternion> result;
-  for (long j = 0; j <= m; ++j) {
-    const auto alpha = 2 * j;
-    const auto beta = 2 * (m + 1 + j);
+  for (std::size_t j = 0; j < count; ++j) {
+    const std::size_t alpha = 2 * j;
+    const std::size_t beta = 2 * (count + j);
     result.push_back({x[alpha], x[alpha + 1], x[beta + 1], x[beta]});
   }
   return result;
@@ -186,15 +164,13 @@ std::vector<double> best_multiplier(const std::vector<DoubleQuaternion>& a,
   const std::size_t unknowns = hodograph.size() - square.size() + 1;
   const auto row = binomials(hodograph.size() - 1);
   const auto f_row = binomials(unknowns - 1);
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(hodograph.size()),
-                                                  static_cast<Eigen::Index>(unknowns));
+  DoubleRows matrix(3 * hodograph.size(), std::vector<double>(unknowns, 0.0));
   for (std::size_t j = 0; j < unknowns; ++j)
     for (std::size_t i = 0; i < square.size(); ++i)
       for (std::size_t c = 0; c < 3; ++c)
-        columns(static_cast<Eigen::Index>(3 * (i + j) + c), static_cast<Eigen::Index>(j)) =
-            f_row[j] * square[i][c] / row[i + j];
-  const Eigen::VectorXd f = Decomposition(columns).solve(stacked(hodograph));
-  return {f.begin(), f.end()};
+        matrix[3 * (i + j) + c][j] = f_row[j] * square[i][c] / row[i + j];
+  constexpr double rounding = 0x1p-48;
+  return LeastSquares(matrix, rounding)(stacked(hodograph));
 }
 
 /// f is to be 1 where it is a constant.
@@ -304,7 +280,7 @@ struct FitStep::Solver {
   std::size_t first = 0;  ///< of the free coefficients of A
   std::size_t count = 0;  ///< of them
   bool frees_multiplier = false;
-  Decomposition decomposition;
+  std::optional<LeastSquares> inverse;
 };
 
 FitStep::FitStep(const PreimageFit& fit, FreePart part) : solver_(std::make_unique<Solver>()) {
@@ -321,7 +297,7 @@ FitStep::FitStep(const PreimageFit& fit, FreePart part) : solver_(std::make_uniq
   const auto a = scaled(fit.preimage);
   const auto f = scaled(fit.multiplier);
   const auto row = binomials(size - 1);
-  std::vector<Eigen::VectorXd> columns;
+  std::vector<std::vector<double>> columns;
   constexpr std::array<DoubleQuaternion, 4> units{
       {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
   for (std::size_t k = solver_->first; k < solver_->first + solver_->count; ++k)
@@ -340,13 +316,12 @@ FitStep::FitStep(const PreimageFit& fit, FreePart part) : solver_(std::make_uniq
     }
   }
   if (columns.empty()) return;
-  Eigen::MatrixXd matrix(columns[0].size(), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    matrix.col(static_cast<Eigen::Index>(k)) = columns[k];
+  DoubleRows matrix(columns[0].size());
+  for (const auto& column : columns)
+    for (std::size_t y = 0; y < column.size(); ++y) matrix[y].push_back(column[y]);
   // What turns A about i, and other changes that leave the curve alone, is singular.
   constexpr double singular = 1e-12;
-  solver_->decomposition.setThreshold(singular);
-  solver_->decomposition.compute(matrix);
+  solver_->inverse.emplace(matrix, singular);
 }
 
 FitStep::~FitStep() = default;
@@ -358,14 +333,11 @@ PreimageFit FitStep::operator()(const std::vector<DoubleVector>& wanted) const {
   PreimageFit result{std::vector<DoubleQuaternion>(s.preimage_size),
                      std::vector<double>(s.multiplier_size, 0.0)};
   if (s.count == 0 && !s.frees_multiplier) return result;
-  const Eigen::VectorXd x = s.decomposition.solve(stacked(wanted));
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const auto at = static_cast<Eigen::Index>(4 * k);
-    result.preimage[s.first + k] = {x[at], x[at + 1], x[at + 2], x[at + 3]};
-  }
+  const std::vector<double> x = (*s.inverse)(stacked(wanted));
+  for (std::size_t k = 0; k < s.count; ++k)
+    result.preimage[s.first + k] = {x[4 * k], x[4 * k + 1], x[4 * k + 2], x[4 * k + 3]};
   if (s.frees_multiplier)
-    for (std::size_t k = 0; k < s.multiplier_size; ++k)
-      result.multiplier[k] = x[static_cast<Eigen::Index>(4 * s.count + k)];
+    for (std::size_t k = 0; k < s.multiplier_size; ++k) result.multiplier[k] = x[4 * s.count + k];
   return result;
 }
 

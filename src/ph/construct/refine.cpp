@@ -1,6 +1,5 @@
 #include "phrame/ph/construct/refine.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -38,19 +37,8 @@ std::vector<Rational> improved(std::vector<Rational> parameters,
 }  // namespace
 
 ParameterStep least_change(const JacobianRows& jacobian, double nothing) {
-  const auto conditions = static_cast<Eigen::Index>(jacobian.size());
-  const auto unknowns = static_cast<Eigen::Index>(jacobian.front().size());
-  Eigen::MatrixXd matrix(conditions, unknowns);
-  for (Eigen::Index y = 0; y < conditions; ++y)
-    for (Eigen::Index x = 0; x < unknowns; ++x)
-      matrix(y, x) = jacobian[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
-  inverse.setThreshold(nothing);
-  inverse.compute(matrix);
-  return [inverse, conditions](const std::vector<double>& wanted) {
-    const Eigen::VectorXd change =
-        inverse.solve(Eigen::Map<const Eigen::VectorXd>(wanted.data(), conditions));
-    return std::vector<double>(change.begin(), change.end());
+  return [inverse = LeastSquares(jacobian, nothing)](const std::vector<double>& wanted) {
+    return inverse(wanted);
   };
 }
 

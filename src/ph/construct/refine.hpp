@@ -2,6 +2,7 @@
 #include <functional>
 #include <vector>
 
+#include "phrame/algebra/least_squares.hpp"
 #include "phrame/algebra/rational.hpp"
 
 namespace phrame {
@@ -15,7 +16,7 @@ using ExactDefect = std::function<std::vector<Rational>(const std::vector<Ration
 /// doubles.
 using ParameterStep = std::function<std::vector<double>(const std::vector<double>& defect)>;
 /// ∂(condition)/∂(parameter): a row for each condition, with an entry for each parameter.
-using JacobianRows = std::vector<std::vector<double>>;
+using JacobianRows = DoubleRows;
 
 /// The least change that does it, by the pseudo-inverse of this derivative: there may be more
 /// parameters than conditions. What is less than `nothing` beside the greatest is taken for 0.

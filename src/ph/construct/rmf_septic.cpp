@@ -1,12 +1,11 @@
 #include "phrame/ph/construct/rmf_septic.hpp"
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
+#include "phrame/algebra/least_squares.hpp"
 #include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
 
@@ -22,10 +21,9 @@
 namespace phrame {
 namespace {
 
-using ShapeVector = Eigen::Matrix<double, 7, 1>;  // t, b, b′
-using Lack = Eigen::Matrix<double, 6, 1>;
-using SepticJacobian = Eigen::Matrix<double, 6, 7>;
-using Vector3 = Eigen::Vector3d;
+using ShapeVector = std::array<double, 7>;  // t, b, b′
+using Lack = std::array<double, 6>;
+using Vector3 = Vector<double>;
 
 /// ∫ S(A, A) = Σ w_ij S(A_i, A_j): w_ij = C(3, i)C(3, j)/(7·C(6, i + j)).
 constexpr std::array<std::array<double, 4>, 4> double_weights{
@@ -37,14 +35,11 @@ constexpr std::array<std::array<double, 4>, 4> double_weights{
 /// Shapes are rounded to so many bits, so that nobody's libm decides the result and planes are met.
 constexpr int shape_bits = 24;
 
-Vector3 eigen(const Vector<double>& v) { return {v[0], v[1], v[2]}; }
-
 Quaternion<double> without_i(const Vector3& b) { return {b[0], 0, b[1], b[2]}; }
 
 ShapeVector vector_of(const SepticShape& shape) {
-  ShapeVector s;
-  s << shape.turn, eigen(shape.b), eigen(shape.b_prime);
-  return s;
+  const auto& [turn, b, e] = shape;
+  return {turn, b[0], b[1], b[2], e[0], e[1], e[2]};
 }
 
 SepticShape shape_of(const ShapeVector& s) {
@@ -68,7 +63,7 @@ class SepticEquations {
         rate_(std::numbers::pi * phase_unit(data)) {}
 
   /// What the equations lack, and its derivative where that is wanted.
-  Lack lack(const ShapeVector& s, SepticJacobian* jacobian = nullptr) const;
+  Lack lack(const ShapeVector& s, DoubleRows* jacobian = nullptr) const;
 
  private:
   const SepticData& data_;
@@ -76,44 +71,51 @@ class SepticEquations {
   double rate_;    ///< of the phase by t
 };
 
-Lack SepticEquations::lack(const ShapeVector& s, SepticJacobian* jacobian) const {
+Lack SepticEquations::lack(const ShapeVector& s, DoubleRows* jacobian) const {
   const CubicPreimage<double> a = septic_preimage(data_, shape_of(s));
   CubicPreimage<double> weighted{};
-  Vector3 displacement = Vector3::Zero();
+  Vector3 displacement{};
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < 4; ++j) weighted[i] = weighted[i] + double_weights[i][j] * a[j];
-    displacement += eigen(symmetric_product(a[i], weighted[i]));
+    displacement = displacement + symmetric_product(a[i], weighted[i]);
   }
   // n over |(z, w)|, its derivative by t, and the same of |n| and n̂ = m.
   const Quaternion<double>& c = a[3];
   const Vector3 n{c.v / across_, -c.q / across_, c.p / across_};
   const Vector3 dn = rate_ * Vector3{c.u / across_, c.p / across_, c.q / across_};
-  const double size = n.norm();
-  const Vector3 m = n / size;
-  const double dsize = m.dot(dn);
-  const Vector3 dm = (dn - dsize * m) / size;
-  const Vector3 b = s.segment<3>(1);
-  const Vector3 e = s.segment<3>(4);
-  const Vector3 cross = b.cross(e);
-  Lack result;
-  result << displacement - eigen(data_.step), m.dot(b), m.dot(e), m.dot(cross) - size * across_ / 3;
+  const double size = euclidean_norm(n);
+  const Vector3 m = (1 / size) * n;
+  const double dsize = dot(m, dn);
+  const Vector3 dm = (1 / size) * (dn - dsize * m);
+  const auto& [turn, b, e] = shape_of(s);
+  const Vector3 product = cross(b, e);
+  const Vector3 off = displacement - data_.step;
+  const Lack result{off[0],    off[1],    off[2],
+                    dot(m, b), dot(m, e), dot(m, product) - size * across_ / 3};
   if (jacobian == nullptr) return result;
-  const auto column = [&](const Quaternion<double>& direction, std::size_t i) {
-    return Vector3(2 * eigen(symmetric_product(direction, weighted[i])));
+  DoubleRows& j = *jacobian;
+  j.assign(6, std::vector<double>(7, 0.0));
+  const auto put_column = [&](std::size_t x, const Quaternion<double>& direction, std::size_t i) {
+    const Vector3 change = 2.0 * symmetric_product(direction, weighted[i]);
+    for (std::size_t y = 0; y < 3; ++y) j[y][x] = change[y];
   };
-  SepticJacobian& j = *jacobian;
-  j.setZero();
-  j.col(0) << rate_ * column(turned(c, ComplexOf<double>{0, 1}), 3), dm.dot(b), dm.dot(e),
-      dm.dot(cross) - dsize * across_ / 3;
-  for (int k = 0; k < 3; ++k) {
-    const Quaternion<double> unit = without_i(Vector3::Unit(k));
-    j.block<3, 1>(0, 1 + k) = column(unit, 1);
-    j.block<3, 1>(0, 4 + k) = column(unit, 2);
+  const auto put_row = [&](std::size_t y, std::size_t first, const Vector3& row) {
+    std::ranges::copy(row, j[y].begin() + static_cast<std::ptrdiff_t>(first));
+  };
+  put_column(0, rate_ * turned(c, ComplexOf<double>{0, 1}), 3);
+  j[3][0] = dot(dm, b);
+  j[4][0] = dot(dm, e);
+  j[5][0] = dot(dm, product) - dsize * across_ / 3;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Vector3 unit{};
+    unit[k] = 1;
+    put_column(1 + k, without_i(unit), 1);
+    put_column(4 + k, without_i(unit), 2);
   }
-  j.block<1, 3>(3, 1) = m.transpose();
-  j.block<1, 3>(4, 4) = m.transpose();
-  j.block<1, 3>(5, 1) = e.cross(m).transpose();
-  j.block<1, 3>(5, 4) = m.cross(b).transpose();
+  put_row(3, 1, m);
+  put_row(4, 4, m);
+  put_row(5, 1, cross(e, m));
+  put_row(5, 4, cross(m, b));
   return result;
 }
 
@@ -122,22 +124,22 @@ Lack SepticEquations::lack(const ShapeVector& s, SepticJacobian* jacobian) const
 template <class Solve>
 bool newton(const SepticData& data, ShapeVector& s, int most_steps, const Solve& solve) {
   const SepticEquations equations(data);
-  const double size = std::max({1.0, norm(data.c0), eigen(data.step).norm()});
+  const double size = std::max({1.0, norm(data.c0), euclidean_norm(data.step)});
   const double enough = 1e-12 * size;
   const double rounding = 4e-16 * size;
   constexpr double least_part = 1e-3;
-  SepticJacobian jacobian;
+  DoubleRows jacobian;
   Lack lack = equations.lack(s, &jacobian);
-  double now = lack.norm();
+  double now = euclidean_norm(lack);
   for (int k = 0; k < most_steps && now > rounding; ++k) {
-    const ShapeVector step = solve(jacobian, lack);
+    const std::vector<double> step = solve(jacobian, lack);
     double part = 1;
-    ShapeVector next = s - step;
-    double then = equations.lack(next).norm();
+    ShapeVector next = moved(s, -part, step);
+    double then = euclidean_norm(equations.lack(next));
     while (!(then < now) && part > least_part) {
       part /= 2;
-      next = s - part * step;
-      then = equations.lack(next).norm();
+      next = moved(s, -part, step);
+      then = euclidean_norm(equations.lack(next));
     }
     if (!(then < now)) break;
     s = next;
@@ -149,38 +151,36 @@ bool newton(const SepticData& data, ShapeVector& s, int most_steps, const Solve&
 
 /// To the nearest solution.
 bool least_newton(const SepticData& data, ShapeVector& s, int most_steps) {
-  return newton(data, s, most_steps, [](const SepticJacobian& jacobian, const Lack& lack) {
-    return ShapeVector(
-        Eigen::CompleteOrthogonalDecomposition<SepticJacobian>(jacobian).solve(lack));
+  constexpr double rounding = 0x1p-50;
+  return newton(data, s, most_steps, [](const DoubleRows& jacobian, const Lack& lack) {
+    return LeastSquares(jacobian, rounding)(lack);
   });
 }
 
 /// The direction in which the solutions go on.
-ShapeVector along_solutions(const SepticData& data, const ShapeVector& s) {
-  SepticJacobian jacobian;
+std::vector<double> along_solutions(const SepticData& data, const ShapeVector& s) {
+  DoubleRows jacobian;
   SepticEquations(data).lack(s, &jacobian);
-  const Eigen::HouseholderQR<Eigen::Matrix<double, 7, 6>> qr(jacobian.transpose());
-  return qr.householderQ() * ShapeVector::Unit(6);
+  return least_singular_vector(jacobian);
 }
 
 /// The change in the section across this row that adds so much to what lacks. Elimination keeps
 /// what is plane in its plane, but where data have more freedom, such as that to be turned about a
 /// line, the least change has to be taken.
-ShapeVector change_across(const SepticJacobian& jacobian, const std::array<double, 7>& row,
-                          const Lack& lack) {
+std::vector<double> change_across(DoubleRows jacobian, const ShapeVector& row, const Lack& lack) {
   constexpr double singular = 1e-10;
   constexpr double accurate = 1e-6;
-  Eigen::Matrix<double, 7, 7> matrix;
-  matrix << jacobian, Eigen::Map<const Eigen::Matrix<double, 1, 7>>(row.data());
-  ShapeVector right;
-  right << lack, 0;
-  const ShapeVector change = matrix.partialPivLu().solve(right);
-  if ((matrix * change - right).norm() <= accurate * right.norm() &&
-      change.norm() * singular <= right.norm())
+  jacobian.emplace_back(row.begin(), row.end());
+  std::vector<double> right(lack.begin(), lack.end());
+  right.push_back(0);
+  std::vector<double> change = eliminated(jacobian, right);
+  std::vector<double> off = right;
+  for (std::size_t y = 0; y < off.size(); ++y)
+    off[y] -= std::inner_product(change.begin(), change.end(), jacobian[y].begin(), 0.0);
+  const double size = euclidean_norm(right);
+  if (euclidean_norm(off) <= accurate * size && euclidean_norm(change) * singular <= size)
     return change;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 7, 7>> inverse;
-  inverse.setThreshold(singular);
-  return inverse.compute(matrix).solve(right);
+  return LeastSquares(jacobian, singular)(right);
 }
 
 struct FoundSeptic {
@@ -195,13 +195,13 @@ double energy_of(const SepticData& data, const ShapeVector& s) {
 /// Downhill along the curve of solutions.
 FoundSeptic downhill(const SepticData& data, FoundSeptic best) {
   constexpr int most_moves = 200;
-  const double size = best.shape.norm();
+  const double size = euclidean_norm(best.shape);
   double step = size / 10;
   for (int k = 0; k < most_moves && step > size / 1000; ++k) {
-    const ShapeVector direction = along_solutions(data, best.shape);
+    const std::vector<double> direction = along_solutions(data, best.shape);
     const double before = best.energy;
     for (const double d : {step, -step}) {
-      ShapeVector next = best.shape + d * direction;
+      ShapeVector next = moved(best.shape, d, direction);
       if (!least_newton(data, next, 12)) continue;
       const double energy = energy_of(data, next);
       if (!(energy < before * (1 - 1e-9))) continue;
@@ -216,10 +216,9 @@ FoundSeptic downhill(const SepticData& data, FoundSeptic best) {
 /// The quintic as a cubic preimage; its phase is limited, for nearly parallel ends.
 ShapeVector near_quintic(const SepticData& data, const QuinticFamily::Member& a, double delta) {
   const auto parts = [](const Quaternion<double>& q) { return Vector3{q.u, q.p, q.q}; };
-  ShapeVector s;
-  s << std::clamp(delta / (std::numbers::pi * phase_unit(data)), -1.0, 1.0),
-      parts((1.0 / 3) * (a[0] + 2.0 * a[1])), parts((1.0 / 3) * (2.0 * a[1] + a[2]));
-  return s;
+  return vector_of({std::clamp(delta / (std::numbers::pi * phase_unit(data)), -1.0, 1.0),
+                    parts((1.0 / 3) * (a[0] + 2.0 * a[1])),
+                    parts((1.0 / 3) * (2.0 * a[1] + a[2]))});
 }
 
 /// The best of the solutions next to quintics with these Δ, and downhill from there.
@@ -263,9 +262,11 @@ std::optional<SepticShape> rmf_septic(const SepticData& data) {
   }
   if (!best) return std::nullopt;
   ShapeVector& s = best->shape;
-  const int bits = shape_bits - std::ilogb(std::max(s.tail<6>().cwiseAbs().maxCoeff(), 0x1p-100));
+  double greatest = 0x1p-100;
+  for (std::size_t k = 1; k < 7; ++k) greatest = std::max(greatest, std::abs(s[k]));
+  const int bits = shape_bits - std::ilogb(greatest);
   s[0] = rounded_double(s[0], shape_bits);
-  for (int k = 1; k < 7; ++k) s[k] = rounded_double(s[k], bits);
+  for (std::size_t k = 1; k < 7; ++k) s[k] = rounded_double(s[k], bits);
   return shape_of(s);
 }
 
@@ -281,13 +282,12 @@ SepticSection::SepticSection(const SepticData& data, const SepticShape& shape)
   constexpr double small_angle = 0x1p-4;
   constexpr int short_bits = 8;
   ShapeVector s = vector_of(shape);
-  const ShapeVector direction = along_solutions(data_, s);
+  const std::vector<double> direction = along_solutions(data_, s);
   keeps_phase_ = std::abs(direction[0]) >= small_angle;
   if (!keeps_phase_)
-    for (std::size_t k = 0; k < 7; ++k)
-      across_[k] = rounded_double(direction[static_cast<Eigen::Index>(k)], short_bits);
-  const bool found = newton(data_, s, 12, [&](const SepticJacobian& jacobian, const Lack& lack) {
-    ShapeVector step = change_across(jacobian, across_, lack);
+    for (std::size_t k = 0; k < 7; ++k) across_[k] = rounded_double(direction[k], short_bits);
+  const bool found = newton(data_, s, 12, [&](const DoubleRows& jacobian, const Lack& lack) {
+    std::vector<double> step = change_across(jacobian, across_, lack);
     if (keeps_phase_) step[0] = 0;
     return step;
   });
@@ -295,13 +295,12 @@ SepticSection::SepticSection(const SepticData& data, const SepticShape& shape)
 }
 
 std::vector<double> SepticSection::change(const std::vector<double>& of_step) const {
-  SepticJacobian jacobian;
+  DoubleRows jacobian;
   SepticEquations(data_).lack(vector_of(solution_), &jacobian);
-  Lack lack = Lack::Zero();
-  lack.head<3>() = Vector3{of_step[0], of_step[1], of_step[2]};
-  ShapeVector result = change_across(jacobian, across_, lack);
+  std::vector<double> result =
+      change_across(std::move(jacobian), across_, {of_step[0], of_step[1], of_step[2], 0, 0, 0});
   if (keeps_phase_) result[0] = 0;
-  return {result.begin(), result.end()};
+  return result;
 }
 
 }  // namespace phrame

@@ -1,9 +1,9 @@
 #include "phrame/ph/construct/rrmf_quintic.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
+#include "phrame/algebra/least_squares.hpp"
 #include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
 
@@ -14,37 +14,36 @@
 namespace phrame {
 namespace {
 
-using Unknowns = Eigen::Matrix<double, 6, 1>;
-using Defect = Eigen::Matrix<double, 5, 1>;
-using Derivative = Eigen::Matrix<double, 5, 6>;
+using Unknowns = std::array<double, 6>;
+using Defect = std::array<double, 5>;
 using Rrmf = RrmfQuintic<double>;
 
-Unknowns unknowns(const Rrmf& x) {
-  Unknowns z;
-  z << x.b.u, x.b.v, x.b.p, x.b.q, x.tau, x.f;
-  return z;
-}
+Unknowns unknowns(const Rrmf& x) { return {x.b.u, x.b.v, x.b.p, x.b.q, x.tau, x.f}; }
 
 Rrmf quintic_of(const Unknowns& z) { return {{z[0], z[1], z[2], z[3]}, z[4], z[5]}; }
 
 Defect defect(const Unknowns& z, const RrmfEnds<double>& wanted) {
-  const std::array<double, 5> x = rrmf_defect(quintic_of(z), wanted);
-  return Eigen::Map<const Defect>(x.data());
+  return rrmf_defect(quintic_of(z), wanted);
 }
 
-Derivative derivative(const Unknowns& z, const RrmfEnds<double>& wanted) {
-  Derivative result;
-  for (Eigen::Index k = 0; k < 6; ++k) {
+JacobianRows derivative(const Unknowns& z, const RrmfEnds<double>& wanted) {
+  JacobianRows rows(5);
+  for (std::size_t k = 0; k < 6; ++k) {
     const double h = 0x1p-17 * std::max(1.0, std::abs(z[k]));
-    const Unknowns e = h * Unknowns::Unit(k);
-    result.col(k) = (defect(z + e, wanted) - defect(z - e, wanted)) / (2 * h);
+    Unknowns above = z;
+    Unknowns below = z;
+    above[k] += h;
+    below[k] -= h;
+    const Defect a = defect(above, wanted);
+    const Defect b = defect(below, wanted);
+    for (std::size_t y = 0; y < 5; ++y) rows[y].push_back((a[y] - b[y]) / (2 * h));
   }
-  return result;
+  return rows;
 }
 
-/// Of the least singular value.
-Unknowns kernel(const Derivative& j) {
-  return Eigen::JacobiSVD<Eigen::MatrixXd>(j, Eigen::ComputeFullV).matrixV().col(5);
+/// The direction in which the solutions go on.
+std::vector<double> along_rrmf(const Unknowns& z, const RrmfEnds<double>& wanted) {
+  return least_singular_vector(derivative(z, wanted));
 }
 
 /// ∫κ² ds times the length: it is the same for every size, so that nothing is gained by a great
@@ -62,27 +61,28 @@ double cost(const Unknowns& z) {
 /// preimages, all of one complex line, so it cannot.
 bool is_solution(const Unknowns& z, const RrmfEnds<double>& wanted) {
   constexpr double least_end = 1e-3;
-  return z.allFinite() && z[5] > 0 && defect(z, wanted).norm() < 1e-11 &&
+  return std::ranges::all_of(z, [](double x) { return std::isfinite(x); }) && z[5] > 0 &&
+         euclidean_norm(defect(z, wanted)) < 1e-11 &&
          norm(last_coefficient(quintic_of(z))) > least_end * least_end;
 }
 
 Unknowns solved(Unknowns z, const RrmfEnds<double>& wanted, int most_steps) {
+  constexpr double known = 1e-9;  // the derivative by differences
   Defect off = defect(z, wanted);
-  for (int k = 0; k < most_steps && off.norm() > 1e-15; ++k) {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(derivative(z, wanted),
-                                                Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const Unknowns change = svd.solve(off);
+  double size = euclidean_norm(off);
+  for (int k = 0; k < most_steps && size > 1e-15; ++k) {
+    const std::vector<double> change = LeastSquares(derivative(z, wanted), known)(off);
     double part = 1;
-    Unknowns next = z - change;
-    Defect next_off = defect(next, wanted);
-    while (!(next_off.norm() < off.norm()) && part > 1e-4) {
+    Unknowns next = moved(z, -part, change);
+    off = defect(next, wanted);
+    while (!(euclidean_norm(off) < size) && part > 1e-4) {
       part /= 2;
-      next = z - part * change;
-      next_off = defect(next, wanted);
+      next = moved(z, -part, change);
+      off = defect(next, wanted);
     }
-    if (!(next_off.norm() < off.norm())) break;
+    if (!(euclidean_norm(off) < size)) break;
     z = next;
-    off = next_off;
+    size = euclidean_norm(off);
   }
   return z;
 }
@@ -91,11 +91,11 @@ Unknowns solved(Unknowns z, const RrmfEnds<double>& wanted, int most_steps) {
 Unknowns slid(Unknowns z, const RrmfEnds<double>& wanted) {
   double here = cost(z);
   int passes = 200;
-  for (double step = 0.1 * z.norm(); step > 1e-3 && passes > 0; --passes) {
-    const Unknowns along = kernel(derivative(z, wanted));
+  for (double step = 0.1 * euclidean_norm(z); step > 1e-3 && passes > 0; --passes) {
+    const std::vector<double> along = along_rrmf(z, wanted);
     bool has_moved = false;
     for (const double s : {step, -step}) {
-      const Unknowns next = solved(z + s * along, wanted, 12);
+      const Unknowns next = solved(moved(z, s, along), wanted, 12);
       if (!is_solution(next, wanted)) continue;
       const double there = cost(next);
       if (!(there < here * (1 - 1e-9))) continue;
@@ -119,28 +119,26 @@ Unknowns start_from(const QuinticFamily::Member& a) {
 }  // namespace
 
 JacobianRows rrmf_jacobian(const RrmfQuintic<double>& x, const RrmfEnds<double>& wanted) {
-  const Derivative j = derivative(unknowns(x), wanted);
-  JacobianRows rows;
-  for (const auto& row : j.rowwise()) rows.emplace_back(row.begin(), row.end());
-  return rows;
+  return derivative(unknowns(x), wanted);
 }
 
 std::size_t freest_parameter(const RrmfQuintic<double>& x, const RrmfEnds<double>& wanted) {
-  Eigen::Index index = 0;
-  kernel(derivative(unknowns(x), wanted)).cwiseAbs().maxCoeff(&index);
-  return static_cast<std::size_t>(index);
+  const std::vector<double> along = along_rrmf(unknowns(x), wanted);
+  const auto greatest = std::ranges::max_element(along, {}, [](double a) { return std::abs(a); });
+  return static_cast<std::size_t>(greatest - along.begin());
 }
 
 std::optional<RrmfQuintic<double>> rrmf_quintic(const RrmfEnds<double>& wanted) {
   const double length = std::sqrt(dot(wanted.step, wanted.step));
   const Vector<double> direction = rotated_i(wanted.end);
+  constexpr int most_steps = 80;
   std::optional<Unknowns> best;
   double least = 0;
   const QuinticFamily family(
       {wanted.step, {length, 0, 0}, length / std::sqrt(dot(direction, direction)) * direction});
   for (const double delta : {0.0, 0.5, -0.5, 1.2, -1.2, 2.2, -2.2, 3.0})
     for (const double phi : {0.0, 0.7, -0.7}) {
-      const Unknowns found = solved(start_from(family.member(delta, phi)), wanted, 40);
+      const Unknowns found = solved(start_from(family.member(delta, phi)), wanted, most_steps);
       if (!is_solution(found, wanted)) continue;
       const double there = cost(found);
       if (best && !(there < least)) continue;
