@@ -19,9 +19,10 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <random>
 
+#include "phrame/ph/construct/c2_start.hpp"
 #include "phrame/ph/construct/preimage.hpp"
-#include "phrame/ph/construct/quintic_family.hpp"
 
 namespace phrame {
 namespace {
@@ -59,6 +60,8 @@ class C2Equations {
   std::vector<Guess> moved(std::vector<Guess> z, double factor, const Eigen::VectorXd& s) const;
   /// The middle ones as means of the values at the joints.
   std::vector<Guess> from_joints(const std::vector<Guess>& q) const;
+  /// Moved by about the size of A, at random.
+  std::vector<Guess> scattered(std::vector<Guess> z, std::mt19937_64& engine) const;
 
  private:
   std::size_t block() const { return parts_.size() + dimension_; }
@@ -253,69 +256,22 @@ std::vector<Guess> C2Equations::from_joints(const std::vector<Guess>& q) const {
   return z;
 }
 
-/// Where the search begins, instead of with the derivatives as they are: with those of chord
-/// lengths, each of a speed between those of the chords beside it, the slower one for haste = 0.
-/// Where the parameters are far from chord lengths, a cubic spline goes far astray.
-std::vector<Vector<double>> calm_derivatives(const C2Data& data, double haste) {
-  const std::size_t n = data.steps.size();
-  std::vector<Vector<double>> result = data.derivatives;
-  const auto size = [&](std::size_t k) { return std::sqrt(dot(data.chords[k], data.chords[k])); };
-  for (std::size_t k = 0; k <= n; ++k) {
-    const bool is_end = k == 0 || k == n;
-    if (is_end && !data.is_closed) continue;
-    const std::size_t before = k > 0 ? k - 1 : n - 1;
-    const std::size_t after = k < n ? k : 0;
-    const double a = size(before);
-    const double b = size(after);
-    if (a == 0 || b == 0) continue;
-    const Vector<double> along = (b / a) * data.chords[before] + (a / b) * data.chords[after];
-    const double length = std::sqrt(dot(along, along));
-    const double speed_before = a / data.steps[before];
-    const double speed_after = b / data.steps[after];
-    const double slow = std::min(speed_before, speed_after);
-    const double fast = std::max(speed_before, speed_after);
-    if (length > 0) result[k] = (slow * std::pow(fast / slow, haste) / length) * along;
-  }
-  return result;
-}
-
-/// Preimages of the derivatives, each turned next to the one before; of a closed spline they come
-/// back as ± the first, by turning all a little.
-std::vector<Guess> first_joints(const C2Data& data, const std::vector<Vector<double>>& derivatives,
-                                double& closing_sign) {
-  std::vector<Guess> q;
-  for (const Vector<double>& d : derivatives) {
-    const Guess a = preimage(d);
-    if (q.empty()) {
-      q.push_back(a);
-      continue;
-    }
-    const auto [re, im] = direction_of(hermitian_product(q.back(), a),
-                                       antiparallel * std::sqrt(norm(q.back()) * norm(a)));
-    q.push_back(turned(a, ComplexOf<double>{re, -im}));
-  }
-  closing_sign = 1;
-  if (!data.is_closed) return q;
-  const ComplexOf<double> back = hermitian_product(q.front(), q.back());
-  if (back.re < 0) closing_sign = -1;
-  const double angle = std::atan2(closing_sign * back.im, closing_sign * back.re);
-  const double part = -angle / static_cast<double>(data.steps.size());
-  // Without the last digits, which depend on the library of functions.
-  constexpr double places = 0x1p30;
-  const ComplexOf<double> turn{std::round(std::cos(part) * places) / places,
-                               std::round(std::sin(part) * places) / places};
-  ComplexOf<double> sum{1, 0};
-  for (Guess& a : q) {
-    a = turned(a, sum);
-    sum = sum * turn;
-  }
-  return q;
+std::vector<Guess> C2Equations::scattered(std::vector<Guess> z, std::mt19937_64& engine) const {
+  const double mean_chord = scale_ / std::sqrt(static_cast<double>(data_.steps.size()));
+  const double size = std::sqrt(mean_chord / mean_step_);
+  // As many on all machines, unlike std::uniform_real_distribution.
+  const auto number = [&] { return std::ldexp(static_cast<double>(engine() >> 12), -51) - 1; };
+  for (Guess& a : z)
+    for (const Part part : parts_) a.*part += size * number();
+  return z;
 }
 
 using Decomposition = Eigen::SparseLU<SparseMatrix, Eigen::NaturalOrdering<int>>;
 
+/// From there or, with an engine, from coefficients scattered about it.
 std::optional<C2Coefficients> coefficients_from(const C2Data& data,
-                                                const std::vector<Vector<double>>& derivatives) {
+                                                const std::vector<Vector<double>>& derivatives,
+                                                std::mt19937_64* engine = nullptr) {
   constexpr int most_steps = 60;
   constexpr int least_descents = 2;
   constexpr int most_descents = 12;
@@ -326,6 +282,7 @@ std::optional<C2Coefficients> coefficients_from(const C2Data& data,
   const C2Equations equations(data, found.closing_sign);
   std::vector<Guess>& z = found.z;
   z = equations.from_joints(joints);
+  if (engine != nullptr) z = equations.scattered(std::move(z), *engine);
   const double scale = equations.scale();
   const auto unknowns = static_cast<Eigen::Index>(equations.size());
   double objective = equations.objective(z);
@@ -376,7 +333,19 @@ std::optional<C2Coefficients> c2_coefficients(const C2Data& data) {
   if (auto found = coefficients_from(data, data.derivatives)) return found;
   for (const double haste : {0.0, 0.5, 0.25, 0.75, 1.0})
     if (auto found = coefficients_from(data, calm_derivatives(data, haste))) return found;
-  return std::nullopt;
+  // Where all is on one line, with a way back, all that can be reached from there is on it, too.
+  constexpr int most_scattered = 12;
+  std::mt19937_64 engine;
+  std::optional<C2Coefficients> best;
+  double least = 0;
+  for (int k = 0; k < most_scattered; ++k)
+    if (auto found = coefficients_from(data, data.derivatives, &engine)) {
+      const double objective = C2Equations(data, found->closing_sign).objective(found->z);
+      if (best && !(objective < least)) continue;
+      best = std::move(found);
+      least = objective;
+    }
+  return best;
 }
 
 ParameterStep c2_step(const C2Data& data, const C2Coefficients& at) {

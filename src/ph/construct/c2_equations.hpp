@@ -30,10 +30,10 @@ struct C2Coefficients {
 };
 
 /// The Z that Newton's method finds from preimages of the derivatives or, where it finds none, of
-/// calmer ones. There are 4(N + 2) unknowns
-/// and 3N + 6 equations, 4N and 3N of a closed spline: of all solutions it is one with small
-/// changes of A′. In the plane there are as many equations as unknowns, and 2^{N+1} solutions; the
-/// start says which. No value where the method does not converge.
+/// calmer ones, and at last the best that it finds from Z scattered at random, the same each time.
+/// There are 4(N + 2) unknowns and 3N + 6 equations, 4N and 3N of a closed spline: of all solutions
+/// it is one with small changes of A′. In the plane there are as many equations as unknowns, and
+/// 2^{N+1} solutions; the start says which. No value where the method does not converge.
 std::optional<C2Coefficients> c2_coefficients(const C2Data& data);
 
 /// The change of Z, with the least change of A″, that changes by as much as is wanted, to first

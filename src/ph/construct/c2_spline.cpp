@@ -312,6 +312,25 @@ std::optional<Construction> C2Problem::within(const Deviation& tolerance,
 
 bool is_plane(const Vector<Rational>& v) { return v[2] == 0; }
 
+/// What may be the reason that none was found.
+std::string trouble(const HermiteSpline& data) {
+  std::vector<Rational> chords;
+  std::vector<Rational> speeds;
+  for (std::size_t k = 0; k < data.segments(); ++k) {
+    const Rational chord = largest(data.points[k + 1] - data.points[k]);
+    if (chord == 0) continue;
+    chords.push_back(chord);
+    speeds.push_back(chord / data.step(k));
+  }
+  const auto differ = [](const std::vector<Rational>& list, const Rational& factor) {
+    const auto [least, greatest] = std::ranges::minmax_element(list);
+    return least != list.end() && *greatest > factor * *least;
+  };
+  if (differ(speeds, 1'000)) return "; the parameters are far from the lengths of the chords";
+  if (differ(chords, 1'000'000)) return "; the lengths of the chords are very different";
+  return "";
+}
+
 }  // namespace
 
 Construction c2_spline(const HermiteSpline& data, const Deviation& tolerance, PointRule rule) {
@@ -327,9 +346,7 @@ Construction c2_spline(const HermiteSpline& data, const Deviation& tolerance, Po
   if (std::ranges::all_of(data.points, is_plane) && std::ranges::all_of(data.derivatives, is_plane))
     if (auto found = problem.run(tolerance, rule, true)) return *std::move(found);
   if (auto found = problem.run(tolerance, rule, false)) return *std::move(found);
-  throw Undecided(
-      "the C2 spline: Newton's method finds none; are the parameters far from the lengths of the "
-      "chords?");
+  throw Undecided("the C2 spline: Newton's method finds none" + trouble(data));
 }
 
 bool is_c2(const Path& path, bool is_closed) {

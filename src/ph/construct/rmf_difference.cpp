@@ -23,94 +23,155 @@
 // variation), which is as often as the polygon of arcs from each direction c_k/|c_k| to the next
 // crosses it. So K is at most the length of that polygon, the sum of the angles between successive
 // c_k. For parts made by subdivision it tends to K.
+//
+// Rounding. Coefficients are doubles, with one bound for the error of all components of a row and a
+// power of 2 for itself. Sums, products, quotients and roots of doubles are off by a share of 2^−53
+// at most. A mean is off by less than 2^−52 of the greatest of a row, and what its two terms were
+// off by does not grow. What follows are a few operations on vectors each, good to a share of 2^−48
+// of the lengths: such a share is added to what is to be an upper bound, or taken off. Where errors
+// are no longer small beside a part of the row, as near a cusp, it is computed anew from the exact
+// coefficients.
+//
+// The angle θ ≤ π/2 between two vectors has tan(θ/2) = |a × b|/(|a||b| + a·b), and half of it is at
+// most (2 sin + tan)/3 of it (Huygens), which is 3 % too much at the worst.
 #include "phrame/ph/construct/rmf_difference.hpp"
 
-#include <tuple>
+#include <algorithm>
+#include <cmath>
 
-#include "phrame/algebra/ball.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 namespace {
 
-constexpr long ball_bits = 128;
 constexpr int most_halvings = 48;    ///< of a part
 constexpr long most_parts = 10'000;  ///< of a piece
+constexpr double share = 0x1p-48;    ///< of a length, what few operations are off by
 
-using BallVector = Vector<RealBall>;
+using RationalRow = std::vector<Vector<Rational>>;
 
-/// The Bernstein coefficients of three components, a list each.
-using BallVectors = Vector<std::vector<RealBall>>;
-
-BallVectors coefficients(const std::vector<Vector<Rational>>& v) {
-  BallVectors result;
-  for (const Vector<Rational>& x : v)
-    for (std::size_t c = 0; c < 3; ++c) result[c].emplace_back(x[c], ball_bits);
-  return result;
-}
-
-BallVector item(const BallVectors& a, std::size_t k) { return {a[0][k], a[1][k], a[2][k]}; }
-
-RealBall dot_of_balls(const BallVector& a, const BallVector& b) {
-  RealBall result = multiply(a[0], b[0], ball_bits);
-  for (std::size_t c = 1; c < 3; ++c) result = add_product(result, a[c], b[c], ball_bits);
-  return result;
-}
-
-RealBall length(const BallVector& a) { return sqrt_of_nonnegative(dot_of_balls(a, a), ball_bits); }
-
-BallVector cross_of_balls(const BallVector& a, const BallVector& b) {
-  const auto minor = [&](std::size_t i, std::size_t j) {
-    return subtract(multiply(a[i], b[j], ball_bits), multiply(a[j], b[i], ball_bits), ball_bits);
-  };
-  return {minor(1, 2), minor(2, 0), minor(0, 1)};
-}
-
-BallVector sum(const BallVector& a, const BallVector& b) {
-  return {add(a[0], b[0], ball_bits), add(a[1], b[1], ball_bits), add(a[2], b[2], ball_bits)};
-}
-
-/// Between the vectors; all of [−π, π], at worst, where one of them may be 0.
-RealBall angle(const BallVector& a, const BallVector& b) {
-  return argument(ComplexBall(dot_of_balls(a, b), length(cross_of_balls(a, b))), ball_bits);
-}
-
-/// Of finite balls, the one that goes farther.
-RealBall greater(const RealBall& a, const RealBall& b) { return a.upper() < b.upper() ? b : a; }
-
-/// A part of both curves: r̃′ and r′ − r̃′.
-struct PairPart {
-  BallVectors other;
-  BallVectors difference;
-  int halvings = 0;
+/// Bernstein coefficients: 2^exponent times these, each component of which is off by ≤ radius.
+struct EnclosedRow {
+  std::vector<Vector<double>> vectors;
+  double radius = 0;
+  long exponent = 0;
 };
 
-/// De Casteljau's algorithm in the middle: means, of which balls do not grow.
-std::pair<std::vector<RealBall>, std::vector<RealBall>> halves(std::vector<RealBall> row) {
-  std::vector<RealBall> left;
-  std::vector<RealBall> right(row.size());
-  for (std::size_t length = row.size(); length > 0; --length) {
+EnclosedRow enclosed(const RationalRow& row) {
+  const Rational size = largest(row);
+  EnclosedRow result;
+  if (size != 0) {
+    result.exponent = binary_exponent(size);
+    result.radius = 0x1p-50;
+  }
+  const Rational factor = power_of_two(-result.exponent);
+  for (const auto& v : row) result.vectors.push_back(scaled_to_doubles(factor, v));
+  return result;
+}
+
+double largest(const std::vector<Vector<double>>& row) {
+  double result = 0;
+  for (const auto& v : row)
+    for (const double x : v) result = std::max(result, std::abs(x));
+  return result;
+}
+
+double length(const Vector<double>& v) { return std::sqrt(dot(v, v)); }
+
+/// De Casteljau's algorithm at t, which all means are of.
+template <class V, class Mean>
+std::pair<std::vector<V>, std::vector<V>> divided(std::vector<V> row, const Mean& mean) {
+  std::vector<V> left;
+  std::vector<V> right(row.size());
+  for (std::size_t count = row.size(); count > 0; --count) {
     left.push_back(row.front());
-    right[length - 1] = row[length - 1];
-    for (std::size_t k = 0; k + 1 < length; ++k)
-      row[k] = times_power_of_two(add(row[k], row[k + 1], ball_bits), -1);
+    right[count - 1] = row[count - 1];
+    for (std::size_t k = 0; k + 1 < count; ++k) row[k] = mean(row[k], row[k + 1]);
   }
   return {std::move(left), std::move(right)};
 }
 
-std::pair<PairPart, PairPart> halves(const PairPart& part) {
-  std::pair<PairPart, PairPart> result;
-  result.first.halvings = result.second.halvings = part.halvings + 1;
-  for (std::size_t c = 0; c < 3; ++c) {
-    std::tie(result.first.other[c], result.second.other[c]) = halves(part.other[c]);
-    std::tie(result.first.difference[c], result.second.difference[c]) = halves(part.difference[c]);
-  }
-  return result;
+std::pair<EnclosedRow, EnclosedRow> halves(const EnclosedRow& row) {
+  auto [left, right] = divided(row.vectors, [](const auto& a, const auto& b) {
+    return Vector<double>{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+  });
+  const double size = largest(row.vectors);
+  const double radius = size == 0 ? row.radius
+                                  : row.radius + static_cast<double>(row.vectors.size()) *
+                                                     (0x1p-52 * size + 0x1p-1000);
+  return {{std::move(left), radius, row.exponent}, {std::move(right), radius, row.exponent}};
 }
+
+/// Of the part [from, from + step], in [0, 1].
+RationalRow exact_part(RationalRow row, const Rational& from, const Rational& step) {
+  const auto at = [](const Rational& t) {
+    return [&t, s = Rational(1 - t)](const Vector<Rational>& a, const Vector<Rational>& b) {
+      return s * a + t * b;
+    };
+  };
+  if (from != 0) row = divided(std::move(row), at(from)).second;
+  const Rational end = step / (1 - from);
+  return end == 1 ? row : divided(std::move(row), at(end)).first;
+}
+
+/// ≥ the angle between the vectors, as they are in doubles.
+double angle_above(const Vector<double>& a, const Vector<double>& b) {
+  constexpr double pi_above = 3.1416;
+  const double along = dot(a, b);
+  const double lengths = length(a) * length(b);
+  if (!(along > 0 && lengths > 0x1p-200)) return pi_above;
+  const Vector<double> normal = cross(a, b);
+  const double tangent = length(normal) / (lengths + along);
+  return (2 * (2 / std::sqrt(1 + tangent * tangent) + 1) / 3) * tangent * (1 + share) + share;
+}
+
+/// ≥ the sum of the angles between successive vectors, each off by ≤ radius in its components.
+double turns_above(const std::vector<Vector<double>>& row, double radius, double least_length) {
+  double sum = 0;
+  for (std::size_t k = 1; k < row.size(); ++k)
+    sum += angle_above(row[k - 1], row[k]) + 8 * radius / least_length;
+  return sum * (1 + static_cast<double>(row.size()) * share);
+}
+
+/// Where the first vector is 0 there is no bound anyway.
+bool is_straight(const RationalRow& row) {
+  const Vector<Rational> none{};
+  for (const auto& v : row)
+    if (cross(v, row.front()) != none) return false;
+  return true;
+}
+
+/// A part of both curves: r̃′ and r′ − r̃′.
+struct PairPart {
+  EnclosedRow other;
+  EnclosedRow difference;
+  Rational from = 0;
+  int halvings = 0;
+};
+
+std::pair<PairPart, PairPart> halves(const PairPart& part) {
+  auto [other, other_end] = halves(part.other);
+  auto [difference, difference_end] = halves(part.difference);
+  const int halvings = part.halvings + 1;
+  return {{std::move(other), std::move(difference), part.from, halvings},
+          {std::move(other_end), std::move(difference_end), part.from + power_of_two(-halvings),
+           halvings}};
+}
+
+/// 2^exponent·factor, a small number.
+struct ScaledNumber {
+  double factor = 0;
+  long exponent = 0;
+  Rational exact() const { return exact_rational(factor) * power_of_two(exponent); }
+};
 
 /// Where one of the curves comes from, or goes to.
 struct GivenEnd {
-  BallVector given;
-  RealBall tangent;  ///< tan(η/2) on the part next to it
+  Vector<double> given;
+  double error;      ///< of the angle to another
+  Rational tangent;  ///< tan(η/2) on the part next to it
 };
 
 /// The sum, part by part.
@@ -118,21 +179,21 @@ class DifferenceBound {
  public:
   /// Is it bounded?
   bool add_piece(const HodographPair& pair) {
-    PairPart whole{coefficients(pair.other), {}, 0};
+    other_ = pair.other;
+    difference_.clear();
     for (std::size_t k = 0; k < pair.given.size(); ++k)
-      for (std::size_t c = 0; c < 3; ++c)
-        whole.difference[c].emplace_back(Rational(pair.given[k][c] - pair.other[k][c]), ball_bits);
+      difference_.push_back(pair.given[k] - pair.other[k]);
+    is_other_straight_ = is_straight(pair.other);
+    is_given_straight_ = is_straight(pair.given);
     is_first_of_piece_ = true;
-    std::vector<PairPart> todo{std::move(whole)};
+    std::vector<PairPart> todo{{enclosed(other_), enclosed(difference_)}};
     for (long k = 0; !todo.empty(); ++k) {
       if (k == most_parts) return false;
       PairPart part = std::move(todo.back());
       todo.pop_back();
-      if (const auto tangent = tangent_of_half(part)) {
-        add_part(part, *tangent);
-      } else if (part.halvings == most_halvings) {
-        return false;
-      } else {
+      refresh(part);
+      if (!add_part(part)) {
+        if (part.halvings == most_halvings) return false;
         auto [first, second] = halves(part);
         todo.push_back(std::move(second));
         todo.push_back(std::move(first));
@@ -141,58 +202,75 @@ class DifferenceBound {
     return true;
   }
 
-  RealBall value() const { return sum_; }
+  const Rational& value() const { return sum_; }
 
  private:
-  /// tan(η/2) at most; no value where the part is too long to tell it well.
-  static std::optional<RealBall> tangent_of_half(const PairPart& part) {
-    const std::size_t count = part.other[0].size();
-    BallVector middle{};
-    RealBall fastest;
-    RealBall difference;
-    for (std::size_t k = 0; k < count; ++k) {
-      const BallVector v = item(part.other, k);
-      middle = phrame::sum(middle, v);
-      fastest = greater(fastest, length(v));
-      difference = greater(difference, length(item(part.difference, k)));
-    }
-    const RealBall middle_length = length(middle);
-    if (sign(middle_length) <= 0) return std::nullopt;
-    std::optional<Rational> slowest;
-    for (std::size_t k = 0; k < count; ++k) {
-      const RealBall along =
-          divide(dot_of_balls(middle, item(part.other, k)), middle_length, ball_bits);
-      if (!along.is_finite()) return std::nullopt;
-      if (!slowest || along.lower() < *slowest) slowest = along.lower();
-    }
-    if (*slowest < Rational(3, 4) * fastest.upper()) return std::nullopt;
-    const Rational sine = difference.upper() / *slowest;
-    if (sine > Rational(1, 2)) return std::nullopt;
-    const RealBall s(sine, ball_bits);
-    const RealBall cosine =
-        sqrt(subtract({1, ball_bits}, multiply(s, s, ball_bits), ball_bits), ball_bits);
-    return divide(s, add({1, ball_bits}, cosine, ball_bits), ball_bits);
+  /// So the greatest component of r̃′ is > 2^−21 as it is stored, unless all are 0.
+  void refresh(PairPart& part) const {
+    if (part.other.radius <= 0x1p-30 * largest(part.other.vectors)) return;
+    const Rational step = power_of_two(-part.halvings);
+    part.other = enclosed(exact_part(other_, part.from, step));
+    part.difference = enclosed(exact_part(difference_, part.from, step));
   }
 
-  void add_part(const PairPart& part, const RealBall& tangent) {
-    const std::size_t count = part.other[0].size();
-    const auto given = [&](std::size_t k) {
-      return phrame::sum(item(part.other, k), item(part.difference, k));
-    };
-    RealBall turns;
-    for (std::size_t k = 1; k < count; ++k) {
-      turns = add(turns, absolute(angle(item(part.other, k - 1), item(part.other, k))), ball_bits);
-      turns = add(turns, absolute(angle(given(k - 1), given(k))), ball_bits);
+  /// No value where the part is too long to tell it well.
+  bool add_part(const PairPart& part) {
+    const auto& other = part.other.vectors;
+    Vector<double> middle{};
+    double fastest = 0;
+    double difference = 0;
+    for (std::size_t k = 0; k < other.size(); ++k) {
+      middle = middle + other[k];
+      fastest = std::max(fastest, length(other[k]));
+      difference = std::max(difference, length(part.difference.vectors[k]));
     }
-    sum_ = add_product(sum_, tangent, turns, ball_bits);
+    const double middle_length = length(middle);
+    if (!(middle_length > 0x1p-100)) return false;
+    double slowest = HUGE_VAL;
+    for (const auto& v : other) slowest = std::min(slowest, dot(middle, v) / middle_length);
+    // √3 < 2 is for the components of vectors.
+    slowest -= share * fastest + 2 * part.other.radius;
+    if (!(slowest >= 0.75 * fastest)) return false;
+    difference = difference * (1 + share) + 2 * part.difference.radius;
+    const ScaledNumber sine{difference / slowest * (1 + share),
+                            part.difference.exponent - part.other.exponent};
+    const long exponent = std::clamp(sine.exponent, -600L, 600L);
+    const double sine_above = std::ldexp(sine.factor, static_cast<int>(exponent)) * (1 + share);
+    if (!(sine_above <= 0.5)) return false;
+    const double cosine = std::sqrt(1 - sine_above * sine_above) * (1 - share);
+    add(part, {sine.factor / (1 + cosine) * (1 + share), sine.exponent}, slowest);
+    return true;
+  }
+
+  void add(const PairPart& part, const ScaledNumber& tangent_of_half, double slowest) {
+    const long apart = std::clamp(part.difference.exponent - part.other.exponent, -2000L, 600L);
+    std::vector<Vector<double>> given = part.other.vectors;
+    for (std::size_t k = 0; k < given.size(); ++k)
+      for (std::size_t c = 0; c < 3; ++c)
+        given[k][c] += std::ldexp(part.difference.vectors[k][c], static_cast<int>(apart));
+    // The components of r̃′ are about 1, and those of the difference less than half of that.
+    const double given_radius = part.other.radius +
+                                std::ldexp(part.difference.radius, static_cast<int>(apart)) +
+                                0x1p-50 * slowest;
+    const Rational tangent = tangent_of_half.exact();
+    double turns = 0;
+    if (!is_other_straight_) turns += turns_above(part.other.vectors, part.other.radius, slowest);
+    if (!is_given_straight_) turns += turns_above(given, given_radius, slowest / 2);
+    sum_ += tangent * exact_rational(turns * (1 + share));
+    const double error = 8 * given_radius / slowest;
     if (is_first_of_piece_ && last_)  // the given tangent may jump
-      sum_ = add_product(sum_, greater(tangent, last_->tangent),
-                         absolute(angle(last_->given, given(0))), ball_bits);
-    last_ = GivenEnd{given(count - 1), tangent};
+      sum_ += std::max(tangent, last_->tangent) *
+              exact_rational((angle_above(last_->given, given.front()) + error + last_->error) *
+                             (1 + share));
+    last_ = GivenEnd{given.back(), error, tangent};
     is_first_of_piece_ = false;
   }
 
-  RealBall sum_;
+  RationalRow other_;
+  RationalRow difference_;
+  bool is_other_straight_ = false;
+  bool is_given_straight_ = false;
+  Rational sum_;
   std::optional<GivenEnd> last_;
   bool is_first_of_piece_ = true;
 };
@@ -203,7 +281,7 @@ std::optional<Rational> rmf_difference_bound(const std::vector<HodographPair>& p
   DifferenceBound bound;
   for (const HodographPair& piece : pieces)
     if (!bound.add_piece(piece)) return std::nullopt;
-  return bound.value().is_finite() ? std::optional(bound.value().upper()) : std::nullopt;
+  return bound.value();
 }
 
 }  // namespace phrame

@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/construct/quintic_spline.hpp"
 #include "phrame/ph/construct/scale.hpp"
@@ -358,9 +359,13 @@ TEST_CASE("c2_spline: what there is no spline of") {
   CHECK_THROWS_WITH_AS(c2(through({{0, 0, 0}, {1, 0, 0}}, true)),
                        "a closed C2 spline wants three different points at least", DomainError);
   CHECK_THROWS_WITH_AS(c2(with_middle_step(power_of_ten(-9))),
-                       "the C2 spline: Newton's method finds none; are the parameters far from the "
-                       "lengths of the chords?",
+                       "the C2 spline: Newton's method finds none; the parameters are far from the "
+                       "lengths of the chords",
                        Undecided);
+  CHECK_THROWS_WITH_AS(
+      c2(through({{0, 0, 0}, {power_of_ten(-300), 0, 0}, {power_of_ten(300), 1, 0}, {3, 4, 5}})),
+      "the C2 spline: Newton's method finds none; the lengths of the chords are very different",
+      Undecided);
 }
 
 // From the C² cubic spline alone some of these are not found, and closed ones with primes of the
@@ -386,6 +391,31 @@ TEST_CASE("c2_spline: a loop from a point to itself, met exactly, in the plane a
     CHECK(found.path.ends_meet());
     check_claims(loop, found, relative(loop, power_of_ten(-15)));
   }
+}
+
+// Newton's method does not leave the line, and on it there is no way back.
+TEST_CASE("c2_spline: all is on one line, with a way back") {
+  const auto check = [](const HermiteSpline& data) {
+    const Construction found = c2(data);
+    check_claims(data, found, relative(data, power_of_ten(-15)));
+    CHECK(is_c2(found.path, data.is_closed));
+  };
+  for (const Rational& factor : {Rational(1), Rational(2), Rational(-1)})
+    check(test::one_segment({0, 0, 0}, {1, 2, 3}, {factor, 2 * factor, 3 * factor}));
+  check(through({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, true));
+  check(through({{0, 0, 0}, {1, 2, 3}, {0, 0, 0}, {1, 2, 3}}, true));
+}
+
+// There is one C² spline of one segment, but for the angle Δ: the C¹ quintics.
+TEST_CASE("c2_spline: of a loop it is the quintic of least energy, with both tangents the same") {
+  const HermiteSpline loop = test::one_segment({0, 0, 0}, {1, 0, 0}, {1, 0, 0});
+  const auto energy = [](const Construction& found) {
+    return approximate_energy(found.path.segments().front());
+  };
+  CHECK(energy(c2(loop)) ==
+        doctest::Approx(energy(quintic_spline(loop, QuinticSelection::automatic,
+                                              relative(loop, power_of_ten(-15)))))
+            .epsilon(1e-6));
 }
 
 TEST_CASE("is_c2: not of C1 splines") {

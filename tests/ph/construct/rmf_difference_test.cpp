@@ -181,23 +181,53 @@ TEST_CASE("rmf_difference_bound: the same curve and a straight line differ by no
   CHECK(*rmf_difference_bound({pair(line, other)}) < power_of_two(-50));
 }
 
-TEST_CASE("rmf_difference_bound: a piece cut in two has about the bound of the whole") {
-  std::mt19937_64 engine(2);
-  const auto [a, b] = near_pair(engine, 2, 1e-6);
-  const auto half = [](const Curve& curve, const Polynomial& t) {
-    const auto part = [&](const Polynomial& p) { return compose(p, t); };
-    const auto& [u, v, p, q] = curve.preimage();
-    return Curve({part(u), part(v), part(p), part(q)});
-  };
-  const Polynomial first{0, Rational(1, 2)};
-  const Polynomial second{Rational(1, 2), Rational(1, 2)};
+/// On [0, 1/2] or on [1/2, 1], again on [0, 1].
+Curve half_of(const Curve& curve, const Rational& from) {
+  const Polynomial t{from, Rational(1, 2)};
+  const auto& [u, v, p, q] = curve.preimage();
+  return Curve({compose(u, t), compose(v, t), compose(p, t), compose(q, t)});
+}
+
+/// The bounds of the whole and of its halves, one after the other, are about the same.
+void check_halves(const Curve& a, const Curve& b) {
   const auto whole = rmf_difference_bound({pair(a, b)});
+  const Rational middle(1, 2);
   const auto halves = rmf_difference_bound(
-      {pair(half(a, first), half(b, first)), pair(half(a, second), half(b, second))});
+      {pair(half_of(a, 0), half_of(b, 0)), pair(half_of(a, middle), half_of(b, middle))});
   REQUIRE(whole);
   REQUIRE(halves);
   CHECK(*halves <= Rational(11, 10) * *whole);
   CHECK(*whole <= Rational(11, 10) * *halves);
+}
+
+TEST_CASE("rmf_difference_bound: a piece cut in two has about the bound of the whole") {
+  std::mt19937_64 engine(2);
+  const auto [a, b] = near_pair(engine, 2, 1e-6);
+  check_halves(a, b);
+}
+
+// The means in doubles are off by more than the speed there.
+TEST_CASE("rmf_difference_bound: where the speed falls by 2^80, the frames differ by no more") {
+  std::mt19937_64 engine(2);
+  const auto [a, b] = near_pair(engine, 2, 1e-6);
+  const auto slowed = [](const Curve& curve) {
+    const auto& [u, v, p, q] = curve.preimage();
+    const auto part = [](const Polynomial& x) {
+      auto coefficients = to_bernstein(x, 2);
+      for (std::size_t k = 0; k < 3; ++k)
+        coefficients[k] *= power_of_two(-20 * static_cast<long>(k));
+      return from_bernstein(coefficients);
+    };
+    return Curve({part(u), part(v), part(p), part(q)});
+  };
+  const auto [c, d] = std::pair(slowed(a), slowed(b));
+  check_halves(c, d);
+  // c is a(s)·(a rational function of t)², s = s(t) from 0 to 1: the same tangents, so that the
+  // truth is the same.
+  const auto bound = rmf_difference_bound({pair(c, d)});
+  REQUIRE(bound);
+  CHECK(static_cast<double>(*bound) >= std::abs(change(a, b, 1)));
+  CHECK(*bound <= 4 * *rmf_difference_bound({pair(a, b)}));
 }
 
 TEST_CASE("rmf_difference_bound: units do not matter, be they beyond the doubles") {
