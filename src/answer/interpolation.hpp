@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/answer/frame_table.hpp"
 #include "phrame/ph/curve/feedrate.hpp"
-#include "phrame/ph/curve/named.hpp"
+#include "phrame/ph/smooth/smooth_path.hpp"
 
 namespace phrame {
 
@@ -18,5 +18,10 @@ struct InterpolationQuery {
 /// place where there are too many rows, and with one where a number is too large for a double,
 /// Undecided where a precision limit is reached.
 FrameTable answer(const NamedPath& path, const InterpolationQuery& query);
+/// The same of a path of any kind, at a constant speed: else InputError without a place is thrown.
+FrameTable answer(const NamedSmoothPath& path, const InterpolationQuery& query);
+
+/// Throws InputError where `ticks` and the end are too many rows.
+void require_few_rows(const InterpolationQuery& query, const Integer& ticks);
 
 }  // namespace phrame

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "phrame/answer/interpolation.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/feedrate.hpp"
@@ -13,9 +15,9 @@ struct InterpolateOptions {
   std::string format = "csv";
 };
 
-FrameTable points(const NamedPath& path, const InterpolationQuery& query) {
+FrameTable points(const AnyPath& path, const InterpolationQuery& query) {
   try {
-    return answer(path, query);
+    return std::visit([&](const auto& named) { return answer(named, query); }, path);
   } catch (const InputError& error) {
     if (!error.place().empty()) throw;
     throw InputError("--period", error.reason());
@@ -29,7 +31,9 @@ void run(const InterpolateOptions& options) {
   if (period <= 0)
     throw InputError("--period", abbreviated(to_string(period)) + " is not positive");
   const Feedrate feed = at_place("--feed", ", ", [&] { return parse_feedrate(options.feed); });
-  const NamedPath path = options.curve.read_path();
+  const AnyPath path = options.curve.read_any_path();
+  if (std::holds_alternative<NamedSmoothPath>(path) && !constant(feed.speed))
+    throw InputError("--feed", fmt::format("a speed that is no constant {}", needs_ph));
   write_output(options.curve.output, format(points(path, {feed, period})));
 }
 
@@ -54,6 +58,7 @@ void add_interpolate(Program& program) {
       "Along a spline, time, t, s and V run on through the joints.\n"
       "V is positive and a function of one of s (arc length from t = 0), t (parameter) and kappa\n"
       "(curvature of a plane curve, > 0 in a left turn). A product needs its sign: 2*s, not 2s.\n"
+      "Along a curve that is not Pythagorean-hodograph V is a constant.\n"
       "Examples:\n"
       "  phrame interpolate curve.json --period 0.001 --feed 50\n"
       "  phrame interpolate curve.json --period 1/1000 --feed '10 + 2*s' -o points.csv\n"

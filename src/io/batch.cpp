@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/angle.hpp"
+#include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/write/angle.hpp"
@@ -11,6 +12,8 @@
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/reference_names.hpp"
+#include "phrame/io/write/smooth_angle.hpp"
+#include "phrame/ph/smooth/smooth_frame.hpp"
 
 namespace phrame {
 namespace {
@@ -35,11 +38,13 @@ std::string id_of(const JsonValue& line) {
   return "null";
 }
 
-Reference frame_of(const JsonNode& node) {
+/// No value for "up", of curves that are not PH.
+std::optional<Reference> frame_of(const JsonNode& node) {
   const std::string& name = node.string();
+  if (name == "up") return std::nullopt;
   for (const auto& [known, reference] : reference_names)
     if (name == known) return reference;
-  node.fail(fmt::format("\"{}\" is not one of erf, frenet", abbreviated(name)));
+  node.fail(fmt::format("\"{}\" is not one of erf, frenet, up", abbreviated(name)));
 }
 
 long digits_of(const JsonNode& node) {
@@ -59,6 +64,11 @@ Angle angle_of(const JsonNode& node) {
   }
 }
 
+Vector<Rational> vector_of(const JsonNode& node) {
+  const auto v = node.numbers(3);
+  return {v[0], v[1], v[2]};
+}
+
 /// Where a frame starts, for a line with "theta0" or "start_normal".
 std::optional<FrameStart> start_of(const JsonNode& line) {
   const auto theta0 = line.find("theta0");
@@ -66,56 +76,97 @@ std::optional<FrameStart> start_of(const JsonNode& line) {
   if (theta0 && normal) line.fail("\"theta0\" and \"start_normal\" exclude each other");
   if (theta0) return angle_of(*theta0);
   if (!normal) return std::nullopt;
-  const auto v = normal->numbers(3);
-  return StartNormal({v[0], v[1], v[2]});
+  return StartNormal(vector_of(*normal));
 }
 
-/// With `near` one that stands for what is no PH path.
-NamedPath path_of(const JsonNode& curve, const BatchDefaults& defaults) {
-  if (!defaults.near) return read_path(curve, defaults.limits);
+/// With `near` a PH path that stands for what is none.
+AnyPath path_of(const JsonNode& curve, const BatchDefaults& defaults) {
+  if (!defaults.near) return read_any_path(curve, defaults.limits);
   auto read = read_path_near(curve, *defaults.near, defaults.limits);
   if (const auto* none = std::get_if<NotNear>(&read)) curve.fail(to_line(*none, *defaults.near));
   return std::get<NamedPath>(std::move(read));
 }
 
-/// What a line asks, and of which path.
-std::pair<NamedPath, AngleQuery> question(const JsonNode& line, const BatchDefaults& defaults) {
+/// What a line asks beside the path.
+AngleQuery query_of(const JsonNode& line, const BatchDefaults& defaults) {
   AngleQuery query;
   query.reference = defaults.frame;
   query.at = defaults.at;
   query.digits = defaults.digits;
   query.start = defaults.start;
   query.wants_formula = !defaults.values_only;
+  if (!line.find("curve")) return query;
+  if (const auto frame = line.find("frame"))
+    query.reference = frame_of(*frame).value_or(Reference());
+  if (const auto at = line.find("at"))
+    query.at = at->is(Kind::array) ? at->numbers() : std::vector{at->number()};
+  if (const auto digits = line.find("digits")) query.digits = digits_of(*digits);
+  if (auto start = start_of(line)) query.start = *std::move(start);
+  return query;
+}
+
+/// A line with "curve", or a bare curve: what is the path there.
+JsonNode curve_of(const JsonNode& line) {
   line.require(Kind::object, "an object");
   if (!line.find("curve")) {
     if (line.find("spline"))
       line.fail("a spline stands at the key \"curve\", too, not at \"spline\"");
     if (!line.find("phrame"))
       line.fail("the key \"curve\" is missing, and without \"phrame\" it is no bare curve");
-    return {path_of(line, defaults), query};
+    return line;
   }
   line.require_known_keys(
-      {"id", "curve", "frame", "at", "digits", "theta0", "start_normal", "note"});
+      {"id", "curve", "frame", "up", "at", "digits", "theta0", "start_normal", "note"});
   if (const auto id = line.find("id"); id && !id->is(Kind::string) && !id->is(Kind::number))
     id->fail("an id is a string or a number");
-  if (const auto frame = line.find("frame")) query.reference = frame_of(*frame);
-  if (const auto at = line.find("at"))
-    query.at = at->is(Kind::array) ? at->numbers() : std::vector{at->number()};
-  if (const auto digits = line.find("digits")) query.digits = digits_of(*digits);
-  if (auto start = start_of(line)) query.start = *std::move(start);
-  return {path_of(line.at("curve"), defaults), query};
+  return line.at("curve");
+}
+
+/// What is undefined for the value at a key is an error there, else in the line.
+template <class Make>
+auto at_key(const JsonNode& line, const char* key, Make make) {
+  try {
+    return make();
+  } catch (const DomainError& error) {
+    (line.find(key) ? line.at(key) : line).fail(error.what());
+  }
+}
+
+std::string answer_of(const JsonNode& line, const NamedPath& named, const AngleQuery& query) {
+  if (line.find("curve"))
+    for (const char* key : {"up", "frame"})
+      if (const auto node = line.find(key); node && (key[0] == 'u' || !frame_of(*node)))
+        node->fail("the curve is Pythagorean-hodograph: its angle is that to erf or frenet");
+  if (query.reference != Reference::euler_rodrigues && !named.path.is_curve())
+    line.fail("the Frenet frame is for single curves; this is a spline");
+  at_key(line, "start_normal", [&] { start_angle(query.start, named.path); });
+  return to_json_line(answer(named, query));
+}
+
+/// Of a curve that is no PH curve.
+std::string answer_of(const JsonNode& line, const NamedSmoothPath& named, const AngleQuery& query) {
+  SmoothAngleQuery wanted;
+  if (query.reference == Reference::frenet) wanted.reference = SmoothReference::frenet;
+  wanted.start = query.start;
+  wanted.at = query.at;
+  wanted.digits = query.digits;
+  if (line.find("curve")) {
+    if (const auto frame = line.find("frame"); frame && frame_of(*frame) == Reference())
+      frame->fail("\"erf\" needs a Pythagorean-hodograph curve, and this is none");
+    if (const auto up = line.find("up")) wanted.up = vector_of(*up);
+  }
+  const SmoothAngle angle = at_key(line, "up", [&] {
+    return wanted.up ? SmoothAngle(named.path, *wanted.up) : SmoothAngle(named.path);
+  });
+  at_key(line, "start_normal", [&] { start_angle(query.start, angle); });
+  return to_json_line(answer(named, wanted));
 }
 
 std::string answer_text(const JsonNode& line, const BatchDefaults& defaults) {
-  auto [named, query] = question(line, defaults);
-  if (query.reference != Reference::euler_rodrigues && !named.path.is_curve())
-    line.fail("the Frenet frame is for single curves; this is a spline");
-  try {
-    start_angle(query.start, named.path);
-  } catch (const DomainError& error) {
-    (line.find("start_normal") ? line.at("start_normal") : line).fail(error.what());
-  }
-  return to_json_line(answer(std::move(named), query));
+  const JsonNode curve = curve_of(line);
+  const AngleQuery query = query_of(line, defaults);
+  return std::visit([&](const auto& named) { return answer_of(line, named, query); },
+                    path_of(curve, defaults));
 }
 
 /// What a file over several lines is refused for.

@@ -28,11 +28,13 @@ struct BatchAnswer {
 
 /// The answer to a line
 ///   {"id": …, "curve": {…}, "frame": "erf", "at": ["1"], "digits": 17, "theta0": "0"},
-/// with "start_normal": ["0", "0", "1"] instead of "theta0", of which all but the curve (curve/1 or
-/// spline/1) may be left out, or to a line that is a bare curve or spline, whose id is its name: an
-/// object angle/1 or spline-angle/1 with the same "id", or {"id": …, "error": {"status": 2,
-/// "message": "…"}}, the status being the program's exit status for the same curve. Depends on
-/// nothing but the line, and may be called from several threads. Throws nothing but bad_alloc.
+/// with "start_normal": ["0", "0", "1"] instead of "theta0", and of what is no PH curve with
+/// "frame" "up" or "frenet" and "up": ["0", "0", "1"], of which all but the curve (in a format of
+/// phrame, as read_any_path() reads them) may be left out, or to a line that is a bare curve or
+/// spline, whose id is its name: an object angle/1 or spline-angle/1 with the same "id", or {"id":
+/// …, "error": {"status": 2, "message": "…"}}, the status being the program's exit status for the
+/// same curve. Depends on nothing but the line, and may be called from several threads. Throws
+/// nothing but bad_alloc.
 BatchAnswer batch_answer(std::string_view line, const BatchDefaults& defaults);
 
 /// The id of a line of a batch, as JSON text, which is the name of a bare curve; no value where it

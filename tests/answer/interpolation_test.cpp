@@ -1,5 +1,7 @@
 #include "phrame/answer/interpolation.hpp"
 
+#include <cmath>
+
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/write/frame_table.hpp"
@@ -139,4 +141,39 @@ TEST_CASE("interpolation: a tick at a joint, and too many rows") {
   CHECK_THROWS_WITH_AS(answer(two, InterpolationQuery{feed({1}), Rational(1, 5), 10}),
                        "1/5 asks for 11 rows, the limit is 10", InputError);
   CHECK_NOTHROW(answer(two, InterpolationQuery{feed({1}), Rational(1, 5), 11}));
+}
+
+// s = 2 is at t = 0.17389474428092800390517…, by mpmath's quad and findroot, and the length there
+// and of all by its quad.
+TEST_CASE("interpolation: along what is no PH curve, at a constant speed") {
+  const NamedSmoothPath loop{
+      "loop", SmoothPath(bezier_curve(
+                  {{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}}))};
+  const FrameTable table = answer(loop, InterpolationQuery{feed({2}), 1});
+  REQUIRE(table.rows.size() == 6);
+  CHECK(table.columns == std::vector<std::string>{"k", "time", "t", "s", "x", "y", "z"});
+  CHECK(table.format == "interpolation/1");
+  CHECK(table.rows[0] == Row{0, 0, 0, 0, 0, 0, 0});
+  CHECK(table.rows[1] == Row{1, 1, 0.1738947442809280039052, 2, 1.472700953836089241315,
+                             1.118985053679505924174, 0.4344386316270840689373});
+  CHECK(table.rows[5] == Row{5, 4.124762550394943255835, 1, 8.249525100789886511671, 0, 0, 0});
+  // A quarter of a circle, then a line: the end is a tick.
+  const NamedSmoothPath bend{"", joined({bezier_curve({{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {1, 1, 2}),
+                                         bezier_curve({{0, 1, 0}, {-1, 1, 0}})})};
+  const FrameTable points = answer(bend, InterpolationQuery{feed({Rational(1, 2)}), 1});
+  REQUIRE(points.rows.size() == 7);
+  CHECK(points.rows[2][4] == std::cos(1.0));  // correctly rounded in glibc
+  CHECK(points.rows[2][5] == std::sin(1.0));
+  CHECK(points.rows[5][2] > 1);
+  CHECK(points.rows[5][5] == 1);
+  const NamedSmoothPath line{"", joined({bezier_curve({{0, 0, 0}, {1, 2, 2}}),
+                                         bezier_curve({{1, 2, 2}, {2, 4, 4}, {4, 8, 8}})})};
+  const FrameTable ticks = answer(line, InterpolationQuery{feed({3}), 2});
+  REQUIRE(ticks.rows.size() == 3);
+  CHECK(ticks.rows[1] == Row{1, 2, 1.41421356237309504880, 6, 2, 4, 4});  // (1 + t)² = 2
+  CHECK(ticks.rows[2] == Row{2, 4, 2, 12, 4, 8, 8});
+  CHECK_THROWS_AS(answer(line, InterpolationQuery{feed({1, 1}), 1}), InputError);
+  CHECK_THROWS_AS(answer(line, InterpolationQuery{feed({-1}), 1}), DomainError);
+  CHECK_THROWS_AS(answer(line, InterpolationQuery{feed({1}), 0}), DomainError);
+  CHECK_THROWS_AS(answer(line, InterpolationQuery{feed({1}), Rational(1, 10'000'000)}), InputError);
 }

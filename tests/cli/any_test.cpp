@@ -1,4 +1,5 @@
 // What is no PH curve, in all commands that answer it.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/workshop.hpp"
@@ -49,4 +50,31 @@ TEST_CASE("any curve: info and totals, as text, JSON and LaTeX") {
   CHECK(json["numerator"][0] == Json::array({"0", "15", "-40", "10", "25", "-10"}));
   CHECK(contains(here.run("info loop.json --digits 10 --print latex").out,
                  "\\text{holonomy} &\\approx 1.347523495\n"));
+}
+
+TEST_CASE("any curve: points at equal times, at a constant speed") {
+  const Workshop here;
+  here.write("loop.json", loop);
+  const Run run = here.run("interpolate loop.json --period 1 --feed 2");
+  check_success(run);
+  CHECK(contains(run.out, "\n1,1,0.173894744280928,2,1.4727009538360893,"));
+  check_failure(here.run("interpolate loop.json --period 1 --feed '1 + s'"), 2,
+                "--feed: a speed that is no constant needs a Pythagorean-hodograph curve");
+  check_failure(here.run("interpolate loop.json --period 1 --feed 0"), 3,
+                "feedrate: the speed is 0");
+  check_failure(here.run("interpolate loop.json --period 1e-9 --feed 1"), 2, "--period: ");
+}
+
+TEST_CASE("any curve: batch answers as angle does") {
+  const Workshop here;
+  here.write("loop.json", loop);
+  here.write("lines.jsonl", std::string(R"({"curve": )") + loop.substr(0, loop.size()) + "}\n");
+  std::string line = bytes_of(here.file("lines.jsonl"));
+  line.erase(std::remove(line.begin(), line.end() - 1, '\n'), line.end() - 1);
+  here.write("lines.jsonl", line);
+  const Run batch = here.run("batch lines.jsonl --at 1/3");
+  check_success(batch);
+  auto one = Json::parse(batch.out);
+  one.erase("id");
+  CHECK(one == Json::parse(here.run("angle loop.json --at 1/3 --print json").out));
 }

@@ -104,7 +104,7 @@ TEST_CASE("batch: a curve may stand for one that is no PH curve") {
                         {0.6666666666666666, 1, 0}}}};
   const Json parabola = {{"control_points", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}};
   BatchDefaults defaults;
-  CHECK(answer({{"curve", cubic}}, defaults)["error"]["status"] == 2);
+  CHECK(answer({{"curve", cubic}}, defaults)["frame"] == "up");
   defaults.near = parse_rational("1e-15");
   const Json found = answer({{"curve", cubic}}, defaults);
   CHECK(found["near"]["epsilon"] == "1/1000000000000000");
@@ -118,6 +118,34 @@ TEST_CASE("batch: a curve may stand for one that is no PH curve") {
   CHECK(answer(bare, defaults)["id"] == "bare");
   CHECK(answer({{"curve", {{"phrame", "spline/1"}, {"segments", {cubic}}}}}, defaults)
             .contains("near"));
+}
+
+// −∫ τ ds by mpmath's quad; n and b are the frame of v at both ends of this cubic.
+TEST_CASE("batch: what is no PH curve is answered by angles to the frame of v, or Frenet's") {
+  const Json cubic = {{"control_points", {{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 3}}}};
+  const Json up =
+      answer({{"id", 7}, {"curve", cubic}, {"up", {0, 0, 1}}, {"at", 1}, {"digits", 30}});
+  CHECK(up["id"] == 7);
+  CHECK(up["phrame"] == "angle/1");
+  CHECK(up["frame"] == "up");
+  CHECK(up["closed_form"].is_null());
+  CHECK(up["values"][0]["theta"] == "-1.65740642390110110987772706379");
+  const Json frenet = answer({{"curve", cubic}, {"frame", "frenet"}, {"theta0", "1"}, {"at", 1}});
+  CHECK(frenet["frame"] == "frenet");
+  CHECK(frenet["values"][0]["theta"] == "-0.65740642390110111");
+  const Json spline =
+      answer({{"curve", {{"phrame", "points/1"}, {"points", {{0, 0, 0}, {1, 2, 0}, {3, 1, 1}}}}}});
+  CHECK(spline["phrame"] == "spline-angle/1");
+  const auto line = [&](const char* key, const Json& value, const Json& curve) {
+    return Json({{"curve", curve}, {key, value}}).dump();
+  };
+  check_error(line("frame", "erf", cubic), 2, "/frame: \"erf\" needs a Pythagorean-hodograph");
+  check_error(line("frame", "other", cubic), 2, "/frame: \"other\" is not one of erf, frenet, up");
+  check_error(line("up", {0, 0, 0}, cubic), 2, "/up: the up vector is 0");
+  check_error(line("up", {1, 0, 0}, cubic), 2, "/up: the up vector (1, 0, 0) is along the tangent");
+  check_error(line("start_normal", {2, 0, 0}, cubic), 2, "/start_normal: ");
+  check_error(line("up", {1, 0, 0}, quintic()), 2, "/up: the curve is Pythagorean-hodograph");
+  check_error(line("frame", "up", quintic()), 2, "/frame: the curve is Pythagorean-hodograph");
 }
 
 TEST_CASE("batch: splines") {

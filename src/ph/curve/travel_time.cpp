@@ -50,6 +50,21 @@ KnownIntegral known(const Rational& x) { return {{x, ExactValue{x, 0, {}, {}}}};
 
 }  // namespace
 
+Integer ticks_before(const Real& total, const Rational& period) {
+  if (period <= 0)
+    throw DomainError(
+        fmt::format("travel time: the period {} is not positive", abbreviated(to_string(period))));
+  if (total.exact()) return Integer(-floor(-*total.exact() / period));
+  for (long bits = 128; bits <= limit; bits *= 2) {
+    const RealBall ball = total.enclose(bits);
+    const Integer low = floor(ball.lower() / period);
+    if (low == floor(ball.upper() / period)) return Integer(low + 1);
+  }
+  throw Undecided(fmt::format(
+      "travel time: {} bits do not tell the total, {}, from a multiple of the period {}", limit,
+      text(total), abbreviated(to_string(period))));
+}
+
 Real TimedPoint::value(const Polynomial& p) const {
   if (algebraic) return algebraic->value(p);
   if (p.is_constant()) return p.coefficient(0);
@@ -93,21 +108,6 @@ Real TravelTime::time(const PathParameter& at) const {
 }
 
 Real TravelTime::time(const Rational& t) const { return time(locate_inside(path_, t)); }
-
-Integer TravelTime::ticks(const Rational& period) const {
-  if (period <= 0)
-    throw DomainError(
-        fmt::format("travel time: the period {} is not positive", abbreviated(to_string(period))));
-  if (total().exact()) return Integer(-floor(-*total().exact() / period));
-  for (long bits = 128; bits <= limit; bits *= 2) {
-    const RealBall ball = total().enclose(bits);
-    const Integer low = floor(ball.lower() / period);
-    if (low == floor(ball.upper() / period)) return Integer(low + 1);
-  }
-  throw Undecided(fmt::format(
-      "travel time: {} bits do not tell the total, {}, from a multiple of the period {}", limit,
-      text(total()), abbreviated(to_string(period))));
-}
 
 void TravelTime::require_within(const Rational& time) const {
   if (time < 0 || compare(time, total(), "the total") > 0)

@@ -24,6 +24,10 @@ struct TimedPoint {
   Real value(const Polynomial& p) const;
 };
 
+/// How many whole k ≥ 0 have k·period < total. Throws DomainError for a period ≤ 0, Undecided where
+/// the total cannot be told from a multiple of the period.
+Integer ticks_before(const Real& total, const Rational& period);
+
 /// The time T(t) = ∫₀ᵗ |f|σ/V a motion with feedrate V takes from the start of a path to t,
 /// strictly increasing, and its inverse: the interpolation integral of [Farouki 2008], in closed
 /// form. The arc length and the parameter that V may depend on are those of the whole path; so is
@@ -46,9 +50,8 @@ class TravelTime {
   Real time(const Rational& t) const;
 
   const Real& total() const { return starts_.back(); }  ///< T(end)
-  /// How many whole k ≥ 0 have k·period < T(end). Throws DomainError for a period ≤ 0, Undecided
-  /// where T(end) cannot be told from a multiple of the period.
-  Integer ticks(const Rational& period) const;
+  /// ticks_before() the end.
+  Integer ticks(const Rational& period) const { return ticks_before(total(), period); }
 
   /// The point with T = time, at a joint that of the later segment. Exact and algebraic t are
   /// decided where T has no logarithms, and on a spline where T is rational up to the start of the
