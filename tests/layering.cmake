@@ -4,7 +4,8 @@
 #   - what writes sees answers and values, and nothing that evaluates them;
 #   - only algebra/flint.hpp includes headers of FLINT and Arb, and only it has #if;
 #   - only algebra calls FLINT and Arb, names their types and asks ours for them by raw();
-#   - a header starts with #pragma once, and what src/phrame.hpp reaches needs no private dependency.
+#   - a header starts with #pragma once, and what src/phrame.hpp reaches needs no private dependency;
+#   - of the library python/src includes what src/phrame.hpp reaches and nothing else, by that header.
 
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../cmake/public_headers.cmake)
@@ -107,6 +108,23 @@ foreach(file IN LISTS public_headers)
   foreach(directive IN LISTS directives)
     if(directive MATCHES "<([^>]+)>" AND CMAKE_MATCH_1 MATCHES "${private_header}")
       violation("${directive}: is reached from phrame.hpp, so a user of the library would need it")
+    endif()
+  endforeach()
+endforeach()
+
+# The Python package is a user of the library like any other.
+file(GLOB files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/../python/src/*.hpp ${SOURCE_DIR}/../python/src/*.cpp)
+foreach(file IN LISTS files)
+  read_directives(${file} directives)
+  read_flint_names(${file} names)
+  foreach(name IN LISTS names)
+    violation("${name}: only algebra calls FLINT and Arb")
+  endforeach()
+  foreach(directive IN LISTS directives)
+    if(directive MATCHES "[<\"](phrame/.*)[>\"]" AND NOT CMAKE_MATCH_1 STREQUAL "phrame/phrame.hpp")
+      violation("${directive}: the package includes phrame/phrame.hpp")
+    elseif(directive MATCHES "<([^>]+)>" AND CMAKE_MATCH_1 MATCHES "${private_header}|${flint_header}")
+      violation("${directive}: what the library is made with is its own matter")
     endif()
   endforeach()
 endforeach()

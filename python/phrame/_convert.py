@@ -36,7 +36,7 @@ def sympy_polynomial(p: Any, symbol: Any = "t") -> Any:
     return sympy.Poly(coefficients or [0], t, domain=sympy.QQ)
 
 
-def fmpq_poly(p: Any) -> Any:
+def polynomial_for_flint(p: Any) -> Any:
     """p as a flint.fmpq_poly."""
     import flint
 

@@ -1,14 +1,10 @@
 #include "paths.hpp"
-#include "phrame/io/write/nearness.hpp"
 
 namespace phrame::python {
 namespace {
 
 std::string basis_named(const std::string& name) {
-  if (name != "power" && name != "bernstein")
-    refuse("basis", "\"" + abbreviated(name) + "\" is not one of power, bernstein",
-           nb::str(name.c_str()));
-  return name;
+  return chosen<const char*>(name, "basis", {{"power", "power"}, {"bernstein", "bernstein"}});
 }
 
 CurveObject of_preimage(QuaternionPolynomial a, nb::handle multiplier, nb::handle start,
@@ -90,17 +86,13 @@ nb::object from_hopf(nb::handle alpha, nb::handle beta, nb::handle multiplier, n
 
 nb::object from_control_points(nb::handle points, const std::string& name) {
   const auto given = vectors(points, "points", 2);
-  std::optional<IdentificationAnswer> found;
-  {
-    const nb::gil_scoped_release released;
-    found = answer({name, bezier_hodograph(given), given.front()});
-  }
-  if (auto* curve = std::get_if<Curve>(&found->result))
+  auto found = without_gil([&] { return answer({name, bezier_hodograph(given), given.front()}); });
+  if (auto* curve = std::get_if<Curve>(&found.result))
     return wrap(NamedPath(name, std::move(*curve)));
-  std::string reason = "not a PH curve: " + to_string(std::get<NotPythagorean>(found->result));
-  if (found->suggestion)
-    reason += "; Curve.near(points, " + distance_text(found->suggestion->epsilon) +
-              ") has one that is at most " + distance_text(found->suggestion->distance) + " away";
+  std::string reason = "not a PH curve: " + to_string(std::get<NotPythagorean>(found.result));
+  if (found.suggestion)
+    reason += "; Curve.near(points, " + distance_text(found.suggestion->epsilon) +
+              ") has one that is at most " + distance_text(found.suggestion->distance) + " away";
   refuse("points", reason, points);
 }
 
@@ -108,14 +100,13 @@ nb::object near(nb::handle points, nb::handle eps, const std::string& name) {
   const auto given = vectors(points, "points", 2);
   const Rational epsilon = rational(eps, "eps");
   if (epsilon.sign() <= 0) refuse("eps", "it is not positive", eps);
-  const auto found = [&] {
-    const nb::gil_scoped_release released;
+  const auto found = without_gil([&] {
     const Vector<Polynomial> rate = bezier_hodograph(given);
     auto exact = identify(rate, given.front());
     if (auto* curve = std::get_if<Curve>(&exact))
       return std::variant<NearCurve, NotNear>(NearCurve{std::move(*curve), Nearness{}});
     return near_curve(rate, given.front(), epsilon);
-  }();
+  });
   if (const auto* none = std::get_if<NotNear>(&found)) refuse("eps", to_line(*none, epsilon), eps);
   const NearCurve& curve = std::get<NearCurve>(found);
   return wrap(
@@ -133,12 +124,8 @@ CurveKind kind_named(const std::string& name) {
 }
 
 nb::object constructed(const GivenPoints& given, const ConstructQuery& query) {
-  std::optional<ConstructionAnswer> found;
-  {
-    const nb::gil_scoped_release released;
-    found = answer(given, query);
-  }
-  return wrap(std::move(found->path));
+  auto found = without_gil([&] { return answer(given, query); });
+  return wrap(std::move(found.path));
 }
 
 std::vector<Vector<Rational>> as_many(nb::handle list, const std::string& place,

@@ -3,9 +3,6 @@
 #include <cmath>
 #include <map>
 
-#include "phrame/io/read/angle.hpp"
-#include "phrame/io/read/number.hpp"
-
 namespace phrame::python {
 namespace {
 

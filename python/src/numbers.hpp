@@ -20,6 +20,25 @@ namespace nb = nanobind;
 /// The same as a TypeError.
 [[noreturn]] void refuse_type(const std::string& place, const char* wanted, nb::handle value);
 
+/// What a name stands for; of others it is said which there are.
+template <class T>
+T chosen(const std::string& name, const char* place,
+         std::initializer_list<std::pair<const char*, T>> list) {
+  std::string names;
+  for (const auto& [known, value] : list) {
+    if (name == known) return value;
+    names += std::string(names.empty() ? "" : ", ") + known;
+  }
+  refuse(place, "\"" + abbreviated(name) + "\" is not one of " + names, nb::str(name.c_str()));
+}
+
+/// f() without Python's lock.
+template <class F>
+auto without_gil(const F& f) {
+  const nb::gil_scoped_release released;
+  return f();
+}
+
 /// The number that a Python object is, exactly: int, Fraction, Decimal, str, float, and what has
 /// __index__, numerator and denominator, or as_integer_ratio. `place` is the argument's name.
 Rational rational(nb::handle x, const std::string& place);

@@ -1,4 +1,4 @@
-#include "paths.hpp"
+#include "answers.hpp"
 
 #include <limits>
 #include <sstream>
@@ -18,12 +18,6 @@ nb::object total(nb::handle self, const char* name,
 }
 
 const PathObject& path_of(nb::handle self) { return nb::cast<const PathObject&>(self); }
-
-template <class F>
-auto without_gil(const F& f) {
-  const nb::gil_scoped_release released;
-  return f();
-}
 
 nb::tuple polynomials(const Vector<Polynomial>& v) { return nb::make_tuple(v[0], v[1], v[2]); }
 
@@ -236,9 +230,8 @@ nb::object attribute_recipe(nb::handle self, const char* name) {
 }
 
 Reference reference_named(const std::string& name, const std::string& place) {
-  if (name == "erf") return Reference::euler_rodrigues;
-  if (name == "frenet") return Reference::frenet;
-  refuse(place, "\"" + abbreviated(name) + "\" is not one of erf, frenet", nb::str(name.c_str()));
+  return chosen<Reference>(name, place.c_str(),
+                           {{"erf", Reference::euler_rodrigues}, {"frenet", Reference::frenet}});
 }
 
 FrameStart frame_start(nb::handle start, nb::handle start_normal, const Path& path,
@@ -268,7 +261,12 @@ void bind_paths(nb::module_& m) {
   bind_curve(curve);
   bind_transformations(curve);
   bind_constructors(path, curve);
-  bind_answers(m, path, curve);
+  bind_angle(m, path);
+  bind_integral(m);
+  bind_classification(m, path);
+  bind_minimal_twist(m, path);
+  bind_check(m, path);
+  bind_certificate(m, curve);
 }
 
 }  // namespace phrame::python

@@ -31,8 +31,6 @@ nb::object method_recipe(nb::handle self, const char* name, T&&... arguments) {
 /// What curves and paths are made by; what they are asked for many parameters.
 void bind_constructors(nb::class_<PathObject>& path, nb::class_<CurveObject, PathObject>& curve);
 void bind_arrays(nb::class_<PathObject>& path);
-void bind_answers(nb::module_& m, nb::class_<PathObject>& path,
-                  nb::class_<CurveObject, PathObject>& curve);
 
 /// θ at many parameters, correctly rounded: an array.
 nb::object angles(const PathAngle& angle, const FrameAngle& start, nb::handle ts,

@@ -209,8 +209,9 @@ void bind_polynomial(nb::module_& m) {
           nb::sig("def sympy(self, symbol: typing.Any = 't') -> typing.Any"),
           "A sympy.Poly over QQ.")
       .def(
-          "flint", [](nb::handle p) { return imported("phrame._convert", "fmpq_poly")(p); },
-          nb::sig("def flint(self) -> typing.Any"), "A flint.fmpq_poly.")
+          "flint",
+          [](nb::handle p) { return imported("phrame._convert", "polynomial_for_flint")(p); },
+          nb::sig("def flint(self) -> typing.Any"), "For python-flint: a polynomial over ℚ.")
       .def("__str__", [](const Polynomial& p) { return to_string(p); })
       .def("__repr__", [](const Polynomial& p) { return "<Polynomial " + to_string(p) + ">"; })
       .def("_repr_latex_",

@@ -1,0 +1,143 @@
+#include "answers.hpp"
+
+namespace phrame::python {
+namespace {
+
+struct AngleObject {
+  NamedPath named;
+  PathAngle angle;
+  FrameStart start;
+  FrameAngle start_angle;
+  std::string form;
+  nb::object recipe;
+};
+
+AngleAnswer formula(const AngleObject& self, const std::string& style) {
+  AngleQuery query;
+  query.reference = self.angle.reference();
+  query.start = self.start;
+  query.form = form_named(self.form);
+  query.style = style_named(style);
+  query.most_poles = 100;
+  return without_gil([&] { return answer(self.named, query); });
+}
+
+nb::object make_angle(nb::handle self, const std::string& frame, nb::handle start,
+                      nb::handle start_normal, const std::string& form) {
+  const auto& named = nb::cast<const PathObject&>(self).named;
+  const Reference reference = reference_named(frame, "frame");
+  const Form how = form_named(form);
+  const FrameStart from = frame_start(start, start_normal, named.path, reference);
+  auto [angle, at_zero] = without_gil([&] {
+    return std::pair{PathAngle(named.path, reference, how),
+                     start_angle(from, named.path, reference)};
+  });
+  return nb::cast(AngleObject{
+      named, std::move(angle), from, std::move(at_zero), form,
+      remade("_angle", self, nb::str(frame.c_str()), start, start_normal, nb::str(form.c_str()))});
+}
+
+const RmfAngle& segment_angle(const AngleObject& self, std::size_t k) {
+  const std::size_t n = self.angle.path().segments().size();
+  if (k >= n) refuse("segment", "there are " + std::to_string(n), nb::int_(k));
+  return self.angle.segment(k);
+}
+
+nb::object angle_of_what(const AngleObject& self, nb::handle ts, nb::handle progress) {
+  if (PyUnicode_Check(ts.ptr()) != 0 || PySequence_Check(ts.ptr()) == 0) {
+    const Rational t = rational(ts, "t");
+    return nb::float_(
+        without_gil([&] { return round_to_double(self.angle.value(t, self.start_angle)); }));
+  }
+  return angles(self.angle, self.start_angle, ts, progress);
+}
+
+}  // namespace
+
+void bind_angle(nb::module_& m, nb::class_<PathObject>& path) {
+  m.def("_angle", make_angle, nb::arg("path"), nb::arg("frame"), nb::arg("start").none(),
+        nb::arg("start_normal").none(), nb::arg("form"));
+  path.def(
+      "angle", make_angle, nb::arg("frame") = "erf", PHRAME_START_PARAMETERS,
+      nb::arg("form") = "auto",
+      nb::sig("def angle(self, frame: str = 'erf', " PHRAME_START_SIG
+              ", form: str = 'auto') -> Angle"),
+      "The angle of the rotation-minimizing frame to the Euler–Rodrigues (erf) or Frenet frame.");
+  auto type = nb::class_<AngleObject>(
+      m, "Angle", "The angle θ(t) of the rotation-minimizing frame of a path, in closed form.");
+  bind_value(type,
+             "θ(t): a Fraction where it is rational, else a Real; with `digits` a Decimal "
+             "with so many.",
+             [](const AngleObject& self, const Rational& t) {
+               return self.angle.value(t, self.start_angle);
+             });
+  type.def("__call__", angle_of_what, nb::arg("ts"), nb::kw_only(),
+           nb::arg("progress") = nb::none(),
+           nb::sig("@typing.overload\ndef __call__(self, ts: float | fractions.Fraction | "
+                   "decimal.Decimal, *, progress: "
+                   "collections.abc.Callable[[int, int], object] | None = None) -> float: ...\n"
+                   "@typing.overload\ndef __call__(self, ts: Numbers, *, progress: "
+                   "collections.abc.Callable[[int, int], object] | None = None) -> "
+                   "numpy.typing.NDArray[numpy.float64]"),
+           "θ as correctly rounded doubles: of one parameter, or an array of many.")
+      .def_prop_ro(
+          "path", [](const AngleObject& self) { return wrap(self.named); },
+          nb::sig("def path(self) -> Path"))
+      .def(
+          "rate",
+          [](const AngleObject& self, std::size_t k) { return segment_angle(self, k).rate(); },
+          nb::arg("segment") = 0, "θ′, a rational function.")
+      .def(
+          "text",
+          [](const AngleObject& self, const std::string& style) {
+            return for_reading(to_text(formula(self, style)), true);
+          },
+          nb::arg("style") = "logarithms", "The closed form and the poles, for reading.")
+      .def(
+          "latex",
+          [](const AngleObject& self, const std::string& style) {
+            return to_latex(formula(self, style));
+          },
+          nb::arg("style") = "logarithms", "The closed form, for LaTeX.")
+      .def(
+          "json",
+          [](const AngleObject& self, const std::string& style) {
+            return to_json(formula(self, style));
+          },
+          nb::arg("style") = "logarithms", "angle/1 or spline-angle/1.")
+      .def(
+          "sympy",
+          [](nb::handle self) {
+            const auto& of = nb::cast<const AngleObject&>(self);
+            if (!of.named.path.is_curve())
+              throw DomainError("sympy: an antiderivative for SymPy is one of a single curve");
+            return imported("phrame._convert",
+                            "run_script")(to_script(formula(of, "logarithms"), Language::sympy));
+          },
+          nb::sig("def sympy(self) -> typing.Any"), "θ up to a constant, a SymPy expression.")
+      .def("__repr__",
+           [](const AngleObject& self) {
+             return std::string("<Angle to the ") +
+                    (self.angle.reference() == Reference::frenet ? "Frenet" : "Euler–Rodrigues") +
+                    " frame" +
+                    (self.named.name.empty() ? "" : " of " + abbreviated(self.named.name)) + ">";
+           })
+      .def("__str__",
+           [](const AngleObject& self) {
+             return for_reading(to_text(formula(self, "logarithms")), false);
+           })
+      .def("_repr_latex_", [](const AngleObject& self) -> std::optional<std::string> {
+        if (!self.named.path.is_curve()) return std::nullopt;
+        const AngleAnswer found = formula(self, "textbook");
+        const Antiderivative& F = found.formulas.front().antiderivative;
+        const std::string terms = [&] {
+          if (const auto* book = std::get_if<TextbookForm>(&found.formulas.front().other))
+            return formatted_sum(formatted_terms(*book, Notation::latex), "", Notation::latex);
+          return formatted_sum(formatted_terms(F, Notation::latex), "", Notation::latex);
+        }();
+        return "$\\displaystyle \\theta(t) = " + terms + " + \\mathrm{const}$";
+      });
+  bind_recipe(type);
+}
+
+}  // namespace phrame::python

@@ -1,0 +1,47 @@
+#pragma once
+#include "paths.hpp"
+
+namespace phrame::python {
+
+Form form_named(const std::string& name);
+Style style_named(const std::string& name);
+
+/// x, or with `digits` a Decimal with so many.
+nb::object number_or_digits(const Real& x, nb::handle digits, const nb::object& recipe);
+
+#define PHRAME_VALUE_SIG                                                              \
+  nb::sig(                                                                            \
+      "@typing.overload\ndef value(self, t: Number, digits: None = None) -> "         \
+      "fractions.Fraction | Real: ...\n@typing.overload\ndef value(self, t: Number, " \
+      "digits: int) -> decimal.Decimal")
+
+/// value(t, digits) of what is a function of t, by f(self, t).
+template <class C, class F>
+void bind_value(C& type, const char* what, const F& f) {
+  type.def(
+      "value",
+      [f](nb::handle self, nb::handle t, nb::handle digits) {
+        const Rational at = rational(t, "t");
+        const auto& of = nb::cast<const typename C::Type&>(self);
+        return number_or_digits(without_gil([&] { return f(of, at); }), digits,
+                                method_recipe(self, "value", t));
+      },
+      nb::arg("t"), nb::arg("digits") = nb::none(), PHRAME_VALUE_SIG, what);
+}
+
+/// An object that keeps its recipe is pickled by it.
+template <class C>
+void bind_recipe(C& type) {
+  type.def(
+      "__reduce__", [](const typename C::Type& self) { return self.recipe; }, PHRAME_REDUCE_SIG);
+  bind_copies(type);
+}
+
+void bind_angle(nb::module_& m, nb::class_<PathObject>& path);
+void bind_integral(nb::module_& m);
+void bind_classification(nb::module_& m, nb::class_<PathObject>& path);
+void bind_minimal_twist(nb::module_& m, nb::class_<PathObject>& path);
+void bind_check(nb::module_& m, nb::class_<PathObject>& path);
+void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve);
+
+}  // namespace phrame::python

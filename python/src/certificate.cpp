@@ -1,0 +1,90 @@
+#include <algorithm>
+
+#include "answers.hpp"
+
+namespace phrame::python {
+namespace {
+
+struct CertificateObject {
+  Certificate certificate;
+  std::string name;
+};
+
+}  // namespace
+
+void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve) {
+  const auto certify_curve = [](const CurveObject& self, nb::handle at, nb::handle digits,
+                                const std::string& frame) {
+    const auto ts = rationals(at, "at");
+    const long n = count(digits, "digits", 1, 100'000);
+    const Reference reference = reference_named(frame, "frame");
+    return CertificateObject{without_gil([&] { return certify(curve_of(self), reference, ts, n); }),
+                             self.named.name};
+  };
+  curve.def("certify", certify_curve, nb::arg("at") = nb::make_tuple(1), nb::arg("digits") = 50,
+            nb::arg("frame") = "erf",
+            nb::sig("def certify(self, at: Numbers = (1,), digits: int = 50, frame: str = 'erf') "
+                    "-> Certificate"),
+            "Angles, and what kinds the curve is of, with what proves them.");
+  auto type = nb::class_<CertificateObject>(m, "Certificate", "docs/certificate.md.");
+  using C = CertificateObject;
+  const auto from_json = [](const std::string& text) {
+    Certificate read = read_certificate(text);
+    return C{std::move(read), ""};
+  };
+  type.def_static("from_json", from_json, nb::arg("text"), "Of a certificate/1 file, true or not.")
+      .def(
+          "json", [](const C& c) { return write_certificate(c.certificate, c.name); },
+          "The certificate/1 file.")
+      .def_prop_ro(
+          "curve", [](const C& c) { return wrap(NamedPath(c.name, c.certificate.curve)); },
+          nb::sig("def curve(self) -> Curve"))
+      .def(
+          "objections",
+          [](const C& c) {
+            std::vector<std::string> list;
+            for (const Statement& statement : without_gil([&] { return verify(c.certificate); })) {
+              if (statement.is_proved()) continue;
+              const auto* what = std::get_if<std::string>(&statement.what);
+              const auto* claim = std::get_if<AngleClaim>(&statement.what);
+              list.push_back((what != nullptr ? *what : "angle at " + to_string(claim->t)) + ": " +
+                             statement.objection);
+            }
+            return list;
+          },
+          "Verifies every statement by another way: what is not proved, and why.")
+      .def("is_proved",
+           [](const C& c) {
+             const auto found = without_gil([&] { return verify(c.certificate); });
+             return std::all_of(found.begin(), found.end(),
+                                [](const Statement& s) { return s.is_proved(); });
+           })
+      .def(
+          "__eq__",
+          [](const C& c, nb::handle other) {
+            return nb::isinstance<C>(other) &&
+                   c.certificate == nb::cast<const C&>(other).certificate;
+          },
+          nb::sig("def __eq__(self, other: object) -> bool"))
+      .def("__hash__",
+           [](const C& c) {
+             return nb::hash(nb::str(write_certificate(c.certificate, "").c_str()));
+           })
+      .def("__repr__",
+           [](const C& c) {
+             return "<Certificate of " + std::to_string(c.certificate.claims.size()) + " angles>";
+           })
+      .def(
+          "__reduce__",
+          [from_json](const C& c) {
+            return remade("_certificate", nb::str(write_certificate(c.certificate, c.name).c_str()),
+                          nb::str(c.name.c_str()));
+          },
+          PHRAME_REDUCE_SIG);
+  m.def("_certificate", [](const std::string& text, const std::string& name) {
+    return CertificateObject{read_certificate(text), name};
+  });
+  bind_copies(type);
+}
+
+}  // namespace phrame::python

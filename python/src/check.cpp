@@ -1,0 +1,86 @@
+#include "answers.hpp"
+
+namespace phrame::python {
+namespace {
+
+struct CheckObject {
+  CheckAnswer found;
+  nb::object recipe;
+};
+
+nb::object check(nb::handle self, nb::handle ts, nb::handle f2, nb::handle f3, nb::handle tangents,
+                 nb::handle tolerance, nb::handle start, nb::handle start_normal) {
+  const auto& named = nb::cast<const PathObject&>(self).named;
+  const auto at = rationals(ts, "ts");
+  if (at.empty()) refuse("ts", "it is empty", ts);
+  const auto given = [&](nb::handle list, const char* place) {
+    if (list.is_none()) return std::vector<Vector<Rational>>();
+    auto rows = vectors(list, place, 1);
+    if (rows.size() != at.size())
+      refuse(place,
+             std::to_string(rows.size()) + " for " + std::to_string(at.size()) + " parameters",
+             list);
+    return rows;
+  };
+  const auto second = given(f2, "f2");
+  if (second.empty()) refuse_type("f2", "a list of vectors", f2);
+  const auto third = given(f3, "f3");
+  const auto tangent = given(tangents, "tangents");
+  CheckQuery query;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    GivenFrame frame{at[k], second[k]};
+    if (!third.empty()) frame.f3 = third[k];
+    if (!tangent.empty()) frame.tangent = tangent[k];
+    query.frames.push_back(std::move(frame));
+  }
+  if (!start.is_none() || !start_normal.is_none())
+    query.options.start = frame_start(start, start_normal, named.path, Reference::euler_rodrigues);
+  query.options.tolerance = rational(tolerance, "tolerance");
+  if (query.options.tolerance.sign() <= 0) refuse("tolerance", "it is not positive", tolerance);
+  return nb::cast(CheckObject{
+      without_gil([&] { return answer(named, query); }),
+      method_recipe(self, "check", ts, f2, f3, tangents, tolerance, start, start_normal)});
+}
+
+}  // namespace
+
+void bind_check(nb::module_& m, nb::class_<PathObject>& path) {
+  path.def(
+      "check", check, nb::arg("ts"), nb::arg("f2"), nb::arg("f3") = nb::none(),
+      nb::arg("tangents") = nb::none(), nb::arg("tolerance") = "1e-6", PHRAME_START_PARAMETERS,
+      nb::sig("def check(self, ts: Numbers, f2: Vectors, f3: Vectors | None = None, tangents: "
+              "Vectors | None = None, tolerance: Number = '1e-6', " PHRAME_START_SIG
+              ") -> CheckResult"),
+      "How far frames that another program has computed are from the rotation-minimizing one.");
+  auto type = nb::class_<CheckObject>(m, "CheckResult", "The verdict on frames: docs/check.md.");
+  using C = CheckObject;
+  type.def_prop_ro("passes", [](const C& c) { return c.found.verdict.passes; })
+      .def("__bool__", [](const C& c) { return c.found.verdict.passes; })
+      .def_prop_ro(
+          "max_error", [](const C& c) { return ends(c.found.verdict.max_error); },
+          nb::sig("def max_error(self) -> tuple[fractions.Fraction, fractions.Fraction]"),
+          "Bounds of the greatest angle between f2 and the exact one, in radians.")
+      .def_prop_ro(
+          "errors",
+          [](const C& c) {
+            nb::list list;
+            for (const auto& error : c.found.verdict.errors)
+              list.append(error ? ends(*error) : nb::none());
+            return nb::tuple(list);
+          },
+          nb::sig("def errors(self) -> tuple[tuple[fractions.Fraction, fractions.Fraction] | "
+                  "None, ...]"),
+          "Bounds of the angle of each f2 to the exact one; None where there is none.")
+      .def_prop_ro("worst_sample", [](const C& c) { return c.found.verdict.worst_sample; })
+      .def_prop_ro("summary", [](const C& c) { return summary(c.found); })
+      .def("text", [](const C& c) { return for_reading(to_text(c.found, {}), true); })
+      .def(
+          "json", [](const C& c) { return to_json(c.found, {}); }, "check/1.")
+      .def("__str__", [](const C& c) { return for_reading(to_text(c.found, {}), false); })
+      .def("__repr__", [](const C& c) {
+        return "<CheckResult: " + for_reading(summary(c.found), false) + ">";
+      });
+  bind_recipe(type);
+}
+
+}  // namespace phrame::python

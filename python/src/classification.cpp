@@ -1,0 +1,99 @@
+#include "answers.hpp"
+
+namespace phrame::python {
+namespace {
+
+struct ClassificationObject {
+  ClassificationAnswer found;
+  nb::object recipe;
+};
+
+const Classification& of_curve(const ClassificationObject& self) {
+  if (!self.found.path.path.is_curve())
+    throw DomainError("classification: that is asked of single curves; classify path.segments");
+  return self.found.classification.segments.front();
+}
+
+nb::object vector_or_none(const std::optional<Vector<Rational>>& v) {
+  return v ? to_python(*v) : nb::none();
+}
+
+#define PHRAME_VECTOR_SIG "tuple[fractions.Fraction, fractions.Fraction, fractions.Fraction]"
+#define PHRAME_ROOTS_SIG "tuple[tuple[fractions.Fraction | Real, int], ...]"
+
+}  // namespace
+
+void bind_classification(nb::module_& m, nb::class_<PathObject>& path) {
+  const auto classify = [](nb::handle self) {
+    const auto& named = nb::cast<const PathObject&>(self).named;
+    return nb::cast(
+        ClassificationObject{without_gil([&] { return answer(named, ClassificationQuery{}); }),
+                             method_recipe(self, "classify")});
+  };
+  path.def("classify", classify, nb::sig("def classify(self) -> Classification"),
+           "Of which kinds the path is, decided exactly.");
+  auto type = nb::class_<ClassificationObject>(
+      m, "Classification", "Of which kinds a path is, with witnesses: docs/classification.md.");
+  using C = ClassificationObject;
+  type.def_prop_ro("is_regular", [](const C& c) { return c.found.classification.is_regular; })
+      .def_prop_ro(
+          "line", [](const C& c) { return vector_or_none(c.found.classification.line); },
+          nb::sig("def line(self) -> " PHRAME_VECTOR_SIG " | None"),
+          "The direction of a straight line.")
+      .def_prop_ro(
+          "normal", [](const C& c) { return vector_or_none(c.found.classification.normal); },
+          nb::sig("def normal(self) -> " PHRAME_VECTOR_SIG " | None"),
+          "Of the plane of a plane path.")
+      .def_prop_ro(
+          "helix",
+          [](const C& c) -> nb::object {
+            const auto& helix = c.found.classification.helix;
+            if (!helix) return nb::none();
+            return nb::make_tuple(to_python(helix->axis), to_python(helix->cosine_squared));
+          },
+          nb::sig("def helix(self) -> tuple[" PHRAME_VECTOR_SIG ", fractions.Fraction] | None"),
+          "The axis and cos² of the constant angle to it.")
+      .def_prop_ro("erf_is_rotation_minimizing",
+                   [](const C& c) { return c.found.classification.erf_is_rotation_minimizing; })
+      .def_prop_ro(
+          "cusps", [](const C& c) { return to_python(of_curve(c).cusps); },
+          nb::sig("def cusps(self) -> " PHRAME_ROOTS_SIG),
+          "On [0, 1], with their orders; of a curve, as all below.")
+      .def_prop_ro(
+          "inflections", [](const C& c) { return to_python(of_curve(c).inflections); },
+          nb::sig("def inflections(self) -> " PHRAME_ROOTS_SIG))
+      .def_prop_ro(
+          "double_ph",
+          [](const C& c) -> nb::object {
+            const auto& found = of_curve(c).double_ph;
+            if (!found) return nb::none();
+            return nb::make_tuple(to_python(found->constant), nb::cast(found->omega));
+          },
+          nb::sig("def double_ph(self) -> tuple[fractions.Fraction, Polynomial] | None"),
+          "(c, ω) with ρ = c·ω².")
+      .def_prop_ro(
+          "content", [](const C& c) { return of_curve(c).content; }, "gcd(x′, y′, z′).")
+      .def_prop_ro(
+          "rational_frame",
+          [](const C& c) -> nb::object {
+            const auto* frame = std::get_if<RationalFrame>(&of_curve(c).rational_frame);
+            if (frame == nullptr) return nb::none();
+            return nb::make_tuple(nb::cast(frame->w.re), nb::cast(frame->w.im));
+          },
+          nb::sig("def rational_frame(self) -> tuple[Polynomial, Polynomial] | None"),
+          "The parts of w with θ = 2·arg w where the rotation-minimizing frame is rational.")
+      .def_prop_ro("erf_is_monotone",
+                   [](const C& c) { return of_curve(c).erf_turning.is_monotone; })
+      .def("text", [](const C& c) { return for_reading(to_text(c.found), true); })
+      .def("latex", [](const C& c) { return to_latex(c.found); })
+      .def(
+          "json", [](const C& c) { return to_json(c.found); }, "classify/1.")
+      .def("__str__", [](const C& c) { return for_reading(to_text(c.found), false); })
+      .def("__repr__", [](const C& c) {
+        const std::string& name = c.found.path.name;
+        return "<Classification" + (name.empty() ? "" : " of " + abbreviated(name)) + ">";
+      });
+  bind_recipe(type);
+}
+
+}  // namespace phrame::python

@@ -1,0 +1,154 @@
+#include <cmath>
+#include <sstream>
+
+#include "answers.hpp"
+
+namespace phrame::python {
+namespace {
+
+struct IntegralObject {
+  IntegralQuery query;
+  std::optional<DefiniteIntegral> value;
+  Antiderivative antiderivative;
+  nb::object recipe;
+};
+
+PathEnd path_end(nb::handle x, const std::string& place) {
+  if (PyFloat_Check(x.ptr()) && std::isinf(PyFloat_AS_DOUBLE(x.ptr())))
+    return PyFloat_AS_DOUBLE(x.ptr()) > 0 ? Infinity::positive : Infinity::negative;
+  if (PyUnicode_Check(x.ptr()) == 0) return rational(x, place);
+  try {
+    return parse_endpoint(nb::cast<std::string>(x));
+  } catch (const InputError& error) {
+    refuse(place, error.what(), x);
+  }
+}
+
+Expression integrand_of(nb::handle f, nb::handle variable) {
+  const auto letter = [&]() -> std::optional<std::string> {
+    if (variable.is_none()) return std::nullopt;
+    return nb::cast<std::string>(variable);
+  }();
+  if (letter && !is_variable_name(*letter))
+    refuse("variable", "\"" + abbreviated(*letter) + "\" is no name of a variable", variable);
+  if (nb::isinstance<RationalFunction>(f))
+    return {nb::cast<const RationalFunction&>(f), letter.value_or("t")};
+  if (nb::isinstance<Polynomial>(f))
+    return {RationalFunction(nb::cast<const Polynomial&>(f)), letter.value_or("t")};
+  if (PyUnicode_Check(f.ptr()) == 0) refuse_type("f", "a str, RationalFunction or Polynomial", f);
+  try {
+    return parse_expression(nb::cast<std::string>(f), letter);
+  } catch (const InputError& error) {
+    refuse("f", error.what(), f);
+  }
+}
+
+nb::object integral(nb::handle f, nb::handle from, nb::handle to, nb::handle variable,
+                    bool principal_value, const std::string& style, const std::string& form) {
+  Expression expression = integrand_of(f, variable);
+  IntegralQuery query{.integrand = std::move(expression.value)};
+  query.variable = expression.variable.empty() ? "x" : expression.variable;
+  query.style = style_named(style);
+  query.form = form_named(form);
+  query.most_poles = 100;
+  if (from.is_none() != to.is_none())
+    refuse(from.is_none() ? "lower" : "upper", "both ends are wanted, or none", nb::none());
+  if (!from.is_none())
+    query.ends = IntegralQuery::Ends{path_end(from, "lower"), path_end(to, "upper"),
+                                     principal_value ? AtPoles::principal_value : AtPoles::refuse};
+  IntegralObject made{query, std::nullopt, {}, {}};
+  without_gil([&] {
+    made.antiderivative = integrate(query.integrand, query.form);
+    if (query.ends)
+      made.value =
+          path_integral(query.integrand, query.ends->from, query.ends->to, query.ends->at_poles);
+    return 0;
+  });
+  made.recipe =
+      remade("_integral", nb::cast(query.integrand), from, to, nb::str(query.variable.c_str()),
+             nb::bool_(principal_value), nb::str(style.c_str()), nb::str(form.c_str()));
+  return nb::cast(std::move(made));
+}
+
+IntegralAnswer integral_answer(const IntegralObject& self) {
+  return without_gil([&] { return answer(self.query); });
+}
+
+}  // namespace
+
+void bind_integral(nb::module_& m) {
+  m.def("_integral", integral, nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg().none(),
+        nb::arg(), nb::arg(), nb::arg());
+  m.def("integrate", integral, nb::arg("f"), nb::arg("lower") = nb::none(),
+        nb::arg("upper") = nb::none(), nb::kw_only(), nb::arg("variable") = nb::none(),
+        nb::arg("principal_value") = false, nb::arg("style") = "textbook", nb::arg("form") = "auto",
+        nb::sig(
+            "def integrate(f: str | RationalFunction | Polynomial, lower: Number | None = None, "
+            "upper: Number | None = None, *, variable: str | None = None, principal_value: bool = "
+            "False, style: str = 'textbook', form: str = 'auto') -> Integral"),
+        "The integral of a rational function, and its value between two ends: numbers, "
+        "\"inf\", \"sqrt(2)\", \"pi/4\".");
+  auto type = nb::class_<IntegralObject>(m, "Integral",
+                                         "The integral of a rational function, in closed form.");
+  type.def_prop_ro("integrand", [](const IntegralObject& self) { return self.query.integrand; })
+      .def_prop_ro("variable", [](const IntegralObject& self) { return self.query.variable; })
+      .def(
+          "value",
+          [](nb::handle self, nb::handle digits) {
+            const auto& of = nb::cast<const IntegralObject&>(self);
+            if (!of.value) throw InputError("value", "no ends were given to integrate()");
+            return number_or_digits(of.value->value, digits, method_recipe(self, "value"));
+          },
+          nb::arg("digits") = nb::none(),
+          nb::sig("@typing.overload\ndef value(self, digits: None = None) -> fractions.Fraction | "
+                  "Real: ...\n@typing.overload\ndef value(self, digits: int) -> decimal.Decimal"),
+          "The value between the ends; with `digits` a Decimal with so many.")
+      .def_prop_ro(
+          "exact",
+          [](const IntegralObject& self) -> std::optional<std::string> {
+            if (!self.value || !self.value->exact) return std::nullopt;
+            return formatted_sum(formatted_terms(*self.value->exact, Notation::unicode), "",
+                                 Notation::unicode);
+          },
+          "The value in finite terms where it is known so, as a text.")
+      .def("text",
+           [](const IntegralObject& self) {
+             return for_reading(to_text(integral_answer(self)), true);
+           })
+      .def("latex", [](const IntegralObject& self) { return to_latex(integral_answer(self)); })
+      .def(
+          "json", [](const IntegralObject& self) { return to_json(integral_answer(self)); },
+          "integral/1.")
+      .def(
+          "sympy",
+          [](const IntegralObject& self) {
+            IntegralQuery query = self.query;
+            query.ends.reset();
+            return imported("phrame._convert", "run_script")(
+                to_script(without_gil([&] { return answer(query); }), Language::sympy));
+          },
+          nb::sig("def sympy(self) -> typing.Any"), "The antiderivative, a SymPy expression.")
+      .def("__repr__",
+           [](const IntegralObject& self) {
+             std::ostringstream out;
+             out << self.query.integrand;
+             return "<Integral of " + abbreviated(out.str(), 200) + ">";
+           })
+      .def("__str__",
+           [](const IntegralObject& self) {
+             return for_reading(to_text(integral_answer(self)), false);
+           })
+      .def("_repr_latex_", [](const IntegralObject& self) {
+        const IntegralAnswer found = integral_answer(self);
+        const Letters letters = letters_for(found.variable, Notation::latex);
+        const auto terms = [&] {
+          if (const auto* book = std::get_if<TextbookForm>(&found.other))
+            return formatted_terms(*book, Notation::latex, letters);
+          return formatted_terms(found.antiderivative, Notation::latex, letters);
+        }();
+        return "$\\displaystyle " + formatted_sum(terms, "", Notation::latex) + "$";
+      });
+  bind_recipe(type);
+}
+
+}  // namespace phrame::python

@@ -1,0 +1,58 @@
+#include "parameters.hpp"
+
+#include <nanobind/ndarray.h>
+
+#include <cmath>
+
+namespace phrame::python {
+
+Parameters parameters(nb::handle ts, const std::string& place) {
+  Parameters found;
+  nb::object list = nb::borrow(ts);
+  if (nb::ndarray_check(ts) && nb::hasattr(ts, "dtype")) {
+    if (nb::cast<long>(ts.attr("ndim")) != 1)
+      refuse(place,
+             "an array of one dimension is wanted, its shape is " +
+                 nb::cast<std::string>(nb::str(nb::object(ts.attr("shape")))),
+             ts);
+    const std::string kind = nb::cast<std::string>(ts.attr("dtype").attr("kind"));
+    if (kind == "f" && nb::cast<long>(ts.attr("dtype").attr("itemsize")) <= 8) {
+      const auto array =
+          nb::cast<nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>>(
+              ts.attr("astype")("float64", nb::arg("order") = "C", nb::arg("copy") = false));
+      found.doubles.assign(array.data(), array.data() + array.shape(0));
+    } else {
+      list = ts.attr("tolist")();
+    }
+  }
+  if (found.doubles.empty()) found.fractions = rationals(list, place);
+  if (found.size() == 0) refuse(place, "it is empty", ts);
+  for (std::size_t k = 0; k < found.doubles.size(); ++k)
+    if (!std::isfinite(found.doubles[k]))
+      refuse(place + "[" + std::to_string(k) + "]", "not a finite number", ts);
+  for (const Rational& t : found.fractions) {
+    const double near = round_to_double(t);
+    if (!std::isfinite(near) || exact_rational(near) != t) {
+      found.doubles.clear();
+      return found;
+    }
+    found.doubles.push_back(near);
+  }
+  return found;
+}
+
+nb::object array(const std::shared_ptr<std::vector<double>>& numbers,
+                 const std::vector<std::size_t>& shape) {
+  using Owner = std::shared_ptr<std::vector<double>>;
+  const nb::capsule owner(new Owner(numbers),
+                          [](void* p) noexcept { delete static_cast<Owner*>(p); });
+  return nb::cast(
+      nb::ndarray<nb::numpy, double>(numbers->data(), shape.size(), shape.data(), owner));
+}
+
+double finite(double x) {
+  if (!std::isfinite(x)) throw InputError("the result is too large for a double");
+  return x;
+}
+
+}  // namespace phrame::python

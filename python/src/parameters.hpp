@@ -1,0 +1,34 @@
+#pragma once
+#include <memory>
+
+#include "numbers.hpp"
+
+namespace phrame::python {
+
+/// Parameters: doubles where all of them are, else fractions.
+struct Parameters {
+  std::vector<double> doubles;
+  std::vector<Rational> fractions;
+
+  std::size_t size() const { return doubles.empty() ? fractions.size() : doubles.size(); }
+  bool are_doubles() const { return !doubles.empty(); }
+  Rational operator[](std::size_t k) const {
+    return are_doubles() ? exact_rational(doubles[k]) : fractions[k];
+  }
+};
+
+/// Of an array of doubles, of one of another kind, or of a list of numbers.
+/// Refuses what is empty or not finite, named as `place`.
+Parameters parameters(nb::handle ts, const std::string& place);
+
+/// An array of these dimensions, which shares the numbers.
+nb::object array(const std::shared_ptr<std::vector<double>>& numbers,
+                 const std::vector<std::size_t>& shape);
+
+/// A number that no double can hold is no answer.
+double finite(double x);
+
+/// Below so many, to approximate first takes longer.
+constexpr std::size_t least_compiled = 16;
+
+}  // namespace phrame::python

@@ -1,0 +1,114 @@
+"""Arrays of frames, quaternions, matrices and points; progress, Ctrl-C, threads."""
+
+import os
+import random
+import signal
+import threading
+import time
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import phrame
+from common import QUINTIC, random_curve
+
+
+def test_many_frames_are_those_one_by_one():
+    """Those of arrays come from approximations with a proof, single ones from the closed form."""
+    rng = random.Random(5)
+    plane = phrame.Curve([1, 1], [0], [0], [0, 2])
+    for curve in (QUINTIC, plane, phrame.Path([QUINTIC.segment(0, "1/3"), QUINTIC.segment("1/3", 1)])):
+        ts = np.array([rng.random() * curve.end for _ in range(200)])
+        for start in (0, Fraction(1, 7)):
+            many = curve.frames(ts, start=start)
+            quaternions = curve.quaternions(ts, start=start)
+            for k in range(0, 200, 12):
+                assert (curve.frames([ts[k]], start=start)[0] == many[k]).all()
+                assert (curve.quaternions([ts[k]], start=start)[0] == quaternions[k]).all()
+            x, y, z, w = quaternions.T
+            matrix = np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                               [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                               [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
+            assert np.abs(matrix.transpose(2, 1, 0) - many).max() < 4e-16 * 4
+            assert (curve.matrices(ts, start=start)[:, :3, :3].transpose(0, 2, 1) == many).all()
+        angle = curve.angle(start=Fraction(1, 7))
+        assert (angle(ts) == [float(angle.value(t)) for t in ts]).all()
+
+
+def test_quaternions_are_continuous():
+    path = phrame.Path([QUINTIC.segment(0, "1/3"), QUINTIC.segment("1/3", 1)])
+    q = path.quaternions(np.linspace(0, 2, 2001))
+    assert (np.sum(q[1:] * q[:-1], axis=1) > 0.99).all()
+    assert np.abs(np.linalg.norm(q, axis=1) - 1).max() < 1e-15
+
+
+def test_points_round_correctly():
+    ts = [Fraction(k, 7) for k in range(8)]
+    expected = [[float(x) for x in QUINTIC.point(t)] for t in ts]
+    assert (QUINTIC.points(ts) == expected).all()
+
+
+def test_arrays_of_all_kinds_are_parameters():
+    exact = QUINTIC.frames([0, Fraction(1, 2), 1])
+    for ts in ((0, 0.5, 1), np.array([0, 0.5, 1]), np.array([0, 0.5, 1], dtype=np.float32),
+               np.array([0, 0, 0.5, 0, 1])[::2], ["0", "1/2", "1"],
+               np.array([0, Fraction(1, 2), 1], dtype=object)):
+        assert (QUINTIC.frames(ts) == exact).all() and QUINTIC.frames(ts).shape == (3, 3, 3)
+    assert (QUINTIC.points(np.array([0, 1])) == QUINTIC.points([0, 1])).all()
+
+
+def test_other_kinds_of_frames():
+    erf = QUINTIC.frames([0.25], kind="erf")[0]
+    frenet = QUINTIC.frames([0.25], kind="frenet")[0]
+    assert (erf[0] == frenet[0]).all() and abs(np.linalg.det(erf) - 1) < 1e-15
+    acceleration = np.array([float(r.derivative()(Fraction(1, 4))) for r in QUINTIC.hodograph])
+    assert abs(acceleration @ frenet[2]) < 1e-14 and acceleration @ frenet[1] > 0
+
+
+def test_progress_is_reported_and_can_stop():
+    seen = []
+    QUINTIC.frames(np.linspace(0, 1, 50_000), progress=lambda done, n: seen.append((done, n)))
+    assert seen[-1] == (50_000, 50_000)
+
+    def stop(done, n):
+        raise KeyError("enough")
+
+    with pytest.raises(KeyError):
+        QUINTIC.frames(np.linspace(0, 1, 50_000), progress=stop)
+
+
+def test_control_c_ends_at_once():
+    rng = random.Random(1)
+    curve = random_curve(rng, 30)
+    ts = [Fraction(k, 1_000_003) for k in range(20_000)]  # no doubles: each takes its time
+    sent = []
+
+    def interrupt():
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(0.15, interrupt)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        curve.frames(ts)
+    assert time.monotonic() - sent[0] < 2  # 0.06 s where there is a free core
+    assert QUINTIC.frames([0.5]).shape == (1, 3, 3)
+
+
+def test_threads_share_one_angle():
+    angle = random_curve(random.Random(3), 6).angle()
+    ts = [Fraction(k, 13) for k in range(14)]
+    expected = [angle.value(t, digits=30) for t in ts]
+    fresh = random_curve(random.Random(3), 6).angle()
+    found = {}
+
+    def ask(name):
+        found[name] = [fresh.value(t, digits=30) for t in ts]
+
+    threads = [threading.Thread(target=ask, args=(k,)) for k in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(values == expected for values in found.values()) and len(found) == 4

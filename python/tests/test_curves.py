@@ -1,0 +1,69 @@
+"""Curves in all forms, their polynomials, totals and kinds; constructions."""
+
+import json
+from fractions import Fraction
+
+import numpy as np
+
+import phrame
+from common import QUINTIC, ROOT
+
+
+def test_the_same_curve_in_all_forms():
+    by_quaternions = phrame.Curve.from_quaternions(
+        [[2, 1, 0, 1], [0, 1, -2, 2], [2, 0, 0, 1]], basis="bernstein")
+    by_hopf = phrame.Curve.from_hopf([(2, 1), (-4, 0), (4, -1)], [1 + 0j, 2 - 4j, (-2, 4)])
+    assert by_quaternions == by_hopf == QUINTIC and hash(by_hopf) == hash(QUINTIC)
+    again = phrame.Curve.from_control_points(QUINTIC.control_points)
+    assert again.hodograph == QUINTIC.hodograph and again.control_points == QUINTIC.control_points
+    assert phrame.Curve.from_json(QUINTIC.json()) == QUINTIC
+    file = ROOT / "examples/curves/farouki-2003-quintic.json"
+    assert phrame.Curve.read(file) == phrame.Path.read(str(file)) == QUINTIC
+
+
+def test_a_curve_is_what_it_says():
+    x, y, z = QUINTIC.hodograph
+    assert x * x + y * y + z * z == QUINTIC.sigma * QUINTIC.sigma
+    assert QUINTIC.degree == 5 and QUINTIC.end == 1 and QUINTIC.segments == (QUINTIC,)
+    assert QUINTIC.length == sum(c / (k + 1) for k, c in enumerate(QUINTIC.sigma.coefficients))
+    assert QUINTIC.point("1/3") == tuple(r(Fraction(1, 3)) for r in QUINTIC.position)
+    u, v, p, q = QUINTIC.preimage
+    assert QUINTIC.h == u * v.derivative() - u.derivative() * v - p * q.derivative() + p.derivative() * q
+    g_re, g_im = QUINTIC.g
+    four = phrame.Polynomial([4])
+    assert QUINTIC.rho == four * (g_re * g_re + g_im * g_im)
+    assert QUINTIC.squared_curvature("1/3") * QUINTIC.sigma("1/3") ** 4 == QUINTIC.rho("1/3")
+    assert QUINTIC.angle().rate()(2) == -2 * QUINTIC.h(2) / QUINTIC.sigma(2)
+    moved = QUINTIC.translated([1, 2, 3]).scaled(2)
+    assert moved.point(1) == tuple(2 * (x + n) for x, n in zip(QUINTIC.point(1), (1, 2, 3)))
+    assert QUINTIC.segment("1/4", 1).point(1) == QUINTIC.reversed().point(0) == QUINTIC.point(1)
+
+
+def test_constructions():
+    curve = phrame.Curve.hermite([0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 1])
+    assert isinstance(curve, phrame.Curve) and curve.degree == 5
+    assert all(abs(x - 1) < Fraction(1, 10**14) for x in curve.point(1))
+    assert all(abs(r(1) - d) < Fraction(1, 10**14) for r, d in zip(curve.hodograph, (0, 1, 1)))
+    points = np.array([[0, 0, 0], [1, 0.5, 0], [2, 0, 1], [3, 1, 1]])
+    path = phrame.Curve.through(points)
+    assert isinstance(path, phrame.Path) and not isinstance(path, phrame.Curve) and path.end == 3
+    assert np.abs(path.points([0, 1, 2, 3]) - points).max() < 1e-14
+    assert phrame.Path(path.segments) == path
+    closed = phrame.Curve.through(points, closed=True)
+    assert closed.is_closed and closed.point(0) == closed.point(closed.end) and closed.holonomy is not None
+    rounded = [[float(x) + 1e-17 for x in point] for point in QUINTIC.control_points]
+    near = phrame.Curve.near(rounded, "1e-12")
+    off = max(abs(a - Fraction(b)) for p, q in zip(near.control_points, rounded) for a, b in zip(p, q))
+    assert off <= Fraction(1, 10**12)
+
+
+def test_classification_and_totals():
+    helix = phrame.Curve([1], [0, 1], [0], [0, 1])
+    assert QUINTIC.classify().is_regular and QUINTIC.classify().helix is None
+    plane = phrame.Curve([1, 1], [0], [0], [0, 2]).classify()
+    assert plane.normal == (0, 0, 1) and plane.rational_frame is not None and plane.erf_is_rotation_minimizing
+    cusp = phrame.Curve([-1, 2], [0], [0], [0])
+    assert cusp.classify().cusps == ((Fraction(1, 2), 2),) and not cusp.classify().is_regular
+    assert cusp.bending_energy == 0 and cusp.classify().line == (1, 0, 0)
+    assert helix.total_curvature is None or float(helix.total_curvature) > 0
+    assert float(QUINTIC.erf_twist) == -QUINTIC.angle()(1.0)
