@@ -49,7 +49,7 @@ struct SeriesExpansion {
 
 namespace {
 
-constexpr long greatest_level = 8192;
+constexpr long greatest_level = 4096;
 
 SeriesPart half_of(const SeriesPart& part, long side) {
   SeriesPart half;

@@ -29,7 +29,7 @@ class TaylorIntegral {
   /// In lowest terms, D > 0 on [0, 1] and S squarefree.
   const RootQuotient& integrand() const;
   /// A ball around F(t) with a radius of about 2^−bits times ∫₀¹ |N/(D√S)|. Throws DomainError for
-  /// t outside [0, 1], Undecided where the parts would be shorter than 2^−8192 or their Taylor
+  /// t outside [0, 1], Undecided where the parts would be shorter than 2^−4096 or their Taylor
   /// series do not do.
   RealBall enclose(const Rational& t, long bits) const;
   /// The same for all t of [0, 1] in a ball, at least one.

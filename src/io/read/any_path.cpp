@@ -60,6 +60,7 @@ GivenSegments read_spline_segments(const JsonNode& spline, const CurveLimits& li
 AnyPath read_json_path(std::string_view text, const CurveLimits& limits) {
   const JsonValue document = parse_json_file(text, "curve file");
   const JsonNode node(document);
+  if (is_geomdl_file(node) || is_three_file(node)) refuse_long_numbers(node);
   if (is_geomdl_file(node)) {
     const auto name = node.at("shape").find("name");
     return path_of(name ? name->string() : "", read_geomdl(node, limits));
@@ -95,6 +96,7 @@ bool is_table(std::string_view text) {
 
 AnyPath read_any_path(const JsonNode& node, const CurveLimits& limits) {
   const std::string format = format_at(node, "curve/1");
+  refuse_long_numbers(node);
   if (format == "spline/1") return path_of(read_name(node), read_spline_segments(node, limits));
   if (format == "bspline/1" || format == "nurbs/1")
     return path_of(read_name(node), read_bspline(node, limits));

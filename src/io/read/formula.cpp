@@ -1,4 +1,5 @@
 #include "phrame/io/read/formula.hpp"
+#include "phrame/io/read/number.hpp"
 
 #include <fmt/format.h>
 
@@ -209,13 +210,10 @@ void FormulaParser::read_number(std::string_view number) {
   std::optional<Rational> value;
   try {
     value = parse_rational(number);
+    refuse_long_number(*value, number);
   } catch (const InputError& error) {
     fail(at_, error.reason());
   }
-  constexpr long most_number_bits = 20'000;
-  if (bits_of(*value) > most_number_bits)
-    fail(at_,
-         fmt::format("the number {} has more than {} bits", abbreviated(number), most_number_bits));
   push({list_.number(*value), at_, value});
 }
 

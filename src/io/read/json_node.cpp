@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/read/number.hpp"
 #include "phrame/io/read/suggestion.hpp"
 
 namespace phrame {
@@ -64,6 +65,18 @@ bool JsonNode::boolean() const {
   return value_->text == "true";
 }
 
+std::optional<Rational> JsonNode::long_number() const {
+  const std::string& text = value_->text;
+  constexpr std::size_t short_text = 1000;  // without an exponent
+  if (text.size() <= short_text && text.find_first_of("eE") == std::string::npos)
+    return std::nullopt;
+  try {
+    return parse_rational(text);
+  } catch (const InputError&) {
+    return std::nullopt;  // a name, perhaps; else it is complained of where it is read
+  }
+}
+
 Rational JsonNode::number() const {
   if (value_->kind != Kind::number && value_->kind != Kind::string)
     fail(fmt::format("a number is wanted, not {}", description(*value_)));
@@ -71,6 +84,24 @@ Rational JsonNode::number() const {
     return parse_rational(value_->text);
   } catch (const InputError& error) {
     fail(error.reason());
+  }
+}
+
+void refuse_long_numbers(const JsonNode& node) {
+  if (node.is(JsonNode::Kind::object)) {
+    for (const std::string& key : node.keys())
+      if (key == "preimage" || key == "quaternions" || key == "hopf") return;
+    for (const std::string& key : node.keys()) refuse_long_numbers(node.at(key));
+  }
+  if (node.is(JsonNode::Kind::array))
+    for (std::size_t k = 0; k < node.size(); ++k) refuse_long_numbers(node.item(k));
+  if (!node.is(JsonNode::Kind::number) && !node.is(JsonNode::Kind::string)) return;
+  const auto number = node.long_number();
+  if (!number) return;
+  try {
+    refuse_long_number(*number, node.text());
+  } catch (const InputError& error) {
+    node.fail(error.reason());
   }
 }
 

@@ -35,9 +35,12 @@ class JsonNode {
   std::vector<Rational> numbers(std::size_t count) const;  ///< exactly so many
 
   const std::string& string() const;
+  const std::string& text() const { return value_->text; }  ///< as it is written; of an atom
   bool boolean() const;
   /// Of a number, or of a string that holds one; exact.
   Rational number() const;
+  /// The number that is there, if it is one that may have many bits by its text.
+  std::optional<Rational> long_number() const;
 
  private:
   JsonNode(const JsonValue& value, std::string pointer)
@@ -46,5 +49,9 @@ class JsonNode {
   const JsonValue* value_;
   std::string pointer_;
 };
+
+/// Throws InputError at the first number in it that refuse_long_number() refuses, but for preimages
+/// of PH curves, which take less algebra.
+void refuse_long_numbers(const JsonNode& node);
 
 }  // namespace phrame

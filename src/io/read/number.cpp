@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/real.hpp"
 
 namespace phrame {
 
@@ -41,6 +42,12 @@ Rational parse_number(std::string_view text) {
   }
   if (d == 0) throw InputError("\"" + abbreviated(text) + "\" divides by zero");
   return n / d;
+}
+
+void refuse_long_number(const Rational& x, std::string_view text) {
+  if (bits_of(x) > most_number_bits)
+    throw InputError(
+        fmt::format("the number {} has more than {} bits", abbreviated(text), most_number_bits));
 }
 
 }  // namespace phrame

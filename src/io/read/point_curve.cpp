@@ -7,6 +7,7 @@
 #include <map>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/real.hpp"
 #include "phrame/io/read/npy.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/read/point_file.hpp"
@@ -121,6 +122,24 @@ void refuse_other_data(const GivenPoints& given, const std::string& place) {
     throw InputError(place, "accelerations are for construct; a cubic spline takes none");
 }
 
+void refuse_long_numbers(const GivenPoints& given, const std::vector<Rational>& weights,
+                         const PointPlace& place) {
+  for (std::size_t k = 0; k < given.points.size(); ++k) {
+    const auto refuse = [](const Rational& x) {
+      if (bits_of(x) > most_number_bits) refuse_long_number(x, to_string(x));
+    };
+    try {
+      for (const Rational& x : given.points[k]) refuse(x);
+      if (!given.derivatives.empty())
+        for (const Rational& x : given.derivatives[k]) refuse(x);
+      if (!given.parameters.empty()) refuse(given.parameters[k]);
+      if (!weights.empty()) refuse(weights[k]);
+    } catch (const InputError& error) {
+      throw InputError(place(k), error.reason());
+    }
+  }
+}
+
 /// Lines "# key: value" of the keys that are known.
 Settings read_comments(std::string_view text) {
   Settings settings;
@@ -218,6 +237,7 @@ PointCurve table_curve(const Table& table, const GivenPoints& given, const Setti
     return table.place(std::min(k, table.rows() - 1));
   };
   refuse_other_data(given, place(0));
+  refuse_long_numbers(given, weights, place);
   if (kind == TableKind::bezier || kind == TableKind::bspline) {
     if (!given.derivatives.empty() || !given.parameters.empty())
       throw InputError(place(0), "control points have neither derivatives nor parameters");

@@ -7,6 +7,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/expression_token.hpp"
+#include "phrame/io/read/number.hpp"
 
 namespace phrame {
 namespace {
@@ -64,6 +65,7 @@ Rational SvgNumbers::number() {
     digits.erase(point, 1);  // "5." and "5.e3"
   try {
     Rational value = parse_rational(digits);
+    refuse_long_number(value, digits);
     at_ += length;
     skip();
     return value;

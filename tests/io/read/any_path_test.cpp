@@ -221,3 +221,29 @@ TEST_CASE("what is wrong is refused at its place, in one line") {
   CHECK(refusal("") == "1:1: not valid JSON: the input is empty");
   CHECK(refusal(object("curve/2", cubic)).starts_with("/phrame: the format is \"curve/1\", "));
 }
+
+TEST_CASE("numbers of more than 20000 bits are refused where they are, but in preimages") {
+  const auto refused = [](const std::string& text) {
+    try {
+      read_any_path(text);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string long_number = "has more than 20000 bits";
+  CHECK(refused(object("curve/1", R"("control_points": [[0, 0], [1, 1e99999], [2, 0], [3, 1]])")) ==
+        "/control_points/1/1: the number 1e99999 " + long_number);
+  CHECK(refused(object("nurbs/1", R"("degree": 1, "knots": [0, 0, "1E-9999", 1],
+                       "control_points": [[0, 0], [1, 1]], "weights": [1, 1])")) ==
+        "/knots/2: the number 1E-9999 " + long_number);
+  CHECK(refused("x,y,z\n0,0,0\n1e-7000,1,1\n2,1,0\n").starts_with("line 3: the number 1/1000"));
+  CHECK(refused("M 0 0 C 1 2 1e99999 4 5 5") == "1:13: the number 1e99999 " + long_number);
+  CHECK(refused(object("curve/1", R"("control_points": [[0, 0, 0], [1, 1e5999, 0], [2, 0, 1]])"))
+            .empty());
+  CHECK(
+      refused(
+          object("curve/1",
+                 R"("basis": "power", "preimage": {"u": [1e7000], "v": [0], "p": [0], "q": [1]})"))
+          .empty());
+}
