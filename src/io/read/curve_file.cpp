@@ -33,7 +33,7 @@ bool is_format_of_any_curve(std::string_view format) {
 
 /// Is it given in a way that only curves of any kind are?
 bool is_given_as_rational(const Node& node) {
-  return node.find("weights") || node.find("position");
+  return node.find("weights") || node.find("position") || node.find("expressions");
 }
 
 NamedCurve read_any_curve(const Node& node, const CurveLimits& limits) {
@@ -144,7 +144,10 @@ std::optional<NearReading> read_curve_near(const Node& node, const Rational& eps
 
 /// Of a curve whose weight function is constant.
 NamedHodograph rational_hodograph(const Node& node, const CurveLimits& limits) {
-  const auto curve = std::get<RationalCurve>(read_curve_segment(node, limits).form);
+  const GivenSegment segment = read_curve_segment(node, limits);
+  if (std::holds_alternative<ExpressionCurve>(segment.form))
+    node.fail("the curve is given by formulas; only polynomial ones are identified as PH curves");
+  const auto& curve = std::get<RationalCurve>(segment.form);
   if (!curve.weight().is_constant())
     node.fail("the curve is rational; only polynomial ones are identified as PH curves");
   Vector<Polynomial> hodograph = curve.direction();

@@ -123,8 +123,8 @@ void require_format(const Node& node, std::string_view wanted) {
 
 void require_curve_keys(const Node& node) {
   node.require_known_keys({"phrame", "name", "basis", "start", "preimage", "quaternions", "hopf",
-                           "control_points", "weights", "position", "multiplier", "note", "family",
-                           "expected"});
+                           "control_points", "weights", "position", "expressions", "variable",
+                           "from", "to", "multiplier", "note", "family", "expected"});
 }
 
 void require_curve(const Node& node) {

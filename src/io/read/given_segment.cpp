@@ -6,9 +6,10 @@
 namespace phrame {
 namespace {
 
-RationalCurve smooth_curve(const GivenSegment& segment) {
-  const auto* curve = std::get_if<Curve>(&segment.form);
-  return curve != nullptr ? RationalCurve(position(*curve)) : std::get<RationalCurve>(segment.form);
+SmoothSegment smooth_curve(const GivenSegment& segment) {
+  if (const auto* curve = std::get_if<Curve>(&segment.form)) return RationalCurve(position(*curve));
+  if (const auto* curve = std::get_if<RationalCurve>(&segment.form)) return *curve;
+  return std::get<ExpressionCurve>(segment.form);
 }
 
 /// The first is there; what append() refuses is an error at the place of its segment.
@@ -41,6 +42,7 @@ GivenSegment bezier_segment(const RationalBezier& bezier, const std::string& pla
 
 std::variant<Curve, std::string> identify_segment(const GivenSegment& segment) {
   if (const auto* curve = std::get_if<Curve>(&segment.form)) return *curve;
+  if (std::holds_alternative<ExpressionCurve>(segment.form)) return "it is given by formulas";
   const auto& curve = std::get<RationalCurve>(segment.form);
   if (!curve.weight().is_constant()) return "its weight function is no constant";
   Vector<Polynomial> hodograph = curve.direction();
@@ -52,7 +54,16 @@ std::variant<Curve, std::string> identify_segment(const GivenSegment& segment) {
 
 Vector<Rational> end_point(const GivenSegment& segment) {
   if (const auto* curve = std::get_if<Curve>(&segment.form)) return evaluate(position(*curve), 1);
-  return point(std::get<RationalCurve>(segment.form), 1);
+  if (const auto* curve = std::get_if<RationalCurve>(&segment.form)) return point(*curve, 1);
+  FormulaProgram program;
+  const ExactVector end = exact_point(std::get<ExpressionCurve>(segment.form), 1, program);
+  Vector<Rational> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Rational* x = program.rational(end[k]);
+    if (x == nullptr) fail_at(segment, "it does not end at fractions: the next one needs a start");
+    result[k] = *x;
+  }
+  return result;
 }
 
 AnyPath path_of(std::string name, const std::vector<GivenSegment>& segments) {
@@ -67,7 +78,7 @@ AnyPath path_of(std::string name, const std::vector<GivenSegment>& segments) {
     append_all(path, segments, ph);
     return NamedPath(std::move(name), std::move(path));
   }
-  std::vector<RationalCurve> curves;
+  std::vector<SmoothSegment> curves;
   for (const GivenSegment& segment : segments) curves.push_back(smooth_curve(segment));
   SmoothPath path(curves.front());
   append_all(path, segments, curves);

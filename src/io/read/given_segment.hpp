@@ -11,8 +11,8 @@ namespace phrame {
 
 /// A piece of a path as it was read, before it is known what all pieces make.
 struct GivenSegment {
-  /// A PH curve, or X/W.
-  using Form = std::variant<Curve, RationalCurve>;
+  /// A PH curve, X/W, or formulas.
+  using Form = std::variant<Curve, RationalCurve, ExpressionCurve>;
   Form form;
   std::string place;      ///< where it is in the file
   std::string part = {};  ///< which part of that it is, "between the knots 0 and 1"; may be empty
@@ -28,7 +28,7 @@ GivenSegment bezier_segment(const RationalBezier& bezier, const std::string& pla
 /// The PH curve that the segment is, or in words why it is none.
 std::variant<Curve, std::string> identify_segment(const GivenSegment& segment);
 
-/// r(1).
+/// r(1). Throws InputError where that of formulas is not seen to be of fractions.
 Vector<Rational> end_point(const GivenSegment& segment);
 
 /// Of segments, at least one, the path: that of PH curves where all of them are, identified where

@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/curve_node.hpp"
+#include "phrame/io/read/expression_node.hpp"
 
 namespace phrame {
 namespace {
@@ -65,6 +66,11 @@ GivenSegment read_position_segment(const JsonNode& node, const JsonNode& positio
 
 GivenSegment read_curve_segment(const JsonNode& node, const CurveLimits& limits) {
   require_curve_keys(node);
+  if (const auto expressions = node.find("expressions"))
+    return read_expression_segment(node, *expressions);
+  for (const char* of_expressions : {"variable", "from", "to"})
+    if (const auto given = node.find(of_expressions))
+      given->fail("this is of \"expressions\", which are missing");
   if (const auto list = node.find("control_points"))
     return read_bezier_segment(node, *list, limits);
   if (const auto position = node.find("position"))

@@ -6,7 +6,6 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/frame/path_totals.hpp"
-#include "phrame/ph/smooth/curve_integrands.hpp"
 #include "phrame/ph/smooth/smooth_angle.hpp"
 #include "phrame/ph/smooth/up_vector.hpp"
 
@@ -29,19 +28,6 @@ const std::array<Vector<Rational>, 9> projections{{{0, 0, 1},
                                                    {-13, 5, 17},
                                                    {19, -23, 29}}};
 
-void check_closed(const ExpressionCurve& curve) {
-  FormulaProgram program;
-  const auto meet =
-      are_equal(program, exact_point(curve, 0, program), exact_point(curve, 1, program));
-  if (meet == false) throw DomainError("the curve is not closed: its ends do not meet");
-  const ExactVector start = exact_direction(curve, 0, program);
-  const auto is_smooth = have_same_direction(program, exact_direction(curve, 1, program), start);
-  if (is_smooth == false)
-    throw DomainError("the curve is not closed: its tangent breaks where its ends meet");
-  if (!meet || !is_smooth)
-    throw Undecided("whether the curve is closed is not told: its ends agree to 1024 bits");
-}
-
 void check_closed(const Path& path) {
   if (!path.closing_turn()) throw DomainError("the curve is not closed with a continuous tangent");
   Signs signs;
@@ -54,18 +40,14 @@ void check_closed(const Path& path) {
     throw DomainError("the curve turns back at a cusp, so that it has no writhe");
 }
 
-void check_closed(const SmoothPath& path, const std::vector<RationalCurve>& curves) {
-  if (!path.is_closed()) throw DomainError("the curve is not closed with a continuous tangent");
-  for (const RationalCurve& curve : curves)
-    if (count_real_roots(curve.multiplier(), {0, 1}) > 0)
-      throw DomainError("the curve has a cusp, so that it has no writhe");
-}
-
-std::vector<RationalCurve> rational_segments(const SmoothPath& path) {
-  std::vector<RationalCurve> curves;
+void check_closed(const SmoothPath& path) {
+  if (!path.ends_meet()) throw DomainError("the curve is not closed: its ends do not meet");
+  if (!path.is_closed())
+    throw DomainError("the curve is not closed: its tangent breaks where its ends meet");
   for (const SmoothSegment& segment : path.segments())
-    curves.push_back(std::get<RationalCurve>(segment));
-  return curves;
+    if (const auto* curve = std::get_if<RationalCurve>(&segment);
+        curve != nullptr && count_real_roots(curve->multiplier(), {0, 1}) > 0)
+      throw DomainError("the curve has a cusp, so that it has no writhe");
 }
 
 RealBall in_turns(const RealBall& angle, long bits) {
@@ -95,17 +77,6 @@ GaussianPolynomial part_across(const QuaternionPolynomial& a, const Vector<Ratio
 
 }  // namespace
 
-std::optional<ClosedFrame> closed_frame(const ExpressionCurve& curve, const Vector<Rational>& v) {
-  check_closed(curve);
-  TaylorParts found = taylor_parts(curve, up_frame_rate(v));
-  if (found.fault) return std::nullopt;
-  const auto crossings = self_crossings(series_of(curve), v);
-  if (!crossings) return std::nullopt;
-  const ExpressionIntegral turn(curve, up_frame_rate(v), std::move(found.parts));
-  return ClosedFrame{v, sum_of_signs(*crossings),
-                     Real([turn](long bits) { return in_turns(turn.enclose(1, bits), bits + 8); })};
-}
-
 std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>& v) {
   check_closed(path);
   std::vector<ContinuousArgument> angles;
@@ -130,15 +101,14 @@ std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>
 }
 
 std::optional<ClosedFrame> closed_frame(const SmoothPath& path, const Vector<Rational>& v) {
-  const std::vector<RationalCurve> curves = rational_segments(path);
-  check_closed(path, curves);
-  for (const RationalCurve& curve : curves)
-    if (tangent_along(curve, v)) return std::nullopt;
-  const auto crossings = self_crossings(series_of(curves), v);
+  check_closed(path);
+  for (const SmoothSegment& segment : path.segments())
+    if (tangent_along(segment, v)) return std::nullopt;
+  const auto crossings = self_crossings(series_of(path), v);
   if (!crossings) return std::nullopt;
   const SmoothAngle angle(path, v);
-  const bool is_reversed = sign_after_zero(curves.front().multiplier()) < 0;
-  const Real end = angle.value({curves.size() - 1, Rational(1)});
+  const bool is_reversed = orientation(path.segments().front()) < 0;
+  const Real end = angle.value({path.segments().size() - 1, Rational(1)});
   const Real turn = is_reversed ? end : -end;
   return ClosedFrame{v, sum_of_signs(*crossings), Real([turn](long bits) {
                        return in_turns(turn.enclose(bits + 8), bits + 8);
@@ -146,7 +116,6 @@ std::optional<ClosedFrame> closed_frame(const SmoothPath& path, const Vector<Rat
 }
 
 ClosedFrame closed_frame(const SmoothPath& path) { return first_closed_frame(path); }
-ClosedFrame closed_frame(const ExpressionCurve& curve) { return first_closed_frame(curve); }
 ClosedFrame closed_frame(const Path& path) { return first_closed_frame(path); }
 
 Real writhe(const ClosedFrame& frame) { return Real(Rational(frame.linking)) + -frame.twist; }

@@ -19,12 +19,10 @@ struct ClosedFrame {
 /// curve is not closed with a continuous tangent, or has a cusp; Undecided where no v decides, as
 /// where the curve meets itself, and where it is not told whether it is closed. The twist of a PH
 /// curve has a closed form. Cost: that of the crossings; the twist is found when it is asked for.
-ClosedFrame closed_frame(const ExpressionCurve& curve);
 ClosedFrame closed_frame(const Path& path);
 ClosedFrame closed_frame(const SmoothPath& path);
 /// @}
 /// @{ With this v, or no value where it does not decide.
-std::optional<ClosedFrame> closed_frame(const ExpressionCurve& curve, const Vector<Rational>& v);
 std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>& v);
 std::optional<ClosedFrame> closed_frame(const SmoothPath& path, const Vector<Rational>& v);
 /// @}

@@ -35,6 +35,17 @@ CurveIntegrand bending_rate() {
   };
 }
 
+CurveIntegrand frenet_energy_rate() {
+  return [](const CurveJet& jet) {
+    const Vector<DiscFunction> bend = cross(jet.first, jet.second);
+    const DiscFunction sigma = dot(jet.first, jet.first);
+    const DiscFunction rho = dot(bend, bend);
+    const DiscFunction volume = dot(bend, jet.third);
+    return DiscProduct{rho * rho * rho + sigma * sigma * sigma * volume * volume,
+                       {{sigma, -5}, {rho, -4}}};
+  };
+}
+
 CurveIntegrand up_frame_rate(const Vector<Rational>& v) {
   return [v](const CurveJet& jet) {
     const DiscFunction& like = jet.first[0];
@@ -43,6 +54,14 @@ CurveIntegrand up_frame_rate(const Vector<Rational>& v) {
     const Vector<DiscFunction> side = cross(up, jet.first);
     return DiscProduct{dot(up, jet.first) * dot(side, jet.second),
                        {{dot(side, side), -2}, {dot(jet.first, jet.first), -1}}};
+  };
+}
+
+CurveIntegrand negative(const CurveIntegrand& y) {
+  return [y](const CurveJet& jet) {
+    DiscProduct product = y(jet);
+    product.numerator = constant_like(product.numerator, 0) - product.numerator;
+    return product;
   };
 }
 

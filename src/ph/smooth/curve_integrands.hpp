@@ -10,8 +10,12 @@ CurveIntegrand length_rate();     ///< |r′|
 CurveIntegrand curvature_rate();  ///< κ|r′| = √ρ/|r′|²; ρ ≠ 0
 CurveIntegrand torsion_rate();    ///< τ|r′| = det(r′, r″, r‴)·|r′|/ρ; ρ ≠ 0
 CurveIntegrand bending_rate();    ///< κ²|r′| = ρ/|r′|⁵
+/// (κ² + τ²)|r′| = (ρ³ + |r′|⁶ det(r′, r″, r‴)²)/(|r′|⁵ρ²); ρ ≠ 0
+CurveIntegrand frenet_energy_rate();
 /// How fast the frame of v, e₂ = v × r′/|v × r′| and e₃ = e₁ × e₂, turns about e₁: e₂′·e₃ =
 ///   (v·r′)·det(v, r′, r″)/(|r′|·|v × r′|²),  v × r′ ≠ 0.
 CurveIntegrand up_frame_rate(const Vector<Rational>& v);
+/// −y.
+CurveIntegrand negative(const CurveIntegrand& y);
 
 }  // namespace phrame

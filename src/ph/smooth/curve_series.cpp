@@ -16,32 +16,34 @@ BallPolynomial taylor_series(const Polynomial& p, const RealBall& t, long length
   return value;
 }
 
+Vector<BallPolynomial> series_around(const RationalCurve& curve, const RealBall& t, long length,
+                                     long bits) {
+  const BallPolynomial weight = taylor_series(curve.weight(), t, length, bits);
+  const bool is_polynomial = curve.weight() == Polynomial{1};
+  Vector<BallPolynomial> r;
+  for (std::size_t k = 0; k < 3; ++k) {
+    r[k] = taylor_series(curve.numerator()[k], t, length, bits);
+    if (!is_polynomial) r[k] = divide_series(r[k], weight, length, bits);
+  }
+  return r;
+}
+
+Vector<BallPolynomial> series_around(const ExpressionCurve& curve, const RealBall& t, long length,
+                                     long bits) {
+  return curve.series(t, 1, length, bits);
+}
+
 }  // namespace
 
-CurveSeries series_of(const std::vector<RationalCurve>& curves) {
-  return {curves.size(), [curves](std::size_t segment, const RealBall& t, long length, long bits) {
-            const RationalCurve& curve = curves[segment];
-            const BallPolynomial weight = taylor_series(curve.weight(), t, length, bits);
-            const bool is_polynomial = curve.weight() == Polynomial{1};
-            Vector<BallPolynomial> r;
-            for (std::size_t k = 0; k < 3; ++k) {
-              r[k] = taylor_series(curve.numerator()[k], t, length, bits);
-              if (!is_polynomial) r[k] = divide_series(r[k], weight, length, bits);
-            }
-            return r;
+CurveSeries series_of(const SmoothPath& path) {
+  return {path.segments().size(),
+          [path](std::size_t segment, const RealBall& t, long length, long bits) {
+            return std::visit(
+                [&](const auto& curve) { return series_around(curve, t, length, bits); },
+                path.segments()[segment]);
           }};
 }
 
-CurveSeries series_of(const Path& path) {
-  std::vector<RationalCurve> curves;
-  for (const Curve& curve : path.segments()) curves.emplace_back(position(curve));
-  return series_of(curves);
-}
-
-CurveSeries series_of(const ExpressionCurve& curve) {
-  return {1, [curve](std::size_t, const RealBall& t, long length, long bits) {
-            return curve.series(t, 1, length, bits);
-          }};
-}
+CurveSeries series_of(const Path& path) { return series_of(by_positions(path)); }
 
 }  // namespace phrame

@@ -3,8 +3,7 @@
 
 #include "phrame/algebra/ball_series.hpp"
 #include "phrame/ph/curve/path.hpp"
-#include "phrame/ph/smooth/expression_curve.hpp"
-#include "phrame/ph/smooth/rational_curve.hpp"
+#include "phrame/ph/smooth/smooth_path.hpp"
 
 namespace phrame {
 
@@ -20,8 +19,7 @@ struct CurveSeries {
 
 /// @{ Of such a curve.
 CurveSeries series_of(const Path& path);
-CurveSeries series_of(const std::vector<RationalCurve>& curves);
-CurveSeries series_of(const ExpressionCurve& curve);
+CurveSeries series_of(const SmoothPath& path);
 /// @}
 
 }  // namespace phrame

@@ -62,6 +62,18 @@ Vector<ComplexSeries> unknown_vector(long length) {
   return {unknown, unknown, unknown};
 }
 
+/// The vector, where all its components are rational by their form.
+std::optional<Vector<Rational>> rational_vector(const FormulaProgram& program,
+                                                const ExactVector& v) {
+  Vector<Rational> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Rational* component = program.rational(v[k]);
+    if (component == nullptr) return std::nullopt;
+    result[k] = *component;
+  }
+  return result;
+}
+
 /// a·b, for vectors of balls.
 RealBall dot_product(const Vector<RealBall>& a, const Vector<RealBall>& b, long bits) {
   RealBall sum;
@@ -94,6 +106,26 @@ ExpressionCurve::ExpressionCurve(Vector<Formula> position, Formula from, Formula
   regular_parts(*this);
 }
 
+ExpressionCurve ExpressionCurve::turned_over() const {
+  ExpressionCurve other = *this;
+  other.orientation_ = -orientation_;
+  return other;
+}
+
+const Vector<Formula>& ExpressionCurve::derivative(std::size_t order) const {
+  if (order == 0) return position_;
+  return derivatives_[order - 1].get([&] {
+    const Vector<Formula>& f = derivative(order - 1);
+    return Vector<Formula>{phrame::derivative(f[0]), phrame::derivative(f[1]),
+                           phrame::derivative(f[2])};
+  });
+}
+
+bool operator==(const ExpressionCurve& a, const ExpressionCurve& b) {
+  return a.position_ == b.position_ && a.from_ == b.from_ && a.to_ == b.to_ &&
+         a.orientation_ == b.orientation_;
+}
+
 RealBall ExpressionCurve::parameter(const RealBall& t, long bits) const {
   const RealBall a = constant_value(from_, bits);
   return add_product(a, subtract(constant_value(to_, bits), a, bits), t, bits);
@@ -123,29 +155,35 @@ Vector<ComplexSeries> ExpressionCurve::series(const ComplexBall& t, const Ration
   return {all[components_[0]], all[components_[1]], all[components_[2]]};
 }
 
-ExactVector exact_point(const ExpressionCurve& curve, const Rational& t, FormulaProgram& program) {
+ExactVector exact_derivative(const ExpressionCurve& curve, std::size_t order, const Rational& t,
+                             FormulaProgram& program) {
   const FormulaId s = parameter_step(curve, t, program);
-  ExactVector point{};
-  for (std::size_t k = 0; k < 3; ++k) point[k] = program.insert(curve.position()[k], s);
-  return point;
+  ExactVector value{};
+  for (std::size_t k = 0; k < 3; ++k) value[k] = program.insert(curve.derivative(order)[k], s);
+  return value;
+}
+
+ExactVector exact_point(const ExpressionCurve& curve, const Rational& t, FormulaProgram& program) {
+  return exact_derivative(curve, 0, t, program);
 }
 
 ExactVector exact_direction(const ExpressionCurve& curve, const Rational& t,
                             FormulaProgram& program) {
-  const FormulaId s = parameter_step(curve, t, program);
-  const bool is_forward =
-      is_less(constant_value(curve.from(), end_bits), constant_value(curve.to(), end_bits));
-  ExactVector slope{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    slope[k] = program.insert(derivative(curve.position()[k]), s);
-    if (!is_forward) slope[k] = program.negative(slope[k]);
-  }
+  ExactVector slope = exact_derivative(curve, 1, t, program);
+  if (curve.orientation() * direction_of_parameter(curve) < 0)
+    for (FormulaId& x : slope) x = program.negative(x);
   return slope;
+}
+
+int direction_of_parameter(const ExpressionCurve& curve) {
+  const RealBall a = constant_value(curve.from(), end_bits);
+  return is_less(a, constant_value(curve.to(), end_bits)) ? 1 : -1;
 }
 
 std::optional<bool> are_equal(const FormulaProgram& program, const ExactVector& a,
                               const ExactVector& b, long most_bits) {
   if (a == b) return true;
+  if (rational_vector(program, a) && rational_vector(program, b)) return false;
   for (long bits = 128; bits <= most_bits; bits *= 2) {
     const Vector<RealBall> x = values(program, a, bits);
     const Vector<RealBall> y = values(program, b, bits);
@@ -158,17 +196,9 @@ std::optional<bool> are_equal(const FormulaProgram& program, const ExactVector& 
 std::optional<bool> have_same_direction(const FormulaProgram& program, const ExactVector& a,
                                         const ExactVector& b, long most_bits) {
   if (a == b) return true;
-  Vector<Rational> p;
-  Vector<Rational> q;
-  bool are_rational = true;
-  for (std::size_t k = 0; k < 3; ++k) {
-    are_rational =
-        are_rational && program.rational(a[k]) != nullptr && program.rational(b[k]) != nullptr;
-    if (!are_rational) break;
-    p[k] = *program.rational(a[k]);
-    q[k] = *program.rational(b[k]);
-  }
-  if (are_rational) return cross(p, q) == Vector<Rational>{} && dot(p, q) > 0;
+  const auto p = rational_vector(program, a);
+  const auto q = rational_vector(program, b);
+  if (p && q) return cross(*p, *q) == Vector<Rational>{} && dot(*p, *q) > 0;
   for (long bits = 128; bits <= most_bits; bits *= 2) {
     const Vector<RealBall> x = values(program, a, bits);
     const Vector<RealBall> y = values(program, b, bits);

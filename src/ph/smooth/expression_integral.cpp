@@ -53,9 +53,9 @@ std::optional<std::array<Vector<RealBall>, 3>> bounds_on_disc(const ExpressionCu
   return bounds;
 }
 
-CurveJet curve_jet(const ExpressionCurve& curve, const Rational& middle, const Rational& half,
+CurveJet curve_jet(const ExpressionCurve& curve, const RealBall& middle, const Rational& half,
                    const std::array<Vector<RealBall>, 3>& bounds, long length, long bits) {
-  const Vector<BallPolynomial> r = curve.series(RealBall(middle, bits), half, length + 3, bits);
+  const Vector<BallPolynomial> r = curve.series(middle, half, length + 3, bits);
   CurveJet jet;
   for (std::size_t k = 0; k < 3; ++k) {
     const BallPolynomial first = differentiate(r[k], bits);
@@ -84,8 +84,8 @@ class PartSearch {
     const Rational middle = lower + half;
     const auto bounds = bounds_on_disc(curve_, middle, half);
     if (!bounds) return false;
-    const auto bound = bound_on_inner_disc(
-        integrand_(curve_jet(curve_, middle, half, *bounds, guess_length, guess_bits)));
+    const auto bound = bound_on_inner_disc(integrand_(
+        curve_jet(curve_, RealBall(middle, guess_bits), half, *bounds, guess_length, guess_bits)));
     if (bound) found_.parts.push_back({lower, upper, *bound});
     return bound.has_value();
   }
@@ -159,7 +159,8 @@ ExpressionIntegral::State::Piece ExpressionIntegral::State::make_piece(
   const long above = std::max(exponent_above(part.bound), 0L);
   const long length = (bits + above) / 2 + 2;
   const Rational half = (part.upper - part.lower) / 2;
-  const CurveJet jet = curve_jet(curve, part.lower + half, half, {}, length, bits + above);
+  const RealBall middle(part.lower + half, bits + above);
+  const CurveJet jet = curve_jet(curve, middle, half, {}, length, bits + above);
   Piece piece;
   piece.antiderivative = antiderivative(series(integrand(jet)), bits + above);
   piece.start = evaluate(piece.antiderivative, RealBall(-1, bits), bits);
@@ -195,6 +196,21 @@ RealBall ExpressionIntegral::enclose(const Rational& t, long bits) const {
     value = state_->value(t);
   }
   return value;
+}
+
+// F(t) is F(m) + (t − m)·F′ somewhere between m and t.
+RealBall ExpressionIntegral::enclose(const RealBall& t, long bits) const {
+  const Rational lower = std::clamp(t.lower(), Rational(0), Rational(1));
+  const Rational upper = std::clamp(t.upper(), Rational(0), Rational(1));
+  const Rational middle = (lower + upper) / 2;
+  const RealBall value = enclose(middle, bits);
+  if (lower == upper) return value;
+  const RealBall all = hull(lower, upper, bits + 8);
+  return add_product(value, subtract(all, RealBall(middle, bits + 8), bits), rate(all, bits), bits);
+}
+
+RealBall ExpressionIntegral::rate(const RealBall& t, long bits) const {
+  return series(state_->integrand(curve_jet(state_->curve, t, 1, {}, 1, bits))).coefficient(0);
 }
 
 }  // namespace phrame

@@ -48,6 +48,10 @@ class ExpressionIntegral {
 
   /// A ball with a radius of about 2^−bits, t ∈ [0, 1].
   RealBall enclose(const Rational& t, long bits) const;
+  /// The same for all t of [0, 1] in a ball, at least one.
+  RealBall enclose(const RealBall& t, long bits) const;
+  /// y on the ball t.
+  RealBall rate(const RealBall& t, long bits) const;
 
  private:
   struct State;

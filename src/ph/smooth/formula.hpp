@@ -70,6 +70,8 @@ class Formula {
   friend Formula atan(const Formula& f);
   /// @}
 
+  friend bool operator==(const Formula&, const Formula&) = default;  ///< the same steps
+
  private:
   Formula(Operation operation, const Formula& left, const Rational& number = 0);
   Formula(Operation operation, Formula left, const Formula& right);

@@ -58,20 +58,6 @@ std::string place_on(const ExpressionCurve& curve, const NarrowPart& part) {
       is_simple ? to_string(place, curve.variable()) : to_string(constant_value(place, 64), 12));
 }
 
-/// Is the formula exactly 0, by its form, at one of the simple places?
-std::optional<Formula> zero_of(const Vector<Formula>& places, const Vector<Formula>& of) {
-  for (const Formula& place : places) {
-    FormulaProgram program;
-    const auto s = program.insert(place, program.number(0));
-    const bool is_zero = std::all_of(of.begin(), of.end(), [&](const Formula& f) {
-      const Rational* value = program.rational(program.insert(f, s));
-      return value != nullptr && *value == 0;
-    });
-    if (is_zero) return place;
-  }
-  return std::nullopt;
-}
-
 Formula formula_of_step(const ExpressionCurve& curve, std::size_t step) {
   const auto& steps = curve.program().steps();
   return Formula(
@@ -87,7 +73,7 @@ Formula formula_of_step(const ExpressionCurve& curve, std::size_t step) {
   const std::string& name = texts[fault];
   const std::string& operand = texts[need.operand];
   const Formula f = formula_of_step(curve, need.operand);
-  if (const auto at = zero_of(simple_places(curve, part), {f, f, f}); at)
+  if (const auto at = simple_zero(curve, part, {f, f, f}); at)
     throw DomainError(fmt::format("{} is undefined at {} = {}: {} is 0 there", name,
                                   curve.variable(), to_string(*at, curve.variable()), operand));
   const auto sign_at = [&](const Rational& t) {
@@ -108,9 +94,7 @@ Formula formula_of_step(const ExpressionCurve& curve, std::size_t step) {
 }
 
 [[noreturn]] void refuse_cusp(const ExpressionCurve& curve, const NarrowPart& part) {
-  const auto& r = curve.position();
-  const auto at =
-      zero_of(simple_places(curve, part), {derivative(r[0]), derivative(r[1]), derivative(r[2])});
+  const auto at = simple_zero(curve, part, curve.derivative(1));
   if (at)
     throw DomainError(fmt::format("r' is 0 at {} = {}: a cusp", curve.variable(),
                                   to_string(*at, curve.variable())));
@@ -121,6 +105,20 @@ Formula formula_of_step(const ExpressionCurve& curve, std::size_t step) {
 }
 
 }  // namespace
+
+std::optional<Formula> simple_zero(const ExpressionCurve& curve, const NarrowPart& part,
+                                   const Vector<Formula>& of) {
+  for (const Formula& place : simple_places(curve, part)) {
+    FormulaProgram program;
+    const auto s = program.insert(place, program.number(0));
+    const bool is_zero = std::all_of(of.begin(), of.end(), [&](const Formula& f) {
+      const Rational* value = program.rational(program.insert(f, s));
+      return value != nullptr && *value == 0;
+    });
+    if (is_zero) return place;
+  }
+  return std::nullopt;
+}
 
 NarrowPart widened_part(const NarrowPart& part) {
   const Rational margin = Rational(64) * (part.upper - part.lower);
@@ -137,6 +135,19 @@ void refuse_part(const ExpressionCurve& curve, const NarrowPart& narrow) {
   });
   if (fault == values.end()) refuse_cusp(curve, part);
   refuse_undefined(curve, part, static_cast<std::size_t>(fault - values.begin()));
+}
+
+void refuse_inflection(const ExpressionCurve& curve, const NarrowPart& narrow,
+                       const std::string& what) {
+  const NarrowPart part = widened_part(narrow);
+  const Vector<Formula> bend = cross(curve.derivative(1), curve.derivative(2));
+  if (const auto at = simple_zero(curve, part, bend))
+    throw DomainError(fmt::format("{}: the curvature is 0 at {} = {}", what, curve.variable(),
+                                  to_string(*at, curve.variable())));
+  throw Undecided(
+      fmt::format("{}: whether the curvature is 0 near {} is not told within parts of 2^-40 of the "
+                  "curve",
+                  what, place_on(curve, part)));
 }
 
 }  // namespace phrame

@@ -20,4 +20,13 @@ struct NarrowPart {
 /// The part and what is next to it, on both sides 64 times as long as it is.
 NarrowPart widened_part(const NarrowPart& part);
 
+/// The simple place of the part where these three are 0, by their form.
+std::optional<Formula> simple_zero(const ExpressionCurve& curve, const NarrowPart& part,
+                                   const Vector<Formula>& of);
+
+/// Throws DomainError where the curvature is proved to be 0 there, at an inflection, with the place
+/// and what is asked; else Undecided.
+[[noreturn]] void refuse_inflection(const ExpressionCurve& curve, const NarrowPart& part,
+                                    const std::string& what);
+
 }  // namespace phrame

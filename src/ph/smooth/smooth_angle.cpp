@@ -10,7 +10,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/smooth/rational_rates.hpp"
+#include "phrame/ph/smooth/segment_integral.hpp"
 #include "phrame/ph/smooth/up_vector.hpp"
 
 namespace phrame {
@@ -33,32 +33,26 @@ struct SmoothAngle::State {
   SmoothPath path;
   Vector<Rational> up;
   SmoothReference reference;
-  bool is_zero = false;
-  std::vector<Lazy<TaylorIntegral>> integrals;  ///< of the segments
+  bool is_zero = true;
+  std::vector<Lazy<SegmentIntegral>> integrals;  ///< of the segments
 
   std::mutex sums_lock;
   std::map<long, std::vector<RealBall>> sums{};  ///< θ(0), θ(1), … by precision
 
   State(SmoothPath along, Vector<Rational> v, SmoothReference to)
       : path(std::move(along)), up(std::move(v)), reference(to), integrals(path.segments().size()) {
-    const auto is_at_rest = [this](const SmoothSegment& segment) {
-      return turning(segment).numerator.is_zero();
-    };
-    is_zero = std::all_of(path.segments().begin(), path.segments().end(), is_at_rest);
+    for (std::size_t k = 0; is_zero && k < integrals.size(); ++k) is_zero = integral(k).is_zero();
   }
 
-  RootQuotient turning(const SmoothSegment& segment) const {
-    const auto& curve = std::get<RationalCurve>(segment);
-    return reference == SmoothReference::up ? up_frame_turning(curve, up) : frenet_turning(curve);
-  }
-
-  const TaylorIntegral& integral(std::size_t k) const {
-    return integrals[k].get([&] { return TaylorIntegral(turning(path.segments()[k])); });
+  const SegmentIntegral& integral(std::size_t k) const {
+    return integrals[k].get([&] {
+      const SmoothSegment& segment = path.segments()[k];
+      return reference == SmoothReference::up ? up_frame_angle(segment, up) : frenet_angle(segment);
+    });
   }
 
   RealBall enclose_on(std::size_t k, const Real& t, long bits) const {
-    return t.exact() ? integral(k).enclose(*t.exact(), bits)
-                     : integral(k).enclose(t.enclose(bits + 8), bits);
+    return integral(k).enclose(t, bits);
   }
 
   RealBall sum_before(std::size_t segment, long bits);
@@ -120,8 +114,7 @@ std::optional<Real> holonomy(const SmoothAngle& angle) {
   const SmoothPath& path = angle.path();
   if (!path.is_closed()) return std::nullopt;
   if (angle.is_zero()) return Rational(0);
-  const auto& first = std::get<RationalCurve>(path.segments().front());
-  const bool is_reversed = sign_after_zero(first.multiplier()) < 0;
+  const bool is_reversed = orientation(path.segments().front()) < 0;
   const SmoothParameter end{path.segments().size() - 1, Rational(1)};
   // θ − 2π·k with the k nearest to θ/2π.
   Integer turns;

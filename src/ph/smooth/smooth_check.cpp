@@ -16,6 +16,9 @@ int side_of(const RationalCurve& curve, const Rational& t) {
   return sign_beside(curve.multiplier(), t);
 }
 
+/// e₁ is r′/|r′| all along, or its opposite.
+int side_of(const ExpressionCurve& curve, const Rational&) { return curve.orientation(); }
+
 int side_of(const SmoothPath& path, const PathParameter& at) {
   return std::visit([&](const auto& curve) { return side_of(curve, at.t); },
                     path.segments()[at.segment]);

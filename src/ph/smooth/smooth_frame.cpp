@@ -18,14 +18,6 @@ Frame<Real> frame_along(const Vector<Real>& H, const Vector<Real>& n) {
   return {over_size(H, sigma), over_size(n, size), over_size(cross(H, n), sigma * size)};
 }
 
-/// H′ there.
-Vector<Real> slope_there(const SmoothPath& path, const SmoothParameter& at) {
-  const auto& curve = std::get<RationalCurve>(path.segments()[at.segment]);
-  Vector<Real> slope{Rational(0), Rational(0), Rational(0)};
-  for (std::size_t k = 0; k < 3; ++k) slope[k] = value(differentiate(curve.direction()[k]), at.t);
-  return slope;
-}
-
 bool is_zero(const Vector<Real>& v) {
   return v[0].exact() == Rational(0) && v[1].exact() == Rational(0) && v[2].exact() == Rational(0);
 }
@@ -56,7 +48,7 @@ Frame<Real> up_frame(const SmoothPath& path, const Vector<Rational>& up,
 
 Frame<Real> frenet_frame(const SmoothPath& path, const SmoothParameter& at) {
   const Vector<Real> H = direction(path, at);
-  const Vector<Real> binormal = cross(H, slope_there(path, at));
+  const Vector<Real> binormal = cross(H, direction_slope(path, at));
   if (is_zero(binormal))
     throw DomainError(
         "Frenet frame: the curvature is 0 there, at an inflection or on a straight line; the "
@@ -78,7 +70,7 @@ Real start_angle(const FrameStart& start, const SmoothAngle& angle) {
   // Exactly: n·e₂ and n·e₃ up to positive factors.
   const Vector<Real> e2 = angle.reference() == SmoothReference::up
                               ? cross(as_reals(angle.up()), H)
-                              : cross(cross(H, slope_there(angle.path(), {0, Rational(0)})), H);
+                              : cross(cross(H, direction_slope(angle.path(), {0, Rational(0)})), H);
   const Real exact_x = dot(as_reals(normal), e2);
   const Real exact_y = dot(as_reals(normal), cross(H, e2));
   const bool y_is_zero = exact_y.exact() == Rational(0);

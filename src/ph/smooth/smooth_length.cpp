@@ -9,8 +9,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/increasing.hpp"
 #include "phrame/algebra/shared.hpp"
-#include "phrame/integrate/absolute_integral.hpp"
-#include "phrame/ph/smooth/rational_rates.hpp"
+#include "phrame/ph/smooth/segment_integral.hpp"
 
 namespace phrame {
 namespace {
@@ -26,7 +25,7 @@ int compare_length(const Real& x, const Rational& s) {
 }
 
 /// Newton's steps, in doubles, from the share of the whole; a guess.
-double guess_parameter(const AbsoluteIntegral& length, const Rational& s) {
+double guess_parameter(const SegmentIntegral& length, const Rational& s) {
   constexpr long bits = 64;
   double low = 0;
   double high = 1;
@@ -36,8 +35,7 @@ double guess_parameter(const AbsoluteIntegral& length, const Rational& s) {
     const RealBall excess =
         subtract(length.enclose(Real(exact_rational(t)), bits), RealBall(s, bits), bits);
     (sign(excess) > 0 ? high : low) = t;
-    const double change =
-        approximate(divide(excess, absolute(length.integral().rate(at, bits)), bits));
+    const double change = approximate(divide(excess, length.rate(at, bits), bits));
     const double next = t - change;
     if (next == t) break;
     t = next > low && next < high ? next : (low + high) / 2;
@@ -49,15 +47,14 @@ double guess_parameter(const AbsoluteIntegral& length, const Rational& s) {
 
 struct SmoothLength::State {
   SmoothPath path;
-  std::vector<Lazy<AbsoluteIntegral>> lengths;  ///< of the segments
+  std::vector<Lazy<SegmentIntegral>> lengths;  ///< of the segments
   std::mutex lock;
   std::vector<Real> before{Rational(0)};  ///< as far as it is known
 
   explicit State(const SmoothPath& along) : path(along), lengths(path.segments().size()) {}
 
-  const AbsoluteIntegral& length(std::size_t k) const {
-    return lengths[k].get(
-        [&] { return AbsoluteIntegral(length_rate(std::get<RationalCurve>(path.segments()[k]))); });
+  const SegmentIntegral& length(std::size_t k) const {
+    return lengths[k].get([&] { return arc_length(path.segments()[k]); });
   }
 };
 
@@ -92,16 +89,14 @@ SmoothParameter SmoothLength::point(const Rational& s) const {
   }
   const Real start = before(low);
   if (start.exact() == s) return {low, Rational(0)};
-  const AbsoluteIntegral& length = state_->length(low);
+  const SegmentIntegral& length = state_->length(low);
   if (const Real whole = length.value(Rational(1));
       whole.exact() && start.exact() && *start.exact() + *whole.exact() == s)
     return {low, Rational(1)};
   const auto from_start = [&length, start](const RealBall& t, long bits) {
     return add(start.enclose(bits), length.enclose(Real(t.midpoint()), bits), bits);
   };
-  const auto slope = [&length](const RealBall& t, long bits) {
-    return absolute(length.integral().rate(t, bits));
-  };
+  const auto slope = [&length](const RealBall& t, long bits) { return length.rate(t, bits); };
   const auto F = std::make_shared<const IncreasingFunction>(IncreasingFunction{
       [state = state_, from_start](const RealBall& t, long bits) { return from_start(t, bits); },
       [state = state_, slope](const RealBall& t, long bits) { return slope(t, bits); }});

@@ -6,46 +6,76 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
-
-// Two vectors u, v ≠ 0 have the same direction iff u × v = 0 and u·v > 0.
+#include "phrame/ph/smooth/formula_evaluation.hpp"
 
 namespace phrame {
 namespace {
 
-/// Where a segment begins or ends.
+/// Where a segment begins or ends: its numbers are steps of a program.
 struct SmoothEnd {
-  Vector<Rational> position;
-  Vector<Rational> direction;  ///< e₁, of any length
-  int sign;                    ///< of p on the inner side: e₁ times it is the unit tangent
+  ExactVector position;
+  ExactVector direction;  ///< e₁, of any length
+  int sign;               ///< of p on the inner side: e₁ times it is the unit tangent
 };
 
-SmoothEnd start_of(const RationalCurve& curve) {
-  return {point(curve, 0), evaluate(curve.direction(), 0), sign_after_zero(curve.multiplier())};
+ExactVector inserted(FormulaProgram& program, const Vector<Rational>& v) {
+  return {program.number(v[0]), program.number(v[1]), program.number(v[2])};
 }
 
-SmoothEnd end_of(const RationalCurve& curve) {
-  return {point(curve, 1), evaluate(curve.direction(), 1),
-          sign_after_zero(compose(curve.multiplier(), Polynomial{1, -1}))};
+int end_orientation(const RationalCurve& curve) {
+  return sign_after_zero(compose(curve.multiplier(), Polynomial{1, -1}));
 }
 
-SmoothEnd start_of(const SmoothSegment& segment) {
-  return std::visit([](const auto& curve) { return start_of(curve); }, segment);
+SmoothEnd end_at(const RationalCurve& curve, const Rational& t, FormulaProgram& program) {
+  return {inserted(program, point(curve, t)), inserted(program, evaluate(curve.direction(), t)),
+          t == 0 ? sign_after_zero(curve.multiplier()) : end_orientation(curve)};
 }
 
-SmoothEnd end_of(const SmoothSegment& segment) {
-  return std::visit([](const auto& curve) { return end_of(curve); }, segment);
+SmoothEnd end_at(const ExpressionCurve& curve, const Rational& t, FormulaProgram& program) {
+  return {exact_point(curve, t, program), exact_direction(curve, t, program), curve.orientation()};
 }
 
-/// The unit tangent, scaled such that its largest component is ±1.
-Vector<Rational> scaled_tangent(const SmoothEnd& end) {
-  Vector<Rational> d = end.direction;
-  const Rational size = std::max({abs(d[0]), abs(d[1]), abs(d[2])});
-  for (Rational& x : d) x *= end.sign / size;
-  return d;
+SmoothEnd start_of(const SmoothSegment& segment, FormulaProgram& program) {
+  return std::visit([&](const auto& curve) { return end_at(curve, 0, program); }, segment);
 }
 
-bool have_same_direction(const Vector<Rational>& u, const Vector<Rational>& v) {
-  return cross(u, v) == Vector<Rational>{} && dot(u, v) > 0;
+SmoothEnd end_of(const SmoothSegment& segment, FormulaProgram& program) {
+  return std::visit([&](const auto& curve) { return end_at(curve, 1, program); }, segment);
+}
+
+/// The unit tangent, of any length.
+ExactVector tangent_of(const SmoothEnd& end, FormulaProgram& program) {
+  ExactVector tangent = end.direction;
+  if (end.sign < 0)
+    for (auto& x : tangent) x = program.negative(x);
+  return tangent;
+}
+
+/// For messages: fractions, as the multiple whose largest component is ±1 if only the direction is
+/// meant, or digits.
+std::string shown_vector(const FormulaProgram& program, const ExactVector& v, bool is_direction) {
+  Vector<Rational> exact;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Rational* x = program.rational(v[k]);
+    if (x == nullptr) {
+      const auto digits = [&](std::size_t j) {
+        return to_string(constant_value(program, v[j], 128), 9);
+      };
+      return fmt::format("({}, {}, {})", digits(0), digits(1), digits(2));
+    }
+    exact[k] = *x;
+  }
+  if (is_direction) {
+    const Rational size = std::max({abs(exact[0]), abs(exact[1]), abs(exact[2])});
+    for (Rational& x : exact) x /= size;
+  }
+  return abbreviated(exact);
+}
+
+bool decided(const std::optional<bool>& answer, const char* what) {
+  if (!answer)
+    throw Undecided(fmt::format("whether {} is not told: they agree to 1024 bits", what));
+  return *answer;
 }
 
 SmoothSegment turned_over(const SmoothSegment& segment) {
@@ -55,28 +85,45 @@ SmoothSegment turned_over(const SmoothSegment& segment) {
 
 }  // namespace
 
+int orientation(const SmoothSegment& segment) {
+  if (const auto* curve = std::get_if<RationalCurve>(&segment))
+    return sign_after_zero(curve->multiplier());
+  return std::get<ExpressionCurve>(segment).orientation();
+}
+
 void SmoothPath::append(const SmoothSegment& next) {
-  const SmoothEnd before = end_of(segments_.back());
-  const SmoothEnd after = start_of(next);
-  if (after.position != before.position)
+  FormulaProgram program;
+  const SmoothEnd before = end_of(segments_.back(), program);
+  const SmoothEnd after = start_of(next, program);
+  if (!decided(are_equal(program, before.position, after.position),
+               "it starts where the spline ends"))
     throw DomainError(fmt::format("it starts at {}, but the spline ends at {}",
-                                  abbreviated(after.position), abbreviated(before.position)));
-  const Vector<Rational> old_tangent = scaled_tangent(before);
-  const Vector<Rational> new_tangent = scaled_tangent(after);
-  if (!have_same_direction(old_tangent, new_tangent))
-    throw DomainError(
-        fmt::format("the tangent breaks: it starts in the direction {}, but the spline ends in {}",
-                    abbreviated(new_tangent), abbreviated(old_tangent)));
+                                  shown_vector(program, after.position, false),
+                                  shown_vector(program, before.position, false)));
+  const ExactVector old_tangent = tangent_of(before, program);
+  const ExactVector new_tangent = tangent_of(after, program);
+  if (!decided(have_same_direction(program, old_tangent, new_tangent),
+               "its tangent is that of the spline"))
+    throw DomainError(fmt::format(
+        "the tangent breaks: it starts in the direction {}, but the spline ends in {}",
+        shown_vector(program, new_tangent, true), shown_vector(program, old_tangent, true)));
   segments_.push_back(before.sign == after.sign ? next : turned_over(next));
 }
 
 bool SmoothPath::ends_meet() const {
-  return start_of(segments_.front()).position == end_of(segments_.back()).position;
+  FormulaProgram program;
+  const SmoothEnd start = start_of(segments_.front(), program);
+  const SmoothEnd end = end_of(segments_.back(), program);
+  return decided(are_equal(program, start.position, end.position), "the ends of the curve meet");
 }
 
 bool SmoothPath::is_closed() const {
-  return ends_meet() && have_same_direction(start_of(segments_.front()).direction,
-                                            end_of(segments_.back()).direction);
+  if (!ends_meet()) return false;
+  FormulaProgram program;
+  const SmoothEnd start = start_of(segments_.front(), program);
+  const SmoothEnd end = end_of(segments_.back(), program);
+  return decided(have_same_direction(program, end.direction, start.direction),
+                 "the tangents at the ends of the curve are the same");
 }
 
 SmoothPath joined(const std::vector<SmoothSegment>& segments) {

@@ -3,12 +3,17 @@
 #include <variant>
 
 #include "phrame/ph/curve/named.hpp"
+#include "phrame/ph/smooth/expression_curve.hpp"
 #include "phrame/ph/smooth/rational_curve.hpp"
 
 namespace phrame {
 
 /// A segment of a path of curves of any kind, on [0, 1].
-using SmoothSegment = std::variant<RationalCurve>;
+using SmoothSegment = std::variant<RationalCurve, ExpressionCurve>;
+
+/// 1 where e₁ is the unit tangent r′/|r′| just after the start of the segment, −1 where it is the
+/// opposite.
+int orientation(const SmoothSegment& segment);
 
 /// A curve of any kind, or several joined to one. Segment k = 0, 1, … is the part [k, k + 1] of the
 /// parameter t. At the joints the position and the unit tangent r′/|r′| are continuous, exactly; at
@@ -21,15 +26,17 @@ class SmoothPath {
       : segments_{std::move(first)} {}
 
   /// Throws DomainError where the segment does not start where the path ends, and where its tangent
-  /// there is another, with the same messages as Path::append.
+  /// there is another, with the same messages as Path::append; Undecided where that is not told of
+  /// values of formulas that agree to 1024 bits.
   void append(const SmoothSegment& next);
 
   const std::vector<SmoothSegment>& segments() const { return segments_; }  ///< at least one
   /// Of the parameter.
   Rational end() const { return Rational(static_cast<long>(segments_.size())); }
 
-  bool ends_meet() const;  ///< Is its end its start?
-  /// Do its ends meet, with the same e₁?
+  /// Is its end its start? Throws Undecided where that is not told of values of formulas.
+  bool ends_meet() const;
+  /// Do its ends meet, with the same e₁? Throws likewise.
   bool is_closed() const;
 
   friend bool operator==(const SmoothPath&, const SmoothPath&) = default;

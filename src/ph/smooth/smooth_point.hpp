@@ -19,11 +19,15 @@ struct SmoothParameter {
 /// p(t), exact where t is.
 Real value(const Polynomial& p, const Real& t);
 
-/// @{ r and H there, exact where t is.
+/// @{ r, H and H′ there, exact where t is and the curve is rational, or the form of its formulas
+/// shows it. Of formulas H is ±dr/ds and H′ ±d²r/ds², positive multiples of ±dr/dt and ±d²r/dt².
 Vector<Real> position(const RationalCurve& curve, const Real& t);
 Vector<Real> direction(const RationalCurve& curve, const Real& t);
 Vector<Real> position(const SmoothPath& path, const SmoothParameter& at);
 Vector<Real> direction(const SmoothPath& path, const SmoothParameter& at);
+Vector<Real> direction_slope(const SmoothPath& path, const SmoothParameter& at);
 /// @}
+/// dⁿr/dsⁿ, n ≤ 3, by the parameter s of the formulas, exact where t is and the form shows it.
+Vector<Real> derivative(const ExpressionCurve& curve, std::size_t order, const Real& t);
 
 }  // namespace phrame

@@ -6,6 +6,9 @@
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/smooth/curve_integrands.hpp"
+#include "phrame/ph/smooth/direction_span.hpp"
+#include "phrame/ph/smooth/formula_domain.hpp"
 
 namespace phrame {
 namespace {
@@ -22,7 +25,7 @@ RationalFunction squared_curvature(const RationalCurve& curve) {
   return {dot(normal, normal) * pow(curve.weight(), 4), pow(curve.multiplier(), 2) * pow(sigma, 3)};
 }
 
-RationalFunction torsion_of(const RationalCurve& curve) {
+RationalFunction torsion_function(const RationalCurve& curve) {
   const Vector<Polynomial>& H = curve.direction();
   const Vector<Polynomial> first = derivative_of(H);
   const Vector<Polynomial> normal = cross(H, first);
@@ -42,8 +45,9 @@ Real value_of(const RationalFunction& f, const Real& t, const char* name) {
   return Rational(f.numerator()(*t.exact()) / below);
 }
 
-const RationalCurve& curve_at(const SmoothPath& path, const SmoothParameter& at) {
-  return std::get<RationalCurve>(path.segments()[at.segment]);
+/// Is it exactly 0?
+bool vanishes(const Vector<Real>& v) {
+  return v[0].exact() == Rational(0) && v[1].exact() == Rational(0) && v[2].exact() == Rational(0);
 }
 
 Vector<Polynomial> binormal_of(const RationalCurve& curve) {
@@ -57,22 +61,92 @@ bool bends_all_along(const RationalCurve& curve) {
   return !common.is_zero() && count_real_roots(common, {0, 1}) == 0;
 }
 
-/// Along the binormal at t.
-Vector<Rational> binormal_at(const RationalCurve& curve, const Rational& t) {
-  return evaluate(binormal_of(curve), t);
+bool bends_all_along(const ExpressionCurve& curve) {
+  if (are_on_a_line(direction_span(curve))) return false;
+  const auto fault = taylor_parts(curve, curvature_rate()).fault;
+  if (!fault) return true;
+  const Vector<Formula> bend = cross(curve.derivative(1), curve.derivative(2));
+  if (simple_zero(curve, widened_part(*fault), bend)) return false;
+  throw Undecided("whether the curvature is 0 somewhere is not told within parts of 2^-40");
 }
 
-}  // namespace
+/// H × H′ at t, up to a positive factor, put into the program.
+ExactVector binormal_at(const RationalCurve& curve, const Rational& t, FormulaProgram& program) {
+  const Vector<Rational> b = evaluate(binormal_of(curve), t);
+  return {program.number(b[0]), program.number(b[1]), program.number(b[2])};
+}
 
-Real curvature(const SmoothPath& path, const SmoothParameter& at) {
-  const Real squared = value_of(squared_curvature(curve_at(path, at)), at.t, "curvature");
+ExactVector binormal_at(const ExpressionCurve& curve, const Rational& t, FormulaProgram& program) {
+  const ExactVector u = exact_direction(curve, t, program);
+  ExactVector v = exact_derivative(curve, 2, t, program);
+  if (curve.orientation() < 0)
+    for (auto& x : v) x = program.negative(x);
+  ExactVector b{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3;
+    const std::size_t j = (k + 2) % 3;
+    b[k] = program.subtract(program.multiply(u[i], v[j]), program.multiply(u[j], v[i]));
+  }
+  return b;
+}
+
+/// Is the principal normal at the end of one segment that at the start of the other?
+bool have_same_normal(const SmoothSegment& before, const SmoothSegment& after) {
+  FormulaProgram program;
+  const auto at = [&](const SmoothSegment& segment, const Rational& t) {
+    return std::visit([&](const auto& curve) { return binormal_at(curve, t, program); }, segment);
+  };
+  const auto same = have_same_direction(program, at(before, 1), at(after, 0));
+  if (!same) throw Undecided("whether the normals at a joint are the same is not told");
+  return *same;
+}
+
+// By the parameter of the formulas, κ = |r′ × r″|/|r′|³ and τ = det(r′, r″, r‴)/|r′ × r″|².
+
+Real curvature_of(const ExpressionCurve& curve, const Real& t) {
+  const Vector<Real> first = derivative(curve, 1, t);
+  const Vector<Real> bend = cross(first, derivative(curve, 2, t));
+  if (vanishes(bend)) return Rational(0);
+  const Real speed = dot(first, first);
+  return Real([size = dot(bend, bend), cube = speed * speed * speed](long bits) {
+    return sqrt_of_nonnegative(divide(size.enclose(bits + 8), cube.enclose(bits + 8), bits + 8),
+                               bits + 8);
+  });
+}
+
+Real torsion_of(const ExpressionCurve& curve, const Real& t) {
+  if (are_on_a_line(direction_span(curve)))
+    throw DomainError("torsion: the curve is a straight line, it has none");
+  if (common_normal(direction_span(curve))) return Rational(0);
+  const Vector<Real> bend = cross(derivative(curve, 1, t), derivative(curve, 2, t));
+  if (vanishes(bend)) throw DomainError("torsion: the curvature is 0 there, at an inflection");
+  const Real size = dot(bend, bend);
+  return Real([volume = dot(bend, derivative(curve, 3, t)), size](long bits) {
+    return divide(volume.enclose(bits + 8), size.enclose(bits + 8), bits + 8);
+  });
+}
+
+Real curvature_of(const RationalCurve& curve, const Real& t) {
+  const Real squared = value_of(squared_curvature(curve), t, "curvature");
   if (squared.exact()) return square_root_of(*squared.exact());
   return Real(
       [squared](long bits) { return sqrt_of_nonnegative(squared.enclose(bits + 8), bits + 8); });
 }
 
+Real torsion_of(const RationalCurve& curve, const Real& t) {
+  return value_of(torsion_function(curve), t, "torsion");
+}
+
+}  // namespace
+
+Real curvature(const SmoothPath& path, const SmoothParameter& at) {
+  return std::visit([&](const auto& curve) { return curvature_of(curve, at.t); },
+                    path.segments()[at.segment]);
+}
+
 Real torsion(const SmoothPath& path, const SmoothParameter& at) {
-  return value_of(torsion_of(curve_at(path, at)), at.t, "torsion");
+  return std::visit([&](const auto& curve) { return torsion_of(curve, at.t); },
+                    path.segments()[at.segment]);
 }
 
 bool has_continuous_frenet_frame(const SmoothPath& path) {
@@ -80,16 +154,9 @@ bool has_continuous_frenet_frame(const SmoothPath& path) {
   for (const SmoothSegment& segment : segments)
     if (!std::visit([](const auto& curve) { return bends_all_along(curve); }, segment))
       return false;
-  const auto at = [&](std::size_t k, const Rational& t) {
-    return std::visit([&](const auto& curve) { return binormal_at(curve, t); }, segments[k]);
-  };
-  for (std::size_t k = 0; k < segments.size(); ++k) {
-    const bool is_last = k + 1 == segments.size();
-    if (is_last && !path.is_closed()) break;
-    const Vector<Rational> before = at(k, 1);
-    const Vector<Rational> after = at(is_last ? 0 : k + 1, 0);
-    if (cross(before, after) != Vector<Rational>{} || dot(before, after) <= 0) return false;
-  }
+  for (std::size_t k = 0; k + 1 < segments.size(); ++k)
+    if (!have_same_normal(segments[k], segments[k + 1])) return false;
+  if (path.is_closed()) return have_same_normal(segments.back(), segments.front());
   return true;
 }
 

@@ -8,12 +8,12 @@ namespace phrame {
 
 /// κ = √ρ·W²/(|p|·σ^{3/2}) ≥ 0 there. Throws DomainError where it is infinite, as at most cusps.
 Real curvature(const SmoothPath& path, const SmoothParameter& at);
-/// τ = W²·det(H, H′, H″)/(p·ρ) there, rational where t is. Throws DomainError where it is infinite
-/// and on a straight line, where it is undefined.
+/// τ = W²·det(H, H′, H″)/(p·ρ) there, rational where t and the curve are. Throws DomainError where
+/// it is infinite and on a straight line, where it is undefined.
 Real torsion(const SmoothPath& path, const SmoothParameter& at);
 
 /// Is the Frenet frame defined all along, κ ≠ 0, and continuous through the joints, from the end of
-/// a closed path to its start, too? Decided exactly.
+/// a closed path to its start, too? Decided exactly; throws Undecided where formulas do not tell.
 bool has_continuous_frenet_frame(const SmoothPath& path);
 
 }  // namespace phrame

@@ -1,8 +1,10 @@
 #include "phrame/ph/smooth/smooth_totals.hpp"
 
 #include "phrame/algebra/algebraic_image.hpp"
-#include "phrame/integrate/absolute_integral.hpp"
+#include "phrame/ph/smooth/curve_integrands.hpp"
+#include "phrame/ph/smooth/formula_domain.hpp"
 #include "phrame/ph/smooth/rational_rates.hpp"
+#include "phrame/ph/smooth/segment_integral.hpp"
 #include "phrame/ph/smooth/up_vector.hpp"
 
 // τ = W²·det(H, H′, H″)/(p·ρ) does not depend on the sign of H, and so τ ds =
@@ -16,8 +18,7 @@ namespace {
 template <class OfSegment>
 Real sum_of_segments(const SmoothPath& path, const OfSegment& of_segment) {
   Real sum = Rational(0);
-  for (const SmoothSegment& segment : path.segments())
-    sum = sum + of_segment(std::get<RationalCurve>(segment));
+  for (const SmoothSegment& segment : path.segments()) sum = sum + of_segment(segment);
   return remembered(sum);
 }
 
@@ -27,7 +28,8 @@ RootQuotient without_common_factor(const RootQuotient& f) {
   return {exact_quotient(f.numerator, common), exact_quotient(f.denominator, common), f.radicand};
 }
 
-/// ∫ −(rate)·sign p, with the sign changes of p in (0, 1).
+/// −∫ of how the rotation-minimizing frame turns, times sign p, with the sign changes of p in
+/// (0, 1).
 Real torsion_total(const RationalCurve& curve) {
   const TaylorIntegral turning(frenet_turning(curve));
   Real sum = Rational(0);
@@ -49,18 +51,49 @@ Real torsion_total(const RationalCurve& curve) {
   return sum;
 }
 
-/// ∫ of what is not negative, infinite where it has a pole.
-std::variant<Real, Infinite> energy_of(const SmoothPath& path,
-                                       RootQuotient (*rate_of)(const RationalCurve&)) {
+Real torsion_total(const ExpressionCurve& curve) {
+  return Rational(-curve.orientation()) * frenet_angle(curve).value(Rational(1));
+}
+
+/// ∫ of what is not negative along a segment, or where it has a pole.
+using SegmentEnergy = std::variant<Real, RealAlgebraic>;
+
+SegmentEnergy energy_of(const RootQuotient& given) {
+  const RootQuotient rate = without_common_factor(given);
+  const auto poles = rate.denominator.is_constant() ? std::vector<RealRoot>{}
+                                                    : real_roots(rate.denominator, closed(0, 1));
+  if (!poles.empty() && !rate.numerator.is_zero()) return poles.front().at;
+  return AbsoluteIntegral(rate).value(Rational(1));
+}
+
+SegmentEnergy bending_of(const RationalCurve& curve) {
+  return energy_of(phrame::bending_rate(curve));
+}
+
+SegmentEnergy bending_of(const ExpressionCurve& curve) {
+  const ExpressionIntegral energy(curve, bending_rate(), regular_parts(curve));
+  return SegmentIntegral(energy).value(Rational(1));
+}
+
+SegmentEnergy frenet_energy_of(const RationalCurve& curve) {
+  return energy_of(phrame::frenet_energy_rate(curve));
+}
+
+SegmentEnergy frenet_energy_of(const ExpressionCurve& curve) {
+  TaylorParts found = taylor_parts(curve, frenet_energy_rate());
+  if (found.fault) refuse_inflection(curve, *found.fault, "integral of the Frenet frame's rate");
+  const ExpressionIntegral energy(curve, frenet_energy_rate(), std::move(found.parts));
+  return SegmentIntegral(energy).value(Rational(1));
+}
+
+template <class OfCurve>
+std::variant<Real, Infinite> sum_of_energies(const SmoothPath& path, const OfCurve& of_curve) {
   Real sum = Rational(0);
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    const RootQuotient rate =
-        without_common_factor(rate_of(std::get<RationalCurve>(path.segments()[k])));
-    const auto poles = rate.denominator.is_constant() ? std::vector<RealRoot>{}
-                                                      : real_roots(rate.denominator, closed(0, 1));
-    if (!poles.empty() && !rate.numerator.is_zero())
-      return Infinite{affine(poles.front().at, 1, Rational(static_cast<long>(k))), k};
-    sum = sum + AbsoluteIntegral(rate).value(Rational(1));
+    const SegmentEnergy energy = std::visit(of_curve, path.segments()[k]);
+    if (const auto* pole = std::get_if<RealAlgebraic>(&energy))
+      return Infinite{affine(*pole, 1, Rational(static_cast<long>(k))), k};
+    sum = sum + std::get<Real>(energy);
   }
   return remembered(sum);
 }
@@ -68,25 +101,28 @@ std::variant<Real, Infinite> energy_of(const SmoothPath& path,
 }  // namespace
 
 Real total_curvature(const SmoothPath& path) {
-  return sum_of_segments(path, [](const RationalCurve& curve) {
-    return AbsoluteIntegral(curvature_rate(curve)).value(Rational(1));
+  return sum_of_segments(
+      path, [](const SmoothSegment& segment) { return bending_angle(segment).value(Rational(1)); });
+}
+
+Real total_torsion(const SmoothPath& path) {
+  return sum_of_segments(path, [](const SmoothSegment& segment) {
+    return std::visit([](const auto& curve) { return torsion_total(curve); }, segment);
   });
 }
 
-Real total_torsion(const SmoothPath& path) { return sum_of_segments(path, torsion_total); }
-
 std::variant<Real, Infinite> bending_energy(const SmoothPath& path) {
-  return energy_of(path, bending_rate);
+  return sum_of_energies(path, [](const auto& curve) { return bending_of(curve); });
 }
 
 std::variant<Real, Infinite> frenet_energy(const SmoothPath& path) {
-  return energy_of(path, frenet_energy_rate);
+  return sum_of_energies(path, [](const auto& curve) { return frenet_energy_of(curve); });
 }
 
 Real up_frame_twist(const SmoothPath& path, const Vector<Rational>& up) {
   require_up_vector(path, up);
-  return sum_of_segments(path, [&up](const RationalCurve& curve) {
-    return -TaylorIntegral(up_frame_turning(curve, up)).value(1);
+  return sum_of_segments(path, [&up](const SmoothSegment& segment) {
+    return -up_frame_angle(segment, up).value(Rational(1));
   });
 }
 

@@ -9,6 +9,9 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/smooth/curve_integrands.hpp"
+#include "phrame/ph/smooth/direction_span.hpp"
+#include "phrame/ph/smooth/formula_domain.hpp"
 
 namespace phrame {
 namespace {
@@ -17,58 +20,49 @@ Vector<Polynomial> as_constant(const Vector<Rational>& v) {
   return {Polynomial{v[0]}, Polynomial{v[1]}, Polynomial{v[2]}};
 }
 
-/// The coefficients of H, those of all segments one after the other.
-std::vector<Vector<Rational>> direction_coefficients(const SmoothPath& path) {
-  std::vector<Vector<Rational>> all;
-  for (const SmoothSegment& segment : path.segments()) {
-    const Vector<Polynomial>& H = std::get<RationalCurve>(segment).direction();
-    const long degree = std::max({H[0].degree(), H[1].degree(), H[2].degree()});
-    for (long k = 0; k <= degree; ++k)
-      all.push_back({H[0].coefficient(k), H[1].coefficient(k), H[2].coefficient(k)});
-  }
-  return all;
+/// H at some t of [0, 1], about.
+Vector<RealBall> direction_near(const RationalCurve& curve, const Rational& t, long bits) {
+  const Vector<Rational> h = evaluate(curve.direction(), t);
+  return {RealBall(h[0], bits), RealBall(h[1], bits), RealBall(h[2], bits)};
 }
 
-bool is_zero(const Vector<Rational>& v) { return v == Vector<Rational>{}; }
-
-/// The first of them that is not 0.
-Vector<Rational> first_direction(const std::vector<Vector<Rational>>& directions) {
-  return *std::find_if(directions.begin(), directions.end(),
-                       [](const auto& v) { return !is_zero(v); });
+Vector<RealBall> direction_near(const ExpressionCurve& curve, const Rational& t, long bits) {
+  const Vector<BallPolynomial> r = curve.series(RealBall(t, bits), 1, 2, bits);
+  return {r[0].coefficient(1), r[1].coefficient(1), r[2].coefficient(1)};
 }
 
-/// The first direction × another, where that is not 0.
-std::optional<Vector<Rational>> first_normal(const std::vector<Vector<Rational>>& directions) {
-  const Vector<Rational> first = first_direction(directions);
-  for (const Vector<Rational>& other : directions)
-    if (const Vector<Rational> normal = cross(first, other); !is_zero(normal)) return normal;
-  return std::nullopt;
-}
-
-Vector<Rational> primitive(const Vector<Rational>& v) {
-  const Rational size = common_content({Polynomial{v[0]}, Polynomial{v[1]}, Polynomial{v[2]}});
-  return Rational(1 / size) * v;
-}
-
-/// Unit tangents at some points, for a guess.
+/// Unit tangents, or their opposites, at some points, for a guess.
 std::vector<Vector<double>> sampled_tangents(const SmoothPath& path) {
   constexpr long bits = 64;
   const std::size_t count = path.segments().size();
   const long steps = std::max(4L, 64 / static_cast<long>(count));
   const std::size_t stride = 1 + count / 1024;
   std::vector<Vector<double>> all;
-  for (std::size_t k = 0; k < count; k += stride) {
-    const Vector<Polynomial>& H = std::get<RationalCurve>(path.segments()[k]).direction();
+  for (std::size_t k = 0; k < count; k += stride)
     for (long j = 0; j <= steps; ++j) {
-      const Vector<Rational> h = evaluate(H, Rational(j, steps));
-      const RealBall size = sqrt(RealBall(dot(h, h), bits), bits);
+      const Vector<RealBall> h = std::visit(
+          [&](const auto& curve) { return direction_near(curve, Rational(j, steps), bits); },
+          path.segments()[k]);
+      RealBall squares;
+      for (const RealBall& x : h) squares = add_product(squares, x, x, bits);
+      const RealBall size = sqrt(squares, bits);
       Vector<double> unit{};
       for (std::size_t axis = 0; axis < 3; ++axis)
-        unit[axis] = approximate(divide(RealBall(h[axis], bits), size, bits));
+        unit[axis] = approximate(divide(h[axis], size, bits));
       all.push_back(unit);
     }
-  }
   return all;
+}
+
+/// The t of an s, where it is rational by its form.
+std::optional<Rational> rational_parameter(const ExpressionCurve& curve, const Formula& s) {
+  FormulaProgram program;
+  const auto none = program.number(0);
+  const auto a = program.insert(curve.from(), none);
+  const auto length = program.subtract(program.insert(curve.to(), none), a);
+  const auto t = program.divide(program.subtract(program.insert(s, none), a), length);
+  const Rational* value = program.rational(t);
+  return value == nullptr ? std::nullopt : std::optional(*value);
 }
 
 /// Integer vectors in all directions, one of each pair of opposite ones, z first.
@@ -104,44 +98,56 @@ std::string where(const Interval& at, std::size_t segment) {
   return fmt::format("t ≈ {:.9g}", static_cast<double>((*at.lower + *at.upper) / 2 + offset));
 }
 
-/// The first place on the path.
-std::optional<std::string> first_along(const SmoothPath& path, const Vector<Rational>& v) {
-  for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    const auto at =
-        std::visit([&](const auto& curve) { return tangent_along(curve, v); }, path.segments()[k]);
-    if (at) return where(*at, k);
-  }
-  return std::nullopt;
+/// Is v nowhere along the tangent of the path?
+bool is_apart(const SmoothPath& path, const Vector<Rational>& v) {
+  return std::none_of(path.segments().begin(), path.segments().end(),
+                      [&](const SmoothSegment& segment) { return tangent_along(segment, v); });
 }
 
 }  // namespace
 
-std::optional<Interval> tangent_along(const RationalCurve& curve, const Vector<Rational>& v) {
+std::optional<TangentPlace> tangent_along(const RationalCurve& curve, const Vector<Rational>& v) {
   const Vector<Polynomial> product = cross(as_constant(v), curve.direction());
   const Polynomial common = gcd(gcd(product[0], product[1]), product[2]);
-  if (common.is_zero()) return closed(0, 0);
+  if (common.is_zero()) return TangentPlace{closed(0, 0), true};
   if (common.is_constant()) return std::nullopt;
   const auto zeros = located_real_roots(common, closed(0, 1));
   if (zeros.empty()) return std::nullopt;
-  return zeros.front();
+  return TangentPlace{zeros.front(), true};
+}
+
+std::optional<TangentPlace> tangent_along(const ExpressionCurve& curve, const Vector<Rational>& v) {
+  const auto fault = taylor_parts(curve, up_frame_rate(v)).fault;
+  if (!fault) return std::nullopt;
+  const Vector<Formula> up{Formula(v[0]), Formula(v[1]), Formula(v[2])};
+  const auto zero = simple_zero(curve, widened_part(*fault), cross(up, curve.derivative(1)));
+  const auto t = zero ? rational_parameter(curve, *zero) : std::nullopt;
+  return TangentPlace{t ? closed(*t, *t) : closed(fault->lower, fault->upper), zero.has_value()};
+}
+
+std::optional<TangentPlace> tangent_along(const SmoothSegment& segment, const Vector<Rational>& v) {
+  return std::visit([&](const auto& curve) { return tangent_along(curve, v); }, segment);
 }
 
 void require_up_vector(const SmoothPath& path, const Vector<Rational>& v) {
-  if (is_zero(v)) throw DomainError("the up vector is 0");
-  if (const auto at = first_along(path, v))
-    throw DomainError(
-        fmt::format("the up vector {} is along the tangent at {}", abbreviated(v), *at));
+  if (v == Vector<Rational>{}) throw DomainError("the up vector is 0");
+  for (std::size_t k = 0; k < path.segments().size(); ++k) {
+    const auto at = tangent_along(path.segments()[k], v);
+    if (!at) continue;
+    if (at->is_certain)
+      throw DomainError(fmt::format("the up vector {} is along the tangent at {}", abbreviated(v),
+                                    where(at->place, k)));
+    throw Undecided(fmt::format(
+        "whether the up vector {} is along the tangent near {} is not told within parts of 2^-40 "
+        "of the curve",
+        abbreviated(v), where(at->place, k)));
+  }
 }
 
-bool is_straight(const SmoothPath& path) { return !first_normal(direction_coefficients(path)); }
+bool is_straight(const SmoothPath& path) { return are_on_a_line(direction_span(path)); }
 
 std::optional<Vector<Rational>> plane_normal(const SmoothPath& path) {
-  const auto directions = direction_coefficients(path);
-  const auto normal = first_normal(directions);
-  if (!normal) return std::nullopt;
-  for (const Vector<Rational>& direction : directions)
-    if (dot(*normal, direction) != 0) return std::nullopt;
-  return primitive(*normal);
+  return common_normal(direction_span(path));
 }
 
 Vector<Rational> up_vector(const SmoothPath& path) {
@@ -153,7 +159,7 @@ Vector<Rational> up_vector(const SmoothPath& path) {
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [size, v] : ordered) {
     const Vector<Rational> up{v[0], v[1], v[2]};
-    if (!first_along(path, up)) return up;
+    if (is_apart(path, up)) return up;
   }
   throw Undecided(fmt::format(
       "each of {} up vectors that were tried is along the tangent somewhere: name another one",

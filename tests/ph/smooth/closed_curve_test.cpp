@@ -43,28 +43,29 @@ void check_law_of_projections(const C& curve) {
 
 // Gauss's double integral by numpy, midpoints of 1000² and 2000² parts, extrapolated.
 TEST_CASE("closed curve: the writhe is Gauss's double integral") {
-  CHECK(is_near(writhe(closed_frame(torus_knot(2, 3))), -3.51823923, 1e-7));
-  CHECK(is_near(writhe(closed_frame(torus_knot(3, 2))), -3.90078708, 1e-7));
-  CHECK(is_near(writhe(closed_frame(torus_knot(2, 5))), -6.86810701, 1e-7));
-  CHECK(is_near(writhe(closed_frame(torus_knot(3, 4))), -8.52371169, 1e-7));
-  CHECK(is_near(writhe(closed_frame(figure_eight())), 0.0863161, 1e-6));
+  CHECK(is_near(writhe(closed_frame(SmoothPath(torus_knot(2, 3)))), -3.51823923, 1e-7));
+  CHECK(is_near(writhe(closed_frame(SmoothPath(torus_knot(3, 2)))), -3.90078708, 1e-7));
+  CHECK(is_near(writhe(closed_frame(SmoothPath(torus_knot(2, 5)))), -6.86810701, 1e-7));
+  CHECK(is_near(writhe(closed_frame(SmoothPath(torus_knot(3, 4)))), -8.52371169, 1e-7));
+  CHECK(is_near(writhe(closed_frame(SmoothPath(figure_eight()))), 0.0863161, 1e-6));
   const ExpressionCurve fourier =
       expression_curve({"sin(s) + 2*sin(2*s)", "cos(s) - 2*cos(2*s)", "-sin(3*s)"}, "0", "2*pi");
-  CHECK(is_near(writhe(closed_frame(fourier)), -3.35412622, 1e-7));
-  CHECK(is_near(holonomy(closed_frame(fourier)), -2.225040642434489, 1e-14));  // mpmath
+  CHECK(is_near(writhe(closed_frame(SmoothPath(fourier))), -3.35412622, 1e-7));
+  CHECK(is_near(holonomy(closed_frame(SmoothPath(fourier))), -2.225040642434489, 1e-14));  // mpmath
 }
 
 TEST_CASE("closed curve: law: the writhe does not depend on v") {
-  check_law_of_projections(figure_eight());
-  check_law_of_projections(expression_curve({"cos(s)", "sin(s)", "sin(2*s)/3"}, "1", "1 - 2*pi"));
+  check_law_of_projections(SmoothPath(figure_eight()));
+  check_law_of_projections(
+      SmoothPath(expression_curve({"cos(s)", "sin(s)", "sin(2*s)/3"}, "1", "1 - 2*pi")));
 }
 
 TEST_CASE("closed curve: the holonomy is Tw up to whole turns, so Wr - holonomy/2pi is whole") {
-  const ClosedFrame frame = closed_frame(torus_knot(2, 3));
+  const ClosedFrame frame = closed_frame(SmoothPath(torus_knot(2, 3)));
   CHECK(frame.linking == -3);
   CHECK(is_near(holonomy(frame), 3.02699218511217579, 1e-14));
   for (const auto& [p, q] : {std::pair(3L, 2L), {2L, 5L}}) {
-    const ClosedFrame other = closed_frame(torus_knot(p, q), {1, 2, 5}).value();
+    const ClosedFrame other = closed_frame(SmoothPath(torus_knot(p, q)), {1, 2, 5}).value();
     const RealBall turns = divide(holonomy(other).enclose(50), times_power_of_two(pi(50), 1), 50);
     CHECK(unique_integer(subtract(writhe(other).enclose(50), turns, 50)));
     CHECK(is_at_most(absolute(turns), RealBall(Rational(1, 2), 64)));
@@ -73,7 +74,7 @@ TEST_CASE("closed curve: the holonomy is Tw up to whole turns, so Wr - holonomy/
 
 TEST_CASE("closed curve: Viviani's curve has no holonomy") {
   const ExpressionCurve c = expression_curve({"1 + cos(s)", "sin(s)", "2*sin(s/2)"}, "-pi", "3*pi");
-  CHECK_THROWS_AS(closed_frame(c), Undecided);  // it meets itself
+  CHECK_THROWS_AS(closed_frame(SmoothPath(c)), Undecided);  // it meets itself
   const ExpressionIntegral turn(c, up_frame_rate({1, 2, -5}),
                                 taylor_parts(c, up_frame_rate({1, 2, -5})).parts);
   CHECK(turn.enclose(1, 60).contains(0));
@@ -111,27 +112,29 @@ TEST_CASE("closed curve: law: a PH spline by its positions has the twist of the 
 TEST_CASE("closed curve: self-linking numbers of torus knots") {
   for (const auto& [p, q] : {std::pair(2L, 3L), {2L, 5L}}) {
     const ExpressionCurve c = torus_knot(p, q);
-    CHECK(self_linking_number(closed_frame(c), total(c, torsion_rate())) == -p * q);
+    CHECK(self_linking_number(closed_frame(SmoothPath(c)), total(c, torsion_rate())) == -p * q);
   }
 }
 
 // By Gauss's double integral, 1000² values of numpy: −3.0000000000000044, −2.0000000000000027 and
 // −2.0000000000000004.
 TEST_CASE("closed curve: linking numbers of torus knots with the core and a ring") {
-  const CurveSeries core = series_of(expression_curve({"2*cos(s)", "2*sin(s)", "0"}, "0", "2*pi"));
+  const CurveSeries core =
+      series_of(SmoothPath(expression_curve({"2*cos(s)", "2*sin(s)", "0"}, "0", "2*pi")));
   const CurveSeries ring =
-      series_of(expression_curve({"3 + 3*cos(s)", "0", "3*sin(s)"}, "0", "2*pi"));
-  CHECK(linking_number(series_of(torus_knot(2, 3)), core) == -3);
-  CHECK(linking_number(series_of(torus_knot(3, 2)), core) == -2);
-  CHECK(linking_number(series_of(torus_knot(2, 3)), ring) == -2);
-  CHECK(linking_number(ring, series_of(torus_knot(2, 3))) == -2);
-  const CurveSeries far = series_of(expression_curve({"9 + cos(s)", "sin(s)", "0"}, "0", "2*pi"));
+      series_of(SmoothPath(expression_curve({"3 + 3*cos(s)", "0", "3*sin(s)"}, "0", "2*pi")));
+  CHECK(linking_number(series_of(SmoothPath(torus_knot(2, 3))), core) == -3);
+  CHECK(linking_number(series_of(SmoothPath(torus_knot(3, 2))), core) == -2);
+  CHECK(linking_number(series_of(SmoothPath(torus_knot(2, 3))), ring) == -2);
+  CHECK(linking_number(ring, series_of(SmoothPath(torus_knot(2, 3)))) == -2);
+  const CurveSeries far =
+      series_of(SmoothPath(expression_curve({"9 + cos(s)", "sin(s)", "0"}, "0", "2*pi")));
   CHECK(linking_number(core, far) == 0);
 }
 
 TEST_CASE("closed curve: the extra turn closes the sweep") {
   const ExpressionCurve c = torus_knot(2, 3);
-  const Real angle = holonomy(closed_frame(c));
+  const Real angle = holonomy(closed_frame(SmoothPath(c)));
   const Real turn = closing_turn_per_length(angle, total(c, length_rate()));
   CHECK(is_near(turn, -3.02699218511217579 / 31.898600666412336249, 1e-14));
 }
@@ -139,7 +142,7 @@ TEST_CASE("closed curve: the extra turn closes the sweep") {
 TEST_CASE("closed curve: what is not closed or touches itself is refused") {
   const auto failure = [](const ExpressionCurve& c) -> std::string {
     try {
-      closed_frame(c);
+      closed_frame(SmoothPath(c));
     } catch (const DomainError& error) {
       return error.what();
     }
@@ -149,6 +152,7 @@ TEST_CASE("closed curve: what is not closed or touches itself is refused") {
         "the curve is not closed: its ends do not meet");
   CHECK(failure(expression_curve({"sin(2*s)", "sin(s)", "0"}, "0", "pi")) ==
         "the curve is not closed: its tangent breaks where its ends meet");
-  CHECK_THROWS_AS(closed_frame(expression_curve({"sin(2*s)", "sin(s)", "0"}, "0", "2*pi")),
-                  Undecided);
+  CHECK_THROWS_AS(
+      closed_frame(SmoothPath(expression_curve({"sin(2*s)", "sin(s)", "0"}, "0", "2*pi"))),
+      Undecided);
 }

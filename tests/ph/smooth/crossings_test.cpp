@@ -13,7 +13,7 @@ TEST_CASE("crossings: seen from above, a torus knot has its least number of them
   for (const auto& [p, q] : {std::pair(2L, 3L), {2L, 5L}, {3L, 4L}, {3L, 7L}}) {
     CAPTURE(p);
     CAPTURE(q);
-    const auto found = self_crossings(series_of(torus_knot(p, q)), {0, 0, 1});
+    const auto found = self_crossings(series_of(SmoothPath(torus_knot(p, q))), {0, 0, 1});
     REQUIRE(found);
     CHECK(found->size() == static_cast<std::size_t>(q * (p - 1)));
     CHECK(sum_of_signs(*found) == -q * (p - 1));
@@ -25,7 +25,7 @@ TEST_CASE(
     "product") {
   const Vector<Rational> v{1, 2, 5};
   const ExpressionCurve c = torus_knot(3, 4);
-  const auto found = self_crossings(series_of(c), v);
+  const auto found = self_crossings(series_of(SmoothPath(c)), v);
   REQUIRE(found);
   CHECK(found->size() >= 8);  // of the knot
   for (const Crossing& crossing : *found) {
@@ -48,18 +48,20 @@ TEST_CASE(
 TEST_CASE(
     "crossings: a convex curve has none, and none are decided where the curve touches itself") {
   const Vector<Rational> up{0, 0, 1};
-  const auto none =
-      self_crossings(series_of(expression_curve({"3*cos(s)", "sin(s)", "s*0"}, "0", "2*pi")), up);
+  const auto none = self_crossings(
+      series_of(SmoothPath(expression_curve({"3*cos(s)", "sin(s)", "s*0"}, "0", "2*pi"))), up);
   REQUIRE(none);
   CHECK(none->empty());
   // A lemniscate that meets itself at 0, and two circles that touch, seen from above.
   CHECK_FALSE(self_crossings(
-      series_of(expression_curve({"sin(2*s)", "sin(s)", "0"}, "1", "1 + 2*pi")), up));
+      series_of(SmoothPath(expression_curve({"sin(2*s)", "sin(s)", "0"}, "1", "1 + 2*pi"))), up));
   const CurveSeries circle =
-      series_of(expression_curve({"cos(s)", "sin(s)", "0"}, "1", "1 + 2*pi"));
+      series_of(SmoothPath(expression_curve({"cos(s)", "sin(s)", "0"}, "1", "1 + 2*pi")));
   CHECK_FALSE(mutual_crossings(
-      circle, series_of(expression_curve({"2 + cos(s)", "sin(s)", "1"}, "1", "1 + 2*pi")), up));
+      circle,
+      series_of(SmoothPath(expression_curve({"2 + cos(s)", "sin(s)", "1"}, "1", "1 + 2*pi"))), up));
   CHECK(mutual_crossings(
-            circle, series_of(expression_curve({"1 + cos(s)", "sin(s)", "1"}, "0", "2*pi")), up)
+            circle,
+            series_of(SmoothPath(expression_curve({"1 + cos(s)", "sin(s)", "1"}, "0", "2*pi"))), up)
             ->size() == 2);
 }

@@ -39,7 +39,7 @@ TEST_CASE("curve arc: boxes are apart, one way or transversal only where that is
 TEST_CASE("curve arc: law: points and derivatives of an arc are in its boxes") {
   const ExpressionCurve c =
       expression_curve({"exp(sin(s))*cos(s)", "sin(2*s)/(2 + cos(s))", "cos(3*s)"}, "0", "2*pi");
-  CurveTree tree(series_of(c), {2, -1, 3});
+  CurveTree tree(series_of(SmoothPath(c)), {2, -1, 3});
   test::for_samples(200, [&](Random& random) {
     CurveNode* node = &tree.root();
     for (long depth = random.integer(0, 12); depth > 0; --depth) {
@@ -58,7 +58,8 @@ TEST_CASE("curve arc: law: points and derivatives of an arc are in its boxes") {
 }
 
 TEST_CASE("curve arc: the ends of neighbours are the same, around the whole curve") {
-  CurveTree tree(series_of(expression_curve({"cos(s)", "sin(s)", "0"}, "0", "2*pi")), {0, 0, 1});
+  CurveTree tree(series_of(SmoothPath(expression_curve({"cos(s)", "sin(s)", "0"}, "0", "2*pi"))),
+                 {0, 0, 1});
   tree.split(tree.root());
   CurveNode& first = *tree.root().halves[0];
   CurveNode& last = *tree.root().halves[1];

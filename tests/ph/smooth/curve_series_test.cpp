@@ -12,7 +12,7 @@ TEST_CASE("curve series: law: of a rational curve its Taylor polynomials, and ba
   for_samples(50, [](Random& random) {
     const Polynomial weight{random.integer(5, 9), random.integer(-1, 1), random.integer(-2, 2)};
     const Vector<Polynomial> x{random.polynomial(4), random.nonconstant_polynomial(4), {1, 2, 3}};
-    const CurveSeries series = series_of(std::vector{RationalCurve(x, weight)});
+    const CurveSeries series = series_of(SmoothPath(RationalCurve(x, weight)));
     const Rational t(random.integer(0, 8), 8);
     const auto at = series.position(0, RealBall(t, 100), 3, 100);
     const auto wide = series.position(0, widened(RealBall(t, 100), 0.01), 3, 100);
@@ -38,7 +38,7 @@ TEST_CASE("curve series: of a PH path those of its segments") {
 
 TEST_CASE("curve series: of formulas their series along t") {
   const CurveSeries series =
-      series_of(test::expression_curve({"s^2", "s", "1"}, "1", "3"));  // s = 1 + 2t
+      series_of(SmoothPath(test::expression_curve({"s^2", "s", "1"}, "1", "3")));  // s = 1 + 2t
   const auto r = series.position(0, RealBall(Rational(1, 2), 64), 3, 64);
   CHECK(r[0].coefficient(0).contains(4));
   CHECK(r[0].coefficient(1).contains(8));

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/smooth/smooth_point.hpp"
+#include "support/expression_curves.hpp"
 #include "support/paths.hpp"
 
 using namespace phrame;
@@ -72,4 +74,31 @@ TEST_CASE("smooth path: a PH path by its positions has its points, and is as clo
   CHECK(path.is_closed());
   for (std::size_t k = 0; k < loop.segments().size(); ++k)
     CHECK(std::get<RationalCurve>(path.segments()[k]).numerator() == position(loop.segments()[k]));
+}
+
+TEST_CASE("smooth path: formulas join by their values, and with rational curves") {
+  const auto arc = [](const char* from, const char* to) {
+    return test::expression_curve({"cos(s)", "sin(s)", "0"}, from, to);
+  };
+  SmoothPath path(arc("0", "1/3"));
+  path.append(arc("1/3", "pi/2"));
+  CHECK_THROWS_AS(path.append(arc("0", "1")), DomainError);     // another point
+  CHECK_THROWS_AS(path.append(arc("pi/2", "0")), DomainError);  // the opposite direction
+  path.append(RationalCurve({Polynomial{0, -1}, {1}, {}}));     // (0, 1) to (−1, 1)
+  CHECK_THROWS_AS(path.append(arc("pi", "4")), DomainError);
+  CHECK(path.segments().size() == 3);
+  CHECK_FALSE(path.ends_meet());
+  CHECK(SmoothPath(arc("1", "1 + 2*pi")).is_closed());
+  // It starts at sin²(1) + cos²(1), which no form says is 1.
+  const SmoothPath line(RationalCurve({Polynomial{0, 1}, {}, {}}));
+  CHECK_THROWS_AS(SmoothPath(line).append(
+                      test::expression_curve({"sin(s)^2 + cos(s)^2 + s - 1", "0", "0"}, "1", "2")),
+                  Undecided);
+}
+
+TEST_CASE("smooth path: formulas behind a cusp are turned over") {
+  SmoothPath path(RationalCurve({Polynomial{0, 1, -1}, {}, {}}));  // there and back
+  path.append(test::expression_curve({"-sin(s)", "1 - cos(s)", "0"}, "0", "1"));
+  CHECK(orientation(path.segments().back()) == -1);
+  CHECK(*direction(path, {1, Rational(0)})[0].exact() > 0);  // e₁ goes on
 }

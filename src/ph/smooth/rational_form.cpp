@@ -1,0 +1,94 @@
+#include "phrame/ph/smooth/rational_form.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/rational_function.hpp"
+
+namespace phrame {
+namespace {
+
+constexpr long most_degree = 400;
+
+long degree_of(const RationalFunction& f) {
+  return std::max(f.numerator().degree(), f.denominator().degree());
+}
+
+std::optional<RationalFunction> inverse_of(const RationalFunction& f) {
+  if (f.is_zero()) return std::nullopt;
+  return RationalFunction(f.denominator(), f.numerator());
+}
+
+std::optional<RationalFunction> power_of(const RationalFunction& f, const Rational& exponent) {
+  if (denominator(exponent) != 1) return std::nullopt;
+  if (degree_of(f) * abs(exponent) > most_degree || abs(exponent) > most_degree)
+    return std::nullopt;
+  const auto n = static_cast<unsigned long>(static_cast<long>(numerator(abs(exponent))));
+  const RationalFunction power(pow(f.numerator(), n), pow(f.denominator(), n));
+  return exponent.sign() < 0 ? inverse_of(power) : power;
+}
+
+/// A step, where it is a rational function of values that are.
+std::optional<RationalFunction> value_of_step(const Formula::Step& step,
+                                              const std::vector<RationalFunction>& values) {
+  using Operation = Formula::Operation;
+  const auto left = [&]() -> const RationalFunction& { return values[step.left]; };
+  const auto right = [&]() -> const RationalFunction& { return values[step.right]; };
+  switch (step.operation) {
+    case Operation::number:
+      if (step.pi_multiple != 0) return std::nullopt;
+      return RationalFunction(Polynomial{step.number});
+    case Operation::variable:
+      return RationalFunction(Polynomial{0, 1});
+    case Operation::add:
+      return left() + right();
+    case Operation::multiply:
+      return left() * right();
+    case Operation::divide:
+      if (const auto inverse = inverse_of(right())) return left() * *inverse;
+      return std::nullopt;
+    case Operation::power:
+      return power_of(left(), step.number);
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<RationalFunction> rational_function(const Formula& f) {
+  std::vector<RationalFunction> values;
+  for (const Formula::Step& step : f.steps()) {
+    auto value = value_of_step(step, values);
+    if (!value || degree_of(*value) > most_degree) return std::nullopt;
+    values.push_back(*std::move(value));
+  }
+  return values.back();
+}
+
+std::optional<Rational> rational_number(const Formula& f) {
+  const auto value = rational_function(f);
+  return value ? constant(*value) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<RationalCurve> rational_form(const Vector<Formula>& position, const Formula& from,
+                                           const Formula& to) {
+  const auto a = rational_number(from);
+  const auto b = rational_number(to);
+  if (!a || !b || *a == *b) return std::nullopt;
+  Vector<RationalFunction> r;
+  Polynomial weight{1};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto f = rational_function(position[k]);
+    if (!f) return std::nullopt;
+    r[k] = compose(*f, Polynomial{*a, *b - *a});
+    const Polynomial& below = r[k].denominator();
+    weight *= exact_quotient(below, gcd(below, weight));
+  }
+  if (weight.degree() > most_degree) return std::nullopt;
+  Vector<Polynomial> numerator;
+  for (std::size_t k = 0; k < 3; ++k)
+    numerator[k] = r[k].numerator() * exact_quotient(weight, r[k].denominator());
+  return RationalCurve(numerator, weight);
+}
+
+}  // namespace phrame

@@ -1,0 +1,16 @@
+#pragma once
+#include <optional>
+
+#include "phrame/ph/smooth/formula.hpp"
+#include "phrame/ph/smooth/rational_curve.hpp"
+
+namespace phrame {
+
+/// The curve of these formulas from s = a to s = b as X/W, where they are rational functions with
+/// fractions for coefficients and the ends are fractions; no value for others, and beyond degree
+/// 400. Throws DomainError as RationalCurve; that the formulas have other poles, which cancel, is
+/// no matter.
+std::optional<RationalCurve> rational_form(const Vector<Formula>& position, const Formula& from,
+                                           const Formula& to);
+
+}  // namespace phrame
