@@ -7,7 +7,6 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/frame/path_totals.hpp"
 #include "phrame/ph/smooth/smooth_angle.hpp"
-#include "phrame/ph/smooth/up_vector.hpp"
 
 // The frame of v turns as e₂ = v × e₁ does, and so does e₃, the part of v across the tangent: a
 // copy of the curve shifted a little along e₃ is linked with it as one shifted along v.
@@ -102,13 +101,18 @@ std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>
 
 std::optional<ClosedFrame> closed_frame(const SmoothPath& path, const Vector<Rational>& v) {
   check_closed(path);
-  for (const SmoothSegment& segment : path.segments())
-    if (tangent_along(segment, v)) return std::nullopt;
+  std::optional<SmoothAngle> angle;
+  try {
+    angle.emplace(path, v);
+  } catch (const DomainError&) {
+    return std::nullopt;  // v is tangent somewhere
+  } catch (const Undecided&) {
+    return std::nullopt;  // or may be
+  }
   const auto crossings = self_crossings(series_of(path), v);
   if (!crossings) return std::nullopt;
-  const SmoothAngle angle(path, v);
   const bool is_reversed = orientation(path.segments().front()) < 0;
-  const Real end = angle.value({path.segments().size() - 1, Rational(1)});
+  const Real end = angle->value({path.segments().size() - 1, Rational(1)});
   const Real turn = is_reversed ? end : -end;
   return ClosedFrame{v, sum_of_signs(*crossings), Real([turn](long bits) {
                        return in_turns(turn.enclose(bits + 8), bits + 8);

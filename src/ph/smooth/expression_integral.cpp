@@ -79,19 +79,29 @@ class PartSearch {
   }
 
  private:
-  bool is_good(const Rational& lower, const Rational& upper) {
+  /// By so many coefficients.
+  bool is_good(const Rational& lower, const Rational& upper, long length, long bits) {
     const Rational half = (upper - lower) / 2;
     const Rational middle = lower + half;
     const auto bounds = bounds_on_disc(curve_, middle, half);
     if (!bounds) return false;
-    const auto bound = bound_on_inner_disc(integrand_(
-        curve_jet(curve_, RealBall(middle, guess_bits), half, *bounds, guess_length, guess_bits)));
+    const CurveJet jet = curve_jet(curve_, RealBall(middle, bits), half, *bounds, length, bits);
+    const auto bound = bound_on_inner_disc(integrand_(jet));
     if (bound) found_.parts.push_back({lower, upper, *bound});
     return bound.has_value();
   }
 
+  // At a distance d from a zero of |v × r′|², that is about d², and d is about the size of a part:
+  // what is left out of the series, about 2^(−length), has to be less.
+  bool is_good(const Rational& lower, const Rational& upper, long halvings) {
+    if (is_good(lower, upper, guess_length, guess_bits)) return true;
+    constexpr long first_deep = 6;
+    return halvings >= first_deep &&
+           is_good(lower, upper, guess_length + 2 * halvings, guess_bits + 2 * halvings);
+  }
+
   bool cover(const Rational& lower, const Rational& upper, long halvings) {
-    if (is_good(lower, upper)) return true;
+    if (is_good(lower, upper, halvings)) return true;
     if (halvings == most_halvings || found_.parts.size() > most_parts) {
       found_.fault = NarrowPart{lower, upper};
       return false;

@@ -17,8 +17,11 @@ void append_steps(FormulaSteps& steps, const FormulaSteps& more) {
   const std::size_t offset = steps.size();
   steps.reserve(offset + more.size() + 1);
   for (Formula::Step step : more) {
-    step.left += offset;
-    step.right += offset;
+    if (step.operation != FormulaOperation::number &&
+        step.operation != FormulaOperation::variable) {
+      step.left += offset;
+      step.right += offset;
+    }
     steps.push_back(std::move(step));
   }
 }

@@ -181,8 +181,8 @@ StepId FormulaProgram::apply(const Step& step, StepId left, StepId right, StepId
 StepId FormulaProgram::insert(const Formula& f, StepId s) {
   std::vector<StepId> ids;
   for (const Step& step : f.steps()) {
-    const StepId left = ids.empty() ? 0 : ids[step.left];
-    const StepId right = ids.empty() ? 0 : ids[step.right];
+    const StepId left = ids.empty() ? 0 : ids[step.left];    // of a number, any
+    const StepId right = ids.empty() ? 0 : ids[step.right];  // likewise
     ids.push_back(apply(step, left, right, s));
   }
   return ids.back();

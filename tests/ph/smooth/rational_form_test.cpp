@@ -22,10 +22,10 @@ TEST_CASE("rational form: formulas of polynomials and quotients are a rational c
         RationalCurve({Polynomial{1, 4, 4}, {0, 2, 2}, {1}}));
   CHECK(form({"(1 - s^2)/(1 + s^2)", "2*s*(1 + s^2)^-1", "0"}, "0", "1") ==
         RationalCurve({Polynomial{1, 0, -1}, {0, 2}, {}}, Polynomial{1, 0, 1}));
+  // s = t/2, over (4 + t)(6 + t)
   CHECK(form({"1/(s + 2)", "1/(s + 3)", "s"}, "0", "1/2") ==
-        RationalCurve(
-            {Polynomial{12, 2}, {8, 2}, {0, 12, 5, Rational(1, 2)}},  // over (4 + t)(6 + t)/2
-            Polynomial{12, 5, Rational(1, 2)}));
+        RationalCurve({Polynomial{12, 2}, {8, 2}, {0, 12, 5, Rational(1, 2)}},
+                      Polynomial{24, 10, 1}));
 }
 
 TEST_CASE("rational form: others are none") {
