@@ -118,8 +118,8 @@ TEST_CASE("points: what is wrong is said in a line, with its place") {
         "/points: 1 point; a curve needs two at least");
   CHECK(refusal(R"({"phrame": "points/1", "points": [[0], [1]]})") ==
         "/points/0: a point has 2 or 3 coordinates, not 1");
-  CHECK(refusal(R"({"phrame": "points/1", "points": [[0, 0], [1, "nan"]]})").starts_with(
-        "/points/1/1: \"nan\" is not a number"));
+  CHECK(refusal(R"({"phrame": "points/1", "points": [[0, 0], [1, "nan"]]})")
+            .starts_with("/points/1/1: \"nan\" is not a number"));
   CHECK(refusal(R"({"phrame": "curve/1", "points": [[0, 0], [1, 1]]})") ==
         "/phrame: the format is \"points/1\", not \"curve/1\"");
   CHECK(refusal("1,2,3\n") == "line 1: there is one point; a curve needs two at least");
