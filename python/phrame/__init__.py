@@ -8,6 +8,9 @@ Decimal('0.28585653009834106200')
 
 from __future__ import annotations
 
+from importlib import import_module
+from typing import Any
+
 from ._errors import DomainError, Error, InputError, Undecided
 from ._phrame import (
     Angle,
@@ -46,3 +49,12 @@ __all__ = [
     "integrate",
     "root",
 ]
+
+# What needs other packages, and is imported when it is named.
+_BRIDGES = ("sympy",)
+
+
+def __getattr__(name: str) -> Any:
+    if name in _BRIDGES:
+        return import_module("." + name, __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

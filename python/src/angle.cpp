@@ -88,6 +88,14 @@ void bind_angle(nb::module_& m, nb::class_<PathObject>& path) {
           [](const AngleObject& self, std::size_t k) { return segment_angle(self, k).rate(); },
           nb::arg("segment") = 0, "θ′, a rational function.")
       .def(
+          "poles",
+          [](const AngleObject& self, std::size_t k) {
+            segment_angle(self, k);
+            return to_python(formula(self, "logarithms").formulas[k].poles);
+          },
+          nb::arg("segment") = 0, nb::sig("def poles(self, segment: int = 0) -> " PHRAME_POLES_SIG),
+          "The poles of θ′ with their residues, to 12 digits or more; none of more than 100.")
+      .def(
           "text",
           [](const AngleObject& self, const std::string& style) {
             return for_reading(to_text(formula(self, style)), true);
@@ -107,14 +115,16 @@ void bind_angle(nb::module_& m, nb::class_<PathObject>& path) {
           nb::arg("style") = "logarithms", "angle/1 or spline-angle/1.")
       .def(
           "sympy",
-          [](nb::handle self) {
+          [](nb::handle self, nb::handle symbol) {
             const auto& of = nb::cast<const AngleObject&>(self);
             if (!of.named.path.is_curve())
               throw DomainError("sympy: an antiderivative for SymPy is one of a single curve");
-            return imported("phrame._convert",
-                            "run_script")(to_script(formula(of, "logarithms"), Language::sympy));
+            return imported("phrame._convert", "run_script")(
+                to_script(formula(of, "logarithms"), Language::sympy), "t", symbol);
           },
-          nb::sig("def sympy(self) -> typing.Any"), "θ up to a constant, a SymPy expression.")
+          nb::arg("symbol") = nb::none(),
+          nb::sig("def sympy(self, symbol: typing.Any = None) -> typing.Any"),
+          "θ up to a constant, a SymPy expression, of this symbol or a real t.")
       .def("__repr__",
            [](const AngleObject& self) {
              return std::string("<Angle to the ") +
@@ -137,6 +147,11 @@ void bind_angle(nb::module_& m, nb::class_<PathObject>& path) {
         }();
         return "$\\displaystyle \\theta(t) = " + terms + " + \\mathrm{const}$";
       });
+  bind_python(type, "plot", "phrame._plot", "angle",
+              "def plot(self, ts: Numbers | None = None, *, ax: typing.Any = None, **style: "
+              "typing.Any) -> typing.Any",
+              "θ over t, by Matplotlib; the axes.");
+  bind_python(type, "_repr_html_", "phrame._show", "angle_html", "def _repr_html_(self) -> str");
   bind_recipe(type);
 }
 

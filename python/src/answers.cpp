@@ -18,6 +18,23 @@ Style style_named(const std::string& name) {
                         {"radicals", Style::radicals}});
 }
 
+nb::object to_python(const std::optional<PoleTable>& poles) {
+  nb::list list;
+  const auto append = [&](const PoleRow& row, int sign) {
+    const auto number = [&](const PolePart& re, const PolePart& im) {
+      const double y = approximate(im.ball);
+      return nb::steal(PyComplex_FromDoubles(approximate(re.ball), y == 0 ? 0 : sign * y));
+    };
+    list.append(nb::make_tuple(number(row.re, row.im), number(row.residue_re, row.residue_im)));
+  };
+  if (poles)
+    for (const PoleRow& row : poles->rows) {
+      append(row, 1);
+      if (approximate(row.im.ball) != 0) append(row, -1);
+    }
+  return nb::tuple(list);
+}
+
 nb::object number_or_digits(const Real& x, nb::handle digits, const nb::object& recipe) {
   if (digits.is_none()) return to_python(x, recipe);
   const long n = count(digits, "digits", 1, 1'000'000);

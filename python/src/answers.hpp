@@ -9,6 +9,10 @@ Style style_named(const std::string& name);
 /// x, or with `digits` a Decimal with so many.
 nb::object number_or_digits(const Real& x, nb::handle digits, const nb::object& recipe);
 
+/// (pole, residue) as doubles, conjugate ones both.
+nb::object to_python(const std::optional<PoleTable>& poles);
+#define PHRAME_POLES_SIG "tuple[tuple[complex, complex], ...]"
+
 #define PHRAME_VALUE_SIG                                                              \
   nb::sig(                                                                            \
       "@typing.overload\ndef value(self, t: Number, digits: None = None) -> "         \

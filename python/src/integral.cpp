@@ -111,6 +111,14 @@ void bind_integral(nb::module_& m) {
                                  Notation::unicode);
           },
           "The value in finite terms where it is known so, as a text.")
+      .def(
+          "poles",
+          [](const IntegralObject& self) {
+            return to_python(without_gil([&] { return pole_table(self.antiderivative, 100); }));
+          },
+          nb::sig("def poles(self) -> " PHRAME_POLES_SIG),
+          "The poles of the integrand that have a residue, with it, to 12 digits or more; none of "
+          "more than 100.")
       .def("text",
            [](const IntegralObject& self) {
              return for_reading(to_text(integral_answer(self)), true);
@@ -121,13 +129,16 @@ void bind_integral(nb::module_& m) {
           "integral/1.")
       .def(
           "sympy",
-          [](const IntegralObject& self) {
+          [](const IntegralObject& self, nb::handle symbol) {
             IntegralQuery query = self.query;
             query.ends.reset();
             return imported("phrame._convert", "run_script")(
-                to_script(without_gil([&] { return answer(query); }), Language::sympy));
+                to_script(without_gil([&] { return answer(query); }), Language::sympy),
+                query.variable, symbol);
           },
-          nb::sig("def sympy(self) -> typing.Any"), "The antiderivative, a SymPy expression.")
+          nb::arg("symbol") = nb::none(),
+          nb::sig("def sympy(self, symbol: typing.Any = None) -> typing.Any"),
+          "The antiderivative, a SymPy expression, of this symbol or a real one of the same name.")
       .def("__repr__",
            [](const IntegralObject& self) {
              std::ostringstream out;
@@ -148,6 +159,7 @@ void bind_integral(nb::module_& m) {
         }();
         return "$\\displaystyle " + formatted_sum(terms, "", Notation::latex) + "$";
       });
+  bind_python(type, "_repr_html_", "phrame._show", "integral_html", "def _repr_html_(self) -> str");
   bind_recipe(type);
 }
 

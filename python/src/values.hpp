@@ -31,6 +31,18 @@ void bind_copies(C& type) {
           nb::arg("memo"), nb::sig("def __deepcopy__(self, memo: object) -> typing.Self"));
 }
 
+/// A method that is a function of a module of the package, whose first argument is the object.
+template <class C>
+void bind_python(C& type, const char* method, const char* module, const char* function,
+                 const char* signature, const char* what = "") {
+  type.def(
+      method,
+      [module, function](nb::handle self, const nb::args& arguments, const nb::kwargs& named) {
+        return imported(module, function)(self, *arguments, **named);
+      },
+      nb::sig(signature), what);
+}
+
 #define PHRAME_REDUCE_SIG nb::sig("def __reduce__(self) -> tuple[typing.Any, ...]")
 
 }  // namespace phrame::python

@@ -96,13 +96,34 @@ def test_a_real_rounds_correctly():
 
 
 def test_a_real_for_others():
+    """Each is the number of its kind that is nearest, or a ball around it."""
     theta = QUINTIC.angle().value(1)
+    exact = theta_by_quadrature(QUINTIC, 1, 80)
     sympy = pytest.importorskip("sympy")
-    assert theta.sympy(30) == sympy.Float(str(theta.digits(30)), 30)
+    for digits in (5, 15, 30, 50):
+        number = theta.sympy(digits)
+        with mpmath.workprec(number._prec):
+            assert number._mpf_ == (+exact)._mpf_ and sympy.Float(1, digits)._prec == number._prec
+    assert sympy.sympify(theta) == theta.sympy(17)
     flint = pytest.importorskip("flint")
-    ball = theta.flint(100)
-    assert ball.contains(flint.arb(flint.fmpq(*theta.ball(300)[0].as_integer_ratio())).mid()) or ball.rad() > 0
-    assert abs(float(ball.mid()) - float(theta)) < 1e-15 and float(ball.rad()) < 1e-29
+    with mpmath.workdps(95), flint.ctx.workprec(600):
+        near = [flint.arb(mpmath.nstr(exact + sign * mpmath.mpf("1e-75"), 85)) for sign in (-1, 1)]
+        for bits in (20, 53, 200):
+            ball = theta.flint(bits)
+            assert all(ball.contains(x) for x in near) and ball.rad() <= flint.arb(2) ** -bits
+
+
+def test_what_is_not_known_to_be_rational_is_undecided():
+    """√2·√2 is 2, but no number of digits says so."""
+    root = phrame.root([-2, 0, 1], 1, 2)
+    two = root * root
+    if isinstance(two, Fraction):
+        pytest.skip("it is known")
+    assert two.ball(100)[0] <= 2 <= two.ball(100)[1] and two.mpmath(53) == float(two.sympy()) == 2
+    tie = two + Fraction(1, 2**52)  # half way between doubles
+    for ask in (lambda: tie.mpmath(53), lambda: tie.sympy(15), lambda: float(tie), lambda: two < 2):
+        with pytest.raises(phrame.Undecided):
+            ask()
 
 
 def test_roots():

@@ -1,0 +1,92 @@
+"""Pictures by Matplotlib, which is imported when one is asked for."""
+
+from __future__ import annotations
+
+import base64
+import io
+from importlib.util import find_spec
+from typing import Any, Callable
+
+import numpy as np
+
+_SAMPLES = 96  # of a segment: enough for the eye
+
+
+def _new_axes(**options: Any) -> Any:
+    try:
+        from matplotlib import pyplot
+        from mpl_toolkits import mplot3d  # noqa: F401  (it makes the projection known)
+    except ImportError as error:
+        raise ImportError("plot() needs Matplotlib: pip install matplotlib") from error
+    return pyplot.figure().add_subplot(**options)
+
+
+def _parameters(path: Any, ts: Any) -> Any:
+    return np.linspace(0.0, float(path.end), _SAMPLES * path.end + 1) if ts is None else ts
+
+
+def _add_ribbon(ax: Any, points: Any, normals: Any, width: float, color: Any) -> None:
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+    near, far = points - width / 2 * normals, points + width / 2 * normals
+    strips = np.stack([near[:-1], near[1:], far[1:], far[:-1]], axis=1)
+    ax.add_collection3d(Poly3DCollection(strips, facecolor=color, alpha=0.35))
+
+
+def _equalize(ax: Any, low: Any, high: Any) -> None:
+    """A box in which lengths are the same in all directions; no side of it is 0."""
+    least = max(float((high - low).max()), 1e-300) / 10
+    margin = np.maximum(least - (high - low), 0) / 2
+    low, high = low - margin, high + margin
+    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+    ax.set_box_aspect(tuple(high - low))
+
+
+def path(
+    self: Any,
+    ts: Any = None,
+    *,
+    ax: Any = None,
+    kind: str = "rmf",
+    ribbon: Any = None,
+    start: Any = None,
+    start_normal: Any = None,
+    **style: Any,
+) -> Any:
+    """Path.plot"""
+    at = _parameters(self, ts)
+    points = self.points(at)
+    low, high = points.min(axis=0), points.max(axis=0)
+    width = float(np.linalg.norm(high - low)) / 10 if ribbon is None else float(ribbon)
+    normals = self.frames(at, kind=kind, start=start, start_normal=start_normal)[:, 1] if width else None
+    if ax is None:
+        ax = _new_axes(projection="3d", xlabel="x", ylabel="y", zlabel="z")
+    (line,) = ax.plot(*points.T, **style)
+    if width:
+        _add_ribbon(ax, points, normals, width, line.get_color())
+    _equalize(ax, low - width / 2, high + width / 2)
+    return ax
+
+
+def angle(self: Any, ts: Any = None, *, ax: Any = None, **style: Any) -> Any:
+    """Angle.plot"""
+    at = _parameters(self.path, ts)
+    values = self(at)
+    if ax is None:
+        ax = _new_axes(xlabel="t", ylabel="θ")
+    ax.plot([float(t) for t in at], values, **style)
+    return ax
+
+
+def picture(draw: Callable[[Any], object], **options: Any) -> str:
+    """A small picture for HTML, of the axes that `draw` is given; nothing without Matplotlib."""
+    if find_spec("matplotlib") is None:
+        return ""
+    from matplotlib.figure import Figure
+    from mpl_toolkits import mplot3d  # noqa: F401
+
+    figure = Figure(figsize=(3.2, 2.4), layout="constrained")
+    draw(figure.add_subplot(**options))
+    file = io.BytesIO()
+    figure.savefig(file, format="png", dpi=100)
+    return f'<img alt="" src="data:image/png;base64,{base64.b64encode(file.getvalue()).decode()}">'

@@ -1,0 +1,84 @@
+"""What notebooks show: formulas, tables of poles, pictures."""
+
+import base64
+import re
+import sys
+
+import mpmath
+import numpy as np
+import pytest
+
+import phrame
+from common import QUINTIC
+
+SPLINE = phrame.Path([QUINTIC.segment(0, "1/3"), QUINTIC.segment("1/3", 1)], "a <b>")
+
+
+def test_formulas():
+    assert r"\mathbf r'(t)" in QUINTIC._repr_latex_() and "-3t^{4} + 8t^{3} + 14t^{2} - 20t + 4" in QUINTIC._repr_latex_()
+    assert SPLINE._repr_latex_() is None
+    huge = phrame.Curve([10**1000, 1], [1], [0], [1])
+    assert huge._repr_latex_() is None
+
+
+def test_poles_are_those_of_the_rate():
+    with mpmath.workdps(30):
+        rate = QUINTIC.angle().rate()
+        n, d = ([mpmath.mpf(c.numerator) / c.denominator for c in p.coefficients][::-1]
+                for p in (rate.numerator, rate.denominator))
+        roots = mpmath.polyroots(d)
+        found = QUINTIC.angle().poles()
+        assert len(found) == len(roots)
+        for pole, residue in found:
+            z = min(roots, key=lambda root: abs(root - pole))
+            exact = mpmath.polyval(n, z) / mpmath.polyval(d, z, derivative=1)[1]
+            assert abs(z - pole) < 1e-12 and abs(exact - residue) < 1e-12
+    assert phrame.integrate("1/((x - 2)*(x^2 + 1))").poles()[:1] == ((2, 0.2),)
+    assert phrame.integrate("x").poles() == ()
+    with pytest.raises(phrame.InputError, match="segment"):
+        QUINTIC.angle().poles(1)
+
+
+@pytest.fixture(autouse=True)
+def no_window(monkeypatch):
+    monkeypatch.setenv("MPLBACKEND", "agg")
+
+
+def test_html_has_formula_poles_and_a_picture():
+    pytest.importorskip("matplotlib")
+    html = QUINTIC.angle()._repr_html_()
+    assert r"\theta(t)" in html and "0.0120183880193 ± 0.394440354901i" in html
+    assert "−0.096099539514 ± 0.0145903344262i" in html
+    for x in (QUINTIC, SPLINE, QUINTIC.angle(), SPLINE.angle()):
+        image = base64.b64decode(re.search('base64,([^"]*)', x._repr_html_()).group(1))
+        assert image.startswith(b"\x89PNG") and len(image) < 30_000
+    assert "a &lt;b&gt;" in SPLINE._repr_html_()
+    assert r"\arctan" in phrame.integrate("1/(x^2+1)")._repr_html_()
+    assert "<table>" in phrame.integrate("1/(x^5+x+1)")._repr_html_()
+    assert "length" in phrame.Curve([-1, 2], [0], [0], [0])._repr_html_()  # a cusp
+
+
+def test_plots_show_the_numbers():
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    ts = np.linspace(0, 1, 9)
+    ax = QUINTIC.plot(ts, start_normal=[0, 0, 1], color="red")
+    points, frames = QUINTIC.points(ts), QUINTIC.frames(ts, start_normal=[0, 0, 1])
+    (line,) = ax.lines
+    assert np.array_equal(np.array(line.get_data_3d()).T, points) and line.get_color() == "red"
+    (ribbon,) = ax.collections
+    width = np.linalg.norm(points.max(axis=0) - points.min(axis=0)) / 10
+    first = ribbon._faces[0] if hasattr(ribbon, "_faces") else ribbon._vec.T[:4, :3]
+    assert np.allclose(first[0], points[0] - width / 2 * frames[0, 1])
+    assert np.allclose(first[2], points[1] + width / 2 * frames[1, 1])
+    assert len(QUINTIC.plot(ribbon=0).collections) == 0 and len(SPLINE.plot(ax=ax).lines) == 2
+    theta = QUINTIC.angle().plot(ts).lines[0]
+    assert np.array_equal(theta.get_ydata(), QUINTIC.angle()(ts)) and np.array_equal(theta.get_xdata(), ts)
+    pyplot.close("all")
+
+
+def test_without_matplotlib(monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    monkeypatch.setattr("phrame._plot.find_spec", lambda name: None)
+    assert "<img" not in QUINTIC._repr_html_() and "pole" in QUINTIC.angle()._repr_html_()
+    with pytest.raises(ImportError, match="Matplotlib"):
+        QUINTIC.plot()
