@@ -73,6 +73,7 @@
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/ph/proof/verify.hpp"
 #include "phrame/ph/smooth/closed_curve.hpp"
+#include "phrame/ph/smooth/compiled_smooth.hpp"
 #include "phrame/ph/smooth/smooth_check.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
 #include "phrame/ph/smooth/smooth_length.hpp"

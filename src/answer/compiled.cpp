@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "phrame/ph/frame/compiled_angle.hpp"
-#include "phrame/ph/frame/compiled_frame.hpp"
+#include "phrame/answer/rounded.hpp"
+#include "phrame/ph/smooth/compiled_smooth.hpp"
+#include "phrame/ph/smooth/smooth_frame.hpp"
 
 namespace phrame {
 namespace {
@@ -38,6 +39,24 @@ CompiledAnswer answer(const NamedPath& named, const CompiledQuery& query) {
       named, reference, asked, start, compiled_angle(angle, start, from, to, plain_shape(1)), {}};
   if (reference == Reference::euler_rodrigues)
     compiled.rotation = compiled_rotation(curve, angle, start, from, to, plain_shape(4));
+  return compiled;
+}
+
+CompiledAnswer answer(const NamedSmoothPath& named, const SmoothCompiledQuery& query) {
+  const bool is_up = query.reference == SmoothReference::up;
+  const SmoothAngle angle = !is_up     ? SmoothAngle(named.path, query.reference)
+                            : query.up ? SmoothAngle(named.path, *query.up)
+                                       : SmoothAngle(named.path);
+  const Real start = start_angle(query.start, angle);
+  CompiledAnswer compiled{named,
+                          is_up ? Reference::euler_rodrigues : Reference::frenet,
+                          query.start,
+                          rounded_or_zero(start, "theta at t = 0", 17),
+                          compiled_angle(angle, start, plain_shape(1)),
+                          {}};
+  if (!is_up) return compiled;
+  compiled.rotation = compiled_rotation(angle, start, plain_shape(4));
+  compiled.up = angle.up();
   return compiled;
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 #include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/piecewise_polynomial.hpp"
-#include "phrame/ph/curve/named.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
+#include "phrame/ph/smooth/smooth_angle.hpp"
 
 namespace phrame {
 
@@ -14,18 +15,29 @@ struct CompiledQuery {
   double to = 1;    ///< > from
 };
 
-/// Polynomials for a whole path: to_c_header() writes them.
-struct CompiledAnswer {
-  NamedPath path;                               ///< as asked
-  Reference reference;                          ///< the frame that θ is measured from
-  FrameStart start;                             ///< as asked
-  FrameAngle start_angle;                       ///< θ(0)
-  PiecewisePolynomial angle;                    ///< of plain_shape(1)
-  std::optional<PiecewisePolynomial> rotation;  ///< of plain_shape(4); not of a Frenet frame
+/// The same of a path of any kind.
+struct SmoothCompiledQuery {
+  SmoothReference reference = SmoothReference::up;  ///< the frame that θ is measured from
+  std::optional<Vector<Rational>> up = {};          ///< v; one that does is chosen if there is none
+  FrameStart start = {};                            ///< θ(0), or where f₂ is at t = 0
 };
 
-/// Throws as PathAngle, start_angle(), compiled_angle() and compiled_rotation().
+/// Polynomials for a whole path: to_c_header() writes them.
+struct CompiledAnswer {
+  AnyPath path;                                   ///< as asked
+  Reference reference;                            ///< the frame that θ is measured from
+  FrameStart start;                               ///< as asked
+  std::variant<FrameAngle, Decimal> start_angle;  ///< θ(0)
+  PiecewisePolynomial angle;                      ///< of plain_shape(1)
+  std::optional<PiecewisePolynomial> rotation;    ///< of plain_shape(4); not of a Frenet frame
+  /// v, to whose frame the angle is: of a path that is not PH, but for the Frenet frame.
+  std::optional<Vector<Rational>> up = {};
+};
+
+/// @{ Throws as PathAngle or SmoothAngle, start_angle(), compiled_angle() and compiled_rotation().
 CompiledAnswer answer(const NamedPath& path, const CompiledQuery& query);
+CompiledAnswer answer(const NamedSmoothPath& path, const SmoothCompiledQuery& query);
+/// @}
 
 /// @{ With rounding, what is computed from the polynomials in doubles is off by at most so much:
 double angle_error(const CompiledAnswer& answer);      ///< in radians

@@ -11,6 +11,7 @@ struct CompileOptions {
   std::optional<std::string> prefix;
   std::string frame = "erf";
   StartOptions start;
+  UpOption up;
   std::string from = "0";
   std::string to = "1";
 };
@@ -36,25 +37,57 @@ std::pair<double, double> interval(const CompileOptions& options) {
   return {from, to};
 }
 
-void run(const Command& command, const CompileOptions& options) {
+/// Of a curve that is no PH curve.
+CompiledAnswer compiled(const Command& command, const CompileOptions& options,
+                        const NamedSmoothPath& named) {
+  command.refuse({"--from", "--to"},
+                 "is for single Pythagorean-hodograph curves; others are compiled as a whole");
+  if (command.is_given("--frame") && options.frame == "erf")
+    throw InputError("--frame", std::string("\"erf\" ") + needs_ph);
+  const SmoothAngle angle = options.up.angle(named.path);
+  options.start.check(angle);
+  SmoothCompiledQuery query;
+  if (options.frame == "frenet") query.reference = SmoothReference::frenet;
+  query.up = angle.up();
+  query.start = options.start.given().value_or(FrameStart());
+  return answer(named, query);
+}
+
+CompiledAnswer compiled(const Command& command, const CompileOptions& options,
+                        const NamedPath& named) {
+  options.up.refuse(": its angle is that to erf or frenet");
+  if (options.frame == "up")
+    throw InputError("--frame",
+                     "the curve is Pythagorean-hodograph: its angle is that to erf or frenet");
   const auto reference = chosen_reference(options.frame);
-  const FrameStart start = options.start.given().value_or(FrameStart());
-  if (options.start.angle)
-    rounded("--theta0", *options.start.angle, to_real(std::get<Angle>(start)));
   const auto [from, to] = interval(options);
-  if (options.prefix && !is_prefix(*options.prefix))
-    throw InputError("--prefix", "\"" + abbreviated(*options.prefix) +
-                                     "\" is not a letter followed by letters, digits and single _");
-  const NamedPath named = options.curve.read_path();
   options.start.check(named.path);
   if (!named.path.is_curve()) {
     if (reference != Reference::euler_rodrigues) fail_for_spline("--frame", options.frame);
     if (command.is_given("--from")) fail_for_spline("--from", options.from);
     if (command.is_given("--to")) fail_for_spline("--to", options.to);
   }
-  const CompiledAnswer compiled = answer(named, CompiledQuery{reference, start, from, to});
-  write_output(options.curve.output,
-               to_c_header(compiled, options.prefix.value_or(prefix_from(named.name))));
+  return answer(named,
+                CompiledQuery{reference, options.start.given().value_or(FrameStart()), from, to});
+}
+
+void run(const Command& command, const CompileOptions& options) {
+  if (options.frame != "up") chosen_reference(options.frame);
+  const FrameStart start = options.start.given().value_or(FrameStart());
+  if (options.start.angle)
+    rounded("--theta0", *options.start.angle, to_real(std::get<Angle>(start)));
+  interval(options);
+  if (options.prefix && !is_prefix(*options.prefix))
+    throw InputError("--prefix", "\"" + abbreviated(*options.prefix) +
+                                     "\" is not a letter followed by letters, digits and single _");
+  const AnyPath path = options.curve.read_any_path();
+  write_output(options.curve.output, std::visit(
+                                         [&](const auto& named) {
+                                           return to_c_header(
+                                               compiled(command, options, named),
+                                               options.prefix.value_or(prefix_from(named.name)));
+                                         },
+                                         path));
 }
 
 }  // namespace
@@ -65,9 +98,12 @@ void add_compile(Program& program) {
   options->curve.add_to(command);
   command.add_option("--prefix", "NAME", options->prefix,
                      "of the names in C (default: the curve's name)");
-  add_reference(command, options->frame,
-                "the frame the angle is measured from: erf (default), or frenet: only the angle");
+  command.add_choice("--frame", options->frame, {"erf", "frenet", "up"},
+                     "the frame the angle is measured from: erf (default), or frenet: only the "
+                     "angle;\nof curves that are not Pythagorean-hodograph up (default) or frenet");
   options->start.add_to(command, "e2 or n", "default 0");
+  options->up.add_to(command,
+                     "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");
   command.add_option("--from", "T", options->from, "the least t (default 0), rounded to a double");
   command.add_option("--to", "T", options->to, "the greatest t (default 1), rounded to a double");
   command.set_notes(

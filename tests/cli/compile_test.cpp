@@ -7,6 +7,7 @@
 #include "phrame/io/write/c_header.hpp"
 #include "phrame/ph/frame/compiled_angle.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
+#include "phrame/ph/smooth/smooth_frame.hpp"
 #include "workshop.hpp"
 
 // The headers are compiled by a C compiler ($CC, or cc) and compared with the exact engine: a
@@ -15,6 +16,7 @@
 using namespace phrame;
 using test::check_failure;
 using test::check_success;
+using test::Run;
 using test::Workshop;
 
 namespace {
@@ -251,7 +253,7 @@ TEST_CASE("compile: more pieces than a short index can count") {
     return piece;
   };
   const Curve line({{1}, {}, {}, {}});
-  const CompiledAnswer compiled{{"", line},
+  const CompiledAnswer compiled{NamedPath("", line),
                                 Reference::euler_rodrigues,
                                 Angle(),
                                 FrameAngle(),
@@ -300,4 +302,43 @@ TEST_CASE("compile: names in C come from the curve's, and --prefix must be one")
       {"u": [1], "v": ["-1e19", "3e19"], "p": ["-1e19", "3e19"], "q": [1, 1]}})");
   check_failure(shop.run("compile steep.json -o steep.h"), 4, "next to t = 0.33333");
   CHECK_FALSE(std::filesystem::exists(shop.file("steep.h")));
+}
+
+// Against the exact angles and frames, whose values have tests of their own.
+TEST_CASE("compile: curves of any kind, by angles to the frame of v") {
+  const Workshop shop;
+  shop.write("cubic.json", R"({"phrame": "curve/1", "name": "cubic", "weights": [1, 2, "1/2", 1],
+      "control_points": [[0, 0, 0], [1, 0, 0], [1, 2, 0], [0, 2, 3]]})");
+  CHECK(shop.run("compile cubic.json --up 0,0,1 --theta0 1/8 --prefix arm -o angle.h").status == 0);
+  const std::string header = test::bytes_of(shop.file("angle.h"));
+  CHECK(test::contains(header, "frame (e1, e2, e3) of v = (0, 0, 1),"));
+  CHECK(test::contains(header, "theta(0) = 1/8."));
+  const SmoothPath path(
+      bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 3}}, {1, 2, Rational(1, 2), 1}));
+  const SmoothAngle angle(path, {0, 0, 1});
+  const Real start = Rational(1, 8);
+  const auto at = even_parameters(1001);
+  const auto rows = evaluated(shop, at, "-std=c99 -O2");
+  CHECK(rows[0][10] < 0x1p-50);
+  CHECK(rows[0][11] < 0x1p-50);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const SmoothParameter t(0, exact_rational(at[k]));
+    CHECK(distance(rows[k][0], angle.value(t) + start) <= exact_rational(rows[k][10]));
+    const Frame<Real> exact = rotation_minimizing_frame(angle, t, start);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(distance(rows[k][1 + i], exact.e1[i]) <= exact_rational(rows[k][11]));
+      CHECK(distance(rows[k][4 + i], exact.e2[i]) <= exact_rational(rows[k][11]));
+      CHECK(distance(rows[k][7 + i], exact.e3[i]) <= exact_rational(rows[k][11]));
+    }
+  }
+  const Run frenet = shop.run("compile cubic.json --frame frenet");
+  check_success(frenet);
+  CHECK_FALSE(test::contains(frenet.out, "cubic_frame"));
+  check_success(shop.run("compile cubic.json --start-normal 1,1,0"));
+  check_failure(shop.run("compile cubic.json --to 1/2"), 2, "--to: is for single Pythagorean");
+  check_failure(shop.run("compile cubic.json --frame erf"), 2, "--frame: \"erf\" needs");
+  check_failure(shop.run("compile cubic.json --up 1,0,0"), 2, "--up: the up vector (1, 0, 0) is");
+  check_failure(shop.run("compile cubic.json --start-normal 1,0,0"), 2, "--start-normal: ");
+  check_failure(shop.run("compile quintic.json --up 0,0,1"), 2, "--up: the curve is Pyth");
+  check_failure(shop.run("compile quintic.json --frame up"), 2, "--frame: the curve is Pyth");
 }

@@ -79,8 +79,7 @@ constexpr const char* preamble =
 
 constexpr const char* frame_text =
     R"( * void {p}_frame(double t, double f1[3], double f2[3], double f3[3])
- *   The frame: f1 along A i A* (the unit tangent, or its opposite where the multiplier is
- *   negative), f2 as above, f3 = cos(theta) e3 - sin(theta) e2.
+ *   The frame: f1 {tangent}, f2 as above, f3 = cos(theta) e3 - sin(theta) e2.
  *   The error of every component is at most {P}_FRAME_ERROR = {frame_error}.
  *
 )";
@@ -156,6 +155,41 @@ std::string in_comment(const std::string& name) {
   return text;
 }
 
+/// What the angle is measured from, as the comment has it.
+std::string about_reference(const CompiledAnswer& header) {
+  if (header.reference == Reference::frenet)
+    return "Frenet frame, tangent, normal n and binormal b, continued through inflections";
+  const auto* named = std::get_if<NamedPath>(&header.path);
+  if (named == nullptr)
+    return fmt::format(
+        "frame (e1, e2, e3) of v = {},\n *   e2 = v x e1/|v x e1|, e3 = e1 x e2; segment k has k "
+        "<= t <= k + 1",
+        abbreviated(*header.up));
+  return std::string(
+             "Euler-Rodrigues frame (e1, e2, e3) = (A i A*, A j A*, A k A*)/|A|^2, where\n"
+             " *   A = u + v i + p j + q k is the preimage of the ") +
+         (named->path.is_curve() ? "curve"
+                                 : "segment, chosen such that this frame is\n"
+                                   " *   continuous; segment k has k <= t <= k + 1");
+}
+
+/// What f1 is; two lines.
+const char* about_tangent(const CompiledAnswer& header) {
+  return header.up
+             ? "is the unit tangent r'/|r'|, or its opposite behind a cusp\n *   where r turns "
+               "back"
+             : "along A i A* (the unit tangent, or its opposite where the multiplier is\n *   "
+               "negative)";
+}
+
+/// θ(0).
+std::string start_of(const CompiledAnswer& header) {
+  const auto* exact = std::get_if<FrameAngle>(&header.start_angle);
+  if (exact != nullptr) return abbreviated(to_string(*exact));
+  if (const auto* angle = std::get_if<Angle>(&header.start)) return abbreviated(to_string(*angle));
+  return std::get<Decimal>(header.start_angle).value;
+}
+
 /// A line of the comment, where f2 is to start along a vector.
 std::string about_normal(const FrameStart& start) {
   const auto* normal = std::get_if<StartNormal>(&start);
@@ -204,30 +238,22 @@ std::string to_c_header(const CompiledAnswer& header, const std::string& prefix)
   if (header.rotation) {
     const double error = component_error(header);
     about_frame = fmt::format(fmt::runtime(frame_text), arg("p", p), arg("P", upper),
+                              arg("tangent", about_tangent(header)),
                               arg("frame_error", decimal_above(error)));
     define_frame = fmt::format("#define {}_FRAME_ERROR {:a}\n", upper, error);
   }
   const double error = angle_error(header);
   const bool is_erf = header.reference == Reference::euler_rodrigues;
-  const std::string preimage_of = header.path.path.is_curve()
-                                      ? "curve"
-                                      : "segment, chosen such that this frame is\n"
-                                        " *   continuous; segment k has k <= t <= k + 1";
+  const std::string name = std::visit([](const auto& named) { return named.name; }, header.path);
+  const auto* ph = std::get_if<NamedPath>(&header.path);
   std::string text = fmt::format(
       fmt::runtime(preamble), arg("p", p), arg("P", upper),
-      arg("title", header.path.name.empty()
-                       ? "A rotation-minimizing frame"
-                       : "A rotation-minimizing frame of " + in_comment(header.path.name)),
-      arg("reference",
-          is_erf
-              ? std::string(
-                    "Euler-Rodrigues frame (e1, e2, e3) = (A i A*, A j A*, A k A*)/|A|^2, where\n"
-                    " *   A = u + v i + p j + q k is the preimage of the ") +
-                    preimage_of
-              : "Frenet frame, tangent, normal n and binormal b, continued through inflections"),
-      arg("second", is_erf ? "e2" : "n"), arg("third", is_erf ? "e3" : "b"),
-      arg("start", abbreviated(to_string(header.start_angle))),
-      arg("normal", about_normal(header.start)), arg("near", about_curve(header.path.near)),
+      arg("title", name.empty() ? "A rotation-minimizing frame"
+                                : "A rotation-minimizing frame of " + in_comment(name)),
+      arg("reference", about_reference(header)), arg("second", is_erf ? "e2" : "n"),
+      arg("third", is_erf ? "e3" : "b"), arg("start", start_of(header)),
+      arg("normal", about_normal(header.start)),
+      arg("near", about_curve(ph != nullptr ? ph->near : std::nullopt)),
       arg("angle_error", decimal_above(error)), arg("angle_error_hex", fmt::format("{:a}", error)),
       arg("frame_text", about_frame), arg("frame_define", define_frame),
       arg("from", header.angle.from()), arg("to", header.angle.to()),

@@ -26,6 +26,8 @@ class CompiledAngle {
   CompiledAngle(const RmfAngle& angle, double from, double to, const FrameAngle& start_angle = {});
   /// The same of a spline, on [0, end].
   explicit CompiledAngle(const PathAngle& angle, const FrameAngle& start_angle = {});
+  /// Of polynomials as of compiled_angle, of compensated_shape(1), and the exact angle.
+  CompiledAngle(std::function<Real(const Rational&)> angle, PiecewisePolynomial polynomials);
 
   /// θ(t), correctly rounded: to nearest, ties to even. Throws DomainError for a t outside [from,
   /// to] and NaN, and what the exact angle throws.

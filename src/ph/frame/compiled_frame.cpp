@@ -9,153 +9,73 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/frame/rational_frame.hpp"
+#include "phrame/ph/frame/rotation_piece.hpp"
 
 namespace phrame {
 namespace {
 
-constexpr long frame_bits = 128;  // of what is known of a piece
-
-/// u, v, p, q of a quaternion that depends on y.
-using Components = std::array<BallPolynomial, 4>;
-
 // B = A/√σ·e^{iφ} with φ′ = −h/σ, so that
 //   σB′ = V·B − h·B·i = M·B,  V = b₁i + b₂j + b₃k the vector part of A′A*,
-//
-//       ⎛ 0  −a  −b  −c ⎞
-//   M = ⎜ a   0  −c   b ⎟,  a = b₁ − h,  b = b₂,  c = b₃,  d = b₁ + h.
-//       ⎜ b   c   0  −d ⎟
-//       ⎝ c  −b   d   0 ⎠
+// a = b₁ − h,  b = b₂,  c = b₃,  d = b₁ + h.
 
-/// What B of a curve is determined by: A without its real factor, σ, h and the entries of M.
+/// What B of a curve is determined by: A without its real factor, h, σ and the entries of M.
 struct FrameEquation {
   QuaternionPolynomial preimage;
-  Polynomial sigma, h, a, b, c, d;
+  Polynomial h;
+  RotationEquation rotation;
 
   explicit FrameEquation(const Curve& curve)
-      : preimage(without_real_content(curve.preimage())),
-        sigma(phrame::sigma(preimage)),
-        h(twist_numerator(preimage)) {
+      : preimage(without_real_content(curve.preimage())), h(twist_numerator(preimage)) {
     const auto& [u, v, p, q] = preimage;
     const QuaternionPolynomial rate = QuaternionPolynomial{differentiate(u), differentiate(v),
                                                            differentiate(p), differentiate(q)} *
                                       QuaternionPolynomial{u, -v, -p, -q};
-    a = rate.v - h;
-    b = rate.p;
-    c = rate.q;
-    d = rate.v + h;
+    rotation = {sigma(preimage), rate.v - h, rate.p, rate.q, rate.v + h};
   }
 };
 
-/// The same for polynomials in the y of a piece.
-class EquationOnPiece {
- public:
-  EquationOnPiece(const FrameEquation& equation, const PolynomialPiece& piece)
-      : equation_(equation),
-        piece_(piece),
-        sigma_(on_piece(equation.sigma, piece, frame_bits, true)) {}
-
-  const BallPolynomial& sigma() const { return sigma_; }
-  /// B with φ(0) = phi_at_center, up to y^{length−1}.
-  Components taylor(const RealBall& phi_at_center, long length) const;
-  /// ∫₀^y |σX′ − M·X| ≤ |y|·that.
-  RealBall residual_bound(const Components& x) const;
-
- private:
-  const FrameEquation& equation_;
-  const PolynomialPiece& piece_;
-  BallPolynomial sigma_;
-};
-
-Components EquationOnPiece::taylor(const RealBall& phi_at_center, long length) const {
+/// B with φ(0) = phi_at_center, up to y^{length−1}.
+QuaternionSeries taylor_of(const FrameEquation& equation, const PolynomialPiece& piece,
+                           const BallPolynomial& sigma, const RealBall& phi_at_center,
+                           long length) {
   const auto times = [&](const BallPolynomial& f, const BallPolynomial& g) {
     return multiply_series(f, g, length, frame_bits);
   };
   const BallPolynomial minus_phi_rate =
-      divide_series(per_y(equation_.h, piece_, frame_bits), sigma_, length - 1, frame_bits);
+      divide_series(per_y(equation.h, piece, frame_bits), sigma, length - 1, frame_bits);
   const BallPolynomial phi =
       with_constant(-antiderivative(minus_phi_rate, frame_bits), phi_at_center);
-  const BallPolynomial over_root = inverse_sqrt_series(sigma_, length, frame_bits);  // 1/√σ
+  const BallPolynomial over_root = inverse_sqrt_series(sigma, length, frame_bits);  // 1/√σ
   const auto unit = cos_sin_series(phi, length, frame_bits);
   const BallPolynomial cos = times(unit.cos, over_root);
   const BallPolynomial sin = times(unit.sin, over_root);
 
   // (x + yi)·e^{iφ}/√σ and (x + yi)·j·e^{iφ}/√σ = (x + yi)·e^{−iφ}/√σ·j.
   const auto turned = [&](const Polynomial& re, const Polynomial& im, const BallPolynomial& sine) {
-    const BallPolynomial x = on_piece(re, piece_, frame_bits);
-    const BallPolynomial y = on_piece(im, piece_, frame_bits);
+    const BallPolynomial x = on_piece(re, piece, frame_bits);
+    const BallPolynomial y = on_piece(im, piece, frame_bits);
     return std::pair{subtract(times(x, cos), times(y, sine), frame_bits),
                      add(times(x, sine), times(y, cos), frame_bits)};
   };
-  const auto [u, v] = turned(equation_.preimage.u, equation_.preimage.v, sin);
-  const auto [p, q] = turned(equation_.preimage.p, equation_.preimage.q, -sin);
+  const auto [u, v] = turned(equation.preimage.u, equation.preimage.v, sin);
+  const auto [p, q] = turned(equation.preimage.p, equation.preimage.q, -sin);
   return {u, v, p, q};
 }
 
-/// f·x + g·y + h·z.
-BallPolynomial products(const BallPolynomial& f, const BallPolynomial& x, const BallPolynomial& g,
-                        const BallPolynomial& y, const BallPolynomial& h, const BallPolynomial& z) {
-  const BallPolynomial sum =
-      add(multiply(f, x, frame_bits), multiply(g, y, frame_bits), frame_bits);
-  return add(sum, multiply(h, z, frame_bits), frame_bits);
-}
-
-RealBall EquationOnPiece::residual_bound(const Components& x) const {
-  const BallPolynomial a = per_y(equation_.a, piece_, frame_bits);
-  const BallPolynomial b = per_y(equation_.b, piece_, frame_bits);
-  const BallPolynomial c = per_y(equation_.c, piece_, frame_bits);
-  const BallPolynomial d = per_y(equation_.d, piece_, frame_bits);
-  const BallPolynomial minus_b = -b;
-  const BallPolynomial minus_c = -c;
-  const auto& [u, v, p, q] = x;
-  const Components moved{products(-a, v, minus_b, p, minus_c, q),  // −av − bp − cq
-                         products(a, u, minus_c, p, b, q),         //  au − cp + bq
-                         products(b, u, c, v, -d, q),              //  bu + cv − dq
-                         products(c, u, minus_b, v, d, p)};        //  cu − bv + dp
-  RealBall sum;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const BallPolynomial rate = multiply(sigma_, differentiate(x[k], frame_bits), frame_bits);
-    sum = add(sum, integral_bound(subtract(rate, moved[k], frame_bits), frame_bits), frame_bits);
-  }
-  return sum;
-}
-
 /// B on [low, high] for a curve with the parameter t − origin, from balls around θ(center).
-std::optional<PolynomialPiece> rotation_piece(
+std::optional<PolynomialPiece> rotation_piece_of(
     double low, double high, double origin, const FrameEquation& equation,
     const std::function<RealBall(double center, long bits)>& theta, const FrameAngle& start_angle,
     const DoubleShape& shape) {
-  auto piece = empty_piece(low, high, origin);
-  if (!piece) return std::nullopt;
-  const EquationOnPiece on_this(equation, *piece);
-  const RealBall least_sigma = least(on_this.sigma(), frame_bits);
-  if (sign(least_sigma) <= 0) return std::nullopt;
-
   // Absolutely, φ is to be known to about 2^−bits.
   const Rational size_of_start = abs(start_angle.radians) + 4 * abs(start_angle.half_turns) + 2;
   const long phi_bits = frame_bits + binary_exponent(size_of_start);
-  const RealBall twice_phi =
-      add(theta(piece->center, frame_bits), to_real(start_angle).enclose(phi_bits), phi_bits);
-  const Components taylor = on_this.taylor(times_power_of_two(twice_phi, -1), shape.degree + 1);
-  piece->coefficients = round_coefficients({taylor.begin(), taylor.end()}, shape);
-
-  Components exact;
-  RealBall size, at_zero;
-  double squares = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    exact[k] = exact_polynomial(piece->coefficients, shape, static_cast<long>(k));
-    size = add(size, variation(exact[k], frame_bits), frame_bits);
-    const RealBall off = subtract(exact[k].coefficient(0), taylor[k].coefficient(0), frame_bits);
-    at_zero = add(at_zero, absolute(off), frame_bits);
-    squares += std::pow(rounding_error(piece->coefficients, shape, static_cast<long>(k)), 2);
-  }
-  const RealBall remainder = divide(on_this.residual_bound(exact), least_sigma, frame_bits);
-  // |B| = 1: to be more exact than the second part makes no difference.
-  const double scale = upper_double(size) + 1.0 / 64;
-  if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
-  const double off = upper_double(add(at_zero, remainder, frame_bits));
-  const double rounding = std::sqrt(squares) * (1 + 0x1p-48);         // not rounded down
-  piece->error = sum_up(sum_up(rounding, off), 8 * underflow_error);  // |B| = 1
-  return piece;
+  const auto taylor = [&](const PolynomialPiece& piece, const BallPolynomial& sigma, long length) {
+    const RealBall twice_phi =
+        add(theta(piece.center, frame_bits), to_real(start_angle).enclose(phi_bits), phi_bits);
+    return taylor_of(equation, piece, sigma, times_power_of_two(twice_phi, -1), length);
+  };
+  return rotation_piece(low, high, origin, equation.rotation, taylor, shape);
 }
 
 // f₂ has a component that is 0 everywhere on plane curves only: of f₂·k = 0 the derivative is
@@ -196,7 +116,7 @@ PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
   const FrameEquation equation(curve);
   const auto theta = [&](double t, long more) { return angle.enclose(exact_rational(t), more); };
   return {from, to, shape, [&](double low, double high) {
-            return rotation_piece(low, high, 0, equation, theta, start_angle, shape);
+            return rotation_piece_of(low, high, 0, equation, theta, start_angle, shape);
           }};
 }
 
@@ -210,7 +130,7 @@ PiecewisePolynomial compiled_rotation(const PathAngle& angle, const FrameAngle& 
   const auto make = [&](double low, double high) {
     const double joint = std::floor(low);
     const FrameEquation& equation = equations[static_cast<std::size_t>(joint)];
-    return rotation_piece(low, high, joint, equation, theta, start_angle, shape);
+    return rotation_piece_of(low, high, joint, equation, theta, start_angle, shape);
   };
   return PiecewisePolynomial::on_units(equations.size(), shape, make);
 }

@@ -32,6 +32,10 @@ class CompiledFrames {
                  const FrameAngle& start_angle = {});
   /// The same of a spline, on [0, end].
   explicit CompiledFrames(const PathAngle& angle, const FrameAngle& start_angle = {});
+  /// Whether a component of e₁, e₂, e₃ is known to be 0 for all t.
+  using Zeros = std::array<std::array<bool, 3>, 3>;
+  /// Of polynomials as of compiled_rotation, of compensated_shape(4).
+  CompiledFrames(PiecewisePolynomial polynomials, const Zeros& zeros);
 
   /// The frame at t, every component within 2^−53 of the true one. Throws DomainError for a t
   /// outside [from, to] and NaN.
@@ -51,10 +55,6 @@ class CompiledFrames {
   Rotation rotation(double t) const;
 
  private:
-  /// Whether a component of e₁, e₂, e₃ is 0 for all t.
-  using Zeros = std::array<std::array<bool, 3>, 3>;
-
-  CompiledFrames(PiecewisePolynomial polynomials, const Zeros& zeros);
   static Zeros zeros(const Curve& curve, const RmfAngle& angle, const FrameAngle& start_angle);
   static Zeros zeros(const PathAngle& angle, const FrameAngle& start_angle);
 

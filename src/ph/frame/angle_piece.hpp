@@ -1,0 +1,21 @@
+#pragma once
+#include <functional>
+
+#include "phrame/algebra/piecewise_polynomial.hpp"
+#include "phrame/integrate/taylor_integral.hpp"
+
+namespace phrame {
+
+inline constexpr long angle_bits = 128;  ///< of what is known of a piece
+
+/// θ on [low, high], θ′(t) = N/(D√S) of t − origin there, from balls around θ(center): Taylor
+/// polynomials p, proved afterwards. With a polynomial w near 1/√S
+///   |p − θ| ≤ |p − θ|(center) + ∫(|p′·D − N·w| + |N|·|w − 1/√S|)/min D,
+///   |w − 1/√S| ≤ (|w√S − 1|(center) + ∫|S·w′ + S′·w/2|/min √S)/min √S.
+/// No value where [low, high] is to be divided. Throws Undecided where a constant angle is not told
+/// from 0.
+std::optional<PolynomialPiece> angle_piece(
+    double low, double high, double origin, const RootQuotient& rate,
+    const std::function<RealBall(double center, long bits)>& theta, const DoubleShape& shape);
+
+}  // namespace phrame
