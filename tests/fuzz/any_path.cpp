@@ -1,4 +1,4 @@
-// Any bytes: a path of curves of any kind, or an InputError of one line. Each segment of what is
+// Any bytes: a path of curves of any kind, or an InputError or Undecided of one line. Each segment of what is
 // read begins where the one before ends.
 #include "phrame/io/read/any_path.hpp"
 
@@ -23,6 +23,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         std::abort();
     }
   } catch (const InputError& error) {
+    if (std::string_view(error.what()).find('\n') != std::string_view::npos) std::abort();
+  } catch (const Undecided& error) {  // of formulas
     if (std::string_view(error.what()).find('\n') != std::string_view::npos) std::abort();
   }
   return 0;

@@ -2,6 +2,7 @@
 
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/ph/smooth/curve_integrands.hpp"
+#include "phrame/ph/smooth/direction_span.hpp"
 #include "phrame/ph/smooth/formula_domain.hpp"
 #include "phrame/ph/smooth/rational_rates.hpp"
 #include "phrame/ph/smooth/segment_integral.hpp"
@@ -71,6 +72,7 @@ SegmentEnergy bending_of(const RationalCurve& curve) {
 }
 
 SegmentEnergy bending_of(const ExpressionCurve& curve) {
+  if (are_on_a_line(direction_span(curve))) return Real(Rational(0));
   const ExpressionIntegral energy(curve, bending_rate(), regular_parts(curve));
   return SegmentIntegral(energy).value(Rational(1));
 }

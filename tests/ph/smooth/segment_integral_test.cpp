@@ -102,3 +102,9 @@ TEST_CASE("segment integral: what is undefined is refused with the place") {
   CHECK(failure(expression_curve({"exp(s)", "2*exp(s)", "1"}, "0", "1"), frenet) ==
         "Frenet frame: the curve is a straight line, it has no principal normal");
 }
+
+TEST_CASE("segment integral: a line by formulas has no bending energy, exactly") {
+  const SmoothPath line(expression_curve({"exp(s)", "2*exp(s)", "1"}, "0", "1"));
+  CHECK(std::get<Real>(bending_energy(line)).exact() == Rational(0));
+  CHECK(total_curvature(line).exact() == Rational(0));
+}
