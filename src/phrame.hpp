@@ -78,4 +78,5 @@
 #include "phrame/ph/smooth/smooth_frame.hpp"
 #include "phrame/ph/smooth/smooth_length.hpp"
 #include "phrame/ph/smooth/smooth_path.hpp"
+#include "phrame/ph/smooth/smooth_twist.hpp"
 #include "phrame/version.hpp"

@@ -2,6 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
+#include "phrame/ph/smooth/smooth_twist.hpp"
 
 namespace phrame {
 namespace {
@@ -34,6 +35,7 @@ MinimalTwistAnswer answer(const NamedPath& named, const MinimalTwistQuery& query
                             decimal(to_real(query.from), "the angle at the start"),
                             decimal(to_real(query.to), "the angle at the end"),
                             mtf.length(),
+                            {},
                             decimal(mtf.erf_twist(), "the twist of the Euler-Rodrigues frame"),
                             decimal(mtf.nominal_twist(), "the nominal twist"),
                             decimal(mtf.twist(), "the twist"),
@@ -43,6 +45,30 @@ MinimalTwistAnswer answer(const NamedPath& named, const MinimalTwistQuery& query
   for (const Rational& t : query.at)
     answer.values.push_back(rounded_angle(t, mtf.value(t), query.digits));
   if (query.rational) add_rational(answer, mtf, *query.rational);
+  return answer;
+}
+
+MinimalTwistAnswer answer(const NamedSmoothPath& named, const SmoothTwistQuery& query) {
+  const SmoothAngle angle = query.up ? SmoothAngle(named.path, *query.up) : SmoothAngle(named.path);
+  const SmoothTwist mtf(angle, query.from, query.to, query.extra_turns);
+  const auto decimal = [&query](const Real& x, const std::string& what) {
+    return rounded_or_zero(x, what, query.digits);
+  };
+  MinimalTwistAnswer answer{named,
+                            decimal(mtf.from(), "the angle at the start"),
+                            decimal(mtf.to(), "the angle at the end"),
+                            mtf.length(),
+                            decimal(mtf.length(), "the length"),
+                            decimal(mtf.up_twist(), "the twist of the frame of v"),
+                            decimal(mtf.nominal_twist(), "the nominal twist"),
+                            decimal(mtf.twist(), "the twist"),
+                            decimal(mtf.rate(), "the rate"),
+                            {},
+                            query.digits};
+  answer.up = angle.up();
+  for (const Rational& t : query.at)
+    answer.values.push_back({t, decimal(mtf.value(locate(named.path, t)),
+                                        "theta at t = " + abbreviated(to_string(t)))});
   return answer;
 }
 

@@ -2,6 +2,8 @@
 #include "phrame/answer/angle.hpp"
 #include "phrame/answer/twist_frame.hpp"
 #include "phrame/ph/frame/frame_angle.hpp"
+#include "phrame/ph/frame/frame_start.hpp"
+#include "phrame/ph/smooth/smooth_path.hpp"
 
 namespace phrame {
 
@@ -21,13 +23,24 @@ struct MinimalTwistQuery {
   std::optional<RationalFrame> rational = {};  ///< none for the exact frame alone
 };
 
+/// The same question of a path of any kind, for the exact frame.
+struct SmoothTwistQuery {
+  FrameStart from;                          ///< θ_i, or f₂ at the start
+  FrameStart to;                            ///< θ_f, or f₂ at the end
+  long extra_turns = 0;                     ///< so many revolutions more
+  std::vector<Rational> at = {};            ///< the t where θ is asked for
+  long digits = 17;                         ///< of all numbers
+  std::optional<Vector<Rational>> up = {};  ///< v; one that does is chosen if there is none
+};
+
 /// The exact frame of minimal twist, and a rational one near to it.
 struct MinimalTwistAnswer {
-  NamedPath path;                                 ///< as asked
-  Decimal from;                                   ///< θ_i
-  Decimal to;                                     ///< θ_f
-  Rational length;                                ///< S, of the path
-  Decimal erf_twist;                              ///< of the Euler–Rodrigues frame, ∫ 2h/σ dt
+  AnyPath path;            ///< as asked
+  Decimal from;            ///< θ_i
+  Decimal to;              ///< θ_f
+  Real length;             ///< S, of the path
+  Decimal rounded_length;  ///< where it is irrational
+  Decimal own_twist;  ///< of the Euler–Rodrigues frame, ∫ 2h/σ dt; or of that of v, ∫ e₂′·e₃ dt
   Decimal nominal_twist;                          ///< T
   Decimal twist;                                  ///< T_min, with the extra turns
   Decimal rate;                                   ///< the twist over S
@@ -36,10 +49,13 @@ struct MinimalTwistAnswer {
   std::optional<TwistFrameAnswer> rational = {};  ///< where it was asked for and found
   std::string why_not_rational = {};              ///< where there is none
   std::string why_undecided = {};                 ///< where none was found, or could be shown
+  std::optional<Vector<Rational>> up = {};        ///< v, where the path is no PH path
 };
 
-/// Throws DomainError as MinimalTwist, and as twist_frame() where a rational frame is needed;
-/// Undecided, naming what it is, where a number cannot be rounded.
+/// @{ Throws DomainError as MinimalTwist or SmoothTwist, and as twist_frame() where a rational
+/// frame is needed; Undecided, naming what it is, where a number cannot be rounded.
 MinimalTwistAnswer answer(const NamedPath& path, const MinimalTwistQuery& query);
+MinimalTwistAnswer answer(const NamedSmoothPath& path, const SmoothTwistQuery& query);
+/// @}
 
 }  // namespace phrame

@@ -24,18 +24,21 @@ void add_rounded(std::vector<double>& row, const Vector<Real>& v) {
   row.insert(row.end(), values.begin(), values.end());
 }
 
-void require_columns(const TableColumns& columns) {
+void require_columns(const TableColumns& columns, bool has_twist) {
   for (const TabulatedFrame frame : columns.frames)
     if (frame != TabulatedFrame::rmf && frame != TabulatedFrame::up &&
-        frame != TabulatedFrame::frenet)
-      throw DomainError(
-          "frame erf, mtf or mtf-exact: only Pythagorean-hodograph curves have it here");
+        frame != TabulatedFrame::frenet && !(frame == TabulatedFrame::exact_mtf && has_twist))
+      throw DomainError("frame erf or mtf: only Pythagorean-hodograph curves have it");
 }
 
 class SmoothRows {
  public:
-  SmoothRows(const SmoothAngle& angle, const TableColumns& columns)
-      : columns_(columns), angle_(angle), start_(start_angle(columns.start, angle_)) {}
+  SmoothRows(const SmoothAngle& angle, const TableColumns& columns,
+             const std::optional<SmoothTwist>& twist)
+      : columns_(columns),
+        angle_(angle),
+        twist_(twist),
+        start_(start_angle(columns.start, angle_)) {}
 
   std::vector<double> at(const SmoothParameter& at);
   const std::string& reason() const { return reason_; }
@@ -48,6 +51,7 @@ class SmoothRows {
 
   const TableColumns& columns_;
   SmoothAngle angle_;
+  const std::optional<SmoothTwist>& twist_;
   std::optional<SmoothLength> length_;
   Real start_;
   std::string reason_;  ///< why the last row has empty cells
@@ -68,6 +72,7 @@ void SmoothRows::add_if_defined(std::vector<double>& row, std::size_t count, Add
 
 Frame<Real> SmoothRows::frame(TabulatedFrame kind, const SmoothParameter& at) const {
   if (kind == TabulatedFrame::rmf) return rotation_minimizing_frame(angle_, at, start_);
+  if (kind == TabulatedFrame::exact_mtf) return minimal_twist_frame(*twist_, at);
   if (kind == TabulatedFrame::frenet) return frenet_frame(angle_.path(), at);
   return up_frame(angle_.path(), angle_.up(), at);
 }
@@ -108,9 +113,10 @@ std::vector<double> SmoothRows::at(const SmoothParameter& at) {
 }  // namespace
 
 FrameTable frame_table(const SmoothAngle& angle, const TableColumns& columns,
-                       const std::vector<SmoothParameter>& at) {
-  require_columns(columns);
-  SmoothRows rows(angle, columns);
+                       const std::vector<SmoothParameter>& at,
+                       const std::optional<SmoothTwist>& twist) {
+  require_columns(columns, twist.has_value());
+  SmoothRows rows(angle, columns, twist);
   FrameTable table{names_of(columns), {}};
   for (const SmoothParameter& point : at) {
     add_row(table, rows.at(point), [&] { return fmt::format("row {}", table.rows.size()); });

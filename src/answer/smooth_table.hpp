@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/answer/frame_table.hpp"
-#include "phrame/ph/smooth/smooth_angle.hpp"
+#include "phrame/ph/smooth/smooth_twist.hpp"
 
 namespace phrame {
 
@@ -9,6 +9,7 @@ namespace phrame {
 /// × e₁/|v × e₁|. What is not continuous at a joint is that of the later segment. Throws as the
 /// frame_table() of PH curves, and DomainError for a frame that only these have.
 FrameTable frame_table(const SmoothAngle& angle, const TableColumns& columns,
-                       const std::vector<SmoothParameter>& at);
+                       const std::vector<SmoothParameter>& at,
+                       const std::optional<SmoothTwist>& twist = {});
 
 }  // namespace phrame

@@ -136,13 +136,19 @@ FrameTable table_of(const NamedPath& named, TableColumns& columns, By by,
 FrameTable table_of(const NamedSmoothPath& named, const TableColumns& columns, By by,
                     const FramesOptions& options) {
   for (const std::string& name : split(options.frames))
-    if (name == "erf" || name == "mtf" || name == "mtf-exact")
+    if (name == "erf" || name == "mtf")
       throw InputError("--frame", fmt::format("\"{}\" {}", name, needs_ph));
   const SmoothAngle angle = options.up.angle(named.path);
   options.start.check(angle);
   const auto at =
       by == By::parameter ? points(options, named.path) : points_by_length(options, named.path);
-  return table(columns, [&] { return frame_table(angle, columns, at); });
+  std::optional<SmoothTwist> twist;
+  const auto& frames = columns.frames;
+  if (std::find(frames.begin(), frames.end(), TabulatedFrame::exact_mtf) != frames.end()) {
+    const auto [from, to] = options.twist.ends(angle);
+    twist.emplace(angle, from, to, options.twist.turns);
+  }
+  return table(columns, [&] { return frame_table(angle, columns, at, twist); });
 }
 
 void run(const FramesOptions& options) {
@@ -204,8 +210,8 @@ void add_frames(Program& program) {
       "--by arc-length evaluates at the exact t of each arc length; column t is that t, rounded.\n"
       "The RMF turns at the rate curvature, the Frenet frame at frenet_rate = sqrt(curvature^2 +\n"
       "torsion^2), per unit of arc length.\n"
-      "A curve of any kind, as a Bezier curve or a NURBS, has rmf, up, frenet, curvature and "
-      "torsion.\n"
+      "A curve of any kind, as a Bezier curve or a NURBS, has rmf, up, frenet and mtf-exact, and\n"
+      "all columns.\n"
       "A spline of n segments has t from 0 to n; at a joint, n, b and curvatures are\n"
       "those of the later segment.\n"
       "Examples:\n"

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "phrame/cli/twist_options.hpp"
@@ -11,6 +13,7 @@ struct MtfOptions {
   CurveOptions curve;
   Parameters parameters;
   TwistOptions twist;
+  UpOption up;
   bool is_exact_only = false;
   bool is_wronskian = false;
   std::string weight = "one";
@@ -29,11 +32,9 @@ void run_wronskian(const MtfOptions& options) {
   options.length.write(options.curve.output, print(answer(named, {weight, options.digits})));
 }
 
-void run(const Command& command, const MtfOptions& options) {
-  if (options.is_wronskian) return run_wronskian(options);
-  const auto print = choose<std::string (*)(const MinimalTwistAnswer&)>(
-      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
-  const NamedPath named = options.curve.read_path();
+MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
+                         const NamedPath& named) {
+  options.up.refuse(": its angles are those to the Euler-Rodrigues frame");
   const auto [from, to] = options.twist.ends(named.path);
   MinimalTwistQuery query{from, to, options.twist.turns,
                           options.parameters.values(named.path.end()), options.digits};
@@ -44,7 +45,33 @@ void run(const Command& command, const MtfOptions& options) {
   if (!options.is_exact_only)
     query.rational = {options.twist.rotation(options.digits), options.twist.subdivision(named.path),
                       is_asked_for};
-  options.length.write(options.curve.output, print(answer(named, query)));
+  return answer(named, query);
+}
+
+/// Of a curve that is no PH curve: there is no rational frame, but where it is not asked for that
+/// is but said.
+MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
+                         const NamedSmoothPath& named) {
+  command.refuse(TwistOptions::of_rational_frame(),
+                 fmt::format("is of rational frames; such a one {}", needs_ph));
+  const SmoothAngle angle = options.up.angle(named.path);
+  const auto [from, to] = options.twist.ends(angle);
+  MinimalTwistAnswer found =
+      answer(named, SmoothTwistQuery{from, to, options.twist.turns,
+                                     options.parameters.values(named.path.end()), options.digits,
+                                     angle.up()});
+  if (!options.is_exact_only) found.why_not_rational = "the curve is not Pythagorean-hodograph";
+  return found;
+}
+
+void run(const Command& command, const MtfOptions& options) {
+  if (options.is_wronskian) return run_wronskian(options);
+  const auto print = choose<std::string (*)(const MinimalTwistAnswer&)>(
+      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
+  const AnyPath path = options.curve.read_any_path();
+  options.length.write(
+      options.curve.output,
+      print(std::visit([&](const auto& named) { return found(command, options, named); }, path)));
 }
 
 }  // namespace
@@ -54,6 +81,8 @@ void add_mtf(Program& program) {
   const auto options = std::make_shared<MtfOptions>();
   options->curve.add_to(command);
   options->twist.add_to(command);
+  options->up.add_to(command,
+                     "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");
   command.add_flag("--exact-only", options->is_exact_only, "no rational frame");
   command.add_flag("--wronskian", options->is_wronskian,
                    "instead the rational frame that is next to a rotation-minimizing one, of a\n"
@@ -72,11 +101,13 @@ void add_mtf(Program& program) {
   command.only_with({"--weight"}, {"--wronskian"});
   command.not_with(TwistOptions::of_rational_frame(), {"--exact-only", "--wronskian"});
   std::vector<std::string> others = TwistOptions::of_ends();
-  others.insert(others.end(), {"--exact-only", "--at", "--samples"});
+  others.insert(others.end(), {"--exact-only", "--at", "--samples", "--up"});
   command.not_with(others, {"--wronskian"});
   command.set_notes(
       "Angles are radians, multiples of pi or degrees: 0.3927, pi/8, -31pi/40, 45deg. e2 is that\n"
-      "of the Euler-Rodrigues frame, which phrame frames --frame erf shows.\n"
+      "of the Euler-Rodrigues frame, which phrame frames --frame erf shows; of a curve that is "
+      "not\n"
+      "Pythagorean-hodograph, which has the exact frame only, that of v (--frame up).\n"
       "The exact frame turns about e1 at a constant rate; the rational one is the ERF turned by\n"
       "2 arg w(t) with a polynomial w whose rate deviates least from that (root mean square).\n"
       "Examples:\n"

@@ -1,6 +1,7 @@
 #include "phrame/cli/twist_options.hpp"
 
 #include "phrame/ph/frame/frame.hpp"
+#include "phrame/ph/smooth/smooth_frame.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -36,6 +37,27 @@ void require_one(const std::string& name, int given) {
     throw InputError(name, given == 0 ? "the angle is missing" : "the angle is given twice");
 }
 
+void require_ends(const TwistOptions& options) {
+  const auto given = [](const auto& text) { return text ? 1 : 0; };
+  require_one("--from", given(options.from) + given(options.from_vector));
+  require_one("--to", given(options.to) + given(options.to_vector) + (options.is_closed ? 1 : 0));
+}
+
+/// The angle or vector that is given; the latter has a part across the tangent there.
+FrameStart smooth_boundary(const std::string& name, const std::optional<std::string>& angle,
+                           const std::optional<std::string>& vector, const SmoothAngle& along,
+                           const SmoothParameter& at) {
+  if (angle) return parse_angle_option(name, *angle);
+  const std::string option = name + "-vector";
+  const StartNormal normal(parse_vector_option(option, vector.value()));
+  try {
+    start_angle(normal, along, at);
+  } catch (const DomainError& error) {
+    throw InputError(option, error.what());
+  }
+  return normal;
+}
+
 }  // namespace
 
 void TwistOptions::add_to(Command& command) {
@@ -62,15 +84,25 @@ void TwistOptions::add_to(Command& command) {
 }
 
 std::pair<FrameAngle, FrameAngle> TwistOptions::ends(const Path& path) const {
-  const auto given = [](const auto& text) { return text ? 1 : 0; };
-  require_one("--from", given(from) + given(from_vector));
-  require_one("--to", given(to) + given(to_vector) + (is_closed ? 1 : 0));
+  require_ends(*this);
   const auto& segments = path.segments();
   const FrameAngle start = boundary("--from", from, from_vector, segments.front(), 0);
   if (!is_closed) return {start, boundary("--to", to, to_vector, segments.back(), 1)};
   const auto closing = path.closing_turn();
   if (!closing) throw DomainError("--closed: the curve is not closed with a continuous tangent");
   return {start, start + angle_of(*closing * *closing)};
+}
+
+std::pair<FrameStart, FrameStart> TwistOptions::ends(const SmoothAngle& along) const {
+  require_ends(*this);
+  const SmoothPath& path = along.path();
+  const FrameStart start = smooth_boundary("--from", from, from_vector, along, {0, Rational(0)});
+  const SmoothParameter end(path.segments().size() - 1, Rational(1));
+  if (!is_closed) return {start, smooth_boundary("--to", to, to_vector, along, end)};
+  // The frame of v closes with the curve.
+  if (!path.is_closed())
+    throw DomainError("--closed: the curve is not closed with a continuous tangent");
+  return {start, start};
 }
 
 Subdivision TwistOptions::subdivision(const Path& path) const {

@@ -1,6 +1,7 @@
 // What is no PH curve, in all commands that answer it.
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli/workshop.hpp"
 
@@ -77,4 +78,44 @@ TEST_CASE("any curve: batch answers as angle does") {
   auto one = Json::parse(batch.out);
   one.erase("id");
   CHECK(one == Json::parse(here.run("angle loop.json --at 1/3 --print json").out));
+}
+
+// The twist is that of tests/ph/smooth/smooth_twist_test.cpp.
+TEST_CASE("any curve: frames of minimal twist, the exact ones") {
+  const Workshop here;
+  here.write("loop.json", loop);
+  const std::string ends = " --up 5,-9,11 --from 1/4 --to 3";
+  const Run text = here.run("mtf loop.json --digits 12 --at 1/2" + ends);
+  check_success(text);
+  CHECK(contains(text.out, "The minimal twist frame is the frame of v = (5, −9, 11) turned by θ"));
+  CHECK(contains(text.out, "\n  length S                         ≈ 8.24952510079\n"));
+  CHECK(contains(text.out, "\nNo rational frame: the curve is not Pythagorean-hodograph\n"));
+  const auto json = Json::parse(
+      here.run("mtf loop.json --digits 12 --at 1/2 --exact-only --print json" + ends).out);
+  CHECK(json["phrame"] == "mtf/1");
+  CHECK(json["up"] == Json::array({"5", "-9", "11"}));
+  CHECK(json["twist"]["up"]["value"] == "-1.34752349495");
+  CHECK(json["length"]["value"] == "8.24952510079");
+  CHECK_FALSE(json.contains("no_rational"));
+  CHECK(contains(here.run("mtf loop.json --print latex" + ends).out,
+                 "frame of $v = \\left(5, -9, 11\\right)$ turned by $\\theta$"));
+  // Closed, it ends as it starts.
+  CHECK(here.run("frames loop.json --frame mtf-exact --from 1/4 --closed --samples 2 -o t.csv")
+            .status == 0);
+  std::istringstream table(bytes_of(here.file("t.csv")));
+  std::string header, first, last;
+  std::getline(table, header);
+  std::getline(table, first);
+  std::getline(table, last);
+  CHECK(
+      header.ends_with(",exact_mtf2x,exact_mtf2y,exact_mtf2z,exact_mtf3x,exact_mtf3y,exact_mtf3z"));
+  CHECK(first.substr(1) == last.substr(1));
+  check_failure(here.run("mtf loop.json --degree 2" + ends), 2, "--degree: is of rational frames");
+  check_failure(here.run("mtf loop.json --from 0 --to-vector 3,1,2"), 2, "--to-vector: ");
+  check_failure(here.run("mtf loop.json --from 0"), 2, "--to: the angle is missing");
+  check_failure(here.run("mtf loop.json --from 0 --to 1 --up 0,0,0"), 2, "--up: ");
+  check_failure(here.run("mtf quintic.json --from 0 --to 1 --up 0,0,1"), 2, "--up: ");
+  check_failure(here.run("mtf loop.json --wronskian"), 2, "this is no PH curve");
+  check_failure(here.run("frames loop.json --frame mtf --from 0 --to 0 --at 0"), 2,
+                "--frame: \"mtf\" needs a Pythagorean-hodograph");
 }

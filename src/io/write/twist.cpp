@@ -1,5 +1,7 @@
 #include "phrame/io/write/twist.hpp"
 
+#include <fmt/format.h>
+
 #include "phrame/io/write/angle.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/twist_frame.hpp"
@@ -8,29 +10,59 @@ namespace phrame {
 
 namespace {
 
-constexpr auto definition =
-    "The minimal twist frame is the Euler–Rodrigues frame turned by $θ$ about $e₁$:\n"
-    "  $f₂ = \\cos θ\\, e₂ + \\sin θ\\, e₃$,  $f₃ = −\\sin θ\\, e₂ + \\cos θ\\, e₃$\n"
-    "  $θ(t) = θ_i + T s(t)/S − 2∫₀ᵗ h/σ$\n\n";
+/// What the frame is, as prose() has it.
+std::string definition(const MinimalTwistAnswer& answer, Notation notation) {
+  std::string frame = "Euler–Rodrigues frame";
+  if (answer.up) {
+    const std::string v = in_words(*answer.up, notation);
+    frame = "frame of " + (notation == Notation::latex ? "$v = " + v.substr(1) : "v = " + v);
+  }
+  return fmt::format(
+      "The minimal twist frame is the {} turned by $θ$ about $e₁$:\n"
+      "  $f₂ = \\cos θ\\, e₂ + \\sin θ\\, e₃$,  $f₃ = −\\sin θ\\, e₂ + \\cos θ\\, e₃$\n"
+      "  $θ(t) = θ_i + T s(t)/S − {}$\n\n",
+      frame, answer.up ? "∫₀ᵗ e₂′·e₃" : "2∫₀ᵗ h/σ");
+}
 
 Fields fields(const MinimalTwistAnswer& answer) {
-  const auto length = [S = answer.length](Notation notation) {
-    return notation == Notation::unicode ? "= " + shown(S) : in_words(S, notation);
+  const auto length = [&answer](Notation notation) {
+    const auto exact = answer.length.exact();
+    if (notation == Notation::unicode)
+      return exact ? "= " + shown(*exact) : "≈ " + answer.rounded_length.value;
+    return exact ? in_words(*exact, notation) : in_words(answer.rounded_length, notation);
   };
-  const Field length_field{
-      "length", "length $S$", {Value::Words(length), [S = answer.length] { return json_of(S); }}};
-  return {json_field("phrame", "mtf/1"),
-          json_field("name", answer.path.name),
-          {"from", "$θ_i$, at the start", compared_value(answer.from)},
-          {"to", "$θ_f$, at the end", compared_value(answer.to)},
-          in_json(length_field),
-          object_field("twist", {{"erf", "twist of the ERF", compared_value(answer.erf_twist)},
-                                 {"total", "nominal twist $T_\\text{ERF} + θ_f − θ_i$",
-                                  compared_value(answer.nominal_twist)},
-                                 {"minimal", "twist $T$", compared_value(answer.twist)}}),
-          out_of_json(length_field),
-          {"mean_rate", "rate $T/S$ about $e₁$", compared_value(answer.rate)},
-          json_field("exact", {{"values", json_of(answer.values)}})};
+  const Field length_field{"length", "length $S$", {Value::Words(length), [&answer] {
+                                                      return json_of(answer.length,
+                                                                     answer.rounded_length);
+                                                    }}};
+  const bool is_up = answer.up.has_value();
+  return {
+      json_field("phrame", "mtf/1"),
+      json_field("name", std::visit([](const auto& named) { return named.name; }, answer.path)),
+      {"from", "$θ_i$, at the start", compared_value(answer.from)},
+      {"to", "$θ_f$, at the end", compared_value(answer.to)},
+      in_json(length_field),
+      object_field(
+          "twist",
+          {{is_up ? "up" : "erf", is_up ? "twist of the frame of $v$" : "twist of the ERF",
+            compared_value(answer.own_twist)},
+           {"total",
+            is_up ? "nominal twist $T_v + θ_f − θ_i$" : "nominal twist $T_\\text{ERF} + θ_f − θ_i$",
+            compared_value(answer.nominal_twist)},
+           {"minimal", "twist $T$", compared_value(answer.twist)}}),
+      out_of_json(length_field),
+      {"mean_rate", "rate $T/S$ about $e₁$", compared_value(answer.rate)},
+      json_field("exact", {{"values", json_of(answer.values)}})};
+}
+
+std::string first_line(const MinimalTwistAnswer& answer) {
+  return std::visit([](const auto& named) { return heading(named); }, answer.path);
+}
+
+/// What there is to say of the signs of a PH path.
+std::string notes(const MinimalTwistAnswer& answer, Notation notation) {
+  const auto* named = std::get_if<NamedPath>(&answer.path);
+  return named != nullptr ? notes_on_signs(named->path, notation) : "";
 }
 
 /// Why there is no rational frame, as prose() has it: a sentence, or nothing.
@@ -45,8 +77,9 @@ std::string reason(const MinimalTwistAnswer& answer) {
 }  // namespace
 
 std::string to_text(const MinimalTwistAnswer& answer) {
-  std::string text = heading(answer.path) + "\n\n" + prose(definition, Notation::unicode);
-  text += notes_on_signs(answer.path.path) + to_rows(fields(answer), 31);
+  std::string text =
+      first_line(answer) + "\n\n" + prose(definition(answer, Notation::unicode), Notation::unicode);
+  text += notes(answer, Notation::unicode) + to_rows(fields(answer), 31);
   if (!answer.values.empty()) text += value_table(answer.values, answer.digits);
   if (answer.rational) text += to_text(*answer.rational);
   return text + prose(reason(answer), Notation::unicode);
@@ -54,7 +87,7 @@ std::string to_text(const MinimalTwistAnswer& answer) {
 
 std::string to_latex(const MinimalTwistAnswer& answer) {
   constexpr auto latex = Notation::latex;
-  std::string text = prose(definition, latex) + notes_on_signs(answer.path.path, latex);
+  std::string text = prose(definition(answer, latex), latex) + notes(answer, latex);
   text += to_align(fields(answer));
   if (!answer.values.empty()) text += latex_value_table(answer.values);
   if (answer.rational) text += to_latex(*answer.rational);
@@ -66,7 +99,8 @@ std::string to_json(const MinimalTwistAnswer& answer) {
   if (answer.rational) output.update(json_of(fields(*answer.rational)));
   if (!answer.why_not_rational.empty()) output["no_rational"] = answer.why_not_rational;
   if (!answer.why_undecided.empty()) output["rational_undecided"] = answer.why_undecided;
-  add_nearness(output, answer.path.near);
+  if (answer.up) output["up"] = json_of(*answer.up);
+  if (const auto* named = std::get_if<NamedPath>(&answer.path)) add_nearness(output, named->near);
   return pretty(output);
 }
 

@@ -22,11 +22,10 @@ bool is_zero(const Vector<Real>& v) {
   return v[0].exact() == Rational(0) && v[1].exact() == Rational(0) && v[2].exact() == Rational(0);
 }
 
-/// The reference frame of an angle, at the start.
-Frame<Real> reference_at_start(const SmoothAngle& angle) {
-  const SmoothParameter start{0, Rational(0)};
-  return angle.reference() == SmoothReference::up ? up_frame(angle.path(), angle.up(), start)
-                                                  : frenet_frame(angle.path(), start);
+/// The reference frame of an angle.
+Frame<Real> reference_at(const SmoothAngle& angle, const SmoothParameter& at) {
+  return angle.reference() == SmoothReference::up ? up_frame(angle.path(), angle.up(), at)
+                                                  : frenet_frame(angle.path(), at);
 }
 
 /// arg(x + iy), in (−π, π]; x and y are multiples of their exact signs.
@@ -57,11 +56,11 @@ Frame<Real> frenet_frame(const SmoothPath& path, const SmoothParameter& at) {
   return frame_along(H, cross(binormal, H));
 }
 
-Real start_angle(const FrameStart& start, const SmoothAngle& angle) {
+Real start_angle(const FrameStart& start, const SmoothAngle& angle, const SmoothParameter& at) {
   if (const auto* given = std::get_if<Angle>(&start)) return to_real(*given);
   const Vector<Rational>& normal = std::get<StartNormal>(start).vector;
-  const Frame<Real> frame = reference_at_start(angle);
-  const Vector<Real> H = direction(angle.path(), {0, Rational(0)});
+  const Frame<Real> frame = reference_at(angle, at);
+  const Vector<Real> H = direction(angle.path(), at);
   if (is_zero(cross(H, as_reals(normal))))
     throw DomainError("the vector " + abbreviated(normal) + " has no part in the normal plane" +
                       (normal == Vector<Rational>{} ? "" : ": it is along the tangent"));
@@ -70,7 +69,7 @@ Real start_angle(const FrameStart& start, const SmoothAngle& angle) {
   // Exactly: n·e₂ and n·e₃ up to positive factors.
   const Vector<Real> e2 = angle.reference() == SmoothReference::up
                               ? cross(as_reals(angle.up()), H)
-                              : cross(cross(H, direction_slope(angle.path(), {0, Rational(0)})), H);
+                              : cross(cross(H, direction_slope(angle.path(), at)), H);
   const Real exact_x = dot(as_reals(normal), e2);
   const Real exact_y = dot(as_reals(normal), cross(H, e2));
   const bool y_is_zero = exact_y.exact() == Rational(0);
@@ -80,10 +79,7 @@ Real start_angle(const FrameStart& start, const SmoothAngle& angle) {
 
 Frame<Real> rotation_minimizing_frame(const SmoothAngle& angle, const SmoothParameter& at,
                                       const Real& start) {
-  const Frame<Real> frame = angle.reference() == SmoothReference::up
-                                ? up_frame(angle.path(), angle.up(), at)
-                                : frenet_frame(angle.path(), at);
-  return turned(frame, angle.value(at) + start);
+  return turned(reference_at(angle, at), angle.value(at) + start);
 }
 
 }  // namespace phrame

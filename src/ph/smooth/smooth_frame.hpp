@@ -13,10 +13,11 @@ Frame<Real> up_frame(const SmoothPath& path, const Vector<Rational>& up, const S
 /// (e₁, n, b). Throws DomainError at an inflection and on a straight line.
 Frame<Real> frenet_frame(const SmoothPath& path, const SmoothParameter& at);
 
-/// The angle at t = 0 from the reference frame of the angle to f₂; that to a vector is in (−π, π].
-/// Throws DomainError for a vector that is 0 or along the tangent, and where it is to the Frenet
-/// frame of a curve that starts with an inflection.
-Real start_angle(const FrameStart& start, const SmoothAngle& angle);
+/// The angle at t = 0, or elsewhere, from the reference frame of the angle to f₂; that to a vector
+/// is in (−π, π]. Throws DomainError for a vector that is 0 or along the tangent, and where it is
+/// to the Frenet frame at an inflection.
+Real start_angle(const FrameStart& start, const SmoothAngle& angle,
+                 const SmoothParameter& at = {0, Rational(0)});
 /// The rotation-minimizing frame that starts there, from the angle to the frame of v: θ is counted
 /// from it.
 Frame<Real> rotation_minimizing_frame(const SmoothAngle& angle, const SmoothParameter& at,

@@ -1,0 +1,63 @@
+#include "phrame/ph/smooth/smooth_twist.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/frame/reduced_angle.hpp"
+
+namespace phrame {
+namespace {
+
+SmoothParameter end_of_path(const SmoothPath& path) {
+  return {path.segments().size() - 1, Rational(1)};
+}
+
+/// θ_f − θ_i, and that over π where it is known to be rational.
+struct TurnBetween {
+  Real angle;
+  std::optional<Rational> half_turns;
+};
+
+TurnBetween turn_between(const FrameStart& from, const FrameStart& to, const Real& start,
+                         const Real& end) {
+  const auto* first = std::get_if<Angle>(&from);
+  const auto* last = std::get_if<Angle>(&to);
+  if (first == nullptr || last == nullptr) return {end + -start, std::nullopt};
+  const FrameAngle between = difference(FrameAngle(*last), FrameAngle(*first));
+  return {to_real(between), over_pi(between)};
+}
+
+}  // namespace
+
+SmoothTwist::SmoothTwist(const SmoothAngle& rmf, const FrameStart& from, const FrameStart& to,
+                         const Integer& extra_turns)
+    : rmf_(rmf),
+      length_(rmf.path()),
+      whole_(length_.total()),
+      from_(start_angle(from, rmf)),
+      to_(start_angle(to, rmf, end_of_path(rmf.path()))),
+      nominal_(Rational(0)),
+      twist_(Rational(0)) {
+  if (rmf.reference() != SmoothReference::up)
+    throw DomainError("minimal twist: it is found from the angle to the frame of an up vector");
+  const TurnBetween between = turn_between(from, to, from_, to_);
+  nominal_ = remembered(up_twist() + between.angle);
+  const auto known = [&]() -> std::optional<Rational> {
+    return rmf_.is_zero() ? between.half_turns : std::nullopt;
+  };
+  const Real least = reduced(nominal_, known).angle;
+  twist_ = extra_turns == 0 ? least : least + whole_turn(extra_turns);
+}
+
+Real SmoothTwist::up_twist() const { return -rmf_.value(end_of_path(rmf_.path())); }
+
+Real SmoothTwist::rate() const { return quotient_of(twist_, whole_); }
+
+Real SmoothTwist::value(const SmoothParameter& at) const {
+  return from_ + twist_ * quotient_of(length_.value(at), whole_) + rmf_.value(at);
+}
+
+Frame<Real> minimal_twist_frame(const SmoothTwist& twist, const SmoothParameter& at) {
+  const SmoothAngle& rmf = twist.rmf();
+  return turned(up_frame(rmf.path(), rmf.up(), at), twist.value(at));
+}
+
+}  // namespace phrame

@@ -1,0 +1,49 @@
+#pragma once
+#include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/smooth/smooth_length.hpp"
+
+namespace phrame {
+
+/// The frame of minimal twist along a path of any kind, as MinimalTwist is along a PH path: f₂ has
+/// the angles θ_i and θ_f, up to whole turns, to that of v at the start and at the end, and turns
+/// about e₁ at a constant rate, with the least total turn:
+///   θ(t) = θ_i + T_min·s(t)/S + θ_RMF(t),
+///   T = −θ_RMF(end) + θ_f − θ_i ≡ T_min modulo 2π, T_min ∈ (−π, π].
+/// Copies are cheap and share what was found. To move one is to copy it.
+class SmoothTwist {
+ public:
+  /// A vector of `to` is one at the end. With `extra_turns` ≠ 0 the frame makes that many more
+  /// revolutions. Throws DomainError as start_angle(), and for the angle to a Frenet frame;
+  /// Undecided where T is not told from an odd multiple of π.
+  SmoothTwist(const SmoothAngle& rmf, const FrameStart& from, const FrameStart& to,
+              const Integer& extra_turns = 0);
+  SmoothTwist(const SmoothTwist&) = default;
+  SmoothTwist& operator=(const SmoothTwist&) = default;
+  ~SmoothTwist() = default;
+
+  const Real& from() const { return from_; }              ///< θ_i
+  const Real& to() const { return to_; }                  ///< θ_f
+  Real length() const { return whole_; }                  ///< S
+  Real up_twist() const;                                  ///< of the frame of v, −θ_RMF(end)
+  const Real& nominal_twist() const { return nominal_; }  ///< T
+  const Real& twist() const { return twist_; }            ///< T_min, plus 2π·extra_turns
+  Real rate() const;                               ///< the turn per unit of arc length, twist()/S
+  const SmoothAngle& rmf() const { return rmf_; }  ///< θ_RMF
+
+  /// θ there.
+  Real value(const SmoothParameter& at) const;
+
+ private:
+  SmoothAngle rmf_;
+  SmoothLength length_;
+  Real whole_;
+  Real from_;
+  Real to_;
+  Real nominal_;
+  Real twist_;
+};
+
+/// The frame of minimal twist there.
+Frame<Real> minimal_twist_frame(const SmoothTwist& twist, const SmoothParameter& at);
+
+}  // namespace phrame

@@ -1,0 +1,76 @@
+#include "phrame/ph/smooth/smooth_twist.hpp"
+
+#include <doctest/doctest.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/twist/minimal_twist.hpp"
+#include "support/curves.hpp"
+
+using namespace phrame;
+
+namespace {
+
+const SmoothPath loop(
+    bezier_curve({{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}}));
+
+std::string digits(const Real& x, long count) { return round_to_decimal(x, count).value; }
+
+bool agree(const Vector<Real>& u, const Vector<Real>& v) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!u[k].enclose(120).overlaps(v[k].enclose(120)) || !u[k].enclose(120).is_accurate(90))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+// By mpmath: quad of the rates of the definition with v = (5, −9, 11), 40 digits.
+TEST_CASE("smooth twist: twist and angles by an independent quadrature") {
+  const SmoothAngle angle(loop, {5, -9, 11});
+  const SmoothTwist mtf(angle, Angle(Rational(1, 4)), Angle(3));
+  CHECK(digits(mtf.length(), 30) == "8.24952510078988651167067831996");
+  CHECK(digits(mtf.up_twist(), 30) == "-1.34752349495171462972730968362");
+  CHECK(digits(mtf.twist(), 30) == "1.40247650504828537027269031638");
+  CHECK(digits(mtf.rate(), 30) == "0.170006938328365008889625166349");
+  CHECK(digits(mtf.value({0, Rational(1, 2)}), 30) == "2.83578027017717251562214885781");
+  CHECK(round_to_double(mtf.value({0, Rational(0)})) == 0.25);
+  CHECK(digits(mtf.value({0, Rational(1)}), 20) == "3.0000000000000000000");
+  // A revolution more, and θ_f as much less: the same nominal twist but for that.
+  const SmoothTwist more(angle, Angle(Rational(1, 4)), Angle(3), 1);
+  const RealBall turn = subtract(more.twist().enclose(120), mtf.twist().enclose(120), 120);
+  CHECK(turn.overlaps(times_power_of_two(pi(120), 1)));
+}
+
+// Two ways: closed forms, and integrals along the same curve by its positions.
+TEST_CASE("smooth twist: along a PH curve it is that of the PH curve") {
+  const Path ph(test::quintic);
+  const SmoothAngle angle(by_positions(ph));
+  const Frame<Rational> first = euler_rodrigues_frame(test::quintic, 0);
+  const Frame<Rational> last = euler_rodrigues_frame(test::quintic, 1);
+  const Vector<Rational> from = first.e2;
+  const Vector<Rational> to{last.e2[0] + 2 * last.e3[0], last.e2[1] + 2 * last.e3[1],
+                            last.e2[2] + 2 * last.e3[2]};
+  const MinimalTwist known(PathAngle(ph), FrameAngle(), angle_of(to, last));
+  const SmoothTwist found(angle, StartNormal(from), StartNormal(to));
+  CHECK(found.twist().enclose(120).overlaps(known.twist().enclose(120)));
+  for (const Rational& t : {Rational(0), Rational(1, 3), Rational(1, 2), Rational(1)}) {
+    const Frame<Real> exact =
+        turned(as_real(euler_rodrigues_frame(test::quintic, t)), known.value(t));
+    const Frame<Real> frame = minimal_twist_frame(found, {0, t});
+    CHECK(agree(frame.e2, exact.e2));
+    CHECK(agree(frame.e3, exact.e3));
+  }
+}
+
+TEST_CASE("smooth twist: half a turn in a plane, and what has no angle") {
+  const SmoothPath bend(bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
+  const SmoothAngle angle(bend);
+  const SmoothTwist half(angle, Angle(), Angle(1, 0));
+  CHECK(half.twist().enclose(100).overlaps(pi(100)));  // π, not −π
+  CHECK(SmoothTwist(angle, Angle(), Angle(-1, 0)).twist().enclose(100).overlaps(pi(100)));
+  CHECK(SmoothTwist(angle, Angle(), Angle(4, 0)).twist().exact() == Rational(0));
+  CHECK_THROWS_AS(SmoothTwist(angle, Angle(), StartNormal({0, 1, 0})), DomainError);
+  CHECK_THROWS_AS(SmoothTwist(SmoothAngle(loop, SmoothReference::frenet), Angle(), Angle()),
+                  DomainError);
+}
