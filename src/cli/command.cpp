@@ -17,6 +17,7 @@
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/construct/near.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/smooth/up_vector.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -71,6 +72,7 @@ NamedPath read_ph_path(std::string_view text, const CurveLimits& limits) {
 
 /// Of one polynomial curve, so far.
 std::optional<NearSuggestion> suggestion_of(const SmoothPath& path) {
+  if (is_straight(path)) return std::nullopt;  // any frame that does not turn is right
   const auto* curve = std::get_if<RationalCurve>(&path.segments().front());
   if (path.segments().size() > 1 || curve == nullptr || !curve->weight().is_constant())
     return std::nullopt;

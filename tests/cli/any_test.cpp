@@ -119,3 +119,13 @@ TEST_CASE("any curve: frames of minimal twist, the exact ones") {
   check_failure(here.run("frames loop.json --frame mtf --from 0 --to 0 --at 0"), 2,
                 "--frame: \"mtf\" needs a Pythagorean-hodograph");
 }
+
+// Its direction (1, 1, 0) has no rational length, so that PH curves are but near it.
+TEST_CASE("any curve: of a straight line no PH curve is spoken of") {
+  const Workshop here;
+  here.write("line.json",
+             R"({"phrame": "curve/1", "control_points": [[0,0,0], [1,1,0], [3,3,0]]})");
+  const Run run = here.run("info line.json");
+  check_success(run);
+  CHECK(contains(run.out, "any frame that does not turn is right"));
+}

@@ -1,5 +1,7 @@
 #include "phrame/ph/curve/real_vector.hpp"
 
+#include <bit>
+
 namespace phrame {
 
 Vector<Real> as_reals(const Vector<Rational>& v) { return {v[0], v[1], v[2]}; }
@@ -27,6 +29,25 @@ Real over_square_root(const Real& x, const Real& s) {
     return divide(x.enclose(bits + 8), sqrt(s.enclose(bits + 8), bits + 8), bits + 8);
   };
   return {enclosure, {is_exact, x.origin().bits + s.origin().bits}};
+}
+
+Real sum_of(const std::vector<Real>& terms) {
+  Rational exact;
+  std::vector<Real> others;
+  for (const Real& x : terms) {
+    if (x.exact())
+      exact += *x.exact();
+    else
+      others.push_back(x);
+  }
+  if (others.empty()) return exact;
+  const auto guard = 8 + static_cast<long>(std::bit_width(others.size()));
+  return remembered(Real([exact, others, guard](long bits) {
+    const long more = bits + guard;
+    RealBall sum(exact, more);
+    for (const Real& x : others) sum = add(sum, x.enclose(more), more);
+    return sum;
+  }));
 }
 
 int sign_of(const Real& x) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "phrame/algebra/real.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
@@ -16,6 +18,9 @@ Vector<Real> cross(const Vector<Real>& u, const Vector<Real>& v);
 Real quotient_of(const Real& a, const Real& b);
 /// x/√s, s > 0: where both are exact, exact if it is rational, else irrational.
 Real over_square_root(const Real& x, const Real& s);
+
+/// The sum, exact where all terms are. Thousands of terms cost as many times one.
+Real sum_of(const std::vector<Real>& terms);
 
 /// The sign of x; 0 also where 2048 bits do not tell it from 0.
 int sign_of(const Real& x);

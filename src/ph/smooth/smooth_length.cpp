@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <mutex>
 
 #include "phrame/algebra/ball_order.hpp"
@@ -49,26 +50,43 @@ struct SmoothLength::State {
   SmoothPath path;
   std::vector<Lazy<SegmentIntegral>> lengths;  ///< of the segments
   std::mutex lock;
-  std::vector<Real> before{Rational(0)};  ///< as far as it is known
+  std::vector<Rational> exact{
+      0};  ///< lengths up to the first segments, as far as they are rational
+  std::map<long, std::vector<RealBall>> sums{};  ///< these lengths, by precision
 
   explicit State(const SmoothPath& along) : path(along), lengths(path.segments().size()) {}
 
   const SegmentIntegral& length(std::size_t k) const {
     return lengths[k].get([&] { return arc_length(path.segments()[k]); });
   }
+  RealBall sum_before(std::size_t k, long bits);
 };
+
+/// The length up to segment k.
+RealBall SmoothLength::State::sum_before(std::size_t k, long bits) {
+  const long enough = (bits + 95) / 64 * 64;  // few precisions are kept
+  const std::lock_guard locked(lock);
+  std::vector<RealBall>& known = sums[enough];
+  if (known.empty()) known.emplace_back();
+  while (known.size() <= k) {
+    const RealBall next = length(known.size() - 1).value(Rational(1)).enclose(enough);
+    known.push_back(add(known.back(), next, enough));
+  }
+  return known[k];
+}
 
 SmoothLength::SmoothLength(const SmoothPath& path) : state_(std::make_shared<State>(path)) {}
 
 Real SmoothLength::before(std::size_t k) const {
   const std::lock_guard lock(state_->lock);
-  std::vector<Real>& known = state_->before;
-  while (known.size() <= k) {
-    const Real next = remembered(state_->length(known.size() - 1).value(Rational(1)));
-    known.push_back(next.exact() && known.back().exact() ? known.back() + next
-                                                         : remembered(known.back() + next));
+  std::vector<Rational>& exact = state_->exact;
+  while (exact.size() <= k) {
+    const Real next = state_->length(exact.size() - 1).value(Rational(1));
+    if (!next.exact()) break;
+    exact.push_back(exact.back() + *next.exact());
   }
-  return known[k];
+  if (k < exact.size()) return exact[k];
+  return Real([state = state_, k](long bits) { return state->sum_before(k, bits); });
 }
 
 Real SmoothLength::total() const { return before(state_->path.segments().size()); }

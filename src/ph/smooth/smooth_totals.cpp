@@ -18,9 +18,9 @@ namespace {
 /// Of ∫ over all segments.
 template <class OfSegment>
 Real sum_of_segments(const SmoothPath& path, const OfSegment& of_segment) {
-  Real sum = Rational(0);
-  for (const SmoothSegment& segment : path.segments()) sum = sum + of_segment(segment);
-  return remembered(sum);
+  std::vector<Real> terms;
+  for (const SmoothSegment& segment : path.segments()) terms.push_back(of_segment(segment));
+  return sum_of(terms);
 }
 
 /// The numerator and the denominator without what they have in common.
@@ -90,14 +90,14 @@ SegmentEnergy frenet_energy_of(const ExpressionCurve& curve) {
 
 template <class OfCurve>
 std::variant<Real, Infinite> sum_of_energies(const SmoothPath& path, const OfCurve& of_curve) {
-  Real sum = Rational(0);
+  std::vector<Real> terms;
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
     const SegmentEnergy energy = std::visit(of_curve, path.segments()[k]);
     if (const auto* pole = std::get_if<RealAlgebraic>(&energy))
       return Infinite{affine(*pole, 1, Rational(static_cast<long>(k))), k};
-    sum = sum + std::get<Real>(energy);
+    terms.push_back(std::get<Real>(energy));
   }
-  return remembered(sum);
+  return sum_of(terms);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/frame/path_angle.hpp"
 #include "phrame/ph/smooth/smooth_angle.hpp"
@@ -134,4 +135,20 @@ TEST_CASE("smooth shape: where the Frenet frame is continuous") {
   // Where it closes, too: this loop's curvature jumps there.
   CHECK_FALSE(has_continuous_frenet_frame(SmoothPath(
       bezier_curve({{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}}))));
+}
+
+TEST_CASE("smooth totals: sums of many numbers are exact or as narrow as asked") {
+  CHECK(sum_of(std::vector<Real>()).exact() == Rational(0));
+  CHECK(sum_of(std::vector<Real>{Rational(1, 3), Rational(2, 3)}).exact() == Rational(1));
+  const Real root = square_root_of(2);
+  const Real sum = sum_of(std::vector<Real>(1000, root));
+  const Real mixed = sum_of(std::vector<Real>{root, Rational(-1), root});
+  CHECK(digits(sum, 30) == "1414.21356237309504880168872421");    // 1000√2
+  CHECK(digits(mixed, 30) == "1.82842712474619009760337744842");  // 2√2 − 1
+  // The joints of 300 lines of length √2: none is a rational length.
+  std::vector<SmoothSegment> lines;
+  for (long k = 0; k < 300; ++k) lines.emplace_back(bezier_curve({{k, k, 0}, {k + 1, k + 1, 0}}));
+  const SmoothLength length(joined(lines));
+  CHECK(digits(length.total(), 30) == "424.264068711928514640506617263");  // 300√2
+  CHECK(length.point(200).segment == 141);
 }
