@@ -51,6 +51,29 @@ std::optional<InverseRoot> inverse_root(const Polynomial& S, const PolynomialPie
 
 }  // namespace
 
+std::optional<PolynomialPiece> rounded_angle_piece(
+    PolynomialPiece piece, const BallPolynomial& from_center,
+    const std::function<RealBall(const BallPolynomial& p)>& remainder_of,
+    const std::function<RealBall(double center, long bits)>& theta, const DoubleShape& shape) {
+  const RealBall size = variation(from_center, angle_bits);
+  const RealBall at_center = accurate([&](long more) { return theta(piece.center, more); }, size);
+  piece.coefficients = round_coefficients({with_constant(from_center, at_center)}, shape);
+  const BallPolynomial p = exact_polynomial(piece.coefficients, shape, 0);
+  const RealBall remainder = remainder_of(p);
+  // Where θ is large its rounding hides what is small beside the second part.
+  const double scale = upper_double(size) + upper_double(absolute(at_center)) / 64;
+  if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
+  const double off = sum_up(upper_double(remainder), rounding_error(piece.coefficients, shape, 0));
+  const double at_zero = upper_double(absolute(subtract(p.coefficient(0), at_center, angle_bits)));
+  if (at_center.is_zero())
+    piece.error_per_y = off;
+  else
+    piece.error = sum_up(off, at_zero);
+  if (!size.is_zero())
+    piece.error = sum_up(piece.error, underflow_error * (1 + upper_double(size)));
+  return piece;
+}
+
 std::optional<PolynomialPiece> angle_piece(
     double low, double high, double origin, const RootQuotient& rate,
     const std::function<RealBall(double center, long bits)>& theta, const DoubleShape& shape) {
@@ -68,31 +91,18 @@ std::optional<PolynomialPiece> angle_piece(
   const BallPolynomial rate_series =
       divide_series(numerator, denominator, shape.degree, angle_bits);
   const BallPolynomial from_center = antiderivative(rate_series, angle_bits);
-  const RealBall size = variation(from_center, angle_bits);
-  const RealBall at_center = accurate([&](long more) { return theta(piece->center, more); }, size);
-  piece->coefficients = round_coefficients({with_constant(from_center, at_center)}, shape);
-
-  const BallPolynomial p = exact_polynomial(piece->coefficients, shape, 0);
-  const BallPolynomial residual = subtract(
-      multiply(differentiate(p, angle_bits), denominator, angle_bits), numerator, angle_bits);
-  // |N| ≤ |N(0)| + variation.
-  const RealBall most_over =
-      add(absolute(over.coefficient(0)), variation(over, angle_bits), angle_bits);
-  const RealBall rest =
-      add_product(integral_bound(residual, angle_bits), most_over, root->error, angle_bits);
-  const RealBall remainder = divide(rest, least_denominator, angle_bits);
-  // Where θ is large its rounding hides what is small beside the second part.
-  const double scale = upper_double(size) + upper_double(absolute(at_center)) / 64;
-  if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
-  const double off = sum_up(upper_double(remainder), rounding_error(piece->coefficients, shape, 0));
-  const double at_zero = upper_double(absolute(subtract(p.coefficient(0), at_center, angle_bits)));
-  if (at_center.is_zero())
-    piece->error_per_y = off;
-  else
-    piece->error = sum_up(off, at_zero);
-  if (!size.is_zero())
-    piece->error = sum_up(piece->error, underflow_error * (1 + upper_double(size)));
-  return piece;
+  // The bound of |p′·D − N·w| and of w.
+  const auto remainder_of = [&](const BallPolynomial& p) {
+    const BallPolynomial residual = subtract(
+        multiply(differentiate(p, angle_bits), denominator, angle_bits), numerator, angle_bits);
+    // |N| ≤ |N(0)| + variation.
+    const RealBall most_over =
+        add(absolute(over.coefficient(0)), variation(over, angle_bits), angle_bits);
+    const RealBall rest =
+        add_product(integral_bound(residual, angle_bits), most_over, root->error, angle_bits);
+    return divide(rest, least_denominator, angle_bits);
+  };
+  return rounded_angle_piece(*piece, from_center, remainder_of, theta, shape);
 }
 
 }  // namespace phrame

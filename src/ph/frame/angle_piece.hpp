@@ -18,4 +18,12 @@ std::optional<PolynomialPiece> angle_piece(
     double low, double high, double origin, const RootQuotient& rate,
     const std::function<RealBall(double center, long bits)>& theta, const DoubleShape& shape);
 
+/// The piece with the polynomial nearest to θ(center) + from_center, and its error: for a
+/// polynomial p, |p − p(0) − (θ − θ(center))| is at most remainder_of(p). No value where that is
+/// too much. Throws likewise.
+std::optional<PolynomialPiece> rounded_angle_piece(
+    PolynomialPiece piece, const BallPolynomial& from_center,
+    const std::function<RealBall(const BallPolynomial& p)>& remainder_of,
+    const std::function<RealBall(double center, long bits)>& theta, const DoubleShape& shape);
+
 }  // namespace phrame

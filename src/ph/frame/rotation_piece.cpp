@@ -39,37 +39,45 @@ RealBall residual_bound(const RotationEquation& equation, const PolynomialPiece&
 
 }  // namespace
 
-std::optional<PolynomialPiece> rotation_piece(double low, double high, double origin,
-                                              const RotationEquation& equation,
-                                              const RotationTaylor& taylor,
-                                              const DoubleShape& shape) {
-  auto piece = empty_piece(low, high, origin);
-  if (!piece) return std::nullopt;
-  const BallPolynomial sigma = on_piece(equation.sigma, *piece, frame_bits, true);
-  const RealBall least_sigma = least(sigma, frame_bits);
-  if (sign(least_sigma) <= 0) return std::nullopt;
-  const QuaternionSeries series = taylor(*piece, sigma, shape.degree + 1);
-  piece->coefficients = round_coefficients({series.begin(), series.end()}, shape);
-
+std::optional<PolynomialPiece> rounded_rotation_piece(
+    PolynomialPiece piece, const QuaternionSeries& series,
+    const std::function<RealBall(const QuaternionSeries& exact)>& remainder_of,
+    const DoubleShape& shape) {
+  piece.coefficients = round_coefficients({series.begin(), series.end()}, shape);
   QuaternionSeries exact;
   RealBall size, at_zero;
   double squares = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    exact[k] = exact_polynomial(piece->coefficients, shape, static_cast<long>(k));
+    exact[k] = exact_polynomial(piece.coefficients, shape, static_cast<long>(k));
     size = add(size, variation(exact[k], frame_bits), frame_bits);
     const RealBall off = subtract(exact[k].coefficient(0), series[k].coefficient(0), frame_bits);
     at_zero = add(at_zero, absolute(off), frame_bits);
-    squares += std::pow(rounding_error(piece->coefficients, shape, static_cast<long>(k)), 2);
+    squares += std::pow(rounding_error(piece.coefficients, shape, static_cast<long>(k)), 2);
   }
-  const RealBall remainder =
-      divide(residual_bound(equation, *piece, sigma, exact), least_sigma, frame_bits);
+  const RealBall remainder = remainder_of(exact);
   // |B| = 1: to be more exact than the second part makes no difference.
   const double scale = upper_double(size) + 1.0 / 64;
   if (!(upper_double(remainder) <= shape.goal * scale)) return std::nullopt;
   const double off = upper_double(add(at_zero, remainder, frame_bits));
-  const double rounding = std::sqrt(squares) * (1 + 0x1p-48);         // not rounded down
-  piece->error = sum_up(sum_up(rounding, off), 8 * underflow_error);  // |B| = 1
+  const double rounding = std::sqrt(squares) * (1 + 0x1p-48);        // not rounded down
+  piece.error = sum_up(sum_up(rounding, off), 8 * underflow_error);  // |B| = 1
   return piece;
+}
+
+std::optional<PolynomialPiece> rotation_piece(double low, double high, double origin,
+                                              const RotationEquation& equation,
+                                              const RotationTaylor& taylor,
+                                              const DoubleShape& shape) {
+  const auto piece = empty_piece(low, high, origin);
+  if (!piece) return std::nullopt;
+  const BallPolynomial sigma = on_piece(equation.sigma, *piece, frame_bits, true);
+  const RealBall least_sigma = least(sigma, frame_bits);
+  if (sign(least_sigma) <= 0) return std::nullopt;
+  const auto remainder_of = [&](const QuaternionSeries& exact) {
+    return divide(residual_bound(equation, *piece, sigma, exact), least_sigma, frame_bits);
+  };
+  return rounded_rotation_piece(*piece, taylor(*piece, sigma, shape.degree + 1), remainder_of,
+                                shape);
 }
 
 }  // namespace phrame

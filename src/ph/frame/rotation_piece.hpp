@@ -35,4 +35,12 @@ std::optional<PolynomialPiece> rotation_piece(double low, double high, double or
                                               const RotationTaylor& taylor,
                                               const DoubleShape& shape);
 
+/// The piece with the polynomials nearest to the series, and its error: those that they are exactly
+/// are off by remainder_of(them) at most, but for what they are off at the center. No value where
+/// that is too much.
+std::optional<PolynomialPiece> rounded_rotation_piece(
+    PolynomialPiece piece, const QuaternionSeries& series,
+    const std::function<RealBall(const QuaternionSeries& exact)>& remainder_of,
+    const DoubleShape& shape);
+
 }  // namespace phrame

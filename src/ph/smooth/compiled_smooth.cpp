@@ -7,22 +7,15 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/angle_piece.hpp"
 #include "phrame/ph/frame/rotation_piece.hpp"
+#include "phrame/ph/smooth/curve_integrands.hpp"
+#include "phrame/ph/smooth/direction_span.hpp"
+#include "phrame/ph/smooth/formula_piece.hpp"
 #include "phrame/ph/smooth/rational_rates.hpp"
+#include "phrame/ph/smooth/rotation_series.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
 
 namespace phrame {
 namespace {
-
-std::vector<RationalCurve> rational_curves(const SmoothPath& path) {
-  std::vector<RationalCurve> curves;
-  for (const SmoothSegment& segment : path.segments()) {
-    const auto* curve = std::get_if<RationalCurve>(&segment);
-    if (curve == nullptr)
-      throw DomainError("compiled: curves by formulas are not compiled, only rational ones");
-    curves.push_back(*curve);
-  }
-  return curves;
-}
 
 SmoothParameter at_double(const SmoothPath& path, double t) {
   return locate(path, exact_rational(t));
@@ -69,58 +62,22 @@ std::array<RealBall, 4> quaternion_of(const Frame<Real>& frame, long bits) {
   return b;
 }
 
-/// M of the equation, times x.
-std::array<RealBall, 4> turned_by(const std::array<RealBall, 3>& w,
-                                  const std::array<RealBall, 4>& x, long bits) {
-  const auto sum = [&](std::size_t i, int sign_i, std::size_t j, int sign_j, std::size_t k,
-                       int sign_k) {
-    RealBall value;
-    const std::array<std::pair<std::size_t, int>, 3> terms{
-        std::pair{i, sign_i}, {j, sign_j}, {k, sign_k}};
-    for (std::size_t n = 0; n < 3; ++n) {
-      const RealBall term = multiply(w[n], x[terms[n].first], bits);
-      value = terms[n].second > 0 ? add(value, term, bits) : subtract(value, term, bits);
-    }
-    return value;
-  };
-  return {sum(1, -1, 2, -1, 3, -1), sum(0, 1, 3, 1, 2, -1), sum(3, -1, 0, 1, 1, 1),
-          sum(2, 1, 1, -1, 0, 1)};
+/// Adds what is not 0 all along of e₁ and, where `is_up`, of the frame of v.
+void clear_zeros(CompiledFrames::Zeros& zeros, const std::vector<Vector<Polynomial>>& frame,
+                 bool is_up) {
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t k = 0; k < 3; ++k)
+      zeros[j][k] = zeros[j][k] && (j == 0 || is_up) && frame[j][k].is_zero();
 }
 
-/// By the recurrence that the equation gives, from B at y = 0.
-QuaternionSeries series_from(const std::array<RealBall, 4>& at_center,
-                             const RotationEquation& equation, const PolynomialPiece& piece,
-                             const BallPolynomial& sigma, long length) {
-  constexpr long bits = frame_bits + 32;
-  const std::array<BallPolynomial, 3> rate{per_y(equation.a, piece, frame_bits),
-                                           per_y(equation.b, piece, frame_bits),
-                                           per_y(equation.c, piece, frame_bits)};
-  std::vector<std::array<RealBall, 4>> b{at_center};
-  for (long n = 0; n + 1 < length; ++n) {
-    // (n + 1)·σ₀·Bₙ₊₁ = Σ Mⱼ·Bₙ₋ⱼ − Σ (n + 1 − i)·σᵢ·Bₙ₊₁₋ᵢ, i ≥ 1.
-    std::array<RealBall, 4> next{};
-    for (long j = 0; j <= n; ++j) {
-      const auto turn =
-          turned_by({rate[0].coefficient(j), rate[1].coefficient(j), rate[2].coefficient(j)},
-                    b[static_cast<std::size_t>(n - j)], bits);
-      const RealBall weight = multiply(RealBall(n - j, bits), sigma.coefficient(j + 1), bits);
-      for (std::size_t k = 0; k < 4; ++k) {
-        next[k] = add(next[k], turn[k], bits);
-        next[k] =
-            subtract(next[k], multiply(weight, b[static_cast<std::size_t>(n - j)][k], bits), bits);
-      }
-    }
-    const RealBall over = multiply(RealBall(n + 1, bits), sigma.coefficient(0), bits);
-    for (RealBall& x : next) x = divide(x, over, bits);
-    b.push_back(next);
-  }
-  QuaternionSeries series;
-  for (std::size_t k = 0; k < 4; ++k) {
-    std::vector<RealBall> coefficients;
-    for (const auto& of_y : b) coefficients.push_back(of_y[k]);
-    series[k] = BallPolynomial(coefficients);
-  }
-  return series;
+Vector<Polynomial> as_polynomials(const Vector<Rational>& v) {
+  return {Polynomial{v[0]}, Polynomial{v[1]}, Polynomial{v[2]}};
+}
+
+/// Of H: what multiples of the three vectors are.
+std::vector<Vector<Polynomial>> frame_of(const Vector<Polynomial>& H, const Vector<Polynomial>& v) {
+  const Vector<Polynomial> second = cross(v, H);
+  return {H, second, cross(H, second)};
 }
 
 /// What is 0 all along: of e₁, and in a plane with its normal for v.
@@ -128,59 +85,84 @@ CompiledFrames::Zeros known_zeros(const SmoothAngle& angle, const Real& start) {
   CompiledFrames::Zeros zeros;
   for (auto& of_vector : zeros) of_vector.fill(true);
   const bool is_up = angle.is_zero() && start.exact() == Rational(0);
-  const Vector<Rational>& v = angle.up();
-  const Vector<Polynomial> up{Polynomial{v[0]}, Polynomial{v[1]}, Polynomial{v[2]}};
-  for (const RationalCurve& curve : rational_curves(angle.path())) {
-    const Vector<Polynomial>& H = curve.direction();
-    const Vector<Polynomial> second = cross(up, H);
-    const Vector<Polynomial> third = cross(H, second);
-    for (std::size_t k = 0; k < 3; ++k) {
-      zeros[0][k] = zeros[0][k] && H[k].is_zero();
-      zeros[1][k] = zeros[1][k] && is_up && second[k].is_zero();
-      zeros[2][k] = zeros[2][k] && is_up && third[k].is_zero();
+  const Vector<Polynomial> up = as_polynomials(angle.up());
+  for (const SmoothSegment& segment : angle.path().segments()) {
+    if (const auto* curve = std::get_if<RationalCurve>(&segment)) {
+      clear_zeros(zeros, frame_of(curve->direction(), up), is_up);
+      continue;
     }
+    for (const Vector<Rational>& direction : direction_span(segment))
+      clear_zeros(zeros, frame_of(as_polynomials(direction), up),
+                  is_up && dot(angle.up(), direction) == 0);
   }
   return zeros;
+}
+
+/// θ′ of a segment, as it is compiled.
+using CompiledRate = std::variant<RootQuotient, CurveIntegrand>;
+
+CompiledRate rate_of(const SmoothAngle& angle, const SmoothSegment& segment) {
+  const bool is_up = angle.reference() == SmoothReference::up;
+  if (const auto* curve = std::get_if<RationalCurve>(&segment))
+    return TaylorIntegral(is_up ? up_frame_turning(*curve, angle.up()) : frenet_turning(*curve))
+        .integrand();
+  const CurveIntegrand rate = is_up ? up_frame_rate(angle.up()) : torsion_rate();
+  return orientation(segment) > 0 ? negative(rate) : rate;
+}
+
+std::optional<RotationEquation> equation_of(const SmoothSegment& segment) {
+  const auto* curve = std::get_if<RationalCurve>(&segment);
+  return curve == nullptr ? std::nullopt : std::optional(rotation_of(*curve));
 }
 
 }  // namespace
 
 PiecewisePolynomial compiled_angle(const SmoothAngle& angle, const Real& start,
                                    const DoubleShape& shape) {
-  const SmoothPath& path = angle.path();
-  std::vector<RootQuotient> rates;
-  for (const RationalCurve& curve : rational_curves(path))
-    rates.push_back(TaylorIntegral(angle.reference() == SmoothReference::up
-                                       ? up_frame_turning(curve, angle.up())
-                                       : frenet_turning(curve))
-                        .integrand());
+  const auto& segments = angle.path().segments();
+  std::vector<CompiledRate> rates;
+  for (const SmoothSegment& segment : segments) rates.push_back(rate_of(angle, segment));
   const auto theta = [&](double t, long bits) {
-    return add(angle.value(at_double(path, t)).enclose(bits), start.enclose(bits), bits);
+    return add(angle.value(at_double(angle.path(), t)).enclose(bits), start.enclose(bits), bits);
   };
   const auto make = [&](double low, double high) {
     const double joint = std::floor(low);
-    return angle_piece(low, high, joint, rates[static_cast<std::size_t>(joint)], theta, shape);
+    const auto k = static_cast<std::size_t>(joint);
+    if (const auto* rate = std::get_if<RootQuotient>(&rates[k]))
+      return angle_piece(low, high, joint, *rate, theta, shape);
+    if (angle.is_zero()) return angle_piece(low, high, joint, RootQuotient{}, theta, shape);
+    return formula_angle_piece(low, high, joint, std::get<ExpressionCurve>(segments[k]),
+                               std::get<CurveIntegrand>(rates[k]), theta, shape);
   };
-  return PiecewisePolynomial::on_units(rates.size(), shape, make);
+  return PiecewisePolynomial::on_units(segments.size(), shape, make);
 }
 
 PiecewisePolynomial compiled_rotation(const SmoothAngle& angle, const Real& start,
                                       const DoubleShape& shape) {
-  const SmoothPath& path = angle.path();
-  std::vector<RotationEquation> equations;
-  for (const RationalCurve& curve : rational_curves(path)) equations.push_back(rotation_of(curve));
+  const auto& segments = angle.path().segments();
+  std::vector<std::optional<RotationEquation>> equations;
+  for (const SmoothSegment& segment : segments) equations.push_back(equation_of(segment));
+  const auto at_center = [&](double t, long bits) {
+    return quaternion_of(rotation_minimizing_frame(angle, at_double(angle.path(), t), start), bits);
+  };
   const auto make = [&](double low, double high) {
     const double joint = std::floor(low);
-    const RotationEquation& equation = equations[static_cast<std::size_t>(joint)];
+    const auto k = static_cast<std::size_t>(joint);
+    if (!equations[k])
+      return formula_rotation_piece(low, high, joint, std::get<ExpressionCurve>(segments[k]),
+                                    at_center, shape);
+    const RotationEquation& equation = *equations[k];
     const auto taylor = [&](const PolynomialPiece& piece, const BallPolynomial& sigma,
                             long length) {
-      const Frame<Real> frame =
-          rotation_minimizing_frame(angle, at_double(path, piece.center), start);
-      return series_from(quaternion_of(frame, frame_bits + 32), equation, piece, sigma, length);
+      constexpr long bits = frame_bits + 32;
+      const Vector<BallPolynomial> rate{per_y(equation.a, piece, frame_bits),
+                                        per_y(equation.b, piece, frame_bits),
+                                        per_y(equation.c, piece, frame_bits)};
+      return rotation_series(at_center(piece.center, bits), rate, sigma, length, bits);
     };
     return rotation_piece(low, high, joint, equation, taylor, shape);
   };
-  return PiecewisePolynomial::on_units(equations.size(), shape, make);
+  return PiecewisePolynomial::on_units(segments.size(), shape, make);
 }
 
 CompiledAngle compile_angle(const SmoothAngle& angle, const Real& start) {

@@ -5,9 +5,8 @@
 
 namespace phrame {
 
-// Angles and frames of a path of rational curves for millions of t in [0, end], proved and as fast
-// as those of PH curves. Throw as compiled_angle(); DomainError where a segment is no rational
-// curve.
+// Angles and frames of a path of any kind for millions of t in [0, end], proved and as fast as
+// those of PH curves. Throw as compiled_angle().
 
 /// θ + start, the square root in θ′ by a polynomial near it (angle_piece); shape.width = 1.
 PiecewisePolynomial compiled_angle(const SmoothAngle& angle, const Real& start,
@@ -16,8 +15,8 @@ PiecewisePolynomial compiled_angle(const SmoothAngle& angle, const Real& start,
 /// angle, up to its sign; shape.width = 4. The frame turns at e₁ × e₁′, about no part of e₁, so
 /// that
 ///   σB′ = (H × H′)/2·B:
-/// a linear equation without roots, by which each piece is proved (rotation_piece). Precondition:
-/// the angle is to the frame of v.
+/// a linear equation without roots, by which each piece is proved (rotation_piece, of formulas
+/// formula_piece). Precondition: the angle is to the frame of v.
 PiecewisePolynomial compiled_rotation(const SmoothAngle& angle, const Real& start,
                                       const DoubleShape& shape);
 

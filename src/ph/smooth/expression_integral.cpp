@@ -53,8 +53,8 @@ std::optional<std::array<Vector<RealBall>, 3>> bounds_on_disc(const ExpressionCu
   return bounds;
 }
 
-CurveJet curve_jet(const ExpressionCurve& curve, const RealBall& middle, const Rational& half,
-                   const std::array<Vector<RealBall>, 3>& bounds, long length, long bits) {
+CurveJet jet_around(const ExpressionCurve& curve, const RealBall& middle, const Rational& half,
+                    const std::array<Vector<RealBall>, 3>& bounds, long length, long bits) {
   const Vector<BallPolynomial> r = curve.series(middle, half, length + 3, bits);
   CurveJet jet;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -83,10 +83,9 @@ class PartSearch {
   bool is_good(const Rational& lower, const Rational& upper, long length, long bits) {
     const Rational half = (upper - lower) / 2;
     const Rational middle = lower + half;
-    const auto bounds = bounds_on_disc(curve_, middle, half);
-    if (!bounds) return false;
-    const CurveJet jet = curve_jet(curve_, RealBall(middle, bits), half, *bounds, length, bits);
-    const auto bound = bound_on_inner_disc(integrand_(jet));
+    const auto jet = curve_jet(curve_, middle, half, length, bits);
+    if (!jet) return false;
+    const auto bound = bound_on_inner_disc(integrand_(*jet));
     if (bound) found_.parts.push_back({lower, upper, *bound});
     return bound.has_value();
   }
@@ -116,6 +115,13 @@ class PartSearch {
 };
 
 }  // namespace
+
+std::optional<CurveJet> curve_jet(const ExpressionCurve& curve, const Rational& middle,
+                                  const Rational& half, long length, long bits) {
+  const auto bounds = bounds_on_disc(curve, middle, half);
+  if (!bounds) return std::nullopt;
+  return jet_around(curve, RealBall(middle, bits), half, *bounds, length, bits);
+}
 
 TaylorParts taylor_parts(const ExpressionCurve& curve, const CurveIntegrand& integrand) {
   return PartSearch(curve, integrand).run();
@@ -170,7 +176,7 @@ ExpressionIntegral::State::Piece ExpressionIntegral::State::make_piece(
   const long length = (bits + above) / 2 + 2;
   const Rational half = (part.upper - part.lower) / 2;
   const RealBall middle(part.lower + half, bits + above);
-  const CurveJet jet = curve_jet(curve, middle, half, {}, length, bits + above);
+  const CurveJet jet = jet_around(curve, middle, half, {}, length, bits + above);
   Piece piece;
   piece.antiderivative = antiderivative(series(integrand(jet)), bits + above);
   piece.start = evaluate(piece.antiderivative, RealBall(-1, bits), bits);
@@ -220,7 +226,7 @@ RealBall ExpressionIntegral::enclose(const RealBall& t, long bits) const {
 }
 
 RealBall ExpressionIntegral::rate(const RealBall& t, long bits) const {
-  return series(state_->integrand(curve_jet(state_->curve, t, 1, {}, 1, bits))).coefficient(0);
+  return series(state_->integrand(jet_around(state_->curve, t, 1, {}, 1, bits))).coefficient(0);
 }
 
 }  // namespace phrame

@@ -16,6 +16,11 @@ struct CurveJet {
   Vector<DiscFunction> third;   ///< r‴
 };
 
+/// By z, t = middle + half·z, to so many coefficients; no value where r is not seen to be analytic
+/// on |z| ≤ 8.
+std::optional<CurveJet> curve_jet(const ExpressionCurve& curve, const Rational& middle,
+                                  const Rational& half, long length, long bits);
+
 /// What is integrated, for any parameter: y dt does not depend on it.
 using CurveIntegrand = std::function<DiscProduct(const CurveJet&)>;
 

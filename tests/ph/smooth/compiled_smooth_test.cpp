@@ -8,6 +8,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
 #include "support/curves.hpp"
+#include "support/expression_curves.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -142,4 +143,24 @@ TEST_CASE("compiled smooth: the angle to the Frenet frame") {
   CHECK(theta(1) == -1.65740642390110110987772706379);
   for (const double t : {0.0, 0.1, 0.7, 0.99})
     CHECK(theta(t) == round_to_double(angle.value({0, exact_rational(t)})));
+}
+
+TEST_CASE("compiled smooth: curves by formulas, alone and behind a rational one") {
+  const SmoothPath wild(test::expression_curve(
+      {"exp(s)*cos(s)", "log(2 + s)*s", "atan(s) + sqrt(1 + s^2)"}, "0", "2"));
+  check_compiled(SmoothAngle(wild), Rational(1, 3), 40);
+  // There and back, so that what follows is turned over.
+  SmoothPath path(RationalCurve({Polynomial{0, 1, -1}, {}, {}}));
+  path.append(test::expression_curve({"-sin(s)", "1 - cos(s)", "s^2"}, "0", "2"));
+  check_compiled(SmoothAngle(path, {1, 3, 2}), Rational(0), 40);
+}
+
+TEST_CASE("compiled smooth: in a plane formulas have the zeros of the frame of its normal") {
+  const SmoothPath circle(test::expression_curve({"cos(s)", "sin(s)", "2"}, "0", "1"));
+  const CompiledFrames frames = compile_frames(SmoothAngle(circle, {0, 0, 1}));
+  const auto frame = frames.rounded(0.4).value();
+  CHECK(frame.e1[2] == 0);
+  CHECK(frame.e2[2] == 0);
+  CHECK(frame.e3[0] == 0);
+  CHECK(frame.e3[2] == 1);
 }
