@@ -1,6 +1,7 @@
 #include "phrame/ph/smooth/smooth_totals.hpp"
 
 #include "phrame/algebra/algebraic_image.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/smooth/curve_integrands.hpp"
 #include "phrame/ph/smooth/direction_span.hpp"
 #include "phrame/ph/smooth/formula_domain.hpp"
