@@ -52,7 +52,7 @@ class CompiledFrames {
     Quaternion<DoubleDouble> b;  ///< B, a unit quaternion
     double error;                ///< of all components together
   };
-  Rotation rotation(double t) const;
+  Rotation rotation(double t) const;  ///< that at t
 
  private:
   static Zeros zeros(const Curve& curve, const RmfAngle& angle, const FrameAngle& start_angle);
