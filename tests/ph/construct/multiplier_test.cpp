@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/preimage.hpp"
 #include "support/random.hpp"
 
@@ -93,6 +94,19 @@ TEST_CASE("multipliers: lines go along themselves, plane curves in their planes,
       CHECK(reached(plane, other) == wanted);
       CHECK(size(other) > size(*f));
     }
+  }
+}
+
+TEST_CASE("multipliers: a slight one changes by a 2^-20th at most") {
+  const QuaternionPolynomial line{Polynomial{1}, {}, {}, {}};  // r′ = (f, 0, 0)
+  for (const int sign : {1, -1}) {
+    const auto to = [&](long k) {
+      const Vector<Rational> wanted{1 + sign * power_of_two(-k), 0, 0};
+      return slight_multiplier(line, {1}, wanted, MultiplierFreedom::all);
+    };
+    REQUIRE(to(20));
+    CHECK(reached(line, *to(20)) == Vector<Rational>{1 + sign * power_of_two(-20), 0, 0});
+    CHECK_FALSE(to(19));
   }
 }
 
