@@ -47,6 +47,15 @@ struct SeriesExpansion {
   RealBall size;    ///< |N/(D√S)| is no greater
 };
 
+/// All of them.
+struct SeriesExpansions {
+  SeriesParts parts;
+  std::vector<SeriesExpansion> of;  ///< as many
+
+  /// The last part that begins at t or before.
+  std::size_t part_at(const Rational& t) const;
+};
+
 namespace {
 
 constexpr long greatest_level = 4096;
@@ -60,12 +69,9 @@ SeriesPart half_of(const SeriesPart& part, long side) {
   return half;
 }
 
-std::vector<SeriesPart> short_parts(const RootQuotient& f) {
+/// The parts that these are to be halved into.
+std::vector<SeriesPart> short_parts(std::vector<SeriesPart> open) {
   std::vector<SeriesPart> parts;
-  std::vector<SeriesPart> open(1);
-  // t = (x + 1)/2.
-  open.back().f = half_of(unit_quotient(f.numerator, f.denominator, f.radicand), 1);
-  open.back().f.factor /= 2;
   while (!open.empty()) {
     SeriesPart part = std::move(open.back());
     open.pop_back();
@@ -84,9 +90,17 @@ std::vector<SeriesPart> short_parts(const RootQuotient& f) {
   return parts;
 }
 
+std::vector<SeriesPart> short_parts(const RootQuotient& f) {
+  std::vector<SeriesPart> whole(1);
+  // t = (x + 1)/2.
+  whole.back().f = half_of(unit_quotient(f.numerator, f.denominator, f.radicand), 1);
+  whole.back().f.factor /= 2;
+  return short_parts(std::move(whole));
+}
+
 /// An error of 2^−(bits + more) of each is one of 2^−bits·∫|f|/4 of the sum, about.
-SeriesParts series_parts(const RootQuotient& f) {
-  SeriesParts parts{short_parts(f), {}};
+SeriesParts series_parts(std::vector<SeriesPart> all) {
+  SeriesParts parts{std::move(all), {}};
   long greatest = -unbounded_exponent;
   for (const SeriesPart& part : parts.all)
     parts.more_bits.push_back(exponent_above(unit_factor(part.f, 32)));
@@ -104,12 +118,10 @@ SeriesParts series_parts(const RootQuotient& f) {
   return parts;
 }
 
-SeriesExpansion expansion(const SeriesPart& part, long more, long bits) {
+/// No value where its Taylor series ends far later than its bounds let expect.
+std::optional<SeriesExpansion> expansion(const SeriesPart& part, long more, long bits) {
   auto series = unit_series(part.f, part.bounds, std::max(8L, bits + more));
-  if (!series)
-    throw Undecided(
-        fmt::format("the Taylor series of the integrand at t = {:.9g} did not give {} bits",
-                    static_cast<double>(part.middle), bits));
+  if (!series) return std::nullopt;
   SeriesExpansion result{std::move(*series), unit_factor(part.f, bits + 32), {}, {}, {}};
   result.whole =
       multiply(result.factor, widened(result.series.whole, result.series.error), bits + 32);
@@ -118,15 +130,34 @@ SeriesExpansion expansion(const SeriesPart& part, long more, long bits) {
   return result;
 }
 
-std::vector<SeriesExpansion> expansions(const SeriesParts& parts, long bits) {
+/// All parts with part k in two, which are shorter beside the distance to the singularities.
+SeriesParts with_halves(const SeriesParts& parts, std::size_t k) {
+  const auto at = parts.all.begin() + static_cast<long>(k);
+  std::vector<SeriesPart> all(parts.all.begin(), at);
+  if (at->level == greatest_level)
+    throw Undecided(fmt::format("the Taylor series of the integrand at t = {:.9g} do not end",
+                                static_cast<double>(at->middle)));
+  for (SeriesPart& half : short_parts({half_of(*at, 1), half_of(*at, -1)}))
+    all.push_back(std::move(half));
+  all.insert(all.end(), at + 1, parts.all.end());
+  return series_parts(std::move(all));
+}
+
+SeriesExpansions expansions(SeriesParts parts, long bits) {
   std::vector<SeriesExpansion> all;
   RealBall sum;
-  for (std::size_t k = 0; k < parts.all.size(); ++k) {
-    all.push_back(expansion(parts.all[k], parts.more_bits[k], bits));
+  while (all.size() < parts.all.size()) {
+    const std::size_t k = all.size();
+    auto next = expansion(parts.all[k], parts.more_bits[k], bits);
+    if (!next) {
+      parts = with_halves(parts, k);
+      continue;
+    }
+    all.push_back(*std::move(next));
     all.back().before = sum;
     sum = add(sum, all.back().whole, bits + 32);
   }
-  return all;
+  return {std::move(parts), std::move(all)};
 }
 
 void require_no_zero(const Polynomial& p, const char* name) {
@@ -181,26 +212,19 @@ void require_inside(const Rational& t) {
 struct TaylorIntegral::State {
   RootQuotient f;
   std::optional<Polynomial> exact;  ///< F, where that is a polynomial over ℚ
-  Lazy<SeriesParts> parts;
-  Refined<std::vector<SeriesExpansion>> known;
+  Refined<SeriesExpansions> known;
 
   explicit State(const RootQuotient& given)
       : f(in_lowest_terms(given)), exact(polynomial_integral(f)) {}
 
-  const SeriesParts& all_parts() const {
-    return parts.get([this] { return series_parts(f); });
-  }
-  std::size_t part_at(const Rational& t) const;
-  std::shared_ptr<const std::vector<SeriesExpansion>> to_bits(long bits) const;
+  std::shared_ptr<const SeriesExpansions> to_bits(long bits) const;
 };
 
-/// The last part that begins at t or before.
-std::size_t TaylorIntegral::State::part_at(const Rational& t) const {
-  const std::vector<SeriesPart>& all = all_parts().all;
+std::size_t SeriesExpansions::part_at(const Rational& t) const {
   const auto next = std::upper_bound(
-      all.begin() + 1, all.end(), t,
+      parts.all.begin() + 1, parts.all.end(), t,
       [](const Rational& at, const SeriesPart& part) { return at < part.start(); });
-  return static_cast<std::size_t>(next - all.begin()) - 1;
+  return static_cast<std::size_t>(next - parts.all.begin()) - 1;
 }
 
 TaylorIntegral::TaylorIntegral(const RootQuotient& f) : state_(std::make_shared<State>(f)) {}
@@ -208,19 +232,20 @@ TaylorIntegral::TaylorIntegral(const RootQuotient& f) : state_(std::make_shared<
 const RootQuotient& TaylorIntegral::integrand() const { return state_->f; }
 
 /// What is known to at least so many bits.
-std::shared_ptr<const std::vector<SeriesExpansion>> TaylorIntegral::State::to_bits(
-    long bits) const {
+std::shared_ptr<const SeriesExpansions> TaylorIntegral::State::to_bits(long bits) const {
   const long enough = (std::max(bits, 32L) + 7) / 8 * 8;
-  return known.get(enough, [&](const auto*) { return expansions(all_parts(), enough); });
+  return known.get(enough, [&](const SeriesExpansions* before) {
+    return expansions(before != nullptr ? before->parts : series_parts(short_parts(f)), enough);
+  });
 }
 
 RealBall TaylorIntegral::enclose(const Rational& t, long bits) const {
   require_inside(t);
   if (state_->exact) return RealBall((*state_->exact)(t), bits);
   const auto known = state_->to_bits(bits);
-  const std::size_t k = state_->part_at(t);
-  const SeriesPart& part = state_->all_parts().all[k];
-  const SeriesExpansion& here = (*known)[k];
+  const std::size_t k = known->part_at(t);
+  const SeriesPart& part = known->parts.all[k];
+  const SeriesExpansion& here = known->of[k];
   const long precision = bits + 32;
   const RealBall x =
       times_power_of_two(RealBall(Rational(t - part.middle), precision), part.level + 1);
@@ -239,8 +264,8 @@ RealBall TaylorIntegral::enclose(const RealBall& t, long bits) const {
   if (state_->exact) return evaluate(*state_->exact, t, bits);
   const auto known = state_->to_bits(bits);
   RealBall size;
-  for (std::size_t k = state_->part_at(lower); k <= state_->part_at(upper); ++k)
-    size = max(size, (*known)[k].size, bits);
+  for (std::size_t k = known->part_at(lower); k <= known->part_at(upper); ++k)
+    size = max(size, known->of[k].size, bits);
   return widened(there, multiply(size, RealBall(Rational(upper - middle), bits), bits));
 }
 
