@@ -57,4 +57,8 @@ int sign_of(const Real& x) {
   return 0;
 }
 
+bool is_zero(const Vector<Real>& v) {
+  return v[0].exact() == Rational(0) && v[1].exact() == Rational(0) && v[2].exact() == Rational(0);
+}
+
 }  // namespace phrame

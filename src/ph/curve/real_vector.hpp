@@ -25,4 +25,7 @@ Real sum_of(const std::vector<Real>& terms);
 /// The sign of x; 0 also where 2048 bits do not tell it from 0.
 int sign_of(const Real& x);
 
+/// Is it known to be exactly 0?
+bool is_zero(const Vector<Real>& v);
+
 }  // namespace phrame

@@ -18,10 +18,6 @@ Frame<Real> frame_along(const Vector<Real>& H, const Vector<Real>& n) {
   return {over_size(H, sigma), over_size(n, size), over_size(cross(H, n), sigma * size)};
 }
 
-bool is_zero(const Vector<Real>& v) {
-  return v[0].exact() == Rational(0) && v[1].exact() == Rational(0) && v[2].exact() == Rational(0);
-}
-
 /// The reference frame of an angle.
 Frame<Real> reference_at(const SmoothAngle& angle, const SmoothParameter& at) {
   return angle.reference() == SmoothReference::up ? up_frame(angle.path(), angle.up(), at)

@@ -45,11 +45,6 @@ Real value_of(const RationalFunction& f, const Real& t, const char* name) {
   return Rational(f.numerator()(*t.exact()) / below);
 }
 
-/// Is it exactly 0?
-bool vanishes(const Vector<Real>& v) {
-  return v[0].exact() == Rational(0) && v[1].exact() == Rational(0) && v[2].exact() == Rational(0);
-}
-
 Vector<Polynomial> binormal_of(const RationalCurve& curve) {
   return cross(curve.direction(), derivative_of(curve.direction()));
 }
@@ -106,7 +101,7 @@ bool have_same_normal(const SmoothSegment& before, const SmoothSegment& after) {
 Real curvature_of(const ExpressionCurve& curve, const Real& t) {
   const Vector<Real> first = derivative(curve, 1, t);
   const Vector<Real> bend = cross(first, derivative(curve, 2, t));
-  if (vanishes(bend)) return Rational(0);
+  if (is_zero(bend)) return Rational(0);
   const Real speed = dot(first, first);
   return Real([size = dot(bend, bend), cube = speed * speed * speed](long bits) {
     return sqrt_of_nonnegative(divide(size.enclose(bits + 8), cube.enclose(bits + 8), bits + 8),
@@ -115,11 +110,11 @@ Real curvature_of(const ExpressionCurve& curve, const Real& t) {
 }
 
 Real torsion_of(const ExpressionCurve& curve, const Real& t) {
-  if (are_on_a_line(direction_span(curve)))
-    throw DomainError("torsion: the curve is a straight line, it has none");
-  if (common_normal(direction_span(curve))) return Rational(0);
+  const auto span = direction_span(curve);
+  if (are_on_a_line(span)) throw DomainError("torsion: the curve is a straight line, it has none");
+  if (common_normal(span)) return Rational(0);
   const Vector<Real> bend = cross(derivative(curve, 1, t), derivative(curve, 2, t));
-  if (vanishes(bend)) throw DomainError("torsion: the curvature is 0 there, at an inflection");
+  if (is_zero(bend)) throw DomainError("torsion: the curvature is 0 there, at an inflection");
   const Real size = dot(bend, bend);
   return Real([volume = dot(bend, derivative(curve, 3, t)), size](long bits) {
     return divide(volume.enclose(bits + 8), size.enclose(bits + 8), bits + 8);
