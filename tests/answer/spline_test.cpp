@@ -5,15 +5,13 @@
 #include "phrame/io/write/angle.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/info.hpp"
+#include "support/text.hpp"
 
 using namespace phrame;
+using test::contains;
 using test::Json;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// r′ = (1 − t², 2t, 0) and three copies, each turned by a quarter: a closed plane curve.
 NamedPath loop(std::size_t segments = 4) {

@@ -10,8 +10,11 @@
 #include <vector>
 
 #include "support/data.hpp"
+#include "support/text.hpp"
 
 namespace {
+
+using phrame::test::contains;
 
 const std::string root = phrame::test::root("");
 
@@ -34,10 +37,6 @@ std::vector<std::string> blocks(const std::string& text, const std::string& lang
     at = end;
   }
   return found;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 std::string output_of(const std::string& command) {

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "io/reference.hpp"
+#include "support/text.hpp"
 
 // The program as its users meet it: arguments, streams, files, exit statuses.
 namespace phrame::test {
@@ -90,10 +91,6 @@ class Workshop {
 
   fs::path path_;
 };
-
-inline bool contains(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// Fails with that status, one line on stderr that contains `part`, and nothing on stdout.
 inline void check_failure(const Run& run, int status, std::string_view part) {

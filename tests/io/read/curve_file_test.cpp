@@ -7,8 +7,10 @@
 #include "phrame/io/write/curve_file.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
+#include "support/text.hpp"
 
 using namespace phrame;
+using test::contains;
 
 namespace {
 
@@ -36,10 +38,6 @@ std::string refusal(const std::string& text, const CurveLimits& limits = {}) {
     return message;
   }
   return "(accepted)";
-}
-
-bool contains(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
 }
 
 const std::string zeros = R"("v": [0], "p": [0], "q": [0])";

@@ -5,8 +5,10 @@
 #include "phrame/io/write/text.hpp"
 
 #include "io/reference.hpp"
+#include "support/text.hpp"
 
 using namespace phrame;
+using test::contains;
 using test::Json;
 
 namespace {
@@ -41,10 +43,6 @@ std::vector<std::string> keys(const Json& object) {
   for (const auto& [key, value] : object.items()) names.push_back(key);
   std::sort(names.begin(), names.end());
   return names;
-}
-
-bool contains(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
 }
 
 Antiderivative antiderivative_of(const Json& F) {

@@ -5,15 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "support/paths.hpp"
+#include "support/text.hpp"
 
 using namespace phrame;
+using test::contains;
 using Json = nlohmann::json;
 
 namespace {
-
-bool contains(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
-}
 
 ClassificationAnswer report(const QuaternionPolynomial& a, const Polynomial& f = {1}) {
   return answer({"", Curve(a, f)}, ClassificationQuery{});

@@ -2,14 +2,12 @@
 
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
+#include "support/text.hpp"
 
 using namespace phrame;
+using test::contains;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::string proof(const NamedCurve& named, const Rational& t, long digits) {
   return coq_proof(answer(named.curve, CoqQuery{t, digits}));

@@ -3,8 +3,10 @@
 #include "io/reference.hpp"
 #include "phrame/io/write/curve_file.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "support/text.hpp"
 
 using namespace phrame;
+using test::contains;
 using test::Json;
 
 namespace {
@@ -16,10 +18,6 @@ IdentificationAnswer report(const std::string& name, const Vector<Polynomial>& r
 /// 3r′ = B i B* with B = (3t − t³) − 3t² i + 3k [Beltran, Monterde 2007].
 const Vector<Polynomial> septic{Polynomial{-3, 0, 3, 0, 1, 0, Rational(1, 3)},
                                 Polynomial{0, 6, 0, -2}, Polynomial{0, 0, -6}};
-
-bool contains(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
-}
 
 }  // namespace
 

@@ -9,18 +9,16 @@
 #include "support/farouki_moon.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
+#include "support/text.hpp"
 
 using namespace phrame;
+using test::contains;
 using test::Json;
 
 namespace {
 
 Json info(const NamedCurve& named, long digits = 50) {
   return Json::parse(to_json(answer(named, InfoQuery{digits})));
-}
-
-bool contains(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
 }
 
 /// r′ = f·i.

@@ -5,8 +5,10 @@
 #include "io/reference.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/io/read/expression.hpp"
+#include "support/text.hpp"
 
 using namespace phrame;
+using test::contains;
 using test::Json;
 
 namespace {
@@ -25,10 +27,6 @@ IntegralAnswer real_report(const std::string& text) {
   IntegralQuery query{f.value, f.variable};
   query.style = Style::real;
   return answer(query);
-}
-
-bool contains(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
 }
 
 const ExactValue quarter_turn{0, Rational(1, 4), {}, {}};

@@ -2,18 +2,16 @@
 
 #include "io/reference.hpp"
 #include "support/paths.hpp"
+#include "support/text.hpp"
 
 using namespace phrame;
+using test::contains;
 using test::Json;
 
 namespace {
 
 Json totals(const NamedCurve& curve, long digits = 17) {
   return Json::parse(to_json(answer(curve, TotalsQuery{digits})));
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace
