@@ -66,6 +66,7 @@ class WronskianFrame;
 struct Classification;
 struct PathClassification;
 struct Certificate;
+struct Statement;
 
 // ph/smooth
 class Formula;
@@ -75,6 +76,7 @@ struct ClosedFrame;
 // answer
 struct AngleQuery;
 struct AngleAnswer;
+struct SmoothAngleAnswer;
 struct CheckQuery;
 struct CheckAnswer;
 struct ClassificationQuery;
@@ -86,8 +88,10 @@ struct ConstructionAnswer;
 struct CoqQuery;
 struct CoqAnswer;
 struct IdentificationAnswer;
+struct PathIdentification;
 struct InfoQuery;
 struct InfoAnswer;
+struct SmoothInfoAnswer;
 struct IntegralQuery;
 struct IntegralAnswer;
 struct InterpolationQuery;

@@ -7,9 +7,8 @@
 //   CompiledAngle, CompiledFrames             the same for millions of t
 //   ExpressionCurve, closed_frame()           curves by formulas; writhe, linking of closed curves
 //   integrate(), definite_integral()          of any rational function
-#include "phrame/algebra/error.hpp"
-#include "phrame/algebra/factor.hpp"
-#include "phrame/algebra/roots.hpp"
+
+// Questions and their answers.
 #include "phrame/answer/angle.hpp"
 #include "phrame/answer/check.hpp"
 #include "phrame/answer/classification.hpp"
@@ -26,12 +25,11 @@
 #include "phrame/answer/smooth_table.hpp"
 #include "phrame/answer/totals.hpp"
 #include "phrame/answer/wronskian.hpp"
-#include "phrame/integrate/definite_integral.hpp"
-#include "phrame/integrate/integrate.hpp"
+
+// What is read.
 #include "phrame/io/read/angle.hpp"
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/certificate_file.hpp"
-#include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/read/endpoint.hpp"
 #include "phrame/io/read/expression.hpp"
 #include "phrame/io/read/feedrate.hpp"
@@ -39,44 +37,37 @@
 #include "phrame/io/read/frame_csv.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/read/point_file.hpp"
-#include "phrame/io/write/angle.hpp"
+
+// What is written.
+#include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/c_header.hpp"
 #include "phrame/io/write/cas_script.hpp"
 #include "phrame/io/write/certificate.hpp"
 #include "phrame/io/write/check.hpp"
-#include "phrame/io/write/classification.hpp"
 #include "phrame/io/write/closed_form.hpp"
-#include "phrame/io/write/construction.hpp"
 #include "phrame/io/write/coq_proof.hpp"
 #include "phrame/io/write/curve_file.hpp"
 #include "phrame/io/write/frame_table.hpp"
-#include "phrame/io/write/identification.hpp"
-#include "phrame/io/write/info.hpp"
-#include "phrame/io/write/integral.hpp"
 #include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/passage.hpp"
-#include "phrame/io/write/smooth_angle.hpp"
-#include "phrame/io/write/totals.hpp"
-#include "phrame/io/write/twist.hpp"
-#include "phrame/io/write/verification.hpp"
-#include "phrame/io/write/wronskian.hpp"
+
+// PH curves, beyond what the answers need.
 #include "phrame/ph/construct/c2_hermite.hpp"
 #include "phrame/ph/construct/c2_spline.hpp"
-#include "phrame/ph/construct/near.hpp"
 #include "phrame/ph/construct/rmf_difference.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/travel_time.hpp"
 #include "phrame/ph/frame/algebraic_frame.hpp"
-#include "phrame/ph/frame/compiled_angle.hpp"
-#include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/ph/proof/verify.hpp"
+
+// Curves of any kind, likewise.
 #include "phrame/ph/smooth/closed_curve.hpp"
 #include "phrame/ph/smooth/compiled_smooth.hpp"
 #include "phrame/ph/smooth/smooth_check.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
-#include "phrame/ph/smooth/smooth_length.hpp"
-#include "phrame/ph/smooth/smooth_path.hpp"
-#include "phrame/ph/smooth/smooth_twist.hpp"
+
+// Rational functions, likewise.
+#include "phrame/algebra/factor.hpp"
+#include "phrame/algebra/roots.hpp"
+#include "phrame/integrate/definite_integral.hpp"
 #include "phrame/version.hpp"

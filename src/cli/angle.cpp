@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
+#include "phrame/answer/angle.hpp"
+#include "phrame/answer/smooth_angle.hpp"
 #include "phrame/cli/form.hpp"
-#include "phrame/io/write/angle.hpp"
-#include "phrame/io/write/smooth_angle.hpp"
+#include "phrame/io/write/answers.hpp"
 
 namespace phrame::cli {
 namespace {

@@ -1,5 +1,6 @@
+#include "phrame/answer/classification.hpp"
 #include "phrame/cli/command.hpp"
-#include "phrame/io/write/classification.hpp"
+#include "phrame/io/write/answers.hpp"
 
 namespace phrame::cli {
 namespace {

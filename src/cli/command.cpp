@@ -12,8 +12,8 @@
 
 #include "phrame/io/read/angle.hpp"
 #include "phrame/io/read/number.hpp"
+#include "phrame/io/write/names.hpp"
 #include "phrame/io/write/nearness.hpp"
-#include "phrame/io/write/reference_names.hpp"
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/construct/near.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
@@ -94,7 +94,7 @@ void add_reference(Command& command, std::string& name, const std::string& what)
 }
 
 Reference chosen_reference(const std::string& name) {
-  return choose<Reference>("--frame", name, reference_names);
+  return choose<Reference>("--frame", name, reference_names());
 }
 
 void fail_for_spline(const std::string& option, const std::string& value) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <functional>
 
+#include "phrame/answer/construction.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/point_file.hpp"
-#include "phrame/io/write/construction.hpp"
+#include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/curve_file.hpp"
+#include "phrame/io/write/names.hpp"
 
 namespace phrame::cli {
 namespace {

@@ -1,7 +1,8 @@
+#include "phrame/answer/identification.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/curve_file.hpp"
+#include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/curve_file.hpp"
-#include "phrame/io/write/identification.hpp"
 #include "phrame/io/write/nearness.hpp"
 
 namespace phrame::cli {

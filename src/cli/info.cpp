@@ -1,5 +1,6 @@
-#include "phrame/io/write/info.hpp"
+#include "phrame/answer/info.hpp"
 #include "phrame/cli/command.hpp"
+#include "phrame/io/write/answers.hpp"
 
 namespace phrame::cli {
 namespace {

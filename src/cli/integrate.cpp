@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
+#include "phrame/answer/integral.hpp"
 #include "phrame/cli/form.hpp"
 #include "phrame/io/read/endpoint.hpp"
-#include "phrame/io/write/integral.hpp"
+#include "phrame/io/write/answers.hpp"
 
 namespace phrame::cli {
 namespace {

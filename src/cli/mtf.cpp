@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "phrame/answer/minimal_twist.hpp"
+#include "phrame/answer/wronskian.hpp"
 #include "phrame/cli/twist_options.hpp"
-#include "phrame/io/write/twist.hpp"
-#include "phrame/io/write/wronskian.hpp"
+#include "phrame/io/write/answers.hpp"
+#include "phrame/io/write/names.hpp"
 
 namespace phrame::cli {
 namespace {

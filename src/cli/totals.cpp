@@ -1,5 +1,6 @@
-#include "phrame/io/write/totals.hpp"
+#include "phrame/answer/totals.hpp"
 #include "phrame/cli/command.hpp"
+#include "phrame/io/write/answers.hpp"
 
 namespace phrame::cli {
 namespace {

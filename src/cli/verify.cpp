@@ -1,10 +1,11 @@
 #include "phrame/ph/proof/verify.hpp"
+#include "phrame/io/write/answers.hpp"
+#include "phrame/ph/proof/statement.hpp"
 
 #include <algorithm>
 
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/certificate_file.hpp"
-#include "phrame/io/write/verification.hpp"
 
 namespace phrame::cli {
 namespace {

@@ -1,4 +1,6 @@
 #include "phrame/io/batch.hpp"
+#include "phrame/answer/angle.hpp"
+#include "phrame/answer/smooth_angle.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +9,11 @@
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/read/number.hpp"
-#include "phrame/io/write/angle.hpp"
+#include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/failure.hpp"
 #include "phrame/io/write/json_text.hpp"
+#include "phrame/io/write/names.hpp"
 #include "phrame/io/write/nearness.hpp"
-#include "phrame/io/write/reference_names.hpp"
-#include "phrame/io/write/smooth_angle.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
 
 namespace phrame {
@@ -42,7 +43,7 @@ std::string id_of(const JsonValue& line) {
 std::optional<Reference> frame_of(const JsonNode& node) {
   const std::string& name = node.string();
   if (name == "up") return std::nullopt;
-  for (const auto& [known, reference] : reference_names)
+  for (const auto& [known, reference] : reference_names())
     if (name == known) return reference;
   node.fail(fmt::format("\"{}\" is not one of erf, frenet, up", abbreviated(name)));
 }

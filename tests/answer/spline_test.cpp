@@ -1,10 +1,11 @@
 #include <algorithm>
 
 #include "io/reference.hpp"
+#include "phrame/answer/angle.hpp"
 #include "phrame/answer/frame_table.hpp"
-#include "phrame/io/write/angle.hpp"
+#include "phrame/answer/info.hpp"
+#include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/frame_table.hpp"
-#include "phrame/io/write/info.hpp"
 #include "support/text.hpp"
 
 using namespace phrame;

@@ -1,4 +1,6 @@
 #include "phrame/io/batch.hpp"
+#include "phrame/answer/angle.hpp"
+#include "phrame/io/write/answers.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +9,6 @@
 #include <thread>
 
 #include "io/reference.hpp"
-#include "phrame/io/write/angle.hpp"
 #include "support/data.hpp"
 #include "support/random.hpp"
 

@@ -1,7 +1,8 @@
 // Wherever the curve had a cusp on [0, 1] its bending energy was said to be infinite.
 #include <doctest/doctest.h>
 
-#include "phrame/io/write/info.hpp"
+#include "phrame/answer/info.hpp"
+#include "phrame/io/write/answers.hpp"
 
 using namespace phrame;
 

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/json_node.hpp"
-#include "phrame/io/write/reference_names.hpp"
+#include "phrame/io/write/names.hpp"
 
 namespace phrame {
 namespace {
@@ -176,7 +176,7 @@ StatedDecisions read_decisions(const JsonNode& node) {
 }
 
 Reference read_frame(const JsonNode& node) {
-  for (const auto& [name, reference] : reference_names)
+  for (const auto& [name, reference] : reference_names())
     if (node.string() == name) return reference;
   node.fail(
       fmt::format("the frame is \"erf\" or \"frenet\", not \"{}\"", abbreviated(node.string())));

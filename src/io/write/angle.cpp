@@ -1,16 +1,18 @@
-#include "phrame/io/write/angle.hpp"
+#include "phrame/io/write/answers.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "phrame/answer/angle.hpp"
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/json_text.hpp"
+#include "phrame/io/write/names.hpp"
 #include "phrame/io/write/pole_table.hpp"
 #include "phrame/io/write/radical_form_text.hpp"
-#include "phrame/io/write/reference_names.hpp"
 #include "phrame/io/write/text.hpp"
+#include "phrame/io/write/value_table.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 
@@ -145,37 +147,6 @@ JsonOutput json_of(const AngleAnswer& answer) {
 }
 
 }  // namespace
-
-std::string value_table(const std::vector<AngleValue>& values, long digits) {
-  constexpr std::size_t longest = 40;
-  std::size_t whole_width = 1;
-  const auto whole = [](const std::string& theta) {
-    return std::min(theta.find('.'), theta.size());
-  };
-  std::vector<std::string> column{"t"};
-  for (const AngleValue& value : values) {
-    column.push_back(shown(value.t, longest));
-    whole_width = std::max(whole_width, whole(value.theta.value));
-  }
-  column = aligned(column);
-  std::string text = fmt::format("\n  {}   {}θ(t)   radians, correctly rounded to {}\n", column[0],
-                                 std::string(whole_width - 1, ' '),
-                                 counted(static_cast<std::size_t>(digits), "digit"));
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const std::string& theta = values[k].theta.value;
-    text += fmt::format("  {}   {}{}\n", column[k + 1],
-                        std::string(whole_width - whole(theta), ' '), theta);
-  }
-  return text;
-}
-
-std::string latex_value_table(const std::vector<AngleValue>& values) {
-  std::string text = "\\begin{tabular}{ll}\n$t$ & $\\theta(t)$ \\\\\n";
-  for (const AngleValue& value : values)
-    text += fmt::format("${}$ & ${}$ \\\\\n", formatted(value.t, latex),
-                        latex_decimal(value.theta.value));
-  return text + "\\end{tabular}\n";
-}
 
 std::string to_text(const AngleAnswer& answer) {
   std::string text = heading(answer.path) + "\n\n";

@@ -1,7 +1,7 @@
 #include "phrame/io/write/certificate.hpp"
 
 #include "phrame/io/write/json_text.hpp"
-#include "phrame/io/write/reference_names.hpp"
+#include "phrame/io/write/names.hpp"
 
 namespace phrame {
 namespace {

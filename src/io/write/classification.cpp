@@ -1,7 +1,8 @@
-#include "phrame/io/write/classification.hpp"
+#include "phrame/io/write/answers.hpp"
 
 #include <fmt/format.h>
 
+#include "phrame/answer/classification.hpp"
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
 

@@ -1,4 +1,4 @@
-#include "phrame/io/write/construction.hpp"
+#include "phrame/io/write/answers.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/answer/construction.hpp"
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
+#include "phrame/io/write/names.hpp"
 
 namespace phrame {
 namespace {
@@ -15,11 +17,7 @@ namespace {
 /// "auto"; "angles" where they were given.
 std::string choice_name(const QuinticChoice& choice) {
   const auto* selection = std::get_if<QuinticSelection>(&choice);
-  if (selection == nullptr) return "angles";
-  const auto& names = quintic_selections();
-  return std::find_if(names.begin(), names.end(),
-                      [&](const auto& named) { return named.second == *selection; })
-      ->first;
+  return selection == nullptr ? "angles" : name_of(*selection);
 }
 
 /// ", auto", ", solution 1 of 4"; nothing where there is no choice.
@@ -283,18 +281,6 @@ std::string latex_table(const ConstructionAnswer& answer) {
 }
 
 }  // namespace
-
-const std::vector<std::pair<std::string, QuinticSelection>>& quintic_selections() {
-  static const std::vector<std::pair<std::string, QuinticSelection>> names{
-      {"auto", QuinticSelection::automatic},
-      {"minimal", QuinticSelection::minimal},
-      {"bv", QuinticSelection::bv},
-      {"cc", QuinticSelection::cc},
-      {"shortest", QuinticSelection::shortest},
-      {"longest", QuinticSelection::longest},
-      {"energy", QuinticSelection::energy}};
-  return names;
-}
 
 std::string to_text(const ConstructionAnswer& answer) {
   return heading(answer.path) + "\n\n" + to_rows(fields(answer), 14) + segment_table(answer);

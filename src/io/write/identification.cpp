@@ -1,8 +1,9 @@
-#include "phrame/io/write/identification.hpp"
+#include "phrame/io/write/answers.hpp"
 
 #include <fmt/format.h>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/answer/identification.hpp"
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"

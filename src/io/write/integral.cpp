@@ -1,9 +1,10 @@
-#include "phrame/io/write/integral.hpp"
+#include "phrame/io/write/answers.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "phrame/answer/integral.hpp"
 #include "phrame/io/write/cas_formula.hpp"
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/endpoint_text.hpp"

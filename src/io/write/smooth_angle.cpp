@@ -1,12 +1,14 @@
-#include "phrame/io/write/smooth_angle.hpp"
+#include "phrame/io/write/answers.hpp"
 
 #include <fmt/format.h>
 
-#include "phrame/io/write/angle.hpp"
+#include "phrame/answer/angle.hpp"
+#include "phrame/answer/smooth_angle.hpp"
 #include "phrame/io/write/formula.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/text.hpp"
+#include "phrame/io/write/value_table.hpp"
 
 namespace phrame {
 namespace {

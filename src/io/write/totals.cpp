@@ -1,7 +1,8 @@
-#include "phrame/io/write/totals.hpp"
+#include "phrame/io/write/answers.hpp"
 
 #include <fmt/format.h>
 
+#include "phrame/answer/totals.hpp"
 #include "phrame/io/write/cas_formula.hpp"
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/field.hpp"

@@ -1,10 +1,12 @@
-#include "phrame/io/write/twist.hpp"
+#include "phrame/io/write/answers.hpp"
 
 #include <fmt/format.h>
 
-#include "phrame/io/write/angle.hpp"
+#include "phrame/answer/angle.hpp"
+#include "phrame/answer/minimal_twist.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/twist_frame.hpp"
+#include "phrame/io/write/value_table.hpp"
 
 namespace phrame {
 

@@ -1,10 +1,11 @@
-#include "phrame/io/write/verification.hpp"
+#include "phrame/io/write/answers.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "phrame/io/write/text.hpp"
+#include "phrame/ph/proof/statement.hpp"
 
 namespace phrame {
 namespace {

@@ -1,11 +1,13 @@
-#include "phrame/io/write/wronskian.hpp"
+#include "phrame/io/write/answers.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "phrame/answer/wronskian.hpp"
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
+#include "phrame/io/write/names.hpp"
 #include "phrame/io/write/twist_frame.hpp"
 
 namespace phrame {
@@ -16,13 +18,6 @@ constexpr auto pair_definition =
     "$θ$ about $e₁$:\n"
     "  $f₂ = \\cos θ\\, e₂ + \\sin θ\\, e₃$,  $f₃ = −\\sin θ\\, e₂ + \\cos θ\\, e₃$\n"
     "  $θ = 2 \\arg(b + i a)$,  $ab′ − a′b = 2hσ$,  $J = ∫₀¹ ρ(a² + b² − 2σ²)²$ least\n\n";
-
-std::string name_of(FrameWeight weight) {
-  const auto& names = frame_weights();
-  return std::find_if(names.begin(), names.end(),
-                      [&](const auto& named) { return named.second == weight; })
-      ->first;
-}
 
 std::string formula_of(FrameWeight weight) {
   if (weight == FrameWeight::one) return "$1$";
@@ -194,14 +189,6 @@ Fields pair_fields(const WronskianAnswer& answer) {
 }
 
 }  // namespace
-
-const std::vector<std::pair<std::string, FrameWeight>>& frame_weights() {
-  static const std::vector<std::pair<std::string, FrameWeight>> names{
-      {"one", FrameWeight::one},
-      {"torsion-curvature", FrameWeight::torsion_curvature},
-      {"speed", FrameWeight::speed}};
-  return names;
-}
 
 std::string to_text(const WronskianAnswer& answer) {
   constexpr std::size_t width = 31;

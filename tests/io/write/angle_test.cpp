@@ -1,6 +1,7 @@
 #include <algorithm>
 
-#include "phrame/io/write/angle.hpp"
+#include "phrame/answer/angle.hpp"
+#include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/text.hpp"
 

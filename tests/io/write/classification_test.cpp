@@ -1,9 +1,10 @@
-#include "phrame/io/write/classification.hpp"
 
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
 
+#include "phrame/answer/classification.hpp"
+#include "phrame/io/write/answers.hpp"
 #include "support/paths.hpp"
 #include "support/text.hpp"
 

@@ -1,15 +1,16 @@
 #include "phrame/io/write/field.hpp"
+#include "phrame/answer/classification.hpp"
+#include "phrame/answer/identification.hpp"
+#include "phrame/answer/info.hpp"
+#include "phrame/answer/minimal_twist.hpp"
+#include "phrame/answer/totals.hpp"
+#include "phrame/io/write/answers.hpp"
 
 #include <fmt/format.h>
 
 #include <cctype>
 
 #include "io/reference.hpp"
-#include "phrame/io/write/classification.hpp"
-#include "phrame/io/write/identification.hpp"
-#include "phrame/io/write/info.hpp"
-#include "phrame/io/write/totals.hpp"
-#include "phrame/io/write/twist.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;

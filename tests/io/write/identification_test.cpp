@@ -1,6 +1,7 @@
-#include "phrame/io/write/identification.hpp"
 
+#include "phrame/answer/identification.hpp"
 #include "io/reference.hpp"
+#include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/curve_file.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "support/text.hpp"

@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "phrame/io/write/info.hpp"
-
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
-#include "phrame/io/write/angle.hpp"
+#include "phrame/answer/angle.hpp"
+#include "phrame/answer/info.hpp"
+#include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/text.hpp"
 #include "support/farouki_moon.hpp"
 #include "support/paths.hpp"

@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "phrame/io/write/integral.hpp"
-
 #include "io/reference.hpp"
+#include "phrame/answer/integral.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/io/read/expression.hpp"
+#include "phrame/io/write/answers.hpp"
 #include "support/text.hpp"
 
 using namespace phrame;

@@ -1,6 +1,7 @@
-#include "phrame/io/write/totals.hpp"
 
+#include "phrame/answer/totals.hpp"
 #include "io/reference.hpp"
+#include "phrame/io/write/answers.hpp"
 #include "support/paths.hpp"
 #include "support/text.hpp"
 

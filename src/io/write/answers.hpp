@@ -1,0 +1,76 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "phrame/fwd.hpp"
+
+namespace phrame {
+
+// What is printed of an answer: to_text() for reading, in Unicode and with passages
+// (for_reading()), to_json() in the format that is named here, to_latex() for amsmath and amssymb.
+// A check says how its table was read, so its texts are in check.hpp; tables of frames are in
+// frame_table.hpp.
+
+/// @{ The closed form and the values: angle/1, of a spline spline-angle/1.
+std::string to_text(const AngleAnswer& answer);
+std::string to_json(const AngleAnswer& answer);
+std::string to_json_line(const AngleAnswer& answer);  ///< on one line, without its end
+std::string to_latex(const AngleAnswer& answer);
+/// @}
+/// @{ The integral and the values: angle/1, of a path spline-angle/1.
+std::string to_text(const SmoothAngleAnswer& answer);
+std::string to_json(const SmoothAngleAnswer& answer);
+std::string to_json_line(const SmoothAngleAnswer& answer);  ///< on one line, without its end
+std::string to_latex(const SmoothAngleAnswer& answer);
+/// @}
+/// @{ classify/1, of a spline spline-classify/1.
+std::string to_text(const ClassificationAnswer& answer);
+std::string to_json(const ClassificationAnswer& answer);
+std::string to_latex(const ClassificationAnswer& answer);
+/// @}
+/// @{ construct/1; in LaTeX rows of an align*, and the segments as a tabular.
+std::string to_text(const ConstructionAnswer& answer);
+std::string to_json(const ConstructionAnswer& answer);
+std::string to_latex(const ConstructionAnswer& answer);
+/// @}
+/// @{ identify/1.
+std::string to_text(const IdentificationAnswer& answer);
+std::string to_json(const IdentificationAnswer& answer);
+std::string to_latex(const IdentificationAnswer& answer);
+std::string to_text(const PathIdentification& found);
+std::string to_json(const PathIdentification& found);
+std::string to_latex(const PathIdentification& found);
+/// @}
+/// @{ info/1, of a spline spline-info/1.
+std::string to_text(const InfoAnswer& answer);
+std::string to_json(const InfoAnswer& answer);
+std::string to_latex(const InfoAnswer& answer);
+std::string to_text(const SmoothInfoAnswer& answer);
+std::string to_json(const SmoothInfoAnswer& answer);
+std::string to_latex(const SmoothInfoAnswer& answer);
+/// @}
+/// @{ The closed form and the value: integral/1. That the derivative was checked can be left unsaid
+/// where it was said before; it always is.
+std::string to_text(const IntegralAnswer& answer, bool says_checked = true);
+std::string to_json(const IntegralAnswer& answer);
+std::string to_latex(const IntegralAnswer& answer);
+/// @}
+/// @{ totals/1, of a spline spline-totals/1.
+std::string to_text(const TotalsAnswer& answer);
+std::string to_json(const TotalsAnswer& answer);
+std::string to_latex(const TotalsAnswer& answer);
+/// @}
+/// @{ mtf/1.
+std::string to_text(const MinimalTwistAnswer& answer);
+std::string to_json(const MinimalTwistAnswer& answer);
+std::string to_latex(const MinimalTwistAnswer& answer);
+/// @}
+/// @{ wronskian/1.
+std::string to_text(const WronskianAnswer& answer);
+std::string to_json(const WronskianAnswer& answer);
+std::string to_latex(const WronskianAnswer& answer);
+/// @}
+/// A line for each statement of a certificate, and how many are not proved.
+std::string to_text(const std::vector<Statement>& statements);
+
+}  // namespace phrame

@@ -1,0 +1,53 @@
+#include "phrame/io/write/names.hpp"
+
+#include <algorithm>
+
+#include "phrame/answer/angle.hpp"
+#include "phrame/answer/construction.hpp"
+#include "phrame/answer/wronskian.hpp"
+
+namespace phrame {
+namespace {
+
+template <class T>
+const std::string& name_in(const Names<T>& names, T value) {
+  return std::find_if(names.begin(), names.end(),
+                      [&](const auto& named) { return named.second == value; })
+      ->first;
+}
+
+}  // namespace
+
+const Names<Reference>& reference_names() {
+  static const Names<Reference> names{{"erf", Reference::euler_rodrigues},
+                                      {"frenet", Reference::frenet}};
+  return names;
+}
+
+const Names<QuinticSelection>& quintic_selections() {
+  static const Names<QuinticSelection> names{{"auto", QuinticSelection::automatic},
+                                             {"minimal", QuinticSelection::minimal},
+                                             {"bv", QuinticSelection::bv},
+                                             {"cc", QuinticSelection::cc},
+                                             {"shortest", QuinticSelection::shortest},
+                                             {"longest", QuinticSelection::longest},
+                                             {"energy", QuinticSelection::energy}};
+  return names;
+}
+
+const Names<FrameWeight>& frame_weights() {
+  static const Names<FrameWeight> names{{"one", FrameWeight::one},
+                                        {"torsion-curvature", FrameWeight::torsion_curvature},
+                                        {"speed", FrameWeight::speed}};
+  return names;
+}
+
+const std::string& name_of(Reference reference) { return name_in(reference_names(), reference); }
+
+const std::string& name_of(QuinticSelection selection) {
+  return name_in(quintic_selections(), selection);
+}
+
+const std::string& name_of(FrameWeight weight) { return name_in(frame_weights(), weight); }
+
+}  // namespace phrame

@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace phrame {
+
+enum class FrameWeight;
+enum class QuinticSelection;
+enum class Reference;
+
+// What choices are called, on the command line and in files.
+
+/// Names with what they are names of.
+template <class T>
+using Names = std::vector<std::pair<std::string, T>>;
+
+const Names<Reference>& reference_names();            ///< "erf", "frenet"
+const Names<QuinticSelection>& quintic_selections();  ///< "auto", "minimal", …
+const Names<FrameWeight>& frame_weights();            ///< "one", "torsion-curvature", "speed"
+
+/// @{ Of each the name in its list.
+const std::string& name_of(Reference reference);
+const std::string& name_of(QuinticSelection selection);
+const std::string& name_of(FrameWeight weight);
+/// @}
+
+}  // namespace phrame
