@@ -139,7 +139,8 @@ UnitQuotient half_of(const UnitQuotient& f, long side) {
 
 long unit_exponent(const IntegerPolynomial& numerator) {
   const auto bits = std::abs(fmpz_poly_max_bits(numerator.get()));
-  return bits + static_cast<long>(FLINT_BIT_COUNT(fmpz_poly_length(numerator.get())));
+  return bits +
+         static_cast<long>(FLINT_BIT_COUNT(static_cast<ulong>(fmpz_poly_length(numerator.get()))));
 }
 
 RealBall unit_factor(const UnitQuotient& f, long bits) {

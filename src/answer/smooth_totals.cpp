@@ -4,11 +4,10 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
-#include "phrame/answer/totals.hpp"
+#include "phrame/answer/writhe_rows.hpp"
 #include "phrame/ph/smooth/closed_curve.hpp"
 #include "phrame/ph/smooth/smooth_angle.hpp"
 #include "phrame/ph/smooth/smooth_length.hpp"
-#include "phrame/ph/smooth/smooth_shape.hpp"
 #include "phrame/ph/smooth/up_vector.hpp"
 
 namespace phrame {
@@ -29,11 +28,6 @@ class SmoothTotals {
     if (const auto* finite = std::get_if<Real>(&value)) return add(quantity, *finite);
     TotalsAnswer::Row row{quantity};
     row.infinite = std::get<Infinite>(value);
-    answer_.rows.push_back(std::move(row));
-  }
-  void add_whole(Quantity quantity, long value) {
-    TotalsAnswer::Row row{quantity};
-    row.value = Decimal{std::to_string(value), "0"};
     answer_.rows.push_back(std::move(row));
   }
   void add_reason(Quantity quantity, std::string reason) {
@@ -76,35 +70,6 @@ void add_holonomy(SmoothTotals& totals, const SmoothAngle& angle, const Real& le
   }
 }
 
-void add_self_linking(SmoothTotals& totals, const ClosedFrame& frame, const SmoothPath& path) {
-  if (!has_continuous_frenet_frame(path))
-    return totals.add_reason(Quantity::self_linking,
-                             "the Frenet frame is not defined and continuous all along");
-  try {
-    totals.add_whole(Quantity::self_linking, self_linking_number(frame, total_torsion(path)));
-  } catch (const Undecided& undecided) {
-    totals.add_reason(Quantity::self_linking, std::string("undecided: ") + undecided.what());
-  }
-}
-
-void add_writhe(SmoothTotals& totals, const SmoothPath& path) {
-  std::optional<ClosedFrame> frame;
-  std::string reason;
-  try {
-    frame = closed_frame(path);
-  } catch (const DomainError& error) {
-    reason = error.what();
-  } catch (const Undecided& undecided) {
-    reason = std::string("undecided: ") + undecided.what();
-  }
-  if (frame) {
-    totals.add(Quantity::writhe, writhe(*frame));
-    return add_self_linking(totals, *frame, path);
-  }
-  totals.add_reason(Quantity::writhe, reason);
-  totals.add_reason(Quantity::self_linking, "the writhe is not known");
-}
-
 }  // namespace
 
 TotalsAnswer answer(const NamedSmoothPath& named, const TotalsQuery& query) {
@@ -129,7 +94,8 @@ TotalsAnswer answer(const NamedSmoothPath& named, const TotalsQuery& query) {
                      : totals.add_reason(Quantity::frenet_energy, no_torsion);
   if (!path.is_closed()) return answer;
   add_holonomy(totals, angle, length);
-  add_writhe(totals, path);
+  for (TotalsAnswer::Row& row : writhe_rows(path, query.digits))
+    answer.rows.push_back(std::move(row));
   return answer;
 }
 

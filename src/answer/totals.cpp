@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "phrame/answer/rounded.hpp"
+#include "phrame/answer/writhe_rows.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/shape.hpp"
 
@@ -110,6 +111,8 @@ TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
   add(row(Quantity::bending_energy, bending_energy(path), digits));
   add(no_torsion.empty() ? row(Quantity::frenet_energy, frenet_energy(path), digits)
                          : without_value(Quantity::frenet_energy, no_torsion));
+  if (!path.closing_turn()) return answer;
+  for (Row& of_writhe : writhe_rows(path, digits)) add(std::move(of_writhe));
   return answer;
 }
 

@@ -23,6 +23,7 @@ enum class Quantity {
   // And where it is closed:
   holonomy,      ///< by which angle in (−π, π] a rotation-minimizing frame comes back turned
   closing_turn,  ///< −holonomy/length
+  // Of every path that is closed with a continuous tangent:
   writhe,        ///< Gauss's integral over the curve twice
   self_linking,  ///< writhe + ∫ τ ds/2π, whole
 };

@@ -51,7 +51,7 @@ void run(const Command& command, const AngleOptions& options, const NamedSmoothP
   command.refuse({"--form", "--route"},
                  "is of closed forms, and the curve is not Pythagorean-hodograph");
   if (command.is_given("--frame") && options.frame == "erf")
-    throw InputError("--frame", std::string("\"erf\" ") + needs_ph);
+    throw InputError("--frame", "\"erf\" " + needs_ph(named.path));
   const Print print = options.form.chosen_print();
   if (print.as == Print::As::script)
     throw InputError("--print", fmt::format("\"{}\" is the closed form, and the curve is not "

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -66,7 +67,8 @@ NamedPath read_ph_path(std::string_view text, const CurveLimits& limits) {
       throw error;
     }
     if (auto* named = std::get_if<NamedPath>(&*other)) return std::move(*named);
-    throw InputError("", fmt::format("this command {}", needs_ph));
+    throw InputError(
+        "", fmt::format("this command {}", needs_ph(std::get<NamedSmoothPath>(*other).path)));
   }
 }
 
@@ -82,7 +84,24 @@ std::optional<NearSuggestion> suggestion_of(const SmoothPath& path) {
   return near_suggestion(hodograph, point(*curve, 0));
 }
 
+bool is_polynomial(const SmoothSegment& segment) {
+  const auto* curve = std::get_if<RationalCurve>(&segment);
+  return curve != nullptr && curve->weight().is_constant();
+}
+
 }  // namespace
+
+std::string needs_ph(const SmoothPath& path) {
+  const std::string none = "needs a Pythagorean-hodograph curve, and this is none";
+  if (is_straight(path))
+    return none + " but a straight line, where any frame that does not turn is the right one";
+  const auto& segments = path.segments();
+  if (std::all_of(segments.begin(), segments.end(), is_polynomial))
+    return none +
+           " (\"phrame identify --near\" finds one near it, \"phrame construct\" one through "
+           "points)";
+  return none + " (\"phrame construct\" finds one through points)";
+}
 
 void fail_with_errno(const std::string& place, std::string_view what) {
   throw InputError(place.empty() ? "\"\"" : place,

@@ -34,11 +34,9 @@ struct CurveOptions {
   AnyPath read_any_path() const;
 };
 
-/// Why a curve of any kind has no closed form.
-inline constexpr const char* needs_ph =
-    "needs a Pythagorean-hodograph curve, and this is none (\"phrame identify --near\" finds one "
-    "near "
-    "it, \"phrame construct\" one through points)";
+/// "needs a Pythagorean-hodograph curve, and this is none", with what finds one: nothing does for a
+/// straight line, where every frame that does not turn is right.
+std::string needs_ph(const SmoothPath& path);
 
 /// Where t is asked for: --at and --samples.
 struct Parameters {

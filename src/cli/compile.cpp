@@ -43,7 +43,7 @@ CompiledAnswer compiled(const Command& command, const CompileOptions& options,
   command.refuse({"--from", "--to"},
                  "is for single Pythagorean-hodograph curves; others are compiled as a whole");
   if (command.is_given("--frame") && options.frame == "erf")
-    throw InputError("--frame", std::string("\"erf\" ") + needs_ph);
+    throw InputError("--frame", "\"erf\" " + needs_ph(named.path));
   const SmoothAngle angle = options.up.angle(named.path);
   options.start.check(angle);
   SmoothCompiledQuery query;

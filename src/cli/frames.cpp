@@ -137,7 +137,7 @@ FrameTable table_of(const NamedSmoothPath& named, const TableColumns& columns, B
                     const FramesOptions& options) {
   for (const std::string& name : split(options.frames))
     if (name == "erf" || name == "mtf")
-      throw InputError("--frame", fmt::format("\"{}\" {}", name, needs_ph));
+      throw InputError("--frame", fmt::format("\"{}\" {}", name, needs_ph(named.path)));
   const SmoothAngle angle = options.up.angle(named.path);
   options.start.check(angle);
   const auto at =

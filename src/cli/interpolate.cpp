@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "phrame/answer/interpolation.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/feedrate.hpp"
@@ -32,8 +30,9 @@ void run(const InterpolateOptions& options) {
     throw InputError("--period", abbreviated(to_string(period)) + " is not positive");
   const Feedrate feed = at_place("--feed", ", ", [&] { return parse_feedrate(options.feed); });
   const AnyPath path = options.curve.read_any_path();
-  if (std::holds_alternative<NamedSmoothPath>(path) && !constant(feed.speed))
-    throw InputError("--feed", fmt::format("a speed that is no constant {}", needs_ph));
+  if (const auto* named = std::get_if<NamedSmoothPath>(&path);
+      named != nullptr && !constant(feed.speed))
+    throw InputError("--feed", "a speed that is no constant " + needs_ph(named->path));
   write_output(options.curve.output, format(points(path, {feed, period})));
 }
 

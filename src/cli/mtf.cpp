@@ -55,7 +55,7 @@ MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
 MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
                          const NamedSmoothPath& named) {
   command.refuse(TwistOptions::of_rational_frame(),
-                 fmt::format("is of rational frames; such a one {}", needs_ph));
+                 fmt::format("is of rational frames; such a one {}", needs_ph(named.path)));
   const SmoothAngle angle = options.up.angle(named.path);
   const auto [from, to] = options.twist.ends(angle);
   MinimalTwistAnswer found =

@@ -8,6 +8,7 @@
 #include "phrame/answer/smooth_table.hpp"
 #include "phrame/answer/totals.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "support/paths.hpp"
 
 using namespace phrame;
 
@@ -211,4 +212,19 @@ TEST_CASE("smooth answers: the numbers of a curve") {
   CHECK_FALSE(info.is_straight);
   CHECK_FALSE(info.normal.has_value());
   CHECK(info.cusps.empty());
+}
+
+// Of the spline of quarters() Gauss's integral as in tests/ph/smooth/closed_curve_test.cpp; its
+// normal jumps at the joints. The normal of the plane loop does not, and it is in a plane.
+TEST_CASE("smooth answers: closed PH splines have a writhe, open ones no row of it") {
+  const NamedPath spline{"", test::chain(test::quarters())};
+  const TotalsAnswer found = answer(spline, TotalsQuery{6});
+  CHECK(std::stod(value(found, Quantity::writhe)) == doctest::Approx(0.18026).epsilon(1e-4));
+  CHECK(row(found, Quantity::self_linking).reason ==
+        "the Frenet frame is not defined and continuous all along");
+  const TotalsAnswer plane = answer(NamedPath{"", test::closed_loop()}, TotalsQuery{6});
+  CHECK(value(plane, Quantity::writhe) == "0");
+  CHECK(value(plane, Quantity::self_linking) == "0");
+  const TotalsAnswer open = answer(NamedPath{"", test::quarters().front()}, TotalsQuery{6});
+  CHECK(open.rows.back().quantity == Quantity::frenet_energy);
 }

@@ -53,6 +53,21 @@ TEST_CASE("any curve: info and totals, as text, JSON and LaTeX") {
                  "\\text{holonomy} &\\approx 1.347523495\n"));
 }
 
+// Gauss's integral of the constructed spline by the formula for polygons with 1100 and 2200 sides
+// [Klenin, Langowski 2000] in numpy: 0.0022376 and 0.0022393, extrapolated 0.0022399.
+TEST_CASE("any curve: a closed C2 PH spline has a writhe and a self-linking number") {
+  const Workshop here;
+  here.write("ring.csv",
+             "x,y,z\n10.0,1.0,0.4\n4.1,9.1,1.5\n-5.8,8.1,-1.9\n-10.0,-1.0,0.4\n"
+             "-4.1,-9.1,1.5\n5.8,-8.1,-1.9\n");
+  check_success(here.run("construct ring.csv --kind c2 --closed -o ring.json"));
+  const auto totals = Json::parse(here.run("totals ring.json --digits 5 --print json").out);
+  CHECK(std::stod(totals["writhe"]["value"].get<std::string>()) ==
+        doctest::Approx(0.0022399).epsilon(1e-4));
+  CHECK(totals["self_linking"]["value"] == "0");
+  CHECK(totals["self_linking"]["radius"] == "0");
+}
+
 TEST_CASE("any curve: points at equal times, at a constant speed") {
   const Workshop here;
   here.write("loop.json", loop);

@@ -280,8 +280,18 @@ TEST_CASE("identify: commands for PH curves read them in all formats, and say wh
   here.write("points.csv", "x,y,z\n0,0,0\n1,1,0\n2,0,1\n");
   const Run none = here.run("classify points.csv");
   CHECK(none.status == 2);
-  CHECK(none.err.starts_with(
-      "phrame: points.csv: this command needs a Pythagorean-hodograph curve, and this is none ("));
+  CHECK(
+      none.err.starts_with("phrame: points.csv: this command needs a Pythagorean-hodograph curve, "
+                           "and this is none (\"phrame identify"));
+  // On a line nothing is to be looked for, and formulas have no control points to look near.
+  here.write("line.json",
+             R"({"phrame": "curve/1", "control_points": [[0, 0, 0], [0, 0, 0], [1, 2, 0]]})");
+  check_failure(here.run("angle line.json --frame erf"), 2,
+                "this is none but a straight line, where any frame");
+  here.write("formulas.json", R"~({"phrame": "curve/1", "from": 0, "to": 1,
+      "expressions": {"x": "cos(s)", "y": "sin(s)", "z": "s"}})~");
+  check_failure(here.run("angle formulas.json --frame erf"), 2,
+                "this is none (\"phrame construct\" finds");
   here.write("words.csv", "no curve\n");
   CHECK(contains(here.run("classify words.csv").err, "a curve file is JSON"));
 }

@@ -22,7 +22,7 @@ std::optional<RationalFunction> power_of(const RationalFunction& f, const Ration
   if (denominator(exponent) != 1) return std::nullopt;
   if (degree_of(f) * abs(exponent) > most_degree || abs(exponent) > most_degree)
     return std::nullopt;
-  const auto n = static_cast<unsigned long>(static_cast<long>(numerator(abs(exponent))));
+  const auto n = static_cast<long>(numerator(abs(exponent)));
   const RationalFunction power(pow(f.numerator(), n), pow(f.denominator(), n));
   return exponent.sign() < 0 ? inverse_of(power) : power;
 }

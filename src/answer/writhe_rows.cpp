@@ -1,0 +1,68 @@
+#include "phrame/answer/writhe_rows.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/answer/rounded.hpp"
+#include "phrame/ph/smooth/closed_curve.hpp"
+#include "phrame/ph/smooth/smooth_shape.hpp"
+#include "phrame/ph/smooth/smooth_totals.hpp"
+
+namespace phrame {
+namespace {
+
+using Row = TotalsAnswer::Row;
+
+Row reason_row(Quantity quantity, std::string reason) {
+  Row row{quantity};
+  row.reason = std::move(reason);
+  return row;
+}
+
+Row undecided_row(Quantity quantity, const Undecided& undecided) {
+  return reason_row(quantity, std::string("undecided: ") + undecided.what());
+}
+
+bool bends_continuously(const Path& path) {
+  return has_continuous_frenet_frame(by_positions(path));
+}
+bool bends_continuously(const SmoothPath& path) { return has_continuous_frenet_frame(path); }
+
+Real torsion_of(const Path& path) { return total_torsion(path).value; }
+Real torsion_of(const SmoothPath& path) { return total_torsion(path); }
+
+template <class P>
+Row self_linking_row(const ClosedFrame& frame, const P& path) {
+  try {
+    if (!bends_continuously(path))
+      return reason_row(Quantity::self_linking,
+                        "the Frenet frame is not defined and continuous all along");
+    Row row{Quantity::self_linking};
+    row.value = Decimal{std::to_string(self_linking_number(frame, torsion_of(path))), "0"};
+    return row;
+  } catch (const Undecided& undecided) {
+    return undecided_row(Quantity::self_linking, undecided);
+  }
+}
+
+/// Of a closed frame, or why there is none.
+template <class P>
+std::vector<Row> rows_of(const P& path, long digits) {
+  Row refused{Quantity::writhe};
+  try {
+    const ClosedFrame frame = closed_frame(path);
+    Row row{Quantity::writhe};
+    row.value = rounded_or_zero(writhe(frame), name_of(Quantity::writhe), digits);
+    return {row, self_linking_row(frame, path)};
+  } catch (const DomainError& error) {
+    refused.reason = error.what();
+  } catch (const Undecided& undecided) {
+    refused = undecided_row(Quantity::writhe, undecided);
+  }
+  return {refused, reason_row(Quantity::self_linking, "the writhe is not known")};
+}
+
+}  // namespace
+
+std::vector<Row> writhe_rows(const Path& path, long digits) { return rows_of(path, digits); }
+std::vector<Row> writhe_rows(const SmoothPath& path, long digits) { return rows_of(path, digits); }
+
+}  // namespace phrame
