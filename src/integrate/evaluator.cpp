@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "phrame/algebra/ball_log.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/roots.hpp"
@@ -12,6 +11,7 @@
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/integrate/exact_value.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
+#include "phrame/integrate/pole_sum.hpp"
 #include "phrame/integrate/quadrature.hpp"
 #include "phrame/integrate/short_integral.hpp"
 
@@ -20,30 +20,6 @@ namespace {
 
 /// Of the first ball: enough for a double, so that it is often the last.
 constexpr long first_bits = 128;
-
-/// z ↦ log((b − z)/(a − z)) = log(1 + (a − b)/(z − a)), accurate also for b close to a.
-class LogRatio {
- public:
-  LogRatio(const Rational& a, const Rational& b, long bits)
-      : a_(RealBall(a, bits), {}), a_minus_b_(a - b, bits), bits_(bits) {}
-
-  ComplexBall operator()(const ComplexBall& z) const {
-    return log1p(multiply(a_minus_b_, inverse(subtract(z, a_, bits_), bits_), bits_), bits_);
-  }
-  RealBall operator()(const RealBall& z) const {
-    return log1p(divide(a_minus_b_, subtract(z, a_.re(), bits_), bits_), bits_);
-  }
-
- private:
-  ComplexBall a_;
-  RealBall a_minus_b_;
-  long bits_;
-};
-
-/// z·w + z̄·w̄.
-RealBall twice_real_part(const ComplexBall& z, const ComplexBall& w, long bits) {
-  return times_power_of_two(multiply(z, w, bits).re(), 1);
-}
 
 /// What may be lost to cancellation: a multiple of the digits that the ends have, and much more.
 long largest_precision(long bits, const Endpoint& a, const Endpoint& b) {
@@ -54,24 +30,6 @@ long largest_precision(long bits, const Endpoint& a, const Endpoint& b) {
 
 /// F = polynomial + rational + Σ c(z) log(t − z).
 struct Evaluator::Function {
-  /// n/d = Σ c(z)/(t − z) over the roots z of the squarefree d.
-  struct Poles {
-    Polynomial numerator;
-    Polynomial denominator;
-    Polynomial slope;  ///< d′
-  };
-  /// The z and c(z) of one d.
-  struct Residues {
-    Roots roots;
-    std::vector<RealBall> real;
-    std::vector<ComplexBall> upper;
-  };
-  /// The same of all.
-  struct Isolated {
-    long precision;
-    std::vector<Residues> poles;
-    long nearness;  ///< no pole is nearer to 0 than 2^nearness
-  };
   /// What was integrated on the automatic route, once.
   struct Integrated {
     Rational a;
@@ -85,29 +43,21 @@ struct Evaluator::Function {
 
   Antiderivative plain;  ///< F without its logarithms
   RationalFunction derivative;
-  std::vector<Poles> poles;
-  Refined<Isolated> isolated;
+  PoleSum poles;  ///< of the logarithms
   Lazy<std::optional<Integrated>> integrated;
 
   Function(const Antiderivative& F, const RationalFunction& F_prime)
       : plain{F.polynomial - Polynomial{F.polynomial.coefficient(0)}, F.rational, {}},
         derivative(F_prime) {}
 
-  void add_poles(const Polynomial& n, const Polynomial& d) {
-    if (!n.is_zero()) poles.push_back({n, d, differentiate(d)});
-  }
   void add_poles_of(const Antiderivative& F);
 
-  std::shared_ptr<const Isolated> isolate(long precision) const;
   void require_no_pole(const Rational& a, const Rational& b) const;
   bool prefers_known_poles(const Rational& a, const Rational& b) const;
-  RealBall log_difference(const Rational& a, const Rational& b, long bits) const;
   RealBall difference_by_roots(const Rational& a, const Rational& b, long bits) const;
   std::optional<RealBall> difference_by_quadrature(const Rational& a, const Rational& b,
                                                    long bits) const;
   RealBall branch(const Endpoint& t, long bits) const;
-  bool turns_vanish(const Isolated& known, const Polynomial& residues,
-                    const Polynomial& other_residues, const Rational& a, const Rational& b) const;
   std::vector<SimpleFraction> fractions() const;
   LogsOverPi logs_over_pi(const Rational& a, const Rational& b,
                           const GaussianPolynomial& phase) const;
@@ -120,16 +70,16 @@ void Evaluator::Function::add_poles_of(const Antiderivative& F) {
   if (is_over_all_poles && (F.logs.size() > 1 || !is_all_logs)) {
     for (const LogSum& sum : F.logs) {
       const RationalFunction f = differentiate(sum);
-      add_poles(f.numerator(), f.denominator());
+      poles.add_term(f.numerator(), f.denominator());
     }
     return;
   }
   RationalFunction logs = derivative;
   if (!is_all_logs) logs = logs - differentiate(plain);
   if (is_over_all_poles)
-    add_poles(logs.numerator(), logs.denominator());
+    poles.add_term(logs.numerator(), logs.denominator());
   else
-    for (const auto& [n, d] : simple_fractions(logs)) add_poles(n, d);
+    for (const auto& [n, d] : simple_fractions(logs)) poles.add_term(n, d);
 }
 
 void Evaluator::Function::require_no_pole(const Rational& a, const Rational& b) const {
@@ -142,41 +92,9 @@ void Evaluator::Function::require_no_pole(const Rational& a, const Rational& b) 
                                   pole.lower == pole.upper ? "at" : "in", to_string(pole)));
   };
   if (!plain.rational.is_polynomial()) check(plain.rational.denominator());
-  const auto known = isolated.known();
-  for (std::size_t k = 0; k < poles.size(); ++k)
-    if (!known || !known->poles[k].roots.real.empty()) check(poles[k].denominator);
-}
-
-std::shared_ptr<const Evaluator::Function::Isolated> Evaluator::Function::isolate(
-    long precision) const {
-  return isolated.get(precision, [&](const Isolated* known) {
-    Isolated found{precision, {}, unbounded_exponent};
-    for (std::size_t k = 0; k < poles.size(); ++k) {
-      const Poles& p = poles[k];
-      Residues here;
-      if (known == nullptr) {
-        here.roots = isolate_roots(p.denominator, precision);
-      } else {
-        here.roots = known->poles[k].roots;
-        refine(p.denominator, here.roots, precision);
-      }
-      const auto residue = [&](const ComplexBall& z) {
-        return divide(evaluate(p.numerator, z, precision), evaluate(p.slope, z, precision),
-                      precision);
-      };
-      for (const RealBall& z : here.roots.real) {
-        here.real.push_back(residue(ComplexBall(z, RealBall())).re());
-        found.nearness = std::min(found.nearness, exponent_below(z));
-      }
-      for (const ComplexBall& z : here.roots.upper) {
-        here.upper.push_back(residue(z));
-        found.nearness =
-            std::min(found.nearness, std::max(exponent_below(z.re()), exponent_below(z.im())));
-      }
-      found.poles.push_back(std::move(here));
-    }
-    return found;
-  });
+  const auto known = poles.known();
+  for (std::size_t k = 0; k < poles.terms().size(); ++k)
+    if (!known || !known->poles[k].roots.real.empty()) check(poles.terms()[k].denominator);
 }
 
 /// A logarithm for each known pole costs less than a Taylor series at a, unless b is so near to a
@@ -185,57 +103,8 @@ std::shared_ptr<const Evaluator::Function::Isolated> Evaluator::Function::isolat
 bool Evaluator::Function::prefers_known_poles(const Rational& a, const Rational& b) const {
   constexpr long near = 16;
   if (a != 0) return false;
-  const auto known = isolated.known();
+  const auto known = poles.known();
   return known && exponent_above(RealBall(b, 53)) > known->nearness - near;
-}
-
-/// Σ c(z) log((b − z)/(a − z)); a pair of conjugate poles gives twice the real part of one term.
-RealBall Evaluator::Function::log_difference(const Rational& a, const Rational& b,
-                                             long bits) const {
-  const auto known = isolate(bits);
-  const LogRatio log_ratio(a, b, bits);
-  RealBall sum;
-  for (const Residues& p : known->poles) {
-    for (std::size_t k = 0; k < p.roots.real.size(); ++k)
-      sum = add_product(std::move(sum), p.real[k], log_ratio(p.roots.real[k]), bits);
-    for (std::size_t k = 0; k < p.roots.upper.size(); ++k) {
-      const ComplexBall term = log_ratio(p.roots.upper[k]);
-      sum = add(sum, twice_real_part(term, p.upper[k], bits), bits);
-    }
-  }
-  return sum;
-}
-
-/// Σ c(z) log|t − z| over the real poles, and twice the real parts of c(z) log(t − z), principal
-/// branch, over those above the real axis; at ±∞ the limit. For Im z > 0 t − z is below the axis,
-/// so that log(t − z) tends to log|t| − πi at −∞.
-RealBall Evaluator::Function::branch(const Endpoint& t, long bits) const {
-  const auto known = isolate(bits);
-  RealBall sum;
-  if (const auto* infinity = std::get_if<Infinity>(&t)) {
-    if (*infinity == Infinity::positive) return sum;
-    const ComplexBall half_turn(RealBall(), subtract({}, pi(bits), bits));
-    for (const Residues& p : known->poles)
-      for (const ComplexBall& c : p.upper)
-        sum = add(sum, twice_real_part(half_turn, c, bits), bits);
-    return sum;
-  }
-  const RealBall at = enclose(t, bits);
-  const auto value = [&](const Polynomial& p) { return evaluate(p, {at, {}}, bits).re(); };
-  sum = add(value(plain.polynomial),
-            divide(value(plain.rational.numerator()), value(plain.rational.denominator()), bits),
-            bits);
-  for (const Residues& p : known->poles) {
-    for (std::size_t k = 0; k < p.roots.real.size(); ++k) {
-      const RealBall distance = absolute(subtract(at, p.roots.real[k], bits));
-      sum = add_product(std::move(sum), p.real[k], log(distance, bits), bits);
-    }
-    for (std::size_t k = 0; k < p.roots.upper.size(); ++k) {
-      const ComplexBall term = log(subtract({at, {}}, p.roots.upper[k], bits), bits);
-      sum = add(sum, twice_real_part(term, p.upper[k], bits), bits);
-    }
-  }
-  return sum;
 }
 
 Evaluator::Evaluator(const Antiderivative& F, const RationalFunction& derivative) {
@@ -255,12 +124,23 @@ Evaluator::Evaluator(const Antiderivative& F, const RationalFunction& derivative
       *this = Evaluator(F, derivative);
       return;
     }
-    function.add_poles(f->numerator, f->denominator);
+    function.poles.add_term(f->numerator, f->denominator);
   }
   function_ = std::make_shared<const Function>(std::move(function));
 }
 
 const RationalFunction& Evaluator::derivative() const { return function_->derivative; }
+
+/// F at t, by PoleSum::branch(), at ±∞ without the polynomial and the rational part.
+RealBall Evaluator::Function::branch(const Endpoint& t, long bits) const {
+  const RealBall logs = poles.branch(t, bits);
+  if (is_infinite(t)) return logs;
+  const RealBall at = enclose(t, bits);
+  const auto value = [&](const Polynomial& p) { return evaluate(p, {at, {}}, bits).re(); };
+  const RealBall rational =
+      divide(value(plain.rational.numerator()), value(plain.rational.denominator()), bits);
+  return add(add(value(plain.polynomial), rational, bits), logs, bits);
+}
 
 RealBall Evaluator::branch_difference(const Endpoint& a, const Endpoint& b, long bits) const {
   if (route_ == Route::automatic && !is_infinite(a) && !is_infinite(b))
@@ -288,11 +168,12 @@ std::optional<RealBall> Evaluator::cheap_quadrature(const Rational& a, const Rat
   constexpr long points_per_pole = 60;
   if (bits > greatest_bits) return std::nullopt;
   const Function& f = *function_;
+  const std::vector<PoleSum::Term>& terms = f.poles.terms();
   const auto& integrated = f.integrated.get([&]() -> std::optional<Function::Integrated> {
-    const auto is_clustered = [](const Function::Poles& p) {
+    const auto is_clustered = [](const PoleSum::Term& p) {
       return p.denominator.degree() >= high_degree && has_no_clear_root(p.denominator);
     };
-    if (f.isolated.known() || std::none_of(f.poles.begin(), f.poles.end(), is_clustered))
+    if (f.poles.known() || std::none_of(terms.begin(), terms.end(), is_clustered))
       return std::nullopt;
     f.require_no_pole(a, b);
     return Function::Integrated{a, b,
@@ -306,7 +187,8 @@ std::optional<RealBall> Evaluator::cheap_quadrature(const Rational& a, const Rat
 
 RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) const {
   const Function& f = *function_;
-  if (f.poles.empty() || a == b || route_ == Route::roots) return f.difference_by_roots(a, b, bits);
+  if (f.poles.terms().empty() || a == b || route_ == Route::roots)
+    return f.difference_by_roots(a, b, bits);
   if (route_ == Route::automatic) {
     if (!f.prefers_known_poles(a, b))
       if (auto value = short_integral(f.derivative, a, b, bits)) return *std::move(value);
@@ -341,14 +223,14 @@ std::optional<RealBall> Evaluator::Function::difference_by_quadrature(const Rati
 
 RealBall Evaluator::Function::difference_by_roots(const Rational& a, const Rational& b,
                                                   long bits) const {
-  isolate(bits + 24);
+  poles.isolate(bits + 24);
   require_no_pole(a, b);
   const Rational without_logs = difference_without_logarithms(plain, a, b);
-  if (poles.empty() || a == b) return RealBall(without_logs, bits + 8);
+  if (poles.terms().empty() || a == b) return RealBall(without_logs, bits + 8);
   const long end = largest_precision(bits, a, b);
   for (long precision = bits + 24;; precision = std::min(end, precision + precision / 2)) {
     RealBall value =
-        add(RealBall(without_logs, precision), log_difference(a, b, precision), precision);
+        add(RealBall(without_logs, precision), poles.change(a, b, precision), precision);
     if (value.is_accurate(bits)) return value;
     if (precision == end)
       throw Undecided(
@@ -358,46 +240,10 @@ RealBall Evaluator::Function::difference_by_roots(const Rational& a, const Ratio
   }
 }
 
-/// For every root α of `residues`: is Σ_{c(z)=α} arg − Σ_{c(z)=ᾱ} arg of (b − z)/(a − z), over the
-/// poles z above the real axis, 0, given that it is a multiple of π? Poles z and z̄ turn in opposite
-/// directions, so there is nothing to ask for a real α.
-bool Evaluator::Function::turns_vanish(const Isolated& known, const Polynomial& residues,
-                                       const Polynomial& other_residues, const Rational& a,
-                                       const Rational& b) const {
-  if (residues.is_constant()) return true;
-  const auto roots_of = [&](const Polynomial& p) {
-    return p.is_constant() ? Roots() : isolate_roots(p, known.precision);
-  };
-  const Roots alphas = roots_of(residues);
-  const Roots others = roots_of(other_residues);
-  const LogRatio log_ratio(a, b, known.precision);
-  std::vector<RealBall> turns(alphas.upper.size());
-  for (const Residues& p : known.poles)
-    for (std::size_t k = 0; k < p.roots.upper.size(); ++k) {
-      const ComplexBall& c = p.upper[k];
-      long matches = 0;
-      for (const Roots* roots : {&alphas, &others}) {
-        for (const RealBall& alpha : roots->real) matches += c.overlaps({alpha, {}}) ? 1 : 0;
-        for (const ComplexBall& alpha : roots->upper)
-          matches += (c.overlaps(alpha) ? 1 : 0) + (c.overlaps(conjugate(alpha)) ? 1 : 0);
-      }
-      if (matches != 1) return false;  // the balls are too wide to tell the residues apart
-      const RealBall turn = log_ratio(p.roots.upper[k]).im();
-      for (std::size_t j = 0; j < turns.size(); ++j) {
-        if (c.overlaps(alphas.upper[j])) turns[j] = add(turns[j], turn, known.precision);
-        if (c.overlaps(conjugate(alphas.upper[j])))
-          turns[j] = subtract(turns[j], turn, known.precision);
-      }
-    }
-  return std::all_of(turns.begin(), turns.end(), [](const RealBall& turn) {
-    return turn.is_finite() && turn.lower() > -1 && turn.upper() < 1;
-  });
-}
-
 /// Those of the logarithms, over the irreducible factors of their denominators.
 std::vector<SimpleFraction> Evaluator::Function::fractions() const {
   std::vector<SimpleFraction> all;
-  for (const Poles& p : poles)
+  for (const PoleSum::Term& p : poles.terms())
     for (SimpleFraction& f : simple_fractions({p.numerator, p.denominator}))
       all.push_back(std::move(f));
   return all;
@@ -409,7 +255,6 @@ std::vector<SimpleFraction> Evaluator::Function::fractions() const {
 // prove that the sum is 0.
 Evaluator::Function::LogsOverPi Evaluator::Function::logs_over_pi(
     const Rational& a, const Rational& b, const GaussianPolynomial& phase) const {
-  const auto known = isolate(256);
   const std::vector<LogSum> sums = over_residues(fractions());
   GaussianLogs gaussian = gaussian_logs(sums);
   gaussian.arguments.push_back({1, phase});
@@ -427,7 +272,7 @@ Evaluator::Function::LogsOverPi Evaluator::Function::logs_over_pi(
     residues *= sum.index;
     other_residues = exact_quotient(other_residues, sum.index);
   }
-  if (!turns_vanish(*known, residues, other_residues, a, b)) return {};
+  if (!poles.turns_vanish(residues, other_residues, a, b, 256)) return {};
   return {phrame::multiple_of_pi(log_change(gaussian, a, b)), true};
 }
 
@@ -440,8 +285,8 @@ std::optional<GaussianPolynomial> Evaluator::single_argument() const {
   const Function& f = *function_;
   if (!f.plain.polynomial.is_zero() || !f.plain.rational.is_zero()) return std::nullopt;
   constexpr long bits = first_bits + 24;  // as the first value needs
-  const auto known = f.isolate(bits);
-  for (const Function::Residues& p : known->poles)
+  const auto known = f.poles.isolate(bits);
+  for (const PoleSum::Residues& p : known->poles)
     for (const ComplexBall& c : p.upper) {
       const RealBall twice = multiply(c.im(), RealBall(2, bits), bits);
       if (!c.re().contains_zero() || !contains_integer(twice)) return std::nullopt;
@@ -463,14 +308,14 @@ Real Evaluator::value(const Rational& a, const Rational& b, const GaussianPolyno
                       const Real::Enclosure& enclose, const Angle& offset) const {
   const Function& f = *function_;
   const Rational rational = difference_without_logarithms(f.plain, a, b) + offset.radians;
-  if (a == b || (f.poles.empty() && degree(phase) == 0))
+  if (a == b || (f.poles.terms().empty() && degree(phase) == 0))
     return to_real(Angle(offset.half_turns, rational));
   constexpr long bits = first_bits;
   const RealBall first = enclose(bits);
   const auto is_apart = [&] {
     if (!first.contains(rational)) return true;
     long poles = degree(phase);
-    for (const Function::Poles& p : f.poles) poles += p.denominator.degree();
+    for (const PoleSum::Term& p : f.poles.terms()) poles += p.denominator.degree();
     return !enclose(bits + 16 * poles).contains(rational);
   };
   bool is_irrational = is_apart();

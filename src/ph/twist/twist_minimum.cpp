@@ -5,175 +5,11 @@
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/twist/twist_branch.hpp"
 #include "phrame/ph/twist/twist_error.hpp"
 
 namespace phrame {
 namespace {
-
-/// What is too wide to be of use becomes infinite, never wrong.
-constexpr long proof_bits = 96;
-
-ComplexBall evaluate(const Rotation& w, const RealBall& tau) {
-  return {phrame::evaluate(w.a, tau, proof_bits), phrame::evaluate(w.b, tau, proof_bits)};
-}
-
-RealBall ball(const Rational& x) { return RealBall(x, proof_bits); }
-
-RealBall square_of(const RealBall& x) { return multiply(x, x, proof_bits); }
-
-/// x² ≥ this.
-RealBall least_square(const RealBall& x) { return square_of(least_size(x, 53)); }
-
-/// A parameter interval.
-struct Range {
-  Rational a;
-  Rational b;
-};
-
-/// Lower bounds of G on a branch, the parameters with one sign of γ, from the angle Y(τ) between
-/// the frame and the exact one, known along the branch from its value at one parameter: w(τ) goes
-/// along a straight line that does not meet 0, so that its argument changes by a principal one.
-class Branch {
- public:
-  Branch(const TwistPiece& piece, const RotationFamily& family, const Rational& origin, long parts);
-
-  /// Is G ≥ `least` on the whole range?
-  bool is_above(const Range& range, const RealBall& least) const;
-  /// Decided with every so many-th node.
-  bool is_above(const Range& range, const RealBall& least, std::size_t stride) const;
-  /// Is it for all parameters beyond a, up to the end of the branch? Decided with so many parts.
-  bool is_above_beyond(const Rational& a, int direction, const RealBall& least,
-                       std::size_t parts) const;
-  std::size_t parts() const { return nodes_.size() - 1; }
-  /// The end of the branch in a direction; no value where it is infinite.
-  std::optional<RealBall> end(int direction) const;
-
- private:
-  struct Node {
-    RealBall share;  ///< of the length, up to here
-    ComplexBall p;   ///< w⁰ and w¹
-    ComplexBall q;
-    RealBall cross;      ///< Im(p̄q)
-    ComplexBall origin;  ///< w at the origin
-    RealBall deviation;  ///< Y there
-    bool is_end;         ///< τ is 0 or 1: Y does not depend on the parameter
-  };
-
-  RealBall deviation(const Node& node, const ComplexBall& w) const;
-
-  std::vector<Node> nodes_;
-  RealBall gamma_;
-  RealBall gamma_slope_;
-  int sign_of_gamma_;
-};
-
-Branch::Branch(const TwistPiece& piece, const RotationFamily& family, const Rational& origin,
-               long parts)
-    : gamma_(family.end_factor[0]), gamma_slope_(family.end_factor[1]) {
-  sign_of_gamma_ = sign(end_factor(family, {origin}, proof_bits));
-  const bool is_constant = gamma_slope_.is_zero();
-  if (sign_of_gamma_ == 0 || (!is_constant && sign(gamma_slope_) == 0))
-    throw Undecided("where the parameters with one sign of gamma end is not known");
-  const Rotation w = member(family, {origin}, proof_bits);
-  const Polynomial share = antiderivative(piece.speed);
-  const RealBall twist = piece.twist.enclose(proof_bits);
-  RealBall theta;
-  for (long k = 0; k <= parts; ++k) {
-    const Rational tau(k, parts);
-    if (k > 0) {
-      const auto turned = turn(w, Rational(k - 1, parts), tau, proof_bits);
-      if (!turned) throw Undecided("a rotation close to the best one may have a zero");
-      theta = add(theta, *turned, proof_bits);
-    }
-    const RealBall s = ball(share(tau));
-    const ComplexBall p = evaluate(family.basis[0], ball(tau));
-    const ComplexBall q = evaluate(family.basis[1], ball(tau));
-    const RealBall wanted = subtract(multiply(twist, s, proof_bits),
-                                     piece.erf_twist(tau).enclose(proof_bits), proof_bits);
-    nodes_.push_back({s, p, q, multiply(conjugate(p), q, proof_bits).im(), evaluate(w, ball(tau)),
-                      subtract(theta, wanted, proof_bits), k == 0 || k == parts});
-  }
-}
-
-RealBall Branch::deviation(const Node& node, const ComplexBall& w) const {
-  if (node.is_end) return node.deviation;
-  const RealBall angle = argument(multiply(w, conjugate(node.origin), proof_bits), proof_bits);
-  return add(node.deviation, add(angle, angle, proof_bits), proof_bits);
-}
-
-bool Branch::is_above(const Range& range, const RealBall& least) const {
-  for (std::size_t stride = (nodes_.size() - 1) / 16; stride > 0; stride /= 4)
-    if (is_above(range, least, stride)) return true;
-  return false;
-}
-
-bool Branch::is_above(const Range& range, const RealBall& least, std::size_t stride) const {
-  const Rational middle = (range.a + range.b) / 2;
-  const RealBall offset = hull(Rational(range.a - middle), Rational(range.b - middle), proof_bits);
-  const RealBall whole = hull(range.a, range.b, proof_bits);
-  const auto slope = [&](const Node& node) -> RealBall {
-    if (node.is_end) return {};
-    const ComplexBall w = add(node.p, multiply(whole, node.q, proof_bits), proof_bits);
-    const RealBall square = add(square_of(w.re()), square_of(w.im()), proof_bits);
-    return divide(add(node.cross, node.cross, proof_bits), square, proof_bits);
-  };
-  const auto in_middle = [&](const Node& node) {
-    return deviation(node, add(node.p, multiply(ball(middle), node.q, proof_bits), proof_bits));
-  };
-  RealBall sum;
-  RealBall last = in_middle(nodes_[0]);
-  RealBall last_slope = slope(nodes_[0]);
-  for (std::size_t k = stride; k < nodes_.size(); k += stride) {
-    const RealBall here = in_middle(nodes_[k]);
-    const RealBall here_slope = slope(nodes_[k]);
-    const RealBall beside =
-        multiply(offset, subtract(here_slope, last_slope, proof_bits), proof_bits);
-    const RealBall change = add(subtract(here, last, proof_bits), beside, proof_bits);
-    const RealBall length = subtract(nodes_[k].share, nodes_[k - stride].share, proof_bits);
-    sum = add(sum, divide(least_square(change), length, proof_bits), proof_bits);
-    last = here;
-    last_slope = here_slope;
-  }
-  return is_less(least, sum);
-}
-
-bool Branch::is_above_beyond(const Rational& a, int direction, const RealBall& least,
-                             std::size_t parts) const {
-  const std::size_t part = (nodes_.size() - 1) / parts;
-  const auto limit = end(direction);
-  std::vector<RealBall> ranges;
-  for (std::size_t k = 0; k < nodes_.size(); k += part) {
-    const Node& node = nodes_[k];
-    const ComplexBall here = add(node.p, multiply(ball(a), node.q, proof_bits), proof_bits);
-    const RealBall at_a = deviation(node, here);
-    if (node.is_end) {
-      ranges.push_back(at_a);
-      continue;
-    }
-    const ComplexBall there = limit ? add(node.p, multiply(*limit, node.q, proof_bits), proof_bits)
-                                    : multiply(RealBall(direction, proof_bits), node.q, proof_bits);
-    const RealBall angle = argument(multiply(there, conjugate(here), proof_bits), proof_bits);
-    ranges.push_back(hull(at_a, add(at_a, add(angle, angle, proof_bits), proof_bits), proof_bits));
-  }
-  // Wide ranges are better compared over long parts.
-  for (std::size_t stride = parts; stride > 0; stride /= 2) {
-    RealBall sum;
-    for (std::size_t k = 0; k < parts; k += stride) {
-      const RealBall change = subtract(ranges[k + stride], ranges[k], proof_bits);
-      const RealBall length =
-          subtract(nodes_[(k + stride) * part].share, nodes_[k * part].share, proof_bits);
-      sum = add(sum, divide(least_square(change), length, proof_bits), proof_bits);
-    }
-    if (is_less(least, sum)) return true;
-  }
-  return false;
-}
-
-std::optional<RealBall> Branch::end(int direction) const {
-  if (gamma_slope_.is_zero()) return std::nullopt;
-  if (sign(gamma_slope_) * direction == sign_of_gamma_) return std::nullopt;
-  return divide(multiply(gamma_, ball(-1), proof_bits), gamma_slope_, proof_bits);
-}
 
 /// A lower bound of G″ on parameter intervals; −∞ where there is none.
 class Convexity {
@@ -183,9 +19,10 @@ class Convexity {
             long smallness)
       : convexity_(piece, family, centre, smallness + 8) {}
 
-  RealBall operator()(const Range& range) {
+  RealBall operator()(const ParameterRange& range) {
     constexpr long most_points = 1000;
-    return lower_end(convexity_(hull(range.a, range.b, proof_bits), most_points), proof_bits);
+    return lower_end(convexity_(hull(range.a, range.b, twist_proof_bits), most_points),
+                     twist_proof_bits);
   }
 
  private:
@@ -194,13 +31,13 @@ class Convexity {
 
 /// A range around the least value of G, on which G″ ≥ convexity > 0.
 struct Core {
-  Range range;
+  ParameterRange range;
   RealBall convexity;
 };
 
 Core core_around(Convexity& convexity, const Rational& parameter, Rational width) {
   for (int failures = 0; failures < 40; ++failures, width /= 2) {
-    const Range range{parameter - width, parameter + width};
+    const ParameterRange range{parameter - width, parameter + width};
     const RealBall least_convexity = convexity(range);
     if (is_less({}, least_convexity)) return {range, least_convexity};
   }
@@ -214,8 +51,8 @@ struct Climb {
 };
 
 /// Shows that G > least from `from` to the end of the branch, in steps as large as can be decided:
-/// by Branch, or as long as it must have increased all the way.
-void walk(const Branch& branch, const Rational& from, int direction, Rational step,
+/// by TwistBranch, or as long as it must have increased all the way.
+void walk(const TwistBranch& branch, const Rational& from, int direction, Rational step,
           const RealBall& least, std::optional<Climb> climb = {}) {
   constexpr int most_steps = 300;
   const auto limit = branch.end(direction);
@@ -227,22 +64,23 @@ void walk(const Branch& branch, const Rational& from, int direction, Rational st
   };
   for (int steps = 0; !is_done(steps); ++steps) {
     if (limit) {  // the end itself is for is_above_beyond
-      const RealBall room =
-          multiply(subtract(*limit, ball(a), proof_bits), ball(direction), proof_bits);
-      for (; !is_less(ball(step), room) && steps <= most_steps; ++steps) step /= 2;
+      const RealBall room = multiply(subtract(*limit, twist_ball(a), twist_proof_bits),
+                                     twist_ball(direction), twist_proof_bits);
+      for (; !is_less(twist_ball(step), room) && steps <= most_steps; ++steps) step /= 2;
     }
     if (steps > most_steps)
       throw Undecided("other rotations are too nearly as good for the proof that one is the best");
     const Rational b = a + direction * step;
-    const Range range{std::min(a, b), std::max(a, b)};
+    const ParameterRange range{std::min(a, b), std::max(a, b)};
     bool is_shown = branch.is_above(range, least);
     if (is_shown) {
       climb.reset();
     } else if (climb) {
       const RealBall slope =
-          add(climb->slope, multiply(climb->convexity(range), ball(step), proof_bits), proof_bits);
+          add(climb->slope, multiply(climb->convexity(range), twist_ball(step), twist_proof_bits),
+              twist_proof_bits);
       is_shown = is_less({}, slope);
-      if (is_shown) climb.emplace(Climb{climb->convexity, lower_end(slope, proof_bits)});
+      if (is_shown) climb.emplace(Climb{climb->convexity, lower_end(slope, twist_proof_bits)});
     }
     if (is_shown) {
       a = b;
@@ -256,10 +94,13 @@ void walk(const Branch& branch, const Rational& from, int direction, Rational st
 
 /// The change of the parameter that moves w(1/2) by its own length.
 Rational natural_unit(const RotationFamily& family, const Rotation& w) {
-  const auto size = [](const Rotation& v) {
-    return absolute(evaluate(v, ball(Rational(1, 2))), proof_bits);
+  const RealBall half = twist_ball(Rational(1, 2));
+  const auto size = [&](const Rotation& v) {
+    return absolute(
+        ComplexBall(evaluate(v.a, half, twist_proof_bits), evaluate(v.b, half, twist_proof_bits)),
+        twist_proof_bits);
   };
-  const RealBall unit = divide(size(w), size(family.basis[1]), proof_bits);
+  const RealBall unit = divide(size(w), size(family.basis[1]), twist_proof_bits);
   if (!unit.is_finite() || !is_less({}, unit))
     throw Undecided("a rotation close to the best one may have a zero");
   return unit.midpoint();
@@ -284,9 +125,9 @@ Candidate candidate(const TwistPiece& piece, long degree, EndRates rates, const 
     throw Undecided("no least mean square was found: it decreases as an end of w tends to 0");
   if (!(guess.convexity > 0) || !std::isfinite(guess.convexity))
     throw Undecided("the mean square of the rates is too flat at its least value");
-  Candidate result{piece, rotation_family(piece, degree, rates, proof_bits),
+  Candidate result{piece, rotation_family(piece, degree, rates, twist_proof_bits),
                    exact_rational(guess.parameter)};
-  result.w = member(result.family, {result.parameter}, proof_bits);
+  result.w = member(result.family, {result.parameter}, twist_proof_bits);
   result.unit = natural_unit(result.family, result.w);
   result.smallness = std::max(0, 1 - std::ilogb(guess.convexity));
   result.precision = goal + result.smallness + 10;
@@ -301,23 +142,25 @@ Candidate candidate(const TwistPiece& piece, long degree, EndRates rates, const 
 /// turns more than the exact one has G ≥ (2πk)² (Cauchy and Schwarz). If this one makes none, one
 /// with the other sign makes an odd number.
 bool is_better_than_other_sign(const Candidate& c) {
-  const auto turned = turn(c.w, 0, 1, proof_bits);
+  const auto turned = turn(c.w, 0, 1, twist_proof_bits);
   if (!turned) return false;
-  const RealBall excess = subtract(*turned, c.piece.turn.enclose(proof_bits), proof_bits);
-  const RealBall one_turn = multiply(ball(2), pi(proof_bits), proof_bits);
-  return is_less(absolute(excess), ball(1)) && is_less(c.mean_square, square_of(one_turn));
+  const RealBall excess =
+      subtract(*turned, c.piece.turn.enclose(twist_proof_bits), twist_proof_bits);
+  const RealBall one_turn = multiply(twist_ball(2), pi(twist_proof_bits), twist_proof_bits);
+  return is_less(absolute(excess), twist_ball(1)) &&
+         is_less(c.mean_square, multiply(one_turn, one_turn, twist_proof_bits));
 }
 
 /// Shows that G is greater than that of the candidate outside its core, and on the branch with the
 /// other sign of γ if a parameter there is given; on that, with a quarter of the parts.
 void show_greater(const Candidate& c, const Core& core, const Climb& climb,
                   const std::optional<Rational>& other_sign, long parts) {
-  const Branch branch(c.piece, c.family, c.parameter, parts);
+  const TwistBranch branch(c.piece, c.family, c.parameter, parts);
   const Rational step = (core.range.b - core.range.a) / 2;
   walk(branch, core.range.a, -1, step, c.mean_square, climb);
   walk(branch, core.range.b, 1, step, c.mean_square, climb);
   if (!other_sign) return;
-  const Branch other(c.piece, c.family, *other_sign, parts / 4);
+  const TwistBranch other(c.piece, c.family, *other_sign, parts / 4);
   walk(other, *other_sign, -1, c.unit / 4, c.mean_square);
   walk(other, *other_sign, 1, c.unit / 4, c.mean_square);
 }
@@ -365,10 +208,10 @@ TwistMinimum twist_minimum(const TwistPiece& piece, long degree, EndRates rates,
   const Core core = core_around(convexity, c.parameter, c.unit / 32);
   const RealBall slope = mean_square_slope(piece, c.fine, c.parameter, c.precision);
   // G′ at the ends of the core, away from the candidate, is no less than this.
-  const RealBall half_width = ball((core.range.b - core.range.a) / 2);
-  const RealBall climb = lower_end(
-      subtract(multiply(core.convexity, half_width, proof_bits), absolute(slope), proof_bits),
-      proof_bits);
+  const RealBall half_width = twist_ball((core.range.b - core.range.a) / 2);
+  const RealBall climb = lower_end(subtract(multiply(core.convexity, half_width, twist_proof_bits),
+                                            absolute(slope), twist_proof_bits),
+                                   twist_proof_bits);
   if (!is_less({}, climb)) throw Undecided("the guess is too far from the least value");
 
   const bool is_other_worse = is_better_than_other_sign(c);
