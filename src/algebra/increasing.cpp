@@ -111,6 +111,22 @@ RealBall enclose_preimage(const IncreasingFunction& F, const Rational& y, double
   return unit;
 }
 
+double guess_preimage(const IncreasingFunction& F, const Rational& y, double start) {
+  constexpr long bits = 64;
+  double low = 0;
+  double high = 1;
+  double t = start;
+  for (int step = 0; step < 60 && high - low > 0x1p-50; ++step) {
+    const RealBall at = exact_sum(t, 0);
+    const RealBall excess = subtract(F.value(at, bits), RealBall(y, bits), bits);
+    (sign(excess) > 0 ? high : low) = t;
+    const double next = t - approximate(divide(excess, F.slope(at, bits), bits));
+    if (next == t) break;
+    t = next > low && next < high ? next : (low + high) / 2;
+  }
+  return t;
+}
+
 RealBall narrow_preimage(const IncreasingFunction& F, const Rational& y, RealBall around,
                          long bits) {
   const long end = 64 * bits + 65536;

@@ -20,6 +20,9 @@ struct IncreasingFunction {
 /// the guess is a good one; else all of [0, 1]. Precondition: F(0) ≤ y ≤ F(1).
 RealBall enclose_preimage(const IncreasingFunction& F, const Rational& y, double guess);
 
+/// About that t, by Newton's steps in doubles between bounds, from `start` on; a guess.
+double guess_preimage(const IncreasingFunction& F, const Rational& y, double start = 0.5);
+
 /// Narrows a ball that contains the t with F(t) = y to a radius ≤ 2^−bits: interval Newton steps,
 /// t ∈ m − (F(m) − y)/F′(T), and bisection where they do not help, as at a zero of F′.
 /// Throws Undecided where 64·bits + 65536 bits of precision are not enough.

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/travel_time.hpp"
-#include "phrame/ph/smooth/smooth_length.hpp"
+#include "phrame/ph/smooth/smooth_travel_time.hpp"
 
 namespace phrame {
 
@@ -45,32 +45,23 @@ FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {
 
 FrameTable answer(const NamedSmoothPath& named, const InterpolationQuery& query) {
   const SmoothPath& path = named.path;
-  const auto speed = constant(query.feedrate.speed);
-  if (!speed) throw InputError("a speed that is no constant needs a Pythagorean-hodograph curve");
-  if (*speed <= 0)
-    throw DomainError(
-        fmt::format("feedrate: the speed is {}",
-                    *speed == 0 ? "0" : "negative, " + abbreviated(to_string(*speed))));
-  const SmoothLength length(path);
-  const Real total = length.total();
-  const Real duration = total * Rational(1 / *speed);
-  const Integer ticks = ticks_before(duration, query.period);
+  const SmoothTravelTime time(path, query.feedrate);
+  const Integer ticks = ticks_before(time.total(), query.period);
   require_few_rows(query, ticks);
   FrameTable table{{"k", "time", "t", "s", "x", "y", "z"}, {}, "interpolation/1"};
-  const auto append = [&](const Integer& k, const Real& time, const Real& s,
-                          const SmoothParameter& at) {
-    const Rational before(static_cast<long>(at.segment));
-    std::vector<double> row{round_to_double(Rational(k)), round_to_double(time),
-                            round_to_double(at.t + before), round_to_double(s)};
-    for (const Real& x : position(path, at)) row.push_back(round_to_double(x));
+  const auto append = [&](const Integer& k, const Real& at, const SmoothTravelTime::Point& point) {
+    const Rational before(static_cast<long>(point.at.segment));
+    std::vector<double> row{round_to_double(Rational(k)), round_to_double(at),
+                            round_to_double(point.at.t + before),
+                            round_to_double(point.arc_length)};
+    for (const Real& x : position(path, point.at)) row.push_back(round_to_double(x));
     add_row(table, std::move(row), [&k] { return "point " + k.str(); });
   };
   for (Integer k = 0; k < ticks; ++k) {
-    const Rational time = Rational(k) * query.period;
-    const Rational s = *speed * time;
-    append(k, time, s, length.point(s));
+    const Rational at = Rational(k) * query.period;
+    append(k, at, time.at_time(at));
   }
-  append(ticks, duration, total, {path.segments().size() - 1, Rational(1)});
+  append(ticks, time.total(), {{path.segments().size() - 1, Rational(1)}, time.length().total()});
   return table;
 }
 

@@ -18,7 +18,7 @@ struct InterpolationQuery {
 /// place where there are too many rows, and with one where a number is too large for a double,
 /// Undecided where a precision limit is reached.
 FrameTable answer(const NamedPath& path, const InterpolationQuery& query);
-/// The same of a path of any kind, at a constant speed: else InputError without a place is thrown.
+/// The same of a path of any kind; throws as SmoothTravelTime.
 FrameTable answer(const NamedSmoothPath& path, const InterpolationQuery& query);
 
 /// Throws InputError where `ticks` and the end are too many rows.

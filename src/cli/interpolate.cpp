@@ -30,9 +30,6 @@ void run(const InterpolateOptions& options) {
     throw InputError("--period", abbreviated(to_string(period)) + " is not positive");
   const Feedrate feed = at_place("--feed", ", ", [&] { return parse_feedrate(options.feed); });
   const AnyPath path = options.curve.read_any_path();
-  if (const auto* named = std::get_if<NamedSmoothPath>(&path);
-      named != nullptr && !constant(feed.speed))
-    throw InputError("--feed", "a speed that is no constant " + needs_ph(named->path));
   write_output(options.curve.output, format(points(path, {feed, period})));
 }
 
@@ -57,7 +54,6 @@ void add_interpolate(Program& program) {
       "Along a spline, time, t, s and V run on through the joints.\n"
       "V is positive and a function of one of s (arc length from t = 0), t (parameter) and kappa\n"
       "(curvature of a plane curve, > 0 in a left turn). A product needs its sign: 2*s, not 2s.\n"
-      "Along a curve that is not Pythagorean-hodograph V is a constant.\n"
       "Examples:\n"
       "  phrame interpolate curve.json --period 0.001 --feed 50\n"
       "  phrame interpolate curve.json --period 1/1000 --feed '10 + 2*s' -o points.csv\n"

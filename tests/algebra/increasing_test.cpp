@@ -1,5 +1,7 @@
 #include "phrame/algebra/increasing.hpp"
 
+#include <cmath>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
 #include "support/random.hpp"
@@ -74,4 +76,11 @@ TEST_CASE("increasing: where the function is known to no more than 2⁻²⁰, th
   CHECK_THROWS_WITH_AS(preimage(f, Rational(1, 3), 0.5).enclose(40),
                        doctest::Contains("bits of precision do not give 40 bits"), Undecided);
   CHECK(preimage(f, Rational(1, 3), 0.5).enclose(18).contains(Rational(1, 3)));
+}
+
+TEST_CASE("increasing: a guess is near, also from a start that is not") {
+  const auto cube = function_of({0, 0, 0, 1});
+  CHECK(std::abs(guess_preimage(*cube, Rational(1, 8)) - 0.5) < 1e-12);
+  CHECK(std::abs(guess_preimage(*cube, Rational(1, 8), 0.999) - 0.5) < 1e-12);
+  CHECK(std::abs(guess_preimage(*cube, Rational(1, 1000), 0) - 0.1) < 1e-12);
 }

@@ -4,6 +4,7 @@
 
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/read/formula.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 #include "support/paths.hpp"
@@ -143,13 +144,28 @@ TEST_CASE("interpolation: a tick at a joint, and too many rows") {
   CHECK_NOTHROW(answer(two, InterpolationQuery{feed({1}), Rational(1, 5), 11}));
 }
 
+namespace {
+
+const NamedSmoothPath bezier_loop{
+    "loop", SmoothPath(bezier_curve(
+                {{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}}))};
+
+SmoothPath by_formulas(const std::array<const char*, 3>& r) {
+  const auto formula = [](const char* text) { return parse_formula(text, "s").value; };
+  return SmoothPath(ExpressionCurve({formula(r[0]), formula(r[1]), formula(r[2])}, formula("0"),
+                                    formula("2*pi")));
+}
+
+FrameTable points(const SmoothPath& path, const Feedrate& feedrate, const Rational& period) {
+  return answer(NamedSmoothPath{"", path}, InterpolationQuery{feedrate, period});
+}
+
+}  // namespace
+
 // s = 2 is at t = 0.17389474428092800390517…, by mpmath's quad and findroot, and the length there
 // and of all by its quad.
 TEST_CASE("interpolation: along what is no PH curve, at a constant speed") {
-  const NamedSmoothPath loop{
-      "loop", SmoothPath(bezier_curve(
-                  {{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}}))};
-  const FrameTable table = answer(loop, InterpolationQuery{feed({2}), 1});
+  const FrameTable table = answer(bezier_loop, InterpolationQuery{feed({2}), 1});
   REQUIRE(table.rows.size() == 6);
   CHECK(table.columns == std::vector<std::string>{"k", "time", "t", "s", "x", "y", "z"});
   CHECK(table.format == "interpolation/1");
@@ -172,8 +188,97 @@ TEST_CASE("interpolation: along what is no PH curve, at a constant speed") {
   REQUIRE(ticks.rows.size() == 3);
   CHECK(ticks.rows[1] == Row{1, 2, 1.41421356237309504880, 6, 2, 4, 4});  // (1 + t)² = 2
   CHECK(ticks.rows[2] == Row{2, 4, 2, 12, 4, 8, 8});
-  CHECK_THROWS_AS(answer(line, InterpolationQuery{feed({1, 1}), 1}), InputError);
   CHECK_THROWS_AS(answer(line, InterpolationQuery{feed({-1}), 1}), DomainError);
   CHECK_THROWS_AS(answer(line, InterpolationQuery{feed({1}), 0}), DomainError);
   CHECK_THROWS_AS(answer(line, InterpolationQuery{feed({1}), Rational(1, 10'000'000)}), InputError);
+}
+
+// Of the loop and the cubic by mpmath's quad of |r′|/V, by its findroot, with 30 digits; with V = 1
+// + s the arc length at time 1 is e − 1.
+TEST_CASE("interpolation: along what is no PH curve, speeds by s, t and kappa") {
+  const FrameTable by_length = points(bezier_loop.path, feed({1, 1}), 1);
+  REQUIRE(by_length.rows.size() == 4);
+  CHECK(by_length.rows[1] == Row{1, 1, 0.1364853451495639027764, 1.71828182845904523536,
+                                 1.335776702009115469033, 0.8766717058260323543725,
+                                 0.4718677827756502412601});
+  CHECK(by_length.rows[3][1] == 2.224572209751220143833);
+  const FrameTable by_t = points(bezier_loop.path, feed({2, 0, 1}, Feedrate::Of::parameter), 1);
+  CHECK(by_t.rows[1] == Row{1, 1, 0.1750375762162693844923, 2.007738171543765348614,
+                            1.475490139445361992957, 1.12604078724539050934,
+                            0.4329168065156783457097});
+  CHECK(by_t.rows.back()[1] == 3.586869680309328560791);
+  // Its curvature is between −0.72 and −0.12.
+  const FrameTable by_bend =
+      points(SmoothPath(bezier_curve({{0, 0, 0}, {1, 2, 0}, {3, 2, 0}, {4, -1, 0}})),
+             {RationalFunction({5}, {3, -1}), Feedrate::Of::curvature}, 2);
+  CHECK(by_bend.rows[1] == Row{1, 2, 0.5538495142209626712003, 2.852222375512898711222,
+                               2.242010511563043669928, 1.312708436754881364153, 0});
+  CHECK(by_bend.rows.back()[1] == 3.982973154767585820887);
+}
+
+// mpmath as above. The normal of the ellipse's plane with a positive last component is (−4, 3,
+// 0)/5; about it the ellipse turns right.
+TEST_CASE("interpolation: along formulas, speeds by t and kappa") {
+  const SmoothPath trefoil =
+      by_formulas({"(2 + cos(3*s))*cos(2*s)", "(2 + cos(3*s))*sin(2*s)", "sin(3*s)"});
+  const FrameTable by_t = points(trefoil, feed({2, 1}, Feedrate::Of::parameter), 10);
+  REQUIRE(by_t.rows.size() == 3);
+  CHECK(by_t.rows[1] == Row{1, 10, 0.7215301066591248890039, 23.47512461044014972973,
+                            -2.352248791819745281314, 0.8793913233987564511948,
+                            0.8594288556111466019712});
+  CHECK(by_t.rows[2][1] == 12.93763232650282168004);
+  const FrameTable by_bend =
+      points(by_formulas({"3*cos(s)", "4*cos(s)", "2*sin(s)"}),
+             {RationalFunction({4, -1}, {2, 0, 1}), Feedrate::Of::curvature}, 7);
+  CHECK(by_bend.rows[1] == Row{1, 7, 0.6303838331442175792719, 13.7863710309328991524,
+                               -2.048361201150239474484, -2.731148268200319299312,
+                               -1.461234849117895624215});
+  CHECK(by_bend.rows[2][1] == 11.60351323588437306095);
+}
+
+// The PH way has closed forms and needs none of this.
+TEST_CASE("interpolation: law: a PH path by its positions is passed as in closed form") {
+  const Curve quintic = test::farouki_quintic().curve;
+  const Curve plane({{1}, {}, {}, {0, 1}});
+  const auto check = [](const Path& path, const Feedrate& feedrate) {
+    const InterpolationQuery query{feedrate, Rational(1, 5)};
+    const FrameTable exact = answer(NamedPath{"", path}, query);
+    const FrameTable found = answer(NamedSmoothPath{"", by_positions(path)}, query);
+    CHECK(found.rows.size() > 3);
+    CHECK(found.rows == exact.rows);
+  };
+  check(test::cut(quintic, {Rational(1, 3)}), feed({1, 0, Rational(1, 4)}));
+  check(quintic, {RationalFunction({3}, {1, 1}), Feedrate::Of::arc_length});
+  check(test::cut(quintic, {Rational(1, 2)}),
+        {RationalFunction({1, 1}, {2, 0, 1}), Feedrate::Of::parameter});
+  check(test::cut(plane, {Rational(1, 3), Rational(2, 3)}),
+        {RationalFunction({5}, {1, 2}), Feedrate::Of::curvature});
+  check(plane, {RationalFunction({3, 0, 1}, {1, 1, 1}), Feedrate::Of::curvature});
+}
+
+TEST_CASE("interpolation: speeds that are not positive are refused, with the place") {
+  const auto refused = [](const SmoothPath& path, const Feedrate& feedrate, const char* reason) {
+    CHECK_THROWS_WITH_AS(points(path, feedrate, 1), doctest::Contains(reason), DomainError);
+  };
+  const SmoothPath& loop = bezier_loop.path;  // of the length 8.2495…
+  refused(loop, feed({5, -1}), "the speed is 0 at s = 5");
+  refused(loop, feed({-9, 1}), "the speed is negative, -9 at s = 0");
+  CHECK(points(loop, feed({Rational(33, 4), -1}), 1).rows.back()[3] == 8.249525100789886511671);
+  refused(loop, {RationalFunction({1}, {-1, 2}), Feedrate::Of::parameter},
+          "the speed is infinite at t = 1/2");
+  refused(loop, feed({1, 1}, Feedrate::Of::curvature), "in one plane");
+  // (t, t³ − t²) turns left from t = 1/3 on.
+  const SmoothPath bend(RationalCurve({Polynomial{0, 1}, Polynomial{0, 0, -1, 1}, {}}));
+  refused(bend, feed({0, -1}, Feedrate::Of::curvature), "the speed is 0 or infinite at t ≈ 0.3333");
+  refused(bend, feed({0, 1}, Feedrate::Of::curvature), "the speed is negative at t = 0");
+  refused(SmoothPath(RationalCurve({Polynomial{0, 0, 1}, {0, 0, 0, 1}, {}})),
+          feed({1, 0, 1}, Feedrate::Of::curvature), "cusp");
+  const SmoothPath line(bezier_curve({{1, 2, 2}, {2, 4, 4}, {4, 8, 8}}));
+  refused(line, {RationalFunction({1}, {0, 1}), Feedrate::Of::curvature}, "divides by zero");
+  CHECK(points(line, {RationalFunction({3, 1}, {2}), Feedrate::Of::curvature}, 2).rows[3] ==
+        Row{3, 6, 1, 9, 4, 8, 8});
+  // The line from −1 to 3 by t + t² is at 0 at the time 1, exactly; the length is 1 there.
+  const SmoothPath through(RationalCurve({Polynomial{-1, 0, 4}, {0, 0, 0}, {}}));
+  CHECK(points(through, {RationalFunction({2}, {1, 2}), Feedrate::Of::arc_length}, 1).rows[1] ==
+        Row{1, 1, 0.5, 1, 0, 0, 0});
 }

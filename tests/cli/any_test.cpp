@@ -68,14 +68,18 @@ TEST_CASE("any curve: a closed C2 PH spline has a writhe and a self-linking numb
   CHECK(totals["self_linking"]["radius"] == "0");
 }
 
-TEST_CASE("any curve: points at equal times, at a constant speed") {
+TEST_CASE("any curve: points at equal times") {
   const Workshop here;
   here.write("loop.json", loop);
   const Run run = here.run("interpolate loop.json --period 1 --feed 2");
   check_success(run);
   CHECK(contains(run.out, "\n1,1,0.173894744280928,2,1.4727009538360893,"));
-  check_failure(here.run("interpolate loop.json --period 1 --feed '1 + s'"), 2,
-                "--feed: a speed that is no constant needs a Pythagorean-hodograph curve");
+  // e − 1 at time 1.
+  CHECK(contains(here.run("interpolate loop.json --period 1 --feed '1 + s'").out,
+                 "\n1,1,0.1364853451495639,1.7182818284590453,"));
+  check_failure(here.run("interpolate loop.json --period 1 --feed '5 - s'"), 3,
+                "feedrate: the speed is 0 at s = 5");
+  check_failure(here.run("interpolate loop.json --period 1 --feed kappa"), 3, "in one plane");
   check_failure(here.run("interpolate loop.json --period 1 --feed 0"), 3,
                 "feedrate: the speed is 0");
   check_failure(here.run("interpolate loop.json --period 1e-9 --feed 1"), 2, "--period: ");

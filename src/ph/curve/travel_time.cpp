@@ -27,25 +27,6 @@ std::string text(const Real& x) {
   return x.exact() ? abbreviated(to_string(*x.exact())) : to_string(x.enclose(64), 12);
 }
 
-/// The sign of time − x. Throws Undecided; `what` is what x is.
-int compare(const Rational& time, const Real& x, const std::string& what) {
-  if (x.exact()) return time < *x.exact() ? -1 : time > *x.exact() ? 1 : 0;
-  for (long bits = 128; bits <= limit; bits *= 2) {
-    const RealBall ball = x.enclose(bits);
-    if (time < ball.lower()) return -1;
-    if (time > ball.upper()) return 1;
-  }
-  throw Undecided(fmt::format("travel time: {} bits do not tell the time {} from {}, {}", limit,
-                              abbreviated(to_string(time)), what, text(x)));
-}
-
-/// The simplest rational in the ball, where its denominator has up to 32 bits.
-std::optional<Rational> simple_rational(const RealBall& ball) {
-  const Rational simplest = simplest_between(ball.lower(), ball.upper());
-  if (denominator(simplest) >> 32 != 0) return std::nullopt;
-  return simplest;
-}
-
 KnownIntegral known(const Rational& x) { return {{x, ExactValue{x, 0, {}, {}}}}; }
 
 }  // namespace
@@ -63,6 +44,23 @@ Integer ticks_before(const Real& total, const Rational& period) {
   throw Undecided(fmt::format(
       "travel time: {} bits do not tell the total, {}, from a multiple of the period {}", limit,
       text(total), abbreviated(to_string(period))));
+}
+
+int compare_time(const Rational& time, const Real& x, const std::string& what) {
+  if (x.exact()) return time < *x.exact() ? -1 : time > *x.exact() ? 1 : 0;
+  for (long bits = 128; bits <= limit; bits *= 2) {
+    const RealBall ball = x.enclose(bits);
+    if (time < ball.lower()) return -1;
+    if (time > ball.upper()) return 1;
+  }
+  throw Undecided(fmt::format("travel time: {} bits do not tell the time {} from {}, {}", limit,
+                              abbreviated(to_string(time)), what, text(x)));
+}
+
+std::optional<Rational> simple_rational(const RealBall& ball) {
+  const Rational simplest = simplest_between(ball.lower(), ball.upper());
+  if (denominator(simplest) >> 32 != 0) return std::nullopt;
+  return simplest;
 }
 
 Real TimedPoint::value(const Polynomial& p) const {
@@ -110,7 +108,7 @@ Real TravelTime::time(const PathParameter& at) const {
 Real TravelTime::time(const Rational& t) const { return time(locate_inside(path_, t)); }
 
 void TravelTime::require_within(const Rational& time) const {
-  if (time < 0 || compare(time, total(), "the total") > 0)
+  if (time < 0 || compare_time(time, total(), "the total") > 0)
     throw DomainError(fmt::format("travel time: the time {} is outside [0, {}]",
                                   abbreviated(to_string(time)), text(total())));
 }
@@ -119,7 +117,7 @@ void TravelTime::require_within(const Rational& time) const {
 std::size_t TravelTime::segment_at(const Rational& time) const {
   std::size_t k = last_segment_;
   const auto starts_later = [&](std::size_t segment) {
-    return compare(time, starts_[segment], fmt::format("that at t = {}", segment)) < 0;
+    return compare_time(time, starts_[segment], fmt::format("that at t = {}", segment)) < 0;
   };
   while (k > 0 && starts_later(k)) --k;
   while (k + 1 < segments_.size() && !starts_later(k + 1)) ++k;

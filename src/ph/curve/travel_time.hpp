@@ -28,6 +28,12 @@ struct TimedPoint {
 /// the total cannot be told from a multiple of the period.
 Integer ticks_before(const Real& total, const Rational& period);
 
+/// The sign of time − x. Throws Undecided where 4096 bits do not tell; `what` is what x is.
+int compare_time(const Rational& time, const Real& x, const std::string& what);
+
+/// The simplest fraction in the ball, where its denominator has up to 32 bits.
+std::optional<Rational> simple_rational(const RealBall& ball);
+
 /// The time T(t) = ∫₀ᵗ |f|σ/V a motion with feedrate V takes from the start of a path to t,
 /// strictly increasing, and its inverse: the interpolation integral of [Farouki 2008], in closed
 /// form. The arc length and the parameter that V may depend on are those of the whole path; so is

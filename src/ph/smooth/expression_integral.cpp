@@ -32,16 +32,17 @@ BallPolynomial shortened_series(const BallPolynomial& p, long length) {
   return BallPolynomial(coefficients);
 }
 
-/// |r′|, |r″| and |r‴| on |z| ≤ 8, component by component; no value where r is not seen to be
-/// analytic there.
-std::optional<std::array<Vector<RealBall>, 3>> bounds_on_disc(const ExpressionCurve& curve,
-                                                              const Rational& middle,
-                                                              const Rational& half) {
+/// |r′|, |r″| and |r‴| on |z| ≤ 8, component by component.
+using DiscBounds = std::array<Vector<RealBall>, 3>;
+
+/// No value where r is not seen to be analytic there.
+std::optional<DiscBounds> bounds_on_disc(const ExpressionCurve& curve, const Rational& middle,
+                                         const Rational& half) {
   const Rational radius = half * Rational(outer_radius);
   const RealBall around = widened(RealBall(), RealBall(radius, guess_bits));
   const ComplexBall disc(add(RealBall(middle, guess_bits), around, guess_bits), around);
   const Vector<ComplexSeries> r = curve.series(disc, half, 4, guess_bits);
-  std::array<Vector<RealBall>, 3> bounds;
+  DiscBounds bounds;
   for (long order = 1; order <= 3; ++order)
     for (std::size_t k = 0; k < 3; ++k) {
       const RealBall size = size_above(r[k].coefficient(order));
@@ -54,7 +55,7 @@ std::optional<std::array<Vector<RealBall>, 3>> bounds_on_disc(const ExpressionCu
 }
 
 CurveJet jet_around(const ExpressionCurve& curve, const RealBall& middle, const Rational& half,
-                    const std::array<Vector<RealBall>, 3>& bounds, long length, long bits) {
+                    const DiscBounds& bounds, long length, long bits) {
   const Vector<BallPolynomial> r = curve.series(middle, half, length + 3, bits);
   CurveJet jet;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -64,7 +65,22 @@ CurveJet jet_around(const ExpressionCurve& curve, const RealBall& middle, const 
     jet.second[k] = {shortened_series(second, length), bounds[1][k], length, bits};
     jet.third[k] = {differentiate(second, bits), bounds[2][k], length, bits};
   }
+  jet.middle = middle;
+  jet.half = half;
   return jet;
+}
+
+/// |r′·r′| is at least the least number of it on |z| ≤ 8, where that is > 0: on the inner disc of
+/// the jet of twice the size, where r′ by z is half as long.
+RealBall least_square(const ExpressionCurve& curve, const Rational& middle, const Rational& half,
+                      long length) {
+  static_assert(outer_radius == 2 * inner_radius);
+  const auto bounds = bounds_on_disc(curve, middle, 2 * half);
+  if (!bounds) return {};
+  const RealBall at(middle, guess_bits);
+  const CurveJet wide = jet_around(curve, at, 2 * half, *bounds, length, guess_bits);
+  const RealBall least = size_bounds(dot(wide.first, wide.first)).lower;
+  return times_power_of_two(lower_end(least, guess_bits), -2);
 }
 
 /// Halves until every part is good, from left to right.
@@ -116,11 +132,33 @@ class PartSearch {
 
 }  // namespace
 
+DiscFunction parameter_of(const CurveJet& jet) {
+  const auto& [series, bound, length, bits] = jet.first[0];
+  std::vector<RealBall> t{jet.middle};
+  if (length > 1) t.emplace_back(jet.half, bits);
+  const RealBall reach(abs(jet.half) * Rational(outer_radius), guess_bits);
+  return {BallPolynomial(t), add(absolute(jet.middle), reach, guess_bits), length, bits};
+}
+
+// On the disc, where r′·r′ has no zero, a branch of its root is analytic.
+DiscFunction inverse_speed(const CurveJet& jet) {
+  const DiscFunction square = dot(jet.first, jet.first);
+  const RealBall bound = jet.least_square ? divide(RealBall(1, guess_bits),
+                                                   sqrt(jet.least_square(), guess_bits), guess_bits)
+                                          : RealBall();
+  return {inverse_sqrt_series(square.series, square.length, square.bits), bound, square.length,
+          square.bits};
+}
+
 std::optional<CurveJet> curve_jet(const ExpressionCurve& curve, const Rational& middle,
                                   const Rational& half, long length, long bits) {
   const auto bounds = bounds_on_disc(curve, middle, half);
   if (!bounds) return std::nullopt;
-  return jet_around(curve, RealBall(middle, bits), half, *bounds, length, bits);
+  CurveJet jet = jet_around(curve, RealBall(middle, bits), half, *bounds, length, bits);
+  jet.least_square = [&curve, middle, half, length] {
+    return least_square(curve, middle, half, length);
+  };
+  return jet;
 }
 
 TaylorParts taylor_parts(const ExpressionCurve& curve, const CurveIntegrand& integrand) {

@@ -9,12 +9,22 @@
 
 namespace phrame {
 
-/// r′, r″ and r‴ of a curve around a point.
+/// r′, r″ and r‴ of a curve around a point, by z, t = middle + half·z.
 struct CurveJet {
   Vector<DiscFunction> first;   ///< r′
   Vector<DiscFunction> second;  ///< r″
   Vector<DiscFunction> third;   ///< r‴
+  RealBall middle{};            ///< the t with z = 0
+  Rational half = 1;            ///< the length by z = 1
+  /// A number that |r′·r′| is not less than on |z| ≤ 8, where it is > 0; of a jet with bounds, and
+  /// while its curve lives.
+  std::function<RealBall()> least_square{};
 };
+
+/// t, and 1/|r′|, on that disc; the bound of the second is not finite where r′·r′ is not seen to
+/// have no zero on it, and 0 in a jet without bounds.
+DiscFunction parameter_of(const CurveJet& jet);
+DiscFunction inverse_speed(const CurveJet& jet);
 
 /// By z, t = middle + half·z, to so many coefficients; no value where r is not seen to be analytic
 /// on |z| ≤ 8.

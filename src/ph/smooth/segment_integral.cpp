@@ -118,6 +118,7 @@ RealBall SegmentIntegral::rate(const RealBall& t, long bits) const {
 }
 
 Real SegmentIntegral::value(const Real& t) const {
+  if (t.exact() == Rational(0)) return Rational(0);
   if (const auto* f = std::get_if<AbsoluteIntegral>(&form_)) return f->value(t);
   if (const auto* f = std::get_if<TaylorIntegral>(&form_); f != nullptr && t.exact())
     return f->value(*t.exact());

@@ -25,25 +25,6 @@ int compare_length(const Real& x, const Rational& s) {
                               abbreviated(to_string(s))));
 }
 
-/// Newton's steps, in doubles, from the share of the whole; a guess.
-double guess_parameter(const SegmentIntegral& length, const Rational& s) {
-  constexpr long bits = 64;
-  double low = 0;
-  double high = 1;
-  double t = 0.5;
-  for (int step = 0; step < 60 && high - low > 0x1p-50; ++step) {
-    const RealBall at(exact_rational(t), bits);
-    const RealBall excess =
-        subtract(length.enclose(Real(exact_rational(t)), bits), RealBall(s, bits), bits);
-    (sign(excess) > 0 ? high : low) = t;
-    const double change = approximate(divide(excess, length.rate(at, bits), bits));
-    const double next = t - change;
-    if (next == t) break;
-    t = next > low && next < high ? next : (low + high) / 2;
-  }
-  return t;
-}
-
 }  // namespace
 
 struct SmoothLength::State {
@@ -95,6 +76,10 @@ Real SmoothLength::value(const SmoothParameter& at) const {
   return before(at.segment) + state_->length(at.segment).value(at.t);
 }
 
+RealBall SmoothLength::rate(std::size_t segment, const RealBall& t, long bits) const {
+  return state_->length(segment).rate(t, bits);
+}
+
 SmoothParameter SmoothLength::point(const Rational& s) const {
   const std::size_t count = state_->path.segments().size();
   if (s < 0 || compare_length(total(), s) < 0)
@@ -118,8 +103,7 @@ SmoothParameter SmoothLength::point(const Rational& s) const {
   const auto F = std::make_shared<const IncreasingFunction>(IncreasingFunction{
       [state = state_, from_start](const RealBall& t, long bits) { return from_start(t, bits); },
       [state = state_, slope](const RealBall& t, long bits) { return slope(t, bits); }});
-  const Rational inside = std::max(Rational(0), s - start.enclose(64).midpoint());
-  return {low, preimage(F, s, guess_parameter(length, inside))};
+  return {low, preimage(F, s, guess_preimage(*F, s))};
 }
 
 }  // namespace phrame
