@@ -1,0 +1,87 @@
+#pragma once
+#include <vector>
+
+#include "phrame/algebra/unit_quotient.hpp"
+
+namespace phrame {
+
+// The two recurrences of unit_series(), in fixed point: all is in units of 2^−Q, and every step
+// counts what it leaves over in the equation that it is made from.
+
+/// pₖ/divisor with so many bits behind the point, rounded down.
+class FixedCoefficients {
+ public:
+  FixedCoefficients(const IntegerPolynomial& p, const Integer& divisor, long most_bits);
+
+  void round_to(long bits);  ///< ≤ most_bits
+  std::size_t size() const { return full_.size(); }
+  const Integer& operator[](std::size_t k) const { return now_[k]; }  ///< pₖ·2^bits, ⌊·⌋
+
+ private:
+  std::vector<Integer> full_;
+  std::vector<Integer> now_;
+  long full_bits_;
+};
+
+/// How many bits behind the point are used now, of so many.
+struct BitsInUse {
+  long full;     ///< at most
+  long now = 0;  ///< 0 before the first choice
+
+  /// At least `needed`, if there are; true where they are others now.
+  bool choose(long needed);
+};
+
+/// The coefficients of a series.
+struct FixedSeries {
+  std::vector<Integer> c{};  ///< in units of 2^−Q
+  std::size_t window;        ///< so many of the last ones are looked at
+  long most = 0;             ///< none of these has more bits
+  double left_over = 0;      ///< by the steps, in ‖…‖
+
+  explicit FixedSeries(std::size_t last) : window(last) {}
+  void push(Integer x);
+  /// A step that rounded down, and that took `count` coefficients with an error of 2^−bits each
+  /// times numbers of so many bits.
+  void count_errors(std::size_t count, long bits_of_numbers, long bits);
+};
+
+/// w ≈ 1/√σ, σ = S/S(0), by n·wₙ = −Σ (n − i/2)·σᵢ·wₙ₋ᵢ, i ≥ 1. A step counts what is left over in
+/// σ·w′ + σ′·w/2, over n: Σ (1 − i/2n)·σᵢ·wₙ₋ᵢ, i ≥ 0.
+class RootRecurrence {
+ public:
+  RootRecurrence(const UnitQuotient& f, long Q, long most_bits);
+
+  const FixedSeries& w() const { return w_; }  ///< w₀ = 1 from the start
+  void step();                                 ///< one coefficient more
+
+ private:
+  void weigh(std::size_t n);
+
+  FixedCoefficients sigma_;
+  BitsInUse bits_;
+  std::vector<Integer> weighted_;
+  std::vector<Integer> twice_;
+  FixedSeries w_;
+  Integer sum_;
+};
+
+/// y ≈ ν·w/δ, δ = D/D(0), ν = N/2ᵉ, by yₙ = Σ νⱼ·wₙ₋ⱼ − Σ δᵢ·yₙ₋ᵢ, i ≥ 1. A step counts what is
+/// left over in ν·w − δ·y.
+class QuotientRecurrence {
+ public:
+  QuotientRecurrence(const UnitQuotient& f, long most_bits);
+
+  const FixedSeries& y() const { return y_; }  ///< empty at the start
+  /// One coefficient more. Precondition: w has as many by now.
+  void step(const FixedSeries& w);
+
+ private:
+  FixedCoefficients nu_;
+  FixedCoefficients delta_;
+  BitsInUse bits_;
+  FixedSeries y_;
+  Integer sum_;
+};
+
+}  // namespace phrame
