@@ -4,6 +4,8 @@
 #include "phrame/algebra/roots.hpp"
 #include "support/random.hpp"
 
+namespace algebraic_image_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -51,3 +53,5 @@ TEST_CASE("algebraic image: law: it is where the function's value is") {
     CHECK((compose(found.polynomial(), y) % x.polynomial()).is_zero());
   });
 }
+
+}  // namespace algebraic_image_test

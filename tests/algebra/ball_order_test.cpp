@@ -3,6 +3,8 @@
 #include "phrame/algebra/rounding.hpp"
 #include "support/random.hpp"
 
+namespace ball_order_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -91,3 +93,5 @@ TEST_CASE("ball order: law: an integer is named where it is the only one") {
   const Integer large = pow(Integer(10), 40);
   CHECK(unique_integer(RealBall(Rational(large), 200)) == large);
 }
+
+}  // namespace ball_order_test

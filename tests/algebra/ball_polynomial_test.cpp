@@ -5,6 +5,8 @@
 #include "phrame/algebra/sturm.hpp"
 #include "support/random.hpp"
 
+namespace ball_polynomial_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -119,3 +121,5 @@ TEST_CASE("ball polynomial: law: negatives, integrals, shifts and stretches") {
     CHECK(contains(with_constant(a, RealBall(c, 100)), p + Polynomial{c - p.coefficient(0)}));
   });
 }
+
+}  // namespace ball_polynomial_test

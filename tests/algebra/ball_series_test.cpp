@@ -2,6 +2,8 @@
 
 #include "support/random.hpp"
 
+namespace ball_series_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -89,3 +91,5 @@ TEST_CASE("ball series: no coefficient of a logarithm or root of what may be 0 i
     CHECK_FALSE(sqrt_series(t, length, bits).coefficient(k).is_finite());
   }
 }
+
+}  // namespace ball_series_test

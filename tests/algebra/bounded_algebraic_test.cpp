@@ -3,6 +3,8 @@
 #include "phrame/algebra/algebraic_image.hpp"
 #include "support/random.hpp"
 
+namespace bounded_algebraic_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -52,3 +54,5 @@ TEST_CASE("bounded algebraic: law: affine images and values of polynomials are r
           image(Polynomial{Rational(1, x.polynomial() == Polynomial{-5, 0, 1} ? 6 : 8)}, x));
   });
 }
+
+}  // namespace bounded_algebraic_test

@@ -3,6 +3,8 @@
 #include "phrame/algebra/ball_series.hpp"
 #include "support/random.hpp"
 
+namespace complex_series_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -82,3 +84,5 @@ TEST_CASE("complex series: on branch cuts and poles nothing is finite") {
   CHECK(is_finite(atan_series(around(0, Rational(1, 2), 0.1), length, bits)));
   CHECK(is_finite(atan_series(around(1, 2, 0.1), length, bits)));
 }
+
+}  // namespace complex_series_test

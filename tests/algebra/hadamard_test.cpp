@@ -4,6 +4,8 @@
 #include "phrame/algebra/resultant.hpp"
 #include "support/random.hpp"
 
+namespace hadamard_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -98,3 +100,5 @@ TEST_CASE("hadamard: one small root does not hide that the others are large") {
   CHECK(cofactor_bits(integer_polynomial({1}), integer_polynomial(a), integer_polynomial(q)) <
         needed + needed / 4);
 }
+
+}  // namespace hadamard_test

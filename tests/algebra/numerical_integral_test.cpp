@@ -4,6 +4,8 @@
 #include "phrame/algebra/rounding.hpp"
 #include "support/random.hpp"
 
+namespace numerical_integral_test {
+
 using namespace phrame;
 
 namespace {
@@ -32,3 +34,5 @@ TEST_CASE("numerical integral: few values give a wide ball, an unknown function 
   const auto unknown = [](const ComplexBall&, long) { return ComplexBall::unknown(); };
   CHECK_FALSE(numerical_integral(unknown, {}, RealBall(1, bits), {80, bits, 100}).is_finite());
 }
+
+}  // namespace numerical_integral_test

@@ -158,7 +158,7 @@ TEST_CASE("polynomial: law: long coefficients are multiplied, divided and listed
     for (std::size_t k = 0; k < list.size(); ++k)
       CHECK(list[k] == product.coefficient(static_cast<long>(k)));  // both in lowest terms
   });
-  CHECK_THROWS_AS(exact_quotient({1}, {}), DomainError);
+  CHECK_THROWS_AS(exact_quotient(Polynomial{1}, Polynomial{}), DomainError);
 }
 
 TEST_CASE("polynomial: law: a short remainder is the remainder, whether it is short or not") {

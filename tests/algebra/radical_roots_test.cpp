@@ -7,6 +7,8 @@
 #include "phrame/algebra/roots.hpp"
 #include "support/random.hpp"
 
+namespace radical_roots_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -246,3 +248,5 @@ TEST_CASE("radical roots: law: quartics of each kind: t ↦ r·t + s, with facto
     for (const Radical& x : checked_roots(p)) CHECK_FALSE(uses(x, Radical::Kind::cube_root));
   });
 }
+
+}  // namespace radical_roots_test

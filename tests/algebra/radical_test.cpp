@@ -3,6 +3,8 @@
 #include "phrame/algebra/error.hpp"
 #include "support/random.hpp"
 
+namespace radical_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -111,3 +113,5 @@ TEST_CASE("radical: a polynomial at a radical") {
   const Radical x = cbrt(Radical(5)) + i;
   CHECK(agree(evaluate({1, -2, 3, 1}, x), 1 - 2 * x + 3 * x * x + x * x * x));
 }
+
+}  // namespace radical_test

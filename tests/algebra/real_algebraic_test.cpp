@@ -6,6 +6,8 @@
 #include "phrame/algebra/factor.hpp"
 #include "support/random.hpp"
 
+namespace real_algebraic_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -189,3 +191,5 @@ TEST_CASE("real algebraic: a place is a number or a decimal, a long number abbre
   CHECK(place("t", real_root({-1, 0, 0, 5}, closed(0, 1))) == "t ≈ 0.584803547643");
   CHECK(place("t", parse_rational("1e-500")).size() < 90);
 }
+
+}  // namespace real_algebraic_test

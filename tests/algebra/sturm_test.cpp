@@ -6,6 +6,8 @@
 #include "phrame/algebra/error.hpp"
 #include "support/random.hpp"
 
+namespace sturm_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -144,3 +146,5 @@ TEST_CASE(
     CHECK(cauchy_index(SturmChain(p, q), a, b) == index);
   });
 }
+
+}  // namespace sturm_test

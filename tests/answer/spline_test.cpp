@@ -8,6 +8,8 @@
 #include "phrame/io/write/frame_table.hpp"
 #include "support/text.hpp"
 
+namespace spline_test {
+
 using namespace phrame;
 using test::contains;
 using test::Json;
@@ -118,3 +120,5 @@ TEST_CASE("spline report: every form and LaTeX are those of the segments") {
   CHECK(contains(latex, " + C_{1} \\\\\n\\theta_{2}'(t) &= "));
   CHECK(std::count(latex.begin(), latex.end(), '{') == std::count(latex.begin(), latex.end(), '}'));
 }
+
+}  // namespace spline_test

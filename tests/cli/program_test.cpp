@@ -2,6 +2,8 @@
 
 #include "cli/workshop.hpp"
 
+namespace program_test {
+
 using namespace phrame;
 using namespace phrame::test;
 
@@ -556,3 +558,5 @@ TEST_CASE("program: angle: all routes to a value print the same digits") {
   check_failure(here.run("angle quintic.json --route sampling"), 2,
                 "--route: \"sampling\" is not one of auto, roots, quadrature, both");
 }
+
+}  // namespace program_test

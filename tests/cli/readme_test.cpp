@@ -12,6 +12,8 @@
 #include "support/data.hpp"
 #include "support/text.hpp"
 
+namespace readme_test {
+
 namespace {
 
 using phrame::test::contains;
@@ -86,3 +88,5 @@ TEST_CASE("README: the C++ shown is examples/quickstart.cpp, which is compiled a
   REQUIRE(shown.size() == 1);
   CHECK(shown.front() == content(root + "/examples/quickstart.cpp"));
 }
+
+}  // namespace readme_test

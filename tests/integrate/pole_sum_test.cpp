@@ -4,6 +4,8 @@
 
 #include "phrame/algebra/ball_log.hpp"
 
+namespace pole_sum_test {
+
 using namespace phrame;
 
 namespace {
@@ -89,3 +91,5 @@ TEST_CASE("pole sum: the turns about poles with one residue may cancel") {
   CHECK_FALSE(sum(-1).turns_vanish({2, 0, 4}, {1}, 0, 3, bits));
   CHECK(sum(1).turns_vanish({1}, residues, 0, 3, bits));
 }
+
+}  // namespace pole_sum_test

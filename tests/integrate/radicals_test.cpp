@@ -13,6 +13,8 @@
 #include "support/data.hpp"
 #include "support/random.hpp"
 
+namespace radicals_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -196,3 +198,5 @@ TEST_CASE("radicals: corpus: every integrand whose poles or residues have a degr
   CHECK(solved > 200);
   CHECK(refused > 10);
 }
+
+}  // namespace radicals_test

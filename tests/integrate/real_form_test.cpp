@@ -8,6 +8,8 @@
 #include "support/random.hpp"
 #include "support/surds.hpp"
 
+namespace real_form_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::norm;
@@ -372,3 +374,5 @@ TEST_CASE("textbook form: law: with its sums it has the derivative f") {
     if (sums.empty()) check_values(f, form);
   });
 }
+
+}  // namespace real_form_test

@@ -11,6 +11,8 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "support/data.hpp"
 
+namespace any_path_test {
+
 using namespace phrame;
 
 namespace {
@@ -247,3 +249,5 @@ TEST_CASE("numbers of more than 20000 bits are refused where they are, but in pr
                  R"("basis": "power", "preimage": {"u": [1e7000], "v": [0], "p": [0], "q": [1]})"))
           .empty());
 }
+
+}  // namespace any_path_test

@@ -9,6 +9,8 @@
 #include "support/random.hpp"
 #include "support/text.hpp"
 
+namespace curve_file_test {
+
 using namespace phrame;
 using test::contains;
 
@@ -440,3 +442,5 @@ TEST_CASE("curve files: law: a spline that is written is read as the same spline
   const NamedPath loop{"", test::closed_loop()};
   CHECK(read_path(write_path(loop)).path == loop.path);
 }
+
+}  // namespace curve_file_test

@@ -4,6 +4,8 @@
 
 #include "phrame/algebra/error.hpp"
 
+namespace endpoint_test {
+
 using namespace phrame;
 
 namespace {
@@ -115,3 +117,5 @@ TEST_CASE("endpoints: a rational function of pi is transcendental, or rational")
   CHECK(refusal("1/(sqrt(2) - sqrt(2))") == "column 3: division by zero: \"(√(…) - √(…))\"");
   CHECK(refusal("e") == "column 1: \"e\" is not a rational number");
 }
+
+}  // namespace endpoint_test

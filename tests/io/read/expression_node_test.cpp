@@ -12,6 +12,8 @@
 #include "phrame/ph/smooth/smooth_angle.hpp"
 #include "support/data.hpp"
 
+namespace expression_node_test {
+
 using namespace phrame;
 
 namespace {
@@ -124,3 +126,5 @@ TEST_CASE("expressions: the examples") {
   const RealBall turns = divide(helix.enclose(80), pi(80), 80);
   CHECK(turns.contains(Rational(-16, 5)));
 }
+
+}  // namespace expression_node_test

@@ -8,6 +8,8 @@
 #include "phrame/io/write/text.hpp"
 #include "support/random.hpp"
 
+namespace expression_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -315,3 +317,5 @@ TEST_CASE(
     CHECK(value(fmt::format("({})/({})", written(p), written(q))) == RationalFunction(p, q));
   });
 }
+
+}  // namespace expression_test

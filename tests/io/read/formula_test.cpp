@@ -4,6 +4,8 @@
 #include "phrame/ph/smooth/formula_evaluation.hpp"
 #include "support/random.hpp"
 
+namespace formula_test {
+
 using namespace phrame;
 
 namespace {
@@ -102,3 +104,5 @@ TEST_CASE("parse_formula: no depth and no length is too much") {
   CHECK(parse_formula(huge).variable.empty());
   CHECK(failure("1e99999").substr(0, 29) == "column 1: the number 1e99999 ");
 }
+
+}  // namespace formula_test

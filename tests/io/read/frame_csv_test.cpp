@@ -14,6 +14,8 @@
 #include "support/data.hpp"
 #include "support/random.hpp"
 
+namespace frame_csv_test {
+
 using namespace phrame;
 
 namespace {
@@ -377,3 +379,5 @@ TEST_CASE("frame table: what is wrong with f3 is not hidden by calling it a posi
   CHECK_FALSE(is_position(2, 0));
   CHECK_FALSE(is_position(0, 1));
 }
+
+}  // namespace frame_csv_test

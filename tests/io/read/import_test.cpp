@@ -10,6 +10,8 @@
 #include "phrame/io/read/any_path.hpp"
 #include "support/data.hpp"
 
+namespace import_test {
+
 using namespace phrame;
 
 namespace {
@@ -181,3 +183,5 @@ TEST_CASE("geomdl: curves as it exports them") {
             .starts_with("/shape/data/1/knotvector: between the knots 0 and 1: it starts at "
                          "(1, 0, 0), but the spline ends at (0, 1, 0)"));
 }
+
+}  // namespace import_test

@@ -7,6 +7,8 @@
 #include "phrame/algebra/error.hpp"
 #include "support/random.hpp"
 
+namespace json_value_test {
+
 using namespace phrame;
 
 namespace {
@@ -200,3 +202,5 @@ TEST_CASE("JSON values: descriptions say what stands there") {
   CHECK(description(parse_json('"' + std::string(100, 'x') + '"')) ==
         "the string \"" + std::string(40, 'x') + "… (100 characters)\"");
 }
+
+}  // namespace json_value_test

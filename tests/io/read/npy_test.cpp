@@ -11,6 +11,8 @@
 #include "phrame/io/read/frame_csv.hpp"
 #include "support/data.hpp"
 
+namespace npy_test {
+
 using namespace phrame;
 
 namespace {
@@ -120,3 +122,5 @@ TEST_CASE("npy: what is not a table of numbers is refused in a line") {
   CHECK(refusal(with("'<f8'", "'<f8 ")).starts_with("header: "));
   CHECK(refusal(with("False", "0    ")).starts_with("header: "));
 }
+
+}  // namespace npy_test

@@ -5,6 +5,8 @@
 
 #include "phrame/algebra/error.hpp"
 
+namespace point_file_test {
+
 using namespace phrame;
 
 namespace {
@@ -138,3 +140,5 @@ TEST_CASE("points: what is wrong is said in a line, with its place") {
         "line 3: 0 is not greater than the parameter before it, 0");
   CHECK(refusal("") == "line 1: a table of numbers is wanted, below the names of its columns");
 }
+
+}  // namespace point_file_test

@@ -5,6 +5,8 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/any_path.hpp"
 
+namespace svg_path_test {
+
 using namespace phrame;
 
 namespace {
@@ -107,3 +109,5 @@ TEST_CASE("what is no path is refused at its line and column") {
         "1:19: an attribute of <path> is expected, name=\"value\"");
   CHECK(refusal("<html></html>") == "1:1: this is no SVG file");
 }
+
+}  // namespace svg_path_test

@@ -3,6 +3,8 @@
 #include "phrame/io/read/endpoint.hpp"
 #include "phrame/io/read/expression.hpp"
 
+namespace unbounded_test {
+
 // Integrals over unbounded intervals with exact values from tables and derivations,
 // tests/data/unbounded.jsonl: each value is decided, with the multiple of π that is recorded.
 
@@ -58,3 +60,5 @@ TEST_CASE("unbounded: every value is known exactly, and is the one in the table"
   }
   CHECK(values == 104);
 }
+
+}  // namespace unbounded_test

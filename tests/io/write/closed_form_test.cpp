@@ -6,6 +6,8 @@
 
 #include "phrame/integrate/integrate.hpp"
 
+namespace closed_form_test {
+
 using namespace phrame;
 
 namespace {
@@ -131,3 +133,5 @@ TEST_CASE("closed form: exact values") {
   CHECK(written({0, 3, {}, {}}, unicode) == "3π");
   CHECK(written({0, Rational(3, 2), {}, {}}, latex) == "\\frac{3\\pi }{2}");
 }
+
+}  // namespace closed_form_test

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace formula_test {
+
 using namespace phrame;
 
 namespace {
@@ -114,3 +116,5 @@ TEST_CASE("formula: polynomials with surds, highest power first") {
   CHECK(formatted(surd_polynomial({Surd(0), Rational(-1, 2) * sum}), Notation::latex) ==
         "-\\frac{\\sqrt{3} + \\sqrt{2}}{2} t");
 }
+
+}  // namespace formula_test

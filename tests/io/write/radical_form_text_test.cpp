@@ -15,8 +15,8 @@ RadicalForm form(const Polynomial& n, const Polynomial& d) {
 }  // namespace
 
 TEST_CASE("radical form text: rational and quadratic poles are written out") {
-  CHECK(to_text({}) == "0");
-  CHECK(to_latex({}) == "0");
+  CHECK(to_text(RadicalForm{}) == "0");
+  CHECK(to_latex(RadicalForm{}) == "0");
   CHECK(to_text(form({1}, {-2, 0, 1})) == "−√2/4·log|t + √2|\n+ √2/4·log|t − √2|");
   CHECK(to_text(form({3, 1}, {1, 1, 1})) ==
         "(3 − 5i√3)/6·log(t + (1 − i√3)/2)\n+ (3 + 5i√3)/6·log(t + (1 + i√3)/2)");

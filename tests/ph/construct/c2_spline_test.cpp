@@ -11,6 +11,8 @@
 #include "phrame/ph/curve/arc_length.hpp"
 #include "support/hermite.hpp"
 
+namespace c2_spline_test {
+
 using namespace phrame;
 using test::is_within;
 using test::Motion;
@@ -433,3 +435,5 @@ TEST_CASE("is_c2: not of C1 splines") {
   CHECK(is_c2(joined(all), false));
   CHECK_FALSE(is_c2(joined(all), true));
 }
+
+}  // namespace c2_spline_test

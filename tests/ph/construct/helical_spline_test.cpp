@@ -10,6 +10,8 @@
 #include "phrame/ph/proof/classify.hpp"
 #include "support/hermite.hpp"
 
+namespace helical_spline_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::one_segment;
@@ -298,3 +300,5 @@ TEST_CASE("helical: what is not in a plane of ℍ is not called so") {
       {1, 2, 0, 1}, {3, 3, Rational(1, 2), 1}, {2, 1, Rational(1, 2), parse_rational("1e-30")}});
   CHECK_FALSE(is_helical(Path(Curve(other))));
 }
+
+}  // namespace helical_spline_test

@@ -10,6 +10,8 @@
 #include "support/curves.hpp"
 #include "support/random.hpp"
 
+namespace near_test {
+
 using namespace phrame;
 using namespace phrame::test;
 
@@ -313,3 +315,5 @@ TEST_CASE("near: what cannot be is an error") {
   const Vector<Polynomial> high{Polynomial::monomial(1, max_near_degree), {1}, {}};
   CHECK_THROWS_AS(near_curve(high, {}, 1), DomainError);
 }
+
+}  // namespace near_test

@@ -8,6 +8,8 @@
 #include "phrame/ph/frame/path_totals.hpp"
 #include "support/random.hpp"
 
+namespace plane_quintics_test {
+
 using namespace phrame;
 
 namespace {
@@ -56,3 +58,5 @@ TEST_CASE("plane quintics: data outside the plane are refused by their place") {
       plane_quintics(data, 1, tolerance),
       "the derivative at point 2 has z = 1/3, but a plane curve is wanted, in z = 0", DomainError);
 }
+
+}  // namespace plane_quintics_test

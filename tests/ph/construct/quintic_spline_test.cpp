@@ -11,6 +11,8 @@
 #include "phrame/ph/frame/totals.hpp"
 #include "support/hermite.hpp"
 
+namespace quintic_spline_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::is_within;
@@ -360,3 +362,5 @@ TEST_CASE("quintic spline: points on straight lines are met exactly, too") {
     CHECK(evaluate(position(segments.back()), 1) == data.points.back());
   }
 }
+
+}  // namespace quintic_spline_test

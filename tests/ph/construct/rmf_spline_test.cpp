@@ -12,6 +12,8 @@
 #include "phrame/ph/frame/rational_frame.hpp"
 #include "support/hermite.hpp"
 
+namespace rmf_spline_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::one_segment;
@@ -257,3 +259,5 @@ TEST_CASE("RMF splines: closed ones in a plane, and along parallels at the end")
   // A loop alone.
   check(closed({{0, 0, 0}, {0, 0, 0}}, {{1, 2, 3}, {1, 2, 3}}));
 }
+
+}  // namespace rmf_spline_test

@@ -8,6 +8,8 @@
 #include "phrame/ph/proof/classify.hpp"
 #include "support/hermite.hpp"
 
+namespace rrmf_spline_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::one_segment;
@@ -167,3 +169,5 @@ TEST_CASE("RRMF quintics: adverse data have a curve or a line that says why not"
                   power_of_ten(e) * vector("1", "0.2", "0"))
               .empty());
 }
+
+}  // namespace rrmf_spline_test

@@ -9,6 +9,8 @@
 #include "support/paths.hpp"
 #include "support/random.hpp"
 
+namespace travel_time_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::quintic;
@@ -244,3 +246,5 @@ TEST_CASE("travel time: law: pieces take the time of the whole") {
     CHECK(round_to_double(t) == round_to_double(whole.at_time(at).parameter));
   });
 }
+
+}  // namespace travel_time_test

@@ -7,6 +7,8 @@
 #include "support/curves.hpp"
 #include "support/random.hpp"
 
+namespace frame_check_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::quintic;
@@ -373,3 +375,5 @@ TEST_CASE("frame check: a known error is found") {
     CHECK(verdict.max_error.lower() <= verdict.max_error.upper());
   });
 }
+
+}  // namespace frame_check_test

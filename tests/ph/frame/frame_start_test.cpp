@@ -8,6 +8,8 @@
 #include "support/paths.hpp"
 #include "support/random.hpp"
 
+namespace frame_start_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -162,3 +164,5 @@ TEST_CASE("frame start: of a spline it is that of the first segment") {
   CHECK(digits(PathAngle(pieces).value(3, start_angle(normal, pieces)), 40) ==
         digits(PathAngle(whole).value(1, start_angle(normal, whole)), 40));
 }
+
+}  // namespace frame_start_test

@@ -5,6 +5,8 @@
 #include "support/curves.hpp"
 #include "support/random.hpp"
 
+namespace frame_test {
+
 using namespace phrame;
 using test::class_one;
 using test::for_samples;
@@ -199,3 +201,5 @@ TEST_CASE("frame: doubles are the exact components, rounded") {
     CHECK(error <= parse_rational("0x1p-54"));
   }
 }
+
+}  // namespace frame_test

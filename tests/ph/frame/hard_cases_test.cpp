@@ -14,6 +14,8 @@
 #include "support/data.hpp"
 #include "support/random.hpp"
 
+namespace hard_cases_test {
+
 using namespace phrame;
 
 namespace {
@@ -113,3 +115,5 @@ TEST_CASE("hard cases: tables of frames have the same doubles") {
     CHECK(bits(table.rows[0][k]) == bits(hard.value));
   }
 }
+
+}  // namespace hard_cases_test

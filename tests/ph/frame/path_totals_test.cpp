@@ -6,6 +6,8 @@
 #include "support/paths.hpp"
 #include "support/random.hpp"
 
+namespace path_totals_test {
+
 using namespace phrame;
 using test::chain;
 using test::cut;
@@ -137,3 +139,5 @@ TEST_CASE("path totals: law: pieces of random curves have the totals of the whol
     if (whole.index() == 0) check_equal(finite(energy), std::get<Total>(whole).value);
   });
 }
+
+}  // namespace path_totals_test

@@ -11,6 +11,8 @@
 #include "support/curves.hpp"
 #include "support/random.hpp"
 
+namespace totals_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::quintic;
@@ -264,3 +266,5 @@ TEST_CASE("totals: law: the antiderivatives are those that the integrator finds 
       CHECK(total->antiderivative == integrate(total->rate));
   });
 }
+
+}  // namespace totals_test

@@ -3,6 +3,8 @@
 #include "phrame/io/read/formula.hpp"
 #include "support/random.hpp"
 
+namespace formula_evaluation_test {
+
 using namespace phrame;
 
 namespace {
@@ -92,3 +94,5 @@ TEST_CASE("formula evaluation: across a branch cut nothing is finite") {
   const ComplexBall two_i(around, RealBall(2, bits));
   CHECK_FALSE(complex_series("atan(s)", two_i, 2).coefficient(1).re().is_finite());
 }
+
+}  // namespace formula_evaluation_test

@@ -7,6 +7,8 @@
 #include "phrame/ph/twist/minimal_twist.hpp"
 #include "support/curves.hpp"
 
+namespace smooth_twist_test {
+
 using namespace phrame;
 
 namespace {
@@ -74,3 +76,5 @@ TEST_CASE("smooth twist: half a turn in a plane, and what has no angle") {
   CHECK_THROWS_AS(SmoothTwist(SmoothAngle(loop, SmoothReference::frenet), Angle(), Angle()),
                   DomainError);
 }
+
+}  // namespace smooth_twist_test

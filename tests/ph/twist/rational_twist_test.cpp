@@ -16,6 +16,8 @@
 #include "support/farouki_moon.hpp"
 #include "support/random.hpp"
 
+namespace rational_twist_test {
+
 using namespace phrame;
 using nlohmann::json;
 using test::curve_of;
@@ -593,3 +595,5 @@ TEST_CASE("rational twist: what is refused") {
   whole.whole_turns = 1;
   CHECK_THROWS_AS(best_twist(whole, {1, EndRates::free, false, 60}), DomainError);
 }
+
+}  // namespace rational_twist_test

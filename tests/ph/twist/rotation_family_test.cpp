@@ -4,6 +4,8 @@
 #include "support/curves.hpp"
 #include "support/random.hpp"
 
+namespace rotation_family_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::quintic;
@@ -85,3 +87,5 @@ TEST_CASE("rotation family: degrees that cannot do what is asked") {
   CHECK_THROWS_AS(rotation_family(piece, 0, EndRates::free, bits), DomainError);
   CHECK_THROWS_AS(rotation_family(piece, 1, EndRates::matched, bits), DomainError);
 }
+
+}  // namespace rotation_family_test

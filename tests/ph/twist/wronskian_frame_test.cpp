@@ -8,6 +8,8 @@
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/twist/frame_angle_error.hpp"
 
+namespace wronskian_frame_test {
+
 using namespace phrame;
 
 namespace {
@@ -221,3 +223,5 @@ TEST_CASE("wronskian frame: a best pair with a common zero is told") {
   CHECK(WronskianFrame(curve, FrameWeight::one).common_zero() == Rational(0));
   CHECK_FALSE(WronskianFrame(paper, FrameWeight::one).common_zero().has_value());
 }
+
+}  // namespace wronskian_frame_test

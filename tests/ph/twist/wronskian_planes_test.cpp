@@ -7,6 +7,8 @@
 #include "phrame/algebra/rounding.hpp"
 #include "support/random.hpp"
 
+namespace wronskian_planes_test {
+
 using namespace phrame;
 using test::for_samples;
 using test::Random;
@@ -163,3 +165,5 @@ TEST_CASE("wronskian planes: what has none is refused") {
   CHECK_THROWS_WITH_AS(wronskian_planes({0, 0, 0, 1}, 2),
                        "wronskian_planes: its degree is 3, at most 2 is possible", DomainError);
 }
+
+}  // namespace wronskian_planes_test
