@@ -1,7 +1,10 @@
-// Curves that need not be Pythagorean: an angle to so many digits, all found anew, and a table.
+// Curves that need not be Pythagorean: an angle to so many digits, all found anew, and tables of
+// frames, certified and compiled.
 #include <benchmark/benchmark.h>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/io/read/formula.hpp"
+#include "phrame/ph/smooth/compiled_smooth.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
 #include "phrame/ph/smooth/smooth_length.hpp"
 
@@ -35,9 +38,22 @@ void smooth_angle(State& state) {
   }
 }
 
+/// (2 + cos 3s)(cos 2s, sin 2s), sin 3s.
+SmoothPath trefoil() {
+  const auto f = [](const char* text) { return parse_formula(text, "s").value; };
+  return SmoothPath(
+      ExpressionCurve({f("(2 + cos(3*s))*cos(2*s)"), f("(2 + cos(3*s))*sin(2*s)"), f("sin(3*s)")},
+                      f("0"), f("2*pi")));
+}
+
+/// Of degree range(0), or by formulas for 0.
+SmoothPath path_of(const State& state) {
+  return state.range(0) == 0 ? trefoil() : bezier_path(state.range(0));
+}
+
 /// 1001 rotation-minimizing frames in doubles.
 void smooth_frames(State& state) {
-  const SmoothPath path = bezier_path(state.range(0));
+  const SmoothPath path = path_of(state);
   for (auto _ : state) {
     const SmoothAngle angle(path);
     for (long k = 0; k <= 1000; ++k) {
@@ -45,6 +61,23 @@ void smooth_frames(State& state) {
       benchmark::DoNotOptimize(round_to_double(frame.e2));
       benchmark::DoNotOptimize(round_to_double(frame.e3));
     }
+  }
+}
+
+/// The proved polynomials of the frame.
+void smooth_compile(State& state) {
+  const SmoothPath path = path_of(state);
+  for (auto _ : state) benchmark::DoNotOptimize(compile_frames(SmoothAngle(path)));
+}
+
+/// One frame by these, at scattered t.
+void smooth_compiled_frame(State& state) {
+  const CompiledFrames frames = compile_frames(SmoothAngle(path_of(state)));
+  double t = 0;
+  for (auto _ : state) {
+    t += 0.6180339887498949;
+    if (t >= 1) t -= 1;
+    benchmark::DoNotOptimize(frames(t));
   }
 }
 
@@ -60,7 +93,9 @@ BENCHMARK(smooth_angle)
     ->ArgsProduct({{3, 9}, {17, 50}})
     ->ArgNames({"degree", "digits"})
     ->Unit(benchmark::kMillisecond);
-BENCHMARK(smooth_frames)->Arg(3)->Unit(benchmark::kMillisecond);
+BENCHMARK(smooth_frames)->Arg(3)->Arg(9)->Arg(0)->Unit(benchmark::kMillisecond);
+BENCHMARK(smooth_compile)->Arg(3)->Arg(9)->Arg(0)->Unit(benchmark::kMillisecond);
+BENCHMARK(smooth_compiled_frame)->Arg(3)->Arg(0);
 BENCHMARK(smooth_length)->Arg(3)->Arg(9)->Unit(benchmark::kMillisecond);
 
 }  // namespace phrame::bench
