@@ -1,5 +1,7 @@
 #include "phrame/algebra/ball_series.hpp"
 
+#include <algorithm>
+
 namespace phrame {
 namespace {
 
@@ -16,6 +18,21 @@ BallPolynomial multiply_series(const BallPolynomial& p, const BallPolynomial& q,
   BallPolynomial product;
   arb_poly_mullow(product.raw(), p.raw(), q.raw(), length, bits);
   return product;
+}
+
+RealBall coefficient_of_product(const BallPolynomial& p, const BallPolynomial& q, long n,
+                                long bits) {
+  const long low = std::max(0L, n - q.degree_bound());
+  const long high = std::min(n, p.degree_bound());
+  RealBall sum;
+  if (low <= high)
+    arb_dot(sum.raw(), nullptr, 0, p.raw()->coeffs + low, 1, q.raw()->coeffs + (n - low), -1,
+            high - low + 1, bits);
+  return sum;
+}
+
+void set_coefficient(BallPolynomial& p, long k, const RealBall& c) {
+  arb_poly_set_coeff_arb(p.raw(), k, c.raw());
 }
 
 BallPolynomial divide_series(const BallPolynomial& p, const BallPolynomial& q, long length,

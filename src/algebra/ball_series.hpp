@@ -9,6 +9,11 @@ namespace phrame {
 /// p·q.
 BallPolynomial multiply_series(const BallPolynomial& p, const BallPolynomial& q, long length,
                                long bits);
+/// Σ pⱼ·q_{n−j}, the coefficient of tⁿ in p·q, rounded once.
+RealBall coefficient_of_product(const BallPolynomial& p, const BallPolynomial& q, long n,
+                                long bits);
+/// Makes c the coefficient of tᵏ.
+void set_coefficient(BallPolynomial& p, long k, const RealBall& c);
 /// p/q; the coefficients are not finite where q(0) is not kept from 0.
 BallPolynomial divide_series(const BallPolynomial& p, const BallPolynomial& q, long length,
                              long bits);

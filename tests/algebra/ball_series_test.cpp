@@ -92,4 +92,19 @@ TEST_CASE("ball series: no coefficient of a logarithm or root of what may be 0 i
   }
 }
 
+TEST_CASE("ball series: one coefficient of a product") {
+  const BallPolynomial p(Polynomial{1, 2, 3}, 64);
+  const BallPolynomial q(Polynomial{5, 7, 11, 13}, 64);  // 5 + 17t + 40t² + 56t³ + 59t⁴ + 39t⁵
+  CHECK(coefficient_of_product(p, q, 0, 64).contains(5));
+  CHECK(coefficient_of_product(p, q, 3, 64).contains(56));
+  CHECK(coefficient_of_product(q, p, 4, 64).contains(59));
+  CHECK(coefficient_of_product(p, q, 5, 64).contains(39));
+  CHECK(coefficient_of_product(p, q, 6, 64).is_zero());
+  CHECK(coefficient_of_product(p, {}, 2, 64).is_zero());
+  BallPolynomial r = p;
+  set_coefficient(r, 4, RealBall(9, 64));
+  CHECK(r.degree_bound() == 4);
+  CHECK(r.coefficient(4).contains(9));
+}
+
 }  // namespace ball_series_test

@@ -11,18 +11,25 @@
 namespace phrame {
 namespace {
 
-constexpr long piece_terms = 64;  ///< what is left out is about 4^(−terms)
-constexpr long piece_bits = 384;  ///< of the series; the recurrence loses some at each step
+// A polynomial of degree 16 is near enough where the nearest singularity is at |y| > 24 or so. So z
+// = y/2, and what is bounded on |z| ≤ 4 has a Taylor series in y with coefficients like 8^(−k).
+constexpr long wide_bits = 1;     ///< y = 2^wide_bits·z
+constexpr long piece_terms = 40;  ///< what is left out is about 8^(−terms)
+constexpr long piece_bits = 256;  ///< of the series; the recurrence loses some at each step
 
-/// The curve around the middle of a piece, by its y.
+/// The curve around the middle of a piece, by z.
 std::optional<CurveJet> jet_of(const ExpressionCurve& curve, const PolynomialPiece& piece) {
   const Rational middle = exact_rational(piece.center) - exact_rational(piece.origin);
-  return curve_jet(curve, middle, 1 / exact_rational(piece.scale), piece_terms, piece_bits);
+  const Rational half = power_of_two(wide_bits) / exact_rational(piece.scale);
+  return curve_jet(curve, middle, half, piece_terms, piece_bits);
 }
 
-/// bound·4^(−terms)·Σ 4⁻ᵏ, not rounded down.
+/// A series in z as one in y.
+BallPolynomial by_y(const BallPolynomial& p) { return stretched(p, -wide_bits); }
+
+/// bound·8^(−terms)·Σ 8⁻ᵏ, not rounded down.
 RealBall tail(const RealBall& bound) {
-  return times_power_of_two(multiply(bound, RealBall(2, 64), 64), -2 * piece_terms);
+  return times_power_of_two(multiply(bound, RealBall(2, 64), 64), -(2 + wide_bits) * piece_terms);
 }
 
 /// At least |f| on |z| ≤ 4, as the greatest number of the ball.
@@ -40,7 +47,7 @@ std::optional<PolynomialPiece> formula_angle_piece(
   const DiscProduct rate = y(*jet);
   const auto bound = bound_on_inner_disc(rate);
   if (!bound) return std::nullopt;
-  const BallPolynomial from_center = antiderivative(series(rate), piece_bits);
+  const BallPolynomial from_center = by_y(antiderivative(series(rate), piece_bits));
   const auto remainder_of = [&](const BallPolynomial& p) {
     return add(variation(subtract(p, from_center, piece_bits), piece_bits), tail(*bound),
                angle_bits);
@@ -67,9 +74,10 @@ std::optional<PolynomialPiece> formula_rotation_piece(
   if (!(exponent < 64)) return std::nullopt;
   const RealBall growth = pow(RealBall(3, 64), static_cast<long>(std::ceil(exponent)), 64);
 
-  const QuaternionSeries series = rotation_series(at_center(piece->center, piece_bits),
-                                                  {turn[0].series, turn[1].series, turn[2].series},
-                                                  twice_sigma.series, piece_terms, piece_bits);
+  QuaternionSeries series = rotation_series(at_center(piece->center, piece_bits),
+                                            {turn[0].series, turn[1].series, turn[2].series},
+                                            twice_sigma.series, piece_terms, piece_bits);
+  for (BallPolynomial& component : series) component = by_y(component);
   const auto remainder_of = [&](const QuaternionSeries& exact) {
     RealBall sum = tail(growth);
     for (std::size_t k = 0; k < 4; ++k)

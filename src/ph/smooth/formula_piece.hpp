@@ -7,8 +7,8 @@
 namespace phrame {
 
 // Pieces of what is compiled along a curve by formulas: Taylor polynomials, with Cauchy's bounds on
-// the disc of four times the size of the piece for what they leave out. t is counted from the joint
-// `origin`. No value where [low, high] is to be divided.
+// the disc of eight times the size of the piece, |z| ≤ 4, for what they leave out. t is counted
+// from the joint `origin`. No value where [low, high] is to be divided.
 
 /// θ with θ′ = y, from balls around θ(center).
 std::optional<PolynomialPiece> formula_angle_piece(

@@ -1,24 +1,29 @@
 #include "phrame/ph/smooth/rotation_series.hpp"
 
+#include "phrame/algebra/ball_series.hpp"
+
 namespace phrame {
 namespace {
 
-/// w·x, quaternions.
-std::array<RealBall, 4> turned_by(const std::array<RealBall, 3>& w,
-                                  const std::array<RealBall, 4>& x, long bits) {
-  const auto sum = [&](std::size_t i, int sign_i, std::size_t j, int sign_j, std::size_t k,
-                       int sign_k) {
-    RealBall value;
-    const std::array<std::pair<std::size_t, int>, 3> terms{
-        std::pair{i, sign_i}, {j, sign_j}, {k, sign_k}};
-    for (std::size_t n = 0; n < 3; ++n) {
-      const RealBall term = multiply(w[n], x[terms[n].first], bits);
-      value = terms[n].second > 0 ? add(value, term, bits) : subtract(value, term, bits);
-    }
-    return value;
+/// The coefficient of yⁿ in w·b, quaternions.
+std::array<RealBall, 4> turned_by(const Vector<BallPolynomial>& w, const QuaternionSeries& b,
+                                  long n, long bits) {
+  const auto product = [&](std::size_t i, std::size_t k) {
+    return coefficient_of_product(w[i], b[k], n, bits);
   };
-  return {sum(1, -1, 2, -1, 3, -1), sum(0, 1, 3, 1, 2, -1), sum(3, -1, 0, 1, 1, 1),
-          sum(2, 1, 1, -1, 0, 1)};
+  const auto plus = [bits](const RealBall& x, const RealBall& y) { return add(x, y, bits); };
+  const auto minus = [bits](const RealBall& x, const RealBall& y) { return subtract(x, y, bits); };
+  return {minus({}, plus(product(0, 1), plus(product(1, 2), product(2, 3)))),
+          plus(product(0, 0), minus(product(1, 3), product(2, 2))),
+          plus(minus(product(1, 0), product(0, 3)), product(2, 1)),
+          plus(minus(product(0, 2), product(1, 1)), product(2, 0))};
+}
+
+/// p without its constant coefficient, over y.
+BallPolynomial without_constant(const BallPolynomial& p) {
+  std::vector<RealBall> rest;
+  for (long k = 1; k <= p.degree_bound(); ++k) rest.push_back(p.coefficient(k));
+  return BallPolynomial(rest);
 }
 
 }  // namespace
@@ -26,30 +31,23 @@ std::array<RealBall, 4> turned_by(const std::array<RealBall, 3>& w,
 QuaternionSeries rotation_series(const std::array<RealBall, 4>& at_zero,
                                  const Vector<BallPolynomial>& w, const BallPolynomial& sigma,
                                  long length, long bits) {
-  std::vector<std::array<RealBall, 4>> b{at_zero};
+  const BallPolynomial rest = without_constant(sigma);
+  QuaternionSeries b;
+  QuaternionSeries y_slope;  // yB′
+  for (std::size_t k = 0; k < 4; ++k) set_coefficient(b[k], 0, at_zero[k]);
   for (long n = 0; n + 1 < length; ++n) {
-    std::array<RealBall, 4> next{};
-    for (long j = 0; j <= n; ++j) {
-      const auto turn = turned_by({w[0].coefficient(j), w[1].coefficient(j), w[2].coefficient(j)},
-                                  b[static_cast<std::size_t>(n - j)], bits);
-      const RealBall weight = multiply(RealBall(n - j, bits), sigma.coefficient(j + 1), bits);
-      for (std::size_t k = 0; k < 4; ++k) {
-        next[k] = add(next[k], turn[k], bits);
-        next[k] =
-            subtract(next[k], multiply(weight, b[static_cast<std::size_t>(n - j)][k], bits), bits);
-      }
+    const auto turn = turned_by(w, b, n, bits);
+    const RealBall count(n + 1, bits);
+    const RealBall over = multiply(count, sigma.coefficient(0), bits);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const RealBall sum =
+          subtract(turn[k], coefficient_of_product(rest, y_slope[k], n, bits), bits);
+      const RealBall next = divide(sum, over, bits);
+      set_coefficient(b[k], n + 1, next);
+      set_coefficient(y_slope[k], n + 1, multiply(count, next, bits));
     }
-    const RealBall over = multiply(RealBall(n + 1, bits), sigma.coefficient(0), bits);
-    for (RealBall& x : next) x = divide(x, over, bits);
-    b.push_back(next);
   }
-  QuaternionSeries series;
-  for (std::size_t k = 0; k < 4; ++k) {
-    std::vector<RealBall> coefficients;
-    for (const auto& of_y : b) coefficients.push_back(of_y[k]);
-    series[k] = BallPolynomial(coefficients);
-  }
-  return series;
+  return b;
 }
 
 }  // namespace phrame
