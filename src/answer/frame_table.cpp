@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/answer/orientation_columns.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/frame/algebraic_frame.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
@@ -18,30 +19,8 @@
 namespace phrame {
 namespace {
 
-void add_columns(std::vector<std::string>& columns, std::string_view vector) {
-  for (const char* axis : {"x", "y", "z"}) columns.push_back(fmt::format("{}{}", vector, axis));
-}
-
 void add_values(std::vector<double>& row, const Vector<double>& values) {
   row.insert(row.end(), values.begin(), values.end());
-}
-
-std::pair<const char*, const char*> vector_names(TabulatedFrame frame) {
-  switch (frame) {
-    case TabulatedFrame::rmf:
-      return {"f2", "f3"};
-    case TabulatedFrame::euler_rodrigues:
-      return {"e2", "e3"};
-    case TabulatedFrame::frenet:
-      return {"n", "b"};
-    case TabulatedFrame::up:
-      return {"up2", "up3"};
-    case TabulatedFrame::mtf:
-      return {"mtf2", "mtf3"};
-    case TabulatedFrame::exact_mtf:
-      return {"exact_mtf2", "exact_mtf3"};
-  }
-  return {"", ""};
 }
 
 [[noreturn]] void throw_no_up() {
@@ -137,6 +116,7 @@ class Rows {
   Rows(const Path& path, const TableColumns& columns)
       : spline_(path),
         columns_(columns),
+        orientations_(columns),
         start_(reduced(start_angle(columns.start, path))),
         segments_(path.segments().size()) {}
 
@@ -158,6 +138,7 @@ class Rows {
 
   const Path& spline_;
   const TableColumns& columns_;
+  OrientationColumns orientations_;
   FrameAngle start_;  ///< of the rotation-minimizing frame
   std::vector<std::unique_ptr<Segment>> segments_;
   std::optional<PathLength> length_;
@@ -205,7 +186,7 @@ void Rows::expect(const std::vector<PathPoint>& points) {
   const std::size_t many =
       1000 + 20 * static_cast<std::size_t>(preimage_degree(spline_.segments().front()));
   const auto& frames = columns_.frames;
-  if (points.size() < many || segments_.size() > 1 ||
+  if (points.size() < many || segments_.size() > 1 || columns_.have_quaternions ||
       std::find(frames.begin(), frames.end(), TabulatedFrame::rmf) == frames.end())
     return;
   std::vector<double> at;
@@ -239,17 +220,6 @@ std::vector<double> Rows::at(const PathPoint& point) {
   return row;
 }
 
-template <class AnyFrame>
-void add_normals(std::vector<double>& row, const AnyFrame& frame) {
-  add_values(row, round_to_double(frame.e2));
-  add_values(row, round_to_double(frame.e3));
-}
-
-void add_normals(std::vector<double>& row, const Frame<double>& frame) {
-  add_values(row, frame.e2);
-  add_values(row, frame.e3);
-}
-
 void Rows::add_rational(std::vector<double>& row, const PathParameter& at) {
   const Segment& here = segment(at.segment);
   std::optional<Frame<Rational>> known_erf;
@@ -265,23 +235,26 @@ void Rows::add_rational(std::vector<double>& row, const PathParameter& at) {
     switch (frame) {
       case TabulatedFrame::rmf:
         if (compiled_rmf)
-          add_normals(row, *compiled_rmf);
+          orientations_.add(row, *compiled_rmf);
         else
-          add_normals(row, rotation_minimizing(erf(), at));
+          orientations_.add(row, frame, rotation_minimizing(erf(), at));
         break;
       case TabulatedFrame::euler_rodrigues:
-        add_normals(row, erf());
+        orientations_.add(row, frame, as_real(erf()));
         break;
       case TabulatedFrame::frenet:
-        add_where_defined(row, 6, [&] { add_normals(row, here.frames.frenet(at.t)); });
+        add_where_defined(row, orientations_.width(),
+                          [&] { orientations_.add(row, frame, here.frames.frenet(at.t)); });
         break;
       case TabulatedFrame::up:
         throw_no_up();
       case TabulatedFrame::mtf:
-        add_normals(row, turned(as_real(erf()), value(*columns_.mtf, Real(parameter(at)))));
+        orientations_.add(row, frame,
+                          turned(as_real(erf()), value(*columns_.mtf, Real(parameter(at)))));
         break;
       case TabulatedFrame::exact_mtf:
-        add_normals(row, turned(as_real(erf()), columns_.exact_mtf->value(parameter(at))));
+        orientations_.add(row, frame,
+                          turned(as_real(erf()), columns_.exact_mtf->value(parameter(at))));
         break;
     }
   }
@@ -303,21 +276,23 @@ void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
   for (const TabulatedFrame frame : columns_.frames) {
     switch (frame) {
       case TabulatedFrame::rmf:
-        add_normals(row, turned(erf, rmf_angle() + to_real(start_)));
+        orientations_.add(row, frame, turned(erf, rmf_angle() + to_real(start_)));
         break;
       case TabulatedFrame::euler_rodrigues:
-        add_normals(row, erf);
+        orientations_.add(row, frame, erf);
         break;
       case TabulatedFrame::frenet:
-        add_where_defined(row, 6, [&] { add_normals(row, here.algebraic->frenet(t)); });
+        add_where_defined(row, orientations_.width(),
+                          [&] { orientations_.add(row, frame, here.algebraic->frenet(t)); });
         break;
       case TabulatedFrame::up:
         throw_no_up();
       case TabulatedFrame::mtf:
-        add_normals(row, turned(erf, value(*columns_.mtf, real_parameter(point))));
+        orientations_.add(row, frame, turned(erf, value(*columns_.mtf, real_parameter(point))));
         break;
       case TabulatedFrame::exact_mtf:
-        add_normals(row, turned(erf, columns_.exact_mtf->value(arc_length(), rmf_angle())));
+        orientations_.add(row, frame,
+                          turned(erf, columns_.exact_mtf->value(arc_length(), rmf_angle())));
         break;
     }
   }
@@ -326,13 +301,8 @@ void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
 }  // namespace
 
 std::vector<std::string> names_of(const TableColumns& columns) {
-  std::vector<std::string> names{"t", "x", "y", "z"};
-  add_columns(names, "e1");
-  for (const TabulatedFrame frame : columns.frames) {
-    const auto [second, third] = vector_names(frame);
-    add_columns(names, second);
-    add_columns(names, third);
-  }
+  std::vector<std::string> names{"t", "x", "y", "z", "e1x", "e1y", "e1z"};
+  for (const TabulatedFrame frame : columns.frames) add_names(names, frame, columns);
   for (const TabulatedScalar kind : columns.scalars) names.emplace_back(name_of(kind));
   return names;
 }

@@ -37,6 +37,14 @@ struct TableColumns {
   FrameStart start = {};
   /// Is a cell whose number is undefined left empty? Else it is an error.
   bool may_be_empty = false;
+  /// Is there each frame as a unit quaternion (x, y, z, w), too, scalar last? Of the two that turn
+  /// i, j, k into it, the one whose numbers have a scalar product > 0 with those of the row before;
+  /// in the first row, and where that is 0, the one where the last that is not 0 of x, y, z, w is
+  /// > 0.
+  bool have_quaternions = false;
+  /// Is there each frame as a matrix, too? Its columns are the vectors of the frame and r, with (0,
+  /// 0, 0, 1) below; its rows follow one another.
+  bool have_matrices = false;
 };
 
 /// Numbers with a name for each column; all of them correctly rounded. NaN is an empty cell.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/answer/orientation_columns.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
 #include "phrame/ph/smooth/smooth_length.hpp"
 #include "phrame/ph/smooth/smooth_shape.hpp"
@@ -36,6 +37,7 @@ class SmoothRows {
   SmoothRows(const SmoothAngle& angle, const TableColumns& columns,
              const std::optional<SmoothTwist>& twist)
       : columns_(columns),
+        orientations_(columns),
         angle_(angle),
         twist_(twist),
         start_(start_angle(columns.start, angle_)) {}
@@ -50,6 +52,7 @@ class SmoothRows {
   Real scalar(TabulatedScalar kind, const SmoothParameter& at);
 
   const TableColumns& columns_;
+  OrientationColumns orientations_;
   SmoothAngle angle_;
   const std::optional<SmoothTwist>& twist_;
   std::optional<SmoothLength> length_;
@@ -100,11 +103,8 @@ std::vector<double> SmoothRows::at(const SmoothParameter& at) {
   add_rounded(row, position(angle_.path(), at));
   add_rounded(row, up_frame(angle_.path(), angle_.up(), at).e1);
   for (const TabulatedFrame kind : columns_.frames)
-    add_if_defined(row, 6, [&] {
-      const Frame<Real> found = frame(kind, at);
-      add_rounded(row, found.e2);
-      add_rounded(row, found.e3);
-    });
+    add_if_defined(row, orientations_.width(),
+                   [&] { orientations_.add(row, kind, frame(kind, at)); });
   for (const TabulatedScalar kind : columns_.scalars)
     add_if_defined(row, 1, [&] { row.push_back(round_to_double(scalar(kind, at))); });
   return row;

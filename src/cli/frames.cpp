@@ -79,13 +79,19 @@ TableColumns columns(const FramesOptions& options) {
                                                      {"up", TabulatedFrame::up},
                                                      {"mtf", TabulatedFrame::mtf},
                                                      {"mtf-exact", TabulatedFrame::exact_mtf}}));
-  for (const std::string& name : split(options.scalars))
-    columns.scalars.push_back(
-        choose<TabulatedScalar>("--columns", name,
-                                {{"s", TabulatedScalar::arc_length},
-                                 {"curvature", TabulatedScalar::curvature},
-                                 {"torsion", TabulatedScalar::torsion},
-                                 {"frenet_rate", TabulatedScalar::frenet_rate}}));
+  for (const std::string& name : split(options.scalars)) {
+    const auto scalar =
+        choose<std::optional<TabulatedScalar>>("--columns", name,
+                                               {{"s", TabulatedScalar::arc_length},
+                                                {"curvature", TabulatedScalar::curvature},
+                                                {"torsion", TabulatedScalar::torsion},
+                                                {"frenet_rate", TabulatedScalar::frenet_rate},
+                                                {"quaternion", std::nullopt},
+                                                {"matrix", std::nullopt}});
+    if (scalar) columns.scalars.push_back(*scalar);
+    columns.have_quaternions = columns.have_quaternions || name == "quaternion";
+    columns.have_matrices = columns.have_matrices || name == "matrix";
+  }
   return columns;
 }
 
@@ -185,8 +191,11 @@ void add_frames(Program& program) {
       "any of rmf (rotation-minimizing, default: f2, f3), erf (Euler-Rodrigues:\n"
       "e2, e3), frenet (n, b), up (of a fixed vector), mtf and mtf-exact (of minimal\n"
       "twist: rational, or at a constant rate; --from and --to are needed)");
-  command.add_choices("--columns", options->scalars, {"s", "curvature", "torsion", "frenet_rate"},
-                      "any of s (arc length), curvature, torsion and frenet_rate");
+  command.add_choices(
+      "--columns", options->scalars,
+      {"s", "curvature", "torsion", "frenet_rate", "quaternion", "matrix"},
+      "any of s (arc length), curvature, torsion and frenet_rate; and of each frame\n"
+      "quaternion (x, y, z, w) and matrix (4 x 4, by rows)");
   command.add_choice("--by", options->by, {"t", "arc-length"},
                      "t (default), or arc-length: --at and --samples mean arc lengths from t = 0");
   options->start.add_to(command, "e2", "default 0");
@@ -210,6 +219,8 @@ void add_frames(Program& program) {
       "--by arc-length evaluates at the exact t of each arc length; column t is that t, rounded.\n"
       "The RMF turns at the rate curvature, the Frenet frame at frenet_rate = sqrt(curvature^2 +\n"
       "torsion^2), per unit of arc length.\n"
+      "A matrix has the columns e1, two vectors of the frame and x, y, z. A quaternion turns the\n"
+      "axes into the frame; of the two that do, it is the one nearer to that of the row before.\n"
       "A curve of any kind, as a Bezier curve or a NURBS, has rmf, up, frenet and mtf-exact, and\n"
       "all columns.\n"
       "A spline of n segments has t from 0 to n; at a joint, n, b and curvatures are\n"
@@ -218,6 +229,7 @@ void add_frames(Program& program) {
       "  phrame frames curve.json --samples 101 -o frames.csv\n"
       "  phrame frames curve.json --by arc-length --samples 101 --columns s,curvature\n"
       "  phrame frames curve.json --frame rmf,frenet --samples 1001 --format npy -o frames.npy\n"
+      "  phrame frames curve.json --samples 101 --columns quaternion -o poses.csv\n"
       "  phrame frames curve.json --frame mtf --from pi/8 --to -pi/2 --samples 101");
   command.does([options] { run(*options); });
 }

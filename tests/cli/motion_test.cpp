@@ -54,14 +54,30 @@ TEST_CASE("frames: --columns: curvature, torsion and the rate of the Frenet fram
   CHECK(json["rows"][0].size() == 15);
 }
 
+// As e₁ = (2, 2, 1)/3 and e₂ = (−2, 1, 2)/3 at t = 0: A = 2 + i + k, of the length √6.
+TEST_CASE("frames: --columns: quaternions and matrices") {
+  const Workshop here;
+  const Run run = here.run("frames quintic.json --frame erf --at 0 --columns matrix,quaternion,s");
+  check_success(run);
+  CHECK(contains(line(run.out, 0), ",e3z,erf_qx,erf_qy,erf_qz,erf_qw,erf_m11,erf_m12,"));
+  CHECK(line(run.out, 0).ends_with(",erf_m43,erf_m44,s"));
+  CHECK(contains(line(run.out, 1), ",0.408248290463863,0,0.408248290463863,0.816496580927726,"));
+  CHECK(line(run.out, 1).ends_with(",0,0,0,1,0"));
+  // What check reads are the vectors.
+  here.write("frames.csv",
+             here.run("frames quintic.json --samples 5 --columns quaternion,matrix").out);
+  CHECK(here.run("check quintic.json frames.csv").status == 0);
+}
+
 TEST_CASE("frames: arc lengths and columns that make no sense are refused by name") {
   const Workshop here;
   add_curves(here);
   check_failure(here.run("frames quintic.json --by arc-length"), 2, "--samples N or --at");
   check_failure(here.run("frames quintic.json --by length --at 0"), 2,
                 "--by: \"length\" is not one of t, arc-length");
-  check_failure(here.run("frames quintic.json --at 0 --columns speed"), 2,
-                "--columns: \"speed\" is not one of s, curvature, torsion, frenet_rate");
+  check_failure(
+      here.run("frames quintic.json --at 0 --columns speed"), 2,
+      "--columns: \"speed\" is not one of s, curvature, torsion, frenet_rate, quaternion, matrix");
   check_failure(here.run("frames quintic.json --by arc-length --at x"), 2,
                 "--at: \"x\" is not a number");
   check_failure(here.run("frames quintic.json --by arc-length --at 5"), 3,

@@ -1,0 +1,108 @@
+#include "phrame/answer/orientation_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/frame/frame_quaternion.hpp"
+
+namespace phrame {
+namespace {
+
+struct FrameNames {
+  const char* frame;
+  const char* second;
+  const char* third;
+};
+
+FrameNames names_of(TabulatedFrame frame) {
+  switch (frame) {
+    case TabulatedFrame::rmf:
+      return {"rmf", "f2", "f3"};
+    case TabulatedFrame::euler_rodrigues:
+      return {"erf", "e2", "e3"};
+    case TabulatedFrame::frenet:
+      return {"frenet", "n", "b"};
+    case TabulatedFrame::up:
+      return {"up", "up2", "up3"};
+    case TabulatedFrame::mtf:
+      return {"mtf", "mtf2", "mtf3"};
+    case TabulatedFrame::exact_mtf:
+      return {"exact_mtf", "exact_mtf2", "exact_mtf3"};
+  }
+  return {"", "", ""};
+}
+
+/// Is −q the one to write after `last`, which has no value in the first row?
+bool is_to_be_negated(const std::array<double, 4>& q,
+                      const std::optional<std::array<double, 4>>& last) {
+  if (last) {
+    Rational product;  // exact, so that whoever has the table can decide it, too
+    for (std::size_t k = 0; k < 4; ++k)
+      product += exact_rational(q[k]) * exact_rational((*last)[k]);
+    if (product != 0) return product < 0;
+  }
+  const auto nonzero = std::find_if(q.rbegin(), q.rend(), [](double x) { return x != 0; });
+  return nonzero != q.rend() && *nonzero < 0;
+}
+
+}  // namespace
+
+std::size_t OrientationColumns::width() const {
+  return std::size_t{6} + (columns_.have_quaternions ? 4 : 0) + (columns_.have_matrices ? 16 : 0);
+}
+
+void OrientationColumns::add_quaternion(std::vector<double>& row, TabulatedFrame kind,
+                                        const Frame<Real>& frame) {
+  const auto [u, v, p, q] = quaternion_of(frame);
+  std::array<double, 4> rounded{round_to_double(v), round_to_double(p), round_to_double(q),
+                                round_to_double(u)};
+  const auto last = last_.find(kind);
+  if (is_to_be_negated(rounded, last == last_.end() ? std::nullopt : std::optional(last->second)))
+    for (double& x : rounded) x = 0 - x;  // 0 stays 0
+  last_[kind] = rounded;
+  row.insert(row.end(), rounded.begin(), rounded.end());
+}
+
+namespace {
+
+void add_vectors(std::vector<double>& row, const Frame<double>& frame) {
+  row.insert(row.end(), frame.e2.begin(), frame.e2.end());
+  row.insert(row.end(), frame.e3.begin(), frame.e3.end());
+}
+
+/// After t, r, e₁ at the beginning of the row.
+void add_matrix(std::vector<double>& row, const Vector<double>& e2, const Vector<double>& e3) {
+  for (std::size_t k = 0; k < 3; ++k) row.insert(row.end(), {row[4 + k], e2[k], e3[k], row[1 + k]});
+  row.insert(row.end(), {0, 0, 0, 1});
+}
+
+}  // namespace
+
+void OrientationColumns::add(std::vector<double>& row, TabulatedFrame kind,
+                             const Frame<Real>& frame) {
+  const Frame<double> rounded{{}, round_to_double(frame.e2), round_to_double(frame.e3)};
+  add_vectors(row, rounded);
+  if (columns_.have_quaternions) add_quaternion(row, kind, frame);
+  if (columns_.have_matrices) add_matrix(row, rounded.e2, rounded.e3);
+}
+
+void OrientationColumns::add(std::vector<double>& row, const Frame<double>& frame) const {
+  add_vectors(row, frame);
+  if (columns_.have_matrices) add_matrix(row, frame.e2, frame.e3);
+}
+
+void add_names(std::vector<std::string>& names, TabulatedFrame kind, const TableColumns& columns) {
+  const FrameNames called = names_of(kind);
+  for (const char* vector : {called.second, called.third})
+    for (const char axis : {'x', 'y', 'z'}) names.push_back(fmt::format("{}{}", vector, axis));
+  if (columns.have_quaternions)
+    for (const char axis : {'x', 'y', 'z', 'w'})
+      names.push_back(fmt::format("{}_q{}", called.frame, axis));
+  if (columns.have_matrices)
+    for (int k = 0; k < 16; ++k)
+      names.push_back(fmt::format("{}_m{}{}", called.frame, 1 + k / 4, 1 + k % 4));
+}
+
+}  // namespace phrame

@@ -1,0 +1,32 @@
+#pragma once
+#include <map>
+
+#include "phrame/answer/frame_table.hpp"
+
+namespace phrame {
+
+/// Writes what a table has of one frame into its rows, one row after the other: two vectors, the
+/// quaternion, the matrix.
+class OrientationColumns {
+ public:
+  /// As they are asked for; `columns` outlives this.
+  explicit OrientationColumns(const TableColumns& columns) : columns_(columns) {}
+
+  /// So many numbers.
+  std::size_t width() const;
+  /// Appends them to a row that begins with t, r, e₁.
+  void add(std::vector<double>& row, TabulatedFrame kind, const Frame<Real>& frame);
+  /// The same of correctly rounded vectors. Precondition: there are no quaternions.
+  void add(std::vector<double>& row, const Frame<double>& frame) const;
+
+ private:
+  void add_quaternion(std::vector<double>& row, TabulatedFrame kind, const Frame<Real>& frame);
+
+  const TableColumns& columns_;
+  std::map<TabulatedFrame, std::array<double, 4>> last_;  ///< the quaternions of the last row
+};
+
+/// Appends the names of such columns.
+void add_names(std::vector<std::string>& names, TabulatedFrame kind, const TableColumns& columns);
+
+}  // namespace phrame
