@@ -97,6 +97,8 @@ struct IntegralAnswer;
 struct InterpolationQuery;
 struct MinimalTwistQuery;
 struct MinimalTwistAnswer;
+struct PageQuery;
+struct PageAnswer;
 struct TotalsQuery;
 struct TotalsAnswer;
 struct TwistPieceAnswer;

@@ -21,6 +21,7 @@
 #include "phrame/answer/integral.hpp"
 #include "phrame/answer/interpolation.hpp"
 #include "phrame/answer/minimal_twist.hpp"
+#include "phrame/answer/page.hpp"
 #include "phrame/answer/smooth_angle.hpp"
 #include "phrame/answer/smooth_table.hpp"
 #include "phrame/answer/totals.hpp"
@@ -49,6 +50,7 @@
 #include "phrame/io/write/curve_file.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/nearness.hpp"
+#include "phrame/io/write/page.hpp"
 #include "phrame/io/write/passage.hpp"
 
 // PH curves, beyond what the answers need.

@@ -80,6 +80,7 @@ int run(int argc, char** argv) {
   phrame::cli::add_certify(program);
   phrame::cli::add_verify(program);
   phrame::cli::add_prove(program);
+  phrame::cli::add_page(program);
   phrame::cli::add_help(program);
   phrame::cli::add_completion(program);
   phrame::cli::add_man(program);

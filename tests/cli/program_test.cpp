@@ -57,14 +57,19 @@ TEST_CASE("program: each command succeeds on the paper's quintic") {
                      {"certify quintic.json --at 1", "0.2858565300983410"},
                      {"verify certificate.json", "0.2858565300983410"},
                      {"prove quintic.json --at 1", "Theorem "},
+                     {"page quintic.json", "</html>\n"},
                      {"help angle", "Usage: phrame angle "}};
   std::vector<std::string> tried;
   for (const Case& c : cases) {
     CAPTURE(c.arguments);
     const Run run = here.run(c.arguments);
-    check_success(run);
-    CAPTURE(run.out);
-    CHECK(contains(run.out, c.expected));
+    if (has_no_pages(run)) {
+      check_failure(run, 2, "page: ");
+    } else {
+      check_success(run);
+      CAPTURE(run.out);
+      CHECK(contains(run.out, c.expected));
+    }
     tried.emplace_back(c.arguments, std::string_view(c.arguments).find(' '));
   }
   CHECK(tried == commands(here));
@@ -99,7 +104,7 @@ TEST_CASE("program: what is typed wrongly is refused by name") {
   check_failure(here.run(""), 2,
                 "a command is needed: there are angle, info, classify, totals, frames, mtf, "
                 "interpolate, construct, identify, integrate, batch, compile, check, certify, "
-                "verify, prove, help "
+                "verify, prove, page, help "
                 "(phrame --help)");
   check_failure(here.run("angel quintic.json"), 2, "\"angel\" is not a command");
   check_failure(here.run("''"), 2, "\"\" is not a command");

@@ -104,6 +104,9 @@ inline void check_failure(const Run& run, int status, std::string_view part) {
   CHECK(contains(run.err, part));
 }
 
+/// Of `phrame page`: whether the program was built without npm, which what it needs is made with.
+inline bool has_no_pages(const Run& run) { return contains(run.err, "built without npm"); }
+
 inline void check_success(const Run& run) {
   CAPTURE(run.err);
   CHECK(run.status == 0);

@@ -28,16 +28,23 @@ std::string text_of(const PolePart& re, const PolePart& im) {
 
 }  // namespace
 
+std::vector<PoleTexts> texts_of(const PoleTable& table) {
+  std::vector<PoleTexts> texts;
+  for (const PoleRow& row : table.rows)
+    texts.push_back({text_of(row.re, row.im), text_of(row.residue_re, row.residue_im)});
+  return texts;
+}
+
 std::string to_text(const PoleTable& table) {
   if (table.rows.empty())
     return "\n  " + passage("", fmt::format("⟨{} poles and their residues⟩", table.poles)) + "\n";
+  const std::vector<PoleTexts> texts = texts_of(table);
   std::vector<std::string> poles{"pole z"};
-  for (const PoleRow& row : table.rows) poles.push_back(text_of(row.re, row.im));
+  for (const PoleTexts& row : texts) poles.push_back(row.pole);
   poles = aligned(poles);
   std::string text = fmt::format("\n  {}   residue c(z)\n", poles.front());
-  for (std::size_t k = 0; k < table.rows.size(); ++k)
-    text += fmt::format("  {}   {}\n", poles[k + 1],
-                        text_of(table.rows[k].residue_re, table.rows[k].residue_im));
+  for (std::size_t k = 0; k < texts.size(); ++k)
+    text += fmt::format("  {}   {}\n", poles[k + 1], texts[k].residue);
   return text;
 }
 

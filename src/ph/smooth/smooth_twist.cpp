@@ -43,21 +43,29 @@ SmoothTwist::SmoothTwist(const SmoothAngle& rmf, const FrameStart& from, const F
   const auto known = [&]() -> std::optional<Rational> {
     return rmf_.is_zero() ? between.half_turns : std::nullopt;
   };
-  const Real least = reduced(nominal_, known).angle;
-  twist_ = extra_turns == 0 ? least : least + whole_turn(extra_turns);
+  const ReducedAngle least = reduced(nominal_, known);
+  twist_ = extra_turns == 0 ? least.angle : least.angle + whole_turn(extra_turns);
+  turns_at_end_ = extra_turns - least.turns;
 }
 
 Real SmoothTwist::up_twist() const { return -rmf_.value(end_of_path(rmf_.path())); }
 
 Real SmoothTwist::rate() const { return quotient_of(twist_, whole_); }
 
+bool SmoothTwist::is_end(const SmoothParameter& at) const {
+  return at.segment + 1 == rmf_.path().segments().size() && at.t.exact() == Rational(1);
+}
+
 Real SmoothTwist::value(const SmoothParameter& at) const {
+  if (at.segment == 0 && at.t.exact() == Rational(0)) return from_;
+  if (is_end(at)) return turns_at_end_ == 0 ? to_ : to_ + whole_turn(turns_at_end_);
   return from_ + twist_ * quotient_of(length_.value(at), whole_) + rmf_.value(at);
 }
 
 Frame<Real> minimal_twist_frame(const SmoothTwist& twist, const SmoothParameter& at) {
   const SmoothAngle& rmf = twist.rmf();
-  return turned(up_frame(rmf.path(), rmf.up(), at), twist.value(at));
+  const Real angle = twist.is_end(at) ? twist.to() : remembered(twist.value(at));
+  return turned(up_frame(rmf.path(), rmf.up(), at), angle);
 }
 
 }  // namespace phrame

@@ -30,7 +30,9 @@ class SmoothTwist {
   Real rate() const;                               ///< the turn per unit of arc length, twist()/S
   const SmoothAngle& rmf() const { return rmf_; }  ///< θ_RMF
 
-  /// θ there.
+  /// Whether it is the end of the path.
+  bool is_end(const SmoothParameter& at) const;
+  /// θ there: θ_i at the start, and at the end θ_f plus whole turns, exactly.
   Real value(const SmoothParameter& at) const;
 
  private:
@@ -41,6 +43,7 @@ class SmoothTwist {
   Real to_;
   Real nominal_;
   Real twist_;
+  Integer turns_at_end_ = 0;  ///< θ(end) = θ_f + 2π·this
 };
 
 /// The frame of minimal twist there.

@@ -36,12 +36,17 @@ TEST_CASE("smooth twist: twist and angles by an independent quadrature") {
   CHECK(digits(mtf.twist(), 30) == "1.40247650504828537027269031638");
   CHECK(digits(mtf.rate(), 30) == "0.170006938328365008889625166349");
   CHECK(digits(mtf.value({0, Rational(1, 2)}), 30) == "2.83578027017717251562214885781");
-  CHECK(round_to_double(mtf.value({0, Rational(0)})) == 0.25);
-  CHECK(digits(mtf.value({0, Rational(1)}), 20) == "3.0000000000000000000");
+  CHECK(mtf.value({0, Rational(0)}).exact() == Rational(1, 4));
+  CHECK(mtf.value({0, Rational(1)}).exact() == Rational(3));
   // A revolution more, and θ_f as much less: the same nominal twist but for that.
   const SmoothTwist more(angle, Angle(Rational(1, 4)), Angle(3), 1);
   const RealBall turn = subtract(more.twist().enclose(120), mtf.twist().enclose(120), 120);
   CHECK(turn.overlaps(times_power_of_two(pi(120), 1)));
+  // And so θ(end) is θ_f and that revolution.
+  const RealBall end = subtract(more.value({0, Rational(1)}).enclose(120), RealBall(3, 120), 120);
+  CHECK(end.overlaps(times_power_of_two(pi(120), 1)));
+  const Frame<Real> at_end = minimal_twist_frame(more, {0, Rational(1)});
+  CHECK(agree(at_end.e2, minimal_twist_frame(mtf, {0, Rational(1)}).e2));
 }
 
 // Two ways: closed forms, and integrals along the same curve by its positions.

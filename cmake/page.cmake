@@ -1,0 +1,33 @@
+# phrame_page(): what `phrame page` writes is made from page/ by npm's esbuild, with three.js and KaTeX of the
+# versions in page/package-lock.json. Where there is no npm, or no network to fetch them from, phrame is built
+# without it, and says so when a page is asked for.
+# Programs that embed the library, and Python's package, are asked for no npm.
+set(default ${PROJECT_IS_TOP_LEVEL})
+if(SKBUILD)
+  set(default OFF)
+endif()
+option(PHRAME_BUILD_PAGE "Bundle what phrame page needs (by npm)" ${default})
+
+function(phrame_page target)
+  set(source ${PROJECT_BINARY_DIR}/page/page_template.cpp)
+  set(npm)
+  if(PHRAME_BUILD_PAGE)
+    find_program(PHRAME_NPM npm)
+    find_program(PHRAME_NODE node)
+    if(PHRAME_NPM AND PHRAME_NODE)
+      set(npm ${PHRAME_NPM})
+    else()
+      message(STATUS "phrame page will not be there: it needs npm")
+    endif()
+  endif()
+  file(GLOB inputs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/page/*.mjs ${PROJECT_SOURCE_DIR}/page/*.json
+    ${PROJECT_SOURCE_DIR}/page/src/*)
+  add_custom_command(OUTPUT ${source} VERBATIM
+    COMMAND ${CMAKE_COMMAND} -D SOURCE_DIR=${PROJECT_SOURCE_DIR}/page -D BUILD_DIR=${PROJECT_BINARY_DIR}/page
+      -D OUTPUT=${source} -D NPM=${npm} -D NODE=${PHRAME_NODE}
+      -P ${PROJECT_SOURCE_DIR}/cmake/build_page.cmake
+    DEPENDS ${inputs} ${PROJECT_SOURCE_DIR}/cmake/build_page.cmake
+    COMMENT "Bundling the page")
+  target_sources(${target} PRIVATE ${source})
+  set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()

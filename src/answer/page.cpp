@@ -1,0 +1,154 @@
+#include "phrame/answer/page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/answer/smooth_table.hpp"
+#include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/frame/frame.hpp"
+#include "phrame/ph/frame/path_angle.hpp"
+#include "phrame/ph/frame/reduced_angle.hpp"
+#include "phrame/ph/proof/certify.hpp"
+#include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/smooth/smooth_twist.hpp"
+
+namespace phrame {
+namespace {
+
+constexpr long page_digits = 17;
+/// Formulas of more segments, and C of their length, are not for reading.
+constexpr std::size_t most_formulas = 8;
+
+/// Equally many on each of `count` segments, ends and joints among them.
+std::vector<PathParameter> spread(std::size_t count, long samples) {
+  const long segments = static_cast<long>(count);
+  const long parts = std::max(2L, (samples - 1 + segments - 1) / segments);
+  std::vector<PathParameter> at;
+  for (std::size_t k = 0; k < count; ++k)
+    for (long j = 0; j < parts; ++j) at.push_back({k, Rational(j, parts)});
+  at.push_back({count - 1, 1});
+  return at;
+}
+
+TableColumns page_columns(const std::vector<TabulatedFrame>& frames, const FrameStart& start) {
+  TableColumns columns{frames};
+  columns.scalars = {TabulatedScalar::arc_length, TabulatedScalar::curvature,
+                     TabulatedScalar::torsion};
+  columns.start = start;
+  columns.may_be_empty = true;
+  return columns;
+}
+
+/// A column more, with number k of row k.
+template <class Number>
+void add_column(FrameTable& table, const std::string& name, Number number) {
+  table.columns.push_back(name);
+  for (std::size_t k = 0; k < table.rows.size(); ++k)
+    table.rows[k].push_back(round_to_double(number(k)));
+}
+
+/// Takes the vectors of a frame out of the table where they are nowhere defined, as the Frenet
+/// frame of a straight line.
+void drop_undefined(FrameTable& table, std::vector<TabulatedFrame>& frames) {
+  constexpr std::size_t before = 7;  // t, r, e₁
+  for (std::size_t k = frames.size(); k-- > 0;) {
+    const auto first = static_cast<std::ptrdiff_t>(before + 6 * k);
+    const auto is_defined = [first](const std::vector<double>& row) {
+      return !std::isnan(row[static_cast<std::size_t>(first)]);
+    };
+    if (std::any_of(table.rows.begin(), table.rows.end(), is_defined)) continue;
+    table.columns.erase(table.columns.begin() + first, table.columns.begin() + first + 6);
+    for (auto& row : table.rows) row.erase(row.begin() + first, row.begin() + first + 6);
+    frames.erase(frames.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+}
+
+/// Polynomials with a proof, of few segments and where they can be had.
+template <class Named, class Query>
+std::optional<CompiledAnswer> compiled_if_short(const Named& named, std::size_t segments,
+                                                const Query& query) {
+  if (segments > most_formulas) return std::nullopt;
+  try {
+    return answer(named, query);
+  } catch (const Undecided&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+PageAnswer answer(const NamedPath& named, const PageQuery& query) {
+  const Path& path = named.path;
+  const auto closing = path.closing_turn();
+  std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::euler_rodrigues,
+                                     TabulatedFrame::frenet};
+  if (closing) frames.push_back(TabulatedFrame::exact_mtf);
+  TableColumns columns = page_columns(frames, query.start);
+  const FrameAngle start = start_angle(query.start, path);
+  const PathAngle angle(path);
+  if (closing)
+    columns.exact_mtf.emplace(angle, reduced(start), start + angle_of(*closing * *closing));
+
+  const std::vector<PathParameter> at = spread(path.segments().size(), query.samples);
+  std::vector<PathPoint> points;
+  for (const PathParameter& point : at) points.push_back({point.segment, point.t});
+  FrameTable table = frame_table(path, columns, points);
+  table.near = named.near;
+  drop_undefined(table, frames);
+  const auto curve = [&](std::size_t k) -> const Curve& { return path.segments()[at[k].segment]; };
+  add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k], start); });
+  add_column(table, "theta_rate",
+             [&](std::size_t k) { return angle.segment(at[k].segment).rate()(at[k].t); });
+  add_column(table, "speed", [&](std::size_t k) {
+    return abs(Rational(curve(k).multiplier()(at[k].t) * sigma(curve(k).preimage())(at[k].t)));
+  });
+
+  AngleQuery formulas{.start = query.start, .digits = page_digits, .most_poles = 64};
+  formulas.wants_formula = path.segments().size() <= most_formulas;
+  std::optional<Certificate> certificate;
+  if (path.is_curve())
+    certificate = certify(path.segments().front(), Reference::euler_rodrigues, {1}, page_digits);
+  return {.angle = answer(named, formulas),
+          .info = answer(named, InfoQuery{page_digits}),
+          .totals = answer(named, TotalsQuery{page_digits}),
+          .classification = answer(named, ClassificationQuery{}),
+          .frames = std::move(frames),
+          .table = std::move(table),
+          .certificate = std::move(certificate),
+          .compiled =
+              compiled_if_short(named, path.segments().size(), CompiledQuery{.start = query.start}),
+          .is_closed = closing.has_value()};
+}
+
+PageAnswer answer(const NamedSmoothPath& named, const PageQuery& query) {
+  const SmoothPath& path = named.path;
+  const SmoothAngle angle = query.up ? SmoothAngle(path, *query.up) : SmoothAngle(path);
+  const bool is_closed = path.is_closed();
+  std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::up,
+                                     TabulatedFrame::frenet};
+  std::optional<SmoothTwist> twist;
+  if (is_closed) {  // the frame of v closes with the curve
+    frames.push_back(TabulatedFrame::exact_mtf);
+    twist.emplace(angle, query.start, query.start);
+  }
+  const std::vector<PathParameter> at = spread(path.segments().size(), query.samples);
+  FrameTable table = frame_table(angle, page_columns(frames, query.start),
+                                 std::vector<SmoothParameter>(at.begin(), at.end()), twist);
+  drop_undefined(table, frames);
+  const Real start = start_angle(query.start, angle);
+  add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k]) + start; });
+
+  SmoothAngleQuery values{.up = angle.up(), .start = query.start, .digits = page_digits};
+  return {
+      .angle = answer(named, values),
+      .info = answer(named, InfoQuery{page_digits}),
+      .totals = answer(named, TotalsQuery{page_digits}),
+      .frames = std::move(frames),
+      .table = std::move(table),
+      .compiled = compiled_if_short(named, path.segments().size(),
+                                    SmoothCompiledQuery{.up = angle.up(), .start = query.start}),
+      .is_closed = is_closed};
+}
+
+}  // namespace phrame

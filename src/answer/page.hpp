@@ -1,0 +1,42 @@
+#pragma once
+#include "phrame/answer/angle.hpp"
+#include "phrame/answer/classification.hpp"
+#include "phrame/answer/compiled.hpp"
+#include "phrame/answer/frame_table.hpp"
+#include "phrame/answer/info.hpp"
+#include "phrame/answer/smooth_angle.hpp"
+#include "phrame/answer/totals.hpp"
+#include "phrame/ph/proof/certificate.hpp"
+
+namespace phrame {
+
+/// What is there to see of a path: its frames, its angle and what is known of it?
+struct PageQuery {
+  long samples = 241;     ///< at least so many rows, ≥ 2; segments have equally many
+  FrameStart start = {};  ///< θ(0), or where f₂ is at t = 0
+  std::optional<Vector<Rational>> up = {};  ///< v, of a path that is not PH; else one is chosen
+};
+
+/// All that a page about a path shows.
+struct PageAnswer {
+  /// What the angle is, with its formula where the path is a PH curve.
+  std::variant<AngleAnswer, SmoothAngleAnswer> angle;
+  std::variant<InfoAnswer, SmoothInfoAnswer> info;       ///< its polynomials and totals
+  TotalsAnswer totals;                                   ///< what it gathers
+  std::optional<ClassificationAnswer> classification{};  ///< decisions, of a PH path
+  std::vector<TabulatedFrame> frames;  ///< in the table, those that are somewhere defined
+  /// t, r, e₁, the frames, s, curvature, torsion and theta; of a PH path theta_rate = dθ/dt and
+  /// speed = |dr/dt|, too. Undefined numbers are NaN.
+  FrameTable table;
+  std::optional<Certificate> certificate = {};  ///< of θ at the end, from 0, of a PH curve
+  std::optional<CompiledAnswer> compiled = {};  ///< of paths of few segments
+  bool is_closed = false;                       ///< its end is its start, with the same tangent
+};
+
+/// @{ The frames are rmf, erf or up, frenet, and exact_mtf along a closed path, where it is the one
+/// that comes back as it starts with the least turn. Throws as frame_table() and the other answers.
+PageAnswer answer(const NamedPath& path, const PageQuery& query);
+PageAnswer answer(const NamedSmoothPath& path, const PageQuery& query);
+/// @}
+
+}  // namespace phrame

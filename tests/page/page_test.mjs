@@ -1,0 +1,226 @@
+// node page_test.mjs PROGRAM CURVES PICTURES: pages as their readers meet them, in a headless Chromium. Values
+// are compared with what other commands of the program print, bytes with what these write.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { chromium } from 'playwright-core';
+
+const [program, curves, pictures] = process.argv.slice(2);
+const folder = mkdtempSync(join(tmpdir(), 'phrame-page-'));
+mkdirSync(pictures, { recursive: true });
+const run = (...words) => execFileSync(program, words, { encoding: 'utf8', maxBuffer: 1 << 27 });
+
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+  // Root, as in a fresh machine's first shell, has no sandbox.
+  chromiumSandbox: process.getuid() !== 0,
+  args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+});
+
+/** The page of a curve, opened from its file; it must neither complain nor ask for anything. */
+async function open(curve, options = [], view = {}) {
+  const file = join(folder, 'page.html');
+  run('page', curve, '-o', file, ...options);
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 900 },
+    acceptDownloads: true,
+    ...view,
+  });
+  const page = await context.newPage();
+  const complaints = [];
+  page.on('console', (message) => {
+    // A software renderer says that reading back pictures is slow.
+    if (message.type() === 'error' || (message.type() === 'warning' && !/GPU stall/.test(message.text())))
+      complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(error.message));
+  page.on('request', (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) complaints.push(`asks for ${request.url()}`);
+  });
+  await page.goto(`file://${file}`);
+  await page.waitForSelector('html[data-ready]');
+  return { page, complaints, close: () => context.close() };
+}
+
+const at = (page) => page.textContent('#at');
+/** The numbers of a row of the table of the place. */
+const shown = (page, name) =>
+  page.$$eval(
+    '#numbers tr',
+    (lines, name) =>
+      lines
+        .filter((line) => line.firstChild.textContent === name)
+        .flatMap((line) => [...line.querySelectorAll('td')].map((cell) => cell.textContent))
+        .filter((text) => text !== '')
+        .map((text) => text.replace('−', '-')),
+    name,
+  );
+/** The scene as an image, and how many colours it has. */
+const picture = (page) => page.locator('#scene').screenshot();
+async function colours(page) {
+  const image = (await picture(page)).toString('base64');
+  return page.evaluate(async (image) => {
+    const bytes = Uint8Array.from(atob(image), (c) => c.charCodeAt(0));
+    const map = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+    const canvas = new OffscreenCanvas(map.width, map.height);
+    const pen = canvas.getContext('2d');
+    pen.drawImage(map, 0, 0);
+    const words = new Uint32Array(pen.getImageData(0, 0, map.width, map.height).data.buffer);
+    return new Set(words).size;
+  }, image);
+}
+
+const quintic = join(curves, 'curves', 'farouki-2003-quintic.json');
+
+const tests = {
+  async 'opens without a complaint and shows a picture'() {
+    const { page, complaints, close } = await open(quintic);
+    assert.equal(await page.title(), 'farouki-2003-quintic');
+    assert.ok((await colours(page)) > 20);
+    assert.ok((await page.locator('.katex').count()) > 0);
+    assert.equal(await page.locator('.katex-error').count(), 0);
+    await page.screenshot({ path: join(pictures, 'quintic.png'), fullPage: true });
+    assert.deepEqual(complaints, []);
+    await close();
+  },
+
+  async 'the slider moves the frame to the numbers of phrame frames'() {
+    const { page, close } = await open(quintic);
+    for (const t of ['1/8', '77/240', '1']) {
+      const [names, numbers] = run('frames', quintic, '--at', t, '--columns', 's,curvature,torsion')
+        .split('\n')
+        .map((line) => line.split(','));
+      const wanted = Object.fromEntries(names.map((name, k) => [name, Number(numbers[k])]));
+      const k = Math.round(240 * wanted.t);
+      await page.locator('#slider').fill(String(k));
+      assert.equal(Number((await at(page)).slice(4)), wanted.t);
+      const expect = async (row, ...keys) =>
+        assert.deepEqual((await shown(page, row)).map(Number), keys.map((key) => wanted[key]));
+      await expect('r', 'x', 'y', 'z');
+      await expect('f₂', 'f2x', 'f2y', 'f2z');
+      await expect('f₃', 'f3x', 'f3y', 'f3z');
+      await expect('κ', 'curvature');
+      await expect('τ', 'torsion');
+      await expect('s', 's');
+      const angle = JSON.parse(run('angle', quintic, '--at', t, '--digits', '17', '--print', 'json'));
+      const [theta] = await shown(page, 'θ');
+      assert.ok(Math.abs(theta - angle.values[0].theta) <= Math.abs(theta) * 2 ** -52);
+    }
+    await close();
+  },
+
+  async 'ribbons are switched, by mouse and by keys, and keys walk along the curve'() {
+    const { page, complaints, close } = await open(quintic);
+    const first = await picture(page);
+    await page.getByText('Frenet', { exact: true }).click();
+    const second = await picture(page);
+    assert.ok(!first.equals(second));
+    await page.locator('#scene').focus();
+    await page.keyboard.press('3');
+    await page.keyboard.press('2');
+    assert.ok(!(await picture(page)).equals(second));
+    assert.equal(await page.locator('#ribbons input:checked').count(), 2);
+    await page.keyboard.press('Shift+ArrowRight');
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('ArrowLeft');
+    assert.equal(Number((await at(page)).slice(4)), 10 / 240);
+    await page.keyboard.press(' ');
+    await page.waitForFunction(() => document.querySelector('#slider').valueAsNumber > 14);
+    await page.keyboard.press(' ');
+    const label = await page.getAttribute('#scene', 'aria-label');
+    assert.match(label, /^PH quintic, degree 5.*Frames shown: rotation-minimizing; Euler–Rodrigues\.$/);
+    assert.deepEqual(complaints, []);
+    await close();
+  },
+
+  async 'what is taken along has the bytes that the program writes'() {
+    const { page, close } = await open(quintic);
+    const bytes = async (name) => {
+      const download = page.waitForEvent('download');
+      await page.getByRole('button', { name, exact: true }).click();
+      return readFileSync(await (await download).path(), 'utf8');
+    };
+    const stem = 'farouki_2003_quintic';
+    assert.equal(await bytes(`${stem}-angle.json`), run('angle', quintic, '--print', 'json'));
+    assert.equal(await bytes(`${stem}.cert`), run('certify', quintic));
+    assert.equal(await bytes(`${stem}.h`), run('compile', quintic));
+    const table = run('frames', quintic, '--samples', '241', '--frame', 'rmf,erf,frenet', '--columns', 's,curvature,torsion');
+    const width = table.split('\n', 1)[0].split(',').length;
+    const mine = await bytes(`${stem}-frames.csv`);
+    assert.equal(
+      mine.split('\n').map((line) => line.split(',').slice(0, width).join(',')).join('\n'),
+      table,
+    );
+    await close();
+  },
+
+  async 'a name is a text, whatever it says'() {
+    const hostile = join(folder, 'hostile.json');
+    const name = '</script><script>document.title="x"</script><!-- & <img src=x onerror=alert(1)>';
+    const curve = JSON.parse(readFileSync(quintic, 'utf8'));
+    writeFileSync(hostile, JSON.stringify({ ...curve, name }));
+    const { page, complaints, close } = await open(hostile);
+    assert.equal(await page.title(), name);
+    assert.equal(await page.textContent('#name'), name);
+    assert.deepEqual(complaints, []);
+    await close();
+  },
+
+  async 'closed splines come back turned by the holonomy, and a frame of minimal twist closes'() {
+    const { page, complaints, close } = await open(join(curves, 'curves', 'closed-spline.json'));
+    const said = await page.textContent('#formula');
+    const { holonomy } = JSON.parse(run('angle', join(curves, 'curves', 'closed-spline.json'), '--print', 'json'));
+    assert.ok(said.includes(holonomy.value), said);
+    await page.getByText('minimal twist, closed', { exact: true }).click();
+    const first = await shown(page, 'm₂');
+    await page.keyboard.press('Escape');
+    await page.locator('#slider').fill('100000');
+    assert.deepEqual(await shown(page, 'm₂'), first);
+    assert.deepEqual(complaints, []);
+    await close();
+  },
+
+  async 'curves of any kind, lines among them'() {
+    for (const name of ['any/trefoil.json', 'any/nurbs-circle.json', 'any/wave.svg', 'curves/plane-cubic.json']) {
+      const { page, complaints, close } = await open(join(curves, name));
+      assert.ok((await colours(page)) > 20, name);
+      assert.deepEqual(complaints, [], name);
+      await close();
+    }
+  },
+
+  async 'on a telephone, in the dark, nothing is wider than the screen'() {
+    const { page, complaints, close } = await open(quintic, [], {
+      viewport: { width: 390, height: 844 },
+      colorScheme: 'dark',
+      isMobile: true,
+      hasTouch: true,
+    });
+    const { width, ground } = await page.evaluate(() => ({
+      width: document.documentElement.scrollWidth,
+      ground: getComputedStyle(document.body).backgroundColor,
+    }));
+    assert.equal(width, 390);
+    assert.equal(ground, 'rgb(22, 24, 29)');
+    await page.screenshot({ path: join(pictures, 'telephone.png'), fullPage: true });
+    assert.deepEqual(complaints, []);
+    await close();
+  },
+};
+
+let failures = 0;
+for (const [name, test] of Object.entries(tests)) {
+  try {
+    await test();
+    console.log(`ok      ${name}`);
+  } catch (error) {
+    ++failures;
+    console.log(`FAILED  ${name}\n${error.stack}`);
+  }
+}
+await browser.close();
+rmSync(folder, { recursive: true });
+console.log(`pages: ${Object.keys(tests).length - failures} of ${Object.keys(tests).length} tests passed`);
+process.exitCode = failures === 0 ? 0 : 1;
