@@ -30,6 +30,18 @@ class SmoothTotals {
     row.infinite = std::get<Infinite>(value);
     answer_.rows.push_back(std::move(row));
   }
+  /// What there is without straight lines and, along formulas, inflections; else the reason.
+  template <class Find>
+  void add_frenet(Quantity quantity, const std::string& why_not, const Find& find) {
+    if (!why_not.empty()) return add_reason(quantity, why_not);
+    try {
+      add(quantity, find());
+    } catch (const DomainError& error) {
+      add_reason(quantity, error.what());
+    } catch (const Undecided& undecided) {
+      add_reason(quantity, std::string("undecided: ") + undecided.what());
+    }
+  }
   void add_reason(Quantity quantity, std::string reason) {
     TotalsAnswer::Row row{quantity};
     row.reason = std::move(reason);
@@ -82,16 +94,14 @@ TotalsAnswer answer(const NamedSmoothPath& named, const TotalsQuery& query) {
   const Real curvature = total_curvature(path);
   totals.add(Quantity::length, length);
   totals.add(Quantity::up_twist, up_frame_twist(path, angle.up()));
-  no_torsion.empty() ? totals.add(Quantity::torsion, total_torsion(path))
-                     : totals.add_reason(Quantity::torsion, no_torsion);
+  totals.add_frenet(Quantity::torsion, no_torsion, [&] { return total_torsion(path); });
   totals.add(Quantity::curvature, curvature);
   is_straight(path) || plane_normal(path)
       ? totals.add(Quantity::rotation_index, in_turns(curvature))
       : totals.add_reason(Quantity::rotation_index,
                           path.segments().size() == 1 ? "not a plane curve" : "not in one plane");
   totals.add(Quantity::bending_energy, bending_energy(path));
-  no_torsion.empty() ? totals.add(Quantity::frenet_energy, frenet_energy(path))
-                     : totals.add_reason(Quantity::frenet_energy, no_torsion);
+  totals.add_frenet(Quantity::frenet_energy, no_torsion, [&] { return frenet_energy(path); });
   if (!path.is_closed()) return answer;
   add_holonomy(totals, angle, length);
   for (TotalsAnswer::Row& row : writhe_rows(path, query.digits))

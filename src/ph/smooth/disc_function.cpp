@@ -35,19 +35,31 @@ SizeBounds size_bounds(const DiscFunction& f) {
   return {subtract(middle, rest, bits), add(middle, rest, bits)};
 }
 
-std::optional<RealBall> bound_on_inner_disc(const DiscProduct& product) {
+namespace {
+
+std::optional<RealBall> bound_of_product(const DiscProduct& product, bool may_have_zeros) {
   constexpr long bits = 64;
   RealBall bound = size_bounds(product.numerator).upper;
   for (const DiscProduct::Factor& factor : product.factors) {
     const SizeBounds size = size_bounds(factor.base);
-    if (sign(size.lower) <= 0) return std::nullopt;
-    const RealBall& base = factor.half_exponents < 0 ? size.lower : size.upper;
+    const bool is_divisor = factor.half_exponents < 0;
+    if ((is_divisor || !may_have_zeros) && sign(size.lower) <= 0) return std::nullopt;
     const long k = std::abs(factor.half_exponents);
-    const RealBall power = pow(sqrt(base, bits), k, bits);
-    bound = factor.half_exponents < 0 ? divide(bound, power, bits) : multiply(bound, power, bits);
+    const RealBall power = pow(sqrt(is_divisor ? size.lower : size.upper, bits), k, bits);
+    bound = is_divisor ? divide(bound, power, bits) : multiply(bound, power, bits);
   }
   if (!bound.is_finite()) return std::nullopt;
   return bound;
+}
+
+}  // namespace
+
+std::optional<RealBall> bound_on_inner_disc(const DiscProduct& product) {
+  return bound_of_product(product, false);
+}
+
+std::optional<RealBall> bound_with_zeros(const DiscProduct& product) {
+  return bound_of_product(product, true);
 }
 
 BallPolynomial series(const DiscProduct& product) {

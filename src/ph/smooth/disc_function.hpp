@@ -52,6 +52,8 @@ struct DiscProduct {
 /// A bound of it on |z| ≤ 4, as the greatest number of the ball, where its factors are seen to have
 /// no zero there, so that it is analytic; else no value.
 std::optional<RealBall> bound_on_inner_disc(const DiscProduct& product);
+/// A bound of it on |z| ≤ 4, wherever it is defined: factors with k > 0 may have zeros there.
+std::optional<RealBall> bound_with_zeros(const DiscProduct& product);
 /// The first coefficients of its Taylor series, as many as the numerator has.
 BallPolynomial series(const DiscProduct& product);
 

@@ -1,10 +1,13 @@
 #include "phrame/ph/smooth/expression_integral.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <mutex>
 
 #include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/error.hpp"
 
 // On a part of length 2h around c, with z = (t − c)/h, the integrand is y dt = y_z dz, y_z made of
 // derivatives by z. Its factors are bounded from below on |z| ≤ 4 by the coefficients of their
@@ -17,7 +20,7 @@ namespace {
 
 constexpr long guess_bits = 64;
 constexpr long guess_length = 16;
-constexpr long most_halvings = 40;
+constexpr long least_halvings = 40;
 constexpr std::size_t most_parts = 20'000;
 
 /// A number that |z| does not exceed, exactly.
@@ -86,8 +89,12 @@ RealBall least_square(const ExpressionCurve& curve, const Rational& middle, cons
 /// Halves until every part is good, from left to right.
 class PartSearch {
  public:
-  PartSearch(const ExpressionCurve& curve, const CurveIntegrand& integrand)
-      : curve_(curve), integrand_(integrand) {}
+  PartSearch(const ExpressionCurve& curve, const CurveIntegrand& integrand,
+             std::optional<long> gap_bits)
+      : curve_(curve),
+        integrand_(integrand),
+        gap_bits_(gap_bits),
+        most_halvings_(gap_bits ? *gap_bits + least_halvings : least_halvings) {}
 
   TaylorParts run() {
     cover(0, 1, 0);
@@ -95,15 +102,22 @@ class PartSearch {
   }
 
  private:
-  /// By so many coefficients.
+  /// By so many coefficients. What is seen to be as small as a gap is one.
   bool is_good(const Rational& lower, const Rational& upper, long length, long bits) {
     const Rational half = (upper - lower) / 2;
     const Rational middle = lower + half;
     const auto jet = curve_jet(curve_, middle, half, length, bits);
     if (!jet) return false;
-    const auto bound = bound_on_inner_disc(integrand_(*jet));
-    if (bound) found_.parts.push_back({lower, upper, *bound});
-    return bound.has_value();
+    const DiscProduct y = integrand_(*jet);
+    if (const auto bound = bound_on_inner_disc(y)) {
+      found_.parts.push_back({lower, upper, *bound});
+      return true;
+    }
+    if (!gap_bits_) return false;
+    const auto bound = bound_with_zeros(y);
+    if (!bound || exponent_above(*bound) + 1 > -*gap_bits_) return false;
+    found_.parts.push_back({lower, upper, *bound, true});
+    return true;
   }
 
   // At a distance d from a zero of |v × r′|², that is about d², and d is about the size of a part:
@@ -117,7 +131,7 @@ class PartSearch {
 
   bool cover(const Rational& lower, const Rational& upper, long halvings) {
     if (is_good(lower, upper, halvings)) return true;
-    if (halvings == most_halvings || found_.parts.size() > most_parts) {
+    if (halvings == most_halvings_ || found_.parts.size() > most_parts) {
       found_.fault = NarrowPart{lower, upper};
       return false;
     }
@@ -127,6 +141,8 @@ class PartSearch {
 
   const ExpressionCurve& curve_;
   const CurveIntegrand& integrand_;
+  std::optional<long> gap_bits_;
+  long most_halvings_;
   TaylorParts found_;
 };
 
@@ -162,7 +178,12 @@ std::optional<CurveJet> curve_jet(const ExpressionCurve& curve, const Rational& 
 }
 
 TaylorParts taylor_parts(const ExpressionCurve& curve, const CurveIntegrand& integrand) {
-  return PartSearch(curve, integrand).run();
+  return PartSearch(curve, integrand, std::nullopt).run();
+}
+
+TaylorParts taylor_parts_with_gaps(const ExpressionCurve& curve, const CurveIntegrand& integrand,
+                                   long bits) {
+  return PartSearch(curve, integrand, bits).run();
 }
 
 std::vector<TaylorPart> regular_parts(const ExpressionCurve& curve) {
@@ -185,6 +206,7 @@ struct ExpressionIntegral::State {
   ExpressionCurve curve;
   CurveIntegrand integrand;
   std::vector<TaylorPart> parts;
+  bool has_gaps = false;
 
   std::mutex lock;
   long bits = 0;  ///< of what follows
@@ -201,15 +223,25 @@ struct ExpressionIntegral::State {
     return widened(value, of.error);
   }
   RealBall value(const Rational& t);
-  void refine(long to_bits) {
-    bits = to_bits;
-    pieces.assign(parts.size(), std::nullopt);
-    sums.assign(1, RealBall());
-  }
+  void refine(long to_bits);
 };
+
+void ExpressionIntegral::State::refine(long to_bits) {
+  if (has_gaps) {
+    TaylorParts found = taylor_parts_with_gaps(curve, integrand, to_bits);
+    if (found.fault)
+      throw Undecided(fmt::format("integral: {} bits of it take too many parts near t = {:.9g}",
+                                  to_bits, static_cast<double>(found.fault->lower)));
+    parts = std::move(found.parts);
+  }
+  bits = to_bits;
+  pieces.assign(parts.size(), std::nullopt);
+  sums.assign(1, RealBall());
+}
 
 ExpressionIntegral::State::Piece ExpressionIntegral::State::make_piece(
     const TaylorPart& part) const {
+  if (part.is_gap) return {{}, {}, times_power_of_two(part.bound, 1)};
   const long above = std::max(exponent_above(part.bound), 0L);
   const long length = (bits + above) / 2 + 2;
   const Rational half = (part.upper - part.lower) / 2;
@@ -237,7 +269,10 @@ RealBall ExpressionIntegral::State::value(const Rational& t) {
 
 ExpressionIntegral::ExpressionIntegral(const ExpressionCurve& curve, CurveIntegrand integrand,
                                        std::vector<TaylorPart> parts)
-    : state_(new State{curve, std::move(integrand), std::move(parts), {}, 0, {}, {}}) {}
+    : state_(new State{curve, std::move(integrand), std::move(parts), false, {}, 0, {}, {}}) {}
+
+ExpressionIntegral::ExpressionIntegral(const ExpressionCurve& curve, CurveIntegrand integrand)
+    : state_(new State{curve, std::move(integrand), {}, true, {}, 0, {}, {}}) {}
 
 RealBall ExpressionIntegral::enclose(const Rational& t, long bits) const {
   const std::lock_guard guard(state_->lock);

@@ -40,6 +40,7 @@ struct TaylorPart {
   Rational lower;
   Rational upper;
   RealBall bound;
+  bool is_gap = false;  ///< is |y| ≤ bound on the part all that is known?
 };
 
 /// [0, 1] in parts, by halving; or where that ends, at 2^−40 or with too many.
@@ -48,6 +49,10 @@ struct TaylorParts {
   std::optional<NarrowPart> fault;
 };
 TaylorParts taylor_parts(const ExpressionCurve& curve, const CurveIntegrand& integrand);
+/// The same of a y that is continuous where a factor with an exponent > 0 has a zero, as √ρ is:
+/// around these there are gaps, over each of which |∫ y| < 2^−bits.
+TaylorParts taylor_parts_with_gaps(const ExpressionCurve& curve, const CurveIntegrand& integrand,
+                                   long bits);
 
 /// The parts for ∫ |r′| dt. Throws as the constructor of the curve, whose proof that is.
 std::vector<TaylorPart> regular_parts(const ExpressionCurve& curve);
@@ -60,6 +65,9 @@ class ExpressionIntegral {
   /// The parts must be those of this integrand.
   ExpressionIntegral(const ExpressionCurve& curve, CurveIntegrand integrand,
                      std::vector<TaylorPart> parts);
+  /// By parts with gaps, the smaller the more bits. enclose() throws Undecided where there are too
+  /// many.
+  ExpressionIntegral(const ExpressionCurve& curve, CurveIntegrand integrand);
 
   /// A ball with a radius of about 2^−bits, t ∈ [0, 1].
   RealBall enclose(const Rational& t, long bits) const;

@@ -79,9 +79,7 @@ SegmentIntegral bending_angle_of(const RationalCurve& curve) {
 
 SegmentIntegral bending_angle_of(const ExpressionCurve& curve) {
   if (are_on_a_line(direction_span(curve))) return zero_integral();
-  return integral_of(curve, curvature_rate(), [&](const NarrowPart& part) {
-    refuse_inflection(curve, part, "total curvature");
-  });
+  return {ExpressionIntegral(curve, curvature_rate())};
 }
 
 RealBall enclosed(const AbsoluteIntegral& f, const Real& t, long bits) {

@@ -39,7 +39,7 @@ SegmentIntegral frenet_angle(const SmoothSegment& segment);
 /// @}
 /// The arc length ∫ |r′| dt.
 SegmentIntegral arc_length(const SmoothSegment& segment);
-/// ∫ κ ds. Throws DomainError or Undecided where a curve by formulas has an inflection.
+/// ∫ κ ds. Of a curve by formulas enclose() throws Undecided where it takes too many parts.
 SegmentIntegral bending_angle(const SmoothSegment& segment);
 
 }  // namespace phrame

@@ -83,6 +83,7 @@ SegmentEnergy frenet_energy_of(const RationalCurve& curve) {
 }
 
 SegmentEnergy frenet_energy_of(const ExpressionCurve& curve) {
+  if (common_normal(direction_span(curve))) return bending_of(curve);  // τ = 0
   TaylorParts found = taylor_parts(curve, frenet_energy_rate());
   if (found.fault) refuse_inflection(curve, *found.fault, "integral of the Frenet frame's rate");
   const ExpressionIntegral energy(curve, frenet_energy_rate(), std::move(found.parts));

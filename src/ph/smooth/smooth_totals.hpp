@@ -9,16 +9,16 @@ namespace phrame {
 // What a path of any kind gathers from its start to its end; they are certain to any number of
 // digits, and exact where they are seen to be rational. Its length is that of SmoothLength.
 
-/// ∫ κ ds: how far the tangent turns, in radians, without the half turns at cusps. Throws
-/// DomainError or Undecided where a curve by formulas has an inflection.
+/// ∫ κ ds: how far the tangent turns, in radians, without the half turns at cusps.
 Real total_curvature(const SmoothPath& path);
 /// ∫ τ ds, in radians; the half turns of n and b at inflections and their jumps at joints are not
-/// in it. Throws DomainError where a segment is a straight line, and as the above.
+/// in it. Throws DomainError where a segment is a straight line, DomainError or Undecided where a
+/// curve by formulas has an inflection and is in no plane.
 Real total_torsion(const SmoothPath& path);
 /// ∫ κ² ds, infinite at most cusps.
 std::variant<Real, Infinite> bending_energy(const SmoothPath& path);
 /// ∫ (κ² + τ²) ds, infinite at most cusps; at inflections τ is finite. Throws DomainError where a
-/// segment is a straight line, and as total_curvature().
+/// segment is a straight line, and as total_torsion().
 std::variant<Real, Infinite> frenet_energy(const SmoothPath& path);
 /// ∫ e₂′·e₃ dt of the frame of v: how far it turns about e₁, in radians.
 Real up_frame_twist(const SmoothPath& path, const Vector<Rational>& up);

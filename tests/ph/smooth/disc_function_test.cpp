@@ -98,4 +98,10 @@ TEST_CASE("disc function: with a zero of a factor there is no bound") {
   CHECK_FALSE(bound_on_inner_disc({one, {{disc_function(Polynomial{1, 1}), 1}}}));
   CHECK_FALSE(bound_on_inner_disc({one, {{disc_function(Polynomial{}), -2}}}));
   CHECK(bound_on_inner_disc({one, {}}));
+  // |√(1 + z)| ≤ √5 on |z| ≤ 4, though 1 + z has a zero; 1/√ has no bound.
+  const auto root = bound_with_zeros({one, {{disc_function(Polynomial{1, 1}), 1}}});
+  REQUIRE(root);
+  CHECK(root->upper() >= Rational(2236, 1000));
+  CHECK(root->lower() <= Rational(23, 10));
+  CHECK_FALSE(bound_with_zeros({one, {{disc_function(Polynomial{1, 1}), -1}}}));
 }

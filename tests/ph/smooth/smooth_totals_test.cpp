@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/io/read/formula.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
@@ -118,6 +119,21 @@ TEST_CASE("smooth totals: an inflection adds to the curvature, whatever its side
   const RealBall exact = multiply(RealBall(2, 130), argument(1, 3, 130), 130);
   CHECK(total_curvature(path).enclose(100).overlaps(exact));
   CHECK(total_curvature(path).enclose(100).is_accurate(90));
+}
+
+// mpmath: quad of |r′ × r″|/|r′|², with 30 digits; a quarter of an eight that starts at an
+// inflection, and a curve with one in space, at s = 0.
+TEST_CASE("smooth totals: curves by formulas bend through inflections") {
+  const auto f = [](const char* text) { return parse_formula(text, "s").value; };
+  const SmoothPath eight(ExpressionCurve({f("sin(s)"), f("sin(2*s)"), f("0")}, f("0"), f("2*pi")));
+  CHECK(digits(total_curvature(eight), 8) == "10.711780");
+  CHECK(total_torsion(eight).enclose(60).is_zero());
+  CHECK(digits(std::get<Real>(frenet_energy(eight)), 12) ==
+        digits(std::get<Real>(bending_energy(eight)), 12));
+  const SmoothPath space(
+      ExpressionCurve({f("s"), f("sin(s)^3"), f("sin(s)^3*cos(s) + s^4")}, f("-1"), f("1")));
+  CHECK(digits(total_curvature(space), 7) == "3.274031");
+  CHECK_THROWS_WITH_AS(total_torsion(space), doctest::Contains("0 at s = 0"), DomainError);
 }
 
 // An inflection, a line, and joints in the plane that turn on, or the other way, or out of it.
