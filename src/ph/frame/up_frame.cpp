@@ -73,6 +73,9 @@ RealBall angle_to_up(const Vector<Rational>& f, const Vector<Rational>& v,
   const RealBall y =
       subtract(RealBall(dot(f, v), bits),
                multiply(inner_product(f, e1, bits), inner_product(v, e1, bits), bits), bits);
+  // The argument of an exact 0 is 0, by agreement.
+  if (x.contains_zero() && y.contains_zero())
+    return hull(subtract(RealBall(), pi(bits), bits), pi(bits), bits);
   return argument(ComplexBall(x, y), bits);
 }
 
