@@ -14,7 +14,7 @@
 namespace phrame {
 namespace {
 
-using Names = std::vector<std::string>;
+using ColumnNames = std::vector<std::string>;
 
 /// Vectors of three columns and quaternions of four, by the names of their columns.
 struct Group {
@@ -29,7 +29,7 @@ struct Group {
 /// Which columns hold what is read.
 class Layout {
  public:
-  Layout(const Names& names, const std::string& place, FrameReading::Quaternion order);
+  Layout(const ColumnNames& names, const std::string& place, FrameReading::Quaternion order);
 
   template <class Table>
   GivenFrame frame(const Table& table, std::size_t row, const FrameReading& reading) const;
@@ -37,7 +37,7 @@ class Layout {
 
  private:
   [[noreturn]] void fail(const std::string& reason) const { throw InputError(place_, reason); }
-  void find(Group& group, const Names& names) const;
+  void find(Group& group, const ColumnNames& names) const;
 
   template <class Table>
   Rational number(const Table& table, std::size_t row, const std::vector<std::size_t>& columns,
@@ -58,7 +58,7 @@ class Layout {
   Group q_{"q", "wxyz"};
 };
 
-Layout::Layout(const Names& names, const std::string& place, FrameReading::Quaternion order)
+Layout::Layout(const ColumnNames& names, const std::string& place, FrameReading::Quaternion order)
     : place_(place) {
   for (std::size_t k = 0; k < names.size(); ++k)
     if (names[k] == "t") {
@@ -87,9 +87,9 @@ Layout::Layout(const Names& names, const std::string& place, FrameReading::Quate
 }
 
 /// All columns of the group or none; a name that is right but for upper and lower case is an error.
-void Layout::find(Group& group, const Names& names) const {
-  Names found;
-  Names missing;
+void Layout::find(Group& group, const ColumnNames& names) const {
+  ColumnNames found;
+  ColumnNames missing;
   std::string misspelt;
   for (std::size_t k = 0; k < group.ends.size(); ++k) {
     const std::string wanted = group.column(k);
@@ -171,15 +171,15 @@ GivenFrame Layout::frame(const Table& table, std::size_t row, const FrameReading
   return frame;
 }
 
-void add_triple(Names& names, std::string_view name) {
+void add_triple(ColumnNames& names, std::string_view name) {
   for (const char end : {'x', 'y', 'z'}) names.push_back(fmt::format("{}{}", name, end));
 }
 
 /// The columns of a table without a header; none for a number of them that says nothing.
-Names names_by_number(std::size_t columns) {
+ColumnNames names_by_number(std::size_t columns) {
   const bool is_ours = columns >= 13;  // and whatever our tables have behind
   const bool has_position = columns == 8 || is_ours;
-  Names names{"t"};
+  ColumnNames names{"t"};
   if (has_position) add_triple(names, "");
   if (columns == 5 || columns == 8) {
     names.insert(names.end(), {"qw", "qx", "qy", "qz"});
@@ -188,13 +188,13 @@ Names names_by_number(std::size_t columns) {
   if (columns == 10 || is_ours) add_triple(names, "e1");
   if (columns == 4 || columns == 7 || columns == 10 || is_ours) add_triple(names, "f2");
   if (columns == 7 || columns == 10 || is_ours) add_triple(names, "f3");
-  return names.size() == 1 ? Names{} : names;
+  return names.size() == 1 ? ColumnNames{} : names;
 }
 
 template <class Table>
 GivenTable frames_of(const Table& table, const std::string& header_place,
                      const FrameReading& reading, std::size_t at_most) {
-  Names names = table.names();
+  ColumnNames names = table.names();
   GivenTable result;
   if (names.empty()) {
     names = reading.names.empty() ? names_by_number(table.columns()) : reading.names;
@@ -224,7 +224,7 @@ GivenTable frames_of(const Table& table, const std::string& header_place,
 }
 
 template <class Table>
-std::vector<GivenPosition> positions_of(const Table& table, const Names& names) {
+std::vector<GivenPosition> positions_of(const Table& table, const ColumnNames& names) {
   const auto number = [&](std::size_t row, std::string_view name) {
     const auto found = std::find(names.begin(), names.end(), name);
     return table.number(row, static_cast<std::size_t>(found - names.begin()));
@@ -251,13 +251,13 @@ std::vector<GivenPosition> read_positions(std::string_view bytes, const FrameRea
 namespace {
 
 /// The orders of the nine numbers of a matrix: by rows or by columns, the tangent at any place.
-std::vector<Names> matrix_names(bool has_position) {
-  std::vector<Names> all;
+std::vector<ColumnNames> matrix_names(bool has_position) {
+  std::vector<ColumnNames> all;
   for (const bool is_transposed : {true, false})
     for (std::size_t first = 0; first < 3; ++first) {
       std::array<std::string_view, 3> vectors{"e1", "f2", "f3"};
       std::rotate(vectors.begin(), vectors.begin() + (3 - first) % 3, vectors.end());
-      Names names{"t"};
+      ColumnNames names{"t"};
       if (has_position) add_triple(names, "");
       for (std::size_t k = 0; k < 9; ++k)
         names.push_back(fmt::format("{}{}", vectors[is_transposed ? k % 3 : k / 3],
@@ -299,7 +299,7 @@ std::vector<FrameReading> other_readings(const GivenTable& table, const FrameRea
   }
   if (table.columns.empty() || table.skipped > 0) return {};
   const std::size_t columns = table.columns.size();
-  std::vector<Names> names;
+  std::vector<ColumnNames> names;
   if (columns == 10 || columns == 13) names = matrix_names(columns == 13);
   if (columns == 7)
     for (const std::string_view first : {"e1", ""}) {
@@ -307,7 +307,7 @@ std::vector<FrameReading> other_readings(const GivenTable& table, const FrameRea
       add_triple(names.back(), first);
       add_triple(names.back(), "f2");
     }
-  for (const Names& list : names) {
+  for (const ColumnNames& list : names) {
     FrameReading other = reading;
     other.names = list;
     others.push_back(other);
@@ -316,7 +316,7 @@ std::vector<FrameReading> other_readings(const GivenTable& table, const FrameRea
 }
 
 std::string to_options(const FrameReading& reading) {
-  Names options;
+  ColumnNames options;
   using Quaternion = FrameReading::Quaternion;
   if (reading.quaternion != Quaternion::named)
     options.push_back(reading.quaternion == Quaternion::xyzw ? "--quaternion xyzw"
