@@ -85,7 +85,7 @@ const switches = frames.map((frame, k) => {
   swatch.style.background = frame.colour;
   label.append(box, swatch, frame.what);
   byId('ribbons').append(label);
-  box.checked = frame.isShown = k === 0;
+  box.checked = frame.isShown = k === 0 || frame.shown === true;
   box.addEventListener('change', () => {
     frame.isShown = box.checked;
     scene?.update();

@@ -35,6 +35,12 @@ function extent(points) {
   return { centre, size: Math.hypot(...low.map((x, k) => high[k] / 2 - x / 2)) || 1 };
 }
 
+/** Of length 1, for the picture: frames of others may be long or short. */
+function unit(v) {
+  const length = v && Math.hypot(...v);
+  return length ? v.map((x) => x / length) : null;
+}
+
 /** A strip between r and r + width·second, in pieces where the frame is defined. */
 function ribbon(points, seconds, width, material) {
   const vertices = [];
@@ -79,7 +85,7 @@ export function makeScene(element, { rows, position, tangent, frames, vector, is
   scene.add(new Line(path, ink));
 
   const drawn = frames.map((frame) => {
-    const seconds = rows.map((row) => vector(row, frame.second));
+    const seconds = rows.map((row) => unit(vector(row, frame.second)));
     const material = new MeshLambertMaterial({
       color: frame.colour,
       side: DoubleSide,
@@ -125,7 +131,7 @@ export function makeScene(element, { rows, position, tangent, frames, vector, is
       if (e1) arrow(e1, points[at], ink.color);
       for (const frame of frames.filter((frame) => frame.isShown))
         for (const name of [frame.second, frame.third]) {
-          const v = vector(row, name);
+          const v = unit(vector(row, name));
           if (v) arrow(v, points[at], frame.colour);
         }
       render();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/smooth_table.hpp"
@@ -19,6 +20,8 @@ namespace {
 constexpr long page_digits = 17;
 /// Formulas of more segments, and C of their length, are not for reading.
 constexpr std::size_t most_formulas = 8;
+/// The energies of so many segments take about a second.
+constexpr std::size_t most_totals = 64;
 
 /// Equally many on each of `count` segments, ends and joints among them.
 std::vector<PathParameter> spread(std::size_t count, long samples) {
@@ -38,6 +41,46 @@ TableColumns page_columns(const std::vector<TabulatedFrame>& frames, const Frame
   columns.start = start;
   columns.may_be_empty = true;
   return columns;
+}
+
+/// Where the rows are.
+std::vector<PathParameter> places(std::size_t count, const PageQuery& query) {
+  if (query.given.empty()) return spread(count, query.samples);
+  std::vector<PathParameter> at;
+  for (const GivenFrame& frame : query.given) at.push_back(locate_inside(count, frame.t));
+  return at;
+}
+
+/// What the given frames are, if there are any.
+template <class Named>
+std::optional<CheckAnswer> check_of(const Named& named, const PageQuery& query) {
+  if (query.given.empty()) return std::nullopt;
+  return answer(named, CheckQuery{query.given, {.start = query.start, .up = query.up}});
+}
+
+FrameStart start_of(const PageQuery& query, const std::optional<CheckAnswer>& check) {
+  if (query.start) return *query.start;
+  if (check && query.given.front().t == 0 && check->verdict.errors.front())
+    return StartNormal(query.given.front().f2);
+  return {};
+}
+
+void add_vector(std::vector<double>& row, const std::optional<Vector<Rational>>& v) {
+  for (std::size_t k = 0; k < 3; ++k)
+    row.push_back(v ? round_to_double((*v)[k]) : std::numeric_limits<double>::quiet_NaN());
+}
+
+/// The frames that were given, and how far each is off.
+void add_given(FrameTable& table, const CheckAnswer& check) {
+  for (const char* name : {"g2x", "g2y", "g2z", "g3x", "g3y", "g3z", "error"})
+    table.columns.emplace_back(name);
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    add_vector(table.rows[k], check.frames[k].f2);
+    add_vector(table.rows[k], check.frames[k].f3);
+    const auto& error = check.verdict.errors[k];
+    table.rows[k].push_back(error ? round_to_double(error->midpoint())
+                                  : std::numeric_limits<double>::quiet_NaN());
+  }
 }
 
 /// A column more, with number k of row k.
@@ -64,6 +107,12 @@ void drop_undefined(FrameTable& table, std::vector<TabulatedFrame>& frames) {
   }
 }
 
+template <class Named>
+std::optional<TotalsAnswer> totals_if_short(const Named& named, std::size_t segments) {
+  if (segments > most_totals) return std::nullopt;
+  return answer(named, TotalsQuery{page_digits});
+}
+
 /// Polynomials with a proof, of few segments and where they can be had.
 template <class Named, class Query>
 std::optional<CompiledAnswer> compiled_if_short(const Named& named, std::size_t segments,
@@ -84,13 +133,15 @@ PageAnswer answer(const NamedPath& named, const PageQuery& query) {
   std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::euler_rodrigues,
                                      TabulatedFrame::frenet};
   if (closing) frames.push_back(TabulatedFrame::exact_mtf);
-  TableColumns columns = page_columns(frames, query.start);
-  const FrameAngle start = start_angle(query.start, path);
+  std::optional<CheckAnswer> check = check_of(named, query);
+  const FrameStart from = start_of(query, check);
+  TableColumns columns = page_columns(frames, from);
+  const FrameAngle start = start_angle(from, path);
   const PathAngle angle(path);
   if (closing)
     columns.exact_mtf.emplace(angle, reduced(start), start + angle_of(*closing * *closing));
 
-  const std::vector<PathParameter> at = spread(path.segments().size(), query.samples);
+  const std::vector<PathParameter> at = places(path.segments().size(), query);
   std::vector<PathPoint> points;
   for (const PathParameter& point : at) points.push_back({point.segment, point.t});
   FrameTable table = frame_table(path, columns, points);
@@ -104,21 +155,23 @@ PageAnswer answer(const NamedPath& named, const PageQuery& query) {
     return abs(Rational(curve(k).multiplier()(at[k].t) * sigma(curve(k).preimage())(at[k].t)));
   });
 
-  AngleQuery formulas{.start = query.start, .digits = page_digits, .most_poles = 64};
+  if (check) add_given(table, *check);
+  AngleQuery formulas{.start = from, .digits = page_digits, .most_poles = 64};
   formulas.wants_formula = path.segments().size() <= most_formulas;
   std::optional<Certificate> certificate;
   if (path.is_curve())
     certificate = certify(path.segments().front(), Reference::euler_rodrigues, {1}, page_digits);
-  return {.angle = answer(named, formulas),
-          .info = answer(named, InfoQuery{page_digits}),
-          .totals = answer(named, TotalsQuery{page_digits}),
-          .classification = answer(named, ClassificationQuery{}),
-          .frames = std::move(frames),
-          .table = std::move(table),
-          .certificate = std::move(certificate),
-          .compiled =
-              compiled_if_short(named, path.segments().size(), CompiledQuery{.start = query.start}),
-          .is_closed = closing.has_value()};
+  return {
+      .angle = answer(named, formulas),
+      .info = answer(named, InfoQuery{page_digits}),
+      .totals = totals_if_short(named, path.segments().size()),
+      .classification = answer(named, ClassificationQuery{}),
+      .frames = std::move(frames),
+      .table = std::move(table),
+      .check = std::move(check),
+      .certificate = std::move(certificate),
+      .compiled = compiled_if_short(named, path.segments().size(), CompiledQuery{.start = from}),
+      .is_closed = closing.has_value()};
 }
 
 PageAnswer answer(const NamedSmoothPath& named, const PageQuery& query) {
@@ -128,27 +181,29 @@ PageAnswer answer(const NamedSmoothPath& named, const PageQuery& query) {
   std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::up,
                                      TabulatedFrame::frenet};
   std::optional<SmoothTwist> twist;
+  std::optional<CheckAnswer> check = check_of(named, query);
+  const FrameStart from = start_of(query, check);
   if (is_closed) {  // the frame of v closes with the curve
     frames.push_back(TabulatedFrame::exact_mtf);
-    twist.emplace(angle, query.start, query.start);
+    twist.emplace(angle, from, from);
   }
-  const std::vector<PathParameter> at = spread(path.segments().size(), query.samples);
-  FrameTable table = frame_table(angle, page_columns(frames, query.start),
+  const std::vector<PathParameter> at = places(path.segments().size(), query);
+  FrameTable table = frame_table(angle, page_columns(frames, from),
                                  std::vector<SmoothParameter>(at.begin(), at.end()), twist);
   drop_undefined(table, frames);
-  const Real start = start_angle(query.start, angle);
+  const Real start = start_angle(from, angle);
   add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k]) + start; });
 
-  SmoothAngleQuery values{.up = angle.up(), .start = query.start, .digits = page_digits};
-  return {
-      .angle = answer(named, values),
-      .info = answer(named, InfoQuery{page_digits}),
-      .totals = answer(named, TotalsQuery{page_digits}),
-      .frames = std::move(frames),
-      .table = std::move(table),
-      .compiled = compiled_if_short(named, path.segments().size(),
-                                    SmoothCompiledQuery{.up = angle.up(), .start = query.start}),
-      .is_closed = is_closed};
+  if (check) add_given(table, *check);
+  SmoothAngleQuery values{.up = angle.up(), .start = from, .digits = page_digits};
+  return {.angle = answer(named, values),
+          .info = answer(named, InfoQuery{page_digits}),
+          .totals = answer(named, TotalsQuery{page_digits}),
+          .frames = std::move(frames),
+          .table = std::move(table),
+          .compiled = compiled_if_short(named, path.segments().size(),
+                                        SmoothCompiledQuery{.up = angle.up(), .start = from}),
+          .is_closed = is_closed};
 }
 
 }  // namespace phrame

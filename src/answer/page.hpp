@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/answer/angle.hpp"
+#include "phrame/answer/check.hpp"
 #include "phrame/answer/classification.hpp"
 #include "phrame/answer/compiled.hpp"
 #include "phrame/answer/frame_table.hpp"
@@ -10,24 +11,31 @@
 
 namespace phrame {
 
-/// What is there to see of a path: its frames, its angle and what is known of it?
+/// What is there to see of a path: its frames, its angle and what is known of it, and frames that
+/// somebody else has of it?
 struct PageQuery {
-  long samples = 241;     ///< at least so many rows, ≥ 2; segments have equally many
-  FrameStart start = {};  ///< θ(0), or where f₂ is at t = 0
+  long samples = 241;  ///< at least so many rows, ≥ 2; segments have equally many
+  /// θ(0), or where f₂ is at t = 0; by default where the first given frame has it, if that is at t
+  /// = 0, else θ(0) = 0.
+  std::optional<FrameStart> start = {};
   std::optional<Vector<Rational>> up = {};  ///< v, of a path that is not PH; else one is chosen
+  std::vector<GivenFrame> given = {};       ///< where there are some, the rows are at their t
 };
 
 /// All that a page about a path shows.
 struct PageAnswer {
   /// What the angle is, with its formula where the path is a PH curve.
   std::variant<AngleAnswer, SmoothAngleAnswer> angle;
-  std::variant<InfoAnswer, SmoothInfoAnswer> info;       ///< its polynomials and totals
-  TotalsAnswer totals;                                   ///< what it gathers
+  std::variant<InfoAnswer, SmoothInfoAnswer> info;  ///< its polynomials and totals
+  /// What it gathers; not of many segments, of which that takes long.
+  std::optional<TotalsAnswer> totals = {};
   std::optional<ClassificationAnswer> classification{};  ///< decisions, of a PH path
   std::vector<TabulatedFrame> frames;  ///< in the table, those that are somewhere defined
   /// t, r, e₁, the frames, s, curvature, torsion and theta; of a PH path theta_rate = dθ/dt and
-  /// speed = |dr/dt|, too. Undefined numbers are NaN.
+  /// speed = |dr/dt|, too. With given frames these, g2 and g3, and error, the middle of the
+  /// ball that the check has around the angle of g2 to the exact frame. Undefined numbers are NaN.
   FrameTable table;
+  std::optional<CheckAnswer> check = {};        ///< of the given frames
   std::optional<Certificate> certificate = {};  ///< of θ at the end, from 0, of a PH curve
   std::optional<CompiledAnswer> compiled = {};  ///< of paths of few segments
   bool is_closed = false;                       ///< its end is its start, with the same tangent

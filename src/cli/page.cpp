@@ -1,6 +1,7 @@
 #include "phrame/answer/page.hpp"
 
 #include "phrame/cli/command.hpp"
+#include "phrame/io/read/frame_csv.hpp"
 #include "phrame/io/write/page.hpp"
 
 namespace phrame::cli {
@@ -11,7 +12,17 @@ struct PageOptions {
   StartOptions start;
   UpOption up;
   long samples = 241;
+  std::optional<std::string> frames;  ///< the name of a table
 };
+
+/// Frames that somebody else has. Throws InputError.
+std::vector<GivenFrame> given_frames(const PageOptions& options) {
+  if (!options.frames) return {};
+  if (options.curve.path == "-" && *options.frames == "-")
+    throw InputError("page", "the curve and the frames are both to be read from standard input");
+  const std::string bytes = read_file(*options.frames);
+  return at_place(name_of_file(*options.frames), ":", [&] { return read_frames(bytes).frames; });
+}
 
 PageAnswer page_of(const PageOptions& options, PageQuery query, const NamedPath& named) {
   options.up.refuse("; its angle is that to the Euler-Rodrigues frame");
@@ -31,7 +42,8 @@ void run(const PageOptions& options) {
     throw InputError("page", "this phrame was built without npm, which bundles what a page needs");
   PageQuery query;
   query.samples = options.samples;
-  query.start = options.start.given().value_or(FrameStart());
+  query.start = options.start.given();
+  query.given = given_frames(options);
   const AnyPath path = options.curve.read_any_path();
   const auto found =
       std::visit([&](const auto& named) { return page_of(options, query, named); }, path);
@@ -46,15 +58,20 @@ void add_page(Program& program) {
   options->curve.add_to(command);
   command.add_number("--samples", options->samples, {3, 100'000},
                      "at least so many places along the curve (default 241)", "N");
-  options->start.add_to(command, "e2", "default 0");
+  command.add_option("--frames", "FILE", options->frames,
+                     "a table of frames by another program, as phrame check reads it: they are\n"
+                     "shown beside the exact ones, at their t, with their error");
+  options->start.add_to(command, "e2", "default: that of the first of --frames, or 0");
   options->up.add_to(command,
                      "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");
+  command.not_with({"--samples"}, {"--frames"});
   command.set_notes(
       "The page is one HTML file, which needs no network: the curve with its frames as ribbons,\n"
       "plots over t, the formula of the angle, its poles, what is decided by algebra, and numbers\n"
       "to take along. They are correctly rounded doubles, as phrame frames has them.\n"
       "Examples:\n"
       "  phrame page curve.json -o curve.html\n"
+      "  phrame page curve.json --frames mine.csv -o mine.html\n"
       "  phrame page spline.json --start-normal 0,0,1 -o spline.html");
   command.does([options] { run(*options); });
 }

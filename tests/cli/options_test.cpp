@@ -84,7 +84,8 @@ const std::map<std::string, std::string> values{
     {"--to-vector", "3,2,-1"}, {"--turns", "1"},    {"--degree", "3"},
     {"--subdivide", "1/2"},    {"--period", "1/3"}, {"--feed", "2"},
     {"--prefix", "arm"},       {"--tol", "1/1000"}, {"--tolerance", "1/1000"},
-    {"--angles", "1/3,0"},     {"--solution", "2"}, {"--header", "t,f2x,f2y,f2z"}};
+    {"--angles", "1/3,0"},     {"--solution", "2"}, {"--header", "t,f2x,f2y,f2z"},
+    {"--frames", "frames.csv"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.
 const std::set<std::string> neutral{"--max-degree", "--output",         "--threads", "--skip-done",

@@ -29,6 +29,7 @@ async function open(curve, options = [], view = {}) {
     ...view,
   });
   const page = await context.newPage();
+  page.setDefaultTimeout(120_000);  // of a machine that is busy with other things, too
   const complaints = [];
   page.on('console', (message) => {
     // A software renderer says that reading back pictures is slow.
@@ -189,6 +190,28 @@ const tests = {
       assert.deepEqual(complaints, [], name);
       await close();
     }
+  },
+
+  async 'frames of others stand beside the exact ones, with their error'() {
+    const table = join(folder, 'mine.csv');
+    const frenet = run('frames', quintic, '--frame', 'frenet', '--samples', '21');
+    writeFileSync(table, frenet.replace(/\bn([xyz])\b/g, 'f2$1').replace(/\bb([xyz])\b/g, 'f3$1'));
+    const { page, complaints, close } = await open(quintic, ['--frames', table]);
+    assert.ok(await page.getByText('given', { exact: true }).isVisible());
+    await page.locator('#slider').fill('10');
+    let verdict;
+    try {
+      verdict = run('check', quintic, table, '--print', 'json');
+    } catch (error) {
+      verdict = error.stdout; // they are no rotation-minimizing frames: status 1
+    }
+    const [error] = await shown(page, 'error');
+    const proved = JSON.parse(verdict).samples[10].error;
+    assert.ok(Math.abs(error - proved.value) <= 2 * proved.radius);
+    assert.match(await page.textContent('#facts'), /Frenet frame/);
+    await page.screenshot({ path: join(pictures, 'given.png'), fullPage: true });
+    assert.deepEqual(complaints, []);
+    await close();
   },
 
   async 'on a telephone, in the dark, nothing is wider than the screen'() {

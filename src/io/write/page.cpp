@@ -6,6 +6,7 @@
 #include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/c_header.hpp"
 #include "phrame/io/write/certificate.hpp"
+#include "phrame/io/write/check.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/json_text.hpp"
@@ -46,6 +47,7 @@ JsonOutput shown_frame(TabulatedFrame frame) {
 /// The columns that are drawn over t, where the table has them.
 JsonOutput plots_of(const FrameTable& table) {
   static const std::vector<std::vector<std::string>> known{
+      {"error", "error", "of the given frames, radians, to about nine digits"},
       {"theta", "θ", "the angle of the rotation-minimizing frame, radians"},
       {"theta_rate", "θ′", "its rate dθ/dt"},
       {"curvature", "κ", "curvature"},
@@ -139,9 +141,18 @@ JsonOutput json_of(const PageAnswer& answer) {
   page["closed"] = answer.is_closed;
   page["frames"] = JsonOutput::array();
   for (const TabulatedFrame frame : answer.frames) page["frames"].push_back(shown_frame(frame));
-  page["plots"] = plots_of(answer.table);
   JsonOutput facts = JsonOutput::array();
-  add_fact(facts, "Length, twist, curvature and energies", to_text(answer.totals));
+  if (answer.check) {
+    page["frames"].push_back({{"what", "given"},
+                              {"second", "g2"},
+                              {"third", "g3"},
+                              {"names", {"given f₂", "given f₃"}},
+                              {"shown", true}});
+    add_fact(facts, "The given frames", to_text(*answer.check, TableReading{}));
+  }
+  page["plots"] = plots_of(answer.table);
+  if (answer.totals)
+    add_fact(facts, "Length, twist, curvature and energies", to_text(*answer.totals));
   if (answer.classification)
     add_fact(facts, "Decisions, by algebra", to_text(*answer.classification));
   add_fact(facts, "Polynomials and special points",

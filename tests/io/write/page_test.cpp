@@ -8,6 +8,8 @@
 #include "phrame/answer/frame_table.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/page_template.hpp"
+#include "phrame/ph/frame/frame.hpp"
+#include "phrame/ph/frame/rmf_angle.hpp"
 #include "support/curves.hpp"
 #include "support/text.hpp"
 
@@ -54,6 +56,37 @@ TEST_CASE("page: a straight line has no Frenet frame, and its torsion is left ou
   CHECK(found.frames == std::vector{TabulatedFrame::rmf, TabulatedFrame::euler_rodrigues});
   CHECK(std::find(found.table.columns.begin(), found.table.columns.end(), "nx") ==
         found.table.columns.end());
+}
+
+// The Frenet frame for one: θ_Frenet is θ to it, so that its error is −θ to it, from 0 on.
+TEST_CASE("page: frames that are given stand beside the exact ones, with their errors") {
+  const Frames frames(test::quintic);
+  PageQuery query;
+  for (const Rational& t : {Rational(0), Rational(1, 2), Rational(1)}) {
+    const Frame<Real> n = frames.frenet(t);
+    const auto rounded = [](const Vector<Real>& v) {
+      const Vector<double> x = round_to_double(v);
+      return Vector<Rational>{exact_rational(x[0]), exact_rational(x[1]), exact_rational(x[2])};
+    };
+    query.given.push_back({t, rounded(n.e2), rounded(n.e3)});
+  }
+  const PageAnswer found = answer(NamedPath{"", Path(test::quintic), {}}, query);
+  CHECK(found.table.rows.size() == 3);
+  CHECK(found.table.columns.back() == "error");
+  const RmfAngle to_frenet(test::quintic, Reference::frenet);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Real theta = to_frenet.value(query.given[k].t);
+    CHECK(found.table.rows[k].back() == doctest::Approx(-round_to_double(theta)).epsilon(1e-12));
+    // Before the error are g2 and g3; f₂ begins behind t, r and e₁.
+    const std::vector<double>& row = found.table.rows[k];
+    const bool has_same_start = std::abs(row[7] - row[row.size() - 7]) < 1e-15;
+    CHECK(has_same_start == (k == 0));
+  }
+  REQUIRE(found.check);
+  CHECK_FALSE(found.check->verdict.passes);
+  query.start = Angle(1);
+  const PageAnswer turned = answer(NamedPath{"", Path(test::quintic), {}}, query);
+  CHECK(std::abs(turned.table.rows[0].back()) > 0.1);
 }
 
 TEST_CASE("page: its numbers are the table, and names are inert") {
