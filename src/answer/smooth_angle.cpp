@@ -3,6 +3,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/smooth/up_vector.hpp"
 
 namespace phrame {
 namespace {
@@ -38,6 +39,7 @@ SmoothAngleAnswer answer(const NamedSmoothPath& named, const SmoothAngleQuery& q
                             query.digits)});
   answer.total = rounded_or_zero(theta(named.path.end()), "the total angle", query.digits);
   add_holonomy(answer, angle);
+  answer.is_straight = is_straight(named.path);
   return answer;
 }
 

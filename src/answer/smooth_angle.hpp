@@ -28,6 +28,7 @@ struct SmoothAngleAnswer {
   std::optional<Decimal> holonomy;  ///< of a closed path, to the frame of v
   /// Why a number that a closed path has is not there: it is undecided.
   std::string no_holonomy = {};
+  bool is_straight = false;  ///< a line, where any frame that does not turn is the right one?
 };
 
 /// Throws DomainError as SmoothAngle and locate(); Undecided, with the name of what it is, where a

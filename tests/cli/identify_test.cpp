@@ -288,6 +288,7 @@ TEST_CASE("identify: commands for PH curves read them in all formats, and say wh
              R"({"phrame": "curve/1", "control_points": [[0, 0, 0], [0, 0, 0], [1, 2, 0]]})");
   check_failure(here.run("angle line.json --frame erf"), 2,
                 "this is none but a straight line, where any frame");
+  CHECK(contains(here.run("angle line.json").out, "the curve is a straight line, where any frame"));
   here.write("formulas.json", R"~({"phrame": "curve/1", "from": 0, "to": 1,
       "expressions": {"x": "cos(s)", "y": "sin(s)", "z": "s"}})~");
   check_failure(here.run("angle formulas.json --frame erf"), 2,

@@ -46,9 +46,10 @@ GivenSegment read_expression_segment(const JsonNode& node, const JsonNode& expre
   const Vector<Formula> r{x, y, z ? read_formula(*z, variable) : Formula(0)};
   const Formula from = read_formula(node.at("from"), variable, true);
   const Formula to = read_formula(node.at("to"), variable, true);
+  if (variable.empty()) variable = "s";
   try {
-    if (auto curve = rational_form(r, from, to)) return {*std::move(curve), node.place()};
-    return {ExpressionCurve(r, from, to, variable.empty() ? "s" : variable), node.place()};
+    if (auto curve = rational_form(r, from, to, variable)) return {*std::move(curve), node.place()};
+    return {ExpressionCurve(r, from, to, variable), node.place()};
   } catch (const DomainError& error) {
     expressions.fail(error.what());
   }

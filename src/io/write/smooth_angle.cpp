@@ -42,6 +42,9 @@ std::string frame_text(const SmoothAngleAnswer& answer) {
 
 /// What θ is the integral of.
 std::string rate_text(const SmoothAngleAnswer& answer) {
+  if (answer.is_straight)
+    return "  θ is constant: the curve is a straight line, where any frame that does not turn is "
+           "rotation-minimizing\n";
   if (answer.is_zero) return "  θ is constant: this frame is rotation-minimizing already\n";
   return fmt::format(
       "  θ′ = {}, H along r′\n  {}\n",

@@ -1,8 +1,13 @@
 #include "phrame/ph/smooth/rational_form.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rational_function.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/algebra/sturm.hpp"
 
 namespace phrame {
 namespace {
@@ -68,10 +73,17 @@ std::optional<Rational> rational_number(const Formula& f) {
   return value ? constant(*value) : std::nullopt;
 }
 
+void require_no_pole(const RationalFunction& f, const Interval& way, char name,
+                     const std::string& variable) {
+  if (f.denominator().is_constant() || count_real_roots(f.denominator(), way) == 0) return;
+  const RealAlgebraic first = real_roots(f.denominator(), way).front().at;
+  throw DomainError(fmt::format("{} has a pole at {}", name, place(variable, first)));
+}
+
 }  // namespace
 
 std::optional<RationalCurve> rational_form(const Vector<Formula>& position, const Formula& from,
-                                           const Formula& to) {
+                                           const Formula& to, const std::string& variable) {
   const auto a = rational_number(from);
   const auto b = rational_number(to);
   if (!a || !b || *a == *b) return std::nullopt;
@@ -80,6 +92,7 @@ std::optional<RationalCurve> rational_form(const Vector<Formula>& position, cons
   for (std::size_t k = 0; k < 3; ++k) {
     const auto f = rational_function(position[k]);
     if (!f) return std::nullopt;
+    require_no_pole(*f, closed(std::min(*a, *b), std::max(*a, *b)), "xyz"[k], variable);
     r[k] = compose(*f, Polynomial{*a, *b - *a});
     const Polynomial& below = r[k].denominator();
     weight *= exact_quotient(below, gcd(below, weight));
