@@ -1,7 +1,7 @@
 #include "phrame/answer/orientation_columns.hpp"
 
-#include "phrame/answer/smooth_table.hpp"
 #include "io/reference.hpp"
+#include "phrame/answer/smooth_table.hpp"
 #include "support/curves.hpp"
 
 using namespace phrame;

@@ -89,8 +89,7 @@ TEST_CASE("terminal: an unknown key of a curve file is answered with what was me
   check_failure(here.run("info points.json"), 2,
                 "unknown key \"points\"; the nearest known key is \"control_points\"");
   here.write("odd.json", R"({"phrame": "curve/1", "radii": [1, 2]})");
-  check_failure(here.run("info odd.json"), 2,
-                "unknown key \"radii\"; the keys are phrame, name,");
+  check_failure(here.run("info odd.json"), 2, "unknown key \"radii\"; the keys are phrame, name,");
 }
 
 TEST_CASE("terminal: blanks in lists, and quotients of decimals") {

@@ -1,5 +1,5 @@
-// Any bytes: a path of curves of any kind, or an InputError or Undecided of one line. Each segment of what is
-// read begins where the one before ends.
+// Any bytes: a path of curves of any kind, or an InputError or Undecided of one line. Each segment
+// of what is read begins where the one before ends.
 #include "phrame/io/read/any_path.hpp"
 
 #include <cstddef>

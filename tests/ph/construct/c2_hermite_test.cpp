@@ -132,8 +132,7 @@ TEST_CASE("c2_hermite_spline: points are met exactly where that is asked for, an
 TEST_CASE("c2_hermite_spline: plane data have a curve in their plane") {
   Random random(4);
   const Construction found = c2_hermite(hermite_data(random, 5, true));
-  for (const Curve& curve : found.path.segments())
-    CHECK(rotated_i(curve.preimage())[2].is_zero());
+  for (const Curve& curve : found.path.segments()) CHECK(rotated_i(curve.preimage())[2].is_zero());
 }
 
 TEST_CASE("c2_hermite_spline: the order is six") {
