@@ -49,7 +49,7 @@ byId('theme').addEventListener('click', () => setTheme(theme === 'dark' ? 'light
 byId('name').textContent = data.name || data.heading;
 byId('heading').textContent = data.name ? data.heading : '';
 byId('made').textContent =
-  `Made by phrame ${data.version}. Numbers in the table and the plots are correctly rounded doubles.`;
+  `Made by phrame ${data.version}. Numbers in the table and the plots are correctly rounded doubles, but for the errors of given frames.`;
 
 // ---- the scene
 const summary = () => {
