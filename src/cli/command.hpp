@@ -172,6 +172,7 @@ void add_interpolate(Program& program);
 void add_construct(Program& program);
 void add_identify(Program& program);
 void add_integrate(Program& program);
+void add_sweep(Program& program);
 void add_batch(Program& program);
 void add_compile(Program& program);
 void add_check(Program& program);

@@ -74,6 +74,7 @@ int run(int argc, char** argv) {
   phrame::cli::add_construct(program);
   phrame::cli::add_identify(program);
   phrame::cli::add_integrate(program);
+  phrame::cli::add_sweep(program);
   phrame::cli::add_batch(program);
   phrame::cli::add_compile(program);
   phrame::cli::add_check(program);

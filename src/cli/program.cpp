@@ -38,7 +38,8 @@ const std::vector<std::pair<std::string, std::string>>& formats_by_ending() {
       {"txt", "text"},    {"text", "text"},  {"out", "text"},      {"log", "text"},
       {"json", "json"},   {"csv", "csv"},    {"npy", "npy"},       {"tex", "latex"},
       {"latex", "latex"}, {"py", "sympy"},   {"m", "mathematica"}, {"wl", "mathematica"},
-      {"mpl", "maple"},   {"mac", "maxima"}, {"gp", "pari"}};
+      {"mpl", "maple"},   {"mac", "maxima"}, {"gp", "pari"},       {"obj", "obj"},
+      {"stl", "stl"},     {"ply", "ply"},    {"glb", "glb"}};
   return table;
 }
 

@@ -58,6 +58,7 @@ const std::vector<std::string> calls{
     "integrate '1/(4*x^2-1)'",
     "integrate '1/(x^4-2)' --from 0 --to 1",
     "batch lines.jsonl --at 1",
+    "sweep plane.json --profile circle:1/2",
     "compile plane.json",
     "compile spline.json",
     "check quintic.json frames.csv",
@@ -85,7 +86,9 @@ const std::map<std::string, std::string> values{
     {"--subdivide", "1/2"},    {"--period", "1/3"}, {"--feed", "2"},
     {"--prefix", "arm"},       {"--tol", "1/1000"}, {"--tolerance", "1/1000"},
     {"--angles", "1/3,0"},     {"--solution", "2"}, {"--header", "t,f2x,f2y,f2z"},
-    {"--frames", "frames.csv"}};
+    {"--frames", "frames.csv"},
+    {"--profile", "polygon:3,1"}, {"--end-normal", "1,2,3"}, {"--twist", "pi/4"},
+    {"--scale", "1 + t"}, {"--sections", "4"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.
 const std::set<std::string> neutral{"--max-degree", "--output",         "--threads", "--skip-done",

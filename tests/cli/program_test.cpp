@@ -51,6 +51,7 @@ TEST_CASE("program: each command succeeds on the paper's quintic") {
                      {"construct points.csv", "  points met      within "},
                      {"identify quintic.json", "f|A|²  37t⁴ − 72t³ + 46t² − 12t + 6\n"},
                      {"integrate '1/(x^2+1)'", "arctan(x)"},
+                     {"sweep quintic.json --profile circle:1/10", "\nf 1 2 "},
                      {"batch batch.jsonl", "0.13516216082994723"},
                      {"compile quintic.json", "#ifndef "},
                      {"check quintic.json frames.csv", "rotation-minimizing"},
@@ -101,11 +102,12 @@ TEST_CASE("program: help and version succeed, for each command") {
 
 TEST_CASE("program: what is typed wrongly is refused by name") {
   const Workshop here;
-  check_failure(here.run(""), 2,
-                "a command is needed: there are angle, info, classify, totals, frames, mtf, "
-                "interpolate, construct, identify, integrate, batch, compile, check, certify, "
-                "verify, prove, page, help "
-                "(phrame --help)");
+  check_failure(
+      here.run(""), 2,
+      "a command is needed: there are angle, info, classify, totals, frames, mtf, "
+      "interpolate, construct, identify, integrate, sweep, batch, compile, check, certify, "
+      "verify, prove, page, help "
+      "(phrame --help)");
   check_failure(here.run("angel quintic.json"), 2, "\"angel\" is not a command");
   check_failure(here.run("''"), 2, "\"\" is not a command");
   check_failure(here.run("--frobnicate"), 2, "--frobnicate");

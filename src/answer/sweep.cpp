@@ -1,0 +1,61 @@
+#include "phrame/answer/sweep.hpp"
+
+#include <cmath>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/smooth/compiled_smooth.hpp"
+#include "phrame/ph/smooth/smooth_frame.hpp"
+
+namespace phrame {
+namespace {
+
+/// The angle from the last frame to f₂ along v, in [−π, π].
+double angle_to(const Vector<double>& v, const Frame<double>& last) {
+  const double x = dot(v, last.e2);
+  const double y = dot(v, last.e3);
+  if (std::hypot(x, y) <= 0x1p-40 * std::hypot(v[0], v[1], v[2]))
+    throw DomainError("end normal: it has no part in the normal plane at the end");
+  return std::atan2(y, x);
+}
+
+double turn_of(const SweepPath& path, const SweepQuery& query) {
+  const auto end = static_cast<double>(path.series.segments);
+  const Frame<double> last = path.frames(end);
+  const double twist = round_to_double(to_real(FrameAngle(query.twist)));
+  if (!path.is_closed)
+    return twist + (query.end_normal ? angle_to(round_to_double(*query.end_normal), last) : 0);
+  if (query.end_normal)
+    throw DomainError("end normal: the path is closed, it ends with the normal it starts with");
+  const bool is_whole = query.twist.radians == 0 && denominator(query.twist.half_turns / 2) == 1;
+  if (!is_whole) throw DomainError("twist: the path is closed, only whole turns close the body");
+  if (query.scale(0) != query.scale(Rational(static_cast<long>(path.series.segments))))
+    throw DomainError("scale: the path is closed, and the scale differs at its ends");
+  return twist + angle_to(path.frames(0).e2, last);
+}
+
+SweepAnswer swept(const SweepPath& path, const SweepQuery& query) {
+  greatest_scale(query.scale, path.series.segments);
+  const double turn = turn_of(path, query);
+  return {sweep(path, {query.profile, query.scale, turn, query.tolerance_or_sections}),
+          path.is_closed, turn};
+}
+
+}  // namespace
+
+SweepAnswer answer(const NamedPath& named, const SweepQuery& query) {
+  const Path& path = named.path;
+  return swept({series_of(path), CompiledFrames(PathAngle(path), start_angle(query.start, path)),
+                path.closing_turn().has_value()},
+               query);
+}
+
+SweepAnswer answer(const NamedSmoothPath& named, const SweepQuery& query) {
+  const SmoothAngle angle(named.path);
+  return swept({series_of(named.path), compile_frames(angle, start_angle(query.start, angle)),
+                named.path.is_closed()},
+               query);
+}
+
+}  // namespace phrame

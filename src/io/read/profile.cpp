@@ -1,0 +1,156 @@
+#include "phrame/io/read/profile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/io/read/number.hpp"
+#include "phrame/io/read/svg_file.hpp"
+#include "phrame/io/read/svg_path.hpp"
+#include "phrame/io/read/text_table.hpp"
+#include "phrame/ph/smooth/curve_series.hpp"
+
+namespace phrame {
+namespace {
+
+/// What may go wrong with the corners is about the file.
+template <class Make>
+Profile made(Make make) {
+  try {
+    return make();
+  } catch (const DomainError& error) {
+    throw InputError(error.what());
+  }
+}
+
+std::vector<Rational> numbers_of(std::string_view text) {
+  std::vector<Rational> numbers;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    numbers.push_back(parse_number(text.substr(from, comma - from)));
+    from = comma + 1;
+  }
+  return numbers;
+}
+
+CurveSeries series_of_segment(const GivenSegment& segment) {
+  if (const auto* curve = std::get_if<Curve>(&segment.form)) return series_of(Path(*curve));
+  if (const auto* curve = std::get_if<RationalCurve>(&segment.form))
+    return series_of(SmoothPath(*curve));
+  return series_of(SmoothPath(std::get<ExpressionCurve>(segment.form)));
+}
+
+constexpr long bits = 96;
+
+/// As far as (Δt)²/8·|r″| the chord of a part is from it.
+bool is_flat(const CurveSeries& series, const Rational& from, const Rational& to,
+             const Rational& tolerance) {
+  const auto r = series.position(0, hull(from, to, bits), 3, bits);
+  RealBall sum;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const RealBall x = r[k].coefficient(2);
+    sum = add(sum, multiply(x, x, bits), bits);
+  }
+  const Rational step = to - from;  // r″ is twice the coefficient
+  const RealBall distance =
+      multiply(RealBall(step * step / 4, bits), sqrt_of_nonnegative(sum, bits), bits);
+  return sign(subtract(RealBall(tolerance, bits), distance, bits)) > 0;
+}
+
+/// The corners along a segment, without its end.
+void add_corners(std::vector<ProfilePoint>& corners, const GivenSegment& segment,
+                 const Rational& tolerance) {
+  const CurveSeries series = series_of_segment(segment);
+  std::vector<std::pair<Rational, Rational>> left{{0, 1}};
+  while (!left.empty()) {
+    const auto [from, to] = left.back();
+    left.pop_back();
+    if (!is_flat(series, from, to, tolerance)) {
+      if (corners.size() + left.size() > 10'000)
+        throw InputError("the tolerance is too small: more than 10000 corners are needed");
+      const Rational middle = (from + to) / 2;
+      left.emplace_back(middle, to);
+      left.emplace_back(from, middle);
+      continue;
+    }
+    const auto r = series.position(0, RealBall(from, bits), 1, bits);
+    corners.push_back({exact_rational(approximate(r[0].coefficient(0))),
+                       -exact_rational(approximate(r[1].coefficient(0)))});
+  }
+}
+
+/// The greatest coordinate of the ends of the segments.
+Rational size_of(const std::vector<GivenSegment>& segments) {
+  Rational size;
+  for (const GivenSegment& segment : segments)
+    for (const Rational& x : end_point(segment)) size = std::max<Rational>(size, abs(x));
+  return size;
+}
+
+Profile outline_of(const std::vector<GivenSegment>& segments,
+                   const std::optional<Rational>& asked) {
+  const Rational size = size_of(segments);
+  const Rational tolerance = asked.value_or(size / 1000);
+  std::vector<ProfilePoint> corners;
+  for (const GivenSegment& segment : segments) add_corners(corners, segment, tolerance / 2);
+  const Vector<Rational> end = end_point(segments.back());
+  const ProfilePoint last{exact_rational(round_to_double(end[0])),
+                          -exact_rational(round_to_double(end[1]))};
+  if (!corners.empty() && last != corners.front()) corners.push_back(last);
+  // Corners are rounded to doubles, and a curve may go twice as far as its ends.
+  const Rational error = tolerance / 2 + size * power_of_two(-48);
+  return made([&] { return Profile(std::move(corners), error); });
+}
+
+}  // namespace
+
+std::optional<Profile> parse_profile(std::string_view text,
+                                     const std::optional<Rational>& tolerance) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return std::nullopt;
+  const std::string_view word = text.substr(0, colon);
+  if (word != "circle" && word != "polygon" && word != "rectangle") return std::nullopt;
+  const std::vector<Rational> numbers = numbers_of(text.substr(colon + 1));
+  const std::size_t expected = word == "circle" ? 1 : 2;
+  if (numbers.size() != expected)
+    throw InputError(fmt::format("{} needs {}, not {} numbers", word,
+                                 word == "circle"    ? "a radius"
+                                 : word == "polygon" ? "the number of corners and a radius"
+                                                     : "a width and a height",
+                                 numbers.size()));
+  return made([&] {
+    if (word == "circle") return circle_profile(numbers[0], tolerance.value_or(numbers[0] / 1000));
+    if (word == "rectangle") return rectangle_profile(numbers[0], numbers[1]);
+    if (denominator(numbers[0]) != 1 || numbers[0] < 3 || numbers[0] > 10'000)
+      throw InputError(fmt::format("{} is not a number of corners from 3 to 10000",
+                                   abbreviated(to_string(numbers[0]))));
+    return regular_polygon(static_cast<long>(numerator(numbers[0])), numbers[1]);
+  });
+}
+
+Profile read_profile(std::string_view bytes, const std::optional<Rational>& tolerance) {
+  if (is_path_data(bytes)) return outline_of(read_path_data(bytes, 0, bytes.size()), tolerance);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (first != std::string_view::npos && bytes[first] == '<')
+    return outline_of(read_svg(bytes), tolerance);
+  const TextTable table(bytes, {true, "x, y"});
+  if (table.columns() != 2)
+    throw InputError(table.place(0),
+                     fmt::format("a row has x, y, not {} columns", table.columns()));
+  std::vector<ProfilePoint> corners;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    ProfilePoint corner;
+    for (std::size_t axis = 0; axis < 2; ++axis) try {
+        corner[axis] = table.number(k, axis);
+      } catch (const InputError& error) {
+        throw InputError(table.place(k), error.reason());
+      }
+    corners.push_back(corner);
+  }
+  return made([&] { return Profile(std::move(corners)); });
+}
+
+}  // namespace phrame

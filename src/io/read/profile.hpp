@@ -1,0 +1,20 @@
+#pragma once
+#include <optional>
+#include <string_view>
+
+#include "phrame/ph/sweep/profile.hpp"
+
+namespace phrame {
+
+/// "circle:R", "polygon:N,R" (regular, with a corner on the axis of f₂) or "rectangle:W,H"; no
+/// value for what is none of these words with a ':'. Curves are taken to within the tolerance, if
+/// there is none to within 1/1000 of their size. Throws InputError.
+std::optional<Profile> parse_profile(std::string_view text,
+                                     const std::optional<Rational>& tolerance);
+
+/// A polygon or outline from the bytes of a file: a table of x, y, a corner a row, or an SVG file
+/// or path data with one subpath, which is closed by a line where it is not. The y of SVG, which is
+/// down there, is up. Throws InputError, its place line:column or "line 3".
+Profile read_profile(std::string_view bytes, const std::optional<Rational>& tolerance);
+
+}  // namespace phrame

@@ -1,0 +1,130 @@
+#include "phrame/io/write/mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace phrame {
+namespace {
+
+/// The bytes of an unsigned number, the least first.
+template <class Number>
+void append_number(std::string& bytes, Number x) {
+  for (unsigned k = 0; k < sizeof x; ++k) bytes += static_cast<char>((x >> (8 * k)) & 0xFFU);
+}
+
+void append_float(std::string& bytes, float x) {
+  append_number(bytes, std::bit_cast<std::uint32_t>(x));
+}
+
+/// Not beyond the greatest float.
+float as_float(double x) {
+  constexpr double most = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(x, -most, most));
+}
+
+/// The unit normal of a triangle, 0 where it has no area.
+Vector<float> normal_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+  const auto& a = mesh.points[triangle[0]];
+  const auto& b = mesh.points[triangle[1]];
+  const auto& c = mesh.points[triangle[2]];
+  const Vector<double> u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  const Vector<double> v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+  const Vector<double> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                         u[0] * v[1] - u[1] * v[0]};
+  const double size = std::hypot(n[0], n[1], n[2]);
+  if (size == 0) return {};
+  return {as_float(n[0] / size), as_float(n[1] / size), as_float(n[2] / size)};
+}
+
+/// The least or the greatest coordinates, as JSON.
+template <class Choose>
+std::string extreme_of(const Mesh& mesh, Choose choose) {
+  Vector<float> extreme{};
+  for (std::size_t n = 0; n < mesh.points.size(); ++n)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float x = as_float(mesh.points[n][k]);
+      extreme[k] = n == 0 ? x : choose(extreme[k], x);
+    }
+  return fmt::format("[{},{},{}]", extreme[0], extreme[1], extreme[2]);
+}
+
+void append_chunk(std::string& bytes, const char* kind, std::string content, char filler) {
+  content.resize((content.size() + 3) / 4 * 4, filler);
+  append_number(bytes, static_cast<std::uint32_t>(content.size()));
+  bytes.append(kind, 4);
+  bytes += content;
+}
+
+}  // namespace
+
+std::string to_obj(const Mesh& mesh) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  for (const auto& [x, y, z] : mesh.points) fmt::format_to(out, "v {} {} {}\n", x, y, z);
+  for (const auto& [i, j, k] : mesh.triangles)
+    fmt::format_to(out, "f {} {} {}\n", i + 1, j + 1, k + 1);
+  return text;
+}
+
+std::string to_ply(const Mesh& mesh) {
+  std::string bytes = fmt::format(
+      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double "
+      "y\nproperty double z\nelement face {}\nproperty list uchar uint "
+      "vertex_indices\nend_header\n",
+      mesh.points.size(), mesh.triangles.size());
+  for (const auto& point : mesh.points)
+    for (const double x : point) append_number(bytes, std::bit_cast<std::uint64_t>(x));
+  for (const auto& triangle : mesh.triangles) {
+    bytes += '\3';
+    for (const std::uint32_t k : triangle) append_number(bytes, k);
+  }
+  return bytes;
+}
+
+std::string to_stl(const Mesh& mesh) {
+  std::string bytes = "phrame";
+  bytes.resize(80, ' ');
+  append_number(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const auto& triangle : mesh.triangles) {
+    for (const float x : normal_of(mesh, triangle)) append_float(bytes, x);
+    for (const std::uint32_t k : triangle)
+      for (const double x : mesh.points[k]) append_float(bytes, as_float(x));
+    append_number(bytes, std::uint16_t{0});
+  }
+  return bytes;
+}
+
+std::string to_glb(const Mesh& mesh) {
+  std::string data;
+  for (const auto& point : mesh.points)
+    for (const double x : point) append_float(data, as_float(x));
+  const std::size_t of_points = data.size();
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t k : triangle) append_number(data, k);
+  const auto least = [](float a, float b) { return std::min(a, b); };
+  const auto greatest = [](float a, float b) { return std::max(a, b); };
+  const std::string json = fmt::format(
+      R"({{"asset":{{"version":"2.0","generator":"phrame"}},"scene":0,"scenes":[{{"nodes":[0]}}],)"
+      R"("nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},)"
+      R"("indices":1}}]}}],"buffers":[{{"byteLength":{0}}}],"bufferViews":[)"
+      R"({{"buffer":0,"byteLength":{1},"target":34962}},)"
+      R"({{"buffer":0,"byteOffset":{1},"byteLength":{2},"target":34963}}],"accessors":[)"
+      R"({{"bufferView":0,"componentType":5126,"count":{3},"type":"VEC3","min":{4},"max":{5}}},)"
+      R"({{"bufferView":1,"componentType":5125,"count":{6},"type":"SCALAR"}}]}})",
+      data.size(), of_points, data.size() - of_points, mesh.points.size(), extreme_of(mesh, least),
+      extreme_of(mesh, greatest), 3 * mesh.triangles.size());
+  std::string chunks;
+  append_chunk(chunks, "JSON", json, ' ');
+  append_chunk(chunks, std::string("BIN\0", 4).data(), data, '\0');
+  std::string bytes = "glTF";
+  append_number(bytes, std::uint32_t{2});
+  append_number(bytes, static_cast<std::uint32_t>(12 + chunks.size()));
+  return bytes + chunks;
+}
+
+}  // namespace phrame

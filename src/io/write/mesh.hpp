@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+
+#include "phrame/ph/sweep/mesh.hpp"
+
+namespace phrame {
+
+// A mesh as files of other programs: bytes, little-endian where they are numbers.
+
+/// Wavefront OBJ: text, coordinates in the fewest digits that are theirs.
+std::string to_obj(const Mesh& mesh);
+/// Binary PLY with coordinates in doubles.
+std::string to_ply(const Mesh& mesh);
+/// Binary STL, with coordinates rounded to floats.
+std::string to_stl(const Mesh& mesh);
+/// glTF 2.0 in one binary file, with coordinates rounded to floats, as they are, of which glTF
+/// takes y for up.
+std::string to_glb(const Mesh& mesh);
+
+}  // namespace phrame

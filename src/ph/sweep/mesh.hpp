@@ -1,0 +1,24 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "phrame/ph/curve/quaternion.hpp"
+
+namespace phrame {
+
+/// Triangles that share points, each counterclockwise seen from outside.
+struct Mesh {
+  std::vector<Vector<double>> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< the numbers of three points each
+};
+
+/// Is it the boundary of a body: does each side of a triangle lie opposite to just one other?
+/// Decided by the numbers of the points.
+bool is_watertight(const Mesh& mesh);
+/// Points − edges + triangles, of a watertight mesh: 2 of a ball, 0 of a torus.
+long euler_characteristic(const Mesh& mesh);
+/// Of a watertight mesh, in doubles.
+double volume(const Mesh& mesh);
+
+}  // namespace phrame

@@ -1,0 +1,217 @@
+#include "phrame/answer/sweep.hpp"
+
+#include <cmath>
+
+#include "io/reference.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "support/curves.hpp"
+#include "support/paths.hpp"
+
+using namespace phrame;
+
+namespace {
+
+const Rational tolerance(1, 1000);
+
+SweepQuery within(const Profile& profile, const Rational& distance = tolerance) {
+  SweepQuery query{profile};
+  query.tolerance_or_sections = distance;
+  return query;
+}
+
+SweepQuery in_sections(const Profile& profile, long count) {
+  SweepQuery query{profile};
+  query.tolerance_or_sections = count;
+  return query;
+}
+
+NamedPath named(const Curve& curve) { return {"", Path(curve)}; }
+
+/// r = (t, 0, 0)
+const NamedPath line = named(Curve({{1}, {}, {}, {}}));
+
+/// (2 cos s, 2 sin s, 0), or backwards.
+NamedSmoothPath circle(long turns = 1) {
+  const Formula s = Formula::variable();
+  return {"", SmoothSegment(ExpressionCurve({Formula(2) * cos(s), Formula(2) * sin(s), Formula(0)},
+                                            Formula(0), Formula(0, 2 * turns)))};
+}
+
+/// A closed curve in space, whose rotation-minimizing frame does not close.
+NamedPath space_loop() { return {"", test::chain(test::quarters())}; }
+
+/// The largest deviation of the points and middles of sides of the mesh, by `distance`.
+template <class Distance>
+double farthest(const Mesh& mesh, Distance distance) {
+  double largest = 0;
+  for (const auto& triangle : mesh.triangles) {
+    std::array<Vector<double>, 4> probes{};
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t n = 0; n < 3; ++n) {
+        probes[k][n] = (mesh.points[triangle[k]][n] + mesh.points[triangle[(k + 1) % 3]][n]) / 2;
+        probes[3][n] += mesh.points[triangle[k]][n] / 3;
+      }
+    for (const Vector<double>& p : probes) largest = std::max(largest, std::abs(distance(p)));
+  }
+  return largest;
+}
+
+void check_body(const SweptBody& body, long characteristic) {
+  CHECK(is_watertight(body.mesh));
+  CHECK(euler_characteristic(body.mesh) == characteristic);
+  CHECK(volume(body.mesh) > 0);
+  CHECK(body.folds == 0);
+}
+
+}  // namespace
+
+TEST_CASE("sweep: along a line it is a prism, of two sections") {
+  // An L, of the area 3.
+  const Profile profile({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
+  const SweepAnswer found = answer(line, within(profile));
+  check_body(found.body, 2);
+  CHECK(found.body.sections == 2);
+  CHECK(found.body.mesh.points.size() == 12);
+  CHECK(volume(found.body.mesh) == 3);
+  CHECK(*found.body.error < 1e-12);
+  CHECK_FALSE(found.is_closed);
+  // x is along f₂, which is e₂ = j there.
+  CHECK(found.body.mesh.points[1] == Vector<double>{0, 2, 0});
+}
+
+// Both ways: e₁ is −r′/|r′| for the multiplier −1.
+TEST_CASE("sweep: a body is not inside out where the multiplier is negative") {
+  const NamedPath backwards = named(Curve({{1}, {}, {}, {}}, Polynomial{-1}));
+  const SweepAnswer found = answer(backwards, within(rectangle_profile(1, 2)));
+  check_body(found.body, 2);
+  CHECK(volume(found.body.mesh) == 2);
+}
+
+// A pyramid's frustum has the volume h/3·(A + √(AB) + B).
+TEST_CASE("sweep: a scale makes a frustum of a prism") {
+  SweepQuery query = within(rectangle_profile(1, 1));
+  query.scale = RationalFunction(Polynomial{2, -1});
+  const SweepAnswer found = answer(line, query);
+  check_body(found.body, 2);
+  CHECK(volume(found.body.mesh) == doctest::Approx(7.0 / 3).epsilon(1e-14));
+  query.scale = RationalFunction(Polynomial{1, -1});
+  CHECK_THROWS_AS(answer(line, query), DomainError);
+  query.scale = RationalFunction(Polynomial{1}, Polynomial{-1, 2});
+  CHECK_THROWS_AS(answer(line, query), DomainError);
+}
+
+// (√(x² + y²) − 2)² + z² = 1/4, and Pappus: the volume is the area of the section times 4π.
+TEST_CASE("sweep: a circle along a circle is a torus within the bound") {
+  for (const Rational& distance : {Rational(1, 50), Rational(1, 1000)}) {
+    const Rational radius(1, 2);
+    const SweepAnswer found =
+        answer(circle(), within(circle_profile(radius, distance / 4), distance));
+    check_body(found.body, 0);
+    CHECK(found.is_closed);
+    CHECK(*found.body.error <= round_to_double(distance));
+    const double deviation = farthest(found.body.mesh, [](const Vector<double>& p) {
+      return std::hypot(std::hypot(p[0], p[1]) - 2, p[2]) - 0.5;
+    });
+    CHECK(deviation <= *found.body.error);
+    CHECK(deviation > *found.body.error / 10);  // the bound is not idle
+    CHECK(volume(found.body.mesh) ==
+          doctest::Approx(M_PI * M_PI).epsilon(4 * round_to_double(distance)));
+  }
+}
+
+TEST_CASE("sweep: against its direction a torus is no other") {
+  const SweepAnswer found = answer(circle(-1), within(rectangle_profile(1, Rational(1, 2))));
+  check_body(found.body, 0);
+  CHECK(volume(found.body.mesh) == doctest::Approx(2 * M_PI).epsilon(1e-2));
+}
+
+// (y, z) turned back by x·π/2 is on the boundary of the square.
+TEST_CASE("sweep: a twisted square is met within the bound") {
+  SweepQuery query = within(rectangle_profile(1, 1));
+  query.twist = Angle(Rational(1, 2), 0);
+  const SweepAnswer found = answer(line, query);
+  check_body(found.body, 2);
+  CHECK(found.body.sections > 10);
+  const double deviation = farthest(found.body.mesh, [](const Vector<double>& p) {
+    if (p[0] == 0 || p[0] == 1) return 0.0;  // caps
+    const double phi = p[0] * M_PI / 2;
+    const double y = std::cos(phi) * p[1] + std::sin(phi) * p[2];
+    const double z = -std::sin(phi) * p[1] + std::cos(phi) * p[2];
+    return std::max(std::abs(y), std::abs(z)) - 0.5;
+  });
+  CHECK(deviation <= *found.body.error);
+  CHECK(*found.body.error <= 1e-3);
+  CHECK(deviation > *found.body.error / 20);
+  CHECK(volume(found.body.mesh) == doctest::Approx(1).epsilon(1e-2));
+}
+
+TEST_CASE("sweep: a closed body closes, by the least turn") {
+  const SweepAnswer found =
+      answer(space_loop(), within(rectangle_profile(Rational(1, 4), Rational(1, 8)), Rational(1, 50)));
+  check_body(found.body, 0);
+  CHECK(std::abs(found.turn) > 1e-3);
+  CHECK(std::abs(found.turn) <= M_PI);
+  // The last section is the next to the first one as any other is to its next: no jump.
+  const Mesh& mesh = found.body.mesh;
+  const auto step = [&](std::size_t from, std::size_t to) {
+    double size = 0;
+    for (std::size_t n = 0; n < 3; ++n)
+      size = std::hypot(size, mesh.points[to][n] - mesh.points[from][n]);
+    return size;
+  };
+  const std::size_t last = mesh.points.size() - 4;
+  for (std::size_t k = 0; k < 4; ++k) CHECK(step(last + k, k) < 3 * step(last + k - 4, last + k));
+  SweepQuery query = within(rectangle_profile(Rational(1, 4), Rational(1, 8)), Rational(1, 50));
+  query.twist = Angle(2, 0);
+  CHECK(answer(space_loop(), query).turn == doctest::Approx(found.turn + 2 * M_PI));
+  query.twist = Angle(1, 0);
+  CHECK_THROWS_AS(answer(space_loop(), query), DomainError);
+  query.twist = {};
+  query.end_normal = Vector<Rational>{0, 0, 1};
+  CHECK_THROWS_AS(answer(space_loop(), query), DomainError);
+  query.end_normal = {};
+  query.scale = RationalFunction(Polynomial{2, -1});
+  CHECK_THROWS_AS(answer(space_loop(), query), DomainError);
+}
+
+TEST_CASE("sweep: with an end normal the last section is along it") {
+  SweepQuery query = in_sections(rectangle_profile(1, Rational(1, 4)), 50);
+  query.start = StartNormal({0, 0, 1});
+  query.end_normal = Vector<Rational>{1, 0, 0};
+  const NamedPath path = named(test::quintic);
+  const SweepAnswer found = answer(path, query);
+  check_body(found.body, 2);
+  CHECK(found.body.sections == 50);
+  CHECK_FALSE(found.body.error);
+  const Mesh& mesh = found.body.mesh;
+  // The corners 0 and 1 are (1, ±…)/2 on the long side of the rectangle: their difference is f₂.
+  const auto along = [&](std::size_t section, const Vector<Rational>& v, const Rational& t) {
+    const Vector<double> e1 = round_to_double(euler_rodrigues_frame(test::quintic, t).e1);
+    double in_v = 0;
+    double across = 0;
+    Vector<double> f2{};
+    Vector<double> rest{};
+    const Vector<double> given = round_to_double(v);
+    for (std::size_t n = 0; n < 3; ++n) {
+      f2[n] = mesh.points[4 * section][n] - mesh.points[4 * section + 1][n];
+      in_v += given[n] * e1[n];
+    }
+    for (std::size_t n = 0; n < 3; ++n) rest[n] = given[n] - in_v * e1[n];
+    const double size = std::hypot(rest[0], rest[1], rest[2]);
+    for (std::size_t n = 0; n < 3; ++n) across = std::hypot(across, f2[n] - rest[n] / size);
+    return across;
+  };
+  CHECK(along(0, {0, 0, 1}, 0) < 1e-12);
+  CHECK(along(49, {1, 0, 0}, 1) < 1e-12);
+  query.end_normal = Vector<Rational>{3, 4, 0};  // the tangent at the end
+  CHECK_THROWS_AS(answer(path, query), DomainError);
+}
+
+TEST_CASE("sweep: folds are counted, cusps are refused") {
+  CHECK(answer(circle(), in_sections(rectangle_profile(5, 1), 100)).body.folds > 0);
+  // r′ = (t − 1/2)²·i
+  const NamedPath cusp = named(Curve({{1}, {}, {}, {}}, Polynomial{Rational(1, 4), -1, 1}));
+  CHECK_THROWS_AS(answer(cusp, within(rectangle_profile(1, 1))), Undecided);
+  CHECK_THROWS_AS(answer(cusp, in_sections(rectangle_profile(1, 1), 5)), Undecided);
+}

@@ -1,0 +1,80 @@
+#include "phrame/io/read/profile.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "support/text.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace phrame;
+
+namespace {
+
+using Corners = std::vector<ProfilePoint>;
+
+std::string complaint(const std::string& text, bool is_file) {
+  try {
+    if (is_file)
+      read_profile(text, std::nullopt);
+    else
+      parse_profile(text, std::nullopt);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("profile: words are read") {
+  CHECK(parse_profile("rectangle:2, 1/2", std::nullopt)->corners() ==
+        rectangle_profile(2, Rational(1, 2)).corners());
+  CHECK(parse_profile("polygon:5,3", std::nullopt)->corners() == regular_polygon(5, 3).corners());
+  CHECK(parse_profile("circle:2", Rational(1, 50))->corners() ==
+        circle_profile(2, Rational(1, 50)).corners());
+  CHECK(parse_profile("circle:2", std::nullopt)->corners() ==
+        circle_profile(2, Rational(1, 500)).corners());
+  CHECK_FALSE(parse_profile("outline.svg", std::nullopt));
+  CHECK_FALSE(parse_profile("C:\\outline.svg", std::nullopt));
+  CHECK(test::contains(complaint("circle:1,2", false), "a radius, not 2 numbers"));
+  CHECK(test::contains(complaint("circle:x", false), "\"x\""));
+  CHECK(test::contains(complaint("circle:-1", false), "not > 0"));
+  CHECK(test::contains(complaint("polygon:2,1", false), "from 3 to 10000"));
+  CHECK(test::contains(complaint("polygon:5/2,1", false), "from 3 to 10000"));
+  CHECK(test::contains(complaint("rectangle:0,1", false), "not > 0"));
+}
+
+TEST_CASE("profile: a table of corners is read exactly") {
+  CHECK(read_profile("x,y\n0,0\n0.1,0\n0,1/3\n", std::nullopt).corners() ==
+        Corners{{0, 0}, {Rational(1, 10), 0}, {0, Rational(1, 3)}});
+  CHECK(read_profile("0 0\n1 0\n0 1\n", std::nullopt).error() == 0);
+  CHECK(test::contains(complaint("0,0\n1,0\n0,z\n", true), "line 3"));
+  CHECK(test::contains(complaint("0,0,0\n1,0,0\n0,1,0\n", true), "columns"));
+  CHECK(test::contains(complaint("0,0\n1,1\n1,0\n0,1\n", true), "meet"));
+}
+
+TEST_CASE("profile: the outline of an SVG path, y up, closed where it is not") {
+  const Corners square = read_profile("M 0 0 H 2 V 2 H 0 Z", std::nullopt).corners();
+  CHECK(square.size() == 4);
+  CHECK(read_profile("M 0 0 H 2 V 2 H 0", std::nullopt).corners().size() == 4);
+  for (const auto& [x, y] : square) CHECK((x >= 0 && y <= 0));
+  CHECK(test::contains(complaint("M 0 0 H 1 V 1 Z M 5 5 H 6 V 6 Z", true), "subpath"));
+}
+
+// Half a circle of radius 1 in SVG's arc, and its diameter.
+TEST_CASE("profile: curved parts are within the tolerance") {
+  const Rational tolerance(1, 10'000);
+  const Profile half = read_profile("M 1 0 A 1 1 0 0 1 -1 0 Z", tolerance);
+  CHECK(half.error() <= tolerance);
+  CHECK(half.corners().size() > 100);
+  CHECK(half.corners().size() < 2000);
+  double area = 0;
+  for (std::size_t k = 0; k < half.corners().size(); ++k) {
+    const auto& a = half.corners()[k];
+    const auto& b = half.corners()[(k + 1) % half.corners().size()];
+    area += round_to_double(a[0] * b[1] - a[1] * b[0]) / 2;
+    if (a[1] != 0)
+      CHECK(std::abs(std::hypot(round_to_double(a[0]), round_to_double(a[1])) - 1) < 1e-12);
+  }
+  CHECK(std::abs(area - M_PI / 2) < 4e-4);
+}

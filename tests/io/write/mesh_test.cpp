@@ -1,0 +1,75 @@
+#include "phrame/io/write/mesh.hpp"
+
+#include <cstring>
+#include <sstream>
+
+#include "io/reference.hpp"
+
+using namespace phrame;
+
+namespace {
+
+const Mesh tetrahedron{{{0, 0, 0}, {0.1, 0, 0}, {0, 1, 0}, {0, 0, -2.5}},
+                       {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
+
+/// A number at a place among the bytes, on machines whose first byte is the least.
+template <class Number>
+Number at(const std::string& bytes, std::size_t place) {
+  REQUIRE(place + sizeof(Number) <= bytes.size());
+  Number x;
+  std::memcpy(&x, bytes.data() + place, sizeof x);
+  return x;
+}
+
+}  // namespace
+
+TEST_CASE("mesh files: OBJ counts from 1 and keeps the doubles") {
+  CHECK(to_obj(tetrahedron) ==
+        "v 0 0 0\nv 0.1 0 0\nv 0 1 0\nv 0 0 -2.5\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n");
+}
+
+TEST_CASE("mesh files: PLY has doubles and lists of three") {
+  const std::string bytes = to_ply(tetrahedron);
+  const std::size_t data = bytes.find("end_header\n") + 11;
+  CHECK(bytes.substr(0, data).find("element vertex 4\n") != std::string::npos);
+  CHECK(bytes.substr(0, data).find("element face 4\n") != std::string::npos);
+  REQUIRE(bytes.size() == data + 12 * 8 + 4 * 13);
+  CHECK(at<double>(bytes, data + 3 * 8) == 0.1);
+  CHECK(at<double>(bytes, data + 11 * 8) == -2.5);
+  CHECK(bytes[data + 12 * 8 + 13] == 3);
+  CHECK(at<std::uint32_t>(bytes, data + 12 * 8 + 14) == 0);
+  CHECK(at<std::uint32_t>(bytes, data + 12 * 8 + 18) == 3);
+}
+
+TEST_CASE("mesh files: STL has a normal and three points for each triangle") {
+  const std::string bytes = to_stl(tetrahedron);
+  REQUIRE(bytes.size() == 84 + 4 * 50);
+  CHECK_FALSE(bytes.starts_with("solid"));  // or readers take it for text
+  CHECK(at<std::uint32_t>(bytes, 80) == 4);
+  CHECK(at<float>(bytes, 84 + 8) == 1);  // 0, 1, 2 are counterclockwise from above
+  CHECK(at<float>(bytes, 84 + 24) == 0.1F);
+  CHECK(at<float>(bytes, 84 + 50 + 4) == -1);  // of 0, 3, 1: away from the point 2
+}
+
+TEST_CASE("mesh files: GLB has a JSON chunk that fits its binary chunk") {
+  const std::string bytes = to_glb(tetrahedron);
+  CHECK(bytes.substr(0, 4) == "glTF");
+  CHECK(at<std::uint32_t>(bytes, 4) == 2);
+  CHECK(at<std::uint32_t>(bytes, 8) == bytes.size());
+  const auto length = at<std::uint32_t>(bytes, 12);
+  CHECK(length % 4 == 0);
+  CHECK(bytes.substr(16, 4) == "JSON");
+  const auto json = test::Json::parse(bytes.substr(20, length));
+  const std::size_t data = 20 + length + 8;
+  CHECK(at<std::uint32_t>(bytes, 20 + length) == 4 * 12 + 12 * 4);
+  CHECK(bytes.substr(20 + length + 4, 4) == std::string("BIN\0", 4));
+  REQUIRE(bytes.size() == data + 96);
+  CHECK(json["buffers"][0]["byteLength"] == 96);
+  CHECK(json["bufferViews"][1]["byteOffset"] == 48);
+  CHECK(json["accessors"][0]["count"] == 4);
+  CHECK(json["accessors"][0]["min"] == test::Json({0, 0, -2.5}));
+  CHECK(json["accessors"][0]["max"][0].get<float>() == 0.1F);
+  CHECK(json["accessors"][1]["count"] == 12);
+  CHECK(at<float>(bytes, data + 12) == 0.1F);
+  CHECK(at<std::uint32_t>(bytes, data + 48 + 16) == 3);
+}

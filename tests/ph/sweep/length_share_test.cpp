@@ -1,0 +1,51 @@
+#include "phrame/ph/sweep/length_share.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/arc_length.hpp"
+#include "support/curves.hpp"
+#include <doctest/doctest.h>
+
+using namespace phrame;
+
+namespace {
+
+/// (t, 0, 0), and an arc of a parabola from its end.
+SmoothPath line_and_parabola() {
+  SmoothPath path(RationalCurve({Polynomial{0, 1}, Polynomial(), Polynomial()}));
+  path.append(RationalCurve({Polynomial{1, 1}, Polynomial{0, 0, 1}, Polynomial()}));
+  return path;
+}
+
+}  // namespace
+
+TEST_CASE("length share: along a PH curve it is the exact one") {
+  const LengthShare share(series_of(Path(test::quintic)));
+  const ArcLength exact(test::quintic);
+  const Rational whole = exact.polynomial()(1);
+  CHECK(std::abs(share.length() / round_to_double(whole) - 1) <= share.error());
+  CHECK(share.error() < 1e-12);
+  for (long k = 0; k <= 64; ++k) {
+    const double expected = round_to_double(Rational(exact.polynomial()(Rational(k, 64)) / whole));
+    CHECK(std::abs(share(0, static_cast<double>(k) / 64) - expected) <= share.error());
+  }
+}
+
+// ∫₀ᵗ √(1 + 4t²) = t√(1 + 4t²)/2 + asinh(2t)/4
+TEST_CASE("length share: over several segments of any kind") {
+  const LengthShare share(series_of(line_and_parabola()));
+  const auto parabola = [](double t) {
+    return t * std::sqrt(1 + 4 * t * t) / 2 + std::asinh(2 * t) / 4;
+  };
+  const double whole = 1 + parabola(1);
+  CHECK(std::abs(share.length() - whole) < 1e-13);
+  CHECK(share(0, 0) == 0);
+  CHECK(std::abs(share(0, 0.3) - 0.3 / whole) < 1e-14);
+  CHECK(std::abs(share(1, 0.7) - (1 + parabola(0.7)) / whole) < 1e-14);
+  CHECK(std::abs(share(1, 1) - 1) < 1e-14);
+}
+
+TEST_CASE("length share: at a cusp it is undecided") {
+  const Path cusp(Curve({{1}, {}, {}, {0, 1}}, Polynomial{0, 1}));
+  CHECK_THROWS_AS(LengthShare(series_of(cusp)), Undecided);
+}
