@@ -12,6 +12,7 @@ from importlib import import_module
 from typing import Any
 
 from ._errors import DomainError, Error, InputError, Undecided
+from ._map import map
 from ._phrame import (
     Angle,
     Certificate,
@@ -47,11 +48,12 @@ __all__ = [
     "Undecided",
     "__version__",
     "integrate",
+    "map",
     "root",
 ]
 
 # What needs other packages, and is imported when it is named.
-_BRIDGES = ("sympy",)
+_BRIDGES = ("dask", "sympy")
 
 
 def __getattr__(name: str) -> Any:

@@ -72,6 +72,7 @@ def test_no_memory_is_lost():
 
 def test_examples_in_documents_and_docstrings():
     assert doctest.testmod(phrame).failed == 0
+    assert doctest.testmod(phrame._map).failed == 0
     found = doctest.testfile(str(ROOT / "docs/python.md"), module_relative=False, encoding="utf-8")
     assert found.failed == 0 and found.attempted > 20
 

@@ -1,0 +1,74 @@
+"""One question about many curves."""
+
+from __future__ import annotations
+
+import itertools
+import os
+from collections import deque
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import Callable, Deque, Iterable, Iterator, List, Optional, TypeVar, Union
+
+from ._errors import Error, InputError
+
+C = TypeVar("C")
+A = TypeVar("A")
+
+_CHUNK = 16  # curves that a thread takes at a time
+
+
+def refuse_errors(errors: str) -> None:
+    if errors not in ("raise", "return"):
+        reason = f'"{errors}" is not one of raise, return'
+        raise InputError(f"errors: {reason}", "errors", reason, errors)
+
+
+def answers(curves: Iterable[C], question: Callable[[C], A], errors: str = "raise") -> List[Union[A, Error]]:
+    """One after the other."""
+    found: List[Union[A, Error]] = []
+    for curve in curves:
+        try:
+            found.append(question(curve))
+        except Error as error:
+            if errors == "raise":
+                raise
+            found.append(error)
+    return found
+
+
+def map(
+    curves: Iterable[C], question: Callable[[C], A], *, threads: Optional[int] = None, errors: str = "raise"
+) -> Iterator[Union[A, Error]]:
+    """question(curve) for each of the curves, in their order, by threads (default: one a core).
+
+    The curves are read as they are needed, and what has been answered is not kept. With errors="return" a
+    curve that the question has no answer for gives its phrame.Error in its place; else the first one is raised.
+
+    >>> import phrame
+    >>> curves = [phrame.Curve([1, k], [0, 1], [2, 0], [1, 1]) for k in range(3)]
+    >>> [float(length) for length in phrame.map(curves, lambda curve: curve.length)]
+    [7.666666666666667, 9.0, 11.0]
+    """
+    refuse_errors(errors)
+    if threads is not None and threads < 1:
+        reason = f"{threads} is less than 1"
+        raise InputError(f"threads: {reason}", "threads", reason, threads)
+    return _map(iter(curves), question, threads or os.cpu_count() or 1, errors)
+
+
+def _map(curves: Iterator[C], question: Callable[[C], A], threads: int, errors: str) -> Iterator[Union[A, Error]]:
+    waiting: Deque[Future[List[Union[A, Error]]]] = deque()
+    pool = ThreadPoolExecutor(threads)
+    try:
+        while True:
+            chunk = list(itertools.islice(curves, _CHUNK))
+            if chunk:
+                waiting.append(pool.submit(answers, chunk, question, "return"))
+            if waiting and (not chunk or len(waiting) > 4 * threads):
+                for answer in waiting.popleft().result():
+                    if errors == "raise" and isinstance(answer, Error):
+                        raise answer
+                    yield answer
+            elif not chunk:
+                return
+    finally:
+        pool.shutdown(wait=False, cancel_futures=True)

@@ -1,0 +1,77 @@
+"""Many curves and many parameters on a Dask cluster: docs/python.md.
+
+A question is pickled with what it refers to: a function of a module, or a lambda where the workers have
+cloudpickle, as those of dask.distributed do. Answers depend on their curve alone, so that what is computed
+again after a worker was lost is the same.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Iterable, Optional, Tuple, Union
+
+import dask.array
+import dask.bag
+import numpy as np
+
+from ._map import answers, refuse_errors
+from ._phrame import Angle, Path
+
+__all__ = ["angles", "frames", "map", "matrices", "points", "quaternions"]
+
+
+def map(
+    curves: Union[Iterable[Any], Any],
+    question: Callable[[Any], Any],
+    *,
+    partitions: Optional[int] = None,
+    errors: str = "raise",
+) -> Any:
+    """A dask.bag.Bag of question(curve), in the order of the curves, which are a Bag or any iterable."""
+    refuse_errors(errors)
+    make: Any = dask.bag.from_sequence
+    bag = curves if isinstance(curves, dask.bag.Bag) else make(curves, npartitions=partitions)
+    return bag.map_partitions(answers, question, errors)
+
+
+def _of_block(ts: Any, thing: Any, method: str, options: Any) -> Any:
+    return getattr(thing, method)(ts, **options)
+
+
+def _blocks(thing: Any, method: str, ts: Any, shape: Tuple[int, ...], options: Any) -> Any:
+    make: Any = dask.array.from_array
+    ts = ts if isinstance(ts, dask.array.Array) else make(np.asarray(ts), chunks="auto")
+    return ts.map_blocks(
+        _of_block,
+        thing,
+        method,
+        options,
+        dtype=np.float64,
+        chunks=ts.chunks + tuple((n,) for n in shape),
+        new_axis=[k + 1 for k in range(len(shape))] or None,
+        meta=np.empty((0,) * (1 + len(shape))),
+    )
+
+
+def frames(path: Path, ts: Any, **options: Any) -> Any:
+    """path.frames(ts) as a dask.array.Array (n, 3, 3), block by block of ts."""
+    return _blocks(path, "frames", ts, (3, 3), options)
+
+
+def matrices(path: Path, ts: Any, **options: Any) -> Any:
+    """path.matrices(ts): (n, 4, 4)."""
+    return _blocks(path, "matrices", ts, (4, 4), options)
+
+
+def quaternions(path: Path, ts: Any, **options: Any) -> Any:
+    """path.quaternions(ts): (n, 4)."""
+    return _blocks(path, "quaternions", ts, (4,), options)
+
+
+def points(path: Path, ts: Any, **options: Any) -> Any:
+    """path.points(ts): (n, 3)."""
+    return _blocks(path, "points", ts, (3,), options)
+
+
+def angles(angle: Angle, ts: Any) -> Any:
+    """angle(ts): (n,)."""
+    return _blocks(angle, "__call__", ts, (), {})

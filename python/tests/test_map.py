@@ -1,0 +1,126 @@
+"""Many curves: on threads, and on a Dask cluster of two workers of which one is killed."""
+
+import itertools
+import os
+import random
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import phrame
+from common import MULTIPLIER, QUINTIC, ROOT, random_curve
+
+LINE = phrame.Curve([1], [0], [0], [0])
+
+
+def curves(n):
+    rng = random.Random(7)
+    return [random_curve(rng) for _ in range(n)]
+
+
+def theta(curve):
+    return str(curve.angle().value(1, digits=30))
+
+
+def test_answers_are_in_order_on_any_number_of_threads():
+    many = curves(100)
+    expected = [theta(curve) for curve in many]
+    for threads in (None, 1, 3):
+        assert list(phrame.map(many, theta, threads=threads)) == expected
+    assert list(phrame.map([], theta)) == []
+
+
+def test_curves_are_read_as_they_are_needed():
+    read = []
+
+    def endless():
+        for k in itertools.count():
+            read.append(k)
+            yield QUINTIC
+
+    found = phrame.map(endless(), lambda curve: curve.degree, threads=2)
+    assert [next(found) for _ in range(5)] == [5] * 5
+    assert len(read) < 1000
+    found.close()
+    names = set()
+    assert len(list(phrame.map(curves(200), lambda _: names.add(threading.get_ident()) or time.sleep(0.001), threads=2))) == 200
+    assert len(names) == 2
+
+
+def test_a_curve_without_an_answer():
+    def frenet(curve):
+        return curve.angle("frenet").value(1, digits=10)
+
+    mixed = [QUINTIC, LINE, QUINTIC]
+    first, none, last = phrame.map(mixed, frenet, errors="return")
+    assert first == last == frenet(QUINTIC) and isinstance(none, phrame.DomainError)
+    found = phrame.map(mixed, frenet)
+    assert next(found) == first
+    with pytest.raises(phrame.DomainError):
+        next(found)
+    with pytest.raises(ZeroDivisionError):
+        list(phrame.map(mixed, lambda curve: 1 / 0, errors="return"))
+    for wrong in ({"errors": "ignore"}, {"threads": 0}):
+        with pytest.raises(phrame.InputError, match=next(iter(wrong))):
+            phrame.map(mixed, frenet, **wrong)
+
+
+def test_dask_without_a_cluster():
+    pytest.importorskip("dask")
+    import dask
+
+    many = curves(20)
+    with dask.config.set(scheduler="synchronous"):
+        assert phrame.dask.map(many, theta, partitions=3).compute() == [theta(curve) for curve in many]
+        assert phrame.dask.map([LINE], lambda curve: curve.angle("frenet"), errors="return").compute()[0].reason
+        ts = np.linspace(0, 1, 100)
+        blocks = __import__("dask.array").array.from_array(ts, chunks=30)
+        for name in ("frames", "matrices", "quaternions", "points"):
+            lazy = getattr(phrame.dask, name)(QUINTIC, blocks)
+            whole = getattr(QUINTIC, name)(ts)
+            assert lazy.shape == whole.shape and (lazy.compute() == whole).all()
+        assert (phrame.dask.frames(QUINTIC, ts, start="pi/8").compute() == QUINTIC.frames(ts, start="pi/8")).all()
+        assert (phrame.dask.angles(QUINTIC.angle(), blocks).compute() == QUINTIC.angle()(ts)).all()
+
+
+CLUSTER = """
+import os, signal, sys, time
+sys.path[:0] = {path!r}
+import phrame
+from dask.distributed import Client, LocalCluster, as_completed
+from test_map import curves, theta
+
+def slow_theta(curve):
+    time.sleep(0.02)
+    return theta(curve)
+
+if __name__ == "__main__":
+    with LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None,
+                      worker_dashboard_address=None) as cluster, Client(cluster) as client:
+        parts = phrame.dask.map(curves({n}), slow_theta, partitions={n} // 5).to_delayed()
+        futures = client.compute(parts)
+        next(as_completed(futures))
+        killed = next(iter(client.run(os.getpid).values()))
+        os.kill(killed, signal.SIGKILL)
+        answers = [answer for part in client.gather(futures) for answer in part]
+        print("\\n".join(answers))
+        print("killed", killed, "left", *sorted(client.run(os.getpid).values()))
+"""
+
+
+@pytest.mark.skipif(MULTIPLIER == 1, reason="a cluster takes seconds: PHRAME_TEST_MULTIPLIER=2")
+def test_dask_loses_nothing_with_a_worker(tmp_path):
+    pytest.importorskip("distributed")
+    n = 100
+    script = tmp_path / "cluster.py"
+    script.write_text(CLUSTER.format(path=[str(ROOT / "python/tests"), *os.environ.get("PYTHONPATH", "").split(":")], n=n))
+    run = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, cwd=tmp_path, timeout=120, check=False)
+    assert run.returncode == 0, run.stderr[-2000:]
+    *answers, last = run.stdout.splitlines()
+    assert answers == [theta(curve) for curve in curves(n)]
+    killed, left = last.removeprefix("killed ").split(" left ")
+    assert killed not in left.split()
