@@ -133,6 +133,17 @@ auto at_key(const JsonNode& line, const char* key, Make make) {
   }
 }
 
+/// A vector that gives no start is an error at the line's key, else in the option for all lines.
+template <class Measured>
+void require_start(const JsonNode& line, const FrameStart& start, const Measured& measured) {
+  try {
+    start_angle(start, measured);
+  } catch (const DomainError& error) {
+    if (const auto normal = line.find("start_normal")) normal->fail(error.what());
+    throw InputError(std::string("--start-normal: ") + error.what());
+  }
+}
+
 std::string answer_of(const JsonNode& line, const NamedPath& named, const AngleQuery& query) {
   if (line.find("curve"))
     for (const char* key : {"up", "frame"})
@@ -140,7 +151,7 @@ std::string answer_of(const JsonNode& line, const NamedPath& named, const AngleQ
         node->fail("the curve is Pythagorean-hodograph: its angle is that to erf or frenet");
   if (query.reference != Reference::euler_rodrigues && !named.path.is_curve())
     line.fail("the Frenet frame is for single curves; this is a spline");
-  at_key(line, "start_normal", [&] { start_angle(query.start, named.path); });
+  require_start(line, query.start, named.path);
   return to_json_line(answer(named, query));
 }
 
@@ -159,7 +170,7 @@ std::string answer_of(const JsonNode& line, const NamedSmoothPath& named, const 
   const SmoothAngle angle = at_key(line, "up", [&] {
     return wanted.up ? SmoothAngle(named.path, *wanted.up) : SmoothAngle(named.path);
   });
-  at_key(line, "start_normal", [&] { start_angle(query.start, angle); });
+  require_start(line, query.start, angle);
   return to_json_line(answer(named, wanted));
 }
 

@@ -358,7 +358,7 @@ TEST_CASE("mtf --wronskian: the quintic of Peng, Pang and Pan") {
   CHECK(abs(rational(Json(value("torsion-curvature"))) - parse_rational("11.83033300")) <
         power_of_ten(-8));
   CHECK(contains(here.run(command).out,
-                 "x = −10.3984092745…            J ≈ 173.37920852, 1 critical point of J, the "
+                 "x = −10.3984092744…            J ≈ 173.37920852, 1 critical point of J, the "
                  "least\n"));
   const Run latex = here.run(command + "--print latex");
   CHECK(contains(latex.out, "\n\\text{multiplier $\\lambda$} &\\approx -15.698218105 \\\\\n"));

@@ -92,7 +92,11 @@ TEST_CASE("batch: a frame starts at an angle or along a vector") {
   CHECK(error({{"start_normal", {2, 2}}})["status"] == 2);
   BatchDefaults defaults;
   defaults.start = StartNormal({2, 2, 1});
-  CHECK(answer({{"curve", quintic()}}, defaults)["error"]["status"] == 2);
+  const Json refused = answer({{"curve", quintic()}}, defaults)["error"];
+  CHECK(refused["status"] == 2);
+  CHECK(refused["message"] ==
+        "--start-normal: the vector (2, 2, 1) has no part in the normal plane: it is along the "
+        "tangent");
   CHECK(answer({{"curve", quintic()}, {"theta0", 1}}, defaults)["theta0"] == "1");
 }
 

@@ -164,8 +164,16 @@ std::string row(std::string_view label, const std::string& value, std::size_t wi
 
 std::string shown(const RealAlgebraic& x) {
   if (const auto exact = x.rational()) return shown(*exact);
-  const Rational below = enclose(x, 128).lower();
-  return (below < 0 ? "−" + upper_bound_text(-below, 12) : lower_bound_text(below, 12)) + "…";
+  // This ends: an irrational number lies between two decimals.
+  for (long bits = 128;; bits *= 2) {
+    const RealBall ball = enclose(x, bits);
+    const bool is_negative = ball.upper() < 0;
+    const Rational least = is_negative ? -ball.upper() : ball.lower();
+    const Rational most = is_negative ? -ball.lower() : ball.upper();
+    if (!(least > 0)) continue;
+    const std::string text = lower_bound_text(least, 12);
+    if (text == lower_bound_text(most, 12)) return (is_negative ? "−" : "") + text + "…";
+  }
 }
 
 }  // namespace phrame

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/algebra/sturm.hpp"
+
 using namespace phrame;
 
 TEST_CASE("text: control characters, in one byte or two, are escaped; other characters stay") {
@@ -65,6 +68,13 @@ TEST_CASE("text: a decimal stands beside a fraction of more than 20 digits") {
   CHECK(abridged(shown(tiny)).ends_with("… (503 characters) = 1.00000000000e-500"));
   const Real x(parse_rational("1/300000000000000000000"));
   CHECK(shown(x, round_to_decimal(x, 3)) == "1/300000000000000000000 ≈ 3.33e-21");
+}
+
+TEST_CASE("text: irrational numbers of either sign are cut off") {
+  const auto roots = real_roots(Polynomial{-5, 0, 1}, closed(-3, 3));  // 2.2360679774997896…
+  REQUIRE(roots.size() == 2);
+  CHECK(shown(roots[0].at) == "−2.23606797749…");
+  CHECK(shown(roots[1].at) == "2.23606797749…");
 }
 
 TEST_CASE("text: one is singular, none and many are plural") {
