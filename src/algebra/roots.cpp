@@ -1,6 +1,7 @@
 #include "phrame/algebra/roots.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "phrame/algebra/ehrlich_aberth.hpp"
 #include "phrame/algebra/error.hpp"

@@ -6,6 +6,8 @@
 // that V is real.
 #include "phrame/integrate/algebraic_logs.hpp"
 
+#include <cmath>
+
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/bivariate.hpp"

@@ -1,5 +1,7 @@
 #include "phrame/algebra/ball.hpp"
 
+#include <cmath>
+
 #include "support/random.hpp"
 
 using namespace phrame;

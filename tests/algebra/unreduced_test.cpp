@@ -1,6 +1,7 @@
 #include "phrame/algebra/unreduced.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "phrame/algebra/error.hpp"
 #include "support/random.hpp"

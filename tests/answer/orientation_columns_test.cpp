@@ -1,5 +1,8 @@
 #include "phrame/answer/orientation_columns.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "io/reference.hpp"
 #include "phrame/answer/smooth_table.hpp"
 #include "support/curves.hpp"

@@ -1,5 +1,6 @@
 #include "phrame/answer/sweep.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/reference.hpp"
@@ -147,8 +148,8 @@ TEST_CASE("sweep: a twisted square is met within the bound") {
 }
 
 TEST_CASE("sweep: a closed body closes, by the least turn") {
-  const SweepAnswer found =
-      answer(space_loop(), within(rectangle_profile(Rational(1, 4), Rational(1, 8)), Rational(1, 50)));
+  const SweepAnswer found = answer(
+      space_loop(), within(rectangle_profile(Rational(1, 4), Rational(1, 8)), Rational(1, 50)));
   check_body(found.body, 0);
   CHECK(std::abs(found.turn) > 1e-3);
   CHECK(std::abs(found.turn) <= M_PI);

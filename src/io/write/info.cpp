@@ -1,5 +1,7 @@
 #include "phrame/io/write/answers.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "phrame/answer/info.hpp"

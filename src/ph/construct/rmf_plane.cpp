@@ -1,5 +1,6 @@
 #include "phrame/ph/construct/rmf_plane.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "phrame/algebra/rounding.hpp"

@@ -1,6 +1,7 @@
 #include "phrame/ph/frame/frame_deviation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "phrame/algebra/ball_order.hpp"

@@ -1,5 +1,6 @@
 #include "phrame/ph/frame/up_frame.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "phrame/algebra/rounding.hpp"

@@ -1,5 +1,6 @@
 #include "phrame/ph/smooth/disc_function.hpp"
 
+#include <cmath>
 #include <cstdlib>
 
 namespace phrame {

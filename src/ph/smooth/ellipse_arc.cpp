@@ -1,5 +1,7 @@
 #include "phrame/ph/smooth/ellipse_arc.hpp"
 
+#include <algorithm>
+
 #include "phrame/algebra/rounding.hpp"
 
 // On the unit circle: from p to q, with an angle φ < π between them, the tangents meet at

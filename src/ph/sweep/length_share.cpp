@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "phrame/algebra/ball_series.hpp"
 #include "phrame/algebra/error.hpp"

@@ -1,6 +1,7 @@
 #include "phrame/ph/twist/best_in_plane.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/ball_roots.hpp"

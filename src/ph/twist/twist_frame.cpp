@@ -1,6 +1,7 @@
 #include "phrame/ph/twist/twist_frame.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/frame/erf_turning.hpp"

@@ -2,6 +2,7 @@
 // quadrature (tests/data/any_curves.py).
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "io/reference.hpp"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/write/text.hpp"

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/any_path.hpp"

@@ -1,5 +1,7 @@
 #include "phrame/io/read/profile.hpp"
 
+#include <cmath>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "support/text.hpp"

@@ -1,5 +1,7 @@
 #include "phrame/io/write/page.hpp"
 
+#include <algorithm>
+
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>

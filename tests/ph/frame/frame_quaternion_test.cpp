@@ -1,5 +1,7 @@
 #include "phrame/ph/frame/frame_quaternion.hpp"
 
+#include <cmath>
+
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"

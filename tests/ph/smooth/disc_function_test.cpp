@@ -1,5 +1,7 @@
 #include "phrame/ph/smooth/disc_function.hpp"
 
+#include <cmath>
+
 #include "phrame/algebra/ball_order.hpp"
 #include "support/random.hpp"
 

@@ -1,10 +1,12 @@
 #include "phrame/ph/sweep/length_share.hpp"
 
+#include <cmath>
+
+#include <doctest/doctest.h>
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 #include "support/curves.hpp"
-#include <doctest/doctest.h>
 
 using namespace phrame;
 

@@ -1,5 +1,6 @@
 #include "phrame/ph/sweep/profile.hpp"
 
+#include <cmath>
 #include <set>
 
 #include "phrame/algebra/error.hpp"

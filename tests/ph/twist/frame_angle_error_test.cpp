@@ -1,5 +1,7 @@
 #include "phrame/ph/twist/frame_angle_error.hpp"
 
+#include <algorithm>
+
 #include <doctest/doctest.h>
 
 #include "phrame/algebra/rounding.hpp"

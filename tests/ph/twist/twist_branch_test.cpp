@@ -1,5 +1,7 @@
 #include "phrame/ph/twist/twist_branch.hpp"
 
+#include <algorithm>
+
 #include <doctest/doctest.h>
 
 #include "phrame/ph/twist/twist_error.hpp"
