@@ -50,7 +50,7 @@ bool is_to_be_negated(const std::array<double, 4>& q,
 }  // namespace
 
 std::size_t OrientationColumns::width() const {
-  return std::size_t{6} + (columns_.have_quaternions ? 4 : 0) + (columns_.have_matrices ? 16 : 0);
+  return std::size_t{6} + (have_quaternions_ ? 4 : 0) + (have_matrices_ ? 16 : 0);
 }
 
 void OrientationColumns::add_quaternion(std::vector<double>& row, TabulatedFrame kind,
@@ -84,13 +84,13 @@ void OrientationColumns::add(std::vector<double>& row, TabulatedFrame kind,
                              const Frame<Real>& frame) {
   const Frame<double> rounded{{}, round_to_double(frame.e2), round_to_double(frame.e3)};
   add_vectors(row, rounded);
-  if (columns_.have_quaternions) add_quaternion(row, kind, frame);
-  if (columns_.have_matrices) add_matrix(row, rounded.e2, rounded.e3);
+  if (have_quaternions_) add_quaternion(row, kind, frame);
+  if (have_matrices_) add_matrix(row, rounded.e2, rounded.e3);
 }
 
 void OrientationColumns::add(std::vector<double>& row, const Frame<double>& frame) const {
   add_vectors(row, frame);
-  if (columns_.have_matrices) add_matrix(row, frame.e2, frame.e3);
+  if (have_matrices_) add_matrix(row, frame.e2, frame.e3);
 }
 
 void add_names(std::vector<std::string>& names, TabulatedFrame kind, const TableColumns& columns) {

@@ -9,8 +9,9 @@ namespace phrame {
 /// quaternion, the matrix.
 class OrientationColumns {
  public:
-  /// As they are asked for; `columns` outlives this.
-  explicit OrientationColumns(const TableColumns& columns) : columns_(columns) {}
+  /// As they are asked for.
+  explicit OrientationColumns(const TableColumns& columns)
+      : have_quaternions_(columns.have_quaternions), have_matrices_(columns.have_matrices) {}
 
   /// So many numbers.
   std::size_t width() const;
@@ -22,7 +23,8 @@ class OrientationColumns {
  private:
   void add_quaternion(std::vector<double>& row, TabulatedFrame kind, const Frame<Real>& frame);
 
-  const TableColumns& columns_;
+  bool have_quaternions_;
+  bool have_matrices_;
   std::map<TabulatedFrame, std::array<double, 4>> last_;  ///< the quaternions of the last row
 };
 
