@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# environment.sh FOLDER: a virtual environment with what python/requirements.txt lists, made once; the
-# interpreter is PHRAME_PYTHON, or Debian's, or the first on the PATH. Without a network it is not made, and
-# nothing is left.
+# environment.sh FOLDER REQUIREMENTS…: a virtual environment with what these files list, made once; the interpreter is
+# PHRAME_PYTHON, or Debian's, or the first on the PATH. Without a network it is not made, and nothing is left. The
+# versions are those tried, which need CPython 3.11; an older one takes what it can have.
 set -euo pipefail
 folder=$1
-requirements=$(dirname "${BASH_SOURCE[0]}")/requirements.txt
-! cmp -s "$requirements" "$folder/made-of" || exit 0
+shift
+wanted=$(sed -s 's/ *#.*//; /^$/d' "$@" | sort -u)
+# More than is wanted may be there.
+[[ ! -e $folder/made-of ]] || [[ -n $(comm -23 <(echo "$wanted") <(sort -u "$folder/made-of")) ]] || exit 0
 
 python=${PHRAME_PYTHON:-/usr/bin/python3}
 [[ -x $python ]] || python=$(command -v python3) || {
@@ -15,9 +17,11 @@ python=${PHRAME_PYTHON:-/usr/bin/python3}
 rm -rf "$folder"
 mkdir -p "$(dirname "$folder")"
 echo "dev: making $folder, with packages from PyPI"
+"$python" -c 'import sys; sys.exit(sys.version_info < (3, 11))' || old=yes
+mapfile -t packages < <(if [[ -n ${old:-} ]]; then sed 's/==.*//' <<<"$wanted"; else echo "$wanted"; fi)
 if "$python" -m venv "$folder" &&
-  "$folder/bin/python" -m pip install --quiet --disable-pip-version-check --retries 5 -r "$requirements"; then
-  cp "$requirements" "$folder/made-of"
+  "$folder/bin/python" -m pip install --quiet --disable-pip-version-check --retries 5 "${packages[@]}"; then
+  echo "$wanted" >"$folder/made-of"
 else
   rm -rf "$folder"
   exit 1

@@ -53,7 +53,7 @@ __all__ = [
 ]
 
 # What needs other packages, and is imported when it is named.
-_BRIDGES = ("dask", "sympy")
+_BRIDGES = ("dask", "spark", "sympy")
 
 
 def __getattr__(name: str) -> Any:

@@ -1,8 +1,9 @@
-"""Many curves: on threads, and on a Dask cluster of two workers of which one is killed."""
+"""Many curves: on threads, and on clusters of Dask and of Spark, of two workers of which one is killed."""
 
 import itertools
 import os
 import random
+import shutil
 import subprocess
 import sys
 import threading
@@ -124,3 +125,92 @@ def test_dask_loses_nothing_with_a_worker(tmp_path):
     assert answers == [theta(curve) for curve in curves(n)]
     killed, left = last.removeprefix("killed ").split(" left ")
     assert killed not in left.split()
+
+
+class Rdd:
+    """As much of an RDD as phrame.spark takes."""
+
+    def __init__(self, *partitions):
+        self.partitions = partitions
+
+    def mapPartitions(self, of_partition):  # noqa: N802
+        return [answer for part in self.partitions for answer in of_partition(iter(part))]
+
+
+def test_spark_without_a_cluster():
+    many = curves(4)
+    lines = [curve.json() for curve in many]
+    expected = [theta(curve) for curve in many]
+    assert phrame.spark.map(Rdd(many[:3], [], many[3:]), theta) == expected
+    assert phrame.spark.map(Rdd(lines[:1], lines[1:]), theta) == expected
+    found = phrame.spark.map(Rdd([lines[0], "{}"], [LINE]), lambda curve: curve.angle("frenet").text(), errors="return")
+    assert [type(answer) for answer in found[1:]] == [phrame.InputError, phrame.DomainError]
+    with pytest.raises(phrame.InputError):
+        phrame.spark.map(Rdd(["{}"]), theta)
+    with pytest.raises(phrame.InputError, match="errors"):
+        phrame.spark.map(Rdd(), theta, errors="ignore")
+
+
+# An executor is a Java process, whose daemon in Python has children that ask. It is killed at its first question, so
+# that a partition is lost with it.
+SPARK = """
+import glob, os, signal, sys, threading, time
+sys.path[:0] = {path!r}
+import phrame
+from pyspark import SparkConf, SparkContext
+from test_map import curves, theta
+
+def executor():
+    with open(f"/proc/{{os.getppid()}}/stat") as file:
+        return file.read().rsplit(")", 1)[1].split()[1]
+
+def slow_theta(curve):
+    with open("{folder}/executor-" + executor(), "a") as asked:
+        asked.write("1")
+    time.sleep(0.05)
+    return theta(curve)
+
+def kill_one():
+    while not (found := glob.glob("executor-*")):
+        time.sleep(0.01)
+    os.kill(int(found[0].split("-")[1]), signal.SIGKILL)
+
+conf = SparkConf().setMaster("local-cluster[2,1,1024]").set("spark.ui.enabled", "false")
+conf.set("spark.executorEnv.PYTHONPATH", os.pathsep.join({path!r}))
+spark = SparkContext(conf=conf)
+lines = spark.parallelize([curve.json() for curve in curves({n})], {n} // 5)
+killer = threading.Thread(target=kill_one)
+killer.start()
+answers = phrame.spark.map(lines, slow_theta).collect()
+killer.join()
+print("\\n".join(answers))
+asked = [os.path.getsize(name) for name in glob.glob("executor-*")]
+print("executors", len(asked), "asked", sum(asked))
+spark.stop()
+"""
+
+
+@pytest.mark.skipif(MULTIPLIER == 1, reason="a cluster takes seconds: PHRAME_TEST_MULTIPLIER=2")
+def test_spark_loses_nothing_with_an_executor(tmp_path):
+    pytest.importorskip("pyspark")
+    if shutil.which("java") is None:
+        pytest.skip("no Java")
+    n = 100
+    path = [str(ROOT / "python/tests"), *os.environ.get("PYTHONPATH", "").split(":")]
+    script = tmp_path / "cluster.py"
+    script.write_text(SPARK.format(path=path, n=n, folder=tmp_path))
+    environment = {
+        **os.environ,
+        "PYSPARK_PYTHON": sys.executable,
+        "SPARK_LOCAL_IP": "127.0.0.1",
+        "SPARK_LOCAL_DIRS": str(tmp_path),
+        "SPARK_WORKER_DIR": str(tmp_path / "work"),
+        "JAVA_TOOL_OPTIONS": "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC",  # a short run: half of the CPU time
+    }
+    run = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, cwd=tmp_path, timeout=600, check=False,
+                         env=environment)
+    assert run.returncode == 0, run.stderr[-4000:]
+    *answers, last = run.stdout.splitlines()
+    assert answers == [theta(curve) for curve in curves(n)]
+    executors, asked = (int(word) for word in last.split()[1::2])
+    assert executors >= 2 and asked > n  # what was lost was asked again

@@ -1,0 +1,33 @@
+"""Many curves on a Spark cluster: docs/cluster.md.
+
+A question is pickled with what it refers to, lambdas too; phrame must be installed where the executors' Python
+is. Answers depend on their curve alone, so that what is computed again after an executor was lost is the same.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Iterable, Iterator, Union
+
+from ._map import answers, refuse_errors
+from ._phrame import Path
+
+__all__ = ["map"]
+
+
+def _curve(x: Union[str, Path]) -> Path:
+    return Path.from_json(x) if isinstance(x, str) else x
+
+
+def map(curves: Any, question: Callable[[Any], Any], *, errors: str = "raise") -> Any:
+    """An RDD of question(curve), in the order of the RDD `curves`: of curves, or of lines with a curve file each.
+
+    With errors="return" a curve without an answer, or a line without a curve, gives its phrame.Error in its place;
+    else Spark tries its partition again, in vain, and raises.
+    """
+    refuse_errors(errors)
+
+    def of_partition(part: Iterable[Any]) -> Iterator[Any]:
+        for one in part:
+            yield from answers([one], lambda x: question(_curve(x)), errors)
+
+    return curves.mapPartitions(of_partition)
