@@ -6,6 +6,7 @@
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "support/curves.hpp"
 #include "support/paths.hpp"
 
@@ -176,6 +177,27 @@ TEST_CASE("sweep: a closed body closes, by the least turn") {
   CHECK_THROWS_AS(answer(space_loop(), query), DomainError);
 }
 
+// From each section to the next, the first after the last too, f₂ turns by little; turned the wrong
+// way the body would jump by twice the turn, 2.3, where it closes.
+TEST_CASE("sweep: where a closed body closes its sections go on as elsewhere") {
+  constexpr std::size_t count = 500;
+  const SweepAnswer found =
+      answer(space_loop(), in_sections(rectangle_profile(1, Rational(1, 2)), count));
+  const auto& points = found.body.mesh.points;
+  const auto f2 = [&](std::size_t section) {  // the corners 0 and 1 are at ±1/2 along it
+    return points[4 * section] - points[4 * section + 1];
+  };
+  const auto step = [&](std::size_t section) {
+    const Vector<double> change = f2((section + 1) % count) - f2(section);
+    return std::sqrt(dot(change, change));
+  };
+  double greatest = 0;
+  for (std::size_t k = 0; k + 1 < count; ++k) greatest = std::max(greatest, step(k));
+  CHECK(greatest < 0.1);
+  CHECK(step(count - 1) <= 1.5 * greatest);
+  CHECK(std::abs(found.turn) > 0.2);
+}
+
 TEST_CASE("sweep: with an end normal the last section is along it") {
   SweepQuery query = in_sections(rectangle_profile(1, Rational(1, 4)), 50);
   query.start = StartNormal({0, 0, 1});
@@ -209,8 +231,45 @@ TEST_CASE("sweep: with an end normal the last section is along it") {
   CHECK_THROWS_AS(answer(path, query), DomainError);
 }
 
-TEST_CASE("sweep: folds are counted, cusps are refused") {
-  CHECK(answer(circle(), in_sections(rectangle_profile(5, 1), 100)).body.folds > 0);
+// Along the circle of radius 2 a rectangle has two of its corners inside, by half its width; they
+// fold over where that is more than 2, in either direction of the curve.
+TEST_CASE("sweep: a body folds where its profile is larger than the radius of curvature") {
+  const auto folds = [](const NamedSmoothPath& path, const Rational& width, long sections) {
+    return answer(path, in_sections(rectangle_profile(width, 1), sections)).body.folds;
+  };
+  for (const long turns : {1, -1}) {
+    CHECK(folds(circle(turns), Rational(399, 100), 100) == 0);
+    CHECK(folds(circle(turns), Rational(401, 100), 100) == 200);
+    CHECK(folds(circle(turns), Rational(401, 100), 5) == 10);
+  }
+  // A scale counts: half as large where t = 1.
+  SweepQuery query = in_sections(rectangle_profile(Rational(41, 10), 1), 101);
+  query.scale = RationalFunction(Polynomial{1, -2, 2});
+  CHECK(answer(circle(), query).body.folds < 20);
+  CHECK(answer(circle(), query).body.folds > 0);
+  // (t, t²) has the least radius of curvature, 1/2, at its start: y = 1 + … is beyond it there.
+  const NamedSmoothPath parabola{
+      "", SmoothSegment(RationalCurve({Polynomial{0, 1}, Polynomial{0, 0, 1}, Polynomial()}))};
+  const SweptBody body =
+      answer(parabola, in_sections(rectangle_profile(Rational(11, 10), Rational(11, 10)), 101))
+          .body;
+  CHECK(body.folds >= 2);
+  CHECK(body.folds < 60);
+}
+
+TEST_CASE("sweep: a closed path needs three sections, and a loose tolerance gives them") {
+  CHECK_THROWS_AS(answer(circle(), in_sections(rectangle_profile(1, 1), 2)), DomainError);
+  check_body(answer(circle(), in_sections(rectangle_profile(1, 1), 3)).body, 0);
+  check_body(answer(circle(), within(rectangle_profile(1, 1), 1000)).body, 0);
+}
+
+TEST_CASE("sweep: a body whose triangles vanish in doubles is refused") {
+  const NamedPath far = named(Curve({{1}, {}, {}, {}}, Polynomial{1}, {0, power_of_two(60), 0}));
+  CHECK_THROWS_AS(answer(far, in_sections(rectangle_profile(1, 1), 2)), DomainError);
+  check_body(answer(far, in_sections(rectangle_profile(1024, 1), 2)).body, 2);
+}
+
+TEST_CASE("sweep: cusps are refused") {
   // r′ = (t − 1/2)²·i
   const NamedPath cusp = named(Curve({{1}, {}, {}, {}}, Polynomial{Rational(1, 4), -1, 1}));
   CHECK_THROWS_AS(answer(cusp, within(rectangle_profile(1, 1))), Undecided);

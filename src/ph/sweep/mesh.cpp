@@ -1,24 +1,83 @@
 #include "phrame/ph/sweep/mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 
-bool is_watertight(const Mesh& mesh) {
-  std::vector<std::uint64_t> sides;
-  std::vector<std::uint64_t> opposite;
-  const auto side = [](std::uint64_t from, std::uint64_t to) { return from << 32U | to; };
-  for (const auto& triangle : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t from = triangle[k];
-      const std::uint32_t to = triangle[(k + 1) % 3];
-      if (from == to) return false;
-      sides.push_back(side(from, to));
-      opposite.push_back(side(to, from));
+namespace {
+
+/// The sides that start at each point, by where they end.
+class MeshSides {
+ public:
+  explicit MeshSides(const Mesh& mesh)
+      : first_(mesh.points.size() + 1), ends_(3 * mesh.triangles.size()) {
+    for (const auto& triangle : mesh.triangles)
+      for (const std::uint32_t from : triangle) ++first_[from + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (const auto& triangle : mesh.triangles)
+      for (std::size_t k = 0; k < 3; ++k) ends_[next[triangle[k]]++] = triangle[(k + 1) % 3];
+    for (std::size_t from = 0; from < points(); ++from) std::sort(begin(from), end(from));
+  }
+
+  std::size_t points() const { return first_.size() - 1; }
+  /// Is each there once, with its opposite, which is another?
+  bool are_paired() {
+    for (std::size_t from = 0; from < points(); ++from) {
+      if (std::adjacent_find(begin(from), end(from)) != end(from)) return false;
+      for (auto to = begin(from); to != end(from); ++to)
+        if (*to == from || !std::binary_search(begin(*to), end(*to), from)) return false;
     }
-  std::sort(sides.begin(), sides.end());
-  std::sort(opposite.begin(), opposite.end());
-  return sides == opposite && std::adjacent_find(sides.begin(), sides.end()) == sides.end();
+    return true;
+  }
+
+ private:
+  using Ends = std::vector<std::uint32_t>;
+  Ends::iterator at(std::size_t k) { return ends_.begin() + static_cast<std::ptrdiff_t>(k); }
+  Ends::iterator begin(std::size_t from) { return at(first_[from]); }
+  Ends::iterator end(std::size_t from) { return at(first_[from + 1]); }
+
+  std::vector<std::size_t> first_;
+  Ends ends_;
+};
+
+/// Is a component of (b − a) × (c − a) surely not 0? The differences, products and their difference
+/// are each off by 2^−53 of themselves, or by 2^−1074.
+bool has_area_in_doubles(const Vector<double>& a, const Vector<double>& b,
+                         const Vector<double>& c) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t m = (k + 1) % 3;
+    const double left = (b[k] - a[k]) * (c[m] - a[m]);
+    const double right = (b[m] - a[m]) * (c[k] - a[k]);
+    const double most = std::abs(left) + std::abs(right);
+    if (most < HUGE_VAL && std::abs(left - right) > 0x1p-49 * most + 0x1p-1000) return true;
+  }
+  return false;
+}
+
+bool has_area(const Vector<double>& a, const Vector<double>& b, const Vector<double>& c) {
+  if (has_area_in_doubles(a, b, c)) return true;
+  const auto exact = [](const Vector<double>& p) {
+    return Vector<Rational>{exact_rational(p[0]), exact_rational(p[1]), exact_rational(p[2])};
+  };
+  return cross(exact(b) - exact(a), exact(c) - exact(a)) != Vector<Rational>{};
+}
+
+}  // namespace
+
+bool is_watertight(const Mesh& mesh) { return MeshSides(mesh).are_paired(); }
+
+std::optional<std::size_t> first_flat_triangle(const Mesh& mesh) {
+  for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
+    const auto& [i, j, k] = mesh.triangles[n];
+    if (!has_area(mesh.points[i], mesh.points[j], mesh.points[k])) return n;
+  }
+  return std::nullopt;
 }
 
 long euler_characteristic(const Mesh& mesh) {

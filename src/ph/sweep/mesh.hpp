@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "phrame/ph/curve/quaternion.hpp"
@@ -14,8 +15,12 @@ struct Mesh {
 };
 
 /// Is it the boundary of a body: does each side of a triangle lie opposite to just one other?
-/// Decided by the numbers of the points.
+/// Decided by the numbers of the points, each below that of all. Cost: linear, as sides from one
+/// point are few.
 bool is_watertight(const Mesh& mesh);
+/// The number of the first triangle without an area, its corners being on one line or the same:
+/// decided exactly, for the coordinates as they are.
+std::optional<std::size_t> first_flat_triangle(const Mesh& mesh);
 /// Points − edges + triangles, of a watertight mesh: 2 of a ball, 0 of a torus.
 long euler_characteristic(const Mesh& mesh);
 /// Of a watertight mesh, in doubles.

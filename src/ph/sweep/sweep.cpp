@@ -151,8 +151,8 @@ using Points = std::vector<Vector<double>>;
 /// The corners of a section.
 struct Section {
   double t;
-  Vector<double> tangent;  ///< e₁
   Points points;
+  long folds;  ///< corners on the axis of curvature or beyond it
 };
 
 class Sweep {
@@ -182,21 +182,27 @@ class Sweep {
 };
 
 Section Sweep::section(std::size_t segment, double t) const {
-  const auto series = path_.series.position(segment, RealBall(exact_rational(t), 128), 1, 128);
+  const auto series = path_.series.position(segment, RealBall(exact_rational(t), 128), 3, 128);
+  const auto taylor = [&](long order) {
+    return Vector<double>{approximate(series[0].coefficient(order)),
+                          approximate(series[1].coefficient(order)),
+                          approximate(series[2].coefficient(order))};
+  };
+  const Vector<double> center = taylor(0);
+  const double square = dot(taylor(1), taylor(1));
   const double along = static_cast<double>(segment) + t;
   const Frame<double> frame = path_.frames(along);
   const double phi = share_ ? turn_ * (*share_)(segment, t) : 0;
   const double scale = scale_.at(along);
   const double cos = scale * std::cos(phi);
   const double sin = scale * std::sin(phi);
-  Section section{along, frame.e1, {}};
+  Section section{along, {}, 0};
   section.points.reserve(corners_.size());
   for (const auto& [x, y] : corners_) {
-    Vector<double> point{};
-    for (std::size_t k = 0; k < 3; ++k)
-      point[k] = approximate(series[k].coefficient(0)) + (cos * x - sin * y) * frame.e2[k] +
-                 (sin * x + cos * y) * frame.e3[k];
-    section.points.push_back(point);
+    const Vector<double> out = (cos * x - sin * y) * frame.e2 + (sin * x + cos * y) * frame.e3;
+    section.points.push_back(center + out);
+    // Along T it moves by |r′| − v·T′, and v·T′ = v·r″/|r′|.
+    if (2 * dot(out, taylor(2)) >= square) ++section.folds;
   }
   return section;
 }
@@ -259,6 +265,10 @@ std::vector<Section> Sweep::sections(const std::vector<Part>& parts, double tole
 
 std::vector<Section> equal_sections(const Sweep& sweep, const SweepPath& path, long count) {
   const auto segments = static_cast<long>(path.series.segments);
+  const long least = path.is_closed ? 3 : 2;
+  if (count < least)
+    throw DomainError(fmt::format("sweep: {} sections of {} path bound no body, at least {} do",
+                                  count, path.is_closed ? "a closed" : "an open", least));
   const long steps = path.is_closed ? count : count - 1;
   std::vector<Section> found;
   for (long k = 0; k <= steps; ++k) {
@@ -304,14 +314,21 @@ Mesh mesh_of(const std::vector<Section>& sections, const Profile& profile, bool 
   return mesh;
 }
 
-long folds_between(const std::vector<Section>& sections, int direction) {
+/// Of the sections of a mesh, the first ones.
+long folds_of(const std::vector<Section>& sections, std::size_t count) {
   long folds = 0;
-  for (std::size_t n = 0; n + 1 < sections.size(); ++n)
-    for (std::size_t k = 0; k < sections[n].points.size(); ++k)
-      if (direction * dot(sections[n + 1].points[k] - sections[n].points[k], sections[n].tangent) <=
-          0)
-        ++folds;
+  for (std::size_t n = 0; n < count; ++n) folds += sections[n].folds;
   return folds;
+}
+
+/// Throws Error and DomainError.
+void require_body(const Mesh& mesh) {
+  if (!is_watertight(mesh)) throw Error("sweep: the check failed, the mesh is not watertight");
+  if (const auto flat = first_flat_triangle(mesh))
+    throw DomainError(fmt::format(
+        "sweep: the triangle {} has no area in doubles: the profile is too small beside "
+        "where it is, or the sections are too near to each other",
+        *flat + 1));
 }
 
 /// The greatest coordinate.
@@ -363,12 +380,12 @@ SweptBody sweep(const SweepPath& path, const SweepForm& form) {
     sections.parts(HUGE_VAL);  // there is no cusp
     found = equal_sections(swept, path, std::get<long>(form.tolerance_or_sections));
   }
-  const int direction = direction_of_motion(path);
   body.mesh = mesh_of(found, form.profile, path.is_closed);
-  if (direction < 0)
+  if (direction_of_motion(path) < 0)
     for (auto& triangle : body.mesh.triangles) std::swap(triangle[1], triangle[2]);
   body.sections = found.size() - (path.is_closed ? 1 : 0);
-  body.folds = folds_between(found, direction);
+  body.folds = folds_of(found, body.sections);
+  require_body(body.mesh);
   // The frames are within 2^−53, the place within 2^−50 of the size, the turn within 2^−44.
   if (body.error) {
     const double reach = form.profile.reach() * scale;

@@ -32,17 +32,19 @@ struct SweepForm {
 /// The mesh of the body that r + λ·(x f₂ + y f₃) bounds, (f₂, f₃) turned as the form says, with
 /// caps where the path is not closed.
 struct SweptBody {
-  Mesh mesh;                    ///< watertight
+  Mesh mesh;                    ///< watertight, each triangle with an area: both are checked
   std::size_t sections = 0;     ///< of the mesh
   std::optional<double> error;  ///< a bound of the distances, where there was a tolerance
-  /// So many times a corner of a section does not lie in front of that of the section before, as
-  /// where the profile reaches beyond the center of curvature.
+  /// So many corners of sections lie on the axis of curvature or beyond it, where the body folds
+  /// over itself.
   long folds = 0;
 };
 
 /// Throws DomainError for λ that is not > 0 all along; Undecided where r′ is not told from 0, as at
 /// a cusp, and where more than 20 million points would be needed; DomainError where the error of
-/// the profile is not below half of the tolerance.
+/// the profile is not below half of the tolerance, for less than 3 sections of a closed path or 2
+/// of another, and where the body is so small beside its place that a triangle has no area in
+/// doubles.
 SweptBody sweep(const SweepPath& path, const SweepForm& form);
 
 /// A bound of λ on [0, end], > 0. Throws DomainError for λ that is not > 0 all along.

@@ -47,6 +47,25 @@ TEST_CASE("length share: over several segments of any kind") {
   CHECK(std::abs(share(1, 1) - 1) < 1e-14);
 }
 
+// r = (t, c(t − 1/2)²) with a sharp bend in the middle: 2c·s = 2cx√(1 + 4c²x²)/2 + asinh(2cx)/2 for
+// x = t − 1/2, counted from there. One piece for all of it would be off by far more than the bound.
+TEST_CASE("length share: where a curve bends sharply the remainders are counted") {
+  const double c = 1000;
+  const LengthShare share(series_of(
+      SmoothPath(RationalCurve({Polynomial{0, 1}, Polynomial{250, -1000, 1000}, Polynomial()}))));
+  const auto from_middle = [&](double x) {
+    const double y = 2 * c * x;
+    return (y * std::sqrt(1 + y * y) + std::asinh(y)) / (4 * c);
+  };
+  CHECK(std::abs(share.length() / (2 * from_middle(0.5)) - 1) <= share.error());
+  CHECK(share.error() < 1e-11);
+  for (int k = -32; k <= 32; ++k) {
+    const double x = k / 64.0 * (k % 2 == 0 ? 1 : 0x1p-6);
+    const double expected = 0.5 + from_middle(x) / (2 * from_middle(0.5));
+    CHECK(std::abs(share(0, 0.5 + x) - expected) <= share.error());
+  }
+}
+
 TEST_CASE("length share: at a cusp it is undecided") {
   const Path cusp(Curve({{1}, {}, {}, {0, 1}}, Polynomial{0, 1}));
   CHECK_THROWS_AS(LengthShare(series_of(cusp)), Undecided);
