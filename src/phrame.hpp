@@ -24,6 +24,7 @@
 #include "phrame/answer/page.hpp"
 #include "phrame/answer/smooth_angle.hpp"
 #include "phrame/answer/smooth_table.hpp"
+#include "phrame/answer/sweep.hpp"
 #include "phrame/answer/totals.hpp"
 #include "phrame/answer/wronskian.hpp"
 
@@ -36,8 +37,10 @@
 #include "phrame/io/read/feedrate.hpp"
 #include "phrame/io/read/formula.hpp"
 #include "phrame/io/read/frame_csv.hpp"
+#include "phrame/io/read/given_segment.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/read/point_file.hpp"
+#include "phrame/io/read/profile.hpp"
 
 // What is written.
 #include "phrame/io/write/answers.hpp"
@@ -49,6 +52,7 @@
 #include "phrame/io/write/coq_proof.hpp"
 #include "phrame/io/write/curve_file.hpp"
 #include "phrame/io/write/frame_table.hpp"
+#include "phrame/io/write/mesh.hpp"
 #include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/page.hpp"
 #include "phrame/io/write/passage.hpp"
@@ -60,13 +64,20 @@
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/travel_time.hpp"
 #include "phrame/ph/frame/algebraic_frame.hpp"
+#include "phrame/ph/frame/frame_quaternion.hpp"
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/ph/proof/verify.hpp"
 
 // Curves of any kind, likewise.
+#include "phrame/ph/smooth/bspline.hpp"
 #include "phrame/ph/smooth/closed_curve.hpp"
 #include "phrame/ph/smooth/compiled_smooth.hpp"
+#include "phrame/ph/smooth/cubic_spline.hpp"
+#include "phrame/ph/smooth/rational_form.hpp"
 #include "phrame/ph/smooth/smooth_check.hpp"
+#include "phrame/ph/smooth/smooth_shape.hpp"
+#include "phrame/ph/smooth/smooth_totals.hpp"
+#include "phrame/ph/smooth/up_vector.hpp"
 
 // Rational functions, likewise.
 #include "phrame/algebra/factor.hpp"

@@ -25,7 +25,11 @@ from ._phrame import (
     Polynomial,
     RationalFunction,
     Real,
+    SmoothAngle,
+    SmoothPath,
     integrate,
+    parse,
+    read,
     root,
 )
 from ._phrame import version as __version__
@@ -45,10 +49,14 @@ __all__ = [
     "Polynomial",
     "RationalFunction",
     "Real",
+    "SmoothAngle",
+    "SmoothPath",
     "Undecided",
     "__version__",
     "integrate",
     "map",
+    "parse",
+    "read",
     "root",
 ]
 

@@ -10,3 +10,15 @@ from . import _phrame
 def rebuild(name: str, *arguments: Any) -> Any:
     """What the extension's function of this name makes of the arguments."""
     return getattr(_phrame, name)(*arguments)
+
+
+def component(thing: Any, method: str, at: Any, k: int) -> Any:
+    """One number of a vector that a method answers."""
+    return getattr(thing, method)(at)[k]
+
+
+def kept(numbers: Any) -> Any:
+    """Numbers, or rows of them, as they are now: a list or an array may change later."""
+    if hasattr(numbers, "copy") and hasattr(numbers, "dtype"):
+        return numbers.copy()
+    return tuple(kept(x) if isinstance(x, (list, tuple)) or hasattr(x, "dtype") else x for x in numbers)

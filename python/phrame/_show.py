@@ -6,6 +6,7 @@ from html import escape
 from typing import Any, Iterable, Optional
 
 from ._errors import Error
+from ._phrame import Path
 from ._plot import picture
 
 _LONGEST = 2000  # characters of a formula that somebody looks at
@@ -39,9 +40,9 @@ def _formula(latex: Optional[str]) -> str:
 
 def path_latex(self: Any) -> Optional[str]:
     """Path._repr_latex_"""
-    if self.end > 1:
+    if self.end > 1 or not isinstance(self, Path):
         return None
-    hodograph = self.segments[0].hodograph
+    hodograph: Any = self.segments[0].hodograph
     rates = r" \\ ".join(part._repr_latex_().strip("$") for part in hodograph)
     latex = r"$\displaystyle \mathbf r'(t) = \begin{pmatrix} " + rates + r" \end{pmatrix}$"
     return latex if len(latex) <= _LONGEST else None
@@ -55,7 +56,9 @@ def _title(self: Any, what: str) -> str:
 def path_html(self: Any) -> str:
     """Path._repr_html_"""
     rows = [("length", escape(_number(float(self.length))))]
-    if self.end > 1:
+    if not isinstance(self, Path):
+        title = _title(self, "Curve" if self.end == 1 else f"Path of {self.end} curves,")
+    elif self.end > 1:
         title = _title(self, f"PH spline of {self.end} curves,")
     else:
         title = _title(self, f"PH curve of degree {self.segments[0].degree}")
@@ -73,6 +76,16 @@ def angle_html(self: Any) -> str:
         body = _table([("θ at the end", _number(float(theta)))])
     else:
         body = _formula(self._repr_latex_()) + _poles(self.poles())
+    try:
+        drawing = picture(lambda ax: self.plot(ax=ax))
+    except (Error, OverflowError):
+        drawing = ""
+    return f"<div>{body}{drawing}</div>"
+
+
+def smooth_angle_html(self: Any) -> str:
+    """SmoothAngle._repr_html_"""
+    body = _table([("θ at the end", _number(float(self.value(self.path.end))))])
     try:
         drawing = picture(lambda ax: self.plot(ax=ax))
     except (Error, OverflowError):

@@ -1,7 +1,6 @@
-#include <algorithm>
+#include "arrays.hpp"
 
 #include "frame_source.hpp"
-#include "jobs.hpp"
 #include "paths.hpp"
 
 namespace phrame::python {
@@ -35,21 +34,15 @@ struct TablePlace {
   Vector<double> vector(std::size_t k) const { return {row[k], row[k + 1], row[k + 2]}; }
   Frame<double> frame() const { return {vector(4), vector(7), vector(10)}; }
   Vector<double> point() const { return vector(1); }
+  std::array<double, 4> quaternion() const { return {row[13], row[14], row[15], row[16]}; }
 };
 
-constexpr std::size_t many = 1024;
+using Numbers = std::shared_ptr<std::vector<double>>;
 
-std::size_t product(const std::vector<std::size_t>& shape) {
-  std::size_t n = 1;
-  for (const std::size_t k : shape) n *= k;
-  return n;
-}
-
-/// The array of write(place, out) for the places of a path at the parameters ts.
+/// The numbers that write(place, out) writes, `width` for each place of a path at a parameter.
 template <class Write>
-nb::object by_parameter(const PathObject& self, FrameKind kind, const FrameStart& start,
-                        nb::handle ts, nb::handle progress, std::vector<std::size_t> shape,
-                        const Write& write) {
+Numbers by_parameter(const PathObject& self, FrameKind kind, const FrameStart& start, nb::handle ts,
+                     nb::handle progress, std::size_t width, const Write& write) {
   const Path& path = self.named.path;
   const auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
   for (std::size_t k = 0; k < at->size() && !path.is_curve(); ++k)
@@ -58,9 +51,7 @@ nb::object by_parameter(const PathObject& self, FrameKind kind, const FrameStart
              to_string(t) + " is outside [0, " + to_string(path.end()) + "]", ts);
   const auto source = std::make_shared<FrameSource>(
       path, kind, kind == FrameKind::rmf ? start_angle(start, path) : FrameAngle());
-  const std::size_t width = product(shape);
-  shape.insert(shape.begin(), at->size());
-  const auto numbers = std::make_shared<std::vector<double>>(product(shape));
+  const auto numbers = std::make_shared<std::vector<double>>(at->size() * width);
   run({.n = at->size(),
        .grain = at->are_doubles() ? many : 16,
        .prepare = [source, at] { source->prepare(*at); },
@@ -70,23 +61,22 @@ nb::object by_parameter(const PathObject& self, FrameKind kind, const FrameStart
                write(SourcePlace{*source, *at, k}, numbers->data() + k * width);
            }},
       progress);
-  return array(numbers, shape);
+  return numbers;
 }
 
 /// The same at the places where the arc length from the start is s.
 template <class Write>
-nb::object by_arc_length(const PathObject& self, FrameKind kind, const FrameStart& start,
-                         nb::handle s, nb::handle progress, std::vector<std::size_t> shape,
-                         const Write& write) {
+Numbers by_arc_length(const PathObject& self, FrameKind kind, const FrameStart& start, nb::handle s,
+                      nb::handle progress, std::size_t width, bool has_quaternions,
+                      const Write& write) {
   const auto at = std::make_shared<Parameters>(parameters(s, "ts"));
   const TabulatedFrame frame = kind == FrameKind::rmf   ? TabulatedFrame::rmf
                                : kind == FrameKind::erf ? TabulatedFrame::euler_rodrigues
                                                         : TabulatedFrame::frenet;
   TableColumns columns{.frames = {frame}};
   columns.start = start;
-  const std::size_t width = product(shape);
-  shape.insert(shape.begin(), at->size());
-  const auto numbers = std::make_shared<std::vector<double>>(product(shape));
+  columns.have_quaternions = has_quaternions;
+  const auto numbers = std::make_shared<std::vector<double>>(at->size() * width);
   run({.n = at->size(),
        .grain = 16,
        .work =
@@ -100,7 +90,7 @@ nb::object by_arc_length(const PathObject& self, FrameKind kind, const FrameStar
                write(TablePlace{table.rows[k - from].data()}, numbers->data() + k * width);
            }},
       progress);
-  return array(numbers, shape);
+  return numbers;
 }
 
 /// A function (self, ts, start, start_normal, kind, by, progress) that makes arrays of this shape.
@@ -111,37 +101,36 @@ auto tabulated(const std::vector<std::size_t>& shape, const Write& write) {
     const FrameKind kind = frame_kind(kind_name);
     const FrameStart from =
         frame_start(start, start_normal, self.named.path, Reference::euler_rodrigues);
-    return is_by_arc_length(by) ? by_arc_length(self, kind, from, ts, progress, shape, write)
-                                : by_parameter(self, kind, from, ts, progress, shape, write);
+    const std::size_t width = product(shape);
+    const bool is_by_length = is_by_arc_length(by);
+    const bool has_quaternions = width == 4;
+    const Numbers numbers =
+        is_by_length ? by_arc_length(self, kind, from, ts, progress, width, has_quaternions, write)
+                     : by_parameter(self, kind, from, ts, progress, width, write);
+    if (has_quaternions && (is_by_length || kind == FrameKind::frenet)) make_continuous(*numbers);
+    std::vector<std::size_t> whole{numbers->size() / width};
+    whole.insert(whole.end(), shape.begin(), shape.end());
+    return array(numbers, whole);
   };
 }
 
-void write_rows(const Frame<double>& f, double* out) {
-  for (const auto* v : {&f.e1, &f.e2, &f.e3}) out = std::copy(v->begin(), v->end(), out);
-}
-
-/// A matrix with the columns e₁, f₂, f₃, r; (0, 0, 0, 1) below.
-void write_pose(const Frame<double>& f, const Vector<double>& r, double* out) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::array row{f.e1[i], f.e2[i], f.e3[i], r[i]};
-    out = std::copy(row.begin(), row.end(), out);
-  }
-  const std::array<double, 4> last{0, 0, 0, 1};
-  std::copy(last.begin(), last.end(), out);
-}
-
-nb::object quaternions(const PathObject& self, nb::handle ts, nb::handle start,
-                       nb::handle start_normal, nb::handle progress) {
-  const FrameStart from =
-      frame_start(start, start_normal, self.named.path, Reference::euler_rodrigues);
-  return by_parameter(self, FrameKind::rmf, from, ts, progress, {4},
-                      [](const SourcePlace& place, double* out) {
-                        const auto q = place.quaternion();
-                        std::copy(q.begin(), q.end(), out);
-                      });
-}
-
 }  // namespace
+
+void make_continuous(std::vector<double>& quaternions) {
+  const auto negate = [&](std::size_t from) {
+    for (std::size_t i = from; i < from + 4; ++i)
+      if (quaternions[i] != 0) quaternions[i] = -quaternions[i];
+  };
+  for (std::size_t at = 0; at < quaternions.size(); at += 4) {
+    double product = 0;
+    for (std::size_t i = at; at > 0 && i < at + 4; ++i)
+      product += quaternions[i] * quaternions[i - 4];
+    if (at == 0)
+      for (std::size_t i = 0; i < 4; ++i)
+        if (quaternions[i] != 0) product = quaternions[i];
+    if (product < 0) negate(at);
+  }
+}
 
 nb::object angles(const PathAngle& angle, const FrameAngle& start, nb::handle ts,
                   nb::handle progress) {
@@ -174,37 +163,35 @@ nb::object angles(const PathAngle& angle, const FrameAngle& start, nb::handle ts
   return array(numbers, {at->size()});
 }
 
-#define PHRAME_ARRAY "numpy.typing.NDArray[numpy.float64]"
-#define PHRAME_TS "ts: Numbers"
-#define PHRAME_PROGRESS "progress: collections.abc.Callable[[int, int], object] | None = None"
-
 void bind_arrays(nb::class_<PathObject>& path) {
   path.def(
           "frames",
           tabulated({3, 3}, [](const auto& place, double* out) { write_rows(place.frame(), out); }),
-          nb::arg("ts"), nb::kw_only(), PHRAME_START_PARAMETERS, nb::arg("kind") = "rmf",
-          nb::arg("by") = "parameter", nb::arg("progress") = nb::none(),
+          nb::arg("ts"), nb::kw_only(), PHRAME_START_PARAMETERS, PHRAME_ARRAY_OPTIONS("rmf"),
           nb::sig("def frames(self, " PHRAME_TS ", *, " PHRAME_START_SIG
-                  ", kind: str = 'rmf', by: str = 'parameter', " PHRAME_PROGRESS
-                  ") -> " PHRAME_ARRAY),
+                  ", " PHRAME_ARRAY_OPTIONS_SIG ") -> " PHRAME_ARRAY),
           "Frames as an array (n, 3, 3): [k, 0] is the tangent e1, [k, 1] and [k, 2] are f2, f3. "
           "Every number is correctly rounded. `kind` is rmf, erf or frenet; `by` is parameter or "
           "arc_length; a rotation-minimizing frame starts at the angle `start` to the "
           "Euler–Rodrigues frame or with f2 along `start_normal`.")
-      .def("quaternions", quaternions, nb::arg("ts"), nb::kw_only(), PHRAME_START_PARAMETERS,
-           nb::arg("progress") = nb::none(),
-           nb::sig("def quaternions(self, " PHRAME_TS ", *, " PHRAME_START_SIG ", " PHRAME_PROGRESS
-                   ") -> " PHRAME_ARRAY),
-           "Rotation-minimizing frames as unit quaternions (x, y, z, w), scalar last as in SciPy, "
-           "whose matrices have the columns e1, f2, f3; continuous along the path.")
+      .def(
+          "quaternions",
+          tabulated({4},
+                    [](const auto& place, double* out) {
+                      const std::array<double, 4> q = place.quaternion();
+                      std::copy(q.begin(), q.end(), out);
+                    }),
+          nb::arg("ts"), nb::kw_only(), PHRAME_START_PARAMETERS, PHRAME_ARRAY_OPTIONS("rmf"),
+          nb::sig("def quaternions(self, " PHRAME_TS ", *, " PHRAME_START_SIG
+                  ", " PHRAME_ARRAY_OPTIONS_SIG ") -> " PHRAME_ARRAY),
+          "The same as unit quaternions (x, y, z, w), scalar last as in SciPy, whose matrices have "
+          "the columns e1, f2, f3; continuous along the path.")
       .def("matrices",
            tabulated({4, 4}, [](const auto& place,
                                 double* out) { write_pose(place.frame(), place.point(), out); }),
-           nb::arg("ts"), nb::kw_only(), PHRAME_START_PARAMETERS, nb::arg("kind") = "rmf",
-           nb::arg("by") = "parameter", nb::arg("progress") = nb::none(),
+           nb::arg("ts"), nb::kw_only(), PHRAME_START_PARAMETERS, PHRAME_ARRAY_OPTIONS("rmf"),
            nb::sig("def matrices(self, " PHRAME_TS ", *, " PHRAME_START_SIG
-                   ", kind: str = 'rmf', by: str = 'parameter', " PHRAME_PROGRESS
-                   ") -> " PHRAME_ARRAY),
+                   ", " PHRAME_ARRAY_OPTIONS_SIG ") -> " PHRAME_ARRAY),
            "The same as an array (n, 4, 4) of matrices with the columns e1, f2, f3, r.")
       .def(
           "points",

@@ -1,16 +1,22 @@
 #include "answers.hpp"
+#include "smooth.hpp"
 
 namespace phrame::python {
 namespace {
+
+/// A list as it is now: what was given may change later.
+nb::object kept(nb::handle list) {
+  return list.is_none() ? nb::none() : imported("phrame._pickle", "kept")(list);
+}
 
 struct CheckObject {
   CheckAnswer found;
   nb::object recipe;
 };
 
-nb::object check(nb::handle self, nb::handle ts, nb::handle f2, nb::handle f3, nb::handle tangents,
-                 nb::handle tolerance, nb::handle start, nb::handle start_normal) {
-  const auto& named = nb::cast<const PathObject&>(self).named;
+/// The frames and the tolerance, without where they start.
+CheckQuery check_query(nb::handle ts, nb::handle f2, nb::handle f3, nb::handle tangents,
+                       nb::handle tolerance) {
   const auto at = rationals(ts, "ts");
   if (at.empty()) refuse("ts", "it is empty", ts);
   const auto given = [&](nb::handle list, const char* place) {
@@ -33,16 +39,49 @@ nb::object check(nb::handle self, nb::handle ts, nb::handle f2, nb::handle f3, n
     if (!tangent.empty()) frame.tangent = tangent[k];
     query.frames.push_back(std::move(frame));
   }
-  if (!start.is_none() || !start_normal.is_none())
-    query.options.start = frame_start(start, start_normal, named.path, Reference::euler_rodrigues);
   query.options.tolerance = rational(tolerance, "tolerance");
   if (query.options.tolerance.sign() <= 0) refuse("tolerance", "it is not positive", tolerance);
-  return nb::cast(CheckObject{
-      without_gil([&] { return answer(named, query); }),
-      method_recipe(self, "check", ts, f2, f3, tangents, tolerance, start, start_normal)});
+  return query;
+}
+
+nb::object check(nb::handle self, nb::handle ts, nb::handle f2, nb::handle f3, nb::handle tangents,
+                 nb::handle tolerance, nb::handle start, nb::handle start_normal) {
+  const auto& named = nb::cast<const PathObject&>(self).named;
+  CheckQuery query = check_query(ts, f2, f3, tangents, tolerance);
+  if (!start.is_none() || !start_normal.is_none())
+    query.options.start = frame_start(start, start_normal, named.path, Reference::euler_rodrigues);
+  return nb::cast(CheckObject{without_gil([&] { return answer(named, query); }),
+                              method_recipe(self, "check", kept(ts), kept(f2), kept(f3),
+                                            kept(tangents), tolerance, start, kept(start_normal))});
+}
+
+nb::object check_smooth(nb::handle self, nb::handle ts, nb::handle f2, nb::handle f3,
+                        nb::handle tangents, nb::handle tolerance, nb::handle start,
+                        nb::handle start_normal, nb::handle up) {
+  const auto& named = nb::cast<const SmoothPathObject&>(self).named;
+  CheckQuery query = check_query(ts, f2, f3, tangents, tolerance);
+  const SmoothAngle angle = angle_to_up(named.path, up);
+  query.options.up = angle.up();
+  if (!start.is_none() || !start_normal.is_none())
+    query.options.start = smooth_start(start, start_normal, angle);
+  return nb::cast(
+      CheckObject{without_gil([&] { return answer(named, query); }),
+                  method_recipe(self, "check", kept(ts), kept(f2), kept(f3), kept(tangents),
+                                tolerance, start, kept(start_normal), kept(up))});
 }
 
 }  // namespace
+
+void bind_smooth_check(nb::class_<SmoothPathObject>& smooth) {
+  smooth.def(
+      "check", check_smooth, nb::arg("ts"), nb::arg("f2"), nb::arg("f3") = nb::none(),
+      nb::arg("tangents") = nb::none(), nb::arg("tolerance") = "1e-6", PHRAME_START_PARAMETERS,
+      nb::arg("up") = nb::none(),
+      nb::sig("def check(self, ts: Numbers, f2: Vectors, f3: Vectors | None = None, tangents: "
+              "Vectors | None = None, tolerance: Number = '1e-6', " PHRAME_START_SIG
+              ", up: Vector | None = None) -> CheckResult"),
+      "How far frames that another program has computed are from the rotation-minimizing one.");
+}
 
 void bind_check(nb::module_& m, nb::class_<PathObject>& path) {
   path.def(

@@ -22,9 +22,10 @@ void FrameSource::prepare(const Parameters& at) {
     const std::size_t k = preimages_.size() - 1;
     signs_.push_back(k == 0 ? 1 : signs_[k - 1] * joint_sign(preimages_[k - 1], preimages_[k]));
   }
-  if (kind_ != FrameKind::rmf) return;
-  angle_.emplace(path_);
+  if (kind_ == FrameKind::frenet) return;
+  if (kind_ == FrameKind::rmf) angle_.emplace(path_);
   zeros_ = zeros();
+  if (kind_ == FrameKind::erf) return;
   if (!at.are_doubles() || at.size() < least_compiled) return;
   try {
     if (!path_.is_curve()) {
@@ -44,7 +45,8 @@ std::array<bool, 4> FrameSource::zeros() const {
   zero.fill(true);
   for (std::size_t k = 0; k < preimages_.size(); ++k) {
     const auto& [u, v, p, q] = preimages_[k];
-    const bool is_erf = angle_->segment(k).rate().is_zero() && start_ == FrameAngle();
+    const bool is_erf =
+        kind_ == FrameKind::erf || (angle_->segment(k).rate().is_zero() && start_ == FrameAngle());
     const bool uv = u.is_zero() && v.is_zero();
     const bool pq = p.is_zero() && q.is_zero();
     const std::array<bool, 4> of_segment{is_erf ? u.is_zero() : uv, is_erf ? v.is_zero() : uv,
@@ -73,7 +75,7 @@ Frame<double> FrameSource::frame(const Parameters& at, std::size_t k) const {
 std::array<Real, 4> FrameSource::rotation(const PathParameter& at) const {
   RationalQuaternion a = evaluate(preimages_[at.segment], at.t);
   if (signs_[at.segment] < 0) a = {-a.u, -a.v, -a.p, -a.q};
-  const Real theta = angle_->value(at, start_);
+  const Real theta = kind_ == FrameKind::erf ? Rational(0) : angle_->value(at, start_);
   if (theta.exact() == Rational(0)) {
     const Real over_size = square_root_of(1 / norm(a));
     return {over_size * a.u, over_size * a.v, over_size * a.p, over_size * a.q};
@@ -97,6 +99,11 @@ std::array<double, 4> FrameSource::quaternion(const Parameters& at, std::size_t 
   std::array<double, 4> b{};
   std::optional<std::array<Real, 4>> exact;
   const PathParameter here = locate(path_, at[k]);
+  if (kind_ == FrameKind::frenet) {
+    const Quaternion<Real> found = quaternion_of(frames_[here.segment].frenet(here.t));
+    return {round_to_double(found.v), round_to_double(found.p), round_to_double(found.q),
+            round_to_double(found.u)};
+  }
   std::optional<CompiledFrames::Rotation> near;
   if (compiled_) near = compiled_->rotation(at.doubles[k]);
   for (std::size_t i = 0; i < 4; ++i) {

@@ -15,7 +15,7 @@ class FrameSource {
   void prepare(const Parameters& at);
 
   Frame<double> frame(const Parameters& at, std::size_t k) const;
-  /// (x, y, z, w).
+  /// (x, y, z, w); of a Frenet frame up to its sign.
   std::array<double, 4> quaternion(const Parameters& at, std::size_t k) const;
   Vector<double> point(const Parameters& at, std::size_t k) const;
 

@@ -1,25 +1,77 @@
 #include "answers.hpp"
+#include "smooth.hpp"
 
 namespace phrame::python {
 namespace {
 
 struct MinimalTwistObject {
-  MinimalTwist twist;
+  std::variant<MinimalTwist, SmoothTwist> twist;
   nb::object recipe;
+
+  template <class F>
+  auto visit(const F& f) const {
+    return std::visit(f, twist);
+  }
 };
+
+Integer turns_of(nb::handle extra_turns) {
+  if (PyBool_Check(extra_turns.ptr()) || PyIndex_Check(extra_turns.ptr()) == 0)
+    refuse_type("extra_turns", "an int", extra_turns);
+  return numerator(rational(extra_turns, "extra_turns"));
+}
+
+/// An angle, or the vector that f₂ is along.
+FrameStart angle_or_vector(nb::handle x, const std::string& place) {
+  if (PyUnicode_Check(x.ptr()) == 0 && PySequence_Check(x.ptr()) != 0)
+    return StartNormal(vector(x, place));
+  return angle_number(x, place);
+}
+
+nb::object kept_end(const FrameStart& end, nb::handle given) {
+  const auto* along = std::get_if<StartNormal>(&end);
+  return along == nullptr ? nb::borrow(given) : to_python(along->vector);
+}
+
+nb::object smooth_twist(nb::handle self, nb::handle from, nb::handle to, nb::handle extra_turns,
+                        nb::handle up) {
+  const auto& named = nb::cast<const SmoothPathObject&>(self).named;
+  const FrameStart a = angle_or_vector(from, "start");
+  const FrameStart b = angle_or_vector(to, "end");
+  const Integer turns = turns_of(extra_turns);
+  const SmoothAngle angle = angle_to_up(named.path, up);
+  return nb::cast(MinimalTwistObject{
+      without_gil([&] { return SmoothTwist(angle, a, b, turns); }),
+      method_recipe(self, "minimal_twist", kept_end(a, from), kept_end(b, to), extra_turns,
+                    up.is_none() ? nb::none() : to_python(angle.up()))});
+}
+
+Real twist_of_reference(const MinimalTwist& twist) { return twist.erf_twist(); }
+Real twist_of_reference(const SmoothTwist& twist) { return twist.up_twist(); }
+Real value_at(const MinimalTwist& twist, const Rational& t) { return twist.value(t); }
+Real value_at(const SmoothTwist& twist, const Rational& t) {
+  return twist.value(locate(twist.rmf().path(), t));
+}
 
 nb::object minimal_twist(nb::handle self, nb::handle from, nb::handle to, nb::handle extra_turns) {
   const auto& named = nb::cast<const PathObject&>(self).named;
   const Angle a = angle_number(from, "start");
   const Angle b = angle_number(to, "end");
-  if (PyIndex_Check(extra_turns.ptr()) == 0) refuse_type("extra_turns", "an int", extra_turns);
-  const Integer turns = numerator(rational(extra_turns, "extra_turns"));
+  const Integer turns = turns_of(extra_turns);
   return nb::cast(MinimalTwistObject{
       without_gil([&] { return MinimalTwist(PathAngle(named.path), a, b, turns); }),
       method_recipe(self, "minimal_twist", from, to, extra_turns)});
 }
 
 }  // namespace
+
+void bind_smooth_twist(nb::class_<SmoothPathObject>& smooth) {
+  smooth.def("minimal_twist", smooth_twist, nb::arg("start"), nb::arg("end"),
+             nb::arg("extra_turns") = 0, nb::arg("up") = nb::none(),
+             nb::sig("def minimal_twist(self, start: Number | Vector, end: Number | Vector, "
+                     "extra_turns: int = 0, up: Vector | None = None) -> MinimalTwist"),
+             "The frame that turns least from `start` to `end`, angles to the frame of `up` or "
+             "vectors that f2 is along.");
+}
 
 void bind_minimal_twist(nb::module_& m, nb::class_<PathObject>& path) {
   path.def("minimal_twist", minimal_twist, nb::arg("start"), nb::arg("end"),
@@ -30,26 +82,31 @@ void bind_minimal_twist(nb::module_& m, nb::class_<PathObject>& path) {
   auto type = nb::class_<MinimalTwistObject>(
       m, "MinimalTwist", "The exact frame of minimal twist: docs/minimal-twist.md.");
   using T = MinimalTwistObject;
-#define PHRAME_TWIST(name, of, what)                                                         \
-  type.def_prop_ro(                                                                          \
-      name,                                                                                  \
-      [](nb::handle self) {                                                                  \
-        return to_python(nb::cast<const T&>(self).twist.of(), attribute_recipe(self, name)); \
-      },                                                                                     \
+#define PHRAME_TWIST(name, of, what)                                                      \
+  type.def_prop_ro(                                                                       \
+      name,                                                                               \
+      [](nb::handle self) {                                                               \
+        return to_python(                                                                 \
+            nb::cast<const T&>(self).visit([](const auto& twist) -> Real { return of; }), \
+            attribute_recipe(self, name));                                                \
+      },                                                                                  \
       nb::sig("def " name "(self) -> fractions.Fraction | Real"), what)
-  PHRAME_TWIST("twist", twist, "How far it turns about the tangent, in radians.");
-  PHRAME_TWIST("nominal_twist", nominal_twist, "The same before whole turns are taken off.");
-  PHRAME_TWIST("erf_twist", erf_twist, "Of the Euler–Rodrigues frame.");
-  PHRAME_TWIST("rate", rate, "The twist per unit of arc length.");
+  PHRAME_TWIST("twist", twist.twist(), "How far it turns about the tangent, in radians.");
+  PHRAME_TWIST("nominal_twist", twist.nominal_twist(),
+               "The same before whole turns are taken off.");
+  PHRAME_TWIST("erf_twist", twist_of_reference(twist),
+               "Of the frame that angles are to, that of Euler–Rodrigues or of `up`.");
+  PHRAME_TWIST("rate", twist.rate(), "The twist per unit of arc length.");
+  PHRAME_TWIST("length", twist.length(), "Of the path.");
 #undef PHRAME_TWIST
-  type.def_prop_ro(
-          "length", [](const T& t) { return to_python(t.twist.length()); },
-          nb::sig("def length(self) -> fractions.Fraction"))
-      .def("__repr__", [](const T& t) {
-        return "<MinimalTwist " + round_to_decimal(t.twist.twist(), 6).value + " radians>";
-      });
-  bind_value(type, "The angle to the Euler–Rodrigues frame.",
-             [](const T& self, const Rational& t) { return self.twist.value(t); });
+  type.def("__repr__", [](const T& t) {
+    const Real turn = t.visit([](const auto& twist) -> Real { return twist.twist(); });
+    return "<MinimalTwist " + round_to_decimal(turn, 6).value + " radians>";
+  });
+  bind_value(type, "The angle to the Euler–Rodrigues frame, or to that of `up`.",
+             [](const T& self, const Rational& t) {
+               return self.visit([&](const auto& twist) { return value_at(twist, t); });
+             });
   bind_recipe(type);
 }
 

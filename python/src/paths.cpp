@@ -1,4 +1,5 @@
 #include "answers.hpp"
+#include "smooth.hpp"
 
 #include <limits>
 #include <sstream>
@@ -26,6 +27,43 @@ nb::object complex_polynomial(const GaussianPolynomial& g) { return nb::make_tup
 nb::object point(const PathObject& self, nb::handle t) {
   const PathParameter at = locate(self.named.path, rational(t, "t"));
   return to_python(evaluate(position(self.named.path.segments()[at.segment]), at.t));
+}
+
+/// What there is at a parameter or a length.
+void bind_places(nb::class_<PathObject>& path) {
+  path.def("point", point, nb::arg("t"),
+           nb::sig("def point(self, t: Number) -> tuple[fractions.Fraction, fractions.Fraction, "
+                   "fractions.Fraction]"),
+           "r(t), exactly.")
+      .def(
+          "curvature",
+          [](nb::handle self, nb::handle t) {
+            const Rational at = rational(t, "t");
+            const Path& asked = path_of(self).named.path;
+            const PathParameter here = locate(asked, at);
+            return to_python(
+                square_root_of(squared_curvature(asked.segments()[here.segment])(here.t)),
+                method_recipe(self, "curvature", to_python(at)));
+          },
+          nb::arg("t"), nb::sig("def curvature(self, t: Number) -> fractions.Fraction | Real"),
+          "κ ≥ 0 at t.")
+      .def(
+          "arc_length",
+          [](const PathObject& self, nb::handle t) {
+            const PathParameter at = locate_inside(self.named.path, rational(t, "t"));
+            return to_python(PathLength(self.named.path).value(at));
+          },
+          nb::arg("t"), nb::sig("def arc_length(self, t: Number) -> fractions.Fraction"),
+          "The length from the start to t.")
+      .def(
+          "parameter_at",
+          [](const PathObject& self, nb::handle s) {
+            const Rational length = rational(s, "s");
+            return to_python(
+                without_gil([&] { return parameter(PathLength(self.named.path).point(length)); }));
+          },
+          nb::arg("s"), nb::sig("def parameter_at(self, s: Number) -> fractions.Fraction | Real"),
+          "The t where the length from the start is s.");
 }
 
 void bind_totals(nb::class_<PathObject>& path) {
@@ -82,10 +120,6 @@ void bind_path(nb::class_<PathObject>& path) {
       .def_prop_ro(
           "is_closed", [](const PathObject& self) { return self.named.path.ends_meet(); },
           "Is the end the start?")
-      .def("point", point, nb::arg("t"),
-           nb::sig("def point(self, t: Number) -> tuple[fractions.Fraction, fractions.Fraction, "
-                   "fractions.Fraction]"),
-           "r(t), exactly.")
       .def(
           "json", [](const PathObject& self) { return write_path(self.named); },
           "The curve/1 or spline/1 file.")
@@ -265,17 +299,28 @@ void bind_paths(nb::module_& m) {
       "to their number. A Curve is a Path.");
   nb::class_<CurveObject, PathObject> curve(
       m, "Curve", "A Pythagorean-hodograph curve r′ = f·A i A*, exactly.");
+  nb::class_<SmoothPathObject> smooth(
+      m, "SmoothPath",
+      "A path of curves of any kind, polynomial, rational or by formulas, with the parameter from "
+      "0 to the number of segments: without closed forms, to any number of digits.");
   bind_path(path);
+  bind_places(path);
   bind_totals(path);
   bind_arrays(path);
   bind_curve(curve);
   bind_transformations(curve);
   bind_constructors(path, curve);
+  bind_any_curves(m, curve);
+  bind_smooth_path(m, smooth);
+  bind_smooth_arrays(smooth);
+  bind_smooth_angle(m, smooth);
   bind_angle(m, path);
   bind_integral(m);
   bind_classification(m, path);
   bind_minimal_twist(m, path);
   bind_check(m, path);
+  bind_smooth_check(smooth);
+  bind_smooth_twist(smooth);
   bind_certificate(m, curve);
 }
 

@@ -126,10 +126,28 @@ void bind_real(nb::module_& m) {
           },
           nb::sig("def __neg__(self) -> fractions.Fraction | Real"))
       .def(
+          "__pos__", [](nb::handle x) { return nb::borrow(x); },
+          nb::sig("def __pos__(self) -> Real"))
+      .def(
+          "__abs__",
+          [](nb::handle x) {
+            const auto& number = nb::cast<const RealNumber&>(x);
+            if (compared(number, nb::int_(0)) >= 0) return nb::borrow(x);
+            return to_python(-number.value, recipe(imported("operator", "neg"), nb::borrow(x)));
+          },
+          nb::sig("def __abs__(self) -> fractions.Fraction | Real"))
+      .def(
           "__reduce__", [](const RealNumber& x) { return x.recipe; }, PHRAME_REDUCE_SIG);
   const auto plus = [](const Real& x, const Real& y) { return x + y; };
   const auto minus = [](const Real& x, const Real& y) { return x + -y; };
   const auto times = [](const Real& x, const Real& y) { return x * y; };
+  const auto over = [](const Real& x, const Real& y) {
+    if (y.exact() == Rational(0)) {
+      PyErr_SetString(PyExc_ZeroDivisionError, "division by zero");
+      throw nb::python_error();
+    }
+    return quotient_of(x, y);
+  };
 #define PHRAME_OPERATOR(name, of, f)                                                            \
   type.def(                                                                                     \
           "__" name "__", [f](nb::handle x, nb::handle y) { return combined(x, y, of, f); },    \
@@ -142,6 +160,7 @@ void bind_real(nb::module_& m) {
   PHRAME_OPERATOR("add", "add", plus);
   PHRAME_OPERATOR("sub", "sub", minus);
   PHRAME_OPERATOR("mul", "mul", times);
+  PHRAME_OPERATOR("truediv", "truediv", over);
 #undef PHRAME_OPERATOR
 #define PHRAME_COMPARISON(name, sign)                                                          \
   type.def(                                                                                    \

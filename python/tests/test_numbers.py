@@ -91,6 +91,10 @@ def test_a_real_rounds_correctly():
     assert Decimal("0.28") < theta.digits(5) < Decimal("0.29")
     assert Fraction(28, 100) < theta < "0.29" and theta > 0 and theta >= 0 and not theta < 0
     assert float(theta + theta - theta * 2) == 0
+    assert (theta / 2).digits(30) == (theta - theta * Fraction(1, 2)).digits(30) and abs(float(1 / theta) * float(theta) - 1) < 1e-15
+    assert abs(theta) is theta is +theta and abs(-theta).digits(30) == theta.digits(30)
+    with pytest.raises(ZeroDivisionError):
+        theta / 0
     assert theta * 0 == 0 and isinstance(theta * 0, Fraction)
     assert theta.digits(30) == (-(-theta)).digits(30) == (1 - (1 - theta)).digits(30)
 

@@ -1,0 +1,52 @@
+#pragma once
+#include <algorithm>
+#include <array>
+
+#include "jobs.hpp"
+#include "parameters.hpp"
+
+namespace phrame::python {
+
+/// How many numbers an array of this shape has.
+inline std::size_t product(const std::vector<std::size_t>& shape) {
+  std::size_t n = 1;
+  for (const std::size_t k : shape) n *= k;
+  return n;
+}
+
+/// A row each of e₁, f₂, f₃.
+inline void write_rows(const Frame<double>& f, double* out) {
+  for (const auto* v : {&f.e1, &f.e2, &f.e3}) out = std::copy(v->begin(), v->end(), out);
+}
+
+/// A matrix with the columns e₁, f₂, f₃, r; (0, 0, 0, 1) below.
+inline void write_pose(const Frame<double>& f, const Vector<double>& r, double* out) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::array row{f.e1[i], f.e2[i], f.e3[i], r[i]};
+    out = std::copy(row.begin(), row.end(), out);
+  }
+  const std::array<double, 4> last{0, 0, 0, 1};
+  std::copy(last.begin(), last.end(), out);
+}
+
+/// Throws InputError where a number is too large for a double.
+inline Vector<double> finite(Vector<double> r) {
+  for (double& x : r) x = finite(x);
+  return r;
+}
+
+/// Of quaternions (x, y, z, w), known up to their sign, in their order along a path: each the one
+/// that has a scalar product > 0 with that before it; of the first, the last number that is not 0
+/// is > 0.
+void make_continuous(std::vector<double>& quaternions);
+
+constexpr std::size_t many = 1024;  ///< approximated frames that a thread takes at a time
+
+#define PHRAME_ARRAY "numpy.typing.NDArray[numpy.float64]"
+#define PHRAME_TS "ts: Numbers"
+#define PHRAME_PROGRESS "progress: collections.abc.Callable[[int, int], object] | None = None"
+#define PHRAME_ARRAY_OPTIONS(of_kind) \
+  nb::arg("kind") = of_kind, nb::arg("by") = "parameter", nb::arg("progress") = nb::none()
+#define PHRAME_ARRAY_OPTIONS_SIG "kind: str = 'rmf', by: str = 'parameter', " PHRAME_PROGRESS
+
+}  // namespace phrame::python

@@ -1,0 +1,244 @@
+#include "smooth.hpp"
+
+namespace phrame::python {
+namespace {
+
+/// The frames and points of a path of any kind, each as exactly as rounding wants.
+class SmoothSource {
+ public:
+  /// Without an angle there are points only.
+  SmoothSource(const SmoothPath& path, std::optional<SmoothAngle> angle, TabulatedFrame kind,
+               Real start, bool is_by_length)
+      : path_(path),
+        angle_(std::move(angle)),
+        kind_(kind),
+        start_(std::move(start)),
+        length_(path),
+        is_by_length_(is_by_length) {}
+
+  /// To be called once, before the others, which any thread may call.
+  void prepare(const Parameters& at) {
+    if (!angle_ || kind_ != TabulatedFrame::rmf || is_by_length_ || !at.are_doubles() ||
+        at.size() < least_compiled * path_.segments().size())
+      return;
+    try {
+      compiled_.emplace(compile_frames(*angle_, start_));
+    } catch (const Undecided&) {
+      // All frames are computed exactly.
+    }
+  }
+
+  Vector<double> point(const Parameters& at, std::size_t k) const {
+    return finite(round_to_double(position(path_, place(at, k))));
+  }
+  Frame<double> frame(const Parameters& at, std::size_t k) const {
+    if (compiled_)
+      if (const auto found = compiled_->rounded(at.doubles[k])) return *found;
+    const Frame<Real> exact = exact_frame(at, k);
+    return {round_to_double(exact.e1), round_to_double(exact.e2), round_to_double(exact.e3)};
+  }
+  /// (x, y, z, w), up to its sign.
+  std::array<double, 4> quaternion(const Parameters& at, std::size_t k) const {
+    if (compiled_) {
+      const auto [b, error] = compiled_->rotation(at.doubles[k]);
+      const auto rounded = [&, off = error + 0x1p-94](const DoubleDouble& x) {
+        return common_double(x, off);
+      };
+      const auto u = rounded(b.u), v = rounded(b.v), p = rounded(b.p), q = rounded(b.q);
+      if (u && v && p && q) return {*v, *p, *q, *u};
+    }
+    const Quaternion<Real> exact = quaternion_of(exact_frame(at, k));
+    return {round_to_double(exact.v), round_to_double(exact.p), round_to_double(exact.q),
+            round_to_double(exact.u)};
+  }
+
+ private:
+  SmoothParameter place(const Parameters& at, std::size_t k) const {
+    if (is_by_length_) return length_.point(at[k]);
+    return locate(path_, at[k]);
+  }
+  Frame<Real> exact_frame(const Parameters& at, std::size_t k) const {
+    const SmoothParameter here = place(at, k);
+    if (kind_ == TabulatedFrame::rmf) return rotation_minimizing_frame(*angle_, here, start_);
+    if (kind_ == TabulatedFrame::frenet) return frenet_frame(path_, here);
+    return up_frame(path_, angle_->up(), here);
+  }
+
+  SmoothPath path_;
+  std::optional<SmoothAngle> angle_;
+  TabulatedFrame kind_;
+  Real start_;
+  SmoothLength length_;
+  bool is_by_length_;
+  std::optional<CompiledFrames> compiled_;
+};
+
+/// What is asked of a path at many places.
+struct SmoothArray {
+  nb::handle ts;
+  nb::handle start = nb::none();
+  nb::handle start_normal = nb::none();
+  nb::handle up = nb::none();
+  std::string kind = "rmf";
+  std::string by = "parameter";
+  nb::handle progress = nb::none();
+  bool wants_frames = true;
+};
+
+void require_inside(const Parameters& at, const SmoothPath& path, nb::handle ts) {
+  const auto end = static_cast<double>(path.segments().size());
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    if (at.are_doubles() ? at.doubles[k] >= 0 && at.doubles[k] <= end
+                         : at[k] >= 0 && at[k] <= path.end())
+      continue;
+    refuse("ts[" + std::to_string(k) + "]",
+           to_string(at[k]) + " is outside [0, " + to_string(path.end()) + "]", ts);
+  }
+}
+
+/// The numbers that write(source, at, k, out) writes for each place.
+template <class Write>
+std::shared_ptr<std::vector<double>> smooth_numbers(const SmoothPathObject& self,
+                                                    const SmoothArray& asked, std::size_t width,
+                                                    const Write& write) {
+  const auto kind = chosen<TabulatedFrame>(asked.kind, "kind",
+                                           {{"rmf", TabulatedFrame::rmf},
+                                            {"up", TabulatedFrame::up},
+                                            {"frenet", TabulatedFrame::frenet}});
+  const bool is_by_length =
+      chosen<bool>(asked.by, "by", {{"parameter", false}, {"arc_length", true}});
+  const auto at = std::make_shared<Parameters>(parameters(asked.ts, "ts"));
+  if (!is_by_length) require_inside(*at, self.named.path, asked.ts);
+  std::optional<SmoothAngle> angle;
+  Real start = Rational(0);
+  if (asked.wants_frames) {
+    angle.emplace(angle_to_up(self.named.path, asked.up));
+    start = start_angle(smooth_start(asked.start, asked.start_normal, *angle), *angle);
+  }
+  const auto source =
+      std::make_shared<SmoothSource>(self.named.path, angle, kind, start, is_by_length);
+  const auto numbers = std::make_shared<std::vector<double>>(at->size() * width);
+  run({.n = at->size(),
+       .grain = at->are_doubles() && !is_by_length ? many : 4,
+       .prepare = [source, at] { source->prepare(*at); },
+       .work =
+           [source, at, numbers, width, write](std::size_t from, std::size_t to) {
+             for (std::size_t k = from; k < to; ++k)
+               write(*source, *at, k, numbers->data() + k * width);
+           }},
+      asked.progress);
+  return numbers;
+}
+
+nb::object smooth_frames(const SmoothPathObject& self, nb::handle ts, nb::handle start,
+                         nb::handle start_normal, nb::handle up, const std::string& kind,
+                         const std::string& by, nb::handle progress) {
+  const auto numbers =
+      smooth_numbers(self, {ts, start, start_normal, up, kind, by, progress}, 9,
+                     [](const SmoothSource& source, const Parameters& at, std::size_t k,
+                        double* out) { write_rows(source.frame(at, k), out); });
+  return array(numbers, {numbers->size() / 9, 3, 3});
+}
+
+nb::object smooth_matrices(const SmoothPathObject& self, nb::handle ts, nb::handle start,
+                           nb::handle start_normal, nb::handle up, const std::string& kind,
+                           const std::string& by, nb::handle progress) {
+  const auto numbers = smooth_numbers(
+      self, {ts, start, start_normal, up, kind, by, progress}, 16,
+      [](const SmoothSource& source, const Parameters& at, std::size_t k, double* out) {
+        write_pose(source.frame(at, k), source.point(at, k), out);
+      });
+  return array(numbers, {numbers->size() / 16, 4, 4});
+}
+
+nb::object smooth_quaternions(const SmoothPathObject& self, nb::handle ts, nb::handle start,
+                              nb::handle start_normal, nb::handle up, const std::string& kind,
+                              const std::string& by, nb::handle progress) {
+  const auto numbers = smooth_numbers(
+      self, {ts, start, start_normal, up, kind, by, progress}, 4,
+      [](const SmoothSource& source, const Parameters& at, std::size_t k, double* out) {
+        const auto q = source.quaternion(at, k);
+        std::copy(q.begin(), q.end(), out);
+      });
+  make_continuous(*numbers);
+  return array(numbers, {numbers->size() / 4, 4});
+}
+
+nb::object smooth_points(const SmoothPathObject& self, nb::handle ts, const std::string& by,
+                         nb::handle progress) {
+  SmoothArray asked{ts};
+  asked.by = by;
+  asked.progress = progress;
+  asked.wants_frames = false;
+  const auto numbers = smooth_numbers(
+      self, asked, 3,
+      [](const SmoothSource& source, const Parameters& at, std::size_t k, double* out) {
+        const Vector<double> r = source.point(at, k);
+        std::copy(r.begin(), r.end(), out);
+      });
+  return array(numbers, {numbers->size() / 3, 3});
+}
+
+}  // namespace
+
+nb::object smooth_angles(const SmoothAngle& angle, const Real& start, nb::handle ts,
+                         nb::handle progress) {
+  const auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
+  require_inside(*at, angle.path(), ts);
+  const auto numbers = std::make_shared<std::vector<double>>(at->size());
+  const auto compiled = std::make_shared<std::optional<CompiledAngle>>();
+  const bool is_compiled =
+      at->are_doubles() && at->size() >= least_compiled * angle.path().segments().size();
+  run({.n = at->size(),
+       .grain = is_compiled ? many : 1,
+       .prepare =
+           [=] {
+             if (!is_compiled) return;
+             try {
+               compiled->emplace(compile_angle(angle, start));
+             } catch (const Undecided&) {
+               // All angles are computed exactly.
+             }
+           },
+       .work =
+           [=](std::size_t from, std::size_t to) {
+             std::optional<CompiledAngle> mine = *compiled;  // it counts, so that each has its own
+             for (std::size_t k = from; k < to; ++k)
+               (*numbers)[k] = finite(
+                   mine ? (*mine)(at->doubles[k])
+                        : round_to_double(angle.value(locate(angle.path(), (*at)[k])) + start));
+           }},
+      progress);
+  return array(numbers, {at->size()});
+}
+
+void bind_smooth_arrays(nb::class_<SmoothPathObject>& smooth) {
+#define PHRAME_SMOOTH_OPTIONS \
+  PHRAME_START_PARAMETERS, nb::arg("up") = nb::none(), PHRAME_ARRAY_OPTIONS("rmf")
+#define PHRAME_SMOOTH_SIG(name)                                    \
+  nb::sig("def " name "(self, " PHRAME_TS ", *, " PHRAME_START_SIG \
+          ", up: Vector | None = None, " PHRAME_ARRAY_OPTIONS_SIG ") -> " PHRAME_ARRAY)
+  smooth
+      .def("frames", smooth_frames, nb::arg("ts"), nb::kw_only(), PHRAME_SMOOTH_OPTIONS,
+           PHRAME_SMOOTH_SIG("frames"),
+           "Frames as an array (n, 3, 3): [k, 0] is the tangent e1, [k, 1] and [k, 2] are f2, f3. "
+           "Every number is correctly rounded. `kind` is rmf, up or frenet; `by` is parameter or "
+           "arc_length; a rotation-minimizing frame starts at the angle `start` to the frame of "
+           "`up`, or with f2 along `start_normal`.")
+      .def("quaternions", smooth_quaternions, nb::arg("ts"), nb::kw_only(), PHRAME_SMOOTH_OPTIONS,
+           PHRAME_SMOOTH_SIG("quaternions"),
+           "The same as unit quaternions (x, y, z, w), scalar last as in SciPy, whose matrices "
+           "have the columns e1, f2, f3; each the nearer to that before it of the two.")
+      .def("matrices", smooth_matrices, nb::arg("ts"), nb::kw_only(), PHRAME_SMOOTH_OPTIONS,
+           PHRAME_SMOOTH_SIG("matrices"),
+           "The same as an array (n, 4, 4) of matrices with the columns e1, f2, f3, r.")
+      .def("points", smooth_points, nb::arg("ts"), nb::kw_only(), nb::arg("by") = "parameter",
+           nb::arg("progress") = nb::none(),
+           nb::sig("def points(self, " PHRAME_TS ", *, by: str = 'parameter', " PHRAME_PROGRESS
+                   ") -> " PHRAME_ARRAY),
+           "r at each parameter, correctly rounded: an array (n, 3).");
+#undef PHRAME_SMOOTH_SIG
+#undef PHRAME_SMOOTH_OPTIONS
+}
+
+}  // namespace phrame::python
