@@ -22,7 +22,7 @@ struct SweepQuery {
 
 /// The body as a mesh.
 struct SweepAnswer {
-  SweptBody body;
+  SweptBody body;  ///< the mesh, and how near it is
   bool is_closed;  ///< has it no ends?
   double turn;     ///< by which the profile turns about e₁ against the rotation-minimizing frame
 };

@@ -13,7 +13,7 @@ namespace phrame {
 struct GivenSegment {
   /// A PH curve, X/W, or formulas.
   using Form = std::variant<Curve, RationalCurve, ExpressionCurve>;
-  Form form;
+  Form form;              ///< what it is
   std::string place;      ///< where it is in the file
   std::string part = {};  ///< which part of that it is, "between the knots 0 and 1"; may be empty
 };

@@ -18,10 +18,10 @@ enum class SplineEnds { natural, clamped, periodic };
 /// low·x_{k−1} + middle·x_k + high·x_{k+1} = right.
 template <class T>
 struct SlopeRow {
-  T low;
-  T middle;
-  T high;
-  Vector<T> right;
+  T low;            ///< of the derivative before
+  T middle;         ///< of the derivative there
+  T high;           ///< of the next derivative
+  Vector<T> right;  ///< the right-hand side
 };
 
 /// The rows of the system; of a periodic one the first reaches back to the last unknown, and the

@@ -19,9 +19,9 @@ std::vector<Rational> parameters_of(const std::vector<Vector<Rational>>& points,
 
 /// What a C² cubic spline is to pass.
 struct CubicInterpolation {
-  std::vector<Vector<Rational>> points;  ///< two at least; periodic: three, the last is the first
-  std::vector<Rational> parameters;      ///< increasing, one for each
-  SplineEnds ends = SplineEnds::natural;
+  std::vector<Vector<Rational>> points;    ///< two at least; periodic: three, the last is the first
+  std::vector<Rational> parameters;        ///< increasing, one for each
+  SplineEnds ends = SplineEnds::natural;   ///< what is said of them
   Vector<Rational> start_derivative = {};  ///< with respect to the parameter; of clamped ones
   Vector<Rational> end_derivative = {};    ///< the same at the end
 };

@@ -17,7 +17,8 @@ struct TangentPlace {
 /// The first such place; no value where v × H has no zero on [0, 1]. Of a rational curve it is
 /// certain, of one by formulas where s is a simple fraction or multiple of π there.
 std::optional<TangentPlace> tangent_along(const RationalCurve& curve, const Vector<Rational>& v);
-std::optional<TangentPlace> tangent_along(const ExpressionCurve& curve, const Vector<Rational>& v);
+std::optional<TangentPlace> tangent_along(const ExpressionCurve& curve,
+                                          const Vector<Rational>& v);  ///< likewise
 std::optional<TangentPlace> tangent_along(const SmoothSegment& segment,
                                           const Vector<Rational>& v);  ///< likewise
 

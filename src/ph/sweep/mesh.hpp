@@ -10,7 +10,7 @@ namespace phrame {
 
 /// Triangles that share points, each counterclockwise seen from outside.
 struct Mesh {
-  std::vector<Vector<double>> points;
+  std::vector<Vector<double>> points;                   ///< each once
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< the numbers of three points each
 };
 

@@ -19,7 +19,7 @@ struct SweepPath {
 
 /// How a profile is swept.
 struct SweepForm {
-  Profile profile;
+  Profile profile;  ///< what is swept
   /// The profile is λ(t) times as large there, λ > 0 on the path.
   RationalFunction scale{Polynomial{1}};
   /// The profile turns by so many radians against the frame, at a constant rate per length.
