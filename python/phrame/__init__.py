@@ -27,10 +27,12 @@ from ._phrame import (
     Real,
     SmoothAngle,
     SmoothPath,
+    SweptBody,
     integrate,
     parse,
     read,
     root,
+    sweep,
 )
 from ._phrame import version as __version__
 
@@ -51,6 +53,7 @@ __all__ = [
     "Real",
     "SmoothAngle",
     "SmoothPath",
+    "SweptBody",
     "Undecided",
     "__version__",
     "integrate",
@@ -58,6 +61,7 @@ __all__ = [
     "parse",
     "read",
     "root",
+    "sweep",
 ]
 
 # What needs other packages, and is imported when it is named.

@@ -6,6 +6,7 @@ import itertools
 import os
 from collections import deque
 from concurrent.futures import Future, ThreadPoolExecutor
+from threading import Event
 from typing import Callable, Deque, Iterable, Iterator, List, Optional, TypeVar, Union
 
 from ._errors import Error, InputError
@@ -57,12 +58,17 @@ def map(
 
 def _map(curves: Iterator[C], question: Callable[[C], A], threads: int, errors: str) -> Iterator[Union[A, Error]]:
     waiting: Deque[Future[List[Union[A, Error]]]] = deque()
+    stopped = Event()
+
+    def ask(chunk: List[C]) -> List[Union[A, Error]]:
+        return answers(itertools.takewhile(lambda curve: not stopped.is_set(), chunk), question, "return")
+
     pool = ThreadPoolExecutor(threads)
     try:
         while True:
             chunk = list(itertools.islice(curves, _CHUNK))
             if chunk:
-                waiting.append(pool.submit(answers, chunk, question, "return"))
+                waiting.append(pool.submit(ask, chunk))
             if waiting and (not chunk or len(waiting) > 4 * threads):
                 for answer in waiting.popleft().result():
                     if errors == "raise" and isinstance(answer, Error):
@@ -71,4 +77,5 @@ def _map(curves: Iterator[C], question: Callable[[C], A], threads: int, errors: 
             elif not chunk:
                 return
     finally:
+        stopped.set()
         pool.shutdown(wait=False, cancel_futures=True)

@@ -19,7 +19,7 @@ AngleAnswer formula(const AngleObject& self, const std::string& style) {
   query.form = form_named(self.form);
   query.style = style_named(style);
   query.most_poles = 100;
-  return without_gil([&] { return answer(self.named, query); });
+  return without_gil([named = self.named, query] { return answer(named, query); });
 }
 
 nb::object make_angle(nb::handle self, const std::string& frame, nb::handle start,
@@ -28,9 +28,8 @@ nb::object make_angle(nb::handle self, const std::string& frame, nb::handle star
   const Reference reference = reference_named(frame, "frame");
   const Form how = form_named(form);
   const FrameStart from = frame_start(start, start_normal, named.path, reference);
-  auto [angle, at_zero] = without_gil([&] {
-    return std::pair{PathAngle(named.path, reference, how),
-                     start_angle(from, named.path, reference)};
+  auto [angle, at_zero] = without_gil([path = named.path, reference, how, from] {
+    return std::pair{PathAngle(path, reference, how), start_angle(from, path, reference)};
   });
   return nb::cast(AngleObject{
       named, std::move(angle), from, std::move(at_zero), form,
@@ -43,11 +42,18 @@ const RmfAngle& segment_angle(const AngleObject& self, std::size_t k) {
   return self.angle.segment(k);
 }
 
+/// θ(t).
+auto value_of(const AngleObject& self) {
+  return [angle = self.angle, start = self.start_angle](const Rational& t) {
+    return angle.value(t, start);
+  };
+}
+
 nb::object angle_of_what(const AngleObject& self, nb::handle ts, nb::handle progress) {
   if (PyUnicode_Check(ts.ptr()) != 0 || PySequence_Check(ts.ptr()) == 0) {
     const Rational t = rational(ts, "t");
     return nb::float_(
-        without_gil([&] { return round_to_double(self.angle.value(t, self.start_angle)); }));
+        without_gil([value = value_of(self), t] { return round_to_double(value(t)); }));
   }
   return angles(self.angle, self.start_angle, ts, progress);
 }
@@ -68,9 +74,7 @@ void bind_angle(nb::module_& m, nb::class_<PathObject>& path) {
   bind_value(type,
              "θ(t): a Fraction where it is rational, else a Real; with `digits` a Decimal "
              "with so many.",
-             [](const AngleObject& self, const Rational& t) {
-               return self.angle.value(t, self.start_angle);
-             });
+             [](const AngleObject& self) { return value_of(self); });
   type.def("__call__", angle_of_what, nb::arg("ts"), nb::kw_only(),
            nb::arg("progress") = nb::none(),
            nb::sig("@typing.overload\ndef __call__(self, ts: float | fractions.Fraction | "

@@ -38,7 +38,7 @@ nb::object to_python(const std::optional<PoleTable>& poles) {
 nb::object number_or_digits(const Real& x, nb::handle digits, const nb::object& recipe) {
   if (digits.is_none()) return to_python(x, recipe);
   const long n = count(digits, "digits", 1, 1'000'000);
-  return to_decimal(without_gil([&] { return round_to_decimal(x, n).value; }));
+  return to_decimal(without_gil([x, n] { return round_to_decimal(x, n).value; }));
 }
 
 }  // namespace phrame::python

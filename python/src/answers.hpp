@@ -19,7 +19,7 @@ nb::object to_python(const std::optional<PoleTable>& poles);
       "fractions.Fraction | Real: ...\n@typing.overload\ndef value(self, t: Number, " \
       "digits: int) -> decimal.Decimal")
 
-/// value(t, digits) of what is a function of t, by f(self, t).
+/// value(t, digits) of what is a function of t, by f(self)(t), where f(self) owns what it uses.
 template <class C, class F>
 void bind_value(C& type, const char* what, const F& f) {
   type.def(
@@ -27,8 +27,12 @@ void bind_value(C& type, const char* what, const F& f) {
       [f](nb::handle self, nb::handle t, nb::handle digits) {
         const Rational at = rational(t, "t");
         const auto& of = nb::cast<const typename C::Type&>(self);
-        return number_or_digits(without_gil([&] { return f(of, at); }), digits,
-                                method_recipe(self, "value", t));
+        if (digits.is_none())
+          return to_python(without_gil([value = f(of), at] { return value(at); }),
+                           method_recipe(self, "value", t));
+        const long n = count(digits, "digits", 1, 1'000'000);
+        return to_decimal(
+            without_gil([value = f(of), at, n] { return round_to_decimal(value(at), n).value; }));
       },
       nb::arg("t"), nb::arg("digits") = nb::none(), PHRAME_VALUE_SIG, what);
 }

@@ -7,7 +7,7 @@ namespace {
 nb::object made_of(const std::string& name, const std::vector<GivenSegment>& segments,
                    const char* place, nb::handle value) {
   try {
-    return wrap(without_gil([&] { return path_of(name, segments); }));
+    return wrap(without_gil([=] { return path_of(name, segments); }));
   } catch (const InputError& error) {
     refuse(place, error.reason(), value);
   }
@@ -81,7 +81,7 @@ nb::object nurbs(nb::handle points, nb::handle weights, nb::handle knots, nb::ha
     refuse_in("knots", knots);
   }
   std::vector<RationalBezier> pieces;
-  for (auto& piece : without_gil([&] { return bezier_pieces(spline); }))
+  for (auto& piece : without_gil([spline] { return bezier_pieces(spline); }))
     pieces.push_back(std::move(piece.curve));
   return path_of_beziers(name, pieces, "points", points);
 }
@@ -138,10 +138,9 @@ nb::object expressions(nb::handle x, nb::handle y, nb::handle z, nb::handle lowe
   const Formula to = formula(upper, "upper", letter, true);
   std::vector<GivenSegment> segments;
   try {
-    segments = without_gil([&]() -> std::vector<GivenSegment> {
-      if (auto curve = rational_form(r, from, to, letter.value_or("s")))
-        return {{*std::move(curve), "x"}};
-      return {{ExpressionCurve(r, from, to, letter.value_or("s")), "x"}};
+    segments = without_gil([=, s = letter.value_or("s")]() -> std::vector<GivenSegment> {
+      if (auto curve = rational_form(r, from, to, s)) return {{*std::move(curve), "x"}};
+      return {{ExpressionCurve(r, from, to, s), "x"}};
     });
   } catch (const DomainError& error) {
     refuse("x, y, z", error.what(), x);
@@ -196,7 +195,7 @@ nb::object cubic_spline(nb::handle points, nb::handle parameters, const std::str
   std::vector<RationalBezier> pieces;
   try {
     for (BezierPoints& piece :
-         without_gil([&] { return cubic_pieces(data, cubic_derivatives(data).values); }))
+         without_gil([data] { return cubic_pieces(data, cubic_derivatives(data).values); }))
       pieces.push_back({std::move(piece)});
   } catch (const DomainError& error) {
     refuse("points", error.what(), points);
@@ -213,7 +212,7 @@ nb::object parse(nb::handle text) {
     bytes = nb::cast<std::string>(text);
   else
     refuse_type("text", "a str or bytes", text);
-  return wrap(without_gil([&] { return read_any_path(bytes); }));
+  return wrap(without_gil([bytes] { return read_any_path(bytes); }));
 }
 
 nb::object read_any(nb::handle file) {

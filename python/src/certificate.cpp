@@ -10,6 +10,10 @@ struct CertificateObject {
   std::string name;
 };
 
+std::vector<Statement> verified(const CertificateObject& self) {
+  return without_gil([certificate = self.certificate] { return verify(certificate); });
+}
+
 }  // namespace
 
 void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve) {
@@ -18,8 +22,9 @@ void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve
     const auto ts = rationals(at, "at");
     const long n = count(digits, "digits", 1, 100'000);
     const Reference reference = reference_named(frame, "frame");
-    return CertificateObject{without_gil([&] { return certify(curve_of(self), reference, ts, n); }),
-                             self.named.name};
+    return CertificateObject{
+        without_gil([=, curve = curve_of(self)] { return certify(curve, reference, ts, n); }),
+        self.named.name};
   };
   curve.def("certify", certify_curve, nb::arg("at") = nb::make_tuple(1), nb::arg("digits") = 50,
             nb::arg("frame") = "erf",
@@ -43,7 +48,7 @@ void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve
           "objections",
           [](const C& c) {
             std::vector<std::string> list;
-            for (const Statement& statement : without_gil([&] { return verify(c.certificate); })) {
+            for (const Statement& statement : verified(c)) {
               if (statement.is_proved()) continue;
               const auto* what = std::get_if<std::string>(&statement.what);
               const auto* claim = std::get_if<AngleClaim>(&statement.what);
@@ -55,7 +60,7 @@ void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve
           "Verifies every statement by another way: what is not proved, and why.")
       .def("is_proved",
            [](const C& c) {
-             const auto found = without_gil([&] { return verify(c.certificate); });
+             const auto found = verified(c);
              return std::all_of(found.begin(), found.end(),
                                 [](const Statement& s) { return s.is_proved(); });
            })

@@ -50,7 +50,7 @@ nb::object check(nb::handle self, nb::handle ts, nb::handle f2, nb::handle f3, n
   CheckQuery query = check_query(ts, f2, f3, tangents, tolerance);
   if (!start.is_none() || !start_normal.is_none())
     query.options.start = frame_start(start, start_normal, named.path, Reference::euler_rodrigues);
-  return nb::cast(CheckObject{without_gil([&] { return answer(named, query); }),
+  return nb::cast(CheckObject{without_gil([named, query] { return answer(named, query); }),
                               method_recipe(self, "check", kept(ts), kept(f2), kept(f3),
                                             kept(tangents), tolerance, start, kept(start_normal))});
 }
@@ -65,7 +65,7 @@ nb::object check_smooth(nb::handle self, nb::handle ts, nb::handle f2, nb::handl
   if (!start.is_none() || !start_normal.is_none())
     query.options.start = smooth_start(start, start_normal, angle);
   return nb::cast(
-      CheckObject{without_gil([&] { return answer(named, query); }),
+      CheckObject{without_gil([named, query] { return answer(named, query); }),
                   method_recipe(self, "check", kept(ts), kept(f2), kept(f3), kept(tangents),
                                 tolerance, start, kept(start_normal), kept(up))});
 }

@@ -27,7 +27,7 @@ void bind_classification(nb::module_& m, nb::class_<PathObject>& path) {
   const auto classify = [](nb::handle self) {
     const auto& named = nb::cast<const PathObject&>(self).named;
     return nb::cast(
-        ClassificationObject{without_gil([&] { return answer(named, ClassificationQuery{}); }),
+        ClassificationObject{without_gil([named] { return answer(named, ClassificationQuery{}); }),
                              method_recipe(self, "classify")});
   };
   path.def("classify", classify, nb::sig("def classify(self) -> Classification"),

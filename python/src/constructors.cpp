@@ -86,7 +86,7 @@ nb::object from_hopf(nb::handle alpha, nb::handle beta, nb::handle multiplier, n
 
 nb::object from_control_points(nb::handle points, const std::string& name) {
   const auto given = vectors(points, "points", 2);
-  auto found = without_gil([&] { return answer({name, bezier_hodograph(given), given.front()}); });
+  auto found = without_gil([=] { return answer({name, bezier_hodograph(given), given.front()}); });
   if (auto* curve = std::get_if<Curve>(&found.result))
     return wrap(NamedPath(name, std::move(*curve)));
   std::string reason = "not a PH curve: " + to_string(std::get<NotPythagorean>(found.result));
@@ -100,7 +100,7 @@ nb::object near(nb::handle points, nb::handle eps, const std::string& name) {
   const auto given = vectors(points, "points", 2);
   const Rational epsilon = rational(eps, "eps");
   if (epsilon.sign() <= 0) refuse("eps", "it is not positive", eps);
-  const auto found = without_gil([&] {
+  const auto found = without_gil([=] {
     const Vector<Polynomial> rate = bezier_hodograph(given);
     auto exact = identify(rate, given.front());
     if (auto* curve = std::get_if<Curve>(&exact))
@@ -124,7 +124,7 @@ CurveKind kind_named(const std::string& name) {
 }
 
 nb::object constructed(const GivenPoints& given, const ConstructQuery& query) {
-  auto found = without_gil([&] { return answer(given, query); });
+  auto found = without_gil([=] { return answer(given, query); });
   return wrap(std::move(found.path));
 }
 

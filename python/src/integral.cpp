@@ -1,5 +1,6 @@
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 #include "answers.hpp"
 
@@ -57,12 +58,13 @@ nb::object integral(nb::handle f, nb::handle from, nb::handle to, nb::handle var
     query.ends = IntegralQuery::Ends{path_end(from, "lower"), path_end(to, "upper"),
                                      principal_value ? AtPoles::principal_value : AtPoles::refuse};
   IntegralObject made{query, std::nullopt, {}, {}};
-  without_gil([&] {
-    made.antiderivative = integrate(query.integrand, query.form);
+  std::tie(made.antiderivative, made.value) = without_gil([query] {
+    std::pair<Antiderivative, std::optional<DefiniteIntegral>> found(
+        integrate(query.integrand, query.form), std::nullopt);
     if (query.ends)
-      made.value =
+      found.second =
           path_integral(query.integrand, query.ends->from, query.ends->to, query.ends->at_poles);
-    return 0;
+    return found;
   });
   made.recipe =
       remade("_integral", nb::cast(query.integrand), from, to, nb::str(query.variable.c_str()),
@@ -71,7 +73,7 @@ nb::object integral(nb::handle f, nb::handle from, nb::handle to, nb::handle var
 }
 
 IntegralAnswer integral_answer(const IntegralObject& self) {
-  return without_gil([&] { return answer(self.query); });
+  return without_gil([query = self.query] { return answer(query); });
 }
 
 }  // namespace
@@ -114,7 +116,7 @@ void bind_integral(nb::module_& m) {
       .def(
           "poles",
           [](const IntegralObject& self) {
-            return to_python(without_gil([&] { return pole_table(self.antiderivative, 100); }));
+            return to_python(without_gil([f = self.antiderivative] { return pole_table(f, 100); }));
           },
           nb::sig("def poles(self) -> " PHRAME_POLES_SIG),
           "The poles of the integrand that have a residue, with it, to 12 digits or more; none of "
@@ -133,7 +135,7 @@ void bind_integral(nb::module_& m) {
             IntegralQuery query = self.query;
             query.ends.reset();
             return imported("phrame._convert", "run_script")(
-                to_script(without_gil([&] { return answer(query); }), Language::sympy),
+                to_script(without_gil([query] { return answer(query); }), Language::sympy),
                 query.variable, symbol);
           },
           nb::arg("symbol") = nb::none(),

@@ -34,10 +34,14 @@ class Pool {
     most_ += threads;
   }
 
-  void submit(std::function<void()> task) {
+  /// What is urgent is not kept waiting by long jobs.
+  void submit(std::function<void()> task, bool is_urgent = false) {
     const std::lock_guard guard(lock_);
-    tasks_.push_back(std::move(task));
-    if (idle_ < tasks_.size() && threads_ < most_) {
+    if (is_urgent)
+      tasks_.push_front(std::move(task));
+    else
+      tasks_.push_back(std::move(task));
+    if (idle_ < tasks_.size() && (threads_ < most_ || is_urgent)) {
       std::thread([this] { serve(); }).detach();
       ++threads_;
     }
@@ -112,17 +116,8 @@ struct State {
   }
 };
 
-}  // namespace
-
-void run(Job job, nb::handle progress) {
-  const std::size_t parts = (job.n + job.grain - 1) / job.grain;
-  const std::size_t threads = std::max<std::size_t>(1, std::min(Pool::instance().cores(), parts));
-  const auto state = std::make_shared<State>(std::move(job), threads);
-  Pool::instance().submit([state, threads] {
-    if (state->job.prepare) state->guarded(state->job.prepare);
-    for (std::size_t k = 1; k < threads; ++k) Pool::instance().submit([state] { state->work(); });
-    state->work();
-  });
+/// Waits for the job, and looks for signals meanwhile.
+void await(const std::shared_ptr<State>& state, nb::handle progress) {
   bool has_ended = false;
   while (!has_ended) {
     {
@@ -142,6 +137,38 @@ void run(Job job, nb::handle progress) {
     }
   }
   if (state->failure) std::rethrow_exception(state->failure);
+}
+
+/// Signals come to no other.
+bool is_main_thread() {
+  const nb::object main = imported("threading", "main_thread")();
+  return nb::cast<unsigned long>(main.attr("ident")) == PyThread_get_thread_ident();
+}
+
+}  // namespace
+
+void run_apart(std::function<void()> work) {
+  if (!is_main_thread()) {
+    const nb::gil_scoped_release released;
+    work();
+    return;
+  }
+  const auto state = std::make_shared<State>(
+      Job{.n = 1, .work = [work = std::move(work)](std::size_t, std::size_t) { work(); }}, 1);
+  Pool::instance().submit([state] { state->work(); }, true);
+  await(state, nb::none());
+}
+
+void run(Job job, nb::handle progress) {
+  const std::size_t parts = (job.n + job.grain - 1) / job.grain;
+  const std::size_t threads = std::max<std::size_t>(1, std::min(Pool::instance().cores(), parts));
+  const auto state = std::make_shared<State>(std::move(job), threads);
+  Pool::instance().submit([state, threads] {
+    if (state->job.prepare) state->guarded(state->job.prepare);
+    for (std::size_t k = 1; k < threads; ++k) Pool::instance().submit([state] { state->work(); });
+    state->work();
+  });
+  await(state, progress);
 }
 
 }  // namespace phrame::python

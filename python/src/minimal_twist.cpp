@@ -40,7 +40,7 @@ nb::object smooth_twist(nb::handle self, nb::handle from, nb::handle to, nb::han
   const Integer turns = turns_of(extra_turns);
   const SmoothAngle angle = angle_to_up(named.path, up);
   return nb::cast(MinimalTwistObject{
-      without_gil([&] { return SmoothTwist(angle, a, b, turns); }),
+      without_gil([=] { return SmoothTwist(angle, a, b, turns); }),
       method_recipe(self, "minimal_twist", kept_end(a, from), kept_end(b, to), extra_turns,
                     up.is_none() ? nb::none() : to_python(angle.up()))});
 }
@@ -58,7 +58,7 @@ nb::object minimal_twist(nb::handle self, nb::handle from, nb::handle to, nb::ha
   const Angle b = angle_number(to, "end");
   const Integer turns = turns_of(extra_turns);
   return nb::cast(MinimalTwistObject{
-      without_gil([&] { return MinimalTwist(PathAngle(named.path), a, b, turns); }),
+      without_gil([=, path = named.path] { return MinimalTwist(PathAngle(path), a, b, turns); }),
       method_recipe(self, "minimal_twist", from, to, extra_turns)});
 }
 
@@ -104,8 +104,10 @@ void bind_minimal_twist(nb::module_& m, nb::class_<PathObject>& path) {
     return "<MinimalTwist " + round_to_decimal(turn, 6).value + " radians>";
   });
   bind_value(type, "The angle to the Euler–Rodrigues frame, or to that of `up`.",
-             [](const T& self, const Rational& t) {
-               return self.visit([&](const auto& twist) { return value_at(twist, t); });
+             [](const T& self) {
+               return [twist = self.twist](const Rational& t) {
+                 return std::visit([&](const auto& of) { return value_at(of, t); }, twist);
+               };
              });
   bind_recipe(type);
 }

@@ -165,9 +165,11 @@ std::vector<Rational> rationals(nb::handle list, const std::string& place) {
   const auto n = static_cast<std::size_t>(PySequence_Fast_GET_SIZE(items.ptr()));
   std::vector<Rational> result;
   result.reserve(n);
-  for (std::size_t k = 0; k < n; ++k)
+  for (std::size_t k = 0; k < n; ++k) {
+    if (k % 1024 == 1023 && PyErr_CheckSignals() != 0) throw nb::python_error();
     result.push_back(rational(PySequence_Fast_GET_ITEM(items.ptr(), static_cast<Py_ssize_t>(k)),
                               place + "[" + std::to_string(k) + "]"));
+  }
   return result;
 }
 

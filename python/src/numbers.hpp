@@ -5,6 +5,8 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,11 +34,17 @@ T chosen(const std::string& name, const char* place,
   refuse(place, "\"" + abbreviated(name) + "\" is not one of " + names, nb::str(name.c_str()));
 }
 
-/// f() without Python's lock.
+/// work(), without Python's lock. Called by the main thread, it is ended at once by Ctrl-C: the
+/// work then goes on in a thread of its own, with nobody waiting.
+void run_apart(std::function<void()> work);
+
+/// f() as run_apart() does it. It owns all that it uses, so it captures by value, and no objects of
+/// Python.
 template <class F>
-auto without_gil(const F& f) {
-  const nb::gil_scoped_release released;
-  return f();
+auto without_gil(F f) {
+  const auto result = std::make_shared<std::optional<decltype(f())>>();
+  run_apart([result, f = std::move(f)] { result->emplace(f()); });
+  return std::move(**result);
 }
 
 /// The number that a Python object is, exactly: int, Fraction, Decimal, str, float, and what has

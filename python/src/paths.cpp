@@ -59,21 +59,22 @@ void bind_places(nb::class_<PathObject>& path) {
           "parameter_at",
           [](const PathObject& self, nb::handle s) {
             const Rational length = rational(s, "s");
-            return to_python(
-                without_gil([&] { return parameter(PathLength(self.named.path).point(length)); }));
+            return to_python(without_gil([path = self.named.path, length] {
+              return parameter(PathLength(path).point(length));
+            }));
           },
           nb::arg("s"), nb::sig("def parameter_at(self, s: Number) -> fractions.Fraction | Real"),
           "The t where the length from the start is s.");
 }
 
 void bind_totals(nb::class_<PathObject>& path) {
-#define PHRAME_TOTAL(name, of, what)                                      \
-  path.def_prop_ro(                                                       \
-      name,                                                               \
-      [](nb::handle self) {                                               \
-        const Path& asked = path_of(self).named.path;                     \
-        return total(self, name, without_gil([&] { return of(asked); })); \
-      },                                                                  \
+#define PHRAME_TOTAL(name, of, what)                                          \
+  path.def_prop_ro(                                                           \
+      name,                                                                   \
+      [](nb::handle self) {                                                   \
+        const Path& asked = path_of(self).named.path;                         \
+        return total(self, name, without_gil([asked] { return of(asked); })); \
+      },                                                                      \
       nb::sig("def " name "(self) -> fractions.Fraction | Real | float"), what)
   PHRAME_TOTAL("length", total_length, "∫ ds.");
   PHRAME_TOTAL("erf_twist", erf_twist,
@@ -86,7 +87,7 @@ void bind_totals(nb::class_<PathObject>& path) {
       "total_curvature",
       [](nb::handle self) -> nb::object {
         const Path& asked = path_of(self).named.path;
-        const auto found = without_gil([&] { return total_curvature(asked); });
+        const auto found = without_gil([asked] { return total_curvature(asked); });
         return found ? total(self, "total_curvature", *found) : nb::none();
       },
       nb::sig("def total_curvature(self) -> fractions.Fraction | Real | None"),
@@ -95,7 +96,7 @@ void bind_totals(nb::class_<PathObject>& path) {
       "holonomy",
       [](nb::handle self) -> nb::object {
         const Path& asked = path_of(self).named.path;
-        const auto found = without_gil([&] { return PathAngle(asked).holonomy(); });
+        const auto found = without_gil([asked] { return PathAngle(asked).holonomy(); });
         return found ? to_python(*found, attribute_recipe(self, "holonomy")) : nb::none();
       },
       nb::sig("def holonomy(self) -> fractions.Fraction | Real | None"),
@@ -322,6 +323,8 @@ void bind_paths(nb::module_& m) {
   bind_smooth_check(smooth);
   bind_smooth_twist(smooth);
   bind_certificate(m, curve);
+  bind_products(path, smooth);
+  bind_sweep(m);
 }
 
 }  // namespace phrame::python

@@ -25,6 +25,8 @@ void bind_smooth_arrays(nb::class_<SmoothPathObject>& smooth);
 void bind_smooth_angle(nb::module_& m, nb::class_<SmoothPathObject>& smooth);
 void bind_smooth_check(nb::class_<SmoothPathObject>& smooth);
 void bind_smooth_twist(nb::class_<SmoothPathObject>& smooth);
+void bind_products(nb::class_<PathObject>& path, nb::class_<SmoothPathObject>& smooth);
+void bind_sweep(nb::module_& m);
 
 /// θ as correctly rounded doubles at many parameters.
 nb::object smooth_angles(const SmoothAngle& angle, const Real& start, nb::handle ts,

@@ -25,10 +25,10 @@ nb::object make_smooth_angle(nb::handle self, const std::string& frame, nb::hand
     refuse("up", "the angle is to the Frenet frame", up);
   SmoothAngle angle =
       reference == SmoothReference::frenet
-          ? without_gil([&] { return SmoothAngle(named.path, SmoothReference::frenet); })
+          ? without_gil([path = named.path] { return SmoothAngle(path, SmoothReference::frenet); })
           : angle_to_up(named.path, up);
   const FrameStart from = smooth_start(start, start_normal, angle);
-  Real at_zero = without_gil([&] { return start_angle(from, angle); });
+  Real at_zero = without_gil([=] { return start_angle(from, angle); });
   const nb::object v = up.is_none() ? nb::none() : to_python(vector(up, "up"));
   const nb::object along =
       start_normal.is_none() ? nb::none() : to_python(vector(start_normal, "start_normal"));
@@ -43,8 +43,11 @@ std::string frame_of(const SmoothAngle& angle) {
   return "frame of (" + to_string(x) + ", " + to_string(y) + ", " + to_string(z) + ")";
 }
 
-Real value_of(const SmoothAngleObject& self, const Rational& t) {
-  return self.angle.value(locate(self.named.path, t)) + self.start_angle;
+/// θ(t).
+auto value_of(const SmoothAngleObject& self) {
+  return [angle = self.angle, start = self.start_angle](const Rational& t) {
+    return angle.value(locate(angle.path(), t)) + start;
+  };
 }
 
 SmoothAngleAnswer smooth_answer(const SmoothAngleObject& self) {
@@ -52,13 +55,14 @@ SmoothAngleAnswer smooth_answer(const SmoothAngleObject& self) {
   query.reference = self.angle.reference();
   if (query.reference == SmoothReference::up) query.up = self.angle.up();
   query.start = self.start;
-  return without_gil([&] { return answer(self.named, query); });
+  return without_gil([named = self.named, query] { return answer(named, query); });
 }
 
 nb::object smooth_angle_of_what(const SmoothAngleObject& self, nb::handle ts, nb::handle progress) {
   if (PyUnicode_Check(ts.ptr()) != 0 || PySequence_Check(ts.ptr()) == 0) {
     const Rational t = rational(ts, "t");
-    return nb::float_(without_gil([&] { return round_to_double(value_of(self, t)); }));
+    return nb::float_(
+        without_gil([value = value_of(self), t] { return round_to_double(value(t)); }));
   }
   return smooth_angles(self.angle, self.start_angle, ts, progress);
 }
@@ -82,7 +86,7 @@ void bind_smooth_angle(nb::module_& m, nb::class_<SmoothPathObject>& smooth) {
   bind_value(type,
              "θ(t): a Fraction where it is rational, else a Real; with `digits` a Decimal with so "
              "many.",
-             value_of);
+             [](const SmoothAngleObject& self) { return value_of(self); });
   using A = SmoothAngleObject;
   type.def("__call__", smooth_angle_of_what, nb::arg("ts"), nb::kw_only(),
            nb::arg("progress") = nb::none(),

@@ -22,26 +22,27 @@ nb::object components(const Vector<Real>& v, nb::handle self, const char* method
 nb::object smooth_point(nb::handle self, nb::handle t) {
   const Rational at = rational(t, "t");
   const SmoothPath& path = smooth_of(self);
-  return components(without_gil([&] { return position(path, locate(path, at)); }), self, "point",
-                    to_python(at));
+  return components(without_gil([path, at] { return position(path, locate(path, at)); }), self,
+                    "point", to_python(at));
 }
 
 nb::object parameter_at(nb::handle self, nb::handle s) {
   const Rational length = rational(s, "s");
   const SmoothPath& path = smooth_of(self);
-  const SmoothParameter at = without_gil([&] { return SmoothLength(path).point(length); });
+  const SmoothParameter at =
+      without_gil([path, length] { return SmoothLength(path).point(length); });
   return to_python(Rational(static_cast<long>(at.segment)) + at.t,
                    method_recipe(self, "parameter_at", to_python(length)));
 }
 
 void bind_smooth_totals(nb::class_<SmoothPathObject>& smooth) {
-#define PHRAME_SMOOTH_TOTAL(name, of, what)                                              \
-  smooth.def_prop_ro(                                                                    \
-      name,                                                                              \
-      [](nb::handle self) {                                                              \
-        const SmoothPath& path = smooth_of(self);                                        \
-        return to_python(without_gil([&] { return of; }), attribute_recipe(self, name)); \
-      },                                                                                 \
+#define PHRAME_SMOOTH_TOTAL(name, of, what)                                                 \
+  smooth.def_prop_ro(                                                                       \
+      name,                                                                                 \
+      [](nb::handle self) {                                                                 \
+        const SmoothPath& path = smooth_of(self);                                           \
+        return to_python(without_gil([path] { return of; }), attribute_recipe(self, name)); \
+      },                                                                                    \
       nb::sig("def " name "(self) -> " PHRAME_REAL_SIG), what)
   PHRAME_SMOOTH_TOTAL("length", SmoothLength(path).total(), "∫ ds.");
   PHRAME_SMOOTH_TOTAL("total_curvature", total_curvature(path), "∫ κ ds.");
@@ -49,16 +50,16 @@ void bind_smooth_totals(nb::class_<SmoothPathObject>& smooth) {
   PHRAME_SMOOTH_TOTAL("up_twist", up_frame_twist(path, up_vector(path)),
                       "∫ e2′·e3 dt: how far the frame of `up` turns about e1, in radians.");
 #undef PHRAME_SMOOTH_TOTAL
-#define PHRAME_SMOOTH_ENERGY(name, of, what)                        \
-  smooth.def_prop_ro(                                               \
-      name,                                                         \
-      [](nb::handle self) -> nb::object {                           \
-        const SmoothPath& path = smooth_of(self);                   \
-        const auto found = without_gil([&] { return of(path); });   \
-        if (const auto* finite = std::get_if<Real>(&found))         \
-          return to_python(*finite, attribute_recipe(self, name));  \
-        return nb::float_(std::numeric_limits<double>::infinity()); \
-      },                                                            \
+#define PHRAME_SMOOTH_ENERGY(name, of, what)                         \
+  smooth.def_prop_ro(                                                \
+      name,                                                          \
+      [](nb::handle self) -> nb::object {                            \
+        const SmoothPath& path = smooth_of(self);                    \
+        const auto found = without_gil([path] { return of(path); }); \
+        if (const auto* finite = std::get_if<Real>(&found))          \
+          return to_python(*finite, attribute_recipe(self, name));   \
+        return nb::float_(std::numeric_limits<double>::infinity());  \
+      },                                                             \
       nb::sig("def " name "(self) -> " PHRAME_REAL_SIG " | float"), what)
   PHRAME_SMOOTH_ENERGY("bending_energy", bending_energy, "∫ κ² ds; infinite at most cusps.");
   PHRAME_SMOOTH_ENERGY("frenet_energy", frenet_energy, "∫ (κ² + τ²) ds; infinite at most cusps.");
@@ -67,7 +68,7 @@ void bind_smooth_totals(nb::class_<SmoothPathObject>& smooth) {
       "holonomy",
       [](nb::handle self) -> nb::object {
         const SmoothPath& path = smooth_of(self);
-        const auto found = without_gil([&] { return holonomy(SmoothAngle(path)); });
+        const auto found = without_gil([path] { return holonomy(SmoothAngle(path)); });
         return found ? to_python(*found, attribute_recipe(self, "holonomy")) : nb::none();
       },
       nb::sig("def holonomy(self) -> " PHRAME_REAL_SIG " | None"),
@@ -83,7 +84,7 @@ void bind_smooth_shape(nb::class_<SmoothPathObject>& smooth) {
       [](nb::handle self, nb::handle t) {                           \
         const Rational at = rational(t, "t");                       \
         const SmoothPath& path = smooth_of(self);                   \
-        return to_python(without_gil([&] { return of; }),           \
+        return to_python(without_gil([path, at] { return of; }),    \
                          method_recipe(self, name, to_python(at))); \
       },                                                            \
       nb::arg("t"), nb::sig("def " name "(self, t: Number) -> " PHRAME_REAL_SIG), what)
@@ -217,10 +218,10 @@ AnyPath any_path(nb::handle x, const std::string& place) {
 }
 
 SmoothAngle angle_to_up(const SmoothPath& path, nb::handle up) {
-  if (up.is_none()) return without_gil([&] { return SmoothAngle(path); });
+  if (up.is_none()) return without_gil([path] { return SmoothAngle(path); });
   const Vector<Rational> v = vector(up, "up");
   try {
-    return without_gil([&] { return SmoothAngle(path, v); });
+    return without_gil([path, v] { return SmoothAngle(path, v); });
   } catch (const DomainError& error) {
     refuse("up", error.what(), up);
   }
@@ -277,7 +278,7 @@ void bind_smooth_path(nb::module_& m, nb::class_<SmoothPathObject>& smooth) {
       .def_prop_ro(
           "up",
           [](const SmoothPathObject& self) {
-            return to_python(without_gil([&] { return up_vector(self.named.path); }));
+            return to_python(without_gil([path = self.named.path] { return up_vector(path); }));
           },
           nb::sig("def up(self) -> tuple[fractions.Fraction, fractions.Fraction, "
                   "fractions.Fraction]"),

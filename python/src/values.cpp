@@ -16,23 +16,17 @@ std::string streamed(const T& x) {
 
 nb::object decimal_digits(const RealNumber& x, nb::handle digits) {
   const long n = count(digits, "n", 1, 1'000'000);
-  std::string text;
-  {
-    const nb::gil_scoped_release released;
-    text = round_to_decimal(x.value, n).value;
-  }
-  return to_decimal(text);
+  return to_decimal(without_gil([value = x.value, n] { return round_to_decimal(value, n).value; }));
 }
 
 nb::object ball_of(const RealNumber& x, nb::handle bits) {
   const long wanted = count(bits, "bits", 1, 10'000'000);
-  std::optional<RealBall> found;
-  {
-    const nb::gil_scoped_release released;
-    for (long more = wanted + 8; !found && more <= 16 * wanted + 100'000; more *= 2)
-      if (RealBall ball = x.value.enclose(more); ball.is_finite() && ball.is_accurate(wanted))
-        found = std::move(ball);
-  }
+  const auto found = without_gil([value = x.value, wanted]() -> std::optional<RealBall> {
+    for (long more = wanted + 8; more <= 16 * wanted + 100'000; more *= 2)
+      if (RealBall ball = value.enclose(more); ball.is_finite() && ball.is_accurate(wanted))
+        return ball;
+    return std::nullopt;
+  });
   if (!found)
     throw Undecided("ball: no enclosure of " + std::to_string(wanted) + " bits was found");
   return ends(*found);
@@ -42,20 +36,24 @@ nb::object ball_of(const RealNumber& x, nb::handle bits) {
 int compared(const RealNumber& x, nb::handle y) {
   const Real off = x.value + -real(y, "other");
   if (off.exact()) return off.exact()->sign();
-  const nb::gil_scoped_release released;
   constexpr long most = 1L << 16;
-  for (long bits = 64; bits <= most; bits *= 2)
-    if (const int found = sign(off.enclose(bits)); found != 0) return found;
+  const int found = without_gil([off] {
+    for (long bits = 64; bits <= most; bits *= 2)
+      if (const int which = sign(off.enclose(bits)); which != 0) return which;
+    return 0;
+  });
+  if (found != 0) return found;
   throw Undecided("comparison: " + std::to_string(most) + " bits do not tell the numbers apart");
 }
 
 std::string shown_real(const RealNumber& x) {
-  const nb::gil_scoped_release released;
-  try {
-    return round_to_decimal(x.value, 17).value;
-  } catch (const Undecided&) {
-    return streamed(x.value);
-  }
+  return without_gil([value = x.value] {
+    try {
+      return round_to_decimal(value, 17).value;
+    } catch (const Undecided&) {
+      return streamed(value);
+    }
+  });
 }
 
 bool is_number(nb::handle x) {
@@ -76,8 +74,7 @@ void bind_real(nb::module_& m) {
                                      "from: any number of its digits.");
   type.def("__float__",
            [](const RealNumber& x) {
-             const nb::gil_scoped_release released;
-             return round_to_double(x.value);
+             return without_gil([value = x.value] { return round_to_double(value); });
            })
       .def("digits", decimal_digits, nb::arg("n"),
            nb::sig("def digits(self, n: int) -> decimal.Decimal"),

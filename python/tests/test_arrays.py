@@ -1,10 +1,7 @@
 """Arrays of frames, quaternions, matrices and points; progress, Ctrl-C, threads."""
 
-import os
 import random
-import signal
 import threading
-import time
 from fractions import Fraction
 
 import numpy as np
@@ -76,24 +73,6 @@ def test_progress_is_reported_and_can_stop():
 
     with pytest.raises(KeyError):
         QUINTIC.frames(np.linspace(0, 1, 50_000), progress=stop)
-
-
-def test_control_c_ends_at_once():
-    rng = random.Random(1)
-    curve = random_curve(rng, 30)
-    ts = [Fraction(k, 1_000_003) for k in range(20_000)]  # no doubles: each takes its time
-    sent = []
-
-    def interrupt():
-        sent.append(time.monotonic())
-        os.kill(os.getpid(), signal.SIGINT)
-
-    timer = threading.Timer(0.15, interrupt)
-    timer.start()
-    with pytest.raises(KeyboardInterrupt):
-        curve.frames(ts)
-    assert time.monotonic() - sent[0] < 2  # 0.06 s where there is a free core
-    assert QUINTIC.frames([0.5]).shape == (1, 3, 3)
 
 
 def test_threads_share_one_angle():

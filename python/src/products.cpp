@@ -1,0 +1,179 @@
+#include <cmath>
+
+#include "smooth.hpp"
+
+namespace phrame::python {
+namespace {
+
+/// A table as a structured array, with its columns by name.
+nb::object structured(const FrameTable& table) {
+  const auto numbers = std::make_shared<std::vector<double>>();
+  for (const auto& row : table.rows) numbers->insert(numbers->end(), row.begin(), row.end());
+  nb::list fields;
+  for (const std::string& name : table.columns)
+    fields.append(nb::make_tuple(name, imported("numpy", "float64")));
+  return array(numbers, {table.rows.size(), table.columns.size()})
+      .attr("view")(imported("numpy", "dtype")(fields))
+      .attr("reshape")(-1);
+}
+
+template <class Object>
+nb::object interpolate(const Object& self, nb::handle feed, nb::handle period) {
+  InterpolationQuery query;
+  query.period = rational(period, "period");
+  if (query.period <= 0) refuse("period", "it is not positive", period);
+  if (PyUnicode_Check(feed.ptr()) == 0) {
+    query.feedrate.speed = RationalFunction(Polynomial{rational(feed, "feed")});
+  } else {
+    try {
+      query.feedrate = parse_feedrate(nb::cast<std::string>(feed));
+    } catch (const InputError& error) {
+      refuse("feed", error.what(), feed);
+    }
+  }
+  try {
+    return structured(without_gil([named = self.named, query] { return answer(named, query); }));
+  } catch (const InputError& error) {
+    refuse("period", error.reason(), period);
+  }
+}
+
+double rounded_end(nb::handle x, const char* place) {
+  const double found = round_to_double(rational(x, place));
+  if (!std::isfinite(found)) refuse(place, "it is too large for a double", x);
+  return found;
+}
+
+std::string prefix_of(nb::handle prefix, const std::string& name) {
+  if (prefix.is_none()) return prefix_from(name);
+  if (PyUnicode_Check(prefix.ptr()) == 0) refuse_type("prefix", "a str", prefix);
+  auto text = nb::cast<std::string>(prefix);
+  if (!is_prefix(text))
+    refuse("prefix",
+           "\"" + abbreviated(text) + "\" is not a letter followed by letters, digits and single _",
+           prefix);
+  return text;
+}
+
+std::string compile(const PathObject& self, nb::handle prefix, const std::string& frame,
+                    nb::handle start, nb::handle start_normal, nb::handle lower, nb::handle upper) {
+  const NamedPath& named = self.named;
+  CompiledQuery query;
+  query.reference = reference_named(frame, "frame");
+  query.start = frame_start(start, start_normal, named.path, query.reference);
+  query.from = rounded_end(lower, "lower");
+  query.to = rounded_end(upper, "upper");
+  const double length = query.to - query.from;
+  if (!(length >= 0x1p-900) || length > 0x1p900)
+    refuse("upper", "it is not greater than lower by 2^-900 to 2^900", upper);
+  if (!named.path.is_curve() && (query.from != 0 || query.to != 1))
+    refuse("lower", "a spline is compiled as a whole", lower);
+  const std::string name = prefix_of(prefix, named.name);
+  return without_gil([named, query, name] { return to_c_header(answer(named, query), name); });
+}
+
+std::string compile_smooth(const SmoothPathObject& self, nb::handle prefix,
+                           const std::string& frame, nb::handle start, nb::handle start_normal,
+                           nb::handle up) {
+  const NamedSmoothPath& named = self.named;
+  SmoothCompiledQuery query;
+  query.reference = chosen<SmoothReference>(
+      frame, "frame", {{"up", SmoothReference::up}, {"frenet", SmoothReference::frenet}});
+  const SmoothAngle angle = angle_to_up(named.path, up);
+  query.up = angle.up();
+  query.start = smooth_start(start, start_normal, angle);
+  const std::string name = prefix_of(prefix, named.name);
+  return without_gil([named, query, name] { return to_c_header(answer(named, query), name); });
+}
+
+std::vector<GivenFrame> given_frames(nb::handle ts, nb::handle f2) {
+  if (ts.is_none() != f2.is_none()) refuse(ts.is_none() ? "ts" : "f2", "it is wanted", nb::none());
+  std::vector<GivenFrame> frames;
+  if (ts.is_none()) return frames;
+  const auto at = rationals(ts, "ts");
+  if (at.empty()) refuse("ts", "it is empty", ts);
+  const auto rows = vectors(f2, "f2", 1);
+  if (rows.size() != at.size())
+    refuse("f2", std::to_string(rows.size()) + " for " + std::to_string(at.size()) + " parameters",
+           f2);
+  for (std::size_t k = 0; k < at.size(); ++k) frames.push_back({at[k], rows[k]});
+  return frames;
+}
+
+template <class Named>
+void write_page(const Named& named, PageQuery query, nb::handle samples, nb::handle file) {
+  query.samples = count(samples, "samples", 3, 100'000);
+  if (!has_pages())
+    throw DomainError("page: this phrame was built without npm, which bundles what a page needs");
+  const std::string page = without_gil([=] { return to_page(answer(named, query)); });
+  const nb::object path = imported("pathlib", "Path")(file);
+  path.attr("write_bytes")(nb::bytes(page.data(), page.size()));
+}
+
+void page(const PathObject& self, nb::handle file, nb::handle ts, nb::handle f2, nb::handle samples,
+          nb::handle start, nb::handle start_normal) {
+  PageQuery query;
+  query.given = given_frames(ts, f2);
+  if (!start.is_none() || !start_normal.is_none())
+    query.start = frame_start(start, start_normal, self.named.path, Reference::euler_rodrigues);
+  write_page(self.named, query, samples, file);
+}
+
+void smooth_page(const SmoothPathObject& self, nb::handle file, nb::handle ts, nb::handle f2,
+                 nb::handle samples, nb::handle start, nb::handle start_normal, nb::handle up) {
+  PageQuery query;
+  query.given = given_frames(ts, f2);
+  const SmoothAngle angle = angle_to_up(self.named.path, up);
+  query.up = angle.up();
+  if (!start.is_none() || !start_normal.is_none())
+    query.start = smooth_start(start, start_normal, angle);
+  write_page(self.named, query, samples, file);
+}
+
+#define PHRAME_PAGE_PARAMETERS                                                            \
+  nb::arg("file"), nb::arg("ts") = nb::none(), nb::arg("f2") = nb::none(), nb::kw_only(), \
+                   nb::arg("samples") = 241, PHRAME_START_PARAMETERS
+#define PHRAME_PAGE_SIG                                                                    \
+  "def page(self, file: str | os.PathLike[str], ts: Numbers | None = None, f2: Vectors | " \
+  "None = None, *, samples: int = 241, " PHRAME_START_SIG
+#define PHRAME_PAGE_WHAT                                                                     \
+  "Writes an HTML file that shows the path, its frames and what is known of it, beside the " \
+  "frames f2 that somebody else has at ts: docs/page.md."
+#define PHRAME_COMPILE_WHAT                                                               \
+  "A header in C that evaluates the angle and the frame in doubles, with proved errors: " \
+  "docs/compiled.md."
+
+template <class Object>
+void bind_interpolation(nb::class_<Object>& type) {
+  type.def("interpolate", interpolate<Object>, nb::arg("feed"), nb::arg("period"),
+           nb::sig("def interpolate(self, feed: Number, period: Number) -> "
+                   "numpy.typing.NDArray[numpy.void]"),
+           "The points of a motion with the speed `feed`, a number or a function of s, t or kappa "
+           "as a text, at the times 0, period, …: a structured array with k, time, t, s, x, y, "
+           "z.");
+}
+
+}  // namespace
+
+void bind_products(nb::class_<PathObject>& path, nb::class_<SmoothPathObject>& smooth) {
+  bind_interpolation(path);
+  bind_interpolation(smooth);
+  path.def(
+      "compile", compile, nb::arg("prefix") = nb::none(), nb::arg("frame") = "erf",
+      PHRAME_START_PARAMETERS, nb::arg("lower") = 0, nb::arg("upper") = 1,
+      nb::sig("def compile(self, prefix: str | None = None, frame: str = 'erf', " PHRAME_START_SIG
+              ", lower: Number = 0, upper: Number = 1) -> str"),
+      PHRAME_COMPILE_WHAT " A curve is compiled for t from `lower` to `upper`.");
+  smooth.def(
+      "compile", compile_smooth, nb::arg("prefix") = nb::none(), nb::arg("frame") = "up",
+      PHRAME_START_PARAMETERS, nb::arg("up") = nb::none(),
+      nb::sig("def compile(self, prefix: str | None = None, frame: str = 'up', " PHRAME_START_SIG
+              ", up: Vector | None = None) -> str"),
+      PHRAME_COMPILE_WHAT);
+  path.def("page", page, PHRAME_PAGE_PARAMETERS, nb::sig(PHRAME_PAGE_SIG ") -> None"),
+           PHRAME_PAGE_WHAT);
+  smooth.def("page", smooth_page, PHRAME_PAGE_PARAMETERS, nb::arg("up") = nb::none(),
+             nb::sig(PHRAME_PAGE_SIG ", up: Vector | None = None) -> None"), PHRAME_PAGE_WHAT);
+}
+
+}  // namespace phrame::python

@@ -1,0 +1,222 @@
+#include <nanobind/ndarray.h>
+
+#include "answers.hpp"
+#include "smooth.hpp"
+
+namespace phrame::python {
+namespace {
+
+/// A mesh with what is known of it; arrays share its numbers.
+struct SweepObject {
+  std::shared_ptr<const SweepAnswer> found;
+};
+
+RationalFunction scale_of(nb::handle scale) {
+  if (nb::isinstance<RationalFunction>(scale)) return nb::cast<const RationalFunction&>(scale);
+  if (nb::isinstance<Polynomial>(scale))
+    return RationalFunction(nb::cast<const Polynomial&>(scale));
+  if (PyUnicode_Check(scale.ptr()) == 0)
+    return RationalFunction(Polynomial{rational(scale, "scale")});
+  try {
+    return parse_expression(nb::cast<std::string>(scale), "t").value;
+  } catch (const InputError& error) {
+    refuse("scale", error.what(), scale);
+  }
+}
+
+Profile polygon_of(nb::handle corners) {
+  std::vector<ProfilePoint> points;
+  if (PySequence_Check(corners.ptr()) == 0)
+    refuse_type("profile", "a str, a file or a list of corners", corners);
+  for (const nb::handle row : nb::list(corners)) {
+    const std::string place = "profile[" + std::to_string(points.size()) + "]";
+    const auto numbers = rationals(row, place);
+    if (numbers.size() != 2)
+      refuse(place, "2 numbers are wanted, there are " + std::to_string(numbers.size()), row);
+    points.push_back({numbers[0], numbers[1]});
+  }
+  return Profile(std::move(points));
+}
+
+Profile profile_of(nb::handle profile, const std::optional<Rational>& tolerance) {
+  try {
+    if (PyUnicode_Check(profile.ptr()) != 0) {
+      const auto text = nb::cast<std::string>(profile);
+      if (auto given = parse_profile(text, tolerance)) return *std::move(given);
+      refuse("profile",
+             "\"" + abbreviated(text) +
+                 "\" is none of circle:R, polygon:N,R and rectangle:W,H; a file is a Path of "
+                 "pathlib",
+             profile);
+    }
+    if (nb::hasattr(profile, "__fspath__")) {
+      const nb::object file = imported("builtins", "open")(profile, "rb");
+      const nb::object read = file.attr("read")();
+      file.attr("close")();
+      const std::string bytes(PyBytes_AS_STRING(read.ptr()),
+                              static_cast<std::size_t>(PyBytes_GET_SIZE(read.ptr())));
+      return read_profile(bytes, tolerance);
+    }
+    return polygon_of(profile);
+  } catch (const InputError& error) {
+    refuse("profile", error.what(), profile);
+  } catch (const DomainError& error) {
+    refuse("profile", error.what(), profile);
+  }
+}
+
+FrameStart sweep_start(const AnyPath& path, nb::handle start, nb::handle start_normal) {
+  if (const auto* ph = std::get_if<NamedPath>(&path))
+    return frame_start(start, start_normal, ph->path, Reference::euler_rodrigues);
+  const SmoothPath& smooth = std::get<NamedSmoothPath>(path).path;
+  return smooth_start(start, start_normal, angle_to_up(smooth, nb::none()));
+}
+
+nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
+                      nb::handle start_normal, nb::handle end_normal, nb::handle twist,
+                      nb::handle scale, nb::handle tolerance, nb::handle sections) {
+  const AnyPath path = any_path(given, "path");
+  const RationalFunction size = scale_of(scale);
+  const std::size_t segments =
+      std::visit([](const auto& named) { return named.path.segments().size(); }, path);
+  double greatest = 1;
+  try {
+    greatest = greatest_scale(size, segments);
+  } catch (const DomainError& error) {
+    refuse("scale", error.what(), scale);
+  }
+  if (!tolerance.is_none() && !sections.is_none())
+    refuse("sections", "it and tolerance exclude each other", sections);
+  std::optional<Rational> within;
+  if (!tolerance.is_none()) {
+    within = rational(tolerance, "tolerance");
+    if (*within <= 0) refuse("tolerance", "it is not positive", tolerance);
+  }
+  std::optional<Rational> of_profile;
+  if (within) of_profile = *within / (4 * exact_rational(greatest));
+  SweepQuery query{profile_of(profile, of_profile), sweep_start(path, start, start_normal)};
+  query.scale = size;
+  query.twist = angle_number(twist, "twist");
+  if (!end_normal.is_none()) query.end_normal = vector(end_normal, "end_normal");
+  if (!sections.is_none())
+    query.tolerance_or_sections = count(sections, "sections", 2, 1'000'000);
+  else
+    query.tolerance_or_sections =
+        within ? *within : exact_rational(query.profile.reach() * greatest / 200);
+  return nb::cast(SweepObject{std::make_shared<const SweepAnswer>(without_gil([path, query] {
+    return std::visit([&](const auto& named) { return answer(named, query); }, path);
+  }))});
+}
+
+/// Rows of three numbers, which nobody may write to.
+template <class T>
+nb::object rows_of(const SweepObject& self, const T* numbers, std::size_t rows) {
+  using Owner = std::shared_ptr<const SweepAnswer>;
+  const nb::capsule owner(new Owner(self.found),
+                          [](void* p) noexcept { delete static_cast<Owner*>(p); });
+  const std::array<std::size_t, 2> shape{rows, 3};
+  return nb::cast(nb::ndarray<nb::numpy, const T>(numbers, 2, shape.data(), owner));
+}
+
+nb::object points_of(const SweepObject& self) {
+  const auto& points = self.found->body.mesh.points;
+  return rows_of(self, points.empty() ? nullptr : points.front().data(), points.size());
+}
+
+nb::object triangles_of(const SweepObject& self) {
+  const auto& triangles = self.found->body.mesh.triangles;
+  return rows_of(self, triangles.empty() ? nullptr : triangles.front().data(), triangles.size());
+}
+
+void save(const SweepObject& self, nb::handle file) {
+  const nb::object path = imported("pathlib", "Path")(file);
+  const auto suffix = nb::cast<std::string>(path.attr("suffix").attr("lower")());
+  using Writer = std::string (*)(const Mesh&);
+  const auto writer = [&]() -> Writer {
+    for (const auto& [name, found] : std::initializer_list<std::pair<const char*, Writer>>{
+             {".obj", to_obj}, {".stl", to_stl}, {".ply", to_ply}, {".glb", to_glb}})
+      if (suffix == name) return found;
+    refuse("file", "its name ends with none of .obj, .stl, .ply, .glb", file);
+  }();
+  const std::string bytes =
+      without_gil([writer, found = self.found] { return writer(found->body.mesh); });
+  path.attr("write_bytes")(nb::bytes(bytes.data(), bytes.size()));
+}
+
+/// What was pickled.
+nb::object swept(const nb::ndarray<const double, nb::ndim<2>, nb::c_contig>& points,
+                 const nb::ndarray<const std::uint32_t, nb::ndim<2>, nb::c_contig>& triangles,
+                 std::size_t sections, std::optional<double> error, long folds, bool is_closed,
+                 double turn) {
+  SweepAnswer found{{}, is_closed, turn};
+  Mesh& mesh = found.body.mesh;
+  for (std::size_t k = 0; k < points.shape(0); ++k)
+    mesh.points.push_back({points(k, 0), points(k, 1), points(k, 2)});
+  for (std::size_t k = 0; k < triangles.shape(0); ++k)
+    mesh.triangles.push_back({triangles(k, 0), triangles(k, 1), triangles(k, 2)});
+  found.body.sections = sections;
+  found.body.error = error;
+  found.body.folds = folds;
+  return nb::cast(SweepObject{std::make_shared<const SweepAnswer>(std::move(found))});
+}
+
+}  // namespace
+
+void bind_sweep(nb::module_& m) {
+  m.def("_swept", swept, nb::arg(), nb::arg(), nb::arg(), nb::arg().none(), nb::arg(), nb::arg(),
+        nb::arg());
+  m.def("sweep", sweep_path, nb::arg("path"), nb::arg("profile"), nb::kw_only(),
+        PHRAME_START_PARAMETERS, nb::arg("end_normal") = nb::none(), nb::arg("twist") = 0,
+        nb::arg("scale") = 1, nb::arg("tolerance") = nb::none(), nb::arg("sections") = nb::none(),
+        nb::sig("def sweep(path: " PHRAME_ANY_PATH_SIG
+                ", profile: str | os.PathLike[str] | Vectors, *, " PHRAME_START_SIG
+                ", end_normal: Vector | None = None, twist: Number = 0, scale: Number | Polynomial "
+                "| RationalFunction = 1, tolerance: Number | None = None, sections: int | None = "
+                "None) -> SweptBody"),
+        "A body: a profile (\"circle:R\", \"polygon:N,R\", \"rectangle:W,H\", corners, or a file "
+        "as a pathlib.Path) swept along a path in its rotation-minimizing frame: docs/sweep.md.");
+  auto type = nb::class_<SweepObject>(m, "SweptBody", "A body as a watertight mesh.");
+  using S = SweepObject;
+  type.def_prop_ro("vertices", points_of,
+                   nb::sig("def vertices(self) -> numpy.typing.NDArray[numpy.float64]"),
+                   "Points, an array (n, 3).")
+      .def_prop_ro("triangles", triangles_of,
+                   nb::sig("def triangles(self) -> numpy.typing.NDArray[numpy.uint32]"),
+                   "The numbers of three points each, counterclockwise seen from outside: an "
+                   "array (m, 3).")
+      .def_prop_ro(
+          "sections", [](const S& s) { return s.found->body.sections; }, "How many there are.")
+      .def_prop_ro(
+          "error", [](const S& s) { return s.found->body.error; },
+          "A proved bound of the distance of mesh and surface; None with `sections`.")
+      .def_prop_ro(
+          "folds", [](const S& s) { return s.found->body.folds; },
+          "Corners of sections at which the body folds over itself.")
+      .def_prop_ro(
+          "is_closed", [](const S& s) { return s.found->is_closed; }, "Has it no ends?")
+      .def_prop_ro(
+          "turn", [](const S& s) { return s.found->turn; },
+          "By how many radians the profile turns against the rotation-minimizing frame.")
+      .def(
+          "volume", [](const S& s) { return volume(s.found->body.mesh); }, "Of the mesh.")
+      .def("save", save, nb::arg("file"),
+           nb::sig("def save(self, file: str | os.PathLike[str]) -> None"),
+           "Writes a file whose name ends with .obj, .stl, .ply or .glb.")
+      .def("__repr__",
+           [](const S& s) {
+             const Mesh& mesh = s.found->body.mesh;
+             return "<SweptBody of " + std::to_string(mesh.points.size()) + " points, " +
+                    std::to_string(mesh.triangles.size()) + " triangles>";
+           })
+      .def(
+          "__reduce__",
+          [](const S& s) {
+            const SweptBody& body = s.found->body;
+            return remade("_swept", points_of(s), triangles_of(s), body.sections,
+                          nb::cast(body.error), body.folds, s.found->is_closed, s.found->turn);
+          },
+          PHRAME_REDUCE_SIG);
+  bind_copies(type);
+}
+
+}  // namespace phrame::python
