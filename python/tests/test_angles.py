@@ -1,29 +1,14 @@
-"""Angles against quadrature of the rate that common.py writes down, and against the program, which is C++ throughout."""
+"""Angles and where they start; frames to the bit."""
 
-import json
 import os
-import random
 import subprocess
 from decimal import Decimal
 from fractions import Fraction
 
-import mpmath
 import numpy as np
 import pytest
 
-import phrame
-from common import MULTIPLIER, PROGRAM, QUINTIC, random_curve, ROOT, theta_by_quadrature
-
-
-@pytest.mark.parametrize("seed", range(12 * MULTIPLIER))
-def test_angles_agree_with_quadrature(seed):
-    rng = random.Random(seed)
-    curve = random_curve(rng, rng.randint(1, 3))
-    t = Fraction(rng.randint(1, 16), 8)
-    theta = curve.angle().value(t, digits=25)
-    exact = theta_by_quadrature(curve, t, 60)
-    with mpmath.workdps(60):
-        assert abs(mpmath.mpf(str(theta)) - exact) <= abs(exact) * mpmath.mpf(10) ** -24
+from common import PROGRAM, QUINTIC
 
 
 def test_one_angle_is_a_float():
@@ -40,39 +25,6 @@ def test_angles_start_where_they_are_asked_to():
     assert np.abs(np.cross(e1, np.cross([0, 0, 1], e1)) / np.linalg.norm(np.cross(e1, [0, 0, 1])) - f2).max() < 1e-15
     frenet = QUINTIC.angle("frenet")
     assert frenet.rate() != QUINTIC.angle().rate()
-
-
-def corpus():
-    with open(ROOT / "tests/data/curves.jsonl", encoding="utf-8") as file:
-        lines = [line for line in file if line.strip()]
-    return lines if MULTIPLIER > 1 else lines[::6]
-
-
-@pytest.mark.skipif(not os.path.exists(PROGRAM), reason="the program was not built")
-def test_the_corpus_gives_what_the_program_gives():
-    lines = corpus()
-    at = ["1/3", "1"]
-    questions = "".join(
-        json.dumps({"id": k, "curve": json.loads(line), "at": at, "digits": 40}) + "\n"
-        for k, line in enumerate(lines))
-    run = subprocess.run([PROGRAM, "batch", "-"], input=questions, capture_output=True, text=True, check=False)
-    answers = [json.loads(line) for line in run.stdout.splitlines()]
-    assert len(answers) == len(lines)
-    values = 0
-    for line, answer in zip(lines, answers):
-        if "error" in answer:
-            with pytest.raises(phrame.Error):
-                angle = phrame.Path.from_json(line).angle()
-                for t in at:
-                    angle.value(t, digits=40)
-            continue
-        angle = phrame.Path.from_json(line).angle()
-        for t, value in zip(at, answer["values"]):
-            assert str(angle.value(t, digits=40)) == str(Decimal(value["theta"])), answer["curve"]
-            values += 1
-        rate = angle.rate()
-        assert rate.numerator == phrame.Polynomial(answer["integrand"]["numerator"])
-    assert values > len(lines)
 
 
 @pytest.mark.skipif(not os.path.exists(PROGRAM), reason="the program was not built")

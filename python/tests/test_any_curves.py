@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import phrame
-from common import MULTIPLIER, PROGRAM, QUINTIC, ROOT, random_curve
+from common import MULTIPLIER, PROGRAM, QUINTIC, ROOT
 
 CURVE = phrame.Curve
 CUBIC = CURVE.bezier([[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]])
