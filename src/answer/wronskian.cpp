@@ -33,9 +33,6 @@ WronskianAnswer answer(const NamedPath& named, const WronskianQuery& query) {
     throw DomainError("pairs of polynomials are for single curves; this is a spline");
   const WronskianFrame frame(named.path.segments().front(), query.weight);
   const long digits = query.digits;
-  if (const auto z = frame.common_zero())
-    throw Undecided("the best pair of polynomials vanishes, or nearly, at t = " + to_string(*z) +
-                    ", where its frame would turn over");
   const auto list = [digits](const std::vector<Real>& numbers, const std::string& what) {
     std::vector<Decimal> decimals;
     for (const Real& x : numbers) decimals.push_back(rounded_or_zero(x, what, digits));
@@ -45,23 +42,24 @@ WronskianAnswer answer(const NamedPath& named, const WronskianQuery& query) {
   const QuaternionPolynomial& preimage = frame.curve().preimage();
   const FrameAngleError error = frame_angle_error(preimage, pair.a, pair.b);
   const auto form = frame.form(frame.best());
-  WronskianAnswer answer{named,
-                         query.weight,
-                         frame.wronskian(),
-                         frame.planes(),
-                         {},
-                         frame.best(),
-                         rounded_or_zero(frame.multiplier(frame.best()), "the multiplier", digits),
-                         list({form.begin(), form.end()}, "a coefficient of a² + b²"),
-                         list(frame.a(), "a coefficient of a"),
-                         list(frame.b(), "a coefficient of b"),
-                         pair,
-                         2 * preimage_degree(frame.curve()) + 2 * frame.planes().degree,
-                         error_size(error.greatest, "the greatest error of the angle", digits),
-                         rounded_or_zero(error.at_end, "the error of the angle at the end", digits),
-                         {},
-                         {},
-                         digits};
+  WronskianAnswer answer{
+      named,
+      query.weight,
+      frame.wronskian(),
+      frame.planes(),
+      {},
+      frame.best(),
+      rounded_or_zero(frame.multiplier(frame.best()), "the multiplier", digits),
+      list({form.begin(), form.end()}, "a coefficient of a² + b²"),
+      list(frame.a(), "a coefficient of a"),
+      list(frame.b(), "a coefficient of b"),
+      pair,
+      2 * (preimage_degree(frame.curve()) + frame.planes().degree - gcd(pair.a, pair.b).degree()),
+      error_size(error.greatest, "the greatest error of the angle", digits),
+      rounded_or_zero(error.at_end, "the error of the angle at the end", digits),
+      {},
+      {},
+      digits};
   for (std::size_t k = 0; k < frame.planes().real.size(); ++k)
     answer.real.push_back({frame.planes().real[k], error_size(frame.value(k), "J", digits),
                            frame.critical_points(k), frame.is_tied(k)});

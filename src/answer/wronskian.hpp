@@ -37,7 +37,7 @@ struct WronskianAnswer {
   std::vector<Decimal> a;      ///< its coefficients of t⁰, t¹, …
   std::vector<Decimal> b;      ///< likewise
   RationalPair pair;           ///< over ℚ, next to it
-  long frame_degree;           ///< of f₂ and f₃
+  long frame_degree;           ///< of f₂ and f₃, without what a and b have in common
   ErrorSize greatest_angle;    ///< |θ − θ_RMF| on [0, 1], of the pair over ℚ
   Decimal angle_at_end;        ///< θ − θ_RMF there
   std::optional<Rates> rates;  ///< where a turn per unit of length makes sense

@@ -141,11 +141,23 @@ Field decimals_field(const std::string& key, const std::vector<Decimal>& numbers
 Fields best_fields(const WronskianAnswer& answer) {
   JsonOutput form = JsonOutput::array();
   for (const Decimal& x : answer.form) form.push_back(json_of(x));
-  return {json_field("best", answer.best),
-          {"multiplier", "multiplier $λ$", compared_value(answer.multiplier)},
-          json_field("form", form),
-          decimals_field("a", answer.a),
-          decimals_field("b", answer.b)};
+  Fields fields{json_field("best", answer.best)};
+  if (const auto& zero = answer.real[answer.best].basis.zero)
+    fields.push_back({"common_zero",
+                      "common zero of a, b",
+                      {Value::Words([zero](Notation notation) {
+                         const std::string text = offset(*zero, notation);
+                         return formula("t = " + to_string(*zero), notation) +
+                                ", the frame is that of " + formula("a/" + text, notation) + ", " +
+                                formula("b/" + text, notation);
+                       }),
+                       [zero] { return to_string(*zero); }}});
+  for (Field& field : Fields{{"multiplier", "multiplier $λ$", compared_value(answer.multiplier)},
+                             json_field("form", form),
+                             decimals_field("a", answer.a),
+                             decimals_field("b", answer.b)})
+    fields.push_back(std::move(field));
+  return fields;
 }
 
 Fields pair_fields(const WronskianAnswer& answer) {
@@ -155,9 +167,12 @@ Fields pair_fields(const WronskianAnswer& answer) {
     if (defect == 0) return formula("= 0", notation);
     const std::string number = round_to_decimal(defect, 3).value;
     const std::string text = offset(answer.planes.origin, notation);
-    return formula(notation == Notation::latex
-                       ? fmt::format("\\approx {} {}^6", latex_decimal(number), text)
-                       : fmt::format("≈ {} {}⁶", number, text),
+    const bool is_latex = notation == Notation::latex;
+    std::string powers = text + (is_latex ? "^6" : "⁶");
+    if (const auto& zero = answer.real[answer.best].basis.zero)
+      powers = offset(*zero, notation) + (is_latex ? "^2 " : "²") + text + (is_latex ? "^4" : "⁴");
+    return formula(is_latex ? fmt::format("\\approx {} {}", latex_decimal(number), powers)
+                            : fmt::format("≈ {} {}", number, powers),
                    notation);
   };
   Fields fields{object_field(

@@ -186,6 +186,10 @@ std::array<Real, 3> WronskianFrame::form(std::size_t plane) const {
 std::vector<Real> WronskianFrame::coefficients(bool of_a) const {
   std::vector<Real> list;
   for (long k = 0; k <= planes_.degree; ++k) {
+    if (k == 0 && common_zero() == Rational(0)) {  // the balls do not know
+      list.emplace_back(Rational(0));
+      continue;
+    }
     list.emplace_back([frame = *this, of_a, k](long bits) {
       const long precision = bits + pair_guard;
       const auto& [x1, x2, x3] = (*frame.pairs(bits))[frame.best_].best.form;
@@ -245,21 +249,6 @@ RationalPair WronskianFrame::rounded_by(long bits) const {
   pair.b = pair.g * a0 + pair.q * b0;
   pair.defect = (wronskian_of(pair.a, pair.b) - n_).coefficient(2 * planes_.degree - 2);
   return pair;
-}
-
-std::optional<Rational> WronskianFrame::common_zero() const {
-  // A common zero is a double one of 2hσ, and σ has no real one.
-  const Polynomial h = twist_numerator(curve_.preimage());
-  const Polynomial twice = gcd(h, differentiate(h));
-  if (twice.degree() != 1) return std::nullopt;
-  const Rational z = -twice.coefficient(0) / twice.coefficient(1);
-  if (z < 0 || z > 1) return std::nullopt;
-  constexpr long bits = 1024;
-  const PlaneBasis basis = enclose(planes_.real[best_], planes_.origin, bits);
-  const RealBall at(z, bits);
-  if (!evaluate(basis.a, at, bits).contains_zero() || !evaluate(basis.b, at, bits).contains_zero())
-    return std::nullopt;
-  return z;
 }
 
 }  // namespace phrame

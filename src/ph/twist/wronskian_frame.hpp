@@ -6,7 +6,8 @@
 namespace phrame {
 
 /// A pair of polynomials over ℚ next to the best one. The Euler–Rodrigues frame turned by
-/// 2·arg(b + ia) is a rational frame, and ab′ − a′b = 2hσ + defect·(t − origin)²ⁿ⁻².
+/// 2·arg(b + ia) is a rational frame, and ab′ − a′b = 2hσ + defect·(t − origin)²ⁿ⁻², or, with a
+/// common zero z, 2hσ + defect·(t − z)²(t − origin)²ⁿ⁻⁴.
 struct RationalPair {
   Rational parameter;  ///< of the plane
   /// @{ a = −b₀/g, b = g·a₀ + q·b₀ by the basis a₀, b₀ in normal form at that parameter.
@@ -54,8 +55,9 @@ class WronskianFrame {
   /// The same over ℚ: a parameter with so many bits behind the point, g and q of half as many, and
   /// more where that does not give half of them to all coefficients.
   RationalPair rounded(long bits) const;
-  /// Where the best pair has a common zero in [0, 1] or next to it, a double one of h.
-  std::optional<Rational> common_zero() const;
+  /// z where the best pair vanishes, a double zero of h. The frame is that of a/(t − z), b/(t − z),
+  /// for 2·arg(b + ia) changes by 2π there; of the pair over ℚ, too, which vanishes there as well.
+  std::optional<Rational> common_zero() const { return planes_.real[best_].zero; }
 
  private:
   std::shared_ptr<const std::vector<PlanePairs>> pairs(long bits) const;

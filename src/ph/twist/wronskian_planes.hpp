@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "phrame/algebra/ball_polynomial.hpp"
@@ -17,10 +18,12 @@ namespace phrame {
 struct WronskianPlane {
   RealAlgebraic parameter;  ///< x: a₂, but where two planes have the same it is a₃
   /// @{ The coefficients of τ⁰, τ¹, …, n + 1 of them, as functions of x, which have no pole there.
-  /// For every other x, too, all coefficients of ab′ − a′b but the highest, that of τ²ⁿ⁻², are N's.
+  /// For every other x, too, ab′ − a′b − N is a number times τ²ⁿ⁻², or times (t − z)²τ²ⁿ⁻⁴.
   std::vector<RationalFunction> a;
   std::vector<RationalFunction> b;
   /// @}
+  /// z, a common zero of a and b, and a double one of N; with every x, but where x is rational.
+  std::optional<Rational> zero;
 };
 
 /// All planes of N.

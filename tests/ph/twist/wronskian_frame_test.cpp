@@ -216,11 +216,27 @@ TEST_CASE("wronskian frame: the pair over ℚ is near the best one where its bas
   }
 }
 
-// h = t² and 2hσ vanish twice at 0, and so do all a² + b² of one of the planes.
-TEST_CASE("wronskian frame: a best pair with a common zero is told") {
+// h = t² and 2hσ vanish twice at 0, and so do all a² + b² of two of the planes.
+TEST_CASE("wronskian frame: a common zero of the best pair is one of the pair over ℚ, too") {
   const Curve curve({{0, 1}, {0, -2, 1}, {}, {-2, 3, 5}});
   REQUIRE(twist_numerator(curve.preimage()) == Polynomial{0, 0, 1});
-  CHECK(WronskianFrame(curve, FrameWeight::one).common_zero() == Rational(0));
+  const WronskianFrame frame(curve, FrameWeight::one);
+  CHECK(frame.common_zero() == Rational(0));
+  CHECK(frame.a()[0].enclose(64).is_zero());
+  CHECK(frame.b()[0].enclose(64).is_zero());
+  for (const long bits : {60, 120}) {
+    const RationalPair pair = frame.rounded(bits);
+    CHECK(gcd(pair.a, pair.b) == Polynomial{0, 1});
+    const Polynomial law = Polynomial{0, 0, 1} * pow(Polynomial{-1, 1}, 4);  // the origin is 1
+    CHECK(pair.defect != 0);
+    CHECK(wronskian(pair.a, pair.b) - frame.wronskian() == pair.defect * law);
+    // By SciPy: SLSQP on the coefficients of cubics a/t, b/t, and a trapezoidal sum of the rate.
+    const Polynomial s = sigma(curve.preimage());
+    const Polynomial rest = pair.a * pair.a + pair.b * pair.b - Rational(2) * s * s;
+    CHECK(static_cast<double>(antiderivative(rest * rest)(1)) ==
+          doctest::Approx(67.4071875025067).epsilon(1e-9));
+    check_close(frame_angle_error(curve.preimage(), pair.a, pair.b).greatest, 8.4523278, 1e-7);
+  }
   CHECK_FALSE(WronskianFrame(paper, FrameWeight::one).common_zero().has_value());
 }
 

@@ -129,6 +129,67 @@ TEST_CASE("wronskian planes: two with the same a₂") {
   }
 }
 
+// Of N = (t − z)²N₁ the planes of cubics of N₁, times t − z, are planes.
+TEST_CASE("wronskian planes: a common zero is known, and kept by every parameter") {
+  long irrational = 0;
+  for_samples(20, [&](Random& random) {
+    const Rational z(random.integer(-3, 3), random.integer(1, 3));
+    const Polynomial factor{-z, 1};
+    const auto c = [&random] { return Rational(random.integer(-5, 5)); };
+    const Polynomial p{c(), c(), c(), c()};
+    const Polynomial q{c(), c(), c(), c()};
+    const auto planes_of = [&](const Polynomial& n1) {
+      return wronskian_planes(pow(factor, 2) * n1, 4);
+    };
+    if (wronskian(p, q)(z) == 0) return;
+    const WronskianPlanes known = planes_of(wronskian(p, q));
+    CHECK(has_plane(known, factor * p, factor * q));
+    CHECK(std::count_if(known.real.begin(), known.real.end(),
+                        [](const auto& plane) { return plane.zero.has_value(); }) >= 1);
+    const Polynomial n = pow(factor, 2) * Polynomial{c() + 6, c(), c(), c(), c() - 6};
+    if (gcd(n, differentiate(n)).degree() != 1) return;
+    const WronskianPlanes planes = wronskian_planes(n, 4);
+    const Polynomial there = at_origin(factor, planes);
+    const Rational x(random.integer(10, 99), 7);
+    for (const WronskianPlane& plane : planes.real) {
+      const auto [a, b] = basis_at(plane, x);
+      const Polynomial defect = wronskian(a, b) - at_origin(n, planes);
+      const Polynomial law =
+          plane.zero ? pow(there, 2) * Polynomial::monomial(1, 4) : Polynomial::monomial(1, 6);
+      CHECK(defect == defect.coefficient(6) * law);
+      if (plane.zero && !plane.parameter.is_rational()) {
+        ++irrational;
+        CHECK(*plane.zero == z);
+        CHECK(gcd(a, b).degree() == 1);
+        CHECK((a % there).is_zero());
+        CHECK((b % there).is_zero());
+      }
+      // By the balls: is there one?
+      const PlaneBasis basis = enclose(plane, planes.origin, 300);
+      const bool vanish = evaluate(basis.a, RealBall(z, 300), 300).contains_zero() &&
+                          evaluate(basis.b, RealBall(z, 300), 300).contains_zero();
+      CHECK(vanish == plane.zero.has_value());
+    }
+  });
+  CHECK(irrational > 0);
+}
+
+// a₂ = 0 leaves (a₃ − 2)(a₃ + 1) = 0, and that with −1 is ⟨t − 1, (t − 1)(t + t² + …)⟩.
+TEST_CASE("wronskian planes: two with the same a₂, one of them with a common zero") {
+  const WronskianPlanes planes =
+      wronskian_planes(pow(Polynomial{-1, 1}, 2) * pow(Polynomial{1, 1, 1}, 2), 4);
+  std::vector<Rational> a3;
+  for (const WronskianPlane& plane : planes.real) {
+    if (!plane.parameter.is_rational()) continue;
+    const auto [a, b] = basis_at(plane, *plane.parameter.rational());
+    CHECK((a(1) == 0 && b(1) == 0) == plane.zero.has_value());
+    if (a.coefficient(2) == 0) a3.push_back(a.coefficient(3));
+    CHECK((a.coefficient(2) != 0 || plane.zero.has_value() == (a.coefficient(3) == -1)));
+  }
+  std::sort(a3.begin(), a3.end());
+  CHECK(a3 == std::vector<Rational>{-1, 2});
+}
+
 TEST_CASE("wronskian planes: quadratics have one") {
   const Polynomial n{3, -5, 7};
   const WronskianPlanes planes = wronskian_planes(n, 2);
