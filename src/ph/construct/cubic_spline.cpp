@@ -19,7 +19,9 @@
 //   (1 − 4c²)X² + (8c²m₀ − δ)X − 4c²m₀² − μ² = 0, X > max(0, δ),
 //   λ₁² = X − δ, λ₀λ₁ cos φ = 2c(m₀ − X), λ₀λ₁ sin φ = μ.
 // Each such X is a solution. For u₁ = u₀ there is a line or nothing, for u₁ = −u₀ this says
-// nothing. Rounded are U₀, U₁e^{iφ}, once for both neighbours of a joint, and the λ.
+// nothing. What is less than the rounding of a line is one; else the equation decides, for which
+// |u₀ × u₁| is computed without cancellation. Rounded are U₀, U₁e^{iφ}, once for both neighbours of
+// a joint, and the λ.
 
 namespace phrame {
 namespace {
@@ -38,19 +40,20 @@ double energy_of(const Quaternion<Float>& a0, const Quaternion<Float>& a1) {
   return approximate_energy(a);
 }
 
-/// The solutions with these preimages of unit tangents, by energy. Lengths are of about 1.
+/// The solutions with these preimages of unit tangents, by energy. Lengths are of about 1;
+/// angles whose squares are below `tiny`, and ways aside with 4096 times that, count as 0.
 std::vector<Cubic> cubics(const Quaternion<Float>& u0, const Quaternion<Float>& u1,
-                          const Vector<Float>& triple_step) {
+                          const Vector<Float>& triple_step, const Float& tiny) {
   const Vector<Float> t0 = rotated_i(u0);
   const Vector<Float> t1 = rotated_i(u1);
   const Float cosine = dot(t0, t1);
-  const Float determinant = Float(1.0) - cosine * cosine;
+  const Vector<Float> normal = cross(t0, t1);
+  const Float determinant = dot(normal, normal);
   const Float s0 = dot(triple_step, t0);
   const Float s1 = dot(triple_step, t1);
-  const Float tiny(0x1p-60);
   if (determinant < tiny) {  // a line, or nothing
     const Vector<Float> off = triple_step - s0 * t0;
-    if (cosine < Float(0.0) || !(Float(0.0) < s0) || tiny * s0 * s0 < dot(off, off)) return {};
+    if (cosine < Float(0.0) || !(Float(0.0) < s0) || Float(4096.0) * tiny < dot(off, off)) return {};
     const auto [re, im] = direction_of(hermitian_product(u0, u1), Float(0.0));
     const Float lambda = sqrt(s0 / Float(3.0));
     return {{lambda, lambda, {re, -im}, 0}};
@@ -107,7 +110,8 @@ std::optional<Construction> attempt(const HermiteSpline& data, long solution,
                                     std::size_t& not_met) {
   // What A i A* is out of a plane that is not rational is to be more than what the end is off.
   const long places = rule == PointRule::exact ? bits + 48 : bits;
-  const long precision = places + 96;
+  const long precision = 3 * places + 96;
+  const Float tiny(power_of_two(-2 * bits), precision);
   const Rational scale = scale_for_doubles(size_of_points(data));
   const Rational root_of_scale = *square_root(scale);
   const auto direction = [&](std::size_t k) {
@@ -127,7 +131,7 @@ std::optional<Construction> attempt(const HermiteSpline& data, long solution,
     const Quaternion<Float> u1 = direction(k + 1);
     const Vector<Float> triple_step =
         big_floats(Rational(3 * scale) * (data.points[k + 1] - r), precision);
-    const std::vector<Cubic> found = cubics(u0, u1, triple_step);
+    const std::vector<Cubic> found = cubics(u0, u1, triple_step, tiny);
     if (static_cast<long>(found.size()) < solution)
       throw DomainError(fmt::format("segment {}: there is {} PH cubic with these ends and tangents",
                                     k + 1, found.empty() ? "no" : "only one"));

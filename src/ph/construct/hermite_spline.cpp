@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
@@ -66,6 +67,37 @@ std::vector<Vector<Rational>> spline_derivatives(const std::vector<Vector<Ration
     }
     result.push_back(d);
   }
+  return result;
+}
+
+/// Where all points are on a line, D with p_k = p_0 + s_k·D, and s; no value where they are not.
+struct PointsOnLine {
+  Vector<Rational> direction;
+  std::vector<Vector<Rational>> numbers;  ///< (s_k, 0, 0)
+};
+std::optional<PointsOnLine> on_line(const std::vector<Vector<Rational>>& points) {
+  PointsOnLine result{points[1] - points[0], {}};
+  const Vector<Rational>& d = result.direction;
+  std::size_t axis = 0;
+  while (axis < 3 && d[axis] == 0) ++axis;
+  if (axis == 3) return std::nullopt;
+  for (const Vector<Rational>& p : points) {
+    const Rational s = (p[axis] - points[0][axis]) / d[axis];
+    if (p != points[0] + s * d) return std::nullopt;
+    result.numbers.push_back({s, 0, 0});
+  }
+  return result;
+}
+
+/// Those of points on a line are along it, exactly, though they are rounded.
+std::vector<Vector<Rational>> straight_or_spline_derivatives(
+    const std::vector<Vector<Rational>>& points, const std::vector<Rational>& parameters,
+    bool is_periodic) {
+  const auto line = on_line(points);
+  if (!line) return spline_derivatives(points, parameters, is_periodic);
+  std::vector<Vector<Rational>> result;
+  for (const Vector<Rational>& d : spline_derivatives(line->numbers, parameters, is_periodic))
+    result.push_back(d[0] * line->direction);
   return result;
 }
 
@@ -142,7 +174,7 @@ HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed) {
   }
   if (data.derivatives.empty())
     data.derivatives = tangents.empty()
-                           ? spline_derivatives(data.points, data.parameters, is_closed)
+                           ? straight_or_spline_derivatives(data.points, data.parameters, is_closed)
                            : scaled_tangents(tangents, data.points, data.parameters, is_closed);
   return data;
 }

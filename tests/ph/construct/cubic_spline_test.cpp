@@ -125,3 +125,42 @@ TEST_CASE("PH cubics: straight data have a line, others with parallel tangents n
   CHECK(refusal({{{0, 0, 0}, {1, 1, 0}}, {{1, 0, 0}, {0, 0, 0}}, {0, 1}}) ==
         "the derivative at point 2 is 0: it has no direction");
 }
+
+// Their derivatives are rounded, and along the line all the same. (1, 2, 3) has no rational length.
+TEST_CASE("PH cubics: points on a line have it, whatever its direction") {
+  for (const Vector<Rational>& d :
+       {Vector<Rational>{1, 2, 3}, Vector<Rational>{1, 2, 2}, Vector<Rational>{-3, 0, 4},
+        Vector<Rational>{0, Rational(1, 7), -1}}) {
+    GivenPoints given;
+    for (const long s : {0, 1, 2, 4, 7, 12})
+      given.points.push_back(Vector<Rational>{1, 2, 3} + Rational(s) * d);
+    for (const char* size : {"1e-15", "1e-40"}) {
+      const Construction found = cubic_spline(hermite_spline(given, false), 1, tolerance(size));
+      CHECK(found.path.segments().size() == 5);
+      CHECK(found.deviation.points <= parse_rational(size));
+      for (const Curve& curve : found.path.segments()) CHECK(degree(curve) == 1);
+    }
+  }
+}
+
+// The angle between the tangents is more or less than what is rounded.
+TEST_CASE("PH cubics: tangents that are nearly parallel are no line, but for the tolerance") {
+  for (const char* angle : {"1e-8", "1e-12", "1e-14", "1e-17", "1e-30"}) {
+    CAPTURE(angle);
+    const Rational e = parse_rational(angle);
+    // A slow turn and unlike speeds: a PH cubic that is nearly straight.
+    const Curve cubic({{1, 1}, {}, {0, e}, {0, Rational(2 * e)}}, Polynomial{1}, {1, 2, 3});
+    for (const char* size : {"1e-15", "1e-40"}) {
+      CAPTURE(size);
+      const Construction found = cubic_spline(data_of(cubic), 1, tolerance(size));
+      CHECK(found.deviation.points <= parse_rational(size));
+      CHECK(found.deviation.derivatives <= parse_rational(size));
+    }
+  }
+  // The way is off by 10⁻⁹ beside tangents with an angle of 10⁻¹³: none, and none is found.
+  const HermiteSpline off{
+      {{0, 0, 0}, {1, power_of_ten(-9), 0}}, {{1, 0, 0}, {1, 0, power_of_ten(-13)}}, {0, 1}};
+  CHECK_THROWS_WITH_AS(cubic_spline(off, 1, tolerance("1e-15")),
+                       "segment 1: there is no PH cubic with these ends and tangents", DomainError);
+  CHECK(cubic_spline(off, 1, tolerance("1e-8")).deviation.points < power_of_ten(-8));
+}
