@@ -14,7 +14,7 @@ import time
 from pathlib import Path
 
 PROGRAM = os.environ["PHRAME_PROGRAM"]
-LINES = 2000
+LINES = 1200
 
 
 def line(k, rng):

@@ -91,7 +91,7 @@ TEST_CASE("check: one sample is no verdict, unless it has something to be compar
 
 TEST_CASE("check: a t of any size is answered") {
   const Workshop here;
-  here.write("huge.csv", "t,f2x,f2y,f2z\n0,0,1,0\n1e100000,1,0,0\n");
+  here.write("huge.csv", "t,f2x,f2y,f2z\n0,0,1,0\n1e30000,1,0,0\n");
   const Run run = here.run("check quintic.json huge.csv");
   CHECK(run.status == 1);
   CHECK(run.err.empty());

@@ -78,17 +78,33 @@ Json find_command(const Json& commands, const std::string& name) {
 }
 
 /// What an option is tried with that takes no name of a list.
-const std::map<std::string, std::string> values{
-    {"--at", "1/3"},           {"--samples", "3"},  {"--digits", "5"},
-    {"--theta0", "pi/3"},      {"--up", "1,2,3"},   {"--start-normal", "1,2,3"},
-    {"--from", "1/8"},         {"--to", "3/4"},     {"--from-vector", "1,2,3"},
-    {"--to-vector", "3,2,-1"}, {"--turns", "1"},    {"--degree", "3"},
-    {"--subdivide", "1/2"},    {"--period", "1/3"}, {"--feed", "2"},
-    {"--prefix", "arm"},       {"--tol", "1/1000"}, {"--tolerance", "1/1000"},
-    {"--angles", "1/3,0"},     {"--solution", "2"}, {"--header", "t,f2x,f2y,f2z"},
-    {"--frames", "frames.csv"},
-    {"--profile", "polygon:3,1"}, {"--end-normal", "1,2,3"}, {"--twist", "pi/4"},
-    {"--scale", "1 + t"}, {"--sections", "4"}};
+const std::map<std::string, std::string> values{{"--at", "1/3"},
+                                                {"--samples", "3"},
+                                                {"--digits", "5"},
+                                                {"--theta0", "pi/3"},
+                                                {"--up", "1,2,3"},
+                                                {"--start-normal", "1,2,3"},
+                                                {"--from", "1/8"},
+                                                {"--to", "3/4"},
+                                                {"--from-vector", "1,2,3"},
+                                                {"--to-vector", "3,2,-1"},
+                                                {"--turns", "1"},
+                                                {"--degree", "3"},
+                                                {"--subdivide", "1/2"},
+                                                {"--period", "1/3"},
+                                                {"--feed", "2"},
+                                                {"--prefix", "arm"},
+                                                {"--tol", "1/1000"},
+                                                {"--tolerance", "1/1000"},
+                                                {"--angles", "1/3,0"},
+                                                {"--solution", "2"},
+                                                {"--header", "t,f2x,f2y,f2z"},
+                                                {"--frames", "frames.csv"},
+                                                {"--profile", "polygon:3,1"},
+                                                {"--end-normal", "1,2,3"},
+                                                {"--twist", "pi/4"},
+                                                {"--scale", "1 + t"},
+                                                {"--sections", "4"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.
 const std::set<std::string> neutral{"--max-degree", "--output",         "--threads", "--skip-done",
@@ -207,9 +223,9 @@ TEST_CASE("options: each one, and each pair, is refused or changes the answer") 
         const auto& [a, only_a] = accepted[i];
         const auto& [b, only_b] = accepted[j];
         if (a.option == b.option) continue;
-        // Every fourth pair is enough for every day; a program that ignores an option is seen
+        // Every twelfth pair is enough for every day; a program that ignores an option is seen
         // above.
-        if (++pairs % everyday(4, 1) != 0) continue;
+        if (++pairs % everyday(12, 1) != 0) continue;
         const std::string both = a.text + " " + b.text;
         const Run run = here.run(call + " " + both);
         if (is_refused(run)) continue;

@@ -155,9 +155,9 @@ TEST_CASE("curve info: the text shows what JSON does, factored") {
 }
 
 // The expected values were computed with more than 60 digits, independently (tests/data).
-TEST_CASE("reports: angles and energies of all reference curves up to preimage degree 10") {
-  const auto curves = reference_curves(static_cast<std::size_t>(test::everyday(10, 20)));
-  CHECK(curves.size() > 80);
+TEST_CASE("reports: angles and energies of all reference curves of low degree") {
+  const auto curves = reference_curves(static_cast<std::size_t>(test::everyday(7, 20)));
+  CHECK(curves.size() > 70);
   for (const Json& line : curves) {
     CAPTURE(line["name"].get<std::string>());
     const NamedCurve named = read_curve(line.dump());

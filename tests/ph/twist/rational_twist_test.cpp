@@ -241,7 +241,7 @@ TEST_CASE("rational twist: where the Euler-Rodrigues frame turns back, and its e
 }
 
 TEST_CASE("rational twist: law: rates and orientations at the ends, turns, errors") {
-  for_samples(50, [](Random& random) {
+  for_samples(25, [](Random& random) {
     const FrameAngle from = random_angle(random);
     const FrameAngle to = random_angle(random);
     const Framed framed(random_curve(random), from, to);
@@ -463,7 +463,7 @@ TEST_CASE("rational twist: law: a local minimum is not proved to be the least") 
 TEST_CASE("rational twist: a frame that turns by T goes before a better one that does not") {
   PathAngle rmf{Path(test::quintic)};
   long preferred = 0;
-  for (long turns = -3; turns <= 3; ++turns) {
+  for (long turns = test::everyday(-2, -3); turns <= 3; turns += test::everyday(2, 1)) {
     const MinimalTwist mtf(rmf, {}, {Rational(1, 3), 0}, turns);
     const BestTwist best = best_twist(twist_pieces(mtf, {})[0], {2, EndRates::matched, true, 40});
     if (!best.other || best.other->extra_turns() == 0) continue;
@@ -476,7 +476,7 @@ TEST_CASE("rational twist: a frame that turns by T goes before a better one that
 }
 
 TEST_CASE("rational twist: law: no parameter is better than the proved one") {
-  for_samples(5, [](Random& random) {
+  for_samples(3, [](Random& random) {
     const Framed framed(random_curve(random), random_angle(random), random_angle(random));
     const TwistPiece piece = twist_pieces(framed.mtf, {})[0];
     const long degree = random.integer(1, 2);
@@ -510,7 +510,7 @@ TEST_CASE("rational twist: law: no parameter is better than the proved one") {
 }
 
 TEST_CASE("rational twist: law: a higher degree is no worse") {
-  for_samples(8, [](Random& random) {
+  for_samples(4, [](Random& random) {
     const Framed framed(random_curve(random), random_angle(random), random_angle(random));
     const TwistPiece piece = twist_pieces(framed.mtf, {})[0];
     const EndRates rates = random.chance(2) ? EndRates::matched : EndRates::free;
