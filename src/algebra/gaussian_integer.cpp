@@ -34,7 +34,7 @@ GaussianInteger remainder(const GaussianInteger& a, const GaussianInteger& b) {
 }
 
 /// π with |π|² = p in the first quadrant, re > im; no value for p ≡ 3 mod 4, and hardly for a p
-/// that is not prime.
+/// that is not prime; one power modulo p says so.
 std::optional<GaussianInteger> prime_above(const Integer& p) {
   if (p == 2) return GaussianInteger{1, 1};
   if (p % 4 != 1 || bit_length(p) > two_squares_bits) return std::nullopt;
@@ -43,6 +43,7 @@ std::optional<GaussianInteger> prime_above(const Integer& p) {
   const Integer exponent = (p - 1) / 4;
   Integer r;
   fmpz_powm(r.raw(), g.raw(), exponent.raw(), p.raw());
+  if ((r * r + 1) % p != 0) return std::nullopt;
   const GaussianInteger pi = gcd(GaussianInteger{p, 0}, GaussianInteger{r, 1});
   if (norm(pi) != p) return std::nullopt;
   return pi.re > pi.im ? pi : GaussianInteger{pi.im, pi.re};
@@ -194,7 +195,7 @@ NormFactor split_norm(const Integer& x) {
 }
 
 std::optional<GaussianInteger> easy_norm_root(const Integer& n) {
-  static const std::vector<PrimeGroup> groups = prime_groups(2000);
+  static const std::vector<PrimeGroup> groups = prime_groups(largest_divisor);
   if (n == 0) return GaussianInteger{0, 0};
   if (n < 0) return std::nullopt;
   GaussianInteger root{1, 0};
@@ -213,7 +214,6 @@ std::optional<GaussianInteger> easy_norm_root(const Integer& n) {
   if (rest == 1) return root;
   if (const Integer square_root = sqrt(rest); square_root * square_root == rest)
     return root * GaussianInteger{square_root, 0};
-  if (rest % 4 != 1 || fmpz_is_probabprime(rest.raw()) == 0) return std::nullopt;
   const auto pi = prime_above(rest);
   if (!pi) return std::nullopt;
   return root * *pi;

@@ -54,9 +54,9 @@ struct NormFactor {
 /// DomainError for x < 1. Cost: up to a second, for two large primes.
 NormFactor split_norm(const Integer& x);
 
-/// z with |z|² = n ≥ 0, where that is found fast: where n is a product of primes below 2000 and a
+/// z with |z|² = n ≥ 0, where that is found fast: where n is a product of primes below 10000 and a
 /// square or one prime. No value where n is no sum of two squares, and where the rest is another.
-/// Cost: at most a test for primality and a few divisions, much less than split_norm.
+/// Cost: at most one power modulo n and some divisions, much less than split_norm.
 std::optional<GaussianInteger> easy_norm_root(const Integer& n);
 
 /// @{ "1/2 - 3*i", "2", "-i".

@@ -9,6 +9,7 @@
 #include "phrame/io/read/rational_node.hpp"
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/ph/construct/near.hpp"
+#include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/identify.hpp"
 
 namespace phrame {
@@ -59,8 +60,7 @@ void append_segment(Path& path, const Node& node, const CurveLimits& limits) {
   const bool says_start =
       node.find("start") || node.find("control_points") || node.find("position");
   const Curve& last = path.segments().back();
-  const Curve next =
-      says_start ? read : Curve(read.preimage(), read.multiplier(), evaluate(position(last), 1));
+  const Curve next = says_start ? read : Curve(read.preimage(), read.multiplier(), end_point(last));
   try {
     path.append(next);
   } catch (const DomainError& error) {

@@ -1,6 +1,7 @@
 #include "phrame/io/read/given_segment.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/identify.hpp"
 
 namespace phrame {
@@ -53,7 +54,7 @@ std::variant<Curve, std::string> identify_segment(const GivenSegment& segment) {
 }
 
 Vector<Rational> end_point(const GivenSegment& segment) {
-  if (const auto* curve = std::get_if<Curve>(&segment.form)) return evaluate(position(*curve), 1);
+  if (const auto* curve = std::get_if<Curve>(&segment.form)) return end_point(*curve);
   if (const auto* curve = std::get_if<RationalCurve>(&segment.form)) return point(*curve, 1);
   FormulaProgram program;
   const ExactVector end = exact_point(std::get<ExpressionCurve>(segment.form), 1, program);

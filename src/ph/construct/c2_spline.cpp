@@ -350,12 +350,14 @@ Construction c2_spline(const HermiteSpline& data, const Deviation& tolerance, Po
 }
 
 bool is_c2(const Path& path, bool is_closed) {
-  /// r′/h and r″/h² at t.
+  /// r′/h = A i A* and r″/h² = 2S(A, A′)/h at t, 0 or 1.
   const auto derivatives = [](const Curve& curve, const Rational& t) {
     const Rational h = curve.multiplier().coefficient(0);
-    const Vector<Polynomial> d = hodograph(curve);
-    const Vector<Polynomial> dd{differentiate(d[0]), differentiate(d[1]), differentiate(d[2])};
-    return std::pair(Rational(1 / h) * evaluate(d, t), Rational(1 / (h * h)) * evaluate(dd, t));
+    const auto& [u, v, p, q] = curve.preimage();
+    const QuaternionPolynomial slope{differentiate(u), differentiate(v), differentiate(p),
+                                     differentiate(q)};
+    const RationalQuaternion a = evaluate(curve.preimage(), t);
+    return std::pair(rotated_i(a), Rational(2 / h) * symmetric_product(a, evaluate(slope, t)));
   };
   const std::vector<Curve>& segments = path.segments();
   if (std::ranges::any_of(segments, [](const Curve& c) { return c.multiplier().degree() != 0; }))

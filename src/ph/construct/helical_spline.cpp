@@ -14,6 +14,7 @@
 #include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/refine.hpp"
 #include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/end_point.hpp"
 
 // The parameters of a segment are refined and rounded until its end, from where it does start on
 // the exact curve, and its derivative there are within the tolerance. All of them are multiples of
@@ -242,7 +243,7 @@ void Helices::add(std::size_t k) {
   for (Rational& f : member.f) f = h * f;
   curves_.emplace_back(from_bernstein(member.a), from_bernstein(member.f), r_);
   member.end = back * member.end;
-  r_ = evaluate(position(curves_.back()), 1);
+  r_ = end_point(curves_.back());
   const Vector<Rational> off = r_ - data_.points[k + 1];
   const Vector<Rational> off_end = rotated_i(member.end) - d1;
   squared_.points = std::max(squared_.points, dot(off, off));

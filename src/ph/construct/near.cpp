@@ -11,6 +11,7 @@
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/construct/rmf_difference.hpp"
 #include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/end_point.hpp"
 
 namespace phrame {
 namespace {
@@ -193,7 +194,7 @@ std::optional<MeasuredSpline> measured_spline(const SplineFit& spline,
     if (epsilon && !is_within(distance, *epsilon)) return std::nullopt;
     result.squared_distance = std::max(result.squared_distance, distance);
     result.starts.push_back(start);
-    start = evaluate(position(curve_of(fit, start)), 1);
+    start = end_point(curve_of(fit, start));
     if (k < spline.ratios.size())
       first = rounded_to_places(exact_rational(spline.ratios[k]), bits) * fit.preimage.back();
     result.segments.push_back(std::move(fit));

@@ -16,6 +16,7 @@
 #include "phrame/ph/construct/rmf_plan.hpp"
 #include "phrame/ph/construct/rmf_plane.hpp"
 #include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 // At every joint there is one quaternion Q_k, rounded, where the segment before ends and the next
@@ -57,9 +58,7 @@ Vector<Rational> integral_of(const CubicPreimage<Rational>& a) {
   return {Rational(sum[0], divisor), Rational(sum[1], divisor), Rational(sum[2], divisor)};
 }
 
-Vector<Rational> displacement_of(const ExactFit& piece) {
-  return evaluate(position(curve_of(piece, {})), 1);
-}
+Vector<Rational> displacement_of(const ExactFit& piece) { return end_point(curve_of(piece, {})); }
 
 /// So many more of what is rounded again.
 constexpr long guard_places = 16;
@@ -343,7 +342,7 @@ std::optional<Construction> RmfChain::run() {
       compare(piece.multiplier.back() * rotated_i(piece.preimage.back()), k + 1);
     for (Rational& f : piece.multiplier) f *= data_.step(k);
     curves.push_back(curve_of(piece, r));
-    r = evaluate(position(curves.back()), 1);
+    r = end_point(curves.back());
     const Vector<Rational> off = r - data_.points[k + 1];
     points = std::max(points, dot(off, off));
   }

@@ -11,6 +11,7 @@
 #include "phrame/ph/construct/multiplier.hpp"
 #include "phrame/ph/construct/rrmf_quintic.hpp"
 #include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/end_point.hpp"
 
 // A segment is r′ = F·(A₀B) i (A₀B)*, B = (1, b, q): turned back by A₀ and in units of its step it
 // is φ·B i B*, φ = F·|A₀|², with numbers b, τ, φ of p bits. The next A₀ is A₀q, so that the
@@ -131,7 +132,7 @@ RrmfPiece RrmfSegment::piece(const RrmfQuintic<Rational>& x, long bits) const {
   const RationalQuaternion a2 = start_.a0 * last_coefficient(x);
   const Curve curve(from_bernstein({start_.a0, start_.a0 * x.b, a2}), Polynomial{multiplier},
                     start_.r);
-  const Vector<Rational> r = evaluate(position(curve), 1);
+  const Vector<Rational> r = end_point(curve);
   const Vector<Rational> off = r - point_;
   return {curve, {a2, r}, dot(off, off), squared_sine(rotated_i(a2), d1_), bits};
 }

@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 // Unit tangents are ±A i A*/σ, A without its real content, the sign that of f on the inner side.
@@ -25,9 +26,13 @@ End start_of(const Curve& curve) {
   return {evaluate(without_real_content(curve.preimage()), 0), sign_after_zero(curve.multiplier())};
 }
 
+int sign_before_one(const Polynomial& f) {
+  if (f.is_constant()) return sign_after_zero(f);
+  return sign_after_zero(compose(f, Polynomial{1, -1}));
+}
+
 End end_of(const Curve& curve) {
-  return {evaluate(without_real_content(curve.preimage()), 1),
-          sign_after_zero(compose(curve.multiplier(), Polynomial{1, -1}))};
+  return {evaluate(without_real_content(curve.preimage()), 1), sign_before_one(curve.multiplier())};
 }
 
 /// The tangent, r′/|r′|, scaled such that its largest component is ±1.
@@ -64,7 +69,7 @@ Curve turned(const Curve& curve, const GaussianInteger& c) {
 
 void Path::append(const Curve& next) {
   const Curve& last = segments_.back();
-  const Vector<Rational> here = evaluate(position(last), 1);
+  const Vector<Rational> here = end_point(last);
   if (next.start() != here)
     throw DomainError(fmt::format("it starts at {}, but the spline ends at {}",
                                   abbreviated(next.start()), abbreviated(here)));
@@ -86,9 +91,7 @@ Path joined(const std::vector<Curve>& curves) {
   return path;
 }
 
-bool Path::ends_meet() const {
-  return evaluate(position(segments_.back()), 1) == segments_.front().start();
-}
+bool Path::ends_meet() const { return end_point(segments_.back()) == segments_.front().start(); }
 
 std::optional<GaussianRational> Path::closing_turn() const {
   if (!ends_meet()) return std::nullopt;

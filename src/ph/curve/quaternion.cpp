@@ -32,10 +32,19 @@ RationalQuaternion evaluate(const QuaternionPolynomial& a, const Rational& t) {
   return {a.u(t), a.v(t), a.p(t), a.q(t)};
 }
 
-Polynomial real_content(const QuaternionPolynomial& a) { return gcd(gcd(a.u, a.v), gcd(a.p, a.q)); }
+// Mostly it is 1, which two of them say.
+Polynomial real_content(const QuaternionPolynomial& a) {
+  Polynomial common = gcd(a.u, a.v);
+  for (const Polynomial* p : {&a.p, &a.q}) {
+    if (common.degree() == 0) return common;
+    common = gcd(common, *p);
+  }
+  return common;
+}
 
 QuaternionPolynomial without_real_content(const QuaternionPolynomial& a) {
   const Polynomial common = real_content(a);
+  if (common.degree() == 0) return a;  // it is 1
   return {exact_quotient(a.u, common), exact_quotient(a.v, common), exact_quotient(a.p, common),
           exact_quotient(a.q, common)};
 }

@@ -1,0 +1,10 @@
+#pragma once
+#include "phrame/ph/curve/curve.hpp"
+
+namespace phrame {
+
+/// r(1). Cost: that of the products of A's coefficients, integers over one denominator; no
+/// polynomial r is made.
+Vector<Rational> end_point(const Curve& curve);
+
+}  // namespace phrame
