@@ -13,7 +13,7 @@ limit_integers = getattr(sys, "set_int_max_str_digits", lambda digits: None)
 limit_integers(0)
 
 # sinh spreads the grid: fine near 0, and out to ±1400. 1/7 keeps it off the poles that people choose.
-FINENESS = 16 if os.environ.get("PHRAME_PEERS") == "corpus" else 8
+FINENESS = 16 if os.environ.get("PHRAME_PEERS") == "corpus" else 5
 GRID = [round(math.sinh(k / FINENESS), 6) + 1 / 7 for k in range(-8 * FINENESS, 8 * FINENESS + 1)]
 
 

@@ -1,0 +1,51 @@
+#include "phrame/answer/rounded.hpp"
+
+#include <doctest/doctest.h>
+
+#include "phrame/algebra/error.hpp"
+
+using namespace phrame;
+
+namespace {
+
+/// 0, of which only balls are known.
+Real unknown_zero() {
+  return Real([](long bits) { return hull(-power_of_two(-bits), power_of_two(-bits), bits); });
+}
+
+}  // namespace
+
+TEST_CASE("rounded: what cannot be told is named") {
+  CHECK(rounded(Rational(2, 3), "the length", 5).value == "0.66667");
+  try {
+    rounded(unknown_zero(), "the length", 5);
+    FAIL("a 0 that nothing tells from others was rounded");
+  } catch (const Undecided& error) {
+    CHECK(std::string(error.what()).starts_with("the length: "));
+  }
+}
+
+TEST_CASE("rounded: a number that may be 0 is 0 within a bound") {
+  const Decimal exact = rounded_or_zero(Rational(0), "error", 10);
+  CHECK(exact.value == "0");
+  CHECK(exact.radius == "0");
+  const Decimal bounded = rounded_or_zero(unknown_zero(), "error", 10);
+  CHECK(bounded.value == "0");
+  // 14 bits a digit, and 128: 2⁻²⁶⁸ is 2.1e-81.
+  CHECK(bounded.radius.find("e-8") != std::string::npos);
+  CHECK(rounded_or_zero(Rational(2, 3), "error", 10, 3).value == "0.667");
+}
+
+TEST_CASE("rounded: the size of an error is a number or an upper bound") {
+  const ErrorSize known = error_size(Rational(2, 3), "error", 10);
+  CHECK(known.value.value == "0.6666666667");
+  CHECK(known.in_short == "0.666667");
+  CHECK_FALSE(known.is_bound);
+  // Rounded once, not from the ten digits: 0.12345650000004… is 0.123457.
+  CHECK(error_size(parse_rational("0.12345650000004"), "error", 10).in_short == "0.123457");
+  CHECK_FALSE(error_size(Rational(0), "error", 10).is_bound);
+  const ErrorSize bound = error_size(unknown_zero(), "error", 10);
+  CHECK(bound.is_bound);
+  CHECK(bound.value.value == bound.value.radius);
+  CHECK(bound.in_short == "≤ " + bound.value.radius);
+}

@@ -1,0 +1,66 @@
+#include "phrame/integrate/absolute_integral.hpp"
+
+#include <doctest/doctest.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+
+TEST_CASE("absolute integral: |2t - 1|, exactly") {
+  const AbsoluteIntegral size({Polynomial{-1, 2}});
+  REQUIRE(size.sign_changes().size() == 1);
+  CHECK(size.sign_changes()[0] == RealAlgebraic(Rational(1, 2)));
+  CHECK(size.value(Rational(1)).exact() == Rational(1, 2));
+  CHECK(size.value(Rational(3, 4)).exact() == Rational(5, 16));  // 1/4 + 1/16
+  CHECK(size.value(Rational(1, 4)).exact() == Rational(3, 16));
+  CHECK(size.value(Rational(0)).exact() == Rational(0));
+  CHECK(size.integral().value(Rational(1)).exact() == Rational(0));
+  CHECK_THROWS_AS(size.value(Rational(2)), DomainError);
+}
+
+TEST_CASE("absolute integral: a sign that changes at an irrational place") {
+  // ∫₀¹ |t² − 1/2| = √2/3 − 1/6.
+  const AbsoluteIntegral size({Polynomial{Rational(-1, 2), 0, 1}});
+  const long bits = 200;
+  const RealBall value = size.enclose(Rational(1), bits);
+  const RealBall known = subtract(divide(sqrt(RealBall(2, 300), 300), RealBall(3, 300), 300),
+                                  RealBall(Rational(1, 6), 300), 300);
+  CHECK(value.overlaps(known));
+  CHECK(value.is_accurate(bits - 10));
+  CHECK(round_to_decimal(size.value(Rational(1)), 20).value == "0.30473785412436501627");
+  // At a place that is only known by balls, even the one where the sign changes: ∫₀^(1/√2) is √2/6.
+  const Real change([](long b) { return sqrt(RealBall(Rational(1, 2), b), b); });
+  CHECK(size.enclose(change, bits)
+            .overlaps(divide(sqrt(RealBall(2, 300), 300), RealBall(6, 300), 300)));
+  CHECK(size.enclose(change, bits).is_accurate(bits - 10));
+}
+
+TEST_CASE("absolute integral: no change where N has a double zero, and 0 of 0") {
+  const AbsoluteIntegral square({Polynomial{1, -4, 4}});  // (2t − 1)²
+  CHECK(square.sign_changes().empty());
+  CHECK(square.value(Rational(1)).exact() == Rational(1, 3));
+  CHECK(AbsoluteIntegral({Polynomial{}}).value(Rational(1)).exact() == Rational(0));
+  const AbsoluteIntegral negative({Polynomial{-1}});
+  CHECK(negative.value(Rational(1, 3)).exact() == Rational(1, 3));
+}
+
+TEST_CASE("absolute integral: law: a sum over the parts of one sign") {
+  test::for_samples(20, [](test::Random& random) {
+    // N with the known changes a < b in (0, 1), over 1 + t².
+    const Rational a(random.integer(1, 40), 100);
+    const Rational b(random.integer(50, 99), 100);
+    const Polynomial N = random.integer(1, 5) * Polynomial{-a, 1} * Polynomial{-b, 1};
+    const RootQuotient f{N, {1, 0, 1}, {1}};
+    const AbsoluteIntegral size(f);
+    CHECK(size.sign_changes().size() == 2);
+    const TaylorIntegral F(f);
+    const auto between = [&](const Rational& from, const Rational& to) {
+      return subtract(F.enclose(to, 120), F.enclose(from, 120), 120);
+    };
+    const RealBall sum = add(subtract(between(0, a), between(a, b), 120), between(b, 1), 120);
+    CHECK(size.enclose(Rational(1), 100).overlaps(sum));
+    CHECK(size.enclose(Rational(1), 100).is_accurate(85));
+  });
+}
