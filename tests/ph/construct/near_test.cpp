@@ -308,6 +308,22 @@ TEST_CASE("near: what is suggested is found, and nothing is where all is far") {
   CHECK_FALSE(near_suggestion(bezier_hodograph({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 1, 0}}), {}));
 }
 
+// The same curve in other units: 0.95·10⁻¹² from a PH curve, then 0.85·10⁻¹².
+TEST_CASE("near: an ε that is suggested leaves room to round") {
+  const Points points = rounded_to<double>(control_points(Gauss(3100).curve(2)));
+  const auto first = near_suggestion(bezier_hodograph(points), points.front());
+  REQUIRE(first);
+  for (const auto& [share, epsilon] : {std::pair("0.95e-12", "1e-11"), {"0.85e-12", "1e-12"}}) {
+    Points other = points;
+    for (auto& p : other) p = Rational(number(share) / first->distance) * p;
+    const auto suggestion = near_suggestion(bezier_hodograph(other), other.front());
+    REQUIRE(suggestion);
+    CHECK(abs(suggestion->distance / number(share) - 1) < number("0.02"));
+    CHECK(suggestion->epsilon == number(epsilon));
+    check_found(other, suggestion->epsilon);
+  }
+}
+
 TEST_CASE("near: what cannot be is an error") {
   CHECK_THROWS_AS(near_curve({}, {}, 1), DomainError);
   CHECK_THROWS_AS(near_curve(hodograph(quintic), {}, 0), DomainError);
