@@ -146,9 +146,10 @@ RationalQuaternion short_multiple(const RationalQuaternion& a) {
 }
 
 /// The same where all are on one line: for X = wa, Y = wb with a, b ∈ ℚ(i) and c = λ·w i w* it is
-/// |a|² + |b|² = λ. By Lagrange's theorem on four squares there is no obstruction. The denominator
-/// of λ is one of a, so that it is no factor of what has to be a norm; which power of 2 has to be
-/// one, too, depends on λ, so several are tried.
+/// |a|² + |b|² = λ. By Lagrange's theorem on four squares there is no obstruction. The odd part of
+/// the denominator of λ is one of a, so that it is no factor of what has to be a norm; and a has as
+/// many binary places as make λ an integer, or two more: with more than that |a|² alone would say
+/// what λ − |a|² is modulo 4, and −|a|² is no norm.
 QuaternionPair exact_line_sum(const RationalQuaternion& x, const RationalQuaternion& y,
                               const RationalQuaternion& w, const Rational& lambda, long bits) {
   constexpr long most_tries = 4000;
@@ -160,12 +161,13 @@ QuaternionPair exact_line_sum(const RationalQuaternion& x, const RationalQuatern
   };
   const GaussianRational a_near = over_w(x);
   const GaussianRational b_near = over_w(y);
-  const long most_twos = binary_places(lambda) / 2 + 2;
-  Integer fives = denominator(lambda);
+  const long places = binary_places(lambda);
+  const long least_twos = (places + 1) / 2;
+  Integer fives = denominator(lambda) >> static_cast<unsigned long>(places);
   for (long k = 0; k < bits; k += 2) fives *= 5;
   std::mt19937_64 engine(1);
   for (long n = 0; n < most_tries; ++n) {
-    const Integer grid = fives << static_cast<unsigned long>(n % (most_twos + 1));
+    const Integer grid = fives << static_cast<unsigned long>(least_twos + n % 3);
     const auto near = [&](const Rational& part) {
       return Rational(floor(part * grid) + Integer(engine() % 17) - 8, grid);
     };

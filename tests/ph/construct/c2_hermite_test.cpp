@@ -222,3 +222,62 @@ TEST_CASE("c2_hermite_spline: what it wants") {
       "C2 Hermite data are points, derivatives and accelerations; the last are missing",
       DomainError);
 }
+
+// With the laws of check_claims, which recomputes all that is said.
+TEST_CASE("c2_hermite_spline: data that are no more than allowed") {
+  const Rational huge = power_of_ten(12);
+  const Rational tiny = power_of_ten(-12);
+  const Vector<Rational> a{1, 0, 0};
+  const Vector<Rational> b{0, 1, 0};
+  const Vector<Rational> c{0, 0, 1};
+  const Vector<Rational> l{1, 2, 3};
+  const Vector<Rational> none{};
+  using Vectors = std::vector<Vector<Rational>>;
+  const struct {
+    const char* what;
+    Vectors points;
+    Vectors derivatives;
+    Vectors accelerations;
+  } cases[] = {
+      {"parallel", {none, l, a}, {b, b, b}, {a, c, a}},
+      {"opposite", {none, l, a}, {b, Rational(-1) * b, b}, {a, c, a}},
+      {"opposite, along -i", {none, l, a}, {Rational(-1) * a, a, Rational(-1) * a}, {b, c, b}},
+      {"nearly opposite", {none, l, a}, {b, tiny * a - b, b}, {a, c, a}},
+      {"no way", {l, l, l}, {a, b, c}, {c, a, b}},
+      {"no acceleration", {none, l, a}, {a, b, c}, {none, none, none}},
+      {"straight", {none, l, Rational(2) * l}, {l, l, l}, {none, none, none}},
+      {"straight, faster", {none, l, Rational(4) * l}, {l, l, l}, {l, none, Rational(-1) * l}},
+      {"there and back", {none, a, none}, {a, a, a}, {none, none, none}},
+      {"in a tilted plane", {none, a + b, b + c}, {a + b, b + c, b + c}, {b + c, a + b, a + b}},
+      {"great and small speeds", {none, l, a}, {huge * a, tiny * b, c}, {c, a, b}},
+      {"great accelerations", {none, l, a}, {a, b, c}, {huge * c, a, huge * b}},
+      {"small accelerations", {none, l, a}, {a, b, c}, {tiny * c, tiny * a, tiny * b}},
+      {"a long way", {none, huge * l, a}, {a, b, c}, {c, a, b}},
+      {"a short way", {none, tiny * l, a}, {a, b, c}, {c, a, b}},
+  };
+  for (const auto& [what, points, derivatives, accelerations] : cases) {
+    CAPTURE(what);
+    const HermiteSpline data{points, derivatives, {0, 1, 2}, false, accelerations};
+    const Deviation tolerance = relative(data, power_of_ten(-15));
+    check_claims(data, c2_hermite_spline(data, tolerance), tolerance);
+  }
+}
+
+// λ with an odd number of binary places, with an even one, and with other denominators.
+TEST_CASE("c2_hermite_spline: straight data are met exactly where that is possible") {
+  for (const Vector<Rational>& l :
+       {Vector<Rational>{-1, 0, 0}, Vector<Rational>{1, 0, 0}, Vector<Rational>{1, 2, 2},
+        Vector<Rational>{0, Rational(1, 3), 0}, Vector<Rational>{0, 3, Rational(-4)}}) {
+    HermiteSpline data;
+    for (const long s : {0, 1, 3, 7}) {
+      data.points.push_back(Rational(s) * l);
+      data.derivatives.push_back(Rational(1 + s / 2) * l);
+      data.accelerations.push_back(Rational(s % 2) * l);
+      data.parameters.emplace_back(data.points.size());
+    }
+    const Deviation tolerance = relative(data, power_of_ten(-15));
+    const Construction found = c2_hermite_spline(data, tolerance, PointRule::exact);
+    CHECK(found.deviation.points == 0);
+    check_claims(data, found, tolerance);
+  }
+}

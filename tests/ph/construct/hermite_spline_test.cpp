@@ -108,6 +108,29 @@ TEST_CASE("hermite data: tangents keep their directions and get the speed of the
   CHECK(abs(hermite_spline(given, false).derivatives[0][2] - 5) < Rational(1, 100));
 }
 
+// Chords of 4, 8 and √80 ≈ 8.94, the last by the step 2: the mean of the first one and the last
+// is 4.236 at the first point and at the end, which are one.
+TEST_CASE("hermite data: of a closed curve the first tangent has the chords before and after it") {
+  GivenPoints given = points({{0, 0, 0}, {4, 0, 0}, {4, 8, 0}});
+  given.tangents = {{3, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
+  given.parameters = {0, 1, 2, 4};
+  const HermiteSpline data = hermite_spline(given, true);
+  CHECK(data.derivatives.front() == data.derivatives.back());
+  CHECK(abs(data.derivatives[0][0] - parse_rational("4.236")) < parse_rational("0.002"));
+  CHECK(abs(data.derivatives[1][1] - 6) < parse_rational("0.002"));
+}
+
+TEST_CASE("hermite data: points on a line have derivatives along it, exactly") {
+  const Vector<Rational> way{1, Rational(-2, 7), 3};
+  for (const bool is_closed : {false, true}) {
+    GivenPoints given;
+    for (const long s : {0, 2, 3, 7, 5})
+      given.points.push_back(Vector<Rational>{1, 1, 1} + Rational(s) * way);
+    for (const Vector<Rational>& d : hermite_spline(given, is_closed).derivatives)
+      CHECK(d == Rational(d[0]) * way);
+  }
+}
+
 TEST_CASE("hermite data: a closed one ends at its first point, given there or not") {
   GivenPoints open = points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   GivenPoints closed = points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}});
