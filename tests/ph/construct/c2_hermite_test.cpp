@@ -255,9 +255,10 @@ TEST_CASE("c2_hermite_spline: data that are no more than allowed") {
       {"a long way", {none, huge * l, a}, {a, b, c}, {c, a, b}},
       {"a short way", {none, tiny * l, a}, {a, b, c}, {c, a, b}},
   };
-  for (const auto& [what, points, derivatives, accelerations] : cases) {
-    CAPTURE(what);
-    const HermiteSpline data{points, derivatives, {0, 1, 2}, false, accelerations};
+  for (const auto& known : cases) {
+    CAPTURE(known.what);
+    const HermiteSpline data{
+        known.points, known.derivatives, {0, 1, 2}, false, known.accelerations};
     const Deviation tolerance = relative(data, power_of_ten(-15));
     check_claims(data, c2_hermite_spline(data, tolerance), tolerance);
   }

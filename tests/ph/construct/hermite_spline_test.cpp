@@ -2,6 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;

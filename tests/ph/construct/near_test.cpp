@@ -7,6 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "support/curves.hpp"
 #include "support/random.hpp"
 
