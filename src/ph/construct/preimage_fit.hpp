@@ -36,6 +36,8 @@ class FitStep {
  public:
   FitStep(const PreimageFit& fit, FreePart part);
   ~FitStep();
+  FitStep(const FitStep&) = delete;
+  FitStep& operator=(const FitStep&) = delete;
   FitStep(FitStep&&) noexcept;
   FitStep& operator=(FitStep&&) noexcept;
 

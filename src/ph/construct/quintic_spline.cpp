@@ -209,10 +209,10 @@ Construction quintic_spline(const HermiteSpline& data, const QuinticChoice& choi
   };
   std::vector<FreeAngles> angles;
   for (std::size_t k = 0; k < data.segments(); ++k) angles.push_back(chosen(k));
-  return quintic_spline(data, std::move(angles), tolerance, rule);
+  return quintic_spline(data, angles, tolerance, rule);
 }
 
-Construction quintic_spline(const HermiteSpline& data, std::vector<FreeAngles> angles,
+Construction quintic_spline(const HermiteSpline& data, const std::vector<FreeAngles>& angles,
                             const Deviation& tolerance, PointRule rule) {
   require_regular(data);
   for (long p = first_bits(data, tolerance);; p += 8) {

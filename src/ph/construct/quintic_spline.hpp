@@ -18,7 +18,7 @@ using QuinticChoice = std::variant<QuinticSelection, FreeAngles, SolutionAngles>
 Construction quintic_spline(const HermiteSpline& data, const QuinticChoice& choice,
                             const Deviation& tolerance, PointRule rule = PointRule::near);
 /// The same with the angles of each segment.
-Construction quintic_spline(const HermiteSpline& data, std::vector<FreeAngles> angles,
+Construction quintic_spline(const HermiteSpline& data, const std::vector<FreeAngles>& angles,
                             const Deviation& tolerance, PointRule rule = PointRule::near);
 
 }  // namespace phrame

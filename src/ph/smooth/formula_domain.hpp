@@ -15,7 +15,7 @@ struct NarrowPart {
 /// place, or has two signs; where the argument of a logarithm or root is negative or exactly 0;
 /// and for a cusp, where r′ is exactly 0 at a simple place, by its form. A place is simple if s is
 /// the simplest fraction of the part, or the simplest multiple of π. Else Undecided.
-[[noreturn]] void refuse_part(const ExpressionCurve& curve, const NarrowPart& part);
+[[noreturn]] void refuse_part(const ExpressionCurve& curve, const NarrowPart& narrow);
 
 /// The part and what is next to it, on both sides 64 times as long as it is.
 NarrowPart widened_part(const NarrowPart& part);
@@ -26,7 +26,7 @@ std::optional<Formula> simple_zero(const ExpressionCurve& curve, const NarrowPar
 
 /// Throws DomainError where the curvature is proved to be 0 there, at an inflection, with the place
 /// and what is asked; else Undecided.
-[[noreturn]] void refuse_inflection(const ExpressionCurve& curve, const NarrowPart& part,
+[[noreturn]] void refuse_inflection(const ExpressionCurve& curve, const NarrowPart& narrow,
                                     const std::string& what);
 
 }  // namespace phrame

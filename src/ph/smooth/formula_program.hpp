@@ -55,7 +55,7 @@ class FormulaProgram {
   bool is_short_number(Id a) const;
   /// The factor c of c·x, c rational, and x.
   std::pair<Rational, Id> split_factor(Id a) const;
-  Id rule_of_derivative(const Step& f, Id self, const std::vector<Id>& derivatives);
+  Id rule_of_derivative(const Step& f, Id self, const std::vector<Id>& of);
 
   std::vector<Step> steps_;
   std::map<Step, Id> ids_;

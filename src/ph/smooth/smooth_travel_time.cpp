@@ -260,7 +260,7 @@ void SmoothTravelTime::State::set_segments(const Feedrate& feedrate) {
 }
 
 void SmoothTravelTime::State::set_starts() {
-  starts.push_back(Rational(0));
+  starts.emplace_back(Rational(0));
   for (std::size_t k = 1; k <= path.segments().size(); ++k)
     starts.push_back(remembered(time({k - 1, Rational(1)})));
 }
