@@ -86,12 +86,13 @@ class C2Equations {
 };
 
 C2Equations::C2Equations(const C2Data& data, double closing_sign)
-    : data_(data), dimension_(data.is_plane ? 2 : 3) {
+    : data_(data),
+      dimension_(data.is_plane ? 2 : 3),
+      coefficients_(data.is_closed ? data.steps.size() : data.steps.size() + 2),
+      equations_(dimension_ * coefficients_) {
   parts_ = data.is_plane ? std::vector<Part>{&Guess::u, &Guess::q}
                          : std::vector<Part>{&Guess::u, &Guess::v, &Guess::p, &Guess::q};
   const std::size_t n = data.steps.size();
-  coefficients_ = data.is_closed ? n : n + 2;
-  equations_ = dimension_ * coefficients_;
   for (std::size_t k = 0; k <= n; ++k) {
     const double before = data.steps[k > 0 ? k - 1 : data.is_closed ? n - 1 : 0];
     const double after = data.steps[k < n ? k : data.is_closed ? 0 : n - 1];
