@@ -1,5 +1,6 @@
 #include "phrame/ph/construct/c2_spline.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
@@ -164,6 +165,30 @@ TEST_CASE("c2_spline: r, r' and r'' are equal at the joints; deviations are what
       check_claims(data, found, tolerance);
       CHECK(is_c2(found.path, data.is_closed));
     }
+}
+
+// By the tangents at its ends: more of a turn leaves more room for two of the sixths.
+TEST_CASE("c2_spline: to close one the segment that turns most is divided") {
+  Random random(17);
+  for (int sample = 0; sample < 6; ++sample) {
+    const HermiteSpline data = random_ring(random, 7, sample % 2 == 1);
+    const Construction found = c2(data);
+    const auto& curves = found.path.segments();
+    REQUIRE(curves.size() == data.segments() + 5);
+    std::vector<double> cosines;
+    std::size_t divided = 0;
+    for (std::size_t k = 0, at = 0; k < data.segments(); ++k) {
+      const bool is_whole = found.parameters[at + 1] == data.parameters[k + 1];
+      if (!is_whole) divided = k;
+      const Vector<Rational> d0 = evaluate(hodograph(curves[at]), 0);
+      at += is_whole ? 1 : 6;
+      const Vector<Rational> d1 = evaluate(hodograph(curves[at - 1]), 1);
+      cosines.push_back(static_cast<double>(dot(d0, d1)) /
+                        std::sqrt(static_cast<double>(dot(d0, d0) * dot(d1, d1))));
+    }
+    CHECK(std::min_element(cosines.begin(), cosines.end()) - cosines.begin() ==
+          static_cast<long>(divided));
+  }
 }
 
 TEST_CASE("c2_spline: a closed one ends where it starts, exactly, and is C2 there") {
