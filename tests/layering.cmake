@@ -19,7 +19,7 @@ set(value_header "^(algebra|answer|io/write)/\
 |^ph/curve/(curve|invariants|named|nearness|path|quaternion|special_points|vector)\\.hpp$\
 |^ph/frame/(frame_angle|frame_start)\\.hpp$\
 |^ph/proof/(certificate|statement)\\.hpp$\
-|^ph/sweep/mesh\\.hpp$\
+|^ph/sweep/(mesh|rational_surface)\\.hpp$\
 |^ph/smooth/(rational_curve|smooth_path)\\.hpp$")
 set(flint_header "^(flint/.+|(acb|arb|arf|mag|fmpr|fmpz|fmpq|bool_mat|dlog|dirichlet|bernoulli\
 |hypgeom|partitions|double_interval)[a-z_]*\\.h)$")

@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/answer/rational_sweep.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/expression.hpp"
 #include "phrame/io/read/profile.hpp"
 #include "phrame/io/write/mesh.hpp"
+#include "phrame/io/write/surface.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -21,6 +25,8 @@ struct SweepOptions {
   std::optional<std::string> tolerance;
   long sections = 0;
   std::string format = "obj";
+  bool is_exact = false;
+  long degree = 0;  ///< of a rational frame of minimal twist; 0: none is asked for
 };
 
 RationalFunction scale_of(const SweepOptions& options) {
@@ -33,16 +39,24 @@ Rational positive_option(const std::string& option, const std::string& text) {
   return x;
 }
 
+/// By `parse` where it is given in a word, by `read` from a file.
+template <class Parse, class Read>
+auto given_profile(const SweepOptions& options, Parse parse, Read read) {
+  return at_place("--profile", ": ", [&] {
+    if (auto given = parse(options.profile)) return *std::move(given);
+    const std::string bytes = read_file(options.profile);
+    return at_place(options.profile, ":", [&] { return read(bytes); });
+  });
+}
+
 /// Four times as near as the whole is to be.
 Profile profile_of(const SweepOptions& options, double scale) {
   std::optional<Rational> tolerance;
   if (options.tolerance)
     tolerance = positive_option("--tolerance", *options.tolerance) / (4 * exact_rational(scale));
-  return at_place("--profile", ": ", [&] {
-    if (auto given = parse_profile(options.profile, tolerance)) return *std::move(given);
-    const std::string bytes = read_file(options.profile);
-    return at_place(options.profile, ":", [&] { return read_profile(bytes, tolerance); });
-  });
+  return given_profile(
+      options, [&](const std::string& text) { return parse_profile(text, tolerance); },
+      [&](const std::string& bytes) { return read_profile(bytes, tolerance); });
 }
 
 void check_start(const SweepOptions& options, const AnyPath& path) {
@@ -86,7 +100,59 @@ void tell(const SweepAnswer& answer, const std::string& output) {
                     body.folds));
 }
 
-void run(const SweepOptions& options) {
+/// What helps where the rotation-minimizing frame is not rational.
+RationalSweepAnswer exact_answer(const NamedPath& named, const RationalSweepQuery& query) {
+  try {
+    return answer(named, query);
+  } catch (const DomainError& error) {
+    const auto& segments = named.path.segments();
+    const bool is_rational = std::all_of(segments.begin(), segments.end(), [](const Curve& curve) {
+      return std::holds_alternative<RationalFrame>(rational_frame(curve.preimage()));
+    });
+    if (query.twist_degree || is_rational) throw;
+    throw DomainError(std::string(error.what()) + "; --" +
+                      (named.path.closing_turn() ? "degree 2" : "end-normal X,Y,Z") +
+                      " takes a rational frame of minimal twist, and phrame construct --kind rmf "
+                      "makes curves whose frame is rational");
+  }
+}
+
+RationalSweepQuery exact_query(const SweepOptions& options) {
+  RationalSweepQuery query{given_profile(options, parse_profile_curve, read_profile_curve),
+                           options.start.given().value_or(FrameStart())};
+  query.scale = scale_of(options);
+  if (options.end_normal)
+    query.end_normal = parse_vector_option("--end-normal", *options.end_normal);
+  if (options.degree > 0)
+    query.twist_degree = options.degree;
+  else if (query.end_normal)
+    query.twist_degree = 2;
+  return query;
+}
+
+void run_exact(const Command& command, const SweepOptions& options) {
+  const auto format = choose<std::string (*)(const RationalSweepAnswer&)>(
+      "--format", options.format, {{"obj", to_obj}, {"json", to_json}});
+  command.refuse({"--twist"},
+                 "a turn that is even per length has no rational sine and cosine; with --exact the "
+                 "frame of minimal twist is that of --end-normal and --degree");
+  const AnyPath path = options.curve.read_any_path();
+  check_start(options, path);
+  if (const auto* smooth = std::get_if<NamedSmoothPath>(&path))
+    throw InputError("--exact", needs_ph(smooth->path));
+  const auto& named = std::get<NamedPath>(path);
+  if (options.degree > 0 && !options.end_normal && !named.path.closing_turn())
+    throw InputError("--degree", "the frame of minimal twist of an open curve needs --end-normal");
+  const RationalSweepAnswer made = exact_answer(named, exact_query(options));
+  write_output(options.curve.output, format(made));
+  const auto& patches = made.surface.patches;
+  if (options.curve.output != "-")
+    write_output("-", fmt::format("{} rational Bezier patches, exact{}\n", patches.size(),
+                                  made.surface.is_closed ? "; closed" : ""));
+}
+
+void run(const Command& command, const SweepOptions& options) {
+  if (options.is_exact) return run_exact(command, options);
   const auto format = choose<std::string (*)(const Mesh&)>(
       "--format", options.format,
       {{"obj", to_obj}, {"stl", to_stl}, {"ply", to_ply}, {"glb", to_glb}});
@@ -123,8 +189,19 @@ void add_sweep(Program& program) {
   command.add_number("--sections", options->sections, {2, 1'000'000},
                      "so many sections at equal steps of t, instead of a tolerance");
   command.not_with({"--sections"}, {"--tolerance"});
-  command.add_format("--format", options->format, {"obj", "stl", "ply", "glb"},
-                     "obj (default), stl, ply or glb, the last three binary");
+  command.add_flag(
+      "--exact", options->is_exact,
+      "not a mesh but the surface itself, as rational Bezier patches, of a curve\n"
+      "whose rotation-minimizing frame is rational, or in a rational frame of minimal\n"
+      "twist");
+  command.add_number("--degree", options->degree, {1, 8},
+                     "the rational frame of minimal twist with w of this degree (default 2 with\n"
+                     "--end-normal); of a closed curve the one that closes");
+  command.only_with({"--degree"}, {"--exact"});
+  command.not_with({"--exact"}, {"--tolerance", "--sections"});
+  command.add_format("--format", options->format, {"obj", "stl", "ply", "glb", "json"},
+                     "obj (default), stl, ply or glb, the last three binary; with --exact obj\n"
+                     "(free-form) or json (exact fractions)");
   command.set_notes(
       "The frame is the rotation-minimizing one. The mesh is watertight, with caps at the ends; a\n"
       "closed curve has none: the profile turns by the least angle that closes the body.\n"
@@ -134,8 +211,9 @@ void add_sweep(Program& program) {
       "  phrame sweep curve.json --profile circle:1/10 -o pipe.glb\n"
       "  phrame sweep curve.json --profile rectangle:2,1/2 --start-normal 0,0,1 -o rail.stl\n"
       "  phrame sweep curve.json --profile outline.svg --tolerance 0.001 -o body.obj\n"
+      "  phrame sweep curve.json --profile circle:1/10 --exact -o pipe.json\n"
       "  phrame sweep curve.json --profile polygon:6,1 --scale 1-t/2 --twist 90deg -o horn.ply");
-  command.does([options] { run(*options); });
+  command.does([&command, options] { run(command, *options); });
 }
 
 }  // namespace phrame::cli

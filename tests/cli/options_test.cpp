@@ -59,6 +59,7 @@ const std::vector<std::string> calls{
     "integrate '1/(x^4-2)' --from 0 --to 1",
     "batch lines.jsonl --at 1",
     "sweep plane.json --profile circle:1/2",
+    "sweep plane.json --profile circle:1/2 --exact --format json",
     "compile plane.json",
     "compile spline.json",
     "check quintic.json frames.csv",

@@ -52,6 +52,8 @@ TEST_CASE("program: each command succeeds on the paper's quintic") {
                      {"identify quintic.json", "f|A|²  37t⁴ − 72t³ + 46t² − 12t + 6\n"},
                      {"integrate '1/(x^2+1)'", "arctan(x)"},
                      {"sweep quintic.json --profile circle:1/10", "\nf 1 2 "},
+                     {"sweep quintic.json --profile circle:1/10 --exact --end-normal 0,0,1",
+                      "\ndeg 2 13\nsurf 0 1 0 1 1 2 3 "},
                      {"batch batch.jsonl", "0.13516216082994723"},
                      {"compile quintic.json", "#ifndef "},
                      {"check quintic.json frames.csv", "rotation-minimizing"},
@@ -71,7 +73,8 @@ TEST_CASE("program: each command succeeds on the paper's quintic") {
       CAPTURE(run.out);
       CHECK(contains(run.out, c.expected));
     }
-    tried.emplace_back(c.arguments, std::string_view(c.arguments).find(' '));
+    const std::string command(c.arguments, std::string_view(c.arguments).find(' '));
+    if (tried.empty() || tried.back() != command) tried.push_back(command);
   }
   CHECK(tried == commands(here));
 }

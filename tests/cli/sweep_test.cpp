@@ -42,6 +42,52 @@ TEST_CASE("sweep: profiles come from files, starts and ends from options") {
   CHECK(contains(first("--start-normal 0,0,1"), "v 1 0 2\n"));
 }
 
+TEST_CASE("sweep: the exact surface is written as fractions, or as free-form OBJ") {
+  const Workshop here;
+  here.write("d.svg", R"(<svg><path d="M 0 0 L 1 0 C 1 1 0 1 0 0 Z"/></svg>)");
+  here.write("plane.json", bytes_of(root("/examples/curves/plane-cubic.json")));
+  const Run run = here.run("sweep plane.json --exact --profile circle:1/2 -o body.json");
+  check_success(run);
+  CHECK(run.out == "4 rational Bezier patches, exact\n");
+  const Json surface = Json::parse(bytes_of(here.file("body.json")));
+  CHECK(surface["phrame"] == "surface/1");
+  CHECK(surface["frame"] == "rotation-minimizing");
+  CHECK(surface["patches"].size() == 4);
+  CHECK(surface["patches"][0]["weights"][0] == Json({"1", "1", "2"}));
+  const Run obj = here.run("sweep line.json --exact --profile rectangle:2,2");
+  check_success(obj);
+  CHECK(obj.out.starts_with("cstype rat bezier\nv 0 1 1 1\nv 0 -1 1 1\nv 1 1 1 1\n"));
+  const Run outline = here.run("sweep plane.json --exact --profile d.svg --format json");
+  check_success(outline);
+  CHECK(Json::parse(outline.out)["sides"] == 2);
+  CHECK(Json::parse(outline.out)["patches"][0]["degree_u"] == 3);
+  const Json twisted = Json::parse(
+      here.run("sweep quintic.json --exact --end-normal 0,0,1 --profile circle:1 --format json")
+          .out);
+  CHECK(twisted["frame"] == "minimal twist");
+  CHECK(twisted["twist_degree"] == 2);
+}
+
+TEST_CASE("sweep: what has no exact surface is refused, with what helps") {
+  const Workshop here;
+  here.write("plane.json", bytes_of(root("/examples/curves/plane-cubic.json")));
+  const std::string exact = " --exact --profile circle:1/10 ";
+  const auto refused = [&](const std::string& curve, const std::string& options, int status,
+                           const std::string& reason) {
+    check_failure(here.run("sweep " + curve + exact + options), status, reason);
+  };
+  refused("quintic.json", "", 3, "residues");
+  refused("quintic.json", "", 3, "--end-normal X,Y,Z takes");
+  refused("quintic.json", "", 3, "construct --kind rmf");
+  refused("plane.json", "--twist 90deg", 2, "--twist: a turn that is even per length");
+  refused("plane.json", "--theta0 45deg", 3, "sine and cosine are not rational");
+  refused("plane.json", "--degree 3", 2, "--degree: ");
+  refused("plane.json", "-o body.stl", 2, "--format: \"stl\" is not one of obj, json");
+  refused("plane.json", "--scale t", 3, "scale");
+  check_failure(here.run("sweep plane.json --profile circle:1 -o body.json"), 2,
+                "--format: \"json\"");
+}
+
 TEST_CASE("sweep: what cannot be swept is refused by name") {
   const Workshop here;
   here.write("l.csv", "0,0\n2,0\n2,x\n");

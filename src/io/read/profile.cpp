@@ -18,7 +18,7 @@ namespace {
 
 /// What may go wrong with the corners is about the file.
 template <class Make>
-Profile made(Make make) {
+auto made(Make make) {
   try {
     return make();
   } catch (const DomainError& error) {
@@ -105,6 +105,36 @@ Profile outline_of(const std::vector<GivenSegment>& segments,
   return made([&] { return Profile(std::move(corners), error); });
 }
 
+/// y is up.
+PlaneRational plane_form(const GivenSegment& segment) {
+  if (const auto* curve = std::get_if<Curve>(&segment.form)) {
+    const auto r = position(*curve);
+    return {r[0], -r[1], {1}};
+  }
+  const auto* curve = std::get_if<RationalCurve>(&segment.form);
+  if (curve == nullptr) throw InputError(segment.place, "it is no rational curve");
+  return {curve->numerator()[0], -curve->numerator()[1], curve->weight()};
+}
+
+ProfileCurve outline_curve_of(const std::vector<GivenSegment>& segments) {
+  std::vector<PlaneBezier> pieces;
+  for (const GivenSegment& segment : segments)
+    for (PlaneBezier& piece : bezier_pieces(plane_form(segment)))
+      pieces.push_back(std::move(piece));
+  const ProfilePoint first = pieces.front().points.front();
+  const ProfilePoint last = pieces.back().points.back();
+  if (first != last) pieces.push_back({{last, first}, {1, 1}});
+  return made([&] { return ProfileCurve(std::move(pieces)); });
+}
+
+/// The segments of path data or of an SVG file; no value for what begins as neither.
+std::optional<std::vector<GivenSegment>> svg_segments(std::string_view bytes) {
+  if (is_path_data(bytes)) return read_path_data(bytes, 0, bytes.size());
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (first == std::string_view::npos || bytes[first] != '<') return std::nullopt;
+  return read_svg(bytes);
+}
+
 }  // namespace
 
 std::optional<Profile> parse_profile(std::string_view text,
@@ -132,10 +162,7 @@ std::optional<Profile> parse_profile(std::string_view text,
 }
 
 Profile read_profile(std::string_view bytes, const std::optional<Rational>& tolerance) {
-  if (is_path_data(bytes)) return outline_of(read_path_data(bytes, 0, bytes.size()), tolerance);
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (first != std::string_view::npos && bytes[first] == '<')
-    return outline_of(read_svg(bytes), tolerance);
+  if (const auto segments = svg_segments(bytes)) return outline_of(*segments, tolerance);
   const TextTable table(bytes, {true, "x, y"});
   if (table.columns() != 2)
     throw InputError(table.place(0),
@@ -151,6 +178,20 @@ Profile read_profile(std::string_view bytes, const std::optional<Rational>& tole
     corners.push_back(corner);
   }
   return made([&] { return Profile(std::move(corners)); });
+}
+
+std::optional<ProfileCurve> parse_profile_curve(std::string_view text) {
+  const auto polygon = parse_profile(text, std::nullopt);
+  if (!polygon) return std::nullopt;
+  const std::size_t colon = text.find(':');
+  if (text.substr(0, colon) == "circle") return circle_curve(parse_number(text.substr(colon + 1)));
+  return polygon_curve(*polygon);
+}
+
+ProfileCurve read_profile_curve(std::string_view bytes) {
+  const Profile polygon = read_profile(bytes, std::nullopt);
+  if (const auto segments = svg_segments(bytes)) return outline_curve_of(*segments);
+  return polygon_curve(polygon);
 }
 
 }  // namespace phrame

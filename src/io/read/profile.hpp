@@ -2,7 +2,7 @@
 #include <optional>
 #include <string_view>
 
-#include "phrame/ph/sweep/profile.hpp"
+#include "phrame/ph/sweep/profile_curve.hpp"
 
 namespace phrame {
 
@@ -16,5 +16,12 @@ std::optional<Profile> parse_profile(std::string_view text,
 /// or path data with one subpath, which is closed by a line where it is not. The y of SVG, which is
 /// down there, is up. Throws InputError, its place line:column or "line 3".
 Profile read_profile(std::string_view bytes, const std::optional<Rational>& tolerance);
+
+/// @{ The same exactly: circles in rational quarters, outlines of SVG with the curves they have.
+/// The corners of a regular polygon are doubles. That an outline does not meet itself is seen of
+/// its polygon to within 1/1000 of its size.
+std::optional<ProfileCurve> parse_profile_curve(std::string_view text);
+ProfileCurve read_profile_curve(std::string_view bytes);
+/// @}
 
 }  // namespace phrame

@@ -1,0 +1,55 @@
+#include "phrame/answer/rational_sweep.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/frame/frame.hpp"
+
+namespace phrame {
+namespace {
+
+constexpr long coefficient_bits = 64;  ///< of the w of frames of minimal twist
+
+std::vector<RationalFramePiece> twist_frames(const Path& path, const RationalSweepQuery& query) {
+  const FrameAngle from = start_angle(query.start, path);
+  FrameEnds ends{from, {}};
+  FrameAngle to = from;
+  if (query.end_normal) {
+    to = angle_of(*query.end_normal, euler_rodrigues_frame(path.segments().back(), 1));
+    ends.to = to;
+  } else {
+    const GaussianRational closing = path.closing_turn().value();
+    to = from + angle_of(closing * closing);
+  }
+  RationalTwistOptions options;
+  options.degree = *query.twist_degree;
+  if (options.degree < 2) options.rates = EndRates::free;
+  options.prove = false;  // whatever w is, the surface is exact
+  const MinimalTwist mtf(PathAngle(path), from, to);
+  return rational_mtf(path, twist_frame(mtf, options, {}), ends, coefficient_bits);
+}
+
+void require_ends(const Path& path, const RationalSweepQuery& query) {
+  const bool is_closed = path.closing_turn().has_value();
+  if (query.end_normal && is_closed)
+    throw DomainError("end normal: the path is closed, it ends with the normal it starts with");
+  if (query.twist_degree && !query.end_normal && !is_closed)
+    throw DomainError("sweep: a frame of minimal twist needs an end normal");
+  if (is_closed && query.scale(0) != query.scale(path.end()))
+    throw DomainError("scale: the path is closed, and the scale differs at its ends");
+}
+
+}  // namespace
+
+RationalSweepAnswer answer(const NamedPath& named, const RationalSweepQuery& query) {
+  const Path& path = named.path;
+  require_ends(path, query);
+  const bool is_rotation_minimizing = !query.twist_degree;
+  const auto frames =
+      is_rotation_minimizing ? rational_rmf(path, query.start) : twist_frames(path, query);
+  if (path.closing_turn() && !is_closed(frames))
+    throw DomainError("sweep: the path is closed, and its rotation-minimizing frame is not");
+  return {named.name,
+          rational_sweep(path, frames, {query.profile, query.scale, is_rotation_minimizing}),
+          query.twist_degree, named.near};
+}
+
+}  // namespace phrame

@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "phrame/ph/curve/named.hpp"
+#include "phrame/ph/sweep/rational_sweep.hpp"
+
+namespace phrame {
+
+/// A body, exactly: a profile swept along a path in a rational frame.
+struct RationalSweepQuery {
+  ProfileCurve profile;                   ///< x along f₂, y along f₃
+  FrameStart start = Angle();             ///< where the frame starts
+  RationalFunction scale{Polynomial{1}};  ///< λ(t) > 0: the profile is so many times as large
+  /// The rational frame of minimal twist with a w of this degree, 1 to 8, instead of the
+  /// rotation-minimizing one.
+  std::optional<long> twist_degree = {};
+  /// f₂ at its end, once it is projected to the normal plane; none of a closed path, which ends as
+  /// it starts.
+  std::optional<Vector<Rational>> end_normal = {};
+};
+
+/// The surface of the body, without its caps.
+struct RationalSweepAnswer {
+  std::string name;                  ///< of the curve
+  RationalSurface surface;           ///< exact
+  std::optional<long> twist_degree;  ///< as asked
+  std::optional<Nearness> near;      ///< of the curve, where it stands for another
+};
+
+/// Throws as rational_rmf(), rational_mtf(), best_twist() and rational_sweep(); DomainError for an
+/// end normal of a closed path, for none of another one with a twist_degree, and for a closed path
+/// whose frame or scale is not the same at both ends.
+RationalSweepAnswer answer(const NamedPath& named, const RationalSweepQuery& query);
+
+}  // namespace phrame

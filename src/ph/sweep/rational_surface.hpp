@@ -1,0 +1,31 @@
+#pragma once
+#include <vector>
+
+#include "phrame/algebra/rational.hpp"
+#include "phrame/ph/curve/quaternion.hpp"
+
+namespace phrame {
+
+/// A rational Bézier patch S(u, s) on [0, 1]², u around a profile and s along a path:
+/// Σ wₖₗPₖₗBₖ(s)Bₗ(u)/Σ wₖₗBₖ(s)Bₗ(u), exactly.
+struct SurfacePatch {
+  Rational from;     ///< the parameter of the path at s = 0; it grows in proportion to s
+  Rational to;       ///< at s = 1
+  std::size_t side;  ///< of the profile: 0, 1, …
+  /// @{ Rows along the path, each around the profile.
+  std::vector<std::vector<Vector<Rational>>> points;
+  std::vector<std::vector<Rational>> weights;  ///< > 0
+  /// @}
+};
+
+/// S(u, s), by de Casteljau's algorithm.
+Vector<Rational> point(const SurfacePatch& patch, const Rational& u, const Rational& s);
+
+/// The side of a swept body. Its normal S_u × S_s is outward.
+struct RationalSurface {
+  std::vector<SurfacePatch> patches;  ///< along the path, and around the profile at each place
+  std::size_t sides = 0;              ///< of the profile
+  bool is_closed = false;             ///< are its ends one, so that it needs no caps?
+};
+
+}  // namespace phrame

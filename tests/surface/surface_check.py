@@ -1,0 +1,225 @@
+"""The surfaces of `phrame sweep --exact`, in Python's fractions, by code that shares nothing with what makes them.
+
+Of each patch, as polynomials in s for more u than there are degrees in it, so that it holds everywhere: S - r is normal
+to r', has the length of the profile and, where the frame is rotation-minimizing, a rate along r'. r is integrated anew
+from the curve's file. Which way the profile lies is that of `phrame frames`. The OBJ says the same in doubles.
+"""
+import json
+import os
+import subprocess
+import sys
+from fractions import Fraction
+from math import comb
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+CURVES = ROOT / "examples/curves"
+PROGRAM = os.environ["PHRAME_PROGRAM"]
+
+
+def phrame(*arguments):
+    run = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+    if run.returncode != 0:
+        sys.exit("%s: %s" % (arguments, run.stderr))
+    return run.stdout
+
+
+def product(p, q):
+    r = [Fraction(0)] * (len(p) + len(q) - 1)
+    for i, a in enumerate(p):
+        for j, b in enumerate(q):
+            r[i + j] += a * b
+    return r
+
+
+def total(*terms):
+    """Σ c·p of pairs of a number and a polynomial."""
+    r = [Fraction(0)] * max(len(p) for _, p in terms)
+    for c, p in terms:
+        for k, x in enumerate(p):
+            r[k] += c * x
+    return r
+
+
+def from_bernstein(b):
+    n = len(b) - 1
+    p = [Fraction(0)] * (n + 1)
+    for k, x in enumerate(b):
+        for j in range(n - k + 1):
+            p[k + j] += x * comb(n, k) * comb(n - k, j) * (-1) ** j
+    return p
+
+
+def segments(name):
+    """(A, f) of the segments of a file and the start, f = 1 where none is given."""
+    data = json.loads((CURVES / name).read_text())
+    found = []
+    for part in data.get("segments", [data]):
+        columns = zip(*part["quaternions"]) if "quaternions" in part else (part["preimage"][k] for k in "uvpq")
+        polynomials = [[Fraction(x) for x in c] for c in (*columns, part.get("multiplier", ["1"]))]
+        if part["basis"] == "bernstein":
+            polynomials = list(map(from_bernstein, polynomials))
+        found.append((polynomials[:4], polynomials[4]))
+    return found, [Fraction(x) for x in data.get("start", [0, 0, 0])]
+
+
+def hodograph(preimage, f):
+    u, v, p, q = preimage
+    x = total((1, product(u, u)), (1, product(v, v)), (-1, product(p, p)), (-1, product(q, q)))
+    y = total((2, product(u, q)), (2, product(v, p)))
+    z = total((2, product(v, q)), (-2, product(u, p)))
+    return [product(f, component) for component in (x, y, z)]
+
+
+def value(p, t):
+    r = Fraction(0)
+    for c in reversed(p):
+        r = r * t + c
+    return r
+
+
+def differentiate(p):
+    return [k * c for k, c in enumerate(p)][1:] or [Fraction(0)]
+
+
+def compose(p, q):
+    r = [Fraction(0)]
+    for c in reversed(p):
+        r = total((1, product(r, q)), (1, [c]))
+    return r
+
+
+def is_zero(p):
+    return not any(p)
+
+
+def position(parts, start, segment):
+    """r of the segment, as polynomials."""
+    at = list(start)
+    for k in range(segment + 1):
+        r = [[x] + [c / (n + 1) for n, c in enumerate(rate)] for x, rate in zip(at, hodograph(*parts[k]))]
+        at = [value(x, 1) for x in r]
+    return r
+
+
+def section(patch, u):
+    """X, Y, Z, W of S(u, .) = (X, Y, Z)/W, as polynomials in s."""
+    def blend(row):
+        n = len(row) - 1
+        return sum(comb(n, l) * u ** l * (1 - u) ** (n - l) * x for l, x in enumerate(row))
+    columns = [[blend([w * (point + [1])[axis] for w, point in zip(weights, points)])
+                for weights, points in zip(patch["weights"], patch["points"])] for axis in range(4)]
+    return list(map(from_bernstein, columns))
+
+
+def read_surface(text):
+    surface = json.loads(text)
+    for patch in surface["patches"]:
+        patch["t"] = [Fraction(x) for x in patch["t"]]
+        patch["weights"] = [[Fraction(x) for x in row] for row in patch["weights"]]
+        patch["points"] = [[[Fraction(x) for x in p] for p in row] for row in patch["points"]]
+        assert all(w > 0 for row in patch["weights"] for w in row)
+    return surface
+
+
+def circle(radius):
+    """x² + y² of a quarter, and (x, y) at u."""
+    def at(side, u):
+        x, y = radius * (1 - u * u) / (1 + u * u), radius * 2 * u / (1 + u * u)
+        for _ in range(side):
+            x, y = -y, x
+        return x, y
+    return at
+
+
+def rectangle(width, height):
+    corners = [(width / 2, height / 2), (-width / 2, height / 2), (-width / 2, -height / 2), (width / 2, -height / 2)]
+
+    def at(side, u):
+        (a, b), (c, d) = corners[side], corners[(side + 1) % 4]
+        return a + u * (c - a), b + u * (d - b)
+    return at
+
+
+def check_patch(patch, parts, start, profile, scale, is_rotation_minimizing):
+    begin, end = patch["t"]
+    segment = int(begin)
+    r = [compose(x, [begin - segment, end - begin]) for x in position(parts, start, segment)]
+    rate = list(map(differentiate, r))
+    above, below = (compose(p, [begin, end - begin]) for p in scale)
+    count = 2 * patch["degree_u"] + 1
+    for u in (Fraction(i, count - 1) for i in range(count)):
+        *place, weight = section(patch, u)
+        out = [total((1, x), (-1, product(y, weight))) for x, y in zip(place, r)]
+        assert is_zero(total(*((1, product(x, y)) for x, y in zip(out, rate)))), "normal"
+        x, y = profile(patch["side"], u)
+        distance = product(product(weight, above), product(weight, above))
+        square = total(*((1, product(x, x)) for x in out))
+        assert is_zero(total((1, product(square, product(below, below))), (-(x * x + y * y), distance))), "distance"
+        if is_rotation_minimizing:  # (out·below/(weight·above))' is along the rate
+            divisor = product(weight, above)
+            turn = [total((1, product(differentiate(product(x, below)), divisor)),
+                          (-1, product(product(x, below), differentiate(divisor)))) for x in out]
+            for i, j in ((0, 1), (1, 2), (2, 0)):
+                across = total((1, product(turn[i], rate[j])), (-1, product(turn[j], rate[i])))
+                assert is_zero(across), "rotation-minimizing"
+
+
+def check_direction(patch, name, parts, start, profile, frame, *more):
+    """S - r in the patch, of a curve, against the frame that `phrame frames` has, in doubles."""
+    s, u = Fraction(3, 5), Fraction(1, 3)
+    t = patch["t"][0] + s * (patch["t"][1] - patch["t"][0])
+    table = phrame("frames", CURVES / name, "--at", t, *more).splitlines()
+    row = dict(zip(table[0].split(","), map(float, table[1].split(","))))
+    r = [value(x, t) for x in position(parts, start, 0)]
+    *place, weight = (value(x, s) for x in section(patch, u))
+    x, y = profile(patch["side"], u)
+    for k, axis in enumerate("xyz"):
+        expected = float(x) * row[frame + "2" + axis] + float(y) * row[frame + "3" + axis]
+        assert abs(float(place[k] / weight - r[k]) - expected) < 1e-13, "direction"
+
+
+def check_obj(surface, text):
+    """Vertices are those of the patches, in the order of the statement surf, u first."""
+    vertices, patches = [], []
+    for line in text.splitlines():
+        word, *rest = line.split()
+        if word == "v":
+            vertices.append(tuple(map(float, rest)))
+        elif word == "deg":
+            degrees = tuple(map(int, rest))
+        elif word == "surf":
+            assert rest[:4] == ["0", "1", "0", "1"]
+            patches.append((degrees, [vertices[int(k) - 1] for k in rest[4:]]))
+        else:
+            assert line in ("cstype rat bezier", "parm u 0 1", "parm v 0 1", "end"), line
+    assert len(patches) == len(surface["patches"])
+    for (degrees, points), patch in zip(patches, surface["patches"]):
+        assert degrees == (patch["degree_u"], patch["degree_t"])
+        expected = [tuple(float(x) for x in p) + (float(w),)
+                    for row, weights in zip(patch["points"], patch["weights"]) for p, w in zip(row, weights)]
+        assert points == expected  # Python rounds fractions correctly
+
+
+def check(name, option, profile, scale=None, *more):
+    """The scale as a text and as polynomials above and below the line."""
+    text, polynomials = scale or ("1", ([1], [1]))
+    arguments = ["sweep", CURVES / name, "--exact", "--profile", option, "--scale", text, *more]
+    parts, start = segments(name)
+    surface = read_surface(phrame(*arguments, "--format", "json"))
+    is_rotation_minimizing = surface["frame"] == "rotation-minimizing"
+    for patch in surface["patches"][::1 if is_rotation_minimizing else 3]:  # else of long fractions
+        check_patch(patch, parts, start, profile, polynomials, is_rotation_minimizing)
+    if not scale:
+        frame = ["f"] if is_rotation_minimizing else ["mtf", "--frame", "mtf", "--from", "0", "--to-vector", more[1]]
+        check_direction(surface["patches"][-1], name, parts, start, profile, *frame)
+    check_obj(surface, phrame(*arguments))
+    assert surface["patches"][-1]["t"][1] == len(parts)
+    print("%s, %s: %d patches" % (name, " ".join(map(str, arguments[3:])), len(surface["patches"])))
+
+
+check("rational-frame-quintic.json", "rectangle:1,1/2", rectangle(Fraction(1), Fraction(1, 2)))
+check("plane-cubic.json", "circle:1/3", circle(Fraction(1, 3)), ("(2 - t)/(1 + t)", ([2, -1], [1, 1])))
+check("septic-erf-is-rmf.json", "circle:1/5", circle(Fraction(1, 5)))
+check("farouki-2003-quintic.json", "rectangle:1/5,1/5", rectangle(Fraction(1, 5), Fraction(1, 5)), None,
+      "--end-normal", "0,0,1")
