@@ -110,5 +110,20 @@ TEST_CASE("multipliers: a slight one changes by a 2^-20th at most") {
   }
 }
 
+// Three coefficients solve three equations, so that f is the one that the displacement is made of.
+TEST_CASE("multipliers: a slight one is nowhere negative") {
+  const QuaternionPolynomial a{{1}, {0, 1}, {0, 0, 2}, {1, -3}};
+  const Rational small = power_of_ten(-9);
+  const auto from = [&](const std::vector<Rational>& f, const std::vector<Rational>& to) {
+    return slight_multiplier(a, f, reached(a, to), MultiplierFreedom::all);
+  };
+  const std::vector<Rational> stops{1, 1, 0};
+  const std::vector<Rational> positive{1, 1, small};
+  CHECK(from(stops, positive) == positive);
+  CHECK_FALSE(from(stops, {1, 1, -small}));  // before t = 1
+  const std::vector<Rational> bent{1, -small, 1};
+  CHECK(from({1, 0, 1}, bent) == bent);  // 1 − 2t(1 − t)(1 + small) > 0
+}
+
 }  // namespace
 }  // namespace phrame
