@@ -206,8 +206,8 @@ nb::object cubic_spline(nb::handle points, nb::handle parameters, const std::str
 nb::object parse(nb::handle text) {
   std::string bytes;
   if (PyBytes_Check(text.ptr()) != 0)
-    bytes.assign(PyBytes_AS_STRING(text.ptr()),
-                 static_cast<std::size_t>(PyBytes_GET_SIZE(text.ptr())));
+    bytes.assign(PyBytes_AsString(text.ptr()),
+                 static_cast<std::size_t>(PyBytes_Size(text.ptr())));
   else if (PyUnicode_Check(text.ptr()) != 0)
     bytes = nb::cast<std::string>(text);
   else

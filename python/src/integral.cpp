@@ -15,8 +15,8 @@ struct IntegralObject {
 };
 
 PathEnd path_end(nb::handle x, const std::string& place) {
-  if (PyFloat_Check(x.ptr()) && std::isinf(PyFloat_AS_DOUBLE(x.ptr())))
-    return PyFloat_AS_DOUBLE(x.ptr()) > 0 ? Infinity::positive : Infinity::negative;
+  if (PyFloat_Check(x.ptr()) && std::isinf(PyFloat_AsDouble(x.ptr())))
+    return PyFloat_AsDouble(x.ptr()) > 0 ? Infinity::positive : Infinity::negative;
   if (PyUnicode_Check(x.ptr()) == 0) return rational(x, place);
   try {
     return parse_endpoint(nb::cast<std::string>(x));

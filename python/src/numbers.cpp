@@ -102,7 +102,7 @@ void refuse_type(const std::string& place, const char* wanted, nb::handle value)
 
 Rational rational(nb::handle x, const std::string& place) {
   PyObject* const p = x.ptr();
-  if (PyFloat_Check(p)) return dyadic(PyFloat_AS_DOUBLE(p), x, place);
+  if (PyFloat_Check(p)) return dyadic(PyFloat_AsDouble(p), x, place);
   if (PyBool_Check(p)) refuse_type(place, "a number", x);
   if (PyLong_Check(p)) return integer(x);
   if (PyUnicode_Check(p)) return by_text(x, place);

@@ -53,8 +53,8 @@ Profile profile_of(nb::handle profile, const std::optional<Rational>& tolerance)
       const nb::object file = imported("builtins", "open")(profile, "rb");
       const nb::object read = file.attr("read")();
       file.attr("close")();
-      const std::string bytes(PyBytes_AS_STRING(read.ptr()),
-                              static_cast<std::size_t>(PyBytes_GET_SIZE(read.ptr())));
+      const std::string bytes(PyBytes_AsString(read.ptr()),
+                              static_cast<std::size_t>(PyBytes_Size(read.ptr())));
       return read_profile(bytes, tolerance);
     }
     return polygon_of(profile);
