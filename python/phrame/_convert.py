@@ -2,10 +2,25 @@
 
 from __future__ import annotations
 
+import operator
 from fractions import Fraction
 from typing import Any
 
-from ._errors import Undecided
+from ._errors import InputError, Undecided
+
+
+def count(n: Any, place: str, most: int) -> int:
+    """A whole number from 1 to `most`."""
+    if isinstance(n, bool) or not hasattr(n, "__index__"):
+        raise TypeError(f"{place}: an int is wanted, not {type(n).__name__}")
+    try:
+        found = int(operator.index(n))
+    except TypeError:  # an array
+        raise TypeError(f"{place}: an int is wanted, not {type(n).__name__}") from None
+    if not 1 <= found <= most:
+        reason = f"{found if found.bit_length() < 100 else 'an int'} is not in 1 … {most}"
+        raise InputError(f"{place}: {reason}", place, reason, n)
+    return found
 
 
 def mpf(x: Any, bits: Any = None) -> Any:
@@ -13,7 +28,7 @@ def mpf(x: Any, bits: Any = None) -> Any:
     import mpmath
     from mpmath.libmp import from_rational
 
-    wanted = mpmath.mp.prec if bits is None else int(bits)
+    wanted = mpmath.mp.prec if bits is None else count(bits, "bits", 10_000_000)
     more, most = wanted + 16, 16 * wanted + 100_000
     while more <= most:
         low, high = (from_rational(end.numerator, end.denominator, wanted, "n") for end in x.ball(more))
@@ -28,15 +43,24 @@ def sympy_float(x: Any, digits: int = 17) -> Any:
     import sympy
     from mpmath.libmp import dps_to_prec
 
-    bits = dps_to_prec(int(digits))
+    bits = dps_to_prec(count(digits, "digits", 1_000_000))
     return sympy.Float(mpf(x, bits), precision=bits)
+
+
+def named_symbol(symbol: Any) -> Any:
+    """symbol, if it is one of SymPy."""
+    import sympy
+
+    if not isinstance(symbol, sympy.Symbol):
+        raise TypeError(f"symbol: a sympy.Symbol or its name is wanted, not {type(symbol).__name__}")
+    return symbol
 
 
 def sympy_polynomial(p: Any, symbol: Any = "t") -> Any:
     """p as a sympy.Poly over QQ."""
     import sympy
 
-    t = sympy.Symbol(symbol, real=True) if isinstance(symbol, str) else symbol
+    t = sympy.Symbol(symbol, real=True) if isinstance(symbol, str) and symbol else named_symbol(symbol)
     coefficients = [sympy.Rational(c.numerator, c.denominator) for c in reversed(p.coefficients)]
     return sympy.Poly(coefficients or [0], t, domain=sympy.QQ)
 
@@ -68,7 +92,7 @@ def run_script(script: str, variable: str, symbol: Any = None) -> Any:
     """The antiderivative that a script for SymPy defines, of `symbol` or a real one."""
     import sympy
 
-    x = sympy.Symbol(variable, real=True) if symbol is None else symbol
+    x = sympy.Symbol(variable, real=True) if symbol is None else named_symbol(symbol)
     root = sympy.Symbol("w" if x.name == "z" else "z")
     names = {**vars(sympy), "w" if variable == "z" else "z": root, variable: x}
     if not x.is_real:

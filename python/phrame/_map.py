@@ -18,6 +18,8 @@ _CHUNK = 16  # curves that a thread takes at a time
 
 
 def refuse_errors(errors: str) -> None:
+    if not isinstance(errors, str):
+        raise TypeError(f"errors: a str is wanted, not {type(errors).__name__}")
     if errors not in ("raise", "return"):
         reason = f'"{errors}" is not one of raise, return'
         raise InputError(f"errors: {reason}", "errors", reason, errors)
@@ -50,9 +52,15 @@ def map(
     [7.666666666666667, 9.0, 11.0]
     """
     refuse_errors(errors)
+    if threads is not None and (isinstance(threads, bool) or not isinstance(threads, int)):
+        raise TypeError(f"threads: an int is wanted, not {type(threads).__name__}")
     if threads is not None and threads < 1:
         reason = f"{threads} is less than 1"
         raise InputError(f"threads: {reason}", "threads", reason, threads)
+    if not hasattr(curves, "__iter__"):
+        raise TypeError(f"curves: paths are wanted, not {type(curves).__name__}")
+    if not callable(question):
+        raise TypeError(f"question: a callable is wanted, not {type(question).__name__}")
     return _map(iter(curves), question, threads or os.cpu_count() or 1, errors)
 
 

@@ -9,6 +9,8 @@ from typing import Any, Callable
 
 import numpy as np
 
+from ._errors import InputError
+
 _SAMPLES = 96  # of a segment: enough for the eye
 
 
@@ -23,6 +25,23 @@ def _new_axes(**options: Any) -> Any:
 
 def _parameters(path: Any, ts: Any) -> Any:
     return np.linspace(0.0, float(path.end), _SAMPLES * path.end + 1) if ts is None else ts
+
+
+def _require_axes(ax: Any, method: str) -> None:
+    if ax is not None and not hasattr(ax, method):
+        raise TypeError(f"ax: {'axes in 3D' if method != 'plot' else 'axes'} of Matplotlib are wanted, not {type(ax).__name__}")
+
+
+def _width(ribbon: Any) -> float:
+    if isinstance(ribbon, (bool, str)) or not hasattr(ribbon, "__float__") or np.ndim(ribbon):
+        raise TypeError(f"ribbon: a number is wanted, not {type(ribbon).__name__}")
+    try:
+        width = float(ribbon)
+    except OverflowError:
+        width = np.inf
+    if not 0 <= width < np.inf:
+        raise InputError("ribbon: it is not a finite number >= 0", "ribbon", "it is not a finite number >= 0", ribbon)
+    return width
 
 
 def _add_ribbon(ax: Any, points: Any, normals: Any, width: float, color: Any) -> None:
@@ -54,10 +73,11 @@ def path(
     **style: Any,
 ) -> Any:
     """Path.plot"""
+    _require_axes(ax, "add_collection3d")
     at = _parameters(self, ts)
     points = self.points(at)
     low, high = points.min(axis=0), points.max(axis=0)
-    width = float(np.linalg.norm(high - low)) / 10 if ribbon is None else float(ribbon)
+    width = float(np.linalg.norm(high - low)) / 10 if ribbon is None else _width(ribbon)
     normals = self.frames(at, kind=kind, start=start, start_normal=start_normal)[:, 1] if width else None
     if ax is None:
         ax = _new_axes(projection="3d", xlabel="x", ylabel="y", zlabel="z")
@@ -70,6 +90,7 @@ def path(
 
 def angle(self: Any, ts: Any = None, *, ax: Any = None, **style: Any) -> Any:
     """Angle.plot"""
+    _require_axes(ax, "plot")
     at = _parameters(self.path, ts)
     values = self(at)
     if ax is None:

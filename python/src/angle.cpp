@@ -22,8 +22,8 @@ AngleAnswer formula(const AngleObject& self, const std::string& style) {
   return without_gil([named = self.named, query] { return answer(named, query); });
 }
 
-nb::object make_angle(nb::handle self, const std::string& frame, nb::handle start,
-                      nb::handle start_normal, const std::string& form) {
+nb::object make_angle(nb::handle self, const Text<"frame">& frame, nb::handle start,
+                      nb::handle start_normal, const Text<"form">& form) {
   const auto& named = nb::cast<const PathObject&>(self).named;
   const Reference reference = reference_named(frame, "frame");
   const Form how = form_named(form);
@@ -36,10 +36,10 @@ nb::object make_angle(nb::handle self, const std::string& frame, nb::handle star
       remade("_angle", self, nb::str(frame.c_str()), start, start_normal, nb::str(form.c_str()))});
 }
 
-const RmfAngle& segment_angle(const AngleObject& self, std::size_t k) {
+/// The number of a segment.
+std::size_t segment_number(const AngleObject& self, nb::handle segment) {
   const std::size_t n = self.angle.path().segments().size();
-  if (k >= n) refuse("segment", "there are " + std::to_string(n), nb::int_(k));
-  return self.angle.segment(k);
+  return static_cast<std::size_t>(count(segment, "segment", 0, static_cast<long>(n) - 1));
 }
 
 /// θ(t).
@@ -51,7 +51,7 @@ auto value_of(const AngleObject& self) {
 
 nb::object angle_of_what(const AngleObject& self, nb::handle ts, nb::handle progress) {
   if (PyUnicode_Check(ts.ptr()) != 0 || PySequence_Check(ts.ptr()) == 0) {
-    const Rational t = rational(ts, "t");
+    const Rational t = rational(ts, "ts");
     return nb::float_(
         without_gil([value = value_of(self), t] { return round_to_double(value(t)); }));
   }
@@ -60,12 +60,14 @@ nb::object angle_of_what(const AngleObject& self, nb::handle ts, nb::handle prog
 
 }  // namespace
 
+#define PHRAME_STYLE_SIG(name) nb::sig("def " name "(self, style: str = 'logarithms') -> str")
+
 void bind_angle(nb::module_& m, nb::class_<PathObject>& path) {
-  m.def("_angle", make_angle, nb::arg("path"), nb::arg("frame"), nb::arg("start").none(),
-        nb::arg("start_normal").none(), nb::arg("form"));
+  m.def("_angle", make_angle, argument("path"), argument("frame"), argument("start"),
+        argument("start_normal"), argument("form"));
   path.def(
-      "angle", make_angle, nb::arg("frame") = "erf", PHRAME_START_PARAMETERS,
-      nb::arg("form") = "auto",
+      "angle", make_angle, argument("frame") = "erf", PHRAME_START_PARAMETERS,
+      argument("form") = "auto",
       nb::sig("def angle(self, frame: str = 'erf', " PHRAME_START_SIG
               ", form: str = 'auto') -> Angle"),
       "The angle of the rotation-minimizing frame to the Euler–Rodrigues (erf) or Frenet frame.");
@@ -75,8 +77,8 @@ void bind_angle(nb::module_& m, nb::class_<PathObject>& path) {
              "θ(t): a Fraction where it is rational, else a Real; with `digits` a Decimal "
              "with so many.",
              [](const AngleObject& self) { return value_of(self); });
-  type.def("__call__", angle_of_what, nb::arg("ts"), nb::kw_only(),
-           nb::arg("progress") = nb::none(),
+  type.def("__call__", angle_of_what, argument("ts"), nb::kw_only(),
+           argument("progress") = nb::none(),
            nb::sig("@typing.overload\ndef __call__(self, ts: float | fractions.Fraction | "
                    "decimal.Decimal, *, progress: "
                    "collections.abc.Callable[[int, int], object] | None = None) -> float: ...\n"
@@ -86,37 +88,43 @@ void bind_angle(nb::module_& m, nb::class_<PathObject>& path) {
            "θ as correctly rounded doubles: of one parameter, or an array of many.")
       .def_prop_ro(
           "path", [](const AngleObject& self) { return wrap(self.named); },
-          nb::sig("def path(self) -> Path"))
+          nb::sig("def path(self) -> Path"), "Along which it is.")
       .def(
           "rate",
-          [](const AngleObject& self, std::size_t k) { return segment_angle(self, k).rate(); },
-          nb::arg("segment") = 0, "θ′, a rational function.")
+          [](const AngleObject& self, nb::handle segment) {
+            return self.angle.segment(segment_number(self, segment)).rate();
+          },
+          argument("segment") = 0, nb::sig("def rate(self, segment: int = 0) -> RationalFunction"),
+          "θ′, a rational function.")
       .def(
           "poles",
-          [](const AngleObject& self, std::size_t k) {
-            segment_angle(self, k);
+          [](const AngleObject& self, nb::handle segment) {
+            const std::size_t k = segment_number(self, segment);
             return to_python(formula(self, "logarithms").formulas[k].poles);
           },
-          nb::arg("segment") = 0, nb::sig("def poles(self, segment: int = 0) -> " PHRAME_POLES_SIG),
+          argument("segment") = 0,
+          nb::sig("def poles(self, segment: int = 0) -> " PHRAME_POLES_SIG),
           "The poles of θ′ with their residues, to 12 digits or more; none of more than 100.")
       .def(
           "text",
-          [](const AngleObject& self, const std::string& style) {
+          [](const AngleObject& self, const Text<"style">& style) {
             return for_reading(to_text(formula(self, style)), true);
           },
-          nb::arg("style") = "logarithms", "The closed form and the poles, for reading.")
+          argument("style") = "logarithms", PHRAME_STYLE_SIG("text"),
+          "The closed form and the poles, for reading.")
       .def(
           "latex",
-          [](const AngleObject& self, const std::string& style) {
+          [](const AngleObject& self, const Text<"style">& style) {
             return to_latex(formula(self, style));
           },
-          nb::arg("style") = "logarithms", "The closed form, for LaTeX.")
+          argument("style") = "logarithms", PHRAME_STYLE_SIG("latex"),
+          "The closed form, for LaTeX.")
       .def(
           "json",
-          [](const AngleObject& self, const std::string& style) {
+          [](const AngleObject& self, const Text<"style">& style) {
             return to_json(formula(self, style));
           },
-          nb::arg("style") = "logarithms", "angle/1 or spline-angle/1.")
+          argument("style") = "logarithms", PHRAME_STYLE_SIG("json"), "angle/1 or spline-angle/1.")
       .def(
           "sympy",
           [](nb::handle self, nb::handle symbol) {
@@ -126,7 +134,7 @@ void bind_angle(nb::module_& m, nb::class_<PathObject>& path) {
             return imported("phrame._convert", "run_script")(
                 to_script(formula(of, "logarithms"), Language::sympy), "t", symbol);
           },
-          nb::arg("symbol") = nb::none(),
+          argument("symbol") = nb::none(),
           nb::sig("def sympy(self, symbol: typing.Any = None) -> typing.Any"),
           "θ up to a constant, a SymPy expression, of this symbol or a real t.")
       .def("__repr__",

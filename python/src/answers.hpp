@@ -34,7 +34,7 @@ void bind_value(C& type, const char* what, const F& f) {
         return to_decimal(
             without_gil([value = f(of), at, n] { return round_to_decimal(value(at), n).value; }));
       },
-      nb::arg("t"), nb::arg("digits") = nb::none(), PHRAME_VALUE_SIG, what);
+      argument("t"), argument("digits") = nb::none(), PHRAME_VALUE_SIG, what);
 }
 
 /// An object that keeps its recipe is pickled by it.

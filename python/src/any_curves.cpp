@@ -38,7 +38,7 @@ std::vector<Rational> weights_of(nb::handle weights, std::size_t points) {
   return list;
 }
 
-nb::object bezier(nb::handle points, nb::handle weights, const std::string& name) {
+nb::object bezier(nb::handle points, nb::handle weights, const Text<"name">& name) {
   RationalBezier curve{vectors(points, "points", 2)};
   curve.weights = weights_of(weights, curve.points.size());
   return path_of_beziers(name, {curve}, "points", points);
@@ -54,7 +54,7 @@ std::vector<Rational> clamped_knots(std::size_t points, long degree) {
 }
 
 nb::object nurbs(nb::handle points, nb::handle weights, nb::handle knots, nb::handle degree,
-                 const std::string& name) {
+                 const Text<"name">& name) {
   BSpline spline;
   spline.points = vectors(points, "points", 2);
   spline.degree = count(degree, "degree", 1, 1001);
@@ -87,7 +87,7 @@ nb::object nurbs(nb::handle points, nb::handle weights, nb::handle knots, nb::ha
 }
 
 nb::object polynomial_curve(nb::handle x, nb::handle y, nb::handle z, nb::handle w,
-                            const std::string& name, const std::string& basis_name) {
+                            const Text<"name">& name, const Text<"basis">& basis_name) {
   const std::string basis =
       chosen<const char*>(basis_name, "basis", {{"power", "power"}, {"bernstein", "bernstein"}});
   const Vector<Polynomial> numerator{polynomial(x, "x", basis), polynomial(y, "y", basis),
@@ -113,7 +113,7 @@ Formula formula(nb::handle x, const char* place, std::optional<std::string>& var
                 bool is_constant = false) {
   if (PyUnicode_Check(x.ptr()) == 0) return {rational(x, place)};
   try {
-    auto given = parse_formula(nb::cast<std::string>(x), is_constant ? "" : variable);
+    auto given = parse_formula(text(x, place), is_constant ? "" : variable);
     if (!is_constant && !variable && !given.variable.empty()) variable = given.variable;
     return std::move(given.value);
   } catch (const InputError& error) {
@@ -122,11 +122,10 @@ Formula formula(nb::handle x, const char* place, std::optional<std::string>& var
 }
 
 nb::object expressions(nb::handle x, nb::handle y, nb::handle z, nb::handle lower, nb::handle upper,
-                       nb::handle variable, const std::string& name) {
+                       nb::handle variable, const Text<"name">& name) {
   std::optional<std::string> letter;
   if (!variable.is_none()) {
-    if (PyUnicode_Check(variable.ptr()) == 0) refuse_type("variable", "a str", variable);
-    letter = nb::cast<std::string>(variable);
+    letter = text(variable, "variable");
     if (letter->empty()) refuse("variable", "it is empty", variable);
   }
   // One after the other: the first that has a variable names it.
@@ -172,9 +171,9 @@ std::vector<Rational> spline_parameters(const CubicInterpolation& data, nb::hand
   return given;
 }
 
-nb::object cubic_spline(nb::handle points, nb::handle parameters, const std::string& ends,
-                        const std::string& spacing, nb::handle start_derivative,
-                        nb::handle end_derivative, const std::string& name) {
+nb::object cubic_spline(nb::handle points, nb::handle parameters, const Text<"ends">& ends,
+                        const Text<"spacing">& spacing, nb::handle start_derivative,
+                        nb::handle end_derivative, const Text<"name">& name) {
   CubicInterpolation data{vectors(points, "points", 2), {}};
   data.ends = chosen<SplineEnds>(ends, "ends",
                                  {{"natural", SplineEnds::natural},
@@ -203,64 +202,65 @@ nb::object cubic_spline(nb::handle points, nb::handle parameters, const std::str
   return path_of_beziers(name, pieces, "points", points);
 }
 
+nb::object parsed_bytes(const std::string& bytes) {
+  return wrap(without_gil([bytes] { return read_any_path(bytes); }));
+}
+
 nb::object parse(nb::handle text) {
   std::string bytes;
   if (PyBytes_Check(text.ptr()) != 0)
     bytes.assign(PyBytes_AsString(text.ptr()),
                  static_cast<std::size_t>(PyBytes_Size(text.ptr())));
   else if (PyUnicode_Check(text.ptr()) != 0)
-    bytes = nb::cast<std::string>(text);
+    bytes = phrame::python::text(text, "text");
   else
     refuse_type("text", "a str or bytes", text);
-  return wrap(without_gil([bytes] { return read_any_path(bytes); }));
+  return parsed_bytes(bytes);
 }
 
-nb::object read_any(nb::handle file) {
-  const nb::object opened = imported("builtins", "open")(file, "rb");
-  const nb::object bytes = opened.attr("read")();
-  opened.attr("close")();
-  return parse(bytes);
-}
+nb::object read_any(nb::handle file) { return parsed_bytes(bytes_of_file(file, "file")); }
 
 }  // namespace
 
 void bind_any_curves(nb::module_& m, nb::class_<CurveObject, PathObject>& curve) {
 #define PHRAME_LIST "Polynomial | collections.abc.Sequence[Number]"
   curve
-      .def_static("bezier", bezier, nb::arg("points"), nb::arg("weights") = nb::none(),
-                  nb::kw_only(), nb::arg("name") = "",
+      .def_static("bezier", bezier, argument("points"), argument("weights") = nb::none(),
+                  nb::kw_only(), argument("name") = "",
                   nb::sig("def bezier(points: Vectors, weights: Numbers | None = None, *, name: "
                           "str = '') -> " PHRAME_ANY_PATH_SIG),
                   "The Bézier curve of these control points, rational where there are weights: a "
                   "Curve where it is PH.")
       .def_static(
-          "nurbs", nurbs, nb::arg("points"), nb::arg("weights") = nb::none(),
-          nb::arg("knots") = nb::none(), nb::arg("degree") = 3, nb::kw_only(), nb::arg("name") = "",
+          "nurbs", nurbs, argument("points"), argument("weights") = nb::none(),
+          argument("knots") = nb::none(), argument("degree") = 3, nb::kw_only(),
+          argument("name") = "",
           nb::sig("def nurbs(points: Vectors, weights: Numbers | None = None, knots: Numbers | "
                   "None = None, degree: int = 3, *, name: str = '') -> " PHRAME_ANY_PATH_SIG),
           "The B-spline of these control points, rational where there are weights. The knots are "
           "one more than points and degree together, or one less, without the outermost two; "
           "without knots they are clamped and equally spaced.")
-      .def_static("polynomial", polynomial_curve, nb::arg("x"), nb::arg("y"),
-                  nb::arg("z") = nb::make_tuple(0), nb::arg("w") = nb::none(), nb::kw_only(),
-                  nb::arg("name") = "", nb::arg("basis") = "power",
+      .def_static("polynomial", polynomial_curve, argument("x"), argument("y"),
+                  argument("z") = nb::make_tuple(0), argument("w") = nb::none(), nb::kw_only(),
+                  argument("name") = "", argument("basis") = "power",
                   nb::sig("def polynomial(x: " PHRAME_LIST ", y: " PHRAME_LIST ", z: " PHRAME_LIST
                           " = (0,), w: " PHRAME_LIST
                           " | None = None, *, name: str = '', basis: str = 'power') "
                           "-> " PHRAME_ANY_PATH_SIG),
                   "The curve (x, y, z)/w for t from 0 to 1, of lists of coefficients.")
       .def_static(
-          "expressions", expressions, nb::arg("x"), nb::arg("y"), nb::arg("z"), nb::arg("lower"),
-          nb::arg("upper"), nb::kw_only(), nb::arg("variable") = nb::none(), nb::arg("name") = "",
+          "expressions", expressions, argument("x"), argument("y"), argument("z"),
+          argument("lower"), argument("upper"), nb::kw_only(), argument("variable") = nb::none(),
+          argument("name") = "",
           nb::sig("def expressions(x: Number, y: Number, z: Number, lower: Number, upper: Number, "
                   "*, variable: str | None = None, name: str = '') -> " PHRAME_ANY_PATH_SIG),
           "The curve of three formulas such as \"cos(3*s)\" of one variable, from `lower` to "
           "`upper`, which may be \"2*pi\".")
       .def_static(
-          "cubic_spline", cubic_spline, nb::arg("points"), nb::kw_only(),
-          nb::arg("parameters") = nb::none(), nb::arg("ends") = "natural",
-          nb::arg("spacing") = "chord-length", nb::arg("start_derivative") = nb::none(),
-          nb::arg("end_derivative") = nb::none(), nb::arg("name") = "",
+          "cubic_spline", cubic_spline, argument("points"), nb::kw_only(),
+          argument("parameters") = nb::none(), argument("ends") = "natural",
+          argument("spacing") = "chord-length", argument("start_derivative") = nb::none(),
+          argument("end_derivative") = nb::none(), argument("name") = "",
           nb::sig("def cubic_spline(points: Vectors, *, parameters: Numbers | None = None, ends: "
                   "str = 'natural', spacing: str = 'chord-length', start_derivative: Vector | "
                   "None = None, end_derivative: Vector | None = None, name: str = '') "
@@ -268,11 +268,11 @@ void bind_any_curves(nb::module_& m, nb::class_<CurveObject, PathObject>& curve)
           "The C² cubic spline through points, which is no PH curve as a rule; `ends` is natural, "
           "clamped or periodic, `spacing` chord-length, uniform or centripetal.");
 #undef PHRAME_LIST
-  m.def("read", read_any, nb::arg("file"),
+  m.def("read", read_any, argument("file"),
         nb::sig("def read(file: str | os.PathLike[str]) -> " PHRAME_ANY_PATH_SIG),
         "The path that a file of any format has (docs/curve-files.md): a Path where all of its "
         "segments are PH, else a SmoothPath.");
-  m.def("parse", parse, nb::arg("text"),
+  m.def("parse", parse, argument("text"),
         nb::sig("def parse(text: str | bytes) -> " PHRAME_ANY_PATH_SIG),
         "The same of what such a file has in it.");
 }

@@ -97,7 +97,7 @@ Numbers by_arc_length(const PathObject& self, FrameKind kind, const FrameStart& 
 template <class Write>
 auto tabulated(const std::vector<std::size_t>& shape, const Write& write) {
   return [=](const PathObject& self, nb::handle ts, nb::handle start, nb::handle start_normal,
-             const std::string& kind_name, const std::string& by, nb::handle progress) {
+             const Text<"kind">& kind_name, const Text<"by">& by, nb::handle progress) {
     const FrameKind kind = frame_kind(kind_name);
     const FrameStart from =
         frame_start(start, start_normal, self.named.path, Reference::euler_rodrigues);
@@ -167,7 +167,7 @@ void bind_arrays(nb::class_<PathObject>& path) {
   path.def(
           "frames",
           tabulated({3, 3}, [](const auto& place, double* out) { write_rows(place.frame(), out); }),
-          nb::arg("ts"), nb::kw_only(), PHRAME_START_PARAMETERS, PHRAME_ARRAY_OPTIONS("rmf"),
+          argument("ts"), nb::kw_only(), PHRAME_START_PARAMETERS, PHRAME_ARRAY_OPTIONS("rmf"),
           nb::sig("def frames(self, " PHRAME_TS ", *, " PHRAME_START_SIG
                   ", " PHRAME_ARRAY_OPTIONS_SIG ") -> " PHRAME_ARRAY),
           "Frames as an array (n, 3, 3): [k, 0] is the tangent e1, [k, 1] and [k, 2] are f2, f3. "
@@ -181,7 +181,7 @@ void bind_arrays(nb::class_<PathObject>& path) {
                       const std::array<double, 4> q = place.quaternion();
                       std::copy(q.begin(), q.end(), out);
                     }),
-          nb::arg("ts"), nb::kw_only(), PHRAME_START_PARAMETERS, PHRAME_ARRAY_OPTIONS("rmf"),
+          argument("ts"), nb::kw_only(), PHRAME_START_PARAMETERS, PHRAME_ARRAY_OPTIONS("rmf"),
           nb::sig("def quaternions(self, " PHRAME_TS ", *, " PHRAME_START_SIG
                   ", " PHRAME_ARRAY_OPTIONS_SIG ") -> " PHRAME_ARRAY),
           "The same as unit quaternions (x, y, z, w), scalar last as in SciPy, whose matrices have "
@@ -189,7 +189,7 @@ void bind_arrays(nb::class_<PathObject>& path) {
       .def("matrices",
            tabulated({4, 4}, [](const auto& place,
                                 double* out) { write_pose(place.frame(), place.point(), out); }),
-           nb::arg("ts"), nb::kw_only(), PHRAME_START_PARAMETERS, PHRAME_ARRAY_OPTIONS("rmf"),
+           argument("ts"), nb::kw_only(), PHRAME_START_PARAMETERS, PHRAME_ARRAY_OPTIONS("rmf"),
            nb::sig("def matrices(self, " PHRAME_TS ", *, " PHRAME_START_SIG
                    ", " PHRAME_ARRAY_OPTIONS_SIG ") -> " PHRAME_ARRAY),
            "The same as an array (n, 4, 4) of matrices with the columns e1, f2, f3, r.")
@@ -199,12 +199,12 @@ void bind_arrays(nb::class_<PathObject>& path) {
                              [](const auto& place, double* out) {
                                const Vector<double> r = place.point();
                                std::copy(r.begin(), r.end(), out);
-                             })](const PathObject& self, nb::handle ts, const std::string& by,
+                             })](const PathObject& self, nb::handle ts, const Text<"by">& by,
                                  nb::handle progress) {
-            return write(self, ts, nb::none(), nb::none(), "erf", by, progress);
+            return write(self, ts, nb::none(), nb::none(), {"erf"}, by, progress);
           },
-          nb::arg("ts"), nb::kw_only(), nb::arg("by") = "parameter",
-          nb::arg("progress") = nb::none(),
+          argument("ts"), nb::kw_only(), argument("by") = "parameter",
+          argument("progress") = nb::none(),
           nb::sig("def points(self, " PHRAME_TS ", *, by: str = 'parameter', " PHRAME_PROGRESS
                   ") -> " PHRAME_ARRAY),
           "r at each parameter, correctly rounded: an array (n, 3).");

@@ -46,7 +46,7 @@ constexpr std::size_t many = 1024;  ///< approximated frames that a thread takes
 #define PHRAME_TS "ts: Numbers"
 #define PHRAME_PROGRESS "progress: collections.abc.Callable[[int, int], object] | None = None"
 #define PHRAME_ARRAY_OPTIONS(of_kind) \
-  nb::arg("kind") = of_kind, nb::arg("by") = "parameter", nb::arg("progress") = nb::none()
+  argument("kind") = of_kind, argument("by") = "parameter", argument("progress") = nb::none()
 #define PHRAME_ARRAY_OPTIONS_SIG "kind: str = 'rmf', by: str = 'parameter', " PHRAME_PROGRESS
 
 }  // namespace phrame::python

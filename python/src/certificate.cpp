@@ -18,7 +18,7 @@ std::vector<Statement> verified(const CertificateObject& self) {
 
 void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve) {
   const auto certify_curve = [](const CurveObject& self, nb::handle at, nb::handle digits,
-                                const std::string& frame) {
+                                const Text<"frame">& frame) {
     const auto ts = rationals(at, "at");
     const long n = count(digits, "digits", 1, 100'000);
     const Reference reference = reference_named(frame, "frame");
@@ -26,24 +26,26 @@ void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve
         without_gil([=, curve = curve_of(self)] { return certify(curve, reference, ts, n); }),
         self.named.name};
   };
-  curve.def("certify", certify_curve, nb::arg("at") = nb::make_tuple(1), nb::arg("digits") = 50,
-            nb::arg("frame") = "erf",
+  curve.def("certify", certify_curve, argument("at") = nb::make_tuple(1), argument("digits") = 50,
+            argument("frame") = "erf",
             nb::sig("def certify(self, at: Numbers = (1,), digits: int = 50, frame: str = 'erf') "
                     "-> Certificate"),
             "Angles, and what kinds the curve is of, with what proves them.");
   auto type = nb::class_<CertificateObject>(m, "Certificate", "docs/certificate.md.");
   using C = CertificateObject;
-  const auto from_json = [](const std::string& text) {
+  const auto from_json = [](const Text<"text">& text) {
     Certificate read = read_certificate(text);
     return C{std::move(read), ""};
   };
-  type.def_static("from_json", from_json, nb::arg("text"), "Of a certificate/1 file, true or not.")
+  type.def_static("from_json", from_json, argument("text"),
+                  nb::sig("def from_json(text: str) -> Certificate"),
+                  "Of a certificate/1 file, true or not.")
       .def(
           "json", [](const C& c) { return write_certificate(c.certificate, c.name); },
           "The certificate/1 file.")
       .def_prop_ro(
           "curve", [](const C& c) { return wrap(NamedPath(c.name, c.certificate.curve)); },
-          nb::sig("def curve(self) -> Curve"))
+          nb::sig("def curve(self) -> Curve"), "Of which it is.")
       .def(
           "objections",
           [](const C& c) {
@@ -58,12 +60,14 @@ void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve
             return list;
           },
           "Verifies every statement by another way: what is not proved, and why.")
-      .def("is_proved",
-           [](const C& c) {
-             const auto found = verified(c);
-             return std::all_of(found.begin(), found.end(),
-                                [](const Statement& s) { return s.is_proved(); });
-           })
+      .def(
+          "is_proved",
+          [](const C& c) {
+            const auto found = verified(c);
+            return std::all_of(found.begin(), found.end(),
+                               [](const Statement& s) { return s.is_proved(); });
+          },
+          "Is every statement proved, by another way?")
       .def(
           "__eq__",
           [](const C& c, nb::handle other) {

@@ -74,9 +74,9 @@ nb::object check_smooth(nb::handle self, nb::handle ts, nb::handle f2, nb::handl
 
 void bind_smooth_check(nb::class_<SmoothPathObject>& smooth) {
   smooth.def(
-      "check", check_smooth, nb::arg("ts"), nb::arg("f2"), nb::arg("f3") = nb::none(),
-      nb::arg("tangents") = nb::none(), nb::arg("tolerance") = "1e-6", PHRAME_START_PARAMETERS,
-      nb::arg("up") = nb::none(),
+      "check", check_smooth, argument("ts"), argument("f2"), argument("f3") = nb::none(),
+      argument("tangents") = nb::none(), argument("tolerance") = "1e-6", PHRAME_START_PARAMETERS,
+      argument("up") = nb::none(),
       nb::sig("def check(self, ts: Numbers, f2: Vectors, f3: Vectors | None = None, tangents: "
               "Vectors | None = None, tolerance: Number = '1e-6', " PHRAME_START_SIG
               ", up: Vector | None = None) -> CheckResult"),
@@ -85,15 +85,17 @@ void bind_smooth_check(nb::class_<SmoothPathObject>& smooth) {
 
 void bind_check(nb::module_& m, nb::class_<PathObject>& path) {
   path.def(
-      "check", check, nb::arg("ts"), nb::arg("f2"), nb::arg("f3") = nb::none(),
-      nb::arg("tangents") = nb::none(), nb::arg("tolerance") = "1e-6", PHRAME_START_PARAMETERS,
+      "check", check, argument("ts"), argument("f2"), argument("f3") = nb::none(),
+      argument("tangents") = nb::none(), argument("tolerance") = "1e-6", PHRAME_START_PARAMETERS,
       nb::sig("def check(self, ts: Numbers, f2: Vectors, f3: Vectors | None = None, tangents: "
               "Vectors | None = None, tolerance: Number = '1e-6', " PHRAME_START_SIG
               ") -> CheckResult"),
       "How far frames that another program has computed are from the rotation-minimizing one.");
   auto type = nb::class_<CheckObject>(m, "CheckResult", "The verdict on frames: docs/check.md.");
   using C = CheckObject;
-  type.def_prop_ro("passes", [](const C& c) { return c.found.verdict.passes; })
+  type.def_prop_ro(
+          "passes", [](const C& c) { return c.found.verdict.passes; },
+          "Are all errors within the tolerance?")
       .def("__bool__", [](const C& c) { return c.found.verdict.passes; })
       .def_prop_ro(
           "max_error", [](const C& c) { return ends(c.found.verdict.max_error); },
@@ -110,9 +112,14 @@ void bind_check(nb::module_& m, nb::class_<PathObject>& path) {
           nb::sig("def errors(self) -> tuple[tuple[fractions.Fraction, fractions.Fraction] | "
                   "None, ...]"),
           "Bounds of the angle of each f2 to the exact one; None where there is none.")
-      .def_prop_ro("worst_sample", [](const C& c) { return c.found.verdict.worst_sample; })
-      .def_prop_ro("summary", [](const C& c) { return summary(c.found); })
-      .def("text", [](const C& c) { return for_reading(to_text(c.found, {}), true); })
+      .def_prop_ro(
+          "worst_sample", [](const C& c) { return c.found.verdict.worst_sample; },
+          "The number of the one with the greatest error.")
+      .def_prop_ro(
+          "summary", [](const C& c) { return summary(c.found); }, "The verdict in a line.")
+      .def(
+          "text", [](const C& c) { return for_reading(to_text(c.found, {}), true); },
+          "All of it, for reading.")
       .def(
           "json", [](const C& c) { return to_json(c.found, {}); }, "check/1.")
       .def("__str__", [](const C& c) { return for_reading(to_text(c.found, {}), false); })

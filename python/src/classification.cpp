@@ -35,7 +35,9 @@ void bind_classification(nb::module_& m, nb::class_<PathObject>& path) {
   auto type = nb::class_<ClassificationObject>(
       m, "Classification", "Of which kinds a path is, with witnesses: docs/classification.md.");
   using C = ClassificationObject;
-  type.def_prop_ro("is_regular", [](const C& c) { return c.found.classification.is_regular; })
+  type.def_prop_ro(
+          "is_regular", [](const C& c) { return c.found.classification.is_regular; },
+          "Has it no cusps?")
       .def_prop_ro(
           "line", [](const C& c) { return vector_or_none(c.found.classification.line); },
           nb::sig("def line(self) -> " PHRAME_VECTOR_SIG " | None"),
@@ -53,15 +55,16 @@ void bind_classification(nb::module_& m, nb::class_<PathObject>& path) {
           },
           nb::sig("def helix(self) -> tuple[" PHRAME_VECTOR_SIG ", fractions.Fraction] | None"),
           "The axis and cos² of the constant angle to it.")
-      .def_prop_ro("erf_is_rotation_minimizing",
-                   [](const C& c) { return c.found.classification.erf_is_rotation_minimizing; })
+      .def_prop_ro(
+          "erf_is_rotation_minimizing",
+          [](const C& c) { return c.found.classification.erf_is_rotation_minimizing; }, "Is h = 0?")
       .def_prop_ro(
           "cusps", [](const C& c) { return to_python(of_curve(c).cusps); },
           nb::sig("def cusps(self) -> " PHRAME_ROOTS_SIG),
           "On [0, 1], with their orders; of a curve, as all below.")
       .def_prop_ro(
           "inflections", [](const C& c) { return to_python(of_curve(c).inflections); },
-          nb::sig("def inflections(self) -> " PHRAME_ROOTS_SIG))
+          nb::sig("def inflections(self) -> " PHRAME_ROOTS_SIG), "On [0, 1], with their orders.")
       .def_prop_ro(
           "double_ph",
           [](const C& c) -> nb::object {
@@ -82,10 +85,13 @@ void bind_classification(nb::module_& m, nb::class_<PathObject>& path) {
           },
           nb::sig("def rational_frame(self) -> tuple[Polynomial, Polynomial] | None"),
           "The parts of w with θ = 2·arg w where the rotation-minimizing frame is rational.")
-      .def_prop_ro("erf_is_monotone",
-                   [](const C& c) { return of_curve(c).erf_turning.is_monotone; })
-      .def("text", [](const C& c) { return for_reading(to_text(c.found), true); })
-      .def("latex", [](const C& c) { return to_latex(c.found); })
+      .def_prop_ro(
+          "erf_is_monotone", [](const C& c) { return of_curve(c).erf_turning.is_monotone; },
+          "Does the Euler–Rodrigues frame turn one way?")
+      .def(
+          "text", [](const C& c) { return for_reading(to_text(c.found), true); }, "For reading.")
+      .def(
+          "latex", [](const C& c) { return to_latex(c.found); }, "For LaTeX.")
       .def(
           "json", [](const C& c) { return to_json(c.found); }, "classify/1.")
       .def("__str__", [](const C& c) { return for_reading(to_text(c.found), false); })

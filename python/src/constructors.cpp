@@ -18,8 +18,8 @@ CurveObject of_preimage(QuaternionPolynomial a, nb::handle multiplier, nb::handl
 
 /// Lists in the Bernstein basis are of one degree.
 CurveObject from_preimage(nb::handle u, nb::handle v, nb::handle p, nb::handle q,
-                          nb::handle multiplier, nb::handle start, const std::string& name,
-                          const std::string& basis_name) {
+                          nb::handle multiplier, nb::handle start, const Text<"name">& name,
+                          const Text<"basis">& basis_name) {
   const std::string basis = basis_named(basis_name);
   if (basis == "bernstein")
     for (const auto& [list, place] : {std::pair{v, "v"}, {p, "p"}, {q, "q"}})
@@ -32,7 +32,7 @@ CurveObject from_preimage(nb::handle u, nb::handle v, nb::handle p, nb::handle q
 }
 
 nb::object from_quaternions(nb::handle rows, nb::handle multiplier, nb::handle start,
-                            const std::string& name, const std::string& basis_name) {
+                            const Text<"name">& name, const Text<"basis">& basis_name) {
   const std::string basis = basis_named(basis_name);
   std::array<std::vector<Rational>, 4> parts;
   std::size_t k = 0;
@@ -76,7 +76,7 @@ GaussianPolynomial complex_list(nb::handle list, const std::string& place,
 }
 
 nb::object from_hopf(nb::handle alpha, nb::handle beta, nb::handle multiplier, nb::handle start,
-                     const std::string& name, const std::string& basis_name) {
+                     const Text<"name">& name, const Text<"basis">& basis_name) {
   const std::string basis = basis_named(basis_name);
   if (basis == "bernstein" && nb::len(alpha) != nb::len(beta))
     refuse("beta", "in the Bernstein basis it is as long as alpha", beta);
@@ -84,7 +84,7 @@ nb::object from_hopf(nb::handle alpha, nb::handle beta, nb::handle multiplier, n
   return wrap(of_preimage(from_hopf_form(form), multiplier, start, name, basis).named);
 }
 
-nb::object from_control_points(nb::handle points, const std::string& name) {
+nb::object from_control_points(nb::handle points, const Text<"name">& name) {
   const auto given = vectors(points, "points", 2);
   auto found = without_gil([=] { return answer({name, bezier_hodograph(given), given.front()}); });
   if (auto* curve = std::get_if<Curve>(&found.result))
@@ -96,7 +96,7 @@ nb::object from_control_points(nb::handle points, const std::string& name) {
   refuse("points", reason, points);
 }
 
-nb::object near(nb::handle points, nb::handle eps, const std::string& name) {
+nb::object near(nb::handle points, nb::handle eps, const Text<"name">& name) {
   const auto given = vectors(points, "points", 2);
   const Rational epsilon = rational(eps, "eps");
   if (epsilon.sign() <= 0) refuse("eps", "it is not positive", eps);
@@ -124,8 +124,13 @@ CurveKind kind_named(const std::string& name) {
 }
 
 nb::object constructed(const GivenPoints& given, const ConstructQuery& query) {
-  auto found = without_gil([=] { return answer(given, query); });
-  return wrap(std::move(found.path));
+  try {
+    auto found = without_gil([=] { return answer(given, query); });
+    return wrap(std::move(found.path));
+  } catch (const InputError& error) {
+    if (!error.place().empty()) throw;
+    refuse("kind", error.reason(), nb::none());
+  }
 }
 
 std::vector<Vector<Rational>> as_many(nb::handle list, const std::string& place,
@@ -139,10 +144,46 @@ std::vector<Vector<Rational>> as_many(nb::handle list, const std::string& place,
   return found;
 }
 
+/// How near, and which of several curves.
+void choose_solution(ConstructQuery& query, nb::handle tolerance, nb::handle solution,
+                     nb::handle select, nb::handle angles) {
+  query.solution = count(solution, "solution", 1, 1000);
+  if (!tolerance.is_none()) query.tolerance = rational(tolerance, "tolerance");
+  if (query.tolerance <= 0 || query.tolerance >= 1)
+    refuse("tolerance", "it is not between 0 and 1", tolerance);
+  if (!select.is_none() && !angles.is_none())
+    refuse("select", "it and angles exclude each other", select);
+  if (query.kind != CurveKind::quintic && !(select.is_none() && angles.is_none()))
+    refuse(select.is_none() ? "angles" : "select", "it is of the kind quintic", select);
+  if (!select.is_none())
+    query.choice = chosen<QuinticSelection>(text(select, "select"), "select",
+                                            {{"auto", QuinticSelection::automatic},
+                                             {"minimal", QuinticSelection::minimal},
+                                             {"bv", QuinticSelection::bv},
+                                             {"cc", QuinticSelection::cc},
+                                             {"shortest", QuinticSelection::shortest},
+                                             {"longest", QuinticSelection::longest},
+                                             {"energy", QuinticSelection::energy}});
+  if (angles.is_none()) return;
+  if (PyUnicode_Check(angles.ptr()) != 0 || PySequence_Check(angles.ptr()) == 0)
+    refuse_type("angles", "two or three angles", angles);
+  std::vector<Angle> list;
+  for (const nb::handle x : nb::list(angles))
+    list.push_back(angle_number(x, "angles[" + std::to_string(list.size()) + "]"));
+  const auto value = [&](std::size_t k) { return round_to_double(to_real(list[k])); };
+  if (list.size() == 2)
+    query.choice = FreeAngles{list[0], list[1]};
+  else if (list.size() == 3)
+    query.choice = SolutionAngles{value(0), value(1), value(2)};
+  else
+    refuse("angles", "two are wanted, Delta and phi, or three, phi0, phi1, phi2", angles);
+}
+
 nb::object through(nb::handle points, nb::handle derivatives, nb::handle tangents,
-                   nb::handle accelerations, nb::handle parameters, bool closed,
-                   const std::string& kind, bool exact, nb::handle tolerance, nb::handle solution,
-                   const std::string& name) {
+                   nb::handle accelerations, nb::handle parameters, Flag<"closed"> closed,
+                   const Text<"kind">& kind, Flag<"exact"> exact, nb::handle tolerance,
+                   nb::handle solution, nb::handle select, nb::handle angles,
+                   const Text<"name">& name) {
   GivenPoints given;
   given.name = name;
   given.points = vectors(points, "points", 2);
@@ -171,41 +212,39 @@ nb::object through(nb::handle points, nb::handle derivatives, nb::handle tangent
   query.kind = kind_named(kind);
   query.points = exact ? PointRule::exact : PointRule::near;
   query.is_closed = closed;
-  query.solution = count(solution, "solution", 1, 1000);
-  if (!tolerance.is_none()) query.tolerance = rational(tolerance, "tolerance");
-  if (query.tolerance <= 0 || query.tolerance >= 1)
-    refuse("tolerance", "it is not between 0 and 1", tolerance);
+  choose_solution(query, tolerance, solution, select, angles);
   return constructed(given, query);
 }
 
-nb::object hermite(nb::handle p0, nb::handle d0, nb::handle p1, nb::handle d1,
-                   const std::string& kind, nb::handle tolerance) {
+nb::object hermite(nb::handle p0, nb::handle d0, nb::handle p1, nb::handle d1, nb::handle a0,
+                   nb::handle a1, const Text<"kind">& kind, Flag<"exact"> exact,
+                   nb::handle tolerance, nb::handle solution, nb::handle select, nb::handle angles,
+                   const Text<"name">& name) {
   GivenPoints given;
+  given.name = name;
   given.points = {vector(p0, "p0"), vector(p1, "p1")};
   given.derivatives = {vector(d0, "d0"), vector(d1, "d1")};
   ConstructQuery query;
   query.kind = kind_named(kind);
-  if (!tolerance.is_none()) query.tolerance = rational(tolerance, "tolerance");
-  if (query.tolerance <= 0 || query.tolerance >= 1)
-    refuse("tolerance", "it is not between 0 and 1", tolerance);
+  query.points = exact ? PointRule::exact : PointRule::near;
+  if (a0.is_none() != a1.is_none()) refuse(a0.is_none() ? "a0" : "a1", "it is wanted", a0);
+  if (!a0.is_none()) given.accelerations = {vector(a0, "a0"), vector(a1, "a1")};
+  choose_solution(query, tolerance, solution, select, angles);
   return constructed(given, query);
 }
 
 nb::object parsed(const std::string& text, nb::handle near) {
-  if (near.is_none()) return wrap(read_path(text));
+  if (near.is_none()) return wrap(without_gil([text] { return read_path(text); }));
   const Rational epsilon = rational(near, "near");
   if (epsilon.sign() <= 0) refuse("near", "it is not positive", near);
-  auto found = read_path_near(text, epsilon);
+  auto found = without_gil([=] { return read_path_near(text, epsilon); });
   if (const auto* none = std::get_if<NotNear>(&found))
     refuse("near", to_line(*none, epsilon), near);
   return wrap(std::get<NamedPath>(std::move(found)));
 }
 
 nb::object read(nb::handle file, nb::handle near) {
-  const nb::object open = imported("builtins", "open")(file, nb::arg("encoding") = "utf-8");
-  const nb::object text = open.attr("read")();
-  open.attr("close")();
-  return parsed(nb::cast<std::string>(text), near);
+  return parsed(bytes_of_file(file, "file"), near);
 }
 
 CurveObject only_curve(nb::object made, const char* place) {
@@ -226,12 +265,15 @@ PathObject of_segments(nb::handle curves, const std::string& name) {
   return {NamedPath(name, joined(segments))};
 }
 
-#define PHRAME_CURVE_PARAMETERS                                                     \
-  nb::kw_only(), nb::arg("multiplier") = nb::none(), nb::arg("start") = nb::none(), \
-                 nb::arg("name") = "", nb::arg("basis") = "power"
+#define PHRAME_CURVE_PARAMETERS                                                       \
+  nb::kw_only(), argument("multiplier") = nb::none(), argument("start") = nb::none(), \
+                 argument("name") = "", argument("basis") = "power"
 #define PHRAME_CURVE_SIG                                                                \
   "*, multiplier: Polynomial | collections.abc.Sequence[Number] | None = None, start: " \
   "Vector | None = None, name: str = '', basis: str = 'power'"
+#define PHRAME_CHOICE_SIG                                                                   \
+  "tolerance: Number | None = None, solution: int = 1, select: str | None = None, angles: " \
+  "collections.abc.Sequence[Number] | None = None"
 #define PHRAME_LIST "Polynomial | collections.abc.Sequence[Number]"
 
 }  // namespace
@@ -239,82 +281,91 @@ PathObject of_segments(nb::handle curves, const std::string& name) {
 void bind_constructors(nb::class_<PathObject>& path, nb::class_<CurveObject, PathObject>& curve) {
   path.def(
           "__init__",
-          [](PathObject* self, nb::handle curves, const std::string& name) {
+          [](PathObject* self, nb::handle curves, const Text<"name">& name) {
             new (self) PathObject(of_segments(curves, name));
           },
-          nb::arg("curves"), nb::arg("name") = "",
+          argument("curves"), argument("name") = "",
           nb::sig(
               "def __init__(self, curves: collections.abc.Iterable[Path], name: str = '') -> None"),
           "Curves one after the other; position and tangent are checked to be continuous.")
       .def_static(
-          "read", read, nb::arg("file"), nb::arg("near") = nb::none(),
+          "read", read, argument("file"), argument("near") = nb::none(),
           nb::sig("def read(file: str | os.PathLike[str], near: Number | None = None) -> Path"),
           "Of a curve/1 or spline/1 file. With `near`, control points that are not PH are "
           "replaced by some at most so far away.")
-      .def_static("from_json", parsed, nb::arg("text"), nb::arg("near") = nb::none(),
-                  nb::sig("def from_json(text: str, near: Number | None = None) -> Path"),
-                  "Of the text of such a file.");
+      .def_static(
+          "from_json", [](const Text<"text">& text, nb::handle eps) { return parsed(text, eps); },
+          argument("text"), argument("near") = nb::none(),
+          nb::sig("def from_json(text: str, near: Number | None = None) -> Path"),
+          "Of the text of such a file.");
   curve
       .def(
           "__init__",
           [](CurveObject* self, nb::handle u, nb::handle v, nb::handle p, nb::handle q,
-             nb::handle multiplier, nb::handle start, const std::string& name,
-             const std::string& basis) {
+             nb::handle multiplier, nb::handle start, const Text<"name">& name,
+             const Text<"basis">& basis) {
             new (self) CurveObject(from_preimage(u, v, p, q, multiplier, start, name, basis));
           },
-          nb::arg("u"), nb::arg("v"), nb::arg("p"), nb::arg("q"), PHRAME_CURVE_PARAMETERS,
+          argument("u"), argument("v"), argument("p"), argument("q"), PHRAME_CURVE_PARAMETERS,
           nb::sig("def __init__(self, u: " PHRAME_LIST ", v: " PHRAME_LIST ", p: " PHRAME_LIST
                   ", q: " PHRAME_LIST ", " PHRAME_CURVE_SIG ") -> None"),
           "Of the components of the preimage A = u + vi + pj + qk, each a list of coefficients.")
-      .def_static("from_quaternions", from_quaternions, nb::arg("quaternions"),
+      .def_static("from_quaternions", from_quaternions, argument("quaternions"),
                   PHRAME_CURVE_PARAMETERS,
                   nb::sig("def from_quaternions(quaternions: collections.abc.Sequence["
                           "collections.abc.Sequence[Number]], " PHRAME_CURVE_SIG ") -> Curve"),
                   "Of the coefficients (u, v, p, q) of A.")
       .def_static(
-          "from_hopf", from_hopf, nb::arg("alpha"), nb::arg("beta"), PHRAME_CURVE_PARAMETERS,
+          "from_hopf", from_hopf, argument("alpha"), argument("beta"), PHRAME_CURVE_PARAMETERS,
           nb::sig("def from_hopf(alpha: collections.abc.Sequence[complex | "
                   "collections.abc.Sequence[Number]], beta: collections.abc.Sequence[complex "
                   "| collections.abc.Sequence[Number]], " PHRAME_CURVE_SIG ") -> Curve"),
           "Of A = α + kβ: pairs (re, im) of coefficients of α = u + iv, β = q + ip.")
-      .def_static("from_control_points", from_control_points, nb::arg("points"),
-                  nb::arg("name") = "",
+      .def_static("from_control_points", from_control_points, argument("points"),
+                  argument("name") = "",
                   nb::sig("def from_control_points(points: Vectors, name: str = '') -> Curve"),
                   "The Bézier curve with these points, if it is PH, exactly.")
-      .def_static("near", near, nb::arg("points"), nb::arg("eps"), nb::arg("name") = "",
+      .def_static("near", near, argument("points"), argument("eps"), argument("name") = "",
                   nb::sig("def near(points: Vectors, eps: Number, name: str = '') -> Curve"),
                   "An exact PH curve whose control points are at most eps from those given.")
       .def_static(
-          "hermite", hermite, nb::arg("p0"), nb::arg("d0"), nb::arg("p1"), nb::arg("d1"),
-          nb::kw_only(), nb::arg("kind") = "quintic", nb::arg("tolerance") = nb::none(),
-          nb::sig("def hermite(p0: Vector, d0: Vector, p1: Vector, d1: Vector, *, kind: str "
-                  "= 'quintic', tolerance: Number | None = None) -> Path"),
-          "From p0 to p1 with the derivatives d0 and d1; of most kinds a Curve.")
+          "hermite", hermite, argument("p0"), argument("d0"), argument("p1"), argument("d1"),
+          nb::kw_only(), argument("a0") = nb::none(), argument("a1") = nb::none(),
+          argument("kind") = "quintic", argument("exact") = false,
+          argument("tolerance") = nb::none(), argument("solution") = 1,
+          argument("select") = nb::none(), argument("angles") = nb::none(), argument("name") = "",
+          nb::sig("def hermite(p0: Vector, d0: Vector, p1: Vector, d1: Vector, *, a0: Vector | "
+                  "None = None, a1: Vector | None = None, kind: str = 'quintic', exact: bool = "
+                  "False, " PHRAME_CHOICE_SIG ", name: str = '') -> Path"),
+          "From p0 to p1 with the derivatives d0 and d1 and, of the kind c2-hermite, the second "
+          "ones a0 and a1; of most kinds a Curve.")
       .def_static(
-          "through", through, nb::arg("points"), nb::kw_only(), nb::arg("derivatives") = nb::none(),
-          nb::arg("tangents") = nb::none(), nb::arg("accelerations") = nb::none(),
-          nb::arg("parameters") = nb::none(), nb::arg("closed") = false,
-          nb::arg("kind") = "quintic", nb::arg("exact") = false, nb::arg("tolerance") = nb::none(),
-          nb::arg("solution") = 1, nb::arg("name") = "",
+          "through", through, argument("points"), nb::kw_only(),
+          argument("derivatives") = nb::none(), argument("tangents") = nb::none(),
+          argument("accelerations") = nb::none(), argument("parameters") = nb::none(),
+          argument("closed") = false, argument("kind") = "quintic", argument("exact") = false,
+          argument("tolerance") = nb::none(), argument("solution") = 1,
+          argument("select") = nb::none(), argument("angles") = nb::none(), argument("name") = "",
           nb::sig("def through(points: Vectors, *, derivatives: Vectors | None = None, "
                   "tangents: Vectors | None = None, accelerations: Vectors | None = None, "
                   "parameters: collections.abc.Sequence[Number] | None = None, closed: bool "
-                  "= False, kind: str = 'quintic', exact: bool = False, tolerance: Number | "
-                  "None = None, solution: int = 1, name: str = '') -> Path"),
+                  "= False, kind: str = 'quintic', exact: bool = False, " PHRAME_CHOICE_SIG
+                  ", name: str = '') -> Path"),
           "A spline of exact PH curves through points: docs/construct.md names the kinds.")
       .def_static(
           "read",
           [](nb::handle file, nb::handle eps) { return only_curve(read(file, eps), "file"); },
-          nb::arg("file"), nb::arg("near") = nb::none(),
+          argument("file"), argument("near") = nb::none(),
           nb::sig("def read(file: str | os.PathLike[str], near: Number | None = None) -> Curve"),
           "Of a curve/1 file.")
       .def_static(
           "from_json",
-          [](const std::string& text, nb::handle eps) {
+          [](const Text<"text">& text, nb::handle eps) {
             return only_curve(parsed(text, eps), "text");
           },
-          nb::arg("text"), nb::arg("near") = nb::none(),
-          nb::sig("def from_json(text: str, near: Number | None = None) -> Curve"));
+          argument("text"), argument("near") = nb::none(),
+          nb::sig("def from_json(text: str, near: Number | None = None) -> Curve"),
+          "Of the text of such a file.");
 }
 
 }  // namespace phrame::python

@@ -19,7 +19,7 @@ PathEnd path_end(nb::handle x, const std::string& place) {
     return PyFloat_AsDouble(x.ptr()) > 0 ? Infinity::positive : Infinity::negative;
   if (PyUnicode_Check(x.ptr()) == 0) return rational(x, place);
   try {
-    return parse_endpoint(nb::cast<std::string>(x));
+    return parse_endpoint(text(x, place));
   } catch (const InputError& error) {
     refuse(place, error.what(), x);
   }
@@ -28,7 +28,7 @@ PathEnd path_end(nb::handle x, const std::string& place) {
 Expression integrand_of(nb::handle f, nb::handle variable) {
   const auto letter = [&]() -> std::optional<std::string> {
     if (variable.is_none()) return std::nullopt;
-    return nb::cast<std::string>(variable);
+    return text(variable, "variable");
   }();
   if (letter && !is_variable_name(*letter))
     refuse("variable", "\"" + abbreviated(*letter) + "\" is no name of a variable", variable);
@@ -38,14 +38,15 @@ Expression integrand_of(nb::handle f, nb::handle variable) {
     return {RationalFunction(nb::cast<const Polynomial&>(f)), letter.value_or("t")};
   if (PyUnicode_Check(f.ptr()) == 0) refuse_type("f", "a str, RationalFunction or Polynomial", f);
   try {
-    return parse_expression(nb::cast<std::string>(f), letter);
+    return parse_expression(text(f, "f"), letter);
   } catch (const InputError& error) {
     refuse("f", error.what(), f);
   }
 }
 
 nb::object integral(nb::handle f, nb::handle from, nb::handle to, nb::handle variable,
-                    bool principal_value, const std::string& style, const std::string& form) {
+                    Flag<"principal_value"> principal_value, const Text<"style">& style,
+                    const Text<"form">& form) {
   Expression expression = integrand_of(f, variable);
   IntegralQuery query{.integrand = std::move(expression.value)};
   query.variable = expression.variable.empty() ? "x" : expression.variable;
@@ -81,9 +82,10 @@ IntegralAnswer integral_answer(const IntegralObject& self) {
 void bind_integral(nb::module_& m) {
   m.def("_integral", integral, nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg().none(),
         nb::arg(), nb::arg(), nb::arg());
-  m.def("integrate", integral, nb::arg("f"), nb::arg("lower") = nb::none(),
-        nb::arg("upper") = nb::none(), nb::kw_only(), nb::arg("variable") = nb::none(),
-        nb::arg("principal_value") = false, nb::arg("style") = "textbook", nb::arg("form") = "auto",
+  m.def("integrate", integral, argument("f"), argument("lower") = nb::none(),
+        argument("upper") = nb::none(), nb::kw_only(), argument("variable") = nb::none(),
+        argument("principal_value") = false, argument("style") = "textbook",
+        argument("form") = "auto",
         nb::sig(
             "def integrate(f: str | RationalFunction | Polynomial, lower: Number | None = None, "
             "upper: Number | None = None, *, variable: str | None = None, principal_value: bool = "
@@ -92,8 +94,12 @@ void bind_integral(nb::module_& m) {
         "\"inf\", \"sqrt(2)\", \"pi/4\".");
   auto type = nb::class_<IntegralObject>(m, "Integral",
                                          "The integral of a rational function, in closed form.");
-  type.def_prop_ro("integrand", [](const IntegralObject& self) { return self.query.integrand; })
-      .def_prop_ro("variable", [](const IntegralObject& self) { return self.query.variable; })
+  type.def_prop_ro(
+          "integrand", [](const IntegralObject& self) { return self.query.integrand; },
+          "What is integrated.")
+      .def_prop_ro(
+          "variable", [](const IntegralObject& self) { return self.query.variable; },
+          "What it is called.")
       .def(
           "value",
           [](nb::handle self, nb::handle digits) {
@@ -101,7 +107,7 @@ void bind_integral(nb::module_& m) {
             if (!of.value) throw InputError("value", "no ends were given to integrate()");
             return number_or_digits(of.value->value, digits, method_recipe(self, "value"));
           },
-          nb::arg("digits") = nb::none(),
+          argument("digits") = nb::none(),
           nb::sig("@typing.overload\ndef value(self, digits: None = None) -> fractions.Fraction | "
                   "Real: ...\n@typing.overload\ndef value(self, digits: int) -> decimal.Decimal"),
           "The value between the ends; with `digits` a Decimal with so many.")
@@ -121,11 +127,15 @@ void bind_integral(nb::module_& m) {
           nb::sig("def poles(self) -> " PHRAME_POLES_SIG),
           "The poles of the integrand that have a residue, with it, to 12 digits or more; none of "
           "more than 100.")
-      .def("text",
-           [](const IntegralObject& self) {
-             return for_reading(to_text(integral_answer(self)), true);
-           })
-      .def("latex", [](const IntegralObject& self) { return to_latex(integral_answer(self)); })
+      .def(
+          "text",
+          [](const IntegralObject& self) {
+            return for_reading(to_text(integral_answer(self)), true);
+          },
+          "The closed form and the value, for reading.")
+      .def(
+          "latex", [](const IntegralObject& self) { return to_latex(integral_answer(self)); },
+          "The same for LaTeX.")
       .def(
           "json", [](const IntegralObject& self) { return to_json(integral_answer(self)); },
           "integral/1.")
@@ -138,7 +148,7 @@ void bind_integral(nb::module_& m) {
                 to_script(without_gil([query] { return answer(query); }), Language::sympy),
                 query.variable, symbol);
           },
-          nb::arg("symbol") = nb::none(),
+          argument("symbol") = nb::none(),
           nb::sig("def sympy(self, symbol: typing.Any = None) -> typing.Any"),
           "The antiderivative, a SymPy expression, of this symbol or a real one of the same name.")
       .def("__repr__",

@@ -160,6 +160,8 @@ void run_apart(std::function<void()> work) {
 }
 
 void run(Job job, nb::handle progress) {
+  if (!progress.is_none() && PyCallable_Check(progress.ptr()) == 0)
+    refuse_type("progress", "a callable", progress);
   const std::size_t parts = (job.n + job.grain - 1) / job.grain;
   const std::size_t threads = std::max<std::size_t>(1, std::min(Pool::instance().cores(), parts));
   const auto state = std::make_shared<State>(std::move(job), threads);

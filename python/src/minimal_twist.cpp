@@ -65,8 +65,8 @@ nb::object minimal_twist(nb::handle self, nb::handle from, nb::handle to, nb::ha
 }  // namespace
 
 void bind_smooth_twist(nb::class_<SmoothPathObject>& smooth) {
-  smooth.def("minimal_twist", smooth_twist, nb::arg("start"), nb::arg("end"),
-             nb::arg("extra_turns") = 0, nb::arg("up") = nb::none(),
+  smooth.def("minimal_twist", smooth_twist, argument("start"), argument("end"),
+             argument("extra_turns") = 0, argument("up") = nb::none(),
              nb::sig("def minimal_twist(self, start: Number | Vector, end: Number | Vector, "
                      "extra_turns: int = 0, up: Vector | None = None) -> MinimalTwist"),
              "The frame that turns least from `start` to `end`, angles to the frame of `up` or "
@@ -74,8 +74,8 @@ void bind_smooth_twist(nb::class_<SmoothPathObject>& smooth) {
 }
 
 void bind_minimal_twist(nb::module_& m, nb::class_<PathObject>& path) {
-  path.def("minimal_twist", minimal_twist, nb::arg("start"), nb::arg("end"),
-           nb::arg("extra_turns") = 0,
+  path.def("minimal_twist", minimal_twist, argument("start"), argument("end"),
+           argument("extra_turns") = 0,
            nb::sig("def minimal_twist(self, start: Number, end: Number, extra_turns: int = 0) -> "
                    "MinimalTwist"),
            "The frame that turns least from the angle `start` at the start to `end` at the end.");

@@ -8,7 +8,8 @@ void translate(const std::exception_ptr& thrown, void*) {
   const auto raise = [](const char* name, const char* message, const std::string& place,
                         const std::string& reason) {
     const nb::object& type = imported("phrame._errors", name);
-    const nb::object error = type(message, nb::arg("place") = place, nb::arg("reason") = reason);
+    const nb::object error = type(readable(message), nb::arg("place") = readable(place),
+                                  nb::arg("reason") = readable(reason));
     PyErr_SetObject(type.ptr(), error.ptr());
   };
   try {

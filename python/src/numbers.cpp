@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "arguments.hpp"
+
 namespace phrame::python {
 namespace {
 
@@ -54,9 +56,9 @@ Rational by_ratio(nb::handle x, const std::string& place) {
 }
 
 Rational by_text(nb::handle x, const std::string& place) {
-  const auto text = nb::cast<std::string>(x);
+  const std::string given = text(x, place);
   try {
-    return parse_number(text);
+    return parse_number(given);
   } catch (const InputError& error) {
     refuse(place, error.reason(), x);
   }
@@ -88,10 +90,15 @@ nb::object& imported(const char* module, const char* name) {
   return found;
 }
 
+nb::object readable(const std::string& bytes) {
+  return nb::steal(
+      PyUnicode_DecodeUTF8(bytes.data(), static_cast<Py_ssize_t>(bytes.size()), "replace"));
+}
+
 void refuse(const std::string& place, const std::string& reason, nb::handle value) {
   const nb::object error = imported("phrame._errors", "InputError")(
-      place + ": " + reason, nb::arg("place") = place, nb::arg("reason") = reason,
-      nb::arg("value") = nb::borrow(value));
+      readable(place + ": " + reason), nb::arg("place") = place,
+      nb::arg("reason") = readable(reason), nb::arg("value") = nb::borrow(value));
   PyErr_SetObject(imported("phrame._errors", "InputError").ptr(), error.ptr());
   throw nb::python_error();
 }
@@ -138,7 +145,7 @@ Rational rational(nb::handle x, const std::string& place) {
 Angle angle_number(nb::handle x, const std::string& place) {
   if (PyUnicode_Check(x.ptr()) == 0) return Angle(rational(x, place));
   try {
-    return parse_angle(nb::cast<std::string>(x));
+    return parse_angle(text(x, place));
   } catch (const InputError& error) {
     refuse(place, error.reason(), x);
   }
@@ -155,7 +162,8 @@ long count(nb::handle x, const std::string& place, long least, long most) {
 }
 
 std::vector<Rational> rationals(nb::handle list, const std::string& place) {
-  if (PyUnicode_Check(list.ptr()) != 0 || PySequence_Check(list.ptr()) == 0)
+  if (PyUnicode_Check(list.ptr()) != 0 || PyBytes_Check(list.ptr()) != 0 ||
+      PySequence_Check(list.ptr()) == 0)
     refuse_type(place, "a list of numbers", list);
   const nb::object items = nb::steal(PySequence_Fast(list.ptr(), "a list of numbers is wanted"));
   if (!items.is_valid()) {

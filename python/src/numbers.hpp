@@ -17,6 +17,9 @@ namespace phrame::python {
 
 namespace nb = nanobind;
 
+/// A str of bytes that may be of a broken file: what is not UTF-8 is replaced.
+nb::object readable(const std::string& bytes);
+
 /// What a caller gave is not what was asked for: phrame.InputError with the name of the argument.
 [[noreturn]] void refuse(const std::string& place, const std::string& reason, nb::handle value);
 /// The same as a TypeError.
@@ -33,6 +36,9 @@ T chosen(const std::string& name, const char* place,
   }
   refuse(place, "\"" + abbreviated(name) + "\" is not one of " + names, nb::str(name.c_str()));
 }
+
+/// An argument of this name, which may be None: what it may not be is refused by its name.
+inline auto argument(const char* name) { return nb::arg(name).none(); }
 
 /// work(), without Python's lock. Called by the main thread, it is ended at once by Ctrl-C: the
 /// work then goes on in a thread of its own, with nobody waiting.

@@ -31,7 +31,7 @@ nb::object point(const PathObject& self, nb::handle t) {
 
 /// What there is at a parameter or a length.
 void bind_places(nb::class_<PathObject>& path) {
-  path.def("point", point, nb::arg("t"),
+  path.def("point", point, argument("t"),
            nb::sig("def point(self, t: Number) -> tuple[fractions.Fraction, fractions.Fraction, "
                    "fractions.Fraction]"),
            "r(t), exactly.")
@@ -45,7 +45,7 @@ void bind_places(nb::class_<PathObject>& path) {
                 square_root_of(squared_curvature(asked.segments()[here.segment])(here.t)),
                 method_recipe(self, "curvature", to_python(at)));
           },
-          nb::arg("t"), nb::sig("def curvature(self, t: Number) -> fractions.Fraction | Real"),
+          argument("t"), nb::sig("def curvature(self, t: Number) -> fractions.Fraction | Real"),
           "κ ≥ 0 at t.")
       .def(
           "arc_length",
@@ -53,7 +53,7 @@ void bind_places(nb::class_<PathObject>& path) {
             const PathParameter at = locate_inside(self.named.path, rational(t, "t"));
             return to_python(PathLength(self.named.path).value(at));
           },
-          nb::arg("t"), nb::sig("def arc_length(self, t: Number) -> fractions.Fraction"),
+          argument("t"), nb::sig("def arc_length(self, t: Number) -> fractions.Fraction"),
           "The length from the start to t.")
       .def(
           "parameter_at",
@@ -63,7 +63,7 @@ void bind_places(nb::class_<PathObject>& path) {
               return parameter(PathLength(path).point(length));
             }));
           },
-          nb::arg("s"), nb::sig("def parameter_at(self, s: Number) -> fractions.Fraction | Real"),
+          argument("s"), nb::sig("def parameter_at(self, s: Number) -> fractions.Fraction | Real"),
           "The t where the length from the start is s.");
 }
 
@@ -102,10 +102,32 @@ void bind_totals(nb::class_<PathObject>& path) {
       nb::sig("def holonomy(self) -> fractions.Fraction | Real | None"),
       "By which angle the rotation-minimizing frame of a closed path comes back turned, else "
       "None.");
+  path.def_prop_ro(
+      "writhe",
+      [](nb::handle self) -> nb::object {
+        const Path& asked = path_of(self).named.path;
+        if (!asked.closing_turn()) return nb::none();
+        return to_python(without_gil([asked] { return writhe(closed_frame(asked)); }),
+                         attribute_recipe(self, "writhe"));
+      },
+      nb::sig("def writhe(self) -> fractions.Fraction | Real | None"),
+      "Gauss's integral over a closed path twice, else None.");
+  path.def_prop_ro(
+      "self_linking_number",
+      [](nb::handle self) -> nb::object {
+        const Path& asked = path_of(self).named.path;
+        if (!asked.closing_turn()) return nb::none();
+        return nb::int_(without_gil([asked] {
+          return self_linking_number(closed_frame(asked), total_torsion(asked).value);
+        }));
+      },
+      nb::sig("def self_linking_number(self) -> int | None"),
+      "How often a closed path is linked with its copy along the principal normals, else None.");
 }
 
 void bind_path(nb::class_<PathObject>& path) {
-  path.def_prop_ro("name", [](const PathObject& self) { return self.named.name; })
+  path.def_prop_ro(
+          "name", [](const PathObject& self) { return self.named.name; }, "May be empty.")
       .def_prop_ro(
           "segments",
           [](const PathObject& self) {
@@ -114,7 +136,7 @@ void bind_path(nb::class_<PathObject>& path) {
               list.append(wrap(NamedPath("", curve)));
             return nb::tuple(list);
           },
-          nb::sig("def segments(self) -> tuple[Curve, ...]"))
+          nb::sig("def segments(self) -> tuple[Curve, ...]"), "The curves that it is made of.")
       .def_prop_ro(
           "end", [](const PathObject& self) { return self.named.path.segments().size(); },
           "Of the parameter: the number of segments.")
@@ -175,7 +197,7 @@ void bind_transformations(nb::class_<CurveObject, PathObject>& curve) {
           [renamed](const CurveObject& self, nb::handle a, nb::handle b) {
             return renamed(self, segment(curve_of(self), rational(a, "a"), rational(b, "b")));
           },
-          nb::arg("a"), nb::arg("b"), nb::sig("def segment(self, a: Number, b: Number) -> Curve"),
+          argument("a"), argument("b"), nb::sig("def segment(self, a: Number, b: Number) -> Curve"),
           "The part from t = a to b as a curve on [0, 1].")
       .def(
           "reversed",
@@ -186,13 +208,13 @@ void bind_transformations(nb::class_<CurveObject, PathObject>& curve) {
           [renamed](const CurveObject& self, nb::handle v) {
             return renamed(self, translated(curve_of(self), vector(v, "v")));
           },
-          nb::arg("v"), nb::sig("def translated(self, v: Vector) -> Curve"))
+          argument("v"), nb::sig("def translated(self, v: Vector) -> Curve"), "r + v.")
       .def(
           "scaled",
           [renamed](const CurveObject& self, nb::handle c) {
             return renamed(self, scaled(curve_of(self), rational(c, "c")));
           },
-          nb::arg("c"), nb::sig("def scaled(self, c: Number) -> Curve"))
+          argument("c"), nb::sig("def scaled(self, c: Number) -> Curve"), "c·r.")
       .def(
           "rotated",
           [renamed](const CurveObject& self, nb::handle u) {
@@ -201,7 +223,7 @@ void bind_transformations(nb::class_<CurveObject, PathObject>& curve) {
               refuse("u", "4 numbers are wanted, there are " + std::to_string(list.size()), u);
             return renamed(self, rotated(curve_of(self), {list[0], list[1], list[2], list[3]}));
           },
-          nb::arg("u"), nb::sig("def rotated(self, u: collections.abc.Sequence[Number]) -> Curve"),
+          argument("u"), nb::sig("def rotated(self, u: collections.abc.Sequence[Number]) -> Curve"),
           "Rotated as the quaternion u, its real part first, says, and scaled by |u|².");
 }
 
@@ -221,8 +243,10 @@ void bind_curve(nb::class_<CurveObject, PathObject>& curve) {
       .def_prop_ro(
           "start", [](const CurveObject& self) { return to_python(curve_of(self).start()); },
           nb::sig("def start(self) -> tuple[fractions.Fraction, fractions.Fraction, "
-                  "fractions.Fraction]"))
-      .def_prop_ro("degree", [](const CurveObject& self) { return degree(curve_of(self)); })
+                  "fractions.Fraction]"),
+          "r(0).")
+      .def_prop_ro(
+          "degree", [](const CurveObject& self) { return degree(curve_of(self)); }, "Of r.")
       .def_prop_ro(
           "hodograph",
           [](const CurveObject& self) { return polynomials(hodograph(curve_of(self))); },
@@ -253,7 +277,8 @@ void bind_curve(nb::class_<CurveObject, PathObject>& curve) {
             return nb::tuple(list);
           },
           nb::sig("def control_points(self) -> tuple[tuple[fractions.Fraction, "
-                  "fractions.Fraction, fractions.Fraction], ...]"))
+                  "fractions.Fraction, fractions.Fraction], ...]"),
+          "Of the Bézier curve that it is.")
       .def_prop_ro(
           "squared_curvature",
           [](const CurveObject& self) { return squared_curvature(curve_of(self)); }, "κ².")

@@ -1,4 +1,5 @@
 #pragma once
+#include "arguments.hpp"
 #include "phrame/phrame.hpp"
 #include "values.hpp"
 
@@ -36,7 +37,8 @@ void bind_arrays(nb::class_<PathObject>& path);
 nb::object angles(const PathAngle& angle, const FrameAngle& start, nb::handle ts,
                   nb::handle progress);
 
-#define PHRAME_START_PARAMETERS nb::arg("start") = nb::none(), nb::arg("start_normal") = nb::none()
+#define PHRAME_START_PARAMETERS \
+  argument("start") = nb::none(), argument("start_normal") = nb::none()
 #define PHRAME_START_SIG "start: Number | None = None, start_normal: Vector | None = None"
 
 }  // namespace phrame::python

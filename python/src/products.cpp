@@ -26,7 +26,7 @@ nb::object interpolate(const Object& self, nb::handle feed, nb::handle period) {
     query.feedrate.speed = RationalFunction(Polynomial{rational(feed, "feed")});
   } else {
     try {
-      query.feedrate = parse_feedrate(nb::cast<std::string>(feed));
+      query.feedrate = parse_feedrate(text(feed, "feed"));
     } catch (const InputError& error) {
       refuse("feed", error.what(), feed);
     }
@@ -46,16 +46,16 @@ double rounded_end(nb::handle x, const char* place) {
 
 std::string prefix_of(nb::handle prefix, const std::string& name) {
   if (prefix.is_none()) return prefix_from(name);
-  if (PyUnicode_Check(prefix.ptr()) == 0) refuse_type("prefix", "a str", prefix);
-  auto text = nb::cast<std::string>(prefix);
-  if (!is_prefix(text))
-    refuse("prefix",
-           "\"" + abbreviated(text) + "\" is not a letter followed by letters, digits and single _",
-           prefix);
-  return text;
+  auto given = text(prefix, "prefix");
+  if (!is_prefix(given))
+    refuse(
+        "prefix",
+        "\"" + abbreviated(given) + "\" is not a letter followed by letters, digits and single _",
+        prefix);
+  return given;
 }
 
-std::string compile(const PathObject& self, nb::handle prefix, const std::string& frame,
+std::string compile(const PathObject& self, nb::handle prefix, const Text<"frame">& frame,
                     nb::handle start, nb::handle start_normal, nb::handle lower, nb::handle upper) {
   const NamedPath& named = self.named;
   CompiledQuery query;
@@ -73,7 +73,7 @@ std::string compile(const PathObject& self, nb::handle prefix, const std::string
 }
 
 std::string compile_smooth(const SmoothPathObject& self, nb::handle prefix,
-                           const std::string& frame, nb::handle start, nb::handle start_normal,
+                           const Text<"frame">& frame, nb::handle start, nb::handle start_normal,
                            nb::handle up) {
   const NamedSmoothPath& named = self.named;
   SmoothCompiledQuery query;
@@ -103,11 +103,11 @@ std::vector<GivenFrame> given_frames(nb::handle ts, nb::handle f2) {
 template <class Named>
 void write_page(const Named& named, PageQuery query, nb::handle samples, nb::handle file) {
   query.samples = count(samples, "samples", 3, 100'000);
+  file_name(file, "file");
   if (!has_pages())
     throw DomainError("page: this phrame was built without npm, which bundles what a page needs");
   const std::string page = without_gil([=] { return to_page(answer(named, query)); });
-  const nb::object path = imported("pathlib", "Path")(file);
-  path.attr("write_bytes")(nb::bytes(page.data(), page.size()));
+  write_file(file, "file", page);
 }
 
 void page(const PathObject& self, nb::handle file, nb::handle ts, nb::handle f2, nb::handle samples,
@@ -130,9 +130,9 @@ void smooth_page(const SmoothPathObject& self, nb::handle file, nb::handle ts, n
   write_page(self.named, query, samples, file);
 }
 
-#define PHRAME_PAGE_PARAMETERS                                                            \
-  nb::arg("file"), nb::arg("ts") = nb::none(), nb::arg("f2") = nb::none(), nb::kw_only(), \
-                   nb::arg("samples") = 241, PHRAME_START_PARAMETERS
+#define PHRAME_PAGE_PARAMETERS                                                               \
+  argument("file"), argument("ts") = nb::none(), argument("f2") = nb::none(), nb::kw_only(), \
+                    argument("samples") = 241, PHRAME_START_PARAMETERS
 #define PHRAME_PAGE_SIG                                                                    \
   "def page(self, file: str | os.PathLike[str], ts: Numbers | None = None, f2: Vectors | " \
   "None = None, *, samples: int = 241, " PHRAME_START_SIG
@@ -145,7 +145,7 @@ void smooth_page(const SmoothPathObject& self, nb::handle file, nb::handle ts, n
 
 template <class Object>
 void bind_interpolation(nb::class_<Object>& type) {
-  type.def("interpolate", interpolate<Object>, nb::arg("feed"), nb::arg("period"),
+  type.def("interpolate", interpolate<Object>, argument("feed"), argument("period"),
            nb::sig("def interpolate(self, feed: Number, period: Number) -> "
                    "numpy.typing.NDArray[numpy.void]"),
            "The points of a motion with the speed `feed`, a number or a function of s, t or kappa "
@@ -159,20 +159,20 @@ void bind_products(nb::class_<PathObject>& path, nb::class_<SmoothPathObject>& s
   bind_interpolation(path);
   bind_interpolation(smooth);
   path.def(
-      "compile", compile, nb::arg("prefix") = nb::none(), nb::arg("frame") = "erf",
-      PHRAME_START_PARAMETERS, nb::arg("lower") = 0, nb::arg("upper") = 1,
+      "compile", compile, argument("prefix") = nb::none(), argument("frame") = "erf",
+      PHRAME_START_PARAMETERS, argument("lower") = 0, argument("upper") = 1,
       nb::sig("def compile(self, prefix: str | None = None, frame: str = 'erf', " PHRAME_START_SIG
               ", lower: Number = 0, upper: Number = 1) -> str"),
       PHRAME_COMPILE_WHAT " A curve is compiled for t from `lower` to `upper`.");
   smooth.def(
-      "compile", compile_smooth, nb::arg("prefix") = nb::none(), nb::arg("frame") = "up",
-      PHRAME_START_PARAMETERS, nb::arg("up") = nb::none(),
+      "compile", compile_smooth, argument("prefix") = nb::none(), argument("frame") = "up",
+      PHRAME_START_PARAMETERS, argument("up") = nb::none(),
       nb::sig("def compile(self, prefix: str | None = None, frame: str = 'up', " PHRAME_START_SIG
               ", up: Vector | None = None) -> str"),
       PHRAME_COMPILE_WHAT);
   path.def("page", page, PHRAME_PAGE_PARAMETERS, nb::sig(PHRAME_PAGE_SIG ") -> None"),
            PHRAME_PAGE_WHAT);
-  smooth.def("page", smooth_page, PHRAME_PAGE_PARAMETERS, nb::arg("up") = nb::none(),
+  smooth.def("page", smooth_page, PHRAME_PAGE_PARAMETERS, argument("up") = nb::none(),
              nb::sig(PHRAME_PAGE_SIG ", up: Vector | None = None) -> None"), PHRAME_PAGE_WHAT);
 }
 

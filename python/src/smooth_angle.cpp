@@ -17,7 +17,7 @@ SmoothReference smooth_reference(const std::string& name) {
       name, "frame", {{"up", SmoothReference::up}, {"frenet", SmoothReference::frenet}});
 }
 
-nb::object make_smooth_angle(nb::handle self, const std::string& frame, nb::handle up,
+nb::object make_smooth_angle(nb::handle self, const Text<"frame">& frame, nb::handle up,
                              nb::handle start, nb::handle start_normal) {
   const NamedSmoothPath& named = nb::cast<const SmoothPathObject&>(self).named;
   const SmoothReference reference = smooth_reference(frame);
@@ -60,7 +60,7 @@ SmoothAngleAnswer smooth_answer(const SmoothAngleObject& self) {
 
 nb::object smooth_angle_of_what(const SmoothAngleObject& self, nb::handle ts, nb::handle progress) {
   if (PyUnicode_Check(ts.ptr()) != 0 || PySequence_Check(ts.ptr()) == 0) {
-    const Rational t = rational(ts, "t");
+    const Rational t = rational(ts, "ts");
     return nb::float_(
         without_gil([value = value_of(self), t] { return round_to_double(value(t)); }));
   }
@@ -70,10 +70,10 @@ nb::object smooth_angle_of_what(const SmoothAngleObject& self, nb::handle ts, nb
 }  // namespace
 
 void bind_smooth_angle(nb::module_& m, nb::class_<SmoothPathObject>& smooth) {
-  m.def("_smooth_angle", make_smooth_angle, nb::arg("path"), nb::arg("frame"), nb::arg("up").none(),
-        nb::arg("start").none(), nb::arg("start_normal").none());
+  m.def("_smooth_angle", make_smooth_angle, argument("path"), argument("frame"), argument("up"),
+        argument("start"), argument("start_normal"));
   smooth.def(
-      "angle", make_smooth_angle, nb::arg("frame") = "up", nb::arg("up") = nb::none(),
+      "angle", make_smooth_angle, argument("frame") = "up", argument("up") = nb::none(),
       PHRAME_START_PARAMETERS,
       nb::sig("def angle(self, frame: str = 'up', up: Vector | None = None, " PHRAME_START_SIG
               ") -> SmoothAngle"),
@@ -88,8 +88,8 @@ void bind_smooth_angle(nb::module_& m, nb::class_<SmoothPathObject>& smooth) {
              "many.",
              [](const SmoothAngleObject& self) { return value_of(self); });
   using A = SmoothAngleObject;
-  type.def("__call__", smooth_angle_of_what, nb::arg("ts"), nb::kw_only(),
-           nb::arg("progress") = nb::none(),
+  type.def("__call__", smooth_angle_of_what, argument("ts"), nb::kw_only(),
+           argument("progress") = nb::none(),
            nb::sig("@typing.overload\ndef __call__(self, ts: float | fractions.Fraction | "
                    "decimal.Decimal, *, progress: "
                    "collections.abc.Callable[[int, int], object] | None = None) -> float: ...\n"

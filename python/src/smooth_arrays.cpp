@@ -131,8 +131,8 @@ std::shared_ptr<std::vector<double>> smooth_numbers(const SmoothPathObject& self
 }
 
 nb::object smooth_frames(const SmoothPathObject& self, nb::handle ts, nb::handle start,
-                         nb::handle start_normal, nb::handle up, const std::string& kind,
-                         const std::string& by, nb::handle progress) {
+                         nb::handle start_normal, nb::handle up, const Text<"kind">& kind,
+                         const Text<"by">& by, nb::handle progress) {
   const auto numbers =
       smooth_numbers(self, {ts, start, start_normal, up, kind, by, progress}, 9,
                      [](const SmoothSource& source, const Parameters& at, std::size_t k,
@@ -141,8 +141,8 @@ nb::object smooth_frames(const SmoothPathObject& self, nb::handle ts, nb::handle
 }
 
 nb::object smooth_matrices(const SmoothPathObject& self, nb::handle ts, nb::handle start,
-                           nb::handle start_normal, nb::handle up, const std::string& kind,
-                           const std::string& by, nb::handle progress) {
+                           nb::handle start_normal, nb::handle up, const Text<"kind">& kind,
+                           const Text<"by">& by, nb::handle progress) {
   const auto numbers = smooth_numbers(
       self, {ts, start, start_normal, up, kind, by, progress}, 16,
       [](const SmoothSource& source, const Parameters& at, std::size_t k, double* out) {
@@ -152,8 +152,8 @@ nb::object smooth_matrices(const SmoothPathObject& self, nb::handle ts, nb::hand
 }
 
 nb::object smooth_quaternions(const SmoothPathObject& self, nb::handle ts, nb::handle start,
-                              nb::handle start_normal, nb::handle up, const std::string& kind,
-                              const std::string& by, nb::handle progress) {
+                              nb::handle start_normal, nb::handle up, const Text<"kind">& kind,
+                              const Text<"by">& by, nb::handle progress) {
   const auto numbers = smooth_numbers(
       self, {ts, start, start_normal, up, kind, by, progress}, 4,
       [](const SmoothSource& source, const Parameters& at, std::size_t k, double* out) {
@@ -164,7 +164,7 @@ nb::object smooth_quaternions(const SmoothPathObject& self, nb::handle ts, nb::h
   return array(numbers, {numbers->size() / 4, 4});
 }
 
-nb::object smooth_points(const SmoothPathObject& self, nb::handle ts, const std::string& by,
+nb::object smooth_points(const SmoothPathObject& self, nb::handle ts, const Text<"by">& by,
                          nb::handle progress) {
   SmoothArray asked{ts};
   asked.by = by;
@@ -214,26 +214,26 @@ nb::object smooth_angles(const SmoothAngle& angle, const Real& start, nb::handle
 
 void bind_smooth_arrays(nb::class_<SmoothPathObject>& smooth) {
 #define PHRAME_SMOOTH_OPTIONS \
-  PHRAME_START_PARAMETERS, nb::arg("up") = nb::none(), PHRAME_ARRAY_OPTIONS("rmf")
+  PHRAME_START_PARAMETERS, argument("up") = nb::none(), PHRAME_ARRAY_OPTIONS("rmf")
 #define PHRAME_SMOOTH_SIG(name)                                    \
   nb::sig("def " name "(self, " PHRAME_TS ", *, " PHRAME_START_SIG \
           ", up: Vector | None = None, " PHRAME_ARRAY_OPTIONS_SIG ") -> " PHRAME_ARRAY)
   smooth
-      .def("frames", smooth_frames, nb::arg("ts"), nb::kw_only(), PHRAME_SMOOTH_OPTIONS,
+      .def("frames", smooth_frames, argument("ts"), nb::kw_only(), PHRAME_SMOOTH_OPTIONS,
            PHRAME_SMOOTH_SIG("frames"),
            "Frames as an array (n, 3, 3): [k, 0] is the tangent e1, [k, 1] and [k, 2] are f2, f3. "
            "Every number is correctly rounded. `kind` is rmf, up or frenet; `by` is parameter or "
            "arc_length; a rotation-minimizing frame starts at the angle `start` to the frame of "
            "`up`, or with f2 along `start_normal`.")
-      .def("quaternions", smooth_quaternions, nb::arg("ts"), nb::kw_only(), PHRAME_SMOOTH_OPTIONS,
+      .def("quaternions", smooth_quaternions, argument("ts"), nb::kw_only(), PHRAME_SMOOTH_OPTIONS,
            PHRAME_SMOOTH_SIG("quaternions"),
            "The same as unit quaternions (x, y, z, w), scalar last as in SciPy, whose matrices "
            "have the columns e1, f2, f3; each the nearer to that before it of the two.")
-      .def("matrices", smooth_matrices, nb::arg("ts"), nb::kw_only(), PHRAME_SMOOTH_OPTIONS,
+      .def("matrices", smooth_matrices, argument("ts"), nb::kw_only(), PHRAME_SMOOTH_OPTIONS,
            PHRAME_SMOOTH_SIG("matrices"),
            "The same as an array (n, 4, 4) of matrices with the columns e1, f2, f3, r.")
-      .def("points", smooth_points, nb::arg("ts"), nb::kw_only(), nb::arg("by") = "parameter",
-           nb::arg("progress") = nb::none(),
+      .def("points", smooth_points, argument("ts"), nb::kw_only(), argument("by") = "parameter",
+           argument("progress") = nb::none(),
            nb::sig("def points(self, " PHRAME_TS ", *, by: str = 'parameter', " PHRAME_PROGRESS
                    ") -> " PHRAME_ARRAY),
            "r at each parameter, correctly rounded: an array (n, 3).");

@@ -74,6 +74,26 @@ void bind_smooth_totals(nb::class_<SmoothPathObject>& smooth) {
       nb::sig("def holonomy(self) -> " PHRAME_REAL_SIG " | None"),
       "By which angle the rotation-minimizing frame of a closed path comes back turned, else "
       "None.");
+  smooth.def_prop_ro(
+      "writhe",
+      [](nb::handle self) -> nb::object {
+        const SmoothPath& path = smooth_of(self);
+        if (!path.is_closed()) return nb::none();
+        return to_python(without_gil([path] { return writhe(closed_frame(path)); }),
+                         attribute_recipe(self, "writhe"));
+      },
+      nb::sig("def writhe(self) -> " PHRAME_REAL_SIG " | None"),
+      "Gauss's integral over a closed path twice, else None.");
+  smooth.def_prop_ro(
+      "self_linking_number",
+      [](nb::handle self) -> nb::object {
+        const SmoothPath& path = smooth_of(self);
+        if (!path.is_closed()) return nb::none();
+        return nb::int_(without_gil(
+            [path] { return self_linking_number(closed_frame(path), total_torsion(path)); }));
+      },
+      nb::sig("def self_linking_number(self) -> int | None"),
+      "How often a closed path is linked with its copy along the principal normals, else None.");
 }
 
 /// At a parameter.
@@ -87,17 +107,17 @@ void bind_smooth_shape(nb::class_<SmoothPathObject>& smooth) {
         return to_python(without_gil([path, at] { return of; }),    \
                          method_recipe(self, name, to_python(at))); \
       },                                                            \
-      nb::arg("t"), nb::sig("def " name "(self, t: Number) -> " PHRAME_REAL_SIG), what)
+      argument("t"), nb::sig("def " name "(self, t: Number) -> " PHRAME_REAL_SIG), what)
   PHRAME_SMOOTH_AT("curvature", curvature(path, locate(path, at)), "κ ≥ 0 at t.");
   PHRAME_SMOOTH_AT("torsion", torsion(path, locate(path, at)), "τ at t.");
   PHRAME_SMOOTH_AT("arc_length", SmoothLength(path).value(locate(path, at)),
                    "The length from the start to t.");
 #undef PHRAME_SMOOTH_AT
   smooth
-      .def("parameter_at", parameter_at, nb::arg("s"),
+      .def("parameter_at", parameter_at, argument("s"),
            nb::sig("def parameter_at(self, s: Number) -> " PHRAME_REAL_SIG),
            "The t where the length from the start is s.")
-      .def("point", smooth_point, nb::arg("t"),
+      .def("point", smooth_point, argument("t"),
            nb::sig("def point(self, t: Number) -> tuple[" PHRAME_REAL_SIG ", " PHRAME_REAL_SIG
                    ", " PHRAME_REAL_SIG "]"),
            "r(t).");
@@ -180,7 +200,7 @@ std::string smooth_repr(const SmoothPathObject& self) {
          abbreviated(what, 200) + ">";
 }
 
-nb::object joined_paths(nb::handle curves, const std::string& name) {
+nb::object joined_paths(nb::handle curves, const Text<"name">& name) {
   if (PySequence_Check(curves.ptr()) == 0) refuse_type("curves", "a list of paths", curves);
   std::optional<SmoothPath> path;
   std::size_t k = 0;
@@ -251,9 +271,9 @@ void bind_smooth_path(nb::module_& m, nb::class_<SmoothPathObject>& smooth) {
     }
     return nb::cast(SmoothPathObject{{name, path.value()}});
   });
-  m.def("_joined", joined_paths, nb::arg("curves"), nb::arg("name"));
+  m.def("_joined", joined_paths, argument("curves"), argument("name"));
   smooth
-      .def_static("joined", joined_paths, nb::arg("curves"), nb::arg("name") = "",
+      .def_static("joined", joined_paths, argument("curves"), argument("name") = "",
                   nb::sig("def joined(curves: collections.abc.Sequence[" PHRAME_ANY_PATH_SIG
                           "], name: str = '') -> SmoothPath"),
                   "Paths of any kind one after the other; position and tangent are checked to be "

@@ -18,7 +18,7 @@ RationalFunction scale_of(nb::handle scale) {
   if (PyUnicode_Check(scale.ptr()) == 0)
     return RationalFunction(Polynomial{rational(scale, "scale")});
   try {
-    return parse_expression(nb::cast<std::string>(scale), "t").value;
+    return parse_expression(text(scale, "scale"), "t").value;
   } catch (const InputError& error) {
     refuse("scale", error.what(), scale);
   }
@@ -41,21 +41,16 @@ Profile polygon_of(nb::handle corners) {
 Profile profile_of(nb::handle profile, const std::optional<Rational>& tolerance) {
   try {
     if (PyUnicode_Check(profile.ptr()) != 0) {
-      const auto text = nb::cast<std::string>(profile);
-      if (auto given = parse_profile(text, tolerance)) return *std::move(given);
+      const auto words = text(profile, "profile");
+      if (auto given = parse_profile(words, tolerance)) return *std::move(given);
       refuse("profile",
-             "\"" + abbreviated(text) +
+             "\"" + abbreviated(words) +
                  "\" is none of circle:R, polygon:N,R and rectangle:W,H; a file is a Path of "
                  "pathlib",
              profile);
     }
     if (nb::hasattr(profile, "__fspath__")) {
-      const nb::object file = imported("builtins", "open")(profile, "rb");
-      const nb::object read = file.attr("read")();
-      file.attr("close")();
-      const std::string bytes(PyBytes_AsString(read.ptr()),
-                              static_cast<std::size_t>(PyBytes_Size(read.ptr())));
-      return read_profile(bytes, tolerance);
+      return read_profile(bytes_of_file(profile, "profile"), tolerance);
     }
     return polygon_of(profile);
   } catch (const InputError& error) {
@@ -129,7 +124,7 @@ nb::object triangles_of(const SweepObject& self) {
 }
 
 void save(const SweepObject& self, nb::handle file) {
-  const nb::object path = imported("pathlib", "Path")(file);
+  const nb::object path = imported("pathlib", "Path")(file_name(file, "file"));
   const auto suffix = nb::cast<std::string>(path.attr("suffix").attr("lower")());
   using Writer = std::string (*)(const Mesh&);
   const auto writer = [&]() -> Writer {
@@ -140,7 +135,7 @@ void save(const SweepObject& self, nb::handle file) {
   }();
   const std::string bytes =
       without_gil([writer, found = self.found] { return writer(found->body.mesh); });
-  path.attr("write_bytes")(nb::bytes(bytes.data(), bytes.size()));
+  write_file(file, "file", bytes);
 }
 
 /// What was pickled.
@@ -165,9 +160,10 @@ nb::object swept(const nb::ndarray<const double, nb::ndim<2>, nb::c_contig>& poi
 void bind_sweep(nb::module_& m) {
   m.def("_swept", swept, nb::arg(), nb::arg(), nb::arg(), nb::arg().none(), nb::arg(), nb::arg(),
         nb::arg());
-  m.def("sweep", sweep_path, nb::arg("path"), nb::arg("profile"), nb::kw_only(),
-        PHRAME_START_PARAMETERS, nb::arg("end_normal") = nb::none(), nb::arg("twist") = 0,
-        nb::arg("scale") = 1, nb::arg("tolerance") = nb::none(), nb::arg("sections") = nb::none(),
+  m.def("sweep", sweep_path, argument("path"), argument("profile"), nb::kw_only(),
+        PHRAME_START_PARAMETERS, argument("end_normal") = nb::none(), argument("twist") = 0,
+        argument("scale") = 1, argument("tolerance") = nb::none(),
+        argument("sections") = nb::none(),
         nb::sig("def sweep(path: " PHRAME_ANY_PATH_SIG
                 ", profile: str | os.PathLike[str] | Vectors, *, " PHRAME_START_SIG
                 ", end_normal: Vector | None = None, twist: Number = 0, scale: Number | Polynomial "
@@ -199,7 +195,7 @@ void bind_sweep(nb::module_& m) {
           "By how many radians the profile turns against the rotation-minimizing frame.")
       .def(
           "volume", [](const S& s) { return volume(s.found->body.mesh); }, "Of the mesh.")
-      .def("save", save, nb::arg("file"),
+      .def("save", save, argument("file"),
            nb::sig("def save(self, file: str | os.PathLike[str]) -> None"),
            "Writes a file whose name ends with .obj, .stl, .ply or .glb.")
       .def("__repr__",

@@ -76,17 +76,17 @@ void bind_real(nb::module_& m) {
            [](const RealNumber& x) {
              return without_gil([value = x.value] { return round_to_double(value); });
            })
-      .def("digits", decimal_digits, nb::arg("n"),
+      .def("digits", decimal_digits, argument("n"),
            nb::sig("def digits(self, n: int) -> decimal.Decimal"),
            "The number with n significant digits, correctly rounded.")
       .def(
-          "ball", ball_of, nb::arg("bits"),
+          "ball", ball_of, argument("bits"),
           nb::sig("def ball(self, bits: int) -> tuple[fractions.Fraction, fractions.Fraction]"),
           "Two fractions with the number between them, at most 2**(1 - bits)*max(1, abs(x)) apart.")
       .def(
           "mpmath",
           [](nb::handle x, nb::handle bits) { return imported("phrame._convert", "mpf")(x, bits); },
-          nb::arg("bits") = nb::none(),
+          argument("bits") = nb::none(),
           nb::sig("def mpmath(self, bits: int | None = None) -> typing.Any"),
           "An mpmath.mpf, correctly rounded to so many bits, or to mpmath's precision.")
       .def(
@@ -94,14 +94,14 @@ void bind_real(nb::module_& m) {
           [](nb::handle x, nb::handle prec, nb::handle) {
             return imported("phrame._convert", "mpf")(x, prec);
           },
-          nb::arg("prec"), nb::arg("rounding"),
+          argument("prec"), argument("rounding"),
           nb::sig("def _mpmath_(self, prec: int, rounding: object) -> typing.Any"))
       .def(
           "sympy",
           [](nb::handle x, nb::handle digits) {
             return imported("phrame._convert", "sympy_float")(x, digits);
           },
-          nb::arg("digits") = 17, nb::sig("def sympy(self, digits: int = 17) -> typing.Any"),
+          argument("digits") = 17, nb::sig("def sympy(self, digits: int = 17) -> typing.Any"),
           "A sympy.Float with so many digits.")
       .def(
           "_sympy_", [](nb::handle x) { return imported("phrame._convert", "sympy_float")(x, 17); },
@@ -109,7 +109,7 @@ void bind_real(nb::module_& m) {
       .def(
           "flint",
           [](nb::handle x, nb::handle bits) { return imported("phrame._convert", "arb")(x, bits); },
-          nb::arg("bits") = 53, nb::sig("def flint(self, bits: int = 53) -> typing.Any"),
+          argument("bits") = 53, nb::sig("def flint(self, bits: int = 53) -> typing.Any"),
           "A flint.arb that holds the number.")
       .def("__repr__", [](const RealNumber& x) { return "Real('" + shown_real(x) + "…')"; })
       .def("__str__", [](const RealNumber& x) { return shown_real(x); })
@@ -148,11 +148,11 @@ void bind_real(nb::module_& m) {
 #define PHRAME_OPERATOR(name, of, f)                                                            \
   type.def(                                                                                     \
           "__" name "__", [f](nb::handle x, nb::handle y) { return combined(x, y, of, f); },    \
-          nb::arg("other"),                                                                     \
+          argument("other"),                                                                    \
           nb::sig("def __" name "__(self, other: Real | Number) -> fractions.Fraction | Real")) \
       .def(                                                                                     \
           "__r" name "__", [f](nb::handle x, nb::handle y) { return combined(y, x, of, f); },   \
-          nb::arg("other"),                                                                     \
+          argument("other"),                                                                    \
           nb::sig("def __r" name "__(self, other: Number) -> fractions.Fraction | Real"))
   PHRAME_OPERATOR("add", "add", plus);
   PHRAME_OPERATOR("sub", "sub", minus);
@@ -162,7 +162,7 @@ void bind_real(nb::module_& m) {
 #define PHRAME_COMPARISON(name, sign)                                                          \
   type.def(                                                                                    \
       "__" name "__", [](const RealNumber& x, nb::handle y) { return compared(x, y) sign 0; }, \
-      nb::arg("other"), nb::sig("def __" name "__(self, other: Real | Number) -> bool"))
+      argument("other"), nb::sig("def __" name "__(self, other: Real | Number) -> bool"))
   PHRAME_COMPARISON("lt", <);
   PHRAME_COMPARISON("le", <=);
   PHRAME_COMPARISON("gt", >);
@@ -176,7 +176,7 @@ void bind_real(nb::module_& m) {
         return to_python(real_root(polynomial(p, "polynomial"),
                                    closed(rational(lower, "lower"), rational(upper, "upper"))));
       },
-      nb::arg("polynomial"), nb::arg("lower"), nb::arg("upper"),
+      argument("polynomial"), argument("lower"), argument("upper"),
       nb::sig("def root(polynomial: Polynomial | collections.abc.Sequence[Number], lower: "
               "Number, upper: Number) -> fractions.Fraction | Real"),
       "The only real root of the polynomial in [lower, upper].");
@@ -192,7 +192,7 @@ void bind_polynomial(nb::module_& m) {
           [](Polynomial* self, nb::handle coefficients) {
             new (self) Polynomial(rationals(coefficients, "coefficients"));
           },
-          nb::arg("coefficients"),
+          argument("coefficients"),
           nb::sig("def __init__(self, coefficients: collections.abc.Sequence[Number]) -> None"),
           "Of the coefficients of 1, t, t², …")
       .def_prop_ro(
@@ -203,8 +203,10 @@ void bind_polynomial(nb::module_& m) {
       .def(
           "__call__",
           [](const Polynomial& p, nb::handle t) { return to_python(p(rational(t, "t"))); },
-          nb::arg("t"), nb::sig("def __call__(self, t: Number) -> fractions.Fraction"))
-      .def("derivative", [](const Polynomial& p) { return differentiate(p); })
+          argument("t"), nb::sig("def __call__(self, t: Number) -> fractions.Fraction"),
+          "The value at t, exactly.")
+      .def(
+          "derivative", [](const Polynomial& p) { return differentiate(p); }, "By t.")
       .def(nb::self + nb::self)
       .def(nb::self - nb::self)
       .def(nb::self * nb::self)
@@ -221,7 +223,7 @@ void bind_polynomial(nb::module_& m) {
           [](nb::handle p, nb::handle symbol) {
             return imported("phrame._convert", "sympy_polynomial")(p, symbol);
           },
-          nb::arg("symbol") = "t",
+          argument("symbol") = "t",
           nb::sig("def sympy(self, symbol: typing.Any = 't') -> typing.Any"),
           "A sympy.Poly over QQ.")
       .def(
@@ -250,15 +252,20 @@ void bind_rational_function(nb::module_& m) {
           [](RationalFunction* self, nb::handle n, nb::handle d) {
             new (self) RationalFunction(polynomial(n, "numerator"), polynomial(d, "denominator"));
           },
-          nb::arg("numerator"), nb::arg("denominator"),
+          argument("numerator"), argument("denominator"),
           nb::sig("def __init__(self, numerator: Polynomial | collections.abc.Sequence[Number], "
-                  "denominator: Polynomial | collections.abc.Sequence[Number]) -> None"))
-      .def_prop_ro("numerator", [](const RationalFunction& f) { return f.numerator(); })
-      .def_prop_ro("denominator", [](const RationalFunction& f) { return f.denominator(); })
+                  "denominator: Polynomial | collections.abc.Sequence[Number]) -> None"),
+          "Of two polynomials, or lists of coefficients of 1, t, t², …")
+      .def_prop_ro(
+          "numerator", [](const RationalFunction& f) { return f.numerator(); }, "In lowest terms.")
+      .def_prop_ro(
+          "denominator", [](const RationalFunction& f) { return f.denominator(); },
+          "In lowest terms.")
       .def(
           "__call__",
           [](const RationalFunction& f, nb::handle t) { return to_python(f(rational(t, "t"))); },
-          nb::arg("t"), nb::sig("def __call__(self, t: Number) -> fractions.Fraction"))
+          argument("t"), nb::sig("def __call__(self, t: Number) -> fractions.Fraction"),
+          "The value at t, exactly.")
       .def(
           "__eq__",
           [](const RationalFunction& f, nb::handle other) {
@@ -278,7 +285,7 @@ void bind_rational_function(nb::module_& m) {
             return make(nb::cast(f.numerator()), symbol).attr("as_expr")() /
                    make(nb::cast(f.denominator()), symbol).attr("as_expr")();
           },
-          nb::arg("symbol") = "t",
+          argument("symbol") = "t",
           nb::sig("def sympy(self, symbol: typing.Any = 't') -> typing.Any"), "A SymPy expression.")
       .def("__str__", [](const RationalFunction& f) { return streamed(f); })
       .def("__repr__",

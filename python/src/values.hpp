@@ -28,7 +28,7 @@ void bind_copies(C& type) {
           nb::sig("def __copy__(self) -> typing.Self"))
       .def(
           "__deepcopy__", [](nb::handle self, nb::handle) { return nb::borrow(self); },
-          nb::arg("memo"), nb::sig("def __deepcopy__(self, memo: object) -> typing.Self"));
+          argument("memo"), nb::sig("def __deepcopy__(self, memo: object) -> typing.Self"));
 }
 
 /// A method that is a function of a module of the package, whose first argument is the object.

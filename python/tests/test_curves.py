@@ -57,6 +57,69 @@ def test_constructions():
     assert off <= Fraction(1, 10**12)
 
 
+def test_all_kinds_of_constructions():
+    points = [[0, 0, 0], [1, 0.5, 0], [2, 0, 1], [3, 1, 1]]
+    slopes = [[1, 1, 0], [1, 0, 1], [1, 0, 0], [0, 1, 1]]
+    bends = [[0, 0, 1], [0, 1, 0], [0, 0, 0], [1, 0, 0]]
+    for kind, more in {"quintic": {}, "helical": {"derivatives": slopes}, "rrmf": {},
+                       "rmf": {"derivatives": slopes}, "c2": {},
+                       "c2-hermite": {"derivatives": slopes, "accelerations": bends}}.items():
+        path = phrame.Curve.through(points, kind=kind, **more)
+        met = min(np.abs(path.points([t]) - points[-1]).max() for t in (path.end,))
+        assert met < 1e-14 and path.point(0) is not None, kind
+        if kind == "rmf":
+            assert path.classify().erf_is_rotation_minimizing
+        if kind == "helical":
+            assert path.segments[0].classify().helix
+    cubic = phrame.Curve([1], [0, 1], [0], [0, 1])
+    ends = [cubic.point(0), cubic.point(1)]
+    rates = [[r(t) for r in cubic.hodograph] for t in (0, 1)]
+    again = phrame.Curve.through(ends, tangents=rates, kind="cubic")
+    assert again.degree == 3 and np.abs(again.points([0.5]) - cubic.points([0.5])).max() < 1e-14
+    plane = phrame.Curve.through([[0, 0, 0], [1, 1, 0], [2, 0, 0]], kind="planar")
+    assert plane.classify().normal == (0, 0, 1)
+    exact = phrame.Curve.through(points, exact=True)
+    assert exact.point(exact.end) == (3, 1, 1) and {exact.point(k) for k in range(exact.end + 1)} >= {(2, 0, 1)}
+
+
+def test_which_of_several_quintics():
+    data = [0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 1]
+    found = {select: phrame.Curve.hermite(*data, select=select, name=select)
+             for select in ("auto", "minimal", "bv", "cc", "shortest", "longest", "energy")}
+    lengths = {select: float(curve.length) for select, curve in found.items()}
+    assert lengths["shortest"] <= min(lengths.values()) + 1e-12 and lengths["longest"] >= max(lengths.values()) - 1e-12
+    assert float(found["energy"].bending_energy) <= float(found["auto"].bending_energy) and found["bv"].name == "bv"
+    assert float(phrame.Curve.hermite(*data, angles=[0, 0]).length) == lengths["minimal"]
+    assert phrame.Curve.hermite(*data, angles=["pi/2", 0]) != found["minimal"]
+    turned = phrame.Curve.hermite(*data, angles=[0.1, 0.2, 0.3])  # the same for all does not count
+    assert np.abs(turned.points([0.5]) - phrame.Curve.hermite(*data, angles=[1.1, 1.2, 1.3]).points([0.5])).max() < 1e-12
+    first, second = (phrame.Curve.hermite(*data, kind="helical", solution=k) for k in (1, 2))
+    assert first != second
+    bent = phrame.Curve.hermite(*data, kind="c2-hermite", a0=[0, 0, 1], a1=[1, 0, 0])
+    assert [abs(float(r.derivative()(0)) - x) < 1e-13 for r, x in zip(bent.hodograph, (0, 0, 1))] == [True] * 3
+
+
+def test_closed_curves():
+    """The writhe is Gauss's integral, here by midpoints."""
+    trefoil = phrame.Curve.expressions("(2 + cos(3*s))*cos(2*s)", "(2 + cos(3*s))*sin(2*s)", "sin(3*s)", 0, "2*pi")
+    n = 300
+    s = (np.arange(n) + 0.5) * 2 * np.pi / n
+    t = s + np.pi / n
+    radius, slope = (lambda s: 2 + np.cos(3 * s)), (lambda s: -3 * np.sin(3 * s))
+    at = lambda s: np.stack([radius(s) * np.cos(2 * s), radius(s) * np.sin(2 * s), np.sin(3 * s)], axis=1)
+    rate = lambda s: np.stack([slope(s) * np.cos(2 * s) - 2 * radius(s) * np.sin(2 * s),
+                               slope(s) * np.sin(2 * s) + 2 * radius(s) * np.cos(2 * s), 3 * np.cos(3 * s)], axis=1)
+    off = at(s)[:, None] - at(t)[None]
+    gauss = np.sum(off * np.cross(rate(s)[:, None], rate(t)[None]), axis=2) / np.linalg.norm(off, axis=2) ** 3
+    assert abs(float(trefoil.writhe) - gauss.sum() * (2 * np.pi / n) ** 2 / (4 * np.pi)) < 1e-3
+    linking = float(trefoil.writhe) + float(trefoil.total_torsion) / (2 * np.pi)
+    assert trefoil.self_linking_number == round(linking) and abs(linking - round(linking)) < 1e-12
+    assert QUINTIC.writhe is None and QUINTIC.self_linking_number is None and QUINTIC.holonomy is None
+    closed = phrame.Curve.through([[0, 0, 0], [2, 0, 1], [2, 2, 0], [0, 2, 1]], closed=True)
+    whole = float(closed.writhe) - float(closed.holonomy) / (2 * np.pi)
+    assert abs(whole - round(whole)) < 1e-12
+
+
 def test_classification_and_totals():
     helix = phrame.Curve([1], [0, 1], [0], [0, 1])
     assert QUINTIC.classify().is_regular and QUINTIC.classify().helix is None
