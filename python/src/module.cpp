@@ -31,6 +31,8 @@ void translate(const std::exception_ptr& thrown, void*) {
 NB_MODULE(_phrame, m) {
   using namespace phrame::python;
   m.doc() = "The library phrame: exact rotation-minimizing frames of Pythagorean-hodograph curves.";
+  // Other packages keep objects until the end, too: only python -X dev tells of them.
+  nb::set_leak_warnings(nb::cast<bool>(nb::module_::import_("sys").attr("flags").attr("dev_mode")));
   m.attr("version") = phrame::version.data();
   nb::register_exception_translator(translate);
   bind_numbers(m);
