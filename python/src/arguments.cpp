@@ -38,7 +38,7 @@ std::string bytes_of_file(nb::handle file, const std::string& place) {
   const nb::object opened = imported("builtins", "open")(file_name(file, place), "rb");
   const nb::object bytes = opened.attr("read")();
   opened.attr("close")();
-  return {PyBytes_AS_STRING(bytes.ptr()), static_cast<std::size_t>(PyBytes_GET_SIZE(bytes.ptr()))};
+  return {PyBytes_AsString(bytes.ptr()), static_cast<std::size_t>(PyBytes_Size(bytes.ptr()))};
 }
 
 void write_file(nb::handle file, const std::string& place, const std::string& bytes) {
