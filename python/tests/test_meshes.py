@@ -1,0 +1,76 @@
+"""Bodies as trimesh reads them: it neither warns nor repairs, and finds closed bodies of the right volume.
+
+A prism has the area of its section times its length. A tube around a closed curve has, where it does not meet itself,
+the area of its section times the length of the curve, and the surface 2·pi·R times that length [Pappus]; a mesh within a
+tolerance of that surface is off by no more than the layer of that thickness. Lengths are sums of Gauss's here.
+"""
+
+import logging
+import math
+
+import numpy as np
+import pytest
+
+import phrame
+from common import ROOT
+
+trimesh = pytest.importorskip("trimesh")
+
+FORMATS = ("obj", "stl", "ply", "glb")
+# The corners of an L of the area 3.
+L_SHAPE = [[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]]
+
+
+def as_read(body, file, caplog):
+    """One mesh, with points that are given once; a word of complaint is a failure, as warnings are everywhere."""
+    body.save(file)
+    with caplog.at_level(logging.WARNING):
+        mesh = trimesh.load_mesh(file)
+    assert not [record for record in caplog.records if record.levelno >= logging.WARNING]
+    assert mesh.vertices.shape == body.vertices.shape and mesh.faces.shape == body.triangles.shape
+    assert mesh.is_watertight and mesh.is_winding_consistent and mesh.is_volume
+    assert mesh.area_faces.min() > 0
+    return mesh
+
+
+def length(path):
+    """∫|r'|, each segment in 40 parts of 12 nodes."""
+    nodes, weights = np.polynomial.legendre.leggauss(12)
+    total = 0.0
+    for curve in path.segments:
+        hodograph = [np.array([float(c) for c in part.coefficients] or [0.0]) for part in curve.hodograph]
+        for k in range(40):
+            t = (k + (nodes + 1) / 2) / 40
+            rate = [np.polynomial.polynomial.polyval(t, c) for c in hodograph]
+            total += float(weights @ np.sqrt(sum(x * x for x in rate))) / 80
+    return total
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("suffix", FORMATS)
+def test_a_prism_has_its_volume(suffix, tmp_path, caplog):
+    line = phrame.Curve([2], [0], [0], [1])  # (3, 4, 0)·t
+    mesh = as_read(phrame.sweep(line, L_SHAPE, tolerance="1/100"), tmp_path / f"prism.{suffix}", caplog)
+    assert mesh.euler_number == 2 and mesh.volume == pytest.approx(15, rel=1e-14 if suffix in ("obj", "ply") else 1e-6)
+    assert mesh.area == pytest.approx(2 * 3 + 8 * 5, rel=1e-6)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("suffix", FORMATS)
+@pytest.mark.parametrize("name", ["torus", "in space"])
+def test_a_tube_around_a_closed_spline_has_the_volume_of_pappus(name, suffix, tmp_path, caplog):
+    if name == "torus":  # 12 quintics next to the unit circle
+        points = [[math.cos(k * math.pi / 6), math.sin(k * math.pi / 6), 0] for k in range(12)]
+        path, radius, tolerance = phrame.Curve.through(points, closed=True), 1 / 4, 1 / 500
+    else:
+        path, radius, tolerance = phrame.read(ROOT / "examples/curves/closed-spline.json"), 1 / 8, 1 / 250
+    body = phrame.sweep(path, f"circle:{radius}", tolerance=tolerance)
+    assert body.is_closed and body.folds == 0 and body.error <= tolerance
+    mesh = as_read(body, tmp_path / f"tube.{suffix}", caplog)
+    along = length(path)
+    if name == "torus":
+        assert abs(along - 2 * math.pi) < 1e-3
+    surface, volume = 2 * math.pi * radius * along, math.pi * radius**2 * along
+    assert mesh.euler_number == 0
+    assert abs(mesh.volume - volume) <= 1.01 * tolerance * surface
+    assert mesh.area == pytest.approx(surface, rel=0.02)
