@@ -5,7 +5,8 @@
 #   - only algebra/flint.hpp includes headers of FLINT and Arb, and only it has #if;
 #   - only algebra calls FLINT and Arb, names their types and asks ours for them by raw();
 #   - a header starts with #pragma once, and what src/phrame.hpp reaches needs no private dependency;
-#   - of the library python/src includes what src/phrame.hpp reaches and nothing else, by that header.
+#   - of the library python/src includes what src/phrame.hpp reaches and nothing else, by that header;
+#     and it keeps to Python's stable ABI, which has no macros such as PyList_GET_SIZE.
 
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../cmake/public_headers.cmake)
@@ -121,6 +122,10 @@ foreach(file IN LISTS files)
   foreach(name IN LISTS names)
     violation("${name}: only algebra calls FLINT and Arb")
   endforeach()
+  file(READ ${SOURCE_DIR}/${file} text)
+  if(text MATCHES "Py[A-Z][A-Za-z_]*_[A-Z][A-Z_]+\\(")
+    violation("${CMAKE_MATCH_0}): is no part of Python's stable ABI")
+  endif()
   foreach(directive IN LISTS directives)
     if(directive MATCHES "[<\"](phrame/.*)[>\"]" AND NOT CMAKE_MATCH_1 STREQUAL "phrame/phrame.hpp")
       violation("${directive}: the package includes phrame/phrame.hpp")

@@ -165,17 +165,18 @@ std::vector<Rational> rationals(nb::handle list, const std::string& place) {
   if (PyUnicode_Check(list.ptr()) != 0 || PyBytes_Check(list.ptr()) != 0 ||
       PySequence_Check(list.ptr()) == 0)
     refuse_type(place, "a list of numbers", list);
-  const nb::object items = nb::steal(PySequence_Fast(list.ptr(), "a list of numbers is wanted"));
+  // A tuple of its own: what a number runs in Python cannot change it.
+  const nb::object items = nb::steal(PySequence_Tuple(list.ptr()));
   if (!items.is_valid()) {
     PyErr_Clear();
     refuse_type(place, "a list of numbers", list);
   }
-  const auto n = static_cast<std::size_t>(PySequence_Fast_GET_SIZE(items.ptr()));
+  const auto n = static_cast<std::size_t>(PyTuple_Size(items.ptr()));
   std::vector<Rational> result;
   result.reserve(n);
   for (std::size_t k = 0; k < n; ++k) {
     if (k % 1024 == 1023 && PyErr_CheckSignals() != 0) throw nb::python_error();
-    result.push_back(rational(PySequence_Fast_GET_ITEM(items.ptr(), static_cast<Py_ssize_t>(k)),
+    result.push_back(rational(PyTuple_GetItem(items.ptr(), static_cast<Py_ssize_t>(k)),
                               place + "[" + std::to_string(k) + "]"));
   }
   return result;

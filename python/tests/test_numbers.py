@@ -43,6 +43,16 @@ def test_a_number_goes_in_and_comes_out(fraction, integer, double):
         assert phrame.Polynomial([x, 1]).coefficients[0] == Fraction(x)
 
 
+def test_a_list_may_change_while_it_is_read():
+    class Clears:
+        def as_integer_ratio(self):
+            numbers.clear()
+            return 1, 2
+
+    numbers = [Clears(), *map(Fraction, range(1, 99))]
+    assert phrame.Polynomial(numbers).coefficients == (Fraction(1, 2), *range(1, 99)) and not numbers
+
+
 def test_other_packages_numbers():
     sympy = pytest.importorskip("sympy")
     assert phrame.Polynomial([sympy.Rational(3, 7), sympy.Integer(-2)]).coefficients == (Fraction(3, 7), -2)
