@@ -9,6 +9,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from threading import Event
 from typing import Callable, Deque, Iterable, Iterator, List, Optional, TypeVar, Union
 
+from ._convert import count
 from ._errors import Error, InputError
 
 C = TypeVar("C")
@@ -23,6 +24,21 @@ def refuse_errors(errors: str) -> None:
     if errors not in ("raise", "return"):
         reason = f'"{errors}" is not one of raise, return'
         raise InputError(f"errors: {reason}", "errors", reason, errors)
+
+
+def refuse_count(n: Optional[int], place: str) -> None:
+    if n is not None:
+        count(n, place, 1_000_000)
+
+
+def refuse_curves(curves: object) -> None:
+    if isinstance(curves, (str, bytes)) or not hasattr(curves, "__iter__"):
+        raise TypeError(f"curves: paths are wanted, not {type(curves).__name__}")
+
+
+def refuse_question(question: object) -> None:
+    if not callable(question):
+        raise TypeError(f"question: a callable is wanted, not {type(question).__name__}")
 
 
 def answers(curves: Iterable[C], question: Callable[[C], A], errors: str = "raise") -> List[Union[A, Error]]:
@@ -52,15 +68,9 @@ def map(
     [7.666666666666667, 9.0, 11.0]
     """
     refuse_errors(errors)
-    if threads is not None and (isinstance(threads, bool) or not isinstance(threads, int)):
-        raise TypeError(f"threads: an int is wanted, not {type(threads).__name__}")
-    if threads is not None and threads < 1:
-        reason = f"{threads} is less than 1"
-        raise InputError(f"threads: {reason}", "threads", reason, threads)
-    if not hasattr(curves, "__iter__"):
-        raise TypeError(f"curves: paths are wanted, not {type(curves).__name__}")
-    if not callable(question):
-        raise TypeError(f"question: a callable is wanted, not {type(question).__name__}")
+    refuse_count(threads, "threads")
+    refuse_curves(curves)
+    refuse_question(question)
     return _map(iter(curves), question, threads or os.cpu_count() or 1, errors)
 
 

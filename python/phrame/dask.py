@@ -13,8 +13,9 @@ import dask.array
 import dask.bag
 import numpy as np
 
-from ._map import answers, refuse_errors
-from ._phrame import Angle, Path
+from ._errors import InputError
+from ._map import answers, refuse_count, refuse_curves, refuse_errors, refuse_question
+from ._phrame import Angle, Path, SmoothAngle, SmoothPath
 
 __all__ = ["angles", "frames", "map", "matrices", "points", "quaternions"]
 
@@ -28,8 +29,14 @@ def map(
 ) -> Any:
     """A dask.bag.Bag of question(curve), in the order of the curves, which are a Bag or any iterable."""
     refuse_errors(errors)
-    make: Any = dask.bag.from_sequence
-    bag = curves if isinstance(curves, dask.bag.Bag) else make(curves, npartitions=partitions)
+    refuse_count(partitions, "partitions")
+    refuse_question(question)
+    if isinstance(curves, dask.bag.Bag):
+        bag: Any = curves
+    else:
+        refuse_curves(curves)
+        make: Any = dask.bag.from_sequence
+        bag = make(curves, npartitions=partitions)
     return bag.map_partitions(answers, question, errors)
 
 
@@ -37,9 +44,25 @@ def _of_block(ts: Any, thing: Any, method: str, options: Any) -> Any:
     return getattr(thing, method)(ts, **options)
 
 
+def _parameters(ts: Any) -> Any:
+    """ts in blocks."""
+    if not isinstance(ts, dask.array.Array):
+        if isinstance(ts, (str, bytes)) or not hasattr(ts, "__len__") or not hasattr(ts, "__getitem__"):
+            raise TypeError(f"ts: a list of parameters is wanted, not {type(ts).__name__}")
+        make: Any = dask.array.from_array
+        found = np.array(ts, dtype=None if hasattr(ts, "dtype") else object)
+        ts = make(found, chunks=100_000 if found.dtype == object else "auto")
+    if ts.ndim != 1:
+        reason = f"one dimension is wanted, there are {ts.ndim}"
+        raise InputError(f"ts: {reason}", "ts", reason, ts)
+    return ts
+
+
 def _blocks(thing: Any, method: str, ts: Any, shape: Tuple[int, ...], options: Any) -> Any:
-    make: Any = dask.array.from_array
-    ts = ts if isinstance(ts, dask.array.Array) else make(np.asarray(ts), chunks="auto")
+    kinds, place = ((Angle, SmoothAngle), "angle") if method == "__call__" else ((Path, SmoothPath), "path")
+    if not isinstance(thing, kinds):
+        raise TypeError(f"{place}: {'an angle' if place == 'angle' else 'a path'} is wanted, not {type(thing).__name__}")
+    ts = _parameters(ts)
     return ts.map_blocks(
         _of_block,
         thing,
@@ -52,26 +75,26 @@ def _blocks(thing: Any, method: str, ts: Any, shape: Tuple[int, ...], options: A
     )
 
 
-def frames(path: Path, ts: Any, **options: Any) -> Any:
+def frames(path: Union[Path, SmoothPath], ts: Any, **options: Any) -> Any:
     """path.frames(ts) as a dask.array.Array (n, 3, 3), block by block of ts."""
     return _blocks(path, "frames", ts, (3, 3), options)
 
 
-def matrices(path: Path, ts: Any, **options: Any) -> Any:
+def matrices(path: Union[Path, SmoothPath], ts: Any, **options: Any) -> Any:
     """path.matrices(ts): (n, 4, 4)."""
     return _blocks(path, "matrices", ts, (4, 4), options)
 
 
-def quaternions(path: Path, ts: Any, **options: Any) -> Any:
+def quaternions(path: Union[Path, SmoothPath], ts: Any, **options: Any) -> Any:
     """path.quaternions(ts): (n, 4)."""
     return _blocks(path, "quaternions", ts, (4,), options)
 
 
-def points(path: Path, ts: Any, **options: Any) -> Any:
+def points(path: Union[Path, SmoothPath], ts: Any, **options: Any) -> Any:
     """path.points(ts): (n, 3)."""
     return _blocks(path, "points", ts, (3,), options)
 
 
-def angles(angle: Angle, ts: Any) -> Any:
+def angles(angle: Union[Angle, SmoothAngle], ts: Any) -> Any:
     """angle(ts): (n,)."""
     return _blocks(angle, "__call__", ts, (), {})

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from typing import Any, Callable, Iterable, Iterator, Union
 
-from ._map import answers, refuse_errors
-from ._phrame import Path
+from ._map import answers, refuse_errors, refuse_question
+from ._phrame import Path, SmoothPath, parse
 
 __all__ = ["map"]
 
 
-def _curve(x: Union[str, Path]) -> Path:
-    return Path.from_json(x) if isinstance(x, str) else x
+def _curve(x: Union[str, Path, SmoothPath]) -> Union[Path, SmoothPath]:
+    return parse(x) if isinstance(x, str) else x
 
 
 def map(curves: Any, question: Callable[[Any], Any], *, errors: str = "raise") -> Any:
@@ -25,6 +25,9 @@ def map(curves: Any, question: Callable[[Any], Any], *, errors: str = "raise") -
     else Spark tries its partition again, in vain, and raises.
     """
     refuse_errors(errors)
+    refuse_question(question)
+    if not hasattr(curves, "mapPartitions"):
+        raise TypeError(f"curves: an RDD is wanted, not {type(curves).__name__}")
 
     def of_partition(part: Iterable[Any]) -> Iterator[Any]:
         for one in part:

@@ -84,7 +84,15 @@ def _quotient(e: Any, x: Any) -> _Quotient:
 
 def rational_function(expr: Any, x: Any) -> RationalFunction:
     """A SymPy expression as a RationalFunction, exactly."""
-    return RationalFunction(*_quotient(sympy.sympify(expr), x))
+    if not isinstance(x, sympy.Symbol):
+        raise TypeError(f"x: a sympy.Symbol is wanted, not {type(x).__name__}")
+    try:
+        f = sympy.sympify(expr, strict=True)
+    except (sympy.SympifyError, ValueError, TypeError):
+        f = None
+    if not isinstance(f, sympy.Expr):
+        raise TypeError(f"expr: an expression of SymPy is wanted, not {type(expr).__name__}")
+    return RationalFunction(*_quotient(f, x))
 
 
 def _end(x: Any) -> Any:

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 import phrame
+from api import Rdd
 from common import MULTIPLIER, QUINTIC, ROOT, random_curve
 
 LINE = phrame.Curve([1], [0], [0], [0])
@@ -125,16 +126,6 @@ def test_dask_loses_nothing_with_a_worker(tmp_path):
     assert answers == [theta(curve) for curve in curves(n)]
     killed, left = last.removeprefix("killed ").split(" left ")
     assert killed not in left.split()
-
-
-class Rdd:
-    """As much of an RDD as phrame.spark takes."""
-
-    def __init__(self, *partitions):
-        self.partitions = partitions
-
-    def mapPartitions(self, of_partition):  # noqa: N802
-        return [answer for part in self.partitions for answer in of_partition(iter(part))]
 
 
 def test_spark_without_a_cluster():

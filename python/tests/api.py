@@ -1,0 +1,190 @@
+"""Everything public, with arguments that it takes; and what the stub, which is made of what there is, says that there is."""
+
+import ast
+import inspect
+from importlib import import_module
+from pathlib import Path as File
+
+import sympy
+
+import phrame
+import phrame.dask
+import phrame.spark
+import phrame.sympy
+from common import QUINTIC
+
+
+
+class Rdd:
+    """As much of an RDD of Spark as phrame.spark takes."""
+
+    def __init__(self, *partitions):
+        self.partitions = partitions
+
+    def mapPartitions(self, of_partition):  # noqa: N802
+        return [answer for part in self.partitions for answer in of_partition(iter(part))]
+
+
+CUBIC = phrame.Curve.bezier([[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]])
+THETA = QUINTIC.angle()
+REAL = THETA.value(1)
+POINTS = [[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]]
+LISTS = {name: [1, 2] for name in "uvpq"}
+START = {"start": 0, "start_normal": None}
+ARRAY = {"ts": [0, 1], **START, "kind": "rmf", "by": "parameter", "progress": None}
+CHECK = {"ts": [0, 1], "f2": [[0, 1, 0], [0, 0, 1]], "f3": None, "tangents": None, "tolerance": 1, **START}
+CURVE = {"multiplier": None, "start": None, "name": "", "basis": "power"}
+X = sympy.Symbol("x")
+INTEGRAL = {"expr": 1 / X, "x": X, "principal_value": False, "style": "textbook", "form": "auto"}
+CHOICE = {"kind": "cubic", "exact": False, "tolerance": None, "solution": 1, "select": None, "angles": None, "name": ""}
+# The objects that a method is asked of, and arguments; those of START exclude each other.
+API = {
+    "Polynomial": (phrame.Polynomial, {"coefficients": [1]}),
+    "Polynomial.__call__": (QUINTIC.sigma, {"t": 1}),
+    "Polynomial.derivative": (QUINTIC.sigma.derivative, {}),
+    "Polynomial.sympy": (QUINTIC.sigma.sympy, {"symbol": "t"}),
+    "Polynomial.flint": (QUINTIC.sigma.flint, {}),
+    "RationalFunction": (phrame.RationalFunction, {"numerator": [1], "denominator": [2, 1]}),
+    "RationalFunction.__call__": (QUINTIC.torsion, {"t": 1}),
+    "RationalFunction.sympy": (QUINTIC.torsion.sympy, {"symbol": "t"}),
+    "Real.digits": (REAL.digits, {"n": 5}),
+    "Real.ball": (REAL.ball, {"bits": 50}),
+    "Real.mpmath": (REAL.mpmath, {"bits": 50}),
+    "Real.sympy": (REAL.sympy, {"digits": 15}),
+    "Real.flint": (REAL.flint, {"bits": 50}),
+    "Path": (phrame.Path, {"curves": [QUINTIC], "name": ""}),
+    "Path.json": (QUINTIC.json, {}),
+    "Path.plot": (QUINTIC.plot, {"ts": [0, 1], "ax": None, "kind": "rmf", "ribbon": 0.1, **START}),
+    "Path.point": (QUINTIC.point, {"t": 1}),
+    "Path.curvature": (QUINTIC.curvature, {"t": 1}),
+    "Path.arc_length": (QUINTIC.arc_length, {"t": 1}),
+    "Path.parameter_at": (QUINTIC.parameter_at, {"s": 1}),
+    "Path.frames": (QUINTIC.frames, ARRAY),
+    "Path.quaternions": (QUINTIC.quaternions, ARRAY),
+    "Path.matrices": (QUINTIC.matrices, ARRAY),
+    "Path.points": (QUINTIC.points, {k: ARRAY[k] for k in ("ts", "by", "progress")}),
+    "Path.read": (phrame.Path.read, {"file": "none", "near": None}),
+    "Path.from_json": (phrame.Path.from_json, {"text": QUINTIC.json(), "near": None}),
+    "Path.angle": (QUINTIC.angle, {"frame": "erf", **START, "form": "auto"}),
+    "Path.classify": (QUINTIC.classify, {}),
+    "Path.minimal_twist": (QUINTIC.minimal_twist, {"start": 0, "end": 0, "extra_turns": 0}),
+    "Path.check": (QUINTIC.check, CHECK),
+    "Path.interpolate": (QUINTIC.interpolate, {"feed": 1, "period": 1}),
+    "Path.compile": (QUINTIC.compile, {"prefix": None, "frame": "erf", **START, "lower": 0, "upper": 1}),
+    "Path.page": (QUINTIC.page, {"file": "", "ts": None, "f2": None, "samples": 3, **START}),
+    "Curve": (phrame.Curve, {**LISTS, **CURVE}),
+    "Curve.segment": (QUINTIC.segment, {"a": 0, "b": 1}),
+    "Curve.reversed": (QUINTIC.reversed, {}),
+    "Curve.translated": (QUINTIC.translated, {"v": [1, 2, 3]}),
+    "Curve.scaled": (QUINTIC.scaled, {"c": 1}),
+    "Curve.rotated": (QUINTIC.rotated, {"u": [1, 2, 3, 4]}),
+    "Curve.from_quaternions": (phrame.Curve.from_quaternions, {"quaternions": [[1, 2, 3, 4]], **CURVE}),
+    "Curve.from_hopf": (phrame.Curve.from_hopf, {"alpha": [1j], "beta": [(1, 2)], **CURVE}),
+    "Curve.from_control_points": (phrame.Curve.from_control_points, {"points": QUINTIC.control_points, "name": ""}),
+    "Curve.near": (phrame.Curve.near, {"points": QUINTIC.control_points, "eps": 1, "name": ""}),
+    "Curve.hermite": (phrame.Curve.hermite, {"p0": [0, 0, 0], "d0": [1, 0, 0], "p1": [1, 1, 1], "d1": [0, 1, 1],
+                                             "a0": None, "a1": None, **CHOICE}),
+    "Curve.through": (phrame.Curve.through, {
+        "points": [[0, 0, 0], [1, 1, 1]], "derivatives": None, "tangents": None, "accelerations": None,
+        "parameters": None, "closed": False, **CHOICE}),
+    "Curve.read": (phrame.Curve.read, {"file": "none", "near": None}),
+    "Curve.from_json": (phrame.Curve.from_json, {"text": QUINTIC.json(), "near": None}),
+    "Curve.bezier": (phrame.Curve.bezier, {"points": POINTS, "weights": None, "name": ""}),
+    "Curve.nurbs": (phrame.Curve.nurbs, {"points": POINTS, "weights": None, "knots": None, "degree": 2, "name": ""}),
+    "Curve.polynomial": (phrame.Curve.polynomial, {"x": [0, 1], "y": [0, 0, 1], "z": [0, 1, 1], "w": None, "name": "", "basis": "power"}),
+    "Curve.expressions": (phrame.Curve.expressions, {
+        "x": "s", "y": "s^2", "z": "s^3", "lower": 0, "upper": 1, "variable": None, "name": ""}),
+    "Curve.cubic_spline": (phrame.Curve.cubic_spline, {
+        "points": POINTS, "parameters": None, "ends": "natural", "spacing": "uniform", "start_derivative": None,
+        "end_derivative": None, "name": ""}),
+    "Curve.certify": (QUINTIC.certify, {"at": [1], "digits": 10, "frame": "erf"}),
+    "SmoothPath.joined": (phrame.SmoothPath.joined, {"curves": [CUBIC], "name": ""}),
+    "SmoothPath.curvature": (CUBIC.curvature, {"t": 1}),
+    "SmoothPath.torsion": (CUBIC.torsion, {"t": 1}),
+    "SmoothPath.arc_length": (CUBIC.arc_length, {"t": 1}),
+    "SmoothPath.parameter_at": (CUBIC.parameter_at, {"s": 1}),
+    "SmoothPath.point": (CUBIC.point, {"t": 1}),
+    "SmoothPath.plot": (CUBIC.plot, {"ts": [0, 1], "ax": None, "kind": "rmf", "ribbon": 0.1, **START}),
+    "SmoothPath.frames": (CUBIC.frames, {**ARRAY, "up": None}),
+    "SmoothPath.quaternions": (CUBIC.quaternions, {**ARRAY, "up": None}),
+    "SmoothPath.matrices": (CUBIC.matrices, {**ARRAY, "up": None}),
+    "SmoothPath.points": (CUBIC.points, {k: ARRAY[k] for k in ("ts", "by", "progress")}),
+    "SmoothPath.angle": (CUBIC.angle, {"frame": "up", "up": None, **START}),
+    "SmoothPath.check": (CUBIC.check, {**CHECK, "up": None}),
+    "SmoothPath.minimal_twist": (CUBIC.minimal_twist, {"start": 0, "end": 0, "extra_turns": 0, "up": None}),
+    "SmoothPath.interpolate": (CUBIC.interpolate, {"feed": 1, "period": 1}),
+    "SmoothPath.compile": (CUBIC.compile, {"prefix": None, "frame": "up", **START, "up": None}),
+    "SmoothPath.page": (CUBIC.page, {"file": "", "ts": None, "f2": None, "samples": 3, **START, "up": None}),
+    "SmoothAngle.value": (CUBIC.angle().value, {"t": 1, "digits": None}),
+    "SmoothAngle.__call__": (CUBIC.angle(), {"ts": [0], "progress": None}),
+    "SmoothAngle.text": (CUBIC.angle().text, {}),
+    "SmoothAngle.latex": (CUBIC.angle().latex, {}),
+    "SmoothAngle.json": (CUBIC.angle().json, {}),
+    "SmoothAngle.plot": (CUBIC.angle().plot, {"ts": [0, 1], "ax": None}),
+    "Angle.value": (THETA.value, {"t": 1, "digits": None}),
+    "Angle.__call__": (THETA, {"ts": [0], "progress": None}),
+    "Angle.rate": (THETA.rate, {"segment": 0}),
+    "Angle.poles": (THETA.poles, {"segment": 0}),
+    "Angle.text": (THETA.text, {"style": "logarithms"}),
+    "Angle.latex": (THETA.latex, {"style": "logarithms"}),
+    "Angle.json": (THETA.json, {"style": "logarithms"}),
+    "Angle.sympy": (THETA.sympy, {"symbol": None}),
+    "Angle.plot": (THETA.plot, {"ts": [0, 1], "ax": None}),
+    "Integral.value": (phrame.integrate("x", 0, 1).value, {"digits": None}),
+    "Integral.poles": (phrame.integrate("x").poles, {}),
+    "Integral.text": (phrame.integrate("x").text, {}),
+    "Integral.latex": (phrame.integrate("x").latex, {}),
+    "Integral.json": (phrame.integrate("x").json, {}),
+    "Integral.sympy": (phrame.integrate("x").sympy, {"symbol": None}),
+    "Classification.text": (QUINTIC.classify().text, {}),
+    "Classification.latex": (QUINTIC.classify().latex, {}),
+    "Classification.json": (QUINTIC.classify().json, {}),
+    "MinimalTwist.value": (QUINTIC.minimal_twist(0, 1).value, {"t": 1, "digits": None}),
+    "CheckResult.text": (QUINTIC.check([0], [[0, 0, 1]]).text, {}),
+    "CheckResult.json": (QUINTIC.check([0], [[0, 0, 1]]).json, {}),
+    "Certificate.from_json": (phrame.Certificate.from_json, {"text": QUINTIC.certify(digits=5).json()}),
+    "Certificate.json": (QUINTIC.certify(digits=5).json, {}),
+    "Certificate.objections": (QUINTIC.certify(digits=5).objections, {}),
+    "Certificate.is_proved": (QUINTIC.certify(digits=5).is_proved, {}),
+    "SweptBody.volume": (phrame.sweep(QUINTIC, "polygon:3,1/9", sections=3).volume, {}),
+    "SweptBody.save": (phrame.sweep(QUINTIC, "polygon:3,1/9", sections=3).save, {"file": ""}),
+    "root": (phrame.root, {"polynomial": [-2, 0, 1], "lower": 1, "upper": 2}),
+    "read": (phrame.read, {"file": "none"}),
+    "parse": (phrame.parse, {"text": QUINTIC.json()}),
+    "integrate": (phrame.integrate, {"f": "1/x", "lower": 1, "upper": 2, "variable": None, "principal_value": False,
+                                     "style": "textbook", "form": "auto"}),
+    "sweep": (phrame.sweep, {"path": QUINTIC, "profile": "polygon:3,1/9", **START, "end_normal": None, "twist": 0,
+                             "scale": 1, "tolerance": None, "sections": 3}),
+    "map": (phrame.map, {"curves": [QUINTIC], "question": lambda curve: 0, "threads": None, "errors": "raise"}),
+    "sympy.integrate": (phrame.sympy.integrate, INTEGRAL),
+    "sympy.integral": (phrame.sympy.integral, INTEGRAL),
+    "sympy.rational_function": (phrame.sympy.rational_function, {"expr": X, "x": X}),
+    "dask.map": (phrame.dask.map, {"curves": [QUINTIC], "question": lambda curve: 0, "partitions": None, "errors": "raise"}),
+    **{f"dask.{name}": (getattr(phrame.dask, name), {"path": QUINTIC, "ts": [0, 1]})
+       for name in ("frames", "quaternions", "matrices", "points")},
+    "dask.angles": (phrame.dask.angles, {"angle": THETA, "ts": [0, 1]}),
+    "spark.map": (phrame.spark.map, {"curves": Rdd([QUINTIC]), "question": lambda curve: 0, "errors": "raise"}),
+}
+
+
+
+def public_functions():
+    """The names of arguments of each: of the stub, and of what is written in Python."""
+    tree = ast.parse(File(phrame._phrame.__file__).with_name("_phrame.pyi").read_text(encoding="utf-8"))
+    functions = {}
+    for node in tree.body:
+        parts = node.body if isinstance(node, ast.ClassDef) else [node]
+        for f in parts:
+            if not isinstance(f, ast.FunctionDef) or any(getattr(d, "id", "") == "property" for d in f.decorator_list):
+                continue
+            name = f"{node.name}.{f.name}" if isinstance(node, ast.ClassDef) else f.name
+            name = name.replace(".__init__", "")
+            if f.name not in ("__init__", "__call__") and f.name.startswith("_"):
+                continue
+            functions[name] = {a.arg for a in f.args.args + f.args.kwonlyargs} - {"self"}
+    functions["map"] = set(inspect.signature(phrame.map).parameters)
+    for module in phrame._BRIDGES:
+        for name in import_module(f"phrame.{module}").__all__:
+            signature = inspect.signature(getattr(getattr(phrame, module), name))
+            functions[f"{module}.{name}"] = set(signature.parameters) - {"options"}
+    return functions
