@@ -331,6 +331,29 @@ std::string trouble(const HermiteSpline& data) {
   return "";
 }
 
+/// A and its derivative by the parameter.
+struct MovingPreimage {
+  RationalQuaternion a;
+  RationalQuaternion rate;
+};
+
+/// At t, 0 or 1, of a segment whose multiplier is the step of the parameter.
+MovingPreimage in_parameter_at(const Curve& curve, const Rational& t) {
+  const auto& [u, v, p, q] = curve.preimage();
+  const QuaternionPolynomial slope{differentiate(u), differentiate(v), differentiate(p),
+                                   differentiate(q)};
+  const Rational h = curve.multiplier().coefficient(0);
+  return {evaluate(curve.preimage(), t), Rational(1 / h) * evaluate(slope, t)};
+}
+
+/// Are A i A* and its derivative, 2S(A, A′), the same? They are where A and A′ are, as in splines
+/// through points; that is cheaper to see.
+bool meet_c2(const MovingPreimage& before, const MovingPreimage& after) {
+  if (before.a == after.a && before.rate == after.rate) return true;
+  return rotated_i(before.a) == rotated_i(after.a) &&
+         symmetric_product(before.a, before.rate) == symmetric_product(after.a, after.rate);
+}
+
 }  // namespace
 
 Construction c2_spline(const HermiteSpline& data, const Deviation& tolerance, PointRule rule) {
@@ -350,21 +373,14 @@ Construction c2_spline(const HermiteSpline& data, const Deviation& tolerance, Po
 }
 
 bool is_c2(const Path& path, bool is_closed) {
-  /// r′/h = A i A* and r″/h² = 2S(A, A′)/h at t, 0 or 1.
-  const auto derivatives = [](const Curve& curve, const Rational& t) {
-    const Rational h = curve.multiplier().coefficient(0);
-    const auto& [u, v, p, q] = curve.preimage();
-    const QuaternionPolynomial slope{differentiate(u), differentiate(v), differentiate(p),
-                                     differentiate(q)};
-    const RationalQuaternion a = evaluate(curve.preimage(), t);
-    return std::pair(rotated_i(a), Rational(2 / h) * symmetric_product(a, evaluate(slope, t)));
-  };
   const std::vector<Curve>& segments = path.segments();
   if (std::ranges::any_of(segments, [](const Curve& c) { return c.multiplier().degree() != 0; }))
     return false;
   for (std::size_t k = 1; k < segments.size(); ++k)
-    if (derivatives(segments[k - 1], 1) != derivatives(segments[k], 0)) return false;
-  return !is_closed || derivatives(segments.back(), 1) == derivatives(segments.front(), 0);
+    if (!meet_c2(in_parameter_at(segments[k - 1], 1), in_parameter_at(segments[k], 0)))
+      return false;
+  return !is_closed ||
+         meet_c2(in_parameter_at(segments.back(), 1), in_parameter_at(segments.front(), 0));
 }
 
 }  // namespace phrame
