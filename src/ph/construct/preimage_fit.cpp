@@ -12,7 +12,9 @@
 // at once. Where A = L·z with z ∈ ℂ[t], or r′ = f·A i A* with another f, the linear problem has
 // many solutions for this m and one for a lower m. So lower ones are tried until the distance is
 // what rounding the data to doubles makes, and the best is taken. A straight line, m = 0, has least
-// and comes before all.
+// and comes before all. A curve of high degree may be so near to one with a lower m and a quadratic
+// f that the linear problem has two small singular values for its own m, too; it is found from
+// there, with f = |z|² drawn into A.
 #include "phrame/ph/construct/preimage_fit.hpp"
 
 #include <algorithm>
@@ -184,9 +186,11 @@ PreimageFit with_unit_constant(PreimageFit fit) {
   return {std::move(fit.preimage), {1}};
 }
 
-PreimageFit added(PreimageFit a, const PreimageFit& b) {
-  for (std::size_t k = 0; k < a.preimage.size(); ++k) a.preimage[k] = a.preimage[k] + b.preimage[k];
-  for (std::size_t k = 0; k < a.multiplier.size(); ++k) a.multiplier[k] += b.multiplier[k];
+/// a + factor·b.
+PreimageFit moved(PreimageFit a, double factor, const PreimageFit& b) {
+  for (std::size_t k = 0; k < a.preimage.size(); ++k)
+    a.preimage[k] = a.preimage[k] + factor * b.preimage[k];
+  for (std::size_t k = 0; k < a.multiplier.size(); ++k) a.multiplier[k] += factor * b.multiplier[k];
   return a;
 }
 
@@ -227,18 +231,23 @@ struct FitCandidate {
   double distance;  ///< the greatest of a point
 };
 
-/// By Gauss's and Newton's iteration, as far as it helps.
-FitCandidate candidate(const std::vector<DoubleVector>& hodograph,
-                       const std::vector<HodographSample>& at,
-                       const std::vector<DoubleVector>& points, long m) {
+/// From there by Gauss's and Newton's iteration, as far as it helps, with steps that are halved
+/// down to this factor where they do not.
+FitCandidate candidate(PreimageFit fit, const std::vector<DoubleVector>& points,
+                       double least_factor) {
   constexpr int most_steps = 20;
-  PreimageFit fit = first_fit(hodograph, at, m);
   Remainder now = remainder(fit, points);
   double last = HUGE_VAL;
   for (int k = 0; k < most_steps && (k < 4 || now.sum_of_squares < 0.9 * last); ++k) {
-    PreimageFit next = added(fit, FitStep(fit, FreePart::all)(now.of_points));
-    Remainder after = remainder(next, points);
+    const PreimageFit step = FitStep(fit, FreePart::all)(now.of_points);
+    PreimageFit next;
+    Remainder after;
     // Where it is no number this is false, too.
+    for (double factor = 1; factor >= least_factor; factor /= 2) {
+      next = moved(fit, factor, step);
+      after = remainder(next, points);
+      if (after.sum_of_squares < now.sum_of_squares) break;
+    }
     if (!(after.sum_of_squares < now.sum_of_squares)) break;
     last = now.sum_of_squares;
     now = std::move(after);
@@ -246,6 +255,31 @@ FitCandidate candidate(const std::vector<DoubleVector>& hodograph,
   }
   const bool is_number = std::isfinite(now.sum_of_squares);
   return {std::move(fit), is_number ? std::sqrt(now.greatest_square) : HUGE_VAL};
+}
+
+/// f·A i A* = (A·z) i (A·z)* for a quadratic f > 0: f = |z|² with a linear z ∈ ℂ[t], whose
+/// Bernstein coefficients are √f₀ and (f₁ ± i·√(f₀f₂ − f₁²))/√f₀. Nothing for other f.
+std::vector<PreimageFit> without_quadratic(const PreimageFit& fit) {
+  if (fit.multiplier.size() != 3) return {};
+  const double f0 = fit.multiplier[0];
+  const double f1 = fit.multiplier[1];
+  const double rest = f0 * fit.multiplier[2] - f1 * f1;
+  if (!(f0 > 0 && rest >= 0)) return {};
+  const double z0 = std::sqrt(f0);
+  const std::size_t m = fit.preimage.size() - 1;
+  const auto row = binomials(m + 1);
+  const auto a = scaled(fit.preimage);
+  std::vector<PreimageFit> result;
+  for (const double imaginary : {std::sqrt(rest), -std::sqrt(rest)}) {
+    std::vector<DoubleQuaternion> product(m + 2);
+    for (std::size_t k = 0; k <= m; ++k) {
+      product[k] = product[k] + z0 * a[k];
+      product[k + 1] = (1 / z0) * turned(a[k], ComplexOf<double>{f1, imaginary});
+    }
+    for (std::size_t k = 0; k <= m + 1; ++k) product[k] = (1 / row[k]) * product[k];
+    result.push_back({std::move(product), {1}});
+  }
+  return result;
 }
 
 PreimageFit normalized(PreimageFit fit) {
@@ -345,14 +379,24 @@ PreimageFit best_fit(const std::vector<DoubleVector>& hodograph,
                      const std::vector<DoubleVector>& points) {
   // Below this, the doubles that the points are tell nothing more.
   constexpr double noise = 0x1p-46;
+  // The first fit of a degree that is too high is bad, and is to be given up for a lower one.
+  constexpr double whole_steps = 1;
+  constexpr double short_steps = 0x1p-6;
   const long n = static_cast<long>(hodograph.size()) - 1;
   auto at = samples(hodograph);
-  FitCandidate best = candidate(hodograph, at, points, 0);
+  FitCandidate best = candidate(first_fit(hodograph, at, 0), points, whole_steps);
+  const auto take_better = [&](FitCandidate other) {
+    if (other.distance < best.distance) best = std::move(other);
+  };
   const auto improve = [&] {
+    std::vector<PreimageFit> starts;
     for (long m = n / 2; m >= 0 && !(best.distance <= noise); --m) {
-      FitCandidate next = candidate(hodograph, at, points, m);
-      if (next.distance < best.distance) best = std::move(next);
+      FitCandidate next = candidate(first_fit(hodograph, at, m), points, whole_steps);
+      if (starts.empty()) starts = without_quadratic(next.fit);
+      take_better(std::move(next));
     }
+    for (PreimageFit& start : starts)
+      if (!(best.distance <= noise)) take_better(candidate(std::move(start), points, short_steps));
   };
   improve();  // with A i A* along r′: f > 0
   // Then as if the curve went on straight where it turns back at a cusp: f changes its sign.

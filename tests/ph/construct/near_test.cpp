@@ -155,6 +155,21 @@ TEST_CASE("near: a preimage with a complex factor is found without it") {
   }
 }
 
+TEST_CASE("near: a preimage is found that has a complex factor but for a little") {
+  for (long k = 9; k < 15 + 60 * (multiplier() - 1); ++k) {
+    CAPTURE(k);
+    Gauss gauss(2000 + k);
+    const long m = 2 + k % 19;
+    const QuaternionPolynomial z{gauss.polynomial(1), gauss.polynomial(1), {}, {}};
+    const Rational little = power_of_two(-14 - 4 * (k % 5));
+    const QuaternionPolynomial rest = gauss.preimage(m);
+    const QuaternionPolynomial a = gauss.preimage(m - 1) * z + Polynomial{little} * rest;
+    const Points points = rounded_to<double>(control_points(Curve(a)));
+    const NearCurve near = check_found(points, power_of_two(-44) * greatest(points));
+    CHECK(preimage_degree(near.curve) == m);
+  }
+}
+
 TEST_CASE("near: corners of the preimage") {
   const auto from = [](std::vector<RationalQuaternion> b) {
     Quaternion<std::vector<Rational>> lists;
