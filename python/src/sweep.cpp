@@ -38,7 +38,7 @@ Profile polygon_of(nb::handle corners) {
   return Profile(std::move(points));
 }
 
-Profile profile_of(nb::handle profile, const std::optional<Rational>& tolerance) {
+Profile profile_of(nb::handle profile, const ProfileTolerance& tolerance) {
   try {
     if (PyUnicode_Check(profile.ptr()) != 0) {
       const auto words = text(profile, "profile");
@@ -87,8 +87,8 @@ nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
     within = rational(tolerance, "tolerance");
     if (*within <= 0) refuse("tolerance", "it is not positive", tolerance);
   }
-  std::optional<Rational> of_profile;
-  if (within) of_profile = *within / (4 * exact_rational(greatest));
+  ProfileTolerance of_profile;
+  if (within) of_profile.distance = *within / (4 * exact_rational(greatest));
   SweepQuery query{profile_of(profile, of_profile), sweep_start(path, start, start_normal)};
   query.scale = size;
   query.twist = angle_number(twist, "twist");

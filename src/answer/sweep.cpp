@@ -35,11 +35,27 @@ double turn_of(const SweepPath& path, const SweepQuery& query) {
   return twist + angle_to(path.frames(0).e2, last);
 }
 
+/// Not above it.
+std::optional<double> normal_tolerance_of(const SweepQuery& query) {
+  if (!query.normal_tolerance) return std::nullopt;
+  if (std::holds_alternative<long>(query.tolerance_or_sections))
+    throw DomainError("normal tolerance: so many sections have no bound of their normals");
+  const double angle = round_to_double(to_real(FrameAngle(*query.normal_tolerance)));
+  if (!(angle > 0 && angle <= 1.57))
+    throw DomainError("normal tolerance: " + to_string(*query.normal_tolerance) +
+                      " is not between 0 and pi/2");
+  return angle * (1 - 0x1p-50);
+}
+
 SweepAnswer swept(const SweepPath& path, const SweepQuery& query) {
   greatest_scale(query.scale, path.series.segments);
+  const auto normal_tolerance = normal_tolerance_of(query);
   const double turn = turn_of(path, query);
-  return {sweep(path, {query.profile, query.scale, turn, query.tolerance_or_sections}),
-          path.is_closed, turn};
+  SweepForm form{query.profile, query.scale, turn, query.tolerance_or_sections, normal_tolerance};
+  if (normal_tolerance && query.profile_within)
+    form.profile = query.profile_within(
+        exact_rational(*normal_tolerance / (2 * side_angle_factor(path, form))));
+  return {sweep(path, form), path.is_closed, turn};
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "phrame/algebra/angle.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 #include "phrame/ph/smooth/smooth_path.hpp"
@@ -18,6 +20,12 @@ struct SweepQuery {
   RationalFunction scale{Polynomial{1}};  ///< λ(t) > 0: the profile is so many times as large
   /// A distance between mesh and surface, or the number of sections.
   std::variant<Rational, long> tolerance_or_sections = 100L;
+  /// With a tolerance: between 0 and π/2, and normals of triangles are as near to those of the
+  /// surface.
+  std::optional<Angle> normal_tolerance = {};
+  /// The profile with sides within an angle of the curve that it stands for, if it does: what is
+  /// swept where normals have a tolerance.
+  std::function<Profile(const Rational& angle)> profile_within = {};
 };
 
 /// The body as a mesh.
@@ -28,7 +36,8 @@ struct SweepAnswer {
 };
 
 /// @{ Throws as start_angle() and sweep(), and DomainError for an end normal along the tangent or
-/// of a closed path, and for a closed path with a twist that is no multiple of whole turns or a
+/// of a closed path, for a tolerance of normals that is not between 0 and π/2, or beside a number
+/// of sections, and for a closed path with a twist that is no multiple of whole turns or a
 /// scale that differs at its ends.
 SweepAnswer answer(const NamedPath& named, const SweepQuery& query);
 SweepAnswer answer(const NamedSmoothPath& named, const SweepQuery& query);

@@ -23,6 +23,7 @@ struct SweepOptions {
   std::optional<std::string> twist;
   std::string scale = "1";
   std::optional<std::string> tolerance;
+  std::optional<std::string> normal_tolerance;
   long sections = 0;
   std::string format = "obj";
   bool is_exact = false;
@@ -49,11 +50,24 @@ auto given_profile(const SweepOptions& options, Parse parse, Read read) {
   });
 }
 
+/// How near the normals are to be.
+std::optional<Angle> normal_angle(const SweepOptions& options) {
+  if (!options.normal_tolerance) return std::nullopt;
+  const Angle angle = parse_angle_option("--normal-tolerance", *options.normal_tolerance);
+  const double radians = round_to_double(to_real(FrameAngle(angle)));
+  if (!(radians > 0 && radians <= 1.57))
+    throw InputError("--normal-tolerance", "\"" + abbreviated(*options.normal_tolerance) +
+                                               "\" is not between 0 and 90deg");
+  return angle;
+}
+
 /// Four times as near as the whole is to be.
-Profile profile_of(const SweepOptions& options, double scale) {
-  std::optional<Rational> tolerance;
+Profile profile_of(const SweepOptions& options, double scale,
+                   const std::optional<Rational>& angle = std::nullopt) {
+  ProfileTolerance tolerance{{}, angle};
   if (options.tolerance)
-    tolerance = positive_option("--tolerance", *options.tolerance) / (4 * exact_rational(scale));
+    tolerance.distance =
+        positive_option("--tolerance", *options.tolerance) / (4 * exact_rational(scale));
   return given_profile(
       options, [&](const std::string& text) { return parse_profile(text, tolerance); },
       [&](const std::string& bytes) { return read_profile(bytes, tolerance); });
@@ -75,6 +89,10 @@ SweepQuery query_of(const SweepOptions& options, std::size_t segments) {
   if (options.end_normal)
     query.end_normal = parse_vector_option("--end-normal", *options.end_normal);
   if (options.twist) query.twist = parse_angle_option("--twist", *options.twist);
+  query.normal_tolerance = normal_angle(options);
+  query.profile_within = [&options, greatest](const Rational& angle) {
+    return profile_of(options, greatest, angle);
+  };
   if (options.sections > 0)
     query.tolerance_or_sections = options.sections;
   else if (options.tolerance)
@@ -90,7 +108,11 @@ void tell(const SweepAnswer& answer, const std::string& output) {
   std::string text = fmt::format("{} points, {} triangles, {} sections", body.mesh.points.size(),
                                  body.mesh.triangles.size(), body.sections);
   if (body.error)
-    text += ", within " + upper_bound_text(exact_rational(*body.error)) + " of the surface, proved";
+    text += ", within " + upper_bound_text(exact_rational(*body.error)) + " of the surface, " +
+            (body.normal_error ? "its normals within " +
+                                     upper_bound_text(exact_rational(*body.normal_error)) + " rad, "
+                               : "") +
+            "proved";
   if (answer.is_closed) text += fmt::format("; closed by a turn of {:.6g}", answer.turn);
   if (output != "-") write_output("-", text + "\n");
   if (body.folds > 0)
@@ -186,9 +208,12 @@ void add_sweep(Program& program) {
                      "how many times as large the profile is: a rational function of t");
   command.add_option("--tolerance", "DISTANCE", options->tolerance,
                      "between mesh and surface, at most, proved (default: 1/200 of the profile)");
+  command.add_option(
+      "--normal-tolerance", "ANGLE", options->normal_tolerance,
+      "between the normals of triangles and of the surface, at most, proved; < 90deg");
   command.add_number("--sections", options->sections, {2, 1'000'000},
                      "so many sections at equal steps of t, instead of a tolerance");
-  command.not_with({"--sections"}, {"--tolerance"});
+  command.not_with({"--sections"}, {"--tolerance", "--normal-tolerance"});
   command.add_flag(
       "--exact", options->is_exact,
       "not a mesh but the surface itself, as rational Bezier patches, of a curve\n"
@@ -198,7 +223,7 @@ void add_sweep(Program& program) {
                      "the rational frame of minimal twist with w of this degree (default 2 with\n"
                      "--end-normal); of a closed curve the one that closes");
   command.only_with({"--degree"}, {"--exact"});
-  command.not_with({"--exact"}, {"--tolerance", "--sections"});
+  command.not_with({"--exact"}, {"--tolerance", "--normal-tolerance", "--sections"});
   command.add_format("--format", options->format, {"obj", "stl", "ply", "glb", "json"},
                      "obj (default), stl, ply or glb, the last three binary; with --exact obj\n"
                      "(free-form) or json (exact fractions)");

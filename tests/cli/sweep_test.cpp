@@ -24,6 +24,30 @@ TEST_CASE("sweep: the ending chooses the format, and a line on stderr says what 
   CHECK(contains(folded.err, "folds over itself"));
 }
 
+TEST_CASE("sweep: normals have a tolerance of their own, profiles too") {
+  const Workshop here;
+  const Run round =
+      here.run("sweep quintic.json --profile circle:1/10 --normal-tolerance 1/50 -o pipe.obj");
+  check_success(round);
+  const std::string words = " of the surface, its normals within ";
+  const std::size_t at = round.out.find(words);
+  REQUIRE(at != std::string::npos);
+  CHECK(round.out.ends_with(" rad, proved\n"));
+  CHECK(std::stod(round.out.substr(at + words.size())) <= 0.02);
+  // A profile that turns must be nearer to its circle than one that does not.
+  for (const std::string more : {"--twist 360deg", "--scale 1+t", "--twist -90deg --scale 2-t"})
+    CHECK(here.run("sweep line.json --profile circle:1/2 --normal-tolerance 10deg -o p.obj " + more)
+              .status == 0);
+  const std::string pipe = "sweep quintic.json --profile circle:1/10 --normal-tolerance ";
+  check_failure(here.run(pipe + "90deg"), 2, "--normal-tolerance: \"90deg\" is not between");
+  check_failure(here.run(pipe + "0"), 2, "--normal-tolerance: ");
+  check_failure(here.run(pipe + "1deg --sections 7"), 2, "--normal-tolerance");
+  check_failure(here.run(pipe + "1deg --exact --end-normal 0,0,1"), 2, "--normal-tolerance");
+  check_failure(here.run(pipe + "1e-9"), 2, "10000");
+  check_failure(here.run("sweep quintic.json --profile circle:9 --normal-tolerance 9deg"), 4,
+                "folds over itself");
+}
+
 TEST_CASE("sweep: profiles come from files, starts and ends from options") {
   const Workshop here;
   here.write("l.csv", "x,y\n0,0\n2,0\n2,1\n1,1\n1,2\n0,2\n");

@@ -45,24 +45,37 @@ CurveSeries series_of_segment(const GivenSegment& segment) {
 
 constexpr long bits = 96;
 
-/// As far as (Δt)²/8·|r″| the chord of a part is from it.
-bool is_flat(const CurveSeries& series, const Rational& from, const Rational& to,
-             const Rational& tolerance) {
-  const auto r = series.position(0, hull(from, to, bits), 3, bits);
+/// Of a Taylor coefficient in the plane.
+RealBall plane_length(const Vector<BallPolynomial>& r, long order) {
   RealBall sum;
   for (std::size_t k = 0; k < 2; ++k) {
-    const RealBall x = r[k].coefficient(2);
+    const RealBall x = absolute(r[k].coefficient(order));
     sum = add(sum, multiply(x, x, bits), bits);
   }
-  const Rational step = to - from;  // r″ is twice the coefficient
-  const RealBall distance =
-      multiply(RealBall(step * step / 4, bits), sqrt_of_nonnegative(sum, bits), bits);
-  return sign(subtract(RealBall(tolerance, bits), distance, bits)) > 0;
+  return sqrt_of_nonnegative(sum, bits);
+}
+
+/// As far as (Δt)²/8·|r″| the chord of a part is from it; and it is parallel to one of the
+/// tangents, which turn by Δt·|r″|/|r′| at most.
+bool is_flat(const CurveSeries& series, const Rational& from, const Rational& to,
+             const ProfileTolerance& tolerance) {
+  const auto r = series.position(0, hull(from, to, bits), 3, bits);
+  const RealBall second = plane_length(r, 2);  // r″ is twice the coefficient
+  const Rational step = to - from;
+  const auto is_less = [](const RealBall& a, const RealBall& b) {
+    return sign(subtract(b, a, bits)) > 0;
+  };
+  if (!is_less(multiply(RealBall(step * step / 4, bits), second, bits),
+               RealBall(*tolerance.distance, bits)))
+    return false;
+  return !tolerance.angle ||
+         is_less(multiply(RealBall(2 * step, bits), second, bits),
+                 multiply(RealBall(*tolerance.angle, bits), plane_length(r, 1), bits));
 }
 
 /// The corners along a segment, without its end.
 void add_corners(std::vector<ProfilePoint>& corners, const GivenSegment& segment,
-                 const Rational& tolerance) {
+                 const ProfileTolerance& tolerance) {
   const CurveSeries series = series_of_segment(segment);
   std::vector<std::pair<Rational, Rational>> left{{0, 1}};
   while (!left.empty()) {
@@ -90,19 +103,33 @@ Rational size_of(const std::vector<GivenSegment>& segments) {
   return size;
 }
 
-Profile outline_of(const std::vector<GivenSegment>& segments,
-                   const std::optional<Rational>& asked) {
+/// Where the corners of a polygon are moved by so much, its sides turn by no more than this.
+Rational rounding_angle(const std::vector<ProfilePoint>& corners, const Rational& moved) {
+  Rational least = -1;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const auto& [x, y] = corners[k];
+    const auto& [next_x, next_y] = corners[(k + 1) % corners.size()];
+    const Rational side = std::max<Rational>(abs(next_x - x), abs(next_y - y));
+    if (least < 0 || side < least) least = side;
+  }
+  return least > 0 ? Rational(4 * moved / least) : Rational(4);
+}
+
+Profile outline_of(const std::vector<GivenSegment>& segments, const ProfileTolerance& asked) {
   const Rational size = size_of(segments);
-  const Rational tolerance = asked.value_or(size / 1000);
+  const Rational tolerance = asked.distance.value_or(size / 1000);
+  ProfileTolerance half{tolerance / 2, asked.angle};
+  if (half.angle) *half.angle /= 2;
   std::vector<ProfilePoint> corners;
-  for (const GivenSegment& segment : segments) add_corners(corners, segment, tolerance / 2);
+  for (const GivenSegment& segment : segments) add_corners(corners, segment, half);
   const Vector<Rational> end = end_point(segments.back());
   const ProfilePoint last{exact_rational(round_to_double(end[0])),
                           -exact_rational(round_to_double(end[1]))};
   if (!corners.empty() && last != corners.front()) corners.push_back(last);
   // Corners are rounded to doubles, and a curve may go twice as far as its ends.
-  const Rational error = tolerance / 2 + size * power_of_two(-48);
-  return made([&] { return Profile(std::move(corners), error); });
+  const Rational moved = size * power_of_two(-48);
+  const Rational angle = half.angle ? *half.angle + rounding_angle(corners, moved) : Rational(4);
+  return made([&] { return Profile(std::move(corners), tolerance / 2 + moved, angle); });
 }
 
 /// y is up.
@@ -137,8 +164,7 @@ std::optional<std::vector<GivenSegment>> svg_segments(std::string_view bytes) {
 
 }  // namespace
 
-std::optional<Profile> parse_profile(std::string_view text,
-                                     const std::optional<Rational>& tolerance) {
+std::optional<Profile> parse_profile(std::string_view text, const ProfileTolerance& tolerance) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) return std::nullopt;
   const std::string_view word = text.substr(0, colon);
@@ -152,7 +178,9 @@ std::optional<Profile> parse_profile(std::string_view text,
                                                      : "a width and a height",
                                  numbers.size()));
   return made([&] {
-    if (word == "circle") return circle_profile(numbers[0], tolerance.value_or(numbers[0] / 1000));
+    if (word == "circle")
+      return circle_profile(numbers[0], tolerance.distance.value_or(numbers[0] / 1000),
+                            tolerance.angle);
     if (word == "rectangle") return rectangle_profile(numbers[0], numbers[1]);
     if (denominator(numbers[0]) != 1 || numbers[0] < 3 || numbers[0] > 10'000)
       throw InputError(fmt::format("{} is not a number of corners from 3 to 10000",
@@ -161,7 +189,7 @@ std::optional<Profile> parse_profile(std::string_view text,
   });
 }
 
-Profile read_profile(std::string_view bytes, const std::optional<Rational>& tolerance) {
+Profile read_profile(std::string_view bytes, const ProfileTolerance& tolerance) {
   if (const auto segments = svg_segments(bytes)) return outline_of(*segments, tolerance);
   const TextTable table(bytes, {true, "x, y"});
   if (table.columns() != 2)
@@ -181,7 +209,7 @@ Profile read_profile(std::string_view bytes, const std::optional<Rational>& tole
 }
 
 std::optional<ProfileCurve> parse_profile_curve(std::string_view text) {
-  const auto polygon = parse_profile(text, std::nullopt);
+  const auto polygon = parse_profile(text);
   if (!polygon) return std::nullopt;
   const std::size_t colon = text.find(':');
   if (text.substr(0, colon) == "circle") return circle_curve(parse_number(text.substr(colon + 1)));
@@ -189,7 +217,7 @@ std::optional<ProfileCurve> parse_profile_curve(std::string_view text) {
 }
 
 ProfileCurve read_profile_curve(std::string_view bytes) {
-  const Profile polygon = read_profile(bytes, std::nullopt);
+  const Profile polygon = read_profile(bytes);
   if (const auto segments = svg_segments(bytes)) return outline_curve_of(*segments);
   return polygon_curve(polygon);
 }

@@ -6,16 +6,20 @@
 
 namespace phrame {
 
+/// How near a polygon is to the curve that it stands for.
+struct ProfileTolerance {
+  std::optional<Rational> distance = {};  ///< > 0; none: 1/1000 of the size of the curve
+  std::optional<Rational> angle = {};     ///< of its sides, in radians, > 0
+};
+
 /// "circle:R", "polygon:N,R" (regular, with a corner on the axis of f₂) or "rectangle:W,H"; no
-/// value for what is none of these words with a ':'. Curves are taken to within the tolerance, if
-/// there is none to within 1/1000 of their size. Throws InputError.
-std::optional<Profile> parse_profile(std::string_view text,
-                                     const std::optional<Rational>& tolerance);
+/// value for what is none of these words with a ':'. Throws InputError.
+std::optional<Profile> parse_profile(std::string_view text, const ProfileTolerance& tolerance = {});
 
 /// A polygon or outline from the bytes of a file: a table of x, y, a corner a row, or an SVG file
 /// or path data with one subpath, which is closed by a line where it is not. The y of SVG, which is
 /// down there, is up. Throws InputError, its place line:column or "line 3".
-Profile read_profile(std::string_view bytes, const std::optional<Rational>& tolerance);
+Profile read_profile(std::string_view bytes, const ProfileTolerance& tolerance = {});
 
 /// @{ The same exactly: circles in rational quarters, outlines of SVG with the curves they have.
 /// The corners of a regular polygon are doubles. That an outline does not meet itself is seen of

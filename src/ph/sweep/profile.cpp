@@ -103,8 +103,8 @@ void require_positive(const Rational& x, const char* what) {
 
 }  // namespace
 
-Profile::Profile(std::vector<ProfilePoint> corners, Rational error)
-    : corners_(std::move(corners)), error_(std::move(error)) {
+Profile::Profile(std::vector<ProfilePoint> corners, Rational error, Rational angle)
+    : corners_(std::move(corners)), error_(std::move(error)), angle_(std::move(angle)) {
   if (corners_.size() > 1 && corners_.front() == corners_.back()) corners_.pop_back();
   if (corners_.size() < 3)
     throw DomainError(
@@ -130,21 +130,28 @@ Profile regular_polygon(long corners, const Rational& radius) {
     points.push_back(
         {radius * exact_rational(std::cos(angle)), radius * exact_rational(std::sin(angle))});
   }
-  // An angle in doubles is off by at most 2^−50, cosine and sine by less than that.
-  return Profile(std::move(points), radius * power_of_two(-48));
+  // An angle in doubles is off by at most 2^−50, cosine and sine by less than that; a side is at
+  // least 4R/n long.
+  return Profile(std::move(points), radius * power_of_two(-48),
+                 Rational(corners) * power_of_two(-48));
 }
 
-Profile circle_profile(const Rational& radius, const Rational& tolerance) {
+Profile circle_profile(const Rational& radius, const Rational& tolerance,
+                       const std::optional<Rational>& angle) {
   require_positive(radius, "the radius");
   require_positive(tolerance, "the tolerance");
-  // A chord of the angle 2π/n is R(1 − cos π/n) ≤ R(π/n)²/2 < 5R/n² away.
-  const double n = std::ceil(std::sqrt(5 * round_to_double(Rational(radius / tolerance))));
+  if (angle) require_positive(*angle, "the tolerance of normals");
+  // A chord of the angle 2π/n is R(1 − cos π/n) ≤ R(π/n)²/2 < 5R/n² away, at the angle π/n < 22/7n
+  // to the ends of its arc.
+  const double n = std::max(std::ceil(std::sqrt(5 * round_to_double(Rational(radius / tolerance)))),
+                            angle ? std::ceil(22 / (7 * round_to_double(*angle)) + 0x1p-30) : 0);
   if (!(n <= 10'000))
     throw DomainError(
         "profile: the tolerance is too small for the circle: more than 10000 corners are needed");
   const long corners = std::max(6L, static_cast<long>(n));
   const Profile polygon = regular_polygon(corners, radius);
-  return Profile(polygon.corners(), polygon.error() + 5 * radius / Rational(corners * corners));
+  return Profile(polygon.corners(), polygon.error() + 5 * radius / Rational(corners * corners),
+                 Rational(22, 7 * corners));
 }
 
 Profile rectangle_profile(const Rational& width, const Rational& height) {
@@ -153,6 +160,20 @@ Profile rectangle_profile(const Rational& width, const Rational& height) {
   const Rational x = width / 2;
   const Rational y = height / 2;
   return Profile({{x, y}, {-x, y}, {-x, -y}, {x, -y}});
+}
+
+Profile subdivided(const Profile& profile, const std::vector<long>& pieces) {
+  const auto& corners = profile.corners();
+  std::vector<ProfilePoint> points;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const auto& [x, y] = corners[k];
+    const auto& [next_x, next_y] = corners[profile.next(k)];
+    for (long n = 0; n < pieces[k]; ++n) {
+      const Rational u(n, pieces[k]);
+      points.push_back({x + u * (next_x - x), y + u * (next_y - y)});
+    }
+  }
+  return Profile(std::move(points), profile.error(), profile.angle());
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #include "phrame/io/read/profile.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
@@ -17,9 +18,18 @@ using Corners = std::vector<ProfilePoint>;
 std::string complaint(const std::string& text, bool is_file) {
   try {
     if (is_file)
-      read_profile(text, std::nullopt);
+      read_profile(text);
     else
-      parse_profile(text, std::nullopt);
+      parse_profile(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string complaint_within(const std::string& text, const Rational& angle) {
+  try {
+    read_profile(text, {Rational(1, 10), angle});
   } catch (const InputError& error) {
     return error.what();
   }
@@ -29,15 +39,14 @@ std::string complaint(const std::string& text, bool is_file) {
 }  // namespace
 
 TEST_CASE("profile: words are read") {
-  CHECK(parse_profile("rectangle:2, 1/2", std::nullopt)->corners() ==
+  CHECK(parse_profile("rectangle:2, 1/2")->corners() ==
         rectangle_profile(2, Rational(1, 2)).corners());
-  CHECK(parse_profile("polygon:5,3", std::nullopt)->corners() == regular_polygon(5, 3).corners());
-  CHECK(parse_profile("circle:2", Rational(1, 50))->corners() ==
+  CHECK(parse_profile("polygon:5,3")->corners() == regular_polygon(5, 3).corners());
+  CHECK(parse_profile("circle:2", {Rational(1, 50)})->corners() ==
         circle_profile(2, Rational(1, 50)).corners());
-  CHECK(parse_profile("circle:2", std::nullopt)->corners() ==
-        circle_profile(2, Rational(1, 500)).corners());
-  CHECK_FALSE(parse_profile("outline.svg", std::nullopt));
-  CHECK_FALSE(parse_profile("C:\\outline.svg", std::nullopt));
+  CHECK(parse_profile("circle:2")->corners() == circle_profile(2, Rational(1, 500)).corners());
+  CHECK_FALSE(parse_profile("outline.svg"));
+  CHECK_FALSE(parse_profile("C:\\outline.svg"));
   CHECK(test::contains(complaint("circle:1,2", false), "a radius, not 2 numbers"));
   CHECK(test::contains(complaint("circle:x", false), "\"x\""));
   CHECK(test::contains(complaint("circle:-1", false), "not > 0"));
@@ -47,18 +56,18 @@ TEST_CASE("profile: words are read") {
 }
 
 TEST_CASE("profile: a table of corners is read exactly") {
-  CHECK(read_profile("x,y\n0,0\n0.1,0\n0,1/3\n", std::nullopt).corners() ==
+  CHECK(read_profile("x,y\n0,0\n0.1,0\n0,1/3\n").corners() ==
         Corners{{0, 0}, {Rational(1, 10), 0}, {0, Rational(1, 3)}});
-  CHECK(read_profile("0 0\n1 0\n0 1\n", std::nullopt).error() == 0);
+  CHECK(read_profile("0 0\n1 0\n0 1\n").error() == 0);
   CHECK(test::contains(complaint("0,0\n1,0\n0,z\n", true), "line 3"));
   CHECK(test::contains(complaint("0,0,0\n1,0,0\n0,1,0\n", true), "columns"));
   CHECK(test::contains(complaint("0,0\n1,1\n1,0\n0,1\n", true), "meet"));
 }
 
 TEST_CASE("profile: the outline of an SVG path, y up, closed where it is not") {
-  const Corners square = read_profile("M 0 0 H 2 V 2 H 0 Z", std::nullopt).corners();
+  const Corners square = read_profile("M 0 0 H 2 V 2 H 0 Z").corners();
   CHECK(square.size() == 4);
-  CHECK(read_profile("M 0 0 H 2 V 2 H 0", std::nullopt).corners().size() == 4);
+  CHECK(read_profile("M 0 0 H 2 V 2 H 0").corners().size() == 4);
   for (const auto& [x, y] : square) CHECK((x >= 0 && y <= 0));
   CHECK(test::contains(complaint("M 0 0 H 1 V 1 Z M 5 5 H 6 V 6 Z", true), "subpath"));
 }
@@ -66,7 +75,7 @@ TEST_CASE("profile: the outline of an SVG path, y up, closed where it is not") {
 // Half a circle of radius 1 in SVG's arc, and its diameter.
 TEST_CASE("profile: curved parts are within the tolerance") {
   const Rational tolerance(1, 10'000);
-  const Profile half = read_profile("M 1 0 A 1 1 0 0 1 -1 0 Z", tolerance);
+  const Profile half = read_profile("M 1 0 A 1 1 0 0 1 -1 0 Z", {tolerance});
   CHECK(half.error() <= tolerance);
   CHECK(half.corners().size() > 100);
   CHECK(half.corners().size() < 2000);
@@ -79,4 +88,32 @@ TEST_CASE("profile: curved parts are within the tolerance") {
       CHECK(std::abs(std::hypot(round_to_double(a[0]), round_to_double(a[1])) - 1) < 1e-12);
   }
   CHECK(std::abs(area - M_PI / 2) < 4e-4);
+}
+
+// A chord of a circle is parallel to the tangent in the middle of its arc: half of the angle of the
+// arc from those at its ends.
+TEST_CASE("profile: sides are at no more than the angle asked for to the curve") {
+  for (const double angle : {0.3, 0.05}) {
+    const Profile half =
+        read_profile("M 1 0 A 1 1 0 0 1 -1 0 Z", {Rational(1), exact_rational(angle)});
+    CHECK(round_to_double(half.angle()) <= angle);
+    double greatest = 0;
+    for (std::size_t k = 0; k < half.corners().size(); ++k) {
+      const auto& a = half.corners()[k];
+      const auto& b = half.corners()[half.next(k)];
+      if (a[1] == 0 && b[1] == 0) continue;  // the diameter
+      const double chord = std::hypot(round_to_double(b[0] - a[0]), round_to_double(b[1] - a[1]));
+      greatest = std::max(greatest, std::asin(chord / 2));
+    }
+    CHECK(greatest <= round_to_double(half.angle()));
+    CHECK(greatest > angle / 10);
+  }
+  CHECK(round_to_double(parse_profile("circle:3", {Rational(1), Rational(1, 10)})->angle()) < 0.1);
+  CHECK(parse_profile("circle:3", {Rational(1), Rational(1, 10)})->corners().size() == 32);
+  CHECK(read_profile("M 1 0 A 1 1 0 0 1 -1 0 Z").angle() > 3);
+  CHECK(read_profile("0,0\n1,0\n0,1\n", {Rational(1), Rational(1, 10)}).angle() == 0);
+  // It starts without a direction: r' = 0 there.
+  CHECK(
+      test::contains(complaint_within("M 0 0 C 0 0 1 2 2 0 Z", Rational(1, 10)), "10000 corners"));
+  CHECK(read_profile("M 0 0 C 0 0 1 2 2 0 Z").corners().size() > 3);
 }

@@ -99,6 +99,17 @@ TEST_CASE("profile: a circle is met within the tolerance, by not many more corne
   }
 }
 
+TEST_CASE("profile: sides are divided evenly") {
+  const Profile triangle({{0, 0}, {3, 0}, {0, 2}}, Rational(1, 9), Rational(1, 7));
+  const Profile divided = subdivided(triangle, {3, 1, 2});
+  CHECK(divided.corners() ==
+        std::vector<ProfilePoint>{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 2}, {0, 1}});
+  CHECK(divided.error() == Rational(1, 9));
+  CHECK(divided.angle() == Rational(1, 7));
+  CHECK(divided.next(5) == 0);
+  check_triangles(divided);
+}
+
 TEST_CASE("profile: ears are clipped of convex, reflex and straight corners") {
   check_triangles(regular_polygon(17, 2));
   check_triangles(rectangle_profile(2, Rational(1, 3)));

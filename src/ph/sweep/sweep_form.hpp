@@ -1,0 +1,45 @@
+#pragma once
+#include <optional>
+#include <variant>
+
+#include "phrame/algebra/rational_function.hpp"
+#include "phrame/ph/frame/compiled_frame.hpp"
+#include "phrame/ph/smooth/curve_series.hpp"
+#include "phrame/ph/sweep/profile.hpp"
+
+namespace phrame {
+
+/// A path with its rotation-minimizing frame, as a sweep sees it.
+struct SweepPath {
+  CurveSeries series;      ///< the path, of PH curves or of any kind
+  CompiledFrames frames;   ///< on [0, the number of segments]
+  bool is_closed = false;  ///< with its tangent, so that it needs no caps?
+};
+
+/// How a profile is swept.
+struct SweepForm {
+  Profile profile;  ///< what is swept
+  /// The profile is λ(t) times as large there, λ > 0 on the path.
+  RationalFunction scale{Polynomial{1}};
+  /// The profile turns by so many radians against the frame, at a constant rate per length.
+  double turn = 0;
+  /// No point of the surface is farther from that of the mesh, and conversely; or so many sections,
+  /// at equal steps of t.
+  std::variant<Rational, long> tolerance_or_sections;
+  /// With a tolerance: the normal of a triangle is within so many radians, < π/2, of those of the
+  /// part of the surface that it stands for.
+  std::optional<double> normal_tolerance = {};
+};
+
+/// A part of a segment of a path.
+struct SweepPart {
+  std::size_t segment;  ///< of the path
+  double from;          ///< in [0, 1)
+  double to;            ///< in (0, 1]
+
+  /// The parameter of the path there.
+  double start() const { return static_cast<double>(segment) + from; }
+  double step() const { return to - from; }  ///< > 0
+};
+
+}  // namespace phrame

@@ -1,0 +1,116 @@
+#include "phrame/ph/sweep/sweep_rates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+
+namespace phrame {
+namespace {
+
+// The surface is S(u, t) = r + a·v(u), a = λe^{iφ}, v = x f₂ + y f₃ of the constant length |v|. On
+// a side of the polygon it is linear in u, so that between two sections, at the distance Δt, it is
+// as near to the bilinear patch through its four corners as |S_tt|·Δt²/8 on the two edges u =
+// const. With the unit tangent T and f₂′ = −(f₂·T′)T, the derivatives of v are
+//   |v′| ≤ |v|·|T′|,  |v″| ≤ |v|·(|T″| + |T′|²),
+// and those of T, from T′ = (r″ − (T·r″)T)/|r′|,
+//   |T′| ≤ |r″|/|r′|,  |T″| ≤ (|r‴| + 3|T′||r″|)/|r′|;
+// φ′ = Φ|r′|/S for a turn by Φ along the length S. All of this is bounded by balls around all t of
+// a part.
+
+constexpr long rate_bits = 64;
+
+double length_below(const Vector<RealBall>& v) {
+  RealBall sum;
+  for (const RealBall& x : v) {
+    const RealBall size = absolute(x);
+    sum = add(sum, multiply(size, size, rate_bits), rate_bits);
+  }
+  return -upper_double(
+      subtract(RealBall(0, rate_bits), sqrt_of_nonnegative(sum, rate_bits), rate_bits));
+}
+
+double length_above(const Vector<RealBall>& v) {
+  RealBall sum;
+  for (const RealBall& x : v) sum = add(sum, multiply(x, x, rate_bits), rate_bits);
+  return upper_double(sqrt_of_nonnegative(sum, rate_bits));
+}
+
+}  // namespace
+
+double ScaleRates::bound(std::size_t order, const RealBall& t) const {
+  return upper_double(absolute(evaluate(derivatives_[order], t, rate_bits)));
+}
+
+double ScaleRates::at(std::size_t order, double t) const {
+  return approximate(
+      evaluate(derivatives_[order], RealBall(exact_rational(t), rate_bits), rate_bits));
+}
+
+std::optional<SweepRates> sweep_rates(const SweepPath& path, const ScaleRates& scale,
+                                      double turn_per_length, const SweepPart& part) {
+  const RealBall t = hull(exact_rational(part.from), exact_rational(part.to), rate_bits);
+  const auto series = path.series.position(part.segment, t, 4, rate_bits);
+  const auto derivative = [&](long order) {
+    return Vector<RealBall>{series[0].coefficient(order), series[1].coefficient(order),
+                            series[2].coefficient(order)};
+  };
+  SweepRates rates{};
+  rates.speed_below = length_below(derivative(1));
+  if (!(rates.speed_below > 0)) return std::nullopt;
+  rates.speed = length_above(derivative(1));
+  rates.acceleration = 2 * length_above(derivative(2));
+  const double jerk = 6 * length_above(derivative(3));
+  rates.tangent = rates.acceleration / rates.speed_below * sweep_slack;
+  rates.tangent2 =
+      (jerk + 3 * rates.tangent * rates.acceleration) / rates.speed_below * sweep_slack;
+  const RealBall along = add(t, RealBall(static_cast<long>(part.segment), rate_bits), rate_bits);
+  for (std::size_t k = 0; k < 3; ++k) rates.scale[k] = scale.bound(k, along);
+  rates.turn = std::abs(turn_per_length) * rates.speed * sweep_slack;
+  rates.turn2 = std::abs(turn_per_length) * rates.acceleration * sweep_slack;
+  return rates;
+}
+
+double edge_error(const SweepRates& rates, double reach, double step) {
+  const auto& [scale, scale1, scale2] = rates.scale;
+  const double turn = rates.turn;
+  const double tangent = rates.tangent;
+  const double a1 = scale1 + scale * turn;
+  const double a2 = scale2 + 2 * scale1 * turn + scale * (rates.turn2 + turn * turn);
+  const double second = rates.acceleration + reach * (a2 + 2 * a1 * tangent +
+                                                      scale * (rates.tangent2 + tangent * tangent));
+  return step * step / 8 * second * sweep_slack;
+}
+
+SweepParts sweep_parts(const SweepPath& path, const ScaleRates& scale, double turn_per_length,
+                       double reach, double tolerance) {
+  // Near a cusp parts are as short as the square of its distance.
+  constexpr double shortest = 0x1p-22;
+  SweepParts found;
+  std::vector<SweepPart> left;
+  for (std::size_t k = path.series.segments; k-- > 0;) left.push_back({k, 0, 1});
+  while (!left.empty()) {
+    const SweepPart part = left.back();
+    left.pop_back();
+    const auto rates = sweep_rates(path, scale, turn_per_length, part);
+    const double error = rates ? edge_error(*rates, reach, part.step()) : HUGE_VAL;
+    if (rates && error <= tolerance) {
+      found.error = std::max(found.error, error);
+      found.parts.push_back(part);
+      continue;
+    }
+    if (part.step() < shortest || found.parts.size() + left.size() > most_sweep_points)
+      throw Undecided(fmt::format(
+          "sweep: near t = {} the curve has a cusp, or the tolerance is too small", part.start()));
+    const double middle = (part.from + part.to) / 2;
+    left.push_back({part.segment, middle, part.to});
+    left.push_back({part.segment, part.from, middle});
+  }
+  return found;
+}
+
+}  // namespace phrame

@@ -1,0 +1,55 @@
+#pragma once
+#include <array>
+
+#include "phrame/ph/sweep/sweep_form.hpp"
+
+namespace phrame {
+
+/// λ and its first two derivatives.
+class ScaleRates {
+ public:
+  explicit ScaleRates(const RationalFunction& scale)
+      : derivatives_{scale, differentiate(scale), differentiate(differentiate(scale))} {}
+  /// Of the absolute value of a derivative, of order 0 to 2, around t, above.
+  double bound(std::size_t order, const RealBall& t) const;
+  /// A derivative at t, rounded.
+  double at(std::size_t order, double t) const;
+
+ private:
+  std::array<RationalFunction, 3> derivatives_;
+};
+
+/// Bounds of how fast a path, and a profile along it, change on a part; derivatives are by t.
+struct SweepRates {
+  double speed_below;           ///< of |r′|, > 0
+  double speed;                 ///< |r′|
+  double acceleration;          ///< |r″|
+  double tangent;               ///< |T′|, T the unit tangent
+  double tangent2;              ///< |T″|
+  std::array<double, 3> scale;  ///< λ, |λ′|, |λ″|
+  double turn;                  ///< |φ′|, φ the angle by which the profile turns
+  double turn2;                 ///< |φ″|
+};
+
+/// By balls around all t of the part; no value where r′ may be 0.
+std::optional<SweepRates> sweep_rates(const SweepPath& path, const ScaleRates& scale,
+                                      double turn_per_length, const SweepPart& part);
+
+/// As far as an edge along the path, between the corners of two sections, is from the surface at
+/// most, no corner of the profile being farther from the path than `reach` where λ = 1.
+double edge_error(const SweepRates& rates, double reach, double step);
+
+/// Parts of all segments on which r′ ≠ 0 and edges are within the tolerance.
+struct SweepParts {
+  std::vector<SweepPart> parts;
+  double error = 0;  ///< of the edges
+};
+/// Throws Undecided where r′ is not told from 0, as at a cusp, and for too small a tolerance.
+SweepParts sweep_parts(const SweepPath& path, const ScaleRates& scale, double turn_per_length,
+                       double reach, double tolerance);
+
+/// Bounds in doubles are of some ten operations on positive numbers.
+constexpr double sweep_slack = 1 + 0x1p-40;
+constexpr std::size_t most_sweep_points = 20'000'000;
+
+}  // namespace phrame

@@ -1,0 +1,287 @@
+#include "phrame/ph/sweep/sweep_section.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+namespace phrame {
+namespace {
+
+constexpr long section_bits = 128;
+
+/// r and its derivatives up to an order.
+template <std::size_t count>
+std::array<Vector<double>, count> derivatives_at(const SweepPath& path, std::size_t segment,
+                                                 double t) {
+  const auto series = path.series.position(segment, RealBall(exact_rational(t), section_bits),
+                                           static_cast<long>(count), section_bits);
+  std::array<Vector<double>, count> found{};
+  double factorial = 1;
+  for (std::size_t order = 0; order < count; ++order) {
+    if (order > 1) factorial *= static_cast<double>(order);
+    for (std::size_t k = 0; k < 3; ++k)
+      found[order][k] = factorial * approximate(series[k].coefficient(static_cast<long>(order)));
+  }
+  return found;
+}
+
+double size(const Vector<double>& v) { return std::hypot(v[0], v[1], v[2]); }
+
+}  // namespace
+
+SweepSections::SweepSections(const SweepPath& path, const SweepForm& form,
+                             const std::optional<LengthShare>& share)
+    : path_(path), form_(form), share_(share), scale_(form.scale) {
+  for (const auto& [x, y] : form.profile.corners())
+    corners_.push_back({round_to_double(x), round_to_double(y)});
+}
+
+SweepSection SweepSections::section(std::size_t segment, double t) const {
+  const auto [center, rate, second] = derivatives_at<3>(path_, segment, t);
+  const double square = dot(rate, rate);
+  const double along = static_cast<double>(segment) + t;
+  const Frame<double> frame = path_.frames(along);
+  const double phi = share_ ? form_.turn * (*share_)(segment, t) : 0;
+  const double scale = scale_.at(0, along);
+  const double cos = scale * std::cos(phi);
+  const double sin = scale * std::sin(phi);
+  SweepSection section{along, {}, 0};
+  section.points.reserve(corners_.size());
+  for (const auto& [x, y] : corners_) {
+    const Vector<double> out = (cos * x - sin * y) * frame.e2 + (sin * x + cos * y) * frame.e3;
+    section.points.push_back(center + out);
+    // Along T it moves by |r′| − v·T′, and v·T′ = v·r″/|r′|.
+    if (dot(out, second) >= square) ++section.folds;
+  }
+  return section;
+}
+
+SweepMotion SweepSections::motion(std::size_t segment, double t) const {
+  const auto [center, rate, second] = derivatives_at<3>(path_, segment, t);
+  const double along = static_cast<double>(segment) + t;
+  const Frame<double> frame = path_.frames(along);
+  const double speed = size(rate);
+  const double phi = share_ ? form_.turn * (*share_)(segment, t) : 0;
+  SweepMotion motion{};
+  motion.speed = speed;
+  motion.tangent = 1 / speed * rate;
+  motion.tangent_rate = 1 / speed * (second - dot(motion.tangent, second) * motion.tangent);
+  motion.x = std::cos(phi) * frame.e2 + std::sin(phi) * frame.e3;
+  motion.y = std::cos(phi) * frame.e3 - std::sin(phi) * frame.e2;
+  motion.scale = scale_.at(0, along);
+  motion.scale_rate = scale_.at(1, along);
+  motion.turn_rate = share_ ? form_.turn / share_->length() * speed : 0;
+  return motion;
+}
+
+// ---- triangles and patches
+
+// The two triangles of four corners are as near to the patch as the lines through its diagonals
+// are to each other, where the diagonals cross in projection along their common normal: the patch
+// and the triangles are graphs above the same quadrilateral then, between the two parallel planes
+// of the diagonals. Otherwise a quarter of |P₀₀ − P₀₁ − P₁₀ + P₁₁| is a bound.
+
+namespace {
+
+/// For the corners a, b of one section and c, d of the next, the diagonal being that from a to d.
+double distance_to_patch(const Vector<double>& a, const Vector<double>& b, const Vector<double>& c,
+                         const Vector<double>& d) {
+  const Vector<double> first = d - a;
+  const Vector<double> second = c - b;
+  const Vector<double> to_b = b - a;
+  const double any_way = size(to_b - (d - c)) / 4;
+  const Vector<double> normal = cross(first, second);
+  const double length = size(normal);
+  // Each diagonal has the ends of the other on both its sides, clearly.
+  const auto side = [&](const Vector<double>& along, const Vector<double>& from_it) {
+    return dot(cross(along, from_it), normal);
+  };
+  const double margin = 0x1p-30 * length * length;
+  const bool is_convex = side(first, to_b) < -margin && side(first, c - a) > margin &&
+                         side(second, a - b) > margin && side(second, d - b) < -margin;
+  if (!is_convex) return any_way;
+  return std::min(any_way, std::abs(dot(to_b, normal)) / length);
+}
+
+}  // namespace
+
+double patch_error(const SweepSections& sections, const SweepSection& a, const SweepSection& b) {
+  double greatest = 0;
+  for (std::size_t k = 0; k < a.points.size(); ++k) {
+    const std::size_t next = sections.next(k);
+    greatest = std::max(
+        greatest, distance_to_patch(a.points[k], a.points[next], b.points[k], b.points[next]));
+  }
+  return greatest * sweep_slack;
+}
+
+// ---- normals
+
+// On a side with the direction d, a unit vector of the section, and m = d turned by a quarter, the
+// corner v = λ(c d + e m) has
+//   S_u ∥ d,  S_t = gT + p d + q m,  g = |r′| − v·T′,  q = λ′e + φ′λc,
+// since f₂′ = −(f₂·T′)T and f₃′ likewise, so that the outward normal is
+//   n = (qT − gm)/√(g² + q²) = sin ψ T − cos ψ m,  ψ = atan(q/g),  where g > 0.
+// On a section it lies between those of the two ends of a side, on an arc, as q and g are linear
+// in u. Along t, with m′ = −φ′d − (m·T′)T,
+//   n′ = (ψ′ + m·T′)(cos ψ T + sin ψ m) + (sin ψ d·T′ + cos ψ φ′)d,
+//   |n′| ≤ |ψ′| + |T′| + |φ′|,  ψ′ = (q′g − qg′)/(g² + q²),
+//   |g′| ≤ |r″| + ρ((|λ′| + λ|φ′|)|T′| + λ|T″|),  |q′| ≤ ρ(|λ″| + |λ′φ′| + λ|φ″|),
+// so that a normal N of a triangle is within α + max|n′|·Δt/2 of all of them, if it is within α <
+// π/2 of those at the four corners: caps of a sphere smaller than half of it are convex. Where the
+// side stands for a curve, β being the angle between them and δ their distance, n is elsewhere by
+// β and by what ψ moves with g, by λδ|T′| at most, and q, by (|λ′| + λ|φ′|)(δ + ρβ).
+
+namespace {
+
+/// g, q and n at a corner of a side.
+struct CornerNormal {
+  double g;
+  double q;
+  Vector<double> n;
+  double slack;  ///< of the angle, from rounding
+};
+
+CornerNormal normal_at(const SweepMotion& motion, const std::array<double, 2>& corner,
+                       const std::array<double, 2>& d) {
+  const auto& [x, y] = corner;
+  const Vector<double> out = (motion.scale * x) * motion.x + (motion.scale * y) * motion.y;
+  const Vector<double> m = d[0] * motion.y - d[1] * motion.x;
+  const double along = x * d[0] + y * d[1];
+  const double across = d[0] * y - d[1] * x;
+  CornerNormal at{};
+  at.g = motion.speed - dot(out, motion.tangent_rate);
+  at.q = motion.scale_rate * across + motion.turn_rate * motion.scale * along;
+  const double length = std::hypot(at.g, at.q);
+  at.n = at.q / length * motion.tangent - at.g / length * m;
+  // Numbers are within 2^−44 of themselves or of what they are sums of.
+  const double terms =
+      motion.speed + size(out) * size(motion.tangent_rate) +
+      std::hypot(x, y) * (std::abs(motion.scale_rate) + std::abs(motion.turn_rate) * motion.scale);
+  at.slack = 0x1p-40 * terms / length;
+  return at;
+}
+
+double angle_between(const Vector<double>& a, const Vector<double>& b) {
+  return std::atan2(size(cross(a, b)), dot(a, b));
+}
+
+/// N, of any length, and how far its computed direction may be from it.
+struct TriangleNormal {
+  Vector<double> n;
+  double slack;
+};
+
+TriangleNormal triangle_normal(const Vector<double>& a, const Vector<double>& b,
+                               const Vector<double>& c) {
+  const Vector<double> n = cross(b - a, c - a);
+  return {n, 0x1p-48 * size(b - a) * size(c - a) / size(n)};
+}
+
+std::array<double, 2> direction_between(const std::array<double, 2>& from,
+                                        const std::array<double, 2>& to) {
+  const double x = to[0] - from[0];
+  const double y = to[1] - from[1];
+  const double length = std::hypot(x, y);
+  return {x / length, y / length};
+}
+
+/// On a strip of triangles along a side: the least g, the greatest |q|.
+struct SideTilt {
+  double g;
+  double q;
+
+  /// As far as ψ moves where g and q move by so much at most: |∂ψ/∂q| = g/(g² + q²).
+  double moved(double by_g, double by_q) const {
+    return by_q / g + by_g * std::min(q / g / g, 1 / (2 * g));
+  }
+};
+
+/// What the strip's rates say of all its sides.
+struct StripRates {
+  double g;        ///< |g′|
+  double q;        ///< |q′|
+  double curve_g;  ///< by which g of the profile's curve differs from that of the polygon
+  double curve_q;
+};
+
+StripRates strip_rates(const SweepStrip& strip) {
+  const SweepRates& rates = strip.rates;
+  const auto& [scale, scale1, scale2] = rates.scale;
+  // Of v′ what is along T is not along T′.
+  const double g =
+      rates.acceleration +
+      strip.reach * ((scale1 + scale * rates.turn) * rates.tangent + scale * rates.tangent2);
+  const double q = strip.reach * (scale2 + scale1 * rates.turn + scale * rates.turn2);
+  const double curve_g = scale * strip.side_error * rates.tangent;
+  const double curve_q =
+      (scale1 + rates.turn * scale) * (strip.side_error + strip.reach * strip.side_angle);
+  return {g * sweep_slack, q * sweep_slack, curve_g * sweep_slack, curve_q * sweep_slack};
+}
+
+/// Of the two triangles on one side.
+double side_normal_error(const std::array<TriangleNormal, 2>& triangles,
+                         const std::array<CornerNormal, 4>& corners, const StripRates& rates,
+                         const SweepStrip& strip) {
+  SideTilt tilt{HUGE_VAL, 0};
+  double angle = 0;
+  for (const CornerNormal& at : corners) {
+    tilt.g = std::min(tilt.g, at.g);
+    tilt.q = std::max(tilt.q, std::abs(at.q));
+    for (const TriangleNormal& triangle : triangles)
+      angle = std::max(angle, angle_between(triangle.n, at.n) + triangle.slack + at.slack);
+  }
+  const double half = strip.step / 2;
+  tilt.g -= rates.g * half + rates.curve_g;
+  tilt.q += rates.q * half + rates.curve_q;
+  if (!(tilt.g > 0) || !(angle < M_PI / 2)) return HUGE_VAL;
+  const double turn = tilt.moved(rates.g, rates.q) + strip.rates.tangent + strip.rates.turn;
+  return angle + turn * half + strip.side_angle + tilt.moved(rates.curve_g, rates.curve_q);
+}
+
+}  // namespace
+
+double normal_error(const SweepSections& sections, const SweepSection& a, const SweepSection& b,
+                    const SweepStrip& strip) {
+  const StripRates rates = strip_rates(strip);
+  double greatest = 0;
+  for (std::size_t k = 0; k < a.points.size(); ++k) {
+    const std::size_t next = sections.next(k);
+    const auto& p = sections.corners()[k];
+    const auto& o = sections.corners()[next];
+    const auto d = direction_between(p, o);
+    std::array<TriangleNormal, 2> triangles{
+        triangle_normal(a.points[k], a.points[next], b.points[next]),
+        triangle_normal(a.points[k], b.points[next], b.points[k])};
+    if (strip.is_against)
+      for (TriangleNormal& triangle : triangles) triangle.n = -1.0 * triangle.n;
+    greatest = std::max(greatest,
+                        side_normal_error(triangles,
+                                          {normal_at(strip.from, p, d), normal_at(strip.from, o, d),
+                                           normal_at(strip.to, p, d), normal_at(strip.to, o, d)},
+                                          rates, strip));
+  }
+  return greatest * sweep_slack;
+}
+
+double least_advance(const SweepSections& sections, const SweepMotion& motion) {
+  double least = HUGE_VAL;
+  for (const auto& corner : sections.corners())
+    least = std::min(least, normal_at(motion, corner, {1, 0}).g);
+  return least;
+}
+
+std::vector<double> normal_turns(const SweepSections& sections, const SweepMotion& motion) {
+  std::vector<double> turns;
+  for (std::size_t k = 0; k < sections.corners().size(); ++k) {
+    const auto& p = sections.corners()[k];
+    const auto& o = sections.corners()[sections.next(k)];
+    const auto d = direction_between(p, o);
+    turns.push_back(angle_between(normal_at(motion, p, d).n, normal_at(motion, o, d).n));
+  }
+  return turns;
+}
+
+}  // namespace phrame

@@ -1,0 +1,74 @@
+#pragma once
+#include <vector>
+
+#include "phrame/ph/sweep/length_share.hpp"
+#include "phrame/ph/sweep/sweep_rates.hpp"
+
+namespace phrame {
+
+/// The corners of a profile where it is on a path.
+struct SweepSection {
+  double t = 0;                        ///< of the path
+  std::vector<Vector<double>> points;  ///< the corners
+  long folds = 0;                      ///< corners on the axis of curvature or beyond it
+};
+
+/// How the profile moves there, in doubles.
+struct SweepMotion {
+  Vector<double> tangent;       ///< T = r′/|r′|
+  Vector<double> tangent_rate;  ///< T′
+  double speed;                 ///< |r′|
+  Vector<double> x;             ///< f₂, turned by φ
+  Vector<double> y;             ///< f₃, turned by φ
+  double scale;                 ///< λ
+  double scale_rate;            ///< λ′
+  double turn_rate;             ///< φ′
+};
+
+/// Sections of a body at any t.
+class SweepSections {
+ public:
+  /// The share is there where the profile turns; path and form must outlive this.
+  SweepSections(const SweepPath& path, const SweepForm& form,
+                const std::optional<LengthShare>& share);
+
+  SweepSection section(std::size_t segment, double t) const;
+  /// From within the segment, where it is at its end.
+  SweepMotion motion(std::size_t segment, double t) const;
+  const std::vector<std::array<double, 2>>& corners() const { return corners_; }  ///< in doubles
+  std::size_t next(std::size_t corner) const { return form_.profile.next(corner); }
+
+ private:
+  const SweepPath& path_;
+  const SweepForm& form_;
+  const std::optional<LengthShare>& share_;
+  ScaleRates scale_;
+  std::vector<std::array<double, 2>> corners_;
+};
+
+/// A bound of how far the triangles between two sections are from the bilinear patches through
+/// their corners.
+double patch_error(const SweepSections& sections, const SweepSection& a, const SweepSection& b);
+
+/// The motion at the sections of both ends of a part, and bounds on it.
+struct SweepStrip {
+  SweepMotion from;
+  SweepMotion to;
+  SweepRates rates;
+  double step;        ///< of t
+  double side_angle;  ///< between a side of the profile and the curve that it stands for
+  double side_error;  ///< their distance
+  double reach;       ///< of the profile
+  bool is_against;    ///< does the path go against e₁?
+};
+/// A bound of the angles between the triangles' normals and those of the part of the surface for
+/// which they stand; infinite where the surface is not told from one that folds over itself.
+double normal_error(const SweepSections& sections, const SweepSection& a, const SweepSection& b,
+                    const SweepStrip& strip);
+
+/// Of the corners, the least rate along the tangent; the section folds over itself where it is < 0.
+double least_advance(const SweepSections& sections, const SweepMotion& motion);
+/// Of each side, by how much the normal turns along it in a section that moves so, in doubles.
+std::vector<double> normal_turns(const SweepSections& sections, const SweepMotion& motion);
+
+}  // namespace phrame
