@@ -209,8 +209,7 @@ nb::object parsed_bytes(const std::string& bytes) {
 nb::object parse(nb::handle text) {
   std::string bytes;
   if (PyBytes_Check(text.ptr()) != 0)
-    bytes.assign(PyBytes_AsString(text.ptr()),
-                 static_cast<std::size_t>(PyBytes_Size(text.ptr())));
+    bytes.assign(PyBytes_AsString(text.ptr()), static_cast<std::size_t>(PyBytes_Size(text.ptr())));
   else if (PyUnicode_Check(text.ptr()) != 0)
     bytes = phrame::python::text(text, "text");
   else

@@ -37,7 +37,7 @@ struct TablePlace {
   std::array<double, 4> quaternion() const { return {row[13], row[14], row[15], row[16]}; }
 };
 
-using Numbers = std::shared_ptr<std::vector<double>>;
+using Numbers = std::shared_ptr<DoubleArray>;
 
 /// The numbers that write(place, out) writes, `width` for each place of a path at a parameter.
 template <class Write>
@@ -51,7 +51,7 @@ Numbers by_parameter(const PathObject& self, FrameKind kind, const FrameStart& s
              to_string(t) + " is outside [0, " + to_string(path.end()) + "]", ts);
   const auto source = std::make_shared<FrameSource>(
       path, kind, kind == FrameKind::rmf ? start_angle(start, path) : FrameAngle());
-  const auto numbers = std::make_shared<std::vector<double>>(at->size() * width);
+  const auto numbers = std::make_shared<DoubleArray>(at->size() * width);
   run({.n = at->size(),
        .grain = at->are_doubles() ? many : 16,
        .prepare = [source, at] { source->prepare(*at); },
@@ -76,7 +76,7 @@ Numbers by_arc_length(const PathObject& self, FrameKind kind, const FrameStart& 
   TableColumns columns{.frames = {frame}};
   columns.start = start;
   columns.have_quaternions = has_quaternions;
-  const auto numbers = std::make_shared<std::vector<double>>(at->size() * width);
+  const auto numbers = std::make_shared<DoubleArray>(at->size() * width);
   run({.n = at->size(),
        .grain = 16,
        .work =
@@ -116,7 +116,7 @@ auto tabulated(const std::vector<std::size_t>& shape, const Write& write) {
 
 }  // namespace
 
-void make_continuous(std::vector<double>& quaternions) {
+void make_continuous(DoubleArray& quaternions) {
   const auto negate = [&](std::size_t from) {
     for (std::size_t i = from; i < from + 4; ++i)
       if (quaternions[i] != 0) quaternions[i] = -quaternions[i];
@@ -135,7 +135,7 @@ void make_continuous(std::vector<double>& quaternions) {
 nb::object angles(const PathAngle& angle, const FrameAngle& start, nb::handle ts,
                   nb::handle progress) {
   auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
-  auto numbers = std::make_shared<std::vector<double>>(at->size());
+  auto numbers = std::make_shared<DoubleArray>(at->size());
   auto compiled = std::make_shared<std::optional<CompiledAngle>>();
   const auto prepare = [=] {
     if (!at->are_doubles() || at->size() < least_compiled) return;

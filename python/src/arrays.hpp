@@ -38,7 +38,7 @@ inline Vector<double> finite(Vector<double> r) {
 /// Of quaternions (x, y, z, w), known up to their sign, in their order along a path: each the one
 /// that has a scalar product > 0 with that before it; of the first, the last number that is not 0
 /// is > 0.
-void make_continuous(std::vector<double>& quaternions);
+void make_continuous(DoubleArray& quaternions);
 
 constexpr std::size_t many = 1024;  ///< approximated frames that a thread takes at a time
 

@@ -84,9 +84,15 @@ nb::object& imported(const char* module, const char* name) {
   // Never freed: Python may be gone by then.
   static auto& known = *new std::map<std::pair<std::string, std::string>, nb::object>();
   static auto& lock = *new nb::ft_mutex();
+  {
+    const nb::ft_lock_guard guard(lock);
+    if (auto& found = known[{module, name}]; found.is_valid()) return found;
+  }
+  // Not under our lock: an import waits for imports of other threads, which may come to be here.
+  const nb::object made = nb::module_::import_(module).attr(name);
   const nb::ft_lock_guard guard(lock);
   auto& found = known[{module, name}];
-  if (!found.is_valid()) found = nb::module_::import_(module).attr(name);
+  if (!found.is_valid()) found = made;
   return found;
 }
 

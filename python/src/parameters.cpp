@@ -41,9 +41,9 @@ Parameters parameters(nb::handle ts, const std::string& place) {
   return found;
 }
 
-nb::object array(const std::shared_ptr<std::vector<double>>& numbers,
+nb::object array(const std::shared_ptr<DoubleArray>& numbers,
                  const std::vector<std::size_t>& shape) {
-  using Owner = std::shared_ptr<std::vector<double>>;
+  using Owner = std::shared_ptr<DoubleArray>;
   const nb::capsule owner(new Owner(numbers),
                           [](void* p) noexcept { delete static_cast<Owner*>(p); });
   return nb::cast(

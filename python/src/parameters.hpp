@@ -1,5 +1,7 @@
 #pragma once
 #include <memory>
+#include <new>
+#include <vector>
 
 #include "numbers.hpp"
 
@@ -21,8 +23,23 @@ struct Parameters {
 /// Refuses what is empty or not finite, named as `place`.
 Parameters parameters(nb::handle ts, const std::string& place);
 
+/// Numbers that are not set to 0 before they are written: the threads that write them touch their
+/// memory first, which for large arrays takes as long as the writing.
+template <class T>
+struct Untouched : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = Untouched<U>;
+  };
+  template <class U>
+  void construct(U* at) noexcept {
+    ::new (static_cast<void*>(at)) U;
+  }
+};
+using DoubleArray = std::vector<double, Untouched<double>>;
+
 /// An array of these dimensions, which shares the numbers.
-nb::object array(const std::shared_ptr<std::vector<double>>& numbers,
+nb::object array(const std::shared_ptr<DoubleArray>& numbers,
                  const std::vector<std::size_t>& shape);
 
 /// A number that no double can hold is no answer.

@@ -7,7 +7,7 @@ namespace {
 
 /// A table as a structured array, with its columns by name.
 nb::object structured(const FrameTable& table) {
-  const auto numbers = std::make_shared<std::vector<double>>();
+  const auto numbers = std::make_shared<DoubleArray>();
   for (const auto& row : table.rows) numbers->insert(numbers->end(), row.begin(), row.end());
   nb::list fields;
   for (const std::string& name : table.columns)

@@ -98,9 +98,8 @@ void require_inside(const Parameters& at, const SmoothPath& path, nb::handle ts)
 
 /// The numbers that write(source, at, k, out) writes for each place.
 template <class Write>
-std::shared_ptr<std::vector<double>> smooth_numbers(const SmoothPathObject& self,
-                                                    const SmoothArray& asked, std::size_t width,
-                                                    const Write& write) {
+std::shared_ptr<DoubleArray> smooth_numbers(const SmoothPathObject& self, const SmoothArray& asked,
+                                            std::size_t width, const Write& write) {
   const auto kind = chosen<TabulatedFrame>(asked.kind, "kind",
                                            {{"rmf", TabulatedFrame::rmf},
                                             {"up", TabulatedFrame::up},
@@ -117,7 +116,7 @@ std::shared_ptr<std::vector<double>> smooth_numbers(const SmoothPathObject& self
   }
   const auto source =
       std::make_shared<SmoothSource>(self.named.path, angle, kind, start, is_by_length);
-  const auto numbers = std::make_shared<std::vector<double>>(at->size() * width);
+  const auto numbers = std::make_shared<DoubleArray>(at->size() * width);
   run({.n = at->size(),
        .grain = at->are_doubles() && !is_by_length ? many : 4,
        .prepare = [source, at] { source->prepare(*at); },
@@ -185,7 +184,7 @@ nb::object smooth_angles(const SmoothAngle& angle, const Real& start, nb::handle
                          nb::handle progress) {
   const auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
   require_inside(*at, angle.path(), ts);
-  const auto numbers = std::make_shared<std::vector<double>>(at->size());
+  const auto numbers = std::make_shared<DoubleArray>(at->size());
   const auto compiled = std::make_shared<std::optional<CompiledAngle>>();
   const bool is_compiled =
       at->are_doubles() && at->size() >= least_compiled * angle.path().segments().size();

@@ -1,0 +1,125 @@
+"""Everything public is asked by several threads at once of the same objects. ./dev tsan runs this under ThreadSanitizer."""
+
+import random
+import sys
+import threading
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import phrame
+from api import API
+from common import MULTIPLIER, QUINTIC, random_curve
+from values import same
+
+THREADS = 4
+# Matplotlib is for one thread at a time, and files are others'.
+SHARED = [name for name, (_, arguments) in API.items() if "plot" not in name and "file" not in arguments]
+
+
+def at_once(*questions):
+    """Their answers, asked by a thread each that waits until all are there."""
+    ready, found = threading.Barrier(len(questions)), [None] * len(questions)
+
+    def ask(k):
+        ready.wait()
+        try:
+            found[k] = questions[k]()
+        except Exception as error:
+            found[k] = error
+
+    threads = [threading.Thread(target=ask, args=(k,)) for k in range(len(questions))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    return found
+
+
+@pytest.fixture(autouse=True)
+def switched_often():
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    yield
+    sys.setswitchinterval(interval)
+
+
+def test_every_public_function():
+    """Together with all others, in another order in each thread."""
+    ask = {name: API[name][0] for name in SHARED}
+
+    def all_of_them(seed):
+        names = SHARED[:]
+        random.Random(seed).shuffle(names)
+        return {name: ask[name](**API[name][1]) for name in names}
+
+    expected = all_of_them(0)
+    for turn in range(MULTIPLIER):
+        for found in at_once(*(lambda seed=seed: all_of_them(seed) for seed in range(THREADS * turn, THREADS * (turn + 1)))):
+            assert not isinstance(found, Exception), found
+            for name in SHARED:
+                if hasattr(expected[name], "__next__") or name.startswith("dask"):
+                    continue
+                assert same(found[name], expected[name]), name
+
+
+def test_what_is_refined_is_shared():
+    """More and more digits of the same fresh objects, each thread in its own order."""
+    for seed in range(2 * MULTIPLIER):
+        rng = random.Random(seed)
+        degree = rng.randint(2, 6)
+
+        def fresh(seed=seed, degree=degree):
+            curve = random_curve(random.Random(seed), degree)
+            smooth = phrame.Curve.bezier(curve.control_points[:4])
+            return [curve.angle(), curve.angle().value("1/3"), smooth.angle(), smooth.length, curve.total_torsion]
+
+        def ask(things, order):
+            found = {}
+            for k, digits in order:
+                thing = things[k]
+                if callable(thing):
+                    found[k, digits] = str(thing.value("2/3", digits=digits))
+                elif isinstance(thing, phrame.Real):
+                    found[k, digits] = str(thing.digits(digits))
+            return found
+
+        orders = [[(k, digits) for k in range(5) for digits in (5, 17, 40, 90)] for _ in range(THREADS)]
+        expected, shared = ask(fresh(), orders[0]), fresh()
+        for order in orders:
+            rng.shuffle(order)
+        assert at_once(*(lambda order=order: ask(shared, order) for order in orders)) == [expected] * THREADS
+
+
+def test_arrays_beside_arrays():
+    """Jobs of several threads share the workers; one of them is stopped."""
+    ts = np.linspace(0, 1, 20_000)
+    exact = [Fraction(k, 301) for k in range(300)]
+    expected = QUINTIC.frames(ts), QUINTIC.quaternions(ts), QUINTIC.angle()(exact)
+
+    def stop(done, n):
+        raise KeyError("enough")
+
+    def stopped():
+        with pytest.raises(KeyError):
+            QUINTIC.frames(exact * 20, progress=stop)
+
+    for _ in range(2 * MULTIPLIER):
+        *found, nothing = at_once(lambda: QUINTIC.frames(ts), lambda: QUINTIC.quaternions(ts), lambda: QUINTIC.angle()(exact), stopped)
+        assert all((a == b).all() for a, b in zip(found, expected)) and nothing is None
+
+
+def test_the_same_list_is_read_while_it_changes():
+    numbers = [Fraction(k, 7) for k in range(50)]
+
+    def read():
+        return [len(phrame.Polynomial(numbers).coefficients) for _ in range(50)]
+
+    def change():
+        for k in range(2000):
+            numbers.append(k + 1)
+            numbers.pop()
+
+    lengths, *_ = at_once(read, change, change)
+    assert set(lengths) <= {49, 50, 51, 52}
