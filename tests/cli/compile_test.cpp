@@ -247,7 +247,6 @@ TEST_CASE("compile: of a spline there is one angle and one frame, through the jo
 }
 
 TEST_CASE("compile: more pieces than a short index can count") {
-  const Workshop shop;
   constexpr std::size_t count = 70'000;
   const auto step = [](double low, double high) {  // θ = k on [k, k + 1]
     auto piece = empty_piece(low, high);
@@ -262,7 +261,11 @@ TEST_CASE("compile: more pieces than a short index can count") {
                                 FrameAngle(),
                                 PiecewisePolynomial::on_units(count, plain_shape(1), step),
                                 {}};
-  shop.write("angle.h", to_c_header(compiled, "arm"));
+  const std::string header = to_c_header(compiled, "arm");
+  CHECK(contains(header, "static const unsigned long"));
+  if (test::multiplier() == 1) return;  // compilers take seconds for so many
+  const Workshop shop;
+  shop.write("angle.h", header);
   const auto rows = evaluated(shop, {0.5, 65535.5, 65536, 65537.5, 69999.5, 70000}, "-std=c99");
   const std::vector<double> expected{0, 65535, 65536, 65537, 69999, 69999};
   for (std::size_t k = 0; k < rows.size(); ++k) CHECK(rows[k][0] == expected[k]);

@@ -195,8 +195,8 @@ class MeanSquareConvexity::Points {
  public:
   struct Values {
     ComplexBall z;
-    ComplexBall denominator;
-    ComplexBall speed;
+    ComplexBall inverse_denominator;
+    ComplexBall eight_over_speed;
     std::array<ComplexBall, 3> n;  ///< N⁰, N¹, N²
     /// And their slopes: D⁰ = |w^c|², L⁰ = Re(w̄^c w¹), D¹ = |w¹|², K = Im(w̄^c w¹).
     std::array<ComplexBall, 4> forms;
@@ -225,7 +225,10 @@ class MeanSquareConvexity::Points {
   const Values& at(const ComplexBall& z, long bits) {
     std::optional<Values>& known = values_[key_of(z)];
     if (known && known->z.is_same_ball(z)) return *known;
-    known = Values{z, denominator_(z, bits), speed_(z, bits), {}, {}, {}};
+    const auto over = [bits](long x, const ComplexBall& y) {
+      return divide(ComplexBall(RealBall(x, bits), {}), y, bits);
+    };
+    known = Values{z, over(1, denominator_(z, bits)), over(8, speed_(z, bits)), {}, {}, {}};
     for (std::size_t k = 0; k < n_.size(); ++k) known->n[k] = n_[k](z, bits);
     for (std::size_t k = 0; k < forms_.size(); ++k) {
       known->forms[k] = evaluate(forms_[k], z, bits);
@@ -277,13 +280,16 @@ RealBall MeanSquareConvexity::operator()(const RealBall& parameter, long most_po
         // θ_p = 2K/D with K = Im(w̄⁰w¹), D_p = 2L with L = Re(w̄w¹), so that θ_pp/4 = −K/D·L/D.
         const ComplexBall norm = norm_at(here.forms);
         const ComplexBall norm_slope = norm_at(here.slopes);
+        const ComplexBall norm_inverse = inverse(norm, working);
+        const auto over_norm = [&](const ComplexBall& x) {
+          return multiply(x, norm_inverse, working);
+        };
         const ComplexBall n = moved(here.n[0], moved(here.n[1], here.n[2]));
-        const ComplexBall error = divide(n, multiply(here.denominator, norm, working), working);
-        const ComplexBall k_share = divide(here.forms[3], norm, working);
-        const ComplexBall l_share = divide(l_at(here.forms), norm, working);
+        const ComplexBall error = over_norm(multiply(n, here.inverse_denominator, working));
+        const ComplexBall k_share = over_norm(here.forms[3]);
+        const ComplexBall l_share = over_norm(l_at(here.forms));
         const auto change = [&](const ComplexBall& share, const ComplexBall& slope) {
-          return divide(subtract(slope, multiply(share, norm_slope, working), working), norm,
-                        working);
+          return over_norm(subtract(slope, multiply(share, norm_slope, working), working));
         };
         const ComplexBall k_change = change(k_share, here.slopes[3]);
         const ComplexBall l_change = change(l_share, l_at(here.slopes));
@@ -291,7 +297,7 @@ RealBall MeanSquareConvexity::operator()(const RealBall& parameter, long most_po
                                       multiply(k_change, l_share, working), working);
         const ComplexBall sum = subtract(multiply(k_change, k_change, working),
                                          multiply(error, mixed, working), working);
-        return divide(multiply(RealBall(8, working), sum, working), here.speed, working);
+        return multiply(sum, here.eight_over_speed, working);
       },
       bits_, more_, most_points);
 }

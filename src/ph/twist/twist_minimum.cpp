@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
@@ -11,7 +13,8 @@
 namespace phrame {
 namespace {
 
-/// A lower bound of G″ on parameter intervals; −∞ where there is none.
+/// A lower bound of G″ on parameter intervals; −∞ where there is none. Kept, since each attempt of
+/// a proof goes over the same intervals.
 class Convexity {
  public:
   /// `smallness`: G″ is about 2^−smallness.
@@ -21,12 +24,16 @@ class Convexity {
 
   RealBall operator()(const ParameterRange& range) {
     constexpr long most_points = 1000;
-    return lower_end(convexity_(hull(range.a, range.b, twist_proof_bits), most_points),
-                     twist_proof_bits);
+    const auto [known, is_new] = known_.try_emplace({range.a, range.b});
+    if (is_new)
+      known->second = lower_end(convexity_(hull(range.a, range.b, twist_proof_bits), most_points),
+                                twist_proof_bits);
+    return known->second;
   }
 
  private:
   MeanSquareConvexity convexity_;
+  std::map<std::pair<Rational, Rational>, RealBall> known_;
 };
 
 /// A range around the least value of G, on which G″ ≥ convexity > 0.

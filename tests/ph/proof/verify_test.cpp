@@ -47,10 +47,12 @@ TEST_CASE("certificate: the quintic's angles are the known ones, its proof is pr
 
 TEST_CASE("certificate: all curves up to preimage degree 4, both frames, through a file") {
   std::istringstream lines(read_data("curves.jsonl"));
+  long low = 0;
   long proved = 0;
   for (std::string line; std::getline(lines, line);) {
     const NamedCurve named = read_curve(line);
     if (preimage_degree(named.curve) > everyday(4, 8)) continue;
+    if (low++ % everyday(2, 1) != 0) continue;  // every other one is enough for every day
     CAPTURE(named.name);
     for (const Reference reference : {Reference::euler_rodrigues, Reference::frenet}) {
       if (reference == Reference::frenet && is_line(named.curve)) continue;
@@ -61,7 +63,7 @@ TEST_CASE("certificate: all curves up to preimage degree 4, both frames, through
       ++proved;
     }
   }
-  CHECK(proved == everyday(97, 161));  // a straight line has no Frenet frame
+  CHECK(proved == everyday(50, 161));  // a straight line has no Frenet frame
 }
 
 TEST_CASE("verify: near-cusps, next to the ends and inside, are proved") {
