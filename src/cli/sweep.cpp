@@ -7,6 +7,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/answer/rational_sweep.hpp"
 #include "phrame/cli/command.hpp"
+#include "phrame/cli/step_file.hpp"
 #include "phrame/io/read/expression.hpp"
 #include "phrame/io/read/profile.hpp"
 #include "phrame/io/write/mesh.hpp"
@@ -154,7 +155,7 @@ RationalSweepQuery exact_query(const SweepOptions& options) {
 
 void run_exact(const Command& command, const SweepOptions& options) {
   const auto format = choose<std::string (*)(const RationalSweepAnswer&)>(
-      "--format", options.format, {{"obj", to_obj}, {"json", to_json}});
+      "--format", options.format, {{"obj", to_obj}, {"json", to_json}, {"step", to_step}});
   command.refuse({"--twist"},
                  "a turn that is even per length has no rational sine and cosine; with --exact the "
                  "frame of minimal twist is that of --end-normal and --degree");
@@ -224,9 +225,9 @@ void add_sweep(Program& program) {
                      "--end-normal); of a closed curve the one that closes");
   command.only_with({"--degree"}, {"--exact"});
   command.not_with({"--exact"}, {"--tolerance", "--normal-tolerance", "--sections"});
-  command.add_format("--format", options->format, {"obj", "stl", "ply", "glb", "json"},
+  command.add_format("--format", options->format, {"obj", "stl", "ply", "glb", "json", "step"},
                      "obj (default), stl, ply or glb, the last three binary; with --exact obj\n"
-                     "(free-form) or json (exact fractions)");
+                     "(free-form), json (exact fractions) or step (a solid, by Open CASCADE)");
   command.set_notes(
       "The frame is the rotation-minimizing one. The mesh is watertight, with caps at the ends; a\n"
       "closed curve has none: the profile turns by the least angle that closes the body.\n"

@@ -92,6 +92,24 @@ TEST_CASE("sweep: the exact surface is written as fractions, or as free-form OBJ
   CHECK(twisted["twist_degree"] == 2);
 }
 
+// What Open CASCADE reads in it is for tests/step.
+TEST_CASE("sweep: the exact surface as a solid in STEP, or what that needs") {
+  const Workshop here;
+  here.write("plane.json", bytes_of(root("/examples/curves/plane-cubic.json")));
+  const Run run = here.run("sweep plane.json --exact --profile circle:1/2 -o body.step");
+  if (run.status == 0) {
+    const std::string bytes = bytes_of(here.file("body.step"));
+    CHECK(bytes.starts_with("ISO-10303-21;"));
+    CHECK(contains(bytes, "MANIFOLD_SOLID_BREP"));
+    CHECK(here.run("sweep plane.json --exact --profile circle:1/2 --format step")
+              .out.starts_with("ISO-10303-21;"));
+  } else {
+    check_failure(run, 2, "--format: \"step\" needs Open CASCADE");
+  }
+  check_failure(here.run("sweep plane.json --profile circle:1/2 -o body.step"), 2,
+                "\"step\" is not one of obj, stl, ply, glb");
+}
+
 TEST_CASE("sweep: what has no exact surface is refused, with what helps") {
   const Workshop here;
   here.write("plane.json", bytes_of(root("/examples/curves/plane-cubic.json")));
@@ -106,7 +124,7 @@ TEST_CASE("sweep: what has no exact surface is refused, with what helps") {
   refused("plane.json", "--twist 90deg", 2, "--twist: a turn that is even per length");
   refused("plane.json", "--theta0 45deg", 3, "sine and cosine are not rational");
   refused("plane.json", "--degree 3", 2, "--degree: ");
-  refused("plane.json", "-o body.stl", 2, "--format: \"stl\" is not one of obj, json");
+  refused("plane.json", "-o body.stl", 2, "--format: \"stl\" is not one of obj, json, step");
   refused("plane.json", "--scale t", 3, "scale");
   check_failure(here.run("sweep plane.json --profile circle:1 -o body.json"), 2,
                 "--format: \"json\"");

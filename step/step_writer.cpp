@@ -1,0 +1,156 @@
+// Solids in STEP (ISO 10303, AP214), by Open CASCADE: a library that phrame loads when it is asked
+// for one. Patches become faces, those around an end a cap, and all of them a closed shell.
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepLib.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_PrinterOStream.hxx>
+#include <STEPControl_Writer.hxx>
+#include <ShapeAnalysis_FreeBounds.hxx>
+#include <Standard_Failure.hxx>
+#include <TColStd_Array2OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <TopoDS_Wire.hxx>
+
+#include "phrame/io/write/step_patch.hpp"
+
+namespace {
+
+using phrame::StepBody;
+using phrame::StepPatch;
+
+/// The greatest coordinate.
+double size_of(const StepBody& body) {
+  double size = 0;
+  for (const StepPatch& patch : body.patches)
+    for (const auto& row : patch.points)
+      for (const auto& point : row)
+        for (const double x : point) size = std::max(size, std::abs(x));
+  return size;
+}
+
+/// Its first parameter is u, around the profile, so that the normal is outward.
+TopoDS_Face face_of(const StepPatch& patch, double tolerance) {
+  const int rows = static_cast<int>(patch.points.size());
+  const int columns = static_cast<int>(patch.points.front().size());
+  if (std::max(rows, columns) > Geom_BezierSurface::MaxDegree() + 1)
+    throw std::runtime_error("the surface has the degree " + std::to_string(rows - 1) +
+                             ", and Open CASCADE has at most " +
+                             std::to_string(Geom_BezierSurface::MaxDegree()));
+  TColgp_Array2OfPnt points(1, columns, 1, rows);
+  TColStd_Array2OfReal weights(1, columns, 1, rows);
+  for (int k = 0; k < rows; ++k)
+    for (int l = 0; l < columns; ++l) {
+      const auto& [x, y, z] =
+          patch.points[static_cast<std::size_t>(k)][static_cast<std::size_t>(l)];
+      points.SetValue(l + 1, k + 1, gp_Pnt(x, y, z));
+      weights.SetValue(l + 1, k + 1,
+                       patch.weights[static_cast<std::size_t>(k)][static_cast<std::size_t>(l)]);
+    }
+  const Handle(Geom_BezierSurface) surface = new Geom_BezierSurface(points, weights);
+  BRepBuilderAPI_MakeFace face(surface, tolerance);
+  if (!face.IsDone()) throw std::runtime_error("a patch makes no face");
+  return face.Face();
+}
+
+TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& shapes, double tolerance) {
+  BRepBuilderAPI_Sewing sewing(tolerance);
+  for (const TopoDS_Shape& shape : shapes) sewing.Add(shape);
+  sewing.Perform();
+  return sewing.SewedShape();
+}
+
+/// The planes within the closed wires at its ends.
+std::vector<TopoDS_Shape> caps_of(const TopoDS_Shape& sides, double tolerance) {
+  const ShapeAnalysis_FreeBounds bounds(sides, tolerance, Standard_False, Standard_False);
+  std::vector<TopoDS_Shape> caps;
+  for (TopExp_Explorer at(bounds.GetClosedWires(), TopAbs_WIRE); at.More(); at.Next()) {
+    BRepBuilderAPI_MakeFace face(TopoDS::Wire(at.Current()), Standard_True);
+    if (!face.IsDone()) throw std::runtime_error("an end of the body makes no plane face");
+    caps.push_back(face.Face());
+  }
+  if (caps.size() != 2)
+    throw std::runtime_error("the body has " + std::to_string(caps.size()) + " ends, not 2");
+  return caps;
+}
+
+TopoDS_Solid solid_of(const StepBody& body) {
+  const double tolerance = 1e-7 * std::max(size_of(body), 1e-3);
+  std::vector<TopoDS_Shape> faces;
+  for (const StepPatch& patch : body.patches) faces.push_back(face_of(patch, tolerance));
+  TopoDS_Shape shape = sewn(faces, tolerance);
+  if (!body.is_closed) {
+    std::vector<TopoDS_Shape> all = caps_of(shape, tolerance);
+    all.push_back(shape);
+    shape = sewn(all, tolerance);
+  }
+  TopExp_Explorer shells(shape, TopAbs_SHELL);
+  if (!shells.More()) throw std::runtime_error("the faces make no shell");
+  const TopoDS_Shell shell = TopoDS::Shell(shells.Current());
+  shells.Next();
+  if (shells.More() || !shell.Closed()) throw std::runtime_error("the faces make no closed shell");
+  TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(shell).Solid();
+  if (!BRepLib::OrientClosedSolid(solid) || !BRepCheck_Analyzer(solid).IsValid())
+    throw std::runtime_error("the body is no valid solid: it meets itself");
+  return solid;
+}
+
+/// Open CASCADE 7.6 writes to files only.
+std::string bytes_of(STEPControl_Writer& writer) {
+  std::string name = (std::filesystem::temp_directory_path() / "phrame-XXXXXX").string();
+  const int made = mkstemp(name.data());
+  if (made < 0) throw std::runtime_error("no file can be made in " + name);
+  close(made);
+  const bool is_written = writer.Write(name.c_str()) == IFSelect_RetDone;
+  std::ifstream file(name, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  std::filesystem::remove(name);
+  if (!is_written || bytes.empty()) throw std::runtime_error("the file was not written");
+  return bytes;
+}
+
+std::string step_of(const StepBody& body) {
+  Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_PrinterOStream));
+  STEPControl_Writer writer;
+  Interface_Static::SetCVal("write.step.schema", "AP214IS");
+  Interface_Static::SetCVal("write.step.product.name", "phrame");
+  if (writer.Transfer(solid_of(body), STEPControl_ManifoldSolidBrep) != IFSelect_RetDone)
+    throw std::runtime_error("the solid was not taken");
+  return bytes_of(writer);
+}
+
+}  // namespace
+
+extern "C" void phrame_write_step_1(const StepBody& body, std::string& bytes,
+                                    std::string& complaint) {
+  try {
+    bytes = step_of(body);
+  } catch (const Standard_Failure& failure) {
+    complaint = std::string("Open CASCADE: ") + failure.GetMessageString();
+  } catch (const std::exception& error) {
+    complaint = error.what();
+  }
+}
