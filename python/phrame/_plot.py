@@ -44,6 +44,18 @@ def _width(ribbon: Any) -> float:
     return width
 
 
+def _normals(f2: Any, n: int) -> Any:
+    """Somebody's vectors, as many as there are parameters."""
+    try:
+        found = np.asarray(f2, dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(f"f2: vectors are wanted, not {type(f2).__name__}") from None
+    if found.shape != (n, 3) or not np.isfinite(found).all():
+        reason = f"{n} finite vectors are wanted, its shape is {found.shape}"
+        raise InputError(f"f2: {reason}", "f2", reason, f2)
+    return found
+
+
 def _add_ribbon(ax: Any, points: Any, normals: Any, width: float, color: Any) -> None:
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
@@ -70,15 +82,17 @@ def path(
     ribbon: Any = None,
     start: Any = None,
     start_normal: Any = None,
+    f2: Any = None,
     **style: Any,
 ) -> Any:
     """Path.plot"""
     _require_axes(ax, "add_collection3d")
     at = _parameters(self, ts)
     points = self.points(at)
+    given = None if f2 is None else _normals(f2, len(points))
     low, high = points.min(axis=0), points.max(axis=0)
     width = float(np.linalg.norm(high - low)) / 10 if ribbon is None else _width(ribbon)
-    normals = self.frames(at, kind=kind, start=start, start_normal=start_normal)[:, 1] if width else None
+    normals = self.frames(at, kind=kind, start=start, start_normal=start_normal)[:, 1] if width and given is None else given
     if ax is None:
         ax = _new_axes(projection="3d", xlabel="x", ylabel="y", zlabel="z")
     (line,) = ax.plot(*points.T, **style)

@@ -100,7 +100,9 @@ void bind_angle(nb::module_& m, nb::class_<PathObject>& path) {
           "poles",
           [](const AngleObject& self, nb::handle segment) {
             const std::size_t k = segment_number(self, segment);
-            return to_python(formula(self, "logarithms").formulas[k].poles);
+            return to_python(without_gil([rate = self.angle.segment(k).rate()] {
+              return pole_table(integrate(rate, Form::partial_fractions), 100);
+            }));
           },
           argument("segment") = 0,
           nb::sig("def poles(self, segment: int = 0) -> " PHRAME_POLES_SIG),

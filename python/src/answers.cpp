@@ -20,17 +20,20 @@ Style style_named(const std::string& name) {
 
 nb::object to_python(const std::optional<PoleTable>& poles) {
   nb::list list;
+  const auto near = [](const PolePart& x) {
+    return x.ball.contains_zero() ? 0 : approximate(x.ball);
+  };
   const auto append = [&](const PoleRow& row, int sign) {
     const auto number = [&](const PolePart& re, const PolePart& im) {
-      const double y = approximate(im.ball);
-      return nb::steal(PyComplex_FromDoubles(approximate(re.ball), y == 0 ? 0 : sign * y));
+      const double y = near(im);
+      return nb::steal(PyComplex_FromDoubles(near(re), y == 0 ? 0 : sign * y));
     };
     list.append(nb::make_tuple(number(row.re, row.im), number(row.residue_re, row.residue_im)));
   };
   if (poles)
     for (const PoleRow& row : poles->rows) {
       append(row, 1);
-      if (approximate(row.im.ball) != 0) append(row, -1);
+      if (near(row.im) != 0) append(row, -1);
     }
   return nb::tuple(list);
 }

@@ -122,7 +122,9 @@ void bind_integral(nb::module_& m) {
       .def(
           "poles",
           [](const IntegralObject& self) {
-            return to_python(without_gil([f = self.antiderivative] { return pole_table(f, 100); }));
+            return to_python(without_gil([f = self.query.integrand] {
+              return pole_table(integrate(f, Form::partial_fractions), 100);
+            }));
           },
           nb::sig("def poles(self) -> " PHRAME_POLES_SIG),
           "The poles of the integrand that have a residue, with it, to 12 digits or more; none of "

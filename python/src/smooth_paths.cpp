@@ -325,12 +325,13 @@ void bind_smooth_path(nb::module_& m, nb::class_<SmoothPathObject>& smooth) {
           PHRAME_REDUCE_SIG);
   bind_smooth_totals(smooth);
   bind_smooth_shape(smooth);
-  bind_python(smooth, "plot", "phrame._plot", "path",
-              "def plot(self, ts: Numbers | None = None, *, ax: typing.Any = None, kind: str = "
-              "'rmf', ribbon: float | None = None, " PHRAME_START_SIG
-              ", **style: typing.Any) -> typing.Any",
-              "The path in space, by Matplotlib, with a ribbon along f2 that is `ribbon` wide, 0 "
-              "for none; the axes.");
+  bind_python(
+      smooth, "plot", "phrame._plot", "path",
+      "def plot(self, ts: Numbers | None = None, *, ax: typing.Any = None, kind: str = "
+      "'rmf', ribbon: float | None = None, " PHRAME_START_SIG
+      ", f2: Vectors | None = None, **style: typing.Any) -> typing.Any",
+      "The path in space, by Matplotlib, with a ribbon that is `ribbon` wide, 0 for none, "
+      "along f2 of the frame asked for, or along the f2 that somebody else has at ts; the axes.");
   bind_python(smooth, "_repr_html_", "phrame._show", "path_html", "def _repr_html_(self) -> str");
   bind_copies(smooth);
 }

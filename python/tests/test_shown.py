@@ -35,6 +35,13 @@ def test_poles_are_those_of_the_rate():
             assert abs(z - pole) < 1e-12 and abs(exact - residue) < 1e-12
     assert phrame.integrate("1/((x - 2)*(x^2 + 1))").poles()[:1] == ((2, 0.2),)
     assert phrame.integrate("x").poles() == ()
+    # Residues that several poles share, for which the closed form is no sum over them: the paper's w and d [Farouki 2003].
+    b_over_rho = phrame.RationalFunction([-96, -384, 416], QUINTIC.rho)
+    printed = [(0.493692520439 + 0.069302855662j, 0.5j), (2.906307479561 + 5.269302855662j, -0.5j)]
+    for poles in (phrame.integrate(b_over_rho).poles(), QUINTIC.angle("frenet").poles()):
+        for z, c in printed:
+            assert any(abs(z - pole) < 1e-12 and abs(abs(c) - abs(residue)) < 1e-12 and residue.real == 0 for pole, residue in poles)
+    assert len(QUINTIC.angle("frenet").poles()) == 8
     with pytest.raises(phrame.InputError, match="segment"):
         QUINTIC.angle().poles(1)
 
@@ -70,6 +77,13 @@ def test_plots_show_the_numbers():
     first = ribbon._faces[0] if hasattr(ribbon, "_faces") else ribbon._vec.T[:4, :3]
     assert np.allclose(first[0], points[0] - width / 2 * frames[0, 1])
     assert np.allclose(first[2], points[1] + width / 2 * frames[1, 1])
+    erf = QUINTIC.frames(ts, kind="erf")[:, 1]
+    (theirs,) = QUINTIC.plot(ts, f2=erf.tolist()).collections
+    (ours,) = QUINTIC.plot(ts, kind="erf").collections
+    vectors = [x._faces if hasattr(x, "_faces") else x._vec for x in (theirs, ours)]
+    assert np.array_equal(*vectors) and not np.array_equal(vectors[0], ribbon._faces if hasattr(ribbon, "_faces") else ribbon._vec)
+    with pytest.raises(phrame.InputError, match="^f2: 9 finite vectors"):
+        QUINTIC.plot(ts, f2=erf[1:])
     assert len(QUINTIC.plot(ribbon=0).collections) == 0 and len(SPLINE.plot(ax=ax).lines) == 2
     theta = QUINTIC.angle().plot(ts).lines[0]
     assert np.array_equal(theta.get_ydata(), QUINTIC.angle()(ts)) and np.array_equal(theta.get_xdata(), ts)
