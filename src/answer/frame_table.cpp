@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/answer/orientation_columns.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/frame/algebraic_frame.hpp"
@@ -320,7 +321,9 @@ FrameTable frame_table(const Path& path, const TableColumns& columns,
   Rows rows(path, columns);
   rows.expect(at);
   FrameTable table{names_of(columns), {}};
+  Stage stage("rows", at.size());
   for (const PathPoint& point : at) {
+    stage.advance();
     add_row(table, rows.at(point), [&] { return text_of(point); });
     if (rows.reason().empty()) continue;
     if (++table.incomplete_rows == 1) table.first_reason = rows.reason();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/ph/curve/travel_time.hpp"
 #include "phrame/ph/smooth/smooth_travel_time.hpp"
 
@@ -34,9 +35,11 @@ FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {
       row.push_back(round_to_double(point.value(x)));
     add_row(table, std::move(row), [&k] { return "point " + k.str(); });
   };
+  Stage stage("rows", static_cast<std::size_t>(static_cast<long>(ticks)));
   for (Integer k = 0; k < ticks; ++k) {
     const Rational at = Rational(k) * query.period;
     append(k, at, time.at_time(at));
+    stage.advance();
   }
   append(ticks, time.total(),
          {path.segments().size() - 1, Rational(1), AlgebraicPoint(Rational(1))});
@@ -57,9 +60,11 @@ FrameTable answer(const NamedSmoothPath& named, const InterpolationQuery& query)
     for (const Real& x : position(path, point.at)) row.push_back(round_to_double(x));
     add_row(table, std::move(row), [&k] { return "point " + k.str(); });
   };
+  Stage stage("rows", static_cast<std::size_t>(static_cast<long>(ticks)));
   for (Integer k = 0; k < ticks; ++k) {
     const Rational at = Rational(k) * query.period;
     append(k, at, time.at_time(at));
+    stage.advance();
   }
   append(ticks, time.total(), {{path.segments().size() - 1, Rational(1)}, time.length().total()});
   return table;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/answer/orientation_columns.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
 #include "phrame/ph/smooth/smooth_length.hpp"
@@ -118,7 +119,9 @@ FrameTable frame_table(const SmoothAngle& angle, const TableColumns& columns,
   require_columns(columns, twist.has_value());
   SmoothRows rows(angle, columns, twist);
   FrameTable table{names_of(columns), {}};
+  Stage stage("rows", at.size());
   for (const SmoothParameter& point : at) {
+    stage.advance();
     add_row(table, rows.at(point), [&] { return fmt::format("row {}", table.rows.size()); });
     if (rows.reason().empty()) continue;
     if (++table.incomplete_rows == 1) table.first_reason = rows.reason();

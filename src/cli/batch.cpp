@@ -1,6 +1,7 @@
 // Lines in, lines out, in order, on all cores. The output has whole lines only, whenever the run
 // ends, so that a later run can go on.
 #include "phrame/io/batch.hpp"
+#include "phrame/cli/progress_line.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -99,8 +100,8 @@ Descriptor open_output(const std::string& path, const std::string& skip_done, co
   return file;
 }
 
-/// On a terminal, twice a second.
-class Progress {
+/// On a terminal, twice a second, and at the end to stay.
+class BatchProgress {
  public:
   void report(long lines, long failures) {
     if (!is_terminal_) return;
@@ -179,7 +180,8 @@ void run(const BatchOptions& options) {
   const Descriptor output = open_output(options.output, skip_done, done);
   const Interruption interruption;
   LineReader reader(input, interruption);
-  Progress progress;
+  end_progress();
+  BatchProgress progress;
   long lines = 0;
   Failures failures;
 

@@ -11,6 +11,7 @@
 #include <memory>
 #include <system_error>
 
+#include "phrame/cli/progress_line.hpp"
 #include "phrame/io/read/angle.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/write/names.hpp"
@@ -317,6 +318,7 @@ std::string read_file(const std::string& path) {
 }
 
 void write_output(const std::string& path, const std::string& bytes) {
+  end_progress();
   if (path == "-") {
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
     if (std::fflush(stdout) != 0 || !written)
@@ -348,6 +350,6 @@ void write_output(const std::string& path, const std::string& bytes) {
   }
 }
 
-void note(std::string_view text) { std::fprintf(stderr, "phrame: %s\n", printable(text).c_str()); }
+void note(std::string_view text) { print_above_progress("phrame: " + printable(text)); }
 
 }  // namespace phrame::cli

@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "phrame/cli/command.hpp"
+#include "phrame/cli/progress_line.hpp"
 #include "phrame/io/read/number.hpp"
 
 namespace phrame::cli {
@@ -246,6 +247,7 @@ void Command::choose_format() const {
 void Command::run() {
   choose_format();
   require_applicable();
+  const ProgressLine progress(name());
   action_();
 }
 

@@ -358,3 +358,24 @@ TEST_CASE("terminal: zsh and fish read their scripts") {
     CHECK(completed("phrame angle --dig") == "--digits ");
   }
 }
+
+TEST_CASE("terminal: who waits for more than a second sees what is done, on a terminal only") {
+  if (!has_program("script")) return;
+  const Workshop here;
+  here.write("doubles.json", bytes_of(root("/examples/curves/bezier-doubles.json")));
+  // What is read comes late.
+  const std::string wait = "mkfifo late; (sleep 1.4; cat doubles.json) > late & ";
+  const std::string command = "phrame angle late --near 1e-15 -o answer";
+  const std::string seen =
+      output_of(here, wait + "script -qec '" + command + "' /dev/null < /dev/null");
+  const std::string clear = "\r\033[K";
+  CAPTURE(seen);
+  CHECK(seen.starts_with(clear + "angle: 1 s"));
+  // It is gone before anything else is written.
+  CHECK(contains(seen, clear + "phrame: "));
+  CHECK_FALSE(contains(seen.substr(seen.find("phrame: ")), clear));
+  CHECK(contains(bytes_of(here.file("answer")), "θ"));
+  const std::string silent = output_of(here, "rm late; " + wait + command);
+  CHECK(silent.starts_with("phrame: "));
+  CHECK_FALSE(contains(silent, "angle: "));
+}

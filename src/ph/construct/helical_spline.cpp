@@ -8,6 +8,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/linear_system.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/exact_fit.hpp"
 #include "phrame/ph/construct/multiplier.hpp"
@@ -188,7 +189,8 @@ Construction Helices::run() {
   r_ = data_.points.front();
   const Vector<Rational> off = rotated_i(start_.q) - data_.derivatives.front();
   squared_.derivatives = dot(off, off);
-  for (std::size_t k = 0; k < data_.segments(); ++k) add(k);
+  Stage stage("segments", data_.segments());
+  for (std::size_t k = 0; k < data_.segments(); ++k, stage.advance()) add(k);
   return {joined(curves_),
           data_.parameters,
           {},

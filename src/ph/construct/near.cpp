@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/exact_fit.hpp"
 #include "phrame/ph/construct/preimage.hpp"
@@ -181,7 +182,8 @@ std::optional<MeasuredSpline> measured_spline(const SplineFit& spline,
   MeasuredSpline result;
   Vector<Rational> start = curves.front().front();
   RationalQuaternion first = to_bits(spline.segments.front().preimage.front());
-  for (std::size_t k = 0; k < curves.size(); ++k) {
+  Stage stage("segments", curves.size());
+  for (std::size_t k = 0; k < curves.size(); ++k, stage.advance()) {
     ExactFit fit = exact_fit(spline.segments[k], spline.scale);
     // The ends are the joints', all else is refined and rounded.
     fit.preimage.front() = first;

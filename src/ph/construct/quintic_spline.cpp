@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/exact_end.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
@@ -208,7 +209,8 @@ Construction quintic_spline(const HermiteSpline& data, const QuinticChoice& choi
     return family.choose(std::get<QuinticSelection>(choice));
   };
   std::vector<FreeAngles> angles;
-  for (std::size_t k = 0; k < data.segments(); ++k) angles.push_back(chosen(k));
+  Stage stage("segments", data.segments());
+  for (std::size_t k = 0; k < data.segments(); ++k, stage.advance()) angles.push_back(chosen(k));
   return quintic_spline(data, angles, tolerance, rule);
 }
 

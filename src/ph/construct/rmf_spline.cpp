@@ -8,6 +8,7 @@
 
 #include "phrame/algebra/big_float.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/exact_end.hpp"
 #include "phrame/ph/construct/multiplier.hpp"
@@ -318,7 +319,8 @@ bool RmfChain::close() {
 std::optional<Construction> RmfChain::run() {
   start();
   const bool is_exact = rule_ == PointRule::exact;
-  for (std::size_t k = 0; k < data_.segments(); ++k) {
+  Stage stage("segments", data_.segments());
+  for (std::size_t k = 0; k < data_.segments(); ++k, stage.advance()) {
     const Vector<Rational> target = 1 / data_.step(k) * (data_.points[k + 1] - end_);
     add(k, target);
     if (is_exact && !meet(k, target)) {

@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/big_float.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/exact_fit.hpp"
 #include "phrame/ph/construct/multiplier.hpp"
@@ -185,7 +186,8 @@ Construction rrmf_spline(const HermiteSpline& data, const Deviation& tolerance, 
   std::vector<Curve> curves;
   std::vector<Rational> parameters{0};
   long bits = first_bits;
-  for (std::size_t k = 0; k < data.segments(); ++k) {
+  Stage stage("segments", data.segments());
+  for (std::size_t k = 0; k < data.segments(); ++k, stage.advance()) {
     if (data.points[k] == data.points[k + 1])
       throw DomainError(fmt::format(
           "segment {}: its ends are equal, and directions alone do not say how great it is",

@@ -5,6 +5,7 @@
 #include "phrame/algebra/ball_powers.hpp"
 #include "phrame/algebra/ball_series.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/ring_ball.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/shape.hpp"
@@ -165,7 +166,8 @@ CompiledFrames::Zeros CompiledFrames::zeros(const PathAngle& angle, const FrameA
   Zeros all;
   for (auto& of_vector : all) of_vector.fill(true);
   const auto& segments = angle.path().segments();
-  for (std::size_t k = 0; k < segments.size(); ++k) {
+  Stage stage("segments", segments.size());
+  for (std::size_t k = 0; k < segments.size(); ++k, stage.advance()) {
     const auto of_segment = frame_zeros(segments[k], [&](const Frames& frames, const Rational& t) {
       const PathParameter at{k, t};
       return turned(

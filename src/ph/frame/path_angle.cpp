@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/frame/frame_angle.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
@@ -65,7 +66,11 @@ PathAngle::PathAngle(Path path, Reference reference, Form form) {
   if (reference != Reference::euler_rodrigues && !path.is_curve())
     throw DomainError("Frenet frame: that of a spline jumps at joints; it is for single curves");
   std::vector<RmfAngle> angles;
-  for (const Curve& curve : path.segments()) angles.emplace_back(curve, reference, form);
+  Stage stage("segments", path.segments().size());
+  for (const Curve& curve : path.segments()) {
+    angles.emplace_back(curve, reference, form);
+    stage.advance();
+  }
   state_ = std::make_shared<State>(std::move(path), reference, std::move(angles));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/integrate/integral_sum.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/shape.hpp"
@@ -74,7 +75,11 @@ PathTotal sum_of(std::vector<Total> segments) {
 
 PathTotal sum_over(const Path& path, Total (*of)(const Curve&)) {
   std::vector<Total> segments;
-  for (const Curve& curve : path.segments()) segments.push_back(of(curve));
+  Stage stage("segments", path.segments().size());
+  for (const Curve& curve : path.segments()) {
+    segments.push_back(of(curve));
+    stage.advance();
+  }
   return sum_of(std::move(segments));
 }
 

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/ph/frame/erf_turning.hpp"
 
 namespace phrame {
@@ -81,7 +82,11 @@ TwistFrame twist_frame(const MinimalTwist& mtf, const RationalTwistOptions& opti
   }
 
   TwistFrame frame;
-  for (const TwistPiece& piece : settled) frame.pieces.push_back(best_twist(piece, options));
+  Stage stage("pieces", settled.size());
+  for (const TwistPiece& piece : settled) {
+    frame.pieces.push_back(best_twist(piece, options));
+    stage.advance();
+  }
   return frame;
 }
 
