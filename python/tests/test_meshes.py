@@ -57,6 +57,16 @@ def test_a_prism_has_its_volume(suffix, tmp_path, caplog):
 
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("suffix", FORMATS)
+def test_holes_go_through(suffix, tmp_path, caplog):
+    outline = tmp_path / "outline.svg"
+    outline.write_text('<svg><path d="M0 0H6V4H0Z M1 1V3H2V1Z"/><path d="M3 1h2v2z"/></svg>')
+    line = phrame.Curve([2], [0], [0], [1])
+    mesh = as_read(phrame.sweep(line, outline, tolerance="1/100"), tmp_path / f"profile.{suffix}", caplog)
+    assert mesh.euler_number == -2 and mesh.volume == pytest.approx(5 * (24 - 2 - 2), rel=1e-6)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("suffix", FORMATS)
 @pytest.mark.parametrize("name", ["torus", "in space"])
 def test_a_tube_around_a_closed_spline_has_the_volume_of_pappus(name, suffix, tmp_path, caplog):
     if name == "torus":  # 12 quintics next to the unit circle

@@ -198,7 +198,8 @@ void add_sweep(Program& program) {
   options->curve.add_to(command);
   command.add_option("--profile", "SECTION", options->profile,
                      "circle:R, polygon:N,R, rectangle:W,H, or a file: a table of corners x,y,\n"
-                     "or an SVG file or path with one outline; x is along f2, y along f3");
+                     "rings between empty lines, or an SVG file or path; what one outline goes\n"
+                     "around are holes; x is along f2, y along f3");
   command.require("--profile");
   options->start.add_to(command, "e2", "default 0");
   command.add_option("--end-normal", "X,Y,Z", options->end_normal,

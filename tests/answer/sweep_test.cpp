@@ -82,6 +82,27 @@ TEST_CASE("sweep: along a line it is a prism, of two sections") {
   CHECK(found.body.mesh.points[1] == Vector<double>{0, 2, 0});
 }
 
+// 81 less 1/2 and 4; with g holes its characteristic is 2 − 2g.
+TEST_CASE("sweep: holes go through the body, and its caps are open there") {
+  const std::vector<ProfilePoint> square{{0, 0}, {9, 0}, {9, 9}, {0, 9}};
+  const std::vector<ProfilePoint> hole{{1, 1}, {2, 1}, {2, 2}};
+  const std::vector<ProfilePoint> other{{4, 4}, {6, 4}, {6, 6}, {4, 6}};
+  for (const std::size_t count : {1, 2}) {
+    std::vector<std::vector<ProfilePoint>> rings{hole, square, other};
+    rings.resize(count + 1);
+    const SweptBody body = answer(line, within(Profile::of_rings(rings))).body;
+    check_body(body, count == 1 ? 0 : -2);
+    CHECK(volume(body.mesh) == (count == 1 ? 80.5 : 76.5));
+  }
+  // Around a closed path they are surfaces of their own.
+  const Profile pipe =
+      Profile::of_rings({rectangle_profile(1, 1).corners(),
+                         rectangle_profile(Rational(1, 2), Rational(1, 2)).corners()});
+  const SweptBody ring = answer(circle(), within(pipe)).body;
+  check_body(ring, 0);
+  CHECK(volume(ring.mesh) == doctest::Approx(3 * M_PI).epsilon(1e-2));
+}
+
 // Both ways: e₁ is −r′/|r′| for the multiplier −1.
 TEST_CASE("sweep: a body is not inside out where the multiplier is negative") {
   const NamedPath backwards = named(Curve({{1}, {}, {}, {}}, Polynomial{-1}));

@@ -66,6 +66,19 @@ TEST_CASE("sweep: profiles come from files, starts and ends from options") {
   CHECK(contains(first("--start-normal 0,0,1"), "v 1 0 2\n"));
 }
 
+TEST_CASE("sweep: outlines within another are holes") {
+  const Workshop here;
+  here.write("frame.svg", R"(<svg><path d="M 0 0 H 3 V 3 H 0 Z M 1 1 H 2 V 2 H 1 Z"/></svg>)");
+  here.write("frame.csv", "0,0\n3,0\n3,3\n0,3\n\n1,1\n2,1\n2,2\n1,2\n");
+  // 8 corners twice; 8 quadrilaterals, and 8 triangles for each cap.
+  for (const std::string profile : {"frame.svg", "frame.csv"})
+    CHECK(here.run("sweep line.json -o frame.ply --profile " + profile)
+              .out.starts_with("16 points, 32 triangles, 2 sections, within "));
+  check_failure(here.run("sweep line.json --exact --profile frame.svg"), 2, "2 rings");
+  here.write("two.csv", "0,0\n3,0\n3,3\n\n5,1\n6,1\n6,2\n");
+  check_failure(here.run("sweep line.json --profile two.csv"), 2, "two bodies");
+}
+
 TEST_CASE("sweep: the exact surface is written as fractions, or as free-form OBJ") {
   const Workshop here;
   here.write("d.svg", R"(<svg><path d="M 0 0 L 1 0 C 1 1 0 1 0 0 Z"/></svg>)");

@@ -115,21 +115,35 @@ Rational rounding_angle(const std::vector<ProfilePoint>& corners, const Rational
   return least > 0 ? Rational(4 * moved / least) : Rational(4);
 }
 
-Profile outline_of(const std::vector<GivenSegment>& segments, const ProfileTolerance& asked) {
-  const Rational size = size_of(segments);
-  const Rational tolerance = asked.distance.value_or(size / 1000);
-  ProfileTolerance half{tolerance / 2, asked.angle};
-  if (half.angle) *half.angle /= 2;
+/// A closed curve; a line closes one that is not.
+using Subpath = std::vector<GivenSegment>;
+
+std::vector<ProfilePoint> corners_of(const Subpath& segments, const ProfileTolerance& half) {
   std::vector<ProfilePoint> corners;
   for (const GivenSegment& segment : segments) add_corners(corners, segment, half);
   const Vector<Rational> end = end_point(segments.back());
   const ProfilePoint last{exact_rational(round_to_double(end[0])),
                           -exact_rational(round_to_double(end[1]))};
   if (!corners.empty() && last != corners.front()) corners.push_back(last);
+  return corners;
+}
+
+Profile outline_of(const std::vector<Subpath>& subpaths, const ProfileTolerance& asked) {
+  Rational size;
+  for (const Subpath& segments : subpaths) size = std::max<Rational>(size, size_of(segments));
+  const Rational tolerance = asked.distance.value_or(size / 1000);
+  ProfileTolerance half{tolerance / 2, asked.angle};
+  if (half.angle) *half.angle /= 2;
   // Corners are rounded to doubles, and a curve may go twice as far as its ends.
   const Rational moved = size * power_of_two(-48);
-  const Rational angle = half.angle ? *half.angle + rounding_angle(corners, moved) : Rational(4);
-  return made([&] { return Profile(std::move(corners), tolerance / 2 + moved, angle); });
+  Rational turned;
+  std::vector<std::vector<ProfilePoint>> rings;
+  for (const Subpath& segments : subpaths) {
+    rings.push_back(corners_of(segments, half));
+    turned = std::max(turned, rounding_angle(rings.back(), moved));
+  }
+  const Rational angle = half.angle ? *half.angle + turned : Rational(4);
+  return made([&] { return Profile::of_rings(std::move(rings), tolerance / 2 + moved, angle); });
 }
 
 /// y is up.
@@ -154,12 +168,12 @@ ProfileCurve outline_curve_of(const std::vector<GivenSegment>& segments) {
   return made([&] { return ProfileCurve(std::move(pieces)); });
 }
 
-/// The segments of path data or of an SVG file; no value for what begins as neither.
-std::optional<std::vector<GivenSegment>> svg_segments(std::string_view bytes) {
-  if (is_path_data(bytes)) return read_path_data(bytes, 0, bytes.size());
+/// The subpaths of path data or of an SVG file; no value for what begins as neither.
+std::optional<std::vector<Subpath>> svg_subpaths(std::string_view bytes) {
+  if (is_path_data(bytes)) return read_subpaths(bytes, 0, bytes.size());
   const std::size_t first = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (first == std::string_view::npos || bytes[first] != '<') return std::nullopt;
-  return read_svg(bytes);
+  return read_svg_subpaths(bytes);
 }
 
 }  // namespace
@@ -190,22 +204,23 @@ std::optional<Profile> parse_profile(std::string_view text, const ProfileToleran
 }
 
 Profile read_profile(std::string_view bytes, const ProfileTolerance& tolerance) {
-  if (const auto segments = svg_segments(bytes)) return outline_of(*segments, tolerance);
+  if (const auto subpaths = svg_subpaths(bytes)) return outline_of(*subpaths, tolerance);
   const TextTable table(bytes, {true, "x, y"});
   if (table.columns() != 2)
     throw InputError(table.place(0),
                      fmt::format("a row has x, y, not {} columns", table.columns()));
-  std::vector<ProfilePoint> corners;
+  std::vector<std::vector<ProfilePoint>> rings(1);
   for (std::size_t k = 0; k < table.rows(); ++k) {
+    if (table.is_after_gap(k)) rings.emplace_back();
     ProfilePoint corner;
     for (std::size_t axis = 0; axis < 2; ++axis) try {
         corner[axis] = table.number(k, axis);
       } catch (const InputError& error) {
         throw InputError(table.place(k), error.reason());
       }
-    corners.push_back(corner);
+    rings.back().push_back(corner);
   }
-  return made([&] { return Profile(std::move(corners)); });
+  return made([&] { return Profile::of_rings(std::move(rings)); });
 }
 
 std::optional<ProfileCurve> parse_profile_curve(std::string_view text) {
@@ -218,7 +233,10 @@ std::optional<ProfileCurve> parse_profile_curve(std::string_view text) {
 
 ProfileCurve read_profile_curve(std::string_view bytes) {
   const Profile polygon = read_profile(bytes);
-  if (const auto segments = svg_segments(bytes)) return outline_curve_of(*segments);
+  if (polygon.rings().size() > 1)
+    throw InputError(fmt::format("it has {} rings; the exact surface is made of one outline",
+                                 polygon.rings().size()));
+  if (const auto subpaths = svg_subpaths(bytes)) return outline_curve_of(subpaths->front());
   return polygon_curve(polygon);
 }
 

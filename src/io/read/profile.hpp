@@ -16,9 +16,10 @@ struct ProfileTolerance {
 /// value for what is none of these words with a ':'. Throws InputError.
 std::optional<Profile> parse_profile(std::string_view text, const ProfileTolerance& tolerance = {});
 
-/// A polygon or outline from the bytes of a file: a table of x, y, a corner a row, or an SVG file
-/// or path data with one subpath, which is closed by a line where it is not. The y of SVG, which is
-/// down there, is up. Throws InputError, its place line:column or "line 3".
+/// A polygon or outline from the bytes of a file: a table of x, y, a corner a row, an empty line
+/// between two rings, or an SVG file or path data; a subpath that is not closed is closed by a
+/// line. One ring or subpath goes around all others, which are holes, whatever fill-rule says. The
+/// y of SVG, which is down there, is up. Throws InputError, its place line:column or "line 3".
 Profile read_profile(std::string_view bytes, const ProfileTolerance& tolerance = {});
 
 /// @{ The same exactly: circles in rational quarters, outlines of SVG with the curves they have.

@@ -81,15 +81,16 @@ struct SvgPath {
 /// Reads tags, and nothing of the text between them.
 class SvgReader {
  public:
-  explicit SvgReader(std::string_view text) : text_(text) {}
+  SvgReader(std::string_view text, bool wants_one) : text_(text), wants_one_(wants_one) {}
 
-  std::vector<GivenSegment> read() {
+  /// The paths, at least one.
+  const std::vector<SvgPath>& read() {
     while ((at_ = text_.find('<', at_)) != std::string_view::npos) read_tag();
     if (!has_svg_) fail(0, "this is no SVG file");
     if (!open_.empty())
       fail(text_.size(), fmt::format("<{}> is not closed", abbreviated(open_.back().name)));
-    if (!path_) fail(text_.size(), "the file draws no <path>");
-    return read_path_data(text_, path_->data.begin, path_->data.end, path_->map);
+    if (paths_.empty()) fail(text_.size(), "the file draws no <path>");
+    return paths_;
   }
 
  private:
@@ -115,7 +116,8 @@ class SvgReader {
   std::size_t at_ = 0;
   bool has_svg_ = false;
   std::vector<SvgElement> open_;
-  std::optional<SvgPath> path_;
+  bool wants_one_;
+  std::vector<SvgPath> paths_;
 };
 
 void SvgReader::read_tag() {
@@ -201,12 +203,26 @@ void SvgReader::read_element() {
 }
 
 void SvgReader::add_path(const SvgAttribute& data, const SvgElement& element, std::size_t at) {
-  if (path_) fail(at, "a second <path>; one curve is wanted (its \"d\" alone is read, too)");
-  path_ = SvgPath{data, element.map};
+  if (wants_one_ && !paths_.empty())
+    fail(at, "a second <path>; one curve is wanted (its \"d\" alone is read, too)");
+  paths_.push_back({data, element.map});
 }
 
 }  // namespace
 
-std::vector<GivenSegment> read_svg(std::string_view text) { return SvgReader(text).read(); }
+std::vector<GivenSegment> read_svg(std::string_view text) {
+  SvgReader reader(text, true);
+  const auto& [data, map] = reader.read().front();
+  return read_path_data(text, data.begin, data.end, map);
+}
+
+std::vector<std::vector<GivenSegment>> read_svg_subpaths(std::string_view text) {
+  SvgReader reader(text, false);
+  std::vector<std::vector<GivenSegment>> all;
+  for (const auto& [data, map] : reader.read())
+    for (auto& subpath : read_subpaths(text, data.begin, data.end, map))
+      all.push_back(std::move(subpath));
+  return all;
+}
 
 }  // namespace phrame

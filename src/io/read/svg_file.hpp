@@ -11,5 +11,7 @@ namespace phrame {
 /// rotation_by_degrees() says; skewX and skewY are refused. Throws InputError, its place
 /// line:column, for what is no such file, and where it draws no path or several.
 std::vector<GivenSegment> read_svg(std::string_view text);
+/// The same of all subpaths of all paths that it draws.
+std::vector<std::vector<GivenSegment>> read_svg_subpaths(std::string_view text);
 
 }  // namespace phrame

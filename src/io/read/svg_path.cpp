@@ -27,9 +27,11 @@ class PathDataReader {
   PathDataReader(std::string_view text, std::size_t begin, std::size_t end, const PlaneMap& map)
       : numbers_(text.substr(0, end), begin), map_(map) {}
 
-  std::vector<GivenSegment> read();
+  /// Only one, where one is wanted.
+  std::vector<std::vector<GivenSegment>> read(bool wants_one);
 
  private:
+  void end_subpath();
   void read_command(char command);
   void move(bool is_relative);
   void curve(char command, bool is_relative);
@@ -51,7 +53,9 @@ class PathDataReader {
   PlaneVector here_;
   char last_ = 0;        ///< the command before, a capital
   PlaneVector control_;  ///< its last control point
+  bool wants_one_ = false;
   std::vector<GivenSegment> segments_;
+  std::vector<std::vector<GivenSegment>> subpaths_;  ///< those before
 };
 
 void PathDataReader::add(const std::vector<PlaneVector>& points,
@@ -69,10 +73,17 @@ void PathDataReader::add(const std::vector<PlaneVector>& points,
 
 void PathDataReader::move(bool is_relative) {
   const PlaneVector p = point(is_relative && has_start_);
-  if (!segments_.empty() && p != here_)
-    throw InputError(place_, "a second subpath begins here; one curve is wanted");
+  if (!segments_.empty() && p != here_) {
+    if (wants_one_) throw InputError(place_, "a second subpath begins here; one curve is wanted");
+    end_subpath();
+  }
   has_start_ = true;
   start_ = here_ = p;
+}
+
+void PathDataReader::end_subpath() {
+  if (!segments_.empty()) subpaths_.push_back(std::move(segments_));
+  segments_.clear();
 }
 
 void PathDataReader::close() { add({here_, start_}); }
@@ -115,6 +126,7 @@ void PathDataReader::read_command(char command) {
   const bool is_relative = std::islower(static_cast<unsigned char>(command)) != 0;
   const char capital = static_cast<char>(std::toupper(static_cast<unsigned char>(command)));
   if (!has_start_ && capital != 'M') throw InputError(place_, "a path begins with a moveto, M");
+  if (last_ == 'Z' && capital != 'M' && capital != 'Z' && !wants_one_) end_subpath();
   switch (capital) {
     case 'M':
       move(is_relative);
@@ -144,7 +156,8 @@ void PathDataReader::read_command(char command) {
   last_ = capital;
 }
 
-std::vector<GivenSegment> PathDataReader::read() {
+std::vector<std::vector<GivenSegment>> PathDataReader::read(bool wants_one) {
+  wants_one_ = wants_one;
   char command = 0;
   while (!numbers_.at_end()) {
     place_ = numbers_.place();
@@ -157,15 +170,21 @@ std::vector<GivenSegment> PathDataReader::read() {
     }
     read_command(command);
   }
-  if (segments_.empty()) throw InputError(numbers_.place(), "the path has no length");
-  return std::move(segments_);
+  end_subpath();
+  if (subpaths_.empty()) throw InputError(numbers_.place(), "the path has no length");
+  return std::move(subpaths_);
 }
 
 }  // namespace
 
 std::vector<GivenSegment> read_path_data(std::string_view text, std::size_t begin, std::size_t end,
                                          const PlaneMap& map) {
-  return PathDataReader(text, begin, end, map).read();
+  return PathDataReader(text, begin, end, map).read(true).front();
+}
+
+std::vector<std::vector<GivenSegment>> read_subpaths(std::string_view text, std::size_t begin,
+                                                     std::size_t end, const PlaneMap& map) {
+  return PathDataReader(text, begin, end, map).read(false);
 }
 
 bool is_path_data(std::string_view text) {

@@ -20,6 +20,9 @@ struct PlaneMap {
 /// path, and where a second subpath begins.
 std::vector<GivenSegment> read_path_data(std::string_view text, std::size_t begin, std::size_t end,
                                          const PlaneMap& map = {});
+/// The same of all subpaths, each begun by a moveto elsewhere, or by what follows a closepath.
+std::vector<std::vector<GivenSegment>> read_subpaths(std::string_view text, std::size_t begin,
+                                                     std::size_t end, const PlaneMap& map = {});
 /// Does the text begin as path data, with a moveto and a number?
 bool is_path_data(std::string_view text);
 

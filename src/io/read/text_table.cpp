@@ -88,7 +88,10 @@ TextTable::TextTable(std::string_view text, const Reading& reading) {
 }
 
 void TextTable::add(std::string_view content, long line) {
-  if (content.empty()) return;
+  if (content.empty()) {
+    has_gap_ = !rows_.empty();
+    return;
+  }
   if (content.front() == '#') {
     if (!rows_.empty() || !names_.empty()) return;
     content.remove_prefix(std::min(content.find_first_not_of('#'), content.size()));
@@ -104,7 +107,8 @@ void TextTable::add(std::string_view content, long line) {
     names_.assign(row.begin(), row.end());
     header_line_ = line;
   } else {
-    rows_.push_back({std::move(row), line});
+    rows_.push_back({std::move(row), line, has_gap_});
+    has_gap_ = false;
   }
 }
 

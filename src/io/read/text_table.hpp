@@ -28,6 +28,8 @@ class TextTable {
     return names_.empty() ? rows_.front().fields.size() : names_.size();
   }
   std::string place(std::size_t row) const;
+  /// Is there an empty line between the row and the one before?
+  bool is_after_gap(std::size_t row) const { return rows_[row].is_after_gap; }
   /// Throws InputError, with no place, for what is no number.
   Rational number(std::size_t row, std::size_t column) const;
 
@@ -35,6 +37,7 @@ class TextTable {
   struct Row {
     std::vector<std::string_view> fields;
     long line;
+    bool is_after_gap;
   };
   void add(std::string_view content, long line);
   void take_comment_for_header();
@@ -44,6 +47,7 @@ class TextTable {
   long header_line_ = 1;
   std::vector<Row> rows_;
   char separator_ = 0;
+  bool has_gap_ = false;      ///< since the last row
   std::string_view comment_;  ///< the last above the first row, without its "#"
   long comment_line_ = 0;
 };

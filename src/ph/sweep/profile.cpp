@@ -4,36 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/sweep/profile_triangles.hpp"
 
 namespace phrame {
 namespace {
-
-/// The sign of the area of a triangle: 1 where it is counterclockwise.
-int turn(const ProfilePoint& a, const ProfilePoint& b, const ProfilePoint& c) {
-  return ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).sign();
-}
-
-/// Is p, which is on the line through a and b, between them, the ends included?
-bool is_between(const ProfilePoint& p, const ProfilePoint& a, const ProfilePoint& b) {
-  for (std::size_t k = 0; k < 2; ++k)
-    if (p[k] < std::min(a[k], b[k]) || p[k] > std::max(a[k], b[k])) return false;
-  return true;
-}
-
-bool meet(const ProfilePoint& a, const ProfilePoint& b, const ProfilePoint& c,
-          const ProfilePoint& d) {
-  const int abc = turn(a, b, c);
-  const int abd = turn(a, b, d);
-  const int cda = turn(c, d, a);
-  const int cdb = turn(c, d, b);
-  if (abc * abd < 0 && cda * cdb < 0) return true;
-  return (abc == 0 && is_between(c, a, b)) || (abd == 0 && is_between(d, a, b)) ||
-         (cda == 0 && is_between(a, c, d)) || (cdb == 0 && is_between(b, c, d));
-}
 
 /// Around a side, in doubles: rounding keeps the order of numbers, so that sides whose boxes are
 /// apart are, too.
@@ -73,7 +51,7 @@ void require_simple(const std::vector<ProfilePoint>& corners) {
   const auto boxes = side_boxes(corners);
   for (std::size_t i = 0; i < n; ++i) {
     // Sides with a common corner go back on each other only if they are on one line.
-    if (turn(corner(i), corner(i + 1), corner(i + 2)) == 0 &&
+    if (profile_turn(corner(i), corner(i + 1), corner(i + 2)) == 0 &&
         !is_between(corner(i + 1), corner(i), corner(i + 2)))
       throw DomainError(fmt::format("profile: it turns back at the corner {}", (i + 1) % n + 1));
     for (std::size_t j = i + 2; j < n; ++j) {
@@ -84,6 +62,55 @@ void require_simple(const std::vector<ProfilePoint>& corners) {
             fmt::format("profile: the sides after the corners {} and {} meet", i + 1, j + 1));
     }
   }
+}
+
+/// Of two simple rings.
+bool rings_meet(const std::vector<ProfilePoint>& a, const std::vector<ProfilePoint>& b) {
+  const auto boxes_a = side_boxes(a);
+  const auto boxes_b = side_boxes(b);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j)
+      if (!boxes_a[i].is_apart_from(boxes_b[j]) &&
+          meet(a[i], a[(i + 1) % a.size()], b[j], b[(j + 1) % b.size()]))
+        return true;
+  return false;
+}
+
+/// Does the ring go around the point, which is not on it? A ray to the right is counted that meets
+/// sides which begin on or below it and end above it, or the other way round.
+bool goes_around(const std::vector<ProfilePoint>& ring, const ProfilePoint& p) {
+  bool is_inside = false;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const ProfilePoint& a = ring[k];
+    const ProfilePoint& b = ring[(k + 1) % ring.size()];
+    if ((a[1] > p[1]) == (b[1] > p[1])) continue;
+    if (profile_turn(a, b, p) == (b[1] > a[1] ? 1 : -1)) is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
+/// The number of the ring around all others, which have none around them but this.
+std::size_t outer_ring(const std::vector<std::vector<ProfilePoint>>& rings) {
+  std::size_t outer = 0;
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    for (std::size_t n = 0; n < k; ++n)
+      if (rings_meet(rings[n], rings[k]))
+        throw DomainError(fmt::format("profile: the rings {} and {} meet", n + 1, k + 1));
+    if (goes_around(rings[k], rings[outer].front())) outer = k;
+  }
+  for (std::size_t k = 0; k < rings.size(); ++k)
+    for (std::size_t n = 0; n < rings.size(); ++n) {
+      if (n == k || k == outer) continue;
+      const bool is_within = goes_around(rings[n], rings[k].front());
+      if (n == outer && !is_within)
+        throw DomainError(
+            fmt::format("profile: the ring {} is not within the ring {}: they would be two bodies",
+                        k + 1, n + 1));
+      if (n != outer && is_within)
+        throw DomainError(fmt::format("profile: the ring {} is within the ring {}, which is a hole",
+                                      k + 1, n + 1));
+    }
+  return outer;
 }
 
 Rational doubled_area(const std::vector<ProfilePoint>& corners) {
@@ -103,14 +130,53 @@ void require_positive(const Rational& x, const char* what) {
 
 }  // namespace
 
-Profile::Profile(std::vector<ProfilePoint> corners, Rational error, Rational angle)
-    : corners_(std::move(corners)), error_(std::move(error)), angle_(std::move(angle)) {
-  if (corners_.size() > 1 && corners_.front() == corners_.back()) corners_.pop_back();
-  if (corners_.size() < 3)
+namespace {
+
+/// Counterclockwise, each corner once. Throws DomainError.
+std::vector<ProfilePoint> simple_ring(std::vector<ProfilePoint> corners) {
+  if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+  if (corners.size() < 3)
     throw DomainError(
-        fmt::format("profile: it has {} corners, at least 3 are needed", corners_.size()));
-  require_simple(corners_);
-  if (doubled_area(corners_) < 0) std::reverse(corners_.begin(), corners_.end());
+        fmt::format("profile: it has {} corners, at least 3 are needed", corners.size()));
+  require_simple(corners);
+  if (doubled_area(corners) < 0) std::reverse(corners.begin(), corners.end());
+  return corners;
+}
+
+}  // namespace
+
+void Profile::append_ring(std::vector<ProfilePoint> corners) {
+  const std::size_t first = corners_.size();
+  rings_.push_back(first);
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    next_.push_back(first + (k + 1) % corners.size());
+  corners_.insert(corners_.end(), std::make_move_iterator(corners.begin()),
+                  std::make_move_iterator(corners.end()));
+}
+
+Profile::Profile(std::vector<ProfilePoint> corners, Rational error, Rational angle)
+    : Profile(std::move(error), std::move(angle)) {
+  append_ring(simple_ring(std::move(corners)));
+}
+
+Profile Profile::of_rings(std::vector<std::vector<ProfilePoint>> rings, const Rational& error,
+                          const Rational& angle) {
+  if (rings.size() == 1) return Profile(std::move(rings.front()), error, angle);
+  if (rings.empty()) throw DomainError("profile: it has no ring");
+  for (std::size_t k = 0; k < rings.size(); ++k) try {
+      rings[k] = simple_ring(std::move(rings[k]));
+    } catch (const DomainError& complaint) {
+      throw DomainError(fmt::format("{} (of the ring {})", complaint.what(), k + 1));
+    }
+  const std::size_t outer = outer_ring(rings);
+  Profile profile(error, angle);
+  profile.append_ring(rings[outer]);
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    if (k == outer) continue;
+    std::reverse(rings[k].begin(), rings[k].end());
+    profile.append_ring(std::move(rings[k]));
+  }
+  return profile;
 }
 
 double Profile::reach() const {
@@ -164,91 +230,22 @@ Profile rectangle_profile(const Rational& width, const Rational& height) {
 
 Profile subdivided(const Profile& profile, const std::vector<long>& pieces) {
   const auto& corners = profile.corners();
-  std::vector<ProfilePoint> points;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const auto& [x, y] = corners[k];
-    const auto& [next_x, next_y] = corners[profile.next(k)];
-    for (long n = 0; n < pieces[k]; ++n) {
-      const Rational u(n, pieces[k]);
-      points.push_back({x + u * (next_x - x), y + u * (next_y - y)});
-    }
+  Profile divided(profile.error(), profile.angle());
+  for (const std::size_t first : profile.rings()) {
+    std::vector<ProfilePoint> points;
+    std::size_t k = first;
+    do {
+      const auto& [x, y] = corners[k];
+      const auto& [next_x, next_y] = corners[profile.next(k)];
+      for (long n = 0; n < pieces[k]; ++n) {
+        const Rational u(n, pieces[k]);
+        points.push_back({x + u * (next_x - x), y + u * (next_y - y)});
+      }
+      k = profile.next(k);
+    } while (k != first);
+    divided.append_ring(std::move(points));
   }
-  return Profile(std::move(points), profile.error(), profile.angle());
-}
-
-namespace {
-
-/// What is left of a polygon while its ears are clipped: a ring of corners.
-class Ring {
- public:
-  explicit Ring(const std::vector<ProfilePoint>& corners)
-      : corners_(corners), next_(corners.size()), before_(corners.size()) {
-    const std::size_t n = corners.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      next_[i] = (i + 1) % n;
-      before_[i] = (i + n - 1) % n;
-    }
-    for (std::size_t i = 0; i < n; ++i)
-      if (turn_at(i) <= 0) reflex_.push_back(i);
-  }
-
-  std::size_t next(std::size_t i) const { return next_[i]; }
-  std::array<std::uint32_t, 3> triangle_at(std::size_t i) const {
-    return {static_cast<std::uint32_t>(before_[i]), static_cast<std::uint32_t>(i),
-            static_cast<std::uint32_t>(next_[i])};
-  }
-  /// Is the triangle at the corner within the polygon, with no other corner in it or on its sides?
-  bool is_ear(std::size_t i) const;
-  void clip(std::size_t i);
-
- private:
-  int turn_at(std::size_t i) const {
-    return turn(corners_[before_[i]], corners_[i], corners_[next_[i]]);
-  }
-
-  const std::vector<ProfilePoint>& corners_;
-  std::vector<std::size_t> next_;
-  std::vector<std::size_t> before_;
-  std::vector<std::size_t> reflex_;  ///< corners that are not convex: others are in no triangle
-};
-
-bool Ring::is_ear(std::size_t i) const {
-  if (turn_at(i) <= 0) return false;
-  const ProfilePoint& a = corners_[before_[i]];
-  const ProfilePoint& b = corners_[i];
-  const ProfilePoint& c = corners_[next_[i]];
-  return std::none_of(reflex_.begin(), reflex_.end(), [&](std::size_t k) {
-    if (k == before_[i] || k == i || k == next_[i]) return false;
-    const ProfilePoint& p = corners_[k];
-    return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
-  });
-}
-
-void Ring::clip(std::size_t i) {
-  next_[before_[i]] = next_[i];
-  before_[next_[i]] = before_[i];
-  // Its neighbours may have become convex.
-  std::erase_if(reflex_, [&](std::size_t k) {
-    return k == i || ((k == before_[i] || k == next_[i]) && turn_at(k) > 0);
-  });
-}
-
-}  // namespace
-
-std::vector<std::array<std::uint32_t, 3>> triangulated(const Profile& profile) {
-  Ring ring(profile.corners());
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::size_t at = 0;
-  // A polygon of four corners or more has two ears, one of which is found in less than one round.
-  for (std::size_t left = profile.corners().size(); left > 3; --left) {
-    while (!ring.is_ear(at)) at = ring.next(at);
-    triangles.push_back(ring.triangle_at(at));
-    const std::size_t clipped = at;
-    at = ring.next(ring.next(at));  // not the same corner again: a fan would have long thin ears
-    ring.clip(clipped);
-  }
-  triangles.push_back(ring.triangle_at(at));
-  return triangles;
+  return divided;
 }
 
 }  // namespace phrame

@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -11,7 +10,7 @@ namespace phrame {
 /// A point of the plane of a profile: so much along f₂, so much along f₃.
 using ProfilePoint = std::array<Rational, 2>;
 
-/// What is swept along a curve: a simple polygon, counterclockwise, which may stand for a curve.
+/// What is swept along a curve: a simple polygon, which may have holes and stand for a curve.
 class Profile {
  public:
   /// With these corners, in either order; that the last is the first again does not matter. The
@@ -22,17 +21,33 @@ class Profile {
   /// corners, with a small constant.
   explicit Profile(std::vector<ProfilePoint> corners, Rational error = 0, Rational angle = 0);
 
-  const std::vector<ProfilePoint>& corners() const { return corners_; }  ///< at least 3
-  const Rational& error() const { return error_; }                       ///< ≥ 0
+  /// Of several rings of corners, in any order and each in either direction: one goes around all
+  /// the others, which are holes. Throws DomainError as above, naming the ring where there are
+  /// several; for rings that meet, and where none or another one goes around a ring.
+  static Profile of_rings(std::vector<std::vector<ProfilePoint>> rings, const Rational& error = 0,
+                          const Rational& angle = 0);
+
+  /// At least 3: of the outer ring, counterclockwise, then of the holes, clockwise.
+  const std::vector<ProfilePoint>& corners() const { return corners_; }
+  const Rational& error() const { return error_; }  ///< ≥ 0
   /// In radians, ≥ 0; beyond π none is known.
   const Rational& angle() const { return angle_; }
   /// The corner after this one.
-  std::size_t next(std::size_t corner) const { return (corner + 1) % corners_.size(); }
+  std::size_t next(std::size_t corner) const { return next_[corner]; }
+  /// Of each ring, the number of its first corner.
+  const std::vector<std::size_t>& rings() const { return rings_; }
   /// No corner is farther from the origin.
   double reach() const;
 
  private:
+  friend Profile subdivided(const Profile& profile, const std::vector<long>& pieces);
+  Profile(Rational error, Rational angle) : error_(std::move(error)), angle_(std::move(angle)) {}
+  /// As it is.
+  void append_ring(std::vector<ProfilePoint> corners);
+
   std::vector<ProfilePoint> corners_;
+  std::vector<std::size_t> next_;
+  std::vector<std::size_t> rings_;
   Rational error_;
   Rational angle_;
 };
@@ -50,9 +65,5 @@ Profile rectangle_profile(const Rational& width, const Rational& height);
 
 /// The same with each side in so many equal pieces, ≥ 1 of them.
 Profile subdivided(const Profile& profile, const std::vector<long>& pieces);
-
-/// Triangles of corners, counterclockwise, that fill the polygon; decided exactly, by clipping ears
-/// [Meisters 1975]. None is degenerate. Cost: the number of corners times that of the reflex ones.
-std::vector<std::array<std::uint32_t, 3>> triangulated(const Profile& profile);
 
 }  // namespace phrame

@@ -124,7 +124,7 @@ ProfileCurve polygon_curve(const Profile& polygon) {
   const auto& corners = polygon.corners();
   std::vector<PlaneBezier> sides;
   for (std::size_t k = 0; k < corners.size(); ++k)
-    sides.push_back({{corners[k], corners[(k + 1) % corners.size()]}, {1, 1}});
+    sides.push_back({{corners[k], corners[polygon.next(k)]}, {1, 1}});
   return ProfileCurve(std::move(sides));
 }
 

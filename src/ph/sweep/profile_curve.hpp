@@ -50,7 +50,7 @@ class ProfileCurve {
 ProfileCurve circle_curve(const Rational& radius);
 /// The same pieces, each reversed, from the last to the first.
 std::vector<PlaneBezier> reversed(const std::vector<PlaneBezier>& pieces);
-/// The sides of the polygon.
+/// The sides of a polygon without holes.
 ProfileCurve polygon_curve(const Profile& polygon);
 
 }  // namespace phrame

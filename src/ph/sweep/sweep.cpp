@@ -9,6 +9,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/sweep/length_share.hpp"
+#include "phrame/ph/sweep/profile_triangles.hpp"
 #include "phrame/ph/sweep/sweep_rates.hpp"
 #include "phrame/ph/sweep/sweep_section.hpp"
 

@@ -69,7 +69,28 @@ TEST_CASE("profile: the outline of an SVG path, y up, closed where it is not") {
   CHECK(square.size() == 4);
   CHECK(read_profile("M 0 0 H 2 V 2 H 0").corners().size() == 4);
   for (const auto& [x, y] : square) CHECK((x >= 0 && y <= 0));
-  CHECK(test::contains(complaint("M 0 0 H 1 V 1 Z M 5 5 H 6 V 6 Z", true), "subpath"));
+}
+
+TEST_CASE("profile: an empty line begins another ring, a moveto or another path another subpath") {
+  const Profile table = read_profile("x y\n\n0 0\n9 0\n9 9\n0 9\n\n\n1 1\n2 1\n2 2\n");
+  CHECK(table.rings() == std::vector<std::size_t>{0, 4});
+  CHECK(table.corners()[4] == ProfilePoint{2, 2});
+  for (
+      const std::string svg :
+      {"M 0 0 H 9 V 9 H 0 Z M 1 1 H 2 V 2 Z", "M 1 1 H 2 V 2 M 0 0 H 9 V 9 H 0",
+       "M 0 0 H 9 V 9 H 0 Z m 1 1 h 1 v 1 z", "M 1 1 H 2 V 2 z M 0 0 H 9 V 9 H 0 z",
+       R"svg(<svg><path d="M 0 0 H 9 V 9 H 0 Z"/><g transform="translate(1 1)"><path d="M 0 0 H 1 V 1 Z"/></g></svg>)svg"}) {
+    const Profile profile = read_profile(svg);
+    CHECK(profile.rings() == std::vector<std::size_t>{0, 4});
+    CHECK(profile.corners().size() == 7);
+    CHECK(std::count(profile.corners().begin(), profile.corners().end(), ProfilePoint{2, -2}) == 1);
+  }
+  // What follows a closepath without a moveto begins where the subpath began.
+  CHECK(test::contains(complaint("M 0 0 H 9 V 9 Z L -9 0 V -9 Z", true), "meet"));
+  CHECK(test::contains(complaint("M 0 0 H 1 V 1 Z M 5 5 H 6 V 6 Z", true), "two bodies"));
+  CHECK(test::contains(complaint("0 0\n9 0\n9 9\n\n5 1\n", true), "1 corners, at least 3"));
+  CHECK_THROWS_WITH_AS(read_profile_curve("M 0 0 H 9 V 9 H 0 Z M 1 1 H 2 V 2 Z"),
+                       doctest::Contains("2 rings"), InputError);
 }
 
 // Half a circle of radius 1 in SVG's arc, and its diameter.

@@ -1,22 +1,16 @@
 #include "phrame/ph/sweep/profile.hpp"
 
 #include <cmath>
-#include <set>
+
+#include <doctest/doctest.h>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "support/random.hpp"
 #include "support/text.hpp"
 
 using namespace phrame;
-using test::for_samples;
-using test::Random;
 
 namespace {
-
-Rational doubled_area(const ProfilePoint& a, const ProfilePoint& b, const ProfilePoint& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
 
 /// Of the polygon, by the trapezoids below its sides.
 Rational doubled_area(const Profile& profile) {
@@ -30,26 +24,13 @@ Rational doubled_area(const Profile& profile) {
   return sum;
 }
 
-/// Positive triangles that add up to the polygon and whose sides are those of the polygon, and each
-/// other one twice: then they fill it.
-void check_triangles(const Profile& profile) {
-  const auto triangles = triangulated(profile);
-  const auto n = static_cast<std::uint32_t>(profile.corners().size());
-  CHECK(triangles.size() == n - 2);
-  Rational sum;
-  std::multiset<std::pair<std::uint32_t, std::uint32_t>> sides;
-  for (const auto& [i, j, k] : triangles) {
-    const Rational area =
-        doubled_area(profile.corners()[i], profile.corners()[j], profile.corners()[k]);
-    CHECK(area > 0);
-    sum += area;
-    sides.insert({{i, j}, {j, k}, {k, i}});
+std::string ring_complaint(const std::vector<std::vector<ProfilePoint>>& rings) {
+  try {
+    Profile::of_rings(rings);
+  } catch (const DomainError& error) {
+    return error.what();
   }
-  CHECK(sum == doubled_area(profile));
-  for (const auto& [from, to] : sides) {
-    CHECK(sides.count({from, to}) == 1);
-    CHECK(sides.count({to, from}) == (to == (from + 1) % n ? 0 : 1));
-  }
+  return "";
 }
 
 std::string complaint(const std::vector<ProfilePoint>& corners) {
@@ -107,31 +88,48 @@ TEST_CASE("profile: sides are divided evenly") {
   CHECK(divided.error() == Rational(1, 9));
   CHECK(divided.angle() == Rational(1, 7));
   CHECK(divided.next(5) == 0);
-  check_triangles(divided);
 }
 
-TEST_CASE("profile: ears are clipped of convex, reflex and straight corners") {
-  check_triangles(regular_polygon(17, 2));
-  check_triangles(rectangle_profile(2, Rational(1, 3)));
-  check_triangles(Profile({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}));
-  // A comb, and a square with straight corners.
-  check_triangles(
-      Profile({{0, 0}, {6, 0}, {6, 5}, {5, 1}, {4, 5}, {3, 1}, {2, 5}, {1, 1}, {0, 5}}));
-  check_triangles(Profile({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}));
-  check_triangles(Profile({{0, 0}, {1, 0}, {2, 0}, {0, 2}}));
+TEST_CASE("profile: of several rings one goes around the others, which are holes") {
+  const std::vector<ProfilePoint> hole{{1, 1}, {2, 1}, {2, 2}};
+  const std::vector<ProfilePoint> around{{0, 0}, {0, 9}, {9, 9}, {9, 0}};
+  const std::vector<ProfilePoint> other{{4, 4}, {5, 7}, {6, 4}, {5, 5}};
+  const Profile profile = Profile::of_rings({hole, around, other}, Rational(1, 3), Rational(1, 5));
+  CHECK(
+      profile.corners() ==
+      std::vector<ProfilePoint>{
+          {9, 0}, {9, 9}, {0, 9}, {0, 0}, {2, 2}, {2, 1}, {1, 1}, {4, 4}, {5, 7}, {6, 4}, {5, 5}});
+  CHECK(profile.rings() == std::vector<std::size_t>{0, 4, 7});
+  CHECK(profile.next(3) == 0);
+  CHECK(profile.next(4) == 5);
+  CHECK(profile.next(6) == 4);
+  CHECK(profile.next(10) == 7);
+  CHECK(profile.error() == Rational(1, 3));
+  CHECK(profile.angle() == Rational(1, 5));
+  const Profile divided = subdivided(profile, {1, 1, 1, 2, 1, 1, 1, 1, 1, 1, 3});
+  CHECK(divided.corners().size() == 14);
+  CHECK(divided.rings() == std::vector<std::size_t>{0, 5, 8});
+  CHECK(divided.corners()[4] == ProfilePoint{Rational(9, 2), 0});
+  CHECK(divided.next(4) == 0);
+  CHECK(divided.next(13) == 8);
 }
 
-// Star-shaped polygons: the radii are random, the directions ascend, so that they are simple.
-TEST_CASE("profile: law: the triangles of any simple polygon fill it") {
-  for_samples(40, [](Random& random) {
-    std::vector<ProfilePoint> corners;
-    const long n = random.integer(3, 40);
-    for (long k = 0; k < n; ++k) {
-      const double angle = 2 * M_PI * (static_cast<double>(k) + 0.1) / static_cast<double>(n);
-      const Rational radius(random.integer(1, 12), random.integer(1, 3));
-      corners.push_back(
-          {radius * exact_rational(std::cos(angle)), radius * exact_rational(std::sin(angle))});
-    }
-    check_triangles(Profile(corners));
-  });
+TEST_CASE("profile: rings that bound no one body are refused by their numbers") {
+  const std::vector<ProfilePoint> square{{0, 0}, {9, 0}, {9, 9}, {0, 9}};
+  const auto moved = [](int x, int y) {
+    return std::vector<ProfilePoint>{{x, y}, {x + 2, y}, {x, y + 2}};
+  };
+  CHECK(test::contains(ring_complaint({square, moved(8, 1)}), "the rings 1 and 2 meet"));
+  // At one corner, too, and along a side.
+  CHECK(test::contains(ring_complaint({square, moved(0, 1)}), "the rings 1 and 2 meet"));
+  CHECK(
+      test::contains(ring_complaint({square, moved(1, 1), moved(3, 1)}), "the rings 2 and 3 meet"));
+  CHECK(test::contains(ring_complaint({moved(20, 0), square}), "would be two bodies"));
+  CHECK(test::contains(ring_complaint({{{1, 1}, {8, 1}, {8, 8}, {1, 8}}, square, moved(3, 3)}),
+                       "the ring 3 is within the ring 1, which is a hole"));
+  CHECK(test::contains(ring_complaint({square, {{1, 1}, {2, 2}}}), "(of the ring 2)"));
+  CHECK(test::contains(ring_complaint({square, {{1, 1}, {3, 3}, {3, 1}, {1, 3}}}),
+                       "(of the ring 2)"));
+  CHECK(ring_complaint({}) != "");
+  CHECK(ring_complaint({moved(3, 3), moved(6, 2), square}) == "");
 }
