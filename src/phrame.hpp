@@ -10,6 +10,7 @@
 
 // Questions and their answers.
 #include "phrame/answer/angle.hpp"
+#include "phrame/answer/camera_path.hpp"
 #include "phrame/answer/check.hpp"
 #include "phrame/answer/classification.hpp"
 #include "phrame/answer/compiled.hpp"
@@ -44,6 +45,7 @@
 
 // What is written.
 #include "phrame/io/write/answers.hpp"
+#include "phrame/io/write/camera.hpp"
 #include "phrame/io/write/c_header.hpp"
 #include "phrame/io/write/cas_script.hpp"
 #include "phrame/io/write/certificate.hpp"

@@ -45,6 +45,9 @@ struct TableColumns {
   /// Is there each frame as a matrix, too? Its columns are the vectors of the frame and r, with (0,
   /// 0, 0, 1) below; its rows follow one another.
   bool have_matrices = false;
+  /// Are the quaternions those of a camera that looks along e₁, with f₂ up? They turn i, j, k into
+  /// f₃, f₂, −e₁ then.
+  bool are_cameras = false;
 };
 
 /// Numbers with a name for each column; all of them correctly rounded. NaN is an empty cell.

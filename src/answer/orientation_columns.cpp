@@ -47,6 +47,11 @@ bool is_to_be_negated(const std::array<double, 4>& q,
   return nonzero != q.rend() && *nonzero < 0;
 }
 
+/// x to the right, y up, and z to the back.
+Frame<Real> of_camera(const Frame<Real>& frame) {
+  return {frame.e3, frame.e2, {-frame.e1[0], -frame.e1[1], -frame.e1[2]}};
+}
+
 }  // namespace
 
 std::size_t OrientationColumns::width() const {
@@ -55,7 +60,7 @@ std::size_t OrientationColumns::width() const {
 
 void OrientationColumns::add_quaternion(std::vector<double>& row, TabulatedFrame kind,
                                         const Frame<Real>& frame) {
-  const auto [u, v, p, q] = quaternion_of(frame);
+  const auto [u, v, p, q] = quaternion_of(are_cameras_ ? of_camera(frame) : frame);
   std::array<double, 4> rounded{round_to_double(v), round_to_double(p), round_to_double(q),
                                 round_to_double(u)};
   const auto last = last_.find(kind);

@@ -11,7 +11,9 @@ class OrientationColumns {
  public:
   /// As they are asked for.
   explicit OrientationColumns(const TableColumns& columns)
-      : have_quaternions_(columns.have_quaternions), have_matrices_(columns.have_matrices) {}
+      : have_quaternions_(columns.have_quaternions),
+        have_matrices_(columns.have_matrices),
+        are_cameras_(columns.are_cameras) {}
 
   /// So many numbers.
   std::size_t width() const;
@@ -25,6 +27,7 @@ class OrientationColumns {
 
   bool have_quaternions_;
   bool have_matrices_;
+  bool are_cameras_;
   std::map<TabulatedFrame, std::array<double, 4>> last_;  ///< the quaternions of the last row
 };
 

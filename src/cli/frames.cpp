@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/answer/camera_path.hpp"
 #include "phrame/answer/smooth_table.hpp"
 #include "phrame/cli/twist_options.hpp"
+#include "phrame/io/write/camera.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
@@ -24,14 +26,28 @@ struct FramesOptions {
   std::string format = "csv";
   UpOption up;
   bool skips_undefined = false;
+  std::optional<std::string> duration;  ///< of a camera path, in seconds
+  std::string fps = "24";               ///< frames a second, in Blender
+};
+
+const std::vector<std::string>& camera_formats() {
+  static const std::vector<std::string> formats{"--format glb", "--format gltf",
+                                                "--format blender"};
+  return formats;
+}
+
+/// A table and what its rows were asked for by: t or arc lengths, those of --samples from 0.
+struct TabulatedFrames {
+  FrameTable table;
+  std::vector<Rational> numbers;
 };
 
 enum class By { parameter, arc_length };
 
 /// A frame of minimal twist ends with the curve.
-std::vector<PathPoint> points(const FramesOptions& options, const Path& path, bool ends) {
+std::vector<PathPoint> points(const std::vector<Rational>& numbers, const Path& path, bool ends) {
   std::vector<PathPoint> at;
-  for (const Rational& t : options.parameters.values(path.end())) {
+  for (const Rational& t : numbers) {
     const PathParameter located = ends ? locate_inside(path, t) : locate(path, t);
     at.push_back({located.segment, located.t});
   }
@@ -39,16 +55,16 @@ std::vector<PathPoint> points(const FramesOptions& options, const Path& path, bo
 }
 
 /// Where the arc length from the start has the values asked for; at a joint the later segment.
-std::vector<PathPoint> points_by_length(const FramesOptions& options, const Path& path) {
-  const PathLength length(path);
+std::vector<PathPoint> points_by_length(const std::vector<Rational>& numbers,
+                                        const PathLength& length) {
   std::vector<PathPoint> at;
-  for (const Rational& s : options.parameters.values(length.total())) at.push_back(length.point(s));
+  for (const Rational& s : numbers) at.push_back(length.point(s));
   return at;
 }
 
-std::vector<SmoothParameter> points(const FramesOptions& options, const SmoothPath& path) {
+std::vector<SmoothParameter> points(const std::vector<Rational>& numbers, const SmoothPath& path) {
   std::vector<SmoothParameter> at;
-  for (const Rational& t : options.parameters.values(path.end())) at.push_back(locate(path, t));
+  for (const Rational& t : numbers) at.push_back(locate(path, t));
   return at;
 }
 
@@ -60,12 +76,10 @@ Rational length_below(const Real& length) {
   return Rational(floor(lower / unit)) * unit;
 }
 
-std::vector<SmoothParameter> points_by_length(const FramesOptions& options,
-                                              const SmoothPath& path) {
-  const SmoothLength length(path);
+std::vector<SmoothParameter> points_by_length(const std::vector<Rational>& numbers,
+                                              const SmoothLength& length) {
   std::vector<SmoothParameter> at;
-  for (const Rational& s : options.parameters.values(length_below(length.total())))
-    at.push_back(length.point(s));
+  for (const Rational& s : numbers) at.push_back(length.point(s));
   return at;
 }
 
@@ -120,8 +134,8 @@ FrameTable table(const TableColumns& columns, Make make) {
   }
 }
 
-FrameTable table_of(const NamedPath& named, TableColumns& columns, By by,
-                    const FramesOptions& options) {
+TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
+                         const FramesOptions& options) {
   const Path& path = named.path;
   const auto names = split(options.frames);
   const bool has_up = std::find(names.begin(), names.end(), "up") != names.end();
@@ -131,37 +145,50 @@ FrameTable table_of(const NamedPath& named, TableColumns& columns, By by,
                      "the curve is Pythagorean-hodograph; its frames are rmf, erf, frenet");
   options.start.check(path);
   add_twist_frames(columns, options.twist, path);
-  const auto at = by == By::parameter ? points(options, path, columns.exact_mtf.has_value())
-                                      : points_by_length(options, path);
+  std::vector<Rational> numbers;
+  std::vector<PathPoint> at;
+  if (by == By::parameter) {
+    numbers = options.parameters.values(path.end());
+    at = points(numbers, path, columns.exact_mtf.has_value());
+  } else {
+    const PathLength length(path);
+    numbers = options.parameters.values(length.total());
+    at = points_by_length(numbers, length);
+  }
   FrameTable made = table(columns, [&] { return frame_table(path, columns, at); });
   made.near = named.near;
-  return made;
+  return {std::move(made), std::move(numbers)};
 }
 
 /// Of a curve that is no PH curve.
-FrameTable table_of(const NamedSmoothPath& named, const TableColumns& columns, By by,
-                    const FramesOptions& options) {
+TabulatedFrames table_of(const NamedSmoothPath& named, const TableColumns& columns, By by,
+                         const FramesOptions& options) {
   for (const std::string& name : split(options.frames))
     if (name == "erf" || name == "mtf")
       throw InputError("--frame", fmt::format("\"{}\" {}", name, needs_ph(named.path)));
   const SmoothAngle angle = options.up.angle(named.path);
   options.start.check(angle);
-  const auto at =
-      by == By::parameter ? points(options, named.path) : points_by_length(options, named.path);
+  std::vector<Rational> numbers;
+  std::vector<SmoothParameter> at;
+  if (by == By::parameter) {
+    numbers = options.parameters.values(named.path.end());
+    at = points(numbers, named.path);
+  } else {
+    const SmoothLength length(named.path);
+    numbers = options.parameters.values(length_below(length.total()));
+    at = points_by_length(numbers, length);
+  }
   std::optional<SmoothTwist> twist;
   const auto& frames = columns.frames;
   if (std::find(frames.begin(), frames.end(), TabulatedFrame::exact_mtf) != frames.end()) {
     const auto [from, to] = options.twist.ends(angle);
     twist.emplace(angle, from, to, options.twist.turns);
   }
-  return table(columns, [&] { return frame_table(angle, columns, at, twist); });
+  return {table(columns, [&] { return frame_table(angle, columns, at, twist); }),
+          std::move(numbers)};
 }
 
-void run(const FramesOptions& options) {
-  TableColumns chosen = columns(options);
-  chosen.may_be_empty = options.skips_undefined;
-  const auto format = choose<std::string (*)(const FrameTable&)>(
-      "--format", options.format, {{"csv", to_csv}, {"json", to_json}, {"npy", to_npy}});
+TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& chosen) {
   const By by =
       choose<By>("--by", options.by, {{"t", By::parameter}, {"arc-length", By::arc_length}});
   chosen.start = options.start.given().value_or(FrameStart());
@@ -169,9 +196,47 @@ void run(const FramesOptions& options) {
     throw InputError("frames", "--samples N or --at t,… is needed");
   const AnyPath read = options.curve.read_any_path();
   const auto* smooth = std::get_if<NamedSmoothPath>(&read);
-  const FrameTable made = smooth != nullptr
-                              ? table_of(*smooth, chosen, by, options)
-                              : table_of(std::get<NamedPath>(read), chosen, by, options);
+  return smooth != nullptr ? table_of(*smooth, chosen, by, options)
+                           : table_of(std::get<NamedPath>(read), chosen, by, options);
+}
+
+Rational positive_time(const std::string& option, const std::string& text) {
+  const Rational x = parse_option(option, text);
+  if (x <= 0) throw InputError(option, "\"" + abbreviated(text) + "\" is not > 0");
+  return x;
+}
+
+void run_camera(const FramesOptions& options) {
+  TableColumns chosen = columns(options);
+  if (chosen.frames.size() != 1)
+    throw InputError("--frame", "a camera path has one frame, not several");
+  chosen = camera_columns(chosen.frames.front());
+  std::optional<Rational> duration;
+  if (options.duration) duration = positive_time("--duration", *options.duration);
+  const double fps = round_to_double(positive_time("--fps", options.fps));
+  if (fps < 0.001 || fps > 30'000) throw InputError("--fps", "is not between 0.001 and 30000");
+  const TabulatedFrames made = read_and_tabulate(options, chosen);
+  const CameraPath path =
+      at_place("frames", ": ", [&] { return camera_path(made.table, made.numbers, duration); });
+  write_output(options.curve.output, options.format == "glb"    ? to_glb(path)
+                                     : options.format == "gltf" ? to_gltf(path)
+                                                                : to_blender(path, fps));
+}
+
+void run(const FramesOptions& options) {
+  const auto& cameras = camera_formats();
+  if (std::find(cameras.begin(), cameras.end(), "--format " + options.format) != cameras.end())
+    return run_camera(options);
+  TableColumns chosen = columns(options);
+  chosen.may_be_empty = options.skips_undefined;
+  const auto format = choose<std::string (*)(const FrameTable&)>("--format", options.format,
+                                                                 {{"csv", to_csv},
+                                                                  {"json", to_json},
+                                                                  {"npy", to_npy},
+                                                                  {"glb", nullptr},
+                                                                  {"gltf", nullptr},
+                                                                  {"blender", nullptr}});
+  const FrameTable made = read_and_tabulate(options, chosen).table;
   write_output(options.curve.output, format(made));
   if (made.incomplete_rows > 0)
     note(fmt::format("{} of {} rows {} empty cells; the first: {}", made.incomplete_rows,
@@ -206,12 +271,19 @@ void add_frames(Program& program) {
   options->twist.add_to(command);
   command.only_with(TwistOptions::of_ends(), {"--frame mtf", "--frame mtf-exact"});
   command.only_with(TwistOptions::of_rational_frame(), {"--frame mtf"});
-  command.add_format("--format", options->format, {"csv", "json", "npy"},
-                     "csv (default), json or npy");
+  command.add_format("--format", options->format, {"csv", "json", "npy", "glb", "gltf", "blender"},
+                     "csv (default), json or npy; a camera path as glb, gltf or a script for\n"
+                     "blender, with keys of place and rotation");
+  command.add_option("--duration", "SECONDS", options->duration,
+                     "of the camera path (default: t, or arc length, are seconds)");
+  command.only_with({"--duration"}, camera_formats());
+  command.add_option("--fps", "N", options->fps, "frames a second in Blender (default 24)");
+  command.only_with({"--fps"}, {"--format blender"});
   command.add_flag("--skip-undefined", options->skips_undefined,
                    "leave cells empty where the Frenet frame, a curvature or the torsion is\n"
                    "undefined (json: null, npy: NaN), and say so on stderr");
   command.only_with({"--skip-undefined"}, {"--frame frenet", "--columns"});
+  command.not_with({"--columns", "--skip-undefined"}, camera_formats());
   command.set_notes(
       "--at or --samples is needed: what the rows of the table are.\n"
       "All numbers are correctly rounded doubles. e1 is A i A*/|A|^2, the unit tangent\n"
@@ -221,6 +293,7 @@ void add_frames(Program& program) {
       "torsion^2), per unit of arc length.\n"
       "A matrix has the columns e1, two vectors of the frame and x, y, z. A quaternion turns the\n"
       "axes into the frame; of the two that do, it is the one nearer to that of the row before.\n"
+      "A camera looks along e1, with f2 (or the first vector of another frame) up.\n"
       "A curve of any kind, as a Bezier curve or a NURBS, has rmf, up, frenet and mtf-exact, and\n"
       "all columns.\n"
       "A spline of n segments has t from 0 to n; at a joint, n, b and curvatures are\n"
@@ -230,6 +303,7 @@ void add_frames(Program& program) {
       "  phrame frames curve.json --by arc-length --samples 101 --columns s,curvature\n"
       "  phrame frames curve.json --frame rmf,frenet --samples 1001 --format npy -o frames.npy\n"
       "  phrame frames curve.json --samples 101 --columns quaternion -o poses.csv\n"
+      "  phrame frames curve.json --by arc-length --samples 241 --duration 10 -o camera.glb\n"
       "  phrame frames curve.json --frame mtf --from pi/8 --to -pi/2 --samples 101");
   command.does([options] { run(*options); });
 }

@@ -40,8 +40,8 @@ const std::vector<std::pair<std::string, std::string>>& formats_by_ending() {
       {"json", "json"},   {"csv", "csv"},    {"npy", "npy"},       {"tex", "latex"},
       {"latex", "latex"}, {"py", "sympy"},   {"m", "mathematica"}, {"wl", "mathematica"},
       {"mpl", "maple"},   {"mac", "maxima"}, {"gp", "pari"},       {"obj", "obj"},
-      {"stl", "stl"},     {"ply", "ply"},    {"glb", "glb"},       {"step", "step"},
-      {"stp", "step"}};
+      {"stl", "stl"},     {"ply", "ply"},    {"glb", "glb"},       {"gltf", "gltf"},
+      {"py", "blender"},  {"step", "step"},  {"stp", "step"}};
   return table;
 }
 

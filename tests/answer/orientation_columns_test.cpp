@@ -129,3 +129,13 @@ TEST_CASE("orientation columns: the matrices of a long table are those of short 
   for (const std::size_t k : {7, 1111})
     CHECK(table.rows[k] == frame_table(curve, columns, {at[k]}).rows[0]);
 }
+
+// i, j, k are turned into (k, j, −i) by a quarter turn about −j: √½ = 0.70710678118654752440….
+TEST_CASE("orientation columns: a camera looks along e1, with f2 up") {
+  const Curve line(Quaternion<Polynomial>{Polynomial{1}, {}, {}, {}});
+  TableColumns columns = with_quaternions({Kind::rmf});
+  columns.are_cameras = true;
+  const FrameTable table = frame_table(line, columns, {Rational(1, 3)});
+  const double half_root = 0.70710678118654752440;
+  CHECK(from(table.rows[0], 13, 4) == Row{0, -half_root, 0, half_root});
+}

@@ -49,6 +49,8 @@ const std::vector<std::string> calls{
     "totals quintic.json",
     "frames quintic.json --at 1/3",
     "frames example.json --at 1/3 --from pi/8 --to 1 --frame mtf,mtf-exact --unproved",
+    "frames quintic.json --samples 3 --format glb",
+    "frames quintic.json --samples 3 --format blender",
     "mtf example.json --from pi/8 --to 1 --exact-only",
     "mtf example.json --from pi/8 --to 1 --unproved",
     "mtf example.json --wronskian",
@@ -106,7 +108,9 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--end-normal", "1,2,3"},
                                                 {"--twist", "pi/4"},
                                                 {"--scale", "1 + t"},
-                                                {"--sections", "4"}};
+                                                {"--sections", "4"},
+                                                {"--duration", "5"},
+                                                {"--fps", "30"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.
 const std::set<std::string> neutral{"--max-degree", "--output",         "--threads", "--skip-done",

@@ -1,12 +1,13 @@
 // node mesh_test.mjs PROGRAM CURVES: bodies of phrame sweep as three.js loads them, and as Khronos's validator finds
 // them. What a loader makes is a list of triangles: each side must have its opposite, with the points of a file equal
-// bit by bit, and the pyramids over the triangles the volume that is known.
+// bit by bit, and the pyramids over the triangles the volume that is known. Camera paths of phrame frames likewise.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import validator from 'gltf-validator';
+import { AnimationMixer, Quaternion, Vector3 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
@@ -20,6 +21,8 @@ for (const word of ['warn', 'error'])
   console[word] = (...words) => {
     throw new Error(`a loader complains: ${words.join(' ')}`);
   };
+
+globalThis.ProgressEvent ??= Event; // three.js tells of what it loads by one
 
 const bytesOf = (bytes) => bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
 const onlyChild = (group) => {
@@ -127,6 +130,39 @@ for (const [name, { curve, options, volume, within }] of Object.entries(bodies))
       console.log(`FAILED  ${name}, ${format}\n${error.stack}`);
     }
   }
+
+// What three.js plays, at the times of the keys, is where a point of the table lies, and it looks along e1.
+for (const format of ['glb', 'gltf']) {
+  ++count;
+  try {
+    const file = join(folder, `camera.${format}`);
+    const table = ['frames', closed, '--samples', '9'];
+    const rows = execFileSync(program, table, { encoding: 'utf8' }).trim().split('\n').slice(1);
+    execFileSync(program, [...table, '-o', file]);
+    const bytes = readFileSync(file);
+    const { issues } = await validator.validateBytes(new Uint8Array(bytes));
+    assert.equal(issues.messages.length, 0, JSON.stringify(issues.messages));
+    const { scene, cameras, animations } = await new GLTFLoader().parseAsync(bytesOf(bytes), '');
+    assert.equal(cameras.length, 1);
+    const mixer = new AnimationMixer(scene);
+    mixer.clipAction(animations[0]).play();
+    for (const row of rows.slice(0, -1)) {
+      const [t, x, y, z, ex, ey, ez, ux, uy, uz] = row.split(',').map(Number);
+      mixer.setTime(t);
+      scene.updateMatrixWorld();
+      const camera = cameras[0];
+      const off = (a, b) => Math.hypot(...minus(a.toArray(), b));
+      assert.ok(off(camera.getWorldPosition(new Vector3()), [x, y, z]) < 1e-5, `at ${t}`);
+      assert.ok(off(camera.getWorldDirection(new Vector3()), [ex, ey, ez]) < 1e-6, `towards, at ${t}`);
+      const up = new Vector3(0, 1, 0).applyQuaternion(camera.getWorldQuaternion(new Quaternion()));
+      assert.ok(off(up, [ux, uy, uz]) < 1e-6, `up, at ${t}`);
+    }
+    console.log(`ok      a camera path, ${format}`);
+  } catch (error) {
+    ++failures;
+    console.log(`FAILED  a camera path, ${format}\n${error.stack}`);
+  }
+}
 rmSync(folder, { recursive: true });
 console.log(`meshes: ${count - failures} of ${count} tests passed`);
 process.exitCode = failures === 0 ? 0 : 1;

@@ -5,27 +5,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
-#include <limits>
+
+#include "phrame/io/write/bytes.hpp"
 
 namespace phrame {
 namespace {
-
-/// The bytes of an unsigned number, the least first.
-template <class Number>
-void append_number(std::string& bytes, Number x) {
-  for (unsigned k = 0; k < sizeof x; ++k) bytes += static_cast<char>((x >> (8 * k)) & 0xFFU);
-}
-
-void append_float(std::string& bytes, float x) {
-  append_number(bytes, std::bit_cast<std::uint32_t>(x));
-}
-
-/// Not beyond the greatest float.
-float as_float(double x) {
-  constexpr double most = std::numeric_limits<float>::max();
-  return static_cast<float>(std::clamp(x, -most, most));
-}
 
 /// The unit normal of a triangle, 0 where it has no area.
 Vector<float> normal_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
@@ -51,13 +37,6 @@ std::string extreme_of(const Mesh& mesh, Choose choose) {
       extreme[k] = n == 0 ? x : choose(extreme[k], x);
     }
   return fmt::format("[{},{},{}]", extreme[0], extreme[1], extreme[2]);
-}
-
-void append_chunk(std::string& bytes, const char* kind, std::string content, char filler) {
-  content.resize((content.size() + 3) / 4 * 4, filler);
-  append_number(bytes, static_cast<std::uint32_t>(content.size()));
-  bytes.append(kind, 4);
-  bytes += content;
 }
 
 }  // namespace
@@ -118,13 +97,7 @@ std::string to_glb(const Mesh& mesh) {
       R"({{"bufferView":1,"componentType":5125,"count":{6},"type":"SCALAR"}}]}})",
       data.size(), of_points, data.size() - of_points, mesh.points.size(), extreme_of(mesh, least),
       extreme_of(mesh, greatest), 3 * mesh.triangles.size());
-  std::string chunks;
-  append_chunk(chunks, "JSON", json, ' ');
-  append_chunk(chunks, std::string("BIN\0", 4).data(), data, '\0');
-  std::string bytes = "glTF";
-  append_number(bytes, std::uint32_t{2});
-  append_number(bytes, static_cast<std::uint32_t>(12 + chunks.size()));
-  return bytes + chunks;
+  return glb_file(json, data);
 }
 
 }  // namespace phrame
