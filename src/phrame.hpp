@@ -84,5 +84,6 @@
 // Rational functions, likewise.
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/roots.hpp"
+#include "phrame/algebra/rounded_polynomial.hpp"
 #include "phrame/integrate/definite_integral.hpp"
 #include "phrame/version.hpp"

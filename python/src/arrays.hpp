@@ -29,12 +29,6 @@ inline void write_pose(const Frame<double>& f, const Vector<double>& r, double* 
   std::copy(last.begin(), last.end(), out);
 }
 
-/// Throws InputError where a number is too large for a double.
-inline Vector<double> finite(Vector<double> r) {
-  for (double& x : r) x = finite(x);
-  return r;
-}
-
 /// Of quaternions (x, y, z, w), known up to their sign, in their order along a path: each the one
 /// that has a scalar product > 0 with that before it; of the first, the last number that is not 0
 /// is > 0.

@@ -14,9 +14,17 @@ int joint_sign(const QuaternionPolynomial& before, const QuaternionPolynomial& a
 
 }  // namespace
 
+std::pair<std::size_t, double> place_at(double t, std::size_t segments) {
+  if (segments == 1) return {0, t};
+  const auto k = std::min(segments - 1, static_cast<std::size_t>(t));
+  return {k, t - static_cast<double>(k)};  // without rounding: t/2 <= k <= t, or k = 0 [Sterbenz]
+}
+
 void FrameSource::prepare(const Parameters& at) {
   for (const Curve& curve : path_.segments()) {
     positions_.push_back(position(curve));
+    const auto& [x, y, z] = positions_.back();
+    rounded_.push_back({RoundedPolynomial(x), RoundedPolynomial(y), RoundedPolynomial(z)});
     frames_.emplace_back(curve);
     preimages_.push_back(without_real_content(curve.preimage()));
     const std::size_t k = preimages_.size() - 1;
@@ -122,10 +130,13 @@ std::array<double, 4> FrameSource::quaternion(const Parameters& at, std::size_t 
 }
 
 Vector<double> FrameSource::point(const Parameters& at, std::size_t k) const {
+  if (at.are_doubles()) {
+    const auto [segment, t] = place_at(at.doubles[k], rounded_.size());
+    const auto& [x, y, z] = rounded_[segment];
+    return finite(Vector<double>{x(t), y(t), z(t)});
+  }
   const PathParameter here = locate(path_, at[k]);
-  Vector<double> r = round_to_double(evaluate(positions_[here.segment], here.t));
-  for (double& x : r) x = finite(x);
-  return r;
+  return finite(round_to_double(evaluate(positions_[here.segment], here.t)));
 }
 
 }  // namespace phrame::python

@@ -1,7 +1,18 @@
 #pragma once
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "parameters.hpp"
 
 namespace phrame::python {
+
+/// The coordinates of a point, at doubles.
+using RoundedPoint = std::array<RoundedPolynomial, 3>;
+
+/// Where a path of so many segments is at t in [0, segments]: the segment, and t in that, exactly.
+std::pair<std::size_t, double> place_at(double t, std::size_t segments);
 
 enum class FrameKind { rmf, erf, frenet };
 
@@ -28,6 +39,7 @@ class FrameSource {
   FrameKind kind_;
   FrameAngle start_;
   std::vector<Vector<Polynomial>> positions_;
+  std::vector<RoundedPoint> rounded_;
   std::vector<Frames> frames_;                   ///< of the segments
   std::vector<QuaternionPolynomial> preimages_;  ///< without real factors
   std::vector<int> signs_;                       ///< of the preimages

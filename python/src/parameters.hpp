@@ -44,6 +44,10 @@ nb::object array(const std::shared_ptr<DoubleArray>& numbers,
 
 /// A number that no double can hold is no answer.
 double finite(double x);
+inline Vector<double> finite(Vector<double> r) {
+  for (double& x : r) x = finite(x);
+  return r;
+}
 
 /// Below so many, to approximate first takes longer.
 constexpr std::size_t least_compiled = 16;

@@ -1,3 +1,4 @@
+#include "frame_source.hpp"
 #include "smooth.hpp"
 
 namespace phrame::python {
@@ -18,6 +19,7 @@ class SmoothSource {
 
   /// To be called once, before the others, which any thread may call.
   void prepare(const Parameters& at) {
+    if (at.are_doubles() && !is_by_length_) round_positions();
     if (!angle_ || kind_ != TabulatedFrame::rmf || is_by_length_ || !at.are_doubles() ||
         at.size() < least_compiled * path_.segments().size())
       return;
@@ -29,6 +31,11 @@ class SmoothSource {
   }
 
   Vector<double> point(const Parameters& at, std::size_t k) const {
+    if (!rounded_.empty()) {
+      const auto [segment, t] = place_at(at.doubles[k], rounded_.size());
+      const auto& [x, y, z] = rounded_[segment];
+      return finite(Vector<double>{x(t), y(t), z(t)});
+    }
     return finite(round_to_double(position(path_, place(at, k))));
   }
   Frame<double> frame(const Parameters& at, std::size_t k) const {
@@ -57,6 +64,19 @@ class SmoothSource {
     if (is_by_length_) return length_.point(at[k]);
     return locate(path_, at[k]);
   }
+  /// Where all segments are polynomials.
+  void round_positions() {
+    std::vector<RoundedPoint> found;
+    for (const SmoothSegment& segment : path_.segments()) {
+      const auto* curve = std::get_if<RationalCurve>(&segment);
+      if (curve == nullptr || !curve->weight().is_constant()) return;
+      const Rational over_weight = 1 / curve->weight().coefficient(0);
+      const auto& [x, y, z] = curve->numerator();
+      found.push_back({RoundedPolynomial(over_weight * x), RoundedPolynomial(over_weight * y),
+                       RoundedPolynomial(over_weight * z)});
+    }
+    rounded_ = std::move(found);
+  }
   Frame<Real> exact_frame(const Parameters& at, std::size_t k) const {
     const SmoothParameter here = place(at, k);
     if (kind_ == TabulatedFrame::rmf) return rotation_minimizing_frame(*angle_, here, start_);
@@ -71,6 +91,7 @@ class SmoothSource {
   SmoothLength length_;
   bool is_by_length_;
   std::optional<CompiledFrames> compiled_;
+  std::vector<RoundedPoint> rounded_;
 };
 
 /// What is asked of a path at many places.

@@ -44,6 +44,18 @@ def test_points_round_correctly():
     ts = [Fraction(k, 7) for k in range(8)]
     expected = [[float(x) for x in QUINTIC.point(t)] for t in ts]
     assert (QUINTIC.points(ts) == expected).all()
+    # Doubles go another way than fractions.
+    rng = random.Random(8)
+    cubic = phrame.Curve.bezier([[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]])
+    conic = phrame.Curve.bezier([[1, 0, 0], [1, 1, 0], [0, 1, 0]], [1, 1, 2])
+    whole = random_curve(rng, 4)
+    spline = phrame.Path([whole.segment(0, "1/3"), whole.segment("1/3", 1)])
+    smooth = phrame.Curve.cubic_spline([[0, 0, 0], [1, "1/2", 0], [2, 0, 1], [3, 1, 1]])
+    for path in (QUINTIC, spline, cubic, smooth, conic):
+        ts = [0.0, 1.0, path.end / 2, float(path.end), 2**-60] + [rng.random() * path.end for _ in range(100)]
+        expected = [[float(x) for x in path.point(Fraction(t))] for t in ts]
+        assert (path.points(np.array(ts)) == expected).all()
+        assert (path.matrices(np.array(ts))[:, :3, 3] == expected).all()
 
 
 def test_arrays_of_all_kinds_are_parameters():
