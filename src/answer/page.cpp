@@ -83,6 +83,11 @@ void add_given(FrameTable& table, const CheckAnswer& check) {
   }
 }
 
+void require_open(const PageQuery& query, bool is_closed) {
+  if (query.end_normal && is_closed)
+    throw DomainError("end normal: the path is closed, it ends with the normal it starts with");
+}
+
 /// A column more, with number k of row k.
 template <class Number>
 void add_column(FrameTable& table, const std::string& name, Number number) {
@@ -130,9 +135,10 @@ std::optional<CompiledAnswer> compiled_if_short(const Named& named, std::size_t 
 PageAnswer answer(const NamedPath& named, const PageQuery& query) {
   const Path& path = named.path;
   const auto closing = path.closing_turn();
+  require_open(query, closing.has_value());
   std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::euler_rodrigues,
                                      TabulatedFrame::frenet};
-  if (closing) frames.push_back(TabulatedFrame::exact_mtf);
+  if (closing || query.end_normal) frames.push_back(TabulatedFrame::exact_mtf);
   std::optional<CheckAnswer> check = check_of(named, query);
   const FrameStart from = start_of(query, check);
   TableColumns columns = page_columns(frames, from);
@@ -140,6 +146,10 @@ PageAnswer answer(const NamedPath& named, const PageQuery& query) {
   const PathAngle angle(path);
   if (closing)
     columns.exact_mtf.emplace(angle, reduced(start), start + angle_of(*closing * *closing));
+  else if (query.end_normal)
+    columns.exact_mtf.emplace(
+        angle, reduced(start),
+        angle_of(*query.end_normal, euler_rodrigues_frame(path.segments().back(), 1)));
 
   const std::vector<PathParameter> at = places(path.segments().size(), query);
   std::vector<PathPoint> points;
@@ -183,9 +193,11 @@ PageAnswer answer(const NamedSmoothPath& named, const PageQuery& query) {
   std::optional<SmoothTwist> twist;
   std::optional<CheckAnswer> check = check_of(named, query);
   const FrameStart from = start_of(query, check);
-  if (is_closed) {  // the frame of v closes with the curve
+  require_open(query, is_closed);
+  if (is_closed || query.end_normal) {
     frames.push_back(TabulatedFrame::exact_mtf);
-    twist.emplace(angle, from, from);
+    // The frame of v closes with the curve.
+    twist.emplace(angle, from, is_closed ? from : StartNormal(*query.end_normal));
   }
   const std::vector<PathParameter> at = places(path.segments().size(), query);
   FrameTable table = frame_table(angle, page_columns(frames, from),

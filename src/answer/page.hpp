@@ -19,7 +19,10 @@ struct PageQuery {
   /// = 0, else θ(0) = 0.
   std::optional<FrameStart> start = {};
   std::optional<Vector<Rational>> up = {};  ///< v, of a path that is not PH; else one is chosen
-  std::vector<GivenFrame> given = {};       ///< where there are some, the rows are at their t
+  /// f₂ of the frame of minimal twist at the end of an open path, projected; without it such a path
+  /// has none on its page.
+  std::optional<Vector<Rational>> end_normal = {};
+  std::vector<GivenFrame> given = {};  ///< where there are some, the rows are at their t
 };
 
 /// All that a page about a path shows.
@@ -41,8 +44,10 @@ struct PageAnswer {
   bool is_closed = false;                       ///< its end is its start, with the same tangent
 };
 
-/// @{ The frames are rmf, erf or up, frenet, and exact_mtf along a closed path, where it is the one
-/// that comes back as it starts with the least turn. Throws as frame_table() and the other answers.
+/// @{ The frames are rmf, erf or up, frenet, and exact_mtf: along a closed path the one that comes
+/// back as it starts with the least turn, along an open one that with the end normal. Throws as
+/// frame_table() and the other answers, and DomainError for an end normal along the tangent or of a
+/// closed path.
 PageAnswer answer(const NamedPath& path, const PageQuery& query);
 PageAnswer answer(const NamedSmoothPath& path, const PageQuery& query);
 /// @}

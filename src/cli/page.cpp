@@ -12,6 +12,7 @@ struct PageOptions {
   StartOptions start;
   UpOption up;
   long samples = 241;
+  std::optional<std::string> end_normal;
   std::optional<std::string> frames;  ///< the name of a table
 };
 
@@ -43,6 +44,8 @@ void run(const PageOptions& options) {
   PageQuery query;
   query.samples = options.samples;
   query.start = options.start.given();
+  if (options.end_normal)
+    query.end_normal = parse_vector_option("--end-normal", *options.end_normal);
   query.given = given_frames(options);
   const AnyPath path = options.curve.read_any_path();
   const auto found =
@@ -62,6 +65,9 @@ void add_page(Program& program) {
                      "a table of frames by another program, as phrame check reads it: they are\n"
                      "shown beside the exact ones, at their t, with their error");
   options->start.add_to(command, "e2", "default: that of the first of --frames, or 0");
+  command.add_option("--end-normal", "X,Y,Z", options->end_normal,
+                     "f2 of the frame of minimal twist at the end, projected to the normal plane:\n"
+                     "of an open curve that frame is shown, too");
   options->up.add_to(command,
                      "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");
   command.not_with({"--samples"}, {"--frames"});

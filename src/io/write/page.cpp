@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t longest_formula = 20'000;
 
 /// How the page shows a frame of the table.
-JsonOutput shown_frame(TabulatedFrame frame) {
+JsonOutput shown_frame(TabulatedFrame frame, bool is_closed) {
   const auto json = [](const char* what, const char* second, const char* third, const char* e2,
                        const char* e3) {
     return JsonOutput{{"what", what}, {"second", second}, {"third", third}, {"names", {e2, e3}}};
@@ -41,7 +41,8 @@ JsonOutput shown_frame(TabulatedFrame frame) {
     case TabulatedFrame::exact_mtf:
       break;
   }
-  return json("minimal twist, closed", "exact_mtf2", "exact_mtf3", "m₂", "m₃");
+  return json(is_closed ? "minimal twist, closed" : "minimal twist", "exact_mtf2", "exact_mtf3",
+              "m₂", "m₃");
 }
 
 /// The columns that are drawn over t, where the table has them.
@@ -140,7 +141,8 @@ JsonOutput json_of(const PageAnswer& answer) {
   std::visit([&](const auto& angle) { add_angle(page, angle); }, answer.angle);
   page["closed"] = answer.is_closed;
   page["frames"] = JsonOutput::array();
-  for (const TabulatedFrame frame : answer.frames) page["frames"].push_back(shown_frame(frame));
+  for (const TabulatedFrame frame : answer.frames)
+    page["frames"].push_back(shown_frame(frame, answer.is_closed));
   JsonOutput facts = JsonOutput::array();
   if (answer.check) {
     page["frames"].push_back({{"what", "given"},

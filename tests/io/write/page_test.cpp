@@ -12,6 +12,7 @@
 #include "phrame/io/write/page_template.hpp"
 #include "phrame/ph/frame/frame.hpp"
 #include "phrame/ph/frame/rmf_angle.hpp"
+#include "phrame/ph/smooth/smooth_path.hpp"
 #include "support/curves.hpp"
 #include "support/text.hpp"
 
@@ -58,6 +59,31 @@ TEST_CASE("page: a straight line has no Frenet frame, and its torsion is left ou
   CHECK(found.frames == std::vector{TabulatedFrame::rmf, TabulatedFrame::euler_rodrigues});
   CHECK(std::find(found.table.columns.begin(), found.table.columns.end(), "nx") ==
         found.table.columns.end());
+}
+
+TEST_CASE("page: with an end normal there is the frame of minimal twist") {
+  const Path path(test::quintic);
+  const Vector<Rational> up{0, 0, 1};
+  const auto check = [](const PageAnswer& found) {
+    CHECK(found.frames.back() == TabulatedFrame::exact_mtf);
+    const auto& names = found.table.columns;
+    const auto at = [&](const char* name) {
+      return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    };
+    // r′ = (3, 4, 0) at t = 1, so that (0, 0, 1) is normal there.
+    const std::vector<double>& last = found.table.rows.back();
+    CHECK(last[at("exact_mtf2x")] == 0);
+    CHECK(last[at("exact_mtf2z")] == 1);
+    const std::vector<double>& first = found.table.rows.front();
+    CHECK(first[at("exact_mtf2x")] == first[at("f2x")]);
+    CHECK_FALSE(found.is_closed);
+    CHECK(contains(to_page(found), "\"minimal twist\""));
+  };
+  PageQuery query{.samples = 3, .end_normal = up};
+  check(answer(NamedPath{"q", path, {}}, query));
+  check(answer(NamedSmoothPath{"q", by_positions(path)}, query));
+  query.end_normal = {3, 4, 0};
+  CHECK_THROWS_AS(answer(NamedPath{"q", path, {}}, query), DomainError);
 }
 
 // The Frenet frame for one: θ_Frenet is θ to it, so that its error is −θ to it, from 0 on.
