@@ -122,6 +122,14 @@ T choose(const std::string& option, const std::string& name,
   throw InputError(option, "\"" + abbreviated(name) + "\" is not one of " + names);
 }
 
+/// What choose() takes.
+template <class T>
+std::vector<std::string> keys(const std::vector<std::pair<std::string, T>>& values) {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : values) names.push_back(key);
+  return names;
+}
+
 /// --frame of an angle: erf or frenet.
 void add_reference(Command& command, std::string& name, const std::string& what);
 Reference chosen_reference(const std::string& name);

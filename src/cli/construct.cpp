@@ -94,9 +94,7 @@ void add_construct(Program& program) {
                      "a rational rotation-minimizing frame; rmf: with one that is the\n"
                      "Euler-Rodrigues frame; c2: through points, with continuous second\n"
                      "derivatives; c2-hermite: with these given");
-  std::vector<std::string> selections;
-  for (const auto& [name, selection] : quintic_selections()) selections.push_back(name);
-  command.add_choice("--select", options->select, selections,
+  command.add_choice("--select", options->select, keys(quintic_selections()),
                      "which of the quintics: auto (default), minimal, bv, cc, shortest,\n"
                      "longest or energy");
   command.add_list("--angles", "A,...", options->angles,

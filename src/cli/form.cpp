@@ -18,16 +18,10 @@ const std::vector<std::pair<std::string, FormChoice>>& forms() {
   return table;
 }
 
-std::vector<std::string> names_of_forms() {
-  std::vector<std::string> names;
-  for (const auto& [name, choice] : forms()) names.push_back(name);
-  return names;
-}
-
 }  // namespace
 
 void FormOptions::add_to(Command& command) {
-  command.add_choice("--form", form, names_of_forms(),
+  command.add_choice("--form", form, keys(forms()),
                      "how the logarithms are written: auto (default), partial-fractions,\n"
                      "rothstein-trager, lazard-rioboo-trager, real, radicals");
   command.add_format("--print", print,

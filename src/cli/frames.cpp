@@ -8,6 +8,7 @@
 #include "phrame/cli/twist_options.hpp"
 #include "phrame/io/write/camera.hpp"
 #include "phrame/io/write/frame_table.hpp"
+#include "phrame/io/write/names.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
 #include "phrame/ph/smooth/smooth_length.hpp"
@@ -83,25 +84,29 @@ std::vector<SmoothParameter> points_by_length(const std::vector<Rational>& numbe
   return at;
 }
 
+const Names<TabulatedFrame>& frame_names() {
+  static const Names<TabulatedFrame> names{
+      {"rmf", TabulatedFrame::rmf},       {"erf", TabulatedFrame::euler_rodrigues},
+      {"frenet", TabulatedFrame::frenet}, {"up", TabulatedFrame::up},
+      {"mtf", TabulatedFrame::mtf},       {"mtf-exact", TabulatedFrame::exact_mtf}};
+  return names;
+}
+
+/// Those without a scalar are of the frames.
+const Names<std::optional<TabulatedScalar>>& column_names() {
+  static const Names<std::optional<TabulatedScalar>> names{
+      {"s", TabulatedScalar::arc_length},    {"curvature", TabulatedScalar::curvature},
+      {"torsion", TabulatedScalar::torsion}, {"frenet_rate", TabulatedScalar::frenet_rate},
+      {"quaternion", std::nullopt},          {"matrix", std::nullopt}};
+  return names;
+}
+
 TableColumns columns(const FramesOptions& options) {
   TableColumns columns;
   for (const std::string& name : split(options.frames))
-    columns.frames.push_back(choose<TabulatedFrame>("--frame", name,
-                                                    {{"rmf", TabulatedFrame::rmf},
-                                                     {"erf", TabulatedFrame::euler_rodrigues},
-                                                     {"frenet", TabulatedFrame::frenet},
-                                                     {"up", TabulatedFrame::up},
-                                                     {"mtf", TabulatedFrame::mtf},
-                                                     {"mtf-exact", TabulatedFrame::exact_mtf}}));
+    columns.frames.push_back(choose("--frame", name, frame_names()));
   for (const std::string& name : split(options.scalars)) {
-    const auto scalar =
-        choose<std::optional<TabulatedScalar>>("--columns", name,
-                                               {{"s", TabulatedScalar::arc_length},
-                                                {"curvature", TabulatedScalar::curvature},
-                                                {"torsion", TabulatedScalar::torsion},
-                                                {"frenet_rate", TabulatedScalar::frenet_rate},
-                                                {"quaternion", std::nullopt},
-                                                {"matrix", std::nullopt}});
+    const auto scalar = choose("--columns", name, column_names());
     if (scalar) columns.scalars.push_back(*scalar);
     columns.have_quaternions = columns.have_quaternions || name == "quaternion";
     columns.have_matrices = columns.have_matrices || name == "matrix";
@@ -252,13 +257,12 @@ void add_frames(Program& program) {
   options->curve.add_to(command);
   options->parameters.add_to(command);
   command.add_choices(
-      "--frame", options->frames, {"rmf", "erf", "frenet", "up", "mtf", "mtf-exact"},
+      "--frame", options->frames, keys(frame_names()),
       "any of rmf (rotation-minimizing, default: f2, f3), erf (Euler-Rodrigues:\n"
       "e2, e3), frenet (n, b), up (of a fixed vector), mtf and mtf-exact (of minimal\n"
       "twist: rational, or at a constant rate; --from and --to are needed)");
   command.add_choices(
-      "--columns", options->scalars,
-      {"s", "curvature", "torsion", "frenet_rate", "quaternion", "matrix"},
+      "--columns", options->scalars, keys(column_names()),
       "any of s (arc length), curvature, torsion and frenet_rate; and of each frame\n"
       "quaternion (x, y, z, w) and matrix (4 x 4, by rows)");
   command.add_choice("--by", options->by, {"t", "arc-length"},

@@ -94,10 +94,8 @@ void add_mtf(Program& program) {
   command.add_format("--print", options->print, {"text", "json", "latex"},
                      "text (default), json or latex");
   options->length.add_to(command);
-  std::vector<std::string> names;
-  for (const auto& [name, weight] : frame_weights()) names.push_back(name);
   command.add_choice(
-      "--weight", options->weight, names,
+      "--weight", options->weight, keys(frame_weights()),
       "what the error of a^2 + b^2 is weighted by: one (default), torsion-curvature\n"
       "or speed");
   command.only_with({"--weight"}, {"--wronskian"});
