@@ -1,8 +1,10 @@
 #include "phrame/ph/sweep/profile_triangles.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
 
 namespace phrame {
 namespace {
@@ -37,6 +39,37 @@ bool meet(const ProfilePoint& a, const ProfilePoint& b, const ProfilePoint& c,
 
 namespace {
 
+/// Signs of triangles of a profile's corners: by doubles where these are enough, else exactly.
+class CornerSigns {
+ public:
+  explicit CornerSigns(const std::vector<ProfilePoint>& corners) : exact_(corners) {
+    for (const auto& [x, y] : corners) {
+      rounded_.push_back({round_to_double(x), round_to_double(y)});
+      for (const double c : rounded_.back()) size_ = std::max(size_, std::abs(c));
+    }
+  }
+
+  // With M the greatest coordinate, differences d of rounded ones are within 2^−51·M; those of
+  // products of two of them within 2^−50·M·Σ|d| + 2^−101·M², rounding included.
+  int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const auto& [ax, ay] = rounded_[a];
+    const double bx = rounded_[b][0] - ax;
+    const double by = rounded_[b][1] - ay;
+    const double cx = rounded_[c][0] - ax;
+    const double cy = rounded_[c][1] - ay;
+    const double area = bx * cy - by * cx;
+    const double sum = std::abs(bx) + std::abs(by) + std::abs(cx) + std::abs(cy);
+    const double error = 0x1p-49 * size_ * (sum + 0x1p-40 * size_) + 0x1p-1000;
+    if (std::abs(area) > error && sum * size_ < HUGE_VAL) return area > 0 ? 1 : -1;
+    return profile_turn(exact_[a], exact_[b], exact_[c]);
+  }
+
+ private:
+  const std::vector<ProfilePoint>& exact_;
+  std::vector<std::array<double, 2>> rounded_;
+  double size_ = 0;
+};
+
 /// What is left of a polygon while its ears are clipped: a ring of nodes, each at a corner. The
 /// ends of a side there and back to a hole are two nodes each.
 class EarRing {
@@ -55,7 +88,7 @@ class EarRing {
  private:
   const ProfilePoint& at(std::size_t node) const { return profile_.corners()[corner_[node]]; }
   int turn_at(std::size_t node) const {
-    return profile_turn(at(before_[node]), at(node), at(next_[node]));
+    return signs_.turn(corner_[before_[node]], corner_[node], corner_[next_[node]]);
   }
   std::size_t add_node(std::uint32_t corner);
   void link(std::size_t from, std::size_t to) {
@@ -64,9 +97,11 @@ class EarRing {
   }
   void join_hole(std::size_t first);
   bool is_visible(std::size_t node, std::size_t from) const;
-  bool is_within_corner(std::size_t node, const ProfilePoint& p) const;
+  bool is_within_corner(std::size_t node, std::uint32_t p) const;
+  bool is_in_the_way(std::uint32_t a, std::uint32_t b, std::uint32_t p, std::uint32_t q) const;
 
   const Profile& profile_;
+  CornerSigns signs_;
   std::vector<std::uint32_t> corner_;
   std::vector<std::size_t> next_;
   std::vector<std::size_t> before_;
@@ -90,7 +125,7 @@ std::size_t rightmost(const Profile& profile, std::size_t first) {
   return found;
 }
 
-EarRing::EarRing(const Profile& profile) : profile_(profile) {
+EarRing::EarRing(const Profile& profile) : profile_(profile), signs_(profile.corners()) {
   const std::size_t count = profile.corners().size();
   for (std::size_t k = 0; k < count; ++k) add_node(static_cast<std::uint32_t>(k));
   for (std::size_t k = 0; k < count; ++k) link(k, profile.next(k));
@@ -107,32 +142,35 @@ EarRing::EarRing(const Profile& profile) : profile_(profile) {
     if (turn_at(node) <= 0) reflex_.push_back(node);
 }
 
-/// Does p lie between the two sides at the node, on the left of them?
-bool EarRing::is_within_corner(std::size_t node, const ProfilePoint& p) const {
-  const bool left_of_first = profile_turn(at(before_[node]), at(node), p) > 0;
-  const bool left_of_second = profile_turn(at(node), at(next_[node]), p) > 0;
+/// Does the corner lie between the two sides at the node, on the left of them?
+bool EarRing::is_within_corner(std::size_t node, std::uint32_t p) const {
+  const bool left_of_first = signs_.turn(corner_[before_[node]], corner_[node], p) > 0;
+  const bool left_of_second = signs_.turn(corner_[node], corner_[next_[node]], p) > 0;
   return turn_at(node) > 0 ? left_of_first && left_of_second : left_of_first || left_of_second;
 }
 
-/// Do the line from a to b and the one from p to q meet elsewhere than at an end of both?
-bool is_in_the_way(const ProfilePoint& a, const ProfilePoint& b, const ProfilePoint& p,
-                   const ProfilePoint& q) {
+/// Do the lines from a to b and from p to q meet elsewhere than at an end of both?
+bool EarRing::is_in_the_way(std::uint32_t a, std::uint32_t b, std::uint32_t p,
+                            std::uint32_t q) const {
+  const auto& corners = profile_.corners();
   const bool begins_there = a == p || a == q;
-  if (!begins_there && b != p && b != q) return meet(a, b, p, q);
-  const ProfilePoint& other = begins_there ? b : a;
-  return profile_turn(p, q, other) == 0 && is_between(other, p, q);
+  if (!begins_there && b != p && b != q) {
+    const int side = signs_.turn(p, q, a) * signs_.turn(p, q, b);
+    return side <= 0 && meet(corners[a], corners[b], corners[p], corners[q]);
+  }
+  const std::uint32_t other = begins_there ? b : a;
+  return signs_.turn(p, q, other) == 0 && is_between(corners[other], corners[p], corners[q]);
 }
 
 /// Is nothing in the way of a line between the two, within the polygon?
 bool EarRing::is_visible(std::size_t node, std::size_t from) const {
-  const ProfilePoint& p = at(node);
-  const ProfilePoint& q = at(from);
+  const std::uint32_t p = corner_[node];
+  const std::uint32_t q = corner_[from];
   if (!is_within_corner(node, q)) return false;
-  const auto& corners = profile_.corners();
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    if (is_in_the_way(corners[k], corners[profile_.next(k)], p, q)) return false;
+  for (std::uint32_t k = 0; k < profile_.corners().size(); ++k)
+    if (is_in_the_way(k, static_cast<std::uint32_t>(profile_.next(k)), p, q)) return false;
   return std::none_of(bridges_.begin(), bridges_.end(), [&](const auto& bridge) {
-    return is_in_the_way(corners[bridge[0]], corners[bridge[1]], p, q);
+    return is_in_the_way(bridge[0], bridge[1], p, q);
   });
 }
 
@@ -174,14 +212,10 @@ void EarRing::join_hole(std::size_t first) {
 bool EarRing::is_ear(std::size_t node) const {
   if (turn_at(node) <= 0) return false;
   const auto [i, j, k] = triangle_at(node);
-  const ProfilePoint& a = profile_.corners()[i];
-  const ProfilePoint& b = profile_.corners()[j];
-  const ProfilePoint& c = profile_.corners()[k];
   return std::none_of(reflex_.begin(), reflex_.end(), [&, i = i, j = j, k = k](std::size_t other) {
-    const std::uint32_t corner = corner_[other];
-    if (corner == i || corner == j || corner == k) return false;
-    const ProfilePoint& p = at(other);
-    return profile_turn(a, b, p) >= 0 && profile_turn(b, c, p) >= 0 && profile_turn(c, a, p) >= 0;
+    const std::uint32_t p = corner_[other];
+    if (p == i || p == j || p == k) return false;
+    return signs_.turn(i, j, p) >= 0 && signs_.turn(j, k, p) >= 0 && signs_.turn(k, i, p) >= 0;
   });
 }
 

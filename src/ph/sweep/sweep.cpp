@@ -268,21 +268,21 @@ double side_angle_factor(const SweepPath& path, const SweepForm& form) {
   return std::min(greatest, 100.0);
 }
 
-SweptBody sweep(const SweepPath& path, const SweepForm& given) {
-  const double scale = greatest_scale(given.scale, path.series.segments);
-  const std::optional<LengthShare> share = share_of(path, given.turn);
-  SweepForm form = given;
-  form.profile = profile_for_normals(path, given, share);
-  const Tessellation tessellation(path, form, share);
+SweptBody sweep(const SweepPath& path, const SweepForm& form) {
+  const double scale = greatest_scale(form.scale, path.series.segments);
+  const std::optional<LengthShare> share = share_of(path, form.turn);
+  SweepForm swept = form;
+  swept.profile = profile_for_normals(path, form, share);
+  const Tessellation tessellation(path, swept, share);
   SweptBody body;
   SectionList found;
   if (const auto* count = std::get_if<long>(&form.tolerance_or_sections)) {
     tessellation.parts(HUGE_VAL);  // there is no cusp
     found = tessellation.equal_sections(*count);
   } else {
-    found = within(tessellation, form, scale, body);
+    found = within(tessellation, swept, scale, body);
   }
-  body.mesh = mesh_of(found.sections, form.profile, path.is_closed);
+  body.mesh = mesh_of(found.sections, swept.profile, path.is_closed);
   if (tessellation.is_against())
     for (auto& triangle : body.mesh.triangles) std::swap(triangle[1], triangle[2]);
   body.sections = found.sections.size() - (path.is_closed ? 1 : 0);
@@ -290,7 +290,7 @@ SweptBody sweep(const SweepPath& path, const SweepForm& given) {
   require_body(body.mesh);
   // The frames are within 2^−53, the place within 2^−50 of the size, the turn within 2^−44.
   if (body.error) {
-    const double reach = form.profile.reach() * scale;
+    const double reach = swept.profile.reach() * scale;
     *body.error += 0x1p-42 * reach + 0x1p-48 * size_of(body.mesh);
     if (share) *body.error += std::abs(form.turn) * share->error() * reach;
   }

@@ -81,6 +81,17 @@ TEST_CASE("triangles: law: the triangles of any simple polygon fill it") {
   });
 }
 
+// Doubles do not tell on which side of the line y = 3x/7 these corners are.
+TEST_CASE("triangles: corners that are nearly on one line are told apart") {
+  Corners corners{{2, Rational(6, 7)}, {0, 9}, {-1, Rational(-3, 7)}};
+  for (long k = -9; k < 20; ++k) {
+    const Rational x(k, 11);
+    corners.push_back({x, x * Rational(3, 7) + (k % 3 == 0 ? 1 : -1) * power_of_two(-80 - k % 2)});
+  }
+  check_triangles(Profile(corners));
+  check_triangles(Profile::of_rings({{{-9, -9}, {9, -9}, {9, 10}, {-9, 10}}, corners}));
+}
+
 TEST_CASE("triangles: holes stay open") {
   const Corners square{{0, 0}, {9, 0}, {9, 9}, {0, 9}};
   const auto box = [](int x, int y, int size) {
