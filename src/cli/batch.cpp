@@ -157,38 +157,37 @@ class Failures {
   std::string first_;
 };
 
-void run(const BatchOptions& options) {
+BatchDefaults defaults_of(const BatchOptions& options) {
   BatchDefaults defaults = options.defaults;
   defaults.frame = chosen_reference(options.frame);
   for (const std::string& t : split(options.at)) defaults.at.push_back(parse_option("--at", t));
   defaults.start = options.start.given().value_or(FrameStart());
   defaults.near = parse_near_option(options.near);
   defaults.limits.near_option = "--near";
+  return defaults;
+}
 
-  const std::string skip_done = options.skip_done.value_or("");
-  if (options.skip_done && skip_done.empty())
+/// Those that are done, so that they can be left out.
+Done done_before(const BatchOptions& options, const Descriptor& input) {
+  const std::string path = options.skip_done.value_or("");
+  if (options.skip_done && path.empty())
     throw InputError("--skip-done", "\"\" is not a file's name");
-  const Descriptor input = open_input(options.path);
-  if (options.output != "-" && is_same_file(input, options.output))
-    throw InputError("--output", "\"" + options.output + "\" is the input");
-  if (!skip_done.empty() && is_same_file(input, skip_done))
-    throw InputError("--skip-done", "\"" + skip_done + "\" is the input");
-  const Done done = read_done(skip_done);
+  if (!path.empty() && is_same_file(input, path))
+    throw InputError("--skip-done", "\"" + path + "\" is the input");
+  Done done = read_done(path);
   if (done.others > 0)
-    note(fmt::format("{}: {} of its lines {} no answer of phrame batch", skip_done, done.others,
+    note(fmt::format("{}: {} of its lines {} no answer of phrame batch", path, done.others,
                      done.others == 1 ? "is" : "are"));
-  const Descriptor output = open_output(options.output, skip_done, done);
-  const Interruption interruption;
-  LineReader reader(input, interruption);
+  return done;
+}
+
+/// Answers the lines on so many threads, in their order; how many they were.
+long answer_lines(LineReader& reader, const Done& done, const BatchDefaults& defaults,
+                  std::size_t threads, const Descriptor& output, Failures& failures) {
   end_progress();
   BatchProgress progress;
   long lines = 0;
-  Failures failures;
-
   namespace tbb = oneapi::tbb;
-  const auto threads = static_cast<std::size_t>(
-      options.threads > 0 ? options.threads : tbb::info::default_concurrency());
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   using Line = Numbered<std::string>;
   using Answer = Numbered<BatchAnswer>;
   const auto read_line = [&](tbb::flow_control& control) -> Line {
@@ -219,6 +218,24 @@ void run(const BatchOptions& options) {
           tbb::make_filter<Line, Answer>(tbb::filter_mode::parallel, answer) &
           tbb::make_filter<Answer, void>(tbb::filter_mode::serial_in_order, write_answer));
   progress.finish(lines, failures.count());
+  return lines;
+}
+
+void run(const BatchOptions& options) {
+  const BatchDefaults defaults = defaults_of(options);
+  const Descriptor input = open_input(options.path);
+  if (options.output != "-" && is_same_file(input, options.output))
+    throw InputError("--output", "\"" + options.output + "\" is the input");
+  const Done done = done_before(options, input);
+  const Descriptor output = open_output(options.output, options.skip_done.value_or(""), done);
+  const Interruption interruption;
+  LineReader reader(input, interruption);
+  Failures failures;
+  const auto threads = static_cast<std::size_t>(
+      options.threads > 0 ? options.threads : oneapi::tbb::info::default_concurrency());
+  const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
+                                          threads);
+  const long lines = answer_lines(reader, done, defaults, threads, output, failures);
   interruption.pass_on();
   if (failures.count() > 0) throw AnswerNo{failures.text(lines)};
 }

@@ -41,56 +41,57 @@ std::vector<std::string> without_help_command(std::vector<std::string> words) {
   return words;
 }
 
-int run(int argc, char** argv) {
-  phrame::cli::Program program(
-      "phrame",
-      "Exact rotation-minimizing frames of Pythagorean-hodograph curves, and exact integrals of "
-      "rational functions.",
-      "A curve file is JSON, such as\n"
-      "  {\"phrame\": \"curve/1\", \"basis\": \"power\",\n"
-      "   \"preimage\": {\"u\": [1], \"v\": [0, \"1/2\"], \"p\": [0, 0, 3], \"q\": [0.25]}}\n"
-      "and means r' = f A i A* with A = u + vi + pj + qk and f = \"multiplier\", 1 if not given.\n"
-      "Where f < 0, e1 = A i A*/|A|^2 of all frames is the opposite of the tangent r'/|r'|.\n"
-      "Numbers are exact: 3/7, 0.1 (which is 1/10), 1e-3; on the command line 1.5/2.5, too.\n"
-      "Angles there are radians, multiples of pi or degrees: 0.5, pi/4, -31pi/40, 45deg.\n"
-      "Exit status: 0 done, 1 the answer is no, 2 bad input or usage, 3 mathematically undefined,\n"
-      "4 undecided within the limits. \"phrame help COMMAND\" shows a command's options and "
-      "examples.\n"
-      "Examples:\n"
-      "  phrame angle curve.json --at 0,1/2,1 --digits 50\n"
-      "  phrame info curve.json --print json\n"
-      "  phrame identify curve.json --print curve -o ph.json\n"
-      "  phrame frames curve.json --samples 101 -o frames.csv\n"
-      "  phrame interpolate curve.json --period 0.001 --feed '10 + 2*s'\n"
-      "  phrame batch curves.jsonl --at 1 -o angles.jsonl\n"
-      "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50");
-  phrame::cli::add_angle(program);
-  phrame::cli::add_info(program);
-  phrame::cli::add_classify(program);
-  phrame::cli::add_totals(program);
-  phrame::cli::add_frames(program);
-  phrame::cli::add_mtf(program);
-  phrame::cli::add_interpolate(program);
-  phrame::cli::add_construct(program);
-  phrame::cli::add_identify(program);
-  phrame::cli::add_integrate(program);
-  phrame::cli::add_sweep(program);
-  phrame::cli::add_batch(program);
-  phrame::cli::add_compile(program);
-  phrame::cli::add_check(program);
-  phrame::cli::add_certify(program);
-  phrame::cli::add_verify(program);
-  phrame::cli::add_prove(program);
-  phrame::cli::add_page(program);
-  phrame::cli::add_help(program);
-  phrame::cli::add_completion(program);
-  phrame::cli::add_man(program);
+constexpr const char* notes =
+    "A curve file is JSON, such as\n"
+    "  {\"phrame\": \"curve/1\", \"basis\": \"power\",\n"
+    "   \"preimage\": {\"u\": [1], \"v\": [0, \"1/2\"], \"p\": [0, 0, 3], \"q\": [0.25]}}\n"
+    "and means r' = f A i A* with A = u + vi + pj + qk and f = \"multiplier\", 1 if not given.\n"
+    "Where f < 0, e1 = A i A*/|A|^2 of all frames is the opposite of the tangent r'/|r'|.\n"
+    "Numbers are exact: 3/7, 0.1 (which is 1/10), 1e-3; on the command line 1.5/2.5, too.\n"
+    "Angles there are radians, multiples of pi or degrees: 0.5, pi/4, -31pi/40, 45deg.\n"
+    "Exit status: 0 done, 1 the answer is no, 2 bad input or usage, 3 mathematically undefined,\n"
+    "4 undecided within the limits. \"phrame help COMMAND\" shows a command's options and "
+    "examples.\n"
+    "Examples:\n"
+    "  phrame angle curve.json --at 0,1/2,1 --digits 50\n"
+    "  phrame info curve.json --print json\n"
+    "  phrame identify curve.json --print curve -o ph.json\n"
+    "  phrame frames curve.json --samples 101 -o frames.csv\n"
+    "  phrame interpolate curve.json --period 0.001 --feed '10 + 2*s'\n"
+    "  phrame construct points.csv -o spline.json\n"
+    "  phrame page spline.json -o spline.html\n"
+    "  phrame batch curves.jsonl --at 1 -o angles.jsonl\n"
+    "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50";
+
+/// In the order of the help.
+constexpr void (*commands[])(phrame::cli::Program&){
+    phrame::cli::add_angle,       phrame::cli::add_info,       phrame::cli::add_classify,
+    phrame::cli::add_totals,      phrame::cli::add_frames,     phrame::cli::add_mtf,
+    phrame::cli::add_interpolate, phrame::cli::add_construct,  phrame::cli::add_identify,
+    phrame::cli::add_integrate,   phrame::cli::add_sweep,      phrame::cli::add_batch,
+    phrame::cli::add_compile,     phrame::cli::add_check,      phrame::cli::add_certify,
+    phrame::cli::add_verify,      phrame::cli::add_prove,      phrame::cli::add_page,
+    phrame::cli::add_help,        phrame::cli::add_completion, phrame::cli::add_man};
+
+/// All commands, and --version of each.
+void furnish(phrame::cli::Program& program) {
+  for (const auto add : commands) add(program);
   const std::string version = fmt::format("phrame {}", phrame::version);
   CLI::App& app = program.app();
   app.set_version_flag("--version", version, "show the version");
   for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
     command->set_version_flag("--version", version, "show the version");
   app.require_subcommand(0, 1);
+}
+
+int run(int argc, char** argv) {
+  phrame::cli::Program program(
+      "phrame",
+      "Exact rotation-minimizing frames of Pythagorean-hodograph curves, and exact integrals of "
+      "rational functions.",
+      notes);
+  furnish(program);
+  CLI::App& app = program.app();
 
   const std::vector<std::string> words = without_help_command({argv + 1, argv + argc});
   if (const std::string wrong = phrame::cli::complaint_about_command(program, words);
