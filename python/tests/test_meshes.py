@@ -7,12 +7,14 @@ tolerance of that surface is off by no more than the layer of that thickness. Le
 
 import logging
 import math
+import os
+import subprocess
 
 import numpy as np
 import pytest
 
 import phrame
-from common import ROOT
+from common import PROGRAM, ROOT
 
 trimesh = pytest.importorskip("trimesh")
 
@@ -84,3 +86,29 @@ def test_a_tube_around_a_closed_spline_has_the_volume_of_pappus(name, suffix, tm
     assert mesh.euler_number == 0
     assert abs(mesh.volume - volume) <= 1.01 * tolerance * surface
     assert mesh.area == pytest.approx(surface, rel=0.02)
+
+
+@pytest.mark.skipif(not os.path.exists(PROGRAM), reason="the program was not built")
+@pytest.mark.parametrize(("name", "radius"), [("curves/farouki-2003-quintic.json", 1 / 10), ("curves/closed-spline.json", 1 / 20)])
+def test_normals_of_tubes_in_space_are_within_the_bound(name, radius, tmp_path):
+    """The normal of a tube is the direction from the nearest point of the curve: that of many in doubles."""
+    file = tmp_path / "tube.ply"
+    said = subprocess.run([PROGRAM, "sweep", ROOT / "examples" / name, "--profile", f"circle:{radius}", "--tolerance", "1",
+                           "--normal-tolerance", "10deg", "-o", file], capture_output=True, check=True, text=True).stdout
+    bound = float(said.split("normals within ")[1].split(" rad")[0])
+    assert bound <= 0.18  # 10 degrees, rounded up
+    mesh = trimesh.load_mesh(file)
+    path = phrame.read(ROOT / "examples" / name)
+    ts = np.linspace(0, len(path.segments), 8001)
+    centers, tangents = path.points(ts), path.frames(ts)[:, 0]
+    chosen = np.random.default_rng(21).choice(len(mesh.faces), 400)
+    inside = np.random.default_rng(22).dirichlet([0.3] * 3, 400)  # mostly near corners and sides
+    places = np.einsum("ij,ijk->ik", inside, mesh.vertices[mesh.faces[chosen]])
+    nearest = np.argmin(np.linalg.norm(places[:, None] - centers[None], axis=2), axis=1)
+    out = places - centers[nearest]
+    out -= np.sum(out * tangents[nearest], axis=1, keepdims=True) * tangents[nearest]
+    normals = mesh.face_normals[chosen]
+    is_side = np.abs(np.sum(normals * tangents[nearest], axis=1)) < 0.9  # no cap
+    cosines = np.sum(normals * out, axis=1) / np.linalg.norm(out, axis=1)
+    greatest = np.arccos(np.clip(cosines[is_side], -1, 1)).max()
+    assert bound / 4 < greatest <= bound
