@@ -56,8 +56,8 @@ bool step(Points& points, std::size_t i, const flint::FmpzPoly& f,
   Complex repulsion = 0;
   double nearest = 0x1p800;
   ComplexBall difference;
-  for (std::size_t j = 0; j < points.size(); ++j) {
-    acb_sub(difference.raw(), z.raw(), points[j].raw(), 53);
+  for (const ComplexBall& other : points) {
+    acb_sub(difference.raw(), z.raw(), other.raw(), 53);
     const Complex d = scaled(difference, unit);
     const double square = std::norm(d);
     if (square == 0) continue;  // itself, or one that it has met: this step parts them

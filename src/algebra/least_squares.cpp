@@ -35,10 +35,8 @@ void reflect(std::span<double> x, std::span<const double> normal, double factor)
 /// the rest is summed anew where digits have cancelled.
 class RestSquares {
  public:
-  explicit RestSquares(const std::vector<std::vector<double>>& columns) {
-    for (const auto& column : columns) known_.push_back(inner(column, column));
-    now_ = known_;
-  }
+  explicit RestSquares(const std::vector<std::vector<double>>& columns)
+      : known_(squares(columns)), now_(known_) {}
   std::size_t longest(std::size_t from) const {
     const auto first = now_.begin() + static_cast<std::ptrdiff_t>(from);
     return static_cast<std::size_t>(std::max_element(first, now_.end()) - now_.begin());
@@ -55,6 +53,12 @@ class RestSquares {
   }
 
  private:
+  static std::vector<double> squares(const std::vector<std::vector<double>>& columns) {
+    std::vector<double> result;
+    for (const auto& column : columns) result.push_back(inner(column, column));
+    return result;
+  }
+
   std::vector<double> known_;
   std::vector<double> now_;
 };

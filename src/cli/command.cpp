@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -61,11 +62,12 @@ NamedPath read_ph_path(std::string_view text, const CurveLimits& limits) {
     return phrame::read_path(text, limits);
   } catch (const InputError& error) {
     if (error.place() != "/phrame" && error.place() != "1:1") throw;
+    const std::exception_ptr first = std::current_exception();
     std::optional<AnyPath> other;
     try {
       other = phrame::read_any_path(text, limits);
     } catch (const InputError&) {
-      throw error;
+      std::rethrow_exception(first);
     }
     if (auto* named = std::get_if<NamedPath>(&*other)) return std::move(*named);
     throw InputError(

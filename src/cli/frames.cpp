@@ -65,7 +65,7 @@ std::vector<PathPoint> points_by_length(const std::vector<Rational>& numbers,
 
 std::vector<SmoothParameter> points(const std::vector<Rational>& numbers, const SmoothPath& path) {
   std::vector<SmoothParameter> at;
-  for (const Rational& t : numbers) at.push_back(locate(path, t));
+  for (const Rational& t : numbers) at.emplace_back(locate(path, t));
   return at;
 }
 
