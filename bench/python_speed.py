@@ -1,14 +1,16 @@
 """The Python package beside those who do the same by hand: a million frames, and angles with 50 digits of many quintics.
 
-    pip install . python-flint mpmath && python bench/python_speed.py
+    pip install . python-flint mpmath sympy && python bench/python_speed.py
 
 An angle is theta(1), the integral of -2h/sigma from 0 to 1, of curves whose preimages have coefficients of one digit. By
 python-flint: the roots of sigma as balls, the residues, the logarithms, with more bits until 50 digits are certain. By mpmath:
-Gauss-Legendre quadrature, of which nothing proves a digit. All three must agree.
+Gauss-Legendre quadrature, of which nothing proves a digit. All three must agree. With --sympy also integrals of rational
+functions by phrame.sympy.integrate and by sympy.integrate, which is stopped after 15 s.
 """
 import argparse
 import os
 import random
+import signal
 import statistics
 import time
 
@@ -96,11 +98,47 @@ def frames(n):
     return min(best)
 
 
+def stopped(signal_number, frame):
+    raise TimeoutError
+
+
+def integrals():
+    """phrame's with SymPy's caches filled, the median of nine; SymPy's own with empty ones, once."""
+    import sympy
+    from sympy.core.cache import clear_cache
+
+    from phrame.sympy import integrate
+
+    x = sympy.Symbol("x")
+    signal.signal(signal.SIGALRM, stopped)
+    for f in (1 / (x**5 + 1), 1 / (x**5 + x + 1), (3 * x**4 - x + 7) / ((x**2 + 1) * (x**3 - 2 * x + 5)), (x**3 + 2 * x) / (x**6 + x**3 + 2),
+              (x + 1) / (x**5 - 3 * x**2 + 2) ** 2, 1 / (x**7 - x + 3), 1 / (x**8 + x**3 + 1)):
+        rounds = []
+        for _ in range(9):
+            begin = time.process_time()
+            integrate(f, x)
+            rounds.append((time.process_time() - begin) * 1e3)
+        clear_cache()
+        begin = time.process_time()
+        signal.alarm(15)
+        try:
+            sympy.integrate(f, x)
+            theirs = f"{(time.process_time() - begin) * 1e3:.0f} ms"
+        except TimeoutError:
+            theirs = "stopped"
+        signal.alarm(0)
+        print(f"  {str(f):50} phrame {statistics.median(rounds):.2f} ms, SymPy {theirs}")
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--curves", type=int, default=1000)
     options.add_argument("--frames", type=int, default=1_000_000)
+    options.add_argument("--sympy", action="store_true")
     given = options.parse_args()
+    if given.sympy:
+        integrals()
+        return
     elapsed, cpu = frames(given.frames)
     print(f"{given.frames} frames of a quintic on {len(os.sched_getaffinity(0))} cores: {elapsed:.3f} s, of CPU time {cpu:.3f} s")
     many = preimages(given.curves)

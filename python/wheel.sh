@@ -65,7 +65,7 @@ try() {  # PYTHON WHEEL
   local python=$1 root=$work/root inside libraries enter
   rm -rf "$root"
   mkdir -p "$root/try" "$root/tmp"
-  "$python" -m pip install "${quiet[@]}" --no-warn-conflicts --no-compile --target "$root/try" "$2" ||
+  "$python" -m pip install "${quiet[@]}" --prefer-binary --no-warn-conflicts --no-compile --target "$root/try" "$2" ||
     fail "$2 cannot be installed for $python"
   cp python/wheel_trial.py python/examples/quickstart.py "$root/try"
   fill_root "$python" "$root"
