@@ -64,21 +64,42 @@ void require_simple(const std::vector<ProfilePoint>& corners) {
   }
 }
 
-/// Of two simple rings.
-bool rings_meet(const std::vector<ProfilePoint>& a, const std::vector<ProfilePoint>& b) {
-  const auto boxes_a = side_boxes(a);
-  const auto boxes_b = side_boxes(b);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j)
-      if (!boxes_a[i].is_apart_from(boxes_b[j]) &&
-          meet(a[i], a[(i + 1) % a.size()], b[j], b[(j + 1) % b.size()]))
+/// A simple ring with what it lies in.
+struct BoxedRing {
+  const std::vector<ProfilePoint>& corners;
+  std::vector<SideBox> sides;
+  SideBox all;
+
+  explicit BoxedRing(const std::vector<ProfilePoint>& ring)
+      : corners(ring), sides(side_boxes(ring)), all(sides.front()) {
+    for (const SideBox& side : sides)
+      for (std::size_t k = 0; k < 2; ++k) {
+        all.low[k] = std::min(all.low[k], side.low[k]);
+        all.high[k] = std::max(all.high[k], side.high[k]);
+      }
+  }
+};
+
+bool rings_meet(const BoxedRing& a, const BoxedRing& b) {
+  if (a.all.is_apart_from(b.all)) return false;
+  const auto& p = a.corners;
+  const auto& q = b.corners;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (a.sides[i].is_apart_from(b.all)) continue;
+    for (std::size_t j = 0; j < q.size(); ++j)
+      if (!a.sides[i].is_apart_from(b.sides[j]) &&
+          meet(p[i], p[(i + 1) % p.size()], q[j], q[(j + 1) % q.size()]))
         return true;
+  }
   return false;
 }
 
-/// Does the ring go around the point, which is not on it? A ray to the right is counted that meets
-/// sides which begin on or below it and end above it, or the other way round.
-bool goes_around(const std::vector<ProfilePoint>& ring, const ProfilePoint& p) {
+/// Does the ring go around the other, which it does not meet? A ray to the right is counted that
+/// meets sides which begin on or below it and end above it, or the other way round.
+bool goes_around(const BoxedRing& around, const BoxedRing& other) {
+  if (around.all.is_apart_from(other.all)) return false;
+  const auto& ring = around.corners;
+  const ProfilePoint& p = other.corners.front();
   bool is_inside = false;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const ProfilePoint& a = ring[k];
@@ -90,18 +111,19 @@ bool goes_around(const std::vector<ProfilePoint>& ring, const ProfilePoint& p) {
 }
 
 /// The number of the ring around all others, which have none around them but this.
-std::size_t outer_ring(const std::vector<std::vector<ProfilePoint>>& rings) {
+std::size_t outer_ring(const std::vector<std::vector<ProfilePoint>>& all) {
+  const std::vector<BoxedRing> rings(all.begin(), all.end());
   std::size_t outer = 0;
   for (std::size_t k = 0; k < rings.size(); ++k) {
     for (std::size_t n = 0; n < k; ++n)
       if (rings_meet(rings[n], rings[k]))
         throw DomainError(fmt::format("profile: the rings {} and {} meet", n + 1, k + 1));
-    if (goes_around(rings[k], rings[outer].front())) outer = k;
+    if (goes_around(rings[k], rings[outer])) outer = k;
   }
   for (std::size_t k = 0; k < rings.size(); ++k)
     for (std::size_t n = 0; n < rings.size(); ++n) {
       if (n == k || k == outer) continue;
-      const bool is_within = goes_around(rings[n], rings[k].front());
+      const bool is_within = goes_around(rings[n], rings[k]);
       if (n == outer && !is_within)
         throw DomainError(
             fmt::format("profile: the ring {} is not within the ring {}: they would be two bodies",

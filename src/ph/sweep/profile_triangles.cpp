@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
@@ -62,6 +63,10 @@ class CornerSigns {
     const double error = 0x1p-49 * size_ * (sum + 0x1p-40 * size_) + 0x1p-1000;
     if (std::abs(area) > error && sum * size_ < HUGE_VAL) return area > 0 ? 1 : -1;
     return profile_turn(exact_[a], exact_[b], exact_[c]);
+  }
+
+  double distance(std::uint32_t a, std::uint32_t b) const {
+    return std::hypot(rounded_[a][0] - rounded_[b][0], rounded_[a][1] - rounded_[b][1]);
   }
 
  private:
@@ -179,20 +184,17 @@ bool EarRing::is_visible(std::size_t node, std::size_t from) const {
 // meets first, or a reflex corner in the triangle between. The nearest one
 // is taken.
 void EarRing::join_hole(std::size_t first) {
-  const ProfilePoint& from = at(first);
-  std::vector<std::pair<Rational, std::size_t>> nodes;
+  std::vector<std::pair<double, std::size_t>> nodes;  // the nearest, about, on top of a heap
   std::size_t node = 0;
-  for (std::size_t k = 0; k < size_; ++k, node = next_[node]) {
-    const Rational x = at(node)[0] - from[0];
-    const Rational y = at(node)[1] - from[1];
-    nodes.emplace_back(x * x + y * y, node);
+  for (std::size_t k = 0; k < size_; ++k, node = next_[node])
+    nodes.emplace_back(signs_.distance(corner_[node], corner_[first]), node);
+  std::make_heap(nodes.begin(), nodes.end(), std::greater<>());
+  while (!nodes.empty() && !is_visible(nodes.front().second, first)) {
+    std::pop_heap(nodes.begin(), nodes.end(), std::greater<>());
+    nodes.pop_back();
   }
-  std::sort(nodes.begin(), nodes.end());
-  const auto found = std::find_if(nodes.begin(), nodes.end(), [&](const auto& candidate) {
-    return is_visible(candidate.second, first);
-  });
-  if (found == nodes.end()) throw Error("profile: the check failed, a hole sees nothing around it");
-  const std::size_t to = found->second;
+  if (nodes.empty()) throw Error("profile: the check failed, a hole sees nothing around it");
+  const std::size_t to = nodes.front().second;
   std::size_t count = 0;
   std::size_t at_hole = first;
   do {
