@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/fixed_point.hpp"
 
 namespace phrame {
 
@@ -218,5 +219,24 @@ std::string lower_bound_text(const Rational& x, long digits) {
 }
 
 std::ostream& operator<<(std::ostream& out, const Decimal& x) { return out << x.value; }
+
+Integer round_to_places(const Real& x, long places, PrecisionLimit limit) {
+  const Rational unit = power_of_ten(places);
+  const auto nearest = [&unit](const Rational& exact) -> Integer {
+    const Integer size = nearest_integer(abs(exact) * unit);
+    return exact < 0 ? Integer(-size) : size;
+  };
+  if (x.exact()) return nearest(*x.exact());
+  return ziv(x, 10 * places / 3 + 16, limit,
+             [&](const RealBall& ball) { return common(ball, nearest); });
+}
+
+std::string fixed_point_text(const Integer& n, long places) {
+  std::string digits = (n < 0 ? Integer(-n) : n).str();
+  const auto count = static_cast<std::size_t>(places);
+  if (digits.size() <= count) digits.insert(0, count + 1 - digits.size(), '0');
+  if (places > 0) digits.insert(digits.size() - count, ".");
+  return n < 0 ? "-" + digits : digits;
+}
 
 }  // namespace phrame

@@ -1,7 +1,8 @@
-#include "phrame/answer/interpolation.hpp"
+#include "phrame/answer/machine_path.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/feedrate.hpp"
 #include "phrame/io/write/frame_table.hpp"
+#include "phrame/io/write/gcode.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -11,26 +12,57 @@ struct InterpolateOptions {
   std::string period;
   std::string feed;
   std::string format = "csv";
+  std::string tool = "f3";  ///< in G-code
+  long places = 4;
+  StartOptions start;
+  UpOption up;
 };
 
-FrameTable points(const AnyPath& path, const InterpolationQuery& query) {
+template <class Query>
+auto answer_of(const AnyPath& path, const Query& query) {
   try {
     return std::visit([&](const auto& named) { return answer(named, query); }, path);
   } catch (const InputError& error) {
+    if (error.place() == "places") throw InputError("--places", error.reason());
     if (!error.place().empty()) throw;
     throw InputError("--period", error.reason());
   }
 }
 
-void run(const InterpolateOptions& options) {
+MachinePath machine_path(const Command& command, const InterpolateOptions& options,
+                         const AnyPath& path, const InterpolationQuery& motion) {
+  MachineQuery query{motion};
+  query.tool = choose<ToolAxis>("--tool", options.tool,
+                                {{"f3", ToolAxis::f3}, {"f2", ToolAxis::f2}, {"e1", ToolAxis::e1}});
+  if (query.tool == ToolAxis::e1)
+    command.refuse({"--theta0", "--start-normal", "--up"},
+                   "e1, which the tool is along, does not depend on it");
+  query.places = options.places;
+  query.start = options.start.given().value_or(FrameStart());
+  if (const auto* smooth = std::get_if<NamedSmoothPath>(&path)) {
+    const SmoothAngle angle = options.up.angle(smooth->path);
+    options.start.check(angle);
+    query.up = angle.up();
+  } else {
+    options.up.refuse("; its angle is that to the Euler-Rodrigues frame");
+    options.start.check(std::get<NamedPath>(path).path);
+  }
+  return answer_of(path, query);
+}
+
+void run(const Command& command, const InterpolateOptions& options) {
   const auto format = choose<std::string (*)(const FrameTable&)>(
-      "--format", options.format, {{"csv", to_csv}, {"json", to_json}, {"npy", to_npy}});
+      "--format", options.format,
+      {{"csv", to_csv}, {"json", to_json}, {"npy", to_npy}, {"gcode", nullptr}});
   const Rational period = parse_option("--period", options.period);
   if (period <= 0)
     throw InputError("--period", abbreviated(to_string(period)) + " is not positive");
   const Feedrate feed = at_place("--feed", ", ", [&] { return parse_feedrate(options.feed); });
   const AnyPath path = options.curve.read_any_path();
-  write_output(options.curve.output, format(points(path, {feed, period})));
+  const InterpolationQuery query{feed, period};
+  write_output(options.curve.output, format == nullptr
+                                         ? to_gcode(machine_path(command, options, path, query))
+                                         : format(answer_of(path, query)));
 }
 
 }  // namespace
@@ -45,8 +77,19 @@ void add_interpolate(Program& program) {
   command.add_option("--feed", "EXPR", options->feed,
                      "the speed V: a constant, or a rational function of s, t or kappa");
   command.require("--feed");
-  command.add_format("--format", options->format, {"csv", "json", "npy"},
-                     "csv (default), json or npy");
+  command.add_format("--format", options->format, {"csv", "json", "npy", "gcode"},
+                     "csv (default), json, npy, or gcode: for a machine with the axes X Y Z A C");
+  command.add_choice("--tool", options->tool, {"f3", "f2", "e1"},
+                     "the vector of the rotation-minimizing frame that the tool is along, from\n"
+                     "its tip to the spindle: f3 (default), f2 or e1");
+  command.add_number("--places", options->places, {1, 9}, "decimals of all numbers (default 4)",
+                     "N");
+  options->start.add_to(command, "e2", "default 0");
+  options->up.add_to(command,
+                     "frame that --theta0 is counted from (default: one that is nowhere along the\n"
+                     "tangent)");
+  command.only_with({"--tool", "--places", "--theta0", "--start-normal", "--up"},
+                    {"--format gcode"});
   command.set_notes(
       "The columns are k, time, t, s, x, y, z: the parameter t with the integral of |r'|/V from 0\n"
       "to t equal to the time k*PERIOD, the arc length s and the point there; the last row is the\n"
@@ -54,12 +97,18 @@ void add_interpolate(Program& program) {
       "Along a spline, time, t, s and V run on through the joints.\n"
       "V is positive and a function of one of s (arc length from t = 0), t (parameter) and kappa\n"
       "(curvature of a plane curve, > 0 in a left turn). A product needs its sign: 2*s, not 2s.\n"
+      "In G-code times are in seconds, F is 1/minutes of a move (G93), and X, Y, Z are the tip of\n"
+      "the tool: tool center point control must be on. A and C, in degrees, are those of a tool\n"
+      "along (sin C sin A, -cos C sin A, cos A); they go on without jumps, and where A is 0 or "
+      "180\n"
+      "C is kept.\n"
       "Examples:\n"
       "  phrame interpolate curve.json --period 0.001 --feed 50\n"
       "  phrame interpolate curve.json --period 1/1000 --feed '10 + 2*s' -o points.csv\n"
       "  phrame interpolate curve.json --period 0.01 --feed '5 + t^2' --format json\n"
-      "  phrame interpolate plane.json --period 0.01 --feed '5/(1 + 2*kappa)'");
-  command.does([options] { run(*options); });
+      "  phrame interpolate plane.json --period 0.01 --feed '5/(1 + 2*kappa)'\n"
+      "  phrame interpolate curve.json --period 0.01 --feed 50 --tool f2 -o path.nc");
+  command.does([&command, options] { run(command, *options); });
 }
 
 }  // namespace phrame::cli

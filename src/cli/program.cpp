@@ -41,7 +41,8 @@ const std::vector<std::pair<std::string, std::string>>& formats_by_ending() {
       {"latex", "latex"}, {"py", "sympy"},   {"m", "mathematica"}, {"wl", "mathematica"},
       {"mpl", "maple"},   {"mac", "maxima"}, {"gp", "pari"},       {"obj", "obj"},
       {"stl", "stl"},     {"ply", "ply"},    {"glb", "glb"},       {"gltf", "gltf"},
-      {"py", "blender"},  {"step", "step"},  {"stp", "step"}};
+      {"py", "blender"},  {"nc", "gcode"},   {"ngc", "gcode"},     {"gcode", "gcode"},
+      {"tap", "gcode"},   {"step", "step"},  {"stp", "step"}};
   return table;
 }
 

@@ -55,6 +55,7 @@ const std::vector<std::string> calls{
     "mtf example.json --from pi/8 --to 1 --unproved",
     "mtf example.json --wronskian",
     "interpolate plane.json --period 1/4 --feed 1",
+    "interpolate plane.json --period 1/4 --feed 1 --format gcode",
     "construct points.json",
     "identify quintic.json",
     "integrate '1/(4*x^2-1)'",
@@ -110,7 +111,8 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--scale", "1 + t"},
                                                 {"--sections", "4"},
                                                 {"--duration", "5"},
-                                                {"--fps", "30"}};
+                                                {"--fps", "30"},
+                                                {"--places", "3"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.
 const std::set<std::string> neutral{"--max-degree", "--output",         "--threads", "--skip-done",
@@ -191,11 +193,13 @@ TEST_CASE("options: an option that needs another choice is refused without it") 
           for (const Json& choice : option["with"])
             CHECK(contains(without.err, choice.get<std::string>()));
         }
+        std::string needed;
+        if (!option["with"].empty()) needed = " " + option["with"][0].get<std::string>();
         for (const Json& choice : option["without"]) {
           ++conditions;
           const std::string other = choice;
           const std::string value = values.count(other) == 1 ? " " + values.at(other) : "";
-          check_failure(here.run(call + " " + way.text + " " + other + value), 2,
+          check_failure(here.run(call + " " + way.text + needed + " " + other + value), 2,
                         "phrame: " + name + ": does not apply with " + other + "\n");
         }
       }

@@ -51,6 +51,8 @@ TEST_CASE("program: each command succeeds on the paper's quintic") {
                      {"mtf quintic.json --from 0 --to 0", "71/15"},
                      {"interpolate quintic.json --feed 1 --period 1",
                       "\n5,4.733333333333333,1,4.733333333333333,"},
+                     {"interpolate quintic.json --feed 1 --period 1 --format gcode",
+                      "\nN2 G0 X0.0000 Y0.0000 Z0.0000 A48.1897 C26.5651\n"},
                      {"construct points.csv", "  points met      within "},
                      {"identify quintic.json", "f|A|²  37t⁴ − 72t³ + 46t² − 12t + 6\n"},
                      {"integrate '1/(x^2+1)'", "arctan(x)"},

@@ -1,0 +1,43 @@
+#pragma once
+#include "phrame/answer/interpolation.hpp"
+#include "phrame/ph/frame/frame_start.hpp"
+
+namespace phrame {
+
+/// The vector of a rotation-minimizing frame that a tool is along, from its tip to the spindle.
+enum class ToolAxis { e1, f2, f3 };
+
+/// How does a machine with two rotary axes follow a motion? Times are in seconds.
+struct MachineQuery {
+  InterpolationQuery motion;  ///< its points
+  ToolAxis tool = ToolAxis::f3;
+  FrameStart start = {};                    ///< of the frame
+  std::optional<Vector<Rational>> up = {};  ///< of a path of any kind, as of SmoothAngle
+  long places = 4;                          ///< decimals, ≥ 0
+};
+
+/// Where a machine is to be, in units of 10^−places.
+struct MachineMove {
+  std::array<Integer, 3> tip;  ///< X, Y, Z, the point of the path
+  /// A and C, in degrees: the tool is along (sin C sin A, −cos C sin A, cos A).
+  Integer a, c;
+  Integer feed;          ///< 1/minutes that the move to there takes; 0 for the start
+  bool is_pole = false;  ///< A is a multiple of 180°, where any C is right: that of before is kept
+};
+
+/// The moves of a machine, all numbers correctly rounded.
+struct MachinePath {
+  ToolAxis tool;
+  long places;
+  std::vector<MachineMove> moves;  ///< the first is where it starts
+};
+
+/// Of the two pairs (A, C), (−A, C + 180°) and their whole turns each move takes the pair nearest
+/// to the one before, so that angles go on and on; the first has A ≥ 0 and −180° < C ≤ 180°. Poles
+/// are where A is a multiple of 180° once it is rounded. Throws as the interpolation does, as
+/// start_angle(), and InputError at "places" where a feed rounds to 0.
+MachinePath answer(const NamedPath& named, const MachineQuery& query);
+/// The same of a path of any kind.
+MachinePath answer(const NamedSmoothPath& named, const MachineQuery& query);
+
+}  // namespace phrame

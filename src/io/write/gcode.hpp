@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "phrame/answer/machine_path.hpp"
+
+namespace phrame {
+
+/// A program for machines with the axes X, Y, Z, A, C: G1 in inverse time (G93), comments in
+/// parentheses, which say how it is to be read and where C is kept.
+std::string to_gcode(const MachinePath& path);
+
+}  // namespace phrame

@@ -1,0 +1,35 @@
+#pragma once
+#include "phrame/ph/curve/travel_time.hpp"
+#include "phrame/ph/frame/frame_start.hpp"
+#include "phrame/ph/frame/path_angle.hpp"
+
+namespace phrame {
+
+/// The rotation-minimizing frame at the points of a motion along a path. e₁ is exact where it is
+/// rational and known to be; of the other vectors at an irrational t nothing is known but
+/// enclosures.
+class MovingFrame {
+ public:
+  /// Throws DomainError as start_angle(). Cost: the antiderivative of θ.
+  MovingFrame(const Path& path, const FrameStart& start);
+
+  /// e₁ = A i A*/σ there.
+  Vector<Real> tangent(const TimedPoint& at) const;
+  /// (e₁, f₂, f₃) there.
+  Frame<Real> at(const TimedPoint& at) const;
+
+ private:
+  struct Segment {
+    Frame<Polynomial> numerators;  ///< σ times the Euler–Rodrigues frame
+    Polynomial sigma;
+  };
+
+  Vector<Real> vector(const Vector<Polynomial>& numerator, const TimedPoint& at) const;
+  Real angle(const TimedPoint& at) const;
+
+  PathAngle angle_;
+  Real start_;
+  std::vector<Segment> segments_;
+};
+
+}  // namespace phrame
