@@ -10,7 +10,9 @@ from typing import Any, Callable
 import numpy as np
 
 from ._errors import InputError
+from ._phrame import Polynomial
 
+_EXACTLY = Polynomial([0, 1])  # the number that is meant by "1/3", too
 _SAMPLES = 96  # of a segment: enough for the eye
 
 
@@ -107,9 +109,11 @@ def angle(self: Any, ts: Any = None, *, ax: Any = None, **style: Any) -> Any:
     _require_axes(ax, "plot")
     at = _parameters(self.path, ts)
     values = self(at)
+    if not isinstance(values, np.ndarray):
+        raise TypeError(f"ts: a list of parameters is wanted, not {type(ts).__name__}")
     if ax is None:
         ax = _new_axes(xlabel="t", ylabel="θ")
-    ax.plot([float(t) for t in at], values, **style)
+    ax.plot([float(_EXACTLY(t)) for t in at], values, **style)
     return ax
 
 

@@ -6,6 +6,7 @@ from importlib import import_module
 from pathlib import Path as File
 
 import sympy
+from matplotlib.figure import Figure
 
 import phrame
 import phrame.dask
@@ -35,6 +36,7 @@ ARRAY = {"ts": [0, 1], **START, "kind": "rmf", "by": "parameter", "progress": No
 CHECK = {"ts": [0, 1], "f2": [[0, 1, 0], [0, 0, 1]], "f3": None, "tangents": None, "tolerance": 1, **START}
 CURVE = {"multiplier": None, "start": None, "name": "", "basis": "power"}
 X = sympy.Symbol("x")
+SPACE, PLANE = Figure().add_subplot(projection="3d"), Figure().add_subplot()
 INTEGRAL = {"expr": 1 / X, "x": X, "principal_value": False, "style": "textbook", "form": "auto"}
 CHOICE = {"kind": "cubic", "exact": False, "tolerance": None, "solution": 1, "select": None, "angles": None, "name": ""}
 # The objects that a method is asked of, and arguments; those of START exclude each other.
@@ -54,7 +56,7 @@ API = {
     "Real.flint": (REAL.flint, {"bits": 50}),
     "Path": (phrame.Path, {"curves": [QUINTIC], "name": ""}),
     "Path.json": (QUINTIC.json, {}),
-    "Path.plot": (QUINTIC.plot, {"ts": [0, 1], "ax": None, "kind": "rmf", "ribbon": 0.1, "f2": None, **START}),
+    "Path.plot": (QUINTIC.plot, {"ts": [0, 1], "ax": SPACE, "kind": "rmf", "ribbon": 0.1, "f2": None, **START}),
     "Path.point": (QUINTIC.point, {"t": 1}),
     "Path.curvature": (QUINTIC.curvature, {"t": 1}),
     "Path.arc_length": (QUINTIC.arc_length, {"t": 1}),
@@ -104,7 +106,7 @@ API = {
     "SmoothPath.arc_length": (CUBIC.arc_length, {"t": 1}),
     "SmoothPath.parameter_at": (CUBIC.parameter_at, {"s": 1}),
     "SmoothPath.point": (CUBIC.point, {"t": 1}),
-    "SmoothPath.plot": (CUBIC.plot, {"ts": [0, 1], "ax": None, "kind": "rmf", "ribbon": 0.1, "f2": None, **START}),
+    "SmoothPath.plot": (CUBIC.plot, {"ts": [0, 1], "ax": SPACE, "kind": "rmf", "ribbon": 0.1, "f2": None, **START}),
     "SmoothPath.frames": (CUBIC.frames, {**ARRAY, "up": None}),
     "SmoothPath.quaternions": (CUBIC.quaternions, {**ARRAY, "up": None}),
     "SmoothPath.matrices": (CUBIC.matrices, {**ARRAY, "up": None}),
@@ -120,7 +122,7 @@ API = {
     "SmoothAngle.text": (CUBIC.angle().text, {}),
     "SmoothAngle.latex": (CUBIC.angle().latex, {}),
     "SmoothAngle.json": (CUBIC.angle().json, {}),
-    "SmoothAngle.plot": (CUBIC.angle().plot, {"ts": [0, 1], "ax": None}),
+    "SmoothAngle.plot": (CUBIC.angle().plot, {"ts": [0, 1], "ax": PLANE}),
     "Angle.value": (THETA.value, {"t": 1, "digits": None}),
     "Angle.__call__": (THETA, {"ts": [0], "progress": None}),
     "Angle.rate": (THETA.rate, {"segment": 0}),
@@ -129,7 +131,7 @@ API = {
     "Angle.latex": (THETA.latex, {"style": "logarithms"}),
     "Angle.json": (THETA.json, {"style": "logarithms"}),
     "Angle.sympy": (THETA.sympy, {"symbol": None}),
-    "Angle.plot": (THETA.plot, {"ts": [0, 1], "ax": None}),
+    "Angle.plot": (THETA.plot, {"ts": [0, 1], "ax": PLANE}),
     "Integral.value": (phrame.integrate("x", 0, 1).value, {"digits": None}),
     "Integral.poles": (phrame.integrate("x").poles, {}),
     "Integral.text": (phrame.integrate("x").text, {}),

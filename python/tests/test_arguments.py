@@ -36,8 +36,6 @@ def no_window(monkeypatch):
 def test_a_wrong_argument_is_named(name):
     call, arguments = API[name]
     for argument in set(arguments) - NOT_HERE:
-        if "plot" in name and argument in ("kind", "start", "start_normal", "ts"):
-            continue  # as of frames(), after a figure was made
         for wrong in WRONG[: -1 if argument in ("progress", "question") else None]:
             given = {**arguments, argument: wrong}
             if argument == "start_normal":

@@ -87,6 +87,8 @@ def test_plots_show_the_numbers():
     assert len(QUINTIC.plot(ribbon=0).collections) == 0 and len(SPLINE.plot(ax=ax).lines) == 2
     theta = QUINTIC.angle().plot(ts).lines[0]
     assert np.array_equal(theta.get_ydata(), QUINTIC.angle()(ts)) and np.array_equal(theta.get_xdata(), ts)
+    fractions = QUINTIC.angle().plot(["0", "1/3", 1]).lines[0]
+    assert fractions.get_xdata().tolist() == [0, 1 / 3, 1] and len(QUINTIC.plot(["0", "1/3", 1]).lines[0].get_data_3d()[0]) == 3
     pyplot.close("all")
 
 
