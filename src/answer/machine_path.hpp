@@ -9,8 +9,8 @@ enum class ToolAxis { e1, f2, f3 };
 
 /// How does a machine with two rotary axes follow a motion? Times are in seconds.
 struct MachineQuery {
-  InterpolationQuery motion;  ///< its points
-  ToolAxis tool = ToolAxis::f3;
+  InterpolationQuery motion;                ///< its points
+  ToolAxis tool = ToolAxis::f3;             ///< along which vector it is
   FrameStart start = {};                    ///< of the frame
   std::optional<Vector<Rational>> up = {};  ///< of a path of any kind, as of SmoothAngle
   long places = 4;                          ///< decimals, ≥ 0
@@ -19,16 +19,17 @@ struct MachineQuery {
 /// Where a machine is to be, in units of 10^−places.
 struct MachineMove {
   std::array<Integer, 3> tip;  ///< X, Y, Z, the point of the path
-  /// A and C, in degrees: the tool is along (sin C sin A, −cos C sin A, cos A).
+  /// @{ A and C, in degrees: the tool is along (sin C sin A, −cos C sin A, cos A).
   Integer a, c;
+  /// @}
   Integer feed;          ///< 1/minutes that the move to there takes; 0 for the start
   bool is_pole = false;  ///< A is a multiple of 180°, where any C is right: that of before is kept
 };
 
 /// The moves of a machine, all numbers correctly rounded.
 struct MachinePath {
-  ToolAxis tool;
-  long places;
+  ToolAxis tool;                   ///< that of the query
+  long places;                     ///< of the numbers: decimals
   std::vector<MachineMove> moves;  ///< the first is where it starts
 };
 
