@@ -46,8 +46,8 @@
 
 // What is written.
 #include "phrame/io/write/answers.hpp"
-#include "phrame/io/write/camera.hpp"
 #include "phrame/io/write/c_header.hpp"
+#include "phrame/io/write/camera.hpp"
 #include "phrame/io/write/cas_script.hpp"
 #include "phrame/io/write/certificate.hpp"
 #include "phrame/io/write/check.hpp"

@@ -53,7 +53,8 @@ std::vector<Cubic> cubics(const Quaternion<Float>& u0, const Quaternion<Float>& 
   const Float s1 = dot(triple_step, t1);
   if (determinant < tiny) {  // a line, or nothing
     const Vector<Float> off = triple_step - s0 * t0;
-    if (cosine < Float(0.0) || !(Float(0.0) < s0) || Float(4096.0) * tiny < dot(off, off)) return {};
+    if (cosine < Float(0.0) || !(Float(0.0) < s0) || Float(4096.0) * tiny < dot(off, off))
+      return {};
     const auto [re, im] = direction_of(hermitian_product(u0, u1), Float(0.0));
     const Float lambda = sqrt(s0 / Float(3.0));
     return {{lambda, lambda, {re, -im}, 0}};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/sweep/length_share.hpp"
@@ -80,6 +81,8 @@ SectionList Tessellation::sections(const std::vector<SweepPart>& parts, double t
   SectionList found;
   found.sections.push_back(sections_.section(0, 0));
   std::vector<SweepPart> left(parts.rbegin(), parts.rend());
+  Stage stage("parts", parts.size());
+  std::size_t whole = parts.size();  // of the given parts those that are left
   while (!left.empty()) {
     const SweepPart part = left.back();
     SweepSection next = sections_.section(part.segment, part.to);
@@ -103,6 +106,10 @@ SectionList Tessellation::sections(const std::vector<SweepPart>& parts, double t
     found.patch_error = std::max(found.patch_error, error);
     found.normal_error = std::max(found.normal_error, of_normals);
     left.pop_back();
+    if (left.size() < whole) {
+      --whole;
+      stage.advance();
+    }
     found.sections.push_back(std::move(next));
     if (found.sections.size() * sections_.corners().size() > most_sweep_points)
       throw Undecided("sweep: more than 20000000 points are needed");
@@ -118,7 +125,8 @@ SectionList Tessellation::equal_sections(long count) const {
                                   count, path_.is_closed ? "a closed" : "an open", least));
   const long steps = path_.is_closed ? count : count - 1;
   SectionList found;
-  for (long k = 0; k <= steps; ++k) {
+  Stage stage("sections", static_cast<std::size_t>(steps) + 1);
+  for (long k = 0; k <= steps; ++k, stage.advance()) {
     const PathParameter at = locate_inside(path_.series.segments, Rational(segments * k, steps));
     found.sections.push_back(sections_.section(at.segment, round_to_double(at.t)));
   }
