@@ -249,6 +249,7 @@ void add_batch(Program& program) {
                                 "a file of JSON lines, standard input if not given");
   command.add_option("-o,--output", "FILE", options->output,
                      "write to this file, as the answers come, instead of standard output");
+  command.writes("JSON lines", {"jsonl", "json"});
   command.add_option(
       "--skip-done", "FILE", options->skip_done,
       "leave out the lines whose id has an answer in this file; if it is the output,\n"

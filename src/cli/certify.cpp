@@ -28,6 +28,7 @@ void add_certify(Program& program) {
   Command& command = program.add("certify", "angles with a proof that others can check");
   const auto options = std::make_shared<CertifyOptions>();
   options->curve.add_to(command);
+  command.writes("a certificate in JSON", {"json"});
   options->parameters.add_to(command);
   add_digits(command, options->digits);
   add_reference(command, options->frame,

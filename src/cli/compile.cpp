@@ -96,6 +96,7 @@ void add_compile(Program& program) {
   Command& command = program.add("compile", "a C header that evaluates the angle and the frame");
   const auto options = std::make_shared<CompileOptions>();
   options->curve.add_to(command);
+  command.writes("a C header", {"h", "hpp"});
   command.add_option("--prefix", "NAME", options->prefix,
                      "of the names in C (default: the curve's name)");
   command.add_choice("--frame", options->frame, {"erf", "frenet", "up"},

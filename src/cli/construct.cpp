@@ -115,6 +115,7 @@ void add_construct(Program& program) {
   command.not_with({"--closed"}, kinds_where(&NamedKind::is_open));
   command.add_option("-o,--output", "FILE", options->output,
                      "write the curve to this file, beside the report");
+  command.writes("a curve in JSON there", {"json"});
   command.add_format("--print", options->print, {"text", "json", "latex", "curve"},
                      "text (default), json, latex, or curve: the curve file instead of a report");
   options->length.add_to(command);

@@ -59,6 +59,7 @@ void add_page(Program& program) {
   Command& command = program.add("page", "a page for a browser that shows a curve and its frames");
   const auto options = std::make_shared<PageOptions>();
   options->curve.add_to(command);
+  command.writes("a page in HTML", {"html", "htm"});
   command.add_number("--samples", options->samples, {3, 100'000},
                      "at least so many places along the curve (default 241)", "N");
   command.add_option("--frames", "FILE", options->frames,

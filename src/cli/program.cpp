@@ -60,6 +60,16 @@ std::string ending(const std::string& path) {
   return is_word ? result : "";
 }
 
+/// Is it the ending of a format that one of the commands writes, and more than text?
+bool means_a_format(const std::string& end) {
+  static const std::vector<std::string> of_one_command{"html", "htm", "h", "hpp", "v", "jsonl"};
+  const auto& known = formats_by_ending();
+  return std::find(of_one_command.begin(), of_one_command.end(), end) != of_one_command.end() ||
+         std::any_of(known.begin(), known.end(), [&end](const auto& entry) {
+           return entry.first == end && entry.second != "text";
+         });
+}
+
 CLI::Validator is_in(WholeNumbers range) {
   const auto complaint = [range](std::string& text) -> std::string {
     text = with_plain_minus(std::string(trimmed(text)));
@@ -166,6 +176,11 @@ void Command::add_output(std::string& path) {
   describe_output();
 }
 
+void Command::writes(std::string what, std::vector<std::string> endings) {
+  what_it_writes_ = std::move(what);
+  own_endings_ = std::move(endings);
+}
+
 void Command::describe_output() {
   if (format_ != nullptr && output_ != nullptr)
     app_.get_option("--output")
@@ -245,7 +260,18 @@ void Command::choose_format() const {
                                names.front()));
 }
 
+void Command::check_ending() const {
+  if (what_it_writes_.empty() || !is_given("--output")) return;
+  const auto path = app_.get_option("--output")->as<std::string>();
+  const std::string end = ending(path);
+  if (std::find(own_endings_.begin(), own_endings_.end(), end) != own_endings_.end()) return;
+  if (means_a_format(end))
+    throw InputError("--output", fmt::format("\"{}\": \".{}\" is no format of {}, which writes {}",
+                                             abbreviated(path), end, name(), what_it_writes_));
+}
+
 void Command::run() {
+  check_ending();
   choose_format();
   require_applicable();
   const ProgressLine progress(name());

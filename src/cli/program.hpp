@@ -73,6 +73,9 @@ class Command {
                   const std::string& what);
   /// -o
   void add_output(std::string& path);
+  /// What --output is always in, "a page in HTML", with the endings of such files: those that mean
+  /// another format are refused.
+  void writes(std::string what, std::vector<std::string> endings);
 
   // To be called after all options were added.
   void require(const std::string& option);
@@ -98,6 +101,7 @@ class Command {
   bool is_chosen(const std::string& choice) const;
   void require_applicable() const;
   void choose_format() const;
+  void check_ending() const;
   void describe_output();
   void describe_restrictions();
 
@@ -108,6 +112,8 @@ class Command {
   std::string format_option_;
   std::string* format_ = nullptr;
   std::string* output_ = nullptr;
+  std::string what_it_writes_;  ///< where that is in one format
+  std::vector<std::string> own_endings_;
   std::function<void()> action_;
 };
 

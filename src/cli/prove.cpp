@@ -23,6 +23,7 @@ void add_prove(Program& program) {
   Command& command = program.add("prove", "a Coq file that proves a value of the angle");
   const auto options = std::make_shared<ProveOptions>();
   options->curve.add_to(command);
+  command.writes("a file for Coq", {"v"});
   command.add_option("--at", "T", options->at, "t > 0 (default 1)");
   add_digits(command, options->digits);
   command.set_notes(

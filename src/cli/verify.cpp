@@ -35,6 +35,7 @@ void add_verify(Program& program) {
   const auto options = std::make_shared<VerifyOptions>();
   command.add_argument("CERT", options->path, "a certificate (JSON), \"-\" for standard input");
   command.add_output(options->output);
+  command.writes("text", {"txt"});
   add_max_degree(command, options->limits);
   command.add_flag("--full", options->length.is_full, "abridge nothing: a long t");
   command.set_notes(

@@ -1,0 +1,56 @@
+#include <filesystem>
+#include <map>
+
+#include "cli/workshop.hpp"
+
+using namespace phrame;
+using namespace phrame::test;
+
+// Of commands with several formats an ending chooses one. All commands are tried that have -o.
+TEST_CASE("endings: those that mean another format are refused, and nothing is written") {
+  const Workshop here;
+  here.write("points.csv", "x,y,z\n0,0,0\n1,1,0\n2,1,1\n");
+  here.write("lines.jsonl", "");
+  REQUIRE(here.run("certify quintic.json --at 1 -o angle.cert").status == 0);
+  REQUIRE(here.run("frames quintic.json --samples 3 -o frames.csv").status == 0);
+  const std::map<std::string, std::string> wrong{
+      {"angle quintic.json", "glb"},
+      {"info quintic.json", "h"},
+      {"classify quintic.json", "csv"},
+      {"totals quintic.json", "npy"},
+      {"frames quintic.json --samples 2", "nc"},
+      {"mtf quintic.json --from 0 --to 1", "obj"},
+      {"interpolate quintic.json --feed 1 --period 1", "glb"},
+      {"construct points.csv", "csv"},
+      {"identify quintic.json", "html"},
+      {"integrate 1/x", "npy"},
+      {"sweep quintic.json --profile circle:1/9", "py"},
+      {"batch lines.jsonl", "csv"},
+      {"compile quintic.json", "py"},
+      {"check quintic.json frames.csv", "v"},
+      {"certify quintic.json", "tex"},
+      {"verify angle.cert", "json"},
+      {"prove quintic.json", "JSON"},
+      {"page quintic.json", "pdf.json"}};
+  std::size_t with_output = 0;
+  const Json program = Json::parse(here.run("completion json").out);
+  for (const Json& command : program["commands"])
+    for (const Json& option : command["options"])
+      if (option["names"].back() == "--output") ++with_output;
+  CHECK(wrong.size() == with_output);
+  for (const auto& [call, end] : wrong) {
+    CAPTURE(call);
+    const std::string name = call.substr(0, call.find(' '));
+    check_failure(here.run(call + " -o out." + end), 2, " is no format of " + name);
+    CHECK_FALSE(std::filesystem::exists(here.file("out." + end)));
+  }
+}
+
+TEST_CASE("endings: others are anybody's") {
+  const Workshop here;
+  for (const std::string call :
+       {"compile quintic.json -o arm.h", "compile quintic.json -o arm.inc",
+        "certify quintic.json -o a.cert", "certify quintic.json -o a.json",
+        "certify quintic.json -o a.txt", "prove quintic.json -o a.v", "prove quintic.json -o a"})
+    CHECK(here.run(call).status == 0);
+}
