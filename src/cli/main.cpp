@@ -117,12 +117,8 @@ int run(int argc, char** argv) {
   return done;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const struct Cleanup {
-    ~Cleanup() { phrame::release_caches(); }
-  } cleanup;
+/// The exit status; what is wrong is told.
+int status_of(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const phrame::cli::AnswerNo& answer) {
@@ -131,4 +127,12 @@ int main(int argc, char** argv) {
     const auto [status, message] = phrame::current_failure();
     return complain(message, status);
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int status = status_of(argc, argv);
+  phrame::release_caches();
+  return status;
 }

@@ -25,7 +25,7 @@ std::vector<GivenFrame> given_frames(const PageOptions& options) {
   return at_place(name_of_file(*options.frames), ":", [&] { return read_frames(bytes).frames; });
 }
 
-PageAnswer page_of(const PageOptions& options, PageQuery query, const NamedPath& named) {
+PageAnswer page_of(const PageOptions& options, const PageQuery& query, const NamedPath& named) {
   options.up.refuse("; its angle is that to the Euler-Rodrigues frame");
   options.start.check(named.path);
   return answer(named, query);
