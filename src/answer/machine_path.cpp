@@ -9,6 +9,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/fixed_point.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/ph/frame/moving_frame.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
 #include "phrame/ph/smooth/smooth_travel_time.hpp"
@@ -167,9 +168,11 @@ Vector<Real> tool_of(const Frame<Real>& frame, ToolAxis tool) {
 template <class AtTime, class Point, class Append>
 void follow(const Real& total, const Integer& ticks, const Rational& period, AtTime at_time,
             const Point& end, Append append) {
+  Stage stage("moves", static_cast<std::size_t>(static_cast<long>(ticks)));
   for (Integer k = 0; k < ticks; ++k) {
     const std::optional<Real> duration = k == 0 ? std::nullopt : std::optional<Real>(period);
     append(at_time(Rational(k) * period), duration);
+    stage.advance();
   }
   append(end, std::optional<Real>(total + -Rational(ticks - 1) * period));
 }

@@ -103,7 +103,6 @@ def check(curve, feed, period, tool="f3", places=4, poles=0, frame=()):
         file = Path(folder) / "path.nc"
         phrame("interpolate", curve, *choice, "-o", file)
         program = file.read_text(encoding="ascii")
-    assert program == phrame("interpolate", curve, *choice, "--format", "gcode")
     assert "(phrame: a motion with the tool along %s of" % tool in program
     path = moves(program, places)
     assert len(path) == len(motion)
@@ -128,7 +127,7 @@ for tool in ("f3", "f2", "e1"):
     count += check(CLOSED, "2", "1/4", tool, places=3, poles=int(tool == "f3"))  # where it starts
     count += check(ROOT / "examples/any/helix.json", "3", "1/2", tool, places=5)
 count += check(QUINTIC, "1", "1/3", "f2", places=6, frame=("--start-normal", "1,2,3"))
-count += check(ROOT / "examples/any/trefoil.json", "2 + s", "1/2", "f2", frame=("--theta0", "45deg", "--up", "1,2,3"))
+count += check(ROOT / "examples/any/helix.json", "3 + s", "1", "f2", frame=("--theta0", "45deg", "--up", "1,2,3"))
 count += check(QUINTIC, "50", "100", "e1")  # one move
 plane = ROOT / "examples/curves/plane-cubic.json"
 count += check(plane, "1", "1/10", poles=15)

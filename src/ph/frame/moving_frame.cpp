@@ -6,13 +6,21 @@
 namespace phrame {
 namespace {
 
-Real quotient_at(const Polynomial& above, const Polynomial& below, const TimedPoint& at) {
-  const RationalFunction f(above, below);
+Real value_at(const RationalFunction& f, const TimedPoint& at) {
   if (at.algebraic) return at.algebraic->value(f);
   if (f.numerator().is_constant() && f.denominator().is_constant())
     return f.numerator().coefficient(0) / f.denominator().coefficient(0);
   return Real(
       [f, t = at.parameter](long bits) { return evaluate(f, t.enclose(bits + 16), bits + 16); });
+}
+
+Vector<Real> vector_at(const Vector<RationalFunction>& v, const TimedPoint& at) {
+  return {value_at(v[0], at), value_at(v[1], at), value_at(v[2], at)};
+}
+
+Vector<RationalFunction> over(const Vector<Polynomial>& v, const Polynomial& sigma) {
+  return {RationalFunction(v[0], sigma), RationalFunction(v[1], sigma),
+          RationalFunction(v[2], sigma)};
 }
 
 }  // namespace
@@ -21,18 +29,14 @@ MovingFrame::MovingFrame(const Path& path, const FrameStart& start)
     : angle_(path), start_(to_real(reduced(start_angle(start, path)))) {
   for (const Curve& curve : path.segments()) {
     const QuaternionPolynomial a = without_real_content(curve.preimage());
-    segments_.push_back({{rotated_i(a), rotated_j(a), rotated_k(a)}, sigma(a)});
+    const Polynomial size = sigma(a);
+    frames_.push_back(
+        {over(rotated_i(a), size), over(rotated_j(a), size), over(rotated_k(a), size)});
   }
 }
 
-Vector<Real> MovingFrame::vector(const Vector<Polynomial>& numerator, const TimedPoint& at) const {
-  const Polynomial& sigma = segments_[at.segment].sigma;
-  return {quotient_at(numerator[0], sigma, at), quotient_at(numerator[1], sigma, at),
-          quotient_at(numerator[2], sigma, at)};
-}
-
 Vector<Real> MovingFrame::tangent(const TimedPoint& at) const {
-  return vector(segments_[at.segment].numerators.e1, at);
+  return vector_at(frames_[at.segment].e1, at);
 }
 
 /// θ at a rational number m next to t, and θ′·(t − m) with θ′ on a ball that holds both.
@@ -52,9 +56,8 @@ Real MovingFrame::angle(const TimedPoint& at) const {
 }
 
 Frame<Real> MovingFrame::at(const TimedPoint& at) const {
-  const Frame<Polynomial>& numerators = segments_[at.segment].numerators;
-  const Frame<Real> erf{vector(numerators.e1, at), vector(numerators.e2, at),
-                        vector(numerators.e3, at)};
+  const auto& [e1, e2, e3] = frames_[at.segment];
+  const Frame<Real> erf{vector_at(e1, at), vector_at(e2, at), vector_at(e3, at)};
   return turned(erf, angle(at) + start_);
 }
 

@@ -19,17 +19,11 @@ class MovingFrame {
   Frame<Real> at(const TimedPoint& at) const;
 
  private:
-  struct Segment {
-    Frame<Polynomial> numerators;  ///< σ times the Euler–Rodrigues frame
-    Polynomial sigma;
-  };
-
-  Vector<Real> vector(const Vector<Polynomial>& numerator, const TimedPoint& at) const;
   Real angle(const TimedPoint& at) const;
 
   PathAngle angle_;
   Real start_;
-  std::vector<Segment> segments_;
+  std::vector<Frame<RationalFunction>> frames_;  ///< of Euler–Rodrigues, along the segments
 };
 
 }  // namespace phrame
