@@ -23,10 +23,15 @@ constexpr std::size_t most_formulas = 8;
 /// The energies of so many segments take about a second.
 constexpr std::size_t most_totals = 64;
 
+/// Of more segments rows are at their ends only, and decisions are left out, which keeps pages of
+/// 1000 segments below 2 MB.
+constexpr std::size_t most_in_full = 500;
+
 /// Equally many on each of `count` segments, ends and joints among them.
 std::vector<PathParameter> spread(std::size_t count, long samples) {
   const long segments = static_cast<long>(count);
-  const long parts = std::max(2L, (samples - 1 + segments - 1) / segments);
+  const long fewest = count > most_in_full ? 1 : 2;
+  const long parts = std::max(fewest, (samples - 1 + segments - 1) / segments);
   std::vector<PathParameter> at;
   for (std::size_t k = 0; k < count; ++k)
     for (long j = 0; j < parts; ++j) at.push_back({k, Rational(j, parts)});
@@ -168,6 +173,8 @@ PageAnswer answer(const NamedPath& named, const PageQuery& query) {
   if (check) add_given(table, *check);
   AngleQuery formulas{.start = from, .digits = page_digits, .most_poles = 64};
   formulas.wants_formula = path.segments().size() <= most_formulas;
+  std::optional<ClassificationAnswer> classification;
+  if (path.segments().size() <= most_in_full) classification = answer(named, ClassificationQuery{});
   std::optional<Certificate> certificate;
   if (path.is_curve())
     certificate = certify(path.segments().front(), Reference::euler_rodrigues, {1}, page_digits);
@@ -175,7 +182,7 @@ PageAnswer answer(const NamedPath& named, const PageQuery& query) {
       .angle = answer(named, formulas),
       .info = answer(named, InfoQuery{page_digits}),
       .totals = totals_if_short(named, path.segments().size()),
-      .classification = answer(named, ClassificationQuery{}),
+      .classification = std::move(classification),
       .frames = std::move(frames),
       .table = std::move(table),
       .check = std::move(check),

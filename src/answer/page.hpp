@@ -32,7 +32,7 @@ struct PageAnswer {
   std::variant<InfoAnswer, SmoothInfoAnswer> info;  ///< its polynomials and totals
   /// What it gathers; not of many segments, of which that takes long.
   std::optional<TotalsAnswer> totals = {};
-  std::optional<ClassificationAnswer> classification{};  ///< decisions, of a PH path
+  std::optional<ClassificationAnswer> classification{};  ///< of a PH path, not too long
   std::vector<TabulatedFrame> frames;  ///< in the table, those that are somewhere defined
   /// t, r, e₁, the frames, s, curvature, torsion and theta; of a PH path theta_rate = dθ/dt and
   /// speed = |dr/dt|, too. With given frames these, g2 and g3, and error, the middle of the

@@ -61,6 +61,23 @@ TEST_CASE("page: a straight line has no Frenet frame, and its torsion is left ou
         found.table.columns.end());
 }
 
+TEST_CASE("page: more than 500 segments have a row at each end, and no decisions") {
+  const auto row_of = [](int count) {
+    const QuaternionPolynomial one{{1}, {}, {}, {}};
+    Path steps{Curve(one)};
+    for (int k = 1; k < count; ++k)
+      steps.append(Curve(one, Polynomial{1}, Vector<Rational>{k, 0, 0}));
+    return answer(NamedPath{"steps", steps, {}}, PageQuery{.samples = 3});
+  };
+  const PageAnswer full = row_of(500);
+  CHECK(full.table.rows.size() == 1001);
+  CHECK(full.classification.has_value());
+  const PageAnswer lean = row_of(501);
+  CHECK(lean.table.rows.size() == 502);
+  CHECK(lean.table.rows[7][1] == 7);  // x
+  CHECK_FALSE(lean.classification.has_value());
+}
+
 TEST_CASE("page: with an end normal there is the frame of minimal twist") {
   const Path path(test::quintic);
   const Vector<Rational> up{0, 0, 1};
