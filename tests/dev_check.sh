@@ -95,7 +95,7 @@ project(small NONE)
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/*.txt)
 add_custom_command(OUTPUT list COMMAND ${CMAKE_COMMAND} -E echo listed ${sources} DEPENDS ${sources})
 add_custom_target(phrame_program DEPENDS list)
-add_custom_target(phrame_examples)
+add_custom_target(example_farouki_2003)
 END
 touch "$work/tree"/{one,other}.txt
 dev DEV_YES=1 demo

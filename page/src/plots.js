@@ -67,7 +67,8 @@ export function drawPlots(element, plots, rows, column, moveTo) {
           ]),
         ),
         ...ticks(t[0], t[t.length - 1], 5).map((value) =>
-          text(String(value), { x: x(value), y: height - 5, 'text-anchor': 'middle' }),
+          // Not beyond the edge, where it would be cut.
+          text(String(value), { x: x(value), y: height - 5, 'text-anchor': width - x(value) < 20 ? 'end' : 'middle' }),
         ),
         svg('path', { d: line, fill: 'none', stroke: 'currentColor', 'stroke-width': 1.5, 'clip-path': `url(#${id})` }),
         mark,
