@@ -8,15 +8,13 @@
 // Horner's rule, s ← s·t + c from the highest coefficient down, with s and c sums of two doubles
 // and t a double. With u = 2^−53 and M ← M·|t| + |c|, which bounds all that is added, at every
 // step:
-//   |low part| ≤ 3.2(k + 1)·u·M after k steps, each of which adds the rounding errors of a product,
-//   of a
-//     sum and the low part of c, each ≤ u·M(1 + 3u);
-//   the operations on low parts round, six times for a step, each by at most 3.2(n + 2)·u²·M; c
-//   itself
-//     is known to u²|c|.
+// - the low part is at most 3.2(k + 1)·u·M after k steps, each of which adds the rounding errors of
+//   a product, of a sum and the low part of c, each ≤ u·M(1 + 3u);
+// - the operations on low parts round, six times for a step, each by at most 3.2(n + 2)·u²·M;
+// - c itself is known to u²|c|.
 // So that |s − p(t)| ≤ 20(n + 2)²·u²·M at the end. Below, 32 stands for 20, which covers the
-// rounding of M; degree and range are such that underflow, 2^−1069 for a step and multiplied by |t|
-// ≤ 2 in each that follows, is nothing beside 2^−190·M.
+// rounding of M; degree and range are such that underflow, 2^−1069 for a step and multiplied by
+// |t| ≤ 2 in each that follows, is nothing beside 2^−190·M.
 
 namespace phrame {
 namespace {

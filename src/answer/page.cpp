@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/answer/end_normal.hpp"
 #include "phrame/answer/smooth_table.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/frame/frame.hpp"
@@ -88,11 +89,6 @@ void add_given(FrameTable& table, const CheckAnswer& check) {
   }
 }
 
-void require_open(const PageQuery& query, bool is_closed) {
-  if (query.end_normal && is_closed)
-    throw DomainError("end normal: the path is closed, it ends with the normal it starts with");
-}
-
 /// A column more, with number k of row k.
 template <class Number>
 void add_column(FrameTable& table, const std::string& name, Number number) {
@@ -140,7 +136,7 @@ std::optional<CompiledAnswer> compiled_if_short(const Named& named, std::size_t 
 PageAnswer answer(const NamedPath& named, const PageQuery& query) {
   const Path& path = named.path;
   const auto closing = path.closing_turn();
-  require_open(query, closing.has_value());
+  require_open(query.end_normal, closing.has_value());
   std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::euler_rodrigues,
                                      TabulatedFrame::frenet};
   if (closing || query.end_normal) frames.push_back(TabulatedFrame::exact_mtf);
@@ -152,9 +148,7 @@ PageAnswer answer(const NamedPath& named, const PageQuery& query) {
   if (closing)
     columns.exact_mtf.emplace(angle, reduced(start), start + angle_of(*closing * *closing));
   else if (query.end_normal)
-    columns.exact_mtf.emplace(
-        angle, reduced(start),
-        angle_of(*query.end_normal, euler_rodrigues_frame(path.segments().back(), 1)));
+    columns.exact_mtf.emplace(angle, reduced(start), end_angle(*query.end_normal, path));
 
   const std::vector<PathParameter> at = places(path.segments().size(), query);
   std::vector<PathPoint> points;
@@ -200,7 +194,7 @@ PageAnswer answer(const NamedSmoothPath& named, const PageQuery& query) {
   std::optional<SmoothTwist> twist;
   std::optional<CheckAnswer> check = check_of(named, query);
   const FrameStart from = start_of(query, check);
-  require_open(query, is_closed);
+  require_open(query.end_normal, is_closed);
   if (is_closed || query.end_normal) {
     frames.push_back(TabulatedFrame::exact_mtf);
     // The frame of v closes with the curve.

@@ -1,6 +1,7 @@
 #include "phrame/answer/rational_sweep.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/answer/end_normal.hpp"
 #include "phrame/ph/frame/frame.hpp"
 
 namespace phrame {
@@ -13,7 +14,7 @@ std::vector<RationalFramePiece> twist_frames(const Path& path, const RationalSwe
   FrameEnds ends{from, {}};
   FrameAngle to = from;
   if (query.end_normal) {
-    to = angle_of(*query.end_normal, euler_rodrigues_frame(path.segments().back(), 1));
+    to = end_angle(*query.end_normal, path);
     ends.to = to;
   } else {
     const GaussianRational closing = path.closing_turn().value();
@@ -29,8 +30,7 @@ std::vector<RationalFramePiece> twist_frames(const Path& path, const RationalSwe
 
 void require_ends(const Path& path, const RationalSweepQuery& query) {
   const bool is_closed = path.closing_turn().has_value();
-  if (query.end_normal && is_closed)
-    throw DomainError("end normal: the path is closed, it ends with the normal it starts with");
+  require_open(query.end_normal, is_closed);
   if (query.twist_degree && !query.end_normal && !is_closed)
     throw DomainError("sweep: a frame of minimal twist needs an end normal");
   if (is_closed && query.scale(0) != query.scale(path.end()))

@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/answer/end_normal.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/smooth/compiled_smooth.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
@@ -26,8 +27,7 @@ double turn_of(const SweepPath& path, const SweepQuery& query) {
   const double twist = round_to_double(to_real(FrameAngle(query.twist)));
   if (!path.is_closed)
     return twist + (query.end_normal ? angle_to(round_to_double(*query.end_normal), last) : 0);
-  if (query.end_normal)
-    throw DomainError("end normal: the path is closed, it ends with the normal it starts with");
+  require_open(query.end_normal, true);
   const bool is_whole = query.twist.radians == 0 && denominator(query.twist.half_turns / 2) == 1;
   if (!is_whole) throw DomainError("twist: the path is closed, only whole turns close the body");
   if (query.scale(0) != query.scale(Rational(static_cast<long>(path.series.segments))))

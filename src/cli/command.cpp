@@ -218,6 +218,12 @@ Rational parse_option(const std::string& option, const std::string& text) {
   return at_place(option, ", ", [&] { return parse_number(with_plain_minus(text)); });
 }
 
+Rational parse_positive_option(const std::string& option, const std::string& text) {
+  const Rational x = parse_option(option, text);
+  if (x <= 0) throw InputError(option, "\"" + abbreviated(text) + "\" is not > 0");
+  return x;
+}
+
 Angle parse_angle_option(const std::string& option, const std::string& text) {
   return at_place(option, ", ", [&] { return parse_angle(with_plain_minus(text)); });
 }

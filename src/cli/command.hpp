@@ -57,6 +57,8 @@ std::string with_plain_minus(std::string text);
 
 /// Reads a number given on the command line; the place of an InputError is the option.
 Rational parse_option(const std::string& option, const std::string& text);
+/// The same of one that must be > 0.
+Rational parse_positive_option(const std::string& option, const std::string& text);
 /// The same of an angle: "pi/4", "45deg", "0.5".
 Angle parse_angle_option(const std::string& option, const std::string& text);
 /// The same of a vector: "1,0,1/2".

@@ -205,20 +205,14 @@ TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& ch
                            : table_of(std::get<NamedPath>(read), chosen, by, options);
 }
 
-Rational positive_time(const std::string& option, const std::string& text) {
-  const Rational x = parse_option(option, text);
-  if (x <= 0) throw InputError(option, "\"" + abbreviated(text) + "\" is not > 0");
-  return x;
-}
-
 void run_camera(const FramesOptions& options) {
   TableColumns chosen = columns(options);
   if (chosen.frames.size() != 1)
     throw InputError("--frame", "a camera path has one frame, not several");
   chosen = camera_columns(chosen.frames.front());
   std::optional<Rational> duration;
-  if (options.duration) duration = positive_time("--duration", *options.duration);
-  const double fps = round_to_double(positive_time("--fps", options.fps));
+  if (options.duration) duration = parse_positive_option("--duration", *options.duration);
+  const double fps = round_to_double(parse_positive_option("--fps", options.fps));
   if (fps < 0.001 || fps > 30'000) throw InputError("--fps", "is not between 0.001 and 30000");
   const TabulatedFrames made = read_and_tabulate(options, chosen);
   const CameraPath path =
@@ -229,11 +223,7 @@ void run_camera(const FramesOptions& options) {
 }
 
 void run(const FramesOptions& options) {
-  const auto& cameras = camera_formats();
-  if (std::find(cameras.begin(), cameras.end(), "--format " + options.format) != cameras.end())
-    return run_camera(options);
-  TableColumns chosen = columns(options);
-  chosen.may_be_empty = options.skips_undefined;
+  // Those without a table are of cameras.
   const auto format = choose<std::string (*)(const FrameTable&)>("--format", options.format,
                                                                  {{"csv", to_csv},
                                                                   {"json", to_json},
@@ -241,6 +231,9 @@ void run(const FramesOptions& options) {
                                                                   {"glb", nullptr},
                                                                   {"gltf", nullptr},
                                                                   {"blender", nullptr}});
+  if (format == nullptr) return run_camera(options);
+  TableColumns chosen = columns(options);
+  chosen.may_be_empty = options.skips_undefined;
   const FrameTable made = read_and_tabulate(options, chosen).table;
   write_output(options.curve.output, format(made));
   if (made.incomplete_rows > 0)

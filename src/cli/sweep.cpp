@@ -35,12 +35,6 @@ RationalFunction scale_of(const SweepOptions& options) {
   return at_place("--scale", ", ", [&] { return parse_expression(options.scale, "t").value; });
 }
 
-Rational positive_option(const std::string& option, const std::string& text) {
-  const Rational x = parse_option(option, text);
-  if (x <= 0) throw InputError(option, "\"" + abbreviated(text) + "\" is not > 0");
-  return x;
-}
-
 /// By `parse` where it is given in a word, by `read` from a file.
 template <class Parse, class Read>
 auto given_profile(const SweepOptions& options, Parse parse, Read read) {
@@ -68,7 +62,7 @@ Profile profile_of(const SweepOptions& options, double scale,
   ProfileTolerance tolerance{{}, angle};
   if (options.tolerance)
     tolerance.distance =
-        positive_option("--tolerance", *options.tolerance) / (4 * exact_rational(scale));
+        parse_positive_option("--tolerance", *options.tolerance) / (4 * exact_rational(scale));
   return given_profile(
       options, [&](const std::string& text) { return parse_profile(text, tolerance); },
       [&](const std::string& bytes) { return read_profile(bytes, tolerance); });

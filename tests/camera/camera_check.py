@@ -9,23 +9,15 @@ import csv
 import io
 import json
 import math
-import os
 import struct
-import subprocess
 import sys
 import tempfile
 import types
 from pathlib import Path
 
+from program import output
+
 ROOT = Path(__file__).resolve().parent.parent.parent
-PROGRAM = os.environ["PHRAME_PROGRAM"]
-
-
-def phrame(*arguments):
-    run = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True)
-    if run.returncode != 0:
-        sys.exit("%s: %s" % (arguments, run.stderr.decode()))
-    return run.stdout
 
 
 def as_float(x):
@@ -150,18 +142,18 @@ def turned(q, v):
 def check(curve, names, *options, duration=None, fps=24):
     """The frames of the columns `names` at the rows that the options ask for."""
     curve = ROOT / "examples" / curve
-    table = list(csv.DictReader(io.StringIO(phrame("frames", curve, *options).decode())))
+    table = list(csv.DictReader(io.StringIO(output("frames", curve, *options).decode())))
     rows = [{name: float(x) for name, x in row.items()} for row in table]
     by = "s" if "arc-length" in options else "t"
     if by == "s":
-        lengths = csv.DictReader(io.StringIO(phrame("frames", curve, *options, "--columns", "s").decode()))
+        lengths = csv.DictReader(io.StringIO(output("frames", curve, *options, "--columns", "s").decode()))
         for row, other in zip(rows, lengths):
             row["s"] = float(other["s"])
     seconds = ["--duration", duration] if duration else []
     first, last = rows[0][by], rows[-1][by]
     unit = duration / (last - first) if duration else 1
 
-    script = phrame("frames", curve, *options, *seconds, "--fps", fps, "--format", "blender").decode()
+    script = output("frames", curve, *options, *seconds, "--fps", fps, "--format", "blender").decode()
     keys = keys_of_blender(script, fps, False)
     assert keys == keys_of_blender(script, fps, True) and len(keys) == len(rows)
     for (time, place, q), row in zip(keys, rows):
@@ -185,7 +177,7 @@ def check(curve, names, *options, duration=None, fps=24):
     with tempfile.TemporaryDirectory() as folder:
         for ending, read in (("glb", read_glb), ("GLTF", read_gltf)):
             path = Path(folder) / ("camera." + ending)
-            phrame("frames", curve, *options, *seconds, "-o", path)
+            output("frames", curve, *options, *seconds, "-o", path)
             same(keys_of_gltf(*read(path.read_bytes())))
     return len(keys)
 

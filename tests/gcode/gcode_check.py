@@ -5,23 +5,14 @@ last decimal. Angles must go the nearest way, and stand still at a pole.
 """
 import csv
 import io
-import os
 import re
-import subprocess
-import sys
 import tempfile
 from math import atan2, cos, degrees, hypot, pi, sin
 from pathlib import Path
 
+from program import phrame
+
 ROOT = Path(__file__).resolve().parent.parent.parent
-PROGRAM = os.environ["PHRAME_PROGRAM"]
-
-
-def phrame(*arguments):
-    run = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
-    if run.returncode != 0:
-        sys.exit("%s: %s" % (arguments, run.stderr))
-    return run.stdout
 
 
 def table(*arguments):

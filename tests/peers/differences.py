@@ -8,6 +8,8 @@ import math
 import os
 import sys
 
+from gauss import legendre
+
 # Sets how many decimal digits the integers have that Python reads; 0 is no limit.
 limit_integers = getattr(sys, "set_int_max_str_digits", lambda digits: None)
 limit_integers(0)
@@ -15,21 +17,6 @@ limit_integers(0)
 # sinh spreads the grid: fine near 0, and out to ±1400. 1/7 keeps it off the poles that people choose.
 FINENESS = 16 if os.environ.get("PHRAME_PEERS") == "corpus" else 5
 GRID = [round(math.sinh(k / FINENESS), 6) + 1 / 7 for k in range(-8 * FINENESS, 8 * FINENESS + 1)]
-
-
-def legendre(n):
-    """The nodes and weights of Gauss's quadrature on [-1, 1], by Newton's method."""
-    rule = []
-    for k in range(n):
-        x = math.cos(math.pi * (k + 0.75) / (n + 0.5))
-        for _ in range(50):
-            p, q = 1.0, x
-            for j in range(2, n + 1):
-                p, q = q, ((2 * j - 1) * x * q - (j - 1) * p) / j
-            slope = n * (x * q - p) / (x * x - 1)
-            x -= q / slope
-        rule.append((x, 2 / ((1 - x * x) * slope * slope)))
-    return rule
 
 
 RULE = legendre(10)

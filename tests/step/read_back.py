@@ -5,7 +5,6 @@ rule with derivatives of the control points; that of the caps with the profile's
 """
 import json
 import math
-import os
 import shutil
 import subprocess
 import sys
@@ -14,28 +13,13 @@ from fractions import Fraction
 from math import comb
 from pathlib import Path
 
+from gauss import legendre
+from program import PROGRAM, phrame
+
 ROOT = Path(__file__).resolve().parent.parent.parent
 CURVES = ROOT / "examples/curves"
-PROGRAM = os.environ["PHRAME_PROGRAM"]
 READER = sys.argv[1]
-
-
-def gauss(count):
-    """Nodes and weights on [0, 1]: the roots of Legendre's polynomial by Newton's method."""
-    rule = []
-    for k in range(count):
-        x = math.cos(math.pi * (k + 0.75) / (count + 0.5))
-        for _ in range(50):
-            p, q = 1.0, x
-            for n in range(2, count + 1):
-                p, q = q, ((2 * n - 1) * x * q - (n - 1) * p) / n
-            slope = count * (x * q - p) / (x * x - 1)
-            x -= q / slope
-        rule.append(((1 + x) / 2, 1 / ((1 - x * x) * slope * slope)))
-    return rule
-
-
-RULE = gauss(32)
+RULE = [((1 + x) / 2, w / 2) for x, w in legendre(32)]  # on [0, 1]
 
 
 def bernstein(n, t):
@@ -63,10 +47,6 @@ def area(patch):
             part = weight * weight_u * math.sqrt(n[0] ** 2 + n[1] ** 2 + n[2] ** 2)
             total = [sum_ + part * x for sum_, x in zip(total, (1, *(s[k] / s[3] for k in range(3))))]
     return total
-
-
-def phrame(*arguments):
-    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=True).stdout
 
 
 def check(name, profile, caps, *more, section=None):

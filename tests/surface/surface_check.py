@@ -5,23 +5,14 @@ to r', has the length of the profile and, where the frame is rotation-minimizing
 from the curve's file. Which way the profile lies is that of `phrame frames`. The OBJ says the same in doubles.
 """
 import json
-import os
-import subprocess
-import sys
 from fractions import Fraction
 from math import comb
 from pathlib import Path
 
+from program import phrame
+
 ROOT = Path(__file__).resolve().parent.parent.parent
 CURVES = ROOT / "examples/curves"
-PROGRAM = os.environ["PHRAME_PROGRAM"]
-
-
-def phrame(*arguments):
-    run = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
-    if run.returncode != 0:
-        sys.exit("%s: %s" % (arguments, run.stderr))
-    return run.stdout
 
 
 def product(p, q):
