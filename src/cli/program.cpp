@@ -60,12 +60,23 @@ std::string ending(const std::string& path) {
   return is_word ? result : "";
 }
 
-/// Is it the ending of a format that one of the commands writes, and more than text?
+/// Endings of files that one command writes, or none: pages and pictures, documents, tables, packed
+/// files, meshes and surfaces of others.
+bool is_well_known(const std::string& end) {
+  static const std::vector<std::string> names{
+      "html", "htm",  "h",    "hpp",   "v",    "jsonl", "pdf",  "ps",   "eps",  "svg",  "png",
+      "jpg",  "jpeg", "gif",  "bmp",   "tif",  "tiff",  "webp", "mp4",  "webm", "doc",  "docx",
+      "odt",  "rtf",  "epub", "md",    "xml",  "yaml",  "yml",  "toml", "xls",  "xlsx", "ods",
+      "tsv",  "npz",  "mat",  "h5",    "hdf5", "vtk",   "vtp",  "zip",  "gz",   "xz",   "zst",
+      "tar",  "tgz",  "iges", "igs",   "brep", "dxf",   "dwg",  "off",  "fbx",  "dae",  "usd",
+      "usda", "usdc", "usdz", "blend", "js",   "css",   "ipynb"};
+  return std::find(names.begin(), names.end(), end) != names.end();
+}
+
+/// Is it the ending of another format than text?
 bool means_a_format(const std::string& end) {
-  static const std::vector<std::string> of_one_command{"html", "htm", "h", "hpp", "v", "jsonl"};
   const auto& known = formats_by_ending();
-  return std::find(of_one_command.begin(), of_one_command.end(), end) != of_one_command.end() ||
-         std::any_of(known.begin(), known.end(), [&end](const auto& entry) {
+  return is_well_known(end) || std::any_of(known.begin(), known.end(), [&end](const auto& entry) {
            return entry.first == end && entry.second != "text";
          });
 }

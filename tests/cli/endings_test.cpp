@@ -46,6 +46,22 @@ TEST_CASE("endings: those that mean another format are refused, and nothing is w
   }
 }
 
+// What no command writes is refused as well, of those with one format, too.
+TEST_CASE("endings: formats of others are refused") {
+  const Workshop here;
+  here.write("lines.jsonl", "");
+  for (const std::string call : {"page quintic.json", "compile quintic.json",
+                                 "certify quintic.json", "prove quintic.json", "batch lines.jsonl"})
+    for (const std::string end : {"pdf", "PDF", "svg", "png", "docx", "md", "xlsx", "zip"}) {
+      CAPTURE(call);
+      const std::string name = call.substr(0, call.find(' '));
+      check_failure(here.run(call + " -o out." + end), 2,
+                    "--output: \"out." + end + "\": \"." + (end == "PDF" ? "pdf" : end) +
+                        "\" is no format of " + name + ", which writes ");
+      CHECK_FALSE(std::filesystem::exists(here.file("out." + end)));
+    }
+}
+
 TEST_CASE("endings: others are anybody's") {
   const Workshop here;
   for (const std::string call :
