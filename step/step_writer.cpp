@@ -12,24 +12,32 @@
 #include <stdexcept>
 #include <string>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_PrinterOStream.hxx>
 #include <STEPControl_Writer.hxx>
-#include <ShapeAnalysis_FreeBounds.hxx>
+#include <ShapeFix_Face.hxx>
 #include <Standard_Failure.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TColStd_Array2OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
@@ -83,37 +91,90 @@ TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& shapes, double tolerance) {
   return sewing.SewedShape();
 }
 
-/// The planes within the closed wires at its ends.
-std::vector<TopoDS_Shape> caps_of(const TopoDS_Shape& sides, double tolerance) {
-  const ShapeAnalysis_FreeBounds bounds(sides, tolerance, Standard_False, Standard_False);
-  std::vector<TopoDS_Shape> caps;
-  for (TopExp_Explorer at(bounds.GetClosedWires(), TopAbs_WIRE); at.More(); at.Next()) {
-    BRepBuilderAPI_MakeFace face(TopoDS::Wire(at.Current()), Standard_True);
-    if (!face.IsDone()) throw std::runtime_error("an end of the body makes no plane face");
-    caps.push_back(face.Face());
+/// The edge of a patch where it starts, or where it ends.
+TopoDS_Edge edge_of(const StepPatch& patch, bool is_start) {
+  const auto& points = is_start ? patch.points.front() : patch.points.back();
+  const auto& weights = is_start ? patch.weights.front() : patch.weights.back();
+  const int count = static_cast<int>(points.size());
+  TColgp_Array1OfPnt poles(1, count);
+  TColStd_Array1OfReal pole_weights(1, count);
+  for (int l = 0; l < count; ++l) {
+    const auto& [x, y, z] = points[static_cast<std::size_t>(l)];
+    poles.SetValue(l + 1, gp_Pnt(x, y, z));
+    pole_weights.SetValue(l + 1, weights[static_cast<std::size_t>(l)]);
   }
-  if (caps.size() != 2)
-    throw std::runtime_error("the body has " + std::to_string(caps.size()) + " ends, not 2");
-  return caps;
+  const Handle(Geom_BezierCurve) curve = new Geom_BezierCurve(poles, pole_weights);
+  return BRepBuilderAPI_MakeEdge(curve).Edge();
 }
 
-TopoDS_Solid solid_of(const StepBody& body) {
-  const double tolerance = 1e-7 * std::max(size_of(body), 1e-3);
-  std::vector<TopoDS_Shape> faces;
-  for (const StepPatch& patch : body.patches) faces.push_back(face_of(patch, tolerance));
-  TopoDS_Shape shape = sewn(faces, tolerance);
-  if (!body.is_closed) {
-    std::vector<TopoDS_Shape> all = caps_of(shape, tolerance);
-    all.push_back(shape);
-    shape = sewn(all, tolerance);
-  }
+/// The side after the last one of a ring.
+std::size_t end_of(const StepBody& body, std::size_t ring) {
+  return ring + 1 < body.rings.size() ? body.rings[ring + 1] : body.sides;
+}
+
+/// Around a ring of the profile.
+TopoDS_Wire wire_of(const StepBody& body, std::size_t ring, bool is_start) {
+  const std::size_t first = is_start ? 0 : body.patches.size() - body.sides;
+  TopTools_ListOfShape edges;
+  for (std::size_t side = body.rings[ring]; side < end_of(body, ring); ++side)
+    edges.Append(edge_of(body.patches[first + side], is_start));
+  BRepBuilderAPI_MakeWire wire;
+  wire.Add(edges);
+  if (!wire.IsDone()) throw std::runtime_error("an end of the body makes no wire");
+  return wire.Wire();
+}
+
+/// A plane face within the outer ring, without what is within the others.
+TopoDS_Face cap_of(const StepBody& body, bool is_start) {
+  BRepBuilderAPI_MakeFace face(wire_of(body, 0, is_start), Standard_True);
+  for (std::size_t ring = 1; face.IsDone() && ring < body.rings.size(); ++ring)
+    face.Add(wire_of(body, ring, is_start));
+  if (!face.IsDone()) throw std::runtime_error("an end of the body makes no plane face");
+  ShapeFix_Face fixed(face.Face());  // the plane may have the wires the other way round
+  fixed.FixOrientation();
+  return fixed.Face();
+}
+
+/// What the faces bound, which is not all the rest of space.
+TopoDS_Solid solid_within(const std::vector<TopoDS_Shape>& faces, double tolerance) {
+  const TopoDS_Shape shape = sewn(faces, tolerance);
   TopExp_Explorer shells(shape, TopAbs_SHELL);
   if (!shells.More()) throw std::runtime_error("the faces make no shell");
   const TopoDS_Shell shell = TopoDS::Shell(shells.Current());
   shells.Next();
   if (shells.More() || !shell.Closed()) throw std::runtime_error("the faces make no closed shell");
   TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(shell).Solid();
-  if (!BRepLib::OrientClosedSolid(solid) || !BRepCheck_Analyzer(solid).IsValid())
+  if (!BRepLib::OrientClosedSolid(solid)) throw std::runtime_error("the faces bound no solid");
+  return solid;
+}
+
+/// The tubes of a body without ends: what is within the first and not within the others.
+TopoDS_Solid hollow_solid(const StepBody& body, const std::vector<TopoDS_Shape>& faces,
+                          double tolerance) {
+  BRep_Builder builder;
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  for (std::size_t ring = 0; ring < body.rings.size(); ++ring) {
+    std::vector<TopoDS_Shape> tube;
+    for (std::size_t n = 0; n < faces.size(); ++n) {
+      const std::size_t side = n % body.sides;
+      if (body.rings[ring] <= side && side < end_of(body, ring)) tube.push_back(faces[n]);
+    }
+    const TopExp_Explorer shell(solid_within(tube, tolerance), TopAbs_SHELL);
+    builder.Add(solid, ring == 0 ? shell.Current() : shell.Current().Reversed());
+  }
+  return solid;
+}
+
+TopoDS_Solid solid_of(const StepBody& body) {
+  const double tolerance = 1e-7 * std::max(size_of(body), 1e-3);
+  std::vector<TopoDS_Shape> faces;
+  for (const StepPatch& patch : body.patches) faces.push_back(face_of(patch, tolerance));
+  if (!body.is_closed)
+    for (const bool is_start : {true, false}) faces.push_back(cap_of(body, is_start));
+  const TopoDS_Solid solid =
+      body.is_closed ? hollow_solid(body, faces, tolerance) : solid_within(faces, tolerance);
+  if (!BRepCheck_Analyzer(solid).IsValid())
     throw std::runtime_error("the body is no valid solid: it meets itself");
   return solid;
 }
@@ -144,7 +205,7 @@ std::string step_of(const StepBody& body) {
 
 }  // namespace
 
-extern "C" void phrame_write_step_1(const StepBody& body, std::string& bytes,
+extern "C" void phrame_write_step_2(const StepBody& body, std::string& bytes,
                                     std::string& complaint) {
   try {
     bytes = step_of(body);

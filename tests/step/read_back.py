@@ -89,4 +89,13 @@ check("rational-frame-quintic.json", "circle:1/50", [math.pi / 2500] * 2, sectio
 check("plane-cubic.json", "circle:1/3", [math.pi * 4 / 9, math.pi / 36], "--scale", "(2 - t)/(1 + t)")
 check("septic-erf-is-rmf.json", "rectangle:1/5,1/10", [1 / 50] * 2, section=1 / 50)
 check("farouki-2003-quintic.json", "rectangle:1/5,1/5", [1 / 25] * 2, "--end-normal", "0,0,1", section=1 / 25)
+HOLLOW = "M 10 0 A 10 10 0 1 0 -10 0 A 10 10 0 1 0 10 0 M 2 0 H 5 V 4 H 2 Z M -2 0 h -3 v -4 h 3"  # two equal holes
+with tempfile.TemporaryDirectory() as folder:
+    hollow = Path(folder) / "hollow.svg"
+    hollow.write_text(HOLLOW)
+    area_of = (math.pi * 100 - 24) / 10000
+    check("septic-erf-is-rmf.json", hollow, [area_of] * 2, "--scale", "1/100", section=area_of)
+    check("farouki-2003-quintic.json", hollow, [area_of] * 2, "--scale", "1/100", "--end-normal", "0,0,1", section=area_of)
+    check("plane-cubic.json", hollow, [area_of, area_of / 4], "--scale", "1/100 - t/200")
+    check("closed-spline.json", hollow, [], "--degree", "2", "--scale", "1/100", section=area_of)  # with voids
 check("closed-spline.json", "circle:1/8", [], "--degree", "2", section=math.pi / 64)

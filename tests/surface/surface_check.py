@@ -5,6 +5,7 @@ to r', has the length of the profile and, where the frame is rotation-minimizing
 from the curve's file. Which way the profile lies is that of `phrame frames`. The OBJ says the same in doubles.
 """
 import json
+import tempfile
 from fractions import Fraction
 from math import comb
 from pathlib import Path
@@ -132,6 +133,19 @@ def rectangle(width, height):
     return at
 
 
+def frame(width, hole):
+    """A square with a square hole, in the order of the table: what is around first, holes against its direction."""
+    def corners(half):
+        return [(-half, -half), (half, -half), (half, half), (-half, half)]
+    rings = [corners(width / 2), corners(hole / 2)[::-1]]
+
+    def at(side, u):
+        (a, b), (c, d) = rings[side // 4][side % 4], rings[side // 4][(side + 1) % 4]
+        return a + u * (c - a), b + u * (d - b)
+    table = "\n".join("".join("%s,%s\n" % corner for corner in corners(half)) for half in (hole / 2, width / 2))
+    return table, at
+
+
 def check_patch(patch, parts, start, profile, scale, is_rotation_minimizing):
     begin, end = patch["t"]
     segment = int(begin)
@@ -170,6 +184,18 @@ def check_direction(patch, name, parts, start, profile, frame, *more):
         assert abs(float(place[k] / weight - r[k]) - expected) < 1e-13, "direction"
 
 
+def check_rings(surface):
+    """The last side of each ring meets its first one."""
+    firsts, sides = surface["rings"], surface["sides"]
+    after = {end - 1: first for first, end in zip(firsts, firsts[1:] + [sides])}
+    patches = surface["patches"]
+    for n, patch in enumerate(patches):
+        side = n % sides
+        assert patch["side"] == side
+        following = patches[n - side + after.get(side, side + 1)]
+        assert [row[-1] for row in patch["points"]] == [row[0] for row in following["points"]], "ring"
+
+
 def check_obj(surface, text):
     """Vertices are those of the patches, in the order of the statement surf, u first."""
     vertices, patches = [], []
@@ -206,11 +232,18 @@ def check(name, option, profile, scale=None, *more):
         check_direction(surface["patches"][-1], name, parts, start, profile, *frame)
     check_obj(surface, phrame(*arguments))
     assert surface["patches"][-1]["t"][1] == len(parts)
+    check_rings(surface)
     print("%s, %s: %d patches" % (name, " ".join(map(str, arguments[3:])), len(surface["patches"])))
 
 
 check("rational-frame-quintic.json", "rectangle:1,1/2", rectangle(Fraction(1), Fraction(1, 2)))
 check("plane-cubic.json", "circle:1/3", circle(Fraction(1, 3)), ("(2 - t)/(1 + t)", ([2, -1], [1, 1])))
 check("septic-erf-is-rmf.json", "circle:1/5", circle(Fraction(1, 5)))
+with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
+    table, hollow = frame(Fraction(1, 4), Fraction(1, 6))
+    file.write(table)
+    file.flush()
+    check("rational-frame-quintic.json", file.name, hollow)
+    check("septic-erf-is-rmf.json", file.name, hollow, ("1 + t", ([1, 1], [1])))
 check("farouki-2003-quintic.json", "rectangle:1/5,1/5", rectangle(Fraction(1, 5), Fraction(1, 5)), None,
       "--end-normal", "0,0,1")

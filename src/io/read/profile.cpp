@@ -157,7 +157,7 @@ PlaneRational plane_form(const GivenSegment& segment) {
   return {curve->numerator()[0], -curve->numerator()[1], curve->weight()};
 }
 
-ProfileCurve outline_curve_of(const std::vector<GivenSegment>& segments) {
+std::vector<PlaneBezier> pieces_of(const Subpath& segments) {
   std::vector<PlaneBezier> pieces;
   for (const GivenSegment& segment : segments)
     for (PlaneBezier& piece : bezier_pieces(plane_form(segment)))
@@ -165,7 +165,13 @@ ProfileCurve outline_curve_of(const std::vector<GivenSegment>& segments) {
   const ProfilePoint first = pieces.front().points.front();
   const ProfilePoint last = pieces.back().points.back();
   if (first != last) pieces.push_back({{last, first}, {1, 1}});
-  return made([&] { return ProfileCurve(std::move(pieces)); });
+  return pieces;
+}
+
+ProfileCurve outline_curve_of(const std::vector<Subpath>& subpaths) {
+  std::vector<std::vector<PlaneBezier>> rings;
+  for (const Subpath& segments : subpaths) rings.push_back(pieces_of(segments));
+  return made([&] { return ProfileCurve::of_rings(std::move(rings)); });
 }
 
 /// The subpaths of path data or of an SVG file; no value for what begins as neither.
@@ -233,10 +239,7 @@ std::optional<ProfileCurve> parse_profile_curve(std::string_view text) {
 
 ProfileCurve read_profile_curve(std::string_view bytes) {
   const Profile polygon = read_profile(bytes);
-  if (polygon.rings().size() > 1)
-    throw InputError(fmt::format("it has {} rings; the exact surface is made of one outline",
-                                 polygon.rings().size()));
-  if (const auto subpaths = svg_subpaths(bytes)) return outline_curve_of(subpaths->front());
+  if (const auto subpaths = svg_subpaths(bytes)) return outline_curve_of(*subpaths);
   return polygon_curve(polygon);
 }
 

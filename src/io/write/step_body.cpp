@@ -5,8 +5,9 @@
 namespace phrame {
 
 StepBody step_body(const RationalSweepAnswer& answer) {
-  StepBody body{{}, answer.surface.is_closed};
-  for (const SurfacePatch& patch : answer.surface.patches) {
+  const RationalSurface& surface = answer.surface;
+  StepBody body{{}, surface.sides, surface.rings, surface.is_closed};
+  for (const SurfacePatch& patch : surface.patches) {
     StepPatch rounded;
     for (std::size_t k = 0; k < patch.points.size(); ++k) {
       auto& points = rounded.points.emplace_back();

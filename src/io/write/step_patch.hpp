@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,14 +15,16 @@ struct StepPatch {
 /// What a writer of STEP makes a solid of. It is a library of its own, step/, so that nothing else
 /// needs Open CASCADE.
 struct StepBody {
-  std::vector<StepPatch> patches;
-  bool is_closed = false;  ///< it needs no caps
+  std::vector<StepPatch> patches;  ///< along the path, and around the profile at each place
+  std::size_t sides = 0;           ///< of the profile
+  std::vector<std::size_t> rings;  ///< of each of its rings, the first side: holes come last
+  bool is_closed = false;          ///< it needs no caps
 };
 
 /// The function of that library, by the name of `step_writer_name`: the bytes of a file, or no
 /// bytes and a complaint.
 using StepWriter = void (*)(const StepBody& body, std::string& bytes, std::string& complaint);
 /// Another where the types above are others.
-constexpr const char* step_writer_name = "phrame_write_step_1";
+constexpr const char* step_writer_name = "phrame_write_step_2";
 
 }  // namespace phrame

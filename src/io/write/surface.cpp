@@ -38,6 +38,7 @@ std::string to_json(const RationalSweepAnswer& answer) {
   if (answer.twist_degree) json["twist_degree"] = *answer.twist_degree;
   json["closed"] = answer.surface.is_closed;
   json["sides"] = answer.surface.sides;
+  json["rings"] = answer.surface.rings;
   json["patches"] = JsonOutput::array();
   for (const SurfacePatch& patch : answer.surface.patches)
     json["patches"].push_back(json_of(patch));

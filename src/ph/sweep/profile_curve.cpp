@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/ball.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/definite_integral.hpp"
 #include "phrame/ph/curve/curve.hpp"
@@ -62,19 +63,34 @@ int sign_of_area(const Real& area) {
   throw Undecided("profile: its area is not told from 0");
 }
 
+/// From the last piece to the first.
+std::vector<PlaneBezier> reversed_ring(std::vector<PlaneBezier> pieces) {
+  std::reverse(pieces.begin(), pieces.end());
+  for (PlaneBezier& piece : pieces) piece = reversed(std::move(piece));
+  return pieces;
+}
+
+/// A closed curve, counterclockwise.
+struct CurveRing {
+  std::vector<PlaneBezier> pieces;
+  Real area;  ///< > 0
+};
+
+CurveRing counterclockwise(std::vector<PlaneBezier> pieces) {
+  require_pieces(pieces);
+  const Real area = signed_area(pieces);
+  const int direction = sign_of_area(area);
+  if (direction == 0) throw DomainError("profile: its area is 0");
+  if (direction > 0) return {std::move(pieces), area};
+  return {reversed_ring(std::move(pieces)), -area};
+}
+
 }  // namespace
 
 PlaneBezier reversed(PlaneBezier bezier) {
   std::reverse(bezier.points.begin(), bezier.points.end());
   std::reverse(bezier.weights.begin(), bezier.weights.end());
   return bezier;
-}
-
-std::vector<PlaneBezier> reversed(const std::vector<PlaneBezier>& pieces) {
-  std::vector<PlaneBezier> back;
-  for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece)
-    back.push_back(reversed(*piece));
-  return back;
 }
 
 PlaneRational polynomials(const PlaneBezier& bezier) {
@@ -97,14 +113,57 @@ std::vector<PlaneBezier> bezier_pieces(const PlaneRational& curve) {
   return pieces;
 }
 
-ProfileCurve::ProfileCurve(std::vector<PlaneBezier> pieces) : pieces_(std::move(pieces)) {
-  require_pieces(pieces_);
-  area_ = signed_area(pieces_);
-  const int direction = sign_of_area(area_);
-  if (direction == 0) throw DomainError("profile: its area is 0");
-  if (direction > 0) return;
-  area_ = -area_;
-  pieces_ = reversed(pieces_);
+void ProfileCurve::append_ring(const std::vector<PlaneBezier>& pieces) {
+  rings_.push_back(pieces_.size());
+  pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
+}
+
+ProfileCurve::ProfileCurve(std::vector<PlaneBezier> pieces) {
+  const CurveRing ring = counterclockwise(std::move(pieces));
+  append_ring(ring.pieces);
+  area_ = ring.area;
+}
+
+ProfileCurve ProfileCurve::of_rings(std::vector<std::vector<PlaneBezier>> given) {
+  if (given.size() == 1) return ProfileCurve(std::move(given.front()));
+  if (given.empty()) throw DomainError("profile: it has no ring");
+  std::vector<CurveRing> rings;
+  std::size_t outer = 0;
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    try {
+      rings.push_back(counterclockwise(std::move(given[k])));
+    } catch (const DomainError& complaint) {
+      throw DomainError(fmt::format("{} (of the ring {})", complaint.what(), k + 1));
+    }
+    if (approximate(rings[k].area.enclose(64)) > approximate(rings[outer].area.enclose(64)))
+      outer = k;
+  }
+  ProfileCurve profile;
+  profile.append_ring(rings[outer].pieces);
+  profile.area_ = rings[outer].area;
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    if (k == outer) continue;
+    profile.append_ring(reversed_ring(std::move(rings[k].pieces)));
+    profile.area_ = profile.area_ + -rings[k].area;
+  }
+  // So the outer ring is seen to have the greatest area, however near the guess was.
+  if (sign_of_area(profile.area_) <= 0)
+    throw DomainError("profile: the holes have not less area than the outline around them");
+  return profile;
+}
+
+std::vector<PlaneBezier> reversed_pieces(const ProfileCurve& profile) {
+  const auto& rings = profile.rings();
+  const auto piece = [&](std::size_t ring) {
+    return profile.pieces().begin() + static_cast<std::ptrdiff_t>(rings[ring]);
+  };
+  std::vector<PlaneBezier> all;
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    const auto end = k + 1 < rings.size() ? piece(k + 1) : profile.pieces().end();
+    const auto ring = reversed_ring({piece(k), end});
+    all.insert(all.end(), ring.begin(), ring.end());
+  }
+  return all;
 }
 
 ProfileCurve circle_curve(const Rational& radius) {
@@ -122,10 +181,17 @@ ProfileCurve circle_curve(const Rational& radius) {
 
 ProfileCurve polygon_curve(const Profile& polygon) {
   const auto& corners = polygon.corners();
-  std::vector<PlaneBezier> sides;
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    sides.push_back({{corners[k], corners[polygon.next(k)]}, {1, 1}});
-  return ProfileCurve(std::move(sides));
+  std::vector<std::vector<PlaneBezier>> rings;
+  for (const std::size_t first : polygon.rings()) {
+    auto& sides = rings.emplace_back();
+    std::size_t k = first;
+    do {
+      const std::size_t next = polygon.next(k);
+      sides.push_back({{corners[k], corners[next]}, {1, 1}});
+      k = next;
+    } while (k != first);
+  }
+  return ProfileCurve::of_rings(std::move(rings));
 }
 
 }  // namespace phrame

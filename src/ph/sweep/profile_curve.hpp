@@ -28,7 +28,7 @@ PlaneRational polynomials(const PlaneBezier& bezier);
 /// halved until they are. Requires W > 0 on [0, 1].
 std::vector<PlaneBezier> bezier_pieces(const PlaneRational& curve);
 
-/// What is swept exactly: a closed curve, counterclockwise, of rational Bézier curves.
+/// What is swept exactly: a closed curve of rational Bézier curves, which may have holes.
 class ProfileCurve {
  public:
   /// Of pieces that begin where the one before ends, the first where the last ends, in either
@@ -37,20 +37,34 @@ class ProfileCurve {
   /// itself is for the caller to see to. Cost: the area, exactly.
   explicit ProfileCurve(std::vector<PlaneBezier> pieces);
 
-  const std::vector<PlaneBezier>& pieces() const { return pieces_; }  ///< at least one
-  const Real& area() const { return area_; }                          ///< > 0
+  /// Of several such rings, in any order and each in either direction: the one of the greatest area
+  /// goes around all the others, which are holes. That they lie so, and none in another, and do not
+  /// meet, is for the caller to see to. Throws as above, naming the ring, and where the areas
+  /// cannot be those of an outline and its holes.
+  static ProfileCurve of_rings(std::vector<std::vector<PlaneBezier>> rings);
+
+  /// At least one: of the outer ring, counterclockwise, then of the holes, clockwise.
+  const std::vector<PlaneBezier>& pieces() const { return pieces_; }
+  /// Of each ring, the number of its first piece.
+  const std::vector<std::size_t>& rings() const { return rings_; }
+  const Real& area() const { return area_; }  ///< > 0, that of the holes left out
 
  private:
+  ProfileCurve() = default;
+  void append_ring(const std::vector<PlaneBezier>& pieces);
+
   std::vector<PlaneBezier> pieces_;
+  std::vector<std::size_t> rings_;
   Real area_ = Rational(0);
 };
+
+/// Each ring in the other direction: the pieces reversed, from the last to the first.
+std::vector<PlaneBezier> reversed_pieces(const ProfileCurve& profile);
 
 /// The circle, in four quarters ((1 − u²), 2u)/(1 + u²) with rational weights. Throws DomainError
 /// for a radius ≤ 0.
 ProfileCurve circle_curve(const Rational& radius);
-/// The same pieces, each reversed, from the last to the first.
-std::vector<PlaneBezier> reversed(const std::vector<PlaneBezier>& pieces);
-/// The sides of a polygon without holes.
+/// The sides of a polygon.
 ProfileCurve polygon_curve(const Profile& polygon);
 
 }  // namespace phrame

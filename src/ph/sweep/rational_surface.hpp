@@ -25,6 +25,7 @@ Vector<Rational> point(const SurfacePatch& patch, const Rational& u, const Ratio
 struct RationalSurface {
   std::vector<SurfacePatch> patches;  ///< along the path, and around the profile at each place
   std::size_t sides = 0;              ///< of the profile
+  std::vector<std::size_t> rings;     ///< of each of its rings, the first side: holes come last
   bool is_closed = false;             ///< are its ends one, so that it needs no caps?
 };
 

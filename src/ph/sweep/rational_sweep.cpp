@@ -207,12 +207,18 @@ void require_joint(const SurfacePatch& before, const SurfacePatch& after) {
   if (before.points.back() != after.points.front()) fail_check("patches do not meet");
 }
 
-/// The last column of each patch is the first one of the next around the profile.
+/// The last column of each patch is the first one of the next around its ring.
 void require_sides(const RationalSurface& surface) {
+  std::vector<std::size_t> next(surface.sides);
+  for (std::size_t k = 0; k < next.size(); ++k) next[k] = k + 1;
+  for (std::size_t k = 0; k < surface.rings.size(); ++k)
+    next[(k + 1 < surface.rings.size() ? surface.rings[k + 1] : surface.sides) - 1] =
+        surface.rings[k];
   for (std::size_t n = 0; n < surface.patches.size(); ++n) {
-    const std::size_t next = n + 1 - ((n + 1) % surface.sides == 0 ? surface.sides : 0);
-    for (std::size_t k = 0; k < surface.patches[n].points.size(); ++k)
-      if (surface.patches[n].points[k].back() != surface.patches[next].points[k].front())
+    const std::size_t side = n % surface.sides;
+    const SurfacePatch& after = surface.patches[n - side + next[side]];
+    for (std::size_t k = 0; k < after.points.size(); ++k)
+      if (surface.patches[n].points[k].back() != after.points[k].front())
         fail_check("sides do not meet");
   }
 }
@@ -259,9 +265,10 @@ RationalSurface rational_sweep(const Path& path, const std::vector<RationalFrame
   require_no_stop(path);
   // Where e₁ is against the motion the profile is swept the other way round.
   const bool is_against = path.segments().front().multiplier()(0) < 0;
-  const auto pieces = is_against ? reversed(form.profile.pieces()) : form.profile.pieces();
+  const auto pieces = is_against ? reversed_pieces(form.profile) : form.profile.pieces();
   RationalSurface surface;
   surface.sides = pieces.size();
+  surface.rings = form.profile.rings();
   surface.is_closed =
       path.closing_turn() && is_closed(frames) && form.scale(0) == form.scale(path.end());
   for (const RationalFramePiece& frame : frames)

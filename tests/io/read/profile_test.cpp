@@ -89,8 +89,26 @@ TEST_CASE("profile: an empty line begins another ring, a moveto or another path 
   CHECK(test::contains(complaint("M 0 0 H 9 V 9 Z L -9 0 V -9 Z", true), "meet"));
   CHECK(test::contains(complaint("M 0 0 H 1 V 1 Z M 5 5 H 6 V 6 Z", true), "two bodies"));
   CHECK(test::contains(complaint("0 0\n9 0\n9 9\n\n5 1\n", true), "1 corners, at least 3"));
-  CHECK_THROWS_WITH_AS(read_profile_curve("M 0 0 H 9 V 9 H 0 Z M 1 1 H 2 V 2 Z"),
-                       doctest::Contains("2 rings"), InputError);
+}
+
+// Of the square a disc of radius 1 is left out, exactly; y is up.
+TEST_CASE("profile: outlines with holes are read exactly") {
+  for (const char* svg : {"M 0 0 H 9 V 9 H 0 Z M 3 2 A 1 1 0 0 0 1 2 A 1 1 0 0 0 3 2 Z",
+                          "M 3 2 A 1 1 0 0 1 1 2 A 1 1 0 0 1 3 2 M 0 0 V 9 H 9 V 0"}) {
+    const ProfileCurve curve = read_profile_curve(svg);
+    CHECK(curve.rings() == std::vector<std::size_t>{0, 4});
+    CHECK(round_to_double(curve.area()) == doctest::Approx(81 - M_PI).epsilon(1e-15));
+    for (std::size_t k = 4; k < curve.pieces().size(); ++k) {
+      const auto [x, y, weight] = polynomials(curve.pieces()[k]);
+      const Polynomial dx = x - Polynomial{2} * weight;
+      const Polynomial dy = y + Polynomial{2} * weight;
+      CHECK(dx * dx + dy * dy == weight * weight);
+    }
+  }
+  CHECK(read_profile_curve("0 0\n9 0\n9 9\n0 9\n\n1 1\n2 1\n2 2\n").area().exact() ==
+        Rational(161, 2));
+  CHECK_THROWS_WITH_AS(read_profile_curve("M 0 0 H 9 V 9 H 0 Z M 8 1 H 10 V 2 H 8 Z"),
+                       doctest::Contains("the rings 1 and 2 meet"), InputError);
 }
 
 // Half a circle of radius 1 in SVG's arc, and its diameter.

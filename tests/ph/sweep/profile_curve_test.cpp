@@ -1,6 +1,8 @@
 #include "phrame/ph/sweep/profile_curve.hpp"
 
 #include <doctest/doctest.h>
+
+#include <algorithm>
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 
@@ -28,6 +30,14 @@ bool is_refused(const std::vector<PlaneBezier>& pieces) {
   return false;
 }
 
+/// A circle of radius 1 around (x, 0).
+std::vector<PlaneBezier> circle_at(long x) {
+  auto quarters = circle_curve(1).pieces();
+  for (PlaneBezier& quarter : quarters)
+    for (ProfilePoint& point : quarter.points) point[0] += x;
+  return quarters;
+}
+
 }  // namespace profile_curve_test
 
 using namespace profile_curve_test;
@@ -48,10 +58,61 @@ TEST_CASE("profile curve: all of a circle is at the radius, and its area is pi t
 TEST_CASE("profile curve: it is counterclockwise, in whichever direction it is given") {
   const ProfileCurve given(line_and_arc());
   CHECK(given.area().exact() == Rational(1, 3));
-  const ProfileCurve back(reversed(line_and_arc()));
+  const ProfileCurve back(reversed_pieces(given));
   CHECK(back.area().exact() == Rational(1, 3));
   CHECK(back.pieces() == given.pieces());
   CHECK(polygon_curve(rectangle_profile(2, 3)).area().exact() == Rational(6));
+}
+
+// Within 10 × 4 two circles of the same area, one of them given clockwise, before what is around
+// them. The area is 40 − 2π; ½∫(x dy − y dx) along the pieces is that only where the holes are
+// clockwise.
+TEST_CASE("profile curve: one ring goes around all the others, which are holes") {
+  const ProfileCurve back(circle_at(3));
+  const auto around = polygon_curve(rectangle_profile(10, 4)).pieces();
+  const ProfileCurve given = ProfileCurve::of_rings({circle_at(-3), reversed_pieces(back), around});
+  CHECK(given.rings() == std::vector<std::size_t>{0, 4, 8});
+  CHECK(round_to_double(given.area()) == doctest::Approx(40 - 2 * M_PI).epsilon(1e-15));
+  CHECK(std::equal(around.begin(), around.end(), given.pieces().begin()));
+  CHECK(given.pieces()[4].points.front() == ProfilePoint{-2, 0});
+  CHECK(given.pieces()[4].points.back() == ProfilePoint{-3, -1});
+  CHECK(given.pieces()[8].points.front() == ProfilePoint{4, 0});
+  CHECK(given.pieces()[8].points.back() == ProfilePoint{3, -1});
+  const auto other_way = reversed_pieces(given);
+  CHECK(other_way[0] == reversed(around[3]));
+  CHECK(other_way[4] == circle_at(-3)[0]);
+  CHECK(other_way[11] == circle_at(3)[3]);
+}
+
+TEST_CASE("profile curve: a polygon keeps its holes") {
+  const Profile frame =
+      Profile::of_rings({{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{1, 1}, {2, 1}, {2, 2}}});
+  const ProfileCurve curve = polygon_curve(frame);
+  CHECK(curve.rings() == std::vector<std::size_t>{0, 4});
+  CHECK(curve.area().exact() == Rational(17, 2));
+  for (std::size_t k = 0; k < 7; ++k) {
+    CHECK(curve.pieces()[k].points.front() == frame.corners()[k]);
+    CHECK(curve.pieces()[k].points.back() == frame.corners()[frame.next(k)]);
+  }
+}
+
+TEST_CASE("profile curve: rings that are no outline with holes are refused by number") {
+  const auto refusal = [](std::vector<std::vector<PlaneBezier>> rings) -> std::string {
+    try {
+      ProfileCurve::of_rings(std::move(rings));
+    } catch (const DomainError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(refusal({}) == "profile: it has no ring");
+  auto open = line_and_arc();
+  open.back().points.back() = {0, 1};
+  CHECK(refusal({circle_at(0), open}) ==
+        "profile: the piece 1 does not begin where the piece 2 ends (of the ring 2)");
+  CHECK(refusal({circle_at(0), polygon_curve(rectangle_profile(1, 2)).pieces(),
+                 polygon_curve(rectangle_profile(2, 1)).pieces()}) ==
+        "profile: the holes have not less area than the outline around them");
 }
 
 TEST_CASE("profile curve: what does not close, or has no area, is refused") {

@@ -21,6 +21,17 @@ ProfileCurve round_profile() {
                        {{{0, -1}, {1, 0}}, {2, 1}}});
 }
 
+/// With one hole that is round, and one that is not.
+ProfileCurve pierced_square() {
+  auto hole = circle_curve(Rational(1, 4)).pieces();
+  for (PlaneBezier& quarter : hole)
+    for (ProfilePoint& at : quarter.points) at[1] += Rational(1, 2);
+  return ProfileCurve::of_rings(
+      {polygon_curve(rectangle_profile(2, 2)).pieces(), hole,
+       polygon_curve(Profile({{0, 0}, {Rational(1, 2), Rational(-1, 2)}, {-1, Rational(-3, 4)}}))
+           .pieces()});
+}
+
 ProfileCurve square() { return polygon_curve(rectangle_profile(2, 2)); }
 
 /// The exact rotation-minimizing frame, by the closed form of its angle.
@@ -45,7 +56,7 @@ void check_surface(const Path& path, const RationalSurface& surface, const Ratio
                    const FrameAngle& start = {}) {
   const PathAngle angle(path);
   const bool is_against = path.segments().front().multiplier()(0) < 0;
-  const auto pieces = is_against ? reversed(form.profile.pieces()) : form.profile.pieces();
+  const auto pieces = is_against ? reversed_pieces(form.profile) : form.profile.pieces();
   CHECK(surface.patches.size() % pieces.size() == 0);
   Rational end;
   for (const SurfacePatch& patch : surface.patches) {
@@ -92,7 +103,8 @@ using namespace rational_sweep_test;
 
 TEST_CASE("rational sweep: the surface is that of the exact frame, at fractions of t and u") {
   const Path quintic((Curve(class_one)));
-  for (const ProfileCurve& profile : {round_profile(), square(), circle_curve(Rational(1, 3))}) {
+  for (const ProfileCurve& profile :
+       {round_profile(), square(), circle_curve(Rational(1, 3)), pierced_square()}) {
     const RationalSweepForm form{profile};
     check_surface(quintic, swept(quintic, form), form);
   }
@@ -142,6 +154,27 @@ TEST_CASE("rational sweep: the normal is outward, for either sign of the multipl
       CHECK(dot(normal, at(Rational(1, 2), 0)) > 0);  // the curve starts at the origin
     }
   }
+}
+
+TEST_CASE("rational sweep: holes are swept, too, and their normal is into them") {
+  const ProfileCurve frame = polygon_curve(Profile::of_rings(
+      {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}, {{2, 2}, {-2, 2}, {-2, -2}, {2, -2}}}));
+  for (const long sign : {1, -1}) {
+    const Path line(Curve({{1}, {}, {}, {}}, Polynomial{sign}));
+    const RationalSurface surface = swept(line, {frame});
+    check_surface(line, surface, {frame});
+    CHECK(surface.sides == 8);
+    CHECK(surface.rings == std::vector<std::size_t>{0, 4});
+    CHECK(surface.patches.size() == 8);
+    for (const SurfacePatch& patch : surface.patches) {
+      const auto at = [&](const Rational& u, const Rational& s) { return point(patch, u, s); };
+      const Vector<Rational> corner = at(0, 0);
+      const auto normal = cross(at(1, 0) - corner, at(0, 1) - corner);
+      CHECK(dot(normal, at(Rational(1, 2), 0)).sign() == (patch.side < 4 ? 1 : -1));
+    }
+  }
+  const Path loop = test::closed_loop();
+  CHECK(swept(loop, {pierced_square()}).is_closed);
 }
 
 // The plane loop has the same frame at both ends, and its own normal all along.
