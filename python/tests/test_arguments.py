@@ -10,7 +10,7 @@ import pytest
 
 import phrame
 from api import API, public_functions
-from common import QUINTIC
+from common import MULTIPLIER, QUINTIC
 
 WRONG = [None, object(), 1j, float("nan"), float("inf"), Decimal("NaN"), "no such", "", "1/0", "\ud800", b"x", True, -1, 0,
          2.5, 10**400, -(10**30), [], [[]], [1], [float("nan")] * 3, [[1, "x", 3]], [[1, 2]], {}, np.array([]),
@@ -35,8 +35,9 @@ def no_window(monkeypatch):
 @pytest.mark.parametrize("name", API)
 def test_a_wrong_argument_is_named(name):
     call, arguments = API[name]
-    for argument in set(arguments) - NOT_HERE:
-        for wrong in WRONG[: -1 if argument in ("progress", "question") else None]:
+    for k, argument in enumerate(sorted(set(arguments) - NOT_HERE)):
+        values = WRONG[: -1 if argument in ("progress", "question") else None]
+        for wrong in values if MULTIPLIER > 1 else values[k % 2 :: 2]:  # every other one for every day
             given = {**arguments, argument: wrong}
             if argument == "start_normal":
                 given["start"] = None

@@ -26,7 +26,7 @@ def corpus(step):
 
 @pytest.mark.parametrize("frame", ["erf", "frenet"])
 def test_angles(frame):
-    lines = corpus(6)
+    lines = corpus(10)
     questions = "".join(
         json.dumps({"id": k, "curve": json.loads(line), "at": AT, "digits": 40, "frame": frame}) + "\n"
         for k, line in enumerate(lines))

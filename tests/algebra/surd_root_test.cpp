@@ -33,7 +33,7 @@ TEST_CASE("surd root: roots that are sums of square roots are written so") {
 }
 
 TEST_CASE("surd root: law: it is the product") {
-  for_samples(200, [](Random& random) {
+  for_samples(120, [](Random& random) {
     const Integer d(random.integer(2, 3) + 4 * random.integer(0, 1));  // 2, 3, 6 or 7
     const Integer e = random.chance(2) ? Integer(5) : d;  // ℚ(√d, √5) or ℚ(√d)
     const auto number = [&] {
@@ -70,7 +70,7 @@ TEST_CASE("surd root: of numbers with several roots") {
 }
 
 TEST_CASE("surd root: law: √x·√x = x, and r·y² has a simple root") {
-  for_samples(200, [](Random& random) {
+  for_samples(120, [](Random& random) {
     Surd y(random.rational());
     for (const long d : {2, 3, 6, 7}) y.add(random.chance(2) ? random.rational() : 0, d);
     if (y.is_zero()) return;

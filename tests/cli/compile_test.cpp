@@ -141,8 +141,8 @@ TEST_CASE("compile: the values of a header are as exact as it says") {
   for (const std::string name : {"seed-farouki2003", "gen-m10-0", "deg-hzero", "deg-line"}) {
     CAPTURE(name);
     const auto at =
-        even_parameters(name == "seed-farouki2003" ? test::everyday(million / 4, million)
-                                                   : test::everyday(million / 20, million / 5));
+        even_parameters(name == "seed-farouki2003" ? test::everyday(million / 10, million)
+                                                   : test::everyday(million / 40, million / 5));
     const Workshop shop;
     shop.write("curve.json", curve_named(name));
     const auto run = shop.run("compile curve.json --prefix arm -o angle.h");
@@ -161,8 +161,10 @@ TEST_CASE("compile: on a near-cusp, with every optimization that keeps IEEE arit
   const std::string text = curve_named("deg-nearcusp");
   const Curve curve = read_curve(text).curve;
   RmfAngle angle(curve, Reference::euler_rodrigues);
-  auto at = even_parameters(20'000);  // and next to t = 1/3, where θ turns within 1e-8
-  for (long k = -20'000; k < 20'000; ++k) at.push_back(1.0 / 3 + static_cast<double>(k) * 2e-12);
+  auto at = even_parameters(test::everyday(5'000, 20'000));
+  // And next to t = 1/3, where θ turns within 1e-8.
+  for (long k = -20'000; k < 20'000; k += test::everyday(4, 1))
+    at.push_back(1.0 / 3 + static_cast<double>(k) * 2e-12);
   const Workshop shop;
   shop.write("curve.json", text);
   CHECK(shop.run("compile curve.json --prefix arm -o angle.h").status == 0);

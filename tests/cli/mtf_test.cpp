@@ -257,13 +257,13 @@ TEST_CASE("mtf: what is refused, and where there is no rational frame") {
                               "--subdivide 1/4", "--degree 1 --free-ends"})
     CHECK(here.run(std::string("mtf cusp.json --from 0 --to 1 ") + options).status == 3);
   check_failure(here.run("frames cusp.json --frame mtf --from 0 --to 1 --at 0"), 3, "cusp");
+  if (test::multiplier() == 1) return;
   // 10⁻³⁶ beside a cusp the errors of the rational frame cannot be rounded.
   here.write("near.json", R"({"phrame": "curve/1", "basis": "power", "preimage": {
       "u": ["-1/2", 1], "v": [0, -1, 2], "p": ["1e-36"], "q": [0]}})");
   const Run near = here.run("mtf near.json --from 0.3 --to 1 --print json");
   check_success(near);
   CHECK(Json::parse(near.out).contains("rational_undecided"));
-  if (test::multiplier() == 1) return;
   CHECK(here.run("mtf near.json --from 0.3 --to 1 --unproved").status == 4);
 }
 

@@ -36,7 +36,7 @@ TEST_CASE("sweep: normals have a tolerance of their own, profiles too") {
   CHECK(std::stod(round.out.substr(at + words.size())) <= 0.02);
   // A profile that turns must be nearer to its circle than one that does not.
   for (const std::string more : {"--twist 360deg", "--scale 1+t", "--twist -90deg --scale 2-t"})
-    CHECK(here.run("sweep line.json --profile circle:1/2 --normal-tolerance 10deg -o p.obj " + more)
+    CHECK(here.run("sweep line.json --profile circle:1/2 --normal-tolerance 15deg -o p.obj " + more)
               .status == 0);
   const std::string pipe = "sweep quintic.json --profile circle:1/10 --normal-tolerance ";
   check_failure(here.run(pipe + "90deg"), 2, "--normal-tolerance: \"90deg\" is not between");

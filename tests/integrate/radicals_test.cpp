@@ -168,9 +168,11 @@ TEST_CASE("radicals: law: any form of the antiderivative gives the same radicals
 
 TEST_CASE("radicals: corpus: every integrand whose poles or residues have a degree ≤ 4") {
   std::ifstream file(test::data("/integrals.jsonl"));
+  long lines = 0;
   long solved = 0;
   long refused = 0;
   for (std::string line; std::getline(file, line);) {
+    if (lines++ % test::everyday(2, 1) != 0) continue;  // every other one is enough for every day
     const auto object = nlohmann::json::parse(line);
     const std::string id = object["id"];
     CAPTURE(id);
@@ -195,8 +197,8 @@ TEST_CASE("radicals: corpus: every integrand whose poles or residues have a degr
     CHECK(std::find(kinds.begin(), kinds.end(), "radicals") != kinds.end());
     check_form(*form, F);
   }
-  CHECK(solved > 200);
-  CHECK(refused > 10);
+  CHECK(solved > test::everyday(100, 200));
+  CHECK(refused > test::everyday(5, 10));
 }
 
 }  // namespace radicals_test

@@ -88,7 +88,7 @@ std::vector<NamedCurve> curves() {
   list.push_back({"cusp", Curve({{1}, {0, 1}, {0, 1}, {}}, {-1, 2})});
   std::istringstream lines(test::read_data("curves.jsonl"));
   std::string line;
-  for (long k = 0; k < test::everyday(8, 30) && std::getline(lines, line); ++k)
+  for (long k = 0; k < test::everyday(5, 30) && std::getline(lines, line); ++k)
     list.push_back(read_curve(line));
   return list;
 }

@@ -158,7 +158,9 @@ TEST_CASE("curve info: the text shows what JSON does, factored") {
 TEST_CASE("reports: angles and energies of all reference curves of low degree") {
   const auto curves = reference_curves(static_cast<std::size_t>(test::everyday(4, 20)));
   CHECK(curves.size() > 40);
+  long number = 0;
   for (const Json& line : curves) {
+    if (number++ % test::everyday(2, 1) != 0) continue;  // every other one is enough for every day
     CAPTURE(line["name"].get<std::string>());
     const NamedCurve named = read_curve(line.dump());
     const auto theta = [&](Reference reference) {

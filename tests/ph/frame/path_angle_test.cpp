@@ -191,7 +191,7 @@ TEST_CASE("spline: a curve cut in pieces keeps its angle") {
 // The second half is the mirror image of the first in the plane across its last tangent, run
 // through backwards: −diag(−1, 1, 1) is the half turn i about x.
 TEST_CASE("spline: angles of different segments that cancel are exactly 0") {
-  for_samples(20, [](Random& random) {
+  for_samples(10, [](Random& random) {
     QuaternionPolynomial a = random.quaternion_polynomial(3);
     const Polynomial rest{1, -1};
     for (Polynomial* component : {&a.p, &a.q}) *component *= rest;  // A(1) ∈ ℚ(i)

@@ -216,7 +216,7 @@ TEST_CASE("normals: of what turns and grows they are within the bound") {
     for (const double turn : {0.0, 6 * M_PI})
       for (const bool grows : {false, true}) {
         KnownSurface surface = is_circle ? around_a_circle() : graph(line);
-        SweepForm form = with_normals(rectangle_profile(Rational(1, 2), Rational(1, 8)), 0.25);
+        SweepForm form = with_normals(rectangle_profile(Rational(1, 2), Rational(1, 8)), 0.35);
         form.turn = turn;
         surface.turn = [turn](double t) { return turn * t; };
         if (grows) {
