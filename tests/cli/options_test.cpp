@@ -158,10 +158,11 @@ bool are_equal(const Run& a, const Run& b) { return a.status == b.status && a.ou
 
 /// Given with any other, these may leave the answer as it is: the form may be the one that is taken
 /// anyway, there may be no pole to be a principal value at, the w that is not proved to be the best
-/// one may be it, and a rule or a kind may have the same curve as another.
+/// one may be it, a rule or a kind may have the same curve as another, and of two tolerances the
+/// narrower one decides.
 bool may_be_equal(const std::string& option) {
   return option == "--form" || option == "--principal-value" || option == "--unproved" ||
-         option == "--select" || option == "--kind";
+         option == "--select" || option == "--kind" || option == "--tolerance";
 }
 
 }  // namespace
