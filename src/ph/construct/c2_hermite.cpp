@@ -154,6 +154,48 @@ std::optional<QuarticAttempt> attempt(const HermiteSpline& data, const Deviation
   return result;
 }
 
+/// As many places as the deviations that are wanted of scaled data need.
+long first_places(const HermiteSpline& data, const Deviation& wanted) {
+  long p = 20;
+  for (const Rational& x : {wanted.points, wanted.derivatives, wanted.accelerations})
+    if (x != 0) p = std::max(p, 4 - binary_exponent(x) + bits_before_point(data));
+  if (wanted.accelerations != 0)
+    p = std::max(p,
+                 6 - binary_exponent(Rational(wanted.accelerations * parameter_steps(data).unit)));
+  return p;
+}
+
+/// In the units of the data. With PointRule::exact each segment is two that meet its ends; else
+/// only the last one of a closed spline is.
+Construction unscaled(const QuarticAttempt& found, const ScaledData& units,
+                      const HermiteSpline& data, PointRule rule, long p) {
+  std::vector<Curve> curves;
+  std::vector<Rational> parameters{data.parameters.front()};
+  const auto add = [&](const QuarticSegment& segment) {
+    std::vector<RationalQuaternion> b;
+    for (const RationalQuaternion& coefficient : segment.a) b.push_back(units.root * coefficient);
+    const Rational h = segment.h / units.step_scale;
+    curves.emplace_back(from_bernstein(b), Polynomial{h},
+                        Rational(1 / units.scales[0]) * segment.start);
+    parameters.push_back(parameters.back() + h);
+  };
+  const bool is_exact = rule == PointRule::exact;
+  for (std::size_t k = 0; k < data.segments(); ++k) {
+    const auto& [a, h, at] = found.segments[k];
+    if (!is_exact && !(data.is_closed && k + 1 == data.segments())) {
+      add(found.segments[k]);
+      continue;
+    }
+    const Vector<Rational>& start = is_exact ? units.data.points[k] : at;
+    const auto [first, second] = of_segment(k, [&, &a = a, &h = h] {
+      return exact_halves(a, Rational(1 / h) * (units.data.points[k + 1] - start), p);
+    });
+    add({first, h / 2, start});
+    add({second, h / 2, start + Rational(h / 2) * integral(first)});
+  }
+  return {joined(curves), std::move(parameters), {}, p - binary_exponent(units.root), {}};
+}
+
 }  // namespace
 
 Construction c2_hermite_spline(const HermiteSpline& data, const Deviation& tolerance,
@@ -170,12 +212,7 @@ Construction c2_hermite_spline(const HermiteSpline& data, const Deviation& toler
   const Deviation wanted{units.scales[0] * tolerance.points,
                          units.scales[1] * tolerance.derivatives,
                          units.scales[2] * tolerance.accelerations};
-  long p = 20;
-  for (const Rational& x : {wanted.points, wanted.derivatives, wanted.accelerations})
-    if (x != 0) p = std::max(p, 4 - binary_exponent(x) + bits_before_point(units.data));
-  if (wanted.accelerations != 0)
-    p = std::max(
-        p, 6 - binary_exponent(Rational(wanted.accelerations * parameter_steps(units.data).unit)));
+  long p = first_places(units.data, wanted);
   for (int pass = 0; pass < most_passes; ++pass, p += 8) {
     const auto found = attempt(units.data, wanted, p);
     if (!found) continue;
@@ -183,37 +220,10 @@ Construction c2_hermite_spline(const HermiteSpline& data, const Deviation& toler
                               square_root_above(found->squared.derivatives) / units.scales[1],
                               square_root_above(found->squared.accelerations) / units.scales[2]};
     if (!is_within(deviation, tolerance)) continue;
-    const bool is_exact = rule == PointRule::exact;
-    std::vector<Curve> curves;
-    std::vector<Rational> parameters{data.parameters.front()};
-    const auto add = [&](const QuarticSegment& segment) {
-      std::vector<RationalQuaternion> b;
-      for (const RationalQuaternion& coefficient : segment.a) b.push_back(units.root * coefficient);
-      const Rational h = segment.h / units.step_scale;
-      curves.emplace_back(from_bernstein(b), Polynomial{h},
-                          Rational(1 / units.scales[0]) * segment.start);
-      parameters.push_back(parameters.back() + h);
-    };
-    for (std::size_t k = 0; k < data.segments(); ++k) {
-      const QuarticPreimage& a = found->segments[k].a;
-      const Rational& h = found->segments[k].h;
-      if (!is_exact && !(data.is_closed && k + 1 == data.segments())) {
-        add(found->segments[k]);
-        continue;
-      }
-      const Vector<Rational>& start = is_exact ? units.data.points[k] : found->segments[k].start;
-      const auto [first, second] = of_segment(k, [&] {
-        return exact_halves(a, Rational(1 / h) * (units.data.points[k + 1] - start), p);
-      });
-      add({first, h / 2, start});
-      add({second, h / 2, start + Rational(h / 2) * integral(first)});
-    }
-    return {joined(curves),
-            std::move(parameters),
-            {},
-            p - binary_exponent(units.root),
-            {is_exact ? Rational(0) : deviation.points, deviation.derivatives,
-             deviation.accelerations}};
+    Construction spline = unscaled(*found, units, data, rule, p);
+    spline.deviation = deviation;
+    if (rule == PointRule::exact) spline.deviation.points = 0;
+    return spline;
   }
   throw Undecided("the C2 spline of degree 9: the data are too sensitive to its coefficients");
 }

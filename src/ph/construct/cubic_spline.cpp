@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <utility>
+#include <vector>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
@@ -40,6 +41,34 @@ double energy_of(const Quaternion<Float>& a0, const Quaternion<Float>& a1) {
   return approximate_energy(a);
 }
 
+/// Along a line, for equal tangents t₀; nothing for opposite ones.
+std::vector<Cubic> straight(const Quaternion<Float>& u0, const Quaternion<Float>& u1,
+                            const Vector<Float>& triple_step, const Float& cosine,
+                            const Float& tiny) {
+  const Vector<Float> t0 = rotated_i(u0);
+  const Float along = dot(triple_step, t0);
+  const Vector<Float> off = triple_step - along * t0;
+  if (cosine < Float(0.0) || !(Float(0.0) < along) || Float(4096.0) * tiny < dot(off, off))
+    return {};
+  const auto [re, im] = direction_of(hermitian_product(u0, u1), Float(0.0));
+  const Float lambda = sqrt(along / Float(3.0));
+  return {{lambda, lambda, {re, -im}, 0}};
+}
+
+/// The real roots of ax² + bx + c, each as above/below: of the two that with no cancellation, and
+/// the other by their product.
+std::vector<std::pair<Float, Float>> roots_of_quadratic(const Float& a, const Float& b,
+                                                        const Float& c) {
+  const Float discriminant = b * b - Float(4.0) * a * c;
+  if (discriminant < Float(0.0)) return {};
+  const Float root = sqrt(discriminant);
+  const Float q = Float(-0.5) * (b < Float(0.0) ? b - root : b + root);
+  std::vector<std::pair<Float, Float>> roots{{q, a}};
+  if (discriminant != Float(0.0)) roots.emplace_back(c, q);
+  std::erase_if(roots, [](const auto& x) { return x.second == Float(0.0); });
+  return roots;
+}
+
 /// The solutions with these preimages of unit tangents, by energy. Lengths are of about 1;
 /// angles whose squares are below `tiny`, and ways aside with 4096 times that, count as 0.
 std::vector<Cubic> cubics(const Quaternion<Float>& u0, const Quaternion<Float>& u1,
@@ -49,49 +78,32 @@ std::vector<Cubic> cubics(const Quaternion<Float>& u0, const Quaternion<Float>& 
   const Float cosine = dot(t0, t1);
   const Vector<Float> normal = cross(t0, t1);
   const Float determinant = dot(normal, normal);
-  const Float s0 = dot(triple_step, t0);
-  const Float s1 = dot(triple_step, t1);
-  if (determinant < tiny) {  // a line, or nothing
-    const Vector<Float> off = triple_step - s0 * t0;
-    if (cosine < Float(0.0) || !(Float(0.0) < s0) || Float(4096.0) * tiny < dot(off, off))
-      return {};
-    const auto [re, im] = direction_of(hermitian_product(u0, u1), Float(0.0));
-    const Float lambda = sqrt(s0 / Float(3.0));
-    return {{lambda, lambda, {re, -im}, 0}};
-  }
+  if (determinant < tiny) return straight(u0, u1, triple_step, cosine, tiny);
   const ComplexOf<Float> h = hermitian_product(u0, u1);
   const auto [re, im] = direction_of(h, Float(0.0));
   const ComplexOf<Float> to_minimal{re, -im};
   const Float c = sqrt(h.re * h.re + h.im * h.im);
   const Vector<Float> b =
       symmetric_product(u0, turned(turned(u1, to_minimal), {Float(0.0), Float(1.0)}));
+  const Float s0 = dot(triple_step, t0);
+  const Float s1 = dot(triple_step, t1);
   const Float m0 = (s0 - cosine * s1) / determinant;
   const Float m1 = (s1 - cosine * s0) / determinant;
   const Float mu = dot(triple_step, b) / dot(b, b);
   const Float delta = m0 - m1;
   const Float cc = Float(4.0) * c * c;
-  const Float square = Float(1.0) - cc;
-  const Float linear = Float(2.0) * cc * m0 - delta;
-  const Float constant = -(cc * m0 * m0 + mu * mu);
-  const Float discriminant = linear * linear - Float(4.0) * square * constant;
-  if (discriminant < Float(0.0)) return {};
-  // Of the two roots that with no cancellation, and the other by their product.
-  const Float root = sqrt(discriminant);
-  const Float q = Float(-0.5) * (linear < Float(0.0) ? linear - root : linear + root);
   std::vector<Cubic> found;
-  const auto consider = [&](const Float& above, const Float& below) {
-    if (below == Float(0.0)) return;
+  for (const auto& [above, below] : roots_of_quadratic(
+           Float(1.0) - cc, Float(2.0) * cc * m0 - delta, -(cc * m0 * m0 + mu * mu))) {
     const Float x = above / below;
     const Float y = x - delta;
-    if (!(Float(0.0) < x) || !(Float(0.0) < y)) return;
+    if (!(Float(0.0) < x) || !(Float(0.0) < y)) continue;
     const Float product = sqrt(x * y);
     const ComplexOf<Float> phase{c * Float(2.0) * (m0 - x) / product, mu / product};
     Cubic cubic{sqrt(x), sqrt(y), to_minimal * phase, 0};
     cubic.energy = energy_of(cubic.lambda0 * u0, cubic.lambda1 * turned(u1, cubic.turn));
     found.push_back(cubic);
-  };
-  consider(q, square);
-  if (discriminant != Float(0.0)) consider(constant, q);
+  }
   std::stable_sort(found.begin(), found.end(),
                    [](const Cubic& x, const Cubic& y) { return x.energy < y.energy; });
   return found;
@@ -103,71 +115,114 @@ Quaternion<Float> unit_preimage(const Vector<Rational>& d, long bits) {
   return preimage((Float(1.0) / sqrt(dot(v, v))) * v);
 }
 
-/// A spline with A rounded to multiples of 2^−bits where it is of size 1; no value where the
-/// deviations are too great, or where segment `not_met` does not meet its point exactly. An acute
-/// angle is less than twice its sine.
-std::optional<Construction> attempt(const HermiteSpline& data, long solution,
-                                    const Deviation& tolerance, PointRule rule, long bits,
-                                    std::size_t& not_met) {
-  // What A i A* is out of a plane that is not rational is to be more than what the end is off.
-  const long places = rule == PointRule::exact ? bits + 48 : bits;
-  const long precision = 3 * places + 96;
-  const Float tiny(power_of_two(-2 * bits), precision);
-  const Rational scale = scale_for_doubles(size_of_points(data));
-  const Rational root_of_scale = *square_root(scale);
-  const auto direction = [&](std::size_t k) {
-    Quaternion<Float> u = unit_preimage(data.derivatives[k], precision);
-    if (rule == PointRule::near) return u;
-    u = big_floats(rounded_to_places(u, bits), precision);
-    return Float(1.0) / sqrt(norm(u)) * u;
+/// A spline with A rounded to multiples of 2^−bits where it is of size 1, segment by segment.
+class CubicChain {
+ public:
+  CubicChain(const HermiteSpline& data, long solution, PointRule rule, long bits)
+      : data_(data),
+        solution_(solution),
+        rule_(rule),
+        bits_(bits),
+        // What A i A* is out of a plane that is not rational is to be more than what the end is
+        // off.
+        places_(rule == PointRule::exact ? bits + 48 : bits),
+        precision_(3 * places_ + 96),
+        tiny_(power_of_two(-2 * bits), precision_),
+        scale_(scale_for_doubles(size_of_points(data))),
+        u_(direction(0)),
+        turn_{Float(1.0), Float(0.0)},
+        q_(rounded_to_places(u_, places_)),
+        r_(data.points.front()),
+        squared_sine_(squared_sine(rotated_i(q_), data.derivatives[0])) {}
+
+  /// The next segment; false where it does not meet its point exactly.
+  bool add();
+
+  Construction construction() const;
+
+ private:
+  /// A unit preimage of the derivative at a point.
+  Quaternion<Float> direction(std::size_t k) const;
+  /// The solution that is asked for.
+  Cubic chosen(const Quaternion<Float>& u1) const;
+
+  const HermiteSpline& data_;
+  long solution_;
+  PointRule rule_;
+  long bits_;
+  long places_;
+  long precision_;
+  Float tiny_;
+  Rational scale_;
+  // At the end of the last segment.
+  Quaternion<Float> u_;
+  ComplexOf<Float> turn_;
+  RationalQuaternion q_;  ///< u turned, rounded
+  Vector<Rational> r_;
+  // The greatest deviations.
+  Rational squared_distance_;
+  Rational squared_sine_;
+  std::vector<Curve> curves_;
+};
+
+Quaternion<Float> CubicChain::direction(std::size_t k) const {
+  Quaternion<Float> u = unit_preimage(data_.derivatives[k], precision_);
+  if (rule_ == PointRule::near) return u;
+  u = big_floats(rounded_to_places(u, bits_), precision_);
+  return Float(1.0) / sqrt(norm(u)) * u;
+}
+
+Cubic CubicChain::chosen(const Quaternion<Float>& u1) const {
+  const std::size_t k = curves_.size();
+  const Vector<Float> triple_step =
+      big_floats(Rational(3 * scale_) * (data_.points[k + 1] - r_), precision_);
+  const std::vector<Cubic> found = cubics(u_, u1, triple_step, tiny_);
+  if (static_cast<long>(found.size()) < solution_)
+    throw DomainError(fmt::format("segment {}: there is {} PH cubic with these ends and tangents",
+                                  k + 1, found.empty() ? "no" : "only one"));
+  return found[static_cast<std::size_t>(solution_ - 1)];
+}
+
+bool CubicChain::add() {
+  const std::size_t next = curves_.size() + 1;
+  const Quaternion<Float> u1 = direction(next);
+  const Cubic cubic = chosen(u1);
+  const ComplexOf<Float> turn = cubic.turn * turn_;
+  const RationalQuaternion q1 = rounded_to_places(turned(u1, turn), places_);
+  const Rational root_of_scale = *square_root(scale_);
+  const auto in_units = [&](const Float& lambda) {
+    return Rational(rounded_to_places(lambda, places_) / root_of_scale);
   };
-  Quaternion<Float> u0 = direction(0);
-  ComplexOf<Float> turn{Float(1.0), Float(0.0)};
-  RationalQuaternion q0 = rounded_to_places(u0, places);
-  Vector<Rational> r = data.points.front();
-  Rational points;
-  Rational sines = squared_sine(rotated_i(q0), data.derivatives[0]);
-  std::vector<Curve> curves;
-  for (std::size_t k = 0; k < data.segments(); ++k) {
-    const Quaternion<Float> u1 = direction(k + 1);
-    const Vector<Float> triple_step =
-        big_floats(Rational(3 * scale) * (data.points[k + 1] - r), precision);
-    const std::vector<Cubic> found = cubics(u0, u1, triple_step, tiny);
-    if (static_cast<long>(found.size()) < solution)
-      throw DomainError(fmt::format("segment {}: there is {} PH cubic with these ends and tangents",
-                                    k + 1, found.empty() ? "no" : "only one"));
-    const Cubic& cubic = found[static_cast<std::size_t>(solution - 1)];
-    const ComplexOf<Float> next_turn = cubic.turn * turn;
-    const RationalQuaternion q1 = rounded_to_places(turned(u1, next_turn), places);
-    const RationalQuaternion a0 =
-        Rational(rounded_to_places(cubic.lambda0, places) / root_of_scale) * q0;
-    const RationalQuaternion a1 =
-        Rational(rounded_to_places(cubic.lambda1, places) / root_of_scale) * q1;
-    const QuaternionPolynomial a = from_bernstein({a0, a1});
-    if (rule == PointRule::exact) {
-      const auto f = slight_multiplier(a, {1}, data.points[k + 1] - r, MultiplierFreedom::all);
-      if (!f) {
-        not_met = k + 1;
-        return std::nullopt;
-      }
-      curves.emplace_back(a, from_bernstein(*f), r);
-      r = data.points[k + 1];
-    } else {
-      curves.emplace_back(a, Polynomial{1}, r);
-      r = r + Rational(1, 3) * (rotated_i(a0) + symmetric_product(a0, a1) + rotated_i(a1));
-    }
-    const Vector<Rational> off = r - data.points[k + 1];
-    points = std::max(points, dot(off, off));
-    sines = std::max(sines, squared_sine(rotated_i(q1), data.derivatives[k + 1]));
-    u0 = u1;
-    turn = next_turn;
-    q0 = q1;
+  const RationalQuaternion a0 = in_units(cubic.lambda0) * q_;
+  const RationalQuaternion a1 = in_units(cubic.lambda1) * q1;
+  const QuaternionPolynomial a = from_bernstein({a0, a1});
+  if (rule_ == PointRule::exact) {
+    const auto f = slight_multiplier(a, {1}, data_.points[next] - r_, MultiplierFreedom::all);
+    if (!f) return false;
+    curves_.emplace_back(a, from_bernstein(*f), r_);
+    r_ = data_.points[next];
+  } else {
+    curves_.emplace_back(a, Polynomial{1}, r_);
+    r_ = r_ + Rational(1, 3) * (rotated_i(a0) + symmetric_product(a0, a1) + rotated_i(a1));
   }
-  const Deviation deviation{square_root_above(points), 2 * square_root_above(sines)};
-  if (!is_within(deviation, tolerance)) return std::nullopt;
+  const Vector<Rational> off = r_ - data_.points[next];
+  squared_distance_ = std::max(squared_distance_, dot(off, off));
+  squared_sine_ = std::max(squared_sine_, squared_sine(rotated_i(q1), data_.derivatives[next]));
+  u_ = u1;
+  turn_ = turn;
+  q_ = q1;
+  return true;
+}
+
+/// An acute angle is less than twice its sine.
+Construction CubicChain::construction() const {
   std::vector<Rational> parameters;
-  for (std::size_t k = 0; k <= data.segments(); ++k) parameters.emplace_back(k);
-  return Construction{joined(curves), std::move(parameters), {}, bits, deviation};
+  for (std::size_t k = 0; k <= curves_.size(); ++k) parameters.emplace_back(k);
+  return {joined(curves_),
+          std::move(parameters),
+          {},
+          bits_,
+          {square_root_above(squared_distance_), 2 * square_root_above(squared_sine_)}};
 }
 
 }  // namespace
@@ -181,9 +236,13 @@ Construction cubic_spline(const HermiteSpline& data, long solution, const Deviat
   long bits = std::max(20L, 4 - binary_exponent(finest));
   std::size_t not_met = 0;  // its number
   for (long pass = 0; pass < most_passes; ++pass, bits += 8) {
+    CubicChain chain(data, solution, rule, bits);
     not_met = 0;
-    if (auto found = attempt(data, solution, tolerance, rule, bits, not_met))
-      return *std::move(found);
+    for (std::size_t k = 1; k <= data.segments() && not_met == 0; ++k)
+      if (!chain.add()) not_met = k;
+    if (not_met != 0) continue;
+    Construction found = chain.construction();
+    if (is_within(found.deviation, tolerance)) return found;
   }
   if (not_met != 0) throw Undecided(fmt::format("segment {}: {}", not_met, no_slight_multiplier));
   throw Undecided("the PH cubics: the points are too sensitive to their coefficients");

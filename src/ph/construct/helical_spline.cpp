@@ -198,6 +198,33 @@ Construction Helices::run() {
           {square_root_above(squared_.points), square_root_above(squared_.derivatives)}};
 }
 
+/// A member of the form of a guess, that meets the end as the rule asks.
+struct FittedHelix {
+  HelicalMember<Rational> member;
+  std::vector<Rational> parameters;
+};
+
+FittedHelix fitted(std::size_t k, ScaledSegment wanted, const HelicalGuess& guess,
+                   const HelicalStart<double>& start, PointRule rule) {
+  constexpr int most_passes = 3;
+  for (int pass = 0; pass <= most_passes; ++pass, wanted.points *= power_of_two(-24)) {
+    const auto found = fit(wanted, guess, start);
+    HelicalMember<Rational> member;
+    if (found) member = helical_member(guess.form, wanted.start, *found);
+    if (!found || !is_positive(member, *found))
+      throw Undecided(fmt::format(
+          "segment {}: the end of the helical quintic is too sensitive to its coefficients",
+          k + 1));
+    if (rule == PointRule::near) return {member, *found};
+    const auto f = slight_multiplier(from_bernstein(member.a), member.f, wanted.step,
+                                     MultiplierFreedom::inner_only);
+    if (!f) continue;
+    member.f = *f;
+    return {member, *found};
+  }
+  throw Undecided(fmt::format("segment {}: {}", k + 1, no_slight_multiplier));
+}
+
 void Helices::add(std::size_t k) {
   const Rational h = data_.step(k);
   const Vector<Rational>& d0 = data_.derivatives[k];
@@ -205,12 +232,11 @@ void Helices::add(std::size_t k) {
   const Vector<Rational> step = (1 / h) * (data_.points[k + 1] - r_);
   const Rational scale = scale_for_doubles(std::max({largest(step), largest(d0), largest(d1)}));
   const Rational root = *square_root(scale);
-  constexpr int most_passes = 3;
-  ScaledSegment wanted{scale * step,
-                       scale * d1,
-                       {root * start_.q, start_.factor},
-                       tolerance_.points / h * scale,
-                       tolerance_.derivatives * scale};
+  const ScaledSegment wanted{scale * step,
+                             scale * d1,
+                             {root * start_.q, start_.factor},
+                             tolerance_.points / h * scale,
+                             tolerance_.derivatives * scale};
   const HelicalStart<double> start{quaternion_in_doubles(wanted.start.q),
                                    static_cast<double>(wanted.start.factor)};
   const std::vector<HelicalGuess> guesses =
@@ -221,25 +247,7 @@ void Helices::add(std::size_t k) {
                     "derivatives, so no solution {}",
                     k + 1, guesses.size(), solution_));
   const HelicalGuess& guess = guesses[static_cast<std::size_t>(solution_ - 1)];
-  std::optional<std::vector<Rational>> found;
-  HelicalMember<Rational> member;
-  for (int pass = 0;; ++pass, wanted.points *= power_of_two(-24)) {
-    found = fit(wanted, guess, start);
-    if (found) member = helical_member(guess.form, wanted.start, *found);
-    if (!found || !is_positive(member, *found))
-      throw Undecided(fmt::format(
-          "segment {}: the end of the helical quintic is too sensitive to its coefficients",
-          k + 1));
-    if (rule_ == PointRule::near) break;
-    const auto f = slight_multiplier(from_bernstein(member.a), member.f, wanted.step,
-                                     MultiplierFreedom::inner_only);
-    if (f) {
-      member.f = *f;
-      break;
-    }
-    if (pass == most_passes)
-      throw Undecided(fmt::format("segment {}: {}", k + 1, no_slight_multiplier));
-  }
+  auto [member, parameters] = fitted(k, wanted, guess, start, rule_);
   const Rational back = 1 / root;
   for (RationalQuaternion& a : member.a) a = back * a;
   for (Rational& f : member.f) f = h * f;
@@ -251,8 +259,8 @@ void Helices::add(std::size_t k) {
   squared_.points = std::max(squared_.points, dot(off, off));
   squared_.derivatives = std::max(squared_.derivatives, dot(off_end, off_end));
   bits_ = std::max(bits_, bits_after_point(member.a));
-  if (guess.form == HelicalForm::end && guess.parameters.size() == 5)
-    start_.factor = (*found)[4];
+  if (guess.form == HelicalForm::end && parameters.size() == 5)
+    start_.factor = parameters[4];
   else
     start_ = {member.end, 1};
 }

@@ -50,7 +50,7 @@ Construction plane_quintics(const HermiteSpline& data, long solution, const Devi
   std::vector<FreeAngles> angles;
   for (std::size_t k = 0; k < data.segments(); ++k)
     angles.push_back(nth_by_turning(quintic_family(data, k), solution));
-  return quintic_spline(data, std::move(angles), tolerance, rule);
+  return quintic_spline(data, angles, tolerance, rule);
 }
 
 }  // namespace phrame

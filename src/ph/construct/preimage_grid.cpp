@@ -12,8 +12,8 @@ Vector<Rational> exact(const Vector<Integer>& v, const Rational& scale) {
   return {v[0] * scale, v[1] * scale, v[2] * scale};
 }
 
-RationalQuaternion exact(const IntegerQuaternion& a, const Rational& step) {
-  return {a.u * step, a.v * step, a.p * step, a.q * step};
+RationalQuaternion exact(const IntegerQuaternion& a, const Rational& scale) {
+  return {a.u * scale, a.v * scale, a.p * scale, a.q * scale};
 }
 
 Vector<BigFloat> big_floats(const Vector<Rational>& v, long bits) {

@@ -131,45 +131,52 @@ RmfFamily::RmfFamily(const RationalQuaternion& a0, const RationalQuaternion& a3)
 // The nearest A₁, A₂ in V first, and one of them moved at right angles to the other such that the
 // determinant is δ. This does not depend on the basis, so what is next to each other has members
 // next to each other, also in different families. Then the numbers are rounded.
-CubicPreimage<Rational> RmfFamily::member(const RationalQuaternion& a1,
-                                          const RationalQuaternion& a2, long bits) const {
-  const long precision = std::max(bits, 0L) + guard_bits;
-  const BigFloat zero(0.0);
-  const Floats e1 = floats_of(basis_[0], precision);
-  const Floats e2 = floats_of(basis_[1], precision);
+namespace {
+
+template <class T>
+using Matrix2 = std::array<std::array<T, 2>, 2>;
+
+/// m of the inner coefficients projected to the plane of e1, e2, with a row changed such that
+/// det m is the determinant: the row of the smaller coefficient, at a right angle to the other.
+Matrix2<BigFloat> projected(const std::array<Floats, 2>& inner, const Floats& e1, const Floats& e2,
+                            const BigFloat& determinant) {
   const BigFloat e11 = norm(e1);
   const BigFloat e12 = hermitian_product(e1, e2).re;
   const BigFloat e22 = norm(e2);
   const BigFloat gram = e11 * e22 - e12 * e12;
-  const BigFloat determinant(determinant_, precision);
-  const std::array<Floats, 2> near{floats_of(a1, precision), floats_of(a2, precision)};
-  std::array<std::array<BigFloat, 2>, 2> m;
+  Matrix2<BigFloat> m;
   for (std::size_t k = 0; k < 2; ++k) {
-    const BigFloat x = hermitian_product(e1, near[k]).re;
-    const BigFloat y = hermitian_product(e2, near[k]).re;
+    const BigFloat x = hermitian_product(e1, inner[k]).re;
+    const BigFloat y = hermitian_product(e2, inner[k]).re;
     m[k] = {(e22 * x - e12 * y) / gram, (e11 * y - e12 * x) / gram};
   }
-  const std::size_t kept = BigFloat(16.0) * norm(near[0]) < norm(near[1]) ? 1 : 0;
+  const std::size_t kept = BigFloat(16.0) * norm(inner[0]) < norm(inner[1]) ? 1 : 0;
   const std::array<BigFloat, 2> across{-(e12 * m[kept][0] + e22 * m[kept][1]),
                                        e11 * m[kept][0] + e12 * m[kept][1]};
   const BigFloat size = m[kept][0] * across[1] - m[kept][1] * across[0];
-  if (size == zero)
+  if (size == BigFloat(0.0))
     throw DomainError("the inner coefficients have no part in the plane of the family");
   const BigFloat lacking = determinant - (m[0][0] * m[1][1] - m[0][1] * m[1][0]);
   const BigFloat part = (kept == 0 ? lacking : -lacking) / size;
   for (std::size_t k = 0; k < 2; ++k) m[1 - kept][k] = m[1 - kept][k] + part * across[k];
-  // The greatest entry, m[r][s], and the others in its row and column.
-  std::size_t r = 1;
-  std::size_t s = 0;
+  return m;
+}
+
+/// The place of the greatest entry: its row and its column.
+std::pair<std::size_t, std::size_t> greatest_entry(const Matrix2<BigFloat>& m) {
+  std::pair<std::size_t, std::size_t> place{1, 0};
   const auto square = [&](std::size_t i, std::size_t j) { return m[i][j] * m[i][j]; };
   for (std::size_t i = 0; i < 2; ++i)
     for (std::size_t j = 0; j < 2; ++j)
-      if (square(r, s) < square(i, j)) {
-        r = i;
-        s = j;
-      }
-  const bool is_in_order = (r == 1) == (s == 0);
-  const Rational delta = is_in_order ? determinant_ : Rational(-determinant_);
+      if (square(place.first, place.second) < square(i, j)) place = {i, j};
+  return place;
+}
+
+/// A matrix next to m with exactly that determinant; a, b and c are multiples of 2^−bits.
+Matrix2<Rational> with_determinant(const Rational& determinant, const Matrix2<BigFloat>& m,
+                                   long bits, long precision) {
+  const auto [r, s] = greatest_entry(m);
+  const Rational delta = (r == 1) == (s == 0) ? determinant : Rational(-determinant);
   const auto rounded = [&](const BigFloat& x) {
     return Rational(x.scaled(bits)) * power_of_two(-bits);
   };
@@ -178,17 +185,28 @@ CubicPreimage<Rational> RmfFamily::member(const RationalQuaternion& a1,
   if (b == 0) throw DomainError("the inner coefficients are below the rounding");
   const BigFloat divisor(b, precision);
   const Rational c = rounded((m[r][1 - s] - one) / divisor);
-  const Rational a =
-      rounded((m[1 - r][s] / (is_in_order ? determinant : -determinant) - one) / divisor);
-  std::array<std::array<Rational, 2>, 2> exact;
+  const Rational a = rounded((m[1 - r][s] / BigFloat(delta, precision) - one) / divisor);
+  Matrix2<Rational> exact;
   exact[r][s] = b;
   exact[r][1 - s] = 1 + b * c;
   exact[1 - r][s] = delta * (1 + a * b);
   exact[1 - r][1 - s] = delta * (a + c + a * b * c);
+  return exact;
+}
+
+}  // namespace
+
+CubicPreimage<Rational> RmfFamily::member(const RationalQuaternion& a1,
+                                          const RationalQuaternion& a2, long bits) const {
+  const long precision = std::max(bits, 0L) + guard_bits;
+  const Matrix2<BigFloat> near = projected(
+      {floats_of(a1, precision), floats_of(a2, precision)}, floats_of(basis_[0], precision),
+      floats_of(basis_[1], precision), BigFloat(determinant_, precision));
+  const Matrix2<Rational> m = with_determinant(determinant_, near, bits, precision);
   const auto combination = [&](const std::array<Rational, 2>& row) {
     return row[0] * basis_[0] + row[1] * basis_[1];
   };
-  return {a0_, combination(exact[0]), combination(exact[1]), a3_};
+  return {a0_, combination(m[0]), combination(m[1]), a3_};
 }
 
 }  // namespace phrame

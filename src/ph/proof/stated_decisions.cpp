@@ -43,6 +43,37 @@ std::string objection_to_witness(const std::optional<T>& stated, bool answer, Ho
   return unless(!stated || holds(*stated), "the witness is none");
 }
 
+// What makes a witness one. r is A i A*, which has the direction of the tangent, s is σ.
+
+bool is_nonzero(const Vector<Rational>& v) { return v != Vector<Rational>{}; }
+
+/// v × r = 0.
+bool witnesses_line(const Vector<Rational>& v, const Vector<Polynomial>& r) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(v[k] * r[(k + 1) % 3] == v[(k + 1) % 3] * r[k])) return false;
+  return is_nonzero(v);
+}
+
+/// n·r = 0.
+bool witnesses_plane(const Vector<Rational>& n, const Vector<Polynomial>& r) {
+  return is_nonzero(n) && dot(n, r).is_zero();
+}
+
+/// (axis·r)² = cos²ψ |axis|²σ².
+bool witnesses_helix(const StatedDecisions::Helix& helix, const Vector<Polynomial>& r,
+                     const Polynomial& s) {
+  const auto& [x, y, z] = helix.axis;
+  const Rational square = helix.cosine_squared * (x * x + y * y + z * z);
+  return is_nonzero(helix.axis) && pow(dot(helix.axis, r), 2) == square * pow(s, 2);
+}
+
+/// im(w′ w̄)σ = −h|w|².
+bool witnesses_rational_frame(const GaussianPolynomial& w, const QuaternionPolynomial& a,
+                              const Polynomial& s) {
+  return !is_zero(w) &&
+         (differentiate(w) * conjugate(w)).im * s == Rational(-1) * twist_numerator(a) * norm(w);
+}
+
 }  // namespace
 
 StatedDecisions stated(const Classification& c) {
@@ -72,7 +103,6 @@ std::vector<Statement> check_decisions(const StatedDecisions& d, const Curve& cu
   const QuaternionPolynomial& a = curve.preimage();
   const Vector<Polynomial> r = rotated_i(a);
   const Polynomial s = sigma(a);
-  const auto is_nonzero = [](const Vector<Rational>& v) { return v != Vector<Rational>{}; };
   const auto answer = [](bool stated, bool true_one) {
     return unless(stated == true_one, "the answer is the other one");
   };
@@ -88,46 +118,30 @@ std::vector<Statement> check_decisions(const StatedDecisions& d, const Curve& cu
   if (primitive.empty() &&
       (d.content.is_zero() || !(primitive_part(d.content) == primitive_part(c.content))))
     primitive = "the content is another polynomial";
-  return {{"decision regular", points(d.regular, c.cusps.empty(), d.cusps, c.cusps)},
-          {"decision inflections",
-           points(d.has_inflections, !c.inflections.empty(), d.inflections, c.inflections)},
-          {"decision line",
-           objection_to_witness(d.line, c.line.has_value(),
-                                [&](const Vector<Rational>& v) {
-                                  if (!is_nonzero(v)) return false;
-                                  for (std::size_t k = 0; k < 3; ++k)
-                                    if (!(v[k] * r[(k + 1) % 3] == v[(k + 1) % 3] * r[k]))
-                                      return false;
-                                  return true;
-                                })},
-          {"decision planar", objection_to_witness(d.normal, c.normal.has_value(),
-                                                   [&](const Vector<Rational>& n) {
-                                                     return is_nonzero(n) && dot(n, r).is_zero();
-                                                   })},
-          {"decision helical", objection_to_witness(d.helix, c.helix.has_value(),
-                                                    [&](const StatedDecisions::Helix& helix) {
-                                                      const auto& [x, y, z] = helix.axis;
-                                                      return is_nonzero(helix.axis) &&
-                                                             pow(dot(helix.axis, r), 2) ==
-                                                                 helix.cosine_squared *
-                                                                     (x * x + y * y + z * z) *
-                                                                     pow(s, 2);
-                                                    })},
-          {"decision double_ph", objection_to_witness(d.double_ph, c.double_ph.has_value(),
-                                                      [&](const DoublePh& square) {
-                                                        return rho(a) == square.constant *
-                                                                             pow(square.omega, 2);
-                                                      })},
-          {"decision primitive", primitive},
-          {"decision erf_is_rmf", answer(d.erf_is_rmf, c.erf_is_rotation_minimizing)},
-          {"decision rrmf",
-           objection_to_witness(
-               d.rational_frame, std::holds_alternative<RationalFrame>(c.rational_frame),
-               [&](const GaussianPolynomial& w) {
-                 return !is_zero(w) && (differentiate(w) * conjugate(w)).im * s ==
-                                           Rational(-1) * twist_numerator(a) * norm(w);
-               })},
-          {"decision erf_monotone", monotone}};
+  return {
+      {"decision regular", points(d.regular, c.cusps.empty(), d.cusps, c.cusps)},
+      {"decision inflections",
+       points(d.has_inflections, !c.inflections.empty(), d.inflections, c.inflections)},
+      {"decision line", objection_to_witness(d.line, c.line.has_value(),
+                                             [&](const auto& v) { return witnesses_line(v, r); })},
+      {"decision planar",
+       objection_to_witness(d.normal, c.normal.has_value(),
+                            [&](const auto& n) { return witnesses_plane(n, r); })},
+      {"decision helical",
+       objection_to_witness(d.helix, c.helix.has_value(),
+                            [&](const auto& helix) { return witnesses_helix(helix, r, s); })},
+      {"decision double_ph", objection_to_witness(d.double_ph, c.double_ph.has_value(),
+                                                  [&](const auto& square) {
+                                                    return rho(a) ==
+                                                           square.constant * pow(square.omega, 2);
+                                                  })},
+      {"decision primitive", primitive},
+      {"decision erf_is_rmf", answer(d.erf_is_rmf, c.erf_is_rotation_minimizing)},
+      {"decision rrmf",
+       objection_to_witness(d.rational_frame,
+                            std::holds_alternative<RationalFrame>(c.rational_frame),
+                            [&](const auto& w) { return witnesses_rational_frame(w, a, s); })},
+      {"decision erf_monotone", monotone}};
 }
 
 }  // namespace phrame

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/integrate/quadrature.hpp"
@@ -302,10 +303,32 @@ RealBall MeanSquareConvexity::operator()(const RealBall& parameter, long most_po
       bits_, more_, most_points);
 }
 
+namespace {
+
+/// [a, b], in which the greatest error may be.
+struct ErrorPart {
+  Rational a;
+  Rational b;
+};
+
+/// What of a part may have E′ = 0: where E″ ≠ 0, Newton's interval step m − E′(m)/E″(part) holds
+/// what zero of E′ the part has. Nothing where there is no zero.
+std::optional<ErrorPart> around_zero(const ErrorPart& part, const Rational& middle,
+                                     const RealBall& slope, const RealBall& second,
+                                     long precision) {
+  const RealBall zero =
+      subtract(RealBall(middle, precision), divide(slope, second, precision), precision);
+  if (!zero.is_finite()) return part;
+  const ErrorPart found{std::max(part.a, zero.lower()), std::min(part.b, zero.upper())};
+  if (found.a > found.b) return std::nullopt;
+  return found;
+}
+
+}  // namespace
+
 RealBall greatest_error(const TwistPiece& piece, const Rotation& w, long bits) {
   // Branch and bound: the maximum is at an end or where E′ = 0, so that a part can be left where
-  // E′ ≠ 0, or where |E| is less than elsewhere. Where E″ ≠ 0 Newton's interval step
-  // m − E′(m)/E″(part) holds what zero of E′ the part has.
+  // E′ ≠ 0, or where |E| is less than elsewhere.
   const long precision = working_precision(piece, bits);
   const ErrorJet error(piece, w, precision);
   RealBall least;  // of what the maximum can be
@@ -313,23 +336,16 @@ RealBall greatest_error(const TwistPiece& piece, const Rotation& w, long bits) {
     const RealBall here = absolute(value);
     if (here.is_finite()) least = max(least, here, precision);
   };
-  struct Part {
-    Rational a;
-    Rational b;
-  };
-  std::vector<Part> parts;
+  std::vector<ErrorPart> parts;
   constexpr long first_parts = 16;
   for (long k = 0; k < first_parts; ++k)
     parts.push_back({Rational(k, first_parts), Rational(k + 1, first_parts)});
-  for (long k = 0; k <= first_parts; ++k) {
-    const Rational tau(k, first_parts);
-    look_at(error.value(tau));
-  }
+  for (long k = 0; k <= first_parts; ++k) look_at(error.value(Rational(k, first_parts)));
   const RealBall fine = RealBall(power_of_two(-bits), 53);
   for (long round = 0;; ++round) {
     RealBall most = least;
-    std::vector<Part> left;
-    for (const Part& part : parts) {
+    std::vector<ErrorPart> left;
+    for (const ErrorPart& part : parts) {
       const auto [jet, in_middle] = error(part.a, part.b);
       if (jet.slope.is_finite() && !jet.slope.contains_zero()) continue;
       const Rational middle = (part.a + part.b) / 2;
@@ -338,15 +354,11 @@ RealBall greatest_error(const TwistPiece& piece, const Rotation& w, long bits) {
       const RealBall inside =
           absolute(add(in_middle.value, multiply(offset, jet.slope, precision), precision));
       if (is_less(inside, least)) continue;
-      const RealBall zero = subtract(RealBall(middle, precision),
-                                     divide(in_middle.slope, jet.second, precision), precision);
-      const bool is_known = zero.is_finite();
-      const Rational a = is_known ? std::max(part.a, zero.lower()) : part.a;
-      const Rational b = is_known ? std::min(part.b, zero.upper()) : part.b;
-      if (a > b) continue;  // E′ ≠ 0
+      const auto near = around_zero(part, middle, in_middle.slope, jet.second, precision);
+      if (!near) continue;
       most = hull(most, inside, precision);
-      if (2 * (b - a) < part.b - part.a) {
-        left.push_back({a, b});
+      if (2 * (near->b - near->a) < part.b - part.a) {
+        left.push_back(*near);
         continue;
       }
       left.push_back({part.a, middle});

@@ -320,6 +320,35 @@ std::vector<double> samples_on(const RotationFamily& family, int sign_of_gamma) 
 
 }  // namespace
 
+namespace {
+
+/// The minimum between left and right: Brent's method, and Newton's as long as it helps. The
+/// objective is resolved there.
+template <class Value>
+double minimum_between(TwistObjective& objective, const Value& value, double left, double right) {
+  const auto brent = [&] {
+    std::uintmax_t steps = 60;
+    double x = boost::math::tools::brent_find_minima(value, left, right, 26, steps).first;
+    objective.resolve(std::span(&x, 1));
+    return x;
+  };
+  double x = brent();
+  const auto [slope, convexity] = objective.derivatives(x);
+  if (!(std::abs(slope) < 1e-4 * convexity * (right - left)))
+    x = brent();  // misled by coarse values
+  const auto coarse = [&](double p) { return objective(std::span(&p, 1)); };
+  for (int k = 0; k < 4; ++k) {
+    const auto [first, second] = objective.derivatives(x);
+    const double next = x - first / second;
+    if (!(second > 0) || !(next > left) || !(next < right)) break;
+    if (!(coarse(next) <= coarse(x) * (1 + 1e-12))) break;
+    x = next;
+  }
+  return x;
+}
+
+}  // namespace
+
 std::optional<LineGuess> search_line(TwistObjective& objective, int sign_of_gamma) {
   const auto samples = samples_on(objective.family(), sign_of_gamma);
   if (samples.empty()) return std::nullopt;
@@ -347,28 +376,10 @@ std::optional<LineGuess> search_line(TwistObjective& objective, int sign_of_gamm
   if (values[best] == infinity) return std::nullopt;
   const bool is_interior = best > 0 && best + 1 < samples.size();
   double x = samples[best];
-  if (!is_interior) {
+  if (is_interior)
+    x = minimum_between(objective, value, samples[best - 1], samples[best + 1]);
+  else
     refine_around(x);
-  } else {
-    const double left = samples[best - 1];
-    const double right = samples[best + 1];
-    const auto minimise = [&] {
-      std::uintmax_t steps = 60;
-      x = boost::math::tools::brent_find_minima(value, left, right, 26, steps).first;
-      refine_around(x);
-    };
-    minimise();
-    const auto [slope, convexity] = objective.derivatives(x);
-    if (!(std::abs(slope) < 1e-4 * convexity * (right - left)))
-      minimise();                  // misled by coarse values
-    for (int k = 0; k < 4; ++k) {  // Newton's method, as long as it helps
-      const auto [first, second] = objective.derivatives(x);
-      const double next = x - first / second;
-      if (!(second > 0) || !(next > left) || !(next < right)) break;
-      if (!(coarse(next) <= coarse(x) * (1 + 1e-12))) break;
-      x = next;
-    }
-  }
   const double least_value = value(x);
   if (least_value == infinity) return std::nullopt;
   return LineGuess{x, least_value, objective.derivatives(x).second, is_interior};
