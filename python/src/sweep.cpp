@@ -38,26 +38,37 @@ Profile polygon_of(nb::handle corners) {
   return Profile(std::move(points));
 }
 
-Profile profile_of(nb::handle profile, const ProfileTolerance& tolerance) {
+/// What f returns; what it says of the profile names the argument.
+template <class F>
+auto of_profile(nb::handle profile, F f) {
   try {
-    if (PyUnicode_Check(profile.ptr()) != 0) {
-      const auto words = text(profile, "profile");
-      if (auto given = parse_profile(words, tolerance)) return *std::move(given);
-      refuse("profile",
-             "\"" + abbreviated(words) +
-                 "\" is none of circle:R, polygon:N,R and rectangle:W,H; a file is a Path of "
-                 "pathlib",
-             profile);
-    }
-    if (nb::hasattr(profile, "__fspath__")) {
-      return read_profile(bytes_of_file(profile, "profile"), tolerance);
-    }
-    return polygon_of(profile);
+    return f();
   } catch (const InputError& error) {
     refuse("profile", error.what(), profile);
   } catch (const DomainError& error) {
     refuse("profile", error.what(), profile);
   }
+}
+
+/// The profile with any tolerance, which needs no Python.
+using ProfileSource = std::function<Profile(const ProfileTolerance&)>;
+
+ProfileSource profile_source(nb::handle profile) {
+  if (PyUnicode_Check(profile.ptr()) != 0) {
+    const auto words = text(profile, "profile");
+    if (!parse_profile(words))
+      refuse("profile",
+             "\"" + abbreviated(words) +
+                 "\" is none of circle:R, polygon:N,R and rectangle:W,H; a file is a Path of "
+                 "pathlib",
+             profile);
+    return [words](const ProfileTolerance& tolerance) { return *parse_profile(words, tolerance); };
+  }
+  if (nb::hasattr(profile, "__fspath__"))
+    return [bytes = bytes_of_file(profile, "profile")](const ProfileTolerance& tolerance) {
+      return read_profile(bytes, tolerance);
+    };
+  return [polygon = polygon_of(profile)](const ProfileTolerance&) { return polygon; };
 }
 
 FrameStart sweep_start(const AnyPath& path, nb::handle start, nb::handle start_normal) {
@@ -67,9 +78,20 @@ FrameStart sweep_start(const AnyPath& path, nb::handle start, nb::handle start_n
   return smooth_start(start, start_normal, angle_to_up(smooth, nb::none()));
 }
 
+/// Between 0 and 90°.
+std::optional<Angle> normal_angle(nb::handle tolerance) {
+  if (tolerance.is_none()) return std::nullopt;
+  const Angle angle = angle_number(tolerance, "normal_tolerance");
+  const double radians = round_to_double(to_real(FrameAngle(angle)));
+  if (!(radians > 0 && radians <= 1.57))
+    refuse("normal_tolerance", "it is not between 0 and 90deg", tolerance);
+  return angle;
+}
+
 nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
                       nb::handle start_normal, nb::handle end_normal, nb::handle twist,
-                      nb::handle scale, nb::handle tolerance, nb::handle sections) {
+                      nb::handle scale, nb::handle tolerance, nb::handle normal_tolerance,
+                      nb::handle sections) {
   const AnyPath path = any_path(given, "path");
   const RationalFunction size = scale_of(scale);
   const std::size_t segments =
@@ -82,17 +104,25 @@ nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
   }
   if (!tolerance.is_none() && !sections.is_none())
     refuse("sections", "it and tolerance exclude each other", sections);
+  if (!normal_tolerance.is_none() && !sections.is_none())
+    refuse("sections", "it and normal_tolerance exclude each other", sections);
   std::optional<Rational> within;
   if (!tolerance.is_none()) {
     within = rational(tolerance, "tolerance");
     if (*within <= 0) refuse("tolerance", "it is not positive", tolerance);
   }
-  ProfileTolerance of_profile;
-  if (within) of_profile.distance = *within / (4 * exact_rational(greatest));
-  SweepQuery query{profile_of(profile, of_profile), sweep_start(path, start, start_normal)};
+  ProfileTolerance fine;
+  if (within) fine.distance = *within / (4 * exact_rational(greatest));
+  const ProfileSource source = of_profile(profile, [&] { return profile_source(profile); });
+  SweepQuery query{of_profile(profile, [&] { return source(fine); }),
+                   sweep_start(path, start, start_normal)};
   query.scale = size;
   query.twist = angle_number(twist, "twist");
   if (!end_normal.is_none()) query.end_normal = vector(end_normal, "end_normal");
+  query.normal_tolerance = normal_angle(normal_tolerance);
+  query.profile_within = [source, distance = fine.distance](const Rational& angle) {
+    return source({distance, angle});
+  };
   if (!sections.is_none())
     query.tolerance_or_sections = count(sections, "sections", 2, 1'000'000);
   else
@@ -141,8 +171,8 @@ void save(const SweepObject& self, nb::handle file) {
 /// What was pickled.
 nb::object swept(const nb::ndarray<const double, nb::ndim<2>, nb::c_contig>& points,
                  const nb::ndarray<const std::uint32_t, nb::ndim<2>, nb::c_contig>& triangles,
-                 std::size_t sections, std::optional<double> error, long folds, bool is_closed,
-                 double turn) {
+                 std::size_t sections, std::optional<double> error,
+                 std::optional<double> normal_error, long folds, bool is_closed, double turn) {
   SweepAnswer found{{}, is_closed, turn};
   Mesh& mesh = found.body.mesh;
   for (std::size_t k = 0; k < points.shape(0); ++k)
@@ -151,6 +181,7 @@ nb::object swept(const nb::ndarray<const double, nb::ndim<2>, nb::c_contig>& poi
     mesh.triangles.push_back({triangles(k, 0), triangles(k, 1), triangles(k, 2)});
   found.body.sections = sections;
   found.body.error = error;
+  found.body.normal_error = normal_error;
   found.body.folds = folds;
   return nb::cast(SweepObject{std::make_shared<const SweepAnswer>(std::move(found))});
 }
@@ -158,19 +189,20 @@ nb::object swept(const nb::ndarray<const double, nb::ndim<2>, nb::c_contig>& poi
 }  // namespace
 
 void bind_sweep(nb::module_& m) {
-  m.def("_swept", swept, nb::arg(), nb::arg(), nb::arg(), nb::arg().none(), nb::arg(), nb::arg(),
-        nb::arg());
-  m.def("sweep", sweep_path, argument("path"), argument("profile"), nb::kw_only(),
-        PHRAME_START_PARAMETERS, argument("end_normal") = nb::none(), argument("twist") = 0,
-        argument("scale") = 1, argument("tolerance") = nb::none(),
-        argument("sections") = nb::none(),
-        nb::sig("def sweep(path: " PHRAME_ANY_PATH_SIG
-                ", profile: str | os.PathLike[str] | Vectors, *, " PHRAME_START_SIG
-                ", end_normal: Vector | None = None, twist: Number = 0, scale: Number | Polynomial "
-                "| RationalFunction = 1, tolerance: Number | None = None, sections: int | None = "
-                "None) -> SweptBody"),
-        "A body: a profile (\"circle:R\", \"polygon:N,R\", \"rectangle:W,H\", corners, or a file "
-        "as a pathlib.Path) swept along a path in its rotation-minimizing frame: docs/sweep.md.");
+  m.def("_swept", swept, nb::arg(), nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(),
+        nb::arg(), nb::arg(), nb::arg());
+  m.def(
+      "sweep", sweep_path, argument("path"), argument("profile"), nb::kw_only(),
+      PHRAME_START_PARAMETERS, argument("end_normal") = nb::none(), argument("twist") = 0,
+      argument("scale") = 1, argument("tolerance") = nb::none(),
+      argument("normal_tolerance") = nb::none(), argument("sections") = nb::none(),
+      nb::sig("def sweep(path: " PHRAME_ANY_PATH_SIG
+              ", profile: str | os.PathLike[str] | Vectors, *, " PHRAME_START_SIG
+              ", end_normal: Vector | None = None, twist: Number = 0, scale: Number | Polynomial "
+              "| RationalFunction = 1, tolerance: Number | None = None, normal_tolerance: Number | "
+              "None = None, sections: int | None = None) -> SweptBody"),
+      "A body: a profile (\"circle:R\", \"polygon:N,R\", \"rectangle:W,H\", corners, or a file "
+      "as a pathlib.Path) swept along a path in its rotation-minimizing frame: docs/sweep.md.");
   auto type = nb::class_<SweepObject>(m, "SweptBody", "A body as a watertight mesh.");
   using S = SweepObject;
   type.def_prop_ro("vertices", points_of,
@@ -185,6 +217,10 @@ void bind_sweep(nb::module_& m) {
       .def_prop_ro(
           "error", [](const S& s) { return s.found->body.error; },
           "A proved bound of the distance of mesh and surface; None with `sections`.")
+      .def_prop_ro(
+          "normal_error", [](const S& s) { return s.found->body.normal_error; },
+          "A proved bound of the angle, in radians, of a triangle to the surface it stands for; "
+          "None without `normal_tolerance`.")
       .def_prop_ro(
           "folds", [](const S& s) { return s.found->body.folds; },
           "Corners of sections at which the body folds over itself.")
@@ -209,7 +245,8 @@ void bind_sweep(nb::module_& m) {
           [](const S& s) {
             const SweptBody& body = s.found->body;
             return remade("_swept", points_of(s), triangles_of(s), body.sections,
-                          nb::cast(body.error), body.folds, s.found->is_closed, s.found->turn);
+                          nb::cast(body.error), nb::cast(body.normal_error), body.folds,
+                          s.found->is_closed, s.found->turn);
           },
           PHRAME_REDUCE_SIG);
   bind_copies(type);

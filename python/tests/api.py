@@ -156,7 +156,7 @@ API = {
     "integrate": (phrame.integrate, {"f": "1/x", "lower": 1, "upper": 2, "variable": None, "principal_value": False,
                                      "style": "textbook", "form": "auto"}),
     "sweep": (phrame.sweep, {"path": QUINTIC, "profile": "polygon:3,1/9", **START, "end_normal": None, "twist": 0,
-                             "scale": 1, "tolerance": None, "sections": 3}),
+                             "scale": 1, "tolerance": None, "normal_tolerance": None, "sections": 3}),
     "map": (phrame.map, {"curves": [QUINTIC], "question": lambda curve: 0, "threads": None, "errors": "raise"}),
     "sympy.integrate": (phrame.sympy.integrate, INTEGRAL),
     "sympy.integral": (phrame.sympy.integral, INTEGRAL),

@@ -46,10 +46,11 @@ def test_motions_headers_and_bodies_are_those_of_the_program(tmp_path):
     wave = ROOT / "examples/any/wave.svg"
     assert phrame.read(wave).compile("wave") == program("compile", wave, "--prefix", "wave").decode()
     for name, options in [("a.obj", ["--profile", "rectangle:1,1/2", "--tolerance", "1/100"]),
-                          ("a.GLB", ["--profile", "polygon:5,1/3", "--sections", "20", "--twist", "pi/3", "--scale", "1-t/2"])]:
+                          ("a.GLB", ["--profile", "polygon:5,1/3", "--sections", "20", "--twist", "pi/3", "--scale", "1-t/2"]),
+                          ("a.ply", ["--profile", "circle:1/3", "--tolerance", "1/10", "--normal-tolerance", "20deg"])]:
         suffix = name[2:].lower()
         expected = program("sweep", FILE, "--format", suffix, *options)
-        given = dict(zip((option[2:] for option in options[::2]), options[1::2]))
+        given = dict(zip((option[2:].replace("-", "_") for option in options[::2]), options[1::2]))
         profile = given.pop("profile")
         if "sections" in given:
             given["sections"] = int(given["sections"])
@@ -74,6 +75,16 @@ def test_bodies():
     assert (again.vertices == vertices).all() and (again.triangles == triangles).all() and again.error == body.error
     with pytest.raises(ValueError, match="read-only"):
         vertices[0, 0] = 1
+    assert body.normal_error is None
+    tube = phrame.sweep(phrame.Curve([2], [0], [0], [1]), "circle:1/2", normal_tolerance="10deg")
+    # A prism with n sides: between sides and circle there are angles of up to π/n.
+    sides = len(tube.vertices) // tube.sections
+    assert np.pi / sides <= tube.normal_error <= np.pi / 18
+    assert pickle.loads(pickle.dumps(tube)).normal_error == tube.normal_error
+    with pytest.raises(phrame.InputError, match="^normal_tolerance: it is not between 0 and 90deg"):
+        phrame.sweep(CUBIC, corners, normal_tolerance="pi/2")
+    with pytest.raises(phrame.InputError, match="^sections: it and normal_tolerance exclude each other"):
+        phrame.sweep(CUBIC, corners, normal_tolerance=1, sections=3)
     circle = phrame.Curve.expressions("cos(s)", "sin(s)", 0, 0, "2*pi")
     ring = phrame.sweep(circle, "circle:1/4", sections=8)
     assert ring.is_closed and ring.error is None and len(ring.vertices) - 3 * len(ring.triangles) // 2 + len(ring.triangles) == 0

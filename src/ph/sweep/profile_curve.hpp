@@ -41,7 +41,7 @@ class ProfileCurve {
   /// goes around all the others, which are holes. That they lie so, and none in another, and do not
   /// meet, is for the caller to see to. Throws as above, naming the ring, and where the areas
   /// cannot be those of an outline and its holes.
-  static ProfileCurve of_rings(std::vector<std::vector<PlaneBezier>> rings);
+  static ProfileCurve of_rings(std::vector<std::vector<PlaneBezier>> given);
 
   /// At least one: of the outer ring, counterclockwise, then of the holes, clockwise.
   const std::vector<PlaneBezier>& pieces() const { return pieces_; }
