@@ -17,6 +17,11 @@ def component(thing: Any, method: str, at: Any, k: int) -> Any:
     return getattr(thing, method)(at)[k]
 
 
+def element(thing: Any, attribute: str, k: int) -> Any:
+    """One of those that an object has."""
+    return getattr(thing, attribute)[k]
+
+
 def kept(numbers: Any) -> Any:
     """Numbers, or rows of them, as they are now: a list or an array may change later."""
     if hasattr(numbers, "copy") and hasattr(numbers, "dtype"):

@@ -48,6 +48,11 @@ void bind_recipe(C& type) {
 void bind_angle(nb::module_& m, nb::class_<PathObject>& path);
 void bind_integral(nb::module_& m);
 void bind_classification(nb::module_& m, nb::class_<PathObject>& path);
+/// The rational frame of a MinimalTwist, `self`.
+nb::object rational_twist(nb::handle self, const MinimalTwist& mtf, nb::handle degree,
+                          bool has_free_ends, nb::handle subdivide, nb::handle gamma,
+                          bool is_proved);
+void bind_rational_twist(nb::module_& m);
 void bind_minimal_twist(nb::module_& m, nb::class_<PathObject>& path);
 void bind_check(nb::module_& m, nb::class_<PathObject>& path);
 void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve);

@@ -62,6 +62,14 @@ nb::object minimal_twist(nb::handle self, nb::handle from, nb::handle to, nb::ha
       method_recipe(self, "minimal_twist", from, to, extra_turns)});
 }
 
+nb::object rational_of(nb::handle self, nb::handle degree, Flag<"free_ends"> has_free_ends,
+                       nb::handle subdivide, nb::handle gamma, Flag<"proved"> is_proved) {
+  const auto& twist = nb::cast<const MinimalTwistObject&>(self).twist;
+  const auto* exact = std::get_if<MinimalTwist>(&twist);
+  if (exact == nullptr) throw DomainError("a rational frame is there of PH curves only");
+  return rational_twist(self, *exact, degree, has_free_ends, subdivide, gamma, is_proved);
+}
+
 }  // namespace
 
 void bind_smooth_twist(nb::class_<SmoothPathObject>& smooth) {
@@ -79,6 +87,7 @@ void bind_minimal_twist(nb::module_& m, nb::class_<PathObject>& path) {
            nb::sig("def minimal_twist(self, start: Number, end: Number, extra_turns: int = 0) -> "
                    "MinimalTwist"),
            "The frame that turns least from the angle `start` at the start to `end` at the end.");
+  bind_rational_twist(m);
   auto type = nb::class_<MinimalTwistObject>(
       m, "MinimalTwist", "The exact frame of minimal twist: docs/minimal-twist.md.");
   using T = MinimalTwistObject;
@@ -99,6 +108,18 @@ void bind_minimal_twist(nb::module_& m, nb::class_<PathObject>& path) {
   PHRAME_TWIST("rate", twist.rate(), "The twist per unit of arc length.");
   PHRAME_TWIST("length", twist.length(), "Of the path.");
 #undef PHRAME_TWIST
+  type.def("rational", rational_of, argument("degree") = 2, argument("free_ends") = false,
+           argument("subdivide") = nb::tuple(), argument("gamma") = nb::none(),
+           argument("proved") = true,
+           nb::sig("def rational(self, degree: int = 2, free_ends: bool = False, subdivide: "
+                   "collections.abc.Sequence[Number] = (), gamma: Number | None = None, proved: "
+                   "bool = True) -> RationalTwist"),
+           "The rational frame that turns most evenly, along PH curves and splines: the "
+           "Euler–Rodrigues frame turned by 2 arg w, w of this degree, with the rate Ω̄₁ at both "
+           "ends unless `free_ends`. `subdivide` has parameters where it is divided and the words "
+           "\"inflections\", \"extrema\", \"auto\" and \"rms:X\" (docs/minimal-twist.md); `gamma` "
+           "asks for "
+           "the w with this γ instead of the best one, and `proved=False` for no proof.");
   type.def("__repr__", [](const T& t) {
     const Real turn = t.visit([](const auto& twist) -> Real { return twist.twist(); });
     return "<MinimalTwist " + round_to_decimal(turn, 6).value + " radians>";

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import phrame
-from common import QUINTIC
+from common import QUINTIC, ROOT
 
 
 def test_integrals():
@@ -31,6 +31,44 @@ def test_minimal_twist():
     turn = (float(twist.value(1)) - np.pi / 3) / (2 * np.pi)
     assert abs(turn - round(turn)) < 1e-14
     assert float(twist.nominal_twist) == pytest.approx(float(twist.erf_twist) + np.pi / 3, abs=1e-14)
+
+
+def test_rational_frames_of_minimal_twist():
+    """The error by Gauss's rule, of rates from h, sigma and the coefficients of w."""
+    curve = phrame.read(ROOT / "examples/curves/farouki-moon-3.json")
+    twist = curve.minimal_twist("-pi/4", "5*pi/4")
+    frame = twist.rational(subdivide=[0.5])
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    mean, turn, square = float(twist.rate), 0.0, 0.0
+    h, sigma = (np.polynomial.Polynomial([float(c) for c in p.coefficients]) for p in (curve.h, curve.sigma))
+    assert [(p.start, p.end, p.degree, p.is_proved, p.doubt) for p in frame.pieces] == [(0, 0.5, 2, True, ""), (0.5, 1, 2, True, "")]
+    for piece in frame.pieces:
+        a, b, c = piece.coefficients
+        w = np.polynomial.Polynomial([a, 2 * (b - a), a - 2 * b + c])
+        tau = (nodes + 1) / 2
+        rate = 2 * np.imag(np.conj(w(tau)) * w.deriv()(tau)) / np.abs(w(tau)) ** 2  # of 2 arg w, per tau
+        t, width = float(piece.start) + tau / 2, 1 / 2
+        speed = sigma(t) * width
+        part = 2 * h(t) / sigma(t) * width + rate
+        turn += float(weights @ part) / 2
+        errors = float(weights @ ((part / speed - mean) ** 2 * speed)) / 2
+        square += errors
+        assert float(piece.rms) == pytest.approx(np.sqrt(errors / (weights @ speed / 2)) / mean, rel=1e-12)
+        assert float(piece.greatest) == pytest.approx(np.abs(part / speed / mean - 1).max(), rel=0.1)
+        assert piece.extra_turns == 0 and abs(c) == pytest.approx(abs(float(piece.gamma)), rel=1e-15)
+        assert float(piece.other.gamma) * float(piece.gamma) < 0 and piece.other.rms.ball(60)[0] > piece.rms.ball(60)[1]
+        assert np.exp(1j * float(frame.value(piece.start))) == pytest.approx((a / abs(a)) ** 2, abs=1e-14)
+    assert turn == pytest.approx(float(twist.twist), rel=1e-12)
+    assert float(frame.rms) == pytest.approx(np.sqrt(square / float(twist.length)) / mean, rel=1e-12)
+    best = twist.rational().pieces[0]
+    for gamma in (best.gamma.digits(3) + Decimal(step) for step in ("-0.1", "0.1", "-2")):
+        other = twist.rational(gamma=gamma).pieces[0]
+        assert float(other.gamma) == pytest.approx(float(gamma), rel=1e-15) and float(other.rms) > float(best.rms)
+        assert not other.is_proved and other.other is None and "given" in other.doubt
+    assert float(twist.rational(degree=3).rms) < float(best.rms) < float(twist.rational(degree=1, free_ends=True).rms)
+    assert max(float(p.rms) for p in twist.rational(subdivide=["rms:1/100"]).pieces) <= 0.01
+    with pytest.raises(phrame.DomainError, match="PH curves only"):
+        phrame.Curve.bezier([[1, 0, 0], [1, 1, 0], [0, 1, 0]], [1, 1, 2]).minimal_twist(0, 1).rational()
 
 
 def test_check():

@@ -29,6 +29,8 @@ def values():
         phrame.Integral: [phrame.integrate("1/(x^5+1)", variable="x"), phrame.integrate("1/y", 1, "sqrt(2)", style="real")],
         phrame.Classification: [QUINTIC.classify(), two.classify()],
         phrame.MinimalTwist: [twist, cubic.minimal_twist(0, 1, extra_turns=1)],
+        phrame.RationalTwist: [twist.rational(), twist.rational(gamma="3/4"), twist.rational(degree=1, free_ends=True)],
+        phrame.RationalTwistPiece: [*twist.rational(subdivide=["inflections", "1/2"], proved=False).pieces, twist.rational().pieces[0].other],
         phrame.CheckResult: [QUINTIC.check(ts, QUINTIC.frames(ts)[:, 1]), cubic.check(ts, cubic.frames(ts, kind="frenet")[:, 1])],
         phrame.Certificate: [QUINTIC.certify(at=["1/2"], digits=20)],
         phrame.SweptBody: [phrame.sweep(cubic, "polygon:3,1/9", sections=3),

@@ -61,6 +61,11 @@ class RationalTwist {
   Refined<RealBall> root_mean_square_;
 };
 
+/// The quadratic w with matched rates whose γ is this one, up to about 2^−100 of its size: not the
+/// best one. Throws DomainError for γ = 0, for which w would have a zero at the end, and where the
+/// rates fix γ, as rotation_family() does, and where Δθ ∈ 2πℤ.
+RationalTwist twist_with_end_factor(const TwistPiece& piece, const Rational& gamma);
+
 /// What is known of a rotation being the best of its degree. Where there is one for each sign of γ,
 /// it is the one whose frame turns by T, and the better one if that is both or neither.
 struct BestTwist {

@@ -162,7 +162,6 @@ TEST_CASE("rational twist: the mean square where gamma is given") {
     CAPTURE(name);
     const Framed example = framed_example(farouki_moon()[name]);
     const TwistPiece piece = twist_pieces(example.mtf, {})[0];
-    const RotationFamily family = rotation_family(piece, 2, EndRates::matched, bits);
     // There Δθ is less by 2π, where γ has the other sign.
     const Real difference = Real([&](long precision) {
       return multiply(
@@ -174,10 +173,9 @@ TEST_CASE("rational twist: the mean square where gamma is given") {
       const std::string text = item.key();
       CAPTURE(text);
       const Rational gamma = parse_rational(text) * (is_flipped ? -1 : 1);
-      const RealBall parameter = divide(subtract(RealBall(gamma, bits), family.end_factor[0], bits),
-                                        family.end_factor[1], bits);
-      const RealBall square = mean_square(piece, member(family, {parameter}, bits), 100);
-      CHECK(is_near(divide(sqrt(square, bits), piece.twist.enclose(bits), bits),
+      const RationalTwist twist = twist_with_end_factor(piece, gamma);
+      CHECK(is_near(twist.end_factor().enclose(bits), gamma, 30));
+      CHECK(is_near(divide(twist.root_mean_square().enclose(100), piece.twist.enclose(bits), bits),
                     number(item.value()), 17));
     }
   }
@@ -557,6 +555,8 @@ TEST_CASE("rational twist: turns that are whole, and frames that do not turn") {
   CHECK(piece.turn.enclose(bits).overlaps(add(half_turn, half_turn, bits)));
   CHECK(best.minimum);
   CHECK_FALSE(best.other);  // γ is fixed
+  CHECK_THROWS_WITH_AS(twist_with_end_factor(piece, 1), doctest::Contains("γ is fixed"),
+                       DomainError);
   CHECK(turn_by_quadrature(best.twist)
             .overlaps(add(
                 piece.twist.enclose(bits),
@@ -588,6 +588,7 @@ TEST_CASE("rational twist: what is refused") {
   CHECK_THROWS_AS(best_twist(piece, {0, EndRates::free, false, 60}), DomainError);
   CHECK_THROWS_AS(best_twist(piece, {9, EndRates::free, false, 60}), DomainError);
   CHECK_THROWS_AS(rotation_family(piece, 1, EndRates::matched, 60), DomainError);
+  CHECK_THROWS_AS(twist_with_end_factor(piece, 0), DomainError);
   TwistPiece whole = piece;
   whole.whole_turns = 1;
   CHECK_THROWS_AS(best_twist(whole, {1, EndRates::free, false, 60}), DomainError);
