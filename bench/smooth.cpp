@@ -7,6 +7,7 @@
 #include "phrame/ph/smooth/compiled_smooth.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
 #include "phrame/ph/smooth/smooth_length.hpp"
+#include "phrame/ph/smooth/smooth_twist.hpp"
 
 namespace phrame::bench {
 namespace {
@@ -64,6 +65,20 @@ void smooth_frames(State& state) {
   }
 }
 
+/// 241 frames of the closing minimal twist of the trefoil, in whose middle some components are 0.
+void smooth_twist_frames(State& state) {
+  const SmoothPath path = trefoil();
+  for (auto _ : state) {
+    const SmoothAngle angle(path);
+    const SmoothTwist twist(angle, Angle(), Angle());
+    for (long k = 0; k <= 240; ++k) {
+      const auto frame = minimal_twist_frame(twist, {0, Rational(k, 240)});
+      benchmark::DoNotOptimize(round_to_double(frame.e2));
+      benchmark::DoNotOptimize(round_to_double(frame.e3));
+    }
+  }
+}
+
 /// The proved polynomials of the frame.
 void smooth_compile(State& state) {
   const SmoothPath path = path_of(state);
@@ -94,6 +109,7 @@ BENCHMARK(smooth_angle)
     ->ArgNames({"degree", "digits"})
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(smooth_frames)->Arg(3)->Arg(9)->Arg(0)->Unit(benchmark::kMillisecond);
+BENCHMARK(smooth_twist_frames)->Unit(benchmark::kMillisecond);
 BENCHMARK(smooth_compile)->Arg(3)->Arg(9)->Arg(0)->Unit(benchmark::kMillisecond);
 BENCHMARK(smooth_compiled_frame)->Arg(3)->Arg(0);
 BENCHMARK(smooth_length)->Arg(3)->Arg(9)->Unit(benchmark::kMillisecond);

@@ -178,14 +178,14 @@ StepId FormulaProgram::apply(const Step& step, StepId left, StepId right, StepId
   return s;
 }
 
-StepId FormulaProgram::insert(const Formula& f, StepId s) {
+std::vector<StepId> FormulaProgram::insert_steps(const Formula& f, StepId s) {
   std::vector<StepId> ids;
   for (const Step& step : f.steps()) {
     const StepId left = ids.empty() ? 0 : ids[step.left];    // of a number, any
     const StepId right = ids.empty() ? 0 : ids[step.right];  // likewise
     ids.push_back(apply(step, left, right, s));
   }
-  return ids.back();
+  return ids;
 }
 
 StepId FormulaProgram::rule_of_derivative(const Step& f, StepId self,

@@ -39,7 +39,9 @@ class FormulaProgram {
   Id atan(Id a);
   /// @}
   /// f at the value s of its variable.
-  Id insert(const Formula& f, Id s);
+  Id insert(const Formula& f, Id s) { return insert_steps(f, s).back(); }
+  /// The same of each step of f.
+  std::vector<Id> insert_steps(const Formula& f, Id s);
   /// The derivative of f by the variable.
   Id derivative(Id f);
 

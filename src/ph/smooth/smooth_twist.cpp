@@ -2,6 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
+#include "phrame/ph/smooth/formula_symmetry.hpp"
 
 namespace phrame {
 namespace {
@@ -24,6 +25,10 @@ TurnBetween turn_between(const FrameStart& from, const FrameStart& to, const Rea
   const FrameAngle between = difference(FrameAngle(*last), FrameAngle(*first));
   return {to_real(between), over_pi(between)};
 }
+
+Real mean_of(const Real& x, const Real& y) { return Rational(1, 2) * (x + y); }
+
+Vector<Real> opposite(const Vector<Real>& v) { return {-v[0], -v[1], -v[2]}; }
 
 }  // namespace
 
@@ -56,16 +61,32 @@ bool SmoothTwist::is_end(const SmoothParameter& at) const {
   return at.segment + 1 == rmf_.path().segments().size() && at.t.exact() == Rational(1);
 }
 
+bool SmoothTwist::is_middle(const SmoothParameter& at) const {
+  const auto& segments = rmf_.path().segments();
+  if (segments.size() > 1 || at.t.exact() != Rational(1, 2)) return false;
+  const auto* curve = std::get_if<ExpressionCurve>(&segments.front());
+  return curve != nullptr && is_turned_over_by_half_turn(*curve, rmf_.up());
+}
+
 Real SmoothTwist::value(const SmoothParameter& at) const {
   if (at.segment == 0 && at.t.exact() == Rational(0)) return from_;
   if (is_end(at)) return turns_at_end_ == 0 ? to_ : to_ + whole_turn(turns_at_end_);
+  if (is_middle(at)) {
+    const Real mean = mean_of(from_, to_);
+    return turns_at_end_ == 0 ? mean : mean + Rational(1, 2) * whole_turn(turns_at_end_);
+  }
   return from_ + twist_ * quotient_of(length_.value(at), whole_) + rmf_.value(at);
 }
 
+// Whole turns are left out at the end, and in the middle, where there are half as many.
 Frame<Real> minimal_twist_frame(const SmoothTwist& twist, const SmoothParameter& at) {
   const SmoothAngle& rmf = twist.rmf();
-  const Real angle = twist.is_end(at) ? twist.to() : remembered(twist.value(at));
-  return turned(up_frame(rmf.path(), rmf.up(), at), angle);
+  const Frame<Real> up = up_frame(rmf.path(), rmf.up(), at);
+  if (twist.is_end(at)) return turned(up, twist.to());
+  if (!twist.is_middle(at)) return turned(up, remembered(twist.value(at)));
+  const Frame<Real> frame = turned(up, mean_of(twist.from(), twist.to()));
+  if (twist.turns_at_end() % Integer(2) == 0) return frame;
+  return {frame.e1, opposite(frame.e2), opposite(frame.e3)};
 }
 
 }  // namespace phrame

@@ -32,6 +32,12 @@ class SmoothTwist {
 
   /// Whether it is the end of the path.
   bool is_end(const SmoothParameter& at) const;
+  /// Whether it is t = 1/2 of a single curve that half a turn maps to itself, which is
+  /// is_turned_over_by_half_turn(): there half of both integrals is behind, so that θ is
+  /// (θ_i + θ(end))/2, and some components of the frame may be exactly 0.
+  bool is_middle(const SmoothParameter& at) const;
+  /// θ(end) = θ_f + 2π·this.
+  const Integer& turns_at_end() const { return turns_at_end_; }
   /// θ there: θ_i at the start, and at the end θ_f plus whole turns, exactly.
   Real value(const SmoothParameter& at) const;
 
@@ -43,7 +49,7 @@ class SmoothTwist {
   Real to_;
   Real nominal_;
   Real twist_;
-  Integer turns_at_end_ = 0;  ///< θ(end) = θ_f + 2π·this
+  Integer turns_at_end_ = 0;
 };
 
 /// The frame of minimal twist there.

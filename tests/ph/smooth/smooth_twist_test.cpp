@@ -6,6 +6,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/twist/minimal_twist.hpp"
 #include "support/curves.hpp"
+#include "support/expression_curves.hpp"
 
 namespace smooth_twist_test {
 
@@ -23,6 +24,20 @@ bool agree(const Vector<Real>& u, const Vector<Real>& v) {
     if (!u[k].enclose(120).overlaps(v[k].enclose(120)) || !u[k].enclose(120).is_accurate(90))
       return false;
   return true;
+}
+
+/// In the middle: the angle of the integrals, and the frame with that.
+void check_middle(const SmoothTwist& mtf, const SmoothAngle& angle, const SmoothLength& length) {
+  const SmoothParameter middle{0, Rational(1, 2)};
+  CHECK(mtf.is_middle(middle));
+  const Real behind = quotient_of(length.value(middle), length.total());
+  const Real known = mtf.from() + mtf.twist() * behind + angle.value(middle);
+  CHECK(known.enclose(120).overlaps(mtf.value(middle).enclose(120)));
+  CHECK(known.enclose(120).is_accurate(90));
+  const Frame<Real> exact = turned(up_frame(angle.path(), angle.up(), middle), known);
+  const Frame<Real> frame = minimal_twist_frame(mtf, middle);
+  CHECK(agree(frame.e2, exact.e2));
+  CHECK(agree(frame.e3, exact.e3));
 }
 
 }  // namespace
@@ -68,6 +83,26 @@ TEST_CASE("smooth twist: along a PH curve it is that of the PH curve") {
     CHECK(agree(frame.e2, exact.e2));
     CHECK(agree(frame.e3, exact.e3));
   }
+}
+
+// x is even about the middle, y and z are odd: f₂ is ±x there, by half a turn about it. The angle
+// is that of the integrals, which know nothing of it.
+TEST_CASE(
+    "smooth twist: components that are 0 by the form of a curve are exactly 0 in its middle") {
+  const SmoothPath crown(test::expression_curve({"cos(s)", "sin(s)", "sin(2*s)/4"}, "0", "2*pi"));
+  const SmoothAngle angle(crown, {0, 0, 1});
+  const SmoothParameter middle{0, Rational(1, 2)};
+  const SmoothLength length(crown);
+  for (const long turns : {0L, 1L}) {
+    const SmoothTwist mtf(angle, Angle(), Angle(), turns);
+    check_middle(mtf, angle, length);
+    const Frame<Real> frame = minimal_twist_frame(mtf, middle);
+    CHECK(frame.e2[1].exact() == Rational(0));
+    CHECK(frame.e2[2].exact() == Rational(0));
+    CHECK(frame.e3[0].exact() == Rational(0));
+  }
+  check_middle(SmoothTwist(angle, Angle(Rational(1, 3)), Angle(2)), angle, length);
+  CHECK_FALSE(SmoothTwist(angle, Angle(), Angle()).is_middle({0, Rational(1, 3)}));
 }
 
 TEST_CASE("smooth twist: half a turn in a plane, and what has no angle") {
