@@ -32,7 +32,7 @@ nb::object make_angle(nb::handle self, const Text<"frame">& frame, nb::handle st
     return std::pair{PathAngle(path, reference, how), start_angle(from, path, reference)};
   });
   return nb::cast(AngleObject{
-      named, std::move(angle), from, std::move(at_zero), form,
+      named, angle, from, std::move(at_zero), form,
       remade("_angle", self, nb::str(frame.c_str()), start, start_normal, nb::str(form.c_str()))});
 }
 

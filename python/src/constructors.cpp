@@ -247,7 +247,7 @@ nb::object read(nb::handle file, nb::handle near) {
   return parsed(bytes_of_file(file, "file"), near);
 }
 
-CurveObject only_curve(nb::object made, const char* place) {
+CurveObject only_curve(const nb::object& made, const char* place) {
   if (!nb::isinstance<CurveObject>(made)) refuse(place, "a spline; Path.read reads one", made);
   return nb::cast<CurveObject>(made);
 }

@@ -33,7 +33,7 @@ nb::object make_smooth_angle(nb::handle self, const Text<"frame">& frame, nb::ha
   const nb::object along =
       start_normal.is_none() ? nb::none() : to_python(vector(start_normal, "start_normal"));
   return nb::cast(
-      SmoothAngleObject{named, std::move(angle), from, std::move(at_zero),
+      SmoothAngleObject{named, angle, from, std::move(at_zero),
                         remade("_smooth_angle", self, nb::str(frame.c_str()), v, start, along)});
 }
 

@@ -28,7 +28,7 @@ std::vector<SignedPart> signed_parts(const Polynomial& p, long bits) {
   std::vector<RealAlgebraic> ends{Rational(0)};
   if (p.degree() > 0)
     for (const RealRoot& root : odd(real_roots(p, open(0, 1)))) ends.push_back(root.at);
-  ends.push_back(Rational(1));
+  ends.emplace_back(Rational(1));
   std::vector<SignedPart> parts;
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const int sign = parts.empty() ? sign_after_zero(p) : -parts.back().sign;

@@ -12,7 +12,7 @@ struct TwistMinimum {
 };
 
 /// From a guess, and one for the other sign of γ if that is to be looked at. The radius is about
-/// 2^−bits, where w(1/2) moves by its own length per unit, or less. Throws Undecided where this is
+/// 2^−goal, where w(1/2) moves by its own length per unit, or less. Throws Undecided where this is
 /// not proved, as where both signs of γ do equally well.
 ///
 /// How: on a part of the line, G ≥ Σ (ΔY)²/ΔS over any division of [0, 1] (Cauchy and Schwarz),
@@ -21,6 +21,6 @@ struct TwistMinimum {
 /// a parameter is |G′|/min G″ from the minimum at most.
 TwistMinimum twist_minimum(const TwistPiece& piece, long degree, EndRates rates,
                            const LineGuess& guess, const std::optional<LineGuess>& other_guess,
-                           long bits);
+                           long goal);
 
 }  // namespace phrame

@@ -79,7 +79,7 @@ std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Ration
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
     require_no_cusp(path.segments()[k],
                     path.is_curve() ? std::string() : " in segment " + std::to_string(k));
-    points.push_back(Rational(static_cast<long>(k)));
+    points.emplace_back(static_cast<long>(k));
   }
   points.push_back(path.end());
   const auto [least, greatest] = std::minmax_element(points.begin(), points.end());
