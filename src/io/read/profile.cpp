@@ -12,6 +12,7 @@
 #include "phrame/io/read/svg_path.hpp"
 #include "phrame/io/read/text_table.hpp"
 #include "phrame/ph/smooth/curve_series.hpp"
+#include "phrame/ph/sweep/profile_apart.hpp"
 
 namespace phrame {
 namespace {
@@ -171,7 +172,9 @@ std::vector<PlaneBezier> pieces_of(const Subpath& segments) {
 ProfileCurve outline_curve_of(const std::vector<Subpath>& subpaths) {
   std::vector<std::vector<PlaneBezier>> rings;
   for (const Subpath& segments : subpaths) rings.push_back(pieces_of(segments));
-  return made([&] { return ProfileCurve::of_rings(std::move(rings)); });
+  const ProfileCurve curve = made([&] { return ProfileCurve::of_rings(std::move(rings)); });
+  require_rings_apart(curve);
+  return curve;
 }
 
 /// The subpaths of path data or of an SVG file; no value for what begins as neither.

@@ -23,8 +23,9 @@ std::optional<Profile> parse_profile(std::string_view text, const ProfileToleran
 Profile read_profile(std::string_view bytes, const ProfileTolerance& tolerance = {});
 
 /// @{ The same exactly: circles in rational quarters, outlines of SVG with the curves they have.
-/// The corners of a regular polygon are doubles. That outlines do not meet themselves or each other
-/// is seen of their polygons, to within 1/1000 of their size.
+/// The corners of a regular polygon are doubles. That an outline does not meet itself is seen of
+/// its polygon, to within 1/1000 of its size; that outlines do not meet each other, exactly, else
+/// Undecided is thrown.
 std::optional<ProfileCurve> parse_profile_curve(std::string_view text);
 ProfileCurve read_profile_curve(std::string_view bytes);
 /// @}

@@ -109,6 +109,12 @@ TEST_CASE("profile: outlines with holes are read exactly") {
         Rational(161, 2));
   CHECK_THROWS_WITH_AS(read_profile_curve("M 0 0 H 9 V 9 H 0 Z M 8 1 H 10 V 2 H 8 Z"),
                        doctest::Contains("the rings 1 and 2 meet"), InputError);
+  // A circle with the radius 2 around (4, 1.99999) reaches beyond a side, between two of its
+  // corners.
+  CHECK_THROWS_WITH_AS(
+      read_profile_curve("M 0 0 H 9 V 9 H 0 Z M 5.2 3.59999 A 2 2 0 0 0 2.8 0.39999 "
+                         "A 2 2 0 0 0 5.2 3.59999"),
+      doctest::Contains("outlines 1 and 2 meet"), Undecided);
 }
 
 // Half a circle of radius 1 in SVG's arc, and its diameter.
