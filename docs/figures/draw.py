@@ -39,6 +39,15 @@ def note(*arrays):
         shown.append([round(x, 4) + 0.0 for x in (array / (np.abs(array).max() or 1)).ravel().tolist()])
 
 
+def tenth(number):
+    return f"{float(number[0]):.1f}".removesuffix(".0")
+
+
+def rounded(svg):
+    """Numbers of tags to a tenth; what is between tags is for people, as 0.25 below an axis."""
+    return re.sub(r"<[^>]*>", lambda tag: re.sub(r"\d+\.\d{2,}", tenth, tag[0]), svg)
+
+
 def save(figure, name, legend_of=None):
     """By the file that calls, with a tenth of a point as the smallest unit."""
     sources = [pathlib.Path(file).read_bytes() for file in (__file__, inspect.stack()[1].filename)]
@@ -54,6 +63,5 @@ def save(figure, name, legend_of=None):
     figure.tight_layout(rect=(0, 0.1 if legend_of else 0, 1, 1))
     figure.savefig(path, metadata={"Date": None, "Description": origin})
     plt.close(figure)
-    text = path.read_text(encoding="utf-8")
-    path.write_text(re.sub(r"\d+\.\d{2,}", lambda x: f"{float(x[0]):.1f}".removesuffix(".0"), text), encoding="utf-8")
+    path.write_text(rounded(path.read_text(encoding="utf-8")), encoding="utf-8")
     print(f"{name}: drawn")

@@ -1,6 +1,7 @@
 """The numbers of docs/gallery.md: what papers print, and what is computed."""
 
 import importlib
+import re
 import sys
 
 import numpy as np
@@ -50,6 +51,18 @@ def test_the_figures_are_there_and_small(gallery):
     for name in names:
         svg = (ROOT / "docs/figures" / name).read_text(encoding="utf-8")
         assert svg.startswith("<?xml") and "drawn from" in svg and "<dc:date>" not in svg and len(svg) < 150_000
+
+
+def test_numbers_along_axes_are_what_they_were(gallery):
+    """Steps between them are equal: places on paper are rounded, and labels are not."""
+    seen = 0
+    for file in sorted((ROOT / "docs/figures").glob("*.svg")):
+        for axis in file.read_text(encoding="utf-8").split('id="matplotlib.axis_')[1:]:
+            ticks = axis.split('<g id="patch_')[0]
+            labels = [float(label.replace("−", "-")) for label in re.findall(r">(−?[0-9.]+)</text>", ticks)]
+            seen += len(labels)
+            assert not labels or np.allclose(np.diff(labels), labels[1] - labels[0]), (file.name, labels)
+    assert seen > 100
 
 
 def test_the_printed_pairs_are_near_the_exact_angle(gallery):
