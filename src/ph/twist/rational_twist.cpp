@@ -249,17 +249,22 @@ Real RationalTwist::value(const Real& tau) const {
 }
 
 RationalTwist twist_with_end_factor(const TwistPiece& piece, const Rational& gamma) {
-  constexpr long bits = 128;
   if (gamma == 0) throw DomainError("with γ = 0 the frame would have no orientation at the end");
   if (piece.whole_turns)
     throw DomainError(
         "γ is fixed by the rates at the ends: it is by whole turns that the frame turns against "
         "the Euler-Rodrigues frame");
-  const RotationFamily family = rotation_family(piece, 2, EndRates::matched, bits);
-  const RealBall parameter = divide(subtract(RealBall(gamma, bits), family.end_factor[0], bits),
-                                    family.end_factor[1], bits);
-  if (!parameter.is_finite()) throw Undecided("the w with this γ: its rates at the ends");
-  return {piece, 2, EndRates::matched, {parameter.midpoint()}};
+  const Rational tolerance = abs(gamma) * power_of_two(-100);
+  for (long bits = 128; bits <= 8192; bits *= 2) {  // a small γ is what two large numbers leave
+    const RotationFamily family = rotation_family(piece, 2, EndRates::matched, bits);
+    const RealBall parameter = divide(subtract(RealBall(gamma, bits), family.end_factor[0], bits),
+                                      family.end_factor[1], bits);
+    if (!parameter.is_finite()) continue;
+    const RealBall found = end_factor(family, {parameter.midpoint()}, bits);
+    if (absolute(subtract(found, RealBall(gamma, bits), bits)).upper() <= tolerance)
+      return {piece, 2, EndRates::matched, {parameter.midpoint()}};
+  }
+  throw Undecided("the w with this γ, with 8192 bits");
 }
 
 BestTwist best_twist(const TwistPiece& piece, const RationalTwistOptions& options) {

@@ -61,9 +61,9 @@ class RationalTwist {
   Refined<RealBall> root_mean_square_;
 };
 
-/// The quadratic w with matched rates whose γ is this one, up to about 2^−100 of its size: not the
-/// best one. Throws DomainError for γ = 0, for which w would have a zero at the end, and where the
-/// rates fix γ, as rotation_family() does, and where Δθ ∈ 2πℤ.
+/// The quadratic w with matched rates whose γ is this one, up to 2^−100 of its size: not the best
+/// one. Throws DomainError for γ = 0, where w would have a zero at the end, and where the rates fix
+/// γ or Δθ ∈ 2πℤ (rotation_family()); Undecided where 8192 bits are too few, as for γ = 10^−3000.
 RationalTwist twist_with_end_factor(const TwistPiece& piece, const Rational& gamma);
 
 /// What is known of a rotation being the best of its degree. Where there is one for each sign of γ,

@@ -175,6 +175,11 @@ TEST_CASE("rational twist: the mean square where gamma is given") {
       const Rational gamma = parse_rational(text) * (is_flipped ? -1 : 1);
       const RationalTwist twist = twist_with_end_factor(piece, gamma);
       CHECK(is_near(twist.end_factor().enclose(bits), gamma, 30));
+      for (const long size : {-40, -600})
+        for (const Rational& small : {gamma * power_of_two(size), -gamma * power_of_two(size)}) {
+          const RealBall found = twist_with_end_factor(piece, small).end_factor().enclose(1000);
+          CHECK(is_near(divide(found, RealBall(small, bits), bits), 1, 29));
+        }
       CHECK(is_near(divide(twist.root_mean_square().enclose(100), piece.twist.enclose(bits), bits),
                     number(item.value()), 17));
     }
@@ -589,6 +594,7 @@ TEST_CASE("rational twist: what is refused") {
   CHECK_THROWS_AS(best_twist(piece, {9, EndRates::free, false, 60}), DomainError);
   CHECK_THROWS_AS(rotation_family(piece, 1, EndRates::matched, 60), DomainError);
   CHECK_THROWS_AS(twist_with_end_factor(piece, 0), DomainError);
+  CHECK_THROWS_AS(twist_with_end_factor(piece, power_of_two(-10000)), Undecided);
   TwistPiece whole = piece;
   whole.whole_turns = 1;
   CHECK_THROWS_AS(best_twist(whole, {1, EndRates::free, false, 60}), DomainError);
