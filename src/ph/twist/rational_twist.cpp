@@ -10,7 +10,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
 #include "phrame/ph/twist/twist_error.hpp"
-#include "phrame/ph/twist/twist_objective.hpp"
+#include "phrame/ph/twist/twist_search.hpp"
 
 namespace phrame {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/ph/twist/twist_objective.hpp"
+#include "phrame/ph/twist/twist_search.hpp"
 
 namespace phrame {
 
