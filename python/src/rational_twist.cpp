@@ -1,3 +1,5 @@
+#include <cctype>
+
 #include "answers.hpp"
 
 namespace phrame::python {
@@ -34,6 +36,11 @@ Subdivision subdivision_of(nb::handle list, const Rational& end) {
     } else if (word.starts_with("rms:")) {
       wanted.tolerance = rational(nb::str(word.substr(4).c_str()), place);
       if (*wanted.tolerance <= 0) refuse(place, "the error must be positive", item);
+    } else if (!word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0) {
+      refuse(place,
+             "\"" + abbreviated(word) +
+                 "\" is none of inflections, extrema, auto, rms:X and a parameter",
+             item);
     } else {
       wanted.at.push_back(rational(item, place));
       if (wanted.at.back() < 0 || wanted.at.back() > end)

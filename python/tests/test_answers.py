@@ -67,6 +67,8 @@ def test_rational_frames_of_minimal_twist():
         assert not other.is_proved and other.other is None and "given" in other.doubt
     assert float(twist.rational(degree=3).rms) < float(best.rms) < float(twist.rational(degree=1, free_ends=True).rms)
     assert max(float(p.rms) for p in twist.rational(subdivide=["rms:1/100"]).pieces) <= 0.01
+    with pytest.raises(phrame.InputError, match=r'^subdivide\[1\]: "foo" is none of inflections, extrema'):
+        twist.rational(subdivide=["auto", "foo"])
     with pytest.raises(phrame.DomainError, match="PH curves only"):
         phrame.Curve.bezier([[1, 0, 0], [1, 1, 0], [0, 1, 0]], [1, 1, 2]).minimal_twist(0, 1).rational()
 

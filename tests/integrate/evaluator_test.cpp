@@ -196,7 +196,7 @@ TEST_CASE("definite: law: all routes lead to the same value, as accurate as aske
   };
   check({{0, 1}, chebyshev}, Rational(-1, 3), 1);
   check({{0, 1}, cluster}, Rational(-1, 3), 1);
-  for_samples(12, [&](Random& random) {
+  for_samples(8, [&](Random& random) {
     const RationalFunction f(random.polynomial(6), random.repeated_polynomial(2));
     CHECK_FALSE(has_no_clear_root(squarefree_part(f.denominator())));
     const Rational a = random.integer(-3, 3);

@@ -199,7 +199,7 @@ TEST_CASE("totals: rates are those of the definition, and their integrals those 
 }
 
 TEST_CASE("totals: the parts of a curve add up, and its reversal has the same") {
-  for_samples(9, [](Random& random) {
+  for_samples(6, [](Random& random) {
     const Curve curve = random_curve(random, 2);
     const Rational t(random.integer(1, 6), 7);
     const Curve first = segment(curve, 0, t);
@@ -256,7 +256,7 @@ TEST_CASE("totals: the total torsion is the negative angle to the Frenet frame")
 // What is known of these integrals beforehand, the argument of the bend and the part of τ² that is
 // a derivative, must not change what the integrator finds by itself.
 TEST_CASE("totals: law: the antiderivatives are those that the integrator finds without help") {
-  for_samples(12, [](Random& random) {
+  for_samples(8, [](Random& random) {
     const Polynomial multiplier = random.nonzero_polynomial(2);
     const Curve curve(random_curve(random, 4).preimage(), multiplier);
     const Total torsion = total_torsion(curve);

@@ -129,7 +129,7 @@ TEST_CASE("certificate: a turn by exactly a quarter") {
 }
 
 TEST_CASE("certificate: law: random curves are proved, many or few digits") {
-  for_samples(25, [](Random& random) {
+  for_samples(15, [](Random& random) {
     const Curve curve = random.curve(5);
     const Reference reference =
         is_line(curve) || random.chance(2) ? Reference::euler_rodrigues : Reference::frenet;

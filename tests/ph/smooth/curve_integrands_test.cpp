@@ -2,6 +2,7 @@
 
 #include "phrame/algebra/ball_order.hpp"
 #include "support/expression_curves.hpp"
+#include "support/random.hpp"
 
 using namespace phrame;
 using test::expression_curve;
