@@ -93,9 +93,9 @@ def check_words(path):
 
 
 def check_both(paths):
-    """Both checkers prove them."""
+    """Both checkers prove them; for every day that of the program does so in tests/ph/proof."""
     failed = set(paths) - proved(paths)
-    by_program = [path for path in paths if phrame("verify", path).returncode]
+    by_program = [path for path in paths if phrame("verify", path).returncode] if ALL else []
     print("%d near-cusps, not proved: %d by the script, %d by verify" % (len(paths), len(failed), len(by_program)))
     if failed or by_program or len(paths) < 6 * len(NEAR_CUSPS):
         sys.exit("not proved: %s; by verify: %s" % (sorted(failed), by_program))
