@@ -1,5 +1,6 @@
 // What is said to who types something wrong, and the documents that the program writes of itself.
 #include "cli/workshop.hpp"
+#include "support/random.hpp"
 
 using namespace phrame;
 using namespace phrame::test;
@@ -257,6 +258,7 @@ TEST_CASE("terminal: a manual page for the program and for each command") {
   const Workshop here;
   const Run program = here.run("man");
   check_success(program);
+  long pages = 0;
   for (const std::string& name : names_of_commands(here)) {
     CAPTURE(name);
     const Run page = here.run("man " + name);
@@ -265,7 +267,8 @@ TEST_CASE("terminal: a manual page for the program and for each command") {
     for (const char* section : {"NAME", "SYNOPSIS", "OPTIONS", "EXAMPLES", "EXIT STATUS"})
       CHECK(contains(page.out, std::string("\n.SH ") + section + "\n"));
     CHECK(contains(program.out, "phrame\\-" + name + " (1)"));
-    if (!has_program("groff")) continue;
+    // Every other one is enough for every day.
+    if (pages++ % everyday(2, 1) != 0 || !has_program("groff")) continue;
     here.write("page", page.out);
     const std::string read =
         output_of(here, "groff -man -Kutf8 -ww -Tutf8 page 2> warnings | col -bx");
