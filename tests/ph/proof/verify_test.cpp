@@ -284,6 +284,22 @@ TEST_CASE("verify: the order of points is no matter") {
   check_proved(c);
 }
 
+TEST_CASE("verify: of a line no vector is a witness but its direction and its normals") {
+  const Certificate good = certificate(straight_line().curve, Reference::euler_rodrigues);
+  check_proved(good);
+  for (const Vector<Rational>& v : {Vector<Rational>{1, 2, 3}, Vector<Rational>{}}) {
+    Certificate bad = good;
+    bad.decisions.line = v;
+    CHECK(not_proved(bad).size() == 1);
+    bad = good;
+    bad.decisions.normal = v;
+    CHECK(not_proved(bad).size() == 1);
+  }
+  Certificate bad = good;
+  bad.decisions.rational_frame = {{1}, {0, 1}};  // turns
+  CHECK(not_proved(bad).size() == 1);
+}
+
 // (u, v, p, q) = (1, t, t, 0), a helix: x = 1, y = 2t², σ = 1 + 2t², so that x + y = σ.
 TEST_CASE("verify: another witness is as good, a wrong one is none") {
   Certificate c = certificate(Curve({{1}, {0, 1}, {0, 1}, {}}), Reference::frenet);
