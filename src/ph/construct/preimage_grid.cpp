@@ -5,6 +5,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
+#include "phrame/ph/frame/frame_angle.hpp"
 
 namespace phrame {
 
@@ -25,6 +26,10 @@ Quaternion<BigFloat> big_floats(const RationalQuaternion& a, long bits) {
 }
 
 Phase phase_of(const Angle& angle, long bits) {
+  // Quarters exactly: they keep planes.
+  if (const auto z = direction_of(FrameAngle(angle)); z && (z->re == 0 || z->im == 0))
+    return {BigFloat(static_cast<double>(z->re.sign())),
+            BigFloat(static_cast<double>(z->im.sign()))};
   const auto [cos, sin] = cos_sin(to_real(angle).enclose(bits), bits);
   return {BigFloat(cos, bits), BigFloat(sin, bits)};
 }
@@ -55,8 +60,12 @@ IntegerQuaternion PreimageGrid::rounded(const Quaternion<BigFloat>& a) const {
 }
 
 Phase turn_to(const Quaternion<BigFloat>& a, const Quaternion<BigFloat>& b) {
+  return turn_to(a, b, sqrt(norm(a)));
+}
+
+Phase turn_to(const Quaternion<BigFloat>& a, const Quaternion<BigFloat>& b, const BigFloat& size) {
   const auto [re, im] =
-      direction_of(hermitian_product(a, b), BigFloat(antiparallel) * sqrt(norm(a) * norm(b)));
+      direction_of(hermitian_product(a, b), BigFloat(antiparallel) * size * sqrt(norm(b)));
   return {re, -im};
 }
 

@@ -52,8 +52,11 @@ class PreimageGrid {
   Rational step2_;
 };
 
-/// What turns b such that H(a, b) becomes positive; 1 where H is 0.
+/// @{ What turns b such that H(a, b) becomes positive; 1 where H is 0, or rounding beside |b| and
+/// the size of a, or of the terms that a is a sum of: these may cancel.
 Phase turn_to(const Quaternion<BigFloat>& a, const Quaternion<BigFloat>& b);
+Phase turn_to(const Quaternion<BigFloat>& a, const Quaternion<BigFloat>& b, const BigFloat& size);
+/// @}
 
 /// z with |z| an integer, near e^{iψ} times that, with short numbers: (1 + iτ)² and quarters.
 GaussianInteger short_direction(const Phase& wanted);

@@ -131,8 +131,9 @@ QuinticFamily::Member QuinticFamily::member(double delta, double phi) const {
   const Quaternion<double> a2 = turned(a2_, unit(delta));
   const Quaternion<double> sum = a0_ + a2;
   Quaternion<double> b = preimage(c(delta));
-  const auto [re, im] =
-      direction_of(hermitian_product(sum, b), antiparallel * std::sqrt(norm(sum) * norm(b)));
+  // The two terms of the sum may cancel: where Δ is a half turn and d₀ = d₁.
+  const double least = antiparallel * (std::sqrt(s0_) + std::sqrt(s1_)) * std::sqrt(norm(b));
+  const auto [re, im] = direction_of(hermitian_product(sum, b), least);
   b = turned(turned(b, ComplexOf<double>{re, -im}), unit(phi));
   return {a0_, 0.25 * (b - 3.0 * sum), a2};
 }

@@ -102,7 +102,8 @@ void Chain::add(std::size_t k) {
   const Vector<Integer> known = integral_of_ends(q0, q);
   const Vector<Rational> c = (120 / h) * (data_.points[k + 1] - r) - exact(known, step2);
   const Quaternion<BigFloat> b_as_is = preimage(grid_.vector(c));
-  const Phase w = turn_to(a0_ + a2, b_as_is) * grid_.phase(angles_[k].phi) * turn_;
+  const Phase w = turn_to(a0_ + a2, b_as_is, sqrt(norm(a0_)) + sqrt(norm(a2))) *
+                  grid_.phase(angles_[k].phi) * turn_;
   const Quaternion<BigFloat> ends = grid_.quaternion(q0 + q, step);
   const IntegerQuaternion a1 =
       n * grid_.rounded(BigFloat(0.25) * (turned(b_as_is, w) - BigFloat(3.0) * ends));

@@ -116,6 +116,11 @@ class RrmfSegment {
     return ends;
   }
   RrmfPiece piece(const RrmfQuintic<Rational>& x, long bits) const;
+  std::optional<RrmfPiece> straight(long bits) const;
+  bool is_within_tolerance(const RrmfPiece& piece) const {
+    return piece.squared_points <= tolerance_.points * tolerance_.points &&
+           4 * piece.sines <= tolerance_.derivatives * tolerance_.derivatives;
+  }
 
   const RrmfState& start_;
   const Vector<Rational>& point_;
@@ -138,12 +143,23 @@ RrmfPiece RrmfSegment::piece(const RrmfQuintic<Rational>& x, long bits) const {
   return {curve, {a2, r}, dot(off, off), squared_sine(rotated_i(a2), d1_), bits};
 }
 
+/// The line, where that ends as wanted: b = q = 1. There all quintics that end so are it, and to
+/// look for one is to look along them.
+std::optional<RrmfPiece> RrmfSegment::straight(long bits) const {
+  const Rational length = rounded_to_places(step_[0], bits);
+  if (!(length > 0) || !(end_direction_[0] > 0)) return std::nullopt;
+  RrmfPiece line = piece({{1, 0, 0, 0}, 0, length}, bits);
+  if (!is_within_tolerance(line)) return std::nullopt;
+  return rule_ == PointRule::near ? line : meeting(std::move(line), point_);
+}
+
 std::optional<RrmfPiece> RrmfSegment::found() const {
   constexpr long spare_bits = 24;
   constexpr int most_passes = 12;
   bool met_nearly = false;
   long bits = std::max(24L, 6 - binary_exponent(std::min(Rational(tolerance_.points * scale_),
                                                          tolerance_.derivatives)));
+  if (auto line = straight(bits)) return line;
   const RrmfEnd first = wanted(bits + spare_bits);
   const RrmfEnds<double> guessed{scaled_to_doubles(1, first.step),
                                  quaternion_in_doubles(first.end)};
@@ -164,9 +180,7 @@ std::optional<RrmfPiece> RrmfSegment::found() const {
     const RrmfQuintic<Rational> quintic = parameters.quintic(std::move(rounded));
     if (!(quintic.f > 0) || norm(last_coefficient(quintic)) == 0) continue;
     RrmfPiece result = piece(quintic, bits);
-    if (result.squared_points > tolerance_.points * tolerance_.points ||
-        4 * result.sines > tolerance_.derivatives * tolerance_.derivatives)
-      continue;
+    if (!is_within_tolerance(result)) continue;
     if (rule_ == PointRule::near) return result;
     met_nearly = true;
     if (auto exact = meeting(std::move(result), point_)) return exact;

@@ -5,6 +5,8 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/energy.hpp"
+#include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/frame/path_totals.hpp"
 #include "support/random.hpp"
 
@@ -50,6 +52,23 @@ TEST_CASE("plane quintics: a closed spline of them is closed, and in the plane")
   CHECK(found.path.closing_turn().has_value());
   for (const Curve& curve : found.path.segments()) CHECK(hodograph(curve)[2] == Polynomial());
   CHECK(rotation_index(found) == doctest::Approx(1).epsilon(1e-9));
+}
+
+// With A₂ = −A₀ the sum that φ is measured from is 0. From mpmath by complex numbers, r′ = w²,
+// w = w₀((1 − t)² − t²) ± 2t(1 − t)√c/4, w₀² = d, c = 120Δp − 40d.
+TEST_CASE("plane quintics: equal derivatives at both ends have four, two of them mirrored") {
+  const Vector<Rational> d{Rational(1, 2), -1, 0};
+  const HermiteSpline data{{{2, Rational(667, 1000), 0}, {3, 1, 0}}, {d, d}, {0, 1}};
+  std::vector<Curve> curves;
+  for (const long solution : {2, 3}) {
+    const Construction found = plane_quintics(data, solution, tolerance);
+    curves.push_back(found.path.segments().front());
+    CHECK(hodograph(curves.back())[2] == Polynomial());
+    CHECK(round_to_double(arc_length(curves.back())(1)) == doctest::Approx(1.43965716922175));
+    CHECK(approximate_energy(curves.back()) == doctest::Approx(117.875653899642));
+    CHECK(rotation_index(found) == doctest::Approx(1));
+  }
+  CHECK(curves.front() != curves.back());
 }
 
 TEST_CASE("plane quintics: data outside the plane are refused by their place") {

@@ -135,6 +135,20 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("RRMF quintics: where points and tangents are on a line it is the line") {
+  const Deviation asked{Rational(1, 1'000'000'000'000), Rational(1, 1'000'000'000'000)};
+  for_samples(5, [&](Random& random) {
+    const Vector<Rational> d{random.rational(), random.rational(), random.integer(1, 9)};
+    const HermiteSpline data{
+        {{1, 2, 3}, d + Vector<Rational>{1, 2, 3}, Rational(3) * d + Vector<Rational>{1, 2, 3}},
+        {d, Rational(7) * d, d},
+        {0, 1, 2}};
+    const Construction found = rrmf_spline(data, asked);
+    check_met(found, data, asked);
+    for (const Curve& curve : found.path.segments()) CHECK(preimage_degree(curve) == 0);
+  });
+}
+
 TEST_CASE("RRMF quintics: adverse data have a curve or a line that says why not") {
   const auto outcome = [](const Vector<Rational>& step, const Vector<Rational>& d0,
                           const Vector<Rational>& d1) -> std::string {
