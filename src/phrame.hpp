@@ -83,8 +83,9 @@
 #include "phrame/ph/smooth/smooth_totals.hpp"
 #include "phrame/ph/smooth/up_vector.hpp"
 
-// Rational functions, likewise.
+// Rational functions, likewise, and what to call first where memory may not do.
 #include "phrame/algebra/factor.hpp"
+#include "phrame/algebra/out_of_memory.hpp"
 #include "phrame/algebra/roots.hpp"
 #include "phrame/algebra/rounded_polynomial.hpp"
 #include "phrame/integrate/definite_integral.hpp"

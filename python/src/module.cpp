@@ -30,6 +30,7 @@ void translate(const std::exception_ptr& thrown, void*) {
 
 NB_MODULE(_phrame, m) {
   using namespace phrame::python;
+  phrame::throw_when_out_of_memory();  // MemoryError, not the end of the session
   m.doc() = "The library phrame: exact rotation-minimizing frames of Pythagorean-hodograph curves.";
   // Other packages keep objects until the end, too: only python -X dev tells of them.
   nb::set_leak_warnings(nb::cast<bool>(nb::module_::import_("sys").attr("flags").attr("dev_mode")));

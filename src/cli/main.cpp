@@ -3,8 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <exception>
+#include <new>
 #include <sstream>
 
+#include <unistd.h>
+
+#include "phrame/algebra/out_of_memory.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/usage.hpp"
 #include "phrame/io/write/failure.hpp"
@@ -129,9 +134,28 @@ int status_of(int argc, char** argv) {
   }
 }
 
+std::terminate_handler terminated_otherwise;
+
+/// For want of memory even the line about it may not be written as others are, or a destructor
+/// throw.
+[[noreturn]] void give_up() {
+  try {
+    if (std::current_exception()) throw;
+  } catch (const std::bad_alloc&) {
+    constexpr std::string_view line = "phrame: undecided: out of memory\n";
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, line.data(), line.size());
+    _exit(4);
+  } catch (...) {
+  }
+  terminated_otherwise();
+  std::abort();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  terminated_otherwise = std::set_terminate(give_up);
+  phrame::throw_when_out_of_memory();
   const int status = status_of(argc, argv);
   phrame::release_caches();
   return status;

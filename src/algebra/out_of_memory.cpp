@@ -1,0 +1,97 @@
+// GMP allows that its memory functions do not return ("Custom Allocation": what is allocated at
+// that time is lost). A C++ exception passes through functions in C where these have tables for
+// unwinding, which compilers make for x86-64 and 64-bit ARM unless told otherwise.
+//
+// Who frees may allocate: FLINT keeps freed numbers in an array that grows. A destructor must not
+// throw, so that there is a reserve, which small requests and the growth of arrays are granted when
+// there is nothing else; it is taken back before anything else is granted.
+#include "phrame/algebra/out_of_memory.hpp"
+
+#include <atomic>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+#include "phrame/algebra/flint.hpp"
+
+namespace phrame {
+namespace {
+
+constexpr std::size_t reserve_size = std::size_t{1} << 21;
+constexpr std::size_t small_size = std::size_t{1} << 12;
+
+std::atomic<void*> reserve = nullptr;
+
+/// Is there memory now that was none before?
+bool gives_reserve() noexcept {
+  void* const kept = reserve.exchange(nullptr);
+  std::free(kept);
+  return kept != nullptr;
+}
+
+bool takes_reserve() noexcept {
+  void* const taken = std::malloc(reserve_size);
+  void* none = nullptr;
+  if (taken != nullptr && !reserve.compare_exchange_strong(none, taken)) std::free(taken);
+  return taken != nullptr;
+}
+
+/// π, log 2, free numbers, which the function that is left may have been about to change, are
+/// computed again.
+[[noreturn]] void fail() {
+  gives_reserve();
+  flint_cleanup();
+  throw std::bad_alloc();
+}
+
+void require_reserve() {
+  if (reserve.load(std::memory_order_relaxed) != nullptr || std::uncaught_exceptions() > 0) return;
+  if (!takes_reserve()) fail();
+}
+
+void* allocated(std::size_t size) {
+  require_reserve();
+  if (void* const p = std::malloc(size)) return p;
+  if (gives_reserve() && size <= small_size)
+    if (void* const p = std::malloc(size)) return p;
+  fail();
+}
+
+void* cleared(std::size_t count, std::size_t size) {
+  require_reserve();
+  if (void* const p = std::calloc(count, size)) return p;
+  fail();
+}
+
+/// Of destructors, too: not refused while there is the reserve.
+void* reallocated(void* old, std::size_t size) {
+  do
+    if (void* const p = std::realloc(old, size)) return p;
+  while (gives_reserve());
+  fail();
+}
+
+void* gmp_reallocated(void* old, std::size_t, std::size_t size) { return reallocated(old, size); }
+void gmp_free(void* p, std::size_t) { std::free(p); }
+
+[[noreturn]] void abandon() {
+  throw std::runtime_error("FLINT was asked for what it does not compute");
+}
+
+void give_to_new() {
+  if (!gives_reserve()) throw std::bad_alloc();
+}
+
+}  // namespace
+
+void throw_when_out_of_memory() {
+  takes_reserve();
+  mpfr_free_cache();
+  mp_set_memory_functions(allocated, gmp_reallocated, gmp_free);
+  __flint_set_memory_functions(allocated, cleared, reallocated, std::free);
+  flint_set_abort(abandon);
+  std::set_new_handler(give_to_new);
+}
+
+}  // namespace phrame
