@@ -9,6 +9,7 @@ from typing import Any, Callable
 
 import numpy as np
 
+from . import _numbers
 from ._errors import InputError
 from ._phrame import Polynomial
 
@@ -48,8 +49,9 @@ def _width(ribbon: Any) -> float:
 
 def _normals(f2: Any, n: int) -> Any:
     """Somebody's vectors, as many as there are parameters."""
+    rows = _numbers.rows(f2, "f2", ("x", "y", "z"))
     try:
-        found = np.asarray(f2, dtype=float)
+        found = np.asarray(rows, dtype=float)
     except (TypeError, ValueError, OverflowError):
         raise TypeError(f"f2: vectors are wanted, not {type(f2).__name__}") from None
     if found.shape != (n, 3) or not np.isfinite(found).all():
@@ -107,7 +109,7 @@ def path(
 def angle(self: Any, ts: Any = None, *, ax: Any = None, **style: Any) -> Any:
     """Angle.plot"""
     _require_axes(ax, "plot")
-    at = _parameters(self.path, ts)
+    at = _numbers.numbers(_parameters(self.path, ts), "ts")
     values = self(at)
     if not isinstance(values, np.ndarray):
         raise TypeError(f"ts: a list of parameters is wanted, not {type(ts).__name__}")

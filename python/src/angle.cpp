@@ -50,7 +50,7 @@ auto value_of(const AngleObject& self) {
 }
 
 nb::object angle_of_what(const AngleObject& self, nb::handle ts, nb::handle progress) {
-  if (PyUnicode_Check(ts.ptr()) != 0 || PySequence_Check(ts.ptr()) == 0) {
+  if (!is_list(ts)) {
     const Rational t = rational(ts, "ts");
     return nb::float_(
         without_gil([value = value_of(self), t] { return round_to_double(value(t)); }));

@@ -36,8 +36,8 @@ nb::object from_quaternions(nb::handle rows, nb::handle multiplier, nb::handle s
   const std::string basis = basis_named(basis_name);
   std::array<std::vector<Rational>, 4> parts;
   std::size_t k = 0;
-  if (PySequence_Check(rows.ptr()) == 0) refuse_type("quaternions", "a list of quaternions", rows);
-  for (const nb::handle row : nb::list(rows)) {
+  for (const nb::handle row :
+       python::rows(rows, "quaternions", "a list of quaternions", {"u", "v", "p", "q"})) {
     const std::string place = "quaternions[" + std::to_string(k++) + "]";
     const auto list = rationals(row, place);
     if (list.size() != 4)
@@ -57,10 +57,10 @@ GaussianPolynomial complex_list(nb::handle list, const std::string& place,
                                 const std::string& basis) {
   std::vector<Rational> re;
   std::vector<Rational> im;
-  if (PySequence_Check(list.ptr()) == 0) refuse_type(place, "a list of pairs (re, im)", list);
+  if (!is_list(list)) refuse_type(place, "a list of complex numbers or pairs (re, im)", list);
   for (const nb::handle x : nb::list(list)) {
     const std::string here = place + "[" + std::to_string(re.size()) + "]";
-    if (PyComplex_Check(x.ptr()) != 0) {
+    if (!is_list(x) && nb::hasattr(x, "imag")) {
       re.push_back(rational(x.attr("real"), here));
       im.push_back(rational(x.attr("imag"), here));
       continue;
@@ -165,8 +165,7 @@ void choose_solution(ConstructQuery& query, nb::handle tolerance, nb::handle sol
                                              {"longest", QuinticSelection::longest},
                                              {"energy", QuinticSelection::energy}});
   if (angles.is_none()) return;
-  if (PyUnicode_Check(angles.ptr()) != 0 || PySequence_Check(angles.ptr()) == 0)
-    refuse_type("angles", "two or three angles", angles);
+  if (!is_list(angles)) refuse_type("angles", "two or three angles", angles);
   std::vector<Angle> list;
   for (const nb::handle x : nb::list(angles))
     list.push_back(angle_number(x, "angles[" + std::to_string(list.size()) + "]"));

@@ -22,8 +22,7 @@ Integer turns_of(nb::handle extra_turns) {
 
 /// An angle, or the vector that f₂ is along.
 FrameStart angle_or_vector(nb::handle x, const std::string& place) {
-  if (PyUnicode_Check(x.ptr()) == 0 && PySequence_Check(x.ptr()) != 0)
-    return StartNormal(vector(x, place));
+  if (is_list(x)) return StartNormal(vector(x, place));
   return angle_number(x, place);
 }
 

@@ -37,6 +37,18 @@ Rational integer(nb::handle x) {
   return Rational(is_negative ? -size : size);
 }
 
+/// A number of Python itself, which has neither a unit nor a mask.
+bool is_of_python(nb::handle x) {
+  PyObject* const p = x.ptr();
+  return PyFloat_Check(p) != 0 || PyLong_Check(p) != 0 ||
+         x.type().is(imported("fractions", "Fraction")) ||
+         x.type().is(imported("decimal", "Decimal"));
+}
+
+bool is_plain_list(nb::handle x) {
+  return PyList_CheckExact(x.ptr()) != 0 || PyTuple_CheckExact(x.ptr()) != 0;
+}
+
 Rational quotient(nb::handle n, nb::handle d) { return integer(n) / integer(d); }
 
 Rational dyadic(double x, nb::handle value, const std::string& place) {
@@ -127,29 +139,19 @@ Rational rational(nb::handle x, const std::string& place) {
   }
   if (nb::isinstance<RealNumber>(x))
     refuse(place, "an irrational number is not taken here; x.digits(n) is rational", x);
-  if (PyIndex_Check(p) != 0) {  // NumPy's integers; not arrays, whose __index__ raises
-    const nb::object index = nb::steal(PyNumber_Index(p));
-    if (index.is_valid()) return integer(index);
-    PyErr_Clear();
-  }
-  if (nb::hasattr(x, "as_integer_ratio")) return by_ratio(x, place);
-  if (nb::hasattr(x, "numerator") && nb::hasattr(x, "denominator")) {
-    const nb::object n = x.attr("numerator");
-    const nb::object d = x.attr("denominator");
-    if (PyIndex_Check(n.ptr()) != 0 && PyIndex_Check(d.ptr()) != 0)
-      return quotient(nb::steal(PyNumber_Index(n.ptr())), nb::steal(PyNumber_Index(d.ptr())));
-  }
-  if (nb::hasattr(x, "p") && nb::hasattr(x, "q"))  // SymPy and python-flint
-    return quotient(nb::int_(x.attr("p")), nb::int_(x.attr("q")));
-  if (nb::hasattr(x, "man_exp")) {  // mpmath
-    const nb::object parts = x.attr("man_exp");
-    return integer(nb::int_(parts[0])) * power_of_two(nb::cast<long>(parts[1]));
-  }
-  refuse_type(place, "a number (int, Fraction, Decimal, float or str)", x);
+  const nb::object found = imported("phrame._numbers", "number")(x, place);
+  if (nb::isinstance<nb::tuple>(found)) return quotient(found[0], found[1]);
+  if (found.is_none()) refuse_type(place, "a number (int, Fraction, Decimal, float or str)", x);
+  return rational(found, place);
 }
 
 Angle angle_number(nb::handle x, const std::string& place) {
-  if (PyUnicode_Check(x.ptr()) == 0) return Angle(rational(x, place));
+  if (PyUnicode_Check(x.ptr()) == 0) {
+    if (is_of_python(x)) return Angle(rational(x, place));
+    const nb::object parts = imported("phrame._numbers", "angle")(x, place);
+    const Rational angle = rational(parts[0], place) * rational(parts[1], place);
+    return nb::cast<bool>(parts[2]) ? Angle(angle, 0) : Angle(angle);
+  }
   try {
     return parse_angle(text(x, place));
   } catch (const InputError& error) {
@@ -167,12 +169,33 @@ long count(nb::handle x, const std::string& place, long least, long most) {
   return static_cast<long>(numerator(n));
 }
 
+bool is_list(nb::handle x) {
+  if (is_plain_list(x)) return true;
+  if (PyUnicode_Check(x.ptr()) != 0 || PyBytes_Check(x.ptr()) != 0 ||
+      PySequence_Check(x.ptr()) == 0)
+    return false;
+  return !(nb::hasattr(x, "ndim") && x.attr("ndim").equal(nb::int_(0)));
+}
+
+nb::object listed(nb::handle x, const std::string& place, const char* wanted) {
+  if (!is_list(x)) refuse_type(place, wanted, x);
+  if (is_plain_list(x)) return nb::borrow(x);
+  return imported("phrame._numbers", "numbers")(x, place);
+}
+
+nb::list rows(nb::handle x, const std::string& place, const char* wanted,
+              std::initializer_list<const char*> columns) {
+  if (!is_list(x)) refuse_type(place, wanted, x);
+  if (is_plain_list(x)) return nb::list(nb::borrow(x));
+  nb::list names;
+  for (const char* name : columns) names.append(name);
+  return nb::list(imported("phrame._numbers", "rows")(x, place, names));
+}
+
 std::vector<Rational> rationals(nb::handle list, const std::string& place) {
-  if (PyUnicode_Check(list.ptr()) != 0 || PyBytes_Check(list.ptr()) != 0 ||
-      PySequence_Check(list.ptr()) == 0)
-    refuse_type(place, "a list of numbers", list);
+  const nb::object given = listed(list, place, "a list of numbers");
   // A tuple of its own: what a number runs in Python cannot change it.
-  const nb::object items = nb::steal(PySequence_Tuple(list.ptr()));
+  const nb::object items = nb::steal(PySequence_Tuple(given.ptr()));
   if (!items.is_valid()) {
     PyErr_Clear();
     refuse_type(place, "a list of numbers", list);
@@ -197,10 +220,8 @@ Vector<Rational> vector(nb::handle x, const std::string& place) {
 
 std::vector<Vector<Rational>> vectors(nb::handle list, const std::string& place,
                                       std::size_t least) {
-  if (PyUnicode_Check(list.ptr()) != 0 || PySequence_Check(list.ptr()) == 0)
-    refuse_type(place, "a list of points", list);
   std::vector<Vector<Rational>> result;
-  for (const nb::handle row : nb::list(list))
+  for (const nb::handle row : rows(list, place, "a list of points", {"x", "y", "z"}))
     result.push_back(vector(row, place + "[" + std::to_string(result.size()) + "]"));
   if (result.size() < least)
     refuse(

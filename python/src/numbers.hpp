@@ -53,14 +53,21 @@ auto without_gil(F f) {
   return std::move(**result);
 }
 
-/// The number that a Python object is, exactly: int, Fraction, Decimal, str, float, and what has
-/// __index__, numerator and denominator, or as_integer_ratio. `place` is the argument's name.
+/// The number that a Python object is, exactly: int, Fraction, Decimal, str, float, and those of
+/// other packages (phrame/_numbers.py). `place` is the argument's name.
 Rational rational(nb::handle x, const std::string& place);
-/// An angle: a number of radians, or a text such as "pi/4" or "45deg".
+/// An angle: a number of radians, a text such as "pi/4" or "45deg", or a quantity of an angle.
 Angle angle_number(nb::handle x, const std::string& place);
 /// A number of digits ≥ 1, or of bits.
 long count(nb::handle x, const std::string& place, long least, long most);
 
+/// Is it a list, an array, a column, a table, …: not one number, with a unit or without?
+bool is_list(nb::handle x);
+/// It as a sequence of numbers; `wanted` is what else it is not.
+nb::object listed(nb::handle x, const std::string& place, const char* wanted);
+/// It as a list of rows; the columns of a table are taken by these names, or in their order.
+nb::list rows(nb::handle x, const std::string& place, const char* wanted,
+              std::initializer_list<const char*> columns);
 /// A list, a tuple or an array, one element each; numbers are named "place[3]".
 std::vector<Rational> rationals(nb::handle list, const std::string& place);
 /// Three numbers.

@@ -8,21 +8,19 @@ namespace phrame::python {
 
 Parameters parameters(nb::handle ts, const std::string& place) {
   Parameters found;
-  nb::object list = nb::borrow(ts);
-  if (nb::ndarray_check(ts) && nb::hasattr(ts, "dtype")) {
-    if (nb::cast<long>(ts.attr("ndim")) != 1)
+  const nb::object list = listed(ts, place, "a list of numbers");
+  if (list.type().is(imported("numpy", "ndarray"))) {
+    if (nb::cast<long>(list.attr("ndim")) != 1)
       refuse(place,
              "an array of one dimension is wanted, its shape is " +
-                 nb::cast<std::string>(nb::str(nb::object(ts.attr("shape")))),
+                 nb::cast<std::string>(nb::str(nb::object(list.attr("shape")))),
              ts);
-    const std::string kind = nb::cast<std::string>(ts.attr("dtype").attr("kind"));
-    if (kind == "f" && nb::cast<long>(ts.attr("dtype").attr("itemsize")) <= 8) {
+    const std::string kind = nb::cast<std::string>(list.attr("dtype").attr("kind"));
+    if (kind == "f" && nb::cast<long>(list.attr("dtype").attr("itemsize")) <= 8) {
       const auto array =
           nb::cast<nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>>(
-              ts.attr("astype")("float64", nb::arg("order") = "C", nb::arg("copy") = false));
+              list.attr("astype")("float64", nb::arg("order") = "C", nb::arg("copy") = false));
       found.doubles.assign(array.data(), array.data() + array.shape(0));
-    } else {
-      list = ts.attr("tolist")();
     }
   }
   if (found.doubles.empty()) found.fractions = rationals(list, place);

@@ -59,7 +59,7 @@ SmoothAngleAnswer smooth_answer(const SmoothAngleObject& self) {
 }
 
 nb::object smooth_angle_of_what(const SmoothAngleObject& self, nb::handle ts, nb::handle progress) {
-  if (PyUnicode_Check(ts.ptr()) != 0 || PySequence_Check(ts.ptr()) == 0) {
+  if (!is_list(ts)) {
     const Rational t = rational(ts, "ts");
     return nb::float_(
         without_gil([value = value_of(self), t] { return round_to_double(value(t)); }));

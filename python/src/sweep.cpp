@@ -26,9 +26,8 @@ RationalFunction scale_of(nb::handle scale) {
 
 Profile polygon_of(nb::handle corners) {
   std::vector<ProfilePoint> points;
-  if (PySequence_Check(corners.ptr()) == 0)
-    refuse_type("profile", "a str, a file or a list of corners", corners);
-  for (const nb::handle row : nb::list(corners)) {
+  for (const nb::handle row :
+       rows(corners, "profile", "a str, a file or a list of corners", {"x", "y"})) {
     const std::string place = "profile[" + std::to_string(points.size()) + "]";
     const auto numbers = rationals(row, place);
     if (numbers.size() != 2)

@@ -1,0 +1,299 @@
+"""Numbers and tables of other packages: taken exactly, with their signs, or refused by name. Packages that are not here are skipped."""
+
+import random
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import phrame
+from common import MULTIPLIER, QUINTIC
+
+LINE = phrame.Polynomial([0, 1])
+HUGE = 2**900 + 2**850
+NUMBERS = [Fraction(-1), Fraction(-3, 4), Fraction(1e-300), Fraction(-1e-300), Fraction(HUGE), Fraction(-HUGE), Fraction(0), Fraction(7, 8)]
+
+
+def _numpy_kinds():
+    for kind in (np.float16, np.float32, np.float64, np.longdouble):
+        most = Fraction(float(min(np.finfo(kind).max, np.finfo(float).max)))
+        yield kind.__name__, lambda x, kind=kind, most=most: kind(float(x)) if abs(x) <= most and float(kind(float(x))) == x else None
+    for kind in (np.int8, np.int16, np.int32, np.int64, np.uint8, np.uint16, np.uint32, np.uint64):
+        fits = np.iinfo(kind)
+        yield kind.__name__, lambda x, kind=kind, fits=fits: kind(int(x)) if x.denominator == 1 and fits.min <= x <= fits.max else None
+
+
+def _array(make):
+    return lambda x: None if make(x) is None else np.array(make(x))
+
+
+def kinds():
+    """What makes an object of each type of a fraction, or None where it has none that is equal."""
+    from decimal import Decimal, localcontext
+
+    def decimal(x):
+        with localcontext() as context:
+            context.prec = 2000
+            return Decimal(x.numerator) / Decimal(x.denominator)
+
+    made = {"int": lambda x: int(x) if x.denominator == 1 else None, "float": float, "Fraction": lambda x: x, "str": str, "Decimal": decimal}
+    made.update(_numpy_kinds())
+    made.update({f"array of {name}": _array(make) for name, make in _numpy_kinds()})
+    return made
+
+
+def _mpmath(mpmath):
+    return {"mpf": lambda x: mpmath.mpf(x.numerator) / x.denominator}
+
+
+def _gmpy2(gmpy2):
+    return {"mpz": lambda x: gmpy2.mpz(int(x)) if x.denominator == 1 else None, "xmpz": lambda x: gmpy2.xmpz(int(x)) if x.denominator == 1 else None,
+            "mpq": lambda x: gmpy2.mpq(x.numerator, x.denominator), "mpfr": lambda x: gmpy2.mpfr(float(x))}
+
+
+def _flint(flint):
+    return {"fmpz": lambda x: flint.fmpz(int(x)) if x.denominator == 1 else None, "fmpq": lambda x: flint.fmpq(x.numerator, x.denominator),
+            "arb": lambda x: flint.arb(float(x)), "arf": lambda x: flint.arf(float(x))}
+
+
+def _sympy(sympy):
+    return {"Integer": lambda x: sympy.Integer(int(x)) if x.denominator == 1 else None,
+            "Rational": lambda x: sympy.Rational(x.numerator, x.denominator), "Float": lambda x: sympy.Float(float(x))}
+
+
+PACKAGES = {"mpmath": _mpmath, "gmpy2": _gmpy2, "flint": _flint, "sympy": _sympy}
+
+
+def kinds_of(package):
+    return kinds() if package == "python" else PACKAGES[package](pytest.importorskip(package))
+
+
+@pytest.mark.parametrize("package", ["python", *PACKAGES])
+def test_numbers_of_all_kinds_keep_sign_and_size(package):
+    tried = 0
+    for name, make in kinds_of(package).items():
+        for x in NUMBERS:
+            given = make(x)
+            if given is not None:
+                tried += 1
+                assert LINE(given) == x, (name, x)
+                assert phrame.Polynomial([given]).coefficients == ((x,) if x else ()), (name, x)
+    assert tried > 5
+
+
+NOT_FINITE = {
+    "numpy": lambda numpy: [kind(x) for kind in (np.float16, np.float32, np.longdouble) for x in ("nan", "inf", "-inf")],
+    "mpmath": lambda mpmath: [mpmath.nan, mpmath.inf, -mpmath.inf],
+    "gmpy2": lambda gmpy2: [gmpy2.nan(), gmpy2.inf(), -gmpy2.inf()],
+    "flint": lambda flint: [flint.arb("nan"), flint.arb("inf"), flint.arf("nan"), flint.arf("inf")],
+    "sympy": lambda sympy: [sympy.nan, sympy.oo, -sympy.oo, sympy.zoo],
+}
+
+
+@pytest.mark.parametrize("package", NOT_FINITE)
+def test_what_is_not_finite_is_refused(package):
+    for x in NOT_FINITE[package](pytest.importorskip(package)):
+        with pytest.raises((phrame.InputError, TypeError), match="^t: "):
+            LINE(x)
+
+
+NO_NUMBERS = {
+    "numpy": lambda numpy: [np.bool_(True), np.timedelta64(5, "s"), np.datetime64(1, "s"), np.complex64(1), np.array([1.0]), np.array(True), np.ma.masked,
+                            np.array(1j), np.str_("x"), np.void(b"1")],
+    "mpmath": lambda mpmath: [mpmath.mpc(1), mpmath.matrix([1]), mpmath.mpf("1e1000000000"), mpmath.mpf("-1e-1000000000"), mpmath.iv.mpf([1, 2])],
+    "gmpy2": lambda gmpy2: [gmpy2.mpc(1)],
+    "flint": lambda flint: [flint.arb(2).sqrt(), flint.acb(1), flint.nmod(3, 7), flint.arb((1, 2**30)), flint.fmpq_poly([1])],
+    "sympy": lambda sympy: [sympy.pi, sympy.sqrt(2), sympy.I, sympy.Symbol("x"), sympy.true],
+}
+
+
+@pytest.mark.parametrize("package", NO_NUMBERS)
+def test_what_is_no_number_is_refused(package):
+    for x in NO_NUMBERS[package](pytest.importorskip(package)):
+        with pytest.raises((phrame.InputError, TypeError), match="^t: "):
+            LINE(x)
+
+
+def test_the_sign_of_mpmath_in_calls():
+    mpf = pytest.importorskip("mpmath").mpf
+    assert QUINTIC.point(mpf(-0.75)) == QUINTIC.point("-3/4") != QUINTIC.point(0.75)
+    assert phrame.integrate("x^2", mpf(-1), 0).value() == Fraction(1, 3)
+    theta = QUINTIC.angle().value(1)
+    assert theta > mpf(-1) and not theta < mpf(-1) and (theta + mpf(-1)).digits(20) == (theta - 1).digits(20)
+    assert QUINTIC.angle(start=mpf(-1)).value(0) == -1
+    assert phrame.Curve([mpf(-2), 4], [mpf(-1)], [0, 4], [1]) == phrame.Curve([-2, 4], [-1], [0, 4], [1])
+
+
+RNG_CALLS = {
+    "point": lambda x: (QUINTIC.point, (x,)),
+    "polynomial": lambda x: (QUINTIC.sigma, (x,)),
+    "torsion": lambda x: (QUINTIC.torsion, (x,)),
+    "angle": lambda x: (lambda t: QUINTIC.angle().value(t, digits=25), (x,)),
+    "start": lambda x: (lambda a: QUINTIC.angle(start=a).value(0), (x,)),
+    "curve": lambda x: (lambda a: phrame.Curve([1, a], [a, 2], [0], [3]).position, (x,)),
+    "points": lambda x: (lambda t: QUINTIC.points([t, 0]).tolist(), (x,)),
+    "translated": lambda x: (lambda a: QUINTIC.translated([a, 0, a]).point(0), (x,)),
+    "curvature": lambda x: (lambda t: phrame.Real.digits(QUINTIC.curvature(t), 20), (x,)),
+    "bezier": lambda x: (lambda a: phrame.Curve.bezier([[0, 0, 0], [1, a, 0], [3, 0, a], [4, 1, 2]]).point("1/3"), (x,)),
+    "integral": lambda x: (lambda a: phrame.integrate("x^2", a, 1).value(), (x,)),
+    "compared": lambda x: (lambda a: QUINTIC.erf_twist < a, (x,)),
+}
+
+
+def test_random_calls_have_the_value_of_the_fraction():
+    """3000 of them with the multiplier; some for every day."""
+    rng = random.Random(41)
+    makers = list(kinds().items())
+    for name, of in PACKAGES.items():
+        try:
+            makers += of(__import__(name)).items()
+        except ImportError:
+            pass
+    for _ in range(300 if MULTIPLIER == 1 else 3000):
+        call, (kind, make) = rng.choice(list(RNG_CALLS)), rng.choice(makers)
+        x = Fraction(rng.randint(-99, 99), 2 ** rng.randint(0, 4))
+        given = make(x)
+        if given is None:
+            x = Fraction(abs(x.numerator))
+            given = make(x)
+        f, arguments = RNG_CALLS[call](given)
+        assert f(*arguments) == RNG_CALLS[call](x)[0](x), (call, kind, x)
+
+
+# ---- units, masks, tables
+
+
+class Quantity:
+    """As much of a number with a unit as is asked for, as pint has it: it forwards what it has not."""
+
+    ndim = 0
+
+    def __init__(self, magnitude, units):
+        self.magnitude, self.units = magnitude, units
+
+    def __getattr__(self, name):
+        return getattr(self.magnitude, name)
+
+
+def quantities():
+    """(package, function (number, name of the unit) → quantity) of those that are here."""
+    yield "like pint", Quantity
+    try:
+        import pint
+
+        yield "pint", pint.UnitRegistry().Quantity
+    except ImportError:
+        pass
+    try:
+        from astropy import units
+
+        yield "astropy", lambda x, unit: x * units.Unit(unit)
+    except ImportError:
+        pass
+    try:
+        import unyt
+
+        yield "unyt", lambda x, unit: (unyt.unyt_quantity if np.ndim(x) == 0 else unyt.unyt_array)(x, unit or "dimensionless")
+    except ImportError:
+        pass
+    try:
+        import quantities
+
+        yield "quantities", lambda x, unit: quantities.Quantity(x, unit or "dimensionless")
+    except ImportError:
+        pass
+
+
+@pytest.mark.parametrize("package, quantity", list(quantities()), ids=lambda x: x if isinstance(x, str) else "")
+def test_units_are_read_or_refused(package, quantity):
+    assert QUINTIC.angle(start=quantity(45.0, "degree")) .value(0).digits(30) == QUINTIC.angle(start="45deg").value(0).digits(30)
+    assert QUINTIC.angle(start=quantity(-30.0, "arcmin" if package != "like pint" else "arcminute")).value(0).digits(30) \
+        == QUINTIC.angle(start="-0.5deg").value(0).digits(30)
+    assert QUINTIC.angle(start=quantity(0.5, "radian")).value(0) == Fraction(1, 2) == QUINTIC.angle(start=quantity(0.5, "")).value(0)
+    assert LINE(quantity(-0.75, "")) == Fraction(-3, 4)
+    for unit in ("mm", "degree"):
+        with pytest.raises(phrame.InputError, match="^t: its unit is"):
+            LINE(quantity(0.5, unit))
+    with pytest.raises(phrame.InputError, match="^start: its unit, "):
+        QUINTIC.angle(start=quantity(0.5, "mm"))
+    with pytest.raises(phrame.InputError, match=r"^points\[1\]\[2\]: its unit is"):
+        phrame.Curve.bezier([[0, 0, 0], [1, 2, quantity(3.0, "mm")]])
+    if package != "like pint":
+        with pytest.raises(phrame.InputError, match="^ts: its unit is"):
+            QUINTIC.points(quantity(np.array([0.0, 0.5]), "mm"))
+        with pytest.raises(phrame.InputError, match="^points: its unit is"):
+            phrame.Curve.bezier(quantity(np.eye(4)[:, :3], "mm"))
+        assert (QUINTIC.points(quantity(np.array([0.0, 0.5]), "")) == QUINTIC.points([0, 0.5])).all()
+
+
+def test_masks_are_refused():
+    for mask, ok in (([False, False], True), ([False, True], False)):
+        ts = np.ma.array([0.0, 0.5], mask=mask)
+        if ok:
+            assert (QUINTIC.points(ts) == QUINTIC.points([0, 0.5])).all()
+        else:
+            for ask in (QUINTIC.points, QUINTIC.angle(), QUINTIC.frames):
+                with pytest.raises(phrame.InputError, match=r"^ts\[1\]: it is masked"):
+                    ask(ts)
+            with pytest.raises(phrame.InputError, match=r"^u\[1\]: it is masked"):
+                phrame.Curve(ts, [0], [0], [1])
+            with pytest.raises(phrame.InputError, match=r"^u\[1\]: it is masked"):
+                phrame.Curve(list(ts), [0], [0], [1])
+    points = np.ma.array(np.eye(4)[:, :3], mask=False)
+    assert phrame.Curve.bezier(points) == phrame.Curve.bezier(points.data.tolist())
+    points.mask[2, 1] = True
+    with pytest.raises(phrame.InputError, match=r"^points\[2\]\[1\]: it is masked"):
+        phrame.Curve.bezier(points)
+    with pytest.raises(phrame.InputError, match=r"^f2\[2\]\[1\]: it is masked"):
+        QUINTIC.check([0, 0.5, 0.75, 1], points)
+    with pytest.raises(phrame.InputError, match=r"^f2\[2\]\[1\]: it is masked"):
+        QUINTIC.plot([0, 0.5, 0.75, 1], f2=points)
+
+
+POINTS = [[0, 1, 2.5], [1, 2**60 + 1, 0], [3, 5, 1]]
+
+
+def tables():
+    """(package, function (list of columns, names) → table)."""
+    yield "structured", lambda columns, names: np.array(list(zip(*columns)), dtype=[(n, object) for n in names])
+    try:
+        import pandas
+
+        yield "pandas", lambda columns, names: pandas.DataFrame(dict(zip(names, columns)))
+    except ImportError:
+        pass
+    try:
+        import polars
+
+        yield "polars", lambda columns, names: polars.DataFrame(dict(zip(names, columns)))
+    except ImportError:
+        pass
+    try:
+        import pyarrow
+
+        yield "pyarrow", lambda columns, names: pyarrow.table(dict(zip(names, columns)))
+    except ImportError:
+        pass
+
+
+@pytest.mark.parametrize("package, table", list(tables()), ids=lambda x: x if isinstance(x, str) else "")
+def test_tables_are_read_by_rows_and_names(package, table):
+    expected = phrame.Curve.bezier(POINTS)
+    x, y, z = zip(*POINTS)
+    assert phrame.Curve.bezier(table([x, y, z], "xyz")) == expected
+    assert phrame.Curve.bezier(table([z, x, y], "ZXY")) == expected
+    assert phrame.Curve.bezier(table([x, y, z], "abc")) == expected
+    for columns, names in (([x, y], "xy"), ([x, x, y, z], "txyz"), ([x, y, z], "xyt")):
+        with pytest.raises(phrame.InputError, match="^points: the columns x, y, z are wanted, not "):
+            phrame.Curve.bezier(table(columns, names))
+    ts = [0.0, 0.25, 1.0]
+    assert (QUINTIC.points(table([ts], "t")) == QUINTIC.points(ts)).all()
+    assert (QUINTIC.points(table([ts, x], "tx")["t"]) == QUINTIC.points(ts)).all()
+    with pytest.raises(phrame.InputError, match="^ts: a list of numbers is wanted, not a table with the columns t, x"):
+        QUINTIC.points(table([ts, x], "tx"))
+    rows = [[1, 0, 2, 3], [4, 5, 6, 7]]
+    u, v, p, q = zip(*rows)
+    assert phrame.Curve.from_quaternions(table([q, u, v, p], "quvp")) == phrame.Curve.from_quaternions(rows)
+    profile = [[0, 0], [1, 0], [0, 1]]
+    body = [phrame.sweep(QUINTIC, given, sections=3).volume() for given in (profile, table(list(zip(*profile)), "xy"))]
+    assert body[0] == body[1]
