@@ -37,8 +37,6 @@ struct TablePlace {
   std::array<double, 4> quaternion() const { return {row[13], row[14], row[15], row[16]}; }
 };
 
-using Numbers = std::shared_ptr<DoubleArray>;
-
 /// The numbers that write(place, out) writes, `width` for each place of a path at a parameter.
 template <class Write>
 Numbers by_parameter(const PathObject& self, FrameKind kind, const FrameStart& start, nb::handle ts,
@@ -49,19 +47,15 @@ Numbers by_parameter(const PathObject& self, FrameKind kind, const FrameStart& s
     if (const Rational t = (*at)[k]; t < 0 || t > path.end())
       refuse("ts[" + std::to_string(k) + "]",
              to_string(t) + " is outside [0, " + to_string(path.end()) + "]", ts);
-  const auto source = std::make_shared<FrameSource>(
-      path, kind, kind == FrameKind::rmf ? start_angle(start, path) : FrameAngle());
+  const FrameAngle at_zero = kind == FrameKind::rmf ? start_angle(start, path) : FrameAngle();
+  const auto source = self.sources->of(
+      {kind, at_zero}, [&] { return std::make_shared<FrameSource>(path, kind, at_zero); });
   const auto numbers = std::make_shared<DoubleArray>(at->size() * width);
-  run({.n = at->size(),
-       .grain = at->are_doubles() ? many : 16,
-       .prepare = [source, at] { source->prepare(*at); },
-       .work =
-           [source, at, numbers, width, write](std::size_t from, std::size_t to) {
-             for (std::size_t k = from; k < to; ++k)
-               write(SourcePlace{*source, *at, k}, numbers->data() + k * width);
-           }},
-      progress);
-  return numbers;
+  const auto work = [source, at, numbers, width, write](std::size_t from, std::size_t to) {
+    for (std::size_t k = from; k < to; ++k)
+      write(SourcePlace{*source, *at, k}, numbers->data() + k * width);
+  };
+  return filled(numbers, progress, source, at, at->are_doubles() ? many : 16, work);
 }
 
 /// The same at the places where the arc length from the start is s.
@@ -70,9 +64,9 @@ Numbers by_arc_length(const PathObject& self, FrameKind kind, const FrameStart& 
                       nb::handle progress, std::size_t width, bool has_quaternions,
                       const Write& write) {
   const auto at = std::make_shared<Parameters>(parameters(s, "ts"));
-  const TabulatedFrame frame = kind == FrameKind::rmf   ? TabulatedFrame::rmf
-                               : kind == FrameKind::erf ? TabulatedFrame::euler_rodrigues
-                                                        : TabulatedFrame::frenet;
+  const TabulatedFrame frame = kind == FrameKind::rmf      ? TabulatedFrame::rmf
+                               : kind == FrameKind::frenet ? TabulatedFrame::frenet
+                                                           : TabulatedFrame::euler_rodrigues;
   TableColumns columns{.frames = {frame}};
   columns.start = start;
   columns.have_quaternions = has_quaternions;
@@ -98,10 +92,10 @@ template <class Write>
 auto tabulated(const std::vector<std::size_t>& shape, const Write& write) {
   return [=](const PathObject& self, nb::handle ts, nb::handle start, nb::handle start_normal,
              const Text<"kind">& kind_name, const Text<"by">& by, nb::handle progress) {
-    const FrameKind kind = frame_kind(kind_name);
+    const std::size_t width = product(shape);
+    const FrameKind kind = width == 3 ? FrameKind::none : frame_kind(kind_name);
     const FrameStart from =
         frame_start(start, start_normal, self.named.path, Reference::euler_rodrigues);
-    const std::size_t width = product(shape);
     const bool is_by_length = is_by_arc_length(by);
     const bool has_quaternions = width == 4;
     const Numbers numbers =
@@ -132,32 +126,56 @@ void make_continuous(DoubleArray& quaternions) {
   }
 }
 
+namespace {
+
+/// Of the segments that have one.
+using CompiledAngles = std::vector<std::optional<CompiledAngle>>;
+
+/// Of those segments that are asked for often enough, where poles of θ′ are not too near.
+CompiledAngles compiled_angles(const PathAngle& angle, const FrameAngle& start,
+                               const Parameters& at) {
+  const std::size_t segments = angle.path().segments().size();
+  CompiledAngles compiled(segments);
+  std::vector<std::vector<double>> ts(segments);
+  for (const double t : at.doubles) ts[place_at(t, segments).first].push_back(t);
+  for (std::size_t k = 0; k < segments; ++k) {
+    if (ts[k].size() < (segments == 1 ? least_compiled : least_of_segment)) continue;
+    const auto [from, to] = std::minmax_element(ts[k].begin(), ts[k].end());
+    try {
+      if (!angle.path().is_curve())
+        compiled[k].emplace(angle, k, start);
+      else if (*from < *to)
+        compiled[k].emplace(angle.segment(0), *from, *to, start);
+    } catch (const Undecided&) {
+      // All of its angles are computed exactly.
+    }
+  }
+  return compiled;
+}
+
+std::optional<double> approximated(const CompiledAngles& compiled, const Parameters& at,
+                                   std::size_t k) {
+  if (!at.are_doubles()) return std::nullopt;
+  const auto& segment = compiled[place_at(at.doubles[k], compiled.size()).first];
+  return segment ? segment->rounded(at.doubles[k]) : std::nullopt;
+}
+
+}  // namespace
+
 nb::object angles(const PathAngle& angle, const FrameAngle& start, nb::handle ts,
                   nb::handle progress) {
   auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
   auto numbers = std::make_shared<DoubleArray>(at->size());
-  auto compiled = std::make_shared<std::optional<CompiledAngle>>();
-  const auto prepare = [=] {
-    if (!at->are_doubles() || at->size() < least_compiled) return;
-    const auto [from, to] = std::minmax_element(at->doubles.begin(), at->doubles.end());
-    try {
-      if (angle.path().is_curve() && *from < *to)
-        compiled->emplace(angle.segment(0), *from, *to, start);
-      else if (!angle.path().is_curve())
-        compiled->emplace(angle, start);
-    } catch (const Undecided&) {
-      // Poles of θ′ are too near: all angles are computed exactly.
-    }
-  };
+  auto compiled = std::make_shared<CompiledAngles>();
   run({.n = at->size(),
        .grain = at->are_doubles() && at->size() >= least_compiled ? many : 1,
-       .prepare = prepare,
+       .prepare = [=] { *compiled = compiled_angles(angle, start, *at); },
        .work =
            [=](std::size_t from, std::size_t to) {
-             std::optional<CompiledAngle> mine = *compiled;  // it counts, so that each has its own
-             for (std::size_t k = from; k < to; ++k)
-               (*numbers)[k] = finite(mine ? (*mine)(at->doubles[k])
-                                           : round_to_double(angle.value((*at)[k], start)));
+             for (std::size_t k = from; k < to; ++k) {
+               const auto near = approximated(*compiled, *at, k);
+               (*numbers)[k] = near ? *near : finite(round_to_double(angle.value((*at)[k], start)));
+             }
            }},
       progress);
   return array(numbers, {at->size()});

@@ -36,6 +36,25 @@ void make_continuous(DoubleArray& quaternions);
 
 constexpr std::size_t many = 1024;  ///< approximated frames that a thread takes at a time
 
+using Numbers = std::shared_ptr<DoubleArray>;
+
+/// The numbers, filled by work(from, to) once the source is prepared: at once where that is done
+/// before another thread would begin.
+template <class Source, class Work>
+Numbers filled(const Numbers& numbers, nb::handle progress, const std::shared_ptr<Source>& source,
+               const std::shared_ptr<Parameters>& at, std::size_t grain, const Work& work) {
+  constexpr std::size_t few = 64;
+  if (at->size() <= few && progress.is_none() && source->is_prepared(*at))
+    work(0, at->size());
+  else
+    run({.n = at->size(),
+         .grain = grain,
+         .prepare = [source, at] { source->prepare(*at); },
+         .work = work},
+        progress);
+  return numbers;
+}
+
 #define PHRAME_ARRAY "numpy.typing.NDArray[numpy.float64]"
 #define PHRAME_TS "ts: Numbers"
 #define PHRAME_PROGRESS "progress: collections.abc.Callable[[int, int], object] | None = None"

@@ -20,55 +20,131 @@ std::pair<std::size_t, double> place_at(double t, std::size_t segments) {
   return {k, t - static_cast<double>(k)};  // without rounding: t/2 <= k <= t, or k = 0 [Sterbenz]
 }
 
-void FrameSource::prepare(const Parameters& at) {
-  for (const Curve& curve : path_.segments()) {
-    positions_.push_back(position(curve));
-    const auto& [x, y, z] = positions_.back();
-    rounded_.push_back({RoundedPolynomial(x), RoundedPolynomial(y), RoundedPolynomial(z)});
-    frames_.emplace_back(curve);
-    preimages_.push_back(without_real_content(curve.preimage()));
-    const std::size_t k = preimages_.size() - 1;
-    signs_.push_back(k == 0 ? 1 : signs_[k - 1] * joint_sign(preimages_[k - 1], preimages_[k]));
-  }
-  if (kind_ == FrameKind::frenet) return;
+FrameSource::Segment::Segment(const Curve& curve, FrameKind kind)
+    : position(phrame::position(curve)),
+      rounded{RoundedPolynomial(position[0]), RoundedPolynomial(position[1]),
+              RoundedPolynomial(position[2])},
+      frames(curve),
+      preimage(without_real_content(curve.preimage())),
+      normal(Polynomial{1}) {
+  if (kind != FrameKind::frenet) return;
+  const GaussianPolynomial g = bend_numerator(preimage);
+  normal = RoundedPolynomial(gcd(g.re, g.im));
+}
+
+FrameSource::FrameSource(Path path, FrameKind kind, const FrameAngle& start)
+    : path_(std::move(path)), kind_(kind), start_(start) {}
+
+void FrameSource::make() {
   if (kind_ == FrameKind::rmf) angle_.emplace(path_);
-  zeros_ = zeros();
-  if (kind_ == FrameKind::erf) return;
-  if (!at.are_doubles() || at.size() < least_compiled) return;
-  try {
-    if (!path_.is_curve()) {
-      compiled_.emplace(*angle_, start_);
-      return;
-    }
-    const auto [from, to] = std::minmax_element(at.doubles.begin(), at.doubles.end());
-    if (*from < *to)
-      compiled_.emplace(path_.segments().front(), angle_->segment(0), *from, *to, start_);
-  } catch (const Undecided&) {
-    // Poles of θ′ are too near: all frames are computed exactly.
+  segments_.clear();
+  for (const Curve& curve : path_.segments()) {
+    Segment& segment = segments_.emplace_back(curve, kind_);
+    if (segments_.size() == 1) continue;
+    const Segment& before = segments_[segments_.size() - 2];
+    segment.sign = before.sign * joint_sign(before.preimage, segment.preimage);
+  }
+  if (kind_ == FrameKind::rmf || kind_ == FrameKind::erf) make_zeros();
+}
+
+// B is A/|A| as long as θ + start is 0; then (u + vi)·e^{iφ} has a part that is 0 where both are.
+void FrameSource::make_zeros() {
+  bool is_erf = kind_ == FrameKind::erf || start_ == FrameAngle();
+  for (std::size_t k = 0; k < segments_.size(); ++k) {
+    is_erf = is_erf && (kind_ == FrameKind::erf || angle_->segment(k).rate().is_zero());
+    const auto& [u, v, p, q] = segments_[k].preimage;
+    const bool uv = u.is_zero() && v.is_zero();
+    const bool pq = p.is_zero() && q.is_zero();
+    segments_[k].zeros = {is_erf ? u.is_zero() : uv, is_erf ? v.is_zero() : uv,
+                          is_erf ? p.is_zero() : pq, is_erf ? q.is_zero() : pq};
   }
 }
 
-std::array<bool, 4> FrameSource::zeros() const {
-  std::array<bool, 4> zero;
-  zero.fill(true);
-  for (std::size_t k = 0; k < preimages_.size(); ++k) {
-    const auto& [u, v, p, q] = preimages_[k];
-    const bool is_erf =
-        kind_ == FrameKind::erf || (angle_->segment(k).rate().is_zero() && start_ == FrameAngle());
-    const bool uv = u.is_zero() && v.is_zero();
-    const bool pq = p.is_zero() && q.is_zero();
-    const std::array<bool, 4> of_segment{is_erf ? u.is_zero() : uv, is_erf ? v.is_zero() : uv,
-                                         is_erf ? p.is_zero() : pq, is_erf ? q.is_zero() : pq};
-    for (std::size_t i = 0; i < 4; ++i) zero[i] = zero[i] && of_segment[i];
+void FrameSource::compile(std::size_t k, double from, double to) {
+  Segment& segment = segments_[k];
+  const Curve& curve = path_.segments()[k];
+  const auto origin = static_cast<double>(k);
+  try {
+    if (kind_ == FrameKind::rmf && path_.is_curve())
+      compiled_.emplace_back(curve, angle_->segment(0), from, to, start_);
+    else if (kind_ == FrameKind::rmf)
+      compiled_.emplace_back(*angle_, k, start_);
+    else
+      compiled_.emplace_back(
+          curve, kind_ == FrameKind::erf ? Reference::euler_rodrigues : Reference::frenet, from, to,
+          origin);
+    segment.compiled = &compiled_.back();
+  } catch (const Undecided&) {
+    segment.is_undecided = true;  // all frames are computed exactly
+  } catch (const DomainError&) {
+    segment.is_undecided = true;  // of a straight line, as each frame says
   }
-  return zero;
+}
+
+/// A curve goes on for all t: it is compiled where it is asked for.
+void FrameSource::prepare_curve(const std::vector<double>& ts) {
+  Segment& only = segments_.front();
+  only.asked += ts.size();
+  if (only.asked < least_compiled) return;
+  const auto [from, to] = std::minmax_element(ts.begin(), ts.end());
+  const CompiledFrames* known = only.compiled;
+  if (known != nullptr && known->from() <= *from && *to <= known->to()) return;
+  const bool is_inside = 0 <= *from && *to <= 1;
+  if (is_inside && !only.is_undecided) compile(0, 0, 1);
+  if ((!is_inside || only.is_undecided) && *from < *to) compile(0, *from, *to);
+}
+
+void FrameSource::prepare(const Parameters& at) {
+  const std::lock_guard guard(lock_);
+  if (!is_made_) make();
+  is_made_ = true;
+  if (!at.are_doubles() || kind_ == FrameKind::none) return;
+  if (path_.is_curve()) {
+    prepare_curve(at.doubles);
+    return;
+  }
+  for (const double t : at.doubles) {
+    const std::size_t k = place_at(t, segments_.size()).first;
+    Segment& segment = segments_[k];
+    if (++segment.asked < least_of_segment || segment.compiled || segment.is_undecided) continue;
+    compile(k, static_cast<double>(k), static_cast<double>(k + 1));
+  }
+}
+
+const CompiledFrames* FrameSource::compiled_at(double t, const Segment& segment) const {
+  const CompiledFrames* compiled = segment.compiled;
+  return compiled != nullptr && compiled->from() <= t && t <= compiled->to() ? compiled : nullptr;
+}
+
+bool FrameSource::is_prepared(const Parameters& at) const {
+  const auto is_compiled = [this](double t) {
+    return compiled_at(t, segments_[place_at(t, segments_.size()).first]) != nullptr;
+  };
+  return is_made_ && at.are_doubles() &&
+         (kind_ == FrameKind::none ||
+          std::all_of(at.doubles.begin(), at.doubles.end(), is_compiled));
+}
+
+// Frenet's n is on the side of the real factor of g; where that is 0, at inflections, the frame
+// asked for exactly says so.
+std::optional<Frame<double>> FrameSource::approximated_frame(double t) const {
+  const auto [number, here] = place_at(t, segments_.size());
+  const Segment& segment = segments_[number];
+  const CompiledFrames* compiled = compiled_at(t, segment);
+  if (compiled == nullptr) return std::nullopt;
+  const double side = kind_ == FrameKind::frenet ? segment.normal(here) : 1;
+  auto frame = side == 0 ? std::nullopt : compiled->rounded(t);
+  if (frame && side < 0)
+    for (Vector<double>* v : {&frame->e2, &frame->e3})
+      for (double& x : *v) x = x == 0 ? 0 : -x;
+  return frame;
 }
 
 Frame<double> FrameSource::frame(const Parameters& at, std::size_t k) const {
-  if (compiled_)
-    if (const auto found = compiled_->rounded(at.doubles[k])) return *found;
+  if (at.are_doubles())
+    if (const auto found = approximated_frame(at.doubles[k])) return *found;
   const PathParameter here = locate(path_, at[k]);
-  const Frames& frames = frames_[here.segment];
+  const Frames& frames = segments_[here.segment].frames;
   const Frame<Real> exact = [&] {
     if (kind_ == FrameKind::frenet) return frames.frenet(here.t);
     const Frame<Rational> erf = frames.euler_rodrigues(here.t);
@@ -81,8 +157,12 @@ Frame<double> FrameSource::frame(const Parameters& at, std::size_t k) const {
 }
 
 std::array<Real, 4> FrameSource::rotation(const PathParameter& at) const {
-  RationalQuaternion a = evaluate(preimages_[at.segment], at.t);
-  if (signs_[at.segment] < 0) a = {-a.u, -a.v, -a.p, -a.q};
+  if (kind_ == FrameKind::frenet) {
+    const Quaternion<Real> found = quaternion_of(segments_[at.segment].frames.frenet(at.t));
+    return {found.u, found.v, found.p, found.q};
+  }
+  RationalQuaternion a = evaluate(segments_[at.segment].preimage, at.t);
+  if (segments_[at.segment].sign < 0) a = {-a.u, -a.v, -a.p, -a.q};
   const Real theta = kind_ == FrameKind::erf ? Rational(0) : angle_->value(at, start_);
   if (theta.exact() == Rational(0)) {
     const Real over_size = square_root_of(1 / norm(a));
@@ -103,40 +183,53 @@ std::array<Real, 4> FrameSource::rotation(const PathParameter& at) const {
           turned(a.p, a.q, -1, true)};
 }
 
+/// Of Frenet's frame up to its sign.
+std::optional<CompiledFrames::Rotation> FrameSource::approximated_rotation(double t) const {
+  const auto [number, here] = place_at(t, segments_.size());
+  const Segment& segment = segments_[number];
+  const CompiledFrames* compiled = compiled_at(t, segment);
+  if (compiled == nullptr) return std::nullopt;
+  auto found = compiled->rotation(t);
+  const auto [u, v, p, q] = found.b;
+  const double side = kind_ == FrameKind::frenet ? segment.normal(here) : segment.sign;
+  if (side == 0) return std::nullopt;
+  const auto minus = [](const DoubleDouble& x) { return DoubleDouble{-x.high, -x.low}; };
+  if (side < 0 && kind_ == FrameKind::frenet)
+    found.b = {minus(v), u, q, minus(p)};  // B·i, a half turn about e₁
+  else if (side < 0)
+    found.b = {minus(u), minus(v), minus(p), minus(q)};
+  return found;
+}
+
 std::array<double, 4> FrameSource::quaternion(const Parameters& at, std::size_t k) const {
-  std::array<double, 4> b{};
-  std::optional<std::array<Real, 4>> exact;
   const PathParameter here = locate(path_, at[k]);
-  if (kind_ == FrameKind::frenet) {
-    const Quaternion<Real> found = quaternion_of(frames_[here.segment].frenet(here.t));
-    return {round_to_double(found.v), round_to_double(found.p), round_to_double(found.q),
-            round_to_double(found.u)};
-  }
-  std::optional<CompiledFrames::Rotation> near;
-  if (compiled_) near = compiled_->rotation(at.doubles[k]);
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (zeros_[i]) continue;
-    std::optional<double> common;
-    if (near) {
-      const auto& [u, v, p, q] = near->b;
-      const DoubleDouble x = std::array{u, v, p, q}[i];
-      common = common_double(x, near->error + 0x1p-94);
-      if (common && signs_[here.segment] < 0) common = -*common;
+  std::array<std::optional<double>, 4> near;
+  if (at.are_doubles())
+    if (const auto found = approximated_rotation(at.doubles[k])) {
+      const auto& [u, v, p, q] = found->b;
+      for (std::size_t i = 0; i < 4; ++i)
+        near[i] = common_double(std::array{u, v, p, q}[i], found->error + 0x1p-94);
     }
-    if (!common && !exact) exact = rotation(here);
-    b[i] = common ? *common : round_to_double((*exact)[i]);
+  const std::array<bool, 4>& zeros = segments_[here.segment].zeros;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (zeros[i]) near[i] = 0;
+  const auto is_known = [](const std::optional<double>& x) { return x.has_value(); };
+  if (!std::all_of(near.begin(), near.end(), is_known)) {
+    const std::array<Real, 4> exact = rotation(here);
+    for (std::size_t i = 0; i < 4; ++i)
+      if (!near[i] || kind_ == FrameKind::frenet) near[i] = round_to_double(exact[i]);
   }
-  return {b[1], b[2], b[3], b[0]};
+  return {*near[1], *near[2], *near[3], *near[0]};
 }
 
 Vector<double> FrameSource::point(const Parameters& at, std::size_t k) const {
   if (at.are_doubles()) {
-    const auto [segment, t] = place_at(at.doubles[k], rounded_.size());
-    const auto& [x, y, z] = rounded_[segment];
+    const auto [segment, t] = place_at(at.doubles[k], segments_.size());
+    const auto& [x, y, z] = segments_[segment].rounded;
     return finite(Vector<double>{x(t), y(t), z(t)});
   }
   const PathParameter here = locate(path_, at[k]);
-  return finite(round_to_double(evaluate(positions_[here.segment], here.t)));
+  return finite(round_to_double(evaluate(segments_[here.segment].position, here.t)));
 }
 
 }  // namespace phrame::python

@@ -1,8 +1,11 @@
 #pragma once
 #include <array>
+#include <atomic>
+#include <deque>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "parameters.hpp"
 
@@ -14,16 +17,24 @@ using RoundedPoint = std::array<RoundedPolynomial, 3>;
 /// Where a path of so many segments is at t in [0, segments]: the segment, and t in that, exactly.
 std::pair<std::size_t, double> place_at(double t, std::size_t segments);
 
-enum class FrameKind { rmf, erf, frenet };
+enum class FrameKind {
+  rmf,
+  erf,
+  frenet,
+  none,  ///< points only
+};
 
-/// The frames of a path, each as exactly as rounding wants, and their unit quaternions.
+/// The frames of a path, each as exactly as rounding wants, and their unit quaternions. A segment
+/// is compiled when it has been asked for often enough; what is found is kept for later calls,
+/// which may come from any thread.
 class FrameSource {
  public:
-  FrameSource(Path path, FrameKind kind, const FrameAngle& start)
-      : path_(std::move(path)), kind_(kind), start_(start) {}
+  FrameSource(Path path, FrameKind kind, const FrameAngle& start);
 
-  /// To be called once, before the others, which any thread may call.
+  /// To be called before the others are asked for these parameters.
   void prepare(const Parameters& at);
+  /// Has prepare() nothing left to do, and is hardly a frame computed exactly?
+  bool is_prepared(const Parameters& at) const;
 
   Frame<double> frame(const Parameters& at, std::size_t k) const;
   /// (x, y, z, w); of a Frenet frame up to its sign.
@@ -31,21 +42,63 @@ class FrameSource {
   Vector<double> point(const Parameters& at, std::size_t k) const;
 
  private:
-  /// B = A/|A|·e^{iφ}, φ half of θ + start, up to the sign that makes it continuous.
+  struct Segment;
+
+  void make();
+  void make_zeros();
+  void compile(std::size_t k, double from, double to);
+  void prepare_curve(const std::vector<double>& ts);
+  const CompiledFrames* compiled_at(double t, const Segment& segment) const;
+  std::optional<Frame<double>> approximated_frame(double t) const;
+  std::optional<CompiledFrames::Rotation> approximated_rotation(double t) const;
+  /// B = A/|A|·e^{iφ}, φ half of θ + start, with the sign that makes it continuous; of a Frenet
+  /// frame up to its sign.
   std::array<Real, 4> rotation(const PathParameter& at) const;
-  std::array<bool, 4> zeros() const;
 
   Path path_;
   FrameKind kind_;
   FrameAngle start_;
-  std::vector<Vector<Polynomial>> positions_;
-  std::vector<RoundedPoint> rounded_;
-  std::vector<Frames> frames_;                   ///< of the segments
-  std::vector<QuaternionPolynomial> preimages_;  ///< without real factors
-  std::vector<int> signs_;                       ///< of the preimages
   std::optional<PathAngle> angle_;
-  std::optional<CompiledFrames> compiled_;
-  std::array<bool, 4> zeros_{};  ///< components u, v, p, q of B that are 0 everywhere
+  std::mutex lock_;  ///< while something is made or compiled
+  std::atomic<bool> is_made_{false};
+  std::deque<Segment> segments_;
+  std::deque<CompiledFrames> compiled_;  ///< which do not move
+};
+
+/// The last few sources of a path that were asked for, by what they are of. Any thread may ask.
+template <class Source, class Key>
+class LastSources {
+ public:
+  /// The one kept, or what `make` makes.
+  template <class Make>
+  std::shared_ptr<Source> of(const Key& key, const Make& make) {
+    constexpr std::size_t most = 4;
+    const std::lock_guard guard(lock_);
+    for (const auto& [known, source] : kept_)
+      if (known == key) return source;
+    if (kept_.size() == most) kept_.pop_front();
+    return kept_.emplace_back(key, make()).second;
+  }
+
+ private:
+  std::mutex lock_;
+  std::deque<std::pair<Key, std::shared_ptr<Source>>> kept_;
+};
+using FrameSources = LastSources<FrameSource, std::pair<FrameKind, FrameAngle>>;
+
+struct FrameSource::Segment {
+  Vector<Polynomial> position;
+  RoundedPoint rounded;
+  Frames frames;
+  QuaternionPolynomial preimage;  ///< without real factors
+  int sign = 1;                   ///< of the preimage, for a continuous B
+  RoundedPolynomial normal;       ///< the real factor of g, of whose sign Frenet's n is
+  std::array<bool, 4> zeros{};    ///< components u, v, p, q of B that are 0 everywhere
+  std::size_t asked = 0;          ///< how often, up to now
+  bool is_undecided = false;      ///< it cannot be compiled: poles of θ′ are too near
+  std::atomic<const CompiledFrames*> compiled{nullptr};
+
+  explicit Segment(const Curve& curve, FrameKind kind);
 };
 
 }  // namespace phrame::python

@@ -304,17 +304,21 @@ Reference reference_named(const std::string& name, const std::string& place) {
                            {{"erf", Reference::euler_rodrigues}, {"frenet", Reference::frenet}});
 }
 
-FrameStart frame_start(nb::handle start, nb::handle start_normal, const Path& path,
-                       Reference reference) {
+FrameStart asked_start(nb::handle start, nb::handle start_normal) {
   if (start_normal.is_none()) return start.is_none() ? Angle() : angle_number(start, "start");
   if (!start.is_none()) refuse("start", "it and start_normal exclude each other", start);
-  const StartNormal along(vector(start_normal, "start_normal"));
-  try {
-    start_angle(along, path, reference);
-  } catch (const DomainError& error) {
-    refuse("start_normal", error.what(), start_normal);
-  }
-  return along;
+  return StartNormal(vector(start_normal, "start_normal"));
+}
+
+FrameStart frame_start(nb::handle start, nb::handle start_normal, const Path& path,
+                       Reference reference) {
+  const FrameStart from = asked_start(start, start_normal);
+  if (const auto* along = std::get_if<StartNormal>(&from)) try {
+      start_angle(*along, path, reference);
+    } catch (const DomainError& error) {
+      refuse("start_normal", error.what(), start_normal);
+    }
+  return from;
 }
 
 void bind_paths(nb::module_& m) {

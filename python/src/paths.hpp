@@ -1,5 +1,6 @@
 #pragma once
 #include "arguments.hpp"
+#include "frame_source.hpp"
 #include "phrame/phrame.hpp"
 #include "values.hpp"
 
@@ -8,6 +9,7 @@ namespace phrame::python {
 /// A path as Python has it; a curve is one of a single segment, and of a type derived from it.
 struct PathObject {
   NamedPath named;
+  std::shared_ptr<FrameSources> sources = std::make_shared<FrameSources>();
 };
 struct CurveObject : PathObject {};
 
@@ -16,6 +18,8 @@ nb::object wrap(NamedPath named);
 const Curve& curve_of(const PathObject& path);
 
 /// Where a frame starts: `start`, an angle, or `start_normal`, a vector, or neither.
+FrameStart asked_start(nb::handle start, nb::handle start_normal);
+/// The same where it is a start of this path's frames.
 FrameStart frame_start(nb::handle start, nb::handle start_normal, const Path& path,
                        Reference reference);
 /// "erf", "frenet".

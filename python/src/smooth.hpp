@@ -4,9 +4,23 @@
 
 namespace phrame::python {
 
+class SmoothSource;
+
+/// What frames of a path of any kind are asked for: where they start, by their kind.
+struct SmoothFrames {
+  std::string kind;
+  FrameStart start;
+  std::optional<Vector<Rational>> up;
+  bool is_by_length = false;
+  friend bool operator==(const SmoothFrames&, const SmoothFrames&) = default;
+};
+
 /// A path of curves of any kind as Python has it.
 struct SmoothPathObject {
+  using Sources = LastSources<SmoothSource, SmoothFrames>;
+
   NamedSmoothPath named;
+  std::shared_ptr<Sources> sources = std::make_shared<Sources>();
 };
 
 /// A Curve or Path where it is of PH curves, else a SmoothPath.

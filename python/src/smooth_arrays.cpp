@@ -2,9 +2,10 @@
 #include "smooth.hpp"
 
 namespace phrame::python {
-namespace {
+namespace {}  // namespace
 
-/// The frames and points of a path of any kind, each as exactly as rounding wants.
+/// The frames and points of a path of any kind, each as exactly as rounding wants. What is found is
+/// kept for later calls, which may come from any thread.
 class SmoothSource {
  public:
   /// Without an angle there are points only.
@@ -17,21 +18,29 @@ class SmoothSource {
         length_(path),
         is_by_length_(is_by_length) {}
 
-  /// To be called once, before the others, which any thread may call.
+  /// To be called before the others are asked for these parameters.
   void prepare(const Parameters& at) {
-    if (at.are_doubles() && !is_by_length_) round_positions();
-    if (!angle_ || kind_ != TabulatedFrame::rmf || is_by_length_ || !at.are_doubles() ||
-        at.size() < least_compiled * path_.segments().size())
+    const std::lock_guard guard(lock_);
+    if (!at.are_doubles() || is_by_length_) return;
+    if (asked_ == 0) round_positions();
+    asked_ += at.size();
+    if (!angle_ || kind_ != TabulatedFrame::rmf || is_compiled_ || is_undecided_ ||
+        asked_ < least_compiled * path_.segments().size())
       return;
     try {
       compiled_.emplace(compile_frames(*angle_, start_));
+      is_compiled_ = true;
     } catch (const Undecided&) {
-      // All frames are computed exactly.
+      is_undecided_ = true;  // all frames are computed exactly
     }
+  }
+  /// Has prepare() nothing left to do, and is hardly anything computed exactly?
+  bool is_prepared(const Parameters& at) const {
+    return at.are_doubles() && (angle_ ? bool(is_compiled_) : bool(is_rounded_));
   }
 
   Vector<double> point(const Parameters& at, std::size_t k) const {
-    if (!rounded_.empty()) {
+    if (at.are_doubles() && is_rounded_) {
       const auto [segment, t] = place_at(at.doubles[k], rounded_.size());
       const auto& [x, y, z] = rounded_[segment];
       return finite(Vector<double>{x(t), y(t), z(t)});
@@ -39,14 +48,14 @@ class SmoothSource {
     return finite(round_to_double(position(path_, place(at, k))));
   }
   Frame<double> frame(const Parameters& at, std::size_t k) const {
-    if (compiled_)
+    if (at.are_doubles() && is_compiled_)
       if (const auto found = compiled_->rounded(at.doubles[k])) return *found;
     const Frame<Real> exact = exact_frame(at, k);
     return {round_to_double(exact.e1), round_to_double(exact.e2), round_to_double(exact.e3)};
   }
   /// (x, y, z, w), up to its sign.
   std::array<double, 4> quaternion(const Parameters& at, std::size_t k) const {
-    if (compiled_) {
+    if (at.are_doubles() && is_compiled_) {
       const auto [b, error] = compiled_->rotation(at.doubles[k]);
       const auto rounded = [&, off = error + 0x1p-94](const DoubleDouble& x) {
         return common_double(x, off);
@@ -76,6 +85,7 @@ class SmoothSource {
                        RoundedPolynomial(over_weight * z)});
     }
     rounded_ = std::move(found);
+    is_rounded_ = true;
   }
   Frame<Real> exact_frame(const Parameters& at, std::size_t k) const {
     const SmoothParameter here = place(at, k);
@@ -90,9 +100,16 @@ class SmoothSource {
   Real start_;
   SmoothLength length_;
   bool is_by_length_;
+  std::mutex lock_;  ///< while something is made
+  std::size_t asked_ = 0;
   std::optional<CompiledFrames> compiled_;
   std::vector<RoundedPoint> rounded_;
+  std::atomic<bool> is_compiled_{false};
+  std::atomic<bool> is_rounded_{false};
+  bool is_undecided_ = false;
 };
+
+namespace {
 
 /// What is asked of a path at many places.
 struct SmoothArray {
@@ -119,8 +136,8 @@ void require_inside(const Parameters& at, const SmoothPath& path, nb::handle ts)
 
 /// The numbers that write(source, at, k, out) writes for each place.
 template <class Write>
-std::shared_ptr<DoubleArray> smooth_numbers(const SmoothPathObject& self, const SmoothArray& asked,
-                                            std::size_t width, const Write& write) {
+Numbers smooth_numbers(const SmoothPathObject& self, const SmoothArray& asked, std::size_t width,
+                       const Write& write) {
   const auto kind = chosen<TabulatedFrame>(asked.kind, "kind",
                                            {{"rmf", TabulatedFrame::rmf},
                                             {"up", TabulatedFrame::up},
@@ -129,25 +146,24 @@ std::shared_ptr<DoubleArray> smooth_numbers(const SmoothPathObject& self, const 
       chosen<bool>(asked.by, "by", {{"parameter", false}, {"arc_length", true}});
   const auto at = std::make_shared<Parameters>(parameters(asked.ts, "ts"));
   if (!is_by_length) require_inside(*at, self.named.path, asked.ts);
-  std::optional<SmoothAngle> angle;
-  Real start = Rational(0);
-  if (asked.wants_frames) {
-    angle.emplace(angle_to_up(self.named.path, asked.up));
-    start = start_angle(smooth_start(asked.start, asked.start_normal, *angle), *angle);
-  }
-  const auto source =
-      std::make_shared<SmoothSource>(self.named.path, angle, kind, start, is_by_length);
+  SmoothFrames frames{asked.wants_frames ? asked.kind : "", {}, {}, is_by_length};
+  if (asked.wants_frames) frames.start = asked_start(asked.start, asked.start_normal);
+  if (!asked.up.is_none()) frames.up = vector(asked.up, "up");
+  const auto source = self.sources->of(frames, [&] {
+    std::optional<SmoothAngle> angle;
+    Real start = Rational(0);
+    if (asked.wants_frames) {
+      angle.emplace(angle_to_up(self.named.path, asked.up));
+      start = start_angle(smooth_start(asked.start, asked.start_normal, *angle), *angle);
+    }
+    return std::make_shared<SmoothSource>(self.named.path, angle, kind, start, is_by_length);
+  });
   const auto numbers = std::make_shared<DoubleArray>(at->size() * width);
-  run({.n = at->size(),
-       .grain = at->are_doubles() && !is_by_length ? many : 4,
-       .prepare = [source, at] { source->prepare(*at); },
-       .work =
-           [source, at, numbers, width, write](std::size_t from, std::size_t to) {
-             for (std::size_t k = from; k < to; ++k)
-               write(*source, *at, k, numbers->data() + k * width);
-           }},
-      asked.progress);
-  return numbers;
+  return filled(numbers, asked.progress, source, at, at->are_doubles() && !is_by_length ? many : 4,
+                [source, at, numbers, width, write](std::size_t from, std::size_t to) {
+                  for (std::size_t k = from; k < to; ++k)
+                    write(*source, *at, k, numbers->data() + k * width);
+                });
 }
 
 nb::object smooth_frames(const SmoothPathObject& self, nb::handle ts, nb::handle start,
@@ -222,11 +238,12 @@ nb::object smooth_angles(const SmoothAngle& angle, const Real& start, nb::handle
            },
        .work =
            [=](std::size_t from, std::size_t to) {
-             std::optional<CompiledAngle> mine = *compiled;  // it counts, so that each has its own
-             for (std::size_t k = from; k < to; ++k)
-               (*numbers)[k] = finite(
-                   mine ? (*mine)(at->doubles[k])
-                        : round_to_double(angle.value(locate(angle.path(), (*at)[k])) + start));
+             for (std::size_t k = from; k < to; ++k) {
+               const auto near = *compiled ? (*compiled)->rounded(at->doubles[k]) : std::nullopt;
+               (*numbers)[k] = near ? *near
+                                    : finite(round_to_double(
+                                          angle.value(locate(angle.path(), (*at)[k])) + start));
+             }
            }},
       progress);
   return array(numbers, {at->size()});

@@ -248,15 +248,13 @@ SmoothAngle angle_to_up(const SmoothPath& path, nb::handle up) {
 }
 
 FrameStart smooth_start(nb::handle start, nb::handle start_normal, const SmoothAngle& angle) {
-  if (start_normal.is_none()) return start.is_none() ? Angle() : angle_number(start, "start");
-  if (!start.is_none()) refuse("start", "it and start_normal exclude each other", start);
-  const StartNormal along(vector(start_normal, "start_normal"));
-  try {
-    start_angle(along, angle);
-  } catch (const DomainError& error) {
-    refuse("start_normal", error.what(), start_normal);
-  }
-  return along;
+  const FrameStart from = asked_start(start, start_normal);
+  if (const auto* along = std::get_if<StartNormal>(&from)) try {
+      start_angle(*along, angle);
+    } catch (const DomainError& error) {
+      refuse("start_normal", error.what(), start_normal);
+    }
+  return from;
 }
 
 void bind_smooth_path(nb::module_& m, nb::class_<SmoothPathObject>& smooth) {

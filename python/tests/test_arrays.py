@@ -1,5 +1,6 @@
 """Arrays of frames, quaternions, matrices and points; progress, Ctrl-C, threads."""
 
+import pickle
 import random
 import threading
 from fractions import Fraction
@@ -73,6 +74,59 @@ def test_other_kinds_of_frames():
     assert (erf[0] == frenet[0]).all() and abs(np.linalg.det(erf) - 1) < 1e-15
     acceleration = np.array([float(r.derivative()(Fraction(1, 4))) for r in QUINTIC.hodograph])
     assert abs(acceleration @ frenet[2]) < 1e-14 and acceleration @ frenet[1] > 0
+
+
+INFLECTED = phrame.Curve([1, -1, 1], [0], [2], [0, 1, -1])  # n jumps at t = 1/2
+
+
+@pytest.mark.parametrize("kind", ["rmf", "erf", "frenet"])
+def test_frames_by_any_way_are_the_same(kind):
+    """Compiled segments, fractions that no double is, and what an object kept from earlier calls."""
+    rng = random.Random(17)
+    spline = phrame.Path([QUINTIC.segment(0, "1/3"), QUINTIC.segment("1/3", 1), QUINTIC.segment(1, 2)])
+    for path in (QUINTIC, INFLECTED, spline):
+        ts = [rng.random() * path.end for _ in range(300)]
+        many = path.frames(np.array(ts), kind=kind)
+        quaternions = path.quaternions(np.array(ts), kind=kind)
+        again = path.frames(ts[:20], kind=kind)
+        assert (again == many[:20]).all()
+        # One fraction that is no double, and none is compiled.
+        fresh = pickle.loads(pickle.dumps(path))
+        exact = fresh.frames(ts[:40] + [Fraction(1, 3)], kind=kind)[:40]
+        assert (exact == many[:40]).all()
+        one_by_one = np.array([fresh.quaternions([Fraction(t)], kind=kind)[0] for t in ts[:20]])
+        sign = np.sign(np.sum(one_by_one * quaternions[:20], axis=1))[:, None] if kind == "frenet" else 1
+        assert (one_by_one * sign == quaternions[:20]).all()
+
+
+def test_components_are_zero_only_where_the_frame_has_not_turned():
+    """A segment that turns, and then one whose Euler–Rodrigues frame is rotation-minimizing."""
+    turning = phrame.Curve([0], [0], [1], [1, 1, 2])
+    plane = phrame.Curve([0], [0, 1], [1], [4, 0], start=turning.point(1))
+    path = phrame.Path([turning, plane])
+    ts = np.array([1.25, 1.5, 1.75])
+    matrices = path.frames(ts)
+    for f, (x, y, z, w) in zip(matrices, path.quaternions(ts)):
+        f2 = [2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)]
+        assert np.abs(f[1] - f2).max() < 1e-15
+
+
+def test_threads_share_what_a_path_keeps():
+    halves = [QUINTIC.segment(0, "1/3"), QUINTIC.segment("1/3", 1)]
+    ts = np.linspace(0, 2, 300)
+    expected = phrame.Path(halves).frames(ts)
+    path = phrame.Path(halves)
+    found = {}
+
+    def ask(name):
+        found[name] = np.array([path.frames([t])[0] for t in ts])
+
+    threads = [threading.Thread(target=ask, args=(k,)) for k in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(found) == 3 and all((frames == expected).all() for frames in found.values())
 
 
 def test_progress_is_reported_and_can_stop():

@@ -26,22 +26,40 @@ PiecewisePolynomial compiled_angle(const RmfAngle& angle, const FrameAngle& star
           [&](double low, double high) { return angle_piece(low, high, 0, rate, theta, shape); }};
 }
 
-// A straight segment may have the angle 0 because others and the start cancel: value() sees that.
+namespace {
+
+/// θ + start at a double. A straight segment may have the angle 0 because others and the start
+/// cancel: value() sees that. It costs as much as all segments before, so that it is asked only
+/// where a ball does not say enough.
+auto theta_of(const PathAngle& angle, const FrameAngle& start) {
+  return [angle, start](double t, long more) {
+    const PathParameter at = locate(angle.path(), exact_rational(t));
+    if (more > angle_bits) return angle.value(at, start).enclose(more);
+    return angle.enclose(at, start, more);
+  };
+}
+
+}  // namespace
+
 PiecewisePolynomial compiled_angle(const PathAngle& angle, const FrameAngle& start_angle,
                                    const DoubleShape& shape) {
-  // That the segments before cancel is asked for only where a ball does not say enough: it costs as
-  // much as all of them.
-  const auto theta = [&](double t, long more) {
-    const PathParameter at = locate(angle.path(), exact_rational(t));
-    if (more > angle_bits) return angle.value(at, start_angle).enclose(more);
-    return angle.enclose(at, start_angle, more);
-  };
+  const auto theta = theta_of(angle, start_angle);
   const auto make = [&](double low, double high) {
     const double joint = std::floor(low);
     const RmfAngle& segment = angle.segment(static_cast<std::size_t>(joint));
     return angle_piece(low, high, joint, rate_of(segment.rate()), theta, shape);
   };
   return PiecewisePolynomial::on_units(angle.path().segments().size(), shape, make);
+}
+
+PiecewisePolynomial compiled_angle(const PathAngle& angle, std::size_t segment,
+                                   const FrameAngle& start_angle, const DoubleShape& shape) {
+  const auto theta = theta_of(angle, start_angle);
+  const RootQuotient rate = rate_of(angle.segment(segment).rate());
+  const auto joint = static_cast<double>(segment);
+  return {joint, joint + 1, shape, [&](double low, double high) {
+            return angle_piece(low, high, joint, rate, theta, shape);
+          }};
 }
 
 CompiledAngle::CompiledAngle(const RmfAngle& angle, double from, double to,
@@ -57,16 +75,21 @@ CompiledAngle::CompiledAngle(const PathAngle& angle, const FrameAngle& start_ang
     : angle_([angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
       polynomials_(compiled_angle(angle, start_angle, compensated_shape(1))) {}
 
-double CompiledAngle::operator()(double t) {
+CompiledAngle::CompiledAngle(const PathAngle& angle, std::size_t segment,
+                             const FrameAngle& start_angle)
+    : angle_([angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
+      polynomials_(compiled_angle(angle, segment, start_angle, compensated_shape(1))) {}
+
+std::optional<double> CompiledAngle::rounded(double t) const {
   polynomials_.require_inside(t, "compiled angle");
   const PolynomialPiece& piece = polynomials_.at(t);
   const double y = piece.y(t);
   const auto [value] = evaluate_compensated<1>(piece.coefficients.data(), polynomials_.shape(), y);
-  const auto rounded = common_double(value, piece.error + piece.error_per_y * std::abs(y));
-  return rounded ? *rounded : exact(t);
+  return common_double(value, piece.error + piece.error_per_y * std::abs(y));
 }
 
-double CompiledAngle::exact(double t) {
+double CompiledAngle::operator()(double t) {
+  if (const auto found = rounded(t)) return *found;
   ++exact_values_;
   return round_to_double(angle_(exact_rational(t)));
 }

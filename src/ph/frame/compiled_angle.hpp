@@ -16,6 +16,9 @@ PiecewisePolynomial compiled_angle(const RmfAngle& angle, const FrameAngle& star
 /// The same of a spline, on [0, end].
 PiecewisePolynomial compiled_angle(const PathAngle& angle, const FrameAngle& start_angle,
                                    const DoubleShape& shape);
+/// The same of its segment k, on [k, k + 1].
+PiecewisePolynomial compiled_angle(const PathAngle& angle, std::size_t segment,
+                                   const FrameAngle& start_angle, const DoubleShape& shape);
 
 /// θ for millions of parameters: a few compensated operations each, a proof of the rounding after
 /// each [Ziv 1991], and the exact angle for the few that the proof fails for.
@@ -26,6 +29,8 @@ class CompiledAngle {
   CompiledAngle(const RmfAngle& angle, double from, double to, const FrameAngle& start_angle = {});
   /// The same of a spline, on [0, end].
   explicit CompiledAngle(const PathAngle& angle, const FrameAngle& start_angle = {});
+  /// The same of one segment k, on [k, k + 1].
+  CompiledAngle(const PathAngle& angle, std::size_t segment, const FrameAngle& start_angle);
   /// Of polynomials as of compiled_angle, of compensated_shape(1), and the exact angle.
   CompiledAngle(std::function<Real(const Rational&)> angle, PiecewisePolynomial polynomials);
 
@@ -33,12 +38,13 @@ class CompiledAngle {
   /// to] and NaN, and what the exact angle throws.
   double operator()(double t);
 
+  /// The same where the polynomials are enough for that. Any thread may ask.
+  std::optional<double> rounded(double t) const;
+
   /// How many values took the exact angle so far.
   long exact_values() const { return exact_values_; }
 
  private:
-  double exact(double t);
-
   std::function<Real(const Rational&)> angle_;  ///< start_angle included
   PiecewisePolynomial polynomials_;
   long exact_values_ = 0;

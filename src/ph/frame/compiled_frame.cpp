@@ -8,44 +8,85 @@
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/ring_ball.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/shape.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/rational_frame.hpp"
 #include "phrame/ph/frame/rotation_piece.hpp"
 
 namespace phrame {
 namespace {
 
-// B = A/√σ·e^{iφ} with φ′ = −h/σ, so that
-//   σB′ = V·B − h·B·i = M·B,  V = b₁i + b₂j + b₃k the vector part of A′A*,
-// a = b₁ − h,  b = b₂,  c = b₃,  d = b₁ + h.
+// B = A/√σ·e^{iφ} with φ′ = −k/d, so that
+//   dB′ = (d/σ)V·B − k·B·i = M·B,  V = b₁i + b₂j + b₃k the vector part of A′A*,
+// a = (d/σ)b₁ − k,  b = (d/σ)b₂,  c = (d/σ)b₃,  d = (d/σ)b₁ + k. Of the rotation-minimizing frame
+// k/d is h/σ.
 
-/// What B of a curve is determined by: A without its real factor, h, σ and the entries of M.
+/// g of A over its greatest real factor, which is monic. Throws DomainError for
+/// a straight line.
+GaussianPolynomial bend_without_real_factors(const QuaternionPolynomial& a) {
+  const GaussianPolynomial g = bend_numerator(a);
+  if (is_zero(g))
+    throw DomainError("Frenet frame: the curve is a straight line, it has no principal normal");
+  return exact_quotient(g, {gcd(g.re, g.im), {}});
+}
+
+/// What B of a curve is determined by: A without its real factor, k and M; rotation.sigma is d.
 struct FrameEquation {
   QuaternionPolynomial preimage;
-  Polynomial h;
+  Polynomial k;
   RotationEquation rotation;
+  GaussianPolynomial bend = {{1}, {}};  ///< g of Frenet's frame, without real factors
 
+  /// Of the rotation-minimizing frame.
   explicit FrameEquation(const Curve& curve)
-      : preimage(without_real_content(curve.preimage())), h(twist_numerator(preimage)) {
+      : FrameEquation(curve, Polynomial{1},
+                      [](const QuaternionPolynomial& a) { return twist_numerator(a); }) {}
+
+  FrameEquation(const Curve& curve, Reference reference)
+      : FrameEquation(reference == Reference::frenet ? of_frenet(curve)
+                                                     : FrameEquation(curve, Polynomial{1}, {})) {}
+
+ private:
+  /// k of A, or 0.
+  using Turning = std::function<Polynomial(const QuaternionPolynomial& preimage)>;
+
+  FrameEquation(const Curve& curve, const Polynomial& over_sigma, const Turning& turning)
+      : preimage(without_real_content(curve.preimage())) {
+    if (turning) k = turning(preimage);
     const auto& [u, v, p, q] = preimage;
     const QuaternionPolynomial rate = QuaternionPolynomial{differentiate(u), differentiate(v),
                                                            differentiate(p), differentiate(q)} *
                                       QuaternionPolynomial{u, -v, -p, -q};
-    rotation = {sigma(preimage), rate.v - h, rate.p, rate.q, rate.v + h};
+    const Polynomial first = over_sigma * rate.v;
+    rotation = {over_sigma * sigma(preimage), first - k, over_sigma * rate.p, over_sigma * rate.q,
+                first + k};
+  }
+
+  static FrameEquation of_frenet(const Curve& curve) {
+    const GaussianPolynomial g = bend_without_real_factors(without_real_content(curve.preimage()));
+    FrameEquation equation(curve, norm(g), [&](const QuaternionPolynomial& a) {
+      return Rational(1, 2) * sigma(a) * (differentiate(g.im) * g.re - differentiate(g.re) * g.im);
+    });
+    equation.bend = g;
+    return equation;
   }
 };
 
-/// B with φ(0) = phi_at_center, up to y^{length−1}.
+/// The angle 2φ at a double, with a radius of about 2^−bits.
+using TwicePhi = std::function<RealBall(double t, long bits)>;
+
+/// B with φ(0) = phi_at_center, up to y^{length−1}, where d is that on the piece.
 QuaternionSeries taylor_of(const FrameEquation& equation, const PolynomialPiece& piece,
-                           const BallPolynomial& sigma, const RealBall& phi_at_center,
-                           long length) {
+                           const BallPolynomial& d, const RealBall& phi_at_center, long length) {
   const auto times = [&](const BallPolynomial& f, const BallPolynomial& g) {
     return multiply_series(f, g, length, frame_bits);
   };
   const BallPolynomial minus_phi_rate =
-      divide_series(per_y(equation.h, piece, frame_bits), sigma, length - 1, frame_bits);
+      divide_series(per_y(equation.k, piece, frame_bits), d, length - 1, frame_bits);
   const BallPolynomial phi =
       with_constant(-antiderivative(minus_phi_rate, frame_bits), phi_at_center);
+  const BallPolynomial sigma = on_piece(phrame::sigma(equation.preimage), piece, frame_bits, true);
   const BallPolynomial over_root = inverse_sqrt_series(sigma, length, frame_bits);  // 1/√σ
   const auto unit = cos_sin_series(phi, length, frame_bits);
   const BallPolynomial cos = times(unit.cos, over_root);
@@ -63,26 +104,40 @@ QuaternionSeries taylor_of(const FrameEquation& equation, const PolynomialPiece&
   return {u, v, p, q};
 }
 
-/// B on [low, high] for a curve with the parameter t − origin, from balls around θ(center).
-std::optional<PolynomialPiece> rotation_piece_of(
-    double low, double high, double origin, const FrameEquation& equation,
-    const std::function<RealBall(double center, long bits)>& theta, const FrameAngle& start_angle,
-    const DoubleShape& shape) {
-  // Absolutely, φ is to be known to about 2^−bits.
-  const Rational size_of_start = abs(start_angle.radians) + 4 * abs(start_angle.half_turns) + 2;
-  const long phi_bits = frame_bits + binary_exponent(size_of_start);
-  const auto taylor = [&](const PolynomialPiece& piece, const BallPolynomial& sigma, long length) {
-    const RealBall twice_phi =
-        add(theta(piece.center, frame_bits), to_real(start_angle).enclose(phi_bits), phi_bits);
-    return taylor_of(equation, piece, sigma, times_power_of_two(twice_phi, -1), length);
+/// B on [low, high] for a curve with the parameter t − origin.
+std::optional<PolynomialPiece> rotation_piece_of(double low, double high, double origin,
+                                                 const FrameEquation& equation,
+                                                 const TwicePhi& twice_phi,
+                                                 const DoubleShape& shape) {
+  const auto taylor = [&](const PolynomialPiece& piece, const BallPolynomial& d, long length) {
+    return taylor_of(equation, piece, d,
+                     times_power_of_two(twice_phi(piece.center, frame_bits), -1), length);
   };
   return rotation_piece(low, high, origin, equation.rotation, taylor, shape);
 }
 
-// f₂ has a component that is 0 everywhere on plane curves only: of f₂·k = 0 the derivative is
-// f₂′·k = 0, where f₂′ is along e₁, so that either e₁·k = 0 or f₂ is constant, the normal of a
-// plane. There the frames are rational, of a degree ≤ 2·degree(B), so that one that is 0 at so many
-// t and one more is 0.
+/// θ + start, from balls around θ.
+TwicePhi from_start(const TwicePhi& theta, const FrameAngle& start) {
+  // Absolutely, φ is to be known to about 2^−bits.
+  const Rational size_of_start = abs(start.radians) + 4 * abs(start.half_turns) + 2;
+  const long more = binary_exponent(size_of_start);
+  return [theta, start = to_real(start), more](double t, long bits) {
+    return add(theta(t, bits), start.enclose(bits + more), bits + more);
+  };
+}
+
+TwicePhi theta_of(const PathAngle& angle, const FrameAngle& start) {
+  return from_start(
+      [angle](double t, long bits) {
+        return angle.enclose(locate(angle.path(), exact_rational(t)), bits);
+      },
+      start);
+}
+
+// f₂ of a rotation-minimizing frame has a component that is 0 everywhere on plane curves only: of
+// f₂·k = 0 the derivative is f₂′·k = 0, where f₂′ is along e₁, so that either e₁·k = 0 or f₂ is
+// constant, the normal of a plane. There the frames are rational, of a degree ≤ 2·degree(B), so
+// that one that is 0 at so many t and one more is 0.
 
 /// Which components of the frames at(frames, t) are 0 for all t: decided exactly.
 template <class At>
@@ -109,15 +164,30 @@ std::array<std::array<bool, 3>, 3> frame_zeros(const Curve& curve, const At& at)
   return zeros;
 }
 
+/// The same of the Euler–Rodrigues frame or of Frenet's.
+std::array<std::array<bool, 3>, 3> frame_zeros(const Curve& curve, Reference reference) {
+  const QuaternionPolynomial a = without_real_content(curve.preimage());
+  const GaussianPolynomial g =
+      reference == Reference::frenet ? bend_without_real_factors(a) : GaussianPolynomial{{1}, {}};
+  const Vector<Polynomial> j = rotated_j(a);
+  const Vector<Polynomial> k = rotated_k(a);
+  const std::array multiples{rotated_i(a), g.re * j - g.im * k, g.im * j + g.re * k};
+  std::array<std::array<bool, 3>, 3> zeros{};
+  for (std::size_t n = 0; n < 3; ++n)
+    for (std::size_t i = 0; i < 3; ++i) zeros[n][i] = multiples[n][i].is_zero();
+  return zeros;
+}
+
 }  // namespace
 
 PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
                                       const FrameAngle& start_angle, double from, double to,
                                       const DoubleShape& shape) {
   const FrameEquation equation(curve);
-  const auto theta = [&](double t, long more) { return angle.enclose(exact_rational(t), more); };
+  const TwicePhi theta = from_start(
+      [&](double t, long bits) { return angle.enclose(exact_rational(t), bits); }, start_angle);
   return {from, to, shape, [&](double low, double high) {
-            return rotation_piece_of(low, high, 0, equation, theta, start_angle, shape);
+            return rotation_piece_of(low, high, 0, equation, theta, shape);
           }};
 }
 
@@ -125,15 +195,35 @@ PiecewisePolynomial compiled_rotation(const PathAngle& angle, const FrameAngle& 
                                       const DoubleShape& shape) {
   const std::vector<FrameEquation> equations(angle.path().segments().begin(),
                                              angle.path().segments().end());
-  const auto theta = [&](double t, long more) {
-    return angle.enclose(locate(angle.path(), exact_rational(t)), more);
-  };
+  const TwicePhi theta = theta_of(angle, start_angle);
   const auto make = [&](double low, double high) {
     const double joint = std::floor(low);
     const FrameEquation& equation = equations[static_cast<std::size_t>(joint)];
-    return rotation_piece_of(low, high, joint, equation, theta, start_angle, shape);
+    return rotation_piece_of(low, high, joint, equation, theta, shape);
   };
   return PiecewisePolynomial::on_units(equations.size(), shape, make);
+}
+
+PiecewisePolynomial compiled_rotation(const PathAngle& angle, std::size_t segment,
+                                      const FrameAngle& start_angle, const DoubleShape& shape) {
+  const FrameEquation equation(angle.path().segments()[segment]);
+  const TwicePhi theta = theta_of(angle, start_angle);
+  const auto joint = static_cast<double>(segment);
+  return {joint, joint + 1, shape, [&](double low, double high) {
+            return rotation_piece_of(low, high, joint, equation, theta, shape);
+          }};
+}
+
+PiecewisePolynomial compiled_rotation(const Curve& curve, Reference reference, double from,
+                                      double to, double origin, const DoubleShape& shape) {
+  const FrameEquation equation(curve, reference);
+  const TwicePhi minus_arg_bend = [&](double t, long bits) {
+    const Rational at = exact_rational(t) - exact_rational(origin);
+    return subtract({}, argument(equation.bend.re(at), equation.bend.im(at), bits), bits);
+  };
+  return {from, to, shape, [&](double low, double high) {
+            return rotation_piece_of(low, high, origin, equation, minus_arg_bend, shape);
+          }};
 }
 
 double frame_error(double error) { return sum_up(2 * error, 2 * error * error); }
@@ -146,6 +236,16 @@ CompiledFrames::CompiledFrames(const Curve& curve, const RmfAngle& angle, double
 CompiledFrames::CompiledFrames(const PathAngle& angle, const FrameAngle& start_angle)
     : CompiledFrames(compiled_rotation(angle, start_angle, compensated_shape(4)),
                      zeros(angle, start_angle)) {}
+
+CompiledFrames::CompiledFrames(const PathAngle& angle, std::size_t segment,
+                               const FrameAngle& start_angle)
+    : CompiledFrames(compiled_rotation(angle, segment, start_angle, compensated_shape(4)),
+                     zeros(angle, segment, start_angle)) {}
+
+CompiledFrames::CompiledFrames(const Curve& curve, Reference reference, double from, double to,
+                               double origin)
+    : CompiledFrames(compiled_rotation(curve, reference, from, to, origin, compensated_shape(4)),
+                     frame_zeros(curve, reference)) {}
 
 CompiledFrames::CompiledFrames(PiecewisePolynomial polynomials, const Zeros& zeros)
     : polynomials_(std::move(polynomials)), zeros_(zeros) {
@@ -162,18 +262,24 @@ CompiledFrames::Zeros CompiledFrames::zeros(const Curve& curve, const RmfAngle& 
   });
 }
 
+CompiledFrames::Zeros CompiledFrames::zeros(const PathAngle& angle, std::size_t segment,
+                                            const FrameAngle& start) {
+  return frame_zeros(angle.path().segments()[segment],
+                     [&](const Frames& frames, const Rational& t) {
+                       const PathParameter at{segment, t};
+                       return turned(
+                           frames.euler_rodrigues(t), angle.direction(at),
+                           [&](const FrameAngle& from) { return angle.value(at, from); }, start);
+                     });
+}
+
 CompiledFrames::Zeros CompiledFrames::zeros(const PathAngle& angle, const FrameAngle& start) {
   Zeros all;
   for (auto& of_vector : all) of_vector.fill(true);
-  const auto& segments = angle.path().segments();
-  Stage stage("segments", segments.size());
-  for (std::size_t k = 0; k < segments.size(); ++k, stage.advance()) {
-    const auto of_segment = frame_zeros(segments[k], [&](const Frames& frames, const Rational& t) {
-      const PathParameter at{k, t};
-      return turned(
-          frames.euler_rodrigues(t), angle.direction(at),
-          [&](const FrameAngle& from) { return angle.value(at, from); }, start);
-    });
+  const std::size_t segments = angle.path().segments().size();
+  Stage stage("segments", segments);
+  for (std::size_t k = 0; k < segments; ++k, stage.advance()) {
+    const Zeros of_segment = zeros(angle, k, start);
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) all[i][j] = all[i][j] && of_segment[i][j];
   }

@@ -22,8 +22,19 @@ PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
 /// The same of a spline, on [0, end], with its continuous ERF.
 PiecewisePolynomial compiled_rotation(const PathAngle& angle, const FrameAngle& start_angle,
                                       const DoubleShape& shape);
+/// The same of its segment k, on [k, k + 1].
+PiecewisePolynomial compiled_rotation(const PathAngle& angle, std::size_t segment,
+                                      const FrameAngle& start_angle, const DoubleShape& shape);
 
-/// Rotation-minimizing frames for millions of parameters, a few hundred operations each. Const
+/// The same of a frame that needs no integral: B = A/|A|·e^{iφ/2} with φ = 0 for the
+/// Euler–Rodrigues frame and −arg g for Frenet's, g without its real factors, so that it goes on
+/// through inflections. With 2dφ′ = −k, where d = σ and k = 0, or d = σ|g|² and k = σ Im(g′ḡ),
+///   dB′ = (d/σ)V·B − (k/2)·B·i.
+/// [from, to] is of t + origin. Throws DomainError for the Frenet frame of a straight line.
+PiecewisePolynomial compiled_rotation(const Curve& curve, Reference reference, double from,
+                                      double to, double origin, const DoubleShape& shape);
+
+/// Moving frames for millions of parameters, a few hundred operations each. Const
 /// members may be called from several threads.
 class CompiledFrames {
  public:
@@ -32,6 +43,12 @@ class CompiledFrames {
                  const FrameAngle& start_angle = {});
   /// The same of a spline, on [0, end].
   explicit CompiledFrames(const PathAngle& angle, const FrameAngle& start_angle = {});
+  /// The same of one segment k of a spline, on [k, k + 1].
+  CompiledFrames(const PathAngle& angle, std::size_t segment, const FrameAngle& start_angle);
+  /// The Euler–Rodrigues frame, or that of Frenet continued through inflections, at t − origin, as
+  /// in compiled_rotation.
+  CompiledFrames(const Curve& curve, Reference reference, double from, double to,
+                 double origin = 0);
   /// Whether a component of e₁, e₂, e₃ is known to be 0 for all t.
   using Zeros = std::array<std::array<bool, 3>, 3>;
   /// Of polynomials as of compiled_rotation, of compensated_shape(4).
@@ -54,8 +71,12 @@ class CompiledFrames {
   };
   Rotation rotation(double t) const;  ///< that at t
 
+  double from() const { return polynomials_.from(); }  ///< where they begin
+  double to() const { return polynomials_.to(); }      ///< where they end
+
  private:
   static Zeros zeros(const Curve& curve, const RmfAngle& angle, const FrameAngle& start_angle);
+  static Zeros zeros(const PathAngle& angle, std::size_t segment, const FrameAngle& start_angle);
   static Zeros zeros(const PathAngle& angle, const FrameAngle& start_angle);
 
   PiecewisePolynomial polynomials_;

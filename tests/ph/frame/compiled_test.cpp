@@ -8,6 +8,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/curve_file.hpp"
+#include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/frame/compiled_angle.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
@@ -376,6 +377,63 @@ TEST_CASE(
     }
     CHECK(left <= 3);
   }
+}
+
+TEST_CASE("compiled frames: those of Euler and Rodrigues and of Frenet are rounded correctly") {
+  // r″ of the cubic hodograph vanishes at t = 1/2: g has a real factor, n jumps.
+  const Curve inflected({Polynomial{1, -1, 1}, Polynomial{}, Polynomial{2}, Polynomial{0, 1, -1}});
+  for (const Curve& curve :
+       {test::quintic, inflected, named("gen-m03-1"), rotated(inflected, {1, 2, 0, -1})}) {
+    CAPTURE(curve);
+    const Frames frames(curve);
+    const CompiledFrames erf(curve, Reference::euler_rodrigues, 3, 4, 3);
+    const CompiledFrames frenet(curve, Reference::frenet, 0, 1);
+    int left = 0;
+    for (int k = 0; k < 100; ++k) {
+      const double t = (k + 0.37) / 100;
+      const double later = 3 + t;
+      const Frame<Rational> exact_erf = frames.euler_rodrigues(exact_rational(later) - 3);
+      const auto found_erf = erf.rounded(later);
+      const auto found = frenet.rounded(t);
+      if (!found || !found_erf) {
+        ++left;
+        continue;
+      }
+      CHECK(found_erf->e1 == round_to_double(exact_erf.e1));
+      CHECK(found_erf->e2 == round_to_double(exact_erf.e2));
+      CHECK(found_erf->e3 == round_to_double(exact_erf.e3));
+      const Frame<Real> exact = frames.frenet(exact_rational(t));
+      const Vector<double> n = round_to_double(exact.e2);
+      const Vector<double> minus_n =
+          round_to_double(Vector<Real>{-exact.e2[0], -exact.e2[1], -exact.e2[2]});
+      CHECK(found->e1 == round_to_double(exact.e1));
+      // Continued through the inflection.
+      const GaussianPolynomial g = bend_numerator(without_real_content(curve.preimage()));
+      CHECK(found->e2 == (gcd(g.re, g.im)(exact_rational(t)) < 0 ? minus_n : n));
+    }
+    CHECK(left <= 2);
+  }
+  const Curve line({Polynomial{1, 1}, Polynomial{}, Polynomial{}, Polynomial{}});
+  CHECK_THROWS_AS(CompiledFrames(line, Reference::frenet, 0, 1), DomainError);
+}
+
+TEST_CASE("compiled: one segment of a spline is that of the whole") {
+  const Curve curve = named("gen-m03-1");
+  Path path(segment(curve, 0, Rational(1, 3)));
+  path.append(segment(curve, Rational(1, 3), 1));
+  const PathAngle angle(path);
+  const FrameAngle start(Rational(1, 7));
+  const CompiledFrames whole(angle, start);
+  const CompiledFrames second(angle, 1, start);
+  CompiledAngle theta(angle, start);
+  const CompiledAngle of_second(angle, 1, start);
+  CHECK(second.from() == 1);
+  CHECK(second.to() == 2);
+  for (const double t : {1.0, 1.3, 1.99, 2.0}) {
+    CHECK(second(t).e2 == whole(t).e2);
+    CHECK(of_second.rounded(t) == theta(t));
+  }
+  CHECK_THROWS_AS(second(0.5), DomainError);
 }
 
 TEST_CASE("compiled frames: the rotation is a unit quaternion within its error") {
