@@ -42,6 +42,8 @@ MinimalTwistAnswer answer(const NamedPath& named, const MinimalTwistQuery& query
                             decimal(mtf.rate(), "the rate"),
                             {},
                             query.digits};
+  if (const auto& within = mtf.half_turn_within())
+    answer.half_turn_within = upper_bound_text(*within);
   for (const Rational& t : query.at)
     answer.values.push_back(rounded_angle(t, mtf.value(t), query.digits));
   if (query.rational) add_rational(answer, mtf, *query.rational);
@@ -66,6 +68,8 @@ MinimalTwistAnswer answer(const NamedSmoothPath& named, const SmoothTwistQuery& 
                             {},
                             query.digits};
   answer.up = angle.up();
+  if (const auto& within = mtf.half_turn_within())
+    answer.half_turn_within = upper_bound_text(*within);
   for (const Rational& t : query.at)
     answer.values.push_back({t, decimal(mtf.value(locate(named.path, t)),
                                         "theta at t = " + abbreviated(to_string(t)))});

@@ -41,11 +41,14 @@ struct MinimalTwistAnswer {
   Real length;             ///< S, of the path
   Decimal rounded_length;  ///< where it is irrational
   Decimal own_twist;  ///< of the Euler–Rodrigues frame, ∫ 2h/σ dt; or of that of v, ∫ e₂′·e₃ dt
-  Decimal nominal_twist;                          ///< T
-  Decimal twist;                                  ///< T_min, with the extra turns
-  Decimal rate;                                   ///< the twist over S
-  std::vector<AngleValue> values;                 ///< θ at the t asked for
-  long digits;                                    ///< of all numbers
+  Decimal nominal_twist;           ///< T
+  Decimal twist;                   ///< T_min, with the extra turns
+  Decimal rate;                    ///< the twist over S
+  std::vector<AngleValue> values;  ///< θ at the t asked for
+  long digits;                     ///< of all numbers
+  /// Where T_min is π, or not told from it: an upper bound of what it is off, "0" or "1.2e-76". To
+  /// turn by −π is as short.
+  std::string half_turn_within = {};
   std::optional<TwistFrameAnswer> rational = {};  ///< where it was asked for and found
   std::string why_not_rational = {};              ///< where there is none
   std::string why_undecided = {};                 ///< where none was found, or could be shown

@@ -1,6 +1,7 @@
 #include "phrame/answer/sweep.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
@@ -12,13 +13,15 @@
 namespace phrame {
 namespace {
 
-/// The angle from the last frame to f₂ along v, in [−π, π].
+/// The angle from the last frame to f₂ along v, in (−π, π].
 double angle_to(const Vector<double>& v, const Frame<double>& last) {
   const double x = dot(v, last.e2);
   const double y = dot(v, last.e3);
   if (std::hypot(x, y) <= 0x1p-40 * std::hypot(v[0], v[1], v[2]))
     throw DomainError("end normal: it has no part in the normal plane at the end");
-  return std::atan2(y, x);
+  // Half a turn is as short both ways, and rounding is not to say which.
+  const double angle = std::atan2(y, x);
+  return angle < 0x1p-44 - std::numbers::pi ? angle + 2 * std::numbers::pi : angle;
 }
 
 double turn_of(const SweepPath& path, const SweepQuery& query) {

@@ -67,6 +67,17 @@ std::string notes(const MinimalTwistAnswer& answer, Notation notation) {
   return named != nullptr ? notes_on_signs(named->path, notation) : "";
 }
 
+/// What there is to say of half a turn, which is as long both ways.
+std::string on_half_turn(const MinimalTwistAnswer& answer) {
+  if (answer.half_turn_within.empty()) return "";
+  if (answer.half_turn_within == "0")
+    return "\nThe least turn is half a turn: $π$ and $−π$ are as short, and $π$ was taken.\n";
+  return fmt::format(
+      "\nThe least turn is half a turn, or within {} of it: both ways round are as short, and the "
+      "one next to $π$ was taken.\n",
+      answer.half_turn_within);
+}
+
 /// Why there is no rational frame, as prose() has it: a sentence, or nothing.
 std::string reason(const MinimalTwistAnswer& answer) {
   if (!answer.why_not_rational.empty())
@@ -83,6 +94,7 @@ std::string to_text(const MinimalTwistAnswer& answer) {
       first_line(answer) + "\n\n" + prose(definition(answer, Notation::unicode), Notation::unicode);
   text += notes(answer, Notation::unicode) + to_rows(fields(answer), 31);
   if (!answer.values.empty()) text += value_table(answer.values, answer.digits);
+  text += prose(on_half_turn(answer), Notation::unicode);
   if (answer.rational) text += to_text(*answer.rational);
   return text + prose(reason(answer), Notation::unicode);
 }
@@ -92,12 +104,14 @@ std::string to_latex(const MinimalTwistAnswer& answer) {
   std::string text = prose(definition(answer, latex), latex) + notes(answer, latex);
   text += to_align(fields(answer));
   if (!answer.values.empty()) text += latex_value_table(answer.values);
+  text += prose(on_half_turn(answer), latex);
   if (answer.rational) text += to_latex(*answer.rational);
   return text + prose(reason(answer), latex);
 }
 
 std::string to_json(const MinimalTwistAnswer& answer) {
   JsonOutput output = json_of(fields(answer));
+  if (!answer.half_turn_within.empty()) output["half_turn_within"] = answer.half_turn_within;
   if (answer.rational) output.update(json_of(fields(*answer.rational)));
   if (!answer.why_not_rational.empty()) output["no_rational"] = answer.why_not_rational;
   if (!answer.why_undecided.empty()) output["rational_undecided"] = answer.why_undecided;

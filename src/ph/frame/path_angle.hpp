@@ -50,8 +50,7 @@ class PathAngle {
   /// By which angle in (−π, π] the rotation-minimizing frame comes back turned about the tangent
   /// r′/|r′| of a closed spline: f₂(end) = cos(·) f₂(0) + sin(·) T × f₂(0). It does not depend on
   /// the preimages. Exact where it is seen to be 0. No value where the spline has no
-  /// closing_turn(). Throws Undecided where it can't be told from ±π, and DomainError for the angle
-  /// to a Frenet frame.
+  /// closing_turn(). Throws DomainError for the angle to a Frenet frame.
   std::optional<Real> holonomy() const;
 
  private:

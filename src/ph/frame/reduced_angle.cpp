@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 
@@ -15,6 +17,10 @@ Integer nearest_turns(const Rational& x) { return -floor((1 - x) / 2); }
 std::optional<Integer> whole_turns(const RealBall& x, long bits) {
   const RealBall shifted = divide(add(x, RealBall(-1, bits), bits), RealBall(2, bits), bits);
   return unique_ceiling(shifted, bits);
+}
+
+Real less_turns(const Real& x, const Integer& turns) {
+  return turns == 0 ? x : x + whole_turn(-turns);
 }
 
 }  // namespace
@@ -42,11 +48,11 @@ Real whole_turn(const Integer& k) {
   return {enclosure, {k != 0, bits_of(Rational(k))}};
 }
 
-ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>()>& over_pi) {
+ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>()>& over_pi,
+                     long most_bits) {
   // Few bits nearly always tell it from a multiple of π.
-  constexpr long most_bits = 32768;
   bool was_asked = false;
-  for (long bits = 80;; bits = bits == 80 ? 512 : 4 * bits) {
+  for (long bits = 80;; bits = std::min(most_bits, bits == 80 ? 512 : 4 * bits)) {
     const RealBall y = divide(x.enclose(bits), pi(bits), bits);
     const bool is_near = contains_integer(y);
     if (is_near && bits > 80 && !was_asked && unique_integer(y)) {
@@ -54,17 +60,28 @@ ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>(
       const auto known = over_pi();
       if (known && denominator(*known) == 1) {
         const Integer n(numerator(*known));
-        if (n % 2 == 0) return {Rational(0), n / 2};
-        return {Real([](long precision) { return pi(precision); }, {true, 0}), (n - 1) / 2};
+        if (n % 2 == 0) return {Rational(0), n / 2, std::nullopt};
+        const Real half_turn([](long precision) { return pi(precision); }, {true, 0});
+        return {half_turn, (n - 1) / 2, Rational(0)};
       }
     }
     if (!is_near || was_asked)
       if (const auto turns = whole_turns(y, bits))
-        return {*turns == 0 ? x : x + whole_turn(-*turns), *turns};
-    if (bits > most_bits)
+        return {less_turns(x, *turns), *turns, std::nullopt};
+    if (bits < most_bits) continue;
+    const auto n = unique_integer(y);
+    if (!n)
       throw Undecided(fmt::format(
           "{} bits of precision do not tell an angle from an odd multiple of pi", bits));
+    const RealBall apart = subtract(y, RealBall(Rational(*n), bits), bits);
+    const Integer turns = (*n - 1) / 2;
+    return {less_turns(x, turns), turns, Rational(4 * absolute(apart).upper())};
   }
+}
+
+ReducedAngle reduced(const Real& x) {
+  return reduced(
+      x, [] { return std::nullopt; }, 256);
 }
 
 RealBall reduced(const RealBall& x, long bits) {

@@ -6,6 +6,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/frame/path_totals.hpp"
+#include "phrame/ph/frame/reduced_angle.hpp"
 #include "phrame/ph/smooth/smooth_angle.hpp"
 
 // The frame of v turns as e₂ = v × e₁ does, and so does e₃, the part of v across the tangent: a
@@ -125,19 +126,11 @@ ClosedFrame closed_frame(const Path& path) { return first_closed_frame(path); }
 Real writhe(const ClosedFrame& frame) { return Real(Rational(frame.linking)) + -frame.twist; }
 
 Real holonomy(const ClosedFrame& frame) {
-  const RealBall half(Rational(1, 2), 2);
-  for (long bits = 64; bits <= 4096; bits *= 4) {
-    // The n with −1/2 < n − Tw ≤ 1/2.
-    const RealBall twist = frame.twist.enclose(bits);
-    const auto whole = unique_ceiling(subtract(twist, half, bits), bits);
-    if (!whole) continue;
-    const Real rest = Real(Rational(*whole)) + -frame.twist;
-    return Real([rest](long more) {
-      const long inner = more + 8;
-      return multiply(rest.enclose(inner), times_power_of_two(pi(inner), 1), inner);
-    });
-  }
-  throw Undecided("the holonomy is not told from a half turn within 4096 bits");
+  const Real turn([twist = frame.twist](long bits) {
+    const RealBall turns = subtract({}, twist.enclose(bits + 8), bits + 8);
+    return multiply(turns, times_power_of_two(pi(bits + 8), 1), bits + 8);
+  });
+  return reduced(turn).angle;
 }
 
 long self_linking_number(const ClosedFrame& frame, const Real& torsion) {

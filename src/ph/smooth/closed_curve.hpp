@@ -30,7 +30,7 @@ std::optional<ClosedFrame> closed_frame(const SmoothPath& path, const Vector<Rat
 /// The writhe Wr = Lk − Tw, 1/(4π) ∬ det(r′(s), r′(t), r(s) − r(t))/|r(s) − r(t)|³ ds dt.
 Real writhe(const ClosedFrame& frame);
 /// By which angle in (−π, π] a rotation-minimizing frame comes back turned about the tangent:
-/// −2π·Tw up to whole turns. Throws Undecided where that is not told from ±π within 4096 bits.
+/// −2π·Tw up to whole turns; next to π where it is not told from that within 256 bits.
 Real holonomy(const ClosedFrame& frame);
 /// The self-linking number Lk − Tw + ∫τ ds/(2π) of a curve without inflections: how often it is
 /// linked with its copy shifted along its principal normals. `torsion` is ∫τ ds. Throws Undecided

@@ -6,10 +6,10 @@
 #include <map>
 #include <mutex>
 
-#include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/frame/reduced_angle.hpp"
 #include "phrame/ph/smooth/segment_integral.hpp"
 #include "phrame/ph/smooth/up_vector.hpp"
 
@@ -116,25 +116,8 @@ std::optional<Real> holonomy(const SmoothAngle& angle) {
   if (angle.is_zero()) return Rational(0);
   const bool is_reversed = orientation(path.segments().front()) < 0;
   const SmoothParameter end{path.segments().size() - 1, Rational(1)};
-  // θ − 2π·k with the k nearest to θ/2π.
-  Integer turns;
-  for (long bits = 64;; bits *= 2) {
-    const RealBall theta = angle.enclose(end, bits);
-    const RealBall ratio = divide(theta, times_power_of_two(pi(bits), 1), bits);
-    const RealBall shifted = subtract(ratio, RealBall(Rational(1, 2), bits), bits);
-    if (const auto k = unique_ceiling(shifted, bits)) {
-      turns = *k;
-      break;
-    }
-    if (bits > 16384) throw Undecided("holonomy: it is not told from half a turn");
-  }
-  const auto enclosure = [angle, end, turns, is_reversed](long bits) {
-    const RealBall whole = multiply(RealBall(Rational(turns), bits + 64),
-                                    times_power_of_two(pi(bits + 64), 1), bits + 64);
-    const RealBall theta = subtract(angle.enclose(end, bits + 8), whole, bits + 8);
-    return is_reversed ? subtract({}, theta, bits + 8) : theta;
-  };
-  return Real(enclosure);
+  const Real theta = angle.value(end);
+  return reduced(is_reversed ? -theta : theta).angle;
 }
 
 }  // namespace phrame

@@ -47,10 +47,10 @@ class SmoothAngle {
   std::shared_ptr<State> state_;
 };
 
-/// By which angle in (−π, π] the rotation-minimizing frame comes back turned about the tangent
-/// r′/|r′| of a closed path: f₂(end) = cos(·) f₂(0) + sin(·) T × f₂(0). Exact where θ is 0 all
-/// along. No value where the path is not closed with its e₁. Throws DomainError for the angle to
-/// the Frenet frame, Undecided where it is not told from ±π.
+/// By which angle in (−π, π], or next to π where it is not told from that within 256 bits, the
+/// rotation-minimizing frame comes back turned about the tangent r′/|r′| of a closed path: f₂(end)
+/// = cos(·) f₂(0) + sin(·) T × f₂(0). Exact where θ is 0 all along. No value where the path is not
+/// closed with its e₁. Throws DomainError for the angle to the Frenet frame.
 std::optional<Real> holonomy(const SmoothAngle& angle);
 
 }  // namespace phrame

@@ -45,10 +45,9 @@ SmoothTwist::SmoothTwist(const SmoothAngle& rmf, const FrameStart& from, const F
     throw DomainError("minimal twist: it is found from the angle to the frame of an up vector");
   const TurnBetween between = turn_between(from, to, from_, to_);
   nominal_ = remembered(up_twist() + between.angle);
-  const auto known = [&]() -> std::optional<Rational> {
-    return rmf_.is_zero() ? between.half_turns : std::nullopt;
-  };
-  const ReducedAngle least = reduced(nominal_, known);
+  const auto known = [&] { return between.half_turns; };
+  const ReducedAngle least = rmf_.is_zero() ? reduced(nominal_, known) : reduced(nominal_);
+  half_turn_within_ = least.half_turn_within;
   twist_ = extra_turns == 0 ? least.angle : least.angle + whole_turn(extra_turns);
   turns_at_end_ = extra_turns - least.turns;
 }

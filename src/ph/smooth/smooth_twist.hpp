@@ -9,12 +9,13 @@ namespace phrame {
 /// about e₁ at a constant rate, with the least total turn:
 ///   θ(t) = θ_i + T_min·s(t)/S + θ_RMF(t),
 ///   T = −θ_RMF(end) + θ_f − θ_i ≡ T_min modulo 2π, T_min ∈ (−π, π].
+/// Where T_min is not told from ±π, either way is of least twist as far as anybody can tell: then
+/// that next to π is taken, and half_turn_within() says so.
 /// Copies are cheap and share what was found. To move one is to copy it.
 class SmoothTwist {
  public:
   /// A vector of `to` is one at the end. With `extra_turns` ≠ 0 the frame makes that many more
-  /// revolutions. Throws DomainError as start_angle(), and for the angle to a Frenet frame;
-  /// Undecided where T is not told from an odd multiple of π.
+  /// revolutions. Throws DomainError as start_angle(), and for the angle to a Frenet frame.
   SmoothTwist(const SmoothAngle& rmf, const FrameStart& from, const FrameStart& to,
               const Integer& extra_turns = 0);
   SmoothTwist(const SmoothTwist&) = default;
@@ -27,6 +28,8 @@ class SmoothTwist {
   Real up_twist() const;                                  ///< of the frame of v, −θ_RMF(end)
   const Real& nominal_twist() const { return nominal_; }  ///< T
   const Real& twist() const { return twist_; }            ///< T_min, plus 2π·extra_turns
+  /// As ReducedAngle has it, of T_min.
+  const std::optional<Rational>& half_turn_within() const { return half_turn_within_; }
   Real rate() const;                               ///< the turn per unit of arc length, twist()/S
   const SmoothAngle& rmf() const { return rmf_; }  ///< θ_RMF
 
@@ -49,6 +52,7 @@ class SmoothTwist {
   Real to_;
   Real nominal_;
   Real twist_;
+  std::optional<Rational> half_turn_within_;
   Integer turns_at_end_ = 0;
 };
 

@@ -26,7 +26,8 @@ MinimalTwist::MinimalTwist(const PathAngle& rmf, const FrameAngle& from, const F
     if (!m) return std::nullopt;
     return between.half_turns - *m;
   };
-  const auto [angle, more_turns] = reduced(rest, over_pi);
+  const auto [angle, more_turns, within] = reduced(rest, over_pi);
+  half_turn_within_ = within;
   const Rational given_half_turns = given.half_turns - between.half_turns;
   const Integer turns = numerator(given_half_turns) / 2 + more_turns;
   nominal_ = turns == 0 ? angle : angle + whole_turn(turns);

@@ -10,12 +10,12 @@ namespace phrame {
 /// at a constant rate, with the least total turn:
 ///   θ(t) = θ_i + T_min·s(t)/S + θ_RMF(t),   θ_RMF′ = −2h/σ,  s(t) the arc length, S = s(end),
 ///   T = −θ_RMF(end) + θ_f − θ_i ≡ T_min modulo 2π, T_min ∈ (−π, π].
+/// To turn by −π is as short as by π: of these π is taken.
 class MinimalTwist {
  public:
   /// Whole turns in θ_f − θ_i do not count, however many: they are left out before anything is
   /// rounded. With `extra_turns` ≠ 0 the frame makes that many more revolutions. Throws DomainError
-  /// where the multiplier of a segment changes sign on it, and Undecided where T cannot be told
-  /// from an odd multiple of π.
+  /// where the multiplier of a segment changes sign on it.
   MinimalTwist(const PathAngle& rmf, const FrameAngle& from, const FrameAngle& to,
                const Integer& extra_turns = 0);
 
@@ -27,6 +27,8 @@ class MinimalTwist {
   const Real& nominal_twist() const { return nominal_; }  ///< T
   /// T_min, plus 2π·extra_turns; exact where it is 0.
   const Real& twist() const { return twist_; }
+  /// As ReducedAngle has it, of T_min.
+  const std::optional<Rational>& half_turn_within() const { return half_turn_within_; }
   /// The turn per unit of arc length, twist()/S: Ω̄₁.
   Real rate() const;
   const Path& path() const { return rmf_.path(); }  ///< along which it is
@@ -53,6 +55,7 @@ class MinimalTwist {
   Real erf_twist_;
   Real nominal_;
   Real twist_;
+  std::optional<Rational> half_turn_within_;
 };
 
 }  // namespace phrame

@@ -2,6 +2,7 @@
 
 #include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/frame/frame.hpp"
+#include "phrame/ph/smooth/smooth_angle.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
 
@@ -94,6 +95,9 @@ TEST_CASE("spline: holonomies of plane pieces are exact multiples of a quarter t
   CHECK(half.path().closing_turn().has_value());
   CHECK(digits(half.holonomy().value()) == "3.14159265358979");
   CHECK(half.value(8).exact() == Rational(0));
+  // By positions nothing is known but values: that it is within 256 bits of half a turn.
+  const Real by_values = *holonomy(SmoothAngle(by_positions(half.path()), {3, 5, 7}));
+  CHECK(digits(by_values) == "3.14159265358979");
 }
 
 TEST_CASE("spline: a rational frame stays exact through the joints, to a segment without one") {

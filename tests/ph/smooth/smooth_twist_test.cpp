@@ -105,6 +105,27 @@ TEST_CASE(
   CHECK_FALSE(SmoothTwist(angle, Angle(), Angle()).is_middle({0, Rational(1, 3)}));
 }
 
+// The curves are mirrored by x → −x, t → 1 − t, which turns the sign of the turning of a frame
+// round, and v is mirrored to itself: ∫ e₂′·e₃ = 0, T = ±π, and both are as short.
+TEST_CASE("smooth twist: half a turn on a curve with a mirror symmetry is taken forwards") {
+  const SmoothPath bezier(bezier_curve({{-3, 0, 0}, {-1, 2, 1}, {0, 5, -2}, {1, 2, 1}, {3, 0, 0}}));
+  const SmoothPath formula(test::expression_curve({"s", "s^2 + cos(s)", "s^4"}, "-1", "1"));
+  for (const SmoothPath& path : {bezier, formula}) {
+    const SmoothAngle angle(path, {0, 0, 1});
+    for (const long k : {1, -1, 3, -5}) {
+      const SmoothTwist half(angle, Angle(Rational(1, 3)), Angle(Rational(k), Rational(1, 3)));
+      CHECK(half.twist().enclose(300).overlaps(pi(300)));
+      REQUIRE(half.half_turn_within());
+      CHECK(*half.half_turn_within() < power_of_two(-230));
+      CHECK(half.turns_at_end() == Integer((1 - k) / 2));
+    }
+    const SmoothTwist vectors(angle, StartNormal({0, 1, 1}), StartNormal({0, -1, -1}));
+    CHECK(vectors.twist().enclose(300).overlaps(pi(300)));
+    CHECK(vectors.half_turn_within());
+    CHECK_FALSE(SmoothTwist(angle, Angle(), Angle(3)).half_turn_within());
+  }
+}
+
 TEST_CASE("smooth twist: half a turn in a plane, and what has no angle") {
   const SmoothPath bend(bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
   const SmoothAngle angle(bend);
