@@ -203,7 +203,12 @@ nb::object cubic_spline(nb::handle points, nb::handle parameters, const Text<"en
 }
 
 nb::object parsed_bytes(const std::string& bytes) {
-  return wrap(without_gil([bytes] { return read_any_path(bytes); }));
+  AnyPath read = without_gil([bytes] { return read_any_path(bytes); });
+  const auto& notes = std::visit(
+      [](const auto& named) -> const auto& { return named.notes; }, read);
+  for (const std::string& note : notes)
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw nb::python_error();
+  return wrap(std::move(read));
 }
 
 nb::object parse(nb::handle text) {

@@ -192,7 +192,7 @@ std::string shown(const SmoothSegment& segment) {
 }
 
 std::string smooth_repr(const SmoothPathObject& self) {
-  const auto& [name, path] = self.named;
+  const auto& [name, path, notes] = self.named;
   const std::string what = path.segments().size() == 1
                                ? shown(path.segments().front())
                                : std::to_string(path.segments().size()) + " segments";

@@ -35,6 +35,7 @@ AngleAnswer answer(NamedPath named, const AngleQuery& query) {
     answer.values.push_back(rounded_angle(t, angle.value(t, start), query.digits));
   if (path.is_curve()) return answer;
   answer.total = rounded(angle.value(path.end()), "the total angle", query.digits);
+  if (query.reference == Reference::frenet) return answer;
   if (const auto holonomy = angle.holonomy())
     answer.holonomy = rounded(*holonomy, "holonomy", query.digits);
   return answer;

@@ -18,13 +18,12 @@ double greatest_error(const PiecewisePolynomial& p) {
 
 CompiledAnswer compiled_spline(const NamedPath& named, const CompiledQuery& query) {
   const PathAngle angle(named.path, query.reference);
-  const FrameAngle start = start_angle(query.start, named.path);
-  return {named,
-          query.reference,
-          query.start,
-          start,
-          compiled_angle(angle, start, plain_shape(1)),
-          compiled_rotation(angle, start, plain_shape(4))};
+  const FrameAngle start = start_angle(query.start, named.path, query.reference);
+  CompiledAnswer compiled{
+      named, query.reference, query.start, start, compiled_angle(angle, start, plain_shape(1)), {}};
+  if (query.reference == Reference::euler_rodrigues)
+    compiled.rotation = compiled_rotation(angle, start, plain_shape(4));
+  return compiled;
 }
 
 }  // namespace

@@ -40,8 +40,7 @@ AngleQuery query(const AngleOptions& options) {
   return query;
 }
 
-void require_curve(const AngleOptions& options, const AngleQuery& query) {
-  if (query.reference != Reference::euler_rodrigues) fail_for_spline("--frame", options.frame);
+void require_curve(const AngleOptions& options) {
   if (options.form.chosen_print().as == Print::As::script)
     fail_for_spline("--print", options.form.print);
 }
@@ -85,7 +84,7 @@ void run(const Command& command, const AngleOptions& options) {
   query.at = options.parameters.values(named.path.end());
   options.start.check(named.path);
   if (!named.path.is_curve())
-    require_curve(options, query);
+    require_curve(options);
   else if (query.at.empty())  // of a spline the total angle is shown, at least
     command.refuse({"--digits", "--route"}, "needs --at or --samples: no value is asked for");
   options.form.length.write(options.curve.output, printed(answer(named, query), print));

@@ -171,6 +171,9 @@ NamedPath CurveOptions::read_path() const {
 AnyPath CurveOptions::read_any_path() const {
   if (near) return read_path();
   AnyPath read = read_by(phrame::read_any_path, *this);
+  const auto& notes = std::visit(
+      [](const auto& named) -> const auto& { return named.notes; }, read);
+  for (const std::string& text : notes) note(fmt::format("{}: {}", name_of_file(path), text));
   if (const auto* named = std::get_if<NamedSmoothPath>(&read))
     if (const auto near_one = suggestion_of(named->path))
       note(fmt::format(

@@ -63,7 +63,6 @@ CompiledAnswer compiled(const Command& command, const CompileOptions& options,
   const auto [from, to] = interval(options);
   options.start.check(named.path);
   if (!named.path.is_curve()) {
-    if (reference != Reference::euler_rodrigues) fail_for_spline("--frame", options.frame);
     if (command.is_given("--from")) fail_for_spline("--from", options.from);
     if (command.is_given("--to")) fail_for_spline("--to", options.to);
   }

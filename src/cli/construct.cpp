@@ -72,8 +72,13 @@ void run(const ConstructOptions& options) {
       {{"text", to_text}, {"json", to_json}, {"latex", to_latex}, {"curve", curve_of}});
   const ConstructQuery asked = query(options);
   const std::string bytes = read_file(options.data);
-  const ConstructionAnswer found =
-      at_place(name_of_file(options.data), ":", [&] { return answer(read_points(bytes), asked); });
+  const std::string file = name_of_file(options.data);
+  GivenPoints given = at_place(file, ":", [&] { return read_points(bytes); });
+  if (asked.is_closed && !given.parameter_column.empty() &&
+      given.points.front() != given.points.back())
+    leave_parameters_out(given, "without that of the end of the closed curve");
+  for (const std::string& text : notes_on_columns(given)) note(fmt::format("{}: {}", file, text));
+  const ConstructionAnswer found = at_place(file, ":", [&] { return answer(given, asked); });
   if (!options.output.empty()) write_output(options.output, curve_of(found));
   if (options.output.empty() || print != curve_of) options.length.write("-", print(found));
 }

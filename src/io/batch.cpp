@@ -149,8 +149,6 @@ std::string answer_of(const JsonNode& line, const NamedPath& named, const AngleQ
     for (const char* key : {"up", "frame"})
       if (const auto node = line.find(key); node && (key[0] == 'u' || !frame_of(*node)))
         node->fail("the curve is Pythagorean-hodograph: its angle is that to erf or frenet");
-  if (query.reference != Reference::euler_rodrigues && !named.path.is_curve())
-    line.fail("the Frenet frame is for single curves; this is a spline");
   require_start(line, query.start, named.path);
   return to_json_line(answer(named, query));
 }

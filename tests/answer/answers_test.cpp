@@ -55,7 +55,11 @@ TEST_CASE("answers: the angle, of the curve and of its halves") {
   query.wants_formula = false;
   CHECK(phrame::answer(whole(), query).formulas.empty());
   query.reference = Reference::frenet;
-  CHECK_THROWS_AS(phrame::answer(halves(), query), DomainError);
+  const AngleAnswer frenet = phrame::answer(halves(), query);
+  query.at = {Rational(1, 2), 1};
+  const AngleAnswer of_whole = phrame::answer(whole(), query);
+  CHECK(frenet.values.at(0).theta.value == of_whole.values.at(0).theta.value);
+  CHECK(frenet.total->value == of_whole.values.at(1).theta.value);
 }
 
 TEST_CASE("answers: lengths, twists and totals of the curve are those of its halves") {

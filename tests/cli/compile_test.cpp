@@ -245,7 +245,7 @@ TEST_CASE("compile: of a spline there is one angle and one frame, through the jo
   // What is given is not ignored, though it be the default of a curve.
   check_failure(shop.run("compile spline.json --to 1"), 2, "--to: \"1\" is for single curves");
   check_failure(shop.run("compile spline.json --from 0"), 2, "--from: \"0\" is for single curves");
-  check_failure(shop.run("compile spline.json --frame frenet"), 2, "--frame: \"frenet\" is for");
+  check_failure(shop.run("compile spline.json --frame frenet"), 3, "at the joint t = 1 it jumps");
 }
 
 TEST_CASE("compile: more pieces than a short index can count") {

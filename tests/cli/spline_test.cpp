@@ -64,8 +64,7 @@ TEST_CASE("splines: what is refused, and where") {
                 "--period: 1/10000000 asks for 33333335 rows, the limit is 10000000");
   check_failure(here.run("interpolate s.json --period 1 --feed '3 - s'"), 3,
                 "feedrate: the speed is 0 at t ≈ 2.8");
-  check_failure(here.run("angle s.json --frame frenet"), 2,
-                "--frame: \"frenet\" is for single curves");
+  check_failure(here.run("angle s.json --frame frenet"), 3, "Frenet frame: ");
   check_failure(here.run("angle s.json --print sympy"), 2,
                 "--print: \"sympy\" is for single curves");
   check_failure(here.run("angle s.json --at 4"), 3, "t = 4 is outside [0, 3]");

@@ -164,7 +164,7 @@ TEST_CASE("batch: splines") {
   CHECK(found["id"] == 3);
   CHECK(found["segments"].size() == 4);
   CHECK(found["values"][0]["theta"] == found["total"]["value"]);
-  CHECK(answer({{"curve", four}, {"frame", "frenet"}})["error"]["status"] == 2);
+  CHECK(answer({{"curve", four}, {"frame", "frenet"}})["error"]["status"] == 3);
   // A spline of one curve is this curve.
   const Json one = {
       {"phrame", "spline/1"}, {"name", "quintic"}, {"segments", Json::array({quintic()})}};

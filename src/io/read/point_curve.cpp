@@ -224,14 +224,30 @@ BSpline clamped_uniform(long degree, std::vector<Vector<Rational>> points,
   return spline;
 }
 
+/// Parameters in a column that is not called t are not asked for where none are taken.
+void fit_parameter_column(GivenPoints& given, const Settings& settings, TableKind kind) {
+  if (given.parameter_column.empty()) return;
+  if (kind == TableKind::bezier || kind == TableKind::bspline)
+    leave_parameters_out(given, "control points have no parameters");
+  else if (settings.count("spacing") > 0)
+    leave_parameters_out(given, "the spacing is given");
+  else if (kind == TableKind::periodic && given.points.front() != given.points.back())
+    leave_parameters_out(given, "without that of the end of the closed curve");
+}
+
+PointCurve control_curve(const GivenPoints& given, std::vector<Rational> weights, long degree,
+                         const PointPlace& place) {
+  PointCurve result;
+  for (const auto& [curve, lower, upper] :
+       bezier_pieces(clamped_uniform(degree, given.points, std::move(weights))))
+    result.segments.push_back(
+        bezier_segment(curve, place(static_cast<std::size_t>(static_cast<long>(floor(lower))))));
+  return result;
+}
+
 template <class Table>
 PointCurve table_curve(const Table& table, const GivenPoints& given, const Settings& settings,
-                       const CurveLimits& limits) {
-  const auto kind = chosen<TableKind>(settings, "kind",
-                                      {{"natural", TableKind::natural},
-                                       {"periodic", TableKind::periodic},
-                                       {"bezier", TableKind::bezier},
-                                       {"bspline", TableKind::bspline}});
+                       TableKind kind, const CurveLimits& limits) {
   std::vector<Rational> weights = read_weights(table);
   const PointPlace place = [&](std::size_t k) {
     return table.place(std::min(k, table.rows() - 1));
@@ -242,13 +258,8 @@ PointCurve table_curve(const Table& table, const GivenPoints& given, const Setti
     if (!given.derivatives.empty() || !given.parameters.empty())
       throw InputError(place(0), "control points have neither derivatives nor parameters");
     refuse_setting(settings, "spacing", "control points have no parameters");
-    const long degree = read_degree(settings, kind, given.points.size(), limits);
-    PointCurve result;
-    for (const auto& [curve, lower, upper] :
-         bezier_pieces(clamped_uniform(degree, given.points, std::move(weights))))
-      result.segments.push_back(
-          bezier_segment(curve, place(static_cast<std::size_t>(static_cast<long>(floor(lower))))));
-    return result;
+    return control_curve(given, std::move(weights),
+                         read_degree(settings, kind, given.points.size(), limits), place);
   }
   if (!weights.empty())
     throw InputError(place(0),
@@ -258,6 +269,21 @@ PointCurve table_curve(const Table& table, const GivenPoints& given, const Setti
   if (!given.derivatives.empty()) return {"", hermite_segments(given, settings, place(0), place)};
   const SplineEnds ends = kind == TableKind::periodic ? SplineEnds::periodic : SplineEnds::natural;
   return {"", spline_segments(interpolation_of(given, settings, ends, place(0)), place(0), place)};
+}
+
+template <class Table>
+PointCurve table_curve(const Table& table, GivenPoints given, const Settings& settings,
+                       const CurveLimits& limits) {
+  const auto kind = chosen<TableKind>(settings, "kind",
+                                      {{"natural", TableKind::natural},
+                                       {"periodic", TableKind::periodic},
+                                       {"bezier", TableKind::bezier},
+                                       {"bspline", TableKind::bspline}});
+  fit_parameter_column(given, settings, kind);
+  PointCurve result = table_curve(table, given, settings, kind, limits);
+  std::erase_if(given.skipped_columns, [](const auto& name) { return lower_case(name) == "w"; });
+  result.notes = notes_on_columns(given);
+  return result;
 }
 
 }  // namespace
@@ -299,10 +325,11 @@ PointCurve read_point_curve(const JsonNode& node) {
 }
 
 PointCurve read_point_table(std::string_view bytes, const CurveLimits& limits) {
-  const GivenPoints given = read_points(bytes);
-  if (NpyTable::is_one(bytes)) return table_curve(NpyTable(bytes), given, {}, limits);
+  GivenPoints given = read_points(bytes);
+  if (NpyTable::is_one(bytes))
+    return table_curve(NpyTable(bytes), std::move(given), Settings(), limits);
   const Settings settings = read_comments(bytes);
-  return table_curve(TextTable(bytes, {true, "points"}), given, settings, limits);
+  return table_curve(TextTable(bytes, {true, "points"}), std::move(given), settings, limits);
 }
 
 }  // namespace phrame

@@ -11,6 +11,7 @@ namespace phrame {
 struct PointCurve {
   std::string name;
   std::vector<GivenSegment> segments;
+  std::vector<std::string> notes = {};  ///< notes_on_columns()
 };
 
 /// A points/1 file as a curve: with "derivatives" the C¹ cubic spline that has them; else the C²

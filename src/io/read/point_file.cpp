@@ -88,6 +88,12 @@ class PointLayout {
       return found;
     };
     t_ = find("t");
+    constexpr std::array<const char*, 5> other_names{"time", "timestamp", "parameter", "u", "s"};
+    for (const char* name : other_names)
+      if (!t_) {
+        t_ = find(name);
+        is_called_t_ = !t_;
+      }
     for (Columns* group : {&points_, &derivatives_, &tangents_})
       for (std::size_t k = 0; k < 3; ++k)
         if (const auto column = find(group->column(k))) {
@@ -104,6 +110,13 @@ class PointLayout {
             place, fmt::format("{} of {}, but {} of x", counted(group->columns.size(), "column"),
                                group->column(0), points_.columns.size()));
     if (!derivatives_.columns.empty()) tangents_.columns.clear();
+    std::vector<bool> is_read(names.size(), false);
+    if (t_) is_read[*t_] = true;
+    for (const Columns* group : {&points_, &derivatives_, &tangents_})
+      for (const std::size_t column : group->columns) is_read[column] = true;
+    for (std::size_t k = 0; k < names.size(); ++k)
+      if (!is_read[k]) skipped_.push_back(names[k]);
+    if (!is_called_t_) t_name_ = names[*t_];
   }
 
   template <class Table>
@@ -115,12 +128,33 @@ class PointLayout {
       if (!derivatives_.columns.empty())
         given.derivatives.push_back(vector(table, row, derivatives_));
       if (!tangents_.columns.empty()) given.tangents.push_back(vector(table, row, tangents_));
-      if (t_) given.parameters.push_back(number(table, row, *t_, "t"));
+      if (t_ && is_called_t_) given.parameters.push_back(number(table, row, *t_, "t"));
     }
+    given.skipped_columns = skipped_;
+    if (!is_called_t_) read_other_parameters(table, given);
     return given;
   }
 
  private:
+  /// Of a column that is not called t, if it has increasing numbers: else it means something else.
+  template <class Table>
+  void read_other_parameters(const Table& table, GivenPoints& given) const {
+    given.parameter_column = t_name_;
+    const auto leave_out = [&](const std::string& why) {
+      leave_parameters_out(given, fmt::format("{}: {}", table.place(given.parameters.size()), why));
+    };
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      Rational t;
+      try {
+        t = table.number(row, *t_);
+      } catch (const InputError& error) {
+        return leave_out(error.reason());
+      }
+      if (row > 0 && t <= given.parameters.back())
+        return leave_out(abbreviated(to_string(t)) + " is not greater than that before it");
+      given.parameters.push_back(t);
+    }
+  }
   template <class Table>
   static Rational number(const Table& table, std::size_t row, std::size_t column,
                          const std::string& name) {
@@ -139,6 +173,9 @@ class PointLayout {
   }
 
   std::optional<std::size_t> t_;
+  bool is_called_t_ = true;
+  std::string t_name_;
+  std::vector<std::string> skipped_;
   Columns points_{""};
   Columns derivatives_{"d"};
   Columns tangents_{"e1"};
@@ -174,6 +211,30 @@ TextTable text_table(std::string_view text) {
 }
 
 }  // namespace
+
+void leave_parameters_out(GivenPoints& given, const std::string& why) {
+  given.skipped_columns.push_back(fmt::format("{} ({})", given.parameter_column, why));
+  given.parameter_column.clear();
+  given.parameters.clear();
+}
+
+std::vector<std::string> notes_on_columns(const GivenPoints& given) {
+  std::vector<std::string> notes;
+  if (!given.parameter_column.empty())
+    notes.push_back(fmt::format("the column {} is taken for the parameters t",
+                                abbreviated(given.parameter_column)));
+  const auto& skipped = given.skipped_columns;
+  if (skipped.empty()) return notes;
+  constexpr std::size_t most = 12;
+  const std::size_t shown = skipped.size() > most + 1 ? most : skipped.size();
+  std::string list;
+  for (std::size_t k = 0; k < shown; ++k)
+    list += (k == 0 ? "" : ", ") + (skipped[k].empty() ? "one without a name" : skipped[k]);
+  if (shown < skipped.size()) list += fmt::format(" and {} more", skipped.size() - shown);
+  notes.push_back(fmt::format("skipped {} {}",
+                              skipped.size() == 1 ? "is the column" : "are the columns", list));
+  return notes;
+}
 
 GivenPoints read_points(const JsonNode& node) {
   if (const Node format = node.at("phrame"); format.string() != "points/1")

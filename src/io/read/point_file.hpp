@@ -13,8 +13,10 @@ class JsonNode;
 /// `derivatives` or `tangents`, `accelerations` and `parameters`; all but the points may be left
 /// out. `name` and `note` are for people.
 /// A table is text (TextTable) or of NumPy (NpyTable). Its columns are named x, y and z, and may be
-/// t, the parameter, dx, dy, dz, the derivatives by t, and e1x, e1y, e1z, the tangents; all others
-/// are skipped. Without names two columns are x, y and three x, y, z.
+/// t, the parameter, dx, dy, dz, the derivatives by t, and e1x, e1y, e1z, the tangents. Without t
+/// the first of time, timestamp, parameter, u and s is the parameter, if its numbers increase. All
+/// others are skipped; notes_on_columns() names them. Without names two columns are x, y and three
+/// x, y, z.
 /// Numbers are read exactly. Throws InputError for what is not of this form, for fewer than two
 /// points, tangents that are 0, parameters that do not increase, and for a point that is that
 /// before it, unless there are derivatives. The place is a JSON pointer, "line 3", "line 3, y" or
@@ -22,5 +24,11 @@ class JsonNode;
 GivenPoints read_points(std::string_view bytes);
 /// Reads what points/1 has at these keys, and no others.
 GivenPoints read_points(const JsonNode& node);
+
+/// What a reader is to be told of the columns of a table, in sentences without a point: which of
+/// another name is the parameter, and which were skipped.
+std::vector<std::string> notes_on_columns(const GivenPoints& given);
+/// Skips a parameter_column that is not to be the parameter.
+void leave_parameters_out(GivenPoints& given, const std::string& why);
 
 }  // namespace phrame

@@ -93,9 +93,10 @@ std::string relation(const Decimal& x) { return x.radius == "0" ? "=" : "≈"; }
 
 std::string spline_text(const AngleAnswer& answer) {
   std::string text = notes_on_signs(answer.path.path);
-  text +=
-      "The rotation-minimizing frame is the Euler–Rodrigues frame, continuous through the joints,\n"
-      "turned by θ about the tangent:\n";
+  text += fmt::format(
+      "The rotation-minimizing frame is the {} frame, continuous through the joints,\n"
+      "turned by θ about the tangent:\n",
+      answer.reference == Reference::frenet ? "Frenet" : "Euler–Rodrigues");
   text += turning_text(answer);
   text +=
       "On each segment t runs from 0 to 1 here; along the spline, segment k is from t = k − 1 to "
@@ -118,7 +119,7 @@ void add_formula(JsonOutput& json, const AngleFormula& formula) {
 }
 
 JsonOutput json_of(const AngleAnswer& answer) {
-  const auto& [name, path, near] = answer.path;
+  const auto& [name, path, near, notes] = answer.path;
   const std::vector<Curve>& segments = path.segments();
   JsonOutput json;
   if (path.is_curve()) {
@@ -128,6 +129,7 @@ JsonOutput json_of(const AngleAnswer& answer) {
     if (!answer.formulas.empty()) add_formula(json, answer.formulas.front());
   } else {
     json = {{"phrame", "spline-angle/1"}, {"name", name}};
+    if (answer.reference == Reference::frenet) json["frame"] = name_of(answer.reference);
     for (std::size_t k = 0; k < answer.formulas.size(); ++k) {
       json["segments"].push_back({{"degree", degree(segments[k])}});
       add_formula(json["segments"].back(), answer.formulas[k]);

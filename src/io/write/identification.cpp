@@ -154,7 +154,7 @@ std::string to_latex(const PathIdentification& found) {
 }
 
 std::string to_json(const PathIdentification& found) {
-  const auto& [name, path, near] = found.path;
+  const auto& [name, path, near, notes] = found.path;
   JsonOutput json = {{"phrame", "identify/1"}, {"name", name}, {"ph", !near}};
   if (near) {
     json["near"] = {{"epsilon", to_string(near->epsilon)}, {"found", true}};

@@ -84,7 +84,7 @@ void add_holonomy(JsonOutput& page, const std::optional<Decimal>& holonomy) {
 }
 
 void add_angle(JsonOutput& page, const AngleAnswer& angle) {
-  const auto& [name, path, near] = angle.path;
+  const auto& [name, path, near, notes] = angle.path;
   page["heading"] = heading("", path.segments().front());
   if (!path.is_curve()) page["heading"] = heading(NamedPath{"", path, near});
   std::string said = "θ is the angle from e₂ of the Euler–Rodrigues frame to f₂. ";

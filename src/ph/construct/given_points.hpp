@@ -16,6 +16,10 @@ struct GivenPoints {
   std::vector<Vector<Rational>> accelerations;  ///< second derivatives
   std::vector<Rational> parameters;             ///< increasing
   bool is_planar = false;                       ///< two coordinates were given
+  /// @{ Of a table: the column of the parameters, where it is not called t, and what was skipped.
+  std::string parameter_column = {};
+  std::vector<std::string> skipped_columns = {};
+  /// @}
   friend bool operator==(const GivenPoints&, const GivenPoints&) = default;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/curve/path.hpp"
@@ -21,6 +22,7 @@ struct NamedPath {
   Path path;         ///< the path
   /// How near it is to the one in whose place it stands, where that is no PH path.
   std::optional<Nearness> near = {};
+  std::vector<std::string> notes = {};  ///< on how it was read, in sentences without a point
 
   /// A path under this name.
   NamedPath(std::string its_name, Path its_path, std::optional<Nearness> to_another = {})

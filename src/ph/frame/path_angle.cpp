@@ -1,6 +1,9 @@
 #include "phrame/ph/frame/path_angle.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <mutex>
 
@@ -15,9 +18,39 @@
 // is decided as within one.
 
 namespace phrame {
+
+std::string frenet_jump(std::size_t joint, const Real& angle) {
+  const double by = std::abs(approximate(angle.enclose(64)));
+  return fmt::format("Frenet frame: at the joint t = {} it jumps, by {:.3g} radians", joint, by);
+}
+
 namespace {
 
 constexpr long rational_bits = 256;
+
+/// The antiderivative of θ′; of the angle to the Euler–Rodrigues frame that to it.
+const Antiderivative& whole(const RmfAngle& angle) {
+  return angle.bend() ? angle.antiderivative() : angle.angle_to_erf();
+}
+
+/// Does the Frenet frame go on through the joints, up to the half turn of an inflection? With one
+/// Euler–Rodrigues frame there it does where the two g have the same argument, up to that.
+void require_frenet_joints(const Path& path) {
+  const auto& segments = path.segments();
+  GaussianRational before;
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const QuaternionPolynomial& a = segments[k].preimage();
+    if (is_zero(bend_numerator(a)))
+      throw DomainError(fmt::format(
+          "Frenet frame: segment {} is a straight line, it has no principal normal", k + 1));
+    const GaussianPolynomial g = regular_bend(a);
+    const GaussianRational turn = GaussianRational{g.re(0), g.im(0)} * conjugate(before);
+    if (k > 0 && turn.im != 0)
+      throw DomainError(frenet_jump(
+          k, to_real(angle_of(turn.re < 0 ? GaussianRational{-turn.re, -turn.im} : turn))));
+    before = {g.re(1), g.im(1)};
+  }
+}
 
 /// Of the angle at t, which begins at 0.
 Rational without_logarithms(const RmfAngle& angle, const Rational& t) {
@@ -63,8 +96,7 @@ struct PathAngle::State {
 };
 
 PathAngle::PathAngle(Path path, Reference reference, Form form) {
-  if (reference != Reference::euler_rodrigues && !path.is_curve())
-    throw DomainError("Frenet frame: that of a spline jumps at joints; it is for single curves");
+  if (reference == Reference::frenet && !path.is_curve()) require_frenet_joints(path);
   std::vector<RmfAngle> angles;
   Stage stage("segments", path.segments().size());
   for (const Curve& curve : path.segments()) {
@@ -143,11 +175,11 @@ Antiderivative PathAngle::State::over_unit_interval(std::size_t from,
   const auto add = [&](const Antiderivative& F) {
     sum.logs.insert(sum.logs.end(), F.logs.begin(), F.logs.end());
   };
-  for (std::size_t k = from; k < at.segment; ++k) add(angles[k].angle_to_erf());
+  for (std::size_t k = from; k < at.segment; ++k) add(whole(angles[k]));
   if (at.t == 1)
-    add(angles[at.segment].angle_to_erf());
+    add(whole(angles[at.segment]));
   else if (at.t != 0)
-    add(integrate(rate_to_erf(phrame::segment(path.segments()[at.segment], 0, at.t).preimage())));
+    add(whole(RmfAngle(phrame::segment(path.segments()[at.segment], 0, at.t), reference)));
   return sum;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <string>
 
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/rmf_angle.hpp"
@@ -7,12 +8,13 @@
 namespace phrame {
 
 /// The angle θ of the rotation-minimizing frame along a path, relative to its Euler–Rodrigues
-/// frame, which is continuous through the joints, or to the Frenet frame of a curve: θ(0) = 0, θ
-/// continuous, θ′ = −2h/σ on each segment. Copies are cheap and share what was found; any thread
-/// may ask them. To move one is to copy it.
+/// frame, which is continuous through the joints, or to the Frenet frame where that is, too, but
+/// for the half turns of inflections: θ(0) = 0, θ continuous, θ′ that of RmfAngle. Copies are cheap
+/// and share what was found; any thread may ask them. To move one is to copy it.
 class PathAngle {
  public:
-  /// Throws DomainError as RmfAngle, and for the Frenet frame of a spline, which jumps at joints.
+  /// Throws DomainError as RmfAngle, and where the Frenet frame jumps at a joint, which is decided
+  /// exactly.
   explicit PathAngle(Path path, Reference reference = Reference::euler_rodrigues,
                      Form form = Form::automatic);
   PathAngle(const PathAngle&) = default;
@@ -62,5 +64,8 @@ class PathAngle {
 
   std::shared_ptr<State> state_;
 };
+
+/// "Frenet frame: at the joint t = 2 it jumps, by 0.5 radians".
+std::string frenet_jump(std::size_t joint, const Real& angle);
 
 }  // namespace phrame

@@ -117,7 +117,8 @@ std::vector<Rational> parameters_of(const std::vector<Vector<Rational>>& points,
 CubicDerivatives cubic_derivatives(const CubicInterpolation& data) {
   require_interpolation(data);
   const Chords chords = chords_of(data);
-  if (data.points.size() <= exact_cubic_points)
+  const std::size_t repeated = data.ends == SplineEnds::periodic ? 1 : 0;
+  if (data.points.size() - repeated <= exact_cubic_points)
     return {cubic_spline_slopes(chords.steps, chords.slopes, data.ends,
                                 {data.start_derivative, data.end_derivative}),
             0};

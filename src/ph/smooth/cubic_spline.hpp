@@ -34,7 +34,7 @@ struct CubicDerivatives {
   Rational error;
 };
 
-/// Up to so many points the spline is exact.
+/// Up to so many points the spline is exact; the end of a closed one is none more.
 inline constexpr std::size_t exact_cubic_points = 50;
 
 /// The derivatives of the C² cubic spline: for exact_cubic_points at most in ℚ, where their digits

@@ -11,16 +11,11 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
 #include "phrame/ph/smooth/segment_integral.hpp"
+#include "phrame/ph/smooth/smooth_shape.hpp"
 #include "phrame/ph/smooth/up_vector.hpp"
 
 namespace phrame {
 namespace {
-
-SmoothReference single_curve(const SmoothPath& path, SmoothReference reference) {
-  if (reference == SmoothReference::frenet && path.segments().size() > 1)
-    throw DomainError("Frenet frame: that of a spline jumps at joints; it is for single curves");
-  return reference;
-}
 
 void require_on_segment(const Real& t) {
   if (t.exact() && (*t.exact() < 0 || *t.exact() > 1))
@@ -76,8 +71,10 @@ SmoothAngle::SmoothAngle(const SmoothPath& path, const Vector<Rational>& up) {
   state_ = std::make_shared<State>(path, up, SmoothReference::up);
 }
 
-SmoothAngle::SmoothAngle(const SmoothPath& path, SmoothReference reference)
-    : state_(std::make_shared<State>(path, up_vector(path), single_curve(path, reference))) {}
+SmoothAngle::SmoothAngle(const SmoothPath& path, SmoothReference reference) {
+  if (reference == SmoothReference::frenet) require_frenet_joints(path);
+  state_ = std::make_shared<State>(path, up_vector(path), reference);
+}
 
 const SmoothPath& SmoothAngle::path() const { return state_->path; }
 const Vector<Rational>& SmoothAngle::up() const { return state_->up; }

@@ -21,8 +21,8 @@ class SmoothAngle {
   explicit SmoothAngle(const SmoothPath& path);
   /// To that of v. Throws as require_up_vector().
   SmoothAngle(const SmoothPath& path, const Vector<Rational>& up);
-  /// To the Frenet frame: throws DomainError for a straight line and for a path of several
-  /// segments, where that jumps. Its up() is up_vector(path).
+  /// To the Frenet frame: throws DomainError for a straight line and as require_frenet_joints().
+  /// Its up() is up_vector(path).
   SmoothAngle(const SmoothPath& path, SmoothReference reference);
   SmoothAngle(const SmoothAngle&) = default;
   SmoothAngle& operator=(const SmoothAngle&) = default;

@@ -54,8 +54,9 @@ SmoothPath by_positions(const Path& path);
 
 /// A path and what it is called.
 struct NamedSmoothPath {
-  std::string name;  ///< may be empty
-  SmoothPath path;   ///< the path
+  std::string name;                     ///< may be empty
+  SmoothPath path;                      ///< the path
+  std::vector<std::string> notes = {};  ///< on how it was read, in sentences without a point
 };
 
 /// A path of PH curves, or of curves of any kind.

@@ -6,9 +6,11 @@
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/frame/path_angle.hpp"
 #include "phrame/ph/smooth/curve_integrands.hpp"
 #include "phrame/ph/smooth/direction_span.hpp"
 #include "phrame/ph/smooth/formula_domain.hpp"
+#include "phrame/ph/smooth/up_vector.hpp"
 
 namespace phrame {
 namespace {
@@ -96,6 +98,40 @@ bool have_same_normal(const SmoothSegment& before, const SmoothSegment& after) {
   return *same;
 }
 
+/// The binormal of the Frenet frame that is continued through inflections, up to a factor ≠ 0.
+ExactVector continued_binormal(const RationalCurve& curve, const Rational& t,
+                               FormulaProgram& program) {
+  const Vector<Polynomial> b = binormal_of(curve);
+  const Polynomial common = gcd(gcd(b[0], b[1]), b[2]);
+  ExactVector result{};
+  for (std::size_t k = 0; k < 3; ++k) result[k] = program.number(exact_quotient(b[k], common)(t));
+  return result;
+}
+
+ExactVector continued_binormal(const ExpressionCurve& curve, const Rational& t,
+                               FormulaProgram& program) {
+  const auto plane = common_normal(direction_span(curve));
+  if (!plane) return binormal_at(curve, t, program);
+  return {program.number((*plane)[0]), program.number((*plane)[1]), program.number((*plane)[2])};
+}
+
+/// Between the binormals at a joint, less a half turn where it is nearer to that; 0 where one of
+/// them has no direction.
+Real angle_at_joint(const SmoothPath& path, std::size_t k) {
+  const auto binormal = [&](const SmoothParameter& at) {
+    return cross(direction(path, at), direction_slope(path, at));
+  };
+  const Vector<Real> a = binormal({k - 1, Rational(1)});
+  const Vector<Real> b = binormal({k, Rational(0)});
+  if (is_zero(a) || is_zero(b)) return Rational(0);
+  const Vector<Real> c = cross(a, b);
+  return Real([across = dot(c, c), along = dot(a, b)](long bits) {
+    const RealBall x = absolute(along.enclose(bits + 512));
+    return argument(ComplexBall(x, sqrt_of_nonnegative(across.enclose(bits + 512), bits + 512)),
+                    bits);
+  });
+}
+
 // By the parameter of the formulas, κ = |r′ × r″|/|r′|³ and τ = det(r′, r″, r‴)/|r′ × r″|².
 
 Real curvature_of(const ExpressionCurve& curve, const Real& t) {
@@ -153,6 +189,32 @@ bool has_continuous_frenet_frame(const SmoothPath& path) {
     if (!have_same_normal(segments[k], segments[k + 1])) return false;
   if (path.is_closed()) return have_same_normal(segments.back(), segments.front());
   return true;
+}
+
+void require_frenet_joints(const SmoothPath& path) {
+  const auto& segments = path.segments();
+  for (std::size_t k = 0; segments.size() > 1 && k < segments.size(); ++k)
+    if (is_straight(SmoothPath(segments[k])))
+      throw DomainError(fmt::format(
+          "Frenet frame: segment {} is a straight line, it has no principal normal", k + 1));
+  for (std::size_t k = 1; k < segments.size(); ++k) {
+    FormulaProgram program;
+    const auto at = [&](const SmoothSegment& segment, const Rational& t) {
+      return std::visit([&](const auto& curve) { return continued_binormal(curve, t, program); },
+                        segment);
+    };
+    const ExactVector before = at(segments[k - 1], 1);
+    const ExactVector after = at(segments[k], 0);
+    ExactVector opposite{};
+    for (std::size_t axis = 0; axis < 3; ++axis) opposite[axis] = program.negative(after[axis]);
+    const auto same = have_same_direction(program, before, after);
+    const auto flipped = have_same_direction(program, before, opposite);
+    if (same == true || flipped == true) continue;
+    if (!same || !flipped)
+      throw Undecided(
+          fmt::format("whether the Frenet frame jumps at the joint t = {} is not told", k));
+    throw DomainError(frenet_jump(k, angle_at_joint(path, k)));
+  }
 }
 
 }  // namespace phrame

@@ -15,5 +15,9 @@ Real torsion(const SmoothPath& path, const SmoothParameter& at);
 /// Is the Frenet frame defined all along, κ ≠ 0, and continuous through the joints, from the end of
 /// a closed path to its start, too? Decided exactly; throws Undecided where formulas do not tell.
 bool has_continuous_frenet_frame(const SmoothPath& path);
+/// Does the Frenet frame, continued through inflections, go on through the joints? Throws
+/// DomainError where it jumps there, with the joint and the angle, and for a straight segment;
+/// Undecided where formulas do not tell.
+void require_frenet_joints(const SmoothPath& path);
 
 }  // namespace phrame

@@ -92,6 +92,26 @@ TEST_CASE("points: columns have their meaning by their names; others are skipped
         Vector<Rational>{0, 1, 0});
 }
 
+TEST_CASE("points: a parameter of another name is taken, and what is skipped is named") {
+  const GivenPoints timed = read_points("Time,x,y,z,u,label\n1,0,0,0,7,a\n3,1,2,0,6,b\n");
+  CHECK(timed.parameters == std::vector<Rational>{1, 3});
+  CHECK(notes_on_columns(timed) ==
+        std::vector<std::string>{"the column Time is taken for the parameters t",
+                                 "skipped are the columns u, label"});
+  for (const char* name : {"timestamp", "parameter", "u", "s"})
+    CHECK(read_points(std::string("x,y,") + name + "\n0,0,1\n1,1,4\n").parameters ==
+          std::vector<Rational>{1, 4});
+  // t comes before all others; and what does not increase, or is no number, means something else.
+  CHECK(read_points("s,t,x,y\n1,2,0,0\n3,5,1,2\n").parameters == std::vector<Rational>{2, 5});
+  const GivenPoints falling = read_points("s,x,y\n1,0,0\n1/2,1,2\n");
+  CHECK(falling.parameters.empty());
+  CHECK(notes_on_columns(falling) ==
+        std::vector<std::string>{
+            "skipped is the column s (line 3: 1/2 is not greater than that before it)"});
+  CHECK(read_points("timestamp,x,y\n10:30,0,0\n10:31,1,2\n").parameters.empty());
+  CHECK(notes_on_columns(read_points("x,y\n0,0\n1,2\n")).empty());
+}
+
 TEST_CASE("points: a point may be that before it where derivatives say how to go on") {
   const std::string points = R"({"phrame": "points/1", "points": [[0, 0], [0, 0]])";
   CHECK(refusal(points + "}") ==

@@ -2,6 +2,7 @@
 
 #include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/frame/frame.hpp"
+#include "phrame/ph/frame/path_totals.hpp"
 #include "phrame/ph/smooth/smooth_angle.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
@@ -98,6 +99,35 @@ TEST_CASE("spline: holonomies of plane pieces are exact multiples of a quarter t
   // By positions nothing is known but values: that it is within 256 bits of half a turn.
   const Real by_values = *holonomy(SmoothAngle(by_positions(half.path()), {3, 5, 7}));
   CHECK(digits(by_values) == "3.14159265358979");
+}
+
+// Without inflections θ′ ds⁻¹ = −τ, and of the halves of a curve the angle is that of the curve.
+TEST_CASE("spline: the angle to the Frenet frame, where that is continuous") {
+  const Curve curve(test::quintic);
+  const Path halves = chain({segment(curve, 0, Rational(1, 3)), segment(curve, Rational(1, 3), 1)});
+  const PathAngle angle(halves, Reference::frenet);
+  const RmfAngle one(curve, Reference::frenet);
+  for (const Rational& t : {Rational(1, 5), Rational(1, 3), Rational(2, 3), Rational(1)}) {
+    const Rational at = 3 * t <= 1 ? Rational(3 * t) : Rational(1 + (3 * t - 1) / 2);
+    CHECK(digits(angle.value(at)) == digits(one.value(t)));
+  }
+  CHECK(digits(angle.value(2)) == digits(-total_torsion(halves).value));
+  CHECK(
+      digits(SmoothAngle(by_positions(halves), SmoothReference::frenet).value({1, Rational(1)})) ==
+      digits(angle.value(2)));
+  // A plane curve, an inflection at the joint, as of x³ and −x³.
+  const auto frenet = [](const std::vector<Curve>& curves) {
+    return PathAngle(chain(curves), Reference::frenet);
+  };
+  const PathAngle plane = frenet({plane_quarter(x, y), plane_quarter(y, minus_x)});
+  CHECK(plane.value(2).exact() == Rational(0));
+  const PathAngle inflected = frenet({plane_quarter(x, y), plane_quarter(y, x)});
+  CHECK(inflected.value(2).exact() == Rational(0));
+  CHECK_THROWS_WITH_AS(frenet({plane_quarter(x, y), plane_quarter(y, z)}),
+                       "Frenet frame: at the joint t = 1 it jumps, by 1.57 radians", DomainError);
+  CHECK_THROWS_WITH_AS(frenet({Curve({{1}, {}, {}, {}}), plane_quarter(x, y)}),
+                       "Frenet frame: segment 1 is a straight line, it has no principal normal",
+                       DomainError);
 }
 
 TEST_CASE("spline: a rational frame stays exact through the joints, to a segment without one") {

@@ -1,14 +1,20 @@
 #include "phrame/ph/smooth/smooth_angle.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
+#include <numbers>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/ph/frame/path_angle.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/smooth/smooth_shape.hpp"
+#include "phrame/ph/smooth/smooth_totals.hpp"
 #include "phrame/ph/smooth/up_vector.hpp"
 #include "support/data.hpp"
 #include "support/random.hpp"
@@ -123,6 +129,36 @@ TEST_CASE("smooth angle: a path that is cut turns as the whole") {
   const RealBall b = SmoothAngle(whole, up).enclose({0, Rational(3, 4)}, 150);
   CHECK(a.overlaps(b));
   CHECK(a.is_accurate(150));
+}
+
+// Without inflections the angle is −∫τ ds.
+TEST_CASE("smooth angle: to the Frenet frame of a spline, where that is continuous") {
+  const auto read = [](const std::string& table) {
+    return std::get<NamedSmoothPath>(read_any_path(table)).path;
+  };
+  const auto frenet = [&](const std::string& table) {
+    return SmoothAngle(read(table), SmoothReference::frenet);
+  };
+  const auto check_torsion = [](const SmoothAngle& angle) {
+    const SmoothParameter end{angle.path().segments().size() - 1, Rational(1)};
+    CHECK(round_to_double(angle.value(end)) ==
+          doctest::Approx(-round_to_double(total_torsion(angle.path()))));
+  };
+  check_torsion(frenet("# kind: periodic\nx y z\n0 0 0\n3 0 1\n4 3 -1\n1 4 0\n-1 2 2\n"));
+  // Up to 50 points, of a closed spline too, the second derivatives are equal as fractions.
+  std::string knot = "# kind: periodic\nx y z\n";
+  for (int k = 0; k < 50; ++k) {
+    const double u = 2 * std::numbers::pi * k / 50;
+    knot += fmt::format("{:.3f} {:.3f} {:.3f}\n", std::sin(u) + 2 * std::sin(2 * u),
+                        std::cos(u) - 2 * std::cos(2 * u), -std::sin(3 * u));
+  }
+  CHECK_NOTHROW(require_frenet_joints(read(knot)));
+  // The binormals there are along (−6, 6, −2) and (10, −10, −14).
+  CHECK_THROWS_WITH_AS(frenet("x y z dx dy dz\n0 0 0 1 0 0\n1 1 1 1 1 0\n2 0 3 0 1 1\n"),
+                       "Frenet frame: at the joint t = 1 it jumps, by 1.01 radians", DomainError);
+  // In a plane an inflection may be at a joint: y = ±x³.
+  const SmoothAngle plane = frenet("x y z dx dy dz\n0 0 0 1 1 0\n1 0 0 1 -2 0\n2 0 0 1 1 0\n");
+  CHECK(plane.is_zero());
 }
 
 TEST_CASE("smooth angle: next to a cusp, |H| ≥ 1e-12, two up vectors give the same frame") {
