@@ -107,7 +107,7 @@ void bind_totals(nb::class_<PathObject>& path) {
       [](nb::handle self) -> nb::object {
         const Path& asked = path_of(self).named.path;
         if (!asked.closing_turn()) return nb::none();
-        return to_python(without_gil([asked] { return writhe(closed_frame(asked)); }),
+        return to_python(without_gil([asked] { return writhe(asked); }),
                          attribute_recipe(self, "writhe"));
       },
       nb::sig("def writhe(self) -> fractions.Fraction | Real | None"),

@@ -79,7 +79,7 @@ void bind_smooth_totals(nb::class_<SmoothPathObject>& smooth) {
       [](nb::handle self) -> nb::object {
         const SmoothPath& path = smooth_of(self);
         if (!path.is_closed()) return nb::none();
-        return to_python(without_gil([path] { return writhe(closed_frame(path)); }),
+        return to_python(without_gil([path] { return writhe(path); }),
                          attribute_recipe(self, "writhe"));
       },
       nb::sig("def writhe(self) -> " PHRAME_REAL_SIG " | None"),

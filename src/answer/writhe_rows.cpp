@@ -2,9 +2,11 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
+#include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/smooth/closed_curve.hpp"
 #include "phrame/ph/smooth/smooth_shape.hpp"
 #include "phrame/ph/smooth/smooth_totals.hpp"
+#include "phrame/ph/smooth/up_vector.hpp"
 
 namespace phrame {
 namespace {
@@ -43,21 +45,26 @@ Row self_linking_row(const ClosedFrame& frame, const P& path) {
   }
 }
 
-/// Of a closed frame, or why there is none.
+/// Of a closed curve, or why there is none. In a plane the writhe is known without a frame.
 template <class P>
 std::vector<Row> rows_of(const P& path, long digits) {
-  Row refused{Quantity::writhe};
+  Row row{Quantity::writhe};
+  const auto set = [&](const Real& value) {
+    row.value = rounded_or_zero(value, name_of(Quantity::writhe), digits);
+  };
+  const bool is_plane = plane_normal(path).has_value();
   try {
+    if (is_plane) set(writhe(path));
     const ClosedFrame frame = closed_frame(path);
-    Row row{Quantity::writhe};
-    row.value = rounded_or_zero(writhe(frame), name_of(Quantity::writhe), digits);
+    if (!is_plane) set(writhe(frame));
     return {row, self_linking_row(frame, path)};
   } catch (const DomainError& error) {
-    refused.reason = error.what();
+    row.reason = error.what();
   } catch (const Undecided& undecided) {
-    refused = undecided_row(Quantity::writhe, undecided);
+    if (row.value) return {row, undecided_row(Quantity::self_linking, undecided)};
+    row = undecided_row(Quantity::writhe, undecided);
   }
-  return {refused, reason_row(Quantity::self_linking, "the writhe is not known")};
+  return {row, reason_row(Quantity::self_linking, "the writhe is not known")};
 }
 
 }  // namespace

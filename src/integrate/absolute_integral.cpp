@@ -53,22 +53,30 @@ RealBall AbsoluteIntegral::enclose(const Real& t, long bits) const {
   return is_certain ? value : hull(value, up_to(t, before + 1, more), more);
 }
 
-Real AbsoluteIntegral::value(const Real& t) const {
-  if (t.exact()) {
-    const Real last = integral_.value(*t.exact());
-    if (integral_.integrand().numerator.is_zero()) return Rational(0);
-    Real sum = Rational(0);
-    bool is_exact = last.exact().has_value();
-    long k = 0;
-    for (const RealAlgebraic& change : changes_) {
-      if (!(change < RealAlgebraic(*t.exact()))) break;
-      is_exact = is_exact && change.is_rational();
-      if (is_exact) sum = sum + Rational(k % 2 == 0 ? 2 : -2) * integral_.value(*change.rational());
-      ++k;
-    }
-    if (is_exact) return Rational(first_sign_) * (sum + Rational(k % 2 == 0 ? 1 : -1) * last);
+std::optional<Surd> AbsoluteIntegral::algebraic_value(const Rational& t) const {
+  if (integral_.integrand().numerator.is_zero()) return Surd();
+  const auto& F = algebraic_.get([&] { return algebraic_integral(integral_.integrand()); });
+  if (!F) return std::nullopt;
+  Surd sum = -(*F)(0);
+  Rational sign = 1;
+  for (const RealAlgebraic& change : changes_) {
+    if (!(change < RealAlgebraic(t))) break;
+    if (!change.is_rational()) return std::nullopt;
+    sum = sum + Rational(2 * sign) * (*F)(*change.rational());
+    sign = -sign;
   }
-  return Real([*this, t](long bits) { return enclose(t, bits); }, {false, t.origin().bits});
+  return Rational(first_sign_) * (sum + sign * (*F)(t));
+}
+
+Real AbsoluteIntegral::value(const Real& t) const {
+  if (integral_.integrand().numerator.is_zero()) return Rational(0);
+  if (t.exact() && (*t.exact() < 0 || *t.exact() > 1)) return integral_.value(*t.exact());
+  // With a denominator, as energies have it, the linear system is great.
+  const bool is_asked = t.exact() && integral_.integrand().denominator.is_constant();
+  const auto known = is_asked ? algebraic_value(*t.exact()) : std::nullopt;
+  if (known && known->is_rational()) return known->rational_part();
+  return Real([*this, t](long bits) { return enclose(t, bits); },
+              {known.has_value(), t.origin().bits});
 }
 
 }  // namespace phrame

@@ -1,8 +1,10 @@
 #pragma once
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/algebra/shared.hpp"
+#include "phrame/integrate/algebraic_integral.hpp"
 #include "phrame/integrate/taylor_integral.hpp"
 
 namespace phrame {
@@ -19,9 +21,12 @@ class AbsoluteIntegral {
   /// In (0, 1), where the sign changes, ascending.
   const std::vector<RealAlgebraic>& sign_changes() const { return changes_; }
 
-  /// The integral up to t, exact as TaylorIntegral::value where the sign changes at rational t.
-  /// Throws DomainError for an exact t outside [0, 1].
+  /// The integral up to t, exact where it is rational, D is constant and algebraic_value()
+  /// says so. Throws
+  /// DomainError for an exact t outside [0, 1].
   Real value(const Real& t) const;
+  /// The same where it is algebraic_integral() and the sign changes at rational t; else no value.
+  std::optional<Surd> algebraic_value(const Rational& t) const;
   /// A ball around it, with a radius of about 2^−bits times the whole for an exact t.
   RealBall enclose(const Real& t, long bits) const;
 
@@ -32,6 +37,8 @@ class AbsoluteIntegral {
   std::vector<RealAlgebraic> changes_;
   std::vector<Real> change_at_;  ///< the same
   int first_sign_ = 0;           ///< of N for small t > 0
+  /// Asked for when it is needed.
+  Lazy<std::optional<AlgebraicIntegral>> algebraic_;
 };
 
 }  // namespace phrame

@@ -5,9 +5,11 @@
 #include "phrame/algebra/argument.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/frame/path_totals.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
 #include "phrame/ph/smooth/smooth_angle.hpp"
+#include "phrame/ph/smooth/up_vector.hpp"
 
 // The frame of v turns as e₂ = v × e₁ does, and so does e₃, the part of v across the tangent: a
 // copy of the curve shifted a little along e₃ is linked with it as one shifted along v.
@@ -124,6 +126,21 @@ ClosedFrame closed_frame(const SmoothPath& path) { return first_closed_frame(pat
 ClosedFrame closed_frame(const Path& path) { return first_closed_frame(path); }
 
 Real writhe(const ClosedFrame& frame) { return Real(Rational(frame.linking)) + -frame.twist; }
+
+namespace {
+
+/// In a plane all three vectors of Gauss's determinant are.
+template <class P>
+Real writhe_of(const P& path) {
+  check_closed(path);
+  if (plane_normal(path)) return Rational(0);
+  return writhe(closed_frame(path));
+}
+
+}  // namespace
+
+Real writhe(const Path& path) { return writhe_of(path); }
+Real writhe(const SmoothPath& path) { return writhe_of(path); }
 
 Real holonomy(const ClosedFrame& frame) {
   const Real turn([twist = frame.twist](long bits) {

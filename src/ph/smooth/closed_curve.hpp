@@ -29,6 +29,11 @@ std::optional<ClosedFrame> closed_frame(const SmoothPath& path, const Vector<Rat
 
 /// The writhe Wr = Lk − Tw, 1/(4π) ∬ det(r′(s), r′(t), r(s) − r(t))/|r(s) − r(t)|³ ds dt.
 Real writhe(const ClosedFrame& frame);
+/// @{ The same of a closed curve, 0 where it is plane, also where it crosses itself. Throws as
+/// closed_frame().
+Real writhe(const Path& path);
+Real writhe(const SmoothPath& path);
+/// @}
 /// By which angle in (−π, π] a rotation-minimizing frame comes back turned about the tangent:
 /// −2π·Tw up to whole turns; next to π where it is not told from that within 256 bits.
 Real holonomy(const ClosedFrame& frame);

@@ -123,6 +123,11 @@ Real SegmentIntegral::value(const Real& t) const {
   return Real([f = *this, t](long bits) { return f.enclose(t, bits); });
 }
 
+std::optional<Surd> SegmentIntegral::algebraic_value(const Rational& t) const {
+  if (const auto* f = std::get_if<AbsoluteIntegral>(&form_)) return f->algebraic_value(t);
+  return std::nullopt;
+}
+
 SegmentIntegral up_frame_angle(const SmoothSegment& segment, const Vector<Rational>& v) {
   return std::visit([&](const auto& curve) { return up_frame_angle_of(curve, v); }, segment);
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <variant>
 
 #include "phrame/integrate/absolute_integral.hpp"
@@ -25,6 +26,8 @@ class SegmentIntegral {
   RealBall rate(const RealBall& t, long bits) const;
   /// The integral up to t, exact where it is seen to be rational.
   Real value(const Real& t) const;
+  /// The same as a sum of square roots, where it is seen to be one.
+  std::optional<Surd> algebraic_value(const Rational& t) const;
 
  private:
   Form form_;

@@ -15,10 +15,13 @@
 namespace phrame {
 namespace {
 
-/// The sign of x − s.
+/// Beyond this sums of roots are not added up.
+constexpr std::size_t most_roots = 16;
+
+/// The sign of x − s. An irrational x is told from s by enough bits.
 int compare_length(const Real& x, const Rational& s) {
   if (x.exact()) return (*x.exact() - s).sign();
-  for (long bits = 64; bits <= 8192; bits *= 2)
+  for (long bits = 64; bits <= 8192 || x.origin().is_irrational; bits *= 2)
     if (const int found = sign(subtract(x.enclose(bits), RealBall(s, bits), bits)); found != 0)
       return found;
   throw Undecided(fmt::format("arc length: {} is not told from that of a joint or of the path",
@@ -31,8 +34,8 @@ struct SmoothLength::State {
   SmoothPath path;
   std::vector<Lazy<SegmentIntegral>> lengths;  ///< of the segments
   std::mutex lock;
-  std::vector<Rational> exact{
-      0};  ///< lengths up to the first segments, as far as they are rational
+  /// Lengths up to the first segments, as far as they are sums of square roots.
+  std::vector<Surd> exact{Surd()};
   std::map<long, std::vector<RealBall>> sums{};  ///< these lengths, by precision
 
   explicit State(const SmoothPath& along) : path(along), lengths(path.segments().size()) {}
@@ -60,20 +63,32 @@ SmoothLength::SmoothLength(const SmoothPath& path) : state_(std::make_shared<Sta
 
 Real SmoothLength::before(std::size_t k) const {
   const std::lock_guard lock(state_->lock);
-  std::vector<Rational>& exact = state_->exact;
+  std::vector<Surd>& exact = state_->exact;
   while (exact.size() <= k) {
-    const Real next = state_->length(exact.size() - 1).value(Rational(1));
-    if (!next.exact()) break;
-    exact.push_back(exact.back() + *next.exact());
+    if (exact.back().count_roots() > most_roots) break;
+    const auto next = state_->length(exact.size() - 1).algebraic_value(1);
+    if (!next) break;
+    exact.push_back(exact.back() + *next);
   }
-  if (k < exact.size()) return exact[k];
-  return Real([state = state_, k](long bits) { return state->sum_before(k, bits); });
+  const bool is_known = k < exact.size();
+  if (is_known && exact[k].is_rational()) return exact[k].rational_part();
+  return {[state = state_, k](long bits) { return state->sum_before(k, bits); }, {is_known, 0}};
 }
 
 Real SmoothLength::total() const { return before(state_->path.segments().size()); }
 
 Real SmoothLength::value(const SmoothParameter& at) const {
-  return before(at.segment) + state_->length(at.segment).value(at.t);
+  const Real start = before(at.segment);
+  const SegmentIntegral& length = state_->length(at.segment);
+  const Real sum = start + length.value(at.t);
+  if (sum.exact() || !at.t.exact()) return sum;
+  // Roots cancel where a curve is cut.
+  const auto rest = length.algebraic_value(*at.t.exact());
+  const std::lock_guard lock(state_->lock);
+  if (!rest || at.segment >= state_->exact.size()) return sum;
+  const Surd known = state_->exact[at.segment] + *rest;
+  if (known.is_rational()) return known.rational_part();
+  return {[sum](long bits) { return sum.enclose(bits); }, {true, sum.origin().bits}};
 }
 
 RealBall SmoothLength::rate(std::size_t segment, const RealBall& t, long bits) const {
@@ -92,10 +107,8 @@ SmoothParameter SmoothLength::point(const Rational& s) const {
   }
   const Real start = before(low);
   if (start.exact() == s) return {low, Rational(0)};
+  if (before(low + 1).exact() == s) return {low, Rational(1)};
   const SegmentIntegral& length = state_->length(low);
-  if (const Real whole = length.value(Rational(1));
-      whole.exact() && start.exact() && *start.exact() + *whole.exact() == s)
-    return {low, Rational(1)};
   const auto from_start = [&length, start](const RealBall& t, long bits) {
     return add(start.enclose(bits), length.enclose(Real(t.midpoint()), bits), bits);
   };

@@ -73,6 +73,16 @@ TEST_CASE("closed curve: the holonomy is Tw up to whole turns, so Wr - holonomy/
   }
 }
 
+// Gauss's integrand is 0 in a plane.
+TEST_CASE("closed curve: the writhe of a plane curve is 0, also where it crosses itself") {
+  const SmoothPath eight(expression_curve({"sin(s)", "sin(2*s)", "2*sin(s)"}, "0", "2*pi"));
+  CHECK_THROWS_AS(closed_frame(eight), Undecided);
+  CHECK(writhe(eight).exact() == Rational(0));
+  CHECK(writhe(test::closed_loop()).exact() == Rational(0));
+  CHECK_THROWS_AS(writhe(SmoothPath(expression_curve({"sin(2*s)", "sin(s)", "0"}, "0", "pi"))),
+                  DomainError);
+}
+
 TEST_CASE("closed curve: Viviani's curve has no holonomy") {
   const ExpressionCurve c = expression_curve({"1 + cos(s)", "sin(s)", "2*sin(s/2)"}, "-pi", "3*pi");
   CHECK_THROWS_AS(closed_frame(SmoothPath(c)), Undecided);  // it meets itself
