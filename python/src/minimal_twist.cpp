@@ -107,6 +107,15 @@ void bind_minimal_twist(nb::module_& m, nb::class_<PathObject>& path) {
   PHRAME_TWIST("rate", twist.rate(), "The twist per unit of arc length.");
   PHRAME_TWIST("length", twist.length(), "Of the path.");
 #undef PHRAME_TWIST
+  type.def_prop_ro(
+      "half_turn_within",
+      [](const T& self) -> nb::object {
+        const auto within = self.visit([](const auto& twist) { return twist.half_turn_within(); });
+        return within ? to_python(*within) : nb::none();
+      },
+      nb::sig("def half_turn_within(self) -> fractions.Fraction | None"),
+      "Where the twist, without extra turns, is half a turn or not told from that: at most so far "
+      "is it from π. −π is as short, and π was taken. Else None.");
   type.def("rational", rational_of, argument("degree") = 2, argument("free_ends") = false,
            argument("subdivide") = nb::tuple(), argument("gamma") = nb::none(),
            argument("proved") = true,

@@ -182,6 +182,33 @@ def test_cubic_splines_have_two_continuous_derivatives():
     assert slope == [1, 0, 0]
 
 
+def test_frenet_angles_of_splines():
+    """Of C² splines the Frenet frame goes on through the joints: θ = −∫τ ds."""
+    points = [[0, 0, 0], [3, 0, 1], [4, 3, -1], [1, 4, 0], [-1, 2, 2]]
+    path = CURVE.cubic_spline(points, ends="periodic")
+    assert float(path.angle(frame="frenet").value(5)) == pytest.approx(-float(path.total_torsion), abs=1e-13)
+    corner = phrame.SmoothPath.joined([CURVE.bezier([[0, 0, 0], [1, 0, 0], [1, 1, 0]]),
+                                       CURVE.bezier([[1, 1, 0], [1, 2, 0], [1, 2, 1]])])
+    with pytest.raises(phrame.DomainError, match="at the joint t = 1 it jumps, by 1.57 radians"):
+        corner.angle(frame="frenet")
+
+
+def test_columns_of_tables():
+    rows = "0,0,0,0,a\n1,1,2,0,b\n5,3,1,1,c\n"
+    with pytest.warns(UserWarning, match="the column time is taken|skipped is the column label") as told:
+        timed = phrame.parse("time,x,y,z,label\n" + rows)
+    assert len(told) == 2
+    with pytest.warns(UserWarning, match="skipped is the column label"):
+        assert phrame.parse("t,x,y,z,label\n" + rows) == timed
+
+
+def test_lengths_that_are_sums_of_roots():
+    curve = CURVE.polynomial([0, 0, "9/32"], [0, 0, 0, "9/64"], [0])
+    assert curve.length == Fraction(61, 192) and curve.parameter_at(Fraction(61, 192)) == 1
+    eight = CURVE.expressions("sin(s)", "sin(2*s)", 0, 0, "2*pi")
+    assert eight.writhe == 0
+
+
 def test_ph_curves_are_found():
     again = CURVE.bezier(QUINTIC.control_points)
     assert isinstance(again, phrame.Curve) and again.control_points == QUINTIC.control_points
