@@ -101,8 +101,11 @@ std::string spline_text(const AngleAnswer& answer) {
   text +=
       "On each segment t runs from 0 to 1 here; along the spline, segment k is from t = k − 1 to "
       "k.\n\n";
-  for (std::size_t k = 0; k < answer.formulas.size(); ++k)
-    text += fmt::format("Segment {}\n{}", k + 1, formula_text(answer.formulas[k], ""));
+  for (std::size_t k = 0; k < answer.formulas.size(); ++k) {
+    text += fmt::format("Segment {}\n", k + 1);
+    if (const auto& g = answer.formulas[k].bend) text += fmt::format("  g = {}\n", readable(*g));
+    text += formula_text(answer.formulas[k], "");
+  }
   text += "Checked: the derivative of each θ is θ′, exactly.\n\n";
   text += fmt::format("  total angle {} {}\n", relation(*answer.total), answer.total->value);
   if (answer.holonomy)

@@ -222,8 +222,13 @@ QuaternionPair exact_pair(const QuaternionPair& near, const Vector<Rational>& c,
   const auto& [x, y] = near;
   const RationalQuaternion w = norm(x) == 0 ? x : short_multiple(x);
   const auto lambda = norm(x) == 0 ? std::nullopt : ratio(c, rotated_i(w));
-  if (lambda && ratio(rotated_i(y), rotated_i(w))) return exact_line_sum(x, y, w, *lambda, bits);
-  if (is_plane(x) && is_plane(y) && c[2] == 0) return exact_plane_sum(x, y, c, bits);
+  const bool is_in_plane = is_plane(x) && is_plane(y) && c[2] == 0;
+  if (lambda && ratio(rotated_i(y), rotated_i(w))) try {
+      return exact_line_sum(x, y, w, *lambda, bits);
+    } catch (const Undecided&) {
+      if (!is_in_plane) throw;
+    }
+  if (is_in_plane) return exact_plane_sum(x, y, c, bits);
   if (auto found = exact_turned_sum(near, c, bits)) return *std::move(found);
   throw Undecided("the exact end: no sum of two rational squares was found near the curve");
 }
