@@ -114,9 +114,9 @@ void add_angle(Program& program) {
                    FormOptions::scripts());
   command.set_notes(
       "A spline of n segments has t from 0 to n; its angle is that to the Euler-Rodrigues frame,\n"
-      "made continuous through the joints, and of a closed spline the holonomy is given. Of a\n"
-      "spline only --frame erf and --print text, json or latex; of a curve --digits and --route\n"
-      "need --at or --samples. Curves that are not Pythagorean-hodograph have no closed form; "
+      "made continuous through the joints, or to the Frenet frame where that is, too; of a closed\n"
+      "spline the holonomy is given. Of a spline only --print text, json or latex; of a curve\n"
+      "--digits and --route need --at or --samples. Curves that are not Pythagorean-hodograph have no closed form; "
       "their\n"
       "values are as certain.\n"
       "Examples:\n"
