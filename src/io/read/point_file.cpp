@@ -90,9 +90,9 @@ class PointLayout {
     t_ = find("t");
     constexpr std::array<const char*, 5> other_names{"time", "timestamp", "parameter", "u", "s"};
     for (const char* name : other_names)
-      if (!t_) {
+      if (!t_ && std::ranges::count(names, name, lower_case) == 1) {
         t_ = find(name);
-        is_called_t_ = !t_;
+        is_called_t_ = false;
       }
     for (Columns* group : {&points_, &derivatives_, &tangents_})
       for (std::size_t k = 0; k < 3; ++k)

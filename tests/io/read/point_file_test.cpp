@@ -109,6 +109,7 @@ TEST_CASE("points: a parameter of another name is taken, and what is skipped is 
         std::vector<std::string>{
             "skipped is the column s (line 3: 1/2 is not greater than that before it)"});
   CHECK(read_points("timestamp,x,y\n10:30,0,0\n10:31,1,2\n").parameters.empty());
+  CHECK(read_points("s,s,x,y\n1,2,0,0\n3,5,1,2\n").parameters.empty());
   CHECK(notes_on_columns(read_points("x,y\n0,0\n1,2\n")).empty());
 }
 
