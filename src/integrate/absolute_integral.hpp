@@ -21,9 +21,8 @@ class AbsoluteIntegral {
   /// In (0, 1), where the sign changes, ascending.
   const std::vector<RealAlgebraic>& sign_changes() const { return changes_; }
 
-  /// The integral up to t, exact where it is rational, D is constant and algebraic_value()
-  /// says so. Throws
-  /// DomainError for an exact t outside [0, 1].
+  /// The integral up to t, exact where D is constant and algebraic_value() is rational.
+  /// Throws DomainError for an exact t outside [0, 1].
   Real value(const Real& t) const;
   /// The same where it is algebraic_integral() and the sign changes at rational t; else no value.
   std::optional<Surd> algebraic_value(const Rational& t) const;
