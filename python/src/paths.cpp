@@ -154,9 +154,8 @@ void bind_path(nb::class_<PathObject>& path) {
           },
           nb::sig("def __eq__(self, other: object) -> bool"))
       .def("__hash__",
-           [](const PathObject& self) {
-             return nb::hash(
-                 to_python(self.named.path.segments().front().preimage().u.coefficients()));
+           [](const PathObject& self) {  // of all that == compares: a file without a name
+             return nb::hash(nb::str(write_path(NamedPath("", self.named.path)).c_str()));
            })
       .def("__repr__",
            [](nb::handle self) {

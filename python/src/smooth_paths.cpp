@@ -142,17 +142,21 @@ Formula unpacked_formula(nb::handle packed) {
   return Formula(std::move(steps));
 }
 
-nb::object packed(const RationalCurve& curve) {
+/// Curves that differ in the letter of their variable only are the same.
+enum class VariableName { kept, left_out };
+
+nb::object packed(const RationalCurve& curve, VariableName) {
   const auto& [x, y, z] = curve.numerator();
   const bool is_turned = RationalCurve(curve.numerator(), curve.weight()) != curve;
   return nb::make_tuple(is_turned, to_python(x.coefficients()), to_python(y.coefficients()),
                         to_python(z.coefficients()), to_python(curve.weight().coefficients()));
 }
 
-nb::object packed(const ExpressionCurve& curve) {
+nb::object packed(const ExpressionCurve& curve, VariableName variable) {
   const auto& [x, y, z] = curve.position();
+  const std::string letter = variable == VariableName::kept ? curve.variable() : "";
   return nb::make_tuple(curve.orientation() < 0, packed(curve.from()), packed(curve.to()),
-                        nb::str(curve.variable().c_str()), packed(x), packed(y), packed(z));
+                        nb::str(letter.c_str()), packed(x), packed(y), packed(z));
 }
 
 SmoothSegment unpacked(nb::handle packed) {
@@ -169,10 +173,10 @@ SmoothSegment unpacked(nb::handle packed) {
   return std::visit([](const auto& curve) -> SmoothSegment { return curve.turned_over(); }, made);
 }
 
-nb::object packed(const SmoothPath& path) {
+nb::object packed(const SmoothPath& path, VariableName variable = VariableName::kept) {
   nb::list list;
   for (const SmoothSegment& segment : path.segments())
-    list.append(std::visit([](const auto& curve) { return packed(curve); }, segment));
+    list.append(std::visit([&](const auto& curve) { return packed(curve, variable); }, segment));
   return nb::tuple(list);
 }
 
@@ -310,8 +314,7 @@ void bind_smooth_path(nb::module_& m, nb::class_<SmoothPathObject>& smooth) {
           nb::sig("def __eq__(self, other: object) -> bool"))
       .def("__hash__",
            [](const SmoothPathObject& self) {
-             return nb::hash(std::visit([](const auto& curve) { return packed(curve); },
-                                        self.named.path.segments().front()));
+             return nb::hash(packed(self.named.path, VariableName::left_out));
            })
       .def("__repr__", smooth_repr)
       .def(

@@ -74,3 +74,20 @@ def test_reprs():
     assert "Classification" in repr(QUINTIC.classify()) and "2π" not in repr(QUINTIC.minimal_twist(0, 1))
     assert phrame.integrate("1/(x^2+1)")._repr_latex_() == r"$\displaystyle \arctan x$" or \
         "arctan" in phrame.integrate("1/(x^2+1)")._repr_latex_()
+
+
+def test_hashes_are_of_all_that_is_compared():
+    """Copies that only a translation, one coefficient or a later segment tells apart."""
+    families = [
+        [QUINTIC.translated([k, 0, 0]) for k in range(400)],
+        [phrame.Curve([1, 2], [0, 1], [0], [1], multiplier=[1 + k]) for k in range(400)],
+        [phrame.Path([QUINTIC.segment(0, 1), QUINTIC.segment(1, k)]) for k in range(2, 100)],
+        [phrame.Curve.bezier([[0, 0, k], [1, 2, 0], [3, 0, 1]]) for k in range(400)],
+        [phrame.Curve.cubic_spline([[0, 0, 0], [1, 2, 0], [3, 0, k]], ends="natural") for k in range(400)],
+        [phrame.Curve.expressions("cos(s)", "sin(s)", f"{k}*s", 0, 1) for k in range(1, 400)],
+    ]
+    for family in families:
+        assert len({hash(path) for path in family}) == len(set(family)) == len(family)
+    same = [phrame.Curve.expressions(f"cos({s})", f"sin({s})", s, 0, 1) for s in "st"]
+    assert same[0] == same[1] and hash(same[0]) == hash(same[1])
+    assert phrame.Path([QUINTIC], name="other") == QUINTIC and hash(phrame.Path([QUINTIC], name="other")) == hash(QUINTIC)
