@@ -88,8 +88,8 @@ def arb(x: Any, bits: int = 53) -> Any:
     return flint.arb(_arb(middle), _arb(high - middle))
 
 
-def run_script(script: str, variable: str, symbol: Any = None) -> Any:
-    """The antiderivative that a script for SymPy defines, of `symbol` or a real one."""
+def run_script(script: str, variable: str, symbol: Any = None, wanted: str = "antiderivative") -> Any:
+    """What a script for SymPy defines, of `symbol` or a real one."""
     import sympy
 
     x = sympy.Symbol(variable, real=True) if symbol is None else named_symbol(symbol)
@@ -98,6 +98,64 @@ def run_script(script: str, variable: str, symbol: Any = None) -> Any:
     if not x.is_real:
         names["Abs"] = lambda f: f  # log f and log |f| have one derivative; that of |f| is for real x only
     for line in script.splitlines():
-        if line.startswith("antiderivative = "):
+        if line.startswith(wanted + " = "):
             exec(line, names)
-    return names["antiderivative"]
+    return names[wanted]
+
+
+def sympy_angle(script: str, symbol: Any, half_turns: Fraction, radians: Fraction, re: int, im: int) -> Any:
+    """π·half_turns + radians + arg(re + im·i) at t = 0, and the antiderivative of the script from there."""
+    import sympy
+
+    t = sympy.Symbol("t", real=True) if symbol is None else named_symbol(symbol)
+    found = run_script(script, "t", t)
+    start = sympy.Rational(half_turns) * sympy.pi + sympy.Rational(radians) + sympy.atan2(im, re)
+    return start + found - found.subs(t, 0)
+
+
+def at_pi(f: Any) -> Any:
+    """f(π)."""
+    import sympy
+
+    t = sympy.Symbol("t", real=True)
+    return f.sympy(t).subs(t, sympy.pi)
+
+
+def _reciprocal(f: Any) -> Any:
+    """f(1/u)/u²: ∫ f(x) dx from a to b is that of it du from 1/b to 1/a, 0 not between them."""
+    from ._phrame import RationalFunction
+
+    n, d = list(f.numerator.coefficients), list(f.denominator.coefficients)
+    shift = len(d) - len(n) - 2
+    return RationalFunction([0] * shift + n[::-1], [0] * -shift + d[::-1])
+
+
+def sympy_integral(f: Any, lower: Any, upper: Any, style: str) -> Any:
+    """∫ f from lower to upper by antiderivatives, which are continuous but at real poles.
+
+    Over those the imaginary part of a logarithm jumps, the principal value is a real part. What is beyond
+    −c and c where an end is infinite is the integral of _reciprocal(f) over [−1/c, 1/c] or a half of it.
+    """
+    import sympy
+
+    x = sympy.Symbol("x", real=True)
+
+    def between(g: Any, a: Any, b: Any) -> Any:
+        from ._phrame import integrate
+
+        form = "auto" if style in ("textbook", "real") else "partial-fractions"
+        found = integrate(g, style=style, form=form).sympy(x)
+        return found.subs(x, b) - found.subs(x, a)
+
+    if upper < lower:
+        return -sympy_integral(f, upper, lower, style)
+    finite = [int(sympy.floor(abs(end))) for end in (lower, upper) if not end.is_infinite]
+    c = max(finite, default=0) + 1
+    while 0 in (f.denominator(c), f.denominator(-c)):
+        c += 1
+    a, b = max(lower, sympy.Integer(-c)), min(upper, sympy.Integer(c))
+    total = between(f, a, b)
+    if lower.is_infinite or upper.is_infinite:
+        low, high = (sympy.Rational(sign * end.is_infinite, c) for sign, end in ((-1, lower), (1, upper)))
+        total += between(_reciprocal(f), low, high)
+    return sympy.re(total) if total.has(sympy.RootSum, sympy.I) else total

@@ -12,14 +12,18 @@ struct AngleObject {
   nb::object recipe;
 };
 
-AngleAnswer formula(const AngleObject& self, const std::string& style) {
+AngleAnswer formula(const AngleObject& self, const std::string& form, const std::string& style) {
   AngleQuery query;
   query.reference = self.angle.reference();
   query.start = self.start;
-  query.form = form_named(self.form);
+  query.form = form_named(form);
   query.style = style_named(style);
   query.most_poles = 100;
   return without_gil([named = self.named, query] { return answer(named, query); });
+}
+
+AngleAnswer formula(const AngleObject& self, const std::string& style) {
+  return formula(self, self.form, style);
 }
 
 nb::object make_angle(nb::handle self, const Text<"frame">& frame, nb::handle start,
@@ -56,6 +60,20 @@ nb::object angle_of_what(const AngleObject& self, nb::handle ts, nb::handle prog
         without_gil([value = value_of(self), t] { return round_to_double(value(t)); }));
   }
   return angles(self.angle, self.start_angle, ts, progress);
+}
+
+/// θ(0) + F(t) − F(0), where F must not jump: sums over residues may, those over poles do not.
+nb::object angle_for_sympy(const AngleObject& self, nb::handle symbol, const Text<"style">& style) {
+  if (!self.named.path.is_curve())
+    throw DomainError("sympy: a formula for SymPy is one of a single curve");
+  const Style how = style_named(style);
+  const bool has_sums = how == Style::logarithms || how == Style::radicals;
+  const AngleAnswer found = formula(self, has_sums ? "partial-fractions" : "auto", style);
+  const auto [angle, z] = terms(found.start_angle);
+  return imported("phrame._convert", "sympy_angle")(
+      to_script(found, Language::sympy), symbol, to_python(angle.half_turns),
+      to_python(angle.radians), to_python(z ? z->re : Integer(1)),
+      to_python(z ? z->im : Integer(0)));
 }
 
 }  // namespace
@@ -127,18 +145,12 @@ void bind_angle(nb::module_& m, nb::class_<PathObject>& path) {
             return to_json(formula(self, style));
           },
           argument("style") = "logarithms", PHRAME_STYLE_SIG("json"), "angle/1 or spline-angle/1.")
-      .def(
-          "sympy",
-          [](nb::handle self, nb::handle symbol) {
-            const auto& of = nb::cast<const AngleObject&>(self);
-            if (!of.named.path.is_curve())
-              throw DomainError("sympy: an antiderivative for SymPy is one of a single curve");
-            return imported("phrame._convert", "run_script")(
-                to_script(formula(of, "logarithms"), Language::sympy), "t", symbol);
-          },
-          argument("symbol") = nb::none(),
-          nb::sig("def sympy(self, symbol: typing.Any = None) -> typing.Any"),
-          "θ up to a constant, a SymPy expression, of this symbol or a real t.")
+      .def("sympy", angle_for_sympy, argument("symbol") = nb::none(),
+           argument("style") = "textbook",
+           nb::sig("def sympy(self, symbol: typing.Any = None, style: str = 'textbook') -> "
+                   "typing.Any"),
+           "θ of a single curve, a SymPy expression of this symbol or a real t: from θ(0), and "
+           "continuous, as value() is.")
       .def("__repr__",
            [](const AngleObject& self) {
              return std::string("<Angle to the ") +

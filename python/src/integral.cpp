@@ -9,6 +9,7 @@ namespace {
 
 struct IntegralObject {
   IntegralQuery query;
+  std::string style;
   std::optional<DefiniteIntegral> value;
   Antiderivative antiderivative;
   nb::object recipe;
@@ -58,7 +59,7 @@ nb::object integral(nb::handle f, nb::handle from, nb::handle to, nb::handle var
   if (!from.is_none())
     query.ends = IntegralQuery::Ends{path_end(from, "lower"), path_end(to, "upper"),
                                      principal_value ? AtPoles::principal_value : AtPoles::refuse};
-  IntegralObject made{query, std::nullopt, {}, {}};
+  IntegralObject made{query, style, std::nullopt, {}, {}};
   std::tie(made.antiderivative, made.value) = without_gil([query] {
     std::pair<Antiderivative, std::optional<DefiniteIntegral>> found(
         integrate(query.integrand, query.form), std::nullopt);
@@ -75,6 +76,43 @@ nb::object integral(nb::handle f, nb::handle from, nb::handle to, nb::handle var
 
 IntegralAnswer integral_answer(const IntegralObject& self) {
   return without_gil([query = self.query] { return answer(query); });
+}
+
+/// An end for SymPy, exactly.
+nb::object sympy_end(const Rational& x) { return imported("sympy", "Rational")(to_python(x)); }
+
+nb::object sympy_end(const RealAlgebraic& x) {
+  if (const auto rational = x.rational()) return sympy_end(*rational);
+  const Interval below{std::nullopt, x.interval().lower};
+  return imported("sympy", "rootof")(
+      imported("phrame._convert", "sympy_polynomial")(nb::cast(x.polynomial())),
+      count_real_roots(x.polynomial(), below));
+}
+
+nb::object sympy_end(Infinity x) {
+  const nb::object& infinity = imported("sympy", "oo");
+  return x == Infinity::positive ? infinity : -infinity;
+}
+
+nb::object sympy_end(const PiValue& x) {
+  return imported("phrame._convert", "at_pi")(nb::cast(x.of_pi));
+}
+
+nb::object integral_for_sympy(const IntegralObject& self, nb::handle symbol) {
+  const auto script = [](const IntegralQuery& query) {
+    return to_script(without_gil([query] { return answer(query); }), Language::sympy);
+  };
+  const nb::object& run = imported("phrame._convert", "run_script");
+  if (!self.value) return run(script(self.query), self.query.variable, symbol);
+  if (!symbol.is_none())
+    refuse("symbol", "a definite integral is a number; integrate(f).sympy(x) is of x", symbol);
+  if (const auto rational = self.value->value.exact()) return sympy_end(*rational);
+  if (self.value->exact) return run(script(self.query), self.query.variable, symbol, "definite");
+  const auto end = [](const PathEnd& at) {
+    return std::visit([](const auto& x) { return sympy_end(x); }, at);
+  };
+  return imported("phrame._convert", "sympy_integral")(
+      self.query.integrand, end(self.query.ends->from), end(self.query.ends->to), self.style);
 }
 
 }  // namespace
@@ -141,18 +179,10 @@ void bind_integral(nb::module_& m) {
       .def(
           "json", [](const IntegralObject& self) { return to_json(integral_answer(self)); },
           "integral/1.")
-      .def(
-          "sympy",
-          [](const IntegralObject& self, nb::handle symbol) {
-            IntegralQuery query = self.query;
-            query.ends.reset();
-            return imported("phrame._convert", "run_script")(
-                to_script(without_gil([query] { return answer(query); }), Language::sympy),
-                query.variable, symbol);
-          },
-          argument("symbol") = nb::none(),
-          nb::sig("def sympy(self, symbol: typing.Any = None) -> typing.Any"),
-          "The antiderivative, a SymPy expression, of this symbol or a real one of the same name.")
+      .def("sympy", integral_for_sympy, argument("symbol") = nb::none(),
+           nb::sig("def sympy(self, symbol: typing.Any = None) -> typing.Any"),
+           "The value where there are ends, exactly; else the antiderivative, of this symbol or a "
+           "real one of the same name. A SymPy expression.")
       .def("__repr__",
            [](const IntegralObject& self) {
              std::ostringstream out;

@@ -130,7 +130,7 @@ API = {
     "Angle.text": (THETA.text, {"style": "logarithms"}),
     "Angle.latex": (THETA.latex, {"style": "logarithms"}),
     "Angle.json": (THETA.json, {"style": "logarithms"}),
-    "Angle.sympy": (THETA.sympy, {"symbol": None}),
+    "Angle.sympy": (THETA.sympy, {"symbol": None, "style": "textbook"}),
     "Angle.plot": (THETA.plot, {"ts": [0, 1], "ax": PLANE}),
     "Integral.value": (phrame.integrate("x", 0, 1).value, {"digits": None}),
     "Integral.poles": (phrame.integrate("x").poles, {}),
