@@ -54,6 +54,7 @@
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/coq_proof.hpp"
 #include "phrame/io/write/curve_file.hpp"
+#include "phrame/io/write/endpoint_text.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/gcode.hpp"
 #include "phrame/io/write/mesh.hpp"

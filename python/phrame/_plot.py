@@ -70,11 +70,16 @@ def _add_ribbon(ax: Any, points: Any, normals: Any, width: float, color: Any) ->
 
 def _equalize(ax: Any, low: Any, high: Any) -> None:
     """A box in which lengths are the same in all directions; no side of it is 0."""
+    from matplotlib.ticker import MaxNLocator
+
     least = max(float((high - low).max()), 1e-300) / 10
     margin = np.maximum(least - (high - low), 0) / 2
     low, high = low - margin, high + margin
+    sides = high - low
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-    ax.set_box_aspect(tuple(high - low))
+    ax.set_box_aspect(tuple(sides))
+    for axis, side in zip((ax.xaxis, ax.yaxis, ax.zaxis), sides / sides.max()):
+        axis.set_major_locator(MaxNLocator(max(1, round(5 * side)), steps=[1, 2, 2.5, 5, 10]))  # numbers along a short side have no room
 
 
 def path(
@@ -116,6 +121,17 @@ def angle(self: Any, ts: Any = None, *, ax: Any = None, **style: Any) -> Any:
     if ax is None:
         ax = _new_axes(xlabel="t", ylabel="θ")
     ax.plot([float(_EXACTLY(t)) for t in at], values, **style)
+    return ax
+
+
+def body(self: Any, *, ax: Any = None, **style: Any) -> Any:
+    """SweptBody.plot"""
+    _require_axes(ax, "add_collection3d")
+    if ax is None:
+        ax = _new_axes(projection="3d", xlabel="x", ylabel="y", zlabel="z")
+    points = self.vertices
+    ax.plot_trisurf(*points.T, triangles=self.triangles, **{"linewidth": 0, "antialiased": False, **style})
+    _equalize(ax, points.min(axis=0), points.max(axis=0))
     return ax
 
 

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from html import escape
-from typing import Any, Iterable, Optional
+from typing import Any, Iterable, List, Optional
 
-from ._errors import Error
+import numpy as np
+
+from ._errors import Error, InputError
 from ._phrame import Path
 from ._plot import picture
 
 _LONGEST = 2000  # characters of a formula that somebody looks at
+_MOST_TRIANGLES = 20_000  # of a picture that is there at once
 
 
 def _table(rows: Iterable[Iterable[str]], head: Iterable[str] = ()) -> str:
@@ -95,4 +98,78 @@ def smooth_angle_html(self: Any) -> str:
 
 def integral_html(self: Any) -> str:
     """Integral._repr_html_"""
-    return f"<div>{_formula(self._repr_latex_())}{_poles(self.poles())}</div>"
+    try:
+        rows = [("value", escape(str(self.value())))]
+    except InputError:  # no ends were given
+        rows = []
+    return f"<div>{_formula(self._repr_latex_())}{_table(rows) if rows else ''}{_poles(self.poles())}</div>"
+
+
+def _kinds(found: Any) -> List[str]:
+    """What a path is, of that which not every path is."""
+    of_all = [
+        (not found.is_regular, "with cusps"),
+        (found.line, "straight"),
+        (found.normal and not found.line, "plane"),
+        (found.helix and not found.line, "a helix"),
+        (found.erf_is_rotation_minimizing, "its Euler–Rodrigues frame is rotation-minimizing"),
+    ]
+    if found.path.end == 1:
+        of_all += [(found.double_ph, "double PH"), (found.rational_frame, "its rotation-minimizing frame is rational")]
+    return [kind for is_so, kind in of_all if is_so]
+
+
+def classification_repr(self: Any) -> str:
+    """Classification.__repr__"""
+    return f"<Classification of {repr(self.path)[1:-1]}; {', '.join(_kinds(self)) or 'of no special kind'}>"
+
+
+def classification_html(self: Any) -> str:
+    """Classification._repr_html_"""
+    formulas = _formula(self._repr_latex_())
+    return f"<div>{_title(self.path, 'Classification')}{formulas or '<pre>' + escape(self.text()) + '</pre>'}</div>"
+
+
+def twist_html(self: Any) -> str:
+    """MinimalTwist._repr_html_"""
+    rows = [
+        ("twist", f"{_number(float(self.twist))} rad"),
+        ("with whole turns", f"{_number(float(self.nominal_twist))} rad"),
+        ("per length", _number(float(self.rate))),
+        ("length", _number(float(self.length))),
+    ]
+    return f"<div><b>Frame of minimal twist</b>{_table(rows)}</div>"
+
+
+def check_html(self: Any) -> str:
+    """CheckResult._repr_html_"""
+    low, high = self.max_error
+    rows = [("greatest error", f"{_number(float(low))} … {_number(float(high))} rad"), ("at sample", str(self.worst_sample))]
+    errors = [np.nan if error is None else float(error[1]) for error in self.errors]
+
+    def draw(ax: Any) -> None:
+        ax.axhline(0, color="0.7", linewidth=0.8)
+        ax.plot(errors, ".-", linewidth=1)
+        ax.set(xlabel="sample", ylabel="error in rad")
+
+    return f"<div><b>{escape(self.summary)}</b>{_table(rows)}{picture(draw)}</div>"
+
+
+def certificate_html(self: Any) -> str:
+    """Certificate._repr_html_"""
+    rows = [(escape(str(t)), f"{theta} ± {radius}".replace("-", "−")) for t, theta, radius in self.claims]
+    return f"<div>{_title(self.curve, 'Certificate')}{_table(rows, ('t', 'θ(t)'))}</div>"
+
+
+def body_html(self: Any) -> str:
+    """SweptBody._repr_html_"""
+    rows = [
+        ("points, triangles", f"{len(self.vertices)}, {len(self.triangles)}"),
+        ("ends", "none" if self.is_closed else "capped"),
+        ("distance from the surface", "not bounded" if self.error is None else f"≤ {self.error:.3g}, proved"),
+        ("folds", str(self.folds)),
+        ("volume", _number(self.volume())),
+    ]
+    is_small = len(self.triangles) <= _MOST_TRIANGLES
+    drawing = picture(lambda ax: self.plot(ax=ax), projection="3d") if is_small else ""
+    return f"<div><b>Swept body</b>{_table(rows)}{drawing}</div>"

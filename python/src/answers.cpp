@@ -18,6 +18,14 @@ Style style_named(const std::string& name) {
                         {"radicals", Style::radicals}});
 }
 
+std::string between_dollars(std::string latex) {
+  constexpr std::string_view environment = "{align*}";
+  for (std::size_t at = 0; (at = latex.find(environment)) != std::string::npos;)
+    latex.replace(at, environment.size(), "{aligned}");
+  latex.erase(latex.find_last_not_of('\n') + 1);
+  return "$\\displaystyle " + latex + "$";
+}
+
 nb::object to_python(const std::optional<PoleTable>& poles) {
   nb::list list;
   const auto near = [](const PolePart& x) {

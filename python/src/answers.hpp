@@ -9,6 +9,9 @@ Style style_named(const std::string& name);
 /// x, or with `digits` a Decimal with so many.
 nb::object number_or_digits(const Real& x, nb::handle digits, const nb::object& recipe);
 
+/// Rows of an align* for a notebook, where a formula stands between dollars.
+std::string between_dollars(std::string latex);
+
 /// (pole, residue) as doubles, conjugate ones both.
 nb::object to_python(const std::optional<PoleTable>& poles);
 #define PHRAME_POLES_SIG "tuple[tuple[complex, complex], ...]"

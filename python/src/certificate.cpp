@@ -46,6 +46,18 @@ void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve
       .def_prop_ro(
           "curve", [](const C& c) { return wrap(NamedPath(c.name, c.certificate.curve)); },
           nb::sig("def curve(self) -> Curve"), "Of which it is.")
+      .def_prop_ro(
+          "claims",
+          [](const C& c) {
+            nb::list list;
+            for (const AngleClaim& claim : c.certificate.claims)
+              list.append(nb::make_tuple(to_python(claim.t), to_decimal(claim.theta),
+                                         to_decimal(claim.radius)));
+            return nb::tuple(list);
+          },
+          nb::sig("def claims(self) -> tuple[tuple[fractions.Fraction, decimal.Decimal, "
+                  "decimal.Decimal], ...]"),
+          "Angles as they are stated, true or not: (t, θ, radius), |θ(t) − θ| ≤ radius.")
       .def(
           "objections",
           [](const C& c) {
@@ -81,7 +93,10 @@ void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve
            })
       .def("__repr__",
            [](const C& c) {
-             return "<Certificate of " + std::to_string(c.certificate.claims.size()) + " angles>";
+             const std::size_t n = c.certificate.claims.size();
+             return "<Certificate of " + std::to_string(n) + (n == 1 ? " angle" : " angles") +
+                    " and the kind of the curve" +
+                    (c.name.empty() ? "" : " " + abbreviated(c.name)) + ">";
            })
       .def(
           "__reduce__",
@@ -93,6 +108,8 @@ void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve
   m.def("_certificate", [](const std::string& text, const std::string& name) {
     return CertificateObject{read_certificate(text), name};
   });
+  bind_python(type, "_repr_html_", "phrame._show", "certificate_html",
+              "def _repr_html_(self) -> str");
   bind_copies(type);
 }
 

@@ -126,6 +126,7 @@ void bind_check(nb::module_& m, nb::class_<PathObject>& path) {
       .def("__repr__", [](const C& c) {
         return "<CheckResult: " + for_reading(summary(c.found), false) + ">";
       });
+  bind_python(type, "_repr_html_", "phrame._show", "check_html", "def _repr_html_(self) -> str");
   bind_recipe(type);
 }
 

@@ -36,6 +36,9 @@ void bind_classification(nb::module_& m, nb::class_<PathObject>& path) {
       m, "Classification", "Of which kinds a path is, with witnesses: docs/classification.md.");
   using C = ClassificationObject;
   type.def_prop_ro(
+          "path", [](const C& c) { return wrap(c.found.path); }, nb::sig("def path(self) -> Path"),
+          "That is classified.")
+      .def_prop_ro(
           "is_regular", [](const C& c) { return c.found.classification.is_regular; },
           "Has it no cusps?")
       .def_prop_ro(
@@ -95,10 +98,13 @@ void bind_classification(nb::module_& m, nb::class_<PathObject>& path) {
       .def(
           "json", [](const C& c) { return to_json(c.found); }, "classify/1.")
       .def("__str__", [](const C& c) { return for_reading(to_text(c.found), false); })
-      .def("__repr__", [](const C& c) {
-        const std::string& name = c.found.path.name;
-        return "<Classification" + (name.empty() ? "" : " of " + abbreviated(name)) + ">";
+      .def("_repr_latex_", [](const C& c) -> std::optional<std::string> {
+        if (!c.found.path.path.is_curve()) return std::nullopt;
+        return between_dollars(to_latex(c.found));
       });
+  bind_python(type, "__repr__", "phrame._show", "classification_repr", "def __repr__(self) -> str");
+  bind_python(type, "_repr_html_", "phrame._show", "classification_html",
+              "def _repr_html_(self) -> str");
   bind_recipe(type);
 }
 

@@ -187,7 +187,10 @@ void bind_integral(nb::module_& m) {
            [](const IntegralObject& self) {
              std::ostringstream out;
              out << self.query.integrand;
-             return "<Integral of " + abbreviated(out.str(), 200) + ">";
+             std::string text = "<Integral of " + abbreviated(out.str(), 200);
+             if (!self.value) return text + ">";
+             const auto& [from, to, at_poles] = *self.query.ends;
+             return text + " from " + to_text(from) + " to " + to_text(to) + ">";
            })
       .def("__str__",
            [](const IntegralObject& self) {
@@ -195,6 +198,7 @@ void bind_integral(nb::module_& m) {
            })
       .def("_repr_latex_", [](const IntegralObject& self) {
         const IntegralAnswer found = integral_answer(self);
+        if (found.definite) return between_dollars(to_latex(found));
         const Letters letters = letters_for(found.variable, Notation::latex);
         const auto terms = [&] {
           if (const auto* book = std::get_if<TextbookForm>(&found.other))

@@ -132,6 +132,7 @@ void bind_minimal_twist(nb::module_& m, nb::class_<PathObject>& path) {
     const Real turn = t.visit([](const auto& twist) -> Real { return twist.twist(); });
     return "<MinimalTwist " + round_to_decimal(turn, 6).value + " radians>";
   });
+  bind_python(type, "_repr_html_", "phrame._show", "twist_html", "def _repr_html_(self) -> str");
   bind_value(type, "The angle to the Euler–Rodrigues frame, or to that of `up`.",
              [](const T& self) {
                return [twist = self.twist](const Rational& t) {

@@ -237,7 +237,8 @@ void bind_sweep(nb::module_& m) {
            [](const S& s) {
              const Mesh& mesh = s.found->body.mesh;
              return "<SweptBody of " + std::to_string(mesh.points.size()) + " points, " +
-                    std::to_string(mesh.triangles.size()) + " triangles>";
+                    std::to_string(mesh.triangles.size()) + " triangles" +
+                    (s.found->is_closed ? ", closed>" : ">");
            })
       .def(
           "__reduce__",
@@ -248,6 +249,10 @@ void bind_sweep(nb::module_& m) {
                           s.found->is_closed, s.found->turn);
           },
           PHRAME_REDUCE_SIG);
+  bind_python(type, "plot", "phrame._plot", "body",
+              "def plot(self, *, ax: typing.Any = None, **style: typing.Any) -> typing.Any",
+              "The mesh in space, by Matplotlib's plot_trisurf; the axes.");
+  bind_python(type, "_repr_html_", "phrame._show", "body_html", "def _repr_html_(self) -> str");
   bind_copies(type);
 }
 

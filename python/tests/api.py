@@ -153,6 +153,7 @@ API = {
     "Certificate.is_proved": (QUINTIC.certify(digits=5).is_proved, {}),
     "SweptBody.volume": (phrame.sweep(QUINTIC, "polygon:3,1/9", sections=3).volume, {}),
     "SweptBody.save": (phrame.sweep(QUINTIC, "polygon:3,1/9", sections=3).save, {"file": ""}),
+    "SweptBody.plot": (phrame.sweep(QUINTIC, "polygon:3,1/9", sections=3).plot, {"ax": SPACE}),
     "root": (phrame.root, {"polynomial": [-2, 0, 1], "lower": 1, "upper": 2}),
     "read": (phrame.read, {"file": "none"}),
     "parse": (phrame.parse, {"text": QUINTIC.json()}),

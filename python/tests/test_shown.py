@@ -3,6 +3,7 @@
 import base64
 import re
 import sys
+from fractions import Fraction
 
 import mpmath
 import numpy as np
@@ -63,6 +64,47 @@ def test_html_has_formula_poles_and_a_picture():
     assert r"\arctan" in phrame.integrate("1/(x^2+1)")._repr_html_()
     assert "<table>" in phrame.integrate("1/(x^5+x+1)")._repr_html_()
     assert "length" in phrame.Curve([-1, 2], [0], [0], [0])._repr_html_()  # a cusp
+
+
+def test_a_definite_integral_shows_its_value():
+    half_pi = phrame.integrate("1/(x^2+1)", 0, "inf")
+    latex = half_pi._repr_latex_()
+    assert latex.startswith("$") and r"\int_{0}^{\infty}" in latex and r"\frac{\pi }{2}" in latex and "1.5707963" in latex
+    assert "1.5707963" in half_pi._repr_html_() and repr(half_pi).endswith("from 0 to ∞>")
+    deep = phrame.integrate("1/(x^5 - x - 1)", 2, 3)
+    assert str(deep.value()) in deep._repr_latex_() and str(deep.value()) in deep._repr_html_()
+    assert "value" not in phrame.integrate("x")._repr_html_()
+
+
+def test_answers_show_themselves():
+    pytest.importorskip("matplotlib")
+    helix, line = phrame.Curve([1], [0, 1], [0], [1]), phrame.Curve([1], [0], [0], [0])
+    for path, kinds in ((QUINTIC, "of no special kind"), (helix, "a helix"), (line, "straight"), (SPLINE, "of no special kind")):
+        found = path.classify()
+        assert kinds in repr(found) and found.path == path and "line" in found._repr_html_()
+    assert r"\begin{aligned}" in QUINTIC.classify()._repr_latex_() and SPLINE.classify()._repr_latex_() is None
+    twist = QUINTIC.minimal_twist(0, 1)
+    assert f"{float(twist.twist):.10f}" in twist._repr_html_()
+    ts = np.linspace(0, 1, 9)
+    verdict = QUINTIC.check(ts, QUINTIC.frames(ts, kind="erf")[:, 1], start=0)
+    assert "0.285856530098" in verdict._repr_html_() and "base64" in verdict._repr_html_() and "fail" in verdict._repr_html_()
+    certificate = QUINTIC.certify(at=[0, "1/2"], digits=20)
+    assert [t for t, _, _ in certificate.claims] == [0, Fraction(1, 2)]
+    for t, theta, radius in certificate.claims:
+        assert abs(theta - QUINTIC.angle().value(t, 30)) <= radius if t else theta == 0
+        assert str(theta) in certificate._repr_html_()
+    assert "2 angles" in repr(certificate)
+    body = phrame.sweep(QUINTIC, "polygon:3,1/9", sections=3)
+    assert f"{body.volume():.12g}" in body._repr_html_() and "base64" in body._repr_html_()
+
+
+def test_a_body_is_drawn():
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    body = phrame.sweep(QUINTIC, "polygon:3,1/9", sections=3)
+    (mesh,) = body.plot(color="red").collections
+    faces = mesh._faces[:, :3] if hasattr(mesh, "_faces") else mesh._vec.T[:, :3].reshape(len(body.triangles), -1, 3)[:, :3]
+    assert np.array_equal(np.array(faces), body.vertices[body.triangles])
+    pyplot.close("all")
 
 
 def test_plots_show_the_numbers():
