@@ -9,3 +9,6 @@ _phrame.__prefix__:
     import numpy.typing
     from phrame._types import Number, Numbers, Vector, Vectors
 
+
+# What phrame._signatures adds.
+__signature__:

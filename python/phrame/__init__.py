@@ -11,6 +11,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
+from . import _signatures
 from ._errors import DomainError, Error, InputError, Undecided
 from ._map import map
 from ._phrame import (
@@ -67,6 +68,8 @@ __all__ = [
     "root",
     "sweep",
 ]
+
+_signatures.install()
 
 # What needs other packages, and is imported when it is named.
 _BRIDGES = ("dask", "spark", "sympy")

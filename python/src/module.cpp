@@ -36,6 +36,8 @@ NB_MODULE(_phrame, m) {
   nb::set_leak_warnings(nb::cast<bool>(nb::module_::import_("sys").attr("flags").attr("dev_mode")));
   m.attr("version") = phrame::version.data();
   nb::register_exception_translator(translate);
+  m.def("_modified",
+        [](nb::handle type) { PyType_Modified(reinterpret_cast<PyTypeObject*>(type.ptr())); });
   bind_numbers(m);
   bind_paths(m);
 }

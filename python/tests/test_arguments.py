@@ -27,6 +27,31 @@ def test_the_list_is_complete():
             assert member.startswith("_") or getattr(thing, member).__doc__, f"{name}.{member} says nothing"
 
 
+@pytest.mark.parametrize("name", API)
+def test_a_signature_is_that_of_the_stub(name):
+    call, arguments = API[name]
+    signature = inspect.signature(call)
+    assert {p.name for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD} == set(arguments)
+    assert signature.bind(**arguments).arguments == arguments
+    needed = {p.name for p in signature.parameters.values() if p.default is p.empty and p.kind is not p.VAR_KEYWORD}
+    for argument in needed:
+        with pytest.raises(TypeError):
+            call(**{k: x for k, x in arguments.items() if k != argument})
+
+
+def test_everything_public_has_a_signature():
+    for kind in vars(phrame).values():
+        if inspect.isclass(kind):
+            for name, member in vars(kind).items():
+                if callable(member) and not name.startswith("_"):
+                    assert list(inspect.signature(member).parameters)[:1] == ["self"] or isinstance(member, type(phrame.integrate))
+    assert list(inspect.signature(phrame.Polynomial([1, 2])).parameters) == ["t"]  # and not that of the class
+    assert inspect.signature(QUINTIC.frames).parameters["kind"].default == "rmf"
+    assert str(inspect.signature(phrame.root)) == (
+        "(polynomial: 'Polynomial | collections.abc.Sequence[Number]', lower: 'Number', upper: 'Number')"
+        " -> 'fractions.Fraction | Real'")
+
+
 @pytest.fixture(autouse=True)
 def no_window(monkeypatch):
     monkeypatch.setenv("MPLBACKEND", "agg")
