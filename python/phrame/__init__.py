@@ -38,6 +38,7 @@ from ._phrame import (
     sweep,
 )
 from ._phrame import version as __version__
+from ._threads import set_threads
 
 __all__ = [
     "Angle",
@@ -66,6 +67,7 @@ __all__ = [
     "parse",
     "read",
     "root",
+    "set_threads",
     "sweep",
 ]
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import os
 from collections import deque
 from concurrent.futures import Future, ThreadPoolExecutor
 from threading import Event
@@ -11,6 +10,7 @@ from typing import Callable, Deque, Iterable, Iterator, List, Optional, TypeVar,
 
 from ._convert import count
 from ._errors import Error, InputError
+from ._threads import limit
 
 C = TypeVar("C")
 A = TypeVar("A")
@@ -57,7 +57,7 @@ def answers(curves: Iterable[C], question: Callable[[C], A], errors: str = "rais
 def map(
     curves: Iterable[C], question: Callable[[C], A], *, threads: Optional[int] = None, errors: str = "raise"
 ) -> Iterator[Union[A, Error]]:
-    """question(curve) for each of the curves, in their order, by threads (default: one a core).
+    """question(curve) for each of the curves, in their order, by threads (default: as many as set_threads() says, one a core).
 
     The curves are read as they are needed, and what has been answered is not kept. With errors="return" a
     curve that the question has no answer for gives its phrame.Error in its place; else the first one is raised.
@@ -71,7 +71,7 @@ def map(
     refuse_count(threads, "threads")
     refuse_curves(curves)
     refuse_question(question)
-    return _map(iter(curves), question, threads or os.cpu_count() or 1, errors)
+    return _map(iter(curves), question, threads or limit(), errors)
 
 
 def _map(curves: Iterator[C], question: Callable[[C], A], threads: int, errors: str) -> Iterator[Union[A, Error]]:

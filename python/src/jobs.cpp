@@ -26,12 +26,16 @@ class Pool {
     return *pool;
   }
 
-  std::size_t cores() const { return cores_; }
+  /// So many threads at once, from now on; those that are there stay.
+  void limit_to(std::size_t threads) {
+    const std::lock_guard guard(lock_);
+    limit_ = threads;
+  }
 
   /// So many threads are still busy with what nobody waits for: others take their places.
   void replace(std::size_t threads) {
     const std::lock_guard guard(lock_);
-    most_ += threads;
+    left_ += threads;
   }
 
   /// What is urgent is not kept waiting by long jobs.
@@ -41,7 +45,7 @@ class Pool {
       tasks_.push_front(std::move(task));
     else
       tasks_.push_back(std::move(task));
-    if (idle_ < tasks_.size() && (threads_ < most_ || is_urgent)) {
+    if (idle_ < tasks_.size() && (threads_ < limit_ + left_ || is_urgent)) {
       std::thread([this] { serve(); }).detach();
       ++threads_;
     }
@@ -64,9 +68,9 @@ class Pool {
   }
 
   const pid_t process_ = getpid();
-  const std::size_t cores_ = std::max(1U, std::thread::hardware_concurrency());
-  std::size_t most_ = cores_;
   std::mutex lock_;
+  std::size_t limit_ = 1;
+  std::size_t left_ = 0;
   std::condition_variable ready_;
   std::deque<std::function<void()>> tasks_;
   std::size_t threads_ = 0;
@@ -163,7 +167,9 @@ void run(Job job, nb::handle progress) {
   if (!progress.is_none() && PyCallable_Check(progress.ptr()) == 0)
     refuse_type("progress", "a callable", progress);
   const std::size_t parts = (job.n + job.grain - 1) / job.grain;
-  const std::size_t threads = std::max<std::size_t>(1, std::min(Pool::instance().cores(), parts));
+  const auto limit = nb::cast<std::size_t>(imported("phrame._threads", "limit")());
+  Pool::instance().limit_to(limit);
+  const std::size_t threads = std::max<std::size_t>(1, std::min(limit, parts));
   const auto state = std::make_shared<State>(std::move(job), threads);
   Pool::instance().submit([state, threads] {
     if (state->job.prepare) state->guarded(state->job.prepare);

@@ -162,6 +162,7 @@ API = {
     "sweep": (phrame.sweep, {"path": QUINTIC, "profile": "polygon:3,1/9", **START, "end_normal": None, "twist": 0,
                              "scale": 1, "tolerance": None, "normal_tolerance": None, "sections": 3}),
     "map": (phrame.map, {"curves": [QUINTIC], "question": lambda curve: 0, "threads": None, "errors": "raise"}),
+    "set_threads": (phrame.set_threads, {"n": None}),
     "sympy.integrate": (phrame.sympy.integrate, INTEGRAL),
     "sympy.integral": (phrame.sympy.integral, INTEGRAL),
     "sympy.rational_function": (phrame.sympy.rational_function, {"expr": X, "x": X}),
@@ -188,6 +189,7 @@ def public_functions():
             if f.name not in ("__init__", "__call__") and f.name.startswith("_"):
                 continue
             functions[name] = {a.arg for a in f.args.args + f.args.kwonlyargs} - {"self"}
+    functions["set_threads"] = set(inspect.signature(phrame.set_threads).parameters)
     functions["map"] = set(inspect.signature(phrame.map).parameters)
     for module in phrame._BRIDGES:
         for name in import_module(f"phrame.{module}").__all__:

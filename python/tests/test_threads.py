@@ -1,6 +1,8 @@
 """Everything public is asked by several threads at once of the same objects. ./dev tsan runs this under ThreadSanitizer."""
 
+import os
 import random
+import subprocess
 import sys
 import threading
 from fractions import Fraction
@@ -9,6 +11,7 @@ import numpy as np
 import pytest
 
 import phrame
+from phrame import _threads
 from api import API
 from common import MULTIPLIER, QUINTIC, random_curve
 from values import same
@@ -123,3 +126,67 @@ def test_the_same_list_is_read_while_it_changes():
 
     lengths, *_ = at_once(read, change, change)
     assert set(lengths) <= {49, 50, 51, 52}
+
+
+FLOCK = """
+import os, sys
+import numpy as np
+import phrame
+from phrame import _threads
+curve = phrame.Curve([2, -4, 4], [1, 0, -1], [0, -4, 4], [1, 2, -2])
+before = len(os.listdir("/proc/self/task"))
+curve.frames(np.linspace(0, 1, 300_000))
+print(len(os.listdir("/proc/self/task")) - before)
+phrame.set_threads(5)
+curve.frames(np.linspace(0, 1, 300_000))
+print(len(os.listdir("/proc/self/task")) - before)
+"""
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="threads are counted by /proc")
+def test_threads_are_as_many_as_asked_for():
+    environment = {**os.environ, "PHRAME_THREADS": "2"}
+    found = subprocess.run([sys.executable, "-c", FLOCK], env=environment, capture_output=True, text=True, check=True)
+    assert found.stdout.split() == ["2", "5"]
+
+
+def test_the_limit_of_threads(monkeypatch):
+    for wrong in ("0", "-1", "two", "1e3", "²"):
+        monkeypatch.setenv("PHRAME_THREADS", wrong)
+        with pytest.raises(phrame.InputError, match="^PHRAME_THREADS: "):
+            QUINTIC.frames(np.linspace(0, 1, 10))
+        with pytest.raises(phrame.InputError, match="^PHRAME_THREADS: "):
+            phrame.map([], len)
+    monkeypatch.setenv("PHRAME_THREADS", "3")
+    assert _threads.limit() == 3
+    phrame.set_threads(7)
+    assert _threads.limit() == 7
+    phrame.set_threads(None)
+    monkeypatch.delenv("PHRAME_THREADS")
+    assert 1 <= _threads.limit() <= os.cpu_count()
+    if hasattr(os, "sched_setaffinity"):
+        cores = os.sched_getaffinity(0)
+        os.sched_setaffinity(0, {min(cores)})
+        try:
+            assert _threads.limit() == 1
+        finally:
+            os.sched_setaffinity(0, cores)
+
+
+@pytest.mark.parametrize(
+    "group, files, expected",
+    [
+        ("0::/", {"cpu.max": "150000 100000"}, 1.5),
+        ("0::/a/b", {"a/cpu.max": "200000 100000", "a/b/cpu.max": "max 100000"}, 2),  # that of all around it counts
+        ("0::/a", {"cpu.max": "max 100000"}, float("inf")),
+        ("4:cpu,cpuacct:/x\n0::/", {"cpu,cpuacct/cpu.cfs_quota_us": "50000", "cpu,cpuacct/cpu.cfs_period_us": "100000"}, 0.5),
+        ("4:cpu:/\n3:memory:/", {"cpu/cpu.cfs_quota_us": "-1", "cpu/cpu.cfs_period_us": "100000"}, float("inf")),
+        (None, {}, float("inf")),
+    ],
+)
+def test_the_quota_of_a_container(tmp_path, group, files, expected):
+    for name, text in {**{f"sys/fs/cgroup/{name}": text for name, text in files.items()}, "proc/self/cgroup": group}.items():
+        if text is not None:
+            (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / name).write_text(text + "\n")
+    assert _threads._cores_of_group(str(tmp_path)) == expected
