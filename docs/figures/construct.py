@@ -16,11 +16,11 @@ with open(PATHS / "trefoil.csv", newline="", encoding="utf-8") as table:
     TREFOIL = [[row["x"], row["y"], row["z"]] for row in csv.DictReader(table)]
 
 
-def plotted(axis, curve, label, samples, style="-"):
+def plotted(axis, curve, label, samples, **style):
     """Seen along z."""
     x, y, _ = curve.points(np.linspace(0, 1, samples)).T
     draw.note(x, y)
-    axis.plot(x, y, style, label=label)
+    axis.plot(x, y, label=label, **style)
 
 
 def rules():
@@ -29,13 +29,14 @@ def rules():
     figure, axes = plt.subplots(1, 2, figsize=(7.2, 3.2))
     for name in ("minimal", "auto", "shortest", "longest"):
         plotted(axes[0], phrame.Curve.hermite(p0, d0, p1, d1, select=name), name, 31)
-    plotted(axes[0], phrame.Curve.hermite(p0, d0, p1, d1, kind="rmf"), "rmf", 31, "k:")
+    plotted(axes[0], phrame.Curve.hermite(p0, d0, p1, d1, kind="rmf"), "rmf", 31)
     axes[0].set(title="quintics, and the septic rmf", xlabel="x", ylabel="y")
     for k in range(1, 6):
         plotted(axes[1], phrame.Curve.hermite(p0, d0, p1, d1, kind="helical", solution=k), k, 41)
     axes[1].set(title="helical, by --solution", xlabel="x")
     for axis in axes:
         axis.set_aspect("equal", "datalim")
+        axis.locator_params(nbins=5)
         axis.legend(fontsize=7)
     draw.save(figure, "construct-hermite.svg")
 
@@ -54,6 +55,7 @@ def trefoil():
     )
     axes[0].set(title="rmf, with $f_2$", xlabel="x", ylabel="y")
     axes[0].set_aspect("equal", "datalim")
+    axes[0].margins(0.12)  # for f₂
     for kind in ("quintic", "c2"):
         path = phrame.Curve.through(TREFOIL, closed=True, kind=kind)
         ts = np.linspace(0, path.end, 20 * path.end + 1)

@@ -8,7 +8,7 @@ import re
 from fractions import Fraction
 
 import numpy as np
-from draw import ROOT, note, plt, save
+from draw import ROOT, fill, note, plt, save
 
 import phrame
 
@@ -193,11 +193,12 @@ def panels(columns, rows=1):
 
 
 def ribbon(ax, c, title, ts, view=(30, -60), **options):
-    c.plot(ts, ax=ax, linewidth=1, **options)
-    note(c.points(ts), options["f2"] if "f2" in options else c.frames(ts, kind=options.get("kind", "rmf"))[:, 1])
+    c.plot(ts, ax=ax, linewidth=1, linestyle="-", **options)
+    points, normals = c.points(ts), options["f2"] if "f2" in options else c.frames(ts, kind=options.get("kind", "rmf"))[:, 1]
+    note(points, normals)
     ax.set_title(title)
-    ax.set_axis_off()
-    ax.view_init(*view)
+    width = np.linalg.norm(points.max(axis=0) - points.min(axis=0)) / 10  # that of plot()
+    fill(ax, np.concatenate([points + width / 2 * normals, points - width / 2 * normals]), view)
 
 
 def farouki_frames():
@@ -205,7 +206,9 @@ def farouki_frames():
     figure, axes = panels(3)
     ts = np.linspace(0, 1, 49)
     ribbon(axes[0], FAROUKI, "control polygon", ts, ribbon=0)
-    axes[0].plot(*np.array(FAROUKI.control_points, dtype=float).T, "o-", markersize=2, linewidth=0.6, color="gray")
+    corners = np.array(FAROUKI.control_points, dtype=float)
+    axes[0].plot(*corners.T, "o-", markersize=2, linewidth=0.6, color="gray")
+    fill(axes[0], corners, (30, -60))
     ribbon(axes[1], FAROUKI, "Frenet", ts, kind="frenet")
     ribbon(axes[2], FAROUKI, "rotation-minimizing", ts)
     save(figure, "farouki-2003-frames.svg")
@@ -263,8 +266,8 @@ def peng_angles():
     figure, ax = plt.subplots(figsize=(4, 2.6))
     ts = np.linspace(0, 1, 129)
     PENG.angle().plot(ts, ax=ax, color="k", linestyle=":", label="rotation-minimizing")
-    for (a, b), weight, style in zip(PENG_PAIRS, ("ρ = 1", "ρ = |τκ|"), ("-", "--")):
-        ax.plot(ts, printed_angle(a, b, ts), style, label=weight + ", as printed")
+    for (a, b), weight in zip(PENG_PAIRS, ("ρ = 1", "ρ = |τκ|")):
+        ax.plot(ts, printed_angle(a, b, ts), label=weight + ", as printed")
     note(*(line.get_ydata() for line in ax.lines))
     ax.set(xlabel="t", ylabel="θ")
     ax.legend(fontsize=7)
@@ -275,8 +278,9 @@ def septic_frames():
     """The Frenet frame is rational; it turns by τ about the tangent, the rotation-minimizing one does not."""
     figure, axes = panels(2)
     ts = np.linspace(0, 1, 49)
-    ribbon(axes[0], SEPTIC, "Frenet, rational", ts, kind="frenet")
-    ribbon(axes[1], SEPTIC, "rotation-minimizing", ts)
+    view = (-35, 60)  # from where it bends most
+    ribbon(axes[0], SEPTIC, "Frenet, rational", ts, view, kind="frenet")
+    ribbon(axes[1], SEPTIC, "rotation-minimizing", ts, view)
     save(figure, "double-ph-septic-frames.svg")
 
 

@@ -43,7 +43,7 @@ def errors():
         for gammas in (range(-100, -2), range(3, 101)):
             found = [float(twist.rational(gamma=f"{g}/50").rms) for g in gammas]
             draw.note(found)
-            axis.plot(np.array(gammas) / 50, found, color="C0")
+            axis.plot(np.array(gammas) / 50, found, "C0-")
         axis.set(title=f"example {number}", xlabel="γ", yscale="log", xlim=(-2, 2))
     axes[0].set_ylabel("rms of $\\Omega_1 - \\bar\\Omega_1$ over $|\\bar\\Omega_1|$")
     draw.save(figure, "minimal-twist-errors.svg")
@@ -56,7 +56,7 @@ def plot_rates(axis, c, frame, twist, title):
     axis.plot(ts, erf, label="$\\omega_1$, ERF")
     axis.plot(ts, turn, label="$\\theta'/\\sigma$, rotation")
     axis.plot(ts, erf + turn, label="$\\Omega_1$, rational frame")
-    axis.plot(ts, np.full(len(ts), float(twist.rate)), "k--", linewidth=0.9, label="$\\bar\\Omega_1$")
+    axis.plot(ts, np.full(len(ts), float(twist.rate)), "k:", linewidth=0.9, label="$\\bar\\Omega_1$")
     axis.set(title=title, xlabel="t", xlim=(0, 1))
 
 
@@ -65,6 +65,7 @@ def rates():
     figure, axes = plt.subplots(1, 3, figsize=(9, 3))
     for number, (axis, c, twist) in enumerate(zip(axes, MOON, TWISTS), start=1):
         plot_rates(axis, c, twist.rational(), twist, f"example {number}")
+    axes[0].set_ylabel("rates per length")
     draw.save(figure, "minimal-twist-rates.svg", axes[0])
 
 
@@ -74,7 +75,8 @@ def poor():
     plot_rates(axes[0], MOON[0], TWISTS[0].rational(gamma=-1), TWISTS[0], "example 1, γ = −1")
     sharp = sum(extrema(MOON[2])[-1].ball(100)) / 2
     plot_rates(axes[1], MOON[2], TWISTS[2].rational(subdivide=[sharp]), TWISTS[2], "example 3 in two pieces")
-    axes[1].axvline(float(sharp), color="k", linestyle=":", linewidth=0.9)
+    axes[1].axvline(float(sharp), color="0.5", linestyle="-", linewidth=0.6)
+    axes[0].set_ylabel("rates per length")
     draw.save(figure, "minimal-twist-choices.svg", axes[0])
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import io
 from importlib.util import find_spec
-from typing import Any, Callable
+from typing import Any, Callable, Dict
 
 import numpy as np
 
@@ -33,6 +33,11 @@ def _parameters(path: Any, ts: Any) -> Any:
 def _require_axes(ax: Any, method: str) -> None:
     if ax is not None and not hasattr(ax, method):
         raise TypeError(f"ax: {'axes in 3D' if method != 'plot' else 'axes'} of Matplotlib are wanted, not {type(ax).__name__}")
+
+
+def _in_grey(ax: Any, style: Dict[str, Any]) -> Dict[str, Any]:
+    """The style, with another line than those that are there: print is often grey."""
+    return style if {"linestyle", "ls"} & set(style) else {**style, "linestyle": ("-", "--", "-.", ":")[len(ax.lines) % 4]}
 
 
 def _width(ribbon: Any) -> float:
@@ -104,7 +109,7 @@ def path(
     normals = self.frames(at, kind=kind, start=start, start_normal=start_normal)[:, 1] if width and given is None else given
     if ax is None:
         ax = _new_axes(projection="3d", xlabel="x", ylabel="y", zlabel="z")
-    (line,) = ax.plot(*points.T, **style)
+    (line,) = ax.plot(*points.T, **_in_grey(ax, style))
     if width:
         _add_ribbon(ax, points, normals, width, line.get_color())
     _equalize(ax, low - width / 2, high + width / 2)
@@ -120,7 +125,7 @@ def angle(self: Any, ts: Any = None, *, ax: Any = None, **style: Any) -> Any:
         raise TypeError(f"ts: a list of parameters is wanted, not {type(ts).__name__}")
     if ax is None:
         ax = _new_axes(xlabel="t", ylabel="θ")
-    ax.plot([float(_EXACTLY(t)) for t in at], values, **style)
+    ax.plot([float(_EXACTLY(t)) for t in at], values, **_in_grey(ax, style))
     return ax
 
 

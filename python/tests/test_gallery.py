@@ -54,12 +54,12 @@ def test_the_figures_are_there_and_small(gallery):
 
 
 def test_numbers_along_axes_are_what_they_were(gallery):
-    """Steps between them are equal: places on paper are rounded, and labels are not."""
+    """Steps between them are equal: places on paper are rounded, and labels, which comments repeat, are not."""
     seen = 0
     for file in sorted((ROOT / "docs/figures").glob("*.svg")):
         for axis in file.read_text(encoding="utf-8").split('id="matplotlib.axis_')[1:]:
             ticks = axis.split('<g id="patch_')[0]
-            labels = [float(label.replace("−", "-")) for label in re.findall(r">(−?[0-9.]+)</text>", ticks)]
+            labels = [float(label.replace("−", "-")) for label in re.findall(r"<!-- (−?[0-9.]+) -->", ticks)]
             seen += len(labels)
             assert not labels or np.allclose(np.diff(labels), labels[1] - labels[0]), (file.name, labels)
     assert seen > 100
@@ -81,3 +81,31 @@ def test_frames_of_minimal_twist_end_where_they_should(gallery):
             _, e2, e3 = curve.frames([t], kind="erf")[0]
             theta = float(phrame.Curve([1], [0], [0], [1]).angle(start=angle).value(0))
             assert np.abs(np.cos(theta) * e2 + np.sin(theta) * e3 - normal).max() < 1e-14
+
+
+def test_pictures_are_what_a_journal_takes(gallery, tmp_path, monkeypatch):
+    monkeypatch.setattr(sys, "argv", ["gallery.py", str(tmp_path)])
+    gallery.farouki_rates()
+    pdf = (tmp_path / "farouki-2003-rates.pdf").read_bytes()
+    assert b"/FontFile2" in pdf and b"/Type3" not in pdf
+    for picture in (ROOT / "docs/figures").glob("*.svg"):
+        assert "<text" not in picture.read_text(encoding="utf-8"), picture.name  # letters are where they were drawn
+    figure, axes = gallery.plt.subplots()
+    for k in range(5):
+        axes.plot([0, k])
+    assert len({repr(line._dash_pattern) for line in axes.lines}) == 5
+    gallery.plt.close(figure)
+
+
+def test_curves_fill_their_pictures(gallery):
+    from mpl_toolkits.mplot3d import proj3d
+
+    ts = np.linspace(0, 1, 9)
+    for curve in (gallery.FAROUKI, gallery.SEPTIC, *gallery.MOON):
+        figure, (ax, _) = gallery.panels(2)
+        gallery.ribbon(ax, curve, "", ts)
+        figure.canvas.draw()
+        x, y, _ = proj3d.proj_transform(*curve.points(ts).T, ax.get_proj())
+        inside = ax.transAxes.inverted().transform(ax.transData.transform(np.stack([x, y], axis=1)))
+        assert inside.min() > 0 and inside.max() < 1 and np.ptp(inside, axis=0).max() > 0.7
+        gallery.plt.close(figure)
