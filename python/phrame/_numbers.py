@@ -185,6 +185,34 @@ def _unmasked(x: Any, place: str) -> Any:
     return x.unmasked if hasattr(x, "unmasked") else x.data
 
 
+def _array(x: Any, place: str) -> Any:
+    """An array or a tensor of another package as one of NumPy, exactly; all else, and columns of tables, as it is."""
+    if not isinstance(x, np.ndarray):
+        if hasattr(x, "to_list") or not (hasattr(x, "__array__") or hasattr(x, "__dlpack__")):
+            return x
+        found: Any = None
+        # Of what has no memory that NumPy reads (a GPU's, a gradient's) or a dtype that it does not know, the list.
+        for read in (np.asarray, getattr(np, "from_dlpack", np.asarray), lambda x: x.tolist()):
+            try:
+                found = read(x)
+            except Exception as error:
+                problem = error
+            else:
+                if not isinstance(found, np.ndarray) or found.ndim:
+                    break
+        else:
+            _refuse(place, f"a {type(x).__name__} that NumPy cannot read: {str(problem)[:200]}", x)
+        if not isinstance(found, np.ndarray):
+            return found
+        x = found
+    if x.dtype.kind == "V" and x.dtype.names is None:  # bfloat16 and the like, all of which are doubles
+        try:
+            return x.astype(np.float64)
+        except (TypeError, ValueError):
+            _refuse(place, f"its dtype {x.dtype} is none of numbers", x)
+    return x.view(np.ndarray)  # of a class of its own, too
+
+
 def _shown(names: Sequence[Any]) -> str:
     return ", ".join(str(name) for name in names[:9]) + (", …" if len(names) > 9 else "")
 
@@ -197,9 +225,7 @@ def numbers(x: Any, place: str) -> Any:
         if len(names) != 1:
             _refuse(place, f"a list of numbers is wanted, not a table with the columns {_shown(names)}", x)
         return list(_column(x, names[0]))
-    if isinstance(x, np.ndarray):
-        return x.view(np.ndarray)  # of a class of its own, too
-    return x
+    return _array(x, place)
 
 
 def rows(x: Any, place: str, known: Sequence[str]) -> Any:
@@ -207,7 +233,7 @@ def rows(x: Any, place: str, known: Sequence[str]) -> Any:
     x = _unmasked(_plain(x, place), place)
     names = _columns(x)
     if names is None:
-        return x
+        return _array(x, place)
     found = {str(name).strip().lower(): name for name in names}
     if len(names) != len(known) or len(found) != len(names) or (set(found) != set(known) and set(found) & set(known)):
         _refuse(place, f"the columns {', '.join(known)} are wanted, not {_shown(names)}", x)

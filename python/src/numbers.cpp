@@ -171,8 +171,9 @@ long count(nb::handle x, const std::string& place, long least, long most) {
 
 bool is_list(nb::handle x) {
   if (is_plain_list(x)) return true;
-  if (PyUnicode_Check(x.ptr()) != 0 || PyBytes_Check(x.ptr()) != 0 ||
-      PySequence_Check(x.ptr()) == 0)
+  if (PyUnicode_Check(x.ptr()) != 0 || PyBytes_Check(x.ptr()) != 0) return false;
+  if (PySequence_Check(x.ptr()) == 0 && !nb::hasattr(x, "__array__") &&
+      !nb::hasattr(x, "__dlpack__"))
     return false;
   return !(nb::hasattr(x, "ndim") && x.attr("ndim").equal(nb::int_(0)));
 }

@@ -297,3 +297,70 @@ def test_tables_are_read_by_rows_and_names(package, table):
     profile = [[0, 0], [1, 0], [0, 1]]
     body = [phrame.sweep(QUINTIC, given, sections=3).volume() for given in (profile, table(list(zip(*profile)), "xy"))]
     assert body[0] == body[1]
+
+
+class Tensor:
+    """As tensors are that NumPy does not read: on a GPU, with a gradient, of bfloat16. What is there is a list."""
+
+    def __init__(self, numbers, dtype):
+        self.numbers, self.dtype, self.shape, self.ndim = numbers, dtype, np.shape(numbers), np.ndim(numbers)
+
+    def __len__(self):
+        return len(self.numbers)
+
+    def __getitem__(self, k):
+        return Tensor(self.numbers[k], self.dtype)
+
+    def __array__(self, *_, **__):
+        raise TypeError("can't convert this tensor to numpy")
+
+    def tolist(self):
+        return self.numbers
+
+    def item(self):
+        return self.numbers
+
+
+class Exported:
+    """What gives its memory by DLPack, or by __array__, and has no elements of its own."""
+
+    def __init__(self, array, way):
+        self.dtype = array.dtype
+        if way == "dlpack":
+            self.__class__ = type("ByDlpack", (Exported,), {
+                "__dlpack__": lambda self, **options: array.__dlpack__(), "__dlpack_device__": lambda self: array.__dlpack_device__()})
+        elif way == "array":
+            self.__class__ = type("ByArray", (Exported,), {"__array__": lambda self, dtype=None, copy=None: array})
+
+
+@pytest.mark.parametrize("kind", ["float16", "float32", "float64", ">f8", "longdouble", "int8", "uint64"])
+def test_arrays_of_all_kinds_are_read_exactly(kind):
+    ts = np.array([0, 1, 2, 3] if "int" in kind else [0, 0.1, 0.75, 1]).astype(kind)
+    exact = [Fraction(int(x)) if "int" in kind else Fraction(*x.as_integer_ratio()) for x in ts]
+    assert phrame.Polynomial(ts).coefficients[1:] == tuple(exact[1:])
+    found = (QUINTIC.points(exact) == 0) * 0 + QUINTIC.points(exact)
+    for given in (ts, Exported(ts, "array"), Tensor([x.item() for x in ts], kind), ts[::-1][::-1], *([Exported(ts, "dlpack")] if kind[0] not in ">l" else [])):
+        assert (QUINTIC.points(given) == found).all() and phrame.Polynomial(given) == phrame.Polynomial(exact)
+    points = np.arange(12).reshape(4, 3).astype(kind) ** 2 if kind != "int8" else np.arange(12).reshape(4, 3).astype(kind)
+    for given in (points, Exported(points, "array"), Tensor(points.tolist() if kind != "longdouble" else [list(row) for row in points], kind)):
+        assert phrame.Curve.bezier(given) == phrame.Curve.bezier([[Fraction(float(x)) for x in row] for row in points])
+
+
+def test_tensors_that_cannot_be_read_are_refused():
+    with pytest.raises(phrame.InputError, match="^ts: a Unreadable that NumPy cannot read: "):
+        QUINTIC.points(type("Unreadable", (), {"__dlpack__": lambda self: 1 / 0, "dtype": "bfloat16"})())
+    for wrong in (np.array([0j, 1]), np.array(["2020-01-01"], dtype="M8[D]"), np.zeros(2, "V2"), np.array([True, False])):
+        with pytest.raises((phrame.InputError, TypeError), match="^ts"):
+            QUINTIC.points(wrong)
+
+
+@pytest.mark.parametrize("package", ["torch", "jax.numpy", "tensorflow", "ml_dtypes"])
+def test_tensors_of_packages(package):
+    """Where the package is, its own tensors."""
+    module = pytest.importorskip(package)
+    ts = [0.0, 0.25, 0.75]
+    kinds = [module.bfloat16, module.float8_e4m3fn] if package == "ml_dtypes" else [module.float16, module.float32, module.bfloat16]
+    for kind in kinds:
+        make = {"torch": "tensor", "jax.numpy": "array", "tensorflow": "constant"}.get(package)
+        given = np.array(ts).astype(kind) if make is None else getattr(module, make)(ts, dtype=kind)
+        assert (QUINTIC.points(given) == QUINTIC.points(ts)).all()
