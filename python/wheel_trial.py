@@ -30,6 +30,11 @@ else:
     raise AssertionError("1/0 is accepted")
 quickstart.main()
 
+curve.page(os.path.join(here, "curve.html"))  # which needs npm when the wheel is made, and nothing here
+with open(os.path.join(here, "curve.html"), encoding="utf-8") as file:
+    html = file.read()
+assert html.startswith("<!doctype html>") and "katex" in html and len(html) > 500_000, html[:200]
+
 # In an empty root no /proc is mounted, and there is nothing else to be loaded.
 if os.path.exists("/proc/self/maps"):
     with open("/proc/self/maps") as maps:

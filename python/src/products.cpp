@@ -105,7 +105,11 @@ void write_page(const Named& named, PageQuery query, nb::handle samples, nb::han
   query.samples = count(samples, "samples", 3, 100'000);
   file_name(file, "file");
   if (!has_pages())
-    throw DomainError("page: this phrame was built without npm, which bundles what a page needs");
+    throw DomainError(
+        "page: this phrame was built without npm, which bundles what a page needs; where Node.js "
+        "with "
+        "npm and a network are there, pip install --force-reinstall --no-cache-dir builds it with "
+        "pages");
   const std::string page = without_gil([=] { return to_page(answer(named, query)); });
   write_file(file, "file", page);
 }
