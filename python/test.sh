@@ -11,4 +11,6 @@ if [[ ! -e $module || ! -x $python ]]; then
 fi
 export PYTHONPATH=$build/python PYTHONDONTWRITEBYTECODE=1 PHRAME_PROGRAM=$build/bin/phrame
 "$python" -m pytest -q -p no:cacheprovider python/tests
-"$python" -m mypy --strict --cache-dir "$build/mypy" "$build/python/phrame" python/examples
+rm -rf "$build/python-examples"
+"$python" python/examples_of_documents.py "$build/python-examples"
+"$python" -m mypy --strict --cache-dir "$build/mypy" "$build/python/phrame" python/examples "$build/python-examples"

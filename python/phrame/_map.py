@@ -6,10 +6,11 @@ import itertools
 from collections import deque
 from concurrent.futures import Future, ThreadPoolExecutor
 from threading import Event
-from typing import Callable, Deque, Iterable, Iterator, List, Optional, TypeVar, Union
+from typing import Callable, Deque, Iterable, Iterator, List, Literal, Optional, TypeVar, Union, overload
 
 from ._convert import count
 from ._errors import Error, InputError
+from ._phrame import Path, SmoothPath, parse
 from ._threads import limit
 
 C = TypeVar("C")
@@ -41,6 +42,16 @@ def refuse_question(question: object) -> None:
         raise TypeError(f"question: a callable is wanted, not {type(question).__name__}")
 
 
+def curve_of(x: Union[str, Path, SmoothPath]) -> Union[Path, SmoothPath]:
+    """The curve of a line with a curve file, or itself."""
+    return parse(x) if isinstance(x, str) else x
+
+
+def refuse_column(column: object) -> None:
+    if not isinstance(column, str):
+        raise TypeError(f"column: a str is wanted, not {type(column).__name__}")
+
+
 def answers(curves: Iterable[C], question: Callable[[C], A], errors: str = "raise") -> List[Union[A, Error]]:
     """One after the other."""
     found: List[Union[A, Error]] = []
@@ -54,6 +65,14 @@ def answers(curves: Iterable[C], question: Callable[[C], A], errors: str = "rais
     return found
 
 
+@overload
+def map(
+    curves: Iterable[C], question: Callable[[C], A], *, threads: Optional[int] = None, errors: Literal["raise"] = "raise"
+) -> Iterator[A]: ...
+@overload
+def map(
+    curves: Iterable[C], question: Callable[[C], A], *, threads: Optional[int] = None, errors: str
+) -> Iterator[Union[A, Error]]: ...
 def map(
     curves: Iterable[C], question: Callable[[C], A], *, threads: Optional[int] = None, errors: str = "raise"
 ) -> Iterator[Union[A, Error]]:

@@ -14,7 +14,7 @@ import dask.bag
 import numpy as np
 
 from ._errors import InputError
-from ._map import answers, refuse_count, refuse_curves, refuse_errors, refuse_question
+from ._map import answers, curve_of, refuse_column, refuse_count, refuse_curves, refuse_errors, refuse_question
 from ._phrame import Angle, Path, SmoothAngle, SmoothPath
 
 __all__ = ["angles", "frames", "map", "matrices", "points", "quaternions"]
@@ -26,11 +26,22 @@ def map(
     *,
     partitions: Optional[int] = None,
     errors: str = "raise",
+    column: str = "curve",
 ) -> Any:
-    """A dask.bag.Bag of question(curve), in the order of the curves, which are a Bag or any iterable."""
+    """A dask.bag.Bag of question(curve), in the order of the curves, which are a Bag or any iterable.
+
+    Of a DataFrame of Dask it is a Series with its index: of the column that has curves, or texts of curve files;
+    of a Series of these likewise.
+    """
     refuse_errors(errors)
     refuse_count(partitions, "partitions")
     refuse_question(question)
+    refuse_column(column)
+    if hasattr(curves, "to_dask_array"):
+        table: Any = curves
+        series = table[column] if table.ndim == 2 else table
+        name = getattr(question, "__name__", "answer")
+        return series.map_partitions(_of_series, question, errors, name, meta=(name, object))
     if isinstance(curves, dask.bag.Bag):
         bag: Any = curves
     else:
@@ -40,12 +51,20 @@ def map(
     return bag.map_partitions(answers, question, errors)
 
 
+def _of_series(curves: Any, question: Callable[[Any], Any], errors: str, name: str) -> Any:
+    found = np.empty(len(curves), dtype=object)
+    found[:] = answers(curves, lambda x: question(curve_of(x)), errors)
+    return type(curves)(found, index=curves.index, name=name, dtype=object)
+
+
 def _of_block(ts: Any, thing: Any, method: str, options: Any) -> Any:
     return getattr(thing, method)(ts, **options)
 
 
 def _parameters(ts: Any) -> Any:
     """ts in blocks."""
+    if hasattr(ts, "to_dask_array"):  # a column of a DataFrame
+        ts = ts.to_dask_array(lengths=True)
     if not isinstance(ts, dask.array.Array):
         if isinstance(ts, (str, bytes)) or not hasattr(ts, "__len__") or not hasattr(ts, "__getitem__"):
             raise TypeError(f"ts: a list of parameters is wanted, not {type(ts).__name__}")

@@ -154,6 +154,7 @@ API = {
     "SweptBody.volume": (phrame.sweep(QUINTIC, "polygon:3,1/9", sections=3).volume, {}),
     "SweptBody.save": (phrame.sweep(QUINTIC, "polygon:3,1/9", sections=3).save, {"file": ""}),
     "SweptBody.plot": (phrame.sweep(QUINTIC, "polygon:3,1/9", sections=3).plot, {"ax": SPACE}),
+    "digits": (phrame.digits, {"x": REAL, "n": 5}),
     "root": (phrame.root, {"polynomial": [-2, 0, 1], "lower": 1, "upper": 2}),
     "read": (phrame.read, {"file": "none"}),
     "parse": (phrame.parse, {"text": QUINTIC.json()}),
@@ -166,11 +167,12 @@ API = {
     "sympy.integrate": (phrame.sympy.integrate, INTEGRAL),
     "sympy.integral": (phrame.sympy.integral, INTEGRAL),
     "sympy.rational_function": (phrame.sympy.rational_function, {"expr": X, "x": X}),
-    "dask.map": (phrame.dask.map, {"curves": [QUINTIC], "question": lambda curve: 0, "partitions": None, "errors": "raise"}),
+    "dask.map": (phrame.dask.map, {"curves": [QUINTIC], "question": lambda curve: 0, "partitions": None, "errors": "raise", "column": "curve"}),
     **{f"dask.{name}": (getattr(phrame.dask, name), {"path": QUINTIC, "ts": [0, 1]})
        for name in ("frames", "quaternions", "matrices", "points")},
     "dask.angles": (phrame.dask.angles, {"angle": THETA, "ts": [0, 1]}),
-    "spark.map": (phrame.spark.map, {"curves": Rdd([QUINTIC]), "question": lambda curve: 0, "errors": "raise"}),
+    "spark.map": (phrame.spark.map, {"curves": Rdd([QUINTIC]), "question": lambda curve: 0, "errors": "raise", "column": "curve",
+                              "returns": "answer string"}),
 }
 
 

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+import types
 
 import numpy as np
 import pytest
@@ -89,6 +90,19 @@ def test_dask_without_a_cluster():
         assert (phrame.dask.angles(QUINTIC.angle(), blocks).compute() == QUINTIC.angle()(ts)).all()
 
 
+def test_frames_of_dask():
+    pandas, frames = pytest.importorskip("pandas"), pytest.importorskip("dask.dataframe")
+    many = curves(7)
+    table = pandas.DataFrame({"curve": [curve.json() for curve in many], "t": np.linspace(0, 1, 7)}, index=list("gfedcba"))
+    lazy = frames.from_pandas(table, npartitions=3, sort=False)
+    found = phrame.dask.map(lazy, theta).compute(scheduler="synchronous")
+    assert found.tolist() == [theta(curve) for curve in many] and found.index.equals(table.index) and found.name == "theta"
+    assert phrame.dask.map(lazy["curve"], theta).compute(scheduler="synchronous").equals(found)
+    errors = phrame.dask.map(lazy.assign(curve="{}"), theta, errors="return").compute(scheduler="synchronous")
+    assert all(isinstance(error, phrame.InputError) for error in errors)
+    assert (phrame.dask.points(QUINTIC, lazy["t"]).compute(scheduler="synchronous") == QUINTIC.points(table["t"])).all()
+
+
 CLUSTER = """
 import os, signal, sys, time
 sys.path[:0] = {path!r}
@@ -140,6 +154,55 @@ def test_spark_without_a_cluster():
         phrame.spark.map(Rdd(["{}"]), theta)
     with pytest.raises(phrame.InputError, match="errors"):
         phrame.spark.map(Rdd(), theta, errors="ignore")
+
+
+class Frame:
+    """As much of a DataFrame of Spark as phrame.spark takes: rows, and a column that is the name of one."""
+
+    def __init__(self, rows):
+        self.rows = rows
+
+    def __getitem__(self, name):
+        return name
+
+    def withColumn(self, name, value):  # noqa: N802
+        return Frame([{**row, name: value(row)} for row in self.rows])
+
+
+def test_frames_of_spark_without_spark(monkeypatch):
+    functions = types.ModuleType("pyspark.sql.functions")
+    functions.udf = lambda f, kind: lambda column: lambda row: {"double": float, "string": str}[kind](f(row[column])) if f(row[column]) is not None else None
+    for name in ("pyspark", "pyspark.sql"):
+        monkeypatch.setitem(sys.modules, name, types.ModuleType(name))
+    monkeypatch.setitem(sys.modules, "pyspark.sql.functions", functions)
+    many = curves(3)
+    frame = Frame([{"id": k, "file": curve.json()} for k, curve in enumerate(many)] + [{"id": 3, "file": None}])
+    found = phrame.spark.map(frame, lambda curve: curve.length, column="file", returns="length double").rows
+    assert [row["length"] for row in found] == [float(curve.length) for curve in many] + [None]
+    assert [row["id"] for row in found] == [0, 1, 2, 3]
+    bad = Frame([{"curve": "{}"}])
+    with pytest.raises(phrame.InputError):
+        phrame.spark.map(bad, theta)
+    assert phrame.spark.map(bad, theta, errors="return").rows[0]["answer"] is None
+    with pytest.raises(phrame.InputError, match="^returns: a name and a type"):
+        phrame.spark.map(bad, theta, returns="double")
+
+
+@pytest.mark.skipif(MULTIPLIER == 1, reason="Spark takes seconds: PHRAME_TEST_MULTIPLIER=2")
+def test_frames_of_spark(tmp_path, monkeypatch):
+    sql = pytest.importorskip("pyspark.sql")
+    if shutil.which("java") is None:
+        pytest.skip("no Java")
+    monkeypatch.setenv("PYSPARK_PYTHON", sys.executable)
+    monkeypatch.chdir(tmp_path)
+    spark = sql.SparkSession.builder.master("local[1]").config("spark.ui.enabled", "false").getOrCreate()
+    try:
+        many = curves(3)
+        frame = spark.createDataFrame([(k, curve.json()) for k, curve in enumerate(many)], "id int, curve string")
+        found = phrame.spark.map(frame, lambda curve: float(curve.length), returns="length double").collect()
+        assert [row["length"] for row in found] == [float(curve.length) for curve in many]
+    finally:
+        spark.stop()
 
 
 # An executor is a Java process, whose daemon in Python has children that ask. It is killed at its first question, so

@@ -154,7 +154,7 @@ def test_the_limit_of_threads(monkeypatch):
     for wrong in ("0", "-1", "two", "1e3", "²"):
         monkeypatch.setenv("PHRAME_THREADS", wrong)
         with pytest.raises(phrame.InputError, match="^PHRAME_THREADS: "):
-            QUINTIC.frames(np.linspace(0, 1, 10))
+            QUINTIC.frames(np.linspace(0, 1, 20_000))
         with pytest.raises(phrame.InputError, match="^PHRAME_THREADS: "):
             phrame.map([], len)
     monkeypatch.setenv("PHRAME_THREADS", "3")
