@@ -7,6 +7,7 @@ std::string text(nb::handle x, const std::string& place) {
   Py_ssize_t size = 0;
   const char* const bytes = PyUnicode_AsUTF8AndSize(x.ptr(), &size);
   if (bytes == nullptr) {
+    if (PyErr_ExceptionMatches(PyExc_MemoryError) != 0) throw nb::python_error();
     PyErr_Clear();
     refuse(place, "it has half of a character", x);
   }

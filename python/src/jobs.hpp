@@ -15,9 +15,9 @@ struct Job {
   std::function<void(std::size_t from, std::size_t to)> work = {};
 };
 
-/// Does it on as many threads as phrame._threads says. Called with the GIL, which is released meanwhile. Signals are looked for
-/// 20 times a second, and `progress`, unless it is None, is called as progress(done, n): what these
-/// raise ends the work, as do the exceptions of the work.
+/// Does it on as many threads as phrame._threads says. Called with the GIL, which is released
+/// meanwhile. Signals are looked for 20 times a second, and `progress`, unless it is None, is
+/// called as progress(done, n): what these raise ends the work, as do the exceptions of the work.
 void run(Job job, nb::handle progress);
 
 }  // namespace phrame::python

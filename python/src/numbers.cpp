@@ -198,6 +198,7 @@ std::vector<Rational> rationals(nb::handle list, const std::string& place) {
   // A tuple of its own: what a number runs in Python cannot change it.
   const nb::object items = nb::steal(PySequence_Tuple(given.ptr()));
   if (!items.is_valid()) {
+    if (PyErr_ExceptionMatches(PyExc_MemoryError) != 0) throw nb::python_error();
     PyErr_Clear();
     refuse_type(place, "a list of numbers", list);
   }

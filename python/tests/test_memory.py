@@ -5,6 +5,7 @@ import gc
 import os
 import pickle
 import resource
+import subprocess
 import sys
 import time
 
@@ -106,3 +107,42 @@ def test_arrays_outlive_what_made_them():
     gc.collect()
     rubbish = [np.full(9000, k) for k in range(100)]
     assert (rows == [0, 0, 1]).all() and rubbish
+
+
+SHORT = """
+import resource
+import phrame
+
+large = phrame.Polynomial([3**400_000] * 100)  # 8 MB
+questions = [
+    lambda: large * large,
+    lambda: phrame.integrate("1/(x^30-x-1)^3", 2, 3).value(5000),
+    lambda: phrame.Polynomial([1] * 500000),
+    lambda: phrame.Curve.expressions("s*2^(10^8)", "s", "s^2", 0, 1).length,
+    lambda: phrame.sweep(phrame.Curve([1, 2], [0, 1], [3], [1]), "circle:1", sections=10**6),
+]
+phrame.Curve([1, 2], [0, 1], [3], [1]).angle().value(1, 50)  # the threads that there are from now on
+with open("/proc/self/statm") as file:
+    used = int(file.read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (used + MARGIN, resource.RLIM_INFINITY))
+names = []
+for question in questions:
+    try:
+        question()
+        names.append("answered")
+    except Exception as error:
+        names.append(type(error).__name__)
+resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+print(*names, phrame.Curve([1], [0, 1], [0], [1]).angle().value(1, 10))  # the session goes on
+"""
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="limits are set as on Linux")
+@pytest.mark.parametrize("margin", [10, 25] if MULTIPLIER == 1 else range(4, 60, 4))
+def test_a_session_outlives_too_little_memory(margin):
+    program = SHORT.replace("MARGIN", f"{margin} * 2**20")
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=100, check=False)
+    assert run.returncode == 0 and run.stderr == "", (run.returncode, run.stderr[-2000:])
+    *names, theta = run.stdout.split()
+    assert theta == "-0.8704197514" and set(names) <= {"answered", "MemoryError", "InputError", "Undecided", "DomainError"}
+    assert "MemoryError" in names[1:] and (names[0] == "MemoryError" or margin > 10)  # the first one by FLINT and GMP
