@@ -26,10 +26,7 @@ Rational divisor(std::string_view text) {
   return d;
 }
 
-}  // namespace
-
-Angle parse_angle(std::string_view text) {
-  text = trimmed(text);
+Angle any_angle(std::string_view text) {
   try {
     if (text.find('/') != text.rfind('/')) throw InputError("it divides twice");
     for (const std::string_view name : {"pi", "π"})
@@ -43,6 +40,16 @@ Angle parse_angle(std::string_view text) {
     throw InputError("\"" + abbreviated(text) +
                      "\" is not an angle such as pi/8, -31pi/40, 45deg or, in radians, 0.3927");
   }
+}
+
+}  // namespace
+
+Angle parse_angle(std::string_view text) {
+  text = trimmed(text);
+  const Angle angle = any_angle(text);
+  refuse_long_number(angle.half_turns, text);
+  refuse_long_number(angle.radians, text);
+  return angle;
 }
 
 }  // namespace phrame

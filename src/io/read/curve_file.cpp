@@ -164,6 +164,7 @@ NamedCurve read_curve(std::string_view text, const CurveLimits& limits) {
 
 NamedCurve read_curve(const JsonNode& node, const CurveLimits& limits) {
   require_curve(node);
+  refuse_long_numbers(node);
   return read_any_curve(node, limits);
 }
 
@@ -175,6 +176,7 @@ NamedPath read_path(std::string_view text, const CurveLimits& limits) {
 
 NamedPath read_path(const JsonNode& node, const CurveLimits& limits) {
   node.require(Kind::object, "an object");
+  refuse_long_numbers(node);
   const auto format = node.find("phrame");
   if (format && format->string() == "spline/1") return read_spline(node, limits);
   if (format && is_format_of_any_curve(format->string())) {
@@ -199,6 +201,7 @@ std::variant<NamedPath, NotNear> read_path_near(std::string_view text, const Rat
 std::variant<NamedPath, NotNear> read_path_near(const JsonNode& node, const Rational& epsilon,
                                                 const CurveLimits& limits) {
   node.require(Kind::object, "an object");
+  refuse_long_numbers(node);
   const std::string format = node.find("phrame") ? format_of(node) : "curve/1";
   std::optional<NearReading> near;
   if (format == "spline/1") near = read_spline_near(node, epsilon, limits);
@@ -216,6 +219,7 @@ NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) 
   const JsonValue document = parse_json_file(text, "curve file");
   const Node node(document);
   require_curve(node);
+  refuse_long_numbers(node);
   if (is_given_as_rational(node)) return rational_hodograph(node, limits);
   if (const auto points = node.find("control_points")) return read_bezier(node, *points, limits);
   const NamedCurve named = read_preimage_curve(node, limits);

@@ -3,11 +3,14 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/expression.hpp"
 #include "phrame/io/read/expression_token.hpp"
+#include "phrame/io/read/number.hpp"
 
 namespace phrame {
 
 Feedrate parse_feedrate(std::string_view text) {
-  const auto [speed, variable] = parse_expression(text);
+  ExpressionLimits limits;
+  limits.size.max_bits = most_number_bits;
+  const auto [speed, variable] = parse_expression(text, std::nullopt, limits);
   if (variable.empty() || variable == "s") return {speed, Feedrate::Of::arc_length};
   if (variable == "t") return {speed, Feedrate::Of::parameter};
   if (variable == "kappa" || variable == "κ") return {speed, Feedrate::Of::curvature};

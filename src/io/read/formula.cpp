@@ -155,7 +155,18 @@ Token FormulaParser::next_token() {
   return first_token(text_.substr(at_));
 }
 
+constexpr long most_bits_of_exponent = 4096;  // of what is one, perhaps
+
+/// What is a number again, so that 2^(10^9) has an exponent that is too large.
+std::optional<Rational> short_power(const std::optional<Rational>& base, const Rational& k) {
+  if (!base || denominator(k) != 1 || k < 0 || k * bits_of(*base) > most_bits_of_exponent)
+    return std::nullopt;
+  const auto n = static_cast<unsigned long>(static_cast<long>(numerator(k)));
+  return Rational(pow(numerator(*base), n), pow(denominator(*base), n));
+}
+
 void FormulaParser::raise(FormulaOperand& base, const FormulaOperand& exponent) {
+  std::optional<Rational> value;
   if (exponent.number) {
     const Rational& k = *exponent.number;
     if (numerator(abs(k)) > max_exponent || denominator(k) > max_exponent)
@@ -163,18 +174,18 @@ void FormulaParser::raise(FormulaOperand& base, const FormulaOperand& exponent) 
                                        "denominator are at most {}",
                                        abbreviated(to_string(k)), max_exponent));
     base.step = list_.power(base.step, k);
+    value = short_power(base.number, k);
   } else {
     const std::size_t log = base.is_e ? list_.number(1) : list_.make(FormulaOp::log, base.step);
     base.step = list_.make(FormulaOp::exp, list_.make(FormulaOp::multiply, exponent.step, log));
   }
-  base.number.reset();
+  base.number = std::move(value);
 }
 
 void FormulaParser::compute(char sign, FormulaOperand& left, const FormulaOperand& right) {
   if (sign == '^') return raise(left, right);
-  constexpr long most_bits = 4096;  // of what is an exponent, perhaps
-  const bool are_numbers =
-      left.number && right.number && bits_of(*left.number) + bits_of(*right.number) <= most_bits;
+  const bool are_numbers = left.number && right.number &&
+                           bits_of(*left.number) + bits_of(*right.number) <= most_bits_of_exponent;
   if (sign == '/') {
     if (right.number && *right.number == 0) fail(right.begin, "division by zero");
     left.step = list_.make(FormulaOp::divide, left.step, right.step);

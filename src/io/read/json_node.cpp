@@ -88,11 +88,8 @@ Rational JsonNode::number() const {
 }
 
 void refuse_long_numbers(const JsonNode& node) {
-  if (node.is(JsonNode::Kind::object)) {
-    for (const std::string& key : node.keys())
-      if (key == "preimage" || key == "quaternions" || key == "hopf") return;
+  if (node.is(JsonNode::Kind::object))
     for (const std::string& key : node.keys()) refuse_long_numbers(node.at(key));
-  }
   if (node.is(JsonNode::Kind::array))
     for (std::size_t k = 0; k < node.size(); ++k) refuse_long_numbers(node.item(k));
   if (!node.is(JsonNode::Kind::number) && !node.is(JsonNode::Kind::string)) return;

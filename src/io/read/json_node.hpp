@@ -50,8 +50,7 @@ class JsonNode {
   std::string pointer_;
 };
 
-/// Throws InputError at the first number in it that refuse_long_number() refuses, but for preimages
-/// of PH curves, which take less algebra.
+/// Throws InputError at the first number in it that refuse_long_number() refuses.
 void refuse_long_numbers(const JsonNode& node);
 
 }  // namespace phrame

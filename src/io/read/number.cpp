@@ -50,4 +50,10 @@ void refuse_long_number(const Rational& x, std::string_view text) {
         fmt::format("the number {} has more than {} bits", abbreviated(text), most_number_bits));
 }
 
+Rational parse_short_number(std::string_view text) {
+  Rational x = parse_number(text);
+  refuse_long_number(x, text);
+  return x;
+}
+
 }  // namespace phrame

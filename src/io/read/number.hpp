@@ -17,10 +17,12 @@ std::string line_and_column(std::string_view text, std::size_t offset);
 /// "1e3/7"; blanks around it, and around the "/", do not matter. Throws InputError (no place).
 Rational parse_number(std::string_view text);
 
-/// Of a number in a curve that is given by points or polynomials: 1e6000 is short enough.
+/// Of a number in a curve, a profile, a feed rate or an angle: 1e6000 is short enough.
 inline constexpr long most_number_bits = 20'000;
 /// Throws InputError (no place) for one with more bits, whose algebra would take minutes;
 /// `text` is how it is written.
 void refuse_long_number(const Rational& x, std::string_view text);
+/// What parse_number() reads, and this does not refuse.
+Rational parse_short_number(std::string_view text);
 
 }  // namespace phrame

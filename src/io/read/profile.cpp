@@ -31,7 +31,7 @@ std::vector<Rational> numbers_of(std::string_view text) {
   std::vector<Rational> numbers;
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t comma = std::min(text.find(',', from), text.size());
-    numbers.push_back(parse_number(text.substr(from, comma - from)));
+    numbers.push_back(parse_short_number(text.substr(from, comma - from)));
     from = comma + 1;
   }
   return numbers;
@@ -236,7 +236,8 @@ std::optional<ProfileCurve> parse_profile_curve(std::string_view text) {
   const auto polygon = parse_profile(text);
   if (!polygon) return std::nullopt;
   const std::size_t colon = text.find(':');
-  if (text.substr(0, colon) == "circle") return circle_curve(parse_number(text.substr(colon + 1)));
+  if (text.substr(0, colon) == "circle")
+    return circle_curve(parse_short_number(text.substr(colon + 1)));
   return polygon_curve(*polygon);
 }
 

@@ -50,6 +50,47 @@ void check_ends(const ExpressionCurve& curve) {
                                 curve.variable(), ends, end_bits));
 }
 
+/// 2 to these is more than a number on the way may be, and more than coordinates and their
+/// derivatives by t; if all of the latter are less than 2 to the negative, that is too small.
+constexpr long most_step_exponent = 20'000;
+constexpr long most_curve_exponent = 1024;
+
+[[noreturn]] void refuse_size(const Rational& t, const std::string& what,
+                              const std::string& limit) {
+  throw DomainError(
+      fmt::format("{} at t = {}: what is computed with is {}", what, to_string(t), limit));
+}
+
+/// Of what is far larger or smaller the digits would take minutes and gigabytes. Looked for at both
+/// ends and in the middle.
+void require_sizes(const ExpressionCurve& curve) {
+  const auto& steps = curve.program().steps();
+  bool is_tiny = true;
+  for (const Rational& t : {Rational(0), Rational(1, 2), Rational(1)}) {
+    const RealBall a = constant_value(curve.from(), 64);
+    const RealBall span = subtract(constant_value(curve.to(), 64), a, 64);
+    const BallPolynomial s(std::vector<RealBall>{add_product(a, span, RealBall(t, 64), 64), span});
+    const auto values = evaluate_steps(steps, s, 2, 64);
+    const auto require = [&](std::size_t k, const RealBall& x, long most, const char* of) {
+      if (exponent_below(x) > most)
+        refuse_size(t,
+                    fmt::format("{}{} is at least 2^{}", of, step_texts(steps, curve.variable())[k],
+                                exponent_below(x)),
+                    fmt::format("less than 2^{}", most));
+    };
+    for (std::size_t k = 0; k < steps.size(); ++k)
+      require(k, values[k].coefficient(0), most_step_exponent, "");
+    for (const std::size_t k : curve.components()) {
+      require(k, values[k].coefficient(0), most_curve_exponent, "");
+      require(k, values[k].coefficient(1), most_curve_exponent, "the change of ");
+      is_tiny = is_tiny && exponent_above(values[k].coefficient(1)) < -most_curve_exponent;
+    }
+  }
+  if (is_tiny)
+    refuse_size(0, "the speed is less than 2^-1024 at the ends and in the middle,",
+                "at least that");
+}
+
 Vector<RealBall> values(const FormulaProgram& program, const ExactVector& v, long bits) {
   Vector<RealBall> result;
   for (std::size_t k = 0; k < 3; ++k) result[k] = constant_value(program, v[k], bits);
@@ -103,6 +144,7 @@ ExpressionCurve::ExpressionCurve(Vector<Formula> position, Formula from, Formula
   check_ends(*this);
   for (std::size_t k = 0; k < 3; ++k)
     components_[k] = program_.insert(position_[k], program_.variable());
+  require_sizes(*this);
   regular_parts(*this);
 }
 

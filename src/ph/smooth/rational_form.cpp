@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rational_function.hpp"
+#include "phrame/algebra/real.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/algebra/sturm.hpp"
 
@@ -13,9 +14,18 @@ namespace phrame {
 namespace {
 
 constexpr long most_degree = 400;
+constexpr long most_bits = 1L << 17;  // of a coefficient
 
 long degree_of(const RationalFunction& f) {
   return std::max(f.numerator().degree(), f.denominator().degree());
+}
+
+/// Of its longest coefficient.
+long size_of(const RationalFunction& f) {
+  long bits = 0;
+  for (const Polynomial* p : {&f.numerator(), &f.denominator()})
+    for (long k = 0; k <= p->degree(); ++k) bits = std::max(bits, bits_of(p->coefficient(k)));
+  return bits;
 }
 
 std::optional<RationalFunction> inverse_of(const RationalFunction& f) {
@@ -27,6 +37,7 @@ std::optional<RationalFunction> power_of(const RationalFunction& f, const Ration
   if (denominator(exponent) != 1) return std::nullopt;
   if (degree_of(f) * abs(exponent) > most_degree || abs(exponent) > most_degree)
     return std::nullopt;
+  if (size_of(f) * abs(exponent) > most_bits) return std::nullopt;
   const auto n = static_cast<long>(numerator(abs(exponent)));
   const RationalFunction power(pow(f.numerator(), n), pow(f.denominator(), n));
   return exponent.sign() < 0 ? inverse_of(power) : power;
@@ -62,7 +73,8 @@ std::optional<RationalFunction> rational_function(const Formula& f) {
   std::vector<RationalFunction> values;
   for (const Formula::Step& step : f.steps()) {
     auto value = value_of_step(step, values);
-    if (!value || degree_of(*value) > most_degree) return std::nullopt;
+    if (!value || degree_of(*value) > most_degree || size_of(*value) > most_bits)
+      return std::nullopt;
     values.push_back(*std::move(value));
   }
   return values.back();

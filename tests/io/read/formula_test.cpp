@@ -84,6 +84,7 @@ TEST_CASE("parse_formula: what is wrong is named, with its column") {
   CHECK(failure("s + 1)") == "column 6: there is no \"(\" for this \")\"");
   CHECK(failure("1/(2 - 2)") == "column 3: division by zero");
   CHECK(failure("s^1e9").substr(0, 35) == "column 3: the exponent 1000000000 i");
+  CHECK(failure("2^(10^9)*s").substr(0, 35) == "column 3: the exponent 1000000000 i");
   CHECK(failure("s²^3") == "column 3: one exponent after another: parentheses are needed");
   CHECK(failure("sin()") ==
         "column 5: \")\" where a number, a variable, a function or \"(\" is expected");

@@ -51,3 +51,26 @@ TEST_CASE("expression curve: directions agree up to a positive factor") {
   CHECK(agree(circle, expression_curve({"2*cos(3*s)", "2*sin(3*s)", "0"}, "0", "1")) == true);
   CHECK(agree(circle, expression_curve({"2*cos(3*s)", "-2*sin(3*s)", "0"}, "0", "1")) == false);
 }
+
+// s*2^(10^9) aborted where memory was short, the others took minutes.
+TEST_CASE("expression curve: what is too large or too small to compute with is refused at once") {
+  const auto refusal = [](const char* x, const char* y) {
+    try {
+      expression_curve({x, y, "0"}, "0", "1");
+    } catch (const DomainError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(refusal("s*2^(5*10^5*2)", "s") ==
+        "2^1000000 is at least 2^1000000 at t = 0: what is computed with is less than 2^20000");
+  CHECK(refusal("1.5^999999*s", "s").starts_with("(3/2)^999999 is at least 2^5849"));
+  CHECK(
+      refusal("exp(10^5*s*(1 - s))", "s").starts_with("exp(100000*s*(1 - s)) is at least 2^3606"));
+  CHECK(refusal("exp(exp(exp(30*s)))", "s").starts_with("exp(exp(30*s)) is at least 2^471"));
+  CHECK(
+      refusal("((((2^400)^400)^400)^400)*s", "s").starts_with("(2^400)^400 is at least 2^160000"));
+  CHECK(refusal("2^1100*sin(s)", "s").starts_with("the change of sin(s)*2^1100 is at least 2^11"));
+  CHECK(refusal("sin(s)*2^-2000", "s^2*2^-2000").starts_with("the speed is less than 2^-1024"));
+  CHECK(refusal("2^900*sin(s)", "2^-2000*s").empty());
+}
