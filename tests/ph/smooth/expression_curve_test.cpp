@@ -70,7 +70,8 @@ TEST_CASE("expression curve: what is too large or too small to compute with is r
   CHECK(refusal("exp(exp(exp(30*s)))", "s").starts_with("exp(exp(30*s)) is at least 2^471"));
   CHECK(
       refusal("((((2^400)^400)^400)^400)*s", "s").starts_with("(2^400)^400 is at least 2^160000"));
-  CHECK(refusal("2^1100*sin(s)", "s").starts_with("the change of sin(s)*2^1100 is at least 2^11"));
+  CHECK(
+      refusal("2^1100*sin(s)", "s").starts_with("the change of 2^1100*sin(s) is at least 2^1100"));
   CHECK(refusal("sin(s)*2^-2000", "s^2*2^-2000").starts_with("the speed is less than 2^-1024"));
   CHECK(refusal("2^900*sin(s)", "2^-2000*s").empty());
 }
