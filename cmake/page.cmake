@@ -14,6 +14,8 @@ if(NOT EXISTS ${made})
 endif()
 set(PHRAME_PAGE_TEMPLATE "${made}" CACHE FILEPATH "The page_template.cpp of another build (else by npm)")
 
+# A target that is looked at in each build, and that does nothing where the page is there and as its sources are: so
+# the page comes as soon as there is npm or a network, whatever ninja thinks of times.
 function(phrame_page target)
   if(PHRAME_BUILD_PAGE AND PHRAME_PAGE_TEMPLATE)
     target_sources(${target} PRIVATE ${PHRAME_PAGE_TEMPLATE})
@@ -21,24 +23,12 @@ function(phrame_page target)
     return()
   endif()
   set(source ${PROJECT_BINARY_DIR}/page/page_template.cpp)
-  set(npm)
-  if(PHRAME_BUILD_PAGE)
-    find_program(PHRAME_NPM npm)
-    find_program(PHRAME_NODE node)
-    if(PHRAME_NPM AND PHRAME_NODE)
-      set(npm ${PHRAME_NPM})
-    else()
-      message(STATUS "phrame page will not be there: it needs npm")
-    endif()
-  endif()
-  file(GLOB inputs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/page/*.mjs ${PROJECT_SOURCE_DIR}/page/*.json
-    ${PROJECT_SOURCE_DIR}/page/src/*)
-  add_custom_command(OUTPUT ${source} VERBATIM
+  add_custom_target(phrame_page VERBATIM
     COMMAND ${CMAKE_COMMAND} -D SOURCE_DIR=${PROJECT_SOURCE_DIR}/page -D BUILD_DIR=${PROJECT_BINARY_DIR}/page
-      -D OUTPUT=${source} -D NPM=${npm} -D NODE=${PHRAME_NODE}
-      -P ${PROJECT_SOURCE_DIR}/cmake/build_page.cmake
-    DEPENDS ${inputs} ${PROJECT_SOURCE_DIR}/cmake/build_page.cmake
-    COMMENT "Bundling the page")
+      -D OUTPUT=${source} -D WANTED=${PHRAME_BUILD_PAGE} -P ${PROJECT_SOURCE_DIR}/cmake/build_page.cmake
+    BYPRODUCTS ${source}
+    COMMENT "Looking after the page")
+  add_dependencies(${target} phrame_page)
   target_sources(${target} PRIVATE ${source})
   set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
