@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from pathlib import Path
 
@@ -41,10 +42,19 @@ def check_whole_lines(data, reference):
     require(not data or data.endswith(b"\n"), "the last line is not whole")
 
 
-def started(output, *arguments, wanted=100):
-    """A running batch whose output has this many lines."""
+def started(output, wanted=100):
+    """A running batch whose output has this many lines. It cannot finish: its last line never comes."""
     Path(output).unlink(missing_ok=True)
-    process = subprocess.Popen([PROGRAM, "batch", "lines", "-o", output, *arguments], stderr=subprocess.PIPE)
+    process = subprocess.Popen([PROGRAM, "batch", "-o", output], stdin=subprocess.PIPE, stderr=subprocess.PIPE)
+
+    def feed():
+        try:
+            process.stdin.write(Path("lines").read_bytes().rpartition(b"\n")[0] + b"\n")
+            process.stdin.flush()
+        except BrokenPipeError:  # it was interrupted
+            pass
+
+    threading.Thread(target=feed, daemon=True).start()
     while process.poll() is None and (not Path(output).exists() or Path(output).read_bytes().count(b"\n") < wanted):
         time.sleep(0.001)
     require(process.poll() is None, "finished before it could be interrupted")
@@ -129,29 +139,37 @@ def check_kill(reference):
     require(rest.stdout == b"" and rest.returncode == 0, "what was done is done again")
 
 
+# The worker of GNU parallel that is killed. The first one gets half of its lines, and then nothing: it cannot finish.
+WORKER = """#!/bin/sh
+mkdir taken 2>/dev/null || exec "$PHRAME_PROGRAM" "$@"
+mkfifo half
+exec 3<&0
+{ head -c 50000; cat >/dev/null; while test -e half; do sleep 0.05; done; } <&3 >half &
+echo $$ >named
+mv named worker
+exec "$PHRAME_PROGRAM" "$@" <half
+"""
+
+
 def check_parallel(reference):
     """The recipes of docs/cluster.md; -q since the program's path may have blanks."""
-    for command in ("parallel", "pgrep"):
-        if shutil.which(command) is None:
-            print(f"{command} is not installed: the recipe for GNU parallel is not tried, all else is right")
-            sys.exit(77)
-    recipe = f"parallel -q --pipe --block 100k --keep-order -j 2 '{PROGRAM}' batch --threads 1 <lines 2>/dev/null"
-    run = subprocess.run(recipe, shell=True, stdout=subprocess.PIPE)
+    if shutil.which("parallel") is None:
+        print("parallel is not installed: the recipe for GNU parallel is not tried, all else is right")
+        sys.exit(77)
+    recipe = "parallel -q --pipe --block 100k --keep-order -j 2 '{}' batch --threads 1 <lines 2>/dev/null"
+    run = subprocess.run(recipe.format(PROGRAM), shell=True, stdout=subprocess.PIPE)
     require(run.stdout == reference, "GNU parallel gives other bytes")
+    Path("first").write_text(WORKER)
+    Path("first").chmod(0o755)
     with open("out", "wb") as out:
-        process = subprocess.Popen(recipe, shell=True, stdout=out, start_new_session=True)
-        killed = False
-        while process.poll() is None and not killed:
-            workers = subprocess.run(["pgrep", "-s", str(process.pid), "-x", "phrame"], stdout=subprocess.PIPE)
-            for worker in workers.stdout.split()[:1]:
-                time.sleep(0.05)
-                try:
-                    os.kill(int(worker), signal.SIGKILL)
-                    killed = True
-                except ProcessLookupError:
-                    pass
+        process = subprocess.Popen(recipe.format("./first"), shell=True, stdout=out)
+        while process.poll() is None and not Path("worker").exists():
+            time.sleep(0.001)
+        require(process.poll() is None, "no worker was killed")
+        time.sleep(0.05)
+        os.kill(int(Path("worker").read_text()), signal.SIGKILL)
+        Path("half").unlink()
         process.wait()
-    require(killed, "no worker was killed")
     lost = len(set(reference.splitlines()) - set(Path("out").read_bytes().splitlines()))
     require(lost > 0, "the killed worker had nothing left to do")
     with open("out", "ab") as out:

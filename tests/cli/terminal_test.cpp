@@ -17,18 +17,6 @@ std::vector<std::string> names_of_commands(const Workshop& here) {
   return names;
 }
 
-/// The output of a shell script; the program's directory is in PATH, the working directory is ours.
-std::string output_of(const Workshop& here, const std::string& script) {
-  here.write("script", "PATH=$(dirname \"$PHRAME_PROGRAM\"):$PATH\n" + script);
-  const std::string command = "cd '" + here.file("").string() + "' && bash ./script >out 2>&1";
-  CHECK(std::system(command.c_str()) == 0);
-  return bytes_of(here.file("out"));
-}
-
-bool has_program(const std::string& name) {
-  return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
-}
-
 }  // namespace
 
 TEST_CASE("terminal: a misspelt command or option is answered with the one that was meant") {
@@ -360,26 +348,4 @@ TEST_CASE("terminal: zsh and fish read their scripts") {
     CHECK(contains(completed("phrame frames --frame rmf,m"), "rmf,mtf-exact "));
     CHECK(completed("phrame angle --dig") == "--digits ");
   }
-}
-
-TEST_CASE("terminal: who waits for more than a second sees what is done, on a terminal only") {
-  if (!has_program("script")) return;
-  const Workshop here;
-  here.write("doubles.json", bytes_of(root("/examples/curves/bezier-doubles.json")));
-  // What is read comes late.
-  const std::string seen = output_of(
-      here,
-      "mkfifo late later; (sleep 1.4; tee late < doubles.json > later) & "
-      "phrame angle later --near 1e-15 -o other 2> silent & "
-      "script -qec 'phrame angle late --near 1e-15 -o answer' /dev/null < /dev/null; wait");
-  const std::string clear = "\r\033[K";
-  CAPTURE(seen);
-  CHECK(seen.starts_with(clear + "angle: 1 s"));
-  // It is gone before anything else is written.
-  CHECK(contains(seen, clear + "phrame: "));
-  CHECK_FALSE(contains(seen.substr(seen.find("phrame: ")), clear));
-  CHECK(contains(bytes_of(here.file("answer")), "θ"));
-  const std::string silent = bytes_of(here.file("silent"));
-  CHECK(silent.starts_with("phrame: "));
-  CHECK_FALSE(contains(silent, "angle: "));
 }

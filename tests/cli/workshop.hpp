@@ -104,6 +104,18 @@ inline void check_failure(const Run& run, int status, std::string_view part) {
   CHECK(contains(run.err, part));
 }
 
+/// The output of a shell script; the program's directory is in PATH, the working directory is ours.
+inline std::string output_of(const Workshop& here, const std::string& script) {
+  here.write("script", "PATH=$(dirname \"$PHRAME_PROGRAM\"):$PATH\n" + script);
+  const std::string command = "cd '" + here.file("").string() + "' && bash ./script >out 2>&1";
+  CHECK(std::system(command.c_str()) == 0);
+  return bytes_of(here.file("out"));
+}
+
+inline bool has_program(const std::string& name) {
+  return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
+}
+
 /// Of `phrame page`: whether the program was built without npm, which what it needs is made with.
 inline bool has_no_pages(const Run& run) { return contains(run.err, "built without npm"); }
 

@@ -14,6 +14,7 @@
 #include "phrame/ph/frame/rmf_angle.hpp"
 #include "phrame/ph/smooth/smooth_path.hpp"
 #include "support/curves.hpp"
+#include "support/skip.hpp"
 #include "support/text.hpp"
 
 using namespace phrame;
@@ -137,6 +138,7 @@ TEST_CASE("page: frames that are given stand beside the exact ones, with their e
 TEST_CASE("page: its numbers are the table, and names are inert") {
   if (!has_pages()) {
     CHECK_THROWS_AS(to_page(page("")), DomainError);
+    test::skip("phrame was built without npm or a network, so that it writes no page");
     return;
   }
   const std::string name = "</script><!-- <b> & \"q\"";
