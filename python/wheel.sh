@@ -29,11 +29,13 @@ if ((${#pythons[@]} == 0)); then
 fi
 python/environment.sh "$work/tools" python/wheel-requirements.txt || fail 'its tools cannot be had (see above)'
 
+pip_of() { "$tools/python" -m pip --python "$@"; }  # PYTHON ARG…; none of its own is needed
+
 build() {  # PYTHON; sets wheel
   local python=$1 raw=$work/raw
   rm -rf "$raw"
   # One folder for all interpreters: the library, which knows nothing of Python, is compiled once.
-  "$python" -m pip wheel "${quiet[@]}" --no-deps --wheel-dir "$raw" \
+  pip_of "$python" wheel "${quiet[@]}" --no-deps --wheel-dir "$raw" --build-constraint python/build-constraints.txt \
     --config-settings=build-dir="$work/cmake" .
   rm -rf "$work/repaired"
   PATH=$tools:$PATH auditwheel repair --wheel-dir "$work/repaired" "$raw"/*.whl >"$work/repair.log" 2>&1 ||
@@ -65,7 +67,7 @@ try() {  # PYTHON WHEEL
   local python=$1 root=$work/root inside libraries enter
   rm -rf "$root"
   mkdir -p "$root/try" "$root/tmp"
-  "$python" -m pip install "${quiet[@]}" --prefer-binary --no-warn-conflicts --no-compile --target "$root/try" "$2" ||
+  pip_of "$python" install "${quiet[@]}" --prefer-binary --no-warn-conflicts --no-compile --target "$root/try" "$2" ||
     fail "$2 cannot be installed for $python"
   cp python/wheel_trial.py python/examples/quickstart.py "$root/try"
   fill_root "$python" "$root"
