@@ -74,10 +74,10 @@ void value(benchmark::State& state, const QuaternionPolynomial& a, Route route) 
 void add(const std::string& kind, const QuaternionPolynomial& a) {
   const std::pair<const char*, Route> routes[] = {
       {"auto", Route::automatic}, {"roots", Route::roots}, {"quadrature", Route::quadrature}};
-  for (const auto& [name, route] : routes)
+  for (const auto& named : routes)
     benchmark::RegisterBenchmark(
-        ("route/" + kind + "/" + name).c_str(),
-        [a, route = route](benchmark::State& state) { value(state, a, route); })
+        ("route/" + kind + "/" + named.first).c_str(),
+        [a, route = named.second](benchmark::State& state) { value(state, a, route); })
         ->Unit(benchmark::kMillisecond);
 }
 

@@ -23,12 +23,15 @@ function(phrame_page target)
     return()
   endif()
   set(source ${PROJECT_BINARY_DIR}/page/page_template.cpp)
-  add_custom_target(phrame_page VERBATIM
-    COMMAND ${CMAKE_COMMAND} -D SOURCE_DIR=${PROJECT_SOURCE_DIR}/page -D BUILD_DIR=${PROJECT_BINARY_DIR}/page
-      -D OUTPUT=${source} -D WANTED=${PHRAME_BUILD_PAGE} -P ${PROJECT_SOURCE_DIR}/cmake/build_page.cmake
-    BYPRODUCTS ${source}
-    COMMENT "Looking after the page")
-  add_dependencies(${target} phrame_page)
+  set(command ${CMAKE_COMMAND} -D SOURCE_DIR=${PROJECT_SOURCE_DIR}/page -D BUILD_DIR=${PROJECT_BINARY_DIR}/page
+    -D OUTPUT=${source} -D WANTED=${PHRAME_BUILD_PAGE} -P ${PROJECT_SOURCE_DIR}/cmake/build_page.cmake)
   target_sources(${target} PRIVATE ${source})
   set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  if(NOT PHRAME_BUILD_PAGE)
+    execute_process(COMMAND ${command} COMMAND_ERROR_IS_FATAL ANY)
+    return()
+  endif()
+  add_custom_target(phrame_page VERBATIM COMMAND ${command} BYPRODUCTS ${source}
+    COMMENT "Looking after the page")
+  add_dependencies(${target} phrame_page)
 endfunction()

@@ -34,8 +34,9 @@ TEST_CASE("argument: law: the sum over known roots, each term continuous by itse
     const Rational t = random.rational();
     constexpr long bits = 300;
     RealBall sum;
-    for (const auto& [x, y] : roots) {
-      const auto principal = [&, x = x, y = y](const Rational& at) {
+    for (const auto& root : roots) {
+      const auto principal = [&](const Rational& at) {
+        const auto& [x, y] = root;
         RealBall angle;
         arb_atan2(angle.raw(), RealBall(-y, bits).raw(), RealBall(at - x, bits).raw(), bits);
         return angle;

@@ -181,14 +181,15 @@ Construction unscaled(const QuarticAttempt& found, const ScaledData& units,
   };
   const bool is_exact = rule == PointRule::exact;
   for (std::size_t k = 0; k < data.segments(); ++k) {
-    const auto& [a, h, at] = found.segments[k];
+    const QuarticSegment& segment = found.segments[k];
     if (!is_exact && !(data.is_closed && k + 1 == data.segments())) {
-      add(found.segments[k]);
+      add(segment);
       continue;
     }
-    const Vector<Rational>& start = is_exact ? units.data.points[k] : at;
-    const auto [first, second] = of_segment(k, [&, &a = a, &h = h] {
-      return exact_halves(a, Rational(1 / h) * (units.data.points[k + 1] - start), p);
+    const Vector<Rational>& start = is_exact ? units.data.points[k] : segment.start;
+    const Rational& h = segment.h;
+    const auto [first, second] = of_segment(k, [&] {
+      return exact_halves(segment.a, Rational(1 / h) * (units.data.points[k + 1] - start), p);
     });
     add({first, h / 2, start});
     add({second, h / 2, start + Rational(h / 2) * integral(first)});

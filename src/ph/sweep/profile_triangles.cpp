@@ -213,8 +213,9 @@ void EarRing::join_hole(std::size_t first) {
 
 bool EarRing::is_ear(std::size_t node) const {
   if (turn_at(node) <= 0) return false;
-  const auto [i, j, k] = triangle_at(node);
-  return std::none_of(reflex_.begin(), reflex_.end(), [&, i = i, j = j, k = k](std::size_t other) {
+  const std::array<std::uint32_t, 3> triangle = triangle_at(node);
+  return std::none_of(reflex_.begin(), reflex_.end(), [&](std::size_t other) {
+    const auto [i, j, k] = triangle;
     const std::uint32_t p = corner_[other];
     if (p == i || p == j || p == k) return false;
     return signs_.turn(i, j, p) >= 0 && signs_.turn(j, k, p) >= 0 && signs_.turn(k, i, p) >= 0;
