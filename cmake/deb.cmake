@@ -4,7 +4,7 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME phrame)
 set(CPACK_PACKAGE_VENDOR "the phrame authors")
-set(CPACK_PACKAGE_CONTACT "the phrame authors <phrame@localhost>")  # dpkg insists on an address
+set(CPACK_PACKAGE_CONTACT "the phrame authors <phrame@localhost>")  # dpkg insists on an address; SECURITY.md has the way
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "exact rotation-minimizing frames of Pythagorean-hodograph curves")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -16,4 +16,15 @@ string(JOIN ", " CPACK_DEBIAN_PACKAGE_SUGGESTS  # for programs that use the libr
   g++ "cmake | pkgconf" libflint-dev "libflint-arb-dev | libflint-dev (>= 3)" libmpfr-dev libgmp-dev
   libboost-dev libfmt-dev libnlopt-dev)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+# Debian's copyright file, of LICENSE: its second paragraph says whose it is, the others what may be done.
+file(READ LICENSE licence)
+string(REGEX MATCH "Copyright \\(c\\) ([^\n]*)" copyright "${licence}")
+set(copyright ${CMAKE_MATCH_1})
+string(REGEX REPLACE "^.*${copyright}\n+" "" licence "${licence}")
+string(REGEX REPLACE "\n\n" "\n.\n" licence "${licence}")
+string(STRIP "${licence}" licence)
+string(REPLACE "\n" "\n " licence " ${licence}")
+configure_file(cmake/copyright.in copyright @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 include(CPack)
