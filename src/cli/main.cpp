@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,6 +12,8 @@
 
 #include "phrame/algebra/out_of_memory.hpp"
 #include "phrame/cli/command.hpp"
+#include "phrame/cli/help_text.hpp"
+#include "phrame/cli/terminal.hpp"
 #include "phrame/cli/usage.hpp"
 #include "phrame/io/write/failure.hpp"
 #include "phrame/io/write/text.hpp"
@@ -22,7 +25,9 @@ enum Status { done = 0, no = 1, bad_input = 2 };  // and those of a Failure
 
 /// One line, whatever a file or an option is called; silent, not fatal, where stderr is closed.
 int complain(std::string_view what, int status) {
-  std::fprintf(stderr, "phrame: %s\n", phrame::printable(what).c_str());
+  const std::string name = phrame::cli::styled("phrame:", phrame::cli::Emphasis::error,
+                                               phrame::cli::has_colour(STDERR_FILENO));
+  std::fprintf(stderr, "%s %s\n", name.c_str(), phrame::printable(what).c_str());
   return status;
 }
 
@@ -104,10 +109,19 @@ int run(int argc, char** argv) {
     throw phrame::InputError(wrong);
   try {
     app.parse(arguments(words));
-  } catch (const CLI::Success& success) {  // --help, --version
+  } catch (const CLI::CallForHelp&) {
+    const auto chosen = app.get_subcommands();
+    const phrame::cli::HelpStyle style{phrame::cli::line_width(),
+                                       phrame::cli::has_colour(STDOUT_FILENO)};
+    // A full or closed standard output is an error.
+    phrame::cli::write_output(
+        "-", chosen.empty() ? help_text(program, style)
+                            : help_text(*program.find(chosen.front()->get_name()), style));
+    return done;
+  } catch (const CLI::Success& success) {  // --version
     std::ostringstream text;
     app.exit(success, text, text);
-    phrame::cli::write_output("-", text.str());  // a full or closed standard output is an error
+    phrame::cli::write_output("-", text.str());
     return done;
   } catch (const CLI::ParseError& error) {
     return complain(phrame::cli::complaint(program, error), bad_input);

@@ -95,6 +95,12 @@ std::string options(const Command& command) {
   return text;
 }
 
+std::string restrictions(const Command& command) {
+  std::string text;
+  for (const std::string& sentence : command.restrictions()) text += literal(sentence) + "\n.PP\n";
+  return text;
+}
+
 /// Of man(1): without a date, so that a build can be repeated.
 std::string title(const std::string& name) {
   std::string upper = name;
@@ -113,8 +119,8 @@ std::string page_of(const Command& command) {
   return title(name) + heading("NAME") +
          fmt::format("{} \\- {}\n", literal(name), literal(command.what())) + heading("SYNOPSIS") +
          synopsis(command) + heading("OPTIONS") + options(command) + heading("NOTES") +
-         body(command.notes()) + heading("EXIT STATUS") + exit_status + heading("SEE ALSO") +
-         ".BR phrame (1)\n";
+         restrictions(command) + body(command.notes()) + heading("EXIT STATUS") + exit_status +
+         heading("SEE ALSO") + ".BR phrame (1)\n";
 }
 
 std::string page_of_program(const Program& program) {

@@ -12,11 +12,11 @@ std::string on_one_line(const std::string& text) {
   return line;
 }
 
-}  // namespace
-
-std::vector<ListedOption> listed_options(const Command& command) {
+/// `facts` says those of an option.
+template <class Facts>
+std::vector<ListedOption> options_of(const CLI::App& app, const Facts& facts) {
   std::vector<ListedOption> list;
-  for (const CLI::Option* option : command.app().get_options()) {
+  for (const CLI::Option* option : app.get_options()) {
     if (option->get_group().empty()) continue;
     ListedOption listed;
     for (const std::string& name : option->get_snames()) listed.names.push_back("-" + name);
@@ -26,7 +26,7 @@ std::vector<ListedOption> listed_options(const Command& command) {
     if (option->get_items_expected_max() > 0) listed.value = option->get_type_name();
     listed.what = on_one_line(option->get_description());
     listed.group = option->get_group();
-    listed.facts = command.facts(option->get_name());
+    listed.facts = facts(option->get_name());
     listed.takes_list = listed.value.ends_with(",...");
     listed.is_required = option->get_required();
     listed.takes_file =
@@ -40,6 +40,17 @@ std::vector<ListedOption> listed_options(const Command& command) {
   std::stable_sort(list.begin(), list.end(),
                    [&](const ListedOption& a, const ListedOption& b) { return rank(a) < rank(b); });
   return list;
+}
+
+}  // namespace
+
+std::vector<ListedOption> listed_options(const Command& command) {
+  return options_of(command.app(),
+                    [&](const std::string& option) { return command.facts(option); });
+}
+
+std::vector<ListedOption> listed_options(const Program& program) {
+  return options_of(program.app(), [](const std::string&) { return OptionFacts{}; });
 }
 
 }  // namespace phrame::cli

@@ -21,7 +21,9 @@ struct ListedOption {
   }
 };
 
-/// The visible ones: arguments, options that always apply, others.
+/// @{ The visible ones: arguments, options that always apply, others.
 std::vector<ListedOption> listed_options(const Command& command);
+std::vector<ListedOption> listed_options(const Program& program);
+/// @}
 
 }  // namespace phrame::cli

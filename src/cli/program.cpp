@@ -21,18 +21,6 @@ std::string alternatives(const std::vector<std::string>& choices) {
   return text;
 }
 
-/// The words in lines of at most `width` bytes each; no word is longer.
-std::string in_lines(std::string_view text, std::size_t width) {
-  std::string lines;
-  while (text.size() > width) {
-    const std::size_t end = text.rfind(' ', width);
-    if (end == std::string_view::npos) break;
-    lines += std::string(text.substr(0, end)) + "\n";
-    text.remove_prefix(end + 1);
-  }
-  return lines + std::string(text) + "\n";
-}
-
 /// The endings of files that say what is in them.
 const std::vector<std::pair<std::string, std::string>>& formats_by_ending() {
   static const std::vector<std::pair<std::string, std::string>> table{
@@ -46,15 +34,16 @@ const std::vector<std::pair<std::string, std::string>>& formats_by_ending() {
   return table;
 }
 
-/// "json" of "runs/x.JSON"; empty where the name ends in no ".letters".
+/// "json" of "runs/x.JSON", "3mf" of "x.3mf"; empty where the name ends in no "." with letters
+/// behind, as "run.1".
 std::string ending(const std::string& path) {
   const std::size_t name = path.rfind('/') + 1;  // npos + 1 is 0
   const std::size_t dot = path.rfind('.');
   if (dot == std::string::npos || dot <= name) return "";
   std::string result = path.substr(dot + 1);
   for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const bool is_word = !result.empty() &&
-                       std::isalpha(static_cast<unsigned char>(result[0])) != 0 &&
+  const bool is_word = std::any_of(result.begin(), result.end(),
+                                   [](unsigned char c) { return std::isalpha(c) != 0; }) &&
                        std::all_of(result.begin(), result.end(),
                                    [](unsigned char c) { return std::isalnum(c) != 0; });
   return is_word ? result : "";
@@ -64,12 +53,12 @@ std::string ending(const std::string& path) {
 /// files, meshes and surfaces of others.
 bool is_well_known(const std::string& end) {
   static const std::vector<std::string> names{
-      "html", "htm",  "h",    "hpp",   "v",    "jsonl", "pdf",  "ps",   "eps",  "svg",  "png",
-      "jpg",  "jpeg", "gif",  "bmp",   "tif",  "tiff",  "webp", "mp4",  "webm", "doc",  "docx",
-      "odt",  "rtf",  "epub", "md",    "xml",  "yaml",  "yml",  "toml", "xls",  "xlsx", "ods",
-      "tsv",  "npz",  "mat",  "h5",    "hdf5", "vtk",   "vtp",  "zip",  "gz",   "xz",   "zst",
-      "tar",  "tgz",  "iges", "igs",   "brep", "dxf",   "dwg",  "off",  "fbx",  "dae",  "usd",
-      "usda", "usdc", "usdz", "blend", "js",   "css",   "ipynb"};
+      "html", "htm",  "h",    "hpp",   "v",    "jsonl", "pdf",   "ps",   "eps",  "svg",  "png",
+      "jpg",  "jpeg", "gif",  "bmp",   "tif",  "tiff",  "webp",  "mp4",  "webm", "doc",  "docx",
+      "odt",  "rtf",  "epub", "md",    "xml",  "yaml",  "yml",   "toml", "xls",  "xlsx", "ods",
+      "tsv",  "npz",  "mat",  "h5",    "hdf5", "vtk",   "vtp",   "zip",  "gz",   "xz",   "zst",
+      "tar",  "tgz",  "iges", "igs",   "brep", "dxf",   "dwg",   "off",  "fbx",  "dae",  "usd",
+      "usda", "usdc", "usdz", "blend", "js",   "css",   "ipynb", "3mf",  "3ds",  "7z"};
   return std::find(names.begin(), names.end(), end) != names.end();
 }
 
@@ -99,22 +88,16 @@ CLI::Validator is_in(WholeNumbers range) {
 
 std::string Command::name() const { return app_.get_name(); }
 std::string Command::what() const { return app_.get_description(); }
-std::string Command::notes() const { return app_.get_footer(); }
 
-void Command::set_notes(const std::string& text) {
-  notes_ = text;
-  describe_restrictions();
-}
-
-void Command::describe_restrictions() {
+std::vector<std::string> Command::restrictions() const {
   std::map<std::vector<std::string>, std::vector<std::string>> options_by_choices;
   for (const auto& [option, facts] : facts_)
     if (!facts.without.empty()) options_by_choices[facts.without].push_back(option);
-  std::string text;
+  std::vector<std::string> sentences;
   for (const auto& [choices, options] : options_by_choices)
-    text += in_lines(
-        fmt::format("Not with {}: {}.", alternatives(choices), fmt::join(options, ", ")), 90);
-  app_.footer(text + notes_);
+    sentences.push_back(
+        fmt::format("Not with {}: {}.", alternatives(choices), fmt::join(options, ", ")));
+  return sentences;
 }
 
 void Command::add_argument(const std::string& argument, std::string& value,
@@ -216,7 +199,6 @@ void Command::not_with(const std::vector<std::string>& options,
     auto& without = facts_[option].without;
     without.insert(without.end(), choices.begin(), choices.end());
   }
-  describe_restrictions();
 }
 
 OptionFacts Command::facts(const std::string& option) const {
@@ -290,19 +272,14 @@ void Command::run() {
 }
 
 Program::Program(const std::string& name, const std::string& what, const std::string& notes)
-    : app_(std::make_unique<CLI::App>(what, name)) {
+    : app_(std::make_unique<CLI::App>(what, name)), notes_(notes) {
   app_->set_help_flag("-h,--help", "show this help");
   app_->option_defaults()->disable_flag_override();
-  app_->get_formatter()->label("SUBCOMMAND", "COMMAND");
-  app_->get_formatter()->label("Positionals", "Arguments");
-  app_->get_formatter()->label("REQUIRED", "(required)");
-  app_->footer(notes);
 }
 
 Program::~Program() = default;
 
 std::string Program::what() const { return app_->get_description(); }
-std::string Program::notes() const { return app_->get_footer(); }
 
 Command& Program::add(const std::string& name, const std::string& what) {
   CLI::App* app = app_->add_subcommand(name, what);

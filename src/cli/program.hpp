@@ -38,10 +38,12 @@ class Command {
   std::string name() const;
   /// In a line, for the list of commands.
   std::string what() const;
-  /// What the help says below the options.
-  /// The options that do not go with others come first.
-  std::string notes() const;
-  void set_notes(const std::string& text);
+  /// What the help says below the options: lines that may be filled, lines that begin with two
+  /// blanks as they are, and "Examples:".
+  const std::string& notes() const { return notes_; }
+  void set_notes(const std::string& text) { notes_ = text; }
+  /// "Not with --a or --b: --c, --d.", for all options that do not go with others.
+  std::vector<std::string> restrictions() const;
 
   // What can be given. Each `value` is written when the command line is read; until then it is the
   // default. `value_name` stands for it in the help: "FILE".
@@ -103,12 +105,11 @@ class Command {
   void choose_format() const;
   void check_ending() const;
   void describe_output();
-  void describe_restrictions();
 
   CLI::App& app_;  ///< within the program's
   std::map<std::string, OptionFacts> facts_;
   std::map<std::string, std::function<std::vector<std::string>()>> values_;  ///< of choices, now
-  std::string notes_;                                                        ///< as they were set
+  std::string notes_;
   std::string format_option_;
   std::string* format_ = nullptr;
   std::string* output_ = nullptr;
@@ -126,7 +127,7 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   std::string what() const;
-  std::string notes() const;
+  const std::string& notes() const { return notes_; }
 
   /// A new command; it lives as long as the program.
   Command& add(const std::string& name, const std::string& what);
@@ -141,6 +142,7 @@ class Program {
 
  private:
   std::unique_ptr<CLI::App> app_;
+  std::string notes_;
   std::vector<std::unique_ptr<Command>> commands_;
 };
 

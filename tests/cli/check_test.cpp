@@ -68,7 +68,7 @@ TEST_CASE("check: the findings name what is off, and by how much") {
   const Run offset = here.run("check quintic.json table --theta0 1/8 --tol 1e-9");
   CHECK(offset.status == 1);
   CHECK(contains(offset.out, "  - the frame is rotation-minimizing, to within "));
-  CHECK(contains(offset.out, " but starts at another angle: -0.1250000000 radians off\n"));
+  CHECK(contains(offset.out, " but starts at another angle: −0.1250000000 radians off\n"));
   const auto json =
       nlohmann::json::parse(here.run("check quintic.json table --theta0 1/8 --print json").out);
   CHECK(json["findings"][0]["kind"] == "constant-offset");

@@ -104,7 +104,7 @@ TEST_CASE("integrate: ends are pi, square roots and oo, too") {
   // log(π − 3), as a principal value minus log 3: mpmath.
   check_failure(here.run("integrate '1/(x-3)' --from 0 --to pi"), 3, "pole at 3");
   CHECK(contains(here.run("integrate '1/(x-3)' --from 0 --to pi --principal-value").out,
-                 "principal value of ∫ f dx from 0 to π\n    ≈ -3.0534132691645290\n"));
+                 "principal value of ∫ f dx from 0 to π\n    ≈ −3.0534132691645290\n"));
   CHECK(contains(here.run("integrate x --from 0 --to 'pi/4'").out, "from 0 to π/4\n"));
   check_failure(here.run("integrate x --from 0 --to 'sqrt(2)+sqrt(3)'"), 2,
                 "--to, column 9: square roots of two numbers");

@@ -5,10 +5,33 @@
 using namespace phrame;
 using namespace phrame::test;
 
+namespace {
+
+/// In containers there is often no pseudo-terminal. Nothing waits for ever, whatever fails.
+bool has_terminal() {
+  static const bool has =
+      std::system("timeout 20 script -qec true /dev/null </dev/null >/dev/null 2>&1") == 0;
+  if (!has) skip("there is no program script, or no pseudo-terminal for it");
+  return has;
+}
+
+}  // namespace
+
+TEST_CASE("progress: help has the terminal's width, and colours there") {
+  if (!has_terminal()) return;
+  const Workshop here;
+  const auto seen = [&](const std::string& command) {
+    return output_of(
+        here, "unset COLUMNS NO_COLOR; export TERM=xterm; timeout 20 script -qec 'stty cols 60; " +
+                  command + "' /dev/null < /dev/null | tr -d '\\r'");
+  };
+  CHECK(seen("NO_COLOR=1 phrame help info") == output_of(here, "COLUMNS=60 phrame help info"));
+  CHECK(seen("phrame help info") ==
+        output_of(here, "CLICOLOR_FORCE=1 COLUMNS=60 phrame help info"));
+}
+
 TEST_CASE("progress: who waits for more than a second sees what is done, on a terminal only") {
-  // In containers there is often no pseudo-terminal. Nothing waits for ever, whatever fails.
-  if (std::system("timeout 20 script -qec true /dev/null </dev/null >/dev/null 2>&1") != 0)
-    return skip("there is no program script, or no pseudo-terminal for it");
+  if (!has_terminal()) return;
   const Workshop here;
   here.write("doubles.json", bytes_of(root("/examples/curves/bezier-doubles.json")));
   // What is read comes late.

@@ -19,8 +19,8 @@ TEST_CASE("start: angle tells where a given normal makes it start") {
   CHECK(contains(run.out, "θ(0) = atan2(−3, −2)\n"));
   CHECK(contains(run.out, "f₂(0) is along (1, 2, −3), projected to the normal plane\n"));
   // By mpmath: atan2(-3, -2), and θ(1) of the paper, to 50 digits, more.
-  CHECK(contains(run.out, "-2.15879893034246417047693277226\n"));
-  CHECK(contains(run.out, "-1.87294240024412310847527650946\n"));
+  CHECK(contains(run.out, "−2.15879893034246417047693277226\n"));
+  CHECK(contains(run.out, "−1.87294240024412310847527650946\n"));
   const Run json = here.run("angle quintic.json --start-normal 1,2,-3 --print json");
   CHECK(Json::parse(json.out)["theta0"] == "atan2(-3, -2)");
   CHECK(Json::parse(json.out)["start_normal"] == Json{"1", "2", "-3"});
@@ -51,11 +51,11 @@ TEST_CASE("start: frames start there, and check compares with them") {
   CHECK(here.run("frames quintic.json --samples 7 --start-normal 1,2,-3 -o other.csv").status == 0);
   CHECK(here.run("check quintic.json other.csv --start-normal 1,2,-3 --tol 1e-15").status == 0);
   const Run pass = here.run("check quintic.json other.csv --start-normal 2,4,-6");
-  CHECK(contains(pass.out, "frame that starts with f2 along (2, 4, -6)\n"));
+  CHECK(contains(pass.out, "frame that starts with f2 along (2, 4, −6)\n"));
   // By mpmath, atan2(-3, -2) - pi/4.
   const Run off = here.run("check quintic.json other.csv --start-normal 0,0,1");
   CHECK(off.status == 1);
-  CHECK(contains(off.out, "starts at another angle: -2.944197094 radians off\n"));
+  CHECK(contains(off.out, "starts at another angle: −2.944197094 radians off\n"));
   const Json json =
       Json::parse(here.run("check quintic.json other.csv --start-normal 0,0,1 --print json").out);
   CHECK(json["start_normal"] == Json{"0", "0", "1"});

@@ -1,5 +1,11 @@
 // What is said to who types something wrong, and the documents that the program writes of itself.
+#include <fmt/format.h>
+
+#include <iterator>
+#include <regex>
+
 #include "cli/workshop.hpp"
+#include "phrame/io/write/passage.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -196,7 +202,7 @@ TEST_CASE("terminal: a multiple of pi that cancels the angle leaves an exact num
 TEST_CASE("terminal: the ending of -o chooses the format, and is refused where there is none") {
   const Workshop here;
   const std::string frames = "frames quintic.json --samples 3";
-  for (const char* ending : {"svg", "pdf", "txt", "xlsx"}) {
+  for (const char* ending : {"svg", "pdf", "txt", "xlsx", "3mf"}) {
     check_failure(here.run(frames + " -o x." + ending), 2,
                   "phrame: --output: \"x." + std::string(ending) + "\": \"." + ending +
                       "\" is no format of frames; --format csv writes csv there");
@@ -240,6 +246,39 @@ TEST_CASE("terminal: help, by command") {
     for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 110);
   }
   check_failure(here.run("help angle info"), 2, "\"info\" is one argument too many");
+}
+
+TEST_CASE("terminal: help is as wide as the terminal, and says the same at each width") {
+  const Workshop here;
+  const auto words = [](const std::string& text) {
+    std::istringstream in(text);
+    return std::vector<std::string>(std::istream_iterator<std::string>(in), {});
+  };
+  for (const std::string command : {"", "angle", "sweep"}) {
+    const std::string plain = output_of(here, "phrame help " + command);
+    for (const std::size_t width : {40UL, 60UL, 80UL, 110UL}) {
+      CAPTURE(width);
+      const std::string text =
+          output_of(here, fmt::format("COLUMNS={} phrame help {}", width, command));
+      CHECK(words(text) == words(plain));
+      std::istringstream lines(text);
+      // What stands behind two blanks in the notes, such as an example, is in one line always.
+      for (std::string line; std::getline(lines, line) && line != "Examples:";)
+        CHECK((text_width(line) <= width || line.starts_with("  {") || line.starts_with("   \"")));
+    }
+  }
+}
+
+TEST_CASE("terminal: no colours in files, nor with NO_COLOR; with CLICOLOR_FORCE anywhere") {
+  const Workshop here;
+  const std::string plain = output_of(here, "phrame help angle");
+  CHECK_FALSE(contains(plain, "\033"));
+  const std::string coloured = output_of(here, "CLICOLOR_FORCE=1 phrame help angle");
+  CHECK(contains(coloured, "\n\033[1;34mOptions:\033[0m\n"));
+  CHECK(std::regex_replace(coloured, std::regex("\033\\[[0-9;]*m"), "") == plain);
+  CHECK(output_of(here, "NO_COLOR=1 CLICOLOR_FORCE=1 phrame help angle") == plain);
+  CHECK(output_of(here, "CLICOLOR_FORCE=1 phrame angel 2>&1 || true")
+            .starts_with("\033[1;31mphrame:\033[0m \"angel\" is not a command"));
 }
 
 TEST_CASE("terminal: a manual page for the program and for each command") {

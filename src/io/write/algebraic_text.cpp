@@ -44,7 +44,7 @@ std::string formatted_multiple(const RealAlgebraic& x, std::string_view name, No
         in_parentheses("\\approx " + round_to_decimal(to_real(x), 8).value, notation));
   const Polynomial& p = x.polynomial();
   return fmt::format("{}·(the root of {} in {})", name, readable(formatted(p, notation, "x"), p),
-                     to_string(x.interval()));
+                     shown(x.interval()));
 }
 
 std::string cas_multiple(const RealAlgebraic& x, std::string_view name, Language language) {

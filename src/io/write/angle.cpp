@@ -24,9 +24,9 @@ constexpr auto below_label = "\n      ";
 
 std::string quotient(const RationalFunction& f) { return formatted_quotient(f, unicode); }
 
-/// In LaTeX with the constant.
+/// In LaTeX with the constant; in text "0" where θ is one.
 std::string closed_form(const AngleFormula& formula, Notation notation,
-                        const std::string& constant = " + C") {
+                        const std::string& constant = "C") {
   if (const auto* radicals = std::get_if<RadicalForm>(&formula.other))
     return notation == unicode ? indented(to_text(*radicals), below_label)
                                : to_latex(*radicals, "t", "z", constant);
@@ -41,13 +41,15 @@ std::string closed_form(const AngleFormula& formula, Notation notation,
                           : fmt::format("\\arg\\left({}\\right)", formatted(*g, latex)));
   }
   return notation == unicode ? formatted_sum(terms, below_label, unicode)
-                             : formatted_sum(terms, " ", latex) + constant;
+                             : with_constant(formatted_sum(terms, " ", latex), constant);
 }
 
-std::string formula_text(const AngleFormula& formula, std::string_view rate) {
+/// `start` is what is said of a θ that is constant.
+std::string formula_text(const AngleFormula& formula, std::string_view rate,
+                         const std::string& start) {
   const std::string form = closed_form(formula, unicode);
-  return fmt::format("  θ′ = {}{}\n  θ  = {}{}\n", rate, quotient(formula.rate), form,
-                     form == "0" ? "" : below_label + std::string("+ constant"));
+  return fmt::format("  θ′ = {}{}\n  θ  = {}\n", rate, quotient(formula.rate),
+                     form == "0" ? start : form + below_label + "+ constant");
 }
 
 /// How the frame is turned.
@@ -83,7 +85,8 @@ std::string curve_text(const AngleAnswer& answer) {
       "\nThe rotation-minimizing frame is the {} frame turned by θ about the tangent:\n",
       erf ? "Euler–Rodrigues" : "Frenet");
   text += turning_text(answer);
-  text += formula_text(formula, erf ? "−2h/σ = " : "−2h/σ + Im(g′/g) = ");
+  text +=
+      formula_text(formula, erf ? "−2h/σ = " : "−2h/σ + Im(g′/g) = ", shown(answer.start_angle));
   text += "  Checked: the derivative of this θ is θ′, exactly.\n";
   if (formula.poles) text += to_text(*formula.poles);
   return text;
@@ -104,13 +107,13 @@ std::string spline_text(const AngleAnswer& answer) {
   for (std::size_t k = 0; k < answer.formulas.size(); ++k) {
     text += fmt::format("Segment {}\n", k + 1);
     if (const auto& g = answer.formulas[k].bend) text += fmt::format("  g = {}\n", readable(*g));
-    text += formula_text(answer.formulas[k], "");
+    text += formula_text(answer.formulas[k], "", "constant");
   }
   text += "Checked: the derivative of each θ is θ′, exactly.\n\n";
-  text += fmt::format("  total angle {} {}\n", relation(*answer.total), answer.total->value);
+  text += fmt::format("  total angle {} {}\n", relation(*answer.total), shown(*answer.total));
   if (answer.holonomy)
     text += fmt::format("  holonomy {} {}: the frame comes back turned by this about the tangent\n",
-                        relation(*answer.holonomy), answer.holonomy->value);
+                        relation(*answer.holonomy), shown(*answer.holonomy));
   return text;
 }
 
@@ -167,7 +170,7 @@ std::string to_latex(const AngleAnswer& answer) {
     const std::string theta = "\\theta" + index;
     text += fmt::format("{}{}'(t) &= {} \\\\\n{}(t) &= {}", k == 0 ? "" : " \\\\\n", theta,
                         formatted_quotient(formula.rate, latex), theta,
-                        closed_form(formula, latex, " + C" + index));
+                        closed_form(formula, latex, "C" + index));
   }
   if (!(answer.start_angle == FrameAngle()))
     text += fmt::format(" \\\\\n\\theta(0) &= {}", formatted(answer.start_angle, latex));

@@ -24,7 +24,7 @@ std::string lower(const RealBall& x, long digits = 6) {
 template <class T>
 std::string brief(const T& x) {
   constexpr std::size_t limit = 40;
-  return readable_exact(to_string(x), limit);
+  return readable_exact(with_minus_sign(to_string(x)), limit);
 }
 
 /// "0.2858565" for a ball, and a bound of what it is off: half a unit of the tenth digit, at most,
@@ -41,7 +41,7 @@ std::string shown(const RealBall& x) {
   return is_tiny
              ? "0 ± " +
                    upper_bound_text(std::max(Rational(abs(x.lower())), Rational(abs(x.upper()))))
-             : rounded(x).value;
+             : shown(rounded(x));
 }
 
 /// The name of a kind in JSON.
@@ -162,8 +162,9 @@ std::string places(const FrameFinding& finding, const std::vector<GivenFrame>& f
   };
   constexpr std::size_t few = 8;
   if (samples.size() <= few) return all(brief(t));
-  return passage(all(to_string(t)), fmt::format(" at {} samples, the first is {}, t = {} …",
-                                                samples.size(), samples[0], abridged(brief(t))));
+  return passage(all(with_minus_sign(to_string(t))),
+                 fmt::format(" at {} samples, the first is {}, t = {} …", samples.size(),
+                             samples[0], abridged(brief(t))));
 }
 
 }  // namespace

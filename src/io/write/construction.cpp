@@ -61,7 +61,7 @@ std::string energy_words(double energy, Notation notation) {
   if (!std::isfinite(energy)) return formula("∞", notation);
   const Decimal rounded = round_to_decimal(exact_rational(energy), 6);
   return notation == Notation::latex ? formula(latex_decimal(rounded.value), notation)
-                                     : rounded.value;
+                                     : shown(rounded);
 }
 
 JsonOutput energy_json(double energy) {
@@ -167,7 +167,7 @@ Value length_value(const ConstructionAnswer& answer) {
   const auto words = [&](Notation notation) {
     constexpr long digits = 12;
     const Decimal rounded = round_to_decimal(length(answer), digits);
-    return notation == Notation::latex ? in_words(rounded, notation) : "≈ " + rounded.value;
+    return notation == Notation::latex ? in_words(rounded, notation) : "≈ " + shown(rounded);
   };
   constexpr long digits_of_doubles = 17;
   return {Value::Words(words), [&] { return decimal(length(answer), digits_of_doubles); }};
@@ -242,7 +242,9 @@ Fields fields(const ConstructionAnswer& answer) {
 /// The segments with their angles, lengths and energies.
 std::string segment_table(const ConstructionAnswer& answer) {
   const bool have_angles = answer.segments.front().angles.has_value();
-  const auto angle_text = [](const Angle& angle) { return decimal(to_real(angle), 6); };
+  const auto angle_text = [](const Angle& angle) {
+    return shown(round_to_decimal(to_real(angle), 6));
+  };
   std::string head = fmt::format("\n  {:>7}", "segment");
   if (have_angles) head += fmt::format("  {:>11}  {:>11}", "Δ", "φ");
   head += fmt::format("  {:>12}  {:>12}\n", "length", "∫ κ² ds");

@@ -41,7 +41,7 @@ std::string to_text(const PathEnd& end) {
   const auto& a = std::get<RealAlgebraic>(end);
   const Polynomial& p = a.polynomial();
   return fmt::format("the root of {} in {}", readable(formatted(p, Notation::unicode, "x"), p),
-                     to_string(a.interval()));
+                     shown(a.interval()));
 }
 
 std::string to_latex(const PathEnd& end) {

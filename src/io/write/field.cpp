@@ -59,7 +59,7 @@ std::string in_words(const Vector<Rational>& v, Notation notation) {
 }
 
 std::string in_words(const Decimal& x, Notation notation) {
-  if (notation == unicode) return x.value;
+  if (notation == unicode) return shown(x);
   return fmt::format("${}{}$", x.radius == "0" ? "" : "\\approx ", latex_decimal(x.value));
 }
 

@@ -97,6 +97,11 @@ std::string formatted_multiple(const Rational& c, std::string_view name, Notatio
                      times, name, denominator(c).str());
 }
 
+std::string with_constant(const std::string& sum, std::string_view constant) {
+  if (constant.empty()) return sum;
+  return sum == "0" ? std::string(constant) : fmt::format("{} + {}", sum, constant);
+}
+
 std::string latex_decimal(const std::string& decimal) {
   const auto e = decimal.find('e');
   if (e == std::string::npos) return decimal;

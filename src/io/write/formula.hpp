@@ -30,6 +30,8 @@ std::string formatted(const Rational& x, Notation notation);
 std::string in_parentheses(std::string_view text, Notation notation);
 /// c times a number with a name: "√2", "−3π/4".
 std::string formatted_multiple(const Rational& c, std::string_view name, Notation notation);
+/// "x + C", and "C" where the sum is "0"; without a constant the sum.
+std::string with_constant(const std::string& sum, std::string_view constant);
 /// A decimal, "1.5e-12", as `1.5 \cdot 10^{-12}`.
 std::string latex_decimal(const std::string& decimal);
 /// "1/3", "−3π/4", "1/3 + π/4".

@@ -26,7 +26,7 @@ Value places(const std::vector<Decimal>& parameters) {
   const auto rows = [&](Notation notation) {
     std::vector<std::string> list;
     for (const Decimal& t : parameters)
-      list.push_back(notation == Notation::unicode ? "at $t = $" + t.value
+      list.push_back(notation == Notation::unicode ? "at $t = $" + shown(t)
                                                    : "at $t \\approx " + t.value + "$");
     return list;
   };

@@ -38,9 +38,9 @@ std::string text_form(const IntegralAnswer& answer) {
 
 std::string latex_form(const IntegralAnswer& answer) {
   const auto* radicals = std::get_if<RadicalForm>(&answer.other);
-  if (!radicals) return closed_form(answer, latex, " ") + " + C";
+  if (!radicals) return with_constant(closed_form(answer, latex, " "), "C");
   const Letters letters = letters_for(answer.variable, latex);
-  return to_latex(*radicals, letters.variable, letters.pole, " + C");
+  return to_latex(*radicals, letters.variable, letters.pole, "C");
 }
 
 /// Why the sums over roots are what they are.
@@ -109,11 +109,12 @@ std::string value_text(const DefiniteValue& definite, const IntegralAnswer& answ
   if (definite.exact) {
     const std::string exact =
         formatted_sum(formatted_terms(*definite.exact, unicode), " ", unicode);
-    if (is_decimal && exact == definite.value.value) return text + fmt::format("    = {}\n", exact);
+    if (is_decimal && exact == shown(definite.value))
+      return text + fmt::format("    = {}\n", exact);
     text += fmt::format("    = {}\n", readable_exact(exact));
   }
   return text + fmt::format("    {} {}\n    {} to {}\n", is_decimal ? "=" : "≈",
-                            wrapped(definite.value.value, 6), "correctly rounded",
+                            with_minus_sign(wrapped(definite.value.value, 6)), "correctly rounded",
                             counted(static_cast<std::size_t>(answer.digits), "digit"));
 }
 

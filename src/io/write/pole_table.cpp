@@ -40,11 +40,11 @@ std::string to_text(const PoleTable& table) {
     return "\n  " + passage("", fmt::format("⟨{} poles and their residues⟩", table.poles)) + "\n";
   const std::vector<PoleTexts> texts = texts_of(table);
   std::vector<std::string> poles{"pole z"};
-  for (const PoleTexts& row : texts) poles.push_back(row.pole);
+  for (const PoleTexts& row : texts) poles.push_back(with_minus_sign(row.pole));
   poles = aligned(poles);
   std::string text = fmt::format("\n  {}   residue c(z)\n", poles.front());
   for (std::size_t k = 0; k < texts.size(); ++k)
-    text += fmt::format("  {}   {}\n", poles[k + 1], texts[k].residue);
+    text += fmt::format("  {}   {}\n", poles[k + 1], with_minus_sign(texts[k].residue));
   return text;
 }
 

@@ -186,7 +186,7 @@ std::string to_latex(const RadicalForm& F, std::string_view variable, std::strin
       roots += fmt::format(",\\quad {}_{{{}{}}} = {}", root, count, k + 1,
                            formatted(sum.roots[k], notation));
   }
-  return terms.text() + std::string(constant) + roots;
+  return with_constant(terms.text(), constant) + roots;
 }
 
 std::string to_cas(const std::vector<RadicalSum>& logs, const RadicalNotation& notation,

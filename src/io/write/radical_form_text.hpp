@@ -9,7 +9,7 @@ namespace phrame {
 /// another.
 std::string to_text(const RadicalForm& F, std::string_view variable = "t",
                     std::string_view root = "z");
-/// The same on one line, without dollar signs; the roots stand at the end, after `constant`.
+/// The same on one line, without dollar signs; the roots stand at the end, after the constant.
 std::string to_latex(const RadicalForm& F, std::string_view variable = "t",
                      std::string_view root = "z", std::string_view constant = "");
 /// The logarithms on one line for a computer-algebra system, all of them written out and complex:

@@ -22,7 +22,7 @@ std::string equals(const Decimal& x) { return x.radius == "0" ? "=" : "≈"; }
 /// "π/4", "0.7854".
 std::string start_text(const SmoothAngleAnswer& answer) {
   const auto* angle = std::get_if<Angle>(&answer.start);
-  return angle != nullptr ? shown(FrameAngle(*angle)) : answer.start_angle.value;
+  return angle != nullptr ? shown(FrameAngle(*angle)) : shown(answer.start_angle);
 }
 
 std::string frame_text(const SmoothAngleAnswer& answer) {
@@ -80,10 +80,10 @@ JsonOutput json_of(const SmoothAngleAnswer& answer) {
 
 std::string to_text(const SmoothAngleAnswer& answer) {
   std::string text = heading(answer.path) + "\n\n" + frame_text(answer) + "\n" + rate_text(answer);
-  text += fmt::format("\n  total angle {} {}\n", equals(answer.total), answer.total.value);
+  text += fmt::format("\n  total angle {} {}\n", equals(answer.total), shown(answer.total));
   if (answer.holonomy)
     text += fmt::format("  holonomy {} {}: the frame comes back turned by this about the tangent\n",
-                        equals(*answer.holonomy), answer.holonomy->value);
+                        equals(*answer.holonomy), shown(*answer.holonomy));
   if (!answer.no_holonomy.empty())
     text += fmt::format("  holonomy undecided: {}\n", answer.no_holonomy);
   return answer.values.empty() ? text : text + value_table(answer.values, answer.digits);

@@ -10,6 +10,7 @@ namespace phrame {
 namespace {
 
 constexpr std::size_t longest_line = 240;
+constexpr std::size_t longest_number = 72;
 constexpr std::size_t longest_fraction = 20;  // digits without a decimal beside them
 
 bool is_bearable(std::string_view text) { return text_width(text) <= longest_line; }
@@ -33,7 +34,7 @@ bool is_long_fraction(const Rational& x) {
 
 /// "x ≈ 0.5", "x = 0.5".
 std::string with_decimal(const std::string& x, const Decimal& rounded) {
-  return fmt::format("{} {} {}", x, rounded.radius == "0" ? "=" : "≈", rounded.value);
+  return fmt::format("{} {} {}", x, rounded.radius == "0" ? "=" : "≈", shown(rounded));
 }
 
 /// A passage where the text is longer than that; passages in it become part of that one.
@@ -43,8 +44,23 @@ std::string within(std::size_t limit, const std::string& text) {
   return passage(for_reading(text, true), abbreviated(brief, limit));
 }
 
+/// "12345678…23456789" where n ≥ 0 is longer than that.
+std::string ends_of(const std::string& n) {
+  constexpr std::size_t kept = 8;
+  return n.size() <= 2 * kept + 1 ? n : n.substr(0, kept) + "…" + n.substr(n.size() - kept);
+}
+
+/// Where it is longer than that a passage that says how many digits it has.
 std::string number_within(std::size_t limit, const Rational& x) {
-  return within(limit, formatted(x, Notation::unicode));
+  const std::string full = formatted(x, Notation::unicode);
+  if (text_width(full) <= limit) return full;
+  const std::string above = abs(numerator(x)).str();
+  const std::string below = denominator(x).str();
+  const std::string sign = x < 0 ? "−" : "";
+  return passage(full, denominator(x) == 1
+                           ? fmt::format("{}{} ({} digits)", sign, ends_of(above), above.size())
+                           : fmt::format("{}{}/{} ({}/{} digits)", sign, ends_of(above),
+                                         ends_of(below), above.size(), below.size()));
 }
 
 std::string summary(long degree, std::size_t digits) {
@@ -142,10 +158,23 @@ std::string shown(const Vector<Rational>& v) {
 std::string shown(const Polynomial& p) { return readable(formatted(p, Notation::unicode), p); }
 
 std::string shown(const Real& x, const Decimal& rounded) {
-  if (!x.exact()) return rounded.value;
-  const std::string text = number_within(longest_line, *x.exact());
+  if (!x.exact()) return shown(rounded);
+  const std::string text = number_within(longest_number, *x.exact());
   return is_long_fraction(*x.exact()) ? with_decimal(text, rounded) : text;
 }
+
+std::string shown(const Interval& interval) {
+  std::string text = to_string(interval);
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at))
+    text.replace(at, 1, "−");
+  return text;
+}
+
+std::string with_minus_sign(const std::string& decimal) {
+  return decimal.starts_with('-') ? "−" + decimal.substr(1) : decimal;
+}
+
+std::string shown(const Decimal& x) { return with_minus_sign(x.value); }
 
 std::string counted(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");

@@ -31,6 +31,11 @@ std::string readable(const GaussianPolynomial& g);
 std::string readable(const SurdPolynomial& p, std::string_view variable);
 /// @}
 
+/// @{ A decimal for reading: its minus sign is that of formulas.
+std::string with_minus_sign(const std::string& decimal);
+std::string shown(const Decimal& x);
+/// @}
+
 /// A number in closed form, a passage where it is longer than `limit`: by default what a screen can
 /// bear.
 std::string readable_exact(const std::string& text, std::size_t limit = 4000);
@@ -41,10 +46,10 @@ std::string counted(std::size_t count, std::string_view noun);
 std::string name_prefix(const std::string& name);
 /// "  label      value", the values below each other.
 std::string row(std::string_view label, const std::string& value, std::size_t width);
-/// x, a passage where it is longer than `limit`; beside a fraction of more than 20 digits above or
-/// below the line stands its decimal, correctly rounded: "123456789012345678901/7 ≈
-/// 1.76366841446e19".
-std::string shown(const Rational& x, std::size_t limit = 240);
+/// x, a passage where it is longer than `limit`: "12345678…23456789/33333333…33333333 (300/301
+/// digits)". Beside a fraction of more than 20 digits above or below the line stands its decimal,
+/// correctly rounded: "123456789012345678901/7 ≈ 1.76366841446e19".
+std::string shown(const Rational& x, std::size_t limit = 72);
 /// @{ For reading, numbers in it as above: "1/3 + π/4", "(1, 0, 2/3)", "t² − 1".
 std::string shown(const FrameAngle& x);
 std::string shown(const Vector<Rational>& v);
@@ -52,6 +57,7 @@ std::string shown(const Polynomial& p);
 /// @}
 /// x where it is exact, and the decimal it was rounded to where it is not or is a long fraction.
 std::string shown(const Real& x, const Decimal& rounded);
+std::string shown(const Interval& interval);
 /// A place: "1/2", "0.707106781187…", cut off and not rounded.
 std::string shown(const RealAlgebraic& x);
 

@@ -145,8 +145,8 @@ std::string to_text(const Row& row, bool is_curve) {
   const std::string exact = exact_text(row, unicode);
   if (!exact.empty()) text += fmt::format("    = {}\n", readable_exact(exact));
   const Decimal& value = *row.value;
-  if (value.value != exact)
-    text += fmt::format("    {} {}\n", value.radius == "0" ? "=" : "≈", value.value);
+  if (shown(value) != exact)
+    text += fmt::format("    {} {}\n", value.radius == "0" ? "=" : "≈", shown(value));
   return text;
 }
 

@@ -30,7 +30,7 @@ Fields fields(const MinimalTwistAnswer& answer) {
   const auto length = [&answer](Notation notation) {
     const auto exact = answer.length.exact();
     if (notation == Notation::unicode)
-      return exact ? "= " + shown(*exact) : "≈ " + answer.rounded_length.value;
+      return exact ? "= " + shown(*exact) : "≈ " + shown(answer.rounded_length);
     return exact ? in_words(*exact, notation) : in_words(answer.rounded_length, notation);
   };
   const Field length_field{"length", "length $S$", {Value::Words(length), [&answer] {

@@ -14,7 +14,7 @@ std::string in_words(Monotone monotone) {
 }
 
 std::string decimal(const std::string& x, Notation notation) {
-  return notation == Notation::latex ? latex_decimal(x) : x;
+  return notation == Notation::latex ? latex_decimal(x) : with_minus_sign(x);
 }
 
 /// With its unit, where it is not 0.
@@ -163,7 +163,8 @@ Fields fields(const TwistPieceAnswer& piece, const Unit& unit) {
 
 /// "0", "3/7", or eight digits.
 std::string place(const Rational& t) {
-  return to_string(t).size() < 9 ? to_string(t) : round_to_decimal(t, 8).value;
+  const std::string exact = to_string(t);
+  return with_minus_sign(exact.size() < 9 ? exact : round_to_decimal(t, 8).value);
 }
 
 /// A line for each reason why pieces are not proved to be the best, and where.

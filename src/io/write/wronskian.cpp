@@ -39,7 +39,7 @@ Value polynomial_value(const Polynomial& p, std::string_view variable) {
 }
 
 std::string latex_size(const std::string& x, Notation notation) {
-  return notation == Notation::latex ? latex_decimal(x) : x;
+  return notation == Notation::latex ? latex_decimal(x) : with_minus_sign(x);
 }
 
 Value size_value(const ErrorSize& x, const std::string& unit) {
@@ -147,7 +147,7 @@ Fields best_fields(const WronskianAnswer& answer) {
                       "common zero of a, b",
                       {Value::Words([zero](Notation notation) {
                          const std::string text = offset(*zero, notation);
-                         return formula("t = " + to_string(*zero), notation) +
+                         return formula("t = " + formatted(*zero, notation), notation) +
                                 ", the frame is that of " + formula("a/" + text, notation) + ", " +
                                 formula("b/" + text, notation);
                        }),
@@ -172,7 +172,7 @@ Fields pair_fields(const WronskianAnswer& answer) {
     if (const auto& zero = answer.real[answer.best].basis.zero)
       powers = offset(*zero, notation) + (is_latex ? "^2 " : "²") + text + (is_latex ? "^4" : "⁴");
     return formula(is_latex ? fmt::format("\\approx {} {}", latex_decimal(number), powers)
-                            : fmt::format("≈ {} {}", number, powers),
+                            : fmt::format("≈ {} {}", with_minus_sign(number), powers),
                    notation);
   };
   Fields fields{object_field(

@@ -151,7 +151,7 @@ TEST_CASE("curve info: the text shows what JSON does, factored") {
   CHECK(contains(text, "  ρ = 4|g|²           16(5t⁴ − 34t³ + 211t² − 186t + 45)\n"));
   CHECK(contains(text, "  r(1)                (1/15, 38/15, 17/5)\n"));
   CHECK(contains(text, "  length ∫₀¹ |f|σ     71/15\n"));
-  CHECK(contains(text, "  twist ∫₀¹ 2h/σ      -0.285856530098\n"));
+  CHECK(contains(text, "  twist ∫₀¹ 2h/σ      −0.285856530098\n"));
 }
 
 // The expected values were computed with more than 60 digits, independently (tests/data).

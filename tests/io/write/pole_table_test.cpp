@@ -27,7 +27,7 @@ TEST_CASE("pole table: a residue on an axis and a pole on an axis are proved to 
   // 2t/(t² + 2): the residues are 1.
   CHECK(table({0, 2}, {2, 0, 1}).find("0 ± 1.41421356237i   1.00000000000\n") != std::string::npos);
   // 1/(t² + t + 1): c = ∓i/√3 at z = (−1 ± i√3)/2.
-  CHECK(table({1}, {1, 1, 1}).find("-0.500000000000 ± 0.866025403784i   0 ∓ 0.577350269190i\n") !=
+  CHECK(table({1}, {1, 1, 1}).find("−0.500000000000 ± 0.866025403784i   0 ∓ 0.577350269190i\n") !=
         std::string::npos);
 }
 
@@ -35,7 +35,7 @@ TEST_CASE("pole table: proofs by counting hold where only some of the numbers li
   // t⁴ − 2: two real poles, two imaginary ones; c = z/8 for 1/(t⁴ − 2) as z³·z = 2.
   CHECK(table({1}, {-2, 0, 0, 0, 1}) ==
         "\n  pole z               residue c(z)\n"
-        "  -1.18920711500       -0.148650889375\n"
+        "  −1.18920711500       −0.148650889375\n"
         "  1.18920711500        0.148650889375\n"
         "  0 ± 1.18920711500i   0 ± 0.148650889375i\n");
   // t⁴ + 10t² + 1 and t⁴ + t + 1: all roots on the imaginary axis, none on it.
@@ -49,7 +49,7 @@ TEST_CASE("pole table: proofs by counting hold where only some of the numbers li
 TEST_CASE("pole table: a pole at 0 and rational poles") {
   // 1/(t(t − 2)) = −(1/2)/t + (1/2)/(t − 2).
   const std::string text = table({1}, {0, -2, 1});
-  CHECK(text.find("  0               -0.500000000000\n") != std::string::npos);
+  CHECK(text.find("  0               −0.500000000000\n") != std::string::npos);
   CHECK(text.find("  2.00000000000   0.500000000000\n") != std::string::npos);
 }
 
