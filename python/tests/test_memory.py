@@ -121,7 +121,9 @@ questions = [
     lambda: phrame.Curve.expressions("s*2^(10^8)", "s", "s^2", 0, 1).length,
     lambda: phrame.sweep(phrame.Curve([1, 2], [0, 1], [3], [1]), "circle:1", sections=10**6),
 ]
-phrame.Curve([1, 2], [0, 1], [3], [1]).angle().value(1, 50)  # the threads that there are from now on
+curve = phrame.Curve([1, 2], [0, 1], [3], [1])
+curve.angle().value(1, 50)
+curve.frames([k / 9999 for k in range(9999)])  # the threads that there are from now on: they allocate what is their own
 with open("/proc/self/statm") as file:
     used = int(file.read().split()[0]) * resource.getpagesize()
 resource.setrlimit(resource.RLIMIT_AS, (used + MARGIN, resource.RLIM_INFINITY))

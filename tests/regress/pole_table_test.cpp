@@ -16,7 +16,7 @@ TEST_CASE("pole table: a tiny component is not 0") {
   const std::string table =
       to_text(pole_table(RmfAngle(curve, Reference::euler_rodrigues).angle_to_erf(), 24).value());
   CAPTURE(table);
-  CHECK(table.find("-0.0453753717") != std::string::npos);
+  CHECK(table.find("−0.0453753717") != std::string::npos);
   CHECK(table.find(" ∓ 0.8794724536") != std::string::npos);
   CHECK(table.find(" ± 1.00000000000e-40i") != std::string::npos);
   CHECK(table.find(" 0 ") == std::string::npos);
