@@ -1,9 +1,12 @@
 // The page of a curve. All numbers come from the data, where phrame rounded them correctly; what is
 // computed here is where to draw them.
 import katex from 'katex';
+import { magnification, styles, turned } from './frames.js';
 import { drawPlots } from './plots.js';
 import { drawPoles } from './poles.js';
 import { makeScene } from './scene.js';
+import { svg } from './svg.js';
+import { brief, typeset, written } from './text.js';
 
 const data = JSON.parse(document.getElementById('data').textContent);
 const byId = (id) => document.getElementById(id);
@@ -28,10 +31,32 @@ const vector = (row, name) => {
   return v.includes(null) ? null : v;
 };
 const position = (row) => [row[column.x], row[column.y], row[column.z]];
-const written = (x) => (x === null || x === undefined ? '–' : String(x).replace('-', '−'));
 
-const colours = ['#d1495b', '#2e86ab', '#e59500', '#3c8d5a', '#8e5bb5', '#6f6a5f'];
-const frames = data.frames.map((frame, k) => ({ ...frame, colour: colours[k % colours.length] }));
+/** At rows that are joints: the columns that are another number just before, with that. */
+const jumps = new Map(data.jumps);
+
+// ---- the frames, and how those that were given are drawn: turned away from the exact one by their error, made greater
+const errors = column.error === undefined ? [] : rows.map((row) => row[column.error]);
+const worst = errors.reduce((most, x, k) => (Math.abs(x ?? 0) > Math.abs(errors[most] ?? 0) ? k : most), 0);
+let magnified = magnification(Math.abs(errors[worst] ?? 0));
+const frames = data.frames.map((frame) => ({
+  ...frame,
+  vectors(k) {
+    const row = rows[k];
+    if (frame.second !== 'g2') return [vector(row, frame.second), vector(row, frame.third)];
+    // No frame was given at rows between.
+    if (row[column.error] === null && vector(row, 'g2') === null) return undefined;
+    if (magnified === 1 || row[column.error] === null) return [vector(row, 'g2'), vector(row, 'g3')];
+    const [f2, f3] = [vector(row, 'f2'), vector(row, 'f3')];
+    const angle = magnified * row[column.error];
+    return [turned(f2, f3, angle), turned(f3, f2?.map((x) => -x), angle)];
+  },
+  before(k) {
+    const jump = jumps.get(k);
+    if (!jump || frame.second !== 'n' || !('nx' in jump || 'ny' in jump || 'nz' in jump)) return undefined;
+    return vector(rows[k].map((x, j) => (columns[j] in jump ? jump[columns[j]] : x)), 'n');
+  },
+}));
 
 // ---- the theme: that of the system until somebody chooses
 const dark = matchMedia('(prefers-color-scheme: dark)');
@@ -69,7 +94,6 @@ try {
     position,
     tangent: (row) => vector(row, 'e1'),
     frames,
-    vector,
     isClosed: data.closed,
   });
   listeners.push((name) => scene.setTheme(name));
@@ -78,24 +102,51 @@ try {
 }
 
 // ---- which frames are shown
-const switches = frames.map((frame, k) => {
+/** A piece of the ribbon's edge. */
+const swatch = (frame) => {
+  const { dash } = styles[frame.second];
+  const stroke = dash ? { 'stroke-dasharray': dash.map((x) => 1.2 * x).join(' ') } : {};
+  const box = svg('svg', { viewBox: '0 0 30 12', class: 'swatch', 'aria-hidden': 'true' }, [
+    svg('rect', { width: 30, height: 8, y: 4, fill: 'currentColor', 'fill-opacity': 0.45 }),
+    svg('line', { x2: 30, y1: 3, y2: 3, stroke: 'currentColor', 'stroke-width': 3, ...stroke }),
+  ]);
+  listeners.push((name) => (box.style.color = styles[frame.second][name]));
+  return box;
+};
+const box = (text, checked, change, ...before) => {
   const label = make('label');
-  const box = make('input', undefined, { type: 'checkbox' });
-  const swatch = make('i');
-  swatch.style.background = frame.colour;
-  label.append(box, swatch, frame.what);
+  const input = make('input', undefined, { type: 'checkbox' });
+  input.checked = checked;
+  input.addEventListener('change', () => change(input.checked));
+  label.append(input, ...before, text);
   byId('ribbons').append(label);
-  box.checked = frame.isShown = k === 0 || frame.shown === true;
-  box.addEventListener('change', () => {
-    frame.isShown = box.checked;
+  return input;
+};
+const switches = frames.map((frame, k) => {
+  frame.isShown = k === 0 || frame.shown === true;
+  const show = (checked) => {
+    frame.isShown = checked;
     scene?.update();
     showHere();
-  });
-  return box;
+  };
+  return box(frame.what, frame.isShown, show, swatch(frame));
 });
+if (errors.length) {
+  const [error, t] = [errors[worst], rows[worst][column.t]];
+  const off = `The given frame is off by up to ${brief(Math.abs(error ?? 0))} rad, at t = ${brief(t)}.`;
+  const times = magnified;
+  byId('error').textContent =
+    times === 1 ? off : `${off} So that it can be seen, its ribbon and arrows are drawn ${brief(times)} times as far away from the exact frame.`;
+  if (times !== 1)
+    box(`error × ${brief(times)}`, true, (checked) => {
+      magnified = checked ? times : 1;
+      scene?.reshape(frames.findIndex((frame) => frame.second === 'g2'));
+    });
+}
 
 // ---- the place on the curve
-const movePlots = drawPlots(byId('plots'), data.plots, rows, column, (k) => moveTo(k));
+const movePlots = drawPlots(byId('plots'), data.plots, rows, column, jumps, (k) => moveTo(k));
+byId('said-of-plots').textContent = data.said_of_plots;
 
 function showHere() {
   const row = rows[slider.valueAsNumber];
@@ -168,14 +219,29 @@ document.addEventListener('keydown', (event) => {
   event.preventDefault();
 });
 
-// ---- the closed form
+// ---- the closed form: an equation a line, which is broken between its terms where it is long
 const formula = byId('formula');
-for (const text of data.latex) {
-  const box = make('div', undefined, { class: 'wide' });
-  katex.render(text, box, { displayMode: true, throwOnError: false, strict: false, trust: false });
-  formula.append(box);
+const isWhole = (line) => line.split('\\begin{').length === line.split('\\end{').length;
+function equations(text) {
+  const lines = text
+    .trim()
+    .replace(/^\\begin\{align\*\}|\\end\{align\*\}$/g, '')
+    .split(' \\\\\n');
+  return lines.every(isWhole) ? lines.map((line) => line.replace('&=', '=').trim()) : null;
 }
-for (const sentence of data.said) formula.append(make('p', sentence));
+for (const text of data.latex)
+  for (const line of equations(text) ?? [text]) {
+    const wide = make('div', undefined, { class: 'wide equation' });
+    const isAlone = line !== text;
+    katex.render(isAlone ? `\\displaystyle ${line}` : line, wide, {
+      displayMode: !isAlone,
+      throwOnError: false,
+      strict: false,
+      trust: false,
+    });
+    formula.append(wide);
+  }
+for (const sentence of data.said) formula.append(make('p', typeset(sentence)));
 if (data.poles?.rows.length) {
   byId('poles').hidden = false;
   drawPoles(byId('poles'), data.poles);
@@ -185,7 +251,7 @@ if (data.poles?.rows.length) {
 for (const { title, text } of data.facts) {
   const box = make('details');
   if (byId('facts').children.length === 1) box.open = true;
-  box.append(make('summary', title), make('pre', text));
+  box.append(make('summary', title), make('pre', typeset(text)));
   byId('facts').append(box);
 }
 
@@ -201,6 +267,8 @@ for (const { name, type, text } of [csv, ...data.downloads]) {
   });
   byId('downloads').append(button);
 }
+
+if (data.missing) byId('downloads').append(make('p', data.missing, { class: 'soft' }));
 
 // ---- the table, when somebody wants it
 const details = make('details');
@@ -224,6 +292,41 @@ details.addEventListener('toggle', () => {
   details.append(wide);
 });
 byId('table').append(details);
+
+// ---- on paper: light, everything unfolded but the table, no equation wider than the sheet
+let onScreen = null;
+addEventListener('beforeprint', () => {
+  if (onScreen) return;
+  onScreen = { theme, unfolded: [...document.querySelectorAll('#facts details:not([open])')], parts: [] };
+  setTheme('light');
+  for (const part of onScreen.unfolded) part.open = true;
+  if (scene) {
+    // What a printer sees of a canvas is what was last on the screen.
+    onScreen.parts.push(make('img', undefined, { src: scene.picture(), alt: summary(), class: 'paper' }));
+    byId('scene').append(onScreen.parts[0]);
+  }
+  const sheet = 640;
+  for (const wide of document.querySelectorAll('.equation')) {
+    const share = sheet / Math.max(...[...wide.querySelectorAll('.katex-base')].map((part) => part.offsetWidth));
+    if (share < 1) wide.style.fontSize = `${share}em`;
+    if (share > 0.35) continue;
+    wide.classList.add('too-wide');
+    const note = make('p', 'An equation that is too wide for paper is on the page itself.', { class: 'paper' });
+    wide.after(note);
+    onScreen.parts.push(note);
+  }
+});
+addEventListener('afterprint', () => {
+  if (!onScreen) return;
+  for (const part of onScreen.unfolded) part.open = false;
+  for (const part of onScreen.parts) part.remove();
+  for (const wide of document.querySelectorAll('.equation')) {
+    wide.style.fontSize = '';
+    wide.classList.remove('too-wide');
+  }
+  setTheme(onScreen.theme);
+  onScreen = null;
+});
 
 setTheme(theme);
 moveTo(0);

@@ -1,7 +1,7 @@
 // The curve in space with ribbons along its frames, and the frame at one place.
 import {
   AmbientLight,
-  ArrowHelper,
+  ConeGeometry,
   BufferGeometry,
   Color,
   DirectionalLight,
@@ -10,7 +10,9 @@ import {
   Group,
   Line,
   LineBasicMaterial,
+  LineDashedMaterial,
   Mesh,
+  MeshBasicMaterial,
   MeshLambertMaterial,
   PerspectiveCamera,
   Scene,
@@ -18,6 +20,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { styles } from './frames.js';
 
 const papers = { light: '#f3f1ea', dark: '#111318' };
 const inks = { light: '#222222', dark: '#eeeeee' };
@@ -41,16 +44,39 @@ function unit(v) {
   return length ? v.map((x) => x / length) : null;
 }
 
-/** A strip between r and r + width·second, in pieces where the frame is defined. */
-function ribbon(points, seconds, width, material) {
-  const vertices = [];
-  const faces = [];
-  points.forEach((p, k) => {
-    const v = seconds[k] ?? [0, 0, 0];
-    vertices.push(...p, ...p.map((x, axis) => x + width * v[axis]));
-    if (k > 0 && seconds[k] && seconds[k - 1])
-      faces.push(2 * k - 2, 2 * k - 1, 2 * k, 2 * k - 1, 2 * k + 1, 2 * k);
+/** The ways of a frame along the points, in pieces: lists of {point, second}. A piece ends where the frame is undefined, jumps or flips. */
+function pieces(points, seconds, before) {
+  const list = [];
+  let piece = [];
+  const end = () => {
+    if (piece.length > 1) list.push(piece);
+    piece = [];
+  };
+  const add = (point, second) => {
+    const last = piece.at(-1)?.second;
+    if (last && last.reduce((sum, x, k) => sum + x * second[k], 0) < 0) end();
+    piece.push({ point, second });
+  };
+  points.forEach((point, k) => {
+    if (before(k) !== undefined) {
+      if (before(k)) add(point, before(k));
+      end();
+    }
+    if (seconds[k]) add(point, seconds[k]);
+    else if (seconds[k] === null) end();
   });
+  end();
+  return list;
+}
+
+const moved = (point, second, width) => point.map((x, axis) => x + width * second[axis]);
+
+/** A strip between r and r + width·second. */
+function ribbon(piece, width, material) {
+  const vertices = piece.flatMap(({ point, second }) => [...point, ...moved(point, second, width)]);
+  const faces = piece.flatMap((_, k) =>
+    k === 0 ? [] : [2 * k - 2, 2 * k - 1, 2 * k, 2 * k - 1, 2 * k + 1, 2 * k],
+  );
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute(vertices, 3));
   geometry.setIndex(faces);
@@ -58,8 +84,39 @@ function ribbon(points, seconds, width, material) {
   return new Mesh(geometry, material);
 }
 
-export function makeScene(element, { rows, position, tangent, frames, vector, isClosed }) {
-  const renderer = new WebGLRenderer({ antialias: true });
+function polyline(points, material) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new Float32BufferAttribute(points.flat(), 3));
+  const line = new Line(geometry, material);
+  line.computeLineDistances();
+  return line;
+}
+
+/** Solid, or in dashes of hundredths. */
+const stroke = (dash) =>
+  dash
+    ? new LineDashedMaterial({ dashSize: dash[0] / 100, gapSize: dash[1] / 100 })
+    : new LineBasicMaterial();
+
+/** An arrow from a point along a unit vector, whose shaft is drawn as the material says. */
+function arrow(v, from, length, line, tip) {
+  const group = new Group();
+  const end = moved(from, v, length);
+  group.add(polyline([from, end], line));
+  const cone = new Mesh(new ConeGeometry(0.022, 0.075, 12), tip);
+  cone.position.set(...moved(from, v, length - 0.0375));
+  cone.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...v));
+  group.add(cone);
+  return group;
+}
+
+/**
+ * Of frames: {second, third, what, names, isShown, vectors}, where vectors(k) are the two to draw at row k, null where
+ * undefined and undefined where there is none; before(k) is the second one just before a jump at row k.
+ */
+export function makeScene(element, { rows, position, tangent, frames, isClosed }) {
+  // picture() reads what was drawn.
+  const renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
   renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
   element.append(renderer.domElement);
   renderer.domElement.setAttribute('aria-hidden', 'true');
@@ -67,74 +124,114 @@ export function makeScene(element, { rows, position, tangent, frames, vector, is
   // In doubles, before the picture's single precision: a curve may be small and far away.
   const { centre, size } = extent(rows.map(position));
   const points = rows.map((row) => position(row).map((x, k) => (x - centre[k]) / size));
-  const width = 0.16;
 
   const scene = new Scene();
   const camera = new PerspectiveCamera(40, 1, 0.01, 50);
   camera.up.set(0, 0, 1);
   const controls = new OrbitControls(camera, renderer.domElement);
-  const from = new Vector3(1.9, -2.4, 1.5);
-  scene.add(new AmbientLight('#ffffff', 1.6));
-  const light = new DirectionalLight('#ffffff', 2);
+  const from = new Vector3(1.9, -2.4, 1.5).setLength(3.5);
+  scene.add(new AmbientLight('#ffffff', 1.7));
+  const light = new DirectionalLight('#ffffff', 1.9);
   camera.add(light);
   scene.add(camera);
 
-  const ink = new LineBasicMaterial({ color: inks.light });
-  const path = new BufferGeometry();
-  path.setAttribute('position', new Float32BufferAttribute(points.flat(), 3));
-  scene.add(new Line(path, ink));
+  const ink = new LineBasicMaterial();
+  const inkTip = new MeshBasicMaterial();
+  scene.add(polyline(points, ink));
 
+  // What is told apart by colour is so by lines, too: the free edge of a ribbon, and its arrows.
   const drawn = frames.map((frame) => {
-    const seconds = rows.map((row) => unit(vector(row, frame.second)));
-    const material = new MeshLambertMaterial({
-      color: frame.colour,
-      side: DoubleSide,
-      transparent: true,
-      opacity: 0.85,
-    });
+    const { dash, width } = styles[frame.second];
+    const colours = {
+      // Of two in one place the narrower one is in front.
+      face: new MeshLambertMaterial({ side: DoubleSide, transparent: true, opacity: 0.8, polygonOffset: true, polygonOffsetFactor: width / 4, polygonOffsetUnits: width }),
+      edge: stroke(dash),
+      tip: new MeshBasicMaterial(),
+      third: new LineDashedMaterial({ dashSize: 0.025, gapSize: 0.02 }),
+    };
+    return { frame, colours, group: null };
+  });
+  function shape({ frame, colours }) {
     const group = new Group();
-    group.add(ribbon(points, seconds, width, material));
+    const width = styles[frame.second].width / 100;
+    const seconds = rows.map((_, k) => {
+      const vectors = frame.vectors(k);
+      return vectors === undefined ? undefined : unit(vectors[0]);
+    });
+    const before = (k) => {
+      const v = frame.before(k);
+      return v === undefined ? undefined : unit(v);
+    };
+    for (const piece of pieces(points, seconds, before)) {
+      group.add(ribbon(piece, width, colours.face));
+      group.add(polyline(piece.map(({ point, second }) => moved(point, second, width)), colours.edge));
+    }
     // Of a closed curve: how it starts and how it comes back.
     if (isClosed)
       for (const k of [0, rows.length - 1])
-        if (seconds[k])
-          group.add(
-            new ArrowHelper(
-              new Vector3(...seconds[k]),
-              new Vector3(...points[k]),
-              1.8 * width,
-              k === 0 ? '#777777' : frame.colour,
-              0.05,
-              0.03,
-            ),
-          );
-    scene.add(group);
+        if (seconds[k]) group.add(arrow(seconds[k], points[k], (k === 0 ? 1.4 : 1.9) * width, colours.edge, colours.tip));
     return group;
-  });
+  }
+  function reshape(entry) {
+    if (entry.group) {
+      scene.remove(entry.group);
+      entry.group.traverse((part) => part.geometry?.dispose());
+    }
+    entry.group = shape(entry);
+    scene.add(entry.group);
+  }
+  drawn.forEach(reshape);
 
   const moving = new Group();
   scene.add(moving);
-  const arrow = (v, from, colour) =>
-    moving.add(
-      new ArrowHelper(new Vector3(...v), new Vector3(...from), 0.42, colour, 0.09, 0.05),
-    );
   let at = 0;
+  let labels = [];
+  const place = new Vector3();
 
-  const render = () => renderer.render(scene, camera);
+  function render() {
+    renderer.render(scene, camera);
+    const { clientWidth, clientHeight } = element;
+    for (const { box, at } of labels) {
+      place.set(...at).project(camera);
+      box.style.left = `${((place.x + 1) / 2) * clientWidth}px`;
+      box.style.top = `${((1 - place.y) / 2) * clientHeight}px`;
+    }
+  }
+  function add(v, length, line, tip, name, colour) {
+    moving.add(arrow(v, points[at], length, line, tip));
+    const box = document.createElement('span');
+    box.textContent = name;
+    box.style.color = colour;
+    element.append(box);
+    labels.push({ box, at: moved(points[at], v, length + 0.05) });
+  }
   const api = {
     update() {
-      frames.forEach((frame, k) => (drawn[k].visible = frame.isShown));
-      for (const child of [...moving.children]) child.dispose();
+      for (const { frame, group } of drawn) group.visible = frame.isShown;
+      moving.traverse((part) => part.geometry?.dispose());
       moving.clear();
-      const row = rows[at];
-      const e1 = tangent(row);
-      if (e1) arrow(e1, points[at], ink.color);
-      for (const frame of frames.filter((frame) => frame.isShown))
-        for (const name of [frame.second, frame.third]) {
-          const v = unit(vector(row, name));
-          if (v) arrow(v, points[at], frame.colour);
-        }
+      for (const { box } of labels) box.remove();
+      labels = [];
+      const e1 = tangent(rows[at]);
+      if (e1) add(e1, 0.42, ink, inkTip, 'e₁', `#${ink.color.getHexString()}`);
+      for (const { frame, colours } of drawn.filter(({ frame }) => frame.isShown)) {
+        const [second, third] = (frame.vectors(at) ?? [null, null]).map(unit);
+        const colour = `#${colours.tip.color.getHexString()}`;
+        // The third vector is shorter, and its shaft is dotted.
+        if (second) add(second, 0.42, colours.edge, colours.tip, frame.names[0], colour);
+        if (third) add(third, 0.3, colours.third, colours.tip, frame.names[1], colour);
+      }
       render();
+    },
+    /** As it is now. */
+    picture() {
+      render();
+      return renderer.domElement.toDataURL();
+    },
+    /** After the vectors of a frame have changed. */
+    reshape(k) {
+      reshape(drawn[k]);
+      api.update();
     },
     moveTo(k) {
       at = k;
@@ -148,7 +245,9 @@ export function makeScene(element, { rows, position, tangent, frames, vector, is
     },
     setTheme(name) {
       scene.background = new Color(papers[name]);
-      ink.color = new Color(inks[name]);
+      for (const material of [ink, inkTip]) material.color = new Color(inks[name]);
+      for (const { frame, colours } of drawn)
+        for (const material of Object.values(colours)) material.color = new Color(styles[frame.second][name]);
       api.update();
     },
   };
@@ -157,6 +256,8 @@ export function makeScene(element, { rows, position, tangent, frames, vector, is
     if (!clientWidth || !clientHeight) return;
     renderer.setSize(clientWidth, clientHeight);
     camera.aspect = clientWidth / clientHeight;
+    // What fits into a square is seen in an upright picture, too.
+    camera.fov = camera.aspect < 1 ? (360 / Math.PI) * Math.atan(Math.tan(Math.PI / 9) / camera.aspect) : 40;
     camera.updateProjectionMatrix();
     render();
   };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/end_normal.hpp"
@@ -21,8 +22,11 @@ namespace {
 constexpr long page_digits = 17;
 /// Formulas of more segments, and C of their length, are not for reading.
 constexpr std::size_t most_formulas = 8;
-/// The energies of so many segments take about a second.
+/// The energies of so many segments take about a second,
 constexpr std::size_t most_totals = 64;
+/// and of so high degrees n of A, by the sum of n³; with C and the certificate they have too many
+/// digits for a page, too.
+constexpr long most_work = 20'000;
 
 /// Of more segments rows are at their ends only, and decisions are left out, which keeps pages of
 /// 1000 segments below 2 MB.
@@ -49,12 +53,31 @@ TableColumns page_columns(const std::vector<TabulatedFrame>& frames, const Frame
   return columns;
 }
 
-/// Where the rows are.
-std::vector<PathParameter> places(std::size_t count, const PageQuery& query) {
-  if (query.given.empty()) return spread(count, query.samples);
-  std::vector<PathParameter> at;
-  for (const GivenFrame& frame : query.given) at.push_back(locate_inside(count, frame.t));
-  return at;
+/// Where rows are: where frames are given, spread evenly, and where graphs turn round.
+std::vector<PathParameter> places(std::size_t count, const PageQuery& query,
+                                  const PathTurns& turns) {
+  std::set<PathParameter, decltype(&is_before)> places(&is_before);
+  // Of several at one place the first stays.
+  const auto add = [&places](const PathParameter& at) {
+    const auto next = places.lower_bound(at);
+    if (next != places.end() && is_same_place(*next, at)) return;
+    if (next != places.begin() && is_same_place(*std::prev(next), at)) return;
+    places.insert(next, at);
+  };
+  for (const GivenFrame& frame : query.given) add(locate_inside(count, frame.t));
+  for (const PathParameter& at : spread(count, query.samples)) add(at);
+  for (const PathParameter& at : turns.at) add(at);
+  return {places.begin(), places.end()};
+}
+
+/// Is the path too much for what takes long?
+bool is_heavy(const Path& path) {
+  long work = 0;
+  for (const Curve& curve : path.segments()) {
+    const long n = preimage_degree(curve);
+    work += n * n * n;
+  }
+  return work > most_work;
 }
 
 /// What the given frames are, if there are any.
@@ -76,16 +99,34 @@ void add_vector(std::vector<double>& row, const std::optional<Vector<Rational>>&
     row.push_back(v ? round_to_double((*v)[k]) : std::numeric_limits<double>::quiet_NaN());
 }
 
-/// The frames that were given, and how far each is off.
-void add_given(FrameTable& table, const CheckAnswer& check) {
+/// The frames that were given, and how far each is off; empty cells where none is.
+void add_given(PageRows& rows, const CheckAnswer& check, std::size_t count) {
+  FrameTable& table = rows.table;
   for (const char* name : {"g2x", "g2y", "g2z", "g3x", "g3y", "g3z", "error"})
     table.columns.emplace_back(name);
+  std::vector<std::optional<std::size_t>> given(rows.at.size());
+  for (std::size_t k = 0; k < check.frames.size(); ++k) {
+    const PathParameter place = locate_inside(count, check.frames[k].t);
+    auto at = std::lower_bound(rows.at.begin(), rows.at.end(), place, is_before);
+    if (at == rows.at.end() || !is_same_place(*at, place)) --at;
+    given[static_cast<std::size_t>(at - rows.at.begin())] = k;
+  }
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
-    add_vector(table.rows[k], check.frames[k].f2);
-    add_vector(table.rows[k], check.frames[k].f3);
-    const auto& error = check.verdict.errors[k];
-    table.rows[k].push_back(error ? round_to_double(error->midpoint())
-                                  : std::numeric_limits<double>::quiet_NaN());
+    std::vector<double>& row = table.rows[k];
+    if (!given[k]) {
+      row.resize(table.columns.size(), std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
+    add_vector(row, check.frames[*given[k]].f2);
+    add_vector(row, check.frames[*given[k]].f3);
+    const auto& error = check.verdict.errors[*given[k]];
+    row.push_back(error ? round_to_double(error->midpoint())
+                        : std::numeric_limits<double>::quiet_NaN());
+  }
+  // What is given is not asked for its limits.
+  for (PageJump& jump : rows.jumps) {
+    const std::vector<double>& row = table.rows[jump.row];
+    for (std::size_t k = jump.before.size(); k < row.size(); ++k) jump.before.push_back(row[k]);
   }
 }
 
@@ -99,7 +140,8 @@ void add_column(FrameTable& table, const std::string& name, Number number) {
 
 /// Takes the vectors of a frame out of the table where they are nowhere defined, as the Frenet
 /// frame of a straight line.
-void drop_undefined(FrameTable& table, std::vector<TabulatedFrame>& frames) {
+void drop_undefined(PageRows& rows, std::vector<TabulatedFrame>& frames) {
+  FrameTable& table = rows.table;
   constexpr std::size_t before = 7;  // t, r, e₁
   for (std::size_t k = frames.size(); k-- > 0;) {
     const auto first = static_cast<std::ptrdiff_t>(before + 6 * k);
@@ -109,6 +151,7 @@ void drop_undefined(FrameTable& table, std::vector<TabulatedFrame>& frames) {
     if (std::any_of(table.rows.begin(), table.rows.end(), is_defined)) continue;
     table.columns.erase(table.columns.begin() + first, table.columns.begin() + first + 6);
     for (auto& row : table.rows) row.erase(row.begin() + first, row.begin() + first + 6);
+    for (auto& [joint, row] : rows.jumps) row.erase(row.begin() + first, row.begin() + first + 6);
     frames.erase(frames.begin() + static_cast<std::ptrdiff_t>(k));
   }
 }
@@ -150,39 +193,47 @@ PageAnswer answer(const NamedPath& named, const PageQuery& query) {
   else if (query.end_normal)
     columns.exact_mtf.emplace(angle, reduced(start), end_angle(*query.end_normal, path));
 
-  const std::vector<PathParameter> at = places(path.segments().size(), query);
-  std::vector<PathPoint> points;
-  for (const PathParameter& point : at) points.push_back({point.segment, point.t});
-  FrameTable table = frame_table(path, columns, points);
-  table.near = named.near;
-  drop_undefined(table, frames);
-  const auto curve = [&](std::size_t k) -> const Curve& { return path.segments()[at[k].segment]; };
-  add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k], start); });
-  add_column(table, "theta_rate",
-             [&](std::size_t k) { return angle.segment(at[k].segment).rate()(at[k].t); });
-  add_column(table, "speed", [&](std::size_t k) {
-    return abs(Rational(curve(k).multiplier()(at[k].t) * sigma(curve(k).preimage())(at[k].t)));
-  });
+  const auto table_at = [&](const std::vector<PathParameter>& at) {
+    std::vector<PathPoint> points;
+    for (const PathParameter& point : at) points.push_back({point.segment, point.t});
+    FrameTable table = frame_table(path, columns, points);
+    add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k], start); });
+    add_column(table, "theta_rate",
+               [&](std::size_t k) { return angle.segment(at[k].segment).rate()(at[k].t); });
+    add_column(table, "speed", [&](std::size_t k) {
+      const Curve& curve = path.segments()[at[k].segment];
+      return abs(Rational(curve.multiplier()(at[k].t) * sigma(curve.preimage())(at[k].t)));
+    });
+    return table;
+  };
+  PathTurns turns = path_turns(path);
+  PageRows rows = page_rows(places(path.segments().size(), query, turns), table_at);
+  rows.table.near = named.near;
+  drop_undefined(rows, frames);
+  if (check) add_given(rows, *check, path.segments().size());
 
-  if (check) add_given(table, *check);
   AngleQuery formulas{.start = from, .digits = page_digits, .most_poles = 64};
   formulas.wants_formula = path.segments().size() <= most_formulas;
   std::optional<ClassificationAnswer> classification;
   if (path.segments().size() <= most_in_full) classification = answer(named, ClassificationQuery{});
   std::optional<Certificate> certificate;
-  if (path.is_curve())
+  const bool is_heavy = phrame::is_heavy(path);
+  if (path.is_curve() && !is_heavy)
     certificate = certify(path.segments().front(), Reference::euler_rodrigues, {1}, page_digits);
-  return {
-      .angle = answer(named, formulas),
-      .info = answer(named, InfoQuery{page_digits}),
-      .totals = totals_if_short(named, path.segments().size()),
-      .classification = std::move(classification),
-      .frames = std::move(frames),
-      .table = std::move(table),
-      .check = std::move(check),
-      .certificate = std::move(certificate),
-      .compiled = compiled_if_short(named, path.segments().size(), CompiledQuery{.start = from}),
-      .is_closed = closing.has_value()};
+  return {.angle = answer(named, formulas),
+          .info = answer(named, InfoQuery{page_digits}),
+          .totals = is_heavy ? std::nullopt : totals_if_short(named, path.segments().size()),
+          .classification = std::move(classification),
+          .frames = std::move(frames),
+          .table = std::move(rows.table),
+          .check = std::move(check),
+          .certificate = std::move(certificate),
+          .compiled = is_heavy ? std::nullopt
+                               : compiled_if_short(named, path.segments().size(),
+                                                   CompiledQuery{.start = from}),
+          .is_closed = closing.has_value(),
+          .jumps = std::move(rows.jumps),
+          .turns = std::move(turns)};
 }
 
 PageAnswer answer(const NamedSmoothPath& named, const PageQuery& query) {
@@ -200,23 +251,30 @@ PageAnswer answer(const NamedSmoothPath& named, const PageQuery& query) {
     // The frame of v closes with the curve.
     twist.emplace(angle, from, is_closed ? from : StartNormal(*query.end_normal));
   }
-  const std::vector<PathParameter> at = places(path.segments().size(), query);
-  FrameTable table = frame_table(angle, page_columns(frames, from),
-                                 std::vector<SmoothParameter>(at.begin(), at.end()), twist);
-  drop_undefined(table, frames);
+  const TableColumns columns = page_columns(frames, from);
   const Real start = start_angle(from, angle);
-  add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k]) + start; });
+  const auto table_at = [&](const std::vector<PathParameter>& at) {
+    FrameTable table =
+        frame_table(angle, columns, std::vector<SmoothParameter>(at.begin(), at.end()), twist);
+    add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k]) + start; });
+    return table;
+  };
+  PathTurns turns = path_turns(path);
+  PageRows rows = page_rows(places(path.segments().size(), query, turns), table_at);
+  drop_undefined(rows, frames);
+  if (check) add_given(rows, *check, path.segments().size());
 
-  if (check) add_given(table, *check);
   SmoothAngleQuery values{.up = angle.up(), .start = from, .digits = page_digits};
   return {.angle = answer(named, values),
           .info = answer(named, InfoQuery{page_digits}),
           .totals = answer(named, TotalsQuery{page_digits}),
           .frames = std::move(frames),
-          .table = std::move(table),
+          .table = std::move(rows.table),
           .compiled = compiled_if_short(named, path.segments().size(),
                                         SmoothCompiledQuery{.up = angle.up(), .start = from}),
-          .is_closed = is_closed};
+          .is_closed = is_closed,
+          .jumps = std::move(rows.jumps),
+          .turns = std::move(turns)};
 }
 
 }  // namespace phrame

@@ -42,6 +42,10 @@ long count(long (*distinct)(const Polynomial&), const Polynomial& p) {
   return sum;
 }
 
+bool has_digits(const RealBall& x) {
+  return !x.contains_zero() && x.accuracy_bits() >= sufficient_bits;
+}
+
 /// One component, real or imaginary part, of all poles or residues of a sum.
 struct Component {
   std::vector<RealBall> balls;
@@ -68,7 +72,7 @@ struct Component {
 
   bool is_settled() const {
     return std::all_of(balls.begin(), balls.end(), [&](const RealBall& x) {
-      return x.contains_zero() ? zeros_are_known : x.accuracy_bits() >= sufficient_bits;
+      return x.contains_zero() ? zeros_are_known : has_digits(x);
     });
   }
 
@@ -83,6 +87,14 @@ struct Table {
   Component pole_im;
   Component residue_re;
   Component residue_im;
+
+  /// Are there digits of each residue, of the real or the imaginary part? No residue is 0. Until
+  /// then that balls contain 0 says nothing, and counting, which takes longer, is not for them.
+  bool has_residues() const {
+    for (std::size_t k = 0; k < residue_re.balls.size(); ++k)
+      if (!has_digits(residue_re.balls[k]) && !has_digits(residue_im.balls[k])) return false;
+    return true;
+  }
 
   bool is_settled() const {
     return pole_re.is_settled() && pole_im.is_settled() && residue_re.is_settled() &&
@@ -135,6 +147,7 @@ Table table_of(const LogSum& sum, const Roots& roots, Counts& counts, long bits)
   };
   for (const RealBall& x : roots.real) add({x, RealBall()}, 1);
   for (const ComplexBall& z : roots.upper) add(z, 2);
+  if (!table.has_residues()) return table;
   table.pole_re.find_zeros([&] { return counts.imaginary_poles(); });
   table.pole_im.find_zeros([&] { return static_cast<long>(roots.real.size()); });
   table.residue_re.find_zeros([&] { return counts.imaginary_residues(); });

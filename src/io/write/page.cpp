@@ -1,6 +1,10 @@
 #include "phrame/io/write/page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/write/answers.hpp"
@@ -19,8 +23,13 @@
 namespace phrame {
 namespace {
 
-/// What of a formula is still for reading.
+/// What of a formula is still for reading,
 constexpr std::size_t longest_formula = 20'000;
+/// and of a text.
+constexpr std::size_t most_lines = 60;
+/// What a page is to weigh at most, and of that what is neither its program nor listed.
+constexpr std::size_t most_bytes = 2'000'000;
+constexpr std::size_t other_bytes = 40'000;
 
 /// How the page shows a frame of the table.
 JsonOutput shown_frame(TabulatedFrame frame, bool is_closed) {
@@ -45,8 +54,15 @@ JsonOutput shown_frame(TabulatedFrame frame, bool is_closed) {
               "m₂", "m₃");
 }
 
+bool is_infinite(const PageAnswer& page, const std::string& column) {
+  const auto& list = page.turns.infinite;
+  const Plotted quantity = column == "torsion" ? Plotted::torsion : Plotted::curvature;
+  return (column == "torsion" || column == "curvature") &&
+         std::find(list.begin(), list.end(), quantity) != list.end();
+}
+
 /// The columns that are drawn over t, where the table has them.
-JsonOutput plots_of(const FrameTable& table) {
+JsonOutput plots_of(const PageAnswer& page) {
   static const std::vector<std::vector<std::string>> known{
       {"error", "error", "of the given frames, radians, to about nine digits"},
       {"theta", "θ", "the angle of the rotation-minimizing frame, radians"},
@@ -57,10 +73,44 @@ JsonOutput plots_of(const FrameTable& table) {
       {"s", "s", "arc length from the start"}};
   JsonOutput plots = JsonOutput::array();
   for (const auto& plot : known)
-    for (const std::string& column : table.columns)
+    for (const std::string& column : page.table.columns)
       if (column == plot[0])
-        plots.push_back({{"column", column}, {"label", plot[1]}, {"what", plot[2]}});
+        plots.push_back({{"column", column},
+                         {"label", plot[1]},
+                         {"what", plot[2]},
+                         {"infinite", is_infinite(page, column)}});
   return plots;
+}
+
+/// What is known of the plots between the rows.
+std::string said_of_plots(const PageAnswer& page) {
+  const bool is_ph = std::holds_alternative<AngleAnswer>(page.angle);
+  const char* quantities = is_ph ? "θ, θ′, κ, τ and |r′|" : "κ and τ";
+  if (!page.turns.are_all)
+    return fmt::format("Between its rows, {} may go farther than is seen.", quantities);
+  if (page.turns.slack > 0)
+    return fmt::format("Between its rows, {} go no farther than by {} of the greatest: proved.",
+                       quantities, page.turns.slack);
+  return fmt::format(
+      "Where {} are greatest and least there are rows: all zeros of their derivatives are known.",
+      quantities);
+}
+
+/// At joints the limits from the left of what jumps there, for drawing.
+JsonOutput json_of_jumps(const PageAnswer& page) {
+  JsonOutput list = JsonOutput::array();
+  for (const PageJump& jump : page.jumps) {
+    JsonOutput before = JsonOutput::object();
+    for (std::size_t k = 0; k < jump.before.size(); ++k) {
+      const double x = jump.before[k];
+      const double after = page.table.rows[jump.row][k];
+      if (x == after || (std::isnan(x) && std::isnan(after))) continue;
+      before[page.table.columns[k]] =
+          std::isnan(x) ? JsonOutput() : JsonOutput(std::stod(fmt::format("{:.8g}", x)));
+    }
+    list.push_back({jump.row, before});
+  }
+  return list;
 }
 
 JsonOutput json_of_poles(const PoleTable& table, long segments) {
@@ -83,19 +133,36 @@ void add_holonomy(JsonOutput& page, const std::optional<Decimal>& holonomy) {
         holonomy->radius == "0" ? "=" : "≈", holonomy->value));
 }
 
+std::string segments_said(std::size_t count) {
+  return fmt::format("t goes from 0 to {}: segment k, from 1 on, is the part from k − 1 to k.",
+                     count);
+}
+
+/// What t is of a path that is not PH.
+std::string parameter_said(const SmoothPath& path) {
+  if (path.segments().size() > 1) return segments_said(path.segments().size());
+  const auto* curve = std::get_if<ExpressionCurve>(&path.segments().front());
+  if (curve == nullptr) return "t goes from 0 to 1.";
+  const std::string& s = curve->variable();
+  return fmt::format("t goes from 0 to 1 while {} of the formulas goes from {} to {}, evenly.", s,
+                     printable(to_string(curve->from(), s)), printable(to_string(curve->to(), s)));
+}
+
 void add_angle(JsonOutput& page, const AngleAnswer& angle) {
   const auto& [name, path, near, notes] = angle.path;
   page["heading"] = heading("", path.segments().front());
   if (!path.is_curve()) page["heading"] = heading(NamedPath{"", path, near});
   std::string said = "θ is the angle from e₂ of the Euler–Rodrigues frame to f₂. ";
   if (angle.formulas.empty())
-    said += fmt::format("It has a closed form on each of the {} segments.", path.segments().size());
+    said +=
+        fmt::format("It has a closed form on each of the {} segments. ", path.segments().size());
   else if (const std::string latex = to_latex(angle); latex.size() <= longest_formula)
     page["latex"].push_back(latex);
   else
     said += "Its closed form is too long for a page: phrame angle prints it. ";
   said += "That the derivative of the formula is θ′ = −2h/σ was checked exactly, for this curve.";
   page["said"] = {said};
+  if (!path.is_curve()) page["said"].push_back(segments_said(path.segments().size()));
   if (path.is_curve() && !angle.formulas.empty() && angle.formulas.front().poles)
     page["poles"] = json_of_poles(*angle.formulas.front().poles, 1);
   add_holonomy(page, angle.holonomy);
@@ -108,29 +175,71 @@ void add_angle(JsonOutput& page, const SmoothAngleAnswer& angle) {
       "−e₂′·e₃ of the frame e₂ = v × e₁/|v × e₁| of the vector v = {}, enclosed by Taylor "
       "polynomials whose errors are proved.",
       shown(angle.up))};
+  page["said"].push_back(parameter_said(angle.path.path));
   add_holonomy(page, angle.holonomy);
+}
+
+bool is_ph_curve(const PageAnswer& page) {
+  const auto* angle = std::get_if<AngleAnswer>(&page.angle);
+  return angle != nullptr && angle->path.path.is_curve();
 }
 
 JsonOutput download(const std::string& name, const char* type, const std::string& text) {
   return {{"name", name}, {"type", type}, {"text", text}};
 }
 
-JsonOutput downloads_of(const PageAnswer& page, const std::string& name) {
+/// What can be taken along, as much of it as there is room for; the commands that write the rest
+/// are said.
+void add_downloads(JsonOutput& page, const PageAnswer& answer, const std::string& name) {
   const std::string stem = prefix_from(name);
-  JsonOutput list = JsonOutput::array();
-  list.push_back(
-      download(stem + "-angle.json", "application/json",
-               std::visit([](const auto& angle) { return to_json(angle); }, page.angle)));
-  if (page.certificate)
-    list.push_back(download(stem + ".cert", "application/json",
-                            write_certificate(*page.certificate, name, page.table.near)));
-  if (page.compiled)
-    list.push_back(download(stem + ".h", "text/x-c", to_c_header(*page.compiled, stem)));
-  return list;
+  std::size_t room = most_bytes - other_bytes;
+  for (const std::string_view piece : page_template()) room -= std::min(room, piece.size());
+  room -= std::min(room, page["csv"].get<std::string>().size());
+  page["downloads"] = JsonOutput::array();
+  std::vector<std::string> missing;
+  const auto add = [&](const std::string& file, const char* type, const char* command,
+                       const std::string& text) {
+    // Quotes and line breaks are two characters in JSON.
+    const std::size_t size = JsonOutput(text).dump().size();
+    if (size > room) {
+      missing.emplace_back(command);
+      return;
+    }
+    room -= size;
+    page["downloads"].push_back(download(file, type, text));
+  };
+  add(stem + "-angle.json", "application/json", "phrame angle --print json",
+      std::visit([](const auto& angle) { return to_json(angle); }, answer.angle));
+  if (answer.certificate)
+    add(stem + ".cert", "application/json", "phrame certify",
+        write_certificate(*answer.certificate, name, answer.table.near));
+  else if (is_ph_curve(answer))
+    missing.emplace_back("phrame certify");
+  if (answer.compiled)
+    add(stem + ".h", "text/x-c", "phrame compile", to_c_header(*answer.compiled, stem));
+  else
+    missing.emplace_back("phrame compile");
+  if (!answer.totals) missing.emplace_back("phrame totals");
+  if (missing.empty()) return;
+  page["missing"] =
+      fmt::format("Too long for a page is what these print: {}.", fmt::join(missing, ", "));
 }
 
-void add_fact(JsonOutput& facts, const char* title, const std::string& text) {
-  facts.push_back({{"title", title}, {"text", abridged(text)}});
+/// The first lines of a long text, and how many there are more.
+std::string first_lines(const std::string& text, const char* command) {
+  std::size_t end = 0;
+  for (std::size_t line = 0; line < most_lines; ++line) {
+    end = text.find('\n', end);
+    if (end == std::string::npos) return text;
+    ++end;
+  }
+  const auto more = std::count(text.begin() + static_cast<std::ptrdiff_t>(end), text.end(), '\n');
+  if (more < 5) return text;
+  return text.substr(0, end) + fmt::format("… and {} lines more: {} prints them\n", more, command);
+}
+
+void add_fact(JsonOutput& facts, const char* title, const char* command, const std::string& text) {
+  facts.push_back({{"title", title}, {"text", first_lines(abridged(text), command)}});
 }
 
 JsonOutput json_of(const PageAnswer& answer) {
@@ -150,19 +259,22 @@ JsonOutput json_of(const PageAnswer& answer) {
                               {"third", "g3"},
                               {"names", {"given f₂", "given f₃"}},
                               {"shown", true}});
-    add_fact(facts, "The given frames", to_text(*answer.check, TableReading{}));
+    add_fact(facts, "The given frames", "phrame check", to_text(*answer.check, TableReading{}));
   }
-  page["plots"] = plots_of(answer.table);
+  page["plots"] = plots_of(answer);
+  page["said_of_plots"] = said_of_plots(answer);
+  page["jumps"] = json_of_jumps(answer);
   if (answer.totals)
-    add_fact(facts, "Length, twist, curvature and energies", to_text(*answer.totals));
+    add_fact(facts, "Length, twist, curvature and energies", "phrame totals",
+             to_text(*answer.totals));
   if (answer.classification)
-    add_fact(facts, "Decisions, by algebra", to_text(*answer.classification));
-  add_fact(facts, "Polynomials and special points",
+    add_fact(facts, "Decisions, by algebra", "phrame classify", to_text(*answer.classification));
+  add_fact(facts, "Polynomials and special points", "phrame info",
            std::visit([](const auto& info) { return to_text(info); }, answer.info));
   page["facts"] = std::move(facts);
-  page["downloads"] = downloads_of(answer, name);
   page["csv_name"] = prefix_from(name) + "-frames.csv";
   page["csv"] = to_csv(answer.table);
+  add_downloads(page, answer, name);
   return page;
 }
 

@@ -19,7 +19,8 @@ Vector<Polynomial> derivative_of(const Vector<Polynomial>& v) {
   return {differentiate(v[0]), differentiate(v[1]), differentiate(v[2])};
 }
 
-/// κ², in lowest terms.
+}  // namespace
+
 RationalFunction squared_curvature(const RationalCurve& curve) {
   const Vector<Polynomial>& H = curve.direction();
   const Vector<Polynomial> normal = cross(H, derivative_of(H));
@@ -27,7 +28,7 @@ RationalFunction squared_curvature(const RationalCurve& curve) {
   return {dot(normal, normal) * pow(curve.weight(), 4), pow(curve.multiplier(), 2) * pow(sigma, 3)};
 }
 
-RationalFunction torsion_function(const RationalCurve& curve) {
+RationalFunction torsion(const RationalCurve& curve) {
   const Vector<Polynomial>& H = curve.direction();
   const Vector<Polynomial> first = derivative_of(H);
   const Vector<Polynomial> normal = cross(H, first);
@@ -35,6 +36,8 @@ RationalFunction torsion_function(const RationalCurve& curve) {
   if (rho.is_zero()) throw DomainError("torsion: the curve is a straight line, it has none");
   return {dot(normal, derivative_of(first)) * pow(curve.weight(), 2), curve.multiplier() * rho};
 }
+
+namespace {
 
 /// f(t), exact where t is.
 Real value_of(const RationalFunction& f, const Real& t, const char* name) {
@@ -165,7 +168,7 @@ Real curvature_of(const RationalCurve& curve, const Real& t) {
 }
 
 Real torsion_of(const RationalCurve& curve, const Real& t) {
-  return value_of(torsion_function(curve), t, "torsion");
+  return value_of(torsion(curve), t, "torsion");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/algebra/rational_function.hpp"
 #include "phrame/ph/smooth/smooth_point.hpp"
 
 namespace phrame {
@@ -11,6 +12,12 @@ Real curvature(const SmoothPath& path, const SmoothParameter& at);
 /// τ = W²·det(H, H′, H″)/(p·ρ) there, rational where t and the curve are. Throws DomainError where
 /// it is infinite and on a straight line, where it is undefined.
 Real torsion(const SmoothPath& path, const SmoothParameter& at);
+
+/// @{ κ² and τ of a rational curve in lowest terms. Throws DomainError for the torsion of a
+/// straight line.
+RationalFunction squared_curvature(const RationalCurve& curve);
+RationalFunction torsion(const RationalCurve& curve);
+/// @}
 
 /// Is the Frenet frame defined all along, κ ≠ 0, and continuous through the joints, from the end of
 /// a closed path to its start, too? Decided exactly; throws Undecided where formulas do not tell.
