@@ -73,6 +73,13 @@ async function colours(page) {
   }, image);
 }
 
+/** The number of the row at t. */
+const rowAt = (page, t) =>
+  page.evaluate((t) => {
+    const lines = JSON.parse(document.getElementById('data').textContent).csv.trim().split('\n').slice(1);
+    return lines.findIndex((line) => Number(line.split(',')[0]) === t);
+  }, t);
+
 const quintic = join(curves, 'curves', 'farouki-2003-quintic.json');
 
 const tests = {
@@ -94,8 +101,7 @@ const tests = {
         .split('\n')
         .map((line) => line.split(','));
       const wanted = Object.fromEntries(names.map((name, k) => [name, Number(numbers[k])]));
-      const k = Math.round(240 * wanted.t);
-      await page.locator('#slider').fill(String(k));
+      await page.locator('#slider').fill(String(await rowAt(page, wanted.t)));
       assert.equal(Number((await at(page)).slice(4)), wanted.t);
       const expect = async (row, ...keys) =>
         assert.deepEqual((await shown(page, row)).map(Number), keys.map((key) => wanted[key]));
@@ -149,11 +155,9 @@ const tests = {
     assert.equal(await bytes(`${stem}.h`), run('compile', quintic));
     const table = run('frames', quintic, '--samples', '241', '--frame', 'rmf,erf,frenet', '--columns', 's,curvature,torsion');
     const width = table.split('\n', 1)[0].split(',').length;
-    const mine = await bytes(`${stem}-frames.csv`);
-    assert.equal(
-      mine.split('\n').map((line) => line.split(',').slice(0, width).join(',')).join('\n'),
-      table,
-    );
+    // There are more rows where the graphs turn.
+    const mine = new Set((await bytes(`${stem}-frames.csv`)).split('\n').map((line) => line.split(',').slice(0, width).join(',')));
+    for (const line of table.split('\n')) assert.ok(mine.has(line), line);
     await close();
   },
 
@@ -198,7 +202,7 @@ const tests = {
     writeFileSync(table, frenet.replace(/\bn([xyz])\b/g, 'f2$1').replace(/\bb([xyz])\b/g, 'f3$1'));
     const { page, complaints, close } = await open(quintic, ['--frames', table]);
     assert.ok(await page.getByText('given', { exact: true }).isVisible());
-    await page.locator('#slider').fill('10');
+    await page.locator('#slider').fill(String(await rowAt(page, 0.5)));
     let verdict;
     try {
       verdict = run('check', quintic, table, '--print', 'json');
@@ -212,6 +216,69 @@ const tests = {
     await page.screenshot({ path: join(pictures, 'given.png'), fullPage: true });
     assert.deepEqual(complaints, []);
     await close();
+  },
+
+  async 'the rows hold the greatest curvature, and ticks their numbers'() {
+    // κ of r′ = A i A*, A = (t − 1/2)² + 10⁻² j …, next to a cusp; its greatest value by golden section, in doubles.
+    const curve = join(folder, 'near-cusp.json');
+    const eps = 1e-3;
+    writeFileSync(curve, JSON.stringify({ phrame: 'curve/1', basis: 'power', preimage: { u: [-0.5, 1], v: [0], p: [eps, 0], q: [0, eps] } }));
+    const curvature = (t) => {
+      // A = u + p j + q k: r′ = (u² − p² − q², 2uq, −2up).
+      const [u, p, q] = [t - 0.5, eps, eps * t];
+      const first = [u * u - p * p - q * q, 2 * u * q, -2 * u * p];
+      const second = [2 * u - 2 * q * eps, 2 * q + 2 * u * eps, -2 * p];
+      const cross = [0, 1, 2].map((k) => first[(k + 1) % 3] * second[(k + 2) % 3] - first[(k + 2) % 3] * second[(k + 1) % 3]);
+      return Math.hypot(...cross) / Math.hypot(...first) ** 3;
+    };
+    let greatest = 0;
+    for (let k = -20000; k <= 20000; ++k) greatest = Math.max(greatest, curvature(0.5 + k * 1e-6));
+    const { page, complaints, close } = await open(curve);
+    const found = await page.evaluate(() => {
+      const lines = JSON.parse(document.getElementById('data').textContent).csv.trim().split('\n').map((line) => line.split(','));
+      const column = lines[0].indexOf('curvature');
+      return Math.max(...lines.slice(1).map((line) => Number(line[column])));
+    });
+    assert.ok(Math.abs(found / greatest - 1) < 1e-4, `${found}, ${greatest}`);
+    const cut = await page.evaluate(() =>
+      [...document.querySelectorAll('#plots svg')].map((image) => {
+        const frame = image.getBoundingClientRect();
+        const ticks = [...image.querySelectorAll('.tick text')].map((text) => text.getBoundingClientRect());
+        return { count: ticks.length, cut: ticks.some((text) => text.left < frame.left - 1) };
+      }),
+    );
+    assert.ok(cut.length >= 4 && cut.every(({ count, cut }) => count >= 3 && !cut), JSON.stringify(cut));
+    assert.deepEqual(complaints, []);
+    await close();
+  },
+
+  async 'at four widths, light and dark, nothing is covered by anything after scrolling'() {
+    for (const width of [360, 768, 1280, 1920])
+      for (const colorScheme of ['light', 'dark']) {
+        const { page, complaints, close } = await open(quintic, [], { viewport: { width, height: 800 }, colorScheme });
+        const covered = await page.evaluate(async () => {
+          const found = [];
+          if (document.documentElement.scrollWidth > innerWidth) found.push(`wider than ${innerWidth}`);
+          for (const id of ['formula', 'poles', 'facts', 'downloads', 'plots']) {
+            const part = document.getElementById(id);
+            for (const block of ['start', 'center', 'end']) {
+              part.scrollIntoView({ block });
+              await new Promise((done) => requestAnimationFrame(done));
+              const box = part.getBoundingClientRect();
+              const middle = (Math.max(box.top, 0) + Math.min(box.bottom, innerHeight)) / 2;
+              for (const share of [0.05, 0.5, 0.95]) {
+                const at = document.elementFromPoint(box.left + share * box.width, middle);
+                if (at && !part.contains(at) && !at.contains(part)) found.push(`${id} by ${at.id || at.tagName}`);
+              }
+            }
+          }
+          return found;
+        });
+        assert.deepEqual(covered, [], `${width}, ${colorScheme}`);
+        await page.screenshot({ path: join(pictures, `quintic-${width}-${colorScheme}.png`) });
+        assert.deepEqual(complaints, []);
+        await close();
+      }
   },
 
   async 'on a telephone, in the dark, nothing is wider than the screen'() {

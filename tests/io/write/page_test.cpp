@@ -30,6 +30,15 @@ Json data_of(const std::string& html) {
   return Json::parse(html.substr(begin, html.find("</script>", begin) - begin));
 }
 
+/// The row at this t; there are others where the graphs turn and bend.
+const std::vector<double>& row_at(const PageAnswer& page, double t) {
+  const auto& rows = page.table.rows;
+  const auto found =
+      std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row[0] == t; });
+  REQUIRE(found != rows.end());
+  return *found;
+}
+
 PageAnswer page(const std::string& name) {
   PageQuery query;
   query.samples = 5;
@@ -42,12 +51,12 @@ TEST_CASE("page: the table is that of the frames, with θ, its rate and the spee
   const PageAnswer found = page("q");
   CHECK(found.frames ==
         std::vector{TabulatedFrame::rmf, TabulatedFrame::euler_rodrigues, TabulatedFrame::frenet});
-  CHECK(found.table.rows.size() == 5);
+  CHECK(found.table.rows.size() >= 5);
   const auto& names = found.table.columns;
   CHECK(std::vector<std::string>(names.end() - 6, names.end()) ==
         std::vector<std::string>{"s", "curvature", "torsion", "theta", "theta_rate", "speed"});
   // θ′ = −8t(t − 1)/σ with σ = 37t⁴ − 72t³ + 46t² − 12t + 6 [Farouki 2003]: 2/σ and σ at 1/2.
-  const std::vector<double>& middle = found.table.rows[2];
+  const std::vector<double>& middle = row_at(found, 0.5);
   const double sigma = 37.0 / 16 - 9 + 11.5 - 6 + 6;
   CHECK(middle.back() == sigma);
   CHECK(middle[middle.size() - 2] == 2 / sigma);
@@ -117,14 +126,13 @@ TEST_CASE("page: frames that are given stand beside the exact ones, with their e
     query.given.push_back({t, rounded(n.e2), rounded(n.e3)});
   }
   const PageAnswer found = answer(NamedPath{"", Path(test::quintic), {}}, query);
-  CHECK(found.table.rows.size() == 3);
   CHECK(found.table.columns.back() == "error");
   const RmfAngle to_frenet(test::quintic, Reference::frenet);
   for (std::size_t k = 0; k < 3; ++k) {
     const Real theta = to_frenet.value(query.given[k].t);
-    CHECK(found.table.rows[k].back() == doctest::Approx(-round_to_double(theta)).epsilon(1e-12));
     // Before the error are g2 and g3; f₂ begins behind t, r and e₁.
-    const std::vector<double>& row = found.table.rows[k];
+    const std::vector<double>& row = row_at(found, round_to_double(query.given[k].t));
+    CHECK(row.back() == doctest::Approx(-round_to_double(theta)).epsilon(1e-12));
     const bool has_same_start = std::abs(row[7] - row[row.size() - 7]) < 1e-15;
     CHECK(has_same_start == (k == 0));
   }
@@ -132,7 +140,7 @@ TEST_CASE("page: frames that are given stand beside the exact ones, with their e
   CHECK_FALSE(found.check->verdict.passes);
   query.start = Angle(1);
   const PageAnswer turned = answer(NamedPath{"", Path(test::quintic), {}}, query);
-  CHECK(std::abs(turned.table.rows[0].back()) > 0.1);
+  CHECK(std::abs(row_at(turned, 0).back()) > 0.1);
 }
 
 TEST_CASE("page: its numbers are the table, and names are inert") {
