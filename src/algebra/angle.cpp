@@ -2,6 +2,8 @@
 
 #include <ostream>
 
+#include "phrame/algebra/algebraic_angle.hpp"
+
 namespace phrame {
 
 Real to_real(const Angle& angle) {
@@ -11,7 +13,10 @@ Real to_real(const Angle& angle) {
     return add(multiply(RealBall(angle.half_turns, more), pi(more), more),
                RealBall(angle.radians, more), more);
   };
-  return {enclosure, {true, bits_of(angle.half_turns) + bits_of(angle.radians)}};
+  const auto rest = [half_turns = angle.half_turns] { return AlgebraicAngle(half_turns); };
+  return {enclosure,
+          {true, bits_of(angle.half_turns) + bits_of(angle.radians),
+           std::make_shared<const AngleForm>(AngleForm{angle.radians, rest})}};
 }
 
 std::string to_string(const Angle& angle) {

@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/algebra/shared.hpp"
 
 namespace phrame {
@@ -14,6 +15,30 @@ Real::Origin of_both(const Real& x, const Real& y) {
   return {(x.exact() && b.is_irrational) || (y.exact() && a.is_irrational), a.bits + b.bits};
 }
 
+/// What is known of it as an angle; null where that is nothing.
+std::shared_ptr<const AngleForm> angle_form(const Real& x) {
+  if (!x.exact()) return x.origin().angle;
+  return std::make_shared<const AngleForm>(AngleForm{*x.exact(), [] { return AlgebraicAngle(); }});
+}
+
+AngleForm sum_of(const std::shared_ptr<const AngleForm>& a,
+                 const std::shared_ptr<const AngleForm>& b) {
+  return {a->radians + b->radians, [a, b]() -> std::optional<AlgebraicAngle> {
+            const auto x = a->rest();
+            const auto y = x ? b->rest() : std::nullopt;
+            return y ? std::optional(*x + *y) : std::nullopt;
+          }};
+}
+
+std::shared_ptr<const AngleForm> opposite(const std::shared_ptr<const AngleForm>& a) {
+  if (!a) return nullptr;
+  return std::make_shared<const AngleForm>(
+      AngleForm{-a->radians, [a]() -> std::optional<AlgebraicAngle> {
+                  const auto x = a->rest();
+                  return x ? std::optional(-*x) : std::nullopt;
+                }});
+}
+
 }  // namespace
 
 long bits_of(const Rational& x) {
@@ -22,15 +47,24 @@ long bits_of(const Rational& x) {
 
 Real operator-(const Real& x) {
   if (x.exact()) return Rational(-*x.exact());
-  return {[x](long bits) { return subtract(RealBall(), x.enclose(bits), bits); }, x.origin()};
+  Real::Origin origin = x.origin();
+  origin.angle = opposite(origin.angle);
+  return {[x](long bits) { return subtract(RealBall(), x.enclose(bits), bits); },
+          std::move(origin)};
 }
 
 Real operator+(const Real& x, const Real& y) {
   if (x.exact() && y.exact()) return Rational(*x.exact() + *y.exact());
   if (x.exact() == Rational(0)) return y;
   if (y.exact() == Rational(0)) return x;
-  return {[x, y](long bits) { return add(x.enclose(bits + 8), y.enclose(bits + 8), bits + 8); },
-          of_both(x, y)};
+  Real::Enclosure enclosure = [x, y](long bits) {
+    return add(x.enclose(bits + 8), y.enclose(bits + 8), bits + 8);
+  };
+  const auto a = angle_form(x);
+  const auto b = a ? angle_form(y) : nullptr;
+  const Real::Origin origin = of_both(x, y);
+  if (a && b) return real_angle(std::move(enclosure), sum_of(a, b), origin.bits);
+  return {std::move(enclosure), origin};
 }
 
 Real operator*(const Real& x, const Real& y) {
@@ -38,6 +72,8 @@ Real operator*(const Real& x, const Real& y) {
   if (x.exact() == Rational(0) || y.exact() == Rational(0)) return Rational(0);
   if (x.exact() == Rational(1)) return y;
   if (y.exact() == Rational(1)) return x;
+  if (x.exact() == Rational(-1)) return -y;
+  if (y.exact() == Rational(-1)) return -x;
   return {
       [x, y](long bits) { return multiply(x.enclose(bits + 8), y.enclose(bits + 8), bits + 8); },
       of_both(x, y)};

@@ -7,6 +7,8 @@
 
 namespace phrame {
 
+struct AngleForm;
+
 /// The bits of numerator and denominator.
 long bits_of(const Rational& x);
 
@@ -20,6 +22,7 @@ class Real {
     bool is_irrational =
         false;      ///< proved: with enough bits it is apart from every rational number
     long bits = 0;  ///< of all that the number was made from, about
+    std::shared_ptr<const AngleForm> angle = nullptr;  ///< where it is known to be such an angle
   };
 
   /// A number known exactly.
@@ -28,12 +31,13 @@ class Real {
   explicit Real(Enclosure enclosure) : Real(std::move(enclosure), Origin()) {}
   /// The same with what is known beside them.
   Real(Enclosure enclosure, Origin origin)
-      : enclosure_(std::make_shared<const Enclosure>(std::move(enclosure))), origin_(origin) {}
+      : enclosure_(std::make_shared<const Enclosure>(std::move(enclosure))),
+        origin_(std::move(origin)) {}
 
   /// The number, where it is known exactly; else it may be rational still.
   const std::optional<Rational>& exact() const { return exact_; }
   /// Of an exact number, its bits.
-  Origin origin() const { return exact_ ? Origin{false, bits_of(*exact_)} : origin_; }
+  Origin origin() const { return exact_ ? Origin{false, bits_of(*exact_), nullptr} : origin_; }
   /// A ball around it: the more bits, the narrower, as the enclosure does it.
   RealBall enclose(long bits) const {
     return exact_ ? RealBall(*exact_, bits) : (*enclosure_)(bits);
@@ -45,8 +49,10 @@ class Real {
   Origin origin_;
 };
 
-/// @{ Exact where the operands are, and 0·x = 0. Sums and products of an irrational number and a
-/// rational one ≠ 0 are irrational; of two irrational ones nothing is known.
+/// @{ Exact where the operands are, and 0·x = 0; sums of what has an AngleForm are exact where
+/// they are rational, and else known to be irrational. Sums and products of an
+/// irrational number and a rational one ≠ 0 are irrational; of two other irrational ones nothing is
+/// known.
 Real operator-(const Real& x);
 Real operator+(const Real& x, const Real& y);
 Real operator*(const Real& x, const Real& y);

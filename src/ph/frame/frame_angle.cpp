@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 
@@ -75,8 +76,13 @@ Real to_real(const FrameAngle& angle) {
         add(multiply(RealBall(times_pi, more), pi(more), more), RealBall(in_radians, more), more),
         argument(direction.re, direction.im, more), more);
   };
+  const auto rest = [angle] {
+    const auto& [re, im] = angle.direction;
+    return AlgebraicAngle(angle.half_turns) + AlgebraicAngle::argument(re, im, 1);
+  };
   return {enclosure,
-          {true, bits_of(half_turns) + bits_of(radians) + bits_of(z.re) + bits_of(z.im)}};
+          {true, bits_of(half_turns) + bits_of(radians) + bits_of(z.re) + bits_of(z.im),
+           std::make_shared<const AngleForm>(AngleForm{radians, rest})}};
 }
 
 AngleTerms terms(const FrameAngle& angle) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 
@@ -41,12 +42,7 @@ FrameAngle reduced(const FrameAngle& angle) {
     }
 }
 
-Real whole_turn(const Integer& k) {
-  const auto enclosure = [k](long bits) {
-    return multiply(RealBall(Rational(2 * k), bits + 8), pi(bits + 8), bits + 8);
-  };
-  return {enclosure, {k != 0, bits_of(Rational(k))}};
-}
+Real whole_turn(const Integer& k) { return to_real(Angle(Rational(2 * k), 0)); }
 
 ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>()>& over_pi,
                      long most_bits) {
@@ -61,8 +57,7 @@ ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>(
       if (known && denominator(*known) == 1) {
         const Integer n(numerator(*known));
         if (n % 2 == 0) return {Rational(0), n / 2, std::nullopt};
-        const Real half_turn([](long precision) { return pi(precision); }, {true, 0});
-        return {half_turn, (n - 1) / 2, Rational(0)};
+        return {to_real(Angle(1, 0)), (n - 1) / 2, Rational(0)};
       }
     }
     if (!is_near || was_asked)
@@ -81,7 +76,7 @@ ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>(
 
 ReducedAngle reduced(const Real& x) {
   return reduced(
-      x, [] { return std::nullopt; }, 256);
+      x, [&x] { return over_pi(x); }, 256);
 }
 
 RealBall reduced(const RealBall& x, long bits) {

@@ -28,7 +28,8 @@ struct ReducedAngle {
 /// do not shrink.
 ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>()>& over_pi,
                      long most_bits = 32768);
-/// The same where nothing is known of x/π, and values are dear: up to 256 bits.
+/// The same with what x knows of itself, algebraic_angle.hpp, and where values are dear: up to 256
+/// bits.
 ReducedAngle reduced(const Real& x);
 
 /// x less the multiple of 2π next to its midpoint: a ball around a number of about [−π, π], for
