@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/ball_series.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
@@ -9,15 +10,17 @@
 namespace phrame {
 namespace {
 
-/// θ to about 2^−84 of its absolute value or of `scale`, the greater one.
+/// θ to about 2^−84 of its absolute value or of `scale`, the greater one. To 2^−400 is enough in any
+/// case: so the error of a piece may be, where θ is constant, or nearly so, and not told from 0.
 RealBall accurate(const Real::Enclosure& theta, const RealBall& scale) {
-  constexpr long most = 1L << 17;
+  constexpr long most = 1L << 14;
+  const RealBall least = times_power_of_two(RealBall(1, 2), -400);
   for (long more = angle_bits; more <= most; more *= 2) {
     const RealBall value = theta(more);
     const RealBall allowed = times_power_of_two(add(absolute(value), scale, angle_bits), -84);
-    if (value.radius() == 0 || value.radius() <= allowed.lower()) return value;
+    if (value.radius() <= max(allowed, least, angle_bits).lower()) return value;
   }
-  throw Undecided(fmt::format("compiled angle: {} bits do not tell a constant angle from 0", most));
+  throw Undecided(fmt::format("compiled angle: the angle is not found with {} bits", most));
 }
 
 /// w near 1/√S on a piece, and a bound of |w − 1/√S| there.

@@ -10,6 +10,7 @@
 #include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
+#include "phrame/ph/smooth/plane_turns.hpp"
 #include "phrame/ph/smooth/segment_integral.hpp"
 #include "phrame/ph/smooth/smooth_shape.hpp"
 #include "phrame/ph/smooth/up_vector.hpp"
@@ -30,6 +31,7 @@ struct SmoothAngle::State {
   SmoothReference reference;
   bool is_zero = true;
   std::vector<Lazy<SegmentIntegral>> integrals;  ///< of the segments
+  Lazy<PlaneTurns> plane_turns{};
 
   std::mutex sums_lock;
   std::map<long, std::vector<RealBall>> sums{};  ///< θ(0), θ(1), … by precision
@@ -51,6 +53,11 @@ struct SmoothAngle::State {
   }
 
   RealBall sum_before(std::size_t segment, long bits);
+
+  std::optional<AngleForm> algebraic_form(const SmoothParameter& at) const {
+    if (reference != SmoothReference::up) return std::nullopt;
+    return plane_turns.get([&] { return PlaneTurns(path, up); }).at(at);
+  }
 };
 
 /// θ at the start of the segment.
@@ -84,7 +91,10 @@ bool SmoothAngle::is_zero() const { return state_->is_zero; }
 Real SmoothAngle::value(const SmoothParameter& at) const {
   require_on_segment(at.t);
   if (is_zero() || (at.segment == 0 && at.t.exact() == Rational(0))) return Rational(0);
-  return Real([*this, at](long bits) { return enclose(at, bits); }, {false, at.t.origin().bits});
+  const auto enclosure = [*this, at](long bits) { return enclose(at, bits); };
+  if (auto form = state_->algebraic_form(at))
+    return real_angle(enclosure, *std::move(form), at.t.origin().bits);
+  return Real(enclosure, {false, at.t.origin().bits});
 }
 
 RealBall SmoothAngle::enclose(const SmoothParameter& at, long bits) const {
@@ -111,10 +121,8 @@ std::optional<Real> holonomy(const SmoothAngle& angle) {
   const SmoothPath& path = angle.path();
   if (!path.is_closed()) return std::nullopt;
   if (angle.is_zero()) return Rational(0);
-  const bool is_reversed = orientation(path.segments().front()) < 0;
-  const SmoothParameter end{path.segments().size() - 1, Rational(1)};
-  const Real theta = angle.value(end);
-  return reduced(is_reversed ? -theta : theta).angle;
+  const Real turn = angle.value({path.segments().size() - 1, Rational(1)});
+  return reduced(orientation(path.segments().front()) < 0 ? -turn : turn).angle;
 }
 
 }  // namespace phrame

@@ -1,5 +1,6 @@
 #include "phrame/ph/smooth/smooth_frame.hpp"
 
+#include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
@@ -24,13 +25,24 @@ Frame<Real> reference_at(const SmoothAngle& angle, const SmoothParameter& at) {
                                                   : frenet_frame(angle.path(), at);
 }
 
-/// arg(x + iy), in (−π, π]; x and y are multiples of their exact signs.
-Real argument_of(const Real& x, const Real& y, bool y_is_zero, int sign_of_x) {
-  if (y_is_zero && sign_of_x > 0) return Rational(0);
-  if (y_is_zero) return Real([](long bits) { return pi(bits); }, {true, 0});
-  return Real([x, y](long bits) {
+/// arg(x + iy) of x = n·e₂ and y = n·e₃ in (−π, π], where `up` × H, for the frame of `up`, is along
+/// e₂: exact where H and `up` are.
+Real argument_of(const Vector<Rational>& n, const Frame<Real>& frame, const Vector<Real>& H,
+                 const Vector<Real>& up) {
+  const Vector<Real> normal = as_reals(n);
+  const Vector<Real> second = cross(up, H);
+  const Real x = dot(normal, second);
+  const Real y = dot(normal, cross(H, second));
+  const Real sigma = dot(H, H);
+  const auto enclosure = [x = dot(normal, frame.e2), y = dot(normal, frame.e3)](long bits) {
     return argument(ComplexBall(x.enclose(bits + 8), y.enclose(bits + 8)), bits + 8);
-  });
+  };
+  if (y.exact() == Rational(0)) return sign_of(x) > 0 ? Real(Rational(0)) : to_real(Angle(1, 0));
+  if (!x.exact() || !y.exact() || !sigma.exact()) return Real(enclosure);
+  // e₃ is along H × second/|H|.
+  const auto rest = [x = *x.exact(), y = Rational(*y.exact() / *sigma.exact()),
+                     sigma = *sigma.exact()] { return AlgebraicAngle::argument(x, y, sigma); };
+  return real_angle(enclosure, {0, rest}, x.origin().bits + y.origin().bits);
 }
 
 }  // namespace
@@ -60,17 +72,10 @@ Real start_angle(const FrameStart& start, const SmoothAngle& angle, const Smooth
   if (is_zero(cross(H, as_reals(normal))))
     throw DomainError("the vector " + abbreviated(normal) + " has no part in the normal plane" +
                       (normal == Vector<Rational>{} ? "" : ": it is along the tangent"));
-  const Real x = dot(as_reals(normal), frame.e2);
-  const Real y = dot(as_reals(normal), frame.e3);
-  // Exactly: n·e₂ and n·e₃ up to positive factors.
-  const Vector<Real> e2 = angle.reference() == SmoothReference::up
-                              ? cross(as_reals(angle.up()), H)
-                              : cross(cross(H, direction_slope(angle.path(), at)), H);
-  const Real exact_x = dot(as_reals(normal), e2);
-  const Real exact_y = dot(as_reals(normal), cross(H, e2));
-  const bool y_is_zero = exact_y.exact() == Rational(0);
-  const int sign_of_x = exact_x.exact() ? exact_x.exact()->sign() : 0;
-  return argument_of(x, y, y_is_zero, sign_of_x);
+  const Vector<Real> up = angle.reference() == SmoothReference::up
+                              ? as_reals(angle.up())
+                              : cross(H, direction_slope(angle.path(), at));
+  return argument_of(normal, frame, H, up);
 }
 
 Frame<Real> rotation_minimizing_frame(const SmoothAngle& angle, const SmoothParameter& at,

@@ -1,5 +1,6 @@
 #include "phrame/ph/smooth/smooth_twist.hpp"
 
+#include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
 #include "phrame/ph/smooth/formula_symmetry.hpp"
@@ -9,21 +10,6 @@ namespace {
 
 SmoothParameter end_of_path(const SmoothPath& path) {
   return {path.segments().size() - 1, Rational(1)};
-}
-
-/// θ_f − θ_i, and that over π where it is known to be rational.
-struct TurnBetween {
-  Real angle;
-  std::optional<Rational> half_turns;
-};
-
-TurnBetween turn_between(const FrameStart& from, const FrameStart& to, const Real& start,
-                         const Real& end) {
-  const auto* first = std::get_if<Angle>(&from);
-  const auto* last = std::get_if<Angle>(&to);
-  if (first == nullptr || last == nullptr) return {end + -start, std::nullopt};
-  const FrameAngle between = difference(FrameAngle(*last), FrameAngle(*first));
-  return {to_real(between), over_pi(between)};
 }
 
 Real mean_of(const Real& x, const Real& y) { return Rational(1, 2) * (x + y); }
@@ -43,10 +29,8 @@ SmoothTwist::SmoothTwist(const SmoothAngle& rmf, const FrameStart& from, const F
       twist_(Rational(0)) {
   if (rmf.reference() != SmoothReference::up)
     throw DomainError("minimal twist: it is found from the angle to the frame of an up vector");
-  const TurnBetween between = turn_between(from, to, from_, to_);
-  nominal_ = remembered(up_twist() + between.angle);
-  const auto known = [&] { return between.half_turns; };
-  const ReducedAngle least = rmf_.is_zero() ? reduced(nominal_, known) : reduced(nominal_);
+  nominal_ = remembered(up_twist() + (to_ + -from_));
+  const ReducedAngle least = reduced(nominal_);
   half_turn_within_ = least.half_turn_within;
   twist_ = extra_turns == 0 ? least.angle : least.angle + whole_turn(extra_turns);
   turns_at_end_ = extra_turns - least.turns;
