@@ -239,7 +239,7 @@ PageAnswer answer(const NamedPath& named, const PageQuery& query) {
 PageAnswer answer(const NamedSmoothPath& named, const PageQuery& query) {
   const SmoothPath& path = named.path;
   const SmoothAngle angle = query.up ? SmoothAngle(path, *query.up) : SmoothAngle(path);
-  const bool is_closed = path.is_closed();
+  const bool is_closed = closure(path).is_closed == true;
   std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::up,
                                      TabulatedFrame::frenet};
   std::optional<SmoothTwist> twist;

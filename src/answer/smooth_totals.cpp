@@ -102,7 +102,12 @@ TotalsAnswer answer(const NamedSmoothPath& named, const TotalsQuery& query) {
                           path.segments().size() == 1 ? "not a plane curve" : "not in one plane");
   totals.add(Quantity::bending_energy, bending_energy(path));
   totals.add_frenet(Quantity::frenet_energy, no_torsion, [&] { return frenet_energy(path); });
-  if (!path.is_closed()) return answer;
+  const Closure closed = closure(path);
+  if (!closed.is_closed)
+    for (const Quantity quantity :
+         {Quantity::holonomy, Quantity::closing_turn, Quantity::writhe, Quantity::self_linking})
+      totals.add_reason(quantity, "undecided: " + closed.undecided);
+  if (closed.is_closed != true) return answer;
   add_holonomy(totals, angle, length);
   for (TotalsAnswer::Row& row : writhe_rows(path, query.digits))
     answer.rows.push_back(std::move(row));

@@ -7,7 +7,9 @@
 #include "phrame/answer/smooth_angle.hpp"
 #include "phrame/answer/smooth_table.hpp"
 #include "phrame/answer/totals.hpp"
+#include "phrame/io/write/answers.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "support/expression_curves.hpp"
 #include "support/paths.hpp"
 
 using namespace phrame;
@@ -61,6 +63,13 @@ TEST_CASE("smooth answers: a start angle is added, a start normal measured") {
   CHECK(answer(cubic, query).start_angle.value == "0.92729521800161223");
   query.start = StartNormal({5, 0, 0});
   CHECK_THROWS_AS(answer(cubic, query), DomainError);
+  // In a plane: along e₂ = (−cos 1, −sin 1, 0), no fractions, and against it.
+  const NamedSmoothPath arc{
+      "", SmoothPath(test::expression_curve({"cos(s)", "sin(s)", "0"}, "1", "2"))};
+  query.start = StartNormal({-1, -1, 0});
+  CHECK(answer(arc, query).start_angle.value == "0");
+  query.start = StartNormal({1, 1, 0});
+  CHECK(answer(arc, query).start_angle.value == "3.1415926535897932");
 }
 
 TEST_CASE("smooth answers: an up vector along the tangent is refused, with the place") {
@@ -227,4 +236,24 @@ TEST_CASE("smooth answers: closed PH splines have a writhe, open ones no row of 
   CHECK(value(plane, Quantity::self_linking) == "0");
   const TotalsAnswer open = answer(NamedPath{"", test::quarters().front()}, TotalsQuery{6});
   CHECK(open.rows.back().quantity == Quantity::frenet_energy);
+}
+
+// No form says that it is closed.
+TEST_CASE("smooth answers: only what needs it is undecided where a path may be closed or not") {
+  const NamedSmoothPath path{
+      "", SmoothPath(test::expression_curve({"cos(exp(1)*s)", "sin(exp(1)*s)", "sin(2*exp(1)*s)"},
+                                            "exp(-1)", "exp(-1)*(1 + 2*pi)"))};
+  const SmoothAngleAnswer angle = answer(path, SmoothAngleQuery{.at = {Rational(1, 2)}});
+  CHECK(angle.values.size() == 1);
+  CHECK(angle.no_holonomy.starts_with("whether the ends of the curve meet"));
+  CHECK(to_json(angle).find("\"closed\": null") != std::string::npos);
+  CHECK(to_text(angle).find("open or closed: undecided") != std::string::npos);
+  const SmoothInfoAnswer info = answer(path, InfoQuery{});
+  CHECK(to_json(info).find("\"ends_meet\": null") != std::string::npos);
+  const TotalsAnswer totals = answer(path, TotalsQuery{});
+  long undecided = 0;
+  for (const TotalsAnswer::Row& row : totals.rows)
+    undecided += row.reason.starts_with("undecided: whether the ends") ? 1 : 0;
+  CHECK(undecided == 4);
+  CHECK(totals.rows.front().value);
 }

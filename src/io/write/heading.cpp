@@ -12,6 +12,14 @@ std::string closure(const Path& path) {
   return path.ends_meet() ? "its ends meet, but not their tangents" : "open";
 }
 
+std::string closure_text(const SmoothPath& path) {
+  const Closure closure = phrame::closure(path);
+  if (!closure.ends_meet) return "open or closed: undecided";
+  if (!*closure.ends_meet) return "open";
+  if (!closure.is_closed) return "its ends meet, perhaps with their tangents: undecided";
+  return *closure.is_closed ? "closed" : "its ends meet, but not their tangents";
+}
+
 }  // namespace
 
 std::string heading(const std::string& name, const Curve& curve) {
@@ -34,9 +42,6 @@ std::string heading(const NamedPath& named) {
 
 std::string heading(const NamedSmoothPath& named) {
   const auto& segments = named.path.segments();
-  const std::string closure = named.path.is_closed()   ? "closed"
-                              : named.path.ends_meet() ? "its ends meet, but not their tangents"
-                                                       : "open";
   std::string kind = fmt::format("path of {}", counted(segments.size(), "curve"));
   if (segments.size() == 1) {
     kind = "curve by formulas, along which t runs from 0 to 1";
@@ -44,7 +49,7 @@ std::string heading(const NamedSmoothPath& named) {
       kind = fmt::format("{} curve of degree {}",
                          curve->weight().is_constant() ? "polynomial" : "rational", degree(*curve));
   }
-  return fmt::format("{}{}, {}", name_prefix(named.name), kind, closure);
+  return fmt::format("{}{}, {}", name_prefix(named.name), kind, closure_text(named.path));
 }
 
 std::string note_on_sign(const Curve& curve) {

@@ -243,9 +243,10 @@ Fields fields(const SmoothInfoAnswer& info) {
          {"", "$r(1)$", point(*curve, 1)},
          {"cusps", "cusp, $r′ = 0$", cusps_value(info.cusps)}});
   }
+  const Closure closed = closure(path);
   add({{"segments", "", smooth_segments(info)},
-       json_field("closed", path.is_closed()),
-       json_field("ends_meet", path.ends_meet()),
+       json_field("closed", json_if_known(closed.is_closed)),
+       json_field("ends_meet", json_if_known(closed.ends_meet)),
        {"arc_length", "length $∫ |r′|$", length_value(info.length)},
        plane_field(info),
        {"up", "$v$", info.up},

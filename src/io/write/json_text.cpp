@@ -171,6 +171,8 @@ JsonOutput json_of(const PathEnd& end) {
           {"value", round_to_decimal(to_real(a), 17).value}};
 }
 
+JsonOutput json_if_known(const std::optional<bool>& x) { return x ? JsonOutput(*x) : JsonOutput(); }
+
 JsonOutput json_of(const Decimal& x) { return {{"value", x.value}, {"radius", x.radius}}; }
 
 JsonOutput json_of(const std::vector<AngleValue>& values) {

@@ -46,6 +46,8 @@ JsonOutput json_of(const Real& x, const Decimal& rounded);
 /// As a PathEnd; a text where it is rational.
 JsonOutput json_of(const RealAlgebraic& x);
 JsonOutput json_of(const Vector<Rational>& point);
+/// null where it is undecided.
+JsonOutput json_if_known(const std::optional<bool>& x);
 /// A "note" for a file with a curve that stands for another.
 void add_note(JsonOutput& json, const std::optional<Nearness>& near);
 /// A curve/1 object in the power basis.

@@ -69,7 +69,7 @@ JsonOutput json_of(const SmoothAngleAnswer& answer) {
   if (start == nullptr)
     json["start_normal"] = phrame::json_of(std::get<StartNormal>(answer.start).vector);
   json["total"] = phrame::json_of(answer.total);
-  json["closed"] = answer.path.path.is_closed();
+  json["closed"] = json_if_known(closure(answer.path.path).is_closed);
   json["holonomy"] = answer.holonomy ? phrame::json_of(*answer.holonomy) : JsonOutput();
   if (!answer.no_holonomy.empty()) json["holonomy_reason"] = "undecided: " + answer.no_holonomy;
   json["values"] = phrame::json_of(answer.values);

@@ -20,6 +20,7 @@ constexpr long end_bits = 1024;
 FormulaId parameter_step(const ExpressionCurve& curve, const Rational& t, FormulaProgram& program) {
   const FormulaId a = program.insert(curve.from(), program.number(0));
   const FormulaId b = program.insert(curve.to(), program.number(0));
+  if (t == 1) return b;
   return program.add(a, program.multiply(program.number(t), program.subtract(b, a)));
 }
 
@@ -105,16 +106,40 @@ Vector<ComplexSeries> unknown_vector(long length) {
   return {unknown, unknown, unknown};
 }
 
-/// The vector, where all its components are rational by their form.
-std::optional<Vector<Rational>> rational_vector(const FormulaProgram& program,
-                                                const ExactVector& v) {
-  Vector<Rational> result;
+/// The vector, where all its components are known exactly.
+std::optional<Vector<FormulaConstant>> exact_vector(const FormulaProgram& program,
+                                                    const ExactVector& v) {
+  Vector<FormulaConstant> result;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Rational* component = program.rational(v[k]);
-    if (component == nullptr) return std::nullopt;
+    const auto component = program.constant(v[k]);
+    if (!component) return std::nullopt;
     result[k] = *component;
   }
   return result;
+}
+
+/// That vector, or 1/π of it, where its components are sums of square roots.
+std::optional<Vector<Surd>> surd_direction(const FormulaProgram& program, const ExactVector& v) {
+  const auto exact = exact_vector(program, v);
+  if (!exact) return std::nullopt;
+  const auto& [x, y, z] = *exact;
+  if (x.of_pi.is_zero() && y.of_pi.is_zero() && z.of_pi.is_zero())
+    return Vector<Surd>{x.plain, y.plain, z.plain};
+  if (x.plain.is_zero() && y.plain.is_zero() && z.plain.is_zero())
+    return Vector<Surd>{x.of_pi, y.of_pi, z.of_pi};
+  return std::nullopt;
+}
+
+/// Is a a positive multiple of b?
+bool is_positive_multiple(const Vector<Surd>& a, const Vector<Surd>& b) {
+  Surd scalar;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3;
+    const std::size_t j = (k + 2) % 3;
+    if (!(a[i] * b[j] - a[j] * b[i]).is_zero()) return false;
+    scalar = scalar + a[k] * b[k];
+  }
+  return sign(scalar) > 0;
 }
 
 /// a·b, for vectors of balls.
@@ -227,7 +252,9 @@ int direction_of_parameter(const ExpressionCurve& curve) {
 std::optional<bool> are_equal(const FormulaProgram& program, const ExactVector& a,
                               const ExactVector& b, long most_bits) {
   if (a == b) return true;
-  if (rational_vector(program, a) && rational_vector(program, b)) return false;
+  const auto p = exact_vector(program, a);
+  const auto q = exact_vector(program, b);
+  if (p && q) return p == q;
   for (long bits = 128; bits <= most_bits; bits *= 2) {
     const Vector<RealBall> x = values(program, a, bits);
     const Vector<RealBall> y = values(program, b, bits);
@@ -240,9 +267,9 @@ std::optional<bool> are_equal(const FormulaProgram& program, const ExactVector& 
 std::optional<bool> have_same_direction(const FormulaProgram& program, const ExactVector& a,
                                         const ExactVector& b, long most_bits) {
   if (a == b) return true;
-  const auto p = rational_vector(program, a);
-  const auto q = rational_vector(program, b);
-  if (p && q) return cross(*p, *q) == Vector<Rational>{} && dot(*p, *q) > 0;
+  const auto p = surd_direction(program, a);
+  const auto q = surd_direction(program, b);
+  if (p && q) return is_positive_multiple(*p, *q);
   for (long bits = 128; bits <= most_bits; bits *= 2) {
     const Vector<RealBall> x = values(program, a, bits);
     const Vector<RealBall> y = values(program, b, bits);

@@ -10,15 +10,43 @@ namespace {
 
 /// Of numbers that exact ones are made of.
 constexpr long most_exact_bits = 10'000;
+/// Each new one is compared with them.
+constexpr std::size_t most_constants = 256;
 
 }  // namespace
 
 using StepId = FormulaProgram::Id;
 
 StepId FormulaProgram::step(Step step) {
-  const auto [at, is_new] = ids_.try_emplace(step, steps_.size());
-  if (is_new) steps_.push_back(std::move(step));
-  return at->second;
+  if (const auto known = ids_.find(step); known != ids_.end()) return known->second;
+  if (const auto equal = known_constant(step)) return *equal;
+  ids_.emplace(step, steps_.size());
+  steps_.push_back(std::move(step));
+  return steps_.size() - 1;
+}
+
+/// The step that has its value already; else what that is, is kept for the step that comes next.
+std::optional<StepId> FormulaProgram::known_constant(const Step& step) {
+  if (step.operation == Operation::number || step.operation == Operation::variable)
+    return std::nullopt;
+  const bool has_two = step.operation == Operation::add || step.operation == Operation::multiply ||
+                       step.operation == Operation::divide;
+  const auto left = constant(step.left);
+  const auto right = left ? constant(has_two ? step.right : step.left) : std::nullopt;
+  const auto value = right ? phrame::apply(step, *left, *right) : std::nullopt;
+  if (!value) return std::nullopt;
+  if (value->plain.is_rational() && value->of_pi.is_rational())
+    return number(value->plain.rational_part(), value->of_pi.rational_part());
+  for (const auto& [id, known] : constants_)
+    if (known == *value) return id;
+  if (constants_.size() < most_constants) constants_.emplace(steps_.size(), *value);
+  return std::nullopt;
+}
+
+std::optional<FormulaConstant> FormulaProgram::constant(StepId a) const {
+  if (is_number(a)) return FormulaConstant{steps_[a].number, steps_[a].pi_multiple};
+  const auto known = constants_.find(a);
+  return known == constants_.end() ? std::nullopt : std::optional(known->second);
 }
 
 StepId FormulaProgram::number(Rational rational, Rational pi_multiple) {
@@ -55,9 +83,20 @@ StepId FormulaProgram::add(StepId a, StepId b) {
   return step({Operation::add, std::min(a, b), std::max(a, b), 0, 0});
 }
 
+/// c·(x/y)·d·y = cd·x: that it is defined is seen at the quotient.
+std::optional<StepId> FormulaProgram::without_denominator(StepId quotient, StepId factor) {
+  const auto [c, x] = split_factor(quotient);
+  const auto [d, y] = split_factor(factor);
+  if (steps_[x].operation != Operation::divide || steps_[x].right != y) return std::nullopt;
+  return multiply(number(c * d), steps_[x].left);
+}
+
 StepId FormulaProgram::multiply(StepId a, StepId b) {
   if (rational(b) != nullptr) std::swap(a, b);
   const Rational* known = rational(a);
+  if (known == nullptr)
+    for (const auto& [quotient, factor] : {std::pair(a, b), std::pair(b, a)})
+      if (const auto cancelled = without_denominator(quotient, factor)) return *cancelled;
   if (known == nullptr) return step({Operation::multiply, std::min(a, b), std::max(a, b), 0, 0});
   const Rational c = *known;  // not the step, which moves when there are more
   if (is_short_number(a) && is_short_number(b))

@@ -1,15 +1,16 @@
 #pragma once
 #include <map>
 
-#include "phrame/ph/smooth/formula.hpp"
+#include "phrame/ph/smooth/formula_constant.hpp"
 
 namespace phrame {
 
 /// Several expressions of one variable as one list of steps, in which no value is found twice, and
-/// constants are exact where they are seen to be: sums and rational multiples of α + βπ, and the
-/// sines and cosines of such, of which sin(βπ + α) is brought to one form, with β ∈ [0, 1), so that
-/// what is periodic has the same step at both ends of a period. Two values of one step are equal;
-/// those of different steps may be.
+/// constants are exact where they are seen to be: sums and multiples of α + βπ with sums α and β of
+/// square roots, as FormulaConstant knows them, and the sines and cosines of such with fractions α
+/// and β, of which sin(βπ + α) is brought to one form, with β ∈ [0, 1), so that what is periodic
+/// has the same step at both ends of a period. Two values of one step are equal; those of different
+/// steps may be.
 ///
 /// Products with 0 are 0, whatever the other factor: that it is defined is seen by evaluating all
 /// steps.
@@ -47,9 +48,13 @@ class FormulaProgram {
 
   /// Its rational value, where it is one of these by its form.
   const Rational* rational(Id a) const;
+  /// Its value as a FormulaConstant, likewise.
+  std::optional<FormulaConstant> constant(Id a) const;
 
  private:
   Id step(Step step);
+  std::optional<Id> known_constant(const Step& step);
+  std::optional<Id> without_denominator(Id quotient, Id factor);
   Id apply(const Step& step, Id left, Id right, Id s);
   Id function(Operation operation, Id a) { return step({operation, a, 0, 0, 0}); }
   bool is_number(Id a) const { return steps_[a].operation == Operation::number; }
@@ -61,6 +66,7 @@ class FormulaProgram {
 
   std::vector<Step> steps_;
   std::map<Step, Id> ids_;
+  std::map<Id, FormulaConstant> constants_;  ///< of steps that are no numbers, all different
 };
 
 /// df/ds.

@@ -126,6 +126,17 @@ bool SmoothPath::is_closed() const {
                  "the tangents at the ends of the curve are the same");
 }
 
+Closure closure(const SmoothPath& path) {
+  Closure found;
+  try {
+    found.ends_meet = path.ends_meet();
+    found.is_closed = *found.ends_meet && path.is_closed();
+  } catch (const Undecided& undecided) {
+    found.undecided = undecided.what();
+  }
+  return found;
+}
+
 SmoothPath joined(const std::vector<SmoothSegment>& segments) {
   SmoothPath path(segments.front());
   for (std::size_t k = 1; k < segments.size(); ++k) path.append(segments[k]);

@@ -45,6 +45,15 @@ class SmoothPath {
   std::vector<SmoothSegment> segments_;
 };
 
+/// What is known of the ends of a path.
+struct Closure {
+  std::optional<bool> ends_meet = std::nullopt;  ///< no value where it is undecided
+  std::optional<bool> is_closed = std::nullopt;  ///< likewise: with the same e₁
+  std::string undecided = {};                    ///< why
+};
+/// SmoothPath::ends_meet() and is_closed(), as far as they are told.
+Closure closure(const SmoothPath& path);
+
 /// The segments, at least one, one after the other. Throws as SmoothPath::append.
 SmoothPath joined(const std::vector<SmoothSegment>& segments);
 

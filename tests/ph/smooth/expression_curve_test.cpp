@@ -31,9 +31,13 @@ TEST_CASE("expression curve: where its ends meet, exactly, is seen by their form
   CHECK(meets(trefoil, "1/3 - pi", "1/3 + pi") == true);
   CHECK(meets(trefoil, "0", "pi") == false);
   CHECK(meets(trefoil, "0", "6.283185307179586476925286766559") == false);
-  // (√2 + √3)² = 5 + 2√6: no form that is known.
+  // (√2 + √3)² = 5 + 2√6
   CHECK(meets({"s*(s - (sqrt(2) + sqrt(3))^2 + 5)", "s*(s - 2*sqrt(6))", "sin(s*pi/sqrt(6))"}, "0",
-              "2*sqrt(6)") == std::nullopt);
+              "2*sqrt(6)") == true);
+  // √(5 + 2√6) = √2 + √3: no form that is known.
+  CHECK(meets({"s*(s - sqrt(5 + 2*sqrt(6)))", "s", "0"}, "0", "sqrt(2) + sqrt(3)") == false);
+  CHECK(meets({"s*(s - sqrt(5 + 2*sqrt(6)))", "s^2*(s - sqrt(2) - sqrt(3))", "0"}, "0",
+              "sqrt(2) + sqrt(3)") == std::nullopt);
 }
 
 TEST_CASE("expression curve: directions agree up to a positive factor") {

@@ -62,6 +62,52 @@ TEST_CASE("formula program: sines and cosines of simple angles are rational") {
   CHECK(value("0*s + s^0", Rational(2)) == 1);
 }
 
+TEST_CASE(
+    "formula program: sums of roots, with π or not, and denominators that cancel, are exact") {
+  FormulaProgram program;
+  const auto value = [&](std::string_view text) { return at(program, text, 0, 0); };
+  const auto same = [&](std::string_view a, std::string_view b) { return value(a) == value(b); };
+  CHECK(same("sqrt(2)*(2*pi/sqrt(2))", "2*pi"));
+  CHECK(same("sqrt(8) + 3", "2*sqrt(2) + 3"));
+  CHECK(same("sqrt(2)*sqrt(3)", "sqrt(6)"));
+  CHECK(same("1/(sqrt(5) - 2)", "sqrt(5) + 2"));
+  CHECK(same("(1 + sqrt(2))^3", "7 + 5*sqrt(2)"));
+  CHECK(same("(sqrt(3)*pi)/(sqrt(12)*pi)", "1/2"));
+  CHECK(same("sin(pi/3)", "sqrt(3)/2"));
+  CHECK(same("cos(3*pi/4)", "-1/sqrt(2)"));
+  CHECK(same("sin(pi/12)*4", "sqrt(6) - sqrt(2)"));
+  CHECK(same("cos(pi/5)", "(1 + sqrt(5))/4"));
+  CHECK(same("-sin(13*pi/10)", "cos(pi/5)"));
+  CHECK(same("atan(-sqrt(3))", "-pi/3"));
+  CHECK(same("atan(2 - 3^(1/2))", "pi/12"));
+  CHECK(same("2*exp(1)*(5*pi/exp(1))", "10*pi"));
+  CHECK_FALSE(same("sqrt(2) + sqrt(3)", "sqrt(5 + 24^(1/2) + 2^-200)"));
+  CHECK_FALSE(same("sqrt(2)*pi", "sqrt(2)*pi + 2^-200*sqrt(3)"));
+  CHECK_FALSE(constant_value(program, value("1/(sqrt(2)*sqrt(8) - 4)"), 64).is_finite());
+  CHECK_FALSE(constant_value(program, value("sqrt(1 - sqrt(2))"), 64).is_finite());
+}
+
+TEST_CASE("formula program: law: numbers of its own arithmetic are those of balls") {
+  const std::vector<std::string> leaves{"2",          "1/3",       "sqrt(2)",
+                                        "sqrt(3)",    "pi",        "sin(pi/12)",
+                                        "cos(pi/10)", "sqrt(2/3)", "atan(1/sqrt(3))"};
+  const std::vector<std::string> operations{"+", "-", "*", "/"};
+  test::for_samples(200, [&](test::Random& random) {
+    std::string text = "1";
+    for (long k = random.integer(1, 5); k > 0; --k)
+      text = "(" + text + operations[static_cast<std::size_t>(random.integer(0, 3))] +
+             leaves[static_cast<std::size_t>(random.integer(0, 8))] + ")";
+    CAPTURE(text);
+    FormulaProgram program;
+    const RealBall exact = constant_value(program, at(program, text, 0, 0), 128);
+    const RealBall plain = evaluate_steps(read(text).steps(), BallPolynomial({RealBall()}), 1, 128)
+                               .back()
+                               .coefficient(0);
+    CHECK(exact.is_finite());
+    CHECK(exact.overlaps(plain));
+  });
+}
+
 TEST_CASE("formula program: a division by 0 and a root of -1 remain") {
   FormulaProgram program;
   for (const auto* text : {"1/(s - 1)", "sqrt(-s)", "log(s - 1)", "(s - 1)^-2"}) {

@@ -102,3 +102,33 @@ TEST_CASE("smooth path: formulas behind a cusp are turned over") {
   CHECK(orientation(path.segments().back()) == -1);
   CHECK(*direction(path, {1, Rational(0)})[0].exact() > 0);  // e₁ goes on
 }
+
+TEST_CASE("smooth path: periods with roots are closed, and arcs by formulas join lines at 60°") {
+  const auto knot = [](const char* to) {
+    return SmoothPath(
+        test::expression_curve({"cos(sqrt(2)*s)", "sin(sqrt(2)*s)", "sin(sqrt(8)*s)"}, "0", to));
+  };
+  CHECK(knot("2*pi/sqrt(2)").is_closed());
+  CHECK(knot("sqrt(2)*pi").is_closed());
+  CHECK_FALSE(knot("pi/sqrt(2)").ends_meet());
+  SmoothPath path(test::expression_curve({"cos(s)", "sin(s)", "0"}, "0", "pi/3"));
+  path.append(test::expression_curve({"1/2 - sqrt(3)*s", "sqrt(3)/2 + s", "0"}, "0", "1"));
+  CHECK_THROWS_AS(path.append(test::expression_curve(
+                      {"1/2 - sqrt(3) + s", "sqrt(3)/2 + 1 - sqrt(3)*s", "0"}, "0", "1")),
+                  DomainError);
+}
+
+// The period is written so that no form says that it is one.
+TEST_CASE("smooth path: where it is not told whether a path is closed, that is what is known") {
+  const auto ends = [](const char* to) {
+    return closure(
+        SmoothPath(test::expression_curve({"cos(exp(1)*s)", "sin(exp(1)*s)", "0"}, "exp(-1)", to)));
+  };
+  const Closure undecided = ends("exp(-1)*(1 + 2*pi)");
+  CHECK_FALSE(undecided.ends_meet);
+  CHECK_FALSE(undecided.is_closed);
+  CHECK(undecided.undecided ==
+        "whether the ends of the curve meet is not told: they agree to 1024 bits");
+  CHECK(ends("1").ends_meet == false);
+  CHECK(ends("1").is_closed == false);
+}
