@@ -87,10 +87,19 @@ std::optional<Angle> normal_angle(nb::handle tolerance) {
   return angle;
 }
 
+/// No value for "auto".
+std::optional<Vector<Rational>> origin_of(nb::handle origin) {
+  if (origin.is_none()) return Vector<Rational>{};
+  if (PyUnicode_Check(origin.ptr()) == 0) return vector(origin, "origin");
+  if (text(origin, "origin") != "auto")
+    refuse("origin", "a str that is not \"auto\" is no place", origin);
+  return std::nullopt;
+}
+
 nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
                       nb::handle start_normal, nb::handle end_normal, nb::handle twist,
                       nb::handle scale, nb::handle tolerance, nb::handle normal_tolerance,
-                      nb::handle sections) {
+                      nb::handle sections, nb::handle origin) {
   const AnyPath path = any_path(given, "path");
   const RationalFunction size = scale_of(scale);
   const std::size_t segments =
@@ -117,6 +126,7 @@ nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
                    sweep_start(path, start, start_normal)};
   query.scale = size;
   query.twist = angle_number(twist, "twist");
+  query.origin = origin_of(origin);
   if (!end_normal.is_none()) query.end_normal = vector(end_normal, "end_normal");
   query.normal_tolerance = normal_angle(normal_tolerance);
   query.profile_within = [source, distance = fine.distance](const Rational& angle) {
@@ -152,7 +162,7 @@ nb::object triangles_of(const SweepObject& self) {
   return rows_of(self, triangles.empty() ? nullptr : triangles.front().data(), triangles.size());
 }
 
-void save(const SweepObject& self, nb::handle file) {
+nb::object save(const SweepObject& self, nb::handle file) {
   const nb::object path = imported("pathlib", "Path")(file_name(file, "file"));
   const auto suffix = nb::cast<std::string>(path.attr("suffix").attr("lower")());
   using Writer = std::string (*)(const Mesh&);
@@ -162,15 +172,24 @@ void save(const SweepObject& self, nb::handle file) {
       if (suffix == name) return found;
     refuse("file", "its name ends with none of .obj, .stl, .ply, .glb", file);
   }();
-  const std::string bytes =
-      without_gil([writer, found = self.found] { return writer(found->body.mesh); });
+  double error = self.found->body.error.value_or(0);
+  const std::string bytes = without_gil([&error, suffix, writer, found = self.found] {
+    const Mesh& mesh = found->body.mesh;
+    if (suffix == ".obj" || suffix == ".ply") return writer(mesh);
+    const MeshInFloats written =
+        in_floats(mesh, suffix == ".glb" ? node_origin(mesh) : mesh.origin);
+    require_apart(written.mesh, Coordinates::floats);
+    error = std::nextafter(error + written.error, HUGE_VAL);
+    return writer(written.mesh);
+  });
   write_file(file, "file", bytes);
+  return self.found->body.error ? nb::cast(error) : nb::none();
 }
 
 /// What was pickled.
 nb::object swept(const nb::ndarray<const double, nb::ndim<2>, nb::c_contig>& points,
                  const nb::ndarray<const std::uint32_t, nb::ndim<2>, nb::c_contig>& triangles,
-                 std::size_t sections, std::optional<double> error,
+                 nb::handle origin, std::size_t sections, std::optional<double> error,
                  std::optional<double> normal_error, long folds, bool is_closed, double turn) {
   SweepAnswer found{{}, is_closed, turn};
   Mesh& mesh = found.body.mesh;
@@ -178,6 +197,7 @@ nb::object swept(const nb::ndarray<const double, nb::ndim<2>, nb::c_contig>& poi
     mesh.points.push_back({points(k, 0), points(k, 1), points(k, 2)});
   for (std::size_t k = 0; k < triangles.shape(0); ++k)
     mesh.triangles.push_back({triangles(k, 0), triangles(k, 1), triangles(k, 2)});
+  mesh.origin = vector(origin, "origin");
   found.body.sections = sections;
   found.body.error = error;
   found.body.normal_error = normal_error;
@@ -188,25 +208,35 @@ nb::object swept(const nb::ndarray<const double, nb::ndim<2>, nb::c_contig>& poi
 }  // namespace
 
 void bind_sweep(nb::module_& m) {
-  m.def("_swept", swept, nb::arg(), nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(),
-        nb::arg(), nb::arg(), nb::arg());
+  m.def("_swept", swept, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg().none(),
+        nb::arg().none(), nb::arg(), nb::arg(), nb::arg());
   m.def(
       "sweep", sweep_path, argument("path"), argument("profile"), nb::kw_only(),
       PHRAME_START_PARAMETERS, argument("end_normal") = nb::none(), argument("twist") = 0,
       argument("scale") = 1, argument("tolerance") = nb::none(),
       argument("normal_tolerance") = nb::none(), argument("sections") = nb::none(),
+      argument("origin") = nb::none(),
       nb::sig("def sweep(path: " PHRAME_ANY_PATH_SIG
               ", profile: str | os.PathLike[str] | Vectors, *, " PHRAME_START_SIG
               ", end_normal: Vector | None = None, twist: Number = 0, scale: Number | Polynomial "
               "| RationalFunction = 1, tolerance: Number | None = None, normal_tolerance: Number | "
-              "None = None, sections: int | None = None) -> SweptBody"),
+              "None = None, sections: int | None = None, origin: Vector | str | None = None) -> "
+              "SweptBody"),
       "A body: a profile (\"circle:R\", \"polygon:N,R\", \"rectangle:W,H\", corners, or a file "
       "as a pathlib.Path) swept along a path in its rotation-minimizing frame: docs/sweep.md.");
   auto type = nb::class_<SweepObject>(m, "SweptBody", "A body as a watertight mesh.");
   using S = SweepObject;
   type.def_prop_ro("vertices", points_of,
                    nb::sig("def vertices(self) -> numpy.typing.NDArray[numpy.float64]"),
-                   "Points, an array (n, 3).")
+                   "Points, an array (n, 3), from the origin.")
+      .def_prop_ro(
+          "origin",
+          [](const S& s) {
+            const auto& origin = s.found->body.mesh.origin;
+            return to_python(std::vector<Rational>(origin.begin(), origin.end()));
+          },
+          nb::sig("def origin(self) -> tuple[Fraction, Fraction, Fraction]"),
+          "From where the coordinates are: 0, or as asked, \"auto\" for a place near the body.")
       .def_prop_ro("triangles", triangles_of,
                    nb::sig("def triangles(self) -> numpy.typing.NDArray[numpy.uint32]"),
                    "The numbers of three points each, counterclockwise seen from outside: an "
@@ -230,9 +260,12 @@ void bind_sweep(nb::module_& m) {
           "By how many radians the profile turns against the rotation-minimizing frame.")
       .def(
           "volume", [](const S& s) { return volume(s.found->body.mesh); }, "Of the mesh.")
-      .def("save", save, argument("file"),
-           nb::sig("def save(self, file: str | os.PathLike[str]) -> None"),
-           "Writes a file whose name ends with .obj, .stl, .ply or .glb.")
+      .def(
+          "save", save, argument("file"),
+          nb::sig("def save(self, file: str | os.PathLike[str]) -> float | None"),
+          "Writes a file whose name ends with .obj, .stl, .ply or .glb. Returns what `error` is of "
+          "the numbers in it, which are floats in .stl and .glb. Raises Undecided where floats are "
+          "those of no body.")
       .def("__repr__",
            [](const S& s) {
              const Mesh& mesh = s.found->body.mesh;
@@ -244,9 +277,11 @@ void bind_sweep(nb::module_& m) {
           "__reduce__",
           [](const S& s) {
             const SweptBody& body = s.found->body;
-            return remade("_swept", points_of(s), triangles_of(s), body.sections,
-                          nb::cast(body.error), nb::cast(body.normal_error), body.folds,
-                          s.found->is_closed, s.found->turn);
+            const auto& origin = body.mesh.origin;
+            return remade("_swept", points_of(s), triangles_of(s),
+                          to_python(std::vector<Rational>(origin.begin(), origin.end())),
+                          body.sections, nb::cast(body.error), nb::cast(body.normal_error),
+                          body.folds, s.found->is_closed, s.found->turn);
           },
           PHRAME_REDUCE_SIG);
   bind_python(type, "plot", "phrame._plot", "body",

@@ -157,7 +157,7 @@ const std::vector<KindRow>& rows() {
 
 /// f > 0: there is no way back on a curve that is made here.
 ConstructionAnswer::Segment measured(const Curve& curve, std::optional<FreeAngles> angles) {
-  return {std::move(angles), arc_length(curve)(1), approximate_energy(curve)};
+  return {std::move(angles), arc_length(curve)(1), proved_energy(curve)};
 }
 
 }  // namespace

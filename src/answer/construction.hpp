@@ -52,7 +52,7 @@ struct ConstructionAnswer {
   struct Segment {
     std::optional<FreeAngles> angles;  ///< of quintics
     Rational length;                   ///< exact
-    double energy;                     ///< ∫κ² ds, about; ∞ at a cusp
+    std::optional<RealBall> energy;    ///< around ∫κ² ds; no value where it is infinite
   };
   NamedPath path;  ///< the curve
   /// @{ As asked.

@@ -57,6 +57,17 @@ Effort effort(const RationalFunction& rate, const Rational& t, long digits) {
   return best;
 }
 
+/// bound − |value − theta|, to some digits, for a theta that is no farther from it than the bound;
+/// 0 only where that is so.
+Rational room_below(const Rational& bound, const Real& value, const Rational& theta) {
+  if (value.exact()) return bound - abs(*value.exact() - theta);
+  for (long bits = 64 + 2 * std::max(0L, -binary_exponent(bound));; bits *= 2) {
+    const RealBall off = absolute(subtract(value.enclose(bits), RealBall(theta, bits), bits));
+    const Rational room = bound - off.upper();
+    if (room > 0 && bound - off.lower() < 2 * room) return room;
+  }
+}
+
 }  // namespace
 
 CoqAnswer answer(const Curve& curve, const CoqQuery& query) {
@@ -66,10 +77,16 @@ CoqAnswer answer(const Curve& curve, const CoqQuery& query) {
     throw DomainError("proof: the preimage has a zero between 0 and t = " +
                       abbreviated(to_string(t)) + ", where h/sigma is undefined");
   const RmfAngle angle(curve);
-  const Decimal shown = rounded(angle.value(t), "theta", digits);
+  const Real value = angle.value(t);
+  const Decimal shown = rounded(value, "theta", digits);
   const Rational theta = parse_rational(shown.value);
   const long leading = theta == 0 ? -1 : decimal_exponent(abs(theta));
-  return {curve, t, shown, power_of_ten(leading + 1 - digits), effort(angle.rate(), t, digits)};
+  const Rational half_unit = power_of_ten(leading + 1 - digits) / 2;
+  const Rational room = room_below(half_unit, value, theta);
+  // No interval arithmetic proves a distance that is exactly the bound.
+  if (room == 0) return answer(curve, {t, digits + 1});
+  return {curve, t, shown, half_unit,
+          effort(angle.rate(), t, std::max(digits, 1 - decimal_exponent(room)))};
 }
 
 }  // namespace phrame

@@ -54,7 +54,8 @@ SweepAnswer swept(const SweepPath& path, const SweepQuery& query) {
   greatest_scale(query.scale, path.series.segments);
   const auto normal_tolerance = normal_tolerance_of(query);
   const double turn = turn_of(path, query);
-  SweepForm form{query.profile, query.scale, turn, query.tolerance_or_sections, normal_tolerance};
+  SweepForm form{query.profile,    query.scale,  turn,         query.tolerance_or_sections,
+                 normal_tolerance, query.origin, query.numbers};
   if (normal_tolerance && query.profile_within)
     form.profile = query.profile_within(
         exact_rational(*normal_tolerance / (2 * side_angle_factor(path, form))));

@@ -26,6 +26,9 @@ struct SweepQuery {
   /// The profile with sides within an angle of the curve that it stands for, if it does: what is
   /// swept where normals have a tolerance.
   std::function<Profile(const Rational& angle)> profile_within = {};
+  /// From where the coordinates of the mesh are; near the body where there is none.
+  std::optional<Vector<Rational>> origin = Vector<Rational>{};
+  Coordinates numbers = Coordinates::doubles;  ///< that the coordinates are
 };
 
 /// The body as a mesh.

@@ -8,10 +8,12 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_pipeline.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <fstream>
 #include <unordered_set>
@@ -81,23 +83,31 @@ void keep_aside(const std::string& path, const std::string& cut_off) {
                    counted(cut_off.size(), "byte"), cut_off.size() == 1 ? "is" : "are", aside));
 }
 
-/// Where the output is what is skipped, it is continued; a line that was cut off is kept aside, and
-/// one that lacks but its end gets it.
-Descriptor open_output(const std::string& path, const std::string& skip_done, const Done& done) {
+/// Locked as long as it is open, where it is a file of its own or what is skipped: two at a time
+/// would write the same answers. Throws InputError where another has it; a file system that has no
+/// locks is taken as it is.
+Descriptor open_output(const std::string& path, const std::string& skip_done) {
   constexpr int flags = O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC;
   Descriptor file(path == "-" ? STDOUT_FILENO : ::open(path.c_str(), flags, 0666),
                   path == "-" ? "standard output" : path);
-  const bool continues = !skip_done.empty() && is_same_file(file, skip_done);
-  if (path != "-" || continues) {
-    const off_t size = continues ? done.whole_bytes : 0;
-    if (continues && !done.cut_off.empty()) keep_aside(skip_done, done.cut_off);
-    struct stat status = {};
-    fstat(file.number(), &status);
-    if (S_ISREG(status.st_mode) && ftruncate(file.number(), size) != 0)
-      fail_with_errno(file.name(), "cannot be written");
-    if (continues && done.is_open) write_whole(file, "\n");
-  }
+  const bool is_own = path != "-" || (!skip_done.empty() && is_same_file(file, skip_done));
+  if (is_own && flock(file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw InputError(file.name(), "another phrame batch is writing to it");
   return file;
+}
+
+/// Where the output is what is skipped, it is continued; a line that was cut off is kept aside, and
+/// one that lacks but its end gets it.
+void start_output(const Descriptor& file, const BatchOptions& options, const Done& done) {
+  const std::string skip_done = options.skip_done.value_or("");
+  const bool continues = !skip_done.empty() && is_same_file(file, skip_done);
+  if (options.output == "-" && !continues) return;
+  if (continues && !done.cut_off.empty()) keep_aside(skip_done, done.cut_off);
+  struct stat status = {};
+  fstat(file.number(), &status);
+  if (S_ISREG(status.st_mode) && ftruncate(file.number(), continues ? done.whole_bytes : 0) != 0)
+    fail_with_errno(file.name(), "cannot be written");
+  if (continues && done.is_open) write_whole(file, "\n");
 }
 
 /// On a terminal, twice a second, and at the end to stay.
@@ -167,13 +177,19 @@ BatchDefaults defaults_of(const BatchOptions& options) {
   return defaults;
 }
 
+/// The file that --skip-done names, "" for none. Throws InputError for one that cannot be it.
+std::string done_file(const BatchOptions& options, const Descriptor& input) {
+  if (!options.skip_done) return "";
+  const std::string& path = *options.skip_done;
+  if (path.empty()) throw InputError("--skip-done", "\"\" is not a file's name");
+  if (is_same_file(input, path)) throw InputError("--skip-done", "\"" + path + "\" is the input");
+  if (access(path.c_str(), F_OK) == 0 && access(path.c_str(), R_OK) != 0)
+    fail_with_errno(path, "cannot be read");
+  return path;
+}
+
 /// Those that are done, so that they can be left out.
-Done done_before(const BatchOptions& options, const Descriptor& input) {
-  const std::string path = options.skip_done.value_or("");
-  if (options.skip_done && path.empty())
-    throw InputError("--skip-done", "\"\" is not a file's name");
-  if (!path.empty() && is_same_file(input, path))
-    throw InputError("--skip-done", "\"" + path + "\" is the input");
+Done done_before(const std::string& path) {
   Done done = read_done(path);
   if (done.others > 0)
     note(fmt::format("{}: {} of its lines {} no answer of phrame batch", path, done.others,
@@ -226,8 +242,10 @@ void run(const BatchOptions& options) {
   const Descriptor input = open_input(options.path);
   if (options.output != "-" && is_same_file(input, options.output))
     throw InputError("--output", "\"" + options.output + "\" is the input");
-  const Done done = done_before(options, input);
-  const Descriptor output = open_output(options.output, options.skip_done.value_or(""), done);
+  const std::string skip_done = done_file(options, input);
+  const Descriptor output = open_output(options.output, skip_done);
+  const Done done = done_before(skip_done);
+  start_output(output, options, done);
   const Interruption interruption;
   LineReader reader(input, interruption);
   Failures failures;
@@ -253,7 +271,8 @@ void add_batch(Program& program) {
   command.add_option(
       "--skip-done", "FILE", options->skip_done,
       "leave out the lines whose id has an answer in this file; if it is the output,\n"
-      "it is continued, and a last line that was cut off is kept in FILE.damaged");
+      "it is continued, by one process at a time, and a last line that was cut off is\n"
+      "kept in FILE.damaged");
   command.add_number("--threads", options->threads, {1, 4096},
                      "so many at a time (default: all cores)");
   command.add_flag("--values-only", options->defaults.values_only,

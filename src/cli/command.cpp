@@ -27,6 +27,12 @@ namespace {
 
 constexpr std::size_t max_file_size = std::size_t{1} << 28;
 
+/// What note_at_end() keeps.
+std::vector<std::string>& notes() {
+  static std::vector<std::string> list;
+  return list;
+}
+
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
@@ -35,7 +41,10 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
 /// Writes and closes; false, with errno, where any step failed.
 bool write_and_close(File file, const std::string& bytes) {
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
-  const bool flushed = std::fflush(file.get()) == 0;
+  // To the disk before its name: or a crash leaves a file of that name with nothing in it. A pipe
+  // has no disk.
+  const bool flushed = std::fflush(file.get()) == 0 &&
+                       (fsync(fileno(file.get())) == 0 || errno == EINVAL || errno == ENOTSUP);
   return std::fclose(file.release()) == 0 && written && flushed;
 }
 
@@ -163,8 +172,8 @@ NamedPath CurveOptions::read_path() const {
     throw InputError(file, to_line(*none, *within));
   auto& named = std::get<NamedPath>(read);
   if (named.near)
-    note(fmt::format("{}: in its place a PH {} {}", file,
-                     named.path.is_curve() ? "curve" : "spline", to_line(*named.near)));
+    note_at_end(fmt::format("{}: in its place a PH {} {}", file,
+                            named.path.is_curve() ? "curve" : "spline", to_line(*named.near)));
   return std::move(named);
 }
 
@@ -176,7 +185,7 @@ AnyPath CurveOptions::read_any_path() const {
   for (const std::string& text : notes) note(fmt::format("{}: {}", name_of_file(path), text));
   if (const auto* named = std::get_if<NamedSmoothPath>(&read))
     if (const auto near_one = suggestion_of(named->path))
-      note(fmt::format(
+      note_at_end(fmt::format(
           "{}: a PH curve is at most {} away; with --near {} the answer has a closed form",
           name_of_file(path), upper_bound_text(near_one->distance),
           upper_bound_text(near_one->epsilon, 1)));
@@ -362,5 +371,12 @@ void write_output(const std::string& path, const std::string& bytes) {
 }
 
 void note(std::string_view text) { print_above_progress("phrame: " + printable(text)); }
+
+void note_at_end(std::string text) { notes().push_back(std::move(text)); }
+
+void print_notes_at_end() {
+  for (const std::string& text : notes()) note(text);
+  notes().clear();
+}
 
 }  // namespace phrame::cli

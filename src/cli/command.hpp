@@ -165,6 +165,9 @@ void write_output(const std::string& path, const std::string& bytes);
 
 /// "phrame: …", a line on stderr about a result that there is.
 void note(std::string_view text);
+/// The same once the command has done, or says no: where it fails, the reason is the only line.
+void note_at_end(std::string text);
+void print_notes_at_end();
 
 /// Thrown by a command whose answer is "no": exit status 1.
 struct AnswerNo {

@@ -34,31 +34,30 @@ const std::vector<std::pair<std::string, std::string>>& formats_by_ending() {
   return table;
 }
 
-/// "json" of "runs/x.JSON", "3mf" of "x.3mf"; empty where the name ends in no "." with letters
-/// behind, as "run.1".
+/// "json" of "runs/x.JSON", "3mf" of "x.3mf"; empty where the name has no ".", or only digits after
+/// it, as in "t-0.5".
 std::string ending(const std::string& path) {
   const std::size_t name = path.rfind('/') + 1;  // npos + 1 is 0
   const std::size_t dot = path.rfind('.');
   if (dot == std::string::npos || dot <= name) return "";
   std::string result = path.substr(dot + 1);
   for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const bool is_word = std::any_of(result.begin(), result.end(),
-                                   [](unsigned char c) { return std::isalpha(c) != 0; }) &&
-                       std::all_of(result.begin(), result.end(),
-                                   [](unsigned char c) { return std::isalnum(c) != 0; });
-  return is_word ? result : "";
+  const bool is_number = std::all_of(result.begin(), result.end(),
+                                     [](unsigned char c) { return std::isdigit(c) != 0; });
+  return is_number ? "" : result;
 }
 
 /// Endings of files that one command writes, or none: pages and pictures, documents, tables, packed
 /// files, meshes and surfaces of others.
 bool is_well_known(const std::string& end) {
   static const std::vector<std::string> names{
-      "html", "htm",  "h",    "hpp",   "v",    "jsonl", "pdf",   "ps",   "eps",  "svg",  "png",
-      "jpg",  "jpeg", "gif",  "bmp",   "tif",  "tiff",  "webp",  "mp4",  "webm", "doc",  "docx",
-      "odt",  "rtf",  "epub", "md",    "xml",  "yaml",  "yml",   "toml", "xls",  "xlsx", "ods",
-      "tsv",  "npz",  "mat",  "h5",    "hdf5", "vtk",   "vtp",   "zip",  "gz",   "xz",   "zst",
-      "tar",  "tgz",  "iges", "igs",   "brep", "dxf",   "dwg",   "off",  "fbx",  "dae",  "usd",
-      "usda", "usdc", "usdz", "blend", "js",   "css",   "ipynb", "3mf",  "3ds",  "7z"};
+      "html", "htm",   "h",    "hpp", "v",    "jsonl", "pdf",  "ps",   "eps",   "svg",
+      "png",  "jpg",   "jpeg", "gif", "bmp",  "tif",   "tiff", "webp", "mp4",   "webm",
+      "doc",  "docx",  "odt",  "rtf", "epub", "md",    "xml",  "yaml", "yml",   "toml",
+      "xls",  "xlsx",  "ods",  "tsv", "npz",  "mat",   "h5",   "hdf5", "vtk",   "vtp",
+      "zip",  "gz",    "xz",   "zst", "tar",  "tgz",   "iges", "igs",  "brep",  "dxf",
+      "dwg",  "off",   "fbx",  "dae", "usd",  "usda",  "usdc", "usdz", "blend", "js",
+      "css",  "ipynb", "3mf",  "3ds", "3dm",  "7z",    "x3d",  "amf",  "wrl",   "bz2"};
   return std::find(names.begin(), names.end(), end) != names.end();
 }
 
@@ -268,7 +267,13 @@ void Command::run() {
   choose_format();
   require_applicable();
   const ProgressLine progress(name());
-  action_();
+  try {
+    action_();
+  } catch (const AnswerNo&) {
+    print_notes_at_end();
+    throw;
+  }
+  print_notes_at_end();
 }
 
 Program::Program(const std::string& name, const std::string& what, const std::string& notes)

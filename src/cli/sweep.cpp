@@ -26,6 +26,7 @@ struct SweepOptions {
   std::optional<std::string> tolerance;
   std::optional<std::string> normal_tolerance;
   long sections = 0;
+  std::optional<std::string> origin;
   std::string format = "obj";
   bool is_exact = false;
   long degree = 0;  ///< of a rational frame of minimal twist; 0: none is asked for
@@ -75,6 +76,18 @@ void check_start(const SweepOptions& options, const AnyPath& path) {
     options.start.check(std::get<NamedPath>(path).path);
 }
 
+/// Where coordinates are from; no value stands for a place near the body. In glTF a node has it, as
+/// doubles, so that the body is where it is.
+std::optional<Vector<Rational>> origin_of(const SweepOptions& options) {
+  const bool has_node = options.format == "glb";
+  if (options.origin == "auto" || (has_node && !options.origin)) return std::nullopt;
+  if (!options.origin) return Vector<Rational>{};
+  Vector<Rational> origin = parse_vector_option("--origin", *options.origin);
+  if (has_node)
+    for (Rational& x : origin) x = exact_rational(round_to_double(x));
+  return origin;
+}
+
 SweepQuery query_of(const SweepOptions& options, std::size_t segments) {
   const RationalFunction scale = scale_of(options);
   const double greatest = greatest_scale(scale, segments);
@@ -88,6 +101,8 @@ SweepQuery query_of(const SweepOptions& options, std::size_t segments) {
   query.profile_within = [&options, greatest](const Rational& angle) {
     return profile_of(options, greatest, angle);
   };
+  query.origin = origin_of(options);
+  if (options.format == "stl" || options.format == "glb") query.numbers = Coordinates::floats;
   if (options.sections > 0)
     query.tolerance_or_sections = options.sections;
   else if (options.tolerance)
@@ -98,7 +113,7 @@ SweepQuery query_of(const SweepOptions& options, std::size_t segments) {
 }
 
 /// A line about the mesh, where standard output is free for it.
-void tell(const SweepAnswer& answer, const std::string& output) {
+void tell(const SweepAnswer& answer, const std::string& output, bool is_in_place) {
   const SweptBody& body = answer.body;
   std::string text = fmt::format("{} points, {} triangles, {} sections", body.mesh.points.size(),
                                  body.mesh.triangles.size(), body.sections);
@@ -109,6 +124,10 @@ void tell(const SweepAnswer& answer, const std::string& output) {
                                : "") +
             "proved";
   if (answer.is_closed) text += fmt::format("; closed by a turn of {:.6g}", answer.turn);
+  if (const auto& [x, y, z] = body.mesh.origin;
+      !is_in_place && body.mesh.origin != Vector<Rational>{})
+    text +=
+        fmt::format("; coordinates are from {},{},{}", to_string(x), to_string(y), to_string(z));
   if (output != "-") write_output("-", text + "\n");
   if (body.folds > 0)
     note(
@@ -181,7 +200,7 @@ void run(const Command& command, const SweepOptions& options) {
   const SweepAnswer made =
       std::visit([&](const auto& named) { return answer(named, query); }, path);
   write_output(options.curve.output, format(made.body.mesh));
-  tell(made, options.curve.output);
+  tell(made, options.curve.output, options.format == "glb");
 }
 
 }  // namespace
@@ -210,6 +229,10 @@ void add_sweep(Program& program) {
   command.add_number("--sections", options->sections, {2, 1'000'000},
                      "so many sections at equal steps of t, instead of a tolerance");
   command.not_with({"--sections"}, {"--tolerance", "--normal-tolerance"});
+  command.add_option("--origin", "X,Y,Z", options->origin,
+                     "from where coordinates are: a place, or auto for one near the body, for\n"
+                     "files of floats (default: 0,0,0; in glb, whose node has it, auto)");
+  command.add_words("--origin", {"auto"});
   command.add_flag(
       "--exact", options->is_exact,
       "not a mesh but the surface itself, as rational Bezier patches, of a curve\n"
@@ -219,7 +242,7 @@ void add_sweep(Program& program) {
                      "the rational frame of minimal twist with w of this degree (default 2 with\n"
                      "--end-normal); of a closed curve the one that closes");
   command.only_with({"--degree"}, {"--exact"});
-  command.not_with({"--exact"}, {"--tolerance", "--normal-tolerance", "--sections"});
+  command.not_with({"--exact"}, {"--tolerance", "--normal-tolerance", "--sections", "--origin"});
   command.add_format("--format", options->format, {"obj", "stl", "ply", "glb", "json", "step"},
                      "obj (default), stl, ply or glb, the last three binary; with --exact obj\n"
                      "(free-form), json (exact fractions) or step (a solid, by Open CASCADE)");

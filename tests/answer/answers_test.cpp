@@ -140,7 +140,7 @@ TEST_CASE("answers: an integral, and what a proof assistant is to prove") {
   CHECK(pi.definite->exact == ExactValue{0, 1, {}, {}});
   const CoqAnswer coq = answer(quintic, CoqQuery{1, 20});
   check_rounded(coq.theta.value, coq.theta.radius, truth("theta_RMF_rel_ERF", "1"), 20, 40);
-  CHECK(coq.unit == Rational(1, pow(Integer(10), 20)));
+  CHECK(coq.half_unit == Rational(1, 2 * pow(Integer(10), 20)));
   CHECK_THROWS_AS(answer(quintic, CoqQuery{0, 20}), DomainError);
 }
 

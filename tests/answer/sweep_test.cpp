@@ -286,7 +286,7 @@ TEST_CASE("sweep: a closed path needs three sections, and a loose tolerance give
 
 TEST_CASE("sweep: a body whose triangles vanish in doubles is refused") {
   const NamedPath far = named(Curve({{1}, {}, {}, {}}, Polynomial{1}, {0, power_of_two(60), 0}));
-  CHECK_THROWS_AS(answer(far, in_sections(rectangle_profile(1, 1), 2)), DomainError);
+  CHECK_THROWS_AS(answer(far, in_sections(rectangle_profile(1, 1), 2)), Undecided);
   check_body(answer(far, in_sections(rectangle_profile(1024, 1), 2)).body, 2);
 }
 

@@ -151,6 +151,24 @@ exec "$PHRAME_PROGRAM" "$@" <half
 """
 
 
+def check_lock():
+    """Two at a time do not write to one file."""
+    first = subprocess.Popen([PROGRAM, "batch", "-o", "one", "--skip-done", "one"], stdin=subprocess.PIPE)
+    first.stdin.write(b'{"id": 1}\n')
+    first.stdin.flush()
+    for _ in range(6000):
+        if Path("one").exists() and Path("one").read_bytes():
+            break
+        time.sleep(0.01)
+    for options in (["--skip-done", "one"], []):
+        second = subprocess.run([PROGRAM, "batch", "lines", "-o", "one", *options], capture_output=True)
+        require(second.returncode == 2 and second.stderr == b"phrame: one: another phrame batch is writing to it\n",
+                f"a second one writes, too: {second.stderr}")
+    first.stdin.close()
+    first.wait(60)
+    require(Path("one").read_bytes().count(b"\n") == 1, "what the first one wrote is gone")
+
+
 def check_parallel(reference):
     """The recipes of docs/cluster.md; -q since the program's path may have blanks."""
     if shutil.which("parallel") is None:
@@ -190,6 +208,7 @@ def main():
         check_threads(reference)
         check_signals(reference)
         check_kill(reference)
+        check_lock()
         check_parallel(reference)
         os.chdir("/")
 

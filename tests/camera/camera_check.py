@@ -13,6 +13,7 @@ import struct
 import sys
 import tempfile
 import types
+from fractions import Fraction
 from pathlib import Path
 
 from program import output
@@ -54,9 +55,14 @@ def accessor(document, buffer, index):
 
 
 def keys_of_gltf(document, buffer):
-    """(time, place, rotation) of the only camera."""
+    """Where the node around the camera is, and (time, place, rotation) of the only camera."""
     assert document["asset"]["version"] == "2.0"
     node = document["scenes"][document["scene"]]["nodes"][0]
+    origin = 0, 0, 0
+    if "children" in document["nodes"][node]:
+        origin = document["nodes"][node]["translation"]
+        assert set(document["nodes"][node]) == {"name", "translation", "children"}
+        node, = document["nodes"][node]["children"]
     camera = document["cameras"][document["nodes"][node]["camera"]]
     assert camera["type"] == "perspective" and 0 < camera["perspective"]["yfov"] < math.pi
     assert camera["perspective"]["znear"] > 0
@@ -73,7 +79,7 @@ def keys_of_gltf(document, buffer):
     times = [t for t, in found["translation"][0]]
     assert found["rotation"][0] == found["translation"][0] and set(found) == {"translation", "rotation"}
     assert times[0] == 0 and all(a < b for a, b in zip(times, times[1:]))
-    return list(zip(times, found["translation"][1], found["rotation"][1]))
+    return origin, list(zip(times, found["translation"][1], found["rotation"][1]))
 
 
 class Blender:
@@ -139,7 +145,7 @@ def turned(q, v):
     return [a + 2 * (w * b + c) for a, b, c in zip(v, once, twice)]
 
 
-def check(curve, names, *options, duration=None, fps=24):
+def check(curve, names, *options, duration=None, fps=24, is_far=False):
     """The frames of the columns `names` at the rows that the options ask for."""
     curve = ROOT / "examples" / curve
     table = list(csv.DictReader(io.StringIO(output("frames", curve, *options).decode())))
@@ -168,17 +174,23 @@ def check(curve, names, *options, duration=None, fps=24):
     assert keys[0][2][3] > 0
     assert all(sum(x * y for x, y in zip(a[2], b[2])) > 0 for a, b in zip(keys, keys[1:]))
 
-    def same(found):
+    extent = max(max(c) - min(c) for c in zip(*(place for _, place, _ in keys)))
+
+    def same(origin, found):
         assert len(found) == len(keys)
+        assert is_far == any(origin), origin
         for (_, place, q), (_, exact_place, exact_q) in zip(found, keys):
-            assert place == tuple(map(as_float, exact_place)) and q == tuple(map(as_float, exact_q))
+            exact_local = [Fraction(x) - Fraction(o) for x, o in zip(exact_place, origin)]
+            assert place == tuple(as_float(float(x)) for x in exact_local) and q == tuple(map(as_float, exact_q))
+            # So near that a float is off by little of the whole.
+            assert all(abs(Fraction(x) - y) <= 2e-7 * extent for x, y in zip(place, exact_local))
         for (time, _, _), (exact, _, _) in zip(found, keys):
             assert abs(time - exact) <= 1e-7 * keys[-1][0]
     with tempfile.TemporaryDirectory() as folder:
         for ending, read in (("glb", read_glb), ("GLTF", read_gltf)):
             path = Path(folder) / ("camera." + ending)
             output("frames", curve, *options, *seconds, "-o", path)
-            same(keys_of_gltf(*read(path.read_bytes())))
+            same(*keys_of_gltf(*read(path.read_bytes())))
     return len(keys)
 
 
@@ -192,4 +204,11 @@ count += check("curves/closed-spline.json", RMF, "--samples", 41)
 count += check("curves/closed-spline.json", ("exact_mtf2", "exact_mtf3"), "--samples", 10, "--frame", "mtf-exact",
                "--from", "0", "--closed", duration=1.5, fps=0.5)
 count += check("any/wave.svg", RMF, "--samples", 6, "--by", "arc-length", duration=4)
+with tempfile.TemporaryDirectory() as folder:
+    moved = json.loads((ROOT / "examples" / QUINTIC).read_text())
+    for offset in (10 ** 3, 10 ** 6, 10 ** 9):
+        moved["start"] = [offset, 0, -offset]
+        file = Path(folder) / "far.json"
+        file.write_text(json.dumps(moved))
+        count += check(file, RMF, "--samples", 7, is_far=True)
 print("%d keys" % count)

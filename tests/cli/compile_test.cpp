@@ -350,3 +350,14 @@ TEST_CASE("compile: curves of any kind, by angles to the frame of v") {
   check_failure(shop.run("compile quintic.json --up 0,0,1"), 2, "--up: the curve is Pyth");
   check_failure(shop.run("compile quintic.json --frame up"), 2, "--frame: the curve is Pyth");
 }
+
+// Of what fails, the reason is the only line.
+TEST_CASE("compile: a note about --near is for what is answered") {
+  const Workshop here;
+  here.write("huge.csv",
+             "# kind: bezier\n# degree: 3\nx,y,z\n0,.5,0x1p1023\n1,2,0\n2,0,1\n3,1,1\n");
+  check_failure(here.run("compile huge.csv"), 4, "doubles");
+  const Run info = here.run("info huge.csv");
+  CHECK(info.status == 0);
+  CHECK(contains(info.err, "huge.csv: a PH curve is at most "));
+}

@@ -62,6 +62,18 @@ TEST_CASE("endings: formats of others are refused") {
     }
 }
 
+// Endings of any form: with digits first, or signs. Only digits are no ending.
+TEST_CASE("endings: one that begins with a digit is an ending") {
+  const Workshop here;
+  const std::string sweep = "sweep quintic.json --profile circle:1/9 -o out.";
+  for (const std::string end : {"3mf", "3MF", "7z", "obj~", "c++", "obj1_", "2d.3ds"}) {
+    check_failure(here.run(sweep + end), 2, " is no format of sweep");
+    CHECK_FALSE(std::filesystem::exists(here.file("out." + end)));
+  }
+  check_failure(here.run("compile quintic.json -o out.3mf"), 2, "\".3mf\" is no format of compile");
+  CHECK(here.run(sweep + "5").status == 0);
+}
+
 TEST_CASE("endings: others are anybody's") {
   const Workshop here;
   for (const std::string call :

@@ -1,9 +1,10 @@
 #include "phrame/io/write/bytes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -23,11 +24,6 @@ void append_float(std::string& bytes, float x) {
   append_number(bytes, std::bit_cast<std::uint32_t>(x));
 }
 
-float as_float(double x) {
-  constexpr double most = std::numeric_limits<float>::max();
-  return static_cast<float>(std::clamp(x, -most, most));
-}
-
 std::string base64(const std::string& bytes) {
   constexpr std::string_view digits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -41,6 +37,11 @@ std::string base64(const std::string& bytes) {
       text += j <= count ? digits[(bits >> (18 - 6 * j)) & 63U] : '=';
   }
   return text;
+}
+
+std::string translation_json(const Vector<double>& to) {
+  if (to == Vector<double>{}) return "";
+  return fmt::format(",\"translation\":[{},{},{}]", to[0], to[1], to[2]);
 }
 
 std::string glb_file(std::string json, std::string buffer) {

@@ -2,6 +2,8 @@
 #include <cstddef>
 #include <string>
 
+#include "phrame/ph/curve/quaternion.hpp"
+
 namespace phrame {
 
 // What binary files are made with.
@@ -15,11 +17,11 @@ void append_number(std::string& bytes, Number x) {
 /// Appends the four bytes of a float likewise.
 void append_float(std::string& bytes, float x);
 
-/// The nearest float, but not beyond the greatest one.
-float as_float(double x);
-
 /// The bytes in base 64, with "=" at the end where they are no multiple of three [RFC 4648].
 std::string base64(const std::string& bytes);
+
+/// Of a node of glTF: ",\"translation\":[1000,0,0]"; nothing of 0.
+std::string translation_json(const Vector<double>& to);
 
 /// A glTF 2.0 file in one: its JSON and its buffer.
 std::string glb_file(std::string json, std::string buffer);

@@ -6,27 +6,37 @@
 #include <iterator>
 
 #include "phrame/io/write/bytes.hpp"
+#include "phrame/ph/curve/local_origin.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 namespace {
 
-/// The times, then all translations, then all rotations.
-std::string camera_buffer(const CameraPath& path) {
+/// The times, then all translations from the origin, then all rotations.
+std::string camera_buffer(const CameraPath& path, const Vector<double>& origin) {
   std::string buffer;
   for (const double time : path.times) append_float(buffer, as_float(time));
   for (const auto& place : path.places)
-    for (const double x : place) append_float(buffer, as_float(x));
+    for (const double x : place - origin) append_float(buffer, as_float(x));
   for (const auto& rotation : path.rotations)
     for (const double x : rotation) append_float(buffer, as_float(x));
   return buffer;
 }
 
+/// The camera's node and, where the origin is not 0, another around it, which has that.
+std::string nodes_json(const Vector<double>& origin) {
+  const std::string camera = R"({"name":"camera","camera":0})";
+  if (origin == Vector<double>{}) return R"([{"nodes":[0]}],"nodes":[)" + camera + "]";
+  return R"([{"nodes":[1]}],"nodes":[)" + camera + R"(,{"name":"origin","children":[0])" +
+         translation_json(origin) + "}]";
+}
+
 /// What the JSON says of that buffer, which is at `uri`, or beside it where that is empty.
-std::string camera_json(const CameraPath& path, const std::string& uri) {
+std::string camera_json(const CameraPath& path, const Vector<double>& origin,
+                        const std::string& uri) {
   const std::size_t count = path.times.size();
   return fmt::format(
-      R"({{"asset":{{"version":"2.0","generator":"phrame"}},"scene":0,"scenes":[{{"nodes":[0]}}],)"
-      R"("nodes":[{{"name":"camera","camera":0}}],"cameras":[{{"type":"perspective",)"
+      R"({{"asset":{{"version":"2.0","generator":"phrame"}},"scene":0,"scenes":{9},"cameras":[{{"type":"perspective",)"
       R"("perspective":{{"yfov":0.8,"znear":0.01}}}}],"animations":[{{"name":"path","samplers":[)"
       R"({{"input":0,"output":1,"interpolation":"LINEAR"}},)"
       R"({{"input":0,"output":2,"interpolation":"LINEAR"}}],"channels":[)"
@@ -39,7 +49,8 @@ std::string camera_json(const CameraPath& path, const std::string& uri) {
       R"({{"bufferView":1,"componentType":5126,"count":{0},"type":"VEC3"}},)"
       R"({{"bufferView":2,"componentType":5126,"count":{0},"type":"VEC4"}}]}})",
       count, 32 * count, uri.empty() ? "" : ",\"uri\":\"" + uri + "\"", 4 * count, 12 * count,
-      16 * count, 16 * count, as_float(path.times.front()), as_float(path.times.back()));
+      16 * count, 16 * count, as_float(path.times.front()), as_float(path.times.back()),
+      nodes_json(origin));
 }
 
 /// A script that makes a camera of the list `keys`.
@@ -73,11 +84,15 @@ scene.camera = camera
 }  // namespace
 
 std::string to_glb(const CameraPath& path) {
-  return glb_file(camera_json(path, ""), camera_buffer(path));
+  const Vector<double> origin = local_origin(path.places);
+  return glb_file(camera_json(path, origin, ""), camera_buffer(path, origin));
 }
 
 std::string to_gltf(const CameraPath& path) {
-  return camera_json(path, "data:application/octet-stream;base64," + base64(camera_buffer(path))) +
+  const Vector<double> origin = local_origin(path.places);
+  return camera_json(
+             path, origin,
+             "data:application/octet-stream;base64," + base64(camera_buffer(path, origin))) +
          "\n";
 }
 

@@ -9,7 +9,8 @@ namespace phrame {
 // Blender z.
 
 /// glTF 2.0 in one binary file: a camera with an animation of its translation and its rotation,
-/// whose keys are joined linearly. Numbers are the floats next to those of the path.
+/// whose keys are joined linearly. Numbers are the floats next to those of the path; far from 0
+/// places are from a node near the path, which has its own in doubles.
 std::string to_glb(const CameraPath& path);
 /// The same as text, with the numbers in base 64.
 std::string to_gltf(const CameraPath& path);

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "phrame/algebra/decimal_between.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/answer/construction.hpp"
 #include "phrame/io/write/field.hpp"
@@ -57,16 +57,16 @@ const char* name_of(ParameterSource source) {
 
 std::string decimal(const Real& x, long digits) { return round_to_decimal(x, digits).value; }
 
-std::string energy_words(double energy, Notation notation) {
-  if (!std::isfinite(energy)) return formula("∞", notation);
-  const Decimal rounded = round_to_decimal(exact_rational(energy), 6);
-  return notation == Notation::latex ? formula(latex_decimal(rounded.value), notation)
-                                     : shown(rounded);
+using Energy = std::optional<RealBall>;
+
+std::string energy_words(const Energy& energy, Notation notation) {
+  if (!energy) return formula("∞", notation);
+  const std::string text = decimal_between(energy->lower(), energy->upper(), 6);
+  return notation == Notation::latex ? formula(latex_decimal(text), notation) : text;
 }
 
-JsonOutput energy_json(double energy) {
-  if (!std::isfinite(energy)) return "inf";
-  return energy_words(energy, Notation::unicode);
+JsonOutput energy_json(const Energy& energy) {
+  return energy ? energy_words(energy, Notation::unicode) : "inf";
 }
 
 /// What is no multiple of a power of 2 in the preimages.
@@ -96,9 +96,12 @@ Rational length(const ConstructionAnswer& answer) {
   return sum;
 }
 
-double energy(const ConstructionAnswer& answer) {
-  double sum = 0;
-  for (const ConstructionAnswer::Segment& segment : answer.segments) sum += segment.energy;
+Energy energy(const ConstructionAnswer& answer) {
+  RealBall sum;
+  for (const ConstructionAnswer::Segment& segment : answer.segments) {
+    if (!segment.energy) return std::nullopt;
+    sum = add(sum, *segment.energy, 128);
+  }
   return sum;
 }
 
@@ -174,9 +177,11 @@ Value length_value(const ConstructionAnswer& answer) {
 }
 
 Value energy_value(const ConstructionAnswer& answer) {
-  return {Value::Words(
-              [&](Notation notation) { return "about " + energy_words(energy(answer), notation); }),
-          [&] { return energy_json(energy(answer)); }};
+  const auto words = [&](Notation notation) {
+    const Energy sum = energy(answer);
+    return (sum && !sum->is_zero() ? "≈ " : "= ") + energy_words(sum, notation);
+  };
+  return {Value::Words(words), [&] { return energy_json(energy(answer)); }};
 }
 
 Value segments_value(const ConstructionAnswer& answer) {

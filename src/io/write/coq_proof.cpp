@@ -56,7 +56,8 @@ std::string coq_proof(const CoqAnswer& answer) {
       "Proof. unfold h, u, v, p, q, u', v', p', q'; field. Qed.\n\n",
       horner(s), horner(h));
   text += fmt::format(
-      "(* theta' = -2h/sigma; theta = {0}, correctly rounded. *)\n"
+      "(* theta' = -2h/sigma; theta = {0}, correctly rounded: within half of one in its last\n"
+      "   place. *)\n"
       "Theorem angle :\n"
       "  Rabs (RInt (fun t => -2 * h t / sigma t) 0 {1} -\n"
       "      {2}) <=\n"
@@ -67,7 +68,7 @@ std::string coq_proof(const CoqAnswer& answer) {
       "  integral with (i_prec {6}, i_degree {7}, i_fuel {8}).\n"
       "Qed.\n",
       answer.theta.value, number(answer.t), number(parse_rational(answer.theta.value)),
-      number(answer.unit), horner(h), horner(s), precision, degree, fuel);
+      number(answer.half_unit), horner(h), horner(s), precision, degree, fuel);
   return text;
 }
 

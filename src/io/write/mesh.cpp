@@ -9,22 +9,37 @@
 #include <iterator>
 
 #include "phrame/io/write/bytes.hpp"
+#include "phrame/ph/curve/local_origin.hpp"
+#include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/frame/frame.hpp"
 
 namespace phrame {
 namespace {
 
+Vector<float> floats_of(const Vector<double>& point) {
+  return {as_float(point[0]), as_float(point[1]), as_float(point[2])};
+}
+
 /// The unit normal of a triangle, 0 where it has no area.
-Vector<float> normal_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
-  const auto& a = mesh.points[triangle[0]];
-  const auto& b = mesh.points[triangle[1]];
-  const auto& c = mesh.points[triangle[2]];
-  const Vector<double> u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-  const Vector<double> v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-  const Vector<double> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                         u[0] * v[1] - u[1] * v[0]};
+Vector<float> normal_of(const std::array<Vector<float>, 3>& triangle) {
+  const auto to_corner = [&triangle](std::size_t corner) {
+    Vector<double> side{};
+    for (std::size_t k = 0; k < 3; ++k)
+      side[k] = static_cast<double>(triangle[corner][k]) - static_cast<double>(triangle[0][k]);
+    return side;
+  };
+  const Vector<double> n = cross(to_corner(1), to_corner(2));
   const double size = std::hypot(n[0], n[1], n[2]);
   if (size == 0) return {};
-  return {as_float(n[0] / size), as_float(n[1] / size), as_float(n[2] / size)};
+  return floats_of(1 / size * n);
+}
+
+/// `before`, the origin, `after`; nothing where that is 0.
+std::string origin_comment(const Mesh& mesh, const char* before, const char* after) {
+  const auto& [x, y, z] = mesh.origin;
+  if (mesh.origin == Vector<Rational>{}) return "";
+  return fmt::format("{}origin {} {} {}{}", before, to_string(x), to_string(y), to_string(z),
+                     after);
 }
 
 /// The least or the greatest coordinates, as JSON.
@@ -42,7 +57,7 @@ std::string extreme_of(const Mesh& mesh, Choose choose) {
 }  // namespace
 
 std::string to_obj(const Mesh& mesh) {
-  std::string text;
+  std::string text = origin_comment(mesh, "# ", "\n");
   const auto out = std::back_inserter(text);
   for (const auto& [x, y, z] : mesh.points) fmt::format_to(out, "v {} {} {}\n", x, y, z);
   for (const auto& [i, j, k] : mesh.triangles)
@@ -52,10 +67,11 @@ std::string to_obj(const Mesh& mesh) {
 
 std::string to_ply(const Mesh& mesh) {
   std::string bytes = fmt::format(
-      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double "
+      "ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty double x\nproperty "
+      "double "
       "y\nproperty double z\nelement face {}\nproperty list uchar uint "
       "vertex_indices\nend_header\n",
-      mesh.points.size(), mesh.triangles.size());
+      origin_comment(mesh, "comment ", "\n"), mesh.points.size(), mesh.triangles.size());
   for (const auto& point : mesh.points)
     for (const double x : point) append_number(bytes, std::bit_cast<std::uint64_t>(x));
   for (const auto& triangle : mesh.triangles) {
@@ -66,13 +82,16 @@ std::string to_ply(const Mesh& mesh) {
 }
 
 std::string to_stl(const Mesh& mesh) {
-  std::string bytes = "phrame";
+  std::string bytes = "phrame" + origin_comment(mesh, "; ", "");
+  if (bytes.size() > 80) bytes = "phrame; origin not 0";
   bytes.resize(80, ' ');
   append_number(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const auto& triangle : mesh.triangles) {
-    for (const float x : normal_of(mesh, triangle)) append_float(bytes, x);
-    for (const std::uint32_t k : triangle)
-      for (const double x : mesh.points[k]) append_float(bytes, as_float(x));
+    std::array<Vector<float>, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = floats_of(mesh.points[triangle[k]]);
+    for (const float x : normal_of(corners)) append_float(bytes, x);
+    for (const Vector<float>& corner : corners)
+      for (const float x : corner) append_float(bytes, x);
     append_number(bytes, std::uint16_t{0});
   }
   return bytes;
@@ -89,14 +108,15 @@ std::string to_glb(const Mesh& mesh) {
   const auto greatest = [](float a, float b) { return std::max(a, b); };
   const std::string json = fmt::format(
       R"({{"asset":{{"version":"2.0","generator":"phrame"}},"scene":0,"scenes":[{{"nodes":[0]}}],)"
-      R"("nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},)"
+      R"("nodes":[{{"mesh":0{7}}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},)"
       R"("indices":1}}]}}],"buffers":[{{"byteLength":{0}}}],"bufferViews":[)"
       R"({{"buffer":0,"byteLength":{1},"target":34962}},)"
       R"({{"buffer":0,"byteOffset":{1},"byteLength":{2},"target":34963}}],"accessors":[)"
       R"({{"bufferView":0,"componentType":5126,"count":{3},"type":"VEC3","min":{4},"max":{5}}},)"
       R"({{"bufferView":1,"componentType":5125,"count":{6},"type":"SCALAR"}}]}})",
       data.size(), of_points, data.size() - of_points, mesh.points.size(), extreme_of(mesh, least),
-      extreme_of(mesh, greatest), 3 * mesh.triangles.size());
+      extreme_of(mesh, greatest), 3 * mesh.triangles.size(),
+      translation_json(round_to_double(mesh.origin)));
   return glb_file(json, data);
 }
 

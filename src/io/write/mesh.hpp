@@ -5,16 +5,18 @@
 
 namespace phrame {
 
-// A mesh as files of other programs: bytes, little-endian where they are numbers.
+// A mesh as files of other programs: bytes, little-endian where they are numbers. Coordinates are
+// from the origin of the mesh, which a comment says where it is not 0. Where formats have floats,
+// other numbers are rounded to such: in_floats() is that beforehand, with a bound.
 
 /// Wavefront OBJ: text, coordinates in the fewest digits that are theirs.
 std::string to_obj(const Mesh& mesh);
 /// Binary PLY with coordinates in doubles.
 std::string to_ply(const Mesh& mesh);
-/// Binary STL, with coordinates rounded to floats.
+/// Binary STL, with coordinates in floats.
 std::string to_stl(const Mesh& mesh);
-/// glTF 2.0 in one binary file, with coordinates rounded to floats, as they are, of which glTF
-/// takes y for up.
+/// glTF 2.0 in one binary file, with coordinates in floats, as they are, of which glTF takes y for
+/// up, beside a translation to the origin, rounded to doubles.
 std::string to_glb(const Mesh& mesh);
 
 }  // namespace phrame

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "phrame/algebra/numerical_integral.hpp"
 #include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/frame/totals.hpp"
 
 // With g = αβ′ − α′β: κ = 2|g|/(fσ²), ds = fσ dt.
 
@@ -98,6 +101,29 @@ double approximate_energy(const Curve& curve) {
   std::vector<double> scaled_f;
   for (const Rational& b : f) scaled_f.push_back(static_cast<double>(c * b));
   return approximate_energy(scaled_a, scaled_f) * static_cast<double>(s * c);
+}
+
+// By quadrature in balls, which takes as many parts as a sharp bend needs; else in closed form.
+std::optional<RealBall> proved_energy(const Curve& curve) {
+  const Polynomial bend = rho(curve.preimage());
+  const Polynomial size = sigma(curve.preimage());
+  if (bend.is_zero()) return RealBall();
+  const auto rate = [&](const ComplexBall& t, long bits) {
+    const ComplexBall s = evaluate(size, t, bits);
+    const ComplexBall cube = multiply(s, multiply(s, s, bits), bits);
+    return divide(evaluate(bend, t, bits),
+                  multiply(evaluate(curve.multiplier(), t, bits), cube, bits), bits);
+  };
+  constexpr long wanted = 26;
+  for (long bits = 32; bits <= 1024; bits *= 2) {
+    const RealBall found =
+        numerical_integral(rate, RealBall(), RealBall(1, bits), {bits, bits + 32, 50'000});
+    if (!found.is_finite()) break;
+    if (found.accuracy_bits() >= wanted) return absolute(found);
+  }
+  const auto exact = bending_energy(curve);
+  if (std::holds_alternative<Infinite>(exact)) return std::nullopt;
+  return std::get<Total>(exact).value.enclose(1024);
 }
 
 }  // namespace phrame

@@ -1,6 +1,8 @@
 #pragma once
+#include <optional>
 #include <span>
 
+#include "phrame/algebra/ball.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
@@ -21,5 +23,8 @@ double approximate_turning(std::span<const Quaternion<double>> a);
 
 /// ∫κ² ds of a curve of any size.
 double approximate_energy(const Curve& curve);
+/// A ball around ∫κ² ds, of at least 26 bits where f does not change its sign; no value where it is
+/// infinite.
+std::optional<RealBall> proved_energy(const Curve& curve);
 
 }  // namespace phrame

@@ -260,8 +260,7 @@ void Judgement::find_drift(FrameVerdict& verdict, const ExactFrames& exact) cons
   if (first == order_.end()) return;
   const auto length = exact.length(frames_[*first].t, frames_[*last].t, bits_);
   if (!length || length->is_zero()) return;
-  const RealBall way = subtract(*verdict.errors[*last], *verdict.errors[*first], bits_);
-  verdict.drift = divide(reduced(way, bits_), *length, bits_);
+  verdict.drift = divide(walk(verdict).way, *length, bits_);
 }
 
 FrameVerdict Judgement::verdict(const ExactFrames& exact) {

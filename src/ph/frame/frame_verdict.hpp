@@ -87,10 +87,12 @@ struct FrameVerdict {
   std::vector<std::optional<RealBall>> errors;
   std::vector<FrameDeviation> deviations;  ///< of each frame
   RealBall max_error;                      ///< of |error|
-  std::size_t worst_sample;       ///< a sample where it is reached, as far as the balls tell
-  RealBall orthogonality;         ///< the largest
-  RealBall length;                ///< the largest
-  std::optional<RealBall> drift;  ///< (last error − first error)/arc length, modulo turns
+  std::size_t worst_sample;  ///< a sample where it is reached, as far as the balls tell
+  RealBall orthogonality;    ///< the largest
+  RealBall length;           ///< the largest
+  /// What f₂ turns by from the first sample to the last, from sample to sample by less than half a
+  /// turn and without flips, over the arc length.
+  std::optional<RealBall> drift;
   /// What is wrong; none of frames that pass and need no remark.
   std::vector<FrameFinding> findings;
 };

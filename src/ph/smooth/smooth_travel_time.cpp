@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/decimal_between.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/increasing.hpp"
 #include "phrame/integrate/evaluator.hpp"
@@ -199,8 +200,9 @@ SmoothSegmentTime time_of_curvature(const SmoothSegment& segment, const Rational
     throw DomainError(fmt::format("feedrate: the speed is negative at t = {}", to_string(start)));
   const SmoothSegmentTime time = time_of(curve, rate, [&](const NarrowPart& part) {
     if (const int other = first * sign_at(widened_part(part).upper); other < 0)
-      refuse_speed("is 0 or infinite",
-                   fmt::format("t ≈ {:.9g}", static_cast<double>(Rational(start + part.lower))));
+      refuse_speed(
+          "is 0 or infinite",
+          "t ≈ " + decimal_between(start + part.lower, start + widened_part(part).upper, 9));
     refuse_near_zero(start + part.lower);
   });
   if (first == 0) refuse_near_zero(start);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "phrame/algebra/decimal_between.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -95,7 +96,7 @@ double least_sine(const Vector<long>& v, const std::vector<Vector<double>>& tang
 std::string where(const Interval& at, std::size_t segment) {
   const Rational offset(static_cast<long>(segment));
   if (at.lower == at.upper) return "t = " + abbreviated(to_string(Rational(*at.lower + offset)));
-  return fmt::format("t ≈ {:.9g}", static_cast<double>((*at.lower + *at.upper) / 2 + offset));
+  return "t ≈ " + decimal_between(*at.lower + offset, *at.upper + offset, 9);
 }
 
 /// Is v nowhere along the tangent of the path?

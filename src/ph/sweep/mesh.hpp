@@ -12,6 +12,7 @@ namespace phrame {
 struct Mesh {
   std::vector<Vector<double>> points;                   ///< each once
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< the numbers of three points each
+  Vector<Rational> origin = {};                         ///< from which the coordinates are
 };
 
 /// Is it the boundary of a body: does each side of a triangle lie opposite to just one other?

@@ -9,6 +9,8 @@
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/sturm.hpp"
+#include "phrame/ph/curve/local_origin.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/sweep/length_share.hpp"
 #include "phrame/ph/sweep/profile_triangles.hpp"
 #include "phrame/ph/sweep/sweep_rates.hpp"
@@ -22,6 +24,12 @@ struct SectionList {
   std::vector<SweepSection> sections;
   double patch_error = 0;
   double normal_error = 0;
+  double rounding = 0;  ///< of corners
+
+  void add(SweepSection next) {
+    rounding = std::max(rounding, next.rounding);
+    sections.push_back(std::move(next));
+  }
 };
 
 class Tessellation {
@@ -47,6 +55,8 @@ class Tessellation {
  private:
   static int direction_of_motion(const SweepPath& path);
   double normal_error(const SweepPart& part, const SweepSection& a, const SweepSection& b) const;
+  /// Are two sections no farther from each other than some units in the last place?
+  static bool is_rounded_away(const SweepSection& a, const SweepSection& b);
 
   const SweepPath& path_;
   const SweepForm& form_;
@@ -77,9 +87,18 @@ double Tessellation::normal_error(const SweepPart& part, const SweepSection& a,
        round_to_double(profile.error()) * sweep_slack, profile.reach(), is_against_});
 }
 
+bool Tessellation::is_rounded_away(const SweepSection& a, const SweepSection& b) {
+  const double least = 64 * std::max(a.rounding, b.rounding);
+  for (std::size_t k = 0; k < a.points.size(); ++k) {
+    const Vector<double> step = b.points[k] - a.points[k];
+    if (std::hypot(step[0], step[1], step[2]) > least) return false;
+  }
+  return true;
+}
+
 SectionList Tessellation::sections(const std::vector<SweepPart>& parts, double tolerance) const {
   SectionList found;
-  found.sections.push_back(sections_.section(0, 0));
+  found.add(sections_.section(0, 0));
   std::vector<SweepPart> left(parts.rbegin(), parts.rend());
   Stage stage("parts", parts.size());
   std::size_t whole = parts.size();  // of the given parts those that are left
@@ -92,7 +111,13 @@ SectionList Tessellation::sections(const std::vector<SweepPart>& parts, double t
     const double error = patch_error(sections_, last, next);
     const double of_normals = form_.normal_tolerance ? normal_error(part, last, next) : 0;
     const bool is_within = !(of_normals > form_.normal_tolerance.value_or(0));
-    if (!(error <= tolerance && is_within) && part.step() > 0x1p-40) {
+    const bool is_enough = error <= tolerance && is_within;
+    if (!is_enough && is_rounded_away(last, next))
+      fail_for_numbers(fmt::format("near t = {} the tolerance is too small beside the rounding of "
+                                   "coordinates",
+                                   part.start()),
+                       form_.numbers);
+    if (!is_enough && part.step() > 0x1p-40) {
       const double middle = (part.from + part.to) / 2;
       left.back() = {part.segment, middle, part.to};
       left.push_back({part.segment, part.from, middle});
@@ -110,7 +135,7 @@ SectionList Tessellation::sections(const std::vector<SweepPart>& parts, double t
       --whole;
       stage.advance();
     }
-    found.sections.push_back(std::move(next));
+    found.add(std::move(next));
     if (found.sections.size() * sections_.corners().size() > most_sweep_points)
       throw Undecided("sweep: more than 20000000 points are needed");
   }
@@ -128,7 +153,7 @@ SectionList Tessellation::equal_sections(long count) const {
   Stage stage("sections", static_cast<std::size_t>(steps) + 1);
   for (long k = 0; k <= steps; ++k, stage.advance()) {
     const PathParameter at = locate_inside(path_.series.segments, Rational(segments * k, steps));
-    found.sections.push_back(sections_.section(at.segment, round_to_double(at.t)));
+    found.add(sections_.section(at.segment, round_to_double(at.t)));
   }
   return found;
 }
@@ -167,22 +192,33 @@ long folds_of(const std::vector<SweepSection>& sections, std::size_t count) {
   return folds;
 }
 
-/// Throws Error and DomainError.
-void require_body(const Mesh& mesh) {
-  if (!is_watertight(mesh)) throw Error("sweep: the check failed, the mesh is not watertight");
-  if (const auto flat = first_flat_triangle(mesh))
-    throw DomainError(fmt::format(
-        "sweep: the triangle {} has no area in doubles: the profile is too small beside "
-        "where it is, or the sections are too near to each other",
-        *flat + 1));
+/// Some points of all segments, in doubles.
+std::vector<Vector<double>> places_of(const SweepPath& path) {
+  const std::size_t steps = std::max(std::size_t{4}, 256 / path.series.segments);
+  std::vector<Vector<double>> places;
+  for (std::size_t segment = 0; segment < path.series.segments; ++segment)
+    for (std::size_t k = 0; k <= steps; ++k) {
+      const auto [x, y, z] = path.series.position(
+          segment, RealBall(Rational(static_cast<long>(k), static_cast<long>(steps)), 64), 1, 64);
+      places.push_back({approximate(x.coefficient(0)), approximate(y.coefficient(0)),
+                        approximate(z.coefficient(0))});
+    }
+  return places;
 }
 
-/// The greatest coordinate.
-double size_of(const Mesh& mesh) {
-  double largest = 0;
-  for (const Vector<double>& point : mesh.points)
-    for (const double x : point) largest = std::max(largest, std::abs(x));
-  return largest;
+/// About what rounding of coordinates leaves of a tolerance, at least half of it: what it is in
+/// fact is seen of all points later.
+double beside_rounding(double tolerance, const SweepPath& path, const SweepForm& form,
+                       double scale) {
+  const Vector<double> origin = round_to_double(*form.origin);
+  double greatest = 0;
+  for (const Vector<double>& place : places_of(path)) {
+    const Vector<double> from = place - origin;
+    greatest = std::max(greatest, std::hypot(from[0], from[1], from[2]));
+  }
+  const double unit = form.numbers == Coordinates::floats ? 0x1p-24 : 0x1p-49;
+  return std::max(tolerance / 2,
+                  tolerance - 1.1 * unit * (greatest + form.profile.reach() * scale));
 }
 
 }  // namespace
@@ -207,8 +243,8 @@ double greatest_scale(const RationalFunction& scale, std::size_t segments) {
 namespace {
 
 /// Of the mesh beside its points: what is within the tolerance, and the bounds.
-SectionList within(const Tessellation& tessellation, const SweepForm& form, double scale,
-                   SweptBody& body) {
+SectionList within(const Tessellation& tessellation, const SweepPath& path, const SweepForm& form,
+                   double scale, SweptBody& body) {
   const double all = round_to_double(std::get<Rational>(form.tolerance_or_sections)) / sweep_slack;
   const double of_profile = round_to_double(form.profile.error()) * scale * sweep_slack;
   if (!(of_profile <= all / 2))
@@ -217,7 +253,7 @@ SectionList within(const Tessellation& tessellation, const SweepForm& form, doub
       !(round_to_double(form.profile.angle()) < 0.9 * *form.normal_tolerance))
     throw DomainError(
         "sweep: the sides of the profile are not as near to its tangents as normals are to be");
-  const double left = all - of_profile;
+  const double left = beside_rounding(all - of_profile, path, form, scale);
   const SweepParts parts = tessellation.parts(left * 0.6);
   SectionList found = tessellation.sections(parts.parts, left * 0.35);
   body.error = of_profile + parts.error + found.patch_error;
@@ -276,11 +312,30 @@ double side_angle_factor(const SweepPath& path, const SweepForm& form) {
   return std::min(greatest, 100.0);
 }
 
+namespace {
+
+void require_within(double error, const SweepForm& form) {
+  if (std::isfinite(error) &&
+      exact_rational(error) <= std::get<Rational>(form.tolerance_or_sections))
+    return;
+  fail_for_numbers(
+      "the tolerance is too small beside the rounding of coordinates, with which the mesh is "
+      "within " +
+          (std::isfinite(error) ? upper_bound_text(exact_rational(error)) : "no distance"),
+      form.numbers);
+}
+
+}  // namespace
+
 SweptBody sweep(const SweepPath& path, const SweepForm& form) {
   const double scale = greatest_scale(form.scale, path.series.segments);
   const std::optional<LengthShare> share = share_of(path, form.turn);
   SweepForm swept = form;
-  swept.profile = profile_for_normals(path, form, share);
+  if (!swept.origin) {
+    const Vector<double> near = local_origin(places_of(path));
+    swept.origin = {exact_rational(near[0]), exact_rational(near[1]), exact_rational(near[2])};
+  }
+  swept.profile = profile_for_normals(path, swept, share);
   const Tessellation tessellation(path, swept, share);
   SweptBody body;
   SectionList found;
@@ -288,19 +343,22 @@ SweptBody sweep(const SweepPath& path, const SweepForm& form) {
     tessellation.parts(HUGE_VAL);  // there is no cusp
     found = tessellation.equal_sections(*count);
   } else {
-    found = within(tessellation, swept, scale, body);
+    found = within(tessellation, path, swept, scale, body);
   }
   body.mesh = mesh_of(found.sections, swept.profile, path.is_closed);
+  body.mesh.origin = *swept.origin;
   if (tessellation.is_against())
     for (auto& triangle : body.mesh.triangles) std::swap(triangle[1], triangle[2]);
   body.sections = found.sections.size() - (path.is_closed ? 1 : 0);
   body.folds = folds_of(found.sections, body.sections);
-  require_body(body.mesh);
-  // The frames are within 2^−53, the place within 2^−50 of the size, the turn within 2^−44.
+  if (!is_watertight(body.mesh)) throw Error("sweep: the check failed, the mesh is not watertight");
+  require_apart(body.mesh, form.numbers);
+  // The frames are within 2^−53, the turn within 2^−44.
   if (body.error) {
     const double reach = swept.profile.reach() * scale;
-    *body.error += 0x1p-42 * reach + 0x1p-48 * size_of(body.mesh);
+    *body.error += 0x1p-42 * reach + found.rounding;
     if (share) *body.error += std::abs(form.turn) * share->error() * reach;
+    require_within(*body.error, form);
   }
   return body;
 }

@@ -9,7 +9,9 @@ namespace phrame {
 /// The mesh of the body that r + λ·(x f₂ + y f₃) bounds, (f₂, f₃) turned as the form says, with
 /// caps where the path is not closed.
 struct SweptBody {
-  Mesh mesh;                    ///< watertight, each triangle with an area: both are checked
+  /// Watertight, its points apart from each other, each triangle with an area: all is checked of
+  /// the numbers that the coordinates are.
+  Mesh mesh;
   std::size_t sections = 0;     ///< of the mesh
   std::optional<double> error;  ///< a bound of the distances, where there was a tolerance
   /// A bound of the angles between normals, where there was a tolerance of them: of each triangle
@@ -21,11 +23,11 @@ struct SweptBody {
 };
 
 /// Throws DomainError for λ that is not > 0 all along; Undecided where r′ is not told from 0, as at
-/// a cusp, where normals are asked for and the body folds over itself, and where more than 20
-/// million points would be needed; DomainError where the error of
-/// the profile is not below half of the tolerance, or its angle that of the normals, for less than
-/// 3 sections of a closed path or 2 of another, and where the body is so small beside its place
-/// that a triangle has no area in doubles.
+/// a cusp, where normals are asked for and the body folds over itself, where more than 20
+/// million points would be needed, and where the body is so small beside its distance to the
+/// origin that its coordinates, rounded, are not within the tolerance, or not those of a body;
+/// DomainError where the error of the profile is not below half of the tolerance, or its angle that
+/// of the normals, and for less than 3 sections of a closed path or 2 of another.
 SweptBody sweep(const SweepPath& path, const SweepForm& form);
 
 /// Beside a side of the profile at an angle to the curve for which it stands normals of the surface

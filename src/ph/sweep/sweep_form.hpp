@@ -5,6 +5,7 @@
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/smooth/curve_series.hpp"
+#include "phrame/ph/sweep/mesh_numbers.hpp"
 #include "phrame/ph/sweep/profile.hpp"
 
 namespace phrame {
@@ -29,6 +30,9 @@ struct SweepForm {
   /// With a tolerance: the normal of a triangle is within so many radians, < π/2, of those of the
   /// part of the surface that it stands for.
   std::optional<double> normal_tolerance = {};
+  /// From where the coordinates of the mesh are; near the body where there is none.
+  std::optional<Vector<Rational>> origin = Vector<Rational>{};
+  Coordinates numbers = Coordinates::doubles;  ///< that the coordinates are
 };
 
 /// A part of a segment of a path.

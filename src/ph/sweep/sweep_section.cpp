@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/local_origin.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
@@ -11,55 +12,87 @@ namespace {
 
 constexpr long section_bits = 128;
 
-/// r and its derivatives up to an order.
-template <std::size_t count>
-std::array<Vector<double>, count> derivatives_at(const SweepPath& path, std::size_t segment,
-                                                 double t) {
-  const auto series = path.series.position(segment, RealBall(exact_rational(t), section_bits),
-                                           static_cast<long>(count), section_bits);
-  std::array<Vector<double>, count> found{};
-  double factorial = 1;
-  for (std::size_t order = 0; order < count; ++order) {
-    if (order > 1) factorial *= static_cast<double>(order);
-    for (std::size_t k = 0; k < 3; ++k)
-      found[order][k] = factorial * approximate(series[k].coefficient(static_cast<long>(order)));
+/// r, r′ and r″.
+struct PathDerivatives {
+  Vector<RealBall> place;
+  Vector<double> rate;
+  Vector<double> second;
+};
+
+PathDerivatives derivatives_at(const SweepPath& path, std::size_t segment, double t) {
+  const auto series =
+      path.series.position(segment, RealBall(exact_rational(t), section_bits), 3, section_bits);
+  PathDerivatives found{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    found.place[k] = series[k].coefficient(0);
+    found.rate[k] = approximate(series[k].coefficient(1));
+    found.second[k] = 2 * approximate(series[k].coefficient(2));
   }
   return found;
 }
 
+/// A double in the ball, and a bound of how far a number of the ball is from it.
+std::pair<double, double> middle_of(const RealBall& a) {
+  const double middle = approximate(a);
+  const RealBall at = exact_sum(middle, 0);
+  return {middle, std::max(upper_double(subtract(a, at, section_bits)),
+                           upper_double(subtract(at, a, section_bits)))};
+}
+
 double size(const Vector<double>& v) { return std::hypot(v[0], v[1], v[2]); }
+
+/// To such numbers; what the point, a sum of two with an error of 2^−50 of itself, is off then.
+double round_point(Vector<double>& point, Coordinates numbers) {
+  double off = 0x1p-50 * size(point);
+  if (numbers == Coordinates::doubles) return off;
+  const Vector<double> exact = point;
+  for (double& x : point) x = static_cast<double>(as_float(x));
+  return off + size(point - exact);
+}
 
 }  // namespace
 
 SweepSections::SweepSections(const SweepPath& path, const SweepForm& form,
                              const std::optional<LengthShare>& share)
     : path_(path), form_(form), share_(share), scale_(form.scale) {
+  if (form.origin)
+    for (std::size_t k = 0; k < 3; ++k) origin_[k] = RealBall(form.origin->at(k), section_bits);
   for (const auto& [x, y] : form.profile.corners())
     corners_.push_back({round_to_double(x), round_to_double(y)});
 }
 
 SweepSection SweepSections::section(std::size_t segment, double t) const {
-  const auto [center, rate, second] = derivatives_at<3>(path_, segment, t);
+  const auto [place, rate, second] = derivatives_at(path_, segment, t);
   const double square = dot(rate, rate);
+  Vector<double> center{};
+  double off = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [x, error] = middle_of(subtract(place[k], origin_[k], section_bits));
+    center[k] = x;
+    off += error;
+  }
   const double along = static_cast<double>(segment) + t;
   const Frame<double> frame = path_.frames(along);
   const double phi = share_ ? form_.turn * (*share_)(segment, t) : 0;
   const double scale = scale_.at(0, along);
   const double cos = scale * std::cos(phi);
   const double sin = scale * std::sin(phi);
-  SweepSection section{along, {}, 0};
+  SweepSection section{along, {}, 0, 0};
   section.points.reserve(corners_.size());
   for (const auto& [x, y] : corners_) {
     const Vector<double> out = (cos * x - sin * y) * frame.e2 + (sin * x + cos * y) * frame.e3;
-    section.points.push_back(center + out);
+    Vector<double> point = center + out;
+    section.rounding = std::max(section.rounding, round_point(point, form_.numbers));
+    section.points.push_back(point);
     // Along T it moves by |r′| − v·T′, and v·T′ = v·r″/|r′|.
     if (dot(out, second) >= square) ++section.folds;
   }
+  section.rounding = (section.rounding + off) * sweep_slack;
   return section;
 }
 
 SweepMotion SweepSections::motion(std::size_t segment, double t) const {
-  const auto [center, rate, second] = derivatives_at<3>(path_, segment, t);
+  const auto [place, rate, second] = derivatives_at(path_, segment, t);
   const double along = static_cast<double>(segment) + t;
   const Frame<double> frame = path_.frames(along);
   const double speed = size(rate);

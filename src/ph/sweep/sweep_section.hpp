@@ -11,6 +11,8 @@ struct SweepSection {
   double t = 0;                        ///< of the path
   std::vector<Vector<double>> points;  ///< the corners
   long folds = 0;                      ///< corners on the axis of curvature or beyond it
+  /// A bound of what the corners are off, but for what the frames are.
+  double rounding = 0;
 };
 
 /// How the profile moves there, in doubles.
@@ -43,6 +45,7 @@ class SweepSections {
   const SweepForm& form_;
   const std::optional<LengthShare>& share_;
   ScaleRates scale_;
+  Vector<RealBall> origin_;  ///< 0 where the form has none yet
   std::vector<std::array<double, 2>> corners_;
 };
 

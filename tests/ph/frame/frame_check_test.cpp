@@ -337,6 +337,17 @@ TEST_CASE("frame check: flips do not hide a drift, nor make one") {
         std::vector{Kind::flip, Kind::drift});
 }
 
+// 7.5 radians are more than a turn.
+TEST_CASE("frame check: a drift has its whole turns, in its rate as in the finding") {
+  const FrameVerdict verdict = check(off_by([](long k) { return Rational(3 * k, 4); }));
+  REQUIRE(kinds(verdict) == std::vector{Kind::drift});
+  const RealBall& way = *verdict.findings[0].amount;
+  CHECK(way.lower() > decimal("7.3"));
+  CHECK(way.upper() < decimal("7.7"));
+  const RealBall length(Rational(71, 15), 128);
+  CHECK(multiply(*verdict.drift, length, 128).overlaps(way));
+}
+
 TEST_CASE("frame check: a right-handed frame with its tangent reversed is not left-handed") {
   auto frames = good_frames();
   for (GivenFrame& frame : frames) {
