@@ -8,6 +8,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/local_origin.hpp"
 
 namespace phrame {
 namespace {
@@ -58,6 +59,7 @@ CameraPath camera_path(const FrameTable& table, const std::vector<Rational>& num
     path.rotations.push_back({row[13], row[14], row[15], row[16]});
     require_floats(path.places.back(), path.places.size());
   }
+  path.origin = local_origin(path.places);
   return path;
 }
 

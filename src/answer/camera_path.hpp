@@ -11,6 +11,7 @@ struct CameraPath {
   std::vector<double> times;                     ///< in seconds from 0, ascending
   std::vector<Vector<double>> places;            ///< r
   std::vector<std::array<double, 4>> rotations;  ///< unit quaternions (x, y, z, w), as of a table
+  Vector<double> origin = {};                    ///< near the places: floats hold r from there well
 };
 
 /// What the table of a camera path is asked for: this frame, with a camera's quaternions.

@@ -5,19 +5,19 @@
 #include <cstddef>
 #include <iterator>
 
+#include "phrame/algebra/nearest_float.hpp"
 #include "phrame/io/write/bytes.hpp"
-#include "phrame/ph/curve/local_origin.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 namespace {
 
 /// The times, then all translations from the origin, then all rotations.
-std::string camera_buffer(const CameraPath& path, const Vector<double>& origin) {
+std::string camera_buffer(const CameraPath& path) {
   std::string buffer;
   for (const double time : path.times) append_float(buffer, as_float(time));
   for (const auto& place : path.places)
-    for (const double x : place - origin) append_float(buffer, as_float(x));
+    for (const double x : place - path.origin) append_float(buffer, as_float(x));
   for (const auto& rotation : path.rotations)
     for (const double x : rotation) append_float(buffer, as_float(x));
   return buffer;
@@ -32,8 +32,7 @@ std::string nodes_json(const Vector<double>& origin) {
 }
 
 /// What the JSON says of that buffer, which is at `uri`, or beside it where that is empty.
-std::string camera_json(const CameraPath& path, const Vector<double>& origin,
-                        const std::string& uri) {
+std::string camera_json(const CameraPath& path, const std::string& uri) {
   const std::size_t count = path.times.size();
   return fmt::format(
       R"({{"asset":{{"version":"2.0","generator":"phrame"}},"scene":0,"scenes":{9},"cameras":[{{"type":"perspective",)"
@@ -50,7 +49,7 @@ std::string camera_json(const CameraPath& path, const Vector<double>& origin,
       R"({{"bufferView":2,"componentType":5126,"count":{0},"type":"VEC4"}}]}})",
       count, 32 * count, uri.empty() ? "" : ",\"uri\":\"" + uri + "\"", 4 * count, 12 * count,
       16 * count, 16 * count, as_float(path.times.front()), as_float(path.times.back()),
-      nodes_json(origin));
+      nodes_json(path.origin));
 }
 
 /// A script that makes a camera of the list `keys`.
@@ -84,15 +83,11 @@ scene.camera = camera
 }  // namespace
 
 std::string to_glb(const CameraPath& path) {
-  const Vector<double> origin = local_origin(path.places);
-  return glb_file(camera_json(path, origin, ""), camera_buffer(path, origin));
+  return glb_file(camera_json(path, ""), camera_buffer(path));
 }
 
 std::string to_gltf(const CameraPath& path) {
-  const Vector<double> origin = local_origin(path.places);
-  return camera_json(
-             path, origin,
-             "data:application/octet-stream;base64," + base64(camera_buffer(path, origin))) +
+  return camera_json(path, "data:application/octet-stream;base64," + base64(camera_buffer(path))) +
          "\n";
 }
 

@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <iterator>
 
+#include "phrame/algebra/nearest_float.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/io/write/bytes.hpp"
-#include "phrame/ph/curve/local_origin.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/frame/frame.hpp"
 
 namespace phrame {
 namespace {
@@ -116,7 +116,8 @@ std::string to_glb(const Mesh& mesh) {
       R"({{"bufferView":1,"componentType":5125,"count":{6},"type":"SCALAR"}}]}})",
       data.size(), of_points, data.size() - of_points, mesh.points.size(), extreme_of(mesh, least),
       extreme_of(mesh, greatest), 3 * mesh.triangles.size(),
-      translation_json(round_to_double(mesh.origin)));
+      translation_json({round_to_double(mesh.origin[0]), round_to_double(mesh.origin[1]),
+                        round_to_double(mesh.origin[2])}));
   return glb_file(json, data);
 }
 

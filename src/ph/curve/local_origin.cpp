@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace phrame {
 
@@ -26,11 +25,6 @@ Vector<double> local_origin(const std::vector<Vector<double>>& points) {
     x += 0.0;  // no −0
   }
   return middle;
-}
-
-float as_float(double x) {
-  constexpr double most = std::numeric_limits<float>::max();
-  return static_cast<float>(std::clamp(x, -most, most));
 }
 
 }  // namespace phrame

@@ -11,7 +11,4 @@ namespace phrame {
 /// or beside it.
 Vector<double> local_origin(const std::vector<Vector<double>>& points);
 
-/// The nearest float, but not beyond the greatest one.
-float as_float(double x);
-
 }  // namespace phrame

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/nearest_float.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/local_origin.hpp"
 #include "phrame/ph/frame/frame.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "phrame/algebra/nearest_float.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/curve/local_origin.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {

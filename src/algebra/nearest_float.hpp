@@ -1,0 +1,13 @@
+#pragma once
+#include <algorithm>
+#include <limits>
+
+namespace phrame {
+
+/// The nearest float, but not beyond the greatest one.
+inline float as_float(double x) {
+  constexpr double most = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(x, -most, most));
+}
+
+}  // namespace phrame
