@@ -90,9 +90,9 @@ def check(name, is_closed, pipe, folder):
 
 def main():
     effort = int(os.environ.get("PHRAME_TEST_MULTIPLIER", "1"))
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 200 if effort > 1 else 2
+    stride = 200 // int(sys.argv[1]) if len(sys.argv) > 1 else 1 if effort > 1 else 61
     with tempfile.TemporaryDirectory() as folder:
-        for name, is_closed, pipe in list(pipes(200))[::200 // count]:
+        for name, is_closed, pipe in list(pipes(200))[::stride]:
             try:
                 check(name, is_closed, pipe, Path(folder))
             except AssertionError as error:
