@@ -16,6 +16,7 @@ from common import MULTIPLIER, ROOT, random_curve
 CALLS = """
 import os, random, signal, sys, threading, time
 sys.path[:0] = {path!r}
+import numpy  # on a busy machine its first import, by a call, would be what is interrupted
 import phrame
 from fractions import Fraction
 from common import random_curve
