@@ -83,14 +83,17 @@ void keep_aside(const std::string& path, const std::string& cut_off) {
                    counted(cut_off.size(), "byte"), cut_off.size() == 1 ? "is" : "are", aside));
 }
 
-/// Locked as long as it is open, where it is a file of its own or what is skipped: two at a time
-/// would write the same answers. Throws InputError where another has it; a file system that has no
-/// locks is taken as it is.
+/// Locked as long as it is open, where it is a regular file of its own or what is skipped: two at a
+/// time would write the same answers. /dev/null and pipes are anybody's. Throws InputError where
+/// another has it; a file system that has no locks is taken as it is.
 Descriptor open_output(const std::string& path, const std::string& skip_done) {
   constexpr int flags = O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC;
   Descriptor file(path == "-" ? STDOUT_FILENO : ::open(path.c_str(), flags, 0666),
                   path == "-" ? "standard output" : path);
-  const bool is_own = path != "-" || (!skip_done.empty() && is_same_file(file, skip_done));
+  struct stat status = {};
+  fstat(file.number(), &status);
+  const bool is_own = S_ISREG(status.st_mode) &&
+                      (path != "-" || (!skip_done.empty() && is_same_file(file, skip_done)));
   if (is_own && flock(file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     throw InputError(file.name(), "another phrame batch is writing to it");
   return file;

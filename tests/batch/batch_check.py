@@ -2,6 +2,7 @@
 
 The answers of one undisturbed run with one thread are the reference; all other ways give the same bytes.
 """
+import fcntl
 import json
 import os
 import random
@@ -167,6 +168,11 @@ def check_lock():
     first.stdin.close()
     first.wait(60)
     require(Path("one").read_bytes().count(b"\n") == 1, "what the first one wrote is gone")
+    # What is no regular file is anybody's.
+    with open("/dev/null", "w") as null:
+        fcntl.flock(null, fcntl.LOCK_SH)
+        run = subprocess.run([PROGRAM, "batch", "-o", "/dev/null"], input=b"", capture_output=True)
+    require(run.returncode == 0, f"/dev/null is locked: {run.stderr}")
 
 
 def check_parallel(reference):
