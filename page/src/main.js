@@ -1,6 +1,6 @@
 // The page of a curve. All numbers come from the data, where phrame rounded them correctly; what is
 // computed here is where to draw them.
-import katex from 'katex';
+import { equations } from './equations.js';
 import { magnification, styles, turned } from './frames.js';
 import { drawPlots } from './plots.js';
 import { drawPoles } from './poles.js';
@@ -219,28 +219,17 @@ document.addEventListener('keydown', (event) => {
   event.preventDefault();
 });
 
-// ---- the closed form: an equation a line, which is broken between its terms where it is long
+let onScreen = null; // while the page is printed, what it was
+// ---- the closed form
 const formula = byId('formula');
-const isWhole = (line) => line.split('\\begin{').length === line.split('\\end{').length;
-function equations(text) {
-  const lines = text
-    .trim()
-    .replace(/^\\begin\{align\*\}|\\end\{align\*\}$/g, '')
-    .split(' \\\\\n');
-  return lines.every(isWhole) ? lines.map((line) => line.replace('&=', '=').trim()) : null;
-}
-for (const text of data.latex)
-  for (const line of equations(text) ?? [text]) {
-    const wide = make('div', undefined, { class: 'wide equation' });
-    const isAlone = line !== text;
-    katex.render(isAlone ? `\\displaystyle ${line}` : line, wide, {
-      displayMode: !isAlone,
-      throwOnError: false,
-      strict: false,
-      trust: false,
-    });
-    formula.append(wide);
-  }
+const fits = data.latex.map((text) => equations(formula, text));
+const fit = (width) => fits.flatMap((fit) => fit(width));
+let fitted = 0;
+new ResizeObserver(() => {
+  const style = getComputedStyle(formula);
+  const width = Math.floor(formula.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight));
+  if (width !== fitted && !onScreen) fit((fitted = width));
+}).observe(formula);
 for (const sentence of data.said) formula.append(make('p', typeset(sentence)));
 if (data.poles?.rows.length) {
   byId('poles').hidden = false;
@@ -294,7 +283,6 @@ details.addEventListener('toggle', () => {
 byId('table').append(details);
 
 // ---- on paper: light, everything unfolded but the table, no equation wider than the sheet
-let onScreen = null;
 addEventListener('beforeprint', () => {
   if (onScreen) return;
   onScreen = { theme, unfolded: [...document.querySelectorAll('#facts details:not([open])')], parts: [] };
@@ -305,14 +293,12 @@ addEventListener('beforeprint', () => {
     onScreen.parts.push(make('img', undefined, { src: scene.picture(), alt: summary(), class: 'paper' }));
     byId('scene').append(onScreen.parts[0]);
   }
-  const sheet = 640;
-  for (const wide of document.querySelectorAll('.equation')) {
-    const share = sheet / Math.max(...[...wide.querySelectorAll('.katex-base')].map((part) => part.offsetWidth));
-    if (share < 1) wide.style.fontSize = `${share}em`;
+  for (const { box, share } of fit(640)) {
+    if (share < 1) box.style.fontSize = `${share}em`;
     if (share > 0.35) continue;
-    wide.classList.add('too-wide');
+    box.classList.add('too-wide');
     const note = make('p', 'An equation that is too wide for paper is on the page itself.', { class: 'paper' });
-    wide.after(note);
+    box.after(note);
     onScreen.parts.push(note);
   }
 });
@@ -326,6 +312,7 @@ addEventListener('afterprint', () => {
   }
   setTheme(onScreen.theme);
   onScreen = null;
+  if (fitted) fit(fitted);
 });
 
 setTheme(theme);

@@ -80,6 +80,24 @@ const rowAt = (page, t) =>
     return lines.findIndex((line) => Number(line.split(',')[0]) === t);
   }, t);
 
+/** How many colours the edge of the scene has. */
+async function edges(page) {
+  await page.evaluate(() => scrollTo(0, 0));
+  const image = (await picture(page)).toString('base64');
+  return page.evaluate(async (image) => {
+    const bytes = Uint8Array.from(atob(image), (c) => c.charCodeAt(0));
+    const map = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+    const pen = new OffscreenCanvas(map.width, map.height).getContext('2d', { willReadFrequently: true });
+    pen.drawImage(map, 0, 0);
+    const { width, height } = map;
+    const inset = 14; // where corners are round
+    const lines = [[inset, 2, width - 2 * inset, 1], [inset, height - 3, width - 2 * inset, 1], [2, inset, 1, height - 2 * inset], [width - 3, inset, 1, height - 2 * inset]];
+    const colours = new Set();
+    for (const line of lines) for (const word of new Uint32Array(pen.getImageData(...line).data.buffer)) colours.add(word);
+    return colours.size;
+  }, image);
+}
+
 const quintic = join(curves, 'curves', 'farouki-2003-quintic.json');
 
 const tests = {
@@ -253,9 +271,11 @@ const tests = {
   },
 
   async 'at four widths, light and dark, nothing is covered by anything after scrolling'() {
+    const { page, complaints, close } = await open(quintic);
     for (const width of [360, 768, 1280, 1920])
       for (const colorScheme of ['light', 'dark']) {
-        const { page, complaints, close } = await open(quintic, [], { viewport: { width, height: 800 }, colorScheme });
+        await page.setViewportSize({ width, height: 800 });
+        await page.emulateMedia({ colorScheme });
         const covered = await page.evaluate(async () => {
           const found = [];
           if (document.documentElement.scrollWidth > innerWidth) found.push(`wider than ${innerWidth}`);
@@ -276,13 +296,135 @@ const tests = {
         });
         assert.deepEqual(covered, [], `${width}, ${colorScheme}`);
         await page.screenshot({ path: join(pictures, `quintic-${width}-${colorScheme}.png`) });
-        assert.deepEqual(complaints, []);
-        await close();
       }
+    assert.deepEqual(complaints, []);
+    await close();
+  },
+
+  async 'an error of 0.056 radians is said and magnified'() {
+    const table = join(folder, 'drifting.csv');
+    const [names, ...lines] = run('frames', quintic, '--frame', 'rmf', '--samples', '21').trim().split('\n').map((line) => line.split(','));
+    const drifted = lines.map((line) => {
+      const at = (name) => Number(line[names.indexOf(name)]);
+      const angle = 0.056 * at('t') ** 2;
+      const turned = (a, b) => ['x', 'y', 'z'].map((axis) => Math.cos(angle) * at(a + axis) + b[1] * Math.sin(angle) * at(b[0] + axis));
+      return [at('t'), ...turned('f2', ['f3', 1]), ...turned('f3', ['f2', -1])].join(',');
+    });
+    writeFileSync(table, ['t,f2x,f2y,f2z,f3x,f3y,f3z', ...drifted].join('\n'));
+    const { page, complaints, close } = await open(quintic, ['--frames', table]);
+    assert.match(await page.textContent('#error'), /off by up to 0\.056 rad, at t = 1\..* 10 times/);
+    const magnified = await picture(page);
+    await page.getByText('error × 10', { exact: true }).click();
+    assert.ok(!(await picture(page)).equals(magnified));
+    assert.deepEqual(complaints, []);
+    await close();
+  },
+
+  async 'at joints where a number jumps its line has a gap'() {
+    const { page, close } = await open(join(curves, 'curves', 'closed-spline.json'));
+    const strokes = await page.$$eval('#plots figure', (figures) =>
+      Object.fromEntries(
+        figures.map((figure) => [
+          figure.querySelector('b').textContent,
+          figure.querySelector('path[clip-path]').getAttribute('d').split('M').length - 1,
+        ]),
+      ),
+    );
+    // Four segments: κ and |r′| are other numbers on both sides of the three joints, θ and s go on.
+    assert.deepEqual([strokes.κ, strokes['|r′|'], strokes.θ, strokes.s], [4, 4, 1, 1]);
+    await close();
+  },
+
+  async 'what is said reads well'() {
+    const spline = join(folder, 'trefoil.json');
+    run('construct', join(curves, 'paths', 'trefoil.csv'), '--closed', '-o', spline);
+    for (const curve of [spline, join(curves, 'curves/plane-cubic.json'), join(curves, 'any/helix.json'), quintic]) {
+      const { page, close } = await open(curve);
+      const text = await page.evaluate(() =>
+        ['formula', 'poles', 'facts', 'along'].map((id) => document.getElementById(id).innerText).join('\n'),
+      );
+      assert.doesNotMatch(text, /[a-z]\.[A-Z]/, curve);
+      assert.doesNotMatch(text, /0 *\+ *C/, curve);
+      assert.doesNotMatch(text, /(^|[\s(=,≈±])-[\d.]/m, curve);
+      if (/helix/.test(curve)) assert.match(text, /t goes from 0 to 1 while s /);
+      await close();
+    }
+  },
+
+  async 'frames are told apart without colour, by eyes without a kind of cones, and from the paper'() {
+    // [Machado, Oliveira, Fernandes 2009], for linear RGB.
+    const eyes = {
+      all: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+      deuteranopes: [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.01182, 0.04294, 0.968881]],
+      protanopes: [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
+    };
+    const linear = (rgb) => rgb.map((x) => (x / 255 <= 0.04045 ? x / 255 / 12.92 : ((x / 255 + 0.055) / 1.055) ** 2.4));
+    const light = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    const lab = ([r, g, b]) => {
+      const f = (t) => (t > 0.008856 ? Math.cbrt(t) : 7.787 * t + 16 / 116);
+      const [x, y, z] = [(0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.95047, light([r, g, b]), (0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.08883];
+      return [116 * f(y) - 16, 500 * (f(x) - f(y)), 200 * (f(y) - f(z))];
+    };
+    const seen = (rgb, eye) => lab(eye.map((row) => Math.max(0, row.reduce((sum, x, k) => sum + x * linear(rgb)[k], 0))));
+    const table = join(folder, 'rmf.csv');
+    writeFileSync(table, run('frames', quintic, '--frame', 'rmf', '--samples', '9'));
+    const { page, close } = await open(quintic, ['--frames', table, '--end-normal', '0,0,1']);
+    for (const colorScheme of ['light', 'dark']) {
+      await page.emulateMedia({ colorScheme });
+      const { colours, dashes, paper } = await page.evaluate(() => {
+        const rgb = (colour) => colour.match(/[\d.]+/g).slice(0, 3).map(Number);
+        const swatches = [...document.querySelectorAll('.swatch')];
+        return {
+          colours: swatches.map((swatch) => rgb(getComputedStyle(swatch).color)),
+          dashes: swatches.map((swatch) => swatch.querySelector('line').getAttribute('stroke-dasharray')),
+          paper: rgb(getComputedStyle(document.getElementById('view')).backgroundColor),
+        };
+      });
+      assert.equal(colours.length, 5);
+      assert.equal(new Set(dashes).size, 5);
+      for (const colour of colours) {
+        const [high, low] = [light(linear(colour)), light(linear(paper))].sort((a, b) => b - a);
+        assert.ok((high + 0.05) / (low + 0.05) >= 3, `${colour} on ${paper}`);
+        for (const other of colours)
+          for (const [who, eye] of Object.entries(eyes)) {
+            if (other === colour) continue;
+            const [a, b] = [seen(colour, eye), seen(other, eye)];
+            assert.ok(Math.hypot(...a.map((x, k) => x - b[k])) >= 20, `${who}: ${colour}, ${other}`);
+          }
+      }
+    }
+    await close();
+  },
+
+  async 'on paper parts follow one another, light, and nothing is wider than the sheet'() {
+    const { page, close } = await open(quintic, ['--end-normal', '0,0,1'], { colorScheme: 'dark', viewport: { width: 690, height: 1000 } });
+    await page.emulateMedia({ media: 'print' });
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    const { tops, width, papers, isSeen } = await page.evaluate(async () => {
+      await document.querySelector('#scene img').decode();
+      const parts = ['view', 'here', 'along', 'formula', 'poles', 'facts'].map((id) => document.getElementById(id).getBoundingClientRect());
+      return {
+        tops: parts.flatMap(({ top, bottom }) => [top, bottom]),
+        width: document.documentElement.scrollWidth,
+        papers: getComputedStyle(document.body).backgroundColor,
+        isSeen: [...document.querySelectorAll('#facts details')].every((part) => part.open),
+      };
+    });
+    for (let k = 1; k < tops.length; ++k) assert.ok(tops[k] >= tops[k - 1] - 1, `${tops}`);
+    assert.equal(width, 690);
+    assert.equal(papers, 'rgb(255, 255, 255)');
+    assert.ok(isSeen);
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    assert.equal(await page.locator('#scene img').count(), 0);
+    assert.equal(await page.getAttribute('html', 'data-theme'), 'dark');
+    await page.pdf({ path: join(pictures, 'quintic.pdf'), format: 'A4', printBackground: true });
+    await close();
   },
 
   async 'on a telephone, in the dark, nothing is wider than the screen'() {
-    const { page, complaints, close } = await open(quintic, [], {
+    const long = join(folder, 'long.json');
+    writeFileSync(long, JSON.stringify({ ...JSON.parse(readFileSync(quintic, 'utf8')), name: 'a-name-without-a-blank-'.repeat(9) }));
+    const { page, complaints, close } = await open(long, [], {
       viewport: { width: 390, height: 844 },
       colorScheme: 'dark',
       isMobile: true,
@@ -293,8 +435,23 @@ const tests = {
       ground: getComputedStyle(document.body).backgroundColor,
     }));
     assert.equal(width, 390);
+    const cut = await page.$$eval('.equation', (boxes) => boxes.filter((box) => box.scrollWidth > box.clientWidth).length);
+    assert.equal(cut, 0);
     assert.equal(ground, 'rgb(22, 24, 29)');
+    assert.deepEqual(await edges(page), 1, 'the curve is cut at the edge of its picture');
     await page.screenshot({ path: join(pictures, 'telephone.png'), fullPage: true });
+    // A finger that goes along a plot takes the slider with it; the browser does not take it for scrolling.
+    const plot = page.locator('#plots svg').first();
+    await plot.scrollIntoViewIfNeeded();
+    const { x, y, width: length } = await plot.boundingBox();
+    const touch = await page.context().newCDPSession(page);
+    const send = (type, share) =>
+      touch.send('Input.dispatchTouchEvent', { type, touchPoints: share === null ? [] : [{ x: x + share * length, y: y + 50 + 6 * share }] });
+    await send('touchStart', 0.3);
+    for (let k = 4; k <= 9; ++k) await send('touchMove', k / 10);
+    await send('touchEnd', null);
+    const there = Number((await at(page)).slice(4));
+    assert.ok(there > 0.8, `t = ${there}`);
     assert.deepEqual(complaints, []);
     await close();
   },

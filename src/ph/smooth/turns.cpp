@@ -59,8 +59,10 @@ void add_turns(Turns& turns, Plotted quantity, const Polynomial& slope, const Fu
   const BallPolynomial near_f(f, precision);
   for (const Interval& isolating : isolate_real_roots(f, closed(0, 1))) {
     const Rational at = place_of(f, near_f, precision, isolating);
+    // Next to a cusp balls may not keep the denominator from 0.
     const RealBall value = evaluate(of, RealBall(at, 2 * place_bits), 2 * place_bits);
-    turns.list.push_back({quantity, at, approximate(value)});
+    const double about = value.is_finite() ? approximate(value) : round_to_double(of(at));
+    turns.list.push_back({quantity, at, about});
   }
 }
 

@@ -88,6 +88,22 @@ TEST_CASE("page: more than 500 segments have a row at each end, and no decisions
   CHECK_FALSE(lean.classification.has_value());
 }
 
+TEST_CASE("page: at a joint there is what jumps there, as it is just before") {
+  Path path(Curve(QuaternionPolynomial{{1}, {}, {}, {}}));  // along x with the speed 1,
+  path.append(Curve(QuaternionPolynomial{{2}, {}, {}, {}}, Polynomial{1}, {1, 0, 0}));  // then 4
+  const PageAnswer found = answer(NamedPath{"", path, {}}, PageQuery{.samples = 5});
+  REQUIRE(found.jumps.size() == 1);
+  const auto& [row, before] = found.jumps.front();
+  const std::vector<double>& after = found.table.rows[row];
+  CHECK(after.front() == 1);
+  CHECK(after.back() == 4);
+  CHECK(before.back() == 1);
+  CHECK(std::equal(before.begin(), before.begin() + 7, after.begin()));  // t, r, e₁
+  const Path even = joined(
+      {path.segments()[0], Curve(QuaternionPolynomial{{1}, {}, {}, {}}, Polynomial{1}, {1, 0, 0})});
+  CHECK(answer(NamedPath{"", even, {}}, PageQuery{.samples = 5}).jumps.empty());
+}
+
 TEST_CASE("page: with an end normal there is the frame of minimal twist") {
   const Path path(test::quintic);
   const Vector<Rational> up{0, 0, 1};
