@@ -1,4 +1,5 @@
 #pragma once
+#include <cfenv>
 #include <cfloat>
 #include <cmath>
 #include <optional>
@@ -7,6 +8,36 @@ namespace phrame {
 
 static_assert(FLT_EVAL_METHOD >= 0 && FLT_EVAL_METHOD != 2 && FLT_EVAL_METHOD <= 64,
               "doubles are computed with more digits");
+
+/// Doubles are rounded to nearest while it lives, in this thread, whatever was set before.
+class RoundingToNearest {
+ public:
+  RoundingToNearest() : before_(std::fegetround()) {
+    if (before_ != FE_TONEAREST) std::fesetround(FE_TONEAREST);
+  }
+  ~RoundingToNearest() {
+    if (before_ != FE_TONEAREST) std::fesetround(before_);
+  }
+  RoundingToNearest(const RoundingToNearest&) = delete;
+  RoundingToNearest& operator=(const RoundingToNearest&) = delete;
+
+ private:
+  int before_;
+};
+
+/// By a call of its own, before and behind which the compiler moves no sums.
+template <class Compute>
+[[gnu::noinline]] auto computed_apart(const Compute& compute) {
+  return compute();
+}
+
+/// What is computed with doubles rounded to nearest. Costs a nanosecond or two where they are.
+template <class Compute>
+auto rounding_to_nearest(const Compute& compute) {
+  if (std::fegetround() == FE_TONEAREST) return compute();
+  const RoundingToNearest mode;
+  return computed_apart(compute);
+}
 
 /// The unevaluated sum of two doubles.
 struct DoubleDouble {

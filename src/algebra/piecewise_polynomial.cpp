@@ -94,6 +94,7 @@ RealBall integral_bound(const BallPolynomial& p, long bits) {
 PiecewisePolynomial::PiecewisePolynomial(const std::vector<double>& ends, const DoubleShape& shape,
                                          const Make& make)
     : shape_(shape), ends_{ends.front()} {
+  const RoundingToNearest mode;
   for (std::size_t k = 0; k + 1 < ends.size(); ++k)
     if (!(std::isfinite(ends[k]) && ends[k] < ends[k + 1] &&
           std::isfinite(ends[k + 1] - ends.front())))

@@ -39,7 +39,7 @@ RoundedPolynomial::RoundedPolynomial(Polynomial p) : exact_(std::move(p)) {
     coefficients_.push_back(as_two_doubles(exact_.coefficient(k)));
 }
 
-double RoundedPolynomial::operator()(double t) const {
+std::optional<double> RoundedPolynomial::near_value(double t) const {
   const double size = std::abs(t);
   if (!coefficients_.empty() && size <= largest_t) {
     DoubleDouble sum;
@@ -51,10 +51,14 @@ double RoundedPolynomial::operator()(double t) const {
     }
     if (most >= least_sum && most <= largest_sum) {
       const double steps = static_cast<double>(coefficients_.size() + 1);
-      if (const auto found = common_double(sum, 32 * steps * steps * 0x1p-106 * most))
-        return *found;
+      return common_double(sum, 32 * steps * steps * 0x1p-106 * most);
     }
   }
+  return std::nullopt;
+}
+
+double RoundedPolynomial::operator()(double t) const {
+  if (const auto found = rounding_to_nearest([&] { return near_value(t); })) return *found;
   return exact_.is_zero() ? 0 : round_to_double(exact_(exact_rational(t)));
 }
 

@@ -71,4 +71,19 @@ TEST_CASE("rounded polynomial: beyond the range in which sums of two doubles tel
         -std::numeric_limits<double>::infinity());
 }
 
+TEST_CASE("rounded polynomial: whatever the rounding mode is, which stays as it was") {
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+    for_samples(40, [&](Random& random) {
+      const Polynomial p = random.polynomial(12);
+      const double t = any_double(random);
+      const double expected = exactly(p, t);
+      std::fesetround(mode);
+      const double found = RoundedPolynomial(p)(t);
+      const int mode_now = std::fegetround();
+      std::fesetround(FE_TONEAREST);
+      CHECK(found == expected);
+      CHECK(mode_now == mode);
+    });
+}
+
 }  // namespace rounded_polynomial_test

@@ -28,9 +28,13 @@ constexpr long million = 1'000'000;
 /// the two errors that the header states.
 constexpr const char* evaluator = R"(
 #include <stdio.h>
+#include <fenv.h>
 #include "angle.h"
 int main(void)
 {
+#ifdef ROUNDING
+  fesetround(ROUNDING);
+#endif
   double t, out[12] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   while (fread(&t, sizeof t, 1, stdin) == 1) {
     out[0] = arm_theta(t);
@@ -57,7 +61,7 @@ std::vector<Row> evaluated(const Workshop& shop, const std::vector<double>& at,
   const std::string command = "cd '" + shop.file(".").string() + "' && " +
                               (compiler == nullptr ? "cc" : compiler) +
                               " -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror " + options +
-                              " evaluator.c -o evaluator && ./evaluator <t.bin >rows.bin";
+                              " evaluator.c -o evaluator -lm && ./evaluator <t.bin >rows.bin";
   REQUIRE(std::system(command.c_str()) == 0);
   const std::string rows = test::bytes_of(shop.file("rows.bin"));
   std::vector<Row> result(at.size());
@@ -192,6 +196,25 @@ TEST_CASE("compile: other intervals and angles, Frenet's frame, and what is outs
           exact_rational(rows[k][10]));
   for (const Row& row : evaluated(shop, {-0.51, 3.01, 1e300, HUGE_VAL, std::nan("")}, "-std=c99"))
     CHECK(std::isnan(row[0]));
+}
+
+TEST_CASE("compile: nothing where rounding is another, or constants are floats") {
+  const Workshop shop;
+  CHECK(shop.run("compile quintic.json --prefix arm -o angle.h").status == 0);
+  const std::vector<double> at{0, 0.3, 1};
+  for (const char* mode : {"FE_UPWARD", "FE_DOWNWARD", "FE_TOWARDZERO"})
+    for (const Row& row : evaluated(shop, at, std::string("-std=c99 -O2 -DROUNDING=") + mode))
+      for (std::size_t k = 0; k < 10; ++k) CHECK(std::isnan(row[k]));
+  for (const Row& row : evaluated(shop, at, "-std=c99 -O2 -DROUNDING=FE_TONEAREST"))
+    CHECK_FALSE(std::isnan(row[0]));
+  shop.write("constants.c", "#include \"angle.h\"\nint main(void) { return 0; }\n");
+  const char* compiler = std::getenv("CC");
+  const std::string compile = "cd '" + shop.file(".").string() + "' && " +
+                              (compiler == nullptr ? "cc" : compiler) +
+                              " -w constants.c -o constants 2>errors ";
+  CHECK(std::system(compile.c_str()) == 0);
+  // clang does not know the option, and gcc refuses the array.
+  CHECK(std::system((compile + "-fsingle-precision-constant -Werror").c_str()) != 0);
 }
 
 TEST_CASE("compile: from a given normal, within the errors that are stated") {

@@ -53,7 +53,7 @@ constexpr const char* preamble =
  *   f2 = cos(theta) {second} + sin(theta) {third}, theta(0) = {start}.
 {normal} *   Its error is at most {P}_THETA_ERROR = {angle_error}.
  *
-{frame_text} * For {from} <= t <= {to}; NaN for other t.
+{frame_text} * For {from} <= t <= {to}; NaN for other t, and where doubles are not rounded to nearest.
  *
 {near} * C99, C11, or C++17 and later. The errors are proved, rounding included, for IEEE 754 doubles
  * rounded to nearest, with or without fused multiplication and addition; not where sums are
@@ -71,7 +71,10 @@ constexpr const char* preamble =
     "#if FLT_RADIX != 2 || DBL_MANT_DIG != 53\n"
     "#error \"the errors are proved for IEEE 754 doubles only\"\n"
     "#endif\n\n"
-    R"(#define {P}_FROM {from_hex}
+    R"(/* An array without elements where constants are floats, as by -fsingle-precision-constant. */
+typedef char {p}_has_double_constants[sizeof(1.0) == sizeof(double) ? 1 : -1];
+
+#define {P}_FROM {from_hex}
 #define {P}_TO {to_hex}
 #define {P}_THETA_ERROR {angle_error_hex}
 {frame_define}
@@ -85,7 +88,14 @@ constexpr const char* frame_text =
 )";
 
 constexpr const char* find_function =
-    R"(static inline {number} {p}_find(double t, double cells_per_unit,
+    R"(/* Are doubles rounded to nearest? */
+static inline int {p}_rounds_to_nearest(void)
+{{
+  const volatile double tiny = 0x1p-60;
+  return 1 + tiny == 1 && 1 - tiny == 1;
+}}
+
+static inline {number} {p}_find(double t, double cells_per_unit,
                                 const {index} *first, const double *ends)
 {{
   const {number} cell = ({number})((t - {P}_FROM) * cells_per_unit);
@@ -105,7 +115,7 @@ constexpr const char* find_function =
 
 constexpr const char* theta_function = R"(static inline double {p}_theta(double t)
 {{
-  if (!(t >= {P}_FROM && t <= {P}_TO)) return (t - t) / (t - t);
+  if (!(t >= {P}_FROM && t <= {P}_TO && {p}_rounds_to_nearest())) return (t - t) / (t - t);
   const double *c = {p}_theta_rows[{p}_find(t, {cells}, {p}_theta_first, {p}_theta_ends)];
   const double y = (t - c[0]) * c[1];
   double s = c[2];
@@ -118,7 +128,7 @@ constexpr const char* theta_function = R"(static inline double {p}_theta(double 
 constexpr const char* frame_function =
     R"(static inline void {p}_frame(double t, double f1[3], double f2[3], double f3[3])
 {{
-  if (!(t >= {P}_FROM && t <= {P}_TO)) {{
+  if (!(t >= {P}_FROM && t <= {P}_TO && {p}_rounds_to_nearest())) {{
     for (int k = 0; k < 3; ++k) f1[k] = f2[k] = f3[k] = (t - t) / (t - t);
     return;
   }}

@@ -82,10 +82,13 @@ CompiledAngle::CompiledAngle(const PathAngle& angle, std::size_t segment,
 
 std::optional<double> CompiledAngle::rounded(double t) const {
   polynomials_.require_inside(t, "compiled angle");
-  const PolynomialPiece& piece = polynomials_.at(t);
-  const double y = piece.y(t);
-  const auto [value] = evaluate_compensated<1>(piece.coefficients.data(), polynomials_.shape(), y);
-  return common_double(value, piece.error + piece.error_per_y * std::abs(y));
+  return rounding_to_nearest([&] {
+    const PolynomialPiece& piece = polynomials_.at(t);
+    const double y = piece.y(t);
+    const auto [value] =
+        evaluate_compensated<1>(piece.coefficients.data(), polynomials_.shape(), y);
+    return common_double(value, piece.error + piece.error_per_y * std::abs(y));
+  });
 }
 
 double CompiledAngle::operator()(double t) {

@@ -288,22 +288,30 @@ CompiledFrames::Zeros CompiledFrames::zeros(const PathAngle& angle, const FrameA
 
 CompiledFrames::Rotation CompiledFrames::rotation(double t) const {
   polynomials_.require_inside(t, "compiled frames");
-  const PolynomialPiece& piece = polynomials_.at(t);
-  const auto [u, v, p, q] =
-      evaluate_compensated<4>(piece.coefficients.data(), polynomials_.shape(), piece.y(t));
-  return {{u, v, p, q}, piece.error};
+  return rounding_to_nearest([&] {
+    const PolynomialPiece& piece = polynomials_.at(t);
+    const auto [u, v, p, q] =
+        evaluate_compensated<4>(piece.coefficients.data(), polynomials_.shape(), piece.y(t));
+    return Rotation{{u, v, p, q}, piece.error};
+  });
 }
 
 Frame<double> CompiledFrames::operator()(double t) const {
-  const auto b = rotation(t).b;
-  const auto rounded = [](const Vector<DoubleDouble>& x) {
-    return Vector<double>{x[0].high + x[0].low, x[1].high + x[1].low, x[2].high + x[2].low};
-  };
-  return {rounded(rotated_i(b)), rounded(rotated_j(b)), rounded(rotated_k(b))};
+  return rounding_to_nearest([&]() -> Frame<double> {
+    const auto b = rotation(t).b;
+    const auto rounded = [](const Vector<DoubleDouble>& x) {
+      return Vector<double>{x[0].high + x[0].low, x[1].high + x[1].low, x[2].high + x[2].low};
+    };
+    return {rounded(rotated_i(b)), rounded(rotated_j(b)), rounded(rotated_k(b))};
+  });
 }
 
 std::optional<Frame<double>> CompiledFrames::rounded(double t) const {
-  const auto [b, off] = rotation(t);
+  return rounding_to_nearest([&] { return near_frame(rotation(t)); });
+}
+
+std::optional<Frame<double>> CompiledFrames::near_frame(const Rotation& at) const {
+  const auto& [b, off] = at;
   // Of a component, at most four products and three sums of them, which are off by about 2^−102.
   const double error = frame_error(off) + 0x1p-94;
   bool is_certain = true;

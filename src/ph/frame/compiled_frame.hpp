@@ -75,6 +75,8 @@ class CompiledFrames {
   double to() const { return polynomials_.to(); }      ///< where they end
 
  private:
+  /// What rounded() gives there.
+  std::optional<Frame<double>> near_frame(const Rotation& at) const;
   static Zeros zeros(const Curve& curve, const RmfAngle& angle, const FrameAngle& start_angle);
   static Zeros zeros(const PathAngle& angle, std::size_t segment, const FrameAngle& start_angle);
   static Zeros zeros(const PathAngle& angle, const FrameAngle& start_angle);

@@ -151,6 +151,32 @@ TEST_CASE("compiled angle and frame: law: on any interval, from any angle, to bo
   });
 }
 
+// Half of the values were the neighbours of the right ones.
+TEST_CASE("compiled angle and frame: whatever the rounding mode is, of making and of asking") {
+  Random random(11);
+  const Curve curve = random.curve(3);
+  const RmfAngle angle(curve, Reference::euler_rodrigues);
+  const CompiledAngle angles(angle, 0, 1);
+  const CompiledFrames frames(curve, angle, 0, 1);
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const CompiledAngle made(angle, 0, 1);
+    std::fesetround(FE_TONEAREST);
+    for (int k = 0; k < 100; ++k) {
+      const double t = parameter(random);
+      std::fesetround(mode);
+      const auto theta = angles.rounded(t);
+      const auto theta_made = made.rounded(t);
+      const auto frame = frames.rounded(t);
+      std::fesetround(FE_TONEAREST);
+      CHECK(theta == angles.rounded(t));
+      CHECK(theta_made.value_or(*theta) == *theta);
+      CHECK(frame.has_value() == frames.rounded(t).has_value());
+      if (frame) CHECK(frame->e2 == frames.rounded(t)->e2);
+    }
+  }
+}
+
 TEST_CASE("rounded frames: law: those of the exact frames, also beyond the interval") {
   for_samples(10, [](Random& random) {
     const Curve curve = random.curve(3);
