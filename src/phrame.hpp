@@ -89,5 +89,6 @@
 #include "phrame/algebra/out_of_memory.hpp"
 #include "phrame/algebra/roots.hpp"
 #include "phrame/algebra/rounded_polynomial.hpp"
+#include "phrame/algebra/time_limit.hpp"
 #include "phrame/integrate/definite_integral.hpp"
 #include "phrame/version.hpp"

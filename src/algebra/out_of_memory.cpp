@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "phrame/algebra/flint.hpp"
+#include "phrame/algebra/time_limit.hpp"
 
 namespace phrame {
 namespace {
@@ -45,12 +46,24 @@ bool takes_reserve() noexcept {
   throw std::bad_alloc();
 }
 
+/// Looks for the time, too; but not for a few bytes, which constructors that may not throw ask for.
+void require_time_for(std::size_t size) {
+  constexpr std::size_t few = 16;
+  try {
+    if (size > few) require_time();
+  } catch (const Stopped&) {
+    flint_cleanup();
+    throw;
+  }
+}
+
 void require_reserve() {
   if (reserve.load(std::memory_order_relaxed) != nullptr || std::uncaught_exceptions() > 0) return;
   if (!takes_reserve()) fail();
 }
 
 void* allocated(std::size_t size) {
+  require_time_for(size);
   require_reserve();
   if (void* const p = std::malloc(size)) return p;
   if (gives_reserve() && size <= small_size)
@@ -59,6 +72,7 @@ void* allocated(std::size_t size) {
 }
 
 void* cleared(std::size_t count, std::size_t size) {
+  require_time_for(count * size);
   require_reserve();
   if (void* const p = std::calloc(count, size)) return p;
   fail();

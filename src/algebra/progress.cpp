@@ -2,6 +2,8 @@
 
 #include <atomic>
 
+#include "phrame/algebra/time_limit.hpp"
+
 namespace phrame {
 namespace {
 
@@ -31,6 +33,7 @@ Stage::~Stage() {
 }
 
 void Stage::advance() {
+  require_time();
   if (is_heard_) heard_stage.done.fetch_add(1, std::memory_order_relaxed);
 }
 

@@ -22,6 +22,7 @@ class Stage {
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
+  /// Throws Stopped where the time is over.
   void advance();
 
  private:

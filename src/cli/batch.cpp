@@ -170,8 +170,9 @@ class Failures {
   std::string first_;
 };
 
-BatchDefaults defaults_of(const BatchOptions& options) {
+BatchDefaults defaults_of(const BatchOptions& options, std::optional<double> seconds) {
   BatchDefaults defaults = options.defaults;
+  defaults.seconds = seconds;
   defaults.frame = chosen_reference(options.frame);
   for (const std::string& t : split(options.at)) defaults.at.push_back(parse_option("--at", t));
   defaults.start = options.start.given().value_or(FrameStart());
@@ -202,7 +203,8 @@ Done done_before(const std::string& path) {
 
 /// Answers the lines on so many threads, in their order; how many they were.
 long answer_lines(LineReader& reader, const Done& done, const BatchDefaults& defaults,
-                  std::size_t threads, const Descriptor& output, Failures& failures) {
+                  std::size_t threads, const Descriptor& output, const Interruption& interruption,
+                  Failures& failures) {
   end_progress();
   BatchProgress progress;
   long lines = 0;
@@ -224,12 +226,13 @@ long answer_lines(LineReader& reader, const Done& done, const BatchDefaults& def
     return {line.number, batch_answer(line.of, defaults)};
   };
   const auto write_answer = [&](Answer found) {
+    if (interruption.has_come()) return;  // the answers that are missing were stopped
     write_whole(output, found.of.line += '\n');
     ++lines;
     if (found.of.is_failure) failures.add(found.number, found.of.complaint);
     progress.report(lines, failures.count());
   };
-  // So many lines in memory at a time; one that takes long holds up the others later.
+  // So many lines in memory at a time; one that takes long, up to its limit, holds up the others.
   const std::size_t lines_in_flight = 64 * threads;
   tbb::parallel_pipeline(
       lines_in_flight,
@@ -240,8 +243,8 @@ long answer_lines(LineReader& reader, const Done& done, const BatchDefaults& def
   return lines;
 }
 
-void run(const BatchOptions& options) {
-  const BatchDefaults defaults = defaults_of(options);
+void run(const BatchOptions& options, std::optional<double> seconds) {
+  const BatchDefaults defaults = defaults_of(options, seconds);
   const Descriptor input = open_input(options.path);
   if (options.output != "-" && is_same_file(input, options.output))
     throw InputError("--output", "\"" + options.output + "\" is the input");
@@ -256,7 +259,7 @@ void run(const BatchOptions& options) {
       options.threads > 0 ? options.threads : oneapi::tbb::info::default_concurrency());
   const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
                                           threads);
-  const long lines = answer_lines(reader, done, defaults, threads, output, failures);
+  const long lines = answer_lines(reader, done, defaults, threads, output, interruption, failures);
   interruption.pass_on();
   if (failures.count() > 0) throw AnswerNo{failures.text(lines)};
 }
@@ -301,12 +304,14 @@ void add_batch(Program& program) {
       "order "
       "of\n"
       "the lines. Exit status 1 if a line failed; stderr tells the numbers of the first ten.\n"
-      "After Ctrl-C the lines that were begun are finished; the output has whole lines only.\n"
+      "Ctrl-C and SIGTERM end it at once; the output has whole lines only.\n"
       "Examples:\n"
       "  phrame batch curves.jsonl --at 1 -o angles.jsonl\n"
       "  phrame batch curves.jsonl --at 1 -o angles.jsonl --skip-done angles.jsonl\n"
       "  generate | phrame batch --values-only | filter");
-  command.does([options] { run(*options); });
+  command.limits_time_of(
+      "a line without an answer after so many seconds gets an error with status 4");
+  command.does([options, &command] { run(*options, command.time_limit()); });
 }
 
 }  // namespace phrame::cli

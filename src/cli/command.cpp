@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "phrame/cli/progress_line.hpp"
+#include "phrame/cli/watchdog.hpp"
 #include "phrame/io/read/angle.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/write/names.hpp"
@@ -338,6 +339,7 @@ std::string read_file(const std::string& path) {
 }
 
 void write_output(const std::string& path, const std::string& bytes) {
+  end_watch();
   end_progress();
   if (path == "-") {
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <utility>
 
+#include "phrame/algebra/time_limit.hpp"
 #include "phrame/cli/command.hpp"
 
 namespace phrame::cli {
@@ -54,6 +55,7 @@ Interruption::Interruption() {
   action.sa_handler = [](int signal) {
     const auto byte = static_cast<char>(signal);
     [[maybe_unused]] const auto written = write(pipe_ends[1], &byte, 1);
+    stop_all();
   };
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
@@ -62,10 +64,14 @@ Interruption::Interruption() {
 
 int Interruption::descriptor() const { return pipe_ends[0]; }
 
-void Interruption::pass_on() const {
+bool Interruption::has_come() const {
   pollfd waiting{descriptor(), POLLIN, 0};
+  return poll(&waiting, 1, 0) == 1;
+}
+
+void Interruption::pass_on() const {
   char signal = 0;
-  if (poll(&waiting, 1, 0) == 1 && read(descriptor(), &signal, 1) == 1) raise(signal);
+  if (has_come() && read(descriptor(), &signal, 1) == 1) raise(signal);
 }
 
 std::optional<std::string> LineReader::next() {

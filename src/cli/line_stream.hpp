@@ -29,12 +29,13 @@ bool is_same_file(const Descriptor& file, const std::string& path);
 /// All of the bytes. Throws InputError.
 void write_whole(const Descriptor& file, std::string_view bytes);
 
-/// SIGINT and SIGTERM as bytes in a pipe, so that who waits for input sees them. The second one
-/// ends the program at once. One of these a process.
+/// SIGINT and SIGTERM as bytes in a pipe, so that who waits for input sees them; they stop what is
+/// computed. The second one ends the program at once. One of these a process.
 class Interruption {
  public:
   Interruption();
   int descriptor() const;
+  bool has_come() const;
   /// Ends the program as the signal would have done, if there was one.
   void pass_on() const;
 };

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "phrame/algebra/out_of_memory.hpp"
+#include "phrame/algebra/time_limit.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/help_text.hpp"
 #include "phrame/cli/terminal.hpp"
@@ -86,6 +87,8 @@ constexpr void (*commands[])(phrame::cli::Program&){
 /// All commands, and --version of each.
 void furnish(phrame::cli::Program& program) {
   for (const auto add : commands) add(program);
+  for (const phrame::cli::Command* listed : program.commands())
+    if (listed->name() != "help") program.find(listed->name())->add_time_limit();
   const std::string version = fmt::format("phrame {}", phrame::version);
   CLI::App& app = program.app();
   app.set_version_flag("--version", version, "show the version");
@@ -155,6 +158,10 @@ std::terminate_handler terminated_otherwise;
 [[noreturn]] void give_up() {
   try {
     if (std::current_exception()) throw;
+  } catch (const phrame::Stopped&) {
+    constexpr std::string_view line = "phrame: undecided within the time limit\n";
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, line.data(), line.size());
+    _exit(4);
   } catch (const std::bad_alloc&) {
     constexpr std::string_view line = "phrame: undecided: out of memory\n";
     [[maybe_unused]] const auto written = write(STDERR_FILENO, line.data(), line.size());

@@ -8,6 +8,7 @@
 
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/progress_line.hpp"
+#include "phrame/cli/watchdog.hpp"
 #include "phrame/io/read/number.hpp"
 
 namespace phrame::cli {
@@ -174,6 +175,19 @@ void Command::writes(std::string what, std::vector<std::string> endings) {
   own_endings_ = std::move(endings);
 }
 
+void Command::add_time_limit() {
+  add_option("--time-limit", "SECONDS", time_limit_,
+             what_is_limited_.empty() ? "after so many seconds without an answer end with status 4"
+                                      : what_is_limited_);
+}
+
+std::optional<double> Command::time_limit() const {
+  if (!time_limit_) return std::nullopt;
+  constexpr double most = 1e9;
+  const double seconds = static_cast<double>(parse_positive_option("--time-limit", *time_limit_));
+  return std::clamp(seconds, 1e-3, most);
+}
+
 void Command::describe_output() {
   if (format_ != nullptr && output_ != nullptr)
     app_.get_option("--output")
@@ -267,6 +281,7 @@ void Command::run() {
   choose_format();
   require_applicable();
   const ProgressLine progress(name());
+  const Watchdog watchdog(what_is_limited_.empty() ? time_limit() : std::nullopt);
   try {
     action_();
   } catch (const AnswerNo&) {

@@ -79,6 +79,13 @@ class Command {
   /// another format are refused.
   void writes(std::string what, std::vector<std::string> endings);
 
+  /// --time-limit, of the whole command or, where the command says so, of what it does one by one.
+  void add_time_limit();
+  /// As given. Throws InputError for what is no number of seconds > 0.
+  std::optional<double> time_limit() const;
+  /// The command itself sees to it.
+  void limits_time_of(std::string what) { what_is_limited_ = std::move(what); }
+
   // To be called after all options were added.
   void require(const std::string& option);
   void only_with(const std::vector<std::string>& options, const std::vector<std::string>& choices);
@@ -113,7 +120,9 @@ class Command {
   std::string format_option_;
   std::string* format_ = nullptr;
   std::string* output_ = nullptr;
-  std::string what_it_writes_;  ///< where that is in one format
+  std::optional<std::string> time_limit_;
+  std::string what_is_limited_;  ///< where that is not the command
+  std::string what_it_writes_;   ///< where that is in one format
   std::vector<std::string> own_endings_;
   std::function<void()> action_;
 };

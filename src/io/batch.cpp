@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/time_limit.hpp"
 #include "phrame/io/read/angle.hpp"
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/json_node.hpp"
@@ -197,13 +198,16 @@ JsonValue parse_line(std::string_view line) {
 
 BatchAnswer batch_answer(std::string_view line, const BatchDefaults& defaults) {
   std::string id = "null";
+  std::optional<TimeLimit> limit;
   try {
+    if (defaults.seconds) limit.emplace(*defaults.seconds);
     const JsonValue document = parse_line(line);
     id = id_of(document);
     return {fmt::format("{{\"id\":{},{}", id, answer_text(JsonNode(document), defaults).substr(1)),
             false};
   } catch (...) {
     const auto [status, message] = current_failure();
+    limit.reset();
     const JsonOutput error = {{"status", status}, {"message", message}};
     const auto text = error.dump(-1, ' ', false, JsonOutput::error_handler_t::replace);
     return {fmt::format("{{\"id\":{},\"error\":{}}}", id, text), true, message};

@@ -17,7 +17,8 @@ struct BatchDefaults {
   bool values_only = false;  ///< answers without integrand and antiderivative
   CurveLimits limits;
   FrameStart start = {};
-  std::optional<Rational> near = {};  ///< so far away may be the curve that stands for no PH curve
+  std::optional<double> seconds = {};  ///< that a line may take; its answer is then an error
+  std::optional<Rational> near = {};   ///< so far away may be the curve that stands for no PH curve
 };
 
 struct BatchAnswer {

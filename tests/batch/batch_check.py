@@ -175,6 +175,33 @@ def check_lock():
     require(run.returncode == 0, f"/dev/null is locked: {run.stderr}")
 
 
+def check_time_limit():
+    """A line that takes minutes holds up nobody: neither the lines behind it, nor the signal that ends the program."""
+    easy = {"basis": "power", "preimage": {"u": [1], "v": ["0", "1/2"], "p": [0, 0, 3], "q": [0.25]}}
+    hard = {"basis": "power", "preimage": {c: [k * k % 17 - 8 for k in range(a, a + 60)] for a, c in enumerate("uvpq")}}
+    curves = [easy, hard, easy, hard, easy]
+    Path("hard").write_text("".join(json.dumps({"id": k, "curve": c, "digits": 50_000 if c is hard else 9}) + "\n"
+                                    for k, c in enumerate(curves)))
+    run = batch("hard", "--time-limit", "0.2", "--threads", "1", "--at", "1", stdout=subprocess.PIPE)
+    answers = [json.loads(answer) for answer in run.stdout.splitlines()]
+    require([answer["id"] for answer in answers] == list(range(len(curves))), "lines beside a hard one are not answered")
+    for answer, curve in zip(answers, curves):
+        require(answer.get("error", {}).get("status") == (4 if curve is hard else None), f"not limited: {str(answer)[:200]}")
+    require(answers[0]["values"] == answers[4]["values"], "another answer behind one that was stopped")
+    for number in (signal.SIGINT, signal.SIGTERM):
+        process = subprocess.Popen([PROGRAM, "batch", "hard", "--at", "1"], stdout=subprocess.PIPE)
+        require(json.loads(process.stdout.readline())["id"] == 0, "no first answer")
+        process.send_signal(number)
+        require(process.wait(20) == -number, "a signal waits for a hard line")
+        require(process.stdout.read() == b"", "a line that was stopped is answered")
+    Path("hard.json").write_text(json.dumps({"phrame": "curve/1", **hard}))
+    run = subprocess.run([PROGRAM, "angle", "hard.json", "--digits", "50000", "--at", "1", "--time-limit", "0.2", "-o", "hard.out"],
+                         capture_output=True)
+    require(run.returncode == 4 and run.stdout == b"" and run.stderr == b"phrame: undecided within --time-limit 0.2 s\n",
+            f"a command is not limited: {run}")
+    require(not list(Path(".").glob("hard.out*")), "something was written")
+
+
 def check_parallel(reference):
     """The recipes of docs/cluster.md; -q since the program's path may have blanks."""
     if shutil.which("parallel") is None:
@@ -215,6 +242,7 @@ def main():
         check_signals(reference)
         check_kill(reference)
         check_lock()
+        check_time_limit()
         check_parallel(reference)
         os.chdir("/")
 

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/time_limit.hpp"
 
 namespace phrame {
 
@@ -15,6 +16,8 @@ Failure current_failure() {
     return {3, error.what()};
   } catch (const Undecided& error) {
     return {4, std::string("undecided: ") + error.what()};
+  } catch (const Stopped&) {
+    return {4, "undecided within the time limit"};
   } catch (const std::bad_alloc&) {
     return {4, "undecided: out of memory"};
   } catch (const std::exception& error) {
