@@ -7,7 +7,7 @@ namespace phrame::cli {
 
 /// Lines of at most `width` characters; headings and names stand out `in_colour`.
 struct HelpStyle {
-  std::size_t width = 100;
+  std::size_t width = 110;
   bool in_colour = false;
 };
 
