@@ -140,15 +140,17 @@ def check_kill(reference):
     require(rest.stdout == b"" and rest.returncode == 0, "what was done is done again")
 
 
-# The worker of GNU parallel that is killed. The first one gets half of its lines, and then nothing: it cannot finish.
+# The worker of GNU parallel that is killed. The first one gives phrame all but the last of its lines, every other one
+# being blank, and then nothing: it cannot finish, however small its block is.
 WORKER = """#!/bin/sh
 mkdir taken 2>/dev/null || exec "$PHRAME_PROGRAM" "$@"
-mkfifo half
-exec 3<&0
-{ head -c 50000; cat >/dev/null; while test -e half; do sleep 0.05; done; } <&3 >half &
-echo $$ >named
+cat >block
+touch waiting
+{ head -n -2 block; while test -e waiting; do sleep 0.05; done; } | "$PHRAME_PROGRAM" "$@" &
+echo $! >named
 mv named worker
-exec "$PHRAME_PROGRAM" "$@" <half
+wait $!
+kill -KILL $$
 """
 
 
@@ -219,7 +221,7 @@ def check_parallel(reference):
         require(process.poll() is None, "no worker was killed")
         time.sleep(0.05)
         os.kill(int(Path("worker").read_text()), signal.SIGKILL)
-        Path("half").unlink()
+        Path("waiting").unlink()
         process.wait()
     lost = len(set(reference.splitlines()) - set(Path("out").read_bytes().splitlines()))
     require(lost > 0, "the killed worker had nothing left to do")
