@@ -1,16 +1,13 @@
 // Solids in STEP (ISO 10303, AP214), by Open CASCADE: a library that phrame loads when it is asked
 // for one. Patches become faces, those around an end a cap, and all of them a closed shell.
 
-#include <unistd.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -22,6 +19,7 @@
 #include <BRep_Builder.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Interface_FloatWriter.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
@@ -29,6 +27,9 @@
 #include <STEPControl_Writer.hxx>
 #include <ShapeFix_Face.hxx>
 #include <Standard_Failure.hxx>
+#include <StepData_Protocol.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_Array2OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
@@ -42,6 +43,7 @@
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Wire.hxx>
+#include <XSControl_WorkSession.hxx>
 
 #include "phrame/io/write/step_patch.hpp"
 
@@ -50,14 +52,22 @@ namespace {
 using phrame::StepBody;
 using phrame::StepPatch;
 
-/// The greatest coordinate.
-double size_of(const StepBody& body) {
-  double size = 0;
+/// The size of the box around the body, and the greatest coordinate.
+std::pair<double, double> size_of(const StepBody& body) {
+  std::array<double, 3> least = body.patches.front().points.front().front();
+  std::array<double, 3> greatest = least;
+  double farthest = 0;
   for (const StepPatch& patch : body.patches)
     for (const auto& row : patch.points)
       for (const auto& point : row)
-        for (const double x : point) size = std::max(size, std::abs(x));
-  return size;
+        for (std::size_t k = 0; k < 3; ++k) {
+          least[k] = std::min(least[k], point[k]);
+          greatest[k] = std::max(greatest[k], point[k]);
+          farthest = std::max(farthest, std::abs(point[k]));
+        }
+  double size = 0;
+  for (std::size_t k = 0; k < 3; ++k) size = std::max(size, greatest[k] - least[k]);
+  return {size, farthest};
 }
 
 /// Its first parameter is u, around the profile, so that the normal is outward.
@@ -167,7 +177,10 @@ TopoDS_Solid hollow_solid(const StepBody& body, const std::vector<TopoDS_Shape>&
 }
 
 TopoDS_Solid solid_of(const StepBody& body) {
-  const double tolerance = 1e-7 * std::max(size_of(body), 1e-3);
+  const auto [size, farthest] = size_of(body);
+  const double tolerance = 1e-7 * std::max(size, 1e-3);
+  if (!(0x1p-50 * farthest <= tolerance / 10))
+    throw std::runtime_error("the body is too far from 0 for its size: doubles are too coarse there");
   std::vector<TopoDS_Shape> faces;
   for (const StepPatch& patch : body.patches) faces.push_back(face_of(patch, tolerance));
   if (!body.is_closed)
@@ -179,18 +192,15 @@ TopoDS_Solid solid_of(const StepBody& body) {
   return solid;
 }
 
-/// Open CASCADE 7.6 writes to files only.
+/// With 17 digits, which are those of a double; Open CASCADE's own way to a file has 13.
 std::string bytes_of(STEPControl_Writer& writer) {
-  std::string name = (std::filesystem::temp_directory_path() / "phrame-XXXXXX").string();
-  const int made = mkstemp(name.data());
-  if (made < 0) throw std::runtime_error("no file can be made in " + name);
-  close(made);
-  const bool is_written = writer.Write(name.c_str()) == IFSelect_RetDone;
-  std::ifstream file(name, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  std::filesystem::remove(name);
-  if (!is_written || bytes.empty()) throw std::runtime_error("the file was not written");
-  return bytes;
+  StepData_StepWriter file(writer.Model());
+  file.FloatWriter().SetFormat("%.16E");
+  file.FloatWriter().SetZeroSuppress(Standard_False);  // which spoils numbers of so many digits
+  file.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
+  std::ostringstream stream;
+  if (!file.Print(stream)) throw std::runtime_error("the file was not written");
+  return std::move(stream).str();
 }
 
 std::string step_of(const StepBody& body) {
