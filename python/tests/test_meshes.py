@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import phrame
-from common import PROGRAM, ROOT
+from common import PROGRAM, QUINTIC, ROOT
 
 trimesh = pytest.importorskip("trimesh")
 
@@ -85,6 +85,27 @@ def test_a_tube_around_a_closed_spline_has_the_volume_of_pappus(name, suffix, tm
     assert mesh.euler_number == 0
     assert abs(mesh.volume - volume) <= 1.01 * tolerance * surface
     assert mesh.area == pytest.approx(surface, rel=0.02)
+
+
+@pytest.mark.parametrize("offset", [0, 10**3, 10**6, 10**9])
+def test_bodies_far_from_0_are_as_they_are_near(offset, tmp_path, caplog):
+    """Where floats do: glTF's always, beside a node's place; those of STL from an origin near the body."""
+    path = QUINTIC.translated([offset] * 3)
+    near = phrame.sweep(QUINTIC, "circle:1/10", tolerance="1/40")
+    body = phrame.sweep(path, "circle:1/10", tolerance="1/40")
+    local = phrame.sweep(path, "circle:1/10", tolerance="1/40", origin="auto")
+    assert local.origin == (offset,) * 3 and np.array_equal(local.vertices, near.vertices)
+    for file in ("a.glb", "a.ply"):
+        mesh = as_read(body, tmp_path / file, caplog)
+        off = np.linalg.norm(mesh.vertices - offset - near.vertices, axis=1).max()
+        assert off <= 1e-6 + offset * 2e-16 * math.sqrt(3)
+    assert near.error < local.save(tmp_path / "a.stl") < near.error + 1e-6
+    if offset < 10**6:
+        assert body.save(tmp_path / "b.stl") < 1 / 40
+    else:
+        with pytest.raises(phrame.Undecided, match="the same in floats; PLY and OBJ have doubles"):
+            body.save(tmp_path / "b.stl")
+        assert not (tmp_path / "b.stl").exists()
 
 
 @pytest.mark.skipif(not os.path.exists(PROGRAM), reason="the program was not built")

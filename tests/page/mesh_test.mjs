@@ -131,12 +131,38 @@ for (const [name, { curve, options, volume, within }] of Object.entries(bodies))
     }
   }
 
+// Far from 0 a node has the place, in doubles, and floats are from there.
+const quintic = JSON.parse(readFileSync(join(curves, 'curves', 'farouki-2003-quintic.json'), 'utf8'));
+const far = join(folder, 'far.json');
+writeFileSync(far, JSON.stringify({ ...quintic, start: [1e9, -1e9, 0] }));
+++count;
+try {
+  const near = ['--profile', 'circle:1/10', '--tolerance', '1/100', '-o', join(folder, 'far.glb')];
+  execFileSync(program, ['sweep', far, ...near]);
+  const bytes = readFileSync(join(folder, 'far.glb'));
+  const { scene } = await new GLTFLoader().parseAsync(bytesOf(bytes), '');
+  assert.deepEqual(scene.children[0].position.toArray(), [1e9, -1e9, 0]);
+  const found = volumeOf(triangles(onlyChild(scene)));
+  const exact = (Math.PI / 100) * (71 / 15); // Pappus; the curve's length is of [Farouki 2003]
+  assert.ok(Math.abs(found - exact) < (2.02 * Math.PI * (71 / 15)) / 10 / 100, `the volume is ${found}, not ${exact}`);
+  const { issues } = await validator.validateBytes(new Uint8Array(bytes));
+  assert.equal(issues.messages.length, 0, JSON.stringify(issues.messages));
+  console.log('ok      a tube far from 0, glb');
+} catch (error) {
+  ++failures;
+  console.log(`FAILED  a tube far from 0, glb\n${error.stack}`);
+}
+
 // What three.js plays, at the times of the keys, is where a point of the table lies, and it looks along e1.
-for (const format of ['glb', 'gltf']) {
+for (const [format, curve] of [
+  ['glb', closed],
+  ['gltf', closed],
+  ['glb', far],
+]) {
   ++count;
   try {
     const file = join(folder, `camera.${format}`);
-    const table = ['frames', closed, '--samples', '9'];
+    const table = ['frames', curve, '--samples', '9'];
     const rows = execFileSync(program, table, { encoding: 'utf8' }).trim().split('\n').slice(1);
     execFileSync(program, [...table, '-o', file]);
     const bytes = readFileSync(file);
@@ -152,12 +178,12 @@ for (const format of ['glb', 'gltf']) {
       scene.updateMatrixWorld();
       const camera = cameras[0];
       const off = (a, b) => Math.hypot(...minus(a.toArray(), b));
-      assert.ok(off(camera.getWorldPosition(new Vector3()), [x, y, z]) < 1e-5, `at ${t}`);
+      assert.ok(off(camera.getWorldPosition(new Vector3()), [x, y, z]) < 1e-5, `at ${t}`); // at 1e9 a double is 1e-7 from the next
       assert.ok(off(camera.getWorldDirection(new Vector3()), [ex, ey, ez]) < 1e-6, `towards, at ${t}`);
       const up = new Vector3(0, 1, 0).applyQuaternion(camera.getWorldQuaternion(new Quaternion()));
       assert.ok(off(up, [ux, uy, uz]) < 1e-6, `up, at ${t}`);
     }
-    console.log(`ok      a camera path, ${format}`);
+    console.log(`ok      a camera path, ${format}${curve === far ? ', far from 0' : ''}`);
   } catch (error) {
     ++failures;
     console.log(`FAILED  a camera path, ${format}\n${error.stack}`);
