@@ -235,7 +235,8 @@ void bind_sweep(nb::module_& m) {
             const auto& origin = s.found->body.mesh.origin;
             return to_python(std::vector<Rational>(origin.begin(), origin.end()));
           },
-          nb::sig("def origin(self) -> tuple[Fraction, Fraction, Fraction]"),
+          nb::sig("def origin(self) -> tuple[fractions.Fraction, fractions.Fraction, "
+                  "fractions.Fraction]"),
           "From where the coordinates are: 0, or as asked, \"auto\" for a place near the body.")
       .def_prop_ro("triangles", triangles_of,
                    nb::sig("def triangles(self) -> numpy.typing.NDArray[numpy.uint32]"),
