@@ -7,7 +7,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
-#include <exception>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -54,13 +53,6 @@ class Pool {
   }
 
  private:
-  /// What libraries keep for a thread is there before memory may be short: the C library ends the
-  /// process where that cannot be allocated, as at the first exception of a thread.
-  static void prepare_thread() {
-    [[maybe_unused]] const int pending = std::uncaught_exceptions();
-    [[maybe_unused]] const double half_turn = round_to_double(to_real(Angle(1, 0)));
-  }
-
   void serve() {
     prepare_thread();
     std::unique_lock guard(lock_);

@@ -99,8 +99,15 @@ void give_to_new() {
 
 }  // namespace
 
+// What fail() needs.
+void prepare_thread() {
+  [[maybe_unused]] const int pending = std::uncaught_exceptions();
+  flint_cleanup();
+}
+
 void throw_when_out_of_memory() {
   takes_reserve();
+  prepare_thread();
   mpfr_free_cache();
   mp_set_memory_functions(allocated, gmp_reallocated, gmp_free);
   __flint_set_memory_functions(allocated, cleared, reallocated, std::free);

@@ -9,5 +9,8 @@ namespace phrame {
 /// they keep for later use is dropped, since it may be half made. A little memory is kept back, for
 /// destructors to have some.
 void throw_when_out_of_memory();
+/// Of another thread, as it begins: it has then what these libraries and exceptions keep for each
+/// thread. Where the C library finds no memory for that later, it ends the process.
+void prepare_thread();
 
 }  // namespace phrame
