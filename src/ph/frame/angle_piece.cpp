@@ -10,8 +10,9 @@
 namespace phrame {
 namespace {
 
-/// θ to about 2^−84 of its absolute value or of `scale`, the greater one. To 2^−400 is enough in any
-/// case: so the error of a piece may be, where θ is constant, or nearly so, and not told from 0.
+/// θ to about 2^−84 of its absolute value or of `scale`, the greater one. To 2^−400 is enough in
+/// any case: so the error of a piece may be, where θ is constant, or nearly so, and not told from
+/// 0.
 RealBall accurate(const Real::Enclosure& theta, const RealBall& scale) {
   constexpr long most = 1L << 14;
   const RealBall least = times_power_of_two(RealBall(1, 2), -400);

@@ -22,18 +22,10 @@ namespace {
 // a = (d/σ)b₁ − k,  b = (d/σ)b₂,  c = (d/σ)b₃,  d = (d/σ)b₁ + k. Of the rotation-minimizing frame
 // k/d is h/σ.
 
-/// g of A over its greatest real factor, which is monic. Throws DomainError for
-/// a straight line.
-GaussianPolynomial bend_without_real_factors(const QuaternionPolynomial& a) {
-  const GaussianPolynomial g = bend_numerator(a);
-  if (is_zero(g))
-    throw DomainError("Frenet frame: the curve is a straight line, it has no principal normal");
-  return exact_quotient(g, {gcd(g.re, g.im), {}});
-}
-
-/// What B of a curve is determined by: A without its real factor, k and M; rotation.sigma is d.
+/// What B of a curve is determined by: A without its real factor, σ, k and M; rotation.sigma is d.
 struct FrameEquation {
   QuaternionPolynomial preimage;
+  Polynomial sigma;
   Polynomial k;
   RotationEquation rotation;
   GaussianPolynomial bend = {{1}, {}};  ///< g of Frenet's frame, without real factors
@@ -52,21 +44,20 @@ struct FrameEquation {
   using Turning = std::function<Polynomial(const QuaternionPolynomial& preimage)>;
 
   FrameEquation(const Curve& curve, const Polynomial& over_sigma, const Turning& turning)
-      : preimage(without_real_content(curve.preimage())) {
+      : preimage(without_real_content(curve.preimage())), sigma(phrame::sigma(preimage)) {
     if (turning) k = turning(preimage);
     const auto& [u, v, p, q] = preimage;
     const QuaternionPolynomial rate = QuaternionPolynomial{differentiate(u), differentiate(v),
                                                            differentiate(p), differentiate(q)} *
                                       QuaternionPolynomial{u, -v, -p, -q};
     const Polynomial first = over_sigma * rate.v;
-    rotation = {over_sigma * sigma(preimage), first - k, over_sigma * rate.p, over_sigma * rate.q,
-                first + k};
+    rotation = {over_sigma * sigma, first - k, over_sigma * rate.p, over_sigma * rate.q, first + k};
   }
 
   static FrameEquation of_frenet(const Curve& curve) {
-    const GaussianPolynomial g = bend_without_real_factors(without_real_content(curve.preimage()));
+    const GaussianPolynomial g = regular_bend(without_real_content(curve.preimage()));
     FrameEquation equation(curve, norm(g), [&](const QuaternionPolynomial& a) {
-      return Rational(1, 2) * sigma(a) * (differentiate(g.im) * g.re - differentiate(g.re) * g.im);
+      return Rational(1, 2) * phrame::sigma(a) * (differentiate(g) * conjugate(g)).im;
     });
     equation.bend = g;
     return equation;
@@ -86,7 +77,9 @@ QuaternionSeries taylor_of(const FrameEquation& equation, const PolynomialPiece&
       divide_series(per_y(equation.k, piece, frame_bits), d, length - 1, frame_bits);
   const BallPolynomial phi =
       with_constant(-antiderivative(minus_phi_rate, frame_bits), phi_at_center);
-  const BallPolynomial sigma = on_piece(phrame::sigma(equation.preimage), piece, frame_bits, true);
+  const BallPolynomial sigma = equation.sigma == equation.rotation.sigma
+                                   ? d
+                                   : on_piece(equation.sigma, piece, frame_bits, true);
   const BallPolynomial over_root = inverse_sqrt_series(sigma, length, frame_bits);  // 1/√σ
   const auto unit = cos_sin_series(phi, length, frame_bits);
   const BallPolynomial cos = times(unit.cos, over_root);
@@ -168,7 +161,7 @@ std::array<std::array<bool, 3>, 3> frame_zeros(const Curve& curve, const At& at)
 std::array<std::array<bool, 3>, 3> frame_zeros(const Curve& curve, Reference reference) {
   const QuaternionPolynomial a = without_real_content(curve.preimage());
   const GaussianPolynomial g =
-      reference == Reference::frenet ? bend_without_real_factors(a) : GaussianPolynomial{{1}, {}};
+      reference == Reference::frenet ? regular_bend(a) : GaussianPolynomial{{1}, {}};
   const Vector<Polynomial> j = rotated_j(a);
   const Vector<Polynomial> k = rotated_k(a);
   const std::array multiples{rotated_i(a), g.re * j - g.im * k, g.im * j + g.re * k};
