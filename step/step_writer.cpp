@@ -180,7 +180,8 @@ TopoDS_Solid solid_of(const StepBody& body) {
   const auto [size, farthest] = size_of(body);
   const double tolerance = 1e-7 * std::max(size, 1e-3);
   if (!(0x1p-50 * farthest <= tolerance / 10))
-    throw std::runtime_error("the body is too far from 0 for its size: doubles are too coarse there");
+    throw std::runtime_error(
+        "the body is too far from 0 for its size: doubles are too coarse there");
   std::vector<TopoDS_Shape> faces;
   for (const StepPatch& patch : body.patches) faces.push_back(face_of(patch, tolerance));
   if (!body.is_closed)

@@ -8,8 +8,6 @@
 #include <new>
 #include <sstream>
 
-#include <unistd.h>
-
 #include "phrame/algebra/out_of_memory.hpp"
 #include "phrame/algebra/time_limit.hpp"
 #include "phrame/cli/command.hpp"
@@ -153,19 +151,20 @@ int status_of(int argc, char** argv) {
 
 std::terminate_handler terminated_otherwise;
 
+[[noreturn]] void leave_undecided(std::string_view line) {
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, line.data(), line.size());
+  _exit(4);
+}
+
 /// For want of memory even the line about it may not be written as others are, or a destructor
 /// throw.
 [[noreturn]] void give_up() {
   try {
     if (std::current_exception()) throw;
   } catch (const phrame::Stopped&) {
-    constexpr std::string_view line = "phrame: undecided within the time limit\n";
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, line.data(), line.size());
-    _exit(4);
+    leave_undecided("phrame: undecided within the time limit\n");
   } catch (const std::bad_alloc&) {
-    constexpr std::string_view line = "phrame: undecided: out of memory\n";
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, line.data(), line.size());
-    _exit(4);
+    leave_undecided("phrame: undecided: out of memory\n");
   } catch (...) {
   }
   terminated_otherwise();

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <thread>
 
 #include "phrame/algebra/progress.hpp"
@@ -28,15 +29,8 @@ std::string text_of(const std::string& command, const std::optional<Progress>& p
 class Writer {
  public:
   explicit Writer(std::string command)
-      : command_(std::move(command)), thread_([this] { write(); }) {}
-  ~Writer() {
-    {
-      const std::lock_guard lock(mutex_);
-      is_over_ = true;
-    }
-    over_.notify_one();
-    thread_.join();
-  }
+      : command_(std::move(command)),
+        thread_([this](const std::stop_token& over) { write(over); }) {}
 
   void print_above(const std::string& line) {
     const std::lock_guard lock(mutex_);
@@ -49,12 +43,14 @@ class Writer {
     if (is_shown_) std::fputs("\r\033[K", stderr);
     is_shown_ = false;
   }
-  void write() {
+  void write(const std::stop_token& over) {
     constexpr auto first = std::chrono::seconds(1);
     constexpr auto later = std::chrono::milliseconds(250);
+    std::condition_variable_any wake;
     std::unique_lock lock(mutex_);
     for (auto pause = std::chrono::milliseconds(first);
-         !over_.wait_for(lock, pause, [this] { return is_over_; }); pause = later) {
+         !wake.wait_for(lock, over, pause, [&over] { return over.stop_requested(); });
+         pause = later) {
       const auto seconds =
           std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - start_).count();
       std::fprintf(stderr, "\r\033[K%s", text_of(command_, current_progress(), seconds).c_str());
@@ -66,10 +62,8 @@ class Writer {
   std::string command_;
   Clock::time_point start_ = Clock::now();
   std::mutex mutex_;
-  std::condition_variable over_;
-  bool is_over_ = false;
   bool is_shown_ = false;
-  std::thread thread_;
+  std::jthread thread_;  ///< the last member: it is stopped and joined before the others go
 };
 
 std::optional<Writer>& writer() {

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <stop_token>
 #include <thread>
 
 #include "phrame/cli/progress_line.hpp"
@@ -13,48 +14,33 @@
 namespace phrame::cli {
 namespace {
 
-/// Waits in a thread of its own.
-class Watch {
- public:
-  explicit Watch(double seconds) : seconds_(seconds), thread_([this] { wait(); }) {}
-  ~Watch() {
-    {
-      const std::lock_guard lock(mutex_);
-      is_over_ = true;
-    }
-    over_.notify_one();
-    thread_.join();
-  }
+void end_after(double seconds, const std::stop_token& over) {
+  std::mutex mutex;
+  std::unique_lock lock(mutex);
+  std::condition_variable_any pause;
+  if (pause.wait_for(lock, over, std::chrono::duration<double>(seconds),
+                     [&over] { return over.stop_requested(); }))
+    return;
+  print_above_progress(fmt::format("phrame: undecided within --time-limit {} s", seconds));
+  _exit(4);
+}
 
- private:
-  void wait() {
-    std::unique_lock lock(mutex_);
-    if (over_.wait_for(lock, std::chrono::duration<double>(seconds_), [this] { return is_over_; }))
-      return;
-    print_above_progress(fmt::format("phrame: undecided within --time-limit {} s", seconds_));
-    _exit(4);
-  }
-
-  double seconds_;
-  std::mutex mutex_;
-  std::condition_variable over_;
-  bool is_over_ = false;
-  std::thread thread_;
-};
-
-std::optional<Watch>& watch() {
-  static std::optional<Watch> only;
+/// Stopped and joined where another takes its place.
+std::jthread& watch() {
+  static std::jthread only;
   return only;
 }
 
 }  // namespace
 
 Watchdog::Watchdog(std::optional<double> seconds) {
-  if (seconds) watch().emplace(*seconds);
+  if (seconds)
+    watch() =
+        std::jthread([limit = *seconds](const std::stop_token& over) { end_after(limit, over); });
 }
 
 Watchdog::~Watchdog() { end_watch(); }
 
-void end_watch() { watch().reset(); }
+void end_watch() { watch() = {}; }
 
 }  // namespace phrame::cli

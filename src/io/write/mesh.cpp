@@ -67,10 +67,9 @@ std::string to_obj(const Mesh& mesh) {
 
 std::string to_ply(const Mesh& mesh) {
   std::string bytes = fmt::format(
-      "ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty double x\nproperty "
-      "double "
-      "y\nproperty double z\nelement face {}\nproperty list uchar uint "
-      "vertex_indices\nend_header\n",
+      "ply\nformat binary_little_endian 1.0\n{}element vertex {}\n"
+      "property double x\nproperty double y\nproperty double z\n"
+      "element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
       origin_comment(mesh, "comment ", "\n"), mesh.points.size(), mesh.triangles.size());
   for (const auto& point : mesh.points)
     for (const double x : point) append_number(bytes, std::bit_cast<std::uint64_t>(x));
