@@ -11,7 +11,9 @@
 
 // For the spline's law, spline_slopes.hpp. In ℚ the elimination makes numbers with as many digits
 // as all points before have together, so that n points cost n³; big floats cost n. What they find
-// is a guess, of which the residual, in ℚ with short numbers, says how good it is.
+// is a guess, of which the residual, in ℚ with short numbers, says how good it is. What is
+// nearly plane or nearly straight would have any torsion, so that this holds exactly: r″ = 0 at a
+// natural end, and that a spline stays in the line or the plane of its points.
 
 namespace phrame {
 namespace {
@@ -53,6 +55,31 @@ void require_interpolation(const CubicInterpolation& data) {
                                   abbreviated(data.points.back())));
 }
 
+std::size_t place_of_largest(const Vector<Rational>& v) {
+  const auto less = [](const Rational& a, const Rational& b) { return abs(a) < abs(b); };
+  return static_cast<std::size_t>(std::max_element(v.begin(), v.end(), less) - v.begin());
+}
+
+/// Of points in a line or a plane the rounded slopes x are moved into it, by one coordinate or two.
+void put_into_span(Vectors& x, const Chords& chords, const CubicInterpolation& data) {
+  Vectors directions = chords.slopes;
+  directions.push_back(data.start_derivative);
+  directions.push_back(data.end_derivative);
+  Vector<Rational> v;  // the first that is not 0
+  Vector<Rational> n;  // normal to it and to the first that is not parallel
+  for (const Vector<Rational>& d : directions) {
+    if (largest(v) == 0) v = d;
+    if (largest(n) == 0) n = cross(v, d);
+    if (dot(n, d) != 0) return;
+  }
+  const std::size_t i = place_of_largest(largest(n) == 0 ? v : n);
+  for (Vector<Rational>& slope : x)
+    if (largest(n) == 0)
+      slope = Rational(slope[i] / v[i]) * v;
+    else
+      slope[i] -= dot(n, slope) / n[i];
+}
+
 Vectors rounded_slopes(const Chords& chords, const CubicInterpolation& data, long places) {
   constexpr long bits = 192;
   const auto in_floats = [&](const Vector<Rational>& v) {
@@ -69,9 +96,15 @@ Vectors rounded_slopes(const Chords& chords, const CubicInterpolation& data, lon
                            {in_floats(data.start_derivative), in_floats(data.end_derivative)}))
     result.push_back({unit * Rational(x[0].scaled(places)), unit * Rational(x[1].scaled(places)),
                       unit * Rational(x[2].scaled(places))});
+  put_into_span(result, chords, data);
   if (data.ends == SplineEnds::clamped) {
     result.front() = data.start_derivative;
     result.back() = data.end_derivative;
+  }
+  if (data.ends == SplineEnds::natural) {
+    const std::size_t n = result.size();
+    result.front() = Rational(1, 2) * (Rational(3) * chords.slopes.front() - result[1]);
+    result.back() = Rational(1, 2) * (Rational(3) * chords.slopes.back() - result[n - 2]);
   }
   return result;
 }

@@ -30,7 +30,8 @@ struct CubicInterpolation {
 struct CubicDerivatives {
   std::vector<Vector<Rational>> values;  ///< one for each
   /// No coordinate of one is off by more. 0: the spline is C² exactly. Else it passes the points
-  /// and is C¹, both exactly, and only its second derivatives are off at the joints.
+  /// and is C¹, has r″ = 0 at natural ends, and stays in the line or plane of its points, all that
+  /// exactly; only its second derivatives are off at the joints.
   Rational error;
 };
 
