@@ -85,10 +85,13 @@
 #include "phrame/ph/smooth/up_vector.hpp"
 
 // Rational functions, likewise, and what to call first where memory may not do.
+#include "phrame/algebra/as_written.hpp"
+#include "phrame/algebra/elementary.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/out_of_memory.hpp"
 #include "phrame/algebra/roots.hpp"
 #include "phrame/algebra/rounded_polynomial.hpp"
 #include "phrame/algebra/time_limit.hpp"
+#include "phrame/algebra/zero_bound.hpp"
 #include "phrame/integrate/definite_integral.hpp"
 #include "phrame/version.hpp"

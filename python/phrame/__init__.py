@@ -8,6 +8,7 @@ Decimal('0.28585653009834106200')
 
 from __future__ import annotations
 
+import numbers
 from importlib import import_module
 from typing import Any
 
@@ -40,6 +41,8 @@ from ._phrame import (
 )
 from ._phrame import version as __version__
 from ._threads import set_threads
+
+numbers.Real.register(Real)
 
 __all__ = [
     "Angle",

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from types import BuiltinFunctionType
+from typing import Any, Dict, Tuple
 
 from . import _phrame
 
@@ -27,3 +28,28 @@ def kept(numbers: Any) -> Any:
     if hasattr(numbers, "copy") and hasattr(numbers, "dtype"):
         return numbers.copy()
     return tuple(kept(x) if isinstance(x, (list, tuple)) or hasattr(x, "dtype") else x for x in numbers)
+
+
+def same(a: Any, b: Any) -> bool:
+    """Are these, what numbers are pickled by, the same all the way down? Then the numbers are equal."""
+    try:
+        return _same(a, b, {})
+    except Exception:  # too deep, or of objects that are not compared
+        return False
+
+
+def _same(a: Any, b: Any, seen: Dict[Tuple[int, int], Tuple[Any, Any]]) -> bool:
+    if a is b or (id(a), id(b)) in seen:
+        return True
+    if type(a) is not type(b) or isinstance(a, BuiltinFunctionType):
+        return False
+    seen[id(a), id(b)] = a, b  # found equal, or all is over; kept, so that no other gets its id
+    if isinstance(a, (tuple, list)):
+        return len(a) == len(b) and all(_same(x, y, seen) for x, y in zip(a, b))
+    if isinstance(a, dict):
+        return list(a) == list(b) and _same(list(a.values()), list(b.values()), seen)
+    if hasattr(a, "dtype"):
+        return bool(a.dtype == b.dtype and a.shape == b.shape and (a == b).all())
+    if type(a).__eq__ is not object.__eq__ and not isinstance(a, _phrame.Real):
+        return bool(a == b)
+    return _same(a.__reduce__(), b.__reduce__(), seen)

@@ -56,8 +56,9 @@ auto value_of(const AngleObject& self) {
 nb::object angle_of_what(const AngleObject& self, nb::handle ts, nb::handle progress) {
   if (!is_list(ts)) {
     const Rational t = rational(ts, "ts");
-    return nb::float_(
-        without_gil([value = value_of(self), t] { return round_to_double(value(t)); }));
+    return nb::float_(at_place("ts", [&] {
+      return without_gil([value = value_of(self), t] { return round_to_double(value(t)); });
+    }));
   }
   return angles(self.angle, self.start_angle, ts, progress);
 }

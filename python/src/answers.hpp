@@ -30,12 +30,14 @@ void bind_value(C& type, const char* what, const F& f) {
       [f](nb::handle self, nb::handle t, nb::handle digits) {
         const Rational at = rational(t, "t");
         const auto& of = nb::cast<const typename C::Type&>(self);
-        if (digits.is_none())
-          return to_python(without_gil([value = f(of), at] { return value(at); }),
-                           method_recipe(self, "value", t));
-        const long n = count(digits, "digits", 1, 1'000'000);
-        return to_decimal(
-            without_gil([value = f(of), at, n] { return round_to_decimal(value(at), n).value; }));
+        const long n = digits.is_none() ? 0 : count(digits, "digits", 1, 1'000'000);
+        return at_place("t", [&] {
+          if (n == 0)
+            return to_python(without_gil([value = f(of), at] { return value(at); }),
+                             method_recipe(self, "value", to_python(at)));
+          return to_decimal(
+              without_gil([value = f(of), at, n] { return round_to_decimal(value(at), n).value; }));
+        });
       },
       argument("t"), argument("digits") = nb::none(), PHRAME_VALUE_SIG, what);
 }

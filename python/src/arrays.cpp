@@ -46,7 +46,7 @@ Numbers by_parameter(const PathObject& self, FrameKind kind, const FrameStart& s
   for (std::size_t k = 0; k < at->size() && !path.is_curve(); ++k)
     if (const Rational t = (*at)[k]; t < 0 || t > path.end())
       refuse("ts[" + std::to_string(k) + "]",
-             to_string(t) + " is outside [0, " + to_string(path.end()) + "]", ts);
+             as_written(t) + " is outside [0, " + to_string(path.end()) + "]", ts);
   const FrameAngle at_zero = kind == FrameKind::rmf ? start_angle(start, path) : FrameAngle();
   const auto source = self.sources->of(
       {kind, at_zero}, [&] { return std::make_shared<FrameSource>(path, kind, at_zero); });
@@ -78,7 +78,9 @@ Numbers by_arc_length(const PathObject& self, FrameKind kind, const FrameStart& 
                                                                         std::size_t to) {
              const PathLength length(path);
              std::vector<PathPoint> points;
-             for (std::size_t k = from; k < to; ++k) points.push_back(length.point((*at)[k]));
+             for (std::size_t k = from; k < to; ++k)
+               points.push_back(at_place("ts[" + std::to_string(k) + "]",
+                                         [&] { return length.point((*at)[k]); }));
              const FrameTable table = frame_table(path, columns, points);
              for (std::size_t k = from; k < to; ++k)
                write(TablePlace{table.rows[k - from].data()}, numbers->data() + k * width);

@@ -16,6 +16,11 @@ void translate(const std::exception_ptr& thrown, void*) {
     std::rethrow_exception(thrown);
   } catch (const InputError& error) {
     raise("InputError", error.what(), error.place(), error.reason());
+  } catch (const ArgumentError& error) {
+    const std::string reason = error.what();
+    const bool is_named = reason.starts_with(error.place + " ");  // "t = 5 is outside [0, 4]"
+    raise("DomainError", (is_named ? reason : error.place + ": " + reason).c_str(), error.place,
+          reason);
   } catch (const DomainError& error) {
     raise("DomainError", error.what(), "", error.what());
   } catch (const Undecided& error) {

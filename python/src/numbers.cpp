@@ -250,19 +250,22 @@ nb::object to_python(const std::vector<Rational>& list) {
 
 nb::object to_decimal(const std::string& digits) { return imported("decimal", "Decimal")(digits); }
 
-nb::object to_python(const Real& x, const nb::object& recipe) {
-  if (x.exact()) return to_python(*x.exact());
-  return nb::cast(RealNumber{x, recipe});
+nb::object to_python(const Real& x, const nb::object& recipe, const ZeroBound& bound) {
+  constexpr long soon = 4096;  // bits, which take no time
+  const Real known = bound.bits() <= soon ? settled(x, bound) : x;
+  if (known.exact()) return to_python(*known.exact());
+  return nb::cast(RealNumber{known, recipe, bound});
 }
 
 nb::object to_python(const RealAlgebraic& x) {
   if (const auto r = x.rational()) return to_python(*r);
   const Interval& around = x.interval();
-  return nb::cast(RealNumber{
-      to_real(x),
-      nb::make_tuple(imported("phrame._pickle", "rebuild"),
-                     nb::make_tuple("root", to_python(x.polynomial().coefficients()),
-                                    to_python(*around.lower), to_python(*around.upper)))});
+  return nb::cast(
+      RealNumber{to_real(x),
+                 nb::make_tuple(imported("phrame._pickle", "rebuild"),
+                                nb::make_tuple("root", to_python(x.polynomial().coefficients()),
+                                               to_python(*around.lower), to_python(*around.upper))),
+                 zero_bound(x)});
 }
 
 nb::object to_python(const std::vector<RealRoot>& roots) {

@@ -93,9 +93,10 @@ nb::object& imported(const char* module, const char* name);
 struct RealNumber {
   Real value;
   nb::object recipe;
+  ZeroBound bound = {};  ///< where it is known to be algebraic
 };
-/// A Fraction where it is exact, else a RealNumber.
-nb::object to_python(const Real& x, const nb::object& recipe);
+/// A Fraction where it is exact, or seen to be rational; else a RealNumber.
+nb::object to_python(const Real& x, const nb::object& recipe, const ZeroBound& bound = {});
 nb::object to_python(const RealAlgebraic& x);
 /// [(number, order), …].
 nb::object to_python(const std::vector<RealRoot>& roots);
@@ -105,7 +106,26 @@ Real real(nb::handle x, const std::string& place);
 /// Both ends of a ball, exactly, as Fractions.
 nb::object ends(const RealBall& ball);
 
+/// A DomainError about an argument.
+struct ArgumentError : DomainError {
+  std::string place;
+  ArgumentError(std::string at, const std::string& reason)
+      : DomainError(reason), place(std::move(at)) {}
+};
+/// f(), whose DomainErrors name the argument.
+template <class F>
+auto at_place(const std::string& place, const F& f) {
+  try {
+    return f();
+  } catch (const ArgumentError&) {
+    throw;
+  } catch (const DomainError& error) {
+    throw ArgumentError(place, error.what());
+  }
+}
+
 void bind_numbers(nb::module_& m);
+void bind_real(nb::module_& m);
 void bind_paths(nb::module_& m);
 
 }  // namespace phrame::python

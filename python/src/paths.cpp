@@ -25,7 +25,8 @@ nb::tuple polynomials(const Vector<Polynomial>& v) { return nb::make_tuple(v[0],
 nb::object complex_polynomial(const GaussianPolynomial& g) { return nb::make_tuple(g.re, g.im); }
 
 nb::object point(const PathObject& self, nb::handle t) {
-  const PathParameter at = locate(self.named.path, rational(t, "t"));
+  const Rational given = rational(t, "t");
+  const PathParameter at = at_place("t", [&] { return locate(self.named.path, given); });
   return to_python(evaluate(position(self.named.path.segments()[at.segment]), at.t));
 }
 
@@ -40,18 +41,23 @@ void bind_places(nb::class_<PathObject>& path) {
           [](nb::handle self, nb::handle t) {
             const Rational at = rational(t, "t");
             const Path& asked = path_of(self).named.path;
-            const PathParameter here = locate(asked, at);
-            return to_python(
-                square_root_of(squared_curvature(asked.segments()[here.segment])(here.t)),
-                method_recipe(self, "curvature", to_python(at)));
+            const Rational square = at_place("t", [&] {
+              const PathParameter here = locate(asked, at);
+              return squared_curvature(asked.segments()[here.segment])(here.t);
+            });
+            return to_python(square_root_of(square),
+                             method_recipe(self, "curvature", to_python(at)),
+                             of_square_root(zero_bound(square)));
           },
           argument("t"), nb::sig("def curvature(self, t: Number) -> fractions.Fraction | Real"),
           "κ ≥ 0 at t.")
       .def(
           "arc_length",
           [](const PathObject& self, nb::handle t) {
-            const PathParameter at = locate_inside(self.named.path, rational(t, "t"));
-            return to_python(PathLength(self.named.path).value(at));
+            const Rational given = rational(t, "t");
+            return to_python(at_place("t", [&] {
+              return PathLength(self.named.path).value(locate_inside(self.named.path, given));
+            }));
           },
           argument("t"), nb::sig("def arc_length(self, t: Number) -> fractions.Fraction"),
           "The length from the start to t.")
@@ -59,8 +65,10 @@ void bind_places(nb::class_<PathObject>& path) {
           "parameter_at",
           [](const PathObject& self, nb::handle s) {
             const Rational length = rational(s, "s");
-            return to_python(without_gil([path = self.named.path, length] {
-              return parameter(PathLength(path).point(length));
+            return to_python(at_place("s", [&] {
+              return without_gil([path = self.named.path, length] {
+                return parameter(PathLength(path).point(length));
+              });
             }));
           },
           argument("s"), nb::sig("def parameter_at(self, s: Number) -> fractions.Fraction | Real"),

@@ -61,8 +61,9 @@ SmoothAngleAnswer smooth_answer(const SmoothAngleObject& self) {
 nb::object smooth_angle_of_what(const SmoothAngleObject& self, nb::handle ts, nb::handle progress) {
   if (!is_list(ts)) {
     const Rational t = rational(ts, "ts");
-    return nb::float_(
-        without_gil([value = value_of(self), t] { return round_to_double(value(t)); }));
+    return nb::float_(at_place("ts", [&] {
+      return without_gil([value = value_of(self), t] { return round_to_double(value(t)); });
+    }));
   }
   return smooth_angles(self.angle, self.start_angle, ts, progress);
 }

@@ -70,8 +70,9 @@ class SmoothSource {
 
  private:
   SmoothParameter place(const Parameters& at, std::size_t k) const {
-    if (is_by_length_) return length_.point(at[k]);
-    return locate(path_, at[k]);
+    return at_place("ts[" + std::to_string(k) + "]", [&] {
+      return is_by_length_ ? length_.point(at[k]) : SmoothParameter(locate(path_, at[k]));
+    });
   }
   /// Where all segments are polynomials.
   void round_positions() {
@@ -130,7 +131,7 @@ void require_inside(const Parameters& at, const SmoothPath& path, nb::handle ts)
                          : at[k] >= 0 && at[k] <= path.end())
       continue;
     refuse("ts[" + std::to_string(k) + "]",
-           to_string(at[k]) + " is outside [0, " + to_string(path.end()) + "]", ts);
+           as_written(at[k]) + " is outside [0, " + to_string(path.end()) + "]", ts);
   }
 }
 

@@ -22,15 +22,19 @@ nb::object components(const Vector<Real>& v, nb::handle self, const char* method
 nb::object smooth_point(nb::handle self, nb::handle t) {
   const Rational at = rational(t, "t");
   const SmoothPath& path = smooth_of(self);
-  return components(without_gil([path, at] { return position(path, locate(path, at)); }), self,
-                    "point", to_python(at));
+  return components(
+      at_place(
+          "t",
+          [&] { return without_gil([path, at] { return position(path, locate(path, at)); }); }),
+      self, "point", to_python(at));
 }
 
 nb::object parameter_at(nb::handle self, nb::handle s) {
   const Rational length = rational(s, "s");
   const SmoothPath& path = smooth_of(self);
-  const SmoothParameter at =
-      without_gil([path, length] { return SmoothLength(path).point(length); });
+  const SmoothParameter at = at_place("s", [&] {
+    return without_gil([path, length] { return SmoothLength(path).point(length); });
+  });
   return to_python(Rational(static_cast<long>(at.segment)) + at.t,
                    method_recipe(self, "parameter_at", to_python(length)));
 }
@@ -98,15 +102,15 @@ void bind_smooth_totals(nb::class_<SmoothPathObject>& smooth) {
 
 /// At a parameter.
 void bind_smooth_shape(nb::class_<SmoothPathObject>& smooth) {
-#define PHRAME_SMOOTH_AT(name, of, what)                            \
-  smooth.def(                                                       \
-      name,                                                         \
-      [](nb::handle self, nb::handle t) {                           \
-        const Rational at = rational(t, "t");                       \
-        const SmoothPath& path = smooth_of(self);                   \
-        return to_python(without_gil([path, at] { return of; }),    \
-                         method_recipe(self, name, to_python(at))); \
-      },                                                            \
+#define PHRAME_SMOOTH_AT(name, of, what)                                                        \
+  smooth.def(                                                                                   \
+      name,                                                                                     \
+      [](nb::handle self, nb::handle t) {                                                       \
+        const Rational at = rational(t, "t");                                                   \
+        const SmoothPath& path = smooth_of(self);                                               \
+        return to_python(at_place("t", [&] { return without_gil([path, at] { return of; }); }), \
+                         method_recipe(self, name, to_python(at)));                             \
+      },                                                                                        \
       argument("t"), nb::sig("def " name "(self, t: Number) -> " PHRAME_REAL_SIG), what)
   PHRAME_SMOOTH_AT("curvature", curvature(path, locate(path, at)), "κ ≥ 0 at t.");
   PHRAME_SMOOTH_AT("torsion", torsion(path, locate(path, at)), "τ at t.");

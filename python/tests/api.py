@@ -54,6 +54,11 @@ API = {
     "Real.mpmath": (REAL.mpmath, {"bits": 50}),
     "Real.sympy": (REAL.sympy, {"digits": 15}),
     "Real.flint": (REAL.flint, {"bits": 50}),
+    "Real.arctan2": (REAL.arctan2, {"x": 2}),
+    "Real.conjugate": (REAL.conjugate, {}),
+    **{f"Real.{name}": (getattr(REAL / 2 if name == "arctanh" else 2 * REAL + 1 if name == "arccosh" else REAL, name), {})
+       for name in ("sqrt", "exp", "expm1", "log", "log1p", "sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh",
+                    "arcsinh", "arccosh", "arctanh")},
     "Path": (phrame.Path, {"curves": [QUINTIC], "name": ""}),
     "Path.json": (QUINTIC.json, {}),
     "Path.plot": (QUINTIC.plot, {"ts": [0, 1], "ax": SPACE, "kind": "rmf", "ribbon": 0.1, "f2": None, **START}),

@@ -343,3 +343,37 @@ def test_what_is_refused():
         CUBIC.point(2)
     with pytest.raises(TypeError, match="text"):
         phrame.parse(3)
+
+
+def _paths(rng):
+    """Some of every kind."""
+    def points(n):
+        return [[rng.randint(-9, 9) for _ in range(3)] for _ in range(n)]
+
+    yield phrame.Curve.through(points(4))
+    yield phrame.Curve([rng.randint(1, 9), 2], [rng.randint(-9, 9), 1], [0, 3], [1, rng.randint(-9, 9)])
+    yield phrame.Curve.bezier(points(4))
+    yield phrame.Curve.nurbs(points(5), [1, 2, 3, 2, 1], degree=2) if rng.random() < 0.5 else phrame.Curve.nurbs(points(5))
+    yield phrame.Curve.cubic_spline(points(4))
+    yield phrame.Curve.expressions("cos(s)", "sin(s)", f"s*{rng.randint(1, 9)}/7", 0, f"sqrt({rng.randint(2, 9)})")
+
+
+def test_a_length_that_is_rounded_up_is_the_end():
+    rng = random.Random(2)
+    beyond = 0
+    for _ in range(2 * MULTIPLIER):
+        for path in _paths(rng):
+            length, end = float(path.length), path.end if isinstance(path, phrame.SmoothPath) else len(path.segments)
+            t = path.parameter_at(length)
+            assert end - 1e-12 < t <= end
+            if path.length < Fraction(length):
+                beyond += 1
+                assert t == end and path.parameter_at(repr(length)) == end
+                assert (path.frames([length], by="arc_length") == path.frames([end])).all()
+                assert (path.points([length], by="arc_length") == path.points([end])).all()
+            too_long = length * (1 + 2**-50)
+            with pytest.raises(phrame.DomainError, match=rf"^s: .*{too_long!r} is outside \[0, "):
+                path.parameter_at(too_long)
+            with pytest.raises(phrame.DomainError, match=rf"^ts\[1\]: .*{too_long!r} is outside \[0, "):
+                path.points([0, too_long], by="arc_length")
+    assert beyond

@@ -75,3 +75,22 @@ def test_kinds_of_errors():
         phrame.Path.from_json('{"phrame": "curve/1", "basis": "power", "preimage": {"u": ["x"]}}')
     assert raised.value.place.startswith("/preimage")
     assert issubclass(phrame.Undecided, (ArithmeticError, phrame.Error))
+
+
+@pytest.mark.parametrize("number, text", [(4.0000000001, "4.0000000001"), ("4.0000000001", "4.0000000001"), (Decimal("-0.1"), "-1/10"), (-1e-300, "-1e-300"),
+                                          (1e22, "10000000000000000000000"), ("100/3", "100/3"), (np.float32(4.1), "4.099999904632568")])
+def test_numbers_are_shown_as_they_were_written(number, text):
+    path = phrame.Path([QUINTIC.segment(0, 1), QUINTIC.segment(1, 2)])
+    smooth = phrame.Curve.bezier([[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]])
+    for place, ask in (("t", path.point), ("t", path.curvature), ("t", path.arc_length), ("t", path.angle().value), ("ts", path.angle()), ("t", smooth.point),
+                       ("t", smooth.torsion), ("t", smooth.angle().value), ("t", smooth.arc_length),
+                       ("ts[1]", lambda x: path.frames([0, x])), ("ts[1]", lambda x: smooth.points([0, x])), ("ts[1]", lambda x: smooth.angle()([0, x]))):
+        with pytest.raises(phrame.Error) as raised:
+            ask(number)
+        message = str(raised.value)
+        assert raised.value.place == place and message.startswith(place) and f" {text} is outside [0, " in message, message
+    for place, ask in (("s", path.parameter_at), ("s", smooth.parameter_at), ("ts[1]", lambda x: path.points([0, x], by="arc_length")),
+                       ("ts[1]", lambda x: smooth.frames([0, x], by="arc_length"))):
+        with pytest.raises(phrame.DomainError) as raised:
+            ask(100000 + number if isinstance(number, float) and number > 0 else "-100000.5")
+        assert raised.value.place == place and str(raised.value).startswith(place + ": ") and " is outside [0, " in str(raised.value)

@@ -127,19 +127,6 @@ def test_a_real_for_others():
             assert all(ball.contains(x) for x in near) and ball.rad() <= flint.arb(2) ** -bits
 
 
-def test_what_is_not_known_to_be_rational_is_undecided():
-    """√2·√2 is 2, but no number of digits says so."""
-    root = phrame.root([-2, 0, 1], 1, 2)
-    two = root * root
-    if isinstance(two, Fraction):
-        pytest.skip("it is known")
-    assert two.ball(100)[0] <= 2 <= two.ball(100)[1] and two.mpmath(53) == float(two.sympy()) == 2
-    tie = two + Fraction(1, 2**52)  # half way between doubles
-    for ask in (lambda: tie.mpmath(53), lambda: tie.sympy(15), lambda: float(tie), lambda: two < 2):
-        with pytest.raises(phrame.Undecided):
-            ask()
-
-
 def test_roots():
     root = phrame.root([-2, 0, 1], 1, 2)
     assert str(root.digits(30)) == "1.41421356237309504880168872421"

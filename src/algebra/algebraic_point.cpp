@@ -1,5 +1,6 @@
 #include "phrame/algebra/algebraic_point.hpp"
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 
 // With the irreducible polynomial P of t, n(t)/d(t) = c ∈ ℚ if and only if P divides n − c·d, that
@@ -42,7 +43,7 @@ Real AlgebraicPoint::square_root(const RationalFunction& f) const {
             square.origin()};
   }
   const Rational& x = *square.exact();
-  if (x < 0) throw DomainError("square root: the negative number " + abbreviated(to_string(x)));
+  if (x < 0) throw DomainError("square root: the negative number " + as_written(x));
   return square_root_of(x);
 }
 

@@ -1,5 +1,6 @@
 #include "phrame/answer/angle.hpp"
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/ph/frame/path_angle.hpp"
@@ -18,7 +19,7 @@ AngleFormula formula(const RmfAngle& angle, const AngleQuery& query) {
 }  // namespace
 
 AngleValue rounded_angle(const Rational& t, const Real& theta, long digits) {
-  return {t, rounded(theta, "theta at t = " + abbreviated(to_string(t)), digits)};
+  return {t, rounded(theta, "theta at t = " + as_written(t), digits)};
 }
 
 AngleAnswer answer(NamedPath named, const AngleQuery& query) {

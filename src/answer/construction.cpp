@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/construct/c2_hermite.hpp"
 #include "phrame/ph/construct/c2_spline.hpp"
@@ -188,8 +189,8 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
         throw InputError(place, fmt::format("a closed spline of the kind {} takes points only",
                                             row->named.name));
   if (query.tolerance <= 0 || query.tolerance >= 1)
-    throw InputError(fmt::format("the tolerance {} is not between 0 and 1",
-                                 abbreviated(to_string(query.tolerance))));
+    throw InputError(
+        fmt::format("the tolerance {} is not between 0 and 1", as_written(query.tolerance)));
   if (query.solution < 1 || query.solution > row->named.solutions)
     throw InputError(
         fmt::format("the kind {} has no solution {}: {}", row->named.name, query.solution,

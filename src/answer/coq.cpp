@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/roots.hpp"
 #include "phrame/answer/rounded.hpp"
@@ -74,8 +75,8 @@ CoqAnswer answer(const Curve& curve, const CoqQuery& query) {
   const auto& [t, digits] = query;
   if (t <= 0) throw DomainError("proof: t = " + to_string(t) + " is not positive");
   if (count_real_roots(sigma(curve.preimage()), closed(0, t)) > 0)
-    throw DomainError("proof: the preimage has a zero between 0 and t = " +
-                      abbreviated(to_string(t)) + ", where h/sigma is undefined");
+    throw DomainError("proof: the preimage has a zero between 0 and t = " + as_written(t) +
+                      ", where h/sigma is undefined");
   const RmfAngle angle(curve);
   const Real value = angle.value(t);
   const Decimal shown = rounded(value, "theta", digits);

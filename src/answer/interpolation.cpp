@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/ph/curve/travel_time.hpp"
@@ -11,9 +12,8 @@ namespace phrame {
 
 void require_few_rows(const InterpolationQuery& query, const Integer& ticks) {
   if (const Integer rows = ticks + 1; rows > query.most_rows)
-    throw InputError(fmt::format("{} asks for {} rows, the limit is {}",
-                                 abbreviated(to_string(query.period)), abbreviated(rows.str()),
-                                 query.most_rows));
+    throw InputError(fmt::format("{} asks for {} rows, the limit is {}", as_written(query.period),
+                                 abbreviated(rows.str()), query.most_rows));
 }
 
 FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {

@@ -1,5 +1,6 @@
 #include "phrame/answer/minimal_twist.hpp"
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/ph/smooth/smooth_twist.hpp"
@@ -71,8 +72,8 @@ MinimalTwistAnswer answer(const NamedSmoothPath& named, const SmoothTwistQuery& 
   if (const auto& within = mtf.half_turn_within())
     answer.half_turn_within = upper_bound_text(*within);
   for (const Rational& t : query.at)
-    answer.values.push_back({t, decimal(mtf.value(locate(named.path, t)),
-                                        "theta at t = " + abbreviated(to_string(t)))});
+    answer.values.push_back(
+        {t, decimal(mtf.value(locate(named.path, t)), "theta at t = " + as_written(t))});
   return answer;
 }
 

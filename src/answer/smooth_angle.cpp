@@ -1,5 +1,6 @@
 #include "phrame/answer/smooth_angle.hpp"
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/ph/smooth/smooth_frame.hpp"
@@ -35,8 +36,7 @@ SmoothAngleAnswer answer(const NamedSmoothPath& named, const SmoothAngleQuery& q
   const auto theta = [&](const Rational& t) { return angle.value(locate(named.path, t)); };
   for (const Rational& t : query.at)
     answer.values.push_back(
-        {t, rounded_or_zero(theta(t) + start, "theta at t = " + abbreviated(to_string(t)),
-                            query.digits)});
+        {t, rounded_or_zero(theta(t) + start, "theta at t = " + as_written(t), query.digits)});
   answer.total = rounded_or_zero(theta(named.path.end()), "the total angle", query.digits);
   add_holonomy(answer, angle);
   answer.is_straight = is_straight(named.path);

@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/better_reading.hpp"
 #include "phrame/io/write/check.hpp"
@@ -51,7 +52,7 @@ void require_enough(const std::vector<GivenFrame>& frames, const FrameCheckOptio
       file, fmt::format("all samples are at t = {}: without --theta0 and --start-normal they "
                         "are compared with the frame that agrees with the first, so that samples "
                         "at other t are wanted",
-                        abbreviated(to_string(frames.front().t))));
+                        as_written(frames.front().t)));
 }
 
 /// Throws InputError for vectors that do not do with this path.
@@ -72,7 +73,7 @@ void run(const Command& command, const CheckOptions& options) {
   FrameCheckOptions measure;
   measure.tolerance = parse_option("--tol", options.tolerance);
   if (measure.tolerance < 0)
-    throw InputError("--tol", abbreviated(to_string(measure.tolerance)) + " is negative");
+    throw InputError("--tol", as_written(measure.tolerance) + " is negative");
   measure.start = options.start.given();
   if (options.curve.path == "-" && options.frames == "-")
     throw InputError("check", "the curve and the frames are both to be read from standard input");

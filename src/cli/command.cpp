@@ -12,6 +12,7 @@
 #include <memory>
 #include <system_error>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/cli/progress_line.hpp"
 #include "phrame/cli/watchdog.hpp"
 #include "phrame/io/read/angle.hpp"
@@ -142,8 +143,7 @@ void add_near(Command& command, std::optional<std::string>& near) {
 std::optional<Rational> parse_near_option(const std::optional<std::string>& near) {
   if (!near) return std::nullopt;
   Rational epsilon = parse_option("--near", *near);
-  if (epsilon <= 0)
-    throw InputError("--near", abbreviated(to_string(epsilon)) + " is not a distance > 0");
+  if (epsilon <= 0) throw InputError("--near", as_written(epsilon) + " is not a distance > 0");
   return epsilon;
 }
 

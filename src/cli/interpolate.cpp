@@ -1,3 +1,4 @@
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/answer/machine_path.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/feedrate.hpp"
@@ -55,8 +56,7 @@ void run(const Command& command, const InterpolateOptions& options) {
       "--format", options.format,
       {{"csv", to_csv}, {"json", to_json}, {"npy", to_npy}, {"gcode", nullptr}});
   const Rational period = parse_option("--period", options.period);
-  if (period <= 0)
-    throw InputError("--period", abbreviated(to_string(period)) + " is not positive");
+  if (period <= 0) throw InputError("--period", as_written(period) + " is not positive");
   const Feedrate feed = at_place("--feed", ", ", [&] { return parse_feedrate(options.feed); });
   const AnyPath path = options.curve.read_any_path();
   const InterpolationQuery query{feed, period};

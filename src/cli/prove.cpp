@@ -1,3 +1,4 @@
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/write/coq_proof.hpp"
 
@@ -12,7 +13,7 @@ struct ProveOptions {
 
 void run(const ProveOptions& options) {
   const Rational t = parse_option("--at", options.at);
-  if (t <= 0) throw InputError("--at", abbreviated(to_string(t)) + " is not positive");
+  if (t <= 0) throw InputError("--at", as_written(t) + " is not positive");
   const NamedCurve named = options.curve.read_curve();
   write_output(options.curve.output, coq_proof(answer(named.curve, CoqQuery{t, options.digits})));
 }

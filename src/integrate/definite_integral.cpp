@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/algebraic_image.hpp"
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/integrate/algebraic_logs.hpp"
@@ -51,7 +52,7 @@ std::vector<RealRoot> poles_between(const Polynomial& d, const Endpoint& low,
 }
 
 std::string place(const RealAlgebraic& pole) {
-  if (pole.is_rational()) return "at " + abbreviated(to_string(*pole.rational()));
+  if (pole.is_rational()) return "at " + as_written(*pole.rational());
   return "in " + to_string(narrowed(pole.polynomial(), pole.interval(), Rational(1, 1 << 20)));
 }
 

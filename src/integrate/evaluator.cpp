@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/roots.hpp"
@@ -87,9 +88,9 @@ void Evaluator::Function::require_no_pole(const Rational& a, const Rational& b) 
   const auto check = [&](const Polynomial& d) {
     if (count_real_roots(d, path) == 0) return;
     const Interval pole = located_real_roots(d, path).front();
-    throw DomainError(fmt::format("definite integral from {} to {}: pole {} {}",
-                                  abbreviated(to_string(a)), abbreviated(to_string(b)),
-                                  pole.lower == pole.upper ? "at" : "in", to_string(pole)));
+    throw DomainError(fmt::format("definite integral from {} to {}: pole {} {}", as_written(a),
+                                  as_written(b), pole.lower == pole.upper ? "at" : "in",
+                                  to_string(pole)));
   };
   if (!plain.rational.is_polynomial()) check(plain.rational.denominator());
   const auto known = poles.known();
@@ -202,10 +203,10 @@ RealBall Evaluator::difference(const Rational& a, const Rational& b, long bits) 
     throw Undecided(
         fmt::format("definite integral from {} to {}: the quadrature does not give an enclosure "
                     "of width 2^-{}",
-                    abbreviated(to_string(a)), abbreviated(to_string(b)), bits));
+                    as_written(a), as_written(b), bits));
   if (!value->overlaps(other))
     throw Error(fmt::format("definite integral from {} to {}: quadrature and roots do not agree",
-                            abbreviated(to_string(a)), abbreviated(to_string(b))));
+                            as_written(a), as_written(b)));
   return other;
 }
 
@@ -236,7 +237,7 @@ RealBall Evaluator::Function::difference_by_roots(const Rational& a, const Ratio
       throw Undecided(
           fmt::format("definite integral from {} to {}: {} bits of precision do not "
                       "give an enclosure of width 2^-{}",
-                      abbreviated(to_string(a)), abbreviated(to_string(b)), end, bits));
+                      as_written(a), as_written(b), end, bits));
   }
 }
 

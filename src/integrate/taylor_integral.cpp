@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
@@ -204,7 +205,7 @@ std::optional<Polynomial> polynomial_integral(const RootQuotient& f) {
 
 void require_inside(const Rational& t) {
   if (t < 0 || t > 1)
-    throw DomainError(fmt::format("integral: t = {} is outside [0, 1]", abbreviated(to_string(t))));
+    throw DomainError(fmt::format("integral: t = {} is outside [0, 1]", as_written(t)));
 }
 
 }  // namespace

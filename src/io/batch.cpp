@@ -1,4 +1,5 @@
 #include "phrame/io/batch.hpp"
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/answer/angle.hpp"
 #include "phrame/answer/smooth_angle.hpp"
 
@@ -52,8 +53,8 @@ std::optional<Reference> frame_of(const JsonNode& node) {
 long digits_of(const JsonNode& node) {
   const Rational digits = node.number();
   if (denominator(digits) != 1 || digits < 1 || digits > most_digits)
-    node.fail(fmt::format("{} is not a whole number from 1 to {}", abbreviated(to_string(digits)),
-                          most_digits));
+    node.fail(
+        fmt::format("{} is not a whole number from 1 to {}", as_written(digits), most_digits));
   return static_cast<long>(numerator(digits));
 }
 

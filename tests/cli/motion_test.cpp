@@ -35,6 +35,10 @@ TEST_CASE("frames: --by arc-length: equal steps along the curve, or the lengths 
   CHECK(line(run.out, 3).starts_with("1,0.06666666666666667,"));
   const Run one = here.run("frames quintic.json --by arc-length --at 71/30 --columns s");
   CHECK(line(one.out, 1) == line(run.out, 2));
+  // 71/15, rounded up, is the same double: the end.
+  CHECK(
+      line(here.run("frames quintic.json --by arc-length --at 4.7333333333333334 --columns s").out,
+           1) == line(run.out, 3));
   // The same point at its rounded t is not quite the same.
   CHECK(line(here.run("frames quintic.json --by t --samples 2").out, 1) ==
         line(here.run("frames quintic.json --samples 2").out, 1));
@@ -82,6 +86,8 @@ TEST_CASE("frames: arc lengths and columns that make no sense are refused by nam
                 "--at: \"x\" is not a number");
   check_failure(here.run("frames quintic.json --by arc-length --at 5"), 3,
                 "5 is outside [0, 71/15]");
+  check_failure(here.run("frames quintic.json --by arc-length --at 5.0000000001"), 3,
+                "5.0000000001 is outside [0, 71/15]");
   check_failure(here.run("frames turning.json --by arc-length --samples 3"), 3, "changes sign");
   check_failure(here.run("frames turning.json --at 0 --columns s"), 3, "changes sign");
   check_failure(here.run("frames line.json --at 0 --columns torsion"), 3, "straight line");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/curve_node.hpp"
 #include "phrame/io/write/text.hpp"
@@ -13,11 +14,10 @@ namespace {
 long read_count(const JsonNode& node, long most, const std::string& what) {
   const Rational number = node.number();
   if (denominator(number) != 1)
-    node.fail(fmt::format("the {} {} is no whole number", what, abbreviated(to_string(number))));
-  if (number < 1)
-    node.fail(fmt::format("the {} {} is less than 1", what, abbreviated(to_string(number))));
+    node.fail(fmt::format("the {} {} is no whole number", what, as_written(number)));
+  if (number < 1) node.fail(fmt::format("the {} {} is less than 1", what, as_written(number)));
   if (number > most)
-    node.fail(fmt::format("the {} {} is beyond {}", what, abbreviated(to_string(number)), most));
+    node.fail(fmt::format("the {} {} is beyond {}", what, as_written(number), most));
   return static_cast<long>(numerator(number));
 }
 
@@ -82,7 +82,7 @@ std::vector<GivenSegment> bspline_segments(const JsonNode& node, const BSplineKe
   const Rational given = degree.number();
   if (given > limits.max_degree)
     degree.fail(fmt::format("the degree {} is beyond the limit {}; --max-degree raises it",
-                            abbreviated(to_string(given)), limits.max_degree));
+                            as_written(given), limits.max_degree));
   spline.degree = read_count(degree, limits.max_degree, "degree");
   spline.points = read_points_of_any_dimension(points);
   const JsonNode knots = node.at(keys.knots);
@@ -107,10 +107,9 @@ std::vector<GivenSegment> bspline_segments(const JsonNode& node, const BSplineKe
   }
   std::vector<GivenSegment> segments;
   for (const auto& [curve, lower, upper] : bezier_pieces(spline))
-    segments.push_back(
-        bezier_segment(curve, knots.place(),
-                       fmt::format("between the knots {} and {}", abbreviated(to_string(lower)),
-                                   abbreviated(to_string(upper)))));
+    segments.push_back(bezier_segment(
+        curve, knots.place(),
+        fmt::format("between the knots {} and {}", as_written(lower), as_written(upper))));
   return segments;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/write/names.hpp"
@@ -15,7 +16,7 @@ constexpr long max_bits = 1'000'000;
 
 Integer read_integer(const JsonNode& node) {
   const Rational x = node.number();
-  if (denominator(x) != 1) node.fail(abbreviated(to_string(x)) + " is not an integer");
+  if (denominator(x) != 1) node.fail(as_written(x) + " is not an integer");
   return Integer(numerator(x));
 }
 

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/expression_token.hpp"
 
@@ -115,8 +116,7 @@ void Parser::within_limits(std::size_t begin, std::size_t end, Compute compute) 
 
 void Parser::raise(Operand& base, const Rational& exponent, std::size_t exponent_at) {
   if (denominator(exponent) != 1)
-    fail(exponent_at,
-         fmt::format("the exponent {} is not an integer", abbreviated(to_string(exponent))));
+    fail(exponent_at, fmt::format("the exponent {} is not an integer", as_written(exponent)));
   Unreduced& value = base.factor();
   if (value.is_zero() && exponent == 0) fail(base.begin, "0 to the power 0 is undefined");
   if (value.is_zero() && exponent < 0)

@@ -1,4 +1,5 @@
 #include "phrame/io/read/formula.hpp"
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/io/read/number.hpp"
 
 #include <fmt/format.h>
@@ -172,7 +173,7 @@ void FormulaParser::raise(FormulaOperand& base, const FormulaOperand& exponent) 
     if (numerator(abs(k)) > max_exponent || denominator(k) > max_exponent)
       fail(exponent.begin, fmt::format("the exponent {} is too large: its numerator and "
                                        "denominator are at most {}",
-                                       abbreviated(to_string(k)), max_exponent));
+                                       as_written(k), max_exponent));
     base.step = list_.power(base.step, k);
     value = short_power(base.number, k);
   } else {

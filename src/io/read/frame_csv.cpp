@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/npy.hpp"
 #include "phrame/io/read/text_table.hpp"
@@ -128,7 +129,7 @@ Rational Layout::number(const Table& table, std::size_t row,
     }
     if (value && *value != next)
       fail_here(fmt::format("two columns have this name, one with {}, one with {}",
-                            abbreviated(to_string(*value)), abbreviated(to_string(next))));
+                            as_written(*value), as_written(next)));
     value = next;
   }
   return *value;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real.hpp"
 #include "phrame/io/read/npy.hpp"
@@ -175,8 +176,8 @@ std::vector<Rational> read_weights(const Table& table) {
       throw InputError(place, error.reason());
     }
     if (weights.back() <= 0)
-      throw InputError(place, fmt::format("the weight {} is not greater than 0",
-                                          abbreviated(to_string(weights.back()))));
+      throw InputError(
+          place, fmt::format("the weight {} is not greater than 0", as_written(weights.back())));
   }
   return weights;
 }
@@ -200,7 +201,7 @@ long read_degree(const Settings& settings, TableKind kind, std::size_t count,
     if (denominator(given) != 1 || given < 1 || given > whole)
       throw InputError(place, fmt::format("the degree {} is no whole number from 1 to {}, one less "
                                           "than there are points",
-                                          abbreviated(to_string(given)), whole));
+                                          as_written(given), whole));
     degree = static_cast<long>(numerator(given));
     if (kind == TableKind::bezier && degree != whole)
       throw InputError(place, fmt::format("{} control points make a Bézier curve of degree {}, not "

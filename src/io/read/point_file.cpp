@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/read/npy.hpp"
@@ -29,10 +30,10 @@ void require_meaning(const GivenPoints& given, const Place& place) {
       throw InputError(place("tangents", k), "the tangent is 0, which is no direction");
   for (std::size_t k = 1; k < given.parameters.size(); ++k)
     if (given.parameters[k] <= given.parameters[k - 1])
-      throw InputError(place("parameters", k),
-                       fmt::format("{} is not greater than the parameter before it, {}",
-                                   abbreviated(to_string(given.parameters[k])),
-                                   abbreviated(to_string(given.parameters[k - 1]))));
+      throw InputError(
+          place("parameters", k),
+          fmt::format("{} is not greater than the parameter before it, {}",
+                      as_written(given.parameters[k]), as_written(given.parameters[k - 1])));
   if (!given.derivatives.empty()) return;
   for (std::size_t k = 1; k < given.points.size(); ++k)
     if (given.points[k] == given.points[k - 1])

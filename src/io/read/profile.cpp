@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/number.hpp"
@@ -206,8 +207,8 @@ std::optional<Profile> parse_profile(std::string_view text, const ProfileToleran
                             tolerance.angle);
     if (word == "rectangle") return rectangle_profile(numbers[0], numbers[1]);
     if (denominator(numbers[0]) != 1 || numbers[0] < 3 || numbers[0] > 10'000)
-      throw InputError(fmt::format("{} is not a number of corners from 3 to 10000",
-                                   abbreviated(to_string(numbers[0]))));
+      throw InputError(
+          fmt::format("{} is not a number of corners from 3 to 10000", as_written(numbers[0])));
     return regular_polygon(static_cast<long>(numerator(numbers[0])), numbers[1]);
   });
 }

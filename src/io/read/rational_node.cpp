@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/curve_node.hpp"
 #include "phrame/io/read/expression_node.hpp"
@@ -25,8 +26,7 @@ std::vector<Rational> weights_at(const JsonNode& list, std::size_t count) {
   std::vector<Rational> weights = list.numbers();
   for (std::size_t k = 0; k < count; ++k)
     if (weights[k] <= 0)
-      list.item(k).fail(
-          fmt::format("the weight {} is not greater than 0", abbreviated(to_string(weights[k]))));
+      list.item(k).fail(fmt::format("the weight {} is not greater than 0", as_written(weights[k])));
   return weights;
 }
 

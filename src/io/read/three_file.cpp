@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/bspline_node.hpp"
 #include "phrame/ph/construct/scale.hpp"
@@ -151,7 +152,7 @@ Segments read_three_nurbs(const JsonNode& node, const CurveLimits& limits) {
   const Rational degree = node.at("degree").number();
   if (denominator(degree) != 1 || degree < 1 || degree > limits.max_degree)
     node.at("degree").fail(fmt::format("the degree {} is no whole number from 1 to {}",
-                                       abbreviated(to_string(degree)), limits.max_degree));
+                                       as_written(degree), limits.max_degree));
   spline.degree = static_cast<long>(numerator(degree));
   const JsonNode knots = node.at("knots");
   knots.require(JsonNode::Kind::array, "an array of knots");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
@@ -26,8 +27,8 @@ void require_near_degree(std::size_t points) {
 
 void require_positive(const Rational& epsilon) {
   if (epsilon <= 0)
-    throw DomainError(fmt::format("PH curve nearby: the distance {} is not positive",
-                                  abbreviated(phrame::to_string(epsilon))));
+    throw DomainError(
+        fmt::format("PH curve nearby: the distance {} is not positive", as_written(epsilon)));
 }
 
 PreimageFit fit_of_points(const BezierPoints& points, long scale) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <numbers>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
@@ -19,7 +20,7 @@ void require_plane(const std::vector<Vector<Rational>>& list, std::string_view w
   for (std::size_t k = 0; k < list.size(); ++k)
     if (list[k][2] != 0)
       throw DomainError(fmt::format("the {} {} has z = {}, but a plane curve is wanted, in z = 0",
-                                    what, k + 1, abbreviated(to_string(list[k][2]))));
+                                    what, k + 1, as_written(list[k][2])));
 }
 
 FreeAngles nth_by_turning(const QuinticFamily& family, long solution) {

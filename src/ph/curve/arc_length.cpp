@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/special_points.hpp"
@@ -51,7 +52,7 @@ ArcLength::ArcLength(const Curve& curve) : length_(phrame::arc_length(curve)) {
 void ArcLength::require_on_curve(const Rational& s) const {
   if (s < 0 || s > total_)
     throw DomainError(fmt::format("arc length: {} is outside [0, {}], the length of the curve",
-                                  abbreviated(to_string(s)), abbreviated(to_string(total_))));
+                                  as_written(s), as_written(total_)));
 }
 
 /// Newton's method kept in a bracket. Whatever overflows, the result is in [0, 1].
@@ -77,6 +78,7 @@ double ArcLength::guess(const Rational& s) const {
 }
 
 Real ArcLength::parameter(const Rational& s) const {
+  if (s > total_ && is_rounded(s, total_)) return Rational(1);
   require_on_curve(s);
   if (s == 0) return Rational(0);
   if (s == total_) return Rational(1);
@@ -138,9 +140,10 @@ std::optional<Rational> PathLength::between(const PathParameter& a, const PathPa
 }
 
 PathPoint PathLength::point(const Rational& s) const {
+  if (s > total() && is_rounded(s, total())) return {path_.segments().size() - 1, RealAlgebraic(1)};
   if (s < 0 || s > total())
-    throw DomainError(fmt::format("arc length: {} is outside [0, {}]", abbreviated(to_string(s)),
-                                  abbreviated(to_string(total()))));
+    throw DomainError(
+        fmt::format("arc length: {} is outside [0, {}]", as_written(s), as_written(total())));
   const auto next = std::upper_bound(before_.begin(), before_.end() - 1, s);
   const auto k = static_cast<std::size_t>(next - before_.begin()) - 1;
   return {k, segment(k).algebraic_parameter(s - before_[k])};

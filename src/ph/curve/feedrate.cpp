@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/algebraic_image.hpp"
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
@@ -52,7 +53,7 @@ RationalFunction travel_time_rate(const Curve& curve, const Feedrate& feedrate,
   require_none_on_curve(speed.denominator(), "is infinite", start);
   if (speed(0) < 0)
     throw DomainError(fmt::format("feedrate: the speed is negative, {} at t = {}",
-                                  abbreviated(to_string(speed(0))), to_string(start.parameter)));
+                                  as_written(speed(0)), to_string(start.parameter)));
   const Polynomial path = differentiate(ArcLength(curve).polynomial());
   return {path * speed.denominator(), speed.numerator()};
 }

@@ -1,5 +1,6 @@
 #include "phrame/ph/curve/invariants.hpp"
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/linear_system.hpp"
@@ -103,7 +104,7 @@ RationalFunction signed_curvature(const Curve& curve) {
   const auto length = square_root(square);
   if (!length)
     throw DomainError("signed curvature: the unit normal of the plane is not rational, |N|² = " +
-                      abbreviated(to_string(square)));
+                      as_written(square));
   const Polynomial f = signs.negative ? -curve.multiplier() : curve.multiplier();
   return {*length * w, f * pow(sigma(curve.preimage()), 3)};
 }

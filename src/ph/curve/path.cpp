@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/algebraic_image.hpp"
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -108,8 +109,7 @@ PathParameter locate_inside(const Path& path, const Rational& t) {
 
 PathParameter locate_inside(std::size_t count, const Rational& t) {
   if (t < 0 || t > Rational(count))
-    throw DomainError(
-        fmt::format("t = {} is outside [0, {}]", abbreviated(phrame::to_string(t)), count));
+    throw DomainError(fmt::format("t = {} is outside [0, {}]", as_written(t), count));
   const std::size_t k = std::min(static_cast<std::size_t>(static_cast<long>(floor(t))), count - 1);
   return {k, t - Rational(k)};
 }

@@ -2,6 +2,7 @@
 // (UA)*.
 #include "phrame/ph/curve/transform.hpp"
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {
@@ -19,8 +20,7 @@ Vector<Rational> multiple(const Rational& c, const Vector<Rational>& v) {
 
 Curve segment(const Curve& curve, const Rational& a, const Rational& b) {
   if (a == b)
-    throw DomainError("segment: its ends are equal, t = " + abbreviated(to_string(a)) +
-                      ", so it is a point");
+    throw DomainError("segment: its ends are equal, t = " + as_written(a) + ", so it is a point");
   const Polynomial w{a, b - a};
   const auto& [u, v, p, q] = curve.preimage();
   return Curve({compose(u, w), compose(v, w), compose(p, w), compose(q, w)},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/shape.hpp"
 
@@ -24,7 +25,7 @@ namespace {
 constexpr long limit = 4096;
 
 std::string text(const Real& x) {
-  return x.exact() ? abbreviated(to_string(*x.exact())) : to_string(x.enclose(64), 12);
+  return x.exact() ? as_written(*x.exact()) : to_string(x.enclose(64), 12);
 }
 
 KnownIntegral known(const Rational& x) { return {{x, ExactValue{x, 0, {}, {}}}}; }
@@ -34,7 +35,7 @@ KnownIntegral known(const Rational& x) { return {{x, ExactValue{x, 0, {}, {}}}};
 Integer ticks_before(const Real& total, const Rational& period) {
   if (period <= 0)
     throw DomainError(
-        fmt::format("travel time: the period {} is not positive", abbreviated(to_string(period))));
+        fmt::format("travel time: the period {} is not positive", as_written(period)));
   if (total.exact()) return Integer(-floor(-*total.exact() / period));
   for (long bits = 128; bits <= limit; bits *= 2) {
     const RealBall ball = total.enclose(bits);
@@ -43,7 +44,7 @@ Integer ticks_before(const Real& total, const Rational& period) {
   }
   throw Undecided(fmt::format(
       "travel time: {} bits do not tell the total, {}, from a multiple of the period {}", limit,
-      text(total), abbreviated(to_string(period))));
+      text(total), as_written(period)));
 }
 
 int compare_time(const Rational& time, const Real& x, const std::string& what) {
@@ -54,7 +55,7 @@ int compare_time(const Rational& time, const Real& x, const std::string& what) {
     if (time > ball.upper()) return 1;
   }
   throw Undecided(fmt::format("travel time: {} bits do not tell the time {} from {}, {}", limit,
-                              abbreviated(to_string(time)), what, text(x)));
+                              as_written(time), what, text(x)));
 }
 
 std::optional<Rational> simple_rational(const RealBall& ball) {
@@ -109,8 +110,8 @@ Real TravelTime::time(const Rational& t) const { return time(locate_inside(path_
 
 void TravelTime::require_within(const Rational& time) const {
   if (time < 0 || compare_time(time, total(), "the total") > 0)
-    throw DomainError(fmt::format("travel time: the time {} is outside [0, {}]",
-                                  abbreviated(to_string(time)), text(total())));
+    throw DomainError(fmt::format("travel time: the time {} is outside [0, {}]", as_written(time),
+                                  text(total())));
 }
 
 /// The last one that starts at that time or before.

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
@@ -50,9 +51,8 @@ Frame<Real> Frames::frenet(const Rational& t) const {
   const Rational re = bend_.re(t);
   const Rational im = bend_.im(t);
   if (re == 0 && im == 0)
-    throw DomainError(
-        fmt::format("Frenet frame: t = {} is an inflection, the principal normal is undefined",
-                    abbreviated(to_string(t))));
+    throw DomainError(fmt::format(
+        "Frenet frame: t = {} is an inflection, the principal normal is undefined", as_written(t)));
   return turned(euler_rodrigues(t), {re, -im});
 }
 

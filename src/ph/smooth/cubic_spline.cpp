@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/big_float.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
@@ -47,8 +48,8 @@ void require_interpolation(const CubicInterpolation& data) {
   for (std::size_t k = 1; k < count; ++k)
     if (data.parameters[k] <= data.parameters[k - 1])
       throw DomainError(fmt::format("the parameters do not increase: {} after {}",
-                                    abbreviated(to_string(data.parameters[k])),
-                                    abbreviated(to_string(data.parameters[k - 1]))));
+                                    as_written(data.parameters[k]),
+                                    as_written(data.parameters[k - 1])));
   if (is_periodic && data.points.front() != data.points.back())
     throw DomainError(fmt::format("a periodic spline ends at its first point, {}, not {}",
                                   abbreviated(data.points.front()),

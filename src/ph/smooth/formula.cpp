@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {
@@ -136,7 +137,7 @@ Formula power(const Formula& f, const Rational& exponent) {
   if (numerator(abs(exponent)) > max_exponent || denominator(exponent) > max_exponent)
     throw DomainError(
         fmt::format("the exponent {} is too large: numerator and denominator are at most {}",
-                    abbreviated(to_string(exponent)), max_exponent));
+                    as_written(exponent), max_exponent));
   return {FormulaOperation::power, f, exponent};
 }
 Formula sin(const Formula& f) { return {FormulaOperation::sin, f}; }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
@@ -22,7 +23,7 @@ void refuse_zeros(const Polynomial& weight) {
   const Interval& first = zeros.front();
   throw DomainError(
       first.lower == first.upper
-          ? fmt::format("the weight function is 0 at t = {}", abbreviated(to_string(*first.lower)))
+          ? fmt::format("the weight function is 0 at t = {}", as_written(*first.lower))
           : fmt::format("the weight function is 0 near t = {:.6g}",
                         static_cast<double>((*first.lower + *first.upper) / 2)));
 }

@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 void require_on_segment(const Real& t) {
   if (t.exact() && (*t.exact() < 0 || *t.exact() > 1))
-    throw DomainError(fmt::format("t = {} is outside [0, 1]", abbreviated(to_string(*t.exact()))));
+    throw DomainError(fmt::format("t = {} is outside [0, 1]", as_written(*t.exact())));
 }
 
 }  // namespace

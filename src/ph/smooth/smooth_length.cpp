@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/increasing.hpp"
@@ -24,8 +25,8 @@ int compare_length(const Real& x, const Rational& s) {
   for (long bits = 64; bits <= 8192 || x.origin().is_irrational; bits *= 2)
     if (const int found = sign(subtract(x.enclose(bits), RealBall(s, bits), bits)); found != 0)
       return found;
-  throw Undecided(fmt::format("arc length: {} is not told from that of a joint or of the path",
-                              abbreviated(to_string(s))));
+  throw Undecided(
+      fmt::format("arc length: {} is not told from that of a joint or of the path", as_written(s)));
 }
 
 }  // namespace
@@ -97,8 +98,10 @@ RealBall SmoothLength::rate(std::size_t segment, const RealBall& t, long bits) c
 
 SmoothParameter SmoothLength::point(const Rational& s) const {
   const std::size_t count = state_->path.segments().size();
-  if (s < 0 || compare_length(total(), s) < 0)
-    throw DomainError(fmt::format("arc length: {} is outside [0, {}]", abbreviated(to_string(s)),
+  const bool is_beyond = s >= 0 && compare_length(total(), s) < 0;
+  if (is_beyond && is_rounded(s, total())) return {count - 1, Rational(1)};
+  if (s < 0 || is_beyond)
+    throw DomainError(fmt::format("arc length: {} is outside [0, {}]", as_written(s),
                                   to_string(total().enclose(64), 9)));
   std::size_t low = 0;
   for (std::size_t high = count; high - low > 1;) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/algebra/sturm.hpp"
@@ -45,8 +46,7 @@ Real value_of(const RationalFunction& f, const Real& t, const char* name) {
     return Real([f, t](long bits) { return evaluate(f, t.enclose(bits + 8), bits + 8); });
   const Rational below = f.denominator()(*t.exact());
   if (below == 0)
-    throw DomainError(
-        fmt::format("{}: it is infinite at t = {}", name, abbreviated(to_string(*t.exact()))));
+    throw DomainError(fmt::format("{}: it is infinite at t = {}", name, as_written(*t.exact())));
   return Rational(f.numerator()(*t.exact()) / below);
 }
 

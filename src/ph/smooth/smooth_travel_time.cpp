@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/algebraic_image.hpp"
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/decimal_between.hpp"
 #include "phrame/algebra/error.hpp"
@@ -101,8 +102,7 @@ void require_positive(const RationalFunction& speed, const Real& end, const char
   require_no_zero(speed.numerator(), end, "is 0", letter);
   require_no_zero(speed.denominator(), end, "is infinite", letter);
   if (speed(0) < 0)
-    throw DomainError(fmt::format("feedrate: the speed is negative, {}{}",
-                                  abbreviated(to_string(speed(0))),
+    throw DomainError(fmt::format("feedrate: the speed is negative, {}{}", as_written(speed(0)),
                                   constant(speed) ? "" : fmt::format(" at {} = 0", letter)));
 }
 
@@ -310,8 +310,8 @@ SmoothTravelTime::Point SmoothTravelTime::at_time(const Rational& time) const {
     return Point{{k, t}, state_->length.value({k, t})};
   };
   if (time < 0 || compare_time(time, total(), "the total") > 0)
-    throw DomainError(fmt::format("travel time: the time {} is outside [0, {}]",
-                                  abbreviated(to_string(time)), to_string(total().enclose(64), 9)));
+    throw DomainError(fmt::format("travel time: the time {} is outside [0, {}]", as_written(time),
+                                  to_string(total().enclose(64), 9)));
   const std::size_t k = state_->segment_at(time);
   if (state_->starts[k].exact() == time) return point_at(k, Rational(0));
   if (state_->starts[k + 1].exact() == time) return point_at(k, Rational(1));

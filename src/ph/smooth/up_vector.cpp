@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/decimal_between.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/sturm.hpp"
@@ -95,7 +96,7 @@ double least_sine(const Vector<long>& v, const std::vector<Vector<double>>& tang
 
 std::string where(const Interval& at, std::size_t segment) {
   const Rational offset(static_cast<long>(segment));
-  if (at.lower == at.upper) return "t = " + abbreviated(to_string(Rational(*at.lower + offset)));
+  if (at.lower == at.upper) return "t = " + as_written(Rational(*at.lower + offset));
   return "t ≈ " + decimal_between(*at.lower + offset, *at.upper + offset, 9);
 }
 

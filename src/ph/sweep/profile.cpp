@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/sweep/profile_triangles.hpp"
@@ -146,8 +147,7 @@ Rational doubled_area(const std::vector<ProfilePoint>& corners) {
 }
 
 void require_positive(const Rational& x, const char* what) {
-  if (x <= 0)
-    throw DomainError(fmt::format("profile: {} is not > 0: {}", what, abbreviated(to_string(x))));
+  if (x <= 0) throw DomainError(fmt::format("profile: {} is not > 0: {}", what, as_written(x)));
 }
 
 }  // namespace

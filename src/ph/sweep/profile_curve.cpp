@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/ball.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/definite_integral.hpp"
@@ -167,8 +168,7 @@ std::vector<PlaneBezier> reversed_pieces(const ProfileCurve& profile) {
 }
 
 ProfileCurve circle_curve(const Rational& radius) {
-  if (radius <= 0)
-    throw DomainError("profile: the radius is not > 0: " + abbreviated(to_string(radius)));
+  if (radius <= 0) throw DomainError("profile: the radius is not > 0: " + as_written(radius));
   std::vector<PlaneBezier> quarters;
   ProfilePoint axis{radius, 0};
   for (int k = 0; k < 4; ++k) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/ph/frame/erf_turning.hpp"
@@ -93,7 +94,7 @@ TwistFrame twist_frame(const MinimalTwist& mtf, const RationalTwistOptions& opti
 Real value(const TwistFrame& frame, const Real& t) {
   const Rational near = t.exact() ? *t.exact() : t.enclose(128).lower();
   if (near < frame.pieces.front().twist.piece().from || near > frame.pieces.back().twist.piece().to)
-    throw DomainError("the parameter " + abbreviated(to_string(near)) +
+    throw DomainError("the parameter " + as_written(near) +
                       " is outside the curve that the frame belongs to");
   const BestTwist* here = &frame.pieces.front();
   for (const BestTwist& piece : frame.pieces)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/curve/special_points.hpp"
@@ -84,7 +85,7 @@ std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Ration
   points.push_back(path.end());
   const auto [least, greatest] = std::minmax_element(points.begin(), points.end());
   if (*least < 0 || *greatest > path.end())
-    throw DomainError("the parameter " + abbreviated(to_string(*least < 0 ? *least : *greatest)) +
+    throw DomainError("the parameter " + as_written(*least < 0 ? *least : *greatest) +
                       " is outside [0, " + to_string(path.end()) + "]");
   std::vector<TwistPiece> pieces = pieces_between(mtf, std::move(points));
   if (pieces.size() == 1 && !pieces.front().whole_turns)

@@ -144,6 +144,22 @@ TEST_CASE("arc length: lengths off the curve are refused with the value") {
   CHECK_THROWS_AS(length.algebraic_parameter(5), DomainError);
 }
 
+TEST_CASE("arc length: what rounds to the same double as the length is the end of the curve") {
+  long beyond = 0;
+  for_samples(20, [&](Random& random) {
+    const Path path(one_way(random, 2));
+    const PathLength length(path);
+    const Rational near = exact_rational(round_to_double(length.total()));
+    if (near > length.total()) ++beyond;
+    const PathPoint end = length.point(std::max(near, length.total()));
+    CHECK((end.segment == 0 && end.t == RealAlgebraic(1)));
+    if (near > length.total()) CHECK(length.segment(0).parameter(near).exact() == Rational(1));
+    const Rational next = near * (1 + power_of_two(-51));
+    CHECK_THROWS_AS(length.point(next), DomainError);
+  });
+  CHECK(beyond > 0);
+}
+
 TEST_CASE("arc length: coefficients beyond the range of doubles only spoil the guess") {
   const Rational huge = pow(Integer(10), 400);
   const ArcLength length(line({1, huge}));  // s = t + 10⁴⁰⁰·t² + 10⁸⁰⁰·t³/3

@@ -1,0 +1,106 @@
+#include "phrame/algebra/zero_bound.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+namespace phrame {
+namespace {
+
+constexpr long most_bits = 1L << 16;
+
+/// Nothing, where deciding by it would take too long.
+ZeroBound within_limits(long degree, long height) {
+  if (degree == 0 || degree > most_bits || height > most_bits || degree * height > most_bits)
+    return {};
+  return {degree, height};
+}
+
+ZeroBound combined(const ZeroBound& x, const ZeroBound& y, long more) {
+  if (!x.is_known() || !y.is_known()) return {};
+  return within_limits(x.degree * y.degree, x.height + y.height + more);
+}
+
+/// Where to give up; never for a number that is known to be no rational one.
+long limit_of(const Real& x) {
+  return x.origin().is_irrational ? std::numeric_limits<long>::max() / 4
+                                  : 8192 + 4 * x.origin().bits;
+}
+
+long height_of(const Rational& x) {
+  return std::max(bit_length(numerator(x)), bit_length(denominator(x)));
+}
+
+/// A ball with a radius ≤ 2^−bits, where x is known: enclosures tend to it.
+std::optional<RealBall> ball_of_radius(const Real& x, long bits) {
+  const Rational wanted = power_of_two(-bits);
+  for (long more = bits + 32; more <= 16 * bits + most_bits; more *= 2)
+    if (RealBall ball = x.enclose(more); ball.is_finite() && ball.radius() <= wanted) return ball;
+  return std::nullopt;
+}
+
+}  // namespace
+
+ZeroBound zero_bound(const Rational& x) { return within_limits(1, height_of(x)); }
+
+/// With the primitive polynomial p of degree n, H(x)ⁿ is its Mahler measure, which is ≤ ‖p‖₂.
+ZeroBound zero_bound(const RealAlgebraic& x) {
+  const Polynomial& p = x.polynomial();
+  long bits = 0;
+  for (const Rational& c : p.coefficients()) bits = std::max(bits, height_of(c));
+  const long n = p.degree();
+  const auto terms = static_cast<long>(std::bit_width(static_cast<std::uint64_t>(n) + 1));
+  return within_limits(n, (bits + terms) / n + 1);
+}
+
+ZeroBound of_sum(const ZeroBound& x, const ZeroBound& y) { return combined(x, y, 1); }
+ZeroBound of_product(const ZeroBound& x, const ZeroBound& y) { return combined(x, y, 0); }
+ZeroBound of_square_root(const ZeroBound& x) {
+  return within_limits(2 * x.degree, x.height / 2 + 1);
+}
+ZeroBound of_power(const ZeroBound& x, long k) {
+  const long size = k < 0 ? -k : k;
+  if (size > most_bits) return {};
+  return within_limits(x.degree, std::max(1L, x.height * size));
+}
+
+/// A rational number of height ≤ 2ʰ is the simplest one in any ball narrower than 2^(−2h), and x
+/// less that number has a bound of its own.
+Real settled(const Real& x, const ZeroBound& bound) {
+  if (x.exact() || x.origin().is_irrational || !bound.is_known()) return x;
+  const auto near = ball_of_radius(x, 2 * bound.height + 2);
+  if (!near) return x;
+  const Rational candidate = simplest_between(near->lower(), near->upper());
+  const Real irrational([x](long bits) { return x.enclose(bits); }, {true, x.origin().bits});
+  if (height_of(candidate) > bound.height + 1) return irrational;
+  const ZeroBound off = of_sum(bound, zero_bound(candidate));
+  if (!off.is_known()) return x;
+  const auto ball = ball_of_radius(x, off.bits() + 2);
+  if (!ball) return x;
+  return ball->contains(candidate) ? Real(candidate) : irrational;
+}
+
+std::optional<int> decided_sign(const Real& x, const ZeroBound& bound) {
+  if (x.exact()) return x.exact()->sign();
+  const long most = bound.is_known() ? std::max(bound.bits(), limit_of(x)) : limit_of(x);
+  for (long bits = 64; bits <= most; bits *= 2)
+    if (const int found = sign(x.enclose(bits)); found != 0) return found;
+  if (!bound.is_known()) return std::nullopt;
+  const auto ball = ball_of_radius(x, bound.bits() + 2);
+  if (!ball) return std::nullopt;
+  return ball->contains_zero() ? 0 : sign(*ball);
+}
+
+std::optional<Integer> decided_floor(const Real& x) {
+  if (x.exact()) return floor(*x.exact());
+  for (long bits = 64; bits <= limit_of(x); bits *= 2) {
+    const RealBall ball = x.enclose(bits);
+    if (!ball.is_finite()) continue;
+    const Integer below = floor(ball.lower());
+    if (floor(ball.upper()) == below) return below;
+  }
+  return std::nullopt;
+}
+
+}  // namespace phrame
