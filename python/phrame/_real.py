@@ -61,7 +61,7 @@ def rounded(x: Any, ndigits: Optional[int] = None) -> Union[int, Fraction]:
 
 
 def formatted(x: Any, spec: str) -> str:
-    """format(x, spec), as decimal.Decimal has it, of the number itself: all digits are right."""
+    """format(x, spec) as float has it, of the number itself: all digits are right."""
     if not spec:
         return str(x)
     found = _SPEC.fullmatch(spec)
@@ -75,8 +75,8 @@ def formatted(x: Any, spec: str) -> str:
         count(places, "precision", 1_000_000)
     if kind in ("f", "F", "%"):
         places_kept = places + 2 if kind == "%" else places
-        sign, digits, _ = Decimal(_scaled(x, places_kept)).as_tuple()
-        number = Decimal((sign, digits, -places_kept))
+        # What rounds to 0 keeps its sign, as elsewhere in Python.
+        number = Decimal((int(x < 0), Decimal(abs(_scaled(x, places_kept))).as_tuple().digits, -places_kept))
     else:
         number = x.digits(places + 1 if kind in ("e", "E") else max(places, 1))
     return format(number, f"{head}.{places}{kind}")

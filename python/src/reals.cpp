@@ -395,6 +395,16 @@ void bind_real(nb::module_& m) {
       "__reduce__", [](const RealNumber& x) { return x.recipe; }, PHRAME_REDUCE_SIG);
   bind_copies(type);
   m.def(
+      "digits",
+      [](nb::handle x, nb::handle digits) {
+        const long n = count(digits, "n", 1, 1'000'000);
+        return to_decimal(
+            without_gil([value = real(x, "x"), n] { return round_to_decimal(value, n).value; }));
+      },
+      argument("x"), argument("n"),
+      nb::sig("def digits(x: Real | Number, n: int) -> decimal.Decimal"),
+      "The number with n significant digits, correctly rounded, whether it is a Real or rational.");
+  m.def(
       "root",
       [](nb::handle p, nb::handle lower, nb::handle upper) {
         return to_python(real_root(polynomial(p, "polynomial"),
