@@ -41,11 +41,16 @@ def same(a: Any, b: Any) -> bool:
 def _same(a: Any, b: Any, seen: Dict[Tuple[int, int], Tuple[Any, Any]]) -> bool:
     if a is b or (id(a), id(b)) in seen:
         return True
-    if type(a) is not type(b) or isinstance(a, BuiltinFunctionType):
-        return False
     seen[id(a), id(b)] = a, b  # found equal, or all is over; kept, so that no other gets its id
-    if isinstance(a, (tuple, list)):
+    if isinstance(a, (tuple, list)) and isinstance(b, (tuple, list)):
         return len(a) == len(b) and all(_same(x, y, seen) for x, y in zip(a, b))
+    if isinstance(a, str) and a == b:
+        return True
+    if type(a) is not type(b) or isinstance(a, str):  # 0.5, Fraction(1, 2) and "1/2" are one number
+        number = _phrame._exact(a)
+        return number is not None and bool(number == _phrame._exact(b))
+    if isinstance(a, BuiltinFunctionType):
+        return False
     if isinstance(a, dict):
         return list(a) == list(b) and _same(list(a.values()), list(b.values()), seen)
     if hasattr(a, "dtype"):

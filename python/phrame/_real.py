@@ -3,14 +3,28 @@
 from __future__ import annotations
 
 import math
+import operator
 import re
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any, Optional, Tuple, Union
 
 from ._convert import count
+from ._phrame import Real
 
-_SPEC = re.compile(r"((?:.?[<>=^])?[-+ ]?z?#?0?\d*[,_]?)(?:\.(\d+))?([eEfFgGn%]?)", re.DOTALL)
+_SPEC = re.compile(r"((?:.?[<>=^])?)([-+ ]?z?#?0?\d*)([,_]?)(?:\.(\d+))?([eEfFgGn%]?)", re.DOTALL)
+
+
+def _float_like(x: Any) -> float:
+    """Of a Real a float with the same sign, on the same side of 1 and −1, as others beside an infinity decide; others as floats."""
+    if not isinstance(x, Real):
+        return float(x)
+    return (2.0 if abs(x) > 1 else 0.5) * (-1 if x < 0 else 1)
+
+
+def beside_infinity(name: str, x: Any, y: Any) -> float:
+    """x ∘ y where one of them is an infinity or NaN: as floats have it."""
+    return float(getattr(operator, name)(_float_like(x), _float_like(y)))
 
 
 def floordiv(x: Any, y: Any) -> Any:
@@ -19,6 +33,8 @@ def floordiv(x: Any, y: Any) -> Any:
         quotient = x / y
     except TypeError:
         return NotImplemented
+    if isinstance(quotient, float):
+        return beside_infinity("floordiv", x, y)
     return math.floor(quotient) if hasattr(quotient, "__floor__") else NotImplemented
 
 
@@ -29,7 +45,11 @@ def rfloordiv(x: Any, y: Any) -> Any:
 def divmod(x: Any, y: Any) -> Any:  # noqa: A001
     """divmod(x, y)"""
     whole = floordiv(x, y)
-    return whole if whole is NotImplemented else (whole, x - whole * y)
+    if whole is NotImplemented:
+        return whole
+    if isinstance(whole, float):
+        return whole, x if whole == 0 else beside_infinity("mod", x, y)
+    return whole, x - whole * y
 
 
 def rdivmod(x: Any, y: Any) -> Any:
@@ -67,7 +87,10 @@ def formatted(x: Any, spec: str) -> str:
     found = _SPEC.fullmatch(spec)
     if found is None:
         raise ValueError(f"invalid format specifier {spec!r} for a Real")
-    head, precision, kind = found.groups()
+    align, head, comma, precision, kind = found.groups()
+    if comma == "_" and align[:-1] != ",":  # which Decimal does not know in all releases
+        return formatted(x, f"{align}{head},{spec[found.end(3):]}").replace(",", "_")
+    head = align + head + comma
     if precision is None and not kind:
         return format(x.digits(17), head)
     places = 6 if precision is None else int(precision)

@@ -35,9 +35,11 @@ nb::object make_angle(nb::handle self, const Text<"frame">& frame, nb::handle st
   auto [angle, at_zero] = without_gil([path = named.path, reference, how, from] {
     return std::pair{PathAngle(path, reference, how), start_angle(from, path, reference)};
   });
+  const nb::object along =
+      start_normal.is_none() ? nb::none() : to_python(vector(start_normal, "start_normal"));
   return nb::cast(AngleObject{
       named, angle, from, std::move(at_zero), form,
-      remade("_angle", self, nb::str(frame.c_str()), start, start_normal, nb::str(form.c_str()))});
+      remade("_angle", self, nb::str(frame.c_str()), start, along, nb::str(form.c_str()))});
 }
 
 /// The number of a segment.

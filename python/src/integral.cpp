@@ -26,6 +26,12 @@ PathEnd path_end(nb::handle x, const std::string& place) {
   }
 }
 
+/// The end as it was read, for the recipe: what was given may change later.
+nb::object kept_end(nb::handle given, const PathEnd& end) {
+  const auto* number = std::get_if<Rational>(&end);
+  return number == nullptr ? nb::borrow(given) : to_python(*number);
+}
+
 Expression integrand_of(nb::handle f, nb::handle variable) {
   const auto letter = [&]() -> std::optional<std::string> {
     if (variable.is_none()) return std::nullopt;
@@ -68,8 +74,12 @@ nb::object integral(nb::handle f, nb::handle from, nb::handle to, nb::handle var
           path_integral(query.integrand, query.ends->from, query.ends->to, query.ends->at_poles);
     return found;
   });
+  const auto kept = [&query](nb::handle given, PathEnd IntegralQuery::Ends::*end) {
+    return query.ends ? kept_end(given, *query.ends.*end) : nb::none();
+  };
   made.recipe =
-      remade("_integral", nb::cast(query.integrand), from, to, nb::str(query.variable.c_str()),
+      remade("_integral", nb::cast(query.integrand), kept(from, &IntegralQuery::Ends::from),
+             kept(to, &IntegralQuery::Ends::to), nb::str(query.variable.c_str()),
              nb::bool_(principal_value), nb::str(style.c_str()), nb::str(form.c_str()));
   return nb::cast(std::move(made));
 }

@@ -175,7 +175,8 @@ bool is_list(nb::handle x) {
   if (PySequence_Check(x.ptr()) == 0 && !nb::hasattr(x, "__array__") &&
       !nb::hasattr(x, "__dlpack__"))
     return false;
-  return !(nb::hasattr(x, "ndim") && x.attr("ndim").equal(nb::int_(0)));
+  if (nb::hasattr(x, "ndim")) return !x.attr("ndim").equal(nb::int_(0));
+  return PyIndex_Check(x.ptr()) == 0;  // an mpz has __array__, too
 }
 
 nb::object listed(nb::handle x, const std::string& place, const char* wanted) {
@@ -250,11 +251,26 @@ nb::object to_python(const std::vector<Rational>& list) {
 
 nb::object to_decimal(const std::string& digits) { return imported("decimal", "Decimal")(digits); }
 
-nb::object to_python(const Real& x, const nb::object& recipe, const ZeroBound& bound) {
+/// A few bits more are not asked of what it was made from, so that what occurs in it many times, as
+/// x does in x + 1/x, is computed once for each 64 bits: else once for each way to it.
+Real computed_once(const Real& x) {
+  if (x.exact()) return x;
+  return {[x, known = Refined<RealBall>()](long bits) {
+            const long whole = std::max(1L, bits / 64) * 64;
+            return *known.get(whole, [&](const RealBall*) { return x.enclose(whole + 32); });
+          },
+          x.origin()};
+}
+
+nb::object to_python(const Real& x, const nb::object& recipe, const ZeroBound& bound, long depth) {
+  if (constexpr long most = 5000; depth > most)
+    throw Undecided("a Real is made in " + std::to_string(most) +
+                    " steps at most, each from the one before: many are added in pairs, and pairs "
+                    "of pairs, or by digits(n)");
   constexpr long soon = 4096;  // bits, which take no time
   const Real known = bound.bits() <= soon ? settled(x, bound) : x;
   if (known.exact()) return to_python(*known.exact());
-  return nb::cast(RealNumber{known, recipe, bound});
+  return nb::cast(RealNumber{computed_once(known), recipe, bound, depth});
 }
 
 nb::object to_python(const RealAlgebraic& x) {

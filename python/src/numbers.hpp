@@ -94,9 +94,12 @@ struct RealNumber {
   Real value;
   nb::object recipe;
   ZeroBound bound = {};  ///< where it is known to be algebraic
+  long depth = 0;        ///< how many numbers it is made of, each from the one before
 };
-/// A Fraction where it is exact, or seen to be rational; else a RealNumber.
-nb::object to_python(const Real& x, const nb::object& recipe, const ZeroBound& bound = {});
+/// A Fraction where it is exact, or seen to be rational; else a RealNumber. Throws Undecided where
+/// the stack may not do for that depth.
+nb::object to_python(const Real& x, const nb::object& recipe, const ZeroBound& bound = {},
+                     long depth = 0);
 nb::object to_python(const RealAlgebraic& x);
 /// [(number, order), …].
 nb::object to_python(const std::vector<RealRoot>& roots);

@@ -42,22 +42,54 @@ std::string shown_real(const RealNumber& x) {
 struct Known {
   Real value;
   ZeroBound bound;
+  long depth = 0;
 };
 
 Known known(nb::handle x, const std::string& place) {
   if (nb::isinstance<RealNumber>(x)) {
     const auto& number = nb::cast<const RealNumber&>(x);
-    return {number.value, number.bound};
+    return {number.value, number.bound, number.depth};
   }
   const Rational exact = rational(x, place);
   return {exact, zero_bound(exact)};
 }
 
+/// Some numbers have no arithmetic of their own: of pyarrow, of old releases of python-flint.
+bool is_no_number(nb::handle x) {
+  if (PyNumber_Check(x.ptr()) != 0) return false;
+  if (PyUnicode_Check(x.ptr()) != 0) return true;
+  try {
+    return imported("phrame._numbers", "number")(x, "operand").is_none();
+  } catch (nb::python_error&) {
+    return true;
+  }
+}
+
 /// Is the other operand's type asked what to do with a number: an array, a quantity?
 bool is_left_to(nb::handle x) {
   if (nb::isinstance<RealNumber>(x)) return false;
-  if (PyNumber_Check(x.ptr()) == 0 || is_list(x)) return true;
+  if (is_list(x) || is_no_number(x)) return true;
   return nb::hasattr(x, "__array_ufunc__") && !nb::isinstance(x, imported("numpy", "generic"));
+}
+
+/// ±∞ or NaN, of whatever type.
+std::optional<double> infinity_or_nan(nb::handle x) {
+  if (PyFloat_Check(x.ptr()) != 0) {
+    const double d = PyFloat_AsDouble(x.ptr());
+    return std::isfinite(d) ? std::nullopt : std::optional(d);
+  }
+  if (PyLong_Check(x.ptr()) != 0 || PyUnicode_Check(x.ptr()) != 0 ||
+      nb::isinstance<RealNumber>(x) || x.type().is(imported("fractions", "Fraction")))
+    return std::nullopt;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  try {
+    if (x.equal(nb::float_(infinity))) return infinity;
+    if (x.equal(nb::float_(-infinity))) return -infinity;
+    // A ball with a radius is not equal to itself, either.
+    if (!x.equal(x) && std::isnan(nb::cast<double>(nb::float_(x)))) return std::nan("");
+  } catch (nb::python_error&) {  // a signalling NaN, which is refused as no number
+  }
+  return std::nullopt;
 }
 
 /// Were both computed in the same way from the same objects? Then they are equal.
@@ -65,15 +97,25 @@ bool have_same_recipe(nb::handle x, nb::handle y) {
   return nb::cast<bool>(imported("phrame._pickle", "same")(x, y));
 }
 
+/// The y that changes no x in x ∘ y, and whether it changes none in y ∘ x.
+std::pair<bool, Rational> neutral_of(std::string_view name) {
+  return {name == "add" || name == "mul", name == "add" || name == "sub" ? 0 : 1};
+}
+
 /// x ∘ y as `name` of the module operator has it, so that it is pickled as that.
 template <class F>
 nb::object combined(nb::handle x, nb::handle y, const char* name, const F& f) {
   if (is_left_to(x) || is_left_to(y)) return nb::borrow(Py_NotImplemented);
+  if (infinity_or_nan(x) || infinity_or_nan(y))
+    return imported("phrame._real", "beside_infinity")(name, x, y);
   const Known a = known(x, "operand");
   const Known b = known(y, "operand");
+  const auto [is_either, neutral] = neutral_of(name);
+  if (b.value.exact() == neutral) return nb::borrow(x);
+  if (is_either && a.value.exact() == neutral) return nb::borrow(y);
   const Known found = f(a, b);
   return to_python(found.value, recipe(imported("operator", name), nb::borrow(x), nb::borrow(y)),
-                   found.bound);
+                   found.bound, std::max(a.depth, b.depth) + 1);
 }
 
 Known sum(const Known& a, const Known& b) { return {a.value + b.value, of_sum(a.bound, b.bound)}; }
@@ -95,8 +137,9 @@ Known quotient(const Known& a, const Known& b) {
 /// xʸ, algebraic where y is an integer or half of one.
 Known power(const Known& x, const Known& y) {
   constexpr long most = 100'000;
+  if (x.value.exact() == Rational(0) && decided_sign(y.value, y.bound) == -1)
+    refuse_division_by_zero();
   if (const auto& exponent = y.value.exact()) {
-    if (x.value.exact() == Rational(0) && *exponent < 0) refuse_division_by_zero();
     const Rational twice = 2 * *exponent;
     if (denominator(twice) == 1 && abs(twice) <= most) {
       const auto k = static_cast<long>(numerator(twice));
@@ -108,17 +151,19 @@ Known power(const Known& x, const Known& y) {
   return {power_of(x.value, y.value), {}};
 }
 
+nb::object negative(nb::handle x) {
+  const Known a = known(x, "x");
+  return to_python(-a.value, recipe(imported("operator", "neg"), nb::borrow(x)), a.bound,
+                   a.depth + 1);
+}
+
 nb::object difference(nb::handle x, nb::handle y) {
   if (nb::isinstance<RealNumber>(x) && nb::isinstance<RealNumber>(y) && have_same_recipe(x, y))
     return to_python(Rational(0));
+  if (PyLong_Check(x.ptr()) != 0 && PyObject_Not(x.ptr()) == 1) return negative(y);
   return combined(x, y, "sub", [](const Known& a, const Known& b) {
     return Known{a.value + -b.value, of_sum(a.bound, b.bound)};
   });
-}
-
-nb::object negative(nb::handle x) {
-  const Known a = known(x, "x");
-  return to_python(-a.value, recipe(imported("operator", "neg"), nb::borrow(x)), a.bound);
 }
 
 /// √ and others, by NumPy's names.
@@ -128,7 +173,7 @@ nb::object function_of(nb::handle x, const char* name) {
       [a, name = std::string_view(name)] { return elementary(name, a.value, a.bound.is_known()); });
   const bool is_root = std::string_view(name) == "sqrt";
   return to_python(value, recipe(imported("operator", "methodcaller")(name), nb::borrow(x)),
-                   is_root ? of_square_root(a.bound) : ZeroBound());
+                   is_root ? of_square_root(a.bound) : ZeroBound(), a.depth + 1);
 }
 
 nb::object arctan2(nb::handle y, nb::handle x) {
@@ -136,7 +181,8 @@ nb::object arctan2(nb::handle y, nb::handle x) {
   const Known b = known(x, "x2");
   return to_python(
       without_gil([a, b] { return arctan2_of(a.value, b.value); }),
-      recipe(imported("operator", "methodcaller")("arctan2", nb::borrow(x)), nb::borrow(y)));
+      recipe(imported("operator", "methodcaller")("arctan2", nb::borrow(x)), nb::borrow(y)), {},
+      std::max(a.depth, b.depth) + 1);
 }
 
 // ---- order
@@ -164,11 +210,9 @@ int compared(nb::handle x, nb::handle y) {
 /// What is compared to NaN and infinities; no value for other numbers.
 template <class Holds>
 std::optional<bool> beside_infinity(nb::handle y, const Holds& holds) {
-  if (PyFloat_Check(y.ptr()) == 0) return std::nullopt;
-  const double d = PyFloat_AsDouble(y.ptr());
-  if (std::isnan(d)) return false;
-  if (std::isinf(d)) return holds(d > 0 ? -1 : 1);
-  return std::nullopt;
+  const auto d = infinity_or_nan(y);
+  if (!d) return std::nullopt;
+  return !std::isnan(*d) && holds(*d > 0 ? -1 : 1);
 }
 
 template <class Holds>
@@ -216,7 +260,7 @@ nb::object absolute_value(nb::handle x) {
   if (found == -1) return negative(x);
   return to_python(Real([value = number.value](long bits) { return absolute(value.enclose(bits)); },
                         {false, number.value.origin().bits}),
-                   recipe(imported("operator", "abs"), nb::borrow(x)));
+                   recipe(imported("operator", "abs"), nb::borrow(x)), {}, number.depth + 1);
 }
 
 /// ⌊x⌋, ⌈x⌉ or what is between 0 and x.
@@ -394,6 +438,16 @@ void bind_real(nb::module_& m) {
   type.def(
       "__reduce__", [](const RealNumber& x) { return x.recipe; }, PHRAME_REDUCE_SIG);
   bind_copies(type);
+  m.def(
+      "_exact",
+      [](nb::handle x) -> nb::object {
+        try {
+          return to_python(rational(x, "x"));
+        } catch (nb::python_error&) {
+          return nb::none();
+        }
+      },
+      nb::arg().none(), "The Fraction that a number or a text is; None where it is none.");
   m.def(
       "digits",
       [](nb::handle x, nb::handle digits) {

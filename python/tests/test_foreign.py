@@ -10,6 +10,7 @@ import phrame
 from common import MULTIPLIER, QUINTIC
 
 LINE = phrame.Polynomial([0, 1])
+TWO = phrame.root([-2, 0, 1], 1, 2)
 HUGE = 2**900 + 2**850
 NUMBERS = [Fraction(-1), Fraction(-3, 4), Fraction(1e-300), Fraction(-1e-300), Fraction(HUGE), Fraction(-HUGE), Fraction(0), Fraction(7, 8)]
 
@@ -137,7 +138,30 @@ RNG_CALLS = {
     "bezier": lambda x: (lambda a: phrame.Curve.bezier([[0, 0, 0], [1, a, 0], [3, 0, a], [4, 1, 2]]).point("1/3"), (x,)),
     "integral": lambda x: (lambda a: phrame.integrate("x^2", a, 1).value(), (x,)),
     "compared": lambda x: (lambda a: QUINTIC.erf_twist < a, (x,)),
+    "equal": lambda x: (lambda a: TWO == a or TWO * 8 > a, (x,)),
+    "sum": lambda x: (lambda a: TWO + number(a), (x,)),
+    "difference": lambda x: (lambda a: TWO - number(a), (x,)),
+    "product": lambda x: (lambda a: TWO * number(a), (x,)),
+    "quotient": lambda x: (lambda a: answer(lambda b: TWO / b, number(a)), (x,)),
+    "remainder": lambda x: (lambda a: answer(lambda b: TWO % b, number(a)), (x,)),
+    "arc length": lambda x: (lambda t: answer(QUINTIC.arc_length, t), (x,)),
+    "parameter": lambda x: (lambda s: answer(QUINTIC.parameter_at, s), (x,)),
+    "frames": lambda x: (lambda a: QUINTIC.frames([0, "1/2"], start=a).tolist(), (x,)),
+    "root": lambda x: (lambda a: answer(phrame.root, [-2, 0, 1], 0, a), (x,)),
+    "spline": lambda x: (lambda a: phrame.Curve.cubic_spline([[0, 0, 0], [1, a, 3], [2, 1, 5], [3, 3, a]]).point("1/2"), (x,)),
 }
+
+
+def number(a):
+    """A text is no operand."""
+    return Fraction(a) if isinstance(a, str) else a
+
+
+def answer(f, *arguments):
+    try:
+        return f(*arguments)
+    except (phrame.DomainError, ZeroDivisionError) as error:
+        return type(error)
 
 
 def test_random_calls_have_the_value_of_the_fraction():
@@ -158,6 +182,46 @@ def test_random_calls_have_the_value_of_the_fraction():
             given = make(x)
         f, arguments = RNG_CALLS[call](given)
         assert f(*arguments) == RNG_CALLS[call](x)[0](x), (call, kind, x)
+
+
+class LikeMpz:
+    """What numbers of gmpy2 2.3 have."""
+
+    def __init__(self, x):
+        self.x = x
+
+    def __index__(self):
+        return self.x
+
+    def __array__(self, *_, **__):
+        return np.array(self.x)
+
+    def __len__(self):
+        return 1
+
+    def __getitem__(self, k):
+        raise IndexError
+
+
+class LikeArf:
+    """What an arf has of old releases of python-flint."""
+
+    def man_exp(self):
+        return 3, -1
+
+
+def test_numbers_that_look_like_lists_or_like_none():
+    angle = QUINTIC.angle()
+    for package, make in {"flint": lambda flint: flint.arb(2).sqrt(), "mpmath": lambda mpmath: mpmath.iv.mpf([1, 2])}.items():
+        try:
+            ball = make(__import__(package))
+        except ImportError:
+            continue
+        for f in (lambda x, y: x + y, lambda x, y: x * y, lambda x, y: x < y, lambda x, y: x // y):
+            with pytest.raises((phrame.InputError, TypeError)):
+                f(TWO, ball)
+    assert angle(LikeMpz(1)) == angle(1) and QUINTIC.point(LikeMpz(1)) == QUINTIC.point(1) and TWO * LikeMpz(3) == 3 * TWO
+    assert TWO + LikeArf() == TWO + Fraction(3, 2) == LikeArf() + TWO and TWO < LikeArf() and QUINTIC.point(LikeArf()) == QUINTIC.point("3/2")
 
 
 # ---- units, masks, tables

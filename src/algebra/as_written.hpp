@@ -9,8 +9,8 @@ namespace phrame {
 /// as that decimal or as the double nearest to it; a long fraction is abbreviated.
 std::string as_written(const Rational& x);
 
-/// Do both numbers round to the same double? One that a caller computed as an end, so that it may
-/// lie beyond it, is that end.
+/// Do both numbers round to the same double, one with all of its bits? What a caller computed as an
+/// end may lie beyond it, and is that end. Doubles that overflow or underflow say nothing.
 bool is_rounded(const Rational& x, const Real& end);
 
 }  // namespace phrame

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/zero_bound.hpp"
 
 namespace phrame {
 namespace {
@@ -122,6 +123,7 @@ Real arctan2_of(const Real& y, const Real& x) {
 }
 
 Real power_of(const Real& x, const Real& y) {
+  if (x.exact() == Rational(0) && decided_sign(y, {}) == 1) return Rational(0);
   if (x.exact() && *x.exact() <= 0)
     throw DomainError(fmt::format("power: the base, {}, is not positive", to_string(*x.exact())));
   if (y.exact() && denominator(*y.exact()) == 2)
@@ -146,7 +148,7 @@ Real power_of(const Real& x, long k) {
   if (k == 1) return x;
   const long guard = 8 + 2 * bit_length(Integer(k));
   return Real([x, k, guard](long bits) { return pow(x.enclose(bits + guard), k, bits + guard); },
-              {false, x.origin().bits * k});
+              {false, std::min(x.origin().bits, (1L << 32) / k) * k});
 }
 
 }  // namespace phrame

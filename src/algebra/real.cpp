@@ -1,5 +1,6 @@
 #include "phrame/algebra/real.hpp"
 
+#include <algorithm>
 #include <ostream>
 
 #include "phrame/algebra/algebraic_angle.hpp"
@@ -12,7 +13,9 @@ namespace {
 Real::Origin of_both(const Real& x, const Real& y) {
   const Real::Origin a = x.origin();
   const Real::Origin b = y.origin();
-  return {(x.exact() && b.is_irrational) || (y.exact() && a.is_irrational), a.bits + b.bits};
+  constexpr long enough = 1L << 20;  // a number may be made from itself, many times
+  return {(x.exact() && b.is_irrational) || (y.exact() && a.is_irrational),
+          std::min(a.bits + b.bits, std::max({a.bits, b.bits, enough}))};
 }
 
 /// What is known of it as an angle; null where that is nothing.

@@ -11,21 +11,28 @@ namespace {
 constexpr long most_bits = 1L << 16;
 
 /// Nothing, where deciding by it would take too long.
-ZeroBound within_limits(long degree, long height) {
-  if (degree == 0 || degree > most_bits || height > most_bits || degree * height > most_bits)
-    return {};
-  return {degree, height};
+ZeroBound within_limits(std::vector<Generator> generators, long height) {
+  long degree = 1;
+  for (const Generator& generator : generators)
+    if ((degree *= generator.degree()) > most_bits) return {};
+  if (height > most_bits || degree * height > most_bits) return {};
+  return {degree, height, std::move(generators)};
 }
 
 ZeroBound combined(const ZeroBound& x, const ZeroBound& y, long more) {
   if (!x.is_known() || !y.is_known()) return {};
-  return within_limits(x.degree * y.degree, x.height + y.height + more);
+  std::vector<Generator> generators = x.generators;
+  for (const Generator& generator : y.generators)
+    if (std::find(generators.begin(), generators.end(), generator) == generators.end())
+      generators.push_back(generator);
+  return within_limits(std::move(generators), x.height + y.height + more);
 }
 
 /// Where to give up; never for a number that is known to be no rational one.
 long limit_of(const Real& x) {
+  constexpr long most = 1L << 18;
   return x.origin().is_irrational ? std::numeric_limits<long>::max() / 4
-                                  : 8192 + 4 * x.origin().bits;
+                                  : 8192 + std::min(4 * x.origin().bits, most);
 }
 
 long height_of(const Rational& x) {
@@ -42,7 +49,7 @@ std::optional<RealBall> ball_of_radius(const Real& x, long bits) {
 
 }  // namespace
 
-ZeroBound zero_bound(const Rational& x) { return within_limits(1, height_of(x)); }
+ZeroBound zero_bound(const Rational& x) { return within_limits({}, height_of(x)); }
 
 /// With the primitive polynomial p of degree n, H(x)ⁿ is its Mahler measure, which is ≤ ‖p‖₂.
 ZeroBound zero_bound(const RealAlgebraic& x) {
@@ -51,18 +58,22 @@ ZeroBound zero_bound(const RealAlgebraic& x) {
   for (const Rational& c : p.coefficients()) bits = std::max(bits, height_of(c));
   const long n = p.degree();
   const auto terms = static_cast<long>(std::bit_width(static_cast<std::uint64_t>(n) + 1));
-  return within_limits(n, (bits + terms) / n + 1);
+  const long height = (bits + terms) / n + 1;
+  return n == 1 ? within_limits({}, height) : within_limits({Generator(x)}, height);
 }
 
 ZeroBound of_sum(const ZeroBound& x, const ZeroBound& y) { return combined(x, y, 1); }
 ZeroBound of_product(const ZeroBound& x, const ZeroBound& y) { return combined(x, y, 0); }
 ZeroBound of_square_root(const ZeroBound& x) {
-  return within_limits(2 * x.degree, x.height / 2 + 1);
+  if (!x.is_known()) return {};
+  std::vector<Generator> generators = x.generators;
+  generators.emplace_back();
+  return within_limits(std::move(generators), x.height / 2 + 1);
 }
 ZeroBound of_power(const ZeroBound& x, long k) {
   const long size = k < 0 ? -k : k;
-  if (size > most_bits) return {};
-  return within_limits(x.degree, std::max(1L, x.height * size));
+  if (!x.is_known() || size > most_bits) return {};
+  return within_limits(x.generators, std::max(1L, x.height * size));
 }
 
 /// A rational number of height ≤ 2ʰ is the simplest one in any ball narrower than 2^(−2h), and x

@@ -24,8 +24,9 @@ class ArcLength {
   const Rational& total() const { return total_; }          ///< s(1)
 
   /// The t ∈ [0, 1] with s(t) = s, exact where it is rational, else algebraic: its correct rounding
-  /// ends. Throws DomainError for s outside [0, s(1)]. Cost: two or three values of s and σ and,
-  /// where t is asked for beyond the first 60 bits, interval Newton steps.
+  /// ends. An s beyond s(1) that rounds to the same double is s(1): is_rounded(). Throws
+  /// DomainError for another s outside [0, s(1)]. Cost: two or three values of s and σ and, where t
+  /// is asked for beyond the first 60 bits, interval Newton steps.
   Real parameter(const Rational& s) const;
 
   /// The same as a root of its irreducible polynomial, at which a frame can be evaluated exactly.
@@ -61,8 +62,9 @@ class PathLength {
   Rational value(const PathParameter& at) const;
   /// From a to b, a ≤ b; no value where f changes sign between them, and only there.
   std::optional<Rational> between(const PathParameter& a, const PathParameter& b) const;
-  /// Where the arc length from the start is s; at a joint the later segment. Throws DomainError for
-  /// s outside [0, total()] as well.
+  /// Where the arc length from the start is s; at a joint the later segment. The end for an s
+  /// beyond it that rounds to the same double. Throws DomainError for another s outside [0,
+  /// total()] as well.
   PathPoint point(const Rational& s) const;
 
  private:

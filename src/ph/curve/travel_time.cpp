@@ -58,6 +58,11 @@ int compare_time(const Rational& time, const Real& x, const std::string& what) {
                               as_written(time), what, text(x)));
 }
 
+bool is_rounded_total(const Rational& time, const Real& total) {
+  return time > 0 && time >= total.enclose(128).lower() &&
+         compare_time(time, total, "the total") > 0 && is_rounded(time, total);
+}
+
 std::optional<Rational> simple_rational(const RealBall& ball) {
   const Rational simplest = simplest_between(ball.lower(), ball.upper());
   if (denominator(simplest) >> 32 != 0) return std::nullopt;
@@ -146,11 +151,13 @@ void TravelTime::go_to(std::size_t segment) {
 }
 
 TimedPoint TravelTime::at_time(const Rational& time) {
-  require_within(time);
-  const std::size_t k = segment_at(time);
+  const bool is_end = is_rounded_total(time, total());
+  if (!is_end) require_within(time);
+  const std::size_t k = is_end ? segments_.size() - 1 : segment_at(time);
   const auto exactly = [k](const RealAlgebraic& t) {
     return TimedPoint{k, to_real(t), AlgebraicPoint(t)};
   };
+  if (is_end) return exactly(Rational(1));
   const auto& start = starts_[k].exact();
   if (start == time) return exactly(Rational(0));
   if (starts_[k + 1].exact() == time) return exactly(Rational(1));

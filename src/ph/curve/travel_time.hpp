@@ -31,6 +31,9 @@ Integer ticks_before(const Real& total, const Rational& period);
 /// The sign of time − x. Throws Undecided where 4096 bits do not tell; `what` is what x is.
 int compare_time(const Rational& time, const Real& x, const std::string& what);
 
+/// Is it a time beyond the total that rounds to the same double? Then it is the end: is_rounded().
+bool is_rounded_total(const Rational& time, const Real& total);
+
 /// The simplest fraction in the ball, where its denominator has up to 32 bits.
 std::optional<Rational> simple_rational(const RealBall& ball);
 
@@ -64,8 +67,9 @@ class TravelTime {
   /// segment. Else t is transcendental by Baker's theorem, but where the logarithms cancel; of such
   /// t those with denominators of up to 32 bits are recognised, and the correct rounding of others
   /// may be undecided. Requests in ascending order are the fastest: the last t is where the search
-  /// for the next one starts. Throws DomainError for a time outside [0, T(end)], Undecided where
-  /// that is not decided, or the segment.
+  /// for the next one starts. The end for a time of which is_rounded_total() is true. Throws
+  /// DomainError for another time outside [0, T(end)], Undecided where that is not decided, or the
+  /// segment.
   TimedPoint at_time(const Rational& time);
 
  private:

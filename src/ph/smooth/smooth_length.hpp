@@ -22,9 +22,9 @@ class SmoothLength {
   /// ds/dt ≥ 0 on a ball of the parameter of a segment.
   RealBall rate(std::size_t segment, const RealBall& t, long bits) const;
 
-  /// Where the arc length from the start is s. Throws DomainError for s outside [0, total()],
-  /// Undecided where that, or which segment it is, is not told within 8192 bits. The t is not for
-  /// concurrent use.
+  /// Where the arc length from the start is s; the end for an s beyond it that rounds to the same
+  /// double. Throws DomainError for another s outside [0, total()], Undecided where that, or which
+  /// segment it is, is not told within 8192 bits. The t is not for concurrent use.
   SmoothParameter point(const Rational& s) const;
 
  private:

@@ -302,6 +302,8 @@ const Real& SmoothTravelTime::total() const { return state_->starts.back(); }
 Real SmoothTravelTime::time(const SmoothParameter& at) const { return state_->time(at); }
 
 SmoothTravelTime::Point SmoothTravelTime::at_time(const Rational& time) const {
+  if (is_rounded_total(time, total()))
+    return {{state_->path.segments().size() - 1, Rational(1)}, state_->length.total()};
   if (state_->constant_speed) {
     const Rational s = *state_->constant_speed * time;
     return {state_->length.point(s), s};

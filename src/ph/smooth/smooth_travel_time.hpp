@@ -32,8 +32,9 @@ class SmoothTravelTime {
     Real arc_length;
   };
   /// Where T = time, at a joint on the later segment. Requests in ascending order are the fastest.
-  /// Throws DomainError for a time outside [0, total()], Undecided where that, or the segment, is
-  /// not told. The point is not for concurrent use.
+  /// The end for a time of which is_rounded_total() is true. Throws DomainError for another time
+  /// outside [0, total()], Undecided where that, or the segment, is not told. The point is not for
+  /// concurrent use.
   Point at_time(const Rational& time) const;
 
  private:

@@ -86,6 +86,24 @@ TEST_CASE("travel time: law: at constant speed it is the arc length over the spe
   });
 }
 
+TEST_CASE("travel time: what rounds to the same double as the total is the end of the curve") {
+  long beyond = 0;
+  for_samples(12, [&](Random& random) {
+    const Curve curve(random.quaternion_polynomial(2));
+    TravelTime time(curve, random_feed(random));
+    const Rational near = exact_rational(round_to_double(time.total()));
+    const bool is_beyond = compare_time(near, time.total(), "") > 0;
+    if (is_beyond) ++beyond;
+    CHECK(is_rounded_total(near, time.total()) == is_beyond);
+    if (is_beyond) CHECK(time.at_time(near).parameter.exact() == Rational(1));
+    CHECK_THROWS_AS(time.at_time(near * (1 + power_of_two(-51))), DomainError);
+  });
+  CHECK(beyond > 0);
+  const Rational huge = pow(Integer(10), 400);
+  TravelTime slow(plane, feed({1 / huge}));  // no double tells this total from another one
+  CHECK_THROWS_AS(slow.at_time(2 * *slow.total().exact()), DomainError);
+}
+
 TEST_CASE("travel time: law: Arb's quadrature of |f|σ/V agrees") {
   for_samples(30, [](Random& random) {
     const Curve curve(random.quaternion_polynomial(2));
