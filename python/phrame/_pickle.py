@@ -30,6 +30,9 @@ def kept(numbers: Any) -> Any:
     return tuple(kept(x) if isinstance(x, (list, tuple)) or hasattr(x, "dtype") else x for x in numbers)
 
 
+_by_identity: Any = object.__eq__
+
+
 def same(a: Any, b: Any) -> bool:
     """Are these, what numbers are pickled by, the same all the way down? Then the numbers are equal."""
     try:
@@ -47,14 +50,14 @@ def _same(a: Any, b: Any, seen: Dict[Tuple[int, int], Tuple[Any, Any]]) -> bool:
     if isinstance(a, str) and a == b:
         return True
     if type(a) is not type(b) or isinstance(a, str):  # 0.5, Fraction(1, 2) and "1/2" are one number
-        number = _phrame._exact(a)
-        return number is not None and bool(number == _phrame._exact(b))
+        number = rebuild("_exact", a)
+        return number is not None and bool(number == rebuild("_exact", b))
     if isinstance(a, BuiltinFunctionType):
         return False
     if isinstance(a, dict):
         return list(a) == list(b) and _same(list(a.values()), list(b.values()), seen)
     if hasattr(a, "dtype"):
         return bool(a.dtype == b.dtype and a.shape == b.shape and (a == b).all())
-    if type(a).__eq__ is not object.__eq__ and not isinstance(a, _phrame.Real):
+    if type(a).__eq__ is not _by_identity and not isinstance(a, _phrame.Real):
         return bool(a == b)
     return _same(a.__reduce__(), b.__reduce__(), seen)

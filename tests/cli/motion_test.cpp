@@ -133,7 +133,7 @@ TEST_CASE("interpolate: what is typed wrongly is refused by name") {
   check_failure(run("--period 0 --feed 1"), 2, "--period: 0 is not positive");
   check_failure(run("--period=-1/2 --feed 1"), 2, "--period: -1/2 is not positive");
   check_failure(run("--period 1e-9 --feed 1"), 2,
-                "--period: 1/1000000000 asks for 4733333335 rows, the limit is 10000000");
+                "--period: 1e-9 asks for 4733333335 rows, the limit is 10000000");
   check_failure(run("--period 1 --feed '2s'"), 2, "--feed, column 2: ");
   check_failure(run("--period 1 --feed 'x'"), 2, "--feed: \"x\" is not one of s (arc length)");
   check_failure(run("--period 1 --feed '1' --format xls"), 2, "--format: \"xls\"");

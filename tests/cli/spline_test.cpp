@@ -61,7 +61,7 @@ TEST_CASE("splines: what is refused, and where") {
     check_failure(here.run(std::string(command) + " s.json"), 2,
                   "this is a spline; one curve is wanted");
   check_failure(here.run("interpolate s.json --period 1/10000000 --feed 1"), 2,
-                "--period: 1/10000000 asks for 33333335 rows, the limit is 10000000");
+                "--period: 1e-7 asks for 33333335 rows, the limit is 10000000");
   check_failure(here.run("interpolate s.json --period 1 --feed '3 - s'"), 3,
                 "feedrate: the speed is 0 at t ≈ 2.8");
   check_failure(here.run("angle s.json --frame frenet"), 3, "Frenet frame: ");
