@@ -10,7 +10,6 @@ namespace phrame {
 namespace {
 
 constexpr std::size_t longest_line = 240;
-constexpr std::size_t longest_number = 72;
 constexpr std::size_t longest_fraction = 20;  // digits without a decimal beside them
 
 bool is_bearable(std::string_view text) { return text_width(text) <= longest_line; }
@@ -48,19 +47,6 @@ std::string within(std::size_t limit, const std::string& text) {
 std::string ends_of(const std::string& n) {
   constexpr std::size_t kept = 8;
   return n.size() <= 2 * kept + 1 ? n : n.substr(0, kept) + "…" + n.substr(n.size() - kept);
-}
-
-/// Where it is longer than that a passage that says how many digits it has.
-std::string number_within(std::size_t limit, const Rational& x) {
-  const std::string full = formatted(x, Notation::unicode);
-  if (text_width(full) <= limit) return full;
-  const std::string above = abs(numerator(x)).str();
-  const std::string below = denominator(x).str();
-  const std::string sign = x < 0 ? "−" : "";
-  return passage(full, denominator(x) == 1
-                           ? fmt::format("{}{} ({} digits)", sign, ends_of(above), above.size())
-                           : fmt::format("{}{}/{} ({}/{} digits)", sign, ends_of(above),
-                                         ends_of(below), above.size(), below.size()));
 }
 
 std::string summary(long degree, std::size_t digits) {
@@ -141,9 +127,21 @@ std::string readable_exact(const std::string& text, std::size_t limit) {
   return within(limit, text);
 }
 
+std::string in_brief(const Rational& x, std::size_t limit) {
+  const std::string full = formatted(x, Notation::unicode);
+  if (text_width(full) <= limit) return full;
+  const std::string above = abs(numerator(x)).str();
+  const std::string below = denominator(x).str();
+  const std::string sign = x < 0 ? "−" : "";
+  return passage(full, denominator(x) == 1
+                           ? fmt::format("{}{} ({} digits)", sign, ends_of(above), above.size())
+                           : fmt::format("{}{}/{} ({}/{} digits)", sign, ends_of(above),
+                                         ends_of(below), above.size(), below.size()));
+}
+
 std::string shown(const Rational& x, std::size_t limit) {
   constexpr long digits = 12;
-  const std::string text = number_within(limit, x);
+  const std::string text = in_brief(x, limit);
   return is_long_fraction(x) ? with_decimal(text, round_to_decimal(x, digits)) : text;
 }
 
@@ -159,7 +157,7 @@ std::string shown(const Polynomial& p) { return readable(formatted(p, Notation::
 
 std::string shown(const Real& x, const Decimal& rounded) {
   if (!x.exact()) return shown(rounded);
-  const std::string text = number_within(longest_number, *x.exact());
+  const std::string text = in_brief(*x.exact());
   return is_long_fraction(*x.exact()) ? with_decimal(text, rounded) : text;
 }
 

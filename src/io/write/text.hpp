@@ -47,7 +47,9 @@ std::string name_prefix(const std::string& name);
 /// "  label      value", the values below each other.
 std::string row(std::string_view label, const std::string& value, std::size_t width);
 /// x, a passage where it is longer than `limit`: "12345678…23456789/33333333…33333333 (300/301
-/// digits)". Beside a fraction of more than 20 digits above or below the line stands its decimal,
+/// digits)".
+std::string in_brief(const Rational& x, std::size_t limit = 72);
+/// The same. Beside a fraction of more than 20 digits above or below the line stands its decimal,
 /// correctly rounded: "123456789012345678901/7 ≈ 1.76366841446e19".
 std::string shown(const Rational& x, std::size_t limit = 72);
 /// @{ For reading, numbers in it as above: "1/3 + π/4", "(1, 0, 2/3)", "t² − 1".

@@ -60,12 +60,12 @@ std::string times_root(const Rational& radicand, const std::string& x, Notation 
   if (radicand == 1) return x;
   return fmt::format(
       fmt::runtime(notation == latex ? "\\sqrt{{{}}} \\left({}\\right)" : "√{}·({})"),
-      formatted(radicand, notation), x);
+      notation == latex ? formatted(radicand, notation) : in_brief(radicand), x);
 }
 
 /// "√3·(…) + …", empty where there is none, and as the parts of a formula for computer algebra.
 std::string exact_text(const Row& row, Notation notation) {
-  if (row.exact) return formatted(*row.exact, notation);
+  if (row.exact) return notation == latex ? formatted(*row.exact, latex) : in_brief(*row.exact);
   if (!row.total || !row.total->exact) return "";
   std::vector<std::string> terms;
   for (const auto& [radicand, of] : *row.total->exact)
@@ -142,8 +142,9 @@ std::string to_text(const Row& row, bool is_curve) {
   text += "\n";
   for (const auto& [label, words] : rows(fields, unicode))
     text += fmt::format("    {} = {}\n", label, words);
+  constexpr std::size_t longest = 240;
   const std::string exact = exact_text(row, unicode);
-  if (!exact.empty()) text += fmt::format("    = {}\n", readable_exact(exact));
+  if (!exact.empty()) text += fmt::format("    = {}\n", readable_exact(exact, longest));
   const Decimal& value = *row.value;
   if (shown(value) != exact)
     text += fmt::format("    {} {}\n", value.radius == "0" ? "=" : "≈", shown(value));

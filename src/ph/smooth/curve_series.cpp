@@ -1,6 +1,8 @@
 #include "phrame/ph/smooth/curve_series.hpp"
 
-#include <algorithm>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace phrame {
 namespace {
@@ -16,17 +18,36 @@ BallPolynomial taylor_series(const Polynomial& p, const RealBall& t, long length
   return value;
 }
 
-Vector<BallPolynomial> series_around(const RationalCurve& curve, const RealBall& t, long length,
+/// r as r(0) + (X − r(0)W)/W. Quotients of balls are as wide as they are large: without r(0) that
+/// is the size of the curve, wherever it lies.
+struct CurveFromStart {
+  Vector<Rational> start;
+  Vector<Polynomial> numerator;
+  Polynomial weight;
+
+  explicit CurveFromStart(const RationalCurve& curve)
+      : start(point(curve, 0)), numerator(curve.numerator()), weight(curve.weight()) {
+    for (std::size_t k = 0; k < 3; ++k) numerator[k] -= start[k] * weight;
+  }
+};
+
+Vector<BallPolynomial> series_around(const CurveFromStart& curve, const RealBall& t, long length,
                                      long bits) {
-  const BallPolynomial weight = taylor_series(curve.weight(), t, length, bits);
-  const bool is_polynomial = curve.weight() == Polynomial{1};
+  const BallPolynomial weight = taylor_series(curve.weight, t, length, bits);
+  const bool is_polynomial = curve.weight == Polynomial{1};
   Vector<BallPolynomial> r;
   for (std::size_t k = 0; k < 3; ++k) {
-    r[k] = taylor_series(curve.numerator()[k], t, length, bits);
+    r[k] = taylor_series(curve.numerator[k], t, length, bits);
     if (!is_polynomial) r[k] = divide_series(r[k], weight, length, bits);
+    r[k] = with_constant(r[k], add(r[k].coefficient(0), RealBall(curve.start[k], bits), bits));
   }
   return r;
 }
+
+using Segment = std::variant<CurveFromStart, ExpressionCurve>;
+
+Segment segment_of(const RationalCurve& curve) { return CurveFromStart(curve); }
+Segment segment_of(const ExpressionCurve& curve) { return curve; }
 
 Vector<BallPolynomial> series_around(const ExpressionCurve& curve, const RealBall& t, long length,
                                      long bits) {
@@ -36,11 +57,15 @@ Vector<BallPolynomial> series_around(const ExpressionCurve& curve, const RealBal
 }  // namespace
 
 CurveSeries series_of(const SmoothPath& path) {
-  return {path.segments().size(),
-          [path](std::size_t segment, const RealBall& t, long length, long bits) {
+  std::vector<Segment> segments;
+  for (const auto& curve : path.segments())
+    segments.push_back(std::visit([](const auto& c) { return segment_of(c); }, curve));
+  const std::size_t count = segments.size();
+  return {count, [segments = std::move(segments)](std::size_t segment, const RealBall& t,
+                                                  long length, long bits) {
             return std::visit(
                 [&](const auto& curve) { return series_around(curve, t, length, bits); },
-                path.segments()[segment]);
+                segments[segment]);
           }};
 }
 

@@ -2,6 +2,7 @@
 #include "phrame/answer/totals.hpp"
 #include "io/reference.hpp"
 #include "phrame/io/write/answers.hpp"
+#include "phrame/ph/curve/arc_length.hpp"
 #include "support/paths.hpp"
 #include "support/text.hpp"
 
@@ -31,6 +32,18 @@ TEST_CASE("totals report: of the quintic, its integrands and values") {
   CHECK(contains(text, "  bending energy ∫ κ² ds = F(1) − F(0) with\n"));
   CHECK(contains(text, "    ≈ 2.2530\n"));
   CHECK(contains(text, "  total curvature ∫ κ ds: κ is not rational"));
+}
+
+TEST_CASE("totals report: numbers before the decimals are abridged, in full on demand") {
+  const Rational x(pow(Integer(10), 77) + 1, 7919);
+  const NamedCurve curve{"", Curve({{Rational(1, 3), x}, {1 / x}, {3}, {1 / (x + 2)}})};
+  const std::string text = to_text(answer(curve, TotalsQuery{5}));
+  std::istringstream lines(abridged(text));
+  for (std::string line; std::getline(lines, line);) CHECK(text_width(line) < 300);
+  const std::string length = to_string(*arc_length(curve.curve, 0, 1));
+  CHECK(length.size() > 300);
+  CHECK(contains(for_reading(text, true), "    = " + length + "\n"));
+  CHECK_FALSE(contains(abridged(text), length));
 }
 
 // A = (1 + (t − t²)(i − k))(1 + k): j, turned about i − k, whose length is √2.

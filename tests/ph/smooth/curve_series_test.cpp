@@ -44,3 +44,19 @@ TEST_CASE("curve series: of formulas their series along t") {
   CHECK(r[0].coefficient(1).contains(8));
   CHECK(r[0].coefficient(2).contains(4));
 }
+
+TEST_CASE(
+    "curve series: around a part of a rational curve they are as wide far from 0 as near it") {
+  const auto widths = [](long x) {  // a quarter circle of radius 5
+    const CurveSeries series = series_of(
+        SmoothPath(bezier_curve({{x + 5, x, x}, {x + 5, x + 5, x}, {x, x + 5, x}}, {1, 1, 2})));
+    const Vector<BallPolynomial> r =
+        series.position(0, hull(Rational(1, 2), Rational(5, 8), 64), 3, 64);
+    return Vector<double>{round_to_double(r[0].coefficient(0).radius()),
+                          round_to_double(r[0].coefficient(1).radius()),
+                          round_to_double(r[1].coefficient(2).radius())};
+  };
+  const Vector<double> near = widths(0);
+  for (const long x : {1000L, -1000000L, 1000000000L})
+    for (std::size_t k = 0; k < 3; ++k) CHECK(widths(x)[k] <= 1.01 * near[k]);
+}
