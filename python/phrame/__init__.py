@@ -40,7 +40,7 @@ from ._phrame import (
     sweep,
 )
 from ._phrame import version as __version__
-from ._threads import set_threads
+from ._threads import set_threads, set_time_limit
 
 numbers.Real.register(Real)
 
@@ -73,6 +73,7 @@ __all__ = [
     "read",
     "root",
     "set_threads",
+    "set_time_limit",
     "sweep",
 ]
 

@@ -1,8 +1,10 @@
-"""How many threads work at once."""
+"""How many threads work at once, and how long."""
 
 from __future__ import annotations
 
 import os
+from decimal import Decimal
+from fractions import Fraction
 from functools import lru_cache
 from pathlib import Path
 from typing import List, Optional
@@ -12,6 +14,7 @@ from ._errors import InputError
 
 _MOST = 1_000_000
 _limit: Optional[int] = None
+_seconds: Optional[float] = None
 
 
 def _quota(numbers: List[str]) -> float:
@@ -59,6 +62,26 @@ def limit() -> int:
         return int(given)
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     return max(1, int(min(cores, -(-_cores_of_group() // 1))))
+
+
+def time_limit() -> Optional[float]:
+    """That of set_time_limit()."""
+    return _seconds
+
+
+def set_time_limit(seconds: Optional[float]) -> None:
+    """So many seconds may be computed for each call from now on, in all threads; what has no answer by then raises Undecided.
+
+    None, as at the start, is as long as it takes. Numbers as `Real` are computed, too, when their digits are asked for. What was computed
+    is kept; some memory of what was interrupted may be lost.
+    """
+    global _seconds
+    if seconds is not None and (isinstance(seconds, bool) or not isinstance(seconds, (int, float, Fraction, Decimal))):
+        raise TypeError(f"seconds: a number is wanted, not {type(seconds).__name__}")
+    if seconds is not None and not 0 < seconds < float("inf"):
+        reason = f"{str(seconds)[:40]} is no time above 0"
+        raise InputError(f"seconds: {reason}", "seconds", reason, seconds)
+    _seconds = None if seconds is None else float(min(seconds, 10**9))
 
 
 def set_threads(n: Optional[int]) -> None:

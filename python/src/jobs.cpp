@@ -9,6 +9,7 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace phrame::python {
@@ -78,6 +79,22 @@ class Pool {
   std::size_t idle_ = 0;
 };
 
+/// That of phrame.set_time_limit().
+std::optional<double> time_limit() {
+  return nb::cast<std::optional<double>>(imported("phrame._threads", "time_limit")());
+}
+
+/// A TimeLimit where there is one.
+class Timed {
+ public:
+  explicit Timed(const std::optional<double>& seconds) {
+    if (seconds) limit_.emplace(*seconds);
+  }
+
+ private:
+  std::optional<TimeLimit> limit_;
+};
+
 /// What the threads of one job share; the last of them that is left frees it.
 struct State {
   Job job;
@@ -88,6 +105,7 @@ struct State {
   std::condition_variable ended;
   std::size_t active;  ///< threads that have not ended
   std::exception_ptr failure;
+  const std::optional<double> seconds = time_limit();
 
   State(Job what, std::size_t threads) : job(std::move(what)), active(threads) {}
 
@@ -104,6 +122,7 @@ struct State {
 
   void work() {
     guarded([&] {
+      const Timed timed(seconds);
       while (!is_cancelled) {
         const std::size_t from = next.fetch_add(job.grain);
         if (from >= job.n) return;
@@ -154,7 +173,9 @@ bool is_main_thread() {
 
 void run_apart(std::function<void()> work) {
   if (!is_main_thread()) {
+    const std::optional<double> seconds = time_limit();
     const nb::gil_scoped_release released;
+    const Timed timed(seconds);
     work();
     return;
   }
@@ -173,7 +194,10 @@ void run(Job job, nb::handle progress) {
   const std::size_t threads = std::max<std::size_t>(1, std::min(limit, parts));
   const auto state = std::make_shared<State>(std::move(job), threads);
   Pool::instance().submit([state, threads] {
-    if (state->job.prepare) state->guarded(state->job.prepare);
+    if (state->job.prepare) {
+      const Timed timed(state->seconds);
+      state->guarded(state->job.prepare);
+    }
     for (std::size_t k = 1; k < threads; ++k) Pool::instance().submit([state] { state->work(); });
     state->work();
   });

@@ -27,6 +27,9 @@ void translate(const std::exception_ptr& thrown, void*) {
     raise("Undecided", error.what(), "", error.what());
   } catch (const Error& error) {
     raise("Error", error.what(), "", error.what());
+  } catch (const Stopped&) {
+    const std::string reason = "no answer within the time of set_time_limit()";
+    raise("Undecided", reason.c_str(), "", reason);
   }
 }
 

@@ -170,6 +170,7 @@ API = {
                              "origin": None}),
     "map": (phrame.map, {"curves": [QUINTIC], "question": lambda curve: 0, "threads": None, "errors": "raise"}),
     "set_threads": (phrame.set_threads, {"n": None}),
+    "set_time_limit": (phrame.set_time_limit, {"seconds": None}),
     "sympy.integrate": (phrame.sympy.integrate, INTEGRAL),
     "sympy.integral": (phrame.sympy.integral, INTEGRAL),
     "sympy.rational_function": (phrame.sympy.rational_function, {"expr": X, "x": X}),
@@ -197,8 +198,8 @@ def public_functions():
             if f.name not in ("__init__", "__call__") and f.name.startswith("_"):
                 continue
             functions[name] = {a.arg for a in f.args.args + f.args.kwonlyargs} - {"self"}
-    functions["set_threads"] = set(inspect.signature(phrame.set_threads).parameters)
-    functions["map"] = set(inspect.signature(phrame.map).parameters)
+    for name in ("set_threads", "set_time_limit", "map"):
+        functions[name] = set(inspect.signature(getattr(phrame, name)).parameters)
     for module in phrame._BRIDGES:
         for name in import_module(f"phrame.{module}").__all__:
             signature = inspect.signature(getattr(getattr(phrame, module), name))

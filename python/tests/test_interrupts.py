@@ -75,3 +75,61 @@ def test_other_threads_run_during_a_call():
         call.join(0.001)
     assert turns > 5
     assert phrame.Polynomial([0, 1])(turns) == turns
+
+
+# Each would take seconds, and again and again is interrupted where it happens to be: the session lives on.
+LIMITED = """
+import sys
+sys.path[:0] = {path!r}
+import random
+import threading
+from fractions import Fraction
+import numpy
+import phrame
+from common import random_curve
+
+rng = random.Random(3)
+curve, huge = random_curve(rng, 30), random_curve(rng, 60, 10**60)
+trefoil = phrame.Curve.expressions("(2+cos(3*s))*cos(2*s)", "(2+cos(3*s))*sin(2*s)", "sin(3*s)", 0, "2*pi")
+points = [[rng.randint(-99, 99) for _ in range(3)] for _ in range(400)]
+theta = random_curve(rng, 4).angle().value(1)
+calls = [
+    lambda: curve.frames([Fraction(k, 1_000_003) for k in range(20_000)]),
+    lambda: trefoil.angle().value(1, digits=20_000),
+    lambda: phrame.Curve.through(points, kind="c2"),
+    lambda: trefoil.length.ball(100_000),
+    lambda: phrame.sweep(trefoil, "circle:1/10", tolerance="1e-7"),
+    lambda: huge.certify(digits=20_000),
+    lambda: theta.digits(1_000_000),
+]
+caught = []
+
+def ask(call):
+    try:
+        call()
+    except phrame.Undecided as error:
+        caught.append(str(error))
+
+for k in range({rounds}):
+    phrame.set_time_limit(rng.uniform(0.01, 0.08))
+    ask(calls[k % len(calls)])
+    if k % 3 == 0:  # from a thread of one's own it is done there
+        thread = threading.Thread(target=ask, args=(rng.choice(calls),))
+        thread.start()
+        thread.join()
+assert len(caught) == {rounds} + ({rounds} + 2) // 3, caught
+assert all("set_time_limit" in text for text in caught), caught
+phrame.set_time_limit(None)
+print(trefoil.angle().value(1, digits=20), theta.digits(20) - phrame.digits(theta, 30) < 1e-19)
+"""
+
+
+def test_a_time_limit_ends_calls_of_all_kinds_and_nothing_else():
+    script = LIMITED.format(path=[str(ROOT / "python/tests")], rounds=4 if MULTIPLIER == 1 else 300)
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=300, check=False)
+    assert run.returncode == 0, run.stderr
+    trefoil = phrame.Curve.expressions("(2+cos(3*s))*cos(2*s)", "(2+cos(3*s))*sin(2*s)", "sin(3*s)", 0, "2*pi")
+    assert run.stdout.split() == [str(trefoil.angle().value(1, digits=20)), "True"]
+    for wrong, error in ((0, phrame.InputError), (-1.5, phrame.InputError), (float("nan"), phrame.InputError), ("1", TypeError), (True, TypeError)):
+        with pytest.raises(error, match="^seconds: "):
+            phrame.set_time_limit(wrong)

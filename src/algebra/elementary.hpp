@@ -14,8 +14,8 @@ std::vector<std::string_view> elementary_functions();
 /// none and outside of the domain, as soon as that is seen.
 Real elementary(std::string_view name, const Real& x, bool is_algebraic);
 
-/// @{ The angle of (x, y) in (−π, π], for x not 0 or y not 0; and x^y = exp(y·log x) for x > 0, and 0
-/// for x = 0 < y.
+/// @{ The angle of (x, y) in (−π, π], for x not 0 or y not 0; and x^y = exp(y·log x) for x > 0, and
+/// 0 for x = 0 < y.
 Real arctan2_of(const Real& y, const Real& x);
 Real power_of(const Real& x, const Real& y);
 /// @}

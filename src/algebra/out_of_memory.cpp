@@ -12,6 +12,7 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "phrame/algebra/flint.hpp"
 #include "phrame/algebra/time_limit.hpp"
@@ -62,13 +63,17 @@ void require_reserve() {
   if (!takes_reserve()) fail();
 }
 
-void* allocated(std::size_t size) {
-  require_time_for(size);
+void* granted(std::size_t size) {
   require_reserve();
   if (void* const p = std::malloc(size)) return p;
   if (gives_reserve() && size <= small_size)
     if (void* const p = std::malloc(size)) return p;
   fail();
+}
+
+void* allocated(std::size_t size) {
+  require_time_for(size);
+  return granted(size);
 }
 
 void* cleared(std::size_t count, std::size_t size) {
@@ -87,7 +92,25 @@ void* reallocated(void* old, std::size_t size) {
 }
 
 void* gmp_reallocated(void* old, std::size_t, std::size_t size) { return reallocated(old, size); }
-void gmp_free(void* p, std::size_t) { std::free(p); }
+
+/// What GMP has freed last, in this thread. mpz_mul() and others free the digits of a number, note
+/// that it has more, and ask for these. Where there are none, the old ones are still the number's,
+/// and freed with it. That it has more is false by then, so that a time that is over, unlike want
+/// of memory, is no reason to leave GMP: FLINT and Arb ask for memory often enough.
+struct LastFreed {
+  void* block = nullptr;
+  ~LastFreed() { std::free(block); }
+};
+thread_local LastFreed last_freed;
+
+void gmp_free(void* p, std::size_t) { std::free(std::exchange(last_freed.block, p)); }
+
+void* gmp_allocated(std::size_t size) {
+  void* const freed = std::exchange(last_freed.block, nullptr);
+  void* const p = granted(size);  // may throw; what was freed is lost, unless it has an owner
+  std::free(freed);
+  return p;
+}
 
 [[noreturn]] void abandon() {
   throw std::runtime_error("FLINT was asked for what it does not compute");
@@ -109,7 +132,7 @@ void throw_when_out_of_memory() {
   takes_reserve();
   prepare_thread();
   mpfr_free_cache();
-  mp_set_memory_functions(allocated, gmp_reallocated, gmp_free);
+  mp_set_memory_functions(gmp_allocated, gmp_reallocated, gmp_free);
   __flint_set_memory_functions(allocated, cleared, reallocated, std::free);
   flint_set_abort(abandon);
   std::set_new_handler(give_to_new);

@@ -1,6 +1,8 @@
 // A thread of its own counts ticks, so that to look for the time is to compare two numbers.
 #include "phrame/algebra/time_limit.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -21,14 +23,15 @@ thread_local Tick last = never;
 
 static_assert(std::atomic<Tick>::is_always_lock_free);
 
-/// Of steady time, since a sleep may be longer than asked.
+/// Of steady time, since a sleep may be longer than asked, and the same in a process that forked.
+Tick current_tick() { return std::chrono::steady_clock::now().time_since_epoch() / tick_length; }
+
 void count_ticks() {
-  const auto start = std::chrono::steady_clock::now();
   for (;;) {
     std::this_thread::sleep_for(tick_length);
     Tick before = now;
-    const Tick after = (std::chrono::steady_clock::now() - start) / tick_length;
-    if (before > never || !now.compare_exchange_strong(before, after)) return;  // all is stopped
+    if (before > never || !now.compare_exchange_strong(before, current_tick()))
+      return;  // all is stopped
   }
 }
 
@@ -37,10 +40,10 @@ void count_ticks() {
 const char* Stopped::what() const noexcept { return "the time is over"; }
 
 TimeLimit::TimeLimit(double seconds) {
-  static const bool is_counting = (std::thread(count_ticks).detach(), true);
-  static_cast<void>(is_counting);
+  static std::atomic<pid_t> counting = 0;  // a process that forked has no such thread
+  if (counting.exchange(getpid()) != getpid()) std::thread(count_ticks).detach();
   constexpr double most = 1e12;
-  last = now + static_cast<Tick>(std::ceil(std::min(seconds, most) * 100));
+  last = current_tick() + static_cast<Tick>(std::ceil(std::min(seconds, most) * 100));
 }
 
 TimeLimit::~TimeLimit() { last = never; }

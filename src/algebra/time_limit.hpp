@@ -11,7 +11,7 @@ class Stopped : public std::exception {
 };
 
 /// As long as it lives, what this thread computes may take so many seconds, > 0; then Stopped is
-/// thrown, again and again. It is thrown where GMP and FLINT ask for memory, if
+/// thrown, again and again. It is thrown where FLINT and Arb ask for memory, if
 /// throw_when_out_of_memory() was called, with the same loss as there, and by require_time(). One
 /// of these a thread.
 class TimeLimit {

@@ -73,3 +73,19 @@ TEST_CASE("out of memory: whichever request is refused, what is asked next is ri
   }
   CHECK(refused > 40);
 }
+
+// mpz_mul() frees the digits of its result before it asks for more.
+TEST_CASE("out of memory: a number that GMP was to make longer is freed once") {
+  refuse_sometimes();
+  mpz_t x;
+  mpz_t product;
+  mpz_init_set_ui(x, 3);
+  mpz_pow_ui(x, x, 10'000);
+  mpz_init_set_ui(product, 7);
+  mpz_mul(product, product, product);
+  left = 0;
+  CHECK_THROWS_AS(mpz_mul(product, x, x), std::bad_alloc);
+  left = -1;
+  mpz_clear(product);
+  mpz_clear(x);
+}

@@ -224,6 +224,9 @@ struct ExpressionIntegral::State {
   }
   RealBall value(const Rational& t);
   void refine(long to_bits);
+  /// refine() and value(). Where these are interrupted, nothing is kept: another question may be
+  /// about fewer bits.
+  RealBall value(const Rational& t, long at_least);
 };
 
 void ExpressionIntegral::State::refine(long to_bits) {
@@ -267,6 +270,16 @@ RealBall ExpressionIntegral::State::value(const Rational& t) {
   return add(sums[k], up_to(piece(k), RealBall(z, bits)), bits);
 }
 
+RealBall ExpressionIntegral::State::value(const Rational& t, long at_least) {
+  try {
+    if (bits < at_least) refine(at_least);
+    return value(t);
+  } catch (...) {
+    bits = 0;
+    throw;
+  }
+}
+
 ExpressionIntegral::ExpressionIntegral(const ExpressionCurve& curve, CurveIntegrand integrand,
                                        std::vector<TaylorPart> parts)
     : state_(new State{curve, std::move(integrand), std::move(parts), false, {}, 0, {}, {}}) {}
@@ -278,12 +291,9 @@ RealBall ExpressionIntegral::enclose(const Rational& t, long bits) const {
   const std::lock_guard guard(state_->lock);
   const RealBall wanted = times_power_of_two(RealBall(1, 2), -bits);
   const long least = bits + 20 + static_cast<long>(std::log2(state_->parts.size() + 1));
-  if (state_->bits < least) state_->refine(least);
-  RealBall value = state_->value(t);
-  for (int more = 0; more < 3 && !is_at_most(radius_of(value), wanted); ++more) {
-    state_->refine(state_->bits + (32L << more));
-    value = state_->value(t);
-  }
+  RealBall value = state_->value(t, least);
+  for (int more = 0; more < 3 && !is_at_most(radius_of(value), wanted); ++more)
+    value = state_->value(t, state_->bits + (32L << more));
   return value;
 }
 
