@@ -23,11 +23,12 @@ async function scene(file, width, height) {
   await page.goto(`file://${file}`);
   await page.waitForSelector('html[data-ready]');
   const picture = await page.locator('#scene').screenshot();
-  const paper = await page.evaluate(() => {
-    let part = document.querySelector('#scene');
-    while (getComputedStyle(part).backgroundColor === 'rgba(0, 0, 0, 0)') part = part.parentElement;
-    return getComputedStyle(part).backgroundColor;
-  });
+  const paper = await page.evaluate(async (image) => {  // the colour in its corner
+    const bytes = Uint8Array.from(atob(image), (c) => c.charCodeAt(0));
+    const pen = new OffscreenCanvas(1, 1).getContext('2d');
+    pen.drawImage(await createImageBitmap(new Blob([bytes], { type: 'image/png' }), 8, 8, 1, 1), 0, 0);
+    return `rgb(${pen.getImageData(0, 0, 1, 1).data.slice(0, 3).join(', ')})`;
+  }, picture.toString('base64'));
   await page.close();
   return { paper, html: `<div style="overflow: hidden"><img width="${width}" height="${height}"
     style="object-fit: cover; transform: scale(1.4)" src="data:image/png;base64,${picture.toString('base64')}"></div>` };
