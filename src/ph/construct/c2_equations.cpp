@@ -44,20 +44,20 @@ class C2Equations {
  public:
   C2Equations(const C2Data& data, double closing_sign);
 
-  /// Of the system, whose blocks have the parts of one Z and the multipliers of one equation.
-  Eigen::VectorXd right_side(const Eigen::VectorXd& gradient,
-                             const Eigen::VectorXd& residuals) const;
-  Eigen::VectorXd change(const Eigen::VectorXd& solution) const;
-  std::size_t size() const { return coefficients_ * parts_.size(); }
+  /// Of the system, whose blocks have the parts of one Z and the multipliers of one equation: −r
+  /// and, where it is to descend from Z, −WZ.
+  Eigen::VectorXd right_side(const Eigen::VectorXd& residuals,
+                             const std::vector<Guess>* descends_from) const;
+  /// The parts of Z in it.
+  std::vector<double> change(const Eigen::VectorXd& solution) const;
 
   Eigen::VectorXd residuals(const std::vector<Guess>& z) const;
   /// Of the chords.
   double scale() const { return scale_; }
   double objective(const std::vector<Guess>& z) const;
-  /// WZ.
-  Eigen::VectorXd gradient(const std::vector<Guess>& z) const;
   SparseMatrix matrix(const std::vector<Guess>& z) const;
-  std::vector<Guess> moved(std::vector<Guess> z, double factor, const Eigen::VectorXd& s) const;
+  std::vector<Guess> moved(std::vector<Guess> z, double factor,
+                           const Eigen::VectorXd& solution) const;
   /// The middle ones as means of the values at the joints.
   std::vector<Guess> from_joints(const std::vector<Guess>& q) const;
   /// Moved by about the size of A, at random.
@@ -66,13 +66,18 @@ class C2Equations {
  private:
   std::size_t block() const { return parts_.size() + dimension_; }
   std::size_t unknown(std::size_t k, std::size_t p) const { return block() * k + p; }
+  Eigen::Index index(std::size_t k, std::size_t p) const {
+    return static_cast<Eigen::Index>(unknown(k, p));
+  }
   std::size_t middle(std::size_t k) const { return data_.is_closed ? k : k + 1; }
   Guess joint(const std::vector<Guess>& z, std::size_t k) const {
     const JointMean& j = joints_[k];
     return j.weight_before * z[j.before] + j.weight_after * z[j.after];
   }
-  /// J_{k−1} − 2Z_k + J_k as a combination of Z.
+  /// @{ J_{k−1} − 2Z_k + J_k, and as a combination of Z.
+  Guess second_difference(const std::vector<Guess>& z, std::size_t k) const;
   std::array<std::pair<std::size_t, double>, 5> second_difference(std::size_t k) const;
+  /// @}
   double weight(std::size_t k) const { return mean_step_ / data_.steps[k]; }
 
   const C2Data& data_;
@@ -128,9 +133,7 @@ Eigen::VectorXd C2Equations::residuals(const std::vector<Guess>& z) const {
   for (std::size_t k = 0; k < n; ++k) {
     const Guess a = joint(z, k);
     const Guess c = joint(z, k + 1);
-    const Guess b = 3.0 * (a + c) + 4.0 * z[middle(k)];
-    const Vector<double> sum = rotated_i(b) + integral_of_ends(a, c);
-    put(data_.steps[k] / 120 * sum - data_.chords[k]);
+    put(data_.steps[k] / 120 * integral_times_120(a, z[middle(k)], c) - data_.chords[k]);
   }
   put_end(data_.steps.back(), joint(z, n), data_.derivatives.back());
   return result;
@@ -146,22 +149,15 @@ std::array<std::pair<std::size_t, double>, 5> C2Equations::second_difference(std
            {c.after, c.weight_after}}};
 }
 
+Guess C2Equations::second_difference(const std::vector<Guess>& z, std::size_t k) const {
+  return joint(z, k) - 2.0 * z[middle(k)] + joint(z, k + 1);
+}
+
 double C2Equations::objective(const std::vector<Guess>& z) const {
   double sum = 0;
   for (std::size_t k = 0; k < data_.steps.size(); ++k)
-    sum += weight(k) * norm(joint(z, k) - 2.0 * z[middle(k)] + joint(z, k + 1));
+    sum += weight(k) * norm(second_difference(z, k));
   return sum;
-}
-
-Eigen::VectorXd C2Equations::gradient(const std::vector<Guess>& z) const {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(size()));
-  for (std::size_t k = 0; k < data_.steps.size(); ++k) {
-    const Guess difference = weight(k) * (joint(z, k) - 2.0 * z[middle(k)] + joint(z, k + 1));
-    for (const auto& [at, factor] : second_difference(k))
-      for (std::size_t p = 0; p < parts_.size(); ++p)
-        result[static_cast<Eigen::Index>(parts_.size() * at + p)] += factor * difference.*parts_[p];
-  }
-  return result;
 }
 
 SparseMatrix C2Equations::matrix(const std::vector<Guess>& z) const {
@@ -217,32 +213,36 @@ SparseMatrix C2Equations::matrix(const std::vector<Guess>& z) const {
   return result;
 }
 
-Eigen::VectorXd C2Equations::right_side(const Eigen::VectorXd& gradient,
-                                        const Eigen::VectorXd& residuals) const {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(coefficients_ * block()));
-  const auto parts = static_cast<Eigen::Index>(parts_.size());
-  const auto rows = static_cast<Eigen::Index>(dimension_);
-  for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(coefficients_); ++k) {
-    result.segment(k * (parts + rows), parts) = -gradient.segment(k * parts, parts);
-    result.segment(k * (parts + rows) + parts, rows) = -residuals.segment(k * rows, rows);
+Eigen::VectorXd C2Equations::right_side(const Eigen::VectorXd& residuals,
+                                        const std::vector<Guess>* descends_from) const {
+  Eigen::VectorXd result =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(coefficients_ * block()));
+  for (std::size_t k = 0; k < coefficients_; ++k)
+    for (std::size_t c = 0; c < dimension_; ++c)
+      result[index(k, parts_.size() + c)] =
+          -residuals[static_cast<Eigen::Index>(dimension_ * k + c)];
+  if (descends_from == nullptr) return result;
+  for (std::size_t k = 0; k < data_.steps.size(); ++k) {
+    const Guess difference = weight(k) * second_difference(*descends_from, k);
+    for (const auto& [at, factor] : second_difference(k))
+      for (std::size_t p = 0; p < parts_.size(); ++p)
+        result[index(at, p)] -= factor * difference.*parts_[p];
   }
   return result;
 }
 
-Eigen::VectorXd C2Equations::change(const Eigen::VectorXd& solution) const {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(size()));
-  const auto parts = static_cast<Eigen::Index>(parts_.size());
-  for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(coefficients_); ++k)
-    result.segment(k * parts, parts) =
-        solution.segment(k * static_cast<Eigen::Index>(block()), parts);
+std::vector<double> C2Equations::change(const Eigen::VectorXd& solution) const {
+  std::vector<double> result;
+  for (std::size_t k = 0; k < coefficients_; ++k)
+    for (std::size_t p = 0; p < parts_.size(); ++p) result.push_back(solution[index(k, p)]);
   return result;
 }
 
 std::vector<Guess> C2Equations::moved(std::vector<Guess> z, double factor,
-                                      const Eigen::VectorXd& s) const {
+                                      const Eigen::VectorXd& solution) const {
   for (std::size_t k = 0; k < z.size(); ++k)
     for (std::size_t p = 0; p < parts_.size(); ++p)
-      z[k].*parts_[p] += factor * s[static_cast<Eigen::Index>(parts_.size() * k + p)];
+      z[k].*parts_[p] += factor * solution[index(k, p)];
   return z;
 }
 
@@ -285,7 +285,6 @@ std::optional<C2Coefficients> coefficients_from(const C2Data& data,
   z = equations.from_joints(joints);
   if (engine != nullptr) z = equations.scattered(std::move(z), *engine);
   const double scale = equations.scale();
-  const auto unknowns = static_cast<Eigen::Index>(equations.size());
   double objective = equations.objective(z);
   Eigen::VectorXd residuals = equations.residuals(z);
   Decomposition decomposition;
@@ -298,11 +297,9 @@ std::optional<C2Coefficients> coefficients_from(const C2Data& data,
     if (step == 0) decomposition.analyzePattern(matrix);
     decomposition.factorize(matrix);
     if (decomposition.info() != Eigen::Success) return std::nullopt;
-    const Eigen::VectorXd gradient =
-        descends ? equations.gradient(z) : Eigen::VectorXd::Zero(unknowns);
-    const Eigen::VectorXd solution = decomposition.solve(equations.right_side(gradient, residuals));
-    if (!solution.allFinite()) return std::nullopt;
-    const Eigen::VectorXd change = equations.change(solution);
+    const Eigen::VectorXd change =
+        decomposition.solve(equations.right_side(residuals, descends ? &z : nullptr));
+    if (!change.allFinite()) return std::nullopt;
     const double bound = (descends ? std::max(1.5 * size, scale) : size) + rounding * scale;
     constexpr double least_factor = 1e-3;
     double factor = 1;
@@ -362,10 +359,7 @@ ParameterStep c2_step(const C2Data& data, const C2Coefficients& at) {
     const C2Equations& equations = solver->equations;
     const Eigen::VectorXd lacking =
         -Eigen::Map<const Eigen::VectorXd>(wanted.data(), static_cast<Eigen::Index>(wanted.size()));
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(equations.size()));
-    const Eigen::VectorXd change =
-        equations.change(solver->decomposition.solve(equations.right_side(none, lacking)));
-    return std::vector<double>(change.begin(), change.end());
+    return equations.change(solver->decomposition.solve(equations.right_side(lacking, nullptr)));
   };
 }
 

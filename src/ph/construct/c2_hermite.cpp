@@ -12,8 +12,6 @@
 // A₃.
 #include "phrame/ph/construct/c2_hermite.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
 
@@ -21,39 +19,10 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/exact_end.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/construct/spline_builder.hpp"
 
 namespace phrame {
 namespace {
-
-/// Data of about the size 1.
-struct ScaledData {
-  HermiteSpline data;
-  Rational root;            ///< that A is to be multiplied by
-  Rational step_scale;      ///< that steps of the parameter are to be divided by
-  Vector<Rational> scales;  ///< of points, derivatives, accelerations
-};
-
-ScaledData scaled(const HermiteSpline& data) {
-  Rational longest_chord;
-  Rational longest_step;
-  for (std::size_t k = 0; k < data.segments(); ++k) {
-    longest_chord = std::max(longest_chord, largest(data.points[k + 1] - data.points[k]));
-    longest_step = std::max(longest_step, data.step(k));
-  }
-  const Rational step_scale = scale_for_doubles(longest_step);
-  if (longest_chord == 0) longest_chord = size_of_derivatives(data) * longest_step;
-  const Rational scale = scale_for_doubles(longest_chord);
-  ScaledData result{data,
-                    *square_root(Rational(step_scale / scale)),
-                    step_scale,
-                    {scale, scale / step_scale, scale / (step_scale * step_scale)}};
-  for (auto& p : result.data.points) p = result.scales[0] * p;
-  for (auto& d : result.data.derivatives) d = result.scales[1] * d;
-  for (auto& a : result.data.accelerations) a = result.scales[2] * a;
-  for (Rational& t : result.data.parameters) t *= step_scale;
-  return result;
-}
 
 /// A and uA′/4 with respect to the parameter, u the unit of its steps.
 struct JointValue {
@@ -66,16 +35,17 @@ RationalQuaternion times_i(const Vector<Rational>& v, const RationalQuaternion& 
   return RationalQuaternion{0, v[0], v[1], v[2]} * a * RationalQuaternion{0, 1, 0, 0};
 }
 
-std::vector<JointValue> joint_values(const HermiteSpline& data, const Rational& unit,
-                                     const PreimageGrid& grid, long p) {
+/// With multiples of 2^−p, which need so many bits; none where a derivative is nothing beside them.
+std::vector<JointValue> joint_values(const HermiteSpline& data, const Rational& unit, long p,
+                                     long bits) {
   std::vector<JointValue> result;
-  Quaternion<BigFloat> last;
+  FloatQuaternion last;
   for (std::size_t k = 0; k <= data.segments(); ++k) {
-    Quaternion<BigFloat> a = preimage(grid.vector(data.derivatives[k]));
+    FloatQuaternion a = preimage(big_floats(data.derivatives[k], bits));
     if (k > 0) a = turned(a, turn_to(last, a));
     last = a;
     if (data.is_closed && k == data.segments()) {  // the first, by a short turn, near to this one
-      const Quaternion<BigFloat> first = grid.quaternion(result.front().a);
+      const FloatQuaternion first = big_floats(result.front().a, bits);
       const ComplexOf<BigFloat> h = hermitian_product(first, a);
       const GaussianInteger z = short_direction(direction_of(h, BigFloat(0.0)));
       const Integer size = sqrt(norm(z));
@@ -83,26 +53,13 @@ std::vector<JointValue> joint_values(const HermiteSpline& data, const Rational& 
       result.push_back({turned(result.front().a, turn), turned(result.front().slope, turn)});
       break;
     }
-    const RationalQuaternion q = exact(grid.rounded(a), grid.step());
-    const Rational size = norm(q);
-    if (size == 0) return {};
-    result.push_back({q, rounded_to_places(
-                             Rational(-unit / (8 * size)) * times_i(data.accelerations[k], q), p)});
+    const RationalQuaternion q = rounded_to_places(a, p);
+    if (norm(q) == 0) return {};
+    const Rational factor = -unit / (8 * norm(q));
+    result.push_back({q, rounded_to_places(factor * times_i(data.accelerations[k], q), p)});
   }
   return result;
 }
-
-struct QuarticSegment {
-  QuarticPreimage a;
-  Rational h;
-  Vector<Rational> start;
-};
-
-/// A spline with one rounding.
-struct QuarticAttempt {
-  std::vector<QuarticSegment> segments;
-  Deviation squared;  ///< upper bounds of the greatest ones
-};
 
 /// How many bits A₁ and A₃ may have before the point, for great accelerations.
 long bits_before_point(const HermiteSpline& data) {
@@ -110,47 +67,45 @@ long bits_before_point(const HermiteSpline& data) {
   return size > 1 ? binary_exponent(size) : 0;
 }
 
-std::optional<QuarticAttempt> attempt(const HermiteSpline& data, const Deviation& tolerance,
+/// A₂ for an end at c from the start, with what is known of the others.
+RationalQuaternion middle_of(const QuarticPreimage& a, const Vector<Rational>& c, long p,
+                             long bits) {
+  const auto [shift, rest] = complete_square(a);
+  const RationalQuaternion mean = shift + Rational(1, 2) * (a[1] + a[3]);
+  const FloatQuaternion x = preimage(big_floats(Rational(35, 2) * (c - rest), bits));
+  const FloatQuaternion turned_x = turned(x, turn_to(big_floats(mean, bits), x));
+  return rounded_to_places(rounded_to_places(turned_x, p) - shift, p);
+}
+
+/// With one rounding, of scaled data and so measured; no value where a derivative is nothing
+/// beside it.
+std::optional<PreimageSpline> attempt(const HermiteSpline& data, const Deviation& tolerance,
                                       long p) {
   constexpr long guard_bits = 96;
-  const PreimageGrid grid(p, p + 2 * bits_before_point(data) + guard_bits);
-  const ParameterSteps steps = parameter_steps(data);
-  const std::vector<JointValue> joints = joint_values(data, steps.unit, grid, p);
+  const long bits = p + 2 * bits_before_point(data) + guard_bits;
+  const auto [counts, unit] = parameter_steps(data);
+  const std::vector<JointValue> joints = joint_values(data, unit, p, bits);
   if (joints.empty()) return std::nullopt;
-  QuarticAttempt result;
-  Deviation& squared = result.squared;
+  DeviationMeter meter(tolerance);
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const auto& [a, slope] = joints[k];
-    squared.derivatives =
-        std::max(squared.derivatives,
-                 squared_above(rotated_i(a) - data.derivatives[k], tolerance.derivatives));
-    squared.accelerations =
-        std::max(squared.accelerations,
-                 squared_above(
-                     Rational(8 / steps.unit) * symmetric_product(a, slope) - data.accelerations[k],
-                     tolerance.accelerations));
+    meter.derivative(rotated_i(a) - data.derivatives[k]);
+    meter.acceleration(8 / unit * symmetric_product(a, slope) - data.accelerations[k]);
   }
+  PreimageSpline result;
   Vector<Rational> at = data.points.front();
   for (std::size_t k = 0; k < data.segments(); ++k) {
     const Rational h = data.step(k);
-    const Rational count = steps.counts[k];
-    QuarticPreimage a{joints[k].a,
-                      joints[k].a + count * joints[k].slope,
-                      {},
-                      joints[k + 1].a - count * joints[k + 1].slope,
-                      joints[k + 1].a};
-    const auto [shift, rest] = complete_square(a);
-    const Vector<Rational> c =
-        Rational(35, 2) * (Rational(1 / h) * (data.points[k + 1] - at) - rest);
-    const RationalQuaternion mean = shift + Rational(1, 2) * (a[1] + a[3]);
-    const Quaternion<BigFloat> x = preimage(grid.vector(c));
-    const Quaternion<BigFloat> turned_x = turned(x, turn_to(grid.quaternion(mean), x));
-    a[2] = rounded_to_places(exact(grid.rounded(turned_x), grid.step()) - shift, p);
-    result.segments.push_back({a, h, at});
+    const Rational count = counts[k];
+    const auto& [a0, slope0] = joints[k];
+    const auto& [a4, slope4] = joints[k + 1];
+    QuarticPreimage a{a0, a0 + count * slope0, {}, a4 - count * slope4, a4};
+    a[2] = middle_of(a, 1 / h * (data.points[k + 1] - at), p, bits);
+    result.segments.push_back({{a.begin(), a.end()}, h, at});
     at = at + h * integral(a);
-    squared.points =
-        std::max(squared.points, squared_above(at - data.points[k + 1], tolerance.points));
+    meter.point(at - data.points[k + 1]);
   }
+  result.deviation = meter.deviation();
   return result;
 }
 
@@ -165,36 +120,19 @@ long first_places(const HermiteSpline& data, const Deviation& wanted) {
   return p;
 }
 
-/// In the units of the data. With PointRule::exact each segment is two that meet its ends; else
-/// only the last one of a closed spline is.
-Construction unscaled(const QuarticAttempt& found, const ScaledData& units,
-                      const HermiteSpline& data, PointRule rule, long p) {
-  std::vector<Curve> curves;
-  std::vector<Rational> parameters{data.parameters.front()};
-  const auto add = [&](const QuarticSegment& segment) {
-    std::vector<RationalQuaternion> b;
-    for (const RationalQuaternion& coefficient : segment.a) b.push_back(units.root * coefficient);
-    const Rational h = segment.h / units.step_scale;
-    curves.emplace_back(from_bernstein(b), Polynomial{h},
-                        Rational(1 / units.scales[0]) * segment.start);
-    parameters.push_back(parameters.back() + h);
-  };
-  const bool is_exact = rule == PointRule::exact;
-  for (std::size_t k = 0; k < data.segments(); ++k) {
-    const QuarticSegment& segment = found.segments[k];
-    if (!is_exact && !(data.is_closed && k + 1 == data.segments())) {
-      add(segment);
-      continue;
-    }
-    const Vector<Rational>& start = is_exact ? units.data.points[k] : segment.start;
-    const Rational& h = segment.h;
-    const auto [first, second] = of_segment(k, [&] {
-      return exact_halves(segment.a, Rational(1 / h) * (units.data.points[k + 1] - start), p);
-    });
-    add({first, h / 2, start});
-    add({second, h / 2, start + Rational(h / 2) * integral(first)});
+/// In the units of the data.
+PreimageSpline unscaled(PreimageSpline spline, const ScaledSpline& units, long p) {
+  const auto& [of_points, of_derivatives, of_accelerations] = units.scales;
+  for (auto& [a, h, start] : spline.segments) {
+    h /= units.step_scale;
+    start = 1 / of_points * start;
   }
-  return {joined(curves), std::move(parameters), {}, p - binary_exponent(units.root), {}};
+  spline.root = units.root;
+  spline.bits = p - binary_exponent(units.root);
+  spline.deviation.points /= of_points;
+  spline.deviation.derivatives /= of_derivatives;
+  spline.deviation.accelerations /= of_accelerations;
+  return spline;
 }
 
 }  // namespace
@@ -205,27 +143,24 @@ Construction c2_hermite_spline(const HermiteSpline& data, const Deviation& toler
   if (data.accelerations.empty())
     throw DomainError(
         "C2 Hermite data are points, derivatives and accelerations; the last are missing");
-  for (std::size_t k = 0; k < data.derivatives.size(); ++k)
-    if (largest(data.derivatives[k]) == 0)
-      throw DomainError(
-          fmt::format("the derivative at point {} is 0: no acceleration can be had there", k + 1));
-  const ScaledData units = scaled(data);
+  require_directions(data, "no acceleration can be had there");
+  const ScaledSpline units = scaled(data);
   const Deviation wanted{units.scales[0] * tolerance.points,
                          units.scales[1] * tolerance.derivatives,
                          units.scales[2] * tolerance.accelerations};
-  long p = first_places(units.data, wanted);
-  for (int pass = 0; pass < most_passes; ++pass, p += 8) {
-    const auto found = attempt(units.data, wanted, p);
-    if (!found) continue;
-    const Deviation deviation{square_root_above(found->squared.points) / units.scales[0],
-                              square_root_above(found->squared.derivatives) / units.scales[1],
-                              square_root_above(found->squared.accelerations) / units.scales[2]};
-    if (!is_within(deviation, tolerance)) continue;
-    Construction spline = unscaled(*found, units, data, rule, p);
-    spline.deviation = deviation;
-    if (rule == PointRule::exact) spline.deviation.points = 0;
-    return spline;
-  }
+  const auto with_places = [&](long p) -> std::optional<Construction> {
+    auto found = attempt(units.data, wanted, p);
+    if (!found) return std::nullopt;
+    const PreimageSpline spline = unscaled(*std::move(found), units, p);
+    if (!is_within(spline.deviation, tolerance)) return std::nullopt;
+    const auto halves = [p](const BernsteinPreimage& a, const Vector<Rational>& integral) {
+      return listed(exact_halves(QuarticPreimage{a[0], a[1], a[2], a[3], a[4]}, integral, p));
+    };
+    return construction_of(spline, {halves, data.segments() - 1}, data, rule);
+  };
+  if (auto found =
+          first_within(tolerance, first_places(units.data, wanted), most_passes, with_places))
+    return *std::move(found);
   throw Undecided("the C2 spline of degree 9: the data are too sensitive to its coefficients");
 }
 

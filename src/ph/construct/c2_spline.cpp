@@ -20,7 +20,7 @@
 #include "phrame/ph/construct/exact_end.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/refine.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/construct/spline_builder.hpp"
 
 namespace phrame {
 namespace {
@@ -34,20 +34,23 @@ struct LatticeSpline {
 
 /// 2^p·z, rounded.
 IntegerQuaternion on_lattice(const RationalQuaternion& z, long p) {
-  const Rational scale = power_of_two(p);
-  const auto rounded = [&](const Rational& x) { return floor(scale * x + Rational(1, 2)); };
-  return {rounded(z.u), rounded(z.v), rounded(z.p), rounded(z.q)};
+  return each(z, [scale = power_of_two(p)](const Rational& x) {
+    return floor(scale * x + Rational(1, 2));
+  });
 }
 
 IntegerQuaternion rounded_quotient(const IntegerQuaternion& a, const Integer& n) {
-  const auto rounded = [&](const Integer& x) { return floor(Rational(2 * x + n, 2 * n)); };
-  return {rounded(a.u), rounded(a.v), rounded(a.p), rounded(a.q)};
+  return each(a, [&](const Integer& x) { return floor(Rational(2 * x + n, 2 * n)); });
 }
 
-/// The points wanted, and all that is computed of them once. Lengths and steps are of about 1.
+/// The points wanted, and all that is computed of them once.
 class C2Problem {
  public:
-  explicit C2Problem(const HermiteSpline& data);
+  explicit C2Problem(const HermiteSpline& data)
+      : data_(data),
+        n_(data.segments()),
+        units_(scaled(data)),
+        common_(parameter_steps(units_.data)) {}
 
   std::optional<Construction> run(const Deviation& tolerance, PointRule rule, bool is_plane) const;
 
@@ -57,6 +60,8 @@ class C2Problem {
                                long p) const;
   /// 120/(u·step²) times the chords of the spline.
   std::vector<Vector<Integer>> chords(const LatticeSpline& spline) const;
+  /// What the chords lack and, times steps, the derivatives at the ends of an open spline.
+  std::vector<Rational> defect(const LatticeSpline& spline, std::size_t dimension) const;
   /// The segment that turns most: a closed spline goes wrong there, and is made to end where the
   /// next one begins.
   std::size_t adjusted_segment(const LatticeSpline& spline) const;
@@ -64,44 +69,24 @@ class C2Problem {
   std::vector<Vector<Rational>> joints_of(const LatticeSpline& spline, std::size_t adjusted) const;
   std::optional<Construction> within(const Deviation& tolerance, const LatticeSpline& spline,
                                      PointRule rule, long p) const;
+  long first_places(const Deviation& tolerance) const;
 
   const HermiteSpline& data_;
   std::size_t n_;
-  Rational scale_;       ///< of points
-  Rational step_scale_;  ///< of the parameter
-  std::vector<Vector<Rational>> wanted_chords_;
-  std::vector<Rational> steps_;
-  ParameterSteps common_;
+  ScaledSpline units_;     ///< in which the spline is found
+  ParameterSteps common_;  ///< in these
 };
-
-C2Problem::C2Problem(const HermiteSpline& data) : data_(data), n_(data.segments()) {
-  std::vector<Vector<Rational>> chords;
-  std::vector<Rational> steps;
-  for (std::size_t k = 0; k < n_; ++k) {
-    chords.push_back(data.points[k + 1] - data.points[k]);
-    steps.push_back(data.step(k));
-  }
-  Rational size = largest(chords);
-  if (size == 0) size = size_of_derivatives(data) * steps[0];
-  scale_ = scale_for_doubles(size);
-  step_scale_ = scale_for_doubles(*std::max_element(steps.begin(), steps.end()));
-  for (std::size_t k = 0; k < n_; ++k) {
-    wanted_chords_.push_back(scale_ * chords[k]);
-    steps_.push_back(step_scale_ * steps[k]);
-  }
-  common_ = parameter_steps(data);
-  common_.unit *= step_scale_;
-}
 
 C2Data C2Problem::in_doubles(bool is_plane) const {
   C2Data result;
+  const HermiteSpline& data = units_.data;
   for (std::size_t k = 0; k < n_; ++k) {
-    result.steps.push_back(static_cast<double>(steps_[k]));
-    result.chords.push_back(scaled_to_doubles(1, wanted_chords_[k]));
+    result.steps.push_back(static_cast<double>(data.step(k)));
+    result.chords.push_back(scaled_to_doubles(1, data.points[k + 1] - data.points[k]));
   }
-  for (const Vector<Rational>& d : data_.derivatives)
-    result.derivatives.push_back(scaled_to_doubles(scale_ / step_scale_, d));
-  result.is_closed = data_.is_closed;
+  for (const Vector<Rational>& d : data.derivatives)
+    result.derivatives.push_back(scaled_to_doubles(1, d));
+  result.is_closed = data.is_closed;
   result.is_plane = is_plane;
   return result;
 }
@@ -176,6 +161,34 @@ std::vector<Rational> to_parts(const std::vector<Quaternion<double>>& z, bool is
   return parts;
 }
 
+std::vector<Rational> C2Problem::defect(const LatticeSpline& spline, std::size_t dimension) const {
+  const HermiteSpline& data = units_.data;
+  const Rational square = spline.step * spline.step;
+  std::vector<Rational> result;
+  const auto put = [&](const Vector<Rational>& v) {
+    result.insert(result.end(), v.begin(), v.begin() + static_cast<long>(dimension));
+  };
+  const auto put_end = [&](const Rational& h, std::size_t k) {
+    if (!data.is_closed)
+      put(h * (exact(rotated_i(spline.joints[k]), square) - data.derivatives[k]));
+  };
+  put_end(data.step(0), 0);
+  const std::vector<Vector<Integer>> found = chords(spline);
+  for (std::size_t k = 0; k < n_; ++k)
+    put(exact(found[k], common_.unit * square / 120) - (data.points[k + 1] - data.points[k]));
+  put_end(data.step(n_ - 1), n_);
+  return result;
+}
+
+long C2Problem::first_places(const Deviation& tolerance) const {
+  constexpr long least = 40;
+  if (tolerance.points == 0) return least;
+  long longest = 0;
+  for (const Integer& count : common_.counts) longest = std::max(longest, bit_length(count));
+  return std::max(least, longest + bit_length(Integer(n_)) + 2 -
+                             binary_exponent(units_.scales[0] * tolerance.points));
+}
+
 std::optional<Construction> C2Problem::run(const Deviation& tolerance, PointRule rule,
                                            bool is_plane) const {
   constexpr int most_passes = 20;
@@ -184,40 +197,17 @@ std::optional<Construction> C2Problem::run(const Deviation& tolerance, PointRule
   if (!guess) return std::nullopt;
   const ParameterStep step = c2_step(data, *guess);
   const Integer sign = guess->closing_sign < 0 ? -1 : 1;
-  const std::size_t dimension = is_plane ? 2 : 3;
-  long longest = 0;
-  for (const Integer& count : common_.counts) longest = std::max(longest, bit_length(count));
-  long p = 40;
-  if (tolerance.points != 0)
-    p = std::max(
-        p, longest + bit_length(Integer(n_)) + 2 - binary_exponent(scale_ * tolerance.points));
   std::vector<Rational> parts = to_parts(guess->z, is_plane);
-  for (int pass = 0; pass < most_passes; ++pass, p += 8) {
-    const ExactDefect defect = [&](const std::vector<Rational>& parameters) {
-      const LatticeSpline spline = lattice_spline(to_quaternions(parameters, is_plane), sign, p);
-      const Rational square = spline.step * spline.step;
-      std::vector<Rational> result;
-      const auto put = [&](const Vector<Rational>& v) {
-        result.insert(result.end(), v.begin(), v.begin() + static_cast<long>(dimension));
-      };
-      const auto put_end = [&](const Rational& h, const IntegerQuaternion& a,
-                               const Vector<Rational>& d) {
-        if (!data_.is_closed)
-          put(h * (exact(rotated_i(a), square) - Rational(scale_ / step_scale_) * d));
-      };
-      put_end(steps_.front(), spline.joints.front(), data_.derivatives.front());
-      const std::vector<Vector<Integer>> found = chords(spline);
-      const Rational scale = common_.unit * square / 120;
-      for (std::size_t k = 0; k < n_; ++k) put(exact(found[k], scale) - wanted_chords_[k]);
-      put_end(steps_.back(), spline.joints.back(), data_.derivatives.back());
-      return result;
+  return first_within(tolerance, first_places(tolerance), most_passes, [&](long p) {
+    const auto spline_with = [&](const std::vector<Rational>& parameters) {
+      return lattice_spline(to_quaternions(parameters, is_plane), sign, p);
     };
-    parts = refine(std::move(parts), defect, step, p).parameters;
-    if (auto found =
-            within(tolerance, lattice_spline(to_quaternions(parts, is_plane), sign, p), rule, p))
-      return found;
-  }
-  return std::nullopt;
+    const ExactDefect lacking = [&](const std::vector<Rational>& parameters) {
+      return defect(spline_with(parameters), is_plane ? 2 : 3);
+    };
+    parts = refine(std::move(parts), lacking, step, p).parameters;
+    return within(tolerance, spline_with(parts), rule, p);
+  });
 }
 
 /// Of the angle between the tangents.
@@ -241,7 +231,7 @@ std::size_t C2Problem::adjusted_segment(const LatticeSpline& spline) const {
 std::vector<Vector<Rational>> C2Problem::joints_of(const LatticeSpline& spline,
                                                    std::size_t adjusted) const {
   const std::vector<Vector<Integer>> moves = chords(spline);
-  const Rational scale = common_.unit * spline.step * spline.step / (120 * scale_);
+  const Rational scale = common_.unit * spline.step * spline.step / (120 * units_.scales[0]);
   std::vector<Vector<Rational>> result(n_ + 1, data_.points.front());
   Vector<Integer> sum{};
   for (std::size_t k = 0; k < std::min(adjusted, n_); ++k) {
@@ -259,55 +249,27 @@ std::vector<Vector<Rational>> C2Problem::joints_of(const LatticeSpline& spline,
 std::optional<Construction> C2Problem::within(const Deviation& tolerance,
                                               const LatticeSpline& spline, PointRule rule,
                                               long p) const {
-  const Rational root = *square_root(Rational(step_scale_ / scale_));  // back from scaled data
+  const Rational& root = units_.root;
   const Rational step = spline.step * root;
   const std::size_t adjusted = data_.is_closed ? adjusted_segment(spline) : n_;
-  std::vector<Vector<Rational>> joints = joints_of(spline, adjusted);
-  Deviation squared{};
-  for (std::size_t k = 0; k <= n_; ++k)
-    squared.points =
-        std::max(squared.points, squared_above(joints[k] - data_.points[k], tolerance.points));
+  const std::vector<Vector<Rational>> joints = joints_of(spline, adjusted);
+  DeviationMeter meter(tolerance);
+  for (std::size_t k = 0; k <= n_; ++k) meter.point(joints[k] - data_.points[k]);
   if (!data_.is_closed)
     for (const std::size_t k : {std::size_t{0}, n_})
-      squared.derivatives = std::max(
-          squared.derivatives,
-          squared_above(exact(rotated_i(spline.joints[k]), step * step) - data_.derivatives[k],
-                        tolerance.derivatives));
-  Deviation deviation{square_root_above(squared.points), square_root_above(squared.derivatives)};
-  if (!is_within(deviation, tolerance)) return std::nullopt;
-  if (rule == PointRule::exact) {
-    joints = data_.points;
-    deviation.points = 0;
-  }
-  std::vector<Curve> curves;
-  std::vector<Rational> parameters{data_.parameters.front()};
-  const auto add = [&](const QuadraticPreimage& a, const Rational& h,
-                       const Vector<Rational>& start) {
-    curves.emplace_back(from_bernstein(std::vector(a.begin(), a.end())), Polynomial{h}, start);
-    parameters.push_back(parameters.back() + h);
+      meter.derivative(exact(rotated_i(spline.joints[k]), step * step) - data_.derivatives[k]);
+  PreimageSpline found{{}, root, p - binary_exponent(root), meter.deviation()};
+  if (!is_within(found.deviation, tolerance)) return std::nullopt;
+  const auto in_fractions = [&](const IntegerQuaternion& a) { return exact(a, spline.step); };
+  for (std::size_t k = 0; k < n_; ++k)
+    found.segments.push_back({{in_fractions(spline.joints[k]), in_fractions(spline.middles[k]),
+                               in_fractions(spline.joints[k + 1])},
+                              data_.step(k),
+                              joints[k]});
+  const auto sixths = [p](const BernsteinPreimage& a, const Vector<Rational>& integral) {
+    return listed(exact_sixths({a[0], a[1], a[2]}, integral, p));
   };
-  for (std::size_t k = 0; k < n_; ++k) {
-    const Rational h = data_.step(k);
-    const auto coefficients = [&](const Rational& scale) {
-      return QuadraticPreimage{exact(spline.joints[k], scale), exact(spline.middles[k], scale),
-                               exact(spline.joints[k + 1], scale)};
-    };
-    if (rule == PointRule::near && k != adjusted) {
-      add(coefficients(step), h, joints[k]);
-      continue;
-    }
-    const Vector<Rational> integral = Rational(1 / (h * root * root)) * (joints[k + 1] - joints[k]);
-    Vector<Rational> start = joints[k];
-    const auto sixths =
-        of_segment(k, [&] { return exact_sixths(coefficients(spline.step), integral, p); });
-    for (const auto& [a, b, c] : sixths) {
-      const QuadraticPreimage piece{root * a, root * b, root * c};
-      add(piece, h / 6, start);
-      start = start + Rational(h / 720) * integral_times_120(piece[0], piece[1], piece[2]);
-    }
-  }
-  return Construction{
-      joined(curves), std::move(parameters), {}, p - binary_exponent(root), deviation};
+  return construction_of(found, {sixths, adjusted}, data_, rule);
 }
 
 bool is_plane(const Vector<Rational>& v) { return v[2] == 0; }

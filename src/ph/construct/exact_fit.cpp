@@ -138,13 +138,4 @@ ExactFit rounded(ExactFit fit, long scale, long bits, FreePart part) {
   return fit;
 }
 
-RationalQuaternion exact_quaternion(const Quaternion<double>& a) {
-  return {exact_rational(a.u), exact_rational(a.v), exact_rational(a.p), exact_rational(a.q)};
-}
-
-Quaternion<double> quaternion_in_doubles(const RationalQuaternion& a) {
-  return {static_cast<double>(a.u), static_cast<double>(a.v), static_cast<double>(a.p),
-          static_cast<double>(a.q)};
-}
-
 }  // namespace phrame

@@ -1,6 +1,7 @@
 #pragma once
 #include "phrame/ph/construct/bezier_points.hpp"
 #include "phrame/ph/construct/preimage_fit.hpp"
+#include "phrame/ph/construct/scale.hpp"
 
 namespace phrame {
 
@@ -11,9 +12,6 @@ struct ExactFit {
   std::vector<RationalQuaternion> preimage;
   std::vector<Rational> multiplier;
 };
-
-RationalQuaternion exact_quaternion(const Quaternion<double>& a);
-Quaternion<double> quaternion_in_doubles(const RationalQuaternion& a);
 
 /// Is A or f zero, so that there is no curve?
 bool is_point(const ExactFit& fit);

@@ -10,12 +10,9 @@
 #include "phrame/algebra/linear_system.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/construct/exact_fit.hpp"
-#include "phrame/ph/construct/multiplier.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/refine.hpp"
-#include "phrame/ph/construct/scale.hpp"
-#include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/construct/spline_builder.hpp"
 
 // The parameters of a segment are refined and rounded until its end, from where it does start on
 // the exact curve, and its derivative there are within the tolerance. All of them are multiples of
@@ -111,18 +108,9 @@ ParameterStep newton_step(const HelicalGuess& at, const HelicalStart<double>& st
   return least_change(rows, nothing);
 }
 
-std::vector<double> in_doubles(const std::vector<Rational>& list) {
-  std::vector<double> result;
-  for (const Rational& x : list) result.push_back(static_cast<double>(x));
-  return result;
-}
-
-/// The guess, refined. It is found to some bits more and then rounded, so that the way there does
-/// not decide the last ones.
+/// The guess, refined and rounded.
 std::optional<std::vector<Rational>> fit(const ScaledSegment& wanted, HelicalGuess guess,
                                          const HelicalStart<double>& start) {
-  constexpr int most_passes = 12;
-  constexpr long spare_bits = 24;
   const ExactDefect defect = [&](const std::vector<Rational>& x) {
     return helical_defect(helical_member(guess.form, wanted.start, x), wanted.step, wanted.d1);
   };
@@ -135,17 +123,15 @@ std::optional<std::vector<Rational>> fit(const ScaledSegment& wanted, HelicalGue
         refine(parameters, defect, newton_step(guess, start), bits_of_doubles).parameters;
     if (next == parameters) break;
     parameters = std::move(next);
-    guess.parameters = in_doubles(parameters);
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+      guess.parameters[k] = static_cast<double>(parameters[k]);
   }
-  const ParameterStep step = newton_step(guess, start);
-  long bits = std::max(24L, 4 - binary_exponent(std::min(wanted.points, wanted.derivatives)));
-  for (int pass = 0; pass < most_passes; ++pass, bits += 12) {
-    parameters = refine(std::move(parameters), defect, step, bits + spare_bits).parameters;
-    std::vector<Rational> rounded;
-    for (const Rational& x : parameters) rounded.push_back(rounded_to_places(x, bits));
-    if (is_met(wanted, defect(rounded))) return rounded;
-  }
-  return std::nullopt;
+  const long bits = std::max(24L, 4 - binary_exponent(std::min(wanted.points, wanted.derivatives)));
+  return rounded_solution(
+      std::move(parameters), [&](long) { return defect; }, newton_step(guess, start), bits, 12,
+      [&](const std::vector<Rational>& rounded, long) {
+        return is_met(wanted, defect(rounded)) ? std::optional(rounded) : std::nullopt;
+      });
 }
 
 /// Is f > 0 on [0, 1]?
@@ -166,47 +152,36 @@ long bits_after_point(const std::vector<RationalQuaternion>& a) {
 class Helices {
  public:
   Helices(const HermiteSpline& data, long solution, const Deviation& tolerance, PointRule rule)
-      : data_(data), solution_(solution), tolerance_(tolerance), rule_(rule) {}
+      : data_(data), solution_(solution), tolerance_(tolerance), builder_(data, rule) {}
 
   Construction run();
 
  private:
   void add(std::size_t k);
+  /// Adds a member of the form of the guess that meets the end as the rule asks, A times `back`.
+  void add(const HelicalGuess& guess, ScaledSegment wanted, const HelicalStart<double>& start,
+           const Rational& back);
 
   const HermiteSpline& data_;
   long solution_;
   const Deviation& tolerance_;
-  PointRule rule_;
+  SplineBuilder builder_;
   HelicalStart<Rational> start_;
-  Vector<Rational> r_;
-  std::vector<Curve> curves_;
-  Deviation squared_;
   long bits_ = 0;
 };
 
 Construction Helices::run() {
   start_ = {rounded_preimage(data_.derivatives.front(), tolerance_.derivatives), 1};
-  r_ = data_.points.front();
-  const Vector<Rational> off = rotated_i(start_.q) - data_.derivatives.front();
-  squared_.derivatives = dot(off, off);
+  builder_.meter().derivative(rotated_i(start_.q) - data_.derivatives.front());
   Stage stage("segments", data_.segments());
   for (std::size_t k = 0; k < data_.segments(); ++k, stage.advance()) add(k);
-  return {joined(curves_),
-          data_.parameters,
-          {},
-          bits_,
-          {square_root_above(squared_.points), square_root_above(squared_.derivatives)}};
+  return builder_.finished(data_.parameters, bits_);
 }
 
-/// A member of the form of a guess, that meets the end as the rule asks.
-struct FittedHelix {
-  HelicalMember<Rational> member;
-  std::vector<Rational> parameters;
-};
-
-FittedHelix fitted(std::size_t k, ScaledSegment wanted, const HelicalGuess& guess,
-                   const HelicalStart<double>& start, PointRule rule) {
+void Helices::add(const HelicalGuess& guess, ScaledSegment wanted,
+                  const HelicalStart<double>& start, const Rational& back) {
   constexpr int most_passes = 3;
+  const std::size_t k = builder_.next();
   for (int pass = 0; pass <= most_passes; ++pass, wanted.points *= power_of_two(-24)) {
     const auto found = fit(wanted, guess, start);
     HelicalMember<Rational> member;
@@ -215,21 +190,26 @@ FittedHelix fitted(std::size_t k, ScaledSegment wanted, const HelicalGuess& gues
       throw Undecided(fmt::format(
           "segment {}: the end of the helical quintic is too sensitive to its coefficients",
           k + 1));
-    if (rule == PointRule::near) return {member, *found};
-    const auto f = slight_multiplier(from_bernstein(member.a), member.f, wanted.step,
-                                     MultiplierFreedom::inner_only);
-    if (!f) continue;
-    member.f = *f;
-    return {member, *found};
+    for (RationalQuaternion& a : member.a) a = back * a;
+    for (Rational& f : member.f) f *= data_.step(k);
+    if (!builder_.add(member.a, member.f, MultiplierFreedom::inner_only)) continue;
+    member.end = back * member.end;
+    builder_.meter().derivative(rotated_i(member.end) - data_.derivatives[k + 1]);
+    bits_ = std::max(bits_, bits_after_point(member.a));
+    if (guess.form == HelicalForm::end && found->size() == 5)
+      start_.factor = found->back();
+    else
+      start_ = {member.end, 1};
+    return;
   }
-  throw Undecided(fmt::format("segment {}: {}", k + 1, no_slight_multiplier));
+  throw unmet_segment(k);
 }
 
 void Helices::add(std::size_t k) {
   const Rational h = data_.step(k);
   const Vector<Rational>& d0 = data_.derivatives[k];
   const Vector<Rational>& d1 = data_.derivatives[k + 1];
-  const Vector<Rational> step = (1 / h) * (data_.points[k + 1] - r_);
+  const Vector<Rational> step = (1 / h) * builder_.wanted();
   const Rational scale = scale_for_doubles(std::max({largest(step), largest(d0), largest(d1)}));
   const Rational root = *square_root(scale);
   const ScaledSegment wanted{scale * step,
@@ -246,23 +226,7 @@ void Helices::add(std::size_t k) {
         fmt::format("segment {}: there are {} helical quintics with these ends and "
                     "derivatives, so no solution {}",
                     k + 1, guesses.size(), solution_));
-  const HelicalGuess& guess = guesses[static_cast<std::size_t>(solution_ - 1)];
-  auto [member, parameters] = fitted(k, wanted, guess, start, rule_);
-  const Rational back = 1 / root;
-  for (RationalQuaternion& a : member.a) a = back * a;
-  for (Rational& f : member.f) f = h * f;
-  curves_.emplace_back(from_bernstein(member.a), from_bernstein(member.f), r_);
-  member.end = back * member.end;
-  r_ = end_point(curves_.back());
-  const Vector<Rational> off = r_ - data_.points[k + 1];
-  const Vector<Rational> off_end = rotated_i(member.end) - d1;
-  squared_.points = std::max(squared_.points, dot(off, off));
-  squared_.derivatives = std::max(squared_.derivatives, dot(off_end, off_end));
-  bits_ = std::max(bits_, bits_after_point(member.a));
-  if (guess.form == HelicalForm::end && parameters.size() == 5)
-    start_.factor = parameters[4];
-  else
-    start_ = {member.end, 1};
+  add(guesses[static_cast<std::size_t>(solution_ - 1)], wanted, start, 1 / root);
 }
 
 }  // namespace

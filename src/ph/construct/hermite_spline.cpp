@@ -192,10 +192,10 @@ void require_regular(const HermiteSpline& data) {
           "segment {} is a point: its points are equal and its derivatives are 0", k + 1));
 }
 
-void require_directions(const HermiteSpline& data) {
+void require_directions(const HermiteSpline& data, std::string_view what) {
   for (std::size_t k = 0; k < data.derivatives.size(); ++k)
     if (largest(data.derivatives[k]) == 0)
-      throw DomainError(fmt::format("the derivative at point {} is 0: it has no direction", k + 1));
+      throw DomainError(fmt::format("the derivative at point {} is 0: {}", k + 1, what));
 }
 
 ParameterSteps parameter_steps(const HermiteSpline& data) {
@@ -231,5 +231,26 @@ Rational size_of_points(const HermiteSpline& data) {
 Rational size_of_derivatives(const HermiteSpline& data) { return largest(data.derivatives); }
 
 Rational size_of_accelerations(const HermiteSpline& data) { return largest(data.accelerations); }
+
+ScaledSpline scaled(const HermiteSpline& data) {
+  Rational longest_chord;
+  Rational longest_step;
+  for (std::size_t k = 0; k < data.segments(); ++k) {
+    longest_chord = std::max(longest_chord, largest(data.points[k + 1] - data.points[k]));
+    longest_step = std::max(longest_step, data.step(k));
+  }
+  if (longest_chord == 0) longest_chord = size_of_derivatives(data) * longest_step;
+  const Rational scale = scale_for_doubles(longest_chord);
+  const Rational step_scale = scale_for_doubles(longest_step);
+  ScaledSpline result{data,
+                      step_scale,
+                      {scale, scale / step_scale, scale / (step_scale * step_scale)},
+                      *square_root(step_scale / scale)};
+  for (auto& p : result.data.points) p = result.scales[0] * p;
+  for (auto& d : result.data.derivatives) d = result.scales[1] * d;
+  for (auto& a : result.data.accelerations) a = result.scales[2] * a;
+  for (Rational& t : result.data.parameters) t *= step_scale;
+  return result;
+}
 
 }  // namespace phrame

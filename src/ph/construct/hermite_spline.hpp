@@ -44,7 +44,7 @@ HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed);
 /// and where a segment is a point: its points are equal, its derivatives 0.
 void require_regular(const HermiteSpline& data);
 /// Throws DomainError where a derivative is 0, of which a direction is wanted.
-void require_directions(const HermiteSpline& data);
+void require_directions(const HermiteSpline& data, std::string_view what = "it has no direction");
 
 /// The steps of the parameter.
 struct ParameterSteps {
@@ -61,5 +61,14 @@ Rational size_of_points(const HermiteSpline& data);
 Rational size_of_derivatives(const HermiteSpline& data);
 /// The greatest coordinate of an acceleration.
 Rational size_of_accelerations(const HermiteSpline& data);
+
+/// The same data in units that powers of 4 make of about the size of chords and steps.
+struct ScaledSpline {
+  HermiteSpline data;
+  Rational step_scale;      ///< of the parameter
+  Vector<Rational> scales;  ///< of points, derivatives, accelerations
+  Rational root;            ///< that A is to be multiplied by to come back
+};
+ScaledSpline scaled(const HermiteSpline& data);
 
 }  // namespace phrame

@@ -60,23 +60,32 @@ FineFit fine_fit(const Vector<Polynomial>& hodograph, const Vector<Rational>& st
   return result;
 }
 
-/// With the fewest bits that keep it within ε, as it is given.
-MeasuredFit shortest(const FineFit& fine, const Rational& epsilon) {
-  MeasuredFit best = fine.fit;
-  for (long low = -1; best.bits - low > 1;) {
-    const long bits = low + (best.bits - low) / 2;
-    MeasuredFit next{rounded(fine.fit.fit, fine.scale, bits, FreePart::all), 0, bits};
-    if (is_point(next.fit)) {
-      low = bits;
-      continue;
+/// What make(bits) has a value of, with the fewest bits, by halving from those of the best so far;
+/// `bits` becomes theirs.
+template <class T, class Make>
+T with_fewest_bits(T best, long& bits, const Make& make) {
+  for (long low = -1; bits - low > 1;) {
+    const long middle = low + (bits - low) / 2;
+    if (std::optional<T> next = make(middle)) {
+      best = *std::move(next);
+      bits = middle;
+    } else {
+      low = middle;
     }
-    next.squared_distance = squared_distance(next.fit, fine.points.front(), fine.points);
-    if (is_within(next.squared_distance, epsilon))
-      best = std::move(next);
-    else
-      low = bits;
   }
   return best;
+}
+
+/// With the fewest bits that keep it within ε, as it is given.
+MeasuredFit shortest(const FineFit& fine, const Rational& epsilon) {
+  long bits = fine.fit.bits;
+  return with_fewest_bits(fine.fit, bits, [&](long fewer) -> std::optional<MeasuredFit> {
+    MeasuredFit next{rounded(fine.fit.fit, fine.scale, fewer, FreePart::all), 0, fewer};
+    if (is_point(next.fit)) return std::nullopt;
+    next.squared_distance = squared_distance(next.fit, fine.points.front(), fine.points);
+    if (!is_within(next.squared_distance, epsilon)) return std::nullopt;
+    return next;
+  });
 }
 
 /// The hodographs of a curve given and of the one in its place.
@@ -261,17 +270,9 @@ std::variant<NearPath, NotNear> near_path(const std::vector<BezierPoints>& curve
   if (!fine) throw DomainError("PH curve nearby: a segment shrinks to a point");
   if (!is_within(fine->squared_distance, epsilon))
     return NotNear{square_root_above(fine->squared_distance)};
-  MeasuredSpline best = *fine;
   long bits = most_bits;
-  for (long low = -1; bits - low > 1;) {
-    const long middle = low + (bits - low) / 2;
-    if (auto next = with_bits(middle, epsilon)) {
-      best = *std::move(next);
-      bits = middle;
-    } else {
-      low = middle;
-    }
-  }
+  const MeasuredSpline best =
+      with_fewest_bits(*fine, bits, [&](long fewer) { return with_bits(fewer, epsilon); });
   std::vector<HodographPair> pairs;
   std::vector<Curve> exact;
   for (std::size_t k = 0; k < curves.size(); ++k) {

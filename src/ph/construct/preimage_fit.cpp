@@ -21,9 +21,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <optional>
 
-#include "phrame/algebra/least_squares.hpp"
 #include "phrame/ph/construct/preimage.hpp"
 
 namespace phrame {
@@ -308,25 +306,14 @@ PreimageFit normalized(PreimageFit fit) {
 
 }  // namespace
 
-struct FitStep::Solver {
-  std::size_t preimage_size = 0;
-  std::size_t multiplier_size = 0;
-  std::size_t first = 0;  ///< of the free coefficients of A
-  std::size_t count = 0;  ///< of them
-  bool frees_multiplier = false;
-  std::optional<LeastSquares> inverse;
-};
-
-FitStep::FitStep(const PreimageFit& fit, FreePart part) : solver_(std::make_unique<Solver>()) {
-  const std::size_t size = fit.preimage.size();
-  solver_->preimage_size = size;
-  solver_->multiplier_size = fit.multiplier.size();
-  solver_->frees_multiplier = fit.multiplier.size() > 1;
+FitStep::FitStep(const PreimageFit& fit, FreePart part)
+    : preimage_size_(fit.preimage.size()), multiplier_size_(fit.multiplier.size()) {
+  const std::size_t size = preimage_size_;
   if (part == FreePart::all) {
-    solver_->count = size;
+    count_ = size;
   } else if (size > 2) {
-    solver_->first = 1;
-    solver_->count = size - 2;
+    first_ = 1;
+    count_ = size - 2;
   }
   const auto a = scaled(fit.preimage);
   const auto f = scaled(fit.multiplier);
@@ -334,14 +321,14 @@ FitStep::FitStep(const PreimageFit& fit, FreePart part) : solver_(std::make_uniq
   std::vector<std::vector<double>> columns;
   constexpr std::array<DoubleQuaternion, 4> units{
       {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-  for (std::size_t k = solver_->first; k < solver_->first + solver_->count; ++k)
+  for (std::size_t k = first_; k < first_ + count_; ++k)
     for (const DoubleQuaternion& unit : units) {
       std::vector<DoubleVector> change(2 * size - 1, DoubleVector{});
       for (std::size_t j = 0; j < size; ++j)
         change[k + j] = (2 * row[k]) * symmetric_product(unit, a[j]);
       columns.push_back(stacked(integrated(product(f, change))));
     }
-  if (solver_->frees_multiplier) {
+  if (multiplier_size_ > 1) {
     const auto square = scaled_square(a);
     for (std::size_t k = 0; k < f.size(); ++k) {
       std::vector<double> unit(f.size(), 0.0);
@@ -355,23 +342,19 @@ FitStep::FitStep(const PreimageFit& fit, FreePart part) : solver_(std::make_uniq
     for (std::size_t y = 0; y < column.size(); ++y) matrix[y].push_back(column[y]);
   // What turns A about i, and other changes that leave the curve alone, is singular.
   constexpr double singular = 1e-12;
-  solver_->inverse.emplace(matrix, singular);
+  inverse_.emplace(matrix, singular);
 }
 
-FitStep::~FitStep() = default;
-FitStep::FitStep(FitStep&&) noexcept = default;
-FitStep& FitStep::operator=(FitStep&&) noexcept = default;
-
 PreimageFit FitStep::operator()(const std::vector<DoubleVector>& wanted) const {
-  const Solver& s = *solver_;
-  PreimageFit result{std::vector<DoubleQuaternion>(s.preimage_size),
-                     std::vector<double>(s.multiplier_size, 0.0)};
-  if (s.count == 0 && !s.frees_multiplier) return result;
-  const std::vector<double> x = (*s.inverse)(stacked(wanted));
-  for (std::size_t k = 0; k < s.count; ++k)
-    result.preimage[s.first + k] = {x[4 * k], x[4 * k + 1], x[4 * k + 2], x[4 * k + 3]};
-  if (s.frees_multiplier)
-    for (std::size_t k = 0; k < s.multiplier_size; ++k) result.multiplier[k] = x[4 * s.count + k];
+  PreimageFit result{std::vector<DoubleQuaternion>(preimage_size_),
+                     std::vector<double>(multiplier_size_, 0.0)};
+  if (!inverse_) return result;
+  const std::vector<double> x = (*inverse_)(stacked(wanted));
+  for (std::size_t k = 0; k < count_; ++k)
+    result.preimage[first_ + k] = {x[4 * k], x[4 * k + 1], x[4 * k + 2], x[4 * k + 3]};
+  if (multiplier_size_ > 1)
+    std::copy(x.begin() + static_cast<std::ptrdiff_t>(4 * count_), x.end(),
+              result.multiplier.begin());
   return result;
 }
 

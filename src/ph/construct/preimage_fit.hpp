@@ -1,7 +1,8 @@
 #pragma once
-#include <memory>
+#include <optional>
 #include <vector>
 
+#include "phrame/algebra/least_squares.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
 namespace phrame {
@@ -35,17 +36,15 @@ enum class FreePart {
 class FitStep {
  public:
   FitStep(const PreimageFit& fit, FreePart part);
-  ~FitStep();
-  FitStep(const FitStep&) = delete;
-  FitStep& operator=(const FitStep&) = delete;
-  FitStep(FitStep&&) noexcept;
-  FitStep& operator=(FitStep&&) noexcept;
 
   PreimageFit operator()(const std::vector<Vector<double>>& wanted) const;
 
  private:
-  struct Solver;
-  std::unique_ptr<Solver> solver_;
+  std::size_t preimage_size_;
+  std::size_t multiplier_size_;
+  std::size_t first_ = 0;  ///< of the free coefficients of A
+  std::size_t count_ = 0;  ///< of them
+  std::optional<LeastSquares> inverse_;
 };
 
 }  // namespace phrame

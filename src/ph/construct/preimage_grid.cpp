@@ -10,19 +10,24 @@
 namespace phrame {
 
 Vector<Rational> exact(const Vector<Integer>& v, const Rational& scale) {
-  return {v[0] * scale, v[1] * scale, v[2] * scale};
+  return each(v, [&](const Integer& x) { return x * scale; });
 }
 
 RationalQuaternion exact(const IntegerQuaternion& a, const Rational& scale) {
-  return {a.u * scale, a.v * scale, a.p * scale, a.q * scale};
+  return each(a, [&](const Integer& x) { return x * scale; });
 }
 
 Vector<BigFloat> big_floats(const Vector<Rational>& v, long bits) {
-  return {BigFloat(v[0], bits), BigFloat(v[1], bits), BigFloat(v[2], bits)};
+  return each(v, [bits](const Rational& x) { return BigFloat(x, bits); });
 }
 
-Quaternion<BigFloat> big_floats(const RationalQuaternion& a, long bits) {
-  return {{a.u, bits}, {a.v, bits}, {a.p, bits}, {a.q, bits}};
+FloatQuaternion big_floats(const RationalQuaternion& a, long bits) {
+  return each(a, [bits](const Rational& x) { return BigFloat(x, bits); });
+}
+
+FloatQuaternion unit_preimage(const Vector<Rational>& d, long bits) {
+  const Vector<BigFloat> v = big_floats(scale_for_doubles(largest(d)) * d, bits);
+  return preimage((BigFloat(1.0) / sqrt(dot(v, v))) * v);
 }
 
 Phase phase_of(const Angle& angle, long bits) {
@@ -38,32 +43,23 @@ Rational rounded_to_places(const BigFloat& x, long k) {
   return Rational(x.scaled(k)) * power_of_two(-k);
 }
 
-RationalQuaternion rounded_to_places(const Quaternion<BigFloat>& a, long k) {
-  return {rounded_to_places(a.u, k), rounded_to_places(a.v, k), rounded_to_places(a.p, k),
-          rounded_to_places(a.q, k)};
+RationalQuaternion rounded_to_places(const FloatQuaternion& a, long k) {
+  return each(a, [k](const BigFloat& x) { return rounded_to_places(x, k); });
 }
 
-Quaternion<double> in_doubles(const Quaternion<BigFloat>& a) {
-  return {a.u.to_double(), a.v.to_double(), a.p.to_double(), a.q.to_double()};
+IntegerQuaternion rounded_multiple(const FloatQuaternion& a, long k) {
+  return each(a, [k](const BigFloat& x) { return x.scaled(k); });
 }
 
-PreimageGrid::PreimageGrid(long p, long bits)
-    : p_(p), bits_(bits), step_(power_of_two(-p)), step2_(step_ * step_) {}
-
-Quaternion<BigFloat> PreimageGrid::quaternion(const IntegerQuaternion& a,
-                                              const Rational& step) const {
-  return quaternion(exact(a, step));
+Quaternion<double> in_doubles(const FloatQuaternion& a) {
+  return each(a, [](const BigFloat& x) { return x.to_double(); });
 }
 
-IntegerQuaternion PreimageGrid::rounded(const Quaternion<BigFloat>& a) const {
-  return {a.u.scaled(p_), a.v.scaled(p_), a.p.scaled(p_), a.q.scaled(p_)};
-}
-
-Phase turn_to(const Quaternion<BigFloat>& a, const Quaternion<BigFloat>& b) {
+Phase turn_to(const FloatQuaternion& a, const FloatQuaternion& b) {
   return turn_to(a, b, sqrt(norm(a)));
 }
 
-Phase turn_to(const Quaternion<BigFloat>& a, const Quaternion<BigFloat>& b, const BigFloat& size) {
+Phase turn_to(const FloatQuaternion& a, const FloatQuaternion& b, const BigFloat& size) {
   const auto [re, im] =
       direction_of(hermitian_product(a, b), BigFloat(antiparallel) * size * sqrt(norm(b)));
   return {re, -im};
@@ -81,18 +77,6 @@ GaussianInteger short_direction(const Phase& wanted) {
   GaussianInteger z = root * root;
   for (; quarters > 0; --quarters) z = {-z.im, z.re};
   return z;
-}
-
-Rational squared_above(const Vector<Rational>& off, const Rational& tolerance) {
-  if (off == Vector<Rational>{}) return 0;
-  const long places = tolerance == 0 ? 0 : 21 - binary_exponent(tolerance);
-  Integer sum;
-  for (const Rational& x : off)
-    if (x != 0) {
-      const Integer n = floor(abs(x) * power_of_two(places)) + 1;
-      sum += n * n;
-    }
-  return sum * power_of_two(-2 * places);
 }
 
 }  // namespace phrame

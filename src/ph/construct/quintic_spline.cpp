@@ -1,19 +1,15 @@
 #include "phrame/ph/construct/quintic_spline.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <optional>
 
-#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/exact_end.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
 #include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/construct/spline_builder.hpp"
 
 // Continuity is linear in the preimage, interpolation quadratic. So the coefficients of A are
 // rounded to multiples of δ = 2^−p, those at a joint once for both neighbours, and continuity is
@@ -30,59 +26,51 @@
 namespace phrame {
 namespace {
 
-struct ExactSegment {
-  QuadraticPreimage a;
-  Rational h;
-  Vector<Rational> start;
-};
-
-/// A spline with one rounding.
-struct Attempt {
-  std::vector<ExactSegment> segments;
-  Vector<Rational> end;
-  Deviation squared;  ///< the greatest ones
-};
-
 class Chain {
  public:
-  Chain(const HermiteSpline& data, const std::vector<FreeAngles>& angles, const PreimageGrid& grid,
+  /// With multiples of 2^−p, which need so many bits.
+  Chain(const HermiteSpline& data, const std::vector<FreeAngles>& angles, long p, long bits,
         const Deviation& tolerance)
-      : data_(data), angles_(angles), grid_(grid), tolerance_(tolerance) {}
+      : data_(data), angles_(angles), p_(p), bits_(bits), meter_(tolerance) {}
 
-  Attempt run();
+  PreimageSpline run();
 
  private:
   void add(std::size_t k);
+  FloatQuaternion preimage_at(std::size_t k) const {
+    return preimage(big_floats(data_.derivatives[k], bits_));
+  }
 
   const HermiteSpline& data_;
   const std::vector<FreeAngles>& angles_;
-  const PreimageGrid& grid_;
-  const Deviation& tolerance_;
-  Attempt result_;
-  Quaternion<BigFloat> a0_;  ///< a preimage of the derivative at the last joint, …
-  Phase turn_;               ///< … by which it is turned to be that of the spline …
-  IntegerQuaternion q_;      ///< … and rounded
+  long p_;
+  long bits_;
+  Rational step_ = power_of_two(-p_);
+  DeviationMeter meter_;
+  std::vector<PreimageSpline::Segment> segments_;
+  Vector<Rational> end_;
+  FloatQuaternion a0_;   ///< a preimage of the derivative at the last joint, …
+  Phase turn_;           ///< … by which it is turned to be that of the spline …
+  IntegerQuaternion q_;  ///< … and rounded
   IntegerQuaternion first_;
 };
 
-Attempt Chain::run() {
-  a0_ = preimage(grid_.vector(data_.derivatives.front()));
+PreimageSpline Chain::run() {
+  a0_ = preimage_at(0);
   turn_ = {BigFloat(1.0), BigFloat(0.0)};
-  first_ = q_ = grid_.rounded(a0_);
-  result_.end = data_.points.front();
-  result_.squared.derivatives = squared_above(
-      exact(rotated_i(q_), grid_.step2()) - data_.derivatives.front(), tolerance_.derivatives);
+  first_ = q_ = rounded_multiple(a0_, p_);
+  end_ = data_.points.front();
+  meter_.derivative(exact(rotated_i(q_), step_ * step_) - data_.derivatives.front());
   for (std::size_t k = 0; k < data_.segments(); ++k) add(k);
-  return std::move(result_);
+  return {std::move(segments_), 1, p_, meter_.deviation()};
 }
 
 void Chain::add(std::size_t k) {
   const Rational h = data_.step(k);
-  const Vector<Rational> r = result_.end;
   // A₂ beside A₀, both of them before they are turned.
-  const Quaternion<BigFloat> a2_as_is = preimage(grid_.vector(data_.derivatives[k + 1]));
-  const Phase z = turn_to(a0_, a2_as_is) * grid_.phase(angles_[k].delta);
-  const Quaternion<BigFloat> a2 = turned(a2_as_is, z);
+  const FloatQuaternion a2_as_is = preimage_at(k + 1);
+  const Phase z = turn_to(a0_, a2_as_is) * phase_of(angles_[k].delta, bits_);
+  const FloatQuaternion a2 = turned(a2_as_is, z);
   const Phase next_turn = z * turn_;
   // The last Q of a closed spline is the first one times a z/n with |z| = n: then all is n times as
   // fine here.
@@ -93,30 +81,25 @@ void Chain::add(std::size_t k) {
     n = sqrt(norm(closing));
     q = turned(first_, ComplexOf<Integer>{closing.re, closing.im});
   } else {
-    q = grid_.rounded(turned(a2, turn_));
+    q = rounded_multiple(turned(a2, turn_), p_);
   }
   const IntegerQuaternion q0 = n * q_;
-  const Rational step = grid_.step() / Rational(n);
+  const Rational step = step_ / Rational(n);
   const Rational step2 = step * step;
 
   const Vector<Integer> known = integral_of_ends(q0, q);
-  const Vector<Rational> c = (120 / h) * (data_.points[k + 1] - r) - exact(known, step2);
-  const Quaternion<BigFloat> b_as_is = preimage(grid_.vector(c));
+  const Vector<Rational> c = (120 / h) * (data_.points[k + 1] - end_) - exact(known, step2);
+  const FloatQuaternion b_as_is = preimage(big_floats(c, bits_));
   const Phase w = turn_to(a0_ + a2, b_as_is, sqrt(norm(a0_)) + sqrt(norm(a2))) *
-                  grid_.phase(angles_[k].phi) * turn_;
-  const Quaternion<BigFloat> ends = grid_.quaternion(q0 + q, step);
+                  phase_of(angles_[k].phi, bits_) * turn_;
+  const FloatQuaternion ends = big_floats(exact(q0 + q, step), bits_);
   const IntegerQuaternion a1 =
-      n * grid_.rounded(BigFloat(0.25) * (turned(b_as_is, w) - BigFloat(3.0) * ends));
+      n * rounded_multiple(BigFloat(0.25) * (turned(b_as_is, w) - BigFloat(3.0) * ends), p_);
 
-  const IntegerQuaternion b = Integer(3) * (q0 + q) + Integer(4) * a1;
-  result_.segments.push_back({{exact(q0, step), exact(a1, step), exact(q, step)}, h, r});
-  result_.end = r + exact(rotated_i(b) + known, h * step2 / 120);
-  Deviation& squared = result_.squared;
-  squared.points =
-      std::max(squared.points, squared_above(result_.end - data_.points[k + 1], tolerance_.points));
-  squared.derivatives = std::max(
-      squared.derivatives,
-      squared_above(exact(rotated_i(q), step2) - data_.derivatives[k + 1], tolerance_.derivatives));
+  segments_.push_back({{exact(q0, step), exact(a1, step), exact(q, step)}, h, end_});
+  end_ = end_ + exact(integral_times_120(q0, a1, q), h * step2 / 120);
+  meter_.point(end_ - data_.points[k + 1]);
+  meter_.derivative(exact(rotated_i(q), step2) - data_.derivatives[k + 1]);
   a0_ = a2_as_is;
   turn_ = next_turn;
   q_ = q;
@@ -153,50 +136,20 @@ long working_bits(const HermiteSpline& data, long p) {
   return std::max(p + exponent_of_root(size), 0L) + 96;
 }
 
-/// The segment in two halves from `start` to `end`, exactly.
-std::array<ExactSegment, 2> halves(const ExactSegment& segment, const Vector<Rational>& start,
-                                   const Vector<Rational>& end, long bits) {
-  const Rational& h = segment.h;
-  const auto [first, second] = exact_halves(segment.a, (1 / h) * (end - start), bits);
-  const Rational half = h / 2;
-  const Vector<Rational> middle =
-      start + half / 120 * integral_times_120(first[0], first[1], first[2]);
-  return {ExactSegment{first, half, start}, ExactSegment{second, half, middle}};
-}
-
-/// With the segments halved that have to end in a point exactly: all, or the last one of a closed
+/// In halves those segments that have to end in a point exactly: all, or the last one of a closed
 /// spline.
-Construction construction_of(const Attempt& attempt, const HermiteSpline& data,
-                             const std::vector<FreeAngles>& angles, PointRule rule, long bits,
-                             const Deviation& deviation) {
-  std::vector<Curve> curves;
-  std::vector<Rational> parameters{data.parameters.front()};
-  std::vector<FreeAngles> angles_of_curves;
-  const auto add = [&](const ExactSegment& segment, std::size_t k) {
-    const auto& a = segment.a;
-    curves.emplace_back(from_bernstein(std::vector(a.begin(), a.end())), Polynomial{segment.h},
-                        segment.start);
-    parameters.push_back(parameters.back() + segment.h);
-    angles_of_curves.push_back(angles[k]);
+Construction construction_of(const PreimageSpline& found, const HermiteSpline& data,
+                             const std::vector<FreeAngles>& angles, PointRule rule) {
+  const auto parts = [&](const BernsteinPreimage& a, const Vector<Rational>& integral) {
+    return listed(exact_halves(QuadraticPreimage{a[0], a[1], a[2]}, integral, found.bits));
   };
-  const bool is_exact = rule == PointRule::exact;
-  for (std::size_t k = 0; k < attempt.segments.size(); ++k) {
-    const ExactSegment& segment = attempt.segments[k];
-    const bool is_last = k + 1 == attempt.segments.size();
-    if (!is_exact && !(data.is_closed && is_last)) {
-      add(segment, k);
-      continue;
-    }
-    const Vector<Rational>& start = is_exact ? data.points[k] : segment.start;
-    const auto both =
-        of_segment(k, [&] { return halves(segment, start, data.points[k + 1], bits); });
-    for (const ExactSegment& half : both) add(half, k);
+  const std::size_t last = data.segments() - 1;
+  Construction result = construction_of(found, {parts, last}, data, rule);
+  for (std::size_t k = 0; k <= last; ++k) {
+    const bool is_divided = rule == PointRule::exact || (data.is_closed && k == last);
+    result.angles.insert(result.angles.end(), is_divided ? 2 : 1, angles[k]);
   }
-  return {joined(curves),
-          std::move(parameters),
-          std::move(angles_of_curves),
-          bits,
-          {is_exact ? Rational(0) : deviation.points, deviation.derivatives}};
+  return result;
 }
 
 }  // namespace
@@ -219,12 +172,8 @@ Construction quintic_spline(const HermiteSpline& data, const std::vector<FreeAng
                             const Deviation& tolerance, PointRule rule) {
   require_regular(data);
   for (long p = first_bits(data, tolerance);; p += 8) {
-    const Attempt found =
-        Chain(data, angles, PreimageGrid(p, working_bits(data, p)), tolerance).run();
-    const Deviation deviation{square_root_above(found.squared.points),
-                              square_root_above(found.squared.derivatives)};
-    if (is_within(deviation, tolerance))
-      return construction_of(found, data, angles, rule, p, deviation);
+    const PreimageSpline found = Chain(data, angles, p, working_bits(data, p), tolerance).run();
+    if (is_within(found.deviation, tolerance)) return construction_of(found, data, angles, rule);
   }
 }
 

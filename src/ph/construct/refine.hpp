@@ -1,9 +1,11 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "phrame/algebra/least_squares.hpp"
 #include "phrame/algebra/rational.hpp"
+#include "phrame/ph/construct/scale.hpp"
 
 namespace phrame {
 
@@ -40,6 +42,25 @@ RefinedParameters refine(std::vector<Rational> parameters, const ExactDefect& de
 /// be more parameters than conditions.
 RefinedParameters refine(std::vector<Rational> parameters, const ExactDefect& defect,
                          const JacobianRows& jacobian, long bits);
+
+/// The parameters of a segment as multiples of 2^−bits, with more bits each time until accept(x,
+/// bits) has a value: they are refined to some bits more than that and then rounded, so that the
+/// way there does not decide the last ones. `defect_for(bits)` is what is lacking.
+template <class DefectFor, class Accept>
+auto rounded_solution(std::vector<Rational> parameters, const DefectFor& defect_for,
+                      const ParameterStep& step, long bits, long more_bits, const Accept& accept)
+    -> decltype(accept(parameters, bits)) {
+  constexpr int most_passes = 12;
+  constexpr long spare_bits = 24;
+  for (int pass = 0; pass < most_passes; ++pass, bits += more_bits) {
+    parameters =
+        refine(std::move(parameters), defect_for(bits), step, bits + spare_bits).parameters;
+    std::vector<Rational> rounded;
+    for (const Rational& x : parameters) rounded.push_back(rounded_to_places(x, bits));
+    if (auto found = accept(rounded, bits)) return found;
+  }
+  return std::nullopt;
+}
 
 /// Is every |F| ≤ `tolerance`?
 bool is_within(const RefinedParameters& result, const Rational& tolerance);

@@ -4,10 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "phrame/algebra/big_float.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/construct/preimage_grid.hpp"
 
 // With A = A₀·(1, b, b′, c) and n of c as in rmf_septic.cpp, V is A₀ times the b without i that are
 // ⟂ n, and b × b′ = n/3. For E₁ = A₀e₁, E₂ = A₀e₂ that is det m·(e₁ × e₂) = n/3. The integers in
@@ -27,9 +26,7 @@ using IntegerVector4 = std::array<Integer, 4>;
 IntegerVector4 integer_multiple(const RationalQuaternion& a) {
   Integer d = 1;
   for (const Rational* x : {&a.u, &a.v, &a.p, &a.q}) d = lcm(d, denominator(*x));
-  IntegerVector4 result{numerator(a.u * d), numerator(a.v * d), numerator(a.p * d),
-                        numerator(a.q * d)};
-  return result;
+  return {numerator(a.u * d), numerator(a.v * d), numerator(a.p * d), numerator(a.q * d)};
 }
 
 Integer scalar_product(const IntegerVector4& a, const IntegerVector4& b) {
@@ -94,12 +91,7 @@ Vector<Rational> normal_of(const RationalQuaternion& c) { return {c.v, -c.q, c.p
 /// Of 1, j and k.
 Vector<Rational> without_i_part(const RationalQuaternion& b) { return {b.u, b.p, b.q}; }
 
-using Floats = Quaternion<BigFloat>;
 constexpr long guard_bits = 64;
-
-Floats floats_of(const RationalQuaternion& a, long bits) {
-  return {BigFloat(a.u, bits), BigFloat(a.v, bits), BigFloat(a.p, bits), BigFloat(a.q, bits)};
-}
 
 /// A power of 2 brings e to about the size of a.
 RationalQuaternion of_size(const IntegerVector4& e, const Rational& squared_size) {
@@ -138,8 +130,8 @@ using Matrix2 = std::array<std::array<T, 2>, 2>;
 
 /// m of the inner coefficients projected to the plane of e1, e2, with a row changed such that
 /// det m is the determinant: the row of the smaller coefficient, at a right angle to the other.
-Matrix2<BigFloat> projected(const std::array<Floats, 2>& inner, const Floats& e1, const Floats& e2,
-                            const BigFloat& determinant) {
+Matrix2<BigFloat> projected(const std::array<FloatQuaternion, 2>& inner, const FloatQuaternion& e1,
+                            const FloatQuaternion& e2, const BigFloat& determinant) {
   const BigFloat e11 = norm(e1);
   const BigFloat e12 = hermitian_product(e1, e2).re;
   const BigFloat e22 = norm(e2);
@@ -177,9 +169,7 @@ Matrix2<Rational> with_determinant(const Rational& determinant, const Matrix2<Bi
                                    long bits, long precision) {
   const auto [r, s] = greatest_entry(m);
   const Rational delta = (r == 1) == (s == 0) ? determinant : Rational(-determinant);
-  const auto rounded = [&](const BigFloat& x) {
-    return Rational(x.scaled(bits)) * power_of_two(-bits);
-  };
+  const auto rounded = [&](const BigFloat& x) { return rounded_to_places(x, bits); };
   const BigFloat one(1.0);
   const Rational b = rounded(m[r][s]);
   if (b == 0) throw DomainError("the inner coefficients are below the rounding");
@@ -200,8 +190,8 @@ CubicPreimage<Rational> RmfFamily::member(const RationalQuaternion& a1,
                                           const RationalQuaternion& a2, long bits) const {
   const long precision = std::max(bits, 0L) + guard_bits;
   const Matrix2<BigFloat> near = projected(
-      {floats_of(a1, precision), floats_of(a2, precision)}, floats_of(basis_[0], precision),
-      floats_of(basis_[1], precision), BigFloat(determinant_, precision));
+      {big_floats(a1, precision), big_floats(a2, precision)}, big_floats(basis_[0], precision),
+      big_floats(basis_[1], precision), BigFloat(determinant_, precision));
   const Matrix2<Rational> m = with_determinant(determinant_, near, bits, precision);
   const auto combination = [&](const std::array<Rational, 2>& row) {
     return row[0] * basis_[0] + row[1] * basis_[1];

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "phrame/algebra/least_squares.hpp"
 #include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
+#include "phrame/ph/construct/solution_curve.hpp"
 
 // For A = A₀·(1, b, b′, c), c = x + yi + zj + wk and n = (y, −w, z) in the basis (1, j, k),
 //   h ≡ 0 ⟺ b, b′ have no i, n·b = n·b′ = 0 and b × b′ = n/3,
@@ -119,34 +119,20 @@ Lack SepticEquations::lack(const ShapeVector& s, DoubleRows* jacobian) const {
   return result;
 }
 
-/// Newton's iteration, damped, each step by `solve` of the Jacobian and of what lacks. Is it a
-/// solution, as nearly as doubles are?
+/// Newton's iteration, each step by `solve` of the Jacobian and of what lacks. Is it a solution, as
+/// nearly as doubles are?
 template <class Solve>
 bool newton(const SepticData& data, ShapeVector& s, int most_steps, const Solve& solve) {
   const SepticEquations equations(data);
   const double size = std::max({1.0, norm(data.c0), euclidean_norm(data.step)});
-  const double enough = 1e-12 * size;
-  const double rounding = 4e-16 * size;
-  constexpr double least_part = 1e-3;
-  DoubleRows jacobian;
-  Lack lack = equations.lack(s, &jacobian);
-  double now = euclidean_norm(lack);
-  for (int k = 0; k < most_steps && now > rounding; ++k) {
-    const std::vector<double> step = solve(jacobian, lack);
-    double part = 1;
-    ShapeVector next = moved(s, -part, step);
-    double then = euclidean_norm(equations.lack(next));
-    while (!(then < now) && part > least_part) {
-      part /= 2;
-      next = moved(s, -part, step);
-      then = euclidean_norm(equations.lack(next));
-    }
-    if (!(then < now)) break;
-    s = next;
-    lack = equations.lack(s, &jacobian);
-    now = then;
-  }
-  return now <= enough;
+  const auto step = [&](const ShapeVector& at, const Lack& lack) {
+    DoubleRows jacobian;
+    equations.lack(at, &jacobian);
+    return solve(jacobian, lack);
+  };
+  return damped_newton(
+             s, [&](const ShapeVector& at) { return equations.lack(at); }, step, most_steps,
+             4e-16 * size, 1e-3) <= 1e-12 * size;
 }
 
 /// To the nearest solution.
@@ -194,22 +180,12 @@ double energy_of(const SepticData& data, const ShapeVector& s) {
 
 /// Downhill along the curve of solutions.
 FoundSeptic downhill(const SepticData& data, FoundSeptic best) {
-  constexpr int most_moves = 200;
   const double size = euclidean_norm(best.shape);
-  double step = size / 10;
-  for (int k = 0; k < most_moves && step > size / 1000; ++k) {
-    const std::vector<double> direction = along_solutions(data, best.shape);
-    const double before = best.energy;
-    for (const double d : {step, -step}) {
-      ShapeVector next = moved(best.shape, d, direction);
-      if (!least_newton(data, next, 12)) continue;
-      const double energy = energy_of(data, next);
-      if (!(energy < before * (1 - 1e-9))) continue;
-      best = {energy, next};
-      break;
-    }
-    if (best.energy == before) step /= 2;
-  }
+  best.energy = slide_downhill(
+      best.shape, size / 10, size / 1000,
+      [&](const ShapeVector& s) { return along_solutions(data, s); },
+      [&](ShapeVector& s) { return least_newton(data, s, 12); },
+      [&](const ShapeVector& s) { return energy_of(data, s); });
   return best;
 }
 

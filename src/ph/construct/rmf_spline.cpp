@@ -6,19 +6,16 @@
 #include <limits>
 #include <optional>
 
-#include "phrame/algebra/big_float.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/exact_end.hpp"
-#include "phrame/ph/construct/multiplier.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/rmf_family.hpp"
 #include "phrame/ph/construct/rmf_plan.hpp"
 #include "phrame/ph/construct/rmf_plane.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/construct/spline_builder.hpp"
 #include "phrame/ph/curve/end_point.hpp"
-#include "phrame/ph/curve/path.hpp"
 
 // At every joint there is one quaternion Q_k, rounded, where the segment before ends and the next
 // one begins, up to a real factor. The shape of a septic is chosen for the data, in doubles; then
@@ -33,8 +30,6 @@
 namespace phrame {
 namespace {
 
-using Floats = Quaternion<BigFloat>;
-
 /// 2^e above √x.
 long exponent_above_root(const Rational& x) { return (binary_exponent(x) >> 1) + 1; }
 
@@ -47,19 +42,15 @@ Vector<Rational> integral_of(const CubicPreimage<Rational>& a) {
     for (const Rational* part : {&x.u, &x.v, &x.p, &x.q}) d = lcm(d, denominator(*part));
   const auto whole = [&](const Rational& x) { return numerator(x) * (d / denominator(x)); };
   CubicPreimage<Integer> b;
-  for (std::size_t k = 0; k < 4; ++k)
-    b[k] = {whole(a[k].u), whole(a[k].v), whole(a[k].p), whole(a[k].q)};
+  for (std::size_t k = 0; k < 4; ++k) b[k] = each(a[k], whole);
   Vector<Integer> sum;
   for (std::size_t i = 0; i < 4; ++i) {
     Quaternion<Integer> weighted{};
     for (std::size_t j = 0; j < 4; ++j) weighted = weighted + Integer(weights[i][j]) * b[j];
     sum = sum + symmetric_product(b[i], weighted);
   }
-  const Integer divisor = 420 * d * d;
-  return {Rational(sum[0], divisor), Rational(sum[1], divisor), Rational(sum[2], divisor)};
+  return each(sum, [divisor = 420 * d * d](const Integer& x) { return Rational(x, divisor); });
 }
-
-Vector<Rational> displacement_of(const ExactFit& piece) { return end_point(curve_of(piece, {})); }
 
 /// So many more of what is rounded again.
 constexpr long guard_places = 16;
@@ -83,13 +74,12 @@ long working_precision(const HermiteSpline& data, long places) {
 /// A spline with one rounding.
 class RmfChain {
  public:
-  RmfChain(const HermiteSpline& data, const RmfPlan& plan, long places, PointRule rule)
-      : data_(data), plan_(plan), places_(places), rule_(rule) {}
+  RmfChain(const HermiteSpline& data, const RmfPlan& plan, long places, PointRule rule,
+           SplineBuilder& builder)
+      : data_(data), plan_(plan), places_(places), rule_(rule), builder_(builder) {}
 
   /// No value where it could not be closed, or not meet its points exactly.
   std::optional<Construction> run();
-  /// The segment that did not meet its point exactly.
-  std::optional<std::size_t> not_met() const { return not_met_; }
 
  private:
   /// A = size·base there.
@@ -99,12 +89,13 @@ class RmfChain {
   };
 
   void start();
-  void add(std::size_t k, const Vector<Rational>& target);
+  /// Segment k, towards this end of it.
+  ExactFit piece(std::size_t k, const Vector<Rational>& target);
+  bool add(const ExactFit& piece);
   class Septics;
-  Joint end_of(const Floats& as_is, std::size_t k, long places) const;
+  Joint end_of(const FloatQuaternion& as_is, std::size_t k, long places) const;
   ExactFit between_parallels(std::size_t k, const Vector<Rational>& target);
   bool close();
-  bool meet(std::size_t k, const Vector<Rational>& target);
 
   bool is_closing(std::size_t k) const { return data_.is_closed && k == plan_.closing; }
   /// Of Q_k; nearly parallel tangents have digits in which they do not differ.
@@ -117,11 +108,10 @@ class RmfChain {
   const RmfPlan& plan_;
   long places_;
   PointRule rule_;
+  SplineBuilder& builder_;
   std::vector<ExactFit> pieces_;  ///< without the factor h of f
   RationalQuaternion first_;      ///< Q₀
-  Joint joint_;                   ///< the last one, …
-  Vector<Rational> end_;          ///< … and where it is
-  std::optional<std::size_t> not_met_;
+  Joint joint_;                   ///< the last one
 };
 
 long RmfChain::places_at(std::size_t k) const {
@@ -148,7 +138,6 @@ void RmfChain::start() {
   const long places = places_at(k);
   first_ = rounded_to_places(preimage(big_floats(along, working_precision(data_, places))), places);
   joint_ = {first_, is_zero_at(0) ? 0 : 1};
-  end_ = data_.points.front();
 }
 
 ExactFit RmfChain::between_parallels(std::size_t k, const Vector<Rational>& target) {
@@ -167,7 +156,7 @@ ExactFit RmfChain::between_parallels(std::size_t k, const Vector<Rational>& targ
 }
 
 /// The end of a septic for a phase of its own.
-RmfChain::Joint RmfChain::end_of(const Floats& as_is, std::size_t k, long places) const {
+RmfChain::Joint RmfChain::end_of(const FloatQuaternion& as_is, std::size_t k, long places) const {
   if (!is_closing(k)) return {rounded_to_places(as_is, places), 1};
   const long precision = working_precision(data_, places);
   const auto [re, im] =
@@ -201,8 +190,8 @@ class RmfChain::Septics {
   long precision_;
   RationalQuaternion q_;  ///< A at the start
   long bits_;             ///< of the parameters
-  Floats a0_;
-  Floats a3_;
+  FloatQuaternion a0_;
+  FloatQuaternion a3_;
   Phase turn_;      ///< A = a₀·turn at the start …
   Phase end_turn_;  ///< … and a₃·this at the end, for the minimal rotation
   std::optional<Rational> t_;
@@ -245,8 +234,8 @@ CubicPreimage<Rational> RmfChain::Septics::member(const std::vector<Rational>& x
     family_.emplace(q_, end_.size * end_.base);
   }
   const auto inner = [&](std::size_t at) {
-    const Floats b{BigFloat(x[at], precision_), BigFloat(0.0), BigFloat(x[at + 1], precision_),
-                   BigFloat(x[at + 2], precision_)};
+    const FloatQuaternion b =
+        big_floats(RationalQuaternion{x[at], 0, x[at + 1], x[at + 2]}, precision_);
     return rounded_to_places(turned(a0_ * b, turn_), places_ + guard_places);
   };
   return family_->member(inner(1), inner(4), bits_);
@@ -275,84 +264,51 @@ CubicPreimage<Rational> RmfChain::Septics::solution() {
   return member(refine(std::move(start), defect, newton_step, bits_).parameters);
 }
 
-/// Whether there is a multiplier for it.
-bool RmfChain::meet(std::size_t k, const Vector<Rational>& target) {
-  ExactFit& piece = pieces_[k];
-  auto f = slight_multiplier(from_bernstein(piece.preimage), piece.multiplier, target,
-                             MultiplierFreedom::inner_only);
-  if (!f) return false;
-  piece.multiplier = *std::move(f);
-  end_ = data_.points[k + 1];
-  return true;
+ExactFit RmfChain::piece(std::size_t k, const Vector<Rational>& target) {
+  if (plan_.segments[k].form != SegmentForm::space) return between_parallels(k, target);
+  try {
+    Septics septics(*this, k, target);
+    const CubicPreimage<Rational> a = septics.solution();
+    joint_ = septics.end();
+    return {{a.begin(), a.end()}, {1}};
+  } catch (const DomainError& error) {
+    throw Undecided(fmt::format("segment {}: {}", k + 1, error.what()));
+  }
 }
 
-void RmfChain::add(std::size_t k, const Vector<Rational>& target) {
-  const Rational h = data_.step(k);
-  if (plan_.segments[k].form == SegmentForm::space) {
-    Septics septics(*this, k, target);
-    CubicPreimage<Rational> a;
-    try {
-      a = septics.solution();
-    } catch (const DomainError& error) {
-      throw Undecided(fmt::format("segment {}: {}", k + 1, error.what()));
-    }
-    joint_ = septics.end();
-    end_ = end_ + h * integral_of(a);
-    pieces_.push_back({{a.begin(), a.end()}, {1}});
-  } else {
-    pieces_.push_back(between_parallels(k, target));
-    end_ = end_ + h * displacement_of(pieces_.back());
-  }
+bool RmfChain::add(const ExactFit& piece) {
+  std::vector<Rational> f = piece.multiplier;
+  for (Rational& x : f) x *= data_.step(builder_.next());
+  return builder_.add(piece.preimage, std::move(f), MultiplierFreedom::inner_only);
 }
 
 bool RmfChain::close() {
   const std::size_t m = plan_.closing;
   ExactFit& piece = pieces_[m];
-  const Vector<Rational> lacking = (1 / data_.step(m)) * (data_.points.front() - end_);
+  const Vector<Rational> lacking = (1 / data_.step(m)) * (data_.points.front() - builder_.end());
   auto f = multiplier_with(from_bernstein(piece.preimage), piece.multiplier,
-                           displacement_of(piece) + lacking, MultiplierFreedom::inner_only);
+                           end_point(curve_of(piece, {})) + lacking, MultiplierFreedom::inner_only);
   if (!f || std::ranges::any_of(*f, [](const Rational& x) { return x <= 0; })) return false;
   piece.multiplier = *std::move(f);
-  return true;
+  builder_.restart();
+  return std::ranges::all_of(pieces_, [&](const ExactFit& again) { return add(again); });
 }
 
 std::optional<Construction> RmfChain::run() {
   start();
-  const bool is_exact = rule_ == PointRule::exact;
   Stage stage("segments", data_.segments());
   for (std::size_t k = 0; k < data_.segments(); ++k, stage.advance()) {
-    const Vector<Rational> target = 1 / data_.step(k) * (data_.points[k + 1] - end_);
-    add(k, target);
-    if (is_exact && !meet(k, target)) {
-      not_met_ = k;
-      return std::nullopt;
-    }
+    pieces_.push_back(piece(k, 1 / data_.step(k) * builder_.wanted()));
+    if (!add(pieces_.back())) return std::nullopt;
   }
-  if (data_.is_closed && end_ != data_.points.front() && !close()) return std::nullopt;
-  std::vector<Curve> curves;
-  Vector<Rational> r = data_.points.front();
-  Rational points;
-  Rational derivatives;
-  const auto compare = [&](const Vector<Rational>& d, std::size_t k) {
-    const Vector<Rational> off = d - data_.derivatives[k];
-    derivatives = std::max(derivatives, dot(off, off));
+  if (data_.is_closed && builder_.end() != data_.points.front() && !close()) return std::nullopt;
+  const auto compare = [&](const Rational& f, const RationalQuaternion& a, std::size_t k) {
+    builder_.meter().derivative(f * rotated_i(a) - data_.derivatives[k]);
   };
-  for (std::size_t k = 0; k < pieces_.size(); ++k) {
-    ExactFit piece = pieces_[k];
-    compare(piece.multiplier.front() * rotated_i(piece.preimage.front()), k);
-    if (k + 1 == pieces_.size())
-      compare(piece.multiplier.back() * rotated_i(piece.preimage.back()), k + 1);
-    for (Rational& f : piece.multiplier) f *= data_.step(k);
-    curves.push_back(curve_of(piece, r));
-    r = end_point(curves.back());
-    const Vector<Rational> off = r - data_.points[k + 1];
-    points = std::max(points, dot(off, off));
-  }
-  return Construction{joined(curves),
-                      data_.parameters,
-                      {},
-                      places_,
-                      {square_root_above(points), square_root_above(derivatives)}};
+  for (std::size_t k = 0; k < pieces_.size(); ++k)
+    compare(pieces_[k].multiplier.front(), pieces_[k].preimage.front(), k);
+  compare(pieces_.back().multiplier.back(), pieces_.back().preimage.back(), pieces_.size());
+  return builder_.finished(data_.parameters, places_);
 }
 
 /// A first number of places: such that derivatives and points can be met, and such that small
@@ -383,17 +339,13 @@ long first_places(const HermiteSpline& data, const Deviation& tolerance) {
 Construction rmf_spline(const HermiteSpline& data, const Deviation& tolerance, PointRule rule) {
   constexpr int most_passes = 12;
   require_regular(data);
-  long places = first_places(data, tolerance);
+  const long places = first_places(data, tolerance);
   const RmfPlan plan = rmf_plan(data, tolerance, 2 * working_precision(data, places));
-  std::optional<std::size_t> not_met;
-  for (int pass = 0; pass < most_passes; ++pass, places += 8) {
-    RmfChain chain(data, plan, places, rule);
-    auto found = chain.run();
-    if (found && is_within(found->deviation, tolerance)) return *std::move(found);
-    not_met = chain.not_met();
-  }
-  if (not_met) throw Undecided(fmt::format("segment {}: {}", *not_met + 1, no_slight_multiplier));
-  throw Undecided(
+  return first_built(
+      data, rule, tolerance, places, most_passes,
+      [&](SplineBuilder& builder, long now) {
+        return RmfChain(data, plan, now, rule, builder).run();
+      },
       data.is_closed
           ? "the septics with h = 0: the spline could not be closed"
           : "the septics with h = 0: the points are too sensitive to their coefficients");

@@ -6,6 +6,7 @@
 #include "phrame/algebra/least_squares.hpp"
 #include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
+#include "phrame/ph/construct/solution_curve.hpp"
 
 // Five equations for six unknowns. From members of the family of quintics with these ends and
 // the speed of the chord, damped Gauss–Newton steps of least change; then along the kernel of
@@ -68,44 +69,24 @@ bool is_solution(const Unknowns& z, const RrmfEnds<double>& wanted) {
 
 Unknowns solved(Unknowns z, const RrmfEnds<double>& wanted, int most_steps) {
   constexpr double known = 1e-9;  // the derivative by differences
-  Defect off = defect(z, wanted);
-  double size = euclidean_norm(off);
-  for (int k = 0; k < most_steps && size > 1e-15; ++k) {
-    const std::vector<double> change = LeastSquares(derivative(z, wanted), known)(off);
-    double part = 1;
-    Unknowns next = moved(z, -part, change);
-    off = defect(next, wanted);
-    while (!(euclidean_norm(off) < size) && part > 1e-4) {
-      part /= 2;
-      next = moved(z, -part, change);
-      off = defect(next, wanted);
-    }
-    if (!(euclidean_norm(off) < size)) break;
-    z = next;
-    size = euclidean_norm(off);
-  }
+  damped_newton(
+      z, [&](const Unknowns& at) { return defect(at, wanted); },
+      [&](const Unknowns& at, const Defect& off) {
+        return LeastSquares(derivative(at, wanted), known)(off);
+      },
+      most_steps, 1e-15, 1e-4);
   return z;
 }
 
 /// Downhill along the solutions.
 Unknowns slid(Unknowns z, const RrmfEnds<double>& wanted) {
-  double here = cost(z);
-  int passes = 200;
-  for (double step = 0.1 * euclidean_norm(z); step > 1e-3 && passes > 0; --passes) {
-    const std::vector<double> along = along_rrmf(z, wanted);
-    bool has_moved = false;
-    for (const double s : {step, -step}) {
-      const Unknowns next = solved(moved(z, s, along), wanted, 12);
-      if (!is_solution(next, wanted)) continue;
-      const double there = cost(next);
-      if (!(there < here * (1 - 1e-9))) continue;
-      z = next;
-      here = there;
-      has_moved = true;
-      break;
-    }
-    if (!has_moved) step /= 2;
-  }
+  slide_downhill(
+      z, 0.1 * euclidean_norm(z), 1e-3, [&](const Unknowns& at) { return along_rrmf(at, wanted); },
+      [&](Unknowns& at) {
+        at = solved(at, wanted, 12);
+        return is_solution(at, wanted);
+      },
+      cost);
   return z;
 }
 

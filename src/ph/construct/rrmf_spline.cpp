@@ -4,14 +4,13 @@
 
 #include <algorithm>
 
-#include "phrame/algebra/big_float.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/construct/exact_fit.hpp"
-#include "phrame/ph/construct/multiplier.hpp"
+#include "phrame/ph/construct/preimage_grid.hpp"
+#include "phrame/ph/construct/refine.hpp"
 #include "phrame/ph/construct/rrmf_quintic.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/construct/spline_builder.hpp"
 #include "phrame/ph/curve/end_point.hpp"
 
 // A segment is r′ = F·(A₀B) i (A₀B)*, B = (1, b, q): turned back by A₀ and in units of its step it
@@ -23,16 +22,8 @@ namespace {
 
 using RrmfEnd = RrmfEnds<Rational>;
 
-/// A preimage of the direction of v, of size 1, to so many bits.
-RationalQuaternion unit_preimage_of(const Vector<Rational>& v, long bits) {
-  const Rational scale = scale_for_doubles(largest(v));
-  Vector<BigFloat> w;
-  for (std::size_t k = 0; k < 3; ++k) w[k] = BigFloat(scale * v[k], bits + 32);
-  const Quaternion<BigFloat> a = preimage(BigFloat(1.0) / sqrt(dot(w, w)) * w);
-  const auto part = [&](const BigFloat& x) {
-    return Rational(x.scaled(bits)) * power_of_two(-bits);
-  };
-  return {part(a.u), part(a.v), part(a.p), part(a.q)};
+RationalQuaternion rounded_unit_preimage(const Vector<Rational>& v, long bits) {
+  return rounded_to_places(unit_preimage(v, bits + 32), bits);
 }
 
 /// The six parameters, one of them held as it is.
@@ -65,168 +56,131 @@ class RrmfParameters {
   Rational held_value_;
 };
 
-struct RrmfState {
-  RationalQuaternion a0;
-  Vector<Rational> r;
-};
-
-/// A segment, and where the next one starts.
-struct RrmfPiece {
-  Curve curve;
-  RrmfState next;
-  Rational squared_points;
-  Rational sines;
-  long bits;
-};
-
-/// The same with a multiplier that leads to the point, exactly; no value where there is none.
-std::optional<RrmfPiece> meeting(RrmfPiece piece, const Vector<Rational>& point) {
-  const Curve& curve = piece.curve;
-  const auto f = slight_multiplier(curve.preimage(), curve.multiplier().coefficients(),
-                                   point - curve.start(), MultiplierFreedom::all);
-  if (!f) return std::nullopt;
-  piece.curve = Curve(curve.preimage(), from_bernstein(*f), curve.start());
-  piece.next.r = point;
-  piece.squared_points = 0;
-  return piece;
-}
-
+/// A segment from A₀ in the direction of d₁, to the next point.
 class RrmfSegment {
  public:
-  /// Towards that point and in that direction.
-  RrmfSegment(const RrmfState& start, const Vector<Rational>& point, const Vector<Rational>& d1,
-              const Deviation& tolerance, PointRule rule)
-      : start_(start),
-        point_(point),
+  RrmfSegment(const RationalQuaternion& a0, const Vector<Rational>& d1, const Deviation& tolerance,
+              SplineBuilder& builder)
+      : a0_(a0),
         d1_(d1),
         tolerance_(tolerance),
-        rule_(rule),
-        size_(norm(start.a0)),
-        scale_(scale_for_doubles(largest(point - start.r))),
-        step_((scale_ / size_) * turned_back(point - start.r, start.a0)),
-        end_direction_(turned_back(d1, start.a0)) {}
+        builder_(builder),
+        size_(norm(a0)),
+        scale_(scale_for_doubles(largest(builder.wanted()))),
+        step_((scale_ / size_) * turned_back(builder.wanted(), a0)),
+        end_direction_(turned_back(d1, a0)) {}
 
-  /// No value where none is found.
-  std::optional<RrmfPiece> found() const;
+  /// Adds it; false where none is found.
+  bool add();
+
+  const RationalQuaternion& end() const { return end_; }  ///< A there
+  long bits() const { return bits_; }
 
  private:
   RrmfEnd wanted(long bits) const {
-    RrmfEnd ends{{}, unit_preimage_of(end_direction_, bits)};
-    for (std::size_t k = 0; k < 3; ++k) ends.step[k] = rounded_to_places(step_[k], bits);
-    return ends;
+    return {each(step_, [bits](const Rational& x) { return rounded_to_places(x, bits); }),
+            rounded_unit_preimage(end_direction_, bits)};
   }
-  RrmfPiece piece(const RrmfQuintic<Rational>& x, long bits) const;
-  std::optional<RrmfPiece> straight(long bits) const;
-  bool is_within_tolerance(const RrmfPiece& piece) const {
-    return piece.squared_points <= tolerance_.points * tolerance_.points &&
-           4 * piece.sines <= tolerance_.derivatives * tolerance_.derivatives;
-  }
+  bool add(const RrmfQuintic<Rational>& x, long bits);
+  bool add_straight(long bits);
+  bool add_general(long bits);
 
-  const RrmfState& start_;
-  const Vector<Rational>& point_;
+  const RationalQuaternion& a0_;
   const Vector<Rational>& d1_;
   const Deviation& tolerance_;
-  PointRule rule_;
+  SplineBuilder& builder_;
   Rational size_;
   Rational scale_;
   Vector<Rational> step_;
   Vector<Rational> end_direction_;
+  RationalQuaternion end_;
+  long bits_ = 0;
+  bool is_near_ = false;  ///< was there one within the tolerance?
 };
 
-RrmfPiece RrmfSegment::piece(const RrmfQuintic<Rational>& x, long bits) const {
+/// This one, if it is within the tolerance, and meets its point.
+bool RrmfSegment::add(const RrmfQuintic<Rational>& x, long bits) {
   const Rational multiplier = rounded_to_bits(x.f / (size_ * scale_), bits + 4);
-  const RationalQuaternion a2 = start_.a0 * last_coefficient(x);
-  const Curve curve(from_bernstein({start_.a0, start_.a0 * x.b, a2}), Polynomial{multiplier},
-                    start_.r);
-  const Vector<Rational> r = end_point(curve);
-  const Vector<Rational> off = r - point_;
-  return {curve, {a2, r}, dot(off, off), squared_sine(rotated_i(a2), d1_), bits};
+  const BernsteinPreimage a{a0_, a0_ * x.b, a0_ * last_coefficient(x)};
+  const Vector<Rational> off =
+      end_point(Curve(from_bernstein(a), Polynomial{multiplier})) - builder_.wanted();
+  const Vector<Rational> direction = rotated_i(a[2]);
+  is_near_ = dot(off, off) <= tolerance_.points * tolerance_.points &&
+             4 * squared_sine(direction, d1_) <= tolerance_.derivatives * tolerance_.derivatives;
+  if (!is_near_ || !builder_.add(a, {multiplier}, MultiplierFreedom::all)) return false;
+  builder_.meter().direction(direction, d1_);
+  end_ = a[2];
+  bits_ = bits;
+  return true;
 }
 
 /// The line, where that ends as wanted: b = q = 1. There all quintics that end so are it, and to
 /// look for one is to look along them.
-std::optional<RrmfPiece> RrmfSegment::straight(long bits) const {
+bool RrmfSegment::add_straight(long bits) {
   const Rational length = rounded_to_places(step_[0], bits);
-  if (!(length > 0) || !(end_direction_[0] > 0)) return std::nullopt;
-  RrmfPiece line = piece({{1, 0, 0, 0}, 0, length}, bits);
-  if (!is_within_tolerance(line)) return std::nullopt;
-  return rule_ == PointRule::near ? line : meeting(std::move(line), point_);
+  return length > 0 && end_direction_[0] > 0 && add({{1, 0, 0, 0}, 0, length}, bits);
 }
 
-std::optional<RrmfPiece> RrmfSegment::found() const {
+bool RrmfSegment::add_general(long bits) {
   constexpr long spare_bits = 24;
-  constexpr int most_passes = 12;
-  bool met_nearly = false;
-  long bits = std::max(24L, 6 - binary_exponent(std::min(Rational(tolerance_.points * scale_),
-                                                         tolerance_.derivatives)));
-  if (auto line = straight(bits)) return line;
+  constexpr double nothing = 1e-10;
   const RrmfEnd first = wanted(bits + spare_bits);
   const RrmfEnds<double> guessed{scaled_to_doubles(1, first.step),
                                  quaternion_in_doubles(first.end)};
   const std::optional<RrmfQuintic<double>> guess = rrmf_quintic(guessed);
-  if (!guess) return std::nullopt;
+  if (!guess) return false;
   const RrmfParameters parameters(*guess, freest_parameter(*guess, guessed));
   const JacobianRows rows = parameters.without_held(rrmf_jacobian(*guess, guessed));
-  std::vector<Rational> x = parameters.free();
-  for (int pass = 0; pass < most_passes; ++pass, bits += 8) {
-    const RrmfEnd ends = wanted(bits + 2 * spare_bits);
-    const auto defect = [&](const std::vector<Rational>& at) {
+  const auto defect_for = [&](long now) -> ExactDefect {
+    return [&, ends = wanted(now + 2 * spare_bits)](const std::vector<Rational>& at) {
       const auto list = rrmf_defect(parameters.quintic(at), ends);
       return std::vector<Rational>(list.begin(), list.end());
     };
-    x = refine(std::move(x), defect, rows, bits + spare_bits).parameters;
-    std::vector<Rational> rounded;
-    for (const Rational& value : x) rounded.push_back(rounded_to_places(value, bits));
-    const RrmfQuintic<Rational> quintic = parameters.quintic(std::move(rounded));
-    if (!(quintic.f > 0) || norm(last_coefficient(quintic)) == 0) continue;
-    RrmfPiece result = piece(quintic, bits);
-    if (!is_within_tolerance(result)) continue;
-    if (rule_ == PointRule::near) return result;
-    met_nearly = true;
-    if (auto exact = meeting(std::move(result), point_)) return exact;
-  }
-  if (met_nearly) throw Undecided(std::string(no_slight_multiplier));
-  return std::nullopt;
+  };
+  bool was_near = false;
+  const auto accept = [&](const std::vector<Rational>& rounded, long now) {
+    const RrmfQuintic<Rational> quintic = parameters.quintic(rounded);
+    if (!(quintic.f > 0) || norm(last_coefficient(quintic)) == 0) return std::optional<bool>();
+    const bool is_added = add(quintic, now);
+    was_near = was_near || is_near_;
+    return is_added ? std::optional(true) : std::nullopt;
+  };
+  if (rounded_solution(parameters.free(), defect_for, least_change(rows, nothing), bits, 8, accept))
+    return true;
+  if (was_near) throw Undecided(std::string(no_slight_multiplier));
+  return false;
+}
+
+bool RrmfSegment::add() {
+  const long bits = std::max(
+      24L, 6 - binary_exponent(std::min(tolerance_.points * scale_, tolerance_.derivatives)));
+  return add_straight(bits) || add_general(bits);
 }
 
 }  // namespace
 
 Construction rrmf_spline(const HermiteSpline& data, const Deviation& tolerance, PointRule rule) {
   require_directions(data);
-  const long first_bits = std::max(24L, 6 - binary_exponent(tolerance.derivatives));
-  RrmfState state{unit_preimage_of(data.derivatives.front(), first_bits), data.points.front()};
-  Rational squared_points;
-  Rational sines = squared_sine(rotated_i(state.a0), data.derivatives.front());
-  std::vector<Curve> curves;
-  std::vector<Rational> parameters{0};
-  long bits = first_bits;
+  long bits = std::max(24L, 6 - binary_exponent(tolerance.derivatives));
+  RationalQuaternion a0 = rounded_unit_preimage(data.derivatives.front(), bits);
+  SplineBuilder builder(data, rule);
+  builder.meter().direction(rotated_i(a0), data.derivatives.front());
   Stage stage("segments", data.segments());
   for (std::size_t k = 0; k < data.segments(); ++k, stage.advance()) {
     if (data.points[k] == data.points[k + 1])
       throw DomainError(fmt::format(
           "segment {}: its ends are equal, and directions alone do not say how great it is",
           k + 1));
-    const std::optional<RrmfPiece> found = of_segment(k, [&] {
-      return RrmfSegment(state, data.points[k + 1], data.derivatives[k + 1], tolerance, rule)
-          .found();
-    });
-    if (!found)
+    RrmfSegment segment(a0, data.derivatives[k + 1], tolerance, builder);
+    if (!of_segment(k, [&] { return segment.add(); }))
       throw Undecided(fmt::format(
           "segment {}: no quintic with these ends and tangents and a rational rotation-minimizing "
           "frame was found",
           k + 1));
-    curves.push_back(found->curve);
-    squared_points = std::max(squared_points, found->squared_points);
-    sines = std::max(sines, found->sines);
-    bits = std::max(bits, found->bits);
-    state = found->next;
-    parameters.emplace_back(k + 1);
+    a0 = segment.end();
+    bits = std::max(bits, segment.bits());
   }
-  return {joined(curves),
-          std::move(parameters),
-          {},
-          bits,
-          {square_root_above(squared_points), 2 * square_root_above(sines)}};
+  return builder.finished(whole_parameters(data), bits);
 }
 
 bool is_rrmf_of_class_one(const Path& path) {

@@ -23,18 +23,21 @@ Rational scale_for_doubles(const Rational& size) {
 }
 
 Vector<double> scaled_to_doubles(const Rational& c, const Vector<Rational>& v) {
-  Vector<double> result;
-  for (std::size_t k = 0; k < 3; ++k) result[k] = static_cast<double>(c * v[k]);
-  return result;
+  return each(v, [&](const Rational& x) { return static_cast<double>(c * x); });
 }
+
+Quaternion<double> quaternion_in_doubles(const RationalQuaternion& a) {
+  return each(a, [](const Rational& x) { return static_cast<double>(x); });
+}
+
+RationalQuaternion exact_quaternion(const Quaternion<double>& a) { return each(a, exact_rational); }
 
 Rational rounded_to_places(const Rational& x, long k) {
   return Rational(floor(x * power_of_two(k) + Rational(1, 2))) * power_of_two(-k);
 }
 
 RationalQuaternion rounded_to_places(const RationalQuaternion& a, long k) {
-  return {rounded_to_places(a.u, k), rounded_to_places(a.v, k), rounded_to_places(a.p, k),
-          rounded_to_places(a.q, k)};
+  return each(a, [k](const Rational& x) { return rounded_to_places(x, k); });
 }
 
 Rational rounded_to_bits(const Rational& x, long bits) {

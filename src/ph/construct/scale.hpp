@@ -5,6 +5,17 @@
 
 namespace phrame {
 
+/// @{ f of each part.
+template <class T, class F>
+auto each(const Vector<T>& v, const F& f) {
+  return Vector<decltype(f(v[0]))>{f(v[0]), f(v[1]), f(v[2])};
+}
+template <class T, class F>
+auto each(const Quaternion<T>& a, const F& f) {
+  return Quaternion<decltype(f(a.u))>{f(a.u), f(a.v), f(a.p), f(a.q)};
+}
+/// @}
+
 /// The greatest |coordinate|.
 Rational largest(const Vector<Rational>& v);
 Rational largest(const std::vector<Vector<Rational>>& list);
@@ -13,6 +24,10 @@ Rational largest(const std::vector<Vector<Rational>>& list);
 Rational scale_for_doubles(const Rational& size);
 /// c·v in doubles.
 Vector<double> scaled_to_doubles(const Rational& c, const Vector<Rational>& v);
+/// @{ The same numbers.
+Quaternion<double> quaternion_in_doubles(const RationalQuaternion& a);
+RationalQuaternion exact_quaternion(const Quaternion<double>& a);
+/// @}
 
 /// x > 0 to so many significant bits.
 Rational rounded_to_bits(const Rational& x, long bits);
