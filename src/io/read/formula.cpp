@@ -10,10 +10,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real.hpp"
-#include "phrame/io/read/expression_token.hpp"
-
-// Operator precedence with two stacks, as io/read/expression: nothing recurses. A function is an
-// operation that waits below its parenthesis.
+#include "phrame/io/read/operator_reader.hpp"
 
 namespace phrame {
 namespace {
@@ -26,13 +23,6 @@ struct FormulaOperand {
   std::size_t begin = 0;                ///< in the text
   std::optional<Rational> number = {};  ///< where it is one
   bool is_e = false;                    ///< exp 1
-};
-
-/// An operation that waits for its right operand.
-struct WaitingOperation {
-  char sign;  ///< + - * / ^, '~' for a negative, '(' for a parenthesis
-  std::size_t at;
-  std::string_view function = {};  ///< of a parenthesis
 };
 
 constexpr std::array function_names{"sin",  "cos",    "tan",  "cot",  "sec",  "csc",
@@ -110,51 +100,31 @@ std::size_t StepList::apply(std::string_view function, std::size_t x) {
   return function.ends_with('h') ? hyperbolic(function, x) : arc(function, x);
 }
 
-class FormulaParser {
+class FormulaParser : OperatorReader {
  public:
   FormulaParser(std::string_view text, const std::optional<std::string>& variable)
-      : text_(text), variable_(variable.value_or("")), variable_is_given_(variable.has_value()) {}
+      : OperatorReader(text, "a number, a variable, a function or \"(\"", variable) {}
 
   GivenFormula parse();
 
  private:
-  [[noreturn]] void fail(std::size_t at, const std::string& reason) const {
-    throw InputError(column_of(text_, at), reason);
+  void push_number(std::string_view number) override;
+  void push_name(std::string_view name) override;
+  bool is_function(std::string_view name) const override;
+  void negate(std::size_t at) override;
+  void combine(char sign) override;
+  void raise(const Rational& exponent, std::size_t end) override;
+  void enclose(std::size_t begin, std::size_t end, std::string_view function) override;
+  std::string missing_operator(std::string_view left, std::string_view right) const override {
+    return fmt::format("no operator between {} and {}: a product needs its sign, *",
+                       in_quotes(left), in_quotes(right));
   }
-  Token next_token();
-  void read_operand(const Token& token);
-  void read_operator(const Token& token);
-  void read_number(std::string_view number);
-  void read_name(std::string_view name);
-  void read_raised_digits(std::string_view digits);
-  void open_function(std::string_view name);
-  void close_parenthesis();
-  [[noreturn]] void refuse_operator(const Token& token) const;
-
-  void push(const FormulaOperand& operand) {
-    operands_.push_back(operand);
-    operand_is_next_ = false;
-  }
-  /// Carries out the last operation.
-  void reduce();
   void compute(char sign, FormulaOperand& left, const FormulaOperand& right);
   void raise(FormulaOperand& base, const FormulaOperand& exponent);
 
-  std::string_view text_;
-  std::size_t at_ = 0;
-  std::string_view before_;
-  bool operand_is_next_ = true;
-  std::string variable_;
-  bool variable_is_given_;
   StepList list_;
   std::vector<FormulaOperand> operands_;
-  std::vector<WaitingOperation> operations_;
 };
-
-Token FormulaParser::next_token() {
-  at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
-  return first_token(text_.substr(at_));
-}
 
 constexpr long most_bits_of_exponent = 4096;  // of what is one, perhaps
 
@@ -204,155 +174,61 @@ void FormulaParser::compute(char sign, FormulaOperand& left, const FormulaOperan
   }
 }
 
-void FormulaParser::reduce() {
-  const WaitingOperation operation = operations_.back();
-  operations_.pop_back();
-  if (operation.sign == '~') {
-    FormulaOperand& x = operands_.back();
-    x = {list_.negative(x.step), operation.at, x.number ? std::optional(-*x.number) : std::nullopt};
-    return;
-  }
+void FormulaParser::negate(std::size_t at) {
+  FormulaOperand& x = operands_.back();
+  x = {list_.negative(x.step), at, x.number ? std::optional(-*x.number) : std::nullopt};
+}
+
+void FormulaParser::combine(char sign) {
   const FormulaOperand right = operands_.back();
   operands_.pop_back();
-  compute(operation.sign, operands_.back(), right);
+  compute(sign, operands_.back(), right);
   operands_.back().is_e = false;
 }
 
-void FormulaParser::read_number(std::string_view number) {
+void FormulaParser::raise(const Rational& exponent, std::size_t) {
+  raise(operands_.back(), {0, at(), exponent});
+}
+
+void FormulaParser::enclose(std::size_t begin, std::size_t, std::string_view function) {
+  FormulaOperand& inside = operands_.back();
+  inside.begin = begin;
+  if (!function.empty()) inside = {list_.apply(function, inside.step), begin};
+}
+
+void FormulaParser::push_number(std::string_view number) {
   std::optional<Rational> value;
   try {
     value = parse_rational(number);
     refuse_long_number(*value, number);
   } catch (const InputError& error) {
-    fail(at_, error.reason());
+    fail(at(), error.reason());
   }
-  push({list_.number(*value), at_, value});
+  operands_.push_back({list_.number(*value), at(), value});
 }
 
-void FormulaParser::read_name(std::string_view name) {
-  if (is_known_function(name)) {
-    // A variable may be called what it likes, but for this.
-    fail(at_, fmt::format("the function {} needs its argument in parentheses: {}(…)", name, name));
-  }
-  if (name == "pi" || name == "π") return push({list_.number(0, 1), at_});
-  if (name == "e" && variable_ != "e")
-    return push({list_.make(FormulaOp::exp, list_.number(1)), at_, {}, true});
-  if (name != variable_) {
-    if (variable_is_given_ && variable_.empty())
-      fail(at_, fmt::format("{} where a number is expected", in_quotes(name)));
-    if (variable_is_given_)
-      fail(at_, fmt::format("{} is not the variable {}", in_quotes(name), in_quotes(variable_)));
-    if (!variable_.empty())
-      fail(at_,
-           fmt::format("a second variable, {} beside {}", in_quotes(name), in_quotes(variable_)));
-    variable_ = name;
-  }
-  push({list_.variable(), at_});
+void FormulaParser::push_name(std::string_view name) {
+  if (is_known_function(name))  // a variable may be called what it likes, but for this
+    fail(at(), fmt::format("the function {} needs its argument in parentheses: {}(…)", name, name));
+  if (name == "pi" || name == "π") return operands_.push_back({list_.number(0, 1), at()});
+  if (name == "e" && variable() != "e")
+    return operands_.push_back({list_.make(FormulaOp::exp, list_.number(1)), at(), {}, true});
+  take_variable(name);
+  operands_.push_back({list_.variable(), at()});
 }
 
-/// Is a "(" behind the name, so that it is a function?
-void FormulaParser::open_function(std::string_view name) {
-  const std::size_t begin = at_;
-  if (!is_known_function(name) && name != variable_)
-    fail(at_, fmt::format("{} is not a function that is known: {}", in_quotes(name),
-                          fmt::join(function_names, ", ")));
-  at_ += name.size();
-  const Token parenthesis = next_token();
-  if (name == variable_ && !is_known_function(name)) {
-    before_ = name;
-    refuse_operator(parenthesis);
-  }
-  operations_.push_back({'(', begin, name});
-}
-
-void FormulaParser::read_operand(const Token& token) {
-  if (token.kind == Token::Kind::number) return read_number(token.text);
-  if (token.kind == Token::Kind::name) return read_name(token.text);
-  if (token.sign == '(') return operations_.push_back({'(', at_});
-  if (token.sign == '-') return operations_.push_back({'~', at_});
-  if (token.sign == '+') return;
-  constexpr auto expected = "a number, a variable, a function or \"(\" is expected";
-  if (token.kind != Token::Kind::end)
-    fail(at_, fmt::format("{} where {}", in_quotes(token.text), expected));
-  fail(at_, operands_.empty() && operations_.empty()
-                ? "the expression is empty"
-                : fmt::format("the expression ends where {}", expected));
-}
-
-void FormulaParser::close_parenthesis() {
-  while (!operations_.empty() && operations_.back().sign != '(') reduce();
-  if (operations_.empty()) fail(at_, "there is no \"(\" for this \")\"");
-  FormulaOperand& inside = operands_.back();
-  const WaitingOperation parenthesis = operations_.back();
-  operations_.pop_back();
-  inside.begin = parenthesis.at;
-  if (parenthesis.function.empty()) return;
-  inside = {list_.apply(parenthesis.function, inside.step), parenthesis.at};
-}
-
-void FormulaParser::refuse_operator(const Token& token) const {
-  if (token.kind == Token::Kind::other)
-    fail(at_, fmt::format("{} is not understood", in_quotes(token.text)));
-  fail(at_, fmt::format("no operator between {} and {}: a product needs its sign, *",
-                        in_quotes(before_), in_quotes(token.text)));
-}
-
-constexpr auto ambiguous_power = "one exponent after another: parentheses are needed";
-
-void FormulaParser::read_raised_digits(std::string_view digits) {
-  if (!operations_.empty() && operations_.back().sign == '^') fail(at_, ambiguous_power);
-  if (first_token(before_).kind == Token::Kind::exponent) fail(at_, ambiguous_power);
-  std::optional<Rational> exponent;
-  try {
-    exponent = parse_rational(plain_digits(digits));
-  } catch (const InputError&) {
-    fail(at_, fmt::format("{} is not an exponent", in_quotes(digits)));
-  }
-  raise(operands_.back(), {0, at_, exponent});
-}
-
-void FormulaParser::read_operator(const Token& token) {
-  if (token.kind == Token::Kind::exponent) return read_raised_digits(token.text);
-  if (token.sign == ')') return close_parenthesis();
-  if (token.sign == 0 || token.sign == '(') refuse_operator(token);
-  const bool groups_right = token.sign == '^';
-  if (groups_right && first_token(before_).kind == Token::Kind::exponent)
-    fail(at_, ambiguous_power);
-  const int rank = precedence(token.sign) + (groups_right ? 1 : 0);
-  while (!operations_.empty() && precedence(operations_.back().sign) >= rank) reduce();
-  operations_.push_back({token.sign, at_});
-  operand_is_next_ = true;
+bool FormulaParser::is_function(std::string_view name) const {
+  if (is_known_function(name)) return true;
+  if (name == variable()) return false;
+  fail(at(), fmt::format("{} is not a function that is known: {}", in_quotes(name),
+                         fmt::join(function_names, ", ")));
 }
 
 GivenFormula FormulaParser::parse() {
-  for (;;) {
-    const Token token = next_token();
-    if (!operand_is_next_ && token.kind == Token::Kind::end) break;
-    Token last = token;
-    if (operand_is_next_ && token.kind == Token::Kind::name) {
-      const std::size_t behind =
-          std::min(text_.find_first_not_of(blanks, at_ + token.text.size()), text_.size());
-      if (first_token(text_.substr(behind)).sign == '(') {
-        open_function(token.text);
-        last = next_token();  // the parenthesis
-      } else {
-        read_operand(token);
-      }
-    } else if (operand_is_next_) {
-      read_operand(token);
-    } else {
-      read_operator(token);
-    }
-    before_ = last.text;
-    at_ += last.text.size();
-  }
-  while (!operations_.empty()) {
-    if (operations_.back().sign == '(') fail(operations_.back().at, "this \"(\" is never closed");
-    reduce();
-  }
+  read();
   auto& steps = list_.steps();
   steps.resize(operands_.front().step + 1);
-  return {Formula(std::move(steps)), variable_};
+  return {Formula(std::move(steps)), variable()};
 }
 
 }  // namespace
