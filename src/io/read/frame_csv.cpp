@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
-#include "phrame/io/read/npy.hpp"
 #include "phrame/io/read/text_table.hpp"
 #include "phrame/io/write/text.hpp"
 
@@ -32,21 +30,16 @@ class Layout {
  public:
   Layout(const ColumnNames& names, const std::string& place, FrameReading::Quaternion order);
 
-  template <class Table>
-  GivenFrame frame(const Table& table, std::size_t row, const FrameReading& reading) const;
+  GivenFrame frame(const NumberTable& table, std::size_t row, const FrameReading& reading) const;
   bool has_quaternions() const { return !q_.columns.empty(); }
 
  private:
   [[noreturn]] void fail(const std::string& reason) const { throw InputError(place_, reason); }
   void find(Group& group, const ColumnNames& names) const;
 
-  template <class Table>
-  Rational number(const Table& table, std::size_t row, const std::vector<std::size_t>& columns,
-                  std::string_view name) const;
-  template <class Table>
-  Vector<Rational> vector(const Table& table, std::size_t row, const Group& group) const {
+  static Vector<Rational> vector(const NumberTable& table, std::size_t row, const Group& group) {
     const auto component = [&](std::size_t k) {
-      return number(table, row, group.columns[k], group.column(k));
+      return table.number(row, group.columns[k], group.column(k));
     };
     return {component(0), component(1), component(2)};
   }
@@ -113,28 +106,6 @@ void Layout::find(Group& group, const ColumnNames& names) const {
   group.columns.clear();
 }
 
-template <class Table>
-Rational Layout::number(const Table& table, std::size_t row,
-                        const std::vector<std::size_t>& columns, std::string_view name) const {
-  const auto fail_here = [&](const std::string& reason) {
-    throw InputError(fmt::format("{}, {}", table.place(row), name), reason);
-  };
-  std::optional<Rational> value;
-  for (const std::size_t column : columns) {
-    Rational next;
-    try {
-      next = table.number(row, column);
-    } catch (const InputError& error) {
-      fail_here(error.reason());
-    }
-    if (value && *value != next)
-      fail_here(fmt::format("two columns have this name, one with {}, one with {}",
-                            as_written(*value), as_written(next)));
-    value = next;
-  }
-  return *value;
-}
-
 /// The frame that q means.
 void set_frame(GivenFrame& frame, RationalQuaternion q, const FrameReading& reading) {
   const Rational size = norm(q);
@@ -154,9 +125,9 @@ void set_frame(GivenFrame& frame, RationalQuaternion q, const FrameReading& read
   std::swap(frame.f2, *frame.f3);
 }
 
-template <class Table>
-GivenFrame Layout::frame(const Table& table, std::size_t row, const FrameReading& reading) const {
-  GivenFrame frame{number(table, row, t_.columns[0], "t"), {}};
+GivenFrame Layout::frame(const NumberTable& table, std::size_t row,
+                         const FrameReading& reading) const {
+  GivenFrame frame{table.number(row, t_.columns[0], "t"), {}};
   if (!has_quaternions()) {
     frame.f2 = vector(table, row, f2_);
     if (!f3_.columns.empty()) frame.f3 = vector(table, row, f3_);
@@ -164,7 +135,7 @@ GivenFrame Layout::frame(const Table& table, std::size_t row, const FrameReading
     return frame;
   }
   const auto component = [&](std::size_t k) {
-    return number(table, row, q_.columns[k], q_.column(k));
+    return table.number(row, q_.columns[k], q_.column(k));
   };
   const RationalQuaternion q{component(0), component(1), component(2), component(3)};
   if (norm(q) == 0) throw InputError(table.place(row), "the quaternion is 0");
@@ -192,9 +163,7 @@ ColumnNames names_by_number(std::size_t columns) {
   return names.size() == 1 ? ColumnNames{} : names;
 }
 
-template <class Table>
-GivenTable frames_of(const Table& table, const std::string& header_place,
-                     const FrameReading& reading, std::size_t at_most) {
+GivenTable frames_of(const NumberTable& table, const FrameReading& reading, std::size_t at_most) {
   ColumnNames names = table.names();
   GivenTable result;
   if (names.empty()) {
@@ -211,9 +180,10 @@ GivenTable frames_of(const Table& table, const std::string& header_place,
     result.skipped = table.columns() - names.size();
   } else if (!reading.names.empty()) {
     throw InputError("--header",
-                     "is for tables without a header; this one has one: " + header_place);
+                     "is for tables without a header; this one has one: " + table.header_place());
   }
-  const Layout layout(names, reading.names.empty() ? header_place : "--header", reading.quaternion);
+  const Layout layout(names, reading.names.empty() ? table.header_place() : "--header",
+                      reading.quaternion);
   result.has_quaternions = layout.has_quaternions();
   const std::size_t rows = table.rows();
   const std::size_t count = std::min(rows, std::max(at_most, std::size_t{2}));
@@ -224,29 +194,22 @@ GivenTable frames_of(const Table& table, const std::string& header_place,
   return result;
 }
 
-template <class Table>
-std::vector<GivenPosition> positions_of(const Table& table, const ColumnNames& names) {
-  const auto number = [&](std::size_t row, std::string_view name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    return table.number(row, static_cast<std::size_t>(found - names.begin()));
-  };
-  std::vector<GivenPosition> positions;
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    positions.push_back({number(row, "t"), {number(row, "x"), number(row, "y"), number(row, "z")}});
-  return positions;
-}
-
 }  // namespace
 
 GivenTable read_frames(std::string_view bytes, const FrameReading& reading, std::size_t at_most) {
-  if (NpyTable::is_one(bytes)) return frames_of(NpyTable(bytes), "header", reading, at_most);
-  const TextTable table(bytes, {reading.names.empty(), "frames"});
-  return frames_of(table, table.header_place(), reading, at_most);
+  return frames_of(*read_number_table(bytes, {reading.names.empty(), "frames"}), reading, at_most);
 }
 
 std::vector<GivenPosition> read_positions(std::string_view bytes, const FrameReading& reading) {
-  return NpyTable::is_one(bytes) ? positions_of(NpyTable(bytes), reading.names)
-                                 : positions_of(TextTable(bytes, {}), reading.names);
+  const auto table = read_number_table(bytes, {});
+  const auto number = [&](std::size_t row, std::string_view name) {
+    const auto found = std::ranges::find(reading.names, name);
+    return table->number(row, static_cast<std::size_t>(found - reading.names.begin()));
+  };
+  std::vector<GivenPosition> positions;
+  for (std::size_t row = 0; row < table->rows(); ++row)
+    positions.push_back({number(row, "t"), {number(row, "x"), number(row, "y"), number(row, "z")}});
+  return positions;
 }
 
 namespace {

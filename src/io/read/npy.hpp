@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "phrame/algebra/rational.hpp"
+#include "phrame/io/read/number_table.hpp"
 
 namespace phrame {
 
@@ -14,7 +14,7 @@ struct NpyHeader;
 /// field "f2" of shape (3,) is the columns f2x, f2y, f2z, and a field "q" of shape (4,) is qw, qx,
 /// qy, qz. Integers and floating-point numbers of 2, 4 and 8 bytes of either byte order are read,
 /// exactly.
-class NpyTable {
+class NpyTable : public NumberTable {
  public:
   /// Does the file begin as such a table does?
   static bool is_one(std::string_view bytes);
@@ -22,13 +22,14 @@ class NpyTable {
   /// Refers to the bytes. Throws InputError; its place is "header" or "data".
   explicit NpyTable(std::string_view bytes);
 
-  const std::vector<std::string>& names() const { return names_; }  ///< none in a plain array
-  std::size_t rows() const { return rows_; }
-  std::size_t columns() const { return columns_.size(); }
-  std::string place(std::size_t row) const;  ///< "row 3", from 0
+  std::string header_place() const override { return "header"; }
+  std::size_t rows() const override { return rows_; }
+  std::size_t columns() const override { return columns_.size(); }
+  std::string place(std::size_t row) const override;  ///< "row 3", from 0
 
-  /// Throws InputError, with no place, for NaN, infinities and types that are not read.
-  Rational number(std::size_t row, std::size_t column) const;
+  using NumberTable::number;
+  /// NaN, infinities and types that are not read are no numbers.
+  Rational number(std::size_t row, std::size_t column) const override;
 
  private:
   /// How one number is written, as "<f8" says it.
@@ -47,7 +48,6 @@ class NpyTable {
   void lay_out_structured(const NpyHeader& header);
 
   std::string_view data_;
-  std::vector<std::string> names_;
   std::vector<Column> columns_;
   std::size_t rows_ = 0;
   std::size_t stride_ = 0;  ///< from a number to that below it

@@ -161,23 +161,17 @@ Settings read_comments(std::string_view text) {
 }
 
 /// The column w; none where there is no such name.
-template <class Table>
-std::vector<Rational> read_weights(const Table& table) {
+std::vector<Rational> read_weights(const NumberTable& table) {
   const auto& names = table.names();
-  const auto column = std::find_if(names.begin(), names.end(),
-                                   [](const auto& name) { return lower_case(name) == "w"; });
+  const auto column = std::ranges::find(names, "w", lower_case);
   std::vector<Rational> weights;
   if (column == names.end()) return weights;
+  const auto at = static_cast<std::size_t>(column - names.begin());
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const std::string place = table.place(row) + ", w";
-    try {
-      weights.push_back(table.number(row, static_cast<std::size_t>(column - names.begin())));
-    } catch (const InputError& error) {
-      throw InputError(place, error.reason());
-    }
+    weights.push_back(table.number(row, {at}, "w"));
     if (weights.back() <= 0)
-      throw InputError(
-          place, fmt::format("the weight {} is not greater than 0", as_written(weights.back())));
+      throw InputError(table.place(row) + ", w", fmt::format("the weight {} is not greater than 0",
+                                                             as_written(weights.back())));
   }
   return weights;
 }
@@ -246,8 +240,7 @@ PointCurve control_curve(const GivenPoints& given, std::vector<Rational> weights
   return result;
 }
 
-template <class Table>
-PointCurve table_curve(const Table& table, const GivenPoints& given, const Settings& settings,
+PointCurve table_curve(const NumberTable& table, const GivenPoints& given, const Settings& settings,
                        TableKind kind, const CurveLimits& limits) {
   std::vector<Rational> weights = read_weights(table);
   const PointPlace place = [&](std::size_t k) {
@@ -272,8 +265,7 @@ PointCurve table_curve(const Table& table, const GivenPoints& given, const Setti
   return {"", spline_segments(interpolation_of(given, settings, ends, place(0)), place(0), place)};
 }
 
-template <class Table>
-PointCurve table_curve(const Table& table, GivenPoints given, const Settings& settings,
+PointCurve table_curve(const NumberTable& table, GivenPoints given, const Settings& settings,
                        const CurveLimits& limits) {
   const auto kind = chosen<TableKind>(settings, "kind",
                                       {{"natural", TableKind::natural},
@@ -327,10 +319,9 @@ PointCurve read_point_curve(const JsonNode& node) {
 
 PointCurve read_point_table(std::string_view bytes, const CurveLimits& limits) {
   GivenPoints given = read_points(bytes);
-  if (NpyTable::is_one(bytes))
-    return table_curve(NpyTable(bytes), std::move(given), Settings(), limits);
-  const Settings settings = read_comments(bytes);
-  return table_curve(TextTable(bytes, {true, "points"}), std::move(given), settings, limits);
+  const Settings settings = NpyTable::is_one(bytes) ? Settings() : read_comments(bytes);
+  return table_curve(*read_number_table(bytes, {true, "points"}), std::move(given), settings,
+                     limits);
 }
 
 }  // namespace phrame

@@ -10,7 +10,6 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/json_node.hpp"
-#include "phrame/io/read/npy.hpp"
 #include "phrame/io/read/text_table.hpp"
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -120,8 +119,7 @@ class PointLayout {
     if (!is_called_t_) t_name_ = names[*t_];
   }
 
-  template <class Table>
-  GivenPoints read(const Table& table) const {
+  GivenPoints read(const NumberTable& table) const {
     GivenPoints given;
     given.is_planar = points_.columns.size() == 2;
     for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -129,7 +127,7 @@ class PointLayout {
       if (!derivatives_.columns.empty())
         given.derivatives.push_back(vector(table, row, derivatives_));
       if (!tangents_.columns.empty()) given.tangents.push_back(vector(table, row, tangents_));
-      if (t_ && is_called_t_) given.parameters.push_back(number(table, row, *t_, "t"));
+      if (t_ && is_called_t_) given.parameters.push_back(table.number(row, {*t_}, "t"));
     }
     given.skipped_columns = skipped_;
     if (!is_called_t_) read_other_parameters(table, given);
@@ -138,8 +136,7 @@ class PointLayout {
 
  private:
   /// Of a column that is not called t, if it has increasing numbers: else it means something else.
-  template <class Table>
-  void read_other_parameters(const Table& table, GivenPoints& given) const {
+  void read_other_parameters(const NumberTable& table, GivenPoints& given) const {
     given.parameter_column = t_name_;
     const auto leave_out = [&](const std::string& why) {
       leave_parameters_out(given, fmt::format("{}: {}", table.place(given.parameters.size()), why));
@@ -156,20 +153,10 @@ class PointLayout {
       given.parameters.push_back(t);
     }
   }
-  template <class Table>
-  static Rational number(const Table& table, std::size_t row, std::size_t column,
-                         const std::string& name) {
-    try {
-      return table.number(row, column);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}, {}", table.place(row), name), error.reason());
-    }
-  }
-  template <class Table>
-  static Vector<Rational> vector(const Table& table, std::size_t row, const Columns& group) {
+  static Vector<Rational> vector(const NumberTable& table, std::size_t row, const Columns& group) {
     Vector<Rational> v;
     for (std::size_t k = 0; k < group.columns.size(); ++k)
-      v[k] = number(table, row, group.columns[k], group.column(k));
+      v[k] = table.number(row, {group.columns[k]}, group.column(k));
     return v;
   }
 
@@ -182,8 +169,7 @@ class PointLayout {
   Columns tangents_{"e1"};
 };
 
-template <class Table>
-GivenPoints read_table(const Table& table, const std::string& header_place) {
+GivenPoints read_table(const NumberTable& table) {
   std::vector<std::string> names = table.names();
   if (names.empty()) {
     names = {"x", "y", "z"};
@@ -194,7 +180,7 @@ GivenPoints read_table(const Table& table, const std::string& header_place) {
                                    counted(table.columns(), "column")));
     names.resize(table.columns());
   }
-  GivenPoints given = PointLayout(names, header_place).read(table);
+  GivenPoints given = PointLayout(names, table.header_place()).read(table);
   if (given.points.size() < 2)
     throw InputError(table.place(0), "there is one point; a curve needs two at least");
   require_meaning(given, [&](std::string_view, std::size_t k) { return table.place(k); });
@@ -202,13 +188,11 @@ GivenPoints read_table(const Table& table, const std::string& header_place) {
 }
 
 /// A comment above the numbers is their header where it says which of them is x.
-TextTable text_table(std::string_view text) {
-  TextTable table(text, {true, "points"});
-  const auto& names = table.names();
-  if (names.empty()) return table;
-  const bool names_x = std::any_of(names.begin(), names.end(),
-                                   [](const std::string& name) { return lower_case(name) == "x"; });
-  return names_x ? table : TextTable(text, {false, "points"});
+std::unique_ptr<NumberTable> table_of_points(std::string_view bytes) {
+  auto table = read_number_table(bytes, {true, "points"});
+  const auto& names = table->names();
+  if (names.empty() || std::ranges::find(names, "x", lower_case) != names.end()) return table;
+  return read_number_table(bytes, {false, "points"});
 }
 
 }  // namespace
@@ -279,11 +263,9 @@ GivenPoints read_points(const JsonNode& node) {
 }
 
 GivenPoints read_points(std::string_view bytes) {
-  if (NpyTable::is_one(bytes)) return read_table(NpyTable(bytes), "header");
   const auto first = bytes.find_first_not_of(" \t\r\n", bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0);
   if (first != std::string_view::npos && bytes[first] == '{') return read_json(bytes);
-  const TextTable table = text_table(bytes);
-  return read_table(table, table.header_place());
+  return read_table(*table_of_points(bytes));
 }
 
 }  // namespace phrame

@@ -3,35 +3,28 @@
 #include <string_view>
 #include <vector>
 
-#include "phrame/algebra/rational.hpp"
+#include "phrame/io/read/number_table.hpp"
 
 namespace phrame {
 
 /// Lines of numbers, separated by ';', ',', tabs or blanks, whichever of them comes first in this
 /// list and in the first line, below the names of the columns, or without. Empty lines and lines
 /// that begin with '#' are skipped. Refers to the text.
-class TextTable {
+class TextTable : public NumberTable {
  public:
-  /// How a table may have the names of its columns, and what it is to be, for complaints.
-  struct Reading {
-    bool reads_comment = false;  ///< the last comment above the numbers may be the header
-    std::string_view row = "numbers";
-  };
-
   /// Throws InputError for what is no table, or has no row, and for rows of unequal widths.
-  TextTable(std::string_view text, const Reading& reading);
+  TextTable(std::string_view text, const TableReading& reading);
 
-  const std::vector<std::string>& names() const { return names_; }  ///< none without a header
-  std::string header_place() const;
-  std::size_t rows() const { return rows_.size(); }
-  std::size_t columns() const {
+  std::string header_place() const override;
+  std::size_t rows() const override { return rows_.size(); }
+  std::size_t columns() const override {
     return names_.empty() ? rows_.front().fields.size() : names_.size();
   }
-  std::string place(std::size_t row) const;
+  std::string place(std::size_t row) const override;
   /// Is there an empty line between the row and the one before?
   bool is_after_gap(std::size_t row) const { return rows_[row].is_after_gap; }
-  /// Throws InputError, with no place, for what is no number.
-  Rational number(std::size_t row, std::size_t column) const;
+  using NumberTable::number;
+  Rational number(std::size_t row, std::size_t column) const override;
 
  private:
   struct Row {
@@ -43,7 +36,6 @@ class TextTable {
   void take_comment_for_header();
   void require_equal_widths() const;
 
-  std::vector<std::string> names_;
   long header_line_ = 1;
   std::vector<Row> rows_;
   char separator_ = 0;
