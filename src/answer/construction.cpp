@@ -33,51 +33,26 @@ struct KindRow {
   bool takes_accelerations = false;
   Construction (*construct)(const Task& task);
   /// Is the law true of it, decided exactly? None where there is no law.
-  bool (*obeys_law)(const Path& path) = nullptr;
+  bool (*obeys_law)(const Path& path, bool is_closed) = nullptr;
 };
 
-Construction quintics(const Task& task) {
-  return quintic_spline(task.data, task.query.choice, task.tolerance, task.query.points);
+/// @{ Of kinds that take nothing else, and of those with several solutions.
+template <auto make>
+Construction of_data(const Task& task) {
+  return make(task.data, task.tolerance, task.query.points);
 }
-
-Construction cubics(const Task& task) {
-  return cubic_spline(task.data, task.query.solution, task.tolerance, task.query.points);
+template <auto make>
+Construction of_solution(const Task& task) {
+  return make(task.data, task.query.solution, task.tolerance, task.query.points);
 }
+/// @}
 
-Construction planar(const Task& task) {
-  return plane_quintics(task.data, task.query.solution, task.tolerance, task.query.points);
-}
-
-Construction helices(const Task& task) {
-  return helical_spline(task.data, task.query.solution, task.tolerance, task.query.points);
-}
-
-Construction rrmf_quintics(const Task& task) {
-  return rrmf_spline(task.data, task.tolerance, task.query.points);
+template <bool (*is_lawful)(const Path&)>
+bool of_path(const Path& path, bool) {
+  return is_lawful(path);
 }
 
 constexpr std::string_view c2_law = "the second derivative by the parameter is continuous";
-
-/// What the law does not know of a path is whether it is to be closed.
-Construction c2_at_the_end(const Task& task, Construction found) {
-  if (task.data.is_closed && !is_c2(found.path, true))
-    throw Error(fmt::format("construct: at the end it is not true that {}", c2_law));
-  return found;
-}
-
-Construction c2_splines(const Task& task) {
-  return c2_at_the_end(task, c2_spline(task.data, task.tolerance, task.query.points));
-}
-
-Construction c2_hermite_splines(const Task& task) {
-  return c2_at_the_end(task, c2_hermite_spline(task.data, task.tolerance, task.query.points));
-}
-
-bool is_c2_between(const Path& path) { return is_c2(path, false); }
-
-Construction rmf_septics(const Task& task) {
-  return rmf_spline(task.data, task.tolerance, task.query.points);
-}
 
 bool is_without_twist(const Path& path) {
   return std::ranges::all_of(path.segments(), [](const Curve& curve) {
@@ -97,22 +72,25 @@ const std::vector<KindRow>& rows() {
                  .name = "quintic",
                  .what = "C1 splines of PH quintics",
                  .continuity = Continuity::c1},
-       .construct = quintics},
+       .construct =
+           [](const Task& t) {
+             return quintic_spline(t.data, t.query.choice, t.tolerance, t.query.points);
+           }},
       {.named = {.kind = CurveKind::planar,
                  .name = "planar",
                  .what = "the same in the plane z = 0",
                  .continuity = Continuity::c1,
                  .solutions = plane_solutions,
                  .law = "the curve is in the plane z = 0"},
-       .construct = planar,
-       .obeys_law = is_in_plane},
+       .construct = of_solution<plane_quintics>,
+       .obeys_law = of_path<is_in_plane>},
       {.named = {.kind = CurveKind::cubic,
                  .name = "cubic",
                  .what = "G1 splines of PH cubics",
                  .continuity = Continuity::g1,
                  .solutions = cubic_solutions,
                  .is_open = true},
-       .construct = cubics},
+       .construct = of_solution<cubic_spline>},
       {.named = {.kind = CurveKind::helical,
                  .name = "helical",
                  .what = "C1 splines of helical quintics",
@@ -120,39 +98,39 @@ const std::vector<KindRow>& rows() {
                  .solutions = helical_solutions,
                  .law = "the tangent of each segment has a constant angle to an axis",
                  .is_open = true},
-       .construct = helices,
-       .obeys_law = is_helical},
+       .construct = of_solution<helical_spline>,
+       .obeys_law = of_path<is_helical>},
       {.named = {.kind = CurveKind::rrmf,
                  .name = "rrmf",
                  .what = "G1 splines of RRMF quintics of class I",
                  .continuity = Continuity::g1,
                  .law = "each segment has a rational rotation-minimizing frame",
                  .is_open = true},
-       .construct = rrmf_quintics,
-       .obeys_law = is_rrmf_of_class_one},
+       .construct = of_data<rrmf_spline>,
+       .obeys_law = of_path<is_rrmf_of_class_one>},
       {.named = {.kind = CurveKind::rmf,
                  .name = "rmf",
                  .what = "C1 splines of septics whose rational frame is rotation-minimizing",
                  .continuity = Continuity::c1,
                  .law = "h = 0: the Euler-Rodrigues frame is rotation-minimizing"},
-       .construct = rmf_septics,
-       .obeys_law = is_without_twist},
+       .construct = of_data<rmf_spline>,
+       .obeys_law = of_path<is_without_twist>},
       {.named = {.kind = CurveKind::c2,
                  .name = "c2",
                  .what = "C2 splines of PH quintics through points",
                  .continuity = Continuity::c2,
                  .law = c2_law,
                  .is_through_points = true},
-       .construct = c2_splines,
-       .obeys_law = is_c2_between},
+       .construct = of_data<c2_spline>,
+       .obeys_law = is_c2},
       {.named = {.kind = CurveKind::c2_hermite,
                  .name = "c2-hermite",
                  .what = "C2 splines of degree 9 with accelerations",
                  .continuity = Continuity::c2,
                  .law = c2_law},
        .takes_accelerations = true,
-       .construct = c2_hermite_splines,
-       .obeys_law = is_c2_between}};
+       .construct = of_data<c2_hermite_spline>,
+       .obeys_law = is_c2}};
   return table;
 }
 
@@ -205,7 +183,7 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
                                 : query.tolerance * size_of_derivatives(data),
                             query.tolerance * size_of_accelerations(data)};
   Construction found = row->construct({data, query, tolerance});
-  if (row->obeys_law != nullptr && !row->obeys_law(found.path))
+  if (row->obeys_law != nullptr && !row->obeys_law(found.path, data.is_closed))
     throw Error(fmt::format("construct: it is not true that {}", row->named.law));
   std::vector<ConstructionAnswer::Segment> segments;
   for (std::size_t k = 0; k < found.path.segments().size(); ++k)

@@ -15,15 +15,7 @@ namespace {
 
 using ColumnNames = std::vector<std::string>;
 
-/// Vectors of three columns and quaternions of four, by the names of their columns.
-struct Group {
-  std::string_view name;  ///< "f2" or "q"
-  std::string_view ends;  ///< of the names: "xyz", "wxyz"
-  /// In the order of `ends`, the columns of that name; empty where the table has none of them.
-  std::vector<std::vector<std::size_t>> columns = {};
-
-  std::string column(std::size_t k) const { return fmt::format("{}{}", name, ends.substr(k, 1)); }
-};
+using Group = NumberTable::Group;
 
 /// Which columns hold what is read.
 class Layout {
@@ -37,18 +29,11 @@ class Layout {
   [[noreturn]] void fail(const std::string& reason) const { throw InputError(place_, reason); }
   void find(Group& group, const ColumnNames& names) const;
 
-  static Vector<Rational> vector(const NumberTable& table, std::size_t row, const Group& group) {
-    const auto component = [&](std::size_t k) {
-      return table.number(row, group.columns[k], group.column(k));
-    };
-    return {component(0), component(1), component(2)};
-  }
-
   std::string place_;
   Group t_{"t", " "};
-  Group f2_{"f2", "xyz"};
-  Group f3_{"f3", "xyz"};
-  Group e1_{"e1", "xyz"};
+  Group f2_{"f2"};
+  Group f3_{"f3"};
+  Group e1_{"e1"};
   Group q_{"q", "wxyz"};
 };
 
@@ -129,15 +114,13 @@ GivenFrame Layout::frame(const NumberTable& table, std::size_t row,
                          const FrameReading& reading) const {
   GivenFrame frame{table.number(row, t_.columns[0], "t"), {}};
   if (!has_quaternions()) {
-    frame.f2 = vector(table, row, f2_);
-    if (!f3_.columns.empty()) frame.f3 = vector(table, row, f3_);
-    if (!e1_.columns.empty()) frame.tangent = vector(table, row, e1_);
+    frame.f2 = table.vector(row, f2_);
+    if (!f3_.columns.empty()) frame.f3 = table.vector(row, f3_);
+    if (!e1_.columns.empty()) frame.tangent = table.vector(row, e1_);
     return frame;
   }
-  const auto component = [&](std::size_t k) {
-    return table.number(row, q_.columns[k], q_.column(k));
-  };
-  const RationalQuaternion q{component(0), component(1), component(2), component(3)};
+  const auto [w, x, y, z] = table.numbers(row, q_);
+  const RationalQuaternion q{w, x, y, z};
   if (norm(q) == 0) throw InputError(table.place(row), "the quaternion is 0");
   set_frame(frame, q, reading);
   return frame;

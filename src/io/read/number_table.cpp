@@ -16,14 +16,26 @@ Rational NumberTable::number(std::size_t row, const std::vector<std::size_t>& co
                              std::string_view name) const {
   try {
     const Rational value = number(row, columns.front());
-    for (const std::size_t column : columns)
-      if (const Rational other = number(row, column); other != value)
+    for (std::size_t k = 1; k < columns.size(); ++k)
+      if (const Rational other = number(row, columns[k]); other != value)
         throw InputError(fmt::format("two columns have this name, one with {}, one with {}",
                                      as_written(value), as_written(other)));
     return value;
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}, {}", place(row), name), error.reason());
   }
+}
+
+std::array<Rational, 4> NumberTable::numbers(std::size_t row, const Group& group) const {
+  std::array<Rational, 4> list;
+  for (std::size_t k = 0; k < group.columns.size(); ++k)
+    list[k] = number(row, group.columns[k], group.column(k));
+  return list;
+}
+
+Vector<Rational> NumberTable::vector(std::size_t row, const Group& group) const {
+  const auto [x, y, z, none] = numbers(row, group);
+  return {x, y, z};
 }
 
 std::unique_ptr<NumberTable> read_number_table(std::string_view bytes,

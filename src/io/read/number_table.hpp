@@ -1,10 +1,11 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "phrame/algebra/rational.hpp"
+#include "phrame/ph/curve/quaternion.hpp"
 
 namespace phrame {
 
@@ -23,6 +24,19 @@ class NumberTable {
   /// The same with the place "line 3, name"; of many columns with that name, one that all have.
   Rational number(std::size_t row, const std::vector<std::size_t>& columns,
                   std::string_view name) const;
+
+  /// The columns of a vector or a quaternion.
+  struct Group {
+    std::string_view name;          ///< "f2" of f2x, f2y, f2z
+    std::string_view ends = "xyz";  ///< or "wxyz"
+    /// In the order of `ends`, all columns of that name; none of those at the end may be there.
+    std::vector<std::vector<std::size_t>> columns = {};
+
+    std::string column(std::size_t k) const { return std::string(name) + ends[k]; }
+  };
+  /// Its numbers, 0 where it has no column.
+  std::array<Rational, 4> numbers(std::size_t row, const Group& group) const;
+  Vector<Rational> vector(std::size_t row, const Group& group) const;
 
  protected:
   std::vector<std::string> names_;

@@ -67,14 +67,9 @@ GivenPoints read_json(std::string_view text) {
   return read_points(node);
 }
 
-/// The columns of a vector, by the names that begin with `name`.
-struct Columns {
-  std::string_view name;
-  std::vector<std::size_t> columns = {};
+using Columns = NumberTable::Group;
 
-  std::string column(std::size_t k) const { return fmt::format("{}{}", name, "xyz"[k]); }
-};
-
+/// Which columns hold what is read.
 class PointLayout {
  public:
   explicit PointLayout(const std::vector<std::string>& names, const std::string& place) {
@@ -100,7 +95,7 @@ class PointLayout {
           if (group->columns.size() < k)
             throw InputError(place, fmt::format("missing is the column {}",
                                                 group->column(group->columns.size())));
-          group->columns.push_back(*column);
+          group->columns.push_back({*column});
         }
     if (points_.columns.size() < 2)
       throw InputError(place, "columns x, y and z are wanted, or x and y");
@@ -113,7 +108,7 @@ class PointLayout {
     std::vector<bool> is_read(names.size(), false);
     if (t_) is_read[*t_] = true;
     for (const Columns* group : {&points_, &derivatives_, &tangents_})
-      for (const std::size_t column : group->columns) is_read[column] = true;
+      for (const auto& column : group->columns) is_read[column.front()] = true;
     for (std::size_t k = 0; k < names.size(); ++k)
       if (!is_read[k]) skipped_.push_back(names[k]);
     if (!is_called_t_) t_name_ = names[*t_];
@@ -123,10 +118,10 @@ class PointLayout {
     GivenPoints given;
     given.is_planar = points_.columns.size() == 2;
     for (std::size_t row = 0; row < table.rows(); ++row) {
-      given.points.push_back(vector(table, row, points_));
+      given.points.push_back(table.vector(row, points_));
       if (!derivatives_.columns.empty())
-        given.derivatives.push_back(vector(table, row, derivatives_));
-      if (!tangents_.columns.empty()) given.tangents.push_back(vector(table, row, tangents_));
+        given.derivatives.push_back(table.vector(row, derivatives_));
+      if (!tangents_.columns.empty()) given.tangents.push_back(table.vector(row, tangents_));
       if (t_ && is_called_t_) given.parameters.push_back(table.number(row, {*t_}, "t"));
     }
     given.skipped_columns = skipped_;
@@ -153,13 +148,6 @@ class PointLayout {
       given.parameters.push_back(t);
     }
   }
-  static Vector<Rational> vector(const NumberTable& table, std::size_t row, const Columns& group) {
-    Vector<Rational> v;
-    for (std::size_t k = 0; k < group.columns.size(); ++k)
-      v[k] = table.number(row, {group.columns[k]}, group.column(k));
-    return v;
-  }
-
   std::optional<std::size_t> t_;
   bool is_called_t_ = true;
   std::string t_name_;
