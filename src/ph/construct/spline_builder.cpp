@@ -90,7 +90,7 @@ std::vector<Rational> whole_parameters(const HermiteSpline& data) {
 
 Construction construction_of(const PreimageSpline& spline, const PointDivision& division,
                              const HermiteSpline& data, PointRule rule) {
-  const auto& [segments, root, bits, deviation] = spline;
+  const Rational& root = spline.root;
   std::vector<Curve> curves;
   std::vector<Rational> parameters{data.parameters.front()};
   const auto add = [&](const BernsteinPreimage& a, const Rational& h,
@@ -101,23 +101,24 @@ Construction construction_of(const PreimageSpline& spline, const PointDivision& 
     parameters.push_back(parameters.back() + h);
   };
   const bool is_exact = rule == PointRule::exact;
-  for (std::size_t k = 0; k < segments.size(); ++k) {
-    const auto& [a, h, first] = segments[k];
+  for (std::size_t k = 0; k < spline.segments.size(); ++k) {
+    const PreimageSpline::Segment& segment = spline.segments[k];
+    const Rational& h = segment.h;
     if (!is_exact && !(data.is_closed && k == division.closing)) {
-      add(a, h, first);
+      add(segment.a, h, segment.start);
       continue;
     }
-    Vector<Rational> start = is_exact ? data.points[k] : first;
+    Vector<Rational> start = is_exact ? data.points[k] : segment.start;
     const Vector<Rational>& end =
-        is_exact || k + 1 == segments.size() ? data.points[k + 1] : segments[k + 1].start;
-    const auto parts =
-        of_segment(k, [&] { return division.parts(a, 1 / (h * root * root) * (end - start)); });
+        is_exact || k + 1 == data.segments() ? data.points[k + 1] : spline.segments[k + 1].start;
+    const auto parts = of_segment(
+        k, [&] { return division.parts(segment.a, 1 / (h * root * root) * (end - start)); });
     for (const BernsteinPreimage& part : parts) {
       add(part, h / parts.size(), start);
       start = end_point(curves.back());
     }
   }
-  Construction result{joined(curves), std::move(parameters), {}, bits, deviation};
+  Construction result{joined(curves), std::move(parameters), {}, spline.bits, spline.deviation};
   if (is_exact) result.deviation.points = 0;
   return result;
 }

@@ -143,6 +143,7 @@ TEST_CASE("expressions: typeset signs and exponents are read") {
   constexpr auto ambiguous = "one exponent after another: parentheses are needed";
   CHECK(refusal("x²^3") == "column 3: " + std::string(ambiguous));
   CHECK(refusal("x^2³") == "column 4: " + std::string(ambiguous));
+  CHECK(refusal("x² ³") == "column 4: " + std::string(ambiguous));
   CHECK(value("(x²)^3") == value("x^6"));
   CHECK(value("2^(x⁰)") == value("2"));
 }
