@@ -13,6 +13,11 @@ BallPolynomial unknown_ball_series(long length) {
 
 }  // namespace
 
+BallPolynomial truncated(BallPolynomial p, long length) {
+  arb_poly_truncate(p.raw(), length);
+  return p;
+}
+
 BallPolynomial multiply_series(const BallPolynomial& p, const BallPolynomial& q, long length,
                                long bits) {
   BallPolynomial product;

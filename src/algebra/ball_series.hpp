@@ -6,6 +6,8 @@ namespace phrame {
 // Polynomials with real balls for coefficients as power series in t, of which the coefficients of
 // t⁰, …, t^{length−1} are computed.
 
+/// p without what is beyond.
+BallPolynomial truncated(BallPolynomial p, long length);
 /// p·q.
 BallPolynomial multiply_series(const BallPolynomial& p, const BallPolynomial& q, long length,
                                long bits);

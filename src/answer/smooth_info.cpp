@@ -4,6 +4,7 @@
 #include "phrame/algebra/roots.hpp"
 #include "phrame/answer/info.hpp"
 #include "phrame/answer/rounded.hpp"
+#include "phrame/ph/smooth/segment_integral.hpp"
 #include "phrame/ph/smooth/smooth_angle.hpp"
 #include "phrame/ph/smooth/smooth_length.hpp"
 #include "phrame/ph/smooth/smooth_totals.hpp"
@@ -31,6 +32,7 @@ void add_lengths(SmoothInfoAnswer& answer, long digits) {
 SmoothInfoAnswer answer(const NamedSmoothPath& named, const InfoQuery& query) {
   const SmoothPath& path = named.path;
   const SmoothAngle angle(path);
+  find_together(path, {length_rate(), up_frame_rate(angle.up()), bending_rate()});
   SmoothInfoAnswer answer{named,
                           {Rational(0), {}},
                           {},

@@ -6,6 +6,7 @@
 #include "phrame/answer/rounded.hpp"
 #include "phrame/answer/writhe_rows.hpp"
 #include "phrame/ph/smooth/closed_curve.hpp"
+#include "phrame/ph/smooth/segment_integral.hpp"
 #include "phrame/ph/smooth/smooth_angle.hpp"
 #include "phrame/ph/smooth/smooth_length.hpp"
 #include "phrame/ph/smooth/up_vector.hpp"
@@ -90,6 +91,8 @@ TotalsAnswer answer(const NamedSmoothPath& named, const TotalsQuery& query) {
   TotalsAnswer answer{named, {}, query.digits, angle.up()};
   SmoothTotals totals(answer);
   const std::string no_torsion = why_no_torsion(path);
+  find_together(path, {length_rate(), up_frame_rate(angle.up()), torsion_rate(), curvature_rate(),
+                       bending_rate(), squared_torsion_rate()});
   const Real length = SmoothLength(path).total();
   const Real curvature = total_curvature(path);
   totals.add(Quantity::length, length);

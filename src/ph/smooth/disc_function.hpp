@@ -1,7 +1,9 @@
 #pragma once
+#include <memory>
 #include <optional>
 
 #include "phrame/algebra/ball_series.hpp"
+#include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
@@ -32,17 +34,42 @@ DiscFunction constant_like(const DiscFunction& like, const Rational& c);
 /// Between which bounds is |f| on |z| ≤ 4? The lower one is ≤ 0 where f is not seen to have no zero
 /// there.
 struct SizeBounds {
-  RealBall lower;  ///< |f| is at least the least number of it, where that is > 0
-  RealBall upper;  ///< |f| is at most the greatest number of it
+  RealBall lower;        ///< |f| is at least the least number of it, where that is > 0
+  RealBall upper;        ///< |f| is at most the greatest number of it
+  bool may_gain = true;  ///< can `lower` be > 0 with more coefficients?
 };
 SizeBounds size_bounds(const DiscFunction& f);
+
+/// A function with which several products are made: its size, and the series that they need, are
+/// found once, for all copies.
+class DiscFactor {
+ public:
+  DiscFactor(DiscFunction base)  // NOLINT(google-explicit-constructor)
+      : base_(std::make_shared<const DiscFunction>(std::move(base))) {}
+
+  const DiscFunction& base() const { return *base_; }  ///< the function
+  const SizeBounds& size() const;                      ///< size_bounds(base())
+  /// p·baseᵏᐟ², k ≠ 0; for an odd k, base > 0 in the middle.
+  BallPolynomial times_power(const BallPolynomial& p, int k) const;
+
+ private:
+  const BallPolynomial& root() const;
+  const BallPolynomial& inverse_root() const;
+  const BallPolynomial& inverse() const;
+
+  std::shared_ptr<const DiscFunction> base_;
+  Lazy<SizeBounds> size_;
+  Lazy<BallPolynomial> root_;
+  Lazy<BallPolynomial> inverse_root_;
+  Lazy<BallPolynomial> inverse_;
+};
 
 /// numerator · Π factorᵏᐟ², of factors that are ≥ 0 on the real axis. For such a product around a
 /// point of a curve.
 struct DiscProduct {
   /// One factor.
   struct Factor {
-    DiscFunction base;   ///< ≥ 0 for real z
+    DiscFactor base;     ///< ≥ 0 for real z
     int half_exponents;  ///< k
   };
   DiscFunction numerator;
@@ -52,6 +79,8 @@ struct DiscProduct {
 /// A bound of it on |z| ≤ 4, as the greatest number of the ball, where its factors are seen to have
 /// no zero there, so that it is analytic; else no value.
 std::optional<RealBall> bound_on_inner_disc(const DiscProduct& product);
+/// Where there is no such bound: can there be one with more coefficients?
+bool may_gain(const DiscProduct& product);
 /// A bound of it on |z| ≤ 4, wherever it is defined: factors with k > 0 may have zeros there.
 std::optional<RealBall> bound_with_zeros(const DiscProduct& product);
 /// The first coefficients of its Taylor series, as many as the numerator has.

@@ -6,7 +6,7 @@
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
-#include "phrame/ph/smooth/expression_integral.hpp"
+#include "phrame/ph/smooth/known_integrals.hpp"
 
 namespace phrame {
 namespace {
@@ -167,12 +167,14 @@ ExpressionCurve::ExpressionCurve(Vector<Formula> position, Formula from, Formula
     : position_(std::move(position)),
       from_(std::move(from)),
       to_(std::move(to)),
-      variable_(std::move(variable)) {
+      variable_(std::move(variable)),
+      known_integrals_(std::make_shared<KnownIntegrals>()) {
   check_ends(*this);
   for (std::size_t k = 0; k < 3; ++k)
     components_[k] = program_.insert(position_[k], program_.variable());
   require_sizes(*this);
-  regular_parts(*this);
+  if (const auto& fault = known_integrals_->parts(*this, length_rate())->fault)
+    refuse_part(*this, *fault);
 }
 
 ExpressionCurve ExpressionCurve::turned_over() const {

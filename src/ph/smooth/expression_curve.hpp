@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -8,6 +9,8 @@
 #include "phrame/ph/smooth/formula_evaluation.hpp"
 
 namespace phrame {
+
+class KnownIntegrals;
 
 /// A curve r(s) by three formulas, s from a to b, with the parameter t ∈ [0, 1], s = a + (b − a)t.
 /// It is defined, analytic and regular, r′ ≠ 0, on the whole path: proved when it is made. H is r′,
@@ -37,6 +40,9 @@ class ExpressionCurve {
   /// The steps that are the components.
   const Vector<std::size_t>& components() const { return components_; }
 
+  /// What was found of integrals along it, for all copies.
+  KnownIntegrals& known_integrals() const { return *known_integrals_; }
+
   /// The Taylor series of r around t in z, where the parameter is t + scale·z.
   Vector<BallPolynomial> series(const RealBall& t, const Rational& scale, long length,
                                 long bits) const;
@@ -57,6 +63,7 @@ class ExpressionCurve {
   Vector<std::size_t> components_{};
   int orientation_ = 1;
   std::array<Lazy<Vector<Formula>>, 3> derivatives_;  ///< r′, r″, r‴ by s
+  std::shared_ptr<KnownIntegrals> known_integrals_;
 };
 
 /// A point or a direction at a parameter of an expression curve, as steps of a program that several

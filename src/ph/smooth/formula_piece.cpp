@@ -63,10 +63,11 @@ std::optional<PolynomialPiece> formula_rotation_piece(
   if (!piece) return std::nullopt;
   const auto jet = jet_of(curve, *piece);
   if (!jet) return std::nullopt;
-  const DiscFunction twice_sigma = constant_like(jet->first[0], 2) * dot(jet->first, jet->first);
+  const DiscFunction& sigma = jet->square().base();
+  const DiscFunction twice_sigma = constant_like(sigma, 2) * sigma;
   const RealBall least_sigma = size_bounds(twice_sigma).lower;
   if (sign(least_sigma) <= 0) return std::nullopt;
-  const Vector<DiscFunction> turn = cross(jet->first, jet->second);
+  const Vector<DiscFunction>& turn = jet->bend();
   RealBall most_turn;
   for (const DiscFunction& f : turn) most_turn = add(most_turn, most_of(f), 64);
   // |B| = 1 at the center, and e < 3.

@@ -4,7 +4,6 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/smooth/curve_integrands.hpp"
 #include "phrame/ph/smooth/direction_span.hpp"
 #include "phrame/ph/smooth/rational_rates.hpp"
 
@@ -20,9 +19,8 @@ SegmentIntegral zero_integral() { return {TaylorIntegral(RootQuotient{})}; }
 template <class Refuse>
 SegmentIntegral integral_of(const ExpressionCurve& curve, const CurveIntegrand& y,
                             const Refuse& refuse) {
-  TaylorParts found = taylor_parts(curve, y);
-  if (found.fault) refuse(*found.fault);
-  return {ExpressionIntegral(curve, y, std::move(found.parts))};
+  if (const auto fault = taylor_parts(curve, y)->fault) refuse(*fault);
+  return {ExpressionIntegral(curve, y)};
 }
 
 CurveIntegrand with_sign(int sign, const CurveIntegrand& y) { return sign < 0 ? negative(y) : y; }
@@ -40,16 +38,26 @@ bool is_at_rest(const ExpressionCurve& curve, const Vector<Rational>& v) {
   return is_normal || common_normal(span);
 }
 
+/// Does the form of the curve say that y is 0 all along, or that there is none?
+bool is_zero_along(const ExpressionCurve& curve, const CurveIntegrand& y) {
+  using Kind = CurveIntegrand::Kind;
+  if (y.kind == Kind::length) return false;
+  if (y.kind == Kind::up_frame) return is_at_rest(curve, y.vector);
+  const auto span = direction_span(curve);
+  const bool is_of_torsion = y.kind == Kind::torsion || y.kind == Kind::squared_torsion;
+  return are_on_a_line(span) || (is_of_torsion && common_normal(span));
+}
+
 SegmentIntegral up_frame_angle_of(const RationalCurve& curve, const Vector<Rational>& v) {
   return {TaylorIntegral(up_frame_turning(curve, v))};
 }
 
 SegmentIntegral up_frame_angle_of(const ExpressionCurve& curve, const Vector<Rational>& v) {
-  if (is_at_rest(curve, v)) return zero_integral();
-  return integral_of(curve, with_sign(-curve.orientation(), up_frame_rate(v)),
-                     [](const NarrowPart&) {
-                       throw DomainError("the up vector is along the tangent, or nearly so");
-                     });
+  const CurveIntegrand rate = up_frame_rate(v);
+  if (is_zero_along(curve, rate)) return zero_integral();
+  return integral_of(curve, with_sign(-curve.orientation(), rate), [](const NarrowPart&) {
+    throw DomainError("the up vector is along the tangent, or nearly so");
+  });
 }
 
 SegmentIntegral frenet_angle_of(const RationalCurve& curve) {
@@ -57,9 +65,8 @@ SegmentIntegral frenet_angle_of(const RationalCurve& curve) {
 }
 
 SegmentIntegral frenet_angle_of(const ExpressionCurve& curve) {
-  const auto span = direction_span(curve);
-  if (are_on_a_line(span)) refuse_line();
-  if (common_normal(span)) return zero_integral();
+  if (are_on_a_line(direction_span(curve))) refuse_line();
+  if (is_zero_along(curve, torsion_rate())) return zero_integral();
   return integral_of(
       curve, with_sign(-curve.orientation(), torsion_rate()),
       [&](const NarrowPart& part) { refuse_inflection(curve, part, "Frenet frame"); });
@@ -70,7 +77,7 @@ SegmentIntegral arc_length_of(const RationalCurve& curve) {
 }
 
 SegmentIntegral arc_length_of(const ExpressionCurve& curve) {
-  return {ExpressionIntegral(curve, length_rate(), regular_parts(curve))};
+  return {ExpressionIntegral(curve, length_rate())};
 }
 
 SegmentIntegral bending_angle_of(const RationalCurve& curve) {
@@ -78,7 +85,7 @@ SegmentIntegral bending_angle_of(const RationalCurve& curve) {
 }
 
 SegmentIntegral bending_angle_of(const ExpressionCurve& curve) {
-  if (are_on_a_line(direction_span(curve))) return zero_integral();
+  if (is_zero_along(curve, curvature_rate())) return zero_integral();
   return {ExpressionIntegral(curve, curvature_rate())};
 }
 
@@ -126,6 +133,17 @@ Real SegmentIntegral::value(const Real& t) const {
 std::optional<Surd> SegmentIntegral::algebraic_value(const Rational& t) const {
   if (const auto* f = std::get_if<AbsoluteIntegral>(&form_)) return f->algebraic_value(t);
   return std::nullopt;
+}
+
+void find_together(const SmoothPath& path, const std::vector<CurveIntegrand>& integrands) {
+  for (const SmoothSegment& segment : path.segments()) {
+    const auto* curve = std::get_if<ExpressionCurve>(&segment);
+    if (curve == nullptr) continue;
+    std::vector<CurveIntegrand> of;
+    std::copy_if(integrands.begin(), integrands.end(), std::back_inserter(of),
+                 [curve](const CurveIntegrand& y) { return !is_zero_along(*curve, y); });
+    find_together(*curve, of);
+  }
 }
 
 SegmentIntegral up_frame_angle(const SmoothSegment& segment, const Vector<Rational>& v) {

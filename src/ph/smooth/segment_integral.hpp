@@ -33,6 +33,10 @@ class SegmentIntegral {
   Form form_;
 };
 
+/// Along the segments by formulas: what is to be found of these on one walk
+/// (expression_integral.hpp), as far as it is not 0 by their form.
+void find_together(const SmoothPath& path, const std::vector<CurveIntegrand>& integrands);
+
 /// @{ θ of the rotation-minimizing frame to the frame of v, which is nowhere along the tangent, and
 /// to the Frenet frame (rational_rates.hpp). That is continued through the inflections of rational
 /// curves and of plane ones; where else a curve by formulas has one, DomainError or Undecided is

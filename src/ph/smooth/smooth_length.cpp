@@ -49,7 +49,7 @@ struct SmoothLength::State {
 
 /// The length up to segment k.
 RealBall SmoothLength::State::sum_before(std::size_t k, long bits) {
-  const long enough = (bits + 95) / 64 * 64;  // few precisions are kept
+  const long enough = (bits + 22) / 16 * 16;  // few precisions are kept
   const std::lock_guard locked(lock);
   std::vector<RealBall>& known = sums[enough];
   if (known.empty()) known.emplace_back();

@@ -8,8 +8,8 @@
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/path_angle.hpp"
-#include "phrame/ph/smooth/curve_integrands.hpp"
 #include "phrame/ph/smooth/direction_span.hpp"
+#include "phrame/ph/smooth/expression_integral.hpp"
 #include "phrame/ph/smooth/formula_domain.hpp"
 #include "phrame/ph/smooth/up_vector.hpp"
 
@@ -63,7 +63,7 @@ bool bends_all_along(const RationalCurve& curve) {
 
 bool bends_all_along(const ExpressionCurve& curve) {
   if (are_on_a_line(direction_span(curve))) return false;
-  const auto fault = taylor_parts(curve, curvature_rate()).fault;
+  const auto fault = taylor_parts(curve, curvature_rate())->fault;
   if (!fault) return true;
   const Vector<Formula> bend = cross(curve.derivative(1), curve.derivative(2));
   if (simple_zero(curve, widened_part(*fault), bend)) return false;

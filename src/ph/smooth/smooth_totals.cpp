@@ -2,7 +2,6 @@
 
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
-#include "phrame/ph/smooth/curve_integrands.hpp"
 #include "phrame/ph/smooth/direction_span.hpp"
 #include "phrame/ph/smooth/formula_domain.hpp"
 #include "phrame/ph/smooth/rational_rates.hpp"
@@ -57,6 +56,10 @@ Real torsion_total(const ExpressionCurve& curve) {
   return Rational(-curve.orientation()) * frenet_angle(curve).value(Rational(1));
 }
 
+Real whole_integral(const ExpressionCurve& curve, const CurveIntegrand& y) {
+  return SegmentIntegral(ExpressionIntegral(curve, y)).value(Rational(1));
+}
+
 /// ∫ of what is not negative along a segment, or where it has a pole.
 using SegmentEnergy = std::variant<Real, RealAlgebraic>;
 
@@ -74,8 +77,7 @@ SegmentEnergy bending_of(const RationalCurve& curve) {
 
 SegmentEnergy bending_of(const ExpressionCurve& curve) {
   if (are_on_a_line(direction_span(curve))) return Real(Rational(0));
-  const ExpressionIntegral energy(curve, bending_rate(), regular_parts(curve));
-  return SegmentIntegral(energy).value(Rational(1));
+  return whole_integral(curve, bending_rate());
 }
 
 SegmentEnergy frenet_energy_of(const RationalCurve& curve) {
@@ -83,11 +85,14 @@ SegmentEnergy frenet_energy_of(const RationalCurve& curve) {
 }
 
 SegmentEnergy frenet_energy_of(const ExpressionCurve& curve) {
-  if (common_normal(direction_span(curve))) return bending_of(curve);  // τ = 0
-  TaylorParts found = taylor_parts(curve, frenet_energy_rate());
-  if (found.fault) refuse_inflection(curve, *found.fault, "integral of the Frenet frame's rate");
-  const ExpressionIntegral energy(curve, frenet_energy_rate(), std::move(found.parts));
-  return SegmentIntegral(energy).value(Rational(1));
+  const Real bending = std::get<Real>(bending_of(curve));
+  if (common_normal(direction_span(curve))) return bending;  // τ = 0
+  if (const auto fault = taylor_parts(curve, squared_torsion_rate())->fault)
+    refuse_inflection(curve, *fault, "integral of the Frenet frame's rate");
+  const Real twisting = whole_integral(curve, squared_torsion_rate());
+  return Real([bending, twisting](long bits) {
+    return add(bending.enclose(bits), twisting.enclose(bits), bits);
+  });
 }
 
 template <class OfCurve>

@@ -13,7 +13,6 @@
 #include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/ph/curve/travel_time.hpp"
-#include "phrame/ph/smooth/curve_integrands.hpp"
 #include "phrame/ph/smooth/rational_rates.hpp"
 #include "phrame/ph/smooth/segment_integral.hpp"
 #include "phrame/ph/smooth/up_vector.hpp"
@@ -129,9 +128,8 @@ SmoothSegmentTime time_of(const RationalCurve& curve, const RationalFunction& sp
 template <class Refuse>
 SmoothSegmentTime time_of(const ExpressionCurve& curve, const CurveIntegrand& rate,
                           const Refuse& refuse) {
-  TaylorParts found = taylor_parts(curve, rate);
-  if (found.fault) refuse(*found.fault);
-  return segment_time(SegmentIntegral(ExpressionIntegral(curve, rate, std::move(found.parts))));
+  if (const auto fault = taylor_parts(curve, rate)->fault) refuse(*fault);
+  return segment_time(SegmentIntegral(ExpressionIntegral(curve, rate)));
 }
 
 [[noreturn]] void refuse_near_zero(const Rational& t) {
@@ -191,7 +189,7 @@ SmoothSegmentTime time_of_curvature(const SmoothSegment& segment, const Rational
   }
   const ExpressionCurve curve = std::visit([](const auto& of) { return by_formulas(of); }, segment);
   const CurveIntegrand rate = time_by_curvature(speed, normal);
-  const ExpressionIntegral probe(curve, rate, {});
+  const ExpressionIntegral probe(curve, rate);
   const auto sign_at = [&probe](const Rational& t) {
     return sign(probe.rate(RealBall(t, 256), 256));
   };

@@ -11,8 +11,8 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/smooth/curve_integrands.hpp"
 #include "phrame/ph/smooth/direction_span.hpp"
+#include "phrame/ph/smooth/expression_integral.hpp"
 #include "phrame/ph/smooth/formula_domain.hpp"
 
 namespace phrame {
@@ -119,7 +119,7 @@ std::optional<TangentPlace> tangent_along(const RationalCurve& curve, const Vect
 }
 
 std::optional<TangentPlace> tangent_along(const ExpressionCurve& curve, const Vector<Rational>& v) {
-  const auto fault = taylor_parts(curve, up_frame_rate(v)).fault;
+  const auto fault = taylor_parts(curve, up_frame_rate(v))->fault;
   if (!fault) return std::nullopt;
   const Vector<Formula> up{Formula(v[0]), Formula(v[1]), Formula(v[2])};
   const auto zero = simple_zero(curve, widened_part(*fault), cross(up, curve.derivative(1)));

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
-#include "phrame/ph/smooth/curve_integrands.hpp"
+#include "phrame/ph/smooth/expression_integral.hpp"
 #include "support/expression_curves.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
@@ -25,9 +25,8 @@ ExpressionCurve figure_eight() {
 }
 
 Real total(const ExpressionCurve& c, const CurveIntegrand& rate) {
-  TaylorParts found = taylor_parts(c, rate);
-  REQUIRE(!found.fault);
-  const ExpressionIntegral integral(c, rate, std::move(found.parts));
+  REQUIRE(!taylor_parts(c, rate)->fault);
+  const ExpressionIntegral integral(c, rate);
   return Real([integral](long bits) { return integral.enclose(1, bits); });
 }
 
@@ -86,8 +85,7 @@ TEST_CASE("closed curve: the writhe of a plane curve is 0, also where it crosses
 TEST_CASE("closed curve: Viviani's curve has no holonomy") {
   const ExpressionCurve c = expression_curve({"1 + cos(s)", "sin(s)", "2*sin(s/2)"}, "-pi", "3*pi");
   CHECK_THROWS_AS(closed_frame(SmoothPath(c)), Undecided);  // it meets itself
-  const ExpressionIntegral turn(c, up_frame_rate({1, 2, -5}),
-                                taylor_parts(c, up_frame_rate({1, 2, -5})).parts);
+  const ExpressionIntegral turn(c, up_frame_rate({1, 2, -5}));
   CHECK(turn.enclose(1, 60).contains(0));
 }
 

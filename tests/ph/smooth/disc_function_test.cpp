@@ -107,3 +107,17 @@ TEST_CASE("disc function: with a zero of a factor there is no bound") {
   CHECK(root->lower() <= Rational(23, 10));
   CHECK_FALSE(bound_with_zeros({one, {{disc_function(Polynomial{1, 1}), -1}}}));
 }
+
+TEST_CASE("disc function: law: what may not gain by more coefficients has no bound with them") {
+  long hopeless = 0;
+  for_samples(200, [&](Random& random) {
+    const Polynomial p = random.polynomial(20) + Polynomial{random.integer(-2000, 2000)};
+    const DiscFunction few = disc_function(p);
+    DiscFunction all{BallPolynomial(p, bits), few.bound, 60, bits};
+    const bool has_bound = sign(size_bounds(all).lower) > 0;
+    if (!size_bounds(few).may_gain) ++hopeless;
+    if (has_bound) CHECK(size_bounds(few).may_gain);
+  });
+  CHECK(hopeless > 10);
+  CHECK(hopeless < 200);
+}
