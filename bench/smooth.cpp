@@ -54,8 +54,8 @@ SmoothPath path_of(const State& state) {
 
 /// 1001 rotation-minimizing frames in doubles.
 void smooth_frames(State& state) {
-  const SmoothPath path = path_of(state);
   for (auto _ : state) {
+    const SmoothPath path = path_of(state);  // which keeps what is found of integrals
     const SmoothAngle angle(path);
     for (long k = 0; k <= 1000; ++k) {
       const auto frame = rotation_minimizing_frame(angle, {0, Rational(k, 1000)});
@@ -67,8 +67,8 @@ void smooth_frames(State& state) {
 
 /// 241 frames of the closing minimal twist of the trefoil, in whose middle some components are 0.
 void smooth_twist_frames(State& state) {
-  const SmoothPath path = trefoil();
   for (auto _ : state) {
+    const SmoothPath path = trefoil();
     const SmoothAngle angle(path);
     const SmoothTwist twist(angle, Angle(), Angle());
     for (long k = 0; k <= 240; ++k) {
@@ -81,8 +81,7 @@ void smooth_twist_frames(State& state) {
 
 /// The proved polynomials of the frame.
 void smooth_compile(State& state) {
-  const SmoothPath path = path_of(state);
-  for (auto _ : state) benchmark::DoNotOptimize(compile_frames(SmoothAngle(path)));
+  for (auto _ : state) benchmark::DoNotOptimize(compile_frames(SmoothAngle(path_of(state))));
 }
 
 /// One frame by these, at scattered t.

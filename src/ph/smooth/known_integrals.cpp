@@ -4,12 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/gauss_rule.hpp"
 
-// With |y_z| ≤ M on |z| ≤ 4, its coefficients are at most M/4ᵏ, so that the integral of what is
-// left out is at most M/4ⁿ · Σ 4⁻ᵏ/(n + 1) up to |z| = 1.
+// With |y_z| ≤ M on |z| ≤ 4, the coefficients of its Taylor series are at most M/4ᵏ, so that the
+// integral of what is left out is at most M/4ⁿ · Σ 4⁻ᵏ/(n + 1) up to |z| = 1.
+//
+// Whole parts are integrated by Gauss's rule, whose points serve all integrands. The ellipse with
+// the foci ±1 and the half axis (ρ + 1/ρ)/2 = 4 is in that disc, and on it y_z = Σ aₖTₖ, |aₖ| ≤
+// 2Mρ⁻ᵏ [Trefethen 2013, theorem 8.1]. The rule is exact up to T₂ₙ₋₁ and for odd k; for other Tₖ
+// the integral and the sum are at most 2. So the error is at most Σ 8Mρ⁻ᵏ, k = 2n, 2n + 2, …, with
+// ρ² = (4 + √15)² > 61: less than 9M/61ⁿ.
 
 namespace phrame {
 namespace {
@@ -19,20 +27,12 @@ constexpr long guard_bits = 20;
 /// Of these what is left out of a series need not be below.
 constexpr long spare_bits = 16;
 
-/// How a part is computed.
-struct PieceSize {
-  long length;
-  long bits;
-};
-PieceSize size_of(const TaylorPart& part, long bits) {
-  const long above = std::max(exponent_above(part.bound), 0L);
-  return {std::max((bits - spare_bits + above) / 2, 0L) + 2, bits + above};
+/// The bits of what is left out on a part.
+long bits_left_out(const TaylorPart& part, long bits) {
+  return std::max(bits - spare_bits + std::max(exponent_above(part.bound), 0L), 0L);
 }
 
-CurveJet jet_on(const ExpressionCurve& curve, const TaylorPart& part, const PieceSize& size) {
-  const Rational half = (part.upper - part.lower) / 2;
-  return {curve, RealBall(part.lower + half, size.bits), half, size.length, size.bits};
-}
+Rational half_of(const TaylorPart& part) { return (part.upper - part.lower) / 2; }
 
 /// Is a earlier on the walk, or on the same part but longer?
 bool is_before(const TaylorPart& a, const TaylorPart& b) {
@@ -47,11 +47,14 @@ struct KnownIntegrals::Piece {
   RealBall start;  ///< its value at z = −1
   RealBall error;
 
-  static Piece of(const CurveIntegrand& y, const TaylorPart& part, const CurveJet& jet) {
-    const DiscProduct product = y(jet);
-    const auto& [own_series, own_bound, length, bits] = product.numerator;
+  static Piece of(const ExpressionCurve& curve, const CurveIntegrand& y, const TaylorPart& part,
+                  long bits) {
+    const long length = bits_left_out(part, bits) / 2 + 2;
+    const Rational half = half_of(part);
+    const long more = bits + std::max(exponent_above(part.bound), 0L);
+    const CurveJet jet(curve, RealBall(part.lower + half, more), half, length, more);
     Piece piece;
-    piece.antiderivative = phrame::antiderivative(series(product), bits);
+    piece.antiderivative = phrame::antiderivative(series(y(jet)), more);
     piece.start = evaluate(piece.antiderivative, RealBall(-1, bits), bits);
     // Both ends, 2/(1 − 1/4) < 4.
     piece.error = times_power_of_two(multiply(part.bound, RealBall(4, 64), 64), -2 * length);
@@ -64,6 +67,22 @@ struct KnownIntegrals::Piece {
   RealBall up_to(const RealBall& z, long bits) const {
     return widened(subtract(evaluate(antiderivative, z, bits), start, bits), error);
   }
+};
+
+/// Rules that were needed.
+class KnownIntegrals::Rules {
+ public:
+  /// For an error of about 2^−bits of the part with the greatest bound, with so many bits.
+  const GaussRule& of(long left_out, long bits) {
+    constexpr double bits_a_point = 5.93;  // log₂ 61
+    const long n = static_cast<long>(std::ceil(static_cast<double>(left_out + 4) / bits_a_point));
+    const auto [at, is_new] = rules_.try_emplace({n, bits});
+    if (is_new) at->second = gauss_rule(n, bits);
+    return at->second;
+  }
+
+ private:
+  std::map<std::pair<long, long>, GaussRule> rules_;
 };
 
 /// ∫ y from 0, of y with the sign 1.
@@ -103,38 +122,32 @@ class KnownIntegrals::Integral {
   const TaylorPart* next_part() const {
     return sums_.size() > parts().size() ? nullptr : &parts()[sums_.size() - 1];
   }
-  void add_piece(const Piece& piece) {
-    sums_.push_back(add(sums_.back(), piece.up_to(RealBall(1, bits_), bits_), bits_));
-  }
-
-  RealBall value(const ExpressionCurve& curve, const Rational& t) {
-    const auto next = std::upper_bound(
-        parts().begin(), parts().end(), t,
-        [](const Rational& at, const TaylorPart& part) { return at < part.lower; });
-    const auto k = static_cast<std::size_t>(next - parts().begin()) - 1;
-    while (sums_.size() <= k) add_piece(piece(curve, sums_.size() - 1));
+  void add_to_sums(const RealBall& of_next) { sums_.push_back(add(sums_.back(), of_next, bits_)); }
+  /// The sum up to the start of part k, which is known.
+  const RealBall& sum(std::size_t k) const { return sums_[k]; }
+  std::size_t sums() const { return sums_.size(); }  ///< how many of these are known
+  /// From there to t, on part k.
+  RealBall rest(const ExpressionCurve& curve, std::size_t k, const Rational& t) {
     const TaylorPart& part = parts()[k];
-    if (t == part.upper && sums_.size() > k + 1) return sums_[k + 1];
+    if (!pieces_[k])
+      pieces_[k] = part.is_gap ? Piece::over_gap(part) : Piece::of(curve, y, part, bits_);
     const Rational z = (Rational(2) * t - part.lower - part.upper) / (part.upper - part.lower);
-    return add(sums_[k], piece(curve, k).up_to(RealBall(z, bits_), bits_), bits_);
+    return pieces_[k]->up_to(RealBall(z, bits_), bits_);
+  }
+  /// The integral over the next part, if a polynomial for it is known.
+  std::optional<RealBall> known_next() const {
+    const auto& known = pieces_[sums_.size() - 1];
+    return known ? std::optional(known->up_to(RealBall(1, bits_), bits_)) : std::nullopt;
   }
 
  private:
-  const Piece& piece(const ExpressionCurve& curve, std::size_t k) {
-    const TaylorPart& part = parts()[k];
-    if (!pieces_[k])
-      pieces_[k] = part.is_gap ? Piece::over_gap(part)
-                               : Piece::of(y, part, jet_on(curve, part, size_of(part, bits_)));
-    return *pieces_[k];
-  }
-
   std::optional<TaylorParts> with_gaps_;
   long bits_ = 0;
   std::vector<std::optional<Piece>> pieces_;
   std::vector<RealBall> sums_;  ///< ∫ up to the start of part 0, 1, …, as far as known
 };
 
-KnownIntegrals::KnownIntegrals() = default;
+KnownIntegrals::KnownIntegrals() : rules_(std::make_unique<Rules>()) {}
 KnownIntegrals::~KnownIntegrals() = default;
 
 void KnownIntegrals::search(const ExpressionCurve& curve,
@@ -179,30 +192,67 @@ void KnownIntegrals::find_together(const ExpressionCurve& curve,
     if (Integral* f = find(y); f->bits() == 0 && !f->analytic->fault) together_.push_back(f);
 }
 
-/// The integrals up to the ends of their parts. Where several have the same part, what they are
-/// made of is found once.
+/// To the sums of these, for which the next part is the same: the points of a rule, and what
+/// integrands have in common there, are found once.
+void KnownIntegrals::add_next_part(const ExpressionCurve& curve, const std::vector<Integral*>& of) {
+  const long bits = of.front()->bits();
+  const TaylorPart& part = *of.front()->next_part();
+  if (part.is_gap) return of.front()->add_to_sums(Piece::over_gap(part).up_to({}, bits));
+  long left_out = 0;
+  for (const Integral* f : of) left_out = std::max(left_out, bits_left_out(*f->next_part(), bits));
+  const GaussRule& rule = rules_->of(left_out, bits);
+  const Rational half = half_of(part);
+  const RealBall middle(part.lower + half, bits);
+  const RealBall scale(half, bits);
+  std::vector<RealBall> sums(of.size());
+  for (std::size_t k = 0; k < rule.points.size(); ++k) {
+    const CurveJet jet(curve, add_product(middle, scale, rule.points[k], bits), half, 1, bits);
+    for (std::size_t j = 0; j < of.size(); ++j)
+      sums[j] = add_product(std::move(sums[j]), rule.weights[k],
+                            series(of[j]->y(jet)).coefficient(0), bits);
+  }
+  const RealBall power = pow(RealBall(61, 64), static_cast<long>(rule.points.size()), 64);
+  for (std::size_t j = 0; j < of.size(); ++j) {
+    const RealBall error =
+        divide(multiply(of[j]->next_part()->bound, RealBall(9, 64), 64), power, 64);
+    of[j]->add_to_sums(widened(sums[j], error));
+  }
+}
+
+/// All sums of those that were asked for together.
 void KnownIntegrals::walk_together(const ExpressionCurve& curve, long bits) {
   for (Integral* f : together_) f->refine(curve, {}, bits);
-  const auto waits_longer = [](const Integral* f, const Integral* g) {
+  const auto is_next = [](const Integral* f, const Integral* g) {
     return g->next_part() == nullptr ||
            (f->next_part() != nullptr && is_before(*f->next_part(), *g->next_part()));
   };
   for (;;) {
-    const Integral* first = *std::min_element(together_.begin(), together_.end(), waits_longer);
-    if (first->next_part() == nullptr) return;
-    const TaylorPart part = *first->next_part();
+    const TaylorPart* next =
+        (*std::min_element(together_.begin(), together_.end(), is_next))->next_part();
+    if (next == nullptr) return;
     std::vector<Integral*> here;
-    PieceSize size{0, 0};
-    for (Integral* f : together_)
-      if (const TaylorPart* own = f->next_part();
-          own != nullptr && own->lower == part.lower && own->upper == part.upper) {
-        here.push_back(f);
-        const PieceSize enough = size_of(*own, bits);
-        size = {std::max(size.length, enough.length), std::max(size.bits, enough.bits)};
-      }
-    const CurveJet jet = jet_on(curve, part, size);
-    for (Integral* f : here) f->add_piece(Piece::of(f->y, *f->next_part(), jet));
+    std::copy_if(together_.begin(), together_.end(), std::back_inserter(here),
+                 [next](const Integral* f) {
+                   const TaylorPart* own = f->next_part();
+                   return own != nullptr && own->lower == next->lower && own->upper == next->upper;
+                 });
+    add_next_part(curve, here);
   }
+}
+
+RealBall KnownIntegrals::value(const ExpressionCurve& curve, Integral& f, const Rational& t) {
+  const auto& parts = f.parts();
+  const auto after =
+      std::upper_bound(parts.begin(), parts.end(), t,
+                       [](const Rational& at, const TaylorPart& part) { return at < part.lower; });
+  const auto k = static_cast<std::size_t>(after - parts.begin()) - 1;
+  const std::size_t whole = t == parts[k].upper ? k + 1 : k;
+  while (f.sums() <= whole) {
+    const auto known = f.known_next();
+    known ? f.add_to_sums(*known) : add_next_part(curve, {&f});
+  }
+  if (whole > k || t == parts[k].lower) return f.sum(whole);
+  return add(f.sum(k), f.rest(curve, k, t), f.bits());
 }
 
 void KnownIntegrals::refine(const ExpressionCurve& curve, Integral& f, long bits) {
@@ -222,10 +272,10 @@ RealBall KnownIntegrals::enclose(const ExpressionCurve& curve, const CurveIntegr
   const RealBall wanted = times_power_of_two(RealBall(1, 2), -bits);
   const long least = f.needed_bits(bits);
   if (f.bits() < least) refine(curve, f, least);
-  RealBall value = f.value(curve, t);
+  RealBall value = this->value(curve, f, t);
   for (int more = 0; more < 3 && !is_at_most(radius_of(value), wanted); ++more) {
     refine(curve, f, f.bits() + (32L << more));
-    value = f.value(curve, t);
+    value = this->value(curve, f, t);
   }
   return y.sign < 0 ? subtract({}, value, f.bits()) : value;
 }

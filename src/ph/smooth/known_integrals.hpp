@@ -26,14 +26,19 @@ class KnownIntegrals {
 
  private:
   struct Piece;
+  class Rules;
   class Integral;
   void search(const ExpressionCurve& curve, const std::vector<CurveIntegrand>& integrands);
   Integral* find(CurveIntegrand y) const;
   Integral& searched(const ExpressionCurve& curve, const CurveIntegrand& y);
+  void add_next_part(const ExpressionCurve& curve, const std::vector<Integral*>& of);
   void walk_together(const ExpressionCurve& curve, long bits);
   void refine(const ExpressionCurve& curve, Integral& f, long bits);
 
+  RealBall value(const ExpressionCurve& curve, Integral& f, const Rational& t);
+
   std::mutex lock_;
+  std::unique_ptr<Rules> rules_;
   std::vector<std::unique_ptr<Integral>> integrals_;  ///< first the length
   std::vector<Integral*> together_;                   ///< which the first of them will find
 };

@@ -27,6 +27,12 @@ long halvings_of(const TaylorPart& part) {
   return exponent_above(RealBall(times, guess_bits)) - 1;
 }
 
+/// Is it analytic where ρ ≠ 0 only? Then the rest of it need not be made to see that it is not.
+bool needs_bend(const CurveIntegrand& y) {
+  using Kind = CurveIntegrand::Kind;
+  return y.kind == Kind::curvature || y.kind == Kind::torsion || y.kind == Kind::squared_torsion;
+}
+
 /// Halves until the part is good for every integrand, from left to right.
 class PartSearch {
  public:
@@ -67,6 +73,11 @@ Sought PartSearch::left_over(const CurveJet& jet, const TaylorPart& part, const 
   Sought rest;
   may_gain_ = false;
   for (const std::size_t k : sought) {
+    if (!gap_bits_ && needs_bend(integrands_[k]) && sign(jet.bend_square().size().lower) <= 0) {
+      may_gain_ = may_gain_ || jet.bend_square().size().may_gain;
+      rest.push_back(k);
+      continue;
+    }
     const DiscProduct y = integrands_[k](jet);
     auto& parts = found_[k].parts;
     if (const auto bound = bound_on_inner_disc(y)) {

@@ -1,0 +1,21 @@
+#include "phrame/algebra/gauss_rule.hpp"
+
+#if __FLINT_VERSION >= 3
+#include <flint/arb_hypgeom.h>
+#else
+#include <arb_hypgeom.h>
+#endif
+
+namespace phrame {
+
+GaussRule gauss_rule(long n, long bits) {
+  GaussRule rule;
+  for (long k = n; k-- > 0;) {
+    arb_hypgeom_legendre_p_ui_root(rule.points.emplace_back().raw(),
+                                   rule.weights.emplace_back().raw(), static_cast<unsigned long>(n),
+                                   static_cast<unsigned long>(k), bits);
+  }
+  return rule;
+}
+
+}  // namespace phrame

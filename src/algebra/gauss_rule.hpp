@@ -1,0 +1,18 @@
+#pragma once
+#include <vector>
+
+#include "phrame/algebra/ball.hpp"
+
+namespace phrame {
+
+/// Gauss's rule on [−1, 1]: Σ weightₖ·f(pointₖ) is ∫ f for every polynomial f of a degree < 2n. The
+/// points are the zeros of Legendre's polynomial Pₙ, ascending; the weights are > 0.
+struct GaussRule {
+  std::vector<RealBall> points;
+  std::vector<RealBall> weights;
+};
+
+/// That of n ≥ 1 points, in balls of so many bits.
+GaussRule gauss_rule(long n, long bits);
+
+}  // namespace phrame
