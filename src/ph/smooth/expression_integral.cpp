@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "phrame/ph/smooth/known_integrals.hpp"
-
 namespace phrame {
 
 std::shared_ptr<const TaylorParts> taylor_parts(const ExpressionCurve& curve,
@@ -16,7 +14,8 @@ void find_together(const ExpressionCurve& curve, const std::vector<CurveIntegran
 }
 
 RealBall ExpressionIntegral::enclose(const Rational& t, long bits) const {
-  return curve_.known_integrals().enclose(curve_, y_, t, bits);
+  const RealBall value = curve_.known_integrals().enclose(curve_, *found_, t, bits);
+  return y_.sign < 0 ? subtract({}, value, bits + 64) : value;
 }
 
 // F(t) is F(m) + (t − m)·F′ somewhere between m and t.

@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/ph/smooth/taylor_parts.hpp"
+#include "phrame/ph/smooth/known_integrals.hpp"
 
 namespace phrame {
 
@@ -18,8 +18,8 @@ class ExpressionIntegral {
  public:
   /// y is analytic all along; or it is the curvature, whose parts have gaps around inflections, the
   /// smaller the more bits: then enclose() throws Undecided where there are too many.
-  ExpressionIntegral(ExpressionCurve curve, CurveIntegrand y)
-      : curve_(std::move(curve)), y_(std::move(y)) {}
+  ExpressionIntegral(const ExpressionCurve& curve, const CurveIntegrand& y)
+      : curve_(curve), y_(y), found_(curve.known_integrals().integral(curve, y)) {}
 
   /// A ball with a radius of about 2^−bits, t ∈ [0, 1].
   RealBall enclose(const Rational& t, long bits) const;
@@ -31,6 +31,7 @@ class ExpressionIntegral {
  private:
   ExpressionCurve curve_;
   CurveIntegrand y_;
+  std::shared_ptr<KnownIntegrals::Integral> found_;
 };
 
 }  // namespace phrame

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
@@ -72,13 +73,13 @@ struct KnownIntegrals::Piece {
 /// Rules that were needed.
 class KnownIntegrals::Rules {
  public:
-  /// For an error of about 2^−bits of the part with the greatest bound, with so many bits.
+  /// That which leaves out less than 2^(−left_out) of the bound, in balls of so many bits.
   const GaussRule& of(long left_out, long bits) {
     constexpr double bits_a_point = 5.93;  // log₂ 61
     const long n = static_cast<long>(std::ceil(static_cast<double>(left_out + 4) / bits_a_point));
-    const auto [at, is_new] = rules_.try_emplace({n, bits});
-    if (is_new) at->second = gauss_rule(n, bits);
-    return at->second;
+    const auto known = rules_.find({n, bits});
+    if (known != rules_.end()) return known->second;
+    return rules_.emplace(std::pair(n, bits), gauss_rule(n, bits)).first->second;
   }
 
  private:
@@ -105,6 +106,7 @@ class KnownIntegrals::Integral {
   }
 
   void refine(const ExpressionCurve& curve, const std::vector<TaylorPart>& regular, long bits) {
+    bits_ = 0;
     if (analytic->fault) {
       TaylorParts found =
           find_parts_with_gaps(curve, y, regular, with_gaps_ ? *with_gaps_ : *analytic, bits);
@@ -113,9 +115,9 @@ class KnownIntegrals::Integral {
                                     bits, static_cast<double>(found.fault->lower)));
       with_gaps_ = std::move(found);
     }
-    bits_ = bits;
     pieces_.assign(parts().size(), std::nullopt);
     sums_.assign(1, RealBall());
+    bits_ = bits;
   }
 
   /// The first part whose integral is not in the sums; null after the last one.
@@ -152,35 +154,38 @@ KnownIntegrals::~KnownIntegrals() = default;
 
 void KnownIntegrals::search(const ExpressionCurve& curve,
                             const std::vector<CurveIntegrand>& integrands) {
+  constexpr std::size_t most_kept = 64;
   if (integrals_.empty())
-    integrals_.push_back(std::make_unique<Integral>(length_rate(), find_regular_parts(curve)));
+    integrals_.push_back(std::make_shared<Integral>(length_rate(), find_regular_parts(curve)));
   std::vector<CurveIntegrand> sought;
   for (const CurveIntegrand& y : integrands)
     if (find(y) == nullptr) sought.push_back(y.sign < 0 ? negative(y) : y);
   if (sought.empty()) return;
   auto found = find_parts(curve, sought, integrals_.front()->analytic->parts);
   for (std::size_t k = 0; k < sought.size(); ++k)
-    integrals_.push_back(std::make_unique<Integral>(sought[k], std::move(found[k])));
+    integrals_.push_back(std::make_shared<Integral>(sought[k], std::move(found[k])));
+  if (integrals_.size() > most_kept)
+    integrals_.erase(integrals_.begin() + 1, integrals_.end() - most_kept / 2);
 }
 
 /// Of y or −y; null where it was not searched for.
-KnownIntegrals::Integral* KnownIntegrals::find(CurveIntegrand y) const {
+std::shared_ptr<KnownIntegrals::Integral> KnownIntegrals::find(CurveIntegrand y) const {
   y.sign = 1;
   const auto found = std::find_if(integrals_.begin(), integrals_.end(),
                                   [&y](const auto& known) { return known->y == y; });
-  return found == integrals_.end() ? nullptr : found->get();
+  return found == integrals_.end() ? nullptr : *found;
 }
 
-KnownIntegrals::Integral& KnownIntegrals::searched(const ExpressionCurve& curve,
-                                                   const CurveIntegrand& y) {
+std::shared_ptr<KnownIntegrals::Integral> KnownIntegrals::integral(const ExpressionCurve& curve,
+                                                                   const CurveIntegrand& y) {
+  const std::lock_guard guard(lock_);
   search(curve, {y});
-  return *find(y);
+  return find(y);
 }
 
 std::shared_ptr<const TaylorParts> KnownIntegrals::parts(const ExpressionCurve& curve,
                                                          const CurveIntegrand& y) {
-  const std::lock_guard guard(lock_);
-  return searched(curve, y).analytic;
+  return integral(curve, y)->analytic;
 }
 
 void KnownIntegrals::find_together(const ExpressionCurve& curve,
@@ -189,7 +194,7 @@ void KnownIntegrals::find_together(const ExpressionCurve& curve,
   search(curve, integrands);
   together_.clear();
   for (const CurveIntegrand& y : integrands)
-    if (Integral* f = find(y); f->bits() == 0 && !f->analytic->fault) together_.push_back(f);
+    if (auto f = find(y); f->bits() == 0 && !f->analytic->fault) together_.push_back(std::move(f));
 }
 
 /// To the sums of these, for which the next part is the same: the points of a rule, and what
@@ -221,21 +226,20 @@ void KnownIntegrals::add_next_part(const ExpressionCurve& curve, const std::vect
 
 /// All sums of those that were asked for together.
 void KnownIntegrals::walk_together(const ExpressionCurve& curve, long bits) {
-  for (Integral* f : together_) f->refine(curve, {}, bits);
-  const auto is_next = [](const Integral* f, const Integral* g) {
+  const auto all = std::exchange(together_, {});
+  for (const auto& f : all) f->refine(curve, {}, bits);
+  const auto is_next = [](const auto& f, const auto& g) {
     return g->next_part() == nullptr ||
            (f->next_part() != nullptr && is_before(*f->next_part(), *g->next_part()));
   };
   for (;;) {
-    const TaylorPart* next =
-        (*std::min_element(together_.begin(), together_.end(), is_next))->next_part();
+    const TaylorPart* next = (*std::min_element(all.begin(), all.end(), is_next))->next_part();
     if (next == nullptr) return;
     std::vector<Integral*> here;
-    std::copy_if(together_.begin(), together_.end(), std::back_inserter(here),
-                 [next](const Integral* f) {
-                   const TaylorPart* own = f->next_part();
-                   return own != nullptr && own->lower == next->lower && own->upper == next->upper;
-                 });
+    for (const auto& f : all)
+      if (const TaylorPart* own = f->next_part();
+          own != nullptr && own->lower == next->lower && own->upper == next->upper)
+        here.push_back(f.get());
     add_next_part(curve, here);
   }
 }
@@ -257,18 +261,15 @@ RealBall KnownIntegrals::value(const ExpressionCurve& curve, Integral& f, const 
 
 void KnownIntegrals::refine(const ExpressionCurve& curve, Integral& f, long bits) {
   constexpr long more_for_others = 8;
-  if (std::find(together_.begin(), together_.end(), &f) != together_.end()) {
-    walk_together(curve, bits + more_for_others);
-    together_.clear();
-  } else {
-    f.refine(curve, integrals_.front()->analytic->parts, bits);
-  }
+  const bool is_one = std::any_of(together_.begin(), together_.end(),
+                                  [&f](const auto& other) { return other.get() == &f; });
+  if (is_one) return walk_together(curve, bits + more_for_others);
+  f.refine(curve, integrals_.front()->analytic->parts, bits);
 }
 
-RealBall KnownIntegrals::enclose(const ExpressionCurve& curve, const CurveIntegrand& y,
-                                 const Rational& t, long bits) {
+RealBall KnownIntegrals::enclose(const ExpressionCurve& curve, Integral& f, const Rational& t,
+                                 long bits) {
   const std::lock_guard guard(lock_);
-  Integral& f = searched(curve, y);
   const RealBall wanted = times_power_of_two(RealBall(1, 2), -bits);
   const long least = f.needed_bits(bits);
   if (f.bits() < least) refine(curve, f, least);
@@ -277,7 +278,7 @@ RealBall KnownIntegrals::enclose(const ExpressionCurve& curve, const CurveIntegr
     refine(curve, f, f.bits() + (32L << more));
     value = this->value(curve, f, t);
   }
-  return y.sign < 0 ? subtract({}, value, f.bits()) : value;
+  return value;
 }
 
 }  // namespace phrame

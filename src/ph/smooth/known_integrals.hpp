@@ -6,10 +6,13 @@
 
 namespace phrame {
 
-/// What was found of integrals ∫₀ᵗ y dt along one curve by formulas, kept for all copies of the
-/// curve; any thread may ask. The curve is always the same.
+/// What was found of the last integrals ∫₀ᵗ y dt along one curve by formulas, kept for all copies
+/// of the curve; any thread may ask. The curve is always the same.
 class KnownIntegrals {
  public:
+  /// One of them, of y or −y: of that with the sign 1.
+  class Integral;
+
   KnownIntegrals();
   KnownIntegrals(const KnownIntegrals&) = delete;
   KnownIntegrals& operator=(const KnownIntegrals&) = delete;
@@ -20,17 +23,17 @@ class KnownIntegrals {
   /// Finds the parts of these now, and the integrals when the first of them is asked for, all on
   /// one walk along the curve.
   void find_together(const ExpressionCurve& curve, const std::vector<CurveIntegrand>& integrands);
-  /// A ball with a radius of about 2^−bits around the integral up to t ∈ [0, 1].
-  RealBall enclose(const ExpressionCurve& curve, const CurveIntegrand& y, const Rational& t,
-                   long bits);
+  /// The integral of y, which may be asked as long as it is held.
+  std::shared_ptr<Integral> integral(const ExpressionCurve& curve, const CurveIntegrand& y);
+  /// A ball with a radius of about 2^−bits around it up to t ∈ [0, 1].
+  RealBall enclose(const ExpressionCurve& curve, Integral& f, const Rational& t, long bits);
 
  private:
   struct Piece;
   class Rules;
-  class Integral;
+
   void search(const ExpressionCurve& curve, const std::vector<CurveIntegrand>& integrands);
-  Integral* find(CurveIntegrand y) const;
-  Integral& searched(const ExpressionCurve& curve, const CurveIntegrand& y);
+  std::shared_ptr<Integral> find(CurveIntegrand y) const;
   void add_next_part(const ExpressionCurve& curve, const std::vector<Integral*>& of);
   void walk_together(const ExpressionCurve& curve, long bits);
   void refine(const ExpressionCurve& curve, Integral& f, long bits);
@@ -39,8 +42,8 @@ class KnownIntegrals {
 
   std::mutex lock_;
   std::unique_ptr<Rules> rules_;
-  std::vector<std::unique_ptr<Integral>> integrals_;  ///< first the length
-  std::vector<Integral*> together_;                   ///< which the first of them will find
+  std::vector<std::shared_ptr<Integral>> integrals_;  ///< first the length
+  std::vector<std::shared_ptr<Integral>> together_;   ///< which the first of them will find
 };
 
 }  // namespace phrame

@@ -81,6 +81,18 @@ TEST_CASE("expression integral: parts are found once, for all copies of the curv
   CHECK(taylor_parts(c, up_frame_rate({1, 2, 4})) != taylor_parts(c, up_frame_rate({1, 2, 3})));
 }
 
+TEST_CASE("expression integral: one that is held outlives what its curve keeps") {
+  const ExpressionCurve c = expression_curve({"cos(s)", "sin(s)", "s"}, "0", "1");
+  const auto angle = [&c](long k) { return ExpressionIntegral(c, up_frame_rate({1, 0, k})); };
+  const ExpressionIntegral first = angle(4);
+  const auto parts = taylor_parts(c, up_frame_rate({1, 0, 4}));
+  const RealBall value = first.enclose(Rational(1, 3), 60);
+  for (long k = 5; k < 75; ++k) angle(k);
+  CHECK(taylor_parts(c, up_frame_rate({1, 0, 4})) != parts);  // found anew
+  CHECK(first.enclose(Rational(1, 3), 100).overlaps(value));
+  CHECK(angle(4).enclose(Rational(1, 3), 80).overlaps(value));
+}
+
 TEST_CASE("expression integral: law: found together they are what each is alone") {
   const auto curve = [] { return expression_curve({"exp(s)", "s^2", "sin(3*s)"}, "-1", "1/2"); };
   const ExpressionCurve together = curve();
