@@ -100,6 +100,8 @@ class KnownIntegrals::Integral {
     return with_gaps_ ? with_gaps_->parts : analytic->parts;
   }
   long bits() const { return bits_; }  ///< with which it is computed, 0 before the first time
+  /// Where it is broken off: what is asked for next may be fewer bits.
+  void forget() { bits_ = 0; }
   /// That is as many as are needed for 2^−wanted.
   long needed_bits(long wanted) const {
     return wanted + guard_bits + static_cast<long>(std::log2(parts().size() + 1));
@@ -225,8 +227,8 @@ void KnownIntegrals::add_next_part(const ExpressionCurve& curve, const std::vect
 }
 
 /// All sums of those that were asked for together.
-void KnownIntegrals::walk_together(const ExpressionCurve& curve, long bits) {
-  const auto all = std::exchange(together_, {});
+void KnownIntegrals::walk(const ExpressionCurve& curve,
+                          const std::vector<std::shared_ptr<Integral>>& all, long bits) {
   for (const auto& f : all) f->refine(curve, {}, bits);
   const auto is_next = [](const auto& f, const auto& g) {
     return g->next_part() == nullptr ||
@@ -263,22 +265,35 @@ void KnownIntegrals::refine(const ExpressionCurve& curve, Integral& f, long bits
   constexpr long more_for_others = 8;
   const bool is_one = std::any_of(together_.begin(), together_.end(),
                                   [&f](const auto& other) { return other.get() == &f; });
-  if (is_one) return walk_together(curve, bits + more_for_others);
-  f.refine(curve, integrals_.front()->analytic->parts, bits);
+  if (!is_one) return f.refine(curve, integrals_.front()->analytic->parts, bits);
+  const auto all = std::exchange(together_, {});
+  try {
+    walk(curve, all, bits + more_for_others);
+  } catch (...) {
+    for (const auto& other : all) other->forget();
+    throw;
+  }
+}
+
+RealBall KnownIntegrals::value(const ExpressionCurve& curve, Integral& f, const Rational& t,
+                               long least_bits) {
+  try {
+    if (f.bits() < least_bits) refine(curve, f, least_bits);
+    return value(curve, f, t);
+  } catch (...) {
+    f.forget();
+    throw;
+  }
 }
 
 RealBall KnownIntegrals::enclose(const ExpressionCurve& curve, Integral& f, const Rational& t,
                                  long bits) {
   const std::lock_guard guard(lock_);
   const RealBall wanted = times_power_of_two(RealBall(1, 2), -bits);
-  const long least = f.needed_bits(bits);
-  if (f.bits() < least) refine(curve, f, least);
-  RealBall value = this->value(curve, f, t);
-  for (int more = 0; more < 3 && !is_at_most(radius_of(value), wanted); ++more) {
-    refine(curve, f, f.bits() + (32L << more));
-    value = this->value(curve, f, t);
-  }
-  return value;
+  RealBall found = value(curve, f, t, f.needed_bits(bits));
+  for (int more = 0; more < 3 && !is_at_most(radius_of(found), wanted); ++more)
+    found = value(curve, f, t, f.bits() + (32L << more));
+  return found;
 }
 
 }  // namespace phrame

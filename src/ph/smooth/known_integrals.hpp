@@ -35,10 +35,11 @@ class KnownIntegrals {
   void search(const ExpressionCurve& curve, const std::vector<CurveIntegrand>& integrands);
   std::shared_ptr<Integral> find(CurveIntegrand y) const;
   void add_next_part(const ExpressionCurve& curve, const std::vector<Integral*>& of);
-  void walk_together(const ExpressionCurve& curve, long bits);
+  void walk(const ExpressionCurve& curve, const std::vector<std::shared_ptr<Integral>>& all,
+            long bits);
   void refine(const ExpressionCurve& curve, Integral& f, long bits);
-
   RealBall value(const ExpressionCurve& curve, Integral& f, const Rational& t);
+  RealBall value(const ExpressionCurve& curve, Integral& f, const Rational& t, long least_bits);
 
   std::mutex lock_;
   std::unique_ptr<Rules> rules_;
