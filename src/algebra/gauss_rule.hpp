@@ -5,11 +5,10 @@
 
 namespace phrame {
 
-/// Gauss's rule on [−1, 1]: Σ weightₖ·f(pointₖ) is ∫ f for every polynomial f of a degree < 2n. The
-/// points are the zeros of Legendre's polynomial Pₙ, ascending; the weights are > 0.
+/// Gauss's rule on [−1, 1]: Σ weightₖ·f(pointₖ) is ∫ f for every polynomial f of a degree < 2n.
 struct GaussRule {
-  std::vector<RealBall> points;
-  std::vector<RealBall> weights;
+  std::vector<RealBall> points;   ///< the zeros of Legendre's polynomial Pₙ, ascending
+  std::vector<RealBall> weights;  ///< > 0
 };
 
 /// That of n ≥ 1 points, in balls of so many bits.

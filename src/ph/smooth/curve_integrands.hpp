@@ -18,7 +18,7 @@ struct CurveIntegrand {
     time_by_parameter,  ///< √σ/V(t)
     time_by_curvature,  ///< √σ/V(det(r′, r″, n)/(|n|√σ³)), in the plane with the normal n
   };
-  Kind kind;
+  Kind kind;                  ///< which one
   int sign = 1;               ///< −1 for −y
   Vector<Rational> vector{};  ///< v, n
   RationalFunction speed{};   ///< V
@@ -26,6 +26,7 @@ struct CurveIntegrand {
   /// y around a point of a curve.
   DiscProduct operator()(const CurveJet& jet) const;
 
+  /// The same kind with the same sign, vector and speed.
   friend bool operator==(const CurveIntegrand&, const CurveIntegrand&) = default;
 };
 

@@ -13,7 +13,7 @@ class KnownIntegrals {
   /// One of them, of y or −y: of that with the sign 1.
   class Integral;
 
-  KnownIntegrals();
+  KnownIntegrals();  ///< of a curve of which nothing is known yet
   KnownIntegrals(const KnownIntegrals&) = delete;
   KnownIntegrals& operator=(const KnownIntegrals&) = delete;
   ~KnownIntegrals();
