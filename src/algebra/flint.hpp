@@ -23,6 +23,7 @@
 #include <flint/acb_poly.h>
 #include <flint/arb.h>
 #include <flint/arb_fmpz_poly.h>
+#include <flint/arb_hypgeom.h>
 #include <flint/arb_poly.h>
 #include <flint/arf.h>
 #include <flint/mag.h>
@@ -34,6 +35,7 @@
 #include <acb_poly.h>
 #include <arb.h>
 #include <arb_fmpz_poly.h>
+#include <arb_hypgeom.h>
 #include <arb_poly.h>
 #include <arf.h>
 #include <mag.h>

@@ -1,11 +1,5 @@
 #include "phrame/algebra/gauss_rule.hpp"
 
-#if __FLINT_VERSION >= 3
-#include <flint/arb_hypgeom.h>
-#else
-#include <arb_hypgeom.h>
-#endif
-
 namespace phrame {
 
 GaussRule gauss_rule(long n, long bits) {
