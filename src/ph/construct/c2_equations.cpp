@@ -269,6 +269,23 @@ std::vector<Guess> C2Equations::scattered(std::vector<Guess> z, std::mt19937_64&
 
 using Decomposition = Eigen::SparseLU<SparseMatrix, Eigen::NaturalOrdering<int>>;
 
+/// Z and its residuals.
+struct C2Point {
+  std::vector<Guess> z;
+  Eigen::VectorXd residuals;
+};
+
+/// The first of Z + change, Z + change/2, … whose residuals are within the bound; else the last.
+C2Point within_bound(const C2Equations& equations, const std::vector<Guess>& z,
+                     const Eigen::VectorXd& change, double bound) {
+  constexpr double least_factor = 1e-3;
+  for (double factor = 1;; factor /= 2) {
+    C2Point next{equations.moved(z, factor, change), {}};
+    next.residuals = equations.residuals(next.z);
+    if (!(factor > least_factor) || next.residuals.norm() <= bound) return next;
+  }
+}
+
 /// From there or, with an engine, from coefficients scattered about it.
 std::optional<C2Coefficients> coefficients_from(const C2Data& data,
                                                 const std::vector<Vector<double>>& derivatives,
@@ -301,20 +318,12 @@ std::optional<C2Coefficients> coefficients_from(const C2Data& data,
         decomposition.solve(equations.right_side(residuals, descends ? &z : nullptr));
     if (!change.allFinite()) return std::nullopt;
     const double bound = (descends ? std::max(1.5 * size, scale) : size) + rounding * scale;
-    constexpr double least_factor = 1e-3;
-    double factor = 1;
-    std::vector<Guess> next = equations.moved(z, factor, change);
-    Eigen::VectorXd next_residuals = equations.residuals(next);
-    while (factor > least_factor && !(next_residuals.norm() <= bound)) {
-      factor /= 2;
-      next = equations.moved(z, factor, change);
-      next_residuals = equations.residuals(next);
-    }
+    C2Point next = within_bound(equations, z, change, bound);
     const bool has_converged =
-        !descends && !(next_residuals.norm() < size / 2) && size <= enough * scale;
+        !descends && !(next.residuals.norm() < size / 2) && size <= enough * scale;
     if (has_converged) break;
-    z = std::move(next);
-    residuals = std::move(next_residuals);
+    z = std::move(next.z);
+    residuals = std::move(next.residuals);
     const double next_objective = equations.objective(z);
     if (descends && ((step + 1 >= least_descents && next_objective > objective / 2) ||
                      step + 1 >= most_descents))

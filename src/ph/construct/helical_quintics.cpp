@@ -69,6 +69,8 @@ class Search {
   void add(HelicalForm form, std::vector<double> parameters);
   void add_both(const Hamilton& a2, const Hamilton& b, double x, double y);
   void add_monotone(double square, double f1, double k, double mu, const Hamilton& a2);
+  void add_monotone_where_free(double square, const Vector<double>& a, double mu,
+                               const Hamilton& a2);
 
   const HermiteData<double>& data_;
   const HelicalStart<double>& start_;
@@ -228,49 +230,10 @@ void Search::add_monotone(double square, double f1, double k, double mu, const H
   add(HelicalForm::monotone, std::move(parameters));
 }
 
-void Search::add_monotone() {
-  const Hamilton a2 = turned(family_.member(0, 0)[2], turn_);
-  const Vector<double> a = symmetric_product(a0_, a2);
-  const Vector<double> b = symmetric_product(a0_, turned(a2, DoubleComplex{0, 1}));
-  const double b_size = std::sqrt(dot(b, b));
-  const Vector<double> normal = (1 / b_size) * b;
-  const auto product = [&](const Vector<double>& x, const Vector<double>& y) {
-    return dot(cross(x, y), normal);
-  };
+/// D = 0, where G d₀ + d₁ is a multiple of a: k = (R·a − 3f₁ V·a)/(G|a|²).
+void Search::add_monotone_where_free(double square, const Vector<double>& a, double mu,
+                                     const Hamilton& a2) {
   const Vector<double> p = 30.0 * data_.step;
-  const double mu = dot(p, normal) / b_size;
-  // Polynomials in G, from the constant on.
-  using Coefficients = std::array<double, 5>;
-  const auto times = [](const Coefficients& x, const Coefficients& y) {
-    Coefficients z{};
-    for (std::size_t i = 0; i < 5; ++i)
-      for (std::size_t j = 0; i + j < 5; ++j) z[i + j] += x[i] * y[j];
-    return z;
-  };
-  const double da0 = product(data_.d0, a);
-  const double da1 = product(data_.d1, a);
-  const double d01 = product(data_.d0, data_.d1);
-  const Coefficients d{da1, da0};
-  const Coefficients big_n{-da1, product(p, a) - 6 * da0 - 6 * da1, -da0};
-  const Coefficients n{product(p, data_.d1) - 5 * d01, product(p, data_.d0) + 5 * d01};
-  Coefficients left = times({3, 3}, d);
-  for (std::size_t k = 0; k < 5; ++k) left[k] += 4.0 / 3 * big_n[k];
-  const Coefficients nn = times(n, n);
-  const Coefficients dd = times(d, d);
-  Coefficients quartic = times(left, left);
-  for (std::size_t k = 0; k < 4; ++k) quartic[k + 1] -= nn[k] + mu * mu * dd[k];
-  if (!std::ranges::all_of(quartic, [](double c) { return std::isfinite(c); })) return;
-  const auto value = [](const Coefficients& x, double at) {
-    return (((x[4] * at + x[3]) * at + x[2]) * at + x[1]) * at + x[0];
-  };
-  for (const std::complex<double>& root : guess_roots({quartic.begin(), quartic.end()})) {
-    const double square = root.real();
-    if (!(square > 0) || std::abs(root.imag()) > 1e-6 * square) continue;
-    const double at_d = value(d, square);
-    add_monotone(square, value(big_n, square) / (3 * at_d), -value(n, square) / at_d, mu, a2);
-  }
-  // D = 0, where G d₀ + d₁ is a multiple of a: k = (R·a − 3f₁ V·a)/(G|a|²).
-  const double square = -da1 / da0;
   const Vector<double> v = square * data_.d0 + data_.d1;
   const Vector<double> r =
       square * p - (6 * square + square * square) * data_.d0 - (1 + 6 * square) * data_.d1;
@@ -286,6 +249,53 @@ void Search::add_monotone() {
     const double f1 = (-half_linear + sign * root) / leading;
     add_monotone(square, f1, k0 + k1 * f1, mu, a2);
   }
+}
+
+/// Polynomials in G, from the constant on.
+using Coefficients = std::array<double, 5>;
+
+Coefficients times(const Coefficients& x, const Coefficients& y) {
+  Coefficients z{};
+  for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t j = 0; i + j < 5; ++j) z[i + j] += x[i] * y[j];
+  return z;
+}
+
+double value_of(const Coefficients& x, double at) {
+  return (((x[4] * at + x[3]) * at + x[2]) * at + x[1]) * at + x[0];
+}
+
+void Search::add_monotone() {
+  const Hamilton a2 = turned(family_.member(0, 0)[2], turn_);
+  const Vector<double> a = symmetric_product(a0_, a2);
+  const Vector<double> b = symmetric_product(a0_, turned(a2, DoubleComplex{0, 1}));
+  const double b_size = std::sqrt(dot(b, b));
+  const Vector<double> normal = (1 / b_size) * b;
+  const auto product = [&](const Vector<double>& x, const Vector<double>& y) {
+    return dot(cross(x, y), normal);
+  };
+  const Vector<double> p = 30.0 * data_.step;
+  const double mu = dot(p, normal) / b_size;
+  const double da0 = product(data_.d0, a);
+  const double da1 = product(data_.d1, a);
+  const double d01 = product(data_.d0, data_.d1);
+  const Coefficients d{da1, da0};
+  const Coefficients big_n{-da1, product(p, a) - 6 * da0 - 6 * da1, -da0};
+  const Coefficients n{product(p, data_.d1) - 5 * d01, product(p, data_.d0) + 5 * d01};
+  Coefficients left = times({3, 3}, d);
+  for (std::size_t k = 0; k < 5; ++k) left[k] += 4.0 / 3 * big_n[k];
+  const Coefficients nn = times(n, n);
+  const Coefficients dd = times(d, d);
+  Coefficients quartic = times(left, left);
+  for (std::size_t k = 0; k < 4; ++k) quartic[k + 1] -= nn[k] + mu * mu * dd[k];
+  if (!std::ranges::all_of(quartic, [](double c) { return std::isfinite(c); })) return;
+  for (const std::complex<double>& root : guess_roots({quartic.begin(), quartic.end()})) {
+    const double square = root.real();
+    if (!(square > 0) || std::abs(root.imag()) > 1e-6 * square) continue;
+    const double at_d = value_of(d, square);
+    add_monotone(square, value_of(big_n, square) / (3 * at_d), -value_of(n, square) / at_d, mu, a2);
+  }
+  add_monotone_where_free(-da1 / da0, a, mu, a2);
 }
 
 std::vector<HelicalGuess> Search::found() {

@@ -24,14 +24,11 @@ SepticData septic_data(const HermiteSpline& data, std::size_t k, long bits) {
   const Quaternion<BigFloat> a0 = preimage(big_floats(data.derivatives[k], bits));
   const Quaternion<BigFloat> a3 = preimage(big_floats(data.derivatives[k + 1], bits));
   const BigFloat inverse = BigFloat(1.0) / norm(a0);
-  const auto [step_x, step_y, step_z] = big_floats(mean_derivative(data, k), bits);
-  const Quaternion<BigFloat> step =
-      conjugate(a0) * Quaternion<BigFloat>{BigFloat(0.0), step_x, step_y, step_z} * a0;
+  const Vector<BigFloat> step = turned_back(big_floats(mean_derivative(data, k), bits), a0);
   const Quaternion<BigFloat> c = inverse * (conjugate(a0) * turned(a3, turn_to(a0, a3)));
   const BigFloat factor = inverse * inverse;
   const auto times = [&](const BigFloat& x) { return (factor * x).to_double(); };
-  return {{times(step.v), times(step.p), times(step.q)},
-          {std::max(c.u.to_double(), 0.0), 0, c.p.to_double(), c.q.to_double()}};
+  return {each(step, times), {std::max(c.u.to_double(), 0.0), 0, c.p.to_double(), c.q.to_double()}};
 }
 
 SegmentPlan septic_plan(const HermiteSpline& data, std::size_t k, long bits) {

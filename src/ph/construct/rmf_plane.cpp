@@ -36,10 +36,32 @@ PlaneNumber square_root_of(const PlaneNumber& z) {
 
 /// Seen from Q: the v with Q v Q* = displacement.
 Vector<Rational> seen_from(const RationalQuaternion& q, const Vector<Rational>& displacement) {
-  const Quaternion<Rational> v{0, displacement[0], displacement[1], displacement[2]};
-  const Quaternion<Rational> w = conjugate(q) * v * q;
-  const Rational factor = 1 / (norm(q) * norm(q));
-  return {factor * w.v, factor * w.p, factor * w.q};
+  return 1 / (norm(q) * norm(q)) * turned_back(displacement, q);
+}
+
+/// ν, of j and k, and of how many places s is to be.
+struct PlaneNormal {
+  RationalQuaternion nu;
+  long places;
+};
+
+/// The vector from 0 to d is across by y = 2us·ν_k, z = −2us·ν_j.
+PlaneNormal plane_normal(const Vector<Rational>& d, const RationalQuaternion& q, long places,
+                         long bits, PointRule rule) {
+  const Rational across = std::max(abs(d[1]), abs(d[2]));
+  if (across == 0) return {{0, 0, 0, 1}, places};
+  if (rule == PointRule::exact) {
+    const Rational squared_size = norm(q) * norm(q);  // without the denominator of d
+    const Rational factor = squared_size * scale_for_doubles(across * squared_size);
+    const long more = binary_exponent(1 + largest(d)) - binary_exponent(across);
+    return {{0, 0, -factor * d[2], factor * d[1]}, places + std::max(0L, more)};
+  }
+  const Rational scale = scale_for_doubles(across);
+  const BigFloat y(scale * d[1], bits);
+  const BigFloat z(scale * d[2], bits);
+  const BigFloat size = sqrt(y * y + z * z);
+  return {{0, 0, rounded_to_places(-z / size, places), rounded_to_places(y / size, places)},
+          places};
 }
 
 }  // namespace
@@ -48,35 +70,15 @@ ExactFit plane_between(const ParallelEnds& ends, const Vector<Rational>& displac
                        PointRule rule) {
   constexpr long guard = 96;
   const Vector<Rational> d = seen_from(ends.q, displacement);
-  const Rational across = std::max(abs(d[1]), abs(d[2]));
   const long bits = std::max(0L, places + binary_exponent(1 + largest(d))) + guard;
   const auto number = [bits](const Rational& x) { return BigFloat(x, bits); };
-  // y = 2us·ν_k, z = −2us·ν_j.
-  const Rational scale = scale_for_doubles(across);
-  RationalQuaternion nu{0, 0, 0, 1};
-  long places_across = places;
-  if (across != 0 && rule == PointRule::exact) {
-    const Rational squared_size = norm(ends.q) * norm(ends.q);  // without the denominator of d
-    const Rational factor = squared_size * scale_for_doubles(across * squared_size);
-    nu = {0, 0, -factor * d[2], factor * d[1]};
-    places_across += std::max(0L, binary_exponent(1 + largest(d)) - binary_exponent(across));
-  } else if (across != 0) {
-    const BigFloat y = number(scale * d[1]);
-    const BigFloat z = number(scale * d[2]);
-    const BigFloat size = sqrt(y * y + z * z);
-    nu = {0, 0, rounded_to_places(-z / size, places), rounded_to_places(y / size, places)};
-  }
+  const auto [nu, places_across] = plane_normal(d, ends.q, places, bits, rule);
   const BigFloat size_of_nu = sqrt(number(norm(nu)));
   const BigFloat along = number(d[0]);
   const BigFloat aside = (number(nu.q * d[1] - nu.p * d[2])) / size_of_nu;
   const Rational& first = ends.at_start;
-  struct Candidate {
-    Rational last;
-    Rational u;
-    Rational s;
-    double energy;
-  };
-  std::optional<Candidate> best;
+  std::optional<ExactFit> best;
+  double least = 0;
   for (const long sign : {1, -1}) {
     const Rational last = sign * ends.at_end;
     const Rational known = 10 * first * last - 15 * (first * first + last * last);
@@ -90,14 +92,16 @@ ExactFit plane_between(const ParallelEnds& ends, const Vector<Rational>& displac
                                                  {u.to_double(), 0, 0, s.to_double()},
                                                  {static_cast<double>(last), 0, 0, 0}}};
       const double energy = approximate_energy(a);
-      if (best && !(energy < best->energy)) continue;
-      best = {last, rounded_to_places(u, places), rounded_to_places(s / size_of_nu, places_across),
-              energy};
+      if (best && !(energy < least)) continue;
+      least = energy;
+      const Rational across = rounded_to_places(s / size_of_nu, places_across);
+      const RationalQuaternion middle{rounded_to_places(u, places), 0, across * nu.p,
+                                      across * nu.q};
+      best = ExactFit{{first * ends.q, ends.q * middle, last * ends.q}, {1}};
     }
     if (last == 0) break;
   }
-  const RationalQuaternion middle{best->u, 0, best->s * nu.p, best->s * nu.q};
-  return {{first * ends.q, ends.q * middle, best->last * ends.q}, {1}};
+  return *best;
 }
 
 std::optional<ExactFit> line_between(const ParallelEnds& ends, const Vector<Rational>& displacement,
