@@ -12,12 +12,12 @@ namespace phrame {
 
 /// Reads an expression by the precedence of its operators, with two stacks (Dijkstra's shunting
 /// yard): nothing recurses, so that no depth of parentheses, signs or exponents is too much. Here
-/// is the stack of operations that wait for their right operands; whoever derives from it has the
-/// stack of operands, and is told what to do with the last of them as soon as it can be done.
+/// is the stack of operations that wait for their right operands. A derived class has the stack of
+/// operands, whatever they are, and is called for each operation as soon as its operands are known.
 class OperatorReader {
  protected:
-  /// `operands` is what may begin one, for complaints: "a number or \"(\"". The variable is given,
-  /// "" for none, or it is the first name that is taken for it.
+  /// `operands` is what may begin one, for messages: "a number or \"(\"". Without a given variable
+  /// the first name that is taken for one is it; "" says that there is none.
   OperatorReader(std::string_view text, std::string_view operands,
                  const std::optional<std::string>& variable)
       : text_(text),
@@ -36,26 +36,26 @@ class OperatorReader {
   std::size_t at() const { return at_; }  ///< of the token that is read
   const std::string& variable() const { return variable_; }
   bool variable_is_given() const { return variable_is_given_; }
-  /// Refuses a name that is not the variable, with this advice: where another one is given, and
-  /// where another was there first.
+  /// Refuses a name that is not the variable, with this advice: where another one was given, and
+  /// where another one occurred first.
   void take_variable(std::string_view name, const std::string& of_given = {},
                      const std::string& of_second = {});
 
-  /// @{ An operand more. Of a name that is a function is said with its parenthesis.
+  /// @{ Puts an operand on the stack. A function is no operand: enclose() has its name.
   virtual void push_number(std::string_view number) = 0;
   virtual void push_name(std::string_view name) = 0;
   /// @}
-  /// Of a name before a "(".
+  /// Is the name before a "(" that of a function?
   virtual bool is_function(std::string_view) const { return false; }
-  /// The last operand becomes its negative; its sign is at that byte.
+  /// Replaces the last operand by its negative; the sign is at this byte.
   virtual void negate(std::size_t at) = 0;
-  /// The last two become one: + - * / or ^.
+  /// Replaces the last two operands by one: their + - * / or ^.
   virtual void combine(char sign) = 0;
-  /// The last one becomes a power, by what ends at that byte.
+  /// Replaces the last operand by this power of it; the exponent ends at this byte.
   virtual void raise(const Rational& exponent, std::size_t end) = 0;
-  /// The last one is in parentheses, or the argument of the function.
+  /// The last operand is in parentheses at these bytes, the argument of the function if not empty.
   virtual void enclose(std::size_t begin, std::size_t end, std::string_view function) = 0;
-  /// What is said where two operands have no operator between them.
+  /// The message where two operands have no operator between them.
   virtual std::string missing_operator(std::string_view left, std::string_view right) const = 0;
 
  private:

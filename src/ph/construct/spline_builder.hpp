@@ -16,11 +16,11 @@ namespace phrame {
 class DeviationMeter {
  public:
   DeviationMeter() = default;
-  /// Not exactly: a coordinate counts for more than it is by less than a 2^−20th of this tolerance,
-  /// so the numbers are short. For kinds of which the curves' coefficients are, too.
+  /// With short numbers: a coordinate counts for more than it is, by less than a 2^−20th of this
+  /// tolerance. The default is exact.
   explicit DeviationMeter(const Deviation& tolerance) : rounding_(tolerance) {}
 
-  /// @{ So far is the spline off.
+  /// @{ The spline less its data, somewhere.
   void point(const Vector<Rational>& off);
   void derivative(const Vector<Rational>& off);
   void acceleration(const Vector<Rational>& off);
@@ -53,7 +53,7 @@ class SplineBuilder {
   /// A curve with these Bernstein coefficients of A and f; where points are met exactly, with the
   /// slight change of f that does so. False where there is none: then nothing is added.
   bool add(const BernsteinPreimage& a, std::vector<Rational> f, MultiplierFreedom freedom);
-  bool is_unmet() const { return is_unmet_; }  ///< was that so at last?
+  bool is_unmet() const { return is_unmet_; }  ///< did the last call find none?
   /// From the first curve on again, measured anew.
   void restart();
 
@@ -71,7 +71,7 @@ class SplineBuilder {
   bool is_unmet_ = false;
 };
 
-/// What is said of a segment that has no such change of f.
+/// The exception for a segment that has no such change of f.
 Undecided unmet_segment(std::size_t k);
 
 /// 0, 1, 2, …: the parameters where derivatives by them say nothing.
@@ -98,7 +98,7 @@ struct PointDivision {
       parts;
   std::size_t closing;  ///< the segment of a closed spline that is divided always
 };
-/// The parts as lists.
+/// Arrays of coefficients as lists.
 template <std::size_t parts, std::size_t n>
 std::vector<BernsteinPreimage> listed(
     const std::array<std::array<RationalQuaternion, n>, parts>& preimages) {
@@ -119,8 +119,8 @@ std::optional<Construction> first_within(
     const Deviation& tolerance, long bits, int most_passes,
     const std::function<std::optional<Construction>(long bits)>& attempt);
 
-/// The same, each time with a builder that is filled: is it, with all curves? Throws Undecided
-/// where there is none: of the segment that could not be met at last, else for this reason.
+/// The same with a new builder for each attempt. Throws Undecided where there is none: it names the
+/// segment that the last attempt could not make meet its point, else it gives this reason.
 Construction first_built(
     const HermiteSpline& data, PointRule rule, const Deviation& tolerance, long bits,
     int most_passes, const std::function<std::optional<Construction>(SplineBuilder&, long)>& fill,
