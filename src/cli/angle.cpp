@@ -17,6 +17,7 @@ struct AngleOptions {
   FormOptions form;
   StartOptions start;
   long digits = 17;
+  bool values_only = false;
 };
 
 /// What is wrong on the command line is said before the curve is read.
@@ -37,6 +38,7 @@ AngleQuery query(const AngleOptions& options) {
   if (query.style == Style::logarithms) query.most_poles = options.form.most_poles();
   query.start = options.start.given().value_or(FrameStart());
   query.digits = options.digits;
+  query.wants_formula = !options.values_only;
   return query;
 }
 
@@ -109,6 +111,9 @@ void add_angle(Program& program) {
       "--route", options->route, {"auto", "roots", "quadrature", "both"},
       "how values are computed: auto (default), roots, quadrature, or both, which must\n"
       "agree");
+  command.add_flag("--values-only", options->values_only,
+                   "in JSON, no integrand and antiderivative");
+  command.only_with({"--values-only"}, {"--print json"});
   options->start.add_to(command, "e2 or n", "default 0");
   command.not_with({"--at", "--samples", "--digits", "--route", "--theta0", "--start-normal"},
                    FormOptions::scripts());

@@ -20,6 +20,7 @@
 
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/line_stream.hpp"
+#include "phrame/cli/question.hpp"
 #include "phrame/io/write/text.hpp"
 
 namespace phrame::cli {
@@ -30,6 +31,7 @@ struct BatchOptions {
   std::string output = "-";
   std::optional<std::string> skip_done;
   long threads = 0;
+  std::string question = "angle";
   std::string frame = "erf";
   std::vector<std::string> at;
   StartOptions start;
@@ -170,9 +172,13 @@ class Failures {
   std::string first_;
 };
 
-BatchDefaults defaults_of(const BatchOptions& options, std::optional<double> seconds) {
+BatchDefaults defaults_of(const Command& command, const BatchOptions& options) {
   BatchDefaults defaults = options.defaults;
-  defaults.seconds = seconds;
+  defaults.seconds = command.time_limit();
+  choose("--question", options.question, questions());
+  defaults.question = options.question;
+  defaults.otherwise = [of_all = QuestionDefaults{options.question, command.given()}](
+                           const JsonNode& line) { return answer_question(line, of_all); };
   defaults.frame = chosen_reference(options.frame);
   for (const std::string& t : split(options.at)) defaults.at.push_back(parse_option("--at", t));
   defaults.start = options.start.given().value_or(FrameStart());
@@ -202,9 +208,8 @@ Done done_before(const std::string& path) {
 }
 
 /// Answers the lines on so many threads, in their order; how many they were.
-long answer_lines(LineReader& reader, const Done& done, const BatchDefaults& defaults,
-                  std::size_t threads, const Descriptor& output, const Interruption& interruption,
-                  Failures& failures) {
+long answer_lines(LineReader& reader, const BatchDefaults& defaults, std::size_t threads,
+                  const Descriptor& output, const Interruption& interruption, Failures& failures) {
   end_progress();
   BatchProgress progress;
   long lines = 0;
@@ -212,21 +217,17 @@ long answer_lines(LineReader& reader, const Done& done, const BatchDefaults& def
   using Line = Numbered<std::string>;
   using Answer = Numbered<BatchAnswer>;
   const auto read_line = [&](tbb::flow_control& control) -> Line {
-    for (;;) {
-      auto line = reader.next();
-      if (!line) {
-        control.stop();
-        return {};
-      }
-      const auto id = done.ids.empty() ? std::nullopt : batch_id(*line);
-      if (!id || !done.ids.contains(*id)) return {reader.number(), *std::move(line)};
-    }
+    auto line = reader.next();
+    if (line) return {reader.number(), *std::move(line)};
+    control.stop();
+    return {};
   };
   const auto answer = [&](const Line& line) -> Answer {
     return {line.number, batch_answer(line.of, defaults)};
   };
   const auto write_answer = [&](Answer found) {
     if (interruption.has_come()) return;  // the answers that are missing were stopped
+    if (found.of.line.empty()) return;    // it is done
     write_whole(output, found.of.line += '\n');
     ++lines;
     if (found.of.is_failure) failures.add(found.number, found.of.complaint);
@@ -243,8 +244,8 @@ long answer_lines(LineReader& reader, const Done& done, const BatchDefaults& def
   return lines;
 }
 
-void run(const BatchOptions& options, std::optional<double> seconds) {
-  const BatchDefaults defaults = defaults_of(options, seconds);
+void run(const Command& command, const BatchOptions& options) {
+  BatchDefaults defaults = defaults_of(command, options);
   const Descriptor input = open_input(options.path);
   if (options.output != "-" && is_same_file(input, options.output))
     throw InputError("--output", "\"" + options.output + "\" is the input");
@@ -252,6 +253,8 @@ void run(const BatchOptions& options, std::optional<double> seconds) {
   const Descriptor output = open_output(options.output, skip_done);
   const Done done = done_before(skip_done);
   start_output(output, options, done);
+  if (!done.ids.empty())
+    defaults.is_done = [&done](const std::string& id) { return done.ids.contains(id); };
   const Interruption interruption;
   LineReader reader(input, interruption);
   Failures failures;
@@ -259,7 +262,7 @@ void run(const BatchOptions& options, std::optional<double> seconds) {
       options.threads > 0 ? options.threads : oneapi::tbb::info::default_concurrency());
   const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
                                           threads);
-  const long lines = answer_lines(reader, done, defaults, threads, output, interruption, failures);
+  const long lines = answer_lines(reader, defaults, threads, output, interruption, failures);
   interruption.pass_on();
   if (failures.count() > 0) throw AnswerNo{failures.text(lines)};
 }
@@ -267,7 +270,8 @@ void run(const BatchOptions& options, std::optional<double> seconds) {
 }  // namespace
 
 void add_batch(Program& program) {
-  Command& command = program.add("batch", "angles of many curves: JSON lines in, JSON lines out");
+  Command& command =
+      program.add("batch", "any question about many curves: JSON lines in, JSON lines out");
   const auto options = std::make_shared<BatchOptions>();
   command.add_optional_argument("LINES", options->path,
                                 "a file of JSON lines, standard input if not given");
@@ -283,6 +287,8 @@ void add_batch(Program& program) {
                      "so many at a time (default: all cores)");
   command.add_flag("--values-only", options->defaults.values_only,
                    "answers without integrand and antiderivative");
+  command.add_option("--question", "COMMAND", options->question,
+                     "what lines without \"question\" ask (default angle)");
   add_reference(command, options->frame, "for lines without \"frame\": erf (default) or frenet");
   command.add_list("--at", "T,...", options->at, "for lines without \"at\": 0,1/2,1");
   options->start.add_to(command, "e2 or n",
@@ -299,6 +305,10 @@ void add_batch(Program& program) {
       "spline by itself, with its key \"phrame\"; its name is the id. Of a curve that is not\n"
       "Pythagorean-hodograph \"frame\" is \"up\" or \"frenet\", and \"up\": [0, 0, 1] the vector "
       "v.\n"
+      "With \"question\": \"totals\", or another command, the keys are its arguments and options,\n"
+      "with _ for -: {\"question\": \"frames\", \"curve\": {...}, \"samples\": 5, \"frame\": "
+      "[\"rmf\",\n"
+      "\"frenet\"]}; for a file stands what is in it; what is no JSON is at the key \"output\".\n"
       "The answer is what \"phrame angle --print json\" gives, on one line and with the id, or\n"
       "{\"id\": \"a7\", \"error\": {\"status\": 2, \"message\": \"...\"}}. The answers are in the "
       "order "
@@ -308,10 +318,11 @@ void add_batch(Program& program) {
       "Examples:\n"
       "  phrame batch curves.jsonl --at 1 -o angles.jsonl\n"
       "  phrame batch curves.jsonl --at 1 -o angles.jsonl --skip-done angles.jsonl\n"
+      "  phrame batch curves.jsonl --question totals --digits 30\n"
       "  generate | phrame batch --values-only | filter");
   command.limits_time_of(
       "a line without an answer after so many seconds gets an error with status 4");
-  command.does([options, &command] { run(*options, command.time_limit()); });
+  command.does([options, &command] { run(command, *options); });
 }
 
 }  // namespace phrame::cli

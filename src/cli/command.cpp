@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "phrame/algebra/as_written.hpp"
+#include "phrame/cli/exchange.hpp"
 #include "phrame/cli/progress_line.hpp"
 #include "phrame/cli/watchdog.hpp"
 #include "phrame/io/read/angle.hpp"
@@ -206,7 +207,11 @@ std::vector<Rational> Parameters::values(const Rational& end) const {
   return result;
 }
 
-std::string name_of_file(const std::string& path) { return path == "-" ? "standard input" : path; }
+std::string name_of_file(const std::string& path) {
+  if (const Exchange* here = Exchange::current())
+    return here->files.contains(path) ? path : fmt::format("for a file, \"{}\"", abbreviated(path));
+  return path == "-" ? "standard input" : path;
+}
 
 std::vector<std::string> split(const std::vector<std::string>& lists) {
   std::vector<std::string> parts;
@@ -321,6 +326,10 @@ void add_max_degree(Command& command, CurveLimits& limits) {
 }
 
 std::string read_file(const std::string& path) {
+  if (const Exchange* here = Exchange::current()) {
+    const auto file = here->files.find(path);
+    return file == here->files.end() ? path : file->second;
+  }
   std::error_code ignored;
   if (path != "-" && std::filesystem::is_directory(path, ignored))
     throw InputError(path, "is a directory, not a file");
@@ -339,6 +348,10 @@ std::string read_file(const std::string& path) {
 }
 
 void write_output(const std::string& path, const std::string& bytes) {
+  if (Exchange* here = Exchange::current()) {
+    here->output += bytes;
+    return;
+  }
   end_watch();
   end_progress();
   if (path == "-") {
@@ -372,9 +385,17 @@ void write_output(const std::string& path, const std::string& bytes) {
   }
 }
 
-void note(std::string_view text) { print_above_progress("phrame: " + printable(text)); }
+void note(std::string_view text) {
+  if (Exchange* here = Exchange::current())
+    here->notes.emplace_back(text);
+  else
+    print_above_progress("phrame: " + printable(text));
+}
 
-void note_at_end(std::string text) { notes().push_back(std::move(text)); }
+void note_at_end(std::string text) {
+  Exchange* here = Exchange::current();
+  (here != nullptr ? here->notes : notes()).push_back(std::move(text));
+}
 
 void print_notes_at_end() {
   for (const std::string& text : notes()) note(text);

@@ -153,6 +153,8 @@ auto at_place(const std::string& place, const std::string& separator, Read read)
 /// "`place`: `what`: No such file or directory". Throws InputError.
 [[noreturn]] void fail_with_errno(const std::string& place, std::string_view what);
 
+// Of a command that answers a line of a batch, files and streams are those of its Exchange.
+
 /// The path, or "standard input" for "-".
 std::string name_of_file(const std::string& path);
 
@@ -196,5 +198,9 @@ void add_page(Program& program);
 void add_help(Program& program);
 void add_completion(Program& program);  ///< hidden
 void add_man(Program& program);         ///< hidden
+
+using AddCommand = void (*)(Program&);
+/// All of these, in the order of the help.
+const std::vector<AddCommand>& all_commands();
 
 }  // namespace phrame::cli

@@ -72,19 +72,9 @@ constexpr const char* notes =
     "  phrame batch curves.jsonl --at 1 -o angles.jsonl\n"
     "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50";
 
-/// In the order of the help.
-constexpr void (*commands[])(phrame::cli::Program&){
-    phrame::cli::add_angle,       phrame::cli::add_info,       phrame::cli::add_classify,
-    phrame::cli::add_totals,      phrame::cli::add_frames,     phrame::cli::add_mtf,
-    phrame::cli::add_interpolate, phrame::cli::add_construct,  phrame::cli::add_identify,
-    phrame::cli::add_integrate,   phrame::cli::add_sweep,      phrame::cli::add_batch,
-    phrame::cli::add_compile,     phrame::cli::add_check,      phrame::cli::add_certify,
-    phrame::cli::add_verify,      phrame::cli::add_prove,      phrame::cli::add_page,
-    phrame::cli::add_help,        phrame::cli::add_completion, phrame::cli::add_man};
-
 /// All commands, and --version of each.
 void furnish(phrame::cli::Program& program) {
-  for (const auto add : commands) add(program);
+  for (const auto add : phrame::cli::all_commands()) add(program);
   for (const phrame::cli::Command* listed : program.commands())
     if (listed->name() != "help") program.find(listed->name())->add_time_limit();
   const std::string version = fmt::format("phrame {}", phrame::version);

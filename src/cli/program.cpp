@@ -239,6 +239,54 @@ bool Command::is_chosen(const std::string& choice) const {
   return std::find(values.begin(), values.end(), choice.substr(blank + 1)) != values.end();
 }
 
+bool Command::applies(const std::string& option) const {
+  const auto chosen = [this](const std::string& choice) { return is_chosen(choice); };
+  const OptionFacts own = facts(option);
+  if (!own.with.empty() && std::ranges::none_of(own.with, chosen)) return false;
+  if (std::ranges::any_of(own.without, chosen)) return false;
+  return std::ranges::none_of(facts_, [&](const auto& other) {
+    const auto& without = other.second.without;
+    return is_given(other.first) &&
+           std::find(without.begin(), without.end(), option) != without.end();
+  });
+}
+
+void Command::give(const std::string& option, const std::string& value) {
+  CLI::Option& taker = *app_.get_option(option);
+  try {
+    taker.add_result(value);
+    taker.run_callback();
+  } catch (const CLI::ParseError& error) {
+    const std::string message = error.what();
+    const std::string place = taker.get_name() + ": ";
+    throw InputError(option, message.starts_with(place) ? message.substr(place.size()) : message);
+  }
+}
+
+std::vector<std::pair<std::string, std::string>> Command::given() const {
+  std::vector<std::pair<std::string, std::string>> list;
+  for (const CLI::Option* option : app_.get_options())
+    if (option->count() > 0)
+      list.emplace_back(option->get_name(), fmt::format("{}", fmt::join(option->results(), ",")));
+  return list;
+}
+
+void Command::prefer_json() {
+  if (format_ == nullptr || is_given(format_option_)) return;
+  const auto& names = facts_.at(format_option_).names;
+  const bool has_json = std::find(names.begin(), names.end(), "json") != names.end();
+  if (has_json && (json_needs_.empty() || is_chosen(json_needs_))) *format_ = "json";
+}
+
+void Command::answer() {
+  require_applicable();
+  action_();
+}
+
+void Command::refuse_format(const std::string& why) const {
+  throw InputError(format_option_, fmt::format("\"{}\" {}", *format_, why));
+}
+
 void Command::require_applicable() const {
   const auto chosen = [this](const std::string& choice) { return is_chosen(choice); };
   for (const auto& [option, facts] : facts_) {

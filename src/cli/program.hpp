@@ -73,6 +73,8 @@ class Command {
   /// The choice of a format. Where it is not made, the ending of the output file makes it.
   void add_format(const std::string& option, std::string& value, std::vector<std::string> names,
                   const std::string& what);
+  /// It has JSON only with this choice, "--exact".
+  void json_only_with(const std::string& choice) { json_needs_ = choice; }
   /// -o
   void add_output(std::string& path);
   /// What --output is always in, "a page in HTML", with the endings of such files: those that mean
@@ -97,7 +99,21 @@ class Command {
   /// Does it. Throws InputError for an option that does not apply, and what the action throws.
   void run();
 
+  // A command that answers a line of a batch has its options from there.
+  /// As if it were on the command line. Throws InputError.
+  void give(const std::string& option, const std::string& value);
+  /// Does the option go with those that are given?
+  bool applies(const std::string& option) const;
+  /// Chooses JSON where no format is given and it has that.
+  void prefer_json();
+  /// What run() does, in the midst of others: no line says how far it is, nothing ends the program.
+  void answer();
+  /// Throws InputError: "--format: \"npy\" `why`".
+  [[noreturn]] void refuse_format(const std::string& why) const;
+
   bool is_given(const std::string& option) const;
+  /// All that are given, with their values, of which several are a list with commas.
+  std::vector<std::pair<std::string, std::string>> given() const;
   /// Throws InputError for one that is given: "--digits: `why`".
   void refuse(const std::vector<std::string>& options, const std::string& why) const;
 
@@ -118,6 +134,7 @@ class Command {
   std::map<std::string, std::function<std::vector<std::string>()>> values_;  ///< of choices, now
   std::string notes_;
   std::string format_option_;
+  std::string json_needs_;
   std::string* format_ = nullptr;
   std::string* output_ = nullptr;
   std::optional<std::string> time_limit_;

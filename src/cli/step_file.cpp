@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include <filesystem>
+#include <mutex>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/write/step_body.hpp"
@@ -35,6 +36,8 @@ StepWriter step_writer() {
 
 std::string to_step(const RationalSweepAnswer& answer) {
   static const StepWriter write = step_writer();
+  static std::mutex one_at_a_time;  // Open CASCADE's writer has a state
+  const std::lock_guard lock(one_at_a_time);
   std::string bytes;
   std::string complaint;
   write(step_body(answer), bytes, complaint);

@@ -42,7 +42,7 @@ auto given_profile(const SweepOptions& options, Parse parse, Read read) {
   return at_place("--profile", ": ", [&] {
     if (auto given = parse(options.profile)) return *std::move(given);
     const std::string bytes = read_file(options.profile);
-    return at_place(options.profile, ":", [&] { return read(bytes); });
+    return at_place(name_of_file(options.profile), ":", [&] { return read(bytes); });
   });
 }
 
@@ -246,6 +246,7 @@ void add_sweep(Program& program) {
   command.add_format("--format", options->format, {"obj", "stl", "ply", "glb", "json", "step"},
                      "obj (default), stl, ply or glb, the last three binary; with --exact obj\n"
                      "(free-form), json (exact fractions) or step (a solid, by Open CASCADE)");
+  command.json_only_with("--exact");
   command.set_notes(
       "The frame is the rotation-minimizing one. The mesh is watertight, with caps at the ends; a\n"
       "closed curve has none: the profile turns by the least angle that closes the body.\n"

@@ -24,6 +24,10 @@ namespace {
 using Kind = JsonNode::Kind;
 constexpr long most_digits = 100'000;
 
+/// Of a line that asks for an angle.
+const std::vector<std::string_view> angle_keys{
+    "id", "curve", "frame", "up", "at", "digits", "theta0", "start_normal", "note", "question"};
+
 /// Is the line no question with a curve in it, but a curve or spline?
 bool is_bare(const JsonValue& line) {
   return line.kind == Kind::object && line.find("curve") == nullptr &&
@@ -108,6 +112,25 @@ AngleQuery query_of(const JsonNode& line, const BatchDefaults& defaults) {
   return query;
 }
 
+/// Does it ask for more than an angle, or have keys that only the command angle has?
+bool asks_otherwise(const JsonNode& line, const BatchDefaults& defaults) {
+  if (!line.is(Kind::object)) return false;
+  const auto question = line.find("question");
+  if (question && !defaults.otherwise && question->string() != "angle")
+    question->fail("only the program answers other questions than \"angle\"");
+  if (!defaults.otherwise) return false;
+  if ((question ? question->string() : defaults.question) != "angle") return true;
+  const auto is_other = [](const std::string& key) {
+    return std::ranges::find(angle_keys, key) == angle_keys.end();
+  };
+  return line.find("curve") && std::ranges::any_of(line.keys(), is_other);
+}
+
+void require_id(const JsonNode& line) {
+  if (const auto id = line.find("id"); id && !id->is(Kind::string) && !id->is(Kind::number))
+    id->fail("an id is a string or a number");
+}
+
 /// A line with "curve", or a bare curve: what is the path there.
 JsonNode curve_of(const JsonNode& line) {
   line.require(Kind::object, "an object");
@@ -118,10 +141,8 @@ JsonNode curve_of(const JsonNode& line) {
       line.fail("the key \"curve\" is missing, and without \"phrame\" it is no bare curve");
     return line;
   }
-  line.require_known_keys(
-      {"id", "curve", "frame", "up", "at", "digits", "theta0", "start_normal", "note"});
-  if (const auto id = line.find("id"); id && !id->is(Kind::string) && !id->is(Kind::number))
-    id->fail("an id is a string or a number");
+  line.require_known_keys(angle_keys);
+  require_id(line);
   return line.at("curve");
 }
 
@@ -175,6 +196,10 @@ std::string answer_of(const JsonNode& line, const NamedSmoothPath& named, const 
 }
 
 std::string answer_text(const JsonNode& line, const BatchDefaults& defaults) {
+  if (asks_otherwise(line, defaults)) {
+    require_id(line);
+    return defaults.otherwise(line);
+  }
   const JsonNode curve = curve_of(line);
   const AngleQuery query = query_of(line, defaults);
   return std::visit([&](const auto& named) { return answer_of(line, named, query); },
@@ -200,38 +225,37 @@ JsonValue parse_line(std::string_view line) {
 BatchAnswer batch_answer(std::string_view line, const BatchDefaults& defaults) {
   std::string id = "null";
   std::optional<TimeLimit> limit;
+  const auto failed = [&](const Failure& failure) -> BatchAnswer {
+    limit.reset();
+    const JsonOutput error = {{"status", failure.status}, {"message", failure.message}};
+    const auto text = error.dump(-1, ' ', false, JsonOutput::error_handler_t::replace);
+    return {fmt::format("{{\"id\":{},\"error\":{}}}", id, text), true, failure.message};
+  };
   try {
     if (defaults.seconds) limit.emplace(*defaults.seconds);
     const JsonValue document = parse_line(line);
     id = id_of(document);
+    if (defaults.is_done && id != "null" && defaults.is_done(id)) return {"", false};
     return {fmt::format("{{\"id\":{},{}", id, answer_text(JsonNode(document), defaults).substr(1)),
             false};
+  } catch (const Failure& failure) {
+    return failed(failure);
   } catch (...) {
-    const auto [status, message] = current_failure();
-    limit.reset();
-    const JsonOutput error = {{"status", status}, {"message", message}};
-    const auto text = error.dump(-1, ' ', false, JsonOutput::error_handler_t::replace);
-    return {fmt::format("{{\"id\":{},\"error\":{}}}", id, text), true, message};
+    return failed(current_failure());
   }
-}
-
-std::optional<std::string> batch_id(std::string_view line) {
-  try {
-    const std::string id = id_of(parse_json(line));
-    if (id != "null") return id;
-  } catch (const InputError&) {  // no JSON: it is computed, and refused, again
-  }
-  return std::nullopt;
 }
 
 std::optional<std::string> answered_id(std::string_view line) {
   try {
     const JsonValue document = parse_json(line);
     if (document.kind != Kind::object) return std::nullopt;
+    // A question has an id and neither of these; a bare curve has a format and no id.
+    const bool is_answer = document.find("id") != nullptr && (document.find("phrame") != nullptr ||
+                                                              document.find("output") != nullptr);
     const JsonValue* format = document.find("phrame");
     const bool is_angle =
         format != nullptr && (format->text == "angle/1" || format->text == "spline-angle/1");
-    if (is_angle || document.find("error") != nullptr) return id_of(document);
+    if (is_answer || is_angle || document.find("error") != nullptr) return id_of(document);
   } catch (const InputError&) {
   }
   return std::nullopt;

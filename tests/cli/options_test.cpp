@@ -113,7 +113,8 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--sections", "4"},
                                                 {"--duration", "5"},
                                                 {"--fps", "30"},
-                                                {"--places", "3"}};
+                                                {"--places", "3"},
+                                                {"--question", "info"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.
 const std::set<std::string> neutral{

@@ -31,6 +31,19 @@ Json answer(const Json& line, const BatchDefaults& defaults = {}) {
   return parsed;
 }
 
+/// What a line is known by that may have an answer.
+std::optional<std::string> batch_id(std::string_view line) {
+  std::optional<std::string> found;
+  BatchDefaults defaults;
+  defaults.is_done = [&found](const std::string& id) {
+    found = id;
+    return true;
+  };
+  const bool is_left_out = batch_answer(line, defaults).line.empty();
+  CHECK(is_left_out == found.has_value());
+  return found;
+}
+
 void check_error(const std::string& line, int status, const std::string& message) {
   CAPTURE(line);
   const BatchAnswer found = batch_answer(line, {});
@@ -241,6 +254,8 @@ TEST_CASE("batch: a failure has the status that the program would have, and the 
   check_error(R"({"at": ["x"], "curve": )" + line + "}", 2, "/at/0: ");
   check_error(R"({"att": [1], "curve": )" + line + "}", 2, "the nearest known key is \"at\"");
   check_error(R"({"frame": "frenet", "curve": )" + line + "}", 3, "straight line");
+  check_error(R"({"question": "totals", "curve": )" + line + "}", 2,
+              "/question: only the program answers other questions than \"angle\"");
   CHECK(Json::parse(batch_answer(R"({"id": 8, "curve": 0})", {}).line)["id"] == 8);
 }
 

@@ -1,0 +1,14 @@
+#include "phrame/cli/exchange.hpp"
+
+namespace phrame::cli {
+namespace {
+
+thread_local Exchange* current_exchange = nullptr;
+
+}  // namespace
+
+Exchange::Exchange() { current_exchange = this; }
+Exchange::~Exchange() { current_exchange = nullptr; }
+Exchange* Exchange::current() { return current_exchange; }
+
+}  // namespace phrame::cli
