@@ -22,7 +22,7 @@ struct BatchDefaults {
   std::optional<Rational> near = {};   ///< so far away may be the curve that stands for no PH curve
   /// Is there an answer to the line with this id, as JSON text? It is then left out.
   std::function<bool(const std::string& id)> is_done = {};
-  std::string question = "angle";
+  std::string question = "angle";  ///< of a line without it
   /// Answers other questions, and angles that are asked for with more keys, by a JSON object in one
   /// line; it may throw a Failure. Without it there are none.
   std::function<std::string(const JsonNode& line)> otherwise = {};
