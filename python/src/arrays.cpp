@@ -97,7 +97,7 @@ auto tabulated(const std::vector<std::size_t>& shape, const Write& write) {
     const std::size_t width = product(shape);
     const FrameKind kind = width == 3 ? FrameKind::none : frame_kind(kind_name);
     const FrameStart from =
-        frame_start(start, start_normal, self.named.path, Reference::euler_rodrigues);
+        frame_start(start, start_normal, StartRule::least_rotation, self.named.path);
     const bool is_by_length = is_by_arc_length(by);
     const bool has_quaternions = width == 4;
     const Numbers numbers =
@@ -192,8 +192,8 @@ void bind_arrays(nb::class_<PathObject>& path) {
                   ", " PHRAME_ARRAY_OPTIONS_SIG ") -> " PHRAME_ARRAY),
           "Frames as an array (n, 3, 3): [k, 0] is the tangent e1, [k, 1] and [k, 2] are f2, f3. "
           "Every number is correctly rounded. `kind` is rmf, erf or frenet; `by` is parameter or "
-          "arc_length; a rotation-minimizing frame starts at the angle `start` to the "
-          "Euler–Rodrigues frame or with f2 along `start_normal`.")
+          "arc_length; where a rotation-minimizing frame starts, `start` or "
+          "`start_normal` says: see docs/python.md.")
       .def(
           "quaternions",
           tabulated({4},

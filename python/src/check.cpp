@@ -49,7 +49,7 @@ nb::object check(nb::handle self, nb::handle ts, nb::handle f2, nb::handle f3, n
   const auto& named = nb::cast<const PathObject&>(self).named;
   CheckQuery query = check_query(ts, f2, f3, tangents, tolerance);
   if (!start.is_none() || !start_normal.is_none())
-    query.options.start = frame_start(start, start_normal, named.path, Reference::euler_rodrigues);
+    query.options.start = frame_start(start, start_normal, StartRule::least_rotation, named.path);
   return nb::cast(CheckObject{without_gil([named, query] { return answer(named, query); }),
                               method_recipe(self, "check", kept(ts), kept(f2), kept(f3),
                                             kept(tangents), tolerance, start, kept(start_normal))});
@@ -63,7 +63,7 @@ nb::object check_smooth(nb::handle self, nb::handle ts, nb::handle f2, nb::handl
   const SmoothAngle angle = angle_to_up(named.path, up);
   query.options.up = angle.up();
   if (!start.is_none() || !start_normal.is_none())
-    query.options.start = smooth_start(start, start_normal, angle);
+    query.options.start = smooth_start(start, start_normal, StartRule::least_rotation, angle);
   return nb::cast(
       CheckObject{without_gil([named, query] { return answer(named, query); }),
                   method_recipe(self, "check", kept(ts), kept(f2), kept(f3), kept(tangents),

@@ -311,15 +311,50 @@ Reference reference_named(const std::string& name, const std::string& place) {
                            {{"erf", Reference::euler_rodrigues}, {"frenet", Reference::frenet}});
 }
 
-FrameStart asked_start(nb::handle start, nb::handle start_normal) {
-  if (start_normal.is_none()) return start.is_none() ? Angle() : angle_number(start, "start");
-  if (!start.is_none()) refuse("start", "it and start_normal exclude each other", start);
-  return StartNormal(vector(start_normal, "start_normal"));
+namespace {
+
+/// "erf" of "erf+pi/4", which is then left with "pi/4"; empty where there is no name.
+std::string taken_rule(std::string& text) {
+  for (const std::string rule : {"least", "erf", "up", "frenet"}) {
+    if (!text.starts_with(rule)) continue;
+    std::string rest = text.substr(rule.size());
+    rest.erase(0, std::min(rest.find_first_not_of(' '), rest.size()));
+    if (!rest.empty() && rest[0] != '+' && rest[0] != '-') continue;
+    if (rest.starts_with('+')) rest.erase(0, 1);
+    text = std::move(rest);
+    return rule;
+  }
+  return "";
 }
 
-FrameStart frame_start(nb::handle start, nb::handle start_normal, const Path& path,
+}  // namespace
+
+FrameStart asked_start(nb::handle start, nb::handle start_normal, StartRule rule,
+                       const std::string& reference) {
+  if (!start_normal.is_none()) {
+    if (!start.is_none()) refuse("start", "it and start_normal exclude each other", start);
+    return StartNormal(vector(start_normal, "start_normal"));
+  }
+  bool is_least = rule == StartRule::least_rotation;
+  Angle turn;
+  if (PyUnicode_Check(start.ptr()) != 0) {
+    std::string words = text(start, "start");
+    const std::string name = taken_rule(words);
+    if (!name.empty() && name != "least" && name != reference)
+      refuse("start", "angles are measured from \"" + reference + "\" here, not \"" + name + "\"",
+             start);
+    if (!name.empty()) is_least = name == "least";
+    if (!words.empty() || name.empty()) turn = angle_number(nb::str(words.c_str()), "start");
+  } else if (!start.is_none()) {
+    turn = angle_number(start, "start");
+  }
+  return is_least ? FrameStart(LeastRotation{turn}) : FrameStart(turn);
+}
+
+FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule, const Path& path,
                        Reference reference) {
-  const FrameStart from = asked_start(start, start_normal);
+  const FrameStart from = asked_start(
+      start, start_normal, rule, reference == Reference::euler_rodrigues ? "erf" : "frenet");
   if (const auto* along = std::get_if<StartNormal>(&from)) try {
       start_angle(*along, path, reference);
     } catch (const DomainError& error) {

@@ -17,11 +17,19 @@ struct CurveObject : PathObject {};
 nb::object wrap(NamedPath named);
 const Curve& curve_of(const PathObject& path);
 
-/// Where a frame starts: `start`, an angle, or `start_normal`, a vector, or neither.
-FrameStart asked_start(nb::handle start, nb::handle start_normal);
+/// Where f₂ starts without `start_normal`, and what an angle `start` is counted from.
+enum class StartRule {
+  least_rotation,  ///< of frames
+  reference,       ///< of angles: the frame that they are measured from
+};
+/// `start`, an angle, "least", "erf", "up" or "frenet", or one of these and an angle, as "erf+pi/4";
+/// or `start_normal`, a vector; or neither. `reference` is the name of the frame that angles are
+/// measured from.
+FrameStart asked_start(nb::handle start, nb::handle start_normal, StartRule rule,
+                       const std::string& reference);
 /// The same where it is a start of this path's frames.
-FrameStart frame_start(nb::handle start, nb::handle start_normal, const Path& path,
-                       Reference reference);
+FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule, const Path& path,
+                       Reference reference = Reference::euler_rodrigues);
 /// "erf", "frenet".
 Reference reference_named(const std::string& name, const std::string& place);
 

@@ -60,7 +60,7 @@ std::string compile(const PathObject& self, nb::handle prefix, const Text<"frame
   const NamedPath& named = self.named;
   CompiledQuery query;
   query.reference = reference_named(frame, "frame");
-  query.start = frame_start(start, start_normal, named.path, query.reference);
+  query.start = frame_start(start, start_normal, StartRule::least_rotation, named.path, query.reference);
   query.from = rounded_end(lower, "lower");
   query.to = rounded_end(upper, "upper");
   const double length = query.to - query.from;
@@ -81,7 +81,7 @@ std::string compile_smooth(const SmoothPathObject& self, nb::handle prefix,
       frame, "frame", {{"up", SmoothReference::up}, {"frenet", SmoothReference::frenet}});
   const SmoothAngle angle = angle_to_up(named.path, up);
   query.up = angle.up();
-  query.start = smooth_start(start, start_normal, angle);
+  query.start = smooth_start(start, start_normal, StartRule::least_rotation, angle);
   const std::string name = prefix_of(prefix, named.name);
   return without_gil([named, query, name] { return to_c_header(answer(named, query), name); });
 }
@@ -119,7 +119,7 @@ void page(const PathObject& self, nb::handle file, nb::handle ts, nb::handle f2,
   PageQuery query;
   query.given = given_frames(ts, f2);
   if (!start.is_none() || !start_normal.is_none())
-    query.start = frame_start(start, start_normal, self.named.path, Reference::euler_rodrigues);
+    query.start = frame_start(start, start_normal, StartRule::least_rotation, self.named.path);
   write_page(self.named, query, samples, file);
 }
 
@@ -130,7 +130,7 @@ void smooth_page(const SmoothPathObject& self, nb::handle file, nb::handle ts, n
   const SmoothAngle angle = angle_to_up(self.named.path, up);
   query.up = angle.up();
   if (!start.is_none() || !start_normal.is_none())
-    query.start = smooth_start(start, start_normal, angle);
+    query.start = smooth_start(start, start_normal, StartRule::least_rotation, angle);
   write_page(self.named, query, samples, file);
 }
 

@@ -31,7 +31,8 @@ AnyPath any_path(nb::handle x, const std::string& place);
 /// The angle to the frame of `up`, or of a vector that is chosen where that is None.
 SmoothAngle angle_to_up(const SmoothPath& path, nb::handle up);
 /// Where a frame starts, as frame_start() has it, at an angle to the frame of the angle.
-FrameStart smooth_start(nb::handle start, nb::handle start_normal, const SmoothAngle& angle);
+FrameStart smooth_start(nb::handle start, nb::handle start_normal, StartRule rule,
+                        const SmoothAngle& angle);
 
 void bind_any_curves(nb::module_& m, nb::class_<CurveObject, PathObject>& curve);
 void bind_smooth_path(nb::module_& m, nb::class_<SmoothPathObject>& smooth);

@@ -27,7 +27,7 @@ nb::object make_smooth_angle(nb::handle self, const Text<"frame">& frame, nb::ha
       reference == SmoothReference::frenet
           ? without_gil([path = named.path] { return SmoothAngle(path, SmoothReference::frenet); })
           : angle_to_up(named.path, up);
-  const FrameStart from = smooth_start(start, start_normal, angle);
+  const FrameStart from = smooth_start(start, start_normal, StartRule::reference, angle);
   Real at_zero = without_gil([=] { return start_angle(from, angle); });
   const nb::object v = up.is_none() ? nb::none() : to_python(vector(up, "up"));
   const nb::object along =

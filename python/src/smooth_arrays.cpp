@@ -148,14 +148,14 @@ Numbers smooth_numbers(const SmoothPathObject& self, const SmoothArray& asked, s
   const auto at = std::make_shared<Parameters>(parameters(asked.ts, "ts"));
   if (!is_by_length) require_inside(*at, self.named.path, asked.ts);
   SmoothFrames frames{asked.wants_frames ? asked.kind : "", {}, {}, is_by_length};
-  if (asked.wants_frames) frames.start = asked_start(asked.start, asked.start_normal);
+  if (asked.wants_frames) frames.start = asked_start(asked.start, asked.start_normal, StartRule::least_rotation, "up");
   if (!asked.up.is_none()) frames.up = vector(asked.up, "up");
   const auto source = self.sources->of(frames, [&] {
     std::optional<SmoothAngle> angle;
     Real start = Rational(0);
     if (asked.wants_frames) {
       angle.emplace(angle_to_up(self.named.path, asked.up));
-      start = start_angle(smooth_start(asked.start, asked.start_normal, *angle), *angle);
+      start = start_angle(smooth_start(asked.start, asked.start_normal, StartRule::least_rotation, *angle), *angle);
     }
     return std::make_shared<SmoothSource>(self.named.path, angle, kind, start, is_by_length);
   });
@@ -261,8 +261,8 @@ void bind_smooth_arrays(nb::class_<SmoothPathObject>& smooth) {
            PHRAME_SMOOTH_SIG("frames"),
            "Frames as an array (n, 3, 3): [k, 0] is the tangent e1, [k, 1] and [k, 2] are f2, f3. "
            "Every number is correctly rounded. `kind` is rmf, up or frenet; `by` is parameter or "
-           "arc_length; a rotation-minimizing frame starts at the angle `start` to the frame of "
-           "`up`, or with f2 along `start_normal`.")
+           "arc_length; where a rotation-minimizing frame starts, `start` or `start_normal` "
+           "says: see docs/python.md.")
       .def("quaternions", smooth_quaternions, argument("ts"), nb::kw_only(), PHRAME_SMOOTH_OPTIONS,
            PHRAME_SMOOTH_SIG("quaternions"),
            "The same as unit quaternions (x, y, z, w), scalar last as in SciPy, whose matrices "

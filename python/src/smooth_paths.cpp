@@ -255,8 +255,10 @@ SmoothAngle angle_to_up(const SmoothPath& path, nb::handle up) {
   }
 }
 
-FrameStart smooth_start(nb::handle start, nb::handle start_normal, const SmoothAngle& angle) {
-  const FrameStart from = asked_start(start, start_normal);
+FrameStart smooth_start(nb::handle start, nb::handle start_normal, StartRule rule,
+                        const SmoothAngle& angle) {
+  const FrameStart from = asked_start(
+      start, start_normal, rule, angle.reference() == SmoothReference::up ? "up" : "frenet");
   if (const auto* along = std::get_if<StartNormal>(&from)) try {
       start_angle(*along, angle);
     } catch (const DomainError& error) {

@@ -90,7 +90,7 @@ def test_check():
     good = QUINTIC.check(ts, frames[:, 1], frames[:, 2], start=0)
     assert good and good.passes and good.max_error[1] < Fraction(1, 10**15)
     erf = QUINTIC.frames(ts, kind="erf")
-    bad = QUINTIC.check(ts, erf[:, 1], start=0)
+    bad = QUINTIC.check(ts, erf[:, 1], start="erf")
     assert not bad and "Euler" in bad.text()
     low, high = bad.max_error
     assert low <= Fraction(float(QUINTIC.angle().value(1))) + Fraction(1, 10**15) and high < 1

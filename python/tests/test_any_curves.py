@@ -228,20 +228,20 @@ def test_arrays(name):
     ts = np.linspace(0, path.end, n)
     theta = path.angle(start="pi/8")
     at = list(ts[:: n // 5])
-    many = path.frames(ts, start="pi/8")
-    assert (path.frames(at, start="pi/8") == many[:: n // 5]).all()
+    many = path.frames(ts, start="up+pi/8")
+    assert (path.frames(at, start="up+pi/8") == many[:: n // 5]).all()
     assert (theta(ts)[:: n // 5] == [float(theta.value(t)) for t in at]).all() and theta(0) == np.pi / 8
     up = path.frames(at, kind="up")
     c, s = (f(theta(np.array(at)))[:, None] for f in (np.cos, np.sin))
     assert np.abs(c * up[:, 1] + s * up[:, 2] - many[:: n // 5, 1]).max() < 1e-15
-    x, y, z, w = path.quaternions(ts, start="pi/8").T
+    x, y, z, w = path.quaternions(ts, start="up + pi/8").T
     matrix = np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
                        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
                        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
     assert np.abs(matrix.transpose(2, 1, 0) - many).max() < 2e-15
     q = path.quaternions(ts)
     assert (np.sum(q[1:] * q[:-1], axis=1) > 0).all() and (path.quaternions(at) == q[:: n // 5]).all()
-    poses = path.matrices(at, start="pi/8")
+    poses = path.matrices(at, start="up+pi/8")
     assert (poses[:, :3, :3].transpose(0, 2, 1) == many[:: n // 5]).all()
     assert (poses[:, :3, 3] == path.points(at)).all() and (poses[:, 3] == [0, 0, 0, 1]).all()
     assert (path.points(at) == [[float(x) for x in path.point(t)] for t in at]).all()
@@ -377,3 +377,23 @@ def test_a_length_that_is_rounded_up_is_the_end():
             with pytest.raises(phrame.DomainError, match=rf"^ts\[1\]: .*{too_long!r} is outside \[0, "):
                 path.points([0, too_long], by="arc_length")
     assert beyond
+
+
+def test_frames_start_by_the_tangent():
+    """f₂(0) by Rodrigues' formula; the same whatever the curve is given by."""
+    points = [[0, 0, 0], ["4/5", "4/5", "2/5"], ["3/5", "6/5", "9/5"], ["-2/15", "14/15", "12/5"], ["-8/15", "26/15", "17/5"], ["1/15", "38/15", "17/5"]]
+    exact = phrame.Curve.bezier(points)
+    rounded = phrame.Curve.bezier([[float(Fraction(x)) for x in p] for p in points])
+    assert type(exact) is phrame.Curve and type(rounded) is phrame.SmoothPath
+    ts = np.linspace(0, 1, 9)
+    assert np.abs(exact.frames(ts) - rounded.frames(ts)).max() < 4e-15
+    e = np.array([2, 2, 1]) / 3
+    n = np.cross([1, 0, 0], e)
+    assert np.abs(exact.frames([0])[0, 1] - (np.array([0, 1, 0]) + np.cross(n, [0, 1, 0]) + np.cross(n, np.cross(n, [0, 1, 0])) / (1 + e[0]))).max() < 1e-15
+    assert (exact.frames(ts, start="least") == exact.frames(ts)).all() and (exact.frames([0], start="erf") == exact.frames([0], kind="erf")).all()
+    assert (rounded.frames([0], start="up") == rounded.frames([0], kind="up")).all()
+    turned = exact.frames(ts, start="pi/2")
+    assert (turned[:, 1] == exact.frames(ts)[:, 2]).all()
+    for path, word in ((exact, "up"), (rounded, "erf"), (exact, "frenet"), (exact, "erfx")):
+        with pytest.raises(phrame.InputError, match="start"):
+            path.frames([0], start=word)

@@ -86,7 +86,7 @@ def test_answers_show_themselves():
     twist = QUINTIC.minimal_twist(0, 1)
     assert f"{float(twist.twist):.10f}" in twist._repr_html_()
     ts = np.linspace(0, 1, 9)
-    verdict = QUINTIC.check(ts, QUINTIC.frames(ts, kind="erf")[:, 1], start=0)
+    verdict = QUINTIC.check(ts, QUINTIC.frames(ts, kind="erf")[:, 1], start="erf")
     assert "0.285856530098" in verdict._repr_html_() and "base64" in verdict._repr_html_() and "fail" in verdict._repr_html_()
     certificate = QUINTIC.certify(at=[0, "1/2"], digits=20)
     assert [t for t, _, _ in certificate.claims] == [0, Fraction(1, 2)]

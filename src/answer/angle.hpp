@@ -10,7 +10,7 @@ namespace phrame {
 /// Which angle is the rotation-minimizing frame at?
 struct AngleQuery {
   Reference reference = Reference::euler_rodrigues;  ///< the frame that θ is measured from
-  FrameStart start = {};                             ///< θ(0), or where f₂ is at t = 0
+  FrameStart start = Angle();                        ///< θ(0), or where f₂ is at t = 0
   std::vector<Rational> at = {};                     ///< the t where θ is asked for
   long digits = 17;                                  ///< of its values
   Route route = Route::automatic;                    ///< the way to values

@@ -186,9 +186,8 @@ Frame<Real> Rows::rotation_minimizing(const Frame<Rational>& erf, const PathPara
 void Rows::expect(const std::vector<PathPoint>& points) {
   const std::size_t many =
       1000 + 20 * static_cast<std::size_t>(preimage_degree(spline_.segments().front()));
-  const auto& frames = columns_.frames;
   if (points.size() < many || segments_.size() > 1 || columns_.have_quaternions ||
-      std::find(frames.begin(), frames.end(), TabulatedFrame::rmf) == frames.end())
+      !has_frame(columns_, TabulatedFrame::rmf))
     return;
   std::vector<double> at;
   for (const PathPoint& point : points)
@@ -301,6 +300,10 @@ void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
 
 }  // namespace
 
+bool has_frame(const TableColumns& columns, TabulatedFrame frame) {
+  return std::find(columns.frames.begin(), columns.frames.end(), frame) != columns.frames.end();
+}
+
 std::vector<std::string> names_of(const TableColumns& columns) {
   std::vector<std::string> names{"t", "x", "y", "z", "e1x", "e1y", "e1z"};
   for (const TabulatedFrame frame : columns.frames) add_names(names, frame, columns);
@@ -321,6 +324,7 @@ FrameTable frame_table(const Path& path, const TableColumns& columns,
   Rows rows(path, columns);
   rows.expect(at);
   FrameTable table{names_of(columns), {}};
+  if (has_frame(columns, TabulatedFrame::rmf)) table.start = columns.start;
   Stage stage("rows", at.size());
   for (const PathPoint& point : at) {
     stage.advance();

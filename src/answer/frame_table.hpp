@@ -58,6 +58,9 @@ struct FrameTable {
   std::size_t incomplete_rows = 0;        ///< so many have empty cells
   std::string first_reason = {};          ///< why the first of these has
   std::optional<Nearness> near = {};      ///< of the path, where it stands for what is no PH path
+  /// Where a rotation-minimizing frame that is in it starts.
+  std::optional<FrameStart> start = {};
+  std::optional<Vector<Rational>> up = {};  ///< v of the frame up that is in it, or of the start
 };
 
 /// t, r, e₁, the frames and the scalars asked for, at each t: correctly rounded values at t itself,
@@ -79,6 +82,8 @@ FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& fr
 FrameTable frame_table(const Path& path, const TableColumns& columns,
                        const std::vector<PathPoint>& at);
 
+/// Is that one of its frames?
+bool has_frame(const TableColumns& columns, TabulatedFrame frame);
 /// What the columns are called: "t", "x", "y", "z", "e1x", …
 std::vector<std::string> names_of(const TableColumns& columns);
 

@@ -10,7 +10,7 @@ namespace phrame {
 /// A body, exactly: a profile swept along a path in a rational frame.
 struct RationalSweepQuery {
   ProfileCurve profile;                   ///< x along f₂, y along f₃
-  FrameStart start = Angle();             ///< where the frame starts
+  FrameStart start = {};                  ///< where the frame starts
   RationalFunction scale{Polynomial{1}};  ///< λ(t) > 0: the profile is so many times as large
   /// The rational frame of minimal twist with a w of this degree, 1 to 8, instead of the
   /// rotation-minimizing one.

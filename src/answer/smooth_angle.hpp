@@ -9,7 +9,7 @@ namespace phrame {
 struct SmoothAngleQuery {
   SmoothReference reference = SmoothReference::up;  ///< the frame that θ is measured from
   std::optional<Vector<Rational>> up = {};          ///< v; one that does is chosen if there is none
-  FrameStart start = {};                            ///< θ(0), or where f₂ is at t = 0
+  FrameStart start = Angle();                       ///< θ(0), or where f₂ is at t = 0
   std::vector<Rational> at = {};                    ///< the t where θ is asked for
   long digits = 17;                                 ///< of its values
 };

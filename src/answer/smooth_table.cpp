@@ -119,6 +119,11 @@ FrameTable frame_table(const SmoothAngle& angle, const TableColumns& columns,
   require_columns(columns, twist.has_value());
   SmoothRows rows(angle, columns, twist);
   FrameTable table{names_of(columns), {}};
+  const bool has_rmf = has_frame(columns, TabulatedFrame::rmf);
+  if (has_rmf) table.start = columns.start;
+  if (has_frame(columns, TabulatedFrame::up) ||
+      (has_rmf && std::holds_alternative<Angle>(columns.start)))
+    table.up = angle.up();
   Stage stage("rows", at.size());
   for (const SmoothParameter& point : at) {
     stage.advance();

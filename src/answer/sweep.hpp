@@ -10,8 +10,8 @@ namespace phrame {
 
 /// A body: a profile swept along a path in its rotation-minimizing frame.
 struct SweepQuery {
-  Profile profile;             ///< x along f₂, y along f₃
-  FrameStart start = Angle();  ///< where the frame starts
+  Profile profile;        ///< x along f₂, y along f₃
+  FrameStart start = {};  ///< where the frame starts
   /// f₂ at the end, once it is projected to the normal plane, to which the frame turns by the
   /// smallest angle at a constant rate: the frame of minimal twist. Not of a closed path, which
   /// turns so that it closes.

@@ -36,7 +36,7 @@ AngleQuery query(const AngleOptions& options) {
   query.style = style == Style::textbook && !is_script ? Style::logarithms : style;
   // Which a form from the poles does not need.
   if (query.style == Style::logarithms) query.most_poles = options.form.most_poles();
-  query.start = options.start.given().value_or(FrameStart());
+  query.start = options.start.start();
   query.digits = options.digits;
   query.wants_formula = !options.values_only;
   return query;
@@ -63,7 +63,7 @@ void run(const Command& command, const AngleOptions& options, const NamedSmoothP
   const SmoothAngle angle = options.up.angle(named.path);
   options.start.check(angle);
   query.up = angle.up();
-  query.start = options.start.given().value_or(FrameStart());
+  query.start = options.start.start();
   query.at = options.parameters.values(named.path.end());
   query.digits = options.digits;
   const SmoothAngleAnswer found = answer(named, query);
@@ -84,7 +84,7 @@ void run(const Command& command, const AngleOptions& options) {
                      "the curve is Pythagorean-hodograph: its angle is that to erf or frenet");
   const auto& named = std::get<NamedPath>(read);
   query.at = options.parameters.values(named.path.end());
-  options.start.check(named.path);
+  options.start.check(named.path, query.reference);
   if (!named.path.is_curve())
     require_curve(options);
   else if (query.at.empty())  // of a spline the total angle is shown, at least
@@ -114,9 +114,10 @@ void add_angle(Program& program) {
   command.add_flag("--values-only", options->values_only,
                    "in JSON, no integrand and antiderivative");
   command.only_with({"--values-only"}, {"--print json"});
-  options->start.add_to(command, "e2 or n", "default 0");
-  command.not_with({"--at", "--samples", "--digits", "--route", "--theta0", "--start-normal"},
-                   FormOptions::scripts());
+  options->start.add_to(command, StartOptions::Rule::reference);
+  command.not_with(
+      {"--at", "--samples", "--digits", "--route", "--start", "--theta0", "--start-normal"},
+      FormOptions::scripts());
   command.set_notes(
       "A spline of n segments has t from 0 to n; its angle is that to the Euler-Rodrigues frame,\n"
       "made continuous through the joints, or to the Frenet frame where that is, too; of a closed\n"

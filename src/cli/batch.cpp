@@ -181,7 +181,9 @@ BatchDefaults defaults_of(const Command& command, const BatchOptions& options) {
                            const JsonNode& line) { return answer_question(line, of_all); };
   defaults.frame = chosen_reference(options.frame);
   for (const std::string& t : split(options.at)) defaults.at.push_back(parse_option("--at", t));
-  defaults.start = options.start.given().value_or(FrameStart());
+  if (!options.start.rule.empty() && options.start.rule != "least")
+    throw InputError("--start", "each line has a frame of its own that its angle is measured from");
+  defaults.start = options.start.start();
   defaults.near = parse_near_option(options.near);
   defaults.limits.near_option = "--near";
   return defaults;
@@ -291,8 +293,8 @@ void add_batch(Program& program) {
                      "what lines without \"question\" ask (default angle)");
   add_reference(command, options->frame, "for lines without \"frame\": erf (default) or frenet");
   command.add_list("--at", "T,...", options->at, "for lines without \"at\": 0,1/2,1");
-  options->start.add_to(command, "e2 or n",
-                        "for lines without \"theta0\" and \"start_normal\"; default 0");
+  options->start.add_to(command, StartOptions::Rule::reference,
+                        "default; for lines without \"theta0\" and \"start_normal\"");
   add_near(command, options->near);
   add_digits(command, options->defaults.digits);
   add_max_degree(command, options->defaults.limits);

@@ -107,7 +107,8 @@ void add_check(Program& program) {
                        "a table of frames (text or .npy), \"-\" for standard input");
   command.add_option("--tol", "BOUND", options->tolerance,
                      "radians, cosines and lengths that may be off (default 1e-6)");
-  options->start.add_to(command, "e2", "default: that of the first sample");
+  options->start.add_to(command, StartOptions::Rule::least_rotation,
+                        "the default is as the first sample");
   options->up.add_to(command,
                      "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");
   command.add_choice("--quaternion", options->quaternion, {"wxyz", "xyzw"},

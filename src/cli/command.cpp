@@ -119,8 +119,8 @@ void CurveOptions::add_to(Command& command) {
 }
 
 NamedCurve CurveOptions::read_curve() const {
-  if (!near) return read_by(phrame::read_curve, *this);
-  const NamedPath named = read_path();
+  // As a path it has e₁ = r′/|r′| at the start.
+  const NamedPath named = near ? read_path() : NamedPath(read_by(phrame::read_curve, *this));
   if (!named.path.is_curve())
     throw InputError(name_of_file(path) + ":/phrame", "this is a spline; one curve is wanted");
   return {named.name, named.path.segments().front(), named.near};
@@ -216,31 +216,57 @@ void add_digits(Command& command, long& digits) {
       fmt::format("significant decimal digits, correctly rounded (default {})", digits));
 }
 
-void StartOptions::add_to(Command& command, const std::string& angle_to,
-                          const std::string& otherwise) {
-  command.add_option(
-      "--theta0", "ANGLE", angle,
-      fmt::format("the angle of f2 to {} at t = 0: radians, or such as pi/4 or 45deg\n"
-                  "({})",
-                  angle_to, otherwise));
+void StartOptions::add_to(Command& command, Rule otherwise, const std::string& text) {
+  otherwise_ = otherwise;
+  const bool is_angle = otherwise == Rule::reference;
+  const std::string by_default = text.empty() ? "default" : text;
+  command.add_choice(
+      "--start", rule, {"least", "erf", "up", "frenet"},
+      fmt::format("f2 at t = 0, before --theta0 turns it: least{}, by the least rotation that\n"
+                  "takes the x axis to e1, where it takes the y axis; or erf, up or frenet{}:\n"
+                  "the frame that angles are measured from",
+                  is_angle ? "" : fmt::format(" ({})", by_default),
+                  is_angle ? fmt::format(" ({})", by_default) : ""));
+  command.add_option("--theta0", "ANGLE", angle,
+                     "the angle from there to f2 at t = 0: radians, or such as pi/4 or 45deg\n"
+                     "(default 0)");
   command.add_option("--start-normal", "X,Y,Z", normal,
-                     "f2 at t = 0, projected to the normal plane; instead of --theta0");
-  command.not_with({"--start-normal"}, {"--theta0"});
+                     "f2 at t = 0, projected to the normal plane; instead of --start, --theta0");
+  command.not_with({"--start-normal"}, {"--start", "--theta0"});
+}
+
+FrameStart StartOptions::start() const {
+  if (normal) return StartNormal(parse_vector_option("--start-normal", *normal));
+  const Angle turn = angle ? parse_angle_option("--theta0", *angle) : Angle();
+  const bool is_least =
+      rule.empty()
+          ? otherwise_ == Rule::least_rotation
+          : choose<bool>("--start", rule,
+                         {{"least", true}, {"erf", false}, {"up", false}, {"frenet", false}});
+  return is_least ? FrameStart(LeastRotation{turn}) : FrameStart(turn);
 }
 
 std::optional<FrameStart> StartOptions::given() const {
-  if (angle) return parse_angle_option("--theta0", *angle);
-  if (normal) return StartNormal(parse_vector_option("--start-normal", *normal));
-  return std::nullopt;
+  if (rule.empty() && !angle && !normal) return std::nullopt;
+  return start();
 }
 
-void StartOptions::check(const Path& path) const {
+void StartOptions::require_reference(const std::string& name) const {
+  if (rule.empty() || rule == "least" || rule == name) return;
+  throw InputError("--start", fmt::format("\"{}\" is not the frame that angles are measured from "
+                                          "here, \"{}\"",
+                                          rule, name));
+}
+
+void StartOptions::check(const Path& path, Reference reference) const {
+  require_reference(reference == Reference::euler_rodrigues ? "erf" : "frenet");
   at_option("--start-normal", [&] {
     if (const auto start = given()) start_angle(*start, path);
   });
 }
 
 void StartOptions::check(const SmoothAngle& along) const {
+  require_reference(along.reference() == SmoothReference::up ? "up" : "frenet");
   at_option("--start-normal", [&] {
     if (const auto start = given()) start_angle(*start, along);
   });

@@ -67,21 +67,35 @@ Vector<Rational> parse_vector_option(const std::string& option, const std::strin
 /// --digits, from 1 to 100 000.
 void add_digits(Command& command, long& digits);
 
-/// Where a rotation-minimizing frame starts: --theta0 or --start-normal.
+/// Where a rotation-minimizing frame starts: --start with --theta0, or --start-normal.
 struct StartOptions {
+  /// What f₂(0) is turned from where neither --start nor --start-normal is given.
+  enum class Rule {
+    least_rotation,  ///< of frames and bodies
+    reference,       ///< of angles: the frame that they are measured from
+  };
+
+  std::string rule;
   std::optional<std::string> angle;
   std::optional<std::string> normal;
 
-  /// `angle_to` is the vector that an angle is measured from, "e2"; `otherwise` says what is so
-  /// without both.
-  void add_to(Command& command, const std::string& angle_to, const std::string& otherwise);
+  /// `otherwise` says what is so without all of them, where that is not the rule.
+  void add_to(Command& command, Rule otherwise, const std::string& text = "");
   /// What is given. Throws InputError.
   std::optional<FrameStart> given() const;
-  /// @{ Throws InputError for a vector that has no part across the tangent.
-  void check(const Path& path) const;
+  /// The same, or the rule.
+  FrameStart start() const;
+  /// @{ Throws InputError for a vector that has no part across the tangent, and for a frame that
+  /// angles are not measured from.
+  void check(const Path& path, Reference reference = Reference::euler_rodrigues) const;
   void check(const SmoothAngle& along) const;
   /// @}
-  static std::vector<std::string> names() { return {"--theta0", "--start-normal"}; }
+  static std::vector<std::string> names() { return {"--start", "--theta0", "--start-normal"}; }
+
+ private:
+  void require_reference(const std::string& name) const;
+
+  Rule otherwise_ = Rule::least_rotation;
 };
 
 /// --up, of curves that are not PH: the vector v to whose frame angles are.

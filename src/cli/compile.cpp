@@ -49,7 +49,7 @@ CompiledAnswer compiled(const Command& command, const CompileOptions& options,
   SmoothCompiledQuery query;
   if (options.frame == "frenet") query.reference = SmoothReference::frenet;
   query.up = angle.up();
-  query.start = options.start.given().value_or(FrameStart());
+  query.start = options.start.start();
   return answer(named, query);
 }
 
@@ -61,20 +61,19 @@ CompiledAnswer compiled(const Command& command, const CompileOptions& options,
                      "the curve is Pythagorean-hodograph: its angle is that to erf or frenet");
   const auto reference = chosen_reference(options.frame);
   const auto [from, to] = interval(options);
-  options.start.check(named.path);
+  options.start.check(named.path, reference);
   if (!named.path.is_curve()) {
     if (command.is_given("--from")) fail_for_spline("--from", options.from);
     if (command.is_given("--to")) fail_for_spline("--to", options.to);
   }
-  return answer(named,
-                CompiledQuery{reference, options.start.given().value_or(FrameStart()), from, to});
+  return answer(named, CompiledQuery{reference, options.start.start(), from, to});
 }
 
 void run(const Command& command, const CompileOptions& options) {
   if (options.frame != "up") chosen_reference(options.frame);
-  const FrameStart start = options.start.given().value_or(FrameStart());
-  if (options.start.angle)
-    rounded("--theta0", *options.start.angle, to_real(std::get<Angle>(start)));
+  options.start.start();
+  if (const auto& angle = options.start.angle)
+    rounded("--theta0", *angle, to_real(parse_angle_option("--theta0", *angle)));
   interval(options);
   if (options.prefix && !is_prefix(*options.prefix))
     throw InputError("--prefix", "\"" + abbreviated(*options.prefix) +
@@ -101,7 +100,7 @@ void add_compile(Program& program) {
   command.add_choice("--frame", options->frame, {"erf", "frenet", "up"},
                      "the frame the angle is measured from: erf (default), or frenet: only the "
                      "angle;\nof curves that are not Pythagorean-hodograph up (default) or frenet");
-  options->start.add_to(command, "e2 or n", "default 0");
+  options->start.add_to(command, StartOptions::Rule::least_rotation);
   options->up.add_to(command,
                      "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");
   command.add_option("--from", "T", options->from, "the least t (default 0), rounded to a double");

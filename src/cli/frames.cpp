@@ -116,11 +116,8 @@ TableColumns columns(const FramesOptions& options) {
 
 /// Adds the frames of minimal twist, as far as there are columns for them.
 void add_twist_frames(TableColumns& columns, const TwistOptions& options, const Path& path) {
-  const auto wants = [&columns](TabulatedFrame frame) {
-    return std::find(columns.frames.begin(), columns.frames.end(), frame) != columns.frames.end();
-  };
-  const bool wants_rational = wants(TabulatedFrame::mtf);
-  if (!wants_rational && !wants(TabulatedFrame::exact_mtf)) return;
+  const bool wants_rational = has_frame(columns, TabulatedFrame::mtf);
+  if (!wants_rational && !has_frame(columns, TabulatedFrame::exact_mtf)) return;
   const auto [from, to] = options.ends(path);
   columns.exact_mtf.emplace(PathAngle(path), reduced(from), to, options.turns);
   if (!wants_rational) return;
@@ -184,8 +181,7 @@ TabulatedFrames table_of(const NamedSmoothPath& named, const TableColumns& colum
     at = points_by_length(numbers, length);
   }
   std::optional<SmoothTwist> twist;
-  const auto& frames = columns.frames;
-  if (std::find(frames.begin(), frames.end(), TabulatedFrame::exact_mtf) != frames.end()) {
+  if (has_frame(columns, TabulatedFrame::exact_mtf)) {
     const auto [from, to] = options.twist.ends(angle);
     twist.emplace(angle, from, to, options.twist.turns);
   }
@@ -196,7 +192,7 @@ TabulatedFrames table_of(const NamedSmoothPath& named, const TableColumns& colum
 TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& chosen) {
   const By by =
       choose<By>("--by", options.by, {{"t", By::parameter}, {"arc-length", By::arc_length}});
-  chosen.start = options.start.given().value_or(FrameStart());
+  chosen.start = options.start.start();
   if (options.parameters.values().empty())
     throw InputError("frames", "--samples N or --at t,… is needed");
   const AnyPath read = options.curve.read_any_path();
@@ -260,7 +256,7 @@ void add_frames(Program& program) {
       "quaternion (x, y, z, w) and matrix (4 x 4, by rows)");
   command.add_choice("--by", options->by, {"t", "arc-length"},
                      "t (default), or arc-length: --at and --samples mean arc lengths from t = 0");
-  options->start.add_to(command, "e2", "default 0");
+  options->start.add_to(command, StartOptions::Rule::least_rotation);
   command.only_with(StartOptions::names(), {"--frame rmf"});
   options->up.add_to(command,
                      "frame up, v x e1/|v x e1| and e1 x (v x e1)/|v x e1|, and that --theta0 is\n"

@@ -36,10 +36,10 @@ MachinePath machine_path(const Command& command, const InterpolateOptions& optio
   query.tool = choose<ToolAxis>("--tool", options.tool,
                                 {{"f3", ToolAxis::f3}, {"f2", ToolAxis::f2}, {"e1", ToolAxis::e1}});
   if (query.tool == ToolAxis::e1)
-    command.refuse({"--theta0", "--start-normal", "--up"},
+    command.refuse({"--start", "--theta0", "--start-normal", "--up"},
                    "e1, which the tool is along, does not depend on it");
   query.places = options.places;
-  query.start = options.start.given().value_or(FrameStart());
+  query.start = options.start.start();
   if (const auto* smooth = std::get_if<NamedSmoothPath>(&path)) {
     const SmoothAngle angle = options.up.angle(smooth->path);
     options.start.check(angle);
@@ -84,11 +84,11 @@ void add_interpolate(Program& program) {
                      "its tip to the spindle: f3 (default), f2 or e1");
   command.add_number("--places", options->places, {1, 9}, "decimals of all numbers (default 4)",
                      "N");
-  options->start.add_to(command, "e2", "default 0");
+  options->start.add_to(command, StartOptions::Rule::least_rotation);
   options->up.add_to(command,
                      "frame that --theta0 is counted from (default: one that is nowhere along the\n"
                      "tangent)");
-  command.only_with({"--tool", "--places", "--theta0", "--start-normal", "--up"},
+  command.only_with({"--tool", "--places", "--start", "--theta0", "--start-normal", "--up"},
                     {"--format gcode"});
   command.set_notes(
       "The columns are k, time, t, s, x, y, z: the parameter t with the integral of |r'|/V from 0\n"

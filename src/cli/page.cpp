@@ -65,7 +65,8 @@ void add_page(Program& program) {
   command.add_option("--frames", "FILE", options->frames,
                      "a table of frames by another program, as phrame check reads it: they are\n"
                      "shown beside the exact ones, at their t, with their error");
-  options->start.add_to(command, "e2", "default: that of the first of --frames, or 0");
+  options->start.add_to(command, StartOptions::Rule::least_rotation,
+                        "default, or as the first of --frames");
   command.add_option("--end-normal", "X,Y,Z", options->end_normal,
                      "f2 of the frame of minimal twist at the end, projected to the normal plane:\n"
                      "of an open curve that frame is shown, too");

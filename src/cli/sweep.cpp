@@ -92,7 +92,7 @@ SweepQuery query_of(const SweepOptions& options, std::size_t segments) {
   const RationalFunction scale = scale_of(options);
   const double greatest = greatest_scale(scale, segments);
   const Profile profile = profile_of(options, greatest);
-  SweepQuery query{profile, options.start.given().value_or(FrameStart())};
+  SweepQuery query{profile, options.start.start()};
   query.scale = scale;
   if (options.end_normal)
     query.end_normal = parse_vector_option("--end-normal", *options.end_normal);
@@ -155,7 +155,7 @@ RationalSweepAnswer exact_answer(const NamedPath& named, const RationalSweepQuer
 
 RationalSweepQuery exact_query(const SweepOptions& options) {
   RationalSweepQuery query{given_profile(options, parse_profile_curve, read_profile_curve),
-                           options.start.given().value_or(FrameStart())};
+                           options.start.start()};
   query.scale = scale_of(options);
   if (options.end_normal)
     query.end_normal = parse_vector_option("--end-normal", *options.end_normal);
@@ -214,7 +214,7 @@ void add_sweep(Program& program) {
                      "rings between empty lines, or an SVG file or path; what one outline goes\n"
                      "around are holes; x is along f2, y along f3");
   command.require("--profile");
-  options->start.add_to(command, "e2", "default 0");
+  options->start.add_to(command, StartOptions::Rule::least_rotation);
   command.add_option("--end-normal", "X,Y,Z", options->end_normal,
                      "f2 at the end, projected to the normal plane: the frame of minimal twist");
   command.add_option("--twist", "ANGLE", options->twist,

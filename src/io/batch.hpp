@@ -17,7 +17,7 @@ struct BatchDefaults {
   long digits = 17;
   bool values_only = false;  ///< answers without integrand and antiderivative
   CurveLimits limits;
-  FrameStart start = {};
+  FrameStart start = Angle();
   std::optional<double> seconds = {};  ///< that a line may take; its answer is then an error
   std::optional<Rational> near = {};   ///< so far away may be the curve that stands for no PH curve
   /// Is there an answer to the line with this id, as JSON text? It is then left out.

@@ -112,7 +112,7 @@ TEST_CASE("answers: a table of frames passes the check of frames, but not when i
 }
 
 TEST_CASE("answers: compiled polynomials are as near as they say to the known angle") {
-  const CompiledAnswer compiled = answer(whole(), CompiledQuery{});
+  const CompiledAnswer compiled = answer(whole(), CompiledQuery{.start = Angle()});
   const PolynomialPiece& piece = compiled.angle.at(0.5);
   const double y = (0.5 - piece.center) * piece.scale;
   const auto degree = static_cast<std::size_t>(compiled.angle.shape().degree);

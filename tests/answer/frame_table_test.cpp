@@ -50,7 +50,9 @@ TEST_CASE("frame table: values are the correctly rounded doubles") {
   const double cos1 = 0.540302305868139717400936607443;
   const double sin1 = 0.841470984807896506652502321630;
   const Curve curve = test::rational_angle_curve().curve;
-  const FrameTable table = frame_table(curve, {Kind::euler_rodrigues, Kind::rmf}, {0, 1});
+  TableColumns columns{{Kind::euler_rodrigues, Kind::rmf}};
+  columns.start = Angle();
+  const FrameTable table = frame_table(curve, columns, {Rational(0), Rational(1)});
   REQUIRE(table.rows.size() == 2);
   CHECK(table.rows[1] == Row{1, -0.8, 4.0 / 3, 0.5, 0, 1, 0,  //
                              0, 0, 1, 1, 0, 0,                //

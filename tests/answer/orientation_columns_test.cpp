@@ -43,6 +43,7 @@ double deviation(const Row& row, std::size_t first) {
 TEST_CASE("orientation columns: quaternions and matrices are correctly rounded") {
   TableColumns columns = with_quaternions({Kind::rmf});
   columns.have_matrices = true;
+  columns.start = Angle();
   columns.scalars = {TabulatedScalar::arc_length};
   const Curve curve = test::rational_angle_curve().curve;
   const FrameTable table = frame_table(curve, columns, {Rational(0), Rational(1)});

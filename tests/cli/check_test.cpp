@@ -169,7 +169,7 @@ TEST_CASE("check: frames of a curve of any kind are judged, by angles to the fra
     table.replace(table.find(from), 14, to);
   here.write("up.csv", table);
   // −∫ τ ds by mpmath's quad: -1.65740642390110…; n and b are this frame at both ends.
-  const Run fail = here.run("check cubic.json up.csv --theta0 0 --up 0,0,1 --print json");
+  const Run fail = here.run("check cubic.json up.csv --start up --up 0,0,1 --print json");
   CHECK(fail.status == 1);
   CHECK(fail.err.empty());
   const auto out = nlohmann::json::parse(fail.out);
@@ -178,7 +178,7 @@ TEST_CASE("check: frames of a curve of any kind are judged, by angles to the fra
   CHECK(out["max_error"]["lower"] == "1.65740");
   CHECK(out["max_error"]["upper"] == "1.65741");
   CHECK(out["findings"][0]["kind"] == "fixed-up");
-  CHECK(contains(here.run("check cubic.json table --up 0,0,1 --theta0 1/8").out,
+  CHECK(contains(here.run("check cubic.json table --up 0,0,1 --start up --theta0 1/8").out,
                  "that starts at the angle 1/8 to v × T, v = (0, 0, 1)\n"));
   CHECK(here.run("check cubic.json table --up 0,0,1 --start-normal 3,1,0 --tol 1e-15").status == 0);
   check_failure(here.run("check cubic.json table --up 0,0,0"), 2, "--up: the up vector is 0\n");

@@ -149,7 +149,7 @@ TEST_CASE("compile: the values of a header are as exact as it says") {
                                                    : test::everyday(million / 40, million / 5));
     const Workshop shop;
     shop.write("curve.json", curve_named(name));
-    const auto run = shop.run("compile curve.json --prefix arm -o angle.h");
+    const auto run = shop.run("compile curve.json --start erf --prefix arm -o angle.h");
     CHECK(run.status == 0);
     const Curve curve = read_curve(curve_named(name)).curve;
     RmfAngle angle(curve, Reference::euler_rodrigues);
@@ -171,7 +171,7 @@ TEST_CASE("compile: on a near-cusp, with every optimization that keeps IEEE arit
     at.push_back(1.0 / 3 + static_cast<double>(k) * 2e-12);
   const Workshop shop;
   shop.write("curve.json", text);
-  CHECK(shop.run("compile curve.json --prefix arm -o angle.h").status == 0);
+  CHECK(shop.run("compile curve.json --start erf --prefix arm -o angle.h").status == 0);
   for (const std::string options : {"-std=c11 -O3 -march=native", "-x c++ -std=c++17 -O0"}) {
     CAPTURE(options);
     const auto rows = evaluated(shop, at, options);
@@ -182,9 +182,10 @@ TEST_CASE("compile: on a near-cusp, with every optimization that keeps IEEE arit
 
 TEST_CASE("compile: other intervals and angles, Frenet's frame, and what is outside") {
   const Workshop shop;
-  CHECK(shop.run("compile quintic.json --frame frenet --theta0 7/3 --from -1/2 --to 3 "
-                 "--prefix arm -o angle.h")
-            .status == 0);
+  CHECK(
+      shop.run("compile quintic.json --frame frenet --start frenet --theta0 7/3 --from -1/2 --to 3 "
+               "--prefix arm -o angle.h")
+          .status == 0);
   CHECK_FALSE(test::contains(test::bytes_of(shop.file("angle.h")), "arm_frame"));
   const Curve curve = read_curve(test::bytes_of(shop.file("quintic.json"))).curve;
   RmfAngle angle(curve, Reference::frenet);
@@ -242,7 +243,8 @@ TEST_CASE("compile: from a given normal, within the errors that are stated") {
 TEST_CASE("compile: of a spline there is one angle and one frame, through the joints") {
   const Workshop shop;
   shop.write("spline.json", test::bytes_of(test::root("/examples/curves/closed-spline.json")));
-  CHECK(shop.run("compile spline.json --theta0 1/3 --prefix arm -o angle.h").status == 0);
+  CHECK(shop.run("compile spline.json --start erf --theta0 1/3 --prefix arm -o angle.h").status ==
+        0);
   const Path path = read_path(test::bytes_of(shop.file("spline.json"))).path;
   REQUIRE(path.segments().size() > 2);
   PathAngle angle(path);
@@ -340,7 +342,8 @@ TEST_CASE("compile: curves of any kind, by angles to the frame of v") {
   const Workshop shop;
   shop.write("cubic.json", R"({"phrame": "curve/1", "name": "cubic", "weights": [1, 2, "1/2", 1],
       "control_points": [[0, 0, 0], [1, 0, 0], [1, 2, 0], [0, 2, 3]]})");
-  CHECK(shop.run("compile cubic.json --up 0,0,1 --theta0 1/8 --prefix arm -o angle.h").status == 0);
+  CHECK(shop.run("compile cubic.json --up 0,0,1 --start up --theta0 1/8 --prefix arm -o angle.h")
+            .status == 0);
   const std::string header = test::bytes_of(shop.file("angle.h"));
   CHECK(test::contains(header, "frame (e1, e2, e3) of v = (0, 0, 1),"));
   CHECK(test::contains(header, "theta(0) = 1/8."));
@@ -379,7 +382,7 @@ TEST_CASE("compile: a note about --near is for what is answered") {
   const Workshop here;
   here.write("huge.csv",
              "# kind: bezier\n# degree: 3\nx,y,z\n0,.5,0x1p1023\n1,2,0\n2,0,1\n3,1,1\n");
-  check_failure(here.run("compile huge.csv"), 4, "doubles");
+  check_failure(here.run("compile huge.csv"), 4, "double");
   const Run info = here.run("info huge.csv");
   CHECK(info.status == 0);
   CHECK(contains(info.err, "huge.csv: a PH curve is at most "));

@@ -69,15 +69,6 @@ TEST_CASE("mtf: by vectors, and closing up") {
   CHECK(Json::parse(closed.out)["twist"]["minimal"]["value"] == "-1.13263544456407");
 }
 
-TEST_CASE("mtf: where f < 0 the report says what e1 is") {
-  const Workshop here;
-  here.write("back.json", R"({"phrame": "curve/1", "basis": "power", "multiplier": [-1],
-                              "preimage": {"u": [1], "v": [0, 1], "p": [0, 2], "q": [0]}})");
-  const Run run = here.run("mtf back.json --from 0 --to 1");
-  check_success(run);
-  CHECK(contains(run.out, "f < 0 on [0, 1]: there e₁ = A i A*/σ is −r′/|r′|"));
-}
-
 TEST_CASE("mtf: bad input is refused with its place") {
   const Workshop here;
   check_failure(here.run("mtf quintic.json --from 0"), 2, "--to: the angle is missing");

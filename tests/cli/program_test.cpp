@@ -52,7 +52,8 @@ TEST_CASE("program: each command succeeds on the paper's quintic") {
                      {"interpolate quintic.json --feed 1 --period 1",
                       "\n5,4.733333333333333,1,4.733333333333333,"},
                      {"interpolate quintic.json --feed 1 --period 1 --format gcode",
-                      "\nN2 G0 X0.0000 Y0.0000 Z0.0000 A48.1897 C26.5651\n"},
+                      // f₃(0) = (−5, −2, 14)/15 by Rodrigues' formula, A = acos(14/15)
+                      "\nN2 G0 X0.0000 Y0.0000 Z0.0000 A21.0395 C-68.1986\n"},
                      {"construct points.csv", "  points met      within "},
                      {"identify quintic.json", "f|A|²  37t⁴ − 72t³ + 46t² − 12t + 6\n"},
                      {"integrate '1/(x^2+1)'", "arctan(x)"},

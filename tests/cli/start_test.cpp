@@ -59,9 +59,8 @@ TEST_CASE("start: frames start there, and check compares with them") {
   const Json json =
       Json::parse(here.run("check quintic.json other.csv --start-normal 0,0,1 --print json").out);
   CHECK(json["start_normal"] == Json{"0", "0", "1"});
-  CHECK(Json::parse(
-            here.run("check quintic.json other.csv --theta0 pi/4 --print json").out)["theta0"] ==
-        "pi/4");
+  CHECK(Json::parse(here.run("check quintic.json other.csv --start erf --theta0 pi/4 --print json")
+                        .out)["theta0"] == "pi/4");
   CHECK_FALSE(
       Json::parse(here.run("check quintic.json other.csv --print json").out).contains("theta0"));
   // One sample is enough, and one that is elsewhere is said to be.

@@ -164,7 +164,8 @@ TEST_CASE("terminal: angles are radians, multiples of pi and degrees") {
                  "\\theta(0) &= \\frac{\\pi}{3}"));
   check_failure(here.run("angle quintic.json --theta0 pie"), 2,
                 "--theta0: \"pie\" is not an angle such as pi/8, -31pi/40, 45deg or");
-  CHECK(contains(here.run("compile quintic.json --theta0 45deg").out, "theta(0) = pi/4."));
+  CHECK(contains(here.run("compile quintic.json --start erf --theta0 45deg").out,
+                 "theta(0) = pi/4."));
   REQUIRE(here.run("frames quintic.json --samples 3 -o frames.csv").status == 0);
   const Run turned = here.run("check quintic.json frames.csv --theta0 pi/2");
   CHECK(turned.status == 1);

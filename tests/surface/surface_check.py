@@ -246,4 +246,4 @@ with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
     check("rational-frame-quintic.json", file.name, hollow)
     check("septic-erf-is-rmf.json", file.name, hollow, ("1 + t", ([1, 1], [1])))
 check("farouki-2003-quintic.json", "rectangle:1/5,1/5", rectangle(Fraction(1, 5), Fraction(1, 5)), None,
-      "--end-normal", "0,0,1")
+      "--end-normal", "0,0,1", "--start", "erf")

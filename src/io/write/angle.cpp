@@ -1,4 +1,5 @@
 #include "phrame/io/write/answers.hpp"
+#include "phrame/io/write/frame_start.hpp"
 
 #include <fmt/format.h>
 
@@ -61,6 +62,8 @@ std::string turning_text(const AngleAnswer& answer) {
   if (const auto* normal = std::get_if<StartNormal>(&answer.start))
     text +=
         fmt::format("  f₂(0) is along {}, projected to the normal plane\n", shown(normal->vector));
+  if (const auto* least = std::get_if<LeastRotation>(&answer.start))
+    text += fmt::format("  At the start {}\n", to_sentence(*least));
   return text + "\n";
 }
 
@@ -142,8 +145,7 @@ JsonOutput json_of(const AngleAnswer& answer) {
     }
   }
   json["theta0"] = to_string(answer.start_angle);
-  if (const auto* normal = std::get_if<StartNormal>(&answer.start))
-    json["start_normal"] = phrame::json_of(normal->vector);
+  add_start(json, answer.start);
   add_nearness(json, near);
   if (!path.is_curve()) {
     json["total"] = phrame::json_of(*answer.total);

@@ -1,4 +1,5 @@
 #include "phrame/io/write/c_header.hpp"
+#include "phrame/io/write/frame_start.hpp"
 
 #include <fmt/format.h>
 
@@ -200,8 +201,10 @@ std::string start_of(const CompiledAnswer& header) {
   return std::get<Decimal>(header.start_angle).value;
 }
 
-/// A line of the comment, where f2 is to start along a vector.
-std::string about_normal(const FrameStart& start) {
+/// A line of the comment, where f2 does not start at an angle to the reference frame.
+std::string about_start(const FrameStart& start) {
+  if (const auto* least = std::get_if<LeastRotation>(&start))
+    return fmt::format(" *   At the start {}.\n", to_sentence(*least, true));
   const auto* normal = std::get_if<StartNormal>(&start);
   if (normal == nullptr) return "";
   return fmt::format(" *   f2(0) is along {}, projected to the normal plane.\n",
@@ -262,7 +265,7 @@ std::string to_c_header(const CompiledAnswer& header, const std::string& prefix)
                                 : "A rotation-minimizing frame of " + in_comment(name)),
       arg("reference", about_reference(header)), arg("second", is_erf ? "e2" : "n"),
       arg("third", is_erf ? "e3" : "b"), arg("start", start_of(header)),
-      arg("normal", about_normal(header.start)),
+      arg("normal", about_start(header.start)),
       arg("near", about_curve(ph != nullptr ? ph->near : std::nullopt)),
       arg("angle_error", decimal_above(error)), arg("angle_error_hex", fmt::format("{:a}", error)),
       arg("frame_text", about_frame), arg("frame_define", define_frame),

@@ -1,4 +1,5 @@
 #include "phrame/io/write/check.hpp"
+#include "phrame/io/write/frame_start.hpp"
 
 #include <fmt/format.h>
 
@@ -90,6 +91,9 @@ std::string brief_vector(const Vector<Rational>& v) {
 std::string place_of(const FrameStart& start, const std::optional<Vector<Rational>>& up) {
   if (const auto* angle = std::get_if<Angle>(&start))
     return "at the angle " + brief(*angle) + (up ? " to v × T, v = " + brief_vector(*up) : "");
+  if (const auto* least = std::get_if<LeastRotation>(&start))
+    return least->turn == Angle() ? "at the least rotation"
+                                  : "at the least rotation, turned by " + brief(least->turn);
   return "with f2 along " + brief_vector(std::get<StartNormal>(start).vector);
 }
 
@@ -257,10 +261,8 @@ std::string to_json(const CheckAnswer& answer, const TableReading& reading) {
                                         : JsonOutput()},
       {"samples", samples}};
   if (const auto& start = answer.options.start) {
-    if (const auto* angle = std::get_if<Angle>(&*start))
-      json["theta0"] = to_string(*angle);
-    else
-      json["start_normal"] = phrame::json_of(std::get<StartNormal>(*start).vector);
+    if (const auto* angle = std::get_if<Angle>(&*start)) json["theta0"] = to_string(*angle);
+    add_start(json, *start);
   }
   if (answer.up) json["up"] = phrame::json_of(*answer.up);
   if (const auto* named = std::get_if<NamedPath>(&answer.path)) add_nearness(json, named->near);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <iterator>
 
+#include "phrame/io/write/frame_start.hpp"
 #include "phrame/io/write/json_text.hpp"
 
 namespace phrame {
@@ -26,6 +27,11 @@ std::string to_csv(const FrameTable& table) {
 std::string to_json(const FrameTable& table) {
   // NaN is written null.
   JsonOutput json = {{"phrame", table.format}, {"columns", table.columns}, {"rows", table.rows}};
+  if (table.start) {
+    if (const auto* angle = std::get_if<Angle>(&*table.start)) json["theta0"] = to_string(*angle);
+    add_start(json, *table.start);
+  }
+  if (table.up) json["up"] = json_of(*table.up);
   add_nearness(json, table.near);
   return json.dump() + "\n";
 }

@@ -1,4 +1,5 @@
 #include "phrame/io/write/answers.hpp"
+#include "phrame/io/write/frame_start.hpp"
 
 #include <fmt/format.h>
 
@@ -34,10 +35,11 @@ std::string frame_text(const SmoothAngleAnswer& answer) {
                 shown(answer.up))
           : "The rotation-minimizing frame is the Frenet frame turned by θ about the tangent:\n";
   const auto [second, third] = is_up(answer) ? std::pair{"e₂", "e₃"} : std::pair{"n", "b"};
-  return text + fmt::format(
-                    "  f₂ = cos θ {0} + sin θ {1},  f₃ = −sin θ {0} + cos θ {1},  θ(0) = "
-                    "{2}\n",
-                    second, third, start_text(answer));
+  text += fmt::format("  f₂ = cos θ {0} + sin θ {1},  f₃ = −sin θ {0} + cos θ {1},  θ(0) = {2}\n",
+                      second, third, start_text(answer));
+  if (const auto* least = std::get_if<LeastRotation>(&answer.start))
+    text += fmt::format("  At the start {}\n", to_sentence(*least));
+  return text;
 }
 
 /// What θ is the integral of.
@@ -66,8 +68,7 @@ JsonOutput json_of(const SmoothAngleAnswer& answer) {
   const auto* start = std::get_if<Angle>(&answer.start);
   json["theta0"] =
       start != nullptr ? JsonOutput(to_string(*start)) : phrame::json_of(answer.start_angle);
-  if (start == nullptr)
-    json["start_normal"] = phrame::json_of(std::get<StartNormal>(answer.start).vector);
+  add_start(json, answer.start);
   json["total"] = phrame::json_of(answer.total);
   json["closed"] = json_if_known(closure(answer.path.path).is_closed);
   json["holonomy"] = answer.holonomy ? phrame::json_of(*answer.holonomy) : JsonOutput();

@@ -68,6 +68,11 @@ Curve turned(const Curve& curve, const GaussianInteger& c) {
 
 }  // namespace
 
+Path::Path(Curve first) : segments_{std::move(first)} {
+  Curve& curve = segments_.front();
+  if (sign_after_zero(curve.multiplier()) < 0) curve = turned_over(curve);
+}
+
 void Path::append(const Curve& next) {
   const Curve& last = segments_.back();
   const Vector<Rational> here = end_point(last);

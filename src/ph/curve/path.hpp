@@ -13,12 +13,13 @@ namespace phrame {
 /// is its limit.
 ///
 /// The segments are the curves given, but their preimages are chosen such that the Euler–Rodrigues
-/// frame is continuous, too. A ↦ A·c with c ∈ ℚ(i), f ↦ f/|c|², leaves a curve alone and turns that
-/// frame about the tangent by the constant 2·arg c; A ↦ A·j, f ↦ −f turns it over.
+/// frame is continuous, too, and that e₁ is r′/|r′| at the start, just after a cusp there. A ↦ A·c
+/// with c ∈ ℚ(i), f ↦ f/|c|², leaves a curve alone and turns that frame about the tangent by the
+/// constant 2·arg c; A ↦ A·j, f ↦ −f turns it over.
 class Path {
  public:
   /// One segment, to which others may be appended.
-  Path(Curve first) : segments_{std::move(first)} {}  // NOLINT(google-explicit-constructor)
+  Path(Curve first);  // NOLINT(google-explicit-constructor)
 
   /// Throws DomainError where the curve does not start where the spline ends, and where its tangent
   /// there is another: "it starts at (1, 0, 0), but the spline ends at (1, 2, 0)". Cost: the

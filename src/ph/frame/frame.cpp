@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -28,6 +29,25 @@ Vector<Real> over_square_root(const Vector<Rational>& v, const Rational& s) {
     return {enclosure, {true, bits_of(x) + bits_of(s)}};
   };
   return {component(v[0]), component(v[1]), component(v[2])};
+}
+
+Vector<Real> opposite(const Vector<Real>& v) { return {-v[0], -v[1], -v[2]}; }
+
+/// 2θ/π, modulo 4, where that is known to be whole.
+std::optional<long> quarter_turns(const Real& theta) {
+  if (!theta.origin().angle) return std::nullopt;
+  const auto half_turns = over_pi(theta);
+  if (!half_turns || denominator(*half_turns * 2) != 1) return std::nullopt;
+  const Rational quarters = *half_turns * 2;
+  return static_cast<long>(floor(quarters - 4 * Rational(floor(quarters / 4))));
+}
+
+Frame<Real> turned_by_quarters(const Frame<Real>& frame, long quarters) {
+  const auto& [e1, e2, e3] = frame;
+  if (quarters == 1) return {e1, e3, opposite(e2)};
+  if (quarters == 2) return {e1, opposite(e2), opposite(e3)};
+  if (quarters == 3) return {e1, opposite(e3), e2};
+  return frame;
 }
 
 }  // namespace
@@ -70,6 +90,7 @@ Frame<Real> as_real(const Frame<Rational>& frame) {
 
 Frame<Real> turned(const Frame<Real>& frame, const Real& theta) {
   if (theta.exact() == Rational(0)) return frame;
+  if (const auto quarter = quarter_turns(theta)) return turned_by_quarters(frame, *quarter);
   // The six components ask for the same few precisions one after the other: keep the last.
   struct Turn {
     long bits = 0;
@@ -94,7 +115,7 @@ Frame<Real> turned(const Frame<Real>& frame, const Real& theta) {
     return Vector<Real>{component(x[0], y[0]), component(x[1], y[1]), component(x[2], y[2])};
   };
   const Vector<Real>& e2 = frame.e2;
-  return {frame.e1, vector(e2, frame.e3), vector(frame.e3, {-e2[0], -e2[1], -e2[2]})};
+  return {frame.e1, vector(e2, frame.e3), vector(frame.e3, opposite(e2))};
 }
 
 Frame<Real> turned(const Frame<Rational>& frame, const GaussianRational& z) {

@@ -6,11 +6,20 @@ namespace phrame {
 FrameAngle start_angle(const FrameStart& start, const Path& path, Reference reference) {
   if (const auto* angle = std::get_if<Angle>(&start)) return *angle;
   const Curve& first = path.segments().front();
-  const FrameAngle to_erf =
-      angle_of(std::get<StartNormal>(start).vector, euler_rodrigues_frame(first, 0));
-  if (reference == Reference::euler_rodrigues) return to_erf;
+  const Frame<Rational> erf = euler_rodrigues_frame(first, 0);
+  const auto* least = std::get_if<LeastRotation>(&start);
+  const FrameAngle to_erf = angle_of(
+      least != nullptr ? least_rotation_normal(erf.e1) : std::get<StartNormal>(start).vector, erf);
+  const FrameAngle turn = least != nullptr ? least->turn : Angle();
+  if (reference == Reference::euler_rodrigues) return to_erf + turn;
   const GaussianRational z = direction_of(to_erf).value();
-  return angle_of(z * bend_after_zero(first.preimage()));
+  return angle_of(z * bend_after_zero(first.preimage())) + turn;
+}
+
+// For e = e₁ ≠ −i the rotation takes j to j − e₂/(1 + e₁)·(i + e); a multiple of e does not count.
+Vector<Rational> least_rotation_normal(const Vector<Rational>& e1) {
+  if (e1[0] == -1) return {0, 1, 0};
+  return {-e1[1], 1 + e1[0], 0};
 }
 
 }  // namespace phrame

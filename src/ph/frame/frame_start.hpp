@@ -16,12 +16,27 @@ struct StartNormal {
   friend bool operator==(const StartNormal&, const StartNormal&) = default;
 };
 
-/// Where a rotation-minimizing frame starts, at t = 0 of the first segment: at an angle to the
-/// frame that angles are measured from, or with f₂ along a vector.
-using FrameStart = std::variant<Angle, StartNormal>;
+/// Where f₂ is at the start of a path unless something else is asked for: the least rotation that
+/// takes (1, 0, 0) to e₁ takes (0, 1, 0) to f₂, which is then turned about e₁ by an angle. Where e₁
+/// is (−1, 0, 0) there is no least one, and (0, 1, 0) is taken. It depends on the tangent alone,
+/// not on how the curve is given, and continuously but for that tangent; there is no rule for all
+/// tangents that is continuous [Hairy ball theorem: Brouwer 1912].
+struct LeastRotation {
+  Angle turn = {};  ///< about e₁
+  friend bool operator==(const LeastRotation&, const LeastRotation&) = default;
+};
 
-/// θ(0), exactly; that of a vector is in (−π, π]. At a cusp the frames are those that are continued
-/// through it; where the curve starts with an inflection, the Frenet frame is that of small t > 0.
+/// A vector whose projection to the normal plane is along f₂ of the LeastRotation for e₁: for
+/// e₁ = H/|H| it is (−H₂, |H| + H₁, 0).
+Vector<Rational> least_rotation_normal(const Vector<Rational>& e1);
+
+/// Where a rotation-minimizing frame starts, at t = 0 of the first segment: by the tangent there,
+/// at an angle to the frame that angles are measured from, or with f₂ along a vector.
+using FrameStart = std::variant<LeastRotation, Angle, StartNormal>;
+
+/// θ(0), exactly; that of a vector, and of a LeastRotation before it is turned, is in (−π, π]. At a
+/// cusp the frames are those that are continued through it; where the curve starts with an
+/// inflection, the Frenet frame is that of small t > 0.
 /// Throws DomainError for a vector that is 0 or along the tangent, and where it is measured from
 /// the Frenet frame of a straight line.
 FrameAngle start_angle(const FrameStart& start, const Path& path,

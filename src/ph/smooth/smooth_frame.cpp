@@ -25,24 +25,38 @@ Frame<Real> reference_at(const SmoothAngle& angle, const SmoothParameter& at) {
                                                   : frenet_frame(angle.path(), at);
 }
 
-/// arg(x + iy) of x = n·e₂ and y = n·e₃ in (−π, π], where `up` × H, for the frame of `up`, is along
-/// e₂: exact where H and `up` are.
-Real argument_of(const Vector<Rational>& n, const Frame<Real>& frame, const Vector<Real>& H,
+/// arg(x + iy) of x = n·e₂ and y = n·e₃ in (−π, π], or next to π where it is not told from that;
+/// `up` × H, for the frame of `up`, is along e₂. Its form is known where H, `up` and n are exact.
+Real argument_of(const Vector<Real>& n, const Frame<Real>& frame, const Vector<Real>& H,
                  const Vector<Real>& up) {
-  const Vector<Real> normal = as_reals(n);
   const Vector<Real> second = cross(up, H);
-  const Real x = dot(normal, second);
-  const Real y = dot(normal, cross(H, second));
+  const Real x = dot(n, second);
+  const Real y = dot(n, cross(H, second));
   const Real sigma = dot(H, H);
-  const auto enclosure = [x = dot(normal, frame.e2), y = dot(normal, frame.e3)](long bits) {
-    return argument(ComplexBall(x.enclose(bits + 8), y.enclose(bits + 8)), bits + 8);
+  const bool is_near_pi = !y.exact() && sign_of(y) == 0 && sign_of(x) < 0;
+  const auto enclosure = [x = dot(n, frame.e2), y = dot(n, frame.e3), is_near_pi](long bits) {
+    const RealBall re = x.enclose(bits + 8);
+    const RealBall im = y.enclose(bits + 8);
+    if (!is_near_pi) return argument(ComplexBall(re, im), bits + 8);
+    const ComplexBall opposite(subtract({}, re, bits + 8), subtract({}, im, bits + 8));
+    return add(pi(bits + 8), argument(opposite, bits + 8), bits + 8);
   };
   if (y.exact() == Rational(0)) return sign_of(x) > 0 ? Real(Rational(0)) : to_real(Angle(1, 0));
+  if (x.exact() == Rational(0)) return to_real(Angle(Rational(sign_of(y), 2), 0));
   if (!x.exact() || !y.exact() || !sigma.exact()) return Real(enclosure);
   // e₃ is along H × second/|H|.
   const auto rest = [x = *x.exact(), y = Rational(*y.exact() / *sigma.exact()),
                      sigma = *sigma.exact()] { return AlgebraicAngle::argument(x, y, sigma); };
   return real_angle(enclosure, {0, rest}, x.origin().bits + y.origin().bits);
+}
+
+/// As least_rotation_normal() of H/|H|; exact where that may be, or is a multiple of it.
+Vector<Real> least_rotation_normal_along(const Vector<Real>& H) {
+  const Real size = over_square_root(dot(H, H), dot(H, H));  // σ/√σ
+  const Real second = size + H[0];
+  if (H[1].exact() == Rational(0)) return {Rational(0), Rational(1), Rational(0)};
+  if (sign_of(H[1]) == 0 && sign_of(second) == 0) return {Rational(0), Rational(1), Rational(0)};
+  return {-H[1], second, Rational(0)};
 }
 
 }  // namespace
@@ -66,16 +80,18 @@ Frame<Real> frenet_frame(const SmoothPath& path, const SmoothParameter& at) {
 
 Real start_angle(const FrameStart& start, const SmoothAngle& angle, const SmoothParameter& at) {
   if (const auto* given = std::get_if<Angle>(&start)) return to_real(*given);
-  const Vector<Rational>& normal = std::get<StartNormal>(start).vector;
   const Frame<Real> frame = reference_at(angle, at);
   const Vector<Real> H = direction(angle.path(), at);
-  if (is_zero(cross(H, as_reals(normal))))
-    throw DomainError("the vector " + abbreviated(normal) + " has no part in the normal plane" +
-                      (normal == Vector<Rational>{} ? "" : ": it is along the tangent"));
   const Vector<Real> up = angle.reference() == SmoothReference::up
                               ? as_reals(angle.up())
                               : cross(H, direction_slope(angle.path(), at));
-  return argument_of(normal, frame, H, up);
+  if (const auto* least = std::get_if<LeastRotation>(&start))
+    return argument_of(least_rotation_normal_along(H), frame, H, up) + to_real(least->turn);
+  const Vector<Rational>& normal = std::get<StartNormal>(start).vector;
+  if (is_zero(cross(H, as_reals(normal))))
+    throw DomainError("the vector " + abbreviated(normal) + " has no part in the normal plane" +
+                      (normal == Vector<Rational>{} ? "" : ": it is along the tangent"));
+  return argument_of(as_reals(normal), frame, H, up);
 }
 
 Frame<Real> rotation_minimizing_frame(const SmoothAngle& angle, const SmoothParameter& at,

@@ -437,7 +437,8 @@ TEST_CASE("curve files: law: a spline that is written is read as the same spline
     const NamedPath back = read_path(write_path(named));
     CHECK(back.name == named.name);
     CHECK(back.path == named.path);
-    CHECK(write_path(NamedCurve{"one", curve}) == write_curve({"one", curve}));
+    CHECK(write_path(NamedCurve{"one", curve}) ==
+          write_curve({"one", Path(curve).segments().front()}));
   });
   const NamedPath loop{"", test::closed_loop()};
   CHECK(read_path(write_path(loop)).path == loop.path);

@@ -223,9 +223,9 @@ TEST_CASE("frame table: our own tables pass where the multiplier is negative or 
   long turned = 0;
   test::for_samples(20, [&](test::Random& random) {
     const Polynomial multipliers[] = {{-1}, {-1, 0, -1}, {-1, 2}, {1, -2}, {0, 0, -1}};
-    const Polynomial f = multipliers[random.integer(0, 4)];
-    const Curve curve(random.quaternion_polynomial(3), f, {});
-    const Path path(curve);
+    const Path path(Curve(random.quaternion_polynomial(3), multipliers[random.integer(0, 4)], {}));
+    const Curve& curve = path.segments().front();
+    const Polynomial& f = curve.multiplier();
     const FrameTable table =
         frame_table(curve, {TabulatedFrame::rmf, TabulatedFrame::euler_rodrigues}, grid);
     CHECK(kinds(path, to_csv(table)).empty());

@@ -4,6 +4,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/path_angle.hpp"
+#include "phrame/ph/smooth/smooth_frame.hpp"
 #include "support/curves.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
@@ -54,7 +55,7 @@ std::string digits(const Real& x, long count) { return round_to_decimal(x, count
 
 TEST_CASE("frame start: law: f2 starts along the projected vector, to all digits") {
   for_samples(60, [](Random& random) {
-    const Curve curve = random.curve(2);
+    const Curve curve = Path(random.curve(2)).segments().front();
     const Vector<Rational> e1 = euler_rodrigues_frame(curve, 0).e1;
     const Vector<Rational> v = random_vector(random);
     const Vector<Rational> p = projected(v, e1);
@@ -70,7 +71,7 @@ TEST_CASE("frame start: law: f2 starts along the projected vector, to all digits
 
 TEST_CASE("frame start: law: frames with different starts keep their angle") {
   for_samples(25, [](Random& random) {
-    const Curve curve = random.curve(2);
+    const Curve curve = Path(random.curve(2)).segments().front();
     const Vector<Rational> e1 = euler_rodrigues_frame(curve, 0).e1;
     const Vector<Rational> v = random_vector(random);
     const Vector<Rational> w = random_vector(random);
@@ -84,10 +85,71 @@ TEST_CASE("frame start: law: frames with different starts keep their angle") {
   });
 }
 
+// By Rodrigues' formula with the axis i × e₁: v + n × v + n × (n × v)/(1 + cos), n = i × e₁.
+Vector<Rational> turned_least(const Vector<Rational>& v, const Vector<Rational>& e1) {
+  const Vector<Rational> n{0, -e1[2], e1[1]};
+  const Vector<Rational> once = cross(n, v);
+  return v + once + 1 / (1 + e1[0]) * cross(n, once);
+}
+
+TEST_CASE("frame start: law: the least rotation takes the y axis to f2, and an angle turns it") {
+  for_samples(60, [](Random& random) {
+    const Curve curve = Path(random.curve(2)).segments().front();
+    const Frame<Rational> erf = euler_rodrigues_frame(curve, 0);
+    if (erf.e1[0] == -1) return;
+    const auto start = [&](const Angle& turn) {
+      return Frames(curve).rotation_minimizing(RmfAngle(curve), 0,
+                                               start_angle(LeastRotation{turn}, Path(curve)));
+    };
+    const Frame<Real> f = start({});
+    const Frame<Real> quarter = start({Rational(1, 2), 0});
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(f.e2[k].exact() == turned_least({0, 1, 0}, erf.e1)[k]);
+      CHECK(f.e3[k].exact() == turned_least({0, 0, 1}, erf.e1)[k]);
+      CHECK(quarter.e2[k].exact() == f.e3[k].exact());
+    }
+  });
+}
+
+TEST_CASE("frame start: along the negative x axis there is no least rotation") {
+  CHECK(least_rotation_normal({-1, 0, 0}) == Vector<Rational>{0, 1, 0});
+  const Path backwards(Curve({{}, {}, {1}, {}}));  // j i j* = −i
+  CHECK(Frames(backwards.segments().front())
+            .rotation_minimizing(RmfAngle(backwards.segments().front()), 0,
+                                 start_angle(LeastRotation{}, backwards))
+            .e2[1]
+            .exact() == Rational(1));
+}
+
+TEST_CASE("frame start: law: it does not depend on how the curve is given") {
+  for_samples(30, [](Random& random) {
+    const Path path(random.curve(2));
+    const SmoothPath smooth = by_positions(path);
+    const SmoothAngle angle(smooth);
+    const Frame<Real> g =
+        rotation_minimizing_frame(angle, {0, Rational(1)}, start_angle(LeastRotation{}, angle));
+    const Curve& curve = path.segments().front();
+    const Frame<Real> f =
+        Frames(curve).rotation_minimizing(RmfAngle(curve), 1, start_angle(LeastRotation{}, path));
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(are_equal(f.e1[k].enclose(bits), g.e1[k].enclose(bits)));
+      CHECK(are_equal(f.e2[k].enclose(bits), g.e2[k].enclose(bits)));
+      CHECK(are_equal(f.e3[k].enclose(bits), g.e3[k].enclose(bits)));
+    }
+  });
+}
+
+TEST_CASE("frame start: e1 is the tangent where the multiplier is negative at the start") {
+  const Curve curve({{1}, {0, 1}, {2}, {0, 0, 1}}, {-1, 0, -1});
+  const Vector<Rational> slope = evaluate(hodograph(curve), 0);
+  CHECK(dot(euler_rodrigues_frame(Path(curve).segments().front(), 0).e1, slope) > 0);
+  CHECK(dot(euler_rodrigues_frame(curve, 0).e1, slope) < 0);
+}
+
 // Angles to the Euler–Rodrigues frame and to the Frenet frame, which know nothing of each other.
 TEST_CASE("frame start: law: from both frames that angles are measured from it is the same") {
   for_samples(25, [](Random& random) {
-    const Curve curve = random.curve(2);
+    const Curve curve = Path(random.curve(2)).segments().front();
     const GaussianPolynomial g = bend_numerator(curve.preimage());
     const StartNormal normal(random_vector(random));
     const Vector<Rational> p = projected(normal.vector, euler_rodrigues_frame(curve, 0).e1);

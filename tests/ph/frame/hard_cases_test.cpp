@@ -108,7 +108,9 @@ TEST_CASE("hard cases: tables of frames have the same doubles") {
     CAPTURE(hard.curve);
     CAPTURE(hard.t);
     CAPTURE(hard.quantity);
-    const FrameTable table = frame_table(curve.at(hard.curve), {TabulatedFrame::rmf}, {hard.t});
+    TableColumns columns{{TabulatedFrame::rmf}};
+    columns.start = Angle();
+    const FrameTable table = frame_table(curve.at(hard.curve), columns, {RealAlgebraic(hard.t)});
     const auto column = std::find(table.columns.begin(), table.columns.end(), hard.quantity);
     REQUIRE(column != table.columns.end());
     const auto k = static_cast<std::size_t>(column - table.columns.begin());

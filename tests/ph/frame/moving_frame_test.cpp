@@ -20,7 +20,7 @@ void check_equal(const Frame<Real>& a, const Frame<Real>& b) {
 
 // Other ways: the antiderivative itself at an algebraic number, and Frames at a rational one.
 TEST_CASE("moving frame: at t of any kind as other ways have it") {
-  const MovingFrame moving{Path(quintic), FrameStart()};
+  const MovingFrame moving{Path(quintic), Angle()};
   const AlgebraicFrames frames(quintic);
   for (const Polynomial& p : {Polynomial{-1, 0, 2}, Polynomial{-1, 0, 0, 3}}) {
     const RealAlgebraic t = real_root(p, Interval{0, 1});
