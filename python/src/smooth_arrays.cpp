@@ -78,7 +78,7 @@ class SmoothSource {
   void round_positions() {
     std::vector<RoundedPoint> found;
     for (const SmoothSegment& segment : path_.segments()) {
-      const auto* curve = std::get_if<RationalCurve>(&segment);
+      const RationalCurve* curve = rational_curve(segment);
       if (curve == nullptr || !curve->weight().is_constant()) return;
       const Rational over_weight = 1 / curve->weight().coefficient(0);
       const auto& [x, y, z] = curve->numerator();
@@ -148,14 +148,16 @@ Numbers smooth_numbers(const SmoothPathObject& self, const SmoothArray& asked, s
   const auto at = std::make_shared<Parameters>(parameters(asked.ts, "ts"));
   if (!is_by_length) require_inside(*at, self.named.path, asked.ts);
   SmoothFrames frames{asked.wants_frames ? asked.kind : "", {}, {}, is_by_length};
-  if (asked.wants_frames) frames.start = asked_start(asked.start, asked.start_normal, StartRule::least_rotation, "up");
+  if (asked.wants_frames)
+    frames.start = asked_start(asked.start, asked.start_normal, StartRule::least_rotation, "up");
   if (!asked.up.is_none()) frames.up = vector(asked.up, "up");
   const auto source = self.sources->of(frames, [&] {
     std::optional<SmoothAngle> angle;
     Real start = Rational(0);
     if (asked.wants_frames) {
       angle.emplace(angle_to_up(self.named.path, asked.up));
-      start = start_angle(smooth_start(asked.start, asked.start_normal, StartRule::least_rotation, *angle), *angle);
+      start = start_angle(
+          smooth_start(asked.start, asked.start_normal, StartRule::least_rotation, *angle), *angle);
     }
     return std::make_shared<SmoothSource>(self.named.path, angle, kind, start, is_by_length);
   });

@@ -127,7 +127,8 @@ void bind_smooth_shape(nb::class_<SmoothPathObject>& smooth) {
            "r(t).");
 }
 
-// ---- pickles: (turned over, X₁, X₂, X₃, W) and (turned over, from, to, variable, x, y, z)
+// ---- pickles: (turned over, X₁, X₂, X₃, W), (u, v, p, q, f, r(0)) of a PH curve and
+// (turned over, from, to, variable, x, y, z)
 
 nb::object packed(const Formula& f) {
   nb::list steps;
@@ -163,7 +164,19 @@ nb::object packed(const ExpressionCurve& curve, VariableName variable) {
                         nb::str(letter.c_str()), packed(x), packed(y), packed(z));
 }
 
+nb::object packed(const PhSegment& segment, VariableName) {
+  const Curve& curve = segment.curve();
+  const auto& [u, v, p, q] = curve.preimage();
+  return nb::make_tuple(to_python(u.coefficients()), to_python(v.coefficients()),
+                        to_python(p.coefficients()), to_python(q.coefficients()),
+                        to_python(curve.multiplier().coefficients()), to_python(curve.start()));
+}
+
 SmoothSegment unpacked(nb::handle packed) {
+  if (nb::len(packed) == 6)
+    return PhSegment(Curve({polynomial(packed[0], "u"), polynomial(packed[1], "v"),
+                            polynomial(packed[2], "p"), polynomial(packed[3], "q")},
+                           polynomial(packed[4], "f"), vector(packed[5], "start")));
   const auto made = [&]() -> SmoothSegment {
     if (nb::len(packed) == 5)
       return RationalCurve(
@@ -187,7 +200,7 @@ nb::object packed(const SmoothPath& path, VariableName variable = VariableName::
 // ---- what it is
 
 std::string shown(const SmoothSegment& segment) {
-  if (const auto* curve = std::get_if<RationalCurve>(&segment)) {
+  if (const RationalCurve* curve = rational_curve(segment)) {
     const auto& [x, y, z] = curve->numerator();
     const std::string top = "(" + to_string(x) + ", " + to_string(y) + ", " + to_string(z) + ")";
     return curve->weight().is_constant() ? top : top + "/(" + to_string(curve->weight()) + ")";
@@ -200,7 +213,7 @@ std::string shown(const SmoothSegment& segment) {
 }
 
 std::string smooth_repr(const SmoothPathObject& self) {
-  const auto& [name, path, notes] = self.named;
+  const auto& [name, path, notes, near] = self.named;
   const std::string what = path.segments().size() == 1
                                ? shown(path.segments().front())
                                : std::to_string(path.segments().size()) + " segments";
@@ -217,7 +230,7 @@ nb::object joined_paths(nb::handle curves, const Text<"name">& name) {
     const AnyPath given = any_path(x, place);
     const auto* ph = std::get_if<NamedPath>(&given);
     const SmoothPath next =
-        ph == nullptr ? std::get<NamedSmoothPath>(given).path : by_positions(ph->path);
+        ph == nullptr ? std::get<NamedSmoothPath>(given).path : SmoothPath(ph->path);
     try {
       for (const SmoothSegment& segment : next.segments())
         if (path)
@@ -257,8 +270,8 @@ SmoothAngle angle_to_up(const SmoothPath& path, nb::handle up) {
 
 FrameStart smooth_start(nb::handle start, nb::handle start_normal, StartRule rule,
                         const SmoothAngle& angle) {
-  const FrameStart from = asked_start(
-      start, start_normal, rule, angle.reference() == SmoothReference::up ? "up" : "frenet");
+  const FrameStart from = asked_start(start, start_normal, rule,
+                                      angle.reference() == SmoothReference::up ? "up" : "frenet");
   if (const auto* along = std::get_if<StartNormal>(&from)) try {
       start_angle(*along, angle);
     } catch (const DomainError& error) {

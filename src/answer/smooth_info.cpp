@@ -53,7 +53,7 @@ SmoothInfoAnswer answer(const NamedSmoothPath& named, const InfoQuery& query) {
   } catch (const Undecided& undecided) {
     answer.no_holonomy = undecided.what();
   }
-  if (const auto* curve = std::get_if<RationalCurve>(&path.segments().front());
+  if (const RationalCurve* curve = rational_curve(path.segments().front());
       curve != nullptr && path.segments().size() == 1 && !curve->multiplier().is_constant())
     answer.cusps = real_roots(curve->multiplier(), closed(0, 1));
   return answer;

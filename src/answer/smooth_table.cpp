@@ -28,9 +28,8 @@ void add_rounded(std::vector<double>& row, const Vector<Real>& v) {
 
 void require_columns(const TableColumns& columns, bool has_twist) {
   for (const TabulatedFrame frame : columns.frames)
-    if (frame != TabulatedFrame::rmf && frame != TabulatedFrame::up &&
-        frame != TabulatedFrame::frenet && !(frame == TabulatedFrame::exact_mtf && has_twist))
-      throw DomainError("frame erf or mtf: only Pythagorean-hodograph curves have it");
+    if (frame == TabulatedFrame::mtf || (frame == TabulatedFrame::exact_mtf && !has_twist))
+      throw DomainError("frame mtf: only Pythagorean-hodograph curves have it");
 }
 
 class SmoothRows {
@@ -77,6 +76,7 @@ void SmoothRows::add_if_defined(std::vector<double>& row, std::size_t count, Add
 Frame<Real> SmoothRows::frame(TabulatedFrame kind, const SmoothParameter& at) const {
   if (kind == TabulatedFrame::rmf) return rotation_minimizing_frame(angle_, at, start_);
   if (kind == TabulatedFrame::exact_mtf) return minimal_twist_frame(*twist_, at);
+  if (kind == TabulatedFrame::euler_rodrigues) return euler_rodrigues_frame(angle_.path(), at);
   if (kind == TabulatedFrame::frenet) return frenet_frame(angle_.path(), at);
   return up_frame(angle_.path(), angle_.up(), at);
 }

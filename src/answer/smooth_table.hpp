@@ -4,10 +4,11 @@
 
 namespace phrame {
 
-/// The table of a path of any kind: frames rmf, up and frenet, and all scalars; the angle is that
-/// to the frame of v. Where the rotation-minimizing frame starts at an angle, it is that to e₂ = v
-/// × e₁/|v × e₁|. What is not continuous at a joint is that of the later segment. Throws as the
-/// frame_table() of PH curves, and DomainError for a frame that only these have.
+/// The table of a path of any kind: all frames but mtf, erf where a segment is a PH curve, and all
+/// scalars; the angle is that to the frame of v. Where the rotation-minimizing frame starts at an
+/// angle, it is that to e₂ = v × e₁/|v × e₁|. What is not continuous at a joint is that of the
+/// later segment. Throws as the frame_table() of PH curves, and DomainError for a frame that only
+/// these have.
 FrameTable frame_table(const SmoothAngle& angle, const TableColumns& columns,
                        const std::vector<SmoothParameter>& at,
                        const std::optional<SmoothTwist>& twist = {});

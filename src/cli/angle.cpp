@@ -42,22 +42,22 @@ AngleQuery query(const AngleOptions& options) {
   return query;
 }
 
+constexpr auto why_not = "there is one of Pythagorean-hodograph curves to erf and frenet only";
+
 void require_curve(const AngleOptions& options) {
   if (options.form.chosen_print().as == Print::As::script)
     fail_for_spline("--print", options.form.print);
 }
 
-/// Of a curve that is no PH curve.
+/// Of a curve that is no PH curve, or by its frame of v.
 void run(const Command& command, const AngleOptions& options, const NamedSmoothPath& named) {
-  command.refuse({"--form", "--route"},
-                 "is of closed forms, and the curve is not Pythagorean-hodograph");
+  command.refuse({"--form", "--route"}, std::string("is of closed forms: ") + why_not);
   if (command.is_given("--frame") && options.frame == "erf")
     throw InputError("--frame", "\"erf\" " + needs_ph(named.path));
   const Print print = options.form.chosen_print();
   if (print.as == Print::As::script)
-    throw InputError("--print", fmt::format("\"{}\" is the closed form, and the curve is not "
-                                            "Pythagorean-hodograph",
-                                            options.form.print));
+    throw InputError("--print",
+                     fmt::format("\"{}\" is the closed form: {}", options.form.print, why_not));
   SmoothAngleQuery query;
   if (options.frame == "frenet") query.reference = SmoothReference::frenet;
   const SmoothAngle angle = options.up.angle(named.path);
@@ -75,13 +75,9 @@ void run(const Command& command, const AngleOptions& options, const NamedSmoothP
 void run(const Command& command, const AngleOptions& options) {
   AngleQuery query = cli::query(options);
   const Print print = options.form.chosen_print();
-  const AnyPath read = options.curve.read_any_path();
+  const AnyPath read = options.up.applied_to(options.curve.read_any_path(), options.frame == "up");
   if (const auto* smooth = std::get_if<NamedSmoothPath>(&read))
     return run(command, options, *smooth);
-  options.up.refuse(": its angle is that to erf or frenet");
-  if (options.frame == "up")
-    throw InputError("--frame",
-                     "the curve is Pythagorean-hodograph: its angle is that to erf or frenet");
   const auto& named = std::get<NamedPath>(read);
   query.at = options.parameters.values(named.path.end());
   options.start.check(named.path, query.reference);
@@ -101,8 +97,8 @@ void add_angle(Program& program) {
   options->parameters.add_to(command);
   command.add_choice(
       "--frame", options->frame, {"erf", "frenet", "up"},
-      "the frame the angle is measured from: erf (default) or frenet; of curves that\n"
-      "are not Pythagorean-hodograph up (default) or frenet");
+      "the frame the angle is measured from: erf (default of PH curves, which alone\n"
+      "have it), up (default of others) or frenet");
   options->up.add_to(command,
                      "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");
   add_digits(command, options->digits);

@@ -57,10 +57,7 @@ void require_enough(const std::vector<GivenFrame>& frames, const FrameCheckOptio
 
 /// Throws InputError for vectors that do not do with this path.
 void check_start(const AnyPath& path, const CheckOptions& options, FrameCheckOptions& measure) {
-  if (const auto* named = std::get_if<NamedPath>(&path)) {
-    options.up.refuse(": its angles are those to the Euler-Rodrigues frame");
-    return options.start.check(named->path);
-  }
+  if (const auto* named = std::get_if<NamedPath>(&path)) return options.start.check(named->path);
   const SmoothAngle angle = options.up.angle(std::get<NamedSmoothPath>(path).path);
   options.start.check(angle);
   measure.up = angle.up();
@@ -78,7 +75,7 @@ void run(const Command& command, const CheckOptions& options) {
   if (options.curve.path == "-" && options.frames == "-")
     throw InputError("check", "the curve and the frames are both to be read from standard input");
 
-  const AnyPath path = options.curve.read_any_path();
+  const AnyPath path = options.up.applied_to(options.curve.read_any_path(), options.start.is_up());
   check_start(path, options, measure);
   const std::string bytes = read_file(options.frames);
   const std::string file = name_of_file(options.frames);

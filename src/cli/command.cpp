@@ -57,7 +57,7 @@ NamedPath read_ph_path(std::string_view text, const CurveLimits& limits) {
 /// Of one polynomial curve, so far.
 std::optional<NearSuggestion> suggestion_of(const SmoothPath& path) {
   if (is_straight(path)) return std::nullopt;  // any frame that does not turn is right
-  const auto* curve = std::get_if<RationalCurve>(&path.segments().front());
+  const RationalCurve* curve = rational_curve(path.segments().front());
   if (path.segments().size() > 1 || curve == nullptr || !curve->weight().is_constant())
     return std::nullopt;
   const Rational w = curve->weight().coefficient(0);
@@ -67,7 +67,7 @@ std::optional<NearSuggestion> suggestion_of(const SmoothPath& path) {
 }
 
 bool is_polynomial(const SmoothSegment& segment) {
-  const auto* curve = std::get_if<RationalCurve>(&segment);
+  const RationalCurve* curve = rational_curve(segment);
   return curve != nullptr && curve->weight().is_constant();
 }
 
@@ -273,9 +273,7 @@ void StartOptions::check(const SmoothAngle& along) const {
 }
 
 void UpOption::add_to(Command& command, const std::string& what) {
-  command.add_option(
-      "--up", "X,Y,Z", vector,
-      "of curves that are not Pythagorean-hodograph: the vector v that makes the\n" + what);
+  command.add_option("--up", "X,Y,Z", vector, "the vector v that makes the\n" + what);
 }
 
 std::optional<Vector<Rational>> UpOption::given() const {
@@ -288,8 +286,9 @@ SmoothAngle UpOption::angle(const SmoothPath& path) const {
   return up ? at_option("--up", [&] { return SmoothAngle(path, *up); }) : SmoothAngle(path);
 }
 
-void UpOption::refuse(const std::string& has_instead) const {
-  if (vector) throw InputError("--up", "the curve is Pythagorean-hodograph" + has_instead);
+AnyPath UpOption::applied_to(AnyPath path, bool is_wanted) const {
+  const auto* ph = std::get_if<NamedPath>(&path);
+  return ph != nullptr && (vector || is_wanted) ? of_any_kind(*ph) : std::move(path);
 }
 
 void TextLength::add_to(Command& command) {

@@ -81,6 +81,8 @@ struct StartOptions {
 
   /// `otherwise` says what is so without all of them, where that is not the rule.
   void add_to(Command& command, Rule otherwise, const std::string& text = "");
+  /// Is it the frame of a vector v?
+  bool is_up() const { return rule == "up"; }
   /// What is given. Throws InputError.
   std::optional<FrameStart> given() const;
   /// The same, or the rule.
@@ -98,19 +100,19 @@ struct StartOptions {
   Rule otherwise_ = Rule::least_rotation;
 };
 
-/// --up, of curves that are not PH: the vector v to whose frame angles are.
+/// --up: the vector v to whose frame angles are. A PH curve has one, too; without it its angles are
+/// those to the Euler–Rodrigues frame.
 struct UpOption {
   std::optional<std::string> vector;
 
-  /// `what` goes on after "of curves that are not Pythagorean-hodograph: the vector v that makes
-  /// the".
+  /// `what` goes on after "the vector v that makes the".
   void add_to(Command& command, const std::string& what);
   /// What is given. Throws InputError.
   std::optional<Vector<Rational>> given() const;
   /// The angle along the path. Throws InputError for a v that is 0 or along the tangent.
   SmoothAngle angle(const SmoothPath& path) const;
-  /// Throws InputError where it is given, for a PH curve that `has_instead` something else.
-  void refuse(const std::string& has_instead) const;
+  /// The path, as one of any kind where it is given or the frame of a v `is_wanted`.
+  AnyPath applied_to(AnyPath path, bool is_wanted = false) const;
 };
 
 /// --max-degree

@@ -41,7 +41,8 @@ std::pair<double, double> interval(const CompileOptions& options) {
 CompiledAnswer compiled(const Command& command, const CompileOptions& options,
                         const NamedSmoothPath& named) {
   command.refuse({"--from", "--to"},
-                 "is for single Pythagorean-hodograph curves; others are compiled as a whole");
+                 "is for single Pythagorean-hodograph curves by erf or frenet; others are compiled "
+                 "as a whole");
   if (command.is_given("--frame") && options.frame == "erf")
     throw InputError("--frame", "\"erf\" " + needs_ph(named.path));
   const SmoothAngle angle = options.up.angle(named.path);
@@ -55,10 +56,6 @@ CompiledAnswer compiled(const Command& command, const CompileOptions& options,
 
 CompiledAnswer compiled(const Command& command, const CompileOptions& options,
                         const NamedPath& named) {
-  options.up.refuse(": its angle is that to erf or frenet");
-  if (options.frame == "up")
-    throw InputError("--frame",
-                     "the curve is Pythagorean-hodograph: its angle is that to erf or frenet");
   const auto reference = chosen_reference(options.frame);
   const auto [from, to] = interval(options);
   options.start.check(named.path, reference);
@@ -78,7 +75,8 @@ void run(const Command& command, const CompileOptions& options) {
   if (options.prefix && !is_prefix(*options.prefix))
     throw InputError("--prefix", "\"" + abbreviated(*options.prefix) +
                                      "\" is not a letter followed by letters, digits and single _");
-  const AnyPath path = options.curve.read_any_path();
+  const AnyPath path = options.up.applied_to(options.curve.read_any_path(),
+                                             options.frame == "up" || options.start.is_up());
   write_output(options.curve.output, std::visit(
                                          [&](const auto& named) {
                                            return to_c_header(
@@ -97,9 +95,10 @@ void add_compile(Program& program) {
   command.writes("a C header", {"h", "hpp"});
   command.add_option("--prefix", "NAME", options->prefix,
                      "of the names in C (default: the curve's name)");
-  command.add_choice("--frame", options->frame, {"erf", "frenet", "up"},
-                     "the frame the angle is measured from: erf (default), or frenet: only the "
-                     "angle;\nof curves that are not Pythagorean-hodograph up (default) or frenet");
+  command.add_choice(
+      "--frame", options->frame, {"erf", "frenet", "up"},
+      "the frame the angle is measured from: erf (default of PH curves), up (default of\n"
+      "others), or frenet: only the angle");
   options->start.add_to(command, StartOptions::Rule::least_rotation);
   options->up.add_to(command,
                      "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");

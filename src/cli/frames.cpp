@@ -139,12 +139,6 @@ FrameTable table(const TableColumns& columns, Make make) {
 TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
                          const FramesOptions& options) {
   const Path& path = named.path;
-  const auto names = split(options.frames);
-  const bool has_up = std::find(names.begin(), names.end(), "up") != names.end();
-  options.up.refuse("; its frames are rmf, erf, frenet");
-  if (has_up)
-    throw InputError("--frame",
-                     "the curve is Pythagorean-hodograph; its frames are rmf, erf, frenet");
   options.start.check(path);
   add_twist_frames(columns, options.twist, path);
   std::vector<Rational> numbers;
@@ -162,12 +156,16 @@ TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
   return {std::move(made), std::move(numbers)};
 }
 
-/// Of a curve that is no PH curve.
+/// Of a curve that is no PH curve, or beside its frame of v.
 TabulatedFrames table_of(const NamedSmoothPath& named, const TableColumns& columns, By by,
                          const FramesOptions& options) {
-  for (const std::string& name : split(options.frames))
-    if (name == "erf" || name == "mtf")
-      throw InputError("--frame", fmt::format("\"{}\" {}", name, needs_ph(named.path)));
+  const auto& segments = named.path.segments();
+  const bool has_ph = std::any_of(segments.begin(), segments.end(), ph_curve);
+  if (has_frame(columns, TabulatedFrame::euler_rodrigues) && !has_ph)
+    throw InputError("--frame", "\"erf\" " + needs_ph(named.path));
+  if (has_frame(columns, TabulatedFrame::mtf))
+    throw InputError("--frame", named.path.ph() ? "\"mtf\" is not tabulated beside the frame of v"
+                                                : "\"mtf\" " + needs_ph(named.path));
   const SmoothAngle angle = options.up.angle(named.path);
   options.start.check(angle);
   std::vector<Rational> numbers;
@@ -185,8 +183,9 @@ TabulatedFrames table_of(const NamedSmoothPath& named, const TableColumns& colum
     const auto [from, to] = options.twist.ends(angle);
     twist.emplace(angle, from, to, options.twist.turns);
   }
-  return {table(columns, [&] { return frame_table(angle, columns, at, twist); }),
-          std::move(numbers)};
+  FrameTable made = table(columns, [&] { return frame_table(angle, columns, at, twist); });
+  made.near = named.near;
+  return {std::move(made), std::move(numbers)};
 }
 
 TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& chosen) {
@@ -195,7 +194,9 @@ TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& ch
   chosen.start = options.start.start();
   if (options.parameters.values().empty())
     throw InputError("frames", "--samples N or --at t,… is needed");
-  const AnyPath read = options.curve.read_any_path();
+  const AnyPath read =
+      options.up.applied_to(options.curve.read_any_path(),
+                            has_frame(chosen, TabulatedFrame::up) || options.start.is_up());
   const auto* smooth = std::get_if<NamedSmoothPath>(&read);
   return smooth != nullptr ? table_of(*smooth, chosen, by, options)
                            : table_of(std::get<NamedPath>(read), chosen, by, options);
@@ -258,9 +259,12 @@ void add_frames(Program& program) {
                      "t (default), or arc-length: --at and --samples mean arc lengths from t = 0");
   options->start.add_to(command, StartOptions::Rule::least_rotation);
   command.only_with(StartOptions::names(), {"--frame rmf"});
-  options->up.add_to(command,
-                     "frame up, v x e1/|v x e1| and e1 x (v x e1)/|v x e1|, and that --theta0 is\n"
-                     "counted from (default: one that is nowhere along the tangent)");
+  options->up.add_to(
+      command,
+      "frame up, v x e1/|v x e1| and e1 x (v x e1)/|v x e1|, that --start up starts\n"
+      "with and angles of mtf-exact are counted from (default: one that is nowhere\n"
+      "along the tangent)");
+  command.only_with({"--up"}, {"--frame up", "--frame mtf-exact", "--start up"});
   options->twist.add_to(command);
   command.only_with(TwistOptions::of_ends(), {"--frame mtf", "--frame mtf-exact"});
   command.only_with(TwistOptions::of_rational_frame(), {"--frame mtf"});
@@ -275,7 +279,7 @@ void add_frames(Program& program) {
   command.add_flag("--skip-undefined", options->skips_undefined,
                    "leave cells empty where the Frenet frame, a curvature or the torsion is\n"
                    "undefined (json: null, npy: NaN), and say so on stderr");
-  command.only_with({"--skip-undefined"}, {"--frame frenet", "--columns"});
+  command.only_with({"--skip-undefined"}, {"--frame frenet", "--frame erf", "--columns"});
   command.not_with({"--columns", "--skip-undefined"}, camera_formats());
   command.set_notes(
       "--at or --samples is needed: what the rows of the table are.\n"
@@ -288,7 +292,7 @@ void add_frames(Program& program) {
       "axes into the frame; of the two that do, it is the one nearer to that of the row before.\n"
       "A camera looks along e1, with f2 (or the first vector of another frame) up.\n"
       "A curve of any kind, as a Bezier curve or a NURBS, has rmf, up, frenet and mtf-exact, and\n"
-      "all columns.\n"
+      "all columns; erf where a segment is Pythagorean-hodograph.\n"
       "A spline of n segments has t from 0 to n; at a joint, n, b and curvatures are\n"
       "those of the later segment.\n"
       "Examples:\n"

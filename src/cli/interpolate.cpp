@@ -45,7 +45,6 @@ MachinePath machine_path(const Command& command, const InterpolateOptions& optio
     options.start.check(angle);
     query.up = angle.up();
   } else {
-    options.up.refuse("; its angle is that to the Euler-Rodrigues frame");
     options.start.check(std::get<NamedPath>(path).path);
   }
   return answer_of(path, query);
@@ -58,7 +57,7 @@ void run(const Command& command, const InterpolateOptions& options) {
   const Rational period = parse_option("--period", options.period);
   if (period <= 0) throw InputError("--period", as_written(period) + " is not positive");
   const Feedrate feed = at_place("--feed", ", ", [&] { return parse_feedrate(options.feed); });
-  const AnyPath path = options.curve.read_any_path();
+  const AnyPath path = options.up.applied_to(options.curve.read_any_path(), options.start.is_up());
   const InterpolationQuery query{feed, period};
   write_output(options.curve.output, format == nullptr
                                          ? to_gcode(machine_path(command, options, path, query))
@@ -86,10 +85,11 @@ void add_interpolate(Program& program) {
                      "N");
   options->start.add_to(command, StartOptions::Rule::least_rotation);
   options->up.add_to(command,
-                     "frame that --theta0 is counted from (default: one that is nowhere along the\n"
+                     "frame that --start up starts with (default: one that is nowhere along the\n"
                      "tangent)");
-  command.only_with({"--tool", "--places", "--start", "--theta0", "--start-normal", "--up"},
+  command.only_with({"--tool", "--places", "--start", "--theta0", "--start-normal"},
                     {"--format gcode"});
+  command.only_with({"--up"}, {"--start up"});
   command.set_notes(
       "The columns are k, time, t, s, x, y, z: the parameter t with the integral of |r'|/V from 0\n"
       "to t equal to the time k*PERIOD, the arc length s and the point there; the last row is the\n"

@@ -36,7 +36,6 @@ void run_wronskian(const MtfOptions& options) {
 
 MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
                          const NamedPath& named) {
-  options.up.refuse(": its angles are those to the Euler-Rodrigues frame");
   const auto [from, to] = options.twist.ends(named.path);
   MinimalTwistQuery query{from, to, options.twist.turns,
                           options.parameters.values(named.path.end()), options.digits};
@@ -50,19 +49,22 @@ MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
   return answer(named, query);
 }
 
-/// Of a curve that is no PH curve: there is no rational frame, but where it is not asked for that
-/// is but said.
+/// Of a curve that is no PH curve, or by its frame of v: there is no rational frame, but where it
+/// is not asked for that is but said.
 MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
                          const NamedSmoothPath& named) {
   command.refuse(TwistOptions::of_rational_frame(),
-                 fmt::format("is of rational frames; such a one {}", needs_ph(named.path)));
+                 named.path.ph() ? "is of rational frames, whose angles are not those of --up"
+                                 : "is of rational frames; such a one " + needs_ph(named.path));
   const SmoothAngle angle = options.up.angle(named.path);
   const auto [from, to] = options.twist.ends(angle);
   MinimalTwistAnswer found =
       answer(named, SmoothTwistQuery{from, to, options.twist.turns,
                                      options.parameters.values(named.path.end()), options.digits,
                                      angle.up()});
-  if (!options.is_exact_only) found.why_not_rational = "the curve is not Pythagorean-hodograph";
+  if (!options.is_exact_only)
+    found.why_not_rational =
+        named.path.ph() ? "--up is of the exact frame" : "the curve is not Pythagorean-hodograph";
   return found;
 }
 
@@ -70,7 +72,7 @@ void run(const Command& command, const MtfOptions& options) {
   if (options.is_wronskian) return run_wronskian(options);
   const auto print = choose<std::string (*)(const MinimalTwistAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
-  const AnyPath path = options.curve.read_any_path();
+  const AnyPath path = options.up.applied_to(options.curve.read_any_path());
   options.length.write(
       options.curve.output,
       print(std::visit([&](const auto& named) { return found(command, options, named); }, path)));

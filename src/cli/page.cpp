@@ -26,7 +26,6 @@ std::vector<GivenFrame> given_frames(const PageOptions& options) {
 }
 
 PageAnswer page_of(const PageOptions& options, const PageQuery& query, const NamedPath& named) {
-  options.up.refuse("; its angle is that to the Euler-Rodrigues frame");
   options.start.check(named.path);
   return answer(named, query);
 }
@@ -47,7 +46,7 @@ void run(const PageOptions& options) {
   if (options.end_normal)
     query.end_normal = parse_vector_option("--end-normal", *options.end_normal);
   query.given = given_frames(options);
-  const AnyPath path = options.curve.read_any_path();
+  const AnyPath path = options.up.applied_to(options.curve.read_any_path(), options.start.is_up());
   const auto found =
       std::visit([&](const auto& named) { return page_of(options, query, named); }, path);
   write_output(options.curve.output, to_page(found));

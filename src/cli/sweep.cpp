@@ -192,7 +192,7 @@ void run(const Command& command, const SweepOptions& options) {
   const auto format = choose<std::string (*)(const Mesh&)>(
       "--format", options.format,
       {{"obj", to_obj}, {"stl", to_stl}, {"ply", to_ply}, {"glb", to_glb}});
-  const AnyPath path = options.curve.read_any_path();
+  const AnyPath path = UpOption().applied_to(options.curve.read_any_path(), options.start.is_up());
   check_start(options, path);
   const std::size_t segments =
       std::visit([](const auto& named) { return named.path.segments().size(); }, path);

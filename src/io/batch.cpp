@@ -45,7 +45,7 @@ std::string id_of(const JsonValue& line) {
   return "null";
 }
 
-/// No value for "up", of curves that are not PH.
+/// No value for "up".
 std::optional<Reference> frame_of(const JsonNode& node) {
   const std::string& name = node.string();
   if (name == "up") return std::nullopt;
@@ -84,6 +84,13 @@ std::optional<FrameStart> start_of(const JsonNode& line) {
   if (theta0) return angle_of(*theta0);
   if (!normal) return std::nullopt;
   return StartNormal(vector_of(*normal));
+}
+
+/// Does a line ask for the frame of a vector v?
+bool is_about_up(const JsonNode& line) {
+  if (!line.find("curve")) return false;
+  const auto frame = line.find("frame");
+  return line.find("up") || (frame && !frame_of(*frame));
 }
 
 /// With `near` a PH path that stands for what is none.
@@ -168,15 +175,11 @@ void require_start(const JsonNode& line, const FrameStart& start, const Measured
 }
 
 std::string answer_of(const JsonNode& line, const NamedPath& named, const AngleQuery& query) {
-  if (line.find("curve"))
-    for (const char* key : {"up", "frame"})
-      if (const auto node = line.find(key); node && (key[0] == 'u' || !frame_of(*node)))
-        node->fail("the curve is Pythagorean-hodograph: its angle is that to erf or frenet");
   require_start(line, query.start, named.path);
   return to_json_line(answer(named, query));
 }
 
-/// Of a curve that is no PH curve.
+/// Of a curve that is no PH curve, or by its frame of v.
 std::string answer_of(const JsonNode& line, const NamedSmoothPath& named, const AngleQuery& query) {
   SmoothAngleQuery wanted;
   if (query.reference == Reference::frenet) wanted.reference = SmoothReference::frenet;
@@ -202,8 +205,10 @@ std::string answer_text(const JsonNode& line, const BatchDefaults& defaults) {
   }
   const JsonNode curve = curve_of(line);
   const AngleQuery query = query_of(line, defaults);
-  return std::visit([&](const auto& named) { return answer_of(line, named, query); },
-                    path_of(curve, defaults));
+  AnyPath path = path_of(curve, defaults);
+  if (const auto* ph = std::get_if<NamedPath>(&path); ph != nullptr && is_about_up(line))
+    path = of_any_kind(*ph);
+  return std::visit([&](const auto& named) { return answer_of(line, named, query); }, path);
 }
 
 /// What a file over several lines is refused for.

@@ -133,7 +133,6 @@ TEST_CASE("any curve: frames of minimal twist, the exact ones") {
   check_failure(here.run("mtf loop.json --from 0 --to-vector 3,1,2"), 2, "--to-vector: ");
   check_failure(here.run("mtf loop.json --from 0"), 2, "--to: the angle is missing");
   check_failure(here.run("mtf loop.json --from 0 --to 1 --up 0,0,0"), 2, "--up: ");
-  check_failure(here.run("mtf quintic.json --from 0 --to 1 --up 0,0,1"), 2, "--up: ");
   check_failure(here.run("mtf loop.json --wronskian"), 2, "this is no PH curve");
   check_failure(here.run("frames loop.json --frame mtf --from 0 --to 0 --at 0"), 2,
                 "--frame: \"mtf\" needs a Pythagorean-hodograph");
@@ -147,4 +146,61 @@ TEST_CASE("any curve: of a straight line no PH curve is spoken of") {
   const Run run = here.run("info line.json");
   check_success(run);
   CHECK(contains(run.out, "any frame that does not turn is right"));
+}
+
+// A PH curve has the frame of a vector, too: what depends on the curve alone is the same by both.
+TEST_CASE("any curve: PH curves have the frame of v, as curves of any kind") {
+  const Workshop here;
+  const auto rows = [&](const std::string& command) {
+    const Run run = here.run(command + " --format json");
+    check_success(run);
+    return Json::parse(run.out)["rows"];
+  };
+  const std::string samples = " --samples 5";
+  const Json plain = rows("frames quintic.json --frame rmf,erf,frenet" + samples);
+  const Json both = rows("frames quintic.json --frame rmf,erf,frenet,up --up 3,-3,2" + samples);
+  for (std::size_t k = 0; k < 5; ++k)
+    CHECK(Json(std::vector<Json>(both[k].begin(), both[k].begin() + 25)) == plain[k]);
+  // At the start e₁ = (2, 2, 1)/3: v × e₁ = (−7, 1, 12)/3.
+  CHECK(both[0][25].get<double>() * 12 == doctest::Approx(both[0][27].get<double>() * -7));
+  const auto theta = [&](const std::string& options) {
+    const Run run = here.run("angle quintic.json --at 1 --print json --start least " + options);
+    check_success(run);
+    return Json::parse(run.out);
+  };
+  // Each to its frame: the frame itself is one, so that the angles differ by that of the two.
+  const Json up = theta("--up 3,-3,2");
+  const Json erf = theta("");
+  const auto angle_of = [](const Json& x) {
+    return std::stod(x["values"][0]["theta"].get<std::string>());
+  };
+  const auto f2 = [&](const Json& row, std::size_t first, double angle, std::size_t axis) {
+    return std::cos(angle) * row[first + axis].get<double>() +
+           std::sin(angle) * row[first + 3 + axis].get<double>();
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    CHECK(f2(both[4], 13, angle_of(erf), axis) == doctest::Approx(both[4][7 + axis].get<double>()));
+    CHECK(f2(both[4], 25, angle_of(up), axis) == doctest::Approx(both[4][7 + axis].get<double>()));
+  }
+  CHECK(contains(here.run("angle quintic.json --frame up").out,
+                 "no closed form: there are those to"));
+  check_success(here.run("mtf quintic.json --from 0 --to 1 --up 0,0,1"));
+  check_success(here.run("compile quintic.json --frame up"));
+  check_success(here.run(
+      "interpolate quintic.json --period 1 --feed 1 --format gcode --start up --up 0,0,1"));
+  check_failure(here.run("frames quintic.json --frame up,mtf --from 0 --to 0 --at 0"), 2,
+                "--frame: \"mtf\" is not tabulated beside");
+}
+
+TEST_CASE("any curve: in a path of several kinds PH segments keep their Euler-Rodrigues frame") {
+  const Workshop here;
+  here.write("mixed.json", R"({"phrame": "spline/1", "segments": [
+      {"preimage": {"u": [1], "v": [0, 1], "p": [0, 2], "q": [0]}, "basis": "power"},
+      {"control_points": [[0, "4/3", -2], [-1, "10/3", -4], [-2, 4, -5], [-2, 4, -7]]}]})");
+  const Run info = here.run("info mixed.json");
+  check_success(info);
+  const Run frames = here.run("frames mixed.json --frame rmf,erf --skip-undefined --samples 5");
+  CHECK(frames.status == 0);
+  CHECK(contains(frames.err, "segment 2 is no Pythagorean-hodograph curve"));
+  check_failure(here.run("frames mixed.json --frame erf --samples 5"), 3, "segment 2 is no");
 }

@@ -27,7 +27,6 @@ TEST_CASE("G-code: what makes none is refused in a line") {
   refused("--feed 1 --period 1 --tool e1 --theta0 1", 2,
           "--theta0: e1, which the tool is along, does not depend on it");
   refused("--feed 1 --period 1 --start-normal 2,2,1", 2, "--start-normal: ");
-  refused("--feed 1 --period 1 --up 0,0,1", 2, "--up: the curve is Pythagorean-hodograph");
   refused("--feed 1e-9 --period 1e9 --places 2", 2,
           "--places: the feed, 1/minutes of a move, is 0");
   refused("--feed 1 --period 1e-9", 2, "--period: 1e-9 asks for 4733333335 rows");

@@ -230,7 +230,10 @@ TEST_CASE("options: each one, and each pair, is refused or changes the answer") 
       const Run run = here.run(call + " " + way.text);
       CAPTURE(way.text);
       if (is_refused(run)) continue;
-      if (way.option != "--form" && way.option != "--start") CHECK_FALSE(are_equal(run, plain));
+      // Of a check v is what findings are looked for about: here there are none.
+      const bool may_be_as_plain = way.option == "--form" || way.option == "--start" ||
+                                   (way.option == "--up" && command_of(call) == "check");
+      if (!may_be_as_plain) CHECK_FALSE(are_equal(run, plain));
       accepted.emplace_back(way, run);
     }
     for (std::size_t i = 0; i < accepted.size(); ++i)

@@ -382,7 +382,7 @@ TEST_CASE("frames: cells that are undefined are left empty where this is asked f
         "phrame: 1 of 3 rows has empty cells; the first: Frenet frame: t = 0 is an inflection, the "
         "principal normal is undefined\n");
   check_failure(here.run("frames inflected.json --frame rmf --samples 3 --skip-undefined"), 2,
-                "--skip-undefined: needs --frame frenet or --columns");
+                "--skip-undefined: needs --frame frenet, --frame erf or --columns");
   // A straight line has no torsion anywhere.
   const Run line = here.run("frames line.json --columns torsion,s --at 1 --skip-undefined");
   CHECK(line.status == 0);

@@ -118,7 +118,7 @@ for tool in ("f3", "f2", "e1"):
     count += check(CLOSED, "2", "1/4", tool, places=3, poles=int(tool == "f3"))  # where it starts
     count += check(ROOT / "examples/any/helix.json", "3", "1/2", tool, places=5)
 count += check(QUINTIC, "1", "1/3", "f2", places=6, frame=("--start-normal", "1,2,3"))
-count += check(ROOT / "examples/any/helix.json", "3 + s", "1", "f2", frame=("--theta0", "45deg", "--up", "1,2,3"))
+count += check(ROOT / "examples/any/helix.json", "3 + s", "1", "f2", frame=("--start", "up", "--theta0", "45deg", "--up", "1,2,3"))
 count += check(QUINTIC, "50", "100", "e1")  # one move
 plane = ROOT / "examples/curves/plane-cubic.json"
 count += check(plane, "1", "1/10", poles=15)

@@ -37,6 +37,20 @@ TEST_CASE("absolute integral: a sign that changes at an irrational place") {
   CHECK(size.enclose(change, bits).is_accurate(bits - 10));
 }
 
+// The ball [49/100, 69/100] is around 1/2 + 9/100, behind the change at 1/2: the sum without the
+// change would miss the value at its end, 1/8 + (19/100)²/2.
+TEST_CASE("absolute integral: a ball of t on both sides of a change holds the values of both") {
+  const AbsoluteIntegral size({Polynomial{Rational(-1, 2), 1}});
+  const Real near([](long) { return hull(Rational(49, 100), Rational(69, 100), 64); });
+  const RealBall value = size.enclose(near, 64);
+  for (const Rational& t : {Rational(49, 100), Rational(1, 2), Rational(3, 5), Rational(69, 100)}) {
+    const Rational off = t - Rational(1, 2);
+    const Rational exact =
+        t < Rational(1, 2) ? Rational((t - t * t) / 2) : Rational(1, 8) + off * off / 2;
+    CHECK(value.overlaps(RealBall(exact, 64)));
+  }
+}
+
 TEST_CASE("absolute integral: no change where N has a double zero, and 0 of 0") {
   const AbsoluteIntegral square({Polynomial{1, -4, 4}});  // (2t − 1)²
   CHECK(square.sign_changes().empty());

@@ -7,23 +7,12 @@
 namespace phrame {
 namespace {
 
-SmoothSegment smooth_curve(const GivenSegment& segment) {
-  if (const auto* curve = std::get_if<Curve>(&segment.form)) return RationalCurve(position(*curve));
+/// A PH curve where it is one.
+SmoothSegment curve_of(const GivenSegment& segment) {
+  auto ph = identify_segment(segment);
+  if (auto* curve = std::get_if<Curve>(&ph)) return PhSegment(std::move(*curve));
   if (const auto* curve = std::get_if<RationalCurve>(&segment.form)) return *curve;
   return std::get<ExpressionCurve>(segment.form);
-}
-
-/// The first is there; what append() refuses is an error at the place of its segment.
-template <class SomePath, class AnyCurve>
-void append_all(SomePath& path, const std::vector<GivenSegment>& segments,
-                const std::vector<AnyCurve>& curves) {
-  for (std::size_t k = 1; k < curves.size(); ++k) {
-    try {
-      path.append(curves[k]);
-    } catch (const DomainError& error) {
-      fail_at(segments[k], error.what());
-    }
-  }
 }
 
 }  // namespace
@@ -68,21 +57,15 @@ Vector<Rational> end_point(const GivenSegment& segment) {
 }
 
 AnyPath path_of(std::string name, const std::vector<GivenSegment>& segments) {
-  std::vector<Curve> ph;
-  for (const GivenSegment& segment : segments) {
-    auto curve = identify_segment(segment);
-    if (std::holds_alternative<std::string>(curve)) break;
-    ph.push_back(std::get<Curve>(std::move(curve)));
+  SmoothPath path(curve_of(segments.front()));
+  for (std::size_t k = 1; k < segments.size(); ++k) {
+    try {
+      path.append(curve_of(segments[k]));
+    } catch (const DomainError& error) {
+      fail_at(segments[k], error.what());
+    }
   }
-  if (ph.size() == segments.size()) {
-    Path path(ph.front());
-    append_all(path, segments, ph);
-    return NamedPath(std::move(name), std::move(path));
-  }
-  std::vector<SmoothSegment> curves;
-  for (const GivenSegment& segment : segments) curves.push_back(smooth_curve(segment));
-  SmoothPath path(curves.front());
-  append_all(path, segments, curves);
+  if (auto ph = path.ph()) return NamedPath(std::move(name), *std::move(ph));
   return NamedSmoothPath{std::move(name), std::move(path)};
 }
 

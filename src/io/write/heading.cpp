@@ -45,7 +45,7 @@ std::string heading(const NamedSmoothPath& named) {
   std::string kind = fmt::format("path of {}", counted(segments.size(), "curve"));
   if (segments.size() == 1) {
     kind = "curve by formulas, along which t runs from 0 to 1";
-    if (const auto* curve = std::get_if<RationalCurve>(&segments.front()))
+    if (const RationalCurve* curve = rational_curve(segments.front()))
       kind = fmt::format("{} curve of degree {}",
                          curve->weight().is_constant() ? "polynomial" : "rational", degree(*curve));
   }

@@ -172,7 +172,7 @@ std::string segment_table(const InfoAnswer& info, Notation notation) {
 
 /// "3", or "2/2" where it is X/W; "–" of a curve by formulas.
 std::string degree_text(const SmoothSegment& segment) {
-  const auto* curve = std::get_if<RationalCurve>(&segment);
+  const RationalCurve* curve = rational_curve(segment);
   if (curve == nullptr) return "–";
   long above = 0;
   for (const Polynomial& x : curve->numerator()) above = std::max(above, x.degree());
@@ -218,7 +218,7 @@ Value smooth_segments(const SmoothInfoAnswer& info) {
             JsonOutput segments = JsonOutput::array();
             for (std::size_t k = 0; k < info.lengths.size(); ++k) {
               JsonOutput json = {{"arc_length", length_value(info.lengths[k]).json()}};
-              if (const auto* curve = std::get_if<RationalCurve>(&info.path.path.segments()[k]))
+              if (const RationalCurve* curve = rational_curve(info.path.path.segments()[k]))
                 json.update({{"degree", degree(*curve)},
                              {"start", json_of(point(*curve, 0))},
                              {"end", json_of(point(*curve, 1))}});
@@ -236,7 +236,7 @@ Fields fields(const SmoothInfoAnswer& info) {
   const auto add = [&](const Fields& more) {
     fields.insert(fields.end(), more.begin(), more.end());
   };
-  if (const auto* curve = std::get_if<RationalCurve>(&path.segments().front());
+  if (const RationalCurve* curve = rational_curve(path.segments().front());
       curve != nullptr && is_single) {
     add(polynomial_fields(*curve));
     add({{"", "$r(0)$", point(*curve, 0)},

@@ -171,9 +171,10 @@ void add_angle(JsonOutput& page, const AngleAnswer& angle) {
 void add_angle(JsonOutput& page, const SmoothAngleAnswer& angle) {
   page["heading"] = heading(NamedSmoothPath{"", angle.path.path});
   page["said"] = {fmt::format(
-      "The curve is not Pythagorean-hodograph, and θ has no closed form: it is the integral of "
-      "−e₂′·e₃ of the frame e₂ = v × e₁/|v × e₁| of the vector v = {}, enclosed by Taylor "
-      "polynomials whose errors are proved.",
+      "{}: it is the integral of −e₂′·e₃ of the frame e₂ = v × e₁/|v × e₁| of the vector v = {}, "
+      "enclosed by Taylor polynomials whose errors are proved.",
+      angle.path.path.ph() ? "To the frame of a vector θ has no closed form"
+                           : "The curve is not Pythagorean-hodograph, and θ has no closed form",
       shown(angle.up))};
   page["said"].push_back(parameter_said(angle.path.path));
   add_holonomy(page, angle.holonomy);

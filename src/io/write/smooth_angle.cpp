@@ -14,7 +14,11 @@
 namespace phrame {
 namespace {
 
-constexpr auto no_closed_form = "no closed form: the curve is not Pythagorean-hodograph";
+std::string no_closed_form(const SmoothPath& path) {
+  return path.ph()
+             ? "no closed form: there are those to the Euler–Rodrigues and to the Frenet frame"
+             : "no closed form: the curve is not Pythagorean-hodograph";
+}
 
 bool is_up(const SmoothAngleAnswer& answer) { return answer.reference == SmoothReference::up; }
 
@@ -51,7 +55,7 @@ std::string rate_text(const SmoothAngleAnswer& answer) {
   return fmt::format(
       "  θ′ = {}, H along r′\n  {}\n",
       is_up(answer) ? "−(v·H) det(v, H, H′)/(|H| |v × H|²)" : "−|H| det(H, H′, H″)/|H × H′|²",
-      no_closed_form);
+      no_closed_form(answer.path.path));
 }
 
 JsonOutput json_of(const SmoothAngleAnswer& answer) {
@@ -64,11 +68,12 @@ JsonOutput json_of(const SmoothAngleAnswer& answer) {
   json["frame"] = is_up(answer) ? "up" : "frenet";
   if (is_up(answer)) json["up"] = phrame::json_of(answer.up);
   json["closed_form"] = nullptr;
-  json["closed_form_reason"] = no_closed_form;
+  json["closed_form_reason"] = no_closed_form(answer.path.path);
   const auto* start = std::get_if<Angle>(&answer.start);
   json["theta0"] =
       start != nullptr ? JsonOutput(to_string(*start)) : phrame::json_of(answer.start_angle);
   add_start(json, answer.start);
+  add_nearness(json, answer.path.near);
   json["total"] = phrame::json_of(answer.total);
   json["closed"] = json_if_known(closure(answer.path.path).is_closed);
   json["holonomy"] = answer.holonomy ? phrame::json_of(*answer.holonomy) : JsonOutput();

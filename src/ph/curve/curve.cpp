@@ -148,6 +148,11 @@ Vector<Polynomial> bezier_hodograph(const std::vector<Vector<Rational>>& points)
   return result;
 }
 
+Curve turned_over(const Curve& curve) {
+  const QuaternionPolynomial j{{}, {}, Polynomial{1}, {}};
+  return Curve(curve.preimage() * j, -curve.multiplier(), curve.start());
+}
+
 std::ostream& operator<<(std::ostream& out, const Curve& curve) {
   return out << "A = " << curve.preimage() << ", f = " << curve.multiplier()
              << ", r(0) = " << curve.start();

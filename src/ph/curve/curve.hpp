@@ -29,6 +29,9 @@ class Curve {
   Vector<Rational> start_;
 };
 
+/// The same curve with A·j and −f: e₁ and e₃ are reversed.
+Curve turned_over(const Curve& curve);
+
 /// On one line: "A = (t + 1, 2, 0, t^2), f = 1, r(0) = (0, 0, 0)".
 std::ostream& operator<<(std::ostream& out, const Curve& curve);
 

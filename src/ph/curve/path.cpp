@@ -52,12 +52,6 @@ std::optional<GaussianRational> turn(const End& v, const End& w) {
   return GaussianRational{z.u, z.v};
 }
 
-/// The same curve with A·j and −f: e₁ and e₃ are reversed.
-Curve turned_over(const Curve& curve) {
-  const QuaternionPolynomial j{{}, {}, Polynomial{1}, {}};
-  return Curve(curve.preimage() * j, -curve.multiplier(), curve.start());
-}
-
 /// The same curve with A·c and f/|c|².
 Curve turned(const Curve& curve, const GaussianInteger& c) {
   if (c == GaussianInteger{1, 0}) return curve;
@@ -73,8 +67,9 @@ Path::Path(Curve first) : segments_{std::move(first)} {
   if (sign_after_zero(curve.multiplier()) < 0) curve = turned_over(curve);
 }
 
-void Path::append(const Curve& next) {
-  const Curve& last = segments_.back();
+void Path::append(const Curve& next) { segments_.push_back(continuation(segments_.back(), next)); }
+
+Curve continuation(const Curve& last, const Curve& next) {
   const Vector<Rational> here = end_point(last);
   if (next.start() != here)
     throw DomainError(fmt::format("it starts at {}, but the spline ends at {}",
@@ -88,7 +83,7 @@ void Path::append(const Curve& next) {
     throw DomainError(
         fmt::format("the tangent breaks: it starts in the direction {}, but the spline ends in {}",
                     abbreviated(direction(after)), abbreviated(direction(before))));
-  segments_.push_back(turned(same_side, conjugate(primitive_multiple(*z))));
+  return turned(same_side, conjugate(primitive_multiple(*z)));
 }
 
 Path joined(const std::vector<Curve>& curves) {

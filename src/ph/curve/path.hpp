@@ -47,6 +47,10 @@ class Path {
   std::vector<Curve> segments_;
 };
 
+/// The curve `next`, with the preimage that goes on with the Euler–Rodrigues frame of the end of
+/// `last`. Throws as Path::append.
+Curve continuation(const Curve& last, const Curve& next);
+
 /// The curves, at least one, one after the other. Throws as Path::append.
 Path joined(const std::vector<Curve>& curves);
 

@@ -268,13 +268,11 @@ std::optional<Real> PathAngle::holonomy() const {
   // θ(end) + 2·arg back, up to whole turns.
   const GaussianRational back = angle_of({closing->re, -closing->im}).direction;
   const PathParameter end{state_->angles.size() - 1, 1};
-  const bool is_reversed = sign_after_zero(path().segments().front().multiplier()) < 0;  // e₁
-  const auto enclosure = [state = state_, end, back, is_reversed](long bits) {
+  const auto enclosure = [state = state_, end, back](long bits) {
     const long more = bits + 8;
     const RealBall closing_turn =
         multiply(RealBall(2, more), argument(back.re, back.im, more), more);
-    const RealBall sum = add(state->enclose(end, more), closing_turn, more);
-    return is_reversed ? subtract({}, sum, more) : sum;
+    return add(state->enclose(end, more), closing_turn, more);
   };
   long size = 0;
   for (const RmfAngle& angle : state_->angles) size += bits_of(angle.rate());

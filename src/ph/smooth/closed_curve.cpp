@@ -47,7 +47,7 @@ void check_closed(const SmoothPath& path) {
   if (!path.is_closed())
     throw DomainError("the curve is not closed: its tangent breaks where its ends meet");
   for (const SmoothSegment& segment : path.segments())
-    if (const auto* curve = std::get_if<RationalCurve>(&segment);
+    if (const RationalCurve* curve = rational_curve(segment);
         curve != nullptr && count_real_roots(curve->multiplier(), {0, 1}) > 0)
       throw DomainError("the curve has a cusp, so that it has no writhe");
 }
@@ -91,13 +91,12 @@ std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>
   const auto crossings = self_crossings(series_of(path), v);
   if (!crossings) return std::nullopt;
   const Real own_turn = erf_twist(path).value;
-  const int side = sign_after_zero(path.segments().front().multiplier());
-  const auto twist = [angles, own_turn, side](long bits) {
+  const auto twist = [angles, own_turn](long bits) {
     const long more = bits + 16;
     RealBall turn = own_turn.enclose(more);
     for (const ContinuousArgument& angle : angles)
       turn = add(turn, angle.difference(1, more), more);
-    return in_turns(multiply(RealBall(side, 2), turn, more), more);
+    return in_turns(turn, more);
   };
   return ClosedFrame{v, sum_of_signs(*crossings), Real(twist)};
 }
@@ -114,9 +113,7 @@ std::optional<ClosedFrame> closed_frame(const SmoothPath& path, const Vector<Rat
   }
   const auto crossings = self_crossings(series_of(path), v);
   if (!crossings) return std::nullopt;
-  const bool is_reversed = orientation(path.segments().front()) < 0;
-  const Real end = angle->value({path.segments().size() - 1, Rational(1)});
-  const Real turn = is_reversed ? end : -end;
+  const Real turn = -angle->value({path.segments().size() - 1, Rational(1)});
   return ClosedFrame{v, sum_of_signs(*crossings), Real([turn](long bits) {
                        return in_turns(turn.enclose(bits + 8), bits + 8);
                      })};

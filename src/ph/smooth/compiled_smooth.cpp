@@ -87,7 +87,7 @@ CompiledFrames::Zeros known_zeros(const SmoothAngle& angle, const Real& start) {
   const bool is_up = angle.is_zero() && start.exact() == Rational(0);
   const Vector<Polynomial> up = as_polynomials(angle.up());
   for (const SmoothSegment& segment : angle.path().segments()) {
-    if (const auto* curve = std::get_if<RationalCurve>(&segment)) {
+    if (const RationalCurve* curve = rational_curve(segment)) {
       clear_zeros(zeros, frame_of(curve->direction(), up), is_up);
       continue;
     }
@@ -103,7 +103,7 @@ using CompiledRate = std::variant<RootQuotient, CurveIntegrand>;
 
 CompiledRate rate_of(const SmoothAngle& angle, const SmoothSegment& segment) {
   const bool is_up = angle.reference() == SmoothReference::up;
-  if (const auto* curve = std::get_if<RationalCurve>(&segment))
+  if (const RationalCurve* curve = rational_curve(segment))
     return TaylorIntegral(is_up ? up_frame_turning(*curve, angle.up()) : frenet_turning(*curve))
         .integrand();
   const CurveIntegrand rate = is_up ? up_frame_rate(angle.up()) : torsion_rate();
@@ -111,7 +111,7 @@ CompiledRate rate_of(const SmoothAngle& angle, const SmoothSegment& segment) {
 }
 
 std::optional<RotationEquation> equation_of(const SmoothSegment& segment) {
-  const auto* curve = std::get_if<RationalCurve>(&segment);
+  const RationalCurve* curve = rational_curve(segment);
   return curve == nullptr ? std::nullopt : std::optional(rotation_of(*curve));
 }
 

@@ -59,7 +59,7 @@ Vector<BallPolynomial> series_around(const ExpressionCurve& curve, const RealBal
 CurveSeries series_of(const SmoothPath& path) {
   std::vector<Segment> segments;
   for (const auto& curve : path.segments())
-    segments.push_back(std::visit([](const auto& c) { return segment_of(c); }, curve));
+    segments.push_back(visit_curve([](const auto& c) { return segment_of(c); }, curve));
   const std::size_t count = segments.size();
   return {count, [segments = std::move(segments)](std::size_t segment, const RealBall& t,
                                                   long length, long bits) {
@@ -69,6 +69,6 @@ CurveSeries series_of(const SmoothPath& path) {
           }};
 }
 
-CurveSeries series_of(const Path& path) { return series_of(by_positions(path)); }
+CurveSeries series_of(const Path& path) { return series_of(SmoothPath(path)); }
 
 }  // namespace phrame

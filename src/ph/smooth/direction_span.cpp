@@ -77,7 +77,7 @@ std::vector<Vector<Rational>> direction_span(const ExpressionCurve& curve) {
 }
 
 std::vector<Vector<Rational>> direction_span(const SmoothSegment& segment) {
-  return std::visit([](const auto& curve) { return direction_span(curve); }, segment);
+  return visit_curve([](const auto& curve) { return direction_span(curve); }, segment);
 }
 
 std::vector<Vector<Rational>> direction_span(const SmoothPath& path) {

@@ -147,19 +147,19 @@ void find_together(const SmoothPath& path, const std::vector<CurveIntegrand>& in
 }
 
 SegmentIntegral up_frame_angle(const SmoothSegment& segment, const Vector<Rational>& v) {
-  return std::visit([&](const auto& curve) { return up_frame_angle_of(curve, v); }, segment);
+  return visit_curve([&](const auto& curve) { return up_frame_angle_of(curve, v); }, segment);
 }
 
 SegmentIntegral frenet_angle(const SmoothSegment& segment) {
-  return std::visit([](const auto& curve) { return frenet_angle_of(curve); }, segment);
+  return visit_curve([](const auto& curve) { return frenet_angle_of(curve); }, segment);
 }
 
 SegmentIntegral arc_length(const SmoothSegment& segment) {
-  return std::visit([](const auto& curve) { return arc_length_of(curve); }, segment);
+  return visit_curve([](const auto& curve) { return arc_length_of(curve); }, segment);
 }
 
 SegmentIntegral bending_angle(const SmoothSegment& segment) {
-  return std::visit([](const auto& curve) { return bending_angle_of(curve); }, segment);
+  return visit_curve([](const auto& curve) { return bending_angle_of(curve); }, segment);
 }
 
 }  // namespace phrame

@@ -115,15 +115,14 @@ RealBall SmoothAngle::rate(const SmoothParameter& at, long bits) const {
   return state_->integral(at.segment).rate(at.t.enclose(bits + 8), bits);
 }
 
-// At both ends e₁ is the same, and so is the frame of v. About −e₁ an angle has the other sign.
+// At both ends e₁ is the same, the tangent, and so is the frame of v.
 std::optional<Real> holonomy(const SmoothAngle& angle) {
   if (angle.reference() != SmoothReference::up)
     throw DomainError("holonomy: it is found from the angle to the frame of an up vector");
   const SmoothPath& path = angle.path();
   if (!path.is_closed()) return std::nullopt;
   if (angle.is_zero()) return Rational(0);
-  const Real turn = angle.value({path.segments().size() - 1, Rational(1)});
-  return reduced(orientation(path.segments().front()) < 0 ? -turn : turn).angle;
+  return reduced(angle.value({path.segments().size() - 1, Rational(1)})).angle;
 }
 
 }  // namespace phrame

@@ -20,8 +20,8 @@ int side_of(const RationalCurve& curve, const Rational& t) {
 int side_of(const ExpressionCurve& curve, const Rational&) { return curve.orientation(); }
 
 int side_of(const SmoothPath& path, const PathParameter& at) {
-  return std::visit([&](const auto& curve) { return side_of(curve, at.t); },
-                    path.segments()[at.segment]);
+  return visit_curve([&](const auto& curve) { return side_of(curve, at.t); },
+                     path.segments()[at.segment]);
 }
 
 /// What the tangents given take for forward, as FrameCheck::forward().

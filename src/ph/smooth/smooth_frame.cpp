@@ -1,7 +1,10 @@
 #include "phrame/ph/smooth/smooth_frame.hpp"
 
+#include <fmt/format.h>
+
 #include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
@@ -65,6 +68,22 @@ Frame<Real> up_frame(const SmoothPath& path, const Vector<Rational>& up,
                      const SmoothParameter& at) {
   const Vector<Real> H = direction(path, at);
   return frame_along(H, cross(as_reals(up), H));
+}
+
+Frame<Real> euler_rodrigues_frame(const SmoothPath& path, const SmoothParameter& at) {
+  const Curve* ph = ph_curve(path.segments()[at.segment]);
+  if (ph == nullptr)
+    throw DomainError(fmt::format(
+        "Euler-Rodrigues frame: segment {} is no Pythagorean-hodograph curve, it has none",
+        at.segment + 1));
+  if (at.t.exact()) return as_real(Frames(*ph).euler_rodrigues(*at.t.exact()));
+  const QuaternionPolynomial a = without_real_content(ph->preimage());
+  const Real size = remembered(value(sigma(a), at.t));
+  const auto vector = [&](const Vector<Polynomial>& v) {
+    return Vector<Real>{quotient_of(value(v[0], at.t), size), quotient_of(value(v[1], at.t), size),
+                        quotient_of(value(v[2], at.t), size)};
+  };
+  return {vector(rotated_i(a)), vector(rotated_j(a)), vector(rotated_k(a))};
 }
 
 Frame<Real> frenet_frame(const SmoothPath& path, const SmoothParameter& at) {

@@ -10,6 +10,9 @@ namespace phrame {
 
 /// (e₁, e₂, e₃) with e₂ = v × H/|v × H|. v is nowhere along the tangent.
 Frame<Real> up_frame(const SmoothPath& path, const Vector<Rational>& up, const SmoothParameter& at);
+/// (e₁, e₂, e₃) of Euler and Rodrigues: that of the preimage of a segment that is a PH curve.
+/// Throws DomainError on others.
+Frame<Real> euler_rodrigues_frame(const SmoothPath& path, const SmoothParameter& at);
 /// (e₁, n, b). Throws DomainError at an inflection and on a straight line.
 Frame<Real> frenet_frame(const SmoothPath& path, const SmoothParameter& at);
 

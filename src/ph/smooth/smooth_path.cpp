@@ -36,11 +36,11 @@ SmoothEnd end_at(const ExpressionCurve& curve, const Rational& t, FormulaProgram
 }
 
 SmoothEnd start_of(const SmoothSegment& segment, FormulaProgram& program) {
-  return std::visit([&](const auto& curve) { return end_at(curve, 0, program); }, segment);
+  return visit_curve([&](const auto& curve) { return end_at(curve, 0, program); }, segment);
 }
 
 SmoothEnd end_of(const SmoothSegment& segment, FormulaProgram& program) {
-  return std::visit([&](const auto& curve) { return end_at(curve, 1, program); }, segment);
+  return visit_curve([&](const auto& curve) { return end_at(curve, 1, program); }, segment);
 }
 
 /// The unit tangent, of any length.
@@ -85,13 +85,22 @@ SmoothSegment turned_over(const SmoothSegment& segment) {
 
 }  // namespace
 
-int orientation(const SmoothSegment& segment) {
-  if (const auto* curve = std::get_if<RationalCurve>(&segment))
-    return sign_after_zero(curve->multiplier());
-  return std::get<ExpressionCurve>(segment).orientation();
+SmoothPath::SmoothPath(SmoothSegment first) : segments_{std::move(first)} {
+  if (orientation(segments_.front()) < 0) segments_.front() = turned_over(segments_.front());
+}
+
+SmoothPath::SmoothPath(const Path& ph) {
+  for (const Curve& curve : ph.segments()) segments_.emplace_back(PhSegment(curve));
 }
 
 void SmoothPath::append(const SmoothSegment& next) {
+  const Curve* last_ph = ph_curve(segments_.back());
+  const Curve* next_ph = ph_curve(next);
+  if (last_ph != nullptr && next_ph != nullptr) {
+    const Curve goes_on = continuation(*last_ph, *next_ph);
+    segments_.emplace_back(PhSegment(goes_on));
+    return;
+  }
   FormulaProgram program;
   const SmoothEnd before = end_of(segments_.back(), program);
   const SmoothEnd after = start_of(next, program);
@@ -108,6 +117,16 @@ void SmoothPath::append(const SmoothSegment& next) {
         "the tangent breaks: it starts in the direction {}, but the spline ends in {}",
         shown_vector(program, new_tangent, true), shown_vector(program, old_tangent, true)));
   segments_.push_back(before.sign == after.sign ? next : turned_over(next));
+}
+
+std::optional<Path> SmoothPath::ph() const {
+  std::vector<Curve> curves;
+  for (const SmoothSegment& segment : segments_) {
+    const Curve* ph = ph_curve(segment);
+    if (ph == nullptr) return std::nullopt;
+    curves.push_back(*ph);
+  }
+  return joined(curves);
 }
 
 bool SmoothPath::ends_meet() const {
@@ -141,6 +160,10 @@ SmoothPath joined(const std::vector<SmoothSegment>& segments) {
   SmoothPath path(segments.front());
   for (std::size_t k = 1; k < segments.size(); ++k) path.append(segments[k]);
   return path;
+}
+
+NamedSmoothPath of_any_kind(const NamedPath& named) {
+  return {named.name, SmoothPath(named.path), named.notes, named.near};
 }
 
 SmoothPath by_positions(const Path& path) {

@@ -1,29 +1,23 @@
 #pragma once
 #include <string>
-#include <variant>
 
 #include "phrame/ph/curve/named.hpp"
-#include "phrame/ph/smooth/expression_curve.hpp"
-#include "phrame/ph/smooth/rational_curve.hpp"
+#include "phrame/ph/smooth/segment.hpp"
 
 namespace phrame {
 
-/// A segment of a path of curves of any kind, on [0, 1].
-using SmoothSegment = std::variant<RationalCurve, ExpressionCurve>;
-
-/// 1 where e₁ is the unit tangent r′/|r′| just after the start of the segment, −1 where it is the
-/// opposite.
-int orientation(const SmoothSegment& segment);
-
 /// A curve of any kind, or several joined to one. Segment k = 0, 1, … is the part [k, k + 1] of the
 /// parameter t. At the joints the position and the unit tangent r′/|r′| are continuous, exactly; at
-/// a cusp there the tangent is its limit. Segments are turned over where that keeps e₁ continuous,
-/// which after an odd number of changes of the sign of p is −r′/|r′|.
+/// a cusp there the tangent is its limit. Segments are turned over where that makes e₁ r′/|r′| at
+/// the start and continuous from there on; after an odd number of changes of the sign of p or f it
+/// is −r′/|r′|. Through neighbouring PH curves the Euler–Rodrigues frame is continuous, as in a
+/// Path.
 class SmoothPath {
  public:
   /// One segment, to which others may be appended.
-  SmoothPath(SmoothSegment first)  // NOLINT(google-explicit-constructor)
-      : segments_{std::move(first)} {}
+  SmoothPath(SmoothSegment first);  // NOLINT(google-explicit-constructor)
+  /// The segments of a path of PH curves.
+  explicit SmoothPath(const Path& ph);
 
   /// Throws DomainError where the segment does not start where the path ends, and where its tangent
   /// there is another, with the same messages as Path::append; Undecided where that is not told of
@@ -31,6 +25,8 @@ class SmoothPath {
   void append(const SmoothSegment& next);
 
   const std::vector<SmoothSegment>& segments() const { return segments_; }  ///< at least one
+  /// The path of PH curves, where all of its segments are.
+  std::optional<Path> ph() const;
   /// Of the parameter.
   Rational end() const { return Rational(static_cast<long>(segments_.size())); }
 
@@ -66,7 +62,12 @@ struct NamedSmoothPath {
   std::string name;                     ///< may be empty
   SmoothPath path;                      ///< the path
   std::vector<std::string> notes = {};  ///< on how it was read, in sentences without a point
+  /// How near it is to the one in whose place it stands, where that is no PH path.
+  std::optional<Nearness> near = {};
 };
+
+/// The same path as one of any kind.
+NamedSmoothPath of_any_kind(const NamedPath& named);
 
 /// A path of PH curves, or of curves of any kind.
 using AnyPath = std::variant<NamedPath, NamedSmoothPath>;

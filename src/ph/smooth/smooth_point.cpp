@@ -80,13 +80,13 @@ Vector<Real> derivative(const ExpressionCurve& curve, std::size_t order, const R
 
 Vector<Real> position(const SmoothPath& path, const SmoothParameter& at) {
   const SmoothSegment& segment = path.segments()[at.segment];
-  if (const auto* curve = std::get_if<RationalCurve>(&segment)) return position(*curve, at.t);
+  if (const RationalCurve* curve = rational_curve(segment)) return position(*curve, at.t);
   return derivative(std::get<ExpressionCurve>(segment), 0, at.t);
 }
 
 Vector<Real> direction(const SmoothPath& path, const SmoothParameter& at) {
   const SmoothSegment& segment = path.segments()[at.segment];
-  if (const auto* curve = std::get_if<RationalCurve>(&segment)) return direction(*curve, at.t);
+  if (const RationalCurve* curve = rational_curve(segment)) return direction(*curve, at.t);
   const auto& formulas = std::get<ExpressionCurve>(segment);
   return with_sign(formulas.orientation() * direction_of_parameter(formulas),
                    derivative(formulas, 1, at.t));
@@ -96,7 +96,7 @@ Vector<Real> direction_slope(const SmoothPath& path, const SmoothParameter& at) 
   const SmoothSegment& segment = path.segments()[at.segment];
   if (const auto* formulas = std::get_if<ExpressionCurve>(&segment))
     return with_sign(formulas->orientation(), derivative(*formulas, 2, at.t));
-  const Vector<Polynomial>& H = std::get<RationalCurve>(segment).direction();
+  const Vector<Polynomial>& H = rational_curve(segment)->direction();
   return {value(differentiate(H[0]), at.t), value(differentiate(H[1]), at.t),
           value(differentiate(H[2]), at.t)};
 }

@@ -94,7 +94,7 @@ ExactVector binormal_at(const ExpressionCurve& curve, const Rational& t, Formula
 bool have_same_normal(const SmoothSegment& before, const SmoothSegment& after) {
   FormulaProgram program;
   const auto at = [&](const SmoothSegment& segment, const Rational& t) {
-    return std::visit([&](const auto& curve) { return binormal_at(curve, t, program); }, segment);
+    return visit_curve([&](const auto& curve) { return binormal_at(curve, t, program); }, segment);
   };
   const auto same = have_same_direction(program, at(before, 1), at(after, 0));
   if (!same) throw Undecided("whether the normals at a joint are the same is not told");
@@ -174,19 +174,19 @@ Real torsion_of(const RationalCurve& curve, const Real& t) {
 }  // namespace
 
 Real curvature(const SmoothPath& path, const SmoothParameter& at) {
-  return std::visit([&](const auto& curve) { return curvature_of(curve, at.t); },
-                    path.segments()[at.segment]);
+  return visit_curve([&](const auto& curve) { return curvature_of(curve, at.t); },
+                     path.segments()[at.segment]);
 }
 
 Real torsion(const SmoothPath& path, const SmoothParameter& at) {
-  return std::visit([&](const auto& curve) { return torsion_of(curve, at.t); },
-                    path.segments()[at.segment]);
+  return visit_curve([&](const auto& curve) { return torsion_of(curve, at.t); },
+                     path.segments()[at.segment]);
 }
 
 bool has_continuous_frenet_frame(const SmoothPath& path) {
   const auto& segments = path.segments();
   for (const SmoothSegment& segment : segments)
-    if (!std::visit([](const auto& curve) { return bends_all_along(curve); }, segment))
+    if (!visit_curve([](const auto& curve) { return bends_all_along(curve); }, segment))
       return false;
   for (std::size_t k = 0; k + 1 < segments.size(); ++k)
     if (!have_same_normal(segments[k], segments[k + 1])) return false;
@@ -203,8 +203,8 @@ void require_frenet_joints(const SmoothPath& path) {
   for (std::size_t k = 1; k < segments.size(); ++k) {
     FormulaProgram program;
     const auto at = [&](const SmoothSegment& segment, const Rational& t) {
-      return std::visit([&](const auto& curve) { return continued_binormal(curve, t, program); },
-                        segment);
+      return visit_curve([&](const auto& curve) { return continued_binormal(curve, t, program); },
+                         segment);
     };
     const ExactVector before = at(segments[k - 1], 1);
     const ExactVector after = at(segments[k], 0);

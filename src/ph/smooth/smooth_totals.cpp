@@ -99,7 +99,7 @@ template <class OfCurve>
 std::variant<Real, Infinite> sum_of_energies(const SmoothPath& path, const OfCurve& of_curve) {
   std::vector<Real> terms;
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    const SegmentEnergy energy = std::visit(of_curve, path.segments()[k]);
+    const SegmentEnergy energy = visit_curve(of_curve, path.segments()[k]);
     if (const auto* pole = std::get_if<RealAlgebraic>(&energy))
       return Infinite{affine(*pole, 1, Rational(static_cast<long>(k))), k};
     terms.push_back(std::get<Real>(energy));
@@ -116,7 +116,7 @@ Real total_curvature(const SmoothPath& path) {
 
 Real total_torsion(const SmoothPath& path) {
   return sum_of_segments(path, [](const SmoothSegment& segment) {
-    return std::visit([](const auto& curve) { return torsion_total(curve); }, segment);
+    return visit_curve([](const auto& curve) { return torsion_total(curve); }, segment);
   });
 }
 

@@ -187,7 +187,8 @@ SmoothSegmentTime time_of_curvature(const SmoothSegment& segment, const Rational
     require_positive(speed_without_curvature(speed), Rational(0), "t");
     return time_of_line(segment, speed(0));
   }
-  const ExpressionCurve curve = std::visit([](const auto& of) { return by_formulas(of); }, segment);
+  const ExpressionCurve curve =
+      visit_curve([](const auto& of) { return by_formulas(of); }, segment);
   const CurveIntegrand rate = time_by_curvature(speed, normal);
   const ExpressionIntegral probe(curve, rate);
   const auto sign_at = [&probe](const Rational& t) {
@@ -253,8 +254,8 @@ void SmoothTravelTime::State::set_segments(const Feedrate& feedrate) {
     const Rational start(static_cast<long>(segments.size()));
     segments.push_back(
         is_by_parameter
-            ? std::visit([&](const auto& curve) { return time_of(curve, feedrate.speed, start); },
-                         segment)
+            ? visit_curve([&](const auto& curve) { return time_of(curve, feedrate.speed, start); },
+                          segment)
             : time_of_curvature(segment, feedrate.speed, normal, start));
   }
 }

@@ -215,7 +215,7 @@ void add_extremes(Turns& turns, const SmoothSegment& segment, Plotted quantity) 
 }
 
 Turns turns_of(const SmoothSegment& segment) {
-  if (const auto* rational = std::get_if<RationalCurve>(&segment)) return turns_of(*rational);
+  if (const RationalCurve* rational = rational_curve(segment)) return turns_of(*rational);
   Turns found;
   // κ is seen by its square: of that, twice as much.
   found.slack = 1e-3;

@@ -42,7 +42,7 @@ std::vector<Vector<double>> sampled_tangents(const SmoothPath& path) {
   std::vector<Vector<double>> all;
   for (std::size_t k = 0; k < count; k += stride)
     for (long j = 0; j <= steps; ++j) {
-      const Vector<RealBall> h = std::visit(
+      const Vector<RealBall> h = visit_curve(
           [&](const auto& curve) { return direction_near(curve, Rational(j, steps), bits); },
           path.segments()[k]);
       RealBall squares;
@@ -128,7 +128,7 @@ std::optional<TangentPlace> tangent_along(const ExpressionCurve& curve, const Ve
 }
 
 std::optional<TangentPlace> tangent_along(const SmoothSegment& segment, const Vector<Rational>& v) {
-  return std::visit([&](const auto& curve) { return tangent_along(curve, v); }, segment);
+  return visit_curve([&](const auto& curve) { return tangent_along(curve, v); }, segment);
 }
 
 void require_up_vector(const SmoothPath& path, const Vector<Rational>& v) {

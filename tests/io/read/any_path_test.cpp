@@ -24,7 +24,7 @@ SmoothPath smooth(const std::string& text) {
 Path pythagorean(const std::string& text) { return std::get<NamedPath>(read_any_path(text)).path; }
 
 const RationalCurve& segment(const SmoothPath& path, std::size_t k) {
-  return std::get<RationalCurve>(path.segments()[k]);
+  return *rational_curve(path.segments()[k]);
 }
 
 std::string refusal(const std::string& text, const CurveLimits& limits = {}) {

@@ -32,7 +32,7 @@ std::string refusal(const std::string& text) {
 
 Vector<Rational> at(const SmoothPath& path, const Rational& t) {
   const PathParameter where = locate(path, t);
-  return point(std::get<RationalCurve>(path.segments()[where.segment]), where.t);
+  return point(*rational_curve(path.segments()[where.segment]), where.t);
 }
 
 std::string three(const std::string& type, const std::string& rest) {

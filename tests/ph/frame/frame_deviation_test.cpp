@@ -57,6 +57,10 @@ TEST_CASE("frame deviation: handedness, a tangent that is given, and none") {
   ExactFrame backwards = upright;
   backwards.side = -1;  // T is −e₁
   CHECK(deviation_from(backwards, given, 100).handedness == 1);
+  backwards.side = 0;  // at a cusp where T turns round either will do
+  CHECK(deviation_from(backwards, given, 100).handedness == 1);
+  given.f3 = Vector<Rational>{0, 1, 0};
+  CHECK(deviation_from(backwards, given, 100).handedness == 1);
 }
 
 TEST_CASE("frame deviation: a vector along the tangent has no angle") {

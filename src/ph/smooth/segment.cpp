@@ -1,0 +1,29 @@
+#include "phrame/ph/smooth/segment.hpp"
+
+namespace phrame {
+
+const RationalCurve& PhSegment::by_positions() const {
+  return by_positions_.get([this] {
+    const RationalCurve curve(position(this->curve()));
+    return sign_after_zero(this->curve().multiplier()) < 0 ? curve.turned_over() : curve;
+  });
+}
+
+const Curve* ph_curve(const SmoothSegment& segment) {
+  const auto* ph = std::get_if<PhSegment>(&segment);
+  return ph == nullptr ? nullptr : &ph->curve();
+}
+
+const RationalCurve* rational_curve(const SmoothSegment& segment) {
+  if (const auto* ph = std::get_if<PhSegment>(&segment)) return &ph->by_positions();
+  return std::get_if<RationalCurve>(&segment);
+}
+
+int orientation(const SmoothSegment& segment) {
+  if (const Curve* ph = ph_curve(segment)) return sign_after_zero(ph->multiplier());
+  if (const auto* curve = std::get_if<RationalCurve>(&segment))
+    return sign_after_zero(curve->multiplier());
+  return std::get<ExpressionCurve>(segment).orientation();
+}
+
+}  // namespace phrame
