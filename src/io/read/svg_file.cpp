@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/real.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/read/svg_number.hpp"
 #include "phrame/io/read/svg_path.hpp"
@@ -59,10 +60,18 @@ PlaneMap read_transform_function(SvgNumbers& in) {
                          abbreviated(name), n == 1 ? "1 number" : fmt::format("{} numbers", n)));
 }
 
-PlaneMap read_transform(std::string_view text, const SvgAttribute& attribute) {
+/// The outer map after those that the attribute names. With each turn its numbers get longer.
+PlaneMap read_transform(PlaneMap map, std::string_view text, const SvgAttribute& attribute) {
   SvgNumbers in(text.substr(0, attribute.end), attribute.begin);
-  PlaneMap map;
-  while (!in.at_end()) map = composed(map, read_transform_function(in));
+  while (!in.at_end()) {
+    const std::string place = in.place();
+    map = composed(map, read_transform_function(in));
+    for (const PlaneVector& v : {map.a, map.b, map.offset})
+      if (std::max(bits_of(v[0]), bits_of(v[1])) > most_number_bits)
+        throw InputError(place, fmt::format("with this transformation, what all of them make has "
+                                            "numbers of more than {} bits",
+                                            most_number_bits));
+  }
   return map;
 }
 
@@ -197,7 +206,7 @@ void SvgReader::read_element() {
       fail(at_name, fmt::format("an attribute of <{}> is expected, name=\"value\"",
                                 abbreviated(element.name)));
     if (name == "transform" && element.is_drawn)
-      element.map = composed(element.map, read_transform(text_, *value));
+      element.map = read_transform(element.map, text_, *value);
     if (name == "d") data = *value;
   }
 }

@@ -104,6 +104,17 @@ TEST_CASE("what is no path is refused at its line and column") {
   CHECK(refusal(svg("<g transform='skewX(3)'><path d='M0 0L1 1'/></g>")) ==
         "5:15: the transformation skewX of 1 number is not applied; matrix, translate, scale and "
         "rotate are");
+  // Each turn makes them longer: 10⁵ of them took minutes.
+  const auto repeated = [](const std::string& transform, int times) {
+    std::string all;
+    for (int k = 0; k < times; ++k) all += transform;
+    return svg("<path transform='" + all + "' d='M0 0L1 1'/>");
+  };
+  for (const std::string transform : {"rotate(1) ", "scale(1.0000001) ", "rotate(7 1 2) "})
+    CHECK(refusal(repeated(transform, 100'000))
+              .ends_with("with this transformation, what all of them make has numbers of more than "
+                         "20000 bits"));
+  CHECK(refusal(repeated("translate(0.1) ", 1000)).empty());
   CHECK(refusal(svg("<g><path d='M0 0L1 1'/>")).starts_with("6:1: </svg> closes nothing"));
   CHECK(refusal("<svg><path d=\"M0 0\"") ==
         "1:19: an attribute of <path> is expected, name=\"value\"");
