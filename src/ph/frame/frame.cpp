@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/algebra/as_written.hpp"
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
@@ -91,23 +93,26 @@ Frame<Real> as_real(const Frame<Rational>& frame) {
 Frame<Real> turned(const Frame<Real>& frame, const Real& theta) {
   if (theta.exact() == Rational(0)) return frame;
   if (const auto quarter = quarter_turns(theta)) return turned_by_quarters(frame, *quarter);
-  // The six components ask for the same few precisions one after the other: keep the last.
+  // The six components ask for the same few precisions one after the other: keep the last. Where e₂
+  // and e₃ have a component 0 that is not seen to be exact, as few bits of θ do as they leave.
   struct Turn {
     long bits = 0;
     CosSin value;
   };
   const auto last = std::make_shared<Turn>();
   const auto turn = [theta, last](long bits) -> const CosSin& {
-    if (last->bits != bits) *last = {bits, cos_sin(theta.enclose(bits), bits)};
+    if (last->bits < bits) *last = {bits, cos_sin(theta.enclose(bits), bits)};
     return last->value;
   };
   // cos θ·x + sin θ·y.
   const auto component = [&](const Real& x, const Real& y) -> Real {
     if (x.exact() == Rational(0) && y.exact() == Rational(0)) return Rational(0);
     const auto enclosure = [x, y, turn](long bits) {
-      const CosSin& cs = turn(bits + 8);
-      return add(multiply(cs.cos, x.enclose(bits + 8), bits + 8),
-                 multiply(cs.sin, y.enclose(bits + 8), bits + 8), bits + 8);
+      const RealBall a = x.enclose(bits + 8);
+      const RealBall b = y.enclose(bits + 8);
+      const long size = std::max(exponent_above(a), exponent_above(b));
+      const CosSin& cs = turn(std::clamp(bits + 8 + size, 32L, bits + 8));
+      return add(multiply(cs.cos, a, bits + 8), multiply(cs.sin, b, bits + 8), bits + 8);
     };
     return {enclosure, {false, theta.origin().bits + x.origin().bits + y.origin().bits}};
   };

@@ -1,6 +1,7 @@
 #include "phrame/ph/frame/frame.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "support/curves.hpp"
 #include "support/random.hpp"
@@ -36,6 +37,27 @@ void check_orthonormal(const Frame<Real>& f) {
 }
 
 }  // namespace
+
+// Six components of a frame were 0 by more than 1000 bits of an angle.
+TEST_CASE("frame: a component 0 that is not seen to be exact needs few bits of θ") {
+  const Real zero([](long precision) { return RealBall(power_of_two(-precision), precision); });
+  const Real one([](long precision) { return RealBall(Rational(1), precision); });
+  long most = 0;
+  const Real theta([&most](long precision) {
+    most = std::max(most, precision);
+    return RealBall(Rational(1, 3), precision);
+  });
+  const Frame<Real> axes{Vector<Real>{zero, one, zero}, Vector<Real>{one, zero, zero},
+                         Vector<Real>{zero, zero, one}};
+  const Frame<Real> frame = turned(axes, theta);
+  CHECK(round_to_double(frame.e2[1]) == 0);
+  CHECK(round_to_double(frame.e3[1]) == 0);
+  CHECK(most < 100);
+  CHECK(round_to_double(frame.e2[0]) == 0.9449569463147377);  // cos 1/3, sin 1/3: mpmath
+  CHECK(round_to_double(frame.e2[2]) == 0.32719469679615226);
+  CHECK(frame.e2[0].enclose(400).is_accurate(390));
+  CHECK(most > 400);
+}
 
 TEST_CASE("frame: law: ERF, Frenet and RMF are orthonormal and right-handed, along r′") {
   for_samples(40, [](Random& random) {
