@@ -8,6 +8,7 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_pipeline.h>
+#include <oneapi/tbb/task_scheduler_observer.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -18,6 +19,7 @@
 #include <fstream>
 #include <unordered_set>
 
+#include "phrame/algebra/out_of_memory.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/line_stream.hpp"
 #include "phrame/cli/question.hpp"
@@ -143,6 +145,16 @@ class BatchProgress {
   Clock::time_point last_ = start_;
 };
 
+/// Each thread that answers lines has beforehand what it needs to say that memory is short.
+class PreparedThreads : public oneapi::tbb::task_scheduler_observer {
+ public:
+  PreparedThreads() { observe(true); }
+  ~PreparedThreads() override { observe(false); }
+  void on_scheduler_entry(bool is_worker) override {
+    if (is_worker) prepare_thread();
+  }
+};
+
 /// A line of the input, and its answer.
 template <class T>
 struct Numbered {
@@ -264,6 +276,7 @@ void run(const Command& command, const BatchOptions& options) {
       options.threads > 0 ? options.threads : oneapi::tbb::info::default_concurrency());
   const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
                                           threads);
+  const PreparedThreads prepared;
   const long lines = answer_lines(reader, defaults, threads, output, interruption, failures);
   interruption.pass_on();
   if (failures.count() > 0) throw AnswerNo{failures.text(lines)};
