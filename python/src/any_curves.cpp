@@ -193,9 +193,13 @@ nb::object cubic_spline(nb::handle points, nb::handle parameters, const Text<"en
   }
   std::vector<RationalBezier> pieces;
   try {
-    for (BezierPoints& piece :
-         without_gil([data] { return cubic_pieces(data, cubic_derivatives(data).values); }))
-      pieces.push_back({std::move(piece)});
+    pieces = without_gil([data] {
+      const auto derivatives = cubic_derivatives(data).values;
+      std::vector<RationalBezier> all;
+      for (std::size_t k = 0; k + 1 < data.points.size(); ++k)
+        all.push_back({cubic_piece(data, derivatives, k)});
+      return all;
+    });
   } catch (const DomainError& error) {
     refuse("points", error.what(), points);
   }

@@ -51,7 +51,7 @@ void bind_smooth_totals(nb::class_<SmoothPathObject>& smooth) {
   PHRAME_SMOOTH_TOTAL("length", SmoothLength(path).total(), "∫ ds.");
   PHRAME_SMOOTH_TOTAL("total_curvature", total_curvature(path), "∫ κ ds.");
   PHRAME_SMOOTH_TOTAL("total_torsion", total_torsion(path), "∫ τ ds.");
-  PHRAME_SMOOTH_TOTAL("up_twist", up_frame_twist(path, up_vector(path)),
+  PHRAME_SMOOTH_TOTAL("up_twist", up_frame_twist(SmoothAngle(path)),
                       "∫ e2′·e3 dt: how far the frame of `up` turns about e1, in radians.");
 #undef PHRAME_SMOOTH_TOTAL
 #define PHRAME_SMOOTH_ENERGY(name, of, what)                         \

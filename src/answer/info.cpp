@@ -17,9 +17,9 @@ void add_totals(InfoAnswer& answer, long digits) {
     const std::string name =
         path.is_curve() ? "the length"
                         : fmt::format("the length of segment {}", answer.lengths.size() + 1);
-    answer.lengths.push_back({segment.value, rounded(segment.value, name, digits)});
+    answer.lengths.push_back({segment.value.exact(), rounded(segment.value, name, digits)});
   }
-  answer.length = {length.value, rounded(length.value, "the length", digits)};
+  answer.length = {length.value.exact(), rounded(length.value, "the length", digits)};
   const auto energy = bending_energy(path);
   if (const auto* finite = std::get_if<PathTotal>(&energy))
     answer.bending_energy = rounded(finite->value, "the bending energy", digits);
@@ -37,7 +37,7 @@ std::vector<Decimal> rounded(const std::vector<RealRoot>& points, long digits) {
 InfoAnswer answer(const NamedPath& named, const InfoQuery& query) {
   const Path& path = named.path;
   const PathAngle angle(path);
-  InfoAnswer answer{named, {Rational(0), {}}, {}, {}, {}, {}, {}, {}, {}};
+  InfoAnswer answer{named, {}, {}, {}, {}, {}, {}, {}, {}};
   add_totals(answer, query.digits);
   answer.twist_erf = rounded(-angle.value(path.end()), "the twist", query.digits);
   if (path.is_curve()) {

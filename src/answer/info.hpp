@@ -13,8 +13,8 @@ struct InfoQuery {
 struct InfoAnswer {
   /// A length, exact where it is rational.
   struct Length {
-    Real exact;       ///< the number
-    Decimal rounded;  ///< where it is irrational
+    std::optional<Rational> exact = std::nullopt;  ///< where it is seen to be rational
+    Decimal rounded = {};                          ///< to the digits asked for
   };
   NamedPath path;               ///< as asked
   Length length;                ///< ∫ |f|σ dt

@@ -14,17 +14,17 @@ namespace phrame {
 namespace {
 
 InfoAnswer::Length rounded_length(const Real& length, const std::string& name, long digits) {
-  return {length, rounded(length, name, digits)};
+  return {length.exact(), rounded(length, name, digits)};
 }
 
 void add_lengths(SmoothInfoAnswer& answer, long digits) {
-  const auto& segments = answer.path.path.segments();
+  const std::size_t count = answer.path.path.segments().size();
   const SmoothLength length(answer.path.path);
-  answer.length = rounded_length(length.total(), "the length", digits);
-  for (std::size_t k = 0; k < segments.size(); ++k)
-    answer.lengths.push_back(rounded_length(SmoothLength(SmoothPath(segments[k])).total(),
-                                            fmt::format("the length of segment {}", k + 1),
-                                            digits));
+  for (std::size_t k = 0; k < count; ++k)
+    answer.lengths.push_back(rounded_length(
+        length.of_segment(k), fmt::format("the length of segment {}", k + 1), digits));
+  answer.length =
+      count == 1 ? answer.lengths.front() : rounded_length(length.total(), "the length", digits);
 }
 
 }  // namespace
@@ -33,16 +33,16 @@ SmoothInfoAnswer answer(const NamedSmoothPath& named, const InfoQuery& query) {
   const SmoothPath& path = named.path;
   const SmoothAngle angle(path);
   find_together(path, {length_rate(), up_frame_rate(angle.up()), bending_rate()});
-  SmoothInfoAnswer answer{named,
-                          {Rational(0), {}},
-                          {},
-                          angle.up(),
-                          rounded_or_zero(up_frame_twist(path, angle.up()),
-                                          "the twist of the frame of v", query.digits),
-                          {},
-                          is_straight(path),
-                          plane_normal(path),
-                          {}};
+  SmoothInfoAnswer answer{
+      named,
+      {},
+      {},
+      angle.up(),
+      rounded_or_zero(up_frame_twist(angle), "the twist of the frame of v", query.digits),
+      {},
+      is_straight(path),
+      plane_normal(path),
+      {}};
   add_lengths(answer, query.digits);
   const auto energy = bending_energy(path);
   if (const auto* finite = std::get_if<Real>(&energy))

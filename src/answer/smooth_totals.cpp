@@ -96,7 +96,7 @@ TotalsAnswer answer(const NamedSmoothPath& named, const TotalsQuery& query) {
   const Real length = SmoothLength(path).total();
   const Real curvature = total_curvature(path);
   totals.add(Quantity::length, length);
-  totals.add(Quantity::up_twist, up_frame_twist(path, angle.up()));
+  totals.add(Quantity::up_twist, up_frame_twist(angle));
   totals.add_frenet(Quantity::torsion, no_torsion, [&] { return total_torsion(path); });
   totals.add(Quantity::curvature, curvature);
   is_straight(path) || plane_normal(path)

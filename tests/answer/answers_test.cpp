@@ -64,9 +64,9 @@ TEST_CASE("answers: the angle, of the curve and of its halves") {
 
 TEST_CASE("answers: lengths, twists and totals of the curve are those of its halves") {
   const InfoAnswer info = answer(whole(), InfoQuery{20});
-  CHECK(info.length.exact.exact() == Rational(71, 15));
+  CHECK(info.length.exact == Rational(71, 15));
   const InfoAnswer in_halves = answer(halves(), InfoQuery{20});
-  CHECK(in_halves.length.exact.exact() == Rational(71, 15));
+  CHECK(in_halves.length.exact == Rational(71, 15));
   CHECK(in_halves.lengths.size() == 2);
   CHECK(in_halves.twist_erf.value == info.twist_erf.value);
   CHECK("-" + truth("theta_RMF_rel_ERF", "1").substr(0, 15) == info.twist_erf.value.substr(0, 16));

@@ -101,8 +101,8 @@ AnyPath read_any_path(const JsonNode& node, const CurveLimits& limits) {
   if (format == "bspline/1" || format == "nurbs/1")
     return path_of(read_name(node), read_bspline(node, limits));
   if (format == "points/1") {
-    const PointCurve read = read_point_curve(node);
-    return path_of(read.name, read.segments);
+    PointCurve read = read_point_curve(node);
+    return path_of(read.name, std::move(read.segments));
   }
   if (format != "curve/1")
     node.at("phrame").fail(
@@ -121,7 +121,7 @@ AnyPath read_any_path(std::string_view text, const CurveLimits& limits) {
   if (is_path_data(text)) return path_of("", read_path_data(text, 0, text.size()));
   if (NpyTable::is_one(text) || is_table(content)) {
     PointCurve read = read_point_table(text, limits);
-    AnyPath path = path_of(read.name, read.segments);
+    AnyPath path = path_of(read.name, std::move(read.segments));
     std::visit([&](auto& named) { named.notes = std::move(read.notes); }, path);
     return path;
   }

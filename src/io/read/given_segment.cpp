@@ -7,12 +7,12 @@
 namespace phrame {
 namespace {
 
-/// A PH curve where it is one.
-SmoothSegment curve_of(const GivenSegment& segment) {
+/// A PH curve where it is one; what the segment is is taken from it.
+SmoothSegment taken_curve(GivenSegment& segment) {
   auto ph = identify_segment(segment);
   if (auto* curve = std::get_if<Curve>(&ph)) return PhSegment(std::move(*curve));
-  if (const auto* curve = std::get_if<RationalCurve>(&segment.form)) return *curve;
-  return std::get<ExpressionCurve>(segment.form);
+  if (auto* curve = std::get_if<RationalCurve>(&segment.form)) return std::move(*curve);
+  return std::get<ExpressionCurve>(std::move(segment.form));
 }
 
 }  // namespace
@@ -56,11 +56,11 @@ Vector<Rational> end_point(const GivenSegment& segment) {
   return result;
 }
 
-AnyPath path_of(std::string name, const std::vector<GivenSegment>& segments) {
-  SmoothPath path(curve_of(segments.front()));
+AnyPath path_of(std::string name, std::vector<GivenSegment> segments) {
+  SmoothPath path(taken_curve(segments.front()), segments.size());
   for (std::size_t k = 1; k < segments.size(); ++k) {
     try {
-      path.append(curve_of(segments[k]));
+      path.append(taken_curve(segments[k]));
     } catch (const DomainError& error) {
       fail_at(segments[k], error.what());
     }

@@ -60,9 +60,10 @@ std::vector<GivenSegment> segments_of(const CubicInterpolation& data,
                                       const std::vector<Vector<Rational>>& derivatives,
                                       const PointPlace& place) {
   std::vector<GivenSegment> segments;
-  const auto pieces = cubic_pieces(data, derivatives);
-  for (std::size_t k = 0; k < pieces.size(); ++k)
-    segments.push_back(bezier_segment({pieces[k]}, place(k), "the curve from here on"));
+  segments.reserve(data.points.size());
+  for (std::size_t k = 0; k + 1 < data.points.size(); ++k)
+    segments.push_back(
+        bezier_segment({cubic_piece(data, derivatives, k)}, place(k), "the curve from here on"));
   return segments;
 }
 

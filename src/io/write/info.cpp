@@ -14,11 +14,12 @@ namespace {
 
 Value length_value(const InfoAnswer::Length& length) {
   return {Value::Words([&](Notation notation) {
-            if (notation == Notation::unicode) return shown(length.exact, length.rounded);
-            const auto exact = length.exact.exact();
-            return exact ? in_words(*exact, notation) : in_words(length.rounded, notation);
+            const auto& [exact, rounded] = length;
+            if (notation == Notation::unicode)
+              return exact ? shown(Real(*exact), rounded) : shown(rounded);
+            return exact ? in_words(*exact, notation) : in_words(rounded, notation);
           }),
-          [&] { return json_of(length.exact, length.rounded); }};
+          [&] { return length.exact ? json_of(*length.exact) : json_of(length.rounded); }};
 }
 
 /// A row and a text in JSON for each.

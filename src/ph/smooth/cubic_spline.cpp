@@ -166,16 +166,12 @@ CubicDerivatives cubic_derivatives(const CubicInterpolation& data) {
   return result;
 }
 
-std::vector<BezierPoints> cubic_pieces(const CubicInterpolation& data,
-                                       const std::vector<Vector<Rational>>& derivatives) {
-  std::vector<BezierPoints> pieces;
-  for (std::size_t k = 0; k + 1 < data.points.size(); ++k) {
-    const Rational third = (data.parameters[k + 1] - data.parameters[k]) / 3;
-    const Vector<Rational>& a = data.points[k];
-    const Vector<Rational>& b = data.points[k + 1];
-    pieces.push_back({a, a + third * derivatives[k], b - third * derivatives[k + 1], b});
-  }
-  return pieces;
+BezierPoints cubic_piece(const CubicInterpolation& data,
+                         const std::vector<Vector<Rational>>& derivatives, std::size_t k) {
+  const Rational third = (data.parameters[k + 1] - data.parameters[k]) / 3;
+  const Vector<Rational>& a = data.points[k];
+  const Vector<Rational>& b = data.points[k + 1];
+  return {a, a + third * derivatives[k], b - third * derivatives[k + 1], b};
 }
 
 }  // namespace phrame

@@ -46,9 +46,9 @@ inline constexpr std::size_t exact_cubic_points = 50;
 /// a periodic spline that does not end where it starts.
 CubicDerivatives cubic_derivatives(const CubicInterpolation& data);
 
-/// The cubics between the points as Bézier curves, each with four control points, for derivatives
-/// as cubic_derivatives() finds them.
-std::vector<BezierPoints> cubic_pieces(const CubicInterpolation& data,
-                                       const std::vector<Vector<Rational>>& derivatives);
+/// The cubic between the points k and k + 1 as a Bézier curve, with four control points, for
+/// derivatives as cubic_derivatives() finds them.
+BezierPoints cubic_piece(const CubicInterpolation& data,
+                         const std::vector<Vector<Rational>>& derivatives, std::size_t k);
 
 }  // namespace phrame

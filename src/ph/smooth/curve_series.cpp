@@ -10,10 +10,11 @@ namespace {
 /// p(t + z) as a series in z, by Horner's rule.
 BallPolynomial taylor_series(const Polynomial& p, const RealBall& t, long length, long bits) {
   const BallPolynomial shift({t, RealBall(1, bits)});
+  const BallPolynomial near(p, bits);
   BallPolynomial value;
   for (long k = p.degree(); k >= 0; --k) {
     value = multiply_series(value, shift, length, bits);
-    value = with_constant(value, add(value.coefficient(0), RealBall(p.coefficient(k), bits), bits));
+    value = with_constant(value, add(value.coefficient(0), near.coefficient(k), bits));
   }
   return value;
 }

@@ -82,8 +82,16 @@ std::vector<Vector<Rational>> direction_span(const SmoothSegment& segment) {
 
 std::vector<Vector<Rational>> direction_span(const SmoothPath& path) {
   std::vector<Vector<Rational>> all;
+  Vector<Rational> normal;  // of the first two
   for (const SmoothSegment& segment : path.segments())
-    for (Vector<Rational>& v : direction_span(segment)) all.push_back(std::move(v));
+    for (Vector<Rational>& v : direction_span(segment)) {
+      const Vector<Rational> across = all.size() == 1 ? cross(all.front(), v) : normal;
+      if (all.size() == 1 && is_zero_vector(across)) continue;
+      if (all.size() == 2 && dot(normal, v) == 0) continue;
+      normal = across;
+      all.push_back(std::move(v));
+      if (all.size() == 3) return all;
+    }
   return all;
 }
 

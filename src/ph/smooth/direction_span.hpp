@@ -9,7 +9,8 @@ namespace phrame {
 std::vector<Vector<Rational>> direction_span(const RationalCurve& curve);
 std::vector<Vector<Rational>> direction_span(const ExpressionCurve& curve);
 std::vector<Vector<Rational>> direction_span(const SmoothSegment& segment);  ///< likewise
-/// Those of all segments.
+/// Of those of all segments, one after the other, the ones that are in no line or plane of others
+/// before: three at most.
 std::vector<Vector<Rational>> direction_span(const SmoothPath& path);
 
 /// Are all these, none of them 0, along one line?

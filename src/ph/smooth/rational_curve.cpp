@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/as_written.hpp"
+#include "phrame/algebra/compact.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
@@ -53,6 +54,10 @@ RationalCurve::RationalCurve(const Vector<Polynomial>& numerator, const Polynomi
   if (sign_after_zero(multiplier_) < 0) scale = -scale;
   for (Polynomial& x : direction_) x *= Rational(1) / scale;
   multiplier_ *= scale;
+
+  // Splines have thousands of segments.
+  for (Vector<Polynomial>* v : {&numerator_, &direction_})
+    for (Polynomial& x : *v) x = compact(std::move(x));
 }
 
 RationalCurve RationalCurve::turned_over() const {

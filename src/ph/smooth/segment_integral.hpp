@@ -37,6 +37,9 @@ class SegmentIntegral {
 /// (expression_integral.hpp), as far as it is not 0 by their form.
 void find_together(const SmoothPath& path, const std::vector<CurveIntegrand>& integrands);
 
+/// Of a path so many are kept at a time, the last ones: each takes some kilobytes.
+inline constexpr std::size_t most_kept_integrals = 1024;
+
 /// @{ θ of the rotation-minimizing frame to the frame of v, which is nowhere along the tangent, and
 /// to the Frenet frame (rational_rates.hpp). That is continued through the inflections of rational
 /// curves and of plane ones; where else a curve by formulas has one, DomainError or Undecided is

@@ -8,6 +8,7 @@
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/recent.hpp"
 #include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
@@ -31,26 +32,27 @@ struct SmoothAngle::State {
   Vector<Rational> up;
   SmoothReference reference;
   bool is_zero = true;
-  std::vector<Lazy<SegmentIntegral>> integrals;  ///< of the segments
+  Recent<SegmentIntegral> integrals{most_kept_integrals};  ///< of the segments
   Lazy<PlaneTurns> plane_turns{};
 
   std::mutex sums_lock;
   std::map<long, std::vector<RealBall>> sums{};  ///< θ(0), θ(1), … by precision
 
   State(SmoothPath along, Vector<Rational> v, SmoothReference to)
-      : path(std::move(along)), up(std::move(v)), reference(to), integrals(path.segments().size()) {
-    for (std::size_t k = 0; is_zero && k < integrals.size(); ++k) is_zero = integral(k).is_zero();
+      : path(std::move(along)), up(std::move(v)), reference(to) {
+    for (std::size_t k = 0; is_zero && k < path.segments().size(); ++k)
+      is_zero = integral(k)->is_zero();
   }
 
-  const SegmentIntegral& integral(std::size_t k) const {
-    return integrals[k].get([&] {
+  std::shared_ptr<const SegmentIntegral> integral(std::size_t k) {
+    return integrals.get(k, [&] {
       const SmoothSegment& segment = path.segments()[k];
       return reference == SmoothReference::up ? up_frame_angle(segment, up) : frenet_angle(segment);
     });
   }
 
-  RealBall enclose_on(std::size_t k, const Real& t, long bits) const {
-    return integral(k).enclose(t, bits);
+  RealBall enclose_on(std::size_t k, const Real& t, long bits) {
+    return integral(k)->enclose(t, bits);
   }
 
   RealBall sum_before(std::size_t segment, long bits);
@@ -63,11 +65,12 @@ struct SmoothAngle::State {
 
 /// θ at the start of the segment.
 RealBall SmoothAngle::State::sum_before(std::size_t segment, long bits) {
+  const long enough = (bits + 63) / 64 * 64;  // few precisions are kept
   const std::lock_guard lock(sums_lock);
-  std::vector<RealBall>& known = sums[bits];
+  std::vector<RealBall>& known = sums[enough];
   if (known.empty()) known.emplace_back();
   while (known.size() <= segment)
-    known.push_back(add(known.back(), enclose_on(known.size() - 1, Rational(1), bits), bits));
+    known.push_back(add(known.back(), enclose_on(known.size() - 1, Rational(1), enough), enough));
   return known[segment];
 }
 
@@ -112,7 +115,7 @@ RealBall SmoothAngle::enclose(const SmoothParameter& at, long bits) const {
 
 RealBall SmoothAngle::rate(const SmoothParameter& at, long bits) const {
   require_on_segment(at.t);
-  return state_->integral(at.segment).rate(at.t.enclose(bits + 8), bits);
+  return state_->integral(at.segment)->rate(at.t.enclose(bits + 8), bits);
 }
 
 // At both ends e₁ is the same, the tangent, and so is the frame of v.

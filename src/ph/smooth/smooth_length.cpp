@@ -10,7 +10,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/increasing.hpp"
-#include "phrame/algebra/shared.hpp"
+#include "phrame/algebra/recent.hpp"
 #include "phrame/ph/smooth/segment_integral.hpp"
 
 namespace phrame {
@@ -33,16 +33,16 @@ int compare_length(const Real& x, const Rational& s) {
 
 struct SmoothLength::State {
   SmoothPath path;
-  std::vector<Lazy<SegmentIntegral>> lengths;  ///< of the segments
+  Recent<SegmentIntegral> lengths{most_kept_integrals};  ///< of the segments
   std::mutex lock;
   /// Lengths up to the first segments, as far as they are sums of square roots.
   std::vector<Surd> exact{Surd()};
   std::map<long, std::vector<RealBall>> sums{};  ///< these lengths, by precision
 
-  explicit State(const SmoothPath& along) : path(along), lengths(path.segments().size()) {}
+  explicit State(const SmoothPath& along) : path(along) {}
 
-  const SegmentIntegral& length(std::size_t k) const {
-    return lengths[k].get([&] { return arc_length(path.segments()[k]); });
+  std::shared_ptr<const SegmentIntegral> length(std::size_t k) {
+    return lengths.get(k, [&] { return arc_length(path.segments()[k]); });
   }
   RealBall sum_before(std::size_t k, long bits);
 };
@@ -54,7 +54,7 @@ RealBall SmoothLength::State::sum_before(std::size_t k, long bits) {
   std::vector<RealBall>& known = sums[enough];
   if (known.empty()) known.emplace_back();
   while (known.size() <= k) {
-    const RealBall next = length(known.size() - 1).value(Rational(1)).enclose(enough);
+    const RealBall next = length(known.size() - 1)->value(Rational(1)).enclose(enough);
     known.push_back(add(known.back(), next, enough));
   }
   return known[k];
@@ -67,7 +67,7 @@ Real SmoothLength::before(std::size_t k) const {
   std::vector<Surd>& exact = state_->exact;
   while (exact.size() <= k) {
     if (exact.back().count_roots() > most_roots) break;
-    const auto next = state_->length(exact.size() - 1).algebraic_value(1);
+    const auto next = state_->length(exact.size() - 1)->algebraic_value(1);
     if (!next) break;
     exact.push_back(exact.back() + *next);
   }
@@ -76,11 +76,13 @@ Real SmoothLength::before(std::size_t k) const {
   return {[state = state_, k](long bits) { return state->sum_before(k, bits); }, {is_known, 0}};
 }
 
+Real SmoothLength::of_segment(std::size_t k) const { return state_->length(k)->value(Rational(1)); }
+
 Real SmoothLength::total() const { return before(state_->path.segments().size()); }
 
 Real SmoothLength::value(const SmoothParameter& at) const {
   const Real start = before(at.segment);
-  const SegmentIntegral& length = state_->length(at.segment);
+  const SegmentIntegral length = *state_->length(at.segment);
   const Real sum = start + length.value(at.t);
   if (sum.exact() || !at.t.exact()) return sum;
   // Roots cancel where a curve is cut.
@@ -93,7 +95,7 @@ Real SmoothLength::value(const SmoothParameter& at) const {
 }
 
 RealBall SmoothLength::rate(std::size_t segment, const RealBall& t, long bits) const {
-  return state_->length(segment).rate(t, bits);
+  return state_->length(segment)->rate(t, bits);
 }
 
 SmoothParameter SmoothLength::point(const Rational& s) const {
@@ -111,14 +113,13 @@ SmoothParameter SmoothLength::point(const Rational& s) const {
   const Real start = before(low);
   if (start.exact() == s) return {low, Rational(0)};
   if (before(low + 1).exact() == s) return {low, Rational(1)};
-  const SegmentIntegral& length = state_->length(low);
-  const auto from_start = [&length, start](const RealBall& t, long bits) {
-    return add(start.enclose(bits), length.enclose(Real(t.midpoint()), bits), bits);
+  const auto from_start = [length = state_->length(low), start](const RealBall& t, long bits) {
+    return add(start.enclose(bits), length->enclose(Real(t.midpoint()), bits), bits);
   };
-  const auto slope = [&length](const RealBall& t, long bits) { return length.rate(t, bits); };
-  const auto F = std::make_shared<const IncreasingFunction>(IncreasingFunction{
-      [state = state_, from_start](const RealBall& t, long bits) { return from_start(t, bits); },
-      [state = state_, slope](const RealBall& t, long bits) { return slope(t, bits); }});
+  const auto slope = [length = state_->length(low)](const RealBall& t, long bits) {
+    return length->rate(t, bits);
+  };
+  const auto F = std::make_shared<const IncreasingFunction>(IncreasingFunction{from_start, slope});
   return {low, preimage(F, s, guess_preimage(*F, s))};
 }
 

@@ -16,6 +16,8 @@ class SmoothLength {
   Real value(const SmoothParameter& at) const;
   /// Up to the start of segment k, the end of the path for k = the number of segments.
   Real before(std::size_t k) const;
+  /// Of segment k.
+  Real of_segment(std::size_t k) const;
   /// Of the whole path.
   Real total() const;
 

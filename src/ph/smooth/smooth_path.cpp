@@ -85,24 +85,31 @@ SmoothSegment turned_over(const SmoothSegment& segment) {
 
 }  // namespace
 
-SmoothPath::SmoothPath(SmoothSegment first) : segments_{std::move(first)} {
-  if (orientation(segments_.front()) < 0) segments_.front() = turned_over(segments_.front());
+SmoothPath::SmoothPath(SmoothSegment first, std::size_t room)
+    : segments_(std::make_shared<Segments>()) {
+  segments_->reserve(room);
+  segments_->push_back(orientation(first) < 0 ? turned_over(first) : std::move(first));
 }
 
-SmoothPath::SmoothPath(const Path& ph) {
-  for (const Curve& curve : ph.segments()) segments_.emplace_back(PhSegment(curve));
+SmoothPath::SmoothPath(const Path& ph) : segments_(std::make_shared<Segments>()) {
+  for (const Curve& curve : ph.segments()) segments_->emplace_back(PhSegment(curve));
 }
 
-void SmoothPath::append(const SmoothSegment& next) {
-  const Curve* last_ph = ph_curve(segments_.back());
+void SmoothPath::add(SmoothSegment next) {
+  if (segments_.use_count() > 1) segments_ = std::make_shared<Segments>(segments());
+  segments_->push_back(std::move(next));
+}
+
+void SmoothPath::append(SmoothSegment next) {
+  const Curve* last_ph = ph_curve(segments().back());
   const Curve* next_ph = ph_curve(next);
   if (last_ph != nullptr && next_ph != nullptr) {
     const Curve goes_on = continuation(*last_ph, *next_ph);
-    segments_.emplace_back(PhSegment(goes_on));
+    add(PhSegment(goes_on));
     return;
   }
   FormulaProgram program;
-  const SmoothEnd before = end_of(segments_.back(), program);
+  const SmoothEnd before = end_of(segments().back(), program);
   const SmoothEnd after = start_of(next, program);
   if (!decided(are_equal(program, before.position, after.position),
                "it starts where the spline ends"))
@@ -116,12 +123,12 @@ void SmoothPath::append(const SmoothSegment& next) {
     throw DomainError(fmt::format(
         "the tangent breaks: it starts in the direction {}, but the spline ends in {}",
         shown_vector(program, new_tangent, true), shown_vector(program, old_tangent, true)));
-  segments_.push_back(before.sign == after.sign ? next : turned_over(next));
+  add(before.sign == after.sign ? std::move(next) : turned_over(next));
 }
 
 std::optional<Path> SmoothPath::ph() const {
   std::vector<Curve> curves;
-  for (const SmoothSegment& segment : segments_) {
+  for (const SmoothSegment& segment : segments()) {
     const Curve* ph = ph_curve(segment);
     if (ph == nullptr) return std::nullopt;
     curves.push_back(*ph);
@@ -131,16 +138,16 @@ std::optional<Path> SmoothPath::ph() const {
 
 bool SmoothPath::ends_meet() const {
   FormulaProgram program;
-  const SmoothEnd start = start_of(segments_.front(), program);
-  const SmoothEnd end = end_of(segments_.back(), program);
+  const SmoothEnd start = start_of(segments().front(), program);
+  const SmoothEnd end = end_of(segments().back(), program);
   return decided(are_equal(program, start.position, end.position), "the ends of the curve meet");
 }
 
 bool SmoothPath::is_closed() const {
   if (!ends_meet()) return false;
   FormulaProgram program;
-  const SmoothEnd start = start_of(segments_.front(), program);
-  const SmoothEnd end = end_of(segments_.back(), program);
+  const SmoothEnd start = start_of(segments().front(), program);
+  const SmoothEnd end = end_of(segments().back(), program);
   return decided(have_same_direction(program, end.direction, start.direction),
                  "the tangents at the ends of the curve are the same");
 }
@@ -156,9 +163,9 @@ Closure closure(const SmoothPath& path) {
   return found;
 }
 
-SmoothPath joined(const std::vector<SmoothSegment>& segments) {
-  SmoothPath path(segments.front());
-  for (std::size_t k = 1; k < segments.size(); ++k) path.append(segments[k]);
+SmoothPath joined(std::vector<SmoothSegment> segments) {
+  SmoothPath path(std::move(segments.front()), segments.size());
+  for (std::size_t k = 1; k < segments.size(); ++k) path.append(std::move(segments[k]));
   return path;
 }
 
@@ -169,7 +176,7 @@ NamedSmoothPath of_any_kind(const NamedPath& named) {
 SmoothPath by_positions(const Path& path) {
   std::vector<SmoothSegment> segments;
   for (const Curve& curve : path.segments()) segments.emplace_back(RationalCurve(position(curve)));
-  return joined(segments);
+  return joined(std::move(segments));
 }
 
 PathParameter locate(const SmoothPath& path, const Rational& t) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <string>
 
 #include "phrame/ph/curve/named.hpp"
@@ -11,34 +12,42 @@ namespace phrame {
 /// a cusp there the tangent is its limit. Segments are turned over where that makes e₁ r′/|r′| at
 /// the start and continuous from there on; after an odd number of changes of the sign of p or f it
 /// is −r′/|r′|. Through neighbouring PH curves the Euler–Rodrigues frame is continuous, as in a
-/// Path.
+/// Path. Copies share the segments.
 class SmoothPath {
  public:
-  /// One segment, to which others may be appended.
-  SmoothPath(SmoothSegment first);  // NOLINT(google-explicit-constructor)
+  /// One segment, to which others may be appended; there is room for so many.
+  SmoothPath(SmoothSegment first, std::size_t room = 1);  // NOLINT(google-explicit-constructor)
   /// The segments of a path of PH curves.
   explicit SmoothPath(const Path& ph);
+  SmoothPath(const SmoothPath&) = default;
+  SmoothPath& operator=(const SmoothPath&) = default;  // to move one is to copy it
+  ~SmoothPath() = default;
 
   /// Throws DomainError where the segment does not start where the path ends, and where its tangent
   /// there is another, with the same messages as Path::append; Undecided where that is not told of
   /// values of formulas that agree to 1024 bits.
-  void append(const SmoothSegment& next);
+  void append(SmoothSegment next);
 
-  const std::vector<SmoothSegment>& segments() const { return segments_; }  ///< at least one
+  const std::vector<SmoothSegment>& segments() const { return *segments_; }  ///< at least one
   /// The path of PH curves, where all of its segments are.
   std::optional<Path> ph() const;
   /// Of the parameter.
-  Rational end() const { return Rational(static_cast<long>(segments_.size())); }
+  Rational end() const { return Rational(static_cast<long>(segments().size())); }
 
   /// Is its end its start? Throws Undecided where that is not told of values of formulas.
   bool ends_meet() const;
   /// Do its ends meet, with the same e₁? Throws likewise.
   bool is_closed() const;
 
-  friend bool operator==(const SmoothPath&, const SmoothPath&) = default;
+  friend bool operator==(const SmoothPath& a, const SmoothPath& b) {
+    return a.segments() == b.segments();
+  }
 
  private:
-  std::vector<SmoothSegment> segments_;
+  void add(SmoothSegment next);
+
+  using Segments = std::vector<SmoothSegment>;
+  std::shared_ptr<Segments> segments_;  ///< not changed while it is shared
 };
 
 /// What is known of the ends of a path.
@@ -51,7 +60,7 @@ struct Closure {
 Closure closure(const SmoothPath& path);
 
 /// The segments, at least one, one after the other. Throws as SmoothPath::append.
-SmoothPath joined(const std::vector<SmoothSegment>& segments);
+SmoothPath joined(std::vector<SmoothSegment> segments);
 
 /// The same path by its positions, as if it were not known to be Pythagorean. Its e₁ is that of the
 /// path or, everywhere, its opposite.

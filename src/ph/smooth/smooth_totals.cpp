@@ -6,7 +6,6 @@
 #include "phrame/ph/smooth/formula_domain.hpp"
 #include "phrame/ph/smooth/rational_rates.hpp"
 #include "phrame/ph/smooth/segment_integral.hpp"
-#include "phrame/ph/smooth/up_vector.hpp"
 
 // τ = W²·det(H, H′, H″)/(p·ρ) does not depend on the sign of H, and so τ ds =
 // sign p·√σ·det(H, H′, H″)/ρ dt, which is −sign p times how the rotation-minimizing frame turns
@@ -15,11 +14,26 @@
 namespace phrame {
 namespace {
 
+/// The term of segment k. Of a long path only a ball around it is kept, and where more digits are
+/// asked for it is what of_segment() finds again.
+template <class OfSegment>
+Real kept_term(const Real& term, const SmoothPath& path, std::size_t k,
+               const OfSegment& of_segment) {
+  constexpr long first_bits = 112;
+  const bool is_short = path.segments().size() <= most_kept_integrals ||
+                        std::holds_alternative<ExpressionCurve>(path.segments()[k]);
+  if (term.exact() || is_short) return term;
+  return Real([path, k, of_segment, first = term.enclose(first_bits)](long bits) {
+    return bits <= first_bits ? first : of_segment(path.segments()[k]).enclose(bits);
+  });
+}
+
 /// Of ∫ over all segments.
 template <class OfSegment>
 Real sum_of_segments(const SmoothPath& path, const OfSegment& of_segment) {
   std::vector<Real> terms;
-  for (const SmoothSegment& segment : path.segments()) terms.push_back(of_segment(segment));
+  for (std::size_t k = 0; k < path.segments().size(); ++k)
+    terms.push_back(kept_term(of_segment(path.segments()[k]), path, k, of_segment));
   return sum_of(terms);
 }
 
@@ -102,7 +116,9 @@ std::variant<Real, Infinite> sum_of_energies(const SmoothPath& path, const OfCur
     const SegmentEnergy energy = visit_curve(of_curve, path.segments()[k]);
     if (const auto* pole = std::get_if<RealAlgebraic>(&energy))
       return Infinite{affine(*pole, 1, Rational(static_cast<long>(k))), k};
-    terms.push_back(std::get<Real>(energy));
+    terms.push_back(kept_term(std::get<Real>(energy), path, k, [of_curve](const auto& segment) {
+      return std::get<Real>(visit_curve(of_curve, segment));
+    }));
   }
   return sum_of(terms);
 }
@@ -128,11 +144,8 @@ std::variant<Real, Infinite> frenet_energy(const SmoothPath& path) {
   return sum_of_energies(path, [](const auto& curve) { return frenet_energy_of(curve); });
 }
 
-Real up_frame_twist(const SmoothPath& path, const Vector<Rational>& up) {
-  require_up_vector(path, up);
-  return sum_of_segments(path, [&up](const SmoothSegment& segment) {
-    return -up_frame_angle(segment, up).value(Rational(1));
-  });
+Real up_frame_twist(const SmoothAngle& angle) {
+  return -angle.value({angle.path().segments().size() - 1, Rational(1)});
 }
 
 }  // namespace phrame

@@ -2,7 +2,7 @@
 #include <variant>
 
 #include "phrame/ph/frame/totals.hpp"
-#include "phrame/ph/smooth/smooth_path.hpp"
+#include "phrame/ph/smooth/smooth_angle.hpp"
 
 namespace phrame {
 
@@ -20,7 +20,8 @@ std::variant<Real, Infinite> bending_energy(const SmoothPath& path);
 /// ∫ (κ² + τ²) ds, infinite at most cusps; at inflections τ is finite. Throws DomainError where a
 /// segment is a straight line, and as total_torsion().
 std::variant<Real, Infinite> frenet_energy(const SmoothPath& path);
-/// ∫ e₂′·e₃ dt of the frame of v: how far it turns about e₁, in radians.
-Real up_frame_twist(const SmoothPath& path, const Vector<Rational>& up);
+/// ∫ e₂′·e₃ dt of the frame of v that the angle is to: how far it turns about e₁, in radians, −θ at
+/// the end.
+Real up_frame_twist(const SmoothAngle& angle);
 
 }  // namespace phrame

@@ -51,8 +51,9 @@ Vector<Rational> first_at_end(const BezierPoints& b, const Rational& step) {
 /// allows: 4/h from each of the two derivatives and 2/h from each at the other end, on both sides.
 void check_spline(const CubicInterpolation& data) {
   const auto [derivatives, error] = cubic_derivatives(data);
-  const auto pieces = cubic_pieces(data, derivatives);
-  const std::size_t n = pieces.size();
+  const std::size_t n = data.points.size() - 1;
+  std::vector<BezierPoints> pieces;
+  for (std::size_t k = 0; k < n; ++k) pieces.push_back(cubic_piece(data, derivatives, k));
   const auto step = [&](std::size_t k) {
     return Rational(data.parameters[k + 1] - data.parameters[k]);
   };

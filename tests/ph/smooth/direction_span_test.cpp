@@ -40,6 +40,12 @@ TEST_CASE("direction span: planes have their normal") {
 TEST_CASE("direction span: that of a rational curve is of the coefficients of H") {
   const RationalCurve parabola({Polynomial{0, 2}, {1, 0, 3}, {0, 2, 3}});  // H = (1, 3t, 1 + 3t)
   CHECK(direction_span(parabola) == std::vector<Vector<Rational>>{{1, 0, 1}, {0, 3, 3}});
+  // Of a path, those that are independent, the first ones.
+  const SmoothPath path = joined(
+      {RationalCurve({Polynomial{0, 1}, {}, {}}), RationalCurve({Polynomial{1, 1}, {0, 0, 1}, {}}),
+       RationalCurve({Polynomial{2, 1}, Polynomial{1, 2}, {0, 0, 1}}),
+       RationalCurve({Polynomial{3, 1}, Polynomial{3, 2}, Polynomial{1, 2}})});
+  CHECK(direction_span(path) == std::vector<Vector<Rational>>{{1, 0, 0}, {0, 2, 0}, {0, 0, 2}});
 }
 
 TEST_CASE("direction span: the up vector of formulas is nowhere along the tangent") {

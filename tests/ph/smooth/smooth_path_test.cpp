@@ -30,6 +30,17 @@ RationalCurve quarter(long turns) {
 
 }  // namespace
 
+TEST_CASE("smooth path: copies share their segments, until one of them grows") {
+  SmoothPath path(quarter(0));
+  const SmoothPath copy = path;
+  CHECK(&copy.segments() == &path.segments());
+  path.append(quarter(1));
+  CHECK(copy.segments().size() == 1);
+  CHECK(copy == SmoothPath(quarter(0)));
+  CHECK(path == joined({quarter(0), quarter(1)}));
+  CHECK_FALSE(path == copy);
+}
+
 TEST_CASE("smooth path: a joint that breaks is refused, with what differs") {
   const RationalCurve line({Polynomial{0, 1}, {}, {}});
   CHECK(complaint(line, line) == "it starts at (0, 0, 0), but the spline ends at (1, 0, 0)");

@@ -9,6 +9,7 @@
 #include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/shape.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/path_angle.hpp"
 #include "phrame/ph/smooth/bspline.hpp"
 #include "phrame/ph/smooth/smooth_angle.hpp"
@@ -194,5 +195,36 @@ TEST_CASE("smooth totals: a B-spline of degree 12 with a series that ends late")
   for (long bits = 96; bits <= 160; bits += 8) {
     const RealBall off = subtract(total_curvature(path).enclose(bits), wanted.enclose(200), 200);
     CHECK(absolute(off).upper() < power_of_two(8 - bits) + parse_rational("1e-33"));
+  }
+}
+
+// Of long paths terms are kept as balls of few bits, and integrals are made again.
+TEST_CASE("smooth totals: law: a long path of translated pieces has many times those of one") {
+  constexpr long count = 1100;
+  const auto piece = [](long k) {
+    const Vector<Rational> shift{3 * k, k, k};
+    return bezier_curve({shift, shift + Vector<Rational>{1, 0, 0},
+                         shift + Vector<Rational>{2, 1, 1}, shift + Vector<Rational>{3, 1, 1}});
+  };
+  SmoothPath path(piece(0), count);
+  for (long k = 1; k < count; ++k) path.append(piece(k));
+  const SmoothPath one(piece(0));
+  const auto agrees = [&](const Real& sum, const Real& part) {
+    for (const long bits : {60, 160}) {
+      const RealBall expected = multiply(RealBall(Rational(count), 220), part.enclose(200), 220);
+      CHECK(sum.enclose(bits).overlaps(expected));
+      CHECK(sum.enclose(bits).is_accurate(bits - 16));
+    }
+  };
+  agrees(total_curvature(path), total_curvature(one));
+  agrees(std::get<Real>(bending_energy(path)), std::get<Real>(bending_energy(one)));
+  agrees(SmoothLength(path).total(), SmoothLength(one).total());
+  const SmoothAngle angle(path, {0, 1, 2});
+  const SmoothAngle part(one, {0, 1, 2});
+  agrees(up_frame_twist(angle), up_frame_twist(part));
+  for (const std::size_t k : {std::size_t{1099}, std::size_t{3}, std::size_t{700}}) {
+    const Real expected = Rational(static_cast<long>(k)) * part.value({0, Rational(1)}) +
+                          part.value({0, Rational(1, 3)});
+    CHECK(angle.enclose({k, Rational(1, 3)}, 80).overlaps(expected.enclose(90)));
   }
 }
