@@ -11,6 +11,7 @@
 #include "phrame/io/write/c_header.hpp"
 #include "phrame/io/write/certificate.hpp"
 #include "phrame/io/write/check.hpp"
+#include "phrame/io/write/frame_start.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/json_text.hpp"
@@ -148,6 +149,12 @@ std::string parameter_said(const SmoothPath& path) {
                      printable(to_string(curve->from(), s)), printable(to_string(curve->to(), s)));
 }
 
+/// Where frames start, if that is the rule.
+void say_start(JsonOutput& page, const FrameStart& start) {
+  if (const auto* least = std::get_if<LeastRotation>(&start))
+    page["said"].push_back(fmt::format("At the start {}.", to_sentence(*least)));
+}
+
 void add_angle(JsonOutput& page, const AngleAnswer& angle) {
   const auto& [name, path, near, notes] = angle.path;
   page["heading"] = heading("", path.segments().front());
@@ -162,6 +169,7 @@ void add_angle(JsonOutput& page, const AngleAnswer& angle) {
     said += "Its closed form is too long for a page: phrame angle prints it. ";
   said += "That the derivative of the formula is θ′ = −2h/σ was checked exactly, for this curve.";
   page["said"] = {said};
+  say_start(page, angle.start);
   if (!path.is_curve()) page["said"].push_back(segments_said(path.segments().size()));
   if (path.is_curve() && !angle.formulas.empty() && angle.formulas.front().poles)
     page["poles"] = json_of_poles(*angle.formulas.front().poles, 1);
@@ -176,6 +184,7 @@ void add_angle(JsonOutput& page, const SmoothAngleAnswer& angle) {
       angle.path.path.ph() ? "To the frame of a vector θ has no closed form"
                            : "The curve is not Pythagorean-hodograph, and θ has no closed form",
       shown(angle.up))};
+  say_start(page, angle.start);
   page["said"].push_back(parameter_said(angle.path.path));
   add_holonomy(page, angle.holonomy);
 }
