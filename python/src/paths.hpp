@@ -22,9 +22,9 @@ enum class StartRule {
   least_rotation,  ///< of frames
   reference,       ///< of angles: the frame that they are measured from
 };
-/// `start`, an angle, "least", "erf", "up" or "frenet", or one of these and an angle, as "erf+pi/4";
-/// or `start_normal`, a vector; or neither. `reference` is the name of the frame that angles are
-/// measured from.
+/// `start`, an angle, "least", "erf", "up" or "frenet", or one of these and an angle, as
+/// "erf+pi/4"; or `start_normal`, a vector; or neither. `reference` is the name of the frame that
+/// angles are measured from.
 FrameStart asked_start(nb::handle start, nb::handle start_normal, StartRule rule,
                        const std::string& reference);
 /// The same where it is a start of this path's frames.

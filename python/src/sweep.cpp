@@ -74,7 +74,8 @@ FrameStart sweep_start(const AnyPath& path, nb::handle start, nb::handle start_n
   if (const auto* ph = std::get_if<NamedPath>(&path))
     return frame_start(start, start_normal, StartRule::least_rotation, ph->path);
   const SmoothPath& smooth = std::get<NamedSmoothPath>(path).path;
-  return smooth_start(start, start_normal, StartRule::least_rotation, angle_to_up(smooth, nb::none()));
+  return smooth_start(start, start_normal, StartRule::least_rotation,
+                      angle_to_up(smooth, nb::none()));
 }
 
 /// Between 0 and 90°.
