@@ -12,8 +12,8 @@ import pytest
 import phrame
 from common import MULTIPLIER, ROOT, random_curve
 
-# Each takes seconds. What was left to itself goes on until the process ends, which is at once.
-CALLS = """
+# What takes seconds when it is asked, beside what the scripts below do with it.
+CURVES = """
 import os, random, signal, sys, threading, time
 sys.path[:0] = {path!r}
 import numpy  # on a busy machine its first import, by a call, would be what is interrupted
@@ -25,6 +25,10 @@ rng = random.Random(1)
 curve, huge = random_curve(rng, 30), random_curve(rng, 60, 10**60)
 trefoil = phrame.Curve.expressions("(2+cos(3*s))*cos(2*s)", "(2+cos(3*s))*sin(2*s)", "sin(3*s)", 0, "2*pi")
 points = [[rng.randint(-99, 99) for _ in range(3)] for _ in range(400)]
+"""
+
+# Each takes seconds. What was left to itself goes on until the process ends, which is at once.
+CALLS = CURVES + """
 calls = dict(
     frames=lambda: curve.frames([Fraction(k, 1_000_003) for k in range(20_000)]),
     digits=lambda: trefoil.angle().value(1, digits=20_000),
@@ -78,20 +82,7 @@ def test_other_threads_run_during_a_call():
 
 
 # Each would take seconds, and again and again is interrupted where it happens to be: the session lives on.
-LIMITED = """
-import sys
-sys.path[:0] = {path!r}
-import random
-import threading
-from fractions import Fraction
-import numpy
-import phrame
-from common import random_curve
-
-rng = random.Random(3)
-curve, huge = random_curve(rng, 30), random_curve(rng, 60, 10**60)
-trefoil = phrame.Curve.expressions("(2+cos(3*s))*cos(2*s)", "(2+cos(3*s))*sin(2*s)", "sin(3*s)", 0, "2*pi")
-points = [[rng.randint(-99, 99) for _ in range(3)] for _ in range(400)]
+LIMITED = CURVES + """
 theta = random_curve(rng, 4).angle().value(1)
 calls = [
     lambda: curve.frames([Fraction(k, 1_000_003) for k in range(20_000)]),

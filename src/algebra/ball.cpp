@@ -233,6 +233,12 @@ RealBall argument(const ComplexBall& z, long bits) {
   return angle;
 }
 
+RealBall argument_about_pi(const ComplexBall& z, long bits) {
+  ComplexBall opposite;
+  acb_neg(opposite.raw(), z.raw());
+  return add(pi(bits), argument(opposite, bits), bits);
+}
+
 ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits) {
   flint::FmpzPoly numerator;
   fmpq_poly_get_numerator(numerator.get(), p.raw());

@@ -128,6 +128,9 @@ ComplexBall multiply(const RealBall& a, const ComplexBall& b, long bits);
 /// @}
 /// The principal argument, in (−π, π]; all of [−π, π] where the ball meets the negative real axis.
 RealBall argument(const ComplexBall& z, long bits);
+/// The argument in (0, 2π], π + arg(−z): for a z near the negative real axis, where the principal
+/// one jumps.
+RealBall argument_about_pi(const ComplexBall& z, long bits);
 /// @{ p(z).
 ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits);
 RealBall evaluate(const Polynomial& p, const RealBall& x, long bits);

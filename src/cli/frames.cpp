@@ -164,8 +164,9 @@ TabulatedFrames table_of(const NamedSmoothPath& named, const TableColumns& colum
   if (has_frame(columns, TabulatedFrame::euler_rodrigues) && !has_ph)
     throw InputError("--frame", "\"erf\" " + needs_ph(named.path));
   if (has_frame(columns, TabulatedFrame::mtf))
-    throw InputError("--frame", named.path.ph() ? "\"mtf\" is not tabulated beside the frame of v"
-                                                : "\"mtf\" " + needs_ph(named.path));
+    throw InputError("--frame", named.path.is_ph()
+                                    ? "\"mtf\" is not tabulated beside the frame of v"
+                                    : "\"mtf\" " + needs_ph(named.path));
   const SmoothAngle angle = options.up.angle(named.path);
   options.start.check(angle);
   std::vector<Rational> numbers;

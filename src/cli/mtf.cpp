@@ -54,8 +54,8 @@ MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
 MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
                          const NamedSmoothPath& named) {
   command.refuse(TwistOptions::of_rational_frame(),
-                 named.path.ph() ? "is of rational frames, whose angles are not those of --up"
-                                 : "is of rational frames; such a one " + needs_ph(named.path));
+                 named.path.is_ph() ? "is of rational frames, whose angles are not those of --up"
+                                    : "is of rational frames; such a one " + needs_ph(named.path));
   const SmoothAngle angle = options.up.angle(named.path);
   const auto [from, to] = options.twist.ends(angle);
   MinimalTwistAnswer found =
@@ -63,8 +63,8 @@ MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
                                      options.parameters.values(named.path.end()), options.digits,
                                      angle.up()});
   if (!options.is_exact_only)
-    found.why_not_rational =
-        named.path.ph() ? "--up is of the exact frame" : "the curve is not Pythagorean-hodograph";
+    found.why_not_rational = named.path.is_ph() ? "--up is of the exact frame"
+                                                : "the curve is not Pythagorean-hodograph";
   return found;
 }
 

@@ -96,6 +96,11 @@ TEST_CASE("ball: hulls, and arguments in all directions") {
     CHECK(argument(ComplexBall(RealBall(re, 64), RealBall(im, 64)), 64)
               .overlaps(argument(Rational(re), Rational(im), 64)));
   // On the cut the whole circle is returned.
+  // Through the cut: arg(−1 + iy) = π − arctan y.
+  const RealBall through = argument_about_pi(ComplexBall(RealBall(-1, 64), hull(-1, 1, 64)), 64);
+  CHECK(through.overlaps(divide(pi(64), RealBall(Rational(4, 3), 64), 64)));
+  CHECK(through.overlaps(divide(pi(64), RealBall(Rational(4, 5), 64), 64)));
+  CHECK(through.radius() < Rational(1));
   const RealBall cut = argument(ComplexBall(RealBall(-1, 64), hull(-1, 1, 64)), 64);
   CHECK(cut.contains(3));
   CHECK(cut.contains(-3));

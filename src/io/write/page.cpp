@@ -181,8 +181,8 @@ void add_angle(JsonOutput& page, const SmoothAngleAnswer& angle) {
   page["said"] = {fmt::format(
       "{}: it is the integral of −e₂′·e₃ of the frame e₂ = v × e₁/|v × e₁| of the vector v = {}, "
       "enclosed by Taylor polynomials whose errors are proved.",
-      angle.path.path.ph() ? "To the frame of a vector θ has no closed form"
-                           : "The curve is not Pythagorean-hodograph, and θ has no closed form",
+      angle.path.path.is_ph() ? "To the frame of a vector θ has no closed form"
+                              : "The curve is not Pythagorean-hodograph, and θ has no closed form",
       shown(angle.up))};
   say_start(page, angle.start);
   page["said"].push_back(parameter_said(angle.path.path));

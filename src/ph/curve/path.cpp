@@ -67,6 +67,12 @@ Path::Path(Curve first) : segments_{std::move(first)} {
   if (sign_after_zero(curve.multiplier()) < 0) curve = turned_over(curve);
 }
 
+Path Path::of_continuous(std::vector<Curve> segments) {
+  Path path;
+  path.segments_ = std::move(segments);
+  return path;
+}
+
 void Path::append(const Curve& next) { segments_.push_back(continuation(segments_.back(), next)); }
 
 Curve continuation(const Curve& last, const Curve& next) {

@@ -21,6 +21,10 @@ class Path {
   /// One segment, to which others may be appended.
   Path(Curve first);  // NOLINT(google-explicit-constructor)
 
+  /// The segments as they are. Precondition: f > 0 just after the start of the first, and each
+  /// other is the continuation() of the one before.
+  static Path of_continuous(std::vector<Curve> segments);
+
   /// Throws DomainError where the curve does not start where the spline ends, and where its tangent
   /// there is another: "it starts at (1, 0, 0), but the spline ends at (1, 2, 0)". Cost: the
   /// coefficients may get more digits from one segment to the next, by those of c.
@@ -44,6 +48,8 @@ class Path {
   friend bool operator==(const Path&, const Path&) = default;
 
  private:
+  Path() = default;
+
   std::vector<Curve> segments_;
 };
 

@@ -14,6 +14,8 @@ Vector<Real> cross(const Vector<Real>& u, const Vector<Real>& v) {
           minor(u[0], v[1], u[1], v[0])};
 }
 
+Vector<Real> opposite(const Vector<Real>& v) { return {-v[0], -v[1], -v[2]}; }
+
 Real quotient_of(const Real& a, const Real& b) {
   if (a.exact() && b.exact()) return Rational(*a.exact() / *b.exact());
   return Real(

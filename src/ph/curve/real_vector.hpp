@@ -14,6 +14,9 @@ Vector<Real> as_reals(const Vector<Rational>& v);
 /// u × v, exact where both are.
 Vector<Real> cross(const Vector<Real>& u, const Vector<Real>& v);
 
+/// −v
+Vector<Real> opposite(const Vector<Real>& v);
+
 /// a/b, b ≠ 0: exact where both are.
 Real quotient_of(const Real& a, const Real& b);
 /// x/√s, s > 0: where both are exact, exact if it is rational, else irrational.

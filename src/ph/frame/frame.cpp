@@ -9,6 +9,7 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
@@ -32,8 +33,6 @@ Vector<Real> over_square_root(const Vector<Rational>& v, const Rational& s) {
   };
   return {component(v[0]), component(v[1]), component(v[2])};
 }
-
-Vector<Real> opposite(const Vector<Real>& v) { return {-v[0], -v[1], -v[2]}; }
 
 /// 2θ/π, modulo 4, where that is known to be whole.
 std::optional<long> quarter_turns(const Real& theta) {

@@ -47,10 +47,8 @@ RealBall angle_about(const Vector<Real>& H, const Vector<Real>& e, const Vector<
   const long more = bits + 16;
   const RealBall re = multiply(x.enclose(more), root(sigma, more), more);
   const RealBall im = y.enclose(more);
-  // Away from the cut of the argument.
-  if (re.midpoint() >= 0) return argument(ComplexBall(re, im), bits);
-  const ComplexBall opposite(subtract({}, re, more), subtract({}, im, more));
-  return add(argument(opposite, bits), pi(bits), bits);
+  const ComplexBall z(re, im);
+  return re.midpoint() >= 0 ? argument(z, bits) : argument_about_pi(z, bits);
 }
 
 }  // namespace

@@ -9,6 +9,10 @@ const RationalCurve& PhSegment::by_positions() const {
   });
 }
 
+const Frames& PhSegment::frames() const {
+  return frames_.get([this] { return Frames(curve()); });
+}
+
 const Curve* ph_curve(const SmoothSegment& segment) {
   const auto* ph = std::get_if<PhSegment>(&segment);
   return ph == nullptr ? nullptr : &ph->curve();

@@ -3,6 +3,7 @@
 
 #include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/curve.hpp"
+#include "phrame/ph/frame/frame.hpp"
 #include "phrame/ph/smooth/expression_curve.hpp"
 #include "phrame/ph/smooth/rational_curve.hpp"
 
@@ -19,6 +20,7 @@ class PhSegment {
   /// The same by its positions: H is along A i A*, p has the sign of f. Cost: that of r and of the
   /// greatest common divisor of r′, in the first call.
   const RationalCurve& by_positions() const;
+  const Frames& frames() const;  ///< of the curve; made in the first call
 
   /// The same with A·j and −f, whose e₁ is reversed.
   PhSegment turned_over() const { return PhSegment(phrame::turned_over(curve())); }
@@ -28,6 +30,7 @@ class PhSegment {
  private:
   std::shared_ptr<const Curve> curve_;
   Lazy<RationalCurve> by_positions_;
+  Lazy<Frames> frames_;
 };
 
 /// A segment of a path of curves of any kind, on [0, 1].

@@ -38,11 +38,8 @@ Real argument_of(const Vector<Real>& n, const Frame<Real>& frame, const Vector<R
   const Real sigma = dot(H, H);
   const bool is_near_pi = !y.exact() && sign_of(y) == 0 && sign_of(x) < 0;
   const auto enclosure = [x = dot(n, frame.e2), y = dot(n, frame.e3), is_near_pi](long bits) {
-    const RealBall re = x.enclose(bits + 8);
-    const RealBall im = y.enclose(bits + 8);
-    if (!is_near_pi) return argument(ComplexBall(re, im), bits + 8);
-    const ComplexBall opposite(subtract({}, re, bits + 8), subtract({}, im, bits + 8));
-    return add(pi(bits + 8), argument(opposite, bits + 8), bits + 8);
+    const ComplexBall z(x.enclose(bits + 8), y.enclose(bits + 8));
+    return is_near_pi ? argument_about_pi(z, bits + 8) : argument(z, bits + 8);
   };
   if (y.exact() == Rational(0)) return sign_of(x) > 0 ? Real(Rational(0)) : to_real(Angle(1, 0));
   if (x.exact() == Rational(0)) return to_real(Angle(Rational(sign_of(y), 2), 0));
@@ -55,11 +52,11 @@ Real argument_of(const Vector<Real>& n, const Frame<Real>& frame, const Vector<R
 
 /// As least_rotation_normal() of H/|H|; exact where that may be, or is a multiple of it.
 Vector<Real> least_rotation_normal_along(const Vector<Real>& H) {
-  const Real size = over_square_root(dot(H, H), dot(H, H));  // σ/√σ
-  const Real second = size + H[0];
-  if (H[1].exact() == Rational(0)) return {Rational(0), Rational(1), Rational(0)};
-  if (sign_of(H[1]) == 0 && sign_of(second) == 0) return {Rational(0), Rational(1), Rational(0)};
-  return {-H[1], second, Rational(0)};
+  const Vector<Real> j = as_reals({0, 1, 0});
+  if (H[1].exact() == Rational(0)) return j;
+  const Real sigma = dot(H, H);
+  const Real second = over_square_root(sigma, sigma) + H[0];  // |H| = σ/√σ
+  return sign_of(H[1]) == 0 && sign_of(second) == 0 ? j : Vector<Real>{-H[1], second, Rational(0)};
 }
 
 }  // namespace
@@ -71,13 +68,13 @@ Frame<Real> up_frame(const SmoothPath& path, const Vector<Rational>& up,
 }
 
 Frame<Real> euler_rodrigues_frame(const SmoothPath& path, const SmoothParameter& at) {
-  const Curve* ph = ph_curve(path.segments()[at.segment]);
+  const auto* ph = std::get_if<PhSegment>(&path.segments()[at.segment]);
   if (ph == nullptr)
     throw DomainError(fmt::format(
         "Euler-Rodrigues frame: segment {} is no Pythagorean-hodograph curve, it has none",
         at.segment + 1));
-  if (at.t.exact()) return as_real(Frames(*ph).euler_rodrigues(*at.t.exact()));
-  const QuaternionPolynomial a = without_real_content(ph->preimage());
+  if (at.t.exact()) return as_real(ph->frames().euler_rodrigues(*at.t.exact()));
+  const QuaternionPolynomial a = without_real_content(ph->curve().preimage());
   const Real size = remembered(value(sigma(a), at.t));
   const auto vector = [&](const Vector<Polynomial>& v) {
     return Vector<Real>{quotient_of(value(v[0], at.t), size), quotient_of(value(v[1], at.t), size),

@@ -104,8 +104,7 @@ void SmoothPath::append(SmoothSegment next) {
   const Curve* last_ph = ph_curve(segments().back());
   const Curve* next_ph = ph_curve(next);
   if (last_ph != nullptr && next_ph != nullptr) {
-    const Curve goes_on = continuation(*last_ph, *next_ph);
-    add(PhSegment(goes_on));
+    add(PhSegment(continuation(*last_ph, *next_ph)));
     return;
   }
   FormulaProgram program;
@@ -126,14 +125,15 @@ void SmoothPath::append(SmoothSegment next) {
   add(before.sign == after.sign ? std::move(next) : turned_over(next));
 }
 
+bool SmoothPath::is_ph() const {
+  return std::all_of(segments().begin(), segments().end(), ph_curve);
+}
+
 std::optional<Path> SmoothPath::ph() const {
+  if (!is_ph()) return std::nullopt;
   std::vector<Curve> curves;
-  for (const SmoothSegment& segment : segments()) {
-    const Curve* ph = ph_curve(segment);
-    if (ph == nullptr) return std::nullopt;
-    curves.push_back(*ph);
-  }
-  return joined(curves);
+  for (const SmoothSegment& segment : segments()) curves.push_back(*ph_curve(segment));
+  return Path::of_continuous(std::move(curves));
 }
 
 bool SmoothPath::ends_meet() const {

@@ -29,6 +29,7 @@ class SmoothPath {
   void append(SmoothSegment next);
 
   const std::vector<SmoothSegment>& segments() const { return *segments_; }  ///< at least one
+  bool is_ph() const;  ///< are all of its segments PH curves?
   /// The path of PH curves, where all of its segments are.
   std::optional<Path> ph() const;
   /// Of the parameter.

@@ -2,6 +2,7 @@
 
 #include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/frame/reduced_angle.hpp"
 #include "phrame/ph/smooth/formula_symmetry.hpp"
 
@@ -13,8 +14,6 @@ SmoothParameter end_of_path(const SmoothPath& path) {
 }
 
 Real mean_of(const Real& x, const Real& y) { return Rational(1, 2) * (x + y); }
-
-Vector<Real> opposite(const Vector<Real>& v) { return {-v[0], -v[1], -v[2]}; }
 
 }  // namespace
 
