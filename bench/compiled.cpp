@@ -8,8 +8,8 @@
 
 #include "curves.hpp"
 #include "phrame/io/write/c_header.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/curve/transform.hpp"
-#include "phrame/ph/frame/path_angle.hpp"
 #include "quintic.h"  // by phrame compile
 
 namespace phrame::bench {
@@ -55,7 +55,7 @@ void compile_spline(State& state) {
   for (long k = 0; k < n; ++k)
     segments.push_back(segment(curve, Rational(k, n), Rational(k + 1, n)));
   for (auto _ : state) {
-    Path path(segments.front());
+    PhPath path(segments.front());
     for (std::size_t k = 1; k < segments.size(); ++k) path.append(segments[k]);
     benchmark::DoNotOptimize(to_c_header(answer({"", path}, CompiledQuery{}), "spline"));
   }

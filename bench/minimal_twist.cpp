@@ -25,7 +25,7 @@ Curve example() {
 /// From the curve to a rational frame with a quadratic w, proved to `bits` bits where > 0.
 void build(State& state, const Curve& curve, long bits) {
   for (auto _ : state) {
-    PathAngle angle{Path(curve)};
+    PathAngle angle{PhPath(curve)};
     const MinimalTwist mtf(angle, FrameAngle{}, FrameAngle{Rational(-5, 8), 0});
     const TwistPiece piece = twist_pieces(mtf, {}).front();
     const BestTwist best = best_twist(piece, {2, EndRates::matched, bits > 0, bits});
@@ -37,7 +37,7 @@ void build(State& state, const Curve& curve, long bits) {
 void exact_twist_frame(State& state) {
   const Curve curve = example();
   for (auto _ : state) {
-    PathAngle angle{Path(curve)};
+    PathAngle angle{PhPath(curve)};
     const MinimalTwist mtf(angle, FrameAngle{}, FrameAngle{Rational(-5, 8), 0});
     benchmark::DoNotOptimize(mtf.value(Rational(1, 2)).enclose(64));
   }
@@ -56,7 +56,7 @@ void rational_twist_frame_in_pieces(State& state) {
   std::vector<Rational> points;
   for (long k = 1; k < n; ++k) points.emplace_back(k, n);
   for (auto _ : state) {
-    PathAngle angle{Path(curve)};
+    PathAngle angle{PhPath(curve)};
     const MinimalTwist mtf(angle, FrameAngle{}, FrameAngle{0, 1});
     const TwistFrame frame = twist_frame(mtf, {}, {points});
     benchmark::DoNotOptimize(root_mean_square(frame).enclose(64));

@@ -47,7 +47,7 @@ void interpolate(State& state, const Polynomial& speed) {
   const Feedrate feedrate{RationalFunction(speed)};
   const Real total = TravelTime(curve, feedrate).total();
   const InterpolationQuery query{feedrate, Rational(total.enclose(64).upper()) / 100};
-  for (auto _ : state) benchmark::DoNotOptimize(answer(NamedPath("", curve), query));
+  for (auto _ : state) benchmark::DoNotOptimize(answer(NamedPhPath("", curve), query));
   state.SetItemsProcessed(state.iterations() * 100);
 }
 void interpolate_constant(State& state) { interpolate(state, {1}); }

@@ -4,10 +4,10 @@
 
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/formula.hpp"
-#include "phrame/ph/smooth/compiled_smooth.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
-#include "phrame/ph/smooth/smooth_length.hpp"
-#include "phrame/ph/smooth/smooth_twist.hpp"
+#include "phrame/ph/along/smooth_length.hpp"
+#include "phrame/ph/frame/compiled_smooth.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/twist/smooth_twist.hpp"
 
 namespace phrame::bench {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 using State = benchmark::State;
 
 /// A Bézier curve of that degree, with control points of one digit.
-SmoothPath bezier_path(long degree) {
+Path bezier_path(long degree) {
   std::vector<Vector<Rational>> points;
   unsigned long state = 2026;
   const auto next = [&state] {
@@ -27,12 +27,12 @@ SmoothPath bezier_path(long degree) {
     const Rational y = next();
     points.push_back({x, y, next()});
   }
-  return SmoothPath(bezier_curve(points));
+  return Path(bezier_curve(points));
 }
 
 /// Of degree range(0), to range(1) digits.
 void smooth_angle(State& state) {
-  const SmoothPath path = bezier_path(state.range(0));
+  const Path path = bezier_path(state.range(0));
   for (auto _ : state) {
     const SmoothAngle angle(path);
     benchmark::DoNotOptimize(round_to_decimal(angle.value({0, Rational(1)}), state.range(1)));
@@ -40,22 +40,22 @@ void smooth_angle(State& state) {
 }
 
 /// (2 + cos 3s)(cos 2s, sin 2s), sin 3s.
-SmoothPath trefoil() {
+Path trefoil() {
   const auto f = [](const char* text) { return parse_formula(text, "s").value; };
-  return SmoothPath(
+  return Path(
       ExpressionCurve({f("(2 + cos(3*s))*cos(2*s)"), f("(2 + cos(3*s))*sin(2*s)"), f("sin(3*s)")},
                       f("0"), f("2*pi")));
 }
 
 /// Of degree range(0), or by formulas for 0.
-SmoothPath path_of(const State& state) {
+Path path_of(const State& state) {
   return state.range(0) == 0 ? trefoil() : bezier_path(state.range(0));
 }
 
 /// 1001 rotation-minimizing frames in doubles.
 void smooth_frames(State& state) {
   for (auto _ : state) {
-    const SmoothPath path = path_of(state);  // which keeps what is found of integrals
+    const Path path = path_of(state);  // which keeps what is found of integrals
     const SmoothAngle angle(path);
     for (long k = 0; k <= 1000; ++k) {
       const auto frame = rotation_minimizing_frame(angle, {0, Rational(k, 1000)});
@@ -68,7 +68,7 @@ void smooth_frames(State& state) {
 /// 241 frames of the closing minimal twist of the trefoil, in whose middle some components are 0.
 void smooth_twist_frames(State& state) {
   for (auto _ : state) {
-    const SmoothPath path = trefoil();
+    const Path path = trefoil();
     const SmoothAngle angle(path);
     const SmoothTwist twist(angle, Angle(), Angle());
     for (long k = 0; k <= 240; ++k) {
@@ -97,7 +97,7 @@ void smooth_compiled_frame(State& state) {
 
 /// ∫ |r′| dt, to 50 digits.
 void smooth_length(State& state) {
-  const SmoothPath path = bezier_path(state.range(0));
+  const Path path = bezier_path(state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(round_to_decimal(SmoothLength(path).total(), 50));
 }
 

@@ -15,12 +15,12 @@ using State = benchmark::State;
 
 constexpr long sections = 10'000;
 
-NamedPath quintic() { return {"", Path(random_curve(2))}; }
+NamedPhPath quintic() { return {"", PhPath(random_curve(2))}; }
 
 /// The trefoil knot of examples/any.
-NamedSmoothPath trefoil() {
+NamedPath trefoil() {
   const Formula s = Formula::variable();
-  return {"", SmoothSegment(ExpressionCurve(
+  return {"", Segment(ExpressionCurve(
                   {(Formula(2) + cos(Formula(3) * s)) * cos(Formula(2) * s),
                    (Formula(2) + cos(Formula(3) * s)) * sin(Formula(2) * s), sin(Formula(3) * s)},
                   Formula(0), Formula(0, 2)))};
@@ -87,7 +87,7 @@ void sweep_caps_with_holes(State& state) {
     }
   SweepQuery query{Profile::of_rings(rings)};
   query.tolerance_or_sections = 2L;
-  run_sweep(state, NamedPath{"", Path(Curve({{1}, {}, {}, {}}))}, query);
+  run_sweep(state, NamedPhPath{"", PhPath(Curve({{1}, {}, {}, {}}))}, query);
 }
 
 /// In a rational frame of minimal twist.
@@ -95,7 +95,7 @@ void sweep_exact(State& state) {
   RationalSweepQuery query{circle_curve(Rational(1, 10))};
   query.twist_degree = 2;
   query.end_normal = Vector<Rational>{1, 2, 3};
-  const NamedPath path = quintic();
+  const NamedPhPath path = quintic();
   std::size_t patches = 0;
   for (auto _ : state) patches += answer(path, query).surface.patches.size();
   state.SetItemsProcessed(static_cast<long>(patches));

@@ -1,11 +1,11 @@
 // What a curve or spline gathers from start to end, each value to 17 digits.
-#include "phrame/ph/frame/totals.hpp"
+#include "phrame/ph/along/totals.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include "curves.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/curve/transform.hpp"
-#include "phrame/ph/frame/path_angle.hpp"
 
 namespace phrame::bench {
 namespace {
@@ -46,7 +46,7 @@ void spline_angle(State& state) {
   std::vector<Curve> pieces;
   for (long k = 0; k < n; ++k) pieces.push_back(segment(curve, Rational(k, n), Rational(k + 1, n)));
   for (auto _ : state) {
-    Path path(pieces.front());
+    PhPath path(pieces.front());
     for (std::size_t k = 1; k < pieces.size(); ++k) path.append(pieces[k]);
     PathAngle angle(std::move(path));
     benchmark::DoNotOptimize(round_to_decimal(angle.value(n), 17));

@@ -39,7 +39,7 @@ void print(const RationalTwist& twist, const TwistMinimum& minimum) {
 int main() {
   for (int number = 1; number <= 3; ++number) {
     const Curve curve = example(number);
-    PathAngle rmf{Path(curve)};
+    PathAngle rmf{PhPath(curve)};
     const FrameAngle end{differences[static_cast<std::size_t>(number - 1)], 0};
     const MinimalTwist mtf(rmf, FrameAngle{}, end);
     std::cout << "example " << number << ": T = " << rounded(mtf.nominal_twist(), 20)

@@ -20,11 +20,11 @@ Curve quintic() {
   return curve;
 }
 
-NamedPath read(const std::string& name) {
+NamedPhPath read(const std::string& name) {
   //! [file]
   std::ostringstream text;
   text << std::ifstream(name).rdbuf();
-  const NamedPath named = read_path(text.str());  // a curve/1 or spline/1 file
+  const NamedPhPath named = read_path(text.str());  // a curve/1 or spline/1 file
   //! [file]
   return named;
 }
@@ -37,7 +37,7 @@ void angle_at(const Curve& curve) {
   //! [angle]
 }
 
-void closed_form(const NamedPath& named) {
+void closed_form(const NamedPhPath& named) {
   //! [closed form]
   const AngleAnswer theta = answer(named, AngleQuery{.at = {1}, .digits = 20});
   std::cout << for_reading(to_text(theta), false) << to_latex(theta);
@@ -64,21 +64,21 @@ void million_angles(const Curve& curve) {
 
 void spline(const Curve& curve) {
   //! [spline]
-  Path path(curve);                   // t from 0 to 1
+  PhPath path(curve);                 // t from 0 to 1
   path.append(segment(curve, 1, 2));  // t from 1 to 2: here the same curve goes on
   const PathAngle theta(path);
   std::cout << "theta(2) = " << round_to_decimal(theta.value(2), 20) << '\n';
   //! [spline]
 }
 
-void totals(const NamedPath& named) {
+void totals(const NamedPhPath& named) {
   //! [totals]
   for (const TotalsAnswer::Row& row : answer(named, TotalsQuery{.digits = 20}).rows)
     if (row.value) std::cout << name_of(row.quantity) << ": " << *row.value << '\n';
   //! [totals]
 }
 
-void minimal_twist(const Path& path) {
+void minimal_twist(const PhPath& path) {
   //! [twist]
   const FrameAngle from;  // θ = 0: e₂ of the Euler–Rodrigues frame at the start
   const FrameAngle to{Rational(-5, 8), 0};  // θ = −5π/8 at the end
@@ -121,8 +121,8 @@ void integral() {
 
 int main() {
   const Curve curve = quintic();
-  const NamedPath named = read("curves/farouki-2003-quintic.json");
-  if (named.path != Path(curve)) return 1;
+  const NamedPhPath named = read("curves/farouki-2003-quintic.json");
+  if (named.path != PhPath(curve)) return 1;
   angle_at(curve);
   closed_form(named);
   frames_into_array(curve);

@@ -30,48 +30,50 @@ struct DefiniteIntegral;
 
 // ph/curve
 class Curve;
+class ExpressionCurve;
+class Formula;
 class Path;
+class PhPath;
 struct NamedCurve;
 struct NamedPath;
+struct NamedPhPath;
 struct Nearness;
 struct NotPythagorean;
-struct Feedrate;
-class TravelTime;
-class ArcLength;
-class PathLength;
 
-// ph/construct
-struct GivenPoints;
-struct HermiteSpline;
-
-// ph/frame
+// ph/along
 class RmfAngle;
 class PathAngle;
+class ArcLength;
+class PathLength;
+class TravelTime;
+struct Feedrate;
+struct FrameAngle;
+struct Total;
+struct PathTotal;
+
+// ph/frame
 class Frames;
 class CompiledAngle;
 class CompiledFrames;
-struct FrameAngle;
-struct StartNormal;
-struct GivenFrame;
+struct ClosedFrame;
 struct FrameVerdict;
-struct Total;
-struct PathTotal;
+struct GivenFrame;
+struct StartNormal;
 
 // ph/twist
 class MinimalTwist;
 struct TwistFrame;
 class WronskianFrame;
 
+// ph/construct
+struct GivenPoints;
+struct HermiteSpline;
+
 // ph/proof
 struct Classification;
 struct PathClassification;
 struct Certificate;
 struct Statement;
-
-// ph/smooth
-class Formula;
-class ExpressionCurve;
-struct ClosedFrame;
 
 // answer
 struct AngleQuery;

@@ -63,26 +63,26 @@
 #include "phrame/io/write/passage.hpp"
 
 // PH curves, beyond what the answers need.
+#include "phrame/ph/along/travel_time.hpp"
 #include "phrame/ph/construct/c2_hermite.hpp"
 #include "phrame/ph/construct/c2_spline.hpp"
 #include "phrame/ph/construct/rmf_difference.hpp"
 #include "phrame/ph/curve/transform.hpp"
-#include "phrame/ph/curve/travel_time.hpp"
 #include "phrame/ph/frame/algebraic_frame.hpp"
 #include "phrame/ph/frame/frame_quaternion.hpp"
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/ph/proof/verify.hpp"
 
 // Curves of any kind, likewise.
-#include "phrame/ph/smooth/bspline.hpp"
-#include "phrame/ph/smooth/closed_curve.hpp"
-#include "phrame/ph/smooth/compiled_smooth.hpp"
-#include "phrame/ph/smooth/cubic_spline.hpp"
-#include "phrame/ph/smooth/rational_form.hpp"
-#include "phrame/ph/smooth/smooth_check.hpp"
-#include "phrame/ph/smooth/smooth_shape.hpp"
-#include "phrame/ph/smooth/smooth_totals.hpp"
-#include "phrame/ph/smooth/up_vector.hpp"
+#include "phrame/ph/along/smooth_shape.hpp"
+#include "phrame/ph/along/smooth_totals.hpp"
+#include "phrame/ph/along/up_vector.hpp"
+#include "phrame/ph/construct/cubic_interpolation.hpp"
+#include "phrame/ph/curve/bspline.hpp"
+#include "phrame/ph/curve/rational_form.hpp"
+#include "phrame/ph/frame/closed_curve.hpp"
+#include "phrame/ph/frame/compiled_smooth.hpp"
+#include "phrame/ph/frame/smooth_check.hpp"
 
 // Rational functions, likewise, and what to call first where memory may not do.
 #include "phrame/algebra/as_written.hpp"

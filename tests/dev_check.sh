@@ -72,7 +72,7 @@ dev DEV_YES=1 CI= test
 [[ $output =~ 'dev: 0 of '([0-9]+)' tests ran. Not run: '([a-z0-9_. ]*) ]] || fail "$output"
 all=(${BASH_REMATCH[2]})
 ((${#all[@]} == BASH_REMATCH[1])) || fail "a number of tests, and other tests: $output"
-for name in algebra.roots ph.frame.rmf_angle batch certificates cli.mtf dev example_quickstart package peers_sympy pkg_config; do
+for name in algebra.roots ph.along.rmf_angle batch certificates cli.mtf dev example_quickstart package peers_sympy pkg_config; do
   [[ " ${all[*]} " == *" $name "* ]] || fail "$name would not be missed"
 done
 

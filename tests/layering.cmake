@@ -13,15 +13,15 @@ include(${CMAKE_CURRENT_LIST_DIR}/../cmake/public_headers.cmake)
 
 cmake_path(SET SOURCE_DIR NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../src)
 # From below to above; a folder of `ph` or `io` is a room, and what lies in io itself sees both of its.
-set(rooms algebra integrate ph/curve ph/frame ph/construct ph/twist ph/proof ph/smooth ph/sweep answer io/write io/read io cli)
+set(rooms algebra integrate ph/curve ph/along ph/frame ph/twist ph/construct ph/proof ph/sweep answer io/write io/read io cli)
 # What io/write may include: the values that answers are made of, with the polynomials of a curve.
 set(value_header "^(algebra|answer|io/write)/\
 |^integrate/(antiderivative|exact_value|other_form|path_end|pole_table|radicals|real_form)\\.hpp$\
-|^ph/curve/(curve|invariants|named|nearness|path|quaternion|special_points|vector)\\.hpp$\
-|^ph/frame/(frame_angle|frame_start)\\.hpp$\
+|^ph/curve/(curve|invariants|named|nearness|path|ph_path|quaternion|rational_curve|special_points|vector)\\.hpp$\
+|^ph/along/frame_angle\\.hpp$\
+|^ph/frame/frame_start\\.hpp$\
 |^ph/proof/(certificate|statement)\\.hpp$\
-|^ph/sweep/(mesh|rational_surface)\\.hpp$\
-|^ph/smooth/(rational_curve|smooth_path)\\.hpp$")
+|^ph/sweep/(mesh|rational_surface)\\.hpp$")
 set(flint_header "^(flint/.+|(acb|arb|arf|mag|fmpr|fmpz|fmpq|bool_mat|dlog|dirichlet|bernoulli\
 |hypgeom|partitions|double_interval)[a-z_]*\\.h)$")
 set(flint_name "_?(arb|acb|arf|mag|fmpr|fmpz|fmpzi|fmpq|nmod|flint)_[a-z][a-z0-9_]*\

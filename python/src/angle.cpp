@@ -4,7 +4,7 @@ namespace phrame::python {
 namespace {
 
 struct AngleObject {
-  NamedPath named;
+  NamedPhPath named;
   PathAngle angle;
   FrameStart start;
   FrameAngle start_angle;
@@ -31,7 +31,8 @@ nb::object make_angle(nb::handle self, const Text<"frame">& frame, nb::handle st
   const auto& named = nb::cast<const PathObject&>(self).named;
   const Reference reference = reference_named(frame, "frame");
   const Form how = form_named(form);
-  const FrameStart from = frame_start(start, start_normal, StartRule::reference, named.path, reference);
+  const FrameStart from =
+      frame_start(start, start_normal, StartRule::reference, named.path, reference);
   auto [angle, at_zero] = without_gil([path = named.path, reference, how, from] {
     return std::pair{PathAngle(path, reference, how), start_angle(from, path, reference)};
   });

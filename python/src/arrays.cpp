@@ -41,7 +41,7 @@ struct TablePlace {
 template <class Write>
 Numbers by_parameter(const PathObject& self, FrameKind kind, const FrameStart& start, nb::handle ts,
                      nb::handle progress, std::size_t width, const Write& write) {
-  const Path& path = self.named.path;
+  const PhPath& path = self.named.path;
   const auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
   for (std::size_t k = 0; k < at->size() && !path.is_curve(); ++k)
     if (const Rational t = (*at)[k]; t < 0 || t > path.end())

@@ -44,7 +44,7 @@ void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve
           "json", [](const C& c) { return write_certificate(c.certificate, c.name); },
           "The certificate/1 file.")
       .def_prop_ro(
-          "curve", [](const C& c) { return wrap(NamedPath(c.name, c.certificate.curve)); },
+          "curve", [](const C& c) { return wrap(NamedPhPath(c.name, c.certificate.curve)); },
           nb::sig("def curve(self) -> Curve"), "Of which it is.")
       .def_prop_ro(
           "claims",

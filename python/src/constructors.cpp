@@ -13,7 +13,7 @@ CurveObject of_preimage(QuaternionPolynomial a, nb::handle multiplier, nb::handl
   if (!multiplier.is_none()) f = polynomial(multiplier, "multiplier", basis);
   Vector<Rational> from{};
   if (!start.is_none()) from = vector(start, "start");
-  return {{NamedPath(name, Curve(std::move(a), std::move(f), std::move(from)))}};
+  return {{NamedPhPath(name, Curve(std::move(a), std::move(f), std::move(from)))}};
 }
 
 /// Lists in the Bernstein basis are of one degree.
@@ -88,7 +88,7 @@ nb::object from_control_points(nb::handle points, const Text<"name">& name) {
   const auto given = vectors(points, "points", 2);
   auto found = without_gil([=] { return answer({name, bezier_hodograph(given), given.front()}); });
   if (auto* curve = std::get_if<Curve>(&found.result))
-    return wrap(NamedPath(name, std::move(*curve)));
+    return wrap(NamedPhPath(name, std::move(*curve)));
   std::string reason = "not a PH curve: " + to_string(std::get<NotPythagorean>(found.result));
   if (found.suggestion)
     reason += "; Curve.near(points, " + distance_text(found.suggestion->epsilon) +
@@ -110,8 +110,8 @@ nb::object near(nb::handle points, nb::handle eps, const Text<"name">& name) {
   if (const auto* none = std::get_if<NotNear>(&found)) refuse("eps", to_line(*none, epsilon), eps);
   const NearCurve& curve = std::get<NearCurve>(found);
   return wrap(
-      NamedPath(name, curve.curve,
-                curve.nearness.epsilon == 0 ? std::nullopt : std::optional(curve.nearness)));
+      NamedPhPath(name, curve.curve,
+                  curve.nearness.epsilon == 0 ? std::nullopt : std::optional(curve.nearness)));
 }
 
 CurveKind kind_named(const std::string& name) {
@@ -239,7 +239,7 @@ nb::object parsed(const std::string& text, nb::handle near) {
   auto found = without_gil([=] { return read_path_near(text, epsilon); });
   if (const auto* none = std::get_if<NotNear>(&found))
     refuse("near", to_line(*none, epsilon), near);
-  return wrap(std::get<NamedPath>(std::move(found)));
+  return wrap(std::get<NamedPhPath>(std::move(found)));
 }
 
 nb::object read(nb::handle file, nb::handle near) {
@@ -261,7 +261,7 @@ PathObject of_segments(nb::handle curves, const std::string& name) {
     segments.insert(segments.end(), more.begin(), more.end());
   }
   if (segments.empty()) refuse("curves", "there are none", curves);
-  return {NamedPath(name, joined(segments))};
+  return {NamedPhPath(name, joined(segments))};
 }
 
 #define PHRAME_CURVE_PARAMETERS                                                       \

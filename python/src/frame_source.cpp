@@ -32,7 +32,7 @@ FrameSource::Segment::Segment(const Curve& curve, FrameKind kind)
   normal = RoundedPolynomial(gcd(g.re, g.im));
 }
 
-FrameSource::FrameSource(Path path, FrameKind kind, const FrameAngle& start)
+FrameSource::FrameSource(PhPath path, FrameKind kind, const FrameAngle& start)
     : path_(std::move(path)), kind_(kind), start_(start) {}
 
 void FrameSource::make() {

@@ -29,7 +29,7 @@ enum class FrameKind {
 /// which may come from any thread.
 class FrameSource {
  public:
-  FrameSource(Path path, FrameKind kind, const FrameAngle& start);
+  FrameSource(PhPath path, FrameKind kind, const FrameAngle& start);
 
   /// To be called before the others are asked for these parameters.
   void prepare(const Parameters& at);
@@ -55,7 +55,7 @@ class FrameSource {
   /// frame up to its sign.
   std::array<Real, 4> rotation(const PathParameter& at) const;
 
-  Path path_;
+  PhPath path_;
   FrameKind kind_;
   FrameAngle start_;
   std::optional<PathAngle> angle_;

@@ -40,7 +40,7 @@ void bind_places(nb::class_<PathObject>& path) {
           "curvature",
           [](nb::handle self, nb::handle t) {
             const Rational at = rational(t, "t");
-            const Path& asked = path_of(self).named.path;
+            const PhPath& asked = path_of(self).named.path;
             const Rational square = at_place("t", [&] {
               const PathParameter here = locate(asked, at);
               return squared_curvature(asked.segments()[here.segment])(here.t);
@@ -80,7 +80,7 @@ void bind_totals(nb::class_<PathObject>& path) {
   path.def_prop_ro(                                                           \
       name,                                                                   \
       [](nb::handle self) {                                                   \
-        const Path& asked = path_of(self).named.path;                         \
+        const PhPath& asked = path_of(self).named.path;                       \
         return total(self, name, without_gil([asked] { return of(asked); })); \
       },                                                                      \
       nb::sig("def " name "(self) -> fractions.Fraction | Real | float"), what)
@@ -94,7 +94,7 @@ void bind_totals(nb::class_<PathObject>& path) {
   path.def_prop_ro(
       "total_curvature",
       [](nb::handle self) -> nb::object {
-        const Path& asked = path_of(self).named.path;
+        const PhPath& asked = path_of(self).named.path;
         const auto found = without_gil([asked] { return total_curvature(asked); });
         return found ? total(self, "total_curvature", *found) : nb::none();
       },
@@ -103,7 +103,7 @@ void bind_totals(nb::class_<PathObject>& path) {
   path.def_prop_ro(
       "holonomy",
       [](nb::handle self) -> nb::object {
-        const Path& asked = path_of(self).named.path;
+        const PhPath& asked = path_of(self).named.path;
         const auto found = without_gil([asked] { return PathAngle(asked).holonomy(); });
         return found ? to_python(*found, attribute_recipe(self, "holonomy")) : nb::none();
       },
@@ -113,7 +113,7 @@ void bind_totals(nb::class_<PathObject>& path) {
   path.def_prop_ro(
       "writhe",
       [](nb::handle self) -> nb::object {
-        const Path& asked = path_of(self).named.path;
+        const PhPath& asked = path_of(self).named.path;
         if (!asked.closing_turn()) return nb::none();
         return to_python(without_gil([asked] { return writhe(asked); }),
                          attribute_recipe(self, "writhe"));
@@ -123,7 +123,7 @@ void bind_totals(nb::class_<PathObject>& path) {
   path.def_prop_ro(
       "self_linking_number",
       [](nb::handle self) -> nb::object {
-        const Path& asked = path_of(self).named.path;
+        const PhPath& asked = path_of(self).named.path;
         if (!asked.closing_turn()) return nb::none();
         return nb::int_(without_gil([asked] {
           return self_linking_number(closed_frame(asked), total_torsion(asked).value);
@@ -141,7 +141,7 @@ void bind_path(nb::class_<PathObject>& path) {
           [](const PathObject& self) {
             nb::list list;
             for (const Curve& curve : self.named.path.segments())
-              list.append(wrap(NamedPath("", curve)));
+              list.append(wrap(NamedPhPath("", curve)));
             return nb::tuple(list);
           },
           nb::sig("def segments(self) -> tuple[Curve, ...]"), "The curves that it is made of.")
@@ -163,11 +163,11 @@ void bind_path(nb::class_<PathObject>& path) {
           nb::sig("def __eq__(self, other: object) -> bool"))
       .def("__hash__",
            [](const PathObject& self) {  // of all that == compares: a file without a name
-             return nb::hash(nb::str(write_path(NamedPath("", self.named.path)).c_str()));
+             return nb::hash(nb::str(write_path(NamedPhPath("", self.named.path)).c_str()));
            })
       .def("__repr__",
            [](nb::handle self) {
-             const NamedPath& named = path_of(self).named;
+             const NamedPhPath& named = path_of(self).named;
              std::ostringstream out;
              if (named.path.is_curve())
                out << named.path.segments().front();
@@ -196,7 +196,7 @@ void bind_path(nb::class_<PathObject>& path) {
 
 void bind_transformations(nb::class_<CurveObject, PathObject>& curve) {
   const auto renamed = [](const CurveObject& self, Curve made) {
-    return wrap(NamedPath(self.named.name, std::move(made)));
+    return wrap(NamedPhPath(self.named.name, std::move(made)));
   };
   curve
       .def(
@@ -297,7 +297,7 @@ void bind_curve(nb::class_<CurveObject, PathObject>& curve) {
 
 const Curve& curve_of(const PathObject& path) { return path.named.path.segments().front(); }
 
-nb::object wrap(NamedPath named) {
+nb::object wrap(NamedPhPath named) {
   if (named.path.is_curve()) return nb::cast(CurveObject{{std::move(named)}});
   return nb::cast(PathObject{std::move(named)});
 }
@@ -351,10 +351,10 @@ FrameStart asked_start(nb::handle start, nb::handle start_normal, StartRule rule
   return is_least ? FrameStart(LeastRotation{turn}) : FrameStart(turn);
 }
 
-FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule, const Path& path,
-                       Reference reference) {
-  const FrameStart from = asked_start(
-      start, start_normal, rule, reference == Reference::euler_rodrigues ? "erf" : "frenet");
+FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule,
+                       const PhPath& path, Reference reference) {
+  const FrameStart from = asked_start(start, start_normal, rule,
+                                      reference == Reference::euler_rodrigues ? "erf" : "frenet");
   if (const auto* along = std::get_if<StartNormal>(&from)) try {
       start_angle(*along, path, reference);
     } catch (const DomainError& error) {

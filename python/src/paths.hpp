@@ -8,13 +8,13 @@ namespace phrame::python {
 
 /// A path as Python has it; a curve is one of a single segment, and of a type derived from it.
 struct PathObject {
-  NamedPath named;
+  NamedPhPath named;
   std::shared_ptr<FrameSources> sources = std::make_shared<FrameSources>();
 };
 struct CurveObject : PathObject {};
 
 /// A Curve where it is one, else a Path.
-nb::object wrap(NamedPath named);
+nb::object wrap(NamedPhPath named);
 const Curve& curve_of(const PathObject& path);
 
 /// Where f₂ starts without `start_normal`, and what an angle `start` is counted from.
@@ -28,8 +28,8 @@ enum class StartRule {
 FrameStart asked_start(nb::handle start, nb::handle start_normal, StartRule rule,
                        const std::string& reference);
 /// The same where it is a start of this path's frames.
-FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule, const Path& path,
-                       Reference reference = Reference::euler_rodrigues);
+FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule,
+                       const PhPath& path, Reference reference = Reference::euler_rodrigues);
 /// "erf", "frenet".
 Reference reference_named(const std::string& name, const std::string& place);
 

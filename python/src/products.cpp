@@ -57,10 +57,11 @@ std::string prefix_of(nb::handle prefix, const std::string& name) {
 
 std::string compile(const PathObject& self, nb::handle prefix, const Text<"frame">& frame,
                     nb::handle start, nb::handle start_normal, nb::handle lower, nb::handle upper) {
-  const NamedPath& named = self.named;
+  const NamedPhPath& named = self.named;
   CompiledQuery query;
   query.reference = reference_named(frame, "frame");
-  query.start = frame_start(start, start_normal, StartRule::least_rotation, named.path, query.reference);
+  query.start =
+      frame_start(start, start_normal, StartRule::least_rotation, named.path, query.reference);
   query.from = rounded_end(lower, "lower");
   query.to = rounded_end(upper, "upper");
   const double length = query.to - query.from;
@@ -75,7 +76,7 @@ std::string compile(const PathObject& self, nb::handle prefix, const Text<"frame
 std::string compile_smooth(const SmoothPathObject& self, nb::handle prefix,
                            const Text<"frame">& frame, nb::handle start, nb::handle start_normal,
                            nb::handle up) {
-  const NamedSmoothPath& named = self.named;
+  const NamedPath& named = self.named;
   SmoothCompiledQuery query;
   query.reference = chosen<SmoothReference>(
       frame, "frame", {{"up", SmoothReference::up}, {"frenet", SmoothReference::frenet}});

@@ -19,7 +19,7 @@ struct SmoothFrames {
 struct SmoothPathObject {
   using Sources = LastSources<SmoothSource, SmoothFrames>;
 
-  NamedSmoothPath named;
+  NamedPath named;
   std::shared_ptr<Sources> sources = std::make_shared<Sources>();
 };
 
@@ -29,7 +29,7 @@ nb::object wrap(AnyPath found);
 AnyPath any_path(nb::handle x, const std::string& place);
 
 /// The angle to the frame of `up`, or of a vector that is chosen where that is None.
-SmoothAngle angle_to_up(const SmoothPath& path, nb::handle up);
+SmoothAngle angle_to_up(const Path& path, nb::handle up);
 /// Where a frame starts, as frame_start() has it, at an angle to the frame of the angle.
 FrameStart smooth_start(nb::handle start, nb::handle start_normal, StartRule rule,
                         const SmoothAngle& angle);

@@ -5,7 +5,7 @@ namespace phrame::python {
 namespace {
 
 struct SmoothAngleObject {
-  NamedSmoothPath named;
+  NamedPath named;
   SmoothAngle angle;
   FrameStart start;
   Real start_angle;
@@ -19,7 +19,7 @@ SmoothReference smooth_reference(const std::string& name) {
 
 nb::object make_smooth_angle(nb::handle self, const Text<"frame">& frame, nb::handle up,
                              nb::handle start, nb::handle start_normal) {
-  const NamedSmoothPath& named = nb::cast<const SmoothPathObject&>(self).named;
+  const NamedPath& named = nb::cast<const SmoothPathObject&>(self).named;
   const SmoothReference reference = smooth_reference(frame);
   if (reference == SmoothReference::frenet && !up.is_none())
     refuse("up", "the angle is to the Frenet frame", up);

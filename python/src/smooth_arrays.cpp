@@ -9,8 +9,8 @@ namespace {}  // namespace
 class SmoothSource {
  public:
   /// Without an angle there are points only.
-  SmoothSource(const SmoothPath& path, std::optional<SmoothAngle> angle, TabulatedFrame kind,
-               Real start, bool is_by_length)
+  SmoothSource(const Path& path, std::optional<SmoothAngle> angle, TabulatedFrame kind, Real start,
+               bool is_by_length)
       : path_(path),
         angle_(std::move(angle)),
         kind_(kind),
@@ -69,15 +69,15 @@ class SmoothSource {
   }
 
  private:
-  SmoothParameter place(const Parameters& at, std::size_t k) const {
+  Place place(const Parameters& at, std::size_t k) const {
     return at_place("ts[" + std::to_string(k) + "]", [&] {
-      return is_by_length_ ? length_.point(at[k]) : SmoothParameter(locate(path_, at[k]));
+      return is_by_length_ ? length_.point(at[k]) : Place(locate(path_, at[k]));
     });
   }
   /// Where all segments are polynomials.
   void round_positions() {
     std::vector<RoundedPoint> found;
-    for (const SmoothSegment& segment : path_.segments()) {
+    for (const Segment& segment : path_.segments()) {
       const RationalCurve* curve = rational_curve(segment);
       if (curve == nullptr || !curve->weight().is_constant()) return;
       const Rational over_weight = 1 / curve->weight().coefficient(0);
@@ -89,13 +89,13 @@ class SmoothSource {
     is_rounded_ = true;
   }
   Frame<Real> exact_frame(const Parameters& at, std::size_t k) const {
-    const SmoothParameter here = place(at, k);
+    const Place here = place(at, k);
     if (kind_ == TabulatedFrame::rmf) return rotation_minimizing_frame(*angle_, here, start_);
     if (kind_ == TabulatedFrame::frenet) return frenet_frame(path_, here);
     return up_frame(path_, angle_->up(), here);
   }
 
-  SmoothPath path_;
+  Path path_;
   std::optional<SmoothAngle> angle_;
   TabulatedFrame kind_;
   Real start_;
@@ -124,7 +124,7 @@ struct SmoothArray {
   bool wants_frames = true;
 };
 
-void require_inside(const Parameters& at, const SmoothPath& path, nb::handle ts) {
+void require_inside(const Parameters& at, const Path& path, nb::handle ts) {
   const auto end = static_cast<double>(path.segments().size());
   for (std::size_t k = 0; k < at.size(); ++k) {
     if (at.are_doubles() ? at.doubles[k] >= 0 && at.doubles[k] <= end

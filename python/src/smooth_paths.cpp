@@ -6,7 +6,7 @@
 namespace phrame::python {
 namespace {
 
-const SmoothPath& smooth_of(nb::handle self) {
+const Path& smooth_of(nb::handle self) {
   return nb::cast<const SmoothPathObject&>(self).named.path;
 }
 
@@ -21,7 +21,7 @@ nb::object components(const Vector<Real>& v, nb::handle self, const char* method
 
 nb::object smooth_point(nb::handle self, nb::handle t) {
   const Rational at = rational(t, "t");
-  const SmoothPath& path = smooth_of(self);
+  const Path& path = smooth_of(self);
   return components(
       at_place(
           "t",
@@ -31,8 +31,8 @@ nb::object smooth_point(nb::handle self, nb::handle t) {
 
 nb::object parameter_at(nb::handle self, nb::handle s) {
   const Rational length = rational(s, "s");
-  const SmoothPath& path = smooth_of(self);
-  const SmoothParameter at = at_place("s", [&] {
+  const Path& path = smooth_of(self);
+  const Place at = at_place("s", [&] {
     return without_gil([path, length] { return SmoothLength(path).point(length); });
   });
   return to_python(Rational(static_cast<long>(at.segment)) + at.t,
@@ -44,7 +44,7 @@ void bind_smooth_totals(nb::class_<SmoothPathObject>& smooth) {
   smooth.def_prop_ro(                                                                       \
       name,                                                                                 \
       [](nb::handle self) {                                                                 \
-        const SmoothPath& path = smooth_of(self);                                           \
+        const Path& path = smooth_of(self);                                                 \
         return to_python(without_gil([path] { return of; }), attribute_recipe(self, name)); \
       },                                                                                    \
       nb::sig("def " name "(self) -> " PHRAME_REAL_SIG), what)
@@ -58,7 +58,7 @@ void bind_smooth_totals(nb::class_<SmoothPathObject>& smooth) {
   smooth.def_prop_ro(                                                \
       name,                                                          \
       [](nb::handle self) -> nb::object {                            \
-        const SmoothPath& path = smooth_of(self);                    \
+        const Path& path = smooth_of(self);                          \
         const auto found = without_gil([path] { return of(path); }); \
         if (const auto* finite = std::get_if<Real>(&found))          \
           return to_python(*finite, attribute_recipe(self, name));   \
@@ -71,7 +71,7 @@ void bind_smooth_totals(nb::class_<SmoothPathObject>& smooth) {
   smooth.def_prop_ro(
       "holonomy",
       [](nb::handle self) -> nb::object {
-        const SmoothPath& path = smooth_of(self);
+        const Path& path = smooth_of(self);
         const auto found = without_gil([path] { return holonomy(SmoothAngle(path)); });
         return found ? to_python(*found, attribute_recipe(self, "holonomy")) : nb::none();
       },
@@ -81,7 +81,7 @@ void bind_smooth_totals(nb::class_<SmoothPathObject>& smooth) {
   smooth.def_prop_ro(
       "writhe",
       [](nb::handle self) -> nb::object {
-        const SmoothPath& path = smooth_of(self);
+        const Path& path = smooth_of(self);
         if (!path.is_closed()) return nb::none();
         return to_python(without_gil([path] { return writhe(path); }),
                          attribute_recipe(self, "writhe"));
@@ -91,7 +91,7 @@ void bind_smooth_totals(nb::class_<SmoothPathObject>& smooth) {
   smooth.def_prop_ro(
       "self_linking_number",
       [](nb::handle self) -> nb::object {
-        const SmoothPath& path = smooth_of(self);
+        const Path& path = smooth_of(self);
         if (!path.is_closed()) return nb::none();
         return nb::int_(without_gil(
             [path] { return self_linking_number(closed_frame(path), total_torsion(path)); }));
@@ -107,7 +107,7 @@ void bind_smooth_shape(nb::class_<SmoothPathObject>& smooth) {
       name,                                                                                     \
       [](nb::handle self, nb::handle t) {                                                       \
         const Rational at = rational(t, "t");                                                   \
-        const SmoothPath& path = smooth_of(self);                                               \
+        const Path& path = smooth_of(self);                                                     \
         return to_python(at_place("t", [&] { return without_gil([path, at] { return of; }); }), \
                          method_recipe(self, name, to_python(at)));                             \
       },                                                                                        \
@@ -172,12 +172,12 @@ nb::object packed(const PhSegment& segment, VariableName) {
                         to_python(curve.multiplier().coefficients()), to_python(curve.start()));
 }
 
-SmoothSegment unpacked(nb::handle packed) {
+Segment unpacked(nb::handle packed) {
   if (nb::len(packed) == 6)
     return PhSegment(Curve({polynomial(packed[0], "u"), polynomial(packed[1], "v"),
                             polynomial(packed[2], "p"), polynomial(packed[3], "q")},
                            polynomial(packed[4], "f"), vector(packed[5], "start")));
-  const auto made = [&]() -> SmoothSegment {
+  const auto made = [&]() -> Segment {
     if (nb::len(packed) == 5)
       return RationalCurve(
           {polynomial(packed[1], "x"), polynomial(packed[2], "y"), polynomial(packed[3], "z")},
@@ -187,19 +187,19 @@ SmoothSegment unpacked(nb::handle packed) {
         unpacked_formula(packed[1]), unpacked_formula(packed[2]), nb::cast<std::string>(packed[3]));
   }();
   if (!nb::cast<bool>(packed[0])) return made;
-  return std::visit([](const auto& curve) -> SmoothSegment { return curve.turned_over(); }, made);
+  return std::visit([](const auto& curve) -> Segment { return curve.turned_over(); }, made);
 }
 
-nb::object packed(const SmoothPath& path, VariableName variable = VariableName::kept) {
+nb::object packed(const Path& path, VariableName variable = VariableName::kept) {
   nb::list list;
-  for (const SmoothSegment& segment : path.segments())
+  for (const Segment& segment : path.segments())
     list.append(std::visit([&](const auto& curve) { return packed(curve, variable); }, segment));
   return nb::tuple(list);
 }
 
 // ---- what it is
 
-std::string shown(const SmoothSegment& segment) {
+std::string shown(const Segment& segment) {
   if (const RationalCurve* curve = rational_curve(segment)) {
     const auto& [x, y, z] = curve->numerator();
     const std::string top = "(" + to_string(x) + ", " + to_string(y) + ", " + to_string(z) + ")";
@@ -223,16 +223,15 @@ std::string smooth_repr(const SmoothPathObject& self) {
 
 nb::object joined_paths(nb::handle curves, const Text<"name">& name) {
   if (PySequence_Check(curves.ptr()) == 0) refuse_type("curves", "a list of paths", curves);
-  std::optional<SmoothPath> path;
+  std::optional<Path> path;
   std::size_t k = 0;
   for (const nb::handle x : nb::list(curves)) {
     const std::string place = "curves[" + std::to_string(k++) + "]";
     const AnyPath given = any_path(x, place);
-    const auto* ph = std::get_if<NamedPath>(&given);
-    const SmoothPath next =
-        ph == nullptr ? std::get<NamedSmoothPath>(given).path : SmoothPath(ph->path);
+    const auto* ph = std::get_if<NamedPhPath>(&given);
+    const Path next = ph == nullptr ? std::get<NamedPath>(given).path : Path(ph->path);
     try {
-      for (const SmoothSegment& segment : next.segments())
+      for (const Segment& segment : next.segments())
         if (path)
           path->append(segment);
         else
@@ -248,8 +247,8 @@ nb::object joined_paths(nb::handle curves, const Text<"name">& name) {
 }  // namespace
 
 nb::object wrap(AnyPath found) {
-  if (auto* ph = std::get_if<NamedPath>(&found)) return wrap(std::move(*ph));
-  return nb::cast(SmoothPathObject{std::get<NamedSmoothPath>(std::move(found))});
+  if (auto* ph = std::get_if<NamedPhPath>(&found)) return wrap(std::move(*ph));
+  return nb::cast(SmoothPathObject{std::get<NamedPath>(std::move(found))});
 }
 
 AnyPath any_path(nb::handle x, const std::string& place) {
@@ -258,7 +257,7 @@ AnyPath any_path(nb::handle x, const std::string& place) {
   refuse_type(place, "a Path or SmoothPath", x);
 }
 
-SmoothAngle angle_to_up(const SmoothPath& path, nb::handle up) {
+SmoothAngle angle_to_up(const Path& path, nb::handle up) {
   if (up.is_none()) return without_gil([path] { return SmoothAngle(path); });
   const Vector<Rational> v = vector(up, "up");
   try {
@@ -282,9 +281,9 @@ FrameStart smooth_start(nb::handle start, nb::handle start_normal, StartRule rul
 
 void bind_smooth_path(nb::module_& m, nb::class_<SmoothPathObject>& smooth) {
   m.def("_smooth_path", [](const std::string& name, nb::handle segments) {
-    std::optional<SmoothPath> path;
+    std::optional<Path> path;
     for (const nb::handle item : nb::list(segments)) {
-      const SmoothSegment segment = unpacked(item);
+      const Segment segment = unpacked(item);
       if (path)
         path->append(segment);
       else
@@ -305,8 +304,8 @@ void bind_smooth_path(nb::module_& m, nb::class_<SmoothPathObject>& smooth) {
           "segments",
           [](const SmoothPathObject& self) {
             nb::list list;
-            for (const SmoothSegment& segment : self.named.path.segments())
-              list.append(nb::cast(SmoothPathObject{{"", SmoothPath(segment)}}));
+            for (const Segment& segment : self.named.path.segments())
+              list.append(nb::cast(SmoothPathObject{{"", Path(segment)}}));
             return nb::tuple(list);
           },
           nb::sig("def segments(self) -> tuple[SmoothPath, ...]"), "Each as a path.")

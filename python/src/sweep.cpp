@@ -71,9 +71,9 @@ ProfileSource profile_source(nb::handle profile) {
 }
 
 FrameStart sweep_start(const AnyPath& path, nb::handle start, nb::handle start_normal) {
-  if (const auto* ph = std::get_if<NamedPath>(&path))
+  if (const auto* ph = std::get_if<NamedPhPath>(&path))
     return frame_start(start, start_normal, StartRule::least_rotation, ph->path);
-  const SmoothPath& smooth = std::get<NamedSmoothPath>(path).path;
+  const Path& smooth = std::get<NamedPath>(path).path;
   return smooth_start(start, start_normal, StartRule::least_rotation,
                       angle_to_up(smooth, nb::none()));
 }

@@ -3,7 +3,7 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
-#include "phrame/ph/frame/path_angle.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 
 namespace phrame {
 namespace {
@@ -22,10 +22,10 @@ AngleValue rounded_angle(const Rational& t, const Real& theta, long digits) {
   return {t, rounded(theta, "theta at t = " + as_written(t), digits)};
 }
 
-AngleAnswer answer(NamedPath named, const AngleQuery& query) {
+AngleAnswer answer(NamedPhPath named, const AngleQuery& query) {
   PathAngle angle(named.path, query.reference, query.form);
   if (query.route != Route::automatic) angle.take(query.route);
-  const Path& path = angle.path();
+  const PhPath& path = angle.path();
   const FrameAngle start = start_angle(query.start, path, query.reference);
   AngleAnswer answer{
       std::move(named), query.reference, query.start, start, {}, {}, query.digits, {}, {}};

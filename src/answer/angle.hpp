@@ -39,7 +39,7 @@ struct AngleValue {
 
 /// The angle of the rotation-minimizing frame of a path.
 struct AngleAnswer {
-  NamedPath path;                      ///< as asked
+  NamedPhPath path;                    ///< as asked
   Reference reference;                 ///< the frame that θ is measured from
   FrameStart start;                    ///< as asked
   FrameAngle start_angle;              ///< θ(0)
@@ -52,7 +52,7 @@ struct AngleAnswer {
 
 /// Throws DomainError as PathAngle, start_angle() and, in the style of radicals, as radical_form();
 /// Undecided, with the name of what it is, where a number cannot be rounded.
-AngleAnswer answer(NamedPath path, const AngleQuery& query);
+AngleAnswer answer(NamedPhPath path, const AngleQuery& query);
 
 /// θ = θ(t), rounded to `digits` digits. Throws Undecided, naming t.
 AngleValue rounded_angle(const Rational& t, const Real& theta, long digits);

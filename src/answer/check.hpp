@@ -1,6 +1,6 @@
 #pragma once
+#include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_check.hpp"
-#include "phrame/ph/smooth/smooth_path.hpp"
 
 namespace phrame {
 
@@ -21,8 +21,8 @@ struct CheckAnswer {
 };
 
 /// @{ Throws as check_frames().
+CheckAnswer answer(const NamedPhPath& path, const CheckQuery& query);
 CheckAnswer answer(const NamedPath& path, const CheckQuery& query);
-CheckAnswer answer(const NamedSmoothPath& path, const CheckQuery& query);
 /// @}
 
 }  // namespace phrame

@@ -9,11 +9,11 @@ struct ClassificationQuery {};
 
 /// Of which kinds a path and its segments are.
 struct ClassificationAnswer {
-  NamedPath path;                     ///< as asked
+  NamedPhPath path;                   ///< as asked
   PathClassification classification;  ///< with witnesses
 };
 
 /// Throws as classify().
-ClassificationAnswer answer(const NamedPath& path, const ClassificationQuery& query);
+ClassificationAnswer answer(const NamedPhPath& path, const ClassificationQuery& query);
 
 }  // namespace phrame

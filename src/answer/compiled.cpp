@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "phrame/answer/rounded.hpp"
-#include "phrame/ph/smooth/compiled_smooth.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/frame/compiled_smooth.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
 
 namespace phrame {
 namespace {
@@ -16,7 +16,7 @@ double greatest_error(const PiecewisePolynomial& p) {
   return greatest * (1 + 0x1p-50);  // not rounded down
 }
 
-CompiledAnswer compiled_spline(const NamedPath& named, const CompiledQuery& query) {
+CompiledAnswer compiled_spline(const NamedPhPath& named, const CompiledQuery& query) {
   const PathAngle angle(named.path, query.reference);
   const FrameAngle start = start_angle(query.start, named.path, query.reference);
   CompiledAnswer compiled{
@@ -28,7 +28,7 @@ CompiledAnswer compiled_spline(const NamedPath& named, const CompiledQuery& quer
 
 }  // namespace
 
-CompiledAnswer answer(const NamedPath& named, const CompiledQuery& query) {
+CompiledAnswer answer(const NamedPhPath& named, const CompiledQuery& query) {
   if (!named.path.is_curve()) return compiled_spline(named, query);
   const auto& [reference, asked, from, to] = query;
   const Curve& curve = named.path.segments().front();
@@ -41,7 +41,7 @@ CompiledAnswer answer(const NamedPath& named, const CompiledQuery& query) {
   return compiled;
 }
 
-CompiledAnswer answer(const NamedSmoothPath& named, const SmoothCompiledQuery& query) {
+CompiledAnswer answer(const NamedPath& named, const SmoothCompiledQuery& query) {
   const bool is_up = query.reference == SmoothReference::up;
   const SmoothAngle angle = !is_up     ? SmoothAngle(named.path, query.reference)
                             : query.up ? SmoothAngle(named.path, *query.up)

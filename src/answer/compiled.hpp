@@ -2,8 +2,8 @@
 #include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/piecewise_polynomial.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/smooth_angle.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
-#include "phrame/ph/smooth/smooth_angle.hpp"
 
 namespace phrame {
 
@@ -35,8 +35,8 @@ struct CompiledAnswer {
 };
 
 /// @{ Throws as PathAngle or SmoothAngle, start_angle(), compiled_angle() and compiled_rotation().
-CompiledAnswer answer(const NamedPath& path, const CompiledQuery& query);
-CompiledAnswer answer(const NamedSmoothPath& path, const SmoothCompiledQuery& query);
+CompiledAnswer answer(const NamedPhPath& path, const CompiledQuery& query);
+CompiledAnswer answer(const NamedPath& path, const SmoothCompiledQuery& query);
 /// @}
 
 /// @{ With rounding, what is computed from the polynomials in doubles is off by at most so much:

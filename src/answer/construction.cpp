@@ -7,6 +7,7 @@
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/construct/c2_hermite.hpp"
 #include "phrame/ph/construct/c2_spline.hpp"
 #include "phrame/ph/construct/cubic_spline.hpp"
@@ -15,7 +16,6 @@
 #include "phrame/ph/construct/plane_quintics.hpp"
 #include "phrame/ph/construct/rmf_spline.hpp"
 #include "phrame/ph/construct/rrmf_spline.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
 namespace phrame {
@@ -33,7 +33,7 @@ struct KindRow {
   bool takes_accelerations = false;
   Construction (*construct)(const Task& task);
   /// Is the law true of it, decided exactly? None where there is no law.
-  bool (*obeys_law)(const Path& path, bool is_closed) = nullptr;
+  bool (*obeys_law)(const PhPath& path, bool is_closed) = nullptr;
 };
 
 /// @{ Of kinds that take nothing else, and of those with several solutions.
@@ -47,20 +47,20 @@ Construction of_solution(const Task& task) {
 }
 /// @}
 
-template <bool (*is_lawful)(const Path&)>
-bool of_path(const Path& path, bool) {
+template <bool (*is_lawful)(const PhPath&)>
+bool of_path(const PhPath& path, bool) {
   return is_lawful(path);
 }
 
 constexpr std::string_view c2_law = "the second derivative by the parameter is continuous";
 
-bool is_without_twist(const Path& path) {
+bool is_without_twist(const PhPath& path) {
   return std::ranges::all_of(path.segments(), [](const Curve& curve) {
     return twist_numerator(curve.preimage()).is_zero();
   });
 }
 
-bool is_in_plane(const Path& path) {
+bool is_in_plane(const PhPath& path) {
   return std::ranges::all_of(path.segments(), [](const Curve& curve) {
     return curve.start()[2] == 0 && rotated_i(curve.preimage())[2].is_zero();
   });

@@ -54,7 +54,7 @@ struct ConstructionAnswer {
     Rational length;                   ///< exact
     std::optional<RealBall> energy;    ///< around ∫κ² ds; no value where it is infinite
   };
-  NamedPath path;  ///< the curve
+  NamedPhPath path;  ///< the curve
   /// @{ As asked.
   NamedKind kind;
   QuinticChoice choice;

@@ -12,7 +12,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/roots.hpp"
 #include "phrame/answer/rounded.hpp"
-#include "phrame/ph/frame/rmf_angle.hpp"
+#include "phrame/ph/along/rmf_angle.hpp"
 
 namespace phrame {
 namespace {

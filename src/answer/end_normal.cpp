@@ -10,7 +10,7 @@ void require_open(const std::optional<Vector<Rational>>& end_normal, bool is_clo
     throw DomainError("end normal: the path is closed, it ends with the normal it starts with");
 }
 
-FrameAngle end_angle(const Vector<Rational>& end_normal, const Path& path) {
+FrameAngle end_angle(const Vector<Rational>& end_normal, const PhPath& path) {
   return angle_of(end_normal, euler_rodrigues_frame(path.segments().back(), 1));
 }
 

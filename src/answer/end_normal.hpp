@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "phrame/ph/curve/path.hpp"
-#include "phrame/ph/frame/frame_angle.hpp"
+#include "phrame/ph/along/frame_angle.hpp"
+#include "phrame/ph/curve/ph_path.hpp"
 
 namespace phrame {
 
@@ -11,6 +11,6 @@ void require_open(const std::optional<Vector<Rational>>& end_normal, bool is_clo
 
 /// The angle to e₂ at the end of the path of the vector, projected to the normal plane. Throws
 /// DomainError where it is along the tangent.
-FrameAngle end_angle(const Vector<Rational>& end_normal, const Path& path);
+FrameAngle end_angle(const Vector<Rational>& end_normal, const PhPath& path);
 
 }  // namespace phrame

@@ -11,11 +11,11 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/answer/orientation_columns.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/frame/algebraic_frame.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
-#include "phrame/ph/frame/path_angle.hpp"
-#include "phrame/ph/frame/reduced_angle.hpp"
 
 namespace phrame {
 namespace {
@@ -99,13 +99,13 @@ Real Scalar::at(const PathPoint& point, const AlgebraicPoint& t) const {
 }
 
 /// What the rows along one segment share.
-struct Segment {
+struct SegmentRows {
   Vector<Polynomial> position;
   Frames frames;
   std::vector<Scalar> scalars;
   std::optional<AlgebraicFrames> algebraic;  ///< made for the first irrational t
 
-  Segment(const Curve& curve, const TableColumns& columns)
+  SegmentRows(const Curve& curve, const TableColumns& columns)
       : position(phrame::position(curve)), frames(curve) {
     for (const TabulatedScalar kind : columns.scalars) scalars.emplace_back(curve, kind);
   }
@@ -114,7 +114,7 @@ struct Segment {
 /// One row after the other. What a row of another kind would need is not prepared.
 class Rows {
  public:
-  Rows(const Path& path, const TableColumns& columns)
+  Rows(const PhPath& path, const TableColumns& columns)
       : spline_(path),
         columns_(columns),
         orientations_(columns),
@@ -128,7 +128,7 @@ class Rows {
   void expect(const std::vector<PathPoint>& points);
 
  private:
-  Segment& segment(std::size_t k);
+  SegmentRows& segment(std::size_t k);
   const PathAngle& angle();
   const PathLength& length();
   Frame<Real> rotation_minimizing(const Frame<Rational>& erf, const PathParameter& at);
@@ -137,11 +137,11 @@ class Rows {
   template <class Add>
   void add_where_defined(std::vector<double>& row, std::size_t count, Add add);
 
-  const Path& spline_;
+  const PhPath& spline_;
   const TableColumns& columns_;
   OrientationColumns orientations_;
   FrameAngle start_;  ///< of the rotation-minimizing frame
-  std::vector<std::unique_ptr<Segment>> segments_;
+  std::vector<std::unique_ptr<SegmentRows>> segments_;
   std::optional<PathLength> length_;
   std::optional<PathAngle> angle_;
   std::optional<RoundedFrames> compiled_;
@@ -162,8 +162,8 @@ void Rows::add_where_defined(std::vector<double>& row, std::size_t count, Add ad
   }
 }
 
-Segment& Rows::segment(std::size_t k) {
-  if (!segments_[k]) segments_[k] = std::make_unique<Segment>(spline_.segments()[k], columns_);
+SegmentRows& Rows::segment(std::size_t k) {
+  if (!segments_[k]) segments_[k] = std::make_unique<SegmentRows>(spline_.segments()[k], columns_);
   return *segments_[k];
 }
 
@@ -221,7 +221,7 @@ std::vector<double> Rows::at(const PathPoint& point) {
 }
 
 void Rows::add_rational(std::vector<double>& row, const PathParameter& at) {
-  const Segment& here = segment(at.segment);
+  const SegmentRows& here = segment(at.segment);
   std::optional<Frame<Rational>> known_erf;
   const auto erf = [&]() -> const Frame<Rational>& {
     if (!known_erf) known_erf = here.frames.euler_rodrigues(at.t);
@@ -262,7 +262,7 @@ void Rows::add_rational(std::vector<double>& row, const PathParameter& at) {
 
 void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
                           const AlgebraicPoint& t) {
-  Segment& here = segment(point.segment);
+  SegmentRows& here = segment(point.segment);
   if (!here.algebraic) here.algebraic.emplace(spline_.segments()[point.segment]);
   for (const Polynomial& x : here.position) row.push_back(round_to_double(t.value(x)));
   const Frame<Real> erf = here.algebraic->euler_rodrigues(t);
@@ -319,7 +319,7 @@ void add_row(FrameTable& table, std::vector<double> row,
   table.rows.push_back(std::move(row));
 }
 
-FrameTable frame_table(const Path& path, const TableColumns& columns,
+FrameTable frame_table(const PhPath& path, const TableColumns& columns,
                        const std::vector<PathPoint>& at) {
   Rows rows(path, columns);
   rows.expect(at);
@@ -339,7 +339,7 @@ FrameTable frame_table(const Curve& curve, const TableColumns& columns,
                        const std::vector<RealAlgebraic>& at) {
   std::vector<PathPoint> points;
   for (const RealAlgebraic& t : at) points.push_back({0, t});
-  return frame_table(Path(curve), columns, points);
+  return frame_table(PhPath(curve), columns, points);
 }
 
 FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,

@@ -23,7 +23,7 @@ struct IdentificationAnswer {
 
 /// A PH spline, or what stands for one that is not.
 struct PathIdentification {
-  NamedPath path;  ///< near to that, or itself
+  NamedPhPath path;  ///< near to that, or itself
 };
 
 /// Where the curve is not Pythagorean, but ε is given, what is that near to it. Throws as

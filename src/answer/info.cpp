@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include "phrame/answer/rounded.hpp"
+#include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/along/path_totals.hpp"
 #include "phrame/ph/frame/erf_turning.hpp"
-#include "phrame/ph/frame/path_angle.hpp"
-#include "phrame/ph/frame/path_totals.hpp"
 
 namespace phrame {
 namespace {
 
 void add_totals(InfoAnswer& answer, long digits) {
-  const Path& path = answer.path.path;
+  const PhPath& path = answer.path.path;
   const PathTotal length = total_length(path);
   for (const Total& segment : length.segments) {
     const std::string name =
@@ -34,8 +34,8 @@ std::vector<Decimal> rounded(const std::vector<RealRoot>& points, long digits) {
 
 }  // namespace
 
-InfoAnswer answer(const NamedPath& named, const InfoQuery& query) {
-  const Path& path = named.path;
+InfoAnswer answer(const NamedPhPath& named, const InfoQuery& query) {
+  const PhPath& path = named.path;
   const PathAngle angle(path);
   InfoAnswer answer{named, {}, {}, {}, {}, {}, {}, {}, {}};
   add_totals(answer, query.digits);

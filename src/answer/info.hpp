@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/algebra/real_algebraic.hpp"
-#include "phrame/ph/smooth/smooth_path.hpp"
+#include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
 
@@ -16,7 +16,7 @@ struct InfoAnswer {
     std::optional<Rational> exact = std::nullopt;  ///< where it is seen to be rational
     Decimal rounded = {};                          ///< to the digits asked for
   };
-  NamedPath path;               ///< as asked
+  NamedPhPath path;             ///< as asked
   Length length;                ///< ∫ |f|σ dt
   std::vector<Length> lengths;  ///< of the segments
   Decimal twist_erf;            ///< ∫ 2h/σ dt, of the continuous Euler–Rodrigues frame
@@ -30,7 +30,7 @@ struct InfoAnswer {
 
 /// The numbers of a path of any kind.
 struct SmoothInfoAnswer {
-  NamedSmoothPath path;                     ///< as asked
+  NamedPath path;                           ///< as asked
   InfoAnswer::Length length;                ///< ∫ |r′| dt
   std::vector<InfoAnswer::Length> lengths;  ///< of the segments
   Vector<Rational> up;                      ///< v, nowhere along the tangent
@@ -45,8 +45,8 @@ struct SmoothInfoAnswer {
 };
 
 /// @{ Throws Undecided, with the name of what it is, where a number cannot be rounded.
-InfoAnswer answer(const NamedPath& path, const InfoQuery& query);
-SmoothInfoAnswer answer(const NamedSmoothPath& path, const InfoQuery& query);
+InfoAnswer answer(const NamedPhPath& path, const InfoQuery& query);
+SmoothInfoAnswer answer(const NamedPath& path, const InfoQuery& query);
 /// @}
 
 }  // namespace phrame

@@ -5,8 +5,8 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
-#include "phrame/ph/curve/travel_time.hpp"
-#include "phrame/ph/smooth/smooth_travel_time.hpp"
+#include "phrame/ph/along/smooth_travel_time.hpp"
+#include "phrame/ph/along/travel_time.hpp"
 
 namespace phrame {
 
@@ -16,8 +16,8 @@ void require_few_rows(const InterpolationQuery& query, const Integer& ticks) {
                                  abbreviated(rows.str()), query.most_rows));
 }
 
-FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {
-  const Path& path = named.path;
+FrameTable answer(const NamedPhPath& named, const InterpolationQuery& query) {
+  const PhPath& path = named.path;
   TravelTime time(path, query.feedrate);
   const Integer ticks = time.ticks(query.period);
   require_few_rows(query, ticks);
@@ -46,8 +46,8 @@ FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {
   return table;
 }
 
-FrameTable answer(const NamedSmoothPath& named, const InterpolationQuery& query) {
-  const SmoothPath& path = named.path;
+FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {
+  const Path& path = named.path;
   const SmoothTravelTime time(path, query.feedrate);
   const Integer ticks = ticks_before(time.total(), query.period);
   require_few_rows(query, ticks);

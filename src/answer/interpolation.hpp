@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/answer/frame_table.hpp"
-#include "phrame/ph/curve/feedrate.hpp"
-#include "phrame/ph/smooth/smooth_path.hpp"
+#include "phrame/ph/along/feedrate.hpp"
+#include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
 
@@ -17,9 +17,9 @@ struct InterpolationQuery {
 /// interpolation/1. Throws DomainError for a period ≤ 0 and as TravelTime, InputError without a
 /// place where there are too many rows, and with one where a number is too large for a double,
 /// Undecided where a precision limit is reached.
-FrameTable answer(const NamedPath& path, const InterpolationQuery& query);
+FrameTable answer(const NamedPhPath& path, const InterpolationQuery& query);
 /// The same of a path of any kind; throws as SmoothTravelTime.
-FrameTable answer(const NamedSmoothPath& path, const InterpolationQuery& query);
+FrameTable answer(const NamedPath& path, const InterpolationQuery& query);
 
 /// Throws InputError where `ticks` and the end are too many rows.
 void require_few_rows(const InterpolationQuery& query, const Integer& ticks);

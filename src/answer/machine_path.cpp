@@ -10,9 +10,9 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/fixed_point.hpp"
 #include "phrame/algebra/progress.hpp"
+#include "phrame/ph/along/smooth_travel_time.hpp"
 #include "phrame/ph/frame/moving_frame.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
-#include "phrame/ph/smooth/smooth_travel_time.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
 
 namespace phrame {
 namespace {
@@ -179,8 +179,8 @@ void follow(const Real& total, const Integer& ticks, const Rational& period, AtT
 
 }  // namespace
 
-MachinePath answer(const NamedPath& named, const MachineQuery& query) {
-  const Path& path = named.path;
+MachinePath answer(const NamedPhPath& named, const MachineQuery& query) {
+  const PhPath& path = named.path;
   TravelTime time(path, query.motion.feedrate);
   const Integer ticks = time.ticks(query.motion.period);
   require_few_rows(query.motion, ticks);
@@ -202,19 +202,19 @@ MachinePath answer(const NamedPath& named, const MachineQuery& query) {
   return moves.path();
 }
 
-MachinePath answer(const NamedSmoothPath& named, const MachineQuery& query) {
-  const SmoothPath& path = named.path;
+MachinePath answer(const NamedPath& named, const MachineQuery& query) {
+  const Path& path = named.path;
   const SmoothTravelTime time(path, query.motion.feedrate);
   const Integer ticks = ticks_before(time.total(), query.motion.period);
   require_few_rows(query.motion, ticks);
   const SmoothAngle angle = query.up ? SmoothAngle(path, *query.up) : SmoothAngle(path);
   const Real start = start_angle(query.start, angle);
   MachineMoves moves(query);
-  const SmoothParameter end(path.segments().size() - 1, Rational(1));
+  const Place end(path.segments().size() - 1, Rational(1));
   follow(
       time.total(), ticks, query.motion.period,
       [&](const Rational& at) { return time.at_time(at).at; }, end,
-      [&](const SmoothParameter& at, const std::optional<Real>& duration) {
+      [&](const Place& at, const std::optional<Real>& duration) {
         const Frame<Real> frame = query.tool == ToolAxis::e1
                                       ? up_frame(path, angle.up(), at)
                                       : rotation_minimizing_frame(angle, at, start);

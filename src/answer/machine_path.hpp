@@ -37,8 +37,8 @@ struct MachinePath {
 /// to the one before, so that angles go on and on; the first has A ≥ 0 and −180° < C ≤ 180°. Poles
 /// are where A is a multiple of 180° once it is rounded. Throws as the interpolation does, as
 /// start_angle(), and InputError at "places" where a feed rounds to 0.
-MachinePath answer(const NamedPath& named, const MachineQuery& query);
+MachinePath answer(const NamedPhPath& named, const MachineQuery& query);
 /// The same of a path of any kind.
-MachinePath answer(const NamedSmoothPath& named, const MachineQuery& query);
+MachinePath answer(const NamedPath& named, const MachineQuery& query);
 
 }  // namespace phrame

@@ -3,7 +3,7 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
-#include "phrame/ph/smooth/smooth_twist.hpp"
+#include "phrame/ph/twist/smooth_twist.hpp"
 
 namespace phrame {
 namespace {
@@ -27,7 +27,7 @@ void add_rational(MinimalTwistAnswer& answer, const MinimalTwist& mtf,
 
 }  // namespace
 
-MinimalTwistAnswer answer(const NamedPath& named, const MinimalTwistQuery& query) {
+MinimalTwistAnswer answer(const NamedPhPath& named, const MinimalTwistQuery& query) {
   const MinimalTwist mtf(PathAngle(named.path), query.from, query.to, query.extra_turns);
   const auto decimal = [&query](const Real& x, const std::string& what) {
     return rounded(x, what, query.digits);
@@ -51,7 +51,7 @@ MinimalTwistAnswer answer(const NamedPath& named, const MinimalTwistQuery& query
   return answer;
 }
 
-MinimalTwistAnswer answer(const NamedSmoothPath& named, const SmoothTwistQuery& query) {
+MinimalTwistAnswer answer(const NamedPath& named, const SmoothTwistQuery& query) {
   const SmoothAngle angle = query.up ? SmoothAngle(named.path, *query.up) : SmoothAngle(named.path);
   const SmoothTwist mtf(angle, query.from, query.to, query.extra_turns);
   const auto decimal = [&query](const Real& x, const std::string& what) {

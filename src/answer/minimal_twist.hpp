@@ -1,9 +1,9 @@
 #pragma once
 #include "phrame/answer/angle.hpp"
 #include "phrame/answer/twist_frame.hpp"
-#include "phrame/ph/frame/frame_angle.hpp"
+#include "phrame/ph/along/frame_angle.hpp"
+#include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
-#include "phrame/ph/smooth/smooth_path.hpp"
 
 namespace phrame {
 
@@ -57,8 +57,8 @@ struct MinimalTwistAnswer {
 
 /// @{ Throws DomainError as MinimalTwist or SmoothTwist, and as twist_frame() where a rational
 /// frame is needed; Undecided, naming what it is, where a number cannot be rounded.
-MinimalTwistAnswer answer(const NamedPath& path, const MinimalTwistQuery& query);
-MinimalTwistAnswer answer(const NamedSmoothPath& path, const SmoothTwistQuery& query);
+MinimalTwistAnswer answer(const NamedPhPath& path, const MinimalTwistQuery& query);
+MinimalTwistAnswer answer(const NamedPath& path, const SmoothTwistQuery& query);
 /// @}
 
 }  // namespace phrame

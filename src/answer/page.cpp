@@ -8,13 +8,13 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/end_normal.hpp"
 #include "phrame/answer/smooth_table.hpp"
+#include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/frame/frame.hpp"
-#include "phrame/ph/frame/path_angle.hpp"
-#include "phrame/ph/frame/reduced_angle.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
 #include "phrame/ph/proof/certify.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
-#include "phrame/ph/smooth/smooth_twist.hpp"
+#include "phrame/ph/twist/smooth_twist.hpp"
 
 namespace phrame {
 namespace {
@@ -71,7 +71,7 @@ std::vector<PathParameter> places(std::size_t count, const PageQuery& query,
 }
 
 /// Is the path too much for what takes long?
-bool is_heavy(const Path& path) {
+bool is_heavy(const PhPath& path) {
   long work = 0;
   for (const Curve& curve : path.segments()) {
     const long n = preimage_degree(curve);
@@ -176,8 +176,8 @@ std::optional<CompiledAnswer> compiled_if_short(const Named& named, std::size_t 
 
 }  // namespace
 
-PageAnswer answer(const NamedPath& named, const PageQuery& query) {
-  const Path& path = named.path;
+PageAnswer answer(const NamedPhPath& named, const PageQuery& query) {
+  const PhPath& path = named.path;
   const auto closing = path.closing_turn();
   require_open(query.end_normal, closing.has_value());
   std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::euler_rodrigues,
@@ -236,8 +236,8 @@ PageAnswer answer(const NamedPath& named, const PageQuery& query) {
           .turns = std::move(turns)};
 }
 
-PageAnswer answer(const NamedSmoothPath& named, const PageQuery& query) {
-  const SmoothPath& path = named.path;
+PageAnswer answer(const NamedPath& named, const PageQuery& query) {
+  const Path& path = named.path;
   const SmoothAngle angle = query.up ? SmoothAngle(path, *query.up) : SmoothAngle(path);
   const bool is_closed = closure(path).is_closed == true;
   std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::up,
@@ -254,8 +254,7 @@ PageAnswer answer(const NamedSmoothPath& named, const PageQuery& query) {
   const TableColumns columns = page_columns(frames, from);
   const Real start = start_angle(from, angle);
   const auto table_at = [&](const std::vector<PathParameter>& at) {
-    FrameTable table =
-        frame_table(angle, columns, std::vector<SmoothParameter>(at.begin(), at.end()), twist);
+    FrameTable table = frame_table(angle, columns, std::vector<Place>(at.begin(), at.end()), twist);
     add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k]) + start; });
     return table;
   };

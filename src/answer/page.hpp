@@ -55,8 +55,8 @@ struct PageAnswer {
 /// back as it starts with the least turn, along an open one that with the end normal. Throws as
 /// frame_table() and the other answers, and DomainError for an end normal along the tangent or of a
 /// closed path.
+PageAnswer answer(const NamedPhPath& path, const PageQuery& query);
 PageAnswer answer(const NamedPath& path, const PageQuery& query);
-PageAnswer answer(const NamedSmoothPath& path, const PageQuery& query);
 /// @}
 
 }  // namespace phrame

@@ -183,8 +183,8 @@ bool is_same_place(const PathParameter& a, const PathParameter& b) {
          abs(Rational(a.t - b.t)) < power_of_two(-80);
 }
 
+PathTurns path_turns(const PhPath& path) { return turns_along(path); }
 PathTurns path_turns(const Path& path) { return turns_along(path); }
-PathTurns path_turns(const SmoothPath& path) { return turns_along(path); }
 
 PageRows page_rows(std::vector<PathParameter> at, const RowMaker& make) {
   PageRows rows{std::move(at), {}, {}};

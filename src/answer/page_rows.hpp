@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "phrame/answer/frame_table.hpp"
-#include "phrame/ph/smooth/turns.hpp"
+#include "phrame/ph/along/turns.hpp"
 
 namespace phrame {
 
@@ -15,8 +15,8 @@ struct PathTurns {
 };
 
 /// @{ Of all segments.
+PathTurns path_turns(const PhPath& path);
 PathTurns path_turns(const Path& path);
-PathTurns path_turns(const SmoothPath& path);
 /// @}
 
 /// What has a limit from the left at a joint that is another number than that from the right.

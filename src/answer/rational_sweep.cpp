@@ -9,7 +9,7 @@ namespace {
 
 constexpr long coefficient_bits = 64;  ///< of the w of frames of minimal twist
 
-std::vector<RationalFramePiece> twist_frames(const Path& path, const RationalSweepQuery& query) {
+std::vector<RationalFramePiece> twist_frames(const PhPath& path, const RationalSweepQuery& query) {
   const FrameAngle from = start_angle(query.start, path);
   FrameEnds ends{from, {}};
   FrameAngle to = from;
@@ -28,7 +28,7 @@ std::vector<RationalFramePiece> twist_frames(const Path& path, const RationalSwe
   return rational_mtf(path, twist_frame(mtf, options, {}), ends, coefficient_bits);
 }
 
-void require_ends(const Path& path, const RationalSweepQuery& query) {
+void require_ends(const PhPath& path, const RationalSweepQuery& query) {
   const bool is_closed = path.closing_turn().has_value();
   require_open(query.end_normal, is_closed);
   if (query.twist_degree && !query.end_normal && !is_closed)
@@ -39,8 +39,8 @@ void require_ends(const Path& path, const RationalSweepQuery& query) {
 
 }  // namespace
 
-RationalSweepAnswer answer(const NamedPath& named, const RationalSweepQuery& query) {
-  const Path& path = named.path;
+RationalSweepAnswer answer(const NamedPhPath& named, const RationalSweepQuery& query) {
+  const PhPath& path = named.path;
   require_ends(path, query);
   const bool is_rotation_minimizing = !query.twist_degree;
   const auto frames =

@@ -31,6 +31,6 @@ struct RationalSweepAnswer {
 /// Throws as rational_rmf(), rational_mtf(), best_twist() and rational_sweep(); DomainError for an
 /// end normal of a closed path, for none of another one with a twist_degree, and for a closed path
 /// whose frame or scale is not the same at both ends.
-RationalSweepAnswer answer(const NamedPath& named, const RationalSweepQuery& query);
+RationalSweepAnswer answer(const NamedPhPath& named, const RationalSweepQuery& query);
 
 }  // namespace phrame

@@ -3,13 +3,13 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
-#include "phrame/ph/smooth/up_vector.hpp"
+#include "phrame/ph/along/up_vector.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
 
 namespace phrame {
 namespace {
 
-SmoothAngle angle_for(const SmoothPath& path, const SmoothAngleQuery& query) {
+SmoothAngle angle_for(const Path& path, const SmoothAngleQuery& query) {
   if (query.reference == SmoothReference::frenet) return {path, query.reference};
   return query.up ? SmoothAngle(path, *query.up) : SmoothAngle(path);
 }
@@ -26,7 +26,7 @@ void add_holonomy(SmoothAngleAnswer& answer, const SmoothAngle& angle) {
 
 }  // namespace
 
-SmoothAngleAnswer answer(const NamedSmoothPath& named, const SmoothAngleQuery& query) {
+SmoothAngleAnswer answer(const NamedPath& named, const SmoothAngleQuery& query) {
   const SmoothAngle angle = angle_for(named.path, query);
   const Real start = phrame::start_angle(query.start, angle);
   const Decimal start_angle = rounded_or_zero(start, "theta at t = 0", query.digits);

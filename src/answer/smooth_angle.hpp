@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/answer/angle.hpp"
-#include "phrame/ph/smooth/smooth_angle.hpp"
+#include "phrame/ph/along/smooth_angle.hpp"
 
 namespace phrame {
 
@@ -16,7 +16,7 @@ struct SmoothAngleQuery {
 
 /// The angle of the rotation-minimizing frame of a path of any kind.
 struct SmoothAngleAnswer {
-  NamedSmoothPath path;             ///< as asked
+  NamedPath path;                   ///< as asked
   SmoothReference reference;        ///< the frame that θ is measured from
   Vector<Rational> up;              ///< v, given or chosen
   FrameStart start;                 ///< as asked
@@ -33,6 +33,6 @@ struct SmoothAngleAnswer {
 
 /// Throws DomainError as SmoothAngle and locate(); Undecided, with the name of what it is, where a
 /// value cannot be rounded.
-SmoothAngleAnswer answer(const NamedSmoothPath& path, const SmoothAngleQuery& query);
+SmoothAngleAnswer answer(const NamedPath& path, const SmoothAngleQuery& query);
 
 }  // namespace phrame

@@ -4,11 +4,11 @@
 #include "phrame/algebra/roots.hpp"
 #include "phrame/answer/info.hpp"
 #include "phrame/answer/rounded.hpp"
-#include "phrame/ph/smooth/segment_integral.hpp"
-#include "phrame/ph/smooth/smooth_angle.hpp"
-#include "phrame/ph/smooth/smooth_length.hpp"
-#include "phrame/ph/smooth/smooth_totals.hpp"
-#include "phrame/ph/smooth/up_vector.hpp"
+#include "phrame/ph/along/segment_integral.hpp"
+#include "phrame/ph/along/smooth_angle.hpp"
+#include "phrame/ph/along/smooth_length.hpp"
+#include "phrame/ph/along/smooth_totals.hpp"
+#include "phrame/ph/along/up_vector.hpp"
 
 namespace phrame {
 namespace {
@@ -29,8 +29,8 @@ void add_lengths(SmoothInfoAnswer& answer, long digits) {
 
 }  // namespace
 
-SmoothInfoAnswer answer(const NamedSmoothPath& named, const InfoQuery& query) {
-  const SmoothPath& path = named.path;
+SmoothInfoAnswer answer(const NamedPath& named, const InfoQuery& query) {
+  const Path& path = named.path;
   const SmoothAngle angle(path);
   find_together(path, {length_rate(), up_frame_rate(angle.up()), bending_rate()});
   SmoothInfoAnswer answer{

@@ -7,9 +7,9 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/answer/orientation_columns.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
-#include "phrame/ph/smooth/smooth_length.hpp"
-#include "phrame/ph/smooth/smooth_shape.hpp"
+#include "phrame/ph/along/smooth_length.hpp"
+#include "phrame/ph/along/smooth_shape.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
 
 namespace phrame {
 namespace {
@@ -42,14 +42,14 @@ class SmoothRows {
         twist_(twist),
         start_(start_angle(columns.start, angle_)) {}
 
-  std::vector<double> at(const SmoothParameter& at);
+  std::vector<double> at(const Place& at);
   const std::string& reason() const { return reason_; }
 
  private:
   template <class Add>
   void add_if_defined(std::vector<double>& row, std::size_t count, Add add);
-  Frame<Real> frame(TabulatedFrame kind, const SmoothParameter& at) const;
-  Real scalar(TabulatedScalar kind, const SmoothParameter& at);
+  Frame<Real> frame(TabulatedFrame kind, const Place& at) const;
+  Real scalar(TabulatedScalar kind, const Place& at);
 
   const TableColumns& columns_;
   OrientationColumns orientations_;
@@ -73,7 +73,7 @@ void SmoothRows::add_if_defined(std::vector<double>& row, std::size_t count, Add
   }
 }
 
-Frame<Real> SmoothRows::frame(TabulatedFrame kind, const SmoothParameter& at) const {
+Frame<Real> SmoothRows::frame(TabulatedFrame kind, const Place& at) const {
   if (kind == TabulatedFrame::rmf) return rotation_minimizing_frame(angle_, at, start_);
   if (kind == TabulatedFrame::exact_mtf) return minimal_twist_frame(*twist_, at);
   if (kind == TabulatedFrame::euler_rodrigues) return euler_rodrigues_frame(angle_.path(), at);
@@ -81,8 +81,8 @@ Frame<Real> SmoothRows::frame(TabulatedFrame kind, const SmoothParameter& at) co
   return up_frame(angle_.path(), angle_.up(), at);
 }
 
-Real SmoothRows::scalar(TabulatedScalar kind, const SmoothParameter& at) {
-  const SmoothPath& path = angle_.path();
+Real SmoothRows::scalar(TabulatedScalar kind, const Place& at) {
+  const Path& path = angle_.path();
   switch (kind) {
     case TabulatedScalar::arc_length:
       if (!length_) length_.emplace(path);
@@ -97,7 +97,7 @@ Real SmoothRows::scalar(TabulatedScalar kind, const SmoothParameter& at) {
   return size_of(curvature(path, at), torsion(path, at));
 }
 
-std::vector<double> SmoothRows::at(const SmoothParameter& at) {
+std::vector<double> SmoothRows::at(const Place& at) {
   reason_.clear();
   const Rational before(static_cast<long>(at.segment));
   std::vector<double> row{round_to_double(at.t + before)};
@@ -114,8 +114,7 @@ std::vector<double> SmoothRows::at(const SmoothParameter& at) {
 }  // namespace
 
 FrameTable frame_table(const SmoothAngle& angle, const TableColumns& columns,
-                       const std::vector<SmoothParameter>& at,
-                       const std::optional<SmoothTwist>& twist) {
+                       const std::vector<Place>& at, const std::optional<SmoothTwist>& twist) {
   require_columns(columns, twist.has_value());
   SmoothRows rows(angle, columns, twist);
   FrameTable table{names_of(columns), {}};
@@ -125,7 +124,7 @@ FrameTable frame_table(const SmoothAngle& angle, const TableColumns& columns,
       (has_rmf && std::holds_alternative<Angle>(columns.start)))
     table.up = angle.up();
   Stage stage("rows", at.size());
-  for (const SmoothParameter& point : at) {
+  for (const Place& point : at) {
     stage.advance();
     add_row(table, rows.at(point), [&] { return fmt::format("row {}", table.rows.size()); });
     if (rows.reason().empty()) continue;

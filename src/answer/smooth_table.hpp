@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/answer/frame_table.hpp"
-#include "phrame/ph/smooth/smooth_twist.hpp"
+#include "phrame/ph/twist/smooth_twist.hpp"
 
 namespace phrame {
 
@@ -10,7 +10,6 @@ namespace phrame {
 /// later segment. Throws as the frame_table() of PH curves, and DomainError for a frame that only
 /// these have.
 FrameTable frame_table(const SmoothAngle& angle, const TableColumns& columns,
-                       const std::vector<SmoothParameter>& at,
-                       const std::optional<SmoothTwist>& twist = {});
+                       const std::vector<Place>& at, const std::optional<SmoothTwist>& twist = {});
 
 }  // namespace phrame

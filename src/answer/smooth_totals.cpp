@@ -1,15 +1,15 @@
-#include "phrame/ph/smooth/smooth_totals.hpp"
+#include "phrame/ph/along/smooth_totals.hpp"
 
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/answer/writhe_rows.hpp"
-#include "phrame/ph/smooth/closed_curve.hpp"
-#include "phrame/ph/smooth/segment_integral.hpp"
-#include "phrame/ph/smooth/smooth_angle.hpp"
-#include "phrame/ph/smooth/smooth_length.hpp"
-#include "phrame/ph/smooth/up_vector.hpp"
+#include "phrame/ph/along/segment_integral.hpp"
+#include "phrame/ph/along/smooth_angle.hpp"
+#include "phrame/ph/along/smooth_length.hpp"
+#include "phrame/ph/along/up_vector.hpp"
+#include "phrame/ph/frame/closed_curve.hpp"
 
 namespace phrame {
 namespace {
@@ -54,11 +54,11 @@ class SmoothTotals {
 };
 
 /// Why there is no torsion; empty where there is.
-std::string why_no_torsion(const SmoothPath& path) {
+std::string why_no_torsion(const Path& path) {
   const auto& segments = path.segments();
   if (segments.size() == 1) return is_straight(path) ? "a straight line has no torsion" : "";
   for (std::size_t k = 0; k < segments.size(); ++k)
-    if (is_straight(SmoothPath(segments[k])))
+    if (is_straight(Path(segments[k])))
       return fmt::format("segment {} is a straight line, which has no torsion", k + 1);
   return "";
 }
@@ -85,8 +85,8 @@ void add_holonomy(SmoothTotals& totals, const SmoothAngle& angle, const Real& le
 
 }  // namespace
 
-TotalsAnswer answer(const NamedSmoothPath& named, const TotalsQuery& query) {
-  const SmoothPath& path = named.path;
+TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
+  const Path& path = named.path;
   const SmoothAngle angle(path);
   TotalsAnswer answer{named, {}, query.digits, angle.up()};
   SmoothTotals totals(answer);

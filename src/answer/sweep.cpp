@@ -7,8 +7,8 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/answer/end_normal.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/smooth/compiled_smooth.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/frame/compiled_smooth.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
 
 namespace phrame {
 namespace {
@@ -64,14 +64,14 @@ SweepAnswer swept(const SweepPath& path, const SweepQuery& query) {
 
 }  // namespace
 
-SweepAnswer answer(const NamedPath& named, const SweepQuery& query) {
-  const Path& path = named.path;
+SweepAnswer answer(const NamedPhPath& named, const SweepQuery& query) {
+  const PhPath& path = named.path;
   return swept({series_of(path), CompiledFrames(PathAngle(path), start_angle(query.start, path)),
                 path.closing_turn().has_value()},
                query);
 }
 
-SweepAnswer answer(const NamedSmoothPath& named, const SweepQuery& query) {
+SweepAnswer answer(const NamedPath& named, const SweepQuery& query) {
   const SmoothAngle angle(named.path);
   return swept({series_of(named.path), compile_frames(angle, start_angle(query.start, angle)),
                 named.path.is_closed()},

@@ -2,8 +2,8 @@
 #include <functional>
 
 #include "phrame/algebra/angle.hpp"
+#include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
-#include "phrame/ph/smooth/smooth_path.hpp"
 #include "phrame/ph/sweep/sweep.hpp"
 
 namespace phrame {
@@ -42,8 +42,8 @@ struct SweepAnswer {
 /// of a closed path, for a tolerance of normals that is not between 0 and π/2, or beside a number
 /// of sections, and for a closed path with a twist that is no multiple of whole turns or a
 /// scale that differs at its ends.
+SweepAnswer answer(const NamedPhPath& named, const SweepQuery& query);
 SweepAnswer answer(const NamedPath& named, const SweepQuery& query);
-SweepAnswer answer(const NamedSmoothPath& named, const SweepQuery& query);
 /// @}
 
 }  // namespace phrame

@@ -35,14 +35,14 @@ Row without_value(Quantity quantity, std::string reason) {
 }
 
 /// The first segment, counted from 1, for which that holds; 0 where there is none.
-std::size_t first_segment(const Path& path, const std::function<bool(const Curve&)>& holds) {
+std::size_t first_segment(const PhPath& path, const std::function<bool(const Curve&)>& holds) {
   const auto& segments = path.segments();
   const auto found = std::find_if(segments.begin(), segments.end(), holds);
   return found == segments.end() ? 0 : static_cast<std::size_t>(found - segments.begin()) + 1;
 }
 
 /// Why there is no torsion; empty where there is.
-std::string why_no_torsion(const Path& path) {
+std::string why_no_torsion(const PhPath& path) {
   const std::size_t line = first_segment(
       path, [](const Curve& curve) { return line_direction(curve.preimage()).has_value(); });
   if (line == 0) return "";
@@ -50,7 +50,7 @@ std::string why_no_torsion(const Path& path) {
   return fmt::format("segment {} is a straight line, which has no torsion", line);
 }
 
-std::string why_no_curvature(const Path& path) {
+std::string why_no_curvature(const PhPath& path) {
   const std::string why = "κ is not rational, since ρ is not a constant times a square";
   if (path.is_curve()) return why;
   const std::size_t first = first_segment(
@@ -90,8 +90,8 @@ const char* name_of(Quantity quantity) {
   return "self-linking number";
 }
 
-TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
-  const Path& path = named.path;
+TotalsAnswer answer(const NamedPhPath& named, const TotalsQuery& query) {
+  const PhPath& path = named.path;
   const long digits = query.digits;
   const std::string no_torsion = why_no_torsion(path);
   TotalsAnswer answer{named, {}, digits};

@@ -1,6 +1,6 @@
 #pragma once
-#include "phrame/ph/frame/path_totals.hpp"
-#include "phrame/ph/smooth/smooth_path.hpp"
+#include "phrame/ph/along/path_totals.hpp"
+#include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
 
@@ -51,8 +51,8 @@ struct TotalsAnswer {
 
 /// @{ Throws Undecided, naming the quantity, where one cannot be rounded. That the writhe, and what
 /// comes with it, is undecided is said in its row.
+TotalsAnswer answer(const NamedPhPath& path, const TotalsQuery& query);
 TotalsAnswer answer(const NamedPath& path, const TotalsQuery& query);
-TotalsAnswer answer(const NamedSmoothPath& path, const TotalsQuery& query);
 /// @}
 
 }  // namespace phrame

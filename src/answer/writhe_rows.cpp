@@ -2,11 +2,11 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
+#include "phrame/ph/along/smooth_shape.hpp"
+#include "phrame/ph/along/smooth_totals.hpp"
+#include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/shape.hpp"
-#include "phrame/ph/smooth/closed_curve.hpp"
-#include "phrame/ph/smooth/smooth_shape.hpp"
-#include "phrame/ph/smooth/smooth_totals.hpp"
-#include "phrame/ph/smooth/up_vector.hpp"
+#include "phrame/ph/frame/closed_curve.hpp"
 
 namespace phrame {
 namespace {
@@ -23,13 +23,13 @@ Row undecided_row(Quantity quantity, const Undecided& undecided) {
   return reason_row(quantity, std::string("undecided: ") + undecided.what());
 }
 
-bool bends_continuously(const Path& path) {
+bool bends_continuously(const PhPath& path) {
   return has_continuous_frenet_frame(by_positions(path));
 }
-bool bends_continuously(const SmoothPath& path) { return has_continuous_frenet_frame(path); }
+bool bends_continuously(const Path& path) { return has_continuous_frenet_frame(path); }
 
-Real torsion_of(const Path& path) { return total_torsion(path).value; }
-Real torsion_of(const SmoothPath& path) { return total_torsion(path); }
+Real torsion_of(const PhPath& path) { return total_torsion(path).value; }
+Real torsion_of(const Path& path) { return total_torsion(path); }
 
 template <class P>
 Row self_linking_row(const ClosedFrame& frame, const P& path) {
@@ -69,7 +69,7 @@ std::vector<Row> rows_of(const P& path, long digits) {
 
 }  // namespace
 
+std::vector<Row> writhe_rows(const PhPath& path, long digits) { return rows_of(path, digits); }
 std::vector<Row> writhe_rows(const Path& path, long digits) { return rows_of(path, digits); }
-std::vector<Row> writhe_rows(const SmoothPath& path, long digits) { return rows_of(path, digits); }
 
 }  // namespace phrame

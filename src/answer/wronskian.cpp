@@ -28,7 +28,7 @@ void add_rates(WronskianAnswer& answer, const Curve& curve) {
 
 }  // namespace
 
-WronskianAnswer answer(const NamedPath& named, const WronskianQuery& query) {
+WronskianAnswer answer(const NamedPhPath& named, const WronskianQuery& query) {
   if (!named.path.is_curve())
     throw DomainError("pairs of polynomials are for single curves; this is a spline");
   const WronskianFrame frame(named.path.segments().front(), query.weight);

@@ -26,7 +26,7 @@ struct WronskianAnswer {
     ErrorSize here;   ///< the root mean square of Ω₁ times the length, of the pair over ℚ
     ErrorSize least;  ///< the same of `mtf --degree n --free-ends` with the same twist, 0
   };
-  NamedPath path;              ///< as asked
+  NamedPhPath path;            ///< as asked
   FrameWeight weight;          ///< ρ
   Polynomial wronskian;        ///< 2hσ
   WronskianPlanes planes;      ///< of (24)
@@ -48,6 +48,6 @@ struct WronskianAnswer {
 /// Throws DomainError for splines, for preimages of degrees other than 1 and 2, where h = 0, and
 /// where there is no such weight; Undecided, naming what it is, where a number cannot be rounded or
 /// two pairs are equally good.
-WronskianAnswer answer(const NamedPath& path, const WronskianQuery& query);
+WronskianAnswer answer(const NamedPhPath& path, const WronskianQuery& query);
 
 }  // namespace phrame

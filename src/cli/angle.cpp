@@ -50,7 +50,7 @@ void require_curve(const AngleOptions& options) {
 }
 
 /// Of a curve that is no PH curve, or by its frame of v.
-void run(const Command& command, const AngleOptions& options, const NamedSmoothPath& named) {
+void run(const Command& command, const AngleOptions& options, const NamedPath& named) {
   command.refuse({"--form", "--route"}, std::string("is of closed forms: ") + why_not);
   if (command.is_given("--frame") && options.frame == "erf")
     throw InputError("--frame", "\"erf\" " + needs_ph(named.path));
@@ -76,9 +76,8 @@ void run(const Command& command, const AngleOptions& options) {
   AngleQuery query = cli::query(options);
   const Print print = options.form.chosen_print();
   const AnyPath read = options.up.applied_to(options.curve.read_any_path(), options.frame == "up");
-  if (const auto* smooth = std::get_if<NamedSmoothPath>(&read))
-    return run(command, options, *smooth);
-  const auto& named = std::get<NamedPath>(read);
+  if (const auto* smooth = std::get_if<NamedPath>(&read)) return run(command, options, *smooth);
+  const auto& named = std::get<NamedPhPath>(read);
   query.at = options.parameters.values(named.path.end());
   options.start.check(named.path, query.reference);
   if (!named.path.is_curve())

@@ -11,9 +11,9 @@
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/text.hpp"
+#include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/construct/near.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
-#include "phrame/ph/smooth/up_vector.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -36,7 +36,7 @@ T read_by(T (*read)(std::string_view, const CurveLimits&), const CurveOptions& o
 
 /// A PH path of a file in any format. What is said of a file in another one than curve/1 and
 /// spline/1 that is read as no PH path is that it is none; of all else, why it is not read.
-NamedPath read_ph_path(std::string_view text, const CurveLimits& limits) {
+NamedPhPath read_ph_path(std::string_view text, const CurveLimits& limits) {
   try {
     return phrame::read_path(text, limits);
   } catch (const InputError& error) {
@@ -48,14 +48,14 @@ NamedPath read_ph_path(std::string_view text, const CurveLimits& limits) {
     } catch (const InputError&) {
       std::rethrow_exception(first);
     }
-    if (auto* named = std::get_if<NamedPath>(&*other)) return std::move(*named);
-    throw InputError(
-        "", fmt::format("this command {}", needs_ph(std::get<NamedSmoothPath>(*other).path)));
+    if (auto* named = std::get_if<NamedPhPath>(&*other)) return std::move(*named);
+    throw InputError("",
+                     fmt::format("this command {}", needs_ph(std::get<NamedPath>(*other).path)));
   }
 }
 
 /// Of one polynomial curve, so far.
-std::optional<NearSuggestion> suggestion_of(const SmoothPath& path) {
+std::optional<NearSuggestion> suggestion_of(const Path& path) {
   if (is_straight(path)) return std::nullopt;  // any frame that does not turn is right
   const RationalCurve* curve = rational_curve(path.segments().front());
   if (path.segments().size() > 1 || curve == nullptr || !curve->weight().is_constant())
@@ -66,14 +66,14 @@ std::optional<NearSuggestion> suggestion_of(const SmoothPath& path) {
   return near_suggestion(hodograph, point(*curve, 0));
 }
 
-bool is_polynomial(const SmoothSegment& segment) {
+bool is_polynomial(const Segment& segment) {
   const RationalCurve* curve = rational_curve(segment);
   return curve != nullptr && curve->weight().is_constant();
 }
 
 }  // namespace
 
-std::string needs_ph(const SmoothPath& path) {
+std::string needs_ph(const Path& path) {
   const std::string none = "needs a Pythagorean-hodograph curve, and this is none";
   if (is_straight(path))
     return none + " but a straight line, where any frame that does not turn is the right one";
@@ -120,13 +120,13 @@ void CurveOptions::add_to(Command& command) {
 
 NamedCurve CurveOptions::read_curve() const {
   // As a path it has e₁ = r′/|r′| at the start.
-  const NamedPath named = near ? read_path() : NamedPath(read_by(phrame::read_curve, *this));
+  const NamedPhPath named = near ? read_path() : NamedPhPath(read_by(phrame::read_curve, *this));
   if (!named.path.is_curve())
     throw InputError(name_of_file(path) + ":/phrame", "this is a spline; one curve is wanted");
   return {named.name, named.path.segments().front(), named.near};
 }
 
-NamedPath CurveOptions::read_path() const {
+NamedPhPath CurveOptions::read_path() const {
   const auto within = epsilon();
   if (!within) return read_by(read_ph_path, *this);
   const std::string text = read_file(path);
@@ -134,7 +134,7 @@ NamedPath CurveOptions::read_path() const {
   auto read = at_place(file, ":", [&] { return read_path_near(text, *within, limits); });
   if (const auto* none = std::get_if<NotNear>(&read))
     throw InputError(file, to_line(*none, *within));
-  auto& named = std::get<NamedPath>(read);
+  auto& named = std::get<NamedPhPath>(read);
   if (named.near)
     note_at_end(fmt::format("{}: in its place a PH {} {}", file,
                             named.path.is_curve() ? "curve" : "spline", to_line(*named.near)));
@@ -147,7 +147,7 @@ AnyPath CurveOptions::read_any_path() const {
   const auto& notes = std::visit(
       [](const auto& named) -> const auto& { return named.notes; }, read);
   for (const std::string& text : notes) note(fmt::format("{}: {}", name_of_file(path), text));
-  if (const auto* named = std::get_if<NamedSmoothPath>(&read))
+  if (const auto* named = std::get_if<NamedPath>(&read))
     if (const auto near_one = suggestion_of(named->path))
       note_at_end(fmt::format(
           "{}: a PH curve is at most {} away; with --near {} the answer has a closed form",
@@ -258,7 +258,7 @@ void StartOptions::require_reference(const std::string& name) const {
                                           rule, name));
 }
 
-void StartOptions::check(const Path& path, Reference reference) const {
+void StartOptions::check(const PhPath& path, Reference reference) const {
   require_reference(reference == Reference::euler_rodrigues ? "erf" : "frenet");
   at_option("--start-normal", [&] {
     if (const auto start = given()) start_angle(*start, path);
@@ -281,13 +281,13 @@ std::optional<Vector<Rational>> UpOption::given() const {
   return parse_vector_option("--up", *vector);
 }
 
-SmoothAngle UpOption::angle(const SmoothPath& path) const {
+SmoothAngle UpOption::angle(const Path& path) const {
   const auto up = given();
   return up ? at_option("--up", [&] { return SmoothAngle(path, *up); }) : SmoothAngle(path);
 }
 
 AnyPath UpOption::applied_to(AnyPath path, bool is_wanted) const {
-  const auto* ph = std::get_if<NamedPath>(&path);
+  const auto* ph = std::get_if<NamedPhPath>(&path);
   return ph != nullptr && (vector || is_wanted) ? of_any_kind(*ph) : std::move(path);
 }
 

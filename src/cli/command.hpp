@@ -6,8 +6,8 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/cli/program.hpp"
 #include "phrame/io/read/any_path.hpp"
+#include "phrame/ph/along/smooth_angle.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
-#include "phrame/ph/smooth/smooth_angle.hpp"
 
 namespace phrame::cli {
 
@@ -28,7 +28,7 @@ struct CurveOptions {
   // Read the curve, with --near the one that is near what is no PH curve, which a line on stderr
   // then says; an InputError's place starts with the path.
   NamedCurve read_curve() const;
-  NamedPath read_path() const;
+  NamedPhPath read_path() const;
   /// One of any kind. Where it is no PH path but one is very near, as of rounded control points, a
   /// line on stderr says what --near gives closed forms.
   AnyPath read_any_path() const;
@@ -36,7 +36,7 @@ struct CurveOptions {
 
 /// "needs a Pythagorean-hodograph curve, and this is none", with what finds one: nothing does for a
 /// straight line, where every frame that does not turn is right.
-std::string needs_ph(const SmoothPath& path);
+std::string needs_ph(const Path& path);
 
 /// Where t is asked for: --at and --samples.
 struct Parameters {
@@ -89,7 +89,7 @@ struct StartOptions {
   FrameStart start() const;
   /// @{ Throws InputError for a vector that has no part across the tangent, and for a frame that
   /// angles are not measured from.
-  void check(const Path& path, Reference reference = Reference::euler_rodrigues) const;
+  void check(const PhPath& path, Reference reference = Reference::euler_rodrigues) const;
   void check(const SmoothAngle& along) const;
   /// @}
   static std::vector<std::string> names() { return {"--start", "--theta0", "--start-normal"}; }
@@ -110,7 +110,7 @@ struct UpOption {
   /// What is given. Throws InputError.
   std::optional<Vector<Rational>> given() const;
   /// The angle along the path. Throws InputError for a v that is 0 or along the tangent.
-  SmoothAngle angle(const SmoothPath& path) const;
+  SmoothAngle angle(const Path& path) const;
   /// The path, as one of any kind where it is given or the frame of a v `is_wanted`.
   AnyPath applied_to(AnyPath path, bool is_wanted = false) const;
 };

@@ -39,7 +39,7 @@ std::pair<double, double> interval(const CompileOptions& options) {
 
 /// Of a curve that is no PH curve.
 CompiledAnswer compiled(const Command& command, const CompileOptions& options,
-                        const NamedSmoothPath& named) {
+                        const NamedPath& named) {
   command.refuse({"--from", "--to"},
                  "is for single Pythagorean-hodograph curves by erf or frenet; others are compiled "
                  "as a whole");
@@ -55,7 +55,7 @@ CompiledAnswer compiled(const Command& command, const CompileOptions& options,
 }
 
 CompiledAnswer compiled(const Command& command, const CompileOptions& options,
-                        const NamedPath& named) {
+                        const NamedPhPath& named) {
   const auto reference = chosen_reference(options.frame);
   const auto [from, to] = interval(options);
   options.start.check(named.path, reference);

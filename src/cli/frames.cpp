@@ -9,9 +9,9 @@
 #include "phrame/io/write/camera.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/names.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
-#include "phrame/ph/frame/reduced_angle.hpp"
-#include "phrame/ph/smooth/smooth_length.hpp"
+#include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/along/reduced_angle.hpp"
+#include "phrame/ph/along/smooth_length.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -46,7 +46,7 @@ struct TabulatedFrames {
 enum class By { parameter, arc_length };
 
 /// A frame of minimal twist ends with the curve.
-std::vector<PathPoint> points(const std::vector<Rational>& numbers, const Path& path, bool ends) {
+std::vector<PathPoint> points(const std::vector<Rational>& numbers, const PhPath& path, bool ends) {
   std::vector<PathPoint> at;
   for (const Rational& t : numbers) {
     const PathParameter located = ends ? locate_inside(path, t) : locate(path, t);
@@ -63,8 +63,8 @@ std::vector<PathPoint> points_by_length(const std::vector<Rational>& numbers,
   return at;
 }
 
-std::vector<SmoothParameter> points(const std::vector<Rational>& numbers, const SmoothPath& path) {
-  std::vector<SmoothParameter> at;
+std::vector<Place> points(const std::vector<Rational>& numbers, const Path& path) {
+  std::vector<Place> at;
   for (const Rational& t : numbers) at.emplace_back(locate(path, t));
   return at;
 }
@@ -77,9 +77,9 @@ Rational length_below(const Real& length) {
   return Rational(floor(lower / unit)) * unit;
 }
 
-std::vector<SmoothParameter> points_by_length(const std::vector<Rational>& numbers,
-                                              const SmoothLength& length) {
-  std::vector<SmoothParameter> at;
+std::vector<Place> points_by_length(const std::vector<Rational>& numbers,
+                                    const SmoothLength& length) {
+  std::vector<Place> at;
   for (const Rational& s : numbers) at.push_back(length.point(s));
   return at;
 }
@@ -115,7 +115,7 @@ TableColumns columns(const FramesOptions& options) {
 }
 
 /// Adds the frames of minimal twist, as far as there are columns for them.
-void add_twist_frames(TableColumns& columns, const TwistOptions& options, const Path& path) {
+void add_twist_frames(TableColumns& columns, const TwistOptions& options, const PhPath& path) {
   const bool wants_rational = has_frame(columns, TabulatedFrame::mtf);
   if (!wants_rational && !has_frame(columns, TabulatedFrame::exact_mtf)) return;
   const auto [from, to] = options.ends(path);
@@ -136,9 +136,9 @@ FrameTable table(const TableColumns& columns, Make make) {
   }
 }
 
-TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
+TabulatedFrames table_of(const NamedPhPath& named, TableColumns& columns, By by,
                          const FramesOptions& options) {
-  const Path& path = named.path;
+  const PhPath& path = named.path;
   options.start.check(path);
   add_twist_frames(columns, options.twist, path);
   std::vector<Rational> numbers;
@@ -157,7 +157,7 @@ TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
 }
 
 /// Of a curve that is no PH curve, or beside its frame of v.
-TabulatedFrames table_of(const NamedSmoothPath& named, const TableColumns& columns, By by,
+TabulatedFrames table_of(const NamedPath& named, const TableColumns& columns, By by,
                          const FramesOptions& options) {
   const auto& segments = named.path.segments();
   const bool has_ph = std::any_of(segments.begin(), segments.end(), ph_curve);
@@ -170,7 +170,7 @@ TabulatedFrames table_of(const NamedSmoothPath& named, const TableColumns& colum
   const SmoothAngle angle = options.up.angle(named.path);
   options.start.check(angle);
   std::vector<Rational> numbers;
-  std::vector<SmoothParameter> at;
+  std::vector<Place> at;
   if (by == By::parameter) {
     numbers = options.parameters.values(named.path.end());
     at = points(numbers, named.path);
@@ -198,9 +198,9 @@ TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& ch
   const AnyPath read =
       options.up.applied_to(options.curve.read_any_path(),
                             has_frame(chosen, TabulatedFrame::up) || options.start.is_up());
-  const auto* smooth = std::get_if<NamedSmoothPath>(&read);
+  const auto* smooth = std::get_if<NamedPath>(&read);
   return smooth != nullptr ? table_of(*smooth, chosen, by, options)
-                           : table_of(std::get<NamedPath>(read), chosen, by, options);
+                           : table_of(std::get<NamedPhPath>(read), chosen, by, options);
 }
 
 void run_camera(const FramesOptions& options) {

@@ -48,7 +48,7 @@ void run_for_spline(const IdentifyOptions& options, const std::string& text,
   const auto found = at_place(name_of_file(options.curve.path), ":",
                               [&] { return read_path_near(text, epsilon, options.curve.limits); });
   if (const auto* none = std::get_if<NotNear>(&found)) throw AnswerNo{to_line(*none, epsilon)};
-  options.length.write(options.curve.output, print({std::get<NamedPath>(found)}));
+  options.length.write(options.curve.output, print({std::get<NamedPhPath>(found)}));
 }
 
 void run(const IdentifyOptions& options) {

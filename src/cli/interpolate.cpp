@@ -40,12 +40,12 @@ MachinePath machine_path(const Command& command, const InterpolateOptions& optio
                    "e1, which the tool is along, does not depend on it");
   query.places = options.places;
   query.start = options.start.start();
-  if (const auto* smooth = std::get_if<NamedSmoothPath>(&path)) {
+  if (const auto* smooth = std::get_if<NamedPath>(&path)) {
     const SmoothAngle angle = options.up.angle(smooth->path);
     options.start.check(angle);
     query.up = angle.up();
   } else {
-    options.start.check(std::get<NamedPath>(path).path);
+    options.start.check(std::get<NamedPhPath>(path).path);
   }
   return answer_of(path, query);
 }

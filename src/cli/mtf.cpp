@@ -28,14 +28,14 @@ void run_wronskian(const MtfOptions& options) {
   const auto print = choose<std::string (*)(const WronskianAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
   const FrameWeight weight = choose<FrameWeight>("--weight", options.weight, frame_weights());
-  const NamedPath named = options.curve.read_path();
+  const NamedPhPath named = options.curve.read_path();
   if (!named.path.is_curve())
     throw InputError("--wronskian", "this is for single curves; this is a spline");
   options.length.write(options.curve.output, print(answer(named, {weight, options.digits})));
 }
 
 MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
-                         const NamedPath& named) {
+                         const NamedPhPath& named) {
   const auto [from, to] = options.twist.ends(named.path);
   MinimalTwistQuery query{from, to, options.twist.turns,
                           options.parameters.values(named.path.end()), options.digits};
@@ -52,7 +52,7 @@ MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
 /// Of a curve that is no PH curve, or by its frame of v: there is no rational frame, but where it
 /// is not asked for that is but said.
 MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
-                         const NamedSmoothPath& named) {
+                         const NamedPath& named) {
   command.refuse(TwistOptions::of_rational_frame(),
                  named.path.is_ph() ? "is of rational frames, whose angles are not those of --up"
                                     : "is of rational frames; such a one " + needs_ph(named.path));

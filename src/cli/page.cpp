@@ -25,12 +25,12 @@ std::vector<GivenFrame> given_frames(const PageOptions& options) {
   return at_place(name_of_file(*options.frames), ":", [&] { return read_frames(bytes).frames; });
 }
 
-PageAnswer page_of(const PageOptions& options, const PageQuery& query, const NamedPath& named) {
+PageAnswer page_of(const PageOptions& options, const PageQuery& query, const NamedPhPath& named) {
   options.start.check(named.path);
   return answer(named, query);
 }
 
-PageAnswer page_of(const PageOptions& options, PageQuery query, const NamedSmoothPath& named) {
+PageAnswer page_of(const PageOptions& options, PageQuery query, const NamedPath& named) {
   const SmoothAngle angle = options.up.angle(named.path);
   options.start.check(angle);
   query.up = angle.up();

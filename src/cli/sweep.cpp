@@ -70,10 +70,10 @@ Profile profile_of(const SweepOptions& options, double scale,
 }
 
 void check_start(const SweepOptions& options, const AnyPath& path) {
-  if (const auto* smooth = std::get_if<NamedSmoothPath>(&path))
+  if (const auto* smooth = std::get_if<NamedPath>(&path))
     options.start.check(SmoothAngle(smooth->path));
   else
-    options.start.check(std::get<NamedPath>(path).path);
+    options.start.check(std::get<NamedPhPath>(path).path);
 }
 
 /// Where coordinates are from; no value stands for a place near the body. In glTF a node has it, as
@@ -137,7 +137,7 @@ void tell(const SweepAnswer& answer, const std::string& output, bool is_in_place
 }
 
 /// What helps where the rotation-minimizing frame is not rational.
-RationalSweepAnswer exact_answer(const NamedPath& named, const RationalSweepQuery& query) {
+RationalSweepAnswer exact_answer(const NamedPhPath& named, const RationalSweepQuery& query) {
   try {
     return answer(named, query);
   } catch (const DomainError& error) {
@@ -174,9 +174,9 @@ void run_exact(const Command& command, const SweepOptions& options) {
                  "frame of minimal twist is that of --end-normal and --degree");
   const AnyPath path = options.curve.read_any_path();
   check_start(options, path);
-  if (const auto* smooth = std::get_if<NamedSmoothPath>(&path))
+  if (const auto* smooth = std::get_if<NamedPath>(&path))
     throw InputError("--exact", needs_ph(smooth->path));
-  const auto& named = std::get<NamedPath>(path);
+  const auto& named = std::get<NamedPhPath>(path);
   if (options.degree > 0 && !options.end_normal && !named.path.closing_turn())
     throw InputError("--degree", "the frame of minimal twist of an open curve needs --end-normal");
   const RationalSweepAnswer made = exact_answer(named, exact_query(options));

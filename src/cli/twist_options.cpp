@@ -1,7 +1,7 @@
 #include "phrame/cli/twist_options.hpp"
 
 #include "phrame/ph/frame/frame.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -46,7 +46,7 @@ void require_ends(const TwistOptions& options) {
 /// The angle or vector that is given; the latter has a part across the tangent there.
 FrameStart smooth_boundary(const std::string& name, const std::optional<std::string>& angle,
                            const std::optional<std::string>& vector, const SmoothAngle& along,
-                           const SmoothParameter& at) {
+                           const Place& at) {
   if (angle) return parse_angle_option(name, *angle);
   const std::string option = name + "-vector";
   const StartNormal normal(parse_vector_option(option, vector.value()));
@@ -83,7 +83,7 @@ void TwistOptions::add_to(Command& command) {
                    "faster");
 }
 
-std::pair<FrameAngle, FrameAngle> TwistOptions::ends(const Path& path) const {
+std::pair<FrameAngle, FrameAngle> TwistOptions::ends(const PhPath& path) const {
   require_ends(*this);
   const auto& segments = path.segments();
   const FrameAngle start = boundary("--from", from, from_vector, segments.front(), 0);
@@ -95,9 +95,9 @@ std::pair<FrameAngle, FrameAngle> TwistOptions::ends(const Path& path) const {
 
 std::pair<FrameStart, FrameStart> TwistOptions::ends(const SmoothAngle& along) const {
   require_ends(*this);
-  const SmoothPath& path = along.path();
+  const Path& path = along.path();
   const FrameStart start = smooth_boundary("--from", from, from_vector, along, {0, Rational(0)});
-  const SmoothParameter end(path.segments().size() - 1, Rational(1));
+  const Place end(path.segments().size() - 1, Rational(1));
   if (!is_closed) return {start, smooth_boundary("--to", to, to_vector, along, end)};
   // The frame of v closes with the curve.
   if (!path.is_closed())
@@ -105,7 +105,7 @@ std::pair<FrameStart, FrameStart> TwistOptions::ends(const SmoothAngle& along) c
   return {start, start};
 }
 
-Subdivision TwistOptions::subdivision(const Path& path) const {
+Subdivision TwistOptions::subdivision(const PhPath& path) const {
   const std::string option = "--subdivide";
   Subdivision wanted;
   if (!subdivide) return wanted;

@@ -23,11 +23,11 @@ struct TwistOptions {
   static std::vector<std::string> of_rational_frame();
 
   /// θ_i and θ_f. Throws InputError where one is missing or given twice.
-  std::pair<FrameAngle, FrameAngle> ends(const Path& path) const;
+  std::pair<FrameAngle, FrameAngle> ends(const PhPath& path) const;
   /// The same to the frame of v, of a curve that is not PH.
   std::pair<FrameStart, FrameStart> ends(const SmoothAngle& angle) const;
   /// Throws InputError for a point that is not on the spline, too.
-  Subdivision subdivision(const Path& path) const;
+  Subdivision subdivision(const PhPath& path) const;
   /// For results with so many digits.
   RationalTwistOptions rotation(long digits) const;
 };

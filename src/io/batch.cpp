@@ -16,7 +16,7 @@
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/nearness.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
 
 namespace phrame {
 namespace {
@@ -98,7 +98,7 @@ AnyPath path_of(const JsonNode& curve, const BatchDefaults& defaults) {
   if (!defaults.near) return read_any_path(curve, defaults.limits);
   auto read = read_path_near(curve, *defaults.near, defaults.limits);
   if (const auto* none = std::get_if<NotNear>(&read)) curve.fail(to_line(*none, *defaults.near));
-  return std::get<NamedPath>(std::move(read));
+  return std::get<NamedPhPath>(std::move(read));
 }
 
 /// What a line asks beside the path.
@@ -174,13 +174,13 @@ void require_start(const JsonNode& line, const FrameStart& start, const Measured
   }
 }
 
-std::string answer_of(const JsonNode& line, const NamedPath& named, const AngleQuery& query) {
+std::string answer_of(const JsonNode& line, const NamedPhPath& named, const AngleQuery& query) {
   require_start(line, query.start, named.path);
   return to_json_line(answer(named, query));
 }
 
 /// Of a curve that is no PH curve, or by its frame of v.
-std::string answer_of(const JsonNode& line, const NamedSmoothPath& named, const AngleQuery& query) {
+std::string answer_of(const JsonNode& line, const NamedPath& named, const AngleQuery& query) {
   SmoothAngleQuery wanted;
   if (query.reference == Reference::frenet) wanted.reference = SmoothReference::frenet;
   wanted.start = query.start;
@@ -206,7 +206,7 @@ std::string answer_text(const JsonNode& line, const BatchDefaults& defaults) {
   const JsonNode curve = curve_of(line);
   const AngleQuery query = query_of(line, defaults);
   AnyPath path = path_of(curve, defaults);
-  if (const auto* ph = std::get_if<NamedPath>(&path); ph != nullptr && is_about_up(line))
+  if (const auto* ph = std::get_if<NamedPhPath>(&path); ph != nullptr && is_about_up(line))
     path = of_any_kind(*ph);
   return std::visit([&](const auto& named) { return answer_of(line, named, query); }, path);
 }

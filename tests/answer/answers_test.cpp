@@ -22,8 +22,8 @@ using namespace phrame::test;
 
 namespace {
 
-NamedPath whole() { return {"quintic", Path(quintic)}; }
-NamedPath halves() { return {"halves", cut(quintic, {Rational(1, 2)})}; }
+NamedPhPath whole() { return {"quintic", PhPath(quintic)}; }
+NamedPhPath halves() { return {"halves", cut(quintic, {Rational(1, 2)})}; }
 
 std::string truth(const char* frame, const char* t) {
   return farouki_2003()["quintic"][frame][t].get<std::string>();

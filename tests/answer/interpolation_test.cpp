@@ -6,7 +6,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/formula.hpp"
 #include "phrame/io/write/frame_table.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/along/arc_length.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
 
@@ -107,8 +107,8 @@ const std::vector<std::size_t> all_but_t{0, 1, 3, 4, 5, 6};
 
 TEST_CASE("interpolation: pieces of a curve are passed as the whole") {
   const Curve quintic = test::farouki_quintic().curve;
-  const Path pieces = test::cut(quintic, {Rational(1, 3)});
-  const auto check = [](const Curve& whole, const Path& cut, const Feedrate& feedrate) {
+  const PhPath pieces = test::cut(quintic, {Rational(1, 3)});
+  const auto check = [](const Curve& whole, const PhPath& cut, const Feedrate& feedrate) {
     const InterpolationQuery query{feedrate, Rational(1, 7)};
     check_columns(answer({"", cut}, query), answer({"", whole}, query), all_but_t);
   };
@@ -121,7 +121,7 @@ TEST_CASE("interpolation: pieces of a curve are passed as the whole") {
   check(plane, test::cut(plane, {Rational(1, 3), Rational(2, 3)}),
         {RationalFunction({5}, {1, 2}), Feedrate::Of::curvature});
   // The parameter of the whole is half of that of two equal pieces.
-  const Path halves = test::cut(quintic, {Rational(1, 2)});
+  const PhPath halves = test::cut(quintic, {Rational(1, 2)});
   const auto of_t = Feedrate::Of::parameter;
   const FrameTable whole =
       answer({"", quintic}, InterpolationQuery{feed({1, 0, 1}, of_t), Rational(1, 7)});
@@ -134,7 +134,7 @@ TEST_CASE("interpolation: pieces of a curve are passed as the whole") {
 // Two unit lengths along x at V = 1.
 TEST_CASE("interpolation: a tick at a joint, and too many rows") {
   const Curve line = test::straight_line().curve;
-  const NamedPath two{"", test::chain({line, line})};
+  const NamedPhPath two{"", test::chain({line, line})};
   const FrameTable table = answer(two, InterpolationQuery{feed({1}), 1});
   REQUIRE(table.rows.size() == 3);
   CHECK(table.rows[1] == Row{1, 1, 1, 1, 1, 0, 0});
@@ -146,18 +146,18 @@ TEST_CASE("interpolation: a tick at a joint, and too many rows") {
 
 namespace {
 
-const NamedSmoothPath bezier_loop{
-    "loop", SmoothPath(bezier_curve(
-                {{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}}))};
+const NamedPath bezier_loop{
+    "loop",
+    Path(bezier_curve({{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}}))};
 
-SmoothPath by_formulas(const std::array<const char*, 3>& r) {
+Path by_formulas(const std::array<const char*, 3>& r) {
   const auto formula = [](const char* text) { return parse_formula(text, "s").value; };
-  return SmoothPath(ExpressionCurve({formula(r[0]), formula(r[1]), formula(r[2])}, formula("0"),
-                                    formula("2*pi")));
+  return Path(ExpressionCurve({formula(r[0]), formula(r[1]), formula(r[2])}, formula("0"),
+                              formula("2*pi")));
 }
 
-FrameTable points(const SmoothPath& path, const Feedrate& feedrate, const Rational& period) {
-  return answer(NamedSmoothPath{"", path}, InterpolationQuery{feedrate, period});
+FrameTable points(const Path& path, const Feedrate& feedrate, const Rational& period) {
+  return answer(NamedPath{"", path}, InterpolationQuery{feedrate, period});
 }
 
 }  // namespace
@@ -174,16 +174,16 @@ TEST_CASE("interpolation: along what is no PH curve, at a constant speed") {
                              1.118985053679505924174, 0.4344386316270840689373});
   CHECK(table.rows[5] == Row{5, 4.124762550394943255835, 1, 8.249525100789886511671, 0, 0, 0});
   // A quarter of a circle, then a line: the end is a tick.
-  const NamedSmoothPath bend{"", joined({bezier_curve({{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {1, 1, 2}),
-                                         bezier_curve({{0, 1, 0}, {-1, 1, 0}})})};
+  const NamedPath bend{"", joined({bezier_curve({{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {1, 1, 2}),
+                                   bezier_curve({{0, 1, 0}, {-1, 1, 0}})})};
   const FrameTable points = answer(bend, InterpolationQuery{feed({Rational(1, 2)}), 1});
   REQUIRE(points.rows.size() == 7);
   CHECK(points.rows[2][4] == std::cos(1.0));  // correctly rounded in glibc
   CHECK(points.rows[2][5] == std::sin(1.0));
   CHECK(points.rows[5][2] > 1);
   CHECK(points.rows[5][5] == 1);
-  const NamedSmoothPath line{"", joined({bezier_curve({{0, 0, 0}, {1, 2, 2}}),
-                                         bezier_curve({{1, 2, 2}, {2, 4, 4}, {4, 8, 8}})})};
+  const NamedPath line{"", joined({bezier_curve({{0, 0, 0}, {1, 2, 2}}),
+                                   bezier_curve({{1, 2, 2}, {2, 4, 4}, {4, 8, 8}})})};
   const FrameTable ticks = answer(line, InterpolationQuery{feed({3}), 2});
   REQUIRE(ticks.rows.size() == 3);
   CHECK(ticks.rows[1] == Row{1, 2, 1.41421356237309504880, 6, 2, 4, 4});  // (1 + t)² = 2
@@ -209,7 +209,7 @@ TEST_CASE("interpolation: along what is no PH curve, speeds by s, t and kappa") 
   CHECK(by_t.rows.back()[1] == 3.586869680309328560791);
   // Its curvature is between −0.72 and −0.12.
   const FrameTable by_bend =
-      points(SmoothPath(bezier_curve({{0, 0, 0}, {1, 2, 0}, {3, 2, 0}, {4, -1, 0}})),
+      points(Path(bezier_curve({{0, 0, 0}, {1, 2, 0}, {3, 2, 0}, {4, -1, 0}})),
              {RationalFunction({5}, {3, -1}), Feedrate::Of::curvature}, 2);
   CHECK(by_bend.rows[1] == Row{1, 2, 0.5538495142209626712003, 2.852222375512898711222,
                                2.242010511563043669928, 1.312708436754881364153, 0});
@@ -219,7 +219,7 @@ TEST_CASE("interpolation: along what is no PH curve, speeds by s, t and kappa") 
 // mpmath as above. The normal of the ellipse's plane with a positive last component is (−4, 3,
 // 0)/5; about it the ellipse turns right.
 TEST_CASE("interpolation: along formulas, speeds by t and kappa") {
-  const SmoothPath trefoil =
+  const Path trefoil =
       by_formulas({"(2 + cos(3*s))*cos(2*s)", "(2 + cos(3*s))*sin(2*s)", "sin(3*s)"});
   const FrameTable by_t = points(trefoil, feed({2, 1}, Feedrate::Of::parameter), 10);
   REQUIRE(by_t.rows.size() == 3);
@@ -240,10 +240,10 @@ TEST_CASE("interpolation: along formulas, speeds by t and kappa") {
 TEST_CASE("interpolation: law: a PH path by its positions is passed as in closed form") {
   const Curve quintic = test::farouki_quintic().curve;
   const Curve plane({{1}, {}, {}, {0, 1}});
-  const auto check = [](const Path& path, const Feedrate& feedrate) {
+  const auto check = [](const PhPath& path, const Feedrate& feedrate) {
     const InterpolationQuery query{feedrate, Rational(1, 5)};
-    const FrameTable exact = answer(NamedPath{"", path}, query);
-    const FrameTable found = answer(NamedSmoothPath{"", by_positions(path)}, query);
+    const FrameTable exact = answer(NamedPhPath{"", path}, query);
+    const FrameTable found = answer(NamedPath{"", by_positions(path)}, query);
     CHECK(found.rows.size() > 3);
     CHECK(found.rows == exact.rows);
   };
@@ -257,10 +257,10 @@ TEST_CASE("interpolation: law: a PH path by its positions is passed as in closed
 }
 
 TEST_CASE("interpolation: speeds that are not positive are refused, with the place") {
-  const auto refused = [](const SmoothPath& path, const Feedrate& feedrate, const char* reason) {
+  const auto refused = [](const Path& path, const Feedrate& feedrate, const char* reason) {
     CHECK_THROWS_WITH_AS(points(path, feedrate, 1), doctest::Contains(reason), DomainError);
   };
-  const SmoothPath& loop = bezier_loop.path;  // of the length 8.2495…
+  const Path& loop = bezier_loop.path;  // of the length 8.2495…
   refused(loop, feed({5, -1}), "the speed is 0 at s = 5");
   refused(loop, feed({-9, 1}), "the speed is negative, -9 at s = 0");
   CHECK(points(loop, feed({Rational(33, 4), -1}), 1).rows.back()[3] == 8.249525100789886511671);
@@ -268,17 +268,17 @@ TEST_CASE("interpolation: speeds that are not positive are refused, with the pla
           "the speed is infinite at t = 1/2");
   refused(loop, feed({1, 1}, Feedrate::Of::curvature), "in one plane");
   // (t, t³ − t²) turns left from t = 1/3 on.
-  const SmoothPath bend(RationalCurve({Polynomial{0, 1}, Polynomial{0, 0, -1, 1}, {}}));
+  const Path bend(RationalCurve({Polynomial{0, 1}, Polynomial{0, 0, -1, 1}, {}}));
   refused(bend, feed({0, -1}, Feedrate::Of::curvature), "the speed is 0 or infinite at t ≈ 0.3333");
   refused(bend, feed({0, 1}, Feedrate::Of::curvature), "the speed is negative at t = 0");
-  refused(SmoothPath(RationalCurve({Polynomial{0, 0, 1}, {0, 0, 0, 1}, {}})),
+  refused(Path(RationalCurve({Polynomial{0, 0, 1}, {0, 0, 0, 1}, {}})),
           feed({1, 0, 1}, Feedrate::Of::curvature), "cusp");
-  const SmoothPath line(bezier_curve({{1, 2, 2}, {2, 4, 4}, {4, 8, 8}}));
+  const Path line(bezier_curve({{1, 2, 2}, {2, 4, 4}, {4, 8, 8}}));
   refused(line, {RationalFunction({1}, {0, 1}), Feedrate::Of::curvature}, "divides by zero");
   CHECK(points(line, {RationalFunction({3, 1}, {2}), Feedrate::Of::curvature}, 2).rows[3] ==
         Row{3, 6, 1, 9, 4, 8, 8});
   // The line from −1 to 3 by t + t² is at 0 at the time 1, exactly; the length is 1 there.
-  const SmoothPath through(RationalCurve({Polynomial{-1, 0, 4}, {0, 0, 0}, {}}));
+  const Path through(RationalCurve({Polynomial{-1, 0, 4}, {0, 0, 0}, {}}));
   CHECK(points(through, {RationalFunction({2}, {1, 2}), Feedrate::Of::arc_length}, 1).rows[1] ==
         Row{1, 1, 0.5, 1, 0, 0, 0});
 }

@@ -104,7 +104,7 @@ TEST_CASE("orientation columns: vectors, quaternions and matrices are of one fra
 
 TEST_CASE("orientation columns: a curve of any kind has them, and empty ones") {
   // r = (t, t³, t⁴) has an inflection at t = 0.
-  const SmoothPath path(
+  const Path path(
       RationalCurve({Polynomial{0, 1}, Polynomial{0, 0, 0, 1}, Polynomial{0, 0, 0, 0, 1}}));
   TableColumns columns = with_quaternions({Kind::frenet, Kind::rmf});
   columns.have_matrices = true;

@@ -19,7 +19,7 @@ using namespace rational_sweep_answer_test;
 
 // f₂ at the ends is that of a frame of minimal twist, where it is rational exactly.
 TEST_CASE("rational sweep: a rational frame of minimal twist is one exactly, with the ends asked") {
-  const Path path = test::cut(test::quintic, {Rational(1, 2)});
+  const PhPath path = test::cut(test::quintic, {Rational(1, 2)});
   const Frame<Rational> first = euler_rodrigues_frame(path.segments().front(), 0);
   const Frame<Rational> last = euler_rodrigues_frame(path.segments().back(), 1);
   RationalSweepQuery query{square()};
@@ -27,7 +27,7 @@ TEST_CASE("rational sweep: a rational frame of minimal twist is one exactly, wit
   query.end_normal = Rational(5) * last.e2 - Rational(12) * last.e3;
   for (const long degree : {1L, 2L, 3L}) {
     query.twist_degree = degree;
-    const RationalSweepAnswer found = answer(NamedPath("", path), query);
+    const RationalSweepAnswer found = answer(NamedPhPath("", path), query);
     const auto& patches = found.surface.patches;
     CHECK(patches.size() >= 8);
     const auto half = [](const Vector<Rational>& from, const Vector<Rational>& to) {
@@ -43,7 +43,7 @@ TEST_CASE("rational sweep: a rational frame of minimal twist is one exactly, wit
 }
 
 TEST_CASE("rational sweep: a closed curve in space is closed by a frame of minimal twist") {
-  const NamedPath loop("", test::chain(test::quarters()));
+  const NamedPhPath loop("", test::chain(test::quarters()));
   RationalSweepQuery query{square()};
   CHECK_THROWS_AS(answer(loop, query), DomainError);
   query.twist_degree = 2;

@@ -16,10 +16,9 @@ using namespace phrame;
 
 namespace {
 
-const NamedSmoothPath cubic{"cubic",
-                            SmoothPath(bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 3}}))};
+const NamedPath cubic{"cubic", Path(bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 3}}))};
 
-const SmoothParameter start(0, Rational(0));
+const Place start(0, Rational(0));
 
 SmoothAngleQuery upright() {
   SmoothAngleQuery query;
@@ -64,8 +63,7 @@ TEST_CASE("smooth answers: a start angle is added, a start normal measured") {
   query.start = StartNormal({5, 0, 0});
   CHECK_THROWS_AS(answer(cubic, query), DomainError);
   // In a plane: along e₂ = (−cos 1, −sin 1, 0), no fractions, and against it.
-  const NamedSmoothPath arc{
-      "", SmoothPath(test::expression_curve({"cos(s)", "sin(s)", "0"}, "1", "2"))};
+  const NamedPath arc{"", Path(test::expression_curve({"cos(s)", "sin(s)", "0"}, "1", "2"))};
   query.start = StartNormal({-1, -1, 0});
   CHECK(answer(arc, query).start_angle.value == "0");
   query.start = StartNormal({1, 1, 0});
@@ -82,12 +80,12 @@ TEST_CASE("smooth answers: an up vector along the tangent is refused, with the p
 TEST_CASE("smooth answers: a closed plane path has no holonomy, exactly") {
   const auto arc = [](const Vector<Rational>& a, const Vector<Rational>& b,
                       const Vector<Rational>& c) {
-    return SmoothSegment(RationalCurve(
+    return Segment(RationalCurve(
         {Polynomial{a[0], 2 * (b[0] - a[0]), a[0] - 2 * b[0] + 2 * c[0]},
          Polynomial{a[1], 2 * (b[1] - a[1]), a[1] - 2 * b[1] + 2 * c[1]}, Polynomial{}},
         Polynomial{1, 0, 1}));
   };
-  const NamedSmoothPath circle{
+  const NamedPath circle{
       "circle",
       joined({arc({1, 0, 0}, {1, 1, 0}, {0, 1, 0}), arc({0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}),
               arc({-1, 0, 0}, {-1, -1, 0}, {0, -1, 0}), arc({0, -1, 0}, {1, -1, 0}, {1, 0, 0})})};
@@ -134,7 +132,7 @@ TEST_CASE("smooth answers: columns that only PH curves have are refused") {
 
 // r = (t, t³, t⁴) has an inflection at t = 0, where τ = 72t²/(36t² + …) is 2 by continuity.
 TEST_CASE("smooth answers: cells may be empty where the Frenet frame is undefined") {
-  const SmoothPath inflected(
+  const Path inflected(
       RationalCurve({Polynomial{0, 1}, Polynomial{0, 0, 0, 1}, Polynomial{0, 0, 0, 0, 1}}));
   TableColumns columns{{TabulatedFrame::frenet}, {TabulatedScalar::torsion}};
   CHECK_THROWS_AS(frame_table(SmoothAngle(inflected), columns, {start}), DomainError);
@@ -149,9 +147,9 @@ TEST_CASE("smooth answers: cells may be empty where the Frenet frame is undefine
 namespace {
 
 /// Closed, with a continuous tangent; its curvature jumps where it closes.
-const NamedSmoothPath loop{
-    "loop", SmoothPath(bezier_curve(
-                {{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}}))};
+const NamedPath loop{
+    "loop",
+    Path(bezier_curve({{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}}))};
 
 const TotalsAnswer::Row& row(const TotalsAnswer& answer, Quantity quantity) {
   for (const TotalsAnswer::Row& row : answer.rows)
@@ -186,8 +184,8 @@ TEST_CASE("smooth answers: what a closed curve gathers") {
 }
 
 TEST_CASE("smooth answers: what is exact or not defined is said to be so") {
-  const NamedSmoothPath line{"line", joined({bezier_curve({{0, 0, 0}, {1, 2, 2}}),
-                                             bezier_curve({{1, 2, 2}, {2, 4, 4}, {4, 8, 8}})})};
+  const NamedPath line{"line", joined({bezier_curve({{0, 0, 0}, {1, 2, 2}}),
+                                       bezier_curve({{1, 2, 2}, {2, 4, 4}, {4, 8, 8}})})};
   const TotalsAnswer found = answer(line, TotalsQuery{5});
   CHECK(row(found, Quantity::length).exact == Rational(12));
   CHECK(row(found, Quantity::curvature).exact == Rational(0));
@@ -200,8 +198,7 @@ TEST_CASE("smooth answers: what is exact or not defined is said to be so") {
   CHECK_FALSE(info.normal.has_value());
   CHECK(info.lengths.at(1).exact == Rational(9));
   // (t², t³) has a cusp at 0, where κ² ds is infinite.
-  const NamedSmoothPath cusp{"",
-                             SmoothPath(RationalCurve({Polynomial{0, 0, 1}, {0, 0, 0, 1}, {}}))};
+  const NamedPath cusp{"", Path(RationalCurve({Polynomial{0, 0, 1}, {0, 0, 0, 1}, {}}))};
   const TotalsAnswer infinite = answer(cusp, TotalsQuery{5});
   CHECK(row(infinite, Quantity::bending_energy).infinite.value().pole.rational() == Rational(0));
   const SmoothInfoAnswer of_cusp = answer(cusp, InfoQuery{30});
@@ -223,26 +220,26 @@ TEST_CASE("smooth answers: the numbers of a curve") {
   CHECK(info.cusps.empty());
 }
 
-// Of the spline of quarters() Gauss's integral as in tests/ph/smooth/closed_curve_test.cpp; its
+// Of the spline of quarters() Gauss's integral as in tests/ph/frame/closed_curve_test.cpp; its
 // normal jumps at the joints. The normal of the plane loop does not, and it is in a plane.
 TEST_CASE("smooth answers: closed PH splines have a writhe, open ones no row of it") {
-  const NamedPath spline{"", test::chain(test::quarters())};
+  const NamedPhPath spline{"", test::chain(test::quarters())};
   const TotalsAnswer found = answer(spline, TotalsQuery{6});
   CHECK(std::stod(value(found, Quantity::writhe)) == doctest::Approx(0.18026).epsilon(1e-4));
   CHECK(row(found, Quantity::self_linking).reason ==
         "the Frenet frame is not defined and continuous all along");
-  const TotalsAnswer plane = answer(NamedPath{"", test::closed_loop()}, TotalsQuery{6});
+  const TotalsAnswer plane = answer(NamedPhPath{"", test::closed_loop()}, TotalsQuery{6});
   CHECK(value(plane, Quantity::writhe) == "0");
   CHECK(value(plane, Quantity::self_linking) == "0");
-  const TotalsAnswer open = answer(NamedPath{"", test::quarters().front()}, TotalsQuery{6});
+  const TotalsAnswer open = answer(NamedPhPath{"", test::quarters().front()}, TotalsQuery{6});
   CHECK(open.rows.back().quantity == Quantity::frenet_energy);
 }
 
 // No form says that it is closed.
 TEST_CASE("smooth answers: only what needs it is undecided where a path may be closed or not") {
-  const NamedSmoothPath path{
-      "", SmoothPath(test::expression_curve({"cos(exp(1)*s)", "sin(exp(1)*s)", "sin(2*exp(1)*s)"},
-                                            "exp(-1)", "exp(-1)*(1 + 2*pi)"))};
+  const NamedPath path{
+      "", Path(test::expression_curve({"cos(exp(1)*s)", "sin(exp(1)*s)", "sin(2*exp(1)*s)"},
+                                      "exp(-1)", "exp(-1)*(1 + 2*pi)"))};
   const SmoothAngleAnswer angle = answer(path, SmoothAngleQuery{.at = {Rational(1, 2)}});
   CHECK(angle.values.size() == 1);
   CHECK(angle.no_holonomy.starts_with("whether the ends of the curve meet"));

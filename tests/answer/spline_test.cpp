@@ -17,12 +17,12 @@ using test::Json;
 namespace {
 
 /// r′ = (1 − t², 2t, 0) and three copies, each turned by a quarter: a closed plane curve.
-NamedPath loop(std::size_t segments = 4) {
+NamedPhPath loop(std::size_t segments = 4) {
   const std::vector<QuaternionPolynomial> preimages{{{1}, {}, {}, {0, 1}},
                                                     {{1, -1}, {}, {}, {1, 1}},
                                                     {{0, -1}, {}, {}, {1}},
                                                     {{-1, -1}, {}, {}, {1, -1}}};
-  Path path{Curve(preimages[0])};
+  PhPath path{Curve(preimages[0])};
   for (std::size_t k = 1; k < segments; ++k)
     path.append(Curve(preimages[k], {k % 2 == 0 ? Rational(1) : Rational(1, 2)},
                       evaluate(position(path.segments().back()), 1)));
@@ -30,7 +30,7 @@ NamedPath loop(std::size_t segments = 4) {
 }
 
 /// The quintic of 2003, cut at 1/3.
-NamedPath cut_quintic() {
+NamedPhPath cut_quintic() {
   const Curve quintic = test::farouki_quintic().curve;
   const auto affine = [&](const Polynomial& t, const Rational& speed, const Vector<Rational>& at) {
     const QuaternionPolynomial& a = quintic.preimage();
@@ -38,7 +38,7 @@ NamedPath cut_quintic() {
                  Polynomial{speed}, at);
   };
   const Rational third(1, 3);
-  Path path{affine({0, third}, third, {})};
+  PhPath path{affine({0, third}, third, {})};
   path.append(affine({third, 2 * third}, 2 * third, evaluate(position(quintic), third)));
   return {"cut", path};
 }
@@ -65,7 +65,7 @@ TEST_CASE("spline report: the angle of the quintic in two pieces") {
 }
 
 TEST_CASE("spline report: a closed plane curve in text") {
-  const NamedPath named = loop();
+  const NamedPhPath named = loop();
   AngleQuery query;
   query.at = {4};
   const std::string text = to_text(answer(named, query));
@@ -83,7 +83,7 @@ TEST_CASE("spline report: a closed plane curve in text") {
 }
 
 TEST_CASE("frame table: of a spline, in equal steps of t and at its joints") {
-  const NamedPath named = loop();
+  const NamedPhPath named = loop();
   const FrameTable table =
       frame_table(named.path, columns, {at(0, 0), at(1, 0), at(1, Rational(1, 2)), at(3, 1)});
   REQUIRE(table.rows.size() == 4);
@@ -95,7 +95,7 @@ TEST_CASE("frame table: of a spline, in equal steps of t and at its joints") {
 }
 
 TEST_CASE("frame table: pieces have the frames of the whole, at algebraic t as well") {
-  const NamedPath cut = cut_quintic();
+  const NamedPhPath cut = cut_quintic();
   const Curve whole = test::farouki_quintic().curve;
   const RealAlgebraic root = real_root({-1, 0, 2}, closed(0, 1));       // √2/2
   const RealAlgebraic on_whole = real_root({-1, -6, 9}, closed(0, 1));  // 1/3 + 2/3·√2/2
@@ -105,7 +105,7 @@ TEST_CASE("frame table: pieces have the frames of the whole, at algebraic t as w
 }
 
 TEST_CASE("spline report: every form and LaTeX are those of the segments") {
-  const NamedPath named = cut_quintic();
+  const NamedPhPath named = cut_quintic();
   AngleQuery query;
   query.style = Style::real;
   const AngleAnswer real = answer(named, query);

@@ -28,20 +28,20 @@ SweepQuery in_sections(const Profile& profile, long count) {
   return query;
 }
 
-NamedPath named(const Curve& curve) { return {"", Path(curve)}; }
+NamedPhPath named(const Curve& curve) { return {"", PhPath(curve)}; }
 
 /// r = (t, 0, 0)
-const NamedPath line = named(Curve({{1}, {}, {}, {}}));
+const NamedPhPath line = named(Curve({{1}, {}, {}, {}}));
 
 /// (2 cos s, 2 sin s, 0), or backwards.
-NamedSmoothPath circle(long turns = 1) {
+NamedPath circle(long turns = 1) {
   const Formula s = Formula::variable();
-  return {"", SmoothSegment(ExpressionCurve({Formula(2) * cos(s), Formula(2) * sin(s), Formula(0)},
-                                            Formula(0), Formula(0, 2 * turns)))};
+  return {"", Segment(ExpressionCurve({Formula(2) * cos(s), Formula(2) * sin(s), Formula(0)},
+                                      Formula(0), Formula(0, 2 * turns)))};
 }
 
 /// A closed curve in space, whose rotation-minimizing frame does not close.
-NamedPath space_loop() { return {"", test::chain(test::quarters())}; }
+NamedPhPath space_loop() { return {"", test::chain(test::quarters())}; }
 
 /// The largest deviation of the points and middles of sides of the mesh, by `distance`.
 template <class Distance>
@@ -105,7 +105,7 @@ TEST_CASE("sweep: holes go through the body, and its caps are open there") {
 
 // Both ways: e₁ is −r′/|r′| for the multiplier −1.
 TEST_CASE("sweep: a body is not inside out where the multiplier is negative") {
-  const NamedPath backwards = named(Curve({{1}, {}, {}, {}}, Polynomial{-1}));
+  const NamedPhPath backwards = named(Curve({{1}, {}, {}, {}}, Polynomial{-1}));
   const SweepAnswer found = answer(backwards, within(rectangle_profile(1, 2)));
   check_body(found.body, 2);
   CHECK(volume(found.body.mesh) == 2);
@@ -223,7 +223,7 @@ TEST_CASE("sweep: with an end normal the last section is along it") {
   SweepQuery query = in_sections(rectangle_profile(1, Rational(1, 4)), 50);
   query.start = StartNormal({0, 0, 1});
   query.end_normal = Vector<Rational>{1, 0, 0};
-  const NamedPath path = named(test::quintic);
+  const NamedPhPath path = named(test::quintic);
   const SweepAnswer found = answer(path, query);
   check_body(found.body, 2);
   CHECK(found.body.sections == 50);
@@ -255,7 +255,7 @@ TEST_CASE("sweep: with an end normal the last section is along it") {
 // Along the circle of radius 2 a rectangle has two of its corners inside, by half its width; they
 // fold over where that is more than 2, in either direction of the curve.
 TEST_CASE("sweep: a body folds where its profile is larger than the radius of curvature") {
-  const auto folds = [](const NamedSmoothPath& path, const Rational& width, long sections) {
+  const auto folds = [](const NamedPath& path, const Rational& width, long sections) {
     return answer(path, in_sections(rectangle_profile(width, 1), sections)).body.folds;
   };
   for (const long turns : {1, -1}) {
@@ -269,8 +269,8 @@ TEST_CASE("sweep: a body folds where its profile is larger than the radius of cu
   CHECK(answer(circle(), query).body.folds < 20);
   CHECK(answer(circle(), query).body.folds > 0);
   // (t, t²) has the least radius of curvature, 1/2, at its start: y = 1 + … is beyond it there.
-  const NamedSmoothPath parabola{
-      "", SmoothSegment(RationalCurve({Polynomial{0, 1}, Polynomial{0, 0, 1}, Polynomial()}))};
+  const NamedPath parabola{
+      "", Segment(RationalCurve({Polynomial{0, 1}, Polynomial{0, 0, 1}, Polynomial()}))};
   const SweptBody body =
       answer(parabola, in_sections(rectangle_profile(Rational(11, 10), Rational(11, 10)), 101))
           .body;
@@ -285,14 +285,14 @@ TEST_CASE("sweep: a closed path needs three sections, and a loose tolerance give
 }
 
 TEST_CASE("sweep: a body whose triangles vanish in doubles is refused") {
-  const NamedPath far = named(Curve({{1}, {}, {}, {}}, Polynomial{1}, {0, power_of_two(60), 0}));
+  const NamedPhPath far = named(Curve({{1}, {}, {}, {}}, Polynomial{1}, {0, power_of_two(60), 0}));
   CHECK_THROWS_AS(answer(far, in_sections(rectangle_profile(1, 1), 2)), Undecided);
   check_body(answer(far, in_sections(rectangle_profile(1024, 1), 2)).body, 2);
 }
 
 TEST_CASE("sweep: cusps are refused") {
   // r′ = (t − 1/2)²·i
-  const NamedPath cusp = named(Curve({{1}, {}, {}, {}}, Polynomial{Rational(1, 4), -1, 1}));
+  const NamedPhPath cusp = named(Curve({{1}, {}, {}, {}}, Polynomial{Rational(1, 4), -1, 1}));
   CHECK_THROWS_AS(answer(cusp, within(rectangle_profile(1, 1))), Undecided);
   CHECK_THROWS_AS(answer(cusp, in_sections(rectangle_profile(1, 1), 5)), Undecided);
 }

@@ -99,7 +99,7 @@ TEST_CASE("any curve: batch answers as angle does") {
   CHECK(one == Json::parse(here.run("angle loop.json --at 1/3 --print json").out));
 }
 
-// The twist is that of tests/ph/smooth/smooth_twist_test.cpp.
+// The twist is that of tests/ph/twist/smooth_twist_test.cpp.
 TEST_CASE("any curve: frames of minimal twist, the exact ones") {
   const Workshop here;
   here.write("loop.json", loop);

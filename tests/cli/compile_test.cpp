@@ -7,7 +7,7 @@
 #include "phrame/io/write/c_header.hpp"
 #include "phrame/ph/frame/compiled_angle.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
 #include "support/random.hpp"
 #include "workshop.hpp"
 
@@ -245,7 +245,7 @@ TEST_CASE("compile: of a spline there is one angle and one frame, through the jo
   shop.write("spline.json", test::bytes_of(test::root("/examples/curves/closed-spline.json")));
   CHECK(shop.run("compile spline.json --start erf --theta0 1/3 --prefix arm -o angle.h").status ==
         0);
-  const Path path = read_path(test::bytes_of(shop.file("spline.json"))).path;
+  const PhPath path = read_path(test::bytes_of(shop.file("spline.json"))).path;
   REQUIRE(path.segments().size() > 2);
   PathAngle angle(path);
   std::vector<double> at{std::nextafter(1, 0), std::nextafter(1, 2), std::nextafter(2, 0)};
@@ -282,7 +282,7 @@ TEST_CASE("compile: more pieces than a short index can count") {
     return piece;
   };
   const Curve line({{1}, {}, {}, {}});
-  const CompiledAnswer compiled{NamedPath("", line),
+  const CompiledAnswer compiled{NamedPhPath("", line),
                                 Reference::euler_rodrigues,
                                 Angle(),
                                 FrameAngle(),
@@ -347,7 +347,7 @@ TEST_CASE("compile: curves of any kind, by angles to the frame of v") {
   const std::string header = test::bytes_of(shop.file("angle.h"));
   CHECK(test::contains(header, "frame (e1, e2, e3) of v = (0, 0, 1),"));
   CHECK(test::contains(header, "theta(0) = 1/8."));
-  const SmoothPath path(
+  const Path path(
       bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 3}}, {1, 2, Rational(1, 2), 1}));
   const SmoothAngle angle(path, {0, 0, 1});
   const Real start = Rational(1, 8);
@@ -356,7 +356,7 @@ TEST_CASE("compile: curves of any kind, by angles to the frame of v") {
   CHECK(rows[0][10] < 0x1p-50);
   CHECK(rows[0][11] < 0x1p-50);
   for (std::size_t k = 0; k < at.size(); ++k) {
-    const SmoothParameter t(0, exact_rational(at[k]));
+    const Place t(0, exact_rational(at[k]));
     CHECK(distance(rows[k][0], angle.value(t) + start) <= exact_rational(rows[k][10]));
     const Frame<Real> exact = rotation_minimizing_frame(angle, t, start);
     for (std::size_t i = 0; i < 3; ++i) {

@@ -210,7 +210,7 @@ TEST_CASE("construct: --exact-points keeps the shape of every kind") {
     check_success(run);
     CHECK(contains(run.out, "points met      exactly, as equal fractions"));
     CHECK(contains(run.out, ", checked\n") == (kind != "cubic"));
-    const NamedPath read = read_path(bytes_of(here.file("spline.json")));
+    const NamedPhPath read = read_path(bytes_of(here.file("spline.json")));
     const std::vector<Curve>& segments = read.path.segments();
     REQUIRE(segments.size() == 3);
     const std::vector<Vector<Rational>> points{

@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace phrame;
   try {
     const AnyPath path = read_any_path({reinterpret_cast<const char*>(data), size}, {9});
-    const auto* smooth = std::get_if<NamedSmoothPath>(&path);
+    const auto* smooth = std::get_if<NamedPath>(&path);
     if (smooth == nullptr) return 0;
     const auto& segments = smooth->path.segments();
     for (std::size_t k = 1; k < segments.size(); ++k) {

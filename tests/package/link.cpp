@@ -1,5 +1,5 @@
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/frame/rmf_angle.hpp"
+#include "phrame/ph/along/rmf_angle.hpp"
 
 // The same angle as main.cpp's, by two headers.
 int main() {

@@ -2,8 +2,8 @@
 // need not increase: the result was −2⁻³⁰, or an error.
 #include <doctest/doctest.h>
 
-#include "phrame/ph/curve/arc_length.hpp"
-#include "phrame/ph/curve/travel_time.hpp"
+#include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/along/travel_time.hpp"
 
 using namespace phrame;
 

@@ -7,9 +7,9 @@
 #include "phrame/answer/totals.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/smooth/compiled_smooth.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
-#include "phrame/ph/smooth/smooth_twist.hpp"
+#include "phrame/ph/frame/compiled_smooth.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/twist/smooth_twist.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -60,12 +60,12 @@ std::vector<Leg> legs(Random& random, bool is_closed) {
 }
 
 /// Arcs between the legs, which take a part of each.
-SmoothPath pipe(Random& random, const std::vector<Leg>& legs, bool is_closed) {
+Path pipe(Random& random, const std::vector<Leg>& legs, bool is_closed) {
   const std::size_t n = legs.size();
   std::vector<Rational> cut(n);  // at the end of each leg
   for (std::size_t k = 0; k + (is_closed ? 0 : 1) < n; ++k)
     cut[k] = std::min(legs[k].length, legs[(k + 1) % n].length) / Rational(random.integer(2, 4));
-  std::vector<SmoothSegment> segments;
+  std::vector<Segment> segments;
   Vector<Rational> at;
   for (std::size_t k = 0; k < n; ++k) {
     const Rational rest = legs[k].length - cut[k] - cut[(k + n - 1) % n];
@@ -94,9 +94,9 @@ TEST_CASE("pipes: law: all is answered, and the frame is bent with the legs") {
   for_samples(12, [](Random& random) {
     const bool is_closed = random.chance(2);
     const std::vector<Leg> all = legs(random, is_closed);
-    const NamedSmoothPath named{"", pipe(random, all, is_closed)};
+    const NamedPath named{"", pipe(random, all, is_closed)};
     const SmoothAngle angle(named.path);
-    const SmoothParameter end{named.path.segments().size() - 1, Rational(1)};
+    const Place end{named.path.segments().size() - 1, Rational(1)};
 
     // In an arc the frame turns with the tangent about the normal of its plane.
     const Frame<Real> start = rotation_minimizing_frame(angle, {0, Rational(0)}, Rational(0));

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "phrame/ph/frame/rmf_angle.hpp"
+#include "phrame/ph/along/rmf_angle.hpp"
 
 using namespace phrame;
 

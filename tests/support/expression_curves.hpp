@@ -4,7 +4,7 @@
 #include <string>
 
 #include "phrame/io/read/formula.hpp"
-#include "phrame/ph/smooth/expression_curve.hpp"
+#include "phrame/ph/curve/expression_curve.hpp"
 
 namespace phrame::test {
 

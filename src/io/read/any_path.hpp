@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/io/read/curve_file.hpp"
-#include "phrame/ph/smooth/smooth_path.hpp"
+#include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
 
@@ -10,9 +10,9 @@ namespace phrame {
 ///   spline/1, `segments` of these, of bspline/1 and nurbs/1;
 ///   bspline/1 and nurbs/1; points/1, a cubic spline through points; tables of points, of text or
 ///   NumPy; JSON of geomdl and of three.js; SVG files and path data.
-/// A path all of whose segments are PH is read as that, with the same Path as read_path(), so that
-/// it is answered exactly. Throws InputError; its place is a JSON pointer, line:column, "line 3" or
-/// "row 3".
+/// A path all of whose segments are PH is read as that, with the same PhPath as read_path(), so
+/// that it is answered exactly. Throws InputError; its place is a JSON pointer, line:column, "line
+/// 3" or "row 3".
 AnyPath read_any_path(std::string_view text, const CurveLimits& limits = {});
 /// The same as a part of a JSON document, in the formats of phrame, where a curve may do without
 /// "phrame": "curve/1".

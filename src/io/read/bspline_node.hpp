@@ -2,7 +2,7 @@
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/read/given_segment.hpp"
 #include "phrame/io/read/json_node.hpp"
-#include "phrame/ph/smooth/bspline.hpp"
+#include "phrame/ph/curve/bspline.hpp"
 
 namespace phrame {
 

@@ -55,7 +55,7 @@ NamedCurve read_any_curve(const Node& node, const CurveLimits& limits) {
 }
 
 /// A segment says where it starts, or starts where the spline ends.
-void append_segment(Path& path, const Node& node, const CurveLimits& limits) {
+void append_segment(PhPath& path, const Node& node, const CurveLimits& limits) {
   const Curve read = read_any_curve(node, limits).curve;
   const bool says_start =
       node.find("start") || node.find("control_points") || node.find("position");
@@ -83,15 +83,15 @@ std::vector<Node> read_segments(const Node& spline) {
   return segments;
 }
 
-NamedPath read_spline(const Node& node, const CurveLimits& limits) {
+NamedPhPath read_spline(const Node& node, const CurveLimits& limits) {
   const std::vector<Node> segments = read_segments(node);
-  NamedPath result{read_name(node), Path(read_any_curve(segments[0], limits).curve)};
+  NamedPhPath result{read_name(node), PhPath(read_any_curve(segments[0], limits).curve)};
   for (std::size_t k = 1; k < segments.size(); ++k)
     append_segment(result.path, segments[k], limits);
   return result;
 }
 
-using NearReading = std::variant<NamedPath, NotNear>;
+using NearReading = std::variant<NamedPhPath, NotNear>;
 
 /// What near_curve or near_path finds; what it cannot do is an error at this place.
 template <class Find>
@@ -100,7 +100,7 @@ NearReading found_near(const Node& node, std::string name, Find find) {
     auto result = find();
     if (const auto* none = std::get_if<NotNear>(&result)) return *none;
     auto& [path, nearness] = std::get<0>(result);
-    return NamedPath(std::move(name), std::move(path), std::move(nearness));
+    return NamedPhPath(std::move(name), std::move(path), std::move(nearness));
   } catch (const DomainError& error) {
     node.fail(error.what());
   }
@@ -168,20 +168,20 @@ NamedCurve read_curve(const JsonNode& node, const CurveLimits& limits) {
   return read_any_curve(node, limits);
 }
 
-NamedPath read_path(std::string_view text, const CurveLimits& limits) {
+NamedPhPath read_path(std::string_view text, const CurveLimits& limits) {
   const JsonValue document = parse_json_file(text, "curve file");
   format_of(Node(document));
   return read_path(Node(document), limits);
 }
 
-NamedPath read_path(const JsonNode& node, const CurveLimits& limits) {
+NamedPhPath read_path(const JsonNode& node, const CurveLimits& limits) {
   node.require(Kind::object, "an object");
   refuse_long_numbers(node);
   const auto format = node.find("phrame");
   if (format && format->string() == "spline/1") return read_spline(node, limits);
   if (format && is_format_of_any_curve(format->string())) {
     AnyPath path = read_any_path(node, limits);
-    if (auto* ph = std::get_if<NamedPath>(&path)) return std::move(*ph);
+    if (auto* ph = std::get_if<NamedPhPath>(&path)) return std::move(*ph);
     node.fail("this is no path of PH curves");
   }
   if (format && format->string() != "curve/1")
@@ -191,15 +191,15 @@ NamedPath read_path(const JsonNode& node, const CurveLimits& limits) {
   return read_any_curve(node, limits);
 }
 
-std::variant<NamedPath, NotNear> read_path_near(std::string_view text, const Rational& epsilon,
-                                                const CurveLimits& limits) {
+std::variant<NamedPhPath, NotNear> read_path_near(std::string_view text, const Rational& epsilon,
+                                                  const CurveLimits& limits) {
   const JsonValue document = parse_json_file(text, "curve file");
   format_of(Node(document));
   return read_path_near(Node(document), epsilon, limits);
 }
 
-std::variant<NamedPath, NotNear> read_path_near(const JsonNode& node, const Rational& epsilon,
-                                                const CurveLimits& limits) {
+std::variant<NamedPhPath, NotNear> read_path_near(const JsonNode& node, const Rational& epsilon,
+                                                  const CurveLimits& limits) {
   node.require(Kind::object, "an object");
   refuse_long_numbers(node);
   const std::string format = node.find("phrame") ? format_of(node) : "curve/1";

@@ -30,17 +30,17 @@ NamedCurve read_curve(const JsonNode& node, const CurveLimits& limits = {});
 /// Reads a curve/1 file, or a spline/1 file: `segments`, a list of curves, each starting where the
 /// one before ends; `start` may be left out of all but those given by control points. Throws
 /// InputError as read_curve, and with the segment at whose start position or tangent break.
-NamedPath read_path(std::string_view text, const CurveLimits& limits = {});
+NamedPhPath read_path(std::string_view text, const CurveLimits& limits = {});
 /// The same as a part of a document, where a curve may do without "phrame": "curve/1".
-NamedPath read_path(const JsonNode& node, const CurveLimits& limits = {});
+NamedPhPath read_path(const JsonNode& node, const CurveLimits& limits = {});
 
 /// Reads the same files, but where control points are those of no PH curve, it takes one that is at
 /// most ε > 0 away (near_curve); a spline with such a segment is replaced as a whole (near_path).
-std::variant<NamedPath, NotNear> read_path_near(std::string_view text, const Rational& epsilon,
-                                                const CurveLimits& limits = {});
+std::variant<NamedPhPath, NotNear> read_path_near(std::string_view text, const Rational& epsilon,
+                                                  const CurveLimits& limits = {});
 /// The same as a part of a document.
-std::variant<NamedPath, NotNear> read_path_near(const JsonNode& node, const Rational& epsilon,
-                                                const CurveLimits& limits = {});
+std::variant<NamedPhPath, NotNear> read_path_near(const JsonNode& node, const Rational& epsilon,
+                                                  const CurveLimits& limits = {});
 /// Is it a spline/1 file? Throws InputError where it says no format.
 bool is_spline_file(std::string_view text);
 

@@ -2,7 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/formula.hpp"
-#include "phrame/ph/smooth/rational_form.hpp"
+#include "phrame/ph/curve/rational_form.hpp"
 
 namespace phrame {
 namespace {

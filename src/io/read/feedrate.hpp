@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-#include "phrame/ph/curve/feedrate.hpp"
+#include "phrame/ph/along/feedrate.hpp"
 
 namespace phrame {
 

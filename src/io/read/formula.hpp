@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "phrame/ph/smooth/formula.hpp"
+#include "phrame/ph/curve/formula.hpp"
 
 namespace phrame {
 

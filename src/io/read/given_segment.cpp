@@ -8,7 +8,7 @@ namespace phrame {
 namespace {
 
 /// A PH curve where it is one; what the segment is is taken from it.
-SmoothSegment taken_curve(GivenSegment& segment) {
+Segment taken_curve(GivenSegment& segment) {
   auto ph = identify_segment(segment);
   if (auto* curve = std::get_if<Curve>(&ph)) return PhSegment(std::move(*curve));
   if (auto* curve = std::get_if<RationalCurve>(&segment.form)) return std::move(*curve);
@@ -57,7 +57,7 @@ Vector<Rational> end_point(const GivenSegment& segment) {
 }
 
 AnyPath path_of(std::string name, std::vector<GivenSegment> segments) {
-  SmoothPath path(taken_curve(segments.front()), segments.size());
+  Path path(taken_curve(segments.front()), segments.size());
   for (std::size_t k = 1; k < segments.size(); ++k) {
     try {
       path.append(taken_curve(segments[k]));
@@ -65,8 +65,8 @@ AnyPath path_of(std::string name, std::vector<GivenSegment> segments) {
       fail_at(segments[k], error.what());
     }
   }
-  if (auto ph = path.ph()) return NamedPath(std::move(name), *std::move(ph));
-  return NamedSmoothPath{std::move(name), std::move(path)};
+  if (auto ph = path.ph()) return NamedPhPath(std::move(name), *std::move(ph));
+  return NamedPath{std::move(name), std::move(path)};
 }
 
 }  // namespace phrame

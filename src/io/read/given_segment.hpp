@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "phrame/ph/curve/named.hpp"
-#include "phrame/ph/smooth/rational_bezier.hpp"
-#include "phrame/ph/smooth/smooth_path.hpp"
+#include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/curve/rational_bezier.hpp"
 
 namespace phrame {
 

@@ -13,8 +13,8 @@
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/read/point_file.hpp"
 #include "phrame/io/read/text_table.hpp"
-#include "phrame/ph/smooth/bspline.hpp"
-#include "phrame/ph/smooth/cubic_spline.hpp"
+#include "phrame/ph/construct/cubic_interpolation.hpp"
+#include "phrame/ph/curve/bspline.hpp"
 
 namespace phrame {
 namespace {

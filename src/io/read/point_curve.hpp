@@ -17,7 +17,8 @@ struct PointCurve {
 /// A points/1 file as a curve: with "derivatives" the C¹ cubic spline that has them; else the C²
 /// cubic spline of "kind" natural, clamped (with "start_derivative" and "end_derivative") or
 /// periodic, natural where it is not said, with the "parameters" given, or of "spacing" uniform,
-/// chord-length or centripetal, chord-length where it is not said (ph/smooth/cubic_spline.hpp).
+/// chord-length or centripetal, chord-length where it is not said
+/// (ph/construct/cubic_interpolation.hpp).
 PointCurve read_point_curve(const JsonNode& node);
 
 /// The same of a table, of text or of NumPy (read_points). In comments of a text, "# kind:

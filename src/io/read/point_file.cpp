@@ -20,10 +20,10 @@ namespace {
 using Vectors = std::vector<Vector<Rational>>;
 using Node = JsonNode;
 /// Where the k-th entry of a list stands: of "points", 3 the place of the fourth point.
-using Place = std::function<std::string(std::string_view list, std::size_t k)>;
+using Location = std::function<std::string(std::string_view list, std::size_t k)>;
 
 /// What is wrong in any format.
-void require_meaning(const GivenPoints& given, const Place& place) {
+void require_meaning(const GivenPoints& given, const Location& place) {
   for (std::size_t k = 0; k < given.tangents.size(); ++k)
     if (given.tangents[k] == Vector<Rational>{})
       throw InputError(place("tangents", k), "the tangent is 0, which is no direction");

@@ -12,7 +12,7 @@
 #include "phrame/io/read/svg_file.hpp"
 #include "phrame/io/read/svg_path.hpp"
 #include "phrame/io/read/text_table.hpp"
-#include "phrame/ph/smooth/curve_series.hpp"
+#include "phrame/ph/curve/curve_series.hpp"
 #include "phrame/ph/sweep/profile_apart.hpp"
 
 namespace phrame {
@@ -39,10 +39,9 @@ std::vector<Rational> numbers_of(std::string_view text) {
 }
 
 CurveSeries series_of_segment(const GivenSegment& segment) {
-  if (const auto* curve = std::get_if<Curve>(&segment.form)) return series_of(Path(*curve));
-  if (const auto* curve = std::get_if<RationalCurve>(&segment.form))
-    return series_of(SmoothPath(*curve));
-  return series_of(SmoothPath(std::get<ExpressionCurve>(segment.form)));
+  if (const auto* curve = std::get_if<Curve>(&segment.form)) return series_of(PhPath(*curve));
+  if (const auto* curve = std::get_if<RationalCurve>(&segment.form)) return series_of(Path(*curve));
+  return series_of(Path(std::get<ExpressionCurve>(segment.form)));
 }
 
 constexpr long bits = 96;

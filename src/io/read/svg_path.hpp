@@ -2,7 +2,7 @@
 #include <string_view>
 
 #include "phrame/io/read/given_segment.hpp"
-#include "phrame/ph/smooth/ellipse_arc.hpp"
+#include "phrame/ph/curve/ellipse_arc.hpp"
 
 namespace phrame {
 

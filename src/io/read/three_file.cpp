@@ -9,9 +9,9 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/bspline_node.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/ellipse_arc.hpp"
+#include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/smooth/ellipse_arc.hpp"
 
 // The curves are those of three.js's documentation and behaviour, r150 and later: what follows is
 // written from the formulas of the curves.

@@ -170,7 +170,7 @@ std::string in_comment(const std::string& name) {
 std::string about_reference(const CompiledAnswer& header) {
   if (header.reference == Reference::frenet)
     return "Frenet frame, tangent, normal n and binormal b, continued through inflections";
-  const auto* named = std::get_if<NamedPath>(&header.path);
+  const auto* named = std::get_if<NamedPhPath>(&header.path);
   if (named == nullptr)
     return fmt::format(
         "frame (e1, e2, e3) of v = {},\n *   e2 = v x e1/|v x e1|, e3 = e1 x e2; segment k has k "
@@ -258,7 +258,7 @@ std::string to_c_header(const CompiledAnswer& header, const std::string& prefix)
   const double error = angle_error(header);
   const bool is_erf = header.reference == Reference::euler_rodrigues;
   const std::string name = std::visit([](const auto& named) { return named.name; }, header.path);
-  const auto* ph = std::get_if<NamedPath>(&header.path);
+  const auto* ph = std::get_if<NamedPhPath>(&header.path);
   std::string text = fmt::format(
       fmt::runtime(preamble), arg("p", p), arg("P", upper),
       arg("title", name.empty() ? "A rotation-minimizing frame"

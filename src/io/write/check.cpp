@@ -265,7 +265,7 @@ std::string to_json(const CheckAnswer& answer, const TableReading& reading) {
     add_start(json, *start);
   }
   if (answer.up) json["up"] = phrame::json_of(*answer.up);
-  if (const auto* named = std::get_if<NamedPath>(&answer.path)) add_nearness(json, named->near);
+  if (const auto* named = std::get_if<NamedPhPath>(&answer.path)) add_nearness(json, named->near);
   return pretty(json);
 }
 

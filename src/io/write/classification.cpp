@@ -133,7 +133,7 @@ Fields fields(const Classification& c, const Curve& curve) {
 }
 
 /// What is true of the whole of a spline.
-Fields spline_fields(const NamedPath& named, const PathClassification& c) {
+Fields spline_fields(const NamedPhPath& named, const PathClassification& c) {
   return {json_field("phrame", "spline-classify/1"),
           json_field("name", named.name),
           {"regular", "regular", yes_or_no(c.is_regular)},

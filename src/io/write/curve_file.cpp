@@ -6,7 +6,7 @@ namespace phrame {
 
 std::string write_curve(const NamedCurve& named) { return pretty(json_of(named)); }
 
-std::string write_path(const NamedPath& named) {
+std::string write_path(const NamedPhPath& named) {
   const auto& [name, path, near, notes] = named;
   if (path.is_curve()) return write_curve({name, path.segments().front(), near});
   JsonOutput segments = JsonOutput::array();

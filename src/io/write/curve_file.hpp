@@ -9,6 +9,6 @@ namespace phrame {
 std::string write_curve(const NamedCurve& named);
 /// The same of a path: a spline/1 file where it is a spline. Only its first segment says where it
 /// starts, the others start where the one before ends.
-std::string write_path(const NamedPath& named);
+std::string write_path(const NamedPhPath& named);
 
 }  // namespace phrame

@@ -6,7 +6,7 @@
 #include "phrame/algebra/bivariate.hpp"
 #include "phrame/algebra/gaussian_polynomial.hpp"
 #include "phrame/algebra/surd.hpp"
-#include "phrame/ph/frame/frame_angle.hpp"
+#include "phrame/ph/along/frame_angle.hpp"
 
 namespace phrame {
 

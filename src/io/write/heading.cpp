@@ -7,12 +7,12 @@
 namespace phrame {
 namespace {
 
-std::string closure(const Path& path) {
+std::string closure(const PhPath& path) {
   if (path.closing_turn()) return "closed";
   return path.ends_meet() ? "its ends meet, but not their tangents" : "open";
 }
 
-std::string closure_text(const SmoothPath& path) {
+std::string closure_text(const Path& path) {
   const Closure closure = phrame::closure(path);
   if (!closure.ends_meet) return "open or closed: undecided";
   if (!*closure.ends_meet) return "open";
@@ -33,14 +33,14 @@ std::string heading(const std::string& name, const Curve& curve) {
                      preimage_degree(curve));
 }
 
-std::string heading(const NamedPath& named) {
-  const Path& path = named.path;
+std::string heading(const NamedPhPath& named) {
+  const PhPath& path = named.path;
   if (path.is_curve()) return heading(named.name, path.segments().front());
   return fmt::format("{}PH spline of {}, {}", name_prefix(named.name),
                      counted(path.segments().size(), "segment"), closure(path));
 }
 
-std::string heading(const NamedSmoothPath& named) {
+std::string heading(const NamedPath& named) {
   const auto& segments = named.path.segments();
   std::string kind = fmt::format("path of {}", counted(segments.size(), "curve"));
   if (segments.size() == 1) {
@@ -59,7 +59,7 @@ std::string note_on_sign(const Curve& curve) {
                      signs.positive ? "in a part of" : "on");
 }
 
-std::string notes_on_signs(const Path& path, Notation notation) {
+std::string notes_on_signs(const PhPath& path, Notation notation) {
   std::string text;
   for (std::size_t k = 0; k < path.segments().size(); ++k)
     if (const std::string note = note_on_sign(path.segments()[k]); !note.empty())

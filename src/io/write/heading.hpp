@@ -3,21 +3,21 @@
 
 #include "phrame/io/write/prose.hpp"
 #include "phrame/ph/curve/named.hpp"
-#include "phrame/ph/smooth/smooth_path.hpp"
+#include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
 
 /// The first line of a report: "PH quintic, degree 5 (preimage of degree 2)", "PH spline of 4
 /// segments, closed".
 std::string heading(const std::string& name, const Curve& curve);
-std::string heading(const NamedPath& named);
+std::string heading(const NamedPhPath& named);
 /// Of a path of any kind: "rational curve of degree 2", "path of 4 curves, closed".
-std::string heading(const NamedSmoothPath& named);
+std::string heading(const NamedPath& named);
 
 /// What frames and angles mean where the multiplier is negative on [0, 1], as prose() has it; empty
 /// where it is not.
 std::string note_on_sign(const Curve& curve);
 /// The same of the segments of a spline, a line each and an empty one behind.
-std::string notes_on_signs(const Path& path, Notation notation = Notation::unicode);
+std::string notes_on_signs(const PhPath& path, Notation notation = Notation::unicode);
 
 }  // namespace phrame

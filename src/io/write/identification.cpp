@@ -95,7 +95,7 @@ std::string none_words(const IdentificationAnswer& answer, Notation notation) {
   return text;
 }
 
-std::string nearness_of(const NamedPath& path, Notation notation) {
+std::string nearness_of(const NamedPhPath& path, Notation notation) {
   if (!path.near) return "  Checked: all segments are as they were given, exactly.\n";
   return prose(
       "What was given is near it, but not PH over $ℚ$.\n\n" + nearness_words(*path.near, notation),

@@ -136,7 +136,7 @@ Value segments_value(const InfoAnswer& info) {
 }
 
 Fields spline_fields(const InfoAnswer& info) {
-  const Path& path = info.path.path;
+  const PhPath& path = info.path.path;
   return {json_field("phrame", "spline-info/1"),
           json_field("name", info.path.name),
           {"segments", "", segments_value(info)},
@@ -172,7 +172,7 @@ std::string segment_table(const InfoAnswer& info, Notation notation) {
 // ---- Of paths of any kind.
 
 /// "3", or "2/2" where it is X/W; "–" of a curve by formulas.
-std::string degree_text(const SmoothSegment& segment) {
+std::string degree_text(const Segment& segment) {
   const RationalCurve* curve = rational_curve(segment);
   if (curve == nullptr) return "–";
   long above = 0;
@@ -230,7 +230,7 @@ Value smooth_segments(const SmoothInfoAnswer& info) {
 }
 
 Fields fields(const SmoothInfoAnswer& info) {
-  const SmoothPath& path = info.path.path;
+  const Path& path = info.path.path;
   const bool is_single = path.segments().size() == 1;
   Fields fields{json_field("phrame", is_single ? "info/1" : "spline-info/1"),
                 json_field("name", info.path.name)};
@@ -266,8 +266,7 @@ Fields fields(const SmoothInfoAnswer& info) {
 std::string segment_table(const SmoothInfoAnswer& info, Notation notation) {
   if (info.lengths.size() == 1) return "";
   std::vector<std::string> degrees;
-  for (const SmoothSegment& segment : info.path.path.segments())
-    degrees.push_back(degree_text(segment));
+  for (const Segment& segment : info.path.path.segments()) degrees.push_back(degree_text(segment));
   return segment_table(degrees, info.lengths, notation);
 }
 
@@ -281,7 +280,7 @@ Fields fields(const InfoAnswer& info) {
 }  // namespace
 
 std::string to_text(const InfoAnswer& info) {
-  const Path& path = info.path.path;
+  const PhPath& path = info.path.path;
   const std::string text = heading(info.path) + "\n\n";
   if (path.is_curve()) return text + to_rows(fields(info), 18);
   return text + notes_on_signs(path) + to_rows(fields(info), 18) +
@@ -295,7 +294,7 @@ std::string to_json(const InfoAnswer& info) {
 }
 
 std::string to_latex(const InfoAnswer& info) {
-  const Path& path = info.path.path;
+  const PhPath& path = info.path.path;
   if (path.is_curve()) return to_align(fields(info));
   return notes_on_signs(path, Notation::latex) + to_align(fields(info)) +
          segment_table(info, Notation::latex);

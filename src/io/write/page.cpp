@@ -140,7 +140,7 @@ std::string segments_said(std::size_t count) {
 }
 
 /// What t is of a path that is not PH.
-std::string parameter_said(const SmoothPath& path) {
+std::string parameter_said(const Path& path) {
   if (path.segments().size() > 1) return segments_said(path.segments().size());
   const auto* curve = std::get_if<ExpressionCurve>(&path.segments().front());
   if (curve == nullptr) return "t goes from 0 to 1.";
@@ -158,7 +158,7 @@ void say_start(JsonOutput& page, const FrameStart& start) {
 void add_angle(JsonOutput& page, const AngleAnswer& angle) {
   const auto& [name, path, near, notes] = angle.path;
   page["heading"] = heading("", path.segments().front());
-  if (!path.is_curve()) page["heading"] = heading(NamedPath{"", path, near});
+  if (!path.is_curve()) page["heading"] = heading(NamedPhPath{"", path, near});
   std::string said = "θ is the angle from e₂ of the Euler–Rodrigues frame to f₂. ";
   if (angle.formulas.empty())
     said +=
@@ -177,7 +177,7 @@ void add_angle(JsonOutput& page, const AngleAnswer& angle) {
 }
 
 void add_angle(JsonOutput& page, const SmoothAngleAnswer& angle) {
-  page["heading"] = heading(NamedSmoothPath{"", angle.path.path});
+  page["heading"] = heading(NamedPath{"", angle.path.path});
   page["said"] = {fmt::format(
       "{}: it is the integral of −e₂′·e₃ of the frame e₂ = v × e₁/|v × e₁| of the vector v = {}, "
       "enclosed by Taylor polynomials whose errors are proved.",

@@ -14,7 +14,7 @@
 namespace phrame {
 namespace {
 
-std::string no_closed_form(const SmoothPath& path) {
+std::string no_closed_form(const Path& path) {
   return path.is_ph()
              ? "no closed form: there are those to the Euler–Rodrigues and to the Frenet frame"
              : "no closed form: the curve is not Pythagorean-hodograph";

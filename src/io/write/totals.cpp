@@ -194,7 +194,7 @@ struct Shape {
 Shape shape_of(const TotalsAnswer& answer) {
   const std::size_t count =
       std::visit([](const auto& named) { return named.path.segments().size(); }, answer.path);
-  return {count, count == 1 && std::holds_alternative<NamedPath>(answer.path)};
+  return {count, count == 1 && std::holds_alternative<NamedPhPath>(answer.path)};
 }
 
 }  // namespace
@@ -222,7 +222,7 @@ std::string to_json(const TotalsAnswer& answer) {
   const auto [count, has_formulas] = shape_of(answer);
   const std::string name = std::visit([](const auto& named) { return named.name; }, answer.path);
   JsonOutput json = {{"phrame", count == 1 ? "totals/1" : "spline-totals/1"}, {"name", name}};
-  const auto* named = std::get_if<NamedPath>(&answer.path);
+  const auto* named = std::get_if<NamedPhPath>(&answer.path);
   if (has_formulas) json["degree"] = degree(named->path.segments().front());
   if (answer.up) json["up"] = json_of(*answer.up);
   for (const Row& row : answer.rows) json[label(row.quantity).key] = json_of(row, count == 1);

@@ -63,7 +63,7 @@ std::string first_line(const MinimalTwistAnswer& answer) {
 
 /// What there is to say of the signs of a PH path.
 std::string notes(const MinimalTwistAnswer& answer, Notation notation) {
-  const auto* named = std::get_if<NamedPath>(&answer.path);
+  const auto* named = std::get_if<NamedPhPath>(&answer.path);
   return named != nullptr ? notes_on_signs(named->path, notation) : "";
 }
 
@@ -116,7 +116,7 @@ std::string to_json(const MinimalTwistAnswer& answer) {
   if (!answer.why_not_rational.empty()) output["no_rational"] = answer.why_not_rational;
   if (!answer.why_undecided.empty()) output["rational_undecided"] = answer.why_undecided;
   if (answer.up) output["up"] = json_of(*answer.up);
-  if (const auto* named = std::get_if<NamedPath>(&answer.path)) add_nearness(output, named->near);
+  if (const auto* named = std::get_if<NamedPhPath>(&answer.path)) add_nearness(output, named->near);
   return pretty(output);
 }
 

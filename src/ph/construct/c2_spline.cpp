@@ -334,7 +334,7 @@ Construction c2_spline(const HermiteSpline& data, const Deviation& tolerance, Po
   throw Undecided("the C2 spline: Newton's method finds none" + trouble(data));
 }
 
-bool is_c2(const Path& path, bool is_closed) {
+bool is_c2(const PhPath& path, bool is_closed) {
   const std::vector<Curve>& segments = path.segments();
   if (std::ranges::any_of(segments, [](const Curve& c) { return c.multiplier().degree() != 0; }))
     return false;

@@ -19,6 +19,6 @@ Construction c2_spline(const HermiteSpline& data, const Deviation& tolerance,
 /// At the joints of a path whose segments have constant multipliers h, and at its end where it is
 /// closed: are r′/h and r″/h² the same on both sides, so that with these steps of the parameter it
 /// is C²? Equality is that of fractions. Not so of other paths.
-bool is_c2(const Path& path, bool is_closed);
+bool is_c2(const PhPath& path, bool is_closed);
 
 }  // namespace phrame

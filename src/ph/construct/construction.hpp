@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/construct/quintic_choice.hpp"
-#include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/curve/ph_path.hpp"
 
 namespace phrame {
 
@@ -40,7 +40,7 @@ auto of_segment(std::size_t k, const F& make) {
 
 /// An exact curve near its data.
 struct Construction {
-  Path path;                         ///< the curve, or the spline
+  PhPath path;                       ///< the curve, or the spline
   std::vector<Rational> parameters;  ///< of the joints and the ends, those of the data
   std::vector<FreeAngles> angles;    ///< chosen for each segment of quintics; else none
   /// The coefficients of A are multiples of 2^−bits; but not those of what closes a spline. Of

@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "phrame/algebra/numerical_integral.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/along/totals.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/frame/totals.hpp"
 
 // With g = αβ′ − α′β: κ = 2|g|/(fσ²), ds = fσ dt.
 

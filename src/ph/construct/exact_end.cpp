@@ -11,7 +11,7 @@
 #include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/scale.hpp"
 
 // For the halves (A₀, L, M), (M, R, A₂), X = 3A₀ + 4L + 3M and Y = 3M + 4R + 3A₂ the condition is
 //   X i X* + Y i Y* = c,

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/preimage.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/scale.hpp"
 
 namespace phrame {
 namespace {

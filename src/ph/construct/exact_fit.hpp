@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/construct/bezier_points.hpp"
 #include "phrame/ph/construct/preimage_fit.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/scale.hpp"
 
 namespace phrame {
 

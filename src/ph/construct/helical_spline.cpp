@@ -237,7 +237,7 @@ Construction helical_spline(const HermiteSpline& data, long solution, const Devi
   return Helices(data, solution, tolerance, rule).run();
 }
 
-bool is_helical(const Path& path) {
+bool is_helical(const PhPath& path) {
   return std::ranges::all_of(path.segments(), [](const Curve& curve) {
     const QuaternionPolynomial& a = curve.preimage();
     return linear_relations({a.u, a.v, a.p, a.q}).size() >= 2;

@@ -15,6 +15,6 @@ Construction helical_spline(const HermiteSpline& data, long solution, const Devi
                             PointRule rule = PointRule::near);
 
 /// Does A stay in a real plane of ℍ on each segment, as an identity?
-bool is_helical(const Path& path);
+bool is_helical(const PhPath& path);
 
 }  // namespace phrame

@@ -9,8 +9,8 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/preimage.hpp"
-#include "phrame/ph/construct/scale.hpp"
 #include "phrame/ph/construct/spline_slopes.hpp"
+#include "phrame/ph/curve/scale.hpp"
 
 namespace phrame {
 namespace {

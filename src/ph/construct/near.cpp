@@ -12,8 +12,8 @@
 #include "phrame/ph/construct/exact_fit.hpp"
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/construct/rmf_difference.hpp"
-#include "phrame/ph/construct/scale.hpp"
 #include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/curve/scale.hpp"
 
 namespace phrame {
 namespace {

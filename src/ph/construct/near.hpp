@@ -3,7 +3,7 @@
 
 #include "phrame/ph/construct/bezier_points.hpp"
 #include "phrame/ph/curve/nearness.hpp"
-#include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/curve/ph_path.hpp"
 
 namespace phrame {
 
@@ -36,7 +36,7 @@ std::optional<NearSuggestion> near_suggestion(const Vector<Polynomial>& hodograp
 
 /// An exact PH spline near several polynomial curves, each on its own [0, 1].
 struct NearPath {
-  Path path;          ///< exact
+  PhPath path;        ///< exact
   Nearness nearness;  ///< to what was given
 };
 

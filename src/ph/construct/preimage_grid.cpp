@@ -4,8 +4,8 @@
 #include <tuple>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/frame_angle.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
-#include "phrame/ph/frame/frame_angle.hpp"
 
 namespace phrame {
 

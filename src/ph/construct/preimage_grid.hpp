@@ -3,7 +3,7 @@
 #include "phrame/algebra/big_float.hpp"
 #include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/ph/construct/preimage.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/scale.hpp"
 
 namespace phrame {
 

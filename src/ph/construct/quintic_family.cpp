@@ -9,7 +9,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/energy.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/scale.hpp"
 
 // With m(Δ) = S(A₀, A₂) = a cos Δ + b sin Δ: 120·length = |c| + 15(s₀ + s₁) − 10g cos Δ, for
 // A₀·A₂ = g cos Δ and |B|² = |c|. By |H(P, B)|² = ½(|P|²|B|² + S(P, P)·c) the least

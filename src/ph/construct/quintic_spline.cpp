@@ -8,8 +8,8 @@
 #include "phrame/ph/construct/exact_end.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
-#include "phrame/ph/construct/scale.hpp"
 #include "phrame/ph/construct/spline_builder.hpp"
+#include "phrame/ph/curve/scale.hpp"
 
 // Continuity is linear in the preimage, interpolation quadratic. So the coefficients of A are
 // rounded to multiples of δ = 2^−p, those at a joint once for both neighbours, and continuity is

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/scale.hpp"
 
 namespace phrame {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "phrame/algebra/least_squares.hpp"
 #include "phrame/algebra/rational.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/scale.hpp"
 
 namespace phrame {
 

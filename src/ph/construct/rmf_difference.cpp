@@ -40,7 +40,7 @@
 #include <cmath>
 
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {

@@ -7,7 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/scale.hpp"
 
 namespace phrame {
 namespace {

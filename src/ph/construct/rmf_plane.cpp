@@ -6,7 +6,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/scale.hpp"
 
 // In the plane of the displacement and of Q i Q*, seen from Q, r′ is the square of the complex
 // w = u + i|ν|s, and the plane quintics have w₀ = λ₀, w₂ = ±λ₁ and, with B = 3w₀ + 4w₁ + 3w₂ as in

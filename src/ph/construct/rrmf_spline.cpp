@@ -183,7 +183,7 @@ Construction rrmf_spline(const HermiteSpline& data, const Deviation& tolerance, 
   return builder.finished(whole_parameters(data), bits);
 }
 
-bool is_rrmf_of_class_one(const Path& path) {
+bool is_rrmf_of_class_one(const PhPath& path) {
   return std::ranges::all_of(path.segments(), [](const Curve& curve) {
     if (preimage_degree(curve) > 2) return false;
     const std::vector<RationalQuaternion> a = to_bernstein(curve.preimage(), 2);

@@ -17,6 +17,6 @@ Construction rrmf_spline(const HermiteSpline& data, const Deviation& tolerance,
 
 /// Are the Bernstein coefficients of A on each segment such that S(A₀, A₂) = A₁ i A₁*, so that it
 /// has a rational rotation-minimizing frame?
-bool is_rrmf_of_class_one(const Path& path);
+bool is_rrmf_of_class_one(const PhPath& path);
 
 }  // namespace phrame

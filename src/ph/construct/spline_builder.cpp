@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/construct/scale.hpp"
 #include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/curve/scale.hpp"
 
 namespace phrame {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "phrame/ph/curve/nearness.hpp"
-#include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/curve/ph_path.hpp"
 
 namespace phrame {
 
@@ -17,19 +17,19 @@ struct NamedCurve {
 };
 
 /// A path and what it is called; a curve is one.
-struct NamedPath {
+struct NamedPhPath {
   std::string name;  ///< may be empty
-  Path path;         ///< the path
+  PhPath path;       ///< the path
   /// How near it is to the one in whose place it stands, where that is no PH path.
   std::optional<Nearness> near = {};
   std::vector<std::string> notes = {};  ///< on how it was read, in sentences without a point
 
   /// A path under this name.
-  NamedPath(std::string its_name, Path its_path, std::optional<Nearness> to_another = {})
+  NamedPhPath(std::string its_name, PhPath its_path, std::optional<Nearness> to_another = {})
       : name(std::move(its_name)), path(std::move(its_path)), near(std::move(to_another)) {}
   /// The path of one segment, under the name of the curve.
-  NamedPath(NamedCurve named)  // NOLINT(google-explicit-constructor)
-      : NamedPath(std::move(named.name), std::move(named.curve), std::move(named.near)) {}
+  NamedPhPath(NamedCurve named)  // NOLINT(google-explicit-constructor)
+      : NamedPhPath(std::move(named.name), std::move(named.curve), std::move(named.near)) {}
 };
 
 /// r′ and r(0) of a curve that may not be PH.

@@ -4,128 +4,179 @@
 
 #include <algorithm>
 
-#include "phrame/algebra/algebraic_image.hpp"
-#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
-#include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/curve/formula_evaluation.hpp"
 #include "phrame/ph/curve/vector.hpp"
-
-// Unit tangents are ±A i A*/σ, A without its real content, the sign that of f on the inner side.
-// For v = A(end), w = B(start): v i v* and w i w* have the same direction iff v̄w commutes with i,
-// that is lies in ℚ(i).
 
 namespace phrame {
 namespace {
 
-/// What the frame at an end of a curve depends on: A up to a positive factor, and the sign of f.
-struct End {
-  RationalQuaternion a;
-  int sign;
+/// Where a segment begins or ends: its numbers are steps of a program.
+struct SegmentEnd {
+  ExactVector position;
+  ExactVector direction;  ///< e₁, of any length
+  int sign;               ///< of p on the inner side: e₁ times it is the unit tangent
 };
 
-End start_of(const Curve& curve) {
-  return {evaluate(without_real_content(curve.preimage()), 0), sign_after_zero(curve.multiplier())};
+ExactVector inserted(FormulaProgram& program, const Vector<Rational>& v) {
+  return {program.number(v[0]), program.number(v[1]), program.number(v[2])};
 }
 
-int sign_before_one(const Polynomial& f) {
-  if (f.is_constant()) return sign_after_zero(f);
-  return sign_after_zero(compose(f, Polynomial{1, -1}));
+int end_orientation(const RationalCurve& curve) {
+  return sign_after_zero(compose(curve.multiplier(), Polynomial{1, -1}));
 }
 
-End end_of(const Curve& curve) {
-  return {evaluate(without_real_content(curve.preimage()), 1), sign_before_one(curve.multiplier())};
+SegmentEnd end_at(const RationalCurve& curve, const Rational& t, FormulaProgram& program) {
+  return {inserted(program, point(curve, t)), inserted(program, evaluate(curve.direction(), t)),
+          t == 0 ? sign_after_zero(curve.multiplier()) : end_orientation(curve)};
 }
 
-/// The tangent, r′/|r′|, scaled such that its largest component is ±1.
-Vector<Rational> direction(const End& end) {
-  Vector<Rational> d = rotated_i(end.a);
-  const Rational size = std::max({Rational(abs(d[0])), Rational(abs(d[1])), Rational(abs(d[2]))});
-  for (Rational& x : d) x *= end.sign / size;
-  return d;
+SegmentEnd end_at(const ExpressionCurve& curve, const Rational& t, FormulaProgram& program) {
+  return {exact_point(curve, t, program), exact_direction(curve, t, program), curve.orientation()};
 }
 
-/// z ∈ ℚ(i) with w = v·z up to a positive factor; no value where the tangents differ or e₁ would be
-/// reversed.
-std::optional<GaussianRational> turn(const End& v, const End& w) {
-  const RationalQuaternion z = conjugate(v.a) * w.a;
-  if (v.sign != w.sign || z.p != 0 || z.q != 0) return std::nullopt;
-  return GaussianRational{z.u, z.v};
+SegmentEnd start_of(const Segment& segment, FormulaProgram& program) {
+  return visit_curve([&](const auto& curve) { return end_at(curve, 0, program); }, segment);
 }
 
-/// The same curve with A·c and f/|c|².
-Curve turned(const Curve& curve, const GaussianInteger& c) {
-  if (c == GaussianInteger{1, 0}) return curve;
-  const QuaternionPolynomial factor{Polynomial{Rational(c.re)}, Polynomial{Rational(c.im)}, {}, {}};
-  const Polynomial slower{Rational(1) / Rational(norm(c))};
-  return Curve(curve.preimage() * factor, slower * curve.multiplier(), curve.start());
+SegmentEnd end_of(const Segment& segment, FormulaProgram& program) {
+  return visit_curve([&](const auto& curve) { return end_at(curve, 1, program); }, segment);
+}
+
+/// The unit tangent, of any length.
+ExactVector tangent_of(const SegmentEnd& end, FormulaProgram& program) {
+  ExactVector tangent = end.direction;
+  if (end.sign < 0)
+    for (auto& x : tangent) x = program.negative(x);
+  return tangent;
+}
+
+/// For messages: fractions, as the multiple whose largest component is ±1 if only the direction is
+/// meant, or digits.
+std::string shown_vector(const FormulaProgram& program, const ExactVector& v, bool is_direction) {
+  Vector<Rational> exact;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Rational* x = program.rational(v[k]);
+    if (x == nullptr) {
+      const auto digits = [&](std::size_t j) {
+        return to_string(constant_value(program, v[j], 128), 9);
+      };
+      return fmt::format("({}, {}, {})", digits(0), digits(1), digits(2));
+    }
+    exact[k] = *x;
+  }
+  if (is_direction) {
+    const Rational size = std::max({abs(exact[0]), abs(exact[1]), abs(exact[2])});
+    for (Rational& x : exact) x /= size;
+  }
+  return abbreviated(exact);
+}
+
+bool decided(const std::optional<bool>& answer, const char* what) {
+  if (!answer)
+    throw Undecided(fmt::format("whether {} is not told: they agree to 1024 bits", what));
+  return *answer;
+}
+
+Segment turned_over(const Segment& segment) {
+  return std::visit([](const auto& curve) -> Segment { return curve.turned_over(); }, segment);
 }
 
 }  // namespace
 
-Path::Path(Curve first) : segments_{std::move(first)} {
-  Curve& curve = segments_.front();
-  if (sign_after_zero(curve.multiplier()) < 0) curve = turned_over(curve);
+Path::Path(Segment first, std::size_t room) : segments_(std::make_shared<Segments>()) {
+  segments_->reserve(room);
+  segments_->push_back(orientation(first) < 0 ? turned_over(first) : std::move(first));
 }
 
-Path Path::of_continuous(std::vector<Curve> segments) {
-  Path path;
-  path.segments_ = std::move(segments);
-  return path;
+Path::Path(const PhPath& ph) : segments_(std::make_shared<Segments>()) {
+  for (const Curve& curve : ph.segments()) segments_->emplace_back(PhSegment(curve));
 }
 
-void Path::append(const Curve& next) { segments_.push_back(continuation(segments_.back(), next)); }
+void Path::add(Segment next) {
+  if (segments_.use_count() > 1) segments_ = std::make_shared<Segments>(segments());
+  segments_->push_back(std::move(next));
+}
 
-Curve continuation(const Curve& last, const Curve& next) {
-  const Vector<Rational> here = end_point(last);
-  if (next.start() != here)
+void Path::append(Segment next) {
+  const Curve* last_ph = ph_curve(segments().back());
+  const Curve* next_ph = ph_curve(next);
+  if (last_ph != nullptr && next_ph != nullptr) {
+    add(PhSegment(continuation(*last_ph, *next_ph)));
+    return;
+  }
+  FormulaProgram program;
+  const SegmentEnd before = end_of(segments().back(), program);
+  const SegmentEnd after = start_of(next, program);
+  if (!decided(are_equal(program, before.position, after.position),
+               "it starts where the spline ends"))
     throw DomainError(fmt::format("it starts at {}, but the spline ends at {}",
-                                  abbreviated(next.start()), abbreviated(here)));
-  const End before = end_of(last);
-  const Curve same_side =
-      before.sign == sign_after_zero(next.multiplier()) ? next : turned_over(next);
-  const End after = start_of(same_side);
-  const auto z = turn(before, after);
-  if (!z)
-    throw DomainError(
-        fmt::format("the tangent breaks: it starts in the direction {}, but the spline ends in {}",
-                    abbreviated(direction(after)), abbreviated(direction(before))));
-  return turned(same_side, conjugate(primitive_multiple(*z)));
+                                  shown_vector(program, after.position, false),
+                                  shown_vector(program, before.position, false)));
+  const ExactVector old_tangent = tangent_of(before, program);
+  const ExactVector new_tangent = tangent_of(after, program);
+  if (!decided(have_same_direction(program, old_tangent, new_tangent),
+               "its tangent is that of the spline"))
+    throw DomainError(fmt::format(
+        "the tangent breaks: it starts in the direction {}, but the spline ends in {}",
+        shown_vector(program, new_tangent, true), shown_vector(program, old_tangent, true)));
+  add(before.sign == after.sign ? std::move(next) : turned_over(next));
 }
 
-Path joined(const std::vector<Curve>& curves) {
-  Path path(curves.front());
-  for (std::size_t k = 1; k < curves.size(); ++k) path.append(curves[k]);
+bool Path::is_ph() const { return std::all_of(segments().begin(), segments().end(), ph_curve); }
+
+std::optional<PhPath> Path::ph() const {
+  if (!is_ph()) return std::nullopt;
+  std::vector<Curve> curves;
+  for (const Segment& segment : segments()) curves.push_back(*ph_curve(segment));
+  return PhPath::of_continuous(std::move(curves));
+}
+
+bool Path::ends_meet() const {
+  FormulaProgram program;
+  const SegmentEnd start = start_of(segments().front(), program);
+  const SegmentEnd end = end_of(segments().back(), program);
+  return decided(are_equal(program, start.position, end.position), "the ends of the curve meet");
+}
+
+bool Path::is_closed() const {
+  if (!ends_meet()) return false;
+  FormulaProgram program;
+  const SegmentEnd start = start_of(segments().front(), program);
+  const SegmentEnd end = end_of(segments().back(), program);
+  return decided(have_same_direction(program, end.direction, start.direction),
+                 "the tangents at the ends of the curve are the same");
+}
+
+Closure closure(const Path& path) {
+  Closure found;
+  try {
+    found.ends_meet = path.ends_meet();
+    found.is_closed = *found.ends_meet && path.is_closed();
+  } catch (const Undecided& undecided) {
+    found.undecided = undecided.what();
+  }
+  return found;
+}
+
+Path joined(std::vector<Segment> segments) {
+  Path path(std::move(segments.front()), segments.size());
+  for (std::size_t k = 1; k < segments.size(); ++k) path.append(std::move(segments[k]));
   return path;
 }
 
-bool Path::ends_meet() const { return end_point(segments_.back()) == segments_.front().start(); }
+NamedPath of_any_kind(const NamedPhPath& named) {
+  return {named.name, Path(named.path), named.notes, named.near};
+}
 
-std::optional<GaussianRational> Path::closing_turn() const {
-  if (!ends_meet()) return std::nullopt;
-  return turn(end_of(segments_.back()), start_of(segments_.front()));
+Path by_positions(const PhPath& path) {
+  std::vector<Segment> segments;
+  for (const Curve& curve : path.segments()) segments.emplace_back(RationalCurve(position(curve)));
+  return joined(std::move(segments));
 }
 
 PathParameter locate(const Path& path, const Rational& t) {
-  return path.is_curve() ? PathParameter{0, t} : locate_inside(path, t);
-}
-
-PathParameter locate_inside(const Path& path, const Rational& t) {
   return locate_inside(path.segments().size(), t);
-}
-
-PathParameter locate_inside(std::size_t count, const Rational& t) {
-  if (t < 0 || t > Rational(count))
-    throw DomainError(fmt::format("t = {} is outside [0, {}]", as_written(t), count));
-  const std::size_t k = std::min(static_cast<std::size_t>(static_cast<long>(floor(t))), count - 1);
-  return {k, t - Rational(k)};
-}
-
-Rational parameter(const PathParameter& at) {
-  return Rational(static_cast<long>(at.segment)) + at.t;
-}
-
-RealAlgebraic parameter(const PathPoint& at) {
-  return affine(at.t, 1, Rational(static_cast<long>(at.segment)));
 }
 
 }  // namespace phrame

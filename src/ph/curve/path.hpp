@@ -1,87 +1,87 @@
 #pragma once
-#include <optional>
+#include <memory>
+#include <string>
 
-#include "phrame/algebra/gaussian_integer.hpp"
-#include "phrame/algebra/real_algebraic.hpp"
-#include "phrame/ph/curve/curve.hpp"
+#include "phrame/ph/curve/named.hpp"
+#include "phrame/ph/curve/segment.hpp"
 
 namespace phrame {
 
-/// A PH curve, or several joined to one, a spline. Segment k = 0, 1, …, each with its own [0, 1],
-/// is the part [k, k + 1] of the parameter t; a curve by itself goes on for all t. At the joints
-/// the position and the unit tangent r′/|r′| are continuous, exactly; at a cusp there the tangent
-/// is its limit.
-///
-/// The segments are the curves given, but their preimages are chosen such that the Euler–Rodrigues
-/// frame is continuous, too, and that e₁ is r′/|r′| at the start, just after a cusp there. A ↦ A·c
-/// with c ∈ ℚ(i), f ↦ f/|c|², leaves a curve alone and turns that frame about the tangent by the
-/// constant 2·arg c; A ↦ A·j, f ↦ −f turns it over.
+/// A curve of any kind, or several joined to one. Segment k = 0, 1, … is the part [k, k + 1] of the
+/// parameter t. At the joints the position and the unit tangent r′/|r′| are continuous, exactly; at
+/// a cusp there the tangent is its limit. Segments are turned over where that makes e₁ r′/|r′| at
+/// the start and continuous from there on; after an odd number of changes of the sign of p or f it
+/// is −r′/|r′|. Through neighbouring PH curves the Euler–Rodrigues frame is continuous, as in a
+/// PhPath. Copies share the segments.
 class Path {
  public:
-  /// One segment, to which others may be appended.
-  Path(Curve first);  // NOLINT(google-explicit-constructor)
+  /// One segment, to which others may be appended; there is room for so many.
+  Path(Segment first, std::size_t room = 1);  // NOLINT(google-explicit-constructor)
+  /// The segments of a path of PH curves.
+  explicit Path(const PhPath& ph);
+  Path(const Path&) = default;
+  Path& operator=(const Path&) = default;  // to move one is to copy it
+  ~Path() = default;
 
-  /// The segments as they are. Precondition: f > 0 just after the start of the first, and each
-  /// other is the continuation() of the one before.
-  static Path of_continuous(std::vector<Curve> segments);
+  /// Throws DomainError where the segment does not start where the path ends, and where its tangent
+  /// there is another, with the same messages as PhPath::append; Undecided where that is not told
+  /// of values of formulas that agree to 1024 bits.
+  void append(Segment next);
 
-  /// Throws DomainError where the curve does not start where the spline ends, and where its tangent
-  /// there is another: "it starts at (1, 0, 0), but the spline ends at (1, 2, 0)". Cost: the
-  /// coefficients may get more digits from one segment to the next, by those of c.
-  void append(const Curve& next);
-
-  const std::vector<Curve>& segments() const { return segments_; }  ///< at least one
+  const std::vector<Segment>& segments() const { return *segments_; }  ///< at least one
+  bool is_ph() const;  ///< are all of its segments PH curves?
+  /// The path of PH curves, where all of its segments are.
+  std::optional<PhPath> ph() const;
   /// Of the parameter.
-  Rational end() const { return Rational(static_cast<long>(segments_.size())); }
+  Rational end() const { return Rational(static_cast<long>(segments().size())); }
 
-  /// Is it a curve by itself?
-  bool is_curve() const { return segments_.size() == 1; }
-
-  /// Is its end its start?
+  /// Is its end its start? Throws Undecided where that is not told of values of formulas.
   bool ends_meet() const;
-  /// Where the spline is closed with a continuous tangent: z with A(start) = A(end)·z up to a
-  /// positive factor, so that the Euler–Rodrigues frame at the start is that at the end, turned by
-  /// 2·arg z. No value for other splines, or where e₁ comes back reversed (after an odd number of
-  /// cusps at which the curve turns back).
-  std::optional<GaussianRational> closing_turn() const;
+  /// Do its ends meet, with the same e₁? Throws likewise.
+  bool is_closed() const;
 
-  friend bool operator==(const Path&, const Path&) = default;
+  friend bool operator==(const Path& a, const Path& b) { return a.segments() == b.segments(); }
 
  private:
-  Path() = default;
+  void add(Segment next);
 
-  std::vector<Curve> segments_;
+  using Segments = std::vector<Segment>;
+  std::shared_ptr<Segments> segments_;  ///< not changed while it is shared
 };
 
-/// The curve `next`, with the preimage that goes on with the Euler–Rodrigues frame of the end of
-/// `last`. Throws as Path::append.
-Curve continuation(const Curve& last, const Curve& next);
-
-/// The curves, at least one, one after the other. Throws as Path::append.
-Path joined(const std::vector<Curve>& curves);
-
-/// The segment that t is in, the later one at a joint, and the parameter there: in [0, 1], unless
-/// the path is a curve.
-struct PathParameter {
-  std::size_t segment;  ///< 0, 1, …
-  Rational t;           ///< the parameter of that segment
+/// What is known of the ends of a path.
+struct Closure {
+  std::optional<bool> ends_meet = std::nullopt;  ///< no value where it is undecided
+  std::optional<bool> is_closed = std::nullopt;  ///< likewise: with the same e₁
+  std::string undecided = {};                    ///< why
 };
-/// Throws DomainError for t outside [0, end()] of a spline.
+/// Path::ends_meet() and is_closed(), as far as they are told.
+Closure closure(const Path& path);
+
+/// The segments, at least one, one after the other. Throws as Path::append.
+Path joined(std::vector<Segment> segments);
+
+/// The same path by its positions, as if it were not known to be Pythagorean. Its e₁ is that of the
+/// path or, everywhere, its opposite.
+Path by_positions(const PhPath& path);
+
+/// A path and what it is called.
+struct NamedPath {
+  std::string name;                     ///< may be empty
+  Path path;                            ///< the path
+  std::vector<std::string> notes = {};  ///< on how it was read, in sentences without a point
+  /// How near it is to the one in whose place it stands, where that is no PH path.
+  std::optional<Nearness> near = {};
+};
+
+/// The same path as one of any kind.
+NamedPath of_any_kind(const NamedPhPath& named);
+
+/// A path of PH curves, or of curves of any kind.
+using AnyPath = std::variant<NamedPhPath, NamedPath>;
+
+/// The segment that t is in, the later one at a joint, and the parameter there, in [0, 1]. Throws
+/// DomainError for t outside [0, end()].
 PathParameter locate(const Path& path, const Rational& t);
-/// The same, and of a curve, too.
-PathParameter locate_inside(const Path& path, const Rational& t);
-/// The same on a path of `count` ≥ 1 segments of any kind.
-PathParameter locate_inside(std::size_t count, const Rational& t);
-
-/// A point of a path, at an algebraic parameter on that segment.
-struct PathPoint {
-  std::size_t segment;  ///< 0, 1, …
-  RealAlgebraic t;      ///< the parameter of that segment
-};
-
-/// @{ The parameter along the path, segment + t.
-Rational parameter(const PathParameter& at);
-RealAlgebraic parameter(const PathPoint& at);
-/// @}
 
 }  // namespace phrame

@@ -44,7 +44,7 @@ std::vector<std::vector<Rational>> relations_of_coordinates(std::vector<Polynomi
   return linear_relations(coordinates);
 }
 
-std::vector<QuaternionPolynomial> preimages(const Path& path) {
+std::vector<QuaternionPolynomial> preimages(const PhPath& path) {
   std::vector<QuaternionPolynomial> all;
   for (const Curve& curve : path.segments()) all.push_back(curve.preimage());
   return all;
@@ -90,7 +90,7 @@ std::optional<Vector<Rational>> line_direction(const QuaternionPolynomial& a) {
                                                 a.p.coefficient(m), a.q.coefficient(m)}));
 }
 
-std::optional<Vector<Rational>> line_direction(const Path& path) {
+std::optional<Vector<Rational>> line_direction(const PhPath& path) {
   if (!are_on_one_line(preimages(path))) return std::nullopt;
   return line_direction(path.segments().front().preimage());
 }
@@ -99,7 +99,7 @@ std::optional<Vector<Rational>> plane_normal(const QuaternionPolynomial& a) {
   return common_normal({a});
 }
 
-std::optional<Vector<Rational>> plane_normal(const Path& path) {
+std::optional<Vector<Rational>> plane_normal(const PhPath& path) {
   return common_normal(preimages(path));
 }
 
@@ -111,6 +111,6 @@ std::optional<Helix> helix(const QuaternionPolynomial& a) {
                odd(inflections(a, real_line())).empty()};
 }
 
-std::optional<ConstantAngle> helix(const Path& path) { return constant_angle(preimages(path)); }
+std::optional<ConstantAngle> helix(const PhPath& path) { return constant_angle(preimages(path)); }
 
 }  // namespace phrame

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/curve/ph_path.hpp"
 
 namespace phrame {
 
@@ -45,9 +45,9 @@ std::optional<Helix> helix(const QuaternionPolynomial& a);
 
 /// @{ One line, one plane, one angle to one axis for all segments of a path; no value where there
 /// is none.
-std::optional<Vector<Rational>> line_direction(const Path& path);
-std::optional<Vector<Rational>> plane_normal(const Path& path);
-std::optional<ConstantAngle> helix(const Path& path);
+std::optional<Vector<Rational>> line_direction(const PhPath& path);
+std::optional<Vector<Rational>> plane_normal(const PhPath& path);
+std::optional<ConstantAngle> helix(const PhPath& path);
 /// @}
 
 }  // namespace phrame

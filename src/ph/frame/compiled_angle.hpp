@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/algebra/piecewise_polynomial.hpp"
-#include "phrame/ph/frame/path_angle.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 
 namespace phrame {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include "phrame/algebra/error_free.hpp"
 #include "phrame/algebra/piecewise_polynomial.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/frame/frame.hpp"
-#include "phrame/ph/frame/path_angle.hpp"
 
 namespace phrame {
 

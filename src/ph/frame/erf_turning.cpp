@@ -1,7 +1,7 @@
 #include "phrame/ph/frame/erf_turning.hpp"
 
+#include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/curve/invariants.hpp"
-#include "phrame/ph/frame/rmf_angle.hpp"
 
 namespace phrame {
 

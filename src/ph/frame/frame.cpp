@@ -58,12 +58,16 @@ Frames::Frames(const Curve& curve) : primitive_(without_real_content(curve.preim
   bend_ = bend_numerator(primitive_);
 }
 
-Frame<Rational> Frames::euler_rodrigues(const Rational& t) const {
-  const RationalQuaternion a = evaluate(primitive_, t);
+Frame<Rational> euler_rodrigues_frame(const QuaternionPolynomial& primitive, const Rational& t) {
+  const RationalQuaternion a = evaluate(primitive, t);
   const Rational scale = 1 / norm(a);
   const Vector<Rational> zero{};
   return {combine(scale, rotated_i(a), 0, zero), combine(scale, rotated_j(a), 0, zero),
           combine(scale, rotated_k(a), 0, zero)};
+}
+
+Frame<Rational> Frames::euler_rodrigues(const Rational& t) const {
+  return euler_rodrigues_frame(primitive_, t);
 }
 
 Frame<Real> Frames::frenet(const Rational& t) const {

@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 
-#include "phrame/ph/frame/rmf_angle.hpp"
+#include "phrame/ph/along/rmf_angle.hpp"
 
 namespace phrame {
 
@@ -65,6 +65,9 @@ class Frames {
   QuaternionPolynomial primitive_;  ///< A without its greatest real factor
   GaussianPolynomial bend_;         ///< g of that
 };
+
+/// (A i A*, A j A*, A k A*)/σ at t of an A without a real factor.
+Frame<Rational> euler_rodrigues_frame(const QuaternionPolynomial& primitive, const Rational& t);
 
 /// @{ One frame of a curve, as those of Frames; Frames is faster for many.
 Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t);

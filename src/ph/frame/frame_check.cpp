@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/frame_deviation.hpp"
 
 namespace phrame {
-FrameCheck::FrameCheck(const Path& path) : angle_(path) {
+FrameCheck::FrameCheck(const PhPath& path) : angle_(path) {
   for (const Curve& curve : path.segments()) {
     frames_.emplace_back(curve);
     bends_.push_back(bend_numerator(without_real_content(curve.preimage())));
@@ -40,7 +40,7 @@ FrameDeviation FrameCheck::deviation(const GivenFrame& frame, Forward forward, l
 }
 
 std::optional<Rational> FrameCheck::length(const Rational& a, const Rational& b) const {
-  const Path& path = angle_.path();
+  const PhPath& path = angle_.path();
   return PathLength(path).between(locate(path, std::min(a, b)), locate(path, std::max(a, b)));
 }
 
@@ -55,7 +55,7 @@ bool are_along(const PointFunction& tangent_at, const std::vector<GivenFrame>& f
   });
 }
 
-bool are_along_curve(const Path& path, const std::vector<GivenFrame>& frames,
+bool are_along_curve(const PhPath& path, const std::vector<GivenFrame>& frames,
                      const Rational& tolerance) {
   std::vector<Frames> exact;
   for (const Curve& curve : path.segments()) exact.emplace_back(curve);
@@ -82,7 +82,7 @@ bool are_on(const PointFunction& position_at, const std::vector<GivenPosition>& 
   return farthest > 0 && worst <= tolerance * tolerance * farthest;
 }
 
-bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
+bool are_on_curve(const PhPath& path, const std::vector<GivenPosition>& positions,
                   const Rational& tolerance) {
   std::vector<Vector<Polynomial>> exact;
   for (const Curve& curve : path.segments()) exact.push_back(position(curve));
@@ -93,7 +93,7 @@ bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
   return are_on(position_at, positions, tolerance);
 }
 
-FrameVerdict check_frames(const Path& path, const std::vector<GivenFrame>& frames,
+FrameVerdict check_frames(const PhPath& path, const std::vector<GivenFrame>& frames,
                           const FrameCheckOptions& options) {
   const FrameCheck check(path);
   const Forward forward = check.forward(frames);

@@ -1,7 +1,7 @@
 #pragma once
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 #include "phrame/ph/frame/frame_verdict.hpp"
-#include "phrame/ph/frame/path_angle.hpp"
 
 namespace phrame {
 
@@ -10,7 +10,7 @@ namespace phrame {
 class FrameCheck {
  public:
   /// Of the frames of this path.
-  explicit FrameCheck(const Path& path);
+  explicit FrameCheck(const PhPath& path);
 
   /// What the tangents given take for forward: the preimage if most of those where f < 0 do.
   Forward forward(const std::vector<GivenFrame>& frames) const;
@@ -41,7 +41,7 @@ struct FrameCheckOptions {
 
 /// Is the sine of the angle between each tangent given and ±T within the tolerance? Exact, and much
 /// faster than check_frames().
-bool are_along_curve(const Path& path, const std::vector<GivenFrame>& frames,
+bool are_along_curve(const PhPath& path, const std::vector<GivenFrame>& frames,
                      const Rational& tolerance);
 
 /// Where somebody says that the curve is at t.
@@ -53,7 +53,7 @@ struct GivenPosition {
 /// Are these positions the curve's but for one translation, which takes the first to its place? To
 /// within the tolerance times the way from the first to the farthest; where all are one place, they
 /// are no sign of the curve. Exact.
-bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
+bool are_on_curve(const PhPath& path, const std::vector<GivenPosition>& positions,
                   const Rational& tolerance);
 
 /// A vector for each t.
@@ -69,7 +69,7 @@ bool are_on(const PointFunction& position_at, const std::vector<GivenPosition>& 
 /// frame is left-handed. First and last are those of the least and the largest t. Throws Undecided
 /// where 4096 bits do not tell a number from the tolerance, and DomainError as start_angle() does.
 /// Precondition: there is at least one frame.
-FrameVerdict check_frames(const Path& path, const std::vector<GivenFrame>& frames,
+FrameVerdict check_frames(const PhPath& path, const std::vector<GivenFrame>& frames,
                           const FrameCheckOptions& options = {});
 
 }  // namespace phrame

@@ -3,7 +3,7 @@
 namespace phrame {
 
 // n = (Re g·e₂ − Im g·e₃)/|g|, so that an angle to n is that to e₂ and arg g.
-FrameAngle start_angle(const FrameStart& start, const Path& path, Reference reference) {
+FrameAngle start_angle(const FrameStart& start, const PhPath& path, Reference reference) {
   if (const auto* angle = std::get_if<Angle>(&start)) return *angle;
   const Curve& first = path.segments().front();
   const Frame<Rational> erf = euler_rodrigues_frame(first, 0);

@@ -1,7 +1,7 @@
 #pragma once
 #include <variant>
 
-#include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/curve/ph_path.hpp"
 #include "phrame/ph/frame/frame.hpp"
 
 namespace phrame {
@@ -39,7 +39,7 @@ using FrameStart = std::variant<LeastRotation, Angle, StartNormal>;
 /// inflection, the Frenet frame is that of small t > 0.
 /// Throws DomainError for a vector that is 0 or along the tangent, and where it is measured from
 /// the Frenet frame of a straight line.
-FrameAngle start_angle(const FrameStart& start, const Path& path,
+FrameAngle start_angle(const FrameStart& start, const PhPath& path,
                        Reference reference = Reference::euler_rodrigues);
 
 }  // namespace phrame

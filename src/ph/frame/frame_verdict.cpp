@@ -7,7 +7,7 @@
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
-#include "phrame/ph/frame/reduced_angle.hpp"
+#include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/frame/up_frame.hpp"
 
 namespace phrame {

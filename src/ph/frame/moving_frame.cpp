@@ -1,7 +1,7 @@
 #include "phrame/ph/frame/moving_frame.hpp"
 
+#include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/curve/invariants.hpp"
-#include "phrame/ph/frame/reduced_angle.hpp"
 
 namespace phrame {
 namespace {
@@ -25,7 +25,7 @@ Vector<RationalFunction> over(const Vector<Polynomial>& v, const Polynomial& sig
 
 }  // namespace
 
-MovingFrame::MovingFrame(const Path& path, const FrameStart& start)
+MovingFrame::MovingFrame(const PhPath& path, const FrameStart& start)
     : angle_(path), start_(to_real(reduced(start_angle(start, path)))) {
   for (const Curve& curve : path.segments()) {
     const QuaternionPolynomial a = without_real_content(curve.preimage());

@@ -1,7 +1,7 @@
 #pragma once
-#include "phrame/ph/curve/travel_time.hpp"
+#include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/along/travel_time.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
-#include "phrame/ph/frame/path_angle.hpp"
 
 namespace phrame {
 
@@ -11,7 +11,7 @@ namespace phrame {
 class MovingFrame {
  public:
   /// Throws DomainError as start_angle(). Cost: the antiderivative of θ.
-  MovingFrame(const Path& path, const FrameStart& start);
+  MovingFrame(const PhPath& path, const FrameStart& start);
 
   /// e₁ = A i A*/σ there.
   Vector<Real> tangent(const TimedPoint& at) const;

@@ -4,8 +4,8 @@
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/resultant.hpp"
 #include "phrame/integrate/gaussian_logs.hpp"
+#include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/curve/invariants.hpp"
-#include "phrame/ph/frame/rmf_angle.hpp"
 
 // e₂ and e₃ of A are A j A*/σ and A k A*/σ. For a complex w = |w|e^{iφ} the frame of B = A·w has
 // B j B*/|B|² = A e^{2iφ} j A*/σ = cos 2φ·e₂ + sin 2φ·e₃: that of A, turned by 2φ. So A·w has a

@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/integrate/root_discs.hpp"
-#include "phrame/ph/frame/rmf_angle.hpp"
+#include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/proof/stated_decisions.hpp"
 #include "phrame/ph/proof/statement.hpp"
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/ph/frame/rmf_angle.hpp"
+#include "phrame/ph/along/rmf_angle.hpp"
 
 namespace phrame {
 namespace {
@@ -68,7 +68,7 @@ Classification classify(const Curve& curve) {
   return result;
 }
 
-PathClassification classify(const Path& path) {
+PathClassification classify(const PhPath& path) {
   PathClassification result;
   for (const Curve& curve : path.segments()) {
     const Classification& segment = result.segments.emplace_back(classify(curve));

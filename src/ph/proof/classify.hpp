@@ -36,6 +36,6 @@ struct PathClassification {
 };
 
 /// Likewise checked.
-PathClassification classify(const Path& path);
+PathClassification classify(const PhPath& path);
 
 }  // namespace phrame

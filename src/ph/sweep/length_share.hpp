@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "phrame/ph/smooth/curve_series.hpp"
+#include "phrame/ph/curve/curve_series.hpp"
 
 namespace phrame {
 

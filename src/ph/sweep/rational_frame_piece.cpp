@@ -95,7 +95,7 @@ std::optional<GaussianRational> half_turn_of(const GaussianRational& z) {
   return shortened({z.re + *size, z.im});
 }
 
-std::vector<RationalFramePiece> rational_rmf(const Path& path, const FrameStart& start) {
+std::vector<RationalFramePiece> rational_rmf(const PhPath& path, const FrameStart& start) {
   const FrameAngle angle = start_angle(start, path);
   const auto first = exact_end(angle);
   if (!first)
@@ -116,7 +116,7 @@ std::vector<RationalFramePiece> rational_rmf(const Path& path, const FrameStart&
   return pieces;
 }
 
-std::vector<RationalFramePiece> rational_mtf(const Path& path, const TwistFrame& frame,
+std::vector<RationalFramePiece> rational_mtf(const PhPath& path, const TwistFrame& frame,
                                              const FrameEnds& ends, long bits) {
   std::vector<RationalFramePiece> pieces;
   GaussianRational first;

@@ -21,7 +21,7 @@ std::optional<GaussianRational> half_turn_of(const GaussianRational& z);
 /// The rotation-minimizing frame of a path, continuous through the joints. Throws DomainError where
 /// it is not rational on a segment, saying which, why and where; and where it starts at an angle
 /// θ₀ for which e^{iθ₀} is not rational.
-std::vector<RationalFramePiece> rational_rmf(const Path& path, const FrameStart& start);
+std::vector<RationalFramePiece> rational_rmf(const PhPath& path, const FrameStart& start);
 
 /// Where a frame begins and ends: f₂ = cos θ e₂ + sin θ e₃ of the Euler–Rodrigues frame.
 struct FrameEnds {
@@ -33,7 +33,7 @@ struct FrameEnds {
 /// 2^−bits next to them. It is a frame exactly, continuous through the joints; f₂ is as the ends
 /// say, exactly where `ends` has rational e^{iθ}, else within 2^(4 − bits). Throws Undecided where
 /// the fractions change too much, near a zero of w.
-std::vector<RationalFramePiece> rational_mtf(const Path& path, const TwistFrame& frame,
+std::vector<RationalFramePiece> rational_mtf(const PhPath& path, const TwistFrame& frame,
                                              const FrameEnds& ends, long bits);
 
 /// Does a path that is closed with its tangent have the same frame at both ends?

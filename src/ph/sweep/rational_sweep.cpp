@@ -22,7 +22,7 @@ struct SweptPart {
   Polynomial scale_below;         ///< Q
 };
 
-SweptPart part_of(const Path& path, const RationalFramePiece& frame,
+SweptPart part_of(const PhPath& path, const RationalFramePiece& frame,
                   const RationalFunction& scale) {
   const Rational joint(static_cast<long>(frame.segment));
   const Rational width = frame.to - frame.from;
@@ -233,7 +233,7 @@ void require_joined(const RationalSurface& surface) {
 }
 
 /// Where r′ = 0 a body has no section.
-void require_no_stop(const Path& path) {
+void require_no_stop(const PhPath& path) {
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
     const Curve& curve = path.segments()[k];
     if (count_real_roots(hodograph_content(curve), closed(0, 1)) > 0)
@@ -259,7 +259,7 @@ void append_part(RationalSurface& surface, const SweptPart& part,
 
 }  // namespace
 
-RationalSurface rational_sweep(const Path& path, const std::vector<RationalFramePiece>& frames,
+RationalSurface rational_sweep(const PhPath& path, const std::vector<RationalFramePiece>& frames,
                                const RationalSweepForm& form) {
   greatest_scale(form.scale, path.segments().size());
   require_no_stop(path);

@@ -22,7 +22,7 @@ struct RationalSweepForm {
 /// over λ turns about no tangent, ∂ₛ((S − r)/λ) ∥ r′, where the frame is rotation-minimizing;
 /// patches meet exactly. Throws DomainError for λ that is not > 0 all along, and where r′ = 0 on
 /// the path. Cost: quadratic in the degree, for each patch.
-RationalSurface rational_sweep(const Path& path, const std::vector<RationalFramePiece>& frames,
+RationalSurface rational_sweep(const PhPath& path, const std::vector<RationalFramePiece>& frames,
                                const RationalSweepForm& form);
 
 }  // namespace phrame

@@ -3,8 +3,8 @@
 #include <variant>
 
 #include "phrame/algebra/rational_function.hpp"
+#include "phrame/ph/curve/curve_series.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
-#include "phrame/ph/smooth/curve_series.hpp"
 #include "phrame/ph/sweep/mesh_numbers.hpp"
 #include "phrame/ph/sweep/profile.hpp"
 

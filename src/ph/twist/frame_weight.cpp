@@ -9,9 +9,9 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/numerical_integral.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/special_points.hpp"
-#include "phrame/ph/frame/rmf_angle.hpp"
 
 namespace phrame {
 namespace {

@@ -1,6 +1,6 @@
 #include "phrame/ph/twist/minimal_twist.hpp"
 
-#include "phrame/ph/frame/reduced_angle.hpp"
+#include "phrame/ph/along/reduced_angle.hpp"
 
 namespace phrame {
 

@@ -1,7 +1,7 @@
 #pragma once
-#include "phrame/ph/curve/arc_length.hpp"
-#include "phrame/ph/frame/frame_angle.hpp"
-#include "phrame/ph/frame/path_angle.hpp"
+#include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/along/frame_angle.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 
 namespace phrame {
 
@@ -31,8 +31,8 @@ class MinimalTwist {
   const std::optional<Rational>& half_turn_within() const { return half_turn_within_; }
   /// The turn per unit of arc length, twist()/S: Ω̄₁.
   Real rate() const;
-  const Path& path() const { return rmf_.path(); }  ///< along which it is
-  const PathAngle& rmf() const { return rmf_; }     ///< θ_RMF
+  const PhPath& path() const { return rmf_.path(); }  ///< along which it is
+  const PathAngle& rmf() const { return rmf_; }       ///< θ_RMF
   /// (θ(end) − θ(0))/2π, where it is a whole number: decided exactly.
   std::optional<Integer> whole_turns_of_theta() const;
   /// θ(t). At the start it is θ_i and at the end θ_f plus whole turns, exactly; where the twist is

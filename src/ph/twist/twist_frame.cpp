@@ -19,7 +19,8 @@ Rational nearby(const RealAlgebraic& t, long bits) {
 }
 
 /// The points of the kinds asked for, on the whole spline.
-std::vector<Rational> special_points(const Path& path, bool inflections, bool extrema, long bits) {
+std::vector<Rational> special_points(const PhPath& path, bool inflections, bool extrema,
+                                     long bits) {
   std::vector<Rational> points;
   if (!inflections && !extrema) return points;
   for (std::size_t k = 0; k < path.segments().size(); ++k) {

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/transform.hpp"
 
@@ -76,7 +76,7 @@ Real TwistPiece::first_rate() const { return wanted_rate(*this, 0); }
 Real TwistPiece::last_rate() const { return wanted_rate(*this, 1); }
 
 std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Rational> points) {
-  const Path& path = mtf.path();
+  const PhPath& path = mtf.path();
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
     require_no_cusp(path.segments()[k],
                     path.is_curve() ? std::string() : " in segment " + std::to_string(k));

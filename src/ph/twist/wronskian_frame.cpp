@@ -7,8 +7,8 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/construct/scale.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/scale.hpp"
 
 namespace phrame {
 namespace {

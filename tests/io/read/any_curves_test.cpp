@@ -10,8 +10,8 @@
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/read/number.hpp"
-#include "phrame/ph/smooth/smooth_angle.hpp"
-#include "phrame/ph/smooth/smooth_length.hpp"
+#include "phrame/ph/along/smooth_angle.hpp"
+#include "phrame/ph/along/smooth_length.hpp"
 
 using namespace phrame;
 
@@ -33,7 +33,7 @@ TEST_CASE("any curve: angles and lengths are those of quadrature") {
     CAPTURE(line);
     const JsonValue document = parse_json_file(line, "line");
     const JsonNode node(document);
-    const SmoothPath path = std::get<NamedSmoothPath>(read_any_path(node.at("file"))).path;
+    const Path path = std::get<NamedPath>(read_any_path(node.at("file"))).path;
     const std::vector<Rational> up = node.at("up").numbers(3);
     const SmoothAngle angle(path, {up[0], up[1], up[2]});
     CHECK(is_quadrature(angle.value({0, Rational(1, 3)}), node.at("third").number()));

@@ -17,13 +17,13 @@ using namespace phrame;
 
 namespace {
 
-SmoothPath smooth(const std::string& text) {
-  return std::get<NamedSmoothPath>(read_any_path(text)).path;
+Path smooth(const std::string& text) { return std::get<NamedPath>(read_any_path(text)).path; }
+
+PhPath pythagorean(const std::string& text) {
+  return std::get<NamedPhPath>(read_any_path(text)).path;
 }
 
-Path pythagorean(const std::string& text) { return std::get<NamedPath>(read_any_path(text)).path; }
-
-const RationalCurve& segment(const SmoothPath& path, std::size_t k) {
+const RationalCurve& segment(const Path& path, std::size_t k) {
   return *rational_curve(path.segments()[k]);
 }
 
@@ -43,7 +43,7 @@ std::string content(const std::string& path) {
   return text.str();
 }
 
-Vector<Rational> at(const SmoothPath& path, std::size_t k, const Rational& t) {
+Vector<Rational> at(const Path& path, std::size_t k, const Rational& t) {
   return point(segment(path, k), t);
 }
 
@@ -60,24 +60,24 @@ TEST_CASE("what is PH is read as before") {
     if (entry.path().extension() != ".json") continue;
     const std::string text = content(entry.path());
     CAPTURE(entry.path().string());
-    std::optional<NamedPath> before;
+    std::optional<NamedPhPath> before;
     try {
       before = read_path(text);
     } catch (const InputError&) {
     }
     const AnyPath now = read_any_path(text);
-    CHECK(std::holds_alternative<NamedPath>(now) == before.has_value());
-    if (!before || !std::holds_alternative<NamedPath>(now)) continue;
-    CHECK(std::get<NamedPath>(now).path == before->path);
-    CHECK(std::get<NamedPath>(now).name == before->name);
+    CHECK(std::holds_alternative<NamedPhPath>(now) == before.has_value());
+    if (!before || !std::holds_alternative<NamedPhPath>(now)) continue;
+    CHECK(std::get<NamedPhPath>(now).path == before->path);
+    CHECK(std::get<NamedPhPath>(now).name == before->name);
   }
 }
 
 TEST_CASE("control points, weights and positions are the curves that they say") {
-  const SmoothPath bezier = smooth(object("curve/1", cubic));
+  const Path bezier = smooth(object("curve/1", cubic));
   CHECK(segment(bezier, 0) == bezier_curve({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, 2, 1}}));
   // Half a turn of the unit circle, by (1 − t², 2t)/(1 + t²) and its Bernstein form.
-  const SmoothPath circle = smooth(object(
+  const Path circle = smooth(object(
       "curve/1", R"("control_points": [[1, 0, 0], [1, 1, 0], [0, 1, 0]], "weights": [1, 1, 2])"));
   CHECK(circle == smooth(object("curve/1", R"("basis": "power", "position":
       {"x": [1, 0, -1], "y": [0, 2], "w": [1, 0, 1]})")));
@@ -112,7 +112,7 @@ TEST_CASE("what asks for PH curves takes weights and positions for what they are
         Vector<Polynomial>{Polynomial{1}, Polynomial{0, 2}, Polynomial{}});
   CHECK_THROWS_AS(read_hodograph(object("curve/1", line + R"(, "weights": [1, 2, 2])")),
                   InputError);
-  CHECK(std::holds_alternative<NamedPath>(
+  CHECK(std::holds_alternative<NamedPhPath>(
       read_path_near(object("curve/1", line + R"(, "weights": [1, 1, 1])"), 1)));
   CHECK(read_path(object("points/1", R"("points": [[0, 0], [1, 0]])")).path.end() == 1);
   CHECK(refused(object("points/1", R"("points": [[0, 0], [1, 0], [1, 1]])")) ==
@@ -120,21 +120,21 @@ TEST_CASE("what asks for PH curves takes weights and positions for what they are
 }
 
 TEST_CASE("B-splines are paths of a segment for each span") {
-  const SmoothPath path = smooth(object("bspline/1", R"("name": "b", "degree": 2,
+  const Path path = smooth(object("bspline/1", R"("name": "b", "degree": 2,
       "knots": [0, 0, 0, 1, 3, 3, 3], "control_points": [[0, 0], [1, 0], [2, 2], [0, 4]])"));
   CHECK(path.end() == 2);
   // The inner knot divides the edge in the ratio of the spans: P₁ + (P₂ − P₁)/3.
   CHECK(at(path, 1, 0) == Vector<Rational>{Rational(4, 3), Rational(2, 3), 0});
   CHECK(path == smooth(object("bspline/1", R"("degree": 2, "knots": [0, 1, 3],
       "multiplicities": [3, 1, 3], "control_points": [[0, 0], [1, 0], [2, 2], [0, 4]])")));
-  const SmoothPath circle = smooth(object("nurbs/1", R"("degree": 2,
+  const Path circle = smooth(object("nurbs/1", R"("degree": 2,
       "knots": [0, 0, 0, 1, 1, 2, 2, 2], "weights": [1, 0.7071067811865476, 1, 0.75, 1],
       "control_points": [[1, 0, 0], [1, 1, 0], [0, 1, 0], [-1, 1, 0], [-1, 0, 0]])"));
   CHECK(at(circle, 1, 1) == Vector<Rational>{-1, 0, 0});
 }
 
 TEST_CASE("splines mix segments of all kinds, joined exactly") {
-  const SmoothPath path = smooth(object("spline/1", R"("name": "mixed", "segments": [
+  const Path path = smooth(object("spline/1", R"("name": "mixed", "segments": [
       {"control_points": [[0, 0, 0], [1, 0, 0], [1, 1, 0]], "weights": [1, 1, 2]},
       {"basis": "power", "preimage": {"u": [1], "v": [0], "p": [0], "q": [1]}},
       {"phrame": "bspline/1", "degree": 2, "knots": [0, 0, 0, 1, 1, 1],
@@ -146,21 +146,21 @@ TEST_CASE("splines mix segments of all kinds, joined exactly") {
 
 TEST_CASE("points are cubic splines") {
   const std::string points = R"("points": [[0, 0, 0], [1, 2, 0], [3, 3, 1], [4, 0, 0]])";
-  const SmoothPath natural = smooth(object("points/1", points));
+  const Path natural = smooth(object("points/1", points));
   CHECK(natural.end() == 3);
   CHECK(natural == smooth("x,y,z\n0,0,0\n1,2,0\n3,3,1\n4,0,0\n"));
   CHECK(natural == smooth("0 0 0\n1 2 0\n3 3 1\n4 0 0\n"));
-  const SmoothPath closed = smooth(
+  const Path closed = smooth(
       "# kind: periodic\n# spacing: uniform\nx,y,z\n0,0,0\n1,2,0\n"
       "3,3,1\n4,0,0\n");
   CHECK(closed.is_closed());
   CHECK(closed ==
         smooth(object("points/1", points + R"(, "kind": "periodic", "spacing": "uniform")")));
-  const SmoothPath clamped = smooth(object("points/1", points + R"(, "kind": "clamped",
+  const Path clamped = smooth(object("points/1", points + R"(, "kind": "clamped",
       "start_derivative": [0, 0, 7], "end_derivative": [1, 1, 1])"));
   CHECK(segment(clamped, 0).direction()[0](0) == 0);
   CHECK(at(clamped, 2, 1) == Vector<Rational>{4, 0, 0});
-  const SmoothPath hermite = smooth("x,y,dx,dy\n0,0,1,0\n1,1,0,1\n");
+  const Path hermite = smooth("x,y,dx,dy\n0,0,1,0\n1,1,0,1\n");
   CHECK(segment(hermite, 0) ==
         bezier_curve({{0, 0, 0}, {Rational(1, 3), 0, 0}, {1, Rational(2, 3), 0}, {1, 1, 0}}));
 }

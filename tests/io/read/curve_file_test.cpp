@@ -382,7 +382,7 @@ const std::string along_x = R"({"basis": "power", "quaternions": [[1, 0, 0, 0]]}
 const std::string from_one =
     R"({"phrame": "curve/1", "basis": "power", "start": [1, 0, 0], "quaternions": [[1, 0, 0, 0]]})";
 
-Path read_spline(const std::string& segments) { return read_path(spline_file(segments)).path; }
+PhPath read_spline(const std::string& segments) { return read_path(spline_file(segments)).path; }
 
 std::string spline_refusal(const std::string& text) {
   try {
@@ -396,7 +396,7 @@ std::string spline_refusal(const std::string& text) {
 }  // namespace
 
 TEST_CASE("spline files: segments start where they say, or where the one before ends") {
-  const Path implied = read_spline(along_x + "," + along_x);
+  const PhPath implied = read_spline(along_x + "," + along_x);
   REQUIRE(implied.segments().size() == 2);
   CHECK(implied.segments()[1].start() == Vector<Rational>{1, 0, 0});
   CHECK(read_spline(along_x + "," + from_one) == implied);
@@ -433,14 +433,14 @@ TEST_CASE("spline files: what is wrong is told with its segment") {
 TEST_CASE("curve files: law: a spline that is written is read as the same spline") {
   test::for_samples(20, [](test::Random& random) {
     const Curve curve = random.curve(3);
-    const NamedPath named{"a \"name\"", test::cut(curve, {Rational(1, 3), Rational(1, 2)})};
-    const NamedPath back = read_path(write_path(named));
+    const NamedPhPath named{"a \"name\"", test::cut(curve, {Rational(1, 3), Rational(1, 2)})};
+    const NamedPhPath back = read_path(write_path(named));
     CHECK(back.name == named.name);
     CHECK(back.path == named.path);
     CHECK(write_path(NamedCurve{"one", curve}) ==
-          write_curve({"one", Path(curve).segments().front()}));
+          write_curve({"one", PhPath(curve).segments().front()}));
   });
-  const NamedPath loop{"", test::closed_loop()};
+  const NamedPhPath loop{"", test::closed_loop()};
   CHECK(read_path(write_path(loop)).path == loop.path);
 }
 

@@ -9,7 +9,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/number.hpp"
-#include "phrame/ph/smooth/smooth_angle.hpp"
+#include "phrame/ph/along/smooth_angle.hpp"
 #include "support/data.hpp"
 
 namespace expression_node_test {
@@ -33,11 +33,9 @@ std::string formulas(const std::string& x, const std::string& y, const std::stri
          ends;
 }
 
-SmoothPath smooth(const std::string& text) {
-  return std::get<NamedSmoothPath>(read_any_path(text)).path;
-}
+Path smooth(const std::string& text) { return std::get<NamedPath>(read_any_path(text)).path; }
 
-SmoothPath smooth_curve(const std::string& members) {
+Path smooth_curve(const std::string& members) {
   return smooth(R"json({"phrame": "curve/1", )json" + members + "}");
 }
 
@@ -47,7 +45,7 @@ constexpr auto unit = R"json("from": 0, "to": 1)json";
 }  // namespace
 
 TEST_CASE("expressions: the variable is the only name there is, or the one that is given") {
-  const SmoothPath path = smooth_curve(formulas("cos(u)", "sin(u)", full_turn));
+  const Path path = smooth_curve(formulas("cos(u)", "sin(u)", full_turn));
   CHECK(path.is_closed());
   const auto& curve = std::get<ExpressionCurve>(path.segments().front());
   CHECK(curve.variable() == "u");
@@ -61,9 +59,9 @@ TEST_CASE("expressions: the variable is the only name there is, or the one that 
 TEST_CASE("expressions: polynomials are a polynomial curve, and PH ones are recognised") {
   const AnyPath ph = read_any_path(R"json({"phrame": "curve/1", )json" +
                                    formulas("s - s^3/3", "s^2", R"json("from": 0, "to": 2})json"));
-  REQUIRE(std::holds_alternative<NamedPath>(ph));
+  REQUIRE(std::holds_alternative<NamedPhPath>(ph));
   // s = 2t: x′ = 2 − 8t², y′ = 8t, of the speed 2 + 8t².
-  CHECK(hodograph(std::get<NamedPath>(ph).path.segments().front()) ==
+  CHECK(hodograph(std::get<NamedPhPath>(ph).path.segments().front()) ==
         Vector<Polynomial>{Polynomial{2, 0, -8}, {0, 8}, {}});
 }
 

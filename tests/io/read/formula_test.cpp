@@ -1,7 +1,7 @@
 #include "phrame/io/read/formula.hpp"
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/ph/smooth/formula_evaluation.hpp"
+#include "phrame/ph/curve/formula_evaluation.hpp"
 #include "support/random.hpp"
 
 namespace formula_test {

@@ -208,7 +208,7 @@ std::string as_given(FrameTable table, const std::string& second, const std::str
   return to_csv(table);
 }
 
-std::vector<FrameFinding::Kind> kinds(const Path& path, const std::string& table) {
+std::vector<FrameFinding::Kind> kinds(const PhPath& path, const std::string& table) {
   std::vector<FrameFinding::Kind> list;
   for (const auto& finding : check_frames(path, read_frames(table).frames).findings)
     list.push_back(finding.kind);
@@ -223,7 +223,8 @@ TEST_CASE("frame table: our own tables pass where the multiplier is negative or 
   long turned = 0;
   test::for_samples(20, [&](test::Random& random) {
     const Polynomial multipliers[] = {{-1}, {-1, 0, -1}, {-1, 2}, {1, -2}, {0, 0, -1}};
-    const Path path(Curve(random.quaternion_polynomial(3), multipliers[random.integer(0, 4)], {}));
+    const PhPath path(
+        Curve(random.quaternion_polynomial(3), multipliers[random.integer(0, 4)], {}));
     const Curve& curve = path.segments().front();
     const Polynomial& f = curve.multiplier();
     const FrameTable table =
@@ -260,17 +261,17 @@ TEST_CASE("frame table: our own tables pass where the multiplier is negative or 
 TEST_CASE("frame table: Frenet frames of a curve with f < 0 are recognised") {
   const Curve curve(test::quintic.preimage(), Polynomial{-1, -1}, {});
   const FrameTable table = frame_table(curve, {TabulatedFrame::frenet}, grid);
-  CHECK(kinds(Path(curve), as_given(table, "n", "b")) == std::vector{FrameFinding::Kind::frenet});
+  CHECK(kinds(PhPath(curve), as_given(table, "n", "b")) == std::vector{FrameFinding::Kind::frenet});
 }
 
 namespace {
 
 std::optional<BetterReading> better(const std::string& text, const FrameReading& reading = {},
                                     const Curve& curve = test::quintic) {
-  const Path path(curve);
+  const PhPath path(curve);
   const GivenTable table = read_frames(text, reading);
   const FrameCheckOptions options{std::nullopt, Rational(1, 1000)};
-  const CheckAnswer found{NamedPath("", path), table.frames, options,
+  const CheckAnswer found{NamedPhPath("", path), table.frames, options,
                           check_frames(path, table.frames, options)};
   return better_reading(found, text, reading, table);
 }
@@ -357,7 +358,7 @@ TEST_CASE("frame table: what is wrong with f3 is not hidden by calling it a posi
     for (const Row& row : table.rows) lines += to_string(exact_rational(row[0])) + six(row) + "\n";
     return lines;
   };
-  const Path path(test::quintic);
+  const PhPath path(test::quintic);
   using Kind = FrameFinding::Kind;
   CHECK(
       kinds(path, text([&](const Row& row) { return vector(row, f2) + vector(row, f3); })).empty());

@@ -17,9 +17,7 @@ using namespace phrame;
 
 namespace {
 
-SmoothPath smooth(const std::string& text) {
-  return std::get<NamedSmoothPath>(read_any_path(text)).path;
-}
+Path smooth(const std::string& text) { return std::get<NamedPath>(read_any_path(text)).path; }
 
 std::string refusal(const std::string& text) {
   try {
@@ -30,7 +28,7 @@ std::string refusal(const std::string& text) {
   return "";
 }
 
-Vector<Rational> at(const SmoothPath& path, const Rational& t) {
+Vector<Rational> at(const Path& path, const Rational& t) {
   const PathParameter where = locate(path, t);
   return point(*rational_curve(path.segments()[where.segment]), where.t);
 }
@@ -52,11 +50,11 @@ const std::string four = R"("points": [[0, 0, 0], [1, 2, 0], [3, 3, 1], [4, 0, 2
 }  // namespace
 
 TEST_CASE("three.js: Bézier curves and paths of them") {
-  const SmoothPath cubic =
+  const Path cubic =
       smooth(three("CubicBezierCurve3",
                    R"("v0": [0, 0, 0], "v1": [1, 0, 0], "v2": [2, 1, 0], "v3": [2, 2, 1])"));
-  CHECK(cubic == SmoothPath(bezier_curve({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, 2, 1}})));
-  const SmoothPath path = smooth(three("CurvePath", R"("autoClose": false, "curves": [
+  CHECK(cubic == Path(bezier_curve({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, 2, 1}})));
+  const Path path = smooth(three("CurvePath", R"("autoClose": false, "curves": [
       {"type": "LineCurve3", "v1": [-1, 0, 0], "v2": [0, 0, 0]},
       {"type": "QuadraticBezierCurve3", "v0": [0, 0, 0], "v1": [1, 0, 0], "v2": [2, 1, 3]}])"));
   CHECK(path.end() == 2);
@@ -67,13 +65,13 @@ TEST_CASE("three.js: Bézier curves and paths of them") {
 }
 
 TEST_CASE("three.js: Catmull–Rom curves have the points and derivatives that its formulas say") {
-  const SmoothPath uniform =
+  const Path uniform =
       smooth(three("CatmullRomCurve3", four + R"(, "curveType": "catmullrom", "tension": 0.5)"));
   CHECK(uniform.end() == 3);
   CHECK(at(uniform, 2) == Vector<Rational>{3, 3, 1});
   // In the middle of a span: (−p₀ + 9p₁ + 9p₂ − p₃)/16.
   CHECK(at(uniform, Rational(3, 2)) == Vector<Rational>{2, Rational(45, 16), Rational(7, 16)});
-  const SmoothPath closed = smooth(three("CatmullRomCurve3", four + R"(, "closed": true)"));
+  const Path closed = smooth(three("CatmullRomCurve3", four + R"(, "closed": true)"));
   CHECK(closed.end() == 4);
   CHECK(closed.is_closed());
   // The pyramid of Barry and Goldman, for the middle of the second span and both alphas.
@@ -96,7 +94,7 @@ TEST_CASE("three.js: Catmull–Rom curves have the points and derivatives that i
       const double a3 = mix(p[2][c], p[3][c], 2, 3);
       wanted[c] = mix(mix(a1, a2, 0, 2), mix(a2, a3, 1, 3), 1, 2);
     }
-    const SmoothPath path =
+    const Path path =
         smooth(three("CatmullRomCurve3", four + (is_chordal ? R"(, "curveType": "chordal")" : "")));
     check_near(at(path, Rational(3, 2)), wanted);
   }
@@ -107,7 +105,7 @@ TEST_CASE("three.js: the points are those that it finds itself, r160") {
   const auto document = nlohmann::json::parse(file);
   for (const auto& given : document["curves"]) {
     CAPTURE(given["name"].get<std::string>());
-    const SmoothPath path = smooth(given["curve"].dump());
+    const Path path = smooth(given["curve"].dump());
     for (const auto& [segment, t, wanted] :
          given["points"].get<std::vector<std::tuple<long, double, Vector<double>>>>())
       check_near(at(path, segment + exact_rational(t)), wanted);
@@ -122,7 +120,7 @@ TEST_CASE("the examples of other programs' files are read") {
     std::ifstream file(test::root("/examples/any/") + name);
     std::ostringstream text;
     text << file.rdbuf();
-    const SmoothPath path = smooth(text.str());
+    const Path path = smooth(text.str());
     CHECK(path.end() >= 3);
     CHECK(path.ends_meet() == (std::string_view("nurbs-circle.json three-catmull-rom.json "
                                                 "camera.csv granny-knot.csv")
@@ -132,12 +130,12 @@ TEST_CASE("the examples of other programs' files are read") {
 
 TEST_CASE("three.js: ellipses, whole, in part and clockwise") {
   const std::string ellipse = R"("aX": 1, "aY": 2, "xRadius": 3, "yRadius": 1, )";
-  const SmoothPath whole = smooth(three("EllipseCurve", ellipse + R"("aStartAngle": 0,
+  const Path whole = smooth(three("EllipseCurve", ellipse + R"("aStartAngle": 0,
       "aEndAngle": 6.283185307179586, "aClockwise": false, "aRotation": 0)"));
   CHECK(whole.is_closed());
   CHECK(whole.end() == 4);
   CHECK(at(whole, 1) == Vector<Rational>{1, 3, 0});
-  const SmoothPath part = smooth(three("EllipseCurve", ellipse + R"("aStartAngle": 0.5,
+  const Path part = smooth(three("EllipseCurve", ellipse + R"("aStartAngle": 0.5,
       "aEndAngle": 3.5, "aClockwise": true, "aRotation": 0.25)"));
   const auto wanted = [](double angle) {
     const double x = 3 * std::cos(angle);
@@ -148,7 +146,7 @@ TEST_CASE("three.js: ellipses, whole, in part and clockwise") {
   check_near(at(part, 0), wanted(0.5));
   check_near(at(part, part.end()), wanted(3.5));
   check_near(at(part, 1), wanted(0.5 - std::acos(0.0)));
-  const SmoothPath around = smooth(three("EllipseCurve", ellipse + R"("aStartAngle": 0.1,
+  const Path around = smooth(three("EllipseCurve", ellipse + R"("aStartAngle": 0.1,
       "aEndAngle": 6.383185307179586, "aClockwise": true)"));
   CHECK(around.is_closed());
 }
@@ -177,7 +175,7 @@ TEST_CASE("geomdl: curves as it exports them") {
     return fmt::format(R"({{"shape": {{"type": "{}", "count": 1, "data": [{}]}}}})", type, data);
   };
   CHECK(smooth(file("curve", spline)) ==
-        SmoothPath(bezier_curve({{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {1, Rational(3, 4), 1})));
+        Path(bezier_curve({{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {1, Rational(3, 4), 1})));
   CHECK(refusal(file("surface", spline)) == "/shape/type: a curve is wanted, not a surface");
   CHECK(refusal(file("curve", "")) == "/shape/data: there is no curve");
   CHECK(refusal(file("curve", spline + ", " + spline))

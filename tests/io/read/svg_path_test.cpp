@@ -33,7 +33,7 @@ std::string svg(const std::string& content) {
          content + "\n</svg>\n";
 }
 
-const SmoothPath& smooth(const AnyPath& path) { return std::get<NamedSmoothPath>(path).path; }
+const Path& smooth(const AnyPath& path) { return std::get<NamedPath>(path).path; }
 
 }  // namespace
 

@@ -24,7 +24,7 @@ struct Options {
 
 using Printer = std::string (*)(const AngleAnswer&);
 
-std::string printed(Printer print, const NamedPath& named, const Options& options) {
+std::string printed(Printer print, const NamedPhPath& named, const Options& options) {
   AngleQuery query;
   query.reference = options.reference;
   query.form = options.form;
@@ -35,7 +35,7 @@ std::string printed(Printer print, const NamedPath& named, const Options& option
   return print(answer(named, query));
 }
 
-Json json(const NamedPath& named, const Options& options) {
+Json json(const NamedPhPath& named, const Options& options) {
   return Json::parse(printed(to_json, named, options));
 }
 

@@ -94,7 +94,7 @@ TEST_CASE("classify report: of a spline, the whole and its segments") {
 
 TEST_CASE("classify report: of a spline, where one segment makes the difference") {
   const Curve screw({{1}, {0, 1}, {0, 1}, {}});
-  const auto report = [](const Path& path) {
+  const auto report = [](const PhPath& path) {
     return Json::parse(to_json(answer({"", path}, ClassificationQuery{})));
   };
   const Json pieces = report(test::cut(screw, {Rational(1, 2)}));

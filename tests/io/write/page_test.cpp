@@ -10,9 +10,9 @@
 #include "phrame/answer/frame_table.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/page_template.hpp"
+#include "phrame/ph/along/rmf_angle.hpp"
+#include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame.hpp"
-#include "phrame/ph/frame/rmf_angle.hpp"
-#include "phrame/ph/smooth/smooth_path.hpp"
 #include "support/curves.hpp"
 #include "support/skip.hpp"
 #include "support/text.hpp"
@@ -42,7 +42,7 @@ const std::vector<double>& row_at(const PageAnswer& page, double t) {
 PageAnswer page(const std::string& name) {
   PageQuery query;
   query.samples = 5;
-  return answer(NamedPath{name, Path(test::quintic), {}}, query);
+  return answer(NamedPhPath{name, PhPath(test::quintic), {}}, query);
 }
 
 }  // namespace
@@ -64,8 +64,8 @@ TEST_CASE("page: the table is that of the frames, with θ, its rate and the spee
 }
 
 TEST_CASE("page: a straight line has no Frenet frame, and its torsion is left out") {
-  const Path line(Curve(QuaternionPolynomial{{1, 1}, {}, {}, {}}));
-  const PageAnswer found = answer(NamedPath{"line", line, {}}, PageQuery{});
+  const PhPath line(Curve(QuaternionPolynomial{{1, 1}, {}, {}, {}}));
+  const PageAnswer found = answer(NamedPhPath{"line", line, {}}, PageQuery{});
   CHECK(found.frames == std::vector{TabulatedFrame::rmf, TabulatedFrame::euler_rodrigues});
   CHECK(std::find(found.table.columns.begin(), found.table.columns.end(), "nx") ==
         found.table.columns.end());
@@ -74,10 +74,10 @@ TEST_CASE("page: a straight line has no Frenet frame, and its torsion is left ou
 TEST_CASE("page: more than 500 segments have a row at each end, and no decisions") {
   const auto row_of = [](int count) {
     const QuaternionPolynomial one{{1}, {}, {}, {}};
-    Path steps{Curve(one)};
+    PhPath steps{Curve(one)};
     for (int k = 1; k < count; ++k)
       steps.append(Curve(one, Polynomial{1}, Vector<Rational>{k, 0, 0}));
-    return answer(NamedPath{"steps", steps, {}}, PageQuery{.samples = 3});
+    return answer(NamedPhPath{"steps", steps, {}}, PageQuery{.samples = 3});
   };
   const PageAnswer full = row_of(500);
   CHECK(full.table.rows.size() == 1001);
@@ -89,9 +89,9 @@ TEST_CASE("page: more than 500 segments have a row at each end, and no decisions
 }
 
 TEST_CASE("page: at a joint there is what jumps there, as it is just before") {
-  Path path(Curve(QuaternionPolynomial{{1}, {}, {}, {}}));  // along x with the speed 1,
+  PhPath path(Curve(QuaternionPolynomial{{1}, {}, {}, {}}));  // along x with the speed 1,
   path.append(Curve(QuaternionPolynomial{{2}, {}, {}, {}}, Polynomial{1}, {1, 0, 0}));  // then 4
-  const PageAnswer found = answer(NamedPath{"", path, {}}, PageQuery{.samples = 5});
+  const PageAnswer found = answer(NamedPhPath{"", path, {}}, PageQuery{.samples = 5});
   REQUIRE(found.jumps.size() == 1);
   const auto& [row, before] = found.jumps.front();
   const std::vector<double>& after = found.table.rows[row];
@@ -99,13 +99,13 @@ TEST_CASE("page: at a joint there is what jumps there, as it is just before") {
   CHECK(after.back() == 4);
   CHECK(before.back() == 1);
   CHECK(std::equal(before.begin(), before.begin() + 7, after.begin()));  // t, r, e₁
-  const Path even = joined(
+  const PhPath even = joined(
       {path.segments()[0], Curve(QuaternionPolynomial{{1}, {}, {}, {}}, Polynomial{1}, {1, 0, 0})});
-  CHECK(answer(NamedPath{"", even, {}}, PageQuery{.samples = 5}).jumps.empty());
+  CHECK(answer(NamedPhPath{"", even, {}}, PageQuery{.samples = 5}).jumps.empty());
 }
 
 TEST_CASE("page: with an end normal there is the frame of minimal twist") {
-  const Path path(test::quintic);
+  const PhPath path(test::quintic);
   const Vector<Rational> up{0, 0, 1};
   const auto check = [](const PageAnswer& found) {
     CHECK(found.frames.back() == TabulatedFrame::exact_mtf);
@@ -123,10 +123,10 @@ TEST_CASE("page: with an end normal there is the frame of minimal twist") {
     CHECK(contains(to_page(found), "\"minimal twist\""));
   };
   PageQuery query{.samples = 3, .end_normal = up};
-  check(answer(NamedPath{"q", path, {}}, query));
-  check(answer(NamedSmoothPath{"q", by_positions(path)}, query));
+  check(answer(NamedPhPath{"q", path, {}}, query));
+  check(answer(NamedPath{"q", by_positions(path)}, query));
   query.end_normal = {3, 4, 0};
-  CHECK_THROWS_AS(answer(NamedPath{"q", path, {}}, query), DomainError);
+  CHECK_THROWS_AS(answer(NamedPhPath{"q", path, {}}, query), DomainError);
 }
 
 // The Frenet frame for one: θ_Frenet is θ to it, so that its error is −θ to it, from 0 on.
@@ -141,7 +141,7 @@ TEST_CASE("page: frames that are given stand beside the exact ones, with their e
     };
     query.given.push_back({t, rounded(n.e2), rounded(n.e3)});
   }
-  const PageAnswer found = answer(NamedPath{"", Path(test::quintic), {}}, query);
+  const PageAnswer found = answer(NamedPhPath{"", PhPath(test::quintic), {}}, query);
   CHECK(found.table.columns.back() == "error");
   const RmfAngle to_frenet(test::quintic, Reference::frenet);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -155,7 +155,7 @@ TEST_CASE("page: frames that are given stand beside the exact ones, with their e
   REQUIRE(found.check);
   CHECK_FALSE(found.check->verdict.passes);
   query.start = Angle(1);
-  const PageAnswer turned = answer(NamedPath{"", Path(test::quintic), {}}, query);
+  const PageAnswer turned = answer(NamedPhPath{"", PhPath(test::quintic), {}}, query);
   CHECK(std::abs(row_at(turned, 0).back()) > 0.1);
 }
 

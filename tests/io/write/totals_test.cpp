@@ -2,7 +2,7 @@
 #include "phrame/answer/totals.hpp"
 #include "io/reference.hpp"
 #include "phrame/io/write/answers.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/along/arc_length.hpp"
 #include "support/paths.hpp"
 #include "support/text.hpp"
 
@@ -71,7 +71,7 @@ TEST_CASE("totals report: what is infinite or undefined says so") {
 }
 
 TEST_CASE("totals report: of a spline, sums without formulas") {
-  const NamedPath loop{"loop", test::closed_loop()};
+  const NamedPhPath loop{"loop", test::closed_loop()};
   const Json out = Json::parse(to_json(answer(loop, TotalsQuery{10})));
   CHECK(out["phrame"] == "spline-totals/1");
   CHECK(out["length"] ==
@@ -89,14 +89,14 @@ TEST_CASE("totals report: of a spline, sums without formulas") {
 
 TEST_CASE("totals report: of a spline, why there is no number, and on which segment") {
   const Curve cusp({{1}, {}, {0, 1}, {}}, {-1, 2});
-  const NamedPath path{"", test::chain({Curve({{1}, {}, {}, {}}, {-1}), cusp})};
+  const NamedPhPath path{"", test::chain({Curve({{1}, {}, {}, {}}, {-1}), cusp})};
   const Json out = Json::parse(to_json(answer(path, TotalsQuery{10})));
   CHECK(out["torsion"] ==
         Json{{"value", nullptr}, {"reason", "segment 1 is a straight line, which has no torsion"}});
   CHECK(out["bending_energy"] == Json{{"value", "inf"}, {"pole", "3/2"}, {"segment", 2}});
   CHECK(contains(to_text(answer(path, TotalsQuery{10})),
                  "bending energy ∫ κ² ds = ∞, the pole is at t = 3/2\n"));
-  const NamedPath quintic{"", test::cut(test::farouki_quintic().curve, {Rational(1, 2)})};
+  const NamedPhPath quintic{"", test::cut(test::farouki_quintic().curve, {Rational(1, 2)})};
   const Json cut = Json::parse(to_json(answer(quintic, TotalsQuery{50})));
   CHECK(cut["curvature"]["reason"] ==
         "segment 1: κ is not rational, since ρ is not a constant times a square");

@@ -4,9 +4,9 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/construct/c2_spline.hpp"
 #include "phrame/ph/construct/preimage.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
 #include "support/hermite.hpp"
 
 using namespace phrame;

@@ -5,11 +5,11 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/construct/quintic_spline.hpp"
-#include "phrame/ph/construct/scale.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/curve/scale.hpp"
 #include "support/hermite.hpp"
 
 namespace c2_spline_test {
@@ -113,7 +113,7 @@ double distance(const Vector<Rational>& a, const Vector<double>& b) {
   return std::sqrt(sum);
 }
 
-Rational length(const Path& path) {
+Rational length(const PhPath& path) {
   Rational sum;
   for (const Curve& curve : path.segments()) sum += arc_length(curve)(1);
   return sum;
@@ -451,7 +451,7 @@ TEST_CASE("is_c2: not of C1 splines") {
   const Construction quintics =
       quintic_spline(data, QuinticSelection::automatic, relative(data, power_of_ten(-15)));
   CHECK_FALSE(is_c2(quintics.path, false));
-  CHECK(is_c2(Path(quintics.path.segments().front()), false));
+  CHECK(is_c2(PhPath(quintics.path.segments().front()), false));
   // Only the way back is no C².
   const HermiteSpline ring = random_ring(random, 4, false);
   std::vector<Curve> all = c2(ring).path.segments();

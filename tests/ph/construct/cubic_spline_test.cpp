@@ -2,7 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/construct/scale.hpp"
+#include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "support/random.hpp"
 

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/frame/totals.hpp"
+#include "phrame/ph/along/totals.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;

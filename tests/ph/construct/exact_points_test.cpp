@@ -40,12 +40,12 @@ const std::array<Shaped, 4> kinds{
       [](const HermiteSpline& data, const Deviation& tolerance) {
         return helical_spline(data, 1, tolerance, PointRule::exact);
       },
-      [](const Curve& curve) { return is_helical(Path(curve)); }, true, 9},
+      [](const Curve& curve) { return is_helical(PhPath(curve)); }, true, 9},
      {"rrmf",
       [](const HermiteSpline& data, const Deviation& tolerance) {
         return rrmf_spline(data, tolerance, PointRule::exact);
       },
-      [](const Curve& curve) { return is_rrmf_of_class_one(Path(curve)); }, false, 7},
+      [](const Curve& curve) { return is_rrmf_of_class_one(PhPath(curve)); }, false, 7},
      {"cubic",
       [](const HermiteSpline& data, const Deviation& tolerance) {
         return cubic_spline(data, 1, tolerance, PointRule::exact);

@@ -4,9 +4,9 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/construct/scale.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
-#include "phrame/ph/frame/totals.hpp"
+#include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/along/totals.hpp"
+#include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/proof/classify.hpp"
 #include "support/hermite.hpp"
 
@@ -295,10 +295,10 @@ TEST_CASE("helical quintics: symmetric data have their monotone ones, too") {
 TEST_CASE("helical: what is not in a plane of ℍ is not called so") {
   const QuaternionPolynomial plane = from_bernstein(std::vector<RationalQuaternion>{
       {1, 2, 0, 1}, {3, 3, Rational(1, 2), 1}, {2, 1, Rational(1, 2), 0}});
-  CHECK(is_helical(Path(Curve(plane))));
+  CHECK(is_helical(PhPath(Curve(plane))));
   const QuaternionPolynomial other = from_bernstein(std::vector<RationalQuaternion>{
       {1, 2, 0, 1}, {3, 3, Rational(1, 2), 1}, {2, 1, Rational(1, 2), parse_rational("1e-30")}});
-  CHECK_FALSE(is_helical(Path(Curve(other))));
+  CHECK_FALSE(is_helical(PhPath(Curve(other))));
 }
 
 }  // namespace helical_spline_test

@@ -71,7 +71,7 @@ NearPath check_found(const std::vector<BezierPoints>& curves, const Rational& ep
 }
 
 /// r′ at the end of segment k, and at the start of the next.
-std::pair<Vector<Rational>, Vector<Rational>> derivatives_at_joint(const Path& path,
+std::pair<Vector<Rational>, Vector<Rational>> derivatives_at_joint(const PhPath& path,
                                                                    std::size_t k) {
   return {evaluate(hodograph(path.segments()[k]), 1),
           evaluate(hodograph(path.segments()[k + 1]), 0)};
@@ -98,7 +98,7 @@ TEST_CASE("near_path: G1 splines of several degrees stay G1, their speeds jump a
   RandomSpline spline(7);
   spline.add(1);
   for (const std::size_t m : {2UL, 1UL, 4UL, 0UL, 3UL, 0UL, 0UL, 2UL}) spline.add(m, 1.5);
-  // That Path takes it says that positions and tangents agree.
+  // That PhPath takes it says that positions and tangents agree.
   const NearPath near = check_found(spline.curves, epsilon);
   for (std::size_t k = 0; k < 8; ++k) {
     const auto [before, after] = derivatives_at_joint(near.path, k);

@@ -5,9 +5,9 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/along/path_totals.hpp"
 #include "phrame/ph/construct/energy.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
-#include "phrame/ph/frame/path_totals.hpp"
 #include "support/random.hpp"
 
 namespace plane_quintics_test {

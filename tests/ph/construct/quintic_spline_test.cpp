@@ -5,10 +5,10 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/path_totals.hpp"
+#include "phrame/ph/along/totals.hpp"
 #include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/preimage.hpp"
-#include "phrame/ph/frame/path_totals.hpp"
-#include "phrame/ph/frame/totals.hpp"
 #include "support/hermite.hpp"
 
 namespace quintic_spline_test {
@@ -77,8 +77,8 @@ long height(const Construction& found, std::size_t segment) {
 
 double twist(const Construction& found) { return round_to_double(erf_twist(found.path).value); }
 
-Path path_in_pieces(const Path& path) {
-  Path result(path.segments().front());
+PhPath path_in_pieces(const PhPath& path) {
+  PhPath result(path.segments().front());
   for (std::size_t k = 1; k < path.segments().size(); ++k) result.append(path.segments()[k]);
   return result;
 }

@@ -6,9 +6,9 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/construct/scale.hpp"
 #include "phrame/ph/curve/curve.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/scale.hpp"
 #include "support/random.hpp"
 
 namespace phrame {

@@ -58,7 +58,7 @@ TEST_CASE("between parallel tangents: of the plane quintics it is that of least 
     const HermiteSpline data{{{0, 0, 0}, step}, {{1, 0, 0}, {last * last, 0, 0}}, {0, 1}};
     double least = HUGE_VAL;
     for (long k = 1; k <= plane_solutions; ++k) {
-      const Path path =
+      const PhPath path =
           plane_quintics(data, k, {power_of_two(-40), power_of_two(-40)}, PointRule::near).path;
       least = std::min(least, approximate_energy(path.segments().front()));
     }

@@ -5,10 +5,10 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/frame/path_angle.hpp"
 #include "phrame/ph/frame/rational_frame.hpp"
 #include "support/hermite.hpp"
 

@@ -2,9 +2,9 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/construct/rrmf_quintic.hpp"
-#include "phrame/ph/construct/scale.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/proof/classify.hpp"
 #include "support/hermite.hpp"
 
@@ -61,7 +61,7 @@ TEST_CASE("RRMF quintics: every b, τ has the law, a rational frame, and the ste
     const RrmfQuintic<Rational> x{{number(), number(), number(), number()}, number(), 3};
     const Curve curve(from_bernstein({RationalQuaternion{1, 0, 0, 0}, x.b, last_coefficient(x)}),
                       Polynomial{3});
-    CHECK(is_rrmf_of_class_one(Path(curve)));
+    CHECK(is_rrmf_of_class_one(PhPath(curve)));
     CHECK(evaluate(position(curve), 1) == step_of(x));
     if (x.b.p == 0 && x.b.q == 0) return;
     CHECK(std::holds_alternative<RationalFrame>(classify(curve).rational_frame));
@@ -70,7 +70,7 @@ TEST_CASE("RRMF quintics: every b, τ has the law, a rational frame, and the ste
     const Curve broken(
         from_bernstein({RationalQuaternion{1, 0, 0, 0}, other.b, last_coefficient(x)}),
         Polynomial{3});
-    CHECK_FALSE(is_rrmf_of_class_one(Path(broken)));
+    CHECK_FALSE(is_rrmf_of_class_one(PhPath(broken)));
   });
 }
 

@@ -1,7 +1,7 @@
 #include "phrame/ph/curve/invariants.hpp"
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/along/arc_length.hpp"
 #include "support/curves.hpp"
 #include "support/random.hpp"
 

@@ -3,7 +3,7 @@
 #include "phrame/ph/curve/transform.hpp"
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/frame/frame.hpp"
 #include "support/random.hpp"
 

@@ -345,7 +345,7 @@ TEST_CASE("compiled angle and frame: of a spline, through the joints") {
   // The two halves of a curve: the second one's preimage is turned by 3 + i, which append() undoes.
   const auto halves = [](const Curve& curve) {
     const Curve second = segment(curve, Rational(1, 3), 1);
-    Path path(segment(curve, 0, Rational(1, 3)));
+    PhPath path(segment(curve, 0, Rational(1, 3)));
     path.append(
         Curve(second.preimage() * QuaternionPolynomial{Polynomial{3}, Polynomial{1}, {}, {}},
               Polynomial{Rational(1, 10)} * second.multiplier(), second.start()));
@@ -445,7 +445,7 @@ TEST_CASE("compiled frames: those of Euler and Rodrigues and of Frenet are round
 
 TEST_CASE("compiled: one segment of a spline is that of the whole") {
   const Curve curve = named("gen-m03-1");
-  Path path(segment(curve, 0, Rational(1, 3)));
+  PhPath path(segment(curve, 0, Rational(1, 3)));
   path.append(segment(curve, Rational(1, 3), 1));
   const PathAngle angle(path);
   const FrameAngle start(Rational(1, 7));

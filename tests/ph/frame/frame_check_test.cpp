@@ -56,7 +56,7 @@ std::vector<GivenFrame> frenet_frames() {
 }
 
 FrameVerdict check(const std::vector<GivenFrame>& frames, const FrameCheckOptions& options = {}) {
-  return check_frames(Path(quintic), frames, options);
+  return check_frames(PhPath(quintic), frames, options);
 }
 
 std::vector<Kind> kinds(const FrameVerdict& verdict) {
@@ -210,7 +210,7 @@ TEST_CASE("frame check: what is wrong is named with its samples") {
 TEST_CASE("frame check: exact vectors of a plane curve, and one along the tangent") {
   const Frame<Rational> half = euler_rodrigues_frame(plane, Rational(1, 2));
   const Frame<Rational> start = euler_rodrigues_frame(plane, 0);
-  const Path path(plane);
+  const PhPath path(plane);
   FrameCheckOptions none;
   none.tolerance = decimal("1e-30");
   CHECK(check_frames(path, {{0, start.e2}, {Rational(1, 2), half.e2}}, none).passes);
@@ -380,7 +380,8 @@ TEST_CASE("frame check: a known error is found") {
     const double error = std::ldexp(1.0, -static_cast<int>(random.integer(1, 40)));
     const auto frames = turned_frames(
         curve, [&](const Rational& t) { return theta.value(t) + exact_rational(error) * t; });
-    const FrameVerdict verdict = check_frames(Path(curve), frames, {Rational(0), decimal("1e-50")});
+    const FrameVerdict verdict =
+        check_frames(PhPath(curve), frames, {Rational(0), decimal("1e-50")});
     CHECK(abs(Rational(verdict.max_error.upper() - exact_rational(error))) < decimal("1e-15"));
     CHECK(verdict.worst_sample == 10);
     CHECK(verdict.max_error.lower() <= verdict.max_error.upper());

@@ -2,9 +2,9 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/frame/path_angle.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
 #include "support/curves.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
@@ -46,7 +46,9 @@ bool are_equal(const RealBall& x, const RealBall& y) {
 }
 
 Vector<Real> second_vector(const Curve& curve, const Rational& t, const StartNormal& normal) {
-  return Frames(curve).rotation_minimizing(RmfAngle(curve), t, start_angle(normal, Path(curve))).e2;
+  return Frames(curve)
+      .rotation_minimizing(RmfAngle(curve), t, start_angle(normal, PhPath(curve)))
+      .e2;
 }
 
 std::string digits(const Real& x, long count) { return round_to_decimal(x, count).value; }
@@ -55,12 +57,12 @@ std::string digits(const Real& x, long count) { return round_to_decimal(x, count
 
 TEST_CASE("frame start: law: f2 starts along the projected vector, to all digits") {
   for_samples(60, [](Random& random) {
-    const Curve curve = Path(random.curve(2)).segments().front();
+    const Curve curve = PhPath(random.curve(2)).segments().front();
     const Vector<Rational> e1 = euler_rodrigues_frame(curve, 0).e1;
     const Vector<Rational> v = random_vector(random);
     const Vector<Rational> p = projected(v, e1);
     if (dot(p, p) == 0) {
-      CHECK_THROWS_AS(start_angle(StartNormal(v), Path(curve)), DomainError);
+      CHECK_THROWS_AS(start_angle(StartNormal(v), PhPath(curve)), DomainError);
       return;
     }
     const Vector<Real> f2 = second_vector(curve, 0, StartNormal(v));
@@ -71,7 +73,7 @@ TEST_CASE("frame start: law: f2 starts along the projected vector, to all digits
 
 TEST_CASE("frame start: law: frames with different starts keep their angle") {
   for_samples(25, [](Random& random) {
-    const Curve curve = Path(random.curve(2)).segments().front();
+    const Curve curve = PhPath(random.curve(2)).segments().front();
     const Vector<Rational> e1 = euler_rodrigues_frame(curve, 0).e1;
     const Vector<Rational> v = random_vector(random);
     const Vector<Rational> w = random_vector(random);
@@ -94,12 +96,12 @@ Vector<Rational> turned_least(const Vector<Rational>& v, const Vector<Rational>&
 
 TEST_CASE("frame start: law: the least rotation takes the y axis to f2, and an angle turns it") {
   for_samples(60, [](Random& random) {
-    const Curve curve = Path(random.curve(2)).segments().front();
+    const Curve curve = PhPath(random.curve(2)).segments().front();
     const Frame<Rational> erf = euler_rodrigues_frame(curve, 0);
     if (erf.e1[0] == -1) return;
     const auto start = [&](const Angle& turn) {
       return Frames(curve).rotation_minimizing(RmfAngle(curve), 0,
-                                               start_angle(LeastRotation{turn}, Path(curve)));
+                                               start_angle(LeastRotation{turn}, PhPath(curve)));
     };
     const Frame<Real> f = start({});
     const Frame<Real> quarter = start({Rational(1, 2), 0});
@@ -113,7 +115,7 @@ TEST_CASE("frame start: law: the least rotation takes the y axis to f2, and an a
 
 TEST_CASE("frame start: along the negative x axis there is no least rotation") {
   CHECK(least_rotation_normal({-1, 0, 0}) == Vector<Rational>{0, 1, 0});
-  const Path backwards(Curve({{}, {}, {1}, {}}));  // j i j* = −i
+  const PhPath backwards(Curve({{}, {}, {1}, {}}));  // j i j* = −i
   CHECK(Frames(backwards.segments().front())
             .rotation_minimizing(RmfAngle(backwards.segments().front()), 0,
                                  start_angle(LeastRotation{}, backwards))
@@ -123,8 +125,8 @@ TEST_CASE("frame start: along the negative x axis there is no least rotation") {
 
 TEST_CASE("frame start: law: it does not depend on how the curve is given") {
   for_samples(30, [](Random& random) {
-    const Path path(random.curve(2));
-    const SmoothPath smooth = by_positions(path);
+    const PhPath path(random.curve(2));
+    const Path smooth = by_positions(path);
     const SmoothAngle angle(smooth);
     const Frame<Real> g =
         rotation_minimizing_frame(angle, {0, Rational(1)}, start_angle(LeastRotation{}, angle));
@@ -142,21 +144,21 @@ TEST_CASE("frame start: law: it does not depend on how the curve is given") {
 TEST_CASE("frame start: e1 is the tangent where the multiplier is negative at the start") {
   const Curve curve({{1}, {0, 1}, {2}, {0, 0, 1}}, {-1, 0, -1});
   const Vector<Rational> slope = evaluate(hodograph(curve), 0);
-  CHECK(dot(euler_rodrigues_frame(Path(curve).segments().front(), 0).e1, slope) > 0);
+  CHECK(dot(euler_rodrigues_frame(PhPath(curve).segments().front(), 0).e1, slope) > 0);
   CHECK(dot(euler_rodrigues_frame(curve, 0).e1, slope) < 0);
 }
 
 // Angles to the Euler–Rodrigues frame and to the Frenet frame, which know nothing of each other.
 TEST_CASE("frame start: law: from both frames that angles are measured from it is the same") {
   for_samples(25, [](Random& random) {
-    const Curve curve = Path(random.curve(2)).segments().front();
+    const Curve curve = PhPath(random.curve(2)).segments().front();
     const GaussianPolynomial g = bend_numerator(curve.preimage());
     const StartNormal normal(random_vector(random));
     const Vector<Rational> p = projected(normal.vector, euler_rodrigues_frame(curve, 0).e1);
     const Rational t = random.rational();
     // Frenet's frame is continued through inflections; here there are none.
     if (dot(p, p) == 0 || is_zero(g) || count_real_roots(norm(g), real_line()) > 0) return;
-    const FrameAngle start = start_angle(normal, Path(curve), Reference::frenet);
+    const FrameAngle start = start_angle(normal, PhPath(curve), Reference::frenet);
     const Real theta = RmfAngle(curve, Reference::frenet).value(t, start);
     const Vector<Real> f = turned(frenet_frame(curve, t), theta).e2;
     const Vector<Real> g2 = second_vector(curve, t, normal);
@@ -166,28 +168,28 @@ TEST_CASE("frame start: law: from both frames that angles are measured from it i
 
 // A = 1 + t²k: r′ = (1 − t⁴, 2t², 0) is in a plane and turns left for t > 0.
 TEST_CASE("frame start: at an inflection the Frenet frame is that behind it") {
-  const Path path(Curve({{1}, {}, {}, {0, 0, 1}}));
+  const PhPath path(Curve({{1}, {}, {}, {0, 0, 1}}));
   const auto over_pi_of = [&](const Vector<Rational>& v) {
     return over_pi(start_angle(StartNormal(v), path, Reference::frenet));
   };
   CHECK(over_pi_of({5, 1, 0}) == Rational(0));
   CHECK(over_pi_of({0, 0, 1}) == Rational(1, 2));
   CHECK(over_pi_of({0, -1, 1}) == Rational(3, 4));
-  const Path line(Curve({{1}, {0, 1}, {}, {}}));
+  const PhPath line(Curve({{1}, {0, 1}, {}, {}}));
   CHECK_THROWS_AS(start_angle(StartNormal({0, 1, 0}), line, Reference::frenet), DomainError);
 }
 
 TEST_CASE("frame start: a cusp there is no matter") {
   const StartNormal normal({0, 1, 2});
-  const FrameAngle regular = start_angle(normal, Path(test::quintic));
+  const FrameAngle regular = start_angle(normal, PhPath(test::quintic));
   const QuaternionPolynomial& a = test::quintic.preimage();
   const Polynomial t{0, 1};
-  CHECK(start_angle(normal, Path(Curve(a, t))) == regular);
-  CHECK(start_angle(normal, Path(Curve({t * a.u, t * a.v, t * a.p, t * a.q}))) == regular);
+  CHECK(start_angle(normal, PhPath(Curve(a, t))) == regular);
+  CHECK(start_angle(normal, PhPath(Curve({t * a.u, t * a.v, t * a.p, t * a.q}))) == regular);
 }
 
 TEST_CASE("frame start: what has no direction is refused, with the reason") {
-  const Path path(test::quintic);  // e₁ = (2, 2, 1)/3 at t = 0
+  const PhPath path(test::quintic);  // e₁ = (2, 2, 1)/3 at t = 0
   const auto message = [&](const Vector<Rational>& v) -> std::string {
     try {
       start_angle(StartNormal(v), path);
@@ -221,8 +223,8 @@ TEST_CASE("frame start: angles that it cancels are exact, also through joints") 
 
 TEST_CASE("frame start: of a spline it is that of the first segment") {
   const StartNormal normal({1, 2, -3});
-  const Path whole(test::quintic);
-  const Path pieces = test::cut(test::quintic, {Rational(1, 3), Rational(3, 4)});
+  const PhPath whole(test::quintic);
+  const PhPath pieces = test::cut(test::quintic, {Rational(1, 3), Rational(3, 4)});
   CHECK(digits(PathAngle(pieces).value(3, start_angle(normal, pieces)), 40) ==
         digits(PathAngle(whole).value(1, start_angle(normal, whole)), 40));
 }

@@ -20,7 +20,7 @@ void check_equal(const Frame<Real>& a, const Frame<Real>& b) {
 
 // Other ways: the antiderivative itself at an algebraic number, and Frames at a rational one.
 TEST_CASE("moving frame: at t of any kind as other ways have it") {
-  const MovingFrame moving{Path(quintic), Angle()};
+  const MovingFrame moving{PhPath(quintic), Angle()};
   const AlgebraicFrames frames(quintic);
   for (const Polynomial& p : {Polynomial{-1, 0, 2}, Polynomial{-1, 0, 0, 3}}) {
     const RealAlgebraic t = real_root(p, Interval{0, 1});
@@ -38,7 +38,7 @@ TEST_CASE("moving frame: at t of any kind as other ways have it") {
 
 // f₂ = −e₂ where the angle is π.
 TEST_CASE("moving frame: it starts as it is told") {
-  const MovingFrame moving(Path(quintic), Angle(Rational(1), Rational(0)));
+  const MovingFrame moving(PhPath(quintic), Angle(Rational(1), Rational(0)));
   const Frame<Rational> erf = euler_rodrigues_frame(quintic, 0);
   const Frame<Real> start = moving.at({0, Rational(0), AlgebraicPoint(Rational(0))});
   for (std::size_t k = 0; k < 3; ++k)

@@ -2,8 +2,8 @@
 
 #include "phrame/algebra/resultant.hpp"
 #include "phrame/algebra/roots.hpp"
+#include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/curve/invariants.hpp"
-#include "phrame/ph/frame/rmf_angle.hpp"
 #include "support/curves.hpp"
 #include "support/random.hpp"
 

@@ -1,6 +1,6 @@
 #include "phrame/ph/proof/classify.hpp"
 
-#include "phrame/ph/frame/rmf_angle.hpp"
+#include "phrame/ph/along/rmf_angle.hpp"
 #include "support/curves.hpp"
 #include "support/random.hpp"
 

@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
+#include "phrame/ph/along/arc_length.hpp"
 #include "support/curves.hpp"
 
 using namespace phrame;
@@ -13,8 +13,8 @@ using namespace phrame;
 namespace {
 
 /// (t, 0, 0), and an arc of a parabola from its end.
-SmoothPath line_and_parabola() {
-  SmoothPath path(RationalCurve({Polynomial{0, 1}, Polynomial(), Polynomial()}));
+Path line_and_parabola() {
+  Path path(RationalCurve({Polynomial{0, 1}, Polynomial(), Polynomial()}));
   path.append(RationalCurve({Polynomial{1, 1}, Polynomial{0, 0, 1}, Polynomial()}));
   return path;
 }
@@ -22,7 +22,7 @@ SmoothPath line_and_parabola() {
 }  // namespace
 
 TEST_CASE("length share: along a PH curve it is the exact one") {
-  const LengthShare share(series_of(Path(test::quintic)));
+  const LengthShare share(series_of(PhPath(test::quintic)));
   const ArcLength exact(test::quintic);
   const Rational whole = exact.polynomial()(1);
   CHECK(std::abs(share.length() / round_to_double(whole) - 1) <= share.error());
@@ -52,7 +52,7 @@ TEST_CASE("length share: over several segments of any kind") {
 TEST_CASE("length share: where a curve bends sharply the remainders are counted") {
   const double c = 1000;
   const LengthShare share(series_of(
-      SmoothPath(RationalCurve({Polynomial{0, 1}, Polynomial{250, -1000, 1000}, Polynomial()}))));
+      Path(RationalCurve({Polynomial{0, 1}, Polynomial{250, -1000, 1000}, Polynomial()}))));
   const auto from_middle = [&](double x) {
     const double y = 2 * c * x;
     return (y * std::sqrt(1 + y * y) + std::asinh(y)) / (4 * c);
@@ -67,6 +67,6 @@ TEST_CASE("length share: where a curve bends sharply the remainders are counted"
 }
 
 TEST_CASE("length share: at a cusp it is undecided") {
-  const Path cusp(Curve({{1}, {}, {}, {0, 1}}, Polynomial{0, 1}));
+  const PhPath cusp(Curve({{1}, {}, {}, {0, 1}}, Polynomial{0, 1}));
   CHECK_THROWS_AS(LengthShare(series_of(cusp)), Undecided);
 }

@@ -52,8 +52,8 @@ Frame<Rational> exact_frame(const PathAngle& angle, const PathParameter& at,
 }
 
 /// Each patch at some points is r + λ(x f₂ + y f₃), with weights > 0.
-void check_surface(const Path& path, const RationalSurface& surface, const RationalSweepForm& form,
-                   const FrameAngle& start = {}) {
+void check_surface(const PhPath& path, const RationalSurface& surface,
+                   const RationalSweepForm& form, const FrameAngle& start = {}) {
   const PathAngle angle(path);
   const bool is_against = path.segments().front().multiplier()(0) < 0;
   const auto pieces = is_against ? reversed_pieces(form.profile) : form.profile.pieces();
@@ -83,7 +83,7 @@ void check_surface(const Path& path, const RationalSurface& surface, const Ratio
   CHECK(end == path.end());
 }
 
-RationalSurface swept(const Path& path, const RationalSweepForm& form,
+RationalSurface swept(const PhPath& path, const RationalSweepForm& form,
                       const FrameStart& start = Angle()) {
   return rational_sweep(path, rational_rmf(path, start), form);
 }
@@ -102,13 +102,13 @@ std::string refusal(const std::function<void()>& make) {
 using namespace rational_sweep_test;
 
 TEST_CASE("rational sweep: the surface is that of the exact frame, at fractions of t and u") {
-  const Path quintic((Curve(class_one)));
+  const PhPath quintic((Curve(class_one)));
   for (const ProfileCurve& profile :
        {round_profile(), square(), circle_curve(Rational(1, 3)), pierced_square()}) {
     const RationalSweepForm form{profile};
     check_surface(quintic, swept(quintic, form), form);
   }
-  const Path line(Curve({{1}, {}, {}, {}}));
+  const PhPath line(Curve({{1}, {}, {}, {}}));
   const RationalSurface prism = swept(line, {square()});
   check_surface(line, prism, {square()});
   CHECK(prism.patches.size() == 4);
@@ -118,7 +118,7 @@ TEST_CASE("rational sweep: the surface is that of the exact frame, at fractions 
 
 TEST_CASE("rational sweep: through joints, scaled, started anywhere, against the motion") {
   const Curve whole{class_one};
-  const Path path = test::cut(whole, {Rational(1, 3), Rational(3, 4)});
+  const PhPath path = test::cut(whole, {Rational(1, 3), Rational(3, 4)});
   RationalSweepForm form{round_profile()};
   form.scale = RationalFunction(Polynomial{2, -1, 1}, Polynomial{3, 1});
   check_surface(path, swept(path, form), form);
@@ -131,13 +131,13 @@ TEST_CASE("rational sweep: through joints, scaled, started anywhere, against the
        {GaussianRational{3, 4}, GaussianRational{-1, 0}, GaussianRational{-8, 6}})
     check_surface(path, swept(path, form, along(z)), form, angle_of(z));
   check_surface(path, swept(path, form, Angle(Rational(3, 2), 0)), form, Angle(Rational(3, 2), 0));
-  const Path back(Curve(class_one, Polynomial{-1}));
+  const PhPath back(Curve(class_one, Polynomial{-1}));
   check_surface(back, swept(back, form), form);
 }
 
 // N = |A|² = t⁴ + … with a minimum near 1/2: (1, 100(t − 1/2)).
 TEST_CASE("rational sweep: a part is halved until its weights are positive") {
-  const Path sharp(Curve({{1}, {}, {}, {-50, 100}}));
+  const PhPath sharp(Curve({{1}, {}, {}, {-50, 100}}));
   const RationalSurface surface = swept(sharp, {square()});
   check_surface(sharp, surface, {square()});
   CHECK(surface.patches.size() > 4);
@@ -145,7 +145,7 @@ TEST_CASE("rational sweep: a part is halved until its weights are positive") {
 
 TEST_CASE("rational sweep: the normal is outward, for either sign of the multiplier") {
   for (const long sign : {1, -1}) {
-    const Path line(Curve({{1}, {}, {}, {}}, Polynomial{sign}));
+    const PhPath line(Curve({{1}, {}, {}, {}}, Polynomial{sign}));
     const RationalSurface surface = swept(line, {square()});
     for (const SurfacePatch& patch : surface.patches) {
       const auto at = [&](const Rational& u, const Rational& s) { return point(patch, u, s); };
@@ -160,7 +160,7 @@ TEST_CASE("rational sweep: holes are swept, too, and their normal is into them")
   const ProfileCurve frame = polygon_curve(Profile::of_rings(
       {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}, {{2, 2}, {-2, 2}, {-2, -2}, {2, -2}}}));
   for (const long sign : {1, -1}) {
-    const Path line(Curve({{1}, {}, {}, {}}, Polynomial{sign}));
+    const PhPath line(Curve({{1}, {}, {}, {}}, Polynomial{sign}));
     const RationalSurface surface = swept(line, {frame});
     check_surface(line, surface, {frame});
     CHECK(surface.sides == 8);
@@ -173,13 +173,13 @@ TEST_CASE("rational sweep: holes are swept, too, and their normal is into them")
       CHECK(dot(normal, at(Rational(1, 2), 0)).sign() == (patch.side < 4 ? 1 : -1));
     }
   }
-  const Path loop = test::closed_loop();
+  const PhPath loop = test::closed_loop();
   CHECK(swept(loop, {pierced_square()}).is_closed);
 }
 
 // The plane loop has the same frame at both ends, and its own normal all along.
 TEST_CASE("rational sweep: a closed curve in a plane is closed") {
-  const Path loop = test::closed_loop();
+  const PhPath loop = test::closed_loop();
   const RationalSurface surface = swept(loop, {round_profile()});
   CHECK(surface.is_closed);
   check_surface(loop, surface, {round_profile()});
@@ -189,21 +189,21 @@ TEST_CASE("rational sweep: a closed curve in a plane is closed") {
 }
 
 TEST_CASE("rational sweep: what is not rational is refused, with the reason") {
-  const Path quintic(test::quintic);
+  const PhPath quintic(test::quintic);
   CHECK(test::contains(refusal([&] { swept(quintic, {square()}); }), "residues"));
   CHECK(test::contains(
-      refusal([&] { swept(Path(Curve(class_one)), {square()}, Angle(Rational(1, 4), 0)); }),
+      refusal([&] { swept(PhPath(Curve(class_one)), {square()}, Angle(Rational(1, 4), 0)); }),
       "pi/4"));
-  const Path cusp(Curve({{1}, {}, {}, {}}, Polynomial{Rational(1, 4), -1, 1}));
+  const PhPath cusp(Curve({{1}, {}, {}, {}}, Polynomial{Rational(1, 4), -1, 1}));
   CHECK(test::contains(refusal([&] { swept(cusp, {square()}); }), "cusp"));
   RationalSweepForm negative{square()};
   negative.scale = RationalFunction(Polynomial{1, -2});
-  CHECK_THROWS_AS(swept(Path(Curve(class_one)), negative), DomainError);
+  CHECK_THROWS_AS(swept(PhPath(Curve(class_one)), negative), DomainError);
 }
 
 // The check of the result is independent of how it was made: another frame is no such surface.
 TEST_CASE("rational sweep: a frame that is not rotation-minimizing is noticed") {
-  const Path path(test::quintic);
+  const PhPath path(test::quintic);
   const std::vector<RationalFramePiece> erf{{0, 0, 1, test::quintic.preimage()}};
   CHECK(test::contains(refusal([&] { rational_sweep(path, erf, {square()}); }),
                        "not rotation-minimizing"));

@@ -9,8 +9,8 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/smooth/compiled_smooth.hpp"
-#include "phrame/ph/smooth/smooth_frame.hpp"
+#include "phrame/ph/frame/compiled_smooth.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
 #include "phrame/ph/sweep/sweep.hpp"
 
 using namespace phrame;
@@ -20,24 +20,25 @@ using namespace phrame;
 // differences of places on the surface, at many of its points on each pair of triangles.
 namespace sweep_section_test {
 
-using Place = std::array<double, 2>;
+using PlaneLocation = std::array<double, 2>;
 
 struct KnownSurface {
-  SmoothPath path;
+  Path path;
   Vector<Rational> left;  ///< f₂ at its start
   /// Where (x, y) of the profile is, unscaled and not turned.
-  std::function<Vector<double>(const Place& place, double t)> at;
+  std::function<Vector<double>(const PlaneLocation& place, double t)> at;
   /// Of a point of the first section, its (x, y).
-  std::function<Place(const Vector<double>& point)> first;
+  std::function<PlaneLocation(const Vector<double>& point)> first;
   std::function<double(const Vector<double>& center)> parameter;  ///< of r(t)
   bool is_closed = false;
   std::function<double(double t)> scale = [](double) { return 1; };
   std::function<double(double t)> turn = [](double) { return 0; };
-  bool is_round = false;  ///< does the profile stand for a circle?
-  Place center{};         ///< of that
+  bool is_round = false;   ///< does the profile stand for a circle?
+  PlaneLocation center{};  ///< of that
 
-  Vector<double> place(const Place& from, const Place& to, double u, double t) const {
-    Place p{from[0] + u * (to[0] - from[0]), from[1] + u * (to[1] - from[1])};
+  Vector<double> place(const PlaneLocation& from, const PlaneLocation& to, double u,
+                       double t) const {
+    PlaneLocation p{from[0] + u * (to[0] - from[0]), from[1] + u * (to[1] - from[1])};
     if (is_round) {
       const auto& [x, y] = center;
       const double stretch = std::hypot(from[0] - x, from[1] - y) / std::hypot(p[0] - x, p[1] - y);
@@ -47,7 +48,8 @@ struct KnownSurface {
     const double s = scale(t) * std::sin(turn(t));
     return at({c * p[0] - s * p[1], s * p[0] + c * p[1]}, t);
   }
-  Vector<double> normal(const Place& from, const Place& to, double u, double t) const {
+  Vector<double> normal(const PlaneLocation& from, const PlaneLocation& to, double u,
+                        double t) const {
     constexpr double h = 1e-6;
     return cross(place(from, to, u + h, t) - place(from, to, u - h, t),
                  place(from, to, u, t + h) - place(from, to, u, t - h));
@@ -101,7 +103,7 @@ SweptBody swept(const KnownSurface& surface, const SweepForm& form) {
 double greatest_angle(const KnownSurface& surface, const SweptBody& body) {
   const Mesh& mesh = body.mesh;
   const std::size_t count = mesh.points.size() / body.sections;
-  std::vector<Place> corners;
+  std::vector<PlaneLocation> corners;
   for (std::size_t k = 0; k < count; ++k) {
     const auto [x, y] = surface.first(mesh.points[k]);
     corners.push_back({x / surface.scale(0), y / surface.scale(0)});
@@ -145,12 +147,12 @@ KnownSurface graph(const Polynomial& f) {
     return round_to_double(df(exact_rational(x)));
   };
   KnownSurface surface{
-      SmoothSegment(RationalCurve({Polynomial{0, 1}, f, Polynomial()})), {0, 1, 0}, {}, {}, {}};
-  surface.at = [value, slope](const Place& place, double t) {
+      Segment(RationalCurve({Polynomial{0, 1}, f, Polynomial()})), {0, 1, 0}, {}, {}, {}};
+  surface.at = [value, slope](const PlaneLocation& place, double t) {
     const double length = std::hypot(1, slope(t));
     return Vector<double>{t - place[0] * slope(t) / length, value(t) + place[0] / length, place[1]};
   };
-  surface.first = [](const Vector<double>& p) { return Place{p[1], p[2]}; };
+  surface.first = [](const Vector<double>& p) { return PlaneLocation{p[1], p[2]}; };
   surface.parameter = [](const Vector<double>& center) { return center[0]; };
   return surface;
 }
@@ -159,18 +161,18 @@ KnownSurface graph(const Polynomial& f) {
 KnownSurface around_a_circle() {
   const Formula s = Formula::variable();
   KnownSurface surface{
-      SmoothSegment(ExpressionCurve({Formula(2) * cos(s), Formula(2) * sin(s), Formula(0)},
-                                    Formula(0), Formula(0, 2))),
+      Segment(ExpressionCurve({Formula(2) * cos(s), Formula(2) * sin(s), Formula(0)}, Formula(0),
+                              Formula(0, 2))),
       {-1, 0, 0},
       {},
       {},
       {}};
-  surface.at = [](const Place& place, double t) {
+  surface.at = [](const PlaneLocation& place, double t) {
     const double radius = 2 - place[0];
     const double angle = 2 * M_PI * t;
     return Vector<double>{radius * std::cos(angle), radius * std::sin(angle), place[1]};
   };
-  surface.first = [](const Vector<double>& p) { return Place{2 - p[0], p[2]}; };
+  surface.first = [](const Vector<double>& p) { return PlaneLocation{2 - p[0], p[2]}; };
   surface.parameter = [](const Vector<double>& center) {
     const double t = std::atan2(center[1], center[0]) / (2 * M_PI);
     return t < -1e-9 ? t + 1 : t;

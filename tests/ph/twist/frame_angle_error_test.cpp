@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/frame/rmf_angle.hpp"
+#include "phrame/ph/along/rmf_angle.hpp"
 #include "support/curves.hpp"
 
 using namespace phrame;

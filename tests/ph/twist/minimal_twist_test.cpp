@@ -2,8 +2,8 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/quadrature.hpp"
-#include "phrame/ph/curve/arc_length.hpp"
-#include "phrame/ph/frame/reduced_angle.hpp"
+#include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/along/reduced_angle.hpp"
 #include "support/curves.hpp"
 #include "support/farouki_moon.hpp"
 #include "support/random.hpp"
@@ -35,7 +35,7 @@ TEST_CASE("minimal twist: the three examples of the paper") {
     CAPTURE(name);
     const auto& example = farouki_moon()[name];
     const auto& truth = example["consistent"];
-    PathAngle rmf{Path(curve_of(example))};
+    PathAngle rmf{PhPath(curve_of(example))};
     const Rational difference = parse_rational(truth["delta_theta_over_pi"].get<std::string>());
     const MinimalTwist mtf(rmf, multiple_of_pi(0), multiple_of_pi(difference));
     CHECK(to_string(mtf.length()) == truth["S"].get<std::string>());
@@ -49,7 +49,7 @@ TEST_CASE("minimal twist: the three examples of the paper") {
 }
 
 TEST_CASE("minimal twist: half a turn is a turn to the left, exactly") {
-  PathAngle rmf{Path(Curve({{1}, {0, 0, 0, 1}, {0, 3}, {0, 0, 1}}))};  // h = 0
+  PathAngle rmf{PhPath(Curve({{1}, {0, 0, 0, 1}, {0, 3}, {0, 0, 1}}))};  // h = 0
   for (const Rational& c : {Rational(1), Rational(-1), Rational(3), Rational(-7)}) {
     const MinimalTwist mtf(rmf, multiple_of_pi(0), multiple_of_pi(c));
     CHECK(mtf.twist().enclose(100).overlaps(pi(100)));
@@ -69,7 +69,7 @@ TEST_CASE("minimal twist: half a turn is a turn to the left, exactly") {
 // T_ERF = −2.5078… by mpmath's quadrature, and T_min = T_ERF + θ_f − θ_i reduced there with 1200
 // digits.
 TEST_CASE("minimal twist: large angles in radians are reduced before anything is rounded") {
-  PathAngle rmf{Path(curve_of(farouki_moon()["example3"]))};
+  PathAngle rmf{PhPath(curve_of(farouki_moon()["example3"]))};
   struct Case {
     Rational from;
     Rational to;
@@ -96,7 +96,7 @@ TEST_CASE("minimal twist: large angles in radians are reduced before anything is
 
 // An angle in radians is no multiple of π, however near: 600 digits of it still differ.
 TEST_CASE("minimal twist: close to half a turn it is decided on which side") {
-  PathAngle rmf{Path(Curve({{1}, {0, 0, 0, 1}, {0, 3}, {0, 0, 1}}))};  // h = 0
+  PathAngle rmf{PhPath(Curve({{1}, {0, 0, 0, 1}, {0, 3}, {0, 0, 1}}))};  // h = 0
   const RealBall half_turn = pi(2100);
   const MinimalTwist below(rmf, {0, 0}, {0, half_turn.midpoint() - power_of_two(-2000)});
   CHECK(below.twist().enclose(100).lower() > 3);
@@ -107,7 +107,7 @@ TEST_CASE("minimal twist: close to half a turn it is decided on which side") {
 TEST_CASE("minimal twist: law: whole turns in the angles given change nothing but the angle") {
   for_samples(30, [](Random& random) {
     const Curve curve(random.quaternion_polynomial(4));
-    PathAngle rmf{Path(curve)};
+    PathAngle rmf{PhPath(curve)};
     const FrameAngle from{random.rational(), random.rational()};
     const FrameAngle to{random.rational(), random.chance(2) ? Rational(0) : random.rational()};
     FrameAngle from_turned = from;
@@ -125,7 +125,7 @@ TEST_CASE("minimal twist: law: whole turns in the angles given change nothing bu
 
 // A = (t + i)(t + j): θ_RMF = −2t/(1 + t²), so that T_ERF = 1 and θ_f = −1 needs no twist.
 TEST_CASE("minimal twist: a rotation-minimizing frame has none") {
-  PathAngle rmf{Path(Curve({{0, 0, 1}, {0, 1}, {0, 1}, {1}}))};
+  PathAngle rmf{PhPath(Curve({{0, 0, 1}, {0, 1}, {0, 1}, {1}}))};
   const MinimalTwist mtf(rmf, {0, 0}, {0, -1});
   CHECK(mtf.twist().exact() == Rational(0));
   CHECK(mtf.value(Rational(1, 3)).exact() == Rational(-3, 5));
@@ -141,7 +141,7 @@ TEST_CASE("minimal twist: law: the exact frame turns at a constant rate") {
     const Curve curve(random.quaternion_polynomial(4));
     const FrameAngle from{random.rational(), 0};
     const FrameAngle to{random.rational(), random.rational()};
-    const MinimalTwist mtf(PathAngle{Path(curve)}, from, to, random.integer(-1, 1));
+    const MinimalTwist mtf(PathAngle{PhPath(curve)}, from, to, random.integer(-1, 1));
     constexpr long bits = 200;
     const Polynomial s = antiderivative(sigma(curve.preimage()));
     CHECK(mtf.length() == s(1));
@@ -159,7 +159,7 @@ TEST_CASE("minimal twist: law: the exact frame turns at a constant rate") {
 TEST_CASE("minimal twist: law: the least twist between the boundary angles, evenly spread") {
   for_samples(60, [](Random& random) {
     const Curve curve(random.quaternion_polynomial(4));
-    PathAngle rmf{Path(curve)};
+    PathAngle rmf{PhPath(curve)};
     const auto angle = [&] {
       return FrameAngle{random.rational(), random.chance(2) ? Rational(0) : random.rational()};
     };

@@ -35,7 +35,7 @@ struct Framed {
   PathAngle rmf;
   MinimalTwist mtf;
   Framed(const Curve& curve, const FrameAngle& from, const FrameAngle& to)
-      : rmf(Path(curve)), mtf(rmf, from, to) {}
+      : rmf(PhPath(curve)), mtf(rmf, from, to) {}
 };
 
 Framed framed_example(const json& example) {
@@ -461,7 +461,7 @@ TEST_CASE("rational twist: law: a local minimum is not proved to be the least") 
 
 // Two revolutions more: a frame with one less is better, but not what was asked for.
 TEST_CASE("rational twist: a frame that turns by T goes before a better one that does not") {
-  PathAngle rmf{Path(test::quintic)};
+  PathAngle rmf{PhPath(test::quintic)};
   long preferred = 0;
   for (long turns = test::everyday(-2, -3); turns <= 3; turns += test::everyday(4, 1)) {
     const MinimalTwist mtf(rmf, {}, {Rational(1, 2), 0}, turns);

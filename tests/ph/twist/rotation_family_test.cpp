@@ -16,7 +16,7 @@ namespace {
 constexpr long bits = 200;
 
 TwistPiece piece_of(const Curve& curve, const FrameAngle& from, const FrameAngle& to) {
-  return twist_pieces(MinimalTwist(PathAngle(Path(curve)), from, to), {}).front();
+  return twist_pieces(MinimalTwist(PathAngle(PhPath(curve)), from, to), {}).front();
 }
 
 RealBall half(const RealBall& x) { return divide(x, RealBall(2, bits), bits); }

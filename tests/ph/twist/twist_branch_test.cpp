@@ -21,7 +21,7 @@ struct Line {
 
   static TwistPiece first_piece() {
     const auto& example = test::farouki_moon()["example1"];
-    const MinimalTwist mtf(PathAngle(Path(test::curve_of(example))), {},
+    const MinimalTwist mtf(PathAngle(PhPath(test::curve_of(example))), {},
                            {test::number(example["consistent"]["delta_theta_over_pi"]), 0});
     return twist_pieces(mtf, {}).front();
   }

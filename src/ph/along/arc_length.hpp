@@ -1,0 +1,78 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "phrame/algebra/algebraic_point.hpp"
+#include "phrame/algebra/increasing.hpp"
+#include "phrame/ph/curve/ph_path.hpp"
+
+namespace phrame {
+
+/// ∫₀ᵗ fσ: the arc length from 0 to t > 0 where f ≥ 0 between them, exact.
+Polynomial arc_length(const Curve& curve);
+/// ∫ |f|σ from a to b, a ≤ b; no value where f changes sign between them.
+std::optional<Rational> arc_length(const Curve& curve, const Rational& a, const Rational& b);
+
+/// The arc length s(t) = ∫₀ᵗ |f|σ of the segment [0, 1], a strictly increasing polynomial, and its
+/// inverse [Farouki 2008].
+class ArcLength {
+ public:
+  /// Throws DomainError where f changes sign on [0, 1], since |f|σ is then no polynomial.
+  explicit ArcLength(const Curve& curve);
+
+  const Polynomial& polynomial() const { return length_; }  ///< s(t)
+  const Rational& total() const { return total_; }          ///< s(1)
+
+  /// The t ∈ [0, 1] with s(t) = s, exact where it is rational, else algebraic: its correct rounding
+  /// ends. An s beyond s(1) that rounds to the same double is s(1): is_rounded(). Throws
+  /// DomainError for another s outside [0, s(1)]. Cost: two or three values of s and σ and, where t
+  /// is asked for beyond the first 60 bits, interval Newton steps.
+  Real parameter(const Rational& s) const;
+
+  /// The same as a root of its irreducible polynomial, at which a frame can be evaluated exactly.
+  /// Cost: the factorization of s(t) − s.
+  RealAlgebraic algebraic_parameter(const Rational& s) const;
+
+ private:
+  void require_on_curve(const Rational& s) const;
+  double guess(const Rational& s) const;
+
+  Polynomial length_;
+  Rational total_;
+  std::vector<double> scaled_;  ///< the coefficients of s(t)/s(1), for a guess
+  std::shared_ptr<const IncreasingFunction> function_;
+};
+
+/// The arc length along a path from its start, and its inverse. A segment on which f changes sign
+/// has no ArcLength: what lies behind it is not known here, and asking for it throws DomainError,
+/// which names the segment of a spline.
+class PathLength {
+ public:
+  /// Along this path.
+  explicit PathLength(PhPath path);
+
+  /// Along segment k, from its start.
+  const ArcLength& segment(std::size_t k) const;
+  /// Up to the start of segment k, the end of the path for k = the number of segments.
+  const Rational& before(std::size_t k) const;
+  /// Of the whole path.
+  const Rational& total() const { return before(path_.segments().size()); }
+
+  /// The arc length from the start of the path to there.
+  Rational value(const PathParameter& at) const;
+  /// From a to b, a ≤ b; no value where f changes sign between them, and only there.
+  std::optional<Rational> between(const PathParameter& a, const PathParameter& b) const;
+  /// Where the arc length from the start is s; at a joint the later segment. The end for an s
+  /// beyond it that rounds to the same double. Throws DomainError for another s outside [0,
+  /// total()] as well.
+  PathPoint point(const Rational& s) const;
+
+ private:
+  void require_one_way(std::size_t segments) const;
+
+  PhPath path_;
+  std::vector<std::optional<ArcLength>> lengths_;  ///< of the segments on which f keeps its sign
+  std::vector<Rational> before_{Rational(0)};      ///< up to the first of the others
+};
+
+}  // namespace phrame

@@ -1,0 +1,80 @@
+#include "phrame/ph/along/rational_rates.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/factor.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+// |v × H|² = |v|²σ − (v·H)². Where H × H′ = g·B with a real polynomial g and B ≠ 0, the Frenet
+// frame goes on by that of B: (H × H′) × (H × H″) = det(H, H′, H″)·H = g²·B × B′, so that g²
+// cancels in det(H, H′, H″)/ρ.
+
+namespace phrame {
+namespace {
+
+Vector<Polynomial> slope(const Vector<Polynomial>& v) {
+  return {differentiate(v[0]), differentiate(v[1]), differentiate(v[2])};
+}
+
+Polynomial squared_size(const Vector<Polynomial>& v) { return dot(v, v); }
+
+}  // namespace
+
+RootQuotient up_frame_turning(const RationalCurve& curve, const Vector<Rational>& v) {
+  const Vector<Polynomial>& H = curve.direction();
+  const Vector<Polynomial> up{Polynomial{v[0]}, Polynomial{v[1]}, Polynomial{v[2]}};
+  const Vector<Polynomial> across = cross(up, H);
+  return {-dot(up, H) * dot(across, slope(H)), squared_size(across), squared_size(H)};
+}
+
+RootQuotient frenet_turning(const RationalCurve& curve) {
+  const Vector<Polynomial>& H = curve.direction();
+  const Vector<Polynomial> first = slope(H);
+  const Vector<Polynomial> normal = cross(H, first);
+  const Polynomial sigma = squared_size(H);
+  const Polynomial rho = squared_size(normal);
+  if (rho.is_zero())
+    throw DomainError("Frenet frame: the curve is a straight line, it has no principal normal");
+  return {-dot(normal, slope(first)) * sigma, rho, sigma};
+}
+
+RootQuotient length_rate(const RationalCurve& curve) {
+  const Polynomial sigma = squared_size(curve.direction());
+  return {curve.multiplier() * sigma, curve.weight() * curve.weight(), sigma};
+}
+
+// ρ = c·g²·ρ₁ with ρ₁ squarefree, without a real zero: √ρ = g·c·ρ₁/√(c·ρ₁).
+RootQuotient curvature_rate(const RationalCurve& curve) {
+  const Vector<Polynomial>& H = curve.direction();
+  const Polynomial rho = squared_size(cross(H, slope(H)));
+  if (rho.is_zero()) return {};
+  Polynomial g{1};
+  Polynomial rest{1};
+  const Factorization factors = squarefree_factorization(rho);
+  for (const Factor& factor : factors.factors) {
+    g *= pow(factor.base, factor.exponent / 2);
+    if (factor.exponent % 2 != 0) rest *= factor.base;
+  }
+  rest *= factors.unit;
+  return {g * rest, squared_size(H), rest};
+}
+
+RootQuotient bending_rate(const RationalCurve& curve) {
+  const Vector<Polynomial>& H = curve.direction();
+  const Polynomial sigma = squared_size(H);
+  return {squared_size(cross(H, slope(H))) * curve.weight() * curve.weight(),
+          curve.multiplier() * sigma * sigma, sigma};
+}
+
+RootQuotient frenet_energy_rate(const RationalCurve& curve) {
+  const Vector<Polynomial>& H = curve.direction();
+  const Vector<Polynomial> first = slope(H);
+  const Vector<Polynomial> normal = cross(H, first);
+  const Polynomial sigma = squared_size(H);
+  const Polynomial rho = squared_size(normal);
+  if (rho.is_zero()) throw DomainError("torsion: the curve is a straight line, it has none");
+  const Polynomial turn = dot(normal, slope(first)) * curve.weight();
+  return {pow(rho, 3) * pow(curve.weight(), 2) + pow(sigma, 3) * turn * turn,
+          curve.multiplier() * pow(sigma * rho, 2), sigma};
+}
+
+}  // namespace phrame

@@ -1,0 +1,27 @@
+#pragma once
+#include "phrame/integrate/taylor_integral.hpp"
+#include "phrame/ph/curve/rational_curve.hpp"
+
+namespace phrame {
+
+// What is integrated along a rational curve with r′ = p·H/W², σ = |H|², ρ = |H × H′|². Cusps, where
+// p = 0, and inflections are no singularities of these but of the bending energy.
+
+/// θ′ of the rotation-minimizing frame to the frame of v, −e₂′·e₃ =
+///   −(v·H)·det(v, H, H′)/(√σ·|v × H|²).
+RootQuotient up_frame_turning(const RationalCurve& curve, const Vector<Rational>& v);
+/// The same to the Frenet frame, −n′·b = −√σ·det(H, H′, H″)/ρ. Throws DomainError for a straight
+/// line.
+RootQuotient frenet_turning(const RationalCurve& curve);
+
+/// ds/dt with the sign of p, p√σ/W².
+RootQuotient length_rate(const RationalCurve& curve);
+/// κ·|ds/dt| = √ρ/σ up to a sign that changes where ρ has a zero; 0 for a straight line.
+RootQuotient curvature_rate(const RationalCurve& curve);
+/// κ²·ds/dt = ρ·W²/(p·σ²·√σ), with the sign of p.
+RootQuotient bending_rate(const RationalCurve& curve);
+/// (κ² + τ²)·ds/dt = W²·(ρ³ + σ³·det(H, H′, H″)²)/(p·σ²·ρ²·√σ), likewise. Throws DomainError for a
+/// straight line.
+RootQuotient frenet_energy_rate(const RationalCurve& curve);
+
+}  // namespace phrame

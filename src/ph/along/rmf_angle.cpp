@@ -1,0 +1,135 @@
+#include "phrame/ph/along/rmf_angle.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/integrate/gaussian_logs.hpp"
+#include "phrame/integrate/short_integral.hpp"
+
+namespace phrame {
+namespace {
+
+/// z with arg z = arg p(t) − arg p(0).
+GaussianRational turn(const GaussianPolynomial& p, const Rational& t) {
+  return GaussianRational{p.re(t), p.im(t)} * GaussianRational{p.re(0), -p.im(0)};
+}
+
+/// g ≠ 0.
+GaussianPolynomial bend_of(const QuaternionPolynomial& a) {
+  GaussianPolynomial g = bend_numerator(a);
+  if (is_zero(g))
+    throw DomainError(
+        "Frenet frame: the curve is a straight line (r′ × r″ = 0), it has no principal normal");
+  return g;
+}
+
+/// Its argument is that of the bend, where there is one, plus that of z at t, and 0 of the latter
+/// at 0.
+GaussianPolynomial with_turn(const std::optional<GaussianPolynomial>& bend,
+                             const GaussianRational& z, const Rational& t) {
+  GaussianPolynomial turn = path_to(z);
+  if (z.im != 0) {
+    const Polynomial over_t{0, 1 / t};
+    turn = {compose(turn.re, over_t), compose(turn.im, over_t)};
+  }
+  return bend ? *bend * turn : turn;
+}
+
+}  // namespace
+
+GaussianPolynomial regular_bend(const QuaternionPolynomial& a) {
+  const GaussianPolynomial g = bend_of(a);
+  const Polynomial common = gcd(g.re, g.im);
+  return {exact_quotient(g.re, common), exact_quotient(g.im, common)};
+}
+
+GaussianRational bend_after_zero(const QuaternionPolynomial& a) {
+  const GaussianPolynomial g = bend_of(a);
+  GaussianRational lowest;
+  for (long k = 0; lowest == GaussianRational(); ++k)
+    lowest = {g.re.coefficient(k), g.im.coefficient(k)};
+  return lowest;
+}
+
+RationalFunction rate_of_argument(const GaussianPolynomial& g) {
+  return {(differentiate(g) * conjugate(g)).im, norm(g)};
+}
+
+RationalFunction rate_to_erf(const QuaternionPolynomial& a) {
+  return {Rational(-2) * twist_numerator(a), sigma(a)};
+}
+
+RationalFunction rate_to_frenet(const QuaternionPolynomial& a) {
+  return rate_to_erf(a) + rate_of_argument(regular_bend(a));
+}
+
+RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, Reference reference, Form form) {
+  if (is_zero(preimage)) throw DomainError("RmfAngle: the preimage is zero, so there is no frame");
+  Parts parts{rate_to_erf(preimage), {}, {}, {}, {}};
+  auto& [rate, angle_to_erf, antiderivative, bend, argument, phase] = parts;
+  if (reference == Reference::frenet) {
+    bend = regular_bend(preimage);
+    const RationalFunction bend_rate = rate_of_argument(*bend);
+    if (rate + bend_rate == RationalFunction()) {
+      // A plane curve: its Frenet frame is rotation-minimizing, θ ≡ 0.
+      rate = {};
+      bend.reset();
+    } else if (degree(*bend) == 0) {
+      bend.reset();  // a constant argument
+    } else {
+      argument.emplace(*bend);
+    }
+  }
+  angle_to_erf = integrate(rate, form);
+  antiderivative = angle_to_erf;
+  evaluator_ = Evaluator(angle_to_erf, rate);
+  if (bend) {
+    antiderivative.logs.push_back(argument_as_logs(*bend));
+    rate = rate + rate_of_argument(*bend);
+    if (!(differentiate(antiderivative) == rate))
+      throw Error("RmfAngle: the check failed, the derivative of the angle is not its rate");
+  }
+  parts_ = std::make_shared<const Parts>(std::move(parts));
+}
+
+/// The two parts may nearly cancel, as near 0, where they are not taken apart: else the precision
+/// rises until their sum is as accurate as asked.
+RealBall RmfAngle::enclose(const Rational& t, long bits) const {
+  const auto& argument = parts_->argument;
+  if (!argument) return evaluator_.difference(0, t, bits);
+  if (evaluator_.route() == Route::automatic)
+    if (const auto value = short_integral(rate(), Rational(0), t, bits)) return *value;
+  for (long more = bits + 8;; more += 64) {
+    RealBall sum = add(evaluator_.difference(0, t, more), argument->difference(t, more), more);
+    if (sum.is_accurate(bits)) return sum;
+  }
+}
+
+Real RmfAngle::value(const Rational& t, const FrameAngle& start) const {
+  const Real offset = to_real(start);
+  if (t == 0) return offset;
+  const auto sum = [angle = *this, t, offset](long bits) {
+    const RealBall theta = angle.enclose(t, bits);
+    return offset.exact() == Rational(0) ? theta : add(theta, offset.enclose(bits), bits);
+  };
+  return evaluator_.value(0, t, with_turn(bend(), start.direction, t), sum,
+                          Angle(start.half_turns, start.radians));
+}
+
+std::optional<GaussianRational> RmfAngle::direction(const Rational& t) const {
+  const auto& phase = parts_->phase.get([&] { return evaluator_.single_argument(); });
+  if (!phase) return std::nullopt;
+  const GaussianRational z = turn(*phase, t);
+  return bend() ? z * turn(*bend(), t) : z;
+}
+
+std::optional<Antiderivative> frenet_angle_by_linear_system(const Curve& curve) {
+  const QuaternionPolynomial& preimage = curve.preimage();
+  const auto split = split_by_linear_system(preimage);
+  if (!split) return std::nullopt;
+  Antiderivative sum = integrate({-split->a, sigma(preimage)});
+  const Antiderivative bend = integrate({-split->b, rho(preimage)});
+  sum.rational = sum.rational + bend.rational;
+  sum.logs.insert(sum.logs.end(), bend.logs.begin(), bend.logs.end());
+  return sum;
+}
+
+}  // namespace phrame

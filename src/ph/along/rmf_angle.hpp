@@ -1,0 +1,99 @@
+#pragma once
+#include <memory>
+
+#include "phrame/algebra/argument.hpp"
+#include "phrame/algebra/gaussian_integer.hpp"
+#include "phrame/integrate/evaluator.hpp"
+#include "phrame/integrate/integrate.hpp"
+#include "phrame/ph/along/frame_angle.hpp"
+#include "phrame/ph/curve/invariants.hpp"
+
+namespace phrame {
+
+/// The frame that an angle is measured from.
+enum class Reference {
+  euler_rodrigues,  ///< (A i A*, A j A*, A k A*)/σ
+  frenet,  ///< tangent, normal, binormal; continued through inflections, where (n, b) jump by π
+};
+
+/// The angle θ of the rotation-minimizing frame relative to (e₂, e₃), the reference frame:
+///   f₂ = cos θ e₂ + sin θ e₃,  f₃ = −sin θ e₂ + cos θ e₃,  θ(0) = 0, θ continuous on all of ℝ,
+///   θ_ERF′ = −2h/σ,  θ_Frenet′ = −2h/σ + Im(g′/g)  [Farouki 2003, (13)–(17), in closed form].
+/// θ has no pole on ℝ: what vanishes at a cusp cancels. It depends on the preimage A alone.
+/// Copies are cheap and share the poles of θ′, which are isolated once; any thread may ask them. To
+/// move one is to copy it.
+class RmfAngle {
+ public:
+  /// Throws DomainError for A = 0 and for the Frenet frame of a straight line.
+  explicit RmfAngle(const QuaternionPolynomial& preimage,
+                    Reference reference = Reference::euler_rodrigues, Form form = Form::automatic);
+  /// Of the preimage of a curve.
+  explicit RmfAngle(const Curve& curve, Reference reference = Reference::euler_rodrigues,
+                    Form form = Form::automatic)
+      : RmfAngle(curve.preimage(), reference, form) {}
+  RmfAngle(const RmfAngle&) = default;
+  RmfAngle& operator=(const RmfAngle&) = default;
+  ~RmfAngle() = default;
+
+  /// θ′ in lowest terms.
+  const RationalFunction& rate() const { return parts_->rate; }
+  /// θ up to a constant is angle_to_erf() plus, where there is a bend(), its argument.
+  /// angle_to_erf() is ∫ −2h/σ, or 0 where θ ≡ 0.
+  const Antiderivative& angle_to_erf() const { return parts_->angle_to_erf; }
+  /// g without its real factor; of a Frenet angle only, and none where its argument is constant
+  /// or θ ≡ 0.
+  const std::optional<GaussianPolynomial>& bend() const { return parts_->bend; }
+  /// θ up to a constant as one value; its derivative is rate(), checked. arg g is in it as the last
+  /// sum, Σ x·log v(x, t) over x = ±i/2 with v(−i/2, t) = g made monic.
+  const Antiderivative& antiderivative() const { return parts_->antiderivative; }
+
+  /// θ(t) + start, exact where it is rational, else transcendental, so that it rounds correctly.
+  /// That it is rational is decided where all residues of θ′ lie in ℚ(i) and recognised in many
+  /// other cases; where it is not recognised, to round it throws Undecided.
+  Real value(const Rational& t, const FrameAngle& start = {}) const;
+  /// The way to values from now on; that of copies stays.
+  void take(Route route) { evaluator_.take(route); }
+  /// A ball around θ(t) with a radius ≤ 2^−bits · max(1, |θ(t)|).
+  RealBall enclose(const Rational& t, long bits) const;
+  /// z ∈ ℚ(i) with e^{iθ(t)} = z/|z|, where there is one for all t: where θ is the argument of a
+  /// function in ℚ(i)(t), as on curves with a rational rotation-minimizing frame [Han 2008], plane
+  /// curves among them. No value else. Cost: in the first call, on such curves, that of their
+  /// residues.
+  std::optional<GaussianRational> direction(const Rational& t) const;
+
+ private:
+  struct Parts {
+    RationalFunction rate;
+    Antiderivative angle_to_erf;
+    Antiderivative antiderivative;
+    std::optional<GaussianPolynomial> bend;
+    std::optional<ContinuousArgument> argument;       ///< of the bend
+    Lazy<std::optional<GaussianPolynomial>> phase{};  ///< whose argument it is, if any
+  };
+
+  std::shared_ptr<const Parts> parts_;
+  Evaluator evaluator_;  ///< of angle_to_erf
+};
+
+/// g without its greatest real factor: the Frenet frame turns with its argument, continuously.
+/// Throws DomainError for a straight line.
+GaussianPolynomial regular_bend(const QuaternionPolynomial& a);
+/// g(t) for small t > 0, up to a positive factor that tends to 1. Throws DomainError for a straight
+/// line.
+GaussianRational bend_after_zero(const QuaternionPolynomial& a);
+/// (arg g)′ = Im(g′/g).
+RationalFunction rate_of_argument(const GaussianPolynomial& g);
+
+// θ′ of the rotation-minimizing frame to these frames, in lowest terms; the frames themselves turn
+// about the tangent with the opposite rates.
+
+/// −2h/σ.
+RationalFunction rate_to_erf(const QuaternionPolynomial& a);
+/// −2h/σ + Im(g′/g). Throws DomainError for a straight line.
+RationalFunction rate_to_frenet(const QuaternionPolynomial& a);
+
+/// θ_Frenet as the paper finds it: −∫a/σ − ∫b/ρ with a and b from the linear system of (15). No
+/// value where that system is singular. Slow (it needs the poles of both); kept as a check.
+std::optional<Antiderivative> frenet_angle_by_linear_system(const Curve& curve);
+
+}  // namespace phrame

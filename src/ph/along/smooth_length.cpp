@@ -1,0 +1,126 @@
+#include "phrame/ph/along/smooth_length.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+
+#include "phrame/algebra/as_written.hpp"
+#include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/increasing.hpp"
+#include "phrame/algebra/recent.hpp"
+#include "phrame/ph/along/segment_integral.hpp"
+
+namespace phrame {
+namespace {
+
+/// Beyond this sums of roots are not added up.
+constexpr std::size_t most_roots = 16;
+
+/// The sign of x − s. An irrational x is told from s by enough bits.
+int compare_length(const Real& x, const Rational& s) {
+  if (x.exact()) return (*x.exact() - s).sign();
+  for (long bits = 64; bits <= 8192 || x.origin().is_irrational; bits *= 2)
+    if (const int found = sign(subtract(x.enclose(bits), RealBall(s, bits), bits)); found != 0)
+      return found;
+  throw Undecided(
+      fmt::format("arc length: {} is not told from that of a joint or of the path", as_written(s)));
+}
+
+}  // namespace
+
+struct SmoothLength::State {
+  Path path;
+  Recent<SegmentIntegral> lengths{most_kept_integrals};  ///< of the segments
+  std::mutex lock;
+  /// Lengths up to the first segments, as far as they are sums of square roots.
+  std::vector<Surd> exact{Surd()};
+  std::map<long, std::vector<RealBall>> sums{};  ///< these lengths, by precision
+
+  explicit State(const Path& along) : path(along) {}
+
+  std::shared_ptr<const SegmentIntegral> length(std::size_t k) {
+    return lengths.get(k, [&] { return arc_length(path.segments()[k]); });
+  }
+  RealBall sum_before(std::size_t k, long bits);
+};
+
+/// The length up to segment k.
+RealBall SmoothLength::State::sum_before(std::size_t k, long bits) {
+  const long enough = (bits + 22) / 16 * 16;  // few precisions are kept
+  const std::lock_guard locked(lock);
+  std::vector<RealBall>& known = sums[enough];
+  if (known.empty()) known.emplace_back();
+  while (known.size() <= k) {
+    const RealBall next = length(known.size() - 1)->value(Rational(1)).enclose(enough);
+    known.push_back(add(known.back(), next, enough));
+  }
+  return known[k];
+}
+
+SmoothLength::SmoothLength(const Path& path) : state_(std::make_shared<State>(path)) {}
+
+Real SmoothLength::before(std::size_t k) const {
+  const std::lock_guard lock(state_->lock);
+  std::vector<Surd>& exact = state_->exact;
+  while (exact.size() <= k) {
+    if (exact.back().count_roots() > most_roots) break;
+    const auto next = state_->length(exact.size() - 1)->algebraic_value(1);
+    if (!next) break;
+    exact.push_back(exact.back() + *next);
+  }
+  const bool is_known = k < exact.size();
+  if (is_known && exact[k].is_rational()) return exact[k].rational_part();
+  return {[state = state_, k](long bits) { return state->sum_before(k, bits); }, {is_known, 0}};
+}
+
+Real SmoothLength::of_segment(std::size_t k) const { return state_->length(k)->value(Rational(1)); }
+
+Real SmoothLength::total() const { return before(state_->path.segments().size()); }
+
+Real SmoothLength::value(const Place& at) const {
+  const Real start = before(at.segment);
+  const SegmentIntegral length = *state_->length(at.segment);
+  const Real sum = start + length.value(at.t);
+  if (sum.exact() || !at.t.exact()) return sum;
+  // Roots cancel where a curve is cut.
+  const auto rest = length.algebraic_value(*at.t.exact());
+  const std::lock_guard lock(state_->lock);
+  if (!rest || at.segment >= state_->exact.size()) return sum;
+  const Surd known = state_->exact[at.segment] + *rest;
+  if (known.is_rational()) return known.rational_part();
+  return {[sum](long bits) { return sum.enclose(bits); }, {true, sum.origin().bits}};
+}
+
+RealBall SmoothLength::rate(std::size_t segment, const RealBall& t, long bits) const {
+  return state_->length(segment)->rate(t, bits);
+}
+
+Place SmoothLength::point(const Rational& s) const {
+  const std::size_t count = state_->path.segments().size();
+  const bool is_beyond = s >= 0 && compare_length(total(), s) < 0;
+  if (is_beyond && is_rounded(s, total())) return {count - 1, Rational(1)};
+  if (s < 0 || is_beyond)
+    throw DomainError(fmt::format("arc length: {} is outside [0, {}]", as_written(s),
+                                  to_string(total().enclose(64), 9)));
+  std::size_t low = 0;
+  for (std::size_t high = count; high - low > 1;) {
+    const std::size_t middle = (low + high) / 2;
+    (compare_length(before(middle), s) <= 0 ? low : high) = middle;
+  }
+  const Real start = before(low);
+  if (start.exact() == s) return {low, Rational(0)};
+  if (before(low + 1).exact() == s) return {low, Rational(1)};
+  const auto from_start = [length = state_->length(low), start](const RealBall& t, long bits) {
+    return add(start.enclose(bits), length->enclose(Real(t.midpoint()), bits), bits);
+  };
+  const auto slope = [length = state_->length(low)](const RealBall& t, long bits) {
+    return length->rate(t, bits);
+  };
+  const auto F = std::make_shared<const IncreasingFunction>(IncreasingFunction{from_start, slope});
+  return {low, preimage(F, s, guess_preimage(*F, s))};
+}
+
+}  // namespace phrame

@@ -1,0 +1,223 @@
+#include "phrame/ph/along/smooth_shape.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/algebra/as_written.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rational_function.hpp"
+#include "phrame/algebra/sturm.hpp"
+#include "phrame/ph/along/expression_integral.hpp"
+#include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/along/up_vector.hpp"
+#include "phrame/ph/curve/direction_span.hpp"
+#include "phrame/ph/curve/formula_domain.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+namespace phrame {
+namespace {
+
+Vector<Polynomial> derivative_of(const Vector<Polynomial>& v) {
+  return {differentiate(v[0]), differentiate(v[1]), differentiate(v[2])};
+}
+
+}  // namespace
+
+RationalFunction squared_curvature(const RationalCurve& curve) {
+  const Vector<Polynomial>& H = curve.direction();
+  const Vector<Polynomial> normal = cross(H, derivative_of(H));
+  const Polynomial sigma = dot(H, H);
+  return {dot(normal, normal) * pow(curve.weight(), 4), pow(curve.multiplier(), 2) * pow(sigma, 3)};
+}
+
+RationalFunction torsion(const RationalCurve& curve) {
+  const Vector<Polynomial>& H = curve.direction();
+  const Vector<Polynomial> first = derivative_of(H);
+  const Vector<Polynomial> normal = cross(H, first);
+  const Polynomial rho = dot(normal, normal);
+  if (rho.is_zero()) throw DomainError("torsion: the curve is a straight line, it has none");
+  return {dot(normal, derivative_of(first)) * pow(curve.weight(), 2), curve.multiplier() * rho};
+}
+
+namespace {
+
+/// f(t), exact where t is.
+Real value_of(const RationalFunction& f, const Real& t, const char* name) {
+  if (!t.exact())
+    return Real([f, t](long bits) { return evaluate(f, t.enclose(bits + 8), bits + 8); });
+  const Rational below = f.denominator()(*t.exact());
+  if (below == 0)
+    throw DomainError(fmt::format("{}: it is infinite at t = {}", name, as_written(*t.exact())));
+  return Rational(f.numerator()(*t.exact()) / below);
+}
+
+Vector<Polynomial> binormal_of(const RationalCurve& curve) {
+  return cross(curve.direction(), derivative_of(curve.direction()));
+}
+
+/// Has the curve neither inflections nor a straight part?
+bool bends_all_along(const RationalCurve& curve) {
+  const Vector<Polynomial> b = binormal_of(curve);
+  const Polynomial common = gcd(gcd(b[0], b[1]), b[2]);
+  return !common.is_zero() && count_real_roots(common, {0, 1}) == 0;
+}
+
+bool bends_all_along(const ExpressionCurve& curve) {
+  if (are_on_a_line(direction_span(curve))) return false;
+  const auto fault = taylor_parts(curve, curvature_rate())->fault;
+  if (!fault) return true;
+  const Vector<Formula> bend = cross(curve.derivative(1), curve.derivative(2));
+  if (simple_zero(curve, widened_part(*fault), bend)) return false;
+  throw Undecided("whether the curvature is 0 somewhere is not told within parts of 2^-40");
+}
+
+/// H × H′ at t, up to a positive factor, put into the program.
+ExactVector binormal_at(const RationalCurve& curve, const Rational& t, FormulaProgram& program) {
+  const Vector<Rational> b = evaluate(binormal_of(curve), t);
+  return {program.number(b[0]), program.number(b[1]), program.number(b[2])};
+}
+
+ExactVector binormal_at(const ExpressionCurve& curve, const Rational& t, FormulaProgram& program) {
+  const ExactVector u = exact_direction(curve, t, program);
+  ExactVector v = exact_derivative(curve, 2, t, program);
+  if (curve.orientation() < 0)
+    for (auto& x : v) x = program.negative(x);
+  ExactVector b{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3;
+    const std::size_t j = (k + 2) % 3;
+    b[k] = program.subtract(program.multiply(u[i], v[j]), program.multiply(u[j], v[i]));
+  }
+  return b;
+}
+
+/// Is the principal normal at the end of one segment that at the start of the other?
+bool have_same_normal(const Segment& before, const Segment& after) {
+  FormulaProgram program;
+  const auto at = [&](const Segment& segment, const Rational& t) {
+    return visit_curve([&](const auto& curve) { return binormal_at(curve, t, program); }, segment);
+  };
+  const auto same = have_same_direction(program, at(before, 1), at(after, 0));
+  if (!same) throw Undecided("whether the normals at a joint are the same is not told");
+  return *same;
+}
+
+/// The binormal of the Frenet frame that is continued through inflections, up to a factor ≠ 0.
+ExactVector continued_binormal(const RationalCurve& curve, const Rational& t,
+                               FormulaProgram& program) {
+  const Vector<Polynomial> b = binormal_of(curve);
+  const Polynomial common = gcd(gcd(b[0], b[1]), b[2]);
+  ExactVector result{};
+  for (std::size_t k = 0; k < 3; ++k) result[k] = program.number(exact_quotient(b[k], common)(t));
+  return result;
+}
+
+ExactVector continued_binormal(const ExpressionCurve& curve, const Rational& t,
+                               FormulaProgram& program) {
+  const auto plane = common_normal(direction_span(curve));
+  if (!plane) return binormal_at(curve, t, program);
+  return {program.number((*plane)[0]), program.number((*plane)[1]), program.number((*plane)[2])};
+}
+
+/// Between the binormals at a joint, less a half turn where it is nearer to that; 0 where one of
+/// them has no direction.
+Real angle_at_joint(const Path& path, std::size_t k) {
+  const auto binormal = [&](const Place& at) {
+    return cross(direction(path, at), direction_slope(path, at));
+  };
+  const Vector<Real> a = binormal({k - 1, Rational(1)});
+  const Vector<Real> b = binormal({k, Rational(0)});
+  if (is_zero(a) || is_zero(b)) return Rational(0);
+  const Vector<Real> c = cross(a, b);
+  return Real([across = dot(c, c), along = dot(a, b)](long bits) {
+    const RealBall x = absolute(along.enclose(bits + 512));
+    return argument(ComplexBall(x, sqrt_of_nonnegative(across.enclose(bits + 512), bits + 512)),
+                    bits);
+  });
+}
+
+// By the parameter of the formulas, κ = |r′ × r″|/|r′|³ and τ = det(r′, r″, r‴)/|r′ × r″|².
+
+Real curvature_of(const ExpressionCurve& curve, const Real& t) {
+  const Vector<Real> first = derivative(curve, 1, t);
+  const Vector<Real> bend = cross(first, derivative(curve, 2, t));
+  if (is_zero(bend)) return Rational(0);
+  const Real speed = dot(first, first);
+  return Real([size = dot(bend, bend), cube = speed * speed * speed](long bits) {
+    return sqrt_of_nonnegative(divide(size.enclose(bits + 8), cube.enclose(bits + 8), bits + 8),
+                               bits + 8);
+  });
+}
+
+Real torsion_of(const ExpressionCurve& curve, const Real& t) {
+  const auto span = direction_span(curve);
+  if (are_on_a_line(span)) throw DomainError("torsion: the curve is a straight line, it has none");
+  if (common_normal(span)) return Rational(0);
+  const Vector<Real> bend = cross(derivative(curve, 1, t), derivative(curve, 2, t));
+  if (is_zero(bend)) throw DomainError("torsion: the curvature is 0 there, at an inflection");
+  const Real size = dot(bend, bend);
+  return Real([volume = dot(bend, derivative(curve, 3, t)), size](long bits) {
+    return divide(volume.enclose(bits + 8), size.enclose(bits + 8), bits + 8);
+  });
+}
+
+Real curvature_of(const RationalCurve& curve, const Real& t) {
+  const Real squared = value_of(squared_curvature(curve), t, "curvature");
+  if (squared.exact()) return square_root_of(*squared.exact());
+  return Real(
+      [squared](long bits) { return sqrt_of_nonnegative(squared.enclose(bits + 8), bits + 8); });
+}
+
+Real torsion_of(const RationalCurve& curve, const Real& t) {
+  return value_of(torsion(curve), t, "torsion");
+}
+
+}  // namespace
+
+Real curvature(const Path& path, const Place& at) {
+  return visit_curve([&](const auto& curve) { return curvature_of(curve, at.t); },
+                     path.segments()[at.segment]);
+}
+
+Real torsion(const Path& path, const Place& at) {
+  return visit_curve([&](const auto& curve) { return torsion_of(curve, at.t); },
+                     path.segments()[at.segment]);
+}
+
+bool has_continuous_frenet_frame(const Path& path) {
+  const auto& segments = path.segments();
+  for (const Segment& segment : segments)
+    if (!visit_curve([](const auto& curve) { return bends_all_along(curve); }, segment))
+      return false;
+  for (std::size_t k = 0; k + 1 < segments.size(); ++k)
+    if (!have_same_normal(segments[k], segments[k + 1])) return false;
+  if (path.is_closed()) return have_same_normal(segments.back(), segments.front());
+  return true;
+}
+
+void require_frenet_joints(const Path& path) {
+  const auto& segments = path.segments();
+  for (std::size_t k = 0; segments.size() > 1 && k < segments.size(); ++k)
+    if (is_straight(Path(segments[k])))
+      throw DomainError(fmt::format(
+          "Frenet frame: segment {} is a straight line, it has no principal normal", k + 1));
+  for (std::size_t k = 1; k < segments.size(); ++k) {
+    FormulaProgram program;
+    const auto at = [&](const Segment& segment, const Rational& t) {
+      return visit_curve([&](const auto& curve) { return continued_binormal(curve, t, program); },
+                         segment);
+    };
+    const ExactVector before = at(segments[k - 1], 1);
+    const ExactVector after = at(segments[k], 0);
+    ExactVector opposite{};
+    for (std::size_t axis = 0; axis < 3; ++axis) opposite[axis] = program.negative(after[axis]);
+    const auto same = have_same_direction(program, before, after);
+    const auto flipped = have_same_direction(program, before, opposite);
+    if (same == true || flipped == true) continue;
+    if (!same || !flipped)
+      throw Undecided(
+          fmt::format("whether the Frenet frame jumps at the joint t = {} is not told", k));
+    throw DomainError(frenet_jump(k, angle_at_joint(path, k)));
+  }
+}
+
+}  // namespace phrame

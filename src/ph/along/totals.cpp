@@ -1,0 +1,152 @@
+#include "phrame/ph/along/totals.hpp"
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/surd.hpp"
+#include "phrame/integrate/gaussian_logs.hpp"
+#include "phrame/integrate/integrate.hpp"
+#include "phrame/ph/along/rmf_angle.hpp"
+#include "phrame/ph/curve/invariants.hpp"
+
+namespace phrame {
+namespace {
+
+/// Is sgn(orientation)·rate odd about t = 1/2?
+bool is_odd_about_middle(const RationalFunction& rate, const Polynomial& orientation) {
+  const auto product = [&](const Rational& s, const Rational& t) {
+    return abs(rate.numerator()(s) * rate.denominator()(t));
+  };
+  if (product(0, 1) != product(1, 0)) return false;  // for most rates
+  const Polynomial mirror{1, -1};
+  const RationalFunction mirrored = compose(rate, mirror);
+  const Polynomial opposite = compose(orientation, mirror);
+  return (opposite == orientation && mirrored == -rate) ||
+         (opposite == -orientation && mirrored == rate);
+}
+
+/// √radicand · ∫₀¹ ±rate dt for the rate F′, + at first, the sign changing where that of the
+/// orientation does.
+Total total(const RationalFunction& rate, Antiderivative F, const Polynomial& orientation,
+            const Rational& radicand = 1) {
+  Total result{radicand, rate, std::move(F), {}, Rational(0), ExactValue{}};
+  for (const RealRoot& root : real_roots(orientation, open(0, 1)))
+    if (root.order % 2 == 1) result.sign_changes.push_back(root.at);
+
+  if (is_odd_about_middle(rate, orientation)) return result;  // 0
+
+  std::vector<Endpoint> ends{Rational(0)};
+  ends.insert(ends.end(), result.sign_changes.begin(), result.sign_changes.end());
+  ends.emplace_back(Rational(1));
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const Rational sign = k % 2 == 0 ? 1 : -1;
+    const DefiniteIntegral part =
+        definite_integral(result.antiderivative, rate, ends[k], ends[k + 1], AtPoles::refuse);
+    result.value = result.value + sign * part.value;
+    if (result.exact && part.exact && !(result.exact->irrational_pi && part.exact->irrational_pi))
+      result.exact = *result.exact + sign * *part.exact;
+    else
+      result.exact.reset();
+  }
+  if (result.exact && is_rational(*result.exact)) result.value = result.exact->rational;
+  result.value = square_root_of(radicand) * result.value;
+  return result;
+}
+
+/// √radicand · ∫₀¹ sgn(orientation)·rate dt.
+Total total(RationalFunction rate, const Polynomial& orientation, const Rational& radicand = 1) {
+  if (sign_after_zero(orientation) < 0) rate = -rate;
+  return total(rate, integrate(rate), orientation, radicand);
+}
+
+/// ∫ rate for a rate that has the derivative of `known` in it, as integrate() has it: f and f −
+/// known′ have antiderivatives with the same logarithms.
+Antiderivative integrate_beside(const RationalFunction& known, const RationalFunction& rate) {
+  Antiderivative F = integrate(rate - differentiate(known));
+  F.rational = F.rational + known;
+  return F;
+}
+
+/// ∫ rate for the rate `twist` + (arg bend)′, as integrate() has it. Where no residue of `twist` is
+/// ±i/2 and no pole is a zero of the bend, the argument of the bend is that part of the integral
+/// whose residues are ±i/2, so that nothing is to be found out.
+Antiderivative integrate_turning(const RationalFunction& twist, const GaussianPolynomial& bend,
+                                 const RationalFunction& rate) {
+  const Polynomial& n = twist.numerator();
+  const Polynomial& d = twist.denominator();
+  const Polynomial slope = differentiate(d);
+  const Polynomial zeros = norm(bend);
+  const bool is_separate = degree(bend) > 1 && twist.is_proper() && is_squarefree(d) &&
+                           is_squarefree(zeros) && gcd(d, zeros).is_constant() &&
+                           gcd(d, Rational(4) * n * n + slope * slope).is_constant();
+  if (!is_separate) return integrate(rate);
+  Antiderivative F = integrate(twist);
+  F.logs.insert(F.logs.begin(), argument_as_logs(bend));
+  if (!(differentiate(F) == rate))
+    throw Error("total torsion: the check failed, the derivative is not the rate");
+  return F;
+}
+
+/// Why a rate that is not negative has an infinite integral.
+std::optional<Infinite> pole_on_path(const RationalFunction& rate) {
+  const auto poles = real_roots(rate.denominator(), closed(0, 1));
+  if (poles.empty()) return std::nullopt;
+  return Infinite{poles.front().at};
+}
+
+}  // namespace
+
+Total total_length(const Curve& curve) {
+  const Polynomial speed = curve.multiplier() * sigma(curve.preimage());
+  return total(RationalFunction(speed), curve.multiplier());
+}
+
+Total erf_twist(const Curve& curve) { return total(-rate_to_erf(curve.preimage()), Polynomial{1}); }
+
+std::variant<Total, Infinite> bending_energy(const Curve& curve) {
+  const QuaternionPolynomial& a = curve.preimage();
+  const RationalFunction rate(rho(a), curve.multiplier() * pow(sigma(a), 3));
+  if (const auto infinite = pole_on_path(rate)) return *infinite;
+  return total(rate, curve.multiplier());
+}
+
+// τ fσ is 2h/σ − b with b = Im(g′/g), N = |g|² and
+//   b² = ½ Re(g′/g)′ − ½ Re(g″/g) + |g′|²/(2N),  Re(g′/g) = N′/(2N),
+// so that b²/(fσ) is (N′/(4N·fσ))′ plus what has N in the denominator only once: the rational part
+// of the integral is known as far as N is in it.
+std::variant<Total, Infinite> frenet_energy(const Curve& curve) {
+  const Polynomial speed = curve.multiplier() * sigma(curve.preimage());
+  RationalFunction rate = squared_frenet_rate(curve) * RationalFunction(speed);
+  if (const auto infinite = pole_on_path(rate)) return *infinite;
+  const Polynomial size = norm(regular_bend(curve.preimage()));
+  RationalFunction known(differentiate(size), Rational(4) * size * speed);
+  if (sign_after_zero(curve.multiplier()) < 0) {
+    rate = -rate;
+    known = -known;
+  }
+  return total(rate, integrate_beside(known, rate), curve.multiplier());
+}
+
+Total total_torsion(const Curve& curve) {
+  const QuaternionPolynomial& a = curve.preimage();
+  RationalFunction twist = rate_to_erf(a);
+  GaussianPolynomial bend = regular_bend(a);
+  if (sign_after_zero(curve.multiplier()) > 0) {
+    twist = -twist;
+    bend = conjugate(bend);
+  }
+  const RationalFunction rate = twist + rate_of_argument(bend);
+  return total(rate, integrate_turning(twist, bend, rate), curve.multiplier());
+}
+
+std::optional<Total> total_curvature(const Curve& curve) {
+  const auto square = double_ph(curve.preimage());
+  if (!square) return std::nullopt;
+  const RationalFunction rate(square->omega, sigma(curve.preimage()));
+  if (square->constant == 0) return total({}, Polynomial{1});
+  // √(n/d) = (root/d)·√rest for nd = root²·rest.
+  const Integer d(denominator(square->constant));
+  const auto [root, rest] = split_square(Integer(numerator(square->constant)) * d);
+  return total(RationalFunction(Polynomial{Rational(root, d)}) * rate, square->omega,
+               Rational(rest));
+}
+
+}  // namespace phrame

@@ -1,0 +1,192 @@
+#include "phrame/ph/curve/crossings.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/ball_order.hpp"
+#include "phrame/ph/curve/curve_arc.hpp"
+
+// P is the projected curve. An arc on which P′ stays within a half-plane, d·P′ > 0, does not cross
+// itself; so do two successive ones with one d. Two arcs whose boxes are apart do not cross. Where
+// P′(s) × P′(t) ≠ 0 on two arcs, P(s) − P(t) = 0 has one solution there at most, and Newton's step
+// N from the middle, with the derivatives of the whole arcs, holds it: it is there if N is inside,
+// and not if N is outside. Else the longer arc is halved.
+
+namespace phrame {
+namespace {
+
+constexpr long crossing_bits = 96;
+constexpr double least_arc = 0x1p-30;
+constexpr long most_pairs = 4'000'000;
+
+/// A solution s = first, t = second in the two arcs.
+struct NewtonStep {
+  RealBall first;
+  RealBall second;
+};
+
+class CrossingSearch {
+ public:
+  CrossingSearch(CurveTree& first, CurveTree& second) : first_(first), second_(second) {}
+
+  std::optional<std::vector<Crossing>> with_itself() {
+    return visit_self(first_.root()) ? std::optional(std::move(found_)) : std::nullopt;
+  }
+  std::optional<std::vector<Crossing>> with_other() {
+    return visit_pair(first_.root(), second_.root()) ? std::optional(std::move(found_))
+                                                     : std::nullopt;
+  }
+
+ private:
+  bool is_same_curve() const { return &first_ == &second_; }
+
+  /// All in a node with itself; false where that is not decided.
+  bool visit_self(CurveNode& node) {
+    if (is_one_way(node.velocity)) return true;
+    if (is_too_short(node) || !is_left()) return false;
+    first_.split(node);
+    return visit_self(*node.halves[0]) && visit_self(*node.halves[1]) &&
+           visit_pair(*node.halves[0], *node.halves[1]);
+  }
+
+  bool visit_pair(CurveNode& a, CurveNode& b) {
+    if (!is_left()) return false;
+    if (are_apart(a.box, b.box)) return true;
+    const bool are_neighbours = is_same_curve() && first_.share_end(a, b);
+    if (are_neighbours && is_one_way(hull_of(a.velocity, b.velocity))) return true;
+    if (!are_neighbours && a.is_arc() && b.is_arc() && are_transversal(a.velocity, b.velocity)) {
+      const auto [is_decided, crossing] = solve(a, b);
+      if (crossing) return add_crossing(a, b, *crossing);
+      if (is_decided) return true;
+    }
+    CurveNode& longer = size_of(a) >= size_of(b) ? a : b;
+    CurveTree& tree = &longer == &a ? first_ : second_;
+    if (is_too_short(longer)) return false;
+    tree.split(longer);
+    const auto with_half = [&](CurveNode& half) {
+      return &longer == &a ? visit_pair(half, b) : visit_pair(a, half);
+    };
+    return with_half(*longer.halves[0]) && with_half(*longer.halves[1]);
+  }
+
+  struct Solution {
+    bool is_decided = false;
+    std::optional<NewtonStep> crossing = {};
+  };
+  Solution solve(const CurveNode& a, const CurveNode& b) const;
+  NewtonStep newton(const CurveNode& a, const RealBall& s, const CurveNode& b, const RealBall& t,
+                    long bits) const;
+  bool add_crossing(const CurveNode& a, const CurveNode& b, NewtonStep at);
+  int sign_at(const CurveNode& a, const RealBall& s, const CurveNode& b, const RealBall& t,
+              long bits) const;
+
+  bool is_left() { return ++pairs_ <= most_pairs; }
+  static double size_of(const CurveNode& node) {
+    return static_cast<double>(node.last_segment - node.first_segment) + node.upper - node.lower;
+  }
+  static bool is_too_short(const CurveNode& node) {
+    return node.is_arc() && node.upper - node.lower < least_arc;
+  }
+
+  CurveTree& first_;
+  CurveTree& second_;
+  long pairs_ = 0;
+  std::vector<Crossing> found_;
+};
+
+/// N for the parameters in s and t.
+NewtonStep CrossingSearch::newton(const CurveNode& a, const RealBall& s, const CurveNode& b,
+                                  const RealBall& t, long bits) const {
+  const RealBall p = midpoint_of(s);
+  const RealBall q = midpoint_of(t);
+  const PlaneSeries at_p = first_.series(a.first_segment, p, 1, bits);
+  const PlaneSeries at_q = second_.series(b.first_segment, q, 1, bits);
+  const PlaneSeries over_s = first_.series(a.first_segment, s, 2, bits);
+  const PlaneSeries over_t = second_.series(b.first_segment, t, 2, bits);
+  const auto gap = [&](std::size_t k) {
+    return subtract(at_p[k].coefficient(0), at_q[k].coefficient(0), bits);
+  };
+  const auto slope_s = [&](std::size_t k) { return over_s[k].coefficient(1); };
+  const auto slope_t = [&](std::size_t k) { return over_t[k].coefficient(1); };
+  const auto cross_of = [&](const RealBall& x, const RealBall& y, const RealBall& z,
+                            const RealBall& w) {
+    return subtract(multiply(x, w, bits), multiply(y, z, bits), bits);
+  };
+  // P′(s)·ds − P′(t)·dt = −gap, by Cramer's rule.
+  const RealBall determinant = cross_of(slope_s(0), slope_s(1), slope_t(0), slope_t(1));
+  const RealBall ds = divide(cross_of(gap(0), gap(1), slope_t(0), slope_t(1)), determinant, bits);
+  const RealBall dt = divide(cross_of(gap(0), gap(1), slope_s(0), slope_s(1)), determinant, bits);
+  return {subtract(p, ds, bits), subtract(q, dt, bits)};
+}
+
+CrossingSearch::Solution CrossingSearch::solve(const CurveNode& a, const CurveNode& b) const {
+  const NewtonStep step = newton(a, arc_parameter(a), b, arc_parameter(b), crossing_bits);
+  const auto ends = [](const CurveNode& node) {
+    return std::pair(exact_sum(node.lower, 0), exact_sum(node.upper, 0));
+  };
+  const auto is_outside = [&](const RealBall& x, const CurveNode& node) {
+    const auto [lower, upper] = ends(node);
+    return is_less(x, lower) || is_less(upper, x);
+  };
+  const auto is_inside = [&](const RealBall& x, const CurveNode& node) {
+    const auto [lower, upper] = ends(node);
+    return is_less(lower, x) && is_less(x, upper);
+  };
+  if (is_outside(step.first, a) || is_outside(step.second, b)) return {true};
+  if (is_inside(step.first, a) && is_inside(step.second, b)) return {true, step};
+  return {};
+}
+
+int CrossingSearch::sign_at(const CurveNode& a, const RealBall& s, const CurveNode& b,
+                            const RealBall& t, long bits) const {
+  const Vector<BallPolynomial> p = first_.space_series(a.first_segment, s, 2, bits);
+  const Vector<BallPolynomial> q = second_.space_series(b.first_segment, t, 2, bits);
+  RealBall determinant;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3;
+    const std::size_t j = (k + 2) % 3;
+    const RealBall minor = subtract(multiply(p[i].coefficient(1), q[j].coefficient(1), bits),
+                                    multiply(p[j].coefficient(1), q[i].coefficient(1), bits), bits);
+    const RealBall gap = subtract(p[k].coefficient(0), q[k].coefficient(0), bits);
+    determinant = add_product(determinant, minor, gap, bits);
+  }
+  return sign(determinant);
+}
+
+/// Narrows it until its sign is certain, and its place is known to some digits.
+bool CrossingSearch::add_crossing(const CurveNode& a, const CurveNode& b, NewtonStep at) {
+  constexpr int most_steps = 8;
+  int sign = 0;
+  for (int steps = 0; steps < most_steps; ++steps) {
+    const long bits = crossing_bits << (steps / 4);
+    sign = sign_at(a, at.first, b, at.second, bits);
+    if (sign != 0 && at.first.is_accurate(40) && at.second.is_accurate(40)) break;
+    at = newton(a, at.first, b, at.second, bits);
+  }
+  if (sign == 0) return false;
+  found_.push_back({a.first_segment, at.first, b.first_segment, at.second, sign});
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::vector<Crossing>> self_crossings(const CurveSeries& curve,
+                                                    const Vector<Rational>& v) {
+  CurveTree tree(curve, v);
+  return CrossingSearch(tree, tree).with_itself();
+}
+
+std::optional<std::vector<Crossing>> mutual_crossings(const CurveSeries& first,
+                                                      const CurveSeries& second,
+                                                      const Vector<Rational>& v) {
+  CurveTree one(first, v);
+  CurveTree other(second, v);
+  return CrossingSearch(one, other).with_other();
+}
+
+long sum_of_signs(const std::vector<Crossing>& crossings) {
+  long sum = 0;
+  for (const Crossing& crossing : crossings) sum += crossing.sign;
+  return sum;
+}
+
+}  // namespace phrame

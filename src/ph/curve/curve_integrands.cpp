@@ -1,0 +1,104 @@
+#include "phrame/ph/curve/curve_integrands.hpp"
+
+#include <utility>
+
+#include "phrame/algebra/real.hpp"
+
+// |v × r′|² = |v|²|r′|² − (v·r′)², e₁′·e₂ does not matter, and e₂′·e₃ = (v × r″)·e₃/|v × r′|, where
+// e₃·|v × r′||r′| = r′ × (v × r′) = v|r′|² − (v·r′)r′; (v × r″)·v = 0 leaves −(v·r′)·(v × r″)·r′ =
+// (v·r′)·det(v, r′, r″).
+
+namespace phrame {
+namespace {
+
+/// p(x).
+DiscFunction polynomial_at(const Polynomial& p, const DiscFunction& x) {
+  DiscFunction value = constant_like(x, p.leading_coefficient());
+  for (long k = p.degree(); k-- > 0;) value = value * x + constant_like(x, p.coefficient(k));
+  return value;
+}
+
+/// |r′|/V(x). That V has no pole is asked for, too.
+DiscProduct time_by(const RationalFunction& speed, const DiscFunction& x, const CurveJet& jet) {
+  return {constant_like(x, 1),
+          {{jet.square(), 1},
+           {polynomial_at(speed.denominator(), x), 2},
+           {polynomial_at(speed.numerator(), x), -2}}};
+}
+
+// In the plane r′ × r″ is λn, so that one component j tells λ|n| = (r′ × r″)ⱼ·|n|/nⱼ.
+DiscFunction signed_curvature(const Vector<Rational>& normal, const CurveJet& jet) {
+  const std::size_t j = normal[2] != 0 ? 2 : normal[1] != 0 ? 1 : 0;
+  const Real scale = square_root_of(dot(normal, normal) / (normal[j] * normal[j]));
+  const DiscFunction& bend = jet.bend()[j];
+  const RealBall size =
+      multiply(RealBall(normal[j].sign(), 2), scale.enclose(bend.bits), bend.bits);
+  const DiscFunction factor{BallPolynomial({size}), absolute(size), bend.length, bend.bits};
+  const DiscFunction inverse = jet.inverse_speed();
+  return factor * bend * inverse * (inverse * inverse);
+}
+
+DiscProduct up_frame(const Vector<Rational>& v, const CurveJet& jet) {
+  const DiscFunction& like = jet.first()[0];
+  const Vector<DiscFunction> up{constant_like(like, v[0]), constant_like(like, v[1]),
+                                constant_like(like, v[2])};
+  const Vector<DiscFunction> side = cross(up, jet.first());
+  return {dot(up, jet.first()) * dot(side, jet.second()),
+          {{dot(side, side), -2}, {jet.square(), -1}}};
+}
+
+DiscProduct positive_product(const CurveIntegrand& y, const CurveJet& jet) {
+  const auto one = [&jet] { return constant_like(jet.first()[0], 1); };
+  switch (y.kind) {
+    case CurveIntegrand::Kind::length:
+      return {one(), {{jet.square(), 1}}};
+    case CurveIntegrand::Kind::curvature:
+      return {one(), {{jet.bend_square(), 1}, {jet.square(), -2}}};
+    case CurveIntegrand::Kind::torsion:
+      return {jet.volume(), {{jet.square(), 1}, {jet.bend_square(), -2}}};
+    case CurveIntegrand::Kind::bending:
+      return {jet.bend_square().base(), {{jet.square(), -5}}};
+    case CurveIntegrand::Kind::squared_torsion:
+      return {jet.volume() * jet.volume(), {{jet.square(), 1}, {jet.bend_square(), -4}}};
+    case CurveIntegrand::Kind::up_frame:
+      return up_frame(y.vector, jet);
+    case CurveIntegrand::Kind::time_by_parameter:
+      return time_by(y.speed, jet.parameter(), jet);
+    case CurveIntegrand::Kind::time_by_curvature:
+      break;
+  }
+  return time_by(y.speed, signed_curvature(y.vector, jet), jet);
+}
+
+}  // namespace
+
+DiscProduct CurveIntegrand::operator()(const CurveJet& jet) const {
+  DiscProduct product = positive_product(*this, jet);
+  if (sign < 0) product.numerator.series = -std::move(product.numerator.series);
+  return product;
+}
+
+CurveIntegrand length_rate() { return {CurveIntegrand::Kind::length}; }
+CurveIntegrand curvature_rate() { return {CurveIntegrand::Kind::curvature}; }
+CurveIntegrand torsion_rate() { return {CurveIntegrand::Kind::torsion}; }
+CurveIntegrand bending_rate() { return {CurveIntegrand::Kind::bending}; }
+CurveIntegrand squared_torsion_rate() { return {CurveIntegrand::Kind::squared_torsion}; }
+
+CurveIntegrand up_frame_rate(const Vector<Rational>& v) {
+  return {CurveIntegrand::Kind::up_frame, 1, v};
+}
+
+CurveIntegrand time_by_parameter(const RationalFunction& speed, const Rational& shift) {
+  return {CurveIntegrand::Kind::time_by_parameter, 1, {}, compose(speed, Polynomial{shift, 1})};
+}
+
+CurveIntegrand time_by_curvature(const RationalFunction& speed, const Vector<Rational>& normal) {
+  return {CurveIntegrand::Kind::time_by_curvature, 1, normal, speed};
+}
+
+CurveIntegrand negative(CurveIntegrand y) {
+  y.sign = -y.sign;
+  return y;
+}
+
+}  // namespace phrame

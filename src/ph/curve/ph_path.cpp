@@ -1,0 +1,133 @@
+#include "phrame/ph/curve/ph_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/algebraic_image.hpp"
+#include "phrame/algebra/as_written.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+// Unit tangents are ±A i A*/σ, A without its real content, the sign that of f on the inner side.
+// For v = A(end), w = B(start): v i v* and w i w* have the same direction iff v̄w commutes with i,
+// that is lies in ℚ(i).
+
+namespace phrame {
+namespace {
+
+/// What the frame at an end of a curve depends on: A up to a positive factor, and the sign of f.
+struct End {
+  RationalQuaternion a;
+  int sign;
+};
+
+End start_of(const Curve& curve) {
+  return {evaluate(without_real_content(curve.preimage()), 0), sign_after_zero(curve.multiplier())};
+}
+
+int sign_before_one(const Polynomial& f) {
+  if (f.is_constant()) return sign_after_zero(f);
+  return sign_after_zero(compose(f, Polynomial{1, -1}));
+}
+
+End end_of(const Curve& curve) {
+  return {evaluate(without_real_content(curve.preimage()), 1), sign_before_one(curve.multiplier())};
+}
+
+/// The tangent, r′/|r′|, scaled such that its largest component is ±1.
+Vector<Rational> direction(const End& end) {
+  Vector<Rational> d = rotated_i(end.a);
+  const Rational size = std::max({Rational(abs(d[0])), Rational(abs(d[1])), Rational(abs(d[2]))});
+  for (Rational& x : d) x *= end.sign / size;
+  return d;
+}
+
+/// z ∈ ℚ(i) with w = v·z up to a positive factor; no value where the tangents differ or e₁ would be
+/// reversed.
+std::optional<GaussianRational> turn(const End& v, const End& w) {
+  const RationalQuaternion z = conjugate(v.a) * w.a;
+  if (v.sign != w.sign || z.p != 0 || z.q != 0) return std::nullopt;
+  return GaussianRational{z.u, z.v};
+}
+
+/// The same curve with A·c and f/|c|².
+Curve turned(const Curve& curve, const GaussianInteger& c) {
+  if (c == GaussianInteger{1, 0}) return curve;
+  const QuaternionPolynomial factor{Polynomial{Rational(c.re)}, Polynomial{Rational(c.im)}, {}, {}};
+  const Polynomial slower{Rational(1) / Rational(norm(c))};
+  return Curve(curve.preimage() * factor, slower * curve.multiplier(), curve.start());
+}
+
+}  // namespace
+
+PhPath::PhPath(Curve first) : segments_{std::move(first)} {
+  Curve& curve = segments_.front();
+  if (sign_after_zero(curve.multiplier()) < 0) curve = turned_over(curve);
+}
+
+PhPath PhPath::of_continuous(std::vector<Curve> segments) {
+  PhPath path;
+  path.segments_ = std::move(segments);
+  return path;
+}
+
+void PhPath::append(const Curve& next) {
+  segments_.push_back(continuation(segments_.back(), next));
+}
+
+Curve continuation(const Curve& last, const Curve& next) {
+  const Vector<Rational> here = end_point(last);
+  if (next.start() != here)
+    throw DomainError(fmt::format("it starts at {}, but the spline ends at {}",
+                                  abbreviated(next.start()), abbreviated(here)));
+  const End before = end_of(last);
+  const Curve same_side =
+      before.sign == sign_after_zero(next.multiplier()) ? next : turned_over(next);
+  const End after = start_of(same_side);
+  const auto z = turn(before, after);
+  if (!z)
+    throw DomainError(
+        fmt::format("the tangent breaks: it starts in the direction {}, but the spline ends in {}",
+                    abbreviated(direction(after)), abbreviated(direction(before))));
+  return turned(same_side, conjugate(primitive_multiple(*z)));
+}
+
+PhPath joined(const std::vector<Curve>& curves) {
+  PhPath path(curves.front());
+  for (std::size_t k = 1; k < curves.size(); ++k) path.append(curves[k]);
+  return path;
+}
+
+bool PhPath::ends_meet() const { return end_point(segments_.back()) == segments_.front().start(); }
+
+std::optional<GaussianRational> PhPath::closing_turn() const {
+  if (!ends_meet()) return std::nullopt;
+  return turn(end_of(segments_.back()), start_of(segments_.front()));
+}
+
+PathParameter locate(const PhPath& path, const Rational& t) {
+  return path.is_curve() ? PathParameter{0, t} : locate_inside(path, t);
+}
+
+PathParameter locate_inside(const PhPath& path, const Rational& t) {
+  return locate_inside(path.segments().size(), t);
+}
+
+PathParameter locate_inside(std::size_t count, const Rational& t) {
+  if (t < 0 || t > Rational(count))
+    throw DomainError(fmt::format("t = {} is outside [0, {}]", as_written(t), count));
+  const std::size_t k = std::min(static_cast<std::size_t>(static_cast<long>(floor(t))), count - 1);
+  return {k, t - Rational(k)};
+}
+
+Rational parameter(const PathParameter& at) {
+  return Rational(static_cast<long>(at.segment)) + at.t;
+}
+
+RealAlgebraic parameter(const PathPoint& at) {
+  return affine(at.t, 1, Rational(static_cast<long>(at.segment)));
+}
+
+}  // namespace phrame

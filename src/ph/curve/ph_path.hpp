@@ -1,0 +1,87 @@
+#pragma once
+#include <optional>
+
+#include "phrame/algebra/gaussian_integer.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/ph/curve/curve.hpp"
+
+namespace phrame {
+
+/// A PH curve, or several joined to one, a spline. Segment k = 0, 1, …, each with its own [0, 1],
+/// is the part [k, k + 1] of the parameter t; a curve by itself goes on for all t. At the joints
+/// the position and the unit tangent r′/|r′| are continuous, exactly; at a cusp there the tangent
+/// is its limit.
+///
+/// The segments are the curves given, but their preimages are chosen such that the Euler–Rodrigues
+/// frame is continuous, too, and that e₁ is r′/|r′| at the start, just after a cusp there. A ↦ A·c
+/// with c ∈ ℚ(i), f ↦ f/|c|², leaves a curve alone and turns that frame about the tangent by the
+/// constant 2·arg c; A ↦ A·j, f ↦ −f turns it over.
+class PhPath {
+ public:
+  /// One segment, to which others may be appended.
+  PhPath(Curve first);  // NOLINT(google-explicit-constructor)
+
+  /// The segments as they are. Precondition: f > 0 just after the start of the first, and each
+  /// other is the continuation() of the one before.
+  static PhPath of_continuous(std::vector<Curve> segments);
+
+  /// Throws DomainError where the curve does not start where the spline ends, and where its tangent
+  /// there is another: "it starts at (1, 0, 0), but the spline ends at (1, 2, 0)". Cost: the
+  /// coefficients may get more digits from one segment to the next, by those of c.
+  void append(const Curve& next);
+
+  const std::vector<Curve>& segments() const { return segments_; }  ///< at least one
+  /// Of the parameter.
+  Rational end() const { return Rational(static_cast<long>(segments_.size())); }
+
+  /// Is it a curve by itself?
+  bool is_curve() const { return segments_.size() == 1; }
+
+  /// Is its end its start?
+  bool ends_meet() const;
+  /// Where the spline is closed with a continuous tangent: z with A(start) = A(end)·z up to a
+  /// positive factor, so that the Euler–Rodrigues frame at the start is that at the end, turned by
+  /// 2·arg z. No value for other splines, or where e₁ comes back reversed (after an odd number of
+  /// cusps at which the curve turns back).
+  std::optional<GaussianRational> closing_turn() const;
+
+  friend bool operator==(const PhPath&, const PhPath&) = default;
+
+ private:
+  PhPath() = default;
+
+  std::vector<Curve> segments_;
+};
+
+/// The curve `next`, with the preimage that goes on with the Euler–Rodrigues frame of the end of
+/// `last`. Throws as PhPath::append.
+Curve continuation(const Curve& last, const Curve& next);
+
+/// The curves, at least one, one after the other. Throws as PhPath::append.
+PhPath joined(const std::vector<Curve>& curves);
+
+/// The segment that t is in, the later one at a joint, and the parameter there: in [0, 1], unless
+/// the path is a curve.
+struct PathParameter {
+  std::size_t segment;  ///< 0, 1, …
+  Rational t;           ///< the parameter of that segment
+};
+/// Throws DomainError for t outside [0, end()] of a spline.
+PathParameter locate(const PhPath& path, const Rational& t);
+/// The same, and of a curve, too.
+PathParameter locate_inside(const PhPath& path, const Rational& t);
+/// The same on a path of `count` ≥ 1 segments of any kind.
+PathParameter locate_inside(std::size_t count, const Rational& t);
+
+/// A point of a path, at an algebraic parameter on that segment.
+struct PathPoint {
+  std::size_t segment;  ///< 0, 1, …
+  RealAlgebraic t;      ///< the parameter of that segment
+};
+
+/// @{ The parameter along the path, segment + t.
+Rational parameter(const PathParameter& at);
+RealAlgebraic parameter(const PathPoint& at);
+/// @}
+
+}  // namespace phrame

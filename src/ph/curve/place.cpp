@@ -1,0 +1,104 @@
+#include "phrame/ph/curve/place.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/shared.hpp"
+#include "phrame/ph/curve/formula_evaluation.hpp"
+
+namespace phrame {
+namespace {
+
+/// The values of dⁿr/dsⁿ at t, all components at once, kept for the bits that were asked for last.
+class DerivativeValues {
+ public:
+  DerivativeValues(const ExpressionCurve& curve, std::size_t order, const Real& t)
+      : curve_(curve), order_(order), t_(t) {}
+
+  RealBall enclose(std::size_t component, long bits) const {
+    return (*known_.get(bits, [&](const auto*) { return computed(bits + 8); }))[component];
+  }
+
+ private:
+  // r(t + z) = Σ cₖ zᵏ, s = a + (b − a)t.
+  Vector<RealBall> computed(long bits) const {
+    const auto n = static_cast<long>(order_);
+    const Vector<BallPolynomial> r = curve_.series(t_.enclose(bits), 1, n + 1, bits);
+    RealBall scale(n == 3 ? 6 : std::max(n, 1L), bits);
+    if (n > 0) {
+      const RealBall length =
+          subtract(constant_value(curve_.to(), bits), constant_value(curve_.from(), bits), bits);
+      scale = divide(scale, pow(length, n, bits), bits);
+    }
+    Vector<RealBall> values;
+    for (std::size_t k = 0; k < 3; ++k) values[k] = multiply(r[k].coefficient(n), scale, bits);
+    return values;
+  }
+
+  ExpressionCurve curve_;
+  std::size_t order_;
+  Real t_;
+  Refined<Vector<RealBall>> known_;
+};
+
+/// v or −v, with this sign.
+Vector<Real> with_sign(int sign, const Vector<Real>& v) {
+  return sign < 0 ? Vector<Real>{-v[0], -v[1], -v[2]} : v;
+}
+
+}  // namespace
+
+Real value(const Polynomial& p, const Real& t) {
+  if (t.exact()) return p(*t.exact());
+  if (p.is_constant()) return p.coefficient(0);
+  return Real([p, t](long bits) { return evaluate(p, t.enclose(bits + 8), bits + 8); });
+}
+
+Vector<Real> position(const RationalCurve& curve, const Real& t) {
+  const Real below = value(curve.weight(), t);
+  const Vector<Polynomial>& X = curve.numerator();
+  return {quotient_of(value(X[0], t), below), quotient_of(value(X[1], t), below),
+          quotient_of(value(X[2], t), below)};
+}
+
+Vector<Real> direction(const RationalCurve& curve, const Real& t) {
+  const Vector<Polynomial>& H = curve.direction();
+  return {value(H[0], t), value(H[1], t), value(H[2], t)};
+}
+
+Vector<Real> derivative(const ExpressionCurve& curve, std::size_t order, const Real& t) {
+  const auto values = std::make_shared<const DerivativeValues>(curve, order, t);
+  Vector<Real> result{Rational(0), Rational(0), Rational(0)};
+  for (std::size_t k = 0; k < 3; ++k)
+    result[k] = Real([values, k](long bits) { return values->enclose(k, bits); });
+  if (!t.exact()) return result;
+  FormulaProgram program;
+  const ExactVector exact = exact_derivative(curve, order, *t.exact(), program);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (const Rational* x = program.rational(exact[k])) result[k] = *x;
+  return result;
+}
+
+Vector<Real> position(const Path& path, const Place& at) {
+  const Segment& segment = path.segments()[at.segment];
+  if (const RationalCurve* curve = rational_curve(segment)) return position(*curve, at.t);
+  return derivative(std::get<ExpressionCurve>(segment), 0, at.t);
+}
+
+Vector<Real> direction(const Path& path, const Place& at) {
+  const Segment& segment = path.segments()[at.segment];
+  if (const RationalCurve* curve = rational_curve(segment)) return direction(*curve, at.t);
+  const auto& formulas = std::get<ExpressionCurve>(segment);
+  return with_sign(formulas.orientation() * direction_of_parameter(formulas),
+                   derivative(formulas, 1, at.t));
+}
+
+Vector<Real> direction_slope(const Path& path, const Place& at) {
+  const Segment& segment = path.segments()[at.segment];
+  if (const auto* formulas = std::get_if<ExpressionCurve>(&segment))
+    return with_sign(formulas->orientation(), derivative(*formulas, 2, at.t));
+  const Vector<Polynomial>& H = rational_curve(segment)->direction();
+  return {value(differentiate(H[0]), at.t), value(differentiate(H[1]), at.t),
+          value(differentiate(H[2]), at.t)};
+}
+
+}  // namespace phrame

@@ -1,0 +1,99 @@
+#include "phrame/ph/curve/rational_curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/as_written.hpp"
+#include "phrame/algebra/compact.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+namespace phrame {
+namespace {
+
+Polynomial vector_gcd(const Vector<Polynomial>& v) { return gcd(gcd(v[0], v[1]), v[2]); }
+
+Vector<Polynomial> quotient(const Vector<Polynomial>& v, const Polynomial& by) {
+  return {exact_quotient(v[0], by), exact_quotient(v[1], by), exact_quotient(v[2], by)};
+}
+
+void refuse_zeros(const Polynomial& weight) {
+  const std::vector<Interval> zeros = located_real_roots(weight, closed(0, 1));
+  if (zeros.empty()) return;
+  const Interval& first = zeros.front();
+  throw DomainError(
+      first.lower == first.upper
+          ? fmt::format("the weight function is 0 at t = {}", as_written(*first.lower))
+          : fmt::format("the weight function is 0 near t = {:.6g}",
+                        static_cast<double>((*first.lower + *first.upper) / 2)));
+}
+
+}  // namespace
+
+RationalCurve::RationalCurve(const Vector<Polynomial>& numerator, const Polynomial& weight) {
+  if (weight.is_zero()) throw DomainError("the weight function is 0");
+  const Polynomial common = gcd(vector_gcd(numerator), weight);
+  numerator_ = quotient(numerator, common);
+  weight_ = exact_quotient(weight, common);
+  refuse_zeros(weight_);
+  const Rational size = abs(content(weight_));
+  const Rational unit = Rational(sign_after_zero(weight_)) / size;
+  weight_ *= unit;
+  for (Polynomial& x : numerator_) x *= unit;
+
+  const Polynomial slope = differentiate(weight_);
+  Vector<Polynomial> hodograph;
+  for (std::size_t k = 0; k < 3; ++k)
+    hodograph[k] = differentiate(numerator_[k]) * weight_ - numerator_[k] * slope;
+  multiplier_ = vector_gcd(hodograph);
+  if (multiplier_.is_zero())
+    throw DomainError(fmt::format("the curve is the point {}", abbreviated(point(*this, 0))));
+  direction_ = quotient(hodograph, multiplier_);
+  Rational scale = common_content({direction_[0], direction_[1], direction_[2]});
+  if (sign_after_zero(multiplier_) < 0) scale = -scale;
+  for (Polynomial& x : direction_) x *= Rational(1) / scale;
+  multiplier_ *= scale;
+
+  // Splines have thousands of segments.
+  for (Vector<Polynomial>* v : {&numerator_, &direction_})
+    for (Polynomial& x : *v) x = compact(std::move(x));
+}
+
+RationalCurve RationalCurve::turned_over() const {
+  RationalCurve other = *this;
+  for (Polynomial& x : other.direction_) x = -x;
+  other.multiplier_ = -other.multiplier_;
+  return other;
+}
+
+long degree(const RationalCurve& curve) {
+  long degree = curve.weight().degree();
+  for (const Polynomial& x : curve.numerator()) degree = std::max(degree, x.degree());
+  return degree;
+}
+
+Vector<Rational> point(const RationalCurve& curve, const Rational& t) {
+  const Rational w = curve.weight()(t);
+  Vector<Rational> r = evaluate(curve.numerator(), t);
+  for (Rational& x : r) x /= w;
+  return r;
+}
+
+RationalCurve bezier_curve(const std::vector<Vector<Rational>>& points,
+                           const std::vector<Rational>& weights) {
+  if (points.empty()) throw DomainError("a Bézier curve has at least one control point");
+  if (!weights.empty() && weights.size() != points.size())
+    throw DomainError(
+        fmt::format("{} weights for {} control points", weights.size(), points.size()));
+  Vector<Polynomial> numerator;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<Rational> b;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      b.push_back(weights.empty() ? points[k][axis] : weights[k] * points[k][axis]);
+    numerator[axis] = from_bernstein(b);
+  }
+  return RationalCurve(numerator, weights.empty() ? Polynomial{1} : from_bernstein(weights));
+}
+
+}  // namespace phrame

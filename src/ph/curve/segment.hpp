@@ -1,0 +1,57 @@
+#pragma once
+#include <variant>
+
+#include "phrame/algebra/shared.hpp"
+#include "phrame/ph/curve/curve.hpp"
+#include "phrame/ph/curve/expression_curve.hpp"
+#include "phrame/ph/curve/rational_curve.hpp"
+
+namespace phrame {
+
+/// A PH curve as a segment of a path: by its preimage and, where that is asked for, by its
+/// positions. Copies share these.
+class PhSegment {
+ public:
+  /// That curve, on [0, 1].
+  explicit PhSegment(Curve curve) : curve_(std::make_shared<const Curve>(std::move(curve))) {}
+
+  const Curve& curve() const { return *curve_; }  ///< the curve
+  /// The same by its positions: H is along A i A*, p has the sign of f. Cost: that of r and of the
+  /// greatest common divisor of r′, in the first call.
+  const RationalCurve& by_positions() const;
+  /// A without its greatest real factor, for frames, which go on through cusps. Found in the first
+  /// call.
+  const QuaternionPolynomial& primitive_preimage() const;
+
+  /// The same with A·j and −f, whose e₁ is reversed.
+  PhSegment turned_over() const { return PhSegment(phrame::turned_over(curve())); }
+
+  friend bool operator==(const PhSegment& a, const PhSegment& b) { return a.curve() == b.curve(); }
+
+ private:
+  std::shared_ptr<const Curve> curve_;
+  Lazy<RationalCurve> by_positions_;
+  Lazy<QuaternionPolynomial> primitive_;
+};
+
+/// A segment of a path of curves of any kind, on [0, 1].
+using Segment = std::variant<RationalCurve, ExpressionCurve, PhSegment>;
+
+/// @{ The curve that the segment is, where it is one: null for others. A PH curve is a rational
+/// one, too.
+const Curve* ph_curve(const Segment& segment);
+const RationalCurve* rational_curve(const Segment& segment);
+/// @}
+
+/// f(curve) of the RationalCurve or the ExpressionCurve that the segment is.
+template <class F>
+decltype(auto) visit_curve(const F& f, const Segment& segment) {
+  if (const RationalCurve* curve = rational_curve(segment)) return f(*curve);
+  return f(std::get<ExpressionCurve>(segment));
+}
+
+/// 1 where e₁ is the unit tangent r′/|r′| just after the start of the segment, −1 where it is the
+/// opposite.
+int orientation(const Segment& segment);
+
+}  // namespace phrame

@@ -1,0 +1,52 @@
+#pragma once
+#include "phrame/algebra/real.hpp"
+#include "phrame/ph/curve/crossings.hpp"
+#include "phrame/ph/curve/path.hpp"
+
+namespace phrame {
+
+/// A closed regular curve with the frame of a vector v, e₂ = v × e₁/|v × e₁|, which closes with it.
+/// From these come all that does not depend on v [Călugăreanu 1961; White 1969; Fuller 1971].
+struct ClosedFrame {
+  Vector<Rational> v;  ///< nowhere parallel to the tangent
+  /// Lk of the curve and its copy shifted along v: the sum of the signs of the crossings that a
+  /// projection along v shows, which are proved to be all.
+  long linking;
+  Real twist;  ///< Tw = 1/(2π) ∫ e₂′·e₃, e₃ = e₁ × e₂: turns of the frame about the tangent
+};
+
+/// @{ The frame of the first of a few v with which all is decided. Throws DomainError where the
+/// curve is not closed with a continuous tangent, or has a cusp; Undecided where no v decides, as
+/// where the curve meets itself, and where it is not told whether it is closed. The twist of a PH
+/// curve has a closed form. Cost: that of the crossings; the twist is found when it is asked for.
+ClosedFrame closed_frame(const PhPath& path);
+ClosedFrame closed_frame(const Path& path);
+/// @}
+/// @{ With this v, or no value where it does not decide.
+std::optional<ClosedFrame> closed_frame(const PhPath& path, const Vector<Rational>& v);
+std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>& v);
+/// @}
+
+/// The writhe Wr = Lk − Tw, 1/(4π) ∬ det(r′(s), r′(t), r(s) − r(t))/|r(s) − r(t)|³ ds dt.
+Real writhe(const ClosedFrame& frame);
+/// @{ The same of a closed curve, 0 where it is plane, also where it crosses itself. Throws as
+/// closed_frame().
+Real writhe(const PhPath& path);
+Real writhe(const Path& path);
+/// @}
+/// By which angle in (−π, π] a rotation-minimizing frame comes back turned about the tangent:
+/// −2π·Tw up to whole turns; next to π where it is not told from that within 256 bits.
+Real holonomy(const ClosedFrame& frame);
+/// The self-linking number Lk − Tw + ∫τ ds/(2π) of a curve without inflections: how often it is
+/// linked with its copy shifted along its principal normals. `torsion` is ∫τ ds. Throws Undecided
+/// where that is not seen to be an integer.
+long self_linking_number(const ClosedFrame& frame, const Real& torsion);
+/// The turn per length about the tangent, −holonomy/length, that is to be added to a
+/// rotation-minimizing frame for it to close, so that a profile swept along the curve does.
+Real closing_turn_per_length(const Real& holonomy, const Real& length);
+
+/// The linking number of two closed curves, from the first of a few v that decides. Throws
+/// Undecided where none does, as where the curves meet.
+long linking_number(const CurveSeries& first, const CurveSeries& second);
+
+}  // namespace phrame

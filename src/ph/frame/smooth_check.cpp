@@ -1,0 +1,103 @@
+#include "phrame/ph/frame/smooth_check.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/along/smooth_length.hpp"
+#include "phrame/ph/frame/frame_deviation.hpp"
+#include "phrame/ph/frame/smooth_frame.hpp"
+
+namespace phrame {
+namespace {
+
+/// The sign of p next to t.
+int side_of(const RationalCurve& curve, const Rational& t) {
+  return sign_beside(curve.multiplier(), t);
+}
+
+/// e₁ is r′/|r′| all along, or its opposite.
+int side_of(const ExpressionCurve& curve, const Rational&) { return curve.orientation(); }
+
+int side_of(const Path& path, const PathParameter& at) {
+  return visit_curve([&](const auto& curve) { return side_of(curve, at.t); },
+                     path.segments()[at.segment]);
+}
+
+/// What the tangents given take for forward, as FrameCheck::forward().
+Forward forward_of(const Path& path, const std::vector<GivenFrame>& frames) {
+  long balance = 0;
+  for (const GivenFrame& frame : frames) {
+    if (!frame.tangent) continue;
+    const PathParameter at = locate(path, frame.t);
+    if (side_of(path, at) >= 0) continue;
+    balance += sign_of(dot(as_reals(*frame.tangent), direction(path, at)));
+  }
+  return balance > 0 ? Forward::preimage : Forward::motion;
+}
+
+/// Of the path at t; n only where it is defined.
+ExactFrame exact_frame(const SmoothAngle& angle, const Rational& t, Forward forward, long bits) {
+  const Path& path = angle.path();
+  const PathParameter at = locate(path, t);
+  const Vector<Real> H = direction(path, at);
+  ExactFrame exact{H, cross(as_reals(angle.up()), H), std::nullopt, angle.enclose(at, bits),
+                   forward == Forward::preimage ? 1 : side_of(path, at)};
+  try {
+    exact.normal = frenet_frame(path, at).e2;
+  } catch (const DomainError&) {  // an inflection, or a straight line
+  }
+  return exact;
+}
+
+/// The arc length from a to b; no value where that is not told from 0.
+std::optional<RealBall> length_between(const SmoothLength& length, const Path& path,
+                                       const Rational& a, const Rational& b, long bits) {
+  if (a == b) return std::nullopt;
+  const RealBall way = subtract(length.value(locate(path, b)).enclose(bits),
+                                length.value(locate(path, a)).enclose(bits), bits);
+  if (way.contains_zero()) return std::nullopt;
+  return way;
+}
+
+Vector<Rational> near(const Vector<Real>& v) {
+  constexpr long bits = 256;
+  const auto number = [](const Real& x) {
+    return x.exact() ? *x.exact() : x.enclose(bits).midpoint();
+  };
+  return {number(v[0]), number(v[1]), number(v[2])};
+}
+
+}  // namespace
+
+FrameVerdict check_frames(const SmoothAngle& angle, const std::vector<GivenFrame>& frames,
+                          const FrameCheckOptions& options) {
+  const Path& path = angle.path();
+  const Forward forward = forward_of(path, frames);
+  std::optional<Real> start;
+  if (options.start) start = start_angle(*options.start, angle);
+  const SmoothLength length(path);
+  const ExactFrames exact{[&](const GivenFrame& frame, long bits) {
+                            return deviation_from(exact_frame(angle, frame.t, forward, bits), frame,
+                                                  bits);
+                          },
+                          [&](const Rational& a, const Rational& b, long bits) {
+                            return length_between(length, path, a, b, bits);
+                          },
+                          angle.up()};
+  return judge_frames(exact, frames, start, options.tolerance);
+}
+
+bool are_along_curve(const Path& path, const std::vector<GivenFrame>& frames,
+                     const Rational& tolerance) {
+  const auto tangent_at = [&](const Rational& t) { return near(direction(path, locate(path, t))); };
+  return are_along(tangent_at, frames, tolerance);
+}
+
+bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
+                  const Rational& tolerance) {
+  const auto position_at = [&](const Rational& t) { return near(position(path, locate(path, t))); };
+  return are_on(position_at, positions, tolerance);
+}
+
+}  // namespace phrame

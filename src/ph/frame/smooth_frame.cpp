@@ -1,0 +1,117 @@
+#include "phrame/ph/frame/smooth_frame.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/algebra/algebraic_angle.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+namespace phrame {
+namespace {
+
+Vector<Real> over_size(const Vector<Real>& v, const Real& squared_size) {
+  return {over_square_root(v[0], squared_size), over_square_root(v[1], squared_size),
+          over_square_root(v[2], squared_size)};
+}
+
+/// H/|H| and, for an n normal to it, n/|n| and H × n/|H × n|.
+Frame<Real> frame_along(const Vector<Real>& H, const Vector<Real>& n) {
+  const Real sigma = remembered(dot(H, H));
+  const Real size = remembered(dot(n, n));
+  return {over_size(H, sigma), over_size(n, size), over_size(cross(H, n), sigma * size)};
+}
+
+/// The reference frame of an angle.
+Frame<Real> reference_at(const SmoothAngle& angle, const Place& at) {
+  return angle.reference() == SmoothReference::up ? up_frame(angle.path(), angle.up(), at)
+                                                  : frenet_frame(angle.path(), at);
+}
+
+/// arg(x + iy) of x = n·e₂ and y = n·e₃ in (−π, π], or next to π where it is not told from that;
+/// `up` × H, for the frame of `up`, is along e₂. Its form is known where H, `up` and n are exact.
+Real argument_of(const Vector<Real>& n, const Frame<Real>& frame, const Vector<Real>& H,
+                 const Vector<Real>& up) {
+  const Vector<Real> second = cross(up, H);
+  const Real x = dot(n, second);
+  const Real y = dot(n, cross(H, second));
+  const Real sigma = dot(H, H);
+  const bool is_near_pi = !y.exact() && sign_of(y) == 0 && sign_of(x) < 0;
+  const auto enclosure = [x = dot(n, frame.e2), y = dot(n, frame.e3), is_near_pi](long bits) {
+    const ComplexBall z(x.enclose(bits + 8), y.enclose(bits + 8));
+    return is_near_pi ? argument_about_pi(z, bits + 8) : argument(z, bits + 8);
+  };
+  if (y.exact() == Rational(0)) return sign_of(x) > 0 ? Real(Rational(0)) : to_real(Angle(1, 0));
+  if (x.exact() == Rational(0)) return to_real(Angle(Rational(sign_of(y), 2), 0));
+  if (!x.exact() || !y.exact() || !sigma.exact()) return Real(enclosure);
+  // e₃ is along H × second/|H|.
+  const auto rest = [x = *x.exact(), y = Rational(*y.exact() / *sigma.exact()),
+                     sigma = *sigma.exact()] { return AlgebraicAngle::argument(x, y, sigma); };
+  return real_angle(enclosure, {0, rest}, x.origin().bits + y.origin().bits);
+}
+
+/// As least_rotation_normal() of H/|H|; exact where that may be, or is a multiple of it.
+Vector<Real> least_rotation_normal_along(const Vector<Real>& H) {
+  const Vector<Real> j = as_reals({0, 1, 0});
+  if (H[1].exact() == Rational(0)) return j;
+  const Real sigma = dot(H, H);
+  const Real second = over_square_root(sigma, sigma) + H[0];  // |H| = σ/√σ
+  return sign_of(H[1]) == 0 && sign_of(second) == 0 ? j : Vector<Real>{-H[1], second, Rational(0)};
+}
+
+}  // namespace
+
+Frame<Real> up_frame(const Path& path, const Vector<Rational>& up, const Place& at) {
+  const Vector<Real> H = direction(path, at);
+  return frame_along(H, cross(as_reals(up), H));
+}
+
+Frame<Real> euler_rodrigues_frame(const Path& path, const Place& at) {
+  const auto* ph = std::get_if<PhSegment>(&path.segments()[at.segment]);
+  if (ph == nullptr)
+    throw DomainError(fmt::format(
+        "Euler-Rodrigues frame: segment {} is no Pythagorean-hodograph curve, it has none",
+        at.segment + 1));
+  const QuaternionPolynomial& a = ph->primitive_preimage();
+  if (at.t.exact()) return as_real(euler_rodrigues_frame(a, *at.t.exact()));
+  const Real size = remembered(value(sigma(a), at.t));
+  const auto vector = [&](const Vector<Polynomial>& v) {
+    return Vector<Real>{quotient_of(value(v[0], at.t), size), quotient_of(value(v[1], at.t), size),
+                        quotient_of(value(v[2], at.t), size)};
+  };
+  return {vector(rotated_i(a)), vector(rotated_j(a)), vector(rotated_k(a))};
+}
+
+Frame<Real> frenet_frame(const Path& path, const Place& at) {
+  const Vector<Real> H = direction(path, at);
+  const Vector<Real> binormal = cross(H, direction_slope(path, at));
+  if (is_zero(binormal))
+    throw DomainError(
+        "Frenet frame: the curvature is 0 there, at an inflection or on a straight line; the "
+        "principal normal is undefined");
+  // n is along b × e₁, and b along e₁ × n.
+  return frame_along(H, cross(binormal, H));
+}
+
+Real start_angle(const FrameStart& start, const SmoothAngle& angle, const Place& at) {
+  if (const auto* given = std::get_if<Angle>(&start)) return to_real(*given);
+  const Frame<Real> frame = reference_at(angle, at);
+  const Vector<Real> H = direction(angle.path(), at);
+  const Vector<Real> up = angle.reference() == SmoothReference::up
+                              ? as_reals(angle.up())
+                              : cross(H, direction_slope(angle.path(), at));
+  if (const auto* least = std::get_if<LeastRotation>(&start))
+    return argument_of(least_rotation_normal_along(H), frame, H, up) + to_real(least->turn);
+  const Vector<Rational>& normal = std::get<StartNormal>(start).vector;
+  if (is_zero(cross(H, as_reals(normal))))
+    throw DomainError("the vector " + abbreviated(normal) + " has no part in the normal plane" +
+                      (normal == Vector<Rational>{} ? "" : ": it is along the tangent"));
+  return argument_of(as_reals(normal), frame, H, up);
+}
+
+Frame<Real> rotation_minimizing_frame(const SmoothAngle& angle, const Place& at,
+                                      const Real& start) {
+  return turned(reference_at(angle, at), angle.value(at) + start);
+}
+
+}  // namespace phrame

@@ -1,0 +1,29 @@
+#pragma once
+#include "phrame/ph/along/smooth_angle.hpp"
+#include "phrame/ph/frame/frame_start.hpp"
+
+namespace phrame {
+
+// Frames of a path of any kind. e₁ is along H, at a cusp, too. Components that are rational are
+// exact where t is; what is irrational at a rational t is known to be, but for those of a
+// rotation-minimizing frame, of which nothing is known.
+
+/// (e₁, e₂, e₃) with e₂ = v × H/|v × H|. v is nowhere along the tangent.
+Frame<Real> up_frame(const Path& path, const Vector<Rational>& up, const Place& at);
+/// (e₁, e₂, e₃) of Euler and Rodrigues: that of the preimage of a segment that is a PH curve.
+/// Throws DomainError on others.
+Frame<Real> euler_rodrigues_frame(const Path& path, const Place& at);
+/// (e₁, n, b). Throws DomainError at an inflection and on a straight line.
+Frame<Real> frenet_frame(const Path& path, const Place& at);
+
+/// The angle at t = 0, or elsewhere, from the reference frame of the angle to f₂; that to a vector
+/// is in (−π, π]. Throws DomainError for a vector that is 0 or along the tangent, and where it is
+/// to the Frenet frame at an inflection.
+Real start_angle(const FrameStart& start, const SmoothAngle& angle,
+                 const Place& at = {0, Rational(0)});
+/// The rotation-minimizing frame that starts there, from the angle to the frame of v: θ is counted
+/// from it.
+Frame<Real> rotation_minimizing_frame(const SmoothAngle& angle, const Place& at,
+                                      const Real& start = Rational(0));
+
+}  // namespace phrame

@@ -1,0 +1,241 @@
+#include "phrame/ph/along/path_angle.hpp"
+
+#include "phrame/ph/along/path_totals.hpp"
+#include "phrame/ph/along/smooth_angle.hpp"
+#include "phrame/ph/curve/identify.hpp"
+#include "phrame/ph/frame/frame.hpp"
+#include "support/paths.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+using test::chain;
+using test::for_samples;
+using test::quarters;
+using test::Random;
+
+namespace {
+
+/// The same curve with another Euler–Rodrigues frame: A·c, f/|c|².
+Curve with_other_frame(const Curve& curve, const RationalQuaternion& c) {
+  const QuaternionPolynomial factor{{c.u}, {c.v}, {c.p}, {c.q}};
+  const bool turns_over = c.u == 0 && c.v == 0;
+  const Polynomial scale{(turns_over ? -1 : 1) / norm(c)};
+  return Curve(curve.preimage() * factor, scale * curve.multiplier(), curve.start());
+}
+
+/// r′ = (1 − t²)a + 2tb for unit vectors a ⟂ b of the axes: from direction a to direction b in
+/// their plane.
+Curve plane_quarter(const Vector<Rational>& a, const Vector<Rational>& b) {
+  Vector<Polynomial> r;
+  for (std::size_t k = 0; k < 3; ++k) r[k] = Polynomial{a[k], 2 * b[k], -a[k]};
+  return std::get<Curve>(identify(r));
+}
+
+const Vector<Rational> x{1, 0, 0};
+const Vector<Rational> y{0, 1, 0};
+const Vector<Rational> z{0, 0, 1};
+const Vector<Rational> minus_x{-1, 0, 0};
+const Vector<Rational> minus_y{0, -1, 0};
+const Vector<Rational> minus_z{0, 0, -1};
+
+PhPath through(const std::vector<Vector<Rational>>& directions) {
+  std::vector<Curve> curves;
+  for (std::size_t k = 0; k < directions.size(); ++k)
+    curves.push_back(plane_quarter(directions[k], directions[(k + 1) % directions.size()]));
+  return chain(curves);
+}
+
+Vector<double> second_vector(PathAngle& angle, const Rational& t) {
+  const PathParameter at = locate(angle.path(), t);
+  const Curve& curve = angle.path().segments()[at.segment];
+  return round_to_double(turned(as_real(euler_rodrigues_frame(curve, at.t)), angle.value(t)).e2);
+}
+
+std::string digits(const Real& value) { return round_to_decimal(value, 15).value; }
+
+}  // namespace
+
+// A normal carried along by the differential equation f′ = −(f·e₁′)e₁, solved by mpmath's Taylor
+// series method to 18 digits.
+TEST_CASE("spline: the frame is carried through the joints of a closed spline in space") {
+  PathAngle angle(chain(quarters()));
+  CHECK(second_vector(angle, 0) == Vector<double>{0, 1, 0});
+  CHECK(second_vector(angle, 1) == Vector<double>{-0.96017767574763922, 0, 0.279390105400784369});
+  CHECK(second_vector(angle, 2) == Vector<double>{0, -0.843882338008277201, 0.536528284061226159});
+  CHECK(second_vector(angle, 3) == Vector<double>{0.660376288078903314, 0, 0.750934856124770187});
+  CHECK(second_vector(angle, 4) == Vector<double>{0, 0.424274800804632424, 0.905533485522313237});
+  CHECK(digits(angle.holonomy().value()) == "1.13263544456407");
+}
+
+TEST_CASE("spline: neither frame nor holonomy depend on the preimages chosen") {
+  std::vector<Curve> curves = quarters();
+  curves[0] = with_other_frame(with_other_frame(curves[0], {0, 0, 1, 5}), {1, 7, 0, 0});
+  curves[1] = with_other_frame(curves[1], {0, 0, 2, -3});
+  curves[2] = with_other_frame(curves[2], {-1, 0, 0, 0});
+  curves[3] = with_other_frame(curves[3], {0, 0, 0, 1});
+  const PhPath path = chain(curves);
+  PathAngle angle(path);
+  CHECK(digits(angle.holonomy().value()) == "1.13263544456407");
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Frame<Rational> before = euler_rodrigues_frame(path.segments()[k], 1);
+    const Frame<Rational> after = euler_rodrigues_frame(path.segments()[k + 1], 0);
+    CHECK(before.e1 == after.e1);
+    CHECK(before.e2 == after.e2);
+    CHECK(hodograph(path.segments()[k + 1]) == hodograph(curves[k + 1]));
+  }
+}
+
+// Gauss and Bonnet: a closed geodesic polygon on the sphere of tangents carries a normal by minus
+// the sum of its turning angles.
+TEST_CASE("spline: holonomies of plane pieces are exact multiples of a quarter turn") {
+  PathAngle plane(through({x, y, minus_x, minus_y}));
+  CHECK(plane.holonomy().value().exact() == Rational(0));
+  PathAngle hexagon(through({x, y, minus_x, z, minus_y, minus_z}));
+  CHECK(hexagon.holonomy().value().exact() == Rational(0));
+  PathAngle half(through({x, y, x, minus_y, minus_x, z, minus_x, minus_z}));
+  CHECK(half.path().closing_turn().has_value());
+  CHECK(digits(half.holonomy().value()) == "3.14159265358979");
+  CHECK(half.value(8).exact() == Rational(0));
+  // By positions nothing is known but values: that it is within 256 bits of half a turn.
+  const Real by_values = *holonomy(SmoothAngle(by_positions(half.path()), {3, 5, 7}));
+  CHECK(digits(by_values) == "3.14159265358979");
+}
+
+// Without inflections θ′ ds⁻¹ = −τ, and of the halves of a curve the angle is that of the curve.
+TEST_CASE("spline: the angle to the Frenet frame, where that is continuous") {
+  const Curve curve(test::quintic);
+  const PhPath halves =
+      chain({segment(curve, 0, Rational(1, 3)), segment(curve, Rational(1, 3), 1)});
+  const PathAngle angle(halves, Reference::frenet);
+  const RmfAngle one(curve, Reference::frenet);
+  for (const Rational& t : {Rational(1, 5), Rational(1, 3), Rational(2, 3), Rational(1)}) {
+    const Rational at = 3 * t <= 1 ? Rational(3 * t) : Rational(1 + (3 * t - 1) / 2);
+    CHECK(digits(angle.value(at)) == digits(one.value(t)));
+  }
+  CHECK(digits(angle.value(2)) == digits(-total_torsion(halves).value));
+  CHECK(
+      digits(SmoothAngle(by_positions(halves), SmoothReference::frenet).value({1, Rational(1)})) ==
+      digits(angle.value(2)));
+  // A plane curve, an inflection at the joint, as of x³ and −x³.
+  const auto frenet = [](const std::vector<Curve>& curves) {
+    return PathAngle(chain(curves), Reference::frenet);
+  };
+  const PathAngle plane = frenet({plane_quarter(x, y), plane_quarter(y, minus_x)});
+  CHECK(plane.value(2).exact() == Rational(0));
+  const PathAngle inflected = frenet({plane_quarter(x, y), plane_quarter(y, x)});
+  CHECK(inflected.value(2).exact() == Rational(0));
+  CHECK_THROWS_WITH_AS(frenet({plane_quarter(x, y), plane_quarter(y, z)}),
+                       "Frenet frame: at the joint t = 1 it jumps, by 1.57 radians", DomainError);
+  CHECK_THROWS_WITH_AS(frenet({Curve({{1}, {}, {}, {}}), plane_quarter(x, y)}),
+                       "Frenet frame: segment 1 is a straight line, it has no principal normal",
+                       DomainError);
+}
+
+TEST_CASE("spline: a rational frame stays exact through the joints, to a segment without one") {
+  // Quarter turns in three planes carry k to x, back along the octant of the sphere.
+  std::vector<Curve> curves{plane_quarter(x, y), plane_quarter(y, z), plane_quarter(z, x)};
+  curves[1] = with_other_frame(curves[1], {1, 7, 0, 0});
+  const QuaternionPolynomial twist{{1, 2}, {3, -1}, {}, {}};
+  for (const std::size_t k : {0U, 2U}) curves[k] = Curve(curves[k].preimage() * twist);
+  const PhPath path = chain(curves);
+  PathAngle angle(path);
+  for (const Rational& t : {Rational(1, 3), Rational(1), Rational(5, 3), Rational(9, 4)}) {
+    const PathParameter at = locate(path, t);
+    const Frame<Rational> erf = euler_rodrigues_frame(path.segments()[at.segment], at.t);
+    const auto direction = angle.direction(at);
+    REQUIRE(direction);
+    const auto frame = turned(erf, *direction);
+    const auto expected = turned(as_real(erf), angle.value(at));
+    for (std::size_t k = 0; k < 3; ++k) {
+      REQUIRE(frame.e2[k].exact());
+      CHECK(expected.e2[k].enclose(100).contains(*frame.e2[k].exact()));
+      REQUIRE(frame.e3[k].exact());
+      CHECK(expected.e3[k].enclose(100).contains(*frame.e3[k].exact()));
+    }
+  }
+  curves.push_back(quarters().front());
+  PathAngle longer(chain(curves));
+  CHECK(longer.direction({2, 1}));
+  CHECK_FALSE(longer.direction({3, Rational(1, 2)}));
+}
+
+TEST_CASE("spline: an open one has no holonomy, nor has one with a corner") {
+  PathAngle open(through({x, y, z}));
+  CHECK_FALSE(open.path().ends_meet());
+  CHECK_FALSE(open.holonomy());
+  // (0, 0) → (1, 0) → (5/3, 1) → (2/3, 5/3) → (0, 2/3) → (0, 0), where it arrives downwards.
+  const auto line = [](const Vector<Rational>& d, const Rational& length) {
+    return scaled(std::get<Curve>(identify({Polynomial{d[0]}, Polynomial{d[1]}, Polynomial{d[2]}})),
+                  length);
+  };
+  PathAngle corner(chain({line(x, 1), plane_quarter(x, y), plane_quarter(y, minus_x),
+                          plane_quarter(minus_x, minus_y), line(minus_y, Rational(2, 3))}));
+  CHECK(corner.path().ends_meet());
+  CHECK_FALSE(corner.path().closing_turn());
+  CHECK_FALSE(corner.holonomy());
+}
+
+// The factor 1 + it turns the Euler–Rodrigues frame by 2·arctan t about the tangent, in each of
+// four pieces, and θ back: the angle is −2π, the holonomy 0.
+TEST_CASE("spline: a holonomy is 0 or pi exactly, however often the frame turns") {
+  const auto twisted = [](const PhPath& path, long power) {
+    std::vector<Curve> curves;
+    QuaternionPolynomial factor{{1}, {}, {}, {}};
+    for (long k = 0; k < power; ++k) {
+      factor = factor * QuaternionPolynomial{{1}, {0, 1}, {}, {}};
+    }
+    for (const Curve& curve : path.segments())
+      curves.emplace_back(curve.preimage() * factor, curve.multiplier());
+    return curves;
+  };
+  for (const long power : {1, 7}) {
+    PhPath loop = through({x, y, minus_x, minus_y});
+    PathAngle angle(chain(twisted(loop, power)));
+    CHECK(digits(angle.value(4)) == digits(Real([power](long bits) {
+            return multiply(RealBall(-2 * power, bits), pi(bits), bits);
+          })));
+    CHECK(angle.holonomy().value().exact() == Rational(0));
+    PathAngle half(
+        chain(twisted(through({x, y, x, minus_y, minus_x, z, minus_x, minus_z}), power)));
+    CHECK(digits(half.holonomy().value()) == "3.14159265358979");
+  }
+}
+
+TEST_CASE("spline: a curve cut in pieces keeps its angle") {
+  for_samples(40, [](Random& random) {
+    const Curve curve = PhPath(random.curve(3)).segments().front();  // e₁ = r′/|r′| at the start
+    const Rational cut(random.integer(1, 5), 6);
+    if (curve.multiplier()(cut) == 0) return;  // the curve may turn back there
+    Curve second = segment(curve, cut, 1);
+    if (random.chance(2))
+      second = with_other_frame(second, {random.integer(-9, 9), random.integer(1, 9), 0, 0});
+    if (random.chance(2)) second = with_other_frame(second, {0, 0, random.integer(-9, 9), 1});
+    PathAngle pieces(chain({segment(curve, 0, cut), second}));
+    RmfAngle whole(curve, Reference::euler_rodrigues);
+    for (const Rational& t : {Rational(1, 3), Rational(1), Rational(7, 4), Rational(2)}) {
+      const Rational original = t <= 1 ? Rational(cut * t) : Rational(cut + (1 - cut) * (t - 1));
+      const RealBall difference =
+          subtract(pieces.value(t).enclose(100), whole.value(original).enclose(100), 100);
+      CHECK(difference.contains_zero());
+      CHECK(abs(difference.upper()) <
+            Rational(1, 1 << 30) * (1 + abs(whole.value(original).enclose(50).upper())));
+    }
+  });
+}
+
+// The second half is the mirror image of the first in the plane across its last tangent, run
+// through backwards: −diag(−1, 1, 1) is the half turn i about x.
+TEST_CASE("spline: angles of different segments that cancel are exactly 0") {
+  for_samples(10, [](Random& random) {
+    QuaternionPolynomial a = random.quaternion_polynomial(3);
+    const Polynomial rest{1, -1};
+    for (Polynomial* component : {&a.p, &a.q}) *component *= rest;  // A(1) ∈ ℚ(i)
+    if (a.u(1) == 0 && a.v(1) == 0) return;
+    const Curve first(a);
+    const Curve mirrored = rotated(reversed(first), {0, 1, 0, 0});
+    PathAngle angle(chain({first, Curve(mirrored.preimage(), {1})}));
+    CHECK(angle.value(2).exact() == Rational(0));
+    CHECK(angle.value(PathParameter{1, Rational(1, 2)}).exact() ==
+          angle.value(PathParameter{0, Rational(1, 2)}).exact());
+  });
+}

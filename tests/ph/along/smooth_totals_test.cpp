@@ -1,0 +1,228 @@
+#include "phrame/ph/along/smooth_totals.hpp"
+
+#include <doctest/doctest.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/io/read/formula.hpp"
+#include "phrame/io/read/number.hpp"
+#include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/along/smooth_angle.hpp"
+#include "phrame/ph/along/smooth_length.hpp"
+#include "phrame/ph/along/smooth_shape.hpp"
+#include "phrame/ph/curve/bspline.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
+#include "phrame/ph/curve/shape.hpp"
+#include "phrame/ph/curve/vector.hpp"
+#include "support/curves.hpp"
+#include "support/farouki_moon.hpp"
+
+using namespace phrame;
+
+namespace {
+
+Path twisted_cubic() { return Path(RationalCurve({Polynomial{0, 1}, {0, 0, 1}, {0, 0, 0, 1}})); }
+
+RationalCurve quarter(const Vector<Rational>& a, const Vector<Rational>& b) {
+  return bezier_curve({a, {a[0] + b[0], a[1] + b[1], 0}, b}, {1, 1, 2});
+}
+
+Path circle() {
+  return joined({quarter({1, 0, 0}, {0, 1, 0}), quarter({0, 1, 0}, {-1, 0, 0}),
+                 quarter({-1, 0, 0}, {0, -1, 0}), quarter({0, -1, 0}, {1, 0, 0})});
+}
+
+std::string digits(const Real& x, long count) { return round_to_decimal(x, count).value; }
+
+}  // namespace
+
+TEST_CASE("smooth totals: the twisted cubic [mpmath: quad of the definitions]") {
+  const Path path = twisted_cubic();
+  CHECK(digits(SmoothLength(path).total(), 40) == "1.863022982512251394374780595207168197138");
+  CHECK(digits(total_curvature(path), 40) == "1.450910899864031275661649070608977192011");
+  CHECK(digits(total_torsion(path), 40) == "1.507278500292393126918601351905495484273");
+  CHECK(digits(std::get<Real>(bending_energy(path)), 40) ==
+        "1.828426963311391191731029359327983399300");
+  CHECK(digits(std::get<Real>(frenet_energy(path)), 40) ==
+        "4.277343296518597175317471301064697099343");
+  // κ and τ at 1/2: |r′ × r″|/|r′|³ and det/|r′ × r″|².
+  CHECK(digits(curvature(path, {0, Rational(1, 2)}), 30) == "0.952004740039499345894030721134");
+  CHECK(torsion(path, {0, Rational(1, 2)}).exact() == Rational(12, 1) / Rational(61, 4));
+}
+
+TEST_CASE("smooth totals: a circle of four arcs") {
+  const Path path = circle();
+  const RealBall whole = times_power_of_two(pi(200), 1);
+  CHECK(SmoothLength(path).total().enclose(150).overlaps(whole));
+  CHECK(total_curvature(path).enclose(150).overlaps(whole));
+  CHECK(std::get<Real>(bending_energy(path)).enclose(150).overlaps(whole));
+  CHECK(total_torsion(path).exact() == Rational(0));
+  CHECK(holonomy(SmoothAngle(path))->exact() == Rational(0));
+  CHECK(curvature(path, {2, Rational(1, 3)}).exact() == Rational(1));
+  // An eighth of the way: s = π/4 is no rational number; s = 1 is at the angle 1.
+  const Place at = SmoothLength(path).point(2);
+  CHECK(at.segment == 1);
+  const Vector<Real> r = position(path, at);
+  CHECK(r[0].enclose(100).overlaps(cos_sin(RealBall(2, 120), 120).cos));
+  CHECK(r[1].enclose(100).overlaps(cos_sin(RealBall(2, 120), 120).sin));
+  CHECK(r[1].enclose(100).is_accurate(80));
+}
+
+TEST_CASE("smooth totals: a closed path whose frame comes back turned [holonomy of its pieces]") {
+  // Any closed path: θ from another up vector is the same up to whole turns.
+  const RationalCurve loop =
+      bezier_curve({{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}});
+  const Path path(loop);
+  REQUIRE(path.is_closed());
+  const Real one = *holonomy(SmoothAngle(path));
+  const Real other = *holonomy(SmoothAngle(path, {5, -9, 11}));
+  CHECK(one.enclose(120).overlaps(other.enclose(120)));
+  CHECK(one.enclose(120).is_accurate(110));
+  CHECK_FALSE(holonomy(SmoothAngle(twisted_cubic())));
+}
+
+TEST_CASE("smooth totals: PH curves have the exact lengths of theirs") {
+  for (const Curve& curve : {test::quintic, Curve({{1}, {0, 1}, {0, 1}, {}}, {-1, 2})}) {
+    const Path path = by_positions(PhPath(curve));
+    const SmoothLength length(path);
+    const Real there = length.value({0, Rational(2, 3)});
+    const Rational exact = *arc_length(curve, 0, Rational(1, 4)) +
+                           (arc_length(curve, Rational(1, 4), Rational(1, 2)).value()) +
+                           *arc_length(curve, Rational(1, 2), Rational(2, 3));
+    CHECK(there.exact() == exact);
+    const Place at = length.point(exact);
+    CHECK(at.t.enclose(100).overlaps(RealBall(Rational(2, 3), 120)));
+    CHECK(at.t.enclose(100).is_accurate(90));
+  }
+}
+
+TEST_CASE("smooth totals: at a cusp the length goes on, the bending energy does not end") {
+  // (t², t³) from −1/2 to 1/2: s = 2·((1 + 9/16)^{3/2} − 1)·8/27.
+  const Polynomial t{Rational(-1, 2), 1};
+  const Path path(RationalCurve({t * t, t * t * t, {}}));
+  const Rational root = Rational(5, 4);
+  CHECK(SmoothLength(path).total().enclose(100).overlaps(
+      RealBall(Rational(16, 27) * (root * root * root - 1), 120)));
+  const auto energy = bending_energy(path);
+  REQUIRE(std::holds_alternative<Infinite>(energy));
+  CHECK(std::get<Infinite>(energy).pole == RealAlgebraic(Rational(1, 2)));
+  CHECK_THROWS_AS(curvature(path, {0, Rational(1, 2)}), DomainError);
+  CHECK_THROWS_AS(SmoothLength(path).point(2), DomainError);
+}
+
+TEST_CASE("smooth totals: an inflection adds to the curvature, whatever its side") {
+  // y = x³ from −1 to 1: 2·arctan 3.
+  const Polynomial x{-1, 2};
+  const Path path(RationalCurve({x, x * x * x, {}}));
+  const RealBall exact = multiply(RealBall(2, 130), argument(1, 3, 130), 130);
+  CHECK(total_curvature(path).enclose(100).overlaps(exact));
+  CHECK(total_curvature(path).enclose(100).is_accurate(90));
+}
+
+// mpmath: quad of |r′ × r″|/|r′|², with 30 digits; a quarter of an eight that starts at an
+// inflection, and a curve with one in space, at s = 0.
+TEST_CASE("smooth totals: curves by formulas bend through inflections") {
+  const auto f = [](const char* text) { return parse_formula(text, "s").value; };
+  const Path eight(ExpressionCurve({f("sin(s)"), f("sin(2*s)"), f("0")}, f("0"), f("2*pi")));
+  CHECK(digits(total_curvature(eight), 8) == "10.711780");
+  CHECK(total_torsion(eight).enclose(60).is_zero());
+  CHECK(digits(std::get<Real>(frenet_energy(eight)), 12) ==
+        digits(std::get<Real>(bending_energy(eight)), 12));
+  const Path space(
+      ExpressionCurve({f("s"), f("sin(s)^3"), f("sin(s)^3*cos(s) + s^4")}, f("-1"), f("1")));
+  CHECK(digits(total_curvature(space), 7) == "3.274031");
+  CHECK_THROWS_WITH_AS(total_torsion(space), doctest::Contains("0 at s = 0"), DomainError);
+}
+
+// An inflection, a line, and joints in the plane that turn on, or the other way, or out of it.
+TEST_CASE("smooth shape: where the Frenet frame is continuous") {
+  CHECK(has_continuous_frenet_frame(circle()));
+  CHECK(has_continuous_frenet_frame(twisted_cubic()));
+  CHECK_FALSE(has_continuous_frenet_frame(
+      Path(bezier_curve({{0, 0, 0}, {1, 1, 0}, {2, -1, 0}, {3, 0, 0}}))));
+  CHECK_FALSE(has_continuous_frenet_frame(Path(bezier_curve({{0, 0, 0}, {1, 1, 0}}))));
+  const RationalCurve bend = bezier_curve({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}});
+  CHECK(
+      has_continuous_frenet_frame(joined({bend, bezier_curve({{2, 1, 0}, {3, 2, 0}, {3, 4, 0}})})));
+  CHECK_FALSE(
+      has_continuous_frenet_frame(joined({bend, bezier_curve({{2, 1, 0}, {3, 2, 0}, {5, 3, 0}})})));
+  CHECK_FALSE(
+      has_continuous_frenet_frame(joined({bend, bezier_curve({{2, 1, 0}, {3, 2, 0}, {3, 4, 1}})})));
+  // Where it closes, too: this loop's curvature jumps there.
+  CHECK_FALSE(has_continuous_frenet_frame(
+      Path(bezier_curve({{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}}))));
+}
+
+TEST_CASE("smooth totals: sums of many numbers are exact or as narrow as asked") {
+  CHECK(sum_of(std::vector<Real>()).exact() == Rational(0));
+  CHECK(sum_of(std::vector<Real>{Rational(1, 3), Rational(2, 3)}).exact() == Rational(1));
+  const Real root = square_root_of(2);
+  const Real sum = sum_of(std::vector<Real>(1000, root));
+  const Real mixed = sum_of(std::vector<Real>{root, Rational(-1), root});
+  CHECK(digits(sum, 30) == "1414.21356237309504880168872421");    // 1000√2
+  CHECK(digits(mixed, 30) == "1.82842712474619009760337744842");  // 2√2 − 1
+  // The joints of 300 lines of length √2: none is a rational length.
+  std::vector<Segment> lines;
+  for (long k = 0; k < 300; ++k) lines.emplace_back(bezier_curve({{k, k, 0}, {k + 1, k + 1, 0}}));
+  const SmoothLength length(joined(lines));
+  CHECK(digits(length.total(), 30) == "424.264068711928514640506617263");  // 300√2
+  CHECK(length.point(200).segment == 141);
+}
+
+// mpmath's quad(), 45 digits. The Taylor series of one part ends much later than its first terms
+// let expect, so that the part is halved once more.
+TEST_CASE("smooth totals: a B-spline of degree 12 with a series that ends late") {
+  const auto R = [](const char* number) { return parse_rational(number); };
+  BSpline spline;
+  spline.degree = 12;
+  for (int k = 0; k < 13; ++k) spline.knots.push_back(0);
+  spline.knots.push_back(19);
+  for (int k = 0; k < 13; ++k) spline.knots.push_back(21);
+  spline.points = {
+      {R("-356/7"), R("-877/100"), R("570")},    {R("591"), R("-127/2"), R("-87/2")},
+      {R("11/7"), R("-302/5"), R("-431/2")},     {R("147"), R("-128"), R("-33/4")},
+      {R("354"), R("365/2"), R("-596/7")},       {R("-41/25"), R("-714"), R("-223/5")},
+      {R("901"), R("135/2"), R("177")},          {R("-154"), R("-257"), R("117/50")},
+      {R("-795/2"), R("-229/10"), R("-653/10")}, {R("-373/50"), R("39/10"), R("987/100")},
+      {R("-309/10"), R("-166"), R("57/50")},     {R("-491/50"), R("298/7"), R("-27")},
+      {R("-833"), R("-504"), R("678/7")},        {R("-755/2"), R("671"), R("849/10")}};
+  Path path(bezier_curve(bezier_pieces(spline)[0].curve.points));
+  path.append(bezier_curve(bezier_pieces(spline)[1].curve.points));
+  const Real wanted = parse_rational("8.978687444597755580189025748377711");
+  for (long bits = 96; bits <= 160; bits += 8) {
+    const RealBall off = subtract(total_curvature(path).enclose(bits), wanted.enclose(200), 200);
+    CHECK(absolute(off).upper() < power_of_two(8 - bits) + parse_rational("1e-33"));
+  }
+}
+
+// Of long paths terms are kept as balls of few bits, and integrals are made again.
+TEST_CASE("smooth totals: law: a long path of translated pieces has many times those of one") {
+  constexpr long count = 1100;
+  const auto piece = [](long k) {
+    const Vector<Rational> shift{3 * k, k, k};
+    return bezier_curve({shift, shift + Vector<Rational>{1, 0, 0},
+                         shift + Vector<Rational>{2, 1, 1}, shift + Vector<Rational>{3, 1, 1}});
+  };
+  Path path(piece(0), count);
+  for (long k = 1; k < count; ++k) path.append(piece(k));
+  const Path one(piece(0));
+  const auto agrees = [&](const Real& sum, const Real& part) {
+    for (const long bits : {60, 160}) {
+      const RealBall expected = multiply(RealBall(Rational(count), 220), part.enclose(200), 220);
+      CHECK(sum.enclose(bits).overlaps(expected));
+      CHECK(sum.enclose(bits).is_accurate(bits - 16));
+    }
+  };
+  agrees(total_curvature(path), total_curvature(one));
+  agrees(std::get<Real>(bending_energy(path)), std::get<Real>(bending_energy(one)));
+  agrees(SmoothLength(path).total(), SmoothLength(one).total());
+  const SmoothAngle angle(path, {0, 1, 2});
+  const SmoothAngle part(one, {0, 1, 2});
+  agrees(up_frame_twist(angle), up_frame_twist(part));
+  for (const std::size_t k : {std::size_t{1099}, std::size_t{3}, std::size_t{700}}) {
+    const Real expected = Rational(static_cast<long>(k)) * part.value({0, Rational(1)}) +
+                          part.value({0, Rational(1, 3)});
+    CHECK(angle.enclose({k, Rational(1, 3)}, 80).overlaps(expected.enclose(90)));
+  }
+}
