@@ -111,7 +111,7 @@ def septic():
     assert root * root == c
     kappa = phrame.RationalFunction(phrame.Polynomial([root / f]) * omega, SEPTIC.sigma * SEPTIC.sigma)
     assert all(kappa(t) ** 2 == SEPTIC.squared_curvature(t) for t in range(9))
-    tau = SEPTIC.torsion
+    tau = SEPTIC.torsion_function
     yield "|r′|", "(t⁶ + 3t⁴ + 9t² + 9)/3", phrame.Polynomial([f]) * SEPTIC.sigma
     yield "|r′ × r″|", "2(t² + 1)(t⁶ + 3t⁴ + 9t² + 9)", phrame.Polynomial([root * f * f]) * omega * SEPTIC.sigma
     ratio = phrame.RationalFunction(kappa.numerator * tau.denominator, kappa.denominator * tau.numerator)

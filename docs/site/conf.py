@@ -81,7 +81,7 @@ def with_first_page(app, failure):
 
 
 def setup(app):
-    as_functions([phrame.Path, phrame.Curve, phrame.Certificate])
+    as_functions([phrame.Path, phrame.Certificate])
     app.connect("source-read", without_folders)
     app.connect("autodoc-process-docstring", as_plain_text)
     app.connect("build-finished", with_first_page)

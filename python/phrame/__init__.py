@@ -20,7 +20,6 @@ from ._phrame import (
     Certificate,
     CheckResult,
     Classification,
-    Curve,
     Integral,
     MinimalTwist,
     Path,
@@ -29,8 +28,6 @@ from ._phrame import (
     RationalTwist,
     RationalTwistPiece,
     Real,
-    SmoothAngle,
-    SmoothPath,
     SweptBody,
     digits,
     integrate,
@@ -43,6 +40,8 @@ from ._phrame import version as __version__
 from ._threads import set_threads, set_time_limit
 
 numbers.Real.register(Real)
+
+Curve = Path  # what a path of one segment is called, too
 
 __all__ = [
     "Angle",
@@ -61,8 +60,6 @@ __all__ = [
     "RationalTwist",
     "RationalTwistPiece",
     "Real",
-    "SmoothAngle",
-    "SmoothPath",
     "SweptBody",
     "Undecided",
     "__version__",

@@ -10,7 +10,7 @@ from typing import Callable, Deque, Iterable, Iterator, List, Literal, Optional,
 
 from ._convert import count
 from ._errors import Error, InputError
-from ._phrame import Path, SmoothPath, parse
+from ._phrame import Path, parse
 from ._threads import limit
 
 C = TypeVar("C")
@@ -42,7 +42,7 @@ def refuse_question(question: object) -> None:
         raise TypeError(f"question: a callable is wanted, not {type(question).__name__}")
 
 
-def curve_of(x: Union[str, Path, SmoothPath]) -> Union[Path, SmoothPath]:
+def curve_of(x: Union[str, Path]) -> Path:
     """The curve of a line with a curve file, or itself."""
     return parse(x) if isinstance(x, str) else x
 

@@ -8,7 +8,6 @@ from typing import Any, Iterable, List, Optional
 import numpy as np
 
 from ._errors import Error, InputError
-from ._phrame import Path
 from ._plot import picture
 
 _LONGEST = 2000  # characters of a formula that somebody looks at
@@ -43,9 +42,9 @@ def _formula(latex: Optional[str]) -> str:
 
 def path_latex(self: Any) -> Optional[str]:
     """Path._repr_latex_"""
-    if self.end > 1 or not isinstance(self, Path):
+    if self.end > 1 or not self.is_ph:
         return None
-    hodograph: Any = self.segments[0].hodograph
+    hodograph: Any = self.hodograph
     rates = r" \\ ".join(part._repr_latex_().strip("$") for part in hodograph)
     latex = r"$\displaystyle \mathbf r'(t) = \begin{pmatrix} " + rates + r" \end{pmatrix}$"
     return latex if len(latex) <= _LONGEST else None
@@ -59,12 +58,12 @@ def _title(self: Any, what: str) -> str:
 def path_html(self: Any) -> str:
     """Path._repr_html_"""
     rows = [("length", escape(_number(float(self.length))))]
-    if not isinstance(self, Path):
+    if not self.is_ph:
         title = _title(self, "Curve" if self.end == 1 else f"Path of {self.end} curves,")
     elif self.end > 1:
         title = _title(self, f"PH spline of {self.end} curves,")
     else:
-        title = _title(self, f"PH curve of degree {self.segments[0].degree}")
+        title = _title(self, f"PH curve of degree {self.degree}")
     try:
         drawing = picture(lambda ax: self.plot(ax=ax), projection="3d")
     except (Error, OverflowError):  # a cusp without a tangent, numbers that no double holds
@@ -74,21 +73,11 @@ def path_html(self: Any) -> str:
 
 def angle_html(self: Any) -> str:
     """Angle._repr_html_"""
-    if self.path.end > 1:
-        theta = self.value(self.path.end)
-        body = _table([("θ at the end", _number(float(theta)))])
+    formula = self._repr_latex_()
+    if formula is None:
+        body = _table([("θ at the end", _number(float(self.value(self.path.end))))])
     else:
-        body = _formula(self._repr_latex_()) + _poles(self.poles())
-    try:
-        drawing = picture(lambda ax: self.plot(ax=ax))
-    except (Error, OverflowError):
-        drawing = ""
-    return f"<div>{body}{drawing}</div>"
-
-
-def smooth_angle_html(self: Any) -> str:
-    """SmoothAngle._repr_html_"""
-    body = _table([("θ at the end", _number(float(self.value(self.path.end))))])
+        body = _formula(formula) + _poles(self.poles())
     try:
         drawing = picture(lambda ax: self.plot(ax=ax))
     except (Error, OverflowError):

@@ -15,7 +15,7 @@ import numpy as np
 
 from ._errors import InputError
 from ._map import answers, curve_of, refuse_column, refuse_count, refuse_curves, refuse_errors, refuse_question
-from ._phrame import Angle, Path, SmoothAngle, SmoothPath
+from ._phrame import Angle, Path
 
 __all__ = ["angles", "frames", "map", "matrices", "points", "quaternions"]
 
@@ -78,8 +78,8 @@ def _parameters(ts: Any) -> Any:
 
 
 def _blocks(thing: Any, method: str, ts: Any, shape: Tuple[int, ...], options: Any) -> Any:
-    kinds, place = ((Angle, SmoothAngle), "angle") if method == "__call__" else ((Path, SmoothPath), "path")
-    if not isinstance(thing, kinds):
+    kind, place = (Angle, "angle") if method == "__call__" else (Path, "path")
+    if not isinstance(thing, kind):
         raise TypeError(f"{place}: {'an angle' if place == 'angle' else 'a path'} is wanted, not {type(thing).__name__}")
     ts = _parameters(ts)
     return ts.map_blocks(
@@ -94,26 +94,26 @@ def _blocks(thing: Any, method: str, ts: Any, shape: Tuple[int, ...], options: A
     )
 
 
-def frames(path: Union[Path, SmoothPath], ts: Any, **options: Any) -> Any:
+def frames(path: Path, ts: Any, **options: Any) -> Any:
     """path.frames(ts) as a dask.array.Array (n, 3, 3), block by block of ts."""
     return _blocks(path, "frames", ts, (3, 3), options)
 
 
-def matrices(path: Union[Path, SmoothPath], ts: Any, **options: Any) -> Any:
+def matrices(path: Path, ts: Any, **options: Any) -> Any:
     """path.matrices(ts): (n, 4, 4)."""
     return _blocks(path, "matrices", ts, (4, 4), options)
 
 
-def quaternions(path: Union[Path, SmoothPath], ts: Any, **options: Any) -> Any:
+def quaternions(path: Path, ts: Any, **options: Any) -> Any:
     """path.quaternions(ts): (n, 4)."""
     return _blocks(path, "quaternions", ts, (4,), options)
 
 
-def points(path: Union[Path, SmoothPath], ts: Any, **options: Any) -> Any:
+def points(path: Path, ts: Any, **options: Any) -> Any:
     """path.points(ts): (n, 3)."""
     return _blocks(path, "points", ts, (3,), options)
 
 
-def angles(angle: Union[Angle, SmoothAngle], ts: Any) -> Any:
+def angles(angle: Angle, ts: Any) -> Any:
     """angle(ts): (n,)."""
     return _blocks(angle, "__call__", ts, (), {})

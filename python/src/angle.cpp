@@ -3,57 +3,135 @@
 namespace phrame::python {
 namespace {
 
-struct AngleObject {
-  NamedPhPath named;
+/// In closed form, to the Euler–Rodrigues or Frenet frame of PH curves.
+struct ClosedAngle {
   PathAngle angle;
+  FrameAngle start;
+
+  Real operator()(const Rational& t) const { return angle.value(t, start); }
+};
+
+/// To the frame of a vector v, or the Frenet frame of a path of any kind: to any number of digits.
+struct SeriesAngle {
+  SmoothAngle angle;
+  Real start;
+
+  Real operator()(const Rational& t) const { return angle.value(locate(angle.path(), t)) + start; }
+};
+
+struct AngleObject {
+  PathObject path;
+  AngleReference reference;
+  std::variant<ClosedAngle, SeriesAngle> angle;
   FrameStart start;
-  FrameAngle start_angle;
   std::string form;
   nb::object recipe;
 };
 
-AngleAnswer formula(const AngleObject& self, const std::string& form, const std::string& style) {
-  AngleQuery query;
-  query.reference = self.angle.reference();
-  query.start = self.start;
-  query.form = form_named(form);
-  query.style = style_named(style);
-  query.most_poles = 100;
-  return without_gil([named = self.named, query] { return answer(named, query); });
+std::pair<std::variant<ClosedAngle, SeriesAngle>, FrameStart> closed_angle(
+    const PhPath& path, Reference reference, Form form, nb::handle start, nb::handle start_normal) {
+  const FrameStart from = frame_start(start, start_normal, StartRule::reference, path, reference);
+  return {
+      without_gil([=] {
+        return ClosedAngle{PathAngle(path, reference, form), start_angle(from, path, reference)};
+      }),
+      from};
 }
 
-AngleAnswer formula(const AngleObject& self, const std::string& style) {
-  return formula(self, self.form, style);
+std::pair<std::variant<ClosedAngle, SeriesAngle>, FrameStart> series_angle(
+    const SmoothAngle& angle, nb::handle start, nb::handle start_normal) {
+  const FrameStart from = frame_start(start, start_normal, StartRule::reference, angle);
+  return {without_gil([=] { return SeriesAngle{angle, start_angle(from, angle)}; }), from};
 }
 
-nb::object make_angle(nb::handle self, const Text<"frame">& frame, nb::handle start,
-                      nb::handle start_normal, const Text<"form">& form) {
-  const auto& named = nb::cast<const PathObject&>(self).named;
-  const Reference reference = reference_named(frame, "frame");
+nb::object make_angle(nb::handle self, nb::handle frame, nb::handle start, nb::handle start_normal,
+                      const Text<"form">& form, nb::handle up) {
+  const PathObject& path = path_of(self);
+  const AngleReference reference = reference_named(frame, "frame", path, up);
   const Form how = form_named(form);
-  const FrameStart from =
-      frame_start(start, start_normal, StartRule::reference, named.path, reference);
-  auto [angle, at_zero] = without_gil([path = named.path, reference, how, from] {
-    return std::pair{PathAngle(path, reference, how), start_angle(from, path, reference)};
-  });
-  const nb::object along =
-      start_normal.is_none() ? nb::none() : to_python(vector(start_normal, "start_normal"));
-  return nb::cast(AngleObject{
-      named, angle, from, std::move(at_zero), form,
-      remade("_angle", self, nb::str(frame.c_str()), start, along, nb::str(form.c_str()))});
-}
-
-/// The number of a segment.
-std::size_t segment_number(const AngleObject& self, nb::handle segment) {
-  const std::size_t n = self.angle.path().segments().size();
-  return static_cast<std::size_t>(count(segment, "segment", 0, static_cast<long>(n) - 1));
+  const auto [angle, from] = [&] {
+    if (reference == AngleReference::up)
+      return series_angle(angle_to_up(path.named.path, up), start, start_normal);
+    if (path.ph)
+      return closed_angle(
+          path.ph->path,
+          reference == AngleReference::erf ? Reference::euler_rodrigues : Reference::frenet, how,
+          start, start_normal);
+    return series_angle(
+        without_gil([of = path.named.path] { return SmoothAngle(of, SmoothReference::frenet); }),
+        start, start_normal);
+  }();
+  const auto kept = [](nb::handle v, const char* place) {
+    return v.is_none() ? nb::none() : to_python(vector(v, place));
+  };
+  return nb::cast(
+      AngleObject{path, reference, angle, from, form,
+                  remade("_angle", self, frame, start, kept(start_normal, "start_normal"),
+                         nb::str(form.c_str()), kept(up, "up"))});
 }
 
 /// θ(t).
 auto value_of(const AngleObject& self) {
-  return [angle = self.angle, start = self.start_angle](const Rational& t) {
-    return angle.value(t, start);
+  return [angle = self.angle](const Rational& t) {
+    return std::visit([&](const auto& theta) { return theta(t); }, angle);
   };
+}
+
+/// "erf", as it is asked for.
+const char* name_of(AngleReference reference) {
+  return reference == AngleReference::erf      ? "erf"
+         : reference == AngleReference::frenet ? "frenet"
+                                               : "up";
+}
+
+std::string frame_of(const AngleObject& self) {
+  if (self.reference == AngleReference::erf) return "Euler–Rodrigues frame";
+  if (self.reference == AngleReference::frenet) return "Frenet frame";
+  const auto& [x, y, z] = std::get<SeriesAngle>(self.angle).angle.up();
+  return "frame of (" + to_string(x) + ", " + to_string(y) + ", " + to_string(z) + ")";
+}
+
+/// Throws DomainError, which names what was asked for, where there is no closed form.
+const PathAngle& closed_form(const AngleObject& self, const char* asked) {
+  if (const auto* closed = std::get_if<ClosedAngle>(&self.angle)) return closed->angle;
+  throw DomainError(asked + (": the angle has no closed form: " +
+                             (self.path.ph ? "it is to the " + frame_of(self)
+                                           : why_not_ph(self.path.named.path))));
+}
+
+AngleAnswer formula(const AngleObject& self, const std::string& form, const std::string& style) {
+  AngleQuery query;
+  query.reference = closed_form(self, "formula").reference();
+  query.start = self.start;
+  query.form = form_named(form);
+  query.style = style_named(style);
+  query.most_poles = 100;
+  return without_gil([named = *self.path.ph, query] { return answer(named, query); });
+}
+
+SmoothAngleAnswer without_formula(const AngleObject& self, const SmoothAngle& angle) {
+  SmoothAngleQuery query;
+  query.reference = angle.reference();
+  if (query.reference == SmoothReference::up) query.up = angle.up();
+  query.start = self.start;
+  return without_gil([named = self.path.named, query] { return answer(named, query); });
+}
+
+/// f of what there is to write of the angle; the style is that of a closed form.
+template <class F>
+std::string written(const AngleObject& self, const std::string& style, const F& f) {
+  style_named(style);
+  if (const auto* series = std::get_if<SeriesAngle>(&self.angle))
+    return f(without_formula(self, series->angle));
+  return f(formula(self, self.form, style));
+}
+
+/// The number of a segment.
+const RmfAngle& angle_along(const AngleObject& self, const char* asked, nb::handle segment) {
+  const PathAngle& angle = closed_form(self, asked);
+  const std::size_t n = angle.path().segments().size();
+  return angle.segment(
+      static_cast<std::size_t>(count(segment, "segment", 0, static_cast<long>(n) - 1)));
 }
 
 nb::object angle_of_what(const AngleObject& self, nb::handle ts, nb::handle progress) {
@@ -63,14 +141,29 @@ nb::object angle_of_what(const AngleObject& self, nb::handle ts, nb::handle prog
       return without_gil([value = value_of(self), t] { return round_to_double(value(t)); });
     }));
   }
-  return angles(self.angle, self.start_angle, ts, progress);
+  return std::visit(
+      [&](const auto& theta) { return angles(theta.angle, theta.start, ts, progress); },
+      self.angle);
+}
+
+bool is_zero(const AngleObject& self) {
+  if (const auto* series = std::get_if<SeriesAngle>(&self.angle)) return series->angle.is_zero();
+  const PathAngle& angle = std::get<ClosedAngle>(self.angle).angle;
+  for (std::size_t k = 0; k < angle.path().segments().size(); ++k)
+    if (!angle.segment(k).rate().is_zero()) return false;
+  return true;
+}
+
+nb::object up_of(const AngleObject& self) {
+  if (self.reference != AngleReference::up) return nb::none();
+  return to_python(std::get<SeriesAngle>(self.angle).angle.up());
 }
 
 /// θ(0) + F(t) − F(0), where F must not jump: sums over residues may, those over poles do not.
 nb::object angle_for_sympy(const AngleObject& self, nb::handle symbol, const Text<"style">& style) {
-  if (!self.named.path.is_curve())
-    throw DomainError("sympy: a formula for SymPy is one of a single curve");
   const Style how = style_named(style);
+  if (!closed_form(self, "sympy").path().is_curve())
+    throw DomainError("sympy: a formula for SymPy is one of a single curve");
   const bool has_sums = how == Style::logarithms || how == Style::radicals;
   const AngleAnswer found = formula(self, has_sums ? "partial-fractions" : "auto", style);
   const auto [angle, z] = terms(found.start_angle);
@@ -80,21 +173,45 @@ nb::object angle_for_sympy(const AngleObject& self, nb::handle symbol, const Tex
       to_python(z ? z->im : Integer(0)));
 }
 
+std::optional<std::string> latex_of(const AngleObject& self) {
+  const auto* closed = std::get_if<ClosedAngle>(&self.angle);
+  if (closed == nullptr || !closed->angle.path().is_curve()) return std::nullopt;
+  const AngleAnswer found = formula(self, self.form, "textbook");
+  const Antiderivative& F = found.formulas.front().antiderivative;
+  const std::string terms = [&] {
+    if (const auto* book = std::get_if<TextbookForm>(&found.formulas.front().other))
+      return formatted_sum(formatted_terms(*book, Notation::latex), "", Notation::latex);
+    return formatted_sum(formatted_terms(F, Notation::latex), "", Notation::latex);
+  }();
+  return "$\\displaystyle \\theta(t) = " + terms + " + \\mathrm{const}$";
+}
+
 }  // namespace
 
 #define PHRAME_STYLE_SIG(name) nb::sig("def " name "(self, style: str = 'logarithms') -> str")
+#define PHRAME_WRITTEN(name, of, what)                                     \
+  type.def(                                                                \
+      name,                                                                \
+      [](const AngleObject& self, const Text<"style">& style) {            \
+        return written(self, style, [](const auto& found) { return of; }); \
+      },                                                                   \
+      argument("style") = "logarithms", PHRAME_STYLE_SIG(name), what)
 
-void bind_angle(nb::module_& m, nb::class_<PathObject>& path) {
+void bind_angle(nb::module_& m, PathClass& path) {
   m.def("_angle", make_angle, argument("path"), argument("frame"), argument("start"),
-        argument("start_normal"), argument("form"));
+        argument("start_normal"), argument("form"), argument("up"));
   path.def(
-      "angle", make_angle, argument("frame") = "erf", PHRAME_START_PARAMETERS,
-      argument("form") = "auto",
-      nb::sig("def angle(self, frame: str = 'erf', " PHRAME_START_SIG
-              ", form: str = 'auto') -> Angle"),
-      "The angle of the rotation-minimizing frame to the Euler–Rodrigues (erf) or Frenet frame.");
+      "angle", make_angle, argument("frame") = nb::none(), PHRAME_START_PARAMETERS,
+      argument("form") = "auto", argument("up") = nb::none(),
+      nb::sig("def angle(self, frame: str | None = None, " PHRAME_START_SIG
+              ", form: str = 'auto', " PHRAME_UP_SIG ") -> Angle"),
+      "The angle of the rotation-minimizing frame to the Euler–Rodrigues frame (erf) of PH curves, "
+      "to the Frenet frame, or to the frame of a vector `up`, e2 = up × e1/|up × e1|; without a "
+      "name to erf where the path is PH, else to up.");
   auto type = nb::class_<AngleObject>(
-      m, "Angle", "The angle θ(t) of the rotation-minimizing frame of a path, in closed form.");
+      m, "Angle",
+      "The angle θ(t) of the rotation-minimizing frame of a path: in closed form to the "
+      "Euler–Rodrigues and Frenet frames of PH curves, else to any number of digits.");
   bind_value(type,
              "θ(t): a Fraction where it is rational, else a Real; with `digits` a Decimal "
              "with so many.",
@@ -109,74 +226,54 @@ void bind_angle(nb::module_& m, nb::class_<PathObject>& path) {
                    "numpy.typing.NDArray[numpy.float64]"),
            "θ as correctly rounded doubles: of one parameter, or an array of many.")
       .def_prop_ro(
-          "path", [](const AngleObject& self) { return wrap(self.named); },
+          "path", [](const AngleObject& self) { return nb::cast(self.path); },
           nb::sig("def path(self) -> Path"), "Along which it is.")
+      .def_prop_ro(
+          "reference", [](const AngleObject& self) { return name_of(self.reference); },
+          "The frame that it is measured from: \"erf\", \"frenet\" or \"up\".")
+      .def_prop_ro("up", up_of, nb::sig("def up(self) -> " PHRAME_VECTOR_SIG " | None"),
+                   "v, where it is to the frame of a vector v.")
+      .def_prop_ro("is_zero", is_zero,
+                   "Is θ the same all along, as in a plane with its normal for `up`?")
       .def(
           "rate",
           [](const AngleObject& self, nb::handle segment) {
-            return self.angle.segment(segment_number(self, segment)).rate();
+            return angle_along(self, "rate", segment).rate();
           },
           argument("segment") = 0, nb::sig("def rate(self, segment: int = 0) -> RationalFunction"),
-          "θ′, a rational function.")
+          "θ′ of a closed form, a rational function.")
       .def(
           "poles",
           [](const AngleObject& self, nb::handle segment) {
-            const std::size_t k = segment_number(self, segment);
-            return to_python(without_gil([rate = self.angle.segment(k).rate()] {
+            return to_python(without_gil([rate = angle_along(self, "poles", segment).rate()] {
               return pole_table(integrate(rate, Form::partial_fractions), 100);
             }));
           },
           argument("segment") = 0,
           nb::sig("def poles(self, segment: int = 0) -> " PHRAME_POLES_SIG),
-          "The poles of θ′ with their residues, to 12 digits or more; none of more than 100.")
-      .def(
-          "text",
-          [](const AngleObject& self, const Text<"style">& style) {
-            return for_reading(to_text(formula(self, style)), true);
-          },
-          argument("style") = "logarithms", PHRAME_STYLE_SIG("text"),
-          "The closed form and the poles, for reading.")
-      .def(
-          "latex",
-          [](const AngleObject& self, const Text<"style">& style) {
-            return to_latex(formula(self, style));
-          },
-          argument("style") = "logarithms", PHRAME_STYLE_SIG("latex"),
-          "The closed form, for LaTeX.")
-      .def(
-          "json",
-          [](const AngleObject& self, const Text<"style">& style) {
-            return to_json(formula(self, style));
-          },
-          argument("style") = "logarithms", PHRAME_STYLE_SIG("json"), "angle/1 or spline-angle/1.")
-      .def("sympy", angle_for_sympy, argument("symbol") = nb::none(),
+          "The poles of θ′ with their residues, to 12 digits or more; none of more than 100.");
+  PHRAME_WRITTEN("text", for_reading(to_text(found), true),
+                 "The closed form and the poles, where there are some, for reading.");
+  PHRAME_WRITTEN("latex", to_latex(found), "The same for LaTeX.");
+  PHRAME_WRITTEN("json", to_json(found), "angle/1 or spline-angle/1.");
+  type.def("sympy", angle_for_sympy, argument("symbol") = nb::none(),
            argument("style") = "textbook",
            nb::sig("def sympy(self, symbol: typing.Any = None, style: str = 'textbook') -> "
                    "typing.Any"),
-           "θ of a single curve, a SymPy expression of this symbol or a real t: from θ(0), and "
-           "continuous, as value() is.")
+           "θ of a single curve in closed form, a SymPy expression of this symbol or a real t: "
+           "from θ(0), and continuous, as value() is.")
       .def("__repr__",
            [](const AngleObject& self) {
-             return std::string("<Angle to the ") +
-                    (self.angle.reference() == Reference::frenet ? "Frenet" : "Euler–Rodrigues") +
-                    " frame" +
-                    (self.named.name.empty() ? "" : " of " + abbreviated(self.named.name)) + ">";
+             const std::string& name = self.path.named.name;
+             return "<Angle to the " + frame_of(self) +
+                    (name.empty() ? "" : " of " + abbreviated(name)) + ">";
            })
       .def("__str__",
            [](const AngleObject& self) {
-             return for_reading(to_text(formula(self, "logarithms")), false);
+             return written(self, "logarithms",
+                            [](const auto& found) { return for_reading(to_text(found), false); });
            })
-      .def("_repr_latex_", [](const AngleObject& self) -> std::optional<std::string> {
-        if (!self.named.path.is_curve()) return std::nullopt;
-        const AngleAnswer found = formula(self, "textbook");
-        const Antiderivative& F = found.formulas.front().antiderivative;
-        const std::string terms = [&] {
-          if (const auto* book = std::get_if<TextbookForm>(&found.formulas.front().other))
-            return formatted_sum(formatted_terms(*book, Notation::latex), "", Notation::latex);
-          return formatted_sum(formatted_terms(F, Notation::latex), "", Notation::latex);
-        }();
-        return "$\\displaystyle \\theta(t) = " + terms + " + \\mathrm{const}$";
-      });
+      .def("_repr_latex_", latex_of);
   bind_python(type, "plot", "phrame._plot", "angle",
               "def plot(self, ts: Numbers | None = None, *, ax: typing.Any = None, **style: "
               "typing.Any) -> typing.Any",

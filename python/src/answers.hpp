@@ -22,24 +22,37 @@ nb::object to_python(const std::optional<PoleTable>& poles);
       "fractions.Fraction | Real: ...\n@typing.overload\ndef value(self, t: Number, " \
       "digits: int) -> decimal.Decimal")
 
-/// value(t, digits) of what is a function of t, by f(self)(t), where f(self) owns what it uses.
+/// value(t, digits) and digits(t, n) of what is a function of t, by f(self)(t), where f(self) owns
+/// what it uses.
 template <class C, class F>
 void bind_value(C& type, const char* what, const F& f) {
+  const auto value = [f](nb::handle self, nb::handle t, nb::handle digits, const char* place) {
+    const Rational at = rational(t, "t");
+    const auto& of = nb::cast<const typename C::Type&>(self);
+    const long n = digits.is_none() ? 0 : count(digits, place, 1, 1'000'000);
+    return at_place("t", [&] {
+      if (n == 0)
+        return to_python(without_gil([value = f(of), at] { return value(at); }),
+                         method_recipe(self, "value", to_python(at)));
+      return to_decimal(
+          without_gil([value = f(of), at, n] { return round_to_decimal(value(at), n).value; }));
+    });
+  };
   type.def(
-      "value",
-      [f](nb::handle self, nb::handle t, nb::handle digits) {
-        const Rational at = rational(t, "t");
-        const auto& of = nb::cast<const typename C::Type&>(self);
-        const long n = digits.is_none() ? 0 : count(digits, "digits", 1, 1'000'000);
-        return at_place("t", [&] {
-          if (n == 0)
-            return to_python(without_gil([value = f(of), at] { return value(at); }),
-                             method_recipe(self, "value", to_python(at)));
-          return to_decimal(
-              without_gil([value = f(of), at, n] { return round_to_decimal(value(at), n).value; }));
-        });
-      },
-      argument("t"), argument("digits") = nb::none(), PHRAME_VALUE_SIG, what);
+          "value",
+          [value](nb::handle self, nb::handle t, nb::handle digits) {
+            return value(self, t, digits, "digits");
+          },
+          argument("t"), argument("digits") = nb::none(), PHRAME_VALUE_SIG, what)
+      .def(
+          "digits",
+          [value](nb::handle self, nb::handle t, nb::handle n) {
+            if (n.is_none()) refuse_type("n", "an int", n);
+            return value(self, t, n, "n");
+          },
+          argument("t"), argument("n"),
+          nb::sig("def digits(self, t: Number, n: int) -> decimal.Decimal"),
+          "value(t) to n digits, correctly rounded.");
 }
 
 /// An object that keeps its recipe is pickled by it.
@@ -50,16 +63,16 @@ void bind_recipe(C& type) {
   bind_copies(type);
 }
 
-void bind_angle(nb::module_& m, nb::class_<PathObject>& path);
+void bind_angle(nb::module_& m, PathClass& path);
 void bind_integral(nb::module_& m);
-void bind_classification(nb::module_& m, nb::class_<PathObject>& path);
+void bind_classification(nb::module_& m, PathClass& path);
 /// The rational frame of a MinimalTwist, `self`.
 nb::object rational_twist(nb::handle self, const MinimalTwist& mtf, nb::handle degree,
                           bool has_free_ends, nb::handle subdivide, nb::handle gamma,
                           bool is_proved);
 void bind_rational_twist(nb::module_& m);
-void bind_minimal_twist(nb::module_& m, nb::class_<PathObject>& path);
-void bind_check(nb::module_& m, nb::class_<PathObject>& path);
-void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve);
+void bind_minimal_twist(nb::module_& m, PathClass& path);
+void bind_check(nb::module_& m, PathClass& path);
+void bind_certificate(nb::module_& m, PathClass& path);
 
 }  // namespace phrame::python

@@ -1,4 +1,4 @@
-#include "smooth.hpp"
+#include "paths.hpp"
 
 namespace phrame::python {
 namespace {
@@ -206,45 +206,22 @@ nb::object cubic_spline(nb::handle points, nb::handle parameters, const Text<"en
   return path_of_beziers(name, pieces, "points", points);
 }
 
-nb::object parsed_bytes(const std::string& bytes) {
-  AnyPath read = without_gil([bytes] { return read_any_path(bytes); });
-  const auto& notes = std::visit(
-      [](const auto& named) -> const auto& { return named.notes; }, read);
-  for (const std::string& note : notes)
-    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw nb::python_error();
-  return wrap(std::move(read));
-}
-
-nb::object parse(nb::handle text) {
-  std::string bytes;
-  if (PyBytes_Check(text.ptr()) != 0)
-    bytes.assign(PyBytes_AsString(text.ptr()), static_cast<std::size_t>(PyBytes_Size(text.ptr())));
-  else if (PyUnicode_Check(text.ptr()) != 0)
-    bytes = phrame::python::text(text, "text");
-  else
-    refuse_type("text", "a str or bytes", text);
-  return parsed_bytes(bytes);
-}
-
-nb::object read_any(nb::handle file) { return parsed_bytes(bytes_of_file(file, "file")); }
-
 }  // namespace
 
-void bind_any_curves(nb::module_& m, nb::class_<CurveObject, PathObject>& curve) {
+void bind_any_curves(PathClass& path) {
 #define PHRAME_LIST "Polynomial | collections.abc.Sequence[Number]"
-  curve
-      .def_static("bezier", bezier, argument("points"), argument("weights") = nb::none(),
+  path.def_static("bezier", bezier, argument("points"), argument("weights") = nb::none(),
                   nb::kw_only(), argument("name") = "",
                   nb::sig("def bezier(points: Vectors, weights: Numbers | None = None, *, name: "
-                          "str = '') -> " PHRAME_ANY_PATH_SIG),
-                  "The Bézier curve of these control points, rational where there are weights: a "
-                  "Curve where it is PH.")
+                          "str = '') -> Path"),
+                  "The Bézier curve of these control points, rational where there are weights; "
+                  "known to be PH where it is.")
       .def_static(
           "nurbs", nurbs, argument("points"), argument("weights") = nb::none(),
           argument("knots") = nb::none(), argument("degree") = 3, nb::kw_only(),
           argument("name") = "",
           nb::sig("def nurbs(points: Vectors, weights: Numbers | None = None, knots: Numbers | "
-                  "None = None, degree: int = 3, *, name: str = '') -> " PHRAME_ANY_PATH_SIG),
+                  "None = None, degree: int = 3, *, name: str = '') -> Path"),
           "The B-spline of these control points, rational where there are weights. The knots are "
           "one more than points and degree together, or one less, without the outermost two; "
           "without knots they are clamped and equally spaced.")
@@ -254,14 +231,14 @@ void bind_any_curves(nb::module_& m, nb::class_<CurveObject, PathObject>& curve)
                   nb::sig("def polynomial(x: " PHRAME_LIST ", y: " PHRAME_LIST ", z: " PHRAME_LIST
                           " = (0,), w: " PHRAME_LIST
                           " | None = None, *, name: str = '', basis: str = 'power') "
-                          "-> " PHRAME_ANY_PATH_SIG),
+                          "-> Path"),
                   "The curve (x, y, z)/w for t from 0 to 1, of lists of coefficients.")
       .def_static(
           "expressions", expressions, argument("x"), argument("y"), argument("z"),
           argument("lower"), argument("upper"), nb::kw_only(), argument("variable") = nb::none(),
           argument("name") = "",
           nb::sig("def expressions(x: Number, y: Number, z: Number, lower: Number, upper: Number, "
-                  "*, variable: str | None = None, name: str = '') -> " PHRAME_ANY_PATH_SIG),
+                  "*, variable: str | None = None, name: str = '') -> Path"),
           "The curve of three formulas such as \"cos(3*s)\" of one variable, from `lower` to "
           "`upper`, which may be \"2*pi\".")
       .def_static(
@@ -272,17 +249,10 @@ void bind_any_curves(nb::module_& m, nb::class_<CurveObject, PathObject>& curve)
           nb::sig("def cubic_spline(points: Vectors, *, parameters: Numbers | None = None, ends: "
                   "str = 'natural', spacing: str = 'chord-length', start_derivative: Vector | "
                   "None = None, end_derivative: Vector | None = None, name: str = '') "
-                  "-> " PHRAME_ANY_PATH_SIG),
+                  "-> Path"),
           "The C² cubic spline through points, which is no PH curve as a rule; `ends` is natural, "
           "clamped or periodic, `spacing` chord-length, uniform or centripetal.");
 #undef PHRAME_LIST
-  m.def("read", read_any, argument("file"),
-        nb::sig("def read(file: str | os.PathLike[str]) -> " PHRAME_ANY_PATH_SIG),
-        "The path that a file of any format has (docs/curve-files.md): a Path where all of its "
-        "segments are PH, else a SmoothPath.");
-  m.def("parse", parse, argument("text"),
-        nb::sig("def parse(text: str | bytes) -> " PHRAME_ANY_PATH_SIG),
-        "The same of what such a file has in it.");
 }
 
 }  // namespace phrame::python

@@ -6,19 +6,38 @@
 namespace phrame::python {
 namespace {
 
-FrameKind frame_kind(const std::string& name) {
-  return chosen<FrameKind>(
-      name, "kind",
-      {{"rmf", FrameKind::rmf}, {"erf", FrameKind::erf}, {"frenet", FrameKind::frenet}});
+FrameKind frame_kind(const std::string& name, const PathObject& self) {
+  const auto kind = chosen<TabulatedFrame>(name, "kind",
+                                           {{"rmf", TabulatedFrame::rmf},
+                                            {"erf", TabulatedFrame::euler_rodrigues},
+                                            {"up", TabulatedFrame::up},
+                                            {"frenet", TabulatedFrame::frenet}});
+  if (kind == TabulatedFrame::euler_rodrigues && !self.ph)
+    refuse("kind", "\"erf\" is of PH curves, and " + why_not_ph(self.named.path),
+           nb::str(name.c_str()));
+  return kind;
 }
 
 bool is_by_arc_length(const std::string& by) {
   return chosen<bool>(by, "by", {{"parameter", false}, {"arc_length", true}});
 }
 
+/// What is asked of a path at many places.
+struct ArrayQuery {
+  nb::handle ts;
+  nb::handle start;
+  nb::handle start_normal;
+  nb::handle up;
+  FrameKind kind;
+  bool is_by_length;
+  nb::handle progress;
+  std::size_t width;  ///< so many numbers for each place
+};
+
 /// A place on a path with its frame, which a source computes when it is asked for.
+template <class Source>
 struct SourcePlace {
-  const FrameSource& source;
+  const Source& source;
   const Parameters& at;
   std::size_t k;
 
@@ -37,45 +56,43 @@ struct TablePlace {
   std::array<double, 4> quaternion() const { return {row[13], row[14], row[15], row[16]}; }
 };
 
-/// The numbers that write(place, out) writes, `width` for each place of a path at a parameter.
-template <class Write>
-Numbers by_parameter(const PathObject& self, FrameKind kind, const FrameStart& start, nb::handle ts,
-                     nb::handle progress, std::size_t width, const Write& write) {
-  const PhPath& path = self.named.path;
-  const auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
-  for (std::size_t k = 0; k < at->size() && !path.is_curve(); ++k)
-    if (const Rational t = (*at)[k]; t < 0 || t > path.end())
-      refuse("ts[" + std::to_string(k) + "]",
-             as_written(t) + " is outside [0, " + to_string(path.end()) + "]", ts);
-  const FrameAngle at_zero = kind == FrameKind::rmf ? start_angle(start, path) : FrameAngle();
-  const auto source = self.sources->of(
-      {kind, at_zero}, [&] { return std::make_shared<FrameSource>(path, kind, at_zero); });
-  const auto numbers = std::make_shared<DoubleArray>(at->size() * width);
-  const auto work = [source, at, numbers, width, write](std::size_t from, std::size_t to) {
-    for (std::size_t k = from; k < to; ++k)
-      write(SourcePlace{*source, *at, k}, numbers->data() + k * width);
-  };
-  return filled(numbers, progress, source, at, at->are_doubles() ? many : 16, work);
+using At = std::shared_ptr<Parameters>;
+
+void require_inside(const Parameters& at, const Rational& end, nb::handle ts) {
+  const double last = round_to_double(end);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    if (at.are_doubles() ? at.doubles[k] >= 0 && at.doubles[k] <= last : at[k] >= 0 && at[k] <= end)
+      continue;
+    refuse("ts[" + std::to_string(k) + "]",
+           as_written(at[k]) + " is outside [0, " + to_string(end) + "]", ts);
+  }
 }
 
-/// The same at the places where the arc length from the start is s.
+/// The numbers that write(place, out) writes for each place, by this source.
+template <class Source, class Write>
+Numbers by_source(const std::shared_ptr<Source>& source, const At& at, const ArrayQuery& asked,
+                  std::size_t grain, const Write& write) {
+  const auto numbers = std::make_shared<DoubleArray>(at->size() * asked.width);
+  return filled(
+      numbers, asked.progress, source, at, grain,
+      [source, at, numbers, width = asked.width, write](std::size_t from, std::size_t to) {
+        for (std::size_t k = from; k < to; ++k)
+          write(SourcePlace<Source>{*source, *at, k}, numbers->data() + k * width);
+      });
+}
+
+/// The same along PH curves at the places where the arc length from the start is s.
 template <class Write>
-Numbers by_arc_length(const PathObject& self, FrameKind kind, const FrameStart& start, nb::handle s,
-                      nb::handle progress, std::size_t width, bool has_quaternions,
-                      const Write& write) {
-  const auto at = std::make_shared<Parameters>(parameters(s, "ts"));
-  const TabulatedFrame frame = kind == FrameKind::rmf      ? TabulatedFrame::rmf
-                               : kind == FrameKind::frenet ? TabulatedFrame::frenet
-                                                           : TabulatedFrame::euler_rodrigues;
-  TableColumns columns{.frames = {frame}};
+Numbers by_arc_length(const PhPath& path, const FrameStart& start, const At& at,
+                      const ArrayQuery& asked, const Write& write) {
+  TableColumns columns{.frames = {asked.kind.value_or(TabulatedFrame::euler_rodrigues)}};
   columns.start = start;
-  columns.have_quaternions = has_quaternions;
-  const auto numbers = std::make_shared<DoubleArray>(at->size() * width);
+  columns.have_quaternions = asked.width == 4;
+  const auto numbers = std::make_shared<DoubleArray>(at->size() * asked.width);
   run({.n = at->size(),
        .grain = 16,
        .work =
-           [path = self.named.path, columns, at, numbers, write, width](std::size_t from,
-                                                                        std::size_t to) {
+           [=, width = asked.width](std::size_t from, std::size_t to) {
              const PathLength length(path);
              std::vector<PathPoint> points;
              for (std::size_t k = from; k < to; ++k)
@@ -85,29 +102,90 @@ Numbers by_arc_length(const PathObject& self, FrameKind kind, const FrameStart& 
              for (std::size_t k = from; k < to; ++k)
                write(TablePlace{table.rows[k - from].data()}, numbers->data() + k * width);
            }},
-      progress);
+      asked.progress);
   return numbers;
 }
 
-/// A function (self, ts, start, start_normal, kind, by, progress) that makes arrays of this shape.
+/// Along PH curves, where angles are to the Euler–Rodrigues frame.
+template <class Write>
+Numbers closed_numbers(const PathObject& self, const At& at, const ArrayQuery& asked,
+                       const Write& write) {
+  const PhPath& path = self.ph->path;
+  const FrameStart from =
+      frame_start(asked.start, asked.start_normal, StartRule::least_rotation, path);
+  if (asked.is_by_length) return by_arc_length(path, from, at, asked, write);
+  if (!path.is_curve()) require_inside(*at, path.end(), asked.ts);
+  const FrameAngle at_zero =
+      asked.kind == TabulatedFrame::rmf ? start_angle(from, path) : FrameAngle();
+  const auto source = self.sources->closed.of({asked.kind, at_zero}, [&] {
+    return std::make_shared<FrameSource>(path, asked.kind, at_zero);
+  });
+  return by_source(source, at, asked, at->are_doubles() ? many : 16, write);
+}
+
+/// Along curves of any kind, where angles are to the frame of a vector.
+template <class Write>
+Numbers general_numbers(const PathObject& self, const At& at, const ArrayQuery& asked,
+                        const Write& write) {
+  const Path& path = self.named.path;
+  if (!asked.is_by_length) require_inside(*at, path.end(), asked.ts);
+  GeneralFrames frames{asked.kind, {}, {}, asked.is_by_length};
+  if (asked.kind)
+    frames.start = asked_start(asked.start, asked.start_normal, StartRule::least_rotation, "up");
+  if (!asked.up.is_none()) frames.up = vector(asked.up, "up");
+  const auto source = self.sources->general.of(frames, [&] {
+    std::optional<SmoothAngle> angle;
+    Real start = Rational(0);
+    if (asked.kind) {
+      angle.emplace(angle_to_up(path, asked.up));
+      start = start_angle(
+          frame_start(asked.start, asked.start_normal, StartRule::least_rotation, *angle), *angle);
+    }
+    return std::make_shared<GeneralSource>(path, angle, asked.kind, start, asked.is_by_length);
+  });
+  return by_source(source, at, asked, at->are_doubles() && !asked.is_by_length ? many : 4, write);
+}
+
+/// An array of these numbers for each place.
+template <class Write>
+nb::object array_of(const PathObject& self, const ArrayQuery& asked,
+                    const std::vector<std::size_t>& shape, const Write& write) {
+  const auto at = std::make_shared<Parameters>(parameters(asked.ts, "ts"));
+  const bool is_erf = asked.kind == TabulatedFrame::euler_rodrigues;
+  if (is_erf && !asked.up.is_none()) refuse("up", "the Euler–Rodrigues frame has none", asked.up);
+  const bool is_general =
+      !is_erf && (asked.kind == TabulatedFrame::up || is_to_up(self, asked.up, asked.start));
+  const Numbers numbers =
+      is_general ? general_numbers(self, at, asked, write) : closed_numbers(self, at, asked, write);
+  if (asked.width == 4 &&
+      (is_general || asked.is_by_length || asked.kind == TabulatedFrame::frenet))
+    make_continuous(*numbers);
+  std::vector<std::size_t> whole{numbers->size() / asked.width};
+  whole.insert(whole.end(), shape.begin(), shape.end());
+  return array(numbers, whole);
+}
+
+/// A function (self, ts, start, start_normal, up, kind, by, progress) that makes arrays of this
+/// shape of frames.
 template <class Write>
 auto tabulated(const std::vector<std::size_t>& shape, const Write& write) {
   return [=](const PathObject& self, nb::handle ts, nb::handle start, nb::handle start_normal,
-             const Text<"kind">& kind_name, const Text<"by">& by, nb::handle progress) {
-    const std::size_t width = product(shape);
-    const FrameKind kind = width == 3 ? FrameKind::none : frame_kind(kind_name);
-    const FrameStart from =
-        frame_start(start, start_normal, StartRule::least_rotation, self.named.path);
-    const bool is_by_length = is_by_arc_length(by);
-    const bool has_quaternions = width == 4;
-    const Numbers numbers =
-        is_by_length ? by_arc_length(self, kind, from, ts, progress, width, has_quaternions, write)
-                     : by_parameter(self, kind, from, ts, progress, width, write);
-    if (has_quaternions && (is_by_length || kind == FrameKind::frenet)) make_continuous(*numbers);
-    std::vector<std::size_t> whole{numbers->size() / width};
-    whole.insert(whole.end(), shape.begin(), shape.end());
-    return array(numbers, whole);
+             nb::handle up, const Text<"kind">& kind, const Text<"by">& by, nb::handle progress) {
+    return array_of(self,
+                    {ts, start, start_normal, up, frame_kind(kind, self), is_by_arc_length(by),
+                     progress, product(shape)},
+                    shape, write);
   };
+}
+
+nb::object points(const PathObject& self, nb::handle ts, const Text<"by">& by,
+                  nb::handle progress) {
+  const nb::object none = nb::none();
+  return array_of(self, {ts, none, none, none, std::nullopt, is_by_arc_length(by), progress, 3},
+                  {3}, [](const auto& place, double* out) {
+                    const Vector<double> r = place.point();
+                    std::copy(r.begin(), r.end(), out);
+                  });
 }
 
 }  // namespace
@@ -155,6 +233,19 @@ CompiledAngles compiled_angles(const PathAngle& angle, const FrameAngle& start,
   return compiled;
 }
 
+/// Of the whole path, where it is asked for often enough.
+CompiledAngles compiled_angles(const SmoothAngle& angle, const Real& start, const Parameters& at) {
+  CompiledAngles compiled(1);
+  if (!at.are_doubles() || at.size() < least_compiled * angle.path().segments().size())
+    return compiled;
+  try {
+    compiled.front().emplace(compile_angle(angle, start));
+  } catch (const Undecided&) {
+    // All of its angles are computed exactly.
+  }
+  return compiled;
+}
+
 std::optional<double> approximated(const CompiledAngles& compiled, const Parameters& at,
                                    std::size_t k) {
   if (!at.are_doubles()) return std::nullopt;
@@ -162,72 +253,83 @@ std::optional<double> approximated(const CompiledAngles& compiled, const Paramet
   return segment ? segment->rounded(at.doubles[k]) : std::nullopt;
 }
 
-}  // namespace
+Real exact_angle(const PathAngle& angle, const FrameAngle& start, const Rational& t) {
+  return angle.value(t, start);
+}
+Real exact_angle(const SmoothAngle& angle, const Real& start, const Rational& t) {
+  return angle.value(locate(angle.path(), t)) + start;
+}
 
-nb::object angles(const PathAngle& angle, const FrameAngle& start, nb::handle ts,
-                  nb::handle progress) {
-  auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
-  auto numbers = std::make_shared<DoubleArray>(at->size());
-  auto compiled = std::make_shared<CompiledAngles>();
+template <class A, class Start>
+nb::object angles_at(const A& angle, const Start& start, const At& at, std::size_t least,
+                     nb::handle progress) {
+  const auto numbers = std::make_shared<DoubleArray>(at->size());
+  const auto compiled = std::make_shared<CompiledAngles>();
   run({.n = at->size(),
-       .grain = at->are_doubles() && at->size() >= least_compiled ? many : 1,
+       .grain = at->are_doubles() && at->size() >= least ? many : 1,
        .prepare = [=] { *compiled = compiled_angles(angle, start, *at); },
        .work =
            [=](std::size_t from, std::size_t to) {
              for (std::size_t k = from; k < to; ++k) {
                const auto near = approximated(*compiled, *at, k);
-               (*numbers)[k] = near ? *near : finite(round_to_double(angle.value((*at)[k], start)));
+               (*numbers)[k] =
+                   near ? *near : finite(round_to_double(exact_angle(angle, start, (*at)[k])));
              }
            }},
       progress);
   return array(numbers, {at->size()});
 }
 
-void bind_arrays(nb::class_<PathObject>& path) {
-  path.def(
-          "frames",
-          tabulated({3, 3}, [](const auto& place, double* out) { write_rows(place.frame(), out); }),
-          argument("ts"), nb::kw_only(), PHRAME_START_PARAMETERS, PHRAME_ARRAY_OPTIONS("rmf"),
-          nb::sig("def frames(self, " PHRAME_TS ", *, " PHRAME_START_SIG
-                  ", " PHRAME_ARRAY_OPTIONS_SIG ") -> " PHRAME_ARRAY),
-          "Frames as an array (n, 3, 3): [k, 0] is the tangent e1, [k, 1] and [k, 2] are f2, f3. "
-          "Every number is correctly rounded. `kind` is rmf, erf or frenet; `by` is parameter or "
-          "arc_length; where a rotation-minimizing frame starts, `start` or "
-          "`start_normal` says: see docs/python.md.")
-      .def(
-          "quaternions",
-          tabulated({4},
-                    [](const auto& place, double* out) {
-                      const std::array<double, 4> q = place.quaternion();
-                      std::copy(q.begin(), q.end(), out);
-                    }),
-          argument("ts"), nb::kw_only(), PHRAME_START_PARAMETERS, PHRAME_ARRAY_OPTIONS("rmf"),
-          nb::sig("def quaternions(self, " PHRAME_TS ", *, " PHRAME_START_SIG
-                  ", " PHRAME_ARRAY_OPTIONS_SIG ") -> " PHRAME_ARRAY),
-          "The same as unit quaternions (x, y, z, w), scalar last as in SciPy, whose matrices have "
-          "the columns e1, f2, f3; continuous along the path.")
-      .def("matrices",
-           tabulated({4, 4}, [](const auto& place,
-                                double* out) { write_pose(place.frame(), place.point(), out); }),
-           argument("ts"), nb::kw_only(), PHRAME_START_PARAMETERS, PHRAME_ARRAY_OPTIONS("rmf"),
-           nb::sig("def matrices(self, " PHRAME_TS ", *, " PHRAME_START_SIG
-                   ", " PHRAME_ARRAY_OPTIONS_SIG ") -> " PHRAME_ARRAY),
-           "The same as an array (n, 4, 4) of matrices with the columns e1, f2, f3, r.")
-      .def(
-          "points",
-          [write = tabulated({3},
-                             [](const auto& place, double* out) {
-                               const Vector<double> r = place.point();
-                               std::copy(r.begin(), r.end(), out);
-                             })](const PathObject& self, nb::handle ts, const Text<"by">& by,
-                                 nb::handle progress) {
-            return write(self, ts, nb::none(), nb::none(), {"erf"}, by, progress);
-          },
-          argument("ts"), nb::kw_only(), argument("by") = "parameter",
-          argument("progress") = nb::none(),
-          nb::sig("def points(self, " PHRAME_TS ", *, by: str = 'parameter', " PHRAME_PROGRESS
-                  ") -> " PHRAME_ARRAY),
-          "r at each parameter, correctly rounded: an array (n, 3).");
+}  // namespace
+
+nb::object angles(const PathAngle& angle, const FrameAngle& start, nb::handle ts,
+                  nb::handle progress) {
+  const auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
+  return angles_at(angle, start, at, least_compiled, progress);
+}
+
+nb::object angles(const SmoothAngle& angle, const Real& start, nb::handle ts, nb::handle progress) {
+  const auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
+  require_inside(*at, angle.path().end(), ts);
+  return angles_at(angle, start, at, least_compiled * angle.path().segments().size(), progress);
+}
+
+void bind_arrays(PathClass& path) {
+#define PHRAME_FRAMES(name, of, what)                                                           \
+  path.def(name, of, argument("ts"), nb::kw_only(), PHRAME_START_PARAMETERS,                    \
+           argument("up") = nb::none(), argument("kind") = "rmf", argument("by") = "parameter", \
+           argument("progress") = nb::none(),                                                   \
+           nb::sig("def " name "(self, ts: Numbers, *, " PHRAME_START_SIG ", " PHRAME_UP_SIG    \
+                   ", kind: str = 'rmf', by: str = 'parameter', " PHRAME_PROGRESS               \
+                   ") -> " PHRAME_ARRAY),                                                       \
+           what)
+  PHRAME_FRAMES(
+      "frames",
+      tabulated({3, 3}, [](const auto& place, double* out) { write_rows(place.frame(), out); }),
+      "Frames as an array (n, 3, 3): [k, 0] is the tangent e1, [k, 1] and [k, 2] are f2, f3. "
+      "Every number is correctly rounded. `kind` is rmf, erf (of PH curves), up or frenet; `by` is "
+      "parameter or arc_length; where a rotation-minimizing frame starts, `start` or "
+      "`start_normal` says: see docs/python.md.");
+  PHRAME_FRAMES("quaternions",
+                tabulated({4},
+                          [](const auto& place, double* out) {
+                            const std::array<double, 4> q = place.quaternion();
+                            std::copy(q.begin(), q.end(), out);
+                          }),
+                "The same as unit quaternions (x, y, z, w), scalar last as in SciPy, whose "
+                "matrices have the columns e1, f2, f3; continuous along PH curves, else each the "
+                "nearer to that before it of the two.");
+  PHRAME_FRAMES(
+      "matrices",
+      tabulated({4, 4}, [](const auto& place,
+                           double* out) { write_pose(place.frame(), place.point(), out); }),
+      "The same as an array (n, 4, 4) of matrices with the columns e1, f2, f3, r.");
+#undef PHRAME_FRAMES
+  path.def("points", points, argument("ts"), nb::kw_only(), argument("by") = "parameter",
+           argument("progress") = nb::none(),
+           nb::sig("def points(self, ts: Numbers, *, by: str = 'parameter', " PHRAME_PROGRESS
+                   ") -> " PHRAME_ARRAY),
+           "r at each parameter, correctly rounded: an array (n, 3).");
 }
 
 }  // namespace phrame::python

@@ -56,10 +56,6 @@ Numbers filled(const Numbers& numbers, nb::handle progress, const std::shared_pt
 }
 
 #define PHRAME_ARRAY "numpy.typing.NDArray[numpy.float64]"
-#define PHRAME_TS "ts: Numbers"
 #define PHRAME_PROGRESS "progress: collections.abc.Callable[[int, int], object] | None = None"
-#define PHRAME_ARRAY_OPTIONS(of_kind) \
-  argument("kind") = of_kind, argument("by") = "parameter", argument("progress") = nb::none()
-#define PHRAME_ARRAY_OPTIONS_SIG "kind: str = 'rmf', by: str = 'parameter', " PHRAME_PROGRESS
 
 }  // namespace phrame::python

@@ -16,21 +16,23 @@ std::vector<Statement> verified(const CertificateObject& self) {
 
 }  // namespace
 
-void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve) {
-  const auto certify_curve = [](const CurveObject& self, nb::handle at, nb::handle digits,
+void bind_certificate(nb::module_& m, PathClass& path) {
+  const auto certify_curve = [](const PathObject& self, nb::handle at, nb::handle digits,
                                 const Text<"frame">& frame) {
     const auto ts = rationals(at, "at");
     const long n = count(digits, "digits", 1, 100'000);
-    const Reference reference = reference_named(frame, "frame");
-    return CertificateObject{
-        without_gil([=, curve = curve_of(self)] { return certify(curve, reference, ts, n); }),
-        self.named.name};
+    const Reference reference = chosen<Reference>(
+        frame, "frame", {{"erf", Reference::euler_rodrigues}, {"frenet", Reference::frenet}});
+    return CertificateObject{without_gil([=, curve = curve_of(self, "certify")] {
+                               return certify(curve, reference, ts, n);
+                             }),
+                             self.named.name};
   };
-  curve.def("certify", certify_curve, argument("at") = nb::make_tuple(1), argument("digits") = 50,
-            argument("frame") = "erf",
-            nb::sig("def certify(self, at: Numbers = (1,), digits: int = 50, frame: str = 'erf') "
-                    "-> Certificate"),
-            "Angles, and what kinds the curve is of, with what proves them.");
+  path.def("certify", certify_curve, argument("at") = nb::make_tuple(1), argument("digits") = 50,
+           argument("frame") = "erf",
+           nb::sig("def certify(self, at: Numbers = (1,), digits: int = 50, frame: str = 'erf') "
+                   "-> Certificate"),
+           "Angles, and what kinds a PH curve is of, with what proves them.");
   auto type = nb::class_<CertificateObject>(m, "Certificate", "docs/certificate.md.");
   using C = CertificateObject;
   const auto from_json = [](const Text<"text">& text) {
@@ -45,7 +47,7 @@ void bind_certificate(nb::module_& m, nb::class_<CurveObject, PathObject>& curve
           "The certificate/1 file.")
       .def_prop_ro(
           "curve", [](const C& c) { return wrap(NamedPhPath(c.name, c.certificate.curve)); },
-          nb::sig("def curve(self) -> Curve"), "Of which it is.")
+          nb::sig("def curve(self) -> Path"), "Of which it is.")
       .def_prop_ro(
           "claims",
           [](const C& c) {

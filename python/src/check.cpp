@@ -1,5 +1,4 @@
 #include "answers.hpp"
-#include "smooth.hpp"
 
 namespace phrame::python {
 namespace {
@@ -45,51 +44,40 @@ CheckQuery check_query(nb::handle ts, nb::handle f2, nb::handle f3, nb::handle t
 }
 
 nb::object check(nb::handle self, nb::handle ts, nb::handle f2, nb::handle f3, nb::handle tangents,
-                 nb::handle tolerance, nb::handle start, nb::handle start_normal) {
-  const auto& named = nb::cast<const PathObject&>(self).named;
+                 nb::handle tolerance, nb::handle start, nb::handle start_normal, nb::handle up) {
+  const PathObject& path = path_of(self);
   CheckQuery query = check_query(ts, f2, f3, tangents, tolerance);
-  if (!start.is_none() || !start_normal.is_none())
-    query.options.start = frame_start(start, start_normal, StartRule::least_rotation, named.path);
-  return nb::cast(CheckObject{without_gil([named, query] { return answer(named, query); }),
-                              method_recipe(self, "check", kept(ts), kept(f2), kept(f3),
-                                            kept(tangents), tolerance, start, kept(start_normal))});
-}
-
-nb::object check_smooth(nb::handle self, nb::handle ts, nb::handle f2, nb::handle f3,
-                        nb::handle tangents, nb::handle tolerance, nb::handle start,
-                        nb::handle start_normal, nb::handle up) {
-  const auto& named = nb::cast<const SmoothPathObject&>(self).named;
-  CheckQuery query = check_query(ts, f2, f3, tangents, tolerance);
-  const SmoothAngle angle = angle_to_up(named.path, up);
-  query.options.up = angle.up();
-  if (!start.is_none() || !start_normal.is_none())
-    query.options.start = smooth_start(start, start_normal, StartRule::least_rotation, angle);
-  return nb::cast(
-      CheckObject{without_gil([named, query] { return answer(named, query); }),
-                  method_recipe(self, "check", kept(ts), kept(f2), kept(f3), kept(tangents),
-                                tolerance, start, kept(start_normal), kept(up))});
+  const bool has_start = !start.is_none() || !start_normal.is_none();
+  const bool is_general = is_to_up(path, up, start);
+  if (is_general) {
+    const SmoothAngle angle = angle_to_up(path.named.path, up);
+    query.options.up = angle.up();
+    if (has_start)
+      query.options.start = frame_start(start, start_normal, StartRule::least_rotation, angle);
+  } else if (has_start) {
+    query.options.start =
+        frame_start(start, start_normal, StartRule::least_rotation, path.ph->path);
+  }
+  return path.visit(
+      [&](const auto& named) {
+        return nb::cast(
+            CheckObject{without_gil([named, query] { return answer(named, query); }),
+                        method_recipe(self, "check", kept(ts), kept(f2), kept(f3), kept(tangents),
+                                      tolerance, start, kept(start_normal), kept(up))});
+      },
+      is_general);
 }
 
 }  // namespace
 
-void bind_smooth_check(nb::class_<SmoothPathObject>& smooth) {
-  smooth.def(
-      "check", check_smooth, argument("ts"), argument("f2"), argument("f3") = nb::none(),
+void bind_check(nb::module_& m, PathClass& path) {
+  path.def(
+      "check", check, argument("ts"), argument("f2"), argument("f3") = nb::none(),
       argument("tangents") = nb::none(), argument("tolerance") = "1e-6", PHRAME_START_PARAMETERS,
       argument("up") = nb::none(),
       nb::sig("def check(self, ts: Numbers, f2: Vectors, f3: Vectors | None = None, tangents: "
               "Vectors | None = None, tolerance: Number = '1e-6', " PHRAME_START_SIG
-              ", up: Vector | None = None) -> CheckResult"),
-      "How far frames that another program has computed are from the rotation-minimizing one.");
-}
-
-void bind_check(nb::module_& m, nb::class_<PathObject>& path) {
-  path.def(
-      "check", check, argument("ts"), argument("f2"), argument("f3") = nb::none(),
-      argument("tangents") = nb::none(), argument("tolerance") = "1e-6", PHRAME_START_PARAMETERS,
-      nb::sig("def check(self, ts: Numbers, f2: Vectors, f3: Vectors | None = None, tangents: "
-              "Vectors | None = None, tolerance: Number = '1e-6', " PHRAME_START_SIG
-              ") -> CheckResult"),
+              ", " PHRAME_UP_SIG ") -> CheckResult"),
       "How far frames that another program has computed are from the rotation-minimizing one.");
   auto type = nb::class_<CheckObject>(m, "CheckResult", "The verdict on frames: docs/check.md.");
   using C = CheckObject;

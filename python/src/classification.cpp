@@ -18,20 +18,19 @@ nb::object vector_or_none(const std::optional<Vector<Rational>>& v) {
   return v ? to_python(*v) : nb::none();
 }
 
-#define PHRAME_VECTOR_SIG "tuple[fractions.Fraction, fractions.Fraction, fractions.Fraction]"
 #define PHRAME_ROOTS_SIG "tuple[tuple[fractions.Fraction | Real, int], ...]"
 
 }  // namespace
 
-void bind_classification(nb::module_& m, nb::class_<PathObject>& path) {
+void bind_classification(nb::module_& m, PathClass& path) {
   const auto classify = [](nb::handle self) {
-    const auto& named = nb::cast<const PathObject&>(self).named;
+    const NamedPhPath& named = ph_of(path_of(self), "classify");
     return nb::cast(
         ClassificationObject{without_gil([named] { return answer(named, ClassificationQuery{}); }),
                              method_recipe(self, "classify")});
   };
   path.def("classify", classify, nb::sig("def classify(self) -> Classification"),
-           "Of which kinds the path is, decided exactly.");
+           "Of which kinds a path of PH curves is, decided exactly.");
   auto type = nb::class_<ClassificationObject>(
       m, "Classification", "Of which kinds a path is, with witnesses: docs/classification.md.");
   using C = ClassificationObject;

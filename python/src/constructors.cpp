@@ -7,19 +7,19 @@ std::string basis_named(const std::string& name) {
   return chosen<const char*>(name, "basis", {{"power", "power"}, {"bernstein", "bernstein"}});
 }
 
-CurveObject of_preimage(QuaternionPolynomial a, nb::handle multiplier, nb::handle start,
-                        const std::string& name, const std::string& basis) {
+NamedPath of_preimage(QuaternionPolynomial a, nb::handle multiplier, nb::handle start,
+                      const std::string& name, const std::string& basis) {
   Polynomial f{1};
   if (!multiplier.is_none()) f = polynomial(multiplier, "multiplier", basis);
   Vector<Rational> from{};
   if (!start.is_none()) from = vector(start, "start");
-  return {{NamedPhPath(name, Curve(std::move(a), std::move(f), std::move(from)))}};
+  return of_any_kind(NamedPhPath(name, Curve(std::move(a), std::move(f), std::move(from))));
 }
 
 /// Lists in the Bernstein basis are of one degree.
-CurveObject from_preimage(nb::handle u, nb::handle v, nb::handle p, nb::handle q,
-                          nb::handle multiplier, nb::handle start, const Text<"name">& name,
-                          const Text<"basis">& basis_name) {
+NamedPath from_preimage(nb::handle u, nb::handle v, nb::handle p, nb::handle q,
+                        nb::handle multiplier, nb::handle start, const Text<"name">& name,
+                        const Text<"basis">& basis_name) {
   const std::string basis = basis_named(basis_name);
   if (basis == "bernstein")
     for (const auto& [list, place] : {std::pair{v, "v"}, {p, "p"}, {q, "q"}})
@@ -48,8 +48,7 @@ nb::object from_quaternions(nb::handle rows, nb::handle multiplier, nb::handle s
   const auto made = [&](std::size_t i) {
     return basis == "power" ? Polynomial(parts[i]) : from_bernstein(parts[i]);
   };
-  return wrap(
-      of_preimage({made(0), made(1), made(2), made(3)}, multiplier, start, name, basis).named);
+  return wrap(of_preimage({made(0), made(1), made(2), made(3)}, multiplier, start, name, basis));
 }
 
 /// Lists of complex coefficients: (re, im) each, or numbers.
@@ -81,7 +80,7 @@ nb::object from_hopf(nb::handle alpha, nb::handle beta, nb::handle multiplier, n
   if (basis == "bernstein" && nb::len(alpha) != nb::len(beta))
     refuse("beta", "in the Bernstein basis it is as long as alpha", beta);
   const HopfForm form{complex_list(alpha, "alpha", basis), complex_list(beta, "beta", basis)};
-  return wrap(of_preimage(from_hopf_form(form), multiplier, start, name, basis).named);
+  return wrap(of_preimage(from_hopf_form(form), multiplier, start, name, basis));
 }
 
 nb::object from_control_points(nb::handle points, const Text<"name">& name) {
@@ -91,7 +90,7 @@ nb::object from_control_points(nb::handle points, const Text<"name">& name) {
     return wrap(NamedPhPath(name, std::move(*curve)));
   std::string reason = "not a PH curve: " + to_string(std::get<NotPythagorean>(found.result));
   if (found.suggestion)
-    reason += "; Curve.near(points, " + distance_text(found.suggestion->epsilon) +
+    reason += "; Path.near(points, " + distance_text(found.suggestion->epsilon) +
               ") has one that is at most " + distance_text(found.suggestion->distance) + " away";
   refuse("points", reason, points);
 }
@@ -232,36 +231,54 @@ nb::object hermite(nb::handle p0, nb::handle d0, nb::handle p1, nb::handle d1, n
   return constructed(given, query);
 }
 
-nb::object parsed(const std::string& text, nb::handle near) {
-  if (near.is_none()) return wrap(without_gil([text] { return read_path(text); }));
-  const Rational epsilon = rational(near, "near");
-  if (epsilon.sign() <= 0) refuse("near", "it is not positive", near);
-  auto found = without_gil([=] { return read_path_near(text, epsilon); });
-  if (const auto* none = std::get_if<NotNear>(&found))
-    refuse("near", to_line(*none, epsilon), near);
-  return wrap(std::get<NamedPhPath>(std::move(found)));
+nb::object parsed(const std::string& bytes, nb::handle near) {
+  if (!near.is_none()) {
+    const Rational epsilon = rational(near, "near");
+    if (epsilon.sign() <= 0) refuse("near", "it is not positive", near);
+    auto found = without_gil([=] { return read_path_near(bytes, epsilon); });
+    if (const auto* none = std::get_if<NotNear>(&found))
+      refuse("near", to_line(*none, epsilon), near);
+    return wrap(std::get<NamedPhPath>(found));
+  }
+  AnyPath read = without_gil([bytes] { return read_any_path(bytes); });
+  const auto& notes = std::visit(
+      [](const auto& named) -> const auto& { return named.notes; }, read);
+  for (const std::string& note : notes)
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw nb::python_error();
+  return wrap(std::move(read));
+}
+
+nb::object parse(nb::handle text, nb::handle near) {
+  if (PyBytes_Check(text.ptr()) != 0)
+    return parsed(
+        {PyBytes_AsString(text.ptr()), static_cast<std::size_t>(PyBytes_Size(text.ptr()))}, near);
+  if (PyUnicode_Check(text.ptr()) == 0) refuse_type("text", "a str or bytes", text);
+  return parsed(python::text(text, "text"), near);
 }
 
 nb::object read(nb::handle file, nb::handle near) {
   return parsed(bytes_of_file(file, "file"), near);
 }
 
-CurveObject only_curve(const nb::object& made, const char* place) {
-  if (!nb::isinstance<CurveObject>(made)) refuse(place, "a spline; Path.read reads one", made);
-  return nb::cast<CurveObject>(made);
-}
-
-PathObject of_segments(nb::handle curves, const std::string& name) {
-  std::vector<Curve> segments;
-  if (PySequence_Check(curves.ptr()) == 0) refuse_type("curves", "a list of curves", curves);
+/// Paths one after the other.
+NamedPath of_paths(nb::handle curves, const std::string& name) {
+  if (PySequence_Check(curves.ptr()) == 0) refuse_type("curves", "a list of paths", curves);
+  std::optional<Path> path;
+  std::size_t k = 0;
   for (const nb::handle x : nb::list(curves)) {
-    if (!nb::isinstance<PathObject>(x))
-      refuse_type("curves[" + std::to_string(segments.size()) + "]", "a Curve", x);
-    const auto& more = nb::cast<const PathObject&>(x).named.path.segments();
-    segments.insert(segments.end(), more.begin(), more.end());
+    const std::string place = "curves[" + std::to_string(k++) + "]";
+    try {
+      for (const Segment& segment : path_argument(x, place).named.path.segments())
+        if (path)
+          path->append(segment);
+        else
+          path.emplace(segment);
+    } catch (const DomainError& error) {
+      refuse(place, error.what(), x);
+    }
   }
-  if (segments.empty()) refuse("curves", "there are none", curves);
-  return {NamedPhPath(name, joined(segments))};
+  if (!path) refuse("curves", "there are none", curves);
+  return {name, *std::move(path)};
 }
 
 #define PHRAME_CURVE_PARAMETERS                                                       \
@@ -277,55 +294,56 @@ PathObject of_segments(nb::handle curves, const std::string& name) {
 
 }  // namespace
 
-void bind_constructors(nb::class_<PathObject>& path, nb::class_<CurveObject, PathObject>& curve) {
+void bind_constructors(nb::module_& m, PathClass& path) {
+#define PHRAME_PREIMAGE_SIG                                                     \
+  "u: " PHRAME_LIST ", v: " PHRAME_LIST ", p: " PHRAME_LIST ", q: " PHRAME_LIST \
+  ", " PHRAME_CURVE_SIG
   path.def(
           "__init__",
           [](PathObject* self, nb::handle curves, const Text<"name">& name) {
-            new (self) PathObject(of_segments(curves, name));
+            new (self) PathObject(of_paths(curves, name));
           },
           argument("curves"), argument("name") = "",
-          nb::sig(
-              "def __init__(self, curves: collections.abc.Iterable[Path], name: str = '') -> None"),
-          "Curves one after the other; position and tangent are checked to be continuous.")
-      .def_static(
-          "read", read, argument("file"), argument("near") = nb::none(),
-          nb::sig("def read(file: str | os.PathLike[str], near: Number | None = None) -> Path"),
-          "Of a curve/1 or spline/1 file. With `near`, control points that are not PH are "
-          "replaced by some at most so far away.")
-      .def_static(
-          "from_json", [](const Text<"text">& text, nb::handle eps) { return parsed(text, eps); },
-          argument("text"), argument("near") = nb::none(),
-          nb::sig("def from_json(text: str, near: Number | None = None) -> Path"),
-          "Of the text of such a file.");
-  curve
+          nb::sig("def __init__(self, curves: collections.abc.Sequence[Path], name: str = '') -> "
+                  "None"),
+          "Paths one after the other, position and tangent checked to be continuous; or the PH "
+          "curve that from_preimage() makes.")
       .def(
           "__init__",
-          [](CurveObject* self, nb::handle u, nb::handle v, nb::handle p, nb::handle q,
+          [](PathObject* self, nb::handle u, nb::handle v, nb::handle p, nb::handle q,
              nb::handle multiplier, nb::handle start, const Text<"name">& name,
              const Text<"basis">& basis) {
-            new (self) CurveObject(from_preimage(u, v, p, q, multiplier, start, name, basis));
+            new (self) PathObject(from_preimage(u, v, p, q, multiplier, start, name, basis));
           },
           argument("u"), argument("v"), argument("p"), argument("q"), PHRAME_CURVE_PARAMETERS,
-          nb::sig("def __init__(self, u: " PHRAME_LIST ", v: " PHRAME_LIST ", p: " PHRAME_LIST
-                  ", q: " PHRAME_LIST ", " PHRAME_CURVE_SIG ") -> None"),
-          "Of the components of the preimage A = u + vi + pj + qk, each a list of coefficients.")
+          nb::sig("def __init__(self, " PHRAME_PREIMAGE_SIG ") -> None"))
+      .def_static(
+          "from_preimage",
+          [](nb::handle u, nb::handle v, nb::handle p, nb::handle q, nb::handle multiplier,
+             nb::handle start, const Text<"name">& name, const Text<"basis">& basis) {
+            return wrap(from_preimage(u, v, p, q, multiplier, start, name, basis));
+          },
+          argument("u"), argument("v"), argument("p"), argument("q"), PHRAME_CURVE_PARAMETERS,
+          nb::sig("def from_preimage(" PHRAME_PREIMAGE_SIG ") -> Path"),
+          "The PH curve of the components of the preimage A = u + vi + pj + qk, each a list of "
+          "coefficients.")
       .def_static("from_quaternions", from_quaternions, argument("quaternions"),
                   PHRAME_CURVE_PARAMETERS,
                   nb::sig("def from_quaternions(quaternions: collections.abc.Sequence["
-                          "collections.abc.Sequence[Number]], " PHRAME_CURVE_SIG ") -> Curve"),
+                          "collections.abc.Sequence[Number]], " PHRAME_CURVE_SIG ") -> Path"),
                   "Of the coefficients (u, v, p, q) of A.")
       .def_static(
           "from_hopf", from_hopf, argument("alpha"), argument("beta"), PHRAME_CURVE_PARAMETERS,
           nb::sig("def from_hopf(alpha: collections.abc.Sequence[complex | "
                   "collections.abc.Sequence[Number]], beta: collections.abc.Sequence[complex "
-                  "| collections.abc.Sequence[Number]], " PHRAME_CURVE_SIG ") -> Curve"),
+                  "| collections.abc.Sequence[Number]], " PHRAME_CURVE_SIG ") -> Path"),
           "Of A = α + kβ: pairs (re, im) of coefficients of α = u + iv, β = q + ip.")
       .def_static("from_control_points", from_control_points, argument("points"),
                   argument("name") = "",
-                  nb::sig("def from_control_points(points: Vectors, name: str = '') -> Curve"),
+                  nb::sig("def from_control_points(points: Vectors, name: str = '') -> Path"),
                   "The Bézier curve with these points, if it is PH, exactly.")
       .def_static("near", near, argument("points"), argument("eps"), argument("name") = "",
-                  nb::sig("def near(points: Vectors, eps: Number, name: str = '') -> Curve"),
+                  nb::sig("def near(points: Vectors, eps: Number, name: str = '') -> Path"),
                   "An exact PH curve whose control points are at most eps from those given.")
       .def_static(
           "hermite", hermite, argument("p0"), argument("d0"), argument("p1"), argument("d1"),
@@ -337,7 +355,7 @@ void bind_constructors(nb::class_<PathObject>& path, nb::class_<CurveObject, Pat
                   "None = None, a1: Vector | None = None, kind: str = 'quintic', exact: bool = "
                   "False, " PHRAME_CHOICE_SIG ", name: str = '') -> Path"),
           "From p0 to p1 with the derivatives d0 and d1 and, of the kind c2-hermite, the second "
-          "ones a0 and a1; of most kinds a Curve.")
+          "ones a0 and a1; of most kinds one curve.")
       .def_static(
           "through", through, argument("points"), nb::kw_only(),
           argument("derivatives") = nb::none(), argument("tangents") = nb::none(),
@@ -351,20 +369,18 @@ void bind_constructors(nb::class_<PathObject>& path, nb::class_<CurveObject, Pat
                   "= False, kind: str = 'quintic', exact: bool = False, " PHRAME_CHOICE_SIG
                   ", name: str = '') -> Path"),
           "A spline of exact PH curves through points: docs/construct.md names the kinds.")
-      .def_static(
-          "read",
-          [](nb::handle file, nb::handle eps) { return only_curve(read(file, eps), "file"); },
-          argument("file"), argument("near") = nb::none(),
-          nb::sig("def read(file: str | os.PathLike[str], near: Number | None = None) -> Curve"),
-          "Of a curve/1 file.")
-      .def_static(
-          "from_json",
-          [](const Text<"text">& text, nb::handle eps) {
-            return only_curve(parsed(text, eps), "text");
-          },
-          argument("text"), argument("near") = nb::none(),
-          nb::sig("def from_json(text: str, near: Number | None = None) -> Curve"),
-          "Of the text of such a file.");
+#define PHRAME_READ_SIG ", near: Number | None = None) -> Path"
+      .def_static("read", read, argument("file"), argument("near") = nb::none(),
+                  nb::sig("def read(file: str | os.PathLike[str]" PHRAME_READ_SIG),
+                  "The path that a file of any format has (docs/curve-files.md). With `near`, "
+                  "control points that are not PH are replaced by some at most so far away.")
+      .def_static("from_json", parse, argument("text"), argument("near") = nb::none(),
+                  nb::sig("def from_json(text: str | bytes" PHRAME_READ_SIG),
+                  "The same of what such a file has in it.");
+  m.def("read", read, argument("file"), argument("near") = nb::none(),
+        nb::sig("def read(file: str | os.PathLike[str]" PHRAME_READ_SIG), "Path.read.");
+  m.def("parse", parse, argument("text"), argument("near") = nb::none(),
+        nb::sig("def parse(text: str | bytes" PHRAME_READ_SIG), "Path.from_json.");
 }
 
 }  // namespace phrame::python

@@ -27,7 +27,7 @@ FrameSource::Segment::Segment(const Curve& curve, FrameKind kind)
       frames(curve),
       preimage(without_real_content(curve.preimage())),
       normal(Polynomial{1}) {
-  if (kind != FrameKind::frenet) return;
+  if (kind != TabulatedFrame::frenet) return;
   const GaussianPolynomial g = bend_numerator(preimage);
   normal = RoundedPolynomial(gcd(g.re, g.im));
 }
@@ -36,7 +36,7 @@ FrameSource::FrameSource(PhPath path, FrameKind kind, const FrameAngle& start)
     : path_(std::move(path)), kind_(kind), start_(start) {}
 
 void FrameSource::make() {
-  if (kind_ == FrameKind::rmf) angle_.emplace(path_);
+  if (kind_ == TabulatedFrame::rmf) angle_.emplace(path_);
   segments_.clear();
   for (const Curve& curve : path_.segments()) {
     Segment& segment = segments_.emplace_back(curve, kind_);
@@ -44,14 +44,15 @@ void FrameSource::make() {
     const Segment& before = segments_[segments_.size() - 2];
     segment.sign = before.sign * joint_sign(before.preimage, segment.preimage);
   }
-  if (kind_ == FrameKind::rmf || kind_ == FrameKind::erf) make_zeros();
+  if (kind_ == TabulatedFrame::rmf || kind_ == TabulatedFrame::euler_rodrigues) make_zeros();
 }
 
 // B is A/|A| as long as θ + start is 0; then (u + vi)·e^{iφ} has a part that is 0 where both are.
 void FrameSource::make_zeros() {
-  bool is_erf = kind_ == FrameKind::erf || start_ == FrameAngle();
+  bool is_erf = kind_ == TabulatedFrame::euler_rodrigues || start_ == FrameAngle();
   for (std::size_t k = 0; k < segments_.size(); ++k) {
-    is_erf = is_erf && (kind_ == FrameKind::erf || angle_->segment(k).rate().is_zero());
+    is_erf =
+        is_erf && (kind_ == TabulatedFrame::euler_rodrigues || angle_->segment(k).rate().is_zero());
     const auto& [u, v, p, q] = segments_[k].preimage;
     const bool uv = u.is_zero() && v.is_zero();
     const bool pq = p.is_zero() && q.is_zero();
@@ -65,14 +66,15 @@ void FrameSource::compile(std::size_t k, double from, double to) {
   const Curve& curve = path_.segments()[k];
   const auto origin = static_cast<double>(k);
   try {
-    if (kind_ == FrameKind::rmf && path_.is_curve())
+    if (kind_ == TabulatedFrame::rmf && path_.is_curve())
       compiled_.emplace_back(curve, angle_->segment(0), from, to, start_);
-    else if (kind_ == FrameKind::rmf)
+    else if (kind_ == TabulatedFrame::rmf)
       compiled_.emplace_back(*angle_, k, start_);
     else
       compiled_.emplace_back(
-          curve, kind_ == FrameKind::erf ? Reference::euler_rodrigues : Reference::frenet, from, to,
-          origin);
+          curve,
+          kind_ == TabulatedFrame::euler_rodrigues ? Reference::euler_rodrigues : Reference::frenet,
+          from, to, origin);
     segment.compiled = &compiled_.back();
   } catch (const Undecided&) {
     segment.is_undecided = true;  // all frames are computed exactly
@@ -98,7 +100,7 @@ void FrameSource::prepare(const Parameters& at) {
   const std::lock_guard guard(lock_);
   if (!is_made_) make();
   is_made_ = true;
-  if (!at.are_doubles() || kind_ == FrameKind::none) return;
+  if (!at.are_doubles() || !kind_) return;
   if (path_.is_curve()) {
     prepare_curve(at.doubles);
     return;
@@ -121,8 +123,7 @@ bool FrameSource::is_prepared(const Parameters& at) const {
     return compiled_at(t, segments_[place_at(t, segments_.size()).first]) != nullptr;
   };
   return is_made_ && at.are_doubles() &&
-         (kind_ == FrameKind::none ||
-          std::all_of(at.doubles.begin(), at.doubles.end(), is_compiled));
+         (!kind_ || std::all_of(at.doubles.begin(), at.doubles.end(), is_compiled));
 }
 
 // Frenet's n is on the side of the real factor of g; where that is 0, at inflections, the frame
@@ -132,7 +133,7 @@ std::optional<Frame<double>> FrameSource::approximated_frame(double t) const {
   const Segment& segment = segments_[number];
   const CompiledFrames* compiled = compiled_at(t, segment);
   if (compiled == nullptr) return std::nullopt;
-  const double side = kind_ == FrameKind::frenet ? segment.normal(here) : 1;
+  const double side = kind_ == TabulatedFrame::frenet ? segment.normal(here) : 1;
   auto frame = side == 0 ? std::nullopt : compiled->rounded(t);
   if (frame && side < 0)
     for (Vector<double>* v : {&frame->e2, &frame->e3})
@@ -146,9 +147,9 @@ Frame<double> FrameSource::frame(const Parameters& at, std::size_t k) const {
   const PathParameter here = locate(path_, at[k]);
   const Frames& frames = segments_[here.segment].frames;
   const Frame<Real> exact = [&] {
-    if (kind_ == FrameKind::frenet) return frames.frenet(here.t);
+    if (kind_ == TabulatedFrame::frenet) return frames.frenet(here.t);
     const Frame<Rational> erf = frames.euler_rodrigues(here.t);
-    if (kind_ == FrameKind::erf) return as_real(erf);
+    if (kind_ == TabulatedFrame::euler_rodrigues) return as_real(erf);
     return turned(
         erf, angle_->direction(here),
         [&](const FrameAngle& start) { return angle_->value(here, start); }, start_);
@@ -157,13 +158,14 @@ Frame<double> FrameSource::frame(const Parameters& at, std::size_t k) const {
 }
 
 std::array<Real, 4> FrameSource::rotation(const PathParameter& at) const {
-  if (kind_ == FrameKind::frenet) {
+  if (kind_ == TabulatedFrame::frenet) {
     const Quaternion<Real> found = quaternion_of(segments_[at.segment].frames.frenet(at.t));
     return {found.u, found.v, found.p, found.q};
   }
   RationalQuaternion a = evaluate(segments_[at.segment].preimage, at.t);
   if (segments_[at.segment].sign < 0) a = {-a.u, -a.v, -a.p, -a.q};
-  const Real theta = kind_ == FrameKind::erf ? Rational(0) : angle_->value(at, start_);
+  const Real theta =
+      kind_ == TabulatedFrame::euler_rodrigues ? Rational(0) : angle_->value(at, start_);
   if (theta.exact() == Rational(0)) {
     const Real over_size = square_root_of(1 / norm(a));
     return {over_size * a.u, over_size * a.v, over_size * a.p, over_size * a.q};
@@ -191,10 +193,10 @@ std::optional<CompiledFrames::Rotation> FrameSource::approximated_rotation(doubl
   if (compiled == nullptr) return std::nullopt;
   auto found = compiled->rotation(t);
   const auto [u, v, p, q] = found.b;
-  const double side = kind_ == FrameKind::frenet ? segment.normal(here) : segment.sign;
+  const double side = kind_ == TabulatedFrame::frenet ? segment.normal(here) : segment.sign;
   if (side == 0) return std::nullopt;
   const auto minus = [](const DoubleDouble& x) { return DoubleDouble{-x.high, -x.low}; };
-  if (side < 0 && kind_ == FrameKind::frenet)
+  if (side < 0 && kind_ == TabulatedFrame::frenet)
     found.b = {minus(v), u, q, minus(p)};  // B·i, a half turn about e₁
   else if (side < 0)
     found.b = {minus(u), minus(v), minus(p), minus(q)};
@@ -217,7 +219,7 @@ std::array<double, 4> FrameSource::quaternion(const Parameters& at, std::size_t 
   if (!std::all_of(near.begin(), near.end(), is_known)) {
     const std::array<Real, 4> exact = rotation(here);
     for (std::size_t i = 0; i < 4; ++i)
-      if (!near[i] || kind_ == FrameKind::frenet) near[i] = round_to_double(exact[i]);
+      if (!near[i] || kind_ == TabulatedFrame::frenet) near[i] = round_to_double(exact[i]);
   }
   return {*near[1], *near[2], *near[3], *near[0]};
 }

@@ -17,16 +17,12 @@ using RoundedPoint = std::array<RoundedPolynomial, 3>;
 /// Where a path of so many segments is at t in [0, segments]: the segment, and t in that, exactly.
 std::pair<std::size_t, double> place_at(double t, std::size_t segments);
 
-enum class FrameKind {
-  rmf,
-  erf,
-  frenet,
-  none,  ///< points only
-};
+/// None is points only.
+using FrameKind = std::optional<TabulatedFrame>;
 
-/// The frames of a path, each as exactly as rounding wants, and their unit quaternions. A segment
-/// is compiled when it has been asked for often enough; what is found is kept for later calls,
-/// which may come from any thread.
+/// The frames of a path of PH curves, each as exactly as rounding wants, and their unit
+/// quaternions. A segment is compiled when it has been asked for often enough; what is found is
+/// kept for later calls, which may come from any thread.
 class FrameSource {
  public:
   FrameSource(PhPath path, FrameKind kind, const FrameAngle& start);

@@ -1,5 +1,4 @@
 #include "answers.hpp"
-#include "smooth.hpp"
 
 namespace phrame::python {
 namespace {
@@ -31,17 +30,26 @@ nb::object kept_end(const FrameStart& end, nb::handle given) {
   return along == nullptr ? nb::borrow(given) : to_python(along->vector);
 }
 
-nb::object smooth_twist(nb::handle self, nb::handle from, nb::handle to, nb::handle extra_turns,
-                        nb::handle up) {
-  const auto& named = nb::cast<const SmoothPathObject&>(self).named;
+nb::object minimal_twist(nb::handle self, nb::handle from, nb::handle to, nb::handle extra_turns,
+                         nb::handle up) {
+  const PathObject& path = path_of(self);
   const FrameStart a = angle_or_vector(from, "start");
   const FrameStart b = angle_or_vector(to, "end");
   const Integer turns = turns_of(extra_turns);
-  const SmoothAngle angle = angle_to_up(named.path, up);
+  const auto* a_angle = std::get_if<Angle>(&a);
+  const auto* b_angle = std::get_if<Angle>(&b);
+  const bool is_closed_form = path.ph && up.is_none() && a_angle != nullptr && b_angle != nullptr;
+  const auto twist = [&]() -> std::variant<MinimalTwist, SmoothTwist> {
+    if (is_closed_form)
+      return without_gil([=, of = path.ph->path, start = *a_angle, end = *b_angle] {
+        return MinimalTwist(PathAngle(of), start, end, turns);
+      });
+    return without_gil(
+        [=, angle = angle_to_up(path.named.path, up)] { return SmoothTwist(angle, a, b, turns); });
+  }();
   return nb::cast(MinimalTwistObject{
-      without_gil([=] { return SmoothTwist(angle, a, b, turns); }),
-      method_recipe(self, "minimal_twist", kept_end(a, from), kept_end(b, to), extra_turns,
-                    up.is_none() ? nb::none() : to_python(angle.up()))});
+      twist, method_recipe(self, "minimal_twist", kept_end(a, from), kept_end(b, to), extra_turns,
+                           up.is_none() ? nb::none() : to_python(vector(up, "up")))});
 }
 
 Real twist_of_reference(const MinimalTwist& twist) { return twist.erf_twist(); }
@@ -49,16 +57,6 @@ Real twist_of_reference(const SmoothTwist& twist) { return twist.up_twist(); }
 Real value_at(const MinimalTwist& twist, const Rational& t) { return twist.value(t); }
 Real value_at(const SmoothTwist& twist, const Rational& t) {
   return twist.value(locate(twist.rmf().path(), t));
-}
-
-nb::object minimal_twist(nb::handle self, nb::handle from, nb::handle to, nb::handle extra_turns) {
-  const auto& named = nb::cast<const PathObject&>(self).named;
-  const Angle a = angle_number(from, "start");
-  const Angle b = angle_number(to, "end");
-  const Integer turns = turns_of(extra_turns);
-  return nb::cast(MinimalTwistObject{
-      without_gil([=, path = named.path] { return MinimalTwist(PathAngle(path), a, b, turns); }),
-      method_recipe(self, "minimal_twist", from, to, extra_turns)});
 }
 
 nb::object rational_of(nb::handle self, nb::handle degree, Flag<"free_ends"> has_free_ends,
@@ -71,21 +69,13 @@ nb::object rational_of(nb::handle self, nb::handle degree, Flag<"free_ends"> has
 
 }  // namespace
 
-void bind_smooth_twist(nb::class_<SmoothPathObject>& smooth) {
-  smooth.def("minimal_twist", smooth_twist, argument("start"), argument("end"),
-             argument("extra_turns") = 0, argument("up") = nb::none(),
-             nb::sig("def minimal_twist(self, start: Number | Vector, end: Number | Vector, "
-                     "extra_turns: int = 0, up: Vector | None = None) -> MinimalTwist"),
-             "The frame that turns least from `start` to `end`, angles to the frame of `up` or "
-             "vectors that f2 is along.");
-}
-
-void bind_minimal_twist(nb::module_& m, nb::class_<PathObject>& path) {
+void bind_minimal_twist(nb::module_& m, PathClass& path) {
   path.def("minimal_twist", minimal_twist, argument("start"), argument("end"),
-           argument("extra_turns") = 0,
-           nb::sig("def minimal_twist(self, start: Number, end: Number, extra_turns: int = 0) -> "
-                   "MinimalTwist"),
-           "The frame that turns least from the angle `start` at the start to `end` at the end.");
+           argument("extra_turns") = 0, argument("up") = nb::none(),
+           nb::sig("def minimal_twist(self, start: Number | Vector, end: Number | Vector, "
+                   "extra_turns: int = 0, " PHRAME_UP_SIG ") -> MinimalTwist"),
+           "The frame that turns least from `start` to `end`: angles to the Euler–Rodrigues frame "
+           "of PH curves, else or with `up` to the frame of that; or vectors that f2 is along.");
   bind_rational_twist(m);
   auto type = nb::class_<MinimalTwistObject>(
       m, "MinimalTwist", "The exact frame of minimal twist: docs/minimal-twist.md.");

@@ -1,21 +1,49 @@
 #pragma once
 #include "arguments.hpp"
 #include "frame_source.hpp"
+#include "general_source.hpp"
 #include "phrame/phrame.hpp"
 #include "values.hpp"
 
 namespace phrame::python {
 
-/// A path as Python has it; a curve is one of a single segment, and of a type derived from it.
-struct PathObject {
-  NamedPhPath named;
-  std::shared_ptr<FrameSources> sources = std::make_shared<FrameSources>();
+/// What frames of a path were asked for last.
+struct Sources {
+  FrameSources closed;
+  GeneralSources general;
 };
-struct CurveObject : PathObject {};
 
-/// A Curve where it is one, else a Path.
-nb::object wrap(NamedPhPath named);
-const Curve& curve_of(const PathObject& path);
+/// A path as Python has it.
+struct PathObject {
+  NamedPath named;
+  std::optional<NamedPhPath> ph;  ///< the same where all segments are PH curves
+  std::shared_ptr<Sources> sources = std::make_shared<Sources>();
+
+  explicit PathObject(NamedPath path);
+
+  /// f(path), by closed forms where there are some, unless they are not wanted: what has the same
+  /// name for both is asked in one way.
+  template <class F>
+  auto visit(const F& f, bool is_general = false) const {
+    return ph && !is_general ? f(*ph) : f(named);
+  }
+};
+using PathClass = nb::class_<PathObject>;
+
+nb::object wrap(NamedPath named);
+nb::object wrap(const NamedPhPath& named);
+nb::object wrap(AnyPath found);
+const PathObject& path_of(nb::handle self);
+/// The path that an argument is.
+const PathObject& path_argument(nb::handle x, const std::string& place);
+
+/// "segments[1] is no Pythagorean-hodograph curve".
+std::string why_not_ph(const Path& path);
+/// @{ The path of PH curves, the one PH curve that it is. Throws DomainError, which names what was
+/// asked for, and the segment that is none.
+const NamedPhPath& ph_of(const PathObject& path, const char* asked);
+const Curve& curve_of(const PathObject& path, const char* asked);
+/// @}
 
 /// Where f₂ starts without `start_normal`, and what an angle `start` is counted from.
 enum class StartRule {
@@ -27,11 +55,21 @@ enum class StartRule {
 /// angles are measured from.
 FrameStart asked_start(nb::handle start, nb::handle start_normal, StartRule rule,
                        const std::string& reference);
-/// The same where it is a start of this path's frames.
+/// @{ The same where it is a start of this path's frames.
 FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule,
                        const PhPath& path, Reference reference = Reference::euler_rodrigues);
-/// "erf", "frenet".
-Reference reference_named(const std::string& name, const std::string& place);
+FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule,
+                       const SmoothAngle& angle);
+/// @}
+/// Are angles to the frame of a vector v: of a path that is not PH, and where that is asked for?
+bool is_to_up(const PathObject& path, nb::handle up, nb::handle start);
+/// The angle to the frame of `up`, or of a vector that is chosen where that is None.
+SmoothAngle angle_to_up(const Path& path, nb::handle up);
+/// "erf", "frenet", "up"; of `place`, and "erf" for a PH path only. None is the first that the path
+/// has of "erf" and "up".
+enum class AngleReference { erf, frenet, up };
+AngleReference reference_named(nb::handle name, const char* place, const PathObject& path,
+                               nb::handle up);
 
 /// How an attribute or the answer of a method is pickled: it is asked for again.
 nb::object attribute_recipe(nb::handle self, const char* name);
@@ -41,16 +79,32 @@ nb::object method_recipe(nb::handle self, const char* name, T&&... arguments) {
                         nb::make_tuple(self));
 }
 
-/// What curves and paths are made by; what they are asked for many parameters.
-void bind_constructors(nb::class_<PathObject>& path, nb::class_<CurveObject, PathObject>& curve);
-void bind_arrays(nb::class_<PathObject>& path);
+/// A path in numbers and texts, of which only equal ones have the same; where the letter of a
+/// variable is left out, as == does, equal ones have the same.
+enum class VariableName { kept, left_out };
+nb::object packed_path(const Path& path, VariableName variable = VariableName::kept);
+Path unpacked_path(nb::handle packed);
 
 /// θ at many parameters, correctly rounded: an array.
 nb::object angles(const PathAngle& angle, const FrameAngle& start, nb::handle ts,
                   nb::handle progress);
+nb::object angles(const SmoothAngle& angle, const Real& start, nb::handle ts, nb::handle progress);
+
+void bind_constructors(nb::module_& m, PathClass& path);
+void bind_any_curves(PathClass& path);
+void bind_path_numbers(PathClass& path);
+void bind_ph_curve(PathClass& path);
+void bind_arrays(PathClass& path);
+void bind_products(PathClass& path);
+void bind_sweep(nb::module_& m);
 
 #define PHRAME_START_PARAMETERS \
   argument("start") = nb::none(), argument("start_normal") = nb::none()
 #define PHRAME_START_SIG "start: Number | None = None, start_normal: Vector | None = None"
+#define PHRAME_UP_SIG "up: Vector | None = None"
+#define PHRAME_REAL_SIG "fractions.Fraction | Real"
+#define PHRAME_REAL_VECTOR_SIG \
+  "tuple[" PHRAME_REAL_SIG ", " PHRAME_REAL_SIG ", " PHRAME_REAL_SIG "]"
+#define PHRAME_VECTOR_SIG "tuple[fractions.Fraction, fractions.Fraction, fractions.Fraction]"
 
 }  // namespace phrame::python

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "smooth.hpp"
+#include "paths.hpp"
 
 namespace phrame::python {
 namespace {
@@ -17,8 +17,7 @@ nb::object structured(const FrameTable& table) {
       .attr("reshape")(-1);
 }
 
-template <class Object>
-nb::object interpolate(const Object& self, nb::handle feed, nb::handle period) {
+nb::object interpolate(const PathObject& self, nb::handle feed, nb::handle period) {
   InterpolationQuery query;
   query.period = rational(period, "period");
   if (query.period <= 0) refuse("period", "it is not positive", period);
@@ -32,7 +31,9 @@ nb::object interpolate(const Object& self, nb::handle feed, nb::handle period) {
     }
   }
   try {
-    return structured(without_gil([named = self.named, query] { return answer(named, query); }));
+    return self.visit([&](const auto& named) {
+      return structured(without_gil([named, query] { return answer(named, query); }));
+    });
   } catch (const InputError& error) {
     refuse("period", error.reason(), period);
   }
@@ -55,36 +56,45 @@ std::string prefix_of(nb::handle prefix, const std::string& name) {
   return given;
 }
 
-std::string compile(const PathObject& self, nb::handle prefix, const Text<"frame">& frame,
-                    nb::handle start, nb::handle start_normal, nb::handle lower, nb::handle upper) {
-  const NamedPhPath& named = self.named;
+CompiledQuery closed_query(const PathObject& self, AngleReference frame, nb::handle start,
+                           nb::handle start_normal, nb::handle lower, nb::handle upper) {
+  const PhPath& path = self.ph->path;
   CompiledQuery query;
-  query.reference = reference_named(frame, "frame");
-  query.start =
-      frame_start(start, start_normal, StartRule::least_rotation, named.path, query.reference);
+  if (frame == AngleReference::frenet) query.reference = Reference::frenet;
+  query.start = frame_start(start, start_normal, StartRule::least_rotation, path, query.reference);
   query.from = rounded_end(lower, "lower");
   query.to = rounded_end(upper, "upper");
   const double length = query.to - query.from;
   if (!(length >= 0x1p-900) || length > 0x1p900)
     refuse("upper", "it is not greater than lower by 2^-900 to 2^900", upper);
-  if (!named.path.is_curve() && (query.from != 0 || query.to != 1))
+  if (!path.is_curve() && (query.from != 0 || query.to != 1))
     refuse("lower", "a spline is compiled as a whole", lower);
-  const std::string name = prefix_of(prefix, named.name);
-  return without_gil([named, query, name] { return to_c_header(answer(named, query), name); });
+  return query;
 }
 
-std::string compile_smooth(const SmoothPathObject& self, nb::handle prefix,
-                           const Text<"frame">& frame, nb::handle start, nb::handle start_normal,
-                           nb::handle up) {
-  const NamedPath& named = self.named;
+SmoothCompiledQuery general_query(const PathObject& self, AngleReference frame, nb::handle start,
+                                  nb::handle start_normal, nb::handle lower, nb::handle upper,
+                                  nb::handle up) {
+  if (rounded_end(lower, "lower") != 0 || rounded_end(upper, "upper") != 1)
+    refuse("lower", "a part is compiled of a PH curve, with its closed form", lower);
   SmoothCompiledQuery query;
-  query.reference = chosen<SmoothReference>(
-      frame, "frame", {{"up", SmoothReference::up}, {"frenet", SmoothReference::frenet}});
-  const SmoothAngle angle = angle_to_up(named.path, up);
+  if (frame == AngleReference::frenet) query.reference = SmoothReference::frenet;
+  const SmoothAngle angle = angle_to_up(self.named.path, up);
   query.up = angle.up();
-  query.start = smooth_start(start, start_normal, StartRule::least_rotation, angle);
-  const std::string name = prefix_of(prefix, named.name);
-  return without_gil([named, query, name] { return to_c_header(answer(named, query), name); });
+  query.start = frame_start(start, start_normal, StartRule::least_rotation, angle);
+  return query;
+}
+
+std::string compile(const PathObject& self, nb::handle prefix, nb::handle frame, nb::handle start,
+                    nb::handle start_normal, nb::handle lower, nb::handle upper, nb::handle up) {
+  const AngleReference reference = reference_named(frame, "frame", self, up);
+  const std::string name = prefix_of(prefix, self.named.name);
+  const auto header = [&](const auto& named, const auto& query) {
+    return without_gil([=] { return to_c_header(answer(named, query), name); });
+  };
+  if (self.ph && reference != AngleReference::up)
+    return header(*self.ph, closed_query(self, reference, start, start_normal, lower, upper));
+  return header(self.named, general_query(self, reference, start, start_normal, lower, upper, up));
 }
 
 std::vector<GivenFrame> given_frames(nb::handle ts, nb::handle f2) {
@@ -116,69 +126,47 @@ void write_page(const Named& named, PageQuery query, nb::handle samples, nb::han
 }
 
 void page(const PathObject& self, nb::handle file, nb::handle ts, nb::handle f2, nb::handle samples,
-          nb::handle start, nb::handle start_normal) {
+          nb::handle start, nb::handle start_normal, nb::handle up) {
   PageQuery query;
   query.given = given_frames(ts, f2);
-  if (!start.is_none() || !start_normal.is_none())
-    query.start = frame_start(start, start_normal, StartRule::least_rotation, self.named.path);
-  write_page(self.named, query, samples, file);
-}
-
-void smooth_page(const SmoothPathObject& self, nb::handle file, nb::handle ts, nb::handle f2,
-                 nb::handle samples, nb::handle start, nb::handle start_normal, nb::handle up) {
-  PageQuery query;
-  query.given = given_frames(ts, f2);
-  const SmoothAngle angle = angle_to_up(self.named.path, up);
-  query.up = angle.up();
-  if (!start.is_none() || !start_normal.is_none())
-    query.start = smooth_start(start, start_normal, StartRule::least_rotation, angle);
-  write_page(self.named, query, samples, file);
-}
-
-#define PHRAME_PAGE_PARAMETERS                                                               \
-  argument("file"), argument("ts") = nb::none(), argument("f2") = nb::none(), nb::kw_only(), \
-                    argument("samples") = 241, PHRAME_START_PARAMETERS
-#define PHRAME_PAGE_SIG                                                                    \
-  "def page(self, file: str | os.PathLike[str], ts: Numbers | None = None, f2: Vectors | " \
-  "None = None, *, samples: int = 241, " PHRAME_START_SIG
-#define PHRAME_PAGE_WHAT                                                                     \
-  "Writes an HTML file that shows the path, its frames and what is known of it, beside the " \
-  "frames f2 that somebody else has at ts: docs/page.md."
-#define PHRAME_COMPILE_WHAT                                                               \
-  "A header in C that evaluates the angle and the frame in doubles, with proved errors: " \
-  "docs/compiled.md."
-
-template <class Object>
-void bind_interpolation(nb::class_<Object>& type) {
-  type.def("interpolate", interpolate<Object>, argument("feed"), argument("period"),
-           nb::sig("def interpolate(self, feed: Number, period: Number) -> "
-                   "numpy.typing.NDArray[numpy.void]"),
-           "The points of a motion with the speed `feed`, a number or a function of s, t or kappa "
-           "as a text, at the times 0, period, …: a structured array with k, time, t, s, x, y, "
-           "z.");
+  const bool has_start = !start.is_none() || !start_normal.is_none();
+  const bool is_general = is_to_up(self, up, start);
+  if (is_general) {
+    const SmoothAngle angle = angle_to_up(self.named.path, up);
+    query.up = angle.up();
+    if (has_start) query.start = frame_start(start, start_normal, StartRule::least_rotation, angle);
+  } else if (has_start) {
+    query.start = frame_start(start, start_normal, StartRule::least_rotation, self.ph->path);
+  }
+  self.visit([&](const auto& named) { write_page(named, query, samples, file); }, is_general);
 }
 
 }  // namespace
 
-void bind_products(nb::class_<PathObject>& path, nb::class_<SmoothPathObject>& smooth) {
-  bind_interpolation(path);
-  bind_interpolation(smooth);
-  path.def(
-      "compile", compile, argument("prefix") = nb::none(), argument("frame") = "erf",
-      PHRAME_START_PARAMETERS, argument("lower") = 0, argument("upper") = 1,
-      nb::sig("def compile(self, prefix: str | None = None, frame: str = 'erf', " PHRAME_START_SIG
-              ", lower: Number = 0, upper: Number = 1) -> str"),
-      PHRAME_COMPILE_WHAT " A curve is compiled for t from `lower` to `upper`.");
-  smooth.def(
-      "compile", compile_smooth, argument("prefix") = nb::none(), argument("frame") = "up",
-      PHRAME_START_PARAMETERS, argument("up") = nb::none(),
-      nb::sig("def compile(self, prefix: str | None = None, frame: str = 'up', " PHRAME_START_SIG
-              ", up: Vector | None = None) -> str"),
-      PHRAME_COMPILE_WHAT);
-  path.def("page", page, PHRAME_PAGE_PARAMETERS, nb::sig(PHRAME_PAGE_SIG ") -> None"),
-           PHRAME_PAGE_WHAT);
-  smooth.def("page", smooth_page, PHRAME_PAGE_PARAMETERS, argument("up") = nb::none(),
-             nb::sig(PHRAME_PAGE_SIG ", up: Vector | None = None) -> None"), PHRAME_PAGE_WHAT);
+void bind_products(PathClass& path) {
+  path.def("interpolate", interpolate, argument("feed"), argument("period"),
+           nb::sig("def interpolate(self, feed: Number, period: Number) -> "
+                   "numpy.typing.NDArray[numpy.void]"),
+           "The points of a motion with the speed `feed`, a number or a function of s, t or kappa "
+           "as a text, at the times 0, period, …: a structured array with k, time, t, s, x, y, "
+           "z.")
+      .def("compile", compile, argument("prefix") = nb::none(), argument("frame") = nb::none(),
+           PHRAME_START_PARAMETERS, argument("lower") = 0, argument("upper") = 1,
+           argument("up") = nb::none(),
+           nb::sig("def compile(self, prefix: str | None = None, frame: str | None = "
+                   "None, " PHRAME_START_SIG
+                   ", lower: Number = 0, upper: Number = 1, " PHRAME_UP_SIG ") -> str"),
+           "A header in C that evaluates the angle and the frame in doubles, with proved errors: "
+           "docs/compiled.md. `frame` is as that of angle(). A PH curve is compiled for t from "
+           "`lower` to `upper`.")
+      .def("page", page, argument("file"), argument("ts") = nb::none(), argument("f2") = nb::none(),
+           nb::kw_only(), argument("samples") = 241, PHRAME_START_PARAMETERS,
+           argument("up") = nb::none(),
+           nb::sig("def page(self, file: str | os.PathLike[str], ts: Numbers | None = None, f2: "
+                   "Vectors | None = None, *, samples: int = 241, " PHRAME_START_SIG
+                   ", " PHRAME_UP_SIG ") -> None"),
+           "Writes an HTML file that shows the path, its frames and what is known of it, beside "
+           "the frames f2 that somebody else has at ts: docs/page.md.");
 }
 
 }  // namespace phrame::python

@@ -1,7 +1,6 @@
 #include <nanobind/ndarray.h>
 
 #include "answers.hpp"
-#include "smooth.hpp"
 
 namespace phrame::python {
 namespace {
@@ -70,12 +69,11 @@ ProfileSource profile_source(nb::handle profile) {
   return [polygon = polygon_of(profile)](const ProfileTolerance&) { return polygon; };
 }
 
-FrameStart sweep_start(const AnyPath& path, nb::handle start, nb::handle start_normal) {
-  if (const auto* ph = std::get_if<NamedPhPath>(&path))
-    return frame_start(start, start_normal, StartRule::least_rotation, ph->path);
-  const Path& smooth = std::get<NamedPath>(path).path;
-  return smooth_start(start, start_normal, StartRule::least_rotation,
-                      angle_to_up(smooth, nb::none()));
+FrameStart sweep_start(const PathObject& path, nb::handle start, nb::handle start_normal) {
+  if (!is_to_up(path, nb::none(), start))
+    return frame_start(start, start_normal, StartRule::least_rotation, path.ph->path);
+  return frame_start(start, start_normal, StartRule::least_rotation,
+                     angle_to_up(path.named.path, nb::none()));
 }
 
 /// Between 0 and 90°.
@@ -101,10 +99,9 @@ nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
                       nb::handle start_normal, nb::handle end_normal, nb::handle twist,
                       nb::handle scale, nb::handle tolerance, nb::handle normal_tolerance,
                       nb::handle sections, nb::handle origin) {
-  const AnyPath path = any_path(given, "path");
+  const PathObject& path = path_argument(given, "path");
   const RationalFunction size = scale_of(scale);
-  const std::size_t segments =
-      std::visit([](const auto& named) { return named.path.segments().size(); }, path);
+  const std::size_t segments = path.named.path.segments().size();
   double greatest = 1;
   try {
     greatest = greatest_scale(size, segments);
@@ -138,9 +135,12 @@ nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
   else
     query.tolerance_or_sections =
         within ? *within : exact_rational(query.profile.reach() * greatest / 200);
-  return nb::cast(SweepObject{std::make_shared<const SweepAnswer>(without_gil([path, query] {
-    return std::visit([&](const auto& named) { return answer(named, query); }, path);
-  }))});
+  return path.visit(
+      [&](const auto& named) {
+        return nb::cast(SweepObject{std::make_shared<const SweepAnswer>(
+            without_gil([named, query] { return answer(named, query); }))});
+      },
+      is_to_up(path, nb::none(), start));
 }
 
 /// Rows of three numbers, which nobody may write to.
@@ -211,20 +211,19 @@ nb::object swept(const nb::ndarray<const double, nb::ndim<2>, nb::c_contig>& poi
 void bind_sweep(nb::module_& m) {
   m.def("_swept", swept, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg().none(),
         nb::arg().none(), nb::arg(), nb::arg(), nb::arg());
-  m.def(
-      "sweep", sweep_path, argument("path"), argument("profile"), nb::kw_only(),
-      PHRAME_START_PARAMETERS, argument("end_normal") = nb::none(), argument("twist") = 0,
-      argument("scale") = 1, argument("tolerance") = nb::none(),
-      argument("normal_tolerance") = nb::none(), argument("sections") = nb::none(),
-      argument("origin") = nb::none(),
-      nb::sig("def sweep(path: " PHRAME_ANY_PATH_SIG
-              ", profile: str | os.PathLike[str] | Vectors, *, " PHRAME_START_SIG
-              ", end_normal: Vector | None = None, twist: Number = 0, scale: Number | Polynomial "
-              "| RationalFunction = 1, tolerance: Number | None = None, normal_tolerance: Number | "
-              "None = None, sections: int | None = None, origin: Vector | str | None = None) -> "
-              "SweptBody"),
-      "A body: a profile (\"circle:R\", \"polygon:N,R\", \"rectangle:W,H\", corners, or a file "
-      "as a pathlib.Path) swept along a path in its rotation-minimizing frame: docs/sweep.md.");
+  m.def("sweep", sweep_path, argument("path"), argument("profile"), nb::kw_only(),
+        PHRAME_START_PARAMETERS, argument("end_normal") = nb::none(), argument("twist") = 0,
+        argument("scale") = 1, argument("tolerance") = nb::none(),
+        argument("normal_tolerance") = nb::none(), argument("sections") = nb::none(),
+        argument("origin") = nb::none(),
+        nb::sig(
+            "def sweep(path: Path, profile: str | os.PathLike[str] | Vectors, *, " PHRAME_START_SIG
+            ", end_normal: Vector | None = None, twist: Number = 0, scale: Number | Polynomial "
+            "| RationalFunction = 1, tolerance: Number | None = None, normal_tolerance: Number | "
+            "None = None, sections: int | None = None, origin: Vector | str | None = None) -> "
+            "SweptBody"),
+        "A body: a profile (\"circle:R\", \"polygon:N,R\", \"rectangle:W,H\", corners, or a file "
+        "as a pathlib.Path) swept along a path in its rotation-minimizing frame: docs/sweep.md.");
   auto type = nb::class_<SweepObject>(m, "SweptBody", "A body as a watertight mesh.");
   using S = SweepObject;
   type.def_prop_ro("vertices", points_of,

@@ -32,8 +32,8 @@ REAL = THETA.value(1)
 POINTS = [[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]]
 LISTS = {name: [1, 2] for name in "uvpq"}
 START = {"start": 0, "start_normal": None}
-ARRAY = {"ts": [0, 1], **START, "kind": "rmf", "by": "parameter", "progress": None}
-CHECK = {"ts": [0, 1], "f2": [[0, 1, 0], [0, 0, 1]], "f3": None, "tangents": None, "tolerance": 1, **START}
+ARRAY = {"ts": [0, 1], **START, "up": None, "kind": "rmf", "by": "parameter", "progress": None}
+CHECK = {"ts": [0, 1], "f2": [[0, 1, 0], [0, 0, 1]], "f3": None, "tangents": None, "tolerance": 1, **START, "up": None}
 CURVE = {"multiplier": None, "start": None, "name": "", "basis": "power"}
 X = sympy.Symbol("x")
 SPACE, PLANE = Figure().add_subplot(projection="3d"), Figure().add_subplot()
@@ -47,8 +47,8 @@ API = {
     "Polynomial.sympy": (QUINTIC.sigma.sympy, {"symbol": "t"}),
     "Polynomial.flint": (QUINTIC.sigma.flint, {}),
     "RationalFunction": (phrame.RationalFunction, {"numerator": [1], "denominator": [2, 1]}),
-    "RationalFunction.__call__": (QUINTIC.torsion, {"t": 1}),
-    "RationalFunction.sympy": (QUINTIC.torsion.sympy, {"symbol": "t"}),
+    "RationalFunction.__call__": (QUINTIC.torsion_function, {"t": 1}),
+    "RationalFunction.sympy": (QUINTIC.torsion_function.sympy, {"symbol": "t"}),
     "Real.digits": (REAL.digits, {"n": 5}),
     "Real.ball": (REAL.ball, {"bits": 50}),
     "Real.mpmath": (REAL.mpmath, {"bits": 50}),
@@ -66,69 +66,46 @@ API = {
     "Path.curvature": (QUINTIC.curvature, {"t": 1}),
     "Path.arc_length": (QUINTIC.arc_length, {"t": 1}),
     "Path.parameter_at": (QUINTIC.parameter_at, {"s": 1}),
+    "Path.torsion": (QUINTIC.torsion, {"t": 1}),
     "Path.frames": (QUINTIC.frames, ARRAY),
     "Path.quaternions": (QUINTIC.quaternions, ARRAY),
     "Path.matrices": (QUINTIC.matrices, ARRAY),
     "Path.points": (QUINTIC.points, {k: ARRAY[k] for k in ("ts", "by", "progress")}),
     "Path.read": (phrame.Path.read, {"file": "none", "near": None}),
     "Path.from_json": (phrame.Path.from_json, {"text": QUINTIC.json(), "near": None}),
-    "Path.angle": (QUINTIC.angle, {"frame": "erf", **START, "form": "auto"}),
+    "Path.angle": (QUINTIC.angle, {"frame": "erf", **START, "form": "auto", "up": None}),
     "Path.classify": (QUINTIC.classify, {}),
-    "Path.minimal_twist": (QUINTIC.minimal_twist, {"start": 0, "end": 0, "extra_turns": 0}),
+    "Path.minimal_twist": (QUINTIC.minimal_twist, {"start": 0, "end": 0, "extra_turns": 0, "up": None}),
     "Path.check": (QUINTIC.check, CHECK),
     "Path.interpolate": (QUINTIC.interpolate, {"feed": 1, "period": 1}),
-    "Path.compile": (QUINTIC.compile, {"prefix": None, "frame": "erf", **START, "lower": 0, "upper": 1}),
-    "Path.page": (QUINTIC.page, {"file": "", "ts": None, "f2": None, "samples": 3, **START}),
-    "Curve": (phrame.Curve, {**LISTS, **CURVE}),
-    "Curve.segment": (QUINTIC.segment, {"a": 0, "b": 1}),
-    "Curve.reversed": (QUINTIC.reversed, {}),
-    "Curve.translated": (QUINTIC.translated, {"v": [1, 2, 3]}),
-    "Curve.scaled": (QUINTIC.scaled, {"c": 1}),
-    "Curve.rotated": (QUINTIC.rotated, {"u": [1, 2, 3, 4]}),
-    "Curve.from_quaternions": (phrame.Curve.from_quaternions, {"quaternions": [[1, 2, 3, 4]], **CURVE}),
-    "Curve.from_hopf": (phrame.Curve.from_hopf, {"alpha": [1j], "beta": [(1, 2)], **CURVE}),
-    "Curve.from_control_points": (phrame.Curve.from_control_points, {"points": QUINTIC.control_points, "name": ""}),
-    "Curve.near": (phrame.Curve.near, {"points": QUINTIC.control_points, "eps": 1, "name": ""}),
-    "Curve.hermite": (phrame.Curve.hermite, {"p0": [0, 0, 0], "d0": [1, 0, 0], "p1": [1, 1, 1], "d1": [0, 1, 1],
+    "Path.compile": (QUINTIC.compile, {"prefix": None, "frame": "erf", **START, "lower": 0, "upper": 1, "up": None}),
+    "Path.page": (QUINTIC.page, {"file": "", "ts": None, "f2": None, "samples": 3, **START, "up": None}),
+    "Path.from_preimage": (phrame.Path.from_preimage, {**LISTS, **CURVE}),
+    "Path.segment": (QUINTIC.segment, {"a": 0, "b": 1}),
+    "Path.reversed": (QUINTIC.reversed, {}),
+    "Path.translated": (QUINTIC.translated, {"v": [1, 2, 3]}),
+    "Path.scaled": (QUINTIC.scaled, {"c": 1}),
+    "Path.rotated": (QUINTIC.rotated, {"u": [1, 2, 3, 4]}),
+    "Path.from_quaternions": (phrame.Curve.from_quaternions, {"quaternions": [[1, 2, 3, 4]], **CURVE}),
+    "Path.from_hopf": (phrame.Curve.from_hopf, {"alpha": [1j], "beta": [(1, 2)], **CURVE}),
+    "Path.from_control_points": (phrame.Curve.from_control_points, {"points": QUINTIC.control_points, "name": ""}),
+    "Path.near": (phrame.Curve.near, {"points": QUINTIC.control_points, "eps": 1, "name": ""}),
+    "Path.hermite": (phrame.Curve.hermite, {"p0": [0, 0, 0], "d0": [1, 0, 0], "p1": [1, 1, 1], "d1": [0, 1, 1],
                                              "a0": None, "a1": None, **CHOICE}),
-    "Curve.through": (phrame.Curve.through, {
+    "Path.through": (phrame.Curve.through, {
         "points": [[0, 0, 0], [1, 1, 1]], "derivatives": None, "tangents": None, "accelerations": None,
         "parameters": None, "closed": False, **CHOICE}),
-    "Curve.read": (phrame.Curve.read, {"file": "none", "near": None}),
-    "Curve.from_json": (phrame.Curve.from_json, {"text": QUINTIC.json(), "near": None}),
-    "Curve.bezier": (phrame.Curve.bezier, {"points": POINTS, "weights": None, "name": ""}),
-    "Curve.nurbs": (phrame.Curve.nurbs, {"points": POINTS, "weights": None, "knots": None, "degree": 2, "name": ""}),
-    "Curve.polynomial": (phrame.Curve.polynomial, {"x": [0, 1], "y": [0, 0, 1], "z": [0, 1, 1], "w": None, "name": "", "basis": "power"}),
-    "Curve.expressions": (phrame.Curve.expressions, {
+    "Path.bezier": (phrame.Curve.bezier, {"points": POINTS, "weights": None, "name": ""}),
+    "Path.nurbs": (phrame.Curve.nurbs, {"points": POINTS, "weights": None, "knots": None, "degree": 2, "name": ""}),
+    "Path.polynomial": (phrame.Curve.polynomial, {"x": [0, 1], "y": [0, 0, 1], "z": [0, 1, 1], "w": None, "name": "", "basis": "power"}),
+    "Path.expressions": (phrame.Curve.expressions, {
         "x": "s", "y": "s^2", "z": "s^3", "lower": 0, "upper": 1, "variable": None, "name": ""}),
-    "Curve.cubic_spline": (phrame.Curve.cubic_spline, {
+    "Path.cubic_spline": (phrame.Curve.cubic_spline, {
         "points": POINTS, "parameters": None, "ends": "natural", "spacing": "uniform", "start_derivative": None,
         "end_derivative": None, "name": ""}),
-    "Curve.certify": (QUINTIC.certify, {"at": [1], "digits": 10, "frame": "erf"}),
-    "SmoothPath.joined": (phrame.SmoothPath.joined, {"curves": [CUBIC], "name": ""}),
-    "SmoothPath.curvature": (CUBIC.curvature, {"t": 1}),
-    "SmoothPath.torsion": (CUBIC.torsion, {"t": 1}),
-    "SmoothPath.arc_length": (CUBIC.arc_length, {"t": 1}),
-    "SmoothPath.parameter_at": (CUBIC.parameter_at, {"s": 1}),
-    "SmoothPath.point": (CUBIC.point, {"t": 1}),
-    "SmoothPath.plot": (CUBIC.plot, {"ts": [0, 1], "ax": SPACE, "kind": "rmf", "ribbon": 0.1, "f2": None, **START}),
-    "SmoothPath.frames": (CUBIC.frames, {**ARRAY, "up": None}),
-    "SmoothPath.quaternions": (CUBIC.quaternions, {**ARRAY, "up": None}),
-    "SmoothPath.matrices": (CUBIC.matrices, {**ARRAY, "up": None}),
-    "SmoothPath.points": (CUBIC.points, {k: ARRAY[k] for k in ("ts", "by", "progress")}),
-    "SmoothPath.angle": (CUBIC.angle, {"frame": "up", "up": None, **START}),
-    "SmoothPath.check": (CUBIC.check, {**CHECK, "up": None}),
-    "SmoothPath.minimal_twist": (CUBIC.minimal_twist, {"start": 0, "end": 0, "extra_turns": 0, "up": None}),
-    "SmoothPath.interpolate": (CUBIC.interpolate, {"feed": 1, "period": 1}),
-    "SmoothPath.compile": (CUBIC.compile, {"prefix": None, "frame": "up", **START, "up": None}),
-    "SmoothPath.page": (CUBIC.page, {"file": "", "ts": None, "f2": None, "samples": 3, **START, "up": None}),
-    "SmoothAngle.value": (CUBIC.angle().value, {"t": 1, "digits": None}),
-    "SmoothAngle.__call__": (CUBIC.angle(), {"ts": [0], "progress": None}),
-    "SmoothAngle.text": (CUBIC.angle().text, {}),
-    "SmoothAngle.latex": (CUBIC.angle().latex, {}),
-    "SmoothAngle.json": (CUBIC.angle().json, {}),
-    "SmoothAngle.plot": (CUBIC.angle().plot, {"ts": [0, 1], "ax": PLANE}),
+    "Path.certify": (QUINTIC.certify, {"at": [1], "digits": 10, "frame": "erf"}),
     "Angle.value": (THETA.value, {"t": 1, "digits": None}),
+    "Angle.digits": (THETA.digits, {"t": 1, "n": 5}),
     "Angle.__call__": (THETA, {"ts": [0], "progress": None}),
     "Angle.rate": (THETA.rate, {"segment": 0}),
     "Angle.poles": (THETA.poles, {"segment": 0}),
@@ -149,6 +126,8 @@ API = {
     "MinimalTwist.rational": (QUINTIC.minimal_twist(0, 1).rational, {"degree": 2, "free_ends": False, "subdivide": (),
                                                                      "gamma": None, "proved": False}),
     "RationalTwist.value": (QUINTIC.minimal_twist(0, 1).rational(proved=False).value, {"t": 1, "digits": None}),
+    "RationalTwist.digits": (QUINTIC.minimal_twist(0, 1).rational(proved=False).digits, {"t": 1, "n": 5}),
+    "MinimalTwist.digits": (QUINTIC.minimal_twist(0, 1).digits, {"t": 1, "n": 5}),
     "MinimalTwist.value": (QUINTIC.minimal_twist(0, 1).value, {"t": 1, "digits": None}),
     "CheckResult.text": (QUINTIC.check([0], [[0, 0, 1]]).text, {}),
     "CheckResult.json": (QUINTIC.check([0], [[0, 0, 1]]).json, {}),
@@ -161,8 +140,8 @@ API = {
     "SweptBody.plot": (phrame.sweep(QUINTIC, "polygon:3,1/9", sections=3).plot, {"ax": SPACE}),
     "digits": (phrame.digits, {"x": REAL, "n": 5}),
     "root": (phrame.root, {"polynomial": [-2, 0, 1], "lower": 1, "upper": 2}),
-    "read": (phrame.read, {"file": "none"}),
-    "parse": (phrame.parse, {"text": QUINTIC.json()}),
+    "read": (phrame.read, {"file": "none", "near": None}),
+    "parse": (phrame.parse, {"text": QUINTIC.json(), "near": None}),
     "integrate": (phrame.integrate, {"f": "1/x", "lower": 1, "upper": 2, "variable": None, "principal_value": False,
                                      "style": "textbook", "form": "auto"}),
     "sweep": (phrame.sweep, {"path": QUINTIC, "profile": "polygon:3,1/9", **START, "end_normal": None, "twist": 0,
@@ -181,6 +160,33 @@ API = {
     "spark.map": (phrame.spark.map, {"curves": Rdd([QUINTIC]), "question": lambda curve: 0, "errors": "raise", "column": "curve",
                               "returns": "answer string"}),
 }
+# The same methods of a path and of an angle that are not PH.
+OF_ANY_KIND = {
+    "Path": (phrame.Path, {"curves": [CUBIC], "name": ""}),
+    "Path.curvature": (CUBIC.curvature, {"t": 1}),
+    "Path.torsion": (CUBIC.torsion, {"t": 1}),
+    "Path.arc_length": (CUBIC.arc_length, {"t": 1}),
+    "Path.parameter_at": (CUBIC.parameter_at, {"s": 1}),
+    "Path.point": (CUBIC.point, {"t": 1}),
+    "Path.plot": (CUBIC.plot, {"ts": [0, 1], "ax": SPACE, "kind": "rmf", "ribbon": 0.1, "f2": None, **START}),
+    "Path.frames": (CUBIC.frames, ARRAY),
+    "Path.quaternions": (CUBIC.quaternions, ARRAY),
+    "Path.matrices": (CUBIC.matrices, ARRAY),
+    "Path.points": (CUBIC.points, {k: ARRAY[k] for k in ("ts", "by", "progress")}),
+    "Path.angle": (CUBIC.angle, {"frame": "up", **START, "form": "auto", "up": None}),
+    "Path.check": (CUBIC.check, CHECK),
+    "Path.minimal_twist": (CUBIC.minimal_twist, {"start": 0, "end": 0, "extra_turns": 0, "up": None}),
+    "Path.interpolate": (CUBIC.interpolate, {"feed": 1, "period": 1}),
+    "Path.compile": (CUBIC.compile, {"prefix": None, "frame": "up", **START, "lower": 0, "upper": 1, "up": None}),
+    "Path.page": (CUBIC.page, {"file": "", "ts": None, "f2": None, "samples": 3, **START, "up": None}),
+    "Angle.value": (CUBIC.angle().value, {"t": 1, "digits": None}),
+    "Angle.digits": (CUBIC.angle().digits, {"t": 1, "n": 5}),
+    "Angle.__call__": (CUBIC.angle(), {"ts": [0], "progress": None}),
+    "Angle.text": (CUBIC.angle().text, {"style": "logarithms"}),
+    "Angle.latex": (CUBIC.angle().latex, {"style": "logarithms"}),
+    "Angle.json": (CUBIC.angle().json, {"style": "logarithms"}),
+    "Angle.plot": (CUBIC.angle().plot, {"ts": [0, 1], "ax": PLANE}),
+}
 
 
 
@@ -197,7 +203,7 @@ def public_functions():
             name = name.replace(".__init__", "")
             if f.name not in ("__init__", "__call__") and f.name.startswith("_"):
                 continue
-            functions[name] = {a.arg for a in f.args.args + f.args.kwonlyargs} - {"self"}
+            functions.setdefault(name, {a.arg for a in f.args.args + f.args.kwonlyargs} - {"self"})  # of the first overload
     for name in ("set_threads", "set_time_limit", "map"):
         functions[name] = set(inspect.signature(getattr(phrame, name)).parameters)
     for module in phrame._BRIDGES:

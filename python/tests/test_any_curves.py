@@ -187,7 +187,7 @@ def test_frenet_angles_of_splines():
     points = [[0, 0, 0], [3, 0, 1], [4, 3, -1], [1, 4, 0], [-1, 2, 2]]
     path = CURVE.cubic_spline(points, ends="periodic")
     assert float(path.angle(frame="frenet").value(5)) == pytest.approx(-float(path.total_torsion), abs=1e-13)
-    corner = phrame.SmoothPath.joined([CURVE.bezier([[0, 0, 0], [1, 0, 0], [1, 1, 0]]),
+    corner = phrame.Path([CURVE.bezier([[0, 0, 0], [1, 0, 0], [1, 1, 0]]),
                                        CURVE.bezier([[1, 1, 0], [1, 2, 0], [1, 2, 1]])])
     with pytest.raises(phrame.DomainError, match="at the joint t = 1 it jumps, by 1.57 radians"):
         corner.angle(frame="frenet")
@@ -211,12 +211,12 @@ def test_lengths_that_are_sums_of_roots():
 
 def test_ph_curves_are_found():
     again = CURVE.bezier(QUINTIC.control_points)
-    assert isinstance(again, phrame.Curve) and again.control_points == QUINTIC.control_points
+    assert again.is_ph and again.kind == "ph" and again.control_points == QUINTIC.control_points
     assert CURVE.polynomial(*QUINTIC.position).hodograph == QUINTIC.hodograph
-    assert isinstance(CURVE.polynomial([0, 1], [0, 0, 1]), phrame.SmoothPath)
+    assert not CURVE.polynomial([0, 1], [0, 0, 1]).is_ph
     assert CURVE.polynomial([0, "1/2", 1], [0, 0, 1], [0, 0, 0], basis="bernstein") == CURVE.expressions("s", "s^2", 0, 0, 1)
     assert phrame.parse(QUINTIC.json()) == QUINTIC
-    straight = phrame.SmoothPath.joined([CURVE.bezier([[0, 0, 0], [1, 0, 0]]), CURVE.bezier([[1, 0, 0], [2, 0, 0], [4, 0, 5]])])
+    straight = phrame.Path([CURVE.bezier([[0, 0, 0], [1, 0, 0]]), CURVE.bezier([[1, 0, 0], [2, 0, 0], [4, 0, 5]])])
     assert straight.end == 2 and straight.point(1) == (1, 0, 0)
 
 
@@ -304,14 +304,13 @@ def test_files_of_all_kinds_give_what_the_program_gives():
             continue
         path = phrame.read(file)
         assert path == phrame.parse(file.read_bytes())
-        if isinstance(path, phrame.SmoothPath):
-            assert path.angle().json() == run.stdout, file.name
+        assert path.angle().json() == run.stdout, file.name
 
 
 def test_what_is_shown():
-    assert repr(HELIX) == "<SmoothPath helix: (cos(s), sin(s), s), s from 0 to 2*pi>"
+    assert repr(HELIX) == "<Path helix: (cos(s), sin(s), s), s from 0 to 2*pi>"
     assert repr(CAMERA).endswith(f": {CAMERA.end} segments>")
-    assert repr(CUBIC.angle(up=[0, 0, 1])) == "<SmoothAngle to the frame of (0, 0, 1)>"
+    assert repr(CUBIC.angle(up=[0, 0, 1])) == "<Angle to the frame of (0, 0, 1)>"
     assert "Pythagorean" in CUBIC.angle().text() and "align" in CUBIC.angle().latex() or CUBIC.angle().latex()
 
 
@@ -330,7 +329,7 @@ def test_what_is_refused():
         ("ends", lambda: CURVE.cubic_spline([[0, 0, 0], [1, 1, 1]], ends="free")),
         ("end_derivative", lambda: CURVE.cubic_spline([[0, 0, 0], [1, 1, 1]], end_derivative=[1, 0, 0])),
         ("parameters[1]", lambda: CURVE.cubic_spline([[0, 0, 0], [1, 1, 1]], parameters=[1, 1])),
-        ("curves[1]", lambda: phrame.SmoothPath.joined([CUBIC, CUBIC])),
+        ("curves[1]", lambda: phrame.Path([CUBIC, CUBIC])),
         ("up", lambda: CUBIC.angle(up=[1, 2, 0])),
         ("kind", lambda: CUBIC.frames([0], kind="erf")),
         ("ts[1]", lambda: CUBIC.points([0, 2])),
@@ -363,7 +362,7 @@ def test_a_length_that_is_rounded_up_is_the_end():
     beyond = 0
     for _ in range(2 * MULTIPLIER):
         for path in _paths(rng):
-            length, end = float(path.length), path.end if isinstance(path, phrame.SmoothPath) else len(path.segments)
+            length, end = float(path.length), path.end
             t = path.parameter_at(length)
             assert end - 1e-12 < t <= end
             if path.length < Fraction(length):
@@ -384,7 +383,7 @@ def test_frames_start_by_the_tangent():
     points = [[0, 0, 0], ["4/5", "4/5", "2/5"], ["3/5", "6/5", "9/5"], ["-2/15", "14/15", "12/5"], ["-8/15", "26/15", "17/5"], ["1/15", "38/15", "17/5"]]
     exact = phrame.Curve.bezier(points)
     rounded = phrame.Curve.bezier([[float(Fraction(x)) for x in p] for p in points])
-    assert type(exact) is phrame.Curve and type(rounded) is phrame.SmoothPath
+    assert exact.is_ph and not rounded.is_ph
     ts = np.linspace(0, 1, 9)
     assert np.abs(exact.frames(ts) - rounded.frames(ts)).max() < 4e-15
     e = np.array([2, 2, 1]) / 3
@@ -394,6 +393,7 @@ def test_frames_start_by_the_tangent():
     assert (rounded.frames([0], start="up") == rounded.frames([0], kind="up")).all()
     turned = exact.frames(ts, start="pi/2")
     assert (turned[:, 1] == exact.frames(ts)[:, 2]).all()
-    for path, word in ((exact, "up"), (rounded, "erf"), (exact, "frenet"), (exact, "erfx")):
+    assert (exact.frames(ts, start="up") == exact.frames(ts, start="up", up=exact.up)).all() and (exact.frames([0], start="up") == exact.frames([0], kind="up")).all()
+    for path, word in ((rounded, "erf"), (exact, "frenet"), (exact, "erfx")):
         with pytest.raises(phrame.InputError, match="start"):
             path.frames([0], start=word)

@@ -9,17 +9,19 @@ import numpy as np
 import pytest
 
 import phrame
-from api import API, public_functions
+from api import API, CURVE, LISTS, OF_ANY_KIND, public_functions
 from common import MULTIPLIER, QUINTIC
 
 WRONG = [None, object(), 1j, float("nan"), float("inf"), Decimal("NaN"), "no such", "", "1/0", "\ud800", b"x", True, -1, 0,
          2.5, 10**400, -(10**30), [], [[]], [1], [float("nan")] * 3, [[1, "x", 3]], [[1, 2]], {}, np.array([]),
          np.zeros((2, 2, 2)), np.array([np.nan, 1]), np.array(["a"]), QUINTIC, len]
+ALL = {**API, **{f"{name} of any kind": call for name, call in OF_ANY_KIND.items()}}
 NOT_HERE = {"ax", "file"}  # whose types are others' to judge, and which are tried on their own
 
 
 def test_the_list_is_complete():
     assert {name: set(arguments) for name, (_, arguments) in API.items()} == public_functions()
+    assert all(set(arguments) == set(API[name][1]) for name, (_, arguments) in OF_ANY_KIND.items())
     for name in phrame.__all__:
         thing = getattr(phrame, name)
         assert name == "__version__" or thing.__doc__, name
@@ -27,9 +29,9 @@ def test_the_list_is_complete():
             assert member.startswith("_") or getattr(thing, member).__doc__, f"{name}.{member} says nothing"
 
 
-@pytest.mark.parametrize("name", API)
+@pytest.mark.parametrize("name", ALL)
 def test_a_signature_is_that_of_the_stub(name):
-    call, arguments = API[name]
+    call, arguments = ALL[name]
     signature = inspect.signature(call)
     assert {p.name for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD} == set(arguments)
     assert signature.bind(**arguments).arguments == arguments
@@ -57,9 +59,10 @@ def no_window(monkeypatch):
     monkeypatch.setenv("MPLBACKEND", "agg")
 
 
-@pytest.mark.parametrize("name", API)
+@pytest.mark.parametrize("name", [*ALL, "Curve"])
 def test_a_wrong_argument_is_named(name):
-    call, arguments = API[name]
+    call, arguments = (phrame.Curve, {**LISTS, **CURVE}) if name == "Curve" else ALL[name]
+    name = name.replace(" of any kind", "")
     for k, argument in enumerate(sorted(set(arguments) - NOT_HERE)):
         values = WRONG[: -1 if argument in ("progress", "question") else None]
         for wrong in values if MULTIPLIER > 1 else values[k % 3 :: 3]:  # every third one for every day
@@ -91,13 +94,13 @@ def test_a_wrong_argument_is_named(name):
             assert time.process_time() - begin < 2, (name, argument, wrong)
 
 
-@pytest.mark.parametrize("name", [name for name in API if "file" in API[name][1]])
+@pytest.mark.parametrize("name", [name for name in ALL if "file" in ALL[name][1]])
 def test_files(name, tmp_path):
-    call, arguments = API[name]
+    call, arguments = ALL[name]
     for wrong in (object(), 3, 1.5, None, [], "", "a\0b", "\ud800"):
         with pytest.raises((TypeError, phrame.InputError), match="^file: "):
             call(**{**arguments, "file": wrong})
-    if name not in ("SweptBody.save", "Path.page", "SmoothPath.page"):
+    if not name.startswith(("SweptBody.save", "Path.page")):
         with pytest.raises(FileNotFoundError):
             call(**{**arguments, "file": tmp_path / "none"})
         with pytest.raises(IsADirectoryError):

@@ -68,7 +68,7 @@ def test_the_first_page_does_what_it_shows(capsys):
 
 
 def test_reprs():
-    assert repr(QUINTIC).startswith("<Curve") and "4*t^2" in repr(QUINTIC)
+    assert repr(QUINTIC).startswith("<Path") and "4*t^2" in repr(QUINTIC)
     assert repr(QUINTIC.angle().value(1)) == "Real('0.28585653009834106…')"
     assert r"\theta" in QUINTIC.angle()._repr_latex_() and "θ′" in str(QUINTIC.angle())
     assert "Classification" in repr(QUINTIC.classify()) and "2π" not in repr(QUINTIC.minimal_twist(0, 1))

@@ -1,0 +1,224 @@
+#include <limits>
+
+#include "answers.hpp"
+
+namespace phrame::python {
+namespace {
+
+// ---- totals: each is one function of both kinds of paths
+
+nb::object shown(const Real& x, nb::handle self, const char* name) {
+  return to_python(x, attribute_recipe(self, name));
+}
+nb::object shown(const PathTotal& total, nb::handle self, const char* name) {
+  return shown(total.value, self, name);
+}
+nb::object shown(const std::optional<Real>& x, nb::handle self, const char* name) {
+  return x ? shown(*x, self, name) : nb::none();
+}
+template <class T>
+nb::object shown(const std::variant<T, Infinite>& x, nb::handle self, const char* name) {
+  if (const auto* finite = std::get_if<T>(&x)) return shown(*finite, self, name);
+  return nb::float_(std::numeric_limits<double>::infinity());
+}
+
+Real total_length(const Path& path) { return SmoothLength(path).total(); }
+
+/// In closed form where there is one.
+Real whole_curvature(const PhPath& path) {
+  if (const auto found = total_curvature(path)) return found->value;
+  return total_curvature(Path(path));
+}
+Real whole_curvature(const Path& path) { return total_curvature(path); }
+
+std::optional<Real> holonomy_of(const PhPath& path) { return PathAngle(path).holonomy(); }
+std::optional<Real> holonomy_of(const Path& path) { return holonomy(SmoothAngle(path)); }
+
+bool is_closed(const PhPath& path) { return path.closing_turn().has_value(); }
+bool is_closed(const Path& path) { return path.is_closed(); }
+
+template <class P>
+std::optional<Real> writhe_of(const P& path) {
+  return is_closed(path) ? std::optional(writhe(path)) : std::nullopt;
+}
+
+Real torsion_of(const PhPath& path) { return total_torsion(path).value; }
+Real torsion_of(const Path& path) { return total_torsion(path); }
+
+template <class P>
+std::optional<long> self_linking_of(const P& path) {
+  if (!is_closed(path)) return std::nullopt;
+  return self_linking_number(closed_frame(path), torsion_of(path));
+}
+
+/// of(path) of the attribute of this name.
+template <class F>
+nb::object total(nb::handle self, const char* name, const F& of) {
+  return path_of(self).visit([&](const auto& named) {
+    return shown(without_gil([path = named.path, of] { return of(path); }), self, name);
+  });
+}
+
+void bind_totals(PathClass& path) {
+#define PHRAME_TOTAL(name, of, type, what)                                     \
+  path.def_prop_ro(                                                            \
+      name,                                                                    \
+      [](nb::handle self) {                                                    \
+        return total(self, name, [](const auto& along) { return of(along); }); \
+      },                                                                       \
+      nb::sig("def " name "(self) -> " PHRAME_REAL_SIG type), what)
+  PHRAME_TOTAL("length", total_length, "", "∫ ds.");
+  PHRAME_TOTAL("total_curvature", whole_curvature, "", "∫ κ ds, without the half turns at cusps.");
+  PHRAME_TOTAL("total_torsion", total_torsion, "", "∫ τ ds.");
+  PHRAME_TOTAL("bending_energy", bending_energy, " | float", "∫ κ² ds; infinite at most cusps.");
+  PHRAME_TOTAL("frenet_energy", frenet_energy, " | float",
+               "∫ (κ² + τ²) ds; infinite at most cusps.");
+  PHRAME_TOTAL("holonomy", holonomy_of, " | None",
+               "By which angle the rotation-minimizing frame of a closed path comes back turned, "
+               "else None.");
+  PHRAME_TOTAL("writhe", writhe_of, " | None",
+               "Gauss's integral over a closed path twice, else None.");
+#undef PHRAME_TOTAL
+  path.def_prop_ro(
+          "self_linking_number",
+          [](nb::handle self) {
+            return path_of(self).visit([](const auto& named) {
+              return without_gil([path = named.path] { return self_linking_of(path); });
+            });
+          },
+          nb::sig("def self_linking_number(self) -> int | None"),
+          "How often a closed path is linked with its copy along the principal normals, else None.")
+      .def_prop_ro(
+          "erf_twist",
+          [](nb::handle self) {
+            const PhPath& along = ph_of(path_of(self), "erf_twist").path;
+            return shown(without_gil([along] { return erf_twist(along); }), self, "erf_twist");
+          },
+          nb::sig("def erf_twist(self) -> " PHRAME_REAL_SIG),
+          "∫ 2h/σ dt: how far the Euler–Rodrigues frame of PH curves turns, in radians.")
+      .def_prop_ro(
+          "up_twist",
+          [](nb::handle self) {
+            const Path& along = path_of(self).named.path;
+            return shown(without_gil([along] { return up_frame_twist(SmoothAngle(along)); }), self,
+                         "up_twist");
+          },
+          nb::sig("def up_twist(self) -> " PHRAME_REAL_SIG),
+          "∫ e2′·e3 dt: how far the frame of `up` turns about e1, in radians.");
+}
+
+// ---- at a parameter or a length
+
+/// A number, and how near to 0 it may be where it is not 0 but algebraic.
+struct KnownReal {
+  Real value;
+  ZeroBound bound = {};
+};
+
+KnownReal curvature_at(const PhPath& path, const Rational& t) {
+  const PathParameter at = locate(path, t);
+  const Rational square = squared_curvature(path.segments()[at.segment])(at.t);
+  return {square_root_of(square), of_square_root(zero_bound(square))};
+}
+KnownReal curvature_at(const Path& path, const Rational& t) {
+  return {curvature(path, locate(path, t))};
+}
+
+KnownReal torsion_at(const PhPath& path, const Rational& t) {
+  const PathParameter at = locate(path, t);
+  return {torsion(path.segments()[at.segment])(at.t)};
+}
+KnownReal torsion_at(const Path& path, const Rational& t) {
+  return {torsion(path, locate(path, t))};
+}
+
+KnownReal length_at(const PhPath& path, const Rational& t) {
+  return {PathLength(path).value(locate_inside(path, t))};
+}
+KnownReal length_at(const Path& path, const Rational& t) {
+  return {SmoothLength(path).value(locate(path, t))};
+}
+
+Vector<Real> point_at(const PhPath& path, const Rational& t) {
+  const PathParameter at = locate(path, t);
+  const auto [x, y, z] = evaluate(position(path.segments()[at.segment]), at.t);
+  return {x, y, z};
+}
+Vector<Real> point_at(const Path& path, const Rational& t) {
+  return position(path, locate(path, t));
+}
+
+/// of(path, t), for the name of an argument; along PH curves at once, as these are fractions.
+template <class F>
+auto asked_at(nb::handle self, const char* argument, const Rational& t, const F& of) {
+  const PathObject& path = path_of(self);
+  return at_place(argument, [&] {
+    if (path.ph) return of(path.ph->path, t);
+    return without_gil([along = path.named.path, t, of] { return of(along, t); });
+  });
+}
+
+/// A vector of which the components are pickled as those of what the method answers.
+nb::object point(nb::handle self, nb::handle t) {
+  const Rational at = rational(t, "t");
+  const Vector<Real> r = asked_at(
+      self, "t", at, [](const auto& along, const Rational& x) { return point_at(along, x); });
+  const auto component = [&](long k) {
+    return to_python(
+        r[static_cast<std::size_t>(k)],
+        recipe(imported("phrame._pickle", "component"), self, nb::str("point"), to_python(at), k));
+  };
+  return nb::make_tuple(component(0), component(1), component(2));
+}
+
+nb::object shown_parameter(const RealAlgebraic& t, const nb::object&) { return to_python(t); }
+nb::object shown_parameter(const Real& t, const nb::object& recipe) { return to_python(t, recipe); }
+
+RealAlgebraic parameter_of(const PhPath& path, const Rational& s) {
+  return parameter(PathLength(path).point(s));
+}
+Real parameter_of(const Path& path, const Rational& s) {
+  const Place at = SmoothLength(path).point(s);
+  return Rational(static_cast<long>(at.segment)) + at.t;
+}
+
+nb::object parameter_at(nb::handle self, nb::handle s) {
+  const Rational length = rational(s, "s");
+  return path_of(self).visit([&](const auto& named) {
+    const auto t = at_place("s", [&] {
+      return without_gil([path = named.path, length] { return parameter_of(path, length); });
+    });
+    return shown_parameter(t, method_recipe(self, "parameter_at", to_python(length)));
+  });
+}
+
+void bind_places(PathClass& path) {
+#define PHRAME_AT(name, of, what)                                                              \
+  path.def(                                                                                    \
+      name,                                                                                    \
+      [](nb::handle self, nb::handle t) {                                                      \
+        const Rational at = rational(t, "t");                                                  \
+        const KnownReal found = asked_at(                                                      \
+            self, "t", at, [](const auto& along, const Rational& x) { return of(along, x); }); \
+        return to_python(found.value, method_recipe(self, name, to_python(at)), found.bound);  \
+      },                                                                                       \
+      argument("t"), nb::sig("def " name "(self, t: Number) -> " PHRAME_REAL_SIG), what)
+  PHRAME_AT("curvature", curvature_at, "κ ≥ 0 at t.");
+  PHRAME_AT("torsion", torsion_at, "τ at t.");
+  PHRAME_AT("arc_length", length_at, "The length from the start to t.");
+#undef PHRAME_AT
+  path.def("parameter_at", parameter_at, argument("s"),
+           nb::sig("def parameter_at(self, s: Number) -> " PHRAME_REAL_SIG),
+           "The t where the length from the start is s.")
+      .def("point", point, argument("t"),
+           nb::sig("def point(self, t: Number) -> " PHRAME_REAL_VECTOR_SIG), "r(t).");
+}
+
+}  // namespace
+
+void bind_path_numbers(PathClass& path) {
+  bind_totals(path);
+  bind_places(path);
+}
+
+}  // namespace phrame::python

@@ -1,0 +1,80 @@
+#include "paths.hpp"
+
+// Segments: (turned over, X₁, X₂, X₃, W), (u, v, p, q, f, r(0)) of a PH curve and (turned over,
+// from, to, variable, x, y, z) of formulas.
+namespace phrame::python {
+namespace {
+
+nb::object packed(const Formula& f) {
+  nb::list steps;
+  for (const Formula::Step& step : f.steps())
+    steps.append(nb::make_tuple(static_cast<int>(step.operation), step.left, step.right,
+                                to_python(step.number), to_python(step.pi_multiple)));
+  return nb::tuple(steps);
+}
+
+Formula unpacked_formula(nb::handle packed) {
+  std::vector<Formula::Step> steps;
+  for (const nb::handle item : nb::list(packed))
+    steps.push_back({static_cast<Formula::Operation>(nb::cast<int>(item[0])),
+                     nb::cast<std::size_t>(item[1]), nb::cast<std::size_t>(item[2]),
+                     rational(item[3], "number"), rational(item[4], "pi_multiple")});
+  return Formula(std::move(steps));
+}
+
+nb::object packed(const RationalCurve& curve, VariableName) {
+  const auto& [x, y, z] = curve.numerator();
+  const bool is_turned = RationalCurve(curve.numerator(), curve.weight()) != curve;
+  return nb::make_tuple(is_turned, to_python(x.coefficients()), to_python(y.coefficients()),
+                        to_python(z.coefficients()), to_python(curve.weight().coefficients()));
+}
+
+nb::object packed(const ExpressionCurve& curve, VariableName variable) {
+  const auto& [x, y, z] = curve.position();
+  const std::string letter = variable == VariableName::kept ? curve.variable() : "";
+  return nb::make_tuple(curve.orientation() < 0, packed(curve.from()), packed(curve.to()),
+                        nb::str(letter.c_str()), packed(x), packed(y), packed(z));
+}
+
+nb::object packed(const PhSegment& segment, VariableName) {
+  const Curve& curve = segment.curve();
+  const auto& [u, v, p, q] = curve.preimage();
+  return nb::make_tuple(to_python(u.coefficients()), to_python(v.coefficients()),
+                        to_python(p.coefficients()), to_python(q.coefficients()),
+                        to_python(curve.multiplier().coefficients()), to_python(curve.start()));
+}
+
+Segment unpacked(nb::handle packed) {
+  if (nb::len(packed) == 6)
+    return PhSegment(Curve({polynomial(packed[0], "u"), polynomial(packed[1], "v"),
+                            polynomial(packed[2], "p"), polynomial(packed[3], "q")},
+                           polynomial(packed[4], "f"), vector(packed[5], "start")));
+  const auto made = [&]() -> Segment {
+    if (nb::len(packed) == 5)
+      return RationalCurve(
+          {polynomial(packed[1], "x"), polynomial(packed[2], "y"), polynomial(packed[3], "z")},
+          polynomial(packed[4], "w"));
+    return ExpressionCurve(
+        {unpacked_formula(packed[4]), unpacked_formula(packed[5]), unpacked_formula(packed[6])},
+        unpacked_formula(packed[1]), unpacked_formula(packed[2]), nb::cast<std::string>(packed[3]));
+  }();
+  if (!nb::cast<bool>(packed[0])) return made;
+  return std::visit([](const auto& curve) -> Segment { return curve.turned_over(); }, made);
+}
+
+}  // namespace
+
+nb::object packed_path(const Path& path, VariableName variable) {
+  nb::list list;
+  for (const Segment& segment : path.segments())
+    list.append(std::visit([&](const auto& curve) { return packed(curve, variable); }, segment));
+  return nb::tuple(list);
+}
+
+Path unpacked_path(nb::handle packed) {
+  std::vector<Segment> segments;
+  for (const nb::handle item : nb::list(packed)) segments.push_back(unpacked(item));
+  return joined(std::move(segments));
+}
+
+}  // namespace phrame::python

@@ -1,0 +1,115 @@
+#include "paths.hpp"
+
+// What there is of one PH curve. Of another path a DomainError says which segment is none, or that
+// there are several.
+namespace phrame::python {
+namespace {
+
+nb::tuple polynomials(const Vector<Polynomial>& v) { return nb::make_tuple(v[0], v[1], v[2]); }
+
+void bind_properties(PathClass& path) {
+#define PHRAME_PROPERTY(name, of, type, what)      \
+  path.def_prop_ro(                                \
+      name,                                        \
+      [](const PathObject& self) {                 \
+        const Curve& curve = curve_of(self, name); \
+        return of;                                 \
+      },                                           \
+      nb::sig("def " name "(self) -> " type), what)
+#define PHRAME_POLYNOMIALS_SIG "tuple[Polynomial, Polynomial, Polynomial]"
+  PHRAME_PROPERTY("preimage",
+                  nb::make_tuple(curve.preimage().u, curve.preimage().v, curve.preimage().p,
+                                 curve.preimage().q),
+                  "tuple[Polynomial, Polynomial, Polynomial, Polynomial]", "A = u + vi + pj + qk.");
+  PHRAME_PROPERTY("multiplier", curve.multiplier(), "Polynomial", "f of r′ = f·A i A*.");
+  PHRAME_PROPERTY("start", to_python(curve.start()), PHRAME_VECTOR_SIG, "r(0).");
+  PHRAME_PROPERTY("degree", degree(curve), "int", "Of r.");
+  PHRAME_PROPERTY("hodograph", polynomials(hodograph(curve)), PHRAME_POLYNOMIALS_SIG, "r′.");
+  PHRAME_PROPERTY("position", polynomials(position(curve)), PHRAME_POLYNOMIALS_SIG, "r.");
+  PHRAME_PROPERTY("sigma", sigma(curve.preimage()), "Polynomial", "σ = |A|².");
+  PHRAME_PROPERTY("h", twist_numerator(curve.preimage()), "Polynomial", "uv′ − u′v − pq′ + p′q.");
+  PHRAME_PROPERTY("rho", rho(curve.preimage()), "Polynomial", "4|g|².");
+  PHRAME_PROPERTY("squared_curvature", squared_curvature(curve), "RationalFunction", "κ².");
+  PHRAME_PROPERTY("torsion_function", torsion(curve), "RationalFunction", "τ of t.");
+#undef PHRAME_PROPERTY
+  path.def_prop_ro(
+          "g",
+          [](const PathObject& self) {
+            const GaussianPolynomial g = bend_numerator(curve_of(self, "g").preimage());
+            return nb::make_tuple(g.re, g.im);
+          },
+          nb::sig("def g(self) -> tuple[Polynomial, Polynomial]"),
+          "αβ′ − α′β: its real and its imaginary part.")
+      .def_prop_ro(
+          "control_points",
+          [](const PathObject& self) {
+            nb::list list;
+            for (const auto& point : control_points(curve_of(self, "control_points")))
+              list.append(to_python(point));
+            return nb::tuple(list);
+          },
+          nb::sig("def control_points(self) -> tuple[" PHRAME_VECTOR_SIG ", ...]"),
+          "Of the Bézier curve that it is.");
+}
+
+/// The curve that make(curve) is, under the same name.
+template <class F>
+nb::object remade_curve(const PathObject& self, const char* asked, const F& make) {
+  return wrap(NamedPhPath(self.named.name, make(curve_of(self, asked))));
+}
+
+void bind_transformations(PathClass& path) {
+  path.def(
+          "segment",
+          [](const PathObject& self, nb::handle a, nb::handle b) {
+            return remade_curve(self, "segment", [&](const Curve& curve) {
+              return segment(curve, rational(a, "a"), rational(b, "b"));
+            });
+          },
+          argument("a"), argument("b"), nb::sig("def segment(self, a: Number, b: Number) -> Path"),
+          "The part of a PH curve from t = a to b as a curve on [0, 1].")
+      .def(
+          "reversed",
+          [](const PathObject& self) {
+            return remade_curve(self, "reversed",
+                                [](const Curve& curve) { return reversed(curve); });
+          },
+          nb::sig("def reversed(self) -> Path"), "t ↦ r(1 − t) of a PH curve.")
+      .def(
+          "translated",
+          [](const PathObject& self, nb::handle v) {
+            return remade_curve(self, "translated", [&](const Curve& curve) {
+              return translated(curve, vector(v, "v"));
+            });
+          },
+          argument("v"), nb::sig("def translated(self, v: Vector) -> Path"), "r + v of a PH curve.")
+      .def(
+          "scaled",
+          [](const PathObject& self, nb::handle c) {
+            return remade_curve(self, "scaled", [&](const Curve& curve) {
+              return scaled(curve, rational(c, "c"));
+            });
+          },
+          argument("c"), nb::sig("def scaled(self, c: Number) -> Path"), "c·r of a PH curve.")
+      .def(
+          "rotated",
+          [](const PathObject& self, nb::handle u) {
+            const auto list = rationals(u, "u");
+            if (list.size() != 4)
+              refuse("u", "4 numbers are wanted, there are " + std::to_string(list.size()), u);
+            return remade_curve(self, "rotated", [&](const Curve& curve) {
+              return rotated(curve, {list[0], list[1], list[2], list[3]});
+            });
+          },
+          argument("u"), nb::sig("def rotated(self, u: collections.abc.Sequence[Number]) -> Path"),
+          "A PH curve rotated as the quaternion u, its real part first, says, and scaled by |u|².");
+}
+
+}  // namespace
+
+void bind_ph_curve(PathClass& path) {
+  bind_properties(path);
+  bind_transformations(path);
+}
+
+}  // namespace phrame::python

@@ -1,0 +1,147 @@
+"""One class for a path of segments of every kind, and one for its angle."""
+
+from decimal import Decimal
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+
+import phrame
+from common import QUINTIC
+
+SPLINE = phrame.Path([QUINTIC.segment(0, "1/3"), QUINTIC.segment("1/3", 1)], "spline")
+LINE = phrame.Curve([1], [0], [0], [0])
+CUBIC = phrame.Path.bezier([[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]])
+CONIC = phrame.Path.bezier([[1, 0, 0], [1, 1, 0], [0, 1, 0]], [1, 1, 2])
+HELIX = phrame.Path.expressions("cos(s)", "sin(s)", "s", 0, "2*pi")
+MIXED = phrame.Path([LINE, phrame.Path.bezier([[1, 0, 0], [2, 0, 0], [4, 0, 5]])], "mixed")
+KINDS = {"ph": [QUINTIC, SPLINE, LINE], "polynomial": [CUBIC], "rational": [CONIC], "expressions": [HELIX], "mixed": [MIXED]}
+OF_ONE = ("preimage", "multiplier", "start", "degree", "hodograph", "position", "sigma", "h", "g", "rho", "control_points",
+          "squared_curvature", "torsion_function", "certify", "reversed")
+OF_PH = ("json", "classify", "erf_twist")
+
+
+METHODS = ("certify", "reversed", "json", "classify")
+
+
+def asked(path, name):
+    return getattr(path, name)() if name in METHODS else getattr(path, name)
+
+
+def test_there_is_one_class():
+    assert phrame.Curve is phrame.Path
+    for kind, paths in KINDS.items():
+        for path in paths:
+            assert type(path) is phrame.Path and path.kind == kind and path.is_ph == (kind == "ph")
+            assert type(path.angle()) is phrame.Angle and path.angle().reference == ("erf" if path.is_ph else "up")
+            assert [type(segment) for segment in path.segments] == [phrame.Path] * path.end
+    assert MIXED.segments[0] == LINE and MIXED.segments[0].is_ph and MIXED.segments[1].kind == "polynomial"
+    lists = [2, -4, 4], [1, 0, -1], [0, -4, 4], [1, 2, -2]
+    more = {"multiplier": [1, 1], "start": [1, 2, 3], "name": "a"}
+    again = phrame.Path.from_preimage(*lists, **more)
+    assert again == phrame.Curve(*lists, **more) == phrame.Path(**dict(zip("uvpq", lists)), **more) != QUINTIC
+    assert again.preimage == QUINTIC.preimage and again.point(0) == (1, 2, 3) and again.name == "a"
+    assert phrame.Path.bezier(QUINTIC.control_points) == phrame.Path.from_control_points(QUINTIC.control_points)
+
+
+@pytest.mark.parametrize("name", OF_ONE + OF_PH)
+def test_what_needs_ph_curves_names_the_segment_that_is_none(name):
+    for path, segment in ((CUBIC, 0), (CONIC, 0), (HELIX, 0), (MIXED, 1)):
+        with pytest.raises(phrame.DomainError, match=rf"^{name}: segments\[{segment}\] is no Pythagorean-hodograph curve$"):
+            asked(path, name)
+    asked(QUINTIC, name)
+    if name in OF_PH:
+        asked(SPLINE, name)
+    else:
+        with pytest.raises(phrame.DomainError, match=rf"^{name}: of one curve; there are 2, each in path.segments$"):
+            asked(SPLINE, name)
+
+
+def test_frames_that_only_ph_curves_have():
+    for ask in (lambda: MIXED.angle("erf"), lambda: MIXED.frames([0], kind="erf"), lambda: MIXED.compile(frame="erf")):
+        with pytest.raises(phrame.InputError, match=r'^(frame|kind): "erf" is of PH curves, and segments\[1\] is no Pyth'):
+            ask()
+    for ask in (lambda: QUINTIC.angle("erf", up=[0, 0, 1]), lambda: QUINTIC.frames([0], kind="erf", up=[0, 0, 1]), lambda: CUBIC.angle("frenet", up=[0, 0, 1])):
+        with pytest.raises(phrame.InputError, match="^up: "):
+            ask()
+
+
+def test_digits_of_rational_and_other_values():
+    """θ(0) is rational, and θ of a plane curve; θ(1) of others by quadrature elsewhere."""
+    for angle in (QUINTIC.angle(start="1/3"), CUBIC.angle(start="1/3"), CONIC.angle(start="1/3"), HELIX.angle("frenet", start="1/3")):
+        assert angle.value(0) == Fraction(1, 3) and angle.digits(0, 12) == Decimal("0.333333333333") == angle.value(0, 12)
+        assert angle.digits(1, 30) == angle.value(1, digits=30) == phrame.digits(angle.value(1), 30)
+    assert CONIC.angle().digits(1, 20) == 0 and CONIC.angle().is_zero and not CUBIC.angle().is_zero
+    assert QUINTIC.angle().digits(1, 20) == Decimal("0.28585653009834106200") and not QUINTIC.angle().is_zero  # [Farouki 2003]
+    assert LINE.angle().is_zero and QUINTIC.minimal_twist(0, "pi/3").digits(0, 9) == 0
+    assert phrame.Curve([1, 1], [0], [0], [0, 2]).angle().is_zero  # a plane curve, whose h is 0
+
+
+def test_where_there_is_no_closed_form():
+    for name in ("rate", "poles", "sympy"):
+        with pytest.raises(phrame.DomainError, match=rf"^{name}: the angle has no closed form: segments\[1\] is no Pyth"):
+            getattr(MIXED.angle(), name)()
+        with pytest.raises(phrame.DomainError, match=rf"^{name}: the angle has no closed form: it is to the frame of \(0, 0, 1\)$"):
+            getattr(QUINTIC.angle(up=[0, 0, 1]), name)()
+    assert QUINTIC.angle(up=[0, 0, 1]).up == (0, 0, 1) and QUINTIC.angle().up is None and QUINTIC.angle("frenet").up is None
+    assert "no closed form" in CUBIC.angle().text(style="textbook")
+    with pytest.raises(phrame.InputError, match="^style: "):
+        CUBIC.angle().text(style="new")
+
+
+def test_ph_curves_have_the_frame_of_a_vector_too():
+    """f₂ = cos θ e₂ + sin θ e₃ with v × e₁ by NumPy; the same curve by points that are rounded is not PH."""
+    ts, v = np.linspace(0, 1, 33), [0, 0, 1]
+    for path in (QUINTIC, SPLINE):
+        at = ts * path.end
+        e1, f2, _ = path.frames(at, start="up", up=v).transpose(1, 0, 2)
+        e2 = np.cross(v, e1)
+        e2 /= np.linalg.norm(e2, axis=1)[:, None]
+        assert np.abs(path.frames(at, kind="up", up=v)[:, 1] - e2).max() < 1e-15
+        theta = path.angle(up=v)(at)
+        assert np.abs(np.cos(theta)[:, None] * e2 + np.sin(theta)[:, None] * np.cross(e1, e2) - f2).max() < 1e-14
+        assert np.abs(path.frames(at, up=v) - path.frames(at)).max() < 1e-14  # both start by the least rotation
+        assert path.check(at, f2, start="up", up=v, tolerance="1e-12") and path.check(at, f2, tolerance="1e-12")
+    near = phrame.Path.bezier([[float(x) for x in point] for point in QUINTIC.control_points])
+    assert not near.is_ph and abs(near.angle(up=v)(1) - QUINTIC.angle(up=v)(1)) < 1e-13
+    vectors = [path.minimal_twist([0, 0, 1], [0, 1, 1]).twist for path in (QUINTIC, near)]
+    assert abs(float(vectors[0]) - float(vectors[1])) < 1e-13
+    assert QUINTIC.compile("a", frame="up") != QUINTIC.compile("a")
+    for path in (QUINTIC, SPLINE, CUBIC):
+        assert abs(float(path.up_twist) + path.angle(up=path.up)(path.end)) < 1e-15
+
+
+def test_a_total_curvature_without_a_closed_form():
+    """∫ 2|g|/σ dt, which is of no rational function, as 4|g|² is no square."""
+    with mpmath.workdps(30):
+        rho, sigma = ([mpmath.mpf(c.numerator) / c.denominator for c in p.coefficients][::-1] for p in (QUINTIC.rho, QUINTIC.sigma))
+        exact = mpmath.quad(lambda t: mpmath.sqrt(mpmath.polyval(rho, t)) / mpmath.polyval(sigma, t), mpmath.linspace(0, 1, 9))
+        for path in (QUINTIC, SPLINE):
+            assert abs(mpmath.mpf(str(path.total_curvature.digits(25))) - exact) < 1e-20
+
+
+def test_torsion_is_asked_for_in_one_way():
+    for t in (0, "1/3", 1):
+        assert QUINTIC.torsion(t) == QUINTIC.torsion_function(t) and SPLINE.torsion(t) == SPLINE.segments[int(Fraction(t))].torsion(Fraction(t) % 1)
+    near = phrame.Path.bezier([[float(x) for x in point] for point in QUINTIC.control_points])
+    assert abs(float(near.torsion("1/3")) - float(QUINTIC.torsion("1/3"))) < 1e-12
+
+
+def test_files_of_what_was_rounded():
+    points = [[str(Fraction(float(x)) + Fraction(1, 10**17)) for x in point] for point in QUINTIC.control_points]
+    points[2][0] = str(Fraction(points[2][0]) + Fraction(1, 10**16))
+    file = '{"phrame": "curve/1", "control_points": %s}' % str(points).replace("'", '"')
+    read, near = phrame.Path.from_json(file), phrame.parse(file, near="1e-9")
+    assert read == phrame.parse(file) and not read.is_ph and near.is_ph
+    off = max(abs(x - y) for k in range(9) for x, y in zip(read.point(Fraction(k, 8)), near.point(Fraction(k, 8))))
+    assert 0 < off < Fraction(1, 10**9)
+
+
+def test_paths_that_do_not_join():
+    for second, reason in ((CUBIC, "it starts at"), (phrame.Path.bezier([[4, 1, 2], [5, 1, 2]]), "the tangent breaks")):
+        with pytest.raises(phrame.InputError, match=rf"^curves\[1\]: {reason}"):
+            phrame.Path([CUBIC, second])
+    assert phrame.Path([CUBIC, phrame.Path.bezier([[4, 1, 2], [5, 2, 3]])]).kind == "polynomial"  # a line of length √3
+    with pytest.raises(TypeError, match=r"^curves\[1\]: a Path is wanted, not int$"):
+        phrame.Path([CUBIC, 3])
