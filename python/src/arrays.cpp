@@ -93,8 +93,8 @@ Numbers by_arc_length(const PhPath& path, const FrameStart& start, const At& at,
        .grain = 16,
        .work =
            [=, width = asked.width](std::size_t from, std::size_t to) {
-             const PathLength length(path);
-             std::vector<PathPoint> points;
+             const PathLength length{Path(path)};
+             std::vector<Place> points;
              for (std::size_t k = from; k < to; ++k)
                points.push_back(at_place("ts[" + std::to_string(k) + "]",
                                          [&] { return length.point((*at)[k]); }));

@@ -39,7 +39,7 @@ class GeneralSource {
   std::optional<SmoothAngle> angle_;
   FrameKind kind_;
   Real start_;
-  SmoothLength length_;
+  PathLength length_;
   bool is_by_length_;
   std::mutex lock_;  ///< while something is made
   std::size_t asked_ = 0;

@@ -22,7 +22,7 @@ nb::object shown(const std::variant<T, Infinite>& x, nb::handle self, const char
   return nb::float_(std::numeric_limits<double>::infinity());
 }
 
-Real total_length(const Path& path) { return SmoothLength(path).total(); }
+Real total_length(const Path& path) { return PathLength(path).total(); }
 
 /// In closed form where there is one.
 Real whole_curvature(const PhPath& path) {
@@ -132,12 +132,10 @@ KnownReal torsion_at(const Path& path, const Rational& t) {
   return {torsion(path, locate(path, t))};
 }
 
-KnownReal length_at(const PhPath& path, const Rational& t) {
-  return {PathLength(path).value(locate_inside(path, t))};
-}
 KnownReal length_at(const Path& path, const Rational& t) {
-  return {SmoothLength(path).value(locate(path, t))};
+  return {PathLength(path).value(locate(path, t))};
 }
+KnownReal length_at(const PhPath& path, const Rational& t) { return length_at(Path(path), t); }
 
 Vector<Real> point_at(const PhPath& path, const Rational& t) {
   const PathParameter at = locate(path, t);
@@ -171,25 +169,15 @@ nb::object point(nb::handle self, nb::handle t) {
   return nb::make_tuple(component(0), component(1), component(2));
 }
 
-nb::object shown_parameter(const RealAlgebraic& t, const nb::object&) { return to_python(t); }
-nb::object shown_parameter(const Real& t, const nb::object& recipe) { return to_python(t, recipe); }
-
-RealAlgebraic parameter_of(const PhPath& path, const Rational& s) {
-  return parameter(PathLength(path).point(s));
-}
-Real parameter_of(const Path& path, const Rational& s) {
-  const Place at = SmoothLength(path).point(s);
-  return Rational(static_cast<long>(at.segment)) + at.t;
-}
-
 nb::object parameter_at(nb::handle self, nb::handle s) {
   const Rational length = rational(s, "s");
-  return path_of(self).visit([&](const auto& named) {
-    const auto t = at_place("s", [&] {
-      return without_gil([path = named.path, length] { return parameter_of(path, length); });
-    });
-    return shown_parameter(t, method_recipe(self, "parameter_at", to_python(length)));
+  const Place at = at_place("s", [&] {
+    return without_gil(
+        [path = path_of(self).named.path, length] { return PathLength(path).point(length); });
   });
+  const auto known = algebraic_parameter(at);
+  return known ? to_python(*known)
+               : to_python(parameter(at), method_recipe(self, "parameter_at", to_python(length)));
 }
 
 void bind_places(PathClass& path) {

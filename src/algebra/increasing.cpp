@@ -163,4 +163,10 @@ Real preimage(std::shared_ptr<const IncreasingFunction> F, const Rational& y, do
   });
 }
 
+Real recognized(const Real& t, const std::function<bool(const Rational&)>& is_t) {
+  const RealBall around = t.enclose(72);
+  const Rational r = simplest_between(around.lower(), around.upper());
+  return denominator(r) >> 32 == 0 && r >= 0 && r <= 1 && is_t(r) ? Real(r) : t;
+}
+
 }  // namespace phrame

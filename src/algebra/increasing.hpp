@@ -33,4 +33,8 @@ RealBall narrow_preimage(const IncreasingFunction& F, const Rational& y, RealBal
 /// so that neither it nor a copy is for concurrent use.
 Real preimage(std::shared_ptr<const IncreasingFunction> F, const Rational& y, double guess);
 
+/// t ∈ [0, 1], exact where it is next to a fraction with a denominator of up to 32 bits for which
+/// is_t() is true.
+Real recognized(const Real& t, const std::function<bool(const Rational& r)>& is_t);
+
 }  // namespace phrame

@@ -11,8 +11,8 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/answer/orientation_columns.hpp"
-#include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/frame/algebraic_frame.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
@@ -42,9 +42,11 @@ const char* name_of(TabulatedScalar kind) {
   return "";
 }
 
+/// Of the arc length, where it is known for all t.
 RationalFunction function_of(const Curve& curve, TabulatedScalar kind) {
   switch (kind) {
     case TabulatedScalar::arc_length:
+      if (!curve.multiplier().is_constant()) break;
       return RationalFunction(ArcLength(curve).polynomial());
     case TabulatedScalar::curvature:
       return squared_curvature(curve);
@@ -56,27 +58,25 @@ RationalFunction function_of(const Curve& curve, TabulatedScalar kind) {
   return {};
 }
 
-/// "t = 3/2", "t ≈ 1.33".
-std::string text_of(const PathPoint& point) { return place("t", parameter(point)); }
-
-/// The parameter along the path, for rounding.
-Real real_parameter(const PathPoint& point) {
-  return to_real(point.t) + Rational(static_cast<long>(point.segment));
+/// t of a place, which has to be algebraic.
+RealAlgebraic number_of(const Place& at) {
+  if (const auto t = algebraic_number(at)) return *t;
+  throw DomainError("arc length: the multiplier changes sign at an irrational t before this one");
 }
+
+/// "t = 3/2", "t ≈ 1.33".
+std::string text_of(const Place& at) { return place("t", algebraic_parameter(at).value()); }
 
 /// A scalar as a function of t: f, or its square root.
 struct Scalar {
   TabulatedScalar kind;
   RationalFunction f;
   bool is_square;
-  bool is_on_segment;  ///< known for t in [0, 1] only
-
   std::string undefined;  ///< why it is, for all t; empty where it is not
 
   Scalar(const Curve& curve, TabulatedScalar of)
       : kind(of),
-        is_square(of == TabulatedScalar::curvature || of == TabulatedScalar::frenet_rate),
-        is_on_segment(of == TabulatedScalar::arc_length && !curve.multiplier().is_constant()) {
+        is_square(of == TabulatedScalar::curvature || of == TabulatedScalar::frenet_rate) {
     try {
       f = function_of(curve, of);
     } catch (const DomainError& error) {
@@ -84,15 +84,11 @@ struct Scalar {
     }
   }
   /// The value at t of the point.
-  Real at(const PathPoint& point, const AlgebraicPoint& t) const;
+  Real at(const Place& point, const AlgebraicPoint& t) const;
 };
 
-Real Scalar::at(const PathPoint& point, const AlgebraicPoint& t) const {
+Real Scalar::at(const Place& point, const AlgebraicPoint& t) const {
   if (!undefined.empty()) throw DomainError(undefined);
-  if (is_on_segment && (compare(t.number(), 0) < 0 || compare(t.number(), 1) > 0))
-    throw DomainError(
-        fmt::format("{}: {} is outside [0, 1], where the sign of the multiplier is known",
-                    name_of(kind), text_of(point)));
   if (sign_at(f.denominator(), t.number()) == 0)
     throw DomainError(fmt::format("{}: infinite at {}", name_of(kind), text_of(point)));
   return is_square ? t.square_root(f) : t.value(f);
@@ -121,11 +117,11 @@ class Rows {
         start_(reduced(start_angle(columns.start, path))),
         segments_(path.segments().size()) {}
 
-  std::vector<double> at(const PathPoint& point);
+  std::vector<double> at(const Place& point);
   /// Why the last row has empty cells; nothing where it has none.
   const std::string& reason() const { return reason_; }
   /// Prepares for rows at all of these points, where they are so many that it pays.
-  void expect(const std::vector<PathPoint>& points);
+  void expect(const std::vector<Place>& points);
 
  private:
   SegmentRows& segment(std::size_t k);
@@ -133,7 +129,8 @@ class Rows {
   const PathLength& length();
   Frame<Real> rotation_minimizing(const Frame<Rational>& erf, const PathParameter& at);
   void add_rational(std::vector<double>& row, const PathParameter& at);
-  void add_irrational(std::vector<double>& row, const PathPoint& point, const AlgebraicPoint& t);
+  void add_irrational(std::vector<double>& row, const Place& point, const AlgebraicPoint& t);
+  Real value(const Scalar& scalar, const Place& point, const AlgebraicPoint& t);
   template <class Add>
   void add_where_defined(std::vector<double>& row, std::size_t count, Add add);
 
@@ -173,7 +170,7 @@ const PathAngle& Rows::angle() {
 }
 
 const PathLength& Rows::length() {
-  if (!length_) length_.emplace(spline_);
+  if (!length_) length_.emplace(Path(spline_));
   return *length_;
 }
 
@@ -183,15 +180,15 @@ Frame<Real> Rows::rotation_minimizing(const Frame<Rational>& erf, const PathPara
       start_);
 }
 
-void Rows::expect(const std::vector<PathPoint>& points) {
+void Rows::expect(const std::vector<Place>& points) {
   const std::size_t many =
       1000 + 20 * static_cast<std::size_t>(preimage_degree(spline_.segments().front()));
   if (points.size() < many || segments_.size() > 1 || columns_.have_quaternions ||
       !has_frame(columns_, TabulatedFrame::rmf))
     return;
   std::vector<double> at;
-  for (const PathPoint& point : points)
-    if (const auto t = point.t.rational()) at.push_back(round_to_double(*t));
+  for (const Place& point : points)
+    if (point.t.exact()) at.push_back(round_to_double(*point.t.exact()));
   const auto [from, to] = std::minmax_element(at.begin(), at.end());
   if (at.size() < many || *from == *to) return;
   const Curve& curve = spline_.segments().front();
@@ -202,20 +199,26 @@ void Rows::expect(const std::vector<PathPoint>& points) {
   }
 }
 
-std::vector<double> Rows::at(const PathPoint& point) {
+/// The arc length along the path, also where f changes sign.
+Real Rows::value(const Scalar& scalar, const Place& point, const AlgebraicPoint& t) {
+  if (scalar.kind != TabulatedScalar::arc_length) return scalar.at(point, t);
+  if (compare(t.number(), 0) >= 0 && compare(t.number(), 1) <= 0) return length().value(point);
+  if (spline_.segments()[point.segment].multiplier().is_constant()) return scalar.at(point, t);
+  throw DomainError(
+      fmt::format("{}: {} is outside [0, 1], where the sign of the multiplier is known",
+                  name_of(scalar.kind), text_of(point)));
+}
+
+std::vector<double> Rows::at(const Place& point) {
   reason_.clear();
-  const AlgebraicPoint t(point.t);
-  std::vector<double> row{round_to_double(real_parameter(point))};
-  if (const auto r = point.t.rational())
+  const AlgebraicPoint t = point.algebraic ? *point.algebraic : AlgebraicPoint(number_of(point));
+  std::vector<double> row{round_to_double(parameter(point))};
+  if (const auto& r = point.t.exact())
     add_rational(row, {point.segment, *r});
   else
     add_irrational(row, point, t);
   for (const Scalar& scalar : segment(point.segment).scalars) {
-    add_where_defined(row, 1, [&] {
-      const Real value = scalar.at(point, t);
-      const bool is_length = scalar.kind == TabulatedScalar::arc_length;
-      row.push_back(round_to_double(is_length ? value + length().before(point.segment) : value));
-    });
+    add_where_defined(row, 1, [&] { row.push_back(round_to_double(value(scalar, point, t))); });
   }
   return row;
 }
@@ -249,8 +252,8 @@ void Rows::add_rational(std::vector<double>& row, const PathParameter& at) {
       case TabulatedFrame::up:
         throw_no_up();
       case TabulatedFrame::mtf:
-        orientations_.add(row, frame,
-                          turned(as_real(erf()), value(*columns_.mtf, Real(parameter(at)))));
+        orientations_.add(
+            row, frame, turned(as_real(erf()), phrame::value(*columns_.mtf, Real(parameter(at)))));
         break;
       case TabulatedFrame::exact_mtf:
         orientations_.add(row, frame,
@@ -260,8 +263,7 @@ void Rows::add_rational(std::vector<double>& row, const PathParameter& at) {
   }
 }
 
-void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
-                          const AlgebraicPoint& t) {
+void Rows::add_irrational(std::vector<double>& row, const Place& point, const AlgebraicPoint& t) {
   SegmentRows& here = segment(point.segment);
   if (!here.algebraic) here.algebraic.emplace(spline_.segments()[point.segment]);
   for (const Polynomial& x : here.position) row.push_back(round_to_double(t.value(x)));
@@ -269,9 +271,6 @@ void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
   add_values(row, round_to_double(erf.e1));
   const auto rmf_angle = [&] {
     return angle().value(PathParameter{point.segment, 0}) + here.algebraic->angle(t);
-  };
-  const auto arc_length = [&] {
-    return t.value(length().segment(point.segment).polynomial()) + length().before(point.segment);
   };
   for (const TabulatedFrame frame : columns_.frames) {
     switch (frame) {
@@ -288,11 +287,11 @@ void Rows::add_irrational(std::vector<double>& row, const PathPoint& point,
       case TabulatedFrame::up:
         throw_no_up();
       case TabulatedFrame::mtf:
-        orientations_.add(row, frame, turned(erf, value(*columns_.mtf, real_parameter(point))));
+        orientations_.add(row, frame, turned(erf, phrame::value(*columns_.mtf, parameter(point))));
         break;
       case TabulatedFrame::exact_mtf:
-        orientations_.add(row, frame,
-                          turned(erf, columns_.exact_mtf->value(arc_length(), rmf_angle())));
+        orientations_.add(
+            row, frame, turned(erf, columns_.exact_mtf->value(length().value(point), rmf_angle())));
         break;
     }
   }
@@ -320,13 +319,13 @@ void add_row(FrameTable& table, std::vector<double> row,
 }
 
 FrameTable frame_table(const PhPath& path, const TableColumns& columns,
-                       const std::vector<PathPoint>& at) {
+                       const std::vector<Place>& at) {
   Rows rows(path, columns);
   rows.expect(at);
   FrameTable table{names_of(columns), {}};
   if (has_frame(columns, TabulatedFrame::rmf)) table.start = columns.start;
   Stage stage("rows", at.size());
-  for (const PathPoint& point : at) {
+  for (const Place& point : at) {
     stage.advance();
     add_row(table, rows.at(point), [&] { return text_of(point); });
     if (rows.reason().empty()) continue;
@@ -337,8 +336,8 @@ FrameTable frame_table(const PhPath& path, const TableColumns& columns,
 
 FrameTable frame_table(const Curve& curve, const TableColumns& columns,
                        const std::vector<RealAlgebraic>& at) {
-  std::vector<PathPoint> points;
-  for (const RealAlgebraic& t : at) points.push_back({0, t});
+  std::vector<Place> points;
+  for (const RealAlgebraic& t : at) points.emplace_back(0, t);
   return frame_table(PhPath(curve), columns, points);
 }
 

@@ -80,7 +80,7 @@ FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& fr
 /// The same along a spline. What is not continuous there, (n, b) and the scalars but s, is that of
 /// the segment named.
 FrameTable frame_table(const PhPath& path, const TableColumns& columns,
-                       const std::vector<PathPoint>& at);
+                       const std::vector<Place>& at);
 
 /// Is that one of its frames?
 bool has_frame(const TableColumns& columns, TabulatedFrame frame);

@@ -27,7 +27,7 @@ FrameTable answer(const NamedPhPath& named, const InterpolationQuery& query) {
       {"k", "time", "t", "s", "x", "y", "z"}, {}, "interpolation/1", 0, {}, named.near};
   const auto append = [&](const Integer& k, const Real& at, const TimedPoint& point) {
     const Rational before(static_cast<long>(point.segment));
-    const Real s = point.value(time.length().segment(point.segment).polynomial());
+    const Real s = point.value(time.length().closed_form(point.segment)->polynomial());
     std::vector<double> row{round_to_double(Rational(k)), round_to_double(at),
                             round_to_double(point.parameter + before),
                             round_to_double(s + time.length().before(point.segment))};

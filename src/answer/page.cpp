@@ -194,9 +194,7 @@ PageAnswer answer(const NamedPhPath& named, const PageQuery& query) {
     columns.exact_mtf.emplace(angle, reduced(start), end_angle(*query.end_normal, path));
 
   const auto table_at = [&](const std::vector<PathParameter>& at) {
-    std::vector<PathPoint> points;
-    for (const PathParameter& point : at) points.push_back({point.segment, point.t});
-    FrameTable table = frame_table(path, columns, points);
+    FrameTable table = frame_table(path, columns, std::vector<Place>(at.begin(), at.end()));
     add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k], start); });
     add_column(table, "theta_rate",
                [&](std::size_t k) { return angle.segment(at[k].segment).rate()(at[k].t); });

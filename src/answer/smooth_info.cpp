@@ -4,9 +4,9 @@
 #include "phrame/algebra/roots.hpp"
 #include "phrame/answer/info.hpp"
 #include "phrame/answer/rounded.hpp"
+#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/along/smooth_angle.hpp"
-#include "phrame/ph/along/smooth_length.hpp"
 #include "phrame/ph/along/smooth_totals.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 
@@ -19,7 +19,7 @@ InfoAnswer::Length rounded_length(const Real& length, const std::string& name, l
 
 void add_lengths(SmoothInfoAnswer& answer, long digits) {
   const std::size_t count = answer.path.path.segments().size();
-  const SmoothLength length(answer.path.path);
+  const PathLength length(answer.path.path);
   for (std::size_t k = 0; k < count; ++k)
     answer.lengths.push_back(rounded_length(
         length.of_segment(k), fmt::format("the length of segment {}", k + 1), digits));

@@ -7,7 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/answer/orientation_columns.hpp"
-#include "phrame/ph/along/smooth_length.hpp"
+#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/smooth_shape.hpp"
 #include "phrame/ph/frame/smooth_frame.hpp"
 
@@ -55,7 +55,7 @@ class SmoothRows {
   OrientationColumns orientations_;
   SmoothAngle angle_;
   const std::optional<SmoothTwist>& twist_;
-  std::optional<SmoothLength> length_;
+  std::optional<PathLength> length_;
   Real start_;
   std::string reason_;  ///< why the last row has empty cells
 };

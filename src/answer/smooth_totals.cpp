@@ -5,9 +5,9 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/answer/writhe_rows.hpp"
+#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/along/smooth_angle.hpp"
-#include "phrame/ph/along/smooth_length.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/frame/closed_curve.hpp"
 
@@ -93,7 +93,7 @@ TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
   const std::string no_torsion = why_no_torsion(path);
   find_together(path, {length_rate(), up_frame_rate(angle.up()), torsion_rate(), curvature_rate(),
                        bending_rate(), squared_torsion_rate()});
-  const Real length = SmoothLength(path).total();
+  const Real length = PathLength(path).total();
   const Real curvature = total_curvature(path);
   totals.add(Quantity::length, length);
   totals.add(Quantity::up_twist, up_frame_twist(angle));

@@ -9,9 +9,8 @@
 #include "phrame/io/write/camera.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/names.hpp"
-#include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
-#include "phrame/ph/along/smooth_length.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -46,20 +45,10 @@ struct TabulatedFrames {
 enum class By { parameter, arc_length };
 
 /// A frame of minimal twist ends with the curve.
-std::vector<PathPoint> points(const std::vector<Rational>& numbers, const PhPath& path, bool ends) {
-  std::vector<PathPoint> at;
-  for (const Rational& t : numbers) {
-    const PathParameter located = ends ? locate_inside(path, t) : locate(path, t);
-    at.push_back({located.segment, located.t});
-  }
-  return at;
-}
-
-/// Where the arc length from the start has the values asked for; at a joint the later segment.
-std::vector<PathPoint> points_by_length(const std::vector<Rational>& numbers,
-                                        const PathLength& length) {
-  std::vector<PathPoint> at;
-  for (const Rational& s : numbers) at.push_back(length.point(s));
+std::vector<Place> points(const std::vector<Rational>& numbers, const PhPath& path, bool ends) {
+  std::vector<Place> at;
+  for (const Rational& t : numbers)
+    at.emplace_back(ends ? locate_inside(path, t) : locate(path, t));
   return at;
 }
 
@@ -77,8 +66,9 @@ Rational length_below(const Real& length) {
   return Rational(floor(lower / unit)) * unit;
 }
 
+/// Where the arc length from the start has the values asked for; at a joint the later segment.
 std::vector<Place> points_by_length(const std::vector<Rational>& numbers,
-                                    const SmoothLength& length) {
+                                    const PathLength& length) {
   std::vector<Place> at;
   for (const Rational& s : numbers) at.push_back(length.point(s));
   return at;
@@ -142,13 +132,13 @@ TabulatedFrames table_of(const NamedPhPath& named, TableColumns& columns, By by,
   options.start.check(path);
   add_twist_frames(columns, options.twist, path);
   std::vector<Rational> numbers;
-  std::vector<PathPoint> at;
+  std::vector<Place> at;
   if (by == By::parameter) {
     numbers = options.parameters.values(path.end());
     at = points(numbers, path, columns.exact_mtf.has_value());
   } else {
-    const PathLength length(path);
-    numbers = options.parameters.values(length.total());
+    const PathLength length{Path(path)};
+    numbers = options.parameters.values(length_below(length.total()));
     at = points_by_length(numbers, length);
   }
   FrameTable made = table(columns, [&] { return frame_table(path, columns, at); });
@@ -175,7 +165,7 @@ TabulatedFrames table_of(const NamedPath& named, const TableColumns& columns, By
     numbers = options.parameters.values(named.path.end());
     at = points(numbers, named.path);
   } else {
-    const SmoothLength length(named.path);
+    const PathLength length(named.path);
     numbers = options.parameters.values(length_below(length.total()));
     at = points_by_length(numbers, length);
   }

@@ -211,8 +211,14 @@ TEST_CASE("frame table: scalars that are undefined or infinite are refused, with
   CHECK(contains(message(cusped, TabulatedScalar::curvature, cusp),
                  "curvature: infinite at t ≈ 0.707106781187"));
   CHECK(message(cusped, TabulatedScalar::curvature, Rational(1)).empty());
+  // Half as long up to t = 1/2, and back.
   const Curve turning({{1}, {}, {}, {}}, {-1, 2});
-  CHECK(contains(message(turning, TabulatedScalar::arc_length, Rational(0)), "changes sign"));
+  const auto back = frame_table(turning, {{}, {TabulatedScalar::arc_length}},
+                                {Rational(0), Rational(1, 2), Rational(3, 4), Rational(1)});
+  CHECK(back.rows[0].back() == 0);
+  CHECK(back.rows[1].back() == 0.25);
+  CHECK(back.rows[2].back() == 0.3125);
+  CHECK(back.rows[3].back() == 0.5);
   const Curve widening({{1}, {}, {}, {}}, {1, 1});
   CHECK(contains(message(widening, TabulatedScalar::arc_length, Rational(3, 2)),
                  "t = 3/2 is outside [0, 1]"));

@@ -43,7 +43,7 @@ NamedPhPath cut_quintic() {
   return {"cut", path};
 }
 
-PathPoint at(std::size_t segment, const Rational& t) { return {segment, t}; }
+Place at(std::size_t segment, const Rational& t) { return {segment, t}; }
 
 const TableColumns columns{{TabulatedFrame::rmf}, {TabulatedScalar::arc_length}};
 
@@ -99,7 +99,7 @@ TEST_CASE("frame table: pieces have the frames of the whole, at algebraic t as w
   const Curve whole = test::farouki_quintic().curve;
   const RealAlgebraic root = real_root({-1, 0, 2}, closed(0, 1));       // √2/2
   const RealAlgebraic on_whole = real_root({-1, -6, 9}, closed(0, 1));  // 1/3 + 2/3·√2/2
-  const auto pieces = frame_table(cut.path, columns, {PathPoint{1, root}});
+  const auto pieces = frame_table(cut.path, columns, {Place{1, root}});
   const auto row = frame_table(whole, columns, std::vector<RealAlgebraic>{on_whole});
   for (std::size_t k = 1; k < row.columns.size(); ++k) CHECK(pieces.rows[0][k] == row.rows[0][k]);
 }

@@ -88,9 +88,20 @@ TEST_CASE("frames: arc lengths and columns that make no sense are refused by nam
                 "5 is outside [0, 71/15]");
   check_failure(here.run("frames quintic.json --by arc-length --at 5.0000000001"), 3,
                 "5.0000000001 is outside [0, 71/15]");
-  check_failure(here.run("frames turning.json --by arc-length --samples 3"), 3, "changes sign");
-  check_failure(here.run("frames turning.json --at 0 --columns s"), 3, "changes sign");
+  check_failure(here.run("frames turning.json --by arc-length --at 1"), 3, "1 is outside [0, 1/2]");
   check_failure(here.run("frames line.json --at 0 --columns torsion"), 3, "straight line");
+}
+
+// r′ = (2t − 1, 0, 0): s = t − t² up to 1/2, where the point turns back.
+TEST_CASE("frames: by arc length where the multiplier changes sign") {
+  const Workshop here;
+  add_curves(here);
+  const Run run = here.run(
+      "frames turning.json --by arc-length --frame erf --at 0.1875,0.25,0.3125 --columns s");
+  check_success(run);
+  CHECK(line(run.out, 1) == "0.25,-0.1875,0,0,-1,0,0,0,1,0,0,0,-1,0.1875");
+  CHECK(line(run.out, 2) == "0.5,-0.25,0,0,-1,0,0,0,1,0,0,0,-1,0.25");
+  CHECK(line(run.out, 3) == "0.75,-0.1875,0,0,-1,0,0,0,1,0,0,0,-1,0.3125");
 }
 
 // By mpmath: t at the times 0.2 and 1 of the motion with V = 1 + 2s, and T(1) = ½ log(157/15).

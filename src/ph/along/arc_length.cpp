@@ -16,13 +16,11 @@
 // fails: there the interval is bisected.
 
 namespace phrame {
-namespace {
 
-constexpr auto why_none = "arc length: the multiplier changes sign on [0, 1]";
-
-bool is_one_way(const Signs& signs) { return !(signs.positive && signs.negative); }
-
-}  // namespace
+bool has_polynomial_length(const Curve& curve) {
+  const Signs signs = multiplier_signs(curve);
+  return !(signs.positive && signs.negative);
+}
 
 Polynomial arc_length(const Curve& curve) {
   return antiderivative(curve.multiplier() * sigma(curve.preimage()));
@@ -36,7 +34,8 @@ std::optional<Rational> arc_length(const Curve& curve, const Rational& a, const 
 
 ArcLength::ArcLength(const Curve& curve) : length_(phrame::arc_length(curve)) {
   const Signs signs = multiplier_signs(curve);
-  if (!is_one_way(signs)) throw DomainError(why_none);
+  if (signs.positive && signs.negative)
+    throw DomainError("arc length: the multiplier changes sign on [0, 1]");
   if (signs.negative) length_ = -length_;
   total_ = length_(1);
   for (const Rational& c : length_.coefficients())
@@ -93,60 +92,6 @@ RealAlgebraic ArcLength::algebraic_parameter(const Rational& s) const {
   const RealBall around = t.enclose(64);
   return real_root(length_ - Polynomial{s}, closed(std::max(around.lower(), Rational(0)),
                                                    std::min(around.upper(), Rational(1))));
-}
-
-PathLength::PathLength(PhPath path) : path_(std::move(path)) {
-  for (const Curve& curve : path_.segments()) {
-    lengths_.emplace_back();
-    if (!is_one_way(multiplier_signs(curve))) continue;
-    lengths_.back().emplace(curve);
-    if (before_.size() == lengths_.size())
-      before_.push_back(before_.back() + lengths_.back()->total());
-  }
-}
-
-/// On the first segments.
-void PathLength::require_one_way(std::size_t segments) const {
-  if (segments < before_.size()) return;
-  if (path_.is_curve()) throw DomainError(why_none);
-  throw DomainError(fmt::format("segment {}: {}", before_.size(), why_none));
-}
-
-const ArcLength& PathLength::segment(std::size_t k) const {
-  if (!lengths_[k]) require_one_way(k + 1);
-  return *lengths_[k];
-}
-
-const Rational& PathLength::before(std::size_t k) const {
-  require_one_way(k);
-  return before_[k];
-}
-
-Rational PathLength::value(const PathParameter& at) const {
-  return before(at.segment) + segment(at.segment).polynomial()(at.t);
-}
-
-std::optional<Rational> PathLength::between(const PathParameter& a, const PathParameter& b) const {
-  const auto& segments = path_.segments();
-  if (a.segment == b.segment) return arc_length(segments[a.segment], a.t, b.t);
-  std::optional<Rational> sum = arc_length(segments[a.segment], a.t, 1);
-  const auto add = [&sum](const std::optional<Rational>& part) {
-    sum = sum && part ? std::optional<Rational>(*sum + *part) : std::nullopt;
-  };
-  for (std::size_t k = a.segment + 1; k < b.segment; ++k)
-    add(lengths_[k] ? std::optional(lengths_[k]->total()) : std::nullopt);
-  add(arc_length(segments[b.segment], 0, b.t));
-  return sum;
-}
-
-PathPoint PathLength::point(const Rational& s) const {
-  if (s > total() && is_rounded(s, total())) return {path_.segments().size() - 1, RealAlgebraic(1)};
-  if (s < 0 || s > total())
-    throw DomainError(
-        fmt::format("arc length: {} is outside [0, {}]", as_written(s), as_written(total())));
-  const auto next = std::upper_bound(before_.begin(), before_.end() - 1, s);
-  const auto k = static_cast<std::size_t>(next - before_.begin()) - 1;
-  return {k, segment(k).algebraic_parameter(s - before_[k])};
 }
 
 }  // namespace phrame

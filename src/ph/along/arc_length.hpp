@@ -2,9 +2,9 @@
 #include <memory>
 #include <optional>
 
-#include "phrame/algebra/algebraic_point.hpp"
 #include "phrame/algebra/increasing.hpp"
-#include "phrame/ph/curve/ph_path.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
 
@@ -12,6 +12,9 @@ namespace phrame {
 Polynomial arc_length(const Curve& curve);
 /// ∫ |f|σ from a to b, a ≤ b; no value where f changes sign between them.
 std::optional<Rational> arc_length(const Curve& curve, const Rational& a, const Rational& b);
+
+/// Does f keep its sign on [0, 1]? Then it has an ArcLength.
+bool has_polynomial_length(const Curve& curve);
 
 /// The arc length s(t) = ∫₀ᵗ |f|σ of the segment [0, 1], a strictly increasing polynomial, and its
 /// inverse [Farouki 2008].
@@ -41,38 +44,6 @@ class ArcLength {
   Rational total_;
   std::vector<double> scaled_;  ///< the coefficients of s(t)/s(1), for a guess
   std::shared_ptr<const IncreasingFunction> function_;
-};
-
-/// The arc length along a path from its start, and its inverse. A segment on which f changes sign
-/// has no ArcLength: what lies behind it is not known here, and asking for it throws DomainError,
-/// which names the segment of a spline.
-class PathLength {
- public:
-  /// Along this path.
-  explicit PathLength(PhPath path);
-
-  /// Along segment k, from its start.
-  const ArcLength& segment(std::size_t k) const;
-  /// Up to the start of segment k, the end of the path for k = the number of segments.
-  const Rational& before(std::size_t k) const;
-  /// Of the whole path.
-  const Rational& total() const { return before(path_.segments().size()); }
-
-  /// The arc length from the start of the path to there.
-  Rational value(const PathParameter& at) const;
-  /// From a to b, a ≤ b; no value where f changes sign between them, and only there.
-  std::optional<Rational> between(const PathParameter& a, const PathParameter& b) const;
-  /// Where the arc length from the start is s; at a joint the later segment. The end for an s
-  /// beyond it that rounds to the same double. Throws DomainError for another s outside [0,
-  /// total()] as well.
-  PathPoint point(const Rational& s) const;
-
- private:
-  void require_one_way(std::size_t segments) const;
-
-  PhPath path_;
-  std::vector<std::optional<ArcLength>> lengths_;  ///< of the segments on which f keeps its sign
-  std::vector<Rational> before_{Rational(0)};      ///< up to the first of the others
 };
 
 }  // namespace phrame

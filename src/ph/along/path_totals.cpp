@@ -6,6 +6,7 @@
 #include "phrame/algebra/progress.hpp"
 #include "phrame/integrate/integral_sum.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/curve/shape.hpp"
 
 namespace phrame {
@@ -89,7 +90,7 @@ std::variant<PathTotal, Infinite> sum_over(const PhPath& path,
     const std::variant<Total, Infinite> total = of(curve);
     if (const auto* infinite = std::get_if<Infinite>(&total)) {
       const std::size_t k = segments.size();
-      return Infinite{parameter(PathPoint{k, infinite->pole}), k};
+      return Infinite{*algebraic_parameter(Place(k, infinite->pole)), k};
     }
     segments.push_back(std::get<Total>(total));
   }

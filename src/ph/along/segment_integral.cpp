@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/along/rational_rates.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
+#include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 // The frame of v does not turn where v is normal to the plane of the curve, and where v is in it:
@@ -72,6 +74,13 @@ SegmentIntegral frenet_angle_of(const ExpressionCurve& curve) {
       [&](const NarrowPart& part) { refuse_inflection(curve, part, "Frenet frame"); });
 }
 
+SegmentIntegral arc_length_of(const Curve& curve) {
+  const Polynomial rate = curve.multiplier() * sigma(curve.preimage());
+  if (!has_polynomial_length(curve)) return {AbsoluteIntegral({rate, {1}, {1}})};
+  const Polynomial s = ArcLength(curve).polynomial();
+  return {PolynomialIntegral{s, differentiate(s)}};
+}
+
 SegmentIntegral arc_length_of(const RationalCurve& curve) {
   return {AbsoluteIntegral(phrame::length_rate(curve))};
 }
@@ -89,6 +98,10 @@ SegmentIntegral bending_angle_of(const ExpressionCurve& curve) {
   return {ExpressionIntegral(curve, curvature_rate())};
 }
 
+RealBall enclosed(const PolynomialIntegral& f, const Real& t, long bits) {
+  return value(f.integral, t).enclose(bits);
+}
+
 RealBall enclosed(const AbsoluteIntegral& f, const Real& t, long bits) {
   return f.enclose(t, bits);
 }
@@ -96,6 +109,10 @@ RealBall enclosed(const AbsoluteIntegral& f, const Real& t, long bits) {
 template <class F>
 RealBall enclosed(const F& f, const Real& t, long bits) {
   return t.exact() ? f.enclose(*t.exact(), bits) : f.enclose(t.enclose(bits + 8), bits);
+}
+
+RealBall rate_of(const PolynomialIntegral& f, const RealBall& t, long bits) {
+  return evaluate(f.rate, t, bits);
 }
 
 RealBall rate_of(const AbsoluteIntegral& f, const RealBall& t, long bits) {
@@ -124,6 +141,7 @@ RealBall SegmentIntegral::rate(const RealBall& t, long bits) const {
 
 Real SegmentIntegral::value(const Real& t) const {
   if (t.exact() == Rational(0)) return Rational(0);
+  if (const auto* f = std::get_if<PolynomialIntegral>(&form_)) return phrame::value(f->integral, t);
   if (const auto* f = std::get_if<AbsoluteIntegral>(&form_)) return f->value(t);
   if (const auto* f = std::get_if<TaylorIntegral>(&form_); f != nullptr && t.exact())
     return f->value(*t.exact());
@@ -131,6 +149,7 @@ Real SegmentIntegral::value(const Real& t) const {
 }
 
 std::optional<Surd> SegmentIntegral::algebraic_value(const Rational& t) const {
+  if (const auto* f = std::get_if<PolynomialIntegral>(&form_)) return Surd(f->integral(t));
   if (const auto* f = std::get_if<AbsoluteIntegral>(&form_)) return f->algebraic_value(t);
   return std::nullopt;
 }
@@ -155,6 +174,7 @@ SegmentIntegral frenet_angle(const Segment& segment) {
 }
 
 SegmentIntegral arc_length(const Segment& segment) {
+  if (const Curve* curve = ph_curve(segment)) return arc_length_of(*curve);
   return visit_curve([](const auto& curve) { return arc_length_of(curve); }, segment);
 }
 

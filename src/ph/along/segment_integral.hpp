@@ -8,12 +8,20 @@
 
 namespace phrame {
 
+/// A polynomial y and its integral from 0.
+struct PolynomialIntegral {
+  Polynomial integral;  ///< ∫₀ᵗ y
+  Polynomial rate;      ///< y
+};
+
 /// t ↦ ∫₀ᵗ y dt along a segment of any kind, t in [0, 1], to any number of digits. Copies are cheap
 /// and share what was found; any thread may ask.
 class SegmentIntegral {
  public:
-  /// How it is found: of N/(D√S), of its size, of an analytic function of formulas.
-  using Form = std::variant<TaylorIntegral, AbsoluteIntegral, ExpressionIntegral>;
+  /// How it is found: of a polynomial, of N/(D√S), of its size, of an analytic function of
+  /// formulas.
+  using Form =
+      std::variant<PolynomialIntegral, TaylorIntegral, AbsoluteIntegral, ExpressionIntegral>;
   /// The integral found in this way.
   SegmentIntegral(Form form)  // NOLINT(google-explicit-constructor)
       : form_(std::move(form)) {}
@@ -47,7 +55,7 @@ inline constexpr std::size_t most_kept_integrals = 1024;
 SegmentIntegral up_frame_angle(const Segment& segment, const Vector<Rational>& v);
 SegmentIntegral frenet_angle(const Segment& segment);
 /// @}
-/// The arc length ∫ |r′| dt.
+/// The arc length ∫ |r′| dt, a polynomial where that of a PH curve is one.
 SegmentIntegral arc_length(const Segment& segment);
 /// ∫ κ ds. Of a curve by formulas enclose() throws Undecided where it takes too many parts.
 SegmentIntegral bending_angle(const Segment& segment);

@@ -7,7 +7,7 @@
 namespace phrame {
 
 // What a path of any kind gathers from its start to its end; they are certain to any number of
-// digits, and exact where they are seen to be rational. Its length is that of SmoothLength.
+// digits, and exact where they are seen to be rational. Its length is that of PathLength.
 
 /// ∫ κ ds: how far the tangent turns, in radians, without the half turns at cusps.
 Real total_curvature(const Path& path);

@@ -212,7 +212,7 @@ SmoothSegmentTime time_of_curvature(const Segment& segment, const RationalFuncti
 
 struct SmoothTravelTime::State {
   Path path;
-  SmoothLength length;
+  PathLength length;
   std::optional<Rational> constant_speed;
   std::optional<SmoothTimeOfLength> of_length;  ///< with V(s)
   std::vector<SmoothSegmentTime> segments;      ///< with V(t) and V(κ)
@@ -296,7 +296,7 @@ SmoothTravelTime::SmoothTravelTime(const Path& path, const Feedrate& feedrate)
   state_->set_starts();
 }
 
-const SmoothLength& SmoothTravelTime::length() const { return state_->length; }
+const PathLength& SmoothTravelTime::length() const { return state_->length; }
 const Real& SmoothTravelTime::total() const { return state_->starts.back(); }
 Real SmoothTravelTime::time(const Place& at) const { return state_->time(at); }
 
@@ -322,9 +322,9 @@ SmoothTravelTime::Point SmoothTravelTime::at_time(const Rational& time) const {
       },
       [state = state_, k](const RealBall& t, long bits) { return state->rate(k, t, bits); }});
   const Real t = preimage(F, time, guess_preimage(*F, time));
-  const auto r = simple_rational(t.enclose(72));
-  if (r && *r >= 0 && *r <= 1 && this->time({k, *r}).exact() == time) return point_at(k, *r);
-  return point_at(k, t);
+  return point_at(k, recognized(t, [&](const Rational& r) {
+                    return this->time({k, r}).exact() == time;
+                  }));
 }
 
 }  // namespace phrame

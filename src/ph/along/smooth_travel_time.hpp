@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "phrame/ph/along/feedrate.hpp"
-#include "phrame/ph/along/smooth_length.hpp"
+#include "phrame/ph/along/path_length.hpp"
 
 namespace phrame {
 
@@ -21,7 +21,7 @@ class SmoothTravelTime {
   SmoothTravelTime& operator=(const SmoothTravelTime&) = default;
   ~SmoothTravelTime() = default;
 
-  const SmoothLength& length() const;  ///< the arc length along the path
+  const PathLength& length() const;  ///< the arc length along the path
   /// T there; exact where it is seen to be rational.
   Real time(const Place& at) const;
   const Real& total() const;  ///< T at the end

@@ -63,12 +63,6 @@ bool is_rounded_total(const Rational& time, const Real& total) {
          compare_time(time, total, "the total") > 0 && is_rounded(time, total);
 }
 
-std::optional<Rational> simple_rational(const RealBall& ball) {
-  const Rational simplest = simplest_between(ball.lower(), ball.upper());
-  if (denominator(simplest) >> 32 != 0) return std::nullopt;
-  return simplest;
-}
-
 Real TimedPoint::value(const Polynomial& p) const {
   if (algebraic) return algebraic->value(p);
   if (p.is_constant()) return p.coefficient(0);
@@ -77,13 +71,15 @@ Real TimedPoint::value(const Polynomial& p) const {
 }
 
 TravelTime::TravelTime(const PhPath& path, const Feedrate& feedrate)
-    : path_(path), length_(path), starts_{Rational(0)} {
+    : path_(path), length_(Path(path)), starts_{Rational(0)} {
   if (feedrate.of == Feedrate::Of::curvature && !path.is_curve() && !plane_normal(path))
     throw DomainError("signed curvature: the spline is not plane");
   std::vector<KnownIntegral> since_rational;
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    if (!path.is_curve()) length_.segment(k);  // throws, with k, where f changes sign
-    const SegmentStart start{Rational(static_cast<long>(k)), length_.before(k)};
+    if (!length_.closed_form(k))
+      throw DomainError(fmt::format("{}arc length: the multiplier changes sign on [0, 1]",
+                                    path.is_curve() ? "" : fmt::format("segment {}: ", k + 1)));
+    const SegmentStart start{Rational(static_cast<long>(k)), *length_.before(k).exact()};
     const RationalFunction rate = travel_time_rate(path.segments()[k], feedrate, start);
     const Antiderivative T = integrate(rate);
     segments_.push_back({rate, T, Evaluator(T, rate)});
@@ -173,9 +169,10 @@ TimedPoint TravelTime::at_time(const Rational& time) {
     return exactly(real_root(equation, closed(std::max(around.lower(), Rational(0)),
                                               std::min(around.upper(), Rational(1)))));
   }
-  if (const auto r = simple_rational(around);
-      r && *r >= 0 && *r <= 1 && this->time(PathParameter{k, *r}).exact() == time)
-    return exactly(*r);
+  const Real known = recognized(t, [&](const Rational& r) {
+    return this->time(PathParameter{k, r}).exact() == time;
+  });
+  if (known.exact()) return exactly(*known.exact());
   return {k, t, std::nullopt};
 }
 

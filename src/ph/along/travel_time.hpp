@@ -6,8 +6,8 @@
 #include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integral_sum.hpp"
 #include "phrame/integrate/integrate.hpp"
-#include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/along/feedrate.hpp"
+#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
 
 namespace phrame {
@@ -33,9 +33,6 @@ int compare_time(const Rational& time, const Real& x, const std::string& what);
 
 /// Is it a time beyond the total that rounds to the same double? Then it is the end: is_rounded().
 bool is_rounded_total(const Rational& time, const Real& total);
-
-/// The simplest fraction in the ball, where its denominator has up to 32 bits.
-std::optional<Rational> simple_rational(const RealBall& ball);
 
 /// The time T(t) = ∫₀ᵗ |f|σ/V a motion with feedrate V takes from the start of a path to t,
 /// strictly increasing, and its inverse: the interpolation integral of [Farouki 2008], in closed

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/end_point.hpp"
@@ -124,10 +123,6 @@ PathParameter locate_inside(std::size_t count, const Rational& t) {
 
 Rational parameter(const PathParameter& at) {
   return Rational(static_cast<long>(at.segment)) + at.t;
-}
-
-RealAlgebraic parameter(const PathPoint& at) {
-  return affine(at.t, 1, Rational(static_cast<long>(at.segment)));
 }
 
 }  // namespace phrame

@@ -2,7 +2,6 @@
 #include <optional>
 
 #include "phrame/algebra/gaussian_integer.hpp"
-#include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
@@ -73,15 +72,7 @@ PathParameter locate_inside(const PhPath& path, const Rational& t);
 /// The same on a path of `count` ≥ 1 segments of any kind.
 PathParameter locate_inside(std::size_t count, const Rational& t);
 
-/// A point of a path, at an algebraic parameter on that segment.
-struct PathPoint {
-  std::size_t segment;  ///< 0, 1, …
-  RealAlgebraic t;      ///< the parameter of that segment
-};
-
-/// @{ The parameter along the path, segment + t.
+/// The parameter along the path, segment + t.
 Rational parameter(const PathParameter& at);
-RealAlgebraic parameter(const PathPoint& at);
-/// @}
 
 }  // namespace phrame

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/formula_evaluation.hpp"
 
@@ -47,6 +48,28 @@ Vector<Real> with_sign(int sign, const Vector<Real>& v) {
 
 }  // namespace
 
+Place::Place(std::size_t on_segment, const RealAlgebraic& at) : Place(on_segment, to_real(at)) {
+  if (!t.exact()) algebraic.emplace(at);
+}
+
+std::optional<RealAlgebraic> algebraic_number(const Place& at) {
+  if (at.t.exact()) return RealAlgebraic(*at.t.exact());
+  if (at.algebraic) return at.algebraic->number();
+  return std::nullopt;
+}
+
+Real parameter(const Place& at) { return at.t + Rational(static_cast<long>(at.segment)); }
+
+std::optional<RealAlgebraic> algebraic_parameter(const Place& at) {
+  const auto t = algebraic_number(at);
+  if (!t) return std::nullopt;
+  return affine(*t, 1, Rational(static_cast<long>(at.segment)));
+}
+
+Real value(const Polynomial& p, const Place& at) {
+  return at.algebraic ? at.algebraic->value(p) : value(p, at.t);
+}
+
 Real value(const Polynomial& p, const Real& t) {
   if (t.exact()) return p(*t.exact());
   if (p.is_constant()) return p.coefficient(0);
@@ -80,7 +103,14 @@ Vector<Real> derivative(const ExpressionCurve& curve, std::size_t order, const R
 
 Vector<Real> position(const Path& path, const Place& at) {
   const Segment& segment = path.segments()[at.segment];
-  if (const RationalCurve* curve = rational_curve(segment)) return position(*curve, at.t);
+  if (const RationalCurve* curve = rational_curve(segment)) {
+    if (!at.algebraic) return position(*curve, at.t);
+    const auto component = [&](const Polynomial& x) {
+      return at.algebraic->value(RationalFunction(x, curve->weight()));
+    };
+    const Vector<Polynomial>& X = curve->numerator();
+    return {component(X[0]), component(X[1]), component(X[2])};
+  }
   return derivative(std::get<ExpressionCurve>(segment), 0, at.t);
 }
 

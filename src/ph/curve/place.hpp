@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/algebra/algebraic_point.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 
@@ -7,20 +8,36 @@ namespace phrame {
 /// A point of a path, at any real parameter of a segment, as arc length gives them.
 struct Place {
   std::size_t segment;  ///< 0, 1, …
-  Real t;               ///< in [0, 1]
+  Real t;               ///< in [0, 1]; of a PH curve by itself it may be any
+  /// t again where it is irrational and known to be algebraic: values are then exact where they are
+  /// rational.
+  std::optional<AlgebraicPoint> algebraic = std::nullopt;
 
-  /// On that segment, t of it.
+  /// @{ On that segment, t of it.
   Place(std::size_t on_segment, Real at) : segment(on_segment), t(std::move(at)) {}
+  Place(std::size_t on_segment, const Rational& at) : Place(on_segment, Real(at)) {}
+  Place(std::size_t on_segment, const RealAlgebraic& at);
+  /// @}
   /// The same point.
   Place(const PathParameter& at)  // NOLINT(google-explicit-constructor)
       : Place(at.segment, at.t) {}
 };
 
-/// p(t), exact where t is.
+/// t of the place, where it is known to be algebraic.
+std::optional<RealAlgebraic> algebraic_number(const Place& at);
+/// @{ The parameter along the path, segment + t; the second where it is known to be algebraic.
+Real parameter(const Place& at);
+std::optional<RealAlgebraic> algebraic_parameter(const Place& at);
+/// @}
+
+/// @{ p(t), exact where t is; of a place also where it is rational and t algebraic.
 Real value(const Polynomial& p, const Real& t);
+Real value(const Polynomial& p, const Place& at);
+/// @}
 
 /// @{ r, H and H′ there, exact where t is and the curve is rational, or the form of its formulas
-/// shows it. Of formulas H is ±dr/ds and H′ ±d²r/ds², positive multiples of ±dr/dt and ±d²r/dt².
+/// shows it, and r where it is known by algebra. Of formulas H is ±dr/ds and H′ ±d²r/ds², positive
+/// multiples of ±dr/dt and ±d²r/dt².
 Vector<Real> position(const RationalCurve& curve, const Real& t);
 Vector<Real> direction(const RationalCurve& curve, const Real& t);
 Vector<Real> position(const Path& path, const Place& at);

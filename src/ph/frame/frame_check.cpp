@@ -41,7 +41,16 @@ FrameDeviation FrameCheck::deviation(const GivenFrame& frame, Forward forward, l
 
 std::optional<Rational> FrameCheck::length(const Rational& a, const Rational& b) const {
   const PhPath& path = angle_.path();
-  return PathLength(path).between(locate(path, std::min(a, b)), locate(path, std::max(a, b)));
+  const PathParameter from = locate(path, std::min(a, b));
+  const PathParameter to = locate(path, std::max(a, b));
+  Rational sum = 0;
+  for (std::size_t k = from.segment; k <= to.segment; ++k) {
+    const auto part = arc_length(path.segments()[k], k == from.segment ? from.t : Rational(0),
+                                 k == to.segment ? to.t : Rational(1));
+    if (!part) return std::nullopt;
+    sum += *part;
+  }
+  return sum;
 }
 
 bool are_along(const PointFunction& tangent_at, const std::vector<GivenFrame>& frames,

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
-#include "phrame/ph/along/smooth_length.hpp"
+#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/frame/frame_deviation.hpp"
 #include "phrame/ph/frame/smooth_frame.hpp"
 
@@ -51,7 +51,7 @@ ExactFrame exact_frame(const SmoothAngle& angle, const Rational& t, Forward forw
 }
 
 /// The arc length from a to b; no value where that is not told from 0.
-std::optional<RealBall> length_between(const SmoothLength& length, const Path& path,
+std::optional<RealBall> length_between(const PathLength& length, const Path& path,
                                        const Rational& a, const Rational& b, long bits) {
   if (a == b) return std::nullopt;
   const RealBall way = subtract(length.value(locate(path, b)).enclose(bits),
@@ -76,7 +76,7 @@ FrameVerdict check_frames(const SmoothAngle& angle, const std::vector<GivenFrame
   const Forward forward = forward_of(path, frames);
   std::optional<Real> start;
   if (options.start) start = start_angle(*options.start, angle);
-  const SmoothLength length(path);
+  const PathLength length(path);
   const ExactFrames exact{[&](const GivenFrame& frame, long bits) {
                             return deviation_from(exact_frame(angle, frame.t, forward, bits), frame,
                                                   bits);

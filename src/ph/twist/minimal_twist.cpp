@@ -1,5 +1,8 @@
 #include "phrame/ph/twist/minimal_twist.hpp"
 
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
 
 namespace phrame {
@@ -9,11 +12,15 @@ MinimalTwist::MinimalTwist(const PathAngle& rmf, const FrameAngle& from, const F
     : rmf_(rmf),
       from_(from),
       start_(reduced(from)),
-      length_(rmf.path()),
+      length_(Path(rmf.path())),
       erf_twist_(remembered(-rmf.value(rmf.path().end()))),
       nominal_(Rational(0)),
       twist_(Rational(0)) {
-  length_.total();  // throws where there is none
+  for (std::size_t k = 0; k < path().segments().size(); ++k)
+    if (!length_.closed_form(k))
+      throw DomainError(fmt::format("{}arc length: the multiplier changes sign on [0, 1]",
+                                    path().is_curve() ? "" : fmt::format("segment {}: ", k + 1)));
+  whole_ = *length_.total().exact();
   // Whole turns of the angles given are no matter, however many.
   const FrameAngle given = difference(to, from);
   const FrameAngle between = reduced(given);

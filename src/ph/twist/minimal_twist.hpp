@@ -1,7 +1,7 @@
 #pragma once
-#include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/along/frame_angle.hpp"
 #include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/along/path_length.hpp"
 
 namespace phrame {
 
@@ -19,9 +19,9 @@ class MinimalTwist {
   MinimalTwist(const PathAngle& rmf, const FrameAngle& from, const FrameAngle& to,
                const Integer& extra_turns = 0);
 
-  const Rational& length() const { return length_.total(); }  ///< S
+  const Rational& length() const { return whole_; }  ///< S
   /// Of segment k, from its start.
-  const Polynomial& arc_length(std::size_t k) const { return length_.segment(k).polynomial(); }
+  Polynomial arc_length(std::size_t k) const { return length_.closed_form(k)->polynomial(); }
   /// The twist of the Euler–Rodrigues frame, −θ_RMF(end).
   const Real& erf_twist() const { return erf_twist_; }
   const Real& nominal_twist() const { return nominal_; }  ///< T
@@ -52,6 +52,7 @@ class MinimalTwist {
   FrameAngle start_;  ///< θ_i in (−π, π]
   FrameAngle turn_;   ///< θ(end) − θ(0)
   PathLength length_;
+  Rational whole_;  ///< S
   Real erf_twist_;
   Real nominal_;
   Real twist_;

@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/ph/along/smooth_length.hpp"
+#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/frame/smooth_frame.hpp"
 
 namespace phrame {
@@ -46,7 +46,7 @@ class SmoothTwist {
 
  private:
   SmoothAngle rmf_;
-  SmoothLength length_;
+  PathLength length_;
   Real whole_;
   Real from_;
   Real to_;

@@ -10,8 +10,8 @@
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/read/number.hpp"
+#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/smooth_angle.hpp"
-#include "phrame/ph/along/smooth_length.hpp"
 
 using namespace phrame;
 
@@ -39,7 +39,7 @@ TEST_CASE("any curve: angles and lengths are those of quadrature") {
     CHECK(is_quadrature(angle.value({0, Rational(1, 3)}), node.at("third").number()));
     CHECK(is_quadrature(angle.value({path.segments().size() - 1, Rational(1)}),
                         node.at("theta").number()));
-    CHECK(is_quadrature(SmoothLength(path).total(), node.at("length").number()));
+    CHECK(is_quadrature(PathLength(path).total(), node.at("length").number()));
   }
   CHECK(count == 44);
 }

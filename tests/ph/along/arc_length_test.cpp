@@ -6,7 +6,6 @@
 #include "phrame/ph/along/totals.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "support/curves.hpp"
-#include "support/paths.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -144,22 +143,6 @@ TEST_CASE("arc length: lengths off the curve are refused with the value") {
   CHECK_THROWS_AS(length.algebraic_parameter(5), DomainError);
 }
 
-TEST_CASE("arc length: what rounds to the same double as the length is the end of the curve") {
-  long beyond = 0;
-  for_samples(20, [&](Random& random) {
-    const PhPath path(one_way(random, 2));
-    const PathLength length(path);
-    const Rational near = exact_rational(round_to_double(length.total()));
-    if (near > length.total()) ++beyond;
-    const PathPoint end = length.point(std::max(near, length.total()));
-    CHECK((end.segment == 0 && end.t == RealAlgebraic(1)));
-    if (near > length.total()) CHECK(length.segment(0).parameter(near).exact() == Rational(1));
-    const Rational next = near * (1 + power_of_two(-51));
-    CHECK_THROWS_AS(length.point(next), DomainError);
-  });
-  CHECK(beyond > 0);
-}
-
 TEST_CASE("arc length: coefficients beyond the range of doubles only spoil the guess") {
   const Rational huge = pow(Integer(10), 400);
   const ArcLength length(line({1, huge}));  // s = t + 10⁴⁰⁰·t² + 10⁸⁰⁰·t³/3
@@ -169,62 +152,10 @@ TEST_CASE("arc length: coefficients beyond the range of doubles only spoil the g
   CHECK(is_nearest(length.polynomial(), s, round_to_double(length.parameter(s))));
 }
 
-// s = 2t − t², s = t² and s = t + t³/3, joined: 1, 2 and 10/3.
-TEST_CASE("path length: up to the joints, between points, and back") {
-  const PhPath path =
-      test::chain({line({1}, {2, -2}), line({1}, {0, 2}), Curve({{1}, {}, {}, {0, 1}})});
-  const PathLength length(path);
-  CHECK(length.total() == Rational(10, 3));
-  CHECK(length.before(0) == 0);
-  CHECK(length.before(2) == 2);
-  CHECK(length.value({1, Rational(1, 2)}) == Rational(5, 4));
-  CHECK(length.between({0, Rational(1, 2)}, {2, 1}) == Rational(10, 3) - Rational(3, 4));
-  CHECK(length.between({1, Rational(1, 2)}, {1, 1}) == Rational(3, 4));
-  const auto place = [&](const Rational& s) {
-    const PathPoint point = length.point(s);
-    return std::pair(point.segment, point.t.rational().value());
-  };
-  using Reached = std::pair<std::size_t, Rational>;
-  CHECK(place(0) == Reached(0, 0));
-  CHECK(place(Rational(3, 4)) == Reached(0, Rational(1, 2)));
-  CHECK(place(1) == Reached(1, 0));
-  CHECK(place(Rational(5, 4)) == Reached(1, Rational(1, 2)));
-  CHECK(place(2) == Reached(2, 0));
-  CHECK(place(Rational(10, 3)) == Reached(2, 1));
-  CHECK_THROWS_WITH_AS(length.point(4), "arc length: 4 is outside [0, 10/3]", DomainError);
-  CHECK_THROWS_AS(length.point(Rational(-1, 9)), DomainError);
-}
-
-// The second segment turns back at its middle: half a length there, half a length back.
-TEST_CASE("path length: a segment that turns back ends what is known, and is named") {
-  const PathLength length(test::chain({line({1}), line({1}, {1, -2}), line({1}, {-1})}));
-  CHECK(length.before(1) == 1);
-  CHECK(length.value({0, Rational(1, 2)}) == Rational(1, 2));
-  const char* why = "segment 2: arc length: the multiplier changes sign on [0, 1]";
-  CHECK_THROWS_WITH_AS(length.total(), why, DomainError);
-  CHECK_THROWS_WITH_AS(length.segment(1), why, DomainError);
-  CHECK(length.segment(2).total() == 1);
-  CHECK(length.between({0, Rational(1, 2)}, {1, Rational(1, 2)}) == Rational(3, 4));
-  CHECK_FALSE(length.between({0, 0}, {1, 1}));
-  CHECK_FALSE(length.between({0, 0}, {2, 0}));
-  CHECK(length.between({1, Rational(1, 2)}, {1, 1}) == Rational(1, 4));
-  // Of a curve t may be any number, and it is not a segment.
-  const PathLength curve{PhPath(line({1}, {1, -2}))};
-  CHECK(curve.between({0, -1}, {0, 0}) == Rational(2));
-  CHECK_THROWS_WITH_AS(curve.total(), "arc length: the multiplier changes sign on [0, 1]",
-                       DomainError);
-}
-
-TEST_CASE("path length: law: s and its inverse belong together, and pieces add up") {
-  for_samples(30, [](Random& random) {
-    const Curve curve(random.quaternion_polynomial(2));
-    const PathLength length(test::cut(curve, {Rational(1, 3), Rational(1, 2)}));
-    const ArcLength whole(curve);
-    CHECK(length.total() == whole.total());
-    const Rational s = length.total() * Rational(random.integer(0, 60), 60);
-    const PathPoint point = length.point(s);
-    const AlgebraicPoint t(point.t);
-    const Real there = t.value(length.segment(point.segment).polynomial());
-    CHECK((there + length.before(point.segment)).exact() == s);
-  });
+TEST_CASE("arc length: from a to b it is exact where the sign of f is one between the ends") {
+  const Curve turning = line({1}, {1, -2});
+  CHECK(arc_length(turning, 0, Rational(1, 2)) == Rational(1, 4));
+  CHECK_FALSE(arc_length(turning, 0, 1));
+  CHECK(arc_length(turning, Rational(1, 2), 1) == Rational(1, 4));
+  CHECK(arc_length(turning, -1, 0) == Rational(2));  // t may be any number
 }

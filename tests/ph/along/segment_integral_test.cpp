@@ -3,8 +3,8 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/number.hpp"
+#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/smooth_angle.hpp"
-#include "phrame/ph/along/smooth_length.hpp"
 #include "phrame/ph/along/smooth_shape.hpp"
 #include "phrame/ph/along/smooth_totals.hpp"
 #include "support/expression_curves.hpp"
@@ -34,7 +34,7 @@ TEST_CASE("segment integral: angles, lengths and totals of formulas are those of
   const SmoothAngle angle(path, {0, 0, 1});
   CHECK(agrees(angle.value({0, Rational(1)}), "-1.3274409146143517073234919564855"));
   CHECK(agrees(angle.value({0, Rational(1, 3)}), "-0.48145366320196974731715660702906"));
-  const SmoothLength length(path);
+  const PathLength length(path);
   CHECK(agrees(length.total(), "6.8830472921982910217953109198429"));
   CHECK(agrees(total_curvature(path), "2.0745276709848007690013322640185"));
   CHECK(agrees(curvature(path, {0, Rational(1, 4)}), "0.537348638888161156607644235088"));

@@ -8,8 +8,8 @@
 #include "phrame/io/read/number.hpp"
 #include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/smooth_angle.hpp"
-#include "phrame/ph/along/smooth_length.hpp"
 #include "phrame/ph/along/smooth_shape.hpp"
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
@@ -39,7 +39,7 @@ std::string digits(const Real& x, long count) { return round_to_decimal(x, count
 
 TEST_CASE("smooth totals: the twisted cubic [mpmath: quad of the definitions]") {
   const Path path = twisted_cubic();
-  CHECK(digits(SmoothLength(path).total(), 40) == "1.863022982512251394374780595207168197138");
+  CHECK(digits(PathLength(path).total(), 40) == "1.863022982512251394374780595207168197138");
   CHECK(digits(total_curvature(path), 40) == "1.450910899864031275661649070608977192011");
   CHECK(digits(total_torsion(path), 40) == "1.507278500292393126918601351905495484273");
   CHECK(digits(std::get<Real>(bending_energy(path)), 40) ==
@@ -54,14 +54,14 @@ TEST_CASE("smooth totals: the twisted cubic [mpmath: quad of the definitions]") 
 TEST_CASE("smooth totals: a circle of four arcs") {
   const Path path = circle();
   const RealBall whole = times_power_of_two(pi(200), 1);
-  CHECK(SmoothLength(path).total().enclose(150).overlaps(whole));
+  CHECK(PathLength(path).total().enclose(150).overlaps(whole));
   CHECK(total_curvature(path).enclose(150).overlaps(whole));
   CHECK(std::get<Real>(bending_energy(path)).enclose(150).overlaps(whole));
   CHECK(total_torsion(path).exact() == Rational(0));
   CHECK(holonomy(SmoothAngle(path))->exact() == Rational(0));
   CHECK(curvature(path, {2, Rational(1, 3)}).exact() == Rational(1));
   // An eighth of the way: s = π/4 is no rational number; s = 1 is at the angle 1.
-  const Place at = SmoothLength(path).point(2);
+  const Place at = PathLength(path).point(2);
   CHECK(at.segment == 1);
   const Vector<Real> r = position(path, at);
   CHECK(r[0].enclose(100).overlaps(cos_sin(RealBall(2, 120), 120).cos));
@@ -85,7 +85,7 @@ TEST_CASE("smooth totals: a closed path whose frame comes back turned [holonomy 
 TEST_CASE("smooth totals: PH curves have the exact lengths of theirs") {
   for (const Curve& curve : {test::quintic, Curve({{1}, {0, 1}, {0, 1}, {}}, {-1, 2})}) {
     const Path path = by_positions(PhPath(curve));
-    const SmoothLength length(path);
+    const PathLength length(path);
     const Real there = length.value({0, Rational(2, 3)});
     const Rational exact = *arc_length(curve, 0, Rational(1, 4)) +
                            (arc_length(curve, Rational(1, 4), Rational(1, 2)).value()) +
@@ -102,13 +102,13 @@ TEST_CASE("smooth totals: at a cusp the length goes on, the bending energy does 
   const Polynomial t{Rational(-1, 2), 1};
   const Path path(RationalCurve({t * t, t * t * t, {}}));
   const Rational root = Rational(5, 4);
-  CHECK(SmoothLength(path).total().enclose(100).overlaps(
+  CHECK(PathLength(path).total().enclose(100).overlaps(
       RealBall(Rational(16, 27) * (root * root * root - 1), 120)));
   const auto energy = bending_energy(path);
   REQUIRE(std::holds_alternative<Infinite>(energy));
   CHECK(std::get<Infinite>(energy).pole == RealAlgebraic(Rational(1, 2)));
   CHECK_THROWS_AS(curvature(path, {0, Rational(1, 2)}), DomainError);
-  CHECK_THROWS_AS(SmoothLength(path).point(2), DomainError);
+  CHECK_THROWS_AS(PathLength(path).point(2), DomainError);
 }
 
 TEST_CASE("smooth totals: an inflection adds to the curvature, whatever its side") {
@@ -165,7 +165,7 @@ TEST_CASE("smooth totals: sums of many numbers are exact or as narrow as asked")
   // The joints of 300 lines of length √2: none is a rational length.
   std::vector<Segment> lines;
   for (long k = 0; k < 300; ++k) lines.emplace_back(bezier_curve({{k, k, 0}, {k + 1, k + 1, 0}}));
-  const SmoothLength length(joined(lines));
+  const PathLength length(joined(lines));
   CHECK(digits(length.total(), 30) == "424.264068711928514640506617263");  // 300√2
   CHECK(length.point(200).segment == 141);
 }
@@ -216,7 +216,7 @@ TEST_CASE("smooth totals: law: a long path of translated pieces has many times t
   };
   agrees(total_curvature(path), total_curvature(one));
   agrees(std::get<Real>(bending_energy(path)), std::get<Real>(bending_energy(one)));
-  agrees(SmoothLength(path).total(), SmoothLength(one).total());
+  agrees(PathLength(path).total(), PathLength(one).total());
   const SmoothAngle angle(path, {0, 1, 2});
   const SmoothAngle part(one, {0, 1, 2});
   agrees(up_frame_twist(angle), up_frame_twist(part));

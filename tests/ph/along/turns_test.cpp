@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include "phrame/algebra/rounding.hpp"
 #include "support/curves.hpp"
 #include "support/expression_curves.hpp"
 

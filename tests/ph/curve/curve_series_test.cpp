@@ -1,5 +1,6 @@
 #include "phrame/ph/curve/curve_series.hpp"
 
+#include "phrame/algebra/rounding.hpp"
 #include "support/expression_curves.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"

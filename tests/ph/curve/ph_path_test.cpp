@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/roots.hpp"
+#include "phrame/ph/curve/place.hpp"
 #include "support/paths.hpp"
 
 using namespace phrame;
@@ -53,9 +54,13 @@ TEST_CASE("path: the parameter of a joint belongs to the later segment") {
 
 TEST_CASE("path: the parameter along it is that of the segment after those before") {
   CHECK(parameter(PathParameter{2, Rational(1, 3)}) == Rational(7, 3));
+  CHECK(algebraic_parameter(PathParameter{2, Rational(1, 3)})->rational() == Rational(7, 3));
   const RealAlgebraic root = real_roots(Polynomial{-1, 0, 2}, closed(0, 1)).front().at;  // √(1/2)
-  const RealAlgebraic along = parameter(PathPoint{3, root});
+  const RealAlgebraic along = algebraic_parameter(Place(3, root)).value();
   // (t − 3)² = 1/2.
   CHECK(sign_at(Polynomial{17, -12, 2}, along) == 0);
   CHECK(compare(along, 3) > 0);
+  CHECK(parameter(Place(3, root)).enclose(90).overlaps(enclose(along, 100)));
+  CHECK(value(Polynomial{0, 0, 2}, Place(3, root)).exact() == Rational(1));
+  CHECK_FALSE(algebraic_parameter({3, to_real(root)}));
 }

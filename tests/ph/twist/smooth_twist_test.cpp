@@ -27,7 +27,7 @@ bool agree(const Vector<Real>& u, const Vector<Real>& v) {
 }
 
 /// In the middle: the angle of the integrals, and the frame with that.
-void check_middle(const SmoothTwist& mtf, const SmoothAngle& angle, const SmoothLength& length) {
+void check_middle(const SmoothTwist& mtf, const SmoothAngle& angle, const PathLength& length) {
   const Place middle{0, Rational(1, 2)};
   CHECK(mtf.is_middle(middle));
   const Real behind = quotient_of(length.value(middle), length.total());
@@ -92,7 +92,7 @@ TEST_CASE(
   const Path crown(test::expression_curve({"cos(s)", "sin(s)", "sin(2*s)/4"}, "0", "2*pi"));
   const SmoothAngle angle(crown, {0, 0, 1});
   const Place middle{0, Rational(1, 2)};
-  const SmoothLength length(crown);
+  const PathLength length(crown);
   for (const long turns : {0L, 1L}) {
     const SmoothTwist mtf(angle, Angle(), Angle(), turns);
     check_middle(mtf, angle, length);

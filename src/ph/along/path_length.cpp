@@ -1,4 +1,4 @@
-#include "phrame/ph/along/smooth_length.hpp"
+#include "phrame/ph/along/path_length.hpp"
 
 #include <fmt/format.h>
 
@@ -29,11 +29,26 @@ int compare_length(const Real& x, const Rational& s) {
       fmt::format("arc length: {} is not told from that of a joint or of the path", as_written(s)));
 }
 
+std::string shown(const Real& length) {
+  return length.exact() ? as_written(*length.exact()) : to_string(length.enclose(64), 9);
+}
+
 }  // namespace
 
-struct SmoothLength::State {
+struct PathLength::State {
+  /// Of a segment.
+  struct SegmentLength {
+    SegmentIntegral integral;
+    std::optional<ArcLength> polynomial = {};  ///< where it is one
+
+    explicit SegmentLength(const Segment& segment) : integral(arc_length(segment)) {
+      const Curve* curve = ph_curve(segment);
+      if (curve != nullptr && has_polynomial_length(*curve)) polynomial.emplace(*curve);
+    }
+  };
+
   Path path;
-  Recent<SegmentIntegral> lengths{most_kept_integrals};  ///< of the segments
+  Recent<SegmentLength> lengths{most_kept_integrals};  ///< of the segments
   std::mutex lock;
   /// Lengths up to the first segments, as far as they are sums of square roots.
   std::vector<Surd> exact{Surd()};
@@ -41,14 +56,18 @@ struct SmoothLength::State {
 
   explicit State(const Path& along) : path(along) {}
 
+  std::shared_ptr<const SegmentLength> segment(std::size_t k) {
+    return lengths.get(k, [&] { return SegmentLength(path.segments()[k]); });
+  }
   std::shared_ptr<const SegmentIntegral> length(std::size_t k) {
-    return lengths.get(k, [&] { return arc_length(path.segments()[k]); });
+    const auto of = segment(k);
+    return {of, &of->integral};
   }
   RealBall sum_before(std::size_t k, long bits);
 };
 
 /// The length up to segment k.
-RealBall SmoothLength::State::sum_before(std::size_t k, long bits) {
+RealBall PathLength::State::sum_before(std::size_t k, long bits) {
   const long enough = (bits + 22) / 16 * 16;  // few precisions are kept
   const std::lock_guard locked(lock);
   std::vector<RealBall>& known = sums[enough];
@@ -60,9 +79,9 @@ RealBall SmoothLength::State::sum_before(std::size_t k, long bits) {
   return known[k];
 }
 
-SmoothLength::SmoothLength(const Path& path) : state_(std::make_shared<State>(path)) {}
+PathLength::PathLength(const Path& path) : state_(std::make_shared<State>(path)) {}
 
-Real SmoothLength::before(std::size_t k) const {
+Real PathLength::before(std::size_t k) const {
   const std::lock_guard lock(state_->lock);
   std::vector<Surd>& exact = state_->exact;
   while (exact.size() <= k) {
@@ -76,12 +95,19 @@ Real SmoothLength::before(std::size_t k) const {
   return {[state = state_, k](long bits) { return state->sum_before(k, bits); }, {is_known, 0}};
 }
 
-Real SmoothLength::of_segment(std::size_t k) const { return state_->length(k)->value(Rational(1)); }
+Real PathLength::of_segment(std::size_t k) const { return state_->length(k)->value(Rational(1)); }
 
-Real SmoothLength::total() const { return before(state_->path.segments().size()); }
+Real PathLength::total() const { return before(state_->path.segments().size()); }
 
-Real SmoothLength::value(const Place& at) const {
+std::shared_ptr<const ArcLength> PathLength::closed_form(std::size_t k) const {
+  const auto of = state_->segment(k);
+  return {of, of->polynomial ? &*of->polynomial : nullptr};
+}
+
+Real PathLength::value(const Place& at) const {
   const Real start = before(at.segment);
+  if (const auto s = closed_form(at.segment); s && at.algebraic)
+    return start + phrame::value(s->polynomial(), at);
   const SegmentIntegral length = *state_->length(at.segment);
   const Real sum = start + length.value(at.t);
   if (sum.exact() || !at.t.exact()) return sum;
@@ -94,17 +120,33 @@ Real SmoothLength::value(const Place& at) const {
   return {[sum](long bits) { return sum.enclose(bits); }, {true, sum.origin().bits}};
 }
 
-RealBall SmoothLength::rate(std::size_t segment, const RealBall& t, long bits) const {
+RealBall PathLength::rate(std::size_t segment, const RealBall& t, long bits) const {
   return state_->length(segment)->rate(t, bits);
 }
 
-Place SmoothLength::point(const Rational& s) const {
+// Next to a rational m the length is s(m) ± (F(t) − F(m)), F′ = fσ.
+std::optional<RealAlgebraic> PathLength::root_near(std::size_t segment, const Real& t,
+                                                   const Rational& s) const {
+  const Curve* curve = ph_curve(state_->path.segments()[segment]);
+  if (curve == nullptr) return std::nullopt;
+  const RealBall around = t.enclose(72);
+  const Interval near =
+      closed(std::max(around.lower(), Rational(0)), std::min(around.upper(), Rational(1)));
+  const Rational m = (*near.lower + *near.upper) / 2;
+  const auto to_m = value({segment, m}).exact();
+  if (!to_m || !odd(real_roots(curve->multiplier(), near)).empty()) return std::nullopt;
+  const Polynomial F = arc_length(*curve);
+  const Rational sign = (F(*near.upper) - F(*near.lower)).sign();
+  return real_root(F - Polynomial{F(m) + sign * (s - *to_m)}, near);
+}
+
+Place PathLength::point(const Rational& s) const {
   const std::size_t count = state_->path.segments().size();
   const bool is_beyond = s >= 0 && compare_length(total(), s) < 0;
   if (is_beyond && is_rounded(s, total())) return {count - 1, Rational(1)};
   if (s < 0 || is_beyond)
-    throw DomainError(fmt::format("arc length: {} is outside [0, {}]", as_written(s),
-                                  to_string(total().enclose(64), 9)));
+    throw DomainError(
+        fmt::format("arc length: {} is outside [0, {}]", as_written(s), shown(total())));
   std::size_t low = 0;
   for (std::size_t high = count; high - low > 1;) {
     const std::size_t middle = (low + high) / 2;
@@ -113,6 +155,8 @@ Place SmoothLength::point(const Rational& s) const {
   const Real start = before(low);
   if (start.exact() == s) return {low, Rational(0)};
   if (before(low + 1).exact() == s) return {low, Rational(1)};
+  if (const auto length = closed_form(low); length && start.exact())
+    return {low, length->algebraic_parameter(s - *start.exact())};
   const auto from_start = [length = state_->length(low), start](const RealBall& t, long bits) {
     return add(start.enclose(bits), length->enclose(Real(t.midpoint()), bits), bits);
   };
@@ -120,7 +164,12 @@ Place SmoothLength::point(const Rational& s) const {
     return length->rate(t, bits);
   };
   const auto F = std::make_shared<const IncreasingFunction>(IncreasingFunction{from_start, slope});
-  return {low, preimage(F, s, guess_preimage(*F, s))};
+  const Real t = recognized(preimage(F, s, guess_preimage(*F, s)), [&](const Rational& r) {
+    return value({low, r}).exact() == s;
+  });
+  if (t.exact()) return {low, t};
+  const auto known = root_near(low, t, s);
+  return known ? Place(low, *known) : Place(low, t);
 }
 
 }  // namespace phrame

@@ -1,0 +1,47 @@
+#pragma once
+#include <memory>
+
+#include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/curve/place.hpp"
+
+namespace phrame {
+
+/// The arc length ∫ |r′| dt along a path from its start, through cusps, too, and its inverse: a
+/// polynomial along PH curves on which f keeps its sign. Copies are cheap and share what was found;
+/// any thread may ask.
+class PathLength {
+ public:
+  /// Along this path.
+  explicit PathLength(const Path& path);
+
+  /// From the start of the path to there; exact where it is seen to be rational: along PH curves up
+  /// to a rational t, if f changes its sign at rational t only, and on lines.
+  Real value(const Place& at) const;
+  /// Up to the start of segment k, the end of the path for k = the number of segments.
+  Real before(std::size_t k) const;
+  /// Of segment k.
+  Real of_segment(std::size_t k) const;
+  /// Of the whole path.
+  Real total() const;
+  /// Along segment k, from its start, where it is a PH curve on which f keeps its sign; else null.
+  std::shared_ptr<const ArcLength> closed_form(std::size_t k) const;
+
+  /// ds/dt ≥ 0 on a ball of the parameter of a segment.
+  RealBall rate(std::size_t segment, const RealBall& t, long bits) const;
+
+  /// Where the arc length from the start is s, at a joint on the later segment; the end for an s
+  /// beyond it that rounds to the same double. t is known to be algebraic along a PH curve
+  /// where value() of rational t is exact. Throws DomainError for another s outside [0, total()],
+  /// Undecided where that, or which segment it is, is not told within 8192 bits. The t is not for
+  /// concurrent use.
+  Place point(const Rational& s) const;
+
+ private:
+  std::optional<RealAlgebraic> root_near(std::size_t segment, const Real& t,
+                                         const Rational& s) const;
+
+  struct State;
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace phrame
