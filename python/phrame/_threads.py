@@ -78,7 +78,8 @@ def set_time_limit(seconds: Optional[float]) -> None:
     global _seconds
     if seconds is not None and (isinstance(seconds, bool) or not isinstance(seconds, (int, float, Fraction, Decimal))):
         raise TypeError(f"seconds: a number is wanted, not {type(seconds).__name__}")
-    if seconds is not None and not 0 < seconds < float("inf"):
+    is_nan = isinstance(seconds, Decimal) and seconds.is_nan()  # which is not compared
+    if seconds is not None and (is_nan or not 0 < seconds < float("inf")):
         reason = f"{str(seconds)[:40]} is no time above 0"
         raise InputError(f"seconds: {reason}", "seconds", reason, seconds)
     _seconds = None if seconds is None else float(min(seconds, 10**9))

@@ -187,6 +187,7 @@ OF_ANY_KIND = {
     "Angle.json": (CUBIC.angle().json, {"style": "logarithms"}),
     "Angle.plot": (CUBIC.angle().plot, {"ts": [0, 1], "ax": PLANE}),
 }
+ALL = {**API, **{f"{name} of any kind": call for name, call in OF_ANY_KIND.items()}}
 
 
 

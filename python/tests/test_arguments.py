@@ -9,13 +9,12 @@ import numpy as np
 import pytest
 
 import phrame
-from api import API, CURVE, LISTS, OF_ANY_KIND, public_functions
+from api import ALL, API, CURVE, LISTS, OF_ANY_KIND, public_functions
 from common import MULTIPLIER, QUINTIC
 
 WRONG = [None, object(), 1j, float("nan"), float("inf"), Decimal("NaN"), "no such", "", "1/0", "\ud800", b"x", True, -1, 0,
          2.5, 10**400, -(10**30), [], [[]], [1], [float("nan")] * 3, [[1, "x", 3]], [[1, 2]], {}, np.array([]),
          np.zeros((2, 2, 2)), np.array([np.nan, 1]), np.array(["a"]), QUINTIC, len]
-ALL = {**API, **{f"{name} of any kind": call for name, call in OF_ANY_KIND.items()}}
 NOT_HERE = {"ax", "file"}  # whose types are others' to judge, and which are tried on their own
 
 

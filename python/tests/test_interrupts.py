@@ -5,6 +5,7 @@ import random
 import subprocess
 import sys
 import threading
+from decimal import Decimal
 from fractions import Fraction
 
 import pytest
@@ -121,6 +122,7 @@ def test_a_time_limit_ends_calls_of_all_kinds_and_nothing_else():
     assert run.returncode == 0, run.stderr
     trefoil = phrame.Curve.expressions("(2+cos(3*s))*cos(2*s)", "(2+cos(3*s))*sin(2*s)", "sin(3*s)", 0, "2*pi")
     assert run.stdout.split() == [str(trefoil.angle().value(1, digits=20)), "True"]
-    for wrong, error in ((0, phrame.InputError), (-1.5, phrame.InputError), (float("nan"), phrame.InputError), ("1", TypeError), (True, TypeError)):
+    for wrong, error in ((0, phrame.InputError), (-1.5, phrame.InputError), (float("nan"), phrame.InputError),
+                         (Decimal("NaN"), phrame.InputError), ("1", TypeError), (True, TypeError)):
         with pytest.raises(error, match="^seconds: "):
             phrame.set_time_limit(wrong)

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import phrame
-from api import API
+from api import ALL
 from common import MULTIPLIER, QUINTIC
 
 
@@ -54,9 +54,9 @@ def refused(call, **arguments):
 
 
 @pytest.mark.skipif(mallinfo2() is None, reason="malloc is not glibc's")
-@pytest.mark.parametrize("name", [name for name in API if "plot" not in name and not name.startswith(("dask", "sympy"))])
+@pytest.mark.parametrize("name", [name for name in ALL if "plot" not in name and not name.startswith(("dask", "sympy"))])
 def test_no_call_keeps_what_it_took(name):
-    call, arguments = API[name]
+    call, arguments = ALL[name]
     wrong = next(iter(arguments), None)
 
     def use(n):

@@ -12,13 +12,13 @@ import pytest
 
 import phrame
 from phrame import _threads
-from api import API
+from api import ALL
 from common import MULTIPLIER, QUINTIC, random_curve
 from values import same
 
 THREADS = 4
 # Matplotlib is for one thread at a time, and files are others'.
-SHARED = [name for name, (_, arguments) in API.items() if "plot" not in name and "file" not in arguments]
+SHARED = [name for name, (_, arguments) in ALL.items() if "plot" not in name and "file" not in arguments]
 
 
 def at_once(*questions):
@@ -50,12 +50,12 @@ def switched_often():
 
 def test_every_public_function():
     """Together with all others, in another order in each thread."""
-    ask = {name: API[name][0] for name in SHARED}
+    ask = {name: ALL[name][0] for name in SHARED}
 
     def all_of_them(seed):
         names = SHARED[:]
         random.Random(seed).shuffle(names)
-        return {name: ask[name](**API[name][1]) for name in names}
+        return {name: ask[name](**ALL[name][1]) for name in names}
 
     expected = all_of_them(0)
     for turn in range(MULTIPLIER):
@@ -63,6 +63,10 @@ def test_every_public_function():
             assert not isinstance(found, Exception), found
             for name in SHARED:
                 if hasattr(expected[name], "__next__") or name.startswith("dask"):
+                    continue
+                if name == "Real.ball":  # smaller after more digits were asked for
+                    (low, high), (a, b) = found[name], expected[name]
+                    assert max(low, a) <= min(high, b)
                     continue
                 assert same(found[name], expected[name]), name
 
