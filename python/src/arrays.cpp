@@ -83,7 +83,7 @@ Numbers by_source(const std::shared_ptr<Source>& source, const At& at, const Arr
 
 /// The same along PH curves at the places where the arc length from the start is s.
 template <class Write>
-Numbers by_arc_length(const PhPath& path, const FrameStart& start, const At& at,
+Numbers by_arc_length(const PathObject& self, const FrameStart& start, const At& at,
                       const ArrayQuery& asked, const Write& write) {
   TableColumns columns{.frames = {asked.kind.value_or(TabulatedFrame::euler_rodrigues)}};
   columns.start = start;
@@ -92,8 +92,9 @@ Numbers by_arc_length(const PhPath& path, const FrameStart& start, const At& at,
   run({.n = at->size(),
        .grain = 16,
        .work =
-           [=, width = asked.width](std::size_t from, std::size_t to) {
-             const PathLength length{Path(path)};
+           [=, path = self.ph->path, along = self.named.path, width = asked.width](std::size_t from,
+                                                                                   std::size_t to) {
+             const PathLength length(along);
              std::vector<Place> points;
              for (std::size_t k = from; k < to; ++k)
                points.push_back(at_place("ts[" + std::to_string(k) + "]",
@@ -113,7 +114,7 @@ Numbers closed_numbers(const PathObject& self, const At& at, const ArrayQuery& a
   const PhPath& path = self.ph->path;
   const FrameStart from =
       frame_start(asked.start, asked.start_normal, StartRule::least_rotation, path);
-  if (asked.is_by_length) return by_arc_length(path, from, at, asked, write);
+  if (asked.is_by_length) return by_arc_length(self, from, at, asked, write);
   if (!path.is_curve()) require_inside(*at, path.end(), asked.ts);
   const FrameAngle at_zero =
       asked.kind == TabulatedFrame::rmf ? start_angle(from, path) : FrameAngle();

@@ -132,11 +132,6 @@ KnownReal torsion_at(const Path& path, const Rational& t) {
   return {torsion(path, locate(path, t))};
 }
 
-KnownReal length_at(const Path& path, const Rational& t) {
-  return {PathLength(path).value(locate(path, t))};
-}
-KnownReal length_at(const PhPath& path, const Rational& t) { return length_at(Path(path), t); }
-
 Vector<Real> point_at(const PhPath& path, const Rational& t) {
   const PathParameter at = locate(path, t);
   const auto [x, y, z] = evaluate(position(path.segments()[at.segment]), at.t);
@@ -169,6 +164,16 @@ nb::object point(nb::handle self, nb::handle t) {
   return nb::make_tuple(component(0), component(1), component(2));
 }
 
+nb::object arc_length(nb::handle self, nb::handle t) {
+  const Rational at = rational(t, "t");
+  const PathObject& path = path_of(self);
+  const auto length = [along = path.named.path, at] {
+    return PathLength(along).value(locate(along, at));
+  };
+  return to_python(at_place("t", [&] { return path.ph ? length() : without_gil(length); }),
+                   method_recipe(self, "arc_length", to_python(at)));
+}
+
 nb::object parameter_at(nb::handle self, nb::handle s) {
   const Rational length = rational(s, "s");
   const Place at = at_place("s", [&] {
@@ -193,9 +198,11 @@ void bind_places(PathClass& path) {
       argument("t"), nb::sig("def " name "(self, t: Number) -> " PHRAME_REAL_SIG), what)
   PHRAME_AT("curvature", curvature_at, "κ ≥ 0 at t.");
   PHRAME_AT("torsion", torsion_at, "τ at t.");
-  PHRAME_AT("arc_length", length_at, "The length from the start to t.");
 #undef PHRAME_AT
-  path.def("parameter_at", parameter_at, argument("s"),
+  path.def("arc_length", arc_length, argument("t"),
+           nb::sig("def arc_length(self, t: Number) -> " PHRAME_REAL_SIG),
+           "The length from the start to t.")
+      .def("parameter_at", parameter_at, argument("s"),
            nb::sig("def parameter_at(self, s: Number) -> " PHRAME_REAL_SIG),
            "The t where the length from the start is s.")
       .def("point", point, argument("t"),
