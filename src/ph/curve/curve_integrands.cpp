@@ -11,15 +11,19 @@
 namespace phrame {
 namespace {
 
+// Each is written once, for a CurveJet and a CurvePoint.
+
 /// p(x).
-DiscFunction polynomial_at(const Polynomial& p, const DiscFunction& x) {
-  DiscFunction value = constant_like(x, p.leading_coefficient());
+template <class Function>
+Function polynomial_at(const Polynomial& p, const Function& x) {
+  Function value = constant_like(x, p.leading_coefficient());
   for (long k = p.degree(); k-- > 0;) value = value * x + constant_like(x, p.coefficient(k));
   return value;
 }
 
 /// |r′|/V(x). That V has no pole is asked for, too.
-DiscProduct time_by(const RationalFunction& speed, const DiscFunction& x, const CurveJet& jet) {
+template <class Jet, class Function>
+typename Jet::Product time_by(const RationalFunction& speed, const Function& x, const Jet& jet) {
   return {constant_like(x, 1),
           {{jet.square(), 1},
            {polynomial_at(speed.denominator(), x), 2},
@@ -27,27 +31,32 @@ DiscProduct time_by(const RationalFunction& speed, const DiscFunction& x, const 
 }
 
 // In the plane r′ × r″ is λn, so that one component j tells λ|n| = (r′ × r″)ⱼ·|n|/nⱼ.
-DiscFunction signed_curvature(const Vector<Rational>& normal, const CurveJet& jet) {
+template <class Jet>
+auto signed_curvature(const Vector<Rational>& normal, const Jet& jet) {
   const std::size_t j = normal[2] != 0 ? 2 : normal[1] != 0 ? 1 : 0;
   const Real scale = square_root_of(dot(normal, normal) / (normal[j] * normal[j]));
-  const DiscFunction& bend = jet.bend()[j];
+  const auto& bend = jet.bend()[j];
   const RealBall size =
       multiply(RealBall(normal[j].sign(), 2), scale.enclose(bend.bits), bend.bits);
-  const DiscFunction factor{BallPolynomial({size}), absolute(size), bend.length, bend.bits};
-  const DiscFunction inverse = jet.inverse_speed();
-  return factor * bend * inverse * (inverse * inverse);
+  const auto inverse = jet.inverse_speed();
+  return constant_like(bend, size) * bend * inverse * (inverse * inverse);
 }
 
-DiscProduct up_frame(const Vector<Rational>& v, const CurveJet& jet) {
-  const DiscFunction& like = jet.first()[0];
-  const Vector<DiscFunction> up{constant_like(like, v[0]), constant_like(like, v[1]),
-                                constant_like(like, v[2])};
-  const Vector<DiscFunction> side = cross(up, jet.first());
+template <class Jet>
+typename Jet::Product up_frame(const Vector<Rational>& v, const Jet& jet) {
+  const auto& like = jet.first()[0];
+  const std::array up{constant_like(like, v[0]), constant_like(like, v[1]),
+                      constant_like(like, v[2])};
+  const auto side = cross(up, jet.first());
   return {dot(up, jet.first()) * dot(side, jet.second()),
           {{dot(side, side), -2}, {jet.square(), -1}}};
 }
 
-DiscProduct positive_product(const CurveIntegrand& y, const CurveJet& jet) {
+const DiscFunction& base_of(const DiscFactor& factor) { return factor.base(); }
+const PointValue& base_of(const PointFactor& factor) { return factor.base; }
+
+template <class Jet>
+typename Jet::Product positive_product(const CurveIntegrand& y, const Jet& jet) {
   const auto one = [&jet] { return constant_like(jet.first()[0], 1); };
   switch (y.kind) {
     case CurveIntegrand::Kind::length:
@@ -57,7 +66,7 @@ DiscProduct positive_product(const CurveIntegrand& y, const CurveJet& jet) {
     case CurveIntegrand::Kind::torsion:
       return {jet.volume(), {{jet.square(), 1}, {jet.bend_square(), -2}}};
     case CurveIntegrand::Kind::bending:
-      return {jet.bend_square().base(), {{jet.square(), -5}}};
+      return {base_of(jet.bend_square()), {{jet.square(), -5}}};
     case CurveIntegrand::Kind::squared_torsion:
       return {jet.volume() * jet.volume(), {{jet.square(), 1}, {jet.bend_square(), -4}}};
     case CurveIntegrand::Kind::up_frame:
@@ -76,6 +85,12 @@ DiscProduct CurveIntegrand::operator()(const CurveJet& jet) const {
   DiscProduct product = positive_product(*this, jet);
   if (sign < 0) product.numerator.series = -std::move(product.numerator.series);
   return product;
+}
+
+RealBall CurveIntegrand::operator()(const CurvePoint& point) const {
+  PointProduct product = positive_product(*this, point);
+  if (sign < 0) product.numerator = constant_like(product.numerator, 0) - product.numerator;
+  return value(product);
 }
 
 CurveIntegrand length_rate() { return {CurveIntegrand::Kind::length}; }

@@ -1,6 +1,7 @@
 #pragma once
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/ph/curve/curve_jet.hpp"
+#include "phrame/ph/curve/curve_point.hpp"
 
 namespace phrame {
 
@@ -25,6 +26,8 @@ struct CurveIntegrand {
 
   /// y around a point of a curve.
   DiscProduct operator()(const CurveJet& jet) const;
+  /// y at a point of it.
+  RealBall operator()(const CurvePoint& point) const;
 
   /// The same kind with the same sign, vector and speed.
   friend bool operator==(const CurveIntegrand&, const CurveIntegrand&) = default;

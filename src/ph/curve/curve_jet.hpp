@@ -18,6 +18,8 @@ std::optional<DiscBounds> bounds_on_disc(const ExpressionCurve& curve, const Rat
 /// each is found once, when it is first asked for, for all integrands and all copies.
 class CurveJet {
  public:
+  using Product = DiscProduct;  ///< what an integrand is around it
+
   /// The first coefficients, without bounds.
   CurveJet(const ExpressionCurve& curve, const RealBall& middle, const Rational& half, long length,
            long bits);

@@ -20,27 +20,34 @@ DiscFunction operator*(const DiscFunction& f, const DiscFunction& g) {
 }
 
 DiscFunction constant_like(const DiscFunction& like, const Rational& c) {
-  const RealBall value(c, like.bits);
-  return {BallPolynomial(std::vector<RealBall>{value}), absolute(value), like.length, like.bits};
+  return constant_like(like, RealBall(c, like.bits));
 }
 
-SizeBounds size_bounds(const DiscFunction& f) {
+DiscFunction constant_like(const DiscFunction& like, const RealBall& c) {
+  return {BallPolynomial(std::vector<RealBall>{c}), absolute(c), like.length, like.bits};
+}
+
+// What is left out of the series is at most bound·(r/8)ⁿ/(1 − r/8), r/8 ≤ 1/2.
+SizeBounds size_bounds(const DiscFunction& f, long radius) {
   constexpr long bits = 64;
   static_assert(outer_radius == 2 * inner_radius);
+  const RealBall step(radius, bits);
   RealBall rest;
   RealBall power(1, bits);
   for (long k = 1; k < f.length; ++k) {
-    power = multiply(power, RealBall(inner_radius, bits), bits);
+    power = multiply(power, step, bits);
     rest = add_product(rest, absolute(f.series.coefficient(k)), power, bits);
   }
   const RealBall middle = absolute(f.series.coefficient(0));
   const bool may_gain = sign(subtract(middle, rest, bits)) >= 0;
-  rest = add(rest, times_power_of_two(f.bound, 1 - f.length), bits);
+  const RealBall left_out = pow(RealBall(Rational(radius, outer_radius), bits), f.length, bits);
+  rest = add_product(rest, times_power_of_two(f.bound, 1), left_out, bits);
   return {subtract(middle, rest, bits), add(middle, rest, bits), may_gain};
 }
 
-const SizeBounds& DiscFactor::size() const {
-  return size_.get([this] { return size_bounds(*base_); });
+const SizeBounds& DiscFactor::size(long radius) const {
+  return size_[static_cast<std::size_t>(radius - least_radius)].get(
+      [this, radius] { return size_bounds(*base_, radius); });
 }
 
 const BallPolynomial& DiscFactor::root() const {
@@ -72,25 +79,27 @@ BallPolynomial DiscFactor::times_power(const BallPolynomial& p, int k) const {
 
 namespace {
 
-std::optional<RealBall> bound_of_product(const DiscProduct& product, bool may_have_zeros) {
+std::optional<RealBall> bound_of_product(const DiscProduct& product, long radius,
+                                         bool may_have_zeros) {
   constexpr long bits = 64;
-  RealBall bound = size_bounds(product.numerator).upper;
+  RealBall bound(1, bits);
   for (const DiscProduct::Factor& factor : product.factors) {
-    const SizeBounds& size = factor.base.size();
+    const SizeBounds& size = factor.base.size(radius);
     const bool is_divisor = factor.half_exponents < 0;
     if ((is_divisor || !may_have_zeros) && sign(size.lower) <= 0) return std::nullopt;
     const long k = std::abs(factor.half_exponents);
     const RealBall power = pow(sqrt(is_divisor ? size.lower : size.upper, bits), k, bits);
     bound = is_divisor ? divide(bound, power, bits) : multiply(bound, power, bits);
   }
+  bound = multiply(bound, size_bounds(product.numerator, radius).upper, bits);
   if (!bound.is_finite()) return std::nullopt;
   return bound;
 }
 
 }  // namespace
 
-std::optional<RealBall> bound_on_inner_disc(const DiscProduct& product) {
-  return bound_of_product(product, false);
+std::optional<RealBall> bound_on_inner_disc(const DiscProduct& product, long radius) {
+  return bound_of_product(product, radius, false);
 }
 
 bool may_gain(const DiscProduct& product) {
@@ -99,7 +108,7 @@ bool may_gain(const DiscProduct& product) {
 }
 
 std::optional<RealBall> bound_with_zeros(const DiscProduct& product) {
-  return bound_of_product(product, true);
+  return bound_of_product(product, inner_radius, true);
 }
 
 BallPolynomial series(const DiscProduct& product) {

@@ -11,14 +11,14 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/gauss_rule.hpp"
 
-// With |y_z| ≤ M on |z| ≤ 4, the coefficients of its Taylor series are at most M/4ᵏ, so that the
-// integral of what is left out is at most M/4ⁿ · Σ 4⁻ᵏ/(n + 1) up to |z| = 1.
+// With |y_z| ≤ M on |z| ≤ r, the coefficients of its Taylor series are at most M/rᵏ, so that the
+// integral of what is left out is at most M/rⁿ · Σ r⁻ᵏ/(n + 1) up to |z| = 1.
 //
 // Whole parts are integrated by Gauss's rule, whose points serve all integrands. The ellipse with
-// the foci ±1 and the half axis (ρ + 1/ρ)/2 = 4 is in that disc, and on it y_z = Σ aₖTₖ, |aₖ| ≤
+// the foci ±1 and the half axis (ρ + 1/ρ)/2 = r is in that disc, and on it y_z = Σ aₖTₖ, |aₖ| ≤
 // 2Mρ⁻ᵏ [Trefethen 2013, theorem 8.1]. The rule is exact up to T₂ₙ₋₁ and for odd k; for other Tₖ
 // the integral and the sum are at most 2. So the error is at most Σ 8Mρ⁻ᵏ, k = 2n, 2n + 2, …, with
-// ρ² = (4 + √15)² > 61: less than 9M/61ⁿ.
+// ρ = r + √(r² − 1) > 3 for r ≥ 2: less than 9M/ρ²ⁿ.
 
 namespace phrame {
 namespace {
@@ -35,9 +35,28 @@ long bits_left_out(const TaylorPart& part, long bits) {
 
 Rational half_of(const TaylorPart& part) { return (part.upper - part.lower) / 2; }
 
-/// Is a earlier on the walk, or on the same part but longer?
-bool is_before(const TaylorPart& a, const TaylorPart& b) {
-  return a.lower < b.lower || (a.lower == b.lower && b.upper < a.upper);
+/// ρ².
+RealBall gain_a_point(const TaylorPart& part) {
+  const Rational r = part.radius;
+  const RealBall root = sqrt(RealBall(r * r - 1, 64), 64);
+  return pow(add(RealBall(r, 64), root, 64), 2, 64);
+}
+
+/// How many points leave out less than the last of the bits.
+long count_points(const TaylorPart& part, long bits) {
+  const double bits_a_point = std::log2(approximate(gain_a_point(part)));
+  return static_cast<long>(
+      std::ceil(static_cast<double>(bits_left_out(part, bits) + 4) / bits_a_point));
+}
+
+/// What is known of y on a smaller part: of s times the size, at most 1 − s from the middle, it has
+/// a disc of s·r′ = r − (1 − s) in that of the given one. 1/s is a power of 2.
+TaylorPart part_inside(TaylorPart part, const Rational& lower, const Rational& upper) {
+  if (lower == part.lower && upper == part.upper) return part;
+  const Rational size = (upper - lower) / (part.upper - part.lower);
+  const Rational radius = 1 + (part.radius - 1) / size;
+  return {lower,       upper,       multiply(part.bound, RealBall(size, 64), 64),
+          part.is_gap, part.length, static_cast<long>(numerator(radius))};
 }
 
 }  // namespace
@@ -50,15 +69,18 @@ struct KnownIntegrals::Piece {
 
   static Piece of(const ExpressionCurve& curve, const CurveIntegrand& y, const TaylorPart& part,
                   long bits) {
-    const long length = bits_left_out(part, bits) / 2 + 2;
+    const double terms = static_cast<double>(bits_left_out(part, bits)) /
+                         std::log2(static_cast<double>(part.radius));
+    const long length = static_cast<long>(terms) + 2;
     const Rational half = half_of(part);
     const long more = bits + std::max(exponent_above(part.bound), 0L);
     const CurveJet jet(curve, RealBall(part.lower + half, more), half, length, more);
     Piece piece;
     piece.antiderivative = phrame::antiderivative(series(y(jet)), more);
     piece.start = evaluate(piece.antiderivative, RealBall(-1, bits), bits);
-    // Both ends, 2/(1 − 1/4) < 4.
-    piece.error = times_power_of_two(multiply(part.bound, RealBall(4, 64), 64), -2 * length);
+    // Both ends, 2/(1 − 1/r) ≤ 4.
+    piece.error = divide(multiply(part.bound, RealBall(4, 64), 64),
+                         pow(RealBall(part.radius, 64), length, 64), 64);
     return piece;
   }
   static Piece over_gap(const TaylorPart& part) {
@@ -73,10 +95,8 @@ struct KnownIntegrals::Piece {
 /// Rules that were needed.
 class KnownIntegrals::Rules {
  public:
-  /// That which leaves out less than 2^(−left_out) of the bound, in balls of so many bits.
-  const GaussRule& of(long left_out, long bits) {
-    constexpr double bits_a_point = 5.93;  // log₂ 61
-    const long n = static_cast<long>(std::ceil(static_cast<double>(left_out + 4) / bits_a_point));
+  /// That of so many points, in balls of so many bits.
+  const GaussRule& of(long n, long bits) {
     const auto known = rules_.find({n, bits});
     if (known != rules_.end()) return known->second;
     return rules_.emplace(std::pair(n, bits), gauss_rule(n, bits)).first->second;
@@ -119,6 +139,8 @@ class KnownIntegrals::Integral {
     }
     pieces_.assign(parts().size(), std::nullopt);
     sums_.assign(1, RealBall());
+    sum_ = {};
+    reached_ = 0;
     bits_ = bits;
   }
 
@@ -126,7 +148,14 @@ class KnownIntegrals::Integral {
   const TaylorPart* next_part() const {
     return sums_.size() > parts().size() ? nullptr : &parts()[sums_.size() - 1];
   }
-  void add_to_sums(const RealBall& of_next) { sums_.push_back(add(sums_.back(), of_next, bits_)); }
+  /// How far it is known.
+  const Rational& reached() const { return reached_; }
+  /// The integral from there to `upper`, at most to the end of the next part.
+  void add_to_sums(const RealBall& of_next, const Rational& upper) {
+    sum_ = add(sum_, of_next, bits_);
+    reached_ = upper;
+    if (upper == next_part()->upper) sums_.push_back(sum_);
+  }
   /// The sum up to the start of part k, which is known.
   const RealBall& sum(std::size_t k) const { return sums_[k]; }
   std::size_t sums() const { return sums_.size(); }  ///< how many of these are known
@@ -149,6 +178,8 @@ class KnownIntegrals::Integral {
   long bits_ = 0;
   std::vector<std::optional<Piece>> pieces_;
   std::vector<RealBall> sums_;  ///< ∫ up to the start of part 0, 1, …, as far as known
+  RealBall sum_;                ///< up to there
+  Rational reached_;
 };
 
 KnownIntegrals::KnownIntegrals() : rules_(std::make_unique<Rules>()) {}
@@ -199,51 +230,51 @@ void KnownIntegrals::find_together(const ExpressionCurve& curve,
     if (auto f = find(y); f->bits() == 0 && !f->analytic->fault) together_.push_back(std::move(f));
 }
 
-/// To the sums of these, for which the next part is the same: the points of a rule, and what
+/// To the sums of these, up to the first end of their next parts: the points of a rule, and what
 /// integrands have in common there, are found once.
-void KnownIntegrals::add_next_part(const ExpressionCurve& curve, const std::vector<Integral*>& of) {
+void KnownIntegrals::add_next(const ExpressionCurve& curve, const std::vector<Integral*>& of) {
   const long bits = of.front()->bits();
-  const TaylorPart& part = *of.front()->next_part();
-  if (part.is_gap) return of.front()->add_to_sums(Piece::over_gap(part).up_to({}, bits));
-  long left_out = 0;
-  for (const Integral* f : of) left_out = std::max(left_out, bits_left_out(*f->next_part(), bits));
-  const GaussRule& rule = rules_->of(left_out, bits);
-  const Rational half = half_of(part);
-  const RealBall middle(part.lower + half, bits);
+  std::vector<TaylorPart> here;
+  const Rational& lower = of.front()->reached();
+  const Rational upper = (*std::min_element(of.begin(), of.end(),
+                                            [](const auto* f, const auto* g) {
+                                              return f->next_part()->upper < g->next_part()->upper;
+                                            }))
+                             ->next_part()
+                             ->upper;
+  long points = 0;
+  for (const Integral* f : of) {
+    here.push_back(part_inside(*f->next_part(), lower, upper));
+    points = std::max(points, count_points(here.back(), bits));
+  }
+  if (here.front().is_gap)
+    return of.front()->add_to_sums(Piece::over_gap(here.front()).up_to({}, bits), upper);
+  const GaussRule& rule = rules_->of(points, bits);
+  const Rational half = half_of(here.front());
+  const RealBall middle(lower + half, bits);
   const RealBall scale(half, bits);
   std::vector<RealBall> sums(of.size());
   for (std::size_t k = 0; k < rule.points.size(); ++k) {
-    const CurveJet jet(curve, add_product(middle, scale, rule.points[k], bits), half, 1, bits);
+    const CurvePoint at(curve, add_product(middle, scale, rule.points[k], bits), half, bits);
     for (std::size_t j = 0; j < of.size(); ++j)
-      sums[j] = add_product(std::move(sums[j]), rule.weights[k],
-                            series(of[j]->y(jet)).coefficient(0), bits);
+      sums[j] = add_product(std::move(sums[j]), rule.weights[k], of[j]->y(at), bits);
   }
-  const RealBall power = pow(RealBall(61, 64), static_cast<long>(rule.points.size()), 64);
   for (std::size_t j = 0; j < of.size(); ++j) {
-    const RealBall error =
-        divide(multiply(of[j]->next_part()->bound, RealBall(9, 64), 64), power, 64);
-    of[j]->add_to_sums(widened(sums[j], error));
+    const RealBall power = pow(gain_a_point(here[j]), points, 64);
+    const RealBall error = divide(multiply(here[j].bound, RealBall(9, 64), 64), power, 64);
+    of[j]->add_to_sums(widened(sums[j], error), upper);
   }
 }
 
 /// All sums of those that were asked for together.
 void KnownIntegrals::walk(const ExpressionCurve& curve,
                           const std::vector<std::shared_ptr<Integral>>& all, long bits) {
-  for (const auto& f : all) f->refine(curve, {}, bits);
-  const auto is_next = [](const auto& f, const auto& g) {
-    return g->next_part() == nullptr ||
-           (f->next_part() != nullptr && is_before(*f->next_part(), *g->next_part()));
-  };
-  for (;;) {
-    const TaylorPart* next = (*std::min_element(all.begin(), all.end(), is_next))->next_part();
-    if (next == nullptr) return;
-    std::vector<Integral*> here;
-    for (const auto& f : all)
-      if (const TaylorPart* own = f->next_part();
-          own != nullptr && own->lower == next->lower && own->upper == next->upper)
-        here.push_back(f.get());
-    add_next_part(curve, here);
+  std::vector<Integral*> of;
+  for (const auto& f : all) {
+    f->refine(curve, {}, bits);
+    of.push_back(f.get());
   }
+  while (of.front()->next_part() != nullptr) add_next(curve, of);
 }
 
 RealBall KnownIntegrals::value(const ExpressionCurve& curve, Integral& f, const Rational& t) {
@@ -255,7 +286,7 @@ RealBall KnownIntegrals::value(const ExpressionCurve& curve, Integral& f, const 
   const std::size_t whole = t == parts[k].upper ? k + 1 : k;
   while (f.sums() <= whole) {
     const auto known = f.known_next();
-    known ? f.add_to_sums(*known) : add_next_part(curve, {&f});
+    known ? f.add_to_sums(*known, parts[f.sums() - 1].upper) : add_next(curve, {&f});
   }
   if (whole > k || t == parts[k].lower) return f.sum(whole);
   return add(f.sum(k), f.rest(curve, k, t), f.bits());

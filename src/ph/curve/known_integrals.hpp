@@ -34,7 +34,7 @@ class KnownIntegrals {
 
   void search(const ExpressionCurve& curve, const std::vector<CurveIntegrand>& integrands);
   std::shared_ptr<Integral> find(CurveIntegrand y) const;
-  void add_next_part(const ExpressionCurve& curve, const std::vector<Integral*>& of);
+  void add_next(const ExpressionCurve& curve, const std::vector<Integral*>& of);
   void walk(const ExpressionCurve& curve, const std::vector<std::shared_ptr<Integral>>& all,
             long bits);
   void refine(const ExpressionCurve& curve, Integral& f, long bits);

@@ -73,15 +73,20 @@ Sought PartSearch::left_over(const CurveJet& jet, const TaylorPart& part, const 
   Sought rest;
   may_gain_ = false;
   for (const std::size_t k : sought) {
-    if (!gap_bits_ && needs_bend(integrands_[k]) && sign(jet.bend_square().size().lower) <= 0) {
+    const bool has_bend = needs_bend(integrands_[k]);
+    const long least = has_bend ? least_radius : inner_radius;
+    if (!gap_bits_ && has_bend && sign(jet.bend_square().size(least).lower) <= 0) {
       may_gain_ = may_gain_ || jet.bend_square().size().may_gain;
       rest.push_back(k);
       continue;
     }
     const DiscProduct y = integrands_[k](jet);
     auto& parts = found_[k].parts;
-    if (const auto bound = bound_on_inner_disc(y)) {
-      parts.push_back({part.lower, part.upper, *bound, false, part.length});
+    long radius = inner_radius;
+    auto bound = bound_on_inner_disc(y);
+    while (!bound && radius > least) bound = bound_on_inner_disc(y, --radius);
+    if (bound) {
+      parts.push_back({part.lower, part.upper, *bound, false, part.length, radius});
       continue;
     }
     const auto size = gap_bits_ ? bound_with_zeros(y) : std::nullopt;

@@ -7,14 +7,15 @@
 
 namespace phrame {
 
-/// A part of [0, 1] of the parameter on which an integrand y is analytic, and on the disc of four
-/// times its size, where |y| ≤ bound with z = ±1 at the ends.
+/// A part of [0, 1] of the parameter on which an integrand y is analytic, and on the disc of
+/// `radius` times its size, where |y| ≤ bound with z = ±1 at the ends.
 struct TaylorPart {
   Rational lower;
   Rational upper;
   RealBall bound;
-  bool is_gap = false;  ///< is |y| ≤ bound on the part all that is known?
-  long length = 0;      ///< of the series that show it
+  bool is_gap = false;         ///< is |y| ≤ bound on the part all that is known?
+  long length = 0;             ///< of the series that show it
+  long radius = inner_radius;  ///< ≥ least_radius
 };
 
 /// [0, 1] in parts, by halving; or up to where that ends, at 2^−40 or with too many.

@@ -51,6 +51,32 @@ TEST_CASE("expression integral: law: narrow to the bits asked for, and each arou
   CHECK(length.enclose(0, 50).contains(0));
 }
 
+// The zeros of ρ are nearer than those of σ: there are parts with the smaller disc.
+TEST_CASE("expression integral: law: so are those with ρ, by polynomials and by Gauss's rule") {
+  const auto curve = [] { return expression_curve({"exp(s)", "s^2", "sin(3*s)"}, "-1", "1/2"); };
+  const ExpressionCurve c = curve();
+  for (const CurveIntegrand& y : {curvature_rate(), torsion_rate(), squared_torsion_rate()}) {
+    const auto parts = taylor_parts(c, y)->parts;
+    const auto small = std::find_if(parts.begin(), parts.end(), [](const TaylorPart& part) {
+      return part.radius == least_radius;
+    });
+    REQUIRE(small != parts.end());
+    const ExpressionIntegral integral(c, y);
+    const RealBall end = integral.enclose(small->upper, 60);  // by points
+    const Rational inside = small->upper - (small->upper - small->lower) / 1024;
+    const RealBall near = integral.enclose(inside, 60);  // by a polynomial
+    const RealBall rest = multiply(integral.rate(hull(inside, small->upper, 60), 60),
+                                   RealBall(small->upper - inside, 60), 60);
+    CHECK(end.overlaps(add(near, rest, 80)));
+    for (const Rational& t : {inside, small->upper})
+      for (const long bits : {20L, 90L, 200L}) {
+        const RealBall value = ExpressionIntegral(curve(), y).enclose(t, bits);
+        CHECK(is_at_most(radius_of(value), times_power_of_two(RealBall(1, 2), -bits)));
+        CHECK(value.overlaps(integral.enclose(t, 150)));
+      }
+  }
+}
+
 TEST_CASE("expression integral: law: a line and a circle have the lengths that they have") {
   const auto length_of = [](const ExpressionCurve& c, const Rational& t) {
     return ExpressionIntegral(c, length_rate()).enclose(t, 200);
