@@ -4,9 +4,10 @@
 
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/formula.hpp"
-#include "phrame/ph/along/smooth_length.hpp"
-#include "phrame/ph/frame/compiled_smooth.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/along/path_length.hpp"
+#include "phrame/ph/frame/compiled_angle.hpp"
+#include "phrame/ph/frame/compiled_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/twist/smooth_twist.hpp"
 
 namespace phrame::bench {
@@ -34,7 +35,7 @@ Path bezier_path(long degree) {
 void smooth_angle(State& state) {
   const Path path = bezier_path(state.range(0));
   for (auto _ : state) {
-    const SmoothAngle angle(path);
+    const PathAngle angle(path);
     benchmark::DoNotOptimize(round_to_decimal(angle.value({0, Rational(1)}), state.range(1)));
   }
 }
@@ -56,7 +57,7 @@ Path path_of(const State& state) {
 void smooth_frames(State& state) {
   for (auto _ : state) {
     const Path path = path_of(state);  // which keeps what is found of integrals
-    const SmoothAngle angle(path);
+    const PathAngle angle(path);
     for (long k = 0; k <= 1000; ++k) {
       const auto frame = rotation_minimizing_frame(angle, {0, Rational(k, 1000)});
       benchmark::DoNotOptimize(round_to_double(frame.e2));
@@ -69,7 +70,7 @@ void smooth_frames(State& state) {
 void smooth_twist_frames(State& state) {
   for (auto _ : state) {
     const Path path = trefoil();
-    const SmoothAngle angle(path);
+    const PathAngle angle(path);
     const SmoothTwist twist(angle, Angle(), Angle());
     for (long k = 0; k <= 240; ++k) {
       const auto frame = minimal_twist_frame(twist, {0, Rational(k, 240)});
@@ -81,12 +82,12 @@ void smooth_twist_frames(State& state) {
 
 /// The proved polynomials of the frame.
 void smooth_compile(State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(compile_frames(SmoothAngle(path_of(state))));
+  for (auto _ : state) benchmark::DoNotOptimize(CompiledFrames(PathAngle(path_of(state))));
 }
 
 /// One frame by these, at scattered t.
 void smooth_compiled_frame(State& state) {
-  const CompiledFrames frames = compile_frames(SmoothAngle(path_of(state)));
+  const CompiledFrames frames = CompiledFrames(PathAngle(path_of(state)));
   double t = 0;
   for (auto _ : state) {
     t += 0.6180339887498949;
@@ -98,7 +99,7 @@ void smooth_compiled_frame(State& state) {
 /// ∫ |r′| dt, to 50 digits.
 void smooth_length(State& state) {
   const Path path = bezier_path(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(round_to_decimal(SmoothLength(path).total(), 50));
+  for (auto _ : state) benchmark::DoNotOptimize(round_to_decimal(PathLength(path).total(), 50));
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ void check(const Curve& curve) {
   std::vector<GivenFrame> frames;  // somebody's; in truth the Euler–Rodrigues frame
   for (const Rational& t : {Rational(0), Rational(1, 2), Rational(1)})
     frames.push_back({t, euler_rodrigues_frame(curve, t).e2});
-  const FrameVerdict verdict = check_frames(curve, frames);
+  const FrameVerdict verdict = check_frames(PathAngle(Path(curve)), frames);
   std::cout << (verdict.passes ? "right" : "off by up to ") << verdict.max_error << '\n';
   //! [check]
 }

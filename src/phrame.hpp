@@ -81,8 +81,8 @@
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/rational_form.hpp"
 #include "phrame/ph/frame/closed_curve.hpp"
-#include "phrame/ph/frame/compiled_smooth.hpp"
-#include "phrame/ph/frame/smooth_check.hpp"
+#include "phrame/ph/frame/compiled_angle.hpp"
+#include "phrame/ph/frame/compiled_frame.hpp"
 
 // Rational functions, likewise, and what to call first where memory may not do.
 #include "phrame/algebra/as_written.hpp"

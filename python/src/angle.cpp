@@ -3,97 +3,58 @@
 namespace phrame::python {
 namespace {
 
-/// In closed form, to the Euler–Rodrigues or Frenet frame of PH curves.
-struct ClosedAngle {
-  PathAngle angle;
-  FrameAngle start;
-
-  Real operator()(const Rational& t) const { return angle.value(t, start); }
-};
-
-/// To the frame of a vector v, or the Frenet frame of a path of any kind: to any number of digits.
-struct SeriesAngle {
-  SmoothAngle angle;
-  Real start;
-
-  Real operator()(const Rational& t) const { return angle.value(locate(angle.path(), t)) + start; }
-};
-
 struct AngleObject {
   PathObject path;
-  AngleReference reference;
-  std::variant<ClosedAngle, SeriesAngle> angle;
+  PathAngle angle;
+  StartAngle at_zero;
   FrameStart start;
   std::string form;
   nb::object recipe;
 };
 
-std::pair<std::variant<ClosedAngle, SeriesAngle>, FrameStart> closed_angle(
-    const PhPath& path, Reference reference, Form form, nb::handle start, nb::handle start_normal) {
-  const FrameStart from = frame_start(start, start_normal, StartRule::reference, path, reference);
-  return {
-      without_gil([=] {
-        return ClosedAngle{PathAngle(path, reference, form), start_angle(from, path, reference)};
-      }),
-      from};
-}
-
-std::pair<std::variant<ClosedAngle, SeriesAngle>, FrameStart> series_angle(
-    const SmoothAngle& angle, nb::handle start, nb::handle start_normal) {
-  const FrameStart from = frame_start(start, start_normal, StartRule::reference, angle);
-  return {without_gil([=] { return SeriesAngle{angle, start_angle(from, angle)}; }), from};
-}
-
 nb::object make_angle(nb::handle self, nb::handle frame, nb::handle start, nb::handle start_normal,
                       const Text<"form">& form, nb::handle up) {
   const PathObject& path = path_of(self);
-  const AngleReference reference = reference_named(frame, "frame", path, up);
+  const Reference reference = reference_named(frame, "frame", path, up);
   const Form how = form_named(form);
-  const auto [angle, from] = [&] {
-    if (reference == AngleReference::up)
-      return series_angle(angle_to_up(path.named.path, up), start, start_normal);
-    if (path.ph)
-      return closed_angle(
-          path.ph->path,
-          reference == AngleReference::erf ? Reference::euler_rodrigues : Reference::frenet, how,
-          start, start_normal);
-    return series_angle(
-        without_gil([of = path.named.path] { return SmoothAngle(of, SmoothReference::frenet); }),
-        start, start_normal);
-  }();
+  const PathAngle angle = reference == Reference::up
+                              ? angle_to_up(path.named.path, up)
+                              : without_gil([of = path.named.path, reference, how] {
+                                  return PathAngle(of, reference, how);
+                                });
+  const FrameStart from = frame_start(start, start_normal, StartRule::reference, angle);
+  const StartAngle at_zero = without_gil([&] { return start_angle(from, angle); });
   const auto kept = [](nb::handle v, const char* place) {
     return v.is_none() ? nb::none() : to_python(vector(v, place));
   };
   return nb::cast(
-      AngleObject{path, reference, angle, from, form,
+      AngleObject{path, angle, at_zero, from, form,
                   remade("_angle", self, frame, start, kept(start_normal, "start_normal"),
                          nb::str(form.c_str()), kept(up, "up"))});
 }
 
 /// θ(t).
 auto value_of(const AngleObject& self) {
-  return [angle = self.angle](const Rational& t) {
-    return std::visit([&](const auto& theta) { return theta(t); }, angle);
+  return [angle = self.angle, start = self.at_zero](const Rational& t) {
+    return angle.value(t, start);
   };
 }
 
-/// "erf", as it is asked for.
-const char* name_of(AngleReference reference) {
-  return reference == AngleReference::erf      ? "erf"
-         : reference == AngleReference::frenet ? "frenet"
-                                               : "up";
+std::string frame_of(const AngleObject& self) {
+  if (self.angle.reference() == Reference::euler_rodrigues) return "Euler–Rodrigues frame";
+  if (self.angle.reference() == Reference::frenet) return "Frenet frame";
+  const auto& [x, y, z] = self.angle.up();
+  return "frame of (" + to_string(x) + ", " + to_string(y) + ", " + to_string(z) + ")";
 }
 
-std::string frame_of(const AngleObject& self) {
-  if (self.reference == AngleReference::erf) return "Euler–Rodrigues frame";
-  if (self.reference == AngleReference::frenet) return "Frenet frame";
-  const auto& [x, y, z] = std::get<SeriesAngle>(self.angle).angle.up();
-  return "frame of (" + to_string(x) + ", " + to_string(y) + ", " + to_string(z) + ")";
+/// Is the whole angle written in closed form?
+bool has_formula(const AngleObject& self) {
+  return self.path.ph && self.angle.reference() != Reference::up;
 }
 
 /// Throws DomainError, which names what was asked for, where there is no closed form.
 const PathAngle& closed_form(const AngleObject& self, const char* asked) {
-  if (const auto* closed = std::get_if<ClosedAngle>(&self.angle)) return closed->angle;
+  if (has_formula(self)) return self.angle;
   throw DomainError(asked + (": the angle has no closed form: " +
                              (self.path.ph ? "it is to the " + frame_of(self)
                                            : why_not_ph(self.path.named.path))));
@@ -109,10 +70,10 @@ AngleAnswer formula(const AngleObject& self, const std::string& form, const std:
   return without_gil([named = *self.path.ph, query] { return answer(named, query); });
 }
 
-SmoothAngleAnswer without_formula(const AngleObject& self, const SmoothAngle& angle) {
+SmoothAngleAnswer without_formula(const AngleObject& self) {
   SmoothAngleQuery query;
-  query.reference = angle.reference();
-  if (query.reference == SmoothReference::up) query.up = angle.up();
+  query.reference = self.angle.reference();
+  if (query.reference == Reference::up) query.up = self.angle.up();
   query.start = self.start;
   return without_gil([named = self.path.named, query] { return answer(named, query); });
 }
@@ -121,16 +82,15 @@ SmoothAngleAnswer without_formula(const AngleObject& self, const SmoothAngle& an
 template <class F>
 std::string written(const AngleObject& self, const std::string& style, const F& f) {
   style_named(style);
-  if (const auto* series = std::get_if<SeriesAngle>(&self.angle))
-    return f(without_formula(self, series->angle));
-  return f(formula(self, self.form, style));
+  if (has_formula(self)) return f(formula(self, self.form, style));
+  return f(without_formula(self));
 }
 
 /// The number of a segment.
 const RmfAngle& angle_along(const AngleObject& self, const char* asked, nb::handle segment) {
   const PathAngle& angle = closed_form(self, asked);
   const std::size_t n = angle.path().segments().size();
-  return angle.segment(
+  return *angle.closed_form(
       static_cast<std::size_t>(count(segment, "segment", 0, static_cast<long>(n) - 1)));
 }
 
@@ -141,28 +101,18 @@ nb::object angle_of_what(const AngleObject& self, nb::handle ts, nb::handle prog
       return without_gil([value = value_of(self), t] { return round_to_double(value(t)); });
     }));
   }
-  return std::visit(
-      [&](const auto& theta) { return angles(theta.angle, theta.start, ts, progress); },
-      self.angle);
-}
-
-bool is_zero(const AngleObject& self) {
-  if (const auto* series = std::get_if<SeriesAngle>(&self.angle)) return series->angle.is_zero();
-  const PathAngle& angle = std::get<ClosedAngle>(self.angle).angle;
-  for (std::size_t k = 0; k < angle.path().segments().size(); ++k)
-    if (!angle.segment(k).rate().is_zero()) return false;
-  return true;
+  return angles(self.angle, self.at_zero, ts, progress);
 }
 
 nb::object up_of(const AngleObject& self) {
-  if (self.reference != AngleReference::up) return nb::none();
-  return to_python(std::get<SeriesAngle>(self.angle).angle.up());
+  if (self.angle.reference() != Reference::up) return nb::none();
+  return to_python(self.angle.up());
 }
 
 /// θ(0) + F(t) − F(0), where F must not jump: sums over residues may, those over poles do not.
 nb::object angle_for_sympy(const AngleObject& self, nb::handle symbol, const Text<"style">& style) {
   const Style how = style_named(style);
-  if (!closed_form(self, "sympy").path().is_curve())
+  if (closed_form(self, "sympy").path().segments().size() > 1)
     throw DomainError("sympy: a formula for SymPy is one of a single curve");
   const bool has_sums = how == Style::logarithms || how == Style::radicals;
   const AngleAnswer found = formula(self, has_sums ? "partial-fractions" : "auto", style);
@@ -174,8 +124,7 @@ nb::object angle_for_sympy(const AngleObject& self, nb::handle symbol, const Tex
 }
 
 std::optional<std::string> latex_of(const AngleObject& self) {
-  const auto* closed = std::get_if<ClosedAngle>(&self.angle);
-  if (closed == nullptr || !closed->angle.path().is_curve()) return std::nullopt;
+  if (!has_formula(self) || self.angle.path().segments().size() > 1) return std::nullopt;
   const AngleAnswer found = formula(self, self.form, "textbook");
   const Antiderivative& F = found.formulas.front().antiderivative;
   const std::string terms = [&] {
@@ -229,12 +178,13 @@ void bind_angle(nb::module_& m, PathClass& path) {
           "path", [](const AngleObject& self) { return nb::cast(self.path); },
           nb::sig("def path(self) -> Path"), "Along which it is.")
       .def_prop_ro(
-          "reference", [](const AngleObject& self) { return name_of(self.reference); },
+          "reference", [](const AngleObject& self) { return name_of(self.angle.reference()); },
           "The frame that it is measured from: \"erf\", \"frenet\" or \"up\".")
       .def_prop_ro("up", up_of, nb::sig("def up(self) -> " PHRAME_VECTOR_SIG " | None"),
                    "v, where it is to the frame of a vector v.")
-      .def_prop_ro("is_zero", is_zero,
-                   "Is θ the same all along, as in a plane with its normal for `up`?")
+      .def_prop_ro(
+          "is_zero", [](const AngleObject& self) { return self.angle.is_zero(); },
+          "Is θ the same all along, as in a plane with its normal for `up`?")
       .def(
           "rate",
           [](const AngleObject& self, nb::handle segment) {

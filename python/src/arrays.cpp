@@ -135,8 +135,8 @@ Numbers general_numbers(const PathObject& self, const At& at, const ArrayQuery& 
     frames.start = asked_start(asked.start, asked.start_normal, StartRule::least_rotation, "up");
   if (!asked.up.is_none()) frames.up = vector(asked.up, "up");
   const auto source = self.sources->general.of(frames, [&] {
-    std::optional<SmoothAngle> angle;
-    Real start = Rational(0);
+    std::optional<PathAngle> angle;
+    StartAngle start;
     if (asked.kind) {
       angle.emplace(angle_to_up(path, asked.up));
       start = start_angle(
@@ -213,7 +213,7 @@ namespace {
 using CompiledAngles = std::vector<std::optional<CompiledAngle>>;
 
 /// Of those segments that are asked for often enough, where poles of θ′ are not too near.
-CompiledAngles compiled_angles(const PathAngle& angle, const FrameAngle& start,
+CompiledAngles compiled_angles(const PathAngle& angle, const StartAngle& start,
                                const Parameters& at) {
   const std::size_t segments = angle.path().segments().size();
   CompiledAngles compiled(segments);
@@ -223,26 +223,13 @@ CompiledAngles compiled_angles(const PathAngle& angle, const FrameAngle& start,
     if (ts[k].size() < (segments == 1 ? least_compiled : least_of_segment)) continue;
     const auto [from, to] = std::minmax_element(ts[k].begin(), ts[k].end());
     try {
-      if (!angle.path().is_curve())
+      if (segments > 1 || angle.closed_form(0) == nullptr || !start.exact)
         compiled[k].emplace(angle, k, start);
       else if (*from < *to)
-        compiled[k].emplace(angle.segment(0), *from, *to, start);
+        compiled[k].emplace(*angle.closed_form(0), *from, *to, *start.exact);
     } catch (const Undecided&) {
       // All of its angles are computed exactly.
     }
-  }
-  return compiled;
-}
-
-/// Of the whole path, where it is asked for often enough.
-CompiledAngles compiled_angles(const SmoothAngle& angle, const Real& start, const Parameters& at) {
-  CompiledAngles compiled(1);
-  if (!at.are_doubles() || at.size() < least_compiled * angle.path().segments().size())
-    return compiled;
-  try {
-    compiled.front().emplace(compile_angle(angle, start));
-  } catch (const Undecided&) {
-    // All of its angles are computed exactly.
   }
   return compiled;
 }
@@ -254,45 +241,29 @@ std::optional<double> approximated(const CompiledAngles& compiled, const Paramet
   return segment ? segment->rounded(at.doubles[k]) : std::nullopt;
 }
 
-Real exact_angle(const PathAngle& angle, const FrameAngle& start, const Rational& t) {
-  return angle.value(t, start);
-}
-Real exact_angle(const SmoothAngle& angle, const Real& start, const Rational& t) {
-  return angle.value(locate(angle.path(), t)) + start;
-}
+}  // namespace
 
-template <class A, class Start>
-nb::object angles_at(const A& angle, const Start& start, const At& at, std::size_t least,
-                     nb::handle progress) {
+nb::object angles(const PathAngle& angle, const StartAngle& start, nb::handle ts,
+                  nb::handle progress) {
+  const auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
+  if (!goes_on(angle.path())) require_inside(*at, angle.path().end(), ts);
   const auto numbers = std::make_shared<DoubleArray>(at->size());
   const auto compiled = std::make_shared<CompiledAngles>();
   run({.n = at->size(),
-       .grain = at->are_doubles() && at->size() >= least ? many : 1,
-       .prepare = [=] { *compiled = compiled_angles(angle, start, *at); },
+       .grain = at->are_doubles() && at->size() >= least_compiled ? many : 1,
+       .prepare =
+           [=] {
+             if (at->are_doubles()) *compiled = compiled_angles(angle, start, *at);
+           },
        .work =
            [=](std::size_t from, std::size_t to) {
              for (std::size_t k = from; k < to; ++k) {
                const auto near = approximated(*compiled, *at, k);
-               (*numbers)[k] =
-                   near ? *near : finite(round_to_double(exact_angle(angle, start, (*at)[k])));
+               (*numbers)[k] = near ? *near : finite(round_to_double(angle.value((*at)[k], start)));
              }
            }},
       progress);
   return array(numbers, {at->size()});
-}
-
-}  // namespace
-
-nb::object angles(const PathAngle& angle, const FrameAngle& start, nb::handle ts,
-                  nb::handle progress) {
-  const auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
-  return angles_at(angle, start, at, least_compiled, progress);
-}
-
-nb::object angles(const SmoothAngle& angle, const Real& start, nb::handle ts, nb::handle progress) {
-  const auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
-  require_inside(*at, angle.path().end(), ts);
-  return angles_at(angle, start, at, least_compiled * angle.path().segments().size(), progress);
 }
 
 void bind_arrays(PathClass& path) {

@@ -50,7 +50,7 @@ nb::object check(nb::handle self, nb::handle ts, nb::handle f2, nb::handle f3, n
   const bool has_start = !start.is_none() || !start_normal.is_none();
   const bool is_general = is_to_up(path, up, start);
   if (is_general) {
-    const SmoothAngle angle = angle_to_up(path.named.path, up);
+    const PathAngle angle = angle_to_up(path.named.path, up);
     query.options.up = angle.up();
     if (has_start)
       query.options.start = frame_start(start, start_normal, StartRule::least_rotation, angle);

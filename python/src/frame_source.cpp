@@ -51,8 +51,8 @@ void FrameSource::make() {
 void FrameSource::make_zeros() {
   bool is_erf = kind_ == TabulatedFrame::euler_rodrigues || start_ == FrameAngle();
   for (std::size_t k = 0; k < segments_.size(); ++k) {
-    is_erf =
-        is_erf && (kind_ == TabulatedFrame::euler_rodrigues || angle_->segment(k).rate().is_zero());
+    is_erf = is_erf &&
+             (kind_ == TabulatedFrame::euler_rodrigues || angle_->closed_form(k)->rate().is_zero());
     const auto& [u, v, p, q] = segments_[k].preimage;
     const bool uv = u.is_zero() && v.is_zero();
     const bool pq = p.is_zero() && q.is_zero();
@@ -67,7 +67,7 @@ void FrameSource::compile(std::size_t k, double from, double to) {
   const auto origin = static_cast<double>(k);
   try {
     if (kind_ == TabulatedFrame::rmf && path_.is_curve())
-      compiled_.emplace_back(curve, angle_->segment(0), from, to, start_);
+      compiled_.emplace_back(curve, *angle_->closed_form(0), from, to, start_);
     else if (kind_ == TabulatedFrame::rmf)
       compiled_.emplace_back(*angle_, k, start_);
     else

@@ -2,8 +2,8 @@
 
 namespace phrame::python {
 
-GeneralSource::GeneralSource(const Path& path, std::optional<SmoothAngle> angle, FrameKind kind,
-                             Real start, bool is_by_length)
+GeneralSource::GeneralSource(const Path& path, std::optional<PathAngle> angle, FrameKind kind,
+                             StartAngle start, bool is_by_length)
     : path_(path),
       angle_(std::move(angle)),
       kind_(kind),
@@ -20,7 +20,7 @@ void GeneralSource::prepare(const Parameters& at) {
       asked_ < least_compiled * path_.segments().size())
     return;
   try {
-    compiled_.emplace(compile_frames(*angle_, start_));
+    compiled_.emplace(*angle_, start_);
     is_compiled_ = true;
   } catch (const Undecided&) {
     is_undecided_ = true;  // all frames are computed exactly

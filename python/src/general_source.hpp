@@ -17,7 +17,7 @@ struct GeneralFrames {
 class GeneralSource {
  public:
   /// Without an angle there are points only.
-  GeneralSource(const Path& path, std::optional<SmoothAngle> angle, FrameKind kind, Real start,
+  GeneralSource(const Path& path, std::optional<PathAngle> angle, FrameKind kind, StartAngle start,
                 bool is_by_length);
 
   /// To be called before the others are asked for these parameters.
@@ -36,9 +36,9 @@ class GeneralSource {
   Frame<Real> exact_frame(const Parameters& at, std::size_t k) const;
 
   Path path_;
-  std::optional<SmoothAngle> angle_;
+  std::optional<PathAngle> angle_;
   FrameKind kind_;
-  Real start_;
+  StartAngle start_;
   PathLength length_;
   bool is_by_length_;
   std::mutex lock_;  ///< while something is made

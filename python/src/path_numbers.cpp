@@ -32,7 +32,7 @@ Real whole_curvature(const PhPath& path) {
 Real whole_curvature(const Path& path) { return total_curvature(path); }
 
 std::optional<Real> holonomy_of(const PhPath& path) { return PathAngle(path).holonomy(); }
-std::optional<Real> holonomy_of(const Path& path) { return holonomy(SmoothAngle(path)); }
+std::optional<Real> holonomy_of(const Path& path) { return PathAngle(path).holonomy(); }
 
 bool is_closed(const PhPath& path) { return path.closing_turn().has_value(); }
 bool is_closed(const Path& path) { return path.is_closed(); }
@@ -100,8 +100,9 @@ void bind_totals(PathClass& path) {
           "up_twist",
           [](nb::handle self) {
             const Path& along = path_of(self).named.path;
-            return shown(without_gil([along] { return up_frame_twist(SmoothAngle(along)); }), self,
-                         "up_twist");
+            return shown(
+                without_gil([along] { return up_frame_twist(PathAngle(along, Reference::up)); }),
+                self, "up_twist");
           },
           nb::sig("def up_twist(self) -> " PHRAME_REAL_SIG),
           "∫ e2′·e3 dt: how far the frame of `up` turns about e1, in radians.");

@@ -110,10 +110,9 @@ FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule
 }
 
 FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule,
-                       const SmoothAngle& angle) {
-  return checked(asked_start(start, start_normal, rule,
-                             angle.reference() == SmoothReference::up ? "up" : "frenet"),
-                 start_normal, [&](const FrameStart& along) { start_angle(along, angle); });
+                       const PathAngle& angle) {
+  return checked(asked_start(start, start_normal, rule, name_of(angle.reference())), start_normal,
+                 [&](const FrameStart& along) { start_angle(along, angle); });
 }
 
 bool is_to_up(const PathObject& path, nb::handle up, nb::handle start) {
@@ -123,30 +122,35 @@ bool is_to_up(const PathObject& path, nb::handle up, nb::handle start) {
   return taken_rule(words) == "up";
 }
 
-SmoothAngle angle_to_up(const Path& path, nb::handle up) {
-  if (up.is_none()) return without_gil([path] { return SmoothAngle(path); });
+PathAngle angle_to_up(const Path& path, nb::handle up) {
+  if (up.is_none()) return without_gil([path] { return PathAngle(path, Reference::up); });
   const Vector<Rational> v = vector(up, "up");
   try {
-    return without_gil([path, v] { return SmoothAngle(path, v); });
+    return without_gil([path, v] { return PathAngle(path, v); });
   } catch (const DomainError& error) {
     refuse("up", error.what(), up);
   }
 }
 
-AngleReference reference_named(nb::handle name, const char* place, const PathObject& path,
-                               nb::handle up) {
+const char* name_of(Reference reference) {
+  return reference == Reference::euler_rodrigues ? "erf"
+         : reference == Reference::frenet        ? "frenet"
+                                                 : "up";
+}
+
+Reference reference_named(nb::handle name, const char* place, const PathObject& path,
+                          nb::handle up) {
   const bool has_up = !up.is_none();
-  if (name.is_none()) return path.ph && !has_up ? AngleReference::erf : AngleReference::up;
-  const auto found = chosen<AngleReference>(text(name, place), place,
-                                            {{"erf", AngleReference::erf},
-                                             {"frenet", AngleReference::frenet},
-                                             {"up", AngleReference::up}});
-  if (found == AngleReference::erf && !path.ph)
+  if (name.is_none()) return path.ph && !has_up ? Reference::euler_rodrigues : Reference::up;
+  const auto found = chosen<Reference>(
+      text(name, place), place,
+      {{"erf", Reference::euler_rodrigues}, {"frenet", Reference::frenet}, {"up", Reference::up}});
+  if (found == Reference::euler_rodrigues && !path.ph)
     refuse(place, "\"erf\" is of PH curves, and " + why_not_ph(path.named.path), name);
-  if (found != AngleReference::up && has_up)
+  if (found != Reference::up && has_up)
     refuse("up",
            std::string("the angle is to the ") +
-               (found == AngleReference::erf ? "Euler–Rodrigues" : "Frenet") + " frame",
+               (found == Reference::euler_rodrigues ? "Euler–Rodrigues" : "Frenet") + " frame",
            up);
   return found;
 }

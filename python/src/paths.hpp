@@ -59,17 +59,18 @@ FrameStart asked_start(nb::handle start, nb::handle start_normal, StartRule rule
 FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule,
                        const PhPath& path, Reference reference = Reference::euler_rodrigues);
 FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule,
-                       const SmoothAngle& angle);
+                       const PathAngle& angle);
 /// @}
 /// Are angles to the frame of a vector v: of a path that is not PH, and where that is asked for?
 bool is_to_up(const PathObject& path, nb::handle up, nb::handle start);
 /// The angle to the frame of `up`, or of a vector that is chosen where that is None.
-SmoothAngle angle_to_up(const Path& path, nb::handle up);
+PathAngle angle_to_up(const Path& path, nb::handle up);
+/// "erf", as it is asked for.
+const char* name_of(Reference reference);
 /// "erf", "frenet", "up"; of `place`, and "erf" for a PH path only. None is the first that the path
 /// has of "erf" and "up".
-enum class AngleReference { erf, frenet, up };
-AngleReference reference_named(nb::handle name, const char* place, const PathObject& path,
-                               nb::handle up);
+Reference reference_named(nb::handle name, const char* place, const PathObject& path,
+                          nb::handle up);
 
 /// How an attribute or the answer of a method is pickled: it is asked for again.
 nb::object attribute_recipe(nb::handle self, const char* name);
@@ -86,9 +87,8 @@ nb::object packed_path(const Path& path, VariableName variable = VariableName::k
 Path unpacked_path(nb::handle packed);
 
 /// θ at many parameters, correctly rounded: an array.
-nb::object angles(const PathAngle& angle, const FrameAngle& start, nb::handle ts,
+nb::object angles(const PathAngle& angle, const StartAngle& start, nb::handle ts,
                   nb::handle progress);
-nb::object angles(const SmoothAngle& angle, const Real& start, nb::handle ts, nb::handle progress);
 
 void bind_constructors(nb::module_& m, PathClass& path);
 void bind_any_curves(PathClass& path);

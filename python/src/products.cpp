@@ -56,11 +56,11 @@ std::string prefix_of(nb::handle prefix, const std::string& name) {
   return given;
 }
 
-CompiledQuery closed_query(const PathObject& self, AngleReference frame, nb::handle start,
+CompiledQuery closed_query(const PathObject& self, Reference frame, nb::handle start,
                            nb::handle start_normal, nb::handle lower, nb::handle upper) {
   const PhPath& path = self.ph->path;
   CompiledQuery query;
-  if (frame == AngleReference::frenet) query.reference = Reference::frenet;
+  if (frame == Reference::frenet) query.reference = Reference::frenet;
   query.start = frame_start(start, start_normal, StartRule::least_rotation, path, query.reference);
   query.from = rounded_end(lower, "lower");
   query.to = rounded_end(upper, "upper");
@@ -72,14 +72,14 @@ CompiledQuery closed_query(const PathObject& self, AngleReference frame, nb::han
   return query;
 }
 
-SmoothCompiledQuery general_query(const PathObject& self, AngleReference frame, nb::handle start,
+SmoothCompiledQuery general_query(const PathObject& self, Reference frame, nb::handle start,
                                   nb::handle start_normal, nb::handle lower, nb::handle upper,
                                   nb::handle up) {
   if (rounded_end(lower, "lower") != 0 || rounded_end(upper, "upper") != 1)
     refuse("lower", "a part is compiled of a PH curve, with its closed form", lower);
   SmoothCompiledQuery query;
-  if (frame == AngleReference::frenet) query.reference = SmoothReference::frenet;
-  const SmoothAngle angle = angle_to_up(self.named.path, up);
+  if (frame == Reference::frenet) query.reference = Reference::frenet;
+  const PathAngle angle = angle_to_up(self.named.path, up);
   query.up = angle.up();
   query.start = frame_start(start, start_normal, StartRule::least_rotation, angle);
   return query;
@@ -87,12 +87,12 @@ SmoothCompiledQuery general_query(const PathObject& self, AngleReference frame, 
 
 std::string compile(const PathObject& self, nb::handle prefix, nb::handle frame, nb::handle start,
                     nb::handle start_normal, nb::handle lower, nb::handle upper, nb::handle up) {
-  const AngleReference reference = reference_named(frame, "frame", self, up);
+  const Reference reference = reference_named(frame, "frame", self, up);
   const std::string name = prefix_of(prefix, self.named.name);
   const auto header = [&](const auto& named, const auto& query) {
     return without_gil([=] { return to_c_header(answer(named, query), name); });
   };
-  if (self.ph && reference != AngleReference::up)
+  if (self.ph && reference != Reference::up)
     return header(*self.ph, closed_query(self, reference, start, start_normal, lower, upper));
   return header(self.named, general_query(self, reference, start, start_normal, lower, upper, up));
 }
@@ -132,7 +132,7 @@ void page(const PathObject& self, nb::handle file, nb::handle ts, nb::handle f2,
   const bool has_start = !start.is_none() || !start_normal.is_none();
   const bool is_general = is_to_up(self, up, start);
   if (is_general) {
-    const SmoothAngle angle = angle_to_up(self.named.path, up);
+    const PathAngle angle = angle_to_up(self.named.path, up);
     query.up = angle.up();
     if (has_start) query.start = frame_start(start, start_normal, StartRule::least_rotation, angle);
   } else if (has_start) {

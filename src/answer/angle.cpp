@@ -25,13 +25,12 @@ AngleValue rounded_angle(const Rational& t, const Real& theta, long digits) {
 AngleAnswer answer(NamedPhPath named, const AngleQuery& query) {
   PathAngle angle(named.path, query.reference, query.form);
   if (query.route != Route::automatic) angle.take(query.route);
-  const PhPath& path = angle.path();
+  const PhPath& path = named.path;
   const FrameAngle start = start_angle(query.start, path, query.reference);
-  AngleAnswer answer{
-      std::move(named), query.reference, query.start, start, {}, {}, query.digits, {}, {}};
+  AngleAnswer answer{named, query.reference, query.start, start, {}, {}, query.digits, {}, {}};
   if (query.wants_formula)
     for (std::size_t k = 0; k < path.segments().size(); ++k)
-      answer.formulas.push_back(formula(angle.segment(k), query));
+      answer.formulas.push_back(formula(*angle.closed_form(k), query));
   for (const Rational& t : query.at)
     answer.values.push_back(rounded_angle(t, angle.value(t, start), query.digits));
   if (path.is_curve()) return answer;

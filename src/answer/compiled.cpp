@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "phrame/answer/rounded.hpp"
-#include "phrame/ph/frame/compiled_smooth.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/compiled_angle.hpp"
+#include "phrame/ph/frame/compiled_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame {
 namespace {
@@ -42,15 +43,15 @@ CompiledAnswer answer(const NamedPhPath& named, const CompiledQuery& query) {
 }
 
 CompiledAnswer answer(const NamedPath& named, const SmoothCompiledQuery& query) {
-  const bool is_up = query.reference == SmoothReference::up;
-  const SmoothAngle angle = !is_up     ? SmoothAngle(named.path, query.reference)
-                            : query.up ? SmoothAngle(named.path, *query.up)
-                                       : SmoothAngle(named.path);
-  const Real start = start_angle(query.start, angle);
+  const bool is_up = query.reference == Reference::up;
+  const PathAngle angle = !is_up     ? PathAngle(named.path, query.reference)
+                          : query.up ? PathAngle(named.path, *query.up)
+                                     : PathAngle(named.path, Reference::up);
+  const StartAngle start = start_angle(query.start, angle);
   CompiledAnswer compiled{named,
                           is_up ? Reference::euler_rodrigues : Reference::frenet,
                           query.start,
-                          rounded_or_zero(start, "theta at t = 0", 17),
+                          rounded_or_zero(start.value, "theta at t = 0", 17),
                           compiled_angle(angle, start, plain_shape(1)),
                           {}};
   if (!is_up) return compiled;

@@ -2,7 +2,7 @@
 #include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/piecewise_polynomial.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/along/smooth_angle.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame {
@@ -17,9 +17,9 @@ struct CompiledQuery {
 
 /// The same of a path of any kind.
 struct SmoothCompiledQuery {
-  SmoothReference reference = SmoothReference::up;  ///< the frame that θ is measured from
-  std::optional<Vector<Rational>> up = {};          ///< v; one that does is chosen if there is none
-  FrameStart start = {};                            ///< θ(0), or where f₂ is at t = 0
+  Reference reference = Reference::up;      ///< the frame that θ is measured from
+  std::optional<Vector<Rational>> up = {};  ///< v; one that does is chosen if there is none
+  FrameStart start = {};                    ///< θ(0), or where f₂ is at t = 0
 };
 
 /// Polynomials for a whole path: to_c_header() writes them.
@@ -34,7 +34,7 @@ struct CompiledAnswer {
   std::optional<Vector<Rational>> up = {};
 };
 
-/// @{ Throws as PathAngle or SmoothAngle, start_angle(), compiled_angle() and compiled_rotation().
+/// @{ Throws as PathAngle, start_angle(), compiled_angle() and compiled_rotation().
 CompiledAnswer answer(const NamedPhPath& path, const CompiledQuery& query);
 CompiledAnswer answer(const NamedPath& path, const SmoothCompiledQuery& query);
 /// @}

@@ -12,7 +12,7 @@
 #include "phrame/algebra/progress.hpp"
 #include "phrame/ph/along/smooth_travel_time.hpp"
 #include "phrame/ph/frame/moving_frame.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame {
 namespace {
@@ -207,8 +207,8 @@ MachinePath answer(const NamedPath& named, const MachineQuery& query) {
   const SmoothTravelTime time(path, query.motion.feedrate);
   const Integer ticks = ticks_before(time.total(), query.motion.period);
   require_few_rows(query.motion, ticks);
-  const SmoothAngle angle = query.up ? SmoothAngle(path, *query.up) : SmoothAngle(path);
-  const Real start = start_angle(query.start, angle);
+  const PathAngle angle = query.up ? PathAngle(path, *query.up) : PathAngle(path, Reference::up);
+  const StartAngle start = start_angle(query.start, angle);
   MachineMoves moves(query);
   const Place end(path.segments().size() - 1, Rational(1));
   follow(

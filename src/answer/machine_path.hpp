@@ -12,7 +12,7 @@ struct MachineQuery {
   InterpolationQuery motion;                ///< its points
   ToolAxis tool = ToolAxis::f3;             ///< along which vector it is
   FrameStart start = {};                    ///< of the frame
-  std::optional<Vector<Rational>> up = {};  ///< of a path of any kind, as of SmoothAngle
+  std::optional<Vector<Rational>> up = {};  ///< of a path of any kind, as of PathAngle
   long places = 4;                          ///< decimals, ≥ 0
 };
 

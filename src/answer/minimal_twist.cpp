@@ -52,7 +52,8 @@ MinimalTwistAnswer answer(const NamedPhPath& named, const MinimalTwistQuery& que
 }
 
 MinimalTwistAnswer answer(const NamedPath& named, const SmoothTwistQuery& query) {
-  const SmoothAngle angle = query.up ? SmoothAngle(named.path, *query.up) : SmoothAngle(named.path);
+  const PathAngle angle =
+      query.up ? PathAngle(named.path, *query.up) : PathAngle(named.path, Reference::up);
   const SmoothTwist mtf(angle, query.from, query.to, query.extra_turns);
   const auto decimal = [&query](const Real& x, const std::string& what) {
     return rounded_or_zero(x, what, query.digits);

@@ -12,7 +12,7 @@
 #include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/frame/frame.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/ph/twist/smooth_twist.hpp"
 
@@ -197,7 +197,7 @@ PageAnswer answer(const NamedPhPath& named, const PageQuery& query) {
     FrameTable table = frame_table(path, columns, std::vector<Place>(at.begin(), at.end()));
     add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k], start); });
     add_column(table, "theta_rate",
-               [&](std::size_t k) { return angle.segment(at[k].segment).rate()(at[k].t); });
+               [&](std::size_t k) { return angle.closed_form(at[k].segment)->rate()(at[k].t); });
     add_column(table, "speed", [&](std::size_t k) {
       const Curve& curve = path.segments()[at[k].segment];
       return abs(Rational(curve.multiplier()(at[k].t) * sigma(curve.preimage())(at[k].t)));
@@ -236,7 +236,7 @@ PageAnswer answer(const NamedPhPath& named, const PageQuery& query) {
 
 PageAnswer answer(const NamedPath& named, const PageQuery& query) {
   const Path& path = named.path;
-  const SmoothAngle angle = query.up ? SmoothAngle(path, *query.up) : SmoothAngle(path);
+  const PathAngle angle = query.up ? PathAngle(path, *query.up) : PathAngle(path, Reference::up);
   const bool is_closed = closure(path).is_closed == true;
   std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::up,
                                      TabulatedFrame::frenet};
@@ -250,10 +250,10 @@ PageAnswer answer(const NamedPath& named, const PageQuery& query) {
     twist.emplace(angle, from, is_closed ? from : StartNormal(*query.end_normal));
   }
   const TableColumns columns = page_columns(frames, from);
-  const Real start = start_angle(from, angle);
+  const StartAngle start = start_angle(from, angle);
   const auto table_at = [&](const std::vector<PathParameter>& at) {
     FrameTable table = frame_table(angle, columns, std::vector<Place>(at.begin(), at.end()), twist);
-    add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k]) + start; });
+    add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k], start); });
     return table;
   };
   PathTurns turns = path_turns(path);

@@ -1,23 +1,23 @@
 #pragma once
 #include "phrame/answer/angle.hpp"
-#include "phrame/ph/along/smooth_angle.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 
 namespace phrame {
 
 /// Which angle is the rotation-minimizing frame of a curve of any kind at? Beside what an
 /// AngleQuery has that needs a closed form.
 struct SmoothAngleQuery {
-  SmoothReference reference = SmoothReference::up;  ///< the frame that θ is measured from
-  std::optional<Vector<Rational>> up = {};          ///< v; one that does is chosen if there is none
-  FrameStart start = Angle();                       ///< θ(0), or where f₂ is at t = 0
-  std::vector<Rational> at = {};                    ///< the t where θ is asked for
-  long digits = 17;                                 ///< of its values
+  Reference reference = Reference::up;      ///< the frame that θ is measured from
+  std::optional<Vector<Rational>> up = {};  ///< v; one that does is chosen if there is none
+  FrameStart start = Angle();               ///< θ(0), or where f₂ is at t = 0
+  std::vector<Rational> at = {};            ///< the t where θ is asked for
+  long digits = 17;                         ///< of its values
 };
 
 /// The angle of the rotation-minimizing frame of a path of any kind.
 struct SmoothAngleAnswer {
   NamedPath path;                   ///< as asked
-  SmoothReference reference;        ///< the frame that θ is measured from
+  Reference reference;              ///< the frame that θ is measured from
   Vector<Rational> up;              ///< v, given or chosen
   FrameStart start;                 ///< as asked
   Decimal start_angle;              ///< θ(0); of a vector in (−π, π]
@@ -31,7 +31,7 @@ struct SmoothAngleAnswer {
   bool is_straight = false;  ///< a line, where any frame that does not turn is the right one?
 };
 
-/// Throws DomainError as SmoothAngle and locate(); Undecided, with the name of what it is, where a
+/// Throws DomainError as PathAngle and locate(); Undecided, with the name of what it is, where a
 /// value cannot be rounded.
 SmoothAngleAnswer answer(const NamedPath& path, const SmoothAngleQuery& query);
 

@@ -4,9 +4,9 @@
 #include "phrame/algebra/roots.hpp"
 #include "phrame/answer/info.hpp"
 #include "phrame/answer/rounded.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
-#include "phrame/ph/along/smooth_angle.hpp"
 #include "phrame/ph/along/smooth_totals.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 
@@ -31,7 +31,7 @@ void add_lengths(SmoothInfoAnswer& answer, long digits) {
 
 SmoothInfoAnswer answer(const NamedPath& named, const InfoQuery& query) {
   const Path& path = named.path;
-  const SmoothAngle angle(path);
+  const PathAngle angle(path, Reference::up);
   find_together(path, {length_rate(), up_frame_rate(angle.up()), bending_rate()});
   SmoothInfoAnswer answer{
       named,
@@ -48,7 +48,7 @@ SmoothInfoAnswer answer(const NamedPath& named, const InfoQuery& query) {
   if (const auto* finite = std::get_if<Real>(&energy))
     answer.bending_energy = rounded_or_zero(*finite, "the bending energy", query.digits);
   try {
-    if (const auto turn = holonomy(angle))
+    if (const auto turn = angle.holonomy())
       answer.holonomy = rounded_or_zero(*turn, "holonomy", query.digits);
   } catch (const Undecided& undecided) {
     answer.no_holonomy = undecided.what();

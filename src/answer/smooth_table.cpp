@@ -9,7 +9,7 @@
 #include "phrame/answer/orientation_columns.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/smooth_shape.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame {
 namespace {
@@ -34,7 +34,7 @@ void require_columns(const TableColumns& columns, bool has_twist) {
 
 class SmoothRows {
  public:
-  SmoothRows(const SmoothAngle& angle, const TableColumns& columns,
+  SmoothRows(const PathAngle& angle, const TableColumns& columns,
              const std::optional<SmoothTwist>& twist)
       : columns_(columns),
         orientations_(columns),
@@ -53,10 +53,10 @@ class SmoothRows {
 
   const TableColumns& columns_;
   OrientationColumns orientations_;
-  SmoothAngle angle_;
+  PathAngle angle_;
   const std::optional<SmoothTwist>& twist_;
   std::optional<PathLength> length_;
-  Real start_;
+  StartAngle start_;
   std::string reason_;  ///< why the last row has empty cells
 };
 
@@ -113,7 +113,7 @@ std::vector<double> SmoothRows::at(const Place& at) {
 
 }  // namespace
 
-FrameTable frame_table(const SmoothAngle& angle, const TableColumns& columns,
+FrameTable frame_table(const PathAngle& angle, const TableColumns& columns,
                        const std::vector<Place>& at, const std::optional<SmoothTwist>& twist) {
   require_columns(columns, twist.has_value());
   SmoothRows rows(angle, columns, twist);

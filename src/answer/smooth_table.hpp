@@ -9,7 +9,7 @@ namespace phrame {
 /// angle, it is that to e₂ = v × e₁/|v × e₁|. What is not continuous at a joint is that of the
 /// later segment. Throws as the frame_table() of PH curves, and DomainError for a frame that only
 /// these have.
-FrameTable frame_table(const SmoothAngle& angle, const TableColumns& columns,
+FrameTable frame_table(const PathAngle& angle, const TableColumns& columns,
                        const std::vector<Place>& at, const std::optional<SmoothTwist>& twist = {});
 
 }  // namespace phrame

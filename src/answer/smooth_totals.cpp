@@ -5,9 +5,9 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/answer/writhe_rows.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
-#include "phrame/ph/along/smooth_angle.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/frame/closed_curve.hpp"
 
@@ -71,9 +71,9 @@ Real in_turns(const Real& x) {
   });
 }
 
-void add_holonomy(SmoothTotals& totals, const SmoothAngle& angle, const Real& length) {
+void add_holonomy(SmoothTotals& totals, const PathAngle& angle, const Real& length) {
   try {
-    const Real turn = *holonomy(angle);
+    const Real turn = *angle.holonomy();
     totals.add(Quantity::holonomy, turn);
     totals.add(Quantity::closing_turn,
                turn.exact() == Rational(0) ? turn : closing_turn_per_length(turn, length));
@@ -87,7 +87,7 @@ void add_holonomy(SmoothTotals& totals, const SmoothAngle& angle, const Real& le
 
 TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
   const Path& path = named.path;
-  const SmoothAngle angle(path);
+  const PathAngle angle(path, Reference::up);
   TotalsAnswer answer{named, {}, query.digits, angle.up()};
   SmoothTotals totals(answer);
   const std::string no_torsion = why_no_torsion(path);

@@ -7,8 +7,8 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/answer/end_normal.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/frame/compiled_smooth.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/compiled_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame {
 namespace {
@@ -72,8 +72,8 @@ SweepAnswer answer(const NamedPhPath& named, const SweepQuery& query) {
 }
 
 SweepAnswer answer(const NamedPath& named, const SweepQuery& query) {
-  const SmoothAngle angle(named.path);
-  return swept({series_of(named.path), compile_frames(angle, start_angle(query.start, angle)),
+  const PathAngle angle(named.path, Reference::up);
+  return swept({series_of(named.path), CompiledFrames(angle, start_angle(query.start, angle)),
                 named.path.is_closed()},
                query);
 }

@@ -59,8 +59,8 @@ void run(const Command& command, const AngleOptions& options, const NamedPath& n
     throw InputError("--print",
                      fmt::format("\"{}\" is the closed form: {}", options.form.print, why_not));
   SmoothAngleQuery query;
-  if (options.frame == "frenet") query.reference = SmoothReference::frenet;
-  const SmoothAngle angle = options.up.angle(named.path);
+  if (options.frame == "frenet") query.reference = Reference::frenet;
+  const PathAngle angle = options.up.angle(named.path);
   options.start.check(angle);
   query.up = angle.up();
   query.start = options.start.start();

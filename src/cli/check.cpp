@@ -58,7 +58,7 @@ void require_enough(const std::vector<GivenFrame>& frames, const FrameCheckOptio
 /// Throws InputError for vectors that do not do with this path.
 void check_start(const AnyPath& path, const CheckOptions& options, FrameCheckOptions& measure) {
   if (const auto* named = std::get_if<NamedPhPath>(&path)) return options.start.check(named->path);
-  const SmoothAngle angle = options.up.angle(std::get<NamedPath>(path).path);
+  const PathAngle angle = options.up.angle(std::get<NamedPath>(path).path);
   options.start.check(angle);
   measure.up = angle.up();
 }

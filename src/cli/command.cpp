@@ -13,7 +13,7 @@
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/construct/near.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -265,8 +265,8 @@ void StartOptions::check(const PhPath& path, Reference reference) const {
   });
 }
 
-void StartOptions::check(const SmoothAngle& along) const {
-  require_reference(along.reference() == SmoothReference::up ? "up" : "frenet");
+void StartOptions::check(const PathAngle& along) const {
+  require_reference(along.reference() == Reference::up ? "up" : "frenet");
   at_option("--start-normal", [&] {
     if (const auto start = given()) start_angle(*start, along);
   });
@@ -281,9 +281,10 @@ std::optional<Vector<Rational>> UpOption::given() const {
   return parse_vector_option("--up", *vector);
 }
 
-SmoothAngle UpOption::angle(const Path& path) const {
+PathAngle UpOption::angle(const Path& path) const {
   const auto up = given();
-  return up ? at_option("--up", [&] { return SmoothAngle(path, *up); }) : SmoothAngle(path);
+  return up ? at_option("--up", [&] { return PathAngle(path, *up); })
+            : PathAngle(path, Reference::up);
 }
 
 AnyPath UpOption::applied_to(AnyPath path, bool is_wanted) const {

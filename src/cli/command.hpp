@@ -6,7 +6,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/cli/program.hpp"
 #include "phrame/io/read/any_path.hpp"
-#include "phrame/ph/along/smooth_angle.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame::cli {
@@ -90,7 +90,7 @@ struct StartOptions {
   /// @{ Throws InputError for a vector that has no part across the tangent, and for a frame that
   /// angles are not measured from.
   void check(const PhPath& path, Reference reference = Reference::euler_rodrigues) const;
-  void check(const SmoothAngle& along) const;
+  void check(const PathAngle& along) const;
   /// @}
   static std::vector<std::string> names() { return {"--start", "--theta0", "--start-normal"}; }
 
@@ -110,7 +110,7 @@ struct UpOption {
   /// What is given. Throws InputError.
   std::optional<Vector<Rational>> given() const;
   /// The angle along the path. Throws InputError for a v that is 0 or along the tangent.
-  SmoothAngle angle(const Path& path) const;
+  PathAngle angle(const Path& path) const;
   /// The path, as one of any kind where it is given or the frame of a v `is_wanted`.
   AnyPath applied_to(AnyPath path, bool is_wanted = false) const;
 };

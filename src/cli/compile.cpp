@@ -45,10 +45,10 @@ CompiledAnswer compiled(const Command& command, const CompileOptions& options,
                  "as a whole");
   if (command.is_given("--frame") && options.frame == "erf")
     throw InputError("--frame", "\"erf\" " + needs_ph(named.path));
-  const SmoothAngle angle = options.up.angle(named.path);
+  const PathAngle angle = options.up.angle(named.path);
   options.start.check(angle);
   SmoothCompiledQuery query;
-  if (options.frame == "frenet") query.reference = SmoothReference::frenet;
+  if (options.frame == "frenet") query.reference = Reference::frenet;
   query.up = angle.up();
   query.start = options.start.start();
   return answer(named, query);

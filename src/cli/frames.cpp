@@ -157,7 +157,7 @@ TabulatedFrames table_of(const NamedPath& named, const TableColumns& columns, By
     throw InputError("--frame", named.path.is_ph()
                                     ? "\"mtf\" is not tabulated beside the frame of v"
                                     : "\"mtf\" " + needs_ph(named.path));
-  const SmoothAngle angle = options.up.angle(named.path);
+  const PathAngle angle = options.up.angle(named.path);
   options.start.check(angle);
   std::vector<Rational> numbers;
   std::vector<Place> at;

@@ -41,7 +41,7 @@ MachinePath machine_path(const Command& command, const InterpolateOptions& optio
   query.places = options.places;
   query.start = options.start.start();
   if (const auto* smooth = std::get_if<NamedPath>(&path)) {
-    const SmoothAngle angle = options.up.angle(smooth->path);
+    const PathAngle angle = options.up.angle(smooth->path);
     options.start.check(angle);
     query.up = angle.up();
   } else {

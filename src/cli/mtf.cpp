@@ -56,7 +56,7 @@ MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
   command.refuse(TwistOptions::of_rational_frame(),
                  named.path.is_ph() ? "is of rational frames, whose angles are not those of --up"
                                     : "is of rational frames; such a one " + needs_ph(named.path));
-  const SmoothAngle angle = options.up.angle(named.path);
+  const PathAngle angle = options.up.angle(named.path);
   const auto [from, to] = options.twist.ends(angle);
   MinimalTwistAnswer found =
       answer(named, SmoothTwistQuery{from, to, options.twist.turns,

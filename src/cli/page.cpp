@@ -31,7 +31,7 @@ PageAnswer page_of(const PageOptions& options, const PageQuery& query, const Nam
 }
 
 PageAnswer page_of(const PageOptions& options, PageQuery query, const NamedPath& named) {
-  const SmoothAngle angle = options.up.angle(named.path);
+  const PathAngle angle = options.up.angle(named.path);
   options.start.check(angle);
   query.up = angle.up();
   return answer(named, query);

@@ -71,7 +71,7 @@ Profile profile_of(const SweepOptions& options, double scale,
 
 void check_start(const SweepOptions& options, const AnyPath& path) {
   if (const auto* smooth = std::get_if<NamedPath>(&path))
-    options.start.check(SmoothAngle(smooth->path));
+    options.start.check(PathAngle(smooth->path, Reference::up));
   else
     options.start.check(std::get<NamedPhPath>(path).path);
 }

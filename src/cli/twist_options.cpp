@@ -1,7 +1,7 @@
 #include "phrame/cli/twist_options.hpp"
 
 #include "phrame/ph/frame/frame.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -45,7 +45,7 @@ void require_ends(const TwistOptions& options) {
 
 /// The angle or vector that is given; the latter has a part across the tangent there.
 FrameStart smooth_boundary(const std::string& name, const std::optional<std::string>& angle,
-                           const std::optional<std::string>& vector, const SmoothAngle& along,
+                           const std::optional<std::string>& vector, const PathAngle& along,
                            const Place& at) {
   if (angle) return parse_angle_option(name, *angle);
   const std::string option = name + "-vector";
@@ -93,7 +93,7 @@ std::pair<FrameAngle, FrameAngle> TwistOptions::ends(const PhPath& path) const {
   return {start, start + angle_of(*closing * *closing)};
 }
 
-std::pair<FrameStart, FrameStart> TwistOptions::ends(const SmoothAngle& along) const {
+std::pair<FrameStart, FrameStart> TwistOptions::ends(const PathAngle& along) const {
   require_ends(*this);
   const Path& path = along.path();
   const FrameStart start = smooth_boundary("--from", from, from_vector, along, {0, Rational(0)});

@@ -25,7 +25,7 @@ struct TwistOptions {
   /// θ_i and θ_f. Throws InputError where one is missing or given twice.
   std::pair<FrameAngle, FrameAngle> ends(const PhPath& path) const;
   /// The same to the frame of v, of a curve that is not PH.
-  std::pair<FrameStart, FrameStart> ends(const SmoothAngle& angle) const;
+  std::pair<FrameStart, FrameStart> ends(const PathAngle& angle) const;
   /// Throws InputError for a point that is not on the spline, too.
   Subdivision subdivision(const PhPath& path) const;
   /// For results with so many digits.

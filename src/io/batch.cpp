@@ -16,7 +16,7 @@
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/nearness.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame {
 namespace {
@@ -182,7 +182,7 @@ std::string answer_of(const JsonNode& line, const NamedPhPath& named, const Angl
 /// Of a curve that is no PH curve, or by its frame of v.
 std::string answer_of(const JsonNode& line, const NamedPath& named, const AngleQuery& query) {
   SmoothAngleQuery wanted;
-  if (query.reference == Reference::frenet) wanted.reference = SmoothReference::frenet;
+  if (query.reference == Reference::frenet) wanted.reference = Reference::frenet;
   wanted.start = query.start;
   wanted.at = query.at;
   wanted.digits = query.digits;
@@ -191,8 +191,8 @@ std::string answer_of(const JsonNode& line, const NamedPath& named, const AngleQ
       frame->fail("\"erf\" needs a Pythagorean-hodograph curve, and this is none");
     if (const auto up = line.find("up")) wanted.up = vector_of(*up);
   }
-  const SmoothAngle angle = at_key(line, "up", [&] {
-    return wanted.up ? SmoothAngle(named.path, *wanted.up) : SmoothAngle(named.path);
+  const PathAngle angle = at_key(line, "up", [&] {
+    return wanted.up ? PathAngle(named.path, *wanted.up) : PathAngle(named.path, Reference::up);
   });
   require_start(line, query.start, angle);
   return to_json_line(answer(named, wanted));

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/ph/frame/smooth_check.hpp"
+#include "phrame/ph/frame/frame_check.hpp"
 
 namespace phrame {
 namespace {

@@ -110,7 +110,8 @@ TEST_CASE("interpolation: pieces of a curve are passed as the whole") {
   const PhPath pieces = test::cut(quintic, {Rational(1, 3)});
   const auto check = [](const Curve& whole, const PhPath& cut, const Feedrate& feedrate) {
     const InterpolationQuery query{feedrate, Rational(1, 7)};
-    check_columns(answer({"", cut}, query), answer({"", whole}, query), all_but_t);
+    check_columns(answer(NamedPhPath{"", cut}, query), answer(NamedPhPath{"", whole}, query),
+                  all_but_t);
   };
   check(quintic, pieces, feed({2}));
   check(quintic, pieces, feed({1, Rational(1, 2)}));
@@ -126,7 +127,8 @@ TEST_CASE("interpolation: pieces of a curve are passed as the whole") {
   const FrameTable whole =
       answer({"", quintic}, InterpolationQuery{feed({1, 0, 1}, of_t), Rational(1, 7)});
   const FrameTable cut =
-      answer({"", halves}, InterpolationQuery{feed({1, 0, Rational(1, 4)}, of_t), Rational(1, 7)});
+      answer(NamedPhPath{"", halves},
+             InterpolationQuery{feed({1, 0, Rational(1, 4)}, of_t), Rational(1, 7)});
   check_columns(cut, whole, all_but_t);
   for (std::size_t k = 0; k < cut.rows.size(); ++k) CHECK(cut.rows[k][2] == 2 * whole.rows[k][2]);
 }

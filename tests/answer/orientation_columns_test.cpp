@@ -110,7 +110,7 @@ TEST_CASE("orientation columns: a curve of any kind has them, and empty ones") {
   columns.have_matrices = true;
   columns.may_be_empty = true;
   const FrameTable table =
-      frame_table(SmoothAngle(path), columns, {{0, Rational(0)}, {0, Rational(1, 2)}});
+      frame_table(PathAngle(path), columns, {{0, Rational(0)}, {0, Rational(1, 2)}});
   REQUIRE(table.rows.size() == 2);
   for (std::size_t k = 7; k < 33; ++k) CHECK(std::isnan(table.rows[0][k]));
   for (std::size_t k = 33; k < 59; ++k) CHECK_FALSE(std::isnan(table.rows[0][k]));

@@ -47,7 +47,7 @@ TEST_CASE("smooth answers: the angle of a cubic to the frames of v and Frenet") 
   CHECK_FALSE(up.is_zero);
   CHECK_FALSE(up.holonomy.has_value());
   SmoothAngleQuery frenet;
-  frenet.reference = SmoothReference::frenet;
+  frenet.reference = Reference::frenet;
   frenet.digits = 30;
   CHECK(answer(cubic, frenet).total.value == "-1.65740642390110110987772706379");
 }
@@ -101,7 +101,7 @@ TEST_CASE("smooth answers: a closed plane path has no holonomy, exactly") {
 TEST_CASE("smooth answers: the frames of a cubic are correctly rounded") {
   TableColumns columns{{TabulatedFrame::rmf, TabulatedFrame::up, TabulatedFrame::frenet},
                        {TabulatedScalar::curvature, TabulatedScalar::torsion}};
-  const FrameTable table = frame_table(SmoothAngle(cubic.path, {0, 0, 1}), columns,
+  const FrameTable table = frame_table(PathAngle(cubic.path, {0, 0, 1}), columns,
                                        {{0, Rational(1, 2)}, {0, Rational(1)}});
   REQUIRE(table.columns.size() == table.rows.at(0).size());
   const std::vector<double>& half = table.rows[0];
@@ -125,9 +125,8 @@ TEST_CASE("smooth answers: the frames of a cubic are correctly rounded") {
 }
 
 TEST_CASE("smooth answers: columns that only PH curves have are refused") {
-  CHECK_THROWS_AS(
-      frame_table(SmoothAngle(cubic.path), {{TabulatedFrame::euler_rodrigues}}, {start}),
-      DomainError);
+  CHECK_THROWS_AS(frame_table(PathAngle(cubic.path), {{TabulatedFrame::euler_rodrigues}}, {start}),
+                  DomainError);
 }
 
 // r = (t, t³, t⁴) has an inflection at t = 0, where τ = 72t²/(36t² + …) is 2 by continuity.
@@ -135,9 +134,9 @@ TEST_CASE("smooth answers: cells may be empty where the Frenet frame is undefine
   const Path inflected(
       RationalCurve({Polynomial{0, 1}, Polynomial{0, 0, 0, 1}, Polynomial{0, 0, 0, 0, 1}}));
   TableColumns columns{{TabulatedFrame::frenet}, {TabulatedScalar::torsion}};
-  CHECK_THROWS_AS(frame_table(SmoothAngle(inflected), columns, {start}), DomainError);
+  CHECK_THROWS_AS(frame_table(PathAngle(inflected), columns, {start}), DomainError);
   columns.may_be_empty = true;
-  const FrameTable table = frame_table(SmoothAngle(inflected), columns, {start, {0, Rational(1)}});
+  const FrameTable table = frame_table(PathAngle(inflected), columns, {start, {0, Rational(1)}});
   CHECK(table.incomplete_rows == 1);
   CHECK(std::isnan(table.rows[0][7]));
   CHECK(table.rows[0].back() == 2);

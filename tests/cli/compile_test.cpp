@@ -7,7 +7,7 @@
 #include "phrame/io/write/c_header.hpp"
 #include "phrame/ph/frame/compiled_angle.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "support/random.hpp"
 #include "workshop.hpp"
 
@@ -349,7 +349,7 @@ TEST_CASE("compile: curves of any kind, by angles to the frame of v") {
   CHECK(test::contains(header, "theta(0) = 1/8."));
   const Path path(
       bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 3}}, {1, 2, Rational(1, 2), 1}));
-  const SmoothAngle angle(path, {0, 0, 1});
+  const PathAngle angle(path, {0, 0, 1});
   const Real start = Rational(1, 8);
   const auto at = even_parameters(1001);
   const auto rows = evaluated(shop, at, "-std=c99 -O2");

@@ -7,8 +7,9 @@
 #include "phrame/answer/totals.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/frame/compiled_smooth.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/compiled_angle.hpp"
+#include "phrame/ph/frame/compiled_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/twist/smooth_twist.hpp"
 #include "support/random.hpp"
 
@@ -95,7 +96,7 @@ TEST_CASE("pipes: law: all is answered, and the frame is bent with the legs") {
     const bool is_closed = random.chance(2);
     const std::vector<Leg> all = legs(random, is_closed);
     const NamedPath named{"", pipe(random, all, is_closed)};
-    const SmoothAngle angle(named.path);
+    const PathAngle angle(named.path);
     const Place end{named.path.segments().size() - 1, Rational(1)};
 
     // In an arc the frame turns with the tangent about the normal of its plane.
@@ -124,6 +125,6 @@ TEST_CASE("pipes: law: all is answered, and the frame is bent with the legs") {
       CHECK_MESSAGE(row.reason.find("undecided") == std::string::npos, row.reason);
     const SmoothTwist twist(angle, Angle(), is_closed ? FrameStart(Angle()) : FrameStart(Angle(1)));
     round_to_decimal(twist.twist(), 17);
-    compile_frames(angle, Rational(0));
+    CompiledFrames(angle, Rational(0));
   });
 }

@@ -20,7 +20,7 @@ std::string no_closed_form(const Path& path) {
              : "no closed form: the curve is not Pythagorean-hodograph";
 }
 
-bool is_up(const SmoothAngleAnswer& answer) { return answer.reference == SmoothReference::up; }
+bool is_up(const SmoothAngleAnswer& answer) { return answer.reference == Reference::up; }
 
 std::string equals(const Decimal& x) { return x.radius == "0" ? "=" : "≈"; }
 

@@ -50,6 +50,24 @@ std::optional<GaussianRational> direction_of(const FrameAngle& angle);
 /// Exact where the angle is rational, else known to be irrational: decided exactly.
 Real to_real(const FrameAngle& angle);
 
+/// The angle that a frame starts at: exactly, where that is known, and its value.
+struct StartAngle {
+  std::optional<FrameAngle> exact;  ///< no value where only enclosures are known
+  Real value;                       ///< the angle
+
+  StartAngle() : StartAngle(FrameAngle()) {}  ///< 0
+  /// @{ This one.
+  StartAngle(const FrameAngle& angle)  // NOLINT(google-explicit-constructor)
+      : exact(angle), value(to_real(angle)) {}
+  StartAngle(const Angle& angle)  // NOLINT(google-explicit-constructor)
+      : StartAngle(FrameAngle(angle)) {}
+  StartAngle(const Rational& in_radians)  // NOLINT(google-explicit-constructor)
+      : StartAngle(FrameAngle(in_radians)) {}
+  StartAngle(Real angle)  // NOLINT(google-explicit-constructor)
+      : value(std::move(angle)) {}
+  /// @}
+};
+
 /// An angle as it is written: as an Angle and, where z is there, arg z, the principal one.
 struct AngleTerms {
   Angle angle;                       ///< π·half_turns + radians

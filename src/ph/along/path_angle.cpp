@@ -3,27 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <mutex>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
-#include "phrame/ph/along/frame_angle.hpp"
+#include "phrame/algebra/recent.hpp"
+#include "phrame/algebra/shared.hpp"
+#include "phrame/ph/along/plane_turns.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
+#include "phrame/ph/along/segment_integral.hpp"
+#include "phrame/ph/along/smooth_shape.hpp"
+#include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/transform.hpp"
 
-// Every segment is a curve on [0, 1], and so is a part of one, reparametrised. Hence θ(t) is one
-// integral from 0 to 1, of the sum of all rates, and that logarithms of different segments cancel
-// is decided as within one.
+// Every PH curve is one on [0, 1], and so is a part of one, reparametrised. Hence θ(t) behind some
+// of them is one integral from 0 to 1, of the sum of all rates, and that logarithms of different
+// segments cancel is decided as within one.
 
 namespace phrame {
-
-std::string frenet_jump(std::size_t joint, const Real& angle) {
-  const double by = std::abs(approximate(angle.enclose(64)));
-  return fmt::format("Frenet frame: at the joint t = {} it jumps, by {:.3g} radians", joint, by);
-}
-
 namespace {
 
 constexpr long rational_bits = 256;
@@ -33,47 +32,67 @@ const Antiderivative& whole(const RmfAngle& angle) {
   return angle.bend() ? angle.antiderivative() : angle.angle_to_erf();
 }
 
-/// Does the Frenet frame go on through the joints, up to the half turn of an inflection? With one
-/// Euler–Rodrigues frame there it does where the two g have the same argument, up to that.
-void require_frenet_joints(const PhPath& path) {
-  const auto& segments = path.segments();
-  GaussianRational before;
-  for (std::size_t k = 0; k < segments.size(); ++k) {
-    const QuaternionPolynomial& a = segments[k].preimage();
-    if (is_zero(bend_numerator(a)))
-      throw DomainError(fmt::format(
-          "Frenet frame: segment {} is a straight line, it has no principal normal", k + 1));
-    const GaussianPolynomial g = regular_bend(a);
-    const GaussianRational turn = GaussianRational{g.re(0), g.im(0)} * conjugate(before);
-    if (k > 0 && turn.im != 0)
-      throw DomainError(frenet_jump(
-          k, to_real(angle_of(turn.re < 0 ? GaussianRational{-turn.re, -turn.im} : turn))));
-    before = {g.re(1), g.im(1)};
-  }
-}
-
 /// Of the angle at t, which begins at 0.
 Rational without_logarithms(const RmfAngle& angle, const Rational& t) {
   return difference_without_logarithms(angle.angle_to_erf(), 0, t);
 }
 
+/// θ(t): at a rational number next to t, and from there θ′ on a ball that holds both.
+RealBall enclosed(const RmfAngle& angle, const Real& t, long bits) {
+  if (t.exact()) return angle.enclose(*t.exact(), bits);
+  const RealBall near = t.enclose(bits + 16);
+  const Rational m = near.midpoint();
+  const RealBall way = subtract(near, RealBall(m, bits + 64), bits + 16);
+  return add(angle.enclose(m, bits + 16),
+             multiply(evaluate(angle.rate(), near, bits + 16), way, bits + 16), bits + 16);
+}
+
+void require_on_segment(const Real& t) {
+  if (t.exact() && (*t.exact() < 0 || *t.exact() > 1))
+    throw DomainError(fmt::format("t = {} is outside [0, 1]", as_written(*t.exact())));
+}
+
+void require_ph(const Path& path) {
+  for (std::size_t k = 0; k < path.segments().size(); ++k)
+    if (ph_curve(path.segments()[k]) == nullptr)
+      throw DomainError(fmt::format(
+          "Euler-Rodrigues frame: segment {} is no Pythagorean-hodograph curve, it has none",
+          k + 1));
+}
+
 }  // namespace
 
 struct PathAngle::State {
+  /// What an angle is measured from, and how its closed forms are written.
+  struct Measure {
+    Reference reference;
+    std::optional<Vector<Rational>> up;  ///< v, where it is the frame of one
+    Form form = Form::automatic;
+
+    RmfAngle along(const Curve& curve) const {
+      return up ? RmfAngle(curve.preimage(), *up, form) : RmfAngle(curve, reference, form);
+    }
+  };
+
   /// A joint, the start of a segment, with a rational θ.
   struct Joint {
     std::size_t segment = 0;
     Rational theta;
   };
 
-  PhPath path;
-  Reference reference;
-  std::vector<RmfAngle> angles;
+  Path path;
+  Measure measure;
+  std::vector<std::optional<RmfAngle>> closed_forms;    ///< of the segments that are PH curves
+  Recent<SegmentIntegral> others{most_kept_integrals};  ///< of the others
+  std::size_t closed_segments = 0;                      ///< so many PH curves come first
+  bool is_zero = true;
+  Lazy<Vector<Rational>> chosen_up{};
+  Lazy<PlaneTurns> plane_turns{};
 
   // Each is locked while it grows. Joints ask for sums, and sums for the angles of segments, never
   // the other way.
   std::mutex sums_lock;
-  std::map<long, std::vector<RealBall>> sums;  ///< θ(0), θ(1), … by precision
+  std::map<long, std::vector<RealBall>> sums{};  ///< θ(0), θ(1), … by precision
   std::mutex rational_sums_lock;
   std::vector<RealBall> rational_sums{RealBall()};  ///< of these, what has no logarithm
   std::mutex joints_lock;
@@ -83,82 +102,139 @@ struct PathAngle::State {
   /// Of θ(0), θ(1), …, as far as there are any.
   std::vector<GaussianRational> directions{{1, 0}};
 
-  State(PhPath of, Reference to, std::vector<RmfAngle> of_segments)
-      : path(std::move(of)), reference(to), angles(std::move(of_segments)) {}
+  State(const Path& along, Measure by);
+
+  const RmfAngle* closed_form(std::size_t k) const {
+    return closed_forms[k] ? &*closed_forms[k] : nullptr;
+  }
+  /// Is θ there a sum of closed forms?
+  bool is_closed_up_to(std::size_t segment) const { return segment < closed_segments; }
+
+  std::shared_ptr<const SegmentIntegral> other(std::size_t k) {
+    return others.get(k, [&] {
+      const Segment& segment = path.segments()[k];
+      return measure.up ? up_frame_angle(segment, *measure.up) : frenet_angle(segment);
+    });
+  }
+  RealBall enclose_on(std::size_t k, const Real& t, long bits) {
+    return closed_forms[k] ? enclosed(*closed_forms[k], t, bits) : other(k)->enclose(t, bits);
+  }
+  /// θ up to whole turns, along lines and plane curves.
+  std::optional<AngleForm> algebraic_form(const Place& at) const {
+    if (!measure.up) return std::nullopt;
+    return plane_turns.get([&] { return PlaneTurns(path, *measure.up); }).at(at);
+  }
 
   RealBall sum_before(std::size_t segment, long bits);
-  RealBall enclose(const PathParameter& at, long bits);
-  RealBall enclose(const PathParameter& at, const FrameAngle& start, long bits);
+  RealBall enclose(const Place& at, long bits);
+  RealBall enclose(const Place& at, const FrameAngle& start, long bits);
   Rational rational_part(std::size_t from, const PathParameter& at) const;
   RealBall rational_ball(const PathParameter& at);
   Antiderivative over_unit_interval(std::size_t from, const PathParameter& at) const;
   bool may_be_rational(const PathParameter& at, const FrameAngle& start);
 };
 
-PathAngle::PathAngle(PhPath path, Reference reference, Form form) {
-  if (reference == Reference::frenet && !path.is_curve()) require_frenet_joints(path);
-  std::vector<RmfAngle> angles;
-  Stage stage("segments", path.segments().size());
-  for (const Curve& curve : path.segments()) {
-    angles.emplace_back(curve, reference, form);
-    stage.advance();
+PathAngle::State::State(const Path& along, Measure by) : path(along), measure(std::move(by)) {
+  const auto& segments = path.segments();
+  Stage stage("segments", segments.size());
+  for (std::size_t k = 0; k < segments.size(); ++k, stage.advance()) {
+    closed_forms.emplace_back();
+    if (const Curve* curve = ph_curve(segments[k])) closed_forms[k] = measure.along(*curve);
+    if (closed_forms[k] && closed_segments == k) ++closed_segments;
+    if (is_zero)
+      is_zero = closed_forms[k] ? closed_forms[k]->rate().is_zero() : other(k)->is_zero();
   }
-  state_ = std::make_shared<State>(std::move(path), reference, std::move(angles));
 }
 
-const PhPath& PathAngle::path() const { return state_->path; }
+PathAngle::PathAngle(const Path& path)
+    : PathAngle(path, path.is_ph() ? Reference::euler_rodrigues : Reference::up) {}
 
-Reference PathAngle::reference() const { return state_->reference; }
+PathAngle::PathAngle(const Path& path, Reference reference, Form form) {
+  if (reference == Reference::euler_rodrigues) require_ph(path);
+  if (reference == Reference::frenet) require_frenet_joints(path);
+  State::Measure measure{reference, std::nullopt, form};
+  if (reference == Reference::up) measure.up = up_vector(path);
+  state_ = std::make_shared<State>(path, std::move(measure));
+}
 
-const RmfAngle& PathAngle::segment(std::size_t k) const { return state_->angles[k]; }
+PathAngle::PathAngle(const Path& path, const Vector<Rational>& v, Form form) {
+  require_up_vector(path, v);
+  state_ = std::make_shared<State>(path, State::Measure{Reference::up, v, form});
+}
+
+const Path& PathAngle::path() const { return state_->path; }
+
+Reference PathAngle::reference() const { return state_->measure.reference; }
+
+const Vector<Rational>& PathAngle::up() const {
+  if (state_->measure.up) return *state_->measure.up;
+  return state_->chosen_up.get([&] { return up_vector(path()); });
+}
+
+const RmfAngle* PathAngle::closed_form(std::size_t k) const { return state_->closed_form(k); }
+
+bool PathAngle::is_zero() const { return state_->is_zero; }
 
 void PathAngle::take(Route route) {
-  std::vector<RmfAngle> angles = state_->angles;
-  for (RmfAngle& angle : angles) angle.take(route);
-  state_ = std::make_shared<State>(state_->path, state_->reference, std::move(angles));
+  const auto taken = std::make_shared<State>(state_->path, state_->measure);
+  for (auto& angle : taken->closed_forms)
+    if (angle) angle->take(route);
+  state_ = taken;
 }
 
 /// θ at the start of the segment.
 RealBall PathAngle::State::sum_before(std::size_t segment, long bits) {
+  const long enough = (bits + 63) / 64 * 64;  // few precisions are kept
   const std::lock_guard lock(sums_lock);
-  std::vector<RealBall>& known = sums[bits];
+  std::vector<RealBall>& known = sums[enough];
   if (known.empty()) known.emplace_back();
   while (known.size() <= segment)
-    known.push_back(add(known.back(), angles[known.size() - 1].enclose(1, bits), bits));
+    known.push_back(add(known.back(), enclose_on(known.size() - 1, Rational(1), enough), enough));
   return known[segment];
 }
 
-RealBall PathAngle::State::enclose(const PathParameter& at, long bits) {
-  for (long more = bits + 32;; more += 64) {
+RealBall PathAngle::State::enclose(const Place& at, long bits) {
+  if (is_zero) return {};
+  constexpr long most = 1L << 20;
+  for (long more = bits + 32;; more += 32 + more / 4) {
     const RealBall sum =
-        add(sum_before(at.segment, more), angles[at.segment].enclose(at.t, more), more);
+        add(sum_before(at.segment, more), enclose_on(at.segment, at.t, more), more);
     if (sum.is_accurate(bits)) return sum;
+    if (more > most) throw Undecided("the angle was not found to so many bits");
   }
 }
 
-RealBall PathAngle::State::enclose(const PathParameter& at, const FrameAngle& start, long bits) {
+RealBall PathAngle::State::enclose(const Place& at, const FrameAngle& start, long bits) {
   return add(enclose(at, bits), to_real(start).enclose(bits), bits);
 }
 
-RealBall PathAngle::enclose(const PathParameter& at, long bits) const {
+RealBall PathAngle::enclose(const Place& at, long bits) const {
+  if (closed_form(at.segment) == nullptr) require_on_segment(at.t);
   return state_->enclose(at, bits);
 }
 
-RealBall PathAngle::enclose(const PathParameter& at, const FrameAngle& start, long bits) const {
-  return state_->enclose(at, start, bits);
+RealBall PathAngle::enclose(const Place& at, const StartAngle& start, long bits) const {
+  return add(enclose(at, bits), start.value.enclose(bits), bits);
+}
+
+RealBall PathAngle::rate(const Place& at, long bits) const {
+  const RealBall t = at.t.enclose(bits + 8);
+  if (const RmfAngle* angle = closed_form(at.segment)) return evaluate(angle->rate(), t, bits);
+  require_on_segment(at.t);
+  return state_->other(at.segment)->rate(t, bits);
 }
 
 /// θ(at) less that at the start of segment `from`, without the logarithms.
 Rational PathAngle::State::rational_part(std::size_t from, const PathParameter& at) const {
-  Rational sum = without_logarithms(angles[at.segment], at.t);
-  for (std::size_t k = from; k < at.segment; ++k) sum += without_logarithms(angles[k], 1);
+  Rational sum = without_logarithms(*closed_forms[at.segment], at.t);
+  for (std::size_t k = from; k < at.segment; ++k) sum += without_logarithms(*closed_forms[k], 1);
   return sum;
 }
 
 /// A ball around θ without the logarithms, at a cost that does not grow with the segments before.
 RealBall PathAngle::State::rational_ball(const PathParameter& at) {
   const auto part = [&](std::size_t k, const Rational& t) {
-    return RealBall(without_logarithms(angles[k], t), rational_bits);
+    return RealBall(without_logarithms(*closed_forms[k], t), rational_bits);
   };
   const std::lock_guard lock(rational_sums_lock);
   while (rational_sums.size() <= at.segment)
@@ -175,11 +251,13 @@ Antiderivative PathAngle::State::over_unit_interval(std::size_t from,
   const auto add = [&](const Antiderivative& F) {
     sum.logs.insert(sum.logs.end(), F.logs.begin(), F.logs.end());
   };
-  for (std::size_t k = from; k < at.segment; ++k) add(whole(angles[k]));
-  if (at.t == 1)
-    add(whole(angles[at.segment]));
-  else if (at.t != 0)
-    add(whole(RmfAngle(phrame::segment(path.segments()[at.segment], 0, at.t), reference)));
+  for (std::size_t k = from; k < at.segment; ++k) add(whole(*closed_forms[k]));
+  if (at.t == 1) {
+    add(whole(*closed_forms[at.segment]));
+  } else if (at.t != 0) {
+    const Curve part = segment(*ph_curve(path.segments()[at.segment]), 0, at.t);
+    add(whole(Measure{measure.reference, measure.up}.along(part)));
+  }
   return sum;
 }
 
@@ -194,7 +272,7 @@ bool PathAngle::State::may_be_rational(const PathParameter& at, const FrameAngle
 /// segments in between.
 Real PathAngle::value_after(std::size_t joint, const Rational& theta, const PathParameter& at,
                             const FrameAngle& start) const {
-  if (joint == at.segment) return state_->angles[at.segment].value(at.t, start) + theta;
+  if (joint == at.segment) return closed_form(at.segment)->value(at.t, start) + theta;
   const auto enclosure = [state = state_, at, theta, start](long bits) {
     return add(state->enclose(at, start, bits), RealBall(-theta, bits), bits);
   };
@@ -226,48 +304,65 @@ Real PathAngle::value_after_last_joint(const PathParameter& at, const FrameAngle
   return value_after(joint.segment, joint.theta, at, start);
 }
 
-Real PathAngle::value(const Rational& t, const FrameAngle& start) const {
-  return value(locate(path(), t), start);
-}
-
-Real PathAngle::value(const PathParameter& at, const FrameAngle& start) const {
-  if (at.segment == 0) return state_->angles[0].value(at.t, start);
+/// A sum of closed forms.
+Real PathAngle::exact_value(const PathParameter& at, const FrameAngle& start) const {
+  if (at.segment == 0) return closed_form(0)->value(at.t, start);
   if (state_->may_be_rational(at, start)) return value_after_last_joint(at, start);
   return {[state = state_, at, start](long bits) { return state->enclose(at, start, bits); },
           {true, bits_of(at.t)}};
+}
+
+Real PathAngle::value(const Rational& t, const StartAngle& start) const {
+  return value(locate(path(), t), start);
+}
+
+Real PathAngle::value(const Place& at, const StartAngle& start) const {
+  const RmfAngle* closed = closed_form(at.segment);
+  if (closed == nullptr) require_on_segment(at.t);
+  if (is_zero() || (at.segment == 0 && at.t.exact() == Rational(0))) return start.value;
+  if (!start.exact) return value(at) + start.value;
+  auto form = state_->algebraic_form(at);
+  if (!form && state_->is_closed_up_to(at.segment)) {
+    if (at.t.exact()) return exact_value({at.segment, *at.t.exact()}, *start.exact);
+    if (closed->rate().is_zero()) return exact_value({at.segment, 0}, *start.exact);
+  }
+  const auto enclosure = [*this, at](long bits) { return enclose(at, bits); };
+  const Real theta = form ? real_angle(enclosure, *std::move(form), at.t.origin().bits)
+                          : Real(enclosure, {false, at.t.origin().bits});
+  return *start.exact == FrameAngle() ? theta : theta + start.value;
 }
 
 // Logarithms and a rational number ρ ≠ 0 do not add up to a rational multiple of π [Baker 1975].
 std::optional<Rational> PathAngle::multiple_of_pi(const PathParameter& at,
                                                   const GaussianPolynomial& phase,
                                                   const Rational& offset) const {
+  if (!state_->is_closed_up_to(at.segment)) return std::nullopt;
   if (state_->rational_part(0, at) + offset != 0) return std::nullopt;
   return Evaluator(state_->over_unit_interval(0, at)).multiple_of_pi(0, 1, phase);
 }
 
 std::optional<GaussianRational> PathAngle::direction(const PathParameter& at) const {
-  const auto& angles = state_->angles;
+  if (!state_->is_closed_up_to(at.segment)) return std::nullopt;
   const std::lock_guard lock(state_->directions_lock);
   std::vector<GaussianRational>& directions = state_->directions;
   while (directions.size() <= at.segment) {
-    const auto next = angles[directions.size() - 1].direction(1);
+    const auto next = closed_form(directions.size() - 1)->direction(1);
     if (!next) return std::nullopt;
     const GaussianInteger z = primitive_multiple(directions.back() * *next);
     directions.push_back({Rational(z.re), Rational(z.im)});
   }
-  const auto last = angles[at.segment].direction(at.t);
+  const auto last = closed_form(at.segment)->direction(at.t);
   if (!last) return std::nullopt;
   return directions[at.segment] * *last;
 }
 
-std::optional<Real> PathAngle::holonomy() const {
-  if (reference() != Reference::euler_rodrigues)
-    throw DomainError("holonomy: it is found from the angle to the Euler–Rodrigues frame");
-  const auto closing = path().closing_turn();
+/// The Euler–Rodrigues frame at the start is that at the end, turned by 2·arg of closing_turn().
+std::optional<Real> PathAngle::holonomy_to_erf() const {
+  const auto closing = path().ph()->closing_turn();
   if (!closing) return std::nullopt;
   // θ(end) + 2·arg back, up to whole turns.
   const GaussianRational back = angle_of({closing->re, -closing->im}).direction;
-  const PathParameter end{state_->angles.size() - 1, 1};
+  const PathParameter end{path().segments().size() - 1, 1};
   const auto enclosure = [state = state_, end, back](long bits) {
     const long more = bits + 8;
     const RealBall closing_turn =
@@ -275,10 +370,27 @@ std::optional<Real> PathAngle::holonomy() const {
     return add(state->enclose(end, more), closing_turn, more);
   };
   long size = 0;
-  for (const RmfAngle& angle : state_->angles) size += bits_of(angle.rate());
+  for (const auto& angle : state_->closed_forms) size += bits_of(angle->rate());
   const Real turned(enclosure, {false, size});
   const GaussianPolynomial turn = path_to(back);
   return reduced(turned, [&] { return multiple_of_pi(end, turn * turn); }).angle;
+}
+
+// At both ends e₁ is the same, the tangent, and so is the frame of v.
+std::optional<Real> PathAngle::holonomy() const {
+  if (reference() == Reference::frenet)
+    throw DomainError("holonomy: it is not found from the angle to the Frenet frame");
+  if (reference() == Reference::euler_rodrigues) return holonomy_to_erf();
+  if (!path().is_closed()) return std::nullopt;
+  if (is_zero()) return Rational(0);
+  const PathParameter end{path().segments().size() - 1, 1};
+  const Real theta = value(end);
+  if (!state_->is_closed_up_to(end.segment)) return reduced(theta).angle;
+  return reduced(theta, [&] { return multiple_of_pi(end, path_to({1, 0})); }).angle;
+}
+
+PathAngle angle_to(const std::optional<Vector<Rational>>& v, const Path& path) {
+  return v ? PathAngle(path, *v) : PathAngle(path);
 }
 
 }  // namespace phrame

@@ -1,71 +1,85 @@
 #pragma once
 #include <memory>
-#include <string>
 
 #include "phrame/ph/along/rmf_angle.hpp"
-#include "phrame/ph/curve/ph_path.hpp"
+#include "phrame/ph/curve/place.hpp"
 
 namespace phrame {
 
-/// The angle θ of the rotation-minimizing frame along a path, relative to its Euler–Rodrigues
-/// frame, which is continuous through the joints, or to the Frenet frame where that is, too, but
-/// for the half turns of inflections: θ(0) = 0, θ continuous, θ′ that of RmfAngle. Copies are cheap
-/// and share what was found; any thread may ask them. To move one is to copy it.
+/// The angle θ of the rotation-minimizing frame along a path, relative to (e₂, e₃), a reference
+/// frame that is continuous through the joints, but for the half turns of the Frenet frame at
+/// inflections:
+///   f₂ = cos θ e₂ + sin θ e₃,  f₃ = −sin θ e₂ + cos θ e₃,  θ(0) = 0,  θ′ = −e₂′·e₃.
+/// Along a PH curve it has a closed form, RmfAngle; along others its value is certain to any number
+/// of digits. Copies are cheap and share what was found; any thread may ask them. To move one is to
+/// copy it.
 class PathAngle {
  public:
-  /// Throws DomainError as RmfAngle, and where the Frenet frame jumps at a joint, which is decided
-  /// exactly.
-  explicit PathAngle(PhPath path, Reference reference = Reference::euler_rodrigues,
-                     Form form = Form::automatic);
+  /// To the Euler–Rodrigues frame, where all segments are PH curves, else to that of up_vector().
+  explicit PathAngle(const Path& path);
+  /// To this frame; that of a vector is that of up_vector(path). Throws DomainError where a segment
+  /// has none: the Euler–Rodrigues frame where it is no PH curve, that of Frenet on a straight
+  /// line; and where the Frenet frame jumps at a joint, which is decided exactly, or Undecided.
+  PathAngle(const Path& path, Reference reference, Form form = Form::automatic);
+  /// To the frame of v. Throws as require_up_vector().
+  PathAngle(const Path& path, const Vector<Rational>& v, Form form = Form::automatic);
   PathAngle(const PathAngle&) = default;
   PathAngle& operator=(const PathAngle&) = default;
   ~PathAngle() = default;
 
-  const PhPath& path() const;   ///< along which it is
+  const Path& path() const;     ///< along which it is
   Reference reference() const;  ///< the frame it is measured from
-  /// The angle along segment k, counted from its start.
-  const RmfAngle& segment(std::size_t k) const;
+  /// v: of the frame it is measured from, or else up_vector(path()), found in the first call.
+  const Vector<Rational>& up() const;
+  /// θ along segment k, counted from its start, where that is a PH curve; null where it is none.
+  const RmfAngle* closed_form(std::size_t k) const;
+  /// Is it seen to be 0 all along, as in a plane with its normal for v, and on a straight line?
+  bool is_zero() const;
 
-  /// The way to the values of the segments from now on; that of copies stays.
+  /// The way to the values of closed forms from now on; that of copies stays.
   void take(Route route);
 
   /// θ(t) + start, exact where it is seen to be rational; also where the contributions of different
-  /// segments cancel. Throws DomainError for t outside [0, end] of a
-  /// spline.
-  Real value(const Rational& t, const FrameAngle& start = {}) const;
-  /// The same; at.t may be any number, with which the segment is continued.
-  Real value(const PathParameter& at, const FrameAngle& start = {}) const;
+  /// segments cancel. A PH curve by itself goes on for all t; for t outside [0, end] of another
+  /// path DomainError is thrown.
+  Real value(const Rational& t, const StartAngle& start = {}) const;
+  /// The same; a PH curve is continued for a t outside [0, 1], for others DomainError is thrown.
+  Real value(const Place& at, const StartAngle& start = {}) const;
   /// A ball around θ(at) with a radius ≤ 2^−bits · max(1, |θ(at)|); the sums up to the joints are
-  /// kept. at.t may be any number.
-  RealBall enclose(const PathParameter& at, long bits) const;
+  /// kept.
+  RealBall enclose(const Place& at, long bits) const;
   /// Around θ(at) + start, likewise but for what the two cancel.
-  RealBall enclose(const PathParameter& at, const FrameAngle& start, long bits) const;
+  RealBall enclose(const Place& at, const StartAngle& start, long bits) const;
+  /// θ′ = dθ/dt on that segment.
+  RealBall rate(const Place& at, long bits) const;
   /// z ∈ ℚ(i) with e^{iθ} = z/|z|, where each segment up to there has an RmfAngle::direction().
   std::optional<GaussianRational> direction(const PathParameter& at) const;
 
   /// (θ(at) + offset + arg phase(1) − arg phase(0))/π where that is rational: decided or recognised
-  /// as Evaluator::multiple_of_pi does. No value means that it is irrational or not recognised. The
-  /// phase has no zero on [0, 1].
+  /// as Evaluator::multiple_of_pi does. No value means that it is irrational or not recognised, as
+  /// behind a segment that is no PH curve. The phase has no zero on [0, 1].
   std::optional<Rational> multiple_of_pi(const PathParameter& at, const GaussianPolynomial& phase,
                                          const Rational& offset = 0) const;
 
-  /// By which angle in (−π, π] the rotation-minimizing frame comes back turned about the tangent
-  /// r′/|r′| of a closed spline: f₂(end) = cos(·) f₂(0) + sin(·) T × f₂(0). It does not depend on
-  /// the preimages. Exact where it is seen to be 0. No value where the spline has no
-  /// closing_turn(). Throws DomainError for the angle to a Frenet frame.
+  /// By which angle in (−π, π], or next to π where it is not told from that, the
+  /// rotation-minimizing frame comes back turned about the tangent r′/|r′| of a closed path:
+  /// f₂(end) = cos(·) f₂(0) + sin(·) T × f₂(0). Exact where it is seen to be 0. No value where the
+  /// path is not closed with its e₁. Throws DomainError for the angle to a Frenet frame.
   std::optional<Real> holonomy() const;
 
  private:
   struct State;  ///< the angles of the segments, and what is known of their sums
 
+  Real exact_value(const PathParameter& at, const FrameAngle& start) const;
   Real value_after(std::size_t joint, const Rational& theta, const PathParameter& at,
                    const FrameAngle& start) const;
   Real value_after_last_joint(const PathParameter& at, const FrameAngle& start) const;
+  std::optional<Real> holonomy_to_erf() const;
 
   std::shared_ptr<State> state_;
 };
 
-/// "Frenet frame: at the joint t = 2 it jumps, by 0.5 radians".
-std::string frenet_jump(std::size_t joint, const Real& angle);
+/// To the frame of v where there is one, else as PathAngle(path).
+PathAngle angle_to(const std::optional<Vector<Rational>>& v, const Path& path);
 
 }  // namespace phrame

@@ -12,6 +12,11 @@ GaussianRational turn(const GaussianPolynomial& p, const Rational& t) {
   return GaussianRational{p.re(t), p.im(t)} * GaussianRational{p.re(0), -p.im(0)};
 }
 
+const QuaternionPolynomial& not_zero(const QuaternionPolynomial& preimage) {
+  if (is_zero(preimage)) throw DomainError("RmfAngle: the preimage is zero, so there is no frame");
+  return preimage;
+}
+
 /// g ≠ 0.
 GaussianPolynomial bend_of(const QuaternionPolynomial& a) {
   GaussianPolynomial g = bend_numerator(a);
@@ -19,6 +24,28 @@ GaussianPolynomial bend_of(const QuaternionPolynomial& a) {
     throw DomainError(
         "Frenet frame: the curve is a straight line (r′ × r″ = 0), it has no principal normal");
   return g;
+}
+
+/// n = (Re g·e₂ − Im g·e₃)/|g| is along v × e₁ = (v·e₃) e₂ − (v·e₂) e₃.
+GaussianPolynomial bend_of(const QuaternionPolynomial& a, const Vector<Rational>& v) {
+  const auto along_v = [&v](const Vector<Polynomial>& e) {
+    return v[0] * e[0] + v[1] * e[1] + v[2] * e[2];
+  };
+  GaussianPolynomial g{along_v(rotated_k(a)), along_v(rotated_j(a))};
+  if (is_zero(g)) throw DomainError("the up vector is along the tangent all along");
+  return g;
+}
+
+GaussianPolynomial without_real_factor(const GaussianPolynomial& g) {
+  const Polynomial common = gcd(g.re, g.im);
+  return {exact_quotient(g.re, common), exact_quotient(g.im, common)};
+}
+
+GaussianRational lowest_coefficient(const GaussianPolynomial& g) {
+  GaussianRational lowest;
+  for (long k = 0; lowest == GaussianRational(); ++k)
+    lowest = {g.re.coefficient(k), g.im.coefficient(k)};
+  return lowest;
 }
 
 /// Its argument is that of the bend, where there is one, plus that of z at t, and 0 of the latter
@@ -36,17 +63,19 @@ GaussianPolynomial with_turn(const std::optional<GaussianPolynomial>& bend,
 }  // namespace
 
 GaussianPolynomial regular_bend(const QuaternionPolynomial& a) {
-  const GaussianPolynomial g = bend_of(a);
-  const Polynomial common = gcd(g.re, g.im);
-  return {exact_quotient(g.re, common), exact_quotient(g.im, common)};
+  return without_real_factor(bend_of(a));
+}
+
+GaussianPolynomial regular_bend(const QuaternionPolynomial& a, const Vector<Rational>& v) {
+  return without_real_factor(bend_of(a, v));
 }
 
 GaussianRational bend_after_zero(const QuaternionPolynomial& a) {
-  const GaussianPolynomial g = bend_of(a);
-  GaussianRational lowest;
-  for (long k = 0; lowest == GaussianRational(); ++k)
-    lowest = {g.re.coefficient(k), g.im.coefficient(k)};
-  return lowest;
+  return lowest_coefficient(bend_of(a));
+}
+
+GaussianRational bend_after_zero(const QuaternionPolynomial& a, const Vector<Rational>& v) {
+  return lowest_coefficient(bend_of(a, v));
 }
 
 RationalFunction rate_of_argument(const GaussianPolynomial& g) {
@@ -61,15 +90,23 @@ RationalFunction rate_to_frenet(const QuaternionPolynomial& a) {
   return rate_to_erf(a) + rate_of_argument(regular_bend(a));
 }
 
-RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, Reference reference, Form form) {
-  if (is_zero(preimage)) throw DomainError("RmfAngle: the preimage is zero, so there is no frame");
-  Parts parts{rate_to_erf(preimage), {}, {}, {}, {}};
+RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, Reference reference, Form form)
+    : RmfAngle(preimage,
+               reference == Reference::frenet ? std::optional(regular_bend(not_zero(preimage)))
+                                              : std::nullopt,
+               form) {}
+
+RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, const Vector<Rational>& v, Form form)
+    : RmfAngle(preimage, std::optional(regular_bend(not_zero(preimage), v)), form) {}
+
+RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, std::optional<GaussianPolynomial> to_frame,
+                   Form form) {
+  Parts parts{rate_to_erf(not_zero(preimage)), {}, {}, std::move(to_frame), {}};
   auto& [rate, angle_to_erf, antiderivative, bend, argument, phase] = parts;
-  if (reference == Reference::frenet) {
-    bend = regular_bend(preimage);
+  if (bend) {
     const RationalFunction bend_rate = rate_of_argument(*bend);
     if (rate + bend_rate == RationalFunction()) {
-      // A plane curve: its Frenet frame is rotation-minimizing, θ ≡ 0.
+      // As of a plane curve, whose Frenet frame is rotation-minimizing: θ ≡ 0.
       rate = {};
       bend.reset();
     } else if (degree(*bend) == 0) {

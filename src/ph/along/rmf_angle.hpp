@@ -14,19 +14,26 @@ namespace phrame {
 enum class Reference {
   euler_rodrigues,  ///< (A i A*, A j A*, A k A*)/σ
   frenet,  ///< tangent, normal, binormal; continued through inflections, where (n, b) jump by π
+  up,  ///< e₂ = v × e₁/|v × e₁|, e₃ = e₁ × e₂, of a vector v that is nowhere along the tangent
 };
 
 /// The angle θ of the rotation-minimizing frame relative to (e₂, e₃), the reference frame:
 ///   f₂ = cos θ e₂ + sin θ e₃,  f₃ = −sin θ e₂ + cos θ e₃,  θ(0) = 0, θ continuous on all of ℝ,
-///   θ_ERF′ = −2h/σ,  θ_Frenet′ = −2h/σ + Im(g′/g)  [Farouki 2003, (13)–(17), in closed form].
+///   θ_ERF′ = −2h/σ,  θ_Frenet′ = −2h/σ + Im(g′/g)  [Farouki 2003, (13)–(17), in closed form],
+/// and to the frame of v the same with v·(A k A*) + i·v·(A j A*) for g.
 /// θ has no pole on ℝ: what vanishes at a cusp cancels. It depends on the preimage A alone.
 /// Copies are cheap and share the poles of θ′, which are isolated once; any thread may ask them. To
 /// move one is to copy it.
 class RmfAngle {
  public:
-  /// Throws DomainError for A = 0 and for the Frenet frame of a straight line.
+  /// Throws DomainError for A = 0 and for the Frenet frame of a straight line. Precondition: not to
+  /// the frame of a vector, which is given to the next one.
   explicit RmfAngle(const QuaternionPolynomial& preimage,
                     Reference reference = Reference::euler_rodrigues, Form form = Form::automatic);
+  /// To the frame of v, which is continued where v is along the tangent. Throws DomainError for A =
+  /// 0, and where v is along the tangent all along.
+  RmfAngle(const QuaternionPolynomial& preimage, const Vector<Rational>& v,
+           Form form = Form::automatic);
   /// Of the preimage of a curve.
   explicit RmfAngle(const Curve& curve, Reference reference = Reference::euler_rodrigues,
                     Form form = Form::automatic)
@@ -40,8 +47,8 @@ class RmfAngle {
   /// θ up to a constant is angle_to_erf() plus, where there is a bend(), its argument.
   /// angle_to_erf() is ∫ −2h/σ, or 0 where θ ≡ 0.
   const Antiderivative& angle_to_erf() const { return parts_->angle_to_erf; }
-  /// g without its real factor; of a Frenet angle only, and none where its argument is constant
-  /// or θ ≡ 0.
+  /// g without its real factor; none where its argument is constant or θ ≡ 0, and to the
+  /// Euler–Rodrigues frame.
   const std::optional<GaussianPolynomial>& bend() const { return parts_->bend; }
   /// θ up to a constant as one value; its derivative is rate(), checked. arg g is in it as the last
   /// sum, Σ x·log v(x, t) over x = ±i/2 with v(−i/2, t) = g made monic.
@@ -71,6 +78,8 @@ class RmfAngle {
     Lazy<std::optional<GaussianPolynomial>> phase{};  ///< whose argument it is, if any
   };
 
+  RmfAngle(const QuaternionPolynomial& preimage, std::optional<GaussianPolynomial> bend, Form form);
+
   std::shared_ptr<const Parts> parts_;
   Evaluator evaluator_;  ///< of angle_to_erf
 };
@@ -78,9 +87,13 @@ class RmfAngle {
 /// g without its greatest real factor: the Frenet frame turns with its argument, continuously.
 /// Throws DomainError for a straight line.
 GaussianPolynomial regular_bend(const QuaternionPolynomial& a);
-/// g(t) for small t > 0, up to a positive factor that tends to 1. Throws DomainError for a straight
-/// line.
+/// v·(A k A*) + i·v·(A j A*) without its greatest real factor: so turns the frame of v. Throws
+/// DomainError where v is along the tangent all along.
+GaussianPolynomial regular_bend(const QuaternionPolynomial& a, const Vector<Rational>& v);
+/// @{ These for small t > 0, up to a positive factor that tends to 1. Throw likewise.
 GaussianRational bend_after_zero(const QuaternionPolynomial& a);
+GaussianRational bend_after_zero(const QuaternionPolynomial& a, const Vector<Rational>& v);
+/// @}
 /// (arg g)′ = Im(g′/g).
 RationalFunction rate_of_argument(const GaussianPolynomial& g);
 

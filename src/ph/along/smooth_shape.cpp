@@ -5,9 +5,9 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rational_function.hpp"
+#include "phrame/algebra/ring_ball.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/along/expression_integral.hpp"
-#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
 #include "phrame/ph/curve/formula_domain.hpp"
@@ -118,21 +118,23 @@ ExactVector continued_binormal(const ExpressionCurve& curve, const Rational& t,
   return {program.number((*plane)[0]), program.number((*plane)[1]), program.number((*plane)[2])};
 }
 
-/// Between the binormals at a joint, less a half turn where it is nearer to that; 0 where one of
-/// them has no direction.
-Real angle_at_joint(const Path& path, std::size_t k) {
-  const auto binormal = [&](const Place& at) {
-    return cross(direction(path, at), direction_slope(path, at));
+/// "Frenet frame: at the joint t = 2 it jumps, by 0.5 radians": the angle between these binormals,
+/// less a half turn where it is nearer to that.
+std::string frenet_jump(std::size_t joint, const FormulaProgram& program, const ExactVector& before,
+                        const ExactVector& after) {
+  constexpr long bits = 512;
+  using Ball = RingBall<bits>;
+  const auto value = [&](const ExactVector& v) {
+    return Vector<Ball>{Ball{constant_value(program, v[0], bits)},
+                        Ball{constant_value(program, v[1], bits)},
+                        Ball{constant_value(program, v[2], bits)}};
   };
-  const Vector<Real> a = binormal({k - 1, Rational(1)});
-  const Vector<Real> b = binormal({k, Rational(0)});
-  if (is_zero(a) || is_zero(b)) return Rational(0);
-  const Vector<Real> c = cross(a, b);
-  return Real([across = dot(c, c), along = dot(a, b)](long bits) {
-    const RealBall x = absolute(along.enclose(bits + 512));
-    return argument(ComplexBall(x, sqrt_of_nonnegative(across.enclose(bits + 512), bits + 512)),
-                    bits);
-  });
+  const Vector<Ball> a = value(before);
+  const Vector<Ball> b = value(after);
+  const Vector<Ball> c = cross(a, b);
+  const RealBall across = sqrt_of_nonnegative(dot(c, c).x, bits);
+  const double by = approximate(argument(ComplexBall(absolute(dot(a, b).x), across), bits));
+  return fmt::format("Frenet frame: at the joint t = {} it jumps, by {:.3g} radians", joint, by);
 }
 
 // By the parameter of the formulas, κ = |r′ × r″|/|r′|³ and τ = det(r′, r″, r‴)/|r′ × r″|².
@@ -216,7 +218,7 @@ void require_frenet_joints(const Path& path) {
     if (!same || !flipped)
       throw Undecided(
           fmt::format("whether the Frenet frame jumps at the joint t = {} is not told", k));
-    throw DomainError(frenet_jump(k, angle_at_joint(path, k)));
+    throw DomainError(frenet_jump(k, program, before, after));
   }
 }
 

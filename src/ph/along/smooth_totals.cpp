@@ -143,7 +143,7 @@ std::variant<Real, Infinite> frenet_energy(const Path& path) {
   return sum_of_energies(path, [](const auto& curve) { return frenet_energy_of(curve); });
 }
 
-Real up_frame_twist(const SmoothAngle& angle) {
+Real up_frame_twist(const PathAngle& angle) {
   return -angle.value({angle.path().segments().size() - 1, Rational(1)});
 }
 

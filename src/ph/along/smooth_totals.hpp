@@ -1,7 +1,7 @@
 #pragma once
 #include <variant>
 
-#include "phrame/ph/along/smooth_angle.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/totals.hpp"
 
 namespace phrame {
@@ -22,6 +22,6 @@ std::variant<Real, Infinite> bending_energy(const Path& path);
 std::variant<Real, Infinite> frenet_energy(const Path& path);
 /// ∫ e₂′·e₃ dt of the frame of v that the angle is to: how far it turns about e₁, in radians, −θ at
 /// the end.
-Real up_frame_twist(const SmoothAngle& angle);
+Real up_frame_twist(const PathAngle& angle);
 
 }  // namespace phrame

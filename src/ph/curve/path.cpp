@@ -175,8 +175,10 @@ Path by_positions(const PhPath& path) {
   return joined(std::move(segments));
 }
 
+bool goes_on(const Path& path) { return path.segments().size() == 1 && path.is_ph(); }
+
 PathParameter locate(const Path& path, const Rational& t) {
-  return locate_inside(path.segments().size(), t);
+  return goes_on(path) ? PathParameter{0, t} : locate_inside(path.segments().size(), t);
 }
 
 }  // namespace phrame

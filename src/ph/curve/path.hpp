@@ -17,8 +17,10 @@ class Path {
  public:
   /// One segment, to which others may be appended; there is room for so many.
   Path(Segment first, std::size_t room = 1);  // NOLINT(google-explicit-constructor)
+  /// One PH curve.
+  explicit Path(Curve curve) : Path(Segment(PhSegment(std::move(curve)))) {}
   /// The segments of a path of PH curves.
-  explicit Path(const PhPath& ph);
+  Path(const PhPath& ph);  // NOLINT(google-explicit-constructor)
   Path(const Path&) = default;
   Path& operator=(const Path&) = default;  // to move one is to copy it
   ~Path() = default;
@@ -80,8 +82,10 @@ NamedPath of_any_kind(const NamedPhPath& named);
 /// A path of PH curves, or of curves of any kind.
 using AnyPath = std::variant<NamedPhPath, NamedPath>;
 
-/// The segment that t is in, the later one at a joint, and the parameter there, in [0, 1]. Throws
-/// DomainError for t outside [0, end()].
+/// Is it a PH curve by itself, which goes on for all t?
+bool goes_on(const Path& path);
+/// The segment that t is in, the later one at a joint, and the parameter there, in [0, 1]; any
+/// where the path goes_on(). Throws DomainError for t outside [0, end()] of other paths.
 PathParameter locate(const Path& path, const Rational& t);
 
 }  // namespace phrame

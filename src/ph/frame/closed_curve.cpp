@@ -5,9 +5,9 @@
 #include "phrame/algebra/argument.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/path_totals.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
-#include "phrame/ph/along/smooth_angle.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/shape.hpp"
 
@@ -103,7 +103,7 @@ std::optional<ClosedFrame> closed_frame(const PhPath& path, const Vector<Rationa
 
 std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>& v) {
   check_closed(path);
-  std::optional<SmoothAngle> angle;
+  std::optional<PathAngle> angle;
   try {
     angle.emplace(path, v);
   } catch (const DomainError&) {

@@ -3,7 +3,10 @@
 #include <cmath>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/rational_rates.hpp"
+#include "phrame/ph/curve/curve_integrands.hpp"
 #include "phrame/ph/frame/angle_piece.hpp"
+#include "phrame/ph/frame/formula_piece.hpp"
 
 namespace phrame {
 namespace {
@@ -11,6 +14,45 @@ namespace {
 /// As angle_piece() has it.
 RootQuotient rate_of(const RationalFunction& rate) {
   return {rate.numerator(), rate.denominator(), Polynomial{1}};
+}
+
+/// θ + start at a double. A straight segment may have the angle 0 because others and the start
+/// cancel: value() sees that. It costs as much as all segments before, so that it is asked only
+/// where a ball does not say enough.
+auto theta_of(const PathAngle& angle, const StartAngle& start) {
+  return [angle, start](double t, long more) {
+    const PathParameter at = locate(angle.path(), exact_rational(t));
+    if (more > angle_bits) return angle.value(at, start).enclose(more);
+    return angle.enclose(at, start, more);
+  };
+}
+
+/// θ′ of a segment, as it is compiled.
+using CompiledRate = std::variant<RootQuotient, CurveIntegrand>;
+
+CompiledRate rate_of(const PathAngle& angle, std::size_t k) {
+  if (angle.is_zero()) return RootQuotient{};
+  if (const RmfAngle* closed = angle.closed_form(k)) return rate_of(closed->rate());
+  const bool is_up = angle.reference() == Reference::up;
+  const Segment& segment = angle.path().segments()[k];
+  if (const RationalCurve* curve = rational_curve(segment))
+    return TaylorIntegral(is_up ? up_frame_turning(*curve, angle.up()) : frenet_turning(*curve))
+        .integrand();
+  const CurveIntegrand rate = is_up ? up_frame_rate(angle.up()) : torsion_rate();
+  return orientation(segment) > 0 ? negative(rate) : rate;
+}
+
+/// The piece on [low, high] of segment k, whose rate that is.
+std::optional<PolynomialPiece> piece_of(const PathAngle& angle, std::size_t k,
+                                        const CompiledRate& rate, double low, double high,
+                                        const StartAngle& start, const DoubleShape& shape) {
+  const auto joint = static_cast<double>(k);
+  const auto theta = theta_of(angle, start);
+  if (const auto* quotient = std::get_if<RootQuotient>(&rate))
+    return angle_piece(low, high, joint, *quotient, theta, shape);
+  return formula_angle_piece(low, high, joint,
+                             std::get<ExpressionCurve>(angle.path().segments()[k]),
+                             std::get<CurveIntegrand>(rate), theta, shape);
 }
 
 }  // namespace
@@ -26,39 +68,24 @@ PiecewisePolynomial compiled_angle(const RmfAngle& angle, const FrameAngle& star
           [&](double low, double high) { return angle_piece(low, high, 0, rate, theta, shape); }};
 }
 
-namespace {
-
-/// θ + start at a double. A straight segment may have the angle 0 because others and the start
-/// cancel: value() sees that. It costs as much as all segments before, so that it is asked only
-/// where a ball does not say enough.
-auto theta_of(const PathAngle& angle, const FrameAngle& start) {
-  return [angle, start](double t, long more) {
-    const PathParameter at = locate(angle.path(), exact_rational(t));
-    if (more > angle_bits) return angle.value(at, start).enclose(more);
-    return angle.enclose(at, start, more);
-  };
-}
-
-}  // namespace
-
-PiecewisePolynomial compiled_angle(const PathAngle& angle, const FrameAngle& start_angle,
+PiecewisePolynomial compiled_angle(const PathAngle& angle, const StartAngle& start_angle,
                                    const DoubleShape& shape) {
-  const auto theta = theta_of(angle, start_angle);
+  std::vector<CompiledRate> rates;
+  for (std::size_t k = 0; k < angle.path().segments().size(); ++k)
+    rates.push_back(rate_of(angle, k));
   const auto make = [&](double low, double high) {
-    const double joint = std::floor(low);
-    const RmfAngle& segment = angle.segment(static_cast<std::size_t>(joint));
-    return angle_piece(low, high, joint, rate_of(segment.rate()), theta, shape);
+    const auto k = static_cast<std::size_t>(std::floor(low));
+    return piece_of(angle, k, rates[k], low, high, start_angle, shape);
   };
-  return PiecewisePolynomial::on_units(angle.path().segments().size(), shape, make);
+  return PiecewisePolynomial::on_units(rates.size(), shape, make);
 }
 
 PiecewisePolynomial compiled_angle(const PathAngle& angle, std::size_t segment,
-                                   const FrameAngle& start_angle, const DoubleShape& shape) {
-  const auto theta = theta_of(angle, start_angle);
-  const RootQuotient rate = rate_of(angle.segment(segment).rate());
+                                   const StartAngle& start_angle, const DoubleShape& shape) {
+  const CompiledRate rate = rate_of(angle, segment);
   const auto joint = static_cast<double>(segment);
   return {joint, joint + 1, shape, [&](double low, double high) {
-            return angle_piece(low, high, joint, rate, theta, shape);
+            return piece_of(angle, segment, rate, low, high, start_angle, shape);
           }};
 }
 
@@ -67,16 +94,12 @@ CompiledAngle::CompiledAngle(const RmfAngle& angle, double from, double to,
     : angle_([angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
       polynomials_(compiled_angle(angle, start_angle, from, to, compensated_shape(1))) {}
 
-CompiledAngle::CompiledAngle(std::function<Real(const Rational&)> angle,
-                             PiecewisePolynomial polynomials)
-    : angle_(std::move(angle)), polynomials_(std::move(polynomials)) {}
-
-CompiledAngle::CompiledAngle(const PathAngle& angle, const FrameAngle& start_angle)
+CompiledAngle::CompiledAngle(const PathAngle& angle, const StartAngle& start_angle)
     : angle_([angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
       polynomials_(compiled_angle(angle, start_angle, compensated_shape(1))) {}
 
 CompiledAngle::CompiledAngle(const PathAngle& angle, std::size_t segment,
-                             const FrameAngle& start_angle)
+                             const StartAngle& start_angle)
     : angle_([angle, start_angle](const Rational& t) { return angle.value(t, start_angle); }),
       polynomials_(compiled_angle(angle, segment, start_angle, compensated_shape(1))) {}
 

@@ -13,12 +13,13 @@ namespace phrame {
 PiecewisePolynomial compiled_angle(const RmfAngle& angle, const FrameAngle& start_angle,
                                    double from, double to, const DoubleShape& shape);
 
-/// The same of a spline, on [0, end].
-PiecewisePolynomial compiled_angle(const PathAngle& angle, const FrameAngle& start_angle,
+/// The same along a path, on [0, end]; where θ′ has a square root, by a polynomial near it
+/// (angle_piece), of formulas formula_piece.
+PiecewisePolynomial compiled_angle(const PathAngle& angle, const StartAngle& start_angle,
                                    const DoubleShape& shape);
 /// The same of its segment k, on [k, k + 1].
 PiecewisePolynomial compiled_angle(const PathAngle& angle, std::size_t segment,
-                                   const FrameAngle& start_angle, const DoubleShape& shape);
+                                   const StartAngle& start_angle, const DoubleShape& shape);
 
 /// θ for millions of parameters: a few compensated operations each, a proof of the rounding after
 /// each [Ziv 1991], and the exact angle for the few that the proof fails for.
@@ -27,12 +28,10 @@ class CompiledAngle {
  public:
   /// θ with θ(0) = start_angle. Throws as compiled_angle.
   CompiledAngle(const RmfAngle& angle, double from, double to, const FrameAngle& start_angle = {});
-  /// The same of a spline, on [0, end].
-  explicit CompiledAngle(const PathAngle& angle, const FrameAngle& start_angle = {});
+  /// The same along a path, on [0, end].
+  explicit CompiledAngle(const PathAngle& angle, const StartAngle& start_angle = {});
   /// The same of one segment k, on [k, k + 1].
-  CompiledAngle(const PathAngle& angle, std::size_t segment, const FrameAngle& start_angle);
-  /// Of polynomials as of compiled_angle, of compensated_shape(1), and the exact angle.
-  CompiledAngle(std::function<Real(const Rational&)> angle, PiecewisePolynomial polynomials);
+  CompiledAngle(const PathAngle& angle, std::size_t segment, const StartAngle& start_angle);
 
   /// θ(t), correctly rounded: to nearest, ties to even. Throws DomainError for a t outside [from,
   /// to] and NaN, and what the exact angle throws.

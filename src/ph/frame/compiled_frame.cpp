@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "phrame/algebra/ball_powers.hpp"
-#include "phrame/algebra/ball_series.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/ring_ball.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/direction_span.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -17,116 +17,6 @@
 namespace phrame {
 namespace {
 
-// B = A/√σ·e^{iφ} with φ′ = −k/d, so that
-//   dB′ = (d/σ)V·B − k·B·i = M·B,  V = b₁i + b₂j + b₃k the vector part of A′A*,
-// a = (d/σ)b₁ − k,  b = (d/σ)b₂,  c = (d/σ)b₃,  d = (d/σ)b₁ + k. Of the rotation-minimizing frame
-// k/d is h/σ.
-
-/// What B of a curve is determined by: A without its real factor, σ, k and M; rotation.sigma is d.
-struct FrameEquation {
-  QuaternionPolynomial preimage;
-  Polynomial sigma;
-  Polynomial k;
-  RotationEquation rotation;
-  GaussianPolynomial bend = {{1}, {}};  ///< g of Frenet's frame, without real factors
-
-  /// Of the rotation-minimizing frame.
-  explicit FrameEquation(const Curve& curve)
-      : FrameEquation(curve, Polynomial{1},
-                      [](const QuaternionPolynomial& a) { return twist_numerator(a); }) {}
-
-  FrameEquation(const Curve& curve, Reference reference)
-      : FrameEquation(reference == Reference::frenet ? of_frenet(curve)
-                                                     : FrameEquation(curve, Polynomial{1}, {})) {}
-
- private:
-  /// k of A, or 0.
-  using Turning = std::function<Polynomial(const QuaternionPolynomial& preimage)>;
-
-  FrameEquation(const Curve& curve, const Polynomial& over_sigma, const Turning& turning)
-      : preimage(without_real_content(curve.preimage())), sigma(phrame::sigma(preimage)) {
-    if (turning) k = turning(preimage);
-    const auto& [u, v, p, q] = preimage;
-    const QuaternionPolynomial rate = QuaternionPolynomial{differentiate(u), differentiate(v),
-                                                           differentiate(p), differentiate(q)} *
-                                      QuaternionPolynomial{u, -v, -p, -q};
-    const Polynomial first = over_sigma * rate.v;
-    rotation = {over_sigma * sigma, first - k, over_sigma * rate.p, over_sigma * rate.q, first + k};
-  }
-
-  static FrameEquation of_frenet(const Curve& curve) {
-    const GaussianPolynomial g = regular_bend(without_real_content(curve.preimage()));
-    FrameEquation equation(curve, norm(g), [&](const QuaternionPolynomial& a) {
-      return Rational(1, 2) * phrame::sigma(a) * (differentiate(g) * conjugate(g)).im;
-    });
-    equation.bend = g;
-    return equation;
-  }
-};
-
-/// The angle 2φ at a double, with a radius of about 2^−bits.
-using TwicePhi = std::function<RealBall(double t, long bits)>;
-
-/// B with φ(0) = phi_at_center, up to y^{length−1}, where d is that on the piece.
-QuaternionSeries taylor_of(const FrameEquation& equation, const PolynomialPiece& piece,
-                           const BallPolynomial& d, const RealBall& phi_at_center, long length) {
-  const auto times = [&](const BallPolynomial& f, const BallPolynomial& g) {
-    return multiply_series(f, g, length, frame_bits);
-  };
-  const BallPolynomial minus_phi_rate =
-      divide_series(per_y(equation.k, piece, frame_bits), d, length - 1, frame_bits);
-  const BallPolynomial phi =
-      with_constant(-antiderivative(minus_phi_rate, frame_bits), phi_at_center);
-  const BallPolynomial sigma = equation.sigma == equation.rotation.sigma
-                                   ? d
-                                   : on_piece(equation.sigma, piece, frame_bits, true);
-  const BallPolynomial over_root = inverse_sqrt_series(sigma, length, frame_bits);  // 1/√σ
-  const auto unit = cos_sin_series(phi, length, frame_bits);
-  const BallPolynomial cos = times(unit.cos, over_root);
-  const BallPolynomial sin = times(unit.sin, over_root);
-
-  // (x + yi)·e^{iφ}/√σ and (x + yi)·j·e^{iφ}/√σ = (x + yi)·e^{−iφ}/√σ·j.
-  const auto turned = [&](const Polynomial& re, const Polynomial& im, const BallPolynomial& sine) {
-    const BallPolynomial x = on_piece(re, piece, frame_bits);
-    const BallPolynomial y = on_piece(im, piece, frame_bits);
-    return std::pair{subtract(times(x, cos), times(y, sine), frame_bits),
-                     add(times(x, sine), times(y, cos), frame_bits)};
-  };
-  const auto [u, v] = turned(equation.preimage.u, equation.preimage.v, sin);
-  const auto [p, q] = turned(equation.preimage.p, equation.preimage.q, -sin);
-  return {u, v, p, q};
-}
-
-/// B on [low, high] for a curve with the parameter t − origin.
-std::optional<PolynomialPiece> rotation_piece_of(double low, double high, double origin,
-                                                 const FrameEquation& equation,
-                                                 const TwicePhi& twice_phi,
-                                                 const DoubleShape& shape) {
-  const auto taylor = [&](const PolynomialPiece& piece, const BallPolynomial& d, long length) {
-    return taylor_of(equation, piece, d,
-                     times_power_of_two(twice_phi(piece.center, frame_bits), -1), length);
-  };
-  return rotation_piece(low, high, origin, equation.rotation, taylor, shape);
-}
-
-/// θ + start, from balls around θ.
-TwicePhi from_start(const TwicePhi& theta, const FrameAngle& start) {
-  // Absolutely, φ is to be known to about 2^−bits.
-  const Rational size_of_start = abs(start.radians) + 4 * abs(start.half_turns) + 2;
-  const long more = binary_exponent(size_of_start);
-  return [theta, start = to_real(start), more](double t, long bits) {
-    return add(theta(t, bits), start.enclose(bits + more), bits + more);
-  };
-}
-
-TwicePhi theta_of(const PathAngle& angle, const FrameAngle& start) {
-  return from_start(
-      [angle](double t, long bits) {
-        return angle.enclose(locate(angle.path(), exact_rational(t)), bits);
-      },
-      start);
-}
-
 // f₂ of a rotation-minimizing frame has a component that is 0 everywhere on plane curves only: of
 // f₂·k = 0 the derivative is f₂′·k = 0, where f₂′ is along e₁, so that either e₁·k = 0 or f₂ is
 // constant, the normal of a plane. There the frames are rational, of a degree ≤ 2·degree(B), so
@@ -134,10 +24,10 @@ TwicePhi theta_of(const PathAngle& angle, const FrameAngle& start) {
 
 /// Which components of the frames at(frames, t) are 0 for all t: decided exactly.
 template <class At>
-std::array<std::array<bool, 3>, 3> frame_zeros(const Curve& curve, const At& at) {
+CompiledFrames::Zeros frame_zeros(const Curve& curve, const At& at) {
   const QuaternionPolynomial a = without_real_content(curve.preimage());
   const Vector<Polynomial> tangent = rotated_i(a);
-  std::array<std::array<bool, 3>, 3> zeros{};
+  CompiledFrames::Zeros zeros{};
   for (std::size_t k = 0; k < 3; ++k) zeros[0][k] = tangent[k].is_zero();
   if (!plane_normal(a)) return zeros;
   const auto rational = rational_frame(a);
@@ -158,80 +48,73 @@ std::array<std::array<bool, 3>, 3> frame_zeros(const Curve& curve, const At& at)
 }
 
 /// The same of the Euler–Rodrigues frame or of Frenet's.
-std::array<std::array<bool, 3>, 3> frame_zeros(const Curve& curve, Reference reference) {
+CompiledFrames::Zeros frame_zeros(const Curve& curve, Reference reference) {
   const QuaternionPolynomial a = without_real_content(curve.preimage());
   const GaussianPolynomial g =
       reference == Reference::frenet ? regular_bend(a) : GaussianPolynomial{{1}, {}};
   const Vector<Polynomial> j = rotated_j(a);
   const Vector<Polynomial> k = rotated_k(a);
   const std::array multiples{rotated_i(a), g.re * j - g.im * k, g.im * j + g.re * k};
-  std::array<std::array<bool, 3>, 3> zeros{};
+  CompiledFrames::Zeros zeros{};
   for (std::size_t n = 0; n < 3; ++n)
     for (std::size_t i = 0; i < 3; ++i) zeros[n][i] = multiples[n][i].is_zero();
   return zeros;
 }
 
+CompiledFrames::Zeros all_zeros() {
+  CompiledFrames::Zeros zeros;
+  for (auto& of_vector : zeros) of_vector.fill(true);
+  return zeros;
+}
+
+/// Takes out what is not 0 all along of e₁ and, where `is_up`, of the frame of v.
+void clear_zeros(CompiledFrames::Zeros& zeros, const std::vector<Vector<Polynomial>>& frame,
+                 bool is_up) {
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t k = 0; k < 3; ++k)
+      zeros[j][k] = zeros[j][k] && (j == 0 || is_up) && frame[j][k].is_zero();
+}
+
+Vector<Polynomial> as_polynomials(const Vector<Rational>& v) {
+  return {Polynomial{v[0]}, Polynomial{v[1]}, Polynomial{v[2]}};
+}
+
+/// Of H: what multiples of the three vectors are.
+std::vector<Vector<Polynomial>> frame_of(const Vector<Polynomial>& H, const Vector<Polynomial>& v) {
+  const Vector<Polynomial> second = cross(v, H);
+  return {H, second, cross(H, second)};
+}
+
+/// What is 0 all along a segment: of e₁, and in a plane with its normal for v.
+CompiledFrames::Zeros known_zeros(const PathAngle& angle, const Segment& segment,
+                                  const StartAngle& start) {
+  CompiledFrames::Zeros zeros = all_zeros();
+  const bool is_up =
+      angle.reference() == Reference::up && angle.is_zero() && start.value.exact() == Rational(0);
+  const Vector<Polynomial> up = as_polynomials(is_up ? angle.up() : Vector<Rational>{});
+  if (const RationalCurve* curve = rational_curve(segment)) {
+    clear_zeros(zeros, frame_of(curve->direction(), up), is_up);
+    return zeros;
+  }
+  for (const Vector<Rational>& direction : direction_span(segment))
+    clear_zeros(zeros, frame_of(as_polynomials(direction), up),
+                is_up && dot(angle.up(), direction) == 0);
+  return zeros;
+}
+
 }  // namespace
-
-PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
-                                      const FrameAngle& start_angle, double from, double to,
-                                      const DoubleShape& shape) {
-  const FrameEquation equation(curve);
-  const TwicePhi theta = from_start(
-      [&](double t, long bits) { return angle.enclose(exact_rational(t), bits); }, start_angle);
-  return {from, to, shape, [&](double low, double high) {
-            return rotation_piece_of(low, high, 0, equation, theta, shape);
-          }};
-}
-
-PiecewisePolynomial compiled_rotation(const PathAngle& angle, const FrameAngle& start_angle,
-                                      const DoubleShape& shape) {
-  const std::vector<FrameEquation> equations(angle.path().segments().begin(),
-                                             angle.path().segments().end());
-  const TwicePhi theta = theta_of(angle, start_angle);
-  const auto make = [&](double low, double high) {
-    const double joint = std::floor(low);
-    const FrameEquation& equation = equations[static_cast<std::size_t>(joint)];
-    return rotation_piece_of(low, high, joint, equation, theta, shape);
-  };
-  return PiecewisePolynomial::on_units(equations.size(), shape, make);
-}
-
-PiecewisePolynomial compiled_rotation(const PathAngle& angle, std::size_t segment,
-                                      const FrameAngle& start_angle, const DoubleShape& shape) {
-  const FrameEquation equation(angle.path().segments()[segment]);
-  const TwicePhi theta = theta_of(angle, start_angle);
-  const auto joint = static_cast<double>(segment);
-  return {joint, joint + 1, shape, [&](double low, double high) {
-            return rotation_piece_of(low, high, joint, equation, theta, shape);
-          }};
-}
-
-PiecewisePolynomial compiled_rotation(const Curve& curve, Reference reference, double from,
-                                      double to, double origin, const DoubleShape& shape) {
-  const FrameEquation equation(curve, reference);
-  const TwicePhi minus_arg_bend = [&](double t, long bits) {
-    const Rational at = exact_rational(t) - exact_rational(origin);
-    return subtract({}, argument(equation.bend.re(at), equation.bend.im(at), bits), bits);
-  };
-  return {from, to, shape, [&](double low, double high) {
-            return rotation_piece_of(low, high, origin, equation, minus_arg_bend, shape);
-          }};
-}
-
-double frame_error(double error) { return sum_up(2 * error, 2 * error * error); }
 
 CompiledFrames::CompiledFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
                                const FrameAngle& start_angle)
     : CompiledFrames(compiled_rotation(curve, angle, start_angle, from, to, compensated_shape(4)),
                      zeros(curve, angle, start_angle)) {}
 
-CompiledFrames::CompiledFrames(const PathAngle& angle, const FrameAngle& start_angle)
+CompiledFrames::CompiledFrames(const PathAngle& angle, const StartAngle& start_angle)
     : CompiledFrames(compiled_rotation(angle, start_angle, compensated_shape(4)),
                      zeros(angle, start_angle)) {}
 
 CompiledFrames::CompiledFrames(const PathAngle& angle, std::size_t segment,
-                               const FrameAngle& start_angle)
+                               const StartAngle& start_angle)
     : CompiledFrames(compiled_rotation(angle, segment, start_angle, compensated_shape(4)),
                      zeros(angle, segment, start_angle)) {}
 
@@ -256,19 +139,20 @@ CompiledFrames::Zeros CompiledFrames::zeros(const Curve& curve, const RmfAngle& 
 }
 
 CompiledFrames::Zeros CompiledFrames::zeros(const PathAngle& angle, std::size_t segment,
-                                            const FrameAngle& start) {
-  return frame_zeros(angle.path().segments()[segment],
-                     [&](const Frames& frames, const Rational& t) {
-                       const PathParameter at{segment, t};
-                       return turned(
-                           frames.euler_rodrigues(t), angle.direction(at),
-                           [&](const FrameAngle& from) { return angle.value(at, from); }, start);
-                     });
+                                            const StartAngle& start) {
+  const Segment& of = angle.path().segments()[segment];
+  if (angle.reference() != Reference::euler_rodrigues || !start.exact)
+    return known_zeros(angle, of, start);
+  return frame_zeros(*ph_curve(of), [&](const Frames& frames, const Rational& t) {
+    const PathParameter at{segment, t};
+    return turned(
+        frames.euler_rodrigues(t), angle.direction(at),
+        [&](const FrameAngle& from) { return angle.value(at, from); }, *start.exact);
+  });
 }
 
-CompiledFrames::Zeros CompiledFrames::zeros(const PathAngle& angle, const FrameAngle& start) {
-  Zeros all;
-  for (auto& of_vector : all) of_vector.fill(true);
+CompiledFrames::Zeros CompiledFrames::zeros(const PathAngle& angle, const StartAngle& start) {
+  Zeros all = all_zeros();
   const std::size_t segments = angle.path().segments().size();
   Stage stage("segments", segments);
   for (std::size_t k = 0; k < segments; ++k, stage.advance()) {

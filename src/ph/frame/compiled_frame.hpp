@@ -1,38 +1,9 @@
 #pragma once
 #include "phrame/algebra/error_free.hpp"
-#include "phrame/algebra/piecewise_polynomial.hpp"
-#include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/frame/compiled_rotation.hpp"
 #include "phrame/ph/frame/frame.hpp"
 
 namespace phrame {
-
-/// The unit quaternion B = A/|A|·e^{i(θ + start_angle)/2} on [from, to] as Taylor polynomials of
-/// its four components; the rotation-minimizing frame is (B i B*, B j B*, B k B*), and A is the
-/// preimage without its real factor, θ the angle to the Euler–Rodrigues frame. The sign of B may
-/// change from piece to piece. Each piece is proved afterwards, whatever it was found by: B
-/// satisfies
-///   σB′ = V·B − h·B·i,  V the vector part of A′A*,
-/// a linear equation with a skew-symmetric matrix, so that for polynomials Q
-///   |Q − B| ≤ |Q − B|(center) + ∫|σQ′ − V·Q + h·Q·i|/min σ.
-/// `angle` is that of this curve relative to the ERF; shape.width = 4. Throws as compiled_angle.
-PiecewisePolynomial compiled_rotation(const Curve& curve, const RmfAngle& angle,
-                                      const FrameAngle& start_angle, double from, double to,
-                                      const DoubleShape& shape);
-
-/// The same of a spline, on [0, end], with its continuous ERF.
-PiecewisePolynomial compiled_rotation(const PathAngle& angle, const FrameAngle& start_angle,
-                                      const DoubleShape& shape);
-/// The same of its segment k, on [k, k + 1].
-PiecewisePolynomial compiled_rotation(const PathAngle& angle, std::size_t segment,
-                                      const FrameAngle& start_angle, const DoubleShape& shape);
-
-/// The same of a frame that needs no integral: B = A/|A|·e^{iφ/2} with φ = 0 for the
-/// Euler–Rodrigues frame and −arg g for Frenet's, g without its real factors, so that it goes on
-/// through inflections. With 2dφ′ = −k, where d = σ and k = 0, or d = σ|g|² and k = σ Im(g′ḡ),
-///   dB′ = (d/σ)V·B − (k/2)·B·i.
-/// [from, to] is of t + origin. Throws DomainError for the Frenet frame of a straight line.
-PiecewisePolynomial compiled_rotation(const Curve& curve, Reference reference, double from,
-                                      double to, double origin, const DoubleShape& shape);
 
 /// Moving frames for millions of parameters, a few hundred operations each. Const
 /// members may be called from several threads.
@@ -41,10 +12,11 @@ class CompiledFrames {
   /// The frame whose angle to the ERF is θ + start_angle, as in compiled_rotation.
   CompiledFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
                  const FrameAngle& start_angle = {});
-  /// The same of a spline, on [0, end].
-  explicit CompiledFrames(const PathAngle& angle, const FrameAngle& start_angle = {});
-  /// The same of one segment k of a spline, on [k, k + 1].
-  CompiledFrames(const PathAngle& angle, std::size_t segment, const FrameAngle& start_angle);
+  /// The rotation-minimizing frame along a path, on [0, end]: its angle to the frame that θ is
+  /// measured from is θ + start_angle. As in compiled_rotation.
+  explicit CompiledFrames(const PathAngle& angle, const StartAngle& start_angle = {});
+  /// The same of one segment k, on [k, k + 1].
+  CompiledFrames(const PathAngle& angle, std::size_t segment, const StartAngle& start_angle);
   /// The Euler–Rodrigues frame, or that of Frenet continued through inflections, at t − origin, as
   /// in compiled_rotation.
   CompiledFrames(const Curve& curve, Reference reference, double from, double to,
@@ -78,8 +50,8 @@ class CompiledFrames {
   /// What rounded() gives there.
   std::optional<Frame<double>> near_frame(const Rotation& at) const;
   static Zeros zeros(const Curve& curve, const RmfAngle& angle, const FrameAngle& start_angle);
-  static Zeros zeros(const PathAngle& angle, std::size_t segment, const FrameAngle& start_angle);
-  static Zeros zeros(const PathAngle& angle, const FrameAngle& start_angle);
+  static Zeros zeros(const PathAngle& angle, std::size_t segment, const StartAngle& start_angle);
+  static Zeros zeros(const PathAngle& angle, const StartAngle& start_angle);
 
   PiecewisePolynomial polynomials_;
   Zeros zeros_;
@@ -108,8 +80,5 @@ class RoundedFrames {
   RmfAngle angle_;
   FrameAngle start_angle_;
 };
-
-/// What the components of the frame of a quaternion Q with |Q − B| ≤ error are off by, |B| = 1.
-double frame_error(double error);
 
 }  // namespace phrame

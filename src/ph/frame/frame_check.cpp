@@ -2,56 +2,17 @@
 
 #include <algorithm>
 
-#include "phrame/ph/along/arc_length.hpp"
-#include "phrame/ph/curve/vector.hpp"
+#include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/frame/frame_deviation.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame {
-FrameCheck::FrameCheck(const PhPath& path) : angle_(path) {
-  for (const Curve& curve : path.segments()) {
-    frames_.emplace_back(curve);
-    bends_.push_back(bend_numerator(without_real_content(curve.preimage())));
-  }
-}
+namespace {
 
-Forward FrameCheck::forward(const std::vector<GivenFrame>& frames) const {
-  long balance = 0;
-  for (const GivenFrame& frame : frames) {
-    if (!frame.tangent) continue;
-    const PathParameter at = locate(angle_.path(), frame.t);
-    if (sign_beside(angle_.path().segments()[at.segment].multiplier(), at.t) >= 0) continue;
-    balance += dot(*frame.tangent, frames_[at.segment].euler_rodrigues(at.t).e1).sign();
-  }
-  return balance > 0 ? Forward::preimage : Forward::motion;
-}
-
-FrameDeviation FrameCheck::deviation(const GivenFrame& frame, Forward forward, long bits) const {
-  const PathParameter at = locate(angle_.path(), frame.t);
-  const Frame<Rational> erf = frames_[at.segment].euler_rodrigues(at.t);
-  const Curve& curve = angle_.path().segments()[at.segment];
-  const int side = forward == Forward::preimage ? 1 : sign_beside(curve.multiplier(), at.t);
-  ExactFrame exact{as_reals(erf.e1), as_reals(erf.e2), std::nullopt, angle_.value(at).enclose(bits),
-                   side};
-  const Rational re = bends_[at.segment].re(at.t);
-  const Rational im = bends_[at.segment].im(at.t);
-  // n = (Re g e₂ − Im g e₃)/|g|.
-  if (re != 0 || im != 0) exact.normal = as_reals(re * erf.e2 - im * erf.e3);
-  return deviation_from(exact, frame, bits);
-}
-
-std::optional<Rational> FrameCheck::length(const Rational& a, const Rational& b) const {
-  const PhPath& path = angle_.path();
-  const PathParameter from = locate(path, std::min(a, b));
-  const PathParameter to = locate(path, std::max(a, b));
-  Rational sum = 0;
-  for (std::size_t k = from.segment; k <= to.segment; ++k) {
-    const auto part = arc_length(path.segments()[k], k == from.segment ? from.t : Rational(0),
-                                 k == to.segment ? to.t : Rational(1));
-    if (!part) return std::nullopt;
-    sum += *part;
-  }
-  return sum;
-}
+/// A vector for each t.
+using PointFunction = std::function<Vector<Rational>(const Rational& t)>;
 
 bool are_along(const PointFunction& tangent_at, const std::vector<GivenFrame>& frames,
                const Rational& tolerance) {
@@ -62,17 +23,6 @@ bool are_along(const PointFunction& tangent_at, const std::vector<GivenFrame>& f
     const Rational squared_size = dot(*frame.tangent, *frame.tangent) * dot(tangent, tangent);
     return squared_size != 0 && dot(c, c) <= tolerance * tolerance * squared_size;
   });
-}
-
-bool are_along_curve(const PhPath& path, const std::vector<GivenFrame>& frames,
-                     const Rational& tolerance) {
-  std::vector<Frames> exact;
-  for (const Curve& curve : path.segments()) exact.emplace_back(curve);
-  const auto tangent_at = [&](const Rational& t) {
-    const PathParameter at = locate(path, t);
-    return exact[at.segment].euler_rodrigues(at.t).e1;
-  };
-  return are_along(tangent_at, frames, tolerance);
 }
 
 bool are_on(const PointFunction& position_at, const std::vector<GivenPosition>& positions,
@@ -91,31 +41,93 @@ bool are_on(const PointFunction& position_at, const std::vector<GivenPosition>& 
   return farthest > 0 && worst <= tolerance * tolerance * farthest;
 }
 
-bool are_on_curve(const PhPath& path, const std::vector<GivenPosition>& positions,
-                  const Rational& tolerance) {
-  std::vector<Vector<Polynomial>> exact;
-  for (const Curve& curve : path.segments()) exact.push_back(position(curve));
-  const auto position_at = [&](const Rational& t) {
-    const PathParameter at = locate(path, t);
-    return evaluate(exact[at.segment], at.t);
-  };
-  return are_on(position_at, positions, tolerance);
+/// The sign of p next to t.
+int side_of(const RationalCurve& curve, const Rational& t) {
+  return sign_beside(curve.multiplier(), t);
 }
 
-FrameVerdict check_frames(const PhPath& path, const std::vector<GivenFrame>& frames,
+/// e₁ is r′/|r′| all along, or its opposite.
+int side_of(const ExpressionCurve& curve, const Rational&) { return curve.orientation(); }
+
+int side_of(const Path& path, const PathParameter& at) {
+  return visit_curve([&](const auto& curve) { return side_of(curve, at.t); },
+                     path.segments()[at.segment]);
+}
+
+/// What the tangents given take for forward: the preimage, or H, if most of those where p < 0 do.
+Forward forward_of(const Path& path, const std::vector<GivenFrame>& frames) {
+  long balance = 0;
+  for (const GivenFrame& frame : frames) {
+    if (!frame.tangent) continue;
+    const PathParameter at = locate(path, frame.t);
+    if (side_of(path, at) >= 0) continue;
+    balance += sign_of(dot(as_reals(*frame.tangent), direction(path, at)));
+  }
+  return balance > 0 ? Forward::preimage : Forward::motion;
+}
+
+/// Of the path at t; n only where it is defined.
+ExactFrame exact_frame(const PathAngle& angle, const Rational& t, Forward forward, long bits) {
+  const Path& path = angle.path();
+  const PathParameter at = locate(path, t);
+  const Vector<Real> H = direction(path, at);
+  ExactFrame exact{H, second_axis(angle, at), std::nullopt, angle.value(at).enclose(bits),
+                   forward == Forward::preimage ? 1 : side_of(path, at)};
+  try {
+    exact.normal = frenet_frame(path, at).e2;
+  } catch (const DomainError&) {  // an inflection, or a straight line
+  }
+  return exact;
+}
+
+/// The arc length from a to b; no value where that is not told from 0.
+std::optional<RealBall> length_between(const PathLength& length, const Path& path,
+                                       const Rational& a, const Rational& b, long bits) {
+  if (a == b) return std::nullopt;
+  const RealBall way = subtract(length.value(locate(path, b)).enclose(bits),
+                                length.value(locate(path, a)).enclose(bits), bits);
+  if (way.contains_zero()) return std::nullopt;
+  return way;
+}
+
+Vector<Rational> near(const Vector<Real>& v) {
+  constexpr long bits = 256;
+  const auto number = [](const Real& x) {
+    return x.exact() ? *x.exact() : x.enclose(bits).midpoint();
+  };
+  return {number(v[0]), number(v[1]), number(v[2])};
+}
+
+}  // namespace
+
+FrameVerdict check_frames(const PathAngle& angle, const std::vector<GivenFrame>& frames,
                           const FrameCheckOptions& options) {
-  const FrameCheck check(path);
-  const Forward forward = check.forward(frames);
+  const Path& path = angle.path();
+  const Forward forward = forward_of(path, frames);
   std::optional<Real> start;
-  if (options.start) start = to_real(start_angle(*options.start, path));
+  if (options.start) start = start_angle(*options.start, angle).value;
+  const PathLength length(path);
   const ExactFrames exact{
-      [&](const GivenFrame& frame, long bits) { return check.deviation(frame, forward, bits); },
-      [&](const Rational& a, const Rational& b, long bits) -> std::optional<RealBall> {
-        if (const auto length = check.length(a, b)) return RealBall(*length, bits);
-        return std::nullopt;
+      [&](const GivenFrame& frame, long bits) {
+        return deviation_from(exact_frame(angle, frame.t, forward, bits), frame, bits);
       },
-      std::nullopt};
+      [&](const Rational& a, const Rational& b, long bits) {
+        return length_between(length, path, a, b, bits);
+      },
+      angle.reference() == Reference::up ? std::optional(angle.up()) : std::nullopt};
   return judge_frames(exact, frames, start, options.tolerance);
+}
+
+bool are_along_curve(const Path& path, const std::vector<GivenFrame>& frames,
+                     const Rational& tolerance) {
+  const auto tangent_at = [&](const Rational& t) { return near(direction(path, locate(path, t))); };
+  return are_along(tangent_at, frames, tolerance);
+}
+
+bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
+                  const Rational& tolerance) {
+  const auto position_at = [&](const Rational& t) { return near(position(path, locate(path, t))); };
+  return are_on(position_at, positions, tolerance);
 }
 
 }  // namespace phrame

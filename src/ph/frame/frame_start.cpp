@@ -3,9 +3,9 @@
 namespace phrame {
 
 // n = (Re g·e₂ − Im g·e₃)/|g|, so that an angle to n is that to e₂ and arg g.
-FrameAngle start_angle(const FrameStart& start, const PhPath& path, Reference reference) {
+FrameAngle start_angle(const FrameStart& start, const Curve& first, Reference reference,
+                       const Vector<Rational>& up) {
   if (const auto* angle = std::get_if<Angle>(&start)) return *angle;
-  const Curve& first = path.segments().front();
   const Frame<Rational> erf = euler_rodrigues_frame(first, 0);
   const auto* least = std::get_if<LeastRotation>(&start);
   const FrameAngle to_erf = angle_of(
@@ -13,7 +13,13 @@ FrameAngle start_angle(const FrameStart& start, const PhPath& path, Reference re
   const FrameAngle turn = least != nullptr ? least->turn : Angle();
   if (reference == Reference::euler_rodrigues) return to_erf + turn;
   const GaussianRational z = direction_of(to_erf).value();
-  return angle_of(z * bend_after_zero(first.preimage())) + turn;
+  const GaussianRational g = reference == Reference::up ? bend_after_zero(first.preimage(), up)
+                                                        : bend_after_zero(first.preimage());
+  return angle_of(z * g) + turn;
+}
+
+FrameAngle start_angle(const FrameStart& start, const PhPath& path, Reference reference) {
+  return start_angle(start, path.segments().front(), reference);
 }
 
 // For e = e₁ ≠ −i the rotation takes j to j − e₂/(1 + e₁)·(i + e); a multiple of e does not count.

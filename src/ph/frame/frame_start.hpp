@@ -34,11 +34,15 @@ Vector<Rational> least_rotation_normal(const Vector<Rational>& e1);
 /// at an angle to the frame that angles are measured from, or with f₂ along a vector.
 using FrameStart = std::variant<LeastRotation, Angle, StartNormal>;
 
-/// θ(0), exactly; that of a vector, and of a LeastRotation before it is turned, is in (−π, π]. At a
-/// cusp the frames are those that are continued through it; where the curve starts with an
-/// inflection, the Frenet frame is that of small t > 0.
-/// Throws DomainError for a vector that is 0 or along the tangent, and where it is measured from
-/// the Frenet frame of a straight line.
+/// θ(0) of a path that starts with this PH curve, exactly; that of a vector, and of a LeastRotation
+/// before it is turned, is in (−π, π]. At a cusp the frames are those that are continued through
+/// it; where the curve starts with an inflection, the Frenet frame is that of small t > 0. Throws
+/// DomainError for a vector that is 0 or along the tangent, and where it is measured from the
+/// Frenet frame of a straight line. `up` is v, where it is measured from the frame of one.
+FrameAngle start_angle(const FrameStart& start, const Curve& first,
+                       Reference reference = Reference::euler_rodrigues,
+                       const Vector<Rational>& up = {});
+/// Along a path of PH curves, likewise.
 FrameAngle start_angle(const FrameStart& start, const PhPath& path,
                        Reference reference = Reference::euler_rodrigues);
 

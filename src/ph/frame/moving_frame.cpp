@@ -39,26 +39,10 @@ Vector<Real> MovingFrame::tangent(const TimedPoint& at) const {
   return vector_at(frames_[at.segment].e1, at);
 }
 
-/// θ at a rational number m next to t, and θ′·(t − m) with θ′ on a ball that holds both.
-Real MovingFrame::angle(const TimedPoint& at) const {
-  const std::size_t k = at.segment;
-  if (at.parameter.exact()) return angle_.value(PathParameter{k, *at.parameter.exact()});
-  const RationalFunction& rate = angle_.segment(k).rate();
-  if (rate.is_zero()) return angle_.value(PathParameter{k, Rational(0)});
-  const auto enclosure = [angle = angle_, rate, k, t = at.parameter](long bits) {
-    const RealBall near = t.enclose(bits + 16);
-    const Rational m = near.midpoint();
-    const RealBall way = subtract(near, RealBall(m, bits + 64), bits + 16);
-    return add(angle.enclose(PathParameter{k, m}, bits + 16),
-               multiply(evaluate(rate, near, bits + 16), way, bits + 16), bits + 16);
-  };
-  return Real(enclosure, {false, bits_of(rate)});
-}
-
 Frame<Real> MovingFrame::at(const TimedPoint& at) const {
   const auto& [e1, e2, e3] = frames_[at.segment];
   const Frame<Real> erf{vector_at(e1, at), vector_at(e2, at), vector_at(e3, at)};
-  return turned(erf, angle(at) + start_);
+  return turned(erf, angle_.value({at.segment, at.parameter}) + start_);
 }
 
 }  // namespace phrame

@@ -19,8 +19,6 @@ class MovingFrame {
   Frame<Real> at(const TimedPoint& at) const;
 
  private:
-  Real angle(const TimedPoint& at) const;
-
   PathAngle angle_;
   Real start_;
   std::vector<Frame<RationalFunction>> frames_;  ///< of Euler–Rodrigues, along the segments

@@ -9,11 +9,12 @@ namespace phrame {
 
 MinimalTwist::MinimalTwist(const PathAngle& rmf, const FrameAngle& from, const FrameAngle& to,
                            const Integer& extra_turns)
-    : rmf_(rmf),
+    : path_(rmf.path().ph().value()),
+      rmf_(rmf),
       from_(from),
       start_(reduced(from)),
-      length_(Path(rmf.path())),
-      erf_twist_(remembered(-rmf.value(rmf.path().end()))),
+      length_(path_),
+      erf_twist_(remembered(-rmf.value(path_.end()))),
       nominal_(Rational(0)),
       twist_(Rational(0)) {
   for (std::size_t k = 0; k < path().segments().size(); ++k)
@@ -28,8 +29,8 @@ MinimalTwist::MinimalTwist(const PathAngle& rmf, const FrameAngle& from, const F
   const auto over_pi = [&]() -> std::optional<Rational> {
     // −T/π without the multiples of π.
     const GaussianRational& z = between.direction;
-    const auto m = rmf.multiple_of_pi(locate_inside(rmf.path(), rmf.path().end()),
-                                      path_to({z.re, -z.im}), -between.radians);
+    const auto m = rmf.multiple_of_pi(locate_inside(path_, path_.end()), path_to({z.re, -z.im}),
+                                      -between.radians);
     if (!m) return std::nullopt;
     return between.half_turns - *m;
   };

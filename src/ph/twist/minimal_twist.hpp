@@ -15,7 +15,8 @@ class MinimalTwist {
  public:
   /// Whole turns in θ_f − θ_i do not count, however many: they are left out before anything is
   /// rounded. With `extra_turns` ≠ 0 the frame makes that many more revolutions. Throws DomainError
-  /// where the multiplier of a segment changes sign on it.
+  /// where the multiplier of a segment changes sign on it. Precondition: the angle is that to the
+  /// Euler–Rodrigues frame.
   MinimalTwist(const PathAngle& rmf, const FrameAngle& from, const FrameAngle& to,
                const Integer& extra_turns = 0);
 
@@ -31,8 +32,8 @@ class MinimalTwist {
   const std::optional<Rational>& half_turn_within() const { return half_turn_within_; }
   /// The turn per unit of arc length, twist()/S: Ω̄₁.
   Real rate() const;
-  const PhPath& path() const { return rmf_.path(); }  ///< along which it is
-  const PathAngle& rmf() const { return rmf_; }       ///< θ_RMF
+  const PhPath& path() const { return path_; }   ///< along which it is
+  const PathAngle& rmf() const { return rmf_; }  ///< θ_RMF
   /// (θ(end) − θ(0))/2π, where it is a whole number: decided exactly.
   std::optional<Integer> whole_turns_of_theta() const;
   /// θ(t). At the start it is θ_i and at the end θ_f plus whole turns, exactly; where the twist is
@@ -47,6 +48,7 @@ class MinimalTwist {
   Real value(const FrameAngle& start, const Rational& t) const;
   Real value(const FrameAngle& start, const Real& s, const Real& rmf_angle) const;
 
+  PhPath path_;
   PathAngle rmf_;
   FrameAngle from_;
   FrameAngle start_;  ///< θ_i in (−π, π]

@@ -15,17 +15,17 @@ Real mean_of(const Real& x, const Real& y) { return Rational(1, 2) * (x + y); }
 
 }  // namespace
 
-SmoothTwist::SmoothTwist(const SmoothAngle& rmf, const FrameStart& from, const FrameStart& to,
+SmoothTwist::SmoothTwist(const PathAngle& rmf, const FrameStart& from, const FrameStart& to,
                          const Integer& extra_turns)
     : rmf_(rmf),
       length_(rmf.path()),
       whole_(length_.total()),
-      from_(start_angle(from, rmf)),
-      to_(start_angle(to, rmf, end_of_path(rmf.path()))),
+      from_(start_angle(from, rmf).value),
+      to_(start_angle(to, rmf, end_of_path(rmf.path())).value),
       nominal_(Rational(0)),
       twist_(Rational(0)) {
-  if (rmf.reference() != SmoothReference::up)
-    throw DomainError("minimal twist: it is found from the angle to the frame of an up vector");
+  if (rmf.reference() == Reference::frenet)
+    throw DomainError("minimal twist: it is not found from the angle to the Frenet frame");
   nominal_ = remembered(up_twist() + (to_ + -from_));
   const ReducedAngle least = reduced(nominal_);
   half_turn_within_ = least.half_turn_within;
@@ -60,7 +60,7 @@ Real SmoothTwist::value(const Place& at) const {
 
 // Whole turns are left out at the end, and in the middle, where there are half as many.
 Frame<Real> minimal_twist_frame(const SmoothTwist& twist, const Place& at) {
-  const SmoothAngle& rmf = twist.rmf();
+  const PathAngle& rmf = twist.rmf();
   const Frame<Real> up = up_frame(rmf.path(), rmf.up(), at);
   if (twist.is_end(at)) return turned(up, twist.to());
   if (!twist.is_middle(at)) return turned(up, remembered(twist.value(at)));

@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/ph/along/path_length.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame {
 
@@ -16,7 +16,7 @@ class SmoothTwist {
  public:
   /// A vector of `to` is one at the end. With `extra_turns` ≠ 0 the frame makes that many more
   /// revolutions. Throws DomainError as start_angle(), and for the angle to a Frenet frame.
-  SmoothTwist(const SmoothAngle& rmf, const FrameStart& from, const FrameStart& to,
+  SmoothTwist(const PathAngle& rmf, const FrameStart& from, const FrameStart& to,
               const Integer& extra_turns = 0);
   SmoothTwist(const SmoothTwist&) = default;
   SmoothTwist& operator=(const SmoothTwist&) = default;
@@ -30,8 +30,8 @@ class SmoothTwist {
   const Real& twist() const { return twist_; }            ///< T_min, plus 2π·extra_turns
   /// As ReducedAngle has it, of T_min.
   const std::optional<Rational>& half_turn_within() const { return half_turn_within_; }
-  Real rate() const;                               ///< the turn per unit of arc length, twist()/S
-  const SmoothAngle& rmf() const { return rmf_; }  ///< θ_RMF
+  Real rate() const;                             ///< the turn per unit of arc length, twist()/S
+  const PathAngle& rmf() const { return rmf_; }  ///< θ_RMF
 
   /// Whether it is the end of the path.
   bool is_end(const Place& at) const;
@@ -45,7 +45,7 @@ class SmoothTwist {
   Real value(const Place& at) const;
 
  private:
-  SmoothAngle rmf_;
+  PathAngle rmf_;
   PathLength length_;
   Real whole_;
   Real from_;

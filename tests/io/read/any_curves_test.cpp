@@ -10,8 +10,8 @@
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/read/number.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/path_length.hpp"
-#include "phrame/ph/along/smooth_angle.hpp"
 
 using namespace phrame;
 
@@ -35,7 +35,7 @@ TEST_CASE("any curve: angles and lengths are those of quadrature") {
     const JsonNode node(document);
     const Path path = std::get<NamedPath>(read_any_path(node.at("file"))).path;
     const std::vector<Rational> up = node.at("up").numbers(3);
-    const SmoothAngle angle(path, {up[0], up[1], up[2]});
+    const PathAngle angle(path, {up[0], up[1], up[2]});
     CHECK(is_quadrature(angle.value({0, Rational(1, 3)}), node.at("third").number()));
     CHECK(is_quadrature(angle.value({path.segments().size() - 1, Rational(1)}),
                         node.at("theta").number()));

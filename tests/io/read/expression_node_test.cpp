@@ -9,7 +9,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/number.hpp"
-#include "phrame/ph/along/smooth_angle.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "support/data.hpp"
 
 namespace expression_node_test {
@@ -114,13 +114,12 @@ TEST_CASE("expressions: the examples") {
     return smooth(text.str());
   };
   // mpmath's quad() with 45 digits
-  const Real trefoil = SmoothAngle(read("trefoil.json"), {0, 0, 1}).value({0, Rational(1)});
+  const Real trefoil = PathAngle(read("trefoil.json"), {0, 0, 1}).value({0, Rational(1)});
   const Rational wanted = parse_rational("-3.2561931220674106839578625312073");
   CHECK(is_at_most(absolute(subtract(trefoil.enclose(110), RealBall(wanted, 128), 110)),
                    RealBall(parse_rational("1e-30"), 64)));
   // κ = 3/25, τ = 4/25 and the length is 20π: θ to the Frenet frame ends at −16π/5.
-  const Real helix =
-      SmoothAngle(read("helix.json"), SmoothReference::frenet).value({0, Rational(1)});
+  const Real helix = PathAngle(read("helix.json"), Reference::frenet).value({0, Rational(1)});
   const RealBall turns = divide(helix.enclose(80), pi(80), 80);
   CHECK(turns.contains(Rational(-16, 5)));
 }

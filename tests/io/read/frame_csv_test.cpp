@@ -210,7 +210,7 @@ std::string as_given(FrameTable table, const std::string& second, const std::str
 
 std::vector<FrameFinding::Kind> kinds(const PhPath& path, const std::string& table) {
   std::vector<FrameFinding::Kind> list;
-  for (const auto& finding : check_frames(path, read_frames(table).frames).findings)
+  for (const auto& finding : check_frames(PathAngle(path), read_frames(table).frames).findings)
     list.push_back(finding.kind);
   return list;
 }
@@ -272,7 +272,7 @@ std::optional<BetterReading> better(const std::string& text, const FrameReading&
   const GivenTable table = read_frames(text, reading);
   const FrameCheckOptions options{std::nullopt, Rational(1, 1000)};
   const CheckAnswer found{NamedPhPath("", path), table.frames, options,
-                          check_frames(path, table.frames, options)};
+                          check_frames(PathAngle(path), table.frames, options)};
   return better_reading(found, text, reading, table);
 }
 

@@ -254,8 +254,8 @@ TEST_CASE("curve info: text, JSON and LaTeX name the same fields") {
 
 TEST_CASE("spline info: LaTeX has the segments in a table") {
   // Two segments of a straight line, of the lengths 1/3 and 2/3.
-  const std::string latex = to_latex(
-      answer({"", test::cut(test::straight_line().curve, {Rational(1, 3)})}, InfoQuery{5}));
+  const std::string latex = to_latex(answer(
+      NamedPhPath{"", test::cut(test::straight_line().curve, {Rational(1, 3)})}, InfoQuery{5}));
   CHECK(latex ==
         R"(\begin{align*}
 \text{length $\int |f|\sigma$} &= 1 \\

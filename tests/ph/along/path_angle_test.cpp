@@ -1,7 +1,7 @@
 #include "phrame/ph/along/path_angle.hpp"
 
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/path_totals.hpp"
-#include "phrame/ph/along/smooth_angle.hpp"
 #include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/frame/frame.hpp"
 #include "support/paths.hpp"
@@ -47,7 +47,7 @@ PhPath through(const std::vector<Vector<Rational>>& directions) {
 
 Vector<double> second_vector(PathAngle& angle, const Rational& t) {
   const PathParameter at = locate(angle.path(), t);
-  const Curve& curve = angle.path().segments()[at.segment];
+  const Curve& curve = *ph_curve(angle.path().segments()[at.segment]);
   return round_to_double(turned(as_real(euler_rodrigues_frame(curve, at.t)), angle.value(t)).e2);
 }
 
@@ -93,11 +93,11 @@ TEST_CASE("spline: holonomies of plane pieces are exact multiples of a quarter t
   PathAngle hexagon(through({x, y, minus_x, z, minus_y, minus_z}));
   CHECK(hexagon.holonomy().value().exact() == Rational(0));
   PathAngle half(through({x, y, x, minus_y, minus_x, z, minus_x, minus_z}));
-  CHECK(half.path().closing_turn().has_value());
+  CHECK(half.path().ph()->closing_turn().has_value());
   CHECK(digits(half.holonomy().value()) == "3.14159265358979");
   CHECK(half.value(8).exact() == Rational(0));
   // By positions nothing is known but values: that it is within 256 bits of half a turn.
-  const Real by_values = *holonomy(SmoothAngle(by_positions(half.path()), {3, 5, 7}));
+  const Real by_values = *PathAngle(by_positions(*half.path().ph()), {3, 5, 7}).holonomy();
   CHECK(digits(by_values) == "3.14159265358979");
 }
 
@@ -113,9 +113,8 @@ TEST_CASE("spline: the angle to the Frenet frame, where that is continuous") {
     CHECK(digits(angle.value(at)) == digits(one.value(t)));
   }
   CHECK(digits(angle.value(2)) == digits(-total_torsion(halves).value));
-  CHECK(
-      digits(SmoothAngle(by_positions(halves), SmoothReference::frenet).value({1, Rational(1)})) ==
-      digits(angle.value(2)));
+  CHECK(digits(PathAngle(by_positions(halves), Reference::frenet).value({1, Rational(1)})) ==
+        digits(angle.value(2)));
   // A plane curve, an inflection at the joint, as of x³ and −x³.
   const auto frenet = [](const std::vector<Curve>& curves) {
     return PathAngle(chain(curves), Reference::frenet);
@@ -171,7 +170,7 @@ TEST_CASE("spline: an open one has no holonomy, nor has one with a corner") {
   PathAngle corner(chain({line(x, 1), plane_quarter(x, y), plane_quarter(y, minus_x),
                           plane_quarter(minus_x, minus_y), line(minus_y, Rational(2, 3))}));
   CHECK(corner.path().ends_meet());
-  CHECK_FALSE(corner.path().closing_turn());
+  CHECK_FALSE(corner.path().ph()->closing_turn());
   CHECK_FALSE(corner.holonomy());
 }
 

@@ -7,7 +7,8 @@
 
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/frame/compiled_smooth.hpp"
+#include "phrame/ph/frame/compiled_angle.hpp"
+#include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/twist/smooth_twist.hpp"
 #include "support/random.hpp"
 
@@ -99,12 +100,12 @@ using namespace plane_turns_test;
 TEST_CASE("plane turns: θ of a pipe that bends to and fro is exactly 0, and can be compiled") {
   const Corner x{1, 0, 0};
   const Path path = pipe(along_edges({x, {0, 1, 0}, x, {0, 0, 1}, x, x}), {Rational(1, 2)}, false);
-  const SmoothAngle angle(path, {1, 3, 2});
+  const PathAngle angle(path, {1, 3, 2});
   CHECK_FALSE(angle.is_zero());
   for (const std::size_t k : {4U, 8U}) CHECK(angle.value({k, Rational(0)}).exact() == Rational(0));
   CHECK(angle.value({8, Rational(1, 3)}).exact() == Rational(0));  // on a line
   CHECK(angle.value({2, Rational(1, 3)}).origin().is_irrational);
-  CompiledAngle compiled = compile_angle(angle);
+  CompiledAngle compiled = CompiledAngle(angle);
   CHECK(compiled(8.25) == 0);
 }
 
@@ -122,7 +123,7 @@ TEST_CASE("plane turns: holonomies that are 0, π/2 and exactly π") {
     CHECK(corners.back() == corners.front());
     corners.pop_back();
     const Path path = pipe(corners, {Rational(1, 2)}, true);
-    const auto turn = holonomy(SmoothAngle(path));
+    const auto turn = PathAngle(path).holonomy();
     REQUIRE(turn);
     const auto half_turns = over_pi(*turn);
     REQUIRE(half_turns);
@@ -152,7 +153,7 @@ TEST_CASE("plane turns: law: as parallel transport in doubles, and 0 where it is
       corners.push_back(next);
     }
     const Path path = pipe(corners, {1, Rational(2, 3), 2}, false);
-    const SmoothAngle angle(path);
+    const PathAngle angle(path);
     const Real theta = angle.value(end_of(path));
     const double difference = approximate(theta.enclose(64)) - transported_angle(path, angle.up());
     CHECK(std::abs(std::remainder(difference, 2 * std::numbers::pi)) < 1e-8);
@@ -163,7 +164,7 @@ TEST_CASE("plane turns: law: as parallel transport in doubles, and 0 where it is
     for (std::size_t k = corners.size() - 2; k > 0; --k)
       all.push_back(sum_of(all.back(), edge_of(corners[k - 1], corners[k])));
     const Path both = pipe(all, {Rational(3, 4)}, false);
-    const Real undone = SmoothAngle(both, angle.up()).value(end_of(both));
+    const Real undone = PathAngle(both, angle.up()).value(end_of(both));
     CHECK(undone.exact() == Rational(0));
   });
 }

@@ -3,8 +3,8 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/number.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/path_length.hpp"
-#include "phrame/ph/along/smooth_angle.hpp"
 #include "phrame/ph/along/smooth_shape.hpp"
 #include "phrame/ph/along/smooth_totals.hpp"
 #include "support/expression_curves.hpp"
@@ -31,7 +31,7 @@ bool agrees(const Real& x, const char* digits) {
 
 TEST_CASE("segment integral: angles, lengths and totals of formulas are those of quadrature") {
   const Path path{Segment(wild())};
-  const SmoothAngle angle(path, {0, 0, 1});
+  const PathAngle angle(path, {0, 0, 1});
   CHECK(agrees(angle.value({0, Rational(1)}), "-1.3274409146143517073234919564855"));
   CHECK(agrees(angle.value({0, Rational(1, 3)}), "-0.48145366320196974731715660702906"));
   const PathLength length(path);

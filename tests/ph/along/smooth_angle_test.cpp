@@ -1,4 +1,4 @@
-#include "phrame/ph/along/smooth_angle.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 #include "phrame/ph/along/smooth_shape.hpp"
 #include "phrame/ph/along/smooth_totals.hpp"
 #include "phrame/ph/along/up_vector.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "support/data.hpp"
 #include "support/random.hpp"
 
@@ -42,12 +42,12 @@ bool agree(const Frame<Real>& a, const Frame<Real>& b, long bits) {
 
 TEST_CASE("smooth angle: the twisted cubic (t, t², t³) [mpmath: quad of the same rate]") {
   const Path path(RationalCurve({Polynomial{0, 1}, {0, 0, 1}, {0, 0, 0, 1}}));
-  const SmoothAngle angle(path, {0, 0, 1});
+  const PathAngle angle(path, {0, 0, 1});
   CHECK(round_to_decimal(angle.value({0, Rational(1)}), 40).value ==
         "-0.3304832001393860863483991853636333167034");
   // θ to the Frenet frame is −∫ τ ds.
-  CHECK(round_to_decimal(SmoothAngle(path, SmoothReference::frenet).value({0, Rational(1)}), 40)
-            .value == "-1.507278500292393126918601351905495484273");
+  CHECK(round_to_decimal(PathAngle(path, Reference::frenet).value({0, Rational(1)}), 40).value ==
+        "-1.507278500292393126918601351905495484273");
 }
 
 // 170 bits of the 190 are 51 digits.
@@ -61,10 +61,10 @@ TEST_CASE("smooth angle: PH curves by their positions have the frames of the exa
     ++count;
     CAPTURE(named.name);
     const Path path = by_positions(PhPath(curve));
-    const SmoothAngle angle(path);
+    const PathAngle angle(path);
     const RmfAngle exact(curve);
     const Frame<Rational> erf = euler_rodrigues_frame(curve, 0);
-    const Real from = start_angle(StartNormal({erf.e2[0], erf.e2[1], erf.e2[2]}), angle);
+    const StartAngle from = start_angle(StartNormal({erf.e2[0], erf.e2[1], erf.e2[2]}), angle);
     for (const Rational& t : {Rational(1, 3), Rational(1)})
       CHECK(agree(rotation_minimizing_frame(angle, {0, t}, from),
                   rotation_minimizing_frame(curve, exact, t), 190));
@@ -83,11 +83,11 @@ TEST_CASE("smooth angle: another up vector gives the same frame") {
       weights.push_back(Rational(random.integer(1, 9)));
     }
     const Path path(bezier_curve(points, weights));
-    const SmoothAngle one(path);
-    const SmoothAngle other(path, {7, -31, 19});
+    const PathAngle one(path);
+    const PathAngle other(path, {7, -31, 19});
     const Vector<Rational> normal{3, 1, 4};
-    const Real from_one = start_angle(StartNormal(normal), one);
-    const Real from_other = start_angle(StartNormal(normal), other);
+    const StartAngle from_one = start_angle(StartNormal(normal), one);
+    const StartAngle from_other = start_angle(StartNormal(normal), other);
     const Place at{0, Rational(2, 3)};
     CHECK(agree(rotation_minimizing_frame(one, at, from_one),
                 rotation_minimizing_frame(other, at, from_other), 120));
@@ -97,24 +97,24 @@ TEST_CASE("smooth angle: another up vector gives the same frame") {
 TEST_CASE("smooth angle: plane curves and straight lines do not turn") {
   const Path plane(RationalCurve({Polynomial{0, 1}, {0, 0, 1}, {1, 2, 3}}));
   CHECK(plane_normal(plane) == Vector<Rational>{-2, -3, 1});
-  CHECK(SmoothAngle(plane).is_zero());
-  CHECK(SmoothAngle(plane).value({0, Rational(1, 3)}).exact() == Rational(0));
+  CHECK(PathAngle(plane).is_zero());
+  CHECK(PathAngle(plane).value({0, Rational(1, 3)}).exact() == Rational(0));
   const Path line(RationalCurve({Polynomial{0, 1}, {0, 2}, {1, 3}}));
   CHECK(is_straight(line));
   CHECK_FALSE(plane_normal(line));
-  CHECK(SmoothAngle(line).is_zero());
-  CHECK_THROWS_AS(SmoothAngle(line, SmoothReference::frenet), DomainError);
-  const Frame<Real> frame = rotation_minimizing_frame(SmoothAngle(plane), {0, Rational(0)});
+  CHECK(PathAngle(line).is_zero());
+  CHECK_THROWS_AS(PathAngle(line, Reference::frenet), DomainError);
+  const Frame<Real> frame = rotation_minimizing_frame(PathAngle(plane), {0, Rational(0)});
   CHECK(frame.e1[0].enclose(60).overlaps(divide(RealBall(1, 60), sqrt(RealBall(5, 60), 60), 60)));
 }
 
 TEST_CASE("smooth angle: an up vector along the tangent is refused, with the place") {
   const Path path(RationalCurve({Polynomial{0, 1}, {0, -1, 1}, {0, 0, -1, Rational(4, 3)}}));
-  CHECK_THROWS_WITH_AS(SmoothAngle(path, {1, 0, 0}),
+  CHECK_THROWS_WITH_AS(PathAngle(path, {1, 0, 0}),
                        "the up vector (1, 0, 0) is along the tangent at t = 1/2", DomainError);
-  CHECK_THROWS_WITH_AS(SmoothAngle(path, {0, 0, 0}), "the up vector is 0", DomainError);
+  CHECK_THROWS_WITH_AS(PathAngle(path, {0, 0, 0}), "the up vector is 0", DomainError);
   CHECK_FALSE(tangent_along(std::get<RationalCurve>(path.segments()[0]), up_vector(path)));
-  CHECK_THROWS_AS(SmoothAngle(path).value({0, Rational(2)}), DomainError);
+  CHECK_THROWS_AS(PathAngle(path).value({0, Rational(2)}), DomainError);
 }
 
 TEST_CASE("smooth angle: a path that is cut turns as the whole") {
@@ -125,8 +125,8 @@ TEST_CASE("smooth angle: a path that is cut turns as the whole") {
   const Path cut = joined({cubic(x), cubic(later)});
   const Path whole(cubic(Rational(2) * x));
   const Vector<Rational> up{1, 1, 5};
-  const RealBall a = SmoothAngle(cut, up).enclose({1, Rational(1, 2)}, 150);
-  const RealBall b = SmoothAngle(whole, up).enclose({0, Rational(3, 4)}, 150);
+  const RealBall a = PathAngle(cut, up).enclose({1, Rational(1, 2)}, 150);
+  const RealBall b = PathAngle(whole, up).enclose({0, Rational(3, 4)}, 150);
   CHECK(a.overlaps(b));
   CHECK(a.is_accurate(150));
 }
@@ -137,9 +137,9 @@ TEST_CASE("smooth angle: to the Frenet frame of a spline, where that is continuo
     return std::get<NamedPath>(read_any_path(table)).path;
   };
   const auto frenet = [&](const std::string& table) {
-    return SmoothAngle(read(table), SmoothReference::frenet);
+    return PathAngle(read(table), Reference::frenet);
   };
-  const auto check_torsion = [](const SmoothAngle& angle) {
+  const auto check_torsion = [](const PathAngle& angle) {
     const Place end{angle.path().segments().size() - 1, Rational(1)};
     CHECK(round_to_double(angle.value(end)) ==
           doctest::Approx(-round_to_double(total_torsion(angle.path()))));
@@ -157,7 +157,7 @@ TEST_CASE("smooth angle: to the Frenet frame of a spline, where that is continuo
   CHECK_THROWS_WITH_AS(frenet("x y z dx dy dz\n0 0 0 1 0 0\n1 1 1 1 1 0\n2 0 3 0 1 1\n"),
                        "Frenet frame: at the joint t = 1 it jumps, by 1.01 radians", DomainError);
   // In a plane an inflection may be at a joint: y = ±x³.
-  const SmoothAngle plane = frenet("x y z dx dy dz\n0 0 0 1 1 0\n1 0 0 1 -2 0\n2 0 0 1 1 0\n");
+  const PathAngle plane = frenet("x y z dx dy dz\n0 0 0 1 1 0\n1 0 0 1 -2 0\n2 0 0 1 1 0\n");
   CHECK(plane.is_zero());
 }
 
@@ -166,8 +166,8 @@ TEST_CASE("smooth angle: next to a cusp, |H| ≥ 1e-12, two up vectors give the 
   const Polynomial x{Rational(-1, 3), 1};
   const Path path(
       RationalCurve({antiderivative(x), antiderivative(x * x), Polynomial{0, power_of_ten(-12)}}));
-  const SmoothAngle one(path, {1, 2, 2});
-  const SmoothAngle other(path, {-3, 4, 7});
+  const PathAngle one(path, {1, 2, 2});
+  const PathAngle other(path, {-3, 4, 7});
   const StartNormal normal({0, 1, 1});
   const Place end{0, Rational(1)};
   CHECK(agree(rotation_minimizing_frame(one, end, start_angle(normal, one)),

@@ -9,7 +9,6 @@
 #include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/path_length.hpp"
-#include "phrame/ph/along/smooth_angle.hpp"
 #include "phrame/ph/along/smooth_shape.hpp"
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
@@ -58,7 +57,7 @@ TEST_CASE("smooth totals: a circle of four arcs") {
   CHECK(total_curvature(path).enclose(150).overlaps(whole));
   CHECK(std::get<Real>(bending_energy(path)).enclose(150).overlaps(whole));
   CHECK(total_torsion(path).exact() == Rational(0));
-  CHECK(holonomy(SmoothAngle(path))->exact() == Rational(0));
+  CHECK(PathAngle(path).holonomy()->exact() == Rational(0));
   CHECK(curvature(path, {2, Rational(1, 3)}).exact() == Rational(1));
   // An eighth of the way: s = π/4 is no rational number; s = 1 is at the angle 1.
   const Place at = PathLength(path).point(2);
@@ -75,11 +74,11 @@ TEST_CASE("smooth totals: a closed path whose frame comes back turned [holonomy 
       bezier_curve({{0, 0, 0}, {3, 1, 2}, {2, 4, -3}, {-2, 1, 4}, {-3, -1, -2}, {0, 0, 0}});
   const Path path(loop);
   REQUIRE(path.is_closed());
-  const Real one = *holonomy(SmoothAngle(path));
-  const Real other = *holonomy(SmoothAngle(path, {5, -9, 11}));
+  const Real one = *PathAngle(path).holonomy();
+  const Real other = *PathAngle(path, {5, -9, 11}).holonomy();
   CHECK(one.enclose(120).overlaps(other.enclose(120)));
   CHECK(one.enclose(120).is_accurate(110));
-  CHECK_FALSE(holonomy(SmoothAngle(twisted_cubic())));
+  CHECK_FALSE(PathAngle(twisted_cubic()).holonomy());
 }
 
 TEST_CASE("smooth totals: PH curves have the exact lengths of theirs") {
@@ -217,8 +216,8 @@ TEST_CASE("smooth totals: law: a long path of translated pieces has many times t
   agrees(total_curvature(path), total_curvature(one));
   agrees(std::get<Real>(bending_energy(path)), std::get<Real>(bending_energy(one)));
   agrees(PathLength(path).total(), PathLength(one).total());
-  const SmoothAngle angle(path, {0, 1, 2});
-  const SmoothAngle part(one, {0, 1, 2});
+  const PathAngle angle(path, {0, 1, 2});
+  const PathAngle part(one, {0, 1, 2});
   agrees(up_frame_twist(angle), up_frame_twist(part));
   for (const std::size_t k : {std::size_t{1099}, std::size_t{3}, std::size_t{700}}) {
     const Real expected = Rational(static_cast<long>(k)) * part.value({0, Rational(1)}) +

@@ -1,11 +1,11 @@
-#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/curve/segment.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/frame/frame.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "support/curves.hpp"
 #include "support/expression_curves.hpp"
 #include "support/paths.hpp"
@@ -62,8 +62,8 @@ TEST_CASE("segment: law: frames do not depend on what is known of the pieces") {
     Path path(given_as(kind[0], exact.segments()[0]));
     for (std::size_t k = 1; k < 3; ++k) path.append(given_as(kind[k], exact.segments()[k]));
     CHECK(path.ph().has_value() == (kinds == 0));
-    const SmoothAngle angle(path, {Rational(3), Rational(-3), Rational(2)});
-    const Real from = start_angle(LeastRotation{}, angle);
+    const PathAngle angle(path, {Rational(3), Rational(-3), Rational(2)});
+    const StartAngle from = start_angle(LeastRotation{}, angle);
     for (std::size_t k = 0; k < 3; ++k) {
       const Place at(k, Rational(2, 5));
       check_equal(rotation_minimizing_frame(angle, at, from), rmf(k, Rational(2, 5)));

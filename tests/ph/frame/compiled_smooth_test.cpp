@@ -1,4 +1,5 @@
-#include "phrame/ph/frame/compiled_smooth.hpp"
+#include "phrame/ph/frame/compiled_angle.hpp"
+#include "phrame/ph/frame/compiled_frame.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +7,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "support/curves.hpp"
 #include "support/expression_curves.hpp"
 #include "support/random.hpp"
@@ -31,9 +32,9 @@ void check_frame(const Frame<double>& found, const Frame<Real>& exact, double bo
 
 /// Compiled values against the exact ones, which they were not made from but in the middle of the
 /// pieces.
-void check_compiled(const SmoothAngle& angle, const Real& start, long count) {
-  CompiledAngle theta = compile_angle(angle, start);
-  const CompiledFrames frames = compile_frames(angle, start);
+void check_compiled(const PathAngle& angle, const Real& start, long count) {
+  CompiledAngle theta = CompiledAngle(angle, start);
+  const CompiledFrames frames = CompiledFrames(angle, start);
   const double end = round_to_double(angle.path().end());
   for (long k = 0; k <= count; ++k) {
     const double t = end * static_cast<double>(k) / static_cast<double>(count);
@@ -66,17 +67,17 @@ RationalCurve random_bezier(test::Random& random, long degree, bool is_rational)
 // f₂ and θ at t = 1/2 and θ at 1 by mpmath's odefun and quad, as in smooth_answers_test.
 TEST_CASE("compiled smooth: the cubic of an independent method") {
   const Path cubic(bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 3}}));
-  const SmoothAngle angle(cubic, {0, 0, 1});
-  CompiledAngle theta = compile_angle(angle);
+  const PathAngle angle(cubic, {0, 0, 1});
+  CompiledAngle theta = CompiledAngle(angle);
   CHECK(theta(0) == 0);
   CHECK(theta(0.5) == -0.289671535325403270086160);
   CHECK(theta(1) == -1.65740642390110110987773);
-  const Vector<double> f2 = compile_frames(angle)(0.5).e2;
+  const Vector<double> f2 = CompiledFrames(angle)(0.5).e2;
   CHECK(std::abs(f2[0] - -0.9583377490235709016413) <= 0x1p-52);
   CHECK(std::abs(f2[1] - 0.1713824762533109234127) <= 0x1p-52);
   CHECK(std::abs(f2[2] - -0.2285099683377478978835) <= 0x1p-52);
   CHECK_THROWS_AS(theta(1.5), DomainError);
-  CHECK_THROWS_AS(compile_frames(angle)(-0.5), DomainError);
+  CHECK_THROWS_AS(CompiledFrames{angle}(-0.5), DomainError);
 }
 
 TEST_CASE("compiled smooth: random curves, polynomial and rational, and their paths") {
@@ -84,31 +85,31 @@ TEST_CASE("compiled smooth: random curves, polynomial and rational, and their pa
     const RationalCurve curve =
         random_bezier(random, random.integer(2, 6), random.integer(0, 1) == 1);
     CAPTURE(degree(curve));
-    check_compiled(SmoothAngle(Path(curve)), Rational(random.integer(-3, 3), 4), 40);
+    check_compiled(PathAngle(Path(curve)), Rational(random.integer(-3, 3), 4), 40);
   });
   const Path path = joined({bezier_curve({{0, 0, 0}, {1, 0, 0}, {2, 1, 1}}, {1, 2, 3}),
                             bezier_curve({{2, 1, 1}, {3, 2, 2}, {3, 3, 0}, {1, 5, -1}})});
-  check_compiled(SmoothAngle(path), Rational(0), 60);
+  check_compiled(PathAngle(path), Rational(0), 60);
 }
 
 TEST_CASE("compiled smooth: near a cusp, and through one") {
   // (t, ε)-like: |H| comes down to 1/1000 of its size at 1/2.
   const Polynomial x{0, Rational(1, 4), Rational(-1, 2), Rational(1, 3)};
   const Path near(RationalCurve({x, Polynomial{0, 0, 1, -1}, Polynomial{0, Rational(1, 500)}}));
-  check_compiled(SmoothAngle(near, {1, 2, 9}), Rational(0), 60);
+  check_compiled(PathAngle(near, {1, 2, 9}), Rational(0), 60);
   const Path cusp(RationalCurve({Polynomial{0, Rational(1, 4), Rational(-1, 2), Rational(1, 3)},
                                  Polynomial{0, 0, Rational(1, 8), Rational(-1, 3), Rational(1, 4)},
                                  Polynomial{0, Rational(1, 4), Rational(-1, 2), Rational(1, 3)}}));
-  check_compiled(SmoothAngle(cusp), Rational(1, 3), 60);
+  check_compiled(PathAngle(cusp), Rational(1, 3), 60);
 }
 
 TEST_CASE("compiled smooth: a plane path's frame is exact where it is 0") {
   const Path path(bezier_curve({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}}, {1, 2, 3}));
-  const SmoothAngle angle(path);
+  const PathAngle angle(path);
   REQUIRE(angle.is_zero());
-  CompiledAngle theta = compile_angle(angle);
+  CompiledAngle theta = CompiledAngle(angle);
   CHECK(theta(0.3) == 0);
-  const Frame<double> frame = compile_frames(angle).rounded(0.3).value();
+  const Frame<double> frame = CompiledFrames(angle).rounded(0.3).value();
   CHECK(frame.e1[2] == 0);
   CHECK(frame.e2[2] == 0);
   CHECK(std::abs(frame.e3[2]) == 1);
@@ -118,10 +119,10 @@ TEST_CASE("compiled smooth: a plane path's frame is exact where it is 0") {
 // Two equations for one frame: that of the preimage, and that of H.
 TEST_CASE("compiled smooth: a PH curve by its positions has the frame of the PH curve") {
   const PhPath ph(test::quintic);
-  const SmoothAngle angle(by_positions(ph));
+  const PathAngle angle(by_positions(ph));
   const Vector<Rational> e2 = euler_rodrigues_frame(test::quintic, 0).e2;
   const CompiledFrames known{PathAngle(ph)};
-  const CompiledFrames found = compile_frames(angle, start_angle(StartNormal(e2), angle));
+  const CompiledFrames found = CompiledFrames(angle, start_angle(StartNormal(e2), angle));
   for (long k = 0; k <= 100; ++k) {
     const double t = static_cast<double>(k) / 100;
     const Frame<double> a = known(t);
@@ -136,8 +137,8 @@ TEST_CASE("compiled smooth: a PH curve by its positions has the frame of the PH 
 
 TEST_CASE("compiled smooth: the angle to the Frenet frame") {
   const Path cubic(bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 3}}));
-  const SmoothAngle angle(cubic, SmoothReference::frenet);
-  CompiledAngle theta = compile_angle(angle);
+  const PathAngle angle(cubic, Reference::frenet);
+  CompiledAngle theta = CompiledAngle(angle);
   CHECK(theta(1) == -1.65740642390110110987772706379);
   for (const double t : {0.0, 0.1, 0.7, 0.99})
     CHECK(theta(t) == round_to_double(angle.value({0, exact_rational(t)})));
@@ -146,16 +147,16 @@ TEST_CASE("compiled smooth: the angle to the Frenet frame") {
 TEST_CASE("compiled smooth: curves by formulas, alone and behind a rational one") {
   const Path wild(test::expression_curve(
       {"exp(s)*cos(s)", "log(2 + s)*s", "atan(s) + sqrt(1 + s^2)"}, "0", "1/4"));
-  check_compiled(SmoothAngle(wild), Rational(1, 3), 12);
+  check_compiled(PathAngle(wild), Rational(1, 3), 12);
   // There and back, so that what follows is turned over.
   Path path(RationalCurve({Polynomial{0, 1, -1}, {}, {}}));
   path.append(test::expression_curve({"-sin(s)", "1 - cos(s)", "s^2"}, "0", "1/4"));
-  check_compiled(SmoothAngle(path, {1, 3, 2}), Rational(0), 12);
+  check_compiled(PathAngle(path, {1, 3, 2}), Rational(0), 12);
 }
 
 TEST_CASE("compiled smooth: in a plane formulas have the zeros of the frame of its normal") {
   const Path circle(test::expression_curve({"cos(s)", "sin(s)", "2"}, "0", "1"));
-  const CompiledFrames frames = compile_frames(SmoothAngle(circle, {0, 0, 1}));
+  const CompiledFrames frames = CompiledFrames(PathAngle(circle, {0, 0, 1}));
   const auto frame = frames.rounded(0.4).value();
   CHECK(frame.e1[2] == 0);
   CHECK(frame.e2[2] == 0);

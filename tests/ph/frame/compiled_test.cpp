@@ -384,7 +384,7 @@ TEST_CASE(
     CAPTURE(curve);
     const RmfAngle angle(curve);
     const CompiledFrames compiled(curve, angle, 0, 1);
-    const CompiledFrames of_path{PathAngle(curve)};
+    const CompiledFrames of_path{PathAngle(Path(curve))};
     const Frames frames(curve);
     int left = 0;
     for (int k = 0; k < 300; ++k) {

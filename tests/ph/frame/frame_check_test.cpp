@@ -56,7 +56,7 @@ std::vector<GivenFrame> frenet_frames() {
 }
 
 FrameVerdict check(const std::vector<GivenFrame>& frames, const FrameCheckOptions& options = {}) {
-  return check_frames(PhPath(quintic), frames, options);
+  return check_frames(PathAngle(PhPath(quintic)), frames, options);
 }
 
 std::vector<Kind> kinds(const FrameVerdict& verdict) {
@@ -213,11 +213,12 @@ TEST_CASE("frame check: exact vectors of a plane curve, and one along the tangen
   const PhPath path(plane);
   FrameCheckOptions none;
   none.tolerance = decimal("1e-30");
-  CHECK(check_frames(path, {{0, start.e2}, {Rational(1, 2), half.e2}}, none).passes);
-  const FrameVerdict along = check_frames(path, {{0, start.e2}, {Rational(1, 2), half.e1}});
+  CHECK(check_frames(PathAngle(path), {{0, start.e2}, {Rational(1, 2), half.e2}}, none).passes);
+  const FrameVerdict along =
+      check_frames(PathAngle(path), {{0, start.e2}, {Rational(1, 2), half.e1}});
   CHECK(along.findings.front().kind == Kind::undefined);
   CHECK_FALSE(along.errors[1].has_value());
-  const FrameVerdict never = check_frames(path, {{0, {}}});
+  const FrameVerdict never = check_frames(PathAngle(path), {{0, {}}});
   CHECK_FALSE(never.passes);
 }
 
@@ -381,7 +382,7 @@ TEST_CASE("frame check: a known error is found") {
     const auto frames = turned_frames(
         curve, [&](const Rational& t) { return theta.value(t) + exact_rational(error) * t; });
     const FrameVerdict verdict =
-        check_frames(PhPath(curve), frames, {Rational(0), decimal("1e-50")});
+        check_frames(PathAngle(PhPath(curve)), frames, {Rational(0), decimal("1e-50")});
     CHECK(abs(Rational(verdict.max_error.upper() - exact_rational(error))) < decimal("1e-15"));
     CHECK(verdict.worst_sample == 10);
     CHECK(verdict.max_error.lower() <= verdict.max_error.upper());

@@ -4,7 +4,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "support/curves.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
@@ -127,7 +127,7 @@ TEST_CASE("frame start: law: it does not depend on how the curve is given") {
   for_samples(30, [](Random& random) {
     const PhPath path(random.curve(2));
     const Path smooth = by_positions(path);
-    const SmoothAngle angle(smooth);
+    const PathAngle angle(smooth);
     const Frame<Real> g =
         rotation_minimizing_frame(angle, {0, Rational(1)}, start_angle(LeastRotation{}, angle));
     const Curve& curve = path.segments().front();
@@ -216,7 +216,7 @@ TEST_CASE("frame start: angles that it cancels are exact, also through joints") 
   CHECK(digits(angle.value(1, start), 30) == "-0.643501108793284386802809228717");
   CHECK(digits(angle.value(0, start), 30) == "0.927295218001612232428512462922");
   const PathAngle twice(test::chain({turning, turning}));
-  CHECK(twice.value(Rational(3, 2), {Rational(1, 2), 0, {3, 4}}).exact() == Rational(0));
+  CHECK(twice.value(Rational(3, 2), FrameAngle(Rational(1, 2), 0, {3, 4})).exact() == Rational(0));
   CHECK(digits(twice.value(Rational(3, 2), start), 30) ==
         digits(-angle.value(1), 30).insert(0, "-"));
 }

@@ -1,4 +1,4 @@
-#include "phrame/ph/frame/smooth_check.hpp"
+#include "phrame/ph/frame/frame_check.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "support/curves.hpp"
 #include "support/random.hpp"
 
@@ -62,20 +62,20 @@ TEST_CASE("smooth check: the solution of an independent method passes") {
   };
   FrameCheckOptions options;
   options.tolerance = parse_rational("4e-16");
-  CHECK(check_frames(SmoothAngle(cubic), frames, options).passes);
+  CHECK(check_frames(PathAngle(cubic), frames, options).passes);
   options.tolerance = parse_rational("1e-18");
-  CHECK_FALSE(check_frames(SmoothAngle(cubic), frames, options).passes);
+  CHECK_FALSE(check_frames(PathAngle(cubic), frames, options).passes);
 }
 
 // −∫ τ ds = −1.65740642390110110987772706379 by mpmath's quad; n and b are the frame of v at both
 // ends.
 TEST_CASE("smooth check: frames of other kinds are recognised, and their angle is the error") {
-  const SmoothAngle upright(cubic, {0, 0, 1});
+  const PathAngle upright(cubic, {0, 0, 1});
   const auto of_up = along(cubic, 10, [&](const Place& at) {
     return up_frame(cubic, {0, 0, 1}, at);
   });
   // By the frame of this v and by that of another one, which is found for itself.
-  for (const SmoothAngle& angle : {upright, SmoothAngle(cubic, {1, 0, 3})}) {
+  for (const PathAngle& angle : {upright, PathAngle(cubic, {1, 0, 3})}) {
     const FrameVerdict up = check_frames(angle, of_up);
     CHECK(kinds(up) == std::vector{Kind::fixed_up});
     CHECK(up.findings.at(0).up == Vector<Rational>{0, 0, 1});
@@ -83,7 +83,7 @@ TEST_CASE("smooth check: frames of other kinds are recognised, and their angle i
     CHECK(up.worst_sample == 10);
   }
   const auto of_frenet = along(cubic, 10, [](const Place& at) { return frenet_frame(cubic, at); });
-  const FrameVerdict frenet = check_frames(SmoothAngle(cubic, {1, 0, 3}), of_frenet);
+  const FrameVerdict frenet = check_frames(PathAngle(cubic, {1, 0, 3}), of_frenet);
   CHECK(kinds(frenet) == std::vector{Kind::frenet});
   CHECK_FALSE(frenet.findings.at(0).up.has_value());
   CHECK(is_near(frenet.max_error, "1.65740642390110110987772706379", "1e-15"));
@@ -96,7 +96,7 @@ TEST_CASE("smooth check: frames of other kinds are recognised, and their angle i
 }
 
 TEST_CASE("smooth check: a frame starts at the angle or along the vector that is asked for") {
-  const SmoothAngle angle(cubic, {0, 0, 1});
+  const PathAngle angle(cubic, {0, 0, 1});
   const auto frames = along(cubic, 10, [&](const Place& at) {
     return rotation_minimizing_frame(angle, at, Rational(1, 7));
   });
@@ -118,7 +118,7 @@ TEST_CASE("smooth check: a frame starts at the angle or along the vector that is
 }
 
 TEST_CASE("smooth check: vectors that are wrong are found") {
-  const SmoothAngle angle(cubic, {0, 0, 1});
+  const PathAngle angle(cubic, {0, 0, 1});
   auto frames =
       along(cubic, 10, [&](const Place& at) { return rotation_minimizing_frame(angle, at); });
   CHECK(check_frames(angle, frames).deviations[3].handedness == 1);
@@ -156,15 +156,15 @@ TEST_CASE("smooth check: exact frames of a plane rational curve are off by nothi
   }
   FrameCheckOptions none;
   none.tolerance = parse_rational("1e-30");
-  const FrameVerdict verdict = check_frames(SmoothAngle(arc), frames, none);
+  const FrameVerdict verdict = check_frames(PathAngle(arc), frames, none);
   CHECK(kinds(verdict) == std::vector{Kind::left_handed});
   for (GivenFrame& frame : frames) frame.f3 = Vector<Rational>{0, 0, -1};
-  CHECK(check_frames(SmoothAngle(arc), frames, none).passes);
+  CHECK(check_frames(PathAngle(arc), frames, none).passes);
 }
 
 TEST_CASE("smooth check: on a straight line whatever does not turn is rotation-minimizing") {
   const Path line(bezier_curve({{0, 0, 0}, {1, 2, 2}, {3, 6, 6}}));
-  const SmoothAngle angle(line);
+  const PathAngle angle(line);
   const Vector<Rational> normal{0, 1, -1};
   FrameCheckOptions options;
   options.tolerance = 1;  // of the length, √2
@@ -196,8 +196,8 @@ TEST_CASE("smooth check: a PH path by its positions is judged as that path") {
       if (random.integer(0, 3) == 0) frame.tangent.reset();
       frames.push_back(frame);
     }
-    const FrameVerdict known = check_frames(path, frames);
-    const FrameVerdict found = check_frames(SmoothAngle(smooth), frames);
+    const FrameVerdict known = check_frames(PathAngle(path), frames);
+    const FrameVerdict found = check_frames(PathAngle(smooth), frames);
     CHECK(found.passes == known.passes);
     CHECK(found.worst_sample == known.worst_sample);
     CHECK(found.max_error.overlaps(known.max_error));

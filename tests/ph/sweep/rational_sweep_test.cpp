@@ -37,7 +37,7 @@ ProfileCurve square() { return polygon_curve(rectangle_profile(2, 2)); }
 /// The exact rotation-minimizing frame, by the closed form of its angle.
 Frame<Rational> exact_frame(const PathAngle& angle, const PathParameter& at,
                             const FrameAngle& start) {
-  const Curve& curve = angle.path().segments()[at.segment];
+  const Curve& curve = *ph_curve(angle.path().segments()[at.segment]);
   const auto direction = angle.direction(at).value();
   const auto turned_by = turned(
       euler_rodrigues_frame(curve, at.t), direction,

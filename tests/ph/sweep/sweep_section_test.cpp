@@ -9,8 +9,9 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/frame/compiled_smooth.hpp"
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/compiled_angle.hpp"
+#include "phrame/ph/frame/compiled_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/sweep/sweep.hpp"
 
 using namespace phrame;
@@ -93,9 +94,9 @@ SweepForm with_normals(Profile profile, double angle) {
 }
 
 SweptBody swept(const KnownSurface& surface, const SweepForm& form) {
-  const SmoothAngle angle(surface.path);
-  const Real start = start_angle(StartNormal(surface.left), angle);
-  return sweep({series_of(surface.path), compile_frames(angle, start), surface.path.is_closed()},
+  const PathAngle angle(surface.path);
+  const StartAngle start = start_angle(StartNormal(surface.left), angle);
+  return sweep({series_of(surface.path), CompiledFrames(angle, start), surface.path.is_closed()},
                form);
 }
 

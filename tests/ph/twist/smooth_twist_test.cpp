@@ -27,7 +27,7 @@ bool agree(const Vector<Real>& u, const Vector<Real>& v) {
 }
 
 /// In the middle: the angle of the integrals, and the frame with that.
-void check_middle(const SmoothTwist& mtf, const SmoothAngle& angle, const PathLength& length) {
+void check_middle(const SmoothTwist& mtf, const PathAngle& angle, const PathLength& length) {
   const Place middle{0, Rational(1, 2)};
   CHECK(mtf.is_middle(middle));
   const Real behind = quotient_of(length.value(middle), length.total());
@@ -44,7 +44,7 @@ void check_middle(const SmoothTwist& mtf, const SmoothAngle& angle, const PathLe
 
 // By mpmath: quad of the rates of the definition with v = (5, −9, 11), 40 digits.
 TEST_CASE("smooth twist: twist and angles by an independent quadrature") {
-  const SmoothAngle angle(loop, {5, -9, 11});
+  const PathAngle angle(loop, {5, -9, 11});
   const SmoothTwist mtf(angle, Angle(Rational(1, 4)), Angle(3));
   CHECK(digits(mtf.length(), 30) == "8.24952510078988651167067831996");
   CHECK(digits(mtf.up_twist(), 30) == "-1.34752349495171462972730968362");
@@ -67,7 +67,7 @@ TEST_CASE("smooth twist: twist and angles by an independent quadrature") {
 // Two ways: closed forms, and integrals along the same curve by its positions.
 TEST_CASE("smooth twist: along a PH curve it is that of the PH curve") {
   const PhPath ph(test::quintic);
-  const SmoothAngle angle(by_positions(ph));
+  const PathAngle angle(by_positions(ph));
   const Frame<Rational> first = euler_rodrigues_frame(test::quintic, 0);
   const Frame<Rational> last = euler_rodrigues_frame(test::quintic, 1);
   const Vector<Rational> from = first.e2;
@@ -90,7 +90,7 @@ TEST_CASE("smooth twist: along a PH curve it is that of the PH curve") {
 TEST_CASE(
     "smooth twist: components that are 0 by the form of a curve are exactly 0 in its middle") {
   const Path crown(test::expression_curve({"cos(s)", "sin(s)", "sin(2*s)/4"}, "0", "2*pi"));
-  const SmoothAngle angle(crown, {0, 0, 1});
+  const PathAngle angle(crown, {0, 0, 1});
   const Place middle{0, Rational(1, 2)};
   const PathLength length(crown);
   for (const long turns : {0L, 1L}) {
@@ -111,7 +111,7 @@ TEST_CASE("smooth twist: half a turn on a curve with a mirror symmetry is taken 
   const Path bezier(bezier_curve({{-3, 0, 0}, {-1, 2, 1}, {0, 5, -2}, {1, 2, 1}, {3, 0, 0}}));
   const Path formula(test::expression_curve({"s", "s^2 + cos(s)", "s^4"}, "-1", "1"));
   for (const Path& path : {bezier, formula}) {
-    const SmoothAngle angle(path, {0, 0, 1});
+    const PathAngle angle(path, {0, 0, 1});
     for (const long k : {1, -1, 3, -5}) {
       const SmoothTwist half(angle, Angle(Rational(1, 3)), Angle(Rational(k), Rational(1, 3)));
       CHECK(half.twist().enclose(300).overlaps(pi(300)));
@@ -128,14 +128,13 @@ TEST_CASE("smooth twist: half a turn on a curve with a mirror symmetry is taken 
 
 TEST_CASE("smooth twist: half a turn in a plane, and what has no angle") {
   const Path bend(bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
-  const SmoothAngle angle(bend);
+  const PathAngle angle(bend);
   const SmoothTwist half(angle, Angle(), Angle(1, 0));
   CHECK(half.twist().enclose(100).overlaps(pi(100)));  // π, not −π
   CHECK(SmoothTwist(angle, Angle(), Angle(-1, 0)).twist().enclose(100).overlaps(pi(100)));
   CHECK(SmoothTwist(angle, Angle(), Angle(4, 0)).twist().exact() == Rational(0));
   CHECK_THROWS_AS(SmoothTwist(angle, Angle(), StartNormal({0, 1, 0})), DomainError);
-  CHECK_THROWS_AS(SmoothTwist(SmoothAngle(loop, SmoothReference::frenet), Angle(), Angle()),
-                  DomainError);
+  CHECK_THROWS_AS(SmoothTwist(PathAngle(loop, Reference::frenet), Angle(), Angle()), DomainError);
 }
 
 }  // namespace smooth_twist_test

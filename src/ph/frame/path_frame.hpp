@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/ph/along/smooth_angle.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame {
@@ -16,14 +16,20 @@ Frame<Real> euler_rodrigues_frame(const Path& path, const Place& at);
 /// (e₁, n, b). Throws DomainError at an inflection and on a straight line.
 Frame<Real> frenet_frame(const Path& path, const Place& at);
 
+/// @{ The frame that the angle is measured from, and a vector along its e₂, exact where that of the
+/// path is. Throw as that.
+Frame<Real> reference_frame(const PathAngle& angle, const Place& at);
+Vector<Real> second_axis(const PathAngle& angle, const Place& at);
+/// @}
+
 /// The angle at t = 0, or elsewhere, from the reference frame of the angle to f₂; that to a vector
-/// is in (−π, π]. Throws DomainError for a vector that is 0 or along the tangent, and where it is
-/// to the Frenet frame at an inflection.
-Real start_angle(const FrameStart& start, const SmoothAngle& angle,
-                 const Place& at = {0, Rational(0)});
-/// The rotation-minimizing frame that starts there, from the angle to the frame of v: θ is counted
-/// from it.
-Frame<Real> rotation_minimizing_frame(const SmoothAngle& angle, const Place& at,
-                                      const Real& start = Rational(0));
+/// is in (−π, π]. Exact at the start of a PH curve that the path starts with. Throws DomainError
+/// for a vector that is 0 or along the tangent, and where it is to the Frenet frame at an
+/// inflection, but at the start of a PH curve.
+StartAngle start_angle(const FrameStart& start, const PathAngle& angle,
+                       const Place& at = {0, Rational(0)});
+/// The rotation-minimizing frame that starts at this angle to the reference frame.
+Frame<Real> rotation_minimizing_frame(const PathAngle& angle, const Place& at,
+                                      const StartAngle& start = {});
 
 }  // namespace phrame

@@ -1,4 +1,4 @@
-#include "phrame/ph/frame/smooth_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 
 #include <fmt/format.h>
 
@@ -22,17 +22,10 @@ Frame<Real> frame_along(const Vector<Real>& H, const Vector<Real>& n) {
   return {over_size(H, sigma), over_size(n, size), over_size(cross(H, n), sigma * size)};
 }
 
-/// The reference frame of an angle.
-Frame<Real> reference_at(const SmoothAngle& angle, const Place& at) {
-  return angle.reference() == SmoothReference::up ? up_frame(angle.path(), angle.up(), at)
-                                                  : frenet_frame(angle.path(), at);
-}
-
 /// arg(x + iy) of x = n·e₂ and y = n·e₃ in (−π, π], or next to π where it is not told from that;
-/// `up` × H, for the frame of `up`, is along e₂. Its form is known where H, `up` and n are exact.
+/// `second` is along e₂. Its form is known where H, that and n are exact.
 Real argument_of(const Vector<Real>& n, const Frame<Real>& frame, const Vector<Real>& H,
-                 const Vector<Real>& up) {
-  const Vector<Real> second = cross(up, H);
+                 const Vector<Real>& second) {
   const Real x = dot(n, second);
   const Real y = dot(n, cross(H, second));
   const Real sigma = dot(H, H);
@@ -93,25 +86,52 @@ Frame<Real> frenet_frame(const Path& path, const Place& at) {
   return frame_along(H, cross(binormal, H));
 }
 
-Real start_angle(const FrameStart& start, const SmoothAngle& angle, const Place& at) {
-  if (const auto* given = std::get_if<Angle>(&start)) return to_real(*given);
-  const Frame<Real> frame = reference_at(angle, at);
+Frame<Real> reference_frame(const PathAngle& angle, const Place& at) {
+  switch (angle.reference()) {
+    case Reference::euler_rodrigues:
+      return euler_rodrigues_frame(angle.path(), at);
+    case Reference::frenet:
+      return frenet_frame(angle.path(), at);
+    case Reference::up:
+      break;
+  }
+  return up_frame(angle.path(), angle.up(), at);
+}
+
+Vector<Real> second_axis(const PathAngle& angle, const Place& at) {
   const Vector<Real> H = direction(angle.path(), at);
-  const Vector<Real> up = angle.reference() == SmoothReference::up
-                              ? as_reals(angle.up())
-                              : cross(H, direction_slope(angle.path(), at));
+  switch (angle.reference()) {
+    case Reference::euler_rodrigues:
+      return euler_rodrigues_frame(angle.path(), at).e2;
+    case Reference::frenet:
+      return cross(cross(H, direction_slope(angle.path(), at)), H);
+    case Reference::up:
+      break;
+  }
+  return cross(as_reals(angle.up()), H);
+}
+
+StartAngle start_angle(const FrameStart& start, const PathAngle& angle, const Place& at) {
+  if (const auto* given = std::get_if<Angle>(&start)) return *given;
+  const Curve* ph = ph_curve(angle.path().segments()[at.segment]);
+  if (ph != nullptr && at.segment == 0 && at.t.exact() == Rational(0))
+    return start_angle(start, *ph, angle.reference(),
+                       angle.reference() == Reference::up ? angle.up() : Vector<Rational>{});
+  const Frame<Real> frame = reference_frame(angle, at);
+  const Vector<Real> H = direction(angle.path(), at);
+  const Vector<Real> second = second_axis(angle, at);
   if (const auto* least = std::get_if<LeastRotation>(&start))
-    return argument_of(least_rotation_normal_along(H), frame, H, up) + to_real(least->turn);
+    return argument_of(least_rotation_normal_along(H), frame, H, second) + to_real(least->turn);
   const Vector<Rational>& normal = std::get<StartNormal>(start).vector;
   if (is_zero(cross(H, as_reals(normal))))
     throw DomainError("the vector " + abbreviated(normal) + " has no part in the normal plane" +
                       (normal == Vector<Rational>{} ? "" : ": it is along the tangent"));
-  return argument_of(as_reals(normal), frame, H, up);
+  return argument_of(as_reals(normal), frame, H, second);
 }
 
-Frame<Real> rotation_minimizing_frame(const SmoothAngle& angle, const Place& at,
-                                      const Real& start) {
-  return turned(reference_at(angle, at), angle.value(at) + start);
+Frame<Real> rotation_minimizing_frame(const PathAngle& angle, const Place& at,
+                                      const StartAngle& start) {
+  return turned(reference_frame(angle, at), angle.value(at, start));
 }
 
 }  // namespace phrame
