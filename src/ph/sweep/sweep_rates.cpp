@@ -86,10 +86,33 @@ double edge_error(const SweepRates& rates, double reach, double step) {
   return step * step / 8 * second * sweep_slack;
 }
 
+namespace {
+
+/// Near a cusp parts are as short as the square of its distance.
+constexpr double shortest_part = 0x1p-22;
+
+[[noreturn]] void refuse_part(const SweepPart& part) {
+  throw Undecided(fmt::format(
+      "sweep: near t = {} the curve has a cusp, or the tolerance is too small", part.start()));
+}
+
+/// Around some points of each segment no part will do if one of the shortest at the point does not:
+/// that is seen before the parts elsewhere, which may be millions.
+void require_parts(const SweepPath& path, const ScaleRates& scale, double turn_per_length,
+                   double reach, double tolerance) {
+  for (std::size_t k = 0; k < path.series.segments; ++k)
+    for (const double t : {0.0, 0.5, 1.0}) {
+      const SweepPart at{k, t, t};
+      const auto rates = sweep_rates(path, scale, turn_per_length, at);
+      if (!rates || !(edge_error(*rates, reach, shortest_part / 2) <= tolerance)) refuse_part(at);
+    }
+}
+
+}  // namespace
+
 SweepParts sweep_parts(const SweepPath& path, const ScaleRates& scale, double turn_per_length,
                        double reach, double tolerance) {
-  // Near a cusp parts are as short as the square of its distance.
-  constexpr double shortest = 0x1p-22;
+  require_parts(path, scale, turn_per_length, reach, tolerance);
   SweepParts found;
   std::vector<SweepPart> left;
   for (std::size_t k = path.series.segments; k-- > 0;) left.push_back({k, 0, 1});
@@ -103,9 +126,8 @@ SweepParts sweep_parts(const SweepPath& path, const ScaleRates& scale, double tu
       found.parts.push_back(part);
       continue;
     }
-    if (part.step() < shortest || found.parts.size() + left.size() > most_sweep_points)
-      throw Undecided(fmt::format(
-          "sweep: near t = {} the curve has a cusp, or the tolerance is too small", part.start()));
+    if (part.step() < shortest_part || found.parts.size() + left.size() > most_sweep_points)
+      refuse_part(part);
     const double middle = (part.from + part.to) / 2;
     left.push_back({part.segment, middle, part.to});
     left.push_back({part.segment, part.from, middle});
