@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <map>
 #include <mutex>
 
@@ -196,7 +197,8 @@ RealBall PathAngle::State::sum_before(std::size_t segment, long bits) {
 RealBall PathAngle::State::enclose(const Place& at, long bits) {
   if (is_zero) return {};
   constexpr long most = 1L << 20;
-  for (long more = bits + 32;; more += 32 + more / 4) {
+  const auto guard = 8 + static_cast<long>(std::bit_width(at.segment));  // of so many terms
+  for (long more = bits + guard;; more += 24 + more / 4) {
     const RealBall sum =
         add(sum_before(at.segment, more), enclose_on(at.segment, at.t, more), more);
     if (sum.is_accurate(bits)) return sum;
