@@ -93,7 +93,6 @@ struct IdentificationAnswer;
 struct PathIdentification;
 struct InfoQuery;
 struct InfoAnswer;
-struct SmoothInfoAnswer;
 struct IntegralQuery;
 struct IntegralAnswer;
 struct InterpolationQuery;

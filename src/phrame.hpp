@@ -75,7 +75,6 @@
 
 // Curves of any kind, likewise.
 #include "phrame/ph/along/smooth_shape.hpp"
-#include "phrame/ph/along/smooth_totals.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/construct/cubic_interpolation.hpp"
 #include "phrame/ph/curve/bspline.hpp"

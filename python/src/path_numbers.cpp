@@ -5,7 +5,7 @@
 namespace phrame::python {
 namespace {
 
-// ---- totals: each is one function of both kinds of paths
+// ---- totals
 
 nb::object shown(const Real& x, nb::handle self, const char* name) {
   return to_python(x, attribute_recipe(self, name));
@@ -16,20 +16,10 @@ nb::object shown(const PathTotal& total, nb::handle self, const char* name) {
 nb::object shown(const std::optional<Real>& x, nb::handle self, const char* name) {
   return x ? shown(*x, self, name) : nb::none();
 }
-template <class T>
-nb::object shown(const std::variant<T, Infinite>& x, nb::handle self, const char* name) {
-  if (const auto* finite = std::get_if<T>(&x)) return shown(*finite, self, name);
+nb::object shown(const std::variant<PathTotal, Infinite>& x, nb::handle self, const char* name) {
+  if (const auto* finite = std::get_if<PathTotal>(&x)) return shown(*finite, self, name);
   return nb::float_(std::numeric_limits<double>::infinity());
 }
-
-Real total_length(const Path& path) { return PathLength(path).total(); }
-
-/// In closed form where there is one.
-Real whole_curvature(const PhPath& path) {
-  if (const auto found = total_curvature(path)) return found->value;
-  return total_curvature(Path(path));
-}
-Real whole_curvature(const Path& path) { return total_curvature(path); }
 
 std::optional<Real> holonomy_of(const PhPath& path) { return PathAngle(path).holonomy(); }
 std::optional<Real> holonomy_of(const Path& path) { return PathAngle(path).holonomy(); }
@@ -42,43 +32,49 @@ std::optional<Real> writhe_of(const P& path) {
   return is_closed(path) ? std::optional(writhe(path)) : std::nullopt;
 }
 
-Real torsion_of(const PhPath& path) { return total_torsion(path).value; }
-Real torsion_of(const Path& path) { return total_torsion(path); }
-
 template <class P>
 std::optional<long> self_linking_of(const P& path) {
   if (!is_closed(path)) return std::nullopt;
-  return self_linking_number(closed_frame(path), torsion_of(path));
+  return self_linking_number(closed_frame(path), total_torsion(Path(path)).value);
 }
 
 /// of(path) of the attribute of this name.
-template <class F>
-nb::object total(nb::handle self, const char* name, const F& of) {
-  return path_of(self).visit([&](const auto& named) {
-    return shown(without_gil([path = named.path, of] { return of(path); }), self, name);
-  });
+template <class P, class F>
+nb::object total(nb::handle self, const char* name, const P& along, const F& of) {
+  return shown(without_gil([along, of] { return of(along); }), self, name);
 }
 
 void bind_totals(PathClass& path) {
-#define PHRAME_TOTAL(name, of, type, what)                                     \
-  path.def_prop_ro(                                                            \
-      name,                                                                    \
-      [](nb::handle self) {                                                    \
-        return total(self, name, [](const auto& along) { return of(along); }); \
-      },                                                                       \
+#define PHRAME_TOTAL(name, of, type, what)                         \
+  path.def_prop_ro(                                                \
+      name,                                                        \
+      [](nb::handle self) {                                        \
+        return total(self, name, path_of(self).named.path,         \
+                     [](const Path& along) { return of(along); }); \
+      },                                                           \
       nb::sig("def " name "(self) -> " PHRAME_REAL_SIG type), what)
+#define PHRAME_OF_CLOSED(name, of, what)                                                     \
+  path.def_prop_ro(                                                                          \
+      name,                                                                                  \
+      [](nb::handle self) {                                                                  \
+        return path_of(self).visit([&](const auto& named) {                                  \
+          return total(self, name, named.path, [](const auto& along) { return of(along); }); \
+        });                                                                                  \
+      },                                                                                     \
+      nb::sig("def " name "(self) -> " PHRAME_REAL_SIG " | None"), what)
   PHRAME_TOTAL("length", total_length, "", "∫ ds.");
-  PHRAME_TOTAL("total_curvature", whole_curvature, "", "∫ κ ds, without the half turns at cusps.");
+  PHRAME_TOTAL("total_curvature", total_curvature, "", "∫ κ ds, without the half turns at cusps.");
   PHRAME_TOTAL("total_torsion", total_torsion, "", "∫ τ ds.");
   PHRAME_TOTAL("bending_energy", bending_energy, " | float", "∫ κ² ds; infinite at most cusps.");
   PHRAME_TOTAL("frenet_energy", frenet_energy, " | float",
                "∫ (κ² + τ²) ds; infinite at most cusps.");
-  PHRAME_TOTAL("holonomy", holonomy_of, " | None",
-               "By which angle the rotation-minimizing frame of a closed path comes back turned, "
-               "else None.");
-  PHRAME_TOTAL("writhe", writhe_of, " | None",
-               "Gauss's integral over a closed path twice, else None.");
+  PHRAME_OF_CLOSED(
+      "holonomy", holonomy_of,
+      "By which angle the rotation-minimizing frame of a closed path comes back turned, "
+      "else None.");
+  PHRAME_OF_CLOSED("writhe", writhe_of, "Gauss's integral over a closed path twice, else None.");
 #undef PHRAME_TOTAL
+#undef PHRAME_OF_CLOSED
   path.def_prop_ro(
           "self_linking_number",
           [](nb::handle self) {
@@ -101,7 +97,7 @@ void bind_totals(PathClass& path) {
           [](nb::handle self) {
             const Path& along = path_of(self).named.path;
             return shown(
-                without_gil([along] { return up_frame_twist(PathAngle(along, Reference::up)); }),
+                without_gil([along] { return reference_twist(PathAngle(along, Reference::up)); }),
                 self, "up_twist");
           },
           nb::sig("def up_twist(self) -> " PHRAME_REAL_SIG),

@@ -2,27 +2,36 @@
 
 #include <fmt/format.h>
 
+#include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/path_totals.hpp"
+#include "phrame/ph/along/segment_integral.hpp"
+#include "phrame/ph/along/up_vector.hpp"
+#include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/frame/erf_turning.hpp"
 
 namespace phrame {
 namespace {
 
+InfoAnswer::Length rounded_length(const Real& length, const std::string& name, long digits) {
+  return {length.exact(), rounded(length, name, digits)};
+}
+
 void add_totals(InfoAnswer& answer, long digits) {
-  const PhPath& path = answer.path.path;
+  const Path& path = answer.path.path;
   const PathTotal length = total_length(path);
-  for (const Total& segment : length.segments) {
-    const std::string name =
-        path.is_curve() ? "the length"
-                        : fmt::format("the length of segment {}", answer.lengths.size() + 1);
-    answer.lengths.push_back({segment.value.exact(), rounded(segment.value, name, digits)});
-  }
-  answer.length = {length.value.exact(), rounded(length.value, "the length", digits)};
+  answer.length = rounded_length(length.value, "the length", digits);
+  for (const auto& segment : length.segments)
+    answer.lengths.push_back(
+        length.segments.size() == 1
+            ? answer.length
+            : rounded_length(value_of(segment),
+                             fmt::format("the length of segment {}", answer.lengths.size() + 1),
+                             digits));
   const auto energy = bending_energy(path);
   if (const auto* finite = std::get_if<PathTotal>(&energy))
-    answer.bending_energy = rounded(finite->value, "the bending energy", digits);
+    answer.bending_energy = rounded(*finite, "the bending energy", digits);
 }
 
 std::vector<Decimal> rounded(const std::vector<RealRoot>& points, long digits) {
@@ -32,23 +41,51 @@ std::vector<Decimal> rounded(const std::vector<RealRoot>& points, long digits) {
   return decimals;
 }
 
+/// Of a PH curve by itself.
+void add_turning(InfoAnswer& answer, const Curve& curve, long digits) {
+  const ErfTurning turning = erf_turning(curve);
+  answer.erf_inflections = rounded(turning.zeros, digits);
+  answer.erf_extrema = rounded(turning.extrema, digits);
+}
+
+void add_holonomy(InfoAnswer& answer, const PathAngle& angle, long digits) {
+  try {
+    if (const auto turn = angle.holonomy())
+      answer.holonomy = rounded_or_zero(*turn, "holonomy", digits);
+  } catch (const Undecided& undecided) {
+    answer.no_holonomy = undecided.what();
+  }
+}
+
+/// Of a curve by itself.
+std::vector<RealRoot> cusps_of(const Segment& segment) {
+  if (const Curve* curve = ph_curve(segment)) return cusps(*curve);
+  const RationalCurve* curve = rational_curve(segment);
+  if (curve == nullptr || curve->multiplier().is_constant()) return {};
+  return real_roots(curve->multiplier(), closed(0, 1));
+}
+
 }  // namespace
 
-InfoAnswer answer(const NamedPhPath& named, const InfoQuery& query) {
-  const PhPath& path = named.path;
+InfoAnswer answer(const NamedPath& named, const InfoQuery& query) {
+  const Path& path = named.path;
+  InfoAnswer answer{named, {}, {}, {}, {}, {}, is_straight(path), plane_normal(path)};
   const PathAngle angle(path);
-  InfoAnswer answer{named, {}, {}, {}, {}, {}, {}, {}, {}};
-  add_totals(answer, query.digits);
-  answer.twist_erf = rounded(-angle.value(path.end()), "the twist", query.digits);
-  if (path.is_curve()) {
-    const Curve& curve = path.segments().front();
-    const ErfTurning turning = erf_turning(curve);
-    answer.cusps = cusps(curve);
-    answer.erf_inflections = rounded(turning.zeros, query.digits);
-    answer.erf_extrema = rounded(turning.extrema, query.digits);
-  } else if (const auto holonomy = angle.holonomy()) {
-    answer.holonomy = rounded(*holonomy, "holonomy", query.digits);
+  if (angle.reference() == Reference::up) {
+    answer.up = angle.up();
+    find_together(path, {length_rate(), up_frame_rate(angle.up()), bending_rate()});
   }
+  add_totals(answer, query.digits);
+  const Real twist = reference_twist(angle);
+  answer.twist = answer.up ? rounded_or_zero(twist, "the twist of the frame of v", query.digits)
+                           : rounded(twist, "the twist", query.digits);
+  const bool is_single = path.segments().size() == 1;
+  const Curve* ph = is_single ? ph_curve(path.segments().front()) : nullptr;
+  if (ph != nullptr)
+    add_turning(answer, *ph, query.digits);
+  else
+    add_holonomy(answer, angle, query.digits);
+  if (is_single) answer.cusps = cusps_of(path.segments().front());
   return answer;
 }
 

@@ -16,37 +16,27 @@ struct InfoAnswer {
     std::optional<Rational> exact = std::nullopt;  ///< where it is seen to be rational
     Decimal rounded = {};                          ///< to the digits asked for
   };
-  NamedPhPath path;             ///< as asked
-  Length length;                ///< ∫ |f|σ dt
+  NamedPath path;               ///< as asked
+  Length length;                ///< ∫ |r′| dt
   std::vector<Length> lengths;  ///< of the segments
-  Decimal twist_erf;            ///< ∫ 2h/σ dt, of the continuous Euler–Rodrigues frame
-  std::optional<Decimal> bending_energy;  ///< ∫ κ² ds; no value where it is infinite
-  std::optional<Decimal> holonomy;        ///< where a spline is closed
-  // Of a curve by itself:
-  std::vector<RealRoot> cusps;           ///< in [0, 1]
-  std::vector<Decimal> erf_inflections;  ///< in (0, 1), where the ERF turns back
-  std::vector<Decimal> erf_extrema;      ///< in (0, 1), of its rate about e₁
-};
-
-/// The numbers of a path of any kind.
-struct SmoothInfoAnswer {
-  NamedPath path;                           ///< as asked
-  InfoAnswer::Length length;                ///< ∫ |r′| dt
-  std::vector<InfoAnswer::Length> lengths;  ///< of the segments
-  Vector<Rational> up;                      ///< v, nowhere along the tangent
-  Decimal twist_up;                         ///< ∫ e₂′·e₃ dt of the frame of v
-  std::optional<Decimal> bending_energy;    ///< ∫ κ² ds; no value where it is infinite
-  bool is_straight;                         ///< is it a straight line?
-  std::optional<Vector<Rational>> normal;   ///< of the plane that it is in, where it is no line
-  std::optional<Decimal> holonomy;          ///< where it is closed
-  std::string no_holonomy = {};             ///< why there is none of a closed one: it is undecided
+  /// v, nowhere along the tangent, where the path is not PH.
+  std::optional<Vector<Rational>> up;
+  /// ∫ 2h/σ dt, of the continuous Euler–Rodrigues frame of a PH path, ∫ e₂′·e₃ dt of the frame of v
+  /// of others.
+  Decimal twist;
+  std::optional<Decimal> bending_energy;   ///< ∫ κ² ds; no value where it is infinite
+  bool is_straight;                        ///< is it a straight line?
+  std::optional<Vector<Rational>> normal;  ///< of the plane that it is in, where it is no line
+  std::optional<Decimal> holonomy = {};    ///< where it is closed, but for a PH curve by itself
+  std::string no_holonomy = {};            ///< why there is none of a closed one: it is undecided
   /// Of a rational curve by itself, in [0, 1].
   std::vector<RealRoot> cusps = {};
+  // Of a PH curve by itself:
+  std::vector<Decimal> erf_inflections = {};  ///< in (0, 1), where the ERF turns back
+  std::vector<Decimal> erf_extrema = {};      ///< in (0, 1), of its rate about e₁
 };
 
-/// @{ Throws Undecided, with the name of what it is, where a number cannot be rounded.
-InfoAnswer answer(const NamedPhPath& path, const InfoQuery& query);
-SmoothInfoAnswer answer(const NamedPath& path, const InfoQuery& query);
-/// @}
+/// Throws Undecided, with the name of what it is, where a number cannot be rounded.
+InfoAnswer answer(const NamedPath& path, const InfoQuery& query);
 
 }  // namespace phrame

@@ -156,10 +156,9 @@ void drop_undefined(PageRows& rows, std::vector<TabulatedFrame>& frames) {
   }
 }
 
-template <class Named>
-std::optional<TotalsAnswer> totals_if_short(const Named& named, std::size_t segments) {
-  if (segments > most_totals) return std::nullopt;
-  return answer(named, TotalsQuery{page_digits});
+std::optional<TotalsAnswer> totals_if_short(const NamedPhPath& named) {
+  if (named.path.segments().size() > most_totals) return std::nullopt;
+  return answer(of_any_kind(named), TotalsQuery{page_digits});
 }
 
 /// Polynomials with a proof, of few segments and where they can be had.
@@ -219,8 +218,8 @@ PageAnswer answer(const NamedPhPath& named, const PageQuery& query) {
   if (path.is_curve() && !is_heavy)
     certificate = certify(path.segments().front(), Reference::euler_rodrigues, {1}, page_digits);
   return {.angle = answer(named, formulas),
-          .info = answer(named, InfoQuery{page_digits}),
-          .totals = is_heavy ? std::nullopt : totals_if_short(named, path.segments().size()),
+          .info = answer(of_any_kind(named), InfoQuery{page_digits}),
+          .totals = is_heavy ? std::nullopt : totals_if_short(named),
           .classification = std::move(classification),
           .frames = std::move(frames),
           .table = std::move(rows.table),

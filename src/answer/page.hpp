@@ -32,7 +32,7 @@ struct PageQuery {
 struct PageAnswer {
   /// What the angle is, with its formula where the path is a PH curve.
   std::variant<AngleAnswer, SmoothAngleAnswer> angle;
-  std::variant<InfoAnswer, SmoothInfoAnswer> info;  ///< its polynomials and totals
+  InfoAnswer info;  ///< its polynomials and totals
   /// What it gathers; not of many segments, of which that takes long.
   std::optional<TotalsAnswer> totals = {};
   std::optional<ClassificationAnswer> classification{};  ///< of a PH path, not too long

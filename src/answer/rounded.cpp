@@ -14,6 +14,14 @@ Decimal rounded(const Real& x, const std::string& name, long digits) {
   }
 }
 
+Decimal rounded(const PathTotal& total, const std::string& name, long digits) {
+  const bool is_closed_form =
+      std::none_of(total.segments.begin(), total.segments.end(),
+                   [](const auto& of) { return std::holds_alternative<Real>(of); });
+  return is_closed_form ? rounded(total.value, name, digits)
+                        : rounded_or_zero(total.value, name, digits);
+}
+
 Decimal rounded_or_zero(const Real& x, const std::string& name, long digits, long shown_digits) {
   const long most_bits = 14 * digits + 128;
   try {

@@ -2,60 +2,88 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <functional>
-
+#include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/answer/writhe_rows.hpp"
-#include "phrame/ph/curve/invariants.hpp"
-#include "phrame/ph/curve/shape.hpp"
+#include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/along/segment_integral.hpp"
+#include "phrame/ph/along/up_vector.hpp"
+#include "phrame/ph/frame/closed_curve.hpp"
 
 namespace phrame {
 namespace {
 
 using Row = TotalsAnswer::Row;
 
-Row row(Quantity quantity, PathTotal total, long digits) {
-  Row row{quantity, std::move(total)};
-  row.value = rounded(row.total->value, name_of(quantity), digits);
-  return row;
-}
+/// Adds rows to an answer.
+class Totals {
+ public:
+  explicit Totals(TotalsAnswer& answer) : answer_(answer) {}
 
-Row row(Quantity quantity, const std::variant<PathTotal, Infinite>& total, long digits) {
-  if (const auto* finite = std::get_if<PathTotal>(&total)) return row(quantity, *finite, digits);
-  Row row{quantity};
-  row.infinite = std::get<Infinite>(total);
-  return row;
-}
+  void add(Quantity quantity, PathTotal total) {
+    const Decimal value = rounded(total, name_of(quantity), answer_.digits);
+    const std::optional<Rational> exact = total.value.exact();
+    answer_.rows.push_back(
+        {.quantity = quantity, .total = std::move(total), .value = value, .exact = exact});
+  }
+  void add(Quantity quantity, const std::variant<PathTotal, Infinite>& value) {
+    if (const auto* finite = std::get_if<PathTotal>(&value)) return add(quantity, *finite);
+    answer_.rows.push_back({.quantity = quantity, .infinite = std::get<Infinite>(value)});
+  }
+  void add(Quantity quantity, const Real& value) {
+    const Decimal rounded = rounded_or_zero(value, name_of(quantity), answer_.digits);
+    answer_.rows.push_back({.quantity = quantity, .value = rounded, .exact = value.exact()});
+  }
+  /// What there is without straight lines and, along formulas, inflections; else the reason.
+  template <class Find>
+  void add_frenet(Quantity quantity, const std::string& why_not, const Find& find) {
+    if (!why_not.empty()) return add_reason(quantity, why_not);
+    try {
+      add(quantity, find());
+    } catch (const DomainError& error) {
+      add_reason(quantity, error.what());
+    } catch (const Undecided& undecided) {
+      add_reason(quantity, std::string("undecided: ") + undecided.what());
+    }
+  }
+  void add_reason(Quantity quantity, std::string reason) {
+    answer_.rows.push_back({.quantity = quantity, .reason = std::move(reason)});
+  }
 
-Row without_value(Quantity quantity, std::string reason) {
-  Row row{quantity};
-  row.reason = std::move(reason);
-  return row;
-}
-
-/// The first segment, counted from 1, for which that holds; 0 where there is none.
-std::size_t first_segment(const PhPath& path, const std::function<bool(const Curve&)>& holds) {
-  const auto& segments = path.segments();
-  const auto found = std::find_if(segments.begin(), segments.end(), holds);
-  return found == segments.end() ? 0 : static_cast<std::size_t>(found - segments.begin()) + 1;
-}
+ private:
+  TotalsAnswer& answer_;
+};
 
 /// Why there is no torsion; empty where there is.
-std::string why_no_torsion(const PhPath& path) {
-  const std::size_t line = first_segment(
-      path, [](const Curve& curve) { return line_direction(curve.preimage()).has_value(); });
-  if (line == 0) return "";
-  if (path.is_curve()) return "a straight line has no torsion";
-  return fmt::format("segment {} is a straight line, which has no torsion", line);
+std::string why_no_torsion(const Path& path) {
+  const auto& segments = path.segments();
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    if (!is_straight(Path(segments[k]))) continue;
+    if (segments.size() == 1) return "a straight line has no torsion";
+    return fmt::format("segment {} is a straight line, which has no torsion", k + 1);
+  }
+  return "";
 }
 
-std::string why_no_curvature(const PhPath& path) {
-  const std::string why = "κ is not rational, since ρ is not a constant times a square";
-  if (path.is_curve()) return why;
-  const std::size_t first = first_segment(
-      path, [](const Curve& curve) { return !double_ph(curve.preimage()).has_value(); });
-  return fmt::format("segment {}: {}", first, why);
+void add_rotation_index(Totals& totals, const Path& path, const PathTotal& curvature) {
+  if (const auto index = absolute_rotation_index(path, curvature))
+    totals.add(Quantity::rotation_index, *index);
+  else
+    totals.add_reason(Quantity::rotation_index,
+                      path.segments().size() == 1 ? "not a plane curve" : "not in one plane");
+}
+
+/// Of a closed path.
+void add_holonomy(Totals& totals, const PathAngle& angle, const Real& length) {
+  try {
+    const Real turn = angle.holonomy().value();
+    totals.add(Quantity::holonomy, turn);
+    totals.add(Quantity::closing_turn,
+               turn.exact() == Rational(0) ? turn : closing_turn_per_length(turn, length));
+  } catch (const Undecided& undecided) {
+    totals.add_reason(Quantity::holonomy, std::string("undecided: ") + undecided.what());
+    totals.add_reason(Quantity::closing_turn, "the holonomy is undecided");
+  }
 }
 
 }  // namespace
@@ -90,29 +118,38 @@ const char* name_of(Quantity quantity) {
   return "self-linking number";
 }
 
-TotalsAnswer answer(const NamedPhPath& named, const TotalsQuery& query) {
-  const PhPath& path = named.path;
-  const long digits = query.digits;
+TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
+  const Path& path = named.path;
+  const PathAngle angle(path);
+  TotalsAnswer answer{named, {}, query.digits};
+  Totals totals(answer);
+  const std::optional<PhPath> ph = path.ph();
+  if (!ph) {
+    answer.up = angle.up();
+    find_together(path, {length_rate(), up_frame_rate(angle.up()), torsion_rate(), curvature_rate(),
+                         bending_rate(), squared_torsion_rate()});
+  }
   const std::string no_torsion = why_no_torsion(path);
-  TotalsAnswer answer{named, {}, digits};
-  const auto add = [&](Row row) { answer.rows.push_back(std::move(row)); };
-  add(row(Quantity::length, total_length(path), digits));
-  add(row(Quantity::erf_twist, erf_twist(path), digits));
-  add(no_torsion.empty() ? row(Quantity::torsion, total_torsion(path), digits)
-                         : without_value(Quantity::torsion, no_torsion));
-  const auto curvature = total_curvature(path);
-  add(curvature ? row(Quantity::curvature, *curvature, digits)
-                : without_value(Quantity::curvature, why_no_curvature(path)));
-  Row index = without_value(Quantity::rotation_index,
-                            path.is_curve() ? "not a plane curve" : "not in one plane");
-  if (const auto found = absolute_rotation_index(path))
-    index.value = rounded(*found, name_of(Quantity::rotation_index), digits);
-  add(std::move(index));
-  add(row(Quantity::bending_energy, bending_energy(path), digits));
-  add(no_torsion.empty() ? row(Quantity::frenet_energy, frenet_energy(path), digits)
-                         : without_value(Quantity::frenet_energy, no_torsion));
-  if (!path.closing_turn()) return answer;
-  for (Row& of_writhe : writhe_rows(path, digits)) add(std::move(of_writhe));
+  const PathTotal length = total_length(path);
+  const PathTotal curvature = total_curvature(path);
+  totals.add(Quantity::length, length);
+  if (ph)
+    totals.add(Quantity::erf_twist, erf_twist(*ph));
+  else
+    totals.add(Quantity::up_twist, reference_twist(angle));
+  totals.add_frenet(Quantity::torsion, no_torsion, [&] { return total_torsion(path); });
+  totals.add(Quantity::curvature, curvature);
+  add_rotation_index(totals, path, curvature);
+  totals.add(Quantity::bending_energy, bending_energy(path));
+  totals.add_frenet(Quantity::frenet_energy, no_torsion, [&] { return frenet_energy(path); });
+  const Closure closed = closure(path);
+  if (!closed.is_closed)
+    for (const Quantity quantity :
+         {Quantity::holonomy, Quantity::closing_turn, Quantity::writhe, Quantity::self_linking})
+      totals.add_reason(quantity, "undecided: " + closed.undecided);
+  if (closed.is_closed != true) return answer;
+  add_holonomy(totals, angle, length.value);
+  for (Row& row : writhe_rows(path, query.digits)) answer.rows.push_back(std::move(row));
   return answer;
 }
 

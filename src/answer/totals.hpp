@@ -18,12 +18,11 @@ enum class Quantity {
   rotation_index,  ///< ∫ |κ| ds/2π of a plane path
   bending_energy,  ///< ∫ κ² ds
   frenet_energy,   ///< ∫ (κ² + τ²) ds
-  // Of a path that is not PH:
+  // Of a path that is not PH, instead of erf_twist:
   up_twist,  ///< ∫ e₂′·e₃ dt of the frame of v
-  // And where it is closed:
+  // Of a path that is closed with a continuous tangent:
   holonomy,      ///< by which angle in (−π, π] a rotation-minimizing frame comes back turned
   closing_turn,  ///< −holonomy/length
-  // Of every path that is closed with a continuous tangent:
   writhe,        ///< Gauss's integral over the curve twice
   self_linking,  ///< writhe + ∫ τ ds/2π, whole
 };
@@ -36,23 +35,21 @@ struct TotalsAnswer {
   /// One of them.
   struct Row {
     Quantity quantity;                                ///< which one
-    std::optional<PathTotal> total = std::nullopt;    ///< of a PH path, in closed form
+    std::optional<PathTotal> total = std::nullopt;    ///< where it is a sum over the segments
     std::optional<Decimal> value = std::nullopt;      ///< no value where it is infinite
     std::optional<Infinite> infinite = std::nullopt;  ///< the pole, then
     std::string reason = {};                          ///< why there is neither
-    std::optional<Rational> exact = std::nullopt;  ///< of other paths, the value where it is known
+    std::optional<Rational> exact = std::nullopt;  ///< the value, where it is seen to be rational
   };
-  AnyPath path;           ///< as asked
+  NamedPath path;         ///< as asked
   std::vector<Row> rows;  ///< of all quantities that such a path has, in their order
   long digits;            ///< of the values
   /// v of up_twist, where the path is no PH path.
   std::optional<Vector<Rational>> up = std::nullopt;
 };
 
-/// @{ Throws Undecided, naming the quantity, where one cannot be rounded. That the writhe, and what
-/// comes with it, is undecided is said in its row.
-TotalsAnswer answer(const NamedPhPath& path, const TotalsQuery& query);
+/// Throws Undecided, naming the quantity, where one cannot be rounded. That what a closed path has
+/// is undecided is said in its row, as what is without a value along formulas.
 TotalsAnswer answer(const NamedPath& path, const TotalsQuery& query);
-/// @}
 
 }  // namespace phrame

@@ -3,9 +3,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/ph/along/smooth_shape.hpp"
-#include "phrame/ph/along/smooth_totals.hpp"
 #include "phrame/ph/along/up_vector.hpp"
-#include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/frame/closed_curve.hpp"
 
 namespace phrame {
@@ -23,22 +21,13 @@ Row undecided_row(Quantity quantity, const Undecided& undecided) {
   return reason_row(quantity, std::string("undecided: ") + undecided.what());
 }
 
-bool bends_continuously(const PhPath& path) {
-  return has_continuous_frenet_frame(by_positions(path));
-}
-bool bends_continuously(const Path& path) { return has_continuous_frenet_frame(path); }
-
-Real torsion_of(const PhPath& path) { return total_torsion(path).value; }
-Real torsion_of(const Path& path) { return total_torsion(path); }
-
-template <class P>
-Row self_linking_row(const ClosedFrame& frame, const P& path) {
+Row self_linking_row(const ClosedFrame& frame, const Path& path) {
   try {
-    if (!bends_continuously(path))
+    if (!has_continuous_frenet_frame(path))
       return reason_row(Quantity::self_linking,
                         "the Frenet frame is not defined and continuous all along");
     Row row{Quantity::self_linking};
-    row.value = Decimal{std::to_string(self_linking_number(frame, torsion_of(path))), "0"};
+    row.value = Decimal{std::to_string(self_linking_number(frame, total_torsion(path).value)), "0"};
     return row;
   } catch (const Undecided& undecided) {
     return undecided_row(Quantity::self_linking, undecided);
@@ -47,15 +36,15 @@ Row self_linking_row(const ClosedFrame& frame, const P& path) {
 
 /// Of a closed curve, or why there is none. In a plane the writhe is known without a frame.
 template <class P>
-std::vector<Row> rows_of(const P& path, long digits) {
+std::vector<Row> rows_of(const P& curve, const Path& path, long digits) {
   Row row{Quantity::writhe};
   const auto set = [&](const Real& value) {
     row.value = rounded_or_zero(value, name_of(Quantity::writhe), digits);
   };
   const bool is_plane = plane_normal(path).has_value();
   try {
-    if (is_plane) set(writhe(path));
-    const ClosedFrame frame = closed_frame(path);
+    if (is_plane) set(writhe(curve));
+    const ClosedFrame frame = closed_frame(curve);
     if (!is_plane) set(writhe(frame));
     return {row, self_linking_row(frame, path)};
   } catch (const DomainError& error) {
@@ -69,7 +58,9 @@ std::vector<Row> rows_of(const P& path, long digits) {
 
 }  // namespace
 
-std::vector<Row> writhe_rows(const PhPath& path, long digits) { return rows_of(path, digits); }
-std::vector<Row> writhe_rows(const Path& path, long digits) { return rows_of(path, digits); }
+std::vector<Row> writhe_rows(const Path& path, long digits) {
+  const auto ph = path.ph();
+  return ph ? rows_of(*ph, path, digits) : rows_of(path, path, digits);
+}
 
 }  // namespace phrame

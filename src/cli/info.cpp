@@ -12,25 +12,12 @@ struct InfoOptions {
   long digits = 17;
 };
 
-/// Of PH paths and of others.
-struct InfoPrint {
-  std::string (*of_ph)(const InfoAnswer&);
-  std::string (*of_smooth)(const SmoothInfoAnswer&);
-
-  std::string operator()(const InfoAnswer& answer) const { return of_ph(answer); }
-  std::string operator()(const SmoothInfoAnswer& answer) const { return of_smooth(answer); }
-};
-
 void run(const InfoOptions& options) {
-  const auto print = choose<InfoPrint>("--print", options.print,
-                                       {{"text", {to_text, to_text}},
-                                        {"json", {to_json, to_json}},
-                                        {"latex", {to_latex, to_latex}}});
+  const auto print = choose<std::string (*)(const InfoAnswer&)>(
+      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
   const InfoQuery query{options.digits};
-  const AnyPath path = options.curve.read_any_path();
-  options.length.write(
-      options.curve.output,
-      std::visit([&](const auto& named) { return print(answer(named, query)); }, path));
+  const NamedPath path = of_any_kind(options.curve.read_any_path());
+  options.length.write(options.curve.output, print(answer(path, query)));
 }
 
 }  // namespace

@@ -16,10 +16,8 @@ void run(const TotalsOptions& options) {
   const auto print = choose<std::string (*)(const TotalsAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
   const TotalsQuery query{options.digits};
-  const AnyPath path = options.curve.read_any_path();
-  options.length.write(
-      options.curve.output,
-      print(std::visit([&](const auto& named) { return answer(named, query); }, path)));
+  const NamedPath path = of_any_kind(options.curve.read_any_path());
+  options.length.write(options.curve.output, print(answer(path, query)));
 }
 
 }  // namespace
@@ -35,10 +33,11 @@ void add_totals(Program& program) {
   options->length.add_to(command);
   command.set_notes(
       "Integrals from t = 0 to 1, each with its integrand, its antiderivative and its value.\n"
-      "A total that is infinite is said to be so, with the pole; one that is not defined or not\n"
-      "elementary says why. These are answers, too: the exit status is 0.\n"
+      "A total that is infinite is said to be so, with the pole; one that is not defined says "
+      "why.\n"
+      "These are answers, too: the exit status is 0. What is not elementary has no formula.\n"
       "Of a spline they are the sums over its segments, without the formulas. Curves that are not\n"
-      "Pythagorean-hodograph have no formulas; of closed ones there are the holonomy, the writhe\n"
+      "Pythagorean-hodograph have no formulas. Of closed ones there are the holonomy, the writhe\n"
       "and the self-linking number, too.\n"
       "Examples:\n"
       "  phrame totals curve.json --digits 30\n"

@@ -192,7 +192,7 @@ TEST_CASE("smooth answers: what is exact or not defined is said to be so") {
   CHECK(row(found, Quantity::torsion).reason ==
         "segment 1 is a straight line, which has no torsion");
   CHECK(found.rows.back().quantity == Quantity::frenet_energy);  // for it is open
-  const SmoothInfoAnswer info = answer(line, InfoQuery{5});
+  const InfoAnswer info = answer(line, InfoQuery{5});
   CHECK(info.is_straight);
   CHECK_FALSE(info.normal.has_value());
   CHECK(info.lengths.at(1).exact == Rational(9));
@@ -200,7 +200,7 @@ TEST_CASE("smooth answers: what is exact or not defined is said to be so") {
   const NamedPath cusp{"", Path(RationalCurve({Polynomial{0, 0, 1}, {0, 0, 0, 1}, {}}))};
   const TotalsAnswer infinite = answer(cusp, TotalsQuery{5});
   CHECK(row(infinite, Quantity::bending_energy).infinite.value().pole.rational() == Rational(0));
-  const SmoothInfoAnswer of_cusp = answer(cusp, InfoQuery{30});
+  const InfoAnswer of_cusp = answer(cusp, InfoQuery{30});
   CHECK_FALSE(of_cusp.bending_energy.has_value());
   CHECK(of_cusp.cusps.size() == 1);
   CHECK(of_cusp.normal == Vector<Rational>{0, 0, 1});
@@ -209,10 +209,10 @@ TEST_CASE("smooth answers: what is exact or not defined is said to be so") {
 }
 
 TEST_CASE("smooth answers: the numbers of a curve") {
-  const SmoothInfoAnswer info = answer(loop, InfoQuery{20});
+  const InfoAnswer info = answer(loop, InfoQuery{20});
   CHECK(info.length.rounded.value == "8.2495251007898865117");
   CHECK(info.holonomy.value().value == "1.3475234949517146297");
-  CHECK(info.twist_up.value == "-1.3475234949517146297");
+  CHECK(info.twist.value == "-1.3475234949517146297");
   CHECK(info.bending_energy.value().value == "9.8854655028811821621");
   CHECK_FALSE(info.is_straight);
   CHECK_FALSE(info.normal.has_value());
@@ -222,15 +222,23 @@ TEST_CASE("smooth answers: the numbers of a curve") {
 // Of the spline of quarters() Gauss's integral as in tests/ph/frame/closed_curve_test.cpp; its
 // normal jumps at the joints. The normal of the plane loop does not, and it is in a plane.
 TEST_CASE("smooth answers: closed PH splines have a writhe, open ones no row of it") {
-  const NamedPhPath spline{"", test::chain(test::quarters())};
+  const NamedPath spline{"", Path(test::chain(test::quarters()))};
   const TotalsAnswer found = answer(spline, TotalsQuery{6});
   CHECK(std::stod(value(found, Quantity::writhe)) == doctest::Approx(0.18026).epsilon(1e-4));
+  // The holonomy is 2π times that, up to whole turns.
+  CHECK(std::stod(value(found, Quantity::holonomy)) == doctest::Approx(1.13261).epsilon(1e-4));
+  const double length = std::stod(value(found, Quantity::length));
+  CHECK(std::stod(value(found, Quantity::closing_turn)) * length ==
+        doctest::Approx(-1.13261).epsilon(1e-4));
   CHECK(row(found, Quantity::self_linking).reason ==
         "the Frenet frame is not defined and continuous all along");
-  const TotalsAnswer plane = answer(NamedPhPath{"", test::closed_loop()}, TotalsQuery{6});
+  const TotalsAnswer plane =
+      answer(of_any_kind(NamedPhPath{"", test::closed_loop()}), TotalsQuery{6});
+  CHECK(row(plane, Quantity::holonomy).exact == Rational(0));
   CHECK(value(plane, Quantity::writhe) == "0");
   CHECK(value(plane, Quantity::self_linking) == "0");
-  const TotalsAnswer open = answer(NamedPhPath{"", test::quarters().front()}, TotalsQuery{6});
+  const TotalsAnswer open =
+      answer(of_any_kind(NamedPhPath{"", test::quarters().front()}), TotalsQuery{6});
   CHECK(open.rows.back().quantity == Quantity::frenet_energy);
 }
 
@@ -244,7 +252,7 @@ TEST_CASE("smooth answers: only what needs it is undecided where a path may be c
   CHECK(angle.no_holonomy.starts_with("whether the ends of the curve meet"));
   CHECK(to_json(angle).find("\"closed\": null") != std::string::npos);
   CHECK(to_text(angle).find("open or closed: undecided") != std::string::npos);
-  const SmoothInfoAnswer info = answer(path, InfoQuery{});
+  const InfoAnswer info = answer(path, InfoQuery{});
   CHECK(to_json(info).find("\"ends_meet\": null") != std::string::npos);
   const TotalsAnswer totals = answer(path, TotalsQuery{});
   long undecided = 0;

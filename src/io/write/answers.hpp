@@ -45,9 +45,6 @@ std::string to_latex(const PathIdentification& found);
 std::string to_text(const InfoAnswer& answer);
 std::string to_json(const InfoAnswer& answer);
 std::string to_latex(const InfoAnswer& answer);
-std::string to_text(const SmoothInfoAnswer& answer);
-std::string to_json(const SmoothInfoAnswer& answer);
-std::string to_latex(const SmoothInfoAnswer& answer);
 /// @}
 /// @{ The closed form and the value: integral/1. That the derivative was checked can be left unsaid
 /// where it was said before; it always is.

@@ -90,15 +90,12 @@ Value sign_value(const Curve& curve) {
           Value::Json()};
 }
 
-Fields curve_fields(const InfoAnswer& info) {
-  const Curve& curve = info.path.path.segments().front();
+/// Of a PH curve by itself.
+Fields ph_fields(const InfoAnswer& info, const Curve& curve, const Field& length) {
   const QuaternionPolynomial& a = curve.preimage();
   const Polynomial& f = curve.multiplier();
   const AngleSplit split = closed_split(a);
-  const Field length{"arc_length", "length $∫₀¹ |f|σ$", length_value(info.length)};
-  return {json_field("phrame", "info/1"),
-          json_field("name", info.path.name),
-          json_field("degree", degree(curve)),
+  return {json_field("degree", degree(curve)),
           json_field("preimage_degree", preimage_degree(curve)),
           preimage_field(a),
           {"multiplier", f == Polynomial{1} ? "" : "multiplier $f$", f},
@@ -115,61 +112,10 @@ Fields curve_fields(const InfoAnswer& info) {
           {"cusps", "cusp, $r′ = 0$", cusps_value(info.cusps)},
           {"", "sign of $f$", sign_value(curve)},
           out_of_json(length),
-          {"twist_erf", "twist $∫₀¹ 2h/σ$", info.twist_erf},
+          {"twist_erf", "twist $∫₀¹ 2h/σ$", info.twist},
           {"erf_inflections", "ERF turns back", places(info.erf_inflections)},
-          {"erf_extrema", "extremum of $ω₁$", places(info.erf_extrema)},
-          {"bending_energy", "energy $∫₀¹ κ²\\, ds$", energy(info.bending_energy)}};
+          {"erf_extrema", "extremum of $ω₁$", places(info.erf_extrema)}};
 }
-
-Value segments_value(const InfoAnswer& info) {
-  return {Value::Rows(), [&] {
-            JsonOutput segments = JsonOutput::array();
-            for (std::size_t k = 0; k < info.lengths.size(); ++k) {
-              const Curve& curve = info.path.path.segments()[k];
-              segments.push_back({{"degree", degree(curve)},
-                                  {"start", json_of(curve.start())},
-                                  {"end", json_of(evaluate(position(curve), 1))},
-                                  {"arc_length", length_value(info.lengths[k]).json()}});
-            }
-            return segments;
-          }};
-}
-
-Fields spline_fields(const InfoAnswer& info) {
-  const PhPath& path = info.path.path;
-  return {json_field("phrame", "spline-info/1"),
-          json_field("name", info.path.name),
-          {"segments", "", segments_value(info)},
-          json_field("closed", path.closing_turn().has_value()),
-          json_field("ends_meet", path.ends_meet()),
-          {"arc_length", "length $∫ |f|σ$", length_value(info.length)},
-          {"twist_erf", "twist $∫ 2h/σ$", info.twist_erf},
-          {"bending_energy", "energy $∫ κ²\\, ds$", energy(info.bending_energy)},
-          {"holonomy", "holonomy", optional_value(info.holonomy, {})}};
-}
-
-using Lengths = std::vector<InfoAnswer::Length>;
-
-/// The segments with their degrees, in words, and lengths.
-std::string segment_table(const std::vector<std::string>& degrees, const Lengths& lengths,
-                          Notation notation) {
-  const bool is_latex = notation == Notation::latex;
-  std::string text = is_latex ? "\\begin{tabular}{rrl}\nsegment & degree & length \\\\\n"
-                              : "\n  segment  degree  length\n";
-  for (std::size_t k = 0; k < lengths.size(); ++k)
-    text += fmt::format(fmt::runtime(is_latex ? "{} & {} & {} \\\\\n" : "  {:>7}  {:>6}  {}\n"),
-                        k + 1, degrees[k], length_value(lengths[k]).rows(notation).front());
-  return text + (is_latex ? "\\end{tabular}\n" : "");
-}
-
-std::string segment_table(const InfoAnswer& info, Notation notation) {
-  std::vector<std::string> degrees;
-  for (const Curve& curve : info.path.path.segments())
-    degrees.push_back(std::to_string(degree(curve)));
-  return segment_table(degrees, info.lengths, notation);
-}
-
-// ---- Of paths of any kind.
 
 /// "3", or "2/2" where it is X/W; "–" of a curve by formulas.
 std::string degree_text(const Segment& segment) {
@@ -179,6 +125,19 @@ std::string degree_text(const Segment& segment) {
   for (const Polynomial& x : curve->numerator()) above = std::max(above, x.degree());
   const long below = curve->weight().degree();
   return below > 0 ? fmt::format("{}/{}", above, below) : std::to_string(above);
+}
+
+/// The segments with their degrees and lengths; empty of a curve by itself.
+std::string segment_table(const InfoAnswer& info, Notation notation) {
+  if (info.lengths.size() == 1) return "";
+  const bool is_latex = notation == Notation::latex;
+  std::string text = is_latex ? "\\begin{tabular}{rrl}\nsegment & degree & length \\\\\n"
+                              : "\n  segment  degree  length\n";
+  for (std::size_t k = 0; k < info.lengths.size(); ++k)
+    text += fmt::format(fmt::runtime(is_latex ? "{} & {} & {} \\\\\n" : "  {:>7}  {:>6}  {}\n"),
+                        k + 1, degree_text(info.path.path.segments()[k]),
+                        length_value(info.lengths[k]).rows(notation).front());
+  return text + (is_latex ? "\\end{tabular}\n" : "");
 }
 
 JsonOutput coordinates_json(const Vector<Polynomial>& v) {
@@ -192,18 +151,21 @@ Field vector_field(const std::string& key, const std::string& name, const Vector
   return {key, "", {Value::Rows(), [v] { return coordinates_json(v); }}, parts};
 }
 
-/// Of a rational curve by itself.
-Fields polynomial_fields(const RationalCurve& curve) {
+/// Of a rational curve by itself that is not PH.
+Fields polynomial_fields(const InfoAnswer& info, const RationalCurve& curve) {
   const Polynomial& w = curve.weight();
   const Polynomial& p = curve.multiplier();
   return {vector_field("numerator", "X", curve.numerator()),
           {"weight", w == Polynomial{1} ? "" : "$W$", w},
           vector_field("direction", "H", curve.direction()),
-          {"multiplier", p.is_constant() ? "" : "$p$", p}};
+          {"multiplier", p.is_constant() ? "" : "$p$", p},
+          {"", "$r(0)$", point(curve, 0)},
+          {"", "$r(1)$", point(curve, 1)},
+          {"cusps", "cusp, $r′ = 0$", cusps_value(info.cusps)}};
 }
 
 /// Of the plane that the path is in, if it is in one.
-Field plane_field(const SmoothInfoAnswer& info) {
+Field plane_field(const InfoAnswer& info) {
   if (info.is_straight)
     return {"straight",
             "straight line",
@@ -214,46 +176,64 @@ Field plane_field(const SmoothInfoAnswer& info) {
   return {"plane_normal", "normal to its plane", *info.normal};
 }
 
-Value smooth_segments(const SmoothInfoAnswer& info) {
+Value segments_value(const InfoAnswer& info) {
   return {Value::Rows(), [&] {
             JsonOutput segments = JsonOutput::array();
             for (std::size_t k = 0; k < info.lengths.size(); ++k) {
-              JsonOutput json = {{"arc_length", length_value(info.lengths[k]).json()}};
+              JsonOutput json = JsonOutput::object();
               if (const RationalCurve* curve = rational_curve(info.path.path.segments()[k]))
-                json.update({{"degree", degree(*curve)},
-                             {"start", json_of(point(*curve, 0))},
-                             {"end", json_of(point(*curve, 1))}});
+                json = {{"degree", degree(*curve)},
+                        {"start", json_of(point(*curve, 0))},
+                        {"end", json_of(point(*curve, 1))}};
+              json["arc_length"] = length_value(info.lengths[k]).json();
               segments.push_back(std::move(json));
             }
             return segments;
           }};
 }
 
-Fields fields(const SmoothInfoAnswer& info) {
+/// Of a spline, or of a curve by itself that is not PH.
+Fields path_fields(const InfoAnswer& info, const Field& length) {
+  const Closure closed = closure(info.path.path);
+  Fields fields{{"segments", "", segments_value(info)},
+                json_field("closed", json_if_known(closed.is_closed)),
+                json_field("ends_meet", json_if_known(closed.ends_meet)),
+                length};
+  if (!info.up) {
+    fields.push_back({"twist_erf", "twist $∫ 2h/σ$", info.twist});
+    return fields;
+  }
+  fields.push_back(plane_field(info));
+  fields.push_back({"up", "$v$", *info.up});
+  fields.push_back({"twist_up", "twist $∫ e₂′·e₃$", info.twist});
+  return fields;
+}
+
+Fields fields(const InfoAnswer& info) {
   const Path& path = info.path.path;
   const bool is_single = path.segments().size() == 1;
+  const Curve* ph = is_single ? ph_curve(path.segments().front()) : nullptr;
+  const Field length{"arc_length",
+                     fmt::format("length $∫{}$", ph != nullptr ? "₀¹ |f|σ"
+                                                 : info.up     ? " |r′|"
+                                                               : " |f|σ"),
+                     length_value(info.length)};
   Fields fields{json_field("phrame", is_single ? "info/1" : "spline-info/1"),
                 json_field("name", info.path.name)};
   const auto add = [&](const Fields& more) {
     fields.insert(fields.end(), more.begin(), more.end());
   };
-  if (const RationalCurve* curve = rational_curve(path.segments().front());
-      curve != nullptr && is_single) {
-    add(polynomial_fields(*curve));
-    add({{"", "$r(0)$", point(*curve, 0)},
-         {"", "$r(1)$", point(*curve, 1)},
-         {"cusps", "cusp, $r′ = 0$", cusps_value(info.cusps)}});
+  if (ph != nullptr) {
+    add(ph_fields(info, *ph, length));
+  } else {
+    const RationalCurve* curve = is_single ? rational_curve(path.segments().front()) : nullptr;
+    if (curve != nullptr) add(polynomial_fields(info, *curve));
+    add(path_fields(info, length));
   }
-  const Closure closed = closure(path);
-  add({{"segments", "", smooth_segments(info)},
-       json_field("closed", json_if_known(closed.is_closed)),
-       json_field("ends_meet", json_if_known(closed.ends_meet)),
-       {"arc_length", "length $∫ |r′|$", length_value(info.length)},
-       plane_field(info),
-       {"up", "$v$", info.up},
-       {"twist_up", "twist $∫ e₂′·e₃$", info.twist_up},
-       {"bending_energy", "energy $∫ κ²\\, ds$", energy(info.bending_energy)},
-       {"holonomy", "holonomy", optional_value(info.holonomy, {})}});
+  fields.push_back({"bending_energy",
+                    fmt::format("energy $∫{} κ²\\, ds$", ph != nullptr ? "₀¹" : ""),
+                    energy(info.bending_energy)});
+  if (ph == nullptr) fields.push_back({"holonomy", "holonomy", optional_value(info.holonomy, {})});
   if (!info.bending_energy) fields.push_back(json_field("bending_energy_reason", "∞"));
   if (!info.no_holonomy.empty())
     fields.push_back({"holonomy_reason",
@@ -263,28 +243,18 @@ Fields fields(const SmoothInfoAnswer& info) {
   return fields;
 }
 
-std::string segment_table(const SmoothInfoAnswer& info, Notation notation) {
-  if (info.lengths.size() == 1) return "";
-  std::vector<std::string> degrees;
-  for (const Segment& segment : info.path.path.segments()) degrees.push_back(degree_text(segment));
-  return segment_table(degrees, info.lengths, notation);
-}
-
-/// What the fields are for both.
-Fields fields(const InfoAnswer& info) {
-  Fields fields = info.path.path.is_curve() ? curve_fields(info) : spline_fields(info);
-  if (!info.bending_energy) fields.push_back(json_field("bending_energy_reason", "∞"));
-  return fields;
+/// Of the segments of a PH spline.
+std::string notes(const InfoAnswer& info, Notation notation) {
+  const auto ph = info.path.path.ph();
+  return ph && !ph->is_curve() ? notes_on_signs(*ph, notation) : "";
 }
 
 }  // namespace
 
 std::string to_text(const InfoAnswer& info) {
-  const PhPath& path = info.path.path;
-  const std::string text = heading(info.path) + "\n\n";
-  if (path.is_curve()) return text + to_rows(fields(info), 18);
-  return text + notes_on_signs(path) + to_rows(fields(info), 18) +
-         segment_table(info, Notation::unicode);
+  const std::size_t width = info.up ? 21 : 18;
+  return heading(info.path) + "\n\n" + notes(info, Notation::unicode) +
+         to_rows(fields(info), width) + segment_table(info, Notation::unicode);
 }
 
 std::string to_json(const InfoAnswer& info) {
@@ -294,21 +264,8 @@ std::string to_json(const InfoAnswer& info) {
 }
 
 std::string to_latex(const InfoAnswer& info) {
-  const PhPath& path = info.path.path;
-  if (path.is_curve()) return to_align(fields(info));
-  return notes_on_signs(path, Notation::latex) + to_align(fields(info)) +
+  return notes(info, Notation::latex) + to_align(fields(info)) +
          segment_table(info, Notation::latex);
-}
-
-std::string to_text(const SmoothInfoAnswer& info) {
-  return heading(info.path) + "\n\n" + to_rows(fields(info), 21) +
-         segment_table(info, Notation::unicode);
-}
-
-std::string to_json(const SmoothInfoAnswer& info) { return pretty(json_of(fields(info))); }
-
-std::string to_latex(const SmoothInfoAnswer& info) {
-  return to_align(fields(info)) + segment_table(info, Notation::latex);
 }
 
 }  // namespace phrame

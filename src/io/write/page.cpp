@@ -279,8 +279,7 @@ JsonOutput json_of(const PageAnswer& answer) {
              to_text(*answer.totals));
   if (answer.classification)
     add_fact(facts, "Decisions, by algebra", "phrame classify", to_text(*answer.classification));
-  add_fact(facts, "Polynomials and special points", "phrame info",
-           std::visit([](const auto& info) { return to_text(info); }, answer.info));
+  add_fact(facts, "Polynomials and special points", "phrame info", to_text(answer.info));
   page["facts"] = std::move(facts);
   page["csv_name"] = prefix_from(name) + "-frames.csv";
   page["csv"] = to_csv(answer.table);

@@ -58,15 +58,17 @@ std::string name(const Row& row) {
 /// "√3·(…)": x times the root of the radicand.
 std::string times_root(const Rational& radicand, const std::string& x, Notation notation) {
   if (radicand == 1) return x;
-  return fmt::format(
-      fmt::runtime(notation == latex ? "\\sqrt{{{}}} \\left({}\\right)" : "√{}·({})"),
-      notation == latex ? formatted(radicand, notation) : in_brief(radicand), x);
+  const std::string root =
+      fmt::format(fmt::runtime(notation == latex ? "\\sqrt{{{}}}" : "√{}"),
+                  notation == latex ? formatted(radicand, notation) : in_brief(radicand));
+  if (x == "1") return root;
+  return root + fmt::format(fmt::runtime(notation == latex ? " \\left({}\\right)" : "·({})"), x);
 }
 
 /// "√3·(…) + …", empty where there is none, and as the parts of a formula for computer algebra.
 std::string exact_text(const Row& row, Notation notation) {
-  if (row.exact) return notation == latex ? formatted(*row.exact, latex) : in_brief(*row.exact);
-  if (!row.total || !row.total->exact) return "";
+  if (!row.total || !row.total->exact)
+    return row.exact ? notation == latex ? formatted(*row.exact, latex) : in_brief(*row.exact) : "";
   std::vector<std::string> terms;
   for (const auto& [radicand, of] : *row.total->exact)
     terms.push_back(times_root(
@@ -79,7 +81,9 @@ std::string exact_formula(const PathTotal& total) {
   for (const auto& [radicand, of] : *total.exact) {
     const std::string formula = cas_formula(of, Language::plain);
     sum += (sum.empty() ? "" : " + ") +
-           (radicand == 1 ? formula : fmt::format("sqrt({})*({})", to_string(radicand), formula));
+           (radicand == 1    ? formula
+            : formula == "1" ? fmt::format("sqrt({})", to_string(radicand))
+                             : fmt::format("sqrt({})*({})", to_string(radicand), formula));
   }
   return sum;
 }
@@ -124,23 +128,32 @@ Fields formula_fields(const Total& total) {
                                       }}}};
 }
 
-/// Of the total of a curve.
-Fields formula_fields(const Row& row, bool is_curve) {
-  return is_curve && row.value && row.total ? formula_fields(row.total->segments.front())
-                                            : Fields();
+/// The segments, counted from 1, that have one; empty where all have or none.
+std::vector<std::size_t> closed_forms_of_some(const Row& row) {
+  std::vector<std::size_t> found;
+  if (!row.total) return found;
+  const auto& segments = row.total->segments;
+  for (std::size_t k = 0; k < segments.size(); ++k)
+    if (std::holds_alternative<Total>(segments[k])) found.push_back(k + 1);
+  if (found.size() == segments.size()) found.clear();
+  return found;
 }
 
-std::string to_text(const Row& row, bool is_curve) {
+/// Of a curve by itself that has one.
+const Total* closed_form(const Row& row) {
+  const bool is_of_curve = row.value && row.total && row.total->segments.size() == 1;
+  return is_of_curve ? std::get_if<Total>(&row.total->segments.front()) : nullptr;
+}
+
+std::string to_text(const Row& row) {
   std::string text = "  " + prose(name(row), unicode);
   if (row.infinite)
     return text + fmt::format(" = ∞, the pole is at t = {}\n", shown(row.infinite->pole));
   if (!row.value) return text + fmt::format(": {}\n", row.reason);
-  const Fields fields = formula_fields(row, is_curve);
-  if (!fields.empty())
-    text +=
-        prose(fmt::format(" = ${}$ with", integral(row.total->segments.front(), unicode)), unicode);
+  const Total* total = closed_form(row);
+  if (total) text += prose(fmt::format(" = ${}$ with", integral(*total, unicode)), unicode);
   text += "\n";
-  for (const auto& [label, words] : rows(fields, unicode))
+  for (const auto& [label, words] : rows(total ? formula_fields(*total) : Fields(), unicode))
     text += fmt::format("    {} = {}\n", label, words);
   constexpr std::size_t longest = 240;
   const std::string exact = exact_text(row, unicode);
@@ -148,15 +161,18 @@ std::string to_text(const Row& row, bool is_curve) {
   const Decimal& value = *row.value;
   if (shown(value) != exact)
     text += fmt::format("    {} {}\n", value.radius == "0" ? "=" : "≈", shown(value));
+  if (const auto some = closed_forms_of_some(row); !some.empty())
+    text += fmt::format("    in closed form on {} of {} segments: {}\n", some.size(),
+                        row.total->segments.size(), fmt::join(some, ", "));
   return text;
 }
 
 /// The integral, its closed form and its decimal.
-std::string equation(const Row& row, bool is_curve) {
+std::string equation(const Row& row) {
   if (row.infinite) return "$∞$, the pole is at $t =$ " + in_words(row.infinite->pole, latex);
   if (!row.value) return row.reason;
   std::string text;
-  if (is_curve && row.total) text += " = " + integral(row.total->segments.front(), latex);
+  if (const Total* total = closed_form(row)) text += " = " + integral(*total, latex);
   const std::string exact = exact_text(row, latex);
   if (!exact.empty()) text += " = " + exact;
   const std::string decimal = latex_decimal(row.value->value);
@@ -164,10 +180,11 @@ std::string equation(const Row& row, bool is_curve) {
   return "$" + text.substr(1) + "$";
 }
 
-Fields latex_fields(const Row& row, bool is_curve) {
-  const auto words = [&row, is_curve](Notation) { return equation(row, is_curve); };
+Fields latex_fields(const Row& row) {
+  const auto words = [&row](Notation) { return equation(row); };
   Fields fields{{"", name(row), {Value::Words(words), {}}}};
-  const Fields more = formula_fields(row, is_curve);
+  const Total* total = closed_form(row);
+  const Fields more = total ? formula_fields(*total) : Fields();
   fields.insert(fields.end(), more.begin(), more.end());
   return fields;
 }
@@ -180,53 +197,47 @@ JsonOutput json_of(const Row& row, bool is_curve) {
   }
   if (!row.value) return {{"value", nullptr}, {"reason", row.reason}};
   JsonOutput json = phrame::json_of(*row.value);
-  json.update(json_of(formula_fields(row, is_curve)));
+  if (const Total* total = closed_form(row)) json.update(json_of(formula_fields(*total)));
   if (row.exact) json["exact"] = to_string(*row.exact);
   if (row.total && row.total->exact) json["exact"] = exact_formula(*row.total);
+  if (const auto some = closed_forms_of_some(row); !some.empty()) json["closed_forms"] = some;
   return json;
 }
 
-struct Shape {
-  std::size_t segments;
-  bool has_formulas;  ///< a PH curve by itself
-};
-
-Shape shape_of(const TotalsAnswer& answer) {
-  const std::size_t count =
-      std::visit([](const auto& named) { return named.path.segments().size(); }, answer.path);
-  return {count, count == 1 && std::holds_alternative<NamedPhPath>(answer.path)};
+/// The PH curve that the path is, where it is one by itself.
+const Curve* ph_by_itself(const TotalsAnswer& answer) {
+  const auto& segments = answer.path.path.segments();
+  return segments.size() == 1 ? ph_curve(segments.front()) : nullptr;
 }
 
 }  // namespace
 
 std::string to_text(const TotalsAnswer& answer) {
-  const auto [count, has_formulas] = shape_of(answer);
-  std::string text =
-      std::visit([](const auto& named) { return heading(named); }, answer.path) + "\n\n";
+  const std::size_t count = answer.path.path.segments().size();
+  std::string text = heading(answer.path) + "\n\n";
   if (answer.up) text += fmt::format("  v = {}\n\n", shown(*answer.up));
-  for (const Row& row : answer.rows) text += to_text(row, has_formulas) + "\n";
-  return text + fmt::format("From t = 0 to {}{}; decimals are correctly rounded to {}.{}\n", count,
-                            count == 1 ? "" : ", the sums over the segments",
-                            counted(static_cast<std::size_t>(answer.digits), "digit"),
-                            has_formulas ? " Checked: the derivative of F is F′, exactly." : "");
+  for (const Row& row : answer.rows) text += to_text(row) + "\n";
+  return text +
+         fmt::format("From t = 0 to {}{}; decimals are correctly rounded to {}.{}\n", count,
+                     count == 1 ? "" : ", the sums over the segments",
+                     counted(static_cast<std::size_t>(answer.digits), "digit"),
+                     ph_by_itself(answer) ? " Checked: the derivative of F is F′, exactly." : "");
 }
 
 std::string to_latex(const TotalsAnswer& answer) {
-  const bool has_formulas = shape_of(answer).has_formulas;
   std::string text;
-  for (const Row& row : answer.rows) text += to_align(latex_fields(row, has_formulas));
+  for (const Row& row : answer.rows) text += to_align(latex_fields(row));
   return text;
 }
 
 std::string to_json(const TotalsAnswer& answer) {
-  const auto [count, has_formulas] = shape_of(answer);
-  const std::string name = std::visit([](const auto& named) { return named.name; }, answer.path);
-  JsonOutput json = {{"phrame", count == 1 ? "totals/1" : "spline-totals/1"}, {"name", name}};
-  const auto* named = std::get_if<NamedPhPath>(&answer.path);
-  if (has_formulas) json["degree"] = degree(named->path.segments().front());
+  const bool is_curve = answer.path.path.segments().size() == 1;
+  JsonOutput json = {{"phrame", is_curve ? "totals/1" : "spline-totals/1"},
+                     {"name", answer.path.name}};
+  if (const Curve* curve = ph_by_itself(answer)) json["degree"] = degree(*curve);
   if (answer.up) json["up"] = json_of(*answer.up);
-  for (const Row& row : answer.rows) json[label(row.quantity).key] = json_of(row, count == 1);
-  if (named != nullptr) add_nearness(json, named->near);
+  for (const Row& row : answer.rows) json[label(row.quantity).key] = json_of(row, is_curve);
+  add_nearness(json, answer.path.near);
   return pretty(json);
 }
 

@@ -2,15 +2,28 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/integrate/integral_sum.hpp"
+#include "phrame/ph/along/rational_rates.hpp"
+#include "phrame/ph/along/segment_integral.hpp"
+#include "phrame/ph/along/up_vector.hpp"
+#include "phrame/ph/curve/direction_span.hpp"
+#include "phrame/ph/curve/formula_domain.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/place.hpp"
-#include "phrame/ph/curve/shape.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+// What a PH curve adds is a Total. Of other curves τ = W²·det(H, H′, H″)/(p·ρ) does not depend on
+// the sign of H, and so τ ds = sign p·√σ·det(H, H′, H″)/ρ dt, which is −sign p times how the
+// rotation-minimizing frame turns against the Frenet frame.
 
 namespace phrame {
 namespace {
+
+// ---- The sum.
 
 /// factor · (total/√radicand), the integral without the root.
 KnownIntegral without_root(const Total& total, const Rational& factor) {
@@ -41,27 +54,72 @@ struct Group {
   std::vector<KnownIntegral> integrals = {};
 };
 
-PathTotal sum_of(std::vector<Total> segments) {
-  if (segments.size() == 1) {
-    const Total& only = segments.front();
-    PathTotal total{{}, only.value, std::nullopt};
-    if (only.exact) total.exact = {{only.radicand, *only.exact}};
-    total.segments = std::move(segments);
-    return total;
+/// What is added up.
+struct Terms {
+  std::vector<Group> groups = {};   ///< of PH curves
+  Surd roots = {};                  ///< of others, where it is such a sum
+  std::vector<Real> approximate{};  ///< of others
+};
+
+/// The group for the root of that, and that root over the one of the group.
+std::pair<Group&, Rational> group_of(std::vector<Group>& groups, const Rational& radicand) {
+  for (Group& group : groups)
+    if (const auto quotient = square_root(Rational(radicand / group.radicand)))
+      return {group, *quotient};
+  groups.push_back({radicand});
+  return {groups.back(), 1};
+}
+
+/// x, which is known to be that.
+Real irrational(const Real& x) {
+  return {[x](long bits) { return x.enclose(bits); }, {true, x.origin().bits}};
+}
+
+Real to_real(const Surd& x) {
+  Real sum = Rational(0);
+  for (const auto& [d, c] : x.terms()) sum = sum + Real(c) * square_root_of(Rational(d));
+  return x.is_rational() ? sum : irrational(sum);
+}
+
+void add_to(Terms& terms, const Total& total) {
+  if (total.value.exact() == Rational(0)) return;
+  const auto [group, quotient] = group_of(terms.groups, total.radicand);
+  group.integrals.push_back(without_root(total, quotient));
+}
+
+void add_to(Terms& terms, const Surd& sum) {
+  constexpr std::size_t most_kept_roots = 16;
+  if (sum.is_rational() || terms.roots.count_roots() <= most_kept_roots)
+    terms.roots = terms.roots + sum;
+  else
+    terms.approximate.push_back(to_real(sum));
+}
+
+void add_to(Terms& terms, const Real& x) {
+  if (x.exact())
+    terms.roots = terms.roots + Surd(*x.exact());
+  else
+    terms.approximate.push_back(x);
+}
+
+/// Is it an irrational sum of square roots?
+bool is_of_roots(const std::vector<PathTotal::Term>& exact) {
+  return std::any_of(exact.begin(), exact.end(),
+                     [](const auto& term) { return term.radicand != 1; }) &&
+         std::all_of(exact.begin(), exact.end(), [](const auto& term) {
+           return term.of == ExactValue{term.of.rational, 0, {}, {}};
+         });
+}
+
+PathTotal sum_of(Terms terms, std::vector<PathTotal::OfSegment> segments) {
+  for (const auto& [d, c] : terms.roots.terms()) {
+    const auto [group, quotient] = group_of(terms.groups, Rational(d));
+    const Rational known = quotient * c;
+    group.integrals.push_back({{known, ExactValue{known, 0, {}, {}}}});
   }
-  std::vector<Group> groups;
-  for (const Total& segment : segments) {
-    if (segment.value.exact() == Rational(0)) continue;
-    // √radicand of it over that of the group, where it is rational.
-    const auto quotient = [&](const Group& group) {
-      return square_root(Rational(segment.radicand / group.radicand));
-    };
-    auto group = std::find_if(groups.begin(), groups.end(), quotient);
-    if (group == groups.end()) group = groups.insert(group, {segment.radicand});
-    group->integrals.push_back(without_root(segment, *quotient(*group)));
-  }
-  PathTotal total{std::move(segments), Rational(0), std::vector<PathTotal::Term>()};
-  for (const Group& group : groups) {
+  PathTotal total{std::move(segments), sum_of(terms.approximate), std::vector<PathTotal::Term>()};
+  if (!terms.approximate.empty()) total.exact.reset();
+  for (const Group& group : terms.groups) {
     const DefiniteIntegral sum = sum_of_integrals(group.integrals);
     total.value = total.value + square_root_of(group.radicand) * sum.value;
     if (sum.exact && total.exact)
@@ -69,105 +127,279 @@ PathTotal sum_of(std::vector<Total> segments) {
     else
       total.exact.reset();
   }
-  if (groups.empty()) total.exact = {{1, ExactValue{}}};
+  if (total.exact && total.exact->empty()) total.exact = {{1, ExactValue{}}};
+  if (total.exact && !total.value.exact() && is_of_roots(*total.exact))
+    total.value = irrational(total.value);
   return total;
 }
 
-PathTotal sum_over(const PhPath& path, Total (*of)(const Curve&)) {
-  std::vector<Total> segments;
+PathTotal sum_of(std::vector<PathTotal::OfSegment> segments) {
+  if (const auto* only = std::get_if<Total>(&segments.front()); only && segments.size() == 1) {
+    PathTotal total{{}, only->value, std::nullopt};
+    if (only->exact) total.exact = {{only->radicand, *only->exact}};
+    total.segments = std::move(segments);
+    return total;
+  }
+  Terms terms;
+  for (const auto& segment : segments)
+    std::visit([&](const auto& of) { add_to(terms, of); }, segment);
+  return sum_of(std::move(terms), std::move(segments));
+}
+
+/// What a segment adds; where that is infinite, the pole is a parameter of the segment.
+using SegmentTotal = std::variant<PathTotal::OfSegment, Infinite>;
+using OfSegment = SegmentTotal (*)(const Segment&);
+
+/// Of a long path only a ball around a term is kept, and where more digits are asked for it is what
+/// `of` finds again.
+Real kept_term(const Real& term, const Path& path, std::size_t k, OfSegment of) {
+  constexpr long first_bits = 112;
+  const bool is_short = path.segments().size() <= most_kept_integrals ||
+                        std::holds_alternative<ExpressionCurve>(path.segments()[k]);
+  if (term.exact() || is_short) return term;
+  return Real([path, k, of, first = term.enclose(first_bits)](long bits) {
+    if (bits <= first_bits) return first;
+    return std::get<Real>(std::get<PathTotal::OfSegment>(of(path.segments()[k]))).enclose(bits);
+  });
+}
+
+std::variant<PathTotal, Infinite> sum_over(const Path& path, OfSegment of) {
+  std::vector<PathTotal::OfSegment> segments;
   Stage stage("segments", path.segments().size());
-  for (const Curve& curve : path.segments()) {
-    segments.push_back(of(curve));
+  for (std::size_t k = 0; k < path.segments().size(); ++k) {
+    SegmentTotal total = of(path.segments()[k]);
+    if (const auto* infinite = std::get_if<Infinite>(&total))
+      return Infinite{*algebraic_parameter(Place(k, infinite->pole)), k};
+    auto& term = segments.emplace_back(std::get<PathTotal::OfSegment>(std::move(total)));
+    if (auto* real = std::get_if<Real>(&term)) *real = kept_term(*real, path, k, of);
     stage.advance();
   }
   return sum_of(std::move(segments));
 }
 
-std::variant<PathTotal, Infinite> sum_over(const PhPath& path,
-                                           std::variant<Total, Infinite> (*of)(const Curve&)) {
-  std::vector<Total> segments;
-  for (const Curve& curve : path.segments()) {
-    const std::variant<Total, Infinite> total = of(curve);
-    if (const auto* infinite = std::get_if<Infinite>(&total)) {
-      const std::size_t k = segments.size();
-      return Infinite{*algebraic_parameter(Place(k, infinite->pole)), k};
-    }
-    segments.push_back(std::get<Total>(total));
-  }
-  return sum_of(std::move(segments));
+PathTotal finite_sum_over(const Path& path, OfSegment of) {
+  return std::get<PathTotal>(sum_over(path, of));
 }
 
-/// Does the tangent of a path in the plane with this normal never turn back? The sense in which it
-/// turns is the sign of normal·(d × d′), d = A i A*.
-bool turns_one_way(const PhPath& path, const Vector<Rational>& normal, const PathTotal& curvature) {
+// ---- What the segments add.
+
+/// `of_ph` of a PH curve, `of_other` of another one.
+template <class OfPh, class OfOther>
+SegmentTotal by_kind(const Segment& segment, const OfPh& of_ph, const OfOther& of_other) {
+  if (const Curve* curve = ph_curve(segment)) return of_ph(*curve);
+  return visit_curve([&](const auto& curve) { return SegmentTotal(of_other(curve)); }, segment);
+}
+
+SegmentTotal either(std::variant<Total, Infinite> total) {
+  if (auto* finite = std::get_if<Total>(&total)) return *std::move(finite);
+  return std::get<Infinite>(total);
+}
+
+SegmentTotal length_of(const Segment& segment) {
+  if (const Curve* curve = ph_curve(segment)) return total_length(*curve);
+  const SegmentIntegral length = arc_length(segment);
+  if (auto sum = length.algebraic_value(1)) return *std::move(sum);
+  return length.value(Rational(1));
+}
+
+// Of a PH curve by its positions √ρ/σ is this, too, with a square root as it is of any curve.
+SegmentTotal curvature_of(const Segment& segment) {
+  if (const Curve* curve = ph_curve(segment))
+    if (auto total = total_curvature(*curve)) return *std::move(total);
+  return bending_angle(segment).value(Rational(1));
+}
+
+/// −∫ of how the rotation-minimizing frame turns, times sign p, with the sign changes of p in
+/// (0, 1).
+Real other_torsion(const RationalCurve& curve) {
+  const TaylorIntegral turning(frenet_turning(curve));
+  Real sum = Rational(0);
+  int sign = sign_after_zero(curve.multiplier());
+  Real before = Rational(0);
+  const auto add_up_to = [&](const Real& at) {
+    sum = sum + Rational(-sign) * (at + -before);
+    before = at;
+    sign = -sign;
+  };
+  const auto at = [&](const RealAlgebraic& t) -> Real {
+    if (t.is_rational()) return turning.value(*t.rational());
+    return Real(
+        [turning, t](long bits) { return turning.enclose(enclose(t, bits + 16), bits + 8); });
+  };
+  for (const RealRoot& root : real_roots(curve.multiplier(), open(0, 1)))
+    if (root.order % 2 == 1) add_up_to(at(root.at));
+  add_up_to(turning.value(1));
+  return sum;
+}
+
+Real other_torsion(const ExpressionCurve& curve) {
+  return Rational(-curve.orientation()) * frenet_angle(curve).value(Rational(1));
+}
+
+SegmentTotal torsion_of(const Segment& segment) {
+  return by_kind(
+      segment, [](const Curve& curve) { return total_torsion(curve); },
+      [](const auto& curve) { return other_torsion(curve); });
+}
+
+/// The numerator and the denominator without what they have in common.
+RootQuotient without_common_factor(const RootQuotient& f) {
+  const Polynomial common = gcd(f.numerator, f.denominator);
+  return {exact_quotient(f.numerator, common), exact_quotient(f.denominator, common), f.radicand};
+}
+
+/// ∫ of what is not negative, or where it has a pole.
+SegmentTotal energy_of(const RootQuotient& given) {
+  const RootQuotient rate = without_common_factor(given);
+  const auto poles = rate.denominator.is_constant() ? std::vector<RealRoot>{}
+                                                    : real_roots(rate.denominator, closed(0, 1));
+  if (!poles.empty() && !rate.numerator.is_zero()) return Infinite{poles.front().at};
+  return AbsoluteIntegral(rate).value(Rational(1));
+}
+
+Real whole_integral(const ExpressionCurve& curve, const CurveIntegrand& y) {
+  return SegmentIntegral(ExpressionIntegral(curve, y)).value(Rational(1));
+}
+
+SegmentTotal other_bending(const RationalCurve& curve) {
+  return energy_of(phrame::bending_rate(curve));
+}
+
+Real other_bending(const ExpressionCurve& curve) {
+  if (are_on_a_line(direction_span(curve))) return Rational(0);
+  return whole_integral(curve, bending_rate());
+}
+
+SegmentTotal bending_of(const Segment& segment) {
+  return by_kind(
+      segment, [](const Curve& curve) { return either(bending_energy(curve)); },
+      [](const auto& curve) { return other_bending(curve); });
+}
+
+SegmentTotal other_frenet_energy(const RationalCurve& curve) {
+  return energy_of(phrame::frenet_energy_rate(curve));
+}
+
+Real other_frenet_energy(const ExpressionCurve& curve) {
+  const Real bending = other_bending(curve);
+  if (common_normal(direction_span(curve))) return bending;  // τ = 0
+  if (const auto fault = taylor_parts(curve, squared_torsion_rate())->fault)
+    refuse_inflection(curve, *fault, "integral of the Frenet frame's rate");
+  const Real twisting = whole_integral(curve, squared_torsion_rate());
+  return Real([bending, twisting](long bits) {
+    return add(bending.enclose(bits), twisting.enclose(bits), bits);
+  });
+}
+
+SegmentTotal frenet_energy_of(const Segment& segment) {
+  return by_kind(
+      segment, [](const Curve& curve) { return either(frenet_energy(curve)); },
+      [](const auto& curve) { return other_frenet_energy(curve); });
+}
+
+// ---- The rotation index.
+
+/// e₁ of any length > 0; no value for formulas.
+std::optional<Vector<Polynomial>> direction_of(const Segment& segment) {
+  if (const auto* ph = std::get_if<PhSegment>(&segment)) return rotated_i(ph->primitive_preimage());
+  if (const auto* curve = std::get_if<RationalCurve>(&segment)) return curve->direction();
+  return std::nullopt;
+}
+
+/// 1 or −1 where e₁ = d/|d| turns to the left or right about this normal all along, 0 where it does
+/// not turn; no value where it turns back. The sense is the sign of normal·(d × d′).
+std::optional<int> sense_of_turn(const Vector<Polynomial>& d, const Vector<Rational>& normal) {
+  const auto minor = [](const Polynomial& a, const Polynomial& b) {
+    return a * differentiate(b) - b * differentiate(a);
+  };
+  const auto& [x, y, z] = d;
+  const Polynomial turn =
+      normal[0] * minor(y, z) + normal[1] * minor(z, x) + normal[2] * minor(x, y);
+  if (turn.is_zero()) return 0;
+  for (const RealRoot& root : real_roots(turn, open(0, 1)))
+    if (root.order % 2 == 1) return std::nullopt;
+  return sign_after_zero(turn);
+}
+
+/// Is the tangent of a path in the plane with this normal seen never to turn back?
+bool turns_one_way(const Path& path, const Vector<Rational>& normal) {
   int sense = 0;
-  for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    if (!curvature.segments[k].sign_changes.empty()) return false;
-    const auto [x, y, z] = rotated_i(path.segments()[k].preimage());
-    const auto minor = [](const Polynomial& a, const Polynomial& b) {
-      return a * differentiate(b) - b * differentiate(a);
-    };
-    const int here = sign_after_zero(dot(normal, {minor(y, z), minor(z, x), minor(x, y)}));
-    if (here * sense < 0) return false;
-    if (here != 0) sense = here;
+  for (const Segment& segment : path.segments()) {
+    const auto d = direction_of(segment);
+    const auto here = d ? sense_of_turn(*d, normal) : std::nullopt;
+    if (!here || *here * sense < 0) return false;
+    if (*here != 0) sense = *here;
   }
   return true;
 }
 
-/// A i A*/σ, through cusps by continuity.
-Vector<Rational> unit_tangent(const Curve& curve, const Rational& t) {
-  const RationalQuaternion a = evaluate(without_real_content(curve.preimage()), t);
-  return Rational(1 / norm(a)) * rotated_i(a);
+/// cos² of the angle between e₁ at the ends.
+Rational squared_cosine_of_ends(const Path& path) {
+  const auto a = evaluate(direction_of(path.segments().front()).value(), 0);
+  const auto b = evaluate(direction_of(path.segments().back()).value(), 1);
+  const Rational product = dot(a, b);
+  return product * product / (dot(a, a) * dot(b, b));
 }
 
 }  // namespace
 
-PathTotal total_length(const PhPath& path) { return sum_over(path, total_length); }
-
-PathTotal erf_twist(const PhPath& path) { return sum_over(path, erf_twist); }
-
-std::variant<PathTotal, Infinite> bending_energy(const PhPath& path) {
-  return sum_over(path, bending_energy);
+Real value_of(const PathTotal::OfSegment& segment) {
+  if (const auto* total = std::get_if<Total>(&segment)) return total->value;
+  if (const auto* sum = std::get_if<Surd>(&segment)) return to_real(*sum);
+  return std::get<Real>(segment);
 }
 
-std::variant<PathTotal, Infinite> frenet_energy(const PhPath& path) {
-  return sum_over(path, frenet_energy);
+PathTotal total_length(const Path& path) { return finite_sum_over(path, length_of); }
+
+PathTotal total_curvature(const Path& path) { return finite_sum_over(path, curvature_of); }
+
+PathTotal total_torsion(const Path& path) { return finite_sum_over(path, torsion_of); }
+
+std::variant<PathTotal, Infinite> bending_energy(const Path& path) {
+  return sum_over(path, bending_of);
 }
 
-PathTotal total_torsion(const PhPath& path) { return sum_over(path, total_torsion); }
+std::variant<PathTotal, Infinite> frenet_energy(const Path& path) {
+  return sum_over(path, frenet_energy_of);
+}
 
-std::optional<PathTotal> total_curvature(const PhPath& path) {
-  std::vector<Total> segments;
+PathTotal erf_twist(const PhPath& path) {
+  std::vector<PathTotal::OfSegment> segments;
+  Stage stage("segments", path.segments().size());
   for (const Curve& curve : path.segments()) {
-    const auto total = total_curvature(curve);
-    if (!total) return std::nullopt;
-    segments.push_back(*total);
+    segments.emplace_back(erf_twist(curve));
+    stage.advance();
   }
   return sum_of(std::move(segments));
 }
 
-// The tangents at the ends are rational vectors. Between them the tangent turns by ±α up to whole
-// turns, where it does not turn back; and an angle α with a rational cosine is a rational multiple
-// of π only for cos α = 0, ±1/2 and ±1 (Niven), that is a multiple of π/6.
-std::optional<Real> absolute_rotation_index(const PhPath& path) {
+Real reference_twist(const PathAngle& angle) {
+  return -angle.value({angle.path().segments().size() - 1, Rational(1)});
+}
+
+std::optional<Real> absolute_rotation_index(const Path& path) {
+  return absolute_rotation_index(path, total_curvature(path));
+}
+
+// The tangents at the ends have rational directions. Between them the tangent turns by ±α up to
+// whole turns, where it does not turn back; and an angle α with a rational cos² α, so a rational
+// cos 2α, is a rational multiple of π only for cos 2α = 0, ±1/2 and ±1 (Niven), that is for 4 cos²
+// α = 0, 1, …, 4, where it is a multiple of π/12.
+std::optional<Real> absolute_rotation_index(const Path& path, const PathTotal& curvature) {
+  if (curvature.value.exact() == Rational(0)) return Real(Rational(0));
   const auto normal = plane_normal(path);
   if (!normal) return std::nullopt;
-  const PathTotal curvature = total_curvature(path).value();  // ρ of a plane curve is a square
-  if (curvature.value.exact() == Rational(0)) return Real(Rational(0));
   if (curvature.exact && curvature.exact->size() == 1)
     if (const auto& [radicand, x] = curvature.exact->front(); x == ExactValue{0, x.pi, {}, {}})
       return square_root_of(radicand) * Rational(x.pi / 2);
   const Real index = curvature.value * Real([](long bits) {
                        return divide(RealBall(Rational(1, 2), bits), pi(bits), bits);
                      });
-  if (!turns_one_way(path, *normal, curvature)) return index;
-  const Rational cosine =
-      dot(unit_tangent(path.segments().front(), 0), unit_tangent(path.segments().back(), 1));
-  if (cosine != 0 && abs(cosine) != 1 && abs(cosine) != Rational(1, 2))
-    return Real([index](long bits) { return index.enclose(bits); }, {true, index.origin().bits});
+  if (!turns_one_way(path, *normal)) return index;
+  if (denominator(Rational(4 * squared_cosine_of_ends(path))) != 1) return irrational(index);
   for (long bits = 64;; bits *= 2) {
-    const RealBall twelfths = multiply(RealBall(12, bits), index.enclose(bits), bits);
-    if (const auto nearest = unique_integer(twelfths)) return Real(Rational(*nearest, 12));
+    const RealBall parts = multiply(RealBall(24, bits), index.enclose(bits), bits);
+    if (const auto nearest = unique_integer(parts)) return Real(Rational(*nearest, 24));
   }
 }
 

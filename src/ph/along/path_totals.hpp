@@ -1,6 +1,8 @@
 #pragma once
+#include "phrame/algebra/surd.hpp"
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/totals.hpp"
-#include "phrame/ph/curve/ph_path.hpp"
+#include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
 
@@ -12,7 +14,10 @@ struct PathTotal {
     ExactValue of;      ///< what √radicand is multiplied by
     friend bool operator==(const Term&, const Term&) = default;
   };
-  std::vector<Total> segments;  ///< in closed form
+  /// Of a PH curve in closed form, where it has one; of others a sum of square roots, where it is
+  /// seen to be one; else certain to any number of digits.
+  using OfSegment = std::variant<Total, Surd, Real>;
+  std::vector<OfSegment> segments;  ///< what each adds
   /// Exact where it is seen to be rational, also where what is irrational of different segments
   /// cancels.
   Real value;
@@ -20,25 +25,36 @@ struct PathTotal {
   /// square, so that there is one term for most paths.
   std::optional<std::vector<Term>> exact;
 };
+/// As a number.
+Real value_of(const PathTotal::OfSegment& segment);
 
-/// @{ As the totals of a curve, which a path of one segment is. Where one segment has none, the
-/// path has none.
-PathTotal total_length(const PhPath& path);
-PathTotal erf_twist(const PhPath& path);  ///< of the Euler–Rodrigues frame through the joints
+/// ∫ ds = ∫ |r′| dt.
+PathTotal total_length(const Path& path);
+/// ∫ κ ds: how far the tangent turns, in radians, without the half turns at cusps and joints.
+PathTotal total_curvature(const Path& path);
+/// ∫ τ ds, in radians; the half turns of n and b at inflections and their jumps at joints are not
+/// in it. Throws DomainError where a segment is a straight line, DomainError or Undecided where a
+/// curve by formulas has an inflection and is in no plane.
+PathTotal total_torsion(const Path& path);
+/// @{ ∫ κ² ds and ∫ (κ² + τ²) ds, infinite at most cusps; at inflections τ is finite. The pole is
+/// that of the first segment that has one, a parameter of the path. That with τ throws as
+/// total_torsion().
+std::variant<PathTotal, Infinite> bending_energy(const Path& path);
+std::variant<PathTotal, Infinite> frenet_energy(const Path& path);
 /// @}
-/// @{ As those of a curve. The pole is that of the first segment that has one, a parameter of the
-/// path.
-std::variant<PathTotal, Infinite> bending_energy(const PhPath& path);
-std::variant<PathTotal, Infinite> frenet_energy(const PhPath& path);
-/// @}
-/// The Frenet frame may jump at a joint; this is no part of it.
-PathTotal total_torsion(const PhPath& path);
-/// No value where one segment has none.
-std::optional<PathTotal> total_curvature(const PhPath& path);
 
-/// ∫ κ ds/2π of a path in one plane, its absolute rotation index: by how many turns its tangent
+/// ∫ 2h/σ dt: how far the Euler–Rodrigues frame turns about e₁, through the joints, in radians.
+PathTotal erf_twist(const PhPath& path);
+/// ∫ e₂′·e₃ dt of the frame that the angle is to: how far it turns about e₁, in radians, −θ at the
+/// end.
+Real reference_twist(const PathAngle& angle);
+
+/// @{ ∫ κ ds/2π of a path in one plane, its absolute rotation index: by how many turns its tangent
 /// turns, left and right alike. Where it does not turn back, or the total curvature is known in
-/// finite terms, the index is exact if it is rational. No value for a path that is not plane.
-std::optional<Real> absolute_rotation_index(const PhPath& path);
+/// finite terms, the index is exact if it is rational; curves by formulas are not asked for that.
+/// No value for a path that is not plane. The total curvature may be known already.
+std::optional<Real> absolute_rotation_index(const Path& path);
+std::optional<Real> absolute_rotation_index(const Path& path, const PathTotal& curvature);
+/// @}
 
 }  // namespace phrame

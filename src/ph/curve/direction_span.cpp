@@ -52,10 +52,8 @@ void add_summands(Summands& sum, FormulaProgram& program, FormulaProgram::Id f,
   }
 }
 
-}  // namespace
-
-std::vector<Vector<Rational>> direction_span(const RationalCurve& curve) {
-  const Vector<Polynomial>& H = curve.direction();
+/// The coefficients.
+std::vector<Vector<Rational>> span_of(const Vector<Polynomial>& H) {
   const long degree = std::max({H[0].degree(), H[1].degree(), H[2].degree()});
   std::vector<Vector<Rational>> all;
   for (long k = 0; k <= degree; ++k) {
@@ -63,6 +61,12 @@ std::vector<Vector<Rational>> direction_span(const RationalCurve& curve) {
     if (!is_zero_vector(v)) all.push_back(v);
   }
   return all;
+}
+
+}  // namespace
+
+std::vector<Vector<Rational>> direction_span(const RationalCurve& curve) {
+  return span_of(curve.direction());
 }
 
 std::vector<Vector<Rational>> direction_span(const ExpressionCurve& curve) {
@@ -77,6 +81,8 @@ std::vector<Vector<Rational>> direction_span(const ExpressionCurve& curve) {
 }
 
 std::vector<Vector<Rational>> direction_span(const Segment& segment) {
+  if (const auto* ph = std::get_if<PhSegment>(&segment))
+    return span_of(rotated_i(ph->primitive_preimage()));
   return visit_curve([](const auto& curve) { return direction_span(curve); }, segment);
 }
 

@@ -165,8 +165,10 @@ Path joined(std::vector<Segment> segments) {
   return path;
 }
 
-NamedPath of_any_kind(const NamedPhPath& named) {
-  return {named.name, Path(named.path), named.notes, named.near};
+NamedPath of_any_kind(const AnyPath& named) {
+  if (const auto* path = std::get_if<NamedPath>(&named)) return *path;
+  const auto& [name, path, near, notes] = std::get<NamedPhPath>(named);
+  return {name, Path(path), notes, near};
 }
 
 Path by_positions(const PhPath& path) {

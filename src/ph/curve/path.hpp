@@ -76,11 +76,10 @@ struct NamedPath {
   std::optional<Nearness> near = {};
 };
 
-/// The same path as one of any kind.
-NamedPath of_any_kind(const NamedPhPath& named);
-
 /// A path of PH curves, or of curves of any kind.
 using AnyPath = std::variant<NamedPhPath, NamedPath>;
+/// The same path as one of any kind.
+NamedPath of_any_kind(const AnyPath& named);
 
 /// Is it a PH curve by itself, which goes on for all t?
 bool goes_on(const Path& path);

@@ -112,7 +112,7 @@ TEST_CASE("spline: the angle to the Frenet frame, where that is continuous") {
     const Rational at = 3 * t <= 1 ? Rational(3 * t) : Rational(1 + (3 * t - 1) / 2);
     CHECK(digits(angle.value(at)) == digits(one.value(t)));
   }
-  CHECK(digits(angle.value(2)) == digits(-total_torsion(halves).value));
+  CHECK(digits(angle.value(2)) == digits(-total_torsion(Path(halves)).value));
   CHECK(digits(PathAngle(by_positions(halves), Reference::frenet).value({1, Rational(1)})) ==
         digits(angle.value(2)));
   // A plane curve, an inflection at the joint, as of x³ and −x³.

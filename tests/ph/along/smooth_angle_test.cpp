@@ -12,8 +12,8 @@
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/along/path_totals.hpp"
 #include "phrame/ph/along/smooth_shape.hpp"
-#include "phrame/ph/along/smooth_totals.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 #include "support/data.hpp"
@@ -142,7 +142,7 @@ TEST_CASE("smooth angle: to the Frenet frame of a spline, where that is continuo
   const auto check_torsion = [](const PathAngle& angle) {
     const Place end{angle.path().segments().size() - 1, Rational(1)};
     CHECK(round_to_double(angle.value(end)) ==
-          doctest::Approx(-round_to_double(total_torsion(angle.path()))));
+          doctest::Approx(-round_to_double(total_torsion(angle.path()).value)));
   };
   check_torsion(frenet("# kind: periodic\nx y z\n0 0 0\n3 0 1\n4 3 -1\n1 4 0\n-1 2 2\n"));
   // Up to 50 points, of a closed spline too, the second derivatives are equal as fractions.

@@ -19,7 +19,7 @@ namespace {
 const Deviation tolerance{Rational(1, 1'000'000'000'000), Rational(1, 1'000'000'000'000)};
 
 double rotation_index(const Construction& found) {
-  const auto index = absolute_rotation_index(found.path);
+  const auto index = absolute_rotation_index(Path(found.path));
   REQUIRE(index.has_value());
   return round_to_double(*index);
 }

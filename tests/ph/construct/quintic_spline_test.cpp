@@ -116,7 +116,7 @@ TEST_CASE(
         Row{right, {quarter, 0, -third}, 2.74879039181415918, 0.59358439226725983}}) {
     const Construction found =
         quintic_spline(row.data, row.angles, relative(row.data, number("1e-17")));
-    CHECK(round_to_double(total_length(found.path).value) ==
+    CHECK(round_to_double(total_length(Path(found.path)).value) ==
           doctest::Approx(row.length).epsilon(1e-14));
     CHECK(twist(found) == doctest::Approx(row.twist).epsilon(1e-13));
   }
@@ -140,7 +140,7 @@ TEST_CASE("quintic splines: the same of the three examples of Farouki and Moon 2
             -2.5078371571670342734}}) {
     const Construction found = quintic_spline(row.data, SolutionAngles{pi / 4, 0, -7 * pi / 20},
                                               relative(row.data, number("1e-17")));
-    CHECK(round_to_double(total_length(found.path).value) ==
+    CHECK(round_to_double(total_length(Path(found.path)).value) ==
           doctest::Approx(row.length).epsilon(1e-14));
     CHECK(twist(found) == doctest::Approx(row.twist).epsilon(1e-13));
   }
