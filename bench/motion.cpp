@@ -45,7 +45,7 @@ void frame_by_arc_length(State& state) {
 void interpolate(State& state, const Polynomial& speed) {
   const Curve curve = random_curve(state.range(0));
   const Feedrate feedrate{RationalFunction(speed)};
-  const Real total = TravelTime(curve, feedrate).total();
+  const Real total = TravelTime(Path(PhSegment(curve)), feedrate).total();
   const InterpolationQuery query{feedrate, Rational(total.enclose(64).upper()) / 100};
   for (auto _ : state) benchmark::DoNotOptimize(answer(NamedPhPath("", curve), query));
   state.SetItemsProcessed(state.iterations() * 100);

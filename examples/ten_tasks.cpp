@@ -73,7 +73,7 @@ void spline(const Curve& curve) {
 
 void totals(const NamedPhPath& named) {
   //! [totals]
-  for (const TotalsAnswer::Row& row : answer(of_any_kind(named), TotalsQuery{.digits = 20}).rows)
+  for (const TotalsAnswer::Row& row : answer(named, TotalsQuery{.digits = 20}).rows)
     if (row.value) std::cout << name_of(row.quantity) << ": " << *row.value << '\n';
   //! [totals]
 }

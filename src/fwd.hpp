@@ -78,7 +78,6 @@ struct Statement;
 // answer
 struct AngleQuery;
 struct AngleAnswer;
-struct SmoothAngleAnswer;
 struct CheckQuery;
 struct CheckAnswer;
 struct ClassificationQuery;

@@ -24,7 +24,6 @@
 #include "phrame/answer/machine_path.hpp"
 #include "phrame/answer/minimal_twist.hpp"
 #include "phrame/answer/page.hpp"
-#include "phrame/answer/smooth_angle.hpp"
 #include "phrame/answer/smooth_table.hpp"
 #include "phrame/answer/sweep.hpp"
 #include "phrame/answer/totals.hpp"
@@ -70,6 +69,7 @@
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/frame/algebraic_frame.hpp"
 #include "phrame/ph/frame/frame_quaternion.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/ph/proof/verify.hpp"
 

@@ -22,7 +22,8 @@ nb::object make_angle(nb::handle self, nb::handle frame, nb::handle start, nb::h
                               : without_gil([of = path.named.path, reference, how] {
                                   return PathAngle(of, reference, how);
                                 });
-  const FrameStart from = frame_start(start, start_normal, StartRule::reference, angle);
+  const FrameStart from =
+      frame_start(start, start_normal, StartRule::reference, path.named.path, reference);
   const StartAngle at_zero = without_gil([&] { return start_angle(from, angle); });
   const auto kept = [](nb::handle v, const char* place) {
     return v.is_none() ? nb::none() : to_python(vector(v, place));
@@ -47,43 +48,22 @@ std::string frame_of(const AngleObject& self) {
   return "frame of (" + to_string(x) + ", " + to_string(y) + ", " + to_string(z) + ")";
 }
 
-/// Is the whole angle written in closed form?
-bool has_formula(const AngleObject& self) {
-  return self.path.ph && self.angle.reference() != Reference::up;
-}
-
 /// Throws DomainError, which names what was asked for, where there is no closed form.
 const PathAngle& closed_form(const AngleObject& self, const char* asked) {
-  if (has_formula(self)) return self.angle;
-  throw DomainError(asked + (": the angle has no closed form: " +
-                             (self.path.ph ? "it is to the " + frame_of(self)
-                                           : why_not_ph(self.path.named.path))));
+  if (self.path.ph) return self.angle;
+  throw DomainError(asked +
+                    (": the angle has no closed form: " + why_not_ph(self.path.named.path)));
 }
 
 AngleAnswer formula(const AngleObject& self, const std::string& form, const std::string& style) {
   AngleQuery query;
-  query.reference = closed_form(self, "formula").reference();
+  query.reference = self.angle.reference();
+  if (query.reference == Reference::up) query.up = self.angle.up();
   query.start = self.start;
   query.form = form_named(form);
   query.style = style_named(style);
   query.most_poles = 100;
-  return without_gil([named = *self.path.ph, query] { return answer(named, query); });
-}
-
-SmoothAngleAnswer without_formula(const AngleObject& self) {
-  SmoothAngleQuery query;
-  query.reference = self.angle.reference();
-  if (query.reference == Reference::up) query.up = self.angle.up();
-  query.start = self.start;
   return without_gil([named = self.path.named, query] { return answer(named, query); });
-}
-
-/// f of what there is to write of the angle; the style is that of a closed form.
-template <class F>
-std::string written(const AngleObject& self, const std::string& style, const F& f) {
-  style_named(style);
-  if (has_formula(self)) return f(formula(self, self.form, style));
-  return f(without_formula(self));
 }
 
 /// The number of a segment.
@@ -116,7 +96,7 @@ nb::object angle_for_sympy(const AngleObject& self, nb::handle symbol, const Tex
     throw DomainError("sympy: a formula for SymPy is one of a single curve");
   const bool has_sums = how == Style::logarithms || how == Style::radicals;
   const AngleAnswer found = formula(self, has_sums ? "partial-fractions" : "auto", style);
-  const auto [angle, z] = terms(found.start_angle);
+  const auto [angle, z] = terms(std::get<FrameAngle>(found.start_angle));
   return imported("phrame._convert", "sympy_angle")(
       to_script(found, Language::sympy), symbol, to_python(angle.half_turns),
       to_python(angle.radians), to_python(z ? z->re : Integer(1)),
@@ -124,11 +104,11 @@ nb::object angle_for_sympy(const AngleObject& self, nb::handle symbol, const Tex
 }
 
 std::optional<std::string> latex_of(const AngleObject& self) {
-  if (!has_formula(self) || self.angle.path().segments().size() > 1) return std::nullopt;
+  if (!self.path.ph || self.angle.path().segments().size() > 1) return std::nullopt;
   const AngleAnswer found = formula(self, self.form, "textbook");
-  const Antiderivative& F = found.formulas.front().antiderivative;
+  const Antiderivative& F = found.formulas.front()->antiderivative;
   const std::string terms = [&] {
-    if (const auto* book = std::get_if<TextbookForm>(&found.formulas.front().other))
+    if (const auto* book = std::get_if<TextbookForm>(&found.formulas.front()->other))
       return formatted_sum(formatted_terms(*book, Notation::latex), "", Notation::latex);
     return formatted_sum(formatted_terms(F, Notation::latex), "", Notation::latex);
   }();
@@ -138,12 +118,13 @@ std::optional<std::string> latex_of(const AngleObject& self) {
 }  // namespace
 
 #define PHRAME_STYLE_SIG(name) nb::sig("def " name "(self, style: str = 'logarithms') -> str")
-#define PHRAME_WRITTEN(name, of, what)                                     \
-  type.def(                                                                \
-      name,                                                                \
-      [](const AngleObject& self, const Text<"style">& style) {            \
-        return written(self, style, [](const auto& found) { return of; }); \
-      },                                                                   \
+#define PHRAME_WRITTEN(name, of, what)                             \
+  type.def(                                                        \
+      name,                                                        \
+      [](const AngleObject& self, const Text<"style">& style) {    \
+        const AngleAnswer found = formula(self, self.form, style); \
+        return of;                                                 \
+      },                                                           \
       argument("style") = "logarithms", PHRAME_STYLE_SIG(name), what)
 
 void bind_angle(nb::module_& m, PathClass& path) {
@@ -220,8 +201,7 @@ void bind_angle(nb::module_& m, PathClass& path) {
            })
       .def("__str__",
            [](const AngleObject& self) {
-             return written(self, "logarithms",
-                            [](const auto& found) { return for_reading(to_text(found), false); });
+             return for_reading(to_text(formula(self, self.form, "logarithms")), false);
            })
       .def("_repr_latex_", latex_of);
   bind_python(type, "plot", "phrame._plot", "angle",

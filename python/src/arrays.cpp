@@ -112,8 +112,8 @@ template <class Write>
 Numbers closed_numbers(const PathObject& self, const At& at, const ArrayQuery& asked,
                        const Write& write) {
   const PhPath& path = self.ph->path;
-  const FrameStart from =
-      frame_start(asked.start, asked.start_normal, StartRule::least_rotation, path);
+  const FrameStart from = frame_start(asked.start, asked.start_normal, StartRule::least_rotation,
+                                      self.named.path, Reference::euler_rodrigues);
   if (asked.is_by_length) return by_arc_length(self, from, at, asked, write);
   if (!path.is_curve()) require_inside(*at, path.end(), asked.ts);
   const FrameAngle at_zero =
@@ -139,8 +139,9 @@ Numbers general_numbers(const PathObject& self, const At& at, const ArrayQuery& 
     StartAngle start;
     if (asked.kind) {
       angle.emplace(angle_to_up(path, asked.up));
-      start = start_angle(
-          frame_start(asked.start, asked.start_normal, StartRule::least_rotation, *angle), *angle);
+      start = start_angle(frame_start(asked.start, asked.start_normal, StartRule::least_rotation,
+                                      path, Reference::up),
+                          *angle);
     }
     return std::make_shared<GeneralSource>(path, angle, asked.kind, start, asked.is_by_length);
   });

@@ -48,24 +48,14 @@ nb::object check(nb::handle self, nb::handle ts, nb::handle f2, nb::handle f3, n
   const PathObject& path = path_of(self);
   CheckQuery query = check_query(ts, f2, f3, tangents, tolerance);
   const bool has_start = !start.is_none() || !start_normal.is_none();
-  const bool is_general = is_to_up(path, up, start);
-  if (is_general) {
-    const PathAngle angle = angle_to_up(path.named.path, up);
-    query.options.up = angle.up();
-    if (has_start)
-      query.options.start = frame_start(start, start_normal, StartRule::least_rotation, angle);
-  } else if (has_start) {
-    query.options.start =
-        frame_start(start, start_normal, StartRule::least_rotation, path.ph->path);
-  }
-  return path.visit(
-      [&](const auto& named) {
-        return nb::cast(
-            CheckObject{without_gil([named, query] { return answer(named, query); }),
-                        method_recipe(self, "check", kept(ts), kept(f2), kept(f3), kept(tangents),
-                                      tolerance, start, kept(start_normal), kept(up))});
-      },
-      is_general);
+  query.options.up = chosen_up(path, up, start);
+  if (has_start)
+    query.options.start = frame_start(start, start_normal, StartRule::least_rotation,
+                                      path.named.path, reference_of(path, query.options.up));
+  return nb::cast(
+      CheckObject{without_gil([named = path.named, query] { return answer(named, query); }),
+                  method_recipe(self, "check", kept(ts), kept(f2), kept(f3), kept(tangents),
+                                tolerance, start, kept(start_normal), kept(up))});
 }
 
 }  // namespace

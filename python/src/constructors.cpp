@@ -13,7 +13,7 @@ NamedPath of_preimage(QuaternionPolynomial a, nb::handle multiplier, nb::handle 
   if (!multiplier.is_none()) f = polynomial(multiplier, "multiplier", basis);
   Vector<Rational> from{};
   if (!start.is_none()) from = vector(start, "start");
-  return of_any_kind(NamedPhPath(name, Curve(std::move(a), std::move(f), std::move(from))));
+  return NamedPhPath(name, Curve(std::move(a), std::move(f), std::move(from)));
 }
 
 /// Lists in the Bernstein basis are of one degree.
@@ -240,10 +240,8 @@ nb::object parsed(const std::string& bytes, nb::handle near) {
       refuse("near", to_line(*none, epsilon), near);
     return wrap(std::get<NamedPhPath>(found));
   }
-  AnyPath read = without_gil([bytes] { return read_any_path(bytes); });
-  const auto& notes = std::visit(
-      [](const auto& named) -> const auto& { return named.notes; }, read);
-  for (const std::string& note : notes)
+  NamedPath read = without_gil([bytes] { return read_any_path(bytes); });
+  for (const std::string& note : read.notes)
     if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw nb::python_error();
   return wrap(std::move(read));
 }

@@ -12,11 +12,6 @@ PathObject::PathObject(NamedPath path) : named(std::move(path)) {
 }
 
 nb::object wrap(NamedPath named) { return nb::cast(PathObject(std::move(named))); }
-nb::object wrap(const NamedPhPath& named) { return wrap(of_any_kind(named)); }
-nb::object wrap(AnyPath found) {
-  return std::visit([](auto& named) { return wrap(std::move(named)); }, found);
-}
-
 const PathObject& path_of(nb::handle self) { return nb::cast<const PathObject&>(self); }
 
 const PathObject& path_argument(nb::handle x, const std::string& place) {
@@ -66,17 +61,6 @@ std::string taken_rule(std::string& text) {
   return "";
 }
 
-/// `from`, with which theta(start_normal) has a value.
-template <class F>
-FrameStart checked(const FrameStart& from, nb::handle start_normal, const F& theta) {
-  if (const auto* along = std::get_if<StartNormal>(&from)) try {
-      theta(*along);
-    } catch (const DomainError& error) {
-      refuse("start_normal", error.what(), start_normal);
-    }
-  return from;
-}
-
 }  // namespace
 
 FrameStart asked_start(nb::handle start, nb::handle start_normal, StartRule rule,
@@ -101,18 +85,15 @@ FrameStart asked_start(nb::handle start, nb::handle start_normal, StartRule rule
   return is_least ? FrameStart(LeastRotation{turn}) : FrameStart(turn);
 }
 
-FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule,
-                       const PhPath& path, Reference reference) {
-  return checked(asked_start(start, start_normal, rule,
-                             reference == Reference::euler_rodrigues ? "erf" : "frenet"),
-                 start_normal,
-                 [&](const FrameStart& along) { start_angle(along, path, reference); });
-}
-
-FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule,
-                       const PathAngle& angle) {
-  return checked(asked_start(start, start_normal, rule, name_of(angle.reference())), start_normal,
-                 [&](const FrameStart& along) { start_angle(along, angle); });
+FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule, const Path& path,
+                       Reference reference) {
+  const FrameStart from = asked_start(start, start_normal, rule, name_of(reference));
+  if (const auto* along = std::get_if<StartNormal>(&from)) try {
+      require_start_normal(*along, path);
+    } catch (const DomainError& error) {
+      refuse("start_normal", error.what(), start_normal);
+    }
+  return from;
 }
 
 bool is_to_up(const PathObject& path, nb::handle up, nb::handle start) {
@@ -120,6 +101,27 @@ bool is_to_up(const PathObject& path, nb::handle up, nb::handle start) {
   if (PyUnicode_Check(start.ptr()) == 0) return false;
   std::string words = text(start, "start");
   return taken_rule(words) == "up";
+}
+
+std::optional<Vector<Rational>> chosen_up(const PathObject& path, nb::handle up, nb::handle start) {
+  const Path& along = path.named.path;
+  if (up.is_none()) {
+    if (!path.ph || !is_to_up(path, up, start)) return std::nullopt;
+    return without_gil([along] { return up_vector(along); });
+  }
+  const Vector<Rational> v = vector(up, "up");
+  try {
+    return without_gil([along, v] {
+      require_up_vector(along, v);
+      return v;
+    });
+  } catch (const DomainError& error) {
+    refuse("up", error.what(), up);
+  }
+}
+
+Reference reference_of(const PathObject& path, const std::optional<Vector<Rational>>& up) {
+  return up || !path.ph ? Reference::up : Reference::euler_rodrigues;
 }
 
 PathAngle angle_to_up(const Path& path, nb::handle up) {
@@ -226,10 +228,7 @@ void bind_path(nb::module_& m, PathClass& path) {
           "end", [](const PathObject& self) { return self.named.path.segments().size(); },
           "Of the parameter: the number of segments.")
       .def_prop_ro(
-          "is_closed",
-          [](const PathObject& self) {
-            return self.visit([](const auto& named) { return named.path.ends_meet(); });
-          },
+          "is_closed", [](const PathObject& self) { return self.named.path.ends_meet(); },
           "Is the end the start?")
       .def_prop_ro(
           "up",

@@ -31,8 +31,6 @@ struct PathObject {
 using PathClass = nb::class_<PathObject>;
 
 nb::object wrap(NamedPath named);
-nb::object wrap(const NamedPhPath& named);
-nb::object wrap(AnyPath found);
 const PathObject& path_of(nb::handle self);
 /// The path that an argument is.
 const PathObject& path_argument(nb::handle x, const std::string& place);
@@ -55,14 +53,16 @@ enum class StartRule {
 /// angles are measured from.
 FrameStart asked_start(nb::handle start, nb::handle start_normal, StartRule rule,
                        const std::string& reference);
-/// @{ The same where it is a start of this path's frames.
-FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule,
-                       const PhPath& path, Reference reference = Reference::euler_rodrigues);
-FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule,
-                       const PathAngle& angle);
-/// @}
+/// The same where it is a start of this path's frames.
+FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule, const Path& path,
+                       Reference reference);
 /// Are angles to the frame of a vector v: of a path that is not PH, and where that is asked for?
 bool is_to_up(const PathObject& path, nb::handle up, nb::handle start);
+/// v, where angles are to the frame of one that is given, or of PH curves to one that is chosen as
+/// `start` asks for.
+std::optional<Vector<Rational>> chosen_up(const PathObject& path, nb::handle up, nb::handle start);
+/// The frame that angles are measured from then.
+Reference reference_of(const PathObject& path, const std::optional<Vector<Rational>>& up);
 /// The angle to the frame of `up`, or of a vector that is chosen where that is None.
 PathAngle angle_to_up(const Path& path, nb::handle up);
 /// "erf", as it is asked for.

@@ -1,7 +1,7 @@
 #include "paths.hpp"
 
-// What there is of one PH curve. Of another path a DomainError says which segment is none, or that
-// there are several.
+// What there is of one PH curve: of another path a DomainError says which segment is none, or that
+// there are several. And transformations, which are there of all.
 namespace phrame::python {
 namespace {
 
@@ -52,57 +52,56 @@ void bind_properties(PathClass& path) {
           "Of the Bézier curve that it is.");
 }
 
-/// The curve that make(curve) is, under the same name.
+/// What make(curve) is of one PH curve, which goes on for all t, and make(path) of another path,
+/// under the same name.
 template <class F>
-nb::object remade_curve(const PathObject& self, const char* asked, const F& make) {
-  return wrap(NamedPhPath(self.named.name, make(curve_of(self, asked))));
+nb::object remade_path(const PathObject& self, const F& make) {
+  if (self.ph && self.ph->path.is_curve())
+    return wrap(NamedPhPath(self.named.name, make(self.ph->path.segments().front())));
+  return wrap(NamedPath{self.named.name,
+                        without_gil([path = self.named.path, make] { return make(path); })});
 }
 
 void bind_transformations(PathClass& path) {
   path.def(
           "segment",
-          [](const PathObject& self, nb::handle a, nb::handle b) {
-            return remade_curve(self, "segment", [&](const Curve& curve) {
-              return segment(curve, rational(a, "a"), rational(b, "b"));
-            });
+          [](const PathObject& self, nb::handle from, nb::handle to) {
+            const Rational a = rational(from, "a"), b = rational(to, "b");
+            return remade_path(self, [=](const auto& of) { return segment(of, a, b); });
           },
           argument("a"), argument("b"), nb::sig("def segment(self, a: Number, b: Number) -> Path"),
-          "The part of a PH curve from t = a to b as a curve on [0, 1].")
+          "The part from t = a to b: of one segment on [0, 1]; backwards for a > b.")
       .def(
           "reversed",
           [](const PathObject& self) {
-            return remade_curve(self, "reversed",
-                                [](const Curve& curve) { return reversed(curve); });
+            return remade_path(self, [](const auto& of) { return reversed(of); });
           },
-          nb::sig("def reversed(self) -> Path"), "t ↦ r(1 − t) of a PH curve.")
+          nb::sig("def reversed(self) -> Path"), "t ↦ r(end − t).")
       .def(
           "translated",
           [](const PathObject& self, nb::handle v) {
-            return remade_curve(self, "translated", [&](const Curve& curve) {
-              return translated(curve, vector(v, "v"));
-            });
+            const auto by = vector(v, "v");
+            return remade_path(self, [=](const auto& of) { return translated(of, by); });
           },
-          argument("v"), nb::sig("def translated(self, v: Vector) -> Path"), "r + v of a PH curve.")
+          argument("v"), nb::sig("def translated(self, v: Vector) -> Path"), "r + v.")
       .def(
           "scaled",
           [](const PathObject& self, nb::handle c) {
-            return remade_curve(self, "scaled", [&](const Curve& curve) {
-              return scaled(curve, rational(c, "c"));
-            });
+            const Rational by = rational(c, "c");
+            return remade_path(self, [=](const auto& of) { return scaled(of, by); });
           },
-          argument("c"), nb::sig("def scaled(self, c: Number) -> Path"), "c·r of a PH curve.")
+          argument("c"), nb::sig("def scaled(self, c: Number) -> Path"), "c·r.")
       .def(
           "rotated",
           [](const PathObject& self, nb::handle u) {
             const auto list = rationals(u, "u");
             if (list.size() != 4)
               refuse("u", "4 numbers are wanted, there are " + std::to_string(list.size()), u);
-            return remade_curve(self, "rotated", [&](const Curve& curve) {
-              return rotated(curve, {list[0], list[1], list[2], list[3]});
-            });
+            const RationalQuaternion by{list[0], list[1], list[2], list[3]};
+            return remade_path(self, [=](const auto& of) { return rotated(of, by); });
           },
           argument("u"), nb::sig("def rotated(self, u: collections.abc.Sequence[Number]) -> Path"),
-          "A PH curve rotated as the quaternion u, its real part first, says, and scaled by |u|².");
+          "Rotated as the quaternion u, its real part first, says, and scaled by |u|².");
 }
 
 }  // namespace

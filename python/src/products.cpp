@@ -56,45 +56,26 @@ std::string prefix_of(nb::handle prefix, const std::string& name) {
   return given;
 }
 
-CompiledQuery closed_query(const PathObject& self, Reference frame, nb::handle start,
-                           nb::handle start_normal, nb::handle lower, nb::handle upper) {
-  const PhPath& path = self.ph->path;
+std::string compile(const PathObject& self, nb::handle prefix, nb::handle frame, nb::handle start,
+                    nb::handle start_normal, nb::handle lower, nb::handle upper, nb::handle up) {
   CompiledQuery query;
-  if (frame == Reference::frenet) query.reference = Reference::frenet;
-  query.start = frame_start(start, start_normal, StartRule::least_rotation, path, query.reference);
+  query.reference = reference_named(frame, "frame", self, up);
+  query.up = chosen_up(self, up, nb::none());
+  query.start = frame_start(start, start_normal, StartRule::least_rotation, self.named.path,
+                            *query.reference);
   query.from = rounded_end(lower, "lower");
   query.to = rounded_end(upper, "upper");
   const double length = query.to - query.from;
   if (!(length >= 0x1p-900) || length > 0x1p900)
     refuse("upper", "it is not greater than lower by 2^-900 to 2^900", upper);
-  if (!path.is_curve() && (query.from != 0 || query.to != 1))
-    refuse("lower", "a spline is compiled as a whole", lower);
-  return query;
-}
-
-SmoothCompiledQuery general_query(const PathObject& self, Reference frame, nb::handle start,
-                                  nb::handle start_normal, nb::handle lower, nb::handle upper,
-                                  nb::handle up) {
-  if (rounded_end(lower, "lower") != 0 || rounded_end(upper, "upper") != 1)
-    refuse("lower", "a part is compiled of a PH curve, with its closed form", lower);
-  SmoothCompiledQuery query;
-  if (frame == Reference::frenet) query.reference = Reference::frenet;
-  const PathAngle angle = angle_to_up(self.named.path, up);
-  query.up = angle.up();
-  query.start = frame_start(start, start_normal, StartRule::least_rotation, angle);
-  return query;
-}
-
-std::string compile(const PathObject& self, nb::handle prefix, nb::handle frame, nb::handle start,
-                    nb::handle start_normal, nb::handle lower, nb::handle upper, nb::handle up) {
-  const Reference reference = reference_named(frame, "frame", self, up);
+  if (query.from != 0 || query.to != 1) {
+    if (!self.ph || query.reference == Reference::up)
+      refuse("lower", "a part is compiled of a PH curve, with its closed form", lower);
+    if (!self.ph->path.is_curve()) refuse("lower", "a spline is compiled as a whole", lower);
+  }
   const std::string name = prefix_of(prefix, self.named.name);
-  const auto header = [&](const auto& named, const auto& query) {
-    return without_gil([=] { return to_c_header(answer(named, query), name); });
-  };
-  if (self.ph && reference != Reference::up)
-    return header(*self.ph, closed_query(self, reference, start, start_normal, lower, upper));
-  return header(self.named, general_query(self, reference, start, start_normal, lower, upper, up));
+  return without_gil(
+      [named = self.named, query, name] { return to_c_header(answer(named, query), name); });
 }
 
 std::vector<GivenFrame> given_frames(nb::handle ts, nb::handle f2) {
@@ -111,8 +92,7 @@ std::vector<GivenFrame> given_frames(nb::handle ts, nb::handle f2) {
   return frames;
 }
 
-template <class Named>
-void write_page(const Named& named, PageQuery query, nb::handle samples, nb::handle file) {
+void write_page(const NamedPath& named, PageQuery query, nb::handle samples, nb::handle file) {
   query.samples = count(samples, "samples", 3, 100'000);
   file_name(file, "file");
   if (!has_pages())
@@ -130,15 +110,11 @@ void page(const PathObject& self, nb::handle file, nb::handle ts, nb::handle f2,
   PageQuery query;
   query.given = given_frames(ts, f2);
   const bool has_start = !start.is_none() || !start_normal.is_none();
-  const bool is_general = is_to_up(self, up, start);
-  if (is_general) {
-    const PathAngle angle = angle_to_up(self.named.path, up);
-    query.up = angle.up();
-    if (has_start) query.start = frame_start(start, start_normal, StartRule::least_rotation, angle);
-  } else if (has_start) {
-    query.start = frame_start(start, start_normal, StartRule::least_rotation, self.ph->path);
-  }
-  self.visit([&](const auto& named) { write_page(named, query, samples, file); }, is_general);
+  query.up = chosen_up(self, up, start);
+  if (has_start)
+    query.start = frame_start(start, start_normal, StartRule::least_rotation, self.named.path,
+                              reference_of(self, query.up));
+  write_page(self.named, query, samples, file);
 }
 
 }  // namespace

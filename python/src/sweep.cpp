@@ -69,13 +69,6 @@ ProfileSource profile_source(nb::handle profile) {
   return [polygon = polygon_of(profile)](const ProfileTolerance&) { return polygon; };
 }
 
-FrameStart sweep_start(const PathObject& path, nb::handle start, nb::handle start_normal) {
-  if (!is_to_up(path, nb::none(), start))
-    return frame_start(start, start_normal, StartRule::least_rotation, path.ph->path);
-  return frame_start(start, start_normal, StartRule::least_rotation,
-                     angle_to_up(path.named.path, nb::none()));
-}
-
 /// Between 0 and 90°.
 std::optional<Angle> normal_angle(nb::handle tolerance) {
   if (tolerance.is_none()) return std::nullopt;
@@ -120,8 +113,11 @@ nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
   ProfileTolerance fine;
   if (within) fine.distance = *within / (4 * exact_rational(greatest));
   const ProfileSource source = of_profile(profile, [&] { return profile_source(profile); });
+  const auto up = chosen_up(path, nb::none(), start);
   SweepQuery query{of_profile(profile, [&] { return source(fine); }),
-                   sweep_start(path, start, start_normal)};
+                   frame_start(start, start_normal, StartRule::least_rotation, path.named.path,
+                               reference_of(path, up)),
+                   up};
   query.scale = size;
   query.twist = angle_number(twist, "twist");
   query.origin = origin_of(origin);
@@ -135,12 +131,8 @@ nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
   else
     query.tolerance_or_sections =
         within ? *within : exact_rational(query.profile.reach() * greatest / 200);
-  return path.visit(
-      [&](const auto& named) {
-        return nb::cast(SweepObject{std::make_shared<const SweepAnswer>(
-            without_gil([named, query] { return answer(named, query); }))});
-      },
-      is_to_up(path, nb::none(), start));
+  return nb::cast(SweepObject{std::make_shared<const SweepAnswer>(
+      without_gil([named = path.named, query] { return answer(named, query); }))});
 }
 
 /// Rows of three numbers, which nobody may write to.

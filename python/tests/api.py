@@ -162,6 +162,11 @@ API = {
 }
 # The same methods of a path and of an angle that are not PH.
 OF_ANY_KIND = {
+    "Path.segment": (CUBIC.segment, {"a": 0, "b": 1}),
+    "Path.reversed": (CUBIC.reversed, {}),
+    "Path.translated": (CUBIC.translated, {"v": [1, 2, 3]}),
+    "Path.scaled": (CUBIC.scaled, {"c": 1}),
+    "Path.rotated": (CUBIC.rotated, {"u": [1, 2, 3, 4]}),
     "Path": (phrame.Path, {"curves": [CUBIC], "name": ""}),
     "Path.curvature": (CUBIC.curvature, {"t": 1}),
     "Path.torsion": (CUBIC.torsion, {"t": 1}),

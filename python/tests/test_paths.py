@@ -18,11 +18,11 @@ HELIX = phrame.Path.expressions("cos(s)", "sin(s)", "s", 0, "2*pi")
 MIXED = phrame.Path([LINE, phrame.Path.bezier([[1, 0, 0], [2, 0, 0], [4, 0, 5]])], "mixed")
 KINDS = {"ph": [QUINTIC, SPLINE, LINE], "polynomial": [CUBIC], "rational": [CONIC], "expressions": [HELIX], "mixed": [MIXED]}
 OF_ONE = ("preimage", "multiplier", "start", "degree", "hodograph", "position", "sigma", "h", "g", "rho", "control_points",
-          "squared_curvature", "torsion_function", "certify", "reversed")
+          "squared_curvature", "torsion_function", "certify")
 OF_PH = ("json", "classify", "erf_twist")
 
 
-METHODS = ("certify", "reversed", "json", "classify")
+METHODS = ("certify", "json", "classify")
 
 
 def asked(path, name):
@@ -82,8 +82,12 @@ def test_where_there_is_no_closed_form():
     for name in ("rate", "poles", "sympy"):
         with pytest.raises(phrame.DomainError, match=rf"^{name}: the angle has no closed form: segments\[1\] is no Pyth"):
             getattr(MIXED.angle(), name)()
-        with pytest.raises(phrame.DomainError, match=rf"^{name}: the angle has no closed form: it is to the frame of \(0, 0, 1\)$"):
-            getattr(QUINTIC.angle(up=[0, 0, 1]), name)()
+    # To the frame of a vector PH curves have one, whose derivative is the rate.
+    to_up = QUINTIC.angle(up=[0, 0, 1])
+    step = Fraction(1, 10**9)
+    slope = (to_up.digits(Fraction(1, 2) + step, 40) - to_up.digits(Fraction(1, 2) - step, 40)) / Decimal("2e-9")
+    assert abs(slope - Decimal(float(to_up.rate()(Fraction(1, 2))))) < Decimal("1e-14") and len(to_up.poles()) == 4 + 8  # of σ and of |g|²
+    assert abs(Decimal(str(to_up.sympy(1).evalf(30))) - to_up.digits(1, 30)) < Decimal("1e-25")
     assert QUINTIC.angle(up=[0, 0, 1]).up == (0, 0, 1) and QUINTIC.angle().up is None and QUINTIC.angle("frenet").up is None
     assert "no closed form" in CUBIC.angle().text(style="textbook")
     with pytest.raises(phrame.InputError, match="^style: "):
@@ -126,6 +130,30 @@ def test_torsion_is_asked_for_in_one_way():
         assert QUINTIC.torsion(t) == QUINTIC.torsion_function(t) and SPLINE.torsion(t) == SPLINE.segments[int(Fraction(t))].torsion(Fraction(t) % 1)
     near = phrame.Path.bezier([[float(x) for x in point] for point in QUINTIC.control_points])
     assert abs(float(near.torsion("1/3")) - float(QUINTIC.torsion("1/3"))) < 1e-12
+
+
+@pytest.mark.parametrize("path", [path for paths in KINDS.values() for path in paths], ids=repr)
+def test_transformations(path):
+    """Of every kind, by what they do to its points."""
+    ts = np.linspace(0, path.end, 4 * path.end + 1)
+    r = path.points(ts)
+    near = lambda other, expected: np.abs(other.points(ts) - expected).max() < 1e-13
+    assert near(path.translated([1, "1/2", -3]), r + [1, 0.5, -3]) and near(path.scaled("-3/2"), -1.5 * r)
+    assert near(path.rotated([1, 1, 1, 1]), 4 * r[:, [2, 0, 1]]) and near(path.reversed(), r[::-1])
+    for other in (path.translated([1, 0, 0]), path.scaled(-2), path.rotated([2, 0, 0, 1]), path.reversed()):
+        assert other.kind == path.kind and other.name == path.name and phrame.Path(other.segments) == other
+    part = path.segment("1/4", Fraction(path.end) - Fraction(1, 2))
+    assert np.abs(part.points([0, part.end]) - path.points([0.25, path.end - 0.5])).max() < 1e-13 and part.end == path.end
+    assert (path.segment("1/2", "1/4").points([0, 1]) == path.points([0.5, 0.25])).all()
+    angle, turned = path.angle(up=[0, 1, 3])(ts) if path is not LINE else 0 * ts, path.rotated([0, 0, 0, 1])  # half a turn about z
+    if path is not LINE:
+        assert np.abs(turned.angle(up=[0, -1, 3])(ts) - angle).max() < 1e-13
+    if path is not QUINTIC and path is not LINE:  # a PH curve goes on
+        with pytest.raises(phrame.DomainError, match="is outside"):
+            path.segment(0, 9)
+    for wrong in (lambda: path.segment(1, 1), lambda: path.scaled(0), lambda: path.rotated([0, 0, 0, 0])):
+        with pytest.raises(phrame.DomainError):
+            wrong()
 
 
 def test_files_of_what_was_rounded():

@@ -3,7 +3,8 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
-#include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/along/up_vector.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame {
 namespace {
@@ -16,28 +17,69 @@ AngleFormula formula(const RmfAngle& angle, const AngleQuery& query) {
   return formula;
 }
 
+PathAngle angle_for(const Path& path, const AngleQuery& query) {
+  if (query.up) return {path, *query.up, query.form};
+  if (query.reference) return {path, *query.reference, query.form};
+  return {path, path.is_ph() ? Reference::euler_rodrigues : Reference::up, query.form};
+}
+
+/// Is it known of every number whether it is rational, or 0?
+bool is_in_closed_form(const PathAngle& angle) {
+  return angle.reference() != Reference::up && angle.path().is_ph();
+}
+
+void add_formulas(AngleAnswer& answer, const PathAngle& angle, const AngleQuery& query) {
+  for (std::size_t k = 0; k < angle.path().segments().size(); ++k) {
+    const RmfAngle* closed = angle.closed_form(k);
+    answer.formulas.push_back(closed == nullptr ? std::nullopt
+                                                : std::optional(formula(*closed, query)));
+  }
+}
+
 }  // namespace
 
 AngleValue rounded_angle(const Rational& t, const Real& theta, long digits) {
   return {t, rounded(theta, "theta at t = " + as_written(t), digits)};
 }
 
-AngleAnswer answer(NamedPhPath named, const AngleQuery& query) {
-  PathAngle angle(named.path, query.reference, query.form);
+AngleAnswer answer(const NamedPath& named, const AngleQuery& query) {
+  PathAngle angle = angle_for(named.path, query);
   if (query.route != Route::automatic) angle.take(query.route);
-  const PhPath& path = named.path;
-  const FrameAngle start = start_angle(query.start, path, query.reference);
-  AngleAnswer answer{named, query.reference, query.start, start, {}, {}, query.digits, {}, {}};
-  if (query.wants_formula)
-    for (std::size_t k = 0; k < path.segments().size(); ++k)
-      answer.formulas.push_back(formula(*angle.closed_form(k), query));
+  const bool is_closed_form = is_in_closed_form(angle);
+  const auto decimal = [&](const Real& x, const std::string& what) {
+    return is_closed_form ? rounded(x, what, query.digits) : rounded_or_zero(x, what, query.digits);
+  };
+  const StartAngle start = phrame::start_angle(query.start, angle);
+  AngleAnswer answer{.path = named,
+                     .reference = angle.reference(),
+                     .up = {},
+                     .start = query.start,
+                     .start_angle = FrameAngle(),
+                     .is_zero = angle.is_zero(),
+                     .is_straight = !is_closed_form && is_straight(named.path),
+                     .formulas = {},
+                     .values = {},
+                     .digits = query.digits,
+                     .total = {},
+                     .holonomy = {},
+                     .no_holonomy = {}};
+  if (start.exact)
+    answer.start_angle = *start.exact;
+  else
+    answer.start_angle = decimal(start.value, "theta at t = 0");
+  if (answer.reference == Reference::up) answer.up = angle.up();
+  if (query.wants_formula) add_formulas(answer, angle, query);
   for (const Rational& t : query.at)
-    answer.values.push_back(rounded_angle(t, angle.value(t, start), query.digits));
-  if (path.is_curve()) return answer;
-  answer.total = rounded(angle.value(path.end()), "the total angle", query.digits);
-  if (query.reference == Reference::frenet) return answer;
-  if (const auto holonomy = angle.holonomy())
-    answer.holonomy = rounded(*holonomy, "holonomy", query.digits);
+    answer.values.push_back({t, decimal(angle.value(t, start), "theta at t = " + as_written(t))});
+  if (is_closed_form && goes_on(named.path)) return answer;
+  answer.total = decimal(angle.value(named.path.end()), "the total angle");
+  if (answer.reference == Reference::frenet) return answer;
+  try {
+    if (const auto holonomy = angle.holonomy()) answer.holonomy = decimal(*holonomy, "holonomy");
+  } catch (const Undecided& undecided) {
+    if (is_closed_form) throw;
+    answer.no_holonomy = undecided.what();
+  }
   return answer;
 }
 

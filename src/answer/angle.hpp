@@ -2,21 +2,23 @@
 #include "phrame/algebra/angle.hpp"
 #include "phrame/integrate/other_form.hpp"
 #include "phrame/integrate/pole_table.hpp"
-#include "phrame/ph/curve/named.hpp"
+#include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame {
 
 /// Which angle is the rotation-minimizing frame at?
 struct AngleQuery {
-  Reference reference = Reference::euler_rodrigues;  ///< the frame that θ is measured from
-  FrameStart start = Angle();                        ///< θ(0), or where f₂ is at t = 0
-  std::vector<Rational> at = {};                     ///< the t where θ is asked for
-  long digits = 17;                                  ///< of its values
-  Route route = Route::automatic;                    ///< the way to values
-  bool wants_formula = true;                         ///< of θ, on each segment
-  Form form = Form::automatic;                       ///< how logarithms are written
-  Style style = Style::logarithms;                   ///< in which functions θ is written
+  /// The frame that θ is measured from; as PathAngle(path) has it if there is none.
+  std::optional<Reference> reference = {};
+  std::optional<Vector<Rational>> up = {};  ///< v, where it is the frame of this vector
+  FrameStart start = Angle();               ///< θ(0), or where f₂ is at t = 0
+  std::vector<Rational> at = {};            ///< the t where θ is asked for
+  long digits = 17;                         ///< of its values
+  Route route = Route::automatic;           ///< the way to values
+  bool wants_formula = true;                ///< of θ, on each PH segment
+  Form form = Form::automatic;              ///< how logarithms are written
+  Style style = Style::logarithms;          ///< in which functions θ is written
   /// Where they are listed: so many poles with their residues, and more are counted.
   std::optional<long> most_poles = {};
 };
@@ -25,7 +27,7 @@ struct AngleQuery {
 struct AngleFormula {
   RationalFunction rate;                   ///< θ′
   Antiderivative angle_to_erf;             ///< θ, or θ − arg(bend)
-  std::optional<GaussianPolynomial> bend;  ///< to the Frenet frame: g without its real factor
+  std::optional<GaussianPolynomial> bend;  ///< g without its real factor, as RmfAngle has it
   Antiderivative antiderivative;           ///< θ, with the argument of the bend as logarithms
   OtherForm other;  ///< the antiderivative in the style asked for, if another than logarithms
   std::optional<PoleTable> poles;  ///< of the antiderivative, where they are to be listed
@@ -39,20 +41,27 @@ struct AngleValue {
 
 /// The angle of the rotation-minimizing frame of a path.
 struct AngleAnswer {
-  NamedPhPath path;                    ///< as asked
+  NamedPath path;                      ///< as asked
   Reference reference;                 ///< the frame that θ is measured from
+  std::optional<Vector<Rational>> up;  ///< v, where that is the frame of one
   FrameStart start;                    ///< as asked
-  FrameAngle start_angle;              ///< θ(0)
-  std::vector<AngleFormula> formulas;  ///< of the segments, if they are wanted
-  std::vector<AngleValue> values;      ///< at the t asked for, in their order
-  long digits;                         ///< of the values
-  std::optional<Decimal> total;        ///< θ(end) − θ(0) of a spline
-  std::optional<Decimal> holonomy;     ///< of a closed spline
+  /// θ(0), exactly where that is known; of a vector in (−π, π].
+  std::variant<FrameAngle, Decimal> start_angle;
+  bool is_zero;      ///< is θ − θ(0) = 0 all along?
+  bool is_straight;  ///< a line, where any frame that does not turn is the right one?
+  /// Of the segments, if they are wanted: none of one that is no PH curve.
+  std::vector<std::optional<AngleFormula>> formulas;
+  std::vector<AngleValue> values;   ///< at the t asked for, in their order
+  long digits;                      ///< of the values
+  std::optional<Decimal> total;     ///< θ(end) − θ(0), but of a PH curve, which goes on
+  std::optional<Decimal> holonomy;  ///< of a closed path, but to the Frenet frame
+  /// Why a number that a closed path has is not there: it is undecided.
+  std::string no_holonomy;
 };
 
-/// Throws DomainError as PathAngle, start_angle() and, in the style of radicals, as radical_form();
-/// Undecided, with the name of what it is, where a number cannot be rounded.
-AngleAnswer answer(NamedPhPath path, const AngleQuery& query);
+/// Throws DomainError as PathAngle, start_angle(), locate() and, in the style of radicals, as
+/// radical_form(); Undecided, with the name of what it is, where a number cannot be rounded.
+AngleAnswer answer(const NamedPath& path, const AngleQuery& query);
 
 /// θ = θ(t), rounded to `digits` digits. Throws Undecided, naming t.
 AngleValue rounded_angle(const Rational& t, const Real& theta, long digits);

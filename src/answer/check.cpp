@@ -4,16 +4,12 @@
 
 namespace phrame {
 
-CheckAnswer answer(const NamedPhPath& named, const CheckQuery& query) {
-  return {named, query.frames, query.options,
-          check_frames(PathAngle(named.path), query.frames, query.options)};
-}
-
 CheckAnswer answer(const NamedPath& named, const CheckQuery& query) {
-  const PathAngle angle = query.options.up ? PathAngle(named.path, *query.options.up)
-                                           : PathAngle(named.path, Reference::up);
-  return {named, query.frames, query.options, check_frames(angle, query.frames, query.options),
-          angle.up()};
+  const PathAngle angle = angle_to(query.options.up, named.path);
+  CheckAnswer answer{named, query.frames, query.options,
+                     check_frames(angle, query.frames, query.options)};
+  if (angle.reference() == Reference::up) answer.up = angle.up();
+  return answer;
 }
 
 }  // namespace phrame

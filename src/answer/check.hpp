@@ -12,17 +12,15 @@ struct CheckQuery {
 
 /// The verdict on somebody's frames.
 struct CheckAnswer {
-  AnyPath path;                    ///< what the frames are of
+  NamedPath path;                  ///< what the frames are of
   std::vector<GivenFrame> frames;  ///< as given
   FrameCheckOptions options;       ///< as asked
   FrameVerdict verdict;            ///< whether they pass, errors and findings
-  /// v, given or chosen, to whose frame angles are where the path is no PH path.
+  /// v, given or chosen, where angles are to its frame.
   std::optional<Vector<Rational>> up = std::nullopt;
 };
 
-/// @{ Throws as check_frames().
-CheckAnswer answer(const NamedPhPath& path, const CheckQuery& query);
+/// Throws as check_frames().
 CheckAnswer answer(const NamedPath& path, const CheckQuery& query);
-/// @}
 
 }  // namespace phrame

@@ -4,7 +4,7 @@
 
 #include "phrame/answer/rounded.hpp"
 #include "phrame/ph/frame/compiled_angle.hpp"
-#include "phrame/ph/frame/compiled_frame.hpp"
+#include "phrame/ph/frame/compiled_rotation.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame {
@@ -17,46 +17,36 @@ double greatest_error(const PiecewisePolynomial& p) {
   return greatest * (1 + 0x1p-50);  // not rounded down
 }
 
-CompiledAnswer compiled_spline(const NamedPhPath& named, const CompiledQuery& query) {
-  const PathAngle angle(named.path, query.reference);
-  const FrameAngle start = start_angle(query.start, named.path, query.reference);
-  CompiledAnswer compiled{
-      named, query.reference, query.start, start, compiled_angle(angle, start, plain_shape(1)), {}};
-  if (query.reference == Reference::euler_rodrigues)
-    compiled.rotation = compiled_rotation(angle, start, plain_shape(4));
-  return compiled;
+PathAngle angle_for(const Path& path, const CompiledQuery& query) {
+  return query.reference && !query.up ? PathAngle(path, *query.reference)
+                                      : angle_to(query.up, path);
 }
 
 }  // namespace
 
-CompiledAnswer answer(const NamedPhPath& named, const CompiledQuery& query) {
-  if (!named.path.is_curve()) return compiled_spline(named, query);
-  const auto& [reference, asked, from, to] = query;
-  const Curve& curve = named.path.segments().front();
-  const RmfAngle angle(curve, reference);
-  const FrameAngle start = start_angle(asked, named.path, reference);
-  CompiledAnswer compiled{
-      named, reference, asked, start, compiled_angle(angle, start, from, to, plain_shape(1)), {}};
-  if (reference == Reference::euler_rodrigues)
-    compiled.rotation = compiled_rotation(curve, angle, start, from, to, plain_shape(4));
-  return compiled;
-}
-
-CompiledAnswer answer(const NamedPath& named, const SmoothCompiledQuery& query) {
-  const bool is_up = query.reference == Reference::up;
-  const PathAngle angle = !is_up     ? PathAngle(named.path, query.reference)
-                          : query.up ? PathAngle(named.path, *query.up)
-                                     : PathAngle(named.path, Reference::up);
+CompiledAnswer answer(const NamedPath& named, const CompiledQuery& query) {
+  const PathAngle angle = angle_for(named.path, query);
   const StartAngle start = start_angle(query.start, angle);
-  CompiledAnswer compiled{named,
-                          is_up ? Reference::euler_rodrigues : Reference::frenet,
-                          query.start,
-                          rounded_or_zero(start.value, "theta at t = 0", 17),
-                          compiled_angle(angle, start, plain_shape(1)),
-                          {}};
-  if (!is_up) return compiled;
-  compiled.rotation = compiled_rotation(angle, start, plain_shape(4));
-  compiled.up = angle.up();
+  const bool is_up = angle.reference() == Reference::up;
+  const RmfAngle* curve = goes_on(named.path) && !is_up ? angle.closed_form(0) : nullptr;
+  CompiledAnswer compiled{
+      named,
+      angle.reference(),
+      query.start,
+      FrameAngle(),
+      curve != nullptr ? compiled_angle(*curve, *start.exact, query.from, query.to, plain_shape(1))
+                       : compiled_angle(angle, start, plain_shape(1)),
+      {}};
+  if (start.exact)
+    compiled.start_angle = *start.exact;
+  else
+    compiled.start_angle = rounded_or_zero(start.value, "theta at t = 0", 17);
+  if (is_up) compiled.up = angle.up();
+  if (angle.reference() == Reference::frenet) return compiled;
+  compiled.rotation = curve != nullptr
+                          ? compiled_rotation(*ph_curve(named.path.segments().front()), *curve,
+                                              *start.exact, query.from, query.to, plain_shape(4))
+                          : compiled_rotation(angle, start, plain_shape(4));
   return compiled;
 }
 

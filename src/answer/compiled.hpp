@@ -9,35 +9,28 @@ namespace phrame {
 
 /// The angle and the frame as polynomials with a proof, docs/compiled.md.
 struct CompiledQuery {
-  Reference reference = Reference::euler_rodrigues;  ///< the frame that θ is measured from
-  FrameStart start = {};                             ///< θ(0), or where f₂ is at t = 0
-  double from = 0;  ///< of a curve; a spline is compiled as a whole
-  double to = 1;    ///< > from
-};
-
-/// The same of a path of any kind.
-struct SmoothCompiledQuery {
-  Reference reference = Reference::up;      ///< the frame that θ is measured from
-  std::optional<Vector<Rational>> up = {};  ///< v; one that does is chosen if there is none
+  /// The frame that θ is measured from; as PathAngle(path) has it if there is none.
+  std::optional<Reference> reference = {};
+  std::optional<Vector<Rational>> up = {};  ///< v, where it is the frame of this vector
   FrameStart start = {};                    ///< θ(0), or where f₂ is at t = 0
+  double from = 0;  ///< of a PH curve by itself, not to the frame of v; others are compiled whole
+  double to = 1;    ///< > from
 };
 
 /// Polynomials for a whole path: to_c_header() writes them.
 struct CompiledAnswer {
-  AnyPath path;                                   ///< as asked
+  NamedPath path;                                 ///< as asked
   Reference reference;                            ///< the frame that θ is measured from
   FrameStart start;                               ///< as asked
   std::variant<FrameAngle, Decimal> start_angle;  ///< θ(0)
   PiecewisePolynomial angle;                      ///< of plain_shape(1)
   std::optional<PiecewisePolynomial> rotation;    ///< of plain_shape(4); not of a Frenet frame
-  /// v, to whose frame the angle is: of a path that is not PH, but for the Frenet frame.
+  /// v, where the angle is to the frame of one.
   std::optional<Vector<Rational>> up = {};
 };
 
-/// @{ Throws as PathAngle, start_angle(), compiled_angle() and compiled_rotation().
-CompiledAnswer answer(const NamedPhPath& path, const CompiledQuery& query);
-CompiledAnswer answer(const NamedPath& path, const SmoothCompiledQuery& query);
-/// @}
+/// Throws as PathAngle, start_angle(), compiled_angle() and compiled_rotation().
+CompiledAnswer answer(const NamedPath& path, const CompiledQuery& query);
 
 /// @{ With rounding, what is computed from the polynomials in doubles is off by at most so much:
 double angle_error(const CompiledAnswer& answer);      ///< in radians

@@ -5,7 +5,6 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
-#include "phrame/ph/along/smooth_travel_time.hpp"
 #include "phrame/ph/along/travel_time.hpp"
 
 namespace phrame {
@@ -16,46 +15,16 @@ void require_few_rows(const InterpolationQuery& query, const Integer& ticks) {
                                  abbreviated(rows.str()), query.most_rows));
 }
 
-FrameTable answer(const NamedPhPath& named, const InterpolationQuery& query) {
-  const PhPath& path = named.path;
+FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {
+  const Path& path = named.path;
   TravelTime time(path, query.feedrate);
   const Integer ticks = time.ticks(query.period);
   require_few_rows(query, ticks);
-  std::vector<Vector<Polynomial>> positions;
-  for (const Curve& curve : path.segments()) positions.push_back(position(curve));
   FrameTable table{
       {"k", "time", "t", "s", "x", "y", "z"}, {}, "interpolation/1", 0, {}, named.near};
-  const auto append = [&](const Integer& k, const Real& at, const TimedPoint& point) {
-    const Rational before(static_cast<long>(point.segment));
-    const Real s = point.value(time.length().closed_form(point.segment)->polynomial());
+  const auto append = [&](const Integer& k, const Real& at, const TravelTime::Point& point) {
     std::vector<double> row{round_to_double(Rational(k)), round_to_double(at),
-                            round_to_double(point.parameter + before),
-                            round_to_double(s + time.length().before(point.segment))};
-    for (const Polynomial& x : positions[point.segment])
-      row.push_back(round_to_double(point.value(x)));
-    add_row(table, std::move(row), [&k] { return "point " + k.str(); });
-  };
-  Stage stage("rows", static_cast<std::size_t>(static_cast<long>(ticks)));
-  for (Integer k = 0; k < ticks; ++k) {
-    const Rational at = Rational(k) * query.period;
-    append(k, at, time.at_time(at));
-    stage.advance();
-  }
-  append(ticks, time.total(),
-         {path.segments().size() - 1, Rational(1), AlgebraicPoint(Rational(1))});
-  return table;
-}
-
-FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {
-  const Path& path = named.path;
-  const SmoothTravelTime time(path, query.feedrate);
-  const Integer ticks = ticks_before(time.total(), query.period);
-  require_few_rows(query, ticks);
-  FrameTable table{{"k", "time", "t", "s", "x", "y", "z"}, {}, "interpolation/1"};
-  const auto append = [&](const Integer& k, const Real& at, const SmoothTravelTime::Point& point) {
-    const Rational before(static_cast<long>(point.at.segment));
-    std::vector<double> row{round_to_double(Rational(k)), round_to_double(at),
-                            round_to_double(point.at.t + before),
+                            round_to_double(parameter(point.at)),
                             round_to_double(point.arc_length)};
     for (const Real& x : position(path, point.at)) row.push_back(round_to_double(x));
     add_row(table, std::move(row), [&k] { return "point " + k.str(); });
@@ -66,7 +35,7 @@ FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {
     append(k, at, time.at_time(at));
     stage.advance();
   }
-  append(ticks, time.total(), {{path.segments().size() - 1, Rational(1)}, time.length().total()});
+  append(ticks, time.total(), time.end());
   return table;
 }
 

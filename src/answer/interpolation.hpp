@@ -17,8 +17,6 @@ struct InterpolationQuery {
 /// interpolation/1. Throws DomainError for a period ≤ 0 and as TravelTime, InputError without a
 /// place where there are too many rows, and with one where a number is too large for a double,
 /// Undecided where a precision limit is reached.
-FrameTable answer(const NamedPhPath& path, const InterpolationQuery& query);
-/// The same of a path of any kind; throws as SmoothTravelTime.
 FrameTable answer(const NamedPath& path, const InterpolationQuery& query);
 
 /// Throws InputError where `ticks` and the end are too many rows.

@@ -10,7 +10,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/fixed_point.hpp"
 #include "phrame/algebra/progress.hpp"
-#include "phrame/ph/along/smooth_travel_time.hpp"
+#include "phrame/ph/along/travel_time.hpp"
 #include "phrame/ph/frame/moving_frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
@@ -164,63 +164,43 @@ Vector<Real> tool_of(const Frame<Real>& frame, ToolAxis tool) {
   return tool == ToolAxis::f2 ? frame.e2 : tool == ToolAxis::f3 ? frame.e3 : frame.e1;
 }
 
-/// Calls `append(point, duration)` for all points of the motion. `at_time` gives a point.
-template <class AtTime, class Point, class Append>
-void follow(const Real& total, const Integer& ticks, const Rational& period, AtTime at_time,
-            const Point& end, Append append) {
+/// Of the motion along the path; `axis_at` gives the axis of the tool at a place.
+template <class AxisAt>
+MachinePath machine_path(const Path& path, const MachineQuery& query, const AxisAt& axis_at) {
+  TravelTime time(path, query.motion.feedrate);
+  const Rational& period = query.motion.period;
+  const Integer ticks = time.ticks(period);
+  require_few_rows(query.motion, ticks);
+  MachineMoves moves(query);
+  const auto add = [&](const Place& at, const std::optional<Real>& duration) {
+    moves.add(position(path, at), axis_at(at), duration);
+  };
   Stage stage("moves", static_cast<std::size_t>(static_cast<long>(ticks)));
   for (Integer k = 0; k < ticks; ++k) {
-    const std::optional<Real> duration = k == 0 ? std::nullopt : std::optional<Real>(period);
-    append(at_time(Rational(k) * period), duration);
+    add(time.at_time(Rational(k) * period).at, k == 0 ? std::nullopt : std::optional<Real>(period));
     stage.advance();
   }
-  append(end, std::optional<Real>(total + -Rational(ticks - 1) * period));
+  add(time.end().at, time.total() + -Rational(ticks - 1) * period);
+  return moves.path();
 }
 
 }  // namespace
 
-MachinePath answer(const NamedPhPath& named, const MachineQuery& query) {
-  const PhPath& path = named.path;
-  TravelTime time(path, query.motion.feedrate);
-  const Integer ticks = time.ticks(query.motion.period);
-  require_few_rows(query.motion, ticks);
-  const MovingFrame frame(path, query.start);
-  std::vector<Vector<Polynomial>> positions;
-  for (const Curve& curve : path.segments()) positions.push_back(position(curve));
-  MachineMoves moves(query);
-  const TimedPoint end{path.segments().size() - 1, Rational(1), AlgebraicPoint(Rational(1))};
-  follow(
-      time.total(), ticks, query.motion.period,
-      [&](const Rational& at) { return time.at_time(at); }, end,
-      [&](const TimedPoint& point, const std::optional<Real>& duration) {
-        const auto& r = positions[point.segment];
-        moves.add({point.value(r[0]), point.value(r[1]), point.value(r[2])},
-                  query.tool == ToolAxis::e1 ? frame.tangent(point)
-                                             : tool_of(frame.at(point), query.tool),
-                  duration);
-      });
-  return moves.path();
-}
-
 MachinePath answer(const NamedPath& named, const MachineQuery& query) {
   const Path& path = named.path;
-  const SmoothTravelTime time(path, query.motion.feedrate);
-  const Integer ticks = ticks_before(time.total(), query.motion.period);
-  require_few_rows(query.motion, ticks);
-  const PathAngle angle = query.up ? PathAngle(path, *query.up) : PathAngle(path, Reference::up);
+  if (const auto ph = query.up ? std::nullopt : path.ph()) {
+    const MovingFrame frame(*ph, query.start);
+    return machine_path(path, query, [&](const Place& at) {
+      return query.tool == ToolAxis::e1 ? frame.tangent(at) : tool_of(frame.at(at), query.tool);
+    });
+  }
+  const PathAngle angle = angle_to(query.up, path);
   const StartAngle start = start_angle(query.start, angle);
-  MachineMoves moves(query);
-  const Place end(path.segments().size() - 1, Rational(1));
-  follow(
-      time.total(), ticks, query.motion.period,
-      [&](const Rational& at) { return time.at_time(at).at; }, end,
-      [&](const Place& at, const std::optional<Real>& duration) {
-        const Frame<Real> frame = query.tool == ToolAxis::e1
-                                      ? up_frame(path, angle.up(), at)
-                                      : rotation_minimizing_frame(angle, at, start);
-        moves.add(position(path, at), tool_of(frame, query.tool), duration);
-      });
-  return moves.path();
+  return machine_path(path, query, [&](const Place& at) {
+    return query.tool == ToolAxis::e1
+               ? reference_frame(angle, at).e1
+               : tool_of(rotation_minimizing_frame(angle, at, start), query.tool);
+  });
 }
 
 }  // namespace phrame

@@ -12,7 +12,7 @@ struct MachineQuery {
   InterpolationQuery motion;                ///< its points
   ToolAxis tool = ToolAxis::f3;             ///< along which vector it is
   FrameStart start = {};                    ///< of the frame
-  std::optional<Vector<Rational>> up = {};  ///< of a path of any kind, as of PathAngle
+  std::optional<Vector<Rational>> up = {};  ///< v, as angle_to() has it
   long places = 4;                          ///< decimals, ≥ 0
 };
 
@@ -37,8 +37,6 @@ struct MachinePath {
 /// to the one before, so that angles go on and on; the first has A ≥ 0 and −180° < C ≤ 180°. Poles
 /// are where A is a multiple of 180° once it is rounded. Throws as the interpolation does, as
 /// start_angle(), and InputError at "places" where a feed rounds to 0.
-MachinePath answer(const NamedPhPath& named, const MachineQuery& query);
-/// The same of a path of any kind.
 MachinePath answer(const NamedPath& named, const MachineQuery& query);
 
 }  // namespace phrame

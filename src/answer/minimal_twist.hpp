@@ -35,7 +35,7 @@ struct SmoothTwistQuery {
 
 /// The exact frame of minimal twist, and a rational one near to it.
 struct MinimalTwistAnswer {
-  AnyPath path;            ///< as asked
+  NamedPath path;          ///< as asked
   Decimal from;            ///< θ_i
   Decimal to;              ///< θ_f
   Real length;             ///< S, of the path

@@ -81,8 +81,7 @@ bool is_heavy(const PhPath& path) {
 }
 
 /// What the given frames are, if there are any.
-template <class Named>
-std::optional<CheckAnswer> check_of(const Named& named, const PageQuery& query) {
+std::optional<CheckAnswer> check_of(const NamedPath& named, const PageQuery& query) {
   if (query.given.empty()) return std::nullopt;
   return answer(named, CheckQuery{query.given, {.start = query.start, .up = query.up}});
 }
@@ -156,16 +155,15 @@ void drop_undefined(PageRows& rows, std::vector<TabulatedFrame>& frames) {
   }
 }
 
-std::optional<TotalsAnswer> totals_if_short(const NamedPhPath& named) {
+std::optional<TotalsAnswer> totals_if_short(const NamedPath& named) {
   if (named.path.segments().size() > most_totals) return std::nullopt;
-  return answer(of_any_kind(named), TotalsQuery{page_digits});
+  return answer(named, TotalsQuery{page_digits});
 }
 
 /// Polynomials with a proof, of few segments and where they can be had.
-template <class Named, class Query>
-std::optional<CompiledAnswer> compiled_if_short(const Named& named, std::size_t segments,
-                                                const Query& query) {
-  if (segments > most_formulas) return std::nullopt;
+std::optional<CompiledAnswer> compiled_if_short(const NamedPath& named,
+                                                const CompiledQuery& query) {
+  if (named.path.segments().size() > most_formulas) return std::nullopt;
   try {
     return answer(named, query);
   } catch (const Undecided&) {
@@ -173,10 +171,14 @@ std::optional<CompiledAnswer> compiled_if_short(const Named& named, std::size_t 
   }
 }
 
-}  // namespace
+AngleQuery formulas(const NamedPath& named, const PageQuery& query, const FrameStart& start) {
+  AngleQuery formulas{.up = query.up, .start = start, .digits = page_digits, .most_poles = 64};
+  formulas.wants_formula = named.path.segments().size() <= most_formulas;
+  return formulas;
+}
 
-PageAnswer answer(const NamedPhPath& named, const PageQuery& query) {
-  const PhPath& path = named.path;
+/// Of PH curves, by their Euler–Rodrigues frame.
+PageAnswer page_to_erf(const NamedPath& named, const PhPath& path, const PageQuery& query) {
   const auto closing = path.closing_turn();
   require_open(query.end_normal, closing.has_value());
   std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::euler_rodrigues,
@@ -209,33 +211,32 @@ PageAnswer answer(const NamedPhPath& named, const PageQuery& query) {
   drop_undefined(rows, frames);
   if (check) add_given(rows, *check, path.segments().size());
 
-  AngleQuery formulas{.start = from, .digits = page_digits, .most_poles = 64};
-  formulas.wants_formula = path.segments().size() <= most_formulas;
   std::optional<ClassificationAnswer> classification;
-  if (path.segments().size() <= most_in_full) classification = answer(named, ClassificationQuery{});
+  if (path.segments().size() <= most_in_full)
+    classification = answer(*as_ph(named), ClassificationQuery{});
   std::optional<Certificate> certificate;
   const bool is_heavy = phrame::is_heavy(path);
   if (path.is_curve() && !is_heavy)
     certificate = certify(path.segments().front(), Reference::euler_rodrigues, {1}, page_digits);
-  return {.angle = answer(named, formulas),
-          .info = answer(of_any_kind(named), InfoQuery{page_digits}),
-          .totals = is_heavy ? std::nullopt : totals_if_short(named),
-          .classification = std::move(classification),
-          .frames = std::move(frames),
-          .table = std::move(rows.table),
-          .check = std::move(check),
-          .certificate = std::move(certificate),
-          .compiled = is_heavy ? std::nullopt
-                               : compiled_if_short(named, path.segments().size(),
-                                                   CompiledQuery{.start = from}),
-          .is_closed = closing.has_value(),
-          .jumps = std::move(rows.jumps),
-          .turns = std::move(turns)};
+  return {
+      .angle = answer(named, formulas(named, query, from)),
+      .info = answer(named, InfoQuery{page_digits}),
+      .totals = is_heavy ? std::nullopt : totals_if_short(named),
+      .classification = std::move(classification),
+      .frames = std::move(frames),
+      .table = std::move(rows.table),
+      .check = std::move(check),
+      .certificate = std::move(certificate),
+      .compiled = is_heavy ? std::nullopt : compiled_if_short(named, CompiledQuery{.start = from}),
+      .is_closed = closing.has_value(),
+      .jumps = std::move(rows.jumps),
+      .turns = std::move(turns)};
 }
 
-PageAnswer answer(const NamedPath& named, const PageQuery& query) {
+/// Of a path of any kind, by the frame of v.
+PageAnswer page_to_up(const NamedPath& named, const PageQuery& query) {
   const Path& path = named.path;
-  const PathAngle angle = query.up ? PathAngle(path, *query.up) : PathAngle(path, Reference::up);
+  const PathAngle angle = angle_to(query.up, path);
   const bool is_closed = closure(path).is_closed == true;
   std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::up,
                                      TabulatedFrame::frenet};
@@ -260,17 +261,22 @@ PageAnswer answer(const NamedPath& named, const PageQuery& query) {
   drop_undefined(rows, frames);
   if (check) add_given(rows, *check, path.segments().size());
 
-  SmoothAngleQuery values{.up = angle.up(), .start = from, .digits = page_digits};
-  return {.angle = answer(named, values),
+  return {.angle = answer(named, formulas(named, query, from)),
           .info = answer(named, InfoQuery{page_digits}),
           .totals = answer(named, TotalsQuery{page_digits}),
           .frames = std::move(frames),
           .table = std::move(rows.table),
-          .compiled = compiled_if_short(named, path.segments().size(),
-                                        SmoothCompiledQuery{.up = angle.up(), .start = from}),
+          .compiled = compiled_if_short(named, CompiledQuery{.up = angle.up(), .start = from}),
           .is_closed = is_closed,
           .jumps = std::move(rows.jumps),
           .turns = std::move(turns)};
+}
+
+}  // namespace
+
+PageAnswer answer(const NamedPath& named, const PageQuery& query) {
+  const auto ph = query.up ? std::nullopt : named.path.ph();
+  return ph ? page_to_erf(named, *ph, query) : page_to_up(named, query);
 }
 
 }  // namespace phrame

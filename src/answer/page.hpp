@@ -6,7 +6,6 @@
 #include "phrame/answer/frame_table.hpp"
 #include "phrame/answer/info.hpp"
 #include "phrame/answer/page_rows.hpp"
-#include "phrame/answer/smooth_angle.hpp"
 #include "phrame/answer/totals.hpp"
 #include "phrame/ph/proof/certificate.hpp"
 
@@ -21,7 +20,7 @@ struct PageQuery {
   /// θ(0), or where f₂ is at t = 0; by default where the first given frame has it, if that is at t
   /// = 0, else θ(0) = 0.
   std::optional<FrameStart> start = {};
-  std::optional<Vector<Rational>> up = {};  ///< v, of a path that is not PH; else one is chosen
+  std::optional<Vector<Rational>> up = {};  ///< v, where θ is to its frame, as angle_to() has it
   /// f₂ of the frame of minimal twist at the end of an open path, projected; without it such a path
   /// has none on its page.
   std::optional<Vector<Rational>> end_normal = {};
@@ -30,9 +29,8 @@ struct PageQuery {
 
 /// All that a page about a path shows.
 struct PageAnswer {
-  /// What the angle is, with its formula where the path is a PH curve.
-  std::variant<AngleAnswer, SmoothAngleAnswer> angle;
-  InfoAnswer info;  ///< its polynomials and totals
+  AngleAnswer angle;  ///< what it is, with its formula where the path is a PH curve
+  InfoAnswer info;    ///< its polynomials and totals
   /// What it gathers; not of many segments, of which that takes long.
   std::optional<TotalsAnswer> totals = {};
   std::optional<ClassificationAnswer> classification{};  ///< of a PH path, not too long
@@ -51,12 +49,10 @@ struct PageAnswer {
   PathTurns turns = {};              ///< among the rows
 };
 
-/// @{ The frames are rmf, erf or up, frenet, and exact_mtf: along a closed path the one that comes
+/// The frames are rmf, erf or up, frenet, and exact_mtf: along a closed path the one that comes
 /// back as it starts with the least turn, along an open one that with the end normal. Throws as
 /// frame_table() and the other answers, and DomainError for an end normal along the tangent or of a
 /// closed path.
-PageAnswer answer(const NamedPhPath& path, const PageQuery& query);
 PageAnswer answer(const NamedPath& path, const PageQuery& query);
-/// @}
 
 }  // namespace phrame

@@ -64,15 +64,8 @@ SweepAnswer swept(const SweepPath& path, const SweepQuery& query) {
 
 }  // namespace
 
-SweepAnswer answer(const NamedPhPath& named, const SweepQuery& query) {
-  const PhPath& path = named.path;
-  return swept({series_of(path), CompiledFrames(PathAngle(path), start_angle(query.start, path)),
-                path.closing_turn().has_value()},
-               query);
-}
-
 SweepAnswer answer(const NamedPath& named, const SweepQuery& query) {
-  const PathAngle angle(named.path, Reference::up);
+  const PathAngle angle = angle_to(query.up, named.path);
   return swept({series_of(named.path), CompiledFrames(angle, start_angle(query.start, angle)),
                 named.path.is_closed()},
                query);

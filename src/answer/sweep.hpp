@@ -12,6 +12,8 @@ namespace phrame {
 struct SweepQuery {
   Profile profile;        ///< x along f₂, y along f₃
   FrameStart start = {};  ///< where the frame starts
+  /// v, where an angle at the start is one to its frame, as angle_to() has it.
+  std::optional<Vector<Rational>> up = {};
   /// f₂ at the end, once it is projected to the normal plane, to which the frame turns by the
   /// smallest angle at a constant rate: the frame of minimal twist. Not of a closed path, which
   /// turns so that it closes.
@@ -38,12 +40,10 @@ struct SweepAnswer {
   double turn;     ///< by which the profile turns about e₁ against the rotation-minimizing frame
 };
 
-/// @{ Throws as start_angle() and sweep(), and DomainError for an end normal along the tangent or
+/// Throws as start_angle() and sweep(), and DomainError for an end normal along the tangent or
 /// of a closed path, for a tolerance of normals that is not between 0 and π/2, or beside a number
 /// of sections, and for a closed path with a twist that is no multiple of whole turns or a
 /// scale that differs at its ends.
-SweepAnswer answer(const NamedPhPath& named, const SweepQuery& query);
 SweepAnswer answer(const NamedPath& named, const SweepQuery& query);
-/// @}
 
 }  // namespace phrame

@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "phrame/answer/angle.hpp"
-#include "phrame/answer/smooth_angle.hpp"
 #include "phrame/cli/form.hpp"
 #include "phrame/io/write/answers.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 struct AngleOptions {
   CurveOptions curve;
   Parameters parameters;
-  std::string frame = "erf";
+  std::string frame;
   UpOption up;
   std::string route = "auto";
   FormOptions form;
@@ -23,7 +24,7 @@ struct AngleOptions {
 /// What is wrong on the command line is said before the curve is read.
 AngleQuery query(const AngleOptions& options) {
   AngleQuery query;
-  if (options.frame != "up") query.reference = chosen_reference(options.frame);
+  if (!options.frame.empty()) query.reference = chosen_reference(options.frame);
   query.route = choose<Route>("--route", options.route,
                               {{"auto", Route::automatic},
                                {"roots", Route::roots},
@@ -42,47 +43,36 @@ AngleQuery query(const AngleOptions& options) {
   return query;
 }
 
-constexpr auto why_not = "there is one of Pythagorean-hodograph curves to erf and frenet only";
-
-void require_curve(const AngleOptions& options) {
-  if (options.form.chosen_print().as == Print::As::script)
-    fail_for_spline("--print", options.form.print);
-}
-
-/// Of a curve that is no PH curve, or by its frame of v.
-void run(const Command& command, const AngleOptions& options, const NamedPath& named) {
+/// What the path does not have.
+void require_closed_form(const Command& command, const AngleOptions& options, const Path& path) {
+  const auto& segments = path.segments();
+  if (std::any_of(segments.begin(), segments.end(), ph_curve)) return;
+  constexpr auto why_not = "there is one of Pythagorean-hodograph curves only";
   command.refuse({"--form", "--route"}, std::string("is of closed forms: ") + why_not);
-  if (command.is_given("--frame") && options.frame == "erf")
-    throw InputError("--frame", "\"erf\" " + needs_ph(named.path));
-  const Print print = options.form.chosen_print();
-  if (print.as == Print::As::script)
+  if (options.form.chosen_print().as == Print::As::script)
     throw InputError("--print",
                      fmt::format("\"{}\" is the closed form: {}", options.form.print, why_not));
-  SmoothAngleQuery query;
-  if (options.frame == "frenet") query.reference = Reference::frenet;
-  const PathAngle angle = options.up.angle(named.path);
-  options.start.check(angle);
-  query.up = angle.up();
-  query.start = options.start.start();
-  query.at = options.parameters.values(named.path.end());
-  query.digits = options.digits;
-  const SmoothAngleAnswer found = answer(named, query);
-  options.form.length.write(options.curve.output, print.as == Print::As::text   ? to_text(found)
-                                                  : print.as == Print::As::json ? to_json(found)
-                                                                                : to_latex(found));
 }
 
 void run(const Command& command, const AngleOptions& options) {
   AngleQuery query = cli::query(options);
   const Print print = options.form.chosen_print();
-  const AnyPath read = options.up.applied_to(options.curve.read_any_path(), options.frame == "up");
-  if (const auto* smooth = std::get_if<NamedPath>(&read)) return run(command, options, *smooth);
-  const auto& named = std::get<NamedPhPath>(read);
-  query.at = options.parameters.values(named.path.end());
-  options.start.check(named.path, query.reference);
-  if (!named.path.is_curve())
-    require_curve(options);
-  else if (query.at.empty())  // of a spline the total angle is shown, at least
+  const NamedPath named = options.curve.read_any_path();
+  const Path& path = named.path;
+  if (query.reference == Reference::euler_rodrigues && !path.is_ph())
+    throw InputError("--frame", "\"erf\" " + needs_ph(path));
+  if (options.up.vector && query.reference && query.reference != Reference::up)
+    throw InputError("--up", "is of --frame up, and --frame is " + options.frame);
+  require_closed_form(command, options, path);
+  query.up = options.up.chosen(path);
+  const bool is_up = query.up || !path.is_ph();
+  options.start.check(path,
+                      query.reference.value_or(is_up ? Reference::up : Reference::euler_rodrigues));
+  query.at = options.parameters.values(path.end());
+  if (path.segments().size() > 1 && print.as == Print::As::script)
+    fail_for_spline("--print", options.form.print);
+  if (goes_on(path) && query.reference != Reference::up && !is_up && query.at.empty())
+    // Else the total angle is shown, at least.
     command.refuse({"--digits", "--route"}, "needs --at or --samples: no value is asked for");
   options.form.length.write(options.curve.output, printed(answer(named, query), print));
 }

@@ -55,14 +55,6 @@ void require_enough(const std::vector<GivenFrame>& frames, const FrameCheckOptio
                         as_written(frames.front().t)));
 }
 
-/// Throws InputError for vectors that do not do with this path.
-void check_start(const AnyPath& path, const CheckOptions& options, FrameCheckOptions& measure) {
-  if (const auto* named = std::get_if<NamedPhPath>(&path)) return options.start.check(named->path);
-  const PathAngle angle = options.up.angle(std::get<NamedPath>(path).path);
-  options.start.check(angle);
-  measure.up = angle.up();
-}
-
 void run(const Command& command, const CheckOptions& options) {
   const auto print = choose<std::string (*)(const CheckAnswer&, const TableReading&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
@@ -75,8 +67,9 @@ void run(const Command& command, const CheckOptions& options) {
   if (options.curve.path == "-" && options.frames == "-")
     throw InputError("check", "the curve and the frames are both to be read from standard input");
 
-  const AnyPath path = options.up.applied_to(options.curve.read_any_path(), options.start.is_up());
-  check_start(path, options, measure);
+  const NamedPath named = options.curve.read_any_path();
+  measure.up = options.up.chosen(named.path, options.start.is_up());
+  options.start.check(named.path, measure.up);
   const std::string bytes = read_file(options.frames);
   const std::string file = name_of_file(options.frames);
   const GivenTable table = at_place(file, ":", [&] { return read_frames(bytes, reading); });
@@ -84,9 +77,7 @@ void run(const Command& command, const CheckOptions& options) {
     command.refuse({"--quaternion", "--tangent-axis", "--inverse"},
                    "is for quaternions; the table has vectors");
   require_enough(table.frames, measure, file);
-  const CheckQuery query{table.frames, measure};
-  const CheckAnswer found =
-      std::visit([&](const auto& named) { return answer(named, query); }, path);
+  const CheckAnswer found = answer(named, CheckQuery{table.frames, measure});
   TableReading shown{table.columns, table.skipped};
   if (const auto better = better_reading(found, bytes, reading, table))
     shown.better = {to_options(better->reading), better->passes};

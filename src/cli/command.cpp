@@ -42,15 +42,14 @@ NamedPhPath read_ph_path(std::string_view text, const CurveLimits& limits) {
   } catch (const InputError& error) {
     if (error.place() != "/phrame" && error.place() != "1:1") throw;
     const std::exception_ptr first = std::current_exception();
-    std::optional<AnyPath> other;
+    std::optional<NamedPath> other;
     try {
       other = phrame::read_any_path(text, limits);
     } catch (const InputError&) {
       std::rethrow_exception(first);
     }
-    if (auto* named = std::get_if<NamedPhPath>(&*other)) return std::move(*named);
-    throw InputError("",
-                     fmt::format("this command {}", needs_ph(std::get<NamedPath>(*other).path)));
+    if (auto named = as_ph(*other)) return *std::move(named);
+    throw InputError("", fmt::format("this command {}", needs_ph(other->path)));
   }
 }
 
@@ -141,18 +140,16 @@ NamedPhPath CurveOptions::read_path() const {
   return std::move(named);
 }
 
-AnyPath CurveOptions::read_any_path() const {
+NamedPath CurveOptions::read_any_path() const {
   if (near) return read_path();
-  AnyPath read = read_by(phrame::read_any_path, *this);
-  const auto& notes = std::visit(
-      [](const auto& named) -> const auto& { return named.notes; }, read);
-  for (const std::string& text : notes) note(fmt::format("{}: {}", name_of_file(path), text));
-  if (const auto* named = std::get_if<NamedPath>(&read))
-    if (const auto near_one = suggestion_of(named->path))
-      note_at_end(fmt::format(
-          "{}: a PH curve is at most {} away; with --near {} the answer has a closed form",
-          name_of_file(path), upper_bound_text(near_one->distance),
-          upper_bound_text(near_one->epsilon, 1)));
+  NamedPath read = read_by(phrame::read_any_path, *this);
+  for (const std::string& text : read.notes) note(fmt::format("{}: {}", name_of_file(path), text));
+  if (read.path.is_ph()) return read;
+  if (const auto near_one = suggestion_of(read.path))
+    note_at_end(fmt::format(
+        "{}: a PH curve is at most {} away; with --near {} the answer has a closed form",
+        name_of_file(path), upper_bound_text(near_one->distance),
+        upper_bound_text(near_one->epsilon, 1)));
   return read;
 }
 
@@ -251,45 +248,29 @@ std::optional<FrameStart> StartOptions::given() const {
   return start();
 }
 
-void StartOptions::require_reference(const std::string& name) const {
-  if (rule.empty() || rule == "least" || rule == name) return;
-  throw InputError("--start", fmt::format("\"{}\" is not the frame that angles are measured from "
-                                          "here, \"{}\"",
-                                          rule, name));
+void StartOptions::check(const Path& path, Reference reference) const {
+  if (const std::string& name = name_of(reference);
+      !rule.empty() && rule != "least" && rule != name)
+    throw InputError("--start", fmt::format("\"{}\" is not the frame that angles are measured from "
+                                            "here, \"{}\"",
+                                            rule, name));
+  if (!normal) return;
+  at_option("--start-normal", [&] { require_start_normal(std::get<StartNormal>(start()), path); });
 }
 
-void StartOptions::check(const PhPath& path, Reference reference) const {
-  require_reference(reference == Reference::euler_rodrigues ? "erf" : "frenet");
-  at_option("--start-normal", [&] {
-    if (const auto start = given()) start_angle(*start, path);
-  });
-}
-
-void StartOptions::check(const PathAngle& along) const {
-  require_reference(along.reference() == Reference::up ? "up" : "frenet");
-  at_option("--start-normal", [&] {
-    if (const auto start = given()) start_angle(*start, along);
-  });
+void StartOptions::check(const Path& path, const std::optional<Vector<Rational>>& v) const {
+  check(path, v || !path.is_ph() ? Reference::up : Reference::euler_rodrigues);
 }
 
 void UpOption::add_to(Command& command, const std::string& what) {
   command.add_option("--up", "X,Y,Z", vector, "the vector v that makes the\n" + what);
 }
 
-std::optional<Vector<Rational>> UpOption::given() const {
-  if (!vector) return std::nullopt;
-  return parse_vector_option("--up", *vector);
-}
-
-PathAngle UpOption::angle(const Path& path) const {
-  const auto up = given();
-  return up ? at_option("--up", [&] { return PathAngle(path, *up); })
-            : PathAngle(path, Reference::up);
-}
-
-AnyPath UpOption::applied_to(AnyPath path, bool is_wanted) const {
-  const auto* ph = std::get_if<NamedPhPath>(&path);
-  return ph != nullptr && (vector || is_wanted) ? of_any_kind(*ph) : std::move(path);
+std::optional<Vector<Rational>> UpOption::chosen(const Path& path, bool is_wanted) const {
+  if (!vector) return is_wanted ? std::optional(up_vector(path)) : std::nullopt;
+  const Vector<Rational> v = parse_vector_option("--up", *vector);
+  at_option("--up", [&] { require_up_vector(path, v); });
+  return v;
 }
 
 void TextLength::add_to(Command& command) {

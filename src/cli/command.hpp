@@ -31,7 +31,7 @@ struct CurveOptions {
   NamedPhPath read_path() const;
   /// One of any kind. Where it is no PH path but one is very near, as of rounded control points, a
   /// line on stderr says what --near gives closed forms.
-  AnyPath read_any_path() const;
+  NamedPath read_any_path() const;
 };
 
 /// "needs a Pythagorean-hodograph curve, and this is none", with what finds one: nothing does for a
@@ -87,16 +87,14 @@ struct StartOptions {
   std::optional<FrameStart> given() const;
   /// The same, or the rule.
   FrameStart start() const;
-  /// @{ Throws InputError for a vector that has no part across the tangent, and for a frame that
-  /// angles are not measured from.
-  void check(const PhPath& path, Reference reference = Reference::euler_rodrigues) const;
-  void check(const PathAngle& along) const;
-  /// @}
+  /// Throws InputError for a vector that has no part across the tangent, and for a frame that
+  /// angles along the path are not measured from: they are from this one.
+  void check(const Path& path, Reference reference) const;
+  /// The same, from the frame of v where there is one, else as PathAngle(path) has it.
+  void check(const Path& path, const std::optional<Vector<Rational>>& v) const;
   static std::vector<std::string> names() { return {"--start", "--theta0", "--start-normal"}; }
 
  private:
-  void require_reference(const std::string& name) const;
-
   Rule otherwise_ = Rule::least_rotation;
 };
 
@@ -107,12 +105,9 @@ struct UpOption {
 
   /// `what` goes on after "the vector v that makes the".
   void add_to(Command& command, const std::string& what);
-  /// What is given. Throws InputError.
-  std::optional<Vector<Rational>> given() const;
-  /// The angle along the path. Throws InputError for a v that is 0 or along the tangent.
-  PathAngle angle(const Path& path) const;
-  /// The path, as one of any kind where it is given or the frame of a v `is_wanted`.
-  AnyPath applied_to(AnyPath path, bool is_wanted = false) const;
+  /// v: what is given, or one that is chosen where that `is_wanted`. Throws InputError for a v that
+  /// is 0 or along the tangent.
+  std::optional<Vector<Rational>> chosen(const Path& path, bool is_wanted = false) const;
 };
 
 /// --max-degree

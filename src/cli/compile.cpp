@@ -9,7 +9,7 @@ namespace {
 struct CompileOptions {
   CurveOptions curve;
   std::optional<std::string> prefix;
-  std::string frame = "erf";
+  std::string frame;
   StartOptions start;
   UpOption up;
   std::string from = "0";
@@ -37,53 +37,43 @@ std::pair<double, double> interval(const CompileOptions& options) {
   return {from, to};
 }
 
-/// Of a curve that is no PH curve.
-CompiledAnswer compiled(const Command& command, const CompileOptions& options,
-                        const NamedPath& named) {
-  command.refuse({"--from", "--to"},
-                 "is for single Pythagorean-hodograph curves by erf or frenet; others are compiled "
-                 "as a whole");
-  if (command.is_given("--frame") && options.frame == "erf")
-    throw InputError("--frame", "\"erf\" " + needs_ph(named.path));
-  const PathAngle angle = options.up.angle(named.path);
-  options.start.check(angle);
-  SmoothCompiledQuery query;
-  if (options.frame == "frenet") query.reference = Reference::frenet;
-  query.up = angle.up();
-  query.start = options.start.start();
-  return answer(named, query);
-}
-
-CompiledAnswer compiled(const Command& command, const CompileOptions& options,
-                        const NamedPhPath& named) {
-  const auto reference = chosen_reference(options.frame);
-  const auto [from, to] = interval(options);
-  options.start.check(named.path, reference);
-  if (!named.path.is_curve()) {
+/// What does not go with this path.
+void require_frame(const Command& command, const CompileOptions& options, const Path& path,
+                   const CompiledQuery& query) {
+  if (query.reference == Reference::euler_rodrigues && !path.is_ph())
+    throw InputError("--frame", "\"erf\" " + needs_ph(path));
+  if (options.up.vector && query.reference && query.reference != Reference::up)
+    throw InputError("--up", "is of --frame up, and --frame is " + options.frame);
+  if (!path.is_ph() || query.up) {
+    command.refuse({"--from", "--to"},
+                   "is for single Pythagorean-hodograph curves by erf or frenet; others are "
+                   "compiled as a whole");
+  } else if (path.segments().size() > 1) {
     if (command.is_given("--from")) fail_for_spline("--from", options.from);
     if (command.is_given("--to")) fail_for_spline("--to", options.to);
   }
-  return answer(named, CompiledQuery{reference, options.start.start(), from, to});
 }
 
 void run(const Command& command, const CompileOptions& options) {
-  if (options.frame != "up") chosen_reference(options.frame);
-  options.start.start();
+  CompiledQuery query;
+  if (!options.frame.empty()) query.reference = chosen_reference(options.frame);
+  query.start = options.start.start();
   if (const auto& angle = options.start.angle)
     rounded("--theta0", *angle, to_real(parse_angle_option("--theta0", *angle)));
-  interval(options);
+  std::tie(query.from, query.to) = interval(options);
   if (options.prefix && !is_prefix(*options.prefix))
     throw InputError("--prefix", "\"" + abbreviated(*options.prefix) +
                                      "\" is not a letter followed by letters, digits and single _");
-  const AnyPath path = options.up.applied_to(options.curve.read_any_path(),
-                                             options.frame == "up" || options.start.is_up());
-  write_output(options.curve.output, std::visit(
-                                         [&](const auto& named) {
-                                           return to_c_header(
-                                               compiled(command, options, named),
-                                               options.prefix.value_or(prefix_from(named.name)));
-                                         },
-                                         path));
+  const NamedPath named = options.curve.read_any_path();
+  query.up = options.up.chosen(
+      named.path, query.reference == Reference::up || (options.start.is_up() && !query.reference));
+  require_frame(command, options, named.path, query);
+  options.start.check(named.path, query.up || !query.reference ? (query.up || !named.path.is_ph()
+                                                                      ? Reference::up
+                                                                      : Reference::euler_rodrigues)
+                                                               : *query.reference);
+  write_output(options.curve.output,
+               to_c_header(answer(named, query), options.prefix.value_or(prefix_from(named.name))));
 }
 
 }  // namespace

@@ -129,7 +129,7 @@ FrameTable table(const TableColumns& columns, Make make) {
 TabulatedFrames table_of(const NamedPhPath& named, TableColumns& columns, By by,
                          const FramesOptions& options) {
   const PhPath& path = named.path;
-  options.start.check(path);
+  options.start.check(path, std::nullopt);
   add_twist_frames(columns, options.twist, path);
   std::vector<Rational> numbers;
   std::vector<Place> at;
@@ -148,7 +148,7 @@ TabulatedFrames table_of(const NamedPhPath& named, TableColumns& columns, By by,
 
 /// Of a curve that is no PH curve, or beside its frame of v.
 TabulatedFrames table_of(const NamedPath& named, const TableColumns& columns, By by,
-                         const FramesOptions& options) {
+                         const FramesOptions& options, const PathAngle& angle) {
   const auto& segments = named.path.segments();
   const bool has_ph = std::any_of(segments.begin(), segments.end(), ph_curve);
   if (has_frame(columns, TabulatedFrame::euler_rodrigues) && !has_ph)
@@ -157,8 +157,7 @@ TabulatedFrames table_of(const NamedPath& named, const TableColumns& columns, By
     throw InputError("--frame", named.path.is_ph()
                                     ? "\"mtf\" is not tabulated beside the frame of v"
                                     : "\"mtf\" " + needs_ph(named.path));
-  const PathAngle angle = options.up.angle(named.path);
-  options.start.check(angle);
+  options.start.check(named.path, Reference::up);
   std::vector<Rational> numbers;
   std::vector<Place> at;
   if (by == By::parameter) {
@@ -185,12 +184,12 @@ TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& ch
   chosen.start = options.start.start();
   if (options.parameters.values().empty())
     throw InputError("frames", "--samples N or --at t,… is needed");
-  const AnyPath read =
-      options.up.applied_to(options.curve.read_any_path(),
-                            has_frame(chosen, TabulatedFrame::up) || options.start.is_up());
-  const auto* smooth = std::get_if<NamedPath>(&read);
-  return smooth != nullptr ? table_of(*smooth, chosen, by, options)
-                           : table_of(std::get<NamedPhPath>(read), chosen, by, options);
+  const NamedPath named = options.curve.read_any_path();
+  const auto up =
+      options.up.chosen(named.path, has_frame(chosen, TabulatedFrame::up) || options.start.is_up());
+  const auto ph = up ? std::nullopt : as_ph(named);
+  return ph ? table_of(*ph, chosen, by, options)
+            : table_of(named, chosen, by, options, angle_to(up, named.path));
 }
 
 void run_camera(const FramesOptions& options) {

@@ -16,7 +16,7 @@ void run(const InfoOptions& options) {
   const auto print = choose<std::string (*)(const InfoAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
   const InfoQuery query{options.digits};
-  const NamedPath path = of_any_kind(options.curve.read_any_path());
+  const NamedPath path = options.curve.read_any_path();
   options.length.write(options.curve.output, print(answer(path, query)));
 }
 

@@ -20,9 +20,9 @@ struct InterpolateOptions {
 };
 
 template <class Query>
-auto answer_of(const AnyPath& path, const Query& query) {
+auto answer_of(const NamedPath& path, const Query& query) {
   try {
-    return std::visit([&](const auto& named) { return answer(named, query); }, path);
+    return answer(path, query);
   } catch (const InputError& error) {
     if (error.place() == "places") throw InputError("--places", error.reason());
     if (!error.place().empty()) throw;
@@ -31,7 +31,7 @@ auto answer_of(const AnyPath& path, const Query& query) {
 }
 
 MachinePath machine_path(const Command& command, const InterpolateOptions& options,
-                         const AnyPath& path, const InterpolationQuery& motion) {
+                         const NamedPath& path, const InterpolationQuery& motion) {
   MachineQuery query{motion};
   query.tool = choose<ToolAxis>("--tool", options.tool,
                                 {{"f3", ToolAxis::f3}, {"f2", ToolAxis::f2}, {"e1", ToolAxis::e1}});
@@ -40,13 +40,8 @@ MachinePath machine_path(const Command& command, const InterpolateOptions& optio
                    "e1, which the tool is along, does not depend on it");
   query.places = options.places;
   query.start = options.start.start();
-  if (const auto* smooth = std::get_if<NamedPath>(&path)) {
-    const PathAngle angle = options.up.angle(smooth->path);
-    options.start.check(angle);
-    query.up = angle.up();
-  } else {
-    options.start.check(std::get<NamedPhPath>(path).path);
-  }
+  query.up = options.up.chosen(path.path, options.start.is_up());
+  options.start.check(path.path, query.up);
   return answer_of(path, query);
 }
 
@@ -57,7 +52,7 @@ void run(const Command& command, const InterpolateOptions& options) {
   const Rational period = parse_option("--period", options.period);
   if (period <= 0) throw InputError("--period", as_written(period) + " is not positive");
   const Feedrate feed = at_place("--feed", ", ", [&] { return parse_feedrate(options.feed); });
-  const AnyPath path = options.up.applied_to(options.curve.read_any_path(), options.start.is_up());
+  const NamedPath path = options.curve.read_any_path();
   const InterpolationQuery query{feed, period};
   write_output(options.curve.output, format == nullptr
                                          ? to_gcode(machine_path(command, options, path, query))

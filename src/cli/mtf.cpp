@@ -56,7 +56,8 @@ MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
   command.refuse(TwistOptions::of_rational_frame(),
                  named.path.is_ph() ? "is of rational frames, whose angles are not those of --up"
                                     : "is of rational frames; such a one " + needs_ph(named.path));
-  const PathAngle angle = options.up.angle(named.path);
+  const auto v = options.up.chosen(named.path);
+  const PathAngle angle = v ? PathAngle(named.path, *v) : PathAngle(named.path, Reference::up);
   const auto [from, to] = options.twist.ends(angle);
   MinimalTwistAnswer found =
       answer(named, SmoothTwistQuery{from, to, options.twist.turns,
@@ -72,10 +73,10 @@ void run(const Command& command, const MtfOptions& options) {
   if (options.is_wronskian) return run_wronskian(options);
   const auto print = choose<std::string (*)(const MinimalTwistAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
-  const AnyPath path = options.up.applied_to(options.curve.read_any_path());
-  options.length.write(
-      options.curve.output,
-      print(std::visit([&](const auto& named) { return found(command, options, named); }, path)));
+  const NamedPath named = options.curve.read_any_path();
+  const auto ph = options.up.vector ? std::nullopt : as_ph(named);
+  options.length.write(options.curve.output,
+                       print(ph ? found(command, options, *ph) : found(command, options, named)));
 }
 
 }  // namespace

@@ -25,18 +25,6 @@ std::vector<GivenFrame> given_frames(const PageOptions& options) {
   return at_place(name_of_file(*options.frames), ":", [&] { return read_frames(bytes).frames; });
 }
 
-PageAnswer page_of(const PageOptions& options, const PageQuery& query, const NamedPhPath& named) {
-  options.start.check(named.path);
-  return answer(named, query);
-}
-
-PageAnswer page_of(const PageOptions& options, PageQuery query, const NamedPath& named) {
-  const PathAngle angle = options.up.angle(named.path);
-  options.start.check(angle);
-  query.up = angle.up();
-  return answer(named, query);
-}
-
 void run(const PageOptions& options) {
   if (!has_pages())
     throw InputError("page", "this phrame was built without npm, which bundles what a page needs");
@@ -46,10 +34,10 @@ void run(const PageOptions& options) {
   if (options.end_normal)
     query.end_normal = parse_vector_option("--end-normal", *options.end_normal);
   query.given = given_frames(options);
-  const AnyPath path = options.up.applied_to(options.curve.read_any_path(), options.start.is_up());
-  const auto found =
-      std::visit([&](const auto& named) { return page_of(options, query, named); }, path);
-  write_output(options.curve.output, to_page(found));
+  const NamedPath named = options.curve.read_any_path();
+  query.up = options.up.chosen(named.path, options.start.is_up());
+  options.start.check(named.path, query.up);
+  write_output(options.curve.output, to_page(answer(named, query)));
 }
 
 }  // namespace

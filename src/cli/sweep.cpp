@@ -69,13 +69,6 @@ Profile profile_of(const SweepOptions& options, double scale,
       [&](const std::string& bytes) { return read_profile(bytes, tolerance); });
 }
 
-void check_start(const SweepOptions& options, const AnyPath& path) {
-  if (const auto* smooth = std::get_if<NamedPath>(&path))
-    options.start.check(PathAngle(smooth->path, Reference::up));
-  else
-    options.start.check(std::get<NamedPhPath>(path).path);
-}
-
 /// Where coordinates are from; no value stands for a place near the body. In glTF a node has it, as
 /// doubles, so that the body is where it is.
 std::optional<Vector<Rational>> origin_of(const SweepOptions& options) {
@@ -172,11 +165,11 @@ void run_exact(const Command& command, const SweepOptions& options) {
   command.refuse({"--twist"},
                  "a turn that is even per length has no rational sine and cosine; with --exact the "
                  "frame of minimal twist is that of --end-normal and --degree");
-  const AnyPath path = options.curve.read_any_path();
-  check_start(options, path);
-  if (const auto* smooth = std::get_if<NamedPath>(&path))
-    throw InputError("--exact", needs_ph(smooth->path));
-  const auto& named = std::get<NamedPhPath>(path);
+  const NamedPath path = options.curve.read_any_path();
+  options.start.check(path.path, std::nullopt);
+  const auto ph = as_ph(path);
+  if (!ph) throw InputError("--exact", needs_ph(path.path));
+  const NamedPhPath& named = *ph;
   if (options.degree > 0 && !options.end_normal && !named.path.closing_turn())
     throw InputError("--degree", "the frame of minimal twist of an open curve needs --end-normal");
   const RationalSweepAnswer made = exact_answer(named, exact_query(options));
@@ -192,13 +185,12 @@ void run(const Command& command, const SweepOptions& options) {
   const auto format = choose<std::string (*)(const Mesh&)>(
       "--format", options.format,
       {{"obj", to_obj}, {"stl", to_stl}, {"ply", to_ply}, {"glb", to_glb}});
-  const AnyPath path = UpOption().applied_to(options.curve.read_any_path(), options.start.is_up());
-  check_start(options, path);
-  const std::size_t segments =
-      std::visit([](const auto& named) { return named.path.segments().size(); }, path);
-  const SweepQuery query = query_of(options, segments);
-  const SweepAnswer made =
-      std::visit([&](const auto& named) { return answer(named, query); }, path);
+  const NamedPath named = options.curve.read_any_path();
+  const auto up = UpOption().chosen(named.path, options.start.is_up());
+  options.start.check(named.path, up);
+  SweepQuery query = query_of(options, named.path.segments().size());
+  query.up = up;
+  const SweepAnswer made = answer(named, query);
   write_output(options.curve.output, format(made.body.mesh));
   tell(made, options.curve.output, options.format == "glb");
 }

@@ -16,7 +16,7 @@ void run(const TotalsOptions& options) {
   const auto print = choose<std::string (*)(const TotalsAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
   const TotalsQuery query{options.digits};
-  const NamedPath path = of_any_kind(options.curve.read_any_path());
+  const NamedPath path = options.curve.read_any_path();
   options.length.write(options.curve.output, print(answer(path, query)));
 }
 

@@ -1,7 +1,6 @@
 #include "phrame/io/batch.hpp"
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/answer/angle.hpp"
-#include "phrame/answer/smooth_angle.hpp"
 
 #include <fmt/format.h>
 
@@ -16,6 +15,7 @@
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/nearness.hpp"
+#include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame {
@@ -45,10 +45,8 @@ std::string id_of(const JsonValue& line) {
   return "null";
 }
 
-/// No value for "up".
-std::optional<Reference> frame_of(const JsonNode& node) {
+Reference frame_of(const JsonNode& node) {
   const std::string& name = node.string();
-  if (name == "up") return std::nullopt;
   for (const auto& [known, reference] : reference_names())
     if (name == known) return reference;
   node.fail(fmt::format("\"{}\" is not one of erf, frenet, up", abbreviated(name)));
@@ -86,15 +84,8 @@ std::optional<FrameStart> start_of(const JsonNode& line) {
   return StartNormal(vector_of(*normal));
 }
 
-/// Does a line ask for the frame of a vector v?
-bool is_about_up(const JsonNode& line) {
-  if (!line.find("curve")) return false;
-  const auto frame = line.find("frame");
-  return line.find("up") || (frame && !frame_of(*frame));
-}
-
 /// With `near` a PH path that stands for what is none.
-AnyPath path_of(const JsonNode& curve, const BatchDefaults& defaults) {
+NamedPath path_of(const JsonNode& curve, const BatchDefaults& defaults) {
   if (!defaults.near) return read_any_path(curve, defaults.limits);
   auto read = read_path_near(curve, *defaults.near, defaults.limits);
   if (const auto* none = std::get_if<NotNear>(&read)) curve.fail(to_line(*none, *defaults.near));
@@ -110,11 +101,11 @@ AngleQuery query_of(const JsonNode& line, const BatchDefaults& defaults) {
   query.start = defaults.start;
   query.wants_formula = !defaults.values_only;
   if (!line.find("curve")) return query;
-  if (const auto frame = line.find("frame"))
-    query.reference = frame_of(*frame).value_or(Reference());
+  if (const auto frame = line.find("frame")) query.reference = frame_of(*frame);
   if (const auto at = line.find("at"))
     query.at = at->is(Kind::array) ? at->numbers() : std::vector{at->number()};
   if (const auto digits = line.find("digits")) query.digits = digits_of(*digits);
+  if (const auto up = line.find("up")) query.up = vector_of(*up);
   if (auto start = start_of(line)) query.start = *std::move(start);
   return query;
 }
@@ -164,38 +155,30 @@ auto at_key(const JsonNode& line, const char* key, Make make) {
 }
 
 /// A vector that gives no start is an error at the line's key, else in the option for all lines.
-template <class Measured>
-void require_start(const JsonNode& line, const FrameStart& start, const Measured& measured) {
+void require_start(const JsonNode& line, const FrameStart& start, const Path& path) {
+  if (!std::holds_alternative<StartNormal>(start)) return;
   try {
-    start_angle(start, measured);
+    require_start_normal(std::get<StartNormal>(start), path);
   } catch (const DomainError& error) {
     if (const auto normal = line.find("start_normal")) normal->fail(error.what());
     throw InputError(std::string("--start-normal: ") + error.what());
   }
 }
 
-std::string answer_of(const JsonNode& line, const NamedPhPath& named, const AngleQuery& query) {
-  require_start(line, query.start, named.path);
-  return to_json_line(answer(named, query));
-}
-
-/// Of a curve that is no PH curve, or by its frame of v.
-std::string answer_of(const JsonNode& line, const NamedPath& named, const AngleQuery& query) {
-  SmoothAngleQuery wanted;
-  if (query.reference == Reference::frenet) wanted.reference = Reference::frenet;
-  wanted.start = query.start;
-  wanted.at = query.at;
-  wanted.digits = query.digits;
-  if (line.find("curve")) {
-    if (const auto frame = line.find("frame"); frame && frame_of(*frame) == Reference())
-      frame->fail("\"erf\" needs a Pythagorean-hodograph curve, and this is none");
-    if (const auto up = line.find("up")) wanted.up = vector_of(*up);
-  }
-  const PathAngle angle = at_key(line, "up", [&] {
-    return wanted.up ? PathAngle(named.path, *wanted.up) : PathAngle(named.path, Reference::up);
+/// What does not go with this path.
+void require_frame(const JsonNode& line, const NamedPath& named, const AngleQuery& query) {
+  if (!line.find("curve")) return;
+  const auto frame = line.find("frame");
+  if (frame && query.reference == Reference::euler_rodrigues && !named.path.is_ph())
+    frame->fail("\"erf\" needs a Pythagorean-hodograph curve, and this is none");
+  const auto up = line.find("up");
+  if (!up) return;
+  if (frame && query.reference != Reference::up)
+    up->fail("it is of the frame \"up\", and \"frame\" is another");
+  at_key(line, "up", [&] {
+    require_up_vector(named.path, *query.up);
+    return 0;
   });
-  require_start(line, query.start, angle);
-  return to_json_line(answer(named, wanted));
 }
 
 std::string answer_text(const JsonNode& line, const BatchDefaults& defaults) {
@@ -204,11 +187,15 @@ std::string answer_text(const JsonNode& line, const BatchDefaults& defaults) {
     return defaults.otherwise(line);
   }
   const JsonNode curve = curve_of(line);
-  const AngleQuery query = query_of(line, defaults);
-  AnyPath path = path_of(curve, defaults);
-  if (const auto* ph = std::get_if<NamedPhPath>(&path); ph != nullptr && is_about_up(line))
-    path = of_any_kind(*ph);
-  return std::visit([&](const auto& named) { return answer_of(line, named, query); }, path);
+  AngleQuery query = query_of(line, defaults);
+  const NamedPath named = path_of(curve, defaults);
+  require_frame(line, named, query);
+  require_start(line, query.start, named.path);
+  // The frame for all lines is that of PH curves.
+  const bool is_given = line.find("curve") && line.find("frame");
+  if (query.up || (!is_given && !named.path.is_ph() && query.reference != Reference::frenet))
+    query.reference.reset();
+  return to_json_line(answer(named, query));
 }
 
 /// What a file over several lines is refused for.

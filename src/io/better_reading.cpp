@@ -24,31 +24,21 @@ bool hides_vectors(const CheckAnswer& found, std::string_view bytes, const Given
   if (!has_positions(other.names) || has_positions(table.columns)) return false;
   const Rational tolerance = std::min(found.options.tolerance, Rational(1, 100));
   const std::vector<GivenPosition> positions = read_positions(bytes, other);
-  return std::visit(
-      [&](const auto& named) { return !are_on_curve(named.path, positions, tolerance); },
-      found.path);
+  return !are_on_curve(found.path.path, positions, tolerance);
 }
 
 /// By few frames, most readings are seen to be wrong.
 bool are_along_few(const CheckAnswer& found, std::string_view bytes, const FrameReading& other) {
   constexpr std::size_t few = 5;
   const std::vector<GivenFrame> frames = read_frames(bytes, other, few).frames;
-  return std::visit(
-      [&](const auto& named) {
-        return are_along_curve(named.path, frames, found.options.tolerance);
-      },
-      found.path);
+  return are_along_curve(found.path.path, frames, found.options.tolerance);
 }
 
 /// No value where it is not decided.
 std::optional<FrameVerdict> verdict_of(const CheckAnswer& found,
                                        const std::vector<GivenFrame>& frames) {
   try {
-    return std::visit(
-        [&](const auto& named) {
-          return answer(named, CheckQuery{frames, found.options}).verdict;
-        },
-        found.path);
+    return answer(found.path, CheckQuery{frames, found.options}).verdict;
   } catch (const Undecided&) {
     return std::nullopt;
   }

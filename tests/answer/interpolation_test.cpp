@@ -21,7 +21,7 @@ Feedrate feed(const Polynomial& v, Feedrate::Of of = Feedrate::Of::arc_length) {
 }
 
 FrameTable points(const Curve& curve, const Feedrate& feedrate, const Rational& period) {
-  return answer({"", curve}, InterpolationQuery{feedrate, period});
+  return answer(NamedPhPath{"", curve}, InterpolationQuery{feedrate, period});
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ TEST_CASE("interpolation: pieces of a curve are passed as the whole") {
   const PhPath halves = test::cut(quintic, {Rational(1, 2)});
   const auto of_t = Feedrate::Of::parameter;
   const FrameTable whole =
-      answer({"", quintic}, InterpolationQuery{feed({1, 0, 1}, of_t), Rational(1, 7)});
+      answer(NamedPhPath{"", quintic}, InterpolationQuery{feed({1, 0, 1}, of_t), Rational(1, 7)});
   const FrameTable cut =
       answer(NamedPhPath{"", halves},
              InterpolationQuery{feed({1, 0, Rational(1, 4)}, of_t), Rational(1, 7)});
@@ -256,6 +256,31 @@ TEST_CASE("interpolation: law: a PH path by its positions is passed as in closed
   check(test::cut(plane, {Rational(1, 3), Rational(2, 3)}),
         {RationalFunction({5}, {1, 2}), Feedrate::Of::curvature});
   check(plane, {RationalFunction({3, 0, 1}, {1, 1, 1}), Feedrate::Of::curvature});
+  // (4t, −4t, 2 − 4t²)/2: the unit normal (1, 1, 0)/√2 is irrational, κ no rational function.
+  const Rational half(1, 2);
+  const Curve slanted({{half}, {half, 1}, {-half}, {half, -1}});
+  check(slanted, {RationalFunction({3, 0, 1}, {1, 1, 1}), Feedrate::Of::curvature});
+  // Turned back at t = 1/2, and joined to what goes back.
+  const Curve turning({{1}, {}, {}, {}}, {3, -6});
+  check(test::chain({test::straight_line().curve, turning}), feed({1, 0, Rational(1, 4)}));
+  check(test::chain({test::straight_line().curve, turning}),
+        {RationalFunction({1, 1}, {2, 0, 1}), Feedrate::Of::parameter});
+}
+
+// Half of the cubic as a PH segment, the rest by its positions.
+TEST_CASE("interpolation: law: segments of two kinds are passed as those of one") {
+  const Curve plane({{1}, {}, {}, {0, 1}});
+  const PhPath pieces = test::cut(plane, {Rational(1, 3), Rational(2, 3)});
+  Path mixed(by_positions(pieces).segments()[0]);
+  mixed.append(PhSegment(pieces.segments()[1]));
+  mixed.append(by_positions(pieces).segments()[2]);
+  for (const Feedrate& feedrate :
+       {feed({2}), feed({1, 0, Rational(1, 4)}), feed({1, 3}, Feedrate::Of::parameter),
+        Feedrate{RationalFunction({5}, {1, 2}), Feedrate::Of::curvature}}) {
+    const FrameTable found = points(mixed, feedrate, Rational(1, 9));
+    CHECK(found.rows.size() > 3);
+    CHECK(found.rows == points(Path(pieces), feedrate, Rational(1, 9)).rows);
+  }
 }
 
 TEST_CASE("interpolation: speeds that are not positive are refused, with the place") {

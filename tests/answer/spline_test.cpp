@@ -72,12 +72,12 @@ TEST_CASE("spline report: a closed plane curve in text") {
   CHECK(text.starts_with("loop: PH spline of 4 segments, closed\n"));
   CHECK(contains(text, "  holonomy = 0"));
   CHECK(contains(text, "  total angle = 0\n"));
-  const std::string info = to_text(answer(of_any_kind(named), InfoQuery{10}));
+  const std::string info = to_text(answer(named, InfoQuery{10}));
   CHECK(contains(info, "  length ∫ |f|σ       16/3\n"));
   CHECK(contains(info, "  energy ∫ κ² ds      8.712388980\n"));  // 4 + 3π/2, by hand
-  CHECK(contains(to_text(answer(of_any_kind(loop(3)), InfoQuery{10})),
+  CHECK(contains(to_text(answer(loop(3), InfoQuery{10})),
                  "PH spline of 3 segments, open\n"));
-  const Json json = Json::parse(to_json(answer(of_any_kind(named), InfoQuery{10})));
+  const Json json = Json::parse(to_json(answer(named, InfoQuery{10})));
   CHECK(json["arc_length"] == "16/3");
   CHECK(json["closed"] == true);
   CHECK(json["segments"][3]["end"] == Json{"0", "0", "0"});
@@ -112,7 +112,7 @@ TEST_CASE("spline report: every form and LaTeX are those of the segments") {
   const AngleAnswer real = answer(named, query);
   REQUIRE(real.formulas.size() == 2);
   for (std::size_t k = 0; k < 2; ++k)
-    CHECK(differentiate(std::get<RealForm>(real.formulas[k].other)) ==
+    CHECK(differentiate(std::get<RealForm>(real.formulas[k]->other)) ==
           rate_to_erf(named.path.segments()[k].preimage()));
   CHECK(Json::parse(to_json(real))["segments"][1]["real"]["checked"] == true);
   CHECK(contains(to_text(real), "Segment 2\n"));

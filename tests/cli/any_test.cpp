@@ -182,8 +182,9 @@ TEST_CASE("any curve: PH curves have the frame of v, as curves of any kind") {
     CHECK(f2(both[4], 13, angle_of(erf), axis) == doctest::Approx(both[4][7 + axis].get<double>()));
     CHECK(f2(both[4], 25, angle_of(up), axis) == doctest::Approx(both[4][7 + axis].get<double>()));
   }
-  CHECK(contains(here.run("angle quintic.json --frame up").out,
-                 "no closed form: there are those to"));
+  const std::string closed = here.run("angle quintic.json --frame up").out;
+  CHECK(contains(closed, "θ′ = −2h/σ + Im(g′/g) = "));
+  CHECK(contains(closed, "Checked: the derivative of this θ is θ′, exactly."));
   check_success(here.run("mtf quintic.json --from 0 --to 1 --up 0,0,1"));
   check_success(here.run("compile quintic.json --frame up"));
   check_success(here.run(

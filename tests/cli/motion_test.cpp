@@ -163,6 +163,20 @@ TEST_CASE("interpolate: speeds that are no speeds have status 3 and their reason
   check_failure(run("quintic", "0-7"), 3, "the speed is negative");
   check_failure(run("quintic", "0"), 3, "the speed is 0");
   check_failure(run("quintic", "1/kappa"), 3, "not plane");
-  check_failure(run("turning", "1"), 3, "changes sign");
   check_success(run("plane", "1/kappa"));
+}
+
+// s = t − t² up to t = 1/2, and 1/2 − t + t² behind it; with V = 1 + t by mpmath.
+TEST_CASE("interpolate: where the multiplier changes sign the motion goes on, back") {
+  const Workshop here;
+  add_curves(here);
+  const Run constant = here.run("interpolate turning.json --period 0.125 --feed 3/2");
+  check_success(constant);
+  CHECK(line(constant.out, 2) == "1,0.125,0.25,0.1875,-0.1875,0,0");
+  CHECK(line(constant.out, 3) == "2,0.25,0.8535533905932737,0.375,-0.125,0,0");
+  const Run by_t = here.run("interpolate turning.json --period 0.1 --feed '1 + t'");
+  check_success(by_t);
+  CHECK(line(by_t.out, 4) ==
+        "3,0.3,0.8825280359471294,0.3963276982855683,-0.10367230171443167,0,0");
+  CHECK(line(by_t.out, 5) == "4,0.35334910696915034,1,0.5,0,0,0");
 }

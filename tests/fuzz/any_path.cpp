@@ -12,10 +12,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace phrame;
   try {
-    const AnyPath path = read_any_path({reinterpret_cast<const char*>(data), size}, {9});
-    const auto* smooth = std::get_if<NamedPath>(&path);
-    if (smooth == nullptr) return 0;
-    const auto& segments = smooth->path.segments();
+    const NamedPath named = read_any_path({reinterpret_cast<const char*>(data), size}, {9});
+    if (named.path.is_ph()) return 0;
+    const auto& segments = named.path.segments();
     for (std::size_t k = 1; k < segments.size(); ++k) {
       const auto* before = std::get_if<RationalCurve>(&segments[k - 1]);
       const auto* after = std::get_if<RationalCurve>(&segments[k]);

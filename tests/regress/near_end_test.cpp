@@ -2,7 +2,6 @@
 // need not increase: the result was −2⁻³⁰, or an error.
 #include <doctest/doctest.h>
 
-#include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/along/travel_time.hpp"
 
 using namespace phrame;
@@ -32,6 +31,6 @@ TEST_CASE("near an end: the parameter of an arc length, where the speed vanishes
 TEST_CASE("near an end: the parameter of a time, where the feedrate nearly vanishes at the end") {
   // V = t + ε: ξ = (e − 1)ε at time 1.
   const Polynomial v{parse_rational("1e-25"), 1};
-  TravelTime motion(Curve(line), {RationalFunction(v), Feedrate::Of::parameter});
-  CHECK(digits(motion.at_time(1).parameter) == "1.71828182845904523536028747135e-25");
+  TravelTime motion(Path(PhSegment(Curve(line))), {RationalFunction(v), Feedrate::Of::parameter});
+  CHECK(digits(motion.at_time(1).at.t) == "1.71828182845904523536028747135e-25");
 }

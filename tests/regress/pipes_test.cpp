@@ -3,7 +3,7 @@
 #include <set>
 
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/answer/smooth_angle.hpp"
+#include "phrame/answer/angle.hpp"
 #include "phrame/answer/totals.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -118,7 +118,7 @@ TEST_CASE("pipes: law: all is answered, and the frame is bent with the legs") {
     for (std::size_t k = 0; k < 3; ++k)
       CHECK(found.e2[k].enclose(120).overlaps(expected[k].enclose(120)));
 
-    const SmoothAngleAnswer answered = answer(named, SmoothAngleQuery{.at = {Rational(1, 3)}});
+    const AngleAnswer answered = answer(named, AngleQuery{.at = {Rational(1, 3)}});
     CHECK(answered.holonomy.has_value() == is_closed);
     CHECK(answered.no_holonomy.empty());
     for (const TotalsAnswer::Row& row : answer(named, TotalsQuery{}).rows)

@@ -57,7 +57,7 @@ GivenSegments read_spline_segments(const JsonNode& spline, const CurveLimits& li
   return segments;
 }
 
-AnyPath read_json_path(std::string_view text, const CurveLimits& limits) {
+NamedPath read_json_path(std::string_view text, const CurveLimits& limits) {
   const JsonValue document = parse_json_file(text, "curve file");
   const JsonNode node(document);
   if (is_geomdl_file(node) || is_three_file(node)) refuse_long_numbers(node);
@@ -94,7 +94,7 @@ bool is_table(std::string_view text) {
 
 }  // namespace
 
-AnyPath read_any_path(const JsonNode& node, const CurveLimits& limits) {
+NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits) {
   const std::string format = format_at(node, "curve/1");
   refuse_long_numbers(node);
   if (format == "spline/1") return path_of(read_name(node), read_spline_segments(node, limits));
@@ -112,7 +112,7 @@ AnyPath read_any_path(const JsonNode& node, const CurveLimits& limits) {
   return path_of(read_name(node), {read_curve_segment(node, limits)});
 }
 
-AnyPath read_any_path(std::string_view text, const CurveLimits& limits) {
+NamedPath read_any_path(std::string_view text, const CurveLimits& limits) {
   std::string_view content = text;
   if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
   content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
@@ -121,8 +121,8 @@ AnyPath read_any_path(std::string_view text, const CurveLimits& limits) {
   if (is_path_data(text)) return path_of("", read_path_data(text, 0, text.size()));
   if (NpyTable::is_one(text) || is_table(content)) {
     PointCurve read = read_point_table(text, limits);
-    AnyPath path = path_of(read.name, std::move(read.segments));
-    std::visit([&](auto& named) { named.notes = std::move(read.notes); }, path);
+    NamedPath path = path_of(read.name, std::move(read.segments));
+    path.notes = std::move(read.notes);
     return path;
   }
   return read_json_path(text, limits);  // which says what it begins with

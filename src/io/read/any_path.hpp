@@ -13,9 +13,9 @@ namespace phrame {
 /// A path all of whose segments are PH is read as that, with the same PhPath as read_path(), so
 /// that it is answered exactly. Throws InputError; its place is a JSON pointer, line:column, "line
 /// 3" or "row 3".
-AnyPath read_any_path(std::string_view text, const CurveLimits& limits = {});
+NamedPath read_any_path(std::string_view text, const CurveLimits& limits = {});
 /// The same as a part of a JSON document, in the formats of phrame, where a curve may do without
 /// "phrame": "curve/1".
-AnyPath read_any_path(const JsonNode& node, const CurveLimits& limits = {});
+NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits = {});
 
 }  // namespace phrame

@@ -178,7 +178,7 @@ StatedDecisions read_decisions(const JsonNode& node) {
 
 Reference read_frame(const JsonNode& node) {
   for (const auto& [name, reference] : reference_names())
-    if (node.string() == name) return reference;
+    if (node.string() == name && reference != Reference::up) return reference;
   node.fail(
       fmt::format("the frame is \"erf\" or \"frenet\", not \"{}\"", abbreviated(node.string())));
 }

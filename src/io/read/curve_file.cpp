@@ -180,8 +180,7 @@ NamedPhPath read_path(const JsonNode& node, const CurveLimits& limits) {
   const auto format = node.find("phrame");
   if (format && format->string() == "spline/1") return read_spline(node, limits);
   if (format && is_format_of_any_curve(format->string())) {
-    AnyPath path = read_any_path(node, limits);
-    if (auto* ph = std::get_if<NamedPhPath>(&path)) return std::move(*ph);
+    if (auto ph = as_ph(read_any_path(node, limits))) return *std::move(ph);
     node.fail("this is no path of PH curves");
   }
   if (format && format->string() != "curve/1")

@@ -56,7 +56,7 @@ Vector<Rational> end_point(const GivenSegment& segment) {
   return result;
 }
 
-AnyPath path_of(std::string name, std::vector<GivenSegment> segments) {
+NamedPath path_of(std::string name, std::vector<GivenSegment> segments) {
   Path path(taken_curve(segments.front()), segments.size());
   for (std::size_t k = 1; k < segments.size(); ++k) {
     try {
@@ -65,8 +65,7 @@ AnyPath path_of(std::string name, std::vector<GivenSegment> segments) {
       fail_at(segments[k], error.what());
     }
   }
-  if (auto ph = path.ph()) return NamedPhPath(std::move(name), *std::move(ph));
-  return NamedPath{std::move(name), std::move(path)};
+  return {std::move(name), std::move(path)};
 }
 
 }  // namespace phrame

@@ -34,6 +34,6 @@ Vector<Rational> end_point(const GivenSegment& segment);
 /// Of segments, at least one, the path: that of PH curves where all of them are; of others those
 /// that are PH are known to be. They are identified where they are polynomial. Throws InputError at
 /// the segment that does not go on where the one before ends, or with another tangent.
-AnyPath path_of(std::string name, std::vector<GivenSegment> segments);
+NamedPath path_of(std::string name, std::vector<GivenSegment> segments);
 
 }  // namespace phrame

@@ -11,17 +11,11 @@ namespace phrame {
 // A check says how its table was read, so its texts are in check.hpp; tables of frames are in
 // frame_table.hpp.
 
-/// @{ The closed form and the values: angle/1, of a spline spline-angle/1.
+/// @{ The closed forms, or the integral, and the values: angle/1, of a spline spline-angle/1.
 std::string to_text(const AngleAnswer& answer);
 std::string to_json(const AngleAnswer& answer);
 std::string to_json_line(const AngleAnswer& answer);  ///< on one line, without its end
 std::string to_latex(const AngleAnswer& answer);
-/// @}
-/// @{ The integral and the values: angle/1, of a path spline-angle/1.
-std::string to_text(const SmoothAngleAnswer& answer);
-std::string to_json(const SmoothAngleAnswer& answer);
-std::string to_json_line(const SmoothAngleAnswer& answer);  ///< on one line, without its end
-std::string to_latex(const SmoothAngleAnswer& answer);
 /// @}
 /// @{ classify/1, of a spline spline-classify/1.
 std::string to_text(const ClassificationAnswer& answer);

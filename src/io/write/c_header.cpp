@@ -170,8 +170,7 @@ std::string in_comment(const std::string& name) {
 std::string about_reference(const CompiledAnswer& header) {
   if (header.reference == Reference::frenet)
     return "Frenet frame, tangent, normal n and binormal b, continued through inflections";
-  const auto* named = std::get_if<NamedPhPath>(&header.path);
-  if (named == nullptr)
+  if (header.up)
     return fmt::format(
         "frame (e1, e2, e3) of v = {},\n *   e2 = v x e1/|v x e1|, e3 = e1 x e2; segment k has k "
         "<= t <= k + 1",
@@ -179,9 +178,10 @@ std::string about_reference(const CompiledAnswer& header) {
   return std::string(
              "Euler-Rodrigues frame (e1, e2, e3) = (A i A*, A j A*, A k A*)/|A|^2, where\n"
              " *   A = u + v i + p j + q k is the preimage of the ") +
-         (named->path.is_curve() ? "curve"
-                                 : "segment, chosen such that this frame is\n"
-                                   " *   continuous; segment k has k <= t <= k + 1");
+         (header.path.path.segments().size() == 1
+              ? "curve"
+              : "segment, chosen such that this frame is\n"
+                " *   continuous; segment k has k <= t <= k + 1");
 }
 
 /// What f1 is; two lines.
@@ -195,9 +195,8 @@ const char* about_tangent(const CompiledAnswer& header) {
 
 /// θ(0).
 std::string start_of(const CompiledAnswer& header) {
-  const auto* exact = std::get_if<FrameAngle>(&header.start_angle);
-  if (exact != nullptr) return abbreviated(to_string(*exact));
-  if (const auto* angle = std::get_if<Angle>(&header.start)) return abbreviated(to_string(*angle));
+  if (const auto* exact = std::get_if<FrameAngle>(&header.start_angle))
+    return abbreviated(to_string(*exact));
   return std::get<Decimal>(header.start_angle).value;
 }
 
@@ -256,17 +255,15 @@ std::string to_c_header(const CompiledAnswer& header, const std::string& prefix)
     define_frame = fmt::format("#define {}_FRAME_ERROR {:a}\n", upper, error);
   }
   const double error = angle_error(header);
-  const bool is_erf = header.reference == Reference::euler_rodrigues;
-  const std::string name = std::visit([](const auto& named) { return named.name; }, header.path);
-  const auto* ph = std::get_if<NamedPhPath>(&header.path);
+  const bool is_frenet = header.reference == Reference::frenet;
+  const std::string& name = header.path.name;
   std::string text = fmt::format(
       fmt::runtime(preamble), arg("p", p), arg("P", upper),
       arg("title", name.empty() ? "A rotation-minimizing frame"
                                 : "A rotation-minimizing frame of " + in_comment(name)),
-      arg("reference", about_reference(header)), arg("second", is_erf ? "e2" : "n"),
-      arg("third", is_erf ? "e3" : "b"), arg("start", start_of(header)),
-      arg("normal", about_start(header.start)),
-      arg("near", about_curve(ph != nullptr ? ph->near : std::nullopt)),
+      arg("reference", about_reference(header)), arg("second", is_frenet ? "n" : "e2"),
+      arg("third", is_frenet ? "b" : "e3"), arg("start", start_of(header)),
+      arg("normal", about_start(header.start)), arg("near", about_curve(header.path.near)),
       arg("angle_error", decimal_above(error)), arg("angle_error_hex", fmt::format("{:a}", error)),
       arg("frame_text", about_frame), arg("frame_define", define_frame),
       arg("from", header.angle.from()), arg("to", header.angle.to()),

@@ -97,11 +97,6 @@ std::string place_of(const FrameStart& start, const std::optional<Vector<Rationa
   return "with f2 along " + brief_vector(std::get<StartNormal>(start).vector);
 }
 
-/// What the path is called.
-std::string name_of(const AnyPath& path) {
-  return std::visit([](const auto& named) { return named.name; }, path);
-}
-
 std::string sentence(const FrameFinding& finding) {
   const auto amount = [&] { return shown(*finding.amount) + " radians"; };
   const auto within = [&] { return "to within " + upper(*finding.residual, 2) + " radians"; };
@@ -190,7 +185,7 @@ std::string to_text(const CheckAnswer& answer, const TableReading& reading) {
   const auto [first, last] =
       std::minmax_element(answer.frames.begin(), answer.frames.end(),
                           [](const GivenFrame& a, const GivenFrame& b) { return a.t < b.t; });
-  std::string text = name_prefix(name_of(answer.path));
+  std::string text = name_prefix(answer.path.name);
   const std::string from = brief(first->t);
   text += first->t == last->t
               ? fmt::format("{}, t = {}\n\n", counted(answer.frames.size(), "frame"), from)
@@ -247,7 +242,7 @@ std::string to_json(const CheckAnswer& answer, const TableReading& reading) {
   }
   JsonOutput json = {
       {"phrame", "check/1"},
-      {"name", name_of(answer.path)},
+      {"name", answer.path.name},
       {"verdict", v.passes ? "pass" : "fail"},
       {"tolerance", to_string(answer.options.tolerance)},
       {"max_error",
@@ -265,7 +260,7 @@ std::string to_json(const CheckAnswer& answer, const TableReading& reading) {
     add_start(json, *start);
   }
   if (answer.up) json["up"] = phrame::json_of(*answer.up);
-  if (const auto* named = std::get_if<NamedPhPath>(&answer.path)) add_nearness(json, named->near);
+  add_nearness(json, answer.path.near);
   return pretty(json);
 }
 

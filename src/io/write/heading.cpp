@@ -41,7 +41,7 @@ std::string heading(const NamedPhPath& named) {
 }
 
 std::string heading(const NamedPath& named) {
-  if (const auto ph = named.path.ph()) return heading(NamedPhPath(named.name, *ph));
+  if (auto ph = named.path.ph()) return heading(NamedPhPath(named.name, *std::move(ph)));
   const auto& segments = named.path.segments();
   std::string kind = fmt::format("path of {}", counted(segments.size(), "curve"));
   if (segments.size() == 1) {

@@ -11,7 +11,8 @@ namespace phrame {
 /// segments, closed".
 std::string heading(const std::string& name, const Curve& curve);
 std::string heading(const NamedPhPath& named);
-/// Of a path of any kind: "rational curve of degree 2", "path of 4 curves, closed".
+/// Of a path of any kind: the same of PH curves, "rational curve of degree 2", "path of 4 curves,
+/// closed".
 std::string heading(const NamedPath& named);
 
 /// What frames and angles mean where the multiplier is negative on [0, 1], as prose() has it; empty

@@ -19,8 +19,8 @@ const std::string& name_in(const Names<T>& names, T value) {
 }  // namespace
 
 const Names<Reference>& reference_names() {
-  static const Names<Reference> names{{"erf", Reference::euler_rodrigues},
-                                      {"frenet", Reference::frenet}};
+  static const Names<Reference> names{
+      {"erf", Reference::euler_rodrigues}, {"frenet", Reference::frenet}, {"up", Reference::up}};
   return names;
 }
 

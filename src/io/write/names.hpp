@@ -15,7 +15,7 @@ enum class Reference;
 template <class T>
 using Names = std::vector<std::pair<std::string, T>>;
 
-const Names<Reference>& reference_names();            ///< "erf", "frenet"
+const Names<Reference>& reference_names();            ///< "erf", "frenet", "up"
 const Names<QuinticSelection>& quintic_selections();  ///< "auto", "minimal", …
 const Names<FrameWeight>& frame_weights();            ///< "one", "torsion-curvature", "speed"
 

@@ -83,9 +83,15 @@ JsonOutput plots_of(const PageAnswer& page) {
   return plots;
 }
 
+bool is_to_erf(const AngleAnswer& angle) { return angle.reference == Reference::euler_rodrigues; }
+
+bool is_ph_curve(const AngleAnswer& angle) {
+  return is_to_erf(angle) && angle.path.path.segments().size() == 1;
+}
+
 /// What is known of the plots between the rows.
 std::string said_of_plots(const PageAnswer& page) {
-  const bool is_ph = std::holds_alternative<AngleAnswer>(page.angle);
+  const bool is_ph = is_to_erf(page.angle);
   const char* quantities = is_ph ? "θ, θ′, κ, τ and |r′|" : "κ and τ";
   if (!page.turns.are_all)
     return fmt::format("Between its rows, {} may go farther than is seen.", quantities);
@@ -155,43 +161,43 @@ void say_start(JsonOutput& page, const FrameStart& start) {
     page["said"].push_back(fmt::format("At the start {}.", to_sentence(*least)));
 }
 
-void add_angle(JsonOutput& page, const AngleAnswer& angle) {
-  const auto& [name, path, near, notes] = angle.path;
-  page["heading"] = heading("", path.segments().front());
-  if (!path.is_curve()) page["heading"] = heading(NamedPhPath{"", path, near});
+/// What the angle is, of PH curves by their Euler–Rodrigues frame.
+std::string closed_form_said(JsonOutput& page, const AngleAnswer& angle) {
   std::string said = "θ is the angle from e₂ of the Euler–Rodrigues frame to f₂. ";
   if (angle.formulas.empty())
-    said +=
-        fmt::format("It has a closed form on each of the {} segments. ", path.segments().size());
+    said += fmt::format("It has a closed form on each of the {} segments. ",
+                        angle.path.path.segments().size());
   else if (const std::string latex = to_latex(angle); latex.size() <= longest_formula)
     page["latex"].push_back(latex);
   else
     said += "Its closed form is too long for a page: phrame angle prints it. ";
-  said += "That the derivative of the formula is θ′ = −2h/σ was checked exactly, for this curve.";
-  page["said"] = {said};
-  say_start(page, angle.start);
-  if (!path.is_curve()) page["said"].push_back(segments_said(path.segments().size()));
-  if (path.is_curve() && !angle.formulas.empty() && angle.formulas.front().poles)
-    page["poles"] = json_of_poles(*angle.formulas.front().poles, 1);
-  add_holonomy(page, angle.holonomy);
+  return said +
+         "That the derivative of the formula is θ′ = −2h/σ was checked exactly, for this curve.";
 }
 
-void add_angle(JsonOutput& page, const SmoothAngleAnswer& angle) {
-  page["heading"] = heading(NamedPath{"", angle.path.path});
-  page["said"] = {fmt::format(
-      "{}: it is the integral of −e₂′·e₃ of the frame e₂ = v × e₁/|v × e₁| of the vector v = {}, "
-      "enclosed by Taylor polynomials whose errors are proved.",
-      angle.path.path.is_ph() ? "To the frame of a vector θ has no closed form"
-                              : "The curve is not Pythagorean-hodograph, and θ has no closed form",
-      shown(angle.up))};
-  say_start(page, angle.start);
-  page["said"].push_back(parameter_said(angle.path.path));
-  add_holonomy(page, angle.holonomy);
+/// What it is by the frame of a vector.
+std::string integral_said(JsonOutput& page, const AngleAnswer& angle) {
+  std::string said = fmt::format(
+      "θ is the angle to f₂ from e₂ = v × e₁/|v × e₁|, of the vector v = {}. ", shown(*angle.up));
+  if (!angle.path.path.is_ph())
+    return said +
+           "The curve is not Pythagorean-hodograph, and θ has no closed form: it is the integral "
+           "of −e₂′·e₃, enclosed by Taylor polynomials whose errors are proved.";
+  if (const std::string latex = to_latex(angle);
+      !angle.formulas.empty() && latex.size() <= longest_formula)
+    page["latex"].push_back(latex);
+  return said + "That the derivative of its closed form is θ′ was checked exactly, for this curve.";
 }
 
-bool is_ph_curve(const PageAnswer& page) {
-  const auto* angle = std::get_if<AngleAnswer>(&page.angle);
-  return angle != nullptr && angle->path.path.is_curve();
+void add_angle(JsonOutput& page, const AngleAnswer& angle) {
+  const Path& path = angle.path.path;
+  page["heading"] = heading(NamedPath{"", path});
+  page["said"] = {is_to_erf(angle) ? closed_form_said(page, angle) : integral_said(page, angle)};
+  say_start(page, angle.start);
+  if (!is_to_erf(angle) || path.segments().size() > 1) page["said"].push_back(parameter_said(path));
+  if (is_ph_curve(angle) && !angle.formulas.empty() && angle.formulas.front()->poles)
+    page["poles"] = json_of_poles(*angle.formulas.front()->poles, 1);
+  add_holonomy(page, angle.holonomy);
 }
 
 JsonOutput download(const std::string& name, const char* type, const std::string& text) {
@@ -218,12 +224,11 @@ void add_downloads(JsonOutput& page, const PageAnswer& answer, const std::string
     room -= size;
     page["downloads"].push_back(download(file, type, text));
   };
-  add(stem + "-angle.json", "application/json", "phrame angle --print json",
-      std::visit([](const auto& angle) { return to_json(angle); }, answer.angle));
+  add(stem + "-angle.json", "application/json", "phrame angle --print json", to_json(answer.angle));
   if (answer.certificate)
     add(stem + ".cert", "application/json", "phrame certify",
         write_certificate(*answer.certificate, name, answer.table.near));
-  else if (is_ph_curve(answer))
+  else if (is_ph_curve(answer.angle))
     missing.emplace_back("phrame certify");
   if (answer.compiled)
     add(stem + ".h", "text/x-c", "phrame compile", to_c_header(*answer.compiled, stem));
@@ -253,11 +258,10 @@ void add_fact(JsonOutput& facts, const char* title, const char* command, const s
 }
 
 JsonOutput json_of(const PageAnswer& answer) {
-  const std::string& name = std::visit(
-      [](const auto& angle) -> const std::string& { return angle.path.name; }, answer.angle);
+  const std::string& name = answer.angle.path.name;
   JsonOutput page{{"phrame", "page/1"}, {"version", version}, {"name", name}};
   page["latex"] = JsonOutput::array();
-  std::visit([&](const auto& angle) { add_angle(page, angle); }, answer.angle);
+  add_angle(page, answer.angle);
   page["closed"] = answer.is_closed;
   page["frames"] = JsonOutput::array();
   for (const TabulatedFrame frame : answer.frames)

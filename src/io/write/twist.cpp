@@ -40,7 +40,7 @@ Fields fields(const MinimalTwistAnswer& answer) {
   const bool is_up = answer.up.has_value();
   return {
       json_field("phrame", "mtf/1"),
-      json_field("name", std::visit([](const auto& named) { return named.name; }, answer.path)),
+      json_field("name", answer.path.name),
       {"from", "$θ_i$, at the start", compared_value(answer.from)},
       {"to", "$θ_f$, at the end", compared_value(answer.to)},
       in_json(length_field),
@@ -57,14 +57,12 @@ Fields fields(const MinimalTwistAnswer& answer) {
       json_field("exact", {{"values", json_of(answer.values)}})};
 }
 
-std::string first_line(const MinimalTwistAnswer& answer) {
-  return std::visit([](const auto& named) { return heading(named); }, answer.path);
-}
+std::string first_line(const MinimalTwistAnswer& answer) { return heading(answer.path); }
 
 /// What there is to say of the signs of a PH path.
 std::string notes(const MinimalTwistAnswer& answer, Notation notation) {
-  const auto* named = std::get_if<NamedPhPath>(&answer.path);
-  return named != nullptr ? notes_on_signs(named->path, notation) : "";
+  const auto ph = answer.up ? std::nullopt : answer.path.path.ph();
+  return ph ? notes_on_signs(*ph, notation) : "";
 }
 
 /// What there is to say of half a turn, which is as long both ways.
@@ -116,7 +114,7 @@ std::string to_json(const MinimalTwistAnswer& answer) {
   if (!answer.why_not_rational.empty()) output["no_rational"] = answer.why_not_rational;
   if (!answer.why_undecided.empty()) output["rational_undecided"] = answer.why_undecided;
   if (answer.up) output["up"] = json_of(*answer.up);
-  if (const auto* named = std::get_if<NamedPhPath>(&answer.path)) add_nearness(output, named->near);
+  add_nearness(output, answer.path.near);
   return pretty(output);
 }
 

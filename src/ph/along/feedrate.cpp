@@ -4,56 +4,78 @@
 
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/as_written.hpp"
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
-#include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
-// s(t) is a polynomial and so is |f|σ, and the signed curvature of a plane curve is rational: then
-// V(s(t)), V(t) and V(κ(t)) are rational functions, and so is |f|σ/V.
+// |f|σ is a polynomial where f keeps its sign, and the signed curvature of a plane PH curve is
+// rational: then V(t), V(κ(t)) and |f|σ/V are rational functions.
 
 namespace phrame {
 namespace {
 
-/// f(x(t)), where x(t) is what the speed depends on.
-RationalFunction along(const RationalFunction& f, const RationalFunction& x) {
-  if (const auto c = constant(x); c && f.denominator()(*c) == 0)
-    throw DomainError("feedrate: it divides by zero all along the curve");
-  return compose(f, x);
+[[noreturn]] void refuse_speed(const char* what, const std::string& place) {
+  throw DomainError(fmt::format("feedrate: the speed {} at {}", what, place));
 }
 
-void require_none_on_curve(const Polynomial& p, const char* what, const SegmentStart& start) {
-  if (count_real_roots(p, closed(0, 1)) == 0) return;
-  const RealAlgebraic first = real_roots(p, closed(0, 1)).front().at;
-  throw DomainError(fmt::format("feedrate: the speed {} at {}", what,
-                                place("t", affine(first, 1, start.parameter))));
+/// Is x ≤ end?
+bool is_up_to(const RealAlgebraic& x, const Real& end) {
+  if (end.exact()) return compare(x, *end.exact()) <= 0;
+  for (long bits = 64; bits <= 4096; bits *= 2) {
+    const RealBall a = enclose(x, bits);
+    const RealBall b = end.enclose(bits);
+    if (is_less(a, b)) return true;
+    if (is_less(b, a)) return false;
+  }
+  throw Undecided("feedrate: a zero or pole of the speed is not told from the end of the path");
 }
 
 }  // namespace
 
-RationalFunction speed_along(const Curve& curve, const Feedrate& feedrate,
-                             const SegmentStart& start) {
-  switch (feedrate.of) {
-    case Feedrate::Of::arc_length:
-      return along(feedrate.speed,
-                   RationalFunction(ArcLength(curve).polynomial() + Polynomial{start.arc_length}));
-    case Feedrate::Of::curvature:
-      return along(feedrate.speed, signed_curvature(curve));
-    case Feedrate::Of::parameter:
-      break;
-  }
-  return compose(feedrate.speed, Polynomial{start.parameter, 1});
+void require_positive(const RationalFunction& speed, const Real& end,
+                      const std::function<std::string(const RealAlgebraic&)>& place_of) {
+  if (speed.is_zero()) throw DomainError("feedrate: the speed is 0");
+  const Rational beyond = end.exact() ? *end.exact() : end.enclose(64).upper();
+  const auto require_no_zero = [&](const Polynomial& p, const char* what) {
+    if (p.is_constant()) return;
+    for (const RealRoot& root : real_roots(p, closed(0, beyond)))
+      if (is_up_to(root.at, end)) refuse_speed(what, place_of(root.at));
+  };
+  require_no_zero(speed.numerator(), "is 0");
+  require_no_zero(speed.denominator(), "is infinite");
+  if (speed(0) < 0)
+    throw DomainError(
+        fmt::format("feedrate: the speed is negative, {}{}", as_written(speed(0)),
+                    constant(speed) ? "" : " at " + place_of(RealAlgebraic(Rational(0)))));
+}
+
+void require_positive_along(const RationalFunction& speed, const Rational& start) {
+  require_positive(speed, Rational(1),
+                   [&](const RealAlgebraic& t) { return place("t", affine(t, 1, start)); });
+}
+
+Rational speed_without_curvature(const RationalFunction& speed) {
+  if (speed.denominator()(0) == 0)
+    throw DomainError("feedrate: it divides by zero all along a straight line");
+  const Rational V = speed(0);
+  require_positive(RationalFunction(Polynomial{V}), Rational(0), {});
+  return V;
+}
+
+RationalFunction speed_along(const Curve& curve, const Feedrate& feedrate, const Rational& start) {
+  if (feedrate.of != Feedrate::Of::curvature) return compose(feedrate.speed, Polynomial{start, 1});
+  const RationalFunction kappa = signed_curvature(curve);
+  if (kappa.is_zero()) return RationalFunction(Polynomial{speed_without_curvature(feedrate.speed)});
+  if (const auto c = constant(kappa); c && feedrate.speed.denominator()(*c) == 0)
+    throw DomainError("feedrate: it divides by zero all along the curve");
+  return compose(feedrate.speed, kappa);
 }
 
 RationalFunction travel_time_rate(const Curve& curve, const Feedrate& feedrate,
-                                  const SegmentStart& start) {
+                                  const Rational& start) {
   const RationalFunction speed = speed_along(curve, feedrate, start);
-  if (speed.is_zero()) throw DomainError("feedrate: the speed is 0");
-  require_none_on_curve(speed.numerator(), "is 0", start);
-  require_none_on_curve(speed.denominator(), "is infinite", start);
-  if (speed(0) < 0)
-    throw DomainError(fmt::format("feedrate: the speed is negative, {} at t = {}",
-                                  as_written(speed(0)), to_string(start.parameter)));
+  require_positive_along(speed, start);
   const Polynomial path = differentiate(ArcLength(curve).polynomial());
   return {path * speed.denominator(), speed.numerator()};
 }

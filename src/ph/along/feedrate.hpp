@@ -1,12 +1,17 @@
 #pragma once
+#include <functional>
+#include <string>
+
 #include "phrame/algebra/rational_function.hpp"
+#include "phrame/algebra/real.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
 
-/// A feedrate: the speed V = ds/dt at which a tool moves along a curve, a rational function of one
-/// of the curve's own quantities. Constant, linear or quadratic in the arc length, any polynomial
-/// in the parameter, V₀/(1 + κd) for a plane curve: all are of this kind [Farouki 2008].
+/// A feedrate: the speed V = ds/dt at which a tool moves along a path, a rational function of one
+/// of its own quantities. Constant, linear or quadratic in the arc length, any polynomial in the
+/// parameter, V₀/(1 + κd) for a plane curve: all are of this kind [Farouki 2008].
 struct Feedrate {
   /// The quantity that the speed is a function of.
   enum class Of {
@@ -20,21 +25,25 @@ struct Feedrate {
   friend bool operator==(const Feedrate&, const Feedrate&) = default;
 };
 
-/// Where a curve begins that is a segment of a path: what the quantities of the path are there.
-struct SegmentStart {
-  Rational parameter = 0;   ///< of the path
-  Rational arc_length = 0;  ///< from the start of the path
-};
+/// V > 0 as a function of the quantity, which goes from 0 to `end`. Throws DomainError where it is
+/// 0, infinite or negative there, decided exactly, with `place_of(x)` of the first such x;
+/// Undecided where the end is not told from it.
+void require_positive(const RationalFunction& speed, const Real& end,
+                      const std::function<std::string(const RealAlgebraic& x)>& place_of);
+/// The same of a function of the parameter of a segment that starts at t = `start`.
+void require_positive_along(const RationalFunction& speed, const Rational& start);
+/// V(0), where the curvature is 0 all along. Throws DomainError where that is not positive.
+Rational speed_without_curvature(const RationalFunction& speed);
 
-/// V as a function of the parameter t ∈ [0, 1] of the curve. Throws DomainError where the curvature
-/// is asked for and is no rational function (signed_curvature says why), and where f changes sign
-/// on [0, 1].
+/// V of the parameter of the path, which is t + start, or of the curvature, as a function of the
+/// parameter t of a PH curve. Throws DomainError where the curvature is no rational function
+/// (signed_curvature() says why).
 RationalFunction speed_along(const Curve& curve, const Feedrate& feedrate,
-                             const SegmentStart& start = {});
-
-/// |f|σ/V, the rate dT/dt at which time passes. Throws DomainError as above and where V is not
-/// positive and finite on all of [0, 1]: decided exactly, with the place of the zero or the pole.
+                             const Rational& start = 0);
+/// |f|σ/V, the rate dT/dt at which time passes. Throws DomainError as above, where f changes sign
+/// on [0, 1], and where V is not positive and finite on all of [0, 1]: decided exactly, with the
+/// place of the zero or the pole.
 RationalFunction travel_time_rate(const Curve& curve, const Feedrate& feedrate,
-                                  const SegmentStart& start = {});
+                                  const Rational& start = 0);
 
 }  // namespace phrame

@@ -120,6 +120,11 @@ Real PathLength::value(const Place& at) const {
   return {[sum](long bits) { return sum.enclose(bits); }, {true, sum.origin().bits}};
 }
 
+RealBall PathLength::enclose(const Place& at, long bits) const {
+  return add(before(at.segment).enclose(bits), state_->length(at.segment)->enclose(at.t, bits),
+             bits);
+}
+
 RealBall PathLength::rate(std::size_t segment, const RealBall& t, long bits) const {
   return state_->length(segment)->rate(t, bits);
 }
@@ -157,12 +162,10 @@ Place PathLength::point(const Rational& s) const {
   if (before(low + 1).exact() == s) return {low, Rational(1)};
   if (const auto length = closed_form(low); length && start.exact())
     return {low, length->algebraic_parameter(s - *start.exact())};
-  const auto from_start = [length = state_->length(low), start](const RealBall& t, long bits) {
-    return add(start.enclose(bits), length->enclose(Real(t.midpoint()), bits), bits);
+  const auto from_start = [*this, low](const RealBall& t, long bits) {
+    return enclose({low, t.midpoint()}, bits);
   };
-  const auto slope = [length = state_->length(low)](const RealBall& t, long bits) {
-    return length->rate(t, bits);
-  };
+  const auto slope = [*this, low](const RealBall& t, long bits) { return rate(low, t, bits); };
   const auto F = std::make_shared<const IncreasingFunction>(IncreasingFunction{from_start, slope});
   const Real t = recognized(preimage(F, s, guess_preimage(*F, s)), [&](const Rational& r) {
     return value({low, r}).exact() == s;

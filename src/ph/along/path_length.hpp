@@ -26,6 +26,8 @@ class PathLength {
   /// Along segment k, from its start, where it is a PH curve on which f keeps its sign; else null.
   std::shared_ptr<const ArcLength> closed_form(std::size_t k) const;
 
+  /// A ball around value(), whatever that is.
+  RealBall enclose(const Place& at, long bits) const;
   /// ds/dt ≥ 0 on a ball of the parameter of a segment.
   RealBall rate(std::size_t segment, const RealBall& t, long bits) const;
 

@@ -70,6 +70,4 @@ CurveSeries series_of(const Path& path) {
           }};
 }
 
-CurveSeries series_of(const PhPath& path) { return series_of(Path(path)); }
-
 }  // namespace phrame

@@ -3,7 +3,6 @@
 
 #include "phrame/algebra/ball_series.hpp"
 #include "phrame/ph/curve/path.hpp"
-#include "phrame/ph/curve/ph_path.hpp"
 
 namespace phrame {
 
@@ -17,9 +16,7 @@ struct CurveSeries {
       position;
 };
 
-/// @{ Of such a curve.
-CurveSeries series_of(const PhPath& path);
+/// Of such a curve.
 CurveSeries series_of(const Path& path);
-/// @}
 
 }  // namespace phrame

@@ -15,24 +15,18 @@ namespace {
 struct SegmentEnd {
   ExactVector position;
   ExactVector direction;  ///< e₁, of any length
-  int sign;               ///< of p on the inner side: e₁ times it is the unit tangent
 };
 
 ExactVector inserted(FormulaProgram& program, const Vector<Rational>& v) {
   return {program.number(v[0]), program.number(v[1]), program.number(v[2])};
 }
 
-int end_orientation(const RationalCurve& curve) {
-  return sign_after_zero(compose(curve.multiplier(), Polynomial{1, -1}));
-}
-
 SegmentEnd end_at(const RationalCurve& curve, const Rational& t, FormulaProgram& program) {
-  return {inserted(program, point(curve, t)), inserted(program, evaluate(curve.direction(), t)),
-          t == 0 ? sign_after_zero(curve.multiplier()) : end_orientation(curve)};
+  return {inserted(program, point(curve, t)), inserted(program, evaluate(curve.direction(), t))};
 }
 
 SegmentEnd end_at(const ExpressionCurve& curve, const Rational& t, FormulaProgram& program) {
-  return {exact_point(curve, t, program), exact_direction(curve, t, program), curve.orientation()};
+  return {exact_point(curve, t, program), exact_direction(curve, t, program)};
 }
 
 SegmentEnd start_of(const Segment& segment, FormulaProgram& program) {
@@ -43,10 +37,10 @@ SegmentEnd end_of(const Segment& segment, FormulaProgram& program) {
   return visit_curve([&](const auto& curve) { return end_at(curve, 1, program); }, segment);
 }
 
-/// The unit tangent, of any length.
-ExactVector tangent_of(const SegmentEnd& end, FormulaProgram& program) {
+/// The unit tangent, of any length, where e₁ times this sign is that.
+ExactVector tangent_of(const SegmentEnd& end, int sign, FormulaProgram& program) {
   ExactVector tangent = end.direction;
-  if (end.sign < 0)
+  if (sign < 0)
     for (auto& x : tangent) x = program.negative(x);
   return tangent;
 }
@@ -78,10 +72,6 @@ bool decided(const std::optional<bool>& answer, const char* what) {
   return *answer;
 }
 
-Segment turned_over(const Segment& segment) {
-  return std::visit([](const auto& curve) -> Segment { return curve.turned_over(); }, segment);
-}
-
 }  // namespace
 
 Path::Path(Segment first, std::size_t room) : segments_(std::make_shared<Segments>()) {
@@ -93,7 +83,14 @@ Path::Path(const PhPath& ph) : segments_(std::make_shared<Segments>()) {
   for (const Curve& curve : ph.segments()) segments_->emplace_back(PhSegment(curve));
 }
 
+Path Path::of_continuous(std::vector<Segment> segments) {
+  Path path(std::move(segments.front()), segments.size());
+  for (std::size_t k = 1; k < segments.size(); ++k) path.add(std::move(segments[k]));
+  return path;
+}
+
 void Path::add(Segment next) {
+  if (end_orientation(segments().back()) != orientation(next)) next = turned_over(next);
   if (segments_.use_count() > 1) segments_ = std::make_shared<Segments>(segments());
   segments_->push_back(std::move(next));
 }
@@ -113,14 +110,14 @@ void Path::append(Segment next) {
     throw DomainError(fmt::format("it starts at {}, but the spline ends at {}",
                                   shown_vector(program, after.position, false),
                                   shown_vector(program, before.position, false)));
-  const ExactVector old_tangent = tangent_of(before, program);
-  const ExactVector new_tangent = tangent_of(after, program);
+  const ExactVector old_tangent = tangent_of(before, end_orientation(segments().back()), program);
+  const ExactVector new_tangent = tangent_of(after, orientation(next), program);
   if (!decided(have_same_direction(program, old_tangent, new_tangent),
                "its tangent is that of the spline"))
     throw DomainError(fmt::format(
         "the tangent breaks: it starts in the direction {}, but the spline ends in {}",
         shown_vector(program, new_tangent, true), shown_vector(program, old_tangent, true)));
-  add(before.sign == after.sign ? std::move(next) : turned_over(next));
+  add(std::move(next));
 }
 
 bool Path::is_ph() const { return std::all_of(segments().begin(), segments().end(), ph_curve); }
@@ -133,6 +130,7 @@ std::optional<PhPath> Path::ph() const {
 }
 
 bool Path::ends_meet() const {
+  if (const auto of_ph = ph()) return of_ph->ends_meet();
   FormulaProgram program;
   const SegmentEnd start = start_of(segments().front(), program);
   const SegmentEnd end = end_of(segments().back(), program);
@@ -140,6 +138,7 @@ bool Path::ends_meet() const {
 }
 
 bool Path::is_closed() const {
+  if (const auto of_ph = ph()) return of_ph->closing_turn().has_value();
   if (!ends_meet()) return false;
   FormulaProgram program;
   const SegmentEnd start = start_of(segments().front(), program);
@@ -165,10 +164,12 @@ Path joined(std::vector<Segment> segments) {
   return path;
 }
 
-NamedPath of_any_kind(const AnyPath& named) {
-  if (const auto* path = std::get_if<NamedPath>(&named)) return *path;
-  const auto& [name, path, near, notes] = std::get<NamedPhPath>(named);
-  return {name, Path(path), notes, near};
+std::optional<NamedPhPath> as_ph(const NamedPath& named) {
+  auto path = named.path.ph();
+  if (!path) return std::nullopt;
+  NamedPhPath ph(named.name, *std::move(path), named.near);
+  ph.notes = named.notes;
+  return ph;
 }
 
 Path by_positions(const PhPath& path) {

@@ -21,6 +21,9 @@ class Path {
   explicit Path(Curve curve) : Path(Segment(PhSegment(std::move(curve)))) {}
   /// The segments of a path of PH curves.
   Path(const PhPath& ph);  // NOLINT(google-explicit-constructor)
+  /// Segments, at least one, that are known to go on where the one before ends, in position and
+  /// tangent, PH curves with their preimages. They are turned over where append() does it.
+  static Path of_continuous(std::vector<Segment> segments);
   Path(const Path&) = default;
   Path& operator=(const Path&) = default;  // to move one is to copy it
   ~Path() = default;
@@ -74,12 +77,20 @@ struct NamedPath {
   std::vector<std::string> notes = {};  ///< on how it was read, in sentences without a point
   /// How near it is to the one in whose place it stands, where that is no PH path.
   std::optional<Nearness> near = {};
+
+  /// A path under this name.
+  NamedPath(std::string its_name, Path its_path)
+      : name(std::move(its_name)), path(std::move(its_path)) {}
+  /// @{ The same as one of segments of any kind.
+  NamedPath(const NamedPhPath& ph)  // NOLINT(google-explicit-constructor)
+      : name(ph.name), path(ph.path), notes(ph.notes), near(ph.near) {}
+  NamedPath(const NamedCurve& curve)  // NOLINT(google-explicit-constructor)
+      : NamedPath(NamedPhPath(curve)) {}
+  /// @}
 };
 
-/// A path of PH curves, or of curves of any kind.
-using AnyPath = std::variant<NamedPhPath, NamedPath>;
-/// The same path as one of any kind.
-NamedPath of_any_kind(const AnyPath& named);
+/// The same as one of PH curves, where it is one.
+std::optional<NamedPhPath> as_ph(const NamedPath& named);
 
 /// Is it a PH curve by itself, which goes on for all t?
 bool goes_on(const Path& path);

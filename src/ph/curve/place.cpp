@@ -70,6 +70,13 @@ Real value(const Polynomial& p, const Place& at) {
   return at.algebraic ? at.algebraic->value(p) : value(p, at.t);
 }
 
+Real value(const RationalFunction& f, const Place& at) {
+  if (at.algebraic) return at.algebraic->value(f);
+  if (at.t.exact()) return f(*at.t.exact());
+  if (const auto c = constant(f)) return *c;
+  return Real([f, t = at.t](long bits) { return evaluate(f, t.enclose(bits + 16), bits + 16); });
+}
+
 Real value(const Polynomial& p, const Real& t) {
   if (t.exact()) return p(*t.exact());
   if (p.is_constant()) return p.coefficient(0);
@@ -106,7 +113,7 @@ Vector<Real> position(const Path& path, const Place& at) {
   if (const RationalCurve* curve = rational_curve(segment)) {
     if (!at.algebraic) return position(*curve, at.t);
     const auto component = [&](const Polynomial& x) {
-      return at.algebraic->value(RationalFunction(x, curve->weight()));
+      return value(RationalFunction(x, curve->weight()), at);
     };
     const Vector<Polynomial>& X = curve->numerator();
     return {component(X[0]), component(X[1]), component(X[2])};

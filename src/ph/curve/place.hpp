@@ -30,9 +30,10 @@ Real parameter(const Place& at);
 std::optional<RealAlgebraic> algebraic_parameter(const Place& at);
 /// @}
 
-/// @{ p(t), exact where t is; of a place also where it is rational and t algebraic.
+/// @{ f(t), exact where t is; of a place also where it is rational and t algebraic.
 Real value(const Polynomial& p, const Real& t);
 Real value(const Polynomial& p, const Place& at);
+Real value(const RationalFunction& f, const Place& at);
 /// @}
 
 /// @{ r, H and H′ there, exact where t is and the curve is rational, or the form of its formulas

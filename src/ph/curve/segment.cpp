@@ -23,11 +23,29 @@ const RationalCurve* rational_curve(const Segment& segment) {
   return std::get_if<RationalCurve>(&segment);
 }
 
+namespace {
+
+/// The multiplier of a polynomial or rational curve; null of formulas, which have no cusps.
+const Polynomial* multiplier_of(const Segment& segment) {
+  if (const Curve* ph = ph_curve(segment)) return &ph->multiplier();
+  const auto* curve = std::get_if<RationalCurve>(&segment);
+  return curve == nullptr ? nullptr : &curve->multiplier();
+}
+
+}  // namespace
+
 int orientation(const Segment& segment) {
-  if (const Curve* ph = ph_curve(segment)) return sign_after_zero(ph->multiplier());
-  if (const auto* curve = std::get_if<RationalCurve>(&segment))
-    return sign_after_zero(curve->multiplier());
-  return std::get<ExpressionCurve>(segment).orientation();
+  const Polynomial* f = multiplier_of(segment);
+  return f != nullptr ? sign_after_zero(*f) : std::get<ExpressionCurve>(segment).orientation();
+}
+
+int end_orientation(const Segment& segment) {
+  const Polynomial* f = multiplier_of(segment);
+  return f != nullptr ? sign_after_zero(compose(*f, Polynomial{1, -1})) : orientation(segment);
+}
+
+Segment turned_over(const Segment& segment) {
+  return std::visit([](const auto& curve) -> Segment { return curve.turned_over(); }, segment);
 }
 
 }  // namespace phrame

@@ -53,5 +53,9 @@ decltype(auto) visit_curve(const F& f, const Segment& segment) {
 /// 1 where e₁ is the unit tangent r′/|r′| just after the start of the segment, −1 where it is the
 /// opposite.
 int orientation(const Segment& segment);
+/// The same just before its end.
+int end_orientation(const Segment& segment);
+/// The same segment with −e₁.
+Segment turned_over(const Segment& segment);
 
 }  // namespace phrame

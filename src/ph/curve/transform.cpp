@@ -2,6 +2,8 @@
 // (UA)*.
 #include "phrame/ph/curve/transform.hpp"
 
+#include <algorithm>
+
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 
@@ -16,11 +18,100 @@ Vector<Rational> multiple(const Rational& c, const Vector<Rational>& v) {
   return {c * v[0], c * v[1], c * v[2]};
 }
 
+void require_apart(const Rational& a, const Rational& b) {
+  if (a == b)
+    throw DomainError("segment: its ends are equal, t = " + as_written(a) + ", so it is a point");
+}
+
+void require_nonzero(const Rational& c) {
+  if (c == 0) throw DomainError("scaled: the factor is 0, so the curve is a point");
+}
+
+void require_nonzero(const RationalQuaternion& u) {
+  if (norm(u) == 0) throw DomainError("rotated: the quaternion is 0, so the curve is a point");
+}
+
+using Matrix = Vector<Vector<Rational>>;  ///< by columns
+
+/// A + (B − A)·t for numbers A and B; numbers where they are that.
+Formula between(const Formula& from, const Formula& to, const Rational& t) {
+  if (t == 0) return from;
+  if (t == 1) return to;
+  const auto is_number = [](const Formula& f) {
+    return f.steps().size() == 1 && f.steps().front().operation == Formula::Operation::number;
+  };
+  if (!is_number(from) || !is_number(to)) return from + Formula(t) * (to - from);
+  const Formula::Step& a = from.steps().front();
+  const Formula::Step& b = to.steps().front();
+  return {a.number + t * (b.number - a.number),
+          a.pi_multiple + t * (b.pi_multiple - a.pi_multiple)};
+}
+
+/// M·r, without what is 0.
+template <class T>
+Vector<T> product(const Matrix& m, const Vector<T>& r) {
+  Vector<T> result;
+  for (std::size_t row = 0; row < 3; ++row) {
+    bool is_empty = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (m[k][row] == 0) continue;
+      const T term = m[k][row] == 1 ? r[k] : T(m[k][row] * r[k]);
+      result[row] = is_empty ? term : T(result[row] + term);
+      is_empty = false;
+    }
+  }
+  return result;
+}
+
+// ---- the same of a segment of every kind
+
+Segment part(const PhSegment& ph, const Rational& a, const Rational& b) {
+  return PhSegment(segment(ph.curve(), a, b));
+}
+Segment part(const RationalCurve& curve, const Rational& a, const Rational& b) {
+  const Polynomial w{a, b - a};
+  const auto& [x, y, z] = curve.numerator();
+  return RationalCurve({compose(x, w), compose(y, w), compose(z, w)}, compose(curve.weight(), w));
+}
+Segment part(const ExpressionCurve& curve, const Rational& a, const Rational& b) {
+  return ExpressionCurve(curve.position(), between(curve.from(), curve.to(), a),
+                         between(curve.from(), curve.to(), b), curve.variable());
+}
+
+Segment moved(const RationalCurve& curve, const Matrix& m, const Vector<Rational>& v) {
+  Vector<Polynomial> numerator = product(m, curve.numerator());
+  for (std::size_t k = 0; k < 3; ++k) numerator[k] += v[k] * curve.weight();
+  return RationalCurve(numerator, curve.weight());
+}
+Segment moved(const ExpressionCurve& curve, const Matrix& m, const Vector<Rational>& v) {
+  Vector<Formula> position = product(m, curve.position());
+  for (std::size_t k = 0; k < 3; ++k)
+    if (v[k] != 0) position[k] = position[k] + Formula(v[k]);
+  return ExpressionCurve(position, curve.from(), curve.to(), curve.variable());
+}
+
+/// f of PH curves, else M·r + v.
+template <class F>
+Path mapped(const Path& path, const F& f, const Matrix& m, const Vector<Rational>& v = {}) {
+  std::vector<Segment> segments;
+  for (const Segment& segment : path.segments())
+    if (const Curve* ph = ph_curve(segment))
+      segments.emplace_back(PhSegment(f(*ph)));
+    else if (const auto* curve = std::get_if<RationalCurve>(&segment))
+      segments.push_back(moved(*curve, m, v));
+    else
+      segments.push_back(moved(std::get<ExpressionCurve>(segment), m, v));
+  return Path::of_continuous(std::move(segments));
+}
+
+Matrix diagonal(const Rational& c) {
+  return {Vector<Rational>{c, 0, 0}, Vector<Rational>{0, c, 0}, Vector<Rational>{0, 0, c}};
+}
+
 }  // namespace
 
 Curve segment(const Curve& curve, const Rational& a, const Rational& b) {
-  if (a == b)
-    throw DomainError("segment: its ends are equal, t = " + as_written(a) + ", so it is a point");
+  require_apart(a, b);
   const Polynomial w{a, b - a};
   const auto& [u, v, p, q] = curve.preimage();
   return Curve({compose(u, w), compose(v, w), compose(p, w), compose(q, w)},
@@ -34,17 +125,56 @@ Curve translated(const Curve& curve, const Vector<Rational>& v) {
 }
 
 Curve scaled(const Curve& curve, const Rational& c) {
-  if (c == 0) throw DomainError("scaled: the factor is 0, so the curve is a point");
+  require_nonzero(c);
   return Curve(curve.preimage(), c * curve.multiplier(), multiple(c, curve.start()));
 }
 
 Curve rotated(const Curve& curve, const RationalQuaternion& u) {
-  if (norm(u) == 0) throw DomainError("rotated: the quaternion is 0, so the curve is a point");
+  require_nonzero(u);
   const QuaternionPolynomial constant{{u.u}, {u.v}, {u.p}, {u.q}};
   const auto& [x, y, z] = curve.start();
   return Curve(
       constant * curve.preimage(), curve.multiplier(),
       sum(sum(multiple(x, rotated_i(u)), multiple(y, rotated_j(u))), multiple(z, rotated_k(u))));
+}
+
+Path segment(const Path& path, const Rational& a, const Rational& b) {
+  require_apart(a, b);
+  const auto [from, to] = std::minmax(a, b);
+  for (const Rational& t : {from, to}) locate(path, t);  // where it throws
+  std::vector<Segment> parts;
+  for (std::size_t k = 0; k < path.segments().size(); ++k) {
+    const Rational before(static_cast<long>(k));
+    const Rational first = std::max(Rational(from - before), Rational(0));
+    const Rational last = std::min(Rational(to - before), Rational(1));
+    if (first >= last) continue;
+    parts.push_back(std::visit(
+        [&](const auto& curve) {
+          return a < b ? part(curve, first, last) : part(curve, last, first);
+        },
+        path.segments()[k]));
+  }
+  if (b < a) std::reverse(parts.begin(), parts.end());
+  return Path::of_continuous(std::move(parts));
+}
+
+Path reversed(const Path& path) { return segment(path, path.end(), 0); }
+
+Path translated(const Path& path, const Vector<Rational>& v) {
+  return mapped(
+      path, [&](const Curve& curve) { return translated(curve, v); }, diagonal(1), v);
+}
+
+Path scaled(const Path& path, const Rational& c) {
+  require_nonzero(c);
+  return mapped(
+      path, [&](const Curve& curve) { return scaled(curve, c); }, diagonal(c));
+}
+
+Path rotated(const Path& path, const RationalQuaternion& u) {
+  require_nonzero(u);
+  return mapped(path, [&](const Curve& curve) { return rotated(curve, u); },
+                {rotated_i(u), rotated_j(u), rotated_k(u)});
 }
 
 }  // namespace phrame

@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/ph/curve/curve.hpp"
+#include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
 
@@ -18,5 +18,15 @@ Curve scaled(const Curve& curve, const Rational& c);
 /// r ↦ U r U*: the rotation that U means and a scaling by |U|² (scaled(…, 1/|U|²) undoes that).
 /// A ↦ U·A: h, σ and g get the factor |U|². Throws DomainError for U = 0.
 Curve rotated(const Curve& curve, const RationalQuaternion& u);
+
+/// @{ The same of every segment of a path, which goes on through its joints as before; what is PH
+/// is PH. Of a segment(path, a, b) a and b are in [0, end], else DomainError is thrown: of its
+/// segments the first and the last may be parts, each with a parameter of its own in [0, 1].
+Path segment(const Path& path, const Rational& a, const Rational& b);
+Path reversed(const Path& path);
+Path translated(const Path& path, const Vector<Rational>& v);
+Path scaled(const Path& path, const Rational& c);
+Path rotated(const Path& path, const RationalQuaternion& u);
+/// @}
 
 }  // namespace phrame

@@ -6,16 +6,8 @@
 namespace phrame {
 namespace {
 
-Real value_at(const RationalFunction& f, const TimedPoint& at) {
-  if (at.algebraic) return at.algebraic->value(f);
-  if (f.numerator().is_constant() && f.denominator().is_constant())
-    return f.numerator().coefficient(0) / f.denominator().coefficient(0);
-  return Real(
-      [f, t = at.parameter](long bits) { return evaluate(f, t.enclose(bits + 16), bits + 16); });
-}
-
-Vector<Real> vector_at(const Vector<RationalFunction>& v, const TimedPoint& at) {
-  return {value_at(v[0], at), value_at(v[1], at), value_at(v[2], at)};
+Vector<Real> vector_at(const Vector<RationalFunction>& v, const Place& at) {
+  return {value(v[0], at), value(v[1], at), value(v[2], at)};
 }
 
 Vector<RationalFunction> over(const Vector<Polynomial>& v, const Polynomial& sigma) {
@@ -35,14 +27,14 @@ MovingFrame::MovingFrame(const PhPath& path, const FrameStart& start)
   }
 }
 
-Vector<Real> MovingFrame::tangent(const TimedPoint& at) const {
+Vector<Real> MovingFrame::tangent(const Place& at) const {
   return vector_at(frames_[at.segment].e1, at);
 }
 
-Frame<Real> MovingFrame::at(const TimedPoint& at) const {
+Frame<Real> MovingFrame::at(const Place& at) const {
   const auto& [e1, e2, e3] = frames_[at.segment];
   const Frame<Real> erf{vector_at(e1, at), vector_at(e2, at), vector_at(e3, at)};
-  return turned(erf, angle_.value({at.segment, at.parameter}) + start_);
+  return turned(erf, angle_.value(at) + start_);
 }
 
 }  // namespace phrame

@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/ph/along/path_angle.hpp"
-#include "phrame/ph/along/travel_time.hpp"
+#include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame {
@@ -14,9 +14,9 @@ class MovingFrame {
   MovingFrame(const PhPath& path, const FrameStart& start);
 
   /// e₁ = A i A*/σ there.
-  Vector<Real> tangent(const TimedPoint& at) const;
+  Vector<Real> tangent(const Place& at) const;
   /// (e₁, f₂, f₃) there.
-  Frame<Real> at(const TimedPoint& at) const;
+  Frame<Real> at(const Place& at) const;
 
  private:
   PathAngle angle_;

@@ -52,6 +52,12 @@ Vector<Real> least_rotation_normal_along(const Vector<Real>& H) {
   return sign_of(H[1]) == 0 && sign_of(second) == 0 ? j : Vector<Real>{-H[1], second, Rational(0)};
 }
 
+void require_across(const Vector<Rational>& normal, const Vector<Real>& H) {
+  if (is_zero(cross(H, as_reals(normal))))
+    throw DomainError("the vector " + abbreviated(normal) + " has no part in the normal plane" +
+                      (normal == Vector<Rational>{} ? "" : ": it is along the tangent"));
+}
+
 }  // namespace
 
 Frame<Real> up_frame(const Path& path, const Vector<Rational>& up, const Place& at) {
@@ -123,10 +129,12 @@ StartAngle start_angle(const FrameStart& start, const PathAngle& angle, const Pl
   if (const auto* least = std::get_if<LeastRotation>(&start))
     return argument_of(least_rotation_normal_along(H), frame, H, second) + to_real(least->turn);
   const Vector<Rational>& normal = std::get<StartNormal>(start).vector;
-  if (is_zero(cross(H, as_reals(normal))))
-    throw DomainError("the vector " + abbreviated(normal) + " has no part in the normal plane" +
-                      (normal == Vector<Rational>{} ? "" : ": it is along the tangent"));
+  require_across(normal, H);
   return argument_of(as_reals(normal), frame, H, second);
+}
+
+void require_start_normal(const StartNormal& start, const Path& path) {
+  require_across(start.vector, direction(path, {0, Rational(0)}));
 }
 
 Frame<Real> rotation_minimizing_frame(const PathAngle& angle, const Place& at,

@@ -28,6 +28,9 @@ Vector<Real> second_axis(const PathAngle& angle, const Place& at);
 /// inflection, but at the start of a PH curve.
 StartAngle start_angle(const FrameStart& start, const PathAngle& angle,
                        const Place& at = {0, Rational(0)});
+/// Throws DomainError where the vector has no part across the tangent at the start of the path.
+void require_start_normal(const StartNormal& start, const Path& path);
+
 /// The rotation-minimizing frame that starts at this angle to the reference frame.
 Frame<Real> rotation_minimizing_frame(const PathAngle& angle, const Place& at,
                                       const StartAngle& start = {});

@@ -33,7 +33,8 @@ TEST_CASE("any curve: angles and lengths are those of quadrature") {
     CAPTURE(line);
     const JsonValue document = parse_json_file(line, "line");
     const JsonNode node(document);
-    const Path path = std::get<NamedPath>(read_any_path(node.at("file"))).path;
+    const Path path = read_any_path(node.at("file")).path;
+    REQUIRE_FALSE(path.is_ph());
     const std::vector<Rational> up = node.at("up").numbers(3);
     const PathAngle angle(path, {up[0], up[1], up[2]});
     CHECK(is_quadrature(angle.value({0, Rational(1, 3)}), node.at("third").number()));

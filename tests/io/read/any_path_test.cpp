@@ -17,10 +17,15 @@ using namespace phrame;
 
 namespace {
 
-Path smooth(const std::string& text) { return std::get<NamedPath>(read_any_path(text)).path; }
+/// Of a path that is not PH.
+Path smooth(const std::string& text) {
+  Path path = read_any_path(text).path;
+  REQUIRE_FALSE(path.is_ph());
+  return path;
+}
 
 PhPath pythagorean(const std::string& text) {
-  return std::get<NamedPhPath>(read_any_path(text)).path;
+  return as_ph(read_any_path(text)).value().path;
 }
 
 const RationalCurve& segment(const Path& path, std::size_t k) {
@@ -65,11 +70,11 @@ TEST_CASE("what is PH is read as before") {
       before = read_path(text);
     } catch (const InputError&) {
     }
-    const AnyPath now = read_any_path(text);
-    CHECK(std::holds_alternative<NamedPhPath>(now) == before.has_value());
-    if (!before || !std::holds_alternative<NamedPhPath>(now)) continue;
-    CHECK(std::get<NamedPhPath>(now).path == before->path);
-    CHECK(std::get<NamedPhPath>(now).name == before->name);
+    const NamedPath now = read_any_path(text);
+    CHECK(now.path.is_ph() == before.has_value());
+    if (!before || !now.path.is_ph()) continue;
+    CHECK(now.path.ph() == before->path);
+    CHECK(now.name == before->name);
   }
 }
 

@@ -33,7 +33,12 @@ std::string formulas(const std::string& x, const std::string& y, const std::stri
          ends;
 }
 
-Path smooth(const std::string& text) { return std::get<NamedPath>(read_any_path(text)).path; }
+/// Of a path that is not PH.
+Path smooth(const std::string& text) {
+  Path path = read_any_path(text).path;
+  REQUIRE_FALSE(path.is_ph());
+  return path;
+}
 
 Path smooth_curve(const std::string& members) {
   return smooth(R"json({"phrame": "curve/1", )json" + members + "}");
@@ -57,11 +62,11 @@ TEST_CASE("expressions: the variable is the only name there is, or the one that 
 }
 
 TEST_CASE("expressions: polynomials are a polynomial curve, and PH ones are recognised") {
-  const AnyPath ph = read_any_path(R"json({"phrame": "curve/1", )json" +
+  const NamedPath ph = read_any_path(R"json({"phrame": "curve/1", )json" +
                                    formulas("s - s^3/3", "s^2", R"json("from": 0, "to": 2})json"));
-  REQUIRE(std::holds_alternative<NamedPhPath>(ph));
+  REQUIRE(ph.path.is_ph());
   // s = 2t: x′ = 2 − 8t², y′ = 8t, of the speed 2 + 8t².
-  CHECK(hodograph(std::get<NamedPhPath>(ph).path.segments().front()) ==
+  CHECK(hodograph(ph.path.ph()->segments().front()) ==
         Vector<Polynomial>{Polynomial{2, 0, -8}, {0, 8}, {}});
 }
 

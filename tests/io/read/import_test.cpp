@@ -17,7 +17,12 @@ using namespace phrame;
 
 namespace {
 
-Path smooth(const std::string& text) { return std::get<NamedPath>(read_any_path(text)).path; }
+/// Of a path that is not PH.
+Path smooth(const std::string& text) {
+  Path path = read_any_path(text).path;
+  REQUIRE_FALSE(path.is_ph());
+  return path;
+}
 
 std::string refusal(const std::string& text) {
   try {

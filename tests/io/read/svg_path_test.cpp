@@ -33,7 +33,11 @@ std::string svg(const std::string& content) {
          content + "\n</svg>\n";
 }
 
-const Path& smooth(const AnyPath& path) { return std::get<NamedPath>(path).path; }
+/// Of a path that is not PH.
+const Path& smooth(const NamedPath& named) {
+  REQUIRE_FALSE(named.path.is_ph());
+  return named.path;
+}
 
 }  // namespace
 
@@ -59,29 +63,29 @@ TEST_CASE("path data: numbers stand without blanks, commands repeat, what has no
 }
 
 TEST_CASE("a rounded rectangle and a circle of arcs are closed smooth paths, exactly") {
-  const AnyPath rectangle = read_any_path(
+  const NamedPath rectangle = read_any_path(
       "M2 0 H8 A2 2 0 0 1 10 2 V4 A2 2 0 0 1 8 6 H2 A2 2 0 0 1 0 4 V2 A2 2 0 0 1 2 0Z");
   CHECK(smooth(rectangle).is_closed());
   CHECK(smooth(rectangle).end() == 8);
-  const AnyPath circle = read_any_path("M1 0a1 1 0 1 0-2 0a1 1 0 1 0 2 0");
+  const NamedPath circle = read_any_path("M1 0a1 1 0 1 0-2 0a1 1 0 1 0 2 0");
   CHECK(smooth(circle).is_closed());
   CHECK(smooth(circle).end() == 4);
-  const AnyPath leaf = read_any_path("M0 0 A5 3 20 0 1 4 1");
+  const NamedPath leaf = read_any_path("M0 0 A5 3 20 0 1 4 1");
   CHECK(point(std::get<RationalCurve>(smooth(leaf).segments().back()), 1) ==
         Vector<Rational>{4, 1, 0});
 }
 
 TEST_CASE("SVG: the path that is drawn, with the transformations around it") {
   const std::string d = "d=\"M0 0 C1 0 2 1 2 2\"";
-  const AnyPath plain = read_any_path(svg("<path " + d + "/>"));
+  const NamedPath plain = read_any_path(svg("<path " + d + "/>"));
   CHECK(smooth(plain) == smooth(read_any_path("M0 0 C1 0 2 1 2 2")));
-  const AnyPath moved = read_any_path(
+  const NamedPath moved = read_any_path(
       svg("<defs><path d=\"M0 0L1 1\"/></defs><g transform=\"translate(10, 20) rotate(90)\">"
           "<path transform='scale(2) matrix(1 0 0 1 1 1)' " +
           d + "></path></g>"));
   // (x, y) → (2x + 2, 2y + 2) → (−2y − 2, 2x + 2) → (8 − 2y, 22 + 2x)
   CHECK(smooth(moved) == smooth(read_any_path("M8 22 C8 24 6 26 4 26")));
-  const AnyPath turned = read_any_path(svg("<path transform='rotate(180 1 1)' " + d + "/>"));
+  const NamedPath turned = read_any_path(svg("<path transform='rotate(180 1 1)' " + d + "/>"));
   CHECK(smooth(turned) == smooth(read_any_path("M2 2 C1 2 0 1 0 0")));
 }
 

@@ -139,7 +139,7 @@ TEST_CASE("fields: an answer in LaTeX has the fields of its text") {
   };
   for (const NamedCurve& curve : curves()) {
     CAPTURE(curve.name);
-    check(answer(of_any_kind(curve), InfoQuery{8}), 16);
+    check(answer(curve, InfoQuery{8}), 16);
     check(answer(curve, ClassificationQuery{}), 11);
     check(answer(NamedHodograph{curve.name, hodograph(curve.curve), {}}), 6);
   }

@@ -18,7 +18,7 @@ using test::Json;
 namespace {
 
 Json info(const NamedCurve& named, long digits = 50) {
-  return Json::parse(to_json(answer(of_any_kind(named), InfoQuery{digits})));
+  return Json::parse(to_json(answer(named, InfoQuery{digits})));
 }
 
 /// r′ = f·i.
@@ -100,13 +100,13 @@ TEST_CASE("curve info: a cusp is located, and the length of a curve that turns b
   CHECK(backwards["cusps"].empty());
   CHECK(backwards["arc_length"] == "1");
   CHECK(backwards["bending_energy"] == Json{{"value", "0"}, {"radius", "0"}});
-  const std::string text = to_text(answer(of_any_kind(on_a_line({-1, 2})), InfoQuery{5}));
+  const std::string text = to_text(answer(on_a_line({-1, 2}), InfoQuery{5}));
   CHECK(contains(text, "cusp, r′ = 0        t = 1/2\n"));
   CHECK(contains(text, "length ∫₀¹ |f|σ     1/2\n"));
   // ∫₀¹ |t² − 1/2| = √2/3 − 1/6.
   const NamedCurve irrational = on_a_line({Rational(-1, 2), 0, 1});
   CHECK(info(irrational)["arc_length"]["value"].get<std::string>().starts_with("0.30473785412"));
-  CHECK(contains(to_text(answer(of_any_kind(irrational), InfoQuery{5})),
+  CHECK(contains(to_text(answer(irrational, InfoQuery{5})),
                  "length ∫₀¹ |f|σ     0.30474\n"));
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("curve info: the energy does not depend on the direction of travel") {
 
 TEST_CASE("curve info: where f is negative, the text says which way the tangent points") {
   const auto text = [](const Polynomial& f) {
-    return to_text(answer(of_any_kind(on_a_line(f)), InfoQuery{5}));
+    return to_text(answer(on_a_line(f), InfoQuery{5}));
   };
   CHECK_FALSE(contains(text({-1}), "f < 0"));  // it is turned over
   CHECK(contains(text({-1, 2}), "f < 0 in a part of [0, 1]: there e₁"));
@@ -128,14 +128,14 @@ TEST_CASE("curve info: where f is negative, the text says which way the tangent 
 TEST_CASE("curve info: the text abbreviates what is long, JSON does not") {
   const Rational cusp = 1 / (1 + power_of_ten(1000));
   const NamedCurve named = on_a_line({-cusp, 1});
-  std::istringstream lines(abridged(to_text(answer(of_any_kind(named), InfoQuery{5}))));
+  std::istringstream lines(abridged(to_text(answer(named, InfoQuery{5}))));
   for (std::string line; std::getline(lines, line);) CHECK(line.size() < 900);
   CHECK(info(named)["cusps"][0][0] == to_string(cusp));
   CHECK(info(on_a_line({power_of_ten(1000)}))["arc_length"].get<std::string>().size() == 1001);
 }
 
 TEST_CASE("curve info: a report outlives the curve it was made of") {
-  const auto report = [] { return answer(of_any_kind(test::farouki_quintic()), InfoQuery{5}); };
+  const auto report = [] { return answer(test::farouki_quintic(), InfoQuery{5}); };
   CHECK(to_text(report()).starts_with("quintic: "));
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("curve info: the start moves the curve") {
 }
 
 TEST_CASE("curve info: the text shows what JSON does, factored") {
-  const std::string text = to_text(answer(of_any_kind(test::farouki_quintic()), InfoQuery{12}));
+  const std::string text = to_text(answer(test::farouki_quintic(), InfoQuery{12}));
   CHECK(text.starts_with("quintic: PH quintic, degree 5 (preimage of degree 2)\n"));
   CHECK(contains(text, "  u                   4t² − 4t + 2\n"));
   CHECK(contains(text, "  σ = |A|²            37t⁴ − 72t³ + 46t² − 12t + 6\n"));
@@ -205,7 +205,7 @@ TEST_CASE("curve info: where the Euler-Rodrigues frame turns back, and the extre
 // (3/4)√2·arctan √2, where arctan √2 = 0.955316618….
 TEST_CASE("curve info: the LaTeX of a helix") {
   const NamedCurve helix{"", Curve({{1}, {0, 1}, {0, 1}, {}})};
-  CHECK(to_latex(answer(of_any_kind(helix), InfoQuery{5})) ==
+  CHECK(to_latex(answer(helix, InfoQuery{5})) ==
         R"(\begin{align*}
 u &= 1 \\
 v &= t \\
@@ -228,7 +228,7 @@ r(1) &= \left(1, \frac{2}{3}, -1\right) \\
 }
 
 TEST_CASE("curve info: text, JSON and LaTeX name the same fields") {
-  const InfoAnswer quintic = answer(of_any_kind(test::farouki_quintic()), InfoQuery{12});
+  const InfoAnswer quintic = answer(test::farouki_quintic(), InfoQuery{12});
   const std::string text = to_text(quintic);
   const std::string latex = to_latex(quintic);
   const Json json = Json::parse(to_json(quintic));
@@ -258,7 +258,7 @@ TEST_CASE("curve info: text, JSON and LaTeX name the same fields") {
 TEST_CASE("spline info: LaTeX has the segments in a table") {
   // Two segments of a straight line, of the lengths 1/3 and 2/3.
   const std::string latex = to_latex(
-      answer(of_any_kind(NamedPhPath{"", test::cut(test::straight_line().curve, {Rational(1, 3)})}),
+      answer(NamedPhPath{"", test::cut(test::straight_line().curve, {Rational(1, 3)})},
              InfoQuery{5}));
   CHECK(latex ==
         R"(\begin{align*}

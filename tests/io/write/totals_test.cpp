@@ -13,7 +13,7 @@ using test::Json;
 namespace {
 
 Json totals(const NamedCurve& curve, long digits = 17) {
-  return Json::parse(to_json(answer(of_any_kind(curve), TotalsQuery{digits})));
+  return Json::parse(to_json(answer(curve, TotalsQuery{digits})));
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ TEST_CASE("totals report: of the quintic, its integrands and values") {
   const std::string curvature = "2.91201846746774099264840440758955575501200361901449358974";
   test::check_rounded(out["curvature"]["value"], out["curvature"]["radius"], curvature, 50, 50);
   CHECK(out["rotation_index"]["reason"] == "not a plane curve");
-  const std::string text = to_text(answer(of_any_kind(test::farouki_quintic()), TotalsQuery{5}));
+  const std::string text = to_text(answer(test::farouki_quintic(), TotalsQuery{5}));
   CHECK(contains(text, "  bending energy ∫ κ² ds = F(1) − F(0) with\n"));
   CHECK(contains(text, "    ≈ 2.2530\n"));
   CHECK(contains(text, "  total curvature ∫ κ ds\n    ≈ 2.9120\n"));
@@ -39,7 +39,7 @@ TEST_CASE("totals report: of the quintic, its integrands and values") {
 TEST_CASE("totals report: numbers before the decimals are abridged, in full on demand") {
   const Rational x(pow(Integer(10), 77) + 1, 7919);
   const NamedCurve curve{"", Curve({{Rational(1, 3), x}, {1 / x}, {3}, {1 / (x + 2)}})};
-  const std::string text = to_text(answer(of_any_kind(curve), TotalsQuery{5}));
+  const std::string text = to_text(answer(curve, TotalsQuery{5}));
   std::istringstream lines(abridged(text));
   for (std::string line; std::getline(lines, line);) CHECK(text_width(line) < 300);
   const std::string length = to_string(*arc_length(curve.curve, 0, 1));
@@ -55,7 +55,7 @@ TEST_CASE("totals report: a square root before the integral, and a sign that cha
   CHECK(out["curvature"]["turns"] == Json{"1/2"});
   CHECK(out["curvature"]["radicand"] == "2");
   CHECK(out["torsion"]["exact"] == "0");
-  const std::string text = to_text(answer(of_any_kind(curve), TotalsQuery{5}));
+  const std::string text = to_text(answer(curve, TotalsQuery{5}));
   CHECK(contains(text, "  total curvature ∫ κ ds = √2·(∫₀¹ ±F′ dt) with\n"));
   CHECK(contains(text, "the sign is + from 0 on and changes at t = 1/2\n"));
 }
@@ -64,7 +64,7 @@ TEST_CASE("totals report: what is infinite or undefined says so") {
   const NamedCurve cusp{"", Curve({{1}, {}, {0, 1}, {}}, {Rational(-1, 2), 1})};
   const Json out = totals(cusp);
   CHECK(out["bending_energy"] == Json{{"value", "inf"}, {"pole", "1/2"}});
-  CHECK(contains(to_text(answer(of_any_kind(cusp), TotalsQuery{5})),
+  CHECK(contains(to_text(answer(cusp, TotalsQuery{5})),
                  "bending energy ∫ κ² ds = ∞, the pole is at t = 1/2\n"));
   const Json line = totals(test::straight_line());
   CHECK(line["torsion"]["reason"] == "a straight line has no torsion");
@@ -74,14 +74,14 @@ TEST_CASE("totals report: what is infinite or undefined says so") {
 
 TEST_CASE("totals report: of a spline, sums without formulas") {
   const NamedPhPath loop{"loop", test::closed_loop()};
-  const Json out = Json::parse(to_json(answer(of_any_kind(loop), TotalsQuery{10})));
+  const Json out = Json::parse(to_json(answer(loop, TotalsQuery{10})));
   CHECK(out["phrame"] == "spline-totals/1");
   CHECK(out["length"] ==
         Json{{"value", "5.333333333"}, {"radius", out["length"]["radius"]}, {"exact", "16/3"}});
   CHECK(out["curvature"]["exact"] == "2*pi");
   CHECK(out["rotation_index"] == Json{{"value", "1.000000000"}, {"radius", "0"}, {"exact", "1"}});
   CHECK(out["bending_energy"]["exact"] == "4 + 3/2*pi");
-  const std::string text = to_text(answer(of_any_kind(loop), TotalsQuery{5}));
+  const std::string text = to_text(answer(loop, TotalsQuery{5}));
   CHECK(text.starts_with("loop: PH spline of 4 segments, closed\n\n  length ∫ ds\n    = 16/3\n"));
   CHECK(contains(text, "  total curvature ∫ κ ds\n    = 2π\n    ≈ 6.2832\n"));
   CHECK(
@@ -92,14 +92,14 @@ TEST_CASE("totals report: of a spline, sums without formulas") {
 TEST_CASE("totals report: of a spline, why there is no number, and on which segment") {
   const Curve cusp({{1}, {}, {0, 1}, {}}, {-1, 2});
   const NamedPhPath path{"", test::chain({Curve({{1}, {}, {}, {}}, {-1}), cusp})};
-  const Json out = Json::parse(to_json(answer(of_any_kind(path), TotalsQuery{10})));
+  const Json out = Json::parse(to_json(answer(path, TotalsQuery{10})));
   CHECK(out["torsion"] ==
         Json{{"value", nullptr}, {"reason", "segment 1 is a straight line, which has no torsion"}});
   CHECK(out["bending_energy"] == Json{{"value", "inf"}, {"pole", "3/2"}, {"segment", 2}});
-  CHECK(contains(to_text(answer(of_any_kind(path), TotalsQuery{10})),
+  CHECK(contains(to_text(answer(path, TotalsQuery{10})),
                  "bending energy ∫ κ² ds = ∞, the pole is at t = 3/2\n"));
   const NamedPhPath quintic{"", test::cut(test::farouki_quintic().curve, {Rational(1, 2)})};
-  const Json cut = Json::parse(to_json(answer(of_any_kind(quintic), TotalsQuery{50})));
+  const Json cut = Json::parse(to_json(answer(quintic, TotalsQuery{50})));
   CHECK(cut["curvature"] == totals(test::farouki_quintic(), 50)["curvature"]);
   CHECK(cut["rotation_index"]["reason"] == "not in one plane");
   const std::string theta = test::farouki_2003()["quintic"]["theta_RMF_rel_Frenet"]["1"];
@@ -129,7 +129,7 @@ TEST_CASE("totals report: of segments of several kinds, where there is a closed 
 // residues are 1/z = −z.
 TEST_CASE("totals report: the LaTeX of a plane cubic") {
   const std::string latex =
-      to_latex(answer(of_any_kind(NamedCurve{"", Curve({{1}, {}, {}, {0, 1}})}), TotalsQuery{5}));
+      to_latex(answer(NamedCurve{"", Curve({{1}, {}, {}, {0, 1}})}, TotalsQuery{5}));
   CHECK(contains(latex, R"(\begin{align*}
 \text{length $\int ds$} &= F(1) - F(0) = \frac{4}{3} \approx 1.3333 \\
 F' &= t^{2} + 1 \\
@@ -152,7 +152,7 @@ F &= \sum_{z^{2} + 1 = 0} \left(-z\right) \log(t - z)
 
 TEST_CASE("totals report: in LaTeX a square root, a sign that changes, a pole, and a reason") {
   const auto latex = [](const NamedCurve& curve) {
-    return to_latex(answer(of_any_kind(curve), TotalsQuery{5}));
+    return to_latex(answer(curve, TotalsQuery{5}));
   };
   // The curves of the tests above.
   const std::string turning = latex({"", Curve({{1, 1, -1}, {0, 1, -1}, {0, -1, 1}, {1, -1, 1}})});

@@ -134,7 +134,7 @@ TEST_CASE("smooth angle: a path that is cut turns as the whole") {
 // Without inflections the angle is −∫τ ds.
 TEST_CASE("smooth angle: to the Frenet frame of a spline, where that is continuous") {
   const auto read = [](const std::string& table) {
-    return std::get<NamedPath>(read_any_path(table)).path;
+    return read_any_path(table).path;
   };
   const auto frenet = [&](const std::string& table) {
     return PathAngle(read(table), Reference::frenet);

@@ -80,7 +80,7 @@ TEST_CASE("segment: a path of PH curves alone is that path") {
   const PhPath loop = test::closed_loop();
   CHECK(Path(loop).ph() == loop);
   CHECK(Path(loop).is_closed());
-  CHECK(of_any_kind(NamedPhPath("loop", loop)).name == "loop");
+  CHECK(NamedPhPath("loop", loop).name == "loop");
 }
 
 TEST_CASE("segment: law: by its positions a PH curve has the e1 of its preimage") {

@@ -4,7 +4,10 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/frame/frame.hpp"
+#include "support/expression_curves.hpp"
+#include "support/paths.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -173,4 +176,102 @@ TEST_CASE("transform: what would make the curve a point is refused") {
   CHECK_THROWS_AS(segment(curve, Rational(1, 3), Rational(1, 3)), DomainError);
   CHECK_THROWS_AS(scaled(curve, 0), DomainError);
   CHECK_THROWS_AS(rotated(curve, {}), DomainError);
+}
+
+namespace {
+
+/// A PH curve in two parts, a quarter of a circle, and formulas.
+Path of_three_kinds() {
+  const Curve ph({{1}, {}, {}, {0, 1}});
+  const Rational third(1, 3);
+  return joined({PhSegment(segment(ph, 0, third)), PhSegment(segment(ph, third, 1)),
+                 bezier_curve({{2 * third, 1, 0}, {2 * third, 2, 0}, {-third, 2, 0}}, {1, 1, 2}),
+                 test::expression_curve({"-1/3 - sin(s)", "1 + cos(s)", "s^2"}, "0", "pi/2")});
+}
+
+/// With a cusp, after which e₁ is the opposite of the tangent.
+Path with_a_cusp() {
+  const Polynomial x{Rational(-1, 2), 1};
+  return joined({RationalCurve({x * x, x * x * x, {}}),
+                 RationalCurve({Polynomial{Rational(1, 4), 4}, Polynomial{Rational(1, 8), 3}, {}}),
+                 test::expression_curve({"17/4 + 4*s", "25/8 + 3*s", "s^2"}, "0", "1")});
+}
+
+Vector<double> near_point(const Path& path, const Rational& t) {
+  return round_to_double(position(path, locate(path, t)));
+}
+
+template <class Map>
+void check_is_mapped(const Path& now, const Path& path, const Map& map) {
+  CHECK(now.is_ph() == path.is_ph());
+  CHECK(joined(now.segments()) == now);  // joints and e₁, as they are checked
+  for (long k = 0; k <= 4 * static_cast<long>(path.segments().size()); ++k) {
+    const auto found = near_point(now, Rational(k, 4));
+    const Vector<double> expected = map(near_point(path, Rational(k, 4)));
+    for (std::size_t j = 0; j < 3; ++j)
+      CHECK(found[j] == doctest::Approx(expected[j]).epsilon(1e-14));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("transform: paths of segments of every kind are moved point by point, and join") {
+  for (const Path& path : {of_three_kinds(), with_a_cusp(), Path(test::closed_loop())}) {
+    check_is_mapped(translated(path, {1, Rational(1, 2), -3}), path, [](const auto& r) {
+      return Vector<double>{r[0] + 1, r[1] + 0.5, r[2] - 3};
+    });
+    for (const long c : {3, -2})
+      check_is_mapped(scaled(path, c), path, [&](const auto& r) {
+        const auto by = static_cast<double>(c);
+        return Vector<double>{by * r[0], by * r[1], by * r[2]};
+      });
+    // A third of a turn about (1, 1, 1), and four times as long.
+    check_is_mapped(rotated(path, {1, 1, 1, 1}), path, [](const auto& r) {
+      return Vector<double>{4 * r[2], 4 * r[0], 4 * r[1]};
+    });
+    check_is_mapped(rotated(path, {2, 0, 0, 1}), path, [](const auto& r) {
+      return Vector<double>{3 * r[0] - 4 * r[1], 4 * r[0] + 3 * r[1], 5 * r[2]};
+    });
+    CHECK(scaled(scaled(path, -2), Rational(-1, 2)).segments().size() == path.segments().size());
+  }
+}
+
+TEST_CASE("transform: a path runs backwards, and twice backwards is the path, with −A for A") {
+  for (const Path& path : {of_three_kinds(), with_a_cusp(), Path(test::closed_loop())}) {
+    const Path back = reversed(path);
+    const Path again = reversed(back);
+    for (std::size_t k = 0; k < path.segments().size(); ++k) {
+      const Curve* ph = ph_curve(path.segments()[k]);  // turned over twice: A·j·j = −A
+      CHECK(again.segments()[k] ==
+            (ph == nullptr ? path.segments()[k]
+                           : PhSegment(rotated(*ph, RationalQuaternion{-1, 0, 0, 0}))));
+    }
+    CHECK(joined(back.segments()) == back);
+    for (long k = 0; k <= 8; ++k)
+      CHECK(near_point(back, path.end() * Rational(k, 8)) ==
+            near_point(path, path.end() * Rational(8 - k, 8)));
+  }
+}
+
+TEST_CASE("transform: a part of a path has parts of its first and last segments") {
+  const Path path = of_three_kinds();
+  const Path part = segment(path, Rational(3, 2), Rational(7, 2));
+  CHECK(joined(part.segments()) == part);
+  REQUIRE(part.segments().size() == 3);
+  CHECK(part.segments()[1] == path.segments()[2]);
+  for (const auto& [now, before] : {std::pair<Rational, Rational>{0, {3, 2}},
+                                    {{1, 2}, {7, 4}},
+                                    {{3, 2}, {5, 2}},
+                                    {{5, 2}, {13, 4}},
+                                    {3, {7, 2}}})
+    CHECK(near_point(part, now) == near_point(path, before));
+  CHECK(segment(path, Rational(7, 2), Rational(3, 2)) == reversed(part));
+  CHECK(segment(path, 1, 3).segments() ==
+        std::vector<Segment>{path.segments()[1], path.segments()[2]});
+  CHECK(segment(path, 0, 2).is_ph());
+  CHECK_THROWS_AS(segment(path, 1, 1), DomainError);
+  CHECK_THROWS_AS(segment(path, -1, 1), DomainError);
+  CHECK_THROWS_AS(segment(path, 1, 5), DomainError);
+  CHECK_THROWS_AS(scaled(path, 0), DomainError);
+  CHECK_THROWS_AS(rotated(path, {}), DomainError);
 }
