@@ -121,18 +121,32 @@ std::string totals_text(const AngleAnswer& answer) {
   return text;
 }
 
-/// The closed forms of the segments that have one.
+/// The closed forms of the segments that have one; on paths of several kinds those where θ is
+/// constant, as on straight lines, are listed.
 std::string formulas_text(const AngleAnswer& answer) {
-  std::string text =
-      "On each segment t runs from 0 to 1 here; along the spline, segment k is from t = k − 1 to "
-      "k.\n\n";
+  const bool is_ph = answer.path.path.is_ph();
+  std::vector<std::size_t> constant;
+  std::string formulas;
   for (std::size_t k = 0; k < answer.formulas.size(); ++k) {
     if (!answer.formulas[k]) continue;
-    text += fmt::format("Segment {}\n", k + 1);
-    if (const auto& g = answer.formulas[k]->bend) text += fmt::format("  g = {}\n", readable(*g));
-    text += formula_text(*answer.formulas[k], "", "constant");
+    if (!is_ph && answer.formulas[k]->rate.is_zero()) {
+      constant.push_back(k + 1);
+      continue;
+    }
+    formulas += fmt::format("Segment {}\n", k + 1);
+    if (const auto& g = answer.formulas[k]->bend)
+      formulas += fmt::format("  g = {}\n", readable(*g));
+    formulas += formula_text(*answer.formulas[k], "", "constant");
   }
-  return text + "Checked: the derivative of each θ is θ′, exactly.\n\n";
+  std::string text;
+  if (!constant.empty())
+    text = fmt::format("θ is constant on segment{} {}.\n", constant.size() == 1 ? "" : "s",
+                       ranges(constant));
+  if (formulas.empty()) return text;
+  return text +
+         "On each segment t runs from 0 to 1 here; along the spline, segment k is from t = k − 1 "
+         "to k.\n\n" +
+         formulas + "Checked: the derivative of each θ is θ′, exactly.\n\n";
 }
 
 std::string spline_text(const AngleAnswer& answer, const PhPath& path) {
@@ -144,17 +158,16 @@ std::string spline_text(const AngleAnswer& answer, const PhPath& path) {
   return text + turning_text(answer) + formulas_text(answer) + totals_text(answer);
 }
 
-/// Where the path has no closed form all along.
+/// Where the path has no closed form.
 std::string no_closed_form(const AngleAnswer& answer) {
-  std::string none;
+  std::vector<std::size_t> none;
   const auto& segments = answer.path.path.segments();
   for (std::size_t k = 0; k < segments.size(); ++k)
-    if (ph_curve(segments[k]) == nullptr)
-      none += fmt::format("{}{}", none.empty() ? "" : ", ", k + 1);
-  const bool is_known_somewhere = std::any_of(segments.begin(), segments.end(), ph_curve);
-  if (!is_known_somewhere) return "no closed form: the curve is not Pythagorean-hodograph";
-  return fmt::format("no closed form on what is not Pythagorean-hodograph, segment {}",
-                     abbreviated(none));
+    if (ph_curve(segments[k]) == nullptr) none.push_back(k + 1);
+  if (none.size() == segments.size())
+    return "no closed form: the curve is not Pythagorean-hodograph";
+  return fmt::format("no closed form on segment{} {}, not Pythagorean-hodograph",
+                     none.size() == 1 ? "" : "s", ranges(none));
 }
 
 /// What θ is the integral of, to the frame of a vector and along what is not PH.

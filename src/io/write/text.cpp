@@ -178,6 +178,20 @@ std::string counted(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+std::string ranges(const std::vector<std::size_t>& numbers) {
+  std::string text;
+  for (std::size_t first = 0; first < numbers.size();) {
+    std::size_t last = first;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    if (last == first + 1) last = first;  // "1, 2", but "1 to 3"
+    if (!text.empty()) text += ", ";
+    text += std::to_string(numbers[first]);
+    if (last > first) text += fmt::format(" to {}", numbers[last]);
+    first = last + 1;
+  }
+  return text;
+}
+
 std::string name_prefix(const std::string& name) {
   constexpr std::size_t limit = 80;
   const std::string text = printable(name);

@@ -42,6 +42,8 @@ std::string readable_exact(const std::string& text, std::size_t limit = 4000);
 
 /// "1 digit", "2 digits".
 std::string counted(std::size_t count, std::string_view noun);
+/// "1 to 20, 22, 25 to 27", of ascending numbers.
+std::string ranges(const std::vector<std::size_t>& numbers);
 /// "name: " as a report begins, or nothing for an empty name.
 std::string name_prefix(const std::string& name);
 /// "  label      value", the values below each other.

@@ -163,7 +163,7 @@ std::string to_text(const Row& row) {
     text += fmt::format("    {} {}\n", value.radius == "0" ? "=" : "≈", shown(value));
   if (const auto some = closed_forms_of_some(row); !some.empty())
     text += fmt::format("    in closed form on {} of {} segments: {}\n", some.size(),
-                        row.total->segments.size(), fmt::join(some, ", "));
+                        row.total->segments.size(), ranges(some));
   return text;
 }
 

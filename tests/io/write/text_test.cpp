@@ -84,3 +84,10 @@ TEST_CASE("text: one is singular, none and many are plural") {
   CHECK(counted(1, "digit") == "1 digit");
   CHECK(counted(2, "digit") == "2 digits");
 }
+
+TEST_CASE("text: three numbers and more that follow each other are a range") {
+  CHECK(ranges({}).empty());
+  CHECK(ranges({7}) == "7");
+  CHECK(ranges({1, 2, 4}) == "1, 2, 4");
+  CHECK(ranges({1, 2, 3, 5, 7, 8, 9, 10}) == "1 to 3, 5, 7 to 10");
+}
