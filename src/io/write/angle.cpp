@@ -146,7 +146,7 @@ std::string formulas_text(const AngleAnswer& answer) {
   return text +
          "On each segment t runs from 0 to 1 here; along the spline, segment k is from t = k − 1 "
          "to k.\n\n" +
-         formulas + "Checked: the derivative of each θ is θ′, exactly.\n\n";
+         formulas + "Checked: the derivative of each θ is θ′, exactly.\n";
 }
 
 std::string spline_text(const AngleAnswer& answer, const PhPath& path) {
@@ -155,7 +155,7 @@ std::string spline_text(const AngleAnswer& answer, const PhPath& path) {
       "The rotation-minimizing frame is the {} frame, continuous through the joints,\n"
       "turned by θ about the tangent:\n",
       answer.reference == Reference::frenet ? "Frenet" : "Euler–Rodrigues");
-  return text + turning_text(answer) + formulas_text(answer) + totals_text(answer);
+  return text + turning_text(answer) + formulas_text(answer) + "\n" + totals_text(answer);
 }
 
 /// Where the path has no closed form.
