@@ -23,8 +23,15 @@ Formula read_formula(const JsonNode& node, std::string& variable, bool is_consta
   }
 }
 
-std::string read_variable(const JsonNode& node) {
-  const auto given = node.find("variable");
+/// What stands at the key beside the formulas, or among them, where there is such a key.
+std::optional<JsonNode> beside(const JsonNode& node, const JsonNode& expressions, const char* key) {
+  auto among = expressions.find(key);
+  if (!among) return node.find(key);
+  if (node.find(key)) among->fail("it stands beside \"expressions\", too");
+  return among;
+}
+
+std::string read_variable(const std::optional<JsonNode>& given) {
   if (!given) return "";
   if (given->string().empty()) given->fail("the name of the variable is empty");
   return given->string();
@@ -38,14 +45,18 @@ GivenSegment read_expression_segment(const JsonNode& node, const JsonNode& expre
     if (node.find(other))
       node.fail("\"expressions\" and \"" + std::string(other) + "\" exclude each other");
   expressions.require(JsonNode::Kind::object, "an object with \"x\", \"y\" and perhaps \"z\"");
-  expressions.require_known_keys({"x", "y", "z"});
-  std::string variable = read_variable(node);
+  expressions.require_known_keys({"x", "y", "z", "variable", "from", "to"});
+  std::string variable = read_variable(beside(node, expressions, "variable"));
   const auto z = expressions.find("z");
   const Formula x = read_formula(expressions.at("x"), variable);
   const Formula y = read_formula(expressions.at("y"), variable);
   const Vector<Formula> r{x, y, z ? read_formula(*z, variable) : Formula(0)};
-  const Formula from = read_formula(node.at("from"), variable, true);
-  const Formula to = read_formula(node.at("to"), variable, true);
+  const auto end = [&](const char* key) {
+    const auto given = beside(node, expressions, key);
+    return read_formula(given ? *given : node.at(key), variable, true);
+  };
+  const Formula from = end("from");
+  const Formula to = end("to");
   if (variable.empty()) variable = "s";
   try {
     if (auto curve = rational_form(r, from, to, variable)) return {*std::move(curve), node.place()};

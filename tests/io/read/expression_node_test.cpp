@@ -61,9 +61,18 @@ TEST_CASE("expressions: the variable is the only name there is, or the one that 
         smooth_curve(formulas("cos(e)", "sin(e)", full_turn) + R"json(, "variable": "e")json"));
 }
 
+TEST_CASE("expressions: their ends and variable may stand among them, but not twice") {
+  const std::string among =
+      R"json("expressions": {"x": "cos(e)", "y": "sin(e)", "variable": "e", "from": 0, "to": "2*pi"})json";
+  CHECK(smooth_curve(among) == smooth_curve(formulas("cos(u)", "sin(u)", full_turn)));
+  CHECK(failure(R"json("from": 0, )json" + among) ==
+        "/expressions/from: it stands beside \"expressions\", too");
+}
+
 TEST_CASE("expressions: polynomials are a polynomial curve, and PH ones are recognised") {
-  const NamedPath ph = read_any_path(R"json({"phrame": "curve/1", )json" +
-                                   formulas("s - s^3/3", "s^2", R"json("from": 0, "to": 2})json"));
+  const NamedPath ph =
+      read_any_path(R"json({"phrame": "curve/1", )json" +
+                    formulas("s - s^3/3", "s^2", R"json("from": 0, "to": 2})json"));
   REQUIRE(ph.path.is_ph());
   // s = 2t: x′ = 2 − 8t², y′ = 8t, of the speed 2 + 8t².
   CHECK(hodograph(ph.path.ph()->segments().front()) ==
