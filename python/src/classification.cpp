@@ -9,9 +9,10 @@ struct ClassificationObject {
 };
 
 const Classification& of_curve(const ClassificationObject& self) {
-  if (!self.found.path.path.is_curve())
-    throw DomainError("classification: that is asked of single curves; classify path.segments");
-  return self.found.classification.segments.front();
+  const auto& segments = self.found.classification.segments;
+  if (segments.size() > 1 || !segments.front())
+    throw DomainError("classification: that is asked of single PH curves; classify path.segments");
+  return *segments.front();
 }
 
 nb::object vector_or_none(const std::optional<Vector<Rational>>& v) {
@@ -24,13 +25,13 @@ nb::object vector_or_none(const std::optional<Vector<Rational>>& v) {
 
 void bind_classification(nb::module_& m, PathClass& path) {
   const auto classify = [](nb::handle self) {
-    const NamedPhPath& named = ph_of(path_of(self), "classify");
+    const NamedPath& named = path_of(self).named;
     return nb::cast(
         ClassificationObject{without_gil([named] { return answer(named, ClassificationQuery{}); }),
                              method_recipe(self, "classify")});
   };
   path.def("classify", classify, nb::sig("def classify(self) -> Classification"),
-           "Of which kinds a path of PH curves is, decided exactly.");
+           "Of which kinds a path and its segments that are PH curves are, decided exactly.");
   auto type = nb::class_<ClassificationObject>(
       m, "Classification", "Of which kinds a path is, with witnesses: docs/classification.md.");
   using C = ClassificationObject;
@@ -98,7 +99,7 @@ void bind_classification(nb::module_& m, PathClass& path) {
           "json", [](const C& c) { return to_json(c.found); }, "classify/1.")
       .def("__str__", [](const C& c) { return for_reading(to_text(c.found), false); })
       .def("_repr_latex_", [](const C& c) -> std::optional<std::string> {
-        if (!c.found.path.path.is_curve()) return std::nullopt;
+        if (c.found.path.path.segments().size() > 1) return std::nullopt;
         return between_dollars(to_latex(c.found));
       });
   bind_python(type, "__repr__", "phrame._show", "classification_repr", "def __repr__(self) -> str");

@@ -19,10 +19,10 @@ MIXED = phrame.Path([LINE, phrame.Path.bezier([[1, 0, 0], [2, 0, 0], [4, 0, 5]])
 KINDS = {"ph": [QUINTIC, SPLINE, LINE], "polynomial": [CUBIC], "rational": [CONIC], "expressions": [HELIX], "mixed": [MIXED]}
 OF_ONE = ("preimage", "multiplier", "start", "degree", "hodograph", "position", "sigma", "h", "g", "rho", "control_points",
           "squared_curvature", "torsion_function", "certify")
-OF_PH = ("json", "classify", "erf_twist")
+OF_PH = ("json", "erf_twist")
 
 
-METHODS = ("certify", "json", "classify")
+METHODS = ("certify", "json")
 
 
 def asked(path, name):
@@ -175,3 +175,11 @@ def test_paths_that_do_not_join():
     assert phrame.Path([CUBIC, phrame.Path.bezier([[4, 1, 2], [5, 2, 3]])]).kind == "polynomial"  # a line of length √3
     with pytest.raises(TypeError, match=r"^curves\[1\]: a Path is wanted, not int$"):
         phrame.Path([CUBIC, 3])
+
+
+def test_paths_of_several_kinds_are_classified_as_a_whole():
+    found = MIXED.classify()
+    assert found.is_regular and found.line is None and not found.erf_is_rotation_minimizing
+    assert found.normal in ((0, 1, 0), (0, -1, 0))
+    with pytest.raises(phrame.DomainError, match="classify path.segments"):
+        found.cusps

@@ -2,7 +2,7 @@
 
 namespace phrame {
 
-ClassificationAnswer answer(const NamedPhPath& named, const ClassificationQuery&) {
+ClassificationAnswer answer(const NamedPath& named, const ClassificationQuery&) {
   return {named, classify(named.path)};
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-#include "phrame/ph/curve/named.hpp"
 #include "phrame/ph/proof/classify.hpp"
 
 namespace phrame {
@@ -9,11 +8,11 @@ struct ClassificationQuery {};
 
 /// Of which kinds a path and its segments are.
 struct ClassificationAnswer {
-  NamedPhPath path;                   ///< as asked
+  NamedPath path;                     ///< as asked
   PathClassification classification;  ///< with witnesses
 };
 
 /// Throws as classify().
-ClassificationAnswer answer(const NamedPhPath& path, const ClassificationQuery& query);
+ClassificationAnswer answer(const NamedPath& path, const ClassificationQuery& query);
 
 }  // namespace phrame

@@ -213,7 +213,7 @@ PageAnswer page_to_erf(const NamedPath& named, const PhPath& path, const PageQue
 
   std::optional<ClassificationAnswer> classification;
   if (path.segments().size() <= most_in_full)
-    classification = answer(*as_ph(named), ClassificationQuery{});
+    classification = answer(named, ClassificationQuery{});
   std::optional<Certificate> certificate;
   const bool is_heavy = phrame::is_heavy(path);
   if (path.is_curve() && !is_heavy)

@@ -15,7 +15,7 @@ void run(const ClassifyOptions& options) {
   const auto print = choose<std::string (*)(const ClassificationAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
   options.length.write(options.curve.output,
-                       print(answer(options.curve.read_path(), ClassificationQuery{})));
+                       print(answer(options.curve.read_any_path(), ClassificationQuery{})));
 }
 
 }  // namespace
@@ -31,7 +31,8 @@ void add_classify(Program& program) {
   command.set_notes(
       "Decided exactly: regular, inflections, straight line, plane, helix, double PH, primitive,\n"
       "whether the Euler-Rodrigues frame (ERF) or any rational frame is rotation-minimizing\n"
-      "(RMF), and where the ERF turns back. Of a spline each segment, and what is true of all.\n"
+      "(RMF), and where the ERF turns back. Of a spline each segment, and what is true of all;\n"
+      "of segments that are not Pythagorean-hodograph what they are with the others.\n"
       "Examples:\n"
       "  phrame classify curve.json\n"
       "  phrame classify curve.json --print json -o class.json");

@@ -75,7 +75,7 @@ TEST_CASE("identify: a curve that is not PH has status 1 and a reason") {
                 "no PH curve: |r'| is no polynomial: |r'|^2 has the factor 4*t^2 + 1");
   CHECK_FALSE(fs::exists(here.file("ph.json")));
   // To commands that need a PH curve it is bad input.
-  check_failure(here.run("classify parabola.json"), 2,
+  check_failure(here.run("certify parabola.json"), 2,
                 "phrame: parabola.json:/control_points: this is no PH curve");
 }
 

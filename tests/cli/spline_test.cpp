@@ -55,8 +55,9 @@ TEST_CASE("splines: what is refused, and where") {
   const Workshop here;
   add_splines(here);
   check_failure(here.run("angle broken.json"), 2, "broken.json:/segments/1: the tangent breaks");
-  check_failure(here.run("classify other.json"), 2,
-                "/phrame: the format is \"curve/1\" or \"spline/1\", not \"spline/2\"");
+  check_failure(here.run("angle other.json"), 2,
+                "/phrame: the format is \"curve/1\", \"spline/1\", \"bspline/1\", \"nurbs/1\" or "
+                "\"points/1\", not \"spline/2\"");
   for (const char* command : {"identify", "certify", "prove --at 1"})
     check_failure(here.run(std::string(command) + " s.json"), 2,
                   "this is a spline; one curve is wanted");

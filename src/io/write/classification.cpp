@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "phrame/answer/classification.hpp"
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
@@ -133,14 +135,22 @@ Fields fields(const Classification& c, const Curve& curve) {
 }
 
 /// What is true of the whole of a spline.
-Fields spline_fields(const NamedPhPath& named, const PathClassification& c) {
-  return {json_field("phrame", "spline-classify/1"),
-          json_field("name", named.name),
-          {"regular", "regular", yes_or_no(c.is_regular)},
-          {"line", "straight line", direction("direction", c.line)},
-          {"planar", "in one plane", direction("normal", c.normal)},
-          {"helical", "helix", found(c.helix)},
-          {"erf_is_rmf", "ERF is an RMF", yes_or_no(c.erf_is_rotation_minimizing)}};
+Fields spline_fields(const NamedPath& named, const PathClassification& c) {
+  const bool is_single = named.path.segments().size() == 1;
+  Fields all{json_field("phrame", is_single ? "classify/1" : "spline-classify/1"),
+             json_field("name", named.name),
+             {"regular", "regular", yes_or_no(c.is_regular)},
+             {"line", "straight line", direction("direction", c.line)},
+             {"planar", "in one plane", direction("normal", c.normal)}};
+  if (!named.path.is_ph()) return all;
+  all.push_back({"helical", "helix", found(c.helix)});
+  all.push_back({"erf_is_rmf", "ERF is an RMF", yes_or_no(c.erf_is_rotation_minimizing)});
+  return all;
+}
+
+/// The curve by itself that the path is.
+const Curve* only_curve(const Path& path) {
+  return path.segments().size() == 1 ? ph_curve(path.segments().front()) : nullptr;
 }
 
 std::string written(const Fields& fields, Notation notation) {
@@ -149,22 +159,32 @@ std::string written(const Fields& fields, Notation notation) {
 
 std::string written(const ClassificationAnswer& answer, Notation notation) {
   const auto& [named, c] = answer;
-  const std::vector<Curve>& segments = named.path.segments();
-  if (named.path.is_curve()) return written(fields(c.segments.front(), segments.front()), notation);
+  if (const Curve* curve = only_curve(named.path))
+    return written(fields(*c.segments.front(), *curve), notation);
   std::string text = written(spline_fields(named, c), notation);
+  const auto& segments = named.path.segments();
   for (std::size_t k = 0; k < segments.size(); ++k)
-    text += fmt::format("\nSegment {}: {}\n\n{}", k + 1, heading("", segments[k]),
-                        written(fields(c.segments[k], segments[k]), notation));
+    if (const Curve* curve = ph_curve(segments[k]))
+      text += fmt::format("\nSegment {}: {}\n\n{}", k + 1, heading("", *curve),
+                          written(fields(*c.segments[k], *curve), notation));
+    else if (segments.size() > 1)
+      text +=
+          fmt::format("\nSegment {}: {}, not Pythagorean-hodograph\n", k + 1, kind_of(segments[k]));
   return text;
 }
 
 }  // namespace
 
 std::string to_text(const ClassificationAnswer& answer) {
-  return fmt::format(
-      "{}\n\n{}\nPoints are those on [0, 1]{}. The witnesses were checked, exactly.\n",
-      heading(answer.path), written(answer, Notation::unicode),
-      answer.path.path.is_curve() ? "" : " of the segment");
+  const Path& path = answer.path.path;
+  std::string text =
+      fmt::format("{}\n\n{}", heading(answer.path), written(answer, Notation::unicode));
+  const auto& segments = path.segments();
+  if (std::none_of(segments.begin(), segments.end(), ph_curve))
+    return text + "\nWhat else is decided is of Pythagorean-hodograph curves.\n";
+  return text +
+         fmt::format("\nPoints are those on [0, 1]{}. The witnesses were checked, exactly.\n",
+                     segments.size() == 1 ? "" : " of the segment");
 }
 
 std::string to_latex(const ClassificationAnswer& answer) {
@@ -173,16 +193,20 @@ std::string to_latex(const ClassificationAnswer& answer) {
 
 std::string to_json(const ClassificationAnswer& answer) {
   const auto& [named, c] = answer;
-  const std::vector<Curve>& segments = named.path.segments();
-  if (named.path.is_curve()) {
-    JsonOutput json = {{"phrame", "classify/1"}, {"name", named.name}};
-    json.update(json_of(fields(c.segments.front(), segments.front())));
-    add_nearness(json, named.near);
-    return pretty(json);
+  JsonOutput json;
+  if (const Curve* curve = only_curve(named.path)) {
+    json = {{"phrame", "classify/1"}, {"name", named.name}};
+    json.update(json_of(fields(*c.segments.front(), *curve)));
+  } else {
+    json = json_of(spline_fields(named, c));
+    const auto& segments = named.path.segments();
+    if (segments.size() == 1) json["ph"] = false;
+    for (std::size_t k = 0; segments.size() > 1 && k < segments.size(); ++k)
+      if (const Curve* of_ph = ph_curve(segments[k]))
+        json["segments"].push_back(json_of(fields(*c.segments[k], *of_ph)));
+      else
+        json["segments"].push_back({{"ph", false}});
   }
-  JsonOutput json = json_of(spline_fields(named, c));
-  for (std::size_t k = 0; k < segments.size(); ++k)
-    json["segments"].push_back(json_of(fields(c.segments[k], segments[k])));
   add_nearness(json, named.near);
   return pretty(json);
 }

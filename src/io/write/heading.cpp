@@ -40,16 +40,21 @@ std::string heading(const NamedPhPath& named) {
                      counted(path.segments().size(), "segment"), closure(path));
 }
 
+std::string kind_of(const Segment& segment) {
+  const RationalCurve* curve = rational_curve(segment);
+  if (curve == nullptr) return "curve by formulas";
+  return fmt::format("{} curve of degree {}",
+                     curve->weight().is_constant() ? "polynomial" : "rational", degree(*curve));
+}
+
 std::string heading(const NamedPath& named) {
   if (auto ph = named.path.ph()) return heading(NamedPhPath(named.name, *std::move(ph)));
   const auto& segments = named.path.segments();
-  std::string kind = fmt::format("path of {}", counted(segments.size(), "curve"));
-  if (segments.size() == 1) {
-    kind = "curve by formulas, along which t runs from 0 to 1";
-    if (const RationalCurve* curve = rational_curve(segments.front()))
-      kind = fmt::format("{} curve of degree {}",
-                         curve->weight().is_constant() ? "polynomial" : "rational", degree(*curve));
-  }
+  const std::string kind = segments.size() > 1
+                               ? fmt::format("path of {}", counted(segments.size(), "curve"))
+                           : std::holds_alternative<ExpressionCurve>(segments.front())
+                               ? kind_of(segments.front()) + ", along which t runs from 0 to 1"
+                               : kind_of(segments.front());
   return fmt::format("{}{}, {}", name_prefix(named.name), kind, closure_text(named.path));
 }
 

@@ -11,6 +11,8 @@ namespace phrame {
 /// segments, closed".
 std::string heading(const std::string& name, const Curve& curve);
 std::string heading(const NamedPhPath& named);
+/// "rational curve of degree 2", "curve by formulas".
+std::string kind_of(const Segment& segment);
 /// Of a path of any kind: the same of PH curves, "rational curve of degree 2", "path of 4 curves,
 /// closed".
 std::string heading(const NamedPath& named);

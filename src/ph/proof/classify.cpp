@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
+#include "phrame/ph/curve/direction_span.hpp"
 
 namespace phrame {
 namespace {
@@ -68,24 +69,53 @@ Classification classify(const Curve& curve) {
   return result;
 }
 
-PathClassification classify(const PhPath& path) {
-  PathClassification result;
-  for (const Curve& curve : path.segments()) {
-    const Classification& segment = result.segments.emplace_back(classify(curve));
-    if (!segment.cusps.empty()) result.is_regular = false;
-    if (!segment.erf_is_rotation_minimizing) result.erf_is_rotation_minimizing = false;
-  }
+namespace {
+
+/// Has a segment that is no PH curve no cusp?
+bool is_regular(const Segment& segment) {
+  const auto* curve = std::get_if<RationalCurve>(&segment);
+  return curve == nullptr || count_real_roots(curve->multiplier(), unit_interval) == 0;
+}
+
+/// What PH curves have as a whole.
+void add_shape(PathClassification& result, const PhPath& path) {
   if (path.is_curve()) {
-    const Classification& curve = result.segments.front();
+    const Classification& curve = *result.segments.front();
     result.line = curve.line;
     result.normal = curve.normal;
     result.helix = curve.helix;
-    return result;
+    return;
   }
   result.line = line_direction(path);
   result.normal = plane_normal(path);
   result.helix = helix(path);
   for (const Curve& curve : path.segments()) check_shape(result, curve.preimage());
+}
+
+void add_shape(PathClassification& result, const Path& path) {
+  result.erf_is_rotation_minimizing = false;
+  const auto span = direction_span(path);
+  if (are_on_a_line(span))
+    result.line = span.front();
+  else
+    result.normal = common_normal(span);
+}
+
+}  // namespace
+
+PathClassification classify(const Path& path) {
+  PathClassification result;
+  for (const Segment& segment : path.segments()) {
+    const Curve* curve = ph_curve(segment);
+    const auto& kinds =
+        result.segments.emplace_back(curve ? std::optional(classify(*curve)) : std::nullopt);
+    if (kinds ? !kinds->cusps.empty() : !is_regular(segment)) result.is_regular = false;
+    if (kinds && !kinds->erf_is_rotation_minimizing) result.erf_is_rotation_minimizing = false;
+  }
+  if (const auto ph = path.ph())
+    add_shape(result, *ph);
+  else
+    add_shape(result, path);
   return result;
 }
 

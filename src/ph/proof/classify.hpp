@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/frame/erf_turning.hpp"
@@ -30,12 +31,14 @@ struct PathClassification {
   bool is_regular = true;                  ///< no segment has a cusp
   std::optional<Vector<Rational>> line;    ///< its direction, of the first segment
   std::optional<Vector<Rational>> normal;  ///< of the plane of all segments
-  std::optional<ConstantAngle> helix;      ///< one axis and one angle for all segments
-  bool erf_is_rotation_minimizing = true;  ///< h = 0 on all segments
-  std::vector<Classification> segments;    ///< each by itself
+  std::optional<ConstantAngle> helix;      ///< one axis and one angle for all segments, all PH
+  bool erf_is_rotation_minimizing = true;  ///< h = 0 on all segments, all PH
+  /// Each by itself; no value for one that is no PH curve.
+  std::vector<std::optional<Classification>> segments;
 };
 
-/// Likewise checked.
-PathClassification classify(const PhPath& path);
+/// Likewise checked; line and plane of a path with segments that are not PH are decided by the form
+/// of these, direction_span().
+PathClassification classify(const Path& path);
 
 }  // namespace phrame

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "phrame/answer/classification.hpp"
+#include "phrame/io/read/any_path.hpp"
 #include "phrame/io/write/answers.hpp"
 #include "support/paths.hpp"
 #include "support/text.hpp"
@@ -15,7 +16,7 @@ using Json = nlohmann::json;
 namespace {
 
 ClassificationAnswer report(const QuaternionPolynomial& a, const Polynomial& f = {1}) {
-  return answer({"", Curve(a, f)}, ClassificationQuery{});
+  return answer(NamedPhPath{"", Curve(a, f)}, ClassificationQuery{});
 }
 
 }  // namespace
@@ -70,7 +71,8 @@ TEST_CASE("classify report: why there is no rational frame, or which there is") 
 }
 
 TEST_CASE("classify report: of a spline, the whole and its segments") {
-  const ClassificationAnswer loop = answer({"loop", test::closed_loop()}, ClassificationQuery{});
+  const ClassificationAnswer loop =
+      answer(NamedPhPath{"loop", test::closed_loop()}, ClassificationQuery{});
   const std::string text = to_text(loop);
   CHECK(text.starts_with("loop: PH spline of 4 segments, closed\n\n  regular               yes\n"));
   CHECK(contains(text, "  in one plane          yes: normal (0, 0, 1)\n"));
@@ -85,8 +87,8 @@ TEST_CASE("classify report: of a spline, the whole and its segments") {
   CHECK(json["line"] == Json{{"answer", false}});
   CHECK(json["erf_is_rmf"] == Json{{"answer", true}});
   REQUIRE(json["segments"].size() == 4);
-  Json of_curve =
-      Json::parse(to_json(answer({"", loop.path.path.segments()[2]}, ClassificationQuery{})));
+  Json of_curve = Json::parse(to_json(
+      answer(NamedPhPath{"", *ph_curve(loop.path.path.segments()[2])}, ClassificationQuery{})));
   of_curve.erase("phrame");
   of_curve.erase("name");
   CHECK(json["segments"][2] == of_curve);
@@ -95,7 +97,7 @@ TEST_CASE("classify report: of a spline, the whole and its segments") {
 TEST_CASE("classify report: of a spline, where one segment makes the difference") {
   const Curve screw({{1}, {0, 1}, {0, 1}, {}});
   const auto report = [](const PhPath& path) {
-    return Json::parse(to_json(answer({"", path}, ClassificationQuery{})));
+    return Json::parse(to_json(answer(NamedPhPath{"", path}, ClassificationQuery{})));
   };
   const Json pieces = report(test::cut(screw, {Rational(1, 2)}));
   CHECK(pieces["helical"] ==
@@ -127,4 +129,33 @@ TEST_CASE("classify report: the LaTeX of a helix") {
 \text{extrema of $\omega_1$} &\quad t = 0
 \end{align*}
 )");
+}
+
+// A line, a quarter of a circle in its plane, and a curve that leaves it.
+TEST_CASE("classify report: of a path of several kinds, what all are, and the PH segments") {
+  const auto report_of = [](const std::string& segments) {
+    return answer(
+        read_any_path(R"json({"phrame": "spline/1", "segments": [)json" + segments + "]}"),
+        ClassificationQuery{});
+  };
+  const std::string flat = R"json({"control_points": [[0, 0, 0], [1, 0, 0]]},
+      {"control_points": [[1, 0, 0], [2, 0, 0], [2, 1, 0]], "weights": [1, 1, 2]})json";
+  const Json plane = Json::parse(to_json(report_of(flat)));
+  CHECK(plane["planar"]["answer"] == true);
+  CHECK(plane["line"]["answer"] == false);
+  CHECK(plane["regular"]["answer"] == true);
+  CHECK_FALSE(plane.contains("helical"));
+  CHECK(plane["segments"][0]["line"]["answer"] == true);
+  CHECK(plane["segments"][1] == Json{{"ph", false}});
+  const ClassificationAnswer out = report_of(flat + R"json(,
+      {"expressions": {"x": "2 + s^3", "y": "1 + sin(s)", "z": "s^2"}, "from": 0, "to": 1})json");
+  CHECK(Json::parse(to_json(out))["planar"]["answer"] == false);
+  CHECK(contains(to_text(out), "Segment 2: rational curve of degree 2, not Pythagorean-hodograph"));
+  CHECK(contains(to_text(out), "Segment 3: curve by formulas, not Pythagorean-hodograph"));
+  // r = (t³, t⁴, 0) stops at t = 0.
+  const ClassificationAnswer cusp =
+      answer(read_any_path(R"json({"phrame": "curve/1", "basis": "power",
+          "position": {"x": [0, 0, 0, 1], "y": [0, 0, 0, 0, 1], "z": [0]}})json"),
+             ClassificationQuery{});
+  CHECK(Json::parse(to_json(cusp))["regular"]["answer"] == false);
 }
