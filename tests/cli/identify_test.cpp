@@ -126,7 +126,7 @@ TEST_CASE(
   CHECK(contains(refused.out, "not a PH curve over ℚ"));
   CHECK(contains(refused.out, "--near 1e-1"));
   CHECK(contains(refused.out, "takes the PH curve"));
-  check_failure(here.run("classify near.json"), 2, "; --near 1e-1");
+  check_failure(here.run("certify near.json"), 2, "; --near 1e-1");
 
   const Run text = here.run("identify near.json --near 1e-15");
   check_success(text);
@@ -161,7 +161,7 @@ TEST_CASE("--near: other commands take the curve near the points, and say so") {
     CHECK(contains(run.err, "phrame: near.json: in its place a PH curve at most "));
     CHECK(contains(run.err, "rotation-minimizing frames differ by at most "));
   }
-  for (const char* command : {"classify", "certify"})
+  for (const char* command : {"prove --at 1", "certify"})
     check_failure(here.run(std::string(command) + " near.json"), 2, "this is no PH curve");
   // Each answer in JSON says what identify says of the curve that stands there.
   here.write("frames.csv", "t,f2x,f2y,f2z\n0,0,1,0\n1,0,1,0\n");
@@ -210,7 +210,7 @@ TEST_CASE("--near: splines get exact joints") {
                         [0.6666666666666666, 0.3333333333333333, 0], [0.6666666666666666, 1, 0]]},
     {"control_points": [[0.6666666666666666, 1, 0], [0.6666666666666666, 1.6666666666666667, 0],
                         [0.3333333333333333, 2, 0], [0, 2, 0]]}]})");
-  const Run refused = here.run("classify spline.json");
+  const Run refused = here.run("sweep spline.json --exact --profile circle:1");
   CHECK(refused.status == 2);
   const Run angle = here.run("angle spline.json --near 1e-14 --at 2");
   CHECK(angle.status == 0);
@@ -275,7 +275,7 @@ TEST_CASE("identify: commands for PH curves read them in all formats, and say wh
   check_success(info);
   CHECK(Json::parse(info.out)["arc_length"] == "5");
   here.write("points.csv", "x,y,z\n0,0,0\n1,1,0\n2,0,1\n");
-  const Run none = here.run("classify points.csv");
+  const Run none = here.run("mtf points.csv --wronskian");
   CHECK(none.status == 2);
   CHECK(
       none.err.starts_with("phrame: points.csv: this command needs a Pythagorean-hodograph curve, "
@@ -291,5 +291,5 @@ TEST_CASE("identify: commands for PH curves read them in all formats, and say wh
   check_failure(here.run("angle formulas.json --frame erf"), 2,
                 "this is none (\"phrame construct\" finds");
   here.write("words.csv", "no curve\n");
-  CHECK(contains(here.run("classify words.csv").err, "a curve file is JSON"));
+  CHECK(contains(here.run("certify words.csv").err, "a curve file is JSON"));
 }
