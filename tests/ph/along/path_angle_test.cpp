@@ -2,8 +2,10 @@
 
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/path_totals.hpp"
+#include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/frame/frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
 
@@ -236,5 +238,36 @@ TEST_CASE("spline: angles of different segments that cancel are exactly 0") {
     CHECK(angle.value(2).exact() == Rational(0));
     CHECK(angle.value(PathParameter{1, Rational(1, 2)}).exact() ==
           angle.value(PathParameter{0, Rational(1, 2)}).exact());
+  });
+}
+
+// By positions the same angle is the Taylor series of −e₂′·e₃, without a preimage.
+TEST_CASE("path angle: to the frame of v the closed form is the integral by positions") {
+  for_samples(25, [](Random& random) {
+    const Curve curve = random.curve(2);
+    const Path path{curve};
+    const Vector<Rational> v{random.integer(-5, 5), random.integer(-5, 5), 7};
+    CAPTURE(curve);
+    if (v == Vector<Rational>{} || tangent_along(path.segments().front(), v)) return;
+    const PathAngle closed(path, v);
+    const PathAngle by_values(by_positions(PhPath(curve)), v);
+    REQUIRE(closed.closed_form(0) != nullptr);
+    REQUIRE(by_values.closed_form(0) == nullptr);
+    for (const Rational& t : {Rational(1, 3), Rational(1)}) {
+      const RealBall theta = closed.enclose(Place(0, t), 150);
+      CHECK(theta.overlaps(by_values.enclose(Place(0, t), 150)));
+      CHECK(theta.is_accurate(140));
+      CHECK(closed.rate(Place(0, t), 100).overlaps(by_values.rate(Place(0, t), 100)));
+    }
+    // Turned from the frame of v, the frame is that which starts there by the preimage.
+    const PathAngle to_erf(path);
+    const StartAngle here = start_angle(LeastRotation{}, closed);
+    REQUIRE(here.exact);
+    const Place end(0, Rational(1));
+    const Frame<Real> one = rotation_minimizing_frame(closed, end, here);
+    const Frame<Real> other =
+        rotation_minimizing_frame(to_erf, end, start_angle(LeastRotation{}, to_erf));
+    for (std::size_t k = 0; k < 3; ++k)
+      CHECK(one.e2[k].enclose(120).overlaps(other.e2[k].enclose(120)));
   });
 }
