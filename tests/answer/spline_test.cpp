@@ -75,8 +75,7 @@ TEST_CASE("spline report: a closed plane curve in text") {
   const std::string info = to_text(answer(named, InfoQuery{10}));
   CHECK(contains(info, "  length ∫ |f|σ       16/3\n"));
   CHECK(contains(info, "  energy ∫ κ² ds      8.712388980\n"));  // 4 + 3π/2, by hand
-  CHECK(contains(to_text(answer(loop(3), InfoQuery{10})),
-                 "PH spline of 3 segments, open\n"));
+  CHECK(contains(to_text(answer(loop(3), InfoQuery{10})), "PH spline of 3 segments, open\n"));
   const Json json = Json::parse(to_json(answer(named, InfoQuery{10})));
   CHECK(json["arc_length"] == "16/3");
   CHECK(json["closed"] == true);

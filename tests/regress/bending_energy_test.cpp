@@ -10,8 +10,7 @@ namespace {
 
 /// A = 1 + ck with c = t² − t: σ = 1 + c², g = c′ = 2t − 1, ρ = 4(2t − 1)².
 InfoAnswer info(const Polynomial& multiplier) {
-  return answer(NamedCurve{"", Curve({{1}, {}, {}, {0, -1, 1}}, multiplier)},
-                InfoQuery{20});
+  return answer(NamedCurve{"", Curve({{1}, {}, {}, {0, -1, 1}}, multiplier)}, InfoQuery{20});
 }
 
 const Polynomial middle{-1, 2};

@@ -24,9 +24,7 @@ Path smooth(const std::string& text) {
   return path;
 }
 
-PhPath pythagorean(const std::string& text) {
-  return as_ph(read_any_path(text)).value().path;
-}
+PhPath pythagorean(const std::string& text) { return as_ph(read_any_path(text)).value().path; }
 
 const RationalCurve& segment(const Path& path, std::size_t k) {
   return *rational_curve(path.segments()[k]);

@@ -106,8 +106,7 @@ TEST_CASE("curve info: a cusp is located, and the length of a curve that turns b
   // ∫₀¹ |t² − 1/2| = √2/3 − 1/6.
   const NamedCurve irrational = on_a_line({Rational(-1, 2), 0, 1});
   CHECK(info(irrational)["arc_length"]["value"].get<std::string>().starts_with("0.30473785412"));
-  CHECK(contains(to_text(answer(irrational, InfoQuery{5})),
-                 "length ∫₀¹ |f|σ     0.30474\n"));
+  CHECK(contains(to_text(answer(irrational, InfoQuery{5})), "length ∫₀¹ |f|σ     0.30474\n"));
 }
 
 TEST_CASE("curve info: the energy does not depend on the direction of travel") {
@@ -117,9 +116,7 @@ TEST_CASE("curve info: the energy does not depend on the direction of travel") {
 }
 
 TEST_CASE("curve info: where f is negative, the text says which way the tangent points") {
-  const auto text = [](const Polynomial& f) {
-    return to_text(answer(on_a_line(f), InfoQuery{5}));
-  };
+  const auto text = [](const Polynomial& f) { return to_text(answer(on_a_line(f), InfoQuery{5})); };
   CHECK_FALSE(contains(text({-1}), "f < 0"));  // it is turned over
   CHECK(contains(text({-1, 2}), "f < 0 in a part of [0, 1]: there e₁"));
   CHECK_FALSE(contains(text({1, -4, 4}), "f < 0"));
@@ -257,9 +254,8 @@ TEST_CASE("curve info: text, JSON and LaTeX name the same fields") {
 
 TEST_CASE("spline info: LaTeX has the segments in a table") {
   // Two segments of a straight line, of the lengths 1/3 and 2/3.
-  const std::string latex = to_latex(
-      answer(NamedPhPath{"", test::cut(test::straight_line().curve, {Rational(1, 3)})},
-             InfoQuery{5}));
+  const std::string latex = to_latex(answer(
+      NamedPhPath{"", test::cut(test::straight_line().curve, {Rational(1, 3)})}, InfoQuery{5}));
   CHECK(latex ==
         R"(\begin{align*}
 \text{length $\int |f|\sigma$} &= 1 \\
