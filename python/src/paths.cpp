@@ -14,8 +14,8 @@ PathObject::PathObject(NamedPath path) : named(std::move(path)) {
 nb::object wrap(NamedPath named) { return nb::cast(PathObject(std::move(named))); }
 const PathObject& path_of(nb::handle self) { return nb::cast<const PathObject&>(self); }
 
-const PathObject& path_argument(nb::handle x, const std::string& place) {
-  if (!nb::isinstance<PathObject>(x)) refuse_type(place, "a Path", x);
+const PathObject& path_argument(nb::handle x, std::string_view place) {
+  if (!nb::isinstance<PathObject>(x)) refuse_type(std::string(place), "a Path", x);
   return path_of(x);
 }
 

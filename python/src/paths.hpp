@@ -33,7 +33,7 @@ using PathClass = nb::class_<PathObject>;
 nb::object wrap(NamedPath named);
 const PathObject& path_of(nb::handle self);
 /// The path that an argument is.
-const PathObject& path_argument(nb::handle x, const std::string& place);
+const PathObject& path_argument(nb::handle x, std::string_view place);
 
 /// "segments[1] is no Pythagorean-hodograph curve".
 std::string why_not_ph(const Path& path);
