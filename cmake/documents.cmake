@@ -1,5 +1,5 @@
 # cmake -D PROGRAM=… -D DIRECTORY=… -P documents.cmake
-# Writes what the program says of itself: manual pages, and completion for the shells.
+# Writes what the program says of itself: manual pages, completion for the shells, and the schema of a line of a batch.
 cmake_minimum_required(VERSION 3.25)
 
 function(write file)
@@ -9,7 +9,7 @@ function(write file)
 endfunction()
 
 file(REMOVE_RECURSE ${DIRECTORY})
-execute_process(COMMAND ${PROGRAM} completion json
+execute_process(COMMAND ${PROGRAM} help --json
   OUTPUT_VARIABLE list COMMAND_ERROR_IS_FATAL ANY)
 write(man/man1/phrame.1 man)
 string(JSON count LENGTH "${list}" commands)
@@ -21,3 +21,4 @@ endforeach()
 write(bash-completion/completions/phrame completion bash)
 write(zsh/site-functions/_phrame completion zsh)
 write(fish/vendor_completions.d/phrame.fish completion fish)
+write(phrame/schema/line.json help --schema)

@@ -1,13 +1,16 @@
+#include <algorithm>
+
 #include "phrame/cli/command.hpp"
 
 namespace phrame::cli {
 
 const std::vector<AddCommand>& all_commands() {
-  static const std::vector<AddCommand> list{
-      add_angle,       add_info,       add_classify, add_totals,    add_frames, add_mtf,
-      add_interpolate, add_construct,  add_identify, add_integrate, add_sweep,  add_batch,
-      add_compile,     add_check,      add_certify,  add_verify,    add_prove,  add_page,
-      add_help,        add_completion, add_man};
+  static const auto list = [] {
+    std::vector<AddCommand> all = answering_commands();
+    all.insert(std::ranges::find(all, &add_compile), &add_batch);
+    all.insert(all.end(), {add_help, add_completion, add_man});
+    return all;
+  }();
   return list;
 }
 

@@ -22,6 +22,7 @@
 #include "phrame/algebra/out_of_memory.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/line_stream.hpp"
+#include "phrame/cli/option_list.hpp"
 #include "phrame/cli/question.hpp"
 #include "phrame/io/write/text.hpp"
 
@@ -33,7 +34,7 @@ struct BatchOptions {
   std::string output = "-";
   std::optional<std::string> skip_done;
   long threads = 0;
-  std::string question = "angle";
+  std::string question = default_question;
   std::string frame = "erf";
   std::vector<std::string> at;
   StartOptions start;

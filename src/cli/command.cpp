@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "phrame/algebra/as_written.hpp"
+#include "phrame/cli/exchange.hpp"
 #include "phrame/io/read/angle.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/write/names.hpp"
@@ -34,6 +35,19 @@ T read_by(T (*read)(std::string_view, const CurveLimits&), const CurveOptions& o
   return at_place(name_of_file(options.path), ":", [&] { return read(text, options.limits); });
 }
 
+/// Where it is not in a file: that of an exchange; else null.
+const NamedPath* given_path(const std::string& file) {
+  const Exchange* here = Exchange::current();
+  if (here == nullptr) return nullptr;
+  const auto found = here->paths.find(file);
+  return found == here->paths.end() ? nullptr : &found->second;
+}
+
+NamedPhPath ph_path_of(const NamedPath& named) {
+  if (auto ph = as_ph(named)) return *std::move(ph);
+  throw InputError("", fmt::format("this command {}", needs_ph(named.path)));
+}
+
 /// A PH path of a file in any format. What is said of a file in another one than curve/1 and
 /// spline/1 that is read as no PH path is that it is none; of all else, why it is not read.
 NamedPhPath read_ph_path(std::string_view text, const CurveLimits& limits) {
@@ -48,8 +62,7 @@ NamedPhPath read_ph_path(std::string_view text, const CurveLimits& limits) {
     } catch (const InputError&) {
       std::rethrow_exception(first);
     }
-    if (auto named = as_ph(*other)) return *std::move(named);
-    throw InputError("", fmt::format("this command {}", needs_ph(other->path)));
+    return ph_path_of(*other);
   }
 }
 
@@ -119,7 +132,8 @@ void CurveOptions::add_to(Command& command) {
 
 NamedCurve CurveOptions::read_curve() const {
   // As a path it has e₁ = r′/|r′| at the start.
-  const NamedPhPath named = near ? read_path() : NamedPhPath(read_by(phrame::read_curve, *this));
+  const NamedPhPath named =
+      near || given_path(path) ? read_path() : NamedPhPath(read_by(phrame::read_curve, *this));
   if (!named.path.is_curve())
     throw InputError(name_of_file(path) + ":/phrame", "this is a spline; one curve is wanted");
   return {named.name, named.path.segments().front(), named.near};
@@ -127,6 +141,8 @@ NamedCurve CurveOptions::read_curve() const {
 
 NamedPhPath CurveOptions::read_path() const {
   const auto within = epsilon();
+  if (const NamedPath* named = given_path(path))
+    return at_place(path, ":", [&] { return ph_path_of(*named); });
   if (!within) return read_by(read_ph_path, *this);
   const std::string text = read_file(path);
   const std::string file = name_of_file(path);
@@ -142,6 +158,7 @@ NamedPhPath CurveOptions::read_path() const {
 
 NamedPath CurveOptions::read_any_path() const {
   if (near) return read_path();
+  if (const NamedPath* named = given_path(path)) return *named;
   NamedPath read = read_by(phrame::read_any_path, *this);
   for (const std::string& text : read.notes) note(fmt::format("{}: {}", name_of_file(path), text));
   if (read.path.is_ph()) return read;

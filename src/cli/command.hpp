@@ -211,7 +211,9 @@ void add_completion(Program& program);  ///< hidden
 void add_man(Program& program);         ///< hidden
 
 using AddCommand = void (*)(Program&);
-/// All of these, in the order of the help.
+/// @{ Those that answer a question about an argument, and all, in the order of the help.
+const std::vector<AddCommand>& answering_commands();
 const std::vector<AddCommand>& all_commands();
+/// @}
 
 }  // namespace phrame::cli

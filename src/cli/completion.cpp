@@ -6,7 +6,6 @@
 
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/option_list.hpp"
-#include "phrame/io/write/json_text.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -188,39 +187,16 @@ std::string fish(const Program& program) {
   return text;
 }
 
-/// The commands and options themselves, for tests and other programs.
-std::string json(const Program& program) {
-  JsonOutput list = JsonOutput::array();
-  for (const Command* command : program.commands()) {
-    JsonOutput options = JsonOutput::array();
-    for (const ListedOption& option : listed_options(*command))
-      options.push_back({{"names", option.names},
-                         {"value", option.value},
-                         {"choices", option.facts.names},
-                         {"words", option.facts.words},
-                         {"list", option.takes_list},
-                         {"file", option.takes_file},
-                         {"argument", option.is_argument},
-                         {"required", option.is_required},
-                         {"with", option.facts.with},
-                         {"without", option.facts.without},
-                         {"what", option.what}});
-    list.push_back({{"command", command->name()}, {"what", command->what()}, {"options", options}});
-  }
-  return pretty({{"phrame", "commands/1"}, {"commands", list}});
-}
-
 }  // namespace
 
 void add_completion(Program& program) {
   Command& command = program.add_hidden("completion", "a script that completes the command line");
   const auto shell = std::make_shared<std::string>();
-  command.add_choice("SHELL", *shell, {"bash", "zsh", "fish", "json"},
-                     "bash, zsh or fish; json: the commands and options themselves");
+  command.add_choice("SHELL", *shell, {"bash", "zsh", "fish"}, "bash, zsh or fish");
   command.require("SHELL");
   command.does([&program, shell] {
     const auto write = choose<std::string (*)(const Program&)>(
-        "SHELL", *shell, {{"bash", bash}, {"zsh", zsh}, {"fish", fish}, {"json", json}});
+        "SHELL", *shell, {{"bash", bash}, {"zsh", zsh}, {"fish", fish}});
     write_output("-", write(program));
   });
 }

@@ -108,6 +108,7 @@ void add_construct(Program& program) {
   command.add_number("--solution", options->solution, {1, most},
                      "which of the curves there are, 1 being the best (default 1)");
   command.only_with({"--select", "--angles"}, {"--kind quintic"});
+  command.not_with({"--select"}, {"--angles"});
   command.only_with({"--solution"},
                     kinds_where([](const NamedKind& named) { return named.solutions > 1; }));
   command.add_option("--tolerance", "X", options->tolerance,
@@ -136,10 +137,7 @@ void add_construct(Program& program) {
       "  phrame construct hermite.json --select energy --tolerance 1e-40 -o curve.json\n"
       "  phrame construct knot.csv --kind rmf --closed --print json\n"
       "  phrame construct points.csv --print curve | phrame frames - --samples 101");
-  command.does([options, &command] {
-    if (command.is_given("--angles")) command.refuse({"--select"}, "does not apply with --angles");
-    run(*options);
-  });
+  command.does([options] { run(*options); });
 }
 
 }  // namespace phrame::cli

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "phrame/ph/curve/path.hpp"
+
 namespace phrame::cli {
 
 /// While it lives, a command of this thread reads and writes here, not files and streams: it
@@ -19,8 +21,9 @@ class Exchange {
 
   /// What is in a file, by its name. Any other name of a file is taken for what is in it.
   std::map<std::string, std::string> files;
-  std::string output;              ///< for standard output
-  std::vector<std::string> notes;  ///< for stderr
+  std::map<std::string, NamedPath> paths;  ///< what files with curves stand for that are not there
+  std::string output;                      ///< for standard output
+  std::vector<std::string> notes;          ///< for stderr
 };
 
 }  // namespace phrame::cli

@@ -50,12 +50,16 @@ void fail_with_errno(const std::string& place, std::string_view what) {
 
 std::string name_of_file(const std::string& path) {
   if (const Exchange* here = Exchange::current())
-    return here->files.contains(path) ? path : fmt::format("for a file, \"{}\"", abbreviated(path));
+    return here->files.contains(path) || here->paths.contains(path)
+               ? path
+               : fmt::format("for a file, \"{}\"", abbreviated(path));
   return path == "-" ? "standard input" : path;
 }
 
 std::string read_file(const std::string& path) {
   if (const Exchange* here = Exchange::current()) {
+    if (here->paths.contains(path))
+      throw InputError(path, "it is made already: what is in a file is wanted");
     const auto file = here->files.find(path);
     return file == here->files.end() ? path : file->second;
   }

@@ -44,6 +44,27 @@ std::vector<ListedOption> options_of(const CLI::App& app, const Facts& facts) {
 
 }  // namespace
 
+bool is_question(const Command& command) {
+  const ListedOption first = listed_options(command).front();
+  return first.is_argument && first.is_required;
+}
+
+std::string ListedOption::key() const {
+  std::string key = name();
+  if (key == "--help" || key == "--version" || key == "--output") return "";
+  key.erase(0, key.find_first_not_of('-'));
+  for (char& c : key)
+    c = c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return key;
+}
+
+std::string ListedOption::kind() const {
+  if (is_flag()) return "flag";
+  if (!facts.names.empty()) return "name";
+  if (facts.range) return "number";
+  return takes_file ? "file" : "text";
+}
+
 std::vector<ListedOption> listed_options(const Command& command) {
   return options_of(command.app(),
                     [&](const std::string& option) { return command.facts(option); });

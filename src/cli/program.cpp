@@ -106,14 +106,17 @@ void Command::add_argument(const std::string& argument, std::string& value,
   require(argument);
 }
 
+OptionFacts& Command::facts_of(const CLI::Option& option) { return facts_[option.get_name()]; }
+
 void Command::add_optional_argument(const std::string& argument, std::string& value,
                                     const std::string& what) {
-  app_.add_option(argument, value, what)->type_name("");
+  add_option(argument, "", value, what);
 }
 
 void Command::add_option(const std::string& option, const std::string& value_name,
                          std::string& value, const std::string& what) {
-  app_.add_option(option, value, what)->type_name(value_name);
+  const CLI::Option* added = app_.add_option(option, value, what)->type_name(value_name);
+  if (!value.empty()) facts_of(*added).by_default = value;
 }
 
 void Command::add_option(const std::string& option, const std::string& value_name,
@@ -123,12 +126,18 @@ void Command::add_option(const std::string& option, const std::string& value_nam
 
 void Command::add_list(const std::string& option, const std::string& value_name,
                        std::vector<std::string>& values, const std::string& what) {
-  app_.add_option(option, values, what)->type_name(value_name)->expected(1)->take_all();
+  const CLI::Option* added =
+      app_.add_option(option, values, what)->type_name(value_name)->expected(1)->take_all();
+  if (!values.empty()) facts_of(*added).by_default = fmt::format("{}", fmt::join(values, ","));
 }
 
 void Command::add_number(const std::string& option, long& value, WholeNumbers range,
                          const std::string& what, const std::string& value_name) {
-  app_.add_option(option, value, what)->type_name(value_name)->transform(is_in(range));
+  const CLI::Option* added =
+      app_.add_option(option, value, what)->type_name(value_name)->transform(is_in(range));
+  OptionFacts& facts = facts_of(*added);
+  facts.range = range;
+  if (range.least <= value && value <= range.most) facts.by_default = std::to_string(value);
 }
 
 void Command::add_flag(const std::string& option, bool& value, const std::string& what) {
@@ -139,7 +148,7 @@ void Command::add_hidden_flag(const std::string& option) { app_.add_flag(option)
 
 void Command::add_choice(const std::string& option, std::string& value,
                          std::vector<std::string> names, const std::string& what) {
-  app_.add_option(option, value, what)->type_name(option.starts_with('-') ? "NAME" : "");
+  add_option(option, option.starts_with('-') ? "NAME" : "", value, what);
   facts_[option].names = std::move(names);
   values_[option] = [&value] { return std::vector{value}; };
 }
@@ -159,9 +168,16 @@ void Command::add_words(const std::string& option, std::vector<std::string> word
 void Command::add_format(const std::string& option, std::string& value,
                          std::vector<std::string> names, const std::string& what) {
   add_choice(option, value, std::move(names), what);
+  OptionFacts& facts = facts_[option];
+  if (std::ranges::find(facts.names, "json") != facts.names.end()) facts.in_lines = "json";
   format_option_ = option;
   format_ = &value;
   describe_output();
+}
+
+void Command::json_only_with(const std::string& choice) {
+  json_needs_ = choice;
+  facts_[format_option_].in_lines.reset();
 }
 
 void Command::add_output(std::string& path) {

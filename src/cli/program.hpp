@@ -8,9 +8,16 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace phrame::cli {
+
+/// Whole numbers, the ends included.
+struct WholeNumbers {
+  long least;
+  long most;
+};
 
 /// What CLI11 does not know of an option; help, completion and manual pages say it, too.
 struct OptionFacts {
@@ -20,12 +27,9 @@ struct OptionFacts {
   /// only, …
   std::vector<std::string> with;
   std::vector<std::string> without;  ///< … and with none of these
-};
-
-/// Whole numbers, the ends included.
-struct WholeNumbers {
-  long least;
-  long most;
+  std::optional<WholeNumbers> range;
+  std::optional<std::string> by_default;  ///< where that is one value, whatever else is given
+  std::optional<std::string> in_lines;    ///< the same of a line of a batch, where that is another
 };
 
 /// A command of the program: what can be given to it, and what it then does.
@@ -74,7 +78,7 @@ class Command {
   void add_format(const std::string& option, std::string& value, std::vector<std::string> names,
                   const std::string& what);
   /// It has JSON only with this choice, "--exact".
-  void json_only_with(const std::string& choice) { json_needs_ = choice; }
+  void json_only_with(const std::string& choice);
   /// -o
   void add_output(std::string& path);
   /// What --output is always in, "a page in HTML", with the endings of such files: those that mean
@@ -123,6 +127,7 @@ class Command {
   friend class Program;
   explicit Command(CLI::App& app) : app_(app) {}
 
+  OptionFacts& facts_of(const CLI::Option& option);
   bool is_chosen(const std::string& choice) const;
   void require_applicable() const;
   void choose_format() const;

@@ -21,20 +21,15 @@ using Kind = JsonNode::Kind;
 struct Key {
   std::string name;  ///< "start_normal", "curve"
   ListedOption option;
-  const std::string& option_name() const { return option.names.back(); }
+  const std::string& option_name() const { return option.name(); }
 };
 
 /// All but those that are the batch's own business.
 std::vector<Key> keys_of(const Command& command) {
   std::vector<Key> keys;
-  for (ListedOption& option : listed_options(command)) {
-    std::string name = option.names.back();
-    if (name == "--help" || name == "--version" || name == "--output") continue;
-    name.erase(0, name.find_first_not_of('-'));
-    for (char& c : name)
-      c = c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    keys.push_back({std::move(name), std::move(option)});
-  }
+  for (ListedOption& option : listed_options(command))
+    if (std::string name = option.key(); !name.empty())
+      keys.push_back({std::move(name), std::move(option)});
   return keys;
 }
 
@@ -120,6 +115,7 @@ void give_line(Command& command, const std::vector<Key>& keys, const JsonNode& l
   line.require_known_keys(known);
   for (const Key& key : keys) {
     const auto node = line.find(key.name);
+    if (!node && command.is_given(key.option_name())) continue;
     if (!node && key.option.is_required) line.at(key.name);  // throws
     if (!node) continue;
     if (key.option.takes_file) {
@@ -129,6 +125,16 @@ void give_line(Command& command, const std::vector<Key>& keys, const JsonNode& l
       command.give(key.option_name(), *value);
     }
   }
+}
+
+/// The curve of a line without one.
+void give_curve(Command& command, const std::vector<Key>& keys, const JsonNode& line,
+                const std::optional<NamedPath>& curve, Exchange& exchange) {
+  if (!curve || line.find("curve")) return;
+  if (keys.front().name != "curve")
+    throw InputError("/" + keys.front().name, "a path is not what is wanted");
+  exchange.paths.emplace("/curve", *curve);
+  command.give(keys.front().option_name(), "/curve");
 }
 
 /// A curve by itself, whose keys are not those of a question.
@@ -220,26 +226,24 @@ std::string written_answer(Command& command, const Exchange& exchange) {
 
 }  // namespace
 
-const std::vector<std::pair<std::string, AddCommand>>& questions() {
+const Questions& questions() {
   static const auto table = [] {
-    std::vector<std::pair<std::string, AddCommand>> list;
-    for (const AddCommand add : all_commands()) {
+    Questions list;
+    for (const AddCommand add : answering_commands()) {
       Program program("phrame", "", "");
       add(program);
-      for (const Command* command : program.commands())
-        if (const ListedOption first = listed_options(*command).front();
-            first.is_argument && first.is_required)
-          list.emplace_back(command->name(), add);
+      list.emplace_back(program.commands().front()->name(), add);
     }
     return list;
   }();
   return table;
 }
 
-std::string answer_question(const JsonNode& line, const QuestionDefaults& defaults) {
+std::string answer_question(const JsonNode& line, const QuestionDefaults& defaults,
+                            const Questions& table) {
   const auto asked = line.find("question");
   const std::string name = asked ? asked->string() : defaults.question;
-  const AddCommand add = choose("/question", name, questions());
+  const AddCommand add = choose("/question", name, table);
   Program program("phrame", "", "");
   add(program);
   Command& command = *program.find(name);
@@ -251,6 +255,7 @@ std::string answer_question(const JsonNode& line, const QuestionDefaults& defaul
       exchange.files["/"] = json_text(line);
       command.give("CURVE", "/");
     } else {
+      give_curve(command, keys, line, defaults.curve, exchange);
       give_line(command, keys, line, exchange);
     }
     command.prefer_json();

@@ -8,15 +8,17 @@
 
 namespace phrame::cli {
 
-/// What a line of a batch can ask: what a command answers, with the command's name. Those are the
-/// commands that have something to be asked about, which is their argument.
-const std::vector<std::pair<std::string, AddCommand>>& questions();
+/// What a line of a batch can ask: what a command answers, with the command's name.
+using Questions = std::vector<std::pair<std::string, AddCommand>>;
+/// Those of the answering_commands().
+const Questions& questions();
 
 /// For lines that do not say otherwise.
 struct QuestionDefaults {
   std::string question;
   /// Options of all lines whose question has them, where they apply.
   std::vector<std::pair<std::string, std::string>> options;
+  std::optional<NamedPath> curve = {};  ///< of a line without "curve"
 };
 
 /// The answer to a line {"question": "totals", "curve": {…}, "digits": 30}: what the command writes
@@ -28,6 +30,7 @@ struct QuestionDefaults {
 /// the answer is no. Before the rest there are "notes" where the command says something on stderr.
 /// Throws what the command does, the place being a JSON pointer, and Failure for a command that
 /// says no without an output. May be called from several threads.
-std::string answer_question(const JsonNode& line, const QuestionDefaults& defaults);
+std::string answer_question(const JsonNode& line, const QuestionDefaults& defaults,
+                            const Questions& table = questions());
 
 }  // namespace phrame::cli

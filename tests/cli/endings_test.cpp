@@ -33,7 +33,7 @@ TEST_CASE("endings: those that mean another format are refused, and nothing is w
       {"prove quintic.json", "JSON"},
       {"page quintic.json", "pdf.json"}};
   std::size_t with_output = 0;
-  const Json program = Json::parse(here.run("completion json").out);
+  const Json program = Json::parse(here.run("help --json").out);
   for (const Json& command : program["commands"])
     for (const Json& option : command["options"])
       if (option["names"].back() == "--output") ++with_output;

@@ -19,7 +19,7 @@ struct Given {
 };
 
 Json commands(const Workshop& here) {
-  const Run run = here.run("completion json");
+  const Run run = here.run("help --json");
   check_success(run);
   return Json::parse(run.out)["commands"];
 }

@@ -15,7 +15,7 @@ namespace {
 
 std::vector<std::string> names_of_commands(const Workshop& here) {
   std::vector<std::string> names;
-  const Run run = here.run("completion json");
+  const Run run = here.run("help --json");
   check_success(run);
   const Json program = Json::parse(run.out);
   for (const Json& command : program["commands"]) names.push_back(command["command"]);
@@ -309,7 +309,7 @@ TEST_CASE("terminal: a manual page for the program and for each command") {
 TEST_CASE("terminal: help and manual pages say which options do not go together") {
   const Workshop here;
   long found = 0;
-  const Json program = Json::parse(here.run("completion json").out);
+  const Json program = Json::parse(here.run("help --json").out);
   for (const Json& command : program["commands"]) {
     const std::string name = command["command"];
     CAPTURE(name);
@@ -357,7 +357,7 @@ TEST_CASE("terminal: bash completes commands, options, names, lists and files") 
   CHECK(completed("phrame angle quintic.json --at ''") == "\n");
   CHECK(completed("phrame help cer") == "certify\n");
   // Each option of each command.
-  const Json program = Json::parse(here.run("completion json").out);
+  const Json program = Json::parse(here.run("help --json").out);
   for (const Json& command : program["commands"]) {
     const std::string all =
         " " + completed("phrame " + command["command"].get<std::string>() + " --");

@@ -1,0 +1,17 @@
+#pragma once
+#include "phrame/cli/question.hpp"
+
+namespace phrame::cli {
+
+// What a program asks that has no command line: the Python package.
+
+/// The table of the questions, as `phrame help --json` prints it of all commands.
+std::string question_table(const Questions& table = questions());
+
+/// The answer to a line {"question": …, …} of a batch, as answer_question() has it; with a path,
+/// the curve need not be in the line. That the answer is no is {"status": 1, "output": "why"}.
+/// Throws what the command does.
+std::string ask(const std::string& line, const std::optional<NamedPath>& path = std::nullopt,
+                const Questions& table = questions());
+
+}  // namespace phrame::cli

@@ -1,0 +1,213 @@
+"""All JSON of the program is what docs/schema says, and that says all keys there are: an object with one key more is
+refused, wherever it is. What lines of a batch the program takes, the schema of lines that it writes takes, and no others.
+"""
+import itertools
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+try:
+    from jsonschema import Draft202012Validator
+    from referencing import Registry, Resource
+except ImportError:
+    print("the Python package jsonschema is not installed")
+    sys.exit(77)
+
+from program import PROGRAM, phrame
+
+ROOT = Path(__file__).resolve().parents[2]
+SCHEMAS = {file.name: json.loads(file.read_text()) for file in (ROOT / "docs" / "schema").glob("*.json")}
+REGISTRY = Registry().with_resources((name, Resource.from_contents(schema)) for name, schema in SCHEMAS.items())
+MIXED = json.dumps({"phrame": "spline/1", "name": "mixed", "segments": [
+    {"basis": "power", "preimage": {"u": [1], "v": [0, "1/2"], "p": [0], "q": ["1/2"]}},
+    {"control_points": [["5/4", "1/4", 0], ["5/3", "1/2", 0], [2, 1, 1]]}]})
+NOT_PH = json.dumps({"phrame": "curve/1", "control_points": [[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]]})
+CUSP = json.dumps({"phrame": "curve/1", "basis": "power", "preimage": {"u": ["-1/2", 1], "v": [0], "p": [0], "q": [0]}})
+
+
+def validator(schema):
+    Draft202012Validator.check_schema(schema)
+    return Draft202012Validator(schema, registry=REGISTRY)
+
+
+def formats_of(schema):
+    """The values that "phrame" may have."""
+    if isinstance(schema, list):
+        return {name for part in schema for name in formats_of(part)}
+    if not isinstance(schema, dict):
+        return set()
+    stated = schema.get("properties", {}).get("phrame", {})
+    return set(stated.get("enum", [])) | ({stated["const"]} if "const" in stated else set()) | {
+        name for part in schema.get("anyOf", []) for name in formats_of(part)}
+
+
+VALIDATORS = {name: validator({"$ref": name}) for name in SCHEMAS}
+FILE_OF = {name: file for file, schema in SCHEMAS.items() for name in formats_of(schema)}
+FILE_OF["curve/1"] = FILE_OF["spline/1"] = "path.json"
+seen = {file: 0 for file in SCHEMAS if file != "common.json"}
+extended = set()
+
+
+def objects(value, place=()):
+    if isinstance(value, dict):
+        yield place, value
+    for key, part in value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ():
+        yield from objects(part, (*place, key))
+
+
+def fail(*what):
+    sys.exit(": ".join(map(str, what)))
+
+
+def require_valid(answer, told):
+    file = FILE_OF.get(answer.get("phrame"), "text.json")
+    for error in VALIDATORS[file].iter_errors(answer):
+        fail(told, file, error.json_path, error.message[:400])
+    seen[file] += 1
+    for place, part in objects(answer):
+        shape = (file, answer.get("phrame"), tuple(0 if isinstance(key, int) else key for key in place))
+        if shape in extended or not part:
+            continue
+        extended.add(shape)
+        part["unknown"] = 1
+        if VALIDATORS[file].is_valid(answer):
+            fail(told, file, place, "one key more is no error")
+        del part["unknown"]
+
+
+def ask(*arguments):
+    """Where there is no answer, there is no JSON."""
+    run = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+    if run.stdout.startswith("{"):
+        require_valid(json.loads(run.stdout), arguments)
+    elif run.returncode == 0:
+        fail(arguments, "no JSON")
+    return run.stdout
+
+
+def check_command_line(folder):
+    here = Path(folder)
+    for name, text in (("mixed", MIXED), ("not-ph", NOT_PH), ("cusp", CUSP)):
+        (here / f"{name}.json").write_text(text)
+    curves = [*(ROOT / "examples" / "curves").iterdir(), *(ROOT / "examples" / "any").iterdir(), *here.glob("*.json")]
+    for curve in sorted(curves):
+        for call in (["angle", curve, "--at", "0,1/2,1"], ["angle", curve, "--frame", "frenet", "--at", "1/3"],
+                     ["angle", curve, "--up", "1,2,3", "--at", "1", "--theta0", "pi/4"], ["angle", curve, "--form", "real"],
+                     ["angle", curve, "--form", "radicals", "--start-normal", "1,2,3", "--at", "1"],
+                     ["angle", curve, "--start", "least", "--values-only", "--near", "1e-9", "--at", "1"],
+                     ["info", curve], ["info", curve, "--near", "1e-9"], ["totals", curve], ["classify", curve],
+                     ["mtf", curve, "--from", "pi/8", "--to", "1", "--at", "1/2", "--samples", "2"],
+                     ["mtf", curve, "--from", "0", "--to", "3", "--degree", "3", "--unproved"],
+                     ["mtf", curve, "--from", "0", "--closed"],
+                     ["mtf", curve, "--wronskian"], ["identify", curve], ["identify", curve, "--near", "1e-9"]):
+            ask(*call, "--print", "json")
+        ask("identify", curve, "--near", "1e-6", "--print", "curve")
+        ask("frames", curve, "--samples", "4", "--frame", "rmf", "--start", "least", "--format", "json")
+        ask("frames", curve, "--samples", "4", "--frame", "frenet,rmf", "--skip-undefined", "--format", "json")
+        ask("interpolate", curve, "--period", "1/4", "--feed", "1", "--format", "json")
+        ask("sweep", curve, "--profile", "polygon:3,1/9", "--exact", "--format", "json")
+        for frame in ("erf", "frenet"):
+            ask("certify", curve, "--frame", frame)
+    quintic = ROOT / "examples" / "curves" / "farouki-2003-quintic.json"
+    rational = ROOT / "examples" / "curves" / "rational-frame-quintic.json"
+    ask("sweep", rational, "--profile", "rectangle:1/9,1/7", "--exact", "--format", "json")
+    ask("sweep", quintic, "--profile", "polygon:3,1/9", "--exact", "--degree", "2", "--end-normal", "0,0,1", "--format", "json")
+    for frame in ("rmf", "frenet", "erf"):
+        table = here / f"{frame}.csv"
+        table.write_text(phrame("frames", quintic, "--samples", "9", "--frame", frame))
+        ask("check", quintic, table, "--print", "json")
+        ask("check", quintic, table, "--start-normal", "0,0,1", "--print", "json")
+    for points in (ROOT / "examples" / "paths").iterdir():
+        for kind in ("quintic", "planar", "cubic", "helical", "rrmf", "rmf", "c2", "c2-hermite"):
+            ask("construct", points, "--kind", kind, "--print", "json")
+            ask("construct", points, "--kind", kind, "--print", "curve")
+    for call in (["1/(x^4+1)", "--from", "0", "--to", "inf"], ["1/(x^4-2)", "--form", "radicals"], ["1/x", "--form", "real"],
+                 ["(x^3+1)/(x^2-x-1)", "--form", "real", "--from", "2", "--to", "root(x^2-7, 2, 3)"],
+                 ["1/(x^4-10*x^2+1)", "--form", "real"], ["1/(x^2+1)", "--from", "0", "--to", "pi/2"], ["1/(x^5-x-1)"],
+                 ["1/(x-1)", "--from", "0", "--to", "3", "--principal-value"], ["x"]):
+        ask("integrate", *call, "--print", "json")
+
+
+def commands():
+    listed = json.loads(ask("help", "--json"))["commands"]
+    for command in listed:
+        for option in command["options"]:
+            told = re.search(r"\(default ([^ ,;)]+)\)|([^ ,]+) \(default\)", option["what"])
+            if told and option["default"] is not None and str(option["default"]) != (told[1] or told[2]):
+                fail(command["command"], option["names"], f"{told[0]} in the help, {option['default']!r} in the table")
+    return [command for command in listed if command["question"]]
+
+
+def answers(lines):
+    text = "".join(json.dumps(line) + "\n" for line in lines)
+    run = subprocess.run([PROGRAM, "batch"], input=text, capture_output=True, text=True)
+    found = [json.loads(line) for line in run.stdout.splitlines()]
+    if len(found) != len(lines):
+        fail("batch", run.stderr)
+    return found
+
+
+def check_lines():
+    """Each question about each curve, and those of the examples."""
+    takes_line = validator(json.loads(phrame("help", "--schema"))).is_valid
+    lines = [json.loads(line) for name in ("curves.jsonl", "questions.jsonl") for line in open(ROOT / "examples" / name)]
+    extra = {"frames": {"samples": 3}, "mtf": {"from": "pi/8", "to": 1, "at": [0, 1]}, "sweep": {"profile": "polygon:3,1/9"},
+             "interpolate": {"feed": "1", "period": "1/2"}, "angle": {"at": [0, "1/2"], "digits": 20}}
+    curves = [json.loads(file.read_text()) for file in sorted((ROOT / "examples" / "curves").iterdir())]
+    for command in commands():
+        if command["options"][0]["key"] == "curve" and command["command"] not in ("check", "page"):
+            lines += [{"id": k, "question": command["command"], "curve": curve, **extra.get(command["command"], {})}
+                      for k, curve in enumerate([*curves, json.loads(MIXED), json.loads(NOT_PH)])]
+    for line, answer in zip(lines, answers(lines)):
+        require_valid(answer, line)
+        if "error" not in answer and not takes_line(line):
+            fail("the schema of lines does not take", line)
+    check_conditions(takes_line)
+
+
+def value_of(option):
+    if option["kind"] == "flag":
+        return True
+    if option["kind"] == "name":
+        return option["choices"][-1:] if option["list"] else option["choices"][-1]
+    if option["kind"] == "number":
+        return option["range"][0]
+    return [1, 2, 3] if option["value"] == "X,Y,Z" else "1"
+
+
+def check_conditions(takes_line):
+    """Any two options, with a curve that is none: what is refused before is refused by the schema, too, and nothing else."""
+    lines = []
+    for command in commands():
+        base = {"question": command["command"]}
+        rest = []
+        for option in command["options"]:
+            if option["required"]:
+                base[option["key"]] = {} if option["key"] == "curve" else value_of(option)
+            elif option["key"] and option["key"] != "time_limit":
+                rest.append({option["key"]: value_of(option)})
+        lines += [{**base, **first, **second} for first, second in itertools.combinations_with_replacement(rest, 2)]
+        lines.append({**base, "unknown": 1})
+        lines.append({key: value for key, value in base.items() if key != command["options"][0]["key"]})
+    refused = 0
+    for line, answer in zip(lines, answers(lines)):
+        message = answer.get("error", {}).get("message", "")
+        is_refused = re.search(r": needs --|does not apply with|exclude each other|^/: unknown key|^/: the key", message) is not None
+        refused += is_refused
+        if takes_line(line) == is_refused:
+            fail("the schema of lines", line, message or answer)
+    print(f"{len(lines)} lines, {refused} of them refused, by the program and by the schema")
+
+
+with tempfile.TemporaryDirectory() as folder:
+    check_command_line(folder)
+check_lines()
+for file, count in sorted(seen.items()):
+    if count == 0:
+        fail(file, "no output was tried")
+print(f"{sum(seen.values())} outputs are as docs/schema says: "
+      + ", ".join(f"{count} {file[:-5]}" for file, count in sorted(seen.items())))
