@@ -13,6 +13,7 @@ from importlib import import_module
 from typing import Any
 
 from . import _signatures
+from ._ask import ask
 from ._errors import DomainError, Error, InputError, Undecided
 from ._map import map
 from ._phrame import (
@@ -63,6 +64,7 @@ __all__ = [
     "SweptBody",
     "Undecided",
     "__version__",
+    "ask",
     "digits",
     "integrate",
     "map",

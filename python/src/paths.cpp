@@ -294,6 +294,7 @@ void bind_paths(nb::module_& m) {
   bind_certificate(m, path);
   bind_products(path);
   bind_sweep(m);
+  bind_ask(m);
 }
 
 }  // namespace phrame::python

@@ -97,6 +97,7 @@ void bind_ph_curve(PathClass& path);
 void bind_arrays(PathClass& path);
 void bind_products(PathClass& path);
 void bind_sweep(nb::module_& m);
+void bind_ask(nb::module_& m);
 
 #define PHRAME_START_PARAMETERS \
   argument("start") = nb::none(), argument("start_normal") = nb::none()

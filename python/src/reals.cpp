@@ -129,7 +129,7 @@ Known product(const Known& a, const Known& b) {
   throw nb::python_error();
 }
 
-Known quotient(const Known& a, const Known& b) {
+Known ratio(const Known& a, const Known& b) {
   if (b.value.exact() == Rational(0)) refuse_division_by_zero();
   return {quotient_of(a.value, b.value), of_product(a.bound, b.bound)};
 }
@@ -351,7 +351,7 @@ void bind_arithmetic(RealType& type) {
           nb::sig("def __r" name "__(self, other: Number) -> " PHRAME_NUMBER_SIG))
   PHRAME_OPERATOR("add", "add", sum);
   PHRAME_OPERATOR("mul", "mul", product);
-  PHRAME_OPERATOR("truediv", "truediv", quotient);
+  PHRAME_OPERATOR("truediv", "truediv", ratio);
   PHRAME_OPERATOR("pow", "pow", power);
 #undef PHRAME_OPERATOR
 #define PHRAME_BY_FLOOR(name, result)                                     \

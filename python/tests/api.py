@@ -144,6 +144,7 @@ API = {
     "parse": (phrame.parse, {"text": QUINTIC.json(), "near": None}),
     "integrate": (phrame.integrate, {"f": "1/x", "lower": 1, "upper": 2, "variable": None, "principal_value": False,
                                      "style": "textbook", "form": "auto"}),
+    "ask": (phrame.ask, {"question": "info", "path": QUINTIC}),
     "sweep": (phrame.sweep, {"path": QUINTIC, "profile": "polygon:3,1/9", **START, "end_normal": None, "twist": 0,
                              "scale": 1, "tolerance": None, "normal_tolerance": None, "sections": 3,
                              "origin": None}),
@@ -210,8 +211,8 @@ def public_functions():
             if f.name not in ("__init__", "__call__") and f.name.startswith("_"):
                 continue
             functions.setdefault(name, {a.arg for a in f.args.args + f.args.kwonlyargs} - {"self"})  # of the first overload
-    for name in ("set_threads", "set_time_limit", "map"):
-        functions[name] = set(inspect.signature(getattr(phrame, name)).parameters)
+    for name in ("set_threads", "set_time_limit", "map", "ask"):
+        functions[name] = set(inspect.signature(getattr(phrame, name)).parameters) - {"options"}
     for module in phrame._BRIDGES:
         for name in import_module(f"phrame.{module}").__all__:
             signature = inspect.signature(getattr(getattr(phrame, module), name))
