@@ -70,9 +70,9 @@ TEST_CASE("table: an option more is in help, manual page, completion, listing an
   CHECK((*listed)["choices"] == Json{"red", "blue"});
   CHECK((*listed)["default"] == "red");
   const Json schema = Json::parse(cli::line_schema({&command}))["$defs"]["totals"];
-  CHECK(schema["properties"]["ink_colour"]["enum"] == Json{"red", "blue"});
-  CHECK(schema["properties"]["bright_ink"]["type"] == "boolean");
-  CHECK(has(schema["allOf"].dump(), "ink_colour"));
+  CHECK(schema.at("properties").at("ink_colour").at("enum") == Json{"red", "blue"});
+  CHECK(schema.at("properties").at("bright_ink").at("type") == "boolean");
+  CHECK(has(schema.at("allOf").dump(), "ink_colour"));
 }
 
 TEST_CASE("table: an option more is a key of a line and a keyword of Python's ask()") {
