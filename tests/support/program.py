@@ -16,3 +16,9 @@ def output(*arguments):
 
 def phrame(*arguments):
     return output(*arguments).decode()
+
+
+def writes_pages():
+    """Is the program built with what its pages are made with? That is said before any curve is read."""
+    run = subprocess.run([PROGRAM, "page", os.devnull], capture_output=True)
+    return b"built without npm" not in run.stderr
