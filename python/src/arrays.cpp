@@ -92,14 +92,14 @@ Numbers by_arc_length(const PathObject& self, const FrameStart& start, const At&
   run({.n = at->size(),
        .grain = 16,
        .work =
-           [=, path = self.ph->path, along = self.named.path, width = asked.width](std::size_t from,
-                                                                                   std::size_t to) {
-             const PathLength length(along);
+           [=, angle = PathAngle(self.named.path), width = asked.width](std::size_t from,
+                                                                        std::size_t to) {
+             const PathLength length(angle.path());
              std::vector<Place> points;
              for (std::size_t k = from; k < to; ++k)
                points.push_back(at_place("ts[" + std::to_string(k) + "]",
                                          [&] { return length.point((*at)[k]); }));
-             const FrameTable table = frame_table(path, columns, points);
+             const FrameTable table = frame_table(angle, columns, points);
              for (std::size_t k = from; k < to; ++k)
                write(TablePlace{table.rows[k - from].data()}, numbers->data() + k * width);
            }},

@@ -95,6 +95,12 @@ Real square_root_of(const Rational& x) {
   return {[x](long bits) { return sqrt(RealBall(x, bits + 8), bits + 8); }, {true, bits_of(x)}};
 }
 
+Real square_root_of(const Real& x) {
+  if (x.exact()) return square_root_of(*x.exact());
+  return {[x](long bits) { return sqrt_of_nonnegative(x.enclose(bits + 8), bits + 8); },
+          {x.origin().is_irrational, x.origin().bits}};
+}
+
 std::ostream& operator<<(std::ostream& out, const Real& x) {
   return x.exact() ? out << *x.exact() : out << x.enclose(64);
 }

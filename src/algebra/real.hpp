@@ -62,6 +62,7 @@ Real operator*(const Real& x, const Real& y);
 Real remembered(const Real& x);
 /// √x for x ≥ 0, exact where it is rational.
 Real square_root_of(const Rational& x);
+Real square_root_of(const Real& x);  ///< likewise; of an x ≥ 0 that is not exact nothing is known
 
 /// The number, where it is exact; else a ball of 64 bits around it, "[3.14159265358979
 /// +/- 3.24e-15]". For digits that are certain: round_to_decimal().

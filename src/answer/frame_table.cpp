@@ -4,28 +4,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <memory>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/answer/orientation_columns.hpp"
-#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
-#include "phrame/ph/frame/algebraic_frame.hpp"
+#include "phrame/ph/along/smooth_shape.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame {
 namespace {
 
-void add_values(std::vector<double>& row, const Vector<double>& values) {
+template <class T>
+void add_rounded(std::vector<double>& row, const Vector<T>& v) {
+  const Vector<double> values = round_to_double(v);
   row.insert(row.end(), values.begin(), values.end());
-}
-
-[[noreturn]] void throw_no_up() {
-  throw DomainError("frame up: only tables of curves that are not Pythagorean-hodograph have it");
 }
 
 const char* name_of(TabulatedScalar kind) {
@@ -42,148 +38,125 @@ const char* name_of(TabulatedScalar kind) {
   return "";
 }
 
-/// Of the arc length, where it is known for all t.
-RationalFunction function_of(const Curve& curve, TabulatedScalar kind) {
-  switch (kind) {
-    case TabulatedScalar::arc_length:
-      if (!curve.multiplier().is_constant()) break;
-      return RationalFunction(ArcLength(curve).polynomial());
-    case TabulatedScalar::curvature:
-      return squared_curvature(curve);
-    case TabulatedScalar::torsion:
-      return torsion(curve);
-    case TabulatedScalar::frenet_rate:
-      return squared_frenet_rate(curve);
-  }
-  return {};
+/// "t = 3/2", "t ≈ 1.33"; no value where t is not known to be algebraic.
+std::optional<std::string> text_of(const Place& at) {
+  const auto t = algebraic_parameter(at);
+  return t ? std::optional(place("t", *t)) : std::nullopt;
 }
 
-/// t of a place, which has to be algebraic.
-RealAlgebraic number_of(const Place& at) {
-  if (const auto t = algebraic_number(at)) return *t;
-  throw DomainError("arc length: the multiplier changes sign at an irrational t before this one");
+/// Of such a curve, but for the arc length.
+template <class C>
+RationalFunction function_of(const C& curve, TabulatedScalar kind) {
+  if (kind == TabulatedScalar::curvature) return squared_curvature(curve);
+  const RationalFunction tau = torsion(curve);
+  return kind == TabulatedScalar::torsion ? tau : squared_curvature(curve) + tau * tau;
 }
 
-/// "t = 3/2", "t ≈ 1.33".
-std::string text_of(const Place& at) { return place("t", algebraic_parameter(at).value()); }
-
-/// A scalar as a function of t: f, or its square root.
+/// A scalar along a rational curve as a function of t: f, or its square root.
 struct Scalar {
   TabulatedScalar kind;
-  RationalFunction f;
-  bool is_square;
-  std::string undefined;  ///< why it is, for all t; empty where it is not
+  RationalFunction f = {};
+  std::string undefined = {};  ///< why it is, for all t; empty where it is not
 
-  Scalar(const Curve& curve, TabulatedScalar of)
-      : kind(of),
-        is_square(of == TabulatedScalar::curvature || of == TabulatedScalar::frenet_rate) {
+  template <class C>
+  Scalar(const C& curve, TabulatedScalar of) : kind(of) {
     try {
       f = function_of(curve, of);
     } catch (const DomainError& error) {
       undefined = error.what();
     }
   }
-  /// The value at t of the point.
-  Real at(const Place& point, const AlgebraicPoint& t) const;
+  Real at(const Place& at) const;  ///< the value there
 };
 
-Real Scalar::at(const Place& point, const AlgebraicPoint& t) const {
+Real Scalar::at(const Place& at) const {
   if (!undefined.empty()) throw DomainError(undefined);
-  if (sign_at(f.denominator(), t.number()) == 0)
-    throw DomainError(fmt::format("{}: infinite at {}", name_of(kind), text_of(point)));
-  return is_square ? t.square_root(f) : t.value(f);
+  if (const auto t = algebraic_number(at); t && sign_at(f.denominator(), *t) == 0)
+    throw DomainError(fmt::format("{}: infinite at {}", name_of(kind), text_of(at).value()));
+  if (kind == TabulatedScalar::torsion) return value(f, at);
+  return at.algebraic ? at.algebraic->square_root(f) : square_root_of(value(f, at));
 }
 
-/// What the rows along one segment share.
-struct SegmentRows {
-  Vector<Polynomial> position;
-  Frames frames;
+/// Those of the columns along this segment, where it is a rational curve.
+std::vector<Scalar> scalars_of(const Segment& segment, const TableColumns& columns) {
   std::vector<Scalar> scalars;
-  std::optional<AlgebraicFrames> algebraic;  ///< made for the first irrational t
-
-  SegmentRows(const Curve& curve, const TableColumns& columns)
-      : position(phrame::position(curve)), frames(curve) {
-    for (const TabulatedScalar kind : columns.scalars) scalars.emplace_back(curve, kind);
+  for (const TabulatedScalar kind : columns.scalars) {
+    if (kind == TabulatedScalar::arc_length) continue;
+    if (const Curve* ph = ph_curve(segment))
+      scalars.emplace_back(*ph, kind);
+    else
+      scalars.emplace_back(std::get<RationalCurve>(segment), kind);
   }
-};
+  return scalars;
+}
+
+/// Is t outside [0, 1], on a PH curve by itself?
+bool is_outside(const Place& at) {
+  const auto t = algebraic_number(at);
+  return t && (compare(*t, 0) < 0 || compare(*t, 1) > 0);
+}
 
 /// One row after the other. What a row of another kind would need is not prepared.
 class Rows {
  public:
-  Rows(const PhPath& path, const TableColumns& columns)
-      : spline_(path),
-        columns_(columns),
+  Rows(const PathAngle& angle, const TableColumns& columns, const std::optional<SmoothTwist>& twist)
+      : columns_(columns),
         orientations_(columns),
-        start_(reduced(start_angle(columns.start, path))),
-        segments_(path.segments().size()) {}
+        angle_(angle),
+        twist_(twist),
+        length_(angle.path()),
+        start_(start_angle(columns.start, angle)),
+        scalars_(angle.path().segments().size()) {
+    if (start_.exact) start_ = reduced(*start_.exact);
+  }
 
-  std::vector<double> at(const Place& point);
+  std::vector<double> at(const Place& at);
   /// Why the last row has empty cells; nothing where it has none.
   const std::string& reason() const { return reason_; }
   /// Prepares for rows at all of these points, where they are so many that it pays.
   void expect(const std::vector<Place>& points);
 
  private:
-  SegmentRows& segment(std::size_t k);
-  const PathAngle& angle();
-  const PathLength& length();
-  Frame<Real> rotation_minimizing(const Frame<Rational>& erf, const PathParameter& at);
-  void add_rational(std::vector<double>& row, const PathParameter& at);
-  void add_irrational(std::vector<double>& row, const Place& point, const AlgebraicPoint& t);
-  Real value(const Scalar& scalar, const Place& point, const AlgebraicPoint& t);
+  const Path& path() const { return angle_.path(); }
+  const Frame<Real>& erf(const Place& at);
+  Frame<Real> frame(TabulatedFrame kind, const Place& at);
+  Frame<Real> minimal_twist(const Place& at);
+  Real arc_length(const Place& at) const;
+  Real scalar(TabulatedScalar kind, const Place& at);
   template <class Add>
   void add_where_defined(std::vector<double>& row, std::size_t count, Add add);
 
-  const PhPath& spline_;
   const TableColumns& columns_;
   OrientationColumns orientations_;
-  FrameAngle start_;  ///< of the rotation-minimizing frame
-  std::vector<std::unique_ptr<SegmentRows>> segments_;
-  std::optional<PathLength> length_;
-  std::optional<PathAngle> angle_;
+  PathAngle angle_;
+  const std::optional<SmoothTwist>& twist_;
+  PathLength length_;
+  StartAngle start_;                                         ///< of the rotation-minimizing frame
+  std::vector<std::optional<std::vector<Scalar>>> scalars_;  ///< along the segments
   std::optional<RoundedFrames> compiled_;
+  std::optional<Frame<Real>> erf_;  ///< of this row, once it is found
   std::string reason_;
 };
 
 /// `count` numbers, or empty cells where they are undefined and may be empty.
 template <class Add>
 void Rows::add_where_defined(std::vector<double>& row, std::size_t count, Add add) {
-  if (!columns_.may_be_empty) return add();
   const std::size_t before = row.size();
   try {
     add();
   } catch (const DomainError& error) {
+    if (!columns_.may_be_empty) throw;
     row.resize(before);
     row.resize(before + count, std::numeric_limits<double>::quiet_NaN());
     if (reason_.empty()) reason_ = error.what();
   }
 }
 
-SegmentRows& Rows::segment(std::size_t k) {
-  if (!segments_[k]) segments_[k] = std::make_unique<SegmentRows>(spline_.segments()[k], columns_);
-  return *segments_[k];
-}
-
-const PathAngle& Rows::angle() {
-  if (!angle_) angle_.emplace(spline_);
-  return *angle_;
-}
-
-const PathLength& Rows::length() {
-  if (!length_) length_.emplace(Path(spline_));
-  return *length_;
-}
-
-Frame<Real> Rows::rotation_minimizing(const Frame<Rational>& erf, const PathParameter& at) {
-  return turned(
-      erf, angle().direction(at), [&](const FrameAngle& start) { return angle().value(at, start); },
-      start_);
-}
-
 void Rows::expect(const std::vector<Place>& points) {
-  const std::size_t many =
-      1000 + 20 * static_cast<std::size_t>(preimage_degree(spline_.segments().front()));
-  if (points.size() < many || segments_.size() > 1 || columns_.have_quaternions ||
+  if (!goes_on(path()) || angle_.reference() != Reference::euler_rodrigues || !start_.exact) return;
+  const Curve& curve = *ph_curve(path().segments().front());
+  const std::size_t many = 1000 + 20 * static_cast<std::size_t>(preimage_degree(curve));
+  if (points.size() < many || columns_.have_quaternions ||
       !has_frame(columns_, TabulatedFrame::rmf))
     return;
   std::vector<double> at;
@@ -191,110 +164,101 @@ void Rows::expect(const std::vector<Place>& points) {
     if (point.t.exact()) at.push_back(round_to_double(*point.t.exact()));
   const auto [from, to] = std::minmax_element(at.begin(), at.end());
   if (at.size() < many || *from == *to) return;
-  const Curve& curve = spline_.segments().front();
   try {
-    compiled_.emplace(curve, RmfAngle(curve), *from, *to, start_);
+    compiled_.emplace(curve, *angle_.closed_form(0), *from, *to, *start_.exact);
   } catch (const Undecided&) {  // then each row goes the exact way
   } catch (const DomainError&) {
   }
 }
 
-/// The arc length along the path, also where f changes sign.
-Real Rows::value(const Scalar& scalar, const Place& point, const AlgebraicPoint& t) {
-  if (scalar.kind != TabulatedScalar::arc_length) return scalar.at(point, t);
-  if (compare(t.number(), 0) >= 0 && compare(t.number(), 1) <= 0) return length().value(point);
-  if (spline_.segments()[point.segment].multiplier().is_constant()) return scalar.at(point, t);
-  throw DomainError(
-      fmt::format("{}: {} is outside [0, 1], where the sign of the multiplier is known",
-                  name_of(scalar.kind), text_of(point)));
+const Frame<Real>& Rows::erf(const Place& at) {
+  if (!erf_) erf_ = euler_rodrigues_frame(path(), at);
+  return *erf_;
 }
 
-std::vector<double> Rows::at(const Place& point) {
-  reason_.clear();
-  const AlgebraicPoint t = point.algebraic ? *point.algebraic : AlgebraicPoint(number_of(point));
-  std::vector<double> row{round_to_double(parameter(point))};
-  if (const auto& r = point.t.exact())
-    add_rational(row, {point.segment, *r});
-  else
-    add_irrational(row, point, t);
-  for (const Scalar& scalar : segment(point.segment).scalars) {
-    add_where_defined(row, 1, [&] { row.push_back(round_to_double(value(scalar, point, t))); });
+Frame<Real> Rows::minimal_twist(const Place& at) {
+  if (twist_) return minimal_twist_frame(*twist_, at);
+  const MinimalTwist& twist = columns_.exact_mtf.value();
+  if (at.t.exact()) return turned(erf(at), twist.value(*parameter(at).exact()));
+  return turned(erf(at), twist.value(length_.value(at), angle_.value(at)));
+}
+
+Frame<Real> Rows::frame(TabulatedFrame kind, const Place& at) {
+  switch (kind) {
+    case TabulatedFrame::rmf:
+      if (angle_.reference() == Reference::euler_rodrigues)
+        return rotation_minimizing_frame(angle_, at, start_, erf(at));
+      return rotation_minimizing_frame(angle_, at, start_);
+    case TabulatedFrame::euler_rodrigues:
+      return erf(at);
+    case TabulatedFrame::frenet:
+      return frenet_frame(path(), at);
+    case TabulatedFrame::up:
+      return up_frame(path(), angle_.up(), at);
+    case TabulatedFrame::mtf:
+      return turned(erf(at), value(columns_.mtf.value(), parameter(at)));
+    case TabulatedFrame::exact_mtf:
+      break;
   }
+  return minimal_twist(at);
+}
+
+/// Along the path, also where f changes sign.
+Real Rows::arc_length(const Place& at) const {
+  if (!is_outside(at)) return length_.value(at);
+  if (ph_curve(path().segments()[at.segment])->multiplier().is_constant())
+    return value(length_.closed_form(at.segment)->polynomial(), at);
+  throw DomainError(fmt::format(
+      "s: {} is outside [0, 1], where the sign of the multiplier is known", text_of(at).value()));
+}
+
+Real Rows::scalar(TabulatedScalar kind, const Place& at) {
+  if (kind == TabulatedScalar::arc_length) return arc_length(at);
+  const Segment& segment = path().segments()[at.segment];
+  if (std::holds_alternative<ExpressionCurve>(segment)) {
+    if (kind == TabulatedScalar::curvature) return curvature(path(), at);
+    if (kind == TabulatedScalar::torsion) return torsion(path(), at);
+    const Real kappa = curvature(path(), at);
+    const Real tau = torsion(path(), at);
+    return square_root_of(kappa * kappa + tau * tau);
+  }
+  auto& scalars = scalars_[at.segment];
+  if (!scalars) scalars = scalars_of(segment, columns_);
+  return std::find_if(scalars->begin(), scalars->end(),
+                      [&](const Scalar& scalar) { return scalar.kind == kind; })
+      ->at(at);
+}
+
+std::vector<double> Rows::at(const Place& at) {
+  reason_.clear();
+  erf_.reset();
+  std::optional<Frame<double>> rmf;
+  if (compiled_ && at.t.exact()) rmf = compiled_->at(*at.t.exact());
+  std::vector<double> row{round_to_double(parameter(at))};
+  add_rounded(row, position(path(), at));
+  if (rmf)
+    row.insert(row.end(), rmf->e1.begin(), rmf->e1.end());
+  else
+    add_rounded(
+        row, ph_curve(path().segments()[at.segment]) != nullptr ? erf(at).e1 : tangent(path(), at));
+  for (const TabulatedFrame kind : columns_.frames) {
+    if (rmf && kind == TabulatedFrame::rmf)
+      orientations_.add(row, *rmf);
+    else
+      add_where_defined(row, orientations_.width(),
+                        [&] { orientations_.add(row, kind, frame(kind, at)); });
+  }
+  for (const TabulatedScalar kind : columns_.scalars)
+    add_where_defined(row, 1, [&] { row.push_back(round_to_double(scalar(kind, at))); });
   return row;
 }
 
-void Rows::add_rational(std::vector<double>& row, const PathParameter& at) {
-  const SegmentRows& here = segment(at.segment);
-  std::optional<Frame<Rational>> known_erf;
-  const auto erf = [&]() -> const Frame<Rational>& {
-    if (!known_erf) known_erf = here.frames.euler_rodrigues(at.t);
-    return *known_erf;
-  };
-  std::optional<Frame<double>> compiled_rmf;
-  if (compiled_) compiled_rmf = compiled_->at(at.t);
-  add_values(row, round_to_double(evaluate(here.position, at.t)));
-  add_values(row, compiled_rmf ? compiled_rmf->e1 : round_to_double(erf().e1));
-  for (const TabulatedFrame frame : columns_.frames) {
-    switch (frame) {
-      case TabulatedFrame::rmf:
-        if (compiled_rmf)
-          orientations_.add(row, *compiled_rmf);
-        else
-          orientations_.add(row, frame, rotation_minimizing(erf(), at));
-        break;
-      case TabulatedFrame::euler_rodrigues:
-        orientations_.add(row, frame, as_real(erf()));
-        break;
-      case TabulatedFrame::frenet:
-        add_where_defined(row, orientations_.width(),
-                          [&] { orientations_.add(row, frame, here.frames.frenet(at.t)); });
-        break;
-      case TabulatedFrame::up:
-        throw_no_up();
-      case TabulatedFrame::mtf:
-        orientations_.add(
-            row, frame, turned(as_real(erf()), phrame::value(*columns_.mtf, Real(parameter(at)))));
-        break;
-      case TabulatedFrame::exact_mtf:
-        orientations_.add(row, frame,
-                          turned(as_real(erf()), columns_.exact_mtf->value(parameter(at))));
-        break;
-    }
-  }
-}
-
-void Rows::add_irrational(std::vector<double>& row, const Place& point, const AlgebraicPoint& t) {
-  SegmentRows& here = segment(point.segment);
-  if (!here.algebraic) here.algebraic.emplace(spline_.segments()[point.segment]);
-  for (const Polynomial& x : here.position) row.push_back(round_to_double(t.value(x)));
-  const Frame<Real> erf = here.algebraic->euler_rodrigues(t);
-  add_values(row, round_to_double(erf.e1));
-  const auto rmf_angle = [&] {
-    return angle().value(PathParameter{point.segment, 0}) + here.algebraic->angle(t);
-  };
-  for (const TabulatedFrame frame : columns_.frames) {
-    switch (frame) {
-      case TabulatedFrame::rmf:
-        orientations_.add(row, frame, turned(erf, rmf_angle() + to_real(start_)));
-        break;
-      case TabulatedFrame::euler_rodrigues:
-        orientations_.add(row, frame, erf);
-        break;
-      case TabulatedFrame::frenet:
-        add_where_defined(row, orientations_.width(),
-                          [&] { orientations_.add(row, frame, here.algebraic->frenet(t)); });
-        break;
-      case TabulatedFrame::up:
-        throw_no_up();
-      case TabulatedFrame::mtf:
-        orientations_.add(row, frame, turned(erf, phrame::value(*columns_.mtf, parameter(point))));
-        break;
-      case TabulatedFrame::exact_mtf:
-        orientations_.add(
-            row, frame, turned(erf, columns_.exact_mtf->value(length().value(point), rmf_angle())));
-        break;
-    }
-  }
+void require_twists(const TableColumns& columns, bool has_twist) {
+  const bool has_mtf = !has_frame(columns, TabulatedFrame::mtf) || columns.mtf;
+  const bool has_exact =
+      !has_frame(columns, TabulatedFrame::exact_mtf) || columns.exact_mtf || has_twist;
+  if (!has_mtf || !has_exact)
+    throw DomainError("frame mtf: only Pythagorean-hodograph curves have it");
 }
 
 }  // namespace
@@ -318,16 +282,22 @@ void add_row(FrameTable& table, std::vector<double> row,
   table.rows.push_back(std::move(row));
 }
 
-FrameTable frame_table(const PhPath& path, const TableColumns& columns,
-                       const std::vector<Place>& at) {
-  Rows rows(path, columns);
+FrameTable frame_table(const PathAngle& angle, const TableColumns& columns,
+                       const std::vector<Place>& at, const std::optional<SmoothTwist>& twist) {
+  require_twists(columns, twist.has_value());
+  Rows rows(angle, columns, twist);
   rows.expect(at);
   FrameTable table{names_of(columns), {}};
-  if (has_frame(columns, TabulatedFrame::rmf)) table.start = columns.start;
+  const bool has_rmf = has_frame(columns, TabulatedFrame::rmf);
+  if (has_rmf) table.start = columns.start;
+  if (has_frame(columns, TabulatedFrame::up) || (has_rmf && angle.reference() == Reference::up &&
+                                                 std::holds_alternative<Angle>(columns.start)))
+    table.up = angle.up();
   Stage stage("rows", at.size());
   for (const Place& point : at) {
     stage.advance();
-    add_row(table, rows.at(point), [&] { return text_of(point); });
+    add_row(table, rows.at(point),
+            [&] { return text_of(point).value_or(fmt::format("row {}", table.rows.size())); });
     if (rows.reason().empty()) continue;
     if (++table.incomplete_rows == 1) table.first_reason = rows.reason();
   }
@@ -338,7 +308,7 @@ FrameTable frame_table(const Curve& curve, const TableColumns& columns,
                        const std::vector<RealAlgebraic>& at) {
   std::vector<Place> points;
   for (const RealAlgebraic& t : at) points.emplace_back(0, t);
-  return frame_table(PhPath(curve), columns, points);
+  return frame_table(PathAngle(Path(curve)), columns, points);
 }
 
 FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,

@@ -4,6 +4,7 @@
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
+#include "phrame/ph/twist/smooth_twist.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
 
 namespace phrame {
@@ -33,7 +34,7 @@ struct TableColumns {
   /// The frames of minimal twist where there are columns for them; for t on the spline only.
   std::optional<TwistFrame> mtf = {};
   std::optional<MinimalTwist> exact_mtf = {};  ///< likewise
-  /// Where the rotation-minimizing frame starts; an angle is that to e₂, so that 0 is (e₂, e₃).
+  /// Where the rotation-minimizing frame starts.
   FrameStart start = {};
   /// Is a cell whose number is undefined left empty? Else it is an error.
   bool may_be_empty = false;
@@ -63,24 +64,27 @@ struct FrameTable {
   std::optional<Vector<Rational>> up = {};  ///< v of the frame up that is in it, or of the start
 };
 
-/// t, r, e₁, the frames and the scalars asked for, at each t: correctly rounded values at t itself,
-/// not at the t that is shown. Where a Frenet frame, a torsion or an arc length is undefined, and
-/// at the pole of a curvature or torsion, cells are left empty if they may be, or DomainError is
-/// thrown. Throws InputError where a number is too large
-/// for a double, Undecided where a component of the rotation-minimizing frame at an irrational t is
-/// half way between two, and where any number is too near to that for the limit of
-/// round_to_double(), DomainError as start_angle().
+/// t, r, e₁, the frames and the scalars asked for, at each place of a path of any kind: correctly
+/// rounded values at t itself, not at the t that is shown. The rotation-minimizing frame is found
+/// by this angle; where it starts at one, that is to the frame that the angle is measured from. The
+/// frame up is that of the v of the angle. What is not continuous at a joint, (n, b) and the
+/// scalars but s, is that of the segment named. Where a Frenet frame, a torsion or an arc length is
+/// undefined, at the pole of a curvature or torsion, and where a segment that is no PH curve has no
+/// Euler–Rodrigues frame, cells are left empty if they may be, or DomainError is thrown. Throws
+/// InputError where a number is too large for a double, Undecided where a component of the
+/// rotation-minimizing frame at an irrational t is half way between two, and where any number is
+/// too near to that for the limit of round_to_double(), DomainError as start_angle(), and for a
+/// frame of minimal twist that is not given.
+FrameTable frame_table(const PathAngle& angle, const TableColumns& columns,
+                       const std::vector<Place>& at, const std::optional<SmoothTwist>& twist = {});
+
+/// The same of a PH curve, by the angle to its Euler–Rodrigues frame.
 FrameTable frame_table(const Curve& curve, const TableColumns& columns,
                        const std::vector<RealAlgebraic>& at);
 
 /// The same with frames only, at rational t.
 FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,
                        const std::vector<Rational>& at);
-
-/// The same along a spline. What is not continuous there, (n, b) and the scalars but s, is that of
-/// the segment named.
-FrameTable frame_table(const PhPath& path, const TableColumns& columns,
-                       const std::vector<Place>& at);
 
 /// Is that one of its frames?
 bool has_frame(const TableColumns& columns, TabulatedFrame frame);

@@ -11,7 +11,6 @@
 #include "phrame/algebra/fixed_point.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/ph/along/travel_time.hpp"
-#include "phrame/ph/frame/moving_frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame {
@@ -188,17 +187,11 @@ MachinePath machine_path(const Path& path, const MachineQuery& query, const Axis
 
 MachinePath answer(const NamedPath& named, const MachineQuery& query) {
   const Path& path = named.path;
-  if (const auto ph = query.up ? std::nullopt : path.ph()) {
-    const MovingFrame frame(*ph, query.start);
-    return machine_path(path, query, [&](const Place& at) {
-      return query.tool == ToolAxis::e1 ? frame.tangent(at) : tool_of(frame.at(at), query.tool);
-    });
-  }
   const PathAngle angle = angle_to(query.up, path);
   const StartAngle start = start_angle(query.start, angle);
   return machine_path(path, query, [&](const Place& at) {
     return query.tool == ToolAxis::e1
-               ? reference_frame(angle, at).e1
+               ? tangent(path, at)
                : tool_of(rotation_minimizing_frame(angle, at, start), query.tool);
   });
 }

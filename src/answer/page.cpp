@@ -7,7 +7,6 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/end_normal.hpp"
-#include "phrame/answer/smooth_table.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/curve/invariants.hpp"
@@ -195,7 +194,7 @@ PageAnswer page_to_erf(const NamedPath& named, const PhPath& path, const PageQue
     columns.exact_mtf.emplace(angle, reduced(start), end_angle(*query.end_normal, path));
 
   const auto table_at = [&](const std::vector<PathParameter>& at) {
-    FrameTable table = frame_table(path, columns, std::vector<Place>(at.begin(), at.end()));
+    FrameTable table = frame_table(angle, columns, std::vector<Place>(at.begin(), at.end()));
     add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k], start); });
     add_column(table, "theta_rate",
                [&](std::size_t k) { return angle.closed_form(at[k].segment)->rate()(at[k].t); });

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/answer/camera_path.hpp"
-#include "phrame/answer/smooth_table.hpp"
+#include "phrame/answer/frame_table.hpp"
 #include "phrame/cli/twist_options.hpp"
 #include "phrame/io/write/camera.hpp"
 #include "phrame/io/write/frame_table.hpp"
@@ -45,16 +45,10 @@ struct TabulatedFrames {
 enum class By { parameter, arc_length };
 
 /// A frame of minimal twist ends with the curve.
-std::vector<Place> points(const std::vector<Rational>& numbers, const PhPath& path, bool ends) {
+std::vector<Place> points(const std::vector<Rational>& numbers, const Path& path, bool ends) {
   std::vector<Place> at;
   for (const Rational& t : numbers)
-    at.emplace_back(ends ? locate_inside(path, t) : locate(path, t));
-  return at;
-}
-
-std::vector<Place> points(const std::vector<Rational>& numbers, const Path& path) {
-  std::vector<Place> at;
-  for (const Rational& t : numbers) at.emplace_back(locate(path, t));
+    at.emplace_back(ends ? locate_inside(path.segments().size(), t) : locate(path, t));
   return at;
 }
 
@@ -104,13 +98,13 @@ TableColumns columns(const FramesOptions& options) {
   return columns;
 }
 
-/// Adds the frames of minimal twist, as far as there are columns for them.
-void add_twist_frames(TableColumns& columns, const TwistOptions& options, const PhPath& path) {
-  const bool wants_rational = has_frame(columns, TabulatedFrame::mtf);
-  if (!wants_rational && !has_frame(columns, TabulatedFrame::exact_mtf)) return;
+/// Adds the frames of minimal twist to the Euler–Rodrigues frame, as far as there are columns for
+/// them.
+void add_twist_frames(TableColumns& columns, const TwistOptions& options, const PathAngle& angle) {
+  const PhPath path = angle.path().ph().value();
   const auto [from, to] = options.ends(path);
-  columns.exact_mtf.emplace(PathAngle(path), reduced(from), to, options.turns);
-  if (!wants_rational) return;
+  columns.exact_mtf.emplace(angle, reduced(from), to, options.turns);
+  if (!has_frame(columns, TabulatedFrame::mtf)) return;
   constexpr long digits = 17;
   columns.mtf =
       twist_frame(*columns.exact_mtf, options.rotation(digits), options.subdivision(path));
@@ -126,52 +120,40 @@ FrameTable table(const TableColumns& columns, Make make) {
   }
 }
 
-TabulatedFrames table_of(const NamedPhPath& named, TableColumns& columns, By by,
-                         const FramesOptions& options) {
-  const PhPath& path = named.path;
-  options.start.check(path, std::nullopt);
-  add_twist_frames(columns, options.twist, path);
+void require_frames(const TableColumns& columns, const PathAngle& angle) {
+  const auto& segments = angle.path().segments();
+  if (has_frame(columns, TabulatedFrame::euler_rodrigues) &&
+      std::none_of(segments.begin(), segments.end(), ph_curve))
+    throw InputError("--frame", "\"erf\" " + needs_ph(angle.path()));
+  if (angle.reference() == Reference::up && has_frame(columns, TabulatedFrame::mtf))
+    throw InputError("--frame", angle.path().is_ph()
+                                    ? "\"mtf\" is not tabulated beside the frame of v"
+                                    : "\"mtf\" " + needs_ph(angle.path()));
+}
+
+TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
+                         const FramesOptions& options, const PathAngle& angle) {
+  const Path& path = named.path;
+  require_frames(columns, angle);
+  options.start.check(path, angle.reference());
+  std::optional<SmoothTwist> twist;
+  const bool has_twist =
+      has_frame(columns, TabulatedFrame::mtf) || has_frame(columns, TabulatedFrame::exact_mtf);
+  if (has_twist && angle.reference() == Reference::euler_rodrigues) {
+    add_twist_frames(columns, options.twist, angle);
+  } else if (has_twist) {
+    const auto [from, to] = options.twist.ends(angle);
+    twist.emplace(angle, from, to, options.twist.turns);
+  }
   std::vector<Rational> numbers;
   std::vector<Place> at;
   if (by == By::parameter) {
     numbers = options.parameters.values(path.end());
-    at = points(numbers, path, columns.exact_mtf.has_value());
+    at = points(numbers, path, has_twist);
   } else {
-    const PathLength length{Path(path)};
+    const PathLength length(path);
     numbers = options.parameters.values(length_below(length.total()));
     at = points_by_length(numbers, length);
-  }
-  FrameTable made = table(columns, [&] { return frame_table(path, columns, at); });
-  made.near = named.near;
-  return {std::move(made), std::move(numbers)};
-}
-
-/// Of a curve that is no PH curve, or beside its frame of v.
-TabulatedFrames table_of(const NamedPath& named, const TableColumns& columns, By by,
-                         const FramesOptions& options, const PathAngle& angle) {
-  const auto& segments = named.path.segments();
-  const bool has_ph = std::any_of(segments.begin(), segments.end(), ph_curve);
-  if (has_frame(columns, TabulatedFrame::euler_rodrigues) && !has_ph)
-    throw InputError("--frame", "\"erf\" " + needs_ph(named.path));
-  if (has_frame(columns, TabulatedFrame::mtf))
-    throw InputError("--frame", named.path.is_ph()
-                                    ? "\"mtf\" is not tabulated beside the frame of v"
-                                    : "\"mtf\" " + needs_ph(named.path));
-  options.start.check(named.path, Reference::up);
-  std::vector<Rational> numbers;
-  std::vector<Place> at;
-  if (by == By::parameter) {
-    numbers = options.parameters.values(named.path.end());
-    at = points(numbers, named.path);
-  } else {
-    const PathLength length(named.path);
-    numbers = options.parameters.values(length_below(length.total()));
-    at = points_by_length(numbers, length);
-  }
-  std::optional<SmoothTwist> twist;
-  if (has_frame(columns, TabulatedFrame::exact_mtf)) {
-    const auto [from, to] = options.twist.ends(angle);
-    twist.emplace(angle, from, to, options.twist.turns);
   }
   FrameTable made = table(columns, [&] { return frame_table(angle, columns, at, twist); });
   made.near = named.near;
@@ -187,9 +169,7 @@ TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& ch
   const NamedPath named = options.curve.read_any_path();
   const auto up =
       options.up.chosen(named.path, has_frame(chosen, TabulatedFrame::up) || options.start.is_up());
-  const auto ph = up ? std::nullopt : as_ph(named);
-  return ph ? table_of(*ph, chosen, by, options)
-            : table_of(named, chosen, by, options, angle_to(up, named.path));
+  return table_of(named, chosen, by, options, angle_to(up, named.path));
 }
 
 void run_camera(const FramesOptions& options) {

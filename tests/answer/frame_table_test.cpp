@@ -2,11 +2,14 @@
 #include "phrame/io/write/frame_table.hpp"
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/along/path_length.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "support/curves.hpp"
 
 using namespace phrame;
@@ -345,4 +348,86 @@ TEST_CASE("frame table: the rows of a long table are those of short ones") {
   // All t the same: there is no interval.
   const FrameTable one = frame_table(test::quintic, {Kind::rmf}, std::vector(1500, Rational(1, 3)));
   CHECK(one.rows.back() == frame_table(test::quintic, {Kind::rmf}, {Rational(1, 3)}).rows[0]);
+}
+
+namespace {
+
+const Path no_ph(bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 3}}));
+
+const Place start(0, Rational(0));
+
+double angle_between(const Vector<double>& a, const Vector<double>& b) {
+  return std::sqrt(dot(a - b, a - b));
+}
+
+}  // namespace
+
+// f₂ is that of the solution of f₂′ = −(f₂·T′)T by mpmath's odefun (Taylor series, 30 digits); κ
+// and τ are |r′ × r″|/|r′|³ and det(r′, r″, r‴)/|r′ × r″|².
+TEST_CASE("frame table: those of a cubic that is no PH curve are correctly rounded") {
+  TableColumns columns{{TabulatedFrame::rmf, TabulatedFrame::up, TabulatedFrame::frenet},
+                       {TabulatedScalar::curvature, TabulatedScalar::torsion}};
+  const FrameTable table =
+      frame_table(PathAngle(no_ph, {0, 0, 1}), columns, {{0, Rational(1, 2)}, {0, Rational(1)}});
+  REQUIRE(table.columns.size() == table.rows.at(0).size());
+  const std::vector<double>& half = table.rows[0];
+  CHECK(table.columns[7] == "f2x");
+  CHECK(half[1] == 0.75);
+  CHECK(half[7] == -0.9583377490235709016413);
+  CHECK(half[8] == 0.1713824762533109234127);
+  CHECK(half[9] == -0.2285099683377478978835);
+  CHECK(table.rows[1][7] == -0.9451273385037555372876);
+  CHECK(table.rows[1][8] == 0.08650185619593178435427);
+  CHECK(table.columns[13] == "up2x");
+  CHECK(half[15] == 0);  // v × e₁ is across v
+  CHECK(half[half.size() - 2] == 0.66647463901070117497);
+  CHECK(half.back() == 0.52459016393442622951);
+  // At t = 1 the frame of v is the Frenet frame.
+  const auto at = [&](std::size_t k) {
+    return Vector<double>{table.rows[1][k], table.rows[1][k + 1], table.rows[1][k + 2]};
+  };
+  CHECK(table.columns[19] == "nx");
+  CHECK(angle_between(at(13), at(19)) == 0);
+}
+
+TEST_CASE("frame table: columns that only PH curves have are refused") {
+  CHECK_THROWS_AS(frame_table(PathAngle(no_ph), {{TabulatedFrame::euler_rodrigues}}, {start}),
+                  DomainError);
+}
+
+// r = (t, t³, t⁴) has an inflection at t = 0, where τ = 72t²/(36t² + …) is 2 by continuity.
+TEST_CASE("frame table: cells may be empty where the Frenet frame is undefined") {
+  const Path inflected(
+      RationalCurve({Polynomial{0, 1}, Polynomial{0, 0, 0, 1}, Polynomial{0, 0, 0, 0, 1}}));
+  TableColumns columns{{TabulatedFrame::frenet}, {TabulatedScalar::torsion}};
+  CHECK_THROWS_AS(frame_table(PathAngle(inflected), columns, {start}), DomainError);
+  columns.may_be_empty = true;
+  const FrameTable table = frame_table(PathAngle(inflected), columns, {start, {0, Rational(1)}});
+  CHECK(table.incomplete_rows == 1);
+  CHECK(std::isnan(table.rows[0][7]));
+  CHECK(table.rows[0].back() == 2);
+  CHECK_FALSE(std::isnan(table.rows[1][7]));
+}
+
+// A = 1 + tk, f = 1 − 2t²: t by mpmath's findroot of ∫|f|(1 + t²) dt = 3/5, the others by quad and
+// by e₁ = (1 − t², 2t, 0)/(1 + t²). This frame is rotation-minimizing.
+TEST_CASE("frame table: of an arc length behind an irrational change of sign") {
+  const Path path(Curve({{1}, {}, {}, {0, 1}}, {1, 0, -2}));
+  const Place at = PathLength(path).point(Rational(3, 5));
+  REQUIRE_FALSE(algebraic_number(at).has_value());
+  const TableColumns columns{{Kind::rmf},
+                             {TabulatedScalar::arc_length, TabulatedScalar::curvature}};
+  const Row row = frame_table(PathAngle(path), columns, {at}).rows.at(0);
+  const double e1x = 0.121894021689566887984817568310821792681;
+  const double e1y = 0.9925431212175838746391869677701570299692;
+  CHECK(row[0] == 0.8847031021012294972670398310098274768333);
+  CHECK(row[1] == 0.4090405978789396295227697897011828224722);
+  CHECK(row[2] == 0.1700809481081163770042467696512569729325);
+  CHECK(row[4] == e1x);
+  CHECK(row[5] == e1y);
+  CHECK(row[7] == -e1y);  // f₂ of the LeastRotation, (0, 1, 0) at t = 0
+  CHECK(row[8] == e1x);
+  CHECK(row[12] == 1);
+  CHECK(row[13] == doctest::Approx(0.6).epsilon(1e-15));
+  CHECK(row[14] == 1.113059843372229309740904796093203136368);
 }

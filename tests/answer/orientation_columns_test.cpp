@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "io/reference.hpp"
-#include "phrame/answer/smooth_table.hpp"
 #include "support/curves.hpp"
 
 using namespace phrame;

@@ -84,8 +84,8 @@ TEST_CASE("spline report: a closed plane curve in text") {
 
 TEST_CASE("frame table: of a spline, in equal steps of t and at its joints") {
   const NamedPhPath named = loop();
-  const FrameTable table =
-      frame_table(named.path, columns, {at(0, 0), at(1, 0), at(1, Rational(1, 2)), at(3, 1)});
+  const FrameTable table = frame_table(PathAngle(named.path), columns,
+                                       {at(0, 0), at(1, 0), at(1, Rational(1, 2)), at(3, 1)});
   REQUIRE(table.rows.size() == 4);
   CHECK(table.rows[1] ==
         std::vector<double>{1, 2.0 / 3, 1, 0, 0, 1, 0, -1, 0, 0, 0, 0, 1, 4.0 / 3});
@@ -99,7 +99,7 @@ TEST_CASE("frame table: pieces have the frames of the whole, at algebraic t as w
   const Curve whole = test::farouki_quintic().curve;
   const RealAlgebraic root = real_root({-1, 0, 2}, closed(0, 1));       // √2/2
   const RealAlgebraic on_whole = real_root({-1, -6, 9}, closed(0, 1));  // 1/3 + 2/3·√2/2
-  const auto pieces = frame_table(cut.path, columns, {Place{1, root}});
+  const auto pieces = frame_table(PathAngle(cut.path), columns, {Place{1, root}});
   const auto row = frame_table(whole, columns, std::vector<RealAlgebraic>{on_whole});
   for (std::size_t k = 1; k < row.columns.size(); ++k) CHECK(pieces.rows[0][k] == row.rows[0][k]);
 }

@@ -144,10 +144,9 @@ Real curvature_of(const ExpressionCurve& curve, const Real& t) {
   const Vector<Real> bend = cross(first, derivative(curve, 2, t));
   if (is_zero(bend)) return Rational(0);
   const Real speed = dot(first, first);
-  return Real([size = dot(bend, bend), cube = speed * speed * speed](long bits) {
-    return sqrt_of_nonnegative(divide(size.enclose(bits + 8), cube.enclose(bits + 8), bits + 8),
-                               bits + 8);
-  });
+  return square_root_of(Real([size = dot(bend, bend), cube = speed * speed * speed](long bits) {
+    return divide(size.enclose(bits + 8), cube.enclose(bits + 8), bits + 8);
+  }));
 }
 
 Real torsion_of(const ExpressionCurve& curve, const Real& t) {
@@ -163,10 +162,7 @@ Real torsion_of(const ExpressionCurve& curve, const Real& t) {
 }
 
 Real curvature_of(const RationalCurve& curve, const Real& t) {
-  const Real squared = value_of(squared_curvature(curve), t, "curvature");
-  if (squared.exact()) return square_root_of(*squared.exact());
-  return Real(
-      [squared](long bits) { return sqrt_of_nonnegative(squared.enclose(bits + 8), bits + 8); });
+  return square_root_of(value_of(squared_curvature(curve), t, "curvature"));
 }
 
 Real torsion_of(const RationalCurve& curve, const Real& t) {

@@ -1,5 +1,7 @@
 #include "phrame/ph/curve/segment.hpp"
 
+#include "phrame/ph/curve/invariants.hpp"
+
 namespace phrame {
 
 const RationalCurve& PhSegment::by_positions() const {
@@ -11,6 +13,10 @@ const RationalCurve& PhSegment::by_positions() const {
 
 const QuaternionPolynomial& PhSegment::primitive_preimage() const {
   return primitive_.get([this] { return without_real_content(curve().preimage()); });
+}
+
+const GaussianPolynomial& PhSegment::bend() const {
+  return bend_.get([this] { return bend_numerator(primitive_preimage()); });
 }
 
 const Curve* ph_curve(const Segment& segment) {

@@ -22,6 +22,7 @@ class PhSegment {
   /// A without its greatest real factor, for frames, which go on through cusps. Found in the first
   /// call.
   const QuaternionPolynomial& primitive_preimage() const;
+  const GaussianPolynomial& bend() const;  ///< g of that, found likewise
 
   /// The same with A·j and −f, whose e₁ is reversed.
   PhSegment turned_over() const { return PhSegment(phrame::turned_over(curve())); }
@@ -32,6 +33,7 @@ class PhSegment {
   std::shared_ptr<const Curve> curve_;
   Lazy<RationalCurve> by_positions_;
   Lazy<QuaternionPolynomial> primitive_;
+  Lazy<GaussianPolynomial> bend_;
 };
 
 /// A segment of a path of curves of any kind, on [0, 1].

@@ -70,16 +70,23 @@ Frame<Rational> Frames::euler_rodrigues(const Rational& t) const {
   return euler_rodrigues_frame(primitive_, t);
 }
 
-Frame<Real> Frames::frenet(const Rational& t) const {
-  if (is_zero(bend_))
+void require_bend(const GaussianPolynomial& g) {
+  if (is_zero(g))
     throw DomainError("Frenet frame: the curve is a straight line, it has no principal normal");
-  const Rational re = bend_.re(t);
-  const Rational im = bend_.im(t);
+}
+
+Frame<Real> frenet_frame(const QuaternionPolynomial& primitive, const GaussianPolynomial& bend,
+                         const Rational& t) {
+  require_bend(bend);
+  const Rational re = bend.re(t);
+  const Rational im = bend.im(t);
   if (re == 0 && im == 0)
     throw DomainError(fmt::format(
         "Frenet frame: t = {} is an inflection, the principal normal is undefined", as_written(t)));
-  return turned(euler_rodrigues(t), {re, -im});
+  return turned(euler_rodrigues_frame(primitive, t), {re, -im});
 }
+
+Frame<Real> Frames::frenet(const Rational& t) const { return frenet_frame(primitive_, bend_, t); }
 
 Frame<Real> Frames::rotation_minimizing(const RmfAngle& angle, const Rational& t,
                                         const FrameAngle& start) const {

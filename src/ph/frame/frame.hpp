@@ -69,6 +69,12 @@ class Frames {
 /// (A i A*, A j A*, A k A*)/σ at t of an A without a real factor.
 Frame<Rational> euler_rodrigues_frame(const QuaternionPolynomial& primitive, const Rational& t);
 
+/// Throws DomainError for g = 0, of a straight line.
+void require_bend(const GaussianPolynomial& g);
+/// (t, n, b) at t by the g of such an A, as of Frames.
+Frame<Real> frenet_frame(const QuaternionPolynomial& primitive, const GaussianPolynomial& bend,
+                         const Rational& t);
+
 /// @{ One frame of a curve, as those of Frames; Frames is faster for many.
 Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t);
 Frame<Real> frenet_frame(const Curve& curve, const Rational& t);

@@ -52,6 +52,44 @@ Vector<Real> least_rotation_normal_along(const Vector<Real>& H) {
   return sign_of(H[1]) == 0 && sign_of(second) == 0 ? j : Vector<Real>{-H[1], second, Rational(0)};
 }
 
+/// The same numbers, which are exact.
+Frame<Rational> exactly(const Frame<Real>& frame) {
+  const auto vector = [](const Vector<Real>& v) {
+    return Vector<Rational>{v[0].exact().value(), v[1].exact().value(), v[2].exact().value()};
+  };
+  return {vector(frame.e1), vector(frame.e2), vector(frame.e3)};
+}
+
+/// v/σ there.
+Vector<Real> quotient_at(const Vector<Polynomial>& v, const Polynomial& sigma, const Place& at) {
+  const auto component = [&](std::size_t k) { return value(RationalFunction(v[k], sigma), at); };
+  return {component(0), component(1), component(2)};
+}
+
+/// By the primitive A and its g: a component of n or b is N/(σ|g|), the square root of the rational
+/// function N²/(σ²|g|²) with the sign of N.
+Frame<Real> algebraic_frenet_frame(const QuaternionPolynomial& a, const GaussianPolynomial& g,
+                                   const Place& at) {
+  const AlgebraicPoint& t = at.algebraic.value();
+  require_bend(g);
+  const Polynomial size = norm(g);
+  if (sign_at(size, t.number()) == 0)
+    throw DomainError("Frenet frame: " + place("t", t.number()) +
+                      " is an inflection, the principal normal is undefined");
+  const Polynomial length = sigma(a);
+  const Vector<Polynomial> j = rotated_j(a);
+  const Vector<Polynomial> k = rotated_k(a);
+  const auto vector = [&](const Polynomial& x, const Polynomial& y) {
+    const auto component = [&](std::size_t i) {
+      const Polynomial n = x * j[i] + y * k[i];
+      const Real root = t.square_root(RationalFunction(n * n, length * length * size));
+      return sign_at(n, t.number()) < 0 ? -root : root;
+    };
+    return Vector<Real>{component(0), component(1), component(2)};
+  };
+  return {quotient_at(rotated_i(a), length, at), vector(g.re, -g.im), vector(g.im, g.re)};
+}
+
 void require_across(const Vector<Rational>& normal, const Vector<Real>& H) {
   if (is_zero(cross(H, as_reals(normal))))
     throw DomainError("the vector " + abbreviated(normal) + " has no part in the normal plane" +
@@ -65,6 +103,17 @@ Frame<Real> up_frame(const Path& path, const Vector<Rational>& up, const Place& 
   return frame_along(H, cross(as_reals(up), H));
 }
 
+Vector<Real> tangent(const Path& path, const Place& at) {
+  const auto* ph = std::get_if<PhSegment>(&path.segments()[at.segment]);
+  if (ph == nullptr) {
+    const Vector<Real> H = direction(path, at);
+    return over_size(H, remembered(dot(H, H)));
+  }
+  const QuaternionPolynomial& a = ph->primitive_preimage();
+  if (at.t.exact()) return as_reals(euler_rodrigues_frame(a, *at.t.exact()).e1);
+  return quotient_at(rotated_i(a), sigma(a), at);
+}
+
 Frame<Real> euler_rodrigues_frame(const Path& path, const Place& at) {
   const auto* ph = std::get_if<PhSegment>(&path.segments()[at.segment]);
   if (ph == nullptr)
@@ -73,15 +122,17 @@ Frame<Real> euler_rodrigues_frame(const Path& path, const Place& at) {
         at.segment + 1));
   const QuaternionPolynomial& a = ph->primitive_preimage();
   if (at.t.exact()) return as_real(euler_rodrigues_frame(a, *at.t.exact()));
-  const Real size = remembered(value(sigma(a), at.t));
-  const auto vector = [&](const Vector<Polynomial>& v) {
-    return Vector<Real>{quotient_of(value(v[0], at.t), size), quotient_of(value(v[1], at.t), size),
-                        quotient_of(value(v[2], at.t), size)};
-  };
-  return {vector(rotated_i(a)), vector(rotated_j(a)), vector(rotated_k(a))};
+  const Polynomial size = sigma(a);
+  return {quotient_at(rotated_i(a), size, at), quotient_at(rotated_j(a), size, at),
+          quotient_at(rotated_k(a), size, at)};
 }
 
 Frame<Real> frenet_frame(const Path& path, const Place& at) {
+  if (const auto* ph = std::get_if<PhSegment>(&path.segments()[at.segment])) {
+    const QuaternionPolynomial& a = ph->primitive_preimage();
+    if (at.t.exact()) return frenet_frame(a, ph->bend(), *at.t.exact());
+    if (at.algebraic) return algebraic_frenet_frame(a, ph->bend(), at);
+  }
   const Vector<Real> H = direction(path, at);
   const Vector<Real> binormal = cross(H, direction_slope(path, at));
   if (is_zero(binormal))
@@ -139,7 +190,17 @@ void require_start_normal(const StartNormal& start, const Path& path) {
 
 Frame<Real> rotation_minimizing_frame(const PathAngle& angle, const Place& at,
                                       const StartAngle& start) {
-  return turned(reference_frame(angle, at), angle.value(at, start));
+  return rotation_minimizing_frame(angle, at, start, reference_frame(angle, at));
+}
+
+Frame<Real> rotation_minimizing_frame(const PathAngle& angle, const Place& at,
+                                      const StartAngle& start, const Frame<Real>& reference) {
+  if (angle.reference() != Reference::euler_rodrigues || !at.t.exact() || !start.exact)
+    return turned(reference, angle.value(at, start));
+  const PathParameter rational{at.segment, *at.t.exact()};
+  return turned(
+      exactly(reference), angle.direction(rational),
+      [&](const FrameAngle& from) { return angle.value(rational, from); }, *start.exact);
 }
 
 }  // namespace phrame

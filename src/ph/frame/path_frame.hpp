@@ -5,9 +5,13 @@
 namespace phrame {
 
 // Frames of a path of any kind. e₁ is along H, at a cusp, too. Components that are rational are
-// exact where t is; what is irrational at a rational t is known to be, but for those of a
-// rotation-minimizing frame, of which nothing is known.
+// exact where t is, and where it is algebraic those of e₁, of the Euler–Rodrigues and the Frenet
+// frame of a PH curve, too; what is irrational there is known to be. Of a rotation-minimizing frame
+// more is exact where its angle to the Euler–Rodrigues frame is the argument of a rational number,
+// and of the rest nothing is known.
 
+/// e₁.
+Vector<Real> tangent(const Path& path, const Place& at);
 /// (e₁, e₂, e₃) with e₂ = v × H/|v × H|. v is nowhere along the tangent.
 Frame<Real> up_frame(const Path& path, const Vector<Rational>& up, const Place& at);
 /// (e₁, e₂, e₃) of Euler and Rodrigues: that of the preimage of a segment that is a PH curve.
@@ -31,8 +35,14 @@ StartAngle start_angle(const FrameStart& start, const PathAngle& angle,
 /// Throws DomainError where the vector has no part across the tangent at the start of the path.
 void require_start_normal(const StartNormal& start, const Path& path);
 
-/// The rotation-minimizing frame that starts at this angle to the reference frame.
+/// @{ The rotation-minimizing frame that starts at this angle to the reference frame. On PH curves
+/// it is exact at rational t where there is a direction() of the angle and of the start, so on
+/// plane curves and all others with a rational rotation-minimizing frame. The reference frame there
+/// is found, or given.
 Frame<Real> rotation_minimizing_frame(const PathAngle& angle, const Place& at,
                                       const StartAngle& start = {});
+Frame<Real> rotation_minimizing_frame(const PathAngle& angle, const Place& at,
+                                      const StartAngle& start, const Frame<Real>& reference);
+/// @}
 
 }  // namespace phrame

@@ -1,4 +1,4 @@
-#include "phrame/ph/frame/algebraic_frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/arc_length.hpp"
@@ -15,8 +15,26 @@ namespace {
 /// A = 1 + tk: r′ = (1 − t², 2t, 0), tangent (1 − t², 2t, 0)/(1 + t²).
 const Curve plane({{1}, {}, {}, {0, 1}});
 
-AlgebraicPoint root(const Polynomial& p, const Interval& in) {
-  return AlgebraicPoint(real_root(p, in));
+Place root(const Polynomial& p, const Interval& in) { return {0, real_root(p, in)}; }
+
+/// The frames of one PH curve.
+struct OfCurve {
+  Path path;
+  PathAngle angle;
+
+  explicit OfCurve(const Curve& curve) : path(curve), angle(path) {}
+  Frame<Real> euler_rodrigues(const Place& t) const { return euler_rodrigues_frame(path, t); }
+  Frame<Real> frenet(const Place& t) const { return frenet_frame(path, t); }
+  Frame<Real> rotation_minimizing(const Place& t) const {
+    return rotation_minimizing_frame(angle, t);
+  }
+};
+
+/// Not seen to be rational.
+Place hidden(const Rational& t) {
+  Place place(0, Real([t](long bits) { return RealBall(t, bits); }));
+  place.algebraic.emplace(RealAlgebraic(t));
+  return place;
 }
 
 void check_near(const Vector<Real>& a, const Vector<Real>& b, const Rational& distance) {
@@ -37,9 +55,9 @@ void check_frame(const Vector<Real>& v, const std::array<const char*, 3>& expect
 
 // mpmath, 50 digits: t by its root finder from quadrature of |r′|, θ by quadrature of −e₂′·e₃, n
 // and b from numerical derivatives of the hodograph.
-TEST_CASE("algebraic frame: half way along the quintic of Farouki 2003") {
-  const AlgebraicPoint t(ArcLength(quintic).algebraic_parameter(Rational(71, 30)));
-  AlgebraicFrames frames(quintic);
+TEST_CASE("path frame: half way along the quintic of Farouki 2003") {
+  const Place t(0, ArcLength(quintic).algebraic_parameter(Rational(71, 30)));
+  const OfCurve frames(quintic);
   const auto rmf = frames.rotation_minimizing(t);
   check_frame(rmf.e1, {"-0.3330403726291162579534344", "0.2991900353124652952079518",
                        "0.8941864643175858094998478"});
@@ -54,12 +72,12 @@ TEST_CASE("algebraic frame: half way along the quintic of Farouki 2003") {
                           "0.1426086252603812361722378"});
 }
 
-TEST_CASE("algebraic frame: law: at rational t it is what Frames says") {
+TEST_CASE("path frame: law: at a rational t given by its polynomial it is what Frames says") {
   for_samples(30, [](Random& random) {
     const Curve curve(random.quaternion_polynomial(3));
     const Rational t(random.integer(-8, 8), 5);
-    const AlgebraicPoint point(t);
-    AlgebraicFrames algebraic(curve);
+    const Place point = hidden(t);
+    const OfCurve algebraic(curve);
     const Frames frames(curve);
     const Rational tiny = parse_rational("1e-40");
     const auto erf = frames.euler_rodrigues(t);
@@ -76,13 +94,13 @@ TEST_CASE("algebraic frame: law: at rational t it is what Frames says") {
   });
 }
 
-TEST_CASE("algebraic frame: law: it is continuous: next to an irrational t it is nearly the same") {
+TEST_CASE("path frame: law: it is continuous: next to an irrational t it is nearly the same") {
   for_samples(20, [](Random& random) {
     const Curve curve(random.quaternion_polynomial(3));
-    const AlgebraicPoint point = root({-random.integer(2, 3), 0, 0, 1}, {Rational(0), {}});
-    const Rational t = point.enclose(200).lower();
+    const Place point = root({-random.integer(2, 3), 0, 0, 1}, {Rational(0), {}});
+    const Rational t = point.t.enclose(200).lower();
     if (norm(bend_numerator(curve.preimage()))(t) < Rational(1, 1000)) return;
-    AlgebraicFrames algebraic(curve);
+    const OfCurve algebraic(curve);
     const Frames frames(curve);
     RmfAngle angle(curve, Reference::euler_rodrigues);
     const Rational small = parse_rational("1e-20");
@@ -96,9 +114,9 @@ TEST_CASE("algebraic frame: law: it is continuous: next to an irrational t it is
 }
 
 // At t = 1/√2 the tangent is (1/2, √2, 0)/(3/2).
-TEST_CASE("algebraic frame: components that are rational at an irrational t are exact") {
-  const AlgebraicPoint t = root({-1, 0, 2}, {Rational(0), {}});
-  AlgebraicFrames frames(plane);
+TEST_CASE("path frame: components that are rational at an irrational t are exact") {
+  const Place t = root({-1, 0, 2}, {Rational(0), {}});
+  const OfCurve frames(plane);
   const auto erf = frames.euler_rodrigues(t);
   CHECK(erf.e1[0].exact() == Rational(1, 3));
   CHECK_FALSE(erf.e1[1].exact().has_value());
@@ -113,23 +131,69 @@ TEST_CASE("algebraic frame: components that are rational at an irrational t are 
   CHECK(frenet.e3[2].exact() == 1);
 }
 
-TEST_CASE("algebraic frame: Frenet is refused on a line and at an irrational inflection") {
-  const AlgebraicPoint t = root({-1, 0, 2}, {Rational(0), {}});
-  AlgebraicFrames line(Curve({{1, 1}, {}, {}, {}}));
+TEST_CASE("path frame: Frenet is refused on a line and at an irrational inflection") {
+  const Place t = root({-1, 0, 2}, {Rational(0), {}});
+  const OfCurve line(Curve({{1, 1}, {}, {}, {}}));
   CHECK_THROWS_WITH_AS(line.frenet(t), doctest::Contains("straight line"), DomainError);
   // A = 1 + (2t³/3 − t)k: g = 2t² − 1.
-  AlgebraicFrames inflected(Curve({{1}, {}, {}, {0, -1, 0, Rational(2, 3)}}));
+  const OfCurve inflected(Curve({{1}, {}, {}, {0, -1, 0, Rational(2, 3)}}));
   CHECK_THROWS_WITH_AS(inflected.frenet(t), doctest::Contains("inflection"), DomainError);
   CHECK_NOTHROW(inflected.rotation_minimizing(t));
 }
 
-TEST_CASE("algebraic frame: through an irrational cusp by continuity") {
+TEST_CASE("path frame: through an irrational cusp by continuity") {
   const Polynomial c{-1, 0, 2};
   const Curve smooth({{1}, {0, 1}, {2}, {0, 0, 1}});
   const Curve cusped({c, c * Polynomial{0, 1}, Rational(2) * c, c * Polynomial{0, 0, 1}});
-  const AlgebraicPoint t = root(c, {Rational(0), {}});
-  AlgebraicFrames a(smooth);
-  AlgebraicFrames b(cusped);
+  const Place t = root(c, {Rational(0), {}});
+  const OfCurve a(smooth);
+  const OfCurve b(cusped);
   check_near(a.rotation_minimizing(t).e2, b.rotation_minimizing(t).e2, parse_rational("1e-40"));
   check_near(a.frenet(t).e3, b.frenet(t).e3, parse_rational("1e-40"));
+}
+
+namespace {
+
+void check_equal(const Frame<Real>& a, const Frame<Real>& b) {
+  CHECK(round_to_double(a.e1) == round_to_double(b.e1));
+  CHECK(round_to_double(a.e2) == round_to_double(b.e2));
+  CHECK(round_to_double(a.e3) == round_to_double(b.e3));
+}
+
+}  // namespace
+
+// Other ways: the antiderivative itself at an algebraic number, and Frames at a rational one.
+TEST_CASE("path frame: the rotation-minimizing one at t of any kind as other ways have it") {
+  const OfCurve moving(quintic);
+  const RmfAngle angle(quintic);
+  const Evaluator antiderivative(angle.angle_to_erf(), angle.rate());
+  for (const Polynomial& p : {Polynomial{-1, 0, 2}, Polynomial{-1, 0, 0, 3}}) {
+    const RealAlgebraic t = real_root(p, Interval{0, 1});
+    const Real theta([&](long bits) { return antiderivative.branch_difference(0, t, bits + 8); });
+    const Frame<Real> expected = turned(moving.euler_rodrigues({0, t}), theta);
+    check_equal(moving.rotation_minimizing({0, t}), expected);
+    // The same number, as if it were transcendental.
+    check_equal(moving.rotation_minimizing({0, to_real(t)}), expected);
+    CHECK(round_to_double(tangent(moving.path, {0, to_real(t)})) == round_to_double(expected.e1));
+  }
+  const Rational third(1, 3);
+  check_equal(moving.rotation_minimizing({0, third}),
+              rotation_minimizing_frame(quintic, angle, third));
+}
+
+// f₂ = −e₂ where the angle is π.
+TEST_CASE("path frame: the rotation-minimizing one starts as it is told") {
+  const OfCurve moving(quintic);
+  const Frame<Rational> erf = euler_rodrigues_frame(quintic, 0);
+  const Frame<Real> start = rotation_minimizing_frame(moving.angle, {0, Rational(0)}, Angle(1, 0));
+  for (std::size_t k = 0; k < 3; ++k) CHECK(start.e2[k].exact() == Rational(-erf.e2[k]));
+}
+
+// α = 1 + it, β = 2(1 − it): |α|² − |β|² = −3/5·σ.
+TEST_CASE("path frame: a component of e1 that is constant is exact at any t") {
+  const Path helix(Curve({{1}, {0, 1}, {0, -2}, {2}}));
+  const Place anywhere(0, Real([](long bits) { return RealBall(Rational(1, 3), bits); }));
+  CHECK(tangent(helix, anywhere)[0].exact() == Rational(-3, 5));
+  CHECK(euler_rodrigues_frame(helix, anywhere).e1[0].exact() == Rational(-3, 5));
+  CHECK_FALSE(tangent(helix, anywhere)[1].exact().has_value());
 }

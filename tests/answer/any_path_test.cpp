@@ -4,7 +4,6 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/info.hpp"
-#include "phrame/answer/smooth_table.hpp"
 #include "phrame/answer/totals.hpp"
 #include "phrame/io/write/answers.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -17,16 +16,10 @@ namespace {
 
 const NamedPath cubic{"cubic", Path(bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 3}}))};
 
-const Place start(0, Rational(0));
-
 AngleQuery upright() {
   AngleQuery query;
   query.up = Vector<Rational>{0, 0, 1};
   return query;
-}
-
-double angle_between(const Vector<double>& a, const Vector<double>& b) {
-  return std::sqrt(dot(a - b, a - b));
 }
 
 }  // namespace
@@ -34,7 +27,7 @@ double angle_between(const Vector<double>& a, const Vector<double>& b) {
 // θ(1/2) is that of the solution of f₂′ = −(f₂·T′)T by mpmath's odefun (Taylor series, 30 digits),
 // measured in the frame of v = (0, 0, 1); θ(1) also −∫ τ ds by mpmath's quad, since (n, b) is the
 // frame of v at both ends of this curve.
-TEST_CASE("smooth answers: the angle of a cubic to the frames of v and Frenet") {
+TEST_CASE("path of any kind: the angle of a cubic to the frames of v and Frenet") {
   AngleQuery query = upright();
   query.at = {0, Rational(1, 2), 1};
   query.digits = 24;
@@ -51,7 +44,7 @@ TEST_CASE("smooth answers: the angle of a cubic to the frames of v and Frenet") 
   CHECK(answer(cubic, frenet).total->value == "-1.65740642390110110987772706379");
 }
 
-TEST_CASE("smooth answers: a start angle is added, a start normal measured") {
+TEST_CASE("path of any kind: a start angle is added, a start normal measured") {
   AngleQuery query = upright();
   query.at = {0, 1};
   query.start = Angle(Rational(1, 4));
@@ -69,14 +62,14 @@ TEST_CASE("smooth answers: a start angle is added, a start normal measured") {
   CHECK(std::get<Decimal>(answer(arc, query).start_angle).value == "3.1415926535897932");
 }
 
-TEST_CASE("smooth answers: an up vector along the tangent is refused, with the place") {
+TEST_CASE("path of any kind: an up vector along the tangent is refused, with the place") {
   AngleQuery query;
   query.up = Vector<Rational>{1, 0, 0};
   CHECK_THROWS_WITH_AS(answer(cubic, query), doctest::Contains("t = 0"), DomainError);
 }
 
 // A circle of four rational arcs, x² + y² = 1, has the normal of its plane for v and turns nowhere.
-TEST_CASE("smooth answers: a closed plane path has no holonomy, exactly") {
+TEST_CASE("path of any kind: a closed plane path has no holonomy, exactly") {
   const auto arc = [](const Vector<Rational>& a, const Vector<Rational>& b,
                       const Vector<Rational>& c) {
     return Segment(RationalCurve(
@@ -94,52 +87,6 @@ TEST_CASE("smooth answers: a closed plane path has no holonomy, exactly") {
   CHECK(found.total->value == "0");
   CHECK(found.holonomy.value().value == "0");
   CHECK(found.holonomy.value().radius == "0");
-}
-
-// f₂ by mpmath's odefun as above; κ and τ are |r′ × r″|/|r′|³ and det(r′, r″, r‴)/|r′ × r″|².
-TEST_CASE("smooth answers: the frames of a cubic are correctly rounded") {
-  TableColumns columns{{TabulatedFrame::rmf, TabulatedFrame::up, TabulatedFrame::frenet},
-                       {TabulatedScalar::curvature, TabulatedScalar::torsion}};
-  const FrameTable table = frame_table(PathAngle(cubic.path, {0, 0, 1}), columns,
-                                       {{0, Rational(1, 2)}, {0, Rational(1)}});
-  REQUIRE(table.columns.size() == table.rows.at(0).size());
-  const std::vector<double>& half = table.rows[0];
-  CHECK(table.columns[7] == "f2x");
-  CHECK(half[1] == 0.75);
-  CHECK(half[7] == -0.9583377490235709016413);
-  CHECK(half[8] == 0.1713824762533109234127);
-  CHECK(half[9] == -0.2285099683377478978835);
-  CHECK(table.rows[1][7] == -0.9451273385037555372876);
-  CHECK(table.rows[1][8] == 0.08650185619593178435427);
-  CHECK(table.columns[13] == "up2x");
-  CHECK(half[15] == 0);  // v × e₁ is across v
-  CHECK(half[half.size() - 2] == 0.66647463901070117497);
-  CHECK(half.back() == 0.52459016393442622951);
-  // At t = 1 the frame of v is the Frenet frame.
-  const auto at = [&](std::size_t k) {
-    return Vector<double>{table.rows[1][k], table.rows[1][k + 1], table.rows[1][k + 2]};
-  };
-  CHECK(table.columns[19] == "nx");
-  CHECK(angle_between(at(13), at(19)) == 0);
-}
-
-TEST_CASE("smooth answers: columns that only PH curves have are refused") {
-  CHECK_THROWS_AS(frame_table(PathAngle(cubic.path), {{TabulatedFrame::euler_rodrigues}}, {start}),
-                  DomainError);
-}
-
-// r = (t, t³, t⁴) has an inflection at t = 0, where τ = 72t²/(36t² + …) is 2 by continuity.
-TEST_CASE("smooth answers: cells may be empty where the Frenet frame is undefined") {
-  const Path inflected(
-      RationalCurve({Polynomial{0, 1}, Polynomial{0, 0, 0, 1}, Polynomial{0, 0, 0, 0, 1}}));
-  TableColumns columns{{TabulatedFrame::frenet}, {TabulatedScalar::torsion}};
-  CHECK_THROWS_AS(frame_table(PathAngle(inflected), columns, {start}), DomainError);
-  columns.may_be_empty = true;
-  const FrameTable table = frame_table(PathAngle(inflected), columns, {start, {0, Rational(1)}});
-  CHECK(table.incomplete_rows == 1);
-  CHECK(std::isnan(table.rows[0][7]));
-  CHECK(table.rows[0].back() == 2);
-  CHECK_FALSE(std::isnan(table.rows[1][7]));
 }
 
 namespace {
@@ -164,7 +111,7 @@ std::string value(const TotalsAnswer& answer, Quantity quantity) {
 
 // The integrals of the definitions by mpmath's quad, with 40 digits; the writhe, 0.214465, also as
 // Gauss's double integral by numpy with 16 · 32 points of Gauss and Legendre each way, 0.214464.
-TEST_CASE("smooth answers: what a closed curve gathers") {
+TEST_CASE("path of any kind: what a closed curve gathers") {
   const TotalsAnswer found = answer(loop, TotalsQuery{20});
   CHECK(value(found, Quantity::length) == "8.2495251007898865117");
   CHECK(value(found, Quantity::torsion) == "0.79359769730082330997");
@@ -181,7 +128,7 @@ TEST_CASE("smooth answers: what a closed curve gathers") {
         "the Frenet frame is not defined and continuous all along");
 }
 
-TEST_CASE("smooth answers: what is exact or not defined is said to be so") {
+TEST_CASE("path of any kind: what is exact or not defined is said to be so") {
   const NamedPath line{"line", joined({bezier_curve({{0, 0, 0}, {1, 2, 2}}),
                                        bezier_curve({{1, 2, 2}, {2, 4, 4}, {4, 8, 8}})})};
   const TotalsAnswer found = answer(line, TotalsQuery{5});
@@ -207,7 +154,7 @@ TEST_CASE("smooth answers: what is exact or not defined is said to be so") {
   CHECK(of_cusp.length.rounded.value == "1.43970987337155040039073616582");
 }
 
-TEST_CASE("smooth answers: the numbers of a curve") {
+TEST_CASE("path of any kind: the numbers of a curve") {
   const InfoAnswer info = answer(loop, InfoQuery{20});
   CHECK(info.length.rounded.value == "8.2495251007898865117");
   CHECK(info.holonomy.value().value == "1.3475234949517146297");
@@ -220,7 +167,7 @@ TEST_CASE("smooth answers: the numbers of a curve") {
 
 // Of the spline of quarters() Gauss's integral as in tests/ph/frame/closed_curve_test.cpp; its
 // normal jumps at the joints. The normal of the plane loop does not, and it is in a plane.
-TEST_CASE("smooth answers: closed PH splines have a writhe, open ones no row of it") {
+TEST_CASE("path of any kind: closed PH splines have a writhe, open ones no row of it") {
   const NamedPath spline{"", Path(test::chain(test::quarters()))};
   const TotalsAnswer found = answer(spline, TotalsQuery{6});
   CHECK(std::stod(value(found, Quantity::writhe)) == doctest::Approx(0.18026).epsilon(1e-4));
@@ -231,18 +178,16 @@ TEST_CASE("smooth answers: closed PH splines have a writhe, open ones no row of 
         doctest::Approx(-1.13261).epsilon(1e-4));
   CHECK(row(found, Quantity::self_linking).reason ==
         "the Frenet frame is not defined and continuous all along");
-  const TotalsAnswer plane =
-      answer(NamedPhPath{"", test::closed_loop()}, TotalsQuery{6});
+  const TotalsAnswer plane = answer(NamedPhPath{"", test::closed_loop()}, TotalsQuery{6});
   CHECK(row(plane, Quantity::holonomy).exact == Rational(0));
   CHECK(value(plane, Quantity::writhe) == "0");
   CHECK(value(plane, Quantity::self_linking) == "0");
-  const TotalsAnswer open =
-      answer(NamedPhPath{"", test::quarters().front()}, TotalsQuery{6});
+  const TotalsAnswer open = answer(NamedPhPath{"", test::quarters().front()}, TotalsQuery{6});
   CHECK(open.rows.back().quantity == Quantity::frenet_energy);
 }
 
 // No form says that it is closed.
-TEST_CASE("smooth answers: only what needs it is undecided where a path may be closed or not") {
+TEST_CASE("path of any kind: only what needs it is undecided where a path may be closed or not") {
   const NamedPath path{
       "", Path(test::expression_curve({"cos(exp(1)*s)", "sin(exp(1)*s)", "sin(2*exp(1)*s)"},
                                       "exp(-1)", "exp(-1)*(1 + 2*pi)"))};
