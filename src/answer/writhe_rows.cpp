@@ -34,17 +34,18 @@ Row self_linking_row(const ClosedFrame& frame, const Path& path) {
   }
 }
 
-/// Of a closed curve, or why there is none. In a plane the writhe is known without a frame.
-template <class P>
-std::vector<Row> rows_of(const P& curve, const Path& path, long digits) {
+}  // namespace
+
+// In a plane the writhe is known without a frame.
+std::vector<Row> writhe_rows(const Path& path, long digits) {
   Row row{Quantity::writhe};
   const auto set = [&](const Real& value) {
     row.value = rounded_or_zero(value, name_of(Quantity::writhe), digits);
   };
   const bool is_plane = plane_normal(path).has_value();
   try {
-    if (is_plane) set(writhe(curve));
-    const ClosedFrame frame = closed_frame(curve);
+    if (is_plane) set(writhe(path));
+    const ClosedFrame frame = closed_frame(path);
     if (!is_plane) set(writhe(frame));
     return {row, self_linking_row(frame, path)};
   } catch (const DomainError& error) {
@@ -54,13 +55,6 @@ std::vector<Row> rows_of(const P& curve, const Path& path, long digits) {
     row = undecided_row(Quantity::writhe, undecided);
   }
   return {row, reason_row(Quantity::self_linking, "the writhe is not known")};
-}
-
-}  // namespace
-
-std::vector<Row> writhe_rows(const Path& path, long digits) {
-  const auto ph = path.ph();
-  return ph ? rows_of(*ph, path, digits) : rows_of(path, path, digits);
 }
 
 }  // namespace phrame

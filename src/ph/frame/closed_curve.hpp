@@ -15,25 +15,20 @@ struct ClosedFrame {
   Real twist;  ///< Tw = 1/(2π) ∫ e₂′·e₃, e₃ = e₁ × e₂: turns of the frame about the tangent
 };
 
-/// @{ The frame of the first of a few v with which all is decided. Throws DomainError where the
-/// curve is not closed with a continuous tangent, or has a cusp; Undecided where no v decides, as
-/// where the curve meets itself, and where it is not told whether it is closed. The twist of a PH
-/// curve has a closed form. Cost: that of the crossings; the twist is found when it is asked for.
-ClosedFrame closed_frame(const PhPath& path);
+/// The frame of the first of a few v with which all is decided. Throws DomainError where the curve
+/// is not closed with a continuous tangent, or has a cusp, but for one of a PH curve that does not
+/// turn back there; Undecided where no v decides, as where the curve meets itself, and where it is
+/// not told whether it is closed. Cost: that of the crossings; the twist is found when it is asked
+/// for, of PH curves by a closed form.
 ClosedFrame closed_frame(const Path& path);
-/// @}
-/// @{ With this v, or no value where it does not decide.
-std::optional<ClosedFrame> closed_frame(const PhPath& path, const Vector<Rational>& v);
+/// With this v, or no value where it does not decide.
 std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>& v);
-/// @}
 
 /// The writhe Wr = Lk − Tw, 1/(4π) ∬ det(r′(s), r′(t), r(s) − r(t))/|r(s) − r(t)|³ ds dt.
 Real writhe(const ClosedFrame& frame);
-/// @{ The same of a closed curve, 0 where it is plane, also where it crosses itself. Throws as
+/// The same of a closed curve, 0 where it is plane, also where it crosses itself. Throws as
 /// closed_frame().
-Real writhe(const PhPath& path);
 Real writhe(const Path& path);
-/// @}
 /// By which angle in (−π, π] a rotation-minimizing frame comes back turned about the tangent:
 /// −2π·Tw up to whole turns; next to π where it is not told from that within 256 bits.
 Real holonomy(const ClosedFrame& frame);
