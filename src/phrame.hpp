@@ -72,7 +72,7 @@
 #include "phrame/ph/proof/verify.hpp"
 
 // Curves of any kind, likewise.
-#include "phrame/ph/along/smooth_shape.hpp"
+#include "phrame/ph/along/curvature.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/construct/cubic_interpolation.hpp"
 #include "phrame/ph/curve/bspline.hpp"

@@ -9,9 +9,9 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/answer/orientation_columns.hpp"
+#include "phrame/ph/along/curvature.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
-#include "phrame/ph/along/smooth_shape.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 

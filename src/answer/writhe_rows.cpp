@@ -2,7 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
-#include "phrame/ph/along/smooth_shape.hpp"
+#include "phrame/ph/along/curvature.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/frame/closed_curve.hpp"
 

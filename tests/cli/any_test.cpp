@@ -17,7 +17,7 @@ const std::string loop = R"({"phrame": "curve/1", "name": "loop",
 
 }  // namespace
 
-// The values are those of tests/answer/smooth_answers_test.cpp.
+// The values are those of tests/answer/any_path_test.cpp.
 TEST_CASE("any curve: info and totals, as text, JSON and LaTeX") {
   const Workshop here;
   here.write("loop.json", loop);

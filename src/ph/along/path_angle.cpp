@@ -12,10 +12,10 @@
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/recent.hpp"
 #include "phrame/algebra/shared.hpp"
+#include "phrame/ph/along/curvature.hpp"
 #include "phrame/ph/along/plane_turns.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
-#include "phrame/ph/along/smooth_shape.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/transform.hpp"
 

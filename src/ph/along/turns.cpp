@@ -5,8 +5,8 @@
 
 #include "phrame/algebra/ball_series.hpp"
 #include "phrame/algebra/sturm.hpp"
+#include "phrame/ph/along/curvature.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
-#include "phrame/ph/along/smooth_shape.hpp"
 #include "phrame/ph/curve/curve_series.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
 #include "phrame/ph/curve/invariants.hpp"

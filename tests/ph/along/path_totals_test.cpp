@@ -7,9 +7,9 @@
 #include "phrame/io/read/formula.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/along/curvature.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/path_length.hpp"
-#include "phrame/ph/along/smooth_shape.hpp"
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/shape.hpp"
@@ -325,7 +325,7 @@ TEST_CASE("path totals: curves by formulas bend through inflections") {
 }
 
 // An inflection, a line, and joints in the plane that turn on, or the other way, or out of it.
-TEST_CASE("smooth shape: where the Frenet frame is continuous") {
+TEST_CASE("curvature: where the Frenet frame is continuous") {
   CHECK(has_continuous_frenet_frame(circle()));
   CHECK(has_continuous_frenet_frame(twisted_cubic()));
   CHECK_FALSE(has_continuous_frenet_frame(

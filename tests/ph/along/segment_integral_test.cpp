@@ -3,10 +3,10 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/number.hpp"
+#include "phrame/ph/along/curvature.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/path_totals.hpp"
-#include "phrame/ph/along/smooth_shape.hpp"
 #include "support/expression_curves.hpp"
 
 using namespace phrame;

@@ -30,7 +30,7 @@ RationalCurve quarter(long turns) {
 
 }  // namespace
 
-TEST_CASE("smooth path: copies share their segments, until one of them grows") {
+TEST_CASE("path: copies share their segments, until one of them grows") {
   Path path(quarter(0));
   const Path copy = path;
   CHECK(&copy.segments() == &path.segments());
@@ -41,7 +41,7 @@ TEST_CASE("smooth path: copies share their segments, until one of them grows") {
   CHECK_FALSE(path == copy);
 }
 
-TEST_CASE("smooth path: a joint that breaks is refused, with what differs") {
+TEST_CASE("path: a joint that breaks is refused, with what differs") {
   const RationalCurve line({Polynomial{0, 1}, {}, {}});
   CHECK(complaint(line, line) == "it starts at (0, 0, 0), but the spline ends at (1, 0, 0)");
   CHECK(complaint(line, RationalCurve({Polynomial{1, 2}, Polynomial{0, 0, 1}, {}})).empty());
@@ -50,7 +50,7 @@ TEST_CASE("smooth path: a joint that breaks is refused, with what differs") {
         "0)");
 }
 
-TEST_CASE("smooth path: a circle of four rational arcs is closed, three of them are not") {
+TEST_CASE("path: a circle of four rational arcs is closed, three of them are not") {
   Path path{Segment(quarter(0))};
   path.append(quarter(1));
   path.append(quarter(2));
@@ -67,7 +67,7 @@ TEST_CASE("smooth path: a circle of four rational arcs is closed, three of them 
   CHECK_FALSE(drop.is_closed());
 }
 
-TEST_CASE("smooth path: behind a cusp segments are turned over, so that e1 is continuous") {
+TEST_CASE("path: behind a cusp segments are turned over, so that e1 is continuous") {
   // r = (t − t², 0, 0) turns back at 1/2 and ends with the tangent (−1, 0, 0), e₁ = (1, 0, 0).
   const RationalCurve there_and_back({Polynomial{0, 1, -1}, {}, {}});
   const RationalCurve on({Polynomial{0, -1}, Polynomial{0, 0, 1}, {}});
@@ -78,7 +78,7 @@ TEST_CASE("smooth path: behind a cusp segments are turned over, so that e1 is co
   CHECK(last.multiplier() == Polynomial{-1});
 }
 
-TEST_CASE("smooth path: a PH path by its positions has its points, and is as closed") {
+TEST_CASE("path: a PH path by its positions has its points, and is as closed") {
   const PhPath loop = test::closed_loop();
   const Path path = by_positions(loop);
   REQUIRE(path.segments().size() == loop.segments().size());
@@ -87,7 +87,7 @@ TEST_CASE("smooth path: a PH path by its positions has its points, and is as clo
     CHECK(std::get<RationalCurve>(path.segments()[k]).numerator() == position(loop.segments()[k]));
 }
 
-TEST_CASE("smooth path: formulas join by their values, and with rational curves") {
+TEST_CASE("path: formulas join by their values, and with rational curves") {
   const auto arc = [](const char* from, const char* to) {
     return test::expression_curve({"cos(s)", "sin(s)", "0"}, from, to);
   };
@@ -107,14 +107,14 @@ TEST_CASE("smooth path: formulas join by their values, and with rational curves"
                   Undecided);
 }
 
-TEST_CASE("smooth path: formulas behind a cusp are turned over") {
+TEST_CASE("path: formulas behind a cusp are turned over") {
   Path path(RationalCurve({Polynomial{0, 1, -1}, {}, {}}));  // there and back
   path.append(test::expression_curve({"-sin(s)", "1 - cos(s)", "0"}, "0", "1"));
   CHECK(orientation(path.segments().back()) == -1);
   CHECK(*direction(path, {1, Rational(0)})[0].exact() > 0);  // e₁ goes on
 }
 
-TEST_CASE("smooth path: periods with roots are closed, and arcs by formulas join lines at 60°") {
+TEST_CASE("path: periods with roots are closed, and arcs by formulas join lines at 60°") {
   const auto knot = [](const char* to) {
     return Path(
         test::expression_curve({"cos(sqrt(2)*s)", "sin(sqrt(2)*s)", "sin(sqrt(8)*s)"}, "0", to));
@@ -130,7 +130,7 @@ TEST_CASE("smooth path: periods with roots are closed, and arcs by formulas join
 }
 
 // The period is written so that no form says that it is one.
-TEST_CASE("smooth path: where it is not told whether a path is closed, that is what is known") {
+TEST_CASE("path: where it is not told whether a path is closed, that is what is known") {
   const auto ends = [](const char* to) {
     return closure(
         Path(test::expression_curve({"cos(exp(1)*s)", "sin(exp(1)*s)", "0"}, "exp(-1)", to)));

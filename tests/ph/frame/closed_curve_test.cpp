@@ -164,3 +164,15 @@ TEST_CASE("closed curve: what is not closed or touches itself is refused") {
   CHECK_THROWS_AS(closed_frame(Path(expression_curve({"sin(2*s)", "sin(s)", "0"}, "0", "2*pi"))),
                   Undecided);
 }
+
+TEST_CASE("closed curve: law: where some segments are PH curves, it is that of the same curve") {
+  const Path path = test::chain(test::quarters());
+  const Path by_points = by_positions(test::chain(test::quarters()));
+  std::vector<Segment> segments = path.segments();
+  segments[1] = by_points.segments()[1];
+  const ClosedFrame mixed = closed_frame(joined(segments));
+  const ClosedFrame exact = closed_frame(path);
+  CHECK(mixed.v == exact.v);
+  CHECK(mixed.linking == exact.linking);
+  CHECK(mixed.twist.enclose(100).overlaps(exact.twist.enclose(100)));
+}

@@ -1,4 +1,4 @@
-#include "phrame/ph/along/smooth_shape.hpp"
+#include "phrame/ph/along/curvature.hpp"
 
 #include <fmt/format.h>
 

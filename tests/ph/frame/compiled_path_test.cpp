@@ -64,8 +64,8 @@ RationalCurve random_bezier(test::Random& random, long degree, bool is_rational)
 
 }  // namespace
 
-// f₂ and θ at t = 1/2 and θ at 1 by mpmath's odefun and quad, as in smooth_answers_test.
-TEST_CASE("compiled smooth: the cubic of an independent method") {
+// f₂ and θ at t = 1/2 and θ at 1 by mpmath's odefun and quad, as in any_path_test.
+TEST_CASE("compiled path: the cubic of an independent method") {
   const Path cubic(bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 3}}));
   const PathAngle angle(cubic, {0, 0, 1});
   CompiledAngle theta = CompiledAngle(angle);
@@ -80,7 +80,7 @@ TEST_CASE("compiled smooth: the cubic of an independent method") {
   CHECK_THROWS_AS(CompiledFrames{angle}(-0.5), DomainError);
 }
 
-TEST_CASE("compiled smooth: random curves, polynomial and rational, and their paths") {
+TEST_CASE("compiled path: random curves, polynomial and rational, and their paths") {
   test::for_samples(6, [](test::Random& random) {
     const RationalCurve curve =
         random_bezier(random, random.integer(2, 6), random.integer(0, 1) == 1);
@@ -92,7 +92,7 @@ TEST_CASE("compiled smooth: random curves, polynomial and rational, and their pa
   check_compiled(PathAngle(path), Rational(0), 60);
 }
 
-TEST_CASE("compiled smooth: near a cusp, and through one") {
+TEST_CASE("compiled path: near a cusp, and through one") {
   // (t, ε)-like: |H| comes down to 1/1000 of its size at 1/2.
   const Polynomial x{0, Rational(1, 4), Rational(-1, 2), Rational(1, 3)};
   const Path near(RationalCurve({x, Polynomial{0, 0, 1, -1}, Polynomial{0, Rational(1, 500)}}));
@@ -103,7 +103,7 @@ TEST_CASE("compiled smooth: near a cusp, and through one") {
   check_compiled(PathAngle(cusp), Rational(1, 3), 60);
 }
 
-TEST_CASE("compiled smooth: a plane path's frame is exact where it is 0") {
+TEST_CASE("compiled path: a plane path's frame is exact where it is 0") {
   const Path path(bezier_curve({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}}, {1, 2, 3}));
   const PathAngle angle(path);
   REQUIRE(angle.is_zero());
@@ -117,7 +117,7 @@ TEST_CASE("compiled smooth: a plane path's frame is exact where it is 0") {
 }
 
 // Two equations for one frame: that of the preimage, and that of H.
-TEST_CASE("compiled smooth: a PH curve by its positions has the frame of the PH curve") {
+TEST_CASE("compiled path: a PH curve by its positions has the frame of the PH curve") {
   const PhPath ph(test::quintic);
   const PathAngle angle(by_positions(ph));
   const Vector<Rational> e2 = euler_rodrigues_frame(test::quintic, 0).e2;
@@ -135,7 +135,7 @@ TEST_CASE("compiled smooth: a PH curve by its positions has the frame of the PH 
   }
 }
 
-TEST_CASE("compiled smooth: the angle to the Frenet frame") {
+TEST_CASE("compiled path: the angle to the Frenet frame") {
   const Path cubic(bezier_curve({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 3}}));
   const PathAngle angle(cubic, Reference::frenet);
   CompiledAngle theta = CompiledAngle(angle);
@@ -144,7 +144,7 @@ TEST_CASE("compiled smooth: the angle to the Frenet frame") {
     CHECK(theta(t) == round_to_double(angle.value({0, exact_rational(t)})));
 }
 
-TEST_CASE("compiled smooth: curves by formulas, alone and behind a rational one") {
+TEST_CASE("compiled path: curves by formulas, alone and behind a rational one") {
   const Path wild(test::expression_curve(
       {"exp(s)*cos(s)", "log(2 + s)*s", "atan(s) + sqrt(1 + s^2)"}, "0", "1/4"));
   check_compiled(PathAngle(wild), Rational(1, 3), 12);
@@ -154,7 +154,7 @@ TEST_CASE("compiled smooth: curves by formulas, alone and behind a rational one"
   check_compiled(PathAngle(path, {1, 3, 2}), Rational(0), 12);
 }
 
-TEST_CASE("compiled smooth: in a plane formulas have the zeros of the frame of its normal") {
+TEST_CASE("compiled path: in a plane formulas have the zeros of the frame of its normal") {
   const Path circle(test::expression_curve({"cos(s)", "sin(s)", "2"}, "0", "1"));
   const CompiledFrames frames = CompiledFrames(PathAngle(circle, {0, 0, 1}));
   const auto frame = frames.rounded(0.4).value();

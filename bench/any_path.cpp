@@ -32,7 +32,7 @@ Path bezier_path(long degree) {
 }
 
 /// Of degree range(0), to range(1) digits.
-void smooth_angle(State& state) {
+void any_path_angle(State& state) {
   const Path path = bezier_path(state.range(0));
   for (auto _ : state) {
     const PathAngle angle(path);
@@ -54,7 +54,7 @@ Path path_of(const State& state) {
 }
 
 /// 1001 rotation-minimizing frames in doubles.
-void smooth_frames(State& state) {
+void any_path_frames(State& state) {
   for (auto _ : state) {
     const Path path = path_of(state);  // which keeps what is found of integrals
     const PathAngle angle(path);
@@ -67,7 +67,7 @@ void smooth_frames(State& state) {
 }
 
 /// 241 frames of the closing minimal twist of the trefoil, in whose middle some components are 0.
-void smooth_twist_frames(State& state) {
+void any_path_twist_frames(State& state) {
   for (auto _ : state) {
     const Path path = trefoil();
     const PathAngle angle(path);
@@ -81,12 +81,12 @@ void smooth_twist_frames(State& state) {
 }
 
 /// The proved polynomials of the frame.
-void smooth_compile(State& state) {
+void any_path_compile(State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(CompiledFrames(PathAngle(path_of(state))));
 }
 
 /// One frame by these, at scattered t.
-void smooth_compiled_frame(State& state) {
+void any_path_compiled_frame(State& state) {
   const CompiledFrames frames = CompiledFrames(PathAngle(path_of(state)));
   double t = 0;
   for (auto _ : state) {
@@ -97,21 +97,21 @@ void smooth_compiled_frame(State& state) {
 }
 
 /// ∫ |r′| dt, to 50 digits.
-void smooth_length(State& state) {
+void any_path_length(State& state) {
   const Path path = bezier_path(state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(round_to_decimal(PathLength(path).total(), 50));
 }
 
 }  // namespace
 
-BENCHMARK(smooth_angle)
+BENCHMARK(any_path_angle)
     ->ArgsProduct({{3, 9}, {17, 50}})
     ->ArgNames({"degree", "digits"})
     ->Unit(benchmark::kMillisecond);
-BENCHMARK(smooth_frames)->Arg(3)->Arg(9)->Arg(0)->Unit(benchmark::kMillisecond);
-BENCHMARK(smooth_twist_frames)->Unit(benchmark::kMillisecond);
-BENCHMARK(smooth_compile)->Arg(3)->Arg(9)->Arg(0)->Unit(benchmark::kMillisecond);
-BENCHMARK(smooth_compiled_frame)->Arg(3)->Arg(0);
-BENCHMARK(smooth_length)->Arg(3)->Arg(9)->Unit(benchmark::kMillisecond);
+BENCHMARK(any_path_frames)->Arg(3)->Arg(9)->Arg(0)->Unit(benchmark::kMillisecond);
+BENCHMARK(any_path_twist_frames)->Unit(benchmark::kMillisecond);
+BENCHMARK(any_path_compile)->Arg(3)->Arg(9)->Arg(0)->Unit(benchmark::kMillisecond);
+BENCHMARK(any_path_compiled_frame)->Arg(3)->Arg(0);
+BENCHMARK(any_path_length)->Arg(3)->Arg(9)->Unit(benchmark::kMillisecond);
 
 }  // namespace phrame::bench
