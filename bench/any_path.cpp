@@ -8,7 +8,7 @@
 #include "phrame/ph/frame/compiled_angle.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
-#include "phrame/ph/twist/smooth_twist.hpp"
+#include "phrame/ph/twist/minimal_twist.hpp"
 
 namespace phrame::bench {
 namespace {
@@ -71,7 +71,7 @@ void any_path_twist_frames(State& state) {
   for (auto _ : state) {
     const Path path = trefoil();
     const PathAngle angle(path);
-    const SmoothTwist twist(angle, Angle(), Angle());
+    const MinimalTwist twist = minimal_twist(angle, Angle(), Angle());
     for (long k = 0; k <= 240; ++k) {
       const auto frame = minimal_twist_frame(twist, {0, Rational(k, 240)});
       benchmark::DoNotOptimize(round_to_double(frame.e2));

@@ -4,13 +4,8 @@ namespace phrame::python {
 namespace {
 
 struct MinimalTwistObject {
-  std::variant<MinimalTwist, SmoothTwist> twist;
+  MinimalTwist twist;
   nb::object recipe;
-
-  template <class F>
-  auto visit(const F& f) const {
-    return std::visit(f, twist);
-  }
 };
 
 Integer turns_of(nb::handle extra_turns) {
@@ -19,8 +14,9 @@ Integer turns_of(nb::handle extra_turns) {
   return numerator(rational(extra_turns, "extra_turns"));
 }
 
-/// An angle, or the vector that f₂ is along.
-FrameStart angle_or_vector(nb::handle x, const std::string& place) {
+/// An angle, or the vector that f₂ is along, or None.
+FrameStart end_of_frame(nb::handle x, const std::string& place) {
+  if (x.is_none()) return LeastRotation();
   if (is_list(x)) return StartNormal(vector(x, place));
   return angle_number(x, place);
 }
@@ -32,67 +28,52 @@ nb::object kept_end(const FrameStart& end, nb::handle given) {
 
 nb::object minimal_twist(nb::handle self, nb::handle from, nb::handle to, nb::handle extra_turns,
                          nb::handle up) {
-  const PathObject& path = path_of(self);
-  const FrameStart a = angle_or_vector(from, "start");
-  const FrameStart b = angle_or_vector(to, "end");
+  const Path& path = path_of(self).named.path;
+  const FrameStart start = end_of_frame(from, "start");
+  const FrameStart end = end_of_frame(to, "end");
   const Integer turns = turns_of(extra_turns);
-  const auto* a_angle = std::get_if<Angle>(&a);
-  const auto* b_angle = std::get_if<Angle>(&b);
-  const bool is_closed_form = path.ph && up.is_none() && a_angle != nullptr && b_angle != nullptr;
-  const auto twist = [&]() -> std::variant<MinimalTwist, SmoothTwist> {
-    if (is_closed_form)
-      return without_gil([=, of = path.ph->path, start = *a_angle, end = *b_angle] {
-        return MinimalTwist(PathAngle(of), start, end, turns);
-      });
-    return without_gil(
-        [=, angle = angle_to_up(path.named.path, up)] { return SmoothTwist(angle, a, b, turns); });
-  }();
+  const PathAngle angle =
+      up.is_none() ? without_gil([path] { return PathAngle(path); }) : angle_to_up(path, up);
   return nb::cast(MinimalTwistObject{
-      twist, method_recipe(self, "minimal_twist", kept_end(a, from), kept_end(b, to), extra_turns,
-                           up.is_none() ? nb::none() : to_python(vector(up, "up")))});
-}
-
-Real twist_of_reference(const MinimalTwist& twist) { return twist.erf_twist(); }
-Real twist_of_reference(const SmoothTwist& twist) { return twist.up_twist(); }
-Real value_at(const MinimalTwist& twist, const Rational& t) { return twist.value(t); }
-Real value_at(const SmoothTwist& twist, const Rational& t) {
-  return twist.value(locate(twist.rmf().path(), t));
+      without_gil([=] { return phrame::minimal_twist(angle, start, end, turns); }),
+      method_recipe(self, "minimal_twist", kept_end(start, from), kept_end(end, to), extra_turns,
+                    up.is_none() ? nb::none() : to_python(vector(up, "up")))});
 }
 
 nb::object rational_of(nb::handle self, nb::handle degree, Flag<"free_ends"> has_free_ends,
                        nb::handle subdivide, nb::handle gamma, Flag<"proved"> is_proved) {
-  const auto& twist = nb::cast<const MinimalTwistObject&>(self).twist;
-  const auto* exact = std::get_if<MinimalTwist>(&twist);
-  if (exact == nullptr) throw DomainError("a rational frame is there of PH curves only");
-  return rational_twist(self, *exact, degree, has_free_ends, subdivide, gamma, is_proved);
+  const MinimalTwist& twist = nb::cast<const MinimalTwistObject&>(self).twist;
+  return rational_twist(self, twist, degree, has_free_ends, subdivide, gamma, is_proved);
 }
 
 }  // namespace
 
 void bind_minimal_twist(nb::module_& m, PathClass& path) {
-  path.def("minimal_twist", minimal_twist, argument("start"), argument("end"),
-           argument("extra_turns") = 0, argument("up") = nb::none(),
-           nb::sig("def minimal_twist(self, start: Number | Vector, end: Number | Vector, "
-                   "extra_turns: int = 0, " PHRAME_UP_SIG ") -> MinimalTwist"),
-           "The frame that turns least from `start` to `end`: angles to the Euler–Rodrigues frame "
-           "of PH curves, else or with `up` to the frame of that; or vectors that f2 is along.");
+  path.def(
+      "minimal_twist", minimal_twist, argument("start") = nb::none(), argument("end") = nb::none(),
+      argument("extra_turns") = 0, argument("up") = nb::none(),
+      nb::sig("def minimal_twist(self, start: Number | Vector | None = None, end: Number | "
+              "Vector | None = None, extra_turns: int = 0, " PHRAME_UP_SIG ") -> MinimalTwist"),
+      "The frame that turns least from `start` to `end`: angles to the Euler–Rodrigues frame "
+      "of PH curves, else or with `up` to the frame of that; or vectors that f2 is along; or "
+      "None for the least rotation that takes the x axis to the tangent there, which takes "
+      "the y axis to f2.");
   bind_rational_twist(m);
   auto type = nb::class_<MinimalTwistObject>(
       m, "MinimalTwist", "The exact frame of minimal twist: docs/minimal-twist.md.");
   using T = MinimalTwistObject;
-#define PHRAME_TWIST(name, of, what)                                                      \
-  type.def_prop_ro(                                                                       \
-      name,                                                                               \
-      [](nb::handle self) {                                                               \
-        return to_python(                                                                 \
-            nb::cast<const T&>(self).visit([](const auto& twist) -> Real { return of; }), \
-            attribute_recipe(self, name));                                                \
-      },                                                                                  \
+#define PHRAME_TWIST(name, of, what)                                \
+  type.def_prop_ro(                                                 \
+      name,                                                         \
+      [](nb::handle self) {                                         \
+        const MinimalTwist& twist = nb::cast<const T&>(self).twist; \
+        return to_python(of, attribute_recipe(self, name));         \
+      },                                                            \
       nb::sig("def " name "(self) -> fractions.Fraction | Real"), what)
   PHRAME_TWIST("twist", twist.twist(), "How far it turns about the tangent, in radians.");
   PHRAME_TWIST("nominal_twist", twist.nominal_twist(),
                "The same before whole turns are taken off.");
-  PHRAME_TWIST("erf_twist", twist_of_reference(twist),
+  PHRAME_TWIST("erf_twist", twist.own_twist(),
                "Of the frame that angles are to, that of Euler–Rodrigues or of `up`.");
   PHRAME_TWIST("rate", twist.rate(), "The twist per unit of arc length.");
   PHRAME_TWIST("length", twist.length(), "Of the path.");
@@ -100,7 +81,7 @@ void bind_minimal_twist(nb::module_& m, PathClass& path) {
   type.def_prop_ro(
       "half_turn_within",
       [](const T& self) -> nb::object {
-        const auto within = self.visit([](const auto& twist) { return twist.half_turn_within(); });
+        const auto& within = self.twist.half_turn_within();
         return within ? to_python(*within) : nb::none();
       },
       nb::sig("def half_turn_within(self) -> fractions.Fraction | None"),
@@ -119,15 +100,12 @@ void bind_minimal_twist(nb::module_& m, PathClass& path) {
            "asks for "
            "the w with this γ instead of the best one, and `proved=False` for no proof.");
   type.def("__repr__", [](const T& t) {
-    const Real turn = t.visit([](const auto& twist) -> Real { return twist.twist(); });
-    return "<MinimalTwist " + round_to_decimal(turn, 6).value + " radians>";
+    return "<MinimalTwist " + round_to_decimal(t.twist.twist(), 6).value + " radians>";
   });
   bind_python(type, "_repr_html_", "phrame._show", "twist_html", "def _repr_html_(self) -> str");
   bind_value(type, "The angle to the Euler–Rodrigues frame, or to that of `up`.",
              [](const T& self) {
-               return [twist = self.twist](const Rational& t) {
-                 return std::visit([&](const auto& of) { return value_at(of, t); }, twist);
-               };
+               return [twist = self.twist](const Rational& t) { return twist.value(t); };
              });
   bind_recipe(type);
 }

@@ -33,6 +33,17 @@ def test_minimal_twist():
     assert float(twist.nominal_twist) == pytest.approx(float(twist.erf_twist) + np.pi / 3, abs=1e-14)
 
 
+def test_ends_of_a_frame_of_minimal_twist():
+    """An end that is left out is the least rotation; vectors are to the frame that angles are to."""
+    for path in (QUINTIC, phrame.Curve.bezier([[0, 0, 0], [1, 2, 0], [2, 1, 3]])):
+        e1 = path.frames([0.0, 1.0])[:, 0]
+        vectors = [[-y, 1 + x, 0] for x, y, _ in e1.tolist()]
+        assert abs(float(path.minimal_twist().twist) - float(path.minimal_twist(*vectors).twist)) < 1e-14
+    twist = QUINTIC.minimal_twist([0, 0, 1], [0, 1, 1])
+    assert float(twist.erf_twist) == float(QUINTIC.minimal_twist(0, 0).erf_twist)
+    assert twist.rational(proved=False).pieces
+
+
 def test_half_a_turn():
     """On a curve with a mirror symmetry ±π are as short."""
     mirrored = phrame.Curve.bezier([[-3, 0, 0], [-1, 2, 1], [0, 5, -2], [1, 2, 1], [3, 0, 0]])

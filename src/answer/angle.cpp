@@ -38,10 +38,6 @@ void add_formulas(AngleAnswer& answer, const PathAngle& angle, const AngleQuery&
 
 }  // namespace
 
-AngleValue rounded_angle(const Rational& t, const Real& theta, long digits) {
-  return {t, rounded(theta, "theta at t = " + as_written(t), digits)};
-}
-
 AngleAnswer answer(const NamedPath& named, const AngleQuery& query) {
   PathAngle angle = angle_for(named.path, query);
   if (query.route != Route::automatic) angle.take(query.route);

@@ -63,7 +63,4 @@ struct AngleAnswer {
 /// radical_form(); Undecided, with the name of what it is, where a number cannot be rounded.
 AngleAnswer answer(const NamedPath& path, const AngleQuery& query);
 
-/// θ = θ(t), rounded to `digits` digits. Throws Undecided, naming t.
-AngleValue rounded_angle(const Rational& t, const Real& theta, long digits);
-
 }  // namespace phrame

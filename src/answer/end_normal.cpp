@@ -1,7 +1,6 @@
 #include "phrame/answer/end_normal.hpp"
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/ph/frame/frame.hpp"
 
 namespace phrame {
 
@@ -10,8 +9,9 @@ void require_open(const std::optional<Vector<Rational>>& end_normal, bool is_clo
     throw DomainError("end normal: the path is closed, it ends with the normal it starts with");
 }
 
-FrameAngle end_angle(const Vector<Rational>& end_normal, const PhPath& path) {
-  return angle_of(end_normal, euler_rodrigues_frame(path.segments().back(), 1));
+std::optional<FrameStart> end_of_frame(const std::optional<Vector<Rational>>& end_normal) {
+  if (!end_normal) return std::nullopt;
+  return StartNormal(*end_normal);
 }
 
 }  // namespace phrame

@@ -1,16 +1,14 @@
 #pragma once
 #include <optional>
 
-#include "phrame/ph/along/frame_angle.hpp"
-#include "phrame/ph/curve/ph_path.hpp"
+#include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame {
 
 /// Throws DomainError where there is an end normal of a closed path.
 void require_open(const std::optional<Vector<Rational>>& end_normal, bool is_closed);
 
-/// The angle to e₂ at the end of the path of the vector, projected to the normal plane. Throws
-/// DomainError where it is along the tangent.
-FrameAngle end_angle(const Vector<Rational>& end_normal, const PhPath& path);
+/// As minimal_twist() has it: none of a closed path.
+std::optional<FrameStart> end_of_frame(const std::optional<Vector<Rational>>& end_normal);
 
 }  // namespace phrame

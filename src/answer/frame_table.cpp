@@ -99,11 +99,10 @@ bool is_outside(const Place& at) {
 /// One row after the other. What a row of another kind would need is not prepared.
 class Rows {
  public:
-  Rows(const PathAngle& angle, const TableColumns& columns, const std::optional<SmoothTwist>& twist)
+  Rows(const PathAngle& angle, const TableColumns& columns)
       : columns_(columns),
         orientations_(columns),
         angle_(angle),
-        twist_(twist),
         length_(angle.path()),
         start_(start_angle(columns.start, angle)),
         scalars_(angle.path().segments().size()) {
@@ -120,7 +119,7 @@ class Rows {
   const Path& path() const { return angle_.path(); }
   const Frame<Real>& erf(const Place& at);
   Frame<Real> frame(TabulatedFrame kind, const Place& at);
-  Frame<Real> minimal_twist(const Place& at);
+  Frame<Real> of_least_twist(const Place& at);
   Real arc_length(const Place& at) const;
   Real scalar(TabulatedScalar kind, const Place& at);
   template <class Add>
@@ -129,7 +128,6 @@ class Rows {
   const TableColumns& columns_;
   OrientationColumns orientations_;
   PathAngle angle_;
-  const std::optional<SmoothTwist>& twist_;
   PathLength length_;
   StartAngle start_;                                         ///< of the rotation-minimizing frame
   std::vector<std::optional<std::vector<Scalar>>> scalars_;  ///< along the segments
@@ -176,11 +174,10 @@ const Frame<Real>& Rows::erf(const Place& at) {
   return *erf_;
 }
 
-Frame<Real> Rows::minimal_twist(const Place& at) {
-  if (twist_) return minimal_twist_frame(*twist_, at);
+Frame<Real> Rows::of_least_twist(const Place& at) {
   const MinimalTwist& twist = columns_.exact_mtf.value();
-  if (at.t.exact()) return turned(erf(at), twist.value(*parameter(at).exact()));
-  return turned(erf(at), twist.value(length_.value(at), angle_.value(at)));
+  return angle_.reference() == Reference::euler_rodrigues ? turned(erf(at), twist.reduced_value(at))
+                                                          : minimal_twist_frame(twist, at);
 }
 
 Frame<Real> Rows::frame(TabulatedFrame kind, const Place& at) {
@@ -200,7 +197,7 @@ Frame<Real> Rows::frame(TabulatedFrame kind, const Place& at) {
     case TabulatedFrame::exact_mtf:
       break;
   }
-  return minimal_twist(at);
+  return of_least_twist(at);
 }
 
 /// Along the path, also where f changes sign.
@@ -253,10 +250,9 @@ std::vector<double> Rows::at(const Place& at) {
   return row;
 }
 
-void require_twists(const TableColumns& columns, bool has_twist) {
+void require_twists(const TableColumns& columns) {
   const bool has_mtf = !has_frame(columns, TabulatedFrame::mtf) || columns.mtf;
-  const bool has_exact =
-      !has_frame(columns, TabulatedFrame::exact_mtf) || columns.exact_mtf || has_twist;
+  const bool has_exact = !has_frame(columns, TabulatedFrame::exact_mtf) || columns.exact_mtf;
   if (!has_mtf || !has_exact)
     throw DomainError("frame mtf: only Pythagorean-hodograph curves have it");
 }
@@ -283,9 +279,9 @@ void add_row(FrameTable& table, std::vector<double> row,
 }
 
 FrameTable frame_table(const PathAngle& angle, const TableColumns& columns,
-                       const std::vector<Place>& at, const std::optional<SmoothTwist>& twist) {
-  require_twists(columns, twist.has_value());
-  Rows rows(angle, columns, twist);
+                       const std::vector<Place>& at) {
+  require_twists(columns);
+  Rows rows(angle, columns);
   rows.expect(at);
   FrameTable table{names_of(columns), {}};
   const bool has_rmf = has_frame(columns, TabulatedFrame::rmf);

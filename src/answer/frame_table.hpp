@@ -4,7 +4,6 @@
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
-#include "phrame/ph/twist/smooth_twist.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
 
 namespace phrame {
@@ -76,7 +75,7 @@ struct FrameTable {
 /// too near to that for the limit of round_to_double(), DomainError as start_angle(), and for a
 /// frame of minimal twist that is not given.
 FrameTable frame_table(const PathAngle& angle, const TableColumns& columns,
-                       const std::vector<Place>& at, const std::optional<SmoothTwist>& twist = {});
+                       const std::vector<Place>& at);
 
 /// The same of a PH curve, by the angle to its Euler–Rodrigues frame.
 FrameTable frame_table(const Curve& curve, const TableColumns& columns,

@@ -3,7 +3,6 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
-#include "phrame/ph/twist/smooth_twist.hpp"
 
 namespace phrame {
 namespace {
@@ -27,54 +26,34 @@ void add_rational(MinimalTwistAnswer& answer, const MinimalTwist& mtf,
 
 }  // namespace
 
-MinimalTwistAnswer answer(const NamedPhPath& named, const MinimalTwistQuery& query) {
-  const MinimalTwist mtf(PathAngle(named.path), query.from, query.to, query.extra_turns);
-  const auto decimal = [&query](const Real& x, const std::string& what) {
-    return rounded(x, what, query.digits);
+MinimalTwistAnswer answer(const NamedPath& named, const MinimalTwistQuery& query) {
+  const PathAngle angle = angle_to(query.up, named.path);
+  const MinimalTwist mtf = minimal_twist(angle, query.from, query.to, query.extra_turns);
+  const bool is_to_erf = angle.reference() == Reference::euler_rodrigues;
+  const auto decimal = [&](const Real& x, const std::string& what) {
+    return is_to_erf ? rounded(x, what, query.digits) : rounded_or_zero(x, what, query.digits);
   };
-  MinimalTwistAnswer answer{named,
-                            decimal(to_real(query.from), "the angle at the start"),
-                            decimal(to_real(query.to), "the angle at the end"),
-                            mtf.length(),
-                            {},
-                            decimal(mtf.erf_twist(), "the twist of the Euler-Rodrigues frame"),
-                            decimal(mtf.nominal_twist(), "the nominal twist"),
-                            decimal(mtf.twist(), "the twist"),
-                            decimal(mtf.rate(), "the rate"),
-                            {},
-                            query.digits};
+  MinimalTwistAnswer answer{
+      named,
+      query.from,
+      query.to,
+      decimal(mtf.from().value, "the angle at the start"),
+      decimal(mtf.to().value, "the angle at the end"),
+      mtf.length(),
+      mtf.length().exact() ? Decimal() : decimal(mtf.length(), "the length"),
+      decimal(mtf.own_twist(),
+              is_to_erf ? "the twist of the Euler-Rodrigues frame" : "the twist of the frame of v"),
+      decimal(mtf.nominal_twist(), "the nominal twist"),
+      decimal(mtf.twist(), "the twist"),
+      decimal(mtf.rate(), "the rate"),
+      {},
+      query.digits};
+  if (!is_to_erf) answer.up = angle.up();
   if (const auto& within = mtf.half_turn_within())
     answer.half_turn_within = upper_bound_text(*within);
   for (const Rational& t : query.at)
-    answer.values.push_back(rounded_angle(t, mtf.value(t), query.digits));
+    answer.values.push_back({t, decimal(mtf.value(t), "theta at t = " + as_written(t))});
   if (query.rational) add_rational(answer, mtf, *query.rational);
-  return answer;
-}
-
-MinimalTwistAnswer answer(const NamedPath& named, const SmoothTwistQuery& query) {
-  const PathAngle angle =
-      query.up ? PathAngle(named.path, *query.up) : PathAngle(named.path, Reference::up);
-  const SmoothTwist mtf(angle, query.from, query.to, query.extra_turns);
-  const auto decimal = [&query](const Real& x, const std::string& what) {
-    return rounded_or_zero(x, what, query.digits);
-  };
-  MinimalTwistAnswer answer{named,
-                            decimal(mtf.from(), "the angle at the start"),
-                            decimal(mtf.to(), "the angle at the end"),
-                            mtf.length(),
-                            decimal(mtf.length(), "the length"),
-                            decimal(mtf.up_twist(), "the twist of the frame of v"),
-                            decimal(mtf.nominal_twist(), "the nominal twist"),
-                            decimal(mtf.twist(), "the twist"),
-                            decimal(mtf.rate(), "the rate"),
-                            {},
-                            query.digits};
-  answer.up = angle.up();
-  if (const auto& within = mtf.half_turn_within())
-    answer.half_turn_within = upper_bound_text(*within);
-  for (const Rational& t : query.at)
-    answer.values.push_back(
-        {t, decimal(mtf.value(locate(named.path, t)), "theta at t = " + as_written(t))});
   return answer;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 #include "phrame/answer/angle.hpp"
 #include "phrame/answer/twist_frame.hpp"
-#include "phrame/ph/along/frame_angle.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
@@ -9,37 +8,34 @@ namespace phrame {
 
 /// Which frame turns least, from one orientation at the start of a path to another at its end?
 struct MinimalTwistQuery {
-  FrameAngle from;                ///< θ_i
-  FrameAngle to;                  ///< θ_f
+  FrameStart from = {};  ///< θ_i, or f₂ at the start
+  /// θ_f, or f₂ at the end; none: the path is closed, and the frame ends as it starts.
+  std::optional<FrameStart> to = LeastRotation();
   long extra_turns = 0;           ///< so many revolutions more
   std::vector<Rational> at = {};  ///< the t where θ is asked for
   long digits = 17;               ///< of all numbers
+  /// v of the frame that angles are to; without it that of Euler and Rodrigues of PH curves, else
+  /// one that does is chosen.
+  std::optional<Vector<Rational>> up = {};
   /// How a rational frame is looked for.
   struct RationalFrame {
     RationalTwistOptions rotation;  ///< the degree of its rotations, and their ends
     Subdivision subdivision;        ///< its pieces
     bool is_needed;                 ///< is it an error that there is none?
   };
-  std::optional<RationalFrame> rational = {};  ///< none for the exact frame alone
-};
-
-/// The same question of a path of any kind, for the exact frame.
-struct SmoothTwistQuery {
-  FrameStart from;                          ///< θ_i, or f₂ at the start
-  FrameStart to;                            ///< θ_f, or f₂ at the end
-  long extra_turns = 0;                     ///< so many revolutions more
-  std::vector<Rational> at = {};            ///< the t where θ is asked for
-  long digits = 17;                         ///< of all numbers
-  std::optional<Vector<Rational>> up = {};  ///< v; one that does is chosen if there is none
+  /// None for the exact frame alone; there is one of PH curves, without `up`.
+  std::optional<RationalFrame> rational = {};
 };
 
 /// The exact frame of minimal twist, and a rational one near to it.
 struct MinimalTwistAnswer {
-  NamedPath path;          ///< as asked
-  Decimal from;            ///< θ_i
-  Decimal to;              ///< θ_f
-  Real length;             ///< S, of the path
-  Decimal rounded_length;  ///< where it is irrational
+  NamedPath path;                 ///< as asked
+  FrameStart start;               ///< as asked
+  std::optional<FrameStart> end;  ///< as asked
+  Decimal from;                   ///< θ_i
+  Decimal to;                     ///< θ_f
+  Real length;                    ///< S, of the path
+  Decimal rounded_length;         ///< where it is irrational
   Decimal own_twist;  ///< of the Euler–Rodrigues frame, ∫ 2h/σ dt; or of that of v, ∫ e₂′·e₃ dt
   Decimal nominal_twist;           ///< T
   Decimal twist;                   ///< T_min, with the extra turns
@@ -52,13 +48,11 @@ struct MinimalTwistAnswer {
   std::optional<TwistFrameAnswer> rational = {};  ///< where it was asked for and found
   std::string why_not_rational = {};              ///< where there is none
   std::string why_undecided = {};                 ///< where none was found, or could be shown
-  std::optional<Vector<Rational>> up = {};        ///< v, where the path is no PH path
+  std::optional<Vector<Rational>> up = {};        ///< v, where angles are to the frame of it
 };
 
-/// @{ Throws DomainError as MinimalTwist or SmoothTwist, and as twist_frame() where a rational
-/// frame is needed; Undecided, naming what it is, where a number cannot be rounded.
-MinimalTwistAnswer answer(const NamedPhPath& path, const MinimalTwistQuery& query);
-MinimalTwistAnswer answer(const NamedPath& path, const SmoothTwistQuery& query);
-/// @}
+/// Throws DomainError as minimal_twist(), and as twist_frame() where a rational frame is needed;
+/// Undecided, naming what it is, where a number cannot be rounded.
+MinimalTwistAnswer answer(const NamedPath& path, const MinimalTwistQuery& query);
 
 }  // namespace phrame

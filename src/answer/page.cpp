@@ -13,7 +13,6 @@
 #include "phrame/ph/frame/frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/proof/certify.hpp"
-#include "phrame/ph/twist/smooth_twist.hpp"
 
 namespace phrame {
 namespace {
@@ -188,10 +187,8 @@ PageAnswer page_to_erf(const NamedPath& named, const PhPath& path, const PageQue
   TableColumns columns = page_columns(frames, from);
   const FrameAngle start = start_angle(from, path);
   const PathAngle angle(path);
-  if (closing)
-    columns.exact_mtf.emplace(angle, reduced(start), start + angle_of(*closing * *closing));
-  else if (query.end_normal)
-    columns.exact_mtf.emplace(angle, reduced(start), end_angle(*query.end_normal, path));
+  if (closing || query.end_normal)
+    columns.exact_mtf = minimal_twist(angle, from, end_of_frame(query.end_normal));
 
   const auto table_at = [&](const std::vector<PathParameter>& at) {
     FrameTable table = frame_table(angle, columns, std::vector<Place>(at.begin(), at.end()));
@@ -239,19 +236,16 @@ PageAnswer page_to_up(const NamedPath& named, const PageQuery& query) {
   const bool is_closed = closure(path).is_closed == true;
   std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::up,
                                      TabulatedFrame::frenet};
-  std::optional<SmoothTwist> twist;
   std::optional<CheckAnswer> check = check_of(named, query);
   const FrameStart from = start_of(query, check);
   require_open(query.end_normal, is_closed);
-  if (is_closed || query.end_normal) {
-    frames.push_back(TabulatedFrame::exact_mtf);
-    // The frame of v closes with the curve.
-    twist.emplace(angle, from, is_closed ? from : StartNormal(*query.end_normal));
-  }
-  const TableColumns columns = page_columns(frames, from);
+  const bool has_ends = is_closed || query.end_normal;
+  if (has_ends) frames.push_back(TabulatedFrame::exact_mtf);
+  TableColumns columns = page_columns(frames, from);
+  if (has_ends) columns.exact_mtf = minimal_twist(angle, from, end_of_frame(query.end_normal));
   const StartAngle start = start_angle(from, angle);
   const auto table_at = [&](const std::vector<PathParameter>& at) {
-    FrameTable table = frame_table(angle, columns, std::vector<Place>(at.begin(), at.end()), twist);
+    FrameTable table = frame_table(angle, columns, std::vector<Place>(at.begin(), at.end()));
     add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k], start); });
     return table;
   };

@@ -10,21 +10,14 @@ namespace {
 constexpr long coefficient_bits = 64;  ///< of the w of frames of minimal twist
 
 std::vector<RationalFramePiece> twist_frames(const PhPath& path, const RationalSweepQuery& query) {
-  const FrameAngle from = start_angle(query.start, path);
-  FrameEnds ends{from, {}};
-  FrameAngle to = from;
-  if (query.end_normal) {
-    to = end_angle(*query.end_normal, path);
-    ends.to = to;
-  } else {
-    const GaussianRational closing = path.closing_turn().value();
-    to = from + angle_of(closing * closing);
-  }
+  const MinimalTwist mtf =
+      minimal_twist(PathAngle(path), query.start, end_of_frame(query.end_normal));
+  FrameEnds ends{mtf.from().exact.value(), {}};
+  if (query.end_normal) ends.to = mtf.to().exact;
   RationalTwistOptions options;
   options.degree = *query.twist_degree;
   if (options.degree < 2) options.rates = EndRates::free;
   options.prove = false;  // whatever w is, the surface is exact
-  const MinimalTwist mtf(PathAngle(path), from, to);
   return rational_mtf(path, twist_frame(mtf, options, {}), ends, coefficient_bits);
 }
 

@@ -27,27 +27,28 @@ TwistPieceAnswer rounded_piece(const MinimalTwist& mtf, const BestTwist& best, l
   const auto decimal = [digits](const Real& x, const std::string& what) {
     return rounded(x, what, digits);
   };
-  const auto& [index, t] = locate_inside(mtf.path(), piece.from);
+  const auto& [index, t] = locate_inside(mtf.path().segments().size(), piece.from);
   const auto size = [&](const Real& x, const std::string& what, long to_digits) {
     return error_size(relative_error(x, mtf, piece.length), what, to_digits);
   };
   const Real gamma = remembered(twist.end_factor());
   const SignChanges inflections = twist.inflections(4 * digits + 64);
-  TwistPieceAnswer answer{piece.from,
-                          piece.to,
-                          2 * preimage_degree(mtf.path().segments()[index]) + 2 * twist.degree(),
-                          twist.degree(),
-                          decimal(gamma, "gamma"),
-                          rounded(gamma, "gamma", few).value,
-                          {},
-                          best.doubt,
-                          {},
-                          twist.extra_turns(),
-                          size(twist.root_mean_square(), "the root mean square", digits),
-                          size(twist.greatest_error(), "the greatest error", digits),
-                          is_monotone(inflections),
-                          {},
-                          {}};
+  TwistPieceAnswer answer{
+      piece.from,
+      piece.to,
+      2 * preimage_degree(*ph_curve(mtf.path().segments()[index])) + 2 * twist.degree(),
+      twist.degree(),
+      decimal(gamma, "gamma"),
+      rounded(gamma, "gamma", few).value,
+      {},
+      best.doubt,
+      {},
+      twist.extra_turns(),
+      size(twist.root_mean_square(), "the root mean square", digits),
+      size(twist.greatest_error(), "the greatest error", digits),
+      is_monotone(inflections),
+      {},
+      {}};
   if (best.minimum) {
     const Rational& radius = best.minimum->radius;
     answer.proved = {{upper_bound_text(radius), upper_bound_text(twist.end_factor_change(radius)),

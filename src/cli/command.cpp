@@ -19,16 +19,6 @@
 namespace phrame::cli {
 namespace {
 
-/// What is undefined for the value of an option is an error there.
-template <class Make>
-auto at_option(const std::string& option, Make make) {
-  try {
-    return make();
-  } catch (const DomainError& error) {
-    throw InputError(option, error.what());
-  }
-}
-
 template <class T>
 T read_by(T (*read)(std::string_view, const CurveLimits&), const CurveOptions& options) {
   const std::string text = read_file(options.path);

@@ -11,6 +11,16 @@
 
 namespace phrame::cli {
 
+/// What is undefined for the value of an option is an error there.
+template <class Make>
+auto at_option(const std::string& option, Make make) {
+  try {
+    return make();
+  } catch (const DomainError& error) {
+    throw InputError(option, error.what());
+  }
+}
+
 /// --near
 void add_near(Command& command, std::optional<std::string>& near);
 /// What it says, where it is given. Throws InputError where that is not > 0.

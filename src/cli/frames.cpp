@@ -10,7 +10,6 @@
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/names.hpp"
 #include "phrame/ph/along/path_length.hpp"
-#include "phrame/ph/along/reduced_angle.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -98,16 +97,18 @@ TableColumns columns(const FramesOptions& options) {
   return columns;
 }
 
-/// Adds the frames of minimal twist to the Euler–Rodrigues frame, as far as there are columns for
-/// them.
+bool has_twist_frames(const TableColumns& columns) {
+  return has_frame(columns, TabulatedFrame::mtf) || has_frame(columns, TabulatedFrame::exact_mtf);
+}
+
+/// Adds the frames of minimal twist that there are columns for.
 void add_twist_frames(TableColumns& columns, const TwistOptions& options, const PathAngle& angle) {
-  const PhPath path = angle.path().ph().value();
-  const auto [from, to] = options.ends(path);
-  columns.exact_mtf.emplace(angle, reduced(from), to, options.turns);
+  const auto [from, to] = options.ends(angle.path());
+  columns.exact_mtf = minimal_twist(angle, from, to, options.turns);
   if (!has_frame(columns, TabulatedFrame::mtf)) return;
   constexpr long digits = 17;
   columns.mtf =
-      twist_frame(*columns.exact_mtf, options.rotation(digits), options.subdivision(path));
+      twist_frame(*columns.exact_mtf, options.rotation(digits), options.subdivision(angle.path()));
 }
 
 template <class Make>
@@ -136,15 +137,8 @@ TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
   const Path& path = named.path;
   require_frames(columns, angle);
   options.start.check(path, angle.reference());
-  std::optional<SmoothTwist> twist;
-  const bool has_twist =
-      has_frame(columns, TabulatedFrame::mtf) || has_frame(columns, TabulatedFrame::exact_mtf);
-  if (has_twist && angle.reference() == Reference::euler_rodrigues) {
-    add_twist_frames(columns, options.twist, angle);
-  } else if (has_twist) {
-    const auto [from, to] = options.twist.ends(angle);
-    twist.emplace(angle, from, to, options.twist.turns);
-  }
+  const bool has_twist = has_twist_frames(columns);
+  if (has_twist) add_twist_frames(columns, options.twist, angle);
   std::vector<Rational> numbers;
   std::vector<Place> at;
   if (by == By::parameter) {
@@ -155,7 +149,7 @@ TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
     numbers = options.parameters.values(length_below(length.total()));
     at = points_by_length(numbers, length);
   }
-  FrameTable made = table(columns, [&] { return frame_table(angle, columns, at, twist); });
+  FrameTable made = table(columns, [&] { return frame_table(angle, columns, at); });
   made.near = named.near;
   return {std::move(made), std::move(numbers)};
 }
@@ -220,7 +214,7 @@ void add_frames(Program& program) {
       "--frame", options->frames, keys(frame_names()),
       "any of rmf (rotation-minimizing, default: f2, f3), erf (Euler-Rodrigues:\n"
       "e2, e3), frenet (n, b), up (of a fixed vector), mtf and mtf-exact (of minimal\n"
-      "twist: rational, or at a constant rate; --from and --to are needed)");
+      "twist: rational, or at a constant rate)");
   command.add_choices(
       "--columns", options->scalars, keys(column_names()),
       "any of s (arc length), curvature, torsion and frenet_rate; and of each frame\n"

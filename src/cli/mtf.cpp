@@ -34,38 +34,34 @@ void run_wronskian(const MtfOptions& options) {
   options.length.write(options.curve.output, print(answer(named, {weight, options.digits})));
 }
 
+/// Of a curve that is no PH curve, or by its frame of v, there is no rational frame, but where it
+/// is not asked for that is but said.
 MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
-                         const NamedPhPath& named) {
-  const auto [from, to] = options.twist.ends(named.path);
-  MinimalTwistQuery query{from, to, options.twist.turns,
-                          options.parameters.values(named.path.end()), options.digits};
+                         const NamedPath& named) {
+  const Path& path = named.path;
   const auto about = TwistOptions::of_rational_frame();
   const bool is_asked_for = std::any_of(about.begin(), about.end(), [&](const std::string& option) {
     return command.is_given(option);
   });
+  const auto [from, to] = options.twist.ends(path);
+  MinimalTwistQuery query{from,
+                          to,
+                          options.twist.turns,
+                          options.parameters.values(path.end()),
+                          options.digits,
+                          options.up.chosen(path)};
+  if (path.is_ph() && !query.up) {
+    if (!options.is_exact_only)
+      query.rational = {options.twist.rotation(options.digits), options.twist.subdivision(path),
+                        is_asked_for};
+    return answer(named, query);
+  }
+  command.refuse(about, path.is_ph() ? "is of rational frames, whose angles are not those of --up"
+                                     : "is of rational frames; such a one " + needs_ph(path));
+  MinimalTwistAnswer found = answer(named, query);
   if (!options.is_exact_only)
-    query.rational = {options.twist.rotation(options.digits), options.twist.subdivision(named.path),
-                      is_asked_for};
-  return answer(named, query);
-}
-
-/// Of a curve that is no PH curve, or by its frame of v: there is no rational frame, but where it
-/// is not asked for that is but said.
-MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
-                         const NamedPath& named) {
-  command.refuse(TwistOptions::of_rational_frame(),
-                 named.path.is_ph() ? "is of rational frames, whose angles are not those of --up"
-                                    : "is of rational frames; such a one " + needs_ph(named.path));
-  const auto v = options.up.chosen(named.path);
-  const PathAngle angle = v ? PathAngle(named.path, *v) : PathAngle(named.path, Reference::up);
-  const auto [from, to] = options.twist.ends(angle);
-  MinimalTwistAnswer found =
-      answer(named, SmoothTwistQuery{from, to, options.twist.turns,
-                                     options.parameters.values(named.path.end()), options.digits,
-                                     angle.up()});
-  if (!options.is_exact_only)
-    found.why_not_rational = named.path.is_ph() ? "--up is of the exact frame"
-                                                : "the curve is not Pythagorean-hodograph";
+    found.why_not_rational =
+        path.is_ph() ? "--up is of the exact frame" : "the curve is not Pythagorean-hodograph";
   return found;
 }
 
@@ -74,9 +70,7 @@ void run(const Command& command, const MtfOptions& options) {
   const auto print = choose<std::string (*)(const MinimalTwistAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
   const NamedPath named = options.curve.read_any_path();
-  const auto ph = options.up.vector ? std::nullopt : as_ph(named);
-  options.length.write(options.curve.output,
-                       print(ph ? found(command, options, *ph) : found(command, options, named)));
+  options.length.write(options.curve.output, print(found(command, options, named)));
 }
 
 }  // namespace
@@ -114,6 +108,7 @@ void add_mtf(Program& program) {
       "The exact frame turns about e1 at a constant rate; the rational one is the ERF turned by\n"
       "2 arg w(t) with a polynomial w whose rate deviates least from that (root mean square).\n"
       "Examples:\n"
+      "  phrame mtf curve.json --samples 11\n"
       "  phrame mtf curve.json --from pi/8 --to -pi/2 --samples 11\n"
       "  phrame mtf curve.json --from pi/8 --to -pi/2 --degree 3 --subdivide extrema\n"
       "  phrame mtf curve.json --from-vector 0,0,1 --to-vector 1,1,0 --digits 30 --print json\n"

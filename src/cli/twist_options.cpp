@@ -1,23 +1,20 @@
 #include "phrame/cli/twist_options.hpp"
 
-#include "phrame/ph/frame/frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame::cli {
 namespace {
 
-/// The angle given as such or else by a vector, at t on the curve.
-FrameAngle boundary(const std::string& name, const std::optional<std::string>& angle,
-                    const std::optional<std::string>& vector, const Curve& curve,
-                    const Rational& t) {
+/// The angle or vector that is given, at that end; the latter has a part across the tangent there.
+FrameStart end_of(const std::string& name, const std::optional<std::string>& angle,
+                  const std::optional<std::string>& vector, const Path& path, const Place& at) {
+  if (angle && vector) throw InputError(name, "the angle is given twice");
   if (angle) return parse_angle_option(name, *angle);
+  if (!vector) return LeastRotation();
   const std::string option = name + "-vector";
-  const auto v = parse_vector_option(option, vector.value());
-  try {
-    return angle_of(v, euler_rodrigues_frame(curve, t));
-  } catch (const DomainError& error) {
-    throw InputError(option, error.what());
-  }
+  const StartNormal normal(parse_vector_option(option, *vector));
+  at_option(option, [&] { require_start_normal(normal, path, at); });
+  return normal;
 }
 
 /// What --subdivide takes besides words.
@@ -32,36 +29,12 @@ Rational at_parameter(const std::string& option, const std::string& text) {
   }
 }
 
-void require_one(const std::string& name, int given) {
-  if (given != 1)
-    throw InputError(name, given == 0 ? "the angle is missing" : "the angle is given twice");
-}
-
-void require_ends(const TwistOptions& options) {
-  const auto given = [](const auto& text) { return text ? 1 : 0; };
-  require_one("--from", given(options.from) + given(options.from_vector));
-  require_one("--to", given(options.to) + given(options.to_vector) + (options.is_closed ? 1 : 0));
-}
-
-/// The angle or vector that is given; the latter has a part across the tangent there.
-FrameStart smooth_boundary(const std::string& name, const std::optional<std::string>& angle,
-                           const std::optional<std::string>& vector, const PathAngle& along,
-                           const Place& at) {
-  if (angle) return parse_angle_option(name, *angle);
-  const std::string option = name + "-vector";
-  const StartNormal normal(parse_vector_option(option, vector.value()));
-  try {
-    start_angle(normal, along, at);
-  } catch (const DomainError& error) {
-    throw InputError(option, error.what());
-  }
-  return normal;
-}
-
 }  // namespace
 
 void TwistOptions::add_to(Command& command) {
-  command.add_option("--from", "ANGLE", from, "the angle of f2 to e2 at the start");
+  command.add_option("--from", "ANGLE", from,
+                     "the angle of f2 to e2 at the start (default: f2 by the least rotation\n"
+                     "that takes the x axis to e1, where it takes the y axis)");
   command.add_option("--to", "ANGLE", to, "the same at the end");
   command.add_option("--from-vector", "X,Y,Z", from_vector,
                      "f2 at the start, projected to the normal plane");
@@ -83,29 +56,16 @@ void TwistOptions::add_to(Command& command) {
                    "faster");
 }
 
-std::pair<FrameAngle, FrameAngle> TwistOptions::ends(const PhPath& path) const {
-  require_ends(*this);
-  const auto& segments = path.segments();
-  const FrameAngle start = boundary("--from", from, from_vector, segments.front(), 0);
-  if (!is_closed) return {start, boundary("--to", to, to_vector, segments.back(), 1)};
-  const auto closing = path.closing_turn();
-  if (!closing) throw DomainError("--closed: the curve is not closed with a continuous tangent");
-  return {start, start + angle_of(*closing * *closing)};
-}
-
-std::pair<FrameStart, FrameStart> TwistOptions::ends(const PathAngle& along) const {
-  require_ends(*this);
-  const Path& path = along.path();
-  const FrameStart start = smooth_boundary("--from", from, from_vector, along, {0, Rational(0)});
-  const Place end(path.segments().size() - 1, Rational(1));
-  if (!is_closed) return {start, smooth_boundary("--to", to, to_vector, along, end)};
-  // The frame of v closes with the curve.
+std::pair<FrameStart, std::optional<FrameStart>> TwistOptions::ends(const Path& path) const {
+  const FrameStart start = end_of("--from", from, from_vector, path, {0, Rational(0)});
+  if (!is_closed) return {start, end_of("--to", to, to_vector, path, phrame::end_of(path))};
+  if (to || to_vector) throw InputError("--to", "the angle is given twice");
   if (!path.is_closed())
     throw DomainError("--closed: the curve is not closed with a continuous tangent");
-  return {start, start};
+  return {start, std::nullopt};
 }
 
-Subdivision TwistOptions::subdivision(const PhPath& path) const {
+Subdivision TwistOptions::subdivision(const Path& path) const {
   const std::string option = "--subdivide";
   Subdivision wanted;
   if (!subdivide) return wanted;

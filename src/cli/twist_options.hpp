@@ -22,12 +22,11 @@ struct TwistOptions {
   static std::vector<std::string> of_ends();
   static std::vector<std::string> of_rational_frame();
 
-  /// θ_i and θ_f. Throws InputError where one is missing or given twice.
-  std::pair<FrameAngle, FrameAngle> ends(const PhPath& path) const;
-  /// The same to the frame of v, of a curve that is not PH.
-  std::pair<FrameStart, FrameStart> ends(const PathAngle& angle) const;
+  /// As minimal_twist() has them. Throws InputError where one is given twice, or by a vector along
+  /// the tangent, and DomainError for --closed of a path that is not.
+  std::pair<FrameStart, std::optional<FrameStart>> ends(const Path& path) const;
   /// Throws InputError for a point that is not on the spline, too.
-  Subdivision subdivision(const PhPath& path) const;
+  Subdivision subdivision(const Path& path) const;
   /// For results with so many digits.
   RationalTwistOptions rotation(long digits) const;
 };

@@ -147,7 +147,7 @@ TEST_CASE("answers: an integral, and what a proof assistant is to prove") {
 // With θ_i = 0 and θ_f = θ_RMF(1) to the nearest 10⁻³⁰ no twist is left; θ is that of the RMF.
 TEST_CASE("answers: of minimal twist between the orientations of the RMF") {
   const Rational end = parse_rational(truth("theta_RMF_rel_ERF", "1").substr(0, 32));
-  MinimalTwistQuery query{{0, 0}, {0, end}};
+  MinimalTwistQuery query{Angle(), Angle(end)};
   query.at = {Rational(1, 2)};
   query.digits = 20;
   const MinimalTwistAnswer mtf = answer(whole(), query);

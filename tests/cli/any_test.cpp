@@ -99,7 +99,7 @@ TEST_CASE("any curve: batch answers as angle does") {
   CHECK(one == Json::parse(here.run("angle loop.json --at 1/3 --print json").out));
 }
 
-// The twist is that of tests/ph/twist/smooth_twist_test.cpp.
+// The twist is that of tests/ph/twist/minimal_twist_test.cpp.
 TEST_CASE("any curve: frames of minimal twist, the exact ones") {
   const Workshop here;
   here.write("loop.json", loop);
@@ -131,7 +131,10 @@ TEST_CASE("any curve: frames of minimal twist, the exact ones") {
   CHECK(first.substr(1) == last.substr(1));
   check_failure(here.run("mtf loop.json --degree 2" + ends), 2, "--degree: is of rational frames");
   check_failure(here.run("mtf loop.json --from 0 --to-vector 3,1,2"), 2, "--to-vector: ");
-  check_failure(here.run("mtf loop.json --from 0"), 2, "--to: the angle is missing");
+  const auto least = Json::parse(here.run("mtf loop.json --print json").out);
+  CHECK(least["start"] == "least rotation");
+  // Closed, both ends have the same tangent, and so the same frame.
+  CHECK(least["from"] == least["to"]);
   check_failure(here.run("mtf loop.json --from 0 --to 1 --up 0,0,0"), 2, "--up: ");
   check_failure(here.run("mtf loop.json --wronskian"), 2, "this is no PH curve");
   check_failure(here.run("frames loop.json --frame mtf --from 0 --to 0 --at 0"), 2,

@@ -69,11 +69,48 @@ TEST_CASE("mtf: by vectors, and closing up") {
   CHECK(Json::parse(closed.out)["twist"]["minimal"]["value"] == "-1.13263544456407");
 }
 
+// Where r′ = H the least rotation takes the y axis to (−H₂, |H| + H₁, 0) in the normal plane;
+// r′(0) = (4, 4, 2), and by points r′(1) of the table.
+TEST_CASE("mtf: an end that is left out is the least rotation there") {
+  const Workshop here;
+  const auto frames = [&](const std::string& options) {
+    const Run run =
+        here.run("frames quintic.json --frame mtf-exact --at 0,1 --format json" + options);
+    check_success(run);
+    return Json::parse(run.out);
+  };
+  const Json none = frames("");
+  const Json& last = none["rows"][1];
+  const std::string y = std::to_string(1 + last[4].get<double>());
+  const Json vectors = frames(" --from-vector -4,10,0 --to-vector " +
+                              std::to_string(-last[5].get<double>()) + "," + y + ",0");
+  for (const std::size_t row : {0, 1})
+    for (const std::size_t cell : {7, 8, 9, 10, 11, 12})
+      CHECK(std::abs(none["rows"][row][cell].get<double>() -
+                     vectors["rows"][row][cell].get<double>()) < 1e-5);
+  // That of the rotation-minimizing frame at the start.
+  const Json rmf = Json::parse(here.run("frames quintic.json --at 0 --format json").out);
+  for (const std::size_t cell : {7, 8, 9}) CHECK(none["rows"][0][cell] == rmf["rows"][0][cell]);
+  const Json both = Json::parse(here.run("mtf quintic.json --print json").out);
+  CHECK(both["start"] == "least rotation");
+  CHECK(both["end"] == "least rotation");
+  const Json end = Json::parse(here.run("mtf quintic.json --from 0 --print json").out);
+  CHECK_FALSE(end.contains("start"));
+  CHECK(end["end"] == "least rotation");
+  CHECK(end["to"] == both["to"]);
+  CHECK(
+      contains(here.run("mtf quintic.json").out,
+               "\nAt both ends the least rotation that takes the x axis to e₁ takes the y axis to "
+               "f₂.\n"));
+  CHECK(contains(here.run("mtf quintic.json --to 0").out, "\nAt the start the least rotation"));
+  CHECK(contains(here.run("mtf quintic.json --from 0").out, "\nAt the end the least rotation"));
+}
+
 TEST_CASE("mtf: bad input is refused with its place") {
   const Workshop here;
-  check_failure(here.run("mtf quintic.json --from 0"), 2, "--to: the angle is missing");
   check_failure(here.run("mtf quintic.json --from 0 --to 1 --to-vector 1,0,0"), 2,
                 "--to: the angle is given twice");
+  check_failure(here.run("mtf quintic.json --to 1 --closed"), 2, "--to: the angle is given twice");
   check_failure(here.run("mtf quintic.json --from pie --to 1"), 2,
                 "--from: \"pie\" is not an angle");
   check_failure(here.run("mtf quintic.json --from 0 --to-vector 1,2"), 2,
@@ -294,7 +331,6 @@ TEST_CASE("frames: of minimal twist, at both ends and in the middle") {
   for (std::size_t column = 1; column < 19; ++column)
     CHECK(by_length["rows"][1][column].get<double>() ==
           doctest::Approx(at_t["rows"][0][column].get<double>()));
-  CHECK(here.run("frames example.json --frame mtf --samples 3").status == 2);
 }
 
 TEST_CASE("frames: of minimal twist, closing up along a closed spline") {

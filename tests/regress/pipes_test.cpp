@@ -10,7 +10,7 @@
 #include "phrame/ph/frame/compiled_angle.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
-#include "phrame/ph/twist/smooth_twist.hpp"
+#include "phrame/ph/twist/minimal_twist.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -123,7 +123,8 @@ TEST_CASE("pipes: law: all is answered, and the frame is bent with the legs") {
     CHECK(answered.no_holonomy.empty());
     for (const TotalsAnswer::Row& row : answer(named, TotalsQuery{}).rows)
       CHECK_MESSAGE(row.reason.find("undecided") == std::string::npos, row.reason);
-    const SmoothTwist twist(angle, Angle(), is_closed ? FrameStart(Angle()) : FrameStart(Angle(1)));
+    const MinimalTwist twist =
+        minimal_twist(angle, Angle(), is_closed ? FrameStart(Angle()) : FrameStart(Angle(1)));
     round_to_decimal(twist.twist(), 17);
     CompiledFrames(angle, Rational(0));
   });

@@ -65,6 +65,20 @@ std::string notes(const MinimalTwistAnswer& answer, Notation notation) {
   return ph ? notes_on_signs(*ph, notation) : "";
 }
 
+bool is_least(const FrameStart& end) { return std::holds_alternative<LeastRotation>(end); }
+
+/// Where nothing else was asked for, how f₂ is found at the ends, as prose() has it.
+std::string on_ends(const MinimalTwistAnswer& answer) {
+  const bool at_start = is_least(answer.start);
+  const bool at_end = answer.end && is_least(*answer.end);
+  if (!at_start && !at_end) return "";
+  return fmt::format(
+      "At {} the least rotation that takes the x axis to $e₁$ takes the y axis to $f₂$.\n\n",
+      at_start && at_end ? "both ends"
+      : at_start         ? "the start"
+                         : "the end");
+}
+
 /// What there is to say of half a turn, which is as long both ways.
 std::string on_half_turn(const MinimalTwistAnswer& answer) {
   if (answer.half_turn_within.empty()) return "";
@@ -90,7 +104,8 @@ std::string reason(const MinimalTwistAnswer& answer) {
 std::string to_text(const MinimalTwistAnswer& answer) {
   std::string text =
       first_line(answer) + "\n\n" + prose(definition(answer, Notation::unicode), Notation::unicode);
-  text += notes(answer, Notation::unicode) + to_rows(fields(answer), 31);
+  text += prose(on_ends(answer), Notation::unicode) + notes(answer, Notation::unicode);
+  text += to_rows(fields(answer), 31);
   if (!answer.values.empty()) text += value_table(answer.values, answer.digits);
   text += prose(on_half_turn(answer), Notation::unicode);
   if (answer.rational) text += to_text(*answer.rational);
@@ -99,7 +114,8 @@ std::string to_text(const MinimalTwistAnswer& answer) {
 
 std::string to_latex(const MinimalTwistAnswer& answer) {
   constexpr auto latex = Notation::latex;
-  std::string text = prose(definition(answer, latex), latex) + notes(answer, latex);
+  std::string text = prose(definition(answer, latex) + on_ends(answer), latex);
+  text += notes(answer, latex);
   text += to_align(fields(answer));
   if (!answer.values.empty()) text += latex_value_table(answer.values);
   text += prose(on_half_turn(answer), latex);
@@ -109,6 +125,8 @@ std::string to_latex(const MinimalTwistAnswer& answer) {
 
 std::string to_json(const MinimalTwistAnswer& answer) {
   JsonOutput output = json_of(fields(answer));
+  if (is_least(answer.start)) output["start"] = "least rotation";
+  if (answer.end && is_least(*answer.end)) output["end"] = "least rotation";
   if (!answer.half_turn_within.empty()) output["half_turn_within"] = answer.half_turn_within;
   if (answer.rational) output.update(json_of(fields(*answer.rational)));
   if (!answer.why_not_rational.empty()) output["no_rational"] = answer.why_not_rational;

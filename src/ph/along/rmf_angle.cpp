@@ -74,10 +74,6 @@ GaussianRational bend_after_zero(const QuaternionPolynomial& a) {
   return lowest_coefficient(bend_of(a));
 }
 
-GaussianRational bend_after_zero(const QuaternionPolynomial& a, const Vector<Rational>& v) {
-  return lowest_coefficient(bend_of(a, v));
-}
-
 RationalFunction rate_of_argument(const GaussianPolynomial& g) {
   return {(differentiate(g) * conjugate(g)).im, norm(g)};
 }

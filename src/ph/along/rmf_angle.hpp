@@ -90,10 +90,9 @@ GaussianPolynomial regular_bend(const QuaternionPolynomial& a);
 /// v·(A k A*) + i·v·(A j A*) without its greatest real factor: so turns the frame of v. Throws
 /// DomainError where v is along the tangent all along.
 GaussianPolynomial regular_bend(const QuaternionPolynomial& a, const Vector<Rational>& v);
-/// @{ These for small t > 0, up to a positive factor that tends to 1. Throw likewise.
+/// That to the Frenet frame for small t > 0, up to a positive factor that tends to 1. Throws
+/// likewise.
 GaussianRational bend_after_zero(const QuaternionPolynomial& a);
-GaussianRational bend_after_zero(const QuaternionPolynomial& a, const Vector<Rational>& v);
-/// @}
 /// (arg g)′ = Im(g′/g).
 RationalFunction rate_of_argument(const GaussianPolynomial& g);
 

@@ -52,6 +52,8 @@ Place::Place(std::size_t on_segment, const RealAlgebraic& at) : Place(on_segment
   if (!t.exact()) algebraic.emplace(at);
 }
 
+Place end_of(const Path& path) { return {path.segments().size() - 1, Rational(1)}; }
+
 std::optional<RealAlgebraic> algebraic_number(const Place& at) {
   if (at.t.exact()) return RealAlgebraic(*at.t.exact());
   if (at.algebraic) return at.algebraic->number();

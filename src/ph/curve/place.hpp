@@ -23,6 +23,8 @@ struct Place {
       : Place(at.segment, at.t) {}
 };
 
+/// The last point of the path.
+Place end_of(const Path& path);
 /// t of the place, where it is known to be algebraic.
 std::optional<RealAlgebraic> algebraic_number(const Place& at);
 /// @{ The parameter along the path, segment + t; the second where it is known to be algebraic.

@@ -17,7 +17,7 @@ Vector<Real> cross(const Vector<Real>& u, const Vector<Real>& v) {
 Vector<Real> opposite(const Vector<Real>& v) { return {-v[0], -v[1], -v[2]}; }
 
 Real quotient_of(const Real& a, const Real& b) {
-  if (a.exact() && b.exact()) return Rational(*a.exact() / *b.exact());
+  if (b.exact()) return a * Rational(1 / *b.exact());
   return Real(
       [a, b](long bits) { return divide(a.enclose(bits + 8), b.enclose(bits + 8), bits + 8); });
 }

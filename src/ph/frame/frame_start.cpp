@@ -4,17 +4,18 @@ namespace phrame {
 
 // n = (Re g·e₂ − Im g·e₃)/|g|, so that an angle to n is that to e₂ and arg g.
 FrameAngle start_angle(const FrameStart& start, const Curve& first, Reference reference,
-                       const Vector<Rational>& up) {
+                       const Vector<Rational>& up, const Rational& t) {
   if (const auto* angle = std::get_if<Angle>(&start)) return *angle;
-  const Frame<Rational> erf = euler_rodrigues_frame(first, 0);
+  const Frame<Rational> erf = euler_rodrigues_frame(first, t);
   const auto* least = std::get_if<LeastRotation>(&start);
   const FrameAngle to_erf = angle_of(
       least != nullptr ? least_rotation_normal(erf.e1) : std::get<StartNormal>(start).vector, erf);
   const FrameAngle turn = least != nullptr ? least->turn : Angle();
   if (reference == Reference::euler_rodrigues) return to_erf + turn;
   const GaussianRational z = direction_of(to_erf).value();
-  const GaussianRational g = reference == Reference::up ? bend_after_zero(first.preimage(), up)
-                                                        : bend_after_zero(first.preimage());
+  const GaussianRational g = reference == Reference::up
+                                 ? GaussianRational{dot(up, erf.e3), dot(up, erf.e2)}
+                                 : bend_after_zero(first.preimage());
   return angle_of(z * g) + turn;
 }
 

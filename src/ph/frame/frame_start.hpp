@@ -38,10 +38,11 @@ using FrameStart = std::variant<LeastRotation, Angle, StartNormal>;
 /// before it is turned, is in (−π, π]. At a cusp the frames are those that are continued through
 /// it; where the curve starts with an inflection, the Frenet frame is that of small t > 0. Throws
 /// DomainError for a vector that is 0 or along the tangent, and where it is measured from the
-/// Frenet frame of a straight line. `up` is v, where it is measured from the frame of one.
+/// Frenet frame of a straight line. `up` is v, where it is measured from the frame of one. At
+/// another t it is likewise, but for the angle to the Frenet frame.
 FrameAngle start_angle(const FrameStart& start, const Curve& first,
                        Reference reference = Reference::euler_rodrigues,
-                       const Vector<Rational>& up = {});
+                       const Vector<Rational>& up = {}, const Rational& t = 0);
 /// Along a path of PH curves, likewise.
 FrameAngle start_angle(const FrameStart& start, const PhPath& path,
                        Reference reference = Reference::euler_rodrigues);

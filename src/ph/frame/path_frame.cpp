@@ -171,9 +171,12 @@ Vector<Real> second_axis(const PathAngle& angle, const Place& at) {
 StartAngle start_angle(const FrameStart& start, const PathAngle& angle, const Place& at) {
   if (const auto* given = std::get_if<Angle>(&start)) return *given;
   const Curve* ph = ph_curve(angle.path().segments()[at.segment]);
-  if (ph != nullptr && at.segment == 0 && at.t.exact() == Rational(0))
+  const bool is_frenet = angle.reference() == Reference::frenet;
+  if (ph != nullptr && at.t.exact() &&
+      (!is_frenet || (at.segment == 0 && at.t.exact() == Rational(0))))
     return start_angle(start, *ph, angle.reference(),
-                       angle.reference() == Reference::up ? angle.up() : Vector<Rational>{});
+                       angle.reference() == Reference::up ? angle.up() : Vector<Rational>{},
+                       *at.t.exact());
   const Frame<Real> frame = reference_frame(angle, at);
   const Vector<Real> H = direction(angle.path(), at);
   const Vector<Real> second = second_axis(angle, at);
@@ -184,8 +187,22 @@ StartAngle start_angle(const FrameStart& start, const PathAngle& angle, const Pl
   return argument_of(as_reals(normal), frame, H, second);
 }
 
-void require_start_normal(const StartNormal& start, const Path& path) {
-  require_across(start.vector, direction(path, {0, Rational(0)}));
+// The frame of v closes with the tangent; the Euler–Rodrigues frame at the start is that at the
+// end, turned by 2·arg of closing_turn().
+StartAngle closing_angle(const StartAngle& start, const PathAngle& angle) {
+  const Path& path = angle.path();
+  if (!path.is_closed())
+    throw DomainError(
+        "the path is not closed with a continuous tangent: no frame ends as it starts");
+  if (angle.reference() != Reference::euler_rodrigues) return start;
+  const GaussianRational turn = path.ph()->closing_turn().value();
+  const FrameAngle back = angle_of(turn * turn);
+  if (start.exact) return *start.exact + back;
+  return start.value + to_real(back);
+}
+
+void require_start_normal(const StartNormal& start, const Path& path, const Place& at) {
+  require_across(start.vector, direction(path, at));
 }
 
 Frame<Real> rotation_minimizing_frame(const PathAngle& angle, const Place& at,

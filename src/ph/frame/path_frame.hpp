@@ -27,13 +27,18 @@ Vector<Real> second_axis(const PathAngle& angle, const Place& at);
 /// @}
 
 /// The angle at t = 0, or elsewhere, from the reference frame of the angle to f₂; that to a vector
-/// is in (−π, π]. Exact at the start of a PH curve that the path starts with. Throws DomainError
-/// for a vector that is 0 or along the tangent, and where it is to the Frenet frame at an
-/// inflection, but at the start of a PH curve.
+/// is in (−π, π]. Exact at rational t of PH curves, of a Frenet frame at the start of the path
+/// only. Throws DomainError for a vector that is 0 or along the tangent, and where it is to the
+/// Frenet frame at an inflection, but at the start of a PH curve.
 StartAngle start_angle(const FrameStart& start, const PathAngle& angle,
                        const Place& at = {0, Rational(0)});
-/// Throws DomainError where the vector has no part across the tangent at the start of the path.
-void require_start_normal(const StartNormal& start, const Path& path);
+/// The angle at the end of a frame that ends as it starts, at this angle, whole turns not counted.
+/// Throws DomainError where the path is not closed with its e₁.
+StartAngle closing_angle(const StartAngle& start, const PathAngle& angle);
+/// Throws DomainError where the vector has no part across the tangent at the start of the path, or
+/// elsewhere.
+void require_start_normal(const StartNormal& start, const Path& path,
+                          const Place& at = {0, Rational(0)});
 
 /// @{ The rotation-minimizing frame that starts at this angle to the reference frame. On PH curves
 /// it is exact at rational t where there is a direction() of the angle and of the start, so on

@@ -19,12 +19,11 @@ Rational nearby(const RealAlgebraic& t, long bits) {
 }
 
 /// The points of the kinds asked for, on the whole spline.
-std::vector<Rational> special_points(const PhPath& path, bool inflections, bool extrema,
-                                     long bits) {
+std::vector<Rational> special_points(const Path& path, bool inflections, bool extrema, long bits) {
   std::vector<Rational> points;
   if (!inflections && !extrema) return points;
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    const ErfTurning turning = erf_turning(path.segments()[k]);
+    const ErfTurning turning = erf_turning(*ph_curve(path.segments()[k]));
     const auto append = [&](const std::vector<RealRoot>& found) {
       for (const RealRoot& point : odd_inside(found))
         points.push_back(Rational(static_cast<long>(k)) + nearby(point.at, bits));
@@ -49,6 +48,7 @@ bool is_good(const RationalTwist& twist, const Subdivision& subdivision, const M
 
 TwistFrame twist_frame(const MinimalTwist& mtf, const RationalTwistOptions& options,
                        const Subdivision& subdivision) {
+  require_to_erf(mtf);
   std::vector<Rational> points =
       special_points(mtf.path(), subdivision.at_inflections, subdivision.at_extrema, options.bits);
   points.insert(points.end(), subdivision.at.begin(), subdivision.at.end());
@@ -128,8 +128,8 @@ Monotone is_monotone(const TwistFrame& frame) {
   return all;
 }
 
-Real relative_error(const Real& error, const MinimalTwist& mtf, const Rational& length) {
-  const Real whole = error * Real(mtf.length() / length);
+Real relative_error(const Real& error, const MinimalTwist& mtf, const Real& length) {
+  const Real whole = error * quotient_of(mtf.length(), length);
   if (mtf.twist().exact() == Rational(0)) return whole;
   return Real([whole, twist = mtf.twist()](long bits) {
     const long precision = bits + 16;

@@ -26,8 +26,8 @@ struct TwistFrame {
 };
 
 /// Irrational points are taken as rational numbers within 2^−options.bits of them. Throws
-/// DomainError as twist_pieces() and best_twist() do, and Undecided where 1000 pieces are not
-/// enough.
+/// DomainError as twist_pieces() and best_twist() do, and where the angle is not that to the
+/// Euler–Rodrigues frame; Undecided where 1000 pieces are not enough.
 TwistFrame twist_frame(const MinimalTwist& mtf, const RationalTwistOptions& options,
                        const Subdivision& subdivision);
 
@@ -44,7 +44,7 @@ Monotone is_monotone(const TwistFrame& frame);
 
 /// An error of Ω₁ times the length of its piece, as a share of |Ω̄₁|; where that is 0, times the
 /// length of the whole.
-Real relative_error(const Real& error, const MinimalTwist& mtf, const Rational& length);
+Real relative_error(const Real& error, const MinimalTwist& mtf, const Real& length);
 
 /// The root mean square of Ω₁ − Ω̄₁ along the whole curve, times its length.
 Real root_mean_square(const TwistFrame& frame);

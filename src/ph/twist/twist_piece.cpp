@@ -18,21 +18,22 @@ Real wanted_rate(const TwistPiece& piece, const Rational& tau) {
 
 TwistPiece piece_between(const MinimalTwist& mtf, std::size_t index, const Rational& a,
                          const Rational& b) {
-  const Curve& whole = mtf.path().segments()[index];
+  const Curve& whole = *ph_curve(mtf.path().segments()[index]);
   const bool is_segment = a == 0 && b == 1;
   const Curve part = is_segment ? whole : segment(whole, a, b);
-  const Polynomial arc_length = is_segment ? mtf.arc_length(index) : ArcLength(part).polynomial();
+  const Polynomial arc_length =
+      is_segment ? mtf.arc_length().closed_form(index)->polynomial() : ArcLength(part).polynomial();
   const Rational length = arc_length(1);
   const Rational from = Rational(static_cast<long>(index)) + a;
   const Rational to = Rational(static_cast<long>(index)) + b;
-  const Real start = remembered(mtf.rmf().value({index, a}));
-  const Real twist = mtf.twist() * Real(length / mtf.length());
+  const Real start = remembered(mtf.rmf().value(Place(index, a)));
+  const Real twist = mtf.twist() * quotient_of(length, mtf.length());
   const bool is_whole = mtf.path().segments().size() == 1 && is_segment;
   const Real whole_twist =
-      is_whole ? mtf.erf_twist() : remembered(start + -mtf.rmf().value({index, b}));
+      is_whole ? mtf.own_twist() : remembered(start + -mtf.rmf().value(Place(index, b)));
   const auto erf_twist = [rmf = mtf.rmf(), start, whole_twist, index, a, b](const Rational& tau) {
     if (tau == 1) return whole_twist;
-    return start + -rmf.value({index, a + (b - a) * tau});
+    return start + -rmf.value(Place(index, a + (b - a) * tau));
   };
   const Real turn = remembered(twist + -whole_twist);
   std::optional<Integer> whole_turns;
@@ -45,7 +46,7 @@ TwistPiece piece_between(const MinimalTwist& mtf, std::size_t index, const Ratio
           twist,
           turn,
           whole_turns,
-          mtf.reduced_value(from),
+          mtf.reduced_value({index, a}),
           erf_twist};
 }
 
@@ -63,7 +64,7 @@ std::vector<TwistPiece> pieces_between(const MinimalTwist& mtf, std::vector<Rati
   points.erase(std::unique(points.begin(), points.end()), points.end());
   std::vector<TwistPiece> pieces;
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    const auto [index, t] = locate_inside(mtf.path(), points[k]);
+    const auto [index, t] = locate_inside(mtf.path().segments().size(), points[k]);
     pieces.push_back(piece_between(mtf, index, t, t + points[k + 1] - points[k]));
   }
   return pieces;
@@ -75,11 +76,19 @@ Real TwistPiece::first_rate() const { return wanted_rate(*this, 0); }
 
 Real TwistPiece::last_rate() const { return wanted_rate(*this, 1); }
 
+void require_to_erf(const MinimalTwist& mtf) {
+  if (mtf.rmf().reference() != Reference::euler_rodrigues)
+    throw DomainError(
+        "a rational frame is there of PH curves only, by their Euler-Rodrigues frame");
+}
+
 std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Rational> points) {
-  const PhPath& path = mtf.path();
-  for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    require_no_cusp(path.segments()[k],
-                    path.is_curve() ? std::string() : " in segment " + std::to_string(k));
+  require_to_erf(mtf);
+  const Path& path = mtf.path();
+  const std::size_t count = path.segments().size();
+  for (std::size_t k = 0; k < count; ++k) {
+    require_no_cusp(*ph_curve(path.segments()[k]),
+                    count == 1 ? std::string() : " in segment " + std::to_string(k));
     points.emplace_back(static_cast<long>(k));
   }
   points.push_back(path.end());

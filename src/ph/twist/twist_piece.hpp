@@ -29,10 +29,15 @@ struct TwistPiece {
   /// @}
 };
 
+/// Throws DomainError where the angle is not that to the Euler–Rodrigues frame, which a rational
+/// frame is turned from.
+void require_to_erf(const MinimalTwist& mtf);
+
 /// The pieces of the curve or spline between its joints and the points given, in any order, others
 /// than the ends ignored: each has its share of the twist (39), and the angles between them are
 /// those of the exact frame of minimal twist (40). Throws DomainError for a point outside [0, end],
-/// where the curve has a cusp, at which a turn per unit of length is infinite.
+/// where the curve has a cusp, at which a turn per unit of length is infinite, and as
+/// require_to_erf().
 std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Rational> points);
 
 /// All of a curve, along which a frame is not to turn at all: T = 0, θ that of the

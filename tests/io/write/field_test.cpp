@@ -146,7 +146,7 @@ TEST_CASE("fields: an answer in LaTeX has the fields of its text") {
 }
 
 TEST_CASE("fields: the minimal twist in LaTeX has the fields of its text") {
-  MinimalTwistQuery query{{0, 0}, {0, Rational(1, 3)}};
+  MinimalTwistQuery query{Angle(), Angle(Rational(1, 3))};
   query.rational = {RationalTwistOptions(), Subdivision(), true};
   const MinimalTwistAnswer twist = answer(test::farouki_quintic(), query);
   const std::string text = abridged(to_text(twist));

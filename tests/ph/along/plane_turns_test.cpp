@@ -9,7 +9,7 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/compiled_angle.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
-#include "phrame/ph/twist/smooth_twist.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -82,8 +82,6 @@ double transported_angle(const Path& path, const Vector<Rational>& up) {
   const Doubles e2 = unit(cross(v, tangent));
   return std::atan2(dot(f, cross(tangent, e2)), dot(f, e2));
 }
-
-Place end_of(const Path& path) { return {path.segments().size() - 1, Rational(1)}; }
 
 /// The corners from 0 on.
 std::vector<Corner> along_edges(const std::vector<Corner>& edges) {

@@ -284,8 +284,9 @@ TEST_CASE("rational twist: law: rates and orientations at the ends, turns, error
     CHECK(greatest.upper() >= error.lower());
     // Halfway along, θ lies where the exact angle does, off by no more than √(G s(1 − s)).
     const Rational share = antiderivative(piece.speed)(Rational(1, 2));
-    const RealBall off = subtract(twist.value(Rational(1, 2)).enclose(bits),
-                                  framed.mtf.reduced_value(Rational(1, 2)).enclose(bits), bits);
+    const RealBall off =
+        subtract(twist.value(Rational(1, 2)).enclose(bits),
+                 framed.mtf.reduced_value({0, Rational(1, 2)}).enclose(bits), bits);
     const RealBall bound = multiply(error, sqrt(RealBall(share * (1 - share), bits), bits), bits);
     if (extra == 0) CHECK(subtract(off, bound, bits).lower() <= 0);
   });
@@ -464,7 +465,7 @@ TEST_CASE("rational twist: a frame that turns by T goes before a better one that
   PathAngle rmf{PhPath(test::quintic)};
   long preferred = 0;
   for (long turns = test::everyday(-2, -3); turns <= 3; turns += test::everyday(4, 1)) {
-    const MinimalTwist mtf(rmf, {}, {Rational(1, 2), 0}, turns);
+    const MinimalTwist mtf(rmf, {}, Angle(Rational(1, 2), 0), turns);
     const BestTwist best = best_twist(twist_pieces(mtf, {})[0], {2, EndRates::matched, true, 40});
     if (!best.other || best.other->extra_turns() == 0) continue;
     const RealBall here = best.twist.root_mean_square().enclose(60);

@@ -21,8 +21,9 @@ struct Line {
 
   static TwistPiece first_piece() {
     const auto& example = test::farouki_moon()["example1"];
-    const MinimalTwist mtf(PathAngle(PhPath(test::curve_of(example))), {},
-                           {test::number(example["consistent"]["delta_theta_over_pi"]), 0});
+    const MinimalTwist mtf(
+        PathAngle(PhPath(test::curve_of(example))), {},
+        FrameAngle(test::number(example["consistent"]["delta_theta_over_pi"]), 0));
     return twist_pieces(mtf, {}).front();
   }
   /// G, by quadrature.
