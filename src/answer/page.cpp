@@ -208,8 +208,7 @@ PageAnswer page_to_erf(const NamedPath& named, const PhPath& path, const PageQue
   if (check) add_given(rows, *check, path.segments().size());
 
   std::optional<ClassificationAnswer> classification;
-  if (path.segments().size() <= most_in_full)
-    classification = answer(named, ClassificationQuery{});
+  if (path.segments().size() <= most_in_full) classification = answer(named, ClassificationQuery{});
   std::optional<Certificate> certificate;
   const bool is_heavy = phrame::is_heavy(path);
   if (path.is_curve() && !is_heavy)
