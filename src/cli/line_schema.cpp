@@ -38,7 +38,7 @@ JsonOutput schema_of(const ListedOption& option) {
   return schema;
 }
 
-const ListedOption& option_named(const OptionList& options, const std::string& name) {
+const ListedOption& option_named(const OptionList& options, std::string_view name) {
   return *std::ranges::find(options, name, &ListedOption::name);
 }
 
@@ -50,7 +50,7 @@ const std::optional<std::string>& default_in_line(const ListedOption& option) {
 /// Is "--at" given, or has "--kind cubic" this value, by default, too?
 JsonOutput chosen(const OptionList& options, const std::string& choice) {
   const std::size_t blank = choice.find(' ');
-  const ListedOption& option = option_named(options, choice.substr(0, blank));
+  const ListedOption& option = option_named(options, std::string_view(choice).substr(0, blank));
   const JsonOutput given = {{"required", {option.key()}}};
   if (blank == std::string::npos) return given;
   const std::string name = choice.substr(blank + 1);
