@@ -56,6 +56,7 @@
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/gcode.hpp"
 #include "phrame/io/write/mesh.hpp"
+#include "phrame/io/write/names.hpp"
 #include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/page.hpp"
 #include "phrame/io/write/passage.hpp"

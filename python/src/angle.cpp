@@ -159,7 +159,8 @@ void bind_angle(nb::module_& m, PathClass& path) {
           "path", [](const AngleObject& self) { return nb::cast(self.path); },
           nb::sig("def path(self) -> Path"), "Along which it is.")
       .def_prop_ro(
-          "reference", [](const AngleObject& self) { return name_of(self.angle.reference()); },
+          "reference",
+          [](const AngleObject& self) { return phrame::name_of(self.angle.reference()); },
           "The frame that it is measured from: \"erf\", \"frenet\" or \"up\".")
       .def_prop_ro("up", up_of, nb::sig("def up(self) -> " PHRAME_VECTOR_SIG " | None"),
                    "v, where it is to the frame of a vector v.")

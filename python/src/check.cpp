@@ -50,8 +50,9 @@ nb::object check(nb::handle self, nb::handle ts, nb::handle f2, nb::handle f3, n
   const bool has_start = !start.is_none() || !start_normal.is_none();
   query.options.up = chosen_up(path, up, start);
   if (has_start)
-    query.options.start = frame_start(start, start_normal, StartRule::least_rotation,
-                                      path.named.path, reference_of(path, query.options.up));
+    query.options.start =
+        frame_start(start, start_normal, StartRule::least_rotation, path.named.path,
+                    reference_of(path.named.path, query.options.up));
   return nb::cast(
       CheckObject{without_gil([named = path.named, query] { return answer(named, query); }),
                   method_recipe(self, "check", kept(ts), kept(f2), kept(f3), kept(tangents),

@@ -21,66 +21,43 @@ nb::object shown(const std::variant<PathTotal, Infinite>& x, nb::handle self, co
   return nb::float_(std::numeric_limits<double>::infinity());
 }
 
-std::optional<Real> holonomy_of(const PhPath& path) { return PathAngle(path).holonomy(); }
 std::optional<Real> holonomy_of(const Path& path) { return PathAngle(path).holonomy(); }
 
-bool is_closed(const PhPath& path) { return path.closing_turn().has_value(); }
-bool is_closed(const Path& path) { return path.is_closed(); }
-
-template <class P>
-std::optional<Real> writhe_of(const P& path) {
-  return is_closed(path) ? std::optional(writhe(path)) : std::nullopt;
+std::optional<Real> writhe_of(const Path& path) {
+  return path.is_closed() ? std::optional(writhe(path)) : std::nullopt;
 }
 
-template <class P>
-std::optional<long> self_linking_of(const P& path) {
-  if (!is_closed(path)) return std::nullopt;
-  return self_linking_number(closed_frame(path), total_torsion(Path(path)).value);
-}
-
-/// of(path) of the attribute of this name.
-template <class P, class F>
-nb::object total(nb::handle self, const char* name, const P& along, const F& of) {
-  return shown(without_gil([along, of] { return of(along); }), self, name);
+std::optional<long> self_linking_of(const Path& path) {
+  if (!path.is_closed()) return std::nullopt;
+  return self_linking_number(closed_frame(path), total_torsion(path).value);
 }
 
 void bind_totals(PathClass& path) {
-#define PHRAME_TOTAL(name, of, type, what)                         \
-  path.def_prop_ro(                                                \
-      name,                                                        \
-      [](nb::handle self) {                                        \
-        return total(self, name, path_of(self).named.path,         \
-                     [](const Path& along) { return of(along); }); \
-      },                                                           \
+#define PHRAME_TOTAL(name, of, type, what)                                                        \
+  path.def_prop_ro(                                                                               \
+      name,                                                                                       \
+      [](nb::handle self) {                                                                       \
+        return shown(without_gil([along = path_of(self).named.path] { return of(along); }), self, \
+                     name);                                                                       \
+      },                                                                                          \
       nb::sig("def " name "(self) -> " PHRAME_REAL_SIG type), what)
-#define PHRAME_OF_CLOSED(name, of, what)                                                     \
-  path.def_prop_ro(                                                                          \
-      name,                                                                                  \
-      [](nb::handle self) {                                                                  \
-        return path_of(self).visit([&](const auto& named) {                                  \
-          return total(self, name, named.path, [](const auto& along) { return of(along); }); \
-        });                                                                                  \
-      },                                                                                     \
-      nb::sig("def " name "(self) -> " PHRAME_REAL_SIG " | None"), what)
   PHRAME_TOTAL("length", total_length, "", "∫ ds.");
   PHRAME_TOTAL("total_curvature", total_curvature, "", "∫ κ ds, without the half turns at cusps.");
   PHRAME_TOTAL("total_torsion", total_torsion, "", "∫ τ ds.");
   PHRAME_TOTAL("bending_energy", bending_energy, " | float", "∫ κ² ds; infinite at most cusps.");
   PHRAME_TOTAL("frenet_energy", frenet_energy, " | float",
                "∫ (κ² + τ²) ds; infinite at most cusps.");
-  PHRAME_OF_CLOSED(
-      "holonomy", holonomy_of,
-      "By which angle the rotation-minimizing frame of a closed path comes back turned, "
-      "else None.");
-  PHRAME_OF_CLOSED("writhe", writhe_of, "Gauss's integral over a closed path twice, else None.");
+  PHRAME_TOTAL("holonomy", holonomy_of, " | None",
+               "By which angle the rotation-minimizing frame of a closed path comes back turned, "
+               "else None.");
+  PHRAME_TOTAL("writhe", writhe_of, " | None",
+               "Gauss's integral over a closed path twice, else None.");
 #undef PHRAME_TOTAL
-#undef PHRAME_OF_CLOSED
   path.def_prop_ro(
           "self_linking_number",
           [](nb::handle self) {
-            return path_of(self).visit([](const auto& named) {
-              return without_gil([path = named.path] { return self_linking_of(path); });
-            });
+            return without_gil(
+                [along = path_of(self).named.path] { return self_linking_of(along); });
           },
           nb::sig("def self_linking_number(self) -> int | None"),
           "How often a closed path is linked with its copy along the principal normals, else None.")

@@ -58,8 +58,7 @@ Segment unpacked(nb::handle packed) {
         {unpacked_formula(packed[4]), unpacked_formula(packed[5]), unpacked_formula(packed[6])},
         unpacked_formula(packed[1]), unpacked_formula(packed[2]), nb::cast<std::string>(packed[3]));
   }();
-  if (!nb::cast<bool>(packed[0])) return made;
-  return std::visit([](const auto& curve) -> Segment { return curve.turned_over(); }, made);
+  return nb::cast<bool>(packed[0]) ? turned_over(made) : made;
 }
 
 }  // namespace

@@ -4,12 +4,7 @@
 
 namespace phrame::python {
 
-PathObject::PathObject(NamedPath path) : named(std::move(path)) {
-  auto found = named.path.ph();
-  if (!found) return;
-  ph.emplace(named.name, *std::move(found), named.near);
-  ph->notes = named.notes;
-}
+PathObject::PathObject(NamedPath path) : named(std::move(path)), ph(as_ph(named)) {}
 
 nb::object wrap(NamedPath named) { return nb::cast(PathObject(std::move(named))); }
 const PathObject& path_of(nb::handle self) { return nb::cast<const PathObject&>(self); }
@@ -87,7 +82,7 @@ FrameStart asked_start(nb::handle start, nb::handle start_normal, StartRule rule
 
 FrameStart frame_start(nb::handle start, nb::handle start_normal, StartRule rule, const Path& path,
                        Reference reference) {
-  const FrameStart from = asked_start(start, start_normal, rule, name_of(reference));
+  const FrameStart from = asked_start(start, start_normal, rule, phrame::name_of(reference));
   if (const auto* along = std::get_if<StartNormal>(&from)) try {
       require_start_normal(*along, path);
     } catch (const DomainError& error) {
@@ -103,6 +98,20 @@ bool is_to_up(const PathObject& path, nb::handle up, nb::handle start) {
   return taken_rule(words) == "up";
 }
 
+namespace {
+
+/// make() without the lock of the interpreter; what it refuses is said of `up`.
+template <class Make>
+auto at_up(nb::handle up, const Make& make) {
+  try {
+    return without_gil(make);
+  } catch (const DomainError& error) {
+    refuse("up", error.what(), up);
+  }
+}
+
+}  // namespace
+
 std::optional<Vector<Rational>> chosen_up(const PathObject& path, nb::handle up, nb::handle start) {
   const Path& along = path.named.path;
   if (up.is_none()) {
@@ -110,40 +119,22 @@ std::optional<Vector<Rational>> chosen_up(const PathObject& path, nb::handle up,
     return without_gil([along] { return up_vector(along); });
   }
   const Vector<Rational> v = vector(up, "up");
-  try {
-    return without_gil([along, v] {
-      require_up_vector(along, v);
-      return v;
-    });
-  } catch (const DomainError& error) {
-    refuse("up", error.what(), up);
-  }
-}
-
-Reference reference_of(const PathObject& path, const std::optional<Vector<Rational>>& up) {
-  return up || !path.ph ? Reference::up : Reference::euler_rodrigues;
+  return at_up(up, [along, v] {
+    require_up_vector(along, v);
+    return v;
+  });
 }
 
 PathAngle angle_to_up(const Path& path, nb::handle up) {
   if (up.is_none()) return without_gil([path] { return PathAngle(path, Reference::up); });
   const Vector<Rational> v = vector(up, "up");
-  try {
-    return without_gil([path, v] { return PathAngle(path, v); });
-  } catch (const DomainError& error) {
-    refuse("up", error.what(), up);
-  }
-}
-
-const char* name_of(Reference reference) {
-  return reference == Reference::euler_rodrigues ? "erf"
-         : reference == Reference::frenet        ? "frenet"
-                                                 : "up";
+  return at_up(up, [path, v] { return PathAngle(path, v); });
 }
 
 Reference reference_named(nb::handle name, const char* place, const PathObject& path,
                           nb::handle up) {
   const bool has_up = !up.is_none();
-  if (name.is_none()) return path.ph && !has_up ? Reference::euler_rodrigues : Reference::up;
+  if (name.is_none()) return has_up ? Reference::up : reference_of(path.named.path, std::nullopt);
   const auto found = chosen<Reference>(
       text(name, place), place,
       {{"erf", Reference::euler_rodrigues}, {"frenet", Reference::frenet}, {"up", Reference::up}});

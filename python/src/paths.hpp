@@ -20,13 +20,6 @@ struct PathObject {
   std::shared_ptr<Sources> sources = std::make_shared<Sources>();
 
   explicit PathObject(NamedPath path);
-
-  /// f(path), by closed forms where there are some, unless they are not wanted: what has the same
-  /// name for both is asked in one way.
-  template <class F>
-  auto visit(const F& f, bool is_general = false) const {
-    return ph && !is_general ? f(*ph) : f(named);
-  }
 };
 using PathClass = nb::class_<PathObject>;
 
@@ -61,12 +54,8 @@ bool is_to_up(const PathObject& path, nb::handle up, nb::handle start);
 /// v, where angles are to the frame of one that is given, or of PH curves to one that is chosen as
 /// `start` asks for.
 std::optional<Vector<Rational>> chosen_up(const PathObject& path, nb::handle up, nb::handle start);
-/// The frame that angles are measured from then.
-Reference reference_of(const PathObject& path, const std::optional<Vector<Rational>>& up);
 /// The angle to the frame of `up`, or of a vector that is chosen where that is None.
 PathAngle angle_to_up(const Path& path, nb::handle up);
-/// "erf", as it is asked for.
-const char* name_of(Reference reference);
 /// "erf", "frenet", "up"; of `place`, and "erf" for a PH path only. None is the first that the path
 /// has of "erf" and "up".
 Reference reference_named(nb::handle name, const char* place, const PathObject& path,

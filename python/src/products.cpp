@@ -31,9 +31,7 @@ nb::object interpolate(const PathObject& self, nb::handle feed, nb::handle perio
     }
   }
   try {
-    return self.visit([&](const auto& named) {
-      return structured(without_gil([named, query] { return answer(named, query); }));
-    });
+    return structured(without_gil([named = self.named, query] { return answer(named, query); }));
   } catch (const InputError& error) {
     refuse("period", error.reason(), period);
   }
@@ -113,7 +111,7 @@ void page(const PathObject& self, nb::handle file, nb::handle ts, nb::handle f2,
   query.up = chosen_up(self, up, start);
   if (has_start)
     query.start = frame_start(start, start_normal, StartRule::least_rotation, self.named.path,
-                              reference_of(self, query.up));
+                              reference_of(self.named.path, query.up));
   write_page(self.named, query, samples, file);
 }
 

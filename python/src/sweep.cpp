@@ -116,7 +116,7 @@ nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
   const auto up = chosen_up(path, nb::none(), start);
   SweepQuery query{of_profile(profile, [&] { return source(fine); }),
                    frame_start(start, start_normal, StartRule::least_rotation, path.named.path,
-                               reference_of(path, up)),
+                               reference_of(path.named.path, up)),
                    up};
   query.scale = size;
   query.twist = angle_number(twist, "twist");

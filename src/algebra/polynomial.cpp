@@ -294,6 +294,10 @@ int sign_after_zero(const Polynomial& p) {
   return 0;
 }
 
+int sign_before_one(const Polynomial& p) {
+  return sign_after_zero(p.is_constant() ? p : compose(p, Polynomial{1, -1}));
+}
+
 std::ostream& operator<<(std::ostream& out, const Polynomial& p) { return out << to_string(p); }
 
 }  // namespace phrame

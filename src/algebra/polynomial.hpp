@@ -132,5 +132,7 @@ Polynomial to_polynomial(const fmpz_poly_t p);  ///< the same over ℚ
 
 /// The sign of p(t) for small t > 0: that of its lowest coefficient, 0 for p = 0.
 int sign_after_zero(const Polynomial& p);
+/// The sign of p(t) for t < 1 next to 1.
+int sign_before_one(const Polynomial& p);
 
 }  // namespace phrame

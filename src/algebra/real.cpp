@@ -90,6 +90,10 @@ Real remembered(const Real& x) {
           x.origin()};
 }
 
+Real known_irrational(const Real& x) {
+  return {[x](long bits) { return x.enclose(bits); }, {true, x.origin().bits}};
+}
+
 Real square_root_of(const Rational& x) {
   if (const auto root = square_root(x)) return *root;
   return {[x](long bits) { return sqrt(RealBall(x, bits + 8), bits + 8); }, {true, bits_of(x)}};

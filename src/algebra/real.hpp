@@ -60,6 +60,8 @@ Real operator*(const Real& x, const Real& y);
 /// The same number, which keeps the narrowest ball that it was asked for, for the next time. Its
 /// copies share it.
 Real remembered(const Real& x);
+/// The same number, which is known to be irrational.
+Real known_irrational(const Real& x);
 /// √x for x ≥ 0, exact where it is rational.
 Real square_root_of(const Rational& x);
 Real square_root_of(const Real& x);  ///< likewise; of an x ≥ 0 that is not exact nothing is known

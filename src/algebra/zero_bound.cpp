@@ -83,13 +83,12 @@ Real settled(const Real& x, const ZeroBound& bound) {
   const auto near = ball_of_radius(x, 2 * bound.height + 2);
   if (!near) return x;
   const Rational candidate = simplest_between(near->lower(), near->upper());
-  const Real irrational([x](long bits) { return x.enclose(bits); }, {true, x.origin().bits});
-  if (height_of(candidate) > bound.height + 1) return irrational;
+  if (height_of(candidate) > bound.height + 1) return known_irrational(x);
   const ZeroBound off = of_sum(bound, zero_bound(candidate));
   if (!off.is_known()) return x;
   const auto ball = ball_of_radius(x, off.bits() + 2);
   if (!ball) return x;
-  return ball->contains(candidate) ? Real(candidate) : irrational;
+  return ball->contains(candidate) ? Real(candidate) : known_irrational(x);
 }
 
 std::optional<int> decided_sign(const Real& x, const ZeroBound& bound) {

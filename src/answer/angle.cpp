@@ -17,12 +17,6 @@ AngleFormula formula(const RmfAngle& angle, const AngleQuery& query) {
   return formula;
 }
 
-PathAngle angle_for(const Path& path, const AngleQuery& query) {
-  if (query.up) return {path, *query.up, query.form};
-  if (query.reference) return {path, *query.reference, query.form};
-  return {path, path.is_ph() ? Reference::euler_rodrigues : Reference::up, query.form};
-}
-
 /// Is it known of every number whether it is rational, or 0?
 bool is_in_closed_form(const PathAngle& angle) {
   return angle.reference() != Reference::up && angle.path().is_ph();
@@ -39,7 +33,7 @@ void add_formulas(AngleAnswer& answer, const PathAngle& angle, const AngleQuery&
 }  // namespace
 
 AngleAnswer answer(const NamedPath& named, const AngleQuery& query) {
-  PathAngle angle = angle_for(named.path, query);
+  PathAngle angle = angle_to(query.up, named.path, query.reference, query.form);
   if (query.route != Route::automatic) angle.take(query.route);
   const bool is_closed_form = is_in_closed_form(angle);
   const auto decimal = [&](const Real& x, const std::string& what) {

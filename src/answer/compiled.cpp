@@ -17,15 +17,10 @@ double greatest_error(const PiecewisePolynomial& p) {
   return greatest * (1 + 0x1p-50);  // not rounded down
 }
 
-PathAngle angle_for(const Path& path, const CompiledQuery& query) {
-  return query.reference && !query.up ? PathAngle(path, *query.reference)
-                                      : angle_to(query.up, path);
-}
-
 }  // namespace
 
 CompiledAnswer answer(const NamedPath& named, const CompiledQuery& query) {
-  const PathAngle angle = angle_for(named.path, query);
+  const PathAngle angle = angle_to(query.up, named.path, query.reference);
   const StartAngle start = start_angle(query.start, angle);
   const bool is_up = angle.reference() == Reference::up;
   const RmfAngle* curve = goes_on(named.path) && !is_up ? angle.closed_form(0) : nullptr;

@@ -57,14 +57,6 @@ void add_holonomy(InfoAnswer& answer, const PathAngle& angle, long digits) {
   }
 }
 
-/// Of a curve by itself.
-std::vector<RealRoot> cusps_of(const Segment& segment) {
-  if (const Curve* curve = ph_curve(segment)) return cusps(*curve);
-  const RationalCurve* curve = rational_curve(segment);
-  if (curve == nullptr || curve->multiplier().is_constant()) return {};
-  return real_roots(curve->multiplier(), closed(0, 1));
-}
-
 }  // namespace
 
 InfoAnswer answer(const NamedPath& named, const InfoQuery& query) {
@@ -85,7 +77,7 @@ InfoAnswer answer(const NamedPath& named, const InfoQuery& query) {
     add_turning(answer, *ph, query.digits);
   else
     add_holonomy(answer, angle, query.digits);
-  if (is_single) answer.cusps = cusps_of(path.segments().front());
+  if (is_single) answer.cusps = cusps(path.segments().front());
   return answer;
 }
 

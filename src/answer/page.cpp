@@ -8,7 +8,6 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/end_normal.hpp"
 #include "phrame/ph/along/path_angle.hpp"
-#include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/frame/frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
@@ -69,12 +68,13 @@ std::vector<PathParameter> places(std::size_t count, const PageQuery& query,
 }
 
 /// Is the path too much for what takes long?
-bool is_heavy(const PhPath& path) {
+bool is_heavy(const Path& path) {
   long work = 0;
-  for (const Curve& curve : path.segments()) {
-    const long n = preimage_degree(curve);
-    work += n * n * n;
-  }
+  for (const Segment& segment : path.segments())
+    if (const Curve* curve = ph_curve(segment)) {
+      const long n = preimage_degree(*curve);
+      work += n * n * n;
+    }
   return work > most_work;
 }
 
@@ -153,11 +153,6 @@ void drop_undefined(PageRows& rows, std::vector<TabulatedFrame>& frames) {
   }
 }
 
-std::optional<TotalsAnswer> totals_if_short(const NamedPath& named) {
-  if (named.path.segments().size() > most_totals) return std::nullopt;
-  return answer(named, TotalsQuery{page_digits});
-}
-
 /// Polynomials with a proof, of few segments and where they can be had.
 std::optional<CompiledAnswer> compiled_if_short(const NamedPath& named,
                                                 const CompiledQuery& query) {
@@ -175,100 +170,76 @@ AngleQuery formulas(const NamedPath& named, const PageQuery& query, const FrameS
   return formulas;
 }
 
-/// Of PH curves, by their Euler–Rodrigues frame.
-PageAnswer page_to_erf(const NamedPath& named, const PhPath& path, const PageQuery& query) {
-  const auto closing = path.closing_turn();
-  require_open(query.end_normal, closing.has_value());
-  std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::euler_rodrigues,
-                                     TabulatedFrame::frenet};
-  if (closing || query.end_normal) frames.push_back(TabulatedFrame::exact_mtf);
-  std::optional<CheckAnswer> check = check_of(named, query);
-  const FrameStart from = start_of(query, check);
-  TableColumns columns = page_columns(frames, from);
-  const FrameAngle start = start_angle(from, path);
-  const PathAngle angle(path);
-  if (closing || query.end_normal)
-    columns.exact_mtf = minimal_twist(angle, from, end_of_frame(query.end_normal));
-
-  const auto table_at = [&](const std::vector<PathParameter>& at) {
-    FrameTable table = frame_table(angle, columns, std::vector<Place>(at.begin(), at.end()));
-    add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k], start); });
-    add_column(table, "theta_rate",
-               [&](std::size_t k) { return angle.closed_form(at[k].segment)->rate()(at[k].t); });
-    add_column(table, "speed", [&](std::size_t k) {
-      const Curve& curve = path.segments()[at[k].segment];
-      return abs(Rational(curve.multiplier()(at[k].t) * sigma(curve.preimage())(at[k].t)));
-    });
-    return table;
-  };
-  PathTurns turns = path_turns(path);
-  PageRows rows = page_rows(places(path.segments().size(), query, turns), table_at);
-  rows.table.near = named.near;
-  drop_undefined(rows, frames);
-  if (check) add_given(rows, *check, path.segments().size());
-
-  std::optional<ClassificationAnswer> classification;
-  if (path.segments().size() <= most_in_full) classification = answer(named, ClassificationQuery{});
-  std::optional<Certificate> certificate;
-  const bool is_heavy = phrame::is_heavy(path);
-  if (path.is_curve() && !is_heavy)
-    certificate = certify(path.segments().front(), Reference::euler_rodrigues, {1}, page_digits);
-  return {
-      .angle = answer(named, formulas(named, query, from)),
-      .info = answer(named, InfoQuery{page_digits}),
-      .totals = is_heavy ? std::nullopt : totals_if_short(named),
-      .classification = std::move(classification),
-      .frames = std::move(frames),
-      .table = std::move(rows.table),
-      .check = std::move(check),
-      .certificate = std::move(certificate),
-      .compiled = is_heavy ? std::nullopt : compiled_if_short(named, CompiledQuery{.start = from}),
-      .is_closed = closing.has_value(),
-      .jumps = std::move(rows.jumps),
-      .turns = std::move(turns)};
+/// Columns of θ and, where it has closed forms by the Euler–Rodrigues frame, of θ′ and |r′|.
+void add_angles(FrameTable& table, const PathAngle& angle, const StartAngle& start,
+                const std::vector<PathParameter>& at) {
+  add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k], start); });
+  if (angle.reference() != Reference::euler_rodrigues) return;
+  add_column(table, "theta_rate",
+             [&](std::size_t k) { return angle.closed_form(at[k].segment)->rate()(at[k].t); });
+  add_column(table, "speed", [&](std::size_t k) {
+    const Curve& curve = *ph_curve(angle.path().segments()[at[k].segment]);
+    return abs(Rational(curve.multiplier()(at[k].t) * sigma(curve.preimage())(at[k].t)));
+  });
 }
 
-/// Of a path of any kind, by the frame of v.
-PageAnswer page_to_up(const NamedPath& named, const PageQuery& query) {
-  const Path& path = named.path;
-  const PathAngle angle = angle_to(query.up, path);
-  const bool is_closed = closure(path).is_closed == true;
-  std::vector<TabulatedFrame> frames{TabulatedFrame::rmf, TabulatedFrame::up,
-                                     TabulatedFrame::frenet};
-  std::optional<CheckAnswer> check = check_of(named, query);
-  const FrameStart from = start_of(query, check);
-  require_open(query.end_normal, is_closed);
-  const bool has_ends = is_closed || query.end_normal;
-  if (has_ends) frames.push_back(TabulatedFrame::exact_mtf);
-  TableColumns columns = page_columns(frames, from);
-  if (has_ends) columns.exact_mtf = minimal_twist(angle, from, end_of_frame(query.end_normal));
-  const StartAngle start = start_angle(from, angle);
-  const auto table_at = [&](const std::vector<PathParameter>& at) {
-    FrameTable table = frame_table(angle, columns, std::vector<Place>(at.begin(), at.end()));
-    add_column(table, "theta", [&](std::size_t k) { return angle.value(at[k], start); });
-    return table;
-  };
-  PathTurns turns = path_turns(path);
-  PageRows rows = page_rows(places(path.segments().size(), query, turns), table_at);
-  drop_undefined(rows, frames);
-  if (check) add_given(rows, *check, path.segments().size());
-
-  return {.angle = answer(named, formulas(named, query, from)),
-          .info = answer(named, InfoQuery{page_digits}),
-          .totals = answer(named, TotalsQuery{page_digits}),
-          .frames = std::move(frames),
-          .table = std::move(rows.table),
-          .compiled = compiled_if_short(named, CompiledQuery{.up = angle.up(), .start = from}),
-          .is_closed = is_closed,
-          .jumps = std::move(rows.jumps),
-          .turns = std::move(turns)};
+/// What does not take too long of a path of PH curves by their Euler–Rodrigues frame.
+void add_decided(PageAnswer& page, const NamedPath& named, const FrameStart& from) {
+  const auto& segments = named.path.segments();
+  if (segments.size() <= most_in_full) page.classification = answer(named, ClassificationQuery{});
+  if (is_heavy(named.path)) return;
+  if (segments.size() <= most_totals) page.totals = answer(named, TotalsQuery{page_digits});
+  if (segments.size() == 1)
+    page.certificate =
+        certify(*ph_curve(segments.front()), Reference::euler_rodrigues, {1}, page_digits);
+  page.compiled = compiled_if_short(named, CompiledQuery{.start = from});
 }
 
 }  // namespace
 
 PageAnswer answer(const NamedPath& named, const PageQuery& query) {
-  const auto ph = query.up ? std::nullopt : named.path.ph();
-  return ph ? page_to_erf(named, *ph, query) : page_to_up(named, query);
+  const Path& path = named.path;
+  const std::size_t count = path.segments().size();
+  const PathAngle angle = angle_to(query.up, path);
+  const bool is_to_erf = angle.reference() == Reference::euler_rodrigues;
+  const bool is_closed = closure(path).is_closed == true;
+  require_open(query.end_normal, is_closed);
+  std::vector<TabulatedFrame> frames{
+      TabulatedFrame::rmf, is_to_erf ? TabulatedFrame::euler_rodrigues : TabulatedFrame::up,
+      TabulatedFrame::frenet};
+  const bool has_ends = is_closed || query.end_normal;
+  if (has_ends) frames.push_back(TabulatedFrame::exact_mtf);
+  std::optional<CheckAnswer> check = check_of(named, query);
+  const FrameStart from = start_of(query, check);
+  const StartAngle start = start_angle(from, angle);
+  TableColumns columns = page_columns(frames, from);
+  if (has_ends) columns.exact_mtf = minimal_twist(angle, from, end_of_frame(query.end_normal));
+  const auto table_at = [&](const std::vector<PathParameter>& at) {
+    FrameTable table = frame_table(angle, columns, std::vector<Place>(at.begin(), at.end()));
+    add_angles(table, angle, start, at);
+    return table;
+  };
+  PathTurns turns = path_turns(angle);
+  PageRows rows = page_rows(places(count, query, turns), table_at);
+  rows.table.near = named.near;
+  drop_undefined(rows, frames);
+  if (check) add_given(rows, *check, count);
+
+  PageAnswer page{.angle = answer(named, formulas(named, query, from)),
+                  .info = answer(named, InfoQuery{page_digits}),
+                  .frames = std::move(frames),
+                  .table = std::move(rows.table),
+                  .check = std::move(check),
+                  .is_closed = is_closed,
+                  .jumps = std::move(rows.jumps),
+                  .turns = std::move(turns)};
+  if (is_to_erf) {
+    add_decided(page, named, from);
+  } else {
+    page.totals = answer(named, TotalsQuery{page_digits});
+    page.compiled = compiled_if_short(named, CompiledQuery{.up = angle.up(), .start = from});
+  }
+  return page;
 }
 
 }  // namespace phrame

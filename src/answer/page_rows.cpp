@@ -37,24 +37,6 @@ class Farthest {
   std::map<std::pair<Plotted, bool>, std::pair<std::size_t, Turn>> turns_;
 };
 
-template <class AnyKindOfPath>
-PathTurns turns_along(const AnyKindOfPath& path) {
-  const auto& segments = path.segments();
-  PathTurns all;
-  Farthest farthest;
-  for (std::size_t k = 0; k < segments.size(); ++k) {
-    const Turns found = turns(segments[k]);
-    add_segment(all, found);
-    for (const Turn& turn : found.list)
-      if (segments.size() > most_segments_in_detail)
-        farthest.see(k, turn);
-      else
-        all.at.push_back({k, turn.at});
-  }
-  farthest.add_to(all.at);
-  return all;
-}
-
 bool is_number(const double x) { return !std::isnan(x); }
 
 /// Which columns are looked at: the place and what is plotted, but not vectors of frames.
@@ -183,8 +165,24 @@ bool is_same_place(const PathParameter& a, const PathParameter& b) {
          abs(Rational(a.t - b.t)) < power_of_two(-80);
 }
 
-PathTurns path_turns(const PhPath& path) { return turns_along(path); }
-PathTurns path_turns(const Path& path) { return turns_along(path); }
+PathTurns path_turns(const PathAngle& angle) {
+  const auto& segments = angle.path().segments();
+  PathTurns all;
+  Farthest farthest;
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const Turns found = angle.reference() == Reference::euler_rodrigues
+                            ? turns(*ph_curve(segments[k]))
+                            : turns(segments[k]);
+    add_segment(all, found);
+    for (const Turn& turn : found.list)
+      if (segments.size() > most_segments_in_detail)
+        farthest.see(k, turn);
+      else
+        all.at.push_back({k, turn.at});
+  }
+  farthest.add_to(all.at);
+  return all;
+}
 
 PageRows page_rows(std::vector<PathParameter> at, const RowMaker& make) {
   PageRows rows{std::move(at), {}, {}};

@@ -14,10 +14,9 @@ struct PathTurns {
   double slack = 0;               ///< likewise
 };
 
-/// @{ Of all segments.
-PathTurns path_turns(const PhPath& path);
-PathTurns path_turns(const Path& path);
-/// @}
+/// Of all segments: of κ and τ, and where the angle is to the Euler–Rodrigues frame, so that there
+/// are closed forms, of θ, θ′ and |r′|, too.
+PathTurns path_turns(const PathAngle& angle);
 
 /// What has a limit from the left at a joint that is another number than that from the right.
 struct PageJump {

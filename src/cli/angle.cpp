@@ -59,19 +59,15 @@ void run(const Command& command, const AngleOptions& options) {
   const Print print = options.form.chosen_print();
   const NamedPath named = options.curve.read_any_path();
   const Path& path = named.path;
-  if (query.reference == Reference::euler_rodrigues && !path.is_ph())
-    throw InputError("--frame", "\"erf\" " + needs_ph(path));
-  if (options.up.vector && query.reference && query.reference != Reference::up)
-    throw InputError("--up", "is of --frame up, and --frame is " + options.frame);
+  require_reference(query.reference, options.up, path);
   require_closed_form(command, options, path);
   query.up = options.up.chosen(path);
-  const bool is_up = query.up || !path.is_ph();
-  options.start.check(path,
-                      query.reference.value_or(is_up ? Reference::up : Reference::euler_rodrigues));
+  options.start.check(path, query.up, query.reference);
   query.at = options.parameters.values(path.end());
   if (path.segments().size() > 1 && print.as == Print::As::script)
     fail_for_spline("--print", options.form.print);
-  if (goes_on(path) && query.reference != Reference::up && !is_up && query.at.empty())
+  const bool is_up = reference_of(path, query.up, query.reference) == Reference::up;
+  if (goes_on(path) && !is_up && query.at.empty())
     // Else the total angle is shown, at least.
     command.refuse({"--digits", "--route"}, "needs --at or --samples: no value is asked for");
   options.form.length.write(options.curve.output, printed(answer(named, query), print));

@@ -95,6 +95,14 @@ Reference chosen_reference(const std::string& name) {
   return choose<Reference>("--frame", name, reference_names());
 }
 
+void require_reference(const std::optional<Reference>& asked, const UpOption& up,
+                       const Path& path) {
+  if (asked == Reference::euler_rodrigues && !path.is_ph())
+    throw InputError("--frame", "\"erf\" " + needs_ph(path));
+  if (up.vector && asked && asked != Reference::up)
+    throw InputError("--up", std::string("is of --frame up, and --frame is ") + name_of(*asked));
+}
+
 void fail_for_spline(const std::string& option, const std::string& value) {
   throw InputError(option, "\"" + abbreviated(value) + "\" is for single curves; this is a spline");
 }
@@ -265,8 +273,9 @@ void StartOptions::check(const Path& path, Reference reference) const {
   at_option("--start-normal", [&] { require_start_normal(std::get<StartNormal>(start()), path); });
 }
 
-void StartOptions::check(const Path& path, const std::optional<Vector<Rational>>& v) const {
-  check(path, v || !path.is_ph() ? Reference::up : Reference::euler_rodrigues);
+void StartOptions::check(const Path& path, const std::optional<Vector<Rational>>& v,
+                         std::optional<Reference> asked) const {
+  check(path, reference_of(path, v, asked));
 }
 
 void UpOption::add_to(Command& command, const std::string& what) {

@@ -100,8 +100,9 @@ struct StartOptions {
   /// Throws InputError for a vector that has no part across the tangent, and for a frame that
   /// angles along the path are not measured from: they are from this one.
   void check(const Path& path, Reference reference) const;
-  /// The same, from the frame of v where there is one, else as PathAngle(path) has it.
-  void check(const Path& path, const std::optional<Vector<Rational>>& v) const;
+  /// The same, from the frame of angle_to().
+  void check(const Path& path, const std::optional<Vector<Rational>>& v,
+             std::optional<Reference> asked = std::nullopt) const;
   static std::vector<std::string> names() { return {"--start", "--theta0", "--start-normal"}; }
 
  private:
@@ -156,6 +157,9 @@ std::vector<std::string> keys(const std::vector<std::pair<std::string, T>>& valu
 /// --frame of an angle: erf or frenet.
 void add_reference(Command& command, std::string& name, const std::string& what);
 Reference chosen_reference(const std::string& name);
+/// Throws InputError where the path has no frame of that name, or --up is given with another name
+/// than "up".
+void require_reference(const std::optional<Reference>& asked, const UpOption& up, const Path& path);
 
 /// "--to: "2" is for single curves; this is a spline". Throws InputError.
 [[noreturn]] void fail_for_spline(const std::string& option, const std::string& value);

@@ -40,10 +40,7 @@ std::pair<double, double> interval(const CompileOptions& options) {
 /// What does not go with this path.
 void require_frame(const Command& command, const CompileOptions& options, const Path& path,
                    const CompiledQuery& query) {
-  if (query.reference == Reference::euler_rodrigues && !path.is_ph())
-    throw InputError("--frame", "\"erf\" " + needs_ph(path));
-  if (options.up.vector && query.reference && query.reference != Reference::up)
-    throw InputError("--up", "is of --frame up, and --frame is " + options.frame);
+  require_reference(query.reference, options.up, path);
   if (!path.is_ph() || query.up) {
     command.refuse({"--from", "--to"},
                    "is for single Pythagorean-hodograph curves by erf or frenet; others are "
@@ -68,10 +65,7 @@ void run(const Command& command, const CompileOptions& options) {
   query.up = options.up.chosen(
       named.path, query.reference == Reference::up || (options.start.is_up() && !query.reference));
   require_frame(command, options, named.path, query);
-  options.start.check(named.path, query.up || !query.reference ? (query.up || !named.path.is_ph()
-                                                                      ? Reference::up
-                                                                      : Reference::euler_rodrigues)
-                                                               : *query.reference);
+  options.start.check(named.path, query.up, query.reference);
   write_output(options.curve.output,
                to_c_header(answer(named, query), options.prefix.value_or(prefix_from(named.name))));
 }

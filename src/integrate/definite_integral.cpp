@@ -210,7 +210,7 @@ std::optional<ExactValue> in_finite_terms(const Logs& logs, const Antiderivative
   return difference ? std::optional(ExactValue{*difference, turned, {}, {}}) : std::nullopt;
 }
 
-DefiniteIntegral exactly(const Rational& x) { return {x, ExactValue{x, 0, {}, {}}}; }
+DefiniteIntegral exactly(const Rational& x) { return {x, exact_value(x)}; }
 
 }  // namespace
 

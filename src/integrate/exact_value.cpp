@@ -159,7 +159,9 @@ ExactValue exact_value(const Rational& rational, LogChange change, const RealAlg
   return value;
 }
 
-bool is_rational(const ExactValue& x) { return x == ExactValue{x.rational, 0, {}, {}}; }
+ExactValue exact_value(const Rational& x) { return {x, 0, {}, {}}; }
+
+bool is_rational(const ExactValue& x) { return x == exact_value(x.rational); }
 
 std::optional<ExactValue> sum_of(const std::vector<ExactValue>& values) {
   Rational rational = 0;

@@ -26,6 +26,8 @@ struct ExactValue {
   friend bool operator==(const ExactValue&, const ExactValue&) = default;
 };
 
+/// This number.
+ExactValue exact_value(const Rational& x);
 /// Is it a rational number? Decided, as π, the logarithms and the arctangents, once those that add
 /// up to a rational multiple of π are gone, make a transcendental number [Baker 1975].
 bool is_rational(const ExactValue& x);

@@ -112,7 +112,7 @@ DefiniteIntegral sum_of_integrals(const std::vector<KnownIntegral>& integrals) {
   if (is_apart(bits) || is_apart(bits + 16 * number_of_poles(integrals)))
     return irrational(std::nullopt);
   DefiniteIntegral others = as_one(integrals);
-  if (others.exact) others.exact = *others.exact + ExactValue{known, 0, {}, {}};
+  if (others.exact) others.exact = *others.exact + exact_value(known);
   if (const auto rational = others.value.exact())
     return {Rational(known + *rational), others.exact};
   return {Real(enclose, {others.value.origin().is_irrational, size}), others.exact};

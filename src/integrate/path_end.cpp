@@ -87,7 +87,7 @@ DefiniteIntegral path_integral(const RationalFunction& f, const PathEnd& a, cons
   const Endpoint to = near(b);
   const DefiniteIntegral middle = definite_integral(f, from, to, at_poles);
   const Antiderivative F = integrate(f, Form::partial_fractions);
-  if (const auto r = rational_value(f, F, a, b)) return {*r, ExactValue{*r, 0, {}, {}}};
+  if (const auto r = rational_value(f, F, a, b)) return {*r, exact_value(*r)};
   const Evaluator evaluator(F, f);
   Real value = middle.value;
   if (p != nullptr) value = value + -rest(f, evaluator, std::get<Rational>(from), *p);

@@ -144,16 +144,6 @@ JsonNode curve_of(const JsonNode& line) {
   return line.at("curve");
 }
 
-/// What is undefined for the value at a key is an error there, else in the line.
-template <class Make>
-auto at_key(const JsonNode& line, const char* key, Make make) {
-  try {
-    return make();
-  } catch (const DomainError& error) {
-    (line.find(key) ? line.at(key) : line).fail(error.what());
-  }
-}
-
 /// A vector that gives no start is an error at the line's key, else in the option for all lines.
 void require_start(const JsonNode& line, const FrameStart& start, const Path& path) {
   if (!std::holds_alternative<StartNormal>(start)) return;
@@ -175,10 +165,11 @@ void require_frame(const JsonNode& line, const NamedPath& named, const AngleQuer
   if (!up) return;
   if (frame && query.reference != Reference::up)
     up->fail("it is of the frame \"up\", and \"frame\" is another");
-  at_key(line, "up", [&] {
+  try {
     require_up_vector(named.path, *query.up);
-    return 0;
-  });
+  } catch (const DomainError& error) {
+    up->fail(error.what());
+  }
 }
 
 std::string answer_text(const JsonNode& line, const BatchDefaults& defaults) {
@@ -191,9 +182,9 @@ std::string answer_text(const JsonNode& line, const BatchDefaults& defaults) {
   const NamedPath named = path_of(curve, defaults);
   require_frame(line, named, query);
   require_start(line, query.start, named.path);
-  // The frame for all lines is that of PH curves.
+  // The Euler–Rodrigues frame that is meant for all lines is that of PH curves.
   const bool is_given = line.find("curve") && line.find("frame");
-  if (query.up || (!is_given && !named.path.is_ph() && query.reference != Reference::frenet))
+  if (!is_given && !named.path.is_ph() && query.reference == Reference::euler_rodrigues)
     query.reference.reset();
   return to_json_line(answer(named, query));
 }

@@ -122,7 +122,8 @@ TEST_CASE("page rows: places are told apart as doubles tell them, and segments a
 
 // κ of (t, t²) is 2/(1 + 4t²)^(3/2), greatest at t = 0: in the middle of s from −1 to 1.
 TEST_CASE("page rows: the turns of a path hold the greatest curvature of a parabola") {
-  const PathTurns turns = path_turns(Path(test::expression_curve({"s", "s^2", "0"}, "-1", "1")));
+  const PathTurns turns =
+      path_turns(PathAngle(Path(test::expression_curve({"s", "s^2", "0"}, "-1", "1"))));
   CHECK(turns.infinite.empty());
   CHECK(std::any_of(turns.at.begin(), turns.at.end(), [](const PathParameter& at) {
     return is_same_place(at, {0, Rational(1, 2)});

@@ -57,9 +57,7 @@ std::string cas_multiple(const RealAlgebraic& x, std::string_view name, Language
   const auto polynomial = [&](const std::string& letter) {
     return cas_formula(RationalFunction(p), language, letter);
   };
-  const auto number = [&](const Rational& r) {
-    return cas_formula(ExactValue{r, 0, {}, {}}, language);
-  };
+  const auto number = [&](const Rational& r) { return cas_formula(exact_value(r), language); };
   const auto times = [&](const std::string& root) { return fmt::format("{}*{}", root, name); };
   switch (language) {
     case Language::sympy:

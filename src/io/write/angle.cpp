@@ -245,7 +245,6 @@ void add_formulas(JsonOutput& json, const AngleAnswer& answer) {
 
 JsonOutput json_of(const AngleAnswer& answer) {
   const Path& path = answer.path.path;
-  const auto ph = ph_path(answer);
   const bool is_single = path.segments().size() == 1;
   JsonOutput json = {{"phrame", is_single ? "angle/1" : "spline-angle/1"}};
   if (is_single)
@@ -264,8 +263,7 @@ JsonOutput json_of(const AngleAnswer& answer) {
   add_nearness(json, answer.path.near);
   if (answer.total) {
     json["total"] = phrame::json_of(*answer.total);
-    json["closed"] =
-        ph ? JsonOutput(ph->closing_turn().has_value()) : json_if_known(closure(path).is_closed);
+    json["closed"] = json_if_known(closure(path).is_closed);
     json["holonomy"] = answer.holonomy ? phrame::json_of(*answer.holonomy) : JsonOutput();
   }
   if (!answer.no_holonomy.empty()) json["holonomy_reason"] = "undecided: " + answer.no_holonomy;

@@ -7,11 +7,6 @@
 namespace phrame {
 namespace {
 
-std::string closure(const PhPath& path) {
-  if (path.closing_turn()) return "closed";
-  return path.ends_meet() ? "its ends meet, but not their tangents" : "open";
-}
-
 std::string closure_text(const Path& path) {
   const Closure closure = phrame::closure(path);
   if (!closure.ends_meet) return "open or closed: undecided";
@@ -33,13 +28,6 @@ std::string heading(const std::string& name, const Curve& curve) {
                      preimage_degree(curve));
 }
 
-std::string heading(const NamedPhPath& named) {
-  const PhPath& path = named.path;
-  if (path.is_curve()) return heading(named.name, path.segments().front());
-  return fmt::format("{}PH spline of {}, {}", name_prefix(named.name),
-                     counted(path.segments().size(), "segment"), closure(path));
-}
-
 std::string kind_of(const Segment& segment) {
   const RationalCurve* curve = rational_curve(segment);
   if (curve == nullptr) return "curve by formulas";
@@ -48,9 +36,11 @@ std::string kind_of(const Segment& segment) {
 }
 
 std::string heading(const NamedPath& named) {
-  if (auto ph = named.path.ph()) return heading(NamedPhPath(named.name, *std::move(ph)));
   const auto& segments = named.path.segments();
-  const std::string kind = segments.size() > 1
+  const bool is_ph = named.path.is_ph();
+  if (is_ph && segments.size() == 1) return heading(named.name, *ph_curve(segments.front()));
+  const std::string kind = is_ph ? "PH spline of " + counted(segments.size(), "segment")
+                           : segments.size() > 1
                                ? fmt::format("path of {}", counted(segments.size(), "curve"))
                            : std::holds_alternative<ExpressionCurve>(segments.front())
                                ? kind_of(segments.front()) + ", along which t runs from 0 to 1"

@@ -2,19 +2,16 @@
 #include <string>
 
 #include "phrame/io/write/prose.hpp"
-#include "phrame/ph/curve/named.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
 
-/// The first line of a report: "PH quintic, degree 5 (preimage of degree 2)", "PH spline of 4
-/// segments, closed".
+/// The first line of a report: "PH quintic, degree 5 (preimage of degree 2)".
 std::string heading(const std::string& name, const Curve& curve);
-std::string heading(const NamedPhPath& named);
 /// "rational curve of degree 2", "curve by formulas".
 std::string kind_of(const Segment& segment);
-/// Of a path of any kind: the same of PH curves, "rational curve of degree 2", "path of 4 curves,
-/// closed".
+/// Of a path of any kind: the same of one PH curve, "PH spline of 4 segments, closed", "rational
+/// curve of degree 2", "path of 4 curves, closed".
 std::string heading(const NamedPath& named);
 
 /// What frames and angles mean where the multiplier is negative on [0, 1], as prose() has it; empty

@@ -8,34 +8,24 @@
 #include "phrame/algebra/ring_ball.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/along/expression_integral.hpp"
+#include "phrame/ph/along/rational_rates.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
 #include "phrame/ph/curve/formula_domain.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
-namespace {
-
-Vector<Polynomial> derivative_of(const Vector<Polynomial>& v) {
-  return {differentiate(v[0]), differentiate(v[1]), differentiate(v[2])};
-}
-
-}  // namespace
 
 RationalFunction squared_curvature(const RationalCurve& curve) {
-  const Vector<Polynomial>& H = curve.direction();
-  const Vector<Polynomial> normal = cross(H, derivative_of(H));
-  const Polynomial sigma = dot(H, H);
-  return {dot(normal, normal) * pow(curve.weight(), 4), pow(curve.multiplier(), 2) * pow(sigma, 3)};
+  const Vector<Polynomial> b = binormal(curve);
+  const Polynomial sigma = dot(curve.direction(), curve.direction());
+  return {dot(b, b) * pow(curve.weight(), 4), pow(curve.multiplier(), 2) * pow(sigma, 3)};
 }
 
 RationalFunction torsion(const RationalCurve& curve) {
-  const Vector<Polynomial>& H = curve.direction();
-  const Vector<Polynomial> first = derivative_of(H);
-  const Vector<Polynomial> normal = cross(H, first);
-  const Polynomial rho = dot(normal, normal);
+  const auto [sigma, rho, volume] = turning_of(curve);
   if (rho.is_zero()) throw DomainError("torsion: the curve is a straight line, it has none");
-  return {dot(normal, derivative_of(first)) * pow(curve.weight(), 2), curve.multiplier() * rho};
+  return {volume * pow(curve.weight(), 2), curve.multiplier() * rho};
 }
 
 namespace {
@@ -50,14 +40,9 @@ Real value_of(const RationalFunction& f, const Real& t, const char* name) {
   return Rational(f.numerator()(*t.exact()) / below);
 }
 
-Vector<Polynomial> binormal_of(const RationalCurve& curve) {
-  return cross(curve.direction(), derivative_of(curve.direction()));
-}
-
 /// Has the curve neither inflections nor a straight part?
 bool bends_all_along(const RationalCurve& curve) {
-  const Vector<Polynomial> b = binormal_of(curve);
-  const Polynomial common = gcd(gcd(b[0], b[1]), b[2]);
+  const Polynomial common = gcd(binormal(curve));
   return !common.is_zero() && count_real_roots(common, {0, 1}) == 0;
 }
 
@@ -72,7 +57,7 @@ bool bends_all_along(const ExpressionCurve& curve) {
 
 /// H × H′ at t, up to a positive factor, put into the program.
 ExactVector binormal_at(const RationalCurve& curve, const Rational& t, FormulaProgram& program) {
-  const Vector<Rational> b = evaluate(binormal_of(curve), t);
+  const Vector<Rational> b = evaluate(binormal(curve), t);
   return {program.number(b[0]), program.number(b[1]), program.number(b[2])};
 }
 
@@ -104,8 +89,8 @@ bool have_same_normal(const Segment& before, const Segment& after) {
 /// The binormal of the Frenet frame that is continued through inflections, up to a factor ≠ 0.
 ExactVector continued_binormal(const RationalCurve& curve, const Rational& t,
                                FormulaProgram& program) {
-  const Vector<Polynomial> b = binormal_of(curve);
-  const Polynomial common = gcd(gcd(b[0], b[1]), b[2]);
+  const Vector<Polynomial> b = binormal(curve);
+  const Polynomial common = gcd(b);
   ExactVector result{};
   for (std::size_t k = 0; k < 3; ++k) result[k] = program.number(exact_quotient(b[k], common)(t));
   return result;

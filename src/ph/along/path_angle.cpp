@@ -53,14 +53,6 @@ void require_on_segment(const Real& t) {
     throw DomainError(fmt::format("t = {} is outside [0, 1]", as_written(*t.exact())));
 }
 
-void require_ph(const Path& path) {
-  for (std::size_t k = 0; k < path.segments().size(); ++k)
-    if (ph_curve(path.segments()[k]) == nullptr)
-      throw DomainError(fmt::format(
-          "Euler-Rodrigues frame: segment {} is no Pythagorean-hodograph curve, it has none",
-          k + 1));
-}
-
 }  // namespace
 
 struct PathAngle::State {
@@ -104,6 +96,8 @@ struct PathAngle::State {
   std::vector<GaussianRational> directions{{1, 0}};
 
   State(const Path& along, Measure by);
+  /// The same angle, whose values are found on this way.
+  State(const State& other, Route route);
 
   const RmfAngle* closed_form(std::size_t k) const {
     return closed_forms[k] ? &*closed_forms[k] : nullptr;
@@ -128,7 +122,7 @@ struct PathAngle::State {
 
   RealBall sum_before(std::size_t segment, long bits);
   RealBall enclose(const Place& at, long bits);
-  RealBall enclose(const Place& at, const FrameAngle& start, long bits);
+  RealBall enclose(const Place& at, const Real& start, long bits);
   Rational rational_part(std::size_t from, const PathParameter& at) const;
   RealBall rational_ball(const PathParameter& at);
   Antiderivative over_unit_interval(std::size_t from, const PathParameter& at) const;
@@ -147,11 +141,21 @@ PathAngle::State::State(const Path& along, Measure by) : path(along), measure(st
   }
 }
 
-PathAngle::PathAngle(const Path& path)
-    : PathAngle(path, path.is_ph() ? Reference::euler_rodrigues : Reference::up) {}
+PathAngle::State::State(const State& other, Route route)
+    : path(other.path),
+      measure(other.measure),
+      closed_forms(other.closed_forms),
+      closed_segments(other.closed_segments),
+      is_zero(other.is_zero) {
+  for (auto& angle : closed_forms)
+    if (angle) angle->take(route);
+}
+
+PathAngle::PathAngle(const Path& path) : PathAngle(path, reference_of(path, std::nullopt)) {}
 
 PathAngle::PathAngle(const Path& path, Reference reference, Form form) {
-  if (reference == Reference::euler_rodrigues) require_ph(path);
+  if (reference == Reference::euler_rodrigues)
+    for (std::size_t k = 0; k < path.segments().size(); ++k) segment_with_erf(path, k);
   if (reference == Reference::frenet) require_frenet_joints(path);
   State::Measure measure{reference, std::nullopt, form};
   if (reference == Reference::up) measure.up = up_vector(path);
@@ -176,12 +180,7 @@ const RmfAngle* PathAngle::closed_form(std::size_t k) const { return state_->clo
 
 bool PathAngle::is_zero() const { return state_->is_zero; }
 
-void PathAngle::take(Route route) {
-  const auto taken = std::make_shared<State>(state_->path, state_->measure);
-  for (auto& angle : taken->closed_forms)
-    if (angle) angle->take(route);
-  state_ = taken;
-}
+void PathAngle::take(Route route) { state_ = std::make_shared<State>(*state_, route); }
 
 /// θ at the start of the segment.
 RealBall PathAngle::State::sum_before(std::size_t segment, long bits) {
@@ -206,8 +205,8 @@ RealBall PathAngle::State::enclose(const Place& at, long bits) {
   }
 }
 
-RealBall PathAngle::State::enclose(const Place& at, const FrameAngle& start, long bits) {
-  return add(enclose(at, bits), to_real(start).enclose(bits), bits);
+RealBall PathAngle::State::enclose(const Place& at, const Real& start, long bits) {
+  return add(enclose(at, bits), start.enclose(bits), bits);
 }
 
 RealBall PathAngle::enclose(const Place& at, long bits) const {
@@ -216,7 +215,8 @@ RealBall PathAngle::enclose(const Place& at, long bits) const {
 }
 
 RealBall PathAngle::enclose(const Place& at, const StartAngle& start, long bits) const {
-  return add(enclose(at, bits), start.value.enclose(bits), bits);
+  if (closed_form(at.segment) == nullptr) require_on_segment(at.t);
+  return state_->enclose(at, start.value, bits);
 }
 
 RealBall PathAngle::rate(const Place& at, long bits) const {
@@ -266,7 +266,7 @@ Antiderivative PathAngle::State::over_unit_interval(std::size_t from,
 /// As in Evaluator::value: what is apart from its rational part is irrational.
 bool PathAngle::State::may_be_rational(const PathParameter& at, const FrameAngle& start) {
   constexpr long bits = 128;
-  return enclose(at, start, bits)
+  return enclose(at, to_real(start), bits)
       .overlaps(add(rational_ball(at), RealBall(start.radians, bits), bits));
 }
 
@@ -275,8 +275,8 @@ bool PathAngle::State::may_be_rational(const PathParameter& at, const FrameAngle
 Real PathAngle::value_after(std::size_t joint, const Rational& theta, const PathParameter& at,
                             const FrameAngle& start) const {
   if (joint == at.segment) return closed_form(at.segment)->value(at.t, start) + theta;
-  const auto enclosure = [state = state_, at, theta, start](long bits) {
-    return add(state->enclose(at, start, bits), RealBall(-theta, bits), bits);
+  const auto enclosure = [state = state_, at, offset = to_real(start) + -theta](long bits) {
+    return state->enclose(at, offset, bits);
   };
   const Evaluator from_joint(state_->over_unit_interval(joint, at));
   return from_joint.value(0, 1, path_to(start.direction), enclosure,
@@ -310,7 +310,9 @@ Real PathAngle::value_after_last_joint(const PathParameter& at, const FrameAngle
 Real PathAngle::exact_value(const PathParameter& at, const FrameAngle& start) const {
   if (at.segment == 0) return closed_form(0)->value(at.t, start);
   if (state_->may_be_rational(at, start)) return value_after_last_joint(at, start);
-  return {[state = state_, at, start](long bits) { return state->enclose(at, start, bits); },
+  return {[state = state_, at, from = to_real(start)](long bits) {
+            return state->enclose(at, from, bits);
+          },
           {true, bits_of(at.t)}};
 }
 
@@ -360,7 +362,7 @@ std::optional<GaussianRational> PathAngle::direction(const PathParameter& at) co
 
 /// The Euler–Rodrigues frame at the start is that at the end, turned by 2·arg of closing_turn().
 std::optional<Real> PathAngle::holonomy_to_erf() const {
-  const auto closing = path().ph()->closing_turn();
+  const auto closing = path().closing_turn();
   if (!closing) return std::nullopt;
   // θ(end) + 2·arg back, up to whole turns.
   const GaussianRational back = angle_of({closing->re, -closing->im}).direction;
@@ -391,8 +393,15 @@ std::optional<Real> PathAngle::holonomy() const {
   return reduced(theta, [&] { return multiple_of_pi(end, path_to({1, 0})); }).angle;
 }
 
-PathAngle angle_to(const std::optional<Vector<Rational>>& v, const Path& path) {
-  return v ? PathAngle(path, *v) : PathAngle(path);
+Reference reference_of(const Path& path, const std::optional<Vector<Rational>>& v,
+                       std::optional<Reference> asked) {
+  if (v) return Reference::up;
+  return asked.value_or(path.is_ph() ? Reference::euler_rodrigues : Reference::up);
+}
+
+PathAngle angle_to(const std::optional<Vector<Rational>>& v, const Path& path,
+                   std::optional<Reference> asked, Form form) {
+  return v ? PathAngle(path, *v, form) : PathAngle(path, reference_of(path, v, asked), form);
 }
 
 }  // namespace phrame

@@ -79,7 +79,12 @@ class PathAngle {
   std::shared_ptr<State> state_;
 };
 
-/// To the frame of v where there is one, else as PathAngle(path).
-PathAngle angle_to(const std::optional<Vector<Rational>>& v, const Path& path);
+/// The frame that angles along the path are measured from: that of v where there is one, else the
+/// one that is asked for, else as PathAngle(path) has it.
+Reference reference_of(const Path& path, const std::optional<Vector<Rational>>& v,
+                       std::optional<Reference> asked = std::nullopt);
+/// The angle to that frame. Throws as the constructors.
+PathAngle angle_to(const std::optional<Vector<Rational>>& v, const Path& path,
+                   std::optional<Reference> asked = std::nullopt, Form form = Form::automatic);
 
 }  // namespace phrame

@@ -117,7 +117,7 @@ Real PathLength::value(const Place& at) const {
   if (!rest || at.segment >= state_->exact.size()) return sum;
   const Surd known = state_->exact[at.segment] + *rest;
   if (known.is_rational()) return known.rational_part();
-  return {[sum](long bits) { return sum.enclose(bits); }, {true, sum.origin().bits}};
+  return known_irrational(sum);
 }
 
 RealBall PathLength::enclose(const Place& at, long bits) const {

@@ -14,6 +14,7 @@
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 // What a PH curve adds is a Total. Of other curves τ = W²·det(H, H′, H″)/(p·ρ) does not depend on
@@ -70,15 +71,10 @@ std::pair<Group&, Rational> group_of(std::vector<Group>& groups, const Rational&
   return {groups.back(), 1};
 }
 
-/// x, which is known to be that.
-Real irrational(const Real& x) {
-  return {[x](long bits) { return x.enclose(bits); }, {true, x.origin().bits}};
-}
-
 Real to_real(const Surd& x) {
   Real sum = Rational(0);
   for (const auto& [d, c] : x.terms()) sum = sum + Real(c) * square_root_of(Rational(d));
-  return x.is_rational() ? sum : irrational(sum);
+  return x.is_rational() ? sum : known_irrational(sum);
 }
 
 void add_to(Terms& terms, const Total& total) {
@@ -106,16 +102,15 @@ void add_to(Terms& terms, const Real& x) {
 bool is_of_roots(const std::vector<PathTotal::Term>& exact) {
   return std::any_of(exact.begin(), exact.end(),
                      [](const auto& term) { return term.radicand != 1; }) &&
-         std::all_of(exact.begin(), exact.end(), [](const auto& term) {
-           return term.of == ExactValue{term.of.rational, 0, {}, {}};
-         });
+         std::all_of(exact.begin(), exact.end(),
+                     [](const auto& term) { return is_rational(term.of); });
 }
 
 PathTotal sum_of(Terms terms, std::vector<PathTotal::OfSegment> segments) {
   for (const auto& [d, c] : terms.roots.terms()) {
     const auto [group, quotient] = group_of(terms.groups, Rational(d));
     const Rational known = quotient * c;
-    group.integrals.push_back({{known, ExactValue{known, 0, {}, {}}}});
+    group.integrals.push_back({{known, exact_value(known)}});
   }
   PathTotal total{std::move(segments), sum_of(terms.approximate), std::vector<PathTotal::Term>()};
   if (!terms.approximate.empty()) total.exact.reset();
@@ -129,7 +124,7 @@ PathTotal sum_of(Terms terms, std::vector<PathTotal::OfSegment> segments) {
   }
   if (total.exact && total.exact->empty()) total.exact = {{1, ExactValue{}}};
   if (total.exact && !total.value.exact() && is_of_roots(*total.exact))
-    total.value = irrational(total.value);
+    total.value = known_irrational(total.value);
   return total;
 }
 
@@ -226,8 +221,8 @@ Real other_torsion(const RationalCurve& curve) {
     return Real(
         [turning, t](long bits) { return turning.enclose(enclose(t, bits + 16), bits + 8); });
   };
-  for (const RealRoot& root : real_roots(curve.multiplier(), open(0, 1)))
-    if (root.order % 2 == 1) add_up_to(at(root.at));
+  for (const RealRoot& root : odd(real_roots(curve.multiplier(), open(0, 1))))
+    add_up_to(at(root.at));
   add_up_to(turning.value(1));
   return sum;
 }
@@ -316,8 +311,7 @@ std::optional<int> sense_of_turn(const Vector<Polynomial>& d, const Vector<Ratio
   const Polynomial turn =
       normal[0] * minor(y, z) + normal[1] * minor(z, x) + normal[2] * minor(x, y);
   if (turn.is_zero()) return 0;
-  for (const RealRoot& root : real_roots(turn, open(0, 1)))
-    if (root.order % 2 == 1) return std::nullopt;
+  if (!odd(real_roots(turn, open(0, 1))).empty()) return std::nullopt;
   return sign_after_zero(turn);
 }
 
@@ -396,7 +390,7 @@ std::optional<Real> absolute_rotation_index(const Path& path, const PathTotal& c
                        return divide(RealBall(Rational(1, 2), bits), pi(bits), bits);
                      });
   if (!turns_one_way(path, *normal)) return index;
-  if (denominator(Rational(4 * squared_cosine_of_ends(path))) != 1) return irrational(index);
+  if (denominator(Rational(4 * squared_cosine_of_ends(path))) != 1) return known_irrational(index);
   for (long bits = 64;; bits *= 2) {
     const RealBall parts = multiply(RealBall(24, bits), index.enclose(bits), bits);
     if (const auto nearest = unique_integer(parts)) return Real(Rational(*nearest, 24));

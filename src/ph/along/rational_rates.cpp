@@ -11,30 +11,28 @@
 namespace phrame {
 namespace {
 
-Vector<Polynomial> slope(const Vector<Polynomial>& v) {
-  return {differentiate(v[0]), differentiate(v[1]), differentiate(v[2])};
-}
-
 Polynomial squared_size(const Vector<Polynomial>& v) { return dot(v, v); }
 
 }  // namespace
 
+Turning turning_of(const RationalCurve& curve) {
+  const Vector<Polynomial> b = binormal(curve);
+  return {squared_size(curve.direction()), squared_size(b),
+          dot(b, differentiate(differentiate(curve.direction())))};
+}
+
 RootQuotient up_frame_turning(const RationalCurve& curve, const Vector<Rational>& v) {
   const Vector<Polynomial>& H = curve.direction();
-  const Vector<Polynomial> up{Polynomial{v[0]}, Polynomial{v[1]}, Polynomial{v[2]}};
+  const Vector<Polynomial> up = as_polynomials(v);
   const Vector<Polynomial> across = cross(up, H);
-  return {-dot(up, H) * dot(across, slope(H)), squared_size(across), squared_size(H)};
+  return {-dot(up, H) * dot(across, differentiate(H)), squared_size(across), squared_size(H)};
 }
 
 RootQuotient frenet_turning(const RationalCurve& curve) {
-  const Vector<Polynomial>& H = curve.direction();
-  const Vector<Polynomial> first = slope(H);
-  const Vector<Polynomial> normal = cross(H, first);
-  const Polynomial sigma = squared_size(H);
-  const Polynomial rho = squared_size(normal);
+  const auto [sigma, rho, volume] = turning_of(curve);
   if (rho.is_zero())
     throw DomainError("Frenet frame: the curve is a straight line, it has no principal normal");
-  return {-dot(normal, slope(first)) * sigma, rho, sigma};
+  return {-volume * sigma, rho, sigma};
 }
 
 RootQuotient length_rate(const RationalCurve& curve) {
@@ -44,8 +42,7 @@ RootQuotient length_rate(const RationalCurve& curve) {
 
 // ρ = c·g²·ρ₁ with ρ₁ squarefree, without a real zero: √ρ = g·c·ρ₁/√(c·ρ₁).
 RootQuotient curvature_rate(const RationalCurve& curve) {
-  const Vector<Polynomial>& H = curve.direction();
-  const Polynomial rho = squared_size(cross(H, slope(H)));
+  const Polynomial rho = squared_size(binormal(curve));
   if (rho.is_zero()) return {};
   Polynomial g{1};
   Polynomial rest{1};
@@ -55,24 +52,19 @@ RootQuotient curvature_rate(const RationalCurve& curve) {
     if (factor.exponent % 2 != 0) rest *= factor.base;
   }
   rest *= factors.unit;
-  return {g * rest, squared_size(H), rest};
+  return {g * rest, squared_size(curve.direction()), rest};
 }
 
 RootQuotient bending_rate(const RationalCurve& curve) {
-  const Vector<Polynomial>& H = curve.direction();
-  const Polynomial sigma = squared_size(H);
-  return {squared_size(cross(H, slope(H))) * curve.weight() * curve.weight(),
+  const Polynomial sigma = squared_size(curve.direction());
+  return {squared_size(binormal(curve)) * curve.weight() * curve.weight(),
           curve.multiplier() * sigma * sigma, sigma};
 }
 
 RootQuotient frenet_energy_rate(const RationalCurve& curve) {
-  const Vector<Polynomial>& H = curve.direction();
-  const Vector<Polynomial> first = slope(H);
-  const Vector<Polynomial> normal = cross(H, first);
-  const Polynomial sigma = squared_size(H);
-  const Polynomial rho = squared_size(normal);
+  const auto [sigma, rho, volume] = turning_of(curve);
   if (rho.is_zero()) throw DomainError("torsion: the curve is a straight line, it has none");
-  const Polynomial turn = dot(normal, slope(first)) * curve.weight();
+  const Polynomial turn = volume * curve.weight();
   return {pow(rho, 3) * pow(curve.weight(), 2) + pow(sigma, 3) * turn * turn,
           curve.multiplier() * pow(sigma * rho, 2), sigma};
 }

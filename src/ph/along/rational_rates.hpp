@@ -7,6 +7,14 @@ namespace phrame {
 // What is integrated along a rational curve with r′ = p·H/W², σ = |H|², ρ = |H × H′|². Cusps, where
 // p = 0, and inflections are no singularities of these but of the bending energy.
 
+/// What the curvature and the torsion depend on besides p and W.
+struct Turning {
+  Polynomial sigma;   ///< σ
+  Polynomial rho;     ///< ρ, 0 for a straight line
+  Polynomial volume;  ///< det(H, H′, H″)
+};
+Turning turning_of(const RationalCurve& curve);  ///< these of the curve
+
 /// θ′ of the rotation-minimizing frame to the frame of v, −e₂′·e₃ =
 ///   −(v·H)·det(v, H, H′)/(√σ·|v × H|²).
 RootQuotient up_frame_turning(const RationalCurve& curve, const Vector<Rational>& v);

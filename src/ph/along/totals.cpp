@@ -6,6 +6,7 @@
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 
 namespace phrame {
 namespace {
@@ -28,8 +29,8 @@ bool is_odd_about_middle(const RationalFunction& rate, const Polynomial& orienta
 Total total(const RationalFunction& rate, Antiderivative F, const Polynomial& orientation,
             const Rational& radicand = 1) {
   Total result{radicand, rate, std::move(F), {}, Rational(0), ExactValue{}};
-  for (const RealRoot& root : real_roots(orientation, open(0, 1)))
-    if (root.order % 2 == 1) result.sign_changes.push_back(root.at);
+  for (const RealRoot& root : odd(real_roots(orientation, open(0, 1))))
+    result.sign_changes.push_back(root.at);
 
   if (is_odd_about_middle(rate, orientation)) return result;  // 0
 

@@ -34,7 +34,7 @@ std::string text(const Real& x) {
   return x.exact() ? as_written(*x.exact()) : to_string(x.enclose(64), 12);
 }
 
-KnownIntegral known(const Rational& x) { return {{x, ExactValue{x, 0, {}, {}}}}; }
+KnownIntegral known(const Rational& x) { return {{x, exact_value(x)}}; }
 
 /// "s = 5"; along PH curves with a polynomial length "t = 3/2", a root of p(s(t)).
 std::string place_of_length(const PathLength& length, std::size_t count, const RealAlgebraic& s) {

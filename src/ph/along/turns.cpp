@@ -214,7 +214,9 @@ void add_extremes(Turns& turns, const Segment& segment, Plotted quantity) {
     if (turn->at > 0 && turn->at < 1) turns.list.push_back(*turn);
 }
 
-Turns turns_of(const Segment& segment) {
+}  // namespace
+
+Turns turns(const Segment& segment) {
   if (const RationalCurve* rational = rational_curve(segment)) return turns_of(*rational);
   Turns found;
   // κ is seen by its square: of that, twice as much.
@@ -224,9 +226,5 @@ Turns turns_of(const Segment& segment) {
   if (!are_on_a_line(span) && !common_normal(span)) add_extremes(found, segment, Plotted::torsion);
   return found;
 }
-
-}  // namespace
-
-Turns turns(const Segment& segment) { return turns_of(segment); }
 
 }  // namespace phrame

@@ -18,10 +18,6 @@
 namespace phrame {
 namespace {
 
-Vector<Polynomial> as_constant(const Vector<Rational>& v) {
-  return {Polynomial{v[0]}, Polynomial{v[1]}, Polynomial{v[2]}};
-}
-
 /// H at some t of [0, 1], about.
 Vector<RealBall> direction_near(const RationalCurve& curve, const Rational& t, long bits) {
   const Vector<Rational> h = evaluate(curve.direction(), t);
@@ -109,8 +105,7 @@ bool is_apart(const Path& path, const Vector<Rational>& v) {
 }  // namespace
 
 std::optional<TangentPlace> tangent_along(const RationalCurve& curve, const Vector<Rational>& v) {
-  const Vector<Polynomial> product = cross(as_constant(v), curve.direction());
-  const Polynomial common = gcd(gcd(product[0], product[1]), product[2]);
+  const Polynomial common = gcd(cross(as_polynomials(v), curve.direction()));
   if (common.is_zero()) return TangentPlace{closed(0, 0), true};
   if (common.is_constant()) return std::nullopt;
   const auto zeros = located_real_roots(common, closed(0, 1));

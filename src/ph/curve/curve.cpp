@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/power_series.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 
@@ -38,10 +39,7 @@ Vector<Polynomial> position(const Curve& curve) {
   return result;
 }
 
-Polynomial hodograph_content(const Curve& curve) {
-  const auto [x, y, z] = hodograph(curve);
-  return gcd(gcd(x, y), z);
-}
+Polynomial hodograph_content(const Curve& curve) { return gcd(hodograph(curve)); }
 
 // The ends of isolating intervals and the middles between them meet every gap between two roots: an
 // open interval has no root at its ends, and between two roots that are points is their middle.

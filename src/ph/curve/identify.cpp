@@ -28,6 +28,7 @@
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/algebra/surd.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 namespace {
@@ -103,7 +104,7 @@ std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph
   const auto& [dx, dy, dz] = hodograph;
   const Rational number = common_content({dx, dy, dz});
   if (number == 0) throw DomainError("identify: the hodograph is zero, so the curve is a point");
-  Polynomial f = gcd(gcd(dx, dy), dz);
+  Polynomial f = gcd(hodograph);
   long order = 0;
   while (f.coefficient(order) == 0) ++order;
   if (f.coefficient(order) < 0) f = -std::move(f);

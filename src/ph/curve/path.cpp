@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/formula_evaluation.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
@@ -130,7 +131,9 @@ std::optional<PhPath> Path::ph() const {
 }
 
 bool Path::ends_meet() const {
-  if (const auto of_ph = ph()) return of_ph->ends_meet();
+  const Curve* first = ph_curve(segments().front());
+  const Curve* last = ph_curve(segments().back());
+  if (first != nullptr && last != nullptr) return end_point(*last) == first->start();
   FormulaProgram program;
   const SegmentEnd start = start_of(segments().front(), program);
   const SegmentEnd end = end_of(segments().back(), program);
@@ -138,13 +141,18 @@ bool Path::ends_meet() const {
 }
 
 bool Path::is_closed() const {
-  if (const auto of_ph = ph()) return of_ph->closing_turn().has_value();
+  if (is_ph()) return closing_turn().has_value();
   if (!ends_meet()) return false;
   FormulaProgram program;
   const SegmentEnd start = start_of(segments().front(), program);
   const SegmentEnd end = end_of(segments().back(), program);
   return decided(have_same_direction(program, end.direction, start.direction),
                  "the tangents at the ends of the curve are the same");
+}
+
+std::optional<GaussianRational> Path::closing_turn() const {
+  if (!is_ph()) return std::nullopt;
+  return phrame::closing_turn(*ph_curve(segments().front()), *ph_curve(segments().back()));
 }
 
 Closure closure(const Path& path) {
@@ -176,6 +184,12 @@ Path by_positions(const PhPath& path) {
   std::vector<Segment> segments;
   for (const Curve& curve : path.segments()) segments.emplace_back(RationalCurve(position(curve)));
   return joined(std::move(segments));
+}
+
+const PhSegment& segment_with_erf(const Path& path, std::size_t k) {
+  if (const auto* ph = std::get_if<PhSegment>(&path.segments()[k])) return *ph;
+  throw DomainError(fmt::format(
+      "Euler-Rodrigues frame: segment {} is no Pythagorean-hodograph curve, it has none", k + 1));
 }
 
 bool goes_on(const Path& path) { return path.segments().size() == 1 && path.is_ph(); }

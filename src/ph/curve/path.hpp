@@ -44,6 +44,8 @@ class Path {
   bool ends_meet() const;
   /// Do its ends meet, with the same e₁? Throws likewise.
   bool is_closed() const;
+  /// Of a path of PH curves, as PhPath::closing_turn() has it; of others no value.
+  std::optional<GaussianRational> closing_turn() const;
 
   friend bool operator==(const Path& a, const Path& b) { return a.segments() == b.segments(); }
 
@@ -91,6 +93,10 @@ struct NamedPath {
 
 /// The same as one of PH curves, where it is one.
 std::optional<NamedPhPath> as_ph(const NamedPath& named);
+
+/// Segment k, which is a PH curve. Throws DomainError where it is none, and so has no
+/// Euler–Rodrigues frame.
+const PhSegment& segment_with_erf(const Path& path, std::size_t k);
 
 /// Is it a PH curve by itself, which goes on for all t?
 bool goes_on(const Path& path);

@@ -26,11 +26,6 @@ End start_of(const Curve& curve) {
   return {evaluate(without_real_content(curve.preimage()), 0), sign_after_zero(curve.multiplier())};
 }
 
-int sign_before_one(const Polynomial& f) {
-  if (f.is_constant()) return sign_after_zero(f);
-  return sign_after_zero(compose(f, Polynomial{1, -1}));
-}
-
 End end_of(const Curve& curve) {
   return {evaluate(without_real_content(curve.preimage()), 1), sign_before_one(curve.multiplier())};
 }
@@ -102,8 +97,12 @@ PhPath joined(const std::vector<Curve>& curves) {
 bool PhPath::ends_meet() const { return end_point(segments_.back()) == segments_.front().start(); }
 
 std::optional<GaussianRational> PhPath::closing_turn() const {
-  if (!ends_meet()) return std::nullopt;
-  return turn(end_of(segments_.back()), start_of(segments_.front()));
+  return phrame::closing_turn(segments_.front(), segments_.back());
+}
+
+std::optional<GaussianRational> closing_turn(const Curve& first, const Curve& last) {
+  if (end_point(last) != first.start()) return std::nullopt;
+  return turn(end_of(last), start_of(first));
 }
 
 PathParameter locate(const PhPath& path, const Rational& t) {

@@ -56,6 +56,9 @@ class PhPath {
 /// `last`. Throws as PhPath::append.
 Curve continuation(const Curve& last, const Curve& next);
 
+/// PhPath::closing_turn() of a path with these at its ends.
+std::optional<GaussianRational> closing_turn(const Curve& first, const Curve& last);
+
 /// The curves, at least one, one after the other. Throws as PhPath::append.
 PhPath joined(const std::vector<Curve>& curves);
 

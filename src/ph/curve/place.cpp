@@ -5,6 +5,7 @@
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/formula_evaluation.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 namespace {
@@ -135,9 +136,8 @@ Vector<Real> direction_slope(const Path& path, const Place& at) {
   const Segment& segment = path.segments()[at.segment];
   if (const auto* formulas = std::get_if<ExpressionCurve>(&segment))
     return with_sign(formulas->orientation(), derivative(*formulas, 2, at.t));
-  const Vector<Polynomial>& H = rational_curve(segment)->direction();
-  return {value(differentiate(H[0]), at.t), value(differentiate(H[1]), at.t),
-          value(differentiate(H[2]), at.t)};
+  const Vector<Polynomial> slope = differentiate(rational_curve(segment)->direction());
+  return {value(slope[0], at.t), value(slope[1], at.t), value(slope[2], at.t)};
 }
 
 }  // namespace phrame

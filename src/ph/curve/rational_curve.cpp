@@ -12,8 +12,6 @@
 namespace phrame {
 namespace {
 
-Polynomial vector_gcd(const Vector<Polynomial>& v) { return gcd(gcd(v[0], v[1]), v[2]); }
-
 Vector<Polynomial> quotient(const Vector<Polynomial>& v, const Polynomial& by) {
   return {exact_quotient(v[0], by), exact_quotient(v[1], by), exact_quotient(v[2], by)};
 }
@@ -33,7 +31,7 @@ void refuse_zeros(const Polynomial& weight) {
 
 RationalCurve::RationalCurve(const Vector<Polynomial>& numerator, const Polynomial& weight) {
   if (weight.is_zero()) throw DomainError("the weight function is 0");
-  const Polynomial common = gcd(vector_gcd(numerator), weight);
+  const Polynomial common = gcd(gcd(numerator), weight);
   numerator_ = quotient(numerator, common);
   weight_ = exact_quotient(weight, common);
   refuse_zeros(weight_);
@@ -46,7 +44,7 @@ RationalCurve::RationalCurve(const Vector<Polynomial>& numerator, const Polynomi
   Vector<Polynomial> hodograph;
   for (std::size_t k = 0; k < 3; ++k)
     hodograph[k] = differentiate(numerator_[k]) * weight_ - numerator_[k] * slope;
-  multiplier_ = vector_gcd(hodograph);
+  multiplier_ = gcd(hodograph);
   if (multiplier_.is_zero())
     throw DomainError(fmt::format("the curve is the point {}", abbreviated(point(*this, 0))));
   direction_ = quotient(hodograph, multiplier_);
@@ -71,6 +69,10 @@ long degree(const RationalCurve& curve) {
   long degree = curve.weight().degree();
   for (const Polynomial& x : curve.numerator()) degree = std::max(degree, x.degree());
   return degree;
+}
+
+Vector<Polynomial> binormal(const RationalCurve& curve) {
+  return cross(curve.direction(), differentiate(curve.direction()));
 }
 
 Vector<Rational> point(const RationalCurve& curve, const Rational& t) {

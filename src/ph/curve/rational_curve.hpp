@@ -34,6 +34,8 @@ class RationalCurve {
 
 /// The greatest degree of X₁, X₂, X₃ and W.
 long degree(const RationalCurve& curve);
+/// H × H′, along the binormal; 0 for a straight line.
+Vector<Polynomial> binormal(const RationalCurve& curve);
 /// r(t). Throws DomainError where W(t) = 0, so outside [0, 1].
 Vector<Rational> point(const RationalCurve& curve, const Rational& t);
 

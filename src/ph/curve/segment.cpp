@@ -47,7 +47,7 @@ int orientation(const Segment& segment) {
 
 int end_orientation(const Segment& segment) {
   const Polynomial* f = multiplier_of(segment);
-  return f != nullptr ? sign_after_zero(compose(*f, Polynomial{1, -1})) : orientation(segment);
+  return f != nullptr ? sign_before_one(*f) : orientation(segment);
 }
 
 Segment turned_over(const Segment& segment) {

@@ -3,6 +3,7 @@
 #include "phrame/algebra/linear_system.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/special_points.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 // The tangent is (x, y, z)/σ. It is constant where x, y, z are multiples of one polynomial, lies in
 // a plane through 0 where n·(x, y, z) = 0, and in another plane, a·(x, y, z)/σ = c, where there is
@@ -106,8 +107,7 @@ std::optional<Vector<Rational>> plane_normal(const PhPath& path) {
 std::optional<Helix> helix(const QuaternionPolynomial& a) {
   const auto angle = constant_angle({a});
   if (!angle) return std::nullopt;
-  const auto [x, y, z] = rotated_i(a);
-  return Helix{*angle, (degree(a) * 2 - gcd(gcd(x, y), z).degree()) / 2,
+  return Helix{*angle, (degree(a) * 2 - gcd(rotated_i(a)).degree()) / 2,
                odd(inflections(a, real_line())).empty()};
 }
 

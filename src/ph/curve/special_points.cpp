@@ -11,6 +11,13 @@ std::vector<RealRoot> cusps(const Curve& curve, const Interval& interval) {
   return real_roots(curve.multiplier() * pow(real_content(curve.preimage()), 2), interval);
 }
 
+std::vector<RealRoot> cusps(const Segment& segment) {
+  if (const Curve* curve = ph_curve(segment)) return cusps(*curve);
+  const RationalCurve* curve = rational_curve(segment);
+  if (curve == nullptr || curve->multiplier().is_constant()) return {};
+  return real_roots(curve->multiplier(), closed(0, 1));
+}
+
 std::vector<RealRoot> inflections(const QuaternionPolynomial& a, const Interval& interval) {
   const GaussianPolynomial g = bend_numerator(without_real_content(a));
   return is_zero(g) ? std::vector<RealRoot>() : real_roots(gcd(g.re, g.im), interval);

@@ -6,17 +6,10 @@
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 namespace {
-
-Vector<Rational> sum(const Vector<Rational>& a, const Vector<Rational>& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-
-Vector<Rational> multiple(const Rational& c, const Vector<Rational>& v) {
-  return {c * v[0], c * v[1], c * v[2]};
-}
 
 void require_apart(const Rational& a, const Rational& b) {
   if (a == b)
@@ -121,21 +114,20 @@ Curve segment(const Curve& curve, const Rational& a, const Rational& b) {
 Curve reversed(const Curve& curve) { return segment(curve, 1, 0); }
 
 Curve translated(const Curve& curve, const Vector<Rational>& v) {
-  return Curve(curve.preimage(), curve.multiplier(), sum(curve.start(), v));
+  return Curve(curve.preimage(), curve.multiplier(), curve.start() + v);
 }
 
 Curve scaled(const Curve& curve, const Rational& c) {
   require_nonzero(c);
-  return Curve(curve.preimage(), c * curve.multiplier(), multiple(c, curve.start()));
+  return Curve(curve.preimage(), c * curve.multiplier(), c * curve.start());
 }
 
 Curve rotated(const Curve& curve, const RationalQuaternion& u) {
   require_nonzero(u);
   const QuaternionPolynomial constant{{u.u}, {u.v}, {u.p}, {u.q}};
   const auto& [x, y, z] = curve.start();
-  return Curve(
-      constant * curve.preimage(), curve.multiplier(),
-      sum(sum(multiple(x, rotated_i(u)), multiple(y, rotated_j(u))), multiple(z, rotated_k(u))));
+  return Curve(constant * curve.preimage(), curve.multiplier(),
+               x * rotated_i(u) + y * rotated_j(u) + z * rotated_k(u));
 }
 
 Path segment(const Path& path, const Rational& a, const Rational& b) {

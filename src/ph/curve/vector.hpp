@@ -62,6 +62,10 @@ Quaternion<T> conjugate(const Quaternion<T>& a) {
   return {a.u, -a.v, -a.p, -a.q};
 }
 
+Vector<Polynomial> differentiate(const Vector<Polynomial>& v);  ///< v′
+Vector<Polynomial> as_polynomials(const Vector<Rational>& v);   ///< v, a constant
+Polynomial gcd(const Vector<Polynomial>& v);                    ///< of its components
+
 /// "(1, 0, 2/3)", long numbers cut in the middle.
 std::string abbreviated(const Vector<Rational>& v);
 

@@ -8,6 +8,7 @@
 #include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/shape.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 
 // The frame of v turns as e₂ = v × e₁ does, and so does e₃, the part of v across the tangent: a
 // copy of the curve shifted a little along e₃ is linked with it as one shifted along v.
@@ -28,9 +29,7 @@ const std::array<Vector<Rational>, 9> projections{{{0, 0, 1},
 /// The signs of the multiplier. Throws DomainError where a curve that is not PH has a cusp.
 Signs signs_along(const Segment& segment) {
   if (const Curve* ph = ph_curve(segment)) return multiplier_signs(*ph);
-  if (const auto* curve = std::get_if<RationalCurve>(&segment);
-      curve != nullptr && count_real_roots(curve->multiplier(), {0, 1}) > 0)
-    throw DomainError("the curve has a cusp, so that it has no writhe");
+  if (!cusps(segment).empty()) throw DomainError("the curve has a cusp, so that it has no writhe");
   return {orientation(segment) > 0, orientation(segment) < 0};
 }
 

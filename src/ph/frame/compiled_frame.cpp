@@ -11,6 +11,7 @@
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/frame/rational_frame.hpp"
 #include "phrame/ph/frame/rotation_piece.hpp"
 
@@ -22,7 +23,7 @@ namespace {
 // constant, the normal of a plane. There the frames are rational, of a degree ≤ 2·degree(B), so
 // that one that is 0 at so many t and one more is 0.
 
-/// Which components of the frames at(frames, t) are 0 for all t: decided exactly.
+/// Which components of the rotation-minimizing frames at(t) are 0 for all t: decided exactly.
 template <class At>
 CompiledFrames::Zeros frame_zeros(const Curve& curve, const At& at) {
   const QuaternionPolynomial a = without_real_content(curve.preimage());
@@ -35,10 +36,9 @@ CompiledFrames::Zeros frame_zeros(const Curve& curve, const At& at) {
   if (found == nullptr) return zeros;
   zeros[1].fill(true);
   zeros[2].fill(true);
-  const Frames frames(curve);
   const long points = 2 * degree(found->preimage) + 1;
   for (long n = 0; n < points; ++n) {
-    const Frame<Real> frame = at(frames, Rational(n, points));
+    const Frame<Real> frame = at(Rational(n, points));
     for (std::size_t k = 0; k < 3; ++k) {
       zeros[1][k] = zeros[1][k] && frame.e2[k].exact() == Rational(0);
       zeros[2][k] = zeros[2][k] && frame.e3[k].exact() == Rational(0);
@@ -73,10 +73,6 @@ void clear_zeros(CompiledFrames::Zeros& zeros, const std::vector<Vector<Polynomi
   for (std::size_t j = 0; j < 3; ++j)
     for (std::size_t k = 0; k < 3; ++k)
       zeros[j][k] = zeros[j][k] && (j == 0 || is_up) && frame[j][k].is_zero();
-}
-
-Vector<Polynomial> as_polynomials(const Vector<Rational>& v) {
-  return {Polynomial{v[0]}, Polynomial{v[1]}, Polynomial{v[2]}};
 }
 
 /// Of H: what multiples of the three vectors are.
@@ -133,7 +129,7 @@ CompiledFrames::CompiledFrames(PiecewisePolynomial polynomials, const Zeros& zer
 
 CompiledFrames::Zeros CompiledFrames::zeros(const Curve& curve, const RmfAngle& angle,
                                             const FrameAngle& start_angle) {
-  return frame_zeros(curve, [&](const Frames& frames, const Rational& t) {
+  return frame_zeros(curve, [&, frames = Frames(curve)](const Rational& t) {
     return frames.rotation_minimizing(angle, t, start_angle);
   });
 }
@@ -143,11 +139,8 @@ CompiledFrames::Zeros CompiledFrames::zeros(const PathAngle& angle, std::size_t 
   const Segment& of = angle.path().segments()[segment];
   if (angle.reference() != Reference::euler_rodrigues || !start.exact)
     return known_zeros(angle, of, start);
-  return frame_zeros(*ph_curve(of), [&](const Frames& frames, const Rational& t) {
-    const PathParameter at{segment, t};
-    return turned(
-        frames.euler_rodrigues(t), angle.direction(at),
-        [&](const FrameAngle& from) { return angle.value(at, from); }, *start.exact);
+  return frame_zeros(*ph_curve(of), [&](const Rational& t) {
+    return rotation_minimizing_frame(angle, {segment, t}, start);
   });
 }
 

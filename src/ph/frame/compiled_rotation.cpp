@@ -117,10 +117,8 @@ TwicePhi from_start(const TwicePhi& theta, const StartAngle& start) {
 
 /// σB′ = (H × H′)/2·B.
 RotationEquation rotation_of(const RationalCurve& curve) {
-  const Vector<Polynomial>& H = curve.direction();
-  const Vector<Polynomial> slope{differentiate(H[0]), differentiate(H[1]), differentiate(H[2])};
-  const Vector<Polynomial> rate = Polynomial{Rational(1, 2)} * cross(H, slope);
-  return {dot(H, H), rate[0], rate[1], rate[2], rate[0]};
+  const Vector<Polynomial> rate = Polynomial{Rational(1, 2)} * binormal(curve);
+  return {dot(curve.direction(), curve.direction()), rate[0], rate[1], rate[2], rate[0]};
 }
 
 /// One of the two unit quaternions of the rotation that takes the axes to the frame. The components

@@ -11,36 +11,6 @@
 namespace phrame {
 namespace {
 
-/// A vector for each t.
-using PointFunction = std::function<Vector<Rational>(const Rational& t)>;
-
-bool are_along(const PointFunction& tangent_at, const std::vector<GivenFrame>& frames,
-               const Rational& tolerance) {
-  return std::all_of(frames.begin(), frames.end(), [&](const GivenFrame& frame) {
-    if (!frame.tangent) return true;
-    const Vector<Rational> tangent = tangent_at(frame.t);
-    const Vector<Rational> c = cross(*frame.tangent, tangent);
-    const Rational squared_size = dot(*frame.tangent, *frame.tangent) * dot(tangent, tangent);
-    return squared_size != 0 && dot(c, c) <= tolerance * tolerance * squared_size;
-  });
-}
-
-bool are_on(const PointFunction& position_at, const std::vector<GivenPosition>& positions,
-            const Rational& tolerance) {
-  std::optional<Vector<Rational>> start;
-  Rational farthest;  // squared, as is
-  Rational worst;
-  for (const auto& [t, given] : positions) {
-    const Vector<Rational> r = position_at(t);
-    if (!start) start = r;
-    const Vector<Rational> way = r - *start;
-    const Vector<Rational> off = given - positions.front().r - way;
-    farthest = std::max(farthest, dot(way, way));
-    worst = std::max(worst, dot(off, off));
-  }
-  return farthest > 0 && worst <= tolerance * tolerance * farthest;
-}
-
 /// The sign of p next to t.
 int side_of(const RationalCurve& curve, const Rational& t) {
   return sign_beside(curve.multiplier(), t);
@@ -120,14 +90,29 @@ FrameVerdict check_frames(const PathAngle& angle, const std::vector<GivenFrame>&
 
 bool are_along_curve(const Path& path, const std::vector<GivenFrame>& frames,
                      const Rational& tolerance) {
-  const auto tangent_at = [&](const Rational& t) { return near(direction(path, locate(path, t))); };
-  return are_along(tangent_at, frames, tolerance);
+  return std::all_of(frames.begin(), frames.end(), [&](const GivenFrame& frame) {
+    if (!frame.tangent) return true;
+    const Vector<Rational> tangent = near(direction(path, locate(path, frame.t)));
+    const Vector<Rational> c = cross(*frame.tangent, tangent);
+    const Rational squared_size = dot(*frame.tangent, *frame.tangent) * dot(tangent, tangent);
+    return squared_size != 0 && dot(c, c) <= tolerance * tolerance * squared_size;
+  });
 }
 
 bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
                   const Rational& tolerance) {
-  const auto position_at = [&](const Rational& t) { return near(position(path, locate(path, t))); };
-  return are_on(position_at, positions, tolerance);
+  std::optional<Vector<Rational>> start;
+  Rational farthest;  // squared, as is
+  Rational worst;
+  for (const auto& [t, given] : positions) {
+    const Vector<Rational> r = near(position(path, locate(path, t)));
+    if (!start) start = r;
+    const Vector<Rational> way = r - *start;
+    const Vector<Rational> off = given - positions.front().r - way;
+    farthest = std::max(farthest, dot(way, way));
+    worst = std::max(worst, dot(off, off));
+  }
+  return farthest > 0 && worst <= tolerance * tolerance * farthest;
 }
 
 }  // namespace phrame

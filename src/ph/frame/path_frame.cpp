@@ -1,7 +1,5 @@
 #include "phrame/ph/frame/path_frame.hpp"
 
-#include <fmt/format.h>
-
 #include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/invariants.hpp"
@@ -115,12 +113,7 @@ Vector<Real> tangent(const Path& path, const Place& at) {
 }
 
 Frame<Real> euler_rodrigues_frame(const Path& path, const Place& at) {
-  const auto* ph = std::get_if<PhSegment>(&path.segments()[at.segment]);
-  if (ph == nullptr)
-    throw DomainError(fmt::format(
-        "Euler-Rodrigues frame: segment {} is no Pythagorean-hodograph curve, it has none",
-        at.segment + 1));
-  const QuaternionPolynomial& a = ph->primitive_preimage();
+  const QuaternionPolynomial& a = segment_with_erf(path, at.segment).primitive_preimage();
   if (at.t.exact()) return as_real(euler_rodrigues_frame(a, *at.t.exact()));
   const Polynomial size = sigma(a);
   return {quotient_at(rotated_i(a), size, at), quotient_at(rotated_j(a), size, at),
@@ -195,7 +188,7 @@ StartAngle closing_angle(const StartAngle& start, const PathAngle& angle) {
     throw DomainError(
         "the path is not closed with a continuous tangent: no frame ends as it starts");
   if (angle.reference() != Reference::euler_rodrigues) return start;
-  const GaussianRational turn = path.ph()->closing_turn().value();
+  const GaussianRational turn = path.closing_turn().value();
   const FrameAngle back = angle_of(turn * turn);
   if (start.exact) return *start.exact + back;
   return start.value + to_real(back);

@@ -71,12 +71,6 @@ Classification classify(const Curve& curve) {
 
 namespace {
 
-/// Has a segment that is no PH curve no cusp?
-bool is_regular(const Segment& segment) {
-  const auto* curve = std::get_if<RationalCurve>(&segment);
-  return curve == nullptr || count_real_roots(curve->multiplier(), unit_interval) == 0;
-}
-
 /// What PH curves have as a whole.
 void add_shape(PathClassification& result, const PhPath& path) {
   if (path.is_curve()) {
@@ -109,7 +103,7 @@ PathClassification classify(const Path& path) {
     const Curve* curve = ph_curve(segment);
     const auto& kinds =
         result.segments.emplace_back(curve ? std::optional(classify(*curve)) : std::nullopt);
-    if (kinds ? !kinds->cusps.empty() : !is_regular(segment)) result.is_regular = false;
+    if (!(kinds ? kinds->cusps : cusps(segment)).empty()) result.is_regular = false;
     if (kinds && !kinds->erf_is_rotation_minimizing) result.erf_is_rotation_minimizing = false;
   }
   if (const auto ph = path.ph())
