@@ -143,6 +143,7 @@ bool Path::ends_meet() const {
 bool Path::is_closed() const {
   if (is_ph()) return closing_turn().has_value();
   if (!ends_meet()) return false;
+  if (end_orientation(segments().back()) != orientation(segments().front())) return false;
   FormulaProgram program;
   const SegmentEnd start = start_of(segments().front(), program);
   const SegmentEnd end = end_of(segments().back(), program);

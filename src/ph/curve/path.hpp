@@ -42,7 +42,7 @@ class Path {
 
   /// Is its end its start? Throws Undecided where that is not told of values of formulas.
   bool ends_meet() const;
-  /// Do its ends meet, with the same e₁? Throws likewise.
+  /// Do its ends meet, with the same r′/|r′|, and e₁ on the same side of it? Throws likewise.
   bool is_closed() const;
   /// Of a path of PH curves, as PhPath::closing_turn() has it; of others no value.
   std::optional<GaussianRational> closing_turn() const;

@@ -87,6 +87,17 @@ TEST_CASE("path: a PH path by its positions has its points, and is as closed") {
     CHECK(std::get<RationalCurve>(path.segments()[k]).numerator() == position(loop.segments()[k]));
 }
 
+TEST_CASE("path: a curve that turns back at a cusp to where it came from is not closed") {
+  // Along y = x² from 0 to x = 1/4 and back: e₁ is (1, 0, 0) at both ends, r′/|r′| is not.
+  const Curve back_and_forth(QuaternionPolynomial{{1}, {}, {}, {0, 1, -1}}, Polynomial{1, -2},
+                             {0, 0, 0});
+  const PhPath parabola(back_and_forth);
+  CHECK(parabola.ends_meet());
+  CHECK_FALSE(Path(parabola).is_closed());
+  CHECK(by_positions(parabola).ends_meet());
+  CHECK_FALSE(by_positions(parabola).is_closed());
+}
+
 TEST_CASE("path: formulas join by their values, and with rational curves") {
   const auto arc = [](const char* from, const char* to) {
     return test::expression_curve({"cos(s)", "sin(s)", "0"}, from, to);
